@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "backend-glsl/block_layout.h"
+
+#include <algorithm>
+#include <span>
+
+#include "backend-glsl/shape.h"
+#include "ir/packing.h"
+
+namespace clipc::glsl {
+
+using namespace ir;
+
+namespace {
+
+constexpr std::uint32_t kRow = 16;
+// Beyond this no device takes a buffer; the sums below stay far from wrapping round.
+constexpr std::uint64_t kLargest = 1u << 30;
+
+std::uint64_t RoundUp(std::uint64_t value, std::uint64_t multiple) {
+  return (value + multiple - 1) / multiple * multiple;
+}
+
+std::uint32_t ScalarSize(Scalar kind) {
+  const Scalar base = BaseOf(kind);
+  return base == Scalar::kDouble || base == Scalar::kInt64 || base == Scalar::kUint64 ? 8 : 4;
+}
+
+Std140Extent VectorExtent(std::uint32_t scalar_size, std::uint32_t components) {
+  return {scalar_size * components, scalar_size * (components == 3 ? 4 : components)};
+}
+
+// Adds what `part` asks of the matrices around it; false when they disagree.
+bool Agree(MatrixLayout& whole, MatrixLayout part) {
+  if (part == MatrixLayout::kNone) return true;
+  if (whole == MatrixLayout::kNone) whole = part;
+  return whole == part;
+}
+
+// The two layouts of section 7.6.2.2 against a given layout of HLSL.
+class Comparer {
+ public:
+  // `tight`: std430 against a StructuredBuffer; else std140 against a cbuffer.
+  Comparer(const TypeTable& types, bool tight) : types_(types), row_(tight ? 1 : kRow), tight_(tight) {}
+
+  std::optional<Std140Extent> Extent(TypeId id, bool row_major) const {
+    const Type& type = types_[id];
+    switch (type.kind) {
+      case TypeKind::kScalar:
+      case TypeKind::kVector: return VectorExtent(ScalarSize(type.scalar), type.columns);
+      case TypeKind::kMatrix: return Matrix(type, row_major);
+      case TypeKind::kArray: return Array(id, row_major);
+      case TypeKind::kStruct: return Struct(types_.StructOf(id));
+      default: return std::nullopt;
+    }
+  }
+
+ private:
+  std::optional<Std140Extent> Matrix(const Type& type, bool row_major) const {
+    const std::uint32_t scalar_size = ScalarSize(type.scalar);
+    const Shape shape = ShapeOf(type);
+    const std::uint32_t registers = row_major ? type.rows : type.columns;
+    const std::uint32_t length = row_major ? type.columns : type.rows;
+    if (!shape.HasRows()) {
+      // A vector in GLSL; in memory one component a row when it lies across its only direction.
+      if (registers > 1 && !tight_) return std::nullopt;
+      return VectorExtent(scalar_size, shape.size);
+    }
+    if (shape.kind == Shape::kRows && !row_major) return std::nullopt;
+    const Std140Extent vector = VectorExtent(scalar_size, length);
+    const auto alignment = std::max(vector.alignment, row_);
+    const auto stride = static_cast<std::uint32_t>(RoundUp(vector.size, alignment));
+    if (stride != RoundUp(scalar_size * length, row_)) return std::nullopt;
+    const MatrixLayout layout = row_major ? MatrixLayout::kColumnMajor : MatrixLayout::kRowMajor;
+    return Std140Extent{stride * registers, alignment, shape.kind == Shape::kMatrix ? layout : MatrixLayout::kNone};
+  }
+
+  std::optional<Std140Extent> Array(TypeId id, bool row_major) const {
+    const auto element = Extent(types_[id].element, row_major);
+    if (!element) return std::nullopt;
+    const auto alignment = std::max(element->alignment, row_);
+    const std::uint64_t stride = RoundUp(element->size, alignment);
+    const std::uint64_t size = stride * types_[id].count;
+    if (size > kLargest || stride != HlslStride(id, row_major)) return std::nullopt;
+    return Std140Extent{static_cast<std::uint32_t>(size), alignment, element->matrices};
+  }
+
+  std::optional<Std140Extent> Struct(const ir::Struct& structure) const {
+    Std140Extent whole{0, row_, MatrixLayout::kNone};
+    std::uint32_t hlsl_end = 0;
+    std::uint64_t end = 0;
+    for (const Field& field : structure.fields) {
+      const auto extent = Extent(field.type, field.row_major);
+      if (!extent || !Agree(whole.matrices, extent->matrices)) return std::nullopt;
+      const std::uint32_t hlsl_offset = HlslOffset(field, hlsl_end);
+      if (RoundUp(end, extent->alignment) != hlsl_offset) return std::nullopt;
+      end = std::uint64_t{hlsl_offset} + extent->size;
+      if (end > kLargest) return std::nullopt;
+      hlsl_end = hlsl_offset + HlslSize(field.type, field.row_major);
+      whole.alignment = std::max(whole.alignment, extent->alignment);
+    }
+    whole.size = static_cast<std::uint32_t>(RoundUp(end, whole.alignment));
+    return whole;
+  }
+
+  std::uint32_t HlslStride(TypeId array, bool row_major) const {
+    if (!tight_) return ArrayStride(types_, array, row_major);
+    return Structured(types_, types_[array].element).size;
+  }
+  std::uint32_t HlslOffset(const Field& field, std::uint32_t end) const {
+    if (!tight_) return PackedOffset(types_, field.type, field.row_major, end);
+    return static_cast<std::uint32_t>(RoundUp(end, Structured(types_, field.type).alignment));
+  }
+  std::uint32_t HlslSize(TypeId type, bool row_major) const {
+    return tight_ ? Structured(types_, type).size : PackedExtent(types_, type, row_major).size;
+  }
+
+  const TypeTable& types_;
+  std::uint32_t row_;
+  bool tight_;
+};
+
+bool OnlyFloats(const TypeTable& types, TypeId id) {
+  const Type& type = types[id];
+  switch (type.kind) {
+    case TypeKind::kArray: return OnlyFloats(types, type.element);
+    case TypeKind::kStruct:
+      return std::ranges::all_of(types.StructOf(id).fields,
+                                 [&](const Field& field) { return OnlyFloats(types, field.type); });
+    default: return type.IsNumeric() && BaseOf(type.scalar) == Scalar::kFloat;
+  }
+}
+
+// The members one by one: those of the cbuffer, or the fields of T.
+std::vector<BlockMember> MembersOf(const Program& program, const Cbuffer& cbuffer, bool fields_as_members) {
+  std::vector<BlockMember> members;
+  if (!fields_as_members) {
+    for (const CbufferMember& member : cbuffer.members) {
+      const Var& var = program.vars[member.var];
+      members.push_back({.var = member.var, .type = var.type, .row_major = var.row_major, .offset = member.offset});
+    }
+    return members;
+  }
+  const VarId var = cbuffer.members.front().var;
+  TypeId type = program.vars[var].type;
+  while (program.types[type].kind == TypeKind::kArray) type = program.types[type].element;
+  std::uint32_t end = 0;
+  const auto& fields = program.types.StructOf(type).fields;
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const std::uint32_t offset = PackedOffset(program.types, fields[i].type, fields[i].row_major, end);
+    end = offset + PackedExtent(program.types, fields[i].type, fields[i].row_major).size;
+    members.push_back({.var = var, .field = static_cast<int>(i), .type = fields[i].type,
+                       .row_major = fields[i].row_major, .offset = offset});
+  }
+  return members;
+}
+
+// Whether the members, in order of offset, fit std140; sets their explicit offsets and paddings.
+bool PlaceMembers(const TypeTable& types, std::span<BlockMember> members, std::uint32_t size, bool explicit_offsets) {
+  std::uint64_t end = 0;
+  for (BlockMember& member : members) {
+    const auto extent = Std140(types, member.type, member.row_major);
+    if (!extent || member.offset % extent->alignment != 0 || member.offset < end) return false;
+    const std::uint64_t natural = RoundUp(end, extent->alignment);
+    member.explicit_offset = member.offset != natural && explicit_offsets;
+    member.padding = member.offset != natural && !explicit_offsets ? static_cast<std::uint32_t>(member.offset - end) : 0;
+    member.matrices = extent->matrices;
+    end = std::uint64_t{member.offset} + extent->size;
+  }
+  // A block larger than what Direct3D binds would read past the end of the host's buffer.
+  return RoundUp(end, kRow) <= size;
+}
+
+}  // namespace
+
+std::optional<Std140Extent> Std140(const TypeTable& types, TypeId type, bool row_major) {
+  return Comparer(types, false).Extent(type, row_major);
+}
+
+std::optional<Std140Extent> Std430(const TypeTable& types, TypeId type, bool row_major) {
+  const auto extent = Comparer(types, true).Extent(type, row_major);
+  if (!extent || RoundUp(extent->size, extent->alignment) != Structured(types, type).size) return std::nullopt;
+  return extent;
+}
+
+StructuredExtent Structured(const TypeTable& types, TypeId id) {
+  const Type& type = types[id];
+  const std::uint32_t scalar = ScalarSize(type.scalar);
+  switch (type.kind) {
+    case TypeKind::kArray: {
+      const StructuredExtent element = Structured(types, type.element);
+      const std::uint64_t size = std::uint64_t{element.size} * type.count;
+      return {static_cast<std::uint32_t>(std::min(size, kLargest)), element.alignment};
+    }
+    case TypeKind::kStruct: {
+      StructuredExtent whole;
+      for (const Field& field : types.StructOf(id).fields) {
+        const StructuredExtent extent = Structured(types, field.type);
+        const std::uint64_t end = RoundUp(whole.size, extent.alignment) + extent.size;
+        whole.size = static_cast<std::uint32_t>(std::min(end, kLargest));
+        whole.alignment = std::max(whole.alignment, extent.alignment);
+      }
+      whole.size = static_cast<std::uint32_t>(RoundUp(whole.size, whole.alignment));
+      return whole;
+    }
+    default: return {scalar * type.Components(), scalar};
+  }
+}
+
+BlockLayout LayOutBlock(const Program& program, const Cbuffer& cbuffer, const Target& target) {
+  BlockLayout layout;
+  if (!target.HasUniformBlocks()) {
+    layout.form = BlockForm::kUniforms;
+    layout.members = MembersOf(program, cbuffer, false);
+    return layout;
+  }
+  const bool is_constant_buffer = cbuffer.kind == CbufferKind::kConstantBuffer;
+  layout.fields_as_members = is_constant_buffer && target.HasBlockInstances();
+  layout.members = MembersOf(program, cbuffer, layout.fields_as_members);
+  std::ranges::stable_sort(layout.members, {}, &BlockMember::offset);
+  layout.float_rows = std::ranges::all_of(
+      layout.members, [&](const BlockMember& member) { return OnlyFloats(program.types, member.type); });
+
+  if (!PlaceMembers(program.types, layout.members, cbuffer.size, target.HasExplicitOffsets())) {
+    layout.form = BlockForm::kRows;
+    layout.fields_as_members = false;
+    layout.members = MembersOf(program, cbuffer, false);
+    return layout;
+  }
+  MatrixLayout whole = MatrixLayout::kNone;
+  const bool agree =
+      std::ranges::all_of(layout.members, [&](const BlockMember& member) { return Agree(whole, member.matrices); });
+  if (agree) layout.matrices = whole;
+  return layout;
+}
+
+}  // namespace clipc::glsl

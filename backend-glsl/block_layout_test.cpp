@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "backend-glsl/block_layout.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <map>
+#include <random>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "backend-glsl/shader_for_test.h"
+
+namespace clipc::glsl {
+namespace {
+
+using ir::Scalar;
+using ir::TypeId;
+
+class BlockLayoutTest : public testing::Test {
+ protected:
+  TypeId F(int n) { return shader_.Vector(Scalar::kFloat, n); }
+  TypeId M(int rows, int columns, Scalar kind = Scalar::kFloat) { return shader_.program.types.Matrix(kind, rows, columns); }
+  TypeId A(TypeId element, std::uint32_t count) { return shader_.program.types.Array(element, count); }
+  TypeId S(const std::vector<ShaderForTest::Member>& fields) {
+    ir::Struct structure;
+    structure.name = "S";
+    for (const auto& field : fields) {
+      ir::Field added;
+      added.name = field.name;
+      added.type = field.type;
+      added.row_major = field.row_major;
+      structure.fields.push_back(added);
+    }
+    return shader_.program.types.Of(shader_.program.types.AddStruct(structure));
+  }
+  BlockLayout Layout(const std::vector<ShaderForTest::Member>& members, std::string_view target = "glsl450",
+                     ir::CbufferKind kind = ir::CbufferKind::kCbuffer) {
+    const auto id = shader_.AddCbuffer("Buffer", members, kind);
+    return LayOutBlock(shader_.program, shader_.program.cbuffers[id], *Target::Parse(target));
+  }
+  BlockForm Form(const std::vector<ShaderForTest::Member>& members, std::string_view target = "glsl450") {
+    return Layout(members, target).form;
+  }
+
+  ShaderForTest shader_;
+};
+
+TEST_F(BlockLayoutTest, Std140WhereItIsTheSame) {
+  EXPECT_EQ(Form({{"a", F(4)}, {"b", F(4)}}), BlockForm::kStd140);
+  EXPECT_EQ(Form({{"a", F(3)}, {"b", F(1)}}), BlockForm::kStd140);
+  EXPECT_EQ(Form({{"a", F(2)}, {"b", F(2)}}), BlockForm::kStd140);
+  EXPECT_EQ(Form({{"a", M(4, 4)}, {"b", F(1)}}), BlockForm::kStd140);
+  EXPECT_EQ(Form({{"a", A(F(4), 3)}, {"b", F(3)}}), BlockForm::kStd140);
+  EXPECT_EQ(Form({{"a", shader_.Vector(Scalar::kBool, 1)}, {"b", shader_.Vector(Scalar::kUint, 3)}}), BlockForm::kRows)
+      << "uint3 b lies at 4";
+  EXPECT_EQ(Form({{"a", F(3)}, {"b", shader_.Vector(Scalar::kBool, 1)}}), BlockForm::kStd140);
+}
+
+TEST_F(BlockLayoutTest, RowsWhereStd140WouldMoveAMember) {
+  EXPECT_EQ(Form({{"a", F(1)}, {"b", F(3)}}), BlockForm::kRows);
+  EXPECT_EQ(Form({{"a", F(1)}, {"b", F(2)}}), BlockForm::kRows);
+  EXPECT_EQ(Form({{"a", A(F(1), 2)}, {"b", F(1)}}), BlockForm::kRows) << "a scalar in an array's last row";
+  EXPECT_EQ(Form({{"a", M(3, 3)}, {"b", F(1)}}), BlockForm::kRows) << "a scalar in a matrix's last row";
+  EXPECT_EQ(Form({{"a", M(4, 3)}, {"b", F(1)}}), BlockForm::kStd140) << "three whole rows";
+  EXPECT_EQ(Form({{"a", M(4, 3), true}, {"b", F(1)}}), BlockForm::kRows);
+  EXPECT_EQ(Form({{"s", S({{"x", F(1)}})}, {"b", F(1)}}), BlockForm::kRows) << "a scalar in a struct's last row";
+  EXPECT_EQ(Form({{"s", S({{"x", F(1)}})}, {"b", F(4)}}), BlockForm::kStd140);
+  EXPECT_EQ(Form({{"s", S({{"x", F(1)}, {"y", F(3)}})}}), BlockForm::kRows) << "inside a struct";
+  EXPECT_EQ(Form({{"s", A(S({{"x", F(3)}, {"y", F(1)}}), 2)}}), BlockForm::kStd140);
+}
+
+TEST_F(BlockLayoutTest, MatricesOfOneRowOrColumn) {
+  EXPECT_EQ(Form({{"a", M(1, 4), true}, {"b", F(4)}}), BlockForm::kStd140) << "one register";
+  EXPECT_EQ(Form({{"a", M(1, 4)}, {"b", F(4)}}), BlockForm::kRows) << "four registers of one component";
+  EXPECT_EQ(Form({{"a", M(4, 1)}, {"b", F(4)}}), BlockForm::kStd140);
+  EXPECT_EQ(Form({{"a", M(4, 1), true}, {"b", F(4)}}), BlockForm::kRows);
+  EXPECT_EQ(Form({{"a", M(1, 1)}, {"b", F(1)}}), BlockForm::kStd140);
+}
+
+TEST_F(BlockLayoutTest, MatricesOfIntegers) {
+  EXPECT_EQ(Form({{"a", M(4, 4, Scalar::kInt), true}}), BlockForm::kStd140) << "an array of rows";
+  EXPECT_EQ(Form({{"a", M(4, 4, Scalar::kInt)}}), BlockForm::kRows);
+  EXPECT_EQ(Form({{"a", M(2, 3, Scalar::kBool), true}}), BlockForm::kStd140);
+}
+
+TEST_F(BlockLayoutTest, MatrixLayoutIsTheBlocksWhenAllAgree) {
+  EXPECT_EQ(Layout({{"a", M(4, 4)}, {"b", M(3, 4)}, {"c", F(4)}}).matrices, MatrixLayout::kRowMajor);
+  EXPECT_EQ(Layout({{"a", M(4, 4), true}}).matrices, MatrixLayout::kColumnMajor);
+  const BlockLayout mixed = Layout({{"a", M(4, 4), true}, {"b", M(4, 4)}});
+  EXPECT_EQ(mixed.form, BlockForm::kStd140);
+  EXPECT_EQ(mixed.matrices, MatrixLayout::kNone);
+  EXPECT_EQ(mixed.members[0].matrices, MatrixLayout::kColumnMajor);
+  EXPECT_EQ(mixed.members[1].matrices, MatrixLayout::kRowMajor);
+  EXPECT_EQ(Form({{"s", S({{"a", M(4, 4), true}, {"b", M(4, 4)}})}}), BlockForm::kRows) << "a struct cannot mix them";
+}
+
+TEST_F(BlockLayoutTest, GapsAreOffsetsOrPadding) {
+  const std::vector<ShaderForTest::Member> members = {{"b", F(1), false, 72}, {"a", F(4), false, 16}};
+  const BlockLayout offsets = Layout(members, "glsl440");
+  EXPECT_EQ(offsets.form, BlockForm::kStd140);
+  EXPECT_EQ(offsets.members[0].offset, 16u) << "in order of offset";
+  EXPECT_TRUE(offsets.members[0].explicit_offset);
+  EXPECT_TRUE(offsets.members[1].explicit_offset);
+  const BlockLayout padded = Layout(members, "glsl430");
+  EXPECT_EQ(padded.form, BlockForm::kStd140);
+  EXPECT_EQ(padded.members[0].padding, 16u);
+  EXPECT_EQ(padded.members[1].padding, 40u);
+  EXPECT_EQ(Form({{"a", F(4), false, 4}}), BlockForm::kRows) << "a vec4 cannot start there";
+}
+
+TEST_F(BlockLayoutTest, OldTargetsHaveUniformVariables) {
+  EXPECT_EQ(Form({{"a", F(1)}, {"b", F(3)}}, "glsl120"), BlockForm::kUniforms);
+  EXPECT_EQ(Form({{"a", F(1)}}, "glsl130"), BlockForm::kUniforms);
+  EXPECT_EQ(Form({{"a", F(1)}}, "essl300"), BlockForm::kStd140);
+}
+
+TEST_F(BlockLayoutTest, ConstantBuffersAreBlocksWithAName) {
+  const TypeId t = S({{"plane", F(4)}, {"m", M(4, 4)}});
+  const BlockLayout layout = Layout({{"cb", t}}, "glsl450", ir::CbufferKind::kConstantBuffer);
+  EXPECT_TRUE(layout.fields_as_members);
+  ASSERT_EQ(layout.members.size(), 2u);
+  EXPECT_EQ(layout.members[1].offset, 16u);
+  EXPECT_FALSE(Layout({{"cb", t}}, "glsl140", ir::CbufferKind::kConstantBuffer).fields_as_members);
+}
+
+TEST_F(BlockLayoutTest, StructuredBuffers) {
+  const auto& types = shader_.program.types;
+  EXPECT_TRUE(Std430(types, F(4), false));
+  EXPECT_TRUE(Std430(types, F(2), false));
+  EXPECT_TRUE(Std430(types, F(1), false));
+  EXPECT_FALSE(Std430(types, F(3), false)) << "12 bytes each";
+  EXPECT_TRUE(Std430(types, M(4, 4), false));
+  EXPECT_TRUE(Std430(types, M(2, 4), false)) << "four registers of two";
+  EXPECT_FALSE(Std430(types, M(3, 4), false)) << "four registers of three";
+  EXPECT_TRUE(Std430(types, S({{"x", F(3)}, {"y", F(1)}}), false));
+  EXPECT_FALSE(Std430(types, S({{"x", F(1)}, {"y", F(3)}}), false));
+  EXPECT_FALSE(Std430(types, S({{"x", F(4)}, {"y", F(1)}}), false)) << "20 bytes each";
+  EXPECT_EQ(Structured(types, S({{"x", F(1)}, {"y", shader_.Vector(Scalar::kDouble, 1)}, {"z", F(1)}})).size, 24u);
+}
+
+// ---- against glslang's own reflection: what the written block says is where HLSL has it
+
+struct Leaf {
+  std::string path;  // "Buffer7.s.m"
+  std::uint32_t offset;
+};
+
+class RandomCbuffers {
+ public:
+  explicit RandomCbuffers(unsigned seed) : random_(seed) {}
+
+  TypeId Type(ShaderForTest& shader, int depth) {
+    ir::TypeTable& types = shader.program.types;
+    static constexpr Scalar kKinds[] = {Scalar::kFloat, Scalar::kFloat, Scalar::kFloat, Scalar::kInt,
+                                        Scalar::kUint,  Scalar::kBool,  Scalar::kDouble};
+    const Scalar kind = kKinds[Below(std::size(kKinds))];
+    switch (Below(depth > 0 ? 10 : 7)) {
+      case 0: case 1: case 2: case 3: return shader.Vector(kind, 1 + Below(4));
+      case 4: case 5: return types.Matrix(kind == Scalar::kDouble ? kind : Scalar::kFloat, 1 + Below(4), 1 + Below(4));
+      case 6: return types.Matrix(kind, 2 + Below(3), 2 + Below(3));
+      case 7: return types.Array(Type(shader, depth - 1), 1 + static_cast<std::uint32_t>(Below(3)));
+      default: {
+        ir::Struct structure;
+        structure.name = "S" + std::to_string(types.structs().size());
+        const bool row_major = Below(2) == 0;
+        for (int i = 0, count = 1 + Below(3); i < count; ++i) {
+          ir::Field field;
+          field.name = std::string(1, static_cast<char>('p' + i));
+          field.type = Type(shader, depth - 1);
+          field.row_major = Below(4) == 0 ? !row_major : row_major;
+          structure.fields.push_back(field);
+        }
+        return types.Of(types.AddStruct(structure));
+      }
+    }
+  }
+  int Below(std::size_t end) { return static_cast<int>(random_() % end); }
+
+ private:
+  std::mt19937 random_;
+};
+
+// Uses each leaf under `expr` (elements 0 of arrays) and notes where HLSL has it.
+void UseLeaves(ShaderForTest& shader, ir::ExprId expr, bool row_major, const std::string& path, std::uint32_t offset,
+               std::vector<Leaf>& leaves) {
+  ir::Builder b = shader.Make();
+  const ir::Type type = shader.program.types[b.TypeOf(expr)];
+  if (type.kind == ir::TypeKind::kArray) {
+    for (std::uint32_t i = 0; i < type.count; ++i) {
+      const ir::ExprId base = i == 0 ? expr : ir::Clone(shader.program, expr);
+      std::vector<Leaf> ignored;
+      const std::uint32_t at = offset + i * ir::ArrayStride(shader.program.types, b.TypeOf(expr), row_major);
+      UseLeaves(shader, b.At(base, i), row_major, path, at, i == 0 ? leaves : ignored);
+    }
+    return;
+  }
+  if (type.kind == ir::TypeKind::kStruct) {
+    const ir::Struct structure = shader.program.types[type.structure];
+    for (std::uint32_t i = 0; i < structure.fields.size(); ++i) {
+      const ir::ExprId base = i == 0 ? expr : ir::Clone(shader.program, expr);
+      UseLeaves(shader, b.Field(base, i), structure.fields[i].row_major, path + "." + structure.fields[i].name,
+                offset + ir::FieldOffset(shader.program.types, type.structure, i), leaves);
+    }
+    return;
+  }
+  leaves.push_back({path, offset});
+  shader.Use(expr);
+}
+
+std::map<std::string, std::uint32_t> Offsets(const std::string& reflection) {
+  std::map<std::string, std::uint32_t> offsets;
+  std::istringstream lines(reflection);
+  static const std::regex kLine(R"(^([\w.\[\]]+): offset (\d+), type)");
+  for (std::string line; std::getline(lines, line);) {
+    std::smatch match;
+    if (!std::regex_search(line, match, kLine)) continue;
+    const std::string name = std::regex_replace(match[1].str(), std::regex(R"(\[\d+\]|\.e\b)"), "");
+    const auto offset = static_cast<std::uint32_t>(std::stoul(match[2]));
+    const auto [found, is_new] = offsets.try_emplace(name, offset);
+    if (!is_new && offset < found->second) found->second = offset;  // element 0 of an array of structs
+  }
+  return offsets;
+}
+
+class GlslangLayoutTest : public testing::TestWithParam<const char*> {};
+
+TEST_P(GlslangLayoutTest, OffsetsAreDirect3ds) {
+  int status = 0;
+  Glslang("#version 450\nvoid main() {}\n", "", status);
+  if (status != 0) GTEST_SKIP() << "no glslangValidator";
+  int std140 = 0, rows = 0;
+  for (unsigned round = 0; round < 6; ++round) {
+    ShaderForTest shader;
+    RandomCbuffers random(round * 977 + 1);
+    std::vector<Leaf> leaves;
+    for (int i = 0; i < 40; ++i) {
+      std::vector<ShaderForTest::Member> members;
+      for (int m = 0, count = 1 + random.Below(4); m < count; ++m) {
+        const std::string name = "m" + std::to_string(i) + "_" + std::to_string(m);
+        members.push_back({name, random.Type(shader, 2), random.Below(2) == 0});
+      }
+      const auto id = shader.AddCbuffer("Buffer" + std::to_string(i), members);
+      const BlockLayout layout = LayOutBlock(shader.program, shader.program.cbuffers[id], *Target::Parse(GetParam()));
+      (layout.form == BlockForm::kStd140 ? std140 : rows) += 1;
+      for (const ir::CbufferMember& member : shader.program.cbuffers[id].members) {
+        std::vector<Leaf> found;
+        const ir::Var& var = shader.program.vars[member.var];
+        UseLeaves(shader, shader.Make().Ref(member.var), var.row_major, var.name, member.offset, found);
+        if (layout.form == BlockForm::kStd140) leaves.insert(leaves.end(), found.begin(), found.end());
+      }
+    }
+    shader.Finish();
+    const std::string glsl = shader.Glsl(GetParam());
+    const std::string output = Glslang(glsl, "-q -l", status);
+    ASSERT_EQ(status, 0) << output << glsl;
+    const auto offsets = Offsets(output);
+    for (const Leaf& leaf : leaves) {
+      const auto found = offsets.find(leaf.path);
+      ASSERT_NE(found, offsets.end()) << leaf.path << "\n" << output;
+      EXPECT_EQ(found->second, leaf.offset) << leaf.path << "\n" << glsl;
+    }
+  }
+  EXPECT_GT(std140, 20);
+  EXPECT_GT(rows, 20);
+}
+
+INSTANTIATE_TEST_SUITE_P(Targets, GlslangLayoutTest, testing::Values("glsl400", "glsl430", "glsl450"));
+
+}  // namespace
+}  // namespace clipc::glsl

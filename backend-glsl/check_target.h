@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "backend-glsl/target.h"
+#include "base/diagnostics.h"
+#include "ir/program.h"
+
+namespace clipc::glsl {
+
+// Reports everything that `main` reaches and the target cannot say. Without errors, WriteGlsl(program, target) succeeds.
+// Requires that the clip planes are lowered: which of them become clip distances is decided there.
+void CheckTarget(const ir::Program& program, const Target& target, Diagnostics& diagnostics);
+
+}  // namespace clipc::glsl

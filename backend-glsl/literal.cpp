@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "backend-glsl/literal.h"
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <string_view>
+
+#include "ir/scalar.h"
+
+namespace clipc::glsl {
+namespace {
+
+Text Number(std::string text) {
+  const Binding binding = text.starts_with('-') ? Binding::kUnary : Binding::kPostfix;
+  return {std::move(text), binding};
+}
+
+template <typename Float>
+std::string Decimal(Float value) {
+  char buffer[64];
+  const auto result = std::to_chars(buffer, buffer + sizeof buffer, value);
+  std::string text(buffer, result.ptr);
+  if (text.find_first_of(".e") == std::string::npos) text += ".0";
+  return text;
+}
+
+Text FloatText(std::uint64_t bits, const Target& target) {
+  const float value = ir::FloatOf(bits);
+  if (std::isfinite(value)) return Number(Decimal(value));
+  if (target.BitCasts() && target.BitCasts().extension().empty()) {
+    char hex[16];
+    const auto result = std::to_chars(hex, hex + sizeof hex, static_cast<std::uint32_t>(bits), 16);
+    return {"uintBitsToFloat(0x" + std::string(hex, result.ptr) + "u)"};
+  }
+  const char* text = std::isnan(value) ? "0.0 / 0.0" : value > 0 ? "1.0 / 0.0" : "-1.0 / 0.0";
+  return {text, Binding::kProduct};
+}
+
+Text DoubleText(std::uint64_t bits) {
+  const double value = ir::DoubleOf(bits);
+  if (std::isfinite(value)) return Number(Decimal(value) + "lf");
+  const char* text = std::isnan(value) ? "0.0lf / 0.0lf" : value > 0 ? "1.0lf / 0.0lf" : "-1.0lf / 0.0lf";
+  return {text, Binding::kProduct};
+}
+
+Text IntText(std::int32_t value, const Target& target) {
+  if (value != std::numeric_limits<std::int32_t>::min()) return Number(std::to_string(value));
+  // GLSL reads -2147483648 as the negation of a number that is no int.
+  if (target.HasUnsigned()) return {"int(0x80000000u)"};
+  return {"-2147483647 - 1", Binding::kSum};
+}
+
+}  // namespace
+
+Text LiteralText(std::uint64_t bits, ir::Scalar kind, const Target& target) {
+  switch (ir::BaseOf(kind)) {
+    case ir::Scalar::kBool: return {bits != 0 ? "true" : "false"};
+    case ir::Scalar::kInt: return IntText(ir::IntOf(bits), target);
+    case ir::Scalar::kUint:
+      if (!target.HasUnsigned()) return IntText(ir::IntOf(bits), target);
+      return {std::to_string(ir::UintOf(bits)) + "u"};
+    case ir::Scalar::kInt64: return Number(std::to_string(static_cast<std::int64_t>(bits)) + "l");
+    case ir::Scalar::kUint64: return {std::to_string(bits) + "ul"};
+    case ir::Scalar::kDouble: return DoubleText(bits);
+    default: return FloatText(bits, target);
+  }
+}
+
+}  // namespace clipc::glsl

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "backend-glsl/shape.h"
+
+#include "base/check.h"
+
+namespace clipc::glsl {
+
+using ir::Scalar;
+
+namespace {
+
+// "b" of bvec3, "" of vec3.
+const char* VectorPrefix(Scalar scalar, bool has_unsigned) {
+  switch (scalar) {
+    case Scalar::kBool: return "b";
+    case Scalar::kInt: return "i";
+    case Scalar::kUint: return has_unsigned ? "u" : "i";
+    case Scalar::kDouble: return "d";
+    case Scalar::kInt64: return "i64";
+    case Scalar::kUint64: return "u64";
+    default: return "";
+  }
+}
+
+}  // namespace
+
+Shape ShapeOf(Scalar scalar, int rows, int columns) {
+  Shape shape{.scalar = ir::BaseOf(scalar)};
+  const bool is_matrix = rows > 1 && columns > 1;
+  shape.rows = static_cast<std::uint8_t>(is_matrix ? rows : 1);
+  shape.size = static_cast<std::uint8_t>(is_matrix ? columns : rows * columns);
+  if (is_matrix) {
+    shape.kind = shape.IsFloating() ? Shape::kMatrix : Shape::kRows;
+  } else {
+    shape.kind = shape.size == 1 ? Shape::kScalar : Shape::kVector;
+  }
+  return shape;
+}
+
+Shape ShapeOf(const ir::Type& type) {
+  CLIPC_CHECK(type.IsNumeric());
+  return ShapeOf(type.scalar, type.rows, type.columns);
+}
+
+Shape Shape::With(Scalar kind) const { return ShapeOf(kind, rows, size); }
+
+std::string GlslName(Scalar scalar, bool has_unsigned) {
+  switch (ir::BaseOf(scalar)) {
+    case Scalar::kBool: return "bool";
+    case Scalar::kInt: return "int";
+    case Scalar::kUint: return has_unsigned ? "uint" : "int";
+    case Scalar::kDouble: return "double";
+    case Scalar::kInt64: return "int64_t";
+    case Scalar::kUint64: return "uint64_t";
+    default: return "float";
+  }
+}
+
+std::string GlslName(const Shape& shape, bool has_unsigned) {
+  const std::string size = std::to_string(shape.size);
+  const std::string prefix = VectorPrefix(shape.scalar, has_unsigned);
+  switch (shape.kind) {
+    case Shape::kScalar: return GlslName(shape.scalar, has_unsigned);
+    case Shape::kVector: return prefix + "vec" + size;
+    case Shape::kRows: return prefix + "vec" + size + "[" + std::to_string(shape.rows) + "]";
+    case Shape::kMatrix:
+      return prefix + "mat" + std::to_string(shape.rows) + (shape.rows == shape.size ? "" : "x" + size);
+  }
+  return "";
+}
+
+}  // namespace clipc::glsl

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "ir/type.h"
+
+namespace clipc::glsl {
+
+// What a numeric HLSL type is in GLSL. float1 is a scalar; a matrix of one row or one column is a vector; other
+// float and double matrices are GLSL matrices whose column i is HLSL's row i; matrices of other kinds, which GLSL
+// lacks, are arrays of their rows.
+struct Shape {
+  enum Kind : std::uint8_t { kScalar, kVector, kMatrix, kRows };
+  Kind kind = kScalar;
+  ir::Scalar scalar = ir::Scalar::kFloat;  // one of BaseOf's
+  std::uint8_t rows = 1;                   // kMatrix, kRows: HLSL's rows
+  std::uint8_t size = 1;                   // components of a vector or of a row
+
+  bool IsScalar() const { return kind == kScalar; }
+  bool IsVector() const { return kind == kVector; }
+  bool HasRows() const { return kind == kMatrix || kind == kRows; }
+  bool IsFloating() const { return scalar == ir::Scalar::kFloat || scalar == ir::Scalar::kDouble; }
+  Shape Row() const { return {size == 1 ? kScalar : kVector, scalar, 1, size}; }
+  Shape Component() const { return {kScalar, scalar, 1, 1}; }
+  // The same shape of another component kind: a comparison of two float4x4 is four rows of bool4.
+  Shape With(ir::Scalar kind) const;
+  friend bool operator==(const Shape&, const Shape&) = default;
+};
+
+// `type` must be numeric.
+Shape ShapeOf(const ir::Type& type);
+Shape ShapeOf(ir::Scalar scalar, int rows, int columns);
+
+// GLSL's name: "vec3", "dmat4x3", "bvec4[3]". Where the target has no uint, uint is int.
+std::string GlslName(const Shape& shape, bool has_unsigned = true);
+std::string GlslName(ir::Scalar scalar, bool has_unsigned = true);
+
+}  // namespace clipc::glsl

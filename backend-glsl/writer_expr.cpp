@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <algorithm>
+#include <variant>
+
+#include "backend-glsl/literal.h"
+#include "backend-glsl/writer_state.h"
+#include "base/check.h"
+#include "base/overloaded.h"
+#include "ir/scalar.h"
+#include "ir/walk.h"
+
+namespace clipc::glsl {
+
+using namespace ir;
+
+Text Writer::Expr(ExprId id) {
+  const ir::Expr& expr = program_.exprs[id];
+  return std::visit(
+      Overloaded{
+          [&](const Literal& node) { return LiteralText(node.bits, TypeOf(id).scalar, target_); },
+          [&](const Zero&) { return Text{ZeroText(expr.type)}; },
+          [&](const VarRef& node) {
+            if (const auto path = InstancePath(id)) return InstanceValue(id, *path);
+            return VarText(node.var);
+          },
+          [&](const FieldRef& node) {
+            const auto path = InstancePath(node.base);
+            const std::string base = path ? *path : Expr(node.base).At(Binding::kPostfix);
+            return Text{base + "." + FieldName(TypeOf(node.base).structure, node.field)};
+          },
+          [&](const Index& node) {
+            if (const auto path = InstancePath(id)) return InstanceValue(id, *path);
+            return IndexText(expr, node);
+          },
+          [&](const Swizzle& node) { return SwizzleText(node); },
+          [&](const MatrixSwizzle& node) { return MatrixSwizzleText(expr, node); },
+          [&](const Unary& node) { return UnaryText(expr, node); },
+          [&](const Binary& node) {
+            return BinaryOn(node.op, OperandOf(node.left), OperandOf(node.right), IsPure(node.right));
+          },
+          [&](const Assign& node) { return AssignText(node); },
+          [&](const Conditional& node) {
+            std::string text = Expr(node.condition).At(Tighter(Binding::kConditional));
+            text += " ? " + Expr(node.when_true).At(Binding::kAssignment);
+            text += " : " + Expr(node.when_false).At(Binding::kConditional);
+            return Text{std::move(text), Binding::kConditional};
+          },
+          [&](const Select& node) {
+            const Operand operands[] = {OperandOf(node.condition), OperandOf(node.when_true),
+                                        OperandOf(node.when_false)};
+            return SelectOn(operands, IsPure(node.when_true) && IsPure(node.when_false));
+          },
+          [&](const Convert& node) { return ConvertText(expr, node); },
+          [&](const Splat&) { return Full(OperandOf(id)); },
+          [&](const Construct& node) { return ConstructText(expr, node); },
+          [&](const MatrixTruncate& node) { return MatrixTruncateText(expr, node); },
+          [&](const Call& node) { return CallText(node); },
+          [&](const IntrinsicCall& node) { return IntrinsicText(expr, node); },
+          [&](const ObjectCall& node) { return ObjectText(expr, node); },
+          [&](const Comma& node) {
+            NotConstant();
+            Text first = Expr(node.first);
+            return Text{std::move(first).At(Binding::kComma) + ", " + ArgumentOf(node.second), Binding::kComma};
+          },
+      },
+      expr.node);
+}
+
+Text Writer::VarText(VarId id) {
+  const Var& var = program_.vars[id];
+  if (var.storage == Storage::kUniform) return UniformText(id);
+  if (var.storage != Storage::kConstant || mutable_globals_.contains(id)) NotConstant();
+  Text text{var_names_[id.index]};
+  // The text of an input may be an expression of built-in variables.
+  if (var.storage == Storage::kInput && text.text.find(' ') != std::string::npos && !text.text.ends_with(')')) {
+    text.binding = Binding::kSum;
+  }
+  return text;
+}
+
+std::string Writer::IndexValue(ExprId index) {
+  if (const auto* literal = std::get_if<Literal>(&program_.exprs[index].node)) {
+    return std::to_string(UintOf(literal->bits));
+  }
+  return Expr(index).At(Binding::kComma);
+}
+
+Text Writer::IndexText(const ir::Expr& expr, const Index& node) {
+  const Type& type = TypeOf(node.base);
+  if (type.kind == TypeKind::kArray) {
+    const auto* ref = std::get_if<VarRef>(&program_.exprs[node.base].node);
+    if (ref && program_.vars[ref->var].storage == Storage::kUniform) {
+      return UniformElement(ref->var, node.index);
+    }
+    std::string text = Expr(node.base).At(Binding::kPostfix) + "[" + IndexValue(node.index) + "]";
+    if (IsWrapped(expr.type)) text += ".e";
+    return {std::move(text)};
+  }
+  Text base = Expr(node.base);
+  const Shape shape = ShapeOf(type);
+  const bool whole_row = type.kind == TypeKind::kMatrix && type.rows == 1;
+  if (shape.IsScalar() || whole_row) return base;
+  return {std::move(base).At(Binding::kPostfix) + "[" + IndexValue(node.index) + "]"};
+}
+
+Text Writer::SwizzleText(const Swizzle& node) {
+  Text base = Expr(node.base);
+  const Shape shape = ShapeAt(node.base);
+  if (shape.IsScalar()) {
+    if (node.count == 1) return base;
+    return {TypeName(ShapeOf(shape.scalar, 1, node.count)) + "(" + Argument(std::move(base)) + ")"};
+  }
+  std::string text = std::move(base).At(Binding::kPostfix) + ".";
+  for (int i = 0; i < node.count; ++i) text += "xyzw"[node.components[i]];
+  return {std::move(text)};
+}
+
+Text Writer::MatrixSwizzleText(const ir::Expr& expr, const MatrixSwizzle& node) {
+  const Shape shape = ShapeAt(node.base);
+  const std::string base = Expr(node.base).At(Binding::kPostfix);
+  const bool is_column = TypeOf(node.base).columns == 1;
+  const auto component = [&](int i) { return "xyzw"[is_column ? node.rows[i] : node.columns[i]]; };
+
+  if (shape.IsScalar() && node.count == 1) return {base};
+  const bool one_row = std::all_of(node.rows.begin(), node.rows.begin() + node.count,
+                                   [&](std::uint8_t row) { return row == node.rows[0]; });
+  if (!shape.IsScalar() && (!shape.HasRows() || (one_row && node.count > 1))) {
+    std::string text = base;
+    if (shape.HasRows()) text += "[" + std::to_string(node.rows[0]) + "]";
+    text += '.';
+    for (int i = 0; i < node.count; ++i) text += component(i);
+    return {std::move(text)};
+  }
+  std::string elements;
+  for (int i = 0; i < node.count; ++i) {
+    elements += i == 0 ? base : ", " + base;
+    if (!shape.HasRows()) continue;
+    elements += "[" + std::to_string(node.rows[i]) + "][" + std::to_string(node.columns[i]) + "]";
+  }
+  if (node.count == 1) return {std::move(elements)};
+  return {TypeName(ShapeOf(program_.types[expr.type])) + "(" + elements + ")"};
+}
+
+Text Writer::UnaryText(const ir::Expr& expr, const Unary& node) {
+  const bool is_prefix = node.op == UnaryOp::kPreIncrement || node.op == UnaryOp::kPreDecrement;
+  const bool is_postfix = node.op == UnaryOp::kPostIncrement || node.op == UnaryOp::kPostDecrement;
+  if (!is_prefix && !is_postfix) return UnaryOn(node.op, OperandOf(node.operand));
+
+  NotConstant();
+  const bool is_increment = node.op == UnaryOp::kPreIncrement || node.op == UnaryOp::kPostIncrement;
+  const std::string op = is_increment ? "++" : "--";
+  const Shape shape = ShapeOf(program_.types[expr.type]);
+  Text operand = Expr(node.operand);
+  if (shape.kind == Shape::kRows) {
+    const std::string name = std::string(is_prefix ? "pre_" : "post_") + (is_increment ? "increment" : "decrement");
+    const std::string helper = Helper(name, TypeName(shape), [&](const std::string& function) {
+      std::string rows;
+      for (int i = 0; i < shape.rows; ++i) rows += "    m[" + std::to_string(i) + "]" + op + ";\n";
+      const std::string before = "    " + Declaration(shape, "before") + " = m;\n";
+      return TypeName(shape) + " " + function + "(inout " + Declaration(shape, "m") + ") {\n" +
+             (is_prefix ? rows + "    return m;\n" : before + rows + "    return before;\n") + "}\n";
+    });
+    return {helper + "(" + Argument(std::move(operand)) + ")"};
+  }
+  if (is_postfix) return {std::move(operand).At(Binding::kPostfix) + op};
+  return {op + std::move(operand).At(Binding::kUnary), Binding::kUnary};
+}
+
+Text Writer::AssignText(const Assign& node) {
+  NotConstant();
+  if (node.op) return CompoundAssignText(node);
+  Text target = Expr(node.target);
+  return {std::move(target).At(Binding::kUnary) + " = " + ArgumentOf(node.value), Binding::kAssignment};
+}
+
+Text Writer::CompoundAssignText(const Assign& node) {
+  const BinaryOp op = *node.op;
+  const Shape shape = ShapeAt(node.target);
+  Operand value = OperandOf(node.value);
+  if (IsNative(op, shape, value)) {
+    std::string text = Expr(node.target).At(Binding::kUnary);
+    text += ' ';
+    text += SpellingOf(op);
+    text += "= ";
+    Text right = value.scalar ? std::move(*value.scalar) : std::move(value.text);
+    return {text + Argument(std::move(right)), Binding::kAssignment};
+  }
+  if (IsPure(node.target)) {
+    Operand target{Expr(node.target), shape, std::nullopt, IsRepeatable(node.target)};
+    std::string text = target.text.At(Binding::kUnary) + " = ";
+    return {text + Argument(BinaryOn(op, target, value, true)), Binding::kAssignment};
+  }
+  const std::string type = TypeName(shape);
+  const std::string name = "assign_" + std::string(HelperName(op));
+  const std::string helper = Helper(name, type, [&](const std::string& function) {
+    const Operand a{{"target"}, shape, std::nullopt, true}, b{{"value"}, shape, std::nullopt, true};
+    return type + " " + function + "(inout " + Declaration(shape, "target") + ", " + Declaration(shape, "value") +
+           ") {\n    target = " + Argument(BinaryOn(op, a, b, true)) + ";\n    return target;\n}\n";
+  });
+  return {helper + "(" + ArgumentOf(node.target) + ", " + Argument(Full(value)) + ")"};
+}
+
+Text Writer::ConvertText(const ir::Expr& expr, const Convert& node) {
+  const Scalar kind = program_.types[expr.type].scalar;
+  const auto& operand = program_.exprs[node.operand].node;
+  if (const auto* literal = std::get_if<Literal>(&operand)) {
+    return LiteralText(ConvertBits(literal->bits, TypeOf(node.operand).scalar, kind), kind, target_);
+  }
+  // sign() gives an int in HLSL and a float in GLSL, which is mostly what is wanted of it.
+  const auto* call = std::get_if<IntrinsicCall>(&operand);
+  if (call && call->op == Intrinsic::kSign) {
+    const Operand argument = OperandOf(program_.expr_lists[call->arguments][0]);
+    if (argument.shape.scalar == BaseOf(kind) && argument.shape.IsFloating() && !argument.shape.HasRows()) {
+      return CallOn("sign", {&argument, 1});
+    }
+  }
+  return ConvertOn(kind, OperandOf(node.operand));
+}
+
+Text Writer::CallText(const Call& node) {
+  NotConstant();
+  std::string arguments;
+  for (ExprId argument : program_.expr_lists[node.arguments]) {
+    const bool is_object = !IsValue(program_.exprs[argument].type);
+    if (is_object && !target_.IsVulkan()) continue;
+    if (!arguments.empty()) arguments += ", ";
+    arguments += is_object ? ObjectName(argument, {}) : ArgumentOf(argument);
+  }
+  if (!target_.IsVulkan()) {
+    const std::string combined = CombinedArguments(node);
+    if (!arguments.empty() && !combined.empty()) arguments += ", ";
+    arguments += combined;
+  }
+  return {function_names_[node.function.index] + "(" + arguments + ")"};
+}
+
+bool Writer::IsRepeatable(ExprId id) const {
+  const auto& node = program_.exprs[id].node;
+  if (std::holds_alternative<Literal>(node) || std::holds_alternative<VarRef>(node)) return true;
+  if (const auto* field = std::get_if<FieldRef>(&node)) return IsRepeatable(field->base);
+  if (const auto* swizzle = std::get_if<Swizzle>(&node)) return IsRepeatable(swizzle->base);
+  if (const auto* index = std::get_if<Index>(&node)) {
+    return std::holds_alternative<Literal>(program_.exprs[index->index].node) && IsRepeatable(index->base);
+  }
+  return false;
+}
+
+namespace {
+
+VarId RootOf(const Program& program, ExprId target) {
+  const auto& node = program.exprs[target].node;
+  if (const auto* ref = std::get_if<VarRef>(&node)) return ref->var;
+  if (const auto* field = std::get_if<FieldRef>(&node)) return RootOf(program, field->base);
+  if (const auto* index = std::get_if<Index>(&node)) return RootOf(program, index->base);
+  if (const auto* swizzle = std::get_if<Swizzle>(&node)) return RootOf(program, swizzle->base);
+  return {};
+}
+
+// The targets that the node itself writes; those of calls included.
+template <typename OnTarget>
+void ForEachWrite(const Program& program, ExprId id, OnTarget&& on_target) {
+  const auto& node = program.exprs[id].node;
+  if (const auto* assign = std::get_if<Assign>(&node)) on_target(assign->target);
+  if (const auto* unary = std::get_if<Unary>(&node); unary && unary->op >= UnaryOp::kPreIncrement) {
+    on_target(unary->operand);
+  }
+  if (const auto* call = std::get_if<Call>(&node)) {
+    const auto& parameters = program.functions[call->function].parameters;
+    for (std::uint32_t i = 0; i < call->arguments.size; ++i) {
+      if (program.vars[parameters[i]].storage != Storage::kIn) on_target(program.expr_lists[call->arguments][i]);
+    }
+  }
+  if (const auto* call = std::get_if<IntrinsicCall>(&node)) {
+    const auto arguments = program.expr_lists[call->arguments];
+    const bool first_is_input = call->op == Intrinsic::kFrexp || call->op == Intrinsic::kModf ||
+                                call->op == Intrinsic::kSincos || (call->op == Intrinsic::kAsUint && arguments.size() == 3);
+    for (std::size_t i = 1; first_is_input && i < arguments.size(); ++i) on_target(arguments[i]);
+  }
+}
+
+}  // namespace
+
+bool Writer::IsPure(ExprId id) {
+  bool pure = true;
+  ForEachExpr(program_, id, [&](ExprId part) {
+    ForEachWrite(program_, part, [&](ExprId) { pure = false; });
+    const auto* call = std::get_if<Call>(&program_.exprs[part].node);
+    if (pure && call && HasEffects(call->function)) pure = false;
+  });
+  return pure;
+}
+
+// Callees are written before callers, so this goes no deeper than one call.
+bool Writer::HasEffects(FunctionId id) {
+  signed char& known = function_effects_[id.index];
+  if (known >= 0) return known != 0;
+  bool effects = false;
+  ForEachExpr(program_, program_.functions[id].body, [&](ExprId part) {
+    ForEachWrite(program_, part, [&](ExprId target) {
+      const VarId root = RootOf(program_, target);
+      const Storage storage = root ? program_.vars[root].storage : Storage::kOut;
+      if (storage != Storage::kLocal && storage != Storage::kIn) effects = true;
+    });
+    const auto* call = std::get_if<Call>(&program_.exprs[part].node);
+    if (!effects && call && HasEffects(call->function)) effects = true;
+  });
+  function_effects_[id.index] = effects ? 1 : 0;
+  return effects;
+}
+
+}  // namespace clipc::glsl

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "base/check.h"
+#include "base/id.h"
+
+namespace clipc {
+
+// Owns every value of type T of one tree, in the order of creation. References stay valid while the arena grows
+// (values live in fixed blocks), so a node may be read while others are added.
+template <typename T>
+class Arena {
+ public:
+  Id<T> Add(T value) {
+    if (size_ == blocks_.size() * kBlock) {
+      blocks_.emplace_back();
+      blocks_.back().reserve(kBlock);
+    }
+    blocks_.back().push_back(std::move(value));
+    return Id<T>{size_++};
+  }
+
+  T& operator[](Id<T> id) { return blocks_[id.index / kBlock][id.index % kBlock]; }
+  const T& operator[](Id<T> id) const { return blocks_[id.index / kBlock][id.index % kBlock]; }
+
+  std::uint32_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+
+  // Iterates over the ids 0..size()-1: `for (Id<T> id : arena.ids())`.
+  struct IdRange {
+    struct Iterator {
+      std::uint32_t index;
+      Id<T> operator*() const { return Id<T>{index}; }
+      Iterator& operator++() {
+        ++index;
+        return *this;
+      }
+      bool operator!=(Iterator other) const { return index != other.index; }
+    };
+    std::uint32_t count;
+    Iterator begin() const { return {0}; }
+    Iterator end() const { return {count}; }
+  };
+  IdRange ids() const { return {size_}; }
+
+ private:
+  static constexpr std::size_t kBlock = 256;
+  std::vector<std::vector<T>> blocks_;
+  std::uint32_t size_ = 0;
+};
+
+// A run of values in one Pool: eight bytes in a node instead of a vector.
+template <typename T>
+struct List {
+  std::uint32_t begin = 0;
+  std::uint32_t size = 0;
+  bool empty() const { return size == 0; }
+};
+
+// Owns the child lists of one tree. A span read from a Pool is valid until the next Add to the same Pool.
+template <typename T>
+class Pool {
+ public:
+  List<T> Add(std::span<const T> values) {
+    List<T> list{static_cast<std::uint32_t>(values_.size()), static_cast<std::uint32_t>(values.size())};
+    values_.insert(values_.end(), values.begin(), values.end());
+    return list;
+  }
+  List<T> Add(std::initializer_list<T> values) { return Add(std::span<const T>(values.begin(), values.size())); }
+
+  std::span<const T> operator[](List<T> list) const { return {values_.data() + list.begin, list.size}; }
+  std::span<T> operator[](List<T> list) { return {values_.data() + list.begin, list.size}; }
+
+ private:
+  std::vector<T> values_;
+};
+
+}  // namespace clipc

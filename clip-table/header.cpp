@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <algorithm>
+#include <cctype>
+
+#include "clip-table/json.h"
+#include "clip-table/read.h"
+#include "clip-table/write.h"
+
+namespace clipc::clip_table {
+namespace {
+
+// The text of static_table.h between `clang-format off` and `on`.
+constexpr std::string_view kTypes =
+    R"(#ifndef CLIPC_STATIC_CLIP_TABLE
+#define CLIPC_STATIC_CLIP_TABLE 1
+namespace clipc {
+struct StaticClipPlane {
+  unsigned index;            // of the operand
+  const char* text;          // the operand as written
+  bool in_register;          // false: the plane is composed of several constants; the rest is empty
+  const char* cbuffer;       // as written
+  unsigned cbuffer_element;  // which buffer of an array of ConstantBuffers
+  unsigned register_number;  // n of b<n>
+  unsigned register_space;
+  unsigned float4_register;  // m of cb<n>[m]
+  unsigned byte_offset;      // in the buffer
+  const char* glsl_block;    // empty: a plain uniform
+  const char* glsl_member;   // empty: the shader does not read it
+};
+struct StaticClipTable {
+  const char* entry;
+  const char* profile;
+  const char* lowering;        // "clip-distance", "level9" or "none"
+  const char* position_space;  // "direct3d-clip"
+  unsigned enable_mask;
+  unsigned plane_count;
+  StaticClipPlane planes[6];
+};
+}  // namespace clipc
+#elif CLIPC_STATIC_CLIP_TABLE != 1
+#error "clip tables of two versions of clipc in one program: write them again with one clipc"
+#endif
+)";
+
+// The comment that ReadHeader reads: kMark, the table's name, a space, the table in JSON.
+constexpr std::string_view kMark = "// clip-table ";
+
+bool IsIdentifier(std::string_view name) {
+  const auto is_word = [](unsigned char c) { return c < 0x80 && (std::isalnum(c) || c == '_'); };
+  return !name.empty() && std::all_of(name.begin(), name.end(), is_word) &&
+         !std::isdigit(static_cast<unsigned char>(name.front()));
+}
+
+// A C string literal. Octal escapes have at most three digits, so nothing that follows can join them; `?` is escaped
+// because two of them may start a trigraph.
+std::string Quoted(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\' || c == '?') {
+      quoted += {'\\', c};
+    } else if (byte < 0x20 || byte >= 0x7f) {
+      for (const int shift : {6, 3, 0}) {
+        if (shift == 6) quoted += '\\';
+        quoted += static_cast<char>('0' + (byte >> shift & 7));
+      }
+    } else {
+      quoted += c;
+    }
+  }
+  return quoted + '"';
+}
+
+std::string Initializer(const Plane& plane) {
+  const Constant constant = plane.constant.value_or(Constant{});
+  const auto number = [](std::uint32_t value) { return std::to_string(value) + "u, "; };
+  return "{" + number(plane.index) + Quoted(plane.text) + ", " + (plane.constant ? "true, " : "false, ") +
+         Quoted(constant.cbuffer) + ", " + number(constant.cbuffer_element) +
+         number(constant.register_number) + number(constant.register_space) +
+         number(constant.float4_register) + number(constant.byte_offset) +
+         Quoted(constant.glsl_block) + ", " + Quoted(constant.glsl_member) + "}";
+}
+
+std::string HeaderText(const ClipTable& table, std::string_view name) {
+  std::string text = "// Written by clipc; changes are refused when it is read back, and lost when it is written again.\n";
+  text += std::string(kMark) + std::string(name) + " " + JsonText(table, true) + "\n";
+  text += "#pragma once\n\n";
+  text += kTypes;
+  text += "\ninline constexpr clipc::StaticClipTable " + std::string(name) + " = {\n";
+  text += "    " + Quoted(table.entry) + ", " + Quoted(table.profile) + ",\n";
+  text += "    " + Quoted(NameOf(table.lowering)) + ", " + Quoted(NameOf(table.position_space)) + ",\n";
+  text += "    " + std::to_string(table.enable_mask) + "u, " + std::to_string(table.planes.size()) + "u,\n";
+  text += "    {\n";
+  for (const Plane& plane : table.planes) text += "        " + Initializer(plane) + ",\n";
+  text += "    }};\n";
+  return text;
+}
+
+std::string WithoutCarriageReturns(std::string_view text) {
+  std::string without;
+  without.reserve(text.size());
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '\r' || i + 1 == text.size() || text[i + 1] != '\n') without += text[i];
+  }
+  return without;
+}
+
+Result<ClipTable> Error(std::string what) { return Result<ClipTable>::Error(std::move(what)); }
+
+}  // namespace
+
+Result<std::string> WriteHeader(const ClipTable& table, std::string_view name) {
+  if (!IsIdentifier(name)) {
+    return Result<std::string>::Error("`" + std::string(name) + "` cannot name a C++ variable");
+  }
+  if (std::string problem = ProblemOf(table); !problem.empty()) {
+    return Result<std::string>::Error(std::move(problem));
+  }
+  // Through JSON and back, so that both halves of the header have the same, valid UTF-8.
+  const Result<ClipTable> same = ReadJson(JsonText(table, true));
+  return {HeaderText(*same, name), ""};
+}
+
+std::string HeaderNameOf(std::string_view path) {
+  std::string_view file = path.substr(path.find_last_of("/\\") + 1);
+  file = file.substr(0, file.find('.'));
+  std::string name;
+  for (const char c : file) {
+    const auto byte = static_cast<unsigned char>(c);
+    name += byte < 0x80 && std::isalnum(byte) ? c : '_';
+  }
+  if (name.empty() || std::isdigit(static_cast<unsigned char>(name.front()))) name.insert(0, "_");
+  // Names with a leading or a double underscore are the C++ implementation's.
+  while (name.starts_with('_')) name.replace(0, 1, "table_");
+  for (std::size_t at; (at = name.find("__")) != name.npos;) name.erase(at, 1);
+  return name + (name.ends_with('_') ? "clip_table" : "_clip_table");
+}
+
+Result<ClipTable> ReadHeader(std::string_view bytes) {
+  const std::string text = WithoutCarriageReturns(bytes);
+  const std::size_t mark = text.find(kMark);
+  if (mark == text.npos || (mark > 0 && text[mark - 1] != '\n')) {
+    return Error("no clip table header: a comment `" + std::string(kMark) + "<name> <JSON>` is missing");
+  }
+  std::string_view line = std::string_view(text).substr(mark + kMark.size());
+  line = line.substr(0, line.find('\n'));
+  const std::size_t space = std::min(line.find(' '), line.size());
+  const std::string_view name = line.substr(0, space);
+  Result<ClipTable> table = ReadJson(line.substr(std::min(space + 1, line.size())));
+  if (!table) return Error("the clip table in the header's comment is damaged: " + table.error);
+  const Result<std::string> again = WriteHeader(*table, name);
+  if (!again) return Error(again.error);
+  if (*again != text) {
+    const auto differ = std::mismatch(again->begin(), again->end(), text.begin(), text.end());
+    const auto line_number = 1 + std::count(text.begin(), differ.second, '\n');
+    return Error("line " + std::to_string(line_number) +
+                 " of the header was changed after clipc wrote it, and its comment does not say the same");
+  }
+  return table;
+}
+
+Result<ClipTable> FromStatic(const StaticClipTable& from) {
+  const std::optional<Lowering> lowering = ParseLowering(from.lowering);
+  const std::optional<PositionSpace> space = ParsePositionSpace(from.position_space);
+  if (!lowering || !space) return Error("a lowering or a position space that this clipc does not know");
+  if (from.plane_count > kMaxPlanes) return Error(std::to_string(from.plane_count) + " planes");
+  ClipTable table{from.entry, from.profile, *lowering, *space, from.enable_mask, {}};
+  for (unsigned i = 0; i < from.plane_count; ++i) {
+    const StaticClipPlane& plane = from.planes[i];
+    Plane& to = table.planes.emplace_back(Plane{plane.index, plane.text, std::nullopt});
+    if (!plane.in_register) continue;
+    to.constant = Constant{plane.cbuffer,        plane.cbuffer_element, plane.register_number,
+                           plane.register_space, plane.float4_register, plane.byte_offset,
+                           plane.glsl_block,     plane.glsl_member};
+  }
+  if (std::string problem = ProblemOf(table); !problem.empty()) return Error(std::move(problem));
+  return {std::move(table), ""};
+}
+
+Result<std::string> Write(const ClipTable& table, Format format, std::string_view path) {
+  switch (format) {
+    case Format::kJson: return WriteJson(table);
+    case Format::kBinary: return WriteBinary(table);
+    case Format::kHeader: return WriteHeader(table, HeaderNameOf(path));
+  }
+  return Result<std::string>::Error("no such format");
+}
+
+Result<ClipTable> Read(std::string_view bytes) {
+  if (bytes.starts_with("DXBC") || bytes.starts_with(std::string_view("\x35\x28\0\0", 4))) {
+    return ReadBinary(bytes);
+  }
+  if (bytes.starts_with("//")) return ReadHeader(bytes);
+  return ReadJson(bytes);
+}
+
+}  // namespace clipc::clip_table

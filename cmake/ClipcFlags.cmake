@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+# What every target is compiled with: language, warnings, floating point, build types, sanitizers.
+
+option(CLIPC_WERROR "warnings are errors" ON)
+option(CLIPC_STATIC "link the release executable fully static: it starts in less than half the time" ON)
+set(CLIPC_SANITIZE "" CACHE STRING "sanitizers, as -fsanitize= takes them: address,undefined")
+option(CLIPC_FUZZ "instrument everything for libFuzzer and build fuzz/ (needs Clang)" OFF)
+
+get_property(multi_config GLOBAL PROPERTY GENERATOR_IS_MULTI_CONFIG)
+if(NOT CMAKE_BUILD_TYPE AND NOT multi_config)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Release, Debug or RelWithDebInfo" FORCE)
+endif()
+
+# Programs in bin/, whatever folder makes them; test binaries stay beside their library.
+set(CLIPC_BIN ${CMAKE_BINARY_DIR}/bin)
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
+
+find_program(CCACHE ccache)
+if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_C_COMPILER_LAUNCHER ${CCACHE})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()
+
+add_compile_options(-Wall -Wextra)
+if(CLIPC_WERROR)
+  add_compile_options(-Werror)
+endif()
+
+# The evaluator computes what a shader computes, rounding by rounding: no fused multiply-add behind its back, and g++ 12's SLP
+# vectoriser drops a double -> float -> double round trip under -mavx.
+add_compile_options(-ffp-contract=off)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  add_compile_options(-fno-tree-slp-vectorize)
+endif()
+
+add_compile_options(-ffunction-sections -fdata-sections)
+add_link_options(LINKER:--gc-sections)
+add_compile_definitions($<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS>)
+
+set(sanitizers ${CLIPC_SANITIZE})
+if(CLIPC_FUZZ)
+  list(APPEND sanitizers fuzzer-no-link)
+endif()
+if(sanitizers)
+  list(JOIN sanitizers , sanitizers)
+  # No `vptr`: it looks at the type information of glslang's classes, and glslang is built without.
+  add_compile_options(-fsanitize=${sanitizers} -fno-sanitize=vptr -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${sanitizers})
+endif()

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+# One folder, one static library, one GoogleTest binary. Sources are found, not listed: a new .cpp or *_test.cpp needs no edit.
+
+include(CheckLinkerFlag)
+
+# Debian has only the shared libfmt.
+find_package(fmt REQUIRED)
+find_package(nlohmann_json REQUIRED)
+if(BUILD_TESTING)
+  find_package(GTest REQUIRED)
+  include(GoogleTest)
+endif()
+
+# A folder may be empty while it is being written; a library needs one source.
+set(CLIPC_EMPTY_SOURCE ${CMAKE_CURRENT_BINARY_DIR}/empty.cpp)
+file(CONFIGURE OUTPUT ${CLIPC_EMPTY_SOURCE} CONTENT "")
+
+set(CLIPC_SANITIZER_SOURCE)
+if(CLIPC_SANITIZE MATCHES "address")
+  set(CLIPC_SANITIZER_SOURCE ${CMAKE_CURRENT_LIST_DIR}/sanitizer_options.cpp)
+endif()
+
+# clipc_folder(NAME [PUBLIC libraries that its headers need] [PRIVATE libraries that only its .cpp files need])
+# makes library clipc_NAME of every .cpp file in and below the current folder except *_test.cpp and main.cpp,
+# and clipc_NAME_test of every *_test.cpp file. A sub-folder with a CMakeLists.txt of its own is left to it.
+function(clipc_folder name)
+  cmake_parse_arguments(PARSE_ARGV 1 folder "" "" "PUBLIC;PRIVATE")
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  file(GLOB_RECURSE nested CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*/CMakeLists.txt)
+  foreach(file IN LISTS nested)
+    cmake_path(GET file PARENT_PATH directory)
+    list(FILTER sources EXCLUDE REGEX "^${directory}/")
+  endforeach()
+  set(tests ${sources})
+  list(FILTER tests INCLUDE REGEX "_test\\.cpp$")
+  list(FILTER sources EXCLUDE REGEX "(_test|/main)\\.cpp$")
+
+  add_library(clipc_${name} STATIC ${sources})
+  if(NOT sources)
+    target_sources(clipc_${name} PRIVATE ${CLIPC_EMPTY_SOURCE})
+  endif()
+  target_include_directories(clipc_${name} PUBLIC ${clipc_SOURCE_DIR})
+  target_link_libraries(clipc_${name} PUBLIC ${folder_PUBLIC} PRIVATE ${folder_PRIVATE})
+
+  if(BUILD_TESTING AND tests)
+    clipc_test(clipc_${name}_test SOURCES ${tests} LIBRARIES clipc_${name} ${folder_PRIVATE} NAME ${name})
+  endif()
+endfunction()
+
+# clipc_test(TARGET SOURCES ... LIBRARIES ... NAME prefix): a GoogleTest binary; each of its tests is a CTest entry prefix.Suite.Test.
+function(clipc_test target)
+  cmake_parse_arguments(PARSE_ARGV 1 test "" "NAME" "SOURCES;LIBRARIES")
+  add_executable(${target} ${test_SOURCES} ${CLIPC_SANITIZER_SOURCE})
+  target_link_libraries(${target} PRIVATE ${test_LIBRARIES} GTest::gmock GTest::gtest_main)
+  gtest_discover_tests(${target}
+    TEST_PREFIX ${test_NAME}.
+    WORKING_DIRECTORY ${clipc_SOURCE_DIR}
+    DISCOVERY_TIMEOUT 60
+    PROPERTIES TIMEOUT 300)
+endfunction()
+
+# clipc_executable(TARGET SOURCES ... LIBRARIES ...): a program that users start, fully static in a release build.
+function(clipc_executable target)
+  cmake_parse_arguments(PARSE_ARGV 1 program "" "" "SOURCES;LIBRARIES")
+  add_executable(${target} ${program_SOURCES} ${CLIPC_SANITIZER_SOURCE})
+  target_link_libraries(${target} PRIVATE ${program_LIBRARIES})
+  set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CLIPC_BIN})
+  if(CLIPC_STATIC AND CMAKE_BUILD_TYPE STREQUAL "Release" AND NOT CLIPC_SANITIZE AND NOT CLIPC_FUZZ)
+    target_link_options(${target} PRIVATE -static)
+    # The linker warns of getpwnam in LLVM's expansion of `~`, which clipc never asks for.
+    check_linker_flag(CXX LINKER:--no-warnings CLIPC_LINKER_IS_QUIET)
+    if(CLIPC_LINKER_IS_QUIET)
+      target_link_options(${target} PRIVATE LINKER:--no-warnings)
+    endif()
+  endif()
+endfunction()

@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+# `glslang_slice`: glslang's GLSL parser, for --validate. It makes no SPIR-V, so neither libSPIRV nor SPIRV-Tools is linked.
+
+find_path(GLSLANG_INCLUDE glslang/Public/ShaderLang.h)
+add_library(glslang_slice INTERFACE)
+target_include_directories(glslang_slice SYSTEM INTERFACE ${GLSLANG_INCLUDE})
+
+# In link order. Which of them exist depends on glslang's version: 14 dropped HLSL and OGLCompiler, 16 has one archive.
+foreach(archive glslang HLSL MachineIndependent GenericCodeGen OGLCompiler OSDependent glslang-default-resource-limits)
+  find_library(GLSLANG_${archive} lib${archive}.a)
+  if(GLSLANG_${archive})
+    target_link_libraries(glslang_slice INTERFACE ${GLSLANG_${archive}})
+  endif()
+endforeach()
+if(NOT GLSLANG_INCLUDE OR NOT GLSLANG_glslang)
+  message(FATAL_ERROR "no static glslang; on Debian: apt-get install glslang-dev")
+endif()
+target_link_libraries(glslang_slice INTERFACE Threads::Threads)

@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+"""Fails when a lower folder includes a higher one, or a folder includes a library that is not its business.
+
+usage: check_layers.py REPOSITORY_ROOT
+"""
+
+import pathlib
+import re
+import sys
+import tempfile
+
+# A folder may include itself and these. From the bottom to the top, as in the top-level CMakeLists.txt.
+FOLDERS = {
+    "base": set(),
+    "ir": {"base"},
+    "frontend": {"base", "ir"},
+    "passes": {"base", "ir"},
+    "backend-glsl": {"base", "ir"},
+    "clip-table": set(),
+    "compiler": {"base", "ir", "frontend", "passes", "backend-glsl", "clip-table"},
+    "runtime": {"clip-table"},
+    "draw": {"base", "ir", "frontend", "passes", "backend-glsl", "clip-table", "compiler", "runtime"},
+}
+
+# A library's headers, and the files that may include them.
+LIBRARIES = {
+    r"(clang|llvm)/": r"frontend/\w+_clang\.cpp",
+    r"glslang/": r"compiler/.*\.cpp",
+    r"fmt/": r"(base|ir|frontend|passes|backend-glsl|compiler)/.*",
+    r"nlohmann/": r"(base|clip-table|compiler)/.*\.cpp",
+}
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')
+
+
+def problem(path, quote, target):
+    """What is wrong with the file at `path`, relative to the root, including `target`; or None."""
+    folder = path.parts[0]
+    first = target.split("/")[0]
+    if quote == '"':
+        if "/" not in target or first == "..":
+            return "is not written from the repository's root"
+        if first in FOLDERS and first != folder and first not in FOLDERS[folder]:
+            allowed = ", ".join(sorted(FOLDERS[folder])) or "no other folder"
+            return f"points up; {folder}/ includes {allowed}"
+    for headers, users in LIBRARIES.items():
+        if re.match(headers, target) and not re.fullmatch(users, path.as_posix()):
+            return f"does not belong here; only {users} includes it"
+    return None
+
+
+def problems(root):
+    for folder in FOLDERS:
+        for file in sorted((root / folder).rglob("*")):
+            if file.suffix not in {".h", ".cpp", ".def", ".inc"}:
+                continue
+            path = file.relative_to(root)
+            for number, line in enumerate(file.read_text(errors="replace").splitlines(), 1):
+                if match := INCLUDE.match(line):
+                    if found := problem(path, match[1], match[2]):
+                        yield f"{path}:{number}: including {match[2]} {found}"
+
+
+def self_test():
+    """A tree with one of each mistake: the check must see them all and nothing else."""
+    tree = {
+        "base/a.h": '#include "ir/program.h"\n',
+        "ir/a.h": '#include "base/id.h"\n#include <vector>\n',
+        "frontend/a.cpp": '#include <clang/Lex/Lexer.h>\n',
+        "frontend/lexer_clang.cpp": '#include <clang/Lex/Lexer.h>\n',
+        "passes/a.cpp": '# include "backend-glsl/writer.h"\n',
+        "backend-glsl/a.cpp": '#include "writer.h"\n',
+        "clip-table/a.h": '#include <nlohmann/json.hpp>\n',
+        "clip-table/a.cpp": '#include <nlohmann/json.hpp>\n',
+        "runtime/gl/a.cpp": '#include <fmt/format.h>\n#include "base/id.h"\n#include "clip-table/table.h"\n',
+    }
+    with tempfile.TemporaryDirectory() as name:
+        root = pathlib.Path(name)
+        for path, text in tree.items():
+            (root / path).parent.mkdir(parents=True, exist_ok=True)
+            (root / path).write_text(text)
+        seen = {found.split(": ")[0] for found in problems(root)}
+    expected = {
+        "base/a.h:1", "frontend/a.cpp:1", "passes/a.cpp:1", "backend-glsl/a.cpp:1", "clip-table/a.h:1",
+        "runtime/gl/a.cpp:1", "runtime/gl/a.cpp:2",
+    }
+    if seen != expected:
+        sys.exit(f"check_layers.py itself is wrong: saw {sorted(seen)}, expected {sorted(expected)}")
+
+
+def main():
+    self_test()
+    found = list(problems(pathlib.Path(sys.argv[1])))
+    print("\n".join(found))
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

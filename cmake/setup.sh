@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+# Sourced by run and test, in the repository's root.
+
+llvm=${CLIPC_LLVM:-19}
+
+# What building clipc takes, and what testing it takes on top.
+build_packages=(g++ cmake ninja-build ccache "libclang-$llvm-dev" "llvm-$llvm-dev" libfmt-dev nlohmann-json3-dev glslang-dev)
+test_packages=(python3 "llvm-$llvm-tools" libgtest-dev libgmock-dev glslang-tools spirv-tools
+  libegl-dev libgl-dev libopengl-dev libegl1 libopengl0 libgl1-mesa-dri libpng-dev)
+
+# quietly COMMAND...: runs it and shows what it printed only if it fails.
+quietly() {
+  local log status=0
+  log=$(mktemp)
+  "$@" >"$log" 2>&1 || status=$?
+  [ "$status" -eq 0 ] || cat "$log" >&2
+  rm -f "$log"
+  return "$status"
+}
+
+# install_packages NAME...: installs the Debian packages that are missing, and says nothing when none is.
+install_packages() {
+  if ! command -v dpkg-query >/dev/null; then
+    return 0 # Not Debian: CMake says what it misses.
+  fi
+  local installed missing=() package as_root=()
+  installed=$(dpkg-query -W -f='${Package} ${db:Status-Status}\n' "$@" 2>/dev/null | sed -n 's/ installed$//p') || true
+  for package in "$@"; do
+    grep -qxF -- "$package" <<<"$installed" || missing+=("$package")
+  done
+  if [ ${#missing[@]} -eq 0 ]; then
+    return 0
+  fi
+  echo "Installing ${missing[*]} ..." >&2
+  [ "$(id -u)" -eq 0 ] || as_root=(sudo)
+  local install=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -qq -y --no-install-recommends "${missing[@]}")
+  # Most machines have a list of packages that is good enough; a fresh one has none.
+  "${install[@]}" >/dev/null 2>&1 || {
+    quietly "${as_root[@]}" apt-get update -qq
+    quietly "${install[@]}"
+  }
+}
+
+# configure_preset NAME TESTING: configures build/NAME unless that was done for the same LLVM. TESTING is ON or OFF; with OFF, a
+# build folder with tests is good too.
+configure_preset() {
+  local cache=build/$1/CMakeCache.txt
+  if [ -f "build/$1/build.ninja" ] && grep -q "^CLIPC_LLVM:[A-Z]*=$llvm\$" "$cache" &&
+    { [ "$2" = OFF ] || grep -q '^BUILD_TESTING:[A-Z]*=ON' "$cache"; }; then
+    return 0
+  fi
+  quietly cmake --preset "$1" -DBUILD_TESTING="$2" -DCLIPC_LLVM="$llvm"
+}
+
+# build_preset NAME [cmake --build arguments]
+build_preset() {
+  local preset=$1
+  shift
+  cmake --build "build/$preset" "$@" | sed '/^ninja: no work to do/d; /Re-checking globbed directories/d'
+}

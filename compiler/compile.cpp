@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/compile.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <new>
+
+#include "backend-glsl/check_target.h"
+#include "backend-glsl/target.h"
+#include "backend-glsl/writer.h"
+#include "clip-table/write.h"
+#include "compiler/dump_tokens.h"
+#include "compiler/make_clip_table.h"
+#include "compiler/reflect.h"
+#include "compiler/suggest.h"
+#include "compiler/validate.h"
+#include "frontend/ast_print.h"
+#include "frontend/check.h"
+#include "frontend/parse.h"
+#include "frontend/source.h"
+#include "ir/print.h"
+#include "passes/pipeline.h"
+
+namespace clipc {
+namespace {
+
+using clip_table::Lowering;
+
+// The parts of a request that are names, understood.
+struct Settings {
+  ir::Profile profile;
+  std::optional<glsl::Target> target;
+  Lowering lowering = Lowering::kClipDistance;
+};
+
+// One request on its way through the stages. Each stage returns whether to go on.
+class Compilation {
+ public:
+  Compilation(FrontendContext& context, const CompileRequest& request)
+      : request_(request), diagnostics_(request.warnings), context_(context) {}
+
+  CompileResult Run() {
+    if (!ReadSettings()) result_.status = Status::kBadRequest;
+    SourceInput input;
+    input.path = request_.path;
+    input.text = request_.text;
+    input.include_dirs = request_.include_dirs;
+    input.defines = request_.defines;
+    input.shader_model_major = settings_.profile.major;
+    input.shader_model_minor = settings_.profile.minor;
+    Source source(context_, std::move(input));
+    if (result_.ok()) {
+      RunStages(source);
+      result_.dependencies = source.Dependencies();
+      if (!source.main_file_read()) result_.status = Status::kBadRequest;
+    }
+    Finish(source);
+    return std::move(result_);
+  }
+
+ private:
+  bool ReadSettings();
+  void RunStages(Source& source);
+  void RunBackEnd(ir::Program& program);
+  void Lower(ir::Program& program);
+  void Write(const ir::Program& program);
+  void CheckWithGlslang();
+  void Finish(const Source& source);
+
+  bool IsDump(Stage stage) const { return request_.dump == stage; }
+  bool StopsHere(Stage stage) const { return IsDump(stage) || diagnostics_.has_errors(); }
+
+  const CompileRequest& request_;
+  Diagnostics diagnostics_;
+  FrontendContext& context_;
+  Settings settings_;
+  glsl::GlslInfo info_;
+  CompileResult result_;
+};
+
+bool Compilation::ReadSettings() {
+  if (auto profile = ir::ParseProfile(request_.profile)) {
+    settings_.profile = std::move(*profile);
+  } else {
+    diagnostics_.Report({}, diag::UnknownProfile, request_.profile, Suggest(request_.profile, ProfileNames()));
+  }
+  settings_.target = glsl::Target::Parse(request_.target);
+  if (!settings_.target) {
+    diagnostics_.Report({}, diag::UnknownTarget, request_.target, Suggest(request_.target, glsl::Target::Names()));
+  }
+  const std::vector<std::string_view> passes = passes::PassNames();
+  const auto check_pass = [&](const std::string& name) {
+    if (std::find(passes.begin(), passes.end(), name) != passes.end()) return;
+    diagnostics_.Report({}, diag::UnknownPass, name, Suggest(name, passes));
+  };
+  for (const std::string& name : request_.dump_after) check_pass(name);
+  if (!request_.stop_after.empty()) check_pass(request_.stop_after);
+  const bool is_level9 = settings_.profile.level9 != ir::Level9::kNone;
+  settings_.lowering = request_.lowering.value_or(is_level9 ? Lowering::kLevel9 : Lowering::kClipDistance);
+  return !diagnostics_.has_errors();
+}
+
+void Compilation::RunStages(Source& source) {
+  ir::Program program;
+  {
+    Tokens tokens = Lex(source, diagnostics_);
+    if (IsDump(Stage::kTokens)) result_.dump = DumpTokens(tokens, source);
+    if (StopsHere(Stage::kTokens)) return;
+    const ast::File file = Parse(std::move(tokens), diagnostics_);
+    if (IsDump(Stage::kAst)) result_.dump = PrintAst(file);
+    if (StopsHere(Stage::kAst)) return;
+    CheckOptions options;
+    options.profile = settings_.profile;
+    options.entry = request_.entry;
+    options.packing =
+        request_.matrices == MatrixOrder::kRowMajor ? MatrixPacking::kRowMajor : MatrixPacking::kColumnMajor;
+    options.whole_register_planes = settings_.lowering == Lowering::kLevel9;
+    program = Check(file, options, diagnostics_);
+    if (diagnostics_.has_errors()) return;
+    if (!settings_.profile.IsVertex()) {
+      diagnostics_.Report({}, diag::NotVertexProfile, settings_.profile.name);
+      return;
+    }
+  }  // what was written is not needed any more
+  if (IsDump(Stage::kIr)) result_.dump = ir::Print(program);
+  if (!IsDump(Stage::kIr)) RunBackEnd(program);
+}
+
+void Compilation::RunBackEnd(ir::Program& program) {
+  if (settings_.lowering == Lowering::kNone && !program.clip_planes.empty()) {
+    const std::size_t count = program.clip_planes.size();
+    diagnostics_.Report(Cover(program.clip_planes.front().span, program.clip_planes.back().span),
+                        diag::ClipPlanesIgnored, count, count == 1 ? " is" : "s are");
+  }
+  Lower(program);
+  if (!request_.stop_after.empty()) {
+    if (request_.dump_after.empty()) result_.dump = ir::Print(program);
+    return;
+  }
+  glsl::CheckTarget(program, *settings_.target, diagnostics_);
+  if (!diagnostics_.has_errors()) Write(program);
+}
+
+void Compilation::Lower(ir::Program& program) {
+  passes::PipelineOptions options;
+  switch (settings_.lowering) {
+    case Lowering::kClipDistance: options.clip_planes.lowering = passes::Lowering::kClipDistance; break;
+    case Lowering::kLevel9: options.clip_planes.lowering = passes::Lowering::kLevel9; break;
+    case Lowering::kNone: options.clip_planes.lowering = passes::Lowering::kNone; break;
+  }
+  options.clip_planes.write_clip_vertex = settings_.target->HasClipVertex();
+  options.clip_space.negative_one_to_one = request_.depth_range == DepthRange::kNegativeOneToOne;
+  options.clip_space.flip_y = request_.flip_y;
+  options.stop_after = request_.stop_after;
+  options.verify = request_.verify;
+  if (!request_.dump_after.empty()) {
+    options.after_pass = [&](std::string_view pass, const ir::Program& after) {
+      const auto& wanted = request_.dump_after;
+      if (std::find(wanted.begin(), wanted.end(), pass) == wanted.end()) return;
+      if (wanted.size() > 1) result_.dump += fmt::format("// after {}\n", pass);
+      result_.dump += ir::Print(after);
+    };
+  }
+  passes::RunPipeline(program, options);
+}
+
+void Compilation::Write(const ir::Program& program) {
+  glsl::WriteOptions options;
+  options.separable = request_.separable;
+  result_.glsl = glsl::WriteGlsl(program, *settings_.target, options, &info_);
+  result_.table = MakeClipTable(program, settings_.lowering, info_);
+  if (request_.validate) CheckWithGlslang();
+  if (IsDump(Stage::kGlsl)) result_.dump = result_.glsl;
+  if (IsDump(Stage::kTable)) {
+    auto json = clip_table::WriteJson(*result_.table);
+    if (json) result_.dump = std::move(*json);
+  }
+  if (request_.reflect) result_.reflection = Reflect(program, *settings_.target, info_, *result_.table);
+}
+
+void Compilation::CheckWithGlslang() {
+  const Validation validation = Validate(result_.glsl, *settings_.target);
+  if (validation.ok) return;
+  if (settings_.target->IsEs() && info_.clip_distance_mask != 0) {
+    const std::string why = fmt::format("{} knows no clip distances in OpenGL ES", ValidatorName());
+    diagnostics_.Report({}, diag::NotValidated, why);
+    return;
+  }
+  const auto& problems = validation.problems;
+  Diagnostic& report = diagnostics_.Report({}, diag::InvalidGlsl, problems.empty() ? "no reason given" : problems[0]);
+  for (std::size_t i = 1; i < problems.size(); ++i) report.Note({}, diag::PlainNote, problems[i]);
+}
+
+void Compilation::Finish(const Source& source) {
+  for (const Diagnostic& diagnostic : diagnostics_.all()) result_.messages.push_back(ToMessage(diagnostic, source));
+  if (request_.draw_text && !result_.messages.empty()) {
+    result_.text = source.RenderText(diagnostics_, request_.colour);
+  }
+  if (diagnostics_.has_errors()) {
+    if (result_.ok()) result_.status = Status::kErrors;
+    result_.glsl.clear();
+    result_.table.reset();
+    result_.reflection.clear();
+  }
+}
+
+CompileResult Failure(const char* what) {
+  CompileResult result;
+  result.status = Status::kErrors;
+  Message& message = result.messages.emplace_back();
+  message.name = PrintedName(DiagId::kInternalError);
+  message.text = fmt::format("internal error: {}", what);
+  result.text = fmt::format("clipc: error: {}\n", message.text);
+  return result;
+}
+
+}  // namespace
+
+struct Compiler::Shared {
+  FrontendContext frontend;
+};
+
+Compiler::Compiler() : shared_(std::make_unique<Shared>()) {}
+Compiler::~Compiler() = default;
+
+CompileResult Compiler::Compile(const CompileRequest& request) {
+  try {
+    return Compilation(shared_->frontend, request).Run();
+  } catch (const std::bad_alloc&) {
+    return Failure("out of memory");
+  } catch (const std::exception& problem) {
+    return Failure(problem.what());
+  }
+}
+
+CompileResult Compile(const CompileRequest& request) { return Compiler().Compile(request); }
+
+}  // namespace clipc

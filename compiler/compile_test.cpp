@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/compile.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+#include <vector>
+
+#include "compiler/options.h"
+
+namespace clipc {
+namespace {
+
+CompileRequest TwoPlanes(int variant = 0) {
+  CompileRequest request;
+  request.path = "two.hlsl";
+  request.text =
+      "cbuffer Planes { float4 left, right; };\n"
+      "[clipplanes(left, right)]\n"
+      "float4 main(float4 p : POSITION) : SV_Position { return p + " +
+      std::to_string(variant) + "; }\n";
+  return request;
+}
+
+TEST(Compile, GivesGlslAndTable) {
+  CompileRequest request = TwoPlanes();
+  request.validate = true;
+  request.reflect = true;
+  const CompileResult result = Compile(request);
+  ASSERT_TRUE(result.ok()) << result.text;
+  EXPECT_NE(result.glsl.find("gl_ClipDistance[1]"), std::string::npos) << result.glsl;
+  ASSERT_TRUE(result.table.has_value());
+  EXPECT_EQ(result.table->enable_mask, 3u);
+  ASSERT_EQ(result.table->planes.size(), 2u);
+  EXPECT_EQ(result.table->planes[1].text, "right");
+  EXPECT_EQ(result.table->planes[1].constant->byte_offset, 16u);
+  EXPECT_NE(result.reflection.find("\"enableMask\": 3"), std::string::npos);
+}
+
+TEST(Compile, ErrorsLeaveNoOutput) {
+  CompileRequest request = TwoPlanes();
+  *request.text += "float broken(";
+  const CompileResult result = Compile(request);
+  EXPECT_EQ(result.status, Status::kErrors);
+  EXPECT_TRUE(result.glsl.empty());
+  EXPECT_FALSE(result.table.has_value());
+  ASSERT_FALSE(result.messages.empty());
+  EXPECT_EQ(result.messages[0].place.file, "two.hlsl");
+  EXPECT_NE(result.text.find("two.hlsl:4:"), std::string::npos) << result.text;
+}
+
+TEST(Compile, BadRequests) {
+  for (const auto& change : std::vector<void (*)(CompileRequest&)>{
+           [](CompileRequest& r) { r.profile = "vs_9_9"; }, [](CompileRequest& r) { r.target = "spirv"; },
+           [](CompileRequest& r) { r.stop_after = "nothing"; },
+           [](CompileRequest& r) { r.text.reset(), r.path = "/no/such/file.hlsl"; }}) {
+    CompileRequest request = TwoPlanes();
+    change(request);
+    const CompileResult result = Compile(request);
+    EXPECT_EQ(result.status, Status::kBadRequest);
+    ASSERT_EQ(result.messages.size(), 1u);
+    EXPECT_TRUE(result.messages[0].place.file.empty());
+  }
+  CompileRequest pixel = TwoPlanes();
+  pixel.text = "float4 main() : SV_Position { return 0; }";
+  pixel.profile = "ps_5_0";
+  EXPECT_EQ(Compile(pixel).status, Status::kErrors);
+}
+
+TEST(Compile, OneCompilerManyShaders) {
+  Compiler compiler;
+  for (int i = 0; i < 20; ++i) {
+    const CompileResult alone = Compile(TwoPlanes(i));
+    const CompileResult together = compiler.Compile(TwoPlanes(i));
+    ASSERT_TRUE(together.ok()) << together.text;
+    EXPECT_EQ(alone.glsl, together.glsl);
+  }
+}
+
+TEST(Compile, ThreadsDoNotMeet) {
+  const CompileResult expected = Compile(TwoPlanes(7));
+  std::vector<std::thread> threads;
+  std::vector<std::string> results(4);
+  for (std::string& result : results) {
+    threads.emplace_back([&result] {
+      Compiler compiler;
+      for (int i = 0; i < 10; ++i) {
+        CompileRequest request = TwoPlanes(7);
+        request.validate = i == 9;
+        result = compiler.Compile(request).glsl;
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (const std::string& result : results) EXPECT_EQ(result, expected.glsl);
+}
+
+TEST(ParseCommandLine, SlashIsAnOptionOnlyWhereItIsNoPath) {
+  const char* const arguments[] = {"/T", "vs_4_0", "/Emain", "/DX=1", "/usr/include", "/tmp/none.hlsl", "-o", "/Tx"};
+  const ParsedCommandLine parsed = ParseCommandLine(arguments);
+  ASSERT_EQ(parsed.error, "");
+  EXPECT_EQ(parsed.command.request.profile, "vs_4_0");
+  EXPECT_EQ(parsed.command.request.entry, "main");
+  EXPECT_EQ(parsed.command.request.defines, std::vector<std::string>{"X=1"});
+  EXPECT_EQ(parsed.command.inputs, (std::vector<std::string>{"/usr/include", "/tmp/none.hlsl"}));
+  EXPECT_EQ(parsed.command.output, "/Tx");
+}
+
+// LLVM searches the table by bisection: every row must be found by its own name.
+TEST(ParseCommandLine, EveryOptionIsFound) {
+#define OPTION(Enumerator, Dashes, Name, ...)                               \
+  {                                                                         \
+    const char* const arguments[] = {Name, "x"};                            \
+    const ParsedCommandLine parsed = ParseCommandLine(arguments);           \
+    EXPECT_EQ(parsed.error.find("unknown option"), std::string::npos) << Name; \
+  }
+#include "compiler/options.def"
+#undef OPTION
+}
+
+TEST(ParseCommandLine, ValidatesBatches) {
+  const char* const one[] = {"a.hlsl"};
+  const char* const two[] = {"a.hlsl", "b.hlsl"};
+  const char* const off[] = {"a.hlsl", "b.hlsl", "--no-validate"};
+  EXPECT_FALSE(ParseCommandLine(one).command.request.validate);
+  EXPECT_TRUE(ParseCommandLine(two).command.request.validate);
+  EXPECT_FALSE(ParseCommandLine(off).command.request.validate);
+}
+
+}  // namespace
+}  // namespace clipc

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "frontend/source.h"
+#include "frontend/token.h"
+
+namespace clipc {
+
+// For --dump=tokens: a line per token, its place (the file's name where it changes), its kind, its value.
+std::string DumpTokens(const Tokens& tokens, const Source& source);
+
+}  // namespace clipc

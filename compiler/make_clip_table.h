@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "backend-glsl/writer.h"
+#include "clip-table/clip_table.h"
+#include "ir/program.h"
+
+namespace clipc {
+
+// What the host must know to clip with `program`: where each plane's constant lies, and its name in the GLSL.
+clip_table::ClipTable MakeClipTable(const ir::Program& program, clip_table::Lowering lowering,
+                                    const glsl::GlslInfo& info);
+
+}  // namespace clipc

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/message.h"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+
+namespace clipc {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Text of the user's may be anything; a JSON document is UTF-8.
+std::string Dump(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+void AppendMsvcLine(const Message& message, std::string& out) {
+  const Place& place = message.place;
+  auto end = std::back_inserter(out);
+  if (place.file.empty()) {
+    fmt::format_to(end, "clipc");
+  } else if (place.end_line == place.line && place.end_column > place.column + 1) {
+    fmt::format_to(end, "{}({},{}-{})", place.file, place.line, place.column, place.end_column - 1);
+  } else {
+    fmt::format_to(end, "{}({},{})", place.file, place.line, place.column);
+  }
+  // Log scrapers look for a word and a code: where fxc has no number, the name stands in.
+  const std::string& code = message.code.empty() ? message.name : message.code;
+  switch (message.severity) {
+    case Severity::kNote: fmt::format_to(end, ": note: {}\n", message.text); break;
+    case Severity::kWarning: fmt::format_to(end, ": warning {}: {}\n", code, message.text); break;
+    case Severity::kError: fmt::format_to(end, ": error {}: {}\n", code, message.text); break;
+  }
+  for (const Message& note : message.notes) AppendMsvcLine(note, out);
+}
+
+std::string_view NameOf(Severity severity) {
+  switch (severity) {
+    case Severity::kNote: return "note";
+    case Severity::kWarning: return "warning";
+    case Severity::kError: break;
+  }
+  return "error";
+}
+
+void AddPlace(const Place& place, Json& to) {
+  if (place.file.empty()) return;
+  to["file"] = place.file;
+  to["line"] = place.line;
+  to["column"] = place.column;
+  to["endLine"] = place.end_line;
+  to["endColumn"] = place.end_column;
+}
+
+Json ToJson(const Message& message) {
+  Json json = {{"severity", NameOf(message.severity)}, {"name", message.name}};
+  if (!message.code.empty()) json["code"] = message.code;
+  json["message"] = message.text;
+  AddPlace(message.place, json);
+  for (const Message::Fix& fix : message.fixes) {
+    Json entry;
+    AddPlace(fix.place, entry);
+    entry["text"] = fix.text;
+    json["fixes"].push_back(std::move(entry));
+  }
+  for (const Message& note : message.notes) json["notes"].push_back(ToJson(note));
+  return json;
+}
+
+// A file's path as a URI reference.
+std::string Uri(std::string_view path) {
+  std::string uri = path.starts_with('/') ? "file://" : "";
+  for (const char c : path) {
+    const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) || std::string_view("/._-~+,@").find(c) != std::string_view::npos;
+    uri += is_plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return uri;
+}
+
+Json SarifRegion(const Place& place) {
+  return {{"startLine", place.line},
+          {"startColumn", place.column},
+          {"endLine", place.end_line},
+          {"endColumn", place.end_column}};
+}
+
+Json SarifLocation(const Place& place) {
+  return {{"physicalLocation", {{"artifactLocation", {{"uri", Uri(place.file)}}}, {"region", SarifRegion(place)}}}};
+}
+
+Json SarifFix(const Message::Fix& fix) {
+  const Json replacement = {{"deletedRegion", SarifRegion(fix.place)}, {"insertedContent", {{"text", fix.text}}}};
+  const Json change = {{"artifactLocation", {{"uri", Uri(fix.place.file)}}}, {"replacements", Json::array({replacement})}};
+  return {{"artifactChanges", Json::array({change})}};
+}
+
+Json SarifResult(const Message& message, std::size_t rule) {
+  Json result = {{"ruleId", message.name},
+                 {"ruleIndex", rule},
+                 {"level", NameOf(message.severity)},
+                 {"message", {{"text", message.text}}}};
+  result["locations"] = Json::array();
+  if (!message.place.file.empty()) result["locations"].push_back(SarifLocation(message.place));
+  for (const Message& note : message.notes) {
+    if (note.place.file.empty()) continue;
+    Json location = SarifLocation(note.place);
+    location["message"] = {{"text", note.text}};
+    result["relatedLocations"].push_back(std::move(location));
+  }
+  for (const Message::Fix& fix : message.fixes) result["fixes"].push_back(SarifFix(fix));
+  return result;
+}
+
+}  // namespace
+
+Message ToMessage(const Diagnostic& diagnostic, const Source& source) {
+  Message message;
+  message.severity = diagnostic.severity;
+  message.name = PrintedName(diagnostic.id);
+  message.code = std::string(InfoOf(diagnostic.id).fxc_code);
+  message.text = diagnostic.message;
+  message.place = source.Resolve(diagnostic.span);
+  for (const FixIt& fix : diagnostic.fix_its) {
+    Place place = source.Resolve(fix.span);
+    if (fix.insert) {
+      place.end_line = place.line;
+      place.end_column = place.column;
+    }
+    message.fixes.push_back({std::move(place), fix.text});
+  }
+  for (const Diagnostic& note : diagnostic.notes) message.notes.push_back(ToMessage(note, source));
+  return message;
+}
+
+std::string RenderMsvc(const std::vector<Message>& messages) {
+  std::string out;
+  for (const Message& message : messages) AppendMsvcLine(message, out);
+  return out;
+}
+
+std::string RenderJson(const std::vector<Message>& messages) {
+  Json list = Json::array();
+  for (const Message& message : messages) list.push_back(ToJson(message));
+  return Dump({{"version", 1}, {"diagnostics", std::move(list)}});
+}
+
+std::string RenderSarif(const std::vector<Message>& messages) {
+  Json rules = Json::array(), results = Json::array();
+  std::map<std::string, std::size_t> rule_of;
+  for (const Message& message : messages) {
+    const auto [rule, is_new] = rule_of.emplace(message.name, rules.size());
+    if (is_new) {
+      Json entry = {{"id", message.name}};
+      if (!message.code.empty()) entry["shortDescription"] = {{"text", "fxc " + message.code}};
+      rules.push_back(std::move(entry));
+    }
+    results.push_back(SarifResult(message, rule->second));
+  }
+  const Json driver = {{"name", "clipc"}, {"version", CLIPC_VERSION}, {"rules", std::move(rules)}};
+  const Json run = {{"tool", {{"driver", driver}}}, {"results", std::move(results)}};
+  return Dump({{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
+               {"version", "2.1.0"},
+               {"runs", Json::array({run})}});
+}
+
+}  // namespace clipc

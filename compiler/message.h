@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "frontend/source.h"
+
+namespace clipc {
+
+// A diagnostic whose places are files and lines: it needs no Source any more.
+struct Message {
+  struct Fix {
+    Place place;  // insertions have place.end == place.begin
+    std::string text;
+  };
+
+  Severity severity = Severity::kError;
+  std::string name;  // "clip-plane-not-float4", as in -W<name>
+  std::string code;  // fxc's: "X3084"; may be empty
+  std::string text;
+  Place place;  // place.file is empty: about no place in particular
+  std::vector<Fix> fixes;
+  std::vector<Message> notes;
+};
+
+Message ToMessage(const Diagnostic& diagnostic, const Source& source);
+
+// One line each: `file(line,col-endcol): error X3084: text`, as fxc and cl print.
+std::string RenderMsvc(const std::vector<Message>& messages);
+
+// One document: {"version": 1, "diagnostics": [{severity, name, code, message, file, line, column, endLine, endColumn,
+// fixes, notes}]}. Lines and columns are 1-based, columns count bytes, the end is one past the last byte.
+std::string RenderJson(const std::vector<Message>& messages);
+
+// SARIF 2.1.0, one run.
+std::string RenderSarif(const std::vector<Message>& messages);
+
+}  // namespace clipc

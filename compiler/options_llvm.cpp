@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <clang/Basic/Version.inc>
+#include <llvm/ADT/ArrayRef.h>
+#include <llvm/Option/Arg.h>
+#include <llvm/Option/ArgList.h>
+#include <llvm/Option/OptTable.h>
+#include <llvm/Option/Option.h>
+#include <llvm/Support/raw_ostream.h>
+#include <sys/stat.h>
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string_view>
+
+#include "base/spelling.h"
+#include "compiler/options.h"
+#include "compiler/suggest.h"
+
+namespace clipc {
+namespace {
+
+using llvm::opt::Option;
+using llvm::opt::OptTable;
+
+enum Opt : unsigned short {
+  kOptNone, kOptInput, kOptUnknown,
+#define OPTION(Enumerator, ...) kOpt##Enumerator,
+#include "compiler/options.def"
+#undef OPTION
+};
+
+// ---- LLVM's table, whose shape changed with 20
+
+#if CLANG_VERSION_MAJOR >= 20
+// Every string of the table behind one another, as llvm::StringTable wants them: first "", then the dashes.
+constexpr char kStrings[] = "\0-\0--\0"
+#define OPTION(Enumerator, Dashes, Name, ...) Name "\0"
+#include "compiler/options.def"
+#undef OPTION
+    ;
+constexpr llvm::StringTable kStringTable(kStrings);
+// A list of prefixes is its length and its strings: none, "-", "--".
+constexpr llvm::StringTable::Offset kPrefixes[] = {0, 1, 1, 1, 3};
+constexpr unsigned kPrefixNone = 0, kPrefixOne = 1, kPrefixTwo = 3;
+#else
+constexpr llvm::StringLiteral kDash[] = {"-"};
+constexpr llvm::StringLiteral kDashes[] = {"--"};
+constexpr llvm::ArrayRef<llvm::StringLiteral> kPrefixNone, kPrefixOne(kDash), kPrefixTwo(kDashes);
+#endif
+
+OptTable::Info Row(unsigned id, unsigned char kind, unsigned short alias, const char* metavar, const char* help) {
+#if CLANG_VERSION_MAJOR >= 20
+  OptTable::Info info{};
+#else
+  OptTable::Info info{{}, "", nullptr, {}, nullptr, 0, 0, 0, 0, 0, 0, 0, nullptr, nullptr};
+#endif
+  info.HelpText = help;
+  info.MetaVar = metavar;
+  info.ID = id;
+  info.Kind = kind;
+  info.Visibility = llvm::opt::DefaultVis;
+  info.AliasID = alias;
+  return info;
+}
+
+std::vector<OptTable::Info> Rows() {
+  std::vector<OptTable::Info> rows = {Row(kOptInput, Option::InputClass, 0, nullptr, nullptr),
+                                      Row(kOptUnknown, Option::UnknownClass, 0, nullptr, nullptr)};
+#if CLANG_VERSION_MAJOR >= 20
+  unsigned name = sizeof("\0-\0--\0") - 1;
+#define SET_NAME(Dashes, Name)             \
+  rows.back().PrefixesOffset = kPrefix##Dashes; \
+  rows.back().PrefixedNameOffset = name;   \
+  name += sizeof(Name);
+#else
+  rows[0].PrefixedName = "<input>";
+  rows[1].PrefixedName = "<unknown>";
+#define SET_NAME(Dashes, Name)           \
+  rows.back().Prefixes = kPrefix##Dashes; \
+  rows.back().PrefixedName = Name;
+#endif
+#define OPTION(Enumerator, Dashes, Name, Kind, Alias, Metavar, Help)                      \
+  rows.push_back(Row(kOpt##Enumerator, Option::Kind##Class, kOpt##Alias, Metavar, Help)); \
+  SET_NAME(Dashes, Name)
+#include "compiler/options.def"
+#undef OPTION
+#undef SET_NAME
+  return rows;
+}
+
+class Table : public llvm::opt::GenericOptTable {
+ public:
+#if CLANG_VERSION_MAJOR >= 20
+  explicit Table(const std::vector<OptTable::Info>& rows) : GenericOptTable(kStringTable, kPrefixes, rows) {}
+#else
+  explicit Table(const std::vector<OptTable::Info>& rows) : GenericOptTable(rows) {}
+#endif
+};
+
+// ---- arguments
+
+// Whether an argument that starts with a slash is a path: it exists, or something could be made there.
+bool LooksLikePath(const std::string& argument) {
+  struct stat status {};
+  if (stat(argument.c_str(), &status) == 0) return true;
+  const std::size_t slash = argument.rfind('/');
+  return slash > 0 && stat(argument.substr(0, slash).c_str(), &status) == 0 && S_ISDIR(status.st_mode);
+}
+
+// "did you mean" for an option that is none.
+std::string NearOption(const Table& table, llvm::StringRef argument) {
+  std::string nearest;
+  const unsigned distance = table.findNearest(argument, nearest, llvm::opt::Visibility(), 2);
+  return distance <= 1 + argument.size() / 4 ? fmt::format("; did you mean `{}`?", nearest) : std::string();
+}
+
+// One of a few words; reports what it may be.
+template <typename T, std::size_t N>
+bool ReadChoice(std::string_view option, std::string_view value,
+                const std::array<std::pair<std::string_view, T>, N>& choices, T& to, std::string& error) {
+  std::vector<std::string_view> names;
+  for (const auto& [name, meaning] : choices) {
+    names.push_back(name);
+    if (name != value) continue;
+    to = meaning;
+    return true;
+  }
+  error = fmt::format("unknown value `{}` of {}{}", value, option, Suggest(value, names));
+  return false;
+}
+
+constexpr std::array<std::pair<std::string_view, DepthRange>, 2> kDepthRanges = {
+    {{"zero-to-one", DepthRange::kZeroToOne}, {"negative-one-to-one", DepthRange::kNegativeOneToOne}}};
+constexpr std::array<std::pair<std::string_view, MessageFormat>, 4> kFormats = {
+    {{"text", MessageFormat::kText}, {"msvc", MessageFormat::kMsvc}, {"json", MessageFormat::kJson}, {"sarif", MessageFormat::kSarif}}};
+constexpr std::array<std::pair<std::string_view, Stage>, 5> kStages = {
+    {{"tokens", Stage::kTokens}, {"ast", Stage::kAst}, {"ir", Stage::kIr}, {"glsl", Stage::kGlsl}, {"table", Stage::kTable}}};
+constexpr std::array<std::pair<std::string_view, clip_table::Lowering>, 3> kLowerings = {
+    {{"clip-distance", clip_table::Lowering::kClipDistance},
+     {"level9", clip_table::Lowering::kLevel9},
+     {"none", clip_table::Lowering::kNone}}};
+
+// -Wno-clip-plane-twice, -Werror, -Werror=..., -Wno-error=...
+bool ReadWarning(std::string_view name, WarningOptions& warnings, std::string& error) {
+  if (name == "error") return warnings.warnings_are_errors = true;
+  if (name == "no-error") return !(warnings.warnings_are_errors = false);
+  if (name == "all" || name == "extra") return true;  // every warning is on anyway
+  const auto take = [&](std::string_view prefix) {
+    const bool has = name.starts_with(prefix);
+    if (has) name.remove_prefix(prefix.size());
+    return has;
+  };
+  const bool is_off = take("no-");
+  const bool is_error = take("error=");
+  const std::optional<DiagId> id = DiagIdOf(name);
+  if (!id || InfoOf(*id).severity != Severity::kWarning) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < kDiagCount; ++i) {
+      const auto other = static_cast<DiagId>(i);
+      if (InfoOf(other).severity == Severity::kWarning) names.push_back(PrintedName(other));
+    }
+    const std::vector<std::string_view> views(names.begin(), names.end());
+    error = fmt::format("unknown warning `{}`{}", name, NearNames(name, views).empty() ? "" : Suggest(name, views));
+    return false;
+  }
+  const auto index = static_cast<std::size_t>(*id);
+  if (is_error) {
+    warnings.as_error[index] = !is_off;
+  } else {
+    warnings.off[index] = is_off;
+  }
+  return true;
+}
+
+// The options that say what to compile, and how.
+bool ReadRequestOption(const llvm::opt::Arg& argument, CompileRequest& request, std::string& error) {
+  const auto value = [&] { return std::string(argument.getValue()); };
+  switch (argument.getOption().getID()) {
+    case kOptDefine: request.defines.push_back(value()); return true;
+    case kOptInclude: request.include_dirs.push_back(value()); return true;
+    case kOptProfile: request.profile = value(); return true;
+    case kOptEntry: request.entry = value(); return true;
+    case kOptTargetIs: request.target = value(); return true;
+    case kOptPackRows: request.matrices = MatrixOrder::kRowMajor; return true;
+    case kOptPackColumns: request.matrices = MatrixOrder::kColumnMajor; return true;
+    case kOptFlipY: request.flip_y = true; return true;
+    case kOptSeparable: request.separable = true; return true;
+    case kOptVerify: request.verify = true; return true;
+    case kOptDumpAfterIs: request.dump_after.push_back(value()); return true;
+    case kOptStopAfterIs: request.stop_after = value(); return true;
+    case kOptNoWarnings: request.warnings.no_warnings = true; return true;
+    case kOptWarningsAreErrors: request.warnings.warnings_are_errors = true; return true;
+    case kOptWarning: return ReadWarning(value(), request.warnings, error);
+    case kOptLowerIs: return ReadChoice("--lower", value(), kLowerings, request.lowering.emplace(), error);
+    case kOptDumpIs: return ReadChoice("--dump", value(), kStages, request.dump.emplace(), error);
+    case kOptDepthRangeIs: return ReadChoice("--depth-range", value(), kDepthRanges, request.depth_range, error);
+    default: return true;
+  }
+}
+
+// The others, which say what to do with the result. `validate` is what the user asked for.
+bool ReadDriverOption(const llvm::opt::Arg& argument, CommandLine& command, std::optional<bool>& validate,
+                      std::string& error) {
+  const auto value = [&] { return std::string(argument.getValue()); };
+  switch (argument.getOption().getID()) {
+    case kOptInput: command.inputs.push_back(value()); return true;
+    case kOptOutput: command.output = value(); return true;
+    case kOptTableIs: command.table = value(); return true;
+    case kOptReflectIs: command.reflection = value(); return true;
+    case kOptDependencyFile: command.dependency_file = value(); [[fallthrough]];
+    case kOptDependencies: command.write_dependencies = true; return true;
+    case kOptDependencyTarget: command.dependency_target = value(); return true;
+    case kOptHelp: command.action = CommandLine::Action::kHelp; return true;
+    case kOptVersion: command.action = CommandLine::Action::kVersion; return true;
+    case kOptValidate: validate = true; return true;
+    case kOptNoValidate: validate = false; return true;
+    case kOptDiagnosticsAre: return ReadChoice("--diagnostics", value(), kFormats, command.format, error);
+    default: return true;
+  }
+}
+
+}  // namespace
+
+ParsedCommandLine ParseCommandLine(std::span<const char* const> arguments) {
+  const std::vector<OptTable::Info> rows = Rows();
+  const Table table(rows);
+  llvm::opt::InputArgList list(arguments.data(), arguments.data() + arguments.size());
+  ParsedCommandLine parsed;
+  std::optional<bool> validate;
+  for (unsigned index = 0; index < arguments.size();) {
+    const std::string text = list.getArgString(index);
+    const unsigned at = index;
+    if (text.size() > 1 && text[0] == '/' && !LooksLikePath(text)) {
+      list.replaceArgString(index, "-" + text.substr(1));
+      std::unique_ptr<llvm::opt::Arg> trial = table.ParseOneArg(list, index);
+      const bool is_option = trial && !trial->getOption().matches(kOptUnknown);
+      index = at;
+      if (!is_option) list.replaceArgString(index, text);
+    }
+    const std::unique_ptr<llvm::opt::Arg> argument = table.ParseOneArg(list, index);
+    if (!argument) {
+      parsed.error = fmt::format("{} needs a value", text);
+      return parsed;
+    }
+    if (argument->getOption().matches(kOptUnknown)) {
+      parsed.error = fmt::format("unknown option `{}`{}", text, NearOption(table, text));
+      return parsed;
+    }
+    if (!ReadRequestOption(*argument, parsed.command.request, parsed.error) ||
+        !ReadDriverOption(*argument, parsed.command, validate, parsed.error)) {
+      return parsed;
+    }
+  }
+  // glslang's tables cost tens of milliseconds once: much for one shader, little for many.
+  parsed.command.request.validate = validate.value_or(parsed.command.inputs.size() > 1);
+  return parsed;
+}
+
+std::string HelpText() {
+  const std::vector<OptTable::Info> rows = Rows();
+  const Table table(rows);
+  std::string text;
+  llvm::raw_string_ostream out(text);
+  table.printHelp(out, "clipc [options] FILE...", "HLSL vertex shaders with [clipplanes] to GLSL and a Direct3D 9 clip table");
+  out.flush();
+  return text;
+}
+
+}  // namespace clipc

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/reflect.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace clipc {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json ToJson(const ir::Register& reg) {
+  return {{"register", std::string(1, reg.letter) + std::to_string(reg.number)},
+          {"space", reg.space},
+          {"explicit", reg.is_explicit}};
+}
+
+const char* NameOf(ir::Interpolation interpolation) {
+  switch (interpolation) {
+    case ir::Interpolation::kDefault: return nullptr;
+    case ir::Interpolation::kLinear: return "linear";
+    case ir::Interpolation::kNoInterpolation: return "nointerpolation";
+    case ir::Interpolation::kNoPerspective: return "noperspective";
+  }
+  return nullptr;
+}
+
+const char* NameOf(ir::CbufferKind kind) {
+  switch (kind) {
+    case ir::CbufferKind::kCbuffer: return "cbuffer";
+    case ir::CbufferKind::kTbuffer: return "tbuffer";
+    case ir::CbufferKind::kGlobals: return "globals";
+    case ir::CbufferKind::kParams: return "params";
+    case ir::CbufferKind::kConstantBuffer: return "ConstantBuffer";
+  }
+  return "";
+}
+
+const char* NameOf(glsl::BlockForm form) {
+  switch (form) {
+    case glsl::BlockForm::kStd140: return "std140";
+    case glsl::BlockForm::kRows: return "rows";
+    case glsl::BlockForm::kUniforms: return "uniforms";
+  }
+  return "";
+}
+
+Json InputOrOutput(const ir::Program& program, const ir::IoVar& io, const glsl::GlslInfo::Variable* written) {
+  Json json = {{"semantic", io.semantic}, {"index", io.index}, {"type", program.types.Name(program.vars[io.var].type)}};
+  if (written) {
+    json["name"] = written->name;
+    if (written->location) json["location"] = *written->location;
+    if (written->needs_base_vertex_zero) json["needsBaseVertexZero"] = true;
+    if (written->integer_as_float) json["integerAsFloat"] = true;
+  }
+  json["builtin"] = io.builtin != ir::Builtin::kNone;
+  if (const char* name = NameOf(io.interpolation)) json["interpolation"] = name;
+  if (io.centroid) json["centroid"] = true;
+  if (io.sample) json["sample"] = true;
+  return json;
+}
+
+Json InputsOrOutputs(const ir::Program& program, const std::vector<ir::IoVar>& list,
+                     const std::vector<glsl::GlslInfo::Variable>& written) {
+  Json json = Json::array();
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    json.push_back(InputOrOutput(program, list[i], i < written.size() ? &written[i] : nullptr));
+  }
+  return json;
+}
+
+Json Member(const ir::Program& program, const ir::CbufferMember& member, const glsl::GlslInfo::Block* block) {
+  const ir::Var& var = program.vars[member.var];
+  Json json = {{"name", var.name},
+               {"type", program.types.Name(var.type)},
+               {"offset", member.offset},
+               {"size", member.size}};
+  if (var.row_major) json["rowMajor"] = true;
+  if (!block) return json;
+  for (const glsl::GlslInfo::Member& named : block->members) {
+    if (named.var != member.var) continue;
+    json["glsl"] = named.name;
+    if (named.transpose) json["transpose"] = true;
+  }
+  return json;
+}
+
+void AddBinding(const std::optional<std::uint32_t>& set, const std::optional<std::uint32_t>& binding, Json& to) {
+  if (set) to["set"] = *set;
+  if (binding) to["binding"] = *binding;
+}
+
+Json Cbuffer(const ir::Program& program, ir::CbufferId id, const glsl::GlslInfo& info) {
+  const ir::Cbuffer& cbuffer = program.cbuffers[id];
+  const auto found =
+      std::find_if(info.blocks.begin(), info.blocks.end(), [&](const auto& block) { return block.cbuffer == id; });
+  const glsl::GlslInfo::Block* block = found == info.blocks.end() ? nullptr : &*found;
+
+  Json json = {{"name", cbuffer.name}, {"kind", NameOf(cbuffer.kind)}};
+  json.update(ToJson(cbuffer.reg));
+  json["size"] = cbuffer.size;
+  if (cbuffer.count != 1) json["count"] = cbuffer.count;
+  json["used"] = block != nullptr;
+  if (block) {
+    Json& glsl = json["glsl"];
+    glsl["layout"] = NameOf(block->form);
+    if (!block->name.empty()) glsl["block"] = block->name;
+    if (!block->instance.empty()) glsl["instance"] = block->instance;
+    if (!block->rows.empty()) glsl["rows"] = block->rows;
+    AddBinding(block->set, block->binding, glsl);
+  }
+  json["members"] = Json::array();
+  for (const ir::CbufferMember& member : cbuffer.members) json["members"].push_back(Member(program, member, block));
+  return json;
+}
+
+Json Objects(const ir::Program& program, const glsl::GlslInfo& info) {
+  Json list = Json::array();
+  for (const glsl::GlslInfo::Object& object : info.objects) {
+    Json json = {{"glsl", object.name}};
+    AddBinding(object.set, object.binding, json);
+    for (const auto& [key, var] : {std::pair{"texture", object.texture}, std::pair{"sampler", object.sampler}}) {
+      if (!var) continue;
+      json[key] = {{"name", program.vars[var].name}, {"type", program.types.Name(program.vars[var].type)}};
+      for (const ir::Resource& resource : program.resources) {
+        if (resource.var == var) json[key].update(ToJson(resource.reg));
+      }
+    }
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+Json Planes(const clip_table::ClipTable& table) {
+  Json list = Json::array();
+  for (const clip_table::Plane& plane : table.planes) {
+    Json json = {{"index", plane.index}, {"text", plane.text}};
+    if (plane.constant) {
+      const clip_table::Constant& constant = *plane.constant;
+      json["cbuffer"] = constant.cbuffer;
+      json["register"] = "b" + std::to_string(constant.register_number);
+      json["space"] = constant.register_space;
+      json["offset"] = constant.byte_offset;
+      if (!constant.glsl_block.empty()) json["glslBlock"] = constant.glsl_block;
+      if (!constant.glsl_member.empty()) json["glsl"] = constant.glsl_member;
+    }
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+}  // namespace
+
+std::string Reflect(const ir::Program& program, const glsl::Target& target, const glsl::GlslInfo& info,
+                    const clip_table::ClipTable& table) {
+  Json json = {{"version", 1}, {"entry", table.entry}, {"profile", table.profile}, {"target", target.name()}};
+  json["inputs"] = InputsOrOutputs(program, program.inputs, info.inputs);
+  json["outputs"] = InputsOrOutputs(program, program.outputs, info.outputs);
+  json["cbuffers"] = Json::array();
+  for (ir::CbufferId id : program.cbuffers.ids()) json["cbuffers"].push_back(Cbuffer(program, id, info));
+  json["resources"] = Objects(program, info);
+  json["lowering"] = clip_table::NameOf(table.lowering);
+  json["positionSpace"] = clip_table::NameOf(table.position_space);
+  json["clipPlanes"] = Planes(table);
+  json["enableMask"] = table.enable_mask;
+  json["clipDistanceMask"] = info.clip_distance_mask;
+  json["cullDistanceMask"] = info.cull_distance_mask;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace clipc

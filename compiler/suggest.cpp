@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/suggest.h"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "base/spelling.h"
+
+namespace clipc {
+namespace {
+
+constexpr std::string_view kProfiles[] = {
+    "vs_2_0", "vs_3_0", "vs_4_0_level_9_0", "vs_4_0_level_9_1", "vs_4_0_level_9_3", "vs_4_0", "vs_4_1", "vs_5_0",
+    "vs_5_1", "vs_6_0", "vs_6_1", "vs_6_2", "vs_6_3", "vs_6_4", "vs_6_5", "vs_6_6", "vs_6_7", "vs_6_8"};
+
+// "`a`, `b` or `c`"
+std::string Choices(std::span<const std::string_view> names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const char* separator = i == 0 ? "" : i + 1 == names.size() ? " or " : ", ";
+    text += fmt::format("{}`{}`", separator, names[i]);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string Suggest(std::string_view name, std::span<const std::string_view> names) {
+  constexpr std::size_t kFew = 8;
+  if (const auto near = NearNames(name, names); !near.empty()) return fmt::format("; did you mean {}?", Choices(near));
+  return names.empty() || names.size() > kFew ? std::string() : fmt::format("; there is {}", Choices(names));
+}
+
+std::span<const std::string_view> ProfileNames() { return kProfiles; }
+
+}  // namespace clipc

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace clipc {
+
+// "; did you mean `vs_5_0` or `vs_5_1`?" for a name that is none of `names`; all the names when they are few and none is
+// near; empty when there is nothing to offer.
+std::string Suggest(std::string_view name, std::span<const std::string_view> names);
+
+// The profiles clipc compiles for.
+std::span<const std::string_view> ProfileNames();
+
+}  // namespace clipc

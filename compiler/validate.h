@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "backend-glsl/target.h"
+
+namespace clipc {
+
+struct Validation {
+  bool ok = false;
+  std::vector<std::string> problems;  // glslang's messages, "line 12: ..."
+};
+
+// Compiles and links `glsl` as a vertex shader with glslang, in this process. The first call for a GLSL version builds
+// glslang's tables for it, tens of milliseconds; they stay for the life of the process. Thread-safe.
+Validation Validate(const std::string& glsl, const glsl::Target& target);
+
+// "glslang 12.0.0".
+std::string ValidatorName();
+
+}  // namespace clipc

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "backend-glsl/writer.h"
+#include "frontend/check.h"
+#include "ir/program.h"
+#include "passes/pipeline.h"
+
+namespace clipc::draw {
+
+struct BuildOptions {
+  std::string path;
+  std::string profile = "vs_5_0", entry = "main";
+  std::vector<std::string> defines, include_dirs;
+  MatrixPacking packing = MatrixPacking::kColumnMajor;
+  std::string target = "glsl450";
+  passes::Lowering lowering = passes::Lowering::kClipDistance;
+  passes::ClipSpaceOptions clip_space;
+};
+
+// One shader at three stages.
+struct Shader {
+  ir::Program typed;    // as checked: what the user means
+  ir::Program lowered;  // after the passes
+  std::string glsl;
+  glsl::GlslInfo info;  // beside `lowered`
+};
+
+// The stages one after another, as the compiler's driver calls them. Throws DrawError with the diagnostics.
+Shader Build(const BuildOptions& options);
+
+// Why that lowering is not made for that target; empty when it is.
+std::string WhyNot(const std::string& target, passes::Lowering lowering);
+
+// The same shader for OpenGL: Vulkan's descriptor sets and vertex indices are the only difference in what clipc writes.
+std::string ForOpenGl(const std::string& glsl);
+
+}  // namespace clipc::draw

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
+#include "draw/arguments.h"
+#include "draw/commands.h"
+#include "draw/compare.h"
+#include "draw/options.h"
+
+namespace clipc::draw {
+namespace {
+
+using passes::Lowering;
+
+constexpr std::pair<const char*, Lowering> kLowerings[] = {
+    {"clip-distance", Lowering::kClipDistance}, {"level9", Lowering::kLevel9}, {"none", Lowering::kNone}};
+
+struct CompareOptions {
+  BuildOptions build;
+  std::vector<std::string> targets = {"glsl450", "glsl330", "glsl120", "essl300", "vulkan"};
+  std::vector<std::string> lowerings = {"clip-distance", "level9", "none"};
+  std::vector<bool> negative_one_to_one = {false, true}, flip_y = {false, true};
+  RandomOptions random;
+  Tolerance tolerance;
+  bool verbose = false;
+};
+
+std::vector<std::string> SplitAtCommas(const std::string& text) {
+  std::vector<std::string> parts{""};
+  for (const char c : text) {
+    if (c == ',') {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  return parts;
+}
+
+bool OneOf(const std::string& value, const char* no, const char* yes) {
+  if (value != no && value != yes) throw DrawError("`" + value + "` is neither " + no + " nor " + yes);
+  return value == yes;
+}
+
+void SetInts(const std::string& text, RandomOptions& random) {
+  if (std::sscanf(text.c_str(), "%d..%d", &random.least_int, &random.greatest_int) != 2 ||
+      random.least_int > random.greatest_int) {
+    throw DrawError("--ints -4..7, not `" + text + "`");
+  }
+}
+
+std::map<std::string, Flag> FlagsOf(CompareOptions& options) {
+  const auto text = [](std::string& to) { return Flag{true, [&to](const std::string& value) { to = value; }}; };
+  const auto list = [](std::vector<std::string>& to) {
+    return Flag{true, [&to](const std::string& value) { to.push_back(value); }};
+  };
+  return {
+      {"T", text(options.build.profile)},
+      {"E", text(options.build.entry)},
+      {"D", list(options.build.defines)},
+      {"I", list(options.build.include_dirs)},
+      {"row-major", {false, [&](const std::string&) { options.build.packing = MatrixPacking::kRowMajor; }}},
+      {"target", {true, [&](const std::string& value) { options.targets = SplitAtCommas(value); }}},
+      {"lower", {true, [&](const std::string& value) { options.lowerings = SplitAtCommas(value); }}},
+      {"depth-range", {true, [&](const std::string& value) {
+         options.negative_one_to_one = {OneOf(value, "zero-to-one", "negative-one-to-one")};
+       }}},
+      {"flip-y", {true, [&](const std::string& value) { options.flip_y = {OneOf(value, "no", "yes")}; }}},
+      {"random", {true, [&](const std::string& value) { options.random.vertices = static_cast<int>(ParseNumber(value)); }}},
+      {"seed", {true, [&](const std::string& value) { options.random.seed = ParseNumber(value); }}},
+      {"ints", {true, [&](const std::string& value) { SetInts(value, options.random); }}},
+      {"ulps", {true, [&](const std::string& value) { options.tolerance.ulps = std::strtod(value.c_str(), nullptr); }}},
+      {"exact", {false, [&](const std::string&) { options.tolerance.ulps = -1; }}},
+      {"verbose", {false, [&](const std::string&) { options.verbose = true; }}},
+  };
+}
+
+Lowering LoweringOf(const std::string& name) {
+  for (const auto& [known, lowering] : kLowerings) {
+    if (name == known) return lowering;
+  }
+  throw DrawError("no lowering is called `" + name + "`");
+}
+
+bool UsesInstances(const ir::Program& program) {
+  return std::any_of(program.inputs.begin(), program.inputs.end(),
+                     [](const ir::IoVar& io) { return io.builtin == ir::Builtin::kInstanceId; });
+}
+
+// Adds up the comparisons of one shader.
+class Runner {
+ public:
+  explicit Runner(CompareOptions options) : options_(std::move(options)) {}
+
+  int Run() {
+    for (const std::string& target : options_.targets) {
+      for (const std::string& lowering : options_.lowerings) RunLowering(target, lowering);
+    }
+    std::printf("%d comparisons of %d values each at most: %ld wrong, %ld of %ld equal to the bit, worst %.1f units\n",
+                comparisons_, most_values_, sum_.wrong, sum_.equal, sum_.values - sum_.undefined, sum_.worst);
+    if (comparisons_ == 0 || sum_.equal == 0) throw DrawError("nothing was compared");
+    return sum_.wrong == 0 ? 0 : 1;
+  }
+
+ private:
+  void RunLowering(const std::string& target, const std::string& lowering) {
+    BuildOptions build = options_.build;
+    build.target = target;
+    build.lowering = LoweringOf(lowering);
+    if (const std::string why = WhyNot(target, build.lowering); !why.empty()) {
+      if (options_.verbose) std::printf("%s %s: left out, %s\n", target.c_str(), lowering.c_str(), why.c_str());
+      return;
+    }
+    for (const bool negative_one_to_one : options_.negative_one_to_one) {
+      for (const bool flip_y : options_.flip_y) {
+        build.clip_space = {negative_one_to_one, flip_y};
+        RunOne(build, target + " " + lowering + (negative_one_to_one ? " negative-one-to-one" : " zero-to-one") +
+                          (flip_y ? " flip-y" : ""));
+      }
+    }
+  }
+
+  void RunOne(const BuildOptions& build, const std::string& name) {
+    const Shader shader = Build(build);
+    RandomOptions random = options_.random;
+    random.instances = UsesInstances(shader.typed) ? 3 : 1;
+    const RandomInputs inputs = MakeRandomInputs(shader.typed, random);
+    const std::vector<Expected> expected = MakeExpected(shader, build, inputs);
+    const Comparison found =
+        CompareWithOpenGl(device_, shader, expected, inputs, random.instances, options_.tolerance);
+    if (options_.verbose || found.wrong > 0) {
+      std::printf("%s: %ld of %ld values wrong, worst %.1f units\n", name.c_str(), found.wrong, found.values, found.worst);
+    }
+    for (const std::string& mistake : found.mistakes) std::printf("  %s\n", mistake.c_str());
+    if (options_.verbose && found.wrong > 0) std::printf("%s\n", shader.glsl.c_str());
+    Add(found);
+  }
+
+  void Add(const Comparison& found) {
+    ++comparisons_;
+    most_values_ = std::max(most_values_, static_cast<int>(found.values));
+    sum_.values += found.values;
+    sum_.equal += found.equal;
+    sum_.undefined += found.undefined;
+    sum_.wrong += found.wrong;
+    sum_.worst = std::max(sum_.worst, found.worst);
+  }
+
+  CompareOptions options_;
+  Device device_;
+  Comparison sum_;
+  int comparisons_ = 0, most_values_ = 0;
+};
+
+}  // namespace
+
+int RunCompare(int argc, char** argv) {
+  CompareOptions options;
+  options.build.path = OnlyPath(ParseOptions(argc, argv, FlagsOf(options)));
+  if (options.targets == std::vector<std::string>{"all"}) {
+    const auto names = glsl::Target::Names();
+    options.targets.assign(names.begin(), names.end());
+  }
+  return Runner(std::move(options)).Run();
+}
+
+}  // namespace clipc::draw

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "draw/build.h"
+#include "draw/gl.h"
+#include "draw/random_inputs.h"
+#include "draw/reference.h"
+
+namespace clipc::draw {
+
+// How far OpenGL may be from the evaluator: ints and what is equal in float always match. Else a float must lie within
+// ulps * 2^-24 * max(|expected|, the largest |expected| of the output among all vertices) of the double value.
+//
+// Measured on Mesa 22.3.6's llvmpipe: + - * / sqrt and rcp round as IEEE, nothing is fused, and mat * vec adds from left
+// to right, so most shaders match bit for bit. dot and vec * mat add from the right, which is off by up to 4 units of the
+// sum of the products' sizes; exp2 by 4, pow by 18, normalize by 4 units. The default leaves room for a chain of those;
+// any mistake in what is computed is larger by orders of magnitude on random inputs.
+struct Tolerance {
+  double ulps = 64;
+};
+
+struct Comparison {
+  int vertices = 0;
+  long values = 0;       // components compared
+  long equal = 0;        // to the bit, or both zero
+  long undefined = 0;    // the evaluator gives NaN: GLSL leaves the result open
+  double worst = 0;      // in units of 2^-24 of the output's size
+  std::vector<std::string> mistakes;  // the first ones, in words
+
+  long wrong = 0;
+};
+
+// Runs the shader on OpenGL and holds what comes out against what must.
+Comparison CompareWithOpenGl(Device& device, const Shader& shader, const std::vector<Expected>& expected,
+                             const RandomInputs& random, int instances, const Tolerance& tolerance);
+
+}  // namespace clipc::draw

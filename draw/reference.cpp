@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "draw/reference.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+#include "draw/gl.h"
+#include "ir/scalar.h"
+
+namespace clipc::draw {
+namespace {
+
+template <typename Number>
+using Float4 = std::array<Number, 4>;
+
+// The outputs of all vertices, once in float and once in double.
+struct Runs {
+  std::vector<ir::EvalOutputs> in_float, in_double;
+};
+
+Runs RunAll(const ir::Program& program, const RandomInputs& inputs) {
+  Runs runs;
+  for (const std::vector<ir::IoBits>& vertex : inputs.vertices) {
+    const ir::EvalInputs values{vertex, inputs.cbuffers, nullptr};
+    for (const bool in_double : {false, true}) {
+      ir::EvalResult result = ir::RunMain(program, values, {.in_double = in_double});
+      if (!result) throw DrawError("the reference evaluator stops: " + result.error);
+      (in_double ? runs.in_double : runs.in_float).push_back(std::move(result.outputs));
+    }
+  }
+  return runs;
+}
+
+void Append(Expected& expected, float value, double number) {
+  expected.words.push_back(static_cast<std::uint32_t>(ir::BitsOf(value)));
+  expected.numbers.push_back(number);
+}
+
+template <typename Number>
+Float4<Number> Adjusted(Float4<Number> position, const passes::ClipSpaceOptions& options) {
+  if (options.flip_y) position[1] = -position[1];
+  if (options.negative_one_to_one) position[2] = 2 * position[2] - position[3];
+  return position;
+}
+
+template <typename Number>
+Number Dot(const Float4<Number>& position, const Float4<float>& plane) {
+  Number sum = position[0] * plane[0];
+  for (int i = 1; i < 4; ++i) sum = sum + position[i] * plane[i];
+  return sum;
+}
+
+class Reference {
+ public:
+  Reference(const Shader& shader, const BuildOptions& options, const RandomInputs& inputs)
+      : shader_(shader), options_(options), inputs_(inputs), typed_(RunAll(shader.typed, inputs)) {}
+
+  std::vector<Expected> Make() {
+    const auto& outputs = shader_.lowered.outputs;
+    std::vector<Expected> all;
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+      Expected expected = Empty(i);
+      if (outputs[i].builtin == ir::Builtin::kPosition) {
+        FillPosition(expected, true);
+      } else if (i < shader_.typed.outputs.size()) {
+        Fill(expected, i, typed_);
+      } else if (outputs[i].builtin == ir::Builtin::kClipVertex) {
+        FillPosition(expected, false);
+      } else {
+        FillDistances(expected, i);
+      }
+      all.push_back(std::move(expected));
+    }
+    return all;
+  }
+
+ private:
+  Expected Empty(std::size_t index) const {
+    const ir::Program& program = shader_.lowered;
+    const ir::Type* type = &program.types[program.vars[program.outputs[index].var].type];
+    const bool is_array = type->kind == ir::TypeKind::kArray;
+    const auto count = static_cast<int>(is_array ? type->count : type->Components());
+    if (is_array) type = &program.types[type->element];
+    const ir::Scalar kind = ir::BaseOf(type->scalar);
+    if (kind == ir::Scalar::kDouble) throw DrawError("an output of doubles, which no test draws with");
+    return {shader_.info.outputs.at(index).name, kind, count, {}, {}};
+  }
+
+  void Fill(Expected& expected, std::size_t index, const Runs& runs) const {
+    for (std::size_t vertex = 0; vertex < runs.in_float.size(); ++vertex) {
+      for (int i = 0; i < expected.components; ++i) {
+        expected.words.push_back(static_cast<std::uint32_t>(runs.in_float[vertex].values[index][i]));
+        expected.numbers.push_back(runs.in_double[vertex].numbers[index][i]);
+      }
+    }
+  }
+
+  template <typename Number>
+  Float4<Number> PositionOf(const ir::EvalOutputs& outputs) const {
+    const auto& list = shader_.typed.outputs;
+    const auto found = std::find_if(list.begin(), list.end(),
+                                    [](const ir::IoVar& io) { return io.builtin == ir::Builtin::kPosition; });
+    if (found == list.end()) throw DrawError("planes without a position");
+    Float4<Number> position;
+    for (int i = 0; i < 4; ++i) position[i] = static_cast<Number>(outputs.numbers[found - list.begin()][i]);
+    return position;
+  }
+
+  void FillPosition(Expected& expected, bool adjusted) const {
+    const passes::ClipSpaceOptions clip_space = adjusted ? options_.clip_space : passes::ClipSpaceOptions{};
+    for (std::size_t vertex = 0; vertex < typed_.in_float.size(); ++vertex) {
+      const auto in_float = Adjusted(PositionOf<float>(typed_.in_float[vertex]), clip_space);
+      const auto in_double = Adjusted(PositionOf<double>(typed_.in_double[vertex]), clip_space);
+      for (int i = 0; i < 4; ++i) Append(expected, in_float[i], in_double[i]);
+    }
+  }
+
+  // Planes composed of several constants are read by the evaluator; all others from the bytes that the application uploads.
+  void FillDistances(Expected& expected, std::size_t index) const {
+    const auto& planes = shader_.typed.clip_planes;
+    if (!std::all_of(planes.begin(), planes.end(), [](const ir::ClipPlane& plane) { return plane.whole_register; })) {
+      return Fill(expected, index, RunAll(shader_.lowered, inputs_));
+    }
+    for (std::size_t vertex = 0; vertex < typed_.in_float.size(); ++vertex) {
+      for (const ir::ClipPlane& plane : planes) {
+        const Float4<float> value = PlaneOf(plane);
+        Append(expected, Dot(PositionOf<float>(typed_.in_float[vertex]), value),
+               Dot(PositionOf<double>(typed_.in_double[vertex]), value));
+      }
+    }
+  }
+
+  Float4<float> PlaneOf(const ir::ClipPlane& plane) const {
+    const std::uint32_t at = plane.element * shader_.typed.cbuffers[plane.cbuffer].size + plane.offset;
+    Float4<float> value;
+    std::memcpy(value.data(), inputs_.cbuffers[plane.cbuffer.index].data() + at, sizeof value);
+    return value;
+  }
+
+  const Shader& shader_;
+  const BuildOptions& options_;
+  const RandomInputs& inputs_;
+  Runs typed_;
+};
+
+}  // namespace
+
+std::vector<Expected> MakeExpected(const Shader& shader, const BuildOptions& options, const RandomInputs& inputs) {
+  return Reference(shader, options, inputs).Make();
+}
+
+}  // namespace clipc::draw

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "base/diagnostics.h"
+#include "frontend/literal.h"
+#include "frontend/token.h"
+
+namespace clipc {
+
+// Appends tokens to a list, making of C's preprocessing tokens what HLSL has: numbers are read, adjacent string literals
+// joined, `1.#INF` put together. `token` brings location and after_space; the writer fills in the rest.
+class TokenWriter {
+ public:
+  TokenWriter(Tokens& tokens, Diagnostics& diagnostics) : tokens_(tokens), diagnostics_(diagnostics) {}
+
+  void AddPunctuator(Token token);
+  void AddHash(Token token);
+  // token.value is the Name of `text`.
+  void AddIdentifier(Token token, std::string_view text);
+  void AddNumber(Token token, std::string_view text);
+  void AddCharacter(Token token, std::string_view literal);
+  void AddString(Token token, std::string_view literal);
+  void AddEnd(std::uint32_t location);
+
+ private:
+  enum class After : std::uint8_t { kOther, kNumberWithDot, kHash, kString };  // what was added last
+
+  void Add(Token token, After after);
+  void EndString();
+  std::size_t AddOneNumber(Token token, std::string_view text);
+  void ReportNumber(Span where, std::string_view text, NumberProblem problem);
+
+  Tokens& tokens_;
+  Diagnostics& diagnostics_;
+  After after_ = After::kOther;
+  Token string_;
+  std::string string_text_;
+};
+
+}  // namespace clipc

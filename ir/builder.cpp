@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ir/builder.h"
+
+#include <utility>
+#include <vector>
+
+#include "base/check.h"
+#include "ir/scalar.h"
+#include "ir/walk.h"
+
+namespace clipc::ir {
+namespace {
+
+bool GivesBool(BinaryOp op) {
+  switch (op) {
+    case BinaryOp::kLess:
+    case BinaryOp::kGreater:
+    case BinaryOp::kLessEqual:
+    case BinaryOp::kGreaterEqual:
+    case BinaryOp::kEqual:
+    case BinaryOp::kNotEqual:
+    case BinaryOp::kLogicalAnd:
+    case BinaryOp::kLogicalOr:
+    case BinaryOp::kShortCircuitAnd:
+    case BinaryOp::kShortCircuitOr:
+      return true;
+    default:
+      return false;
+  }
+}
+
+// A Pool may move its values while it adds, so what is added must not lie in it.
+List<ExprId> AddList(Program& program, std::span<const ExprId> values) {
+  const std::vector<ExprId> copy(values.begin(), values.end());
+  return program.expr_lists.Add(std::span<const ExprId>(copy));
+}
+
+}  // namespace
+
+ExprId Builder::Add(TypeId type, decltype(Expr::node) node) {
+  return program_.exprs.Add({.type = type, .span = span_, .node = node});
+}
+
+ExprId Builder::Bool(bool value) {
+  return Add(program_.types.Make(Scalar::kBool), Literal{value ? 1u : 0u});
+}
+ExprId Builder::Int(std::int32_t value) {
+  return Add(program_.types.Make(Scalar::kInt), Literal{BitsOf(value)});
+}
+ExprId Builder::Uint(std::uint32_t value) {
+  return Add(program_.types.Make(Scalar::kUint), Literal{value});
+}
+ExprId Builder::Float(float value) {
+  return Add(program_.types.Make(Scalar::kFloat), Literal{BitsOf(value)});
+}
+
+ExprId Builder::LiteralOf(Scalar kind, double value) {
+  return Add(program_.types.Make(kind), Literal{ConvertBits(BitsOf(value), Scalar::kDouble, kind)});
+}
+
+ExprId Builder::ZeroOf(TypeId type) { return Add(type, Zero{}); }
+
+ExprId Builder::Ref(VarId var) { return Add(program_.vars[var].type, VarRef{var}); }
+
+ExprId Builder::Field(ExprId base, std::uint32_t field) {
+  const Struct& structure = program_.types.StructOf(TypeOf(base));
+  CLIPC_CHECK(field < structure.fields.size());
+  return Add(structure.fields[field].type, FieldRef{base, field});
+}
+
+ExprId Builder::At(ExprId base, ExprId index) {
+  const Type type = program_.types[TypeOf(base)];
+  TypeId element = type.element;
+  if (type.kind == TypeKind::kVector) element = program_.types.Make(type.scalar);
+  if (type.kind == TypeKind::kMatrix) element = program_.types.Vector(type.scalar, type.columns);
+  CLIPC_CHECK(element);
+  return Add(element, Index{base, index});
+}
+
+ExprId Builder::Swizzled(ExprId base, std::span<const std::uint8_t> components) {
+  CLIPC_CHECK(!components.empty() && components.size() <= 4);
+  Swizzle node{
+      .base = base, .components = {}, .count = static_cast<std::uint8_t>(components.size())};
+  for (std::size_t i = 0; i < components.size(); ++i) node.components[i] = components[i];
+  const Scalar kind = program_.types[TypeOf(base)].scalar;
+  const TypeId type =
+      node.count == 1 ? program_.types.Make(kind) : program_.types.Vector(kind, node.count);
+  return Add(type, node);
+}
+
+ExprId Builder::Swizzled(ExprId base, std::initializer_list<int> components) {
+  std::vector<std::uint8_t> copy;
+  for (int component : components) copy.push_back(static_cast<std::uint8_t>(component));
+  return Swizzled(base, std::span<const std::uint8_t>(copy));
+}
+
+ExprId Builder::UnaryOf(UnaryOp op, ExprId operand) {
+  return Add(TypeOf(operand), Unary{op, operand});
+}
+
+ExprId Builder::BinaryOf(BinaryOp op, ExprId left, ExprId right) {
+  const TypeId type = TypeOf(left);
+  return Add(GivesBool(op) ? program_.types.WithScalar(type, Scalar::kBool) : type,
+             Binary{op, left, right});
+}
+
+ExprId Builder::AssignTo(ExprId target, ExprId value, std::optional<BinaryOp> op) {
+  return Add(TypeOf(target), Assign{op, target, value});
+}
+
+ExprId Builder::ConvertTo(Scalar kind, ExprId operand) {
+  const TypeId type = program_.types.WithScalar(TypeOf(operand), kind);
+  return type == TypeOf(operand) ? operand : Add(type, Convert{operand});
+}
+
+ExprId Builder::SplatTo(TypeId type, ExprId scalar) {
+  return type == TypeOf(scalar) ? scalar : Add(type, Splat{scalar});
+}
+
+ExprId Builder::ConstructOf(TypeId type, std::span<const ExprId> arguments) {
+  return Add(type, Construct{AddList(program_, arguments)});
+}
+
+ExprId Builder::IntrinsicOf(Intrinsic op, TypeId type, std::initializer_list<ExprId> arguments) {
+  return Add(type, IntrinsicCall{op, program_.expr_lists.Add(arguments)});
+}
+
+ExprId Builder::CallOf(FunctionId function, std::span<const ExprId> arguments) {
+  return Add(program_.functions[function].return_type,
+             Call{function, AddList(program_, arguments)});
+}
+
+ExprId Builder::CommaOf(ExprId first, ExprId second) {
+  return Add(TypeOf(second), Comma{first, second});
+}
+
+StmtId Builder::Stmt(decltype(ir::Stmt::node) node) {
+  return program_.stmts.Add({.span = span_, .node = node});
+}
+
+StmtId Builder::BlockOf(std::span<const StmtId> body) {
+  const std::vector<StmtId> copy(body.begin(), body.end());
+  return Stmt(Block{program_.stmt_lists.Add(std::span<const StmtId>(copy))});
+}
+
+VarId Builder::Local(std::string name, TypeId type) {
+  Var var;
+  var.name = std::move(name);
+  var.type = type;
+  var.span = span_;
+  return program_.vars.Add(std::move(var));
+}
+
+ExprId Clone(Program& program, ExprId expr) {
+  const ExprId copy = program.exprs.Add(Expr(program.exprs[expr]));
+  // A node with a list gets its own list first; then every operand is replaced by its clone.
+  const auto own = [&](auto& node) {
+    if constexpr (requires { node.arguments; }) {
+      node.arguments = AddList(program, std::as_const(program).expr_lists[node.arguments]);
+    }
+  };
+  std::visit(own, program.exprs[copy].node);
+  MapOperands(program, copy, [&](ExprId operand) { return Clone(program, operand); });
+  return copy;
+}
+
+bool IsPure(const Program& program, ExprId expr) {
+  const auto& node = program.exprs[expr].node;
+  if (std::holds_alternative<Assign>(node) || std::holds_alternative<Call>(node)) return false;
+  if (const auto* unary = std::get_if<Unary>(&node); unary && unary->op >= UnaryOp::kPreIncrement)
+    return false;
+  if (const auto* call = std::get_if<IntrinsicCall>(&node)) {
+    for (std::size_t i = 0; i < call->arguments.size; ++i) {
+      if (WritesArgument(call->op, i)) return false;
+    }
+  }
+  bool pure = true;
+  ForEachOperand(program, expr, [&](ExprId operand) { pure = pure && IsPure(program, operand); });
+  return pure;
+}
+
+void AppendToBody(Program& program, FunctionId function, std::span<const StmtId> stmts) {
+  auto& block = std::get<Block>(program.stmts[program.functions[function].body].node);
+  const auto old = std::as_const(program).stmt_lists[block.body];
+  std::vector<StmtId> body(old.begin(), old.end());
+  body.insert(body.end(), stmts.begin(), stmts.end());
+  block.body = program.stmt_lists.Add(std::span<const StmtId>(body));
+}
+
+}  // namespace clipc::ir

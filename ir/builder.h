@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <initializer_list>
+#include <span>
+#include <string>
+
+#include "ir/program.h"
+
+namespace clipc::ir {
+
+// Makes well-typed nodes: each call computes the type that program.h promises for the node.
+// Stateless but for the span that new nodes get.
+class Builder {
+ public:
+  explicit Builder(Program& program, Span span = {}) : program_(program), span_(span) {}
+  Builder At(Span span) const { return Builder(program_, span); }
+
+  ExprId Bool(bool value);
+  ExprId Int(std::int32_t value);
+  ExprId Uint(std::uint32_t value);
+  ExprId Float(float value);
+  ExprId LiteralOf(Scalar kind, double value);  // converted as a Convert would
+  ExprId ZeroOf(TypeId type);
+  ExprId Ref(VarId var);
+  ExprId Field(ExprId base, std::uint32_t field);
+  ExprId At(ExprId base, ExprId index);
+  ExprId At(ExprId base, std::uint32_t index) { return At(base, Uint(index)); }
+  ExprId Swizzled(ExprId base, std::initializer_list<int> components);
+  ExprId Swizzled(ExprId base, std::span<const std::uint8_t> components);
+  ExprId UnaryOf(UnaryOp op, ExprId operand);
+  ExprId BinaryOf(BinaryOp op, ExprId left, ExprId right);
+  ExprId AssignTo(ExprId target, ExprId value, std::optional<BinaryOp> op = std::nullopt);
+  ExprId ConvertTo(Scalar kind, ExprId operand);  // the operand itself when it has that kind
+  ExprId SplatTo(TypeId type, ExprId scalar);     // the operand itself when it has that type
+  ExprId ConstructOf(TypeId type, std::span<const ExprId> arguments);
+  ExprId ConstructOf(TypeId type, std::initializer_list<ExprId> arguments) {
+    return ConstructOf(type, std::span<const ExprId>(arguments.begin(), arguments.size()));
+  }
+  ExprId IntrinsicOf(Intrinsic op, TypeId type, std::initializer_list<ExprId> arguments);
+  ExprId CallOf(FunctionId function, std::span<const ExprId> arguments);
+  ExprId CommaOf(ExprId first, ExprId second);
+  ExprId Add(TypeId type, decltype(Expr::node) node);
+
+  StmtId Stmt(decltype(ir::Stmt::node) node);
+  StmtId BlockOf(std::span<const StmtId> body);
+  StmtId Eval(ExprId expr) { return Stmt(Evaluate{expr}); }
+
+  VarId Local(std::string name, TypeId type);
+
+  TypeId TypeOf(ExprId expr) const { return program_.exprs[expr].type; }
+
+ private:
+  Program& program_;
+  Span span_;
+};
+
+// A copy of the tree under `expr`: an expression has one parent, so using a value twice needs two
+// trees.
+ExprId Clone(Program& program, ExprId expr);
+// No assignment, increment, call of a user function or out argument anywhere in it: it may be
+// evaluated twice or not at all.
+bool IsPure(const Program& program, ExprId expr);
+// Appends statements to the end of `function`'s body.
+void AppendToBody(Program& program, FunctionId function, std::span<const StmtId> stmts);
+
+}  // namespace clipc::ir

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ir/evaluate.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "ir/evaluate_machine.h"
+#include "ir/packing.h"
+#include "ir/scalar.h"
+#include "ir/walk.h"
+
+namespace clipc::ir {
+namespace {
+
+// The largest value, and all variables together, that the evaluator holds: 128 MiB.
+constexpr std::uint32_t kMaxWords = 1u << 24;
+
+}  // namespace
+
+Machine::Machine(const Program& program, const EvalInputs& inputs, const EvalOptions& options)
+    : program_(program), inputs_(inputs), options_(options) {}
+
+EvalResult Machine::Run() {
+  if (!Prepare())
+    return {.outputs = {}, .error = "the program's variables are too large to evaluate"};
+  for (CbufferId id : program_.cbuffers.ids()) LoadCbuffer(id);
+  for (std::size_t i = 0; i < program_.inputs.size() && i < inputs_.values.size(); ++i) {
+    LoadInput(program_.inputs[i], inputs_.values[i]);
+  }
+  InitialiseGlobals();
+  CallFunction(program_.main, stack_.size());
+  return {.outputs = ReadOutputs(), .error = error_};
+}
+
+bool Machine::Prepare() {
+  std::uint64_t end = 0;
+  for (VarId id : program_.vars.ids()) {
+    address_.push_back(static_cast<std::uint32_t>(end));
+    end += WordsOf(program_.vars[id].type);
+    if (end > kMaxWords) return false;
+  }
+  for (ExprId id : program_.exprs.ids()) {
+    if (WordsOf(id) > kMaxWords) return false;
+  }
+  memory_.assign(end, 0);
+  for (const Resource& resource : program_.resources) {
+    const std::uint32_t address = address_[resource.var.index];
+    for (std::uint32_t i = 0; i < WordsOf(program_.vars[resource.var].type); ++i) {
+      memory_[address + i] = Word{resource.var.index} << 32 | i;
+    }
+  }
+  return true;
+}
+
+// ---- cbuffers, inputs and outputs
+
+void Machine::LoadCbuffer(CbufferId id) {
+  static const std::vector<std::uint8_t> kNoBytes;
+  const Cbuffer& buffer = program_.cbuffers[id];
+  const auto& bytes = id.index < inputs_.cbuffers.size() ? inputs_.cbuffers[id.index] : kNoBytes;
+  for (const CbufferMember& member : buffer.members) {
+    const Var& var = program_.vars[member.var];
+    Word* to = memory_.data() + address_[member.var.index];
+    TypeId type = var.type;
+    if (buffer.kind == CbufferKind::kConstantBuffer) {
+      while (program_.types[type].kind == TypeKind::kArray) type = program_.types[type].element;
+    }
+    for (std::uint32_t element = 0; element < buffer.count; ++element) {
+      Unpack(bytes, std::uint64_t{element} * buffer.size + member.offset, type, var.row_major, to);
+    }
+  }
+}
+
+void Machine::Unpack(const std::vector<std::uint8_t>& bytes, std::uint64_t offset, TypeId id,
+                     bool row_major, Word*& to) {
+  const Type& type = program_.types[id];
+  if (type.kind == TypeKind::kMatrix) return UnpackMatrix(bytes, offset, type, row_major, to);
+  if (type.kind == TypeKind::kArray) {
+    const std::uint64_t stride = ArrayStride(program_.types, id, row_major);
+    for (std::uint32_t i = 0; i < type.count; ++i)
+      Unpack(bytes, offset + i * stride, type.element, row_major, to);
+    return;
+  }
+  if (type.kind == TypeKind::kStruct) {
+    const auto& fields = program_.types[type.structure].fields;
+    for (std::uint32_t i = 0; i < fields.size(); ++i) {
+      const std::uint32_t field = FieldOffset(program_.types, type.structure, i);
+      Unpack(bytes, offset + field, fields[i].type, fields[i].row_major, to);
+    }
+    return;
+  }
+  if (type.kind == TypeKind::kObject) return void(++to);
+  const std::uint32_t size =
+      PackedExtent(program_.types, id, row_major).size / std::max(type.Components(), 1u);
+  for (std::uint32_t i = 0; i < type.Components(); ++i) {
+    *to++ = UnpackComponent(bytes, offset + std::uint64_t{i} * size, type.scalar);
+  }
+}
+
+void Machine::UnpackMatrix(const std::vector<std::uint8_t>& bytes, std::uint64_t offset,
+                           const Type& type, bool row_major, Word*& to) {
+  const std::uint32_t size =
+      type.scalar == Scalar::kDouble || BaseOf(type.scalar) >= Scalar::kInt64 ? 8 : 4;
+  const std::uint32_t length = row_major ? type.columns : type.rows;
+  const std::uint32_t stride = (length * size + 15) / 16 * 16;
+  for (std::uint32_t row = 0; row < type.rows; ++row) {
+    for (std::uint32_t column = 0; column < type.columns; ++column) {
+      const std::uint32_t place =
+          row_major ? row * stride + column * size : column * stride + row * size;
+      *to++ = UnpackComponent(bytes, offset + place, type.scalar);
+    }
+  }
+}
+
+Word Machine::UnpackComponent(const std::vector<std::uint8_t>& bytes, std::uint64_t offset,
+                              Scalar kind) const {
+  const Scalar base = BaseOf(kind);
+  const std::uint64_t size =
+      base == Scalar::kDouble || base == Scalar::kInt64 || base == Scalar::kUint64 ? 8 : 4;
+  Word bits = 0;
+  for (std::uint64_t i = 0; i < size; ++i) {
+    if (offset + i < bytes.size()) bits |= Word{bytes[offset + i]} << (8 * i);
+  }
+  if (base == Scalar::kBool) return bits != 0 ? 1 : 0;
+  return FromBits(bits, kind);
+}
+
+void Machine::LoadInput(const IoVar& io, const IoBits& bits) {
+  const Type& type = program_.types[program_.vars[io.var].type];
+  Word* to = memory_.data() + address_[io.var.index];
+  for (std::uint32_t i = 0; i < type.Components(); ++i) to[i] = FromBits(bits[i], type.scalar);
+}
+
+EvalOutputs Machine::ReadOutputs() const {
+  EvalOutputs outputs;
+  for (const IoVar& io : program_.outputs) {
+    IoBits bits{};
+    IoNumbers numbers{};
+    std::vector<Scalar> kinds;
+    AppendKinds(program_.vars[io.var].type, kinds);
+    const Word* from = memory_.data() + address_[io.var.index];
+    for (std::size_t i = 0; i < kinds.size() && i < bits.size(); ++i) {
+      bits[i] = ToBits(from[i], kinds[i]);
+      numbers[i] = NumberOf(from[i], RepOf(kinds[i]));
+    }
+    outputs.values.push_back(bits);
+    outputs.numbers.push_back(numbers);
+  }
+  return outputs;
+}
+
+// Globals in their order; then what is declared inside functions and has a value before they run.
+void Machine::InitialiseGlobals() {
+  for (VarId var : program_.globals) Initialise(var);
+  std::vector<bool> is_global(program_.vars.size(), false);
+  for (VarId var : program_.globals) is_global[var.index] = true;
+  for (VarId var : program_.vars.ids()) {
+    const Storage storage = program_.vars[var].storage;
+    if (!is_global[var.index] && (storage == Storage::kConstant || storage == Storage::kStatic))
+      Initialise(var);
+  }
+}
+
+void Machine::Initialise(VarId var) {
+  const ExprId init = program_.vars[var].init;
+  if (!init) return;
+  const std::size_t base = stack_.size();
+  Eval(init);
+  std::copy(stack_.begin() + static_cast<std::ptrdiff_t>(base), stack_.end(),
+            memory_.begin() + address_[var.index]);
+  stack_.resize(base);
+}
+
+// ---- how values lie in words
+
+Scalar Machine::RepOf(Scalar kind) const {
+  const Scalar base = BaseOf(kind);
+  return base == Scalar::kFloat && options_.in_double ? Scalar::kDouble : base;
+}
+
+Word Machine::FromBits(Word bits, Scalar kind) const {
+  return ConvertBits(bits, BaseOf(kind), RepOf(kind));
+}
+Word Machine::ToBits(Word word, Scalar kind) const {
+  return ConvertBits(word, RepOf(kind), BaseOf(kind));
+}
+
+std::uint32_t Machine::WordsOf(TypeId id) {
+  const Type& type = program_.types[id];
+  if (type.IsNumeric()) return type.Components();
+  if (type.kind == TypeKind::kObject) return 1;
+  if (type.kind != TypeKind::kArray && type.kind != TypeKind::kStruct) return 0;
+  if (id.index >= aggregate_words_.size()) aggregate_words_.resize(id.index + 1, 0);
+  if (aggregate_words_[id.index] != 0) return aggregate_words_[id.index];
+  std::uint64_t words = 0;
+  if (type.kind == TypeKind::kArray) {
+    words = std::uint64_t{type.count} * WordsOf(type.element);
+  } else {
+    for (const Field& field : program_.types[type.structure].fields) words += WordsOf(field.type);
+  }
+  return aggregate_words_[id.index] =
+             static_cast<std::uint32_t>(std::min<std::uint64_t>(words, kMaxWords + 1));
+}
+
+std::uint32_t Machine::FieldWord(StructId id, std::uint32_t field) {
+  if (id.index >= field_words_.size()) field_words_.resize(id.index + 1);
+  if (field_words_[id.index].empty()) {
+    std::vector<std::uint32_t> offsets;
+    std::uint32_t end = 0;
+    for (const Field& each : program_.types[id].fields) {
+      offsets.push_back(end);
+      end += WordsOf(each.type);
+    }
+    field_words_[id.index] = std::move(offsets);
+  }
+  return field_words_[id.index][field];
+}
+
+void Machine::AppendKinds(TypeId id, std::vector<Scalar>& kinds) const {
+  const Type& type = program_.types[id];
+  if (type.kind == TypeKind::kObject) kinds.push_back(Scalar::kUint);
+  kinds.insert(kinds.end(), type.Components(), type.scalar);
+  if (type.kind == TypeKind::kArray) {
+    for (std::uint32_t i = 0; i < type.count; ++i) AppendKinds(type.element, kinds);
+  }
+  if (type.kind == TypeKind::kStruct) {
+    for (const Field& field : program_.types[type.structure].fields) AppendKinds(field.type, kinds);
+  }
+}
+
+bool Machine::Fits(ExprId expr) {
+  if (WordsOf(expr) > kMaxWords) return false;
+  bool fits = true;
+  ForEachOperand(program_, expr, [&](ExprId operand) { fits = fits && Fits(operand); });
+  const VarRef* var = std::get_if<VarRef>(&program_.exprs[expr].node);
+  return fits &&
+         (var == nullptr || !program_.vars[var->var].init || Fits(program_.vars[var->var].init));
+}
+
+std::optional<std::vector<Word>> Machine::Constant(ExprId expr) {
+  if (!Fits(expr)) return std::nullopt;
+  only_constants_ = true;
+  Eval(expr);
+  if (!is_constant_) return std::nullopt;
+  return std::move(stack_);
+}
+
+EvalResult RunMain(const Program& program, const EvalInputs& inputs, const EvalOptions& options) {
+  return Machine(program, inputs, options).Run();
+}
+
+std::optional<std::vector<std::uint64_t>> ConstantBits(const Program& program, ExprId expr) {
+  static const EvalInputs kNoInputs;
+  static const EvalOptions kInFloat;
+  return Machine(program, kNoInputs, kInFloat).Constant(expr);
+}
+
+}  // namespace clipc::ir

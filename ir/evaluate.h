@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "ir/program.h"
+
+// The reference evaluator: runs `main` on the CPU, so that tests can say what a shader means and
+// that a pass changed only what it says. One rounding per operation, in the order written: dot, mul
+// and the like multiply first, then add from left to right, and nothing is fused. Where HLSL or the
+// Direct3D 11.3 functional specification leaves a choice:
+//
+// * Functions such as sin, exp and pow are computed in double and rounded once; a GPU may differ by
+//   its error bound.
+// * Denormals are kept; Direct3D 11 flushes them to zero, shader model 6 lets the compiler choose.
+// * An array, vector or matrix index out of bounds reads 0, and a write there is dropped; bytes
+//   behind the end of a cbuffer are 0.
+// * A variable without initialiser is zero, and so are the outputs that the shader does not write.
+// * x / 0u and x % 0u are 0xffffffff (udiv). Signed division is what fxc makes of udiv: on the
+//   magnitudes, then the sign; so 5 / 0 is -1, -5 / 0 is 1, and INT_MIN / -1 is INT_MIN.
+// * x % y and fmod of floats are x - y * trunc(x / y), in three roundings.
+// * pow(x, y) is exp2(y * log2(x)): NaN for x < 0, and for pow(0, 0).
+// * normalize multiplies by rsqrt(dot(x, x)); lerp is x + s * (y - x); determinant expands along
+//   the first row; the mantissa of frexp has the sign of its argument.
+namespace clipc::ir {
+
+// The components of one input or output as Literal holds them; of an array (clip distances) its
+// elements.
+using IoBits = std::array<std::uint64_t, 8>;
+using IoNumbers = std::array<double, 8>;
+
+// A read through a texture or buffer object, for the test to answer.
+struct ObjectRequest {
+  ObjectOp op;
+  VarId object;
+  std::uint32_t object_element = 0;  // of an array of objects
+  VarId sampler;                     // none where the operation takes none
+  std::uint32_t sampler_element = 0;
+  // The other arguments in order, component after component, as Literal holds them.
+  std::span<const std::uint64_t> arguments;
+};
+
+struct EvalInputs {
+  // By index into Program::inputs; a missing one is zero.
+  std::vector<IoBits> values;
+  // By index of the cbuffer: its bytes as the application uploads them, in HLSL packing; missing
+  // ones are zero. Buffer e of an array of ConstantBuffers starts at byte e * Cbuffer::size.
+  std::vector<std::vector<std::uint8_t>> cbuffers;
+  // Fills in the components of the result, which start as zeros. None: everything reads zero.
+  std::function<void(const ObjectRequest&, std::span<std::uint64_t> result)> read_object;
+};
+
+struct EvalOptions {
+  // Statements and calls that may run: a shader that loops forever ends with an error.
+  std::uint64_t step_limit = 10'000'000;
+  // Computes all floats in double, as a yardstick for the rounding errors of float: cbuffers,
+  // inputs and literals are the same floats, only results differ. Comparisons may then take another
+  // branch.
+  bool in_double = false;
+};
+
+struct EvalOutputs {
+  std::vector<IoBits> values;      // by index into Program::outputs; floats rounded to float
+  std::vector<IoNumbers> numbers;  // the same as numbers, unrounded with in_double
+};
+
+// Either outputs or an error.
+struct EvalResult {
+  EvalOutputs outputs;
+  std::string error;  // empty: it ran to the end
+  explicit operator bool() const { return error.empty(); }
+};
+
+// Runs Program::main. `program` must satisfy Verify.
+EvalResult RunMain(const Program& program, const EvalInputs& inputs,
+                   const EvalOptions& options = {});
+
+// The value of an expression of literals, operators, intrinsics and constants (Storage::kConstant
+// with an init), component after component in the order of the type; nothing when anything else
+// occurs in it.
+std::optional<std::vector<std::uint64_t>> ConstantBits(const Program& program, ExprId expr);
+
+}  // namespace clipc::ir

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "base/check.h"
+#include "ir/evaluate_machine.h"
+#include "ir/scalar.h"
+
+namespace clipc::ir {
+
+void Machine::EvalCall(ExprId expr, const Call& node) {
+  if (only_constants_) {
+    is_constant_ = false;
+    return PushZeros(WordsOf(expr));
+  }
+  const Function& function = program_.functions[node.function];
+  const std::size_t base = stack_.size();
+  std::vector<std::pair<VarId, Place>> written;
+  for (std::uint32_t i = 0; i < node.arguments.size; ++i) {
+    const ExprId argument = program_.expr_lists[node.arguments][i];
+    const VarId parameter = function.parameters[i];
+    const Storage storage = program_.vars[parameter].storage;
+    if (storage == Storage::kIn) {
+      Eval(argument);
+      continue;
+    }
+    const Place place = Locate(argument);
+    written.emplace_back(parameter, place);
+    if (storage == Storage::kInOut) {
+      PushFrom(place, WordsOf(argument));
+    } else {
+      PushZeros(WordsOf(argument));
+    }
+  }
+  // All arguments are evaluated before the first parameter gets its value: one may call the same
+  // function.
+  std::size_t from = base;
+  for (VarId parameter : function.parameters) {
+    const std::uint32_t words = WordsOf(program_.vars[parameter].type);
+    std::copy_n(stack_.begin() + static_cast<std::ptrdiff_t>(from), words,
+                memory_.begin() + address_[parameter.index]);
+    from += words;
+  }
+  stack_.resize(base);
+  CallFunction(node.function, base);
+  for (const auto& [parameter, place] : written) {
+    Store(place, WordsOf(program_.vars[parameter].type),
+          memory_.data() + address_[parameter.index]);
+  }
+}
+
+void Machine::EvalIntrinsic(ExprId expr, const IntrinsicCall& node) {
+  if (node.arguments.size > 1 && WritesArgument(node.op, 1)) return EvalWriting(node);
+  if (!IsComponentWise(node.op) && node.op <= Intrinsic::kReverseBits) return EvalBits(expr, node);
+  const std::size_t base = stack_.size();
+  std::array<ExprId, 3> arguments{};
+  std::array<std::size_t, 3> starts{base, base, base};
+  CLIPC_CHECK(node.arguments.size >= 1 && node.arguments.size <= arguments.size());
+  for (std::uint32_t i = 0; i < node.arguments.size; ++i) {
+    arguments[i] = program_.expr_lists[node.arguments][i];
+    starts[i] = stack_.size();
+    Eval(arguments[i]);
+  }
+  const Scalar rep = RepOf(arguments[0]);
+  std::array<Word, 16> result{};
+  const std::uint32_t words = WordsOf(expr);
+  if (IsComponentWise(node.op)) {
+    for (std::uint32_t i = 0; i < words; ++i) {
+      result[i] = ComponentFunction(node.op, rep, stack_[starts[0] + i], stack_[starts[1] + i],
+                                    stack_[starts[2] + i]);
+    }
+  } else {
+    std::array<EvalArgument, 3> views{};
+    for (std::uint32_t i = 0; i < node.arguments.size; ++i)
+      views[i] = {&stack_[starts[i]], &TypeOf(arguments[i])};
+    VectorFunction(node.op, rep, std::span(views).first(node.arguments.size), result.data());
+  }
+  stack_.resize(base);
+  stack_.insert(stack_.end(), result.begin(), result.begin() + words);
+}
+
+// Bit patterns are those of floats and doubles, also when the evaluator computes in double.
+void Machine::EvalBits(ExprId expr, const IntrinsicCall& node) {
+  const std::size_t base = stack_.size();
+  for (ExprId argument : program_.expr_lists[node.arguments]) Eval(argument);
+  const ExprId first = program_.expr_lists[node.arguments][0];
+  const Scalar from = TypeOf(first).scalar;
+  const Scalar to = TypeOf(expr).scalar;
+  const std::uint32_t words = WordsOf(expr);
+  for (std::uint32_t i = 0; i < words; ++i) {
+    Word bits = ToBits(stack_[base + i], from);
+    if (node.op == Intrinsic::kAsDouble) bits = bits | stack_[base + words + i] << 32;
+    if (node.op == Intrinsic::kF16ToF32) bits = BitsOf(HalfToFloat(UintOf(bits)));
+    if (node.op == Intrinsic::kF32ToF16) bits = FloatToHalf(FloatOf(bits));
+    stack_[base + i] = FromBits(bits, to);
+  }
+  stack_.resize(base + words);
+}
+
+namespace {
+
+// What a writing intrinsic makes of one component: its value and what it writes.
+struct Parts {
+  Word value, first, second;
+};
+
+template <typename T>
+Parts FloatParts(Intrinsic op, T x) {
+  if (op == Intrinsic::kModf) {
+    const T whole = std::trunc(x);
+    return {BitsOf(x - whole), BitsOf(whole), 0};
+  }
+  if (op == Intrinsic::kFrexp) {
+    int exponent = 0;
+    const T mantissa = std::frexp(x, &exponent);
+    return {BitsOf(mantissa), BitsOf(std::isfinite(x) ? static_cast<T>(exponent) : T{0}), 0};
+  }
+  const double angle = x;
+  return {0, BitsOf(static_cast<T>(std::sin(angle))), BitsOf(static_cast<T>(std::cos(angle)))};
+}
+
+Parts PartsOf(Intrinsic op, Scalar rep, Word x) {
+  if (op == Intrinsic::kAsUint) return {0, x & 0xffffffffu, x >> 32};
+  if (rep == Scalar::kFloat) return FloatParts(op, FloatOf(x));
+  if (rep == Scalar::kDouble) return FloatParts(op, DoubleOf(x));
+  return {0, x, 0};  // modf of integers
+}
+
+}  // namespace
+
+// modf, frexp, sincos and asuint of a double: the arguments behind the first are written, left to
+// right.
+void Machine::EvalWriting(const IntrinsicCall& node) {
+  const auto argument = [&](std::uint32_t i) { return program_.expr_lists[node.arguments][i]; };
+  const bool has_value = node.op == Intrinsic::kModf || node.op == Intrinsic::kFrexp;
+  const std::uint32_t words = WordsOf(argument(0));
+  if (only_constants_) {
+    is_constant_ = false;
+    return PushZeros(has_value ? words : 0);
+  }
+  const std::size_t base = stack_.size();
+  Eval(argument(0));
+  std::array<Place, 2> places{};
+  for (std::uint32_t i = 1; i < node.arguments.size; ++i) places[i - 1] = Locate(argument(i));
+  std::array<Word, 16> first{};
+  std::array<Word, 16> second{};
+  for (std::uint32_t i = 0; i < words; ++i) {
+    const Parts parts = PartsOf(node.op, RepOf(argument(0)), stack_[base + i]);
+    stack_[base + i] = parts.value;
+    first[i] = parts.first;
+    second[i] = parts.second;
+  }
+  Store(places[0], words, first.data());
+  if (node.arguments.size > 2) Store(places[1], words, second.data());
+  if (!has_value) stack_.resize(base);
+}
+
+void Machine::EvalObjectCall(ExprId expr, const ObjectCall& node) {
+  const std::uint32_t words = WordsOf(expr);
+  const std::size_t base = stack_.size();
+  is_constant_ = false;
+  if (only_constants_) return PushZeros(words);
+  ObjectRequest request{.op = node.op, .object = {}, .sampler = {}, .arguments = {}};
+  std::vector<Word> bits;
+  for (std::uint32_t i = 0; i < node.arguments.size; ++i) {
+    const ExprId argument = program_.expr_lists[node.arguments][i];
+    Eval(argument);
+    if (TypeOf(argument).kind == TypeKind::kObject) {
+      const Word object = stack_.back();
+      (i == 0 ? request.object : request.sampler) = VarId{static_cast<std::uint32_t>(object >> 32)};
+      (i == 0 ? request.object_element : request.sampler_element) =
+          static_cast<std::uint32_t>(object);
+    } else {
+      for (std::size_t w = base; w < stack_.size(); ++w)
+        bits.push_back(ToBits(stack_[w], TypeOf(argument).scalar));
+    }
+    stack_.resize(base);
+  }
+  request.arguments = bits;
+  std::vector<Word> result(words, 0);
+  if (inputs_.read_object) inputs_.read_object(request, result);
+  std::vector<Scalar> kinds;
+  AppendKinds(program_.exprs[expr].type, kinds);
+  for (std::uint32_t i = 0; i < words; ++i) stack_.push_back(FromBits(result[i], kinds[i]));
+}
+
+}  // namespace clipc::ir

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include "base/overloaded.h"
+#include "ir/evaluate_machine.h"
+#include "ir/scalar.h"
+
+namespace clipc::ir {
+
+void Machine::Eval(ExprId expr) {
+  std::visit(
+      Overloaded{
+          [&](const Literal& n) { stack_.push_back(FromBits(n.bits, TypeOf(expr).scalar)); },
+          [&](const Zero&) { PushZeros(WordsOf(expr)); },
+          [&](const VarRef& n) { EvalVarRef(n); },
+          [&](const FieldRef&) { EvalPart(expr); },
+          [&](const Index&) { EvalPart(expr); },
+          [&](const Swizzle& n) { EvalSwizzle(n); },
+          [&](const MatrixSwizzle& n) { EvalMatrixSwizzle(n); },
+          [&](const Unary& n) { EvalUnary(n); },
+          [&](const Binary& n) { EvalBinary(n); },
+          [&](const Assign& n) { EvalAssign(n); },
+          [&](const Conditional& n) { Eval(Test(n.condition) ? n.when_true : n.when_false); },
+          [&](const Select& n) { EvalSelect(n); },
+          [&](const Convert& n) { EvalConvert(expr, n); },
+          [&](const Splat& n) {
+            Eval(n.operand);
+            stack_.resize(stack_.size() + WordsOf(expr) - 1, stack_.back());
+          },
+          [&](const Construct& n) {
+            for (ExprId argument : program_.expr_lists[n.arguments]) Eval(argument);
+          },
+          [&](const MatrixTruncate& n) { EvalTruncate(expr, n); },
+          [&](const Call& n) { EvalCall(expr, n); },
+          [&](const IntrinsicCall& n) { EvalIntrinsic(expr, n); },
+          [&](const ObjectCall& n) { EvalObjectCall(expr, n); },
+          [&](const Comma& n) {
+            const std::size_t base = stack_.size();
+            Eval(n.first);
+            stack_.resize(base);
+            Eval(n.second);
+          },
+      },
+      program_.exprs[expr].node);
+}
+
+void Machine::Keep(std::size_t base, std::size_t from, std::uint32_t words) {
+  std::copy_n(stack_.begin() + static_cast<std::ptrdiff_t>(from), words,
+              stack_.begin() + static_cast<std::ptrdiff_t>(base));
+  stack_.resize(base + words);
+}
+
+// ---- variables and their parts
+
+void Machine::EvalVarRef(const VarRef& node) {
+  const Var& var = program_.vars[node.var];
+  if (!only_constants_) return PushFrom({.address = address_[node.var.index]}, WordsOf(var.type));
+  if (var.storage == Storage::kConstant && var.init) return Eval(var.init);
+  is_constant_ = false;
+  PushZeros(WordsOf(var.type));
+}
+
+bool Machine::IsPath(ExprId expr) const {
+  if (only_constants_) return false;
+  for (;;) {
+    const auto& node = program_.exprs[expr].node;
+    if (const FieldRef* field = std::get_if<FieldRef>(&node)) {
+      expr = field->base;
+    } else if (const Index* index = std::get_if<Index>(&node)) {
+      expr = index->base;
+    } else {
+      return std::holds_alternative<VarRef>(node);
+    }
+  }
+}
+
+// Part of a variable where it lies, so that an index into a large array copies one element; else
+// part of a value.
+void Machine::EvalPart(ExprId expr) {
+  const std::uint32_t words = WordsOf(expr);
+  if (IsPath(expr)) return PushFrom(Locate(expr), words);
+  const std::size_t base = stack_.size();
+  const auto& node = program_.exprs[expr].node;
+  if (const FieldRef* field = std::get_if<FieldRef>(&node)) {
+    Eval(field->base);
+    return Keep(base, base + FieldWord(TypeOf(field->base).structure, field->field), words);
+  }
+  const Index& index = std::get<Index>(node);
+  Eval(index.base);
+  const auto element = IndexInto(TypeOf(index.base), index.index);
+  if (element) return Keep(base, base + std::size_t{*element} * words, words);
+  stack_.resize(base);
+  PushZeros(words);
+}
+
+std::optional<std::uint32_t> Machine::IndexInto(const Type& base, ExprId index) {
+  Eval(index);
+  const Scalar rep = RepOf(index);
+  const Word word = ConvertBits(stack_.back(), rep, Scalar::kInt64);
+  stack_.pop_back();
+  const std::uint32_t count = base.kind == TypeKind::kArray    ? base.count
+                              : base.kind == TypeKind::kMatrix ? base.rows
+                                                               : base.columns;
+  if (word >= count) return std::nullopt;  // a negative index is a large word
+  return static_cast<std::uint32_t>(word);
+}
+
+Machine::Place Machine::Locate(ExprId expr) {
+  const auto& node = program_.exprs[expr].node;
+  if (const VarRef* var = std::get_if<VarRef>(&node)) return {.address = address_[var->var.index]};
+  if (const FieldRef* field = std::get_if<FieldRef>(&node)) {
+    Place place = Locate(field->base);
+    place.address += FieldWord(TypeOf(field->base).structure, field->field);
+    return place;
+  }
+  if (const Index* index = std::get_if<Index>(&node)) {
+    Place place = Locate(index->base);
+    const auto element = IndexInto(TypeOf(index->base), index->index);
+    place.in_bounds = place.in_bounds && element.has_value();
+    place.address += element.value_or(0) * WordsOf(expr);
+    return place;
+  }
+  const Swizzle& swizzle = std::get<Swizzle>(node);
+  Place place = Locate(swizzle.base);
+  place.count = swizzle.count;
+  place.components = swizzle.components;
+  return place;
+}
+
+void Machine::PushFrom(const Place& place, std::uint32_t words) {
+  if (!place.in_bounds) return PushZeros(words);
+  for (std::uint32_t i = 0; i < words; ++i) {
+    stack_.push_back(memory_[place.address + (place.count != 0 ? place.components[i] : i)]);
+  }
+}
+
+void Machine::Store(const Place& place, std::uint32_t words, const Word* from) {
+  if (!place.in_bounds) return;
+  for (std::uint32_t i = 0; i < words; ++i) {
+    memory_[place.address + (place.count != 0 ? place.components[i] : i)] = from[i];
+  }
+}
+
+void Machine::EvalSwizzle(const Swizzle& node) {
+  const std::size_t base = stack_.size();
+  Eval(node.base);
+  std::array<Word, 4> words{};
+  for (int i = 0; i < node.count; ++i) words[i] = stack_[base + node.components[i]];
+  stack_.resize(base);
+  stack_.insert(stack_.end(), words.begin(), words.begin() + node.count);
+}
+
+void Machine::EvalMatrixSwizzle(const MatrixSwizzle& node) {
+  const std::size_t base = stack_.size();
+  Eval(node.base);
+  const std::size_t columns = TypeOf(node.base).columns;
+  std::array<Word, 4> words{};
+  for (int i = 0; i < node.count; ++i)
+    words[i] = stack_[base + node.rows[i] * columns + node.columns[i]];
+  stack_.resize(base);
+  stack_.insert(stack_.end(), words.begin(), words.begin() + node.count);
+}
+
+// ---- operators
+
+void Machine::EvalUnary(const Unary& node) {
+  const Scalar rep = RepOf(node.operand);
+  const std::uint32_t words = WordsOf(node.operand);
+  const std::size_t base = stack_.size();
+  if (node.op < UnaryOp::kPreIncrement || only_constants_) {
+    is_constant_ = is_constant_ && node.op < UnaryOp::kPreIncrement;
+    Eval(node.operand);
+    for (std::uint32_t i = 0; i < words; ++i)
+      stack_[base + i] = UnaryComponent(node.op, rep, stack_[base + i]);
+    return;
+  }
+  const Place place = Locate(node.operand);
+  PushFrom(place, words);
+  PushFrom(place, words);
+  for (std::uint32_t i = 0; i < words; ++i) {
+    stack_[base + words + i] = UnaryComponent(node.op, rep, stack_[base + words + i]);
+  }
+  Store(place, words, stack_.data() + base + words);
+  const bool is_post = node.op == UnaryOp::kPostIncrement || node.op == UnaryOp::kPostDecrement;
+  Keep(base, is_post ? base : base + words, words);
+}
+
+void Machine::EvalBinary(const Binary& node) {
+  if (node.op == BinaryOp::kShortCircuitAnd || node.op == BinaryOp::kShortCircuitOr)
+    return EvalShortCircuit(node);
+  const Scalar rep = RepOf(node.left);
+  const std::uint32_t words = WordsOf(node.left);
+  const std::size_t base = stack_.size();
+  Eval(node.left);
+  Eval(node.right);
+  for (std::uint32_t i = 0; i < words; ++i) {
+    stack_[base + i] = BinaryComponent(node.op, rep, stack_[base + i], stack_[base + words + i]);
+  }
+  stack_.resize(base + words);
+}
+
+void Machine::EvalShortCircuit(const Binary& node) {
+  const bool is_and = node.op == BinaryOp::kShortCircuitAnd;
+  const bool left = Test(node.left);
+  if (left == is_and) return Eval(node.right);
+  stack_.push_back(left ? 1 : 0);
+}
+
+void Machine::EvalAssign(const Assign& node) {
+  const Scalar rep = RepOf(node.target);
+  const std::uint32_t words = WordsOf(node.target);
+  if (only_constants_) {
+    is_constant_ = false;
+    return PushZeros(words);
+  }
+  const std::size_t base = stack_.size();
+  const Place place = Locate(node.target);
+  Eval(node.value);
+  if (node.op) {
+    PushFrom(place, words);
+    for (std::uint32_t i = 0; i < words; ++i) {
+      stack_[base + i] = BinaryComponent(*node.op, rep, stack_[base + words + i], stack_[base + i]);
+    }
+    stack_.resize(base + words);
+  }
+  Store(place, words, stack_.data() + base);
+}
+
+void Machine::EvalSelect(const Select& node) {
+  const std::uint32_t words = WordsOf(node.condition);
+  const std::size_t base = stack_.size();
+  Eval(node.condition);
+  Eval(node.when_true);
+  Eval(node.when_false);
+  for (std::uint32_t i = 0; i < words; ++i) {
+    stack_[base + i] = stack_[base + (stack_[base + i] != 0 ? words : 2 * words) + i];
+  }
+  stack_.resize(base + words);
+}
+
+void Machine::EvalConvert(ExprId expr, const Convert& node) {
+  const std::size_t base = stack_.size();
+  Eval(node.operand);
+  const Scalar from = RepOf(node.operand);
+  const Scalar to = RepOf(expr);
+  for (std::size_t i = base; i < stack_.size(); ++i) stack_[i] = ConvertBits(stack_[i], from, to);
+}
+
+void Machine::EvalTruncate(ExprId expr, const MatrixTruncate& node) {
+  const std::size_t base = stack_.size();
+  Eval(node.operand);
+  const std::size_t from_columns = TypeOf(node.operand).columns;
+  const Type& type = TypeOf(expr);
+  for (std::size_t r = 0; r < type.rows; ++r) {
+    for (std::size_t c = 0; c < type.columns; ++c) {
+      stack_[base + r * type.columns + c] = stack_[base + r * from_columns + c];
+    }
+  }
+  stack_.resize(base + type.Components());
+}
+
+}  // namespace clipc::ir

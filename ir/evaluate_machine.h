@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "ir/evaluate.h"
+#include "ir/evaluate_math.h"
+
+namespace clipc::ir {
+
+// Runs one program once. A value is its components in order, one word each (a matrix by rows, a
+// struct by fields, an array by elements); an object is one word that names a resource. Expressions
+// push their value on a stack; each variable has its own place in `memory_`, since no function can
+// be active twice.
+class Machine {
+ public:
+  Machine(const Program& program, const EvalInputs& inputs, const EvalOptions& options);
+
+  EvalResult Run();
+  std::optional<std::vector<Word>> Constant(ExprId expr);
+
+ private:
+  enum class Flow : std::uint8_t { kNext, kBreak, kContinue, kReturn, kStop };
+  // Where a target lies. With count > 0, the components behind `address` in that order.
+  struct Place {
+    std::uint32_t address = 0;
+    bool in_bounds = true;
+    std::uint8_t count = 0;
+    std::array<std::uint8_t, 4> components{};
+  };
+
+  // evaluate.cpp: from the program's inputs to its outputs
+  bool Prepare();          // false: too large
+  bool Fits(ExprId expr);  // no value in it is too large
+  void LoadCbuffer(CbufferId id);
+  void Unpack(const std::vector<std::uint8_t>& bytes, std::uint64_t offset, TypeId type,
+              bool row_major, Word*& to);
+  void UnpackMatrix(const std::vector<std::uint8_t>& bytes, std::uint64_t offset, const Type& type,
+                    bool row_major, Word*& to);
+  Word UnpackComponent(const std::vector<std::uint8_t>& bytes, std::uint64_t offset,
+                       Scalar kind) const;
+  void LoadInput(const IoVar& io, const IoBits& bits);
+  void InitialiseGlobals();
+  void Initialise(VarId var);
+  EvalOutputs ReadOutputs() const;
+
+  // evaluate.cpp: how values lie in words
+  Scalar RepOf(
+      Scalar kind) const;  // the base kind, with kDouble for kFloat when computing in double
+  Scalar RepOf(ExprId expr) const { return RepOf(TypeOf(expr).scalar); }
+  Word FromBits(Word bits, Scalar kind) const;  // of a Literal
+  Word ToBits(Word word, Scalar kind) const;
+  const Type& TypeOf(ExprId expr) const { return program_.types[program_.exprs[expr].type]; }
+  std::uint32_t WordsOf(TypeId type);
+  std::uint32_t WordsOf(ExprId expr) { return WordsOf(program_.exprs[expr].type); }
+  std::uint32_t FieldWord(StructId structure, std::uint32_t field);
+  void AppendKinds(TypeId type,
+                   std::vector<Scalar>& kinds) const;  // of each word; kUint for an object
+
+  // evaluate_stmt.cpp
+  bool Step();  // false: the limit is reached
+  Flow Exec(StmtId stmt);
+  Flow ExecList(List<StmtId> list);
+  Flow ExecDeclare(const Declare& node);
+  Flow ExecFor(const For& node);
+  Flow ExecDoWhile(const DoWhile& node);
+  Flow ExecSwitch(const Switch& node);
+  Flow Loop(ExprId condition, ExprId step, StmtId body);
+  bool Test(ExprId condition);
+  void CallFunction(FunctionId function, std::size_t base);
+
+  // evaluate_expr.cpp: each pushes the value of the node
+  void Eval(ExprId expr);
+  void EvalVarRef(const VarRef& node);
+  void EvalPart(ExprId expr);  // FieldRef, Index
+  void EvalSwizzle(const Swizzle& node);
+  void EvalMatrixSwizzle(const MatrixSwizzle& node);
+  void EvalUnary(const Unary& node);
+  void EvalBinary(const Binary& node);
+  void EvalShortCircuit(const Binary& node);
+  void EvalAssign(const Assign& node);
+  void EvalSelect(const Select& node);
+  void EvalConvert(ExprId expr, const Convert& node);
+  void EvalTruncate(ExprId expr, const MatrixTruncate& node);
+  bool IsPath(ExprId expr) const;
+  Place Locate(ExprId expr);
+  // Evaluates the index; none when it is out of bounds.
+  std::optional<std::uint32_t> IndexInto(const Type& base, ExprId index);
+  void PushFrom(const Place& place, std::uint32_t words);
+  void Store(const Place& place, std::uint32_t words, const Word* from);
+  void PushZeros(std::uint32_t words) { stack_.resize(stack_.size() + words, 0); }
+  // Keeps `words` words at `from` of those behind `base`.
+  void Keep(std::size_t base, std::size_t from, std::uint32_t words);
+
+  // evaluate_call.cpp
+  void EvalCall(ExprId expr, const Call& node);
+  void EvalIntrinsic(ExprId expr, const IntrinsicCall& node);
+  void EvalBits(ExprId expr, const IntrinsicCall& node);
+  void EvalWriting(const IntrinsicCall& node);
+  void EvalObjectCall(ExprId expr, const ObjectCall& node);
+
+  const Program& program_;
+  const EvalInputs& inputs_;
+  const EvalOptions& options_;
+  std::vector<Word> memory_, stack_;
+  std::vector<std::uint32_t> address_;                   // by variable
+  std::vector<std::uint32_t> aggregate_words_;           // by type, 0: not known yet
+  std::vector<std::vector<std::uint32_t>> field_words_;  // by struct, empty: not known yet
+  std::string error_;
+  std::uint64_t steps_ = 0;
+  int depth_ = 0;
+  bool only_constants_ = false;
+  bool is_constant_ = true;
+};
+
+}  // namespace clipc::ir

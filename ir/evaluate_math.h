@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "ir/program.h"
+
+// The operations of the evaluator on single components and on vectors, without any state. `rep`
+// says how components lie in their words: a base kind, where a float of the shader is kFloat, or
+// kDouble when the evaluator computes in double.
+namespace clipc::ir {
+
+using Word = std::uint64_t;
+
+Word BinaryComponent(BinaryOp op, Scalar rep, Word left, Word right);
+// The increments give the new value.
+Word UnaryComponent(UnaryOp op, Scalar rep, Word operand);
+
+// An intrinsic of intrinsics.def whose arguments and result have one shape g, without out
+// arguments.
+bool IsComponentWise(Intrinsic op);
+Word ComponentFunction(Intrinsic op, Scalar rep, Word x, Word y, Word z);
+
+struct EvalArgument {
+  const Word* words;
+  const Type* type;
+};
+// mul, dot, cross, transpose and so on: fills in the components of `result`.
+void VectorFunction(Intrinsic op, Scalar rep, std::span<const EvalArgument> arguments,
+                    Word* result);
+
+// Parts that the vector functions share with the component-wise ones.
+template <typename T>
+T PowOf(T x, T y);
+
+}  // namespace clipc::ir

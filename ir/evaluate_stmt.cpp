@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include "base/overloaded.h"
+#include "ir/evaluate_machine.h"
+
+namespace clipc::ir {
+namespace {
+
+// Keeps the evaluator's own stack bounded; no shader that a device takes nests calls so deeply.
+constexpr int kMaxCallDepth = 1000;
+
+}  // namespace
+
+bool Machine::Step() {
+  if (++steps_ <= options_.step_limit) return error_.empty();
+  error_ = "the step limit of " + std::to_string(options_.step_limit) + " is reached";
+  return false;
+}
+
+bool Machine::Test(ExprId condition) {
+  Eval(condition);
+  const bool holds = stack_.back() != 0;
+  stack_.pop_back();
+  return holds;
+}
+
+// The arguments are in the parameters' memory. Leaves the result behind `base`.
+void Machine::CallFunction(FunctionId id, std::size_t base) {
+  const Function& function = program_.functions[id];
+  const std::uint32_t words = WordsOf(function.return_type);
+  if (++depth_ > kMaxCallDepth && error_.empty()) error_ = "calls are nested too deeply";
+  if (Step()) Exec(function.body);
+  --depth_;
+  stack_.resize(base + words, 0);  // a function that ends without return gives zeros
+}
+
+Machine::Flow Machine::ExecList(List<StmtId> list) {
+  for (StmtId stmt : program_.stmt_lists[list]) {
+    if (const Flow flow = Exec(stmt); flow != Flow::kNext) return flow;
+  }
+  return Flow::kNext;
+}
+
+Machine::Flow Machine::Exec(StmtId id) {
+  if (!Step()) return Flow::kStop;
+  return std::visit(Overloaded{
+                        [&](const Block& n) { return ExecList(n.body); },
+                        [&](const Declare& n) { return ExecDeclare(n); },
+                        [&](const Evaluate& n) {
+                          const std::size_t base = stack_.size();
+                          Eval(n.expr);
+                          stack_.resize(base);
+                          return Flow::kNext;
+                        },
+                        [&](const If& n) {
+                          if (Test(n.condition)) return Exec(n.then);
+                          return n.otherwise ? Exec(n.otherwise) : Flow::kNext;
+                        },
+                        [&](const For& n) { return ExecFor(n); },
+                        [&](const While& n) { return Loop(n.condition, {}, n.body); },
+                        [&](const DoWhile& n) { return ExecDoWhile(n); },
+                        [&](const Switch& n) { return ExecSwitch(n); },
+                        [&](const Return& n) {
+                          if (n.value) Eval(n.value);
+                          return Flow::kReturn;
+                        },
+                        [](const Break&) { return Flow::kBreak; },
+                        [](const Continue&) { return Flow::kContinue; },
+                    },
+                    program_.stmts[id].node);
+}
+
+Machine::Flow Machine::ExecDeclare(const Declare& node) {
+  const Var& var = program_.vars[node.var];
+  const auto to = memory_.begin() + address_[node.var.index];
+  if (node.init) {
+    const std::size_t base = stack_.size();
+    Eval(node.init);
+    std::copy(stack_.begin() + static_cast<std::ptrdiff_t>(base), stack_.end(), to);
+    stack_.resize(base);
+  } else if (!var.init) {
+    std::fill_n(to, WordsOf(var.type), 0);
+  }
+  return Flow::kNext;
+}
+
+Machine::Flow Machine::Loop(ExprId condition, ExprId step, StmtId body) {
+  while (!condition || Test(condition)) {
+    if (!Step()) return Flow::kStop;
+    const Flow flow = Exec(body);
+    if (flow == Flow::kBreak) return Flow::kNext;
+    if (flow == Flow::kReturn || flow == Flow::kStop) return flow;
+    if (step) {
+      const std::size_t base = stack_.size();
+      Eval(step);
+      stack_.resize(base);
+    }
+  }
+  return Flow::kNext;
+}
+
+Machine::Flow Machine::ExecFor(const For& node) {
+  if (const Flow flow = ExecList(node.init); flow != Flow::kNext) return flow;
+  return Loop(node.condition, node.step, node.body);
+}
+
+Machine::Flow Machine::ExecDoWhile(const DoWhile& node) {
+  do {
+    if (!Step()) return Flow::kStop;
+    const Flow flow = Exec(node.body);
+    if (flow == Flow::kBreak) return Flow::kNext;
+    if (flow == Flow::kReturn || flow == Flow::kStop) return flow;
+  } while (Test(node.condition));
+  return Flow::kNext;
+}
+
+Machine::Flow Machine::ExecSwitch(const Switch& node) {
+  Eval(node.value);
+  const Word value = stack_.back();
+  stack_.pop_back();
+  const auto cases = program_.switch_cases[node.cases];
+  std::size_t start = cases.size();
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (cases[i].is_default) start = i;
+  }
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    for (ExprId label : program_.expr_lists[cases[i].labels]) {
+      if (std::get<Literal>(program_.exprs[label].node).bits == value) start = i;
+    }
+  }
+  for (std::size_t i = start; i < cases.size(); ++i) {
+    const Flow flow = ExecList(cases[i].body);
+    if (flow == Flow::kBreak) return Flow::kNext;
+    if (flow != Flow::kNext) return flow;
+  }
+  return Flow::kNext;
+}
+
+}  // namespace clipc::ir

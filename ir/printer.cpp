@@ -1,0 +1,370 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ir/printer.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <unordered_map>
+
+#include "base/overloaded.h"
+#include "ir/scalar.h"
+
+namespace clipc::ir {
+namespace {
+
+const char* TextOf(BinaryOp op) {
+  static constexpr const char* kTexts[] = {"*", "/", "%",  "+",  "-",        "<<",     ">>",
+                                           "<", ">", "<=", ">=", "==",       "!=",     "&",
+                                           "^", "|", "&&", "||", "and_then", "or_else"};
+  return kTexts[static_cast<std::size_t>(op)];
+}
+
+const char* TextOf(ObjectOp op) {
+  static constexpr const char* kTexts[] = {"sample_level",
+                                           "sample_grad",
+                                           "sample_cmp_level_zero",
+                                           "gather",
+                                           "gather_green",
+                                           "gather_blue",
+                                           "gather_alpha",
+                                           "texture_load",
+                                           "buffer_load",
+                                           "structured_load",
+                                           "byte_load",
+                                           "texture_size",
+                                           "texture_levels",
+                                           "texture_samples",
+                                           "buffer_size",
+                                           "d3d9_sample_level",
+                                           "d3d9_sample"};
+  return kTexts[static_cast<std::size_t>(op)];
+}
+
+const char* StorageText(Storage storage) {
+  switch (storage) {
+    case Storage::kOut:
+      return "out ";
+    case Storage::kInOut:
+      return "inout ";
+    case Storage::kStatic:
+      return "static ";
+    case Storage::kConstant:
+      return "const ";
+    default:
+      return "";
+  }
+}
+
+// The shortest text that reads back as the same number, always with a point or an exponent.
+template <typename T>
+std::string NumberText(T value, std::uint64_t bits) {
+  char buffer[64];
+  if (std::isnan(value)) {
+    const auto end = std::to_chars(buffer, buffer + sizeof buffer, bits, 16).ptr;
+    return "nan(0x" + std::string(buffer, end) + ")";
+  }
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
+  std::string text(buffer, end);
+  if (text.find_first_of(".en") == std::string::npos) text += ".0";
+  return text;
+}
+
+template <typename Range, typename NameFn>
+std::vector<std::uint32_t> Suffixes(const Range& range, NameFn&& name_of) {
+  std::unordered_map<std::string_view, std::uint32_t> used;
+  std::vector<std::uint32_t> suffixes;
+  for (auto id : range.ids()) suffixes.push_back(used[name_of(range[id])]++);
+  return suffixes;
+}
+
+std::string Suffixed(const std::string& name, std::uint32_t suffix) {
+  const std::string base = name.empty() ? "<unnamed>" : name;
+  return suffix == 0 ? base : base + "." + std::to_string(suffix);
+}
+
+bool NeedsParentheses(const Expr& expr) {
+  return std::holds_alternative<Binary>(expr.node) || std::holds_alternative<Unary>(expr.node) ||
+         std::holds_alternative<Assign>(expr.node) ||
+         std::holds_alternative<Conditional>(expr.node) || std::holds_alternative<Comma>(expr.node);
+}
+
+}  // namespace
+
+Printer::Printer(const Program& program)
+    : program_(program),
+      var_suffixes_(
+          Suffixes(program.vars, [](const Var& var) { return std::string_view(var.name); })),
+      function_suffixes_(Suffixes(program.functions, [](const Function& function) {
+        return std::string_view(function.name);
+      })) {}
+
+std::string Printer::NameOf(VarId var) const {
+  return var.index < var_suffixes_.size()
+             ? Suffixed(program_.vars[var].name, var_suffixes_[var.index])
+             : "<no such variable>";
+}
+
+std::string Printer::NameOf(FunctionId function) const {
+  return function.index < function_suffixes_.size()
+             ? Suffixed(program_.functions[function].name, function_suffixes_[function.index])
+             : "<no such function>";
+}
+
+void Printer::Line(std::string_view text) {
+  StartLine();
+  Put(text);
+  Put("\n");
+}
+
+std::string Printer::Declaration(VarId id) const {
+  const Var& var = program_.vars[id];
+  return std::string(StorageText(var.storage)) + (var.row_major ? "row_major " : "") +
+         (var.precise ? "precise " : "") + Declarator(var.type, NameOf(id));
+}
+
+std::string Printer::Declarator(TypeId type, const std::string& name) const {
+  const std::string text = program_.types.Name(type);
+  const std::size_t dimensions = std::min(text.find('['), text.size());
+  return text.substr(0, dimensions) + " " + name + text.substr(dimensions);
+}
+
+std::string Printer::ExprText(ExprId expr) {
+  std::string outer;
+  outer.swap(text_);
+  PutExpr(expr);
+  outer.swap(text_);
+  return outer;
+}
+
+void Printer::PrintFunction(FunctionId id, std::string_view role) {
+  const Function& function = program_.functions[id];
+  std::string line =
+      std::string(role) + program_.types.Name(function.return_type) + " " + NameOf(id) + "(";
+  for (std::size_t i = 0; i < function.parameters.size(); ++i) {
+    line += (i == 0 ? "" : ", ") + Declaration(function.parameters[i]);
+  }
+  if (!function.body) return Line(line + ")");
+  Line(line + ") {");
+  PutBody(function.body);
+  Line("}");
+}
+
+// ---- expressions
+
+void Printer::PutList(List<ExprId> list) {
+  for (std::uint32_t i = 0; i < list.size; ++i) {
+    if (i != 0) Put(", ");
+    PutExpr(program_.expr_lists[list][i]);
+  }
+}
+
+void Printer::PutCall(std::string_view name, List<ExprId> arguments) {
+  Put(name);
+  Put("(");
+  PutList(arguments);
+  Put(")");
+}
+
+void Printer::PutLiteral(const Type& type, std::uint64_t bits) {
+  switch (type.scalar) {
+    case Scalar::kBool:
+      return Put(bits != 0 ? "true" : "false");
+    case Scalar::kInt:
+      return Put(std::to_string(IntOf(bits)));
+    case Scalar::kUint:
+      return Put(std::to_string(UintOf(bits)) + "u");
+    case Scalar::kInt64:
+      return Put(std::to_string(static_cast<std::int64_t>(bits)) + "LL");
+    case Scalar::kUint64:
+      return Put(std::to_string(bits) + "ULL");
+    case Scalar::kFloat:
+      return Put(NumberText(FloatOf(bits), bits));
+    case Scalar::kHalf:
+      return Put(NumberText(FloatOf(bits), bits) + "h");
+    case Scalar::kDouble:
+      return Put(NumberText(DoubleOf(bits), bits) + "L");
+    default:
+      break;
+  }
+  const Scalar base = BaseOf(type.scalar);
+  Put(base == Scalar::kFloat ? NumberText(FloatOf(bits), bits)
+      : base == Scalar::kInt ? std::to_string(IntOf(bits))
+                             : std::to_string(UintOf(bits)));
+  Put(":");
+  Put(ir::NameOf(type.scalar));
+}
+
+void Printer::PutOperand(ExprId id) {
+  if (!NeedsParentheses(program_.exprs[id])) return PutExpr(id);
+  Put("(");
+  PutExpr(id);
+  Put(")");
+}
+
+void Printer::PutConstruct(TypeId type, List<ExprId> arguments) {
+  const bool braces = !program_.types[type].IsNumeric();
+  Put(program_.types.Name(type));
+  Put(braces ? "{" : "(");
+  PutList(arguments);
+  Put(braces ? "}" : ")");
+}
+
+void Printer::PutUnary(const Unary& node) {
+  switch (node.op) {
+    case UnaryOp::kNegate:
+      Put("-");
+      break;
+    case UnaryOp::kNot:
+      Put("!");
+      break;
+    case UnaryOp::kComplement:
+      Put("~");
+      break;
+    case UnaryOp::kPreIncrement:
+      Put("++");
+      break;
+    case UnaryOp::kPreDecrement:
+      Put("--");
+      break;
+    case UnaryOp::kPostIncrement:
+    case UnaryOp::kPostDecrement:
+      break;
+  }
+  PutOperand(node.operand);
+  if (node.op == UnaryOp::kPostIncrement) Put("++");
+  if (node.op == UnaryOp::kPostDecrement) Put("--");
+}
+
+void Printer::PutExpr(ExprId id) {
+  if (!id || id.index >= program_.exprs.size()) return Put("<no expression>");
+  PutNode(program_.exprs[id].type, program_.exprs[id].node);
+}
+
+void Printer::PutNode(TypeId type, const decltype(Expr::node)& node) {
+  const auto typed = [&](const char* what, ExprId operand) {
+    Put(what + ("<" + program_.types.Name(type)) + ">(");
+    PutExpr(operand);
+    Put(")");
+  };
+  std::visit(Overloaded{
+                 [&](const Literal& n) { PutLiteral(program_.types[type], n.bits); },
+                 [&](const Zero&) { Put("zero<" + program_.types.Name(type) + ">"); },
+                 [&](const VarRef& n) { Put(NameOf(n.var)); },
+                 [&](const FieldRef& n) {
+                   PutOperand(n.base);
+                   const Type& base = program_.types[program_.exprs[n.base].type];
+                   if (base.kind != TypeKind::kStruct) return Put(".<no field>");
+                   const auto& fields = program_.types[base.structure].fields;
+                   Put("." + (n.field < fields.size() ? fields[n.field].name : "<no field>"));
+                 },
+                 [&](const Index& n) { PutOperand(n.base), Put("["), PutExpr(n.index), Put("]"); },
+                 [&](const Swizzle& n) {
+                   PutOperand(n.base), Put(".");
+                   for (int i = 0; i < n.count; ++i) text_ += "xyzw"[n.components[i] & 3];
+                 },
+                 [&](const MatrixSwizzle& n) {
+                   PutOperand(n.base), Put(".");
+                   for (int i = 0; i < n.count; ++i)
+                     Put("_m" + std::to_string(n.rows[i]) + std::to_string(n.columns[i]));
+                 },
+                 [&](const Unary& n) { PutUnary(n); },
+                 [&](const Binary& n) {
+                   PutOperand(n.left), Put(" "), Put(TextOf(n.op)), Put(" "), PutOperand(n.right);
+                 },
+                 [&](const Assign& n) {
+                   PutOperand(n.target), Put(" "), Put(n.op ? TextOf(*n.op) : ""), Put("= "),
+                       PutExpr(n.value);
+                 },
+                 [&](const Conditional& n) {
+                   PutOperand(n.condition), Put(" ? "), PutOperand(n.when_true), Put(" : "),
+                       PutOperand(n.when_false);
+                 },
+                 [&](const Select& n) {
+                   Put("select("), PutExpr(n.condition), Put(", "), PutExpr(n.when_true), Put(", ");
+                   PutExpr(n.when_false), Put(")");
+                 },
+                 [&](const Convert& n) { typed("convert", n.operand); },
+                 [&](const Splat& n) { typed("splat", n.operand); },
+                 [&](const Construct& n) { PutConstruct(type, n.arguments); },
+                 [&](const MatrixTruncate& n) { typed("truncate", n.operand); },
+                 [&](const Call& n) { PutCall(NameOf(n.function), n.arguments); },
+                 [&](const IntrinsicCall& n) { PutCall(ir::NameOf(n.op), n.arguments); },
+                 [&](const ObjectCall& n) { PutCall(TextOf(n.op), n.arguments); },
+                 [&](const Comma& n) { PutOperand(n.first), Put(", "), PutOperand(n.second); },
+             },
+             node);
+}
+
+// ---- statements
+
+void Printer::PutBody(StmtId id) {
+  ++indent_;
+  if (const Block* block = std::get_if<Block>(&program_.stmts[id].node)) {
+    for (StmtId stmt : program_.stmt_lists[block->body]) PutStmt(stmt);
+  } else {
+    PutStmt(id);
+  }
+  --indent_;
+}
+
+void Printer::PutFor(const For& node) {
+  std::string line = "for (";
+  for (std::uint32_t i = 0; i < node.init.size; ++i) {
+    const auto& init = program_.stmts[program_.stmt_lists[node.init][i]].node;
+    if (i != 0) line += ", ";
+    if (const Evaluate* evaluate = std::get_if<Evaluate>(&init)) line += ExprText(evaluate->expr);
+    if (const Declare* declare = std::get_if<Declare>(&init)) {
+      line += Declaration(declare->var) + (declare->init ? " = " + ExprText(declare->init) : "");
+    }
+  }
+  line += "; " + (node.condition ? ExprText(node.condition) : "") + "; " +
+          (node.step ? ExprText(node.step) : "");
+  Line(line + ") {");
+  PutBody(node.body);
+  Line("}");
+}
+
+void Printer::PutSwitch(const Switch& node) {
+  Line("switch (" + ExprText(node.value) + ") {");
+  for (const SwitchCase& arm : program_.switch_cases[node.cases]) {
+    for (ExprId label : program_.expr_lists[arm.labels]) Line("case " + ExprText(label) + ":");
+    if (arm.is_default) Line("default:");
+    ++indent_;
+    for (StmtId stmt : program_.stmt_lists[arm.body]) PutStmt(stmt);
+    --indent_;
+  }
+  Line("}");
+}
+
+void Printer::PutStmt(StmtId id) {
+  std::visit(Overloaded{
+                 [&](const Block&) { Line("{"), PutBody(id), Line("}"); },
+                 [&](const Declare& n) {
+                   Line(Declaration(n.var) + (n.init ? " = " + ExprText(n.init) : ""));
+                 },
+                 [&](const Evaluate& n) { Line(ExprText(n.expr)); },
+                 [&](const If& n) {
+                   Line("if (" + ExprText(n.condition) + ") {");
+                   PutBody(n.then);
+                   if (n.otherwise) {
+                     Line("} else {");
+                     PutBody(n.otherwise);
+                   }
+                   Line("}");
+                 },
+                 [&](const For& n) { PutFor(n); },
+                 [&](const While& n) {
+                   Line("while (" + ExprText(n.condition) + ") {"), PutBody(n.body), Line("}");
+                 },
+                 [&](const DoWhile& n) {
+                   Line("do {"), PutBody(n.body), Line("} while (" + ExprText(n.condition) + ")");
+                 },
+                 [&](const Switch& n) { PutSwitch(n); },
+                 [&](const Return& n) { Line(n.value ? "return " + ExprText(n.value) : "return"); },
+                 [&](const Break&) { Line("break"); },
+                 [&](const Continue&) { Line("continue"); },
+             },
+             program_.stmts[id].node);
+}
+
+}  // namespace clipc::ir

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ir/type.h"
+
+#include "base/check.h"
+
+namespace clipc::ir {
+namespace {
+
+constexpr std::uint32_t kScalarKinds = static_cast<std::uint32_t>(Scalar::kUint64) + 1;
+// Every numeric type exists from the start, in this order after error, void and string, so that its
+// id is arithmetic.
+constexpr std::uint32_t kFirstNumeric = 3;
+constexpr std::uint32_t kShapes = 1 + 4 + 16;  // scalar, vectors, matrices
+
+std::uint32_t NumericIndex(const Type& type) {
+  std::uint32_t shape = 0;
+  if (type.kind == TypeKind::kVector) shape = type.columns;
+  if (type.kind == TypeKind::kMatrix) shape = 5 + (type.rows - 1) * 4 + (type.columns - 1);
+  return kFirstNumeric + static_cast<std::uint32_t>(type.scalar) * kShapes + shape;
+}
+
+std::uint64_t Key(const Type& type) {
+  // 4 bits of kind, 28 of element, structure or object, 32 of count: enough for the ids of any real
+  // program.
+  constexpr std::uint32_t no_element = (1u << 28) - 1;
+  const std::uint32_t inner = type.kind == TypeKind::kStruct ? type.structure.index
+                              : type.element                 ? type.element.index
+                                                             : no_element;
+  CLIPC_CHECK(inner <= no_element);
+  const std::uint32_t count =
+      type.kind == TypeKind::kObject ? static_cast<std::uint32_t>(type.object) : type.count;
+  return std::uint64_t{static_cast<std::uint8_t>(type.kind)} << 60 | std::uint64_t{inner} << 32 |
+         count;
+}
+
+const char* ObjectName(ObjectKind kind) {
+  switch (kind) {
+    case ObjectKind::kTexture1D:
+      return "Texture1D";
+    case ObjectKind::kTexture1DArray:
+      return "Texture1DArray";
+    case ObjectKind::kTexture2D:
+      return "Texture2D";
+    case ObjectKind::kTexture2DArray:
+      return "Texture2DArray";
+    case ObjectKind::kTexture2DMS:
+      return "Texture2DMS";
+    case ObjectKind::kTexture2DMSArray:
+      return "Texture2DMSArray";
+    case ObjectKind::kTexture3D:
+      return "Texture3D";
+    case ObjectKind::kTextureCube:
+      return "TextureCube";
+    case ObjectKind::kTextureCubeArray:
+      return "TextureCubeArray";
+    case ObjectKind::kSampler:
+      return "SamplerState";
+    case ObjectKind::kSamplerComparison:
+      return "SamplerComparisonState";
+    case ObjectKind::kSampler1D:
+      return "sampler1D";
+    case ObjectKind::kSampler2D:
+      return "sampler2D";
+    case ObjectKind::kSampler3D:
+      return "sampler3D";
+    case ObjectKind::kSamplerCube:
+      return "samplerCUBE";
+    case ObjectKind::kBuffer:
+      return "Buffer";
+    case ObjectKind::kStructuredBuffer:
+      return "StructuredBuffer";
+    case ObjectKind::kByteAddressBuffer:
+      return "ByteAddressBuffer";
+    case ObjectKind::kOther:
+      return "object";
+  }
+  return "object";
+}
+
+}  // namespace
+
+Scalar BaseOf(Scalar kind) {
+  switch (kind) {
+    case Scalar::kHalf:
+    case Scalar::kMin10Float:
+    case Scalar::kMin16Float:
+      return Scalar::kFloat;
+    case Scalar::kMin12Int:
+    case Scalar::kMin16Int:
+      return Scalar::kInt;
+    case Scalar::kMin16Uint:
+      return Scalar::kUint;
+    default:
+      return kind;
+  }
+}
+
+bool IsFloat(Scalar kind) {
+  const Scalar base = BaseOf(kind);
+  return base == Scalar::kFloat || base == Scalar::kDouble;
+}
+
+bool IsInteger(Scalar kind) { return !IsFloat(kind) && kind != Scalar::kBool; }
+
+bool IsUnsigned(Scalar kind) {
+  const Scalar base = BaseOf(kind);
+  return base == Scalar::kUint || base == Scalar::kUint64;
+}
+
+const char* NameOf(Scalar kind) {
+  switch (kind) {
+    case Scalar::kBool:
+      return "bool";
+    case Scalar::kInt:
+      return "int";
+    case Scalar::kUint:
+      return "uint";
+    case Scalar::kHalf:
+      return "half";
+    case Scalar::kFloat:
+      return "float";
+    case Scalar::kDouble:
+      return "double";
+    case Scalar::kMin10Float:
+      return "min10float";
+    case Scalar::kMin16Float:
+      return "min16float";
+    case Scalar::kMin12Int:
+      return "min12int";
+    case Scalar::kMin16Int:
+      return "min16int";
+    case Scalar::kMin16Uint:
+      return "min16uint";
+    case Scalar::kInt64:
+      return "int64_t";
+    case Scalar::kUint64:
+      return "uint64_t";
+  }
+  return "?";
+}
+
+TypeTable::TypeTable() {
+  error_ = types_.Add({.kind = TypeKind::kError});
+  void_ = types_.Add({.kind = TypeKind::kVoid});
+  string_ = types_.Add({.kind = TypeKind::kString});
+  for (std::uint32_t scalar = 0; scalar < kScalarKinds; ++scalar) {
+    const Scalar kind = static_cast<Scalar>(scalar);
+    types_.Add({.kind = TypeKind::kScalar, .scalar = kind});
+    for (std::uint8_t columns = 1; columns <= 4; ++columns) {
+      types_.Add({.kind = TypeKind::kVector, .scalar = kind, .columns = columns});
+    }
+    for (std::uint8_t rows = 1; rows <= 4; ++rows) {
+      for (std::uint8_t columns = 1; columns <= 4; ++columns) {
+        types_.Add({.kind = TypeKind::kMatrix, .scalar = kind, .rows = rows, .columns = columns});
+      }
+    }
+  }
+}
+
+TypeId TypeTable::WithScalar(TypeId type, Scalar kind) {
+  Type copy = types_[type];
+  if (!copy.IsNumeric()) return type;
+  copy.scalar = kind;
+  return Intern(copy);
+}
+
+TypeId TypeTable::Intern(const Type& type) {
+  if (type.IsNumeric()) {
+    CLIPC_CHECK(type.rows >= 1 && type.rows <= 4 && type.columns >= 1 && type.columns <= 4);
+    return TypeId{NumericIndex(type)};
+  }
+  auto [entry, is_new] = by_key_.try_emplace(Key(type), TypeId{});
+  if (is_new) entry->second = types_.Add(type);
+  return entry->second;
+}
+
+std::string TypeTable::Name(TypeId id) const {
+  if (!id) return "<none>";
+  std::string dimensions;
+  const Type* type = &types_[id];
+  for (; type->kind == TypeKind::kArray; type = &types_[type->element]) {
+    dimensions += type->count == 0 ? "[]" : "[" + std::to_string(type->count) + "]";
+  }
+  std::string name;
+  switch (type->kind) {
+    case TypeKind::kError:
+      name = "<error>";
+      break;
+    case TypeKind::kVoid:
+      name = "void";
+      break;
+    case TypeKind::kString:
+      name = "string";
+      break;
+    case TypeKind::kScalar:
+      name = NameOf(type->scalar);
+      break;
+    case TypeKind::kVector:
+      name = NameOf(type->scalar) + std::to_string(type->columns);
+      break;
+    case TypeKind::kMatrix:
+      name =
+          NameOf(type->scalar) + std::to_string(type->rows) + "x" + std::to_string(type->columns);
+      break;
+    case TypeKind::kStruct:
+      name = structs_[type->structure].name;
+      if (name.empty()) name = "<unnamed struct>";
+      break;
+    case TypeKind::kObject:
+      name = ObjectName(type->object);
+      if (type->element) name += "<" + Name(type->element) + ">";
+      break;
+    case TypeKind::kArray:
+      break;
+  }
+  return name + dimensions;
+}
+
+}  // namespace clipc::ir

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "base/arena.h"
+#include "base/id.h"
+#include "base/span.h"
+
+namespace clipc::ir {
+
+// The kinds differ for overload ranking and messages; the shader computes with BaseOf(kind) only:
+// half and the minimum-precision types are computed at 32 bits, as Direct3D allows.
+enum class Scalar : std::uint8_t {
+  kBool,
+  kInt,
+  kUint,
+  kHalf,
+  kFloat,
+  kDouble,
+  kMin10Float,
+  kMin16Float,
+  kMin12Int,
+  kMin16Int,
+  kMin16Uint,
+  kInt64,
+  kUint64,
+};
+// One of kBool, kInt, kUint, kFloat, kDouble, kInt64, kUint64: what a value of the kind is at run
+// time.
+Scalar BaseOf(Scalar kind);
+bool IsFloat(Scalar kind);    // half, float, double, min*float
+bool IsInteger(Scalar kind);  // signed or unsigned, not bool
+bool IsUnsigned(Scalar kind);
+const char* NameOf(Scalar kind);  // HLSL's spelling
+
+enum class ObjectKind : std::uint8_t {
+  kTexture1D,
+  kTexture1DArray,
+  kTexture2D,
+  kTexture2DArray,
+  kTexture2DMS,
+  kTexture2DMSArray,
+  kTexture3D,
+  kTextureCube,
+  kTextureCubeArray,
+  kSampler,
+  kSamplerComparison,
+  kSampler1D,
+  kSampler2D,
+  kSampler3D,
+  kSamplerCube,  // Direct3D 9: texture and sampler in one; `sampler` is kSampler
+  kBuffer,
+  kStructuredBuffer,
+  kByteAddressBuffer,
+  kOther,  // an object no vertex shader may use (RWTexture2D, streams, ...): it may be declared,
+           // not used
+};
+
+enum class TypeKind : std::uint8_t {
+  kError,
+  kVoid,
+  kScalar,
+  kVector,
+  kMatrix,
+  kArray,
+  kStruct,
+  kObject,
+  kString
+};
+
+struct Struct;
+struct Type;
+using StructId = Id<Struct>;
+using TypeId = Id<Type>;
+
+// Types are interned: equal types have equal ids.
+struct Type {
+  TypeKind kind = TypeKind::kError;
+  Scalar scalar = Scalar::kFloat;  // scalar, vector, matrix
+  std::uint8_t rows = 1;  // vector: 1; matrix: rows as written first in float{rows}x{columns}
+  std::uint8_t columns =
+      1;  // vector: number of components 1..4 (float1 is a vector of one); matrix: columns
+  std::uint32_t count = 0;  // array: elements
+  TypeId element =
+      {};  // array; object: element type of Buffer<T>, StructuredBuffer<T>, Texture2D<T>
+  StructId structure = {};
+  ObjectKind object = ObjectKind::kOther;
+
+  bool IsNumeric() const {
+    return kind == TypeKind::kScalar || kind == TypeKind::kVector || kind == TypeKind::kMatrix;
+  }
+  std::uint32_t Components() const { return IsNumeric() ? std::uint32_t{rows} * columns : 0; }
+  friend bool operator==(const Type&, const Type&) = default;
+};
+
+enum class Interpolation : std::uint8_t { kDefault, kLinear, kNoInterpolation, kNoPerspective };
+
+struct Field {
+  std::string name;
+  TypeId type;
+  Span span;
+  bool row_major = false;  // how the matrices in it lie in memory (never changes a value)
+  std::string semantic;    // as written, with its index ("TEXCOORD3"); empty: none
+  Span semantic_span;
+  Interpolation interpolation = Interpolation::kDefault;
+  bool centroid = false;
+  bool sample = false;
+  bool precise = false;
+};
+// Fields of base structs come first.
+struct Struct {
+  std::string name;  // as written; "" for an unnamed struct
+  std::vector<Field> fields;
+  Span span;
+};
+
+// The types of one program. Ids of the common types are found without a look-up table walk.
+class TypeTable {
+ public:
+  TypeTable();
+  TypeId Error() const { return error_; }
+  TypeId Void() const { return void_; }
+  TypeId String() const { return string_; }
+  TypeId Make(Scalar kind) { return Intern({.kind = TypeKind::kScalar, .scalar = kind}); }
+  TypeId Vector(Scalar kind, int components) {
+    return Intern({.kind = TypeKind::kVector,
+                   .scalar = kind,
+                   .columns = static_cast<std::uint8_t>(components)});
+  }
+  TypeId Matrix(Scalar kind, int rows, int columns) {
+    return Intern({.kind = TypeKind::kMatrix,
+                   .scalar = kind,
+                   .rows = static_cast<std::uint8_t>(rows),
+                   .columns = static_cast<std::uint8_t>(columns)});
+  }
+  TypeId Array(TypeId element, std::uint32_t count) {
+    return Intern({.kind = TypeKind::kArray, .count = count, .element = element});
+  }
+  TypeId Of(StructId structure) {
+    return Intern({.kind = TypeKind::kStruct, .structure = structure});
+  }
+  TypeId Object(ObjectKind kind, TypeId element = {}) {
+    return Intern({.kind = TypeKind::kObject, .element = element, .object = kind});
+  }
+  // The same shape with another component kind; the type itself when it is not numeric.
+  TypeId WithScalar(TypeId type, Scalar kind);
+
+  StructId AddStruct(Struct structure) { return structs_.Add(std::move(structure)); }
+  const Type& operator[](TypeId id) const { return types_[id]; }
+  const Struct& operator[](StructId id) const { return structs_[id]; }
+  Struct& operator[](StructId id) { return structs_[id]; }
+  const Struct& StructOf(TypeId id) const { return structs_[types_[id].structure]; }
+  const Arena<Struct>& structs() const { return structs_; }
+
+  // HLSL's spelling: "float4x3", "Light[3]", "Texture2D<float4>".
+  std::string Name(TypeId id) const;
+
+ private:
+  TypeId Intern(const Type& type);
+
+  Arena<Type> types_;
+  Arena<Struct> structs_;
+  std::unordered_map<std::uint64_t, TypeId>
+      by_key_;  // numeric, array, struct and object types by a packed key
+  TypeId error_, void_, string_;
+};
+
+}  // namespace clipc::ir

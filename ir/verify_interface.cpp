@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ir/verify_interface.h"
+
+#include <bitset>
+#include <set>
+
+namespace clipc::ir {
+namespace {
+
+constexpr std::size_t kMaxClipPlanes = 6;
+constexpr std::uint32_t kMaxClipDistances = 8;
+
+class InterfaceVerifier {
+ public:
+  explicit InterfaceVerifier(const Program& program) : program_(program) {}
+
+  std::optional<std::string> Run() {
+    CheckEntryPoints();
+    CheckVars();
+    CheckIo(program_.inputs, Storage::kInput, "input");
+    CheckIo(program_.outputs, Storage::kOutput, "output");
+    for (CbufferId id : program_.cbuffers.ids()) CheckCbuffer(id);
+    for (const Resource& resource : program_.resources) {
+      if (Known(resource.var, "a resource") &&
+          program_.vars[resource.var].storage != Storage::kResource) {
+        Fail("resource " + program_.vars[resource.var].name + " is not of resource storage");
+      }
+    }
+    CheckClipPlanes();
+    return problem_;
+  }
+
+ private:
+  void Fail(std::string what) {
+    if (!problem_) problem_ = std::move(what);
+  }
+  bool Known(VarId var, const std::string& what) {
+    if (var.index < program_.vars.size()) return true;
+    Fail(what + " is no variable of this program");
+    return false;
+  }
+
+  void CheckEntryPoints() {
+    if (program_.main.index >= program_.functions.size()) return Fail("the program has no main");
+    if (program_.entry.index >= program_.functions.size()) return Fail("the program has no entry");
+    const Function& main = program_.functions[program_.main];
+    if (!main.parameters.empty() || main.return_type != program_.types.Void()) {
+      Fail("main is void and has no parameters");
+    }
+  }
+
+  void CheckVars() {
+    for (VarId id : program_.vars.ids()) {
+      const Var& var = program_.vars[id];
+      if (!var.type || program_.types[var.type].kind == TypeKind::kError)
+        Fail("variable " + var.name + " has no type");
+      if (var.storage == Storage::kUniform && var.cbuffer.index >= program_.cbuffers.size()) {
+        Fail("uniform " + var.name + " is in no cbuffer");
+      }
+    }
+  }
+
+  // ---- inputs and outputs
+
+  void CheckIo(const std::vector<IoVar>& list, Storage storage, const std::string& direction) {
+    std::set<VarId> seen;
+    std::bitset<64> builtins;
+    std::int64_t last_location = -1;
+    for (const IoVar& io : list) {
+      if (!Known(io.var, "an " + direction)) return;
+      const Var& var = program_.vars[io.var];
+      std::string what = direction;
+      what += " " + var.name;
+      if (var.storage != storage) Fail(what + " is not of this storage");
+      if (!seen.insert(io.var).second) Fail(what + " is listed twice");
+      if (io.builtin == Builtin::kNone) {
+        if (!IsPlain(program_.types[var.type])) Fail(what + " is a scalar or vector of numbers");
+        if (io.location <= last_location)
+          Fail(what + " has a location that is taken or out of order");
+        last_location = io.location;
+        continue;
+      }
+      const auto bit = static_cast<std::size_t>(io.builtin);
+      if (builtins[bit]) Fail(what + " gives its builtin a second time");
+      builtins[bit] = true;
+      if (!FitsBuiltin(io.builtin, var.type, storage))
+        Fail(what + " has not its builtin's direction and type");
+    }
+  }
+
+  static bool IsPlain(const Type& type) {
+    const bool shape = type.kind == TypeKind::kScalar || type.kind == TypeKind::kVector;
+    return shape && type.scalar != Scalar::kBool;
+  }
+
+  bool FitsBuiltin(Builtin builtin, TypeId id, Storage storage) const {
+    const Type& type = program_.types[id];
+    const bool is_scalar = type.kind == TypeKind::kScalar;
+    const Scalar base = BaseOf(type.scalar);
+    switch (builtin) {
+      case Builtin::kNone:
+        return true;
+      case Builtin::kPosition:
+      case Builtin::kClipVertex:
+        return storage == Storage::kOutput && type.kind == TypeKind::kVector && type.columns == 4 &&
+               base == Scalar::kFloat;
+      case Builtin::kClipDistance:
+      case Builtin::kCullDistance:
+        return storage == Storage::kOutput && type.kind == TypeKind::kArray && type.count >= 1 &&
+               type.count <= kMaxClipDistances && program_.types.Name(type.element) == "float";
+      case Builtin::kPointSize:
+        return storage == Storage::kOutput && is_scalar && base == Scalar::kFloat;
+      case Builtin::kLayer:
+      case Builtin::kViewportIndex:
+        return storage == Storage::kOutput && is_scalar && IsInteger(base);
+      default:
+        return storage == Storage::kInput && is_scalar && IsInteger(base);
+    }
+  }
+
+  // ---- cbuffers
+
+  void CheckCbuffer(CbufferId id) {
+    const Cbuffer& buffer = program_.cbuffers[id];
+    const std::string what = "cbuffer " + buffer.name;
+    if (buffer.size % 16 != 0) Fail(what + " has a size that is no multiple of 16");
+    if (buffer.count == 0) Fail(what + " is an array of nothing");
+    if (buffer.kind == CbufferKind::kConstantBuffer && buffer.members.size() != 1) {
+      Fail(what + " is a ConstantBuffer and has not one member");
+    }
+    for (const CbufferMember& member : buffer.members) {
+      if (!Known(member.var, "a member of " + what)) return;
+      const Var& var = program_.vars[member.var];
+      if (var.storage != Storage::kUniform || var.cbuffer != id)
+        Fail(what + " has a member that is not its own");
+      if (member.offset % 4 != 0) Fail(what + " has a member between two components: " + var.name);
+      if (std::uint64_t{member.offset} + member.size > buffer.size)
+        Fail(what + " ends before its member " + var.name);
+    }
+  }
+
+  // ---- clip planes
+
+  void CheckClipPlanes() {
+    if (program_.clip_planes.size() > kMaxClipPlanes) Fail("there are more than six clip planes");
+    for (const ClipPlane& plane : program_.clip_planes) {
+      const std::string what = "clip plane `" + plane.text + "`";
+      if (program_.form == Form::kTyped && !plane.value)
+        Fail(what + " has no value before its lowering");
+      if (program_.form != Form::kTyped && plane.value)
+        Fail(what + " has a value after its lowering");
+      if (!plane.whole_register) continue;
+      if (plane.cbuffer.index >= program_.cbuffers.size()) {
+        Fail(what + " is a whole register of no cbuffer");
+        continue;
+      }
+      const Cbuffer& buffer = program_.cbuffers[plane.cbuffer];
+      if (plane.offset % 16 != 0 || std::uint64_t{plane.offset} + 16 > buffer.size) {
+        Fail(what + " is no register of its cbuffer");
+      }
+      if (plane.element >= buffer.count) Fail(what + " is in a buffer past the end of the array");
+    }
+  }
+
+  const Program& program_;
+  std::optional<std::string> problem_;
+};
+
+}  // namespace
+
+std::optional<std::string> CheckInterface(const Program& program) {
+  return InterfaceVerifier(program).Run();
+}
+
+}  // namespace clipc::ir

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "ir/program.h"
+
+namespace clipc::passes {
+
+enum class Lowering : std::uint8_t {
+  kClipDistance,  // n dot products into kClipDistance
+  kLevel9,        // nothing in the shader but, when asked for, kClipVertex; the clip table carries the planes
+  kNone,          // the planes are ignored, on the user's request
+};
+
+struct ClipPlaneOptions {
+  Lowering lowering = Lowering::kClipDistance;
+  bool write_clip_vertex = false;  // kLevel9 on targets with gl_ClipVertex
+};
+
+// Turns the clip planes of the entry point into outputs, at the end of `main`, where every path of the shader meets.
+//
+// Requires Form::kTyped, and for kClipDistance that no output is kClipDistance yet. Ensures Form::kNoClipPlanes.
+//
+//   gl_Position = result.position;            gl_Position = result.position;
+//                                       =>    gl_ClipDistance[0] = dot(gl_Position, plane0);
+//                                             gl_ClipDistance[1] = dot(gl_Position, plane1);
+//
+// The position is the one the HLSL shader wrote (Direct3D clip space), so this runs before AdjustClipSpace.
+void LowerClipPlanes(ir::Program& program, const ClipPlaneOptions& options);
+
+}  // namespace clipc::passes

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "passes/pipeline.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <bit>
+
+#include "ir/builder.h"
+#include "ir/evaluate.h"
+#include "ir/print.h"
+#include "ir/verify.h"
+
+namespace clipc::passes {
+namespace {
+
+using namespace ir;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+VarId AddVar(Program& program, const char* name, TypeId type, Storage storage) {
+  Var var;
+  var.name = name;
+  var.type = type;
+  var.storage = storage;
+  return program.vars.Add(var);
+}
+
+// cbuffer Planes { float4 planes[2]; };
+// [clipplanes(planes[0], planes[1])] float4 vs(float4 p) : SV_Position { return p; }
+Program TwoPlanes() {
+  Program program;
+  const TypeId float4 = program.types.Vector(Scalar::kFloat, 4);
+  Builder b(program);
+
+  const VarId parameter = AddVar(program, "p", float4, Storage::kIn);
+  program.entry = program.functions.Add(
+      {"vs", float4, {parameter}, b.BlockOf(std::array{b.Stmt(Return{b.Ref(parameter)})}), {}});
+
+  const VarId input = AddVar(program, "in_POSITION0", float4, Storage::kInput);
+  const VarId position = AddVar(program, "position", float4, Storage::kOutput);
+  const ExprId call = b.CallOf(program.entry, std::array{b.Ref(input)});
+  program.main = program.functions.Add({"main", program.types.Void(), {},
+      b.BlockOf(std::array{b.Eval(b.AssignTo(b.Ref(position), call))}), {}});
+  program.inputs.push_back({.var = input, .semantic = "POSITION"});
+  program.outputs.push_back({.var = position, .semantic = "SV_Position", .builtin = Builtin::kPosition});
+
+  const VarId planes = AddVar(program, "planes", program.types.Array(float4, 2), Storage::kUniform);
+  Cbuffer buffer;
+  buffer.name = "Planes";
+  buffer.members = {{planes, 0, 32}};
+  buffer.size = 32;
+  program.vars[planes].cbuffer = program.cbuffers.Add(buffer);
+  for (std::uint32_t i = 0; i < 2; ++i) {
+    program.clip_planes.push_back({.value = b.At(b.Ref(planes), i),
+                                   .span = {},
+                                   .text = "planes[" + std::to_string(i) + "]",
+                                   .cbuffer = program.vars[planes].cbuffer,
+                                   .offset = 16 * i,
+                                   .whole_register = true});
+  }
+  return program;
+}
+
+Program Lowered(Program program, PipelineOptions options) {
+  options.verify = true;
+  RunPipeline(program, options);
+  return program;
+}
+
+std::string MainOf(const Program& program) {
+  const std::string text = Print(program);
+  return text.substr(text.find("void main("));
+}
+
+// What `main` writes for a vertex, output after output.
+std::vector<std::vector<float>> OutputsOf(const Program& program, std::array<float, 4> vertex) {
+  EvalInputs inputs;
+  inputs.values.resize(1);
+  for (int i = 0; i < 4; ++i) inputs.values[0][i] = std::bit_cast<std::uint32_t>(vertex[i]);
+  std::vector<std::uint8_t>& bytes = inputs.cbuffers.emplace_back();
+  for (const float value : {1.0f, 0.0f, 0.0f, -0.5f, 0.0f, 2.0f, -1.0f, 0.25f}) {
+    for (int i = 0; i < 4; ++i) bytes.push_back(static_cast<std::uint8_t>(std::bit_cast<std::uint32_t>(value) >> 8 * i));
+  }
+  const EvalResult result = RunMain(program, inputs);
+  EXPECT_TRUE(result) << result.error;
+  std::vector<std::vector<float>> all;
+  for (std::size_t i = 0; i < program.outputs.size(); ++i) {
+    const Type& type = program.types[program.vars[program.outputs[i].var].type];
+    const std::uint32_t count = type.kind == TypeKind::kArray ? type.count : type.Components();
+    std::vector<float>& values = all.emplace_back();
+    for (std::uint32_t k = 0; k < count; ++k) values.push_back(static_cast<float>(result.outputs.numbers[i][k]));
+  }
+  return all;
+}
+
+TEST(Pipeline, ClipDistances) {
+  const Program program = Lowered(TwoPlanes(), {});
+  EXPECT_EQ(program.form, Form::kTargetClipSpace);
+  EXPECT_THAT(OutputsOf(program, {3, 5, 7, 2}),
+              ElementsAre(ElementsAre(3, 5, 7, 2), ElementsAre(3 - 1, 10 - 7 + 0.5f)));
+  EXPECT_EQ(program.outputs[1].builtin, Builtin::kClipDistance);
+  EXPECT_EQ(program.types.Name(program.vars[program.outputs[1].var].type), "float[2]");
+  EXPECT_FALSE(program.clip_planes[0].value);
+  EXPECT_EQ(program.clip_planes[1].text, "planes[1]");
+}
+
+TEST(Pipeline, ClipDistancesAreThoseOfTheHlslPosition) {
+  PipelineOptions options;
+  options.clip_space = {.negative_one_to_one = true, .flip_y = true};
+  EXPECT_THAT(OutputsOf(Lowered(TwoPlanes(), options), {3, 5, 7, 2}),
+              ElementsAre(ElementsAre(3, -5, 14 - 2, 2), ElementsAre(2, 3.5f)));
+}
+
+TEST(Pipeline, ClipSpaceOptionsAreIndependent) {
+  PipelineOptions options;
+  options.clip_planes.lowering = Lowering::kNone;
+  EXPECT_THAT(OutputsOf(Lowered(TwoPlanes(), options), {3, 5, 7, 2}), ElementsAre(ElementsAre(3, 5, 7, 2)));
+  options.clip_space = {.negative_one_to_one = true, .flip_y = false};
+  EXPECT_THAT(OutputsOf(Lowered(TwoPlanes(), options), {3, 5, 7, 2}), ElementsAre(ElementsAre(3, 5, 12, 2)));
+  options.clip_space = {.negative_one_to_one = false, .flip_y = true};
+  EXPECT_THAT(OutputsOf(Lowered(TwoPlanes(), options), {3, 5, 7, 2}), ElementsAre(ElementsAre(3, -5, 7, 2)));
+}
+
+TEST(Pipeline, Level9LeavesThePlanesToTheTable) {
+  PipelineOptions options;
+  options.clip_planes.lowering = Lowering::kLevel9;
+  const Program program = Lowered(TwoPlanes(), options);
+  EXPECT_EQ(program.outputs.size(), 1u);
+  EXPECT_EQ(program.clip_planes.size(), 2u);
+  EXPECT_THAT(MainOf(program), Not(HasSubstr("dot")));
+}
+
+TEST(Pipeline, Level9ClipVertexIsTheHlslPosition) {
+  PipelineOptions options;
+  options.clip_planes = {.lowering = Lowering::kLevel9, .write_clip_vertex = true};
+  options.clip_space = {.negative_one_to_one = true, .flip_y = true};
+  const Program program = Lowered(TwoPlanes(), options);
+  EXPECT_EQ(program.outputs[1].builtin, Builtin::kClipVertex);
+  EXPECT_THAT(OutputsOf(program, {3, 5, 7, 2}), ElementsAre(ElementsAre(3, -5, 12, 2), ElementsAre(3, 5, 7, 2)));
+}
+
+TEST(Pipeline, AShaderWithoutPlanesOrPositionStaysAsItIs) {
+  Program program = TwoPlanes();
+  program.clip_planes.clear();
+  program.outputs[0].builtin = Builtin::kNone;
+  PipelineOptions options;
+  options.clip_space = {.negative_one_to_one = true, .flip_y = true};
+  const std::string before = Print(program);
+  for (const Lowering lowering : {Lowering::kClipDistance, Lowering::kLevel9, Lowering::kNone}) {
+    options.clip_planes = {.lowering = lowering, .write_clip_vertex = true};
+    EXPECT_EQ(MainOf(Lowered(program, options)), MainOf(program));
+  }
+  EXPECT_EQ(Print(program), before);
+}
+
+TEST(Pipeline, StopsAndDumpsAfterAPass) {
+  std::vector<std::string> seen;
+  PipelineOptions options;
+  options.clip_space.flip_y = true;
+  options.after_pass = [&](std::string_view pass, const Program& program) {
+    seen.push_back(std::string(pass) + (MainOf(program).find('-') == std::string::npos ? "" : " flipped"));
+  };
+  Lowered(TwoPlanes(), options);
+  EXPECT_THAT(seen, ElementsAre("lower-clip-planes", "adjust-clip-space flipped"));
+  seen.clear();
+  options.stop_after = "lower-clip-planes";
+  EXPECT_EQ(Lowered(TwoPlanes(), options).form, Form::kNoClipPlanes);
+  EXPECT_THAT(seen, ElementsAre("lower-clip-planes"));
+  EXPECT_THAT(PassNames(), ElementsAre("lower-clip-planes", "adjust-clip-space"));
+}
+
+TEST(PipelineDeathTest, PassesWantTheirForms) {
+  Program program = TwoPlanes();
+  EXPECT_DEATH(AdjustClipSpace(program, {}), "kNoClipPlanes");
+  LowerClipPlanes(program, {});
+  EXPECT_DEATH(LowerClipPlanes(program, {}), "kTyped");
+}
+
+}  // namespace
+}  // namespace clipc::passes

@@ -1,0 +1,11 @@
+// Planes put together from several constants are allowed where planes become clip distances (fxc: X4594 on 9_x only).
+// RUN: %clipc -T vs_4_0 -E main --validate %s -o - | FileCheck %s
+cbuffer Planes { float4x4 m; float a; float b; float2 cd; float3 abc; float f; };
+
+[clipplanes(f.xxxx, m[0], float4(a, b, cd), float4(abc, f), m._m00_m10_m20_m30)]
+float4 main(float4 v : POSITION) : SV_Position { return v; }
+// CHECK: gl_ClipDistance[0] = dot(gl_Position, vec4(f));
+// CHECK: gl_ClipDistance[1] = dot(gl_Position, m[0]);
+// CHECK: gl_ClipDistance[2] = dot(gl_Position, vec4(a, b, cd));
+// CHECK: gl_ClipDistance[3] = dot(gl_Position, vec4(abc, f));
+// CHECK: gl_ClipDistance[4] = dot(gl_Position, vec4(m[0].x, m[1].x, m[2].x, m[3].x));

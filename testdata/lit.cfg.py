@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+"""How lit runs the tests in this folder. Loaded by the build folder's lit.site.cfg.py; README.md says how to write a test."""
+
+import os
+import sys
+
+import lit.formats
+
+config.name = "clipc"
+config.test_format = lit.formats.ShTest(execute_external=False)
+config.suffixes = [".hlsl", ".test"]
+config.excludes = ["inputs"]
+
+config.environment["TMPDIR"] = config.test_exec_root
+for name in ("ASAN_OPTIONS", "UBSAN_OPTIONS", "LLVM_PROFILE_FILE"):
+    if name in os.environ:
+        config.environment[name] = os.environ[name]
+
+# The tools are found by name, so that the RUN lines read like a shell session.
+tool_folders = [os.path.dirname(tool) for tool in (config.file_check, config.not_, config.split_file)]
+config.environment["PATH"] = os.pathsep.join(dict.fromkeys(tool_folders)) + os.pathsep + os.environ["PATH"]
+config.environment["FILECHECK_OPTS"] = "--dump-input-filter=annotation-full --dump-input=fail"
+
+config.substitutions += [
+    ("%clipc", config.clipc),
+    ("%draw", config.draw),
+    ("%validate", config.glslang_validator),
+    ("%python", sys.executable),
+]
