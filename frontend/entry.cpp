@@ -187,9 +187,11 @@ class MainBuilder {
   }
 
   void CollectLeaf(const Path& path, ir::TypeId id, Cursor& cursor, const std::string& name, Span span, std::vector<Leaf>& leaves) {
+    // fxc refuses (X3502); Slang names such an input or output after itself, and nothing wrong can come of it.
     if (!cursor.given) {
-      diagnostics_.Report(span, diag::SemanticMissing, name);
-      return;
+      cursor.semantic = SplitSemantic(name.substr(name.rfind('.') + 1));
+      cursor.given = true;
+      diagnostics_.Report(span, diag::SemanticMissing, name, fmt::format("{}{}", cursor.semantic.name, cursor.semantic.index));
     }
     leaves.push_back({path, id, name, cursor.semantic, cursor.span ? cursor.span : span, cursor.interpolation, cursor.centroid, cursor.sample});
     ++cursor.semantic.index;
@@ -333,7 +335,6 @@ class MainBuilder {
     } else if (!program_.profile.IsAtLeast(value.major, value.minor)) {
       diagnostics_.Report(leaf.span, diag::ProfileNeededForSemantic, leaf.semantic.name,
                           fmt::format("vs_{}_{}", value.major, value.minor), program_.profile.name);
-      value.use = SystemValue::Use::kRefused;
     }
     return value;
   }

@@ -76,7 +76,7 @@ Parser::Specifiers Parser::ParseSpecifiers(std::string_view expected) {
   if (!panic_ && !keyword) {
     if (AtName() || StartsType(0) || At(TokenKind::kColonColon)) {
       specifiers.type = ParseType(true);
-      if (At(TokenKind::kLeftBracket)) ParseAttributes(attributes);
+      if (At(TokenKind::kLeftBracket) && Peek(1).kind == TokenKind::kLeftBracket) ParseAttributes(attributes);
       // `float4 const x`
       while (AtWord(Word::kQualifier) && !(InfoOfName(Peek().name()).qualifier & (kIn | kOut))) {
         specifiers.qualifiers |= InfoOfName(Next().name()).qualifier;

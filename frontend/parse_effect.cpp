@@ -75,16 +75,23 @@ void Parser::SkipEffectBlock() {
 
 // compile vs_2_0 f(), CompileShader(vs_4_0, f()), asm {...}: up to the `;` or `,` behind it.
 void Parser::SkipEffectValue() {
-  while (!AtEnd() && !At(TokenKind::kSemicolon) && !At(TokenKind::kComma)) {
-    if (At(TokenKind::kLeftBrace)) {
-      SkipEffectBlock();
-    } else if (At(TokenKind::kRightBrace)) {
-      break;
-    } else {
-      NoteCompile();
-      if (At(TokenKind::kLeftParen)) SkipBalanced();
-      else Next();
+  int depth = 0;
+  while (!AtEnd()) {
+    NoteCompile();
+    switch (Peek().kind) {
+      case TokenKind::kSemicolon: case TokenKind::kComma:
+        if (depth == 0) return;
+        break;
+      case TokenKind::kLeftParen: case TokenKind::kLeftBrace: case TokenKind::kLeftBracket:
+        ++depth;
+        break;
+      case TokenKind::kRightParen: case TokenKind::kRightBrace: case TokenKind::kRightBracket:
+        if (--depth < 0) return;
+        break;
+      default:
+        break;
     }
+    Next();
   }
 }
 

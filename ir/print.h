@@ -8,11 +8,11 @@
 // The program as text, for --dump=ir, --dump-after=PASS and the messages of Verify. It looks like
 // HLSL, one declaration or statement a line without semicolons, and differs where HLSL leaves
 // something unsaid:
-//   convert<float3>(x)  splat<float3>(x)  truncate<float3x3>(m)  zero<Light>  select(c, a, b)
-//   implicit there, nodes here float3(a, b)  float4x4(...)  Light{a, b}  float[2]{a, b} Construct
-//   a && b, a || b                                         both sides are evaluated
-//   a and_then b, a or_else b                              the short-circuit forms
-//   1, 1u, 1.0, 1.0h, 1.0L, 1:min16int, true               literals; the suffix names the kind
+// * what HLSL does implicitly has a name: convert<float3>(x), splat<float3>(x),
+//   truncate<float3x3>(m), zero<Light>, select(c, a, b);
+// * structs and arrays are made with braces: Light{a, b}, float[2]{a, b};
+// * `a && b` evaluates both sides; the short-circuit forms are `a and_then b` and `a or_else b`;
+// * literals show their kind: 1, 1u, 1.0, 1.0h, 1.0L, 1LL, 1:min16int, true.
 // A second variable or function of the same name is printed as name.1, the next as name.2, in order
 // of declaration. Equal programs give equal text.
 namespace clipc::ir {

@@ -13,19 +13,16 @@ namespace clipc::ir {
 // It takes time linear in the program and never fails on what Check returns. Ids in nodes may be
 // wrong in any way; Lists must be of the program's pools.
 //
-// - Ids are in range; an expression or statement has one parent; every expression has the type that
-// its node promises.
-// - Targets of assignments and out arguments are paths to variables that may be written, without a
-// repeated component.
-// - A variable is used in its scope: a local after its Declare, a parameter in its function, a
-// global after its
-//   initialiser, an input or output in `main` only, and then it is listed in the program; uniforms
-//   are members.
-// - Statements fit their function: break and continue stand in loops, return has the function's
-// type.
-// - No function can reach itself; `main` calls the entry once.
-// - Inputs, outputs, cbuffers and clip planes are consistent with their variables, types, limits
-// and with `form`.
+// * Ids are in range; an expression or statement has one parent; every expression has the type that
+//   its node promises.
+// * Targets of assignments and out arguments are paths to variables that may be written, without a
+//   repeated component.
+// * A variable is used in its scope: a local after its Declare, a parameter in its function, a
+//   global after its initialiser, an input or output in `main` only; uniforms are members.
+// * Statements fit their function: break and continue stand in loops, return has its type.
+// * No function can reach itself; `main` calls the entry once.
+// * Inputs, outputs, cbuffers and clip planes are consistent with their variables, types, limits
+//   and with `form`.
 std::optional<std::string> Verify(const Program& program, Form form);
 
 }  // namespace clipc::ir

@@ -26,3 +26,73 @@ void statements() {
   switch (x) { case 1: break; }
   [branch] { x = 1; }
 }
+
+// CHECK: function one : float4 semantic SV_Position
+// CHECK-NEXT:   attribute clipplanes(a)
+// CHECK-NEXT:   block
+// CHECK-NEXT:     return 0
+// CHECK-NEXT: function from_macro : float4 semantic SV_Position
+// CHECK-NEXT:   attribute clipplanes(near_plane, state.planes[2])
+// CHECK-NEXT:   block
+// CHECK-NEXT:     return 0
+// CHECK-NEXT: function several : float4 static semantic SV_Position
+// CHECK-NEXT:   attribute ClipPlanes(a, b, s.c[1])
+// CHECK-NEXT:   attribute shader("vertex")
+// CHECK-NEXT:   attribute noinline
+// CHECK-NEXT:   block
+// CHECK-NEXT:     return 0
+// CHECK-NEXT: function lists : float4
+// CHECK-NEXT:   attribute vk::builtin("x")
+// CHECK-NEXT:   attribute a
+// CHECK-NEXT:   attribute b(1)
+// CHECK-NEXT:   attribute c
+// CHECK-NEXT:   attribute ns::d
+// CHECK-NEXT:   block
+// CHECK-NEXT:     return 0
+// CHECK-NEXT: function compute : void
+// CHECK-NEXT:   attribute numthreads(8, 8, 1)
+// CHECK-NEXT:   block
+// CHECK-NEXT: function signature : void
+// CHECK-NEXT:   attribute RootSignature("CBV(b0), SRV(t0)")
+// CHECK-NEXT:   block
+// CHECK-NEXT: prototype no_parens : void
+// CHECK-NEXT:   attribute maxvertexcount
+// CHECK-NEXT: prototype empty_parens : void
+// CHECK-NEXT:   attribute misspelt()
+// CHECK-NEXT: function statements : void
+// CHECK-NEXT:   block
+// CHECK-NEXT:     attribute unroll(4)
+// CHECK-NEXT:     for
+// CHECK-NEXT:       init
+// CHECK-NEXT:         variable i : int = 0
+// CHECK-NEXT:       while (i < 4)
+// CHECK-NEXT:       step (i++)
+// CHECK-NEXT:       expression (x = i)
+// CHECK-NEXT:     attribute loop
+// CHECK-NEXT:     while x
+// CHECK-NEXT:       attribute branch
+// CHECK-NEXT:       if y
+// CHECK-NEXT:         expression (z = 1)
+// CHECK-NEXT:       else
+// CHECK-NEXT:         attribute flatten
+// CHECK-NEXT:         if w
+// CHECK-NEXT:           expression (z = 2)
+// CHECK-NEXT:         else
+// CHECK-NEXT:           attribute call
+// CHECK-NEXT:           switch z
+// CHECK-NEXT:             block
+// CHECK-NEXT:               default
+// CHECK-NEXT:               break
+// CHECK-NEXT:     attribute fastopt
+// CHECK-NEXT:     attribute allow_uav_condition
+// CHECK-NEXT:     do
+// CHECK-NEXT:       block
+// CHECK-NEXT:     while x
+// CHECK-NEXT:     attribute forcecase
+// CHECK-NEXT:     switch x
+// CHECK-NEXT:       block
+// CHECK-NEXT:         case 1
+// CHECK-NEXT:         break
+// CHECK-NEXT:     attribute branch
+// CHECK-NEXT:     block
+// CHECK-NEXT:       expression (x = 1)

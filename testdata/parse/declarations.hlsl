@@ -61,3 +61,85 @@ typedef const float ConstFloat;
 typedef unsigned int uint_type;
 struct Vertex elaborated;
 ;
+
+// CHECK: cbuffer Scene register(b0)
+// CHECK-NEXT:   member view : float4x4
+// CHECK-NEXT:   member projection : float4x4
+// CHECK-NEXT:   member bones[64] : float3x4 row_major
+// CHECK-NEXT:   member plane : float4 packoffset(c20.x)
+// CHECK-NEXT:   member offset : float2 packoffset(c21.z)
+// CHECK-NEXT:   member inner : Inner
+// CHECK-NEXT:     struct Inner
+// CHECK-NEXT:       field a : float
+// CHECK-NEXT:   member more[2] : Inner
+// CHECK-NEXT: cbuffer <unnamed> register(b1, space2)
+// CHECK-NEXT:   member unnamed : float
+// CHECK-NEXT: tbuffer Table register(t3)
+// CHECK-NEXT:   member rows[16] : float4
+// CHECK-NEXT: cbuffer Shared
+// CHECK-NEXT:   member s : float
+// CHECK-NEXT: variable color : float4 uniform semantic COLOR = {1, 0, 0, 1}
+// CHECK-NEXT: variable world : float4x4 semantic WORLD register(c4)
+// CHECK-NEXT: variable profiles : float4 register(vs_5_0, c7) register(ps_5_0, c9[1])
+// CHECK-NEXT: variable old : sampler2D register(s0)
+// CHECK-NEXT: variable sizes[] : uint static const = {1, 2, 3}
+// CHECK-NEXT: variable cache : float static
+// CHECK-NEXT: variable group[16][2] : float4 groupshared
+// CHECK-NEXT: variable v : float extern volatile
+// CHECK-NEXT: variable u : uint
+// CHECK-NEXT: variable w : uint
+// CHECK-NEXT: variable d : uint
+// CHECK-NEXT: variable dd : uint
+// CHECK-NEXT: variable n : min16uint2
+// CHECK-NEXT: variable h : min16float4
+// CHECK-NEXT: variable v4 : vector<float, 4>
+// CHECK-NEXT: variable m34 : matrix<float, 3, 4>
+// CHECK-NEXT: variable v0 : vector
+// CHECK-NEXT: variable m0 : matrix
+// CHECK-NEXT: variable after : float4 const = 1
+// CHECK-NEXT: variable textures[4] : Texture2D<float4> register(t0, space1)
+// CHECK-NEXT: variable items : StructuredBuffer<Inner> register(t4)
+// CHECK-NEXT: variable samples : Texture2DMS<float4, 4>
+// CHECK-NEXT: variable image : RWTexture2D<float>
+// CHECK-NEXT: variable constants : ConstantBuffer<Inner> register(b2)
+// CHECK-NEXT: variable array_of[3] : ConstantBuffer<Inner> register(space3)
+// CHECK-NEXT: variable bound : Texture2D
+// CHECK-NEXT:   attribute layout((set = 0), (binding = 1))
+// CHECK-NEXT: variable counted : RWStructuredBuffer<float>
+// CHECK-NEXT:   attribute vk::binding(3, 1)
+// CHECK-NEXT:   attribute vk::counter_binding(4)
+// CHECK-NEXT: struct Vertex
+// CHECK-NEXT:   field position : float4 semantic POSITION
+// CHECK-NEXT:   field color : float4 nointerpolation semantic COLOR0
+// CHECK-NEXT:   field uv[2] : float2 centroid noperspective semantic TEXCOORD3
+// CHECK-NEXT:   field a : float
+// CHECK-NEXT:   field b[2] : float
+// CHECK-NEXT:   field c : float semantic FOG
+// CHECK-NEXT:   field extra : float semantic EXTRA
+// CHECK-NEXT:     attribute vk::location(2)
+// CHECK-NEXT:   field low : uint bits 4
+// CHECK-NEXT:   field high : uint bits 28
+// CHECK-NEXT:   field <unnamed> : uint bits 4
+// CHECK-NEXT: struct Empty
+// CHECK-NEXT: struct Declared declared only
+// CHECK-NEXT: variable anonymous : <unnamed>
+// CHECK-NEXT:   struct <unnamed>
+// CHECK-NEXT:     field x : float
+// CHECK-NEXT: variable another : <unnamed>
+// CHECK-NEXT:   struct <unnamed>
+// CHECK-NEXT:     field x : float
+// CHECK-NEXT: variable named[2] : Named
+// CHECK-NEXT:   struct Named
+// CHECK-NEXT:     field x : float
+// CHECK-NEXT: variable constant : <unnamed> static const = {1}
+// CHECK-NEXT:   struct <unnamed>
+// CHECK-NEXT:     field x : float
+// CHECK-NEXT: typedef Color : float4
+// CHECK-NEXT: typedef Rows[3] : float4
+// CHECK-NEXT: typedef Row : float4
+// CHECK-NEXT: typedef Alias : Tagged
+// CHECK-NEXT:   struct Tagged
+// CHECK-NEXT:     field x : float
+// CHECK-NEXT: typedef ConstFloat : float const
+// CHECK-NEXT: typedef uint_type : uint
+// CHECK-NEXT: variable elaborated : Vertex

@@ -38,3 +38,30 @@ fxgroup group {
   technique11 Eleven { pass P { SetVertexShader(CompileShader(vs_5_0, space::eleven_main())); } }
 }
 float4 after() : SV_Position { return 0; }
+
+// CHECK: variable tint : float4 semantic DIFFUSE = {1, 1, 1, 1}
+// CHECK-NEXT: variable world : float4x4 semantic WORLD
+// CHECK-NEXT: variable base : texture
+// CHECK-NEXT: variable diffuse : Texture2D
+// CHECK-NEXT: variable old : sampler2D state block
+// CHECK-NEXT: variable pair[2] : sampler state block
+// CHECK-NEXT: variable linear_sampler : SamplerState register(s0) state block
+// CHECK-NEXT: variable blend : BlendState state block
+// CHECK-NEXT: variable depth : DepthStencilState state block
+// CHECK-NEXT: variable raster : RasterizerState state block
+// CHECK-NEXT: variable block : stateblock state block
+// CHECK-NEXT: variable compiled : VertexShader state block
+// CHECK-NEXT: variable several[2] : VertexShader state block
+// CHECK-NEXT: variable pixel : PixelShader state block
+// CHECK-NEXT: variable assembled : VertexShader state block
+// CHECK-NEXT: variable streamed : GeometryShader state block
+// CHECK-NEXT: function after : float4 semantic SV_Position
+// CHECK-NEXT:   block
+// CHECK-NEXT:     return 0
+// CHECK-NEXT: technique compiles old_main
+// CHECK-NEXT: technique compiles array_a
+// CHECK-NEXT: technique compiles array_b
+// CHECK-NEXT: technique compiles stream_main
+// CHECK-NEXT: technique compiles two_main
+// CHECK-NEXT: technique compiles ten_main
+// CHECK-NEXT: technique compiles eleven_main

@@ -1,4 +1,4 @@
-// RUN: %clipc --dump=ast %s 2>&1 | FileCheck %s
+// RUN: %clipc --dump=ast %s 2>&1 >%t | FileCheck %s
 // Other compilers let these pass, and shaders rely on it.
 struct First { float4 a; }
 // CHECK: [[#@LINE-1]]:26: warning: missing `;` after the definition of struct `First` [-Wmissing-semicolon-after-type]
@@ -16,4 +16,5 @@ struct Third { float4 a; }
 [attribute]
 static const float4 constant = 1;
 cbuffer NeedsNone { float4 b; }
+DepthStencilState nor_this { DepthEnable = false; }
 // CHECK-NOT: warning

@@ -9,3 +9,10 @@ cbuffer C {
   float4x4 fourth;
   row_major float4x4 fifth;
 }
+
+// CHECK: variable first : float4x4
+// CHECK-NEXT: variable second : float4x4 pack_row_major
+// CHECK-NEXT: cbuffer C
+// CHECK-NEXT:   member third : float4x4 pack_row_major
+// CHECK-NEXT:   member fourth : float4x4 pack_column_major
+// CHECK-NEXT:   member fifth : float4x4 row_major pack_column_major

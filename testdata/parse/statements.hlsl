@@ -38,3 +38,85 @@ float4 all(float4 p) {
   return;
   return p;
 }
+
+// CHECK: function all : float4
+// CHECK-NEXT:   parameter p : float4
+// CHECK-NEXT:   block
+// CHECK-NEXT:     variable a : float = 1
+// CHECK-NEXT:     variable b[2] : float = {1, 2}
+// CHECK-NEXT:     variable c : float
+// CHECK-NEXT:     variable k : float static const = 3
+// CHECK-NEXT:     variable x : float4 = a
+// CHECK-NEXT:     variable y : float4
+// CHECK-NEXT:     struct Local
+// CHECK-NEXT:       field f : float
+// CHECK-NEXT:     variable local : Local = {1}
+// CHECK-NEXT:     variable second : Local
+// CHECK-NEXT:     variable unnamed : <unnamed>
+// CHECK-NEXT:       struct <unnamed>
+// CHECK-NEXT:         field g : float
+// CHECK-NEXT:     typedef Three : float3
+// CHECK-NEXT:     variable three : Three = 0
+// CHECK-NEXT:     empty
+// CHECK-NEXT:     block
+// CHECK-NEXT:       expression (a = 1)
+// CHECK-NEXT:       block
+// CHECK-NEXT:     if a
+// CHECK-NEXT:       expression (b = 1)
+// CHECK-NEXT:     if a
+// CHECK-NEXT:       block
+// CHECK-NEXT:         expression (b = 1)
+// CHECK-NEXT:     else
+// CHECK-NEXT:       expression (b = 2)
+// CHECK-NEXT:     if a
+// CHECK-NEXT:       if b
+// CHECK-NEXT:         expression (c = 1)
+// CHECK-NEXT:       else
+// CHECK-NEXT:         expression (c = 2)
+// CHECK-NEXT:     if a
+// CHECK-NEXT:       expression (x = 1)
+// CHECK-NEXT:     else
+// CHECK-NEXT:       if b
+// CHECK-NEXT:         expression (x = 2)
+// CHECK-NEXT:       else
+// CHECK-NEXT:         if c
+// CHECK-NEXT:           block
+// CHECK-NEXT:             expression (x = 3)
+// CHECK-NEXT:         else
+// CHECK-NEXT:           expression (x = 4)
+// CHECK-NEXT:     for
+// CHECK-NEXT:       break
+// CHECK-NEXT:     for
+// CHECK-NEXT:       init
+// CHECK-NEXT:         variable i : int = 0
+// CHECK-NEXT:         variable j : int = 1
+// CHECK-NEXT:       while ((i < 4) && j)
+// CHECK-NEXT:       step ((++i) , (j--))
+// CHECK-NEXT:       block
+// CHECK-NEXT:         continue
+// CHECK-NEXT:     for
+// CHECK-NEXT:       init
+// CHECK-NEXT:         expression (i = 0)
+// CHECK-NEXT:       while (i < 4)
+// CHECK-NEXT:       step (i++)
+// CHECK-NEXT:       empty
+// CHECK-NEXT:     while (a > 0)
+// CHECK-NEXT:       expression (a--)
+// CHECK-NEXT:     do
+// CHECK-NEXT:       expression (a++)
+// CHECK-NEXT:     while (a < 4)
+// CHECK-NEXT:     switch i
+// CHECK-NEXT:       block
+// CHECK-NEXT:         case 0
+// CHECK-NEXT:         case (1 + 1)
+// CHECK-NEXT:         expression (x = 1)
+// CHECK-NEXT:         break
+// CHECK-NEXT:         default
+// CHECK-NEXT:         block
+// CHECK-NEXT:           expression (x = 2)
+// CHECK-NEXT:         case (a ? 1 : 2)
+// CHECK-NEXT:         return x
+// CHECK-NEXT:     discard
+// CHECK-NEXT:     expression (f(a) , g(b))
+// CHECK-NEXT:     return
+// CHECK-NEXT:     return p

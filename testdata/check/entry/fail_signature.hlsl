@@ -1,7 +1,4 @@
 // What the entry point's signature must be like, each rule with its message.
-// RUN: not %clipc -T vs_5_0 -E missing_input %s 2>&1 | FileCheck %s --check-prefix=INPUT
-// RUN: not %clipc -T vs_5_0 -E missing_field %s 2>&1 | FileCheck %s --check-prefix=FIELD
-// RUN: not %clipc -T vs_5_0 -E missing_result %s 2>&1 | FileCheck %s --check-prefix=RESULT
 // RUN: not %clipc -T vs_5_0 -E twice %s 2>&1 | FileCheck %s --check-prefix=TWICE
 // RUN: not %clipc -T vs_5_0 -E counted %s 2>&1 | FileCheck %s --check-prefix=COUNTED
 // RUN: not %clipc -T vs_5_0 -E of_pixel_shader %s 2>&1 | FileCheck %s --check-prefix=TARGET
@@ -10,15 +7,6 @@
 // RUN: not %clipc -T vs_5_0 -E wrong_layer %s 2>&1 | FileCheck %s --check-prefix=LAYER
 // RUN: not %clipc -T vs_5_0 -E object %s 2>&1 | FileCheck %s --check-prefix=OBJECT
 // RUN: not %clipc -T vs_5_0 -E nine %s 2>&1 | FileCheck %s --check-prefix=NINE
-// RUN: not %clipc -T vs_5_0 -E newer %s 2>&1 | FileCheck %s --check-prefix=NEWER
-
-// INPUT: error: `v` has no semantic; every input and output of the entry point needs one [X3502]
-float4 missing_input(float4 v) : SV_Position { return v; }
-struct NoSemantic { float4 a : POSITION; float4 b; };
-// FIELD: error: `v.b` has no semantic; every input and output of the entry point needs one [X3502]
-float4 missing_field(NoSemantic v) : SV_Position { return v.a; }
-// RESULT: error: `missing_result` has no semantic
-float4 missing_result(float4 v : POSITION) { return v; }
 
 // TWICE: error: semantic `POSITION0` is used twice among the inputs; each index of a semantic may be used once [X4571]
 // TWICE: note: first used here
@@ -38,5 +26,3 @@ float4 wrong_layer(float4 v : POSITION, out float layer : SV_RenderTargetArrayIn
 float4 object(float4 v : POSITION, Texture2D t : TEXTURE) : SV_Position { return v; }
 // NINE: error: 12 clip and cull distances are written; the limit is 8
 float4 nine(float4 v : POSITION, out float4 d[3] : SV_ClipDistance) : SV_Position { d[0] = d[1] = d[2] = v; return v; }
-// NEWER: error: `SV_ViewID` needs profile vs_6_1; this is `vs_5_0`
-float4 newer(float4 v : POSITION, uint view : SV_ViewID) : SV_Position { return v; }

@@ -1,0 +1,24 @@
+// RUN: not %clipc -T vs_5_0 -E main %s 2>&1 | FileCheck %s
+struct S {
+  float4 position;
+  float4 normal;
+  // CHECK-DAG: [[#@LINE+1]]:9: error: `normal` is declared twice in one scope [X3003]
+  float3 normal;
+  // CHECK-DAG: [[#@LINE+1]]:36: error: `position` is used without an object; it belongs to each object of its struct [X3004]
+  static float f() { return position.x; }
+  // CHECK-DAG: [[#@LINE+1]]:12: error: a bit-field is not supported
+  uint b : 3;
+};
+// CHECK-DAG: [[#@LINE+1]]:12: error: `float4` is no struct, class or interface; nothing else can be inherited from [X3000]
+struct T : float4 { float x; };
+float4 main(float4 position : POSITION) : SV_Position {
+  S s;
+  T t;
+  // CHECK-DAG: [[#@LINE+1]]:5: error: `S` has no member `positoin`; did you mean `position`? [X3018]
+  s.positoin = position;
+  // CHECK-DAG: [[#@LINE+1]]:5: error: `S` has no member `shade` [X3018]
+  s.shade(1);
+  // CHECK-DAG: [[#@LINE+1]]:5: error: `normal` is no function [X3005]
+  s.normal(1);
+  return S::f();
+}
