@@ -108,6 +108,10 @@ class TargetCheck {
     if (!shape.IsFloating() && !target_.HasIntegerVaryings()) {
       diagnostics_.Report(var.span, diag::TargetIntegerVarying, name, target_name());
     }
+    const bool is_flat = output.interpolation == Interpolation::kNoInterpolation;
+    if (is_flat && shape.IsFloating() && !target_.HasInAndOut()) {
+      diagnostics_.Report(var.span, diag::TargetFlat, name, target_name());
+    }
     if (output.interpolation == Interpolation::kNoPerspective && !target_.HasNoPerspective()) {
       diagnostics_.Report(var.span, diag::TargetNoPerspective, name, target_name());
     }
@@ -202,6 +206,7 @@ class TargetCheck {
       for (const Field& field : program_.types.StructOf(id).fields) Type(field.type, field.span ? field.span : span);
       return;
     }
+    if (type.kind == TypeKind::kObject) diagnostics_.Report(span, diag::TargetObjectValue, program_.types.Name(id));
     if (!type.IsNumeric()) return;
     const Scalar base = BaseOf(type.scalar);
     if (base == Scalar::kDouble && !target_.Doubles() && !std::exchange(double_reported_, true)) {

@@ -15,6 +15,7 @@ bool IsLetterOrDigit(char c) {
 std::string Spelling(std::string_view wanted, std::string_view fallback) {
   std::string name;
   for (char c : wanted) {
+    if (c == '$') continue;  // of $Globals
     if (!IsLetterOrDigit(c)) c = '_';
     if (c == '_' && name.ends_with('_')) continue;
     name += c;

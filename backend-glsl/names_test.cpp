@@ -27,7 +27,7 @@ TEST(NamesTest, UnderscoresAndPrefixes) {
   EXPECT_EQ(LegalName("gl_Position"), "_gl_Position");
   EXPECT_EQ(LegalName("GL_ES"), "_GL_ES");
   EXPECT_EQ(LegalName("ns::plane"), "ns_plane");
-  EXPECT_EQ(LegalName("$Globals"), "_Globals");
+  EXPECT_EQ(LegalName("$Globals"), "Globals");
   EXPECT_EQ(LegalName("2d"), "_2d");
   EXPECT_EQ(LegalName(""), "unnamed");
   EXPECT_EQ(LegalName("__"), "unnamed");

@@ -21,7 +21,7 @@ constexpr SnippetText kSnippets[] = {
 )"},
     {"saturate", SnippetText::kFloat, false,
      R"($T $N($T x) {
-    return min(max($T(0.0), x), $T(1.0));  // 0 for NaN
+    return min(max($0, x), 1.0);  // 0 for NaN
 }
 )"},
     {"smoothstep", SnippetText::kFloat, false,
@@ -67,8 +67,8 @@ constexpr SnippetText kSnippets[] = {
     {"frexp", SnippetText::kFloat, true,
      R"($T $N($T x, out $T exponent) {
     uint bits = floatBitsToUint(x);
-    exponent = x == 0.0 ? 0.0 : float(int(bits >> 23 & 255u) - 126);
-    return x == 0.0 ? 0.0 : uintBitsToFloat(bits & 0x807FFFFFu | 0x3F000000u);
+    exponent = x == 0.0 ? 0.0 : float(int((bits >> 23) & 255u) - 126);
+    return x == 0.0 ? 0.0 : uintBitsToFloat((bits & 0x807FFFFFu) | 0x3F000000u);
 }
 )"},
     {"asuint64", SnippetText::kFloat, true,
@@ -173,25 +173,25 @@ constexpr SnippetText kSnippets[] = {
     // ---- before GLSL 4.00 and GLSL ES 3.10
     {"countbits", SnippetText::kUint, false,
      R"($T $N($T x) {
-    x -= x >> 1 & $T(0x55555555u);
-    x = (x & $T(0x33333333u)) + (x >> 2 & $T(0x33333333u));
-    x = x + (x >> 4) & $T(0x0F0F0F0Fu);
-    return x * 0x01010101u >> 24;
+    x -= (x >> 1) & 0x55555555u;
+    x = (x & 0x33333333u) + ((x >> 2) & 0x33333333u);
+    x = (x + (x >> 4)) & 0x0F0F0F0Fu;
+    return (x * 0x01010101u) >> 24;
 }
 )"},
     {"reversebits", SnippetText::kUint, false,
      R"($T $N($T x) {
-    x = x >> 1 & $T(0x55555555u) | (x & $T(0x55555555u)) << 1;
-    x = x >> 2 & $T(0x33333333u) | (x & $T(0x33333333u)) << 2;
-    x = x >> 4 & $T(0x0F0F0F0Fu) | (x & $T(0x0F0F0F0Fu)) << 4;
-    x = x >> 8 & $T(0x00FF00FFu) | (x & $T(0x00FF00FFu)) << 8;
-    return x >> 16 | x << 16;
+    x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
+    x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
+    x = ((x >> 4) & 0x0F0F0F0Fu) | ((x & 0x0F0F0F0Fu) << 4);
+    x = ((x >> 8) & 0x00FF00FFu) | ((x & 0x00FF00FFu) << 8);
+    return (x >> 16) | (x << 16);
 }
 )"},
     {"firstbithigh", SnippetText::kUint, true,
      R"(uint $N(uint x) {
     for (int i = 31; i >= 0; --i) {
-        if ((x >> i & 1u) != 0u) return uint(i);
+        if (((x >> i) & 1u) != 0u) return uint(i);
     }
     return 0xFFFFFFFFu;
 }
@@ -199,7 +199,7 @@ constexpr SnippetText kSnippets[] = {
     {"firstbithigh", SnippetText::kInt, true,
      R"(uint $N(int x) {
     for (int i = 30; i >= 0; --i) {
-        if ((x >> i & 1) != (x < 0 ? 1 : 0)) return uint(i);
+        if (((x >> i) & 1) != (x < 0 ? 1 : 0)) return uint(i);
     }
     return 0xFFFFFFFFu;
 }
@@ -207,7 +207,7 @@ constexpr SnippetText kSnippets[] = {
     {"firstbitlow", SnippetText::kAny, true,
      R"(uint $N($T x) {
     for (int i = 0; i < 32; ++i) {
-        if ((x >> i & $T(1)) != $T(0)) return uint(i);
+        if (((x >> i) & $T(1)) != $T(0)) return uint(i);
     }
     return 0xFFFFFFFFu;
 }
@@ -217,22 +217,22 @@ constexpr SnippetText kSnippets[] = {
     {"f16tof32", SnippetText::kUint, true,
      R"(float $N(uint x) {
     uint sign_bit = (x & 0x8000u) << 16;
-    uint exponent = x >> 10 & 31u;
+    uint exponent = (x >> 10) & 31u;
     uint mantissa = x & 1023u;
     if (exponent == 0u) return uintBitsToFloat(sign_bit | floatBitsToUint(float(mantissa) * exp2(-24.0)));
-    if (exponent == 31u) return uintBitsToFloat(sign_bit | 0x7F800000u | mantissa << 13);
-    return uintBitsToFloat(sign_bit | exponent + 112u << 23 | mantissa << 13);
+    if (exponent == 31u) return uintBitsToFloat(sign_bit | 0x7F800000u | (mantissa << 13));
+    return uintBitsToFloat(sign_bit | ((exponent + 112u) << 23) | (mantissa << 13));
 }
 )"},
     {"f32tof16", SnippetText::kFloat, true,
      R"(uint $N(float x) {
     uint bits = floatBitsToUint(x);
-    uint sign_bit = bits >> 16 & 0x8000u;
+    uint sign_bit = (bits >> 16) & 0x8000u;
     bits &= 0x7FFFFFFFu;
     if (bits > 0x7F800000u) return sign_bit | 0x7E00u;
     if (bits >= 0x477FF000u) return sign_bit | 0x7C00u;
     if (bits < 0x38800000u) return sign_bit | uint(roundEven(abs(x) * 16777216.0));
-    return sign_bit | bits - 0x38000000u + 0x0FFFu + (bits >> 13 & 1u) >> 13;
+    return sign_bit | ((bits - 0x38000000u + 0x0FFFu + ((bits >> 13) & 1u)) >> 13);
 }
 )"},
 };
@@ -275,6 +275,7 @@ std::string Expand(const SnippetText& snippet, std::string_view function, const 
     switch (snippet.text[++i]) {
       case 'N': out += function; break;
       case 'T': out += GlslName(shape, has_unsigned); break;
+      case '0': out += shape.IsScalar() ? "0.0" : GlslName(shape, has_unsigned) + "(0.0)"; break;
       case 'B': out += type(Scalar::kBool); break;
       case 'I': out += type(Scalar::kInt); break;
       case 'U': out += type(Scalar::kUint); break;

@@ -11,7 +11,7 @@
 namespace clipc::glsl {
 
 // A function that GLSL, or an older version of it, lacks. In the text $N is its name, $T the type of its first argument,
-// $B $I $U $F the bool, int, uint and float types of the same size, and @name another snippet for the same type.
+// $B $I $U $F the bool, int, uint and float types of the same size, $0 its zero, and @name another snippet for the same type.
 struct SnippetText {
   std::string_view name;  // HLSL's
   enum Kind : char { kFloat = 'f', kInt = 'i', kUint = 'u', kAny = 'a' } kind;  // of the first argument

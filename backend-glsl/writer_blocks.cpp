@@ -136,7 +136,7 @@ void Writer::RowsBlock(CbufferId id, GlslInfo::Block& info) {
   if (is_array) {
     info.instance = namer_.Global(cbuffer.name + "_buffers");
     blocks_ += " " + info.instance + Dimensions(cbuffer.members[0].var);
-    memory.array = info.instance + "[i]." + rows;
+    memory.array = info.instance + "[" + Fresh("i") + "]." + rows;
   }
   blocks_ += ";\n\n";
   for (const CbufferMember& member : cbuffer.members) {
@@ -151,12 +151,13 @@ void Writer::Accessor(const CbufferMember& member, const Memory& memory, bool is
   const bool is_array = type.kind == TypeKind::kArray;
   const TypeId result = is_array ? type.element : var.type;
   Address address{"", member.offset};
+  const std::string index = Fresh("i");
   if (is_array && !is_buffer_array) {
     const std::uint32_t stride = StrideOf(memory, var.type, var.row_major) / 16;
-    address.dynamic = stride == 1 ? "i" : std::to_string(stride) + " * i";
+    address.dynamic = stride == 1 ? index : std::to_string(stride) + " * " + index;
   }
   const std::string value = Load(memory, result, var.row_major, address);
-  helpers_ += TypeName(result) + " " + var_names_[member.var.index] + (is_array ? "(int i) {" : "() {") + "  // offset " +
+  helpers_ += TypeName(result) + " " + var_names_[member.var.index] + (is_array ? "(int " + index + ") {" : "() {") + "  // offset " +
               std::to_string(member.offset) + "\n    return " + value + ";\n}\n\n";
 }
 
@@ -168,8 +169,8 @@ Text Writer::UniformText(VarId id) {
   const Type& type = program_.types[var.type];
   if (type.kind != TypeKind::kArray) return {name + "()"};
   const std::string all = Helper(name + "_all", "", [&](const std::string& function) {
-    return TypeName(var.type) + " " + function + "() {\n    " + Declaration(var.type, "a") + ";\n    for (int i = 0; i < " +
-           std::to_string(type.count) + "; ++i) a[i] = " + ElementText(type.element, {name + "(i)"}) + ";\n    return a;\n}\n";
+    const auto element = [&](const std::string& index) { return ElementText(type.element, {name + "(" + index + ")"}); };
+    return TypeName(var.type) + " " + function + "() {\n" + FilledArray(var.type, element) + "}\n";
   });
   return {all + "()"};
 }
@@ -234,7 +235,7 @@ Text Writer::InstanceValue(ExprId expr, const std::string& path) {
   const std::string& name = var_names_[var.index];
   std::string parameters, arguments, block = name;
   for (std::size_t i = 0; i < indices.size(); ++i) {
-    const std::string parameter(1, static_cast<char>('i' + i));
+    const std::string parameter = Fresh(std::string(1, static_cast<char>('i' + i)));
     parameters += (i > 0 ? ", int " : "int ") + parameter;
     arguments += (i > 0 ? ", int(" : "int(") + IndexValue(indices[i]) + ")";
     block += "[" + parameter + "]";

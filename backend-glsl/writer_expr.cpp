@@ -36,7 +36,8 @@ Text Writer::Expr(ExprId id) {
           [&](const MatrixSwizzle& node) { return MatrixSwizzleText(expr, node); },
           [&](const Unary& node) { return UnaryText(expr, node); },
           [&](const Binary& node) {
-            return BinaryOn(node.op, OperandOf(node.left), OperandOf(node.right), IsPure(node.right));
+            const bool is_eager = node.op == BinaryOp::kLogicalAnd || node.op == BinaryOp::kLogicalOr;
+            return BinaryOn(node.op, OperandOf(node.left), OperandOf(node.right), !is_eager || IsPure(node.right));
           },
           [&](const Assign& node) { return AssignText(node); },
           [&](const Conditional& node) {
@@ -184,6 +185,11 @@ Text Writer::CompoundAssignText(const Assign& node) {
     text += "= ";
     Text right = value.scalar ? std::move(*value.scalar) : std::move(value.text);
     return {text + Argument(std::move(right)), Binding::kAssignment};
+  }
+  const bool is_shift = op == BinaryOp::kShiftLeft || op == BinaryOp::kShiftRight;
+  if (is_shift && shape.kind != Shape::kRows) {
+    std::string text = Expr(node.target).At(Binding::kUnary);
+    return {text + " " + std::string(SpellingOf(op)) + "= " + ShiftCount(value).text, Binding::kAssignment};
   }
   if (IsPure(node.target)) {
     Operand target{Expr(node.target), shape, std::nullopt, IsRepeatable(node.target)};

@@ -24,6 +24,13 @@ std::string Writer::Helper(std::string_view name, const std::string& key,
   return glsl_name;
 }
 
+std::string Writer::Fresh(std::string_view wanted) {
+  namer_.OpenScope();
+  std::string name = namer_.Local(wanted);
+  namer_.CloseScope();
+  return name;
+}
+
 Text Writer::CallOn(std::string_view function, std::span<const Operand> operands) {
   return CallOn(function, operands, 0);
 }

@@ -125,10 +125,12 @@ std::string Writer::LoadArray(const Memory& memory, TypeId id, bool row_major, c
   const std::uint32_t unit = memory.is_rows ? kRow : kWord;
   const std::string helper = Helper("load_" + memory.array, TypeName(id) + std::to_string(address.offset % unit) + (row_major ? "r" : "c"),
                                     [&](const std::string& function) {
-    const Address element{"at + " + std::to_string(stride / unit) + " * i", address.offset % unit};
-    const std::string value = ElementText(type.element, {Load(memory, type.element, row_major, element)});
-    return TypeName(id) + " " + function + "(int at) {\n    " + Declaration(id, "a") + ";\n    for (int i = 0; i < " +
-           std::to_string(type.count) + "; ++i) a[i] = " + value + ";\n    return a;\n}\n";
+    const std::string at = Fresh("at");
+    const auto value = [&](const std::string& index) {
+      const Address element{at + " + " + std::to_string(stride / unit) + " * " + index, address.offset % unit};
+      return ElementText(type.element, {Load(memory, type.element, row_major, element)});
+    };
+    return TypeName(id) + " " + function + "(int " + at + ") {\n" + FilledArray(id, value) + "}\n";
   });
   return helper + "(" + Sum(address.dynamic, address.offset / unit) + ")";
 }

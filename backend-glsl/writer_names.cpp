@@ -1,9 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "backend-glsl/writer_state.h"
 
+#include <algorithm>
+
 namespace clipc::glsl {
 
 using namespace ir;
+
+namespace {
+
+// Semantics compare without case, and stages meet by name: one spelling for all.
+std::string UpperCase(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+  return text;
+}
+
+}  // namespace
 
 // The names that the host sees come first and so keep their spelling; locals are named when they are declared.
 void Writer::NameEverything() {
@@ -25,7 +37,7 @@ void Writer::NameEverything() {
 void Writer::NameInterface() {
   const auto name = [&](const IoVar& io, const char* prefix) {
     if (io.builtin != Builtin::kNone) return;
-    var_names_[io.var.index] = namer_.Global(prefix + io.semantic + std::to_string(io.index));
+    var_names_[io.var.index] = namer_.Global(prefix + UpperCase(io.semantic) + std::to_string(io.index));
   };
   for (const IoVar& input : program_.inputs) name(input, "in_");
   for (const IoVar& output : program_.outputs) name(output, "vs_");

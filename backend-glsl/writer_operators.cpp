@@ -18,11 +18,11 @@ struct Operator {
 };
 // In the order of BinaryOp.
 constexpr Operator kOperators[] = {
-    {"*", "mul", "", Binding::kProduct},
-    {"/", "div", "", Binding::kProduct},
-    {"%", "mod", "", Binding::kProduct},
+    {"*", "multiply", "", Binding::kProduct},
+    {"/", "divide", "", Binding::kProduct},
+    {"%", "modulo", "", Binding::kProduct},
     {"+", "add", "", Binding::kSum},
-    {"-", "sub", "", Binding::kSum},
+    {"-", "subtract", "", Binding::kSum},
     {"<<", "shift_left", "", Binding::kShift},
     {">>", "shift_right", "", Binding::kShift},
     {"<", "less", "lessThan", Binding::kRelational},
@@ -103,7 +103,8 @@ Text Writer::SplatText(const Text& scalar, const Shape& shape, bool repeatable) 
     });
     return {name + "(" + Argument(scalar) + ")"};
   }
-  // mat4(x) would be x on the diagonal only.
+  // mat4(x) is x on the diagonal only.
+  if (shape.kind == Shape::kMatrix && scalar.text == ZeroText(shape.Component())) return {type + "(" + scalar.text + ")"};
   std::string text = type + "(";
   for (int i = 0; i < shape.rows; ++i) text += (i > 0 ? ", " : "") + SplatText(scalar, shape.Row(), true).text;
   return {text + ")"};
@@ -166,16 +167,17 @@ Text Writer::ModOn(const Operand& left, const Operand& right) {
   return Snippet("imod", operands, left.shape);
 }
 
+// GLSL leaves shifts by more than 31 undefined; HLSL takes the count modulo the number of bits.
+Text Writer::ShiftCount(const Operand& count) {
+  const Scalar kind = count.shape.scalar;
+  const std::uint32_t mask = kind == Scalar::kInt64 || kind == Scalar::kUint64 ? 63 : 31;
+  const std::string suffix = kind == Scalar::kUint || kind == Scalar::kUint64 ? "u" : "";
+  if (const auto number = PlainNumber(count.scalar)) return {std::to_string(*number & mask) + suffix};
+  return Infix(ScalarOr(count), "&", {std::to_string(mask) + suffix}, Binding::kBitAnd);
+}
+
 Text Writer::ShiftOn(BinaryOp op, const Operand& left, const Operand& right) {
-  const std::uint32_t mask = left.shape.scalar == Scalar::kInt64 || left.shape.scalar == Scalar::kUint64 ? 63 : 31;
-  const bool is_unsigned = right.shape.scalar == Scalar::kUint || right.shape.scalar == Scalar::kUint64;
-  const std::string suffix = is_unsigned ? "u" : "";
-  Text count = ScalarOr(right);
-  if (const auto number = PlainNumber(right.scalar)) {
-    count = {std::to_string(*number & mask) + suffix};
-  } else {
-    count = Infix(std::move(count), "&", {std::to_string(mask) + suffix}, Binding::kBitAnd);
-  }
+  Text count = ShiftCount(right);
   const bool both = left.scalar && right.scalar && !left.shape.IsScalar();
   // A vector may be shifted by a scalar, not a scalar by a vector.
   Text value = both || (left.scalar && !left.shape.IsScalar()) ? Full(left) : ScalarOr(left);

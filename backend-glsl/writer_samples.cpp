@@ -153,8 +153,9 @@ Text Writer::BufferText(const ir::Expr& expr, const ObjectCall& node) {
   // The elements lie tighter than std430 can say: they are put together from words.
   const std::string helper = Helper(name + "_at", "", [&](const std::string& function) {
     const std::uint32_t words = Structured(program_.types, element).size / 4;
-    const Address address{words == 1 ? "i" : std::to_string(words) + " * i", 0};
-    return TypeName(element) + " " + function + "(int i) {\n    return " + Load({name, false, false}, element, row_major, address) +
+    const std::string i = Fresh("i");
+    const Address address{words == 1 ? i : std::to_string(words) + " * " + i, 0};
+    return TypeName(element) + " " + function + "(int " + i + ") {\n    return " + Load({name, false, false}, element, row_major, address) +
            ";\n}\n";
   });
   const bool is_int = TypeOf(arguments[1]).scalar == Scalar::kInt || std::holds_alternative<Literal>(program_.exprs[arguments[1]].node);
@@ -168,8 +169,10 @@ Text Writer::ByteLoadText(const ir::Expr& expr, const ObjectCall& node) {
   const Shape shape = ShapeOf(program_.types[expr.type]);
   const std::string helper = Helper(name + "_load" + (shape.size > 1 ? std::to_string(shape.size) : ""), "",
                                     [&](const std::string& function) {
-    const std::string words = Words({name, false, false}, {"i", 0}, shape.size);
-    return TypeName(shape) + " " + function + "(uint address) {\n    uint i = address / 4u;\n    return " + words + ";\n}\n";
+    const std::string address = Fresh("address"), i = Fresh("i");
+    const std::string words = Words({name, false, false}, {i, 0}, shape.size);
+    return TypeName(shape) + " " + function + "(uint " + address + ") {\n    uint " + i + " = " + address +
+           " / 4u;\n    return " + words + ";\n}\n";
   });
   return {helper + "(" + ArgumentOf(arguments[1]) + ")"};
 }

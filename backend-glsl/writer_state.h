@@ -86,6 +86,7 @@ class Writer {
   std::string Declaration(const Shape& shape, std::string_view name) const;
   void UseStruct(ir::StructId id);
   bool IsWrapped(ir::TypeId array_element) const;
+  std::string FilledArray(ir::TypeId type, const std::function<std::string(const std::string&)>& element);
   std::string WrapperOf(ir::TypeId array);
   std::string ElementText(ir::TypeId element, Text text);  // as an argument of an array constructor
   bool IsValue(ir::TypeId type) const;  // no texture, sampler or buffer, nor an array of them
@@ -96,7 +97,6 @@ class Writer {
   // ---- writer_interface.cpp
   void Inputs();
   void Outputs();
-  void OutputLine(std::size_t index);
   void PerVertex();
   std::string InputText(const ir::IoVar& input, GlslInfo::Variable& info);
   std::string OutputName(const ir::IoVar& output) const;
@@ -169,6 +169,7 @@ class Writer {
   Text ArithmeticOn(ir::BinaryOp op, const Operand& left, const Operand& right);
   Text ModOn(const Operand& left, const Operand& right);
   Text ShiftOn(ir::BinaryOp op, const Operand& left, const Operand& right);
+  Text ShiftCount(const Operand& count);
   Text CompareOn(ir::BinaryOp op, const Operand& left, const Operand& right);
   Text LogicalOn(ir::BinaryOp op, const Operand& left, const Operand& right, bool right_is_pure);
   Text SelectOn(std::span<const Operand> operands, bool pure);
@@ -179,6 +180,8 @@ class Writer {
   Text ByComponents(std::string_view name, std::span<const Operand> operands, const Shape& result, const Apply& apply);
 
   // ---- writer_helpers.cpp: functions that GLSL or the target lacks
+  // A name for a parameter or local of a function that is being defined, unlike everything it may mention.
+  std::string Fresh(std::string_view wanted);
   // The GLSL name of helper `name`; defines it by define(glsl name) when `key` is new.
   std::string Helper(std::string_view name, const std::string& key,
                      const std::function<std::string(const std::string&)>& define);

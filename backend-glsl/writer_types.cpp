@@ -96,6 +96,14 @@ void Writer::UseStruct(StructId id) {
   structs_ += text + "};\n\n";
 }
 
+// The body of a function that returns an array of element(index variable).
+std::string Writer::FilledArray(TypeId id, const std::function<std::string(const std::string&)>& element) {
+  const std::string array = Fresh("result"), index = Fresh("i");
+  return "    " + Declaration(id, array) + ";\n    for (int " + index + " = 0; " + index + " < " +
+         std::to_string(program_.types[id].count) + "; ++" + index + ") " + array + "[" + index + "] = " + element(index) +
+         ";\n    return " + array + ";\n";
+}
+
 std::string Writer::ElementText(TypeId element, Text text) {
   if (!IsWrapped(element)) return Argument(std::move(text));
   return WrapperOf(element) + "(" + Argument(std::move(text)) + ")";
@@ -126,9 +134,7 @@ std::string Writer::ZeroText(TypeId id) {
   const std::string zero = ElementText(type.element, {ZeroText(type.element)});
   if (type.count >= kLongArray) {
     return Helper("zeros_" + name, "", [&](const std::string& helper) {
-      const std::string count = std::to_string(type.count);
-      return name + " " + helper + "() {\n    " + Declaration(id, "a") + ";\n    for (int i = 0; i < " + count +
-             "; ++i) a[i] = " + zero + ";\n    return a;\n}\n";
+      return name + " " + helper + "() {\n" + FilledArray(id, [&](const std::string&) { return zero; }) + "}\n";
     }) + "()";
   }
   for (std::uint32_t i = 0; i < type.count; ++i) text += (i > 0 ? ", " : "") + zero;

@@ -58,6 +58,16 @@ ir::ExprId Checker::ConstructStruct(ir::TypeId type, std::span<const ir::ExprId>
   return ErrorExpr(span);
 }
 
+// vector.x; a swizzle of a swizzle is one.
+ir::ExprId Checker::Component(ir::ExprId vector, std::uint8_t component) {
+  ir::Builder at = At(program_.exprs[vector].span);
+  if (const auto* swizzle = std::get_if<ir::Swizzle>(&program_.exprs[vector].node)) {
+    component = swizzle->components[component];
+    vector = swizzle->base;
+  }
+  return at.Swizzled(vector, {component});
+}
+
 // The components of a value, row by row; `value` is evaluated once.
 void Checker::TakeApart(ir::ExprId value, std::vector<ir::ExprId>& scalars, std::vector<ir::ExprId>& prologue) {
   const ir::Type type = TypeOf(value);
@@ -71,7 +81,7 @@ void Checker::TakeApart(ir::ExprId value, std::vector<ir::ExprId>& scalars, std:
     for (int column = 0; column < type.columns; ++column) {
       ir::ExprId vector = source.Read();
       if (type.kind == ir::TypeKind::kMatrix) vector = at.At(vector, row);
-      scalars.push_back(at.Swizzled(vector, {column}));
+      scalars.push_back(Component(vector, static_cast<std::uint8_t>(column)));
     }
   }
   if (source.prologue()) prologue.push_back(source.prologue());

@@ -121,7 +121,7 @@ EntrySignature Checker::SignatureOf(FunctionInfoId entry) {
     entry_parameter.semantic = Text(var.semantic.name);
     entry_parameter.semantic_span = var.semantic.span;
     ReadInterpolation(var.qualifiers, entry_parameter.interpolation, entry_parameter.centroid, entry_parameter.sample);
-    if ((var.qualifiers & ast::kUniform) || HoldsObjects(parameter.type)) {
+    if (var.qualifiers & ast::kUniform) {
       entry_parameter.is_uniform = true;
       entry_parameter.uniform_var = AddUniformParameter(var, parameter);
     }
@@ -215,6 +215,7 @@ void Checker::CheckPlanes(FunctionInfoId entry) {
             return IsError(value) ? ir::ExprId{} : value;
           },
       .text = [this](ast::ExprId operand) { return TextOf(operand); },
+      .whole_registers_only = options_.whole_register_planes || program_.profile.level9 != ir::Level9::kNone,
   };
   CheckClipPlanes(program_, context, diagnostics_);
 }

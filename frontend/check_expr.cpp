@@ -10,13 +10,15 @@
 namespace clipc {
 namespace {
 
-// Of expressions, statements and lazily resolved declarations inside each other. Frames of the checker are small enough
-// for a stack of 8 MiB, sanitizers included.
+// Of expressions, statements and declarations inside each other. Frames of the checker are small enough for a stack of
+// 8 MiB, sanitizers included.
 constexpr int kMaxCheckDepth = 2500;
 
 }  // namespace
 
-Checker::Depth::Depth(Checker& checker, Span where) : checker_(checker), ok_(++checker.depth_ <= kMaxCheckDepth) {
+Checker::Depth::Depth(Checker& checker, Span where, int weight) : checker_(checker), weight_(weight) {
+  checker_.depth_ += weight_;
+  ok_ = checker_.depth_ <= kMaxCheckDepth;
   if (!ok_) checker_.diagnostics_.Report(where, diag::CheckTooDeep, kMaxCheckDepth);
 }
 
@@ -196,8 +198,10 @@ ir::ExprId Checker::CheckConditional(const ast::ConditionalExpr& expr, Span span
   const bool evaluates_both = !options_.profile.IsAtLeast(6, 0);
   if (evaluates_both && !(ir::IsPure(program_, when_true) && ir::IsPure(program_, when_false))) {
     condition = Hoist(condition, prologue);
-    when_true = Hoist(when_true, prologue);
-    when_false = Hoist(when_false, prologue);
+    const bool is_literal = std::holds_alternative<ir::Literal>(program_.exprs[when_true].node);
+    if (!is_literal) when_true = Hoist(when_true, prologue);
+    // Last in order: nothing comes between it and the choice.
+    if (!ir::IsPure(program_, when_false)) when_false = Hoist(when_false, prologue);
   }
   return WithPrologue(prologue, At(span).Add(*type, ir::Conditional{condition, when_true, when_false}));
 }

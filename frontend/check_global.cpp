@@ -12,7 +12,7 @@ namespace clipc {
 bool Checker::ResolveVar(SymbolId id) {
   Symbol& symbol = symbols_[id];
   if (symbol.resolution == Resolution::kNone) {
-    const Depth depth(*this, symbol.span);
+    const Depth depth(*this, symbol.span, kDeclarationWeight);
     symbol.resolution = Resolution::kUnderWay;
     if (depth.ok()) ResolveGlobal(id, std::get<ast::VarDecl>(file_.decls[symbol.decl].node));
     symbol.resolution = Resolution::kDone;

@@ -130,9 +130,8 @@ ir::ExprId Checker::CheckIndex(const ast::IndexExpr& expr, Span span) {
   if (IsError(index)) return index;
   const auto* literal = std::get_if<ir::Literal>(&program_.exprs[index].node);
   if (literal && !CheckBounds(base, index)) return ErrorExpr(span);
-  if (const auto* swizzle = std::get_if<ir::Swizzle>(&program_.exprs[base].node); swizzle && literal) {
-    const int component = swizzle->components[literal->bits];
-    return At(span).Swizzled(swizzle->base, {component});
+  if (literal && std::holds_alternative<ir::Swizzle>(program_.exprs[base].node)) {
+    return Component(base, static_cast<std::uint8_t>(literal->bits));
   }
   return At(span).At(base, index);
 }

@@ -9,11 +9,23 @@
 // before any name of the body is resolved, so the answer may be "yes" where "no" would do.
 namespace clipc {
 
-bool Checker::MayChangeSelf(const ast::FunctionDecl& decl, ScopeId scope) const {
+bool Checker::MayChangeSelf(const ast::FunctionDecl& decl, ScopeId scope) {
   return decl.body && !decl.is_const_method && StmtChangesSelf(decl.body, scope);
 }
 
-bool Checker::StmtChangesSelf(ast::StmtId id, ScopeId scope) const {
+// Whether a call of the method `id` on the same object may change it. Each method is looked at once.
+bool Checker::CallChangesSelf(SymbolId id, ScopeId scope) {
+  for (; id; id = symbols_[id].older) {
+    const auto* decl = symbols_[id].decl ? std::get_if<ast::FunctionDecl>(&file_.decls[symbols_[id].decl].node) : nullptr;
+    if (!decl || (decl->qualifiers & ast::kStatic)) continue;
+    const auto [known, is_new] = changes_self_.try_emplace(symbols_[id].decl.index, false);
+    if (is_new) changes_self_[symbols_[id].decl.index] = !decl->body || MayChangeSelf(*decl, scope);
+    if (changes_self_[symbols_[id].decl.index]) return true;
+  }
+  return false;
+}
+
+bool Checker::StmtChangesSelf(ast::StmtId id, ScopeId scope) {
   if (!id) return false;
   const auto expr = [&](ast::ExprId e) { return e && ExprChangesSelf(e, scope); };
   const auto stmt = [&](ast::StmtId s) { return StmtChangesSelf(s, scope); };
@@ -38,7 +50,7 @@ bool Checker::StmtChangesSelf(ast::StmtId id, ScopeId scope) const {
       file_.stmts[id].node);
 }
 
-bool Checker::ExprChangesSelf(ast::ExprId id, ScopeId scope) const {
+bool Checker::ExprChangesSelf(ast::ExprId id, ScopeId scope) {
   if (!id) return false;
   const auto expr = [&](ast::ExprId e) { return ExprChangesSelf(e, scope); };
   const auto part = [&](ast::ExprId e) { return IsPartOfSelf(e, scope); };
@@ -61,7 +73,7 @@ bool Checker::ExprChangesSelf(ast::ExprId id, ScopeId scope) const {
             if (member) return part(member->base);
             if (!name) return false;
             const SymbolId found = FindNested(scope, name->name.name, false, 0);
-            if (found && symbols_[found].kind == SymbolKind::kFunction) return true;
+            if (found && symbols_[found].kind == SymbolKind::kFunction && CallChangesSelf(found, scope)) return true;
             const std::string_view text = Text(name->name.name);
             const bool writes_nothing = IsIntrinsicName(text) && text != "sincos" && text != "modf" && text != "frexp";
             if (writes_nothing && name->name.scopes.empty()) return false;

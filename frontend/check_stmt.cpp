@@ -39,9 +39,13 @@ void Checker::EmitValue(ir::ExprId value) {
   const auto found = ref ? std::ranges::find(temporaries, ref->var) : temporaries.end();
   if (found != temporaries.end()) {
     const ir::VarId var = *found;
-    temporaries.erase(found);
     const ir::ExprId init = Unwrap(assign->value);
-    return Emit(span, ir::Declare{var, init});
+    // The value may use temporaries that were made before this one.
+    const std::vector<ir::VarId> later = TakeBehind(var);
+    DeclareTemporaries();
+    temporaries = later;
+    stmts_.push_back(At(span).Stmt(ir::Declare{var, init}));
+    return;
   }
   // The target is evaluated first; a path without side effects does not care.
   if (ir::IsPure(program_, target)) {
@@ -49,6 +53,16 @@ void Checker::EmitValue(ir::ExprId value) {
     std::get<ir::Assign>(program_.exprs[value].node).value = inner;
   }
   Emit(span, ir::Evaluate{value});
+}
+
+// Takes `var` and the temporaries made after it off the list; gives the latter.
+std::vector<ir::VarId> Checker::TakeBehind(ir::VarId var) {
+  std::vector<ir::VarId>& temporaries = context_.body->temporaries;
+  const auto found = std::ranges::find(temporaries, var);
+  if (found == temporaries.end()) return {};
+  std::vector<ir::VarId> later(found + 1, temporaries.end());
+  temporaries.erase(found, temporaries.end());
+  return later;
 }
 
 // Makes statements of the steps before a value that is evaluated once, first thing in its statement.

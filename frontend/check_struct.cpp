@@ -15,7 +15,7 @@ ir::TypeId Checker::ResolveStruct(ast::DeclId id, SymbolId symbol, ScopeId scope
   const ir::TypeId type = program_.types.Of(structure);
   StructInfo info;
   info.decl = id;
-  info.scope = AddScope(ScopeKind::kStruct, scope, decl.name, order == ~0u ? order : order + 1);
+  info.scope = AddScope(ScopeKind::kStruct, scope, decl.name, order);
   scopes_[info.scope].self = type;
   struct_infos_.push_back(std::move(info));
   symbols_[symbol].value = type.index;

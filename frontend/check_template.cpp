@@ -73,7 +73,7 @@ std::optional<ir::TypeId> Checker::InstantiateStruct(SymbolId id, const ast::Typ
       if (is_own) return scopes_[scope].self;
     }
   }
-  const Depth depth(*this, type.span);
+  const Depth depth(*this, type.span, kDeclarationWeight);
   std::vector<std::uint64_t> found(decl->template_parameters.size, kUnknown);
   if (!depth.ok() || !ReadTemplateArguments(decl->template_parameters, type.arguments, found)) return program_.types.Error();
   if (type.arguments.size > decl->template_parameters.size) {

@@ -47,7 +47,7 @@ ir::TypeId Checker::ResolveNamedType(const ast::Type& type) {
 ir::TypeId Checker::ResolveTypeSymbol(SymbolId id) {
   Symbol& symbol = symbols_[id];
   if (symbol.resolution == Resolution::kDone) return ir::TypeId{symbol.value};
-  const Depth depth(*this, symbol.span);
+  const Depth depth(*this, symbol.span, kDeclarationWeight);
   if (symbol.resolution == Resolution::kUnderWay || !depth.ok()) {
     if (depth.ok()) diagnostics_.Report(symbol.span, diag::TypeContainsItself, Text(symbol.name));
     symbol.value = program_.types.Error().index;
@@ -76,14 +76,14 @@ ir::TypeId Checker::ResolveTypeSymbol(SymbolId id) {
   return type;
 }
 
-// What a declaration of `id` sees: its scope, and what stands before it.
+// What the declaration of `id` sees: its scope, what stands before it, and itself.
 Checker::Context Checker::ContextOf(SymbolId id) const {
   const Symbol& symbol = symbols_[id];
   if (!symbol.scope) return context_;
   const Scope& scope = scopes_[symbol.scope];
   Context context;
   context.scope = symbol.scope;
-  context.order = scope.kind == ScopeKind::kNamespace ? id.index : scope.order;
+  context.order = scope.kind == ScopeKind::kNamespace ? id.index + 1 : scope.order;
   context.local_floor = symbols_.size();
   return context;
 }

@@ -157,16 +157,18 @@ class Checker final : TemporaryMaker {
   // One level of the checker's own recursion; not ok: the limit was reported.
   class Depth {
    public:
-    Depth(Checker& checker, Span where);
-    ~Depth() { --checker_.depth_; }
+    Depth(Checker& checker, Span where, int weight = 1);
+    ~Depth() { checker_.depth_ -= weight_; }
     Depth(const Depth&) = delete;
     Depth& operator=(const Depth&) = delete;
     bool ok() const { return ok_; }
 
    private:
     Checker& checker_;
+    int weight_;
     bool ok_;
   };
+  static constexpr int kDeclarationWeight = 8;  // of a declaration resolved on the way, against an expression's 1
   // Locals declared while it lives are forgotten afterwards.
   class LocalScope {
    public:
@@ -292,9 +294,10 @@ class Checker final : TemporaryMaker {
   const FunctionInfo& Info(FunctionInfoId id) const { return functions_[id.index]; }
 
   // ---- which methods change their object (check_self.cpp)
-  bool MayChangeSelf(const ast::FunctionDecl& decl, ScopeId scope) const;
-  bool StmtChangesSelf(ast::StmtId id, ScopeId scope) const;
-  bool ExprChangesSelf(ast::ExprId id, ScopeId scope) const;
+  bool MayChangeSelf(const ast::FunctionDecl& decl, ScopeId scope);
+  bool CallChangesSelf(SymbolId id, ScopeId scope);
+  bool StmtChangesSelf(ast::StmtId id, ScopeId scope);
+  bool ExprChangesSelf(ast::ExprId id, ScopeId scope);
   bool IsPartOfSelf(ast::ExprId id, ScopeId scope) const;
 
   // ---- templates (check_template.cpp)
@@ -342,6 +345,7 @@ class Checker final : TemporaryMaker {
   void Emit(Span span, decltype(ir::Stmt::node) node);
   void DeclareTemporaries();
   void EmitValue(ir::ExprId value);
+  std::vector<ir::VarId> TakeBehind(ir::VarId var);
   ir::ExprId Unwrap(ir::ExprId value);
   bool FallsThrough(ir::StmtId id) const;
   bool Breaks(ir::StmtId id) const;
@@ -428,6 +432,7 @@ class Checker final : TemporaryMaker {
   ir::ExprId ConstructVector(ir::TypeId type, std::span<const ir::ExprId> arguments, Span span);
   ir::ExprId ConstructMatrix(ir::TypeId type, std::span<const ir::ExprId> arguments, Span span);
   ir::ExprId ConstructStruct(ir::TypeId type, std::span<const ir::ExprId> arguments, Span span);
+  ir::ExprId Component(ir::ExprId vector, std::uint8_t component);
   void TakeApart(ir::ExprId value, std::vector<ir::ExprId>& scalars, std::vector<ir::ExprId>& prologue);
 
   // ---- initialisers (check_init.cpp)
@@ -479,6 +484,7 @@ class Checker final : TemporaryMaker {
   std::unordered_map<std::string_view, Name> operator_names_;  // "+" for operator+, of those the file defines
   std::deque<FunctionInfo> functions_;
   Pool<Parameter> parameters_;
+  std::unordered_map<std::uint32_t, bool> changes_self_;  // by a method's DeclId
   std::unordered_map<std::uint64_t, FunctionInfoId> function_of_;              // by SymbolId and self
   std::unordered_map<std::uint64_t, std::vector<FunctionInfoId>> overloads_;  // by SymbolId and self
   std::unordered_map<std::string, std::uint32_t> instances_;                  // of templates, by decl, scope, arguments

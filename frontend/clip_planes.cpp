@@ -58,6 +58,11 @@ class Operand {
       }
       return all;
     }
+    if (const auto* splat = std::get_if<ir::Splat>(&expr.node)) {
+      const auto one = Components(splat->operand);
+      if (!one) return std::nullopt;
+      return std::vector<Address>(program_.types[expr.type].columns, one->front());
+    }
     if (const auto* matrix = std::get_if<ir::MatrixSwizzle>(&expr.node)) return OfMatrix(*matrix);
     auto place = Follow(id);
     if (!place) return std::nullopt;
@@ -103,7 +108,7 @@ class Operand {
     column_step_ = 4;
     return std::visit(Overloaded{[&](const ir::VarRef& ref) { return OfVariable(ref.var, expr.span); },
                                  [&](const ir::FieldRef& field) { return OfField(field); },
-                                 [&](const ir::Index& index) { return OfIndex(index, expr.span); },
+                                 [&](const ir::Index& index) { return OfIndex(index); },
                                  [&](const auto&) -> std::optional<Place> {
                                    return Refuse(expr.span, diag::ClipPlaneNotConstantBufferMember, text_);
                                  }},
@@ -137,17 +142,14 @@ class Operand {
     return place;
   }
 
-  std::optional<Place> OfIndex(const ir::Index& index, Span span) {
+  // In bounds: CheckExpr saw to it (X3504).
+  std::optional<Place> OfIndex(const ir::Index& index) {
     auto place = Follow(index.base);
     if (!place) return std::nullopt;
     const ir::TypeId base_type = program_.exprs[index.base].type;
     const ir::Type& type = program_.types[base_type];
     const auto value = EvaluateInteger(program_, index.index);
     if (!value) return Refuse(program_.exprs[index.index].span, diag::ClipPlaneIndexNotConstant, text_);
-    const std::uint32_t bound = type.kind == ir::TypeKind::kArray    ? type.count
-                                : type.kind == ir::TypeKind::kMatrix ? type.rows
-                                                                     : type.columns;
-    if (*value < 0 || *value >= bound) return Refuse(span, diag::ClipPlaneIndexOutOfBounds, text_, *value, bound);
     const auto position = static_cast<std::uint32_t>(*value);
     if (type.kind == ir::TypeKind::kArray && place->of_constant_buffer_array) {
       place->at.element = position;

@@ -80,14 +80,27 @@ class Consumer : public clang::DiagnosticConsumer {
   Diagnostic* last_ = nullptr;  // notes follow their diagnostic at once, so it is still in place
 };
 
+// Where the user wrote what comes from a macro: the argument, or else one end of the macro's use.
+SourceLocation FileEnd(const clang::SourceManager& sources, SourceLocation location, bool is_begin) {
+  while (location.isMacroID()) {
+    if (sources.isMacroArgExpansion(location)) {
+      location = sources.getImmediateSpellingLoc(location);
+    } else {
+      const CharSourceRange use = sources.getImmediateExpansionRange(location);
+      location = is_begin ? use.getBegin() : use.getEnd();
+    }
+  }
+  return location;
+}
+
 // The part of `span` that lies in one file, as bytes; the user's own text where a macro is involved.
 CharSourceRange FileRange(const ClangText& text, Span span) {
-  const auto range = CharSourceRange::getTokenRange(text.sources.getFileLoc(Location(span.begin)),
-                                                    text.sources.getExpansionRange(Location(span.end)).getEnd());
-  const auto in_one_file = clang::Lexer::makeFileCharRange(range, text.sources, text.language);
-  if (in_one_file.isValid()) return in_one_file;
-  const SourceLocation begin = text.sources.getFileLoc(Location(span.begin));
-  return clang::Lexer::getAsCharRange(begin, text.sources, text.language);
+  const SourceLocation begin = FileEnd(text.sources, Location(span.begin), true);
+  const SourceLocation end = FileEnd(text.sources, Location(span.end), false);
+  const bool is_in_order = text.sources.isWrittenInSameFile(begin, end) &&
+                           text.sources.getFileOffset(begin) <= text.sources.getFileOffset(end);
+  return clang::Lexer::getAsCharRange(clang::SourceRange(begin, is_in_order ? end : begin), text.sources,
+                                      text.language);
 }
 
 clang::DiagnosticsEngine::Level LevelOf(Severity severity) {

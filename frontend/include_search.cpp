@@ -97,10 +97,7 @@ void ReportIncludeTooDeep(std::span<const EnteredFile> stack, Diagnostics& diagn
     }
   }
   const Span where{stack.back().included_at, stack.back().included_at};
-  diagnostics.Report(where, diag::IncludeTooDeep,
-                     static_cast<int>(std::count_if(stack.begin(), stack.end(), [](const EnteredFile& file) {
-                       return file.identity != nullptr;
-                     })));
+  diagnostics.Report(where, diag::IncludeTooDeep, static_cast<int>(stack.size()));
 }
 
 }  // namespace clipc

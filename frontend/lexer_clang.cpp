@@ -274,6 +274,7 @@ class Pragma : public clang::PragmaHandler {
       : PragmaHandler(name), source_(source), handle_(handle) {}
 
   void HandlePragma(clang::Preprocessor& preprocessor, clang::PragmaIntroducer, clang::Token& name) override {
+    if (name.isOneOf(tok::eod, tok::eof)) return;  // `#pragma` alone; there is nothing left of the line to read
     std::vector<std::string> words;
     clang::Token token;
     for (preprocessor.LexUnexpandedToken(token); !token.isOneOf(tok::eod, tok::eof);

@@ -8,6 +8,10 @@ void Parser::ParseTopLevel() {
   Decls decls(decl_stack_);
   while (!AtEnd()) {
     const std::size_t before = pos_;
+    if (AtOutsideStatement()) {
+      ParseOutsideStatements();
+      continue;
+    }
     if (At(TokenKind::kRightBrace)) {
       Error(Here(), diag::StrayBrace);
       Next();
@@ -19,6 +23,32 @@ void Parser::ParseTopLevel() {
     if (pos_ == before) Next();
   }
   file_.top_level.assign(decl_stack_.begin(), decl_stack_.end());
+}
+
+// What can only be a statement, though no function is open.
+bool Parser::AtOutsideStatement() const {
+  if (IsStatementWord(WordAt())) return true;
+  if (!AtName()) return false;
+  switch (Peek(1).kind) {
+    case TokenKind::kDot: case TokenKind::kPlusPlus: case TokenKind::kMinusMinus:
+      return true;
+    case TokenKind::kLeftBracket:
+      return Peek(2).kind != TokenKind::kLeftBracket;
+    default:
+      return IsAssignment(Peek(1).kind);
+  }
+}
+
+// A `}` too many, most likely: one error, then the rest of the body, with a `}` that may end it.
+void Parser::ParseOutsideStatements() {
+  if (!outside_reported_) Error(Here(), diag::StatementOutsideFunction, Describe());
+  outside_reported_ = true;
+  panic_ = aborted_;
+  while (AtOutsideStatement()) {
+    if (AtWord(Word::kElse)) Next();
+    else ParseStatement();
+  }
+  Accept(TokenKind::kRightBrace);
 }
 
 // Up to the `}` that closes the `{` at `open`.

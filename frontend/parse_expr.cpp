@@ -37,10 +37,6 @@ BinaryInfo BinaryOf(TokenKind kind) {
   }
 }
 
-bool IsAssignment(TokenKind kind) {
-  return kind >= TokenKind::kEqual && kind <= TokenKind::kGreaterGreaterEqual;
-}
-
 // Of `+=` and so on; none for `=`.
 std::optional<BinaryOp> CompoundOf(TokenKind kind) {
   switch (kind) {

@@ -19,6 +19,11 @@
 // the names mean so far. Included by parse*.cpp only.
 namespace clipc::ast {
 
+// `=`, `+=` and so on.
+constexpr bool IsAssignment(TokenKind kind) {
+  return kind >= TokenKind::kEqual && kind <= TokenKind::kGreaterGreaterEqual;
+}
+
 // Where a declaration stands.
 enum class Scope : std::uint8_t { kGlobal, kStruct, kBuffer, kLocal };
 
@@ -189,6 +194,8 @@ class Parser {
   // ---- declarations (parse_decl.cpp)
   using Decls = Collector<DeclId>;
   void ParseTopLevel();
+  bool AtOutsideStatement() const;
+  void ParseOutsideStatements();
   void ParseMembers(Decls& decls, Scope scope, std::size_t open);
   void ParseDeclaration(Decls& decls, Scope scope);
   bool ParseKeywordDeclaration(Decls& decls, Scope scope);
@@ -305,6 +312,7 @@ class Parser {
   std::size_t pos_ = 0;
   bool panic_ = false;    // an error was reported and the parser has not found its feet again: report nothing
   bool aborted_ = false;  // a limit was reached: the rest of the text is not read
+  bool outside_reported_ = false;  // a statement outside a function is reported once
   // A function definition was found inside a function: a `}` is missing, and all blocks end here.
   bool leaving_function_ = false;
 

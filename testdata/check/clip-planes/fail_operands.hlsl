@@ -14,8 +14,8 @@
 
 // RUN: not %clipc -T vs_5_0 -E main "-DPLANE=planes[4]" %s 2>&1 | FileCheck %s --check-prefix=BOUND
 // RUN: not %clipc -T vs_5_0 -E main "-DPLANE=planes[-1]" %s 2>&1 | FileCheck %s --check-prefix=NEGATIVE
-// BOUND: error: clip plane `planes[4]` has index 4, out of bounds; there are 4 elements [X3504]
-// NEGATIVE: error: clip plane `planes[-1]` has index -1, out of bounds; there are 4 elements [X3504]
+// BOUND: error: index 4 of a `float4[4]` is out of bounds; it has 4 elements [X3504]
+// NEGATIVE: error: index -1 of a `float4[4]` is out of bounds; it has 4 elements [X3504]
 
 // RUN: not %clipc -T vs_5_0 -E main "-DPLANE=make()" %s 2>&1 | FileCheck %s --check-prefix=CALL
 // CALL: error: a clip plane is given by a function call; it must be a constant buffer member [X3682]

@@ -4,7 +4,7 @@
 cbuffer Planes { float3 pad; float4 planes[2]; row_major float4x4 rows; float a, b; float2 cd; };
 [clipplanes(planes[1].xyzw, rows[2], float4(a, b, cd), rows._m00_m01_m02_m03)]
 float4 main(float4 v : POSITION) : SV_Position { return v; }
-// CHECK: "offset": 32
-// CHECK: "offset": 80
-// CHECK: "offset": 112
-// CHECK: "offset": 48
+// CHECK: "byte_offset": 32
+// CHECK: "byte_offset": 80
+// CHECK: "byte_offset": 112
+// CHECK: "byte_offset": 48

@@ -2,7 +2,7 @@
 // RUN: %clipc -T vs_5_1 -E main --validate %s -o - | FileCheck %s --check-prefix=ONE
 // RUN: %clipc -T vs_5_1 -E more --validate %s -o - | FileCheck %s --check-prefix=TWO
 struct Nested { float4 b; float pad; };
-struct State { float4 a; Nested n; float4 c[3]; row_major float4x4 rows; float4x4 columns; };
+struct State { float4 a; Nested n; float4 c[3]; row_major float4x4 rows; };
 struct Block { float4 plane; };
 
 cbuffer Planes : register(b0) {
@@ -25,7 +25,7 @@ float4 main(float4 v : POSITION) : SV_Position { return v; }
 // ONE: gl_ClipDistance[1] = dot(gl_Position, s.a);
 // ONE: gl_ClipDistance[2] = dot(gl_Position, s.n.b);
 // ONE: gl_ClipDistance[3] = dot(gl_Position, planes[2]);
-// ONE: gl_ClipDistance[4] = dot(gl_Position, s.c[2]);
+// ONE: gl_ClipDistance[4] = dot(gl_Position, s.c[kIndex + 1]);
 // ONE: gl_ClipDistance[5] = dot(gl_Position, sa[1].a);
 
 [clipplanes((global), cb.plane, cbs[kTwo].plane, planes[kIndex].rgba, s.rows[1], planes[0].wzyx)]
@@ -33,6 +33,6 @@ float4 more(float4 v : POSITION) : SV_Position { return v; }
 // TWO: gl_ClipDistance[0] = dot(gl_Position, {{.*}}global);
 // TWO: gl_ClipDistance[1] = dot(gl_Position, cb.plane);
 // TWO: gl_ClipDistance[2] = dot(gl_Position, cbs[2].plane);
-// TWO: gl_ClipDistance[3] = dot(gl_Position, planes[1]);
+// TWO: gl_ClipDistance[3] = dot(gl_Position, planes[kIndex].xyzw);
 // TWO: gl_ClipDistance[4] = dot(gl_Position, s.rows[1]);
 // TWO: gl_ClipDistance[5] = dot(gl_Position, planes[0].wzyx);

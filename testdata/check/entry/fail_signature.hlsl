@@ -5,7 +5,6 @@
 // RUN: not %clipc -T vs_5_0 -E into_pixel_shader %s 2>&1 | FileCheck %s --check-prefix=FRONT
 // RUN: not %clipc -T vs_5_0 -E wrong_id %s 2>&1 | FileCheck %s --check-prefix=ID
 // RUN: not %clipc -T vs_5_0 -E wrong_layer %s 2>&1 | FileCheck %s --check-prefix=LAYER
-// RUN: not %clipc -T vs_5_0 -E object %s 2>&1 | FileCheck %s --check-prefix=OBJECT
 // RUN: not %clipc -T vs_5_0 -E nine %s 2>&1 | FileCheck %s --check-prefix=NINE
 
 // TWICE: error: semantic `POSITION0` is used twice among the inputs; each index of a semantic may be used once [X4571]
@@ -22,7 +21,5 @@ float4 into_pixel_shader(float4 v : POSITION, bool front : SV_IsFrontFace) : SV_
 float4 wrong_id(float id : SV_VertexID) : SV_Position { return id; }
 // LAYER: error: `SV_RenderTargetArrayIndex` has type `float`; it must be a `uint`
 float4 wrong_layer(float4 v : POSITION, out float layer : SV_RenderTargetArrayIndex) : SV_Position { layer = 0; return v; }
-// OBJECT: error: `t` of type `Texture2D<float4>` cannot be an input or output of the entry point
-float4 object(float4 v : POSITION, Texture2D t : TEXTURE) : SV_Position { return v; }
 // NINE: error: 12 clip and cull distances are written; the limit is 8
 float4 nine(float4 v : POSITION, out float4 d[3] : SV_ClipDistance) : SV_Position { d[0] = d[1] = d[2] = v; return v; }

@@ -4,6 +4,7 @@
 float4 main(float4 position : POSITION) : WORLD_POSITION { return position; }
 
 // CHECK: form target-clip-space
-// CHECK: main void main() {
-// CHECK-NEXT: = main
+// CHECK: main void {{.*}}() {
+// CHECK-NOT: .z
+// CHECK: vs_WORLD_POSITION0 = result
 // CHECK-NEXT: }

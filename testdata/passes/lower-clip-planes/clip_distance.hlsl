@@ -25,10 +25,10 @@ Output main(float4 position : POSITION) {
 }
 
 // CHECK: form no-clip-planes
-// CHECK: output float[3] clip_distance : SV_ClipDistance0 builtin clip_distance
+// CHECK: output float clip_distance[3] : SV_ClipDistance0 builtin clip_distance
 // CHECK: clip_plane 0 `portals[1]` at Planes+32
 // CHECK: clip_plane 1 `water` at Planes+0
-// CHECK: main void main() {
+// CHECK: main void {{.*}}() {
 // CHECK: clip_distance[0u] = dot([[POSITION:[a-zA-Z0-9_.]+]], portals[1
 // CHECK-NEXT: clip_distance[1u] = dot([[POSITION]], water)
 // CHECK-NEXT: clip_distance[2u] = dot([[POSITION]], float4(a.xy, b.zw))

@@ -16,7 +16,7 @@ float4 main(float4 position : POSITION) : SV_Position { return position; }
 // VERTEX: output float4 clip_vertex builtin clip_vertex
 // CHECK: clip_plane 0 `portals[1]` at Planes+32
 // CHECK: clip_plane 1 `water` at Planes+0
-// CHECK: main void main() {
+// CHECK: main void {{.*}}() {
 // CHECK-NOT: dot(
 // VERTEX: clip_vertex = {{[a-zA-Z0-9_.]+$}}
 // TABLE-NOT: clip_vertex
