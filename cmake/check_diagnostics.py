@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Holds the catalogue of diagnostics against its document and its tests.
 
-    check_diagnostics.py [--write]
+    check_diagnostics.py [--write] [--coverage]
 
 Fails when docs/diagnostics.md is not what base/diagnostic_kinds.def says (--write makes it so), when two kinds share a
-name, or when a kind's message occurs in no test: the longest literal piece of its format must stand in a file under
-testdata/ or in a *_test.cpp."""
+name, or, with --coverage, when a kind's message occurs in no test: the longest literal piece of its format must stand
+in a file under testdata/ or in a *_test.cpp."""
 import pathlib
 import re
 import sys
@@ -78,8 +78,9 @@ def main():
         document.write_text(text)
     elif not document.exists() or document.read_text() != text:
         problems.append("docs/diagnostics.md is out of date: run cmake/check_diagnostics.py --write")
-    problems += [f"{name}: no test shows `{piece}`" for name, piece in untested(all_kinds)]
-    print("\n".join(problems) or f"{len(all_kinds)} kinds of diagnostics, each documented and tested")
+    if "--coverage" in sys.argv:
+        problems += [f"{name}: no test shows `{piece}`" for name, piece in untested(all_kinds)]
+    print("\n".join(problems) or f"{len(all_kinds)} kinds of diagnostics, each documented")
     return bool(problems)
 
 

@@ -24,7 +24,7 @@ FOLDERS = {
 
 # A library's headers, and the files that may include them.
 LIBRARIES = {
-    r"(clang|llvm)/": r"frontend/\w+_clang\.cpp",
+    r"(clang|llvm)/": r"frontend/\w+_clang\.cpp|compiler/options_llvm\.cpp",
     r"glslang/": r"compiler/.*\.cpp",
     r"fmt/": r"(base|ir|frontend|passes|backend-glsl|compiler)/.*",
     r"nlohmann/": r"(base|clip-table|compiler)/.*\.cpp",

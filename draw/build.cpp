@@ -3,7 +3,7 @@
 
 #include <regex>
 
-#include "draw/gl.h"
+#include "backend-glsl/check_target.h"
 #include "frontend/parse.h"
 #include "frontend/source.h"
 
@@ -16,55 +16,76 @@ glsl::Target TargetOf(const std::string& name) {
   return *target;
 }
 
-ir::Program CheckFile(const BuildOptions& options) {
-  const std::optional<ir::Profile> profile = ir::ParseProfile(options.profile);
-  if (!profile) throw DrawError("no profile is called `" + options.profile + "`");
-  FrontendContext context;
-  SourceInput input;
-  input.path = options.path;
-  input.include_dirs = options.include_dirs;
-  input.defines = options.defines;
-  input.shader_model_major = profile->major;
-  input.shader_model_minor = profile->minor;
-  Source source(context, std::move(input));
-  Diagnostics diagnostics;
-  const auto stop_at_errors = [&] {
-    if (diagnostics.has_errors()) throw DrawError("the shader has errors\n" + source.RenderText(diagnostics, false));
-  };
-  Tokens tokens = Lex(source, diagnostics);
-  stop_at_errors();
-  const ast::File file = Parse(std::move(tokens), diagnostics);
-  stop_at_errors();
-  const CheckOptions check{*profile, options.entry, options.packing, options.lowering == passes::Lowering::kLevel9};
-  ir::Program program = Check(file, check, diagnostics);
-  stop_at_errors();
-  return program;
-}
+// Reads, checks and lowers; stops at the first stage that reports an error.
+class Chain {
+ public:
+  explicit Chain(const BuildOptions& options)
+      : options_(options), target_(TargetOf(options.target)), profile_(ProfileOf(options.profile)), source_(context_, InputOf()) {}
+
+  Shader Run() {
+    Tokens tokens = Lex(source_, diagnostics_);
+    StopAtErrors<DrawError>("the shader has errors");
+    const ast::File file = Parse(std::move(tokens), diagnostics_);
+    StopAtErrors<DrawError>("the shader has errors");
+    const bool whole_registers = options_.lowering == passes::Lowering::kLevel9;
+    Shader shader;
+    shader.typed = Check(file, {profile_, options_.entry, options_.packing, whole_registers}, diagnostics_);
+    StopAtErrors<DrawError>("the shader has errors");
+    shader.lowered = shader.typed;
+    Lower(shader.lowered);
+    glsl::CheckTarget(shader.lowered, target_, diagnostics_);
+    StopAtErrors<NotForTarget>("not for this target");
+    shader.glsl = glsl::WriteGlsl(shader.lowered, target_, {}, &shader.info);
+    return shader;
+  }
+
+ private:
+  static ir::Profile ProfileOf(const std::string& name) {
+    const std::optional<ir::Profile> profile = ir::ParseProfile(name);
+    if (!profile) throw DrawError("no profile is called `" + name + "`");
+    return *profile;
+  }
+
+  SourceInput InputOf() const {
+    SourceInput input;
+    input.path = options_.path;
+    input.include_dirs = options_.include_dirs;
+    input.defines = options_.defines;
+    input.shader_model_major = profile_.major;
+    input.shader_model_minor = profile_.minor;
+    return input;
+  }
+
+  template <typename Error>
+  void StopAtErrors(const std::string& what) const {
+    if (diagnostics_.has_errors()) throw Error(what + "\n" + source_.RenderText(diagnostics_, false));
+  }
+
+  void Lower(ir::Program& program) const {
+    passes::PipelineOptions pipeline;
+    pipeline.clip_planes.lowering = options_.lowering;
+    pipeline.clip_planes.write_clip_vertex =
+        options_.lowering == passes::Lowering::kLevel9 && target_.HasClipVertex();
+    pipeline.clip_space = options_.clip_space;
+    pipeline.verify = true;
+    passes::RunPipeline(program, pipeline);
+  }
+
+  const BuildOptions& options_;
+  glsl::Target target_;
+  ir::Profile profile_;
+  FrontendContext context_;
+  Source source_;
+  Diagnostics diagnostics_;
+};
 
 }  // namespace
 
-Shader Build(const BuildOptions& options) {
-  const glsl::Target target = TargetOf(options.target);
-  Shader shader;
-  shader.typed = CheckFile(options);
-  shader.lowered = shader.typed;
-  passes::PipelineOptions pipeline;
-  pipeline.clip_planes.lowering = options.lowering;
-  pipeline.clip_planes.write_clip_vertex = options.lowering == passes::Lowering::kLevel9 && target.HasClipVertex();
-  pipeline.clip_space = options.clip_space;
-  pipeline.verify = true;
-  passes::RunPipeline(shader.lowered, pipeline);
-  shader.glsl = glsl::WriteGlsl(shader.lowered, target, {}, &shader.info);
-  return shader;
-}
-
-std::string WhyNot(const std::string& target, passes::Lowering lowering) {
-  if (lowering == passes::Lowering::kClipDistance && !TargetOf(target).ClipDistance()) return "it has no clip distances";
-  return "";
-}
+Shader Build(const BuildOptions& options) { return Chain(options).Run(); }
 
 std::string ForOpenGl(const std::string& glsl) {
-  std::string text = std::regex_replace(glsl, std::regex("set *= *[0-9]+ *, *"), "");
+  std::string text = std::regex_replace(glsl, std::regex("^#version 460"), "#version 450");
+  text = std::regex_replace(text, std::regex("set *= *[0-9]+ *, *"), "");
   text = std::regex_replace(text, std::regex("\\bgl_VertexIndex\\b"), "gl_VertexID");
   return std::regex_replace(text, std::regex("\\bgl_InstanceIndex\\b"), "gl_InstanceID");
 }

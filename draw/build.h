@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "backend-glsl/writer.h"
+#include "draw/gl.h"
 #include "frontend/check.h"
 #include "ir/program.h"
 #include "passes/pipeline.h"
@@ -29,13 +30,18 @@ struct Shader {
   glsl::GlslInfo info;  // beside `lowered`
 };
 
-// The stages one after another, as the compiler's driver calls them. Throws DrawError with the diagnostics.
+// The stages one after another, as the compiler's driver calls them. Throws DrawError with the diagnostics, and
+// NotForTarget when only the target is at fault.
 Shader Build(const BuildOptions& options);
 
-// Why that lowering is not made for that target; empty when it is.
-std::string WhyNot(const std::string& target, passes::Lowering lowering);
+// What the target cannot say of the shader, as the driver would report it: such a comparison cannot be made.
+class NotForTarget : public DrawError {
+ public:
+  using DrawError::DrawError;
+};
 
-// The same shader for OpenGL: Vulkan's descriptor sets and vertex indices are the only difference in what clipc writes.
+// The same shader for Mesa's OpenGL: Vulkan's descriptor sets and vertex indices are the only difference in what clipc
+// writes, and llvmpipe of Mesa 22.3 stops at version 450.
 std::string ForOpenGl(const std::string& glsl);
 
 }  // namespace clipc::draw

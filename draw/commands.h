@@ -29,7 +29,8 @@ clipc-draw compare SHADER.hlsl [options]
   Compiles the shader and compares what Mesa makes of the GLSL with the reference evaluator, on random vertices and
   constants: for every target, lowering, depth range and flip that is asked for.
     -T PROFILE -E ENTRY -D NAME=VALUE -I FOLDER --row-major   as for clipc
-    --target a,b            default glsl450,glsl330,glsl120,essl300,vulkan; `all` is every target
+    --target a,b            default glsl450,glsl330,glsl130,essl300,vulkan; `all` is every target that
+                            can say the shader; the others are listed
     --lower a,b             default clip-distance,level9,none
     --depth-range R         zero-to-one or negative-one-to-one; default both
     --flip-y yes|no         default both

@@ -109,25 +109,18 @@ class Comparer {
   Comparison result_;
 };
 
-// OpenGL ES has blocks in every version that clipc writes.
-std::vector<Active> UniformsOf(const Gl& gl, const Version& version, const std::string& text) {
-  if (version.es) return {};
-  return Program(gl, text, "", {}).Uniforms();
-}
-
 }  // namespace
 
 Comparison CompareWithOpenGl(Device& device, const Shader& shader, const std::vector<Expected>& expected,
                              const RandomInputs& random, int instances, const Tolerance& tolerance) {
   if (!shader.lowered.resources.empty()) throw DrawError("the shader reads textures or buffers, which no test draws with");
   const std::string text = ForOpenGl(shader.glsl);
-  const Version version = VersionOf(text);
-  const Gl& gl = device.Use(version.api);
+  const Gl& gl = device.Use(VersionOf(text).api);
   Inputs inputs;
   inputs.instances = instances;
   inputs.vertices = static_cast<int>(random.vertices.size()) / instances;
   GiveAttributes(shader, random, inputs);
-  GiveConstants(shader.lowered, shader.info, random.cbuffers, UniformsOf(gl, version, text), inputs);
+  GiveConstants(shader.lowered, shader.info, random.cbuffers, inputs);
   std::vector<std::string> names;
   for (const Expected& output : expected) names.push_back(output.name);
   const std::vector<Captured> captured = Capture(gl, text, names, inputs);

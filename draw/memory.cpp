@@ -74,22 +74,18 @@ std::vector<std::uint32_t> WordsOf(const ir::Program& program, const ir::Cbuffer
   return words;
 }
 
-void GiveUniforms(const ir::Program& program, const glsl::GlslInfo::Block& block, const std::vector<std::uint8_t>& bytes,
-                  const std::vector<Active>& uniforms, Inputs& inputs) {
+// The words of the uniform that OpenGL calls `name`; empty when it is no part of the block's members.
+std::vector<std::uint32_t> UniformOf(const ir::Program& program, const glsl::GlslInfo::Block& block,
+                                     const std::vector<std::uint8_t>& bytes, const std::string& name) {
   for (const glsl::GlslInfo::Member& member : block.members) {
-    const auto& members = program.cbuffers[block.cbuffer].members;
-    const auto declared = std::find_if(members.begin(), members.end(),
-                                       [&](const ir::CbufferMember& one) { return one.var == member.var; });
-    if (declared == members.end()) throw DrawError("uniform `" + member.name + "` is in no cbuffer");
-    for (const Active& active : uniforms) {
-      if (!active.name.starts_with(member.name)) continue;
-      const std::string_view path = std::string_view(active.name).substr(member.name.size());
-      if (!path.empty() && path[0] != '.' && path[0] != '[') continue;
-      std::vector<std::uint32_t> words = WordsOf(program, *declared, path, bytes);
-      if (words.empty()) throw DrawError("uniform `" + active.name + "` is no part of `" + member.name + "`");
-      inputs.uniforms.push_back({active.name, std::move(words)});
+    if (!name.starts_with(member.name)) continue;
+    const std::string_view path = std::string_view(name).substr(member.name.size());
+    if (!path.empty() && path[0] != '.' && path[0] != '[') continue;
+    for (const ir::CbufferMember& declared : program.cbuffers[block.cbuffer].members) {
+      if (declared.var == member.var) return WordsOf(program, declared, path, bytes);
     }
   }
+  return {};
 }
 
 }  // namespace
@@ -124,21 +120,25 @@ void ForEachComponent(const ir::TypeTable& types, ir::TypeId type_id, bool row_m
 }
 
 void GiveConstants(const ir::Program& program, const glsl::GlslInfo& info,
-                   const std::vector<std::vector<std::uint8_t>>& cbuffers, const std::vector<Active>& uniforms,
-                   Inputs& inputs) {
+                   const std::vector<std::vector<std::uint8_t>>& cbuffers, Inputs& inputs) {
   for (const glsl::GlslInfo::Block& block : info.blocks) {
     const ir::Cbuffer& declared = program.cbuffers[block.cbuffer];
     const std::vector<std::uint8_t>& bytes = cbuffers[block.cbuffer.index];
-    if (block.form == glsl::BlockForm::kUniforms) {
-      GiveUniforms(program, block, bytes, uniforms, inputs);
-      continue;
-    }
+    if (block.form == glsl::BlockForm::kUniforms) continue;
     if (declared.count == 1) inputs.blocks.push_back({block.name, bytes});
     for (std::uint32_t i = 0; declared.count > 1 && i < declared.count; ++i) {
       const auto begin = bytes.begin() + i * declared.size;
       inputs.blocks.push_back({block.name + "[" + std::to_string(i) + "]", {begin, begin + declared.size}});
     }
   }
+  inputs.find_uniform = [&](const std::string& name) {
+    std::vector<std::uint32_t> words;
+    for (const glsl::GlslInfo::Block& block : info.blocks) {
+      if (block.form != glsl::BlockForm::kUniforms || !words.empty()) continue;
+      words = UniformOf(program, block, cbuffers[block.cbuffer.index], name);
+    }
+    return words;
+  };
 }
 
 }  // namespace clipc::draw

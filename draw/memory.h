@@ -21,8 +21,8 @@ void ForEachComponent(const ir::TypeTable& types, ir::TypeId type, bool row_majo
 
 // The cbuffers' bytes, by CbufferId, as the blocks and uniforms of the written shader. What a plain uniform gets is found
 // by its name: `light.color`, `planes[1]`.
+// `inputs` refers to the other arguments from then on.
 void GiveConstants(const ir::Program& program, const glsl::GlslInfo& info,
-                   const std::vector<std::vector<std::uint8_t>>& cbuffers, const std::vector<Active>& uniforms,
-                   Inputs& inputs);
+                   const std::vector<std::vector<std::uint8_t>>& cbuffers, Inputs& inputs);
 
 }  // namespace clipc::draw

@@ -207,9 +207,10 @@ void Program::BindAttribute(const Active& active, const Inputs& inputs) {
 }
 
 void Program::BindUniform(const Active& active, const Inputs& inputs) {
-  const auto& value = Find(inputs.uniforms, active.name, "uniform");
   const Shape shape = ShapeOf(active.type);
-  std::vector<std::uint32_t> words = value.words;
+  std::vector<std::uint32_t> words;
+  if (inputs.find_uniform) words = inputs.find_uniform(active.name);
+  if (words.empty()) words = Find(inputs.uniforms, active.name, "uniform").words;
   words.resize(static_cast<std::size_t>(shape.Words()) * active.count);  // an array's unused tail may be cut
   SetUniform(gl_, active, shape, words.data());
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -30,6 +31,9 @@ struct Inputs {
   std::vector<Attribute> attributes;
   std::vector<Block> blocks;
   std::vector<Uniform> uniforms;
+  // Asked for the uniforms that are not in `uniforms`, by OpenGL's name; empty: it has none of that name. Which uniforms a
+  // shader reads is known only when it is linked: what no output needs is not there.
+  std::function<std::vector<std::uint32_t>(const std::string& name)> find_uniform;
 };
 
 // One attribute or uniform as the linked shader has it.

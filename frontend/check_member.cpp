@@ -129,7 +129,7 @@ ir::ExprId Checker::CheckIndex(const ast::IndexExpr& expr, Span span) {
   index = ConvertIndex(index);
   if (IsError(index)) return index;
   const auto* literal = std::get_if<ir::Literal>(&program_.exprs[index].node);
-  if (literal && !CheckBounds(base, index)) return ErrorExpr(span);
+  if (!CheckBounds(base, index)) return ErrorExpr(span);
   if (literal && std::holds_alternative<ir::Swizzle>(program_.exprs[base].node)) {
     return Component(base, static_cast<std::uint8_t>(literal->bits));
   }

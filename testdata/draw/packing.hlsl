@@ -1,5 +1,5 @@
 // Where Direct3D's packing and std140 disagree, and where they do not.
-// RUN: %draw compare %s -T vs_5_0 -E main --target all --exact
+// RUN: %draw compare %s -T vs_5_0 -E main --target all --exact | FileCheck %s
 
 cbuffer Scalars {
   float a;

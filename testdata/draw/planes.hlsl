@@ -1,5 +1,5 @@
 // Six planes in every kind of place, for every target and way of lowering.
-// RUN: %draw compare %s -T vs_5_0 -E main --target all
+// RUN: %draw compare %s -T vs_5_0 -E main --target all | FileCheck %s
 
 cbuffer Transform {
   float4x4 world;

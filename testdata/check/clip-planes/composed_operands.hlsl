@@ -8,4 +8,4 @@ float4 main(float4 v : POSITION) : SV_Position { return v; }
 // CHECK: gl_ClipDistance[1] = dot(gl_Position, m[0]);
 // CHECK: gl_ClipDistance[2] = dot(gl_Position, vec4(a, b, cd));
 // CHECK: gl_ClipDistance[3] = dot(gl_Position, vec4(abc, f));
-// CHECK: gl_ClipDistance[4] = dot(gl_Position, vec4(m[0].x, m[1].x, m[2].x, m[3].x));
+// CHECK: gl_ClipDistance[4] = dot(gl_Position, vec4(m[0][0], m[1][0], m[2][0], m[3][0]));

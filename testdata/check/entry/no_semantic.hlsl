@@ -1,6 +1,6 @@
 // fxc refuses an input or output without a semantic (X3502); Slang names it after itself, and so do we, with a warning.
 // RUN: %clipc -T vs_5_0 -E main --validate %s -o - 2>&1 | FileCheck %s
-// RUN: %clipc -T vs_5_0 -E newer --validate %s -o - 2>&1 | FileCheck %s --check-prefix=NEWER
+// RUN: %clipc -T vs_5_0 -E newer --target=vulkan --validate %s -o - 2>&1 | FileCheck %s --check-prefix=NEWER
 struct Input { float4 position : POSITION; float4 uv2; };
 // CHECK: warning: `input.uv2` has no semantic; `uv2` is taken, fxc refuses it
 // CHECK: in vec4 in_UV2;
