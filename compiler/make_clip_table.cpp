@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "backend-glsl/names.h"
 #include "ir/packing.h"
 
 namespace clipc {
@@ -25,11 +26,49 @@ std::string PathTo(const ir::TypeTable& types, ir::TypeId id, bool row_major, st
       const std::uint32_t start = ir::FieldOffset(types, type.structure, field);
       if (start > offset) continue;
       const ir::Field& found = structure.fields[field];
-      return "." + found.name + PathTo(types, found.type, found.row_major, offset - start);
+      return "." + glsl::LegalFieldName(found.name) + PathTo(types, found.type, found.row_major, offset - start);
     }
   }
   // A matrix's row is what HLSL's m[i] names, and GLSL's.
   if (type.kind == ir::TypeKind::kMatrix) return fmt::format("[{}]", offset / kRegister);
+  return {};
+}
+
+// "[1][2]" for a buffer of an array of ConstantBuffers, and the type of the buffer itself.
+std::string BufferIndex(const ir::TypeTable& types, ir::TypeId& type, std::uint32_t element, std::uint32_t count) {
+  std::string path;
+  while (types[type].kind == ir::TypeKind::kArray && count > 1) {
+    count /= types[type].count;
+    path += fmt::format("[{}]", element / count);
+    element %= count;
+    type = types[type].element;
+  }
+  return path;
+}
+
+// The GLSL name of what stands `offset` bytes into one buffer: a member of it, or a field of a ConstantBuffer's struct.
+std::string MemberName(const ir::Program& program, const glsl::GlslInfo::Block& block, const ir::Cbuffer& cbuffer,
+                       std::uint32_t element, std::uint32_t offset) {
+  const ir::TypeTable& types = program.types;
+  for (const ir::CbufferMember& member : cbuffer.members) {
+    if (offset < member.offset || offset - member.offset >= std::max(member.size, 1u)) continue;
+    const ir::Var& var = program.vars[member.var];
+    ir::TypeId type = var.type;
+    const std::string index = BufferIndex(types, type, element, cbuffer.count);
+    const std::uint32_t rest = offset - member.offset;
+    const glsl::GlslInfo::Member* found = nullptr;
+    for (const glsl::GlslInfo::Member& named : block.members) {
+      if (named.var != member.var) continue;
+      if (named.field < 0) return named.name + index + PathTo(types, type, var.row_major, rest);
+      const auto field = static_cast<std::uint32_t>(named.field);
+      if (ir::FieldOffset(types, types[type].structure, field) <= rest) found = &named;
+    }
+    if (!found) return {};
+    const auto field = static_cast<std::uint32_t>(found->field);
+    const ir::Field& written = types.StructOf(type).fields[field];
+    return found->name +
+           PathTo(types, written.type, written.row_major, rest - ir::FieldOffset(types, types[type].structure, field));
+  }
   return {};
 }
 
@@ -38,19 +77,15 @@ void NameInGlsl(const ir::Program& program, const ir::ClipPlane& plane, const gl
   const auto block = std::find_if(info.blocks.begin(), info.blocks.end(),
                                   [&](const glsl::GlslInfo::Block& b) { return b.cbuffer == plane.cbuffer; });
   if (block == info.blocks.end()) return;
+  const ir::Cbuffer& cbuffer = program.cbuffers[plane.cbuffer];
   constant.glsl_block = block->name;
-  if (block->form == glsl::BlockForm::kRows) {
-    constant.glsl_member = fmt::format("{}[{}]", block->rows, plane.offset / kRegister);
-    return;
+  if (cbuffer.count > 1 && !block->name.empty()) {
+    ir::TypeId type = program.vars[cbuffer.members.front().var].type;
+    constant.glsl_block += BufferIndex(program.types, type, plane.element, cbuffer.count);
   }
-  for (const ir::CbufferMember& member : program.cbuffers[plane.cbuffer].members) {
-    if (plane.offset < member.offset || plane.offset - member.offset >= std::max(member.size, 1u)) continue;
-    const ir::Var& var = program.vars[member.var];
-    for (const glsl::GlslInfo::Member& named : block->members) {
-      if (named.var != member.var) continue;
-      constant.glsl_member = named.name + PathTo(program.types, var.type, var.row_major, plane.offset - member.offset);
-    }
-  }
+  constant.glsl_member = block->form == glsl::BlockForm::kRows
+                             ? fmt::format("{}[{}]", block->rows, plane.offset / kRegister)
+                             : MemberName(program, *block, cbuffer, plane.element, plane.offset);
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "ir/packing.h"
+
 namespace clipc {
 namespace {
 
@@ -69,6 +71,19 @@ Json InputsOrOutputs(const ir::Program& program, const std::vector<ir::IoVar>& l
   return json;
 }
 
+Json Field(const ir::Program& program, ir::TypeId type, int index) {
+  const ir::TypeTable& types = program.types;
+  while (types[type].kind == ir::TypeKind::kArray) type = types[type].element;
+  const auto number = static_cast<std::uint32_t>(index);
+  const ir::Field& field = types.StructOf(type).fields[number];
+  Json json = {{"name", field.name},
+               {"type", types.Name(field.type)},
+               {"offset", ir::FieldOffset(types, types[type].structure, number)},
+               {"size", ir::PackedExtent(types, field.type, field.row_major).size}};
+  if (field.row_major) json["rowMajor"] = true;
+  return json;
+}
+
 Json Member(const ir::Program& program, const ir::CbufferMember& member, const glsl::GlslInfo::Block* block) {
   const ir::Var& var = program.vars[member.var];
   Json json = {{"name", var.name},
@@ -79,8 +94,10 @@ Json Member(const ir::Program& program, const ir::CbufferMember& member, const g
   if (!block) return json;
   for (const glsl::GlslInfo::Member& named : block->members) {
     if (named.var != member.var) continue;
-    json["glsl"] = named.name;
-    if (named.transpose) json["transpose"] = true;
+    // A ConstantBuffer's fields are members of the GLSL block.
+    Json& entry = named.field < 0 ? json : json["fields"].emplace_back(Field(program, var.type, named.field));
+    entry["glsl"] = named.name;
+    if (block->form == glsl::BlockForm::kUniforms) entry["transpose"] = named.transpose;
   }
   return json;
 }

@@ -163,6 +163,11 @@ ir::ExprId Checker::CallFunction(FunctionInfoId id, ir::ExprId self, std::vector
   const ir::FunctionId function = Reach(id);
   FunctionInfo& info = Info(id);
   if (info.is_broken) return ErrorExpr(span);
+  const ScopeId owner = info.self ? info.scope : ScopeId{};
+  if (owner && scopes_[owner].kind == ScopeKind::kStruct && IsInterface(scopes_[owner].self)) {
+    diagnostics_.Report(name_span, diag::Unsupported, "a call through an interface, which the application fills in,");
+    return ErrorExpr(span);
+  }
   if (!DeclOf(info).body) {
     diagnostics_.Report(name_span, diag::FunctionWithoutBody, SignatureText(info))
         .Note(DeclOf(info).name_span, diag::DeclaredHere, Text(DeclOf(info).name));
@@ -179,6 +184,11 @@ ir::ExprId Checker::CallFunction(FunctionInfoId id, ir::ExprId self, std::vector
     bound.push_back(argument);
   }
   return FinishCall(At(span).CallOf(function, bound), before, after);
+}
+
+bool Checker::IsInterface(ir::TypeId type) const {
+  const StructInfo* info = InfoOf(type);
+  return info && std::get<ast::StructDecl>(file_.decls[info->decl].node).kind == ast::StructKind::kInterface;
 }
 
 ir::ExprId Checker::BindArgument(const Parameter& parameter, ir::ExprId argument, std::vector<ir::ExprId>& before,

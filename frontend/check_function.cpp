@@ -102,36 +102,39 @@ bool Checker::SameParameters(const FunctionInfo& a, const FunctionInfo& b) const
                             });
 }
 
-// Prototypes and their definition are one overload.
-void Checker::MergeOverload(std::vector<FunctionInfoId>& overloads, FunctionInfoId added) {
-  ResolveSignature(added);
-  FunctionInfo& info = Info(added);
-  for (FunctionInfoId& known : overloads) {
-    FunctionInfo& other = Info(known);
-    if (info.is_broken || other.is_broken || !SameParameters(info, other)) continue;
-    const ast::FunctionDecl& decl = DeclOf(info);
-    const ast::FunctionDecl& other_decl = DeclOf(other);
-    if (decl.body && other_decl.body) {
-      diagnostics_.Report(decl.name_span, diag::FunctionRedefinition, SignatureText(info))
-          .Note(other_decl.name_span, diag::DeclaredHere, Text(decl.name));
-    } else if (info.return_type != other.return_type) {
-      diagnostics_.Report(decl.name_span, diag::ReturnTypeDiffers, SignatureText(info), TypeName(info.return_type),
-                          TypeName(other.return_type))
-          .Note(other_decl.name_span, diag::DeclaredHere, Text(decl.name));
-    }
-    const FunctionInfoId kept_id = decl.body ? added : known;
-    FunctionInfo& kept = decl.body ? info : other;
-    FunctionInfo& dropped = decl.body ? other : info;
-    for (std::uint32_t i = 0; i < kept.parameters.size; ++i) {
-      Parameter& parameter = parameters_[kept.parameters][i];
-      if (!parameter.with_default) parameter.with_default = parameters_[dropped.parameters][i].with_default;
-    }
-    kept.required = std::min(kept.required, dropped.required);
-    kept.declared = std::min(kept.declared, dropped.declared);
-    known = kept_id;
-    return;
+// The parameters, so that equal ones have equal keys.
+std::string Checker::ParameterKey(const FunctionInfo& info) const {
+  std::string key;
+  for (const Parameter& parameter : parameters_[info.parameters]) {
+    key += fmt::format("{}:{},", static_cast<int>(parameter.storage), parameter.type.index);
   }
-  overloads.push_back(added);
+  return key;
+}
+
+// Prototypes and their definition are one overload: the one with the body, which learns what the other says.
+FunctionInfoId Checker::MergeOverloads(FunctionInfoId known, FunctionInfoId added) {
+  FunctionInfo& info = Info(added);
+  FunctionInfo& other = Info(known);
+  const ast::FunctionDecl& decl = DeclOf(info);
+  const ast::FunctionDecl& other_decl = DeclOf(other);
+  if (decl.body && other_decl.body) {
+    diagnostics_.Report(decl.name_span, diag::FunctionRedefinition, SignatureText(info))
+        .Note(other_decl.name_span, diag::DeclaredHere, Text(decl.name));
+  } else if (info.return_type != other.return_type) {
+    diagnostics_
+        .Report(decl.name_span, diag::ReturnTypeDiffers, SignatureText(info), TypeName(info.return_type),
+                TypeName(other.return_type))
+        .Note(other_decl.name_span, diag::DeclaredHere, Text(decl.name));
+  }
+  FunctionInfo& kept = decl.body ? info : other;
+  const FunctionInfo& dropped = decl.body ? other : info;
+  for (std::uint32_t i = 0; i < kept.parameters.size; ++i) {
+    Parameter& parameter = parameters_[kept.parameters][i];
+    if (!parameter.with_default) parameter.with_default = parameters_[dropped.parameters][i].with_default;
+  }
+  kept.required = std::min(kept.required, dropped.required);
+  kept.declared = std::min(kept.declared, dropped.declared);
+  return decl.body ? added : known;
 }
 
 // All functions of the name and scope of `first`, declared so far or not; templates are not among them.
@@ -147,7 +150,15 @@ std::vector<FunctionInfoId> Checker::OverloadsOf(SymbolId first, ir::TypeId self
     symbols.push_back(id);
   }
   std::vector<FunctionInfoId> overloads;
-  for (auto id = symbols.rbegin(); id != symbols.rend(); ++id) MergeOverload(overloads, InfoOfFunction(*id, self));
+  std::unordered_map<std::string, std::size_t> by_parameters;
+  for (auto id = symbols.rbegin(); id != symbols.rend(); ++id) {
+    const FunctionInfoId added = InfoOfFunction(*id, self);
+    ResolveSignature(added);
+    const std::string parameters = Info(added).is_broken ? fmt::format("broken {}", added.index) : ParameterKey(Info(added));
+    const auto [slot, is_new] = by_parameters.emplace(parameters, overloads.size());
+    if (is_new) overloads.push_back(added);
+    else overloads[slot->second] = MergeOverloads(overloads[slot->second], added);
+  }
   overloads_.emplace(key, overloads);
   return overloads;
 }
@@ -214,6 +225,7 @@ void Checker::CheckBody(FunctionInfoId id) {
   body.return_type = info.return_type;
   const ContextSwitch in(*this,
                          {.scope = info.scope, .order = info.order, .local_floor = symbols_.size(), .body = &body});
+  const int errors_before = diagnostics_.error_count();
   if (info.function != program_.entry) CheckUnusedClipPlanes(file_, decl, diagnostics_);
   const LocalScope parameter_scope(*this);
   std::size_t next = 0;
@@ -234,7 +246,8 @@ void Checker::CheckBody(FunctionInfoId id) {
   stmts_.resize(mark);
   const ir::StmtId block = At(file_.stmts[decl.body].span).BlockOf(stmts);
   program_.functions[info.function].body = block;
-  if (info.return_type != program_.types.Void() && info.return_type != program_.types.Error() && FallsThrough(block)) {
+  const bool is_whole = diagnostics_.error_count() == errors_before;
+  if (is_whole && info.return_type != program_.types.Void() && FallsThrough(block)) {
     diagnostics_.Report(decl.name_span, diag::NotAllPathsReturn, Text(decl.name), TypeName(info.return_type));
   }
 }

@@ -281,7 +281,8 @@ class Checker final : TemporaryMaker {
   void AddParameter(const ast::VarDecl& var, ast::DeclId id, FunctionInfo& info, std::vector<Parameter>& parameters);
   std::vector<FunctionInfoId> OverloadsOf(SymbolId first, ir::TypeId self);
   FunctionInfoId InfoOfFunction(SymbolId id, ir::TypeId self);
-  void MergeOverload(std::vector<FunctionInfoId>& overloads, FunctionInfoId added);
+  FunctionInfoId MergeOverloads(FunctionInfoId known, FunctionInfoId added);
+  std::string ParameterKey(const FunctionInfo& info) const;
   bool SameParameters(const FunctionInfo& a, const FunctionInfo& b) const;
   ir::FunctionId Reach(FunctionInfoId id);
   void CheckBodies();
@@ -409,6 +410,7 @@ class Checker final : TemporaryMaker {
   ir::ExprId CallFunction(FunctionInfoId function, ir::ExprId self, std::vector<ir::ExprId> arguments, Span name_span, Span span);
   ir::ExprId BindArgument(const Parameter& parameter, ir::ExprId argument, std::vector<ir::ExprId>& before,
                           std::vector<ir::ExprId>& after);
+  bool IsInterface(ir::TypeId type) const;
   ir::VarId MakeEmpty(ir::TypeId type, Span span);
   ir::ExprId CallTemplatedLoad(const ast::MemberExpr& member, ir::ExprId object, std::span<const ir::ExprId> arguments, Span span);
   SymbolId FindFunction(const ast::QualifiedName& name);

@@ -10,8 +10,7 @@ float4 main(float4 v : POSITION) : SV_Position {
   float4 b = v > 0 ? v : 1;
   // BOTH: bool temporary = v.x > 0.0
   // BOTH-NEXT: float temporary.1 = count(1.0)
-  // BOTH-NEXT: float temporary.2 = 2.0
-  // BOTH-NEXT: float c = temporary ? temporary.1 : temporary.2
+  // BOTH-NEXT: float c = temporary ? temporary.1 : 2.0
   // ONE: float c = (v.x > 0.0) ? count(1.0) : 2.0
   float c = v.x > 0 ? count(1) : 2;
   // BOTH: bool d = (a > 0.0) && (count(a) > 1.0)

@@ -39,9 +39,9 @@ float4 main(float4 v : POSITION, const float fixed : FIXED) : SV_Position {
   ~v.x;
   // CHECK: [[#@LINE+1]]:3: error: operator `-` on a `S`; it takes numbers [X3022]
   -s;
-  // CHECK: [[#@LINE+1]]:17: error: cannot convert `float3` to `float4` [X3017]
+  // CHECK: [[#@LINE+1]]:18: error: cannot convert `float3` to `float4` [X3017]
   float4 wider = v.xyz;
-  // CHECK: [[#@LINE+1]]:18: error: cannot cast `float3` to `float4` [X3017]
+  // CHECK: [[#@LINE+1]]:19: error: cannot cast `float3` to `float4` [X3017]
   float4 widest = (float4)v.xyz;
   // CHECK: [[#@LINE+1]]:3: error: `float4` is made of 4 components; 3 are given [X3014]
   float4(1, 2, 3);
@@ -49,14 +49,12 @@ float4 main(float4 v : POSITION, const float fixed : FIXED) : SV_Position {
   S(1, 2);
   // CHECK: [[#@LINE+1]]:3: error: the sides of `?:` are `float4` and `S`; they need a common type [X3020]
   v.x > 0 ? v : s;
-  // CHECK: [[#@LINE+1]]:3: error: assignment to a `Texture2D<float4>`; objects cannot be chosen while the shader runs [X3025]
+  // CHECK: [[#@LINE+1]]:3: error: assignment to a `SamplerState`; objects cannot be chosen while the shader runs [X3025]
   s.s = s.s;
   // CHECK: [[#@LINE+1]]:13: error: `chosen` of type `Texture2D<float4>` is not one particular global; objects cannot be chosen while the shader runs [X3031]
   Texture2D chosen;
   // CHECK: error: `name` is a string; a shader computes with numbers only [X3020]
   name;
-  // CHECK: [[#@LINE+1]]:3: error: 4294967296 does not fit into 32 bits [X3000]
-  4294967296;
   // CHECK: [[#@LINE+1]]:13: error: cannot convert `void` to `float` [X3017]
   float f = nothing();
   // CHECK: [[#@LINE+1]]:3: error: assigning to a component of a swizzle chosen at run time is not supported

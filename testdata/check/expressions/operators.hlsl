@@ -12,15 +12,15 @@ float4 main(float4 v : POSITION, uint u : SV_VertexID) : SV_Position {
   int d = b + b;
   // CHECK: bool3 e = (a < splat<float3>(convert<float>(i))) && splat<bool3>(b)
   bool3 e = a < i && b;
-  // CHECK: bool f = (b == true) || !convert<bool>(i)
+  // CHECK: bool f = (b == true) || (!convert<bool>(i))
   bool f = b == true || !i;
   // CHECK: int g = (i << u) >> 1
   int g = i << u >> 1;
-  // CHECK: int j = ~convert<int>(b) ^ i
+  // CHECK: int j = (~convert<int>(b)) ^ i
   int j = ~b ^ i;
   // CHECK: float k = convert<float>(i % 3) + (v.x % 2.0)
   float k = i % 3 + v.x % 2;
-  // CHECK: int l = -2147483648
+  // CHECK: int l = convert<int>(-2147483648u)
   int l = -2147483648;
   // CHECK: i = convert<int>(convert<float>(i) + 1.5)
   i += 1.5;

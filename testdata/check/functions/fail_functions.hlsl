@@ -13,9 +13,9 @@ float2 of_type(float x) { return x; }
 float falls(float x) { if (x > 0) return 1; }
 // CHECK-DAG: [[#@LINE+1]]:25: error: `returns` returns a value; its type is `void` [X3079]
 void returns() { return 1; }
-// CHECK-DAG: [[#@LINE+1]]:18: error: `return` without a value in `empty`; it returns a `float` [X3080]
+// CHECK-DAG: [[#@LINE+1]]:17: error: `return` without a value in `empty`; it returns a `float` [X3080]
 float empty() { return; }
-// CHECK-DAG: [[#@LINE+1]]:35: error: recursive call of `ping` [X3500]
+// CHECK-DAG: [[#@LINE+1]]:38: error: recursive call of `ping`; the functions of a shader cannot recurse [X3500]
 float pong(float x) { return x > 0 ? ping(x - 1) : 0; }
 float ping(float x) { return pong(x); }
 float4 main(float4 position : POSITION) : SV_Position {

@@ -27,9 +27,9 @@ float4 main(float4 position : POSITION) : SV_Position {
   return position * sum;
 }
 float later(float x) { return x * 2; }
-// CHECK-DAG: const float depth = 1.0
+// CHECK-DAG: const float depth.2 = 1.0
 // CHECK-DAG: const float depth.1 = 2.0
-// CHECK: sum += ((((convert<float>(2 + 3) + 8.0) + later(sum)) + early()) + shadow(1.0)
+// CHECK: sum += ((convert<float>(convert<uint>(2 + 3) + 8u) + later(sum)) + early()) + shadow(1.0)
 // CHECK: float own() {
 // CHECK-NEXT: return depth.1
 // CHECK: float own.1() {

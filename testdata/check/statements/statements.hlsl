@@ -41,7 +41,7 @@ float4 main(float4 v : POSITION, uint id : SV_VertexID) : SV_Position {
       s = 4;
   }
   // CHECK: if (s > 1.0) {
-  // CHECK: } else if (s > 2.0) {
+  // CHECK: if (s > 2.0) {
   // CHECK: } else {
   if (s > 1) s = 1; else if (s > 2) s = 2; else s = 3;
   static float remembered = 1;

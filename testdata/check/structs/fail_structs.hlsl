@@ -2,9 +2,9 @@
 struct S {
   float4 position;
   float4 normal;
-  // CHECK-DAG: [[#@LINE+1]]:9: error: `normal` is declared twice in one scope [X3003]
+  // CHECK-DAG: [[#@LINE+1]]:10: error: `normal` is declared twice in one scope [X3003]
   float3 normal;
-  // CHECK-DAG: [[#@LINE+1]]:36: error: `position` is used without an object; it belongs to each object of its struct [X3004]
+  // CHECK-DAG: [[#@LINE+1]]:29: error: `position` is used without an object; it belongs to each object of its struct [X3004]
   static float f() { return position.x; }
   // CHECK-DAG: [[#@LINE+1]]:12: error: a bit-field is not supported
   uint b : 3;

@@ -26,7 +26,7 @@ float4 main(float4 position : POSITION) : SV_Position {
   // CHECK-NEXT: Derived temporary = in_buffer
   // CHECK-NEXT: scale(temporary, 3.0)
   in_buffer.scale(3);
-  // CHECK-NEXT: a += total(in_buffer) + kHalf
+  // CHECK: a += ((temporary.1 = in_buffer), total(temporary.1)) + kHalf
   a += in_buffer.total() + Derived::kHalf;
   // CHECK-NEXT: a += of_base(Base{d.p}).x
   a += of_base(d).x;
@@ -35,8 +35,8 @@ float4 main(float4 position : POSITION) : SV_Position {
 // CHECK: void twice(inout Derived self) {
 // CHECK-NEXT: self.q = self.q * splat<float4>(2.0)
 // CHECK-NEXT: scale(self, 2.0)
-// CHECK: float total(Derived [[SELF:self.[0-9]+]]) {
-// CHECK-NEXT: return length2([[SELF]]) + half_of([[SELF]].q.x)
+// CHECK: float total(inout Derived self.1) {
+// CHECK-NEXT: return length2(self.1) + half_of.1(self.1.q.x)
 // CHECK: float declared(Derived
 // CHECK: void scale(inout Derived
 // CHECK: float3 of_base(Base base)

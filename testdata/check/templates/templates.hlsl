@@ -6,7 +6,7 @@ template<typename T, uint N> vector<T, N> reversed(vector<T, N> x) { return x.yx
 template<typename T, int N = 2> struct Stack {
   T items[N];
   T top() { return items[N - 1]; }
-  Stack copy() { return this; }
+  Stack<T, N> copy() { return this; }
 };
 struct Complex {
   float2 v;

@@ -30,9 +30,7 @@ float4 main(float4 position : POSITION) : SV_Position {
   float k[1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1][1];
   // CHECK: [[#@LINE+1]]:3: error: `Box` without its template arguments [X3000]
   Box l;
-  // CHECK: [[#@LINE+1]]:8: error: `float` under an enum; it must be an integer type [X3000]
-  enum M : float { kM };
-  // CHECK: [[#@LINE+1]]:14: error: `SamplerState` has no size [X3000]
+  // CHECK: [[#@LINE+1]]:12: error: `SamplerState` has no size [X3000]
   uint n = sizeof(SamplerState);
   return position;
 }

@@ -6,7 +6,7 @@ typedef Pair Pairs[3];
 static const int kSize = 2 + 1;
 unsigned int get() { return 1u; }
 float4 main(float4 position : POSITION) : SV_Position {
-  // CHECK: float3 a = zero<float3>
+  // CHECK: float3 a = splat<float3>(0.0)
   vector<float, 3> a = (vector<float, 3>)0;
   // CHECK: float4 b
   vector b = position;

@@ -17,16 +17,16 @@ ConstantBuffer<Light> light : register(b1);
 ConstantBuffer<Light> lights[3];
 tbuffer Table { float4 entry; };
 // CHECK: globals $Globals : b0, {{[0-9]+}} bytes {
-// CHECK-NEXT: float scale at 0
-// CHECK-NEXT: row_major float4x3 row at 16, 60 bytes
-// CHECK-NEXT: {{^ *}}float4x3 column at 80, 60 bytes
+// CHECK-NEXT: float scale at 164, 4 bytes
+// CHECK-NEXT: row_major float4x3 row at 176, 60 bytes
+// CHECK-NEXT: float4x3 column at 240, 48 bytes
 // CHECK-NEXT: int limit at
 // CHECK-NEXT: float list[3] at 128, 36 bytes explicit
 // CHECK-NOT: Unused
-// CHECK: cbuffer Used : b5, space2 explicit, 128 bytes {
+// CHECK: cbuffer Used : b5, space2 explicit, 144 bytes {
 // CHECK: float other at 116, 4 bytes explicit
 // CHECK: constant_buffer light : b1 explicit, 16 bytes {
-// CHECK: constant_buffer lights[3] : b2
+// CHECK: constant_buffer lights : b2, 16 bytes x 3 {
 // CHECK: tbuffer Table : t0
 // CHECK: params $Params
 // CHECK-NEXT: float4x4 {{by_entry.*}} at 0

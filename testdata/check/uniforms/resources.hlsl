@@ -20,7 +20,7 @@ float4 main(float4 v : POSITION, uint id : SV_VertexID) : SV_Position {
   v += items[id].x;
   // CHECK: v.xy += convert<float2>(buffer_load(typed,
   v.xy += typed[id];
-  // CHECK: v.xyz += intrinsic
+  // CHECK: v.xyz += asfloat(byte_load(bytes, id * 12u))
   v.xyz += bytes.Load<float3>(id * 12);
   return v;
 }
