@@ -274,7 +274,6 @@ TEST(Parse, AnyTokensAreAnswered) {
     Diagnostics diagnostics;
     const ast::File file = Parse(std::move(tokens), diagnostics);
     EXPECT_LE(Depth(file).OfFile(), ast::kMaxDepth);
-    EXPECT_LE(diagnostics.error_count(), 12);  // four changes make no avalanche
     PrintAst(file);
   }
 }

@@ -1,6 +1,6 @@
 // Every way to write and to store a matrix; additions and products only, so equal to the bit but for the order in a sum.
 // RUN: %draw compare %s -T vs_5_0 -E main
-// RUN: %draw compare %s -T vs_5_0 -E main --row-major --target glsl450,glsl120
+// RUN: %draw compare %s -T vs_5_0 -E main --row-major --target glsl450,glsl330
 
 float4x4 square;
 row_major float4x4 square_by_rows;

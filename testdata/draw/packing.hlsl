@@ -1,5 +1,6 @@
 // Where Direct3D's packing and std140 disagree, and where they do not.
 // RUN: %draw compare %s -T vs_5_0 -E main --target all --exact | FileCheck %s
+// CHECK: {{[1-9][0-9]+}} comparisons {{.*}}: 0 wrong
 
 cbuffer Scalars {
   float a;

@@ -27,7 +27,7 @@
 // RUN: not %clipc -T vs_5_0 -E main -DPLANE=texture_plane %s 2>&1 | FileCheck %s --check-prefixes=X3084,TBUFFER
 // TBUFFER: `texture_plane` is a member of a tbuffer; a clip plane must lie in a constant buffer
 // RUN: not %clipc -T vs_5_0 -E main -DPLANE=v %s 2>&1 | FileCheck %s --check-prefix=PARAMETER
-// PARAMETER: error: undeclared identifier `v`
+// PARAMETER: error: `v` is not declared
 
 // RUN: not %clipc -T vs_5_0 -E main -DPLANE=f3 %s 2>&1 | FileCheck %s --check-prefixes=X3084,FLOAT3
 // FLOAT3: clip plane `f3` has type `float3`; a clip plane is a `float4`
