@@ -203,10 +203,12 @@ class TargetCheck {
     const ir::Type& type = program_.types[id];
     if (type.kind == TypeKind::kArray) return Type(type.element, span);
     if (type.kind == TypeKind::kStruct) {
-      for (const Field& field : program_.types.StructOf(id).fields) Type(field.type, field.span ? field.span : span);
+      for (const Field& field : program_.types.StructOf(id).fields) {
+        ObjectValue(field.type, field.span ? field.span : span);
+        Type(field.type, field.span ? field.span : span);
+      }
       return;
     }
-    if (type.kind == TypeKind::kObject) diagnostics_.Report(span, diag::TargetObjectValue, program_.types.Name(id));
     if (!type.IsNumeric()) return;
     const Scalar base = BaseOf(type.scalar);
     if (base == Scalar::kDouble && !target_.Doubles() && !std::exchange(double_reported_, true)) {
@@ -218,9 +220,22 @@ class TargetCheck {
     }
   }
 
+  // Textures, samplers and buffers are global variables, nothing else: GLSL cannot keep or choose one, and the writer
+  // passes none.
+  void ObjectValue(TypeId id, Span span) {
+    const ir::Type& type = Innermost(id);
+    if (type.kind == TypeKind::kObject) {
+      diagnostics_.Report(span, diag::TargetObjectValue, program_.types.Name(id));
+    }
+  }
+
   // ---- code
   void Function(const ir::Function& function) {
-    for (VarId parameter : function.parameters) Type(program_.vars[parameter].type, program_.vars[parameter].span);
+    ObjectValue(function.return_type, function.span);
+    for (VarId parameter : function.parameters) {
+      ObjectValue(program_.vars[parameter].type, program_.vars[parameter].span);
+      Type(program_.vars[parameter].type, program_.vars[parameter].span);
+    }
     Statement(function.body);
   }
 
@@ -229,7 +244,10 @@ class TargetCheck {
     if (std::holds_alternative<Switch>(stmt.node) && !target_.HasSwitch()) {
       diagnostics_.Report(stmt.span, diag::TargetSwitch, target_name());
     }
-    if (const auto* declare = std::get_if<Declare>(&stmt.node)) Type(program_.vars[declare->var].type, stmt.span);
+    if (const auto* declare = std::get_if<Declare>(&stmt.node)) {
+      ObjectValue(program_.vars[declare->var].type, stmt.span);
+      Type(program_.vars[declare->var].type, stmt.span);
+    }
     ForEachPart(
         program_, id, [&](ExprId expr) { ForEachExpr(program_, expr, [&](ExprId part) { Expression(part); }); },
         [&](StmtId part) { Statement(part); });
@@ -238,6 +256,9 @@ class TargetCheck {
   void Expression(ExprId id) {
     const ir::Expr& expr = program_.exprs[id];
     Type(expr.type, expr.span);
+    const bool is_path = std::holds_alternative<VarRef>(expr.node) || std::holds_alternative<Index>(expr.node) ||
+                         std::holds_alternative<FieldRef>(expr.node);
+    if (!is_path) ObjectValue(expr.type, expr.span);
     if (const auto* call = std::get_if<IntrinsicCall>(&expr.node)) IntrinsicUse(*call, expr.span);
     if (const auto* call = std::get_if<ObjectCall>(&expr.node)) ObjectUse(*call, expr.span);
     if (const auto* call = std::get_if<Call>(&expr.node)) {

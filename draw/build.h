@@ -40,8 +40,8 @@ class NotForTarget : public DrawError {
   using DrawError::DrawError;
 };
 
-// The same shader for Mesa's OpenGL: Vulkan's descriptor sets and vertex indices are the only difference in what clipc
-// writes, and llvmpipe of Mesa 22.3 stops at version 450.
+// The same shader for Mesa's OpenGL: Vulkan's descriptor sets and vertex numbers are the only difference in what clipc
+// writes, and llvmpipe of Mesa 22.3 stops at version 450, where draw parameters are an extension.
 std::string ForOpenGl(const std::string& glsl);
 
 }  // namespace clipc::draw

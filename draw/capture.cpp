@@ -59,7 +59,12 @@ std::vector<Captured> CaptureAtOnce(const Gl& gl, const std::string& vertex, std
   gl.BufferData(GL_TRANSFORM_FEEDBACK_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_STREAM_READ);
   gl.Enable(GL_RASTERIZER_DISCARD);
   gl.BeginTransformFeedback(GL_POINTS);
-  gl.DrawArraysInstanced(GL_POINTS, 0, inputs.vertices, inputs.instances);
+  if (inputs.base_instance == 0) {
+    gl.DrawArraysInstanced(GL_POINTS, inputs.first_vertex, inputs.vertices, inputs.instances);
+  } else {
+    gl.DrawArraysInstancedBaseInstance(GL_POINTS, inputs.first_vertex, inputs.vertices, inputs.instances,
+                                       static_cast<GLuint>(inputs.base_instance));
+  }
   gl.EndTransformFeedback();
   gl.Disable(GL_RASTERIZER_DISCARD);
   CheckErrors(gl, "running the vertex shader");

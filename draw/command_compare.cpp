@@ -85,9 +85,21 @@ Lowering LoweringOf(const std::string& name) {
   throw DrawError("no lowering is called `" + name + "`");
 }
 
-bool UsesInstances(const ir::Program& program) {
+bool Reads(const ir::Program& program, ir::Builtin builtin) {
   return std::any_of(program.inputs.begin(), program.inputs.end(),
-                     [](const ir::IoVar& io) { return io.builtin == ir::Builtin::kInstanceId; });
+                     [&](const ir::IoVar& io) { return io.builtin == builtin; });
+}
+
+// A draw call in the middle of its vertices and instances, where the shader is said to stand that.
+void ChooseDraw(const Shader& shader, bool is_es, RandomOptions& draw) {
+  if (Reads(shader.typed, ir::Builtin::kInstanceId)) draw.instances = 3;
+  const auto& inputs = shader.info.inputs;
+  const bool from_zero = is_es || std::any_of(inputs.begin(), inputs.end(), [](const glsl::GlslInfo::Variable& input) {
+                           return input.needs_base_vertex_zero;
+                         });
+  if (from_zero) return;
+  draw.first_vertex = 5;
+  draw.base_instance = 2;
 }
 
 // Adds up the comparisons of one shader.
@@ -129,11 +141,11 @@ class Runner {
   void RunOne(const BuildOptions& build, const std::string& name) {
     const Shader shader = Build(build);
     RandomOptions random = options_.random;
-    random.instances = UsesInstances(shader.typed) ? 3 : 1;
+    ChooseDraw(shader, VersionOf(shader.glsl).es, random);
     const RandomInputs inputs = MakeRandomInputs(shader.typed, random);
     const std::vector<Expected> expected = MakeExpected(shader, build, inputs);
     const Comparison found =
-        CompareWithOpenGl(device_, shader, expected, inputs, random.instances, options_.tolerance);
+        CompareWithOpenGl(device_, shader, expected, inputs, random, options_.tolerance);
     if (options_.verbose || found.wrong > 0) {
       std::printf("%s: %ld of %ld values wrong, worst %.1f units\n", name.c_str(), found.wrong, found.values, found.worst);
     }

@@ -36,6 +36,7 @@ clipc-draw compare SHADER.hlsl [options]
     --flip-y yes|no         default both
     --random N --seed S     vertices, default 64, and the seed, default 1
     --ints LEAST..GREATEST  random ints, default -4..7
+                            vertices and instances do not start at 0 where the shader can stand that
     --ulps U                what floats may differ, see draw/compare.h
     --exact                 floats must be equal to the bit
     --verbose               a line for each comparison; GLSL that fails

@@ -112,13 +112,15 @@ class Comparer {
 }  // namespace
 
 Comparison CompareWithOpenGl(Device& device, const Shader& shader, const std::vector<Expected>& expected,
-                             const RandomInputs& random, int instances, const Tolerance& tolerance) {
+                             const RandomInputs& random, const RandomOptions& draw, const Tolerance& tolerance) {
   if (!shader.lowered.resources.empty()) throw DrawError("the shader reads textures or buffers, which no test draws with");
   const std::string text = ForOpenGl(shader.glsl);
   const Gl& gl = device.Use(VersionOf(text).api);
   Inputs inputs;
-  inputs.instances = instances;
-  inputs.vertices = static_cast<int>(random.vertices.size()) / instances;
+  inputs.instances = draw.instances;
+  inputs.vertices = draw.vertices;
+  inputs.first_vertex = draw.first_vertex;
+  inputs.base_instance = draw.base_instance;
   GiveAttributes(shader, random, inputs);
   GiveConstants(shader.lowered, shader.info, random.cbuffers, inputs);
   std::vector<std::string> names;

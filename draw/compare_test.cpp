@@ -60,8 +60,9 @@ class Compare : public ::testing::Test {
       EXPECT_NE(at, shader.glsl.npos) << change << "\n" << shader.glsl;
       if (at != shader.glsl.npos) shader.glsl.replace(at, slash, change.substr(slash + 1));
     }
-    const RandomInputs inputs = MakeRandomInputs(shader.typed, {.seed = 5, .vertices = 40});
-    return CompareWithOpenGl(device, shader, MakeExpected(shader, options, inputs), inputs, 1, {});
+    const RandomOptions draw{.seed = 5, .vertices = 40};
+    const RandomInputs inputs = MakeRandomInputs(shader.typed, draw);
+    return CompareWithOpenGl(device, shader, MakeExpected(shader, options, inputs), inputs, draw, {});
   }
 
   static inline std::string path_;

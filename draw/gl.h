@@ -107,7 +107,7 @@ struct Gl {
 #undef CLIPC_GL_MEMBER
   // Absent in some contexts.
   PFNGLCLIPCONTROLPROC ClipControl;
-  PFNGLVERTEXATTRIBLPOINTERPROC VertexAttribLPointer;
+  PFNGLDRAWARRAYSINSTANCEDBASEINSTANCEPROC DrawArraysInstancedBaseInstance;
   ClipPlaneProc ClipPlane;
 };
 

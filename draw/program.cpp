@@ -195,7 +195,9 @@ void Program::BindAttribute(const Active& active, const Inputs& inputs) {
     throw DrawError("attribute `" + active.name + "` has " + std::to_string(shape.rows) + " components; " +
                     std::to_string(value.words.size()) + " words for " + std::to_string(inputs.vertices) + " vertices");
   }
-  NewBuffer(GL_ARRAY_BUFFER, value.words.data(), 4 * value.words.size());
+  std::vector<std::uint32_t> words(static_cast<std::size_t>(shape.rows) * inputs.first_vertex);
+  words.insert(words.end(), value.words.begin(), value.words.end());
+  NewBuffer(GL_ARRAY_BUFFER, words.data(), 4 * words.size());
   const auto index = static_cast<GLuint>(active.location);
   if (shape.kind == Shape::Kind::kFloat) {
     gl_.VertexAttribPointer(index, shape.rows, GL_FLOAT, GL_FALSE, 0, nullptr);

@@ -28,6 +28,7 @@ struct Inputs {
   };
   int vertices = 0;
   int instances = 1;
+  int first_vertex = 0, base_instance = 0;  // of the draw call; not everywhere but in OpenGL's desktop version
   std::vector<Attribute> attributes;
   std::vector<Block> blocks;
   std::vector<Uniform> uniforms;

@@ -43,14 +43,19 @@ ir::IoBits ValueOf(const ir::Program& program, const ir::IoVar& input, Values& v
   return bits;
 }
 
-// What the draw call gives: it starts at vertex 0 and instance 0.
-void SetBuiltins(const ir::Program& program, int vertex, int instance, std::vector<ir::IoBits>& inputs) {
+// What the draw call gives. Direct3D counts vertices and instances from 0 wherever the draw call starts.
+void SetBuiltins(const ir::Program& program, const RandomOptions& options, int run, std::vector<ir::IoBits>& inputs) {
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const ir::Builtin builtin = program.inputs[i].builtin;
     if (builtin == ir::Builtin::kNone) continue;
     inputs[i] = {};
-    if (builtin == ir::Builtin::kVertexId) inputs[i][0] = static_cast<std::uint64_t>(vertex);
-    if (builtin == ir::Builtin::kInstanceId) inputs[i][0] = static_cast<std::uint64_t>(instance);
+    const auto set = [&](ir::Builtin which, int value) {
+      if (builtin == which) inputs[i][0] = static_cast<std::uint64_t>(value);
+    };
+    set(ir::Builtin::kVertexId, run % options.vertices);
+    set(ir::Builtin::kInstanceId, run / options.vertices);
+    set(ir::Builtin::kBaseVertex, options.first_vertex);
+    set(ir::Builtin::kBaseInstance, options.base_instance);
   }
 }
 
@@ -79,9 +84,9 @@ RandomInputs MakeRandomInputs(const ir::Program& program, const RandomOptions& o
     std::vector<ir::IoBits>& attributes = inputs.vertices.emplace_back();
     for (const ir::IoVar& input : program.inputs) attributes.push_back(ValueOf(program, input, values));
   }
-  for (int vertex = 0; vertex < options.vertices * options.instances; ++vertex) {
-    if (vertex >= options.vertices) inputs.vertices.push_back(inputs.vertices[vertex % options.vertices]);
-    SetBuiltins(program, vertex % options.vertices, vertex / options.vertices, inputs.vertices[vertex]);
+  for (int run = 0; run < options.vertices * options.instances; ++run) {
+    if (run >= options.vertices) inputs.vertices.push_back(inputs.vertices[run % options.vertices]);
+    SetBuiltins(program, options, run, inputs.vertices[run]);
   }
   return inputs;
 }

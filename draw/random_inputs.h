@@ -20,6 +20,7 @@ struct RandomOptions {
   std::uint32_t seed = 1;
   int vertices = 64;
   int instances = 1;
+  int first_vertex = 0, base_instance = 0;  // of the draw call
   int least_int = -4, greatest_int = 7;  // loop counts and array indices must stay small
 };
 

@@ -1,6 +1,7 @@
 // Every way to write and to store a matrix; additions and products only, so equal to the bit but for the order in a sum.
-// RUN: %draw compare %s -T vs_5_0 -E main
-// RUN: %draw compare %s -T vs_5_0 -E main --row-major --target glsl450,glsl330
+// RUN: %draw compare %s -T vs_5_0 -E main --ints 0..3
+// RUN: %draw compare %s -T vs_5_0 -E main --ints 0..3 --lower none --target glsl120
+// RUN: %draw compare %s -T vs_5_0 -E main --ints 0..3 --row-major --target glsl450,glsl330
 
 float4x4 square;
 row_major float4x4 square_by_rows;
@@ -15,7 +16,7 @@ struct Bone {
   float4x2 coordinates;
 };
 Bone bones[2];
-int which;
+int which;  // one of --ints
 
 struct Output {
   float4 position : SV_Position;
@@ -34,7 +35,7 @@ Output main(float4 position : POSITION, float3 normal : NORMAL) {
   float4x4 both = mul(square, square_by_rows);
   both[2] = position;
   both._m00_m11 = normal.xy;
-  result.c = mul(both, position) + square_by_rows[which & 1] * 2;
+  result.c = mul(both, position) + square_by_rows[which] * 2;
   result.d = float4(mul(bones[1].transform, position), mul(position, bones[0].coordinates).y);
   float3x3 part = (float3x3)square;
   result.e = float4(mul(part, normal) + mul(transpose(part), normal), mul(normal, column) + mul(row, normal));

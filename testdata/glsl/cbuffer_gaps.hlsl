@@ -10,3 +10,48 @@ cbuffer Old {
 };
 
 float4 main(float4 p : POSITION) : SV_Position { return p * late + high.xyxy + early; }
+
+// OFFSET: #version 440
+// OFFSET-EMPTY:
+// OFFSET-NEXT: layout(std140, binding = 0) uniform Old {  // b0
+// OFFSET-NEXT:     layout(offset = 4) float early;
+// OFFSET-NEXT:     layout(offset = 56) vec2 high;
+// OFFSET-NEXT:     layout(offset = 80) vec4 late;
+// OFFSET-NEXT: };
+// OFFSET-EMPTY:
+// OFFSET-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// OFFSET-EMPTY:
+// OFFSET-NEXT: vec4 shader_main(vec4 p) {
+// OFFSET-NEXT:     return p * late + high.xyxy + early;
+// OFFSET-NEXT: }
+// OFFSET-EMPTY:
+// OFFSET-NEXT: void main() {
+// OFFSET-NEXT:     vec4 result = shader_main(in_POSITION0);
+// OFFSET-NEXT:     gl_Position = result;
+// OFFSET-NEXT: }
+
+// PADDING: #version 430
+// PADDING-EMPTY:
+// PADDING-NEXT: layout(std140, binding = 0) uniform Old {  // b0
+// PADDING-NEXT:     float padding_0;
+// PADDING-NEXT:     float early;
+// PADDING-NEXT:     float padding_8;
+// PADDING-NEXT:     float padding_12;
+// PADDING-NEXT:     vec4 padding_16[2];
+// PADDING-NEXT:     float padding_48;
+// PADDING-NEXT:     float padding_52;
+// PADDING-NEXT:     vec2 high;
+// PADDING-NEXT:     vec4 padding_64;
+// PADDING-NEXT:     vec4 late;
+// PADDING-NEXT: };
+// PADDING-EMPTY:
+// PADDING-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// PADDING-EMPTY:
+// PADDING-NEXT: vec4 shader_main(vec4 p) {
+// PADDING-NEXT:     return p * late + high.xyxy + early;
+// PADDING-NEXT: }
+// PADDING-EMPTY:
+// PADDING-NEXT: void main() {
+// PADDING-NEXT:     vec4 result = shader_main(in_POSITION0);
+// PADDING-NEXT:     gl_Position = result;
+// PADDING-NEXT: }

@@ -43,3 +43,112 @@ float4 main(float4 p : POSITION, uint n : INDEX) : SV_Position {
   if (b[n] && after_bools) r = 0;
   return r;
 }
+
+// CHECK: #version 450
+// CHECK-EMPTY:
+// CHECK-NEXT: struct Mixed {
+// CHECK-NEXT:     mat2 r;
+// CHECK-NEXT:     mat2 c;
+// CHECK-NEXT:     float tail;
+// CHECK-NEXT: };
+// CHECK-EMPTY:
+// CHECK-NEXT: layout(std140, binding = 0) uniform Floats {  // b0
+// CHECK-NEXT:     vec4 Floats_rows[23];
+// CHECK-NEXT: };
+// CHECK-EMPTY:
+// CHECK-NEXT: layout(std140, binding = 1) uniform Kinds {  // b1
+// CHECK-NEXT:     uvec4 Kinds_rows[9];
+// CHECK-NEXT: };
+// CHECK-EMPTY:
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// CHECK-NEXT: layout(location = 1) in uint in_INDEX0;  // INDEX0
+// CHECK-EMPTY:
+// CHECK-NEXT: float x() {  // offset 0
+// CHECK-NEXT:     return Floats_rows[0].x;
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: vec3 y() {  // offset 4
+// CHECK-NEXT:     return Floats_rows[0].yzw;
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: float weights(int i_2) {  // offset 16
+// CHECK-NEXT:     return Floats_rows[i_2 + 1].x;
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: float after_array() {  // offset 52
+// CHECK-NEXT:     return Floats_rows[3].y;
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: mat3 normal() {  // offset 64
+// CHECK-NEXT:     return transpose(mat3(Floats_rows[4].xyz, Floats_rows[5].xyz, Floats_rows[6].xyz));
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: float after_matrix() {  // offset 108
+// CHECK-NEXT:     return Floats_rows[6].w;
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: mat4x3 frame() {  // offset 112
+// CHECK-NEXT:     return mat4x3(Floats_rows[7].xyz, Floats_rows[8].xyz, Floats_rows[9].xyz, Floats_rows[10].xyz);
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: mat4 bones(int i_2) {  // offset 176
+// CHECK-NEXT:     return transpose(mat4(Floats_rows[4 * i_2 + 11], Floats_rows[4 * i_2 + 12], Floats_rows[4 * i_2 + 13], Floats_rows[4 * i_2 + 14]));
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: vec4 across() {  // offset 304
+// CHECK-NEXT:     return vec4(Floats_rows[19].x, Floats_rows[20].x, Floats_rows[21].x, Floats_rows[22].x);
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: Mixed mixed() {  // offset 0
+// CHECK-NEXT:     return Mixed(mat2(uintBitsToFloat(Kinds_rows[0].xy), uintBitsToFloat(Kinds_rows[1].xy)), transpose(mat2(uintBitsToFloat(Kinds_rows[2].xy), uintBitsToFloat(Kinds_rows[3].xy))), uintBitsToFloat(Kinds_rows[3].z));
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: float after_struct() {  // offset 60
+// CHECK-NEXT:     return uintBitsToFloat(Kinds_rows[3].w);
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: int i() {  // offset 64
+// CHECK-NEXT:     return int(Kinds_rows[4].x);
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: uvec2 u() {  // offset 68
+// CHECK-NEXT:     return Kinds_rows[4].yz;
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: bool b(int i_2) {  // offset 80
+// CHECK-NEXT:     return Kinds_rows[i_2 + 5].x != 0u;
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: bool after_bools() {  // offset 100
+// CHECK-NEXT:     return Kinds_rows[6].y != 0u;
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: float f(int i_2) {  // offset 112
+// CHECK-NEXT:     return uintBitsToFloat(Kinds_rows[i_2 + 7].x);
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: float[3] weights_all() {
+// CHECK-NEXT:     float result[3];
+// CHECK-NEXT:     for (int i_2 = 0; i_2 < 3; ++i_2) result[i_2] = weights(i_2);
+// CHECK-NEXT:     return result;
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: vec4 shader_main(vec4 p, uint n) {
+// CHECK-NEXT:     vec4 r = x() + y().xyzx + weights(int(n)) + weights(2) + after_array() + after_matrix();
+// CHECK-NEXT:     r.xyz += normal() * p.xyz + normal()[1];
+// CHECK-NEXT:     r.xyz += frame() * p;
+// CHECK-NEXT:     r += bones(int(n)) * p + across();
+// CHECK-NEXT:     float all_[3] = weights_all();
+// CHECK-NEXT:     r.x += all_[n];
+// CHECK-NEXT:     r.xy += mixed().r[0] + mixed().c[1] + mixed().tail + after_struct();
+// CHECK-NEXT:     r += vec4(uint(i()) + u().xyxy) + f(int(n));
+// CHECK-NEXT:     if (b(int(n)) && after_bools()) {
+// CHECK-NEXT:         r = vec4(0.0);
+// CHECK-NEXT:     }
+// CHECK-NEXT:     return r;
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: void main() {
+// CHECK-NEXT:     vec4 result = shader_main(in_POSITION0, in_INDEX0);
+// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT: }

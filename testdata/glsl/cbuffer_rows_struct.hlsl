@@ -17,3 +17,43 @@ float4 main(float4 p : POSITION, int i : INDEX) : SV_Position {
   Outer outer = outers[i];
   return p + outer.inner[1].b.xyzx + outer.long_one[i] + outers[2].table[1][i] + outers[i + 1].inner[0].a;
 }
+
+// CHECK: #version 450
+// CHECK-EMPTY:
+// CHECK-NEXT: struct Inner {
+// CHECK-NEXT:     float a;
+// CHECK-NEXT:     vec3 b;
+// CHECK-NEXT: };
+// CHECK-EMPTY:
+// CHECK-NEXT: struct Outer {
+// CHECK-NEXT:     Inner inner[2];
+// CHECK-NEXT:     float long_one[20];
+// CHECK-NEXT:     float table[2][3];
+// CHECK-NEXT: };
+// CHECK-EMPTY:
+// CHECK-NEXT: layout(std140, binding = 0) uniform Buffer {  // b0
+// CHECK-NEXT:     vec4 Buffer_rows[84];
+// CHECK-NEXT: };
+// CHECK-EMPTY:
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// CHECK-NEXT: layout(location = 1) in int in_INDEX0;  // INDEX0
+// CHECK-EMPTY:
+// CHECK-NEXT: float[20] load_Buffer_rows(int at) {
+// CHECK-NEXT:     float result[20];
+// CHECK-NEXT:     for (int i = 0; i < 20; ++i) result[i] = Buffer_rows[at + 1 * i].x;
+// CHECK-NEXT:     return result;
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: Outer outers(int i) {  // offset 0
+// CHECK-NEXT:     return Outer(Inner[2](Inner(Buffer_rows[28 * i].x, Buffer_rows[28 * i].yzw), Inner(Buffer_rows[28 * i + 1].x, Buffer_rows[28 * i + 1].yzw)), load_Buffer_rows(28 * i + 2), float[2][3](float[3](Buffer_rows[28 * i + 22].x, Buffer_rows[28 * i + 23].x, Buffer_rows[28 * i + 24].x), float[3](Buffer_rows[28 * i + 25].x, Buffer_rows[28 * i + 26].x, Buffer_rows[28 * i + 27].x)));
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: vec4 shader_main(vec4 p, int i) {
+// CHECK-NEXT:     Outer outer = outers(i);
+// CHECK-NEXT:     return p + outer.inner[1].b.xyzx + outer.long_one[i] + outers(2).table[1][i] + outers(i + 1).inner[0].a;
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: void main() {
+// CHECK-NEXT:     vec4 result = shader_main(in_POSITION0, in_INDEX0);
+// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT: }

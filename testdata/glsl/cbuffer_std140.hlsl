@@ -28,3 +28,44 @@ float4 main(float4 p : POSITION, uint i : INDEX) : SV_Position {
   r += mul(lights[i].shadow, p) + offsets[i & 3];
   return fog ? r : -r;
 }
+
+// CHECK: #version 450
+// CHECK-EMPTY:
+// CHECK-NEXT: struct Light {
+// CHECK-NEXT:     vec3 color;
+// CHECK-NEXT:     float intensity;
+// CHECK-NEXT:     mat4 shadow;
+// CHECK-NEXT: };
+// CHECK-EMPTY:
+// CHECK-NEXT: layout(std140, binding = 2) uniform Frame {  // b2
+// CHECK-NEXT:     vec3 eye;
+// CHECK-NEXT:     float time;
+// CHECK-NEXT:     vec2 size;
+// CHECK-NEXT:     bool fog;
+// CHECK-NEXT:     uint count;
+// CHECK-NEXT:     layout(row_major) mat4 world;
+// CHECK-NEXT:     mat4x3 skin[3];
+// CHECK-NEXT:     layout(row_major) Light lights[2];
+// CHECK-NEXT:     ivec4 offsets[4];
+// CHECK-NEXT: };
+// CHECK-EMPTY:
+// CHECK-NEXT: layout(std140, binding = 0, row_major) uniform AllColumnMajor {  // b0
+// CHECK-NEXT:     mat4 m;
+// CHECK-NEXT: };
+// CHECK-EMPTY:
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// CHECK-NEXT: layout(location = 1) in uint in_INDEX0;  // INDEX0
+// CHECK-EMPTY:
+// CHECK-NEXT: vec4 shader_main(vec4 p, uint i) {
+// CHECK-NEXT:     vec4 r = vec4(eye, time) + size.xyxy + float(count);
+// CHECK-NEXT:     r += world * p + m * p;
+// CHECK-NEXT:     r.xyz += skin[i] * p;
+// CHECK-NEXT:     r.xyz += lights[i].color * lights[1].intensity;
+// CHECK-NEXT:     r += p * lights[i].shadow + vec4(offsets[i & 3u]);
+// CHECK-NEXT:     return fog ? r : -r;
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: void main() {
+// CHECK-NEXT:     vec4 result = shader_main(in_POSITION0, in_INDEX0);
+// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT: }

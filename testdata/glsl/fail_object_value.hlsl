@@ -1,10 +1,8 @@
-// RUN: not %clipc -E parameter %s 2>&1 | FileCheck %s
+// Textures, samplers and buffers are global variables; GLSL cannot keep or choose one.
 // RUN: not %clipc -E member %s 2>&1 | FileCheck %s
-// CHECK: error: a `Texture2D<float4>` is a parameter or a member of a struct; clipc takes textures, samplers and buffers only as global variables
-Texture2D t;
+// CHECK: error: a `Texture2D<float4>` is a parameter, a member of a struct or a local; clipc takes textures, samplers and buffers only as global variables
+Texture2D t, u;
 SamplerState s;
-float4 Read(Texture2D from, float2 uv) { return from.SampleLevel(s, uv, 0); }
-float4 parameter(float4 v : POSITION) : SV_Position { return Read(t, v.xy); }
 struct Material { Texture2D color; };
 float4 FromMaterial(Material m, float2 uv) { return m.color.SampleLevel(s, uv, 0); }
 Material material;

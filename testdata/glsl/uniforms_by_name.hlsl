@@ -20,3 +20,30 @@ float4 main(float4 p : POSITION) : SV_Position {
   float4 r = mul(mul(p, world), view) + x * y.xyzx + lights[1].color.xyzx * lights[0].intensity;
   return fog ? r : p;
 }
+
+// CHECK: #version 120
+// CHECK-EMPTY:
+// CHECK-NEXT: struct Light {
+// CHECK-NEXT:     vec3 color;
+// CHECK-NEXT:     float intensity;
+// CHECK-NEXT: };
+// CHECK-EMPTY:
+// CHECK-NEXT: // Frame, b0
+// CHECK-NEXT: uniform float x;
+// CHECK-NEXT: uniform vec3 y;
+// CHECK-NEXT: uniform mat4 world;
+// CHECK-NEXT: uniform mat4 view;
+// CHECK-NEXT: uniform Light lights[2];
+// CHECK-NEXT: uniform bool fog;
+// CHECK-EMPTY:
+// CHECK-NEXT: attribute vec4 in_POSITION0;  // POSITION0
+// CHECK-EMPTY:
+// CHECK-NEXT: vec4 shader_main(vec4 p) {
+// CHECK-NEXT:     vec4 r = view * (world * p) + x * y.xyzx + lights[1].color.xyzx * lights[0].intensity;
+// CHECK-NEXT:     return fog ? r : p;
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: void main() {
+// CHECK-NEXT:     vec4 result = shader_main(in_POSITION0);
+// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT: }
