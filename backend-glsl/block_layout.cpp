@@ -171,6 +171,13 @@ bool PlaceMembers(const TypeTable& types, std::span<BlockMember> members, std::u
   return RoundUp(end, kRow) <= size;
 }
 
+BlockLayout AsUniforms(const Program& program, const Cbuffer& cbuffer) {
+  BlockLayout layout;
+  layout.form = BlockForm::kUniforms;
+  layout.members = MembersOf(program, cbuffer, false);
+  return layout;
+}
+
 }  // namespace
 
 std::optional<Std140Extent> Std140(const TypeTable& types, TypeId type, bool row_major) {
@@ -208,12 +215,8 @@ StructuredExtent Structured(const TypeTable& types, TypeId id) {
 }
 
 BlockLayout LayOutBlock(const Program& program, const Cbuffer& cbuffer, const Target& target) {
+  if (!target.HasUniformBlocks()) return AsUniforms(program, cbuffer);
   BlockLayout layout;
-  if (!target.HasUniformBlocks()) {
-    layout.form = BlockForm::kUniforms;
-    layout.members = MembersOf(program, cbuffer, false);
-    return layout;
-  }
   const bool is_constant_buffer = cbuffer.kind == CbufferKind::kConstantBuffer;
   layout.fields_as_members = is_constant_buffer && target.HasBlockInstances();
   layout.members = MembersOf(program, cbuffer, layout.fields_as_members);
@@ -222,6 +225,7 @@ BlockLayout LayOutBlock(const Program& program, const Cbuffer& cbuffer, const Ta
       layout.members, [&](const BlockMember& member) { return OnlyFloats(program.types, member.type); });
 
   if (!PlaceMembers(program.types, layout.members, cbuffer.size, target.HasExplicitOffsets())) {
+    if (!layout.float_rows && !target.BitCasts()) return AsUniforms(program, cbuffer);  // nothing reads a float from bits
     layout.form = BlockForm::kRows;
     layout.fields_as_members = false;
     layout.members = MembersOf(program, cbuffer, false);

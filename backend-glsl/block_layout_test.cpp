@@ -115,6 +115,9 @@ TEST_F(BlockLayoutTest, OldTargetsHaveUniformVariables) {
   EXPECT_EQ(Form({{"a", F(1)}, {"b", F(3)}}, "glsl120"), BlockForm::kUniforms);
   EXPECT_EQ(Form({{"a", F(1)}}, "glsl130"), BlockForm::kUniforms);
   EXPECT_EQ(Form({{"a", F(1)}}, "essl300"), BlockForm::kStd140);
+  const ir::TypeId uint3 = shader_.Vector(Scalar::kUint, 3);
+  EXPECT_EQ(Form({{"a", F(1)}, {"b", uint3}}, "glsl140"), BlockForm::kUniforms) << "no uintBitsToFloat to read rows with";
+  EXPECT_EQ(Form({{"a", F(1)}, {"b", uint3}}, "glsl150"), BlockForm::kRows);
 }
 
 TEST_F(BlockLayoutTest, ConstantBuffersAreBlocksWithAName) {

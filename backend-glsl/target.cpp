@@ -91,7 +91,7 @@ Support Target::Int64() const {
 }
 
 Support Target::BitCasts() const {
-  if (!IsEs() && version_ >= 130 && version_ < 330) return Support::Through("GL_ARB_shader_bit_encoding");
+  if (!IsEs() && version_ >= 150 && version_ < 330) return Support::Through("GL_ARB_shader_bit_encoding");
   return Gate(330, 300);
 }
 

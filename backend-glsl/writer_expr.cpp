@@ -15,6 +15,7 @@ using namespace ir;
 
 Text Writer::Expr(ExprId id) {
   const ir::Expr& expr = program_.exprs[id];
+  RequireType(program_.types[expr.type]);
   return std::visit(
       Overloaded{
           [&](const Literal& node) { return LiteralText(node.bits, TypeOf(id).scalar, target_); },

@@ -238,6 +238,7 @@ class Writer {
     if (!support.extension().empty()) extensions_.emplace(support.extension());
   }
   void Require(std::string_view extension) { extensions_.emplace(extension); }
+  void RequireType(const ir::Type& type);  // what makes a `double` or a 64-bit integer known
   void NotConstant() { constant_ = false; }
 
   const ir::Program& program_;

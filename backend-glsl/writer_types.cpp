@@ -30,6 +30,13 @@ bool Writer::IsWrapped(TypeId array_element) const {
   return !target_.HasArraysOfArrays() && IsArrayInGlsl(program_.types, array_element);
 }
 
+void Writer::RequireType(const Type& type) {
+  if (!type.IsNumeric()) return;
+  const Scalar base = BaseOf(type.scalar);
+  if (base == Scalar::kDouble) Require(target_.Doubles());
+  if (base == Scalar::kInt64 || base == Scalar::kUint64) Require(target_.Int64());
+}
+
 // `struct float_array3 { float e[3]; }`: an array as the element of another where GLSL has no arrays of arrays.
 std::string Writer::WrapperOf(TypeId array) {
   const TypeParts parts = PartsOf(array);
@@ -48,6 +55,7 @@ Writer::TypeParts Writer::PartsOf(TypeId id) {
     case TypeKind::kScalar:
     case TypeKind::kVector:
     case TypeKind::kMatrix: {
+      RequireType(type);
       const std::string name = TypeName(ShapeOf(type));
       const std::size_t bracket = std::min(name.find('['), name.size());
       return {name.substr(0, bracket), name.substr(bracket)};

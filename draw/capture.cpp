@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 
 #include "draw/program.h"
 #include "draw/target.h"
@@ -42,6 +43,22 @@ void Distribute(const std::uint32_t* words, int vertices, std::vector<Captured>&
   }
 }
 
+// gl_BaseVertex is what an indexed draw call says; of glDrawArrays' first vertex it knows nothing, though gl_VertexID does.
+void Draw(const Gl& gl, const Inputs& inputs) {
+  if (inputs.first_vertex == 0 && inputs.base_instance == 0) {
+    return gl.DrawArraysInstanced(GL_POINTS, 0, inputs.vertices, inputs.instances);
+  }
+  std::vector<GLuint> indices(static_cast<std::size_t>(inputs.vertices));
+  std::iota(indices.begin(), indices.end(), 0u);
+  GLuint buffer = 0;
+  gl.GenBuffers(1, &buffer);
+  gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer);
+  gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(GLuint)), indices.data(), GL_STREAM_DRAW);
+  gl.DrawElementsInstancedBaseVertexBaseInstance(GL_POINTS, inputs.vertices, GL_UNSIGNED_INT, nullptr, inputs.instances,
+                                                 inputs.first_vertex, static_cast<GLuint>(inputs.base_instance));
+  gl.DeleteBuffers(1, &buffer);
+}
+
 std::vector<Captured> CaptureAtOnce(const Gl& gl, const std::string& vertex, std::span<const std::string> names,
                                     const Inputs& inputs) {
   const Target target(gl, 1);
@@ -59,12 +76,7 @@ std::vector<Captured> CaptureAtOnce(const Gl& gl, const std::string& vertex, std
   gl.BufferData(GL_TRANSFORM_FEEDBACK_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_STREAM_READ);
   gl.Enable(GL_RASTERIZER_DISCARD);
   gl.BeginTransformFeedback(GL_POINTS);
-  if (inputs.base_instance == 0) {
-    gl.DrawArraysInstanced(GL_POINTS, inputs.first_vertex, inputs.vertices, inputs.instances);
-  } else {
-    gl.DrawArraysInstancedBaseInstance(GL_POINTS, inputs.first_vertex, inputs.vertices, inputs.instances,
-                                       static_cast<GLuint>(inputs.base_instance));
-  }
+  Draw(gl, inputs);
   gl.EndTransformFeedback();
   gl.Disable(GL_RASTERIZER_DISCARD);
   CheckErrors(gl, "running the vertex shader");

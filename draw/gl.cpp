@@ -30,7 +30,7 @@ Gl LoadFunctions() {
   CLIPC_GL_FUNCTIONS(CLIPC_GL_LOAD)
 #undef CLIPC_GL_LOAD
   Load(gl.ClipControl, "glClipControl");
-  Load(gl.DrawArraysInstancedBaseInstance, "glDrawArraysInstancedBaseInstance");
+  Load(gl.DrawElementsInstancedBaseVertexBaseInstance, "glDrawElementsInstancedBaseVertexBaseInstance");
   Load(gl.ClipPlane, "glClipPlane");
   return gl;
 }

@@ -107,7 +107,7 @@ struct Gl {
 #undef CLIPC_GL_MEMBER
   // Absent in some contexts.
   PFNGLCLIPCONTROLPROC ClipControl;
-  PFNGLDRAWARRAYSINSTANCEDBASEINSTANCEPROC DrawArraysInstancedBaseInstance;
+  PFNGLDRAWELEMENTSINSTANCEDBASEVERTEXBASEINSTANCEPROC DrawElementsInstancedBaseVertexBaseInstance;
   ClipPlaneProc ClipPlane;
 };
 

@@ -1,5 +1,5 @@
 // ConstantBuffer<T> is a block with an instance name; before GLSL 1.50 a block of one struct.
-// RUN: %clipc -T vs_5_1 --target=glsl450 --validate %s -o - | FileCheck %s --check-prefixes=CHECK,NEW
+// RUN: %clipc -T vs_5_1 --target=glsl450 --validate %s -o - | FileCheck %s --check-prefix=CHECK
 // RUN: %clipc -T vs_5_1 --target=glsl140 --validate -DONE %s -o - | FileCheck %s --check-prefix=OLD
 // RUN: %clipc -T vs_5_1 --target=glsl330 --validate %s -o %t
 // RUN: %clipc -T vs_5_1 --target=essl300 --validate %s -o %t
@@ -21,3 +21,68 @@ float4 main(float4 p : POSITION) : SV_Position {
 #endif
   return r;
 }
+
+// CHECK: #version 450
+// CHECK-EMPTY:
+// CHECK-NEXT: struct Object {
+// CHECK-NEXT:     mat4 world;
+// CHECK-NEXT:     vec4 color;
+// CHECK-NEXT: };
+// CHECK-EMPTY:
+// CHECK-NEXT: layout(std140, binding = 1, row_major) uniform object_block {  // b1
+// CHECK-NEXT:     mat4 world;
+// CHECK-NEXT:     vec4 color;
+// CHECK-NEXT: } object;
+// CHECK-EMPTY:
+// CHECK-NEXT: layout(std140, binding = 2, row_major) uniform objects_block {  // b2
+// CHECK-NEXT:     mat4 world;
+// CHECK-NEXT:     vec4 color;
+// CHECK-NEXT: } objects[3];
+// CHECK-EMPTY:
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// CHECK-EMPTY:
+// CHECK-NEXT: Object object_value() {
+// CHECK-NEXT:     return Object(object.world, object.color);
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: vec4 Tint(Object o) {
+// CHECK-NEXT:     return o.color * 2.0;
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: vec4 shader_main(vec4 p) {
+// CHECK-NEXT:     vec4 r = object.world * p + object.color + Tint(object_value());
+// CHECK-NEXT:     r += objects[1].color + Tint(Object(objects[2].world, objects[2].color));
+// CHECK-NEXT:     return r;
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: void main() {
+// CHECK-NEXT:     vec4 result = shader_main(in_POSITION0);
+// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT: }
+
+// OLD: #version 140
+// OLD-EMPTY:
+// OLD-NEXT: struct Object {
+// OLD-NEXT:     mat4 world;
+// OLD-NEXT:     vec4 color;
+// OLD-NEXT: };
+// OLD-EMPTY:
+// OLD-NEXT: layout(std140, row_major) uniform object_block {  // b1
+// OLD-NEXT:     Object object;
+// OLD-NEXT: };
+// OLD-EMPTY:
+// OLD-NEXT: in vec4 in_POSITION0;  // POSITION0
+// OLD-EMPTY:
+// OLD-NEXT: vec4 Tint(Object o) {
+// OLD-NEXT:     return o.color * 2.0;
+// OLD-NEXT: }
+// OLD-EMPTY:
+// OLD-NEXT: vec4 shader_main(vec4 p) {
+// OLD-NEXT:     vec4 r = object.world * p + object.color + Tint(object);
+// OLD-NEXT:     return r;
+// OLD-NEXT: }
+// OLD-EMPTY:
+// OLD-NEXT: void main() {
+// OLD-NEXT:     vec4 result = shader_main(in_POSITION0);
+// OLD-NEXT:     gl_Position = result;
+// OLD-NEXT: }

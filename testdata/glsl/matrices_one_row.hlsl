@@ -15,7 +15,7 @@ float4 main(float4 p : POSITION) : SV_Position {
   r.xy += row._m01_m02;
   r.x += column._m30 + one._m00;
   r += row + transpose(column);
-  float3x1 c = column;
+  float3x1 c = (float3x1)column;
   r.xyz += c._m00_m10_m20;
   float1 f = r.x;
   f.x += 1;

@@ -10,3 +10,28 @@ float4 main(float4 p : POSITION, uint i : INDEX) : SV_Position {
   p.y += heights.SampleLevel(linear_clamp, p.xz, 0).x;
   return mul(p + points[i], view);
 }
+
+// CHECK: #version 460
+// CHECK-EMPTY:
+// CHECK-NEXT: layout(std140, set = 1, binding = 3, row_major) uniform Scene {  // b3, space1
+// CHECK-NEXT:     mat4 view;
+// CHECK-NEXT: };
+// CHECK-EMPTY:
+// CHECK-NEXT: layout(set = 0, binding = 34) uniform texture2D heights;  // t2
+// CHECK-NEXT: layout(set = 0, binding = 17) uniform sampler linear_clamp;  // s1
+// CHECK-NEXT: layout(std430, set = 0, binding = 35) readonly buffer points_block {  // t3
+// CHECK-NEXT:     vec4 points[];
+// CHECK-NEXT: };
+// CHECK-EMPTY:
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// CHECK-NEXT: layout(location = 1) in uint in_INDEX0;  // INDEX0
+// CHECK-EMPTY:
+// CHECK-NEXT: vec4 shader_main(vec4 p, uint i) {
+// CHECK-NEXT:     p.y += textureLod(sampler2D(heights, linear_clamp), p.xz, 0.0).x;
+// CHECK-NEXT:     return view * (p + points[i]);
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: void main() {
+// CHECK-NEXT:     vec4 result = shader_main(in_POSITION0, in_INDEX0);
+// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT: }

@@ -1,0 +1,172 @@
+// The bits of numbers; older targets get functions of HLSL's names. glslang has GL_ARB_shader_bit_encoding from 1.50 on only.
+// RUN: %clipc -T vs_5_0 --validate %s -o - | FileCheck %s --check-prefix=NEW
+// RUN: %clipc -T vs_5_0 --target=glsl330 --validate %s -o - | FileCheck %s --check-prefix=OLD
+// RUN: %clipc -T vs_5_0 --target=glsl150 --validate %s -o %t
+// RUN: %clipc -T vs_5_0 --target=essl300 --validate %s -o %t
+// RUN: %clipc -T vs_5_0 --target=essl310 --validate %s -o %t
+// AUTOUPDATE
+uint u;
+uint2 u2;
+int i;
+float f;
+
+float4 main(float4 p : POSITION) : SV_Position {
+  uint r = countbits(u) + firstbithigh(u) + firstbithigh(i) + firstbitlow(u) + reversebits(u) + countbits(u2).x + firstbithigh(u2).y;
+  r += asuint(f) + asint(f) + asuint(i) + asint(u) + f32tof16(f) + f32tof16(p.xy).y;
+  float s = asfloat(u) + asfloat(i) + asfloat(f) + f16tof32(u) + f16tof32(u2).y;
+  return p + r + s;
+}
+
+// NEW: #version 450
+// NEW-EMPTY:
+// NEW-NEXT: layout(std140, binding = 0) uniform Globals {  // b0
+// NEW-NEXT:     uvec4 Globals_rows[2];
+// NEW-NEXT: };
+// NEW-EMPTY:
+// NEW-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// NEW-EMPTY:
+// NEW-NEXT: uint u() {  // offset 0
+// NEW-NEXT:     return Globals_rows[0].x;
+// NEW-NEXT: }
+// NEW-EMPTY:
+// NEW-NEXT: uvec2 u2() {  // offset 4
+// NEW-NEXT:     return Globals_rows[0].yz;
+// NEW-NEXT: }
+// NEW-EMPTY:
+// NEW-NEXT: int i() {  // offset 12
+// NEW-NEXT:     return int(Globals_rows[0].w);
+// NEW-NEXT: }
+// NEW-EMPTY:
+// NEW-NEXT: float f() {  // offset 16
+// NEW-NEXT:     return uintBitsToFloat(Globals_rows[1].x);
+// NEW-NEXT: }
+// NEW-EMPTY:
+// NEW-NEXT: uvec2 f32tof16(vec2 a) {
+// NEW-NEXT:     return uvec2(packHalf2x16(vec2(a.x, 0.0)), packHalf2x16(vec2(a.y, 0.0)));
+// NEW-NEXT: }
+// NEW-EMPTY:
+// NEW-NEXT: vec2 f16tof32(uvec2 a) {
+// NEW-NEXT:     return vec2(unpackHalf2x16(a.x).x, unpackHalf2x16(a.y).x);
+// NEW-NEXT: }
+// NEW-EMPTY:
+// NEW-NEXT: vec4 shader_main(vec4 p) {
+// NEW-NEXT:     uint r = uint(bitCount(u())) + uint(findMSB(u())) + uint(findMSB(i())) + uint(findLSB(u())) + bitfieldReverse(u()) + uvec2(bitCount(u2())).x + uvec2(findMSB(u2())).y;
+// NEW-NEXT:     r += floatBitsToUint(f()) + uint(floatBitsToInt(f())) + uint(i()) + uint(int(u())) + packHalf2x16(vec2(f(), 0.0)) + f32tof16(p.xy).y;
+// NEW-NEXT:     float s = uintBitsToFloat(u()) + intBitsToFloat(i()) + f() + unpackHalf2x16(u()).x + f16tof32(u2()).y;
+// NEW-NEXT:     return p + float(r) + s;
+// NEW-NEXT: }
+// NEW-EMPTY:
+// NEW-NEXT: void main() {
+// NEW-NEXT:     vec4 result = shader_main(in_POSITION0);
+// NEW-NEXT:     gl_Position = result;
+// NEW-NEXT: }
+
+// OLD: #version 330
+// OLD-EMPTY:
+// OLD-NEXT: layout(std140) uniform Globals {  // b0
+// OLD-NEXT:     uvec4 Globals_rows[2];
+// OLD-NEXT: };
+// OLD-EMPTY:
+// OLD-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// OLD-EMPTY:
+// OLD-NEXT: uint u() {  // offset 0
+// OLD-NEXT:     return Globals_rows[0].x;
+// OLD-NEXT: }
+// OLD-EMPTY:
+// OLD-NEXT: uvec2 u2() {  // offset 4
+// OLD-NEXT:     return Globals_rows[0].yz;
+// OLD-NEXT: }
+// OLD-EMPTY:
+// OLD-NEXT: int i() {  // offset 12
+// OLD-NEXT:     return int(Globals_rows[0].w);
+// OLD-NEXT: }
+// OLD-EMPTY:
+// OLD-NEXT: float f() {  // offset 16
+// OLD-NEXT:     return uintBitsToFloat(Globals_rows[1].x);
+// OLD-NEXT: }
+// OLD-EMPTY:
+// OLD-NEXT: uint firstbithigh(uint x) {
+// OLD-NEXT:     for (int i = 31; i >= 0; --i) {
+// OLD-NEXT:         if (((x >> i) & 1u) != 0u) return uint(i);
+// OLD-NEXT:     }
+// OLD-NEXT:     return 0xFFFFFFFFu;
+// OLD-NEXT: }
+// OLD-EMPTY:
+// OLD-NEXT: uvec2 firstbithigh(uvec2 a) {
+// OLD-NEXT:     return uvec2(firstbithigh(a.x), firstbithigh(a.y));
+// OLD-NEXT: }
+// OLD-EMPTY:
+// OLD-NEXT: uvec2 countbits(uvec2 x) {
+// OLD-NEXT:     x -= (x >> 1) & 0x55555555u;
+// OLD-NEXT:     x = (x & 0x33333333u) + ((x >> 2) & 0x33333333u);
+// OLD-NEXT:     x = (x + (x >> 4)) & 0x0F0F0F0Fu;
+// OLD-NEXT:     return (x * 0x01010101u) >> 24;
+// OLD-NEXT: }
+// OLD-EMPTY:
+// OLD-NEXT: uint reversebits(uint x) {
+// OLD-NEXT:     x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
+// OLD-NEXT:     x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
+// OLD-NEXT:     x = ((x >> 4) & 0x0F0F0F0Fu) | ((x & 0x0F0F0F0Fu) << 4);
+// OLD-NEXT:     x = ((x >> 8) & 0x00FF00FFu) | ((x & 0x00FF00FFu) << 8);
+// OLD-NEXT:     return (x >> 16) | (x << 16);
+// OLD-NEXT: }
+// OLD-EMPTY:
+// OLD-NEXT: uint firstbitlow(uint x) {
+// OLD-NEXT:     for (int i = 0; i < 32; ++i) {
+// OLD-NEXT:         if (((x >> i) & uint(1)) != uint(0)) return uint(i);
+// OLD-NEXT:     }
+// OLD-NEXT:     return 0xFFFFFFFFu;
+// OLD-NEXT: }
+// OLD-EMPTY:
+// OLD-NEXT: uint firstbithigh(int x) {
+// OLD-NEXT:     for (int i = 30; i >= 0; --i) {
+// OLD-NEXT:         if (((x >> i) & 1) != (x < 0 ? 1 : 0)) return uint(i);
+// OLD-NEXT:     }
+// OLD-NEXT:     return 0xFFFFFFFFu;
+// OLD-NEXT: }
+// OLD-EMPTY:
+// OLD-NEXT: uint countbits(uint x) {
+// OLD-NEXT:     x -= (x >> 1) & 0x55555555u;
+// OLD-NEXT:     x = (x & 0x33333333u) + ((x >> 2) & 0x33333333u);
+// OLD-NEXT:     x = (x + (x >> 4)) & 0x0F0F0F0Fu;
+// OLD-NEXT:     return (x * 0x01010101u) >> 24;
+// OLD-NEXT: }
+// OLD-EMPTY:
+// OLD-NEXT: uint f32tof16(float x) {
+// OLD-NEXT:     uint bits = floatBitsToUint(x);
+// OLD-NEXT:     uint sign_bit = (bits >> 16) & 0x8000u;
+// OLD-NEXT:     bits &= 0x7FFFFFFFu;
+// OLD-NEXT:     if (bits > 0x7F800000u) return sign_bit | 0x7E00u;
+// OLD-NEXT:     if (bits >= 0x477FF000u) return sign_bit | 0x7C00u;
+// OLD-NEXT:     if (bits < 0x38800000u) return sign_bit | uint(roundEven(abs(x) * 16777216.0));
+// OLD-NEXT:     return sign_bit | ((bits - 0x38000000u + 0x0FFFu + ((bits >> 13) & 1u)) >> 13);
+// OLD-NEXT: }
+// OLD-EMPTY:
+// OLD-NEXT: uvec2 f32tof16(vec2 a) {
+// OLD-NEXT:     return uvec2(f32tof16(a.x), f32tof16(a.y));
+// OLD-NEXT: }
+// OLD-EMPTY:
+// OLD-NEXT: float f16tof32(uint x) {
+// OLD-NEXT:     uint sign_bit = (x & 0x8000u) << 16;
+// OLD-NEXT:     uint exponent = (x >> 10) & 31u;
+// OLD-NEXT:     uint mantissa = x & 1023u;
+// OLD-NEXT:     if (exponent == 0u) return uintBitsToFloat(sign_bit | floatBitsToUint(float(mantissa) * exp2(-24.0)));
+// OLD-NEXT:     if (exponent == 31u) return uintBitsToFloat(sign_bit | 0x7F800000u | (mantissa << 13));
+// OLD-NEXT:     return uintBitsToFloat(sign_bit | ((exponent + 112u) << 23) | (mantissa << 13));
+// OLD-NEXT: }
+// OLD-EMPTY:
+// OLD-NEXT: vec2 f16tof32(uvec2 a) {
+// OLD-NEXT:     return vec2(f16tof32(a.x), f16tof32(a.y));
+// OLD-NEXT: }
+// OLD-EMPTY:
+// OLD-NEXT: vec4 shader_main(vec4 p) {
+// OLD-NEXT:     uint r = countbits(u()) + firstbithigh(u()) + firstbithigh(i()) + firstbitlow(u()) + reversebits(u()) + countbits(u2()).x + firstbithigh(u2()).y;
+// OLD-NEXT:     r += floatBitsToUint(f()) + uint(floatBitsToInt(f())) + uint(i()) + uint(int(u())) + f32tof16(f()) + f32tof16(p.xy).y;
+// OLD-NEXT:     float s = uintBitsToFloat(u()) + intBitsToFloat(i()) + f() + f16tof32(u()) + f16tof32(u2()).y;
+// OLD-NEXT:     return p + float(r) + s;
+// OLD-NEXT: }
+// OLD-EMPTY:
+// OLD-NEXT: void main() {
+// OLD-NEXT:     vec4 result = shader_main(in_POSITION0);
+// OLD-NEXT:     gl_Position = result;
+// OLD-NEXT: }

@@ -1,0 +1,132 @@
+// RUN: %clipc -T vs_5_0 --validate %s -o - | FileCheck %s
+// RUN: %clipc -T vs_5_0 --target=glsl150 --validate %s -o %t
+// RUN: %clipc -T vs_5_0 --target=essl300 --validate %s -o %t
+// AUTOUPDATE
+float4 a, b, c;
+float s, t;
+int4 i;
+
+float4 main(float4 p : POSITION) : SV_Position {
+  float4 r = abs(a) + acos(a) + asin(a) + atan(a) + atan2(a, b) + ceil(a) + clamp(a, 0, 1) + clamp(a, b, c);
+  r += cos(a) + cosh(a) + degrees(a) + exp(a) + exp2(a) + floor(a) + frac(a) + ldexp(a, b) + lerp(a, b, c) + lerp(a, b, s);
+  r += log(a) + log10(a) + log2(a) + mad(a, b, c) * 2 + max(a, 0) + min(a, b) + pow(a, 2.2) + radians(a) + rcp(a) + round(a);
+  r += rsqrt(a) + saturate(a) + sin(a) + sinh(a) + sqrt(a) + step(0.5, a) + tan(a) + tanh(a) + trunc(a) + saturate(s);
+  r += smoothstep(0, 1, a) + smoothstep(1, 0, a) + smoothstep(a, b, c);
+  r.xyz += cross(a.xyz, b.xyz) + faceforward(a.xyz, b.xyz, c.xyz) + normalize(p.xyz) + reflect(a.xyz, b.xyz) + refract(a.xyz, b.xyz, 1.5);
+  r.x += distance(a, b) + dot(a, b) + length(a) + dot(s, t) + dot(i, i);
+  r += lit(s, t, 8) + dst(a, b) + D3DCOLORtoUBYTE4(a);
+  r += sign(a) * 2 + sign(i) + abs(i) + max(i, 3) + clamp(i, 0, 9) + (int)sign(s);
+  float4 sine, cosine;
+  sincos(a, sine, cosine);
+  r += sine + cosine;
+  float4 whole;
+  r += modf(a, whole) + whole;
+  int4 whole_int;
+  r += modf(i, whole_int) + whole_int;
+  float exponent;
+  r.x += frexp(s, exponent) + exponent;
+  float2 exponents;
+  r.xy += frexp(a.xy, exponents) + exponents;
+  if (isnan(s) || isinf(s) || !isfinite(s) || any(isnan(a)) || all(isfinite(a))) r = 0;
+  return r;
+}
+
+// CHECK: #version 450
+// CHECK-EMPTY:
+// CHECK-NEXT: layout(std140, binding = 0) uniform Globals {  // b0
+// CHECK-NEXT:     vec4 a;
+// CHECK-NEXT:     vec4 b;
+// CHECK-NEXT:     vec4 c;
+// CHECK-NEXT:     float s;
+// CHECK-NEXT:     float t;
+// CHECK-NEXT:     ivec4 i;
+// CHECK-NEXT: };
+// CHECK-EMPTY:
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// CHECK-EMPTY:
+// CHECK-NEXT: float saturate(float x) {
+// CHECK-NEXT:     return min(max(0.0, x), 1.0);  // 0 for NaN
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: vec4 saturate(vec4 x) {
+// CHECK-NEXT:     return min(max(vec4(0.0), x), 1.0);  // 0 for NaN
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: vec4 smoothstep_(vec4 a, vec4 b, vec4 x) {
+// CHECK-NEXT:     vec4 t = saturate((x - a) / (b - a));
+// CHECK-NEXT:     return t * t * (3.0 - 2.0 * t);
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: int dot_(ivec4 a, ivec4 b) {
+// CHECK-NEXT:     return a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: vec4 dst(vec4 a, vec4 b) {
+// CHECK-NEXT:     return vec4(1.0, a.y * b.y, a.z, b.w);
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: vec4 lit(float n_dot_l, float n_dot_h, float m) {
+// CHECK-NEXT:     float specular = n_dot_l < 0.0 || n_dot_h < 0.0 ? 0.0 : pow(n_dot_h, m);
+// CHECK-NEXT:     return vec4(1.0, max(n_dot_l, 0.0), specular, 1.0);
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: void sincos(vec4 x, out vec4 s, out vec4 c) {
+// CHECK-NEXT:     s = sin(x);
+// CHECK-NEXT:     c = cos(x);
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: ivec4 modf_(ivec4 x, out ivec4 whole) {
+// CHECK-NEXT:     whole = x;
+// CHECK-NEXT:     return x - x;
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: float frexp_(float x, out float exponent) {
+// CHECK-NEXT:     uint bits = floatBitsToUint(x);
+// CHECK-NEXT:     exponent = x == 0.0 ? 0.0 : float(int((bits >> 23) & 255u) - 126);
+// CHECK-NEXT:     return x == 0.0 ? 0.0 : uintBitsToFloat((bits & 0x807FFFFFu) | 0x3F000000u);
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: vec2 frexp_(vec2 a, out vec2 b) {
+// CHECK-NEXT:     return vec2(frexp_(a[0], b[0]), frexp_(a[1], b[1]));
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: bool isfinite(float x) {
+// CHECK-NEXT:     return !(isnan(x) || isinf(x));
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: bvec4 isfinite(vec4 a) {
+// CHECK-NEXT:     return bvec4(isfinite(a.x), isfinite(a.y), isfinite(a.z), isfinite(a.w));
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: vec4 shader_main(vec4 p) {
+// CHECK-NEXT:     vec4 r = abs(a) + acos(a) + asin(a) + atan(a) + atan(a, b) + ceil(a) + clamp(a, 0.0, 1.0) + clamp(a, b, c);
+// CHECK-NEXT:     r += cos(a) + cosh(a) + degrees(a) + exp(a) + exp2(a) + floor(a) + fract(a) + a * exp2(b) + mix(a, b, c) + mix(a, b, s);
+// CHECK-NEXT:     r += log(a) + log2(a) * 0.30103 + log2(a) + (a * b + c) * 2.0 + max(a, 0.0) + min(a, b) + pow(a, vec4(2.2)) + radians(a) + 1.0 / a + roundEven(a);
+// CHECK-NEXT:     r += inversesqrt(a) + saturate(a) + sin(a) + sinh(a) + sqrt(a) + step(0.5, a) + tan(a) + tanh(a) + trunc(a) + saturate(s);
+// CHECK-NEXT:     r += smoothstep(0.0, 1.0, a) + smoothstep_(vec4(1.0), vec4(0.0), a) + smoothstep_(a, b, c);
+// CHECK-NEXT:     r.xyz += cross(a.xyz, b.xyz) + faceforward(a.xyz, b.xyz, c.xyz) + normalize(p.xyz) + reflect(a.xyz, b.xyz) + refract(a.xyz, b.xyz, 1.5);
+// CHECK-NEXT:     r.x += distance(a, b) + dot(a, b) + length(a) + s * t + float(dot_(i, i));
+// CHECK-NEXT:     r += lit(s, t, 8.0) + dst(a, b) + vec4(ivec4(a.zyxw * 255.00195));
+// CHECK-NEXT:     r += vec4(ivec4(sign(a)) * 2 + sign(i) + abs(i) + max(i, 3) + clamp(i, 0, 9) + int(sign(s)));
+// CHECK-NEXT:     vec4 sine;
+// CHECK-NEXT:     vec4 cosine;
+// CHECK-NEXT:     sincos(a, sine, cosine);
+// CHECK-NEXT:     r += sine + cosine;
+// CHECK-NEXT:     vec4 whole;
+// CHECK-NEXT:     r += modf(a, whole) + whole;
+// CHECK-NEXT:     ivec4 whole_int;
+// CHECK-NEXT:     r += vec4(modf_(i, whole_int) + whole_int);
+// CHECK-NEXT:     float exponent;
+// CHECK-NEXT:     r.x += frexp_(s, exponent) + exponent;
+// CHECK-NEXT:     vec2 exponents;
+// CHECK-NEXT:     r.xy += frexp_(a.xy, exponents) + exponents;
+// CHECK-NEXT:     if (isnan(s) || isinf(s) || !isfinite(s) || any(isnan(a)) || all(isfinite(a))) {
+// CHECK-NEXT:         r = vec4(0.0);
+// CHECK-NEXT:     }
+// CHECK-NEXT:     return r;
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: void main() {
+// CHECK-NEXT:     vec4 result = shader_main(in_POSITION0);
+// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT: }

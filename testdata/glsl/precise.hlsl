@@ -1,0 +1,45 @@
+// RUN: %clipc -T vs_5_0 --validate %s -o - | FileCheck %s
+// RUN: %clipc -T vs_5_0 --target=essl320 --validate %s -o %t
+// RUN: %clipc -T vs_5_0 --target=glsl330 --validate %s -o - | FileCheck %s --check-prefix=OLD
+// AUTOUPDATE
+float4 a;
+float4 main(float4 p : POSITION) : SV_Position {
+  precise float4 r = p * a + 1;
+  return r;
+}
+
+// CHECK: #version 450
+// CHECK-EMPTY:
+// CHECK-NEXT: layout(std140, binding = 0) uniform Globals {  // b0
+// CHECK-NEXT:     vec4 a;
+// CHECK-NEXT: };
+// CHECK-EMPTY:
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// CHECK-EMPTY:
+// CHECK-NEXT: vec4 shader_main(vec4 p) {
+// CHECK-NEXT:     precise vec4 r = p * a + 1.0;
+// CHECK-NEXT:     return r;
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: void main() {
+// CHECK-NEXT:     vec4 result = shader_main(in_POSITION0);
+// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT: }
+
+// OLD: #version 330
+// OLD-EMPTY:
+// OLD-NEXT: layout(std140) uniform Globals {  // b0
+// OLD-NEXT:     vec4 a;
+// OLD-NEXT: };
+// OLD-EMPTY:
+// OLD-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// OLD-EMPTY:
+// OLD-NEXT: vec4 shader_main(vec4 p) {
+// OLD-NEXT:     vec4 r = p * a + 1.0;
+// OLD-NEXT:     return r;
+// OLD-NEXT: }
+// OLD-EMPTY:
+// OLD-NEXT: void main() {
+// OLD-NEXT:     vec4 result = shader_main(in_POSITION0);
+// OLD-NEXT:     gl_Position = result;
+// OLD-NEXT: }
