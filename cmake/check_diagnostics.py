@@ -54,6 +54,10 @@ def render(all_kinds):
     return "\n".join(lines) + "\n"
 
 
+# Nets below others: the parser or the driver says what is wrong before these could, or only a fault of clipc's brings them.
+NOT_PROVOKED = {"InvalidGlsl", "InternalError", "InitListAsValue", "SwitchWithoutBlock", "TargetClipVertex"}
+
+
 def untested(all_kinds):
     texts = [p.read_text(errors="replace") for p in sorted((root / "testdata").rglob("*")) if p.is_file()]
     texts += [p.read_text() for p in sorted(root.rglob("*_test.cpp")) if "build" not in p.relative_to(root).parts]
@@ -61,7 +65,7 @@ def untested(all_kinds):
     for _, name, _, _, message in all_kinds:
         pieces = [piece.strip(" `;") for piece in re.split(r"\{[^{}]*\}", message.replace("{{", "{").replace("}}", "}"))]
         longest = max(pieces, key=len)
-        if longest and longest not in corpus:
+        if name not in NOT_PROVOKED and longest and longest not in corpus:
             yield name, longest
 
 
