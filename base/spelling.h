@@ -12,7 +12,8 @@ namespace clipc {
 std::string ToLower(std::string_view text);
 bool EqualIgnoringCase(std::string_view a, std::string_view b);
 
-// Levenshtein distance without regard to case; `limit + 1` as soon as it must exceed `limit`.
+// Letters to insert, delete, replace or swap with their neighbour to make one name of the other (optimal string alignment),
+// without regard to case; `limit + 1` as soon as it must exceed `limit`.
 int EditDistance(std::string_view a, std::string_view b, int limit);
 
 // The candidates that a user who wrote `name` probably meant, nearest first, at most three: those within a third of the

@@ -8,8 +8,9 @@
 namespace clipc::clip_table {
 namespace {
 
-constexpr std::string_view kLoweringNames[] = {"clip-distance", "level9", "none"};
+constexpr std::string_view kLoweringNames[] = {"clip-distance", "level9", "none", "near-plane", "discard"};
 constexpr std::string_view kSpaceNames[] = {"direct3d-clip"};
+constexpr std::string_view kScaleNames[] = {"any", "depth"};
 
 template <typename Enum, std::size_t N>
 std::optional<Enum> Parse(std::string_view name, const std::string_view (&names)[N]) {
@@ -51,6 +52,8 @@ std::string_view NameOf(Lowering lowering) {
 
 std::string_view NameOf(PositionSpace space) { return kSpaceNames[static_cast<std::size_t>(space)]; }
 
+std::string_view NameOf(PlaneScale scale) { return kScaleNames[static_cast<std::size_t>(scale)]; }
+
 std::optional<Lowering> ParseLowering(std::string_view name) {
   return Parse<Lowering>(name, kLoweringNames);
 }
@@ -62,6 +65,9 @@ std::optional<PositionSpace> ParsePositionSpace(std::string_view name) {
 std::string ProblemOf(const ClipTable& table) {
   if (table.planes.size() > kMaxPlanes) {
     return std::to_string(table.planes.size()) + " planes; at most " + std::to_string(kMaxPlanes);
+  }
+  if (table.lowering == Lowering::kNearPlane && table.planes.size() > 1) {
+    return std::to_string(table.planes.size()) + " planes in the place of one near plane";
   }
   const std::uint32_t mask = EnableMask(table.lowering, table.planes.size());
   if (table.enable_mask != mask) {

@@ -19,6 +19,17 @@ enum class Lowering : std::uint8_t {
   kClipDistance,  // the shader writes gl_ClipDistance[i]: glEnable(GL_CLIP_DISTANCE0 + i)
   kLevel9,        // the shader writes no distance: SetClipPlane(i, plane) and D3DRS_CLIPPLANEENABLE, or glClipPlane
   kNone,          // the planes are ignored; nothing to enable
+  kNearPlane,     // the one plane takes the near plane's place; see PlaneScale::kDepth
+  kDiscard,       // the fragment shader discards what is clipped; nothing to enable
+};
+
+// Which lengths of a plane mean the same.
+enum class PlaneScale : std::uint8_t {
+  kAny,    // only the sign of dot(position, plane) counts
+  kDepth,  // dot(position, plane) becomes z: where it exceeds w, the far plane clips. The application scales the plane so
+           // that dot(v, plane) <= w at the corners v of the frustum's far side (Lengyel, "Oblique view frustum depth
+           // projection and clipping"), and must have the eye on the clipped side. A plane of zeros clips nothing but
+           // leaves no depth.
 };
 
 // The space of the position that the planes are dotted with, and so the space an application must give them in.
@@ -56,14 +67,21 @@ struct ClipTable {
   friend bool operator==(const ClipTable&, const ClipTable&) = default;
 };
 
-// (1 << planes) - 1, or 0 for kNone: what is enabled but not written is undefined in OpenGL.
+// (1 << planes) - 1 where the device clips, else 0: what is enabled but not written is undefined in OpenGL.
 constexpr std::uint32_t EnableMask(Lowering lowering, std::size_t planes) {
-  return lowering == Lowering::kNone ? 0 : (std::uint32_t{1} << planes) - 1;
+  const bool device_clips = lowering == Lowering::kClipDistance || lowering == Lowering::kLevel9;
+  return device_clips ? (std::uint32_t{1} << planes) - 1 : 0;
 }
 
-// "clip-distance", "level9", "none"; "direct3d-clip": the spelling in every text form.
+constexpr PlaneScale PlaneScaleOf(Lowering lowering) {
+  return lowering == Lowering::kNearPlane ? PlaneScale::kDepth : PlaneScale::kAny;
+}
+
+// "clip-distance", "level9", "none", "near-plane", "discard"; "direct3d-clip"; "any", "depth": the spelling in every text
+// form.
 std::string_view NameOf(Lowering lowering);
 std::string_view NameOf(PositionSpace space);
+std::string_view NameOf(PlaneScale scale);
 std::optional<Lowering> ParseLowering(std::string_view name);
 std::optional<PositionSpace> ParsePositionSpace(std::string_view name);
 

@@ -43,6 +43,7 @@ OrderedJson ToJson(const ClipTable& table) {
               {"profile", table.profile},
               {"lowering", NameOf(table.lowering)},
               {"position_space", NameOf(table.position_space)},
+              {"plane_scale", NameOf(PlaneScaleOf(table.lowering))},
               {"enable_mask", table.enable_mask},
               {"planes", std::move(planes)}};
 }
@@ -153,6 +154,9 @@ ClipTable TableFrom(const Json& json, std::string& error) {
   table.profile = object.Text("profile");
   table.lowering = object.Name("lowering", ParseLowering);
   table.position_space = object.Name("position_space", ParsePositionSpace);
+  const std::string scale = object.Text("plane_scale");
+  const std::string_view right = NameOf(PlaneScaleOf(table.lowering));
+  if (scale != right) object.Fail("plane_scale", "is \"" + scale + "\"; with this lowering it is \"" + std::string(right) + "\"");
   table.enable_mask = object.Number("enable_mask");
   const Json* planes = object.Find("planes");
   object.NothingElse();

@@ -30,8 +30,8 @@ class RandomTable {
     ClipTable table;
     table.entry = Text();
     table.profile = Text();
-    table.lowering = static_cast<Lowering>(Below(3));
-    const std::uint32_t count = Below(kMaxPlanes + 1);
+    table.lowering = static_cast<Lowering>(Below(5));
+    const std::uint32_t count = Below(table.lowering == Lowering::kNearPlane ? 2 : kMaxPlanes + 1);
     for (std::uint32_t i = 0; i < count; ++i) {
       Plane& plane = table.planes.emplace_back(Plane{i, Text(), std::nullopt});
       if (table.lowering != Lowering::kLevel9 && Below(4) == 0) continue;

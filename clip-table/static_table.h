@@ -23,7 +23,7 @@ struct StaticClipPlane {
 struct StaticClipTable {
   const char* entry;
   const char* profile;
-  const char* lowering;        // "clip-distance", "level9" or "none"
+  const char* lowering;        // "clip-distance", "level9", "none", "near-plane" or "discard"
   const char* position_space;  // "direct3d-clip"
   unsigned enable_mask;
   unsigned plane_count;

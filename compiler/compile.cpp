@@ -8,6 +8,7 @@
 #include <new>
 
 #include "backend-glsl/check_target.h"
+#include "backend-glsl/discard.h"
 #include "backend-glsl/target.h"
 #include "backend-glsl/writer.h"
 #include "clip-table/write.h"
@@ -66,7 +67,9 @@ class Compilation {
   void RunBackEnd(ir::Program& program);
   void Lower(ir::Program& program);
   void Write(const ir::Program& program);
-  void CheckWithGlslang();
+  void WriteFragment(const ir::Program& program);
+  void WriteVariants(const ir::Program& typed);
+  void CheckWithGlslang(const std::string& glsl, ShaderStage stage);
   void Finish(const Source& source);
 
   bool IsDump(Stage stage) const { return request_.dump == stage; }
@@ -134,6 +137,12 @@ void Compilation::RunBackEnd(ir::Program& program) {
     diagnostics_.Report(Cover(program.clip_planes.front().span, program.clip_planes.back().span),
                         diag::ClipPlanesIgnored, count, count == 1 ? " is" : "s are");
   }
+  if (settings_.lowering == Lowering::kNearPlane && program.clip_planes.size() > 1) {
+    diagnostics_.Report(program.clip_planes[1].span, diag::ClipPlanesForNearPlane, program.clip_planes.size());
+    return;
+  }
+  if (request_.variants) WriteVariants(program);
+  if (diagnostics_.has_errors()) return;
   Lower(program);
   if (!request_.stop_after.empty()) {
     if (request_.dump_after.empty()) result_.dump = ir::Print(program);
@@ -149,6 +158,8 @@ void Compilation::Lower(ir::Program& program) {
     case Lowering::kClipDistance: options.clip_planes.lowering = passes::Lowering::kClipDistance; break;
     case Lowering::kLevel9: options.clip_planes.lowering = passes::Lowering::kLevel9; break;
     case Lowering::kNone: options.clip_planes.lowering = passes::Lowering::kNone; break;
+    case Lowering::kNearPlane: options.clip_planes.lowering = passes::Lowering::kNearPlane; break;
+    case Lowering::kDiscard: options.clip_planes.lowering = passes::Lowering::kDiscard; break;
   }
   options.clip_planes.write_clip_vertex = settings_.target->HasClipVertex();
   options.clip_space.negative_one_to_one = request_.depth_range == DepthRange::kNegativeOneToOne;
@@ -171,7 +182,8 @@ void Compilation::Write(const ir::Program& program) {
   options.separable = request_.separable;
   result_.glsl = glsl::WriteGlsl(program, *settings_.target, options, &info_);
   result_.table = MakeClipTable(program, settings_.lowering, info_);
-  if (request_.validate) CheckWithGlslang();
+  if (request_.validate) CheckWithGlslang(result_.glsl, ShaderStage::kVertex);
+  if (settings_.lowering == Lowering::kDiscard) WriteFragment(program);
   if (IsDump(Stage::kGlsl)) result_.dump = result_.glsl;
   if (IsDump(Stage::kTable)) {
     auto json = clip_table::WriteJson(*result_.table);
@@ -180,9 +192,41 @@ void Compilation::Write(const ir::Program& program) {
   if (request_.reflect) result_.reflection = Reflect(program, *settings_.target, info_, *result_.table);
 }
 
-void Compilation::CheckWithGlslang() {
-  const Validation validation = Validate(result_.glsl, *settings_.target);
+void Compilation::WriteFragment(const ir::Program& program) {
+  const glsl::Target& target = *settings_.target;
+  if (!request_.fragment) {
+    const glsl::DiscardCode code = glsl::WriteDiscard(program, target, info_);
+    result_.fragment = code.declarations;
+    return;
+  }
+  glsl::Insertion insertion = glsl::InsertDiscard(*request_.fragment, program, target, info_);
+  if (!insertion.error.empty()) diagnostics_.Report({}, diag::FragmentShader, insertion.error);
+  result_.fragment = std::move(insertion.text);
+  if (request_.validate && insertion.error.empty()) CheckWithGlslang(result_.fragment, ShaderStage::kFragment);
+}
+
+// The planes of a draw call are moved to the front, so its variant is told by their number alone.
+void Compilation::WriteVariants(const ir::Program& typed) {
+  for (std::size_t count = 0; count <= typed.clip_planes.size(); ++count) {
+    ir::Program program = typed;
+    program.clip_planes.resize(count);
+    Lower(program);
+    glsl::CheckTarget(program, *settings_.target, diagnostics_);
+    if (diagnostics_.has_errors()) return;
+    Write(program);
+    result_.variants.push_back({std::move(result_.glsl), std::move(result_.fragment)});
+    info_ = {};
+  }
+}
+
+void Compilation::CheckWithGlslang(const std::string& glsl, ShaderStage stage) {
+  const Validation validation = Validate(glsl, *settings_.target, stage);
   if (validation.ok) return;
+  if (stage == ShaderStage::kFragment) {
+    diagnostics_.Report({}, diag::FragmentShader,
+                        validation.problems.empty() ? "glslang refuses it" : validation.problems[0]);
+    return;
+  }
   if (settings_.target->IsEs() && info_.clip_distance_mask != 0) {
     const std::string why = fmt::format("{} knows no clip distances in OpenGL ES", ValidatorName());
     diagnostics_.Report({}, diag::NotValidated, why);
@@ -201,6 +245,8 @@ void Compilation::Finish(const Source& source) {
   if (diagnostics_.has_errors()) {
     if (result_.ok()) result_.status = Status::kErrors;
     result_.glsl.clear();
+    result_.fragment.clear();
+    result_.variants.clear();
     result_.table.reset();
     result_.reflection.clear();
   }

@@ -34,6 +34,9 @@ struct CompileRequest {
   DepthRange depth_range = DepthRange::kZeroToOne;
   bool flip_y = false;
   bool separable = false;  // for program pipelines: gl_PerVertex is redeclared
+  // With lowering kDiscard: the GLSL of a fragment shader, to which the discard is added; none: it is an include of its own.
+  std::optional<std::string> fragment;
+  bool variants = false;   // fill CompileResult::variants
 
   WarningOptions warnings;
   bool validate = false;    // give the GLSL to glslang before returning it
@@ -53,9 +56,17 @@ enum class Status : std::uint8_t {
   kBadRequest,  // an unknown profile, target or pass, or a main file that cannot be read
 };
 
+// The shader with the first so many of its clip planes.
+struct Variant {
+  std::string glsl;
+  std::string fragment;
+};
+
 struct CompileResult {
   Status status = Status::kOk;
   std::string glsl;                              // empty unless kOk, and when stopped before it
+  std::string fragment;                          // with lowering kDiscard: the fragment shader, or what to include there
+  std::vector<Variant> variants;                 // on request: [k] has the first k planes
   std::optional<clip_table::ClipTable> table;    // with `glsl`
   std::string reflection;                        // JSON, with `glsl`, on request
   std::string dump;

@@ -15,6 +15,7 @@
 #include "compiler/depfile.h"
 #include "compiler/options.h"
 #include "compiler/output_files.h"
+#include "frontend/source_text.h"
 
 namespace clipc {
 namespace {
@@ -40,16 +41,22 @@ std::string FileName(const std::string& path) { return path.substr(path.rfind('/
 
 // Where everything about one input goes. Empty: it was not asked for. "-": standard output.
 struct Outputs {
-  std::string glsl, table, reflection, dependencies;
+  std::string glsl, fragment, table, reflection, dependencies;
 
   std::vector<std::string> Named() const {
     std::vector<std::string> named;
-    for (const std::string& path : {glsl, table, reflection, dependencies}) {
+    for (const std::string& path : {glsl, fragment, table, reflection, dependencies}) {
       if (!path.empty() && path != "-") named.push_back(path);
     }
     return named;
   }
 };
+
+// "water.2.vert": the shader with two planes.
+std::string VariantName(const std::string& path, std::size_t planes) {
+  const std::string stem = WithoutExtension(path);
+  return fmt::format("{}.{}{}", stem, planes, path.substr(stem.size()));
+}
 
 // A value that is only an extension, ".json", names the file after the GLSL.
 std::string NameAfter(const std::string& value, const std::string& glsl) {
@@ -69,6 +76,9 @@ Outputs PlaceOutputs(const CommandLine& command, const std::string& input) {
   const std::string name = outputs.glsl != "-" ? outputs.glsl : input == "-" ? "stdin" : input;
   outputs.table = NameAfter(command.table, name);
   outputs.reflection = NameAfter(command.reflection, name);
+  if (command.request.lowering == clip_table::Lowering::kDiscard) {
+    outputs.fragment = WithoutExtension(name) + (command.fragment.empty() ? ".discard.glsl" : ".frag");
+  }
   if (command.write_dependencies) {
     outputs.dependencies = NameAfter(command.dependency_file.empty() ? ".d" : command.dependency_file, name);
   }
@@ -88,6 +98,7 @@ class Driver {
  private:
   std::string CheckUsage();
   int CompileOne(const std::string& input, const Outputs& outputs);
+  void AddShaders(const CompileResult& result, const Outputs& outputs, OutputFiles& files) const;
   std::string Write(const CompileResult& result, const Outputs& outputs);
   void Show(const CompileResult& result);
 
@@ -107,13 +118,21 @@ std::string Driver::CheckUsage() {
   if (inputs.size() > 1 && !is_dump && !IsDirectory(command_.output)) {
     return "several input files need a folder to write to; give an existing one with -o";
   }
+  if (command_.request.variants && (command_.output.empty() || command_.output == "-")) {
+    return "--variants writes several files, named after the one that -o gives";
+  }
+  if (!command_.fragment.empty() && command_.request.lowering != clip_table::Lowering::kDiscard) {
+    return "--fragment is for --lower=discard; with the other lowerings the fragment shader stays as it is";
+  }
   std::vector<std::string> named;
   for (const std::string& input : inputs) {
     for (const std::string& path : PlaceOutputs(command_, input).Named()) {
       for (const std::string& other : named) {
         if (IsSameFile(path, other)) return fmt::format("two outputs would go to `{}`", path);
       }
-      for (const std::string& source : inputs) {
+      std::vector<std::string> sources = inputs;
+      if (!command_.fragment.empty()) sources.push_back(command_.fragment);
+      for (const std::string& source : sources) {
         if (IsSameFile(path, source)) return fmt::format("the output `{}` would overwrite its input", path);
       }
       named.push_back(path);
@@ -125,6 +144,10 @@ std::string Driver::CheckUsage() {
 int Driver::Run() {
   if (const std::string problem = CheckUsage(); !problem.empty()) return Fail(problem);
   CompileRequest& request = command_.request;
+  if (!command_.fragment.empty()) {
+    const std::string problem = ReadText(command_.fragment, request.fragment.emplace());
+    if (!problem.empty()) return Fail(fmt::format("cannot read `{}`: {}", command_.fragment, problem));
+  }
   request.reflect = !command_.reflection.empty();
   request.draw_text = command_.format == MessageFormat::kText;
   request.colour = request.draw_text && TerminalHasColour();
@@ -164,6 +187,20 @@ void Driver::Show(const CompileResult& result) {
   }
 }
 
+void Driver::AddShaders(const CompileResult& result, const Outputs& outputs, OutputFiles& files) const {
+  if (!command_.request.variants) {
+    files.Add(outputs.glsl, result.glsl);
+    if (!outputs.fragment.empty()) files.Add(outputs.fragment, result.fragment);
+  }
+  for (std::size_t planes = 0; planes < result.variants.size(); ++planes) {
+    const std::string path = VariantName(outputs.glsl, planes);
+    files.Add(path, result.variants[planes].glsl);
+    if (outputs.fragment.empty()) continue;
+    const std::string ending = outputs.fragment.substr(WithoutExtension(outputs.glsl).size());
+    files.Add(WithoutExtension(path) + ending, result.variants[planes].fragment);
+  }
+}
+
 // Empty on success. A failed compile has no files, but perhaps a dump of a stage before the failure.
 std::string Driver::Write(const CompileResult& result, const Outputs& outputs) {
   for (const std::string& path : outputs.Named()) {
@@ -174,7 +211,7 @@ std::string Driver::Write(const CompileResult& result, const Outputs& outputs) {
   OutputFiles files;
   if (!result.dump.empty()) files.Add("-", result.dump);
   const bool is_complete = result.table.has_value() && !command_.request.dump;
-  if (is_complete && !outputs.glsl.empty()) files.Add(outputs.glsl, result.glsl);
+  if (is_complete && !outputs.glsl.empty()) AddShaders(result, outputs, files);
   if (is_complete && !outputs.table.empty()) {
     const auto format = clip_table::FormatOf(outputs.table);
     auto text = clip_table::Write(*result.table, *format, outputs.table);

@@ -21,6 +21,7 @@ struct CommandLine {
   CompileRequest request;  // without path and text
   std::string output;      // empty: standard output
   std::string table, reflection;
+  std::string fragment;  // a file that gets the discard of --lower=discard
   bool write_dependencies = false;
   std::string dependency_file, dependency_target;
   MessageFormat format = MessageFormat::kText;

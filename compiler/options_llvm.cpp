@@ -136,9 +136,11 @@ constexpr std::array<std::pair<std::string_view, MessageFormat>, 4> kFormats = {
     {{"text", MessageFormat::kText}, {"msvc", MessageFormat::kMsvc}, {"json", MessageFormat::kJson}, {"sarif", MessageFormat::kSarif}}};
 constexpr std::array<std::pair<std::string_view, Stage>, 5> kStages = {
     {{"tokens", Stage::kTokens}, {"ast", Stage::kAst}, {"ir", Stage::kIr}, {"glsl", Stage::kGlsl}, {"table", Stage::kTable}}};
-constexpr std::array<std::pair<std::string_view, clip_table::Lowering>, 3> kLowerings = {
+constexpr std::array<std::pair<std::string_view, clip_table::Lowering>, 5> kLowerings = {
     {{"clip-distance", clip_table::Lowering::kClipDistance},
      {"level9", clip_table::Lowering::kLevel9},
+     {"near-plane", clip_table::Lowering::kNearPlane},
+     {"discard", clip_table::Lowering::kDiscard},
      {"none", clip_table::Lowering::kNone}}};
 
 // -Wno-clip-plane-twice, -Werror, -Werror=..., -Wno-error=...
@@ -186,6 +188,7 @@ bool ReadRequestOption(const llvm::opt::Arg& argument, CompileRequest& request, 
     case kOptPackColumns: request.matrices = MatrixOrder::kColumnMajor; return true;
     case kOptFlipY: request.flip_y = true; return true;
     case kOptSeparable: request.separable = true; return true;
+    case kOptVariants: request.variants = true; return true;
     case kOptVerify: request.verify = true; return true;
     case kOptDumpAfterIs: request.dump_after.push_back(value()); return true;
     case kOptStopAfterIs: request.stop_after = value(); return true;
@@ -208,6 +211,7 @@ bool ReadDriverOption(const llvm::opt::Arg& argument, CommandLine& command, std:
     case kOptOutput: command.output = value(); return true;
     case kOptTableIs: command.table = value(); return true;
     case kOptReflectIs: command.reflection = value(); return true;
+    case kOptFragmentIs: command.fragment = value(); return true;
     case kOptDependencyFile: command.dependency_file = value(); [[fallthrough]];
     case kOptDependencies: command.write_dependencies = true; return true;
     case kOptDependencyTarget: command.dependency_target = value(); return true;

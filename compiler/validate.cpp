@@ -40,13 +40,14 @@ std::vector<std::string> Problems(std::string_view log) {
 
 }  // namespace
 
-Validation Validate(const std::string& glsl, const glsl::Target& target) {
+Validation Validate(const std::string& glsl, const glsl::Target& target, ShaderStage stage) {
   InitializeOnce();
+  const EShLanguage language = stage == ShaderStage::kVertex ? EShLangVertex : EShLangFragment;
   auto messages = EShMsgDefault;
-  glslang::TShader shader(EShLangVertex);
+  glslang::TShader shader(language);
   if (target.IsVulkan()) {
     messages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules);
-    shader.setEnvInput(glslang::EShSourceGlsl, EShLangVertex, glslang::EShClientVulkan, 100);
+    shader.setEnvInput(glslang::EShSourceGlsl, language, glslang::EShClientVulkan, 100);
     shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_1);
     shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_3);
   }

@@ -13,9 +13,11 @@ struct Validation {
   std::vector<std::string> problems;  // glslang's messages, "line 12: ..."
 };
 
-// Compiles and links `glsl` as a vertex shader with glslang, in this process. The first call for a GLSL version builds
+enum class ShaderStage { kVertex, kFragment };
+
+// Compiles and links `glsl` as a shader of one stage with glslang, in this process. The first call for a GLSL version builds
 // glslang's tables for it, tens of milliseconds; they stay for the life of the process. Thread-safe.
-Validation Validate(const std::string& glsl, const glsl::Target& target);
+Validation Validate(const std::string& glsl, const glsl::Target& target, ShaderStage stage);
 
 // "glslang 12.0.0".
 std::string ValidatorName();

@@ -85,6 +85,7 @@ std::map<std::string, Flag> PixelsFlags(PixelsOptions& options) {
           }
           options.picture.clip_planes[value[0] - '0'] = ParsePlane(value.substr(2));
         }}},
+      {"fragment", {true, [&](const std::string& value) { options.picture.fragment = ReadFile(value); }}},
       {"zero-to-one", {false, [&](const std::string&) { options.picture.zero_to_one = true; }}},
       {"expect-plane", {true, [&](const std::string& value) { options.expectation.planes.push_back(ParsePlane(value)); }}},
       {"expect-flipped", {false, [&](const std::string&) { options.expectation.flipped = true; }}},

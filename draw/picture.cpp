@@ -38,7 +38,7 @@ void SetClipping(const Gl& gl, const PictureOptions& options) {
 }  // namespace
 
 Picture Draw(const Gl& gl, const std::string& vertex, const Inputs& inputs, const PictureOptions& options) {
-  Program program(gl, vertex, FragmentFor(VersionOf(vertex)), {});
+  Program program(gl, vertex, options.fragment.empty() ? FragmentFor(VersionOf(vertex)) : options.fragment, {});
   const Target target(gl, options.size);
   program.Bind(inputs);
   SetClipping(gl, options);

@@ -16,6 +16,7 @@ struct PictureOptions {
   std::uint32_t enable_mask = 0;       // bit i: glEnable(GL_CLIP_DISTANCE0 + i), the same as GL_CLIP_PLANE0 + i
   std::map<int, std::array<double, 4>> clip_planes = {};  // glClipPlane(i, ...) with an identity modelview
   bool zero_to_one = false;            // glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE)
+  std::string fragment = {};           // draws red, and depth as green; empty: one that does
 };
 
 struct Pixel {

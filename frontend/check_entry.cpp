@@ -91,8 +91,11 @@ std::string Checker::ScopedName(SymbolId id) const {
 
 void Checker::ReportNoEntry() {
   std::vector<std::string> names;
+  std::vector<Span> places;
   for (SymbolId id : symbols_.ids()) {
-    if (symbols_[id].kind == SymbolKind::kFunction) names.push_back(ScopedName(id));
+    if (symbols_[id].kind != SymbolKind::kFunction) continue;
+    names.push_back(ScopedName(id));
+    places.push_back(std::get<ast::FunctionDecl>(file_.decls[symbols_[id].decl].node).name_span);
   }
   const std::vector<std::string_view> candidates(names.begin(), names.end());
   std::vector<std::string_view> near = NearNames(options_.entry, candidates);
@@ -107,7 +110,10 @@ void Checker::ReportNoEntry() {
   const std::string tail = text.empty() ? ""
                            : has_hints  ? fmt::format("; its techniques compile {}", text)
                                         : fmt::format("; did you mean {}?", text);
-  const Span where = file_.top_level.empty() ? Span{} : file_.decls[file_.top_level.back()].span;
+  // The place of what was probably meant, or where the file's last declaration starts.
+  Span where = file_.top_level.empty() ? Span{} : file_.decls[file_.top_level.back()].span;
+  where.end = where.begin;
+  if (!near.empty() && !has_hints) where = places[static_cast<std::size_t>(std::ranges::find(names, near[0]) - names.begin())];
   diagnostics_.Report(where, diag::EntryNotFound, options_.entry, tail);
 }
 

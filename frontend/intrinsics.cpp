@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/spelling.h"
 #include "frontend/intrinsic_call.h"
 #include "frontend/reread.h"
 
@@ -310,24 +311,6 @@ ExprId CheckIr(const IntrinsicCheck& call, ir::Intrinsic op) {
   }
 }
 
-char Lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
-// Letters to insert, delete or replace to make one name of the other; case does not count much,
-// length is bounded.
-std::size_t EditDistance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i);
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (Lower(a[i - 1]) == Lower(b[j - 1]) ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
-    }
-  }
-  return row[b.size()];
-}
-
 }  // namespace
 
 bool IsIntrinsicName(std::string_view name) { return FindEntry(name) != nullptr; }
@@ -364,24 +347,11 @@ ExprId CheckIntrinsicCall(ir::Program& program, std::string_view name, Span name
 }
 
 std::vector<std::string_view> NearIntrinsics(std::string_view name) {
-  constexpr std::size_t kMostNames = 3;
-  constexpr std::size_t kLongestName = 64;
-  if (name.size() > kLongestName) return {};
-  const std::size_t limit = std::clamp<std::size_t>(name.size() / 3, 1, 3);
-  std::vector<std::pair<std::size_t, std::string_view>> near;
-  for (const Entry& entry : kEntries) {
-    const std::size_t longer = std::max(entry.name.size(), name.size());
-    const std::size_t shorter = std::min(entry.name.size(), name.size());
-    if (entry.rule >= Rule::kAbort || longer - shorter > limit) continue;
-    if (const std::size_t distance = EditDistance(entry.name, name); distance <= limit)
-      near.emplace_back(distance, entry.name);
-  }
-  std::sort(near.begin(), near.end());
   std::vector<std::string_view> names;
-  for (const auto& [distance, text] : near) {
-    if (names.size() < kMostNames) names.push_back(text);
+  for (const Entry& entry : kEntries) {
+    if (entry.rule < Rule::kAbort) names.push_back(entry.name);
   }
-  return names;
+  return NearNames(name, names);
 }
 
 }  // namespace clipc

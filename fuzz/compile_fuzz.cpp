@@ -14,7 +14,8 @@ namespace {
 constexpr std::array kProfiles = {"vs_5_0", "vs_4_0_level_9_1", "vs_4_0_level_9_3", "vs_5_1", "vs_6_6", "vs_3_0", "vs_4_0"};
 constexpr std::array kTargets = {"glsl450", "vulkan", "glsl330", "glsl120", "glsl130", "essl310", "glsl420", "essl300"};
 constexpr std::array kLowerings = {clipc::clip_table::Lowering::kClipDistance, clipc::clip_table::Lowering::kLevel9,
-                                   clipc::clip_table::Lowering::kNone};
+                                   clipc::clip_table::Lowering::kNone, clipc::clip_table::Lowering::kNearPlane,
+                                   clipc::clip_table::Lowering::kDiscard};
 
 // The digit at `position` as an index into a list of `size`.
 std::size_t Choose(std::string_view text, std::size_t position, std::size_t size) {

@@ -357,6 +357,9 @@ enum class Builtin : std::uint8_t {
 // One input or output of the shader: a scalar or vector of float, int, uint or double (bool arrives
 // as uint), or the arrays of kClipDistance and kCullDistance. Struct, array and matrix parameters
 // were taken apart (matrices by rows).
+// The semantic of outputs that carry distances to clip planes to a fragment shader that discards. No shader can write it.
+inline constexpr std::string_view kClipPlaneDistance = "SV_ClipPlaneDistance";
+
 struct IoVar {
   VarId var;
   std::string semantic;  // as written without its index: "TEXCOORD"

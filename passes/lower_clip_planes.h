@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <cstdint>
+
 #include "ir/program.h"
 
 namespace clipc::passes {
@@ -9,6 +11,8 @@ enum class Lowering : std::uint8_t {
   kClipDistance,  // n dot products into kClipDistance
   kLevel9,        // nothing in the shader but, when asked for, kClipVertex; the clip table carries the planes
   kNone,          // the planes are ignored, on the user's request
+  kNearPlane,     // the one plane becomes the depth: what lies behind it fails the test against the near plane
+  kDiscard,       // n dot products into outputs of the shader's own, for a fragment shader that discards
 };
 
 struct ClipPlaneOptions {
@@ -18,11 +22,15 @@ struct ClipPlaneOptions {
 
 // Turns the clip planes of the entry point into outputs, at the end of `main`, where every path of the shader meets.
 //
-// Requires Form::kTyped, and for kClipDistance that no output is kClipDistance yet. Ensures Form::kNoClipPlanes.
+// Requires Form::kTyped; for kClipDistance that no output is kClipDistance yet; for kNearPlane at most one plane. Ensures
+// Form::kNoClipPlanes.
 //
 //   gl_Position = result.position;            gl_Position = result.position;
 //                                       =>    gl_ClipDistance[0] = dot(gl_Position, plane0);
 //                                             gl_ClipDistance[1] = dot(gl_Position, plane1);
+//
+// With kNearPlane, `gl_Position.z = dot(gl_Position, plane)`: 0 <= z is what the plane asks, and interpolates as z does. With
+// kDiscard, the distances are float vectors of up to four components whose semantic is ir::kClipPlaneDistance.
 //
 // The position is the one the HLSL shader wrote (Direct3D clip space), so this runs before AdjustClipSpace.
 void LowerClipPlanes(ir::Program& program, const ClipPlaneOptions& options);

@@ -142,6 +142,34 @@ TEST(Pipeline, Level9ClipVertexIsTheHlslPosition) {
   EXPECT_THAT(OutputsOf(program, {3, 5, 7, 2}), ElementsAre(ElementsAre(3, -5, 12, 2), ElementsAre(3, 5, 7, 2)));
 }
 
+TEST(Pipeline, NearPlaneIsTheDepth) {
+  Program one = TwoPlanes();
+  one.clip_planes.erase(one.clip_planes.begin());
+  PipelineOptions options;
+  options.clip_planes.lowering = Lowering::kNearPlane;
+  EXPECT_THAT(OutputsOf(Lowered(one, options), {3, 5, 7, 2}), ElementsAre(ElementsAre(3, 5, 3.5f, 2)));
+  options.clip_space = {.negative_one_to_one = true, .flip_y = true};
+  EXPECT_THAT(OutputsOf(Lowered(one, options), {3, 5, 7, 2}), ElementsAre(ElementsAre(3, -5, 2 * 3.5f - 2, 2)));
+}
+
+TEST(Pipeline, DiscardWritesTheDistancesAsVectors) {
+  PipelineOptions options;
+  options.clip_planes.lowering = Lowering::kDiscard;
+  options.clip_space = {.negative_one_to_one = true, .flip_y = true};
+  const Program two = Lowered(TwoPlanes(), options);
+  EXPECT_THAT(OutputsOf(two, {3, 5, 7, 2}), ElementsAre(ElementsAre(3, -5, 12, 2), ElementsAre(2, 3.5f)));
+  EXPECT_EQ(two.outputs[1].semantic, kClipPlaneDistance);
+
+  Program five = TwoPlanes();
+  for (int i = 0; i < 3; ++i) {
+    ClipPlane again = five.clip_planes[1];
+    again.value = Clone(five, again.value);
+    five.clip_planes.push_back(again);
+  }
+  EXPECT_THAT(OutputsOf(Lowered(five, options), {3, 5, 7, 2}),
+              ElementsAre(ElementsAre(3, -5, 12, 2), ElementsAre(2, 3.5f, 3.5f, 3.5f), ElementsAre(3.5f)));
+}
+
 TEST(Pipeline, AShaderWithoutPlanesOrPositionStaysAsItIs) {
   Program program = TwoPlanes();
   program.clip_planes.clear();
@@ -149,7 +177,8 @@ TEST(Pipeline, AShaderWithoutPlanesOrPositionStaysAsItIs) {
   PipelineOptions options;
   options.clip_space = {.negative_one_to_one = true, .flip_y = true};
   const std::string before = Print(program);
-  for (const Lowering lowering : {Lowering::kClipDistance, Lowering::kLevel9, Lowering::kNone}) {
+  for (const Lowering lowering : {Lowering::kClipDistance, Lowering::kLevel9, Lowering::kNone, Lowering::kNearPlane,
+                                  Lowering::kDiscard}) {
     options.clip_planes = {.lowering = lowering, .write_clip_vertex = true};
     EXPECT_EQ(MainOf(Lowered(program, options)), MainOf(program));
   }

@@ -21,6 +21,7 @@ float4 main(float4 position : POSITION) : SV_Position { return mul(position, vie
 // JSON-NEXT: "profile": "vs_4_0_level_9_1",
 // JSON-NEXT: "lowering": "level9",
 // JSON-NEXT: "position_space": "direct3d-clip",
+// JSON-NEXT: "plane_scale": "any",
 // JSON-NEXT: "enable_mask": 3,
 // JSON: "text": "water_plane",
 // JSON: "cbuffer": "ClipPlanes",
