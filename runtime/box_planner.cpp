@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "runtime/box_planner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace clipc::runtime {
+namespace {
+
+constexpr std::size_t kMaxPlanes = 6;
+constexpr float kUnitRoundoff = 0x1p-24f;
+constexpr float kErrorFactor = 10 * kUnitRoundoff;
+constexpr float kUnderflow = 0x1p-120f;
+// Sums below this do not overflow, and leave room for the shader's.
+constexpr float kLargestSum = 0x1p120f;
+constexpr float kLargestBound = kErrorFactor * kLargestSum;
+constexpr float kUndecided = std::numeric_limits<float>::quiet_NaN();
+
+constexpr std::size_t kBlock = 256;  // 24 bytes each: a block stays in the first-level cache for all planes
+
+// Inlined into a function for AVX2 and into one for whatever the build is for: the same operations, so the same
+// results.
+#if defined(__GNUC__) && defined(__x86_64__)
+#define CLIPC_HAS_AVX2_CLONE 1
+#define CLIPC_BLOCK_FUNCTION inline __attribute__((always_inline))
+#else
+#define CLIPC_HAS_AVX2_CLONE 0
+#define CLIPC_BLOCK_FUNCTION inline
+#endif
+
+// kBlock boxes, and what was found out about them.
+struct Block {
+  const float* low[3];
+  const float* high[3];
+  float largest[3][kBlock];        // max(|low|, |high|)
+  std::uint32_t in_order[kBlock];  // 1 where low <= high on every axis: not so if one is NaN
+  float coarse_error[kBlock];      // at least E of every plane
+  std::uint32_t needed[kBlock];    // bits of planes
+  std::uint32_t culled[kBlock];    // 1 or 0
+};
+
+CLIPC_BLOCK_FUNCTION float Magnitude(float number) { return number < 0 ? -number : number; }
+CLIPC_BLOCK_FUNCTION float Larger(float a, float b) { return a > b ? a : b; }
+
+CLIPC_BLOCK_FUNCTION bool IsZero(const Float4& plane) {
+  return plane.x == 0 && plane.y == 0 && plane.z == 0 && plane.w == 0;
+}
+
+CLIPC_BLOCK_FUNCTION void MeasureBlock(Block& block) {
+  for (std::size_t i = 0; i < kBlock; ++i) block.in_order[i] = 1;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float *low = block.low[axis], *high = block.high[axis];
+    for (std::size_t i = 0; i < kBlock; ++i) {
+      block.largest[axis][i] = Larger(Magnitude(low[i]), Magnitude(high[i]));
+      block.in_order[i] &= static_cast<std::uint32_t>(low[i] <= high[i]);
+    }
+  }
+}
+
+// E for a plane whose coefficients have the magnitudes `size`: monotonic in each of them, roundings included. NaN, to
+// which no distance compares, where sums are too large.
+CLIPC_BLOCK_FUNCTION void SetError(const Block& block, const Float4& size, float underflow, float (&error)[kBlock]) {
+  const float x = size.x, y = size.y, z = size.z, w = size.w;
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const float sum = x * block.largest[0][i] + y * block.largest[1][i] + z * block.largest[2][i] + w;
+    const float bound = kErrorFactor * sum + underflow;
+    error[i] = bound < kLargestBound ? bound : kUndecided;
+  }
+}
+
+CLIPC_BLOCK_FUNCTION void SetCoarseError(Block& block, const Float4* planes, std::size_t plane_count) {
+  Float4 size;
+  for (std::size_t i = 0; i < plane_count; ++i) {
+    size.x = Larger(size.x, Magnitude(planes[i].x)), size.y = Larger(size.y, Magnitude(planes[i].y));
+    size.z = Larger(size.z, Magnitude(planes[i].z)), size.w = Larger(size.w, Magnitude(planes[i].w));
+  }
+  SetError(block, size, kUnderflow, block.coarse_error);
+}
+
+// One plane against a block of boxes, with `error` for E. Whether a distance is nearer to 0 than `error` for some box
+// in order: then another error might give another answer.
+CLIPC_BLOCK_FUNCTION bool PlanBlock(Block& block, const Float4& plane, std::uint32_t bit,
+                                    const float (&error)[kBlock]) {
+  const bool up_x = plane.x >= 0, up_y = plane.y >= 0, up_z = plane.z >= 0;
+  const float *near_x = up_x ? block.low[0] : block.high[0], *far_x = up_x ? block.high[0] : block.low[0];
+  const float *near_y = up_y ? block.low[1] : block.high[1], *far_y = up_y ? block.high[1] : block.low[1];
+  const float *near_z = up_z ? block.low[2] : block.high[2], *far_z = up_z ? block.high[2] : block.low[2];
+  const float x = plane.x, y = plane.y, z = plane.z, w = plane.w;
+  std::uint32_t close = 0;
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const float nearest = x * near_x[i] + y * near_y[i] + z * near_z[i] + w;
+    const float farthest = x * far_x[i] + y * far_y[i] + z * far_z[i] + w;
+    // All comparisons are false for NaN, which needs the plane.
+    const bool is_in = nearest >= error[i], is_out = farthest < -error[i];
+    block.needed[i] |= is_in ? 0 : bit;
+    block.culled[i] |= is_out ? 1 : 0;
+    close |= static_cast<std::uint32_t>(is_in ^ (nearest >= 0)) | static_cast<std::uint32_t>(is_out ^ (farthest < 0));
+  }
+  return close != 0;
+}
+
+// The first `count` plans of a block of exactly kBlock boxes.
+CLIPC_BLOCK_FUNCTION void PlanFullBlock(Block& block, const Float4* planes, std::size_t plane_count, BoxPlan* plans,
+                                        std::size_t count) {
+  MeasureBlock(block);
+  // One error for all planes is less work, and hardly ever too large. Where it may be, once more with each plane's own.
+  SetCoarseError(block, planes, plane_count);
+  for (std::size_t i = 0; i < kBlock; ++i) block.needed[i] = block.culled[i] = 0;
+  bool close = false;
+  for (std::size_t i = 0; i < plane_count; ++i) close |= PlanBlock(block, planes[i], 1u << i, block.coarse_error);
+  if (close) {
+    for (std::size_t i = 0; i < kBlock; ++i) block.needed[i] = block.culled[i] = 0;
+    for (std::size_t i = 0; i < plane_count; ++i) {
+      float error[kBlock];
+      const Float4& p = planes[i];
+      SetError(block, {Magnitude(p.x), Magnitude(p.y), Magnitude(p.z), Magnitude(p.w)}, IsZero(p) ? 0 : kUnderflow,
+               error);
+      PlanBlock(block, p, 1u << i, error);
+    }
+  }
+  const std::uint32_t all = (1u << plane_count) - 1;
+  BoxPlan narrow[kBlock];
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    // Masks instead of branches, which would keep the loop scalar.
+    const std::uint32_t is_culled = block.culled[i], in_order = block.in_order[i];
+    const std::uint32_t plan = is_culled * kCulled | ((is_culled - 1) & block.needed[i]);
+    narrow[i] = static_cast<BoxPlan>(((0 - in_order) & plan) | ((in_order - 1) & all));
+  }
+  for (std::size_t i = 0; i < count; ++i) plans[i] = narrow[i];
+}
+
+using PlanFunction = void (*)(Block&, const Float4*, std::size_t, BoxPlan*, std::size_t);
+
+void PlanForAnyProcessor(Block& block, const Float4* planes, std::size_t plane_count, BoxPlan* plans,
+                         std::size_t count) {
+  PlanFullBlock(block, planes, plane_count, plans, count);
+}
+
+#if CLIPC_HAS_AVX2_CLONE
+__attribute__((target("avx2"))) void PlanForAvx2(Block& block, const Float4* planes, std::size_t plane_count,
+                                                 BoxPlan* plans, std::size_t count) {
+  PlanFullBlock(block, planes, plane_count, plans, count);
+}
+#endif
+
+PlanFunction ChoosePlanFunction() {
+#if CLIPC_HAS_AVX2_CLONE
+  if (__builtin_cpu_supports("avx2")) return PlanForAvx2;
+#endif
+  return PlanForAnyProcessor;
+}
+
+bool IsBox(const Box& box) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!(box.low[axis] <= box.high[axis])) return false;
+  }
+  return true;
+}
+
+// |v| |M_0| |M_1| ... for the corner of largest |v|, with what underflow may add; false where float might overflow.
+bool LargestPosition(const Box& box, const Matrix* matrices, std::size_t matrix_count, double (&position)[4]) {
+  for (int axis = 0; axis < 3; ++axis) {
+    position[axis] =
+        std::max(std::fabs(static_cast<double>(box.low[axis])), std::fabs(static_cast<double>(box.high[axis])));
+  }
+  position[3] = 1;
+  for (std::size_t k = 0; k < matrix_count; ++k) {
+    double next[4];
+    for (int column = 0; column < 4; ++column) {
+      next[column] = 0x1p-100;
+      for (int row = 0; row < 4; ++row) next[column] += position[row] * std::fabs(matrices[k].m[row][column]);
+      if (!(next[column] < static_cast<double>(kLargestSum))) return false;
+    }
+    std::copy(next, next + 4, position);
+  }
+  return true;
+}
+
+// The plane's part of a plan: 0, its bit, or kCulled.
+std::uint32_t PlanTransformed(const Box& box, const Matrix* matrices, std::size_t matrix_count,
+                              const double (&largest)[4], const Float4& plane, std::uint32_t bit) {
+  Plane before = {plane.x, plane.y, plane.z, plane.w};
+  const double sum = largest[0] * std::fabs(before.x) + largest[1] * std::fabs(before.y) +
+                     largest[2] * std::fabs(before.z) + largest[3] * std::fabs(before.w);
+  if (!(sum < static_cast<double>(kLargestSum))) return bit;
+  const bool is_zero = before.x == 0 && before.y == 0 && before.z == 0 && before.w == 0;
+  const double steps = static_cast<double>(matrix_count + 1);
+  const double error =
+      5 * steps * static_cast<double>(kUnitRoundoff) * sum + (is_zero ? 0 : static_cast<double>(kUnderflow));
+  for (std::size_t k = matrix_count; k-- > 0;) before = PlaneBefore(matrices[k], before);
+  const double n[3] = {before.x, before.y, before.z};
+  double nearest = before.w, farthest = before.w;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double at_low = n[axis] * static_cast<double>(box.low[axis]),
+                 at_high = n[axis] * static_cast<double>(box.high[axis]);
+    nearest += std::min(at_low, at_high);
+    farthest += std::max(at_low, at_high);
+  }
+  if (farthest < -error) return kCulled;
+  return nearest >= error ? 0 : bit;
+}
+
+}  // namespace
+
+BoxPlan PlanBox(const Box& box, const Float4* planes, std::size_t plane_count) noexcept {
+  // Operation by operation as PlanBlock.
+  plane_count = std::min(plane_count, kMaxPlanes);
+  std::uint32_t needed = 0;
+  bool culled = false;
+  for (std::size_t i = 0; i < plane_count; ++i) {
+    const Float4& plane = planes[i];
+    const float n[3] = {plane.x, plane.y, plane.z};
+    const bool is_zero = n[0] == 0 && n[1] == 0 && n[2] == 0 && plane.w == 0;
+    float nearest = 0, farthest = 0, sum = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const float low = n[axis] * (n[axis] >= 0 ? box.low[axis] : box.high[axis]);
+      const float high = n[axis] * (n[axis] >= 0 ? box.high[axis] : box.low[axis]);
+      const float a = std::fabs(box.low[axis]), b = std::fabs(box.high[axis]);
+      const float size = std::fabs(n[axis]) * (a > b ? a : b);
+      nearest = axis == 0 ? low : nearest + low;
+      farthest = axis == 0 ? high : farthest + high;
+      sum = axis == 0 ? size : sum + size;
+    }
+    nearest += plane.w, farthest += plane.w, sum += std::fabs(plane.w);
+    const float bound = kErrorFactor * sum + (is_zero ? 0 : kUnderflow);
+    const float error = bound < kLargestBound ? bound : kUndecided;
+    if (!(nearest >= error)) needed |= std::uint32_t{1} << i;
+    culled |= farthest < -error;
+  }
+  if (!IsBox(box)) return static_cast<BoxPlan>((1u << plane_count) - 1);
+  return culled ? kCulled : static_cast<BoxPlan>(needed);
+}
+
+void PlanBoxes(const BoxArrays& boxes, const Float4* planes, std::size_t plane_count, BoxPlan* plans) noexcept {
+  const PlanFunction plan = ChoosePlanFunction();
+  plane_count = std::min(plane_count, kMaxPlanes);
+  Block block;
+  std::size_t first = 0;
+  for (; boxes.count - first >= kBlock; first += kBlock) {
+    for (int axis = 0; axis < 3; ++axis) {
+      block.low[axis] = boxes.low[axis] + first;
+      block.high[axis] = boxes.high[axis] + first;
+    }
+    plan(block, planes, plane_count, plans + first, kBlock);
+  }
+  const std::size_t rest = boxes.count - first;
+  if (rest == 0) return;
+  float copies[6][kBlock] = {};
+  for (int axis = 0; axis < 3; ++axis) {
+    block.low[axis] = std::copy_n(boxes.low[axis] + first, rest, copies[axis]) - rest;
+    block.high[axis] = std::copy_n(boxes.high[axis] + first, rest, copies[3 + axis]) - rest;
+  }
+  plan(block, planes, plane_count, plans + first, rest);
+}
+
+BoxPlan PlanTransformedBox(const Box& box, const Matrix* matrices, std::size_t matrix_count, const Float4* planes,
+                           std::size_t plane_count) noexcept {
+  plane_count = std::min(plane_count, kMaxPlanes);
+  const auto all = static_cast<BoxPlan>((1u << plane_count) - 1);
+  double largest[4];
+  if (!IsBox(box) || !LargestPosition(box, matrices, matrix_count, largest)) return all;
+  std::uint32_t plan = 0;
+  for (std::size_t i = 0; i < plane_count; ++i) {
+    plan |= PlanTransformed(box, matrices, matrix_count, largest, planes[i], std::uint32_t{1} << i);
+  }
+  return (plan & kCulled) != 0 ? kCulled : static_cast<BoxPlan>(plan);
+}
+
+}  // namespace clipc::runtime

@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "runtime/clip_plane.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "runtime/test_cameras.h"
+
+namespace clipc::runtime {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+double Largest(const Plane& p) { return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z), std::fabs(p.w)}); }
+
+// The largest difference, relative to the largest component.
+double Difference(const Plane& a, const Plane& b) {
+  return Largest({a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w}) / Largest(b);
+}
+
+// M^-1 c by cofactors in Wide: slow, simple, and not how the product does it.
+Plane ExactAfter(const Matrix& matrix, const Plane& plane) {
+  const auto& m = matrix.m;
+  const auto minor = [&](int row, int column) {
+    Wide d[3][3];
+    for (int i = 0, r = 0; i < 4; ++i) {
+      if (i == row) continue;
+      for (int j = 0, c = 0; j < 4; ++j) {
+        if (j != column) d[r][c++] = m[i][j];
+      }
+      ++r;
+    }
+    const Wide minor = d[0][0] * (d[1][1] * d[2][2] - d[1][2] * d[2][1]) -
+                       d[0][1] * (d[1][0] * d[2][2] - d[1][2] * d[2][0]) +
+                       d[0][2] * (d[1][0] * d[2][1] - d[1][1] * d[2][0]);
+    return (row + column) % 2 == 0 ? minor : -minor;
+  };
+  Wide determinant = 0, x[4] = {};
+  const double c[4] = {plane.x, plane.y, plane.z, plane.w};
+  for (int j = 0; j < 4; ++j) determinant += m[0][j] * minor(0, j);
+  for (int j = 0; j < 4; ++j) {
+    for (int i = 0; i < 4; ++i) x[j] += c[i] * minor(i, j);
+    x[j] /= determinant;
+  }
+  return {static_cast<double>(x[0]), static_cast<double>(x[1]), static_cast<double>(x[2]), static_cast<double>(x[3])};
+}
+
+TEST(ClipPlane, EveryProjectionMatchesTheExactSolution) {
+  Random random(1);
+  for (const Camera& camera : AllCameras()) {
+    for (int i = 0; i < 200; ++i) {
+      Plane view = random.PlaneAt(random.Between(-1, 1) * random.Magnitude(0.01, 1000));
+      if (random.Below(10) == 0) view.w = 0;
+      const Result<PlaneConstant> plane = ClipPlaneFromView(view, camera.projection);
+      ASSERT_TRUE(plane.ok()) << camera.name << ": " << plane.status.message();
+      const double difference = Difference(plane.value.plane, ExactAfter(camera.projection, view));
+      // What `condition` promises; 8 for the constant in "about".
+      EXPECT_LE(difference, 8 * plane.value.condition * 0x1p-53) << camera.name;
+      EXPECT_LT(plane.value.condition, 100) << camera.name;
+    }
+  }
+}
+
+TEST(ClipPlane, SameDotProductInBothSpaces) {
+  Random random(2);
+  for (const Camera& camera : AllCameras()) {
+    const double far = std::isinf(camera.far) ? 1000 : camera.far;
+    for (int i = 0; i < 200; ++i) {
+      const Plane view = random.PlaneAt(random.Between(-50, 50));
+      const Plane clip = ClipPlaneFromView(view, camera.projection).value.plane;
+      const auto v = ViewPoint(camera, random.Between(-1, 1), random.Between(-1, 1), random.Between(camera.near, far));
+      double position[4] = {}, size = 0;
+      const double c[4] = {clip.x, clip.y, clip.z, clip.w};
+      for (int j = 0; j < 4; ++j) {
+        for (int k = 0; k < 4; ++k)
+          position[j] += v[k] * camera.projection.m[k][j], size += std::fabs(v[k] * camera.projection.m[k][j] * c[j]);
+      }
+      EXPECT_NEAR(Dot(clip, position), Dot(view, {v[0], v[1], v[2], v[3]}), 1e-14 * size) << camera.name;
+    }
+  }
+}
+
+TEST(ClipPlane, GeneralMatricesMatchTheClosedForm) {
+  // A rotation of the picture (a tilted display) takes the projection out of the closed form's shape.
+  Random random(3);
+  for (const Camera& camera : AllCameras()) {
+    Matrix tilt;
+    tilt.m[0][0] = tilt.m[1][1] = std::cos(0.5);
+    tilt.m[1][0] = -(tilt.m[0][1] = std::sin(0.5));
+    const Matrix tilted = Multiply(camera.projection, tilt);
+    ASSERT_FALSE(ShapeOf(tilted).holds);
+    for (int i = 0; i < 100; ++i) {
+      const Plane view = random.PlaneAt(random.Between(-50, 50));
+      const Result<PlaneConstant> plane = ClipPlaneFromView(view, tilted);
+      ASSERT_TRUE(plane.ok()) << plane.status.message();
+      EXPECT_LE(Difference(plane.value.plane, ExactAfter(tilted, view)), 8 * plane.value.condition * 0x1p-53)
+          << camera.name;
+      EXPECT_LT(plane.value.condition, 1e5) << camera.name;
+    }
+  }
+}
+
+TEST(ClipPlane, WorldAndObjectSpaceGoThroughTheViewMatrix) {
+  Random random(4);
+  for (const Camera& camera : AllCameras()) {
+    for (int i = 0; i < 50; ++i) {
+      Matrix world = random.Rigid(10);
+      for (auto& row : world.m) row[0] *= 2, row[1] *= 0.5;  // a world that scales unevenly
+      const Matrix view = random.Rigid(10);
+      const Plane in_view = random.PlaneAt(random.Between(-20, 20));
+      const Plane in_world = PlaneBefore(view, in_view), in_object = PlaneBefore(world, in_world);
+      const Plane expected = ClipPlaneFromView(in_view, camera.projection).value.plane;
+      const Result<PlaneConstant> from_world = ClipPlaneFromWorld(in_world, view, camera.projection);
+      const Result<PlaneConstant> from_object = ClipPlaneFromObject(in_object, world, view, camera.projection);
+      ASSERT_TRUE(from_world.ok() && from_object.ok());
+      EXPECT_LE(Difference(from_world.value.plane, expected), 8 * from_world.value.condition * 0x1p-53) << camera.name;
+      EXPECT_LE(Difference(from_object.value.plane, expected), 8 * from_object.value.condition * 0x1p-53)
+          << camera.name;
+    }
+  }
+}
+
+TEST(ClipPlane, BothMatrixConventionsMeanTheSame) {
+  const Camera camera = PerspectiveCamera(0.1, 100, {}, -1, 0.3, -0.2);
+  float row_vector[16], column_vector[16];
+  for (int i = 0; i < 16; ++i) {
+    row_vector[i] = static_cast<float>(camera.projection.m[i / 4][i % 4]);
+    column_vector[i] = static_cast<float>(camera.projection.m[i % 4][i / 4]);
+  }
+  const Matrix a = RowVectorMatrix(row_vector), b = ColumnVectorMatrix(column_vector);
+  EXPECT_EQ(std::memcmp(&a, &b, sizeof a), 0);
+  EXPECT_EQ(a.m[3][2], static_cast<double>(static_cast<float>(camera.projection.m[3][2])));
+}
+
+TEST(ClipPlane, IsRoundedOnce) {
+  Random random(5);
+  for (int i = 0; i < 1000; ++i) {
+    const Camera camera = PerspectiveCamera(random.Magnitude(0.01, 1), random.Magnitude(10, 1e5));
+    const Result<PlaneConstant> plane = ClipPlaneFromView(random.PlaneAt(random.Between(-50, 50)), camera.projection);
+    const Plane& p = plane.value.plane;
+    EXPECT_EQ(plane.value.constant.z, static_cast<float>(p.z));
+    EXPECT_LE(std::fabs(static_cast<double>(plane.value.constant.w) - p.w), 0x1p-24 * std::fabs(p.w));
+  }
+}
+
+// g++ 12 with vector instructions once dropped double -> float -> double; then every float result here would be a
+// fiction.
+TEST(ClipPlane, TheCompilerKeepsRoundings) {
+  Random random(6);
+  double plain[64], rounded[64];
+  for (int i = 0; i < 64; ++i) plain[i] = random.Between(1, 2);
+  for (int i = 0; i < 64; i += 4) {
+    const Float4 f = RoundPlane({plain[i], plain[i + 1], plain[i + 2], plain[i + 3]}).value;
+    const Float4 g = {static_cast<float>(plain[i]), static_cast<float>(plain[i + 1]), static_cast<float>(plain[i + 2]),
+                      static_cast<float>(plain[i + 3])};
+    EXPECT_EQ(std::memcmp(&f, &g, sizeof f), 0);
+    rounded[i] = g.x, rounded[i + 1] = g.y, rounded[i + 2] = g.z, rounded[i + 3] = g.w;
+  }
+  int changed = 0;
+  for (int i = 0; i < 64; ++i) {
+    volatile float once = static_cast<float>(plain[i]);
+    EXPECT_EQ(rounded[i], static_cast<double>(once));
+    changed += rounded[i] != plain[i];
+  }
+  EXPECT_EQ(changed, 64);
+}
+
+TEST(ClipPlane, MatricesWithoutInverse) {
+  const Plane plane = {0, 0, 1, -1};
+  Matrix flat;  // onto the plane z = 0
+  flat.m[2][2] = 0;
+  EXPECT_EQ(ClipPlaneFromView(plane, flat).status.error(), Error::kSingular);
+  Matrix general = flat;
+  general.m[0][1] = 1;
+  EXPECT_EQ(ClipPlaneFromView(plane, general).status.error(), Error::kSingular);
+  EXPECT_EQ(ClipPlaneFromWorld(plane, flat, {}).status.error(), Error::kSingular);
+  EXPECT_THAT(ClipPlaneFromWorld(plane, flat, {}).status.message(), HasSubstr("view matrix"));
+  EXPECT_EQ(ClipPlaneFromObject(plane, flat, {}, {}).status.error(), Error::kSingular);
+  EXPECT_TRUE(ObjectPlaneFromWorld(plane, flat).ok()) << "no inverse is needed there";
+}
+
+TEST(ClipPlane, ResultsThatCannotBeTrusted) {
+  // Two rows that differ by 1e-14 of their size.
+  Matrix nearly;
+  nearly.m[0][1] = 1;
+  nearly.m[1][0] = 1, nearly.m[1][1] = 1 + 1e-14;
+  const Result<PlaneConstant> result = ClipPlaneFromView({1, 2, 3, 4}, nearly);
+  EXPECT_EQ(result.status.error(), Error::kIllConditioned);
+  EXPECT_THAT(result.status.message(), HasSubstr("condition"));
+
+  // A world so far away that the view matrix leaves no digits for the distance to the near plane.
+  Random random(7);
+  Matrix view = random.Rigid(0);
+  const Camera camera = PerspectiveCamera(0.001, 1000);
+  const auto at = [&](double distance) {
+    view.m[3][0] = view.m[3][1] = view.m[3][2] = distance;
+    const Plane in_view = {0.6, 0, 0.8, -5};
+    return std::pair(ClipPlaneFromWorld(PlaneBefore(view, in_view), view, camera.projection),
+                     ClipPlaneFromView(in_view, camera.projection).value.plane);
+  };
+  for (const double distance : {0.0, 1e3, 1e6}) {
+    const auto [plane, expected] = at(distance);
+    ASSERT_TRUE(plane.ok()) << distance;
+    EXPECT_LT(Difference(plane.value.plane, expected), 0x1p-25) << distance;
+  }
+  EXPECT_EQ(at(1e12).first.status.error(), Error::kIllConditioned);
+}
+
+// Whenever the answer is a plane, it is right to float precision, however bad the matrices are.
+TEST(ClipPlane, NeverWrongWithoutSayingSo) {
+  Random random(8);
+  int trusted = 0, refused = 0;
+  for (int i = 0; i < 20000; ++i) {
+    Matrix matrix;
+    for (auto& row : matrix.m) {
+      for (double& element : row) element = random.Between(-1, 1) * random.Magnitude(1e-3, 1e3);
+    }
+    // Make it nearly singular, more or less.
+    const double away = random.Magnitude(1e-16, 1);
+    for (int j = 0; j < 4; ++j) matrix.m[3][j] = matrix.m[0][j] * 2 - matrix.m[1][j] + away * matrix.m[3][j];
+    const Plane plane = random.PlaneAt(random.Between(-9, 9));
+    const Result<PlaneConstant> result = ClipPlaneFromView(plane, matrix);
+    if (result.ok()) {
+      ++trusted;
+      EXPECT_LT(Difference(result.value.plane, ExactAfter(matrix, plane)), 0x1p-24) << result.value.condition;
+    } else {
+      ++refused;
+      EXPECT_TRUE(result.status.error() == Error::kIllConditioned || result.status.error() == Error::kSingular);
+    }
+  }
+  EXPECT_GT(trusted, 1000);
+  EXPECT_GT(refused, 1000);
+}
+
+TEST(ClipPlane, NumbersThatAreNotFinite) {
+  const Camera camera = PerspectiveCamera(0.1, 100);
+  for (const double bad : {kNan, kInfinity, -kInfinity}) {
+    for (int i = 0; i < 4; ++i) {
+      Plane plane = {1, 2, 3, 4};
+      (i == 0 ? plane.x : i == 1 ? plane.y : i == 2 ? plane.z : plane.w) = bad;
+      EXPECT_EQ(ClipPlaneFromView(plane, camera.projection).status.error(), Error::kNotFinite);
+      EXPECT_EQ(Xyw1PlaneFromView(plane, camera.projection).status.error(), Error::kNotFinite);
+      EXPECT_EQ(ObjectPlaneFromWorld(plane, {}).status.error(), Error::kNotFinite);
+      EXPECT_EQ(DocumentClipPlane(plane, camera.projection).status.error(), Error::kNotFinite);
+    }
+    for (int i = 0; i < 16; ++i) {
+      Matrix matrix;
+      matrix.m[i / 4][i % 4] = bad;
+      EXPECT_EQ(ClipPlaneFromView({1, 0, 0, 0}, matrix).status.error(), Error::kNotFinite);
+      EXPECT_EQ(ClipPlaneFromWorld({1, 0, 0, 0}, matrix, {}).status.error(), Error::kNotFinite);
+      EXPECT_EQ(ObjectPlaneFromWorld({1, 0, 0, 0}, matrix).status.error(), Error::kNotFinite);
+    }
+  }
+}
+
+TEST(ClipPlane, PlanesTooLargeOrTooSmallForFloat) {
+  const Camera camera = PerspectiveCamera(0.1, 100);
+  const auto scaled = [&](double scale) {
+    return ClipPlaneFromView({scale, 0, 0, scale}, camera.projection).status.error();
+  };
+  EXPECT_EQ(scaled(1e-28), Error::kNone);
+  EXPECT_EQ(scaled(1e-33), Error::kNotRepresentable);
+  EXPECT_EQ(scaled(1e32), Error::kNone);
+  EXPECT_EQ(scaled(1e34), Error::kNotRepresentable);
+  EXPECT_EQ(scaled(1e300), Error::kNotRepresentable);
+}
+
+TEST(ClipPlane, TheZeroPlaneStaysZero) {
+  for (const Camera& camera : AllCameras()) {
+    const Result<PlaneConstant> plane = ClipPlaneFromView({}, camera.projection);
+    ASSERT_TRUE(plane.ok());
+    EXPECT_EQ(Largest(plane.value.plane), 0);
+  }
+}
+
+TEST(DocumentClipPlaneTest, OnlyForTheDocumentsMatrix) {
+  Random random(9);
+  for (const Camera& camera : AllCameras()) {
+    const Plane view = random.PlaneAt(-3);
+    const Result<PlaneConstant> plane = DocumentClipPlane(view, camera.projection);
+    const auto& m = camera.projection.m;
+    const bool is_the_documents = camera.perspective && camera.forward == 1 && m[2][0] == 0;
+    EXPECT_EQ(plane.status.error(), is_the_documents ? Error::kNone : Error::kWrongProjection) << camera.name;
+    if (!is_the_documents) continue;
+    const double a = m[2][2], b = m[3][2];
+    const Plane formula = {view.x / m[0][0], view.y / m[1][1], view.w / b, view.z - view.w * a / b};
+    EXPECT_LT(Difference(plane.value.plane, formula), 1e-15) << camera.name;
+  }
+}
+
+TEST(Xyw1Plane, SameDistanceWithoutZ) {
+  Random random(10);
+  for (const Camera& camera : AllCameras()) {
+    const Plane view = random.PlaneAt(random.Between(-20, 20));
+    const Result<PlaneConstant> k = Xyw1PlaneFromView(view, camera.projection);
+    ASSERT_EQ(k.status.error(), camera.perspective ? Error::kNone : Error::kWrongProjection) << camera.name;
+    if (!camera.perspective) continue;
+    for (int i = 0; i < 50; ++i) {
+      const auto v = ViewPoint(camera, random.Between(-1, 1), random.Between(-1, 1), random.Magnitude(0.1, 1000));
+      double p[4] = {};
+      for (int j = 0; j < 4; ++j) {
+        for (int r = 0; r < 4; ++r) p[j] += v[r] * camera.projection.m[r][j];
+      }
+      EXPECT_NEAR(Dot(k.value.plane, {p[0], p[1], p[3], 1}), Dot(view, {v[0], v[1], v[2], 1}),
+                  1e-12 * (1 + std::fabs(v[2])))
+          << camera.name;
+    }
+  }
+  Matrix shifted = PerspectiveCamera(0.1, 100).projection;
+  shifted.m[3][0] = 1;
+  EXPECT_EQ(Xyw1PlaneFromView({1, 0, 0, 0}, shifted).status.error(), Error::kWrongProjection);
+}
+
+TEST(ObjectPlane, SameDistanceWhateverTheOffset) {
+  Random random(11);
+  for (const double offset : {0.0, 1e3, 1e7, 1e12}) {
+    Matrix world = random.Rigid(0);
+    world.m[3][0] = offset, world.m[3][1] = -offset, world.m[3][2] = offset / 3;
+    const Plane in_world = {0.6, -0.48, 0.64, -0.6 * offset - 0.48 * offset - 0.64 * offset / 3 + 0.5};
+    const Result<PlaneConstant> plane = ObjectPlaneFromWorld(in_world, world);
+    ASSERT_TRUE(plane.ok());
+    for (int i = 0; i < 4; ++i) {
+      Wide exact = static_cast<Wide>(world.m[i][0]) * in_world.x + static_cast<Wide>(world.m[i][1]) * in_world.y;
+      exact += static_cast<Wide>(world.m[i][2]) * in_world.z + static_cast<Wide>(world.m[i][3]) * in_world.w;
+      const Plane& p = plane.value.plane;
+      const double component = i == 0 ? p.x : i == 1 ? p.y : i == 2 ? p.z : p.w;
+      EXPECT_LE(std::fabs(component - static_cast<double>(exact)), 0x1p-52 * std::fabs(static_cast<double>(exact)))
+          << offset;
+    }
+  }
+}
+
+TEST(ClipSpaceEdge, FollowsItsLaw) {
+  const auto error = [](const Camera& camera, double distance) {
+    return ClipSpaceEdgeError({0, 0, 1, -distance}, camera.projection, 1080).value;
+  };
+  // 0.0012 px * |Cw|/n at 60 degrees and 1080 rows.
+  const Camera standard = PerspectiveCamera(0.1, 1e6);
+  EXPECT_NEAR(error(standard, 30), 0.0012 * 300, 0.03);
+  EXPECT_NEAR(error(standard, 60) / error(standard, 30), 2, 1e-9);
+  EXPECT_NEAR(error(PerspectiveCamera(0.01, 1e6), 30) / error(standard, 30), 10, 1e-3);
+  EXPECT_LT(error(PerspectiveCamera(0.1, 1e6, {false, true}), 30), 1e-4);
+  EXPECT_EQ(error(PerspectiveCamera(0.1, INFINITY, {false, true}), 30), 0);
+  EXPECT_EQ(error(OrthographicCamera(0.1, 100), 30), 0);
+  EXPECT_NEAR(ClipSpaceEdgeError({0, 0, 5, -150}, standard.projection, 1080).value, error(standard, 30), 1e-12);
+  EXPECT_EQ(ClipSpaceEdgeError({0, 0, 0, 1}, standard.projection, 1080).status.error(), Error::kSingular);
+  Matrix general;
+  general.m[0][1] = 1;
+  EXPECT_EQ(ClipSpaceEdgeError({0, 0, 1, 1}, general, 1080).status.error(), Error::kWrongProjection);
+}
+
+}  // namespace
+}  // namespace clipc::runtime

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "runtime/clip_device.h"
+#include "runtime/status.h"
+#include "runtime/table.h"
+
+namespace clipc::runtime {
+
+// The bytes of one bound constant buffer, as the application gave them to the shader.
+struct BoundBuffer {
+  std::uint32_t register_number = 0;  // n of b<n>
+  std::uint32_t register_space = 0;
+  const void* bytes = nullptr;  // need not be aligned; only read during the call
+  std::size_t size = 0;
+};
+
+// The part of the 10Level9 runtime that turns a shader's clip table into SetClipPlane calls ("User clip planes on
+// feature level 9 hardware"). It knows what the device holds and calls it only where that changes, bit for bit: with
+// nothing changed, Bind makes no call. It never allocates.
+//
+// One binder belongs to one device and, like the device, to one thread at a time. While it exists, nobody else sets the
+// device's clip planes or D3DRS_CLIPPLANEENABLE; whoever did calls Invalidate().
+class Level9Binder {
+ public:
+  // `max_planes`: D3DCAPS9::MaxUserClipPlanes. `device` must outlive the binder.
+  Level9Binder(ClipDevice& device, std::uint32_t max_planes) noexcept;
+
+  // Before a draw: makes the device clip with the planes of `table`, read from `buffers`. Planes first, the mask last.
+  // A table of lowering kNone disables all planes. `needed`, bit i for plane i, may leave out planes that the object
+  // does not need (box_planner.h): they are neither read, nor checked, nor set. Errors, of which all but kDeviceFailed
+  // come before the first call and leave the device as it was; the caller must not draw: kWrongLowering; kInvalidCall
+  // where a plane's index is not below max_planes; kMissingBuffer; kShortBuffer; kNotFinite. After kDeviceFailed the
+  // next Bind calls again.
+  Status Bind(const Table& table, const BoundBuffer* buffers, std::size_t buffer_count,
+              std::uint32_t needed = ~std::uint32_t{0}) noexcept;
+
+  // Before a draw with a shader without clip planes: disables all. Errors: kDeviceFailed.
+  Status BindNone() noexcept;
+
+  // After the device was lost or reset, or somebody else changed its clip state: the next Bind sets everything.
+  void Invalidate() noexcept;
+
+ private:
+  Status Enable(std::uint32_t mask) noexcept;
+
+  ClipDevice* device_;
+  std::uint32_t max_planes_;
+  std::uint32_t known_planes_ = 0;  // bit i: the device holds the four floats of planes_[i]
+  bool mask_is_known_ = false;
+  std::uint32_t mask_ = 0;
+  unsigned char planes_[kMaxPlanes][16] = {};
+};
+
+}  // namespace clipc::runtime

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "runtime/projection_shape.h"
+
+#include <cmath>
+
+namespace clipc::runtime {
+
+ProjectionShape ShapeOf(const Matrix& projection) noexcept {
+  const auto& m = projection.m;
+  ProjectionShape shape;
+  shape.px = m[0][0], shape.py = m[1][1];
+  shape.ox = m[2][0], shape.oy = m[2][1], shape.a = m[2][2], shape.e = m[2][3];
+  shape.tx = m[3][0], shape.ty = m[3][1], shape.b = m[3][2], shape.g = m[3][3];
+  const bool others_are_zero =
+      m[0][1] == 0 && m[0][2] == 0 && m[0][3] == 0 && m[1][0] == 0 && m[1][2] == 0 && m[1][3] == 0;
+  bool all_finite = true;
+  for (const auto& row : m) {
+    for (const double element : row) all_finite = all_finite && std::isfinite(element);
+  }
+  shape.holds = all_finite && others_are_zero && shape.px != 0 && shape.py != 0 && (shape.e == 0) != (shape.g == 0);
+  return shape;
+}
+
+double NearW(const ProjectionShape& shape, DepthRange range) noexcept {
+  // z = a s + b and w = e s meet the near plane z = near * w where (a - near * e) s = -b.
+  const double near = range.reversed ? 1 : range.negative_one_to_one ? -1 : 0;
+  return -shape.e * shape.b / (shape.a - near * shape.e);
+}
+
+}  // namespace clipc::runtime

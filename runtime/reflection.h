@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "runtime/matrix.h"
+#include "runtime/status.h"
+
+namespace clipc::runtime {
+
+// The matrix that mirrors points of the plane's space in the plane, for row vectors: v - 2 Dot(plane, v) N / |N|^2. It
+// is its own inverse, and turns clockwise triangles into anticlockwise ones: swap the cull mode where it is drawn with.
+// Any positive or negative multiple of `plane` gives the same matrix.
+//
+// A planar reflection (water) draws the scene with view_mirrored = Multiply(mirror, view), clipped by the water's
+// plane: ClipPlaneFromWorld(water, view_mirrored, projection) keeps what is above the water. Errors: kSingular where
+// the plane has no normal; kNotFinite.
+Result<Matrix> MirrorMatrix(const Plane& plane) noexcept;
+
+}  // namespace clipc::runtime

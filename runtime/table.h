@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "clip-table/static_table.h"
+#include "runtime/status.h"
+
+// The clip table of a shader as an application reads it: which constants hold its clip planes, and what to enable.
+// Reading allocates; do it when the shader is loaded, not when it is drawn with. A Table is a value: reading two tables
+// on two threads, or one Table from many threads, needs no lock.
+namespace clipc::runtime {
+
+// The limit of [clipplanes(...)] and of Direct3D 9.
+inline constexpr std::uint32_t kMaxPlanes = 6;
+
+// How the shader was lowered.
+enum class Lowering : std::uint8_t {
+  kClipDistance,  // it writes gl_ClipDistance[i]: enable clip distance i for each bit i of the mask
+  kLevel9,        // SetClipPlane(i, plane) and D3DRS_CLIPPLANEENABLE, which Level9Binder does
+  kNone,          // the planes are ignored; the mask is 0
+};
+
+// Where the application's constants hold one plane: 16 bytes, four floats, in Direct3D clip space.
+struct TablePlane {
+  std::string text;                   // the operand as written; empty in the binary form
+  bool in_register = true;            // false: composed of several constants; what follows is empty. Never with kLevel9
+  std::string cbuffer;                // as written
+  std::uint32_t register_number = 0;  // n of b<n>
+  std::uint32_t register_space = 0;
+  std::uint32_t byte_offset = 0;  // of the four floats in that buffer
+  std::string glsl_block;         // the uniform block in the GLSL; empty: a plain uniform
+  std::string glsl_member;        // the member or uniform; empty: the shader does not read it
+};
+
+struct Table {
+  std::string entry;
+  std::string profile;
+  Lowering lowering = Lowering::kLevel9;
+  std::uint32_t enable_mask = 0;   // (1 << planes.size()) - 1, or 0 for kNone
+  std::vector<TablePlane> planes;  // at most kMaxPlanes; planes[i] is clip plane i
+};
+
+// Reads any form that `clipc --table` writes, told apart by the first bytes: JSON; the binary block; the C++ header as
+// a text. Also a DXBC container, a shader that fxc compiled, whose SHDR or SHEX chunk holds such a block. Errors:
+// kDamagedTable with what is wrong and where; kInvalidArgument; kOutOfMemory.
+Result<Table> ReadTable(const void* bytes, std::size_t size) noexcept;
+
+// The table of a generated header that the application was compiled with.
+Result<Table> ReadTable(const StaticClipTable& table) noexcept;
+
+}  // namespace clipc::runtime
