@@ -17,7 +17,7 @@ float4 main(float4 position : POSITION) : SV_Position {
   float c = unlti(1);
   // CHECK: [[#@LINE+1]]:13: error: there is no function `normalise`; did you mean `normalize`? [X3004]
   float d = normalise(position).x;
-  // CHECK: [[#@LINE+1]]:3: error: `Ligth` is no type [X3000]
+  // CHECK: [[#@LINE+1]]:3: error: `Ligth` is no type; did you mean `Light`? [X3000]
   Ligth e;
   // CHECK: [[#@LINE+1]]:13: error: type `Light` is used as a value [X3005]
   float f = Light;
