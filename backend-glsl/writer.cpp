@@ -90,19 +90,12 @@ std::string Writer::Signature(FunctionId id) {
   std::string parameters;
   for (VarId parameter : function.parameters) {
     const Var& var = program_.vars[parameter];
-    const bool is_object = !IsValue(var.type);
-    if (is_object && !target_.IsVulkan()) continue;
     std::string& name = var_names_[parameter.index];
     name = namer_.Local(var.name, "unused");
     if (!parameters.empty()) parameters += ", ";
     if (var.storage == Storage::kOut) parameters += "out ";
     if (var.storage == Storage::kInOut) parameters += "inout ";
-    parameters += is_object ? ObjectTypeName(parameter) + " " + name + Dimensions(parameter) : Declaration(var.type, name);
-  }
-  if (!target_.IsVulkan()) {
-    const std::string combined = CombinedParameters(id);
-    if (!parameters.empty() && !combined.empty()) parameters += ", ";
-    parameters += combined;
+    parameters += Declaration(var.type, name);
   }
   return TypeName(function.return_type) + " " + function_names_[id.index] + "(" + parameters + ")";
 }

@@ -67,7 +67,8 @@ std::string WriteGlsl(const ir::Program& program, const Target& target, const Wr
 // becomes binding n + the shift of its letter; the space becomes the set.
 inline constexpr std::uint32_t kVulkanShiftB = 0;
 inline constexpr std::uint32_t kVulkanShiftS = 16;  // b0 to b15 come before: Direct3D 11 has 14
-inline constexpr std::uint32_t kVulkanShiftT = 32;  // s0 to s15
+inline constexpr std::uint32_t kVulkanShiftT = 32;   // s0 to s15
+inline constexpr std::uint32_t kVulkanShiftU = 160;  // t0 to t127
 std::uint32_t VulkanBinding(const ir::Register& reg);
 
 }  // namespace clipc::glsl

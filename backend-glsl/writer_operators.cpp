@@ -168,16 +168,16 @@ Text Writer::ModOn(const Operand& left, const Operand& right) {
 }
 
 // GLSL leaves shifts by more than 31 undefined; HLSL takes the count modulo the number of bits.
-Text Writer::ShiftCount(const Operand& count) {
+Text Writer::ShiftCount(const Operand& count, Scalar shifted) {
   const Scalar kind = count.shape.scalar;
-  const std::uint32_t mask = kind == Scalar::kInt64 || kind == Scalar::kUint64 ? 63 : 31;
+  const std::uint32_t mask = shifted == Scalar::kInt64 || shifted == Scalar::kUint64 ? 63 : 31;
   const std::string suffix = kind == Scalar::kUint || kind == Scalar::kUint64 ? "u" : "";
   if (const auto number = PlainNumber(count.scalar)) return {std::to_string(*number & mask) + suffix};
   return Infix(ScalarOr(count), "&", {std::to_string(mask) + suffix}, Binding::kBitAnd);
 }
 
 Text Writer::ShiftOn(BinaryOp op, const Operand& left, const Operand& right) {
-  Text count = ShiftCount(right);
+  Text count = ShiftCount(right, left.shape.scalar);
   const bool both = left.scalar && right.scalar && !left.shape.IsScalar();
   // A vector may be shifted by a scalar, not a scalar by a vector.
   Text value = both || (left.scalar && !left.shape.IsScalar()) ? Full(left) : ScalarOr(left);

@@ -169,6 +169,8 @@ bool IsPure(const Program& program, ExprId expr) {
   if (std::holds_alternative<Assign>(node) || std::holds_alternative<Call>(node)) return false;
   if (const auto* unary = std::get_if<Unary>(&node); unary && unary->op >= UnaryOp::kPreIncrement)
     return false;
+  if (const auto* call = std::get_if<ObjectCall>(&node); call && call->op == ObjectOp::kStore)
+    return false;
   if (const auto* call = std::get_if<IntrinsicCall>(&node)) {
     for (std::size_t i = 0; i < call->arguments.size; ++i) {
       if (WritesArgument(call->op, i)) return false;
