@@ -26,7 +26,7 @@ class TargetCheck {
   TargetCheck(const Program& program, const Target& target, Diagnostics& diagnostics)
       : program_(program), target_(target), diagnostics_(diagnostics), reached_(Reach(program)) {}
 
-  void Run() {
+  Reached Run() {
     for (const IoVar& input : program_.inputs) Input(input);
     for (const IoVar& output : program_.outputs) Output(output);
     for (CbufferId id : program_.cbuffers.ids()) {
@@ -43,6 +43,7 @@ class TargetCheck {
       }
     }
     for (FunctionId id : reached_.functions) Function(program_.functions[id]);
+    return std::move(reached_);
   }
 
  private:
@@ -393,8 +394,8 @@ class TargetCheck {
 
 }  // namespace
 
-void CheckTarget(const Program& program, const Target& target, Diagnostics& diagnostics) {
-  TargetCheck(program, target, diagnostics).Run();
+Reached CheckTarget(const Program& program, const Target& target, Diagnostics& diagnostics) {
+  return TargetCheck(program, target, diagnostics).Run();
 }
 
 }  // namespace clipc::glsl

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "backend-glsl/block_layout.h"
+#include "backend-glsl/reach.h"
 #include "backend-glsl/target.h"
 #include "ir/program.h"
 
@@ -58,8 +59,8 @@ struct GlslInfo {
 };
 
 // The whole shader. Requires Verify(program) and CheckTarget(program, target) without errors. The text depends on
-// nothing but the arguments.
-std::string WriteGlsl(const ir::Program& program, const Target& target, const WriteOptions& options = {},
+// nothing but the arguments. `reached` is what CheckTarget gave back.
+std::string WriteGlsl(const ir::Program& program, Reached reached, const Target& target, const WriteOptions& options = {},
                       GlslInfo* info = nullptr);
 
 // ---- where the objects of a Vulkan shader are bound

@@ -48,6 +48,7 @@ void Writer::UsesIn(FunctionId function) {
 // Names every pair. A texture that goes with one sampler keeps its name; a read without sampler goes through any pair of the
 // texture that does not compare.
 void Writer::FindTextureUses() {
+  if (program_.resources.empty()) return;
   for (FunctionId function : reached_.functions) UsesIn(function);
   if (target_.IsVulkan()) return;
   std::ranges::stable_sort(texture_uses_);

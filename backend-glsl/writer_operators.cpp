@@ -71,10 +71,12 @@ Operand Writer::OperandOf(ExprId id) {
   if (const auto* splat = std::get_if<Splat>(&expr.node)) {
     operand.repeatable = IsRepeatable(splat->operand);
     operand.scalar = Expr(splat->operand);
-  } else if (std::holds_alternative<Zero>(expr.node) || std::holds_alternative<Literal>(expr.node)) {
+  } else if (std::holds_alternative<Zero>(expr.node)) {
     operand.repeatable = true;
     operand.scalar = Text{ZeroText(operand.shape.Component())};
-    if (std::holds_alternative<Literal>(expr.node)) operand.scalar = Expr(id);
+  } else if (std::holds_alternative<Literal>(expr.node)) {
+    operand.repeatable = true;
+    operand.scalar = Expr(id);
   } else {
     operand.repeatable = IsRepeatable(id);
     operand.text = Expr(id);
@@ -84,6 +86,7 @@ Operand Writer::OperandOf(ExprId id) {
 
 std::vector<Operand> Writer::OperandsOf(List<ExprId> list) {
   std::vector<Operand> operands;
+  operands.reserve(list.size);
   for (ExprId id : program_.expr_lists[list]) operands.push_back(OperandOf(id));
   return operands;
 }

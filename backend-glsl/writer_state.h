@@ -55,7 +55,8 @@ struct Memory {
 // The state of one WriteGlsl. Its methods are spread over writer*.cpp by subject.
 class Writer {
  public:
-  Writer(const ir::Program& program, const Target& target, const WriteOptions& options, GlslInfo& info);
+  Writer(const ir::Program& program, const Target& target, const WriteOptions& options, GlslInfo& info,
+         Reached reached);
   std::string Write();
 
  private:
