@@ -72,9 +72,7 @@ class Splitter {
   std::vector<StmtId> Run() {
     FindCandidates();
     for (now_ = 0; now_ < stmts_.size(); ++now_) Collect(stmts_[now_]);
-    for (Candidate& candidate : candidates_) {
-      if (!candidate.is_whole) Split(candidate);
-    }
+    for (Candidate& candidate : candidates_) candidate.is_whole ? FillAtOnce(candidate) : Split(candidate);
     std::vector<StmtId> result;
     for (std::size_t i = 0; i < stmts_.size(); ++i) {
       result.insert(result.end(), replaced_[i].begin(), replaced_[i].end());
@@ -183,6 +181,27 @@ class Splitter {
   }
 
   // ---- what becomes of it
+
+  // `Vertex v; v.position = in_POSITION0; v.normal = in_NORMAL0;` as `Vertex v = Vertex(in_POSITION0, in_NORMAL0);`
+  void FillAtOnce(Candidate& candidate) {
+    if (!candidate.is_struct || candidate.definitions.empty()) return;
+    const Definition& declaration = candidate.definitions.front();
+    if (declaration.stmt >= before_end_ || declaration.value) return;
+    std::vector<ExprId> values;
+    std::size_t last = 0;
+    for (const Part& part : candidate.parts) {
+      const Use* first = OverwriteAfter(part, declaration.stmt);
+      if (!first || first->stmt >= before_end_) return;
+      if (first != &part.uses.back() && std::next(first)->stmt < before_end_) return;
+      values.push_back(AssignmentAt(first->stmt)->value);
+      last = std::max(last, first->stmt);
+    }
+    Builder b(program_, program_.stmts[stmts_[declaration.stmt]].span);
+    const ExprId value = b.ConstructOf(program_.vars[candidate.var].type, values);
+    replaced_[last].push_back(b.Stmt(Declare{candidate.var, value}));
+    is_replaced_[declaration.stmt] = true;
+    for (const Part& part : candidate.parts) is_replaced_[part.uses.front().stmt] = true;
+  }
 
   void Split(Candidate& candidate) {
     bool is_interface = candidate.is_struct && candidate.definitions.front().stmt < before_end_;

@@ -16,8 +16,8 @@ struct MainParts {
 bool IsAssigned(const ir::Program& program, ir::StmtId stmt, ir::VarId var);
 
 // Takes apart the structs that only carry inputs or outputs and that nothing uses as a whole. A field that passes an input on,
-// or whose last value goes to an output, is that input or output from then on; another becomes a variable of its own. Gives
-// back the statements of `main`.
+// or whose last value goes to an output, is that input or output from then on; another becomes a variable of its own. Others
+// get their inputs in one statement. Gives back the statements of `main`.
 std::vector<ir::StmtId> SplitVariables(ir::Program& program, const MainParts& parts);
 
 }  // namespace clipc::passes

@@ -33,11 +33,7 @@ void Skin(Vertex v, out vec3 position, out vec3 normal) {
 }
 
 void main() {
-    Vertex v;
-    v.position = in_POSITION0;
-    v.normal = in_NORMAL0;
-    v.bones = in_BLENDINDICES0;
-    v.weights = in_BLENDWEIGHT0;
+    Vertex v = Vertex(in_POSITION0, in_NORMAL0, in_BLENDINDICES0, in_BLENDWEIGHT0);
     vec3 skinned;
     Skin(v, skinned, vs_NORMAL0);
     gl_Position = view_projection * vec4(skinned, 1.0);
