@@ -24,21 +24,22 @@ class Inliner {
   void Run() {
     const Function& main = program_.functions[program_.main];
     for (StmtId id : program_.stmt_lists[std::get<Block>(program_.stmts[main.body].node).body]) stmts_.push_back(id);
-    if (!FindCall() || !ReturnsAtTheEnd()) return;
-    std::vector<StmtId> before(stmts_.begin(), stmts_.begin() + call_at_);
-    std::vector<StmtId> after(stmts_.begin() + call_at_ + 1, stmts_.end());
-    const Function entry = program_.functions[program_.entry];
-    std::vector<StmtId> body;
-    Parameters(entry, body);
-    const auto list = std::as_const(program_).stmt_lists[std::get<Block>(program_.stmts[entry.body].node).body];
-    body.insert(body.end(), list.begin(), list.end());
-    if (!Result(body)) return;
-    MainParts parts{std::move(before), std::move(body), std::move(after)};
-    for (std::vector<StmtId>* part : {&parts.before, &parts.body, &parts.after}) {
-      for (StmtId id : *part) Rename(id);
+    if (!FindCall()) return;
+    MainParts parts;
+    parts.before.assign(stmts_.begin(), stmts_.begin() + call_at_);
+    parts.after.assign(stmts_.begin() + call_at_ + 1, stmts_.end());
+    const bool is_inlined = ReturnsAtTheEnd();
+    if (is_inlined) {
+      TakeBody(parts.body);
+      for (std::vector<StmtId>* part : {&parts.before, &parts.body, &parts.after}) {
+        for (StmtId id : *part) Rename(id);
+      }
+    } else {
+      parts.body = {stmts_[static_cast<std::size_t>(call_at_)]};
     }
     const StmtId whole = builder_.BlockOf(SplitVariables(program_, parts));
     program_.functions[program_.main].body = whole;
+    if (!is_inlined) return;
     // What is left is a name.
     Function& left = program_.functions[program_.entry];
     left.body = builder_.BlockOf({});
@@ -78,7 +79,7 @@ class Inliner {
         has_return_ = true;
       }
     }
-    return returns == 0;
+    return returns == 0 && (returned_ || program_.functions[program_.entry].return_type == program_.types.Void());
   }
 
   void CountReturns(StmtId id, int& returns) const {
@@ -112,28 +113,32 @@ class Inliner {
     return input != program_.inputs.end() && input->builtin == Builtin::kNone;
   }
 
-  // The statement of the call takes the value that the entry point returned.
-  bool Result(std::vector<StmtId>& body) {
+  void TakeBody(std::vector<StmtId>& body) {
+    const Function entry = program_.functions[program_.entry];
+    Parameters(entry, body);
+    const auto list = std::as_const(program_).stmt_lists[std::get<Block>(program_.stmts[entry.body].node).body];
+    body.insert(body.end(), list.begin(), list.end());
     if (has_return_) body.pop_back();
+    Result(body);
+  }
+
+  // The statement of the call takes the value that the entry point returned.
+  void Result(std::vector<StmtId>& body) {
     const StmtId statement = stmts_[static_cast<std::size_t>(call_at_)];
     auto& node = program_.stmts[statement].node;
     if (auto* declare = std::get_if<Declare>(&node)) {
-      if (!returned_) return false;
       const auto* ref = std::get_if<VarRef>(&program_.exprs[returned_].node);
       if (ref && !program_.vars[declare->var].precise) {
         renamed_[declare->var] = ref->var;
-        return true;
+        return;
       }
       declare->init = returned_;
     } else {
-      const ExprId expr = std::get<Evaluate>(node).expr;
-      auto* assign = std::get_if<Assign>(&program_.exprs[expr].node);
-      if (!assign) return !returned_;
-      if (!returned_) return false;
+      auto* assign = std::get_if<Assign>(&program_.exprs[std::get<Evaluate>(node).expr].node);
+      if (!assign) return;
       assign->value = returned_;
     }
     body.push_back(statement);
-    return true;
   }
 
   void Rename(StmtId id) {

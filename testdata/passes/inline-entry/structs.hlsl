@@ -93,7 +93,7 @@ Varyings whole(Vertex v) {
 
 // EARLY: entry Varyings early(Vertex v) {
 // EARLY: main void main() {
-// EARLY-NEXT: Vertex v.1 = Vertex(in_POSITION0, in_NORMAL0, convert<bool>(in_LIT0))
+// EARLY-NEXT: Vertex v.1 = Vertex{in_POSITION0, in_NORMAL0, convert<bool>(in_LIT0)}
 // EARLY: Varyings result = early(v.1)
 // EARLY: vs_COLOR0 = result.color
 Varyings early(Vertex v) {
