@@ -5,9 +5,13 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <condition_variable>
 #include <cstdio>
 #include <cstdlib>
+#include <mutex>
+#include <optional>
 #include <string_view>
+#include <thread>
 #include <utility>
 
 #include "clip-table/write.h"
@@ -97,13 +101,13 @@ class Driver {
 
  private:
   std::string CheckUsage();
-  int CompileOne(const std::string& input, const Outputs& outputs);
+  int CompileAll();
+  int Finish(const CompileResult& result, const Outputs& outputs);
   void AddShaders(const CompileResult& result, const Outputs& outputs, OutputFiles& files) const;
   std::string Write(const CompileResult& result, const Outputs& outputs);
   void Show(const CompileResult& result);
 
   CommandLine command_;
-  Compiler compiler_;
   std::vector<Message> messages_;  // of all inputs, for the formats that are one document
 };
 
@@ -147,10 +151,7 @@ int Driver::Run() {
   request.reflect = !command_.reflection.empty();
   request.draw_text = command_.format == MessageFormat::kText;
   request.colour = request.draw_text && TerminalHasColour();
-  int exit_code = kExitOk;
-  for (const std::string& input : command_.inputs) {
-    exit_code = std::max(exit_code, CompileOne(input, PlaceOutputs(command_, input)));
-  }
+  const int exit_code = CompileAll();
   if (command_.format == MessageFormat::kJson || command_.format == MessageFormat::kSarif) {
     const std::string document =
         command_.format == MessageFormat::kJson ? RenderJson(messages_) : RenderSarif(messages_);
@@ -159,9 +160,48 @@ int Driver::Run() {
   return exit_code;
 }
 
-int Driver::CompileOne(const std::string& input, const Outputs& outputs) {
-  command_.request.path = input;
-  const CompileResult result = compiler_.Compile(command_.request);
+// On as many threads as were asked for; what is said and written comes in the order of the inputs all the same.
+int Driver::CompileAll() {
+  const std::size_t count = command_.inputs.size();
+  std::vector<std::optional<CompileResult>> results(count);
+  std::mutex mutex;
+  std::condition_variable done;
+  std::size_t next = 0;
+  const auto work = [&] {
+    Compiler compiler;
+    CompileRequest request = command_.request;
+    for (std::unique_lock lock(mutex); next < count; done.notify_all()) {
+      const std::size_t index = next++;
+      lock.unlock();
+      request.path = command_.inputs[index];
+      CompileResult result = compiler.Compile(request);
+      lock.lock();
+      results[index] = std::move(result);
+    }
+  };
+  std::vector<std::jthread> threads;
+  if (const std::size_t jobs = std::min<std::size_t>(command_.jobs, count); jobs > 1) {
+    for (std::size_t i = 0; i < jobs; ++i) threads.emplace_back(work);
+  }
+  Compiler compiler;
+  int exit_code = kExitOk;
+  for (std::size_t index = 0; index < count; ++index) {
+    CompileResult result;
+    if (threads.empty()) {
+      command_.request.path = command_.inputs[index];
+      result = compiler.Compile(command_.request);
+    } else {
+      std::unique_lock lock(mutex);
+      done.wait(lock, [&] { return results[index].has_value(); });
+      result = std::move(*results[index]);
+      results[index].reset();
+    }
+    exit_code = std::max(exit_code, Finish(result, PlaceOutputs(command_, command_.inputs[index])));
+  }
+  return exit_code;
+}
+
+int Driver::Finish(const CompileResult& result, const Outputs& outputs) {
   Show(result);
   if (result.status == Status::kBadRequest) return kExitUsage;
   if (const std::string problem = Write(result, outputs); !problem.empty()) return Fail(problem);

@@ -25,6 +25,7 @@ struct CommandLine {
   bool write_dependencies = false;
   std::string dependency_file, dependency_target;
   MessageFormat format = MessageFormat::kText;
+  unsigned jobs = 1;  // inputs compiled at once
 };
 
 struct ParsedCommandLine {

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <charconv>
 #include <string_view>
 
 #include "base/spelling.h"
@@ -204,6 +205,14 @@ bool ReadRequestOption(const llvm::opt::Arg& argument, CompileRequest& request, 
   }
 }
 
+bool ReadJobs(const std::string& value, unsigned& jobs, std::string& error) {
+  constexpr unsigned kMost = 256;
+  const auto [end, problem] = std::from_chars(value.data(), value.data() + value.size(), jobs);
+  const bool is_number = problem == std::errc() && end == value.data() + value.size();
+  if (!is_number || jobs == 0 || jobs > kMost) error = fmt::format("`-j{}`: it must be a number from 1 to {}", value, kMost);
+  return error.empty();
+}
+
 // The others, which say what to do with the result. `validate` is what the user asked for.
 bool ReadDriverOption(const llvm::opt::Arg& argument, CommandLine& command, std::optional<bool>& validate,
                       std::string& error) {
@@ -217,6 +226,7 @@ bool ReadDriverOption(const llvm::opt::Arg& argument, CommandLine& command, std:
     case kOptDependencyFile: command.dependency_file = value(); [[fallthrough]];
     case kOptDependencies: command.write_dependencies = true; return true;
     case kOptDependencyTarget: command.dependency_target = value(); return true;
+    case kOptJobs: return ReadJobs(value(), command.jobs, error);
     case kOptHelp: command.action = CommandLine::Action::kHelp; return true;
     case kOptVersion: command.action = CommandLine::Action::kVersion; return true;
     case kOptValidate: validate = true; return true;

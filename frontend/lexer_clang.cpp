@@ -77,7 +77,7 @@ void __wrap__ZN5clang12Preprocessor3LexERNS_5TokenE(clang::Preprocessor* preproc
   end_of_line = !end_of_line;
 }
 
-// Two more, because Clang sets every preprocessor up for a large C++ file, which would be a fifth of a small shader's time.
+// Three more, because Clang sets every preprocessor up for a large C++ file, which would be a fifth of a small shader's time.
 // To clipc all words are identifiers (NameOf), so C's keywords are not entered,
 void __wrap__ZN5clang15IdentifierTable11AddKeywordsERKNS_11LangOptionsE(clang::IdentifierTable*, const clang::LangOptions&) {}
 
@@ -86,6 +86,9 @@ void __real__ZN4llvm13StringMapImplC2Ejj(llvm::StringMapImpl*, unsigned, unsigne
 void __wrap__ZN4llvm13StringMapImplC2Ejj(llvm::StringMapImpl* map, unsigned buckets, unsigned item_size) {
   __real__ZN4llvm13StringMapImplC2Ejj(map, std::min(buckets, 256u), item_size);
 }
+
+// Its thirty pragmas of C++ stay away; AddPragmas adds those of HLSL.
+void __wrap__ZN5clang12Preprocessor22RegisterBuiltinPragmasEv(clang::Preprocessor*) {}
 }
 
 namespace {
@@ -327,7 +330,31 @@ void HandleWarning(Source::State& source, clang::Preprocessor&, const clang::Tok
   ApplyWarningPragma(words, *source.diagnostics);
 }
 
+void HandleMessage(Source::State& source, clang::Preprocessor&, const clang::Token& name, const std::vector<std::string>& words) {
+  std::string message;
+  for (const std::string& word : words) {
+    if (word.size() >= 2 && word.front() == '"') message += word.substr(1, word.size() - 2);
+  }
+  source.diagnostics->Report(source.At(name.getLocation()), diag::PragmaMessage, message);
+}
+
+// One that Clang has.
+template <void (clang::Preprocessor::*handle)(clang::Token&)>
+class ClangPragma : public clang::PragmaHandler {
+ public:
+  using PragmaHandler::PragmaHandler;
+  void HandlePragma(clang::Preprocessor& preprocessor, clang::PragmaIntroducer, clang::Token& name) override {
+    (preprocessor.*handle)(name);
+  }
+};
+
 void AddPragmas(clang::Preprocessor& preprocessor, Source::State& source) {
+  preprocessor.AddPragmaHandler(new ClangPragma<&clang::Preprocessor::HandlePragmaOnce>("once"));
+  preprocessor.AddPragmaHandler(new ClangPragma<&clang::Preprocessor::HandlePragmaPushMacro>("push_macro"));
+  preprocessor.AddPragmaHandler(new ClangPragma<&clang::Preprocessor::HandlePragmaPopMacro>("pop_macro"));
+  preprocessor.AddPragmaHandler(new Pragma("message", source, HandleMessage));
+  preprocessor.AddPragmaHandler(new clang::EmptyPragmaHandler("region"));  // for editors
+  preprocessor.AddPragmaHandler(new clang::EmptyPragmaHandler("endregion"));
   preprocessor.AddPragmaHandler(new Pragma("pack_matrix", source, HandlePackMatrix));
   preprocessor.AddPragmaHandler(new Pragma("warning", source, HandleWarning));
   preprocessor.AddPragmaHandler(new clang::EmptyPragmaHandler("def"));  // fxc: constants given to the runtime

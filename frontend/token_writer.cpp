@@ -5,14 +5,6 @@
 
 namespace clipc {
 
-void TokenWriter::Add(Token token, After after) {
-  if (after_ == After::kString) EndString();
-  after_ = after;
-  tokens_.list.push_back(token);
-}
-
-void TokenWriter::AddPunctuator(Token token) { Add(token, After::kOther); }
-
 void TokenWriter::AddHash(Token token) {
   token.kind = TokenKind::kUnknown;
   Add(token, after_ == After::kNumberWithDot && !token.after_space ? After::kHash : After::kOther);

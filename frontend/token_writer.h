@@ -17,7 +17,7 @@ class TokenWriter {
  public:
   TokenWriter(Tokens& tokens, Diagnostics& diagnostics) : tokens_(tokens), diagnostics_(diagnostics) {}
 
-  void AddPunctuator(Token token);
+  void AddPunctuator(Token token) { Add(token, After::kOther); }
   void AddHash(Token token);
   // token.value is the Name of `text`.
   void AddIdentifier(Token token, std::string_view text);
@@ -29,7 +29,11 @@ class TokenWriter {
  private:
   enum class After : std::uint8_t { kOther, kNumberWithDot, kHash, kString };  // what was added last
 
-  void Add(Token token, After after);
+  void Add(Token token, After after) {
+    if (after_ == After::kString) EndString();
+    after_ = after;
+    tokens_.list.push_back(token);
+  }
   void EndString();
   std::size_t AddOneNumber(Token token, std::string_view text);
   void ReportNumber(Span where, std::string_view text, NumberProblem problem);

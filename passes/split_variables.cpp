@@ -2,8 +2,7 @@
 #include "passes/split_variables.h"
 
 #include <algorithm>
-#include <map>
-#include <string>
+#include <unordered_map>
 #include <utility>
 
 #include "ir/builder.h"
@@ -89,7 +88,6 @@ class Splitter {
   };
   // A field of a struct, or a whole variable of another type.
   struct Part {
-    std::string name;
     TypeId type;
     std::vector<Use> uses;  // in order of the statements
     VarId becomes;
@@ -118,27 +116,28 @@ class Splitter {
       if (var.storage != Storage::kLocal || var.precise) continue;
       Candidate candidate{declare->var, program_.types[var.type].kind == TypeKind::kStruct, false, {}, {}};
       if (candidate.is_struct) {
+        candidate.parts.reserve(program_.types.StructOf(var.type).fields.size());
         for (const Field& field : program_.types.StructOf(var.type).fields) {
-          candidate.parts.push_back({field.name, field.type, {}, {}});
+          candidate.parts.push_back({field.type, {}, {}});
           candidate.is_whole |= field.precise;
         }
       } else {
-        candidate.parts.push_back({var.name, var.type, {}, {}});
+        candidate.parts.push_back({var.type, {}, {}});
       }
-      numbers_[declare->var] = candidates_.size();
+      numbers_[declare->var.index] = candidates_.size();
       candidates_.push_back(std::move(candidate));
     }
   }
 
   Candidate* CandidateOf(ExprId expr) {
     const auto* ref = std::get_if<VarRef>(&program_.exprs[expr].node);
-    const auto found = ref ? numbers_.find(ref->var) : numbers_.end();
+    const auto found = ref ? numbers_.find(ref->var.index) : numbers_.end();
     return found == numbers_.end() ? nullptr : &candidates_[found->second];
   }
 
   void Collect(StmtId stmt) {
     if (const auto* declare = std::get_if<Declare>(&program_.stmts[stmt].node)) {
-      if (const auto known = numbers_.find(declare->var); known != numbers_.end()) {
+      if (const auto known = numbers_.find(declare->var.index); known != numbers_.end()) {
         return Define(candidates_[known->second], declare->init, true);
       }
     }
@@ -220,7 +219,7 @@ class Splitter {
         is_replaced_[part.uses.front().stmt] = true;
       } else if (!part.uses.empty()) {
         Var var = program_.vars[candidate.var];
-        var.name = part.name;
+        if (candidate.is_struct) var.name = program_.types.StructOf(var.type).fields[NumberOf(candidate, part)].name;
         var.type = part.type;
         part.becomes = program_.vars.Add(std::move(var));
         part.is_new = true;
@@ -238,6 +237,10 @@ class Splitter {
     if (part.uses.size() != 1 || part.uses.front().stmt >= before_end_) return false;
     const Assign* assign = AssignmentAt(part.uses.front().stmt);
     return assign && assign->target == part.uses.front().expr && IsPure(program_, assign->value);
+  }
+
+  static std::size_t NumberOf(const Candidate& candidate, const Part& part) {
+    return static_cast<std::size_t>(&part - candidate.parts.data());
   }
 
   // The output that takes the part's last value as it is.
@@ -312,7 +315,7 @@ class Splitter {
   std::vector<bool> is_replaced_;
   std::size_t now_ = 0;
   std::vector<Candidate> candidates_;
-  std::map<VarId, std::size_t> numbers_;
+  std::unordered_map<std::uint32_t, std::size_t> numbers_;  // of candidates, by VarId
 };
 
 }  // namespace
