@@ -22,6 +22,8 @@ enum class Lowering : std::uint8_t {
   kClipDistance,  // it writes gl_ClipDistance[i]: enable clip distance i for each bit i of the mask
   kLevel9,        // SetClipPlane(i, plane) and D3DRS_CLIPPLANEENABLE, which Level9Binder does
   kNone,          // the planes are ignored; the mask is 0
+  kNearPlane,     // the one plane, scaled by ShearNearPlane, takes the near plane's place; the mask is 0
+  kDiscard,       // the fragment shader discards; the mask is 0
 };
 
 // Where the application's constants hold one plane: 16 bytes, four floats, in Direct3D clip space.
