@@ -19,6 +19,8 @@ FOLDERS = {
     "clip-table": set(),
     "compiler": {"base", "ir", "frontend", "passes", "backend-glsl", "clip-table"},
     "runtime": {"clip-table"},
+    "examples": {"runtime"},
+    "scenes": {"clip-table", "runtime", "examples"},
     "draw": {"base", "ir", "frontend", "passes", "backend-glsl", "clip-table", "compiler", "runtime"},
 }
 
