@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "backend-glsl/block_layout.h"
 #include "backend-glsl/reach.h"
@@ -199,7 +199,9 @@ class TargetCheck {
 
   // ---- types, each missing one reported once
   void Type(TypeId id, Span span) {
-    if (!seen_types_.insert(id).second) return;
+    if (id.index >= seen_types_.size()) seen_types_.resize(id.index + 1);
+    if (seen_types_[id.index]) return;
+    seen_types_[id.index] = true;
     const ir::Type& type = program_.types[id];
     if (type.kind == TypeKind::kArray) return Type(type.element, span);
     if (type.kind == TypeKind::kStruct) {
@@ -386,7 +388,7 @@ class TargetCheck {
   const Target& target_;
   Diagnostics& diagnostics_;
   const Reached reached_;
-  std::set<TypeId> seen_types_;
+  std::vector<bool> seen_types_;  // by TypeId
   bool double_reported_ = false, int64_reported_ = false, uint_reported_ = false;
 };
 

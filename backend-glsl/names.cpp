@@ -14,6 +14,7 @@ bool IsLetterOrDigit(char c) {
 // Letters, digits and single underscores, not a digit first, outside the reserved prefixes.
 std::string Spelling(std::string_view wanted, std::string_view fallback) {
   std::string name;
+  name.reserve(wanted.size() + 2);
   for (char c : wanted) {
     if (c == '$') continue;  // of $Globals
     if (!IsLetterOrDigit(c)) c = '_';

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "backend-glsl/reserved_words.h"
 
-#include <algorithm>
-#include <iterator>
+#include <array>
+
+#include "base/word_index.h"
 
 namespace clipc::glsl {
 namespace {
 
-// Sorted. Section 3.6 of the GLSL 1.20 to 4.60 and GLSL ES 3.00 to 3.20 specifications, KHR_vulkan_glsl, layout
+// Section 3.6 of the GLSL 1.20 to 4.60 and GLSL ES 3.00 to 3.20 specifications, KHR_vulkan_glsl, layout
 // qualifiers that older versions reserve, and the types of the explicit-arithmetic-types extensions.
-constexpr std::string_view kKeywords[] = {
+constexpr auto kKeywords = std::to_array<std::string_view>({
     "VULKAN", "active", "asm", "atomic_uint", "attribute", "bool", "break", "buffer", "bvec2",
     "bvec3", "bvec4", "case", "cast", "centroid", "class", "coherent", "column_major", "common",
     "const", "continue", "default", "defined", "demote", "disable", "discard", "dmat2", "dmat2x2",
@@ -58,10 +59,10 @@ constexpr std::string_view kKeywords[] = {
     "utexture2DMS", "utexture2DMSArray", "utexture2DRect", "utexture3D", "utextureBuffer",
     "utextureCube", "utextureCubeArray", "uvec2", "uvec3", "uvec4", "varying", "vec2", "vec3",
     "vec4", "void", "volatile", "warn", "while", "writeonly",
-};
+});
 
-// Sorted. Chapter 8 of the same, with the functions that were removed again.
-constexpr std::string_view kFunctions[] = {
+// Chapter 8 of the same, with the functions that were removed again.
+constexpr auto kFunctions = std::to_array<std::string_view>({
     "EmitStreamVertex", "EmitVertex", "EndPrimitive", "EndStreamPrimitive", "abs", "acos", "acosh",
     "all", "allInvocations", "allInvocationsEqual", "any", "anyInvocation", "asin", "asinh", "atan",
     "atanh", "atomicAdd", "atomicAnd", "atomicCompSwap", "atomicCounter", "atomicCounterAdd",
@@ -97,19 +98,15 @@ constexpr std::string_view kFunctions[] = {
     "uint64BitsToDouble", "uintBitsToFloat", "umulExtended", "unpackDouble2x32", "unpackHalf2x16",
     "unpackInt2x32", "unpackSnorm2x16", "unpackSnorm4x8", "unpackUint2x32", "unpackUnorm2x16",
     "unpackUnorm4x8", "usubBorrow",
-};
+});
 
-static_assert(std::is_sorted(std::begin(kKeywords), std::end(kKeywords)));
-static_assert(std::is_sorted(std::begin(kFunctions), std::end(kFunctions)));
+constexpr WordIndex kKeywordIndex(kKeywords);
+constexpr WordIndex kFunctionIndex(kFunctions);
 
 }  // namespace
 
-bool IsKeyword(std::string_view word) {
-  return std::binary_search(std::begin(kKeywords), std::end(kKeywords), word);
-}
+bool IsKeyword(std::string_view word) { return kKeywordIndex.Has(word); }
 
-bool IsBuiltinFunction(std::string_view word) {
-  return std::binary_search(std::begin(kFunctions), std::end(kFunctions), word);
-}
+bool IsBuiltinFunction(std::string_view word) { return kFunctionIndex.Has(word); }
 
 }  // namespace clipc::glsl

@@ -57,16 +57,21 @@ std::string GlslName(Scalar scalar, bool has_unsigned) {
 }
 
 std::string GlslName(const Shape& shape, bool has_unsigned) {
-  const std::string size = std::to_string(shape.size);
-  const std::string prefix = VectorPrefix(shape.scalar, has_unsigned);
-  switch (shape.kind) {
-    case Shape::kScalar: return GlslName(shape.scalar, has_unsigned);
-    case Shape::kVector: return prefix + "vec" + size;
-    case Shape::kRows: return prefix + "vec" + size + "[" + std::to_string(shape.rows) + "]";
-    case Shape::kMatrix:
-      return prefix + "mat" + std::to_string(shape.rows) + (shape.rows == shape.size ? "" : "x" + size);
+  if (shape.IsScalar()) return GlslName(shape.scalar, has_unsigned);
+  const auto digit = [](std::uint8_t size) { return static_cast<char>('0' + size); };
+  std::string name = VectorPrefix(shape.scalar, has_unsigned);
+  name += shape.kind == Shape::kMatrix ? "mat" : "vec";
+  name += digit(shape.kind == Shape::kMatrix ? shape.rows : shape.size);
+  if (shape.kind == Shape::kMatrix && shape.rows != shape.size) {
+    name += 'x';
+    name += digit(shape.size);
   }
-  return "";
+  if (shape.kind == Shape::kRows) {
+    name += '[';
+    name += digit(shape.rows);
+    name += ']';
+  }
+  return name;
 }
 
 }  // namespace clipc::glsl

@@ -52,7 +52,7 @@ class Arena {
   IdRange ids() const { return {size_}; }
 
  private:
-  static constexpr std::size_t kBlock = 256;
+  static constexpr std::size_t kBlock = 64;  // a small shader has hardly more of a kind
   std::vector<std::vector<T>> blocks_;
   std::uint32_t size_ = 0;
 };

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <deque>
+#include <functional>
 #include <string>
 #include <string_view>
-#include <unordered_map>
+#include <vector>
 
 #include "base/id.h"
 
@@ -17,17 +19,31 @@ using Name = Id<std::string>;
 class Names {
  public:
   Name Intern(std::string_view text) {
-    if (auto found = by_text_.find(text); found != by_text_.end()) return found->second;
-    Name name{static_cast<std::uint32_t>(texts_.size())};
-    by_text_.emplace(texts_.emplace_back(text), name);
-    return name;
+    if (2 * texts_.size() >= slots_.size()) Grow();
+    const std::size_t slot = SlotOf(text);
+    if (!slots_[slot]) {
+      slots_[slot] = Name{size()};
+      texts_.emplace_back(text);
+    }
+    return slots_[slot];
   }
   std::string_view operator[](Name name) const { return name ? std::string_view(texts_[name.index]) : ""; }
   std::uint32_t size() const { return static_cast<std::uint32_t>(texts_.size()); }
 
  private:
-  std::deque<std::string> texts_;  // a deque keeps the keys of by_text_ in place
-  std::unordered_map<std::string_view, Name> by_text_;
+  // Where `text` is, or would be. At least half of the slots are free.
+  std::size_t SlotOf(std::string_view text) const {
+    std::size_t slot = std::hash<std::string_view>()(text) & (slots_.size() - 1);
+    while (slots_[slot] && texts_[slots_[slot].index] != text) slot = (slot + 1) & (slots_.size() - 1);
+    return slot;
+  }
+  void Grow() {
+    slots_.assign(slots_.empty() ? 256 : 2 * slots_.size(), Name{});
+    for (std::uint32_t i = 0; i < size(); ++i) slots_[SlotOf(texts_[i])] = Name{i};
+  }
+
+  std::deque<std::string> texts_;  // a deque keeps the texts in place
+  std::vector<Name> slots_;        // a hash table of Names; its size is a power of two
 };
 
 }  // namespace clipc

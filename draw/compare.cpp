@@ -96,8 +96,21 @@ class Comparer {
     const double number = expected.numbers[index];
     const double unit = 0x1p-24 * std::max(std::abs(number), largest);
     const double error = std::abs(got - number) / unit;
-    if (!(error <= tolerance_.ulps)) return Fail(Describe(expected, index, word, ""));
+    const double allowed = std::max(tolerance_.ulps * unit, tolerance_.roundings * RoundingOf(expected, index));
+    if (!(std::abs(got - number) <= allowed)) return Fail(Describe(expected, index, word, ""));
     result_.worst = std::max(result_.worst, error);
+  }
+
+  // How far the evaluator's own float32 result is from the double one, at worst in the vector that `index` belongs to.
+  static double RoundingOf(const Expected& expected, std::size_t index) {
+    const auto size = static_cast<std::size_t>(expected.components);
+    const std::size_t first = index / size * size;
+    double worst = 0;
+    for (std::size_t i = first; i < first + size; ++i) {
+      const double rounding = std::abs(std::bit_cast<float>(expected.words[i]) - expected.numbers[i]);
+      if (std::isfinite(rounding)) worst = std::max(worst, rounding);
+    }
+    return worst;
   }
 
   void Fail(std::string what) {

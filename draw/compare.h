@@ -12,7 +12,9 @@
 namespace clipc::draw {
 
 // How far OpenGL may be from the evaluator: ints and what is equal in float always match. Else a float must lie within
-// ulps * 2^-24 * max(|expected|, the largest |expected| of the output among all vertices) of the double value.
+// ulps * 2^-24 * max(|expected|, the largest |expected| of the output among all vertices) of the double value; or, where the
+// shader loses more than that by cancelling, within `roundings` times what the evaluator's float32 loses there: another
+// order of the same operations errs by as much, another formula by more.
 //
 // Measured on Mesa 22.3.6's llvmpipe: + - * / sqrt and rcp round as IEEE, nothing is fused, and mat * vec adds from left
 // to right, so most shaders match bit for bit. dot and vec * mat add from the right, which is off by up to 4 units of the
@@ -20,6 +22,7 @@ namespace clipc::draw {
 // any mistake in what is computed is larger by orders of magnitude on random inputs.
 struct Tolerance {
   double ulps = 32;
+  double roundings = 8;
 };
 
 struct Comparison {

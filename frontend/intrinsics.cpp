@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/spelling.h"
+#include "base/word_index.h"
 #include "frontend/intrinsic_call.h"
 #include "frontend/reread.h"
 
@@ -201,7 +202,7 @@ constexpr Entry kOtherEntries[] = {
     {"isnormal", Rule::kUnsupported},
 };
 
-// All names in the order of std::string_view, for binary search.
+// All, in the order of their names.
 constexpr auto kEntries = [] {
   std::array<Entry, std::size(kIrEntries) + std::size(kOtherEntries)> entries{};
   std::copy(std::begin(kIrEntries), std::end(kIrEntries), entries.begin());
@@ -212,11 +213,15 @@ constexpr auto kEntries = [] {
   return entries;
 }();
 
+constexpr WordIndex kEntryIndex = [] {
+  std::array<std::string_view, kEntries.size()> names;
+  for (std::size_t i = 0; i < names.size(); ++i) names[i] = kEntries[i].name;
+  return WordIndex(names);
+}();
+
 const Entry* FindEntry(std::string_view name) {
-  const auto found =
-      std::lower_bound(kEntries.begin(), kEntries.end(), name,
-                       [](const Entry& entry, std::string_view text) { return entry.name < text; });
-  return found != kEntries.end() && found->name == name ? found : nullptr;
+  const std::size_t i = kEntryIndex.Find(name);
+  return i != kEntryIndex.kNone ? &kEntries[i] : nullptr;
 }
 
 const diag::Kind<std::string_view>& RefusalOf(Rule rule) {

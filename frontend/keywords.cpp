@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "frontend/keywords.h"
 
-#include <algorithm>
 #include <array>
 #include <string>
+
+#include "base/word_index.h"
 
 namespace clipc {
 namespace {
@@ -23,13 +24,7 @@ constexpr Entry MayQualify(std::string_view text, ast::Qualifiers bits) {
 constexpr Entry Object(std::string_view text) { return {text, {Word::kObjectType}}; }
 constexpr Entry ShaderType(std::string_view text) { return {text, {Word::kObjectType, true}}; }
 
-template <std::size_t N>
-constexpr std::array<Entry, N> Sorted(std::array<Entry, N> entries) {
-  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.text < b.text; });
-  return entries;
-}
-
-constexpr auto kExact = Sorted(std::to_array<Entry>({
+constexpr auto kExact = std::to_array<Entry>({
     Plain("if", Word::kIf),
     Plain("else", Word::kElse),
     Plain("for", Word::kFor),
@@ -60,6 +55,8 @@ constexpr auto kExact = Sorted(std::to_array<Entry>({
     Plain("false", Word::kFalse),
     Plain("sizeof", Word::kSizeof),
     Plain("unsigned", Word::kUnsigned),
+    Plain("void", Word::kNumericType),
+    Plain("DWORD", Word::kNumericType),
     Qualifies("const", ast::kConst),
     Qualifies("static", ast::kStatic),
     Qualifies("uniform", ast::kUniform),
@@ -140,10 +137,10 @@ constexpr auto kExact = Sorted(std::to_array<Entry>({
     Plain("layout", Word::kLayout),
     Plain("packoffset", Word::kPackOffset),
     Plain("CompileShader", Word::kCompileShader),
-}));
+});
 
 // In lower case.
-constexpr auto kAnyCase = Sorted(std::to_array<Entry>({
+constexpr auto kAnyCase = std::to_array<Entry>({
     Plain("technique", Word::kTechnique),
     Plain("technique10", Word::kTechnique),
     Plain("technique11", Word::kTechnique),
@@ -185,39 +182,40 @@ constexpr auto kAnyCase = Sorted(std::to_array<Entry>({
     ShaderType("computeshader"),
     ShaderType("vertexfragment"),
     ShaderType("pixelfragment"),
-}));
+});
+
+// These alone and with a size behind them: `float`, `float3`, `float3x4`.
+constexpr auto kScalars = std::to_array<std::string_view>({
+    "bool",       "int",       "uint",       "dword",     "half",      "float",      "double",
+    "min16float", "min10float", "min16int",  "min12int",  "min16uint", "int16_t",    "uint16_t",
+    "int32_t",    "uint32_t",  "int64_t",    "uint64_t",  "float16_t", "float32_t",  "float64_t",
+    "int8_t4_packed", "uint8_t4_packed",
+});
 
 template <std::size_t N>
-const Entry* Find(const std::array<Entry, N>& entries, std::string_view text) {
-  auto found = std::lower_bound(entries.begin(), entries.end(), text,
-                                [](const Entry& entry, std::string_view wanted) { return entry.text < wanted; });
-  return found != entries.end() && found->text == text ? found : nullptr;
+constexpr auto IndexOf(const std::array<Entry, N>& entries) {
+  std::array<std::string_view, N> words;
+  for (std::size_t i = 0; i < N; ++i) words[i] = entries[i].text;
+  return WordIndex(words);
 }
+constexpr auto kExactIndex = IndexOf(kExact);
+constexpr auto kAnyCaseIndex = IndexOf(kAnyCase);
+constexpr WordIndex kScalarIndex(kScalars);
 
-// `float`, `float3`, `float3x4`, for every scalar type.
+constexpr bool EndsInSize(std::string_view text) { return !text.empty() && text.back() >= '1' && text.back() <= '4'; }
+
 bool IsNumericType(std::string_view text) {
-  constexpr std::string_view kScalars[] = {
-      "bool",       "int",       "uint",       "dword",     "half",      "float",      "double",
-      "min16float", "min10float", "min16int",  "min12int",  "min16uint", "int16_t",    "uint16_t",
-      "int32_t",    "uint32_t",  "int64_t",    "uint64_t",  "float16_t", "float32_t",  "float64_t",
-      "int8_t4_packed", "uint8_t4_packed",
-  };
-  if (text == "void" || text == "DWORD") return true;
-  auto is_size = [](char c) { return c >= '1' && c <= '4'; };
-  for (std::string_view scalar : kScalars) {
-    if (!text.starts_with(scalar)) continue;
-    std::string_view size = text.substr(scalar.size());
-    if (size.empty()) return true;
-    if (size.size() == 1 && is_size(size[0])) return true;
-    if (size.size() == 3 && is_size(size[0]) && size[1] == 'x' && is_size(size[2])) return true;
+  if (EndsInSize(text)) {
+    text.remove_suffix(1);
+    if (text.ends_with('x') && EndsInSize(text.substr(0, text.size() - 1))) text.remove_suffix(2);
   }
-  return false;
+  return kScalarIndex.Has(text);
 }
 
 }  // namespace
 
 WordInfo ClassifyWord(std::string_view text) {
-  if (const Entry* entry = Find(kExact, text)) return entry->info;
+  if (const std::size_t i = kExactIndex.Find(text); i != kExactIndex.kNone) return kExact[i].info;
   if (IsNumericType(text)) return {Word::kNumericType};
   constexpr std::size_t kLongest = 24;
   if (text.size() > kLongest) return {};
@@ -225,7 +223,7 @@ WordInfo ClassifyWord(std::string_view text) {
   for (char& c : lower) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   }
-  if (const Entry* entry = Find(kAnyCase, lower)) return entry->info;
+  if (const std::size_t i = kAnyCaseIndex.Find(lower); i != kAnyCaseIndex.kNone) return kAnyCase[i].info;
   return {};
 }
 

@@ -76,6 +76,16 @@ void __wrap__ZN5clang12Preprocessor3LexERNS_5TokenE(clang::Preprocessor* preproc
   token.setKind(end_of_line ? tok::eod : tok::eof);
   end_of_line = !end_of_line;
 }
+
+// Two more, because Clang sets every preprocessor up for a large C++ file, which would be a fifth of a small shader's time.
+// To clipc all words are identifiers (NameOf), so C's keywords are not entered,
+void __wrap__ZN5clang15IdentifierTable11AddKeywordsERKNS_11LangOptionsE(clang::IdentifierTable*, const clang::LangOptions&) {}
+
+// and the table of identifiers, the one map that is made this large, grows from fewer buckets.
+void __real__ZN4llvm13StringMapImplC2Ejj(llvm::StringMapImpl*, unsigned, unsigned) __attribute__((weak));
+void __wrap__ZN4llvm13StringMapImplC2Ejj(llvm::StringMapImpl* map, unsigned buckets, unsigned item_size) {
+  __real__ZN4llvm13StringMapImplC2Ejj(map, std::min(buckets, 256u), item_size);
+}
 }
 
 namespace {

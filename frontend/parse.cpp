@@ -51,6 +51,7 @@ Parser::Parser(Tokens tokens, Diagnostics& diagnostics)
     : diagnostics_(diagnostics), tokens_(std::move(tokens.list)) {
   file_.names = std::move(tokens.names);
   if (tokens_.empty() || tokens_.back().kind != TokenKind::kEnd) tokens_.push_back(Token{});
+  words_.reserve(file_.names.size());
   for (std::uint32_t i = 0; i < file_.names.size(); ++i) {
     words_.push_back(ClassifyWord(file_.names[Name{i}]));
   }
@@ -87,16 +88,6 @@ Qualifiers Parser::PackingHere() {
 
 // ---- tokens
 
-const Token& Parser::Peek(std::size_t ahead) const {
-  return tokens_[std::min(pos_ + ahead, tokens_.size() - 1)];
-}
-
-Token Parser::Next() {
-  Token token = tokens_[pos_];
-  if (pos_ + 1 < tokens_.size()) ++pos_;
-  return token;
-}
-
 bool Parser::Accept(TokenKind kind) {
   if (!At(kind) || AtEnd()) return false;
   Next();
@@ -109,11 +100,6 @@ Span Parser::PreviousSpan() const { return pos_ > 0 ? tokens_[pos_ - 1].span() :
 Span Parser::SpanFrom(std::size_t start) const {
   if (start >= pos_) return Here();
   return Cover(tokens_[start].span(), tokens_[pos_ - 1].span());
-}
-
-Word Parser::WordAt(std::size_t ahead) const {
-  const Token& token = Peek(ahead);
-  return token.kind == TokenKind::kIdentifier ? words_[token.name().index].word : Word::kNone;
 }
 
 // True for an identifier that can be the name of something.

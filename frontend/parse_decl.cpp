@@ -168,7 +168,8 @@ void Parser::ParseVariables(Decls& decls, Scope scope, const Specifiers& specifi
   const bool ends_in_block = std::get<VarDecl>(file_.decls[decls.last()].node).has_state_block &&
                              tokens_[pos_ - 1].kind == TokenKind::kRightBrace;
   if (ends_in_block && !At(TokenKind::kSemicolon)) return;
-  ExpectSemicolon(fmt::format("the declaration of `{}`", Text(name)));
+  // Most statements end here: the words for a message are made only when there is one.
+  ExpectSemicolon(At(TokenKind::kSemicolon) ? std::string() : fmt::format("the declaration of `{}`", Text(name)));
 }
 
 // cbuffer Name : register(b0) {...}, with the specifiers before it.

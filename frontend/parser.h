@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -122,15 +123,20 @@ class Parser {
   };
 
   // ---- tokens (parse.cpp)
-  const Token& Peek(std::size_t ahead = 0) const;
+  const Token& Peek() const { return tokens_[pos_]; }
+  const Token& Peek(std::size_t ahead) const { return tokens_[std::min(pos_ + ahead, tokens_.size() - 1)]; }
   bool At(TokenKind kind) const { return Peek().kind == kind; }
   bool AtEnd() const { return At(TokenKind::kEnd); }
-  Token Next();
+  const Token& Next() { return AtEnd() ? tokens_[pos_] : tokens_[pos_++]; }
   bool Accept(TokenKind kind);
   Span Here() const { return Peek().span(); }
   Span PreviousSpan() const;
   Span SpanFrom(std::size_t start) const;
-  Word WordAt(std::size_t ahead = 0) const;
+  Word WordOf(const Token& token) const {
+    return token.kind == TokenKind::kIdentifier ? words_[token.name().index].word : Word::kNone;
+  }
+  Word WordAt() const { return WordOf(Peek()); }
+  Word WordAt(std::size_t ahead) const { return WordOf(Peek(ahead)); }
   const WordInfo& InfoOfName(Name name) const { return words_[name.index]; }
   bool AtWord(Word word) const { return WordAt() == word; }
   bool AtName(std::size_t ahead = 0) const;

@@ -6,19 +6,6 @@
 namespace clipc::ir {
 namespace {
 
-constexpr std::uint32_t kScalarKinds = static_cast<std::uint32_t>(Scalar::kUint64) + 1;
-// Every numeric type exists from the start, in this order after error, void and string, so that its
-// id is arithmetic.
-constexpr std::uint32_t kFirstNumeric = 3;
-constexpr std::uint32_t kShapes = 1 + 4 + 16;  // scalar, vectors, matrices
-
-std::uint32_t NumericIndex(const Type& type) {
-  std::uint32_t shape = 0;
-  if (type.kind == TypeKind::kVector) shape = type.columns;
-  if (type.kind == TypeKind::kMatrix) shape = 5 + (type.rows - 1) * 4 + (type.columns - 1);
-  return kFirstNumeric + static_cast<std::uint32_t>(type.scalar) * kShapes + shape;
-}
-
 std::uint64_t Key(const Type& type) {
   // 4 bits of kind, 28 of element, structure or object, 32 of count: enough for the ids of any real
   // program.
@@ -71,6 +58,22 @@ const char* ObjectName(ObjectKind kind) {
       return "StructuredBuffer";
     case ObjectKind::kByteAddressBuffer:
       return "ByteAddressBuffer";
+    case ObjectKind::kRWBuffer:
+      return "RWBuffer";
+    case ObjectKind::kRWStructuredBuffer:
+      return "RWStructuredBuffer";
+    case ObjectKind::kRWByteAddressBuffer:
+      return "RWByteAddressBuffer";
+    case ObjectKind::kRWTexture1D:
+      return "RWTexture1D";
+    case ObjectKind::kRWTexture1DArray:
+      return "RWTexture1DArray";
+    case ObjectKind::kRWTexture2D:
+      return "RWTexture2D";
+    case ObjectKind::kRWTexture2DArray:
+      return "RWTexture2DArray";
+    case ObjectKind::kRWTexture3D:
+      return "RWTexture3D";
     case ObjectKind::kOther:
       return "object";
   }
@@ -78,6 +81,18 @@ const char* ObjectName(ObjectKind kind) {
 }
 
 }  // namespace
+
+bool IsWritable(ObjectKind kind) {
+  return kind >= ObjectKind::kRWBuffer && kind <= ObjectKind::kRWTexture3D;
+}
+bool IsStructured(ObjectKind kind) {
+  return kind == ObjectKind::kStructuredBuffer || kind == ObjectKind::kRWStructuredBuffer;
+}
+bool IsByteAddress(ObjectKind kind) {
+  return kind == ObjectKind::kByteAddressBuffer || kind == ObjectKind::kRWByteAddressBuffer;
+}
+bool IsStorageBuffer(ObjectKind kind) { return IsStructured(kind) || IsByteAddress(kind); }
+bool IsImage(ObjectKind kind) { return IsWritable(kind) && !IsStorageBuffer(kind); }
 
 Scalar BaseOf(Scalar kind) {
   switch (kind) {
@@ -139,26 +154,37 @@ const char* NameOf(Scalar kind) {
   return "?";
 }
 
-TypeTable::TypeTable() {
-  error_ = types_.Add({.kind = TypeKind::kError});
-  void_ = types_.Add({.kind = TypeKind::kVoid});
-  string_ = types_.Add({.kind = TypeKind::kString});
+constexpr std::array<Type, TypeTable::kCommonCount> TypeTable::MakeCommon() {
+  std::array<Type, kCommonCount> types{};
+  types[1].kind = TypeKind::kVoid;
+  types[2].kind = TypeKind::kString;
+  std::size_t next = kFirstNumeric;
   for (std::uint32_t scalar = 0; scalar < kScalarKinds; ++scalar) {
     const Scalar kind = static_cast<Scalar>(scalar);
-    types_.Add({.kind = TypeKind::kScalar, .scalar = kind});
+    types[next++] = {.kind = TypeKind::kScalar, .scalar = kind};
     for (std::uint8_t columns = 1; columns <= 4; ++columns) {
-      types_.Add({.kind = TypeKind::kVector, .scalar = kind, .columns = columns});
+      types[next++] = {.kind = TypeKind::kVector, .scalar = kind, .columns = columns};
     }
     for (std::uint8_t rows = 1; rows <= 4; ++rows) {
       for (std::uint8_t columns = 1; columns <= 4; ++columns) {
-        types_.Add({.kind = TypeKind::kMatrix, .scalar = kind, .rows = rows, .columns = columns});
+        types[next++] = {.kind = TypeKind::kMatrix, .scalar = kind, .rows = rows, .columns = columns};
       }
     }
   }
+  return types;
+}
+constexpr std::array<Type, TypeTable::kCommonCount> TypeTable::kCommon = MakeCommon();
+
+// In the order of MakeCommon.
+std::uint32_t TypeTable::NumericIndex(const Type& type) {
+  std::uint32_t shape = 0;
+  if (type.kind == TypeKind::kVector) shape = type.columns;
+  if (type.kind == TypeKind::kMatrix) shape = 5 + (type.rows - 1) * 4 + (type.columns - 1);
+  return kFirstNumeric + static_cast<std::uint32_t>(type.scalar) * kShapes + shape;
 }
 
 TypeId TypeTable::WithScalar(TypeId type, Scalar kind) {
-  Type copy = types_[type];
+  Type copy = (*this)[type];
   if (!copy.IsNumeric()) return type;
   copy.scalar = kind;
   return Intern(copy);
@@ -170,15 +196,15 @@ TypeId TypeTable::Intern(const Type& type) {
     return TypeId{NumericIndex(type)};
   }
   auto [entry, is_new] = by_key_.try_emplace(Key(type), TypeId{});
-  if (is_new) entry->second = types_.Add(type);
+  if (is_new) entry->second = TypeId{kCommonCount + types_.Add(type).index};
   return entry->second;
 }
 
 std::string TypeTable::Name(TypeId id) const {
   if (!id) return "<none>";
   std::string dimensions;
-  const Type* type = &types_[id];
-  for (; type->kind == TypeKind::kArray; type = &types_[type->element]) {
+  const Type* type = &(*this)[id];
+  for (; type->kind == TypeKind::kArray; type = &(*this)[type->element]) {
     dimensions += type->count == 0 ? "[]" : "[" + std::to_string(type->count) + "]";
   }
   std::string name;

@@ -57,9 +57,22 @@ enum class ObjectKind : std::uint8_t {
   kBuffer,
   kStructuredBuffer,
   kByteAddressBuffer,
-  kOther,  // an object no vertex shader may use (RWTexture2D, streams, ...): it may be declared,
-           // not used
+  kRWBuffer,  // these the shader may write; RWBuffer and the textures are images in GLSL
+  kRWStructuredBuffer,
+  kRWByteAddressBuffer,
+  kRWTexture1D,
+  kRWTexture1DArray,
+  kRWTexture2D,
+  kRWTexture2DArray,
+  kRWTexture3D,
+  kOther,  // an object no vertex shader may use (streams, ...): it may be declared, not used
 };
+
+bool IsWritable(ObjectKind kind);
+bool IsImage(ObjectKind kind);          // RWBuffer, RWTexture...: a format stands between the shader and the memory
+bool IsStorageBuffer(ObjectKind kind);  // memory as the shader sees it: StructuredBuffer, ByteAddressBuffer, RW or not
+bool IsStructured(ObjectKind kind);
+bool IsByteAddress(ObjectKind kind);
 
 enum class TypeKind : std::uint8_t {
   kError,
@@ -119,13 +132,13 @@ struct Struct {
   Span span;
 };
 
-// The types of one program. Ids of the common types are found without a look-up table walk.
+// The types of one program. The common types are the same in every program: their ids are arithmetic,
+// and they are not stored.
 class TypeTable {
  public:
-  TypeTable();
-  TypeId Error() const { return error_; }
-  TypeId Void() const { return void_; }
-  TypeId String() const { return string_; }
+  TypeId Error() const { return TypeId{0}; }
+  TypeId Void() const { return TypeId{1}; }
+  TypeId String() const { return TypeId{2}; }
   TypeId Make(Scalar kind) { return Intern({.kind = TypeKind::kScalar, .scalar = kind}); }
   TypeId Vector(Scalar kind, int components) {
     return Intern({.kind = TypeKind::kVector,
@@ -151,10 +164,12 @@ class TypeTable {
   TypeId WithScalar(TypeId type, Scalar kind);
 
   StructId AddStruct(Struct structure) { return structs_.Add(std::move(structure)); }
-  const Type& operator[](TypeId id) const { return types_[id]; }
+  const Type& operator[](TypeId id) const {
+    return id.index < kCommonCount ? kCommon[id.index] : types_[TypeId{id.index - kCommonCount}];
+  }
   const Struct& operator[](StructId id) const { return structs_[id]; }
   Struct& operator[](StructId id) { return structs_[id]; }
-  const Struct& StructOf(TypeId id) const { return structs_[types_[id].structure]; }
+  const Struct& StructOf(TypeId id) const { return structs_[(*this)[id].structure]; }
   const Arena<Struct>& structs() const { return structs_; }
 
   // HLSL's spelling: "float4x3", "Light[3]", "Texture2D<float4>".
@@ -163,11 +178,19 @@ class TypeTable {
  private:
   TypeId Intern(const Type& type);
 
-  Arena<Type> types_;
+  // Error, void, string, and each scalar type with its vectors and matrices.
+  static constexpr std::uint32_t kScalarKinds = static_cast<std::uint32_t>(Scalar::kUint64) + 1;
+  static constexpr std::uint32_t kShapes = 1 + 4 + 16;
+  static constexpr std::uint32_t kFirstNumeric = 3;
+  static constexpr std::uint32_t kCommonCount = kFirstNumeric + kScalarKinds * kShapes;
+  static constexpr std::array<Type, kCommonCount> MakeCommon();
+  static std::uint32_t NumericIndex(const Type& type);
+  static const std::array<Type, kCommonCount> kCommon;
+
+  Arena<Type> types_;  // the others
   Arena<Struct> structs_;
   std::unordered_map<std::uint64_t, TypeId>
       by_key_;  // numeric, array, struct and object types by a packed key
-  TypeId error_, void_, string_;
 };
 
 }  // namespace clipc::ir

@@ -58,7 +58,7 @@ Status Level9Binder::Bind(const Table& table, const BoundBuffer* buffers, std::s
   if (table.lowering == Lowering::kNone) return BindNone();
   if (table.lowering != Lowering::kLevel9) {
     return Status::Failure(Error::kWrongLowering,
-                           "the shader clips by itself; SetClipPlane is for lowering level9");
+                           "the shader clips in another way; SetClipPlane is for lowering level9");
   }
   const std::uint32_t mask = table.enable_mask & needed;
 

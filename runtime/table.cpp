@@ -12,6 +12,8 @@ namespace {
 static_assert(kMaxPlanes == clip_table::kMaxPlanes);
 static_assert(static_cast<int>(Lowering::kClipDistance) == static_cast<int>(clip_table::Lowering::kClipDistance));
 static_assert(static_cast<int>(Lowering::kLevel9) == static_cast<int>(clip_table::Lowering::kLevel9));
+static_assert(static_cast<int>(Lowering::kNearPlane) == static_cast<int>(clip_table::Lowering::kNearPlane));
+static_assert(static_cast<int>(Lowering::kDiscard) == static_cast<int>(clip_table::Lowering::kDiscard));
 static_assert(static_cast<int>(Lowering::kNone) == static_cast<int>(clip_table::Lowering::kNone));
 static_assert(static_cast<int>(Lowering::kNearPlane) == static_cast<int>(clip_table::Lowering::kNearPlane));
 static_assert(static_cast<int>(Lowering::kDiscard) == static_cast<int>(clip_table::Lowering::kDiscard));

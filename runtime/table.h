@@ -22,7 +22,7 @@ enum class Lowering : std::uint8_t {
   kClipDistance,  // it writes gl_ClipDistance[i]: enable clip distance i for each bit i of the mask
   kLevel9,        // SetClipPlane(i, plane) and D3DRS_CLIPPLANEENABLE, which Level9Binder does
   kNone,          // the planes are ignored; the mask is 0
-  kNearPlane,     // the one plane, scaled by ShearNearPlane, takes the near plane's place; the mask is 0
+  kNearPlane,     // dot(position, plane) is the depth: the constant is scaled by ShearedProjection::scale; the mask is 0
   kDiscard,       // the fragment shader discards; the mask is 0
 };
 
@@ -42,7 +42,7 @@ struct Table {
   std::string entry;
   std::string profile;
   Lowering lowering = Lowering::kLevel9;
-  std::uint32_t enable_mask = 0;   // (1 << planes.size()) - 1, or 0 for kNone
+  std::uint32_t enable_mask = 0;   // (1 << planes.size()) - 1, or 0 where the device clips nothing
   std::vector<TablePlane> planes;  // at most kMaxPlanes; planes[i] is clip plane i
 };
 

@@ -13,11 +13,11 @@ float4 main(float4 position : POSITION) : SV_Position {
   // CHECK: [[#@LINE+1]]:13: error: `beyond` is not declared; a name must be declared before its use [X3004]
   float b = beyond;
   // CHECK: note: `beyond` is declared here
-  // CHECK: [[#@LINE+1]]:13: error: there is no function `unlti` [X3004]
+  // CHECK: [[#@LINE+1]]:13: error: there is no function `unlti`; did you mean `unlit`? [X3004]
   float c = unlti(1);
   // CHECK: [[#@LINE+1]]:13: error: there is no function `normalise`; did you mean `normalize`? [X3004]
   float d = normalise(position).x;
-  // CHECK: [[#@LINE+1]]:3: error: `Ligth` is no type [X3000]
+  // CHECK: [[#@LINE+1]]:3: error: `Ligth` is no type; did you mean `Light`? [X3000]
   Ligth e;
   // CHECK: [[#@LINE+1]]:13: error: type `Light` is used as a value [X3005]
   float f = Light;

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace clipc {
+
+// Words known when clipc is built, each different, found by one hash and, almost always, one comparison.
+template <std::size_t N>
+class WordIndex {
+ public:
+  static constexpr std::size_t kNone = N;
+
+  constexpr explicit WordIndex(const std::array<std::string_view, N>& words) : words_(words) {
+    slots_.fill(static_cast<std::uint16_t>(kNone));
+    for (std::size_t i = 0; i < N; ++i) {
+      std::size_t slot = FirstSlot(words[i]);
+      while (slots_[slot] != kNone) slot = NextSlot(slot);
+      slots_[slot] = static_cast<std::uint16_t>(i);
+    }
+  }
+
+  // The position of `word` in the array, or kNone.
+  constexpr std::size_t Find(std::string_view word) const {
+    std::size_t slot = FirstSlot(word);
+    while (slots_[slot] != kNone && words_[slots_[slot]] != word) slot = NextSlot(slot);
+    return slots_[slot];
+  }
+  constexpr bool Has(std::string_view word) const { return Find(word) != kNone; }
+
+ private:
+  static constexpr std::size_t kSlots = std::bit_ceil(4 * N);
+
+  // The length and four letters tell words of a language apart well enough.
+  static constexpr std::size_t FirstSlot(std::string_view word) {
+    const std::size_t size = word.size();
+    if (size == 0) return 0;
+    std::uint32_t hash = static_cast<std::uint32_t>(size);
+    for (const std::size_t i : {std::size_t{0}, size / 3, size / 2, size - 1}) {
+      hash = hash * 0x9E3779B1u + static_cast<unsigned char>(word[i]);
+    }
+    return (hash ^ hash >> 15) % kSlots;
+  }
+  static constexpr std::size_t NextSlot(std::size_t slot) { return (slot + 1) % kSlots; }
+
+  std::array<std::string_view, N> words_;
+  std::array<std::uint16_t, kSlots> slots_{};
+};
+
+}  // namespace clipc

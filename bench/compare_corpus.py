@@ -1,0 +1,59 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+"""Compares clipc's GLSL with its reference evaluator on a corpus of shaders that are not part of this repository.
+
+usage: compare_corpus.py CLIPC_DRAW LIST [-j JOBS] [--target glsl450]
+
+LIST has a line per shader, separated by tabs: path, entry, profile, include folders (a;b), defines (A=1;B). Every shader
+that clipc accepts runs on random vertices and constants through Mesa's software OpenGL and through the evaluator.
+"""
+import argparse
+import collections
+import concurrent.futures
+import subprocess
+import sys
+
+VERDICTS = {0: "equal", 1: "different"}
+
+
+def compare(arguments, line):
+    path, entry, profile, includes, defines = (line.rstrip("\n").split("\t") + [""] * 5)[:5]
+    command = [arguments.draw, "compare", path, "-T", profile, "-E", entry, "--target", arguments.target,
+               "--lower", "clip-distance", "--depth-range", "zero-to-one", "--flip-y", "no"]
+    for flag, values in (("-I", includes), ("-D", defines)):
+        for value in filter(None, values.split(";")):
+            command += [flag, value]
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, errors="replace", timeout=60)
+    except subprocess.TimeoutExpired:
+        return "timeout", path, entry, ""
+    verdict = VERDICTS.get(done.returncode, "not compared")
+    text = (done.stdout + done.stderr).strip().splitlines()
+    return verdict, path, entry, text
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("draw")
+    parser.add_argument("list")
+    parser.add_argument("-j", type=int, default=2)
+    parser.add_argument("--target", default="glsl450")
+    arguments = parser.parse_args()
+    with open(arguments.list, encoding="utf-8") as file:
+        lines = file.readlines()
+    counts = collections.Counter()
+    with concurrent.futures.ThreadPoolExecutor(arguments.j) as pool:
+        for done, (verdict, path, entry, text) in enumerate(pool.map(lambda line: compare(arguments, line), lines), 1):
+            counts[verdict] += 1
+            if sys.stderr.isatty():
+                print(f"\r{done} of {len(lines)}", end="", file=sys.stderr)
+            if verdict == "equal":
+                continue
+            print(f"{verdict}: {path} {entry}")
+            for line in text[-6:] if verdict == "different" else text[:1]:
+                print(f"    {line[:200]}")
+    print(", ".join(f"{count} {verdict}" for verdict, count in sorted(counts.items())))
+    return counts["different"] != 0
+
+
+sys.exit(main())

@@ -1,0 +1,46 @@
+#version 450
+#extension GL_ARB_shader_draw_parameters : require
+
+layout(std140, binding = 0) uniform Wind {  // b0
+    vec2 direction;
+    float strength;
+    float time;
+};
+
+layout(std140, binding = 1, row_major) uniform Camera {  // b1
+    mat4 view_projection;
+};
+
+layout(location = 0) in vec3 in_ROOT0;  // ROOT0
+
+layout(location = 0) out float vs_SHADE0;  // SHADE0
+
+const vec2 kCorners[4] = vec2[4](vec2(-1.0, 0.0), vec2(1.0, 0.0), vec2(-1.0, 1.0), vec2(1.0));
+
+uint Hash(uint x) {
+    x ^= x >> 16;
+    x *= 2146121005u;
+    x ^= x >> 15;
+    return x;
+}
+
+float Random(uint seed) {
+    return float(Hash(seed) & 16777215u) / 16777216.0;
+}
+
+vec4 shader_main(uint corner, uint blade, vec3 root, out float shade) {
+    vec2 offset = kCorners[corner & 3u];
+    float height = mix(0.4, 1.0, Random(blade));
+    float bend = offset.y * offset.y * strength * sin(time + 6.2831855 * Random(blade + 17u));
+    vec3 position = root + vec3(offset.x * 0.02, offset.y * height, 0.0);
+    position.xz += direction * bend;
+    shade = 0.5 + 0.5 * offset.y;
+    return view_projection * vec4(position, 1.0);
+}
+
+void main() {
+    float shade;
+    vec4 result = shader_main(uint(gl_VertexID - gl_BaseVertexARB), uint(gl_InstanceID), in_ROOT0, shade);
+    vs_SHADE0 = shade;
+    gl_Position = result;
+}

@@ -1,0 +1,53 @@
+#version 450
+
+struct Vertex {
+    vec3 position;
+    vec3 normal;
+    uvec4 bones;
+    vec4 weights;
+};
+
+layout(std140, binding = 0, row_major) uniform Skeleton {  // b0
+    mat4x3 bones[64];
+};
+
+layout(std140, binding = 1, row_major) uniform Camera {  // b1
+    mat4 view_projection;
+};
+
+layout(location = 0) in vec3 in_POSITION0;  // POSITION0
+layout(location = 1) in vec3 in_NORMAL0;  // NORMAL0
+layout(location = 2) in uvec4 in_BLENDINDICES0;  // BLENDINDICES0
+layout(location = 3) in vec4 in_BLENDWEIGHT0;  // BLENDWEIGHT0
+
+layout(location = 0) out vec3 vs_NORMAL0;  // NORMAL0
+
+void Skin(Vertex v, out vec3 position, out vec3 normal) {
+    position = vec3(0.0);
+    normal = vec3(0.0);
+    for (int i = 0; i < 4; ++i) {
+        mat4x3 bone = bones[v.bones[i]];
+        position += v.weights[i] * (bone * vec4(v.position, 1.0));
+        normal += v.weights[i] * (mat3(bone) * v.normal);
+    }
+}
+
+void shader_main(Vertex v, out vec4 position, out vec3 normal) {
+    vec3 skinned;
+    Skin(v, skinned, normal);
+    position = view_projection * vec4(skinned, 1.0);
+    normal = normalize(normal);
+}
+
+void main() {
+    Vertex v;
+    v.position = in_POSITION0;
+    v.normal = in_NORMAL0;
+    v.bones = in_BLENDINDICES0;
+    v.weights = in_BLENDWEIGHT0;
+    vec4 position;
+    vec3 normal;
+    shader_main(v, position, normal);
+    gl_Position = position;
+    vs_NORMAL0 = normal;
+}
