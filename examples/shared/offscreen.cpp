@@ -101,13 +101,14 @@ Picture Canvas::Read() const {
   return picture;
 }
 
-Program::Program(const char* vertex, const char* fragment) : program_(glCreateProgram()) {
+Program::Program(const char* vertex, const char* fragment, std::initializer_list<const char*> inputs)
+    : program_(glCreateProgram()) {
   for (const GLuint shader : {Compile(GL_VERTEX_SHADER, vertex), Compile(GL_FRAGMENT_SHADER, fragment)}) {
     glAttachShader(program_, shader);
     glDeleteShader(shader);
   }
-  glBindAttribLocation(program_, 0, "in_POSITION0");
-  glBindAttribLocation(program_, 1, "in_NORMAL0");
+  GLuint attribute = 0;
+  for (const char* input : inputs) glBindAttribLocation(program_, attribute++, input);
   glLinkProgram(program_);
   GLint ok = 0;
   glGetProgramiv(program_, GL_LINK_STATUS, &ok);

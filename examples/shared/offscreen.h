@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -58,11 +59,12 @@ class Canvas {
   GLuint framebuffer_ = 0, color_ = 0, depth_ = 0;
 };
 
-// A vertex shader from clipc and a fragment shader. Inputs that clipc named in_POSITION0 and in_NORMAL0 get attributes 0
-// and 1, as MeshBuffers has them.
+// A vertex shader from clipc and a fragment shader. The inputs named get attributes 0, 1 and so on; without names as
+// MeshBuffers has them.
 class Program {
  public:
-  Program(const char* vertex, const char* fragment);
+  Program(const char* vertex, const char* fragment,
+          std::initializer_list<const char*> inputs = {"in_POSITION0", "in_NORMAL0"});
   ~Program() { glDeleteProgram(program_); }
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
