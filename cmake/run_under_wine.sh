@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 # Runs a Windows program on a display of its own and Mesa's software driver; leaves no process behind.
 #   run_under_wine.sh WINE WINESERVER XVFB PREFIX PROGRAM [ARGUMENT...]
-# PREFIX is Wine's folder; made when it does not exist, which takes some seconds.
+# PREFIX is Wine's folder. One that does not exist is made, which takes some seconds, and removed, since it is large.
 set -euo pipefail
 wine=$1 wineserver=$2 xvfb=$3
 export WINEPREFIX=$4
@@ -10,14 +10,19 @@ shift 4
 export WINEARCH=win64 WINEDEBUG=-all LIBGL_ALWAYS_SOFTWARE=1
 # No dialogues that ask for Mono or Gecko, no menu entries.
 export WINEDLLOVERRIDES='mscoree,mshtml,winemenubuilder.exe='
+made=no
 # Wine wants a home to write to.
-mkdir -p "$WINEPREFIX"
+[ -d "$WINEPREFIX" ] || {
+  mkdir -p "$WINEPREFIX"
+  made=yes
+}
 export HOME=$WINEPREFIX
 
 xvfb_process=
 finish() {
   timeout -k 5 20 "$wineserver" -k 2>/dev/null || true
   [ -z "$xvfb_process" ] || kill "$xvfb_process" 2>/dev/null || true
+  [ $made = no ] || rm -rf "$WINEPREFIX"
 }
 trap finish EXIT
 trap 'exit 143' TERM INT
