@@ -85,7 +85,7 @@ Mesh Teapot(int detail) {
       mesh, detail,
       [](double u) {
         const double a = kPi * (0.5 + u);
-        return Vector{-0.9 + 0.55 * std::cos(a), 0.05 + 0.42 * std::sin(a), 0};
+        return Vector{-0.78 + 0.67 * std::cos(a), 0.05 + 0.42 * std::sin(a), 0};
       },
       [](double) { return 0.09; });
   return mesh;

@@ -53,6 +53,23 @@ Context::~Context() {
 
 runtime::gl::Procedure Context::Load(const char* name) { return eglGetProcAddress(name); }
 
+Picture Half(const Picture& picture) {
+  Picture half{picture.width / 2, picture.height / 2, {}};
+  const auto at = [&](int x, int y, int channel) {
+    return picture.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x)) +
+                        static_cast<std::size_t>(channel)];
+  };
+  for (int y = 0; y < half.height; ++y) {
+    for (int x = 0; x < half.width; ++x) {
+      for (int c = 0; c < 4; ++c) {
+        const int sum = at(2 * x, 2 * y, c) + at(2 * x + 1, 2 * y, c) + at(2 * x, 2 * y + 1, c) + at(2 * x + 1, 2 * y + 1, c);
+        half.rgba.push_back(static_cast<std::uint8_t>((sum + 2) / 4));
+      }
+    }
+  }
+  return half;
+}
+
 void WritePng(const std::string& path, const Picture& picture) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;

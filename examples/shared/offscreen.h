@@ -42,6 +42,9 @@ struct Picture {
   std::vector<std::uint8_t> rgba;
 };
 
+// Half as wide and as high, each pixel the mean of four: what was drawn too large comes out with smooth edges.
+Picture Half(const Picture& picture);
+
 void WritePng(const std::string& path, const Picture& picture);
 
 // A color and a depth buffer to draw to; bound, with its viewport set, when made.

@@ -3,6 +3,8 @@
 // distances, by glClipPlane in the part of Direct3D 9's SetClipPlane, by the near plane, and by discard. A fifth picture
 // is not clipped and shows what would go wrong: the mirrored bottoms stick out of the water.
 //   water [FOLDER]
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <stdexcept>
@@ -12,6 +14,7 @@
 #include "examples/shared/mesh.h"
 #include "examples/shared/offscreen.h"
 #include "examples/shared/transform.h"
+#include "fragments.shader.h"
 #include "runtime/clip_plane.h"
 #include "runtime/gl/clip_plane_device.h"
 #include "runtime/gl/clip_switches.h"
@@ -37,15 +40,8 @@ namespace runtime = clipc::runtime;
 // Keeps what is above the water, y >= 0.
 constexpr runtime::Plane kWater{0, 1, 0, 0};
 
-const char kFragment[] =
-    "#version 130\n"
-    "in vec3 vs_NORMAL0;\n"
-    "out vec4 fragment;\n"
-    "uniform vec4 color;\n"
-    "void main() {\n"
-    "  float light = 0.35 + 0.65 * max(0.0, dot(normalize(vs_NORMAL0), vec3(-0.48, 0.8, -0.36)));\n"
-    "  fragment = vec4(color.rgb * light, color.a);\n"
-    "}\n";
+constexpr Vector kEye{0, 2.0, -1.5}, kTarget{0, 0.2, 6};
+constexpr int kWidth = 480, kHeight = 300;
 
 struct Object {
   const MeshBuffers* mesh;
@@ -63,7 +59,10 @@ void Check(const runtime::Status& status) {
   if (!status.ok()) throw std::runtime_error(status.message());
 }
 
-void DrawObjects(const Program& program, const std::vector<Object>& objects, const Matrix& view, const Matrix& projection) {
+// `eye_height` is negative for a mirrored eye.
+void DrawObjects(const Program& program, const std::vector<Object>& objects, const Matrix& view, const Matrix& projection,
+                 double eye_height) {
+  program.Set("eye", static_cast<float>(kEye.x), static_cast<float>(eye_height), static_cast<float>(kEye.z), 1);
   for (const Object& object : objects) {
     program.Set("world_view_projection", Floats(Multiply(Multiply(object.world, view), projection)));
     program.Set("world", Floats(object.world));
@@ -92,7 +91,12 @@ struct Technique {
 
 class Lake {
  public:
-  Lake() : plain_(water_none_vert, kFragment), teapot_(Teapot(24)), torus_(Torus(24, 1.3, 0.3)), surface_(Ground(200, 1)) {
+  Lake()
+      : plain_(water_none_vert, water_fragment),
+        water_(water_none_vert, surface_fragment),
+        teapot_(Teapot(24)),
+        torus_(Torus(24, 1.3, 0.3)),
+        surface_(Ground(400, 1)) {
     const auto place = [](double x, double y, double z, double size, double angle) {
       return Multiply(Multiply(Scaling(size), RotationY(angle)), Translation(x, y, z));
     };
@@ -103,15 +107,15 @@ class Lake {
   }
 
   Picture Draw(const Technique& technique) const {
-    const Canvas canvas(480, 300);
-    glClearColor(0.78F, 0.87F, 0.95F, 1);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    const Canvas canvas(2 * kWidth, 2 * kHeight);
+    DrawSky();
+    glClear(GL_DEPTH_BUFFER_BIT);
     DrawReflection(technique);
     glClear(GL_DEPTH_BUFFER_BIT);
-    plain_.Use();
     DrawSurface();
-    DrawObjects(plain_, objects_, view_, projection_);
-    return canvas.Read();
+    plain_.Use();
+    DrawObjects(plain_, objects_, view_, projection_, kEye.y);
+    return Half(canvas.Read());
   }
 
  private:
@@ -128,31 +132,44 @@ class Lake {
       runtime::Level9Binder binder(device, device.max_planes());
       const runtime::BoundBuffer scene{table.planes[0].register_number, 0, &plane, sizeof plane};
       Check(binder.Bind(table, &scene, 1));
-      DrawObjects(program, objects_, mirrored, projection_);
+      DrawObjects(program, objects_, mirrored, projection_, -kEye.y);
     } else {
       // The shader clips: it gets the plane, and what distances it writes are enabled.
       runtime::gl::ClipSwitches switches(gl);
       Check(switches.Bind(table));
       program.Set("water_plane", plane.x, plane.y, plane.z, plane.w);
-      DrawObjects(program, objects_, mirrored, projection_);
+      DrawObjects(program, objects_, mirrored, projection_, -kEye.y);
     }
+  }
+
+  // Brighter towards the horizon, and below it the same mirrored, for the water to reflect.
+  void DrawSky() const {
+    const Vector ahead = Unit({kTarget.x - kEye.x, 0, kTarget.z - kEye.z});
+    const double up = Dot({view_.m[0][1], 0, view_.m[2][1]}, ahead), depth = Dot({view_.m[0][2], 0, view_.m[2][2]}, ahead);
+    const double horizon = kHeight * (1 + projection_.m[1][1] * up / depth);
+    glEnable(GL_SCISSOR_TEST);
+    for (int row = 0; row < 2 * kHeight; ++row) {
+      const auto height = static_cast<float>(std::min(1.0, std::abs(row - horizon) / kHeight));
+      glScissor(0, row, 2 * kWidth, 1);
+      glClearColor(0.88F - 0.50F * height, 0.93F - 0.32F * height, 0.97F - 0.12F * height, 1);
+      glClear(GL_COLOR_BUFFER_BIT);
+    }
+    glDisable(GL_SCISSOR_TEST);
   }
 
   void DrawSurface() const {
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-    plain_.Set("world_view_projection", Floats(Multiply(view_, projection_)));
-    plain_.Set("world", Floats(Matrix{}));
-    plain_.Set("color", 0.10F, 0.35F, 0.45F, 0.55F);
-    surface_.Draw();
+    water_.Use();
+    DrawObjects(water_, {{&surface_, Matrix{}, 0.05F, 0.24F, 0.30F}}, view_, projection_, kEye.y);
     glDisable(GL_BLEND);
   }
 
-  Program plain_;
+  Program plain_, water_;
   MeshBuffers teapot_, torus_, surface_;
   std::vector<Object> objects_;
-  Matrix view_ = LookAt({0, 2.2, -1.5}, {0, 0.3, 6});
-  Matrix projection_ = Perspective(0.75, 480.0 / 300, 0.5, 100);
+  Matrix view_ = LookAt(kEye, kTarget);
+  Matrix projection_ = Perspective(0.75, static_cast<double>(kWidth) / kHeight, 0.5, 500);
 };
 
 }  // namespace
@@ -162,11 +179,11 @@ int main(int argc, char** argv) try {
   const Context context(Profile::kCompatibility);
   const Lake lake;
   for (const Technique& technique : {
-           Technique{"clip-distance", water_clip_distance_vert, kFragment, &water_clip_distance_clip_table},
-           Technique{"level9", water_level9_vert, kFragment, &water_level9_clip_table},
-           Technique{"near-plane", water_near_plane_vert, kFragment, &water_near_plane_clip_table},
+           Technique{"clip-distance", water_clip_distance_vert, water_fragment, &water_clip_distance_clip_table},
+           Technique{"level9", water_level9_vert, water_fragment, &water_level9_clip_table},
+           Technique{"near-plane", water_near_plane_vert, water_fragment, &water_near_plane_clip_table},
            Technique{"discard", water_discard_vert, water_discard_frag, &water_discard_clip_table},
-           Technique{"none", water_none_vert, kFragment, &water_none_clip_table},
+           Technique{"none", water_none_vert, water_fragment, &water_none_clip_table},
        }) {
     const std::string path = folder + "/water-" + technique.name + ".png";
     WritePng(path, lake.Draw(technique));

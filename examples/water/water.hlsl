@@ -13,6 +13,7 @@ cbuffer Scene : register(b1) {
 struct Output {
   float4 position : SV_Position;
   float3 normal : NORMAL;
+  float3 world_position : TEXCOORD0;
 };
 
 [clipplanes(water_plane)]
@@ -20,5 +21,6 @@ Output main(float3 position : POSITION, float3 normal : NORMAL) {
   Output output;
   output.position = mul(float4(position, 1), world_view_projection);
   output.normal = mul(normal, (float3x3)world);
+  output.world_position = mul(float4(position, 1), world).xyz;
   return output;
 }
