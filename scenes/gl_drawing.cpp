@@ -2,7 +2,9 @@
 #include "scenes/gl_drawing.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <stdexcept>
+#include <string>
 
 #include "runtime/clip_plane.h"
 #include "runtime/gl/clip_plane_device.h"
@@ -53,6 +55,7 @@ const char kCutsVertex[] =
     "  vec4 p = world * vec4(in_POSITION0, 1.0);\n"
     "  world_position = p.xyz;\n"
     "  gl_Position = view_projection * p;\n"
+    "  gl_Position.y = -gl_Position.y;\n"
     "  gl_Position.z = 0.0;\n"
     "}\n";
 const char kCutsFragment[] =
@@ -114,6 +117,18 @@ Matrix MovedProjection(const Scene& scene) {
   move.m[3][1] = -kOffset;
   // w takes the place of 1: a shear of clip space.
   return Multiply(scene.projection, move);
+}
+
+// The shaders draw upside down (--flip-y), so that the first row in memory is the topmost as on Direct3D: corners and
+// centers that lie on an edge are then rounded the same way. Canvas::Read takes the last row for the topmost.
+Picture ReadUpsideDown(const Canvas& canvas) {
+  Picture picture = canvas.Read();
+  const std::ptrdiff_t row = 4 * picture.width;
+  for (int top = 0, bottom = picture.height - 1; top < bottom; ++top, --bottom) {
+    const auto first = picture.rgba.begin() + top * row;
+    std::swap_ranges(first, first + row, picture.rgba.begin() + bottom * row);
+  }
+  return picture;
 }
 
 // Triangles of one object, drawn once.
@@ -200,7 +215,7 @@ Picture DrawScene(Way way, int plane_count, Mistake mistake) {
     }
     DrawObjects(program, scene);
   }
-  return canvas.Read();
+  return ReadUpsideDown(canvas);
 }
 
 Picture DrawCuts(int plane_count) {
@@ -224,7 +239,7 @@ Picture DrawCuts(int plane_count) {
     ObjectBuffers(object).Draw();
   }
   glEnable(GL_DEPTH_TEST);
-  return canvas.Read();
+  return ReadUpsideDown(canvas);
 }
 
 double CutError(int plane_count) {
