@@ -22,8 +22,8 @@ class Direct3D9 : public ::testing::Test {
     std::ifstream file(path, std::ios::binary);
     const std::vector<std::uint8_t> picture{std::istreambuf_iterator<char>(file), {}};
     EXPECT_EQ(picture.size(), std::size_t{4} * kSize * kSize) << path;
-    const Comparison comparison = Compare(DrawScene(Way::kClipDistance, plane_count, Mistake::kNone).rgba, picture,
-                                          DrawCuts(plane_count).rgba);
+    const Scene scene = MakeScene(plane_count);
+    const Comparison comparison = Compare(DrawScene(Way::kClipDistance, scene).rgba, picture, DrawCuts(scene).rgba);
     std::printf("Direct3D 9, %d planes, mistake %s: %d pixels at cuts, of which %d differ; %d differ elsewhere\n", plane_count,
                 NameOf(mistake), comparison.cut_pixels, comparison.differ_at_cut, comparison.differ_elsewhere);
     return comparison;
@@ -33,16 +33,16 @@ class Direct3D9 : public ::testing::Test {
 };
 
 TEST_F(Direct3D9, OnePlaneCutsAsClipDistancesDo) {
-  EXPECT_TRUE(Agree(CompareWithClipDistances(1, Mistake::kNone), CutError(1)));
+  EXPECT_TRUE(Agree(CompareWithClipDistances(1, Mistake::kNone), CutError(MakeScene(1))));
 }
 
 TEST_F(Direct3D9, ThreePlanesCutAsClipDistancesDo) {
-  EXPECT_TRUE(Agree(CompareWithClipDistances(3, Mistake::kNone), CutError(3)));
+  EXPECT_TRUE(Agree(CompareWithClipDistances(3, Mistake::kNone), CutError(MakeScene(3))));
 }
 
 TEST_F(Direct3D9, EveryMistakeIsSeen) {
   for (const Mistake mistake : kMistakes) {
-    EXPECT_FALSE(Agree(CompareWithClipDistances(3, mistake), CutError(3))) << NameOf(mistake);
+    EXPECT_FALSE(Agree(CompareWithClipDistances(3, mistake), CutError(MakeScene(3)))) << NameOf(mistake);
   }
 }
 

@@ -44,20 +44,35 @@ const char kFragment[] =
     "out vec4 fragment;\n"
     "void main() { fragment = vs_COLOR0; }\n";
 
-// d is linear over a surface, so d over the length of its slope is the distance to d = 0 in pixels.
-const char kCutsVertex[] =
+const char kWorldVertex[] =
     "#version 130\n"
     "in vec3 in_POSITION0;\n"
+    "in vec4 in_COLOR0;\n"
     "uniform mat4 world;\n"
     "uniform mat4 view_projection;\n"
     "out vec3 world_position;\n"
+    "out vec4 color;\n"
     "void main() {\n"
     "  vec4 p = world * vec4(in_POSITION0, 1.0);\n"
     "  world_position = p.xyz;\n"
+    "  color = in_COLOR0;\n"
     "  gl_Position = view_projection * p;\n"
     "  gl_Position.y = -gl_Position.y;\n"
-    "  gl_Position.z = 0.0;\n"
+    "  gl_Position.z = 2.0 * gl_Position.z - gl_Position.w;\n"
     "}\n";
+const char kKeptFragment[] =
+    "#version 130\n"
+    "in vec3 world_position;\n"
+    "in vec4 color;\n"
+    "uniform vec4 plane0, plane1, plane2, any_plane;\n"
+    "out vec4 fragment;\n"
+    "void main() {\n"
+    "  vec4 p = vec4(world_position, 1.0);\n"
+    "  bvec3 kept = greaterThanEqual(vec3(dot(p, plane0), dot(p, plane1), dot(p, plane2)), vec3(0.0));\n"
+    "  if (!(any_plane.x > 0.0 ? any(kept) : all(kept))) discard;\n"
+    "  fragment = color;\n"
+    "}\n";
+// d is linear over a surface, so d over the length of its slope is the distance to d = 0 in pixels.
 const char kCutsFragment[] =
     "#version 130\n"
     "in vec3 world_position;\n"
@@ -88,7 +103,7 @@ struct Shader {
   const StaticClipTable* table;
 };
 
-Shader ShaderOf(Way way, int plane_count) {
+Shader ShaderOf(Way way, std::size_t plane_count) {
   const bool one = plane_count == 1;
   switch (way) {
     case Way::kClipDistance:
@@ -170,6 +185,26 @@ void DrawObjects(const Program& program, const Scene& scene) {
   }
 }
 
+// With programs of kWorldVertex; `missing` stands for planes that the scene has not.
+void DrawInWorld(const Program& program, const Scene& scene, const Plane& missing) {
+  program.Set("view_projection", Floats(Multiply(scene.view, MovedProjection(scene))));
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Plane plane = i < scene.planes.size() ? scene.planes[i] : missing;
+    const std::string name = "plane" + std::to_string(i);
+    program.Set(name.c_str(), static_cast<float>(plane.x), static_cast<float>(plane.y), static_cast<float>(plane.z),
+                static_cast<float>(plane.w));
+  }
+  for (const Object& object : scene.objects) {
+    program.Set("world", Floats(object.world));
+    ObjectBuffers(object).Draw();
+  }
+}
+
+void Clear() {
+  glClearColor(0x20 / 255.0F, 0x30 / 255.0F, 0x40 / 255.0F, 1);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
 double NearPlaneScaleOf(const Scene& scene) {
   const Plane plane = Check(runtime::ViewPlaneFromWorld(scene.planes[0], scene.view)).plane;
   return Check(runtime::ShearNearPlane(plane, MovedProjection(scene), {}, runtime::NearPlaneScale::kKeepFar)).scale;
@@ -187,17 +222,15 @@ const char* NameOf(Way way) {
   return "";
 }
 
-Picture DrawScene(Way way, int plane_count, Mistake mistake) {
+Picture DrawScene(Way way, const Scene& scene, Mistake mistake) {
   const runtime::gl::Functions gl = Check(runtime::gl::LoadFunctions(Context::Load));
-  const Scene scene = MakeScene(plane_count);
-  const Shader shader = ShaderOf(way, plane_count);
+  const Shader shader = ShaderOf(way, scene.planes.size());
   const runtime::Table table = MistakenTable(Check(runtime::ReadTable(*shader.table)), mistake);
   const double scale = way == Way::kNearPlane ? NearPlaneScaleOf(scene) : 1;
   const auto planes = PlaneConstants(scene, MovedProjection(scene), scale, mistake);
 
   const Canvas canvas(kSize, kSize);
-  glClearColor(0x20 / 255.0F, 0x30 / 255.0F, 0x40 / 255.0F, 1);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  Clear();
   const Program program(shader.vertex, shader.fragment, {"in_POSITION0", "in_COLOR0"});
   program.Use();
   if (table.lowering == runtime::Lowering::kLevel9) {
@@ -218,32 +251,32 @@ Picture DrawScene(Way way, int plane_count, Mistake mistake) {
   return ReadUpsideDown(canvas);
 }
 
-Picture DrawCuts(int plane_count) {
-  const Scene scene = MakeScene(plane_count);
+Picture DrawKept(const Scene& scene, Kept kept) {
+  const Canvas canvas(kSize, kSize);
+  Clear();
+  const Program program(kWorldVertex, kKeptFragment, {"in_POSITION0", "in_COLOR0"});
+  program.Use();
+  const bool any = kept == Kept::kByAny;
+  program.Set("any_plane", any ? 1 : 0, 0, 0, 0);
+  // A plane that is not there keeps nothing that another does not, or everything.
+  DrawInWorld(program, scene, {0, 0, 0, any ? -1.0 : 1.0});
+  return ReadUpsideDown(canvas);
+}
+
+Picture DrawCuts(const Scene& scene) {
   const Canvas canvas(kSize, kSize);
   glClearColor(0, 0, 0, 1);
-  glClear(GL_COLOR_BUFFER_BIT);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   glDisable(GL_DEPTH_TEST);
-  const Program program(kCutsVertex, kCutsFragment, {"in_POSITION0"});
+  const Program program(kWorldVertex, kCutsFragment, {"in_POSITION0"});
   program.Use();
-  program.Set("view_projection", Floats(Multiply(scene.view, MovedProjection(scene))));
-  for (int i = 0; i < 3; ++i) {
-    // A plane that is not there keeps everything, and is far from everything.
-    const Plane plane = i < plane_count ? scene.planes[i] : Plane{0, 0, 0, 1};
-    const std::string name = "plane" + std::to_string(i);
-    program.Set(name.c_str(), static_cast<float>(plane.x), static_cast<float>(plane.y), static_cast<float>(plane.z),
-                static_cast<float>(plane.w));
-  }
-  for (const Object& object : scene.objects) {
-    program.Set("world", Floats(object.world));
-    ObjectBuffers(object).Draw();
-  }
+  // A plane that is not there keeps everything, and is far from everything.
+  DrawInWorld(program, scene, {0, 0, 0, 1});
   glEnable(GL_DEPTH_TEST);
   return ReadUpsideDown(canvas);
 }
 
-double CutError(int plane_count) {
-  const Scene scene = MakeScene(plane_count);
+double CutError(const Scene& scene) {
   double worst = 0;
   for (const Plane& plane : scene.planes) {
     const Plane in_view = Check(runtime::ViewPlaneFromWorld(plane, scene.view)).plane;

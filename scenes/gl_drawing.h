@@ -12,15 +12,20 @@ namespace clipc::scenes {
 enum class Way { kClipDistance, kLevel9, kDiscard, kNearPlane };
 const char* NameOf(Way way);
 
-// kNearPlane only with one plane. Mistakes as PlaneConstants, kMask as MistakenTable.
-examples::Picture DrawScene(Way way, int plane_count, Mistake mistake);
+// kNearPlane only with one plane. Mistakes as PlaneConstants and MistakenTable.
+examples::Picture DrawScene(Way way, const Scene& scene, Mistake mistake = Mistake::kNone);
+
+// What a pixel shows if a point is kept that is on the kept side of all planes, or of any of them: decided pixel by pixel
+// in world space, with nothing of clipc's.
+enum class Kept { kByAll, kByAny };
+examples::Picture DrawKept(const Scene& scene, Kept kept);
 
 // Where pictures may differ: white within one pixel of where a plane cuts a surface that the other planes keep, whether
 // it is seen or hidden; black elsewhere. From distances in world space, not from clip space.
-examples::Picture DrawCuts(int plane_count);
+examples::Picture DrawCuts(const Scene& scene);
 
 // How far in pixels, at most for 99 % of the cuts, float arithmetic moves a cut in this scene when planes are in clip
 // space: the largest ClipSpaceEdgeError.
-double CutError(int plane_count);
+double CutError(const Scene& scene);
 
 }  // namespace clipc::scenes

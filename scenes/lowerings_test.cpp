@@ -16,13 +16,14 @@ class Lowerings : public ::testing::Test {
  protected:
   // Against clip distances without a mistake.
   static Comparison CompareWithClipDistances(Way way, int plane_count, Mistake mistake) {
-    const examples::Picture picture = DrawScene(way, plane_count, mistake), cuts = DrawCuts(plane_count);
+    const Scene scene = MakeScene(plane_count);
+    const examples::Picture picture = DrawScene(way, scene, mistake), cuts = DrawCuts(scene);
     if (const char* folder = std::getenv("CLIPC_PICTURES"); folder != nullptr) {  // to look at them
       const std::string planes = folder + std::string("/") + std::to_string(plane_count);
       WritePng(planes + "-" + NameOf(way) + "-" + NameOf(mistake) + ".png", picture);
       WritePng(planes + "-cuts.png", cuts);
     }
-    const Comparison comparison = Compare(DrawScene(Way::kClipDistance, plane_count, Mistake::kNone).rgba, picture.rgba, cuts.rgba);
+    const Comparison comparison = Compare(DrawScene(Way::kClipDistance, scene).rgba, picture.rgba, cuts.rgba);
     std::printf("%s, %d planes, mistake %s: %d pixels at cuts, of which %d differ; %d differ elsewhere\n", NameOf(way),
                 plane_count, NameOf(mistake), comparison.cut_pixels, comparison.differ_at_cut, comparison.differ_elsewhere);
     return comparison;
@@ -43,13 +44,13 @@ TEST_F(Lowerings, TheCutsAreASmallPartOfThePicture) {
 
 TEST_F(Lowerings, OnePlaneCutsTheSameEveryWay) {
   for (const Way way : {Way::kLevel9, Way::kDiscard, Way::kNearPlane}) {
-    EXPECT_TRUE(Agree(CompareWithClipDistances(way, 1, Mistake::kNone), CutError(1))) << NameOf(way);
+    EXPECT_TRUE(Agree(CompareWithClipDistances(way, 1, Mistake::kNone), CutError(MakeScene(1)))) << NameOf(way);
   }
 }
 
 TEST_F(Lowerings, ThreePlanesCutTheSameEveryWay) {
   for (const Way way : {Way::kLevel9, Way::kDiscard}) {
-    EXPECT_TRUE(Agree(CompareWithClipDistances(way, 3, Mistake::kNone), CutError(3))) << NameOf(way);
+    EXPECT_TRUE(Agree(CompareWithClipDistances(way, 3, Mistake::kNone), CutError(MakeScene(3)))) << NameOf(way);
   }
 }
 
@@ -58,7 +59,7 @@ TEST_F(Lowerings, EveryMistakeIsSeenWithThreePlanes) {
   for (const Way way : {Way::kClipDistance, Way::kLevel9, Way::kDiscard}) {
     for (const Mistake mistake : kMistakes) {
       if (mistake == Mistake::kMask && way == Way::kDiscard) continue;  // its mask is always 0
-      EXPECT_FALSE(Agree(CompareWithClipDistances(way, 3, mistake), CutError(3))) << NameOf(way) << ' ' << NameOf(mistake);
+      EXPECT_FALSE(Agree(CompareWithClipDistances(way, 3, mistake), CutError(MakeScene(3)))) << NameOf(way) << ' ' << NameOf(mistake);
     }
   }
 }
@@ -66,7 +67,7 @@ TEST_F(Lowerings, EveryMistakeIsSeenWithThreePlanes) {
 TEST_F(Lowerings, EveryMistakeIsSeenWithOnePlane) {
   for (const Way way : {Way::kClipDistance, Way::kLevel9, Way::kDiscard, Way::kNearPlane}) {
     for (const Mistake mistake : {Mistake::kSign, Mistake::kSpace, Mistake::kIndex}) {
-      EXPECT_FALSE(Agree(CompareWithClipDistances(way, 1, mistake), CutError(1))) << NameOf(way) << ' ' << NameOf(mistake);
+      EXPECT_FALSE(Agree(CompareWithClipDistances(way, 1, mistake), CutError(MakeScene(1)))) << NameOf(way) << ' ' << NameOf(mistake);
     }
   }
 }
