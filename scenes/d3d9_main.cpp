@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // Windows: draws the scenes on a real IDirect3DDevice9, the planes going from clipc's table through Level9Binder to
-// SetClipPlane, and writes the pictures as raw RGBA, rows from top to bottom: FOLDER/<planes>-<mistake>.rgba.
+// SetClipPlane, and writes the pictures as raw RGBA, rows from top to bottom: FOLDER/<planes>-<mistake>.rgba and, drawn
+// without a vertex shader, FOLDER/fixed-function.rgba.
 // Prints what a draw costs of setting planes that have not changed, for docs/runtime.md.
 //   d3d9_scenes FOLDER TABLE.bin
 #include <windows.h>
@@ -27,6 +28,8 @@ namespace {
 
 using namespace clipc::scenes;
 namespace runtime = clipc::runtime;
+
+constexpr D3DCOLOR kClearColor = 0xFF203040;
 
 [[noreturn]] void Fail(const char* what, long code) {
   std::fprintf(stderr, "%s: 0x%lx\n", what, static_cast<unsigned long>(code));
@@ -122,13 +125,44 @@ void Draw(IDirect3DDevice9& device, runtime::Level9Binder& binder, const runtime
           const std::string& folder) {
   const Scene scene = MakeScene(plane_count);
   const auto planes = PlaneConstants(scene, scene.projection, 1, mistake);
-  Check(device.Clear(0, nullptr, D3DCLEAR_TARGET | D3DCLEAR_ZBUFFER, 0xFF203040, 1, 0), "Clear");
+  Check(device.Clear(0, nullptr, D3DCLEAR_TARGET | D3DCLEAR_ZBUFFER, kClearColor, 1, 0), "Clear");
   Check(device.BeginScene(), "BeginScene");
   const runtime::BoundBuffer buffer{1, 0, planes.data(), sizeof planes};
   Check(binder.Bind(MistakenTable(table, mistake), &buffer, 1));
   DrawObjects(device, scene);
   Check(device.EndScene(), "EndScene");
   WritePicture(device, folder + "/" + std::to_string(plane_count) + "-" + NameOf(mistake) + ".rgba");
+}
+
+// Without a vertex shader, the planes as they are in world space. "SetClipPlane", Remarks.
+void DrawFixedFunction(IDirect3DDevice9& device, const std::string& path) {
+  const Scene scene = MakeScene(3);
+  const auto set = [&](D3DTRANSFORMSTATETYPE state, const runtime::Matrix& matrix) {
+    const auto floats = clipc::examples::Floats(matrix);
+    D3DMATRIX elements;
+    std::memcpy(&elements, floats.data(), sizeof elements);
+    Check(device.SetTransform(state, &elements), "SetTransform");
+  };
+  Check(device.SetVertexShader(nullptr), "SetVertexShader");
+  set(D3DTS_VIEW, scene.view);
+  set(D3DTS_PROJECTION, scene.projection);
+  Check(device.Clear(0, nullptr, D3DCLEAR_TARGET | D3DCLEAR_ZBUFFER, kClearColor, 1, 0), "Clear");
+  Check(device.BeginScene(), "BeginScene");
+  for (DWORD i = 0; i < 3; ++i) {
+    const runtime::Plane& plane = scene.planes[i];
+    const float floats[4] = {static_cast<float>(plane.x), static_cast<float>(plane.y), static_cast<float>(plane.z),
+                             static_cast<float>(plane.w)};
+    Check(device.SetClipPlane(i, floats), "SetClipPlane");
+  }
+  Check(device.SetRenderState(D3DRS_CLIPPLANEENABLE, 7), "CLIPPLANEENABLE");
+  for (const Object& object : scene.objects) {
+    set(D3DTS_WORLD, object.world);
+    Check(device.DrawPrimitiveUP(D3DPT_TRIANGLELIST, static_cast<UINT>(object.vertices.size() / 3), object.vertices.data(),
+                                 sizeof(SceneVertex)),
+          "DrawPrimitiveUP");
+  }
+  Check(device.EndScene(), "EndScene");
+  WritePicture(device, path);
 }
 
 double Nanoseconds() {
@@ -185,5 +219,6 @@ int main(int argc, char** argv) {
   Check(three.status);
   for (const Mistake mistake : kMistakes) Draw(device, binder, three.value, 3, mistake, argv[1]);
   TimeUnchangedDraws(device, binder, three.value);
+  DrawFixedFunction(device, std::string(argv[1]) + "/fixed-function.rgba");
   return 0;
 }

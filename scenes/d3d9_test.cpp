@@ -16,34 +16,49 @@ namespace {
 
 class Direct3D9 : public ::testing::Test {
  protected:
-  static Comparison CompareWithClipDistances(int plane_count, Mistake mistake) {
-    const std::string path =
-        std::string(CLIPC_D3D9_PICTURES) + "/" + std::to_string(plane_count) + "-" + NameOf(mistake) + ".rgba";
+  static Comparison CompareWithClipDistances(const std::string& name, int plane_count) {
+    const std::string path = std::string(CLIPC_D3D9_PICTURES) + "/" + name + ".rgba";
     std::ifstream file(path, std::ios::binary);
     const std::vector<std::uint8_t> picture{std::istreambuf_iterator<char>(file), {}};
     EXPECT_EQ(picture.size(), std::size_t{4} * kSize * kSize) << path;
     const Scene scene = MakeScene(plane_count);
     const Comparison comparison = Compare(DrawScene(Way::kClipDistance, scene).rgba, picture, DrawCuts(scene).rgba);
-    std::printf("Direct3D 9, %d planes, mistake %s: %d pixels at cuts, of which %d differ; %d differ elsewhere\n", plane_count,
-                NameOf(mistake), comparison.cut_pixels, comparison.differ_at_cut, comparison.differ_elsewhere);
+    std::printf("Direct3D 9, %s: %d pixels at cuts, of which %d differ; %d differ elsewhere\n", name.c_str(),
+                comparison.cut_pixels, comparison.differ_at_cut, comparison.differ_elsewhere);
     return comparison;
   }
 
   const examples::Context context_{examples::Profile::kCompatibility};
 };
+using Seed001Remarks = Direct3D9;
 
 TEST_F(Direct3D9, OnePlaneCutsAsClipDistancesDo) {
-  EXPECT_TRUE(Agree(CompareWithClipDistances(1, Mistake::kNone), CutError(MakeScene(1))));
+  EXPECT_TRUE(Agree(CompareWithClipDistances("1-none", 1), CutError(MakeScene(1))));
 }
 
 TEST_F(Direct3D9, ThreePlanesCutAsClipDistancesDo) {
-  EXPECT_TRUE(Agree(CompareWithClipDistances(3, Mistake::kNone), CutError(MakeScene(3))));
+  EXPECT_TRUE(Agree(CompareWithClipDistances("3-none", 3), CutError(MakeScene(3))));
 }
 
 TEST_F(Direct3D9, EveryMistakeIsSeen) {
   for (const Mistake mistake : kMistakes) {
-    EXPECT_FALSE(Agree(CompareWithClipDistances(3, mistake), CutError(MakeScene(3)))) << NameOf(mistake);
+    EXPECT_FALSE(Agree(CompareWithClipDistances(std::string("3-") + NameOf(mistake), 3), CutError(MakeScene(3)))) << NameOf(mistake);
   }
+}
+
+// With the fixed function the device takes the planes in world space: here with no mathematics of ours. Its vertices are
+// rounded otherwise, which may show in a few pixels at outlines.
+TEST_F(Seed001Remarks, TheFixedFunctionTakesPlanesInWorldSpace) {
+  Comparison comparison = CompareWithClipDistances("fixed-function", 3);
+  EXPECT_LE(comparison.differ_elsewhere, 10);
+  comparison.differ_elsewhere = 0;
+  EXPECT_TRUE(Agree(comparison, CutError(MakeScene(3))));
+}
+
+// ... and with a vertex shader in clip space: the same planes as they are in world space are a mistake then.
+TEST_F(Seed001Remarks, AVertexShaderTakesPlanesInClipSpace) {
+  EXPECT_TRUE(Agree(CompareWithClipDistances("3-none", 3), CutError(MakeScene(3))));
+  EXPECT_GT(CompareWithClipDistances("3-space", 3).differ_elsewhere, 1000);
 }
 
 }  // namespace
