@@ -26,7 +26,7 @@ class TargetCheck {
   TargetCheck(const Program& program, const Target& target, Diagnostics& diagnostics)
       : program_(program), target_(target), diagnostics_(diagnostics), reached_(Reach(program)) {}
 
-  void Run() {
+  Reached Run() {
     for (const IoVar& input : program_.inputs) Input(input);
     for (const IoVar& output : program_.outputs) Output(output);
     for (CbufferId id : program_.cbuffers.ids()) {
@@ -43,6 +43,7 @@ class TargetCheck {
       }
     }
     for (FunctionId id : reached_.functions) Function(program_.functions[id]);
+    return std::move(reached_);
   }
 
  private:
@@ -59,10 +60,12 @@ class TargetCheck {
     const std::string name = input.semantic + std::to_string(input.index);
     switch (input.builtin) {
       case Builtin::kVertexId:
+      case Builtin::kVertexIndex:
         if (!target_.HasVertexId()) diagnostics_.Report(var.span, diag::TargetVertexId, target_name());
         break;
       case Builtin::kBaseVertex:
       case Builtin::kBaseInstance:
+      case Builtin::kInstanceIndex:
       case Builtin::kDrawIndex:
         if (!target_.DrawParameters()) diagnostics_.Report(var.span, diag::TargetDrawParameter, input.semantic, target_name());
         break;
@@ -87,6 +90,9 @@ class TargetCheck {
         break;
       case Builtin::kClipVertex:
         if (!target_.HasClipVertex()) diagnostics_.Report(PlaceOf(output), diag::TargetClipVertex, target_name());
+        break;
+      case Builtin::kShadingRate:
+        if (!target_.ShadingRate()) diagnostics_.Report(PlaceOf(output), diag::TargetShadingRate, target_name());
         break;
       case Builtin::kLayer:
       case Builtin::kViewportIndex:
@@ -167,10 +173,14 @@ class TargetCheck {
       case ObjectKind::kBuffer: report(bool(target_.TextureBuffers()), diag::TargetTextureBuffer); break;
       case ObjectKind::kStructuredBuffer:
       case ObjectKind::kByteAddressBuffer:
+      case ObjectKind::kRWStructuredBuffer:
+      case ObjectKind::kRWByteAddressBuffer:
         report(target_.HasStorageBuffers(), diag::TargetStorageBuffer);
         report(!is_array, diag::TargetArrayOfBuffers);
         break;
-      default: break;
+      default:
+        if (IsImage(type.object)) report(target_.HasImages(), diag::TargetImage);
+        break;
     }
     if (!type.element) return;
     if (program_.types[type.element].IsNumeric() && !ShapeOf(program_.types[type.element]).IsFloating()) {
@@ -206,7 +216,6 @@ class TargetCheck {
     if (type.kind == TypeKind::kArray) return Type(type.element, span);
     if (type.kind == TypeKind::kStruct) {
       for (const Field& field : program_.types.StructOf(id).fields) {
-        ObjectValue(field.type, field.span ? field.span : span);
         Type(field.type, field.span ? field.span : span);
       }
       return;
@@ -222,20 +231,9 @@ class TargetCheck {
     }
   }
 
-  // Textures, samplers and buffers are global variables, nothing else: GLSL cannot keep or choose one, and the writer
-  // passes none.
-  void ObjectValue(TypeId id, Span span) {
-    const ir::Type& type = Innermost(id);
-    if (type.kind == TypeKind::kObject) {
-      diagnostics_.Report(span, diag::TargetObjectValue, program_.types.Name(id));
-    }
-  }
-
   // ---- code
   void Function(const ir::Function& function) {
-    ObjectValue(function.return_type, function.span);
     for (VarId parameter : function.parameters) {
-      ObjectValue(program_.vars[parameter].type, program_.vars[parameter].span);
       Type(program_.vars[parameter].type, program_.vars[parameter].span);
     }
     Statement(function.body);
@@ -247,7 +245,6 @@ class TargetCheck {
       diagnostics_.Report(stmt.span, diag::TargetSwitch, target_name());
     }
     if (const auto* declare = std::get_if<Declare>(&stmt.node)) {
-      ObjectValue(program_.vars[declare->var].type, stmt.span);
       Type(program_.vars[declare->var].type, stmt.span);
     }
     ForEachPart(
@@ -258,16 +255,8 @@ class TargetCheck {
   void Expression(ExprId id) {
     const ir::Expr& expr = program_.exprs[id];
     Type(expr.type, expr.span);
-    const bool is_path = std::holds_alternative<VarRef>(expr.node) || std::holds_alternative<Index>(expr.node) ||
-                         std::holds_alternative<FieldRef>(expr.node);
-    if (!is_path) ObjectValue(expr.type, expr.span);
     if (const auto* call = std::get_if<IntrinsicCall>(&expr.node)) IntrinsicUse(*call, expr.span);
     if (const auto* call = std::get_if<ObjectCall>(&expr.node)) ObjectUse(*call, expr.span);
-    if (const auto* call = std::get_if<Call>(&expr.node)) {
-      for (ExprId argument : program_.expr_lists[call->arguments]) {
-        if (TypeOf(argument).kind == TypeKind::kObject) ObjectArgument(argument);
-      }
-    }
     if (const auto* index = std::get_if<Index>(&expr.node)) BufferIndex(*index, expr.span);
     if (!target_.HasUnsigned()) SmallIntegers(id, expr);
   }
@@ -333,9 +322,10 @@ class TargetCheck {
 
   void ObjectUse(const ObjectCall& call, Span span) {
     const auto arguments = program_.expr_lists[call.arguments];
-    const bool is_storage = Innermost(program_.exprs[arguments[0]].type).object >= ObjectKind::kStructuredBuffer;
+    const ObjectKind object = Innermost(program_.exprs[arguments[0]].type).object;
     if (call.op <= ObjectOp::kGatherAlpha) ObjectArgument(arguments[1]);
     switch (call.op) {
+      case ObjectOp::kStore: StoreUse(arguments[0], span); break;
       case ObjectOp::kSampleGrad:
         if (!target_.HasTextureFunctions()) diagnostics_.Report(span, diag::TargetSampleGradient, target_name());
         break;
@@ -354,8 +344,18 @@ class TargetCheck {
       case ObjectOp::kTextureSize: Query(target_.HasTextureFunctions(), "size", span); break;
       case ObjectOp::kTextureLevels: Query(target_.HasTextureLevels(), "number of levels", span); break;
       case ObjectOp::kTextureSamples: Query(target_.HasTextureSamples(), "number of samples", span); break;
-      case ObjectOp::kBufferSize: Query(is_storage || target_.HasTextureFunctions(), "size", span); break;
+      case ObjectOp::kBufferSize: Query(IsStorageBuffer(object) || target_.HasTextureFunctions(), "size", span); break;
       default: break;
+    }
+  }
+
+  // Elements that lie tighter than std430 says are read as words, and not written.
+  void StoreUse(ExprId object, Span span) {
+    const ir::Type& type = Innermost(program_.exprs[object].type);
+    const auto* ref = std::get_if<VarRef>(&program_.exprs[object].node);
+    const bool row_major = ref && program_.vars[ref->var].row_major;
+    if (type.object == ObjectKind::kRWStructuredBuffer && !Std430(program_.types, type.element, row_major)) {
+      diagnostics_.Report(span, diag::TargetStructuredStore, program_.types.Name(type.element), target_name());
     }
   }
 
@@ -394,8 +394,8 @@ class TargetCheck {
 
 }  // namespace
 
-void CheckTarget(const Program& program, const Target& target, Diagnostics& diagnostics) {
-  TargetCheck(program, target, diagnostics).Run();
+Reached CheckTarget(const Program& program, const Target& target, Diagnostics& diagnostics) {
+  return TargetCheck(program, target, diagnostics).Run();
 }
 
 }  // namespace clipc::glsl

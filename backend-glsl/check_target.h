@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "backend-glsl/reach.h"
 #include "backend-glsl/target.h"
 #include "base/diagnostics.h"
 #include "ir/program.h"
 
 namespace clipc::glsl {
 
-// Reports everything that `main` reaches and the target cannot say. Without errors, WriteGlsl(program, target) succeeds.
-// Requires that the clip planes are lowered: which of them become clip distances is decided there.
-void CheckTarget(const ir::Program& program, const Target& target, Diagnostics& diagnostics);
+// Reports everything that `main` reaches and the target cannot say. Without errors, WriteGlsl succeeds.
+// Requires that the clip planes are lowered: which of them become clip distances is decided there. Gives back what `main`
+// reaches, for WriteGlsl.
+Reached CheckTarget(const ir::Program& program, const Target& target, Diagnostics& diagnostics);
 
 }  // namespace clipc::glsl

@@ -11,8 +11,20 @@ bool IsLetterOrDigit(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
 }
 
+// A name that may stay as it is, and most are.
+bool IsPlain(std::string_view name) {
+  if (name.size() < 3 || !IsLetterOrDigit(name[0]) || name[0] <= '9' || name[2] == '_') return false;
+  char before = 0;
+  for (const char c : name) {
+    if (!IsLetterOrDigit(c) && (c != '_' || before == '_')) return false;
+    before = c;
+  }
+  return true;
+}
+
 // Letters, digits and single underscores, not a digit first, outside the reserved prefixes.
 std::string Spelling(std::string_view wanted, std::string_view fallback) {
+  if (IsPlain(wanted)) return std::string(wanted);
   std::string name;
   name.reserve(wanted.size() + 2);
   for (char c : wanted) {
@@ -45,32 +57,39 @@ std::string LegalFieldName(std::string_view wanted) {
 }
 
 std::string Namer::Global(std::string_view wanted, std::string_view fallback) {
-  const std::string stem = LegalName(wanted, fallback);
-  std::string name = stem;
-  while (globals_.contains(name) || all_locals_.contains(name)) {
-    int& suffix = last_suffix_.try_emplace(stem, 1).first->second;
-    name = WithSuffix(stem, std::to_string(++suffix));
+  std::string name = LegalName(wanted, fallback);
+  Use* use = &uses_[name];
+  if (use->is_global || use->is_local) {
+    const std::string stem = name;
+    int& suffix = use->last_suffix;
+    do {
+      name = WithSuffix(stem, std::to_string(++suffix));
+      use = &uses_[name];
+    } while (use->is_global || use->is_local);
   }
-  globals_.insert(name);
+  use->is_global = true;
   return name;
 }
 
 std::string Namer::Local(std::string_view wanted, std::string_view fallback) {
   CLIPC_CHECK(!scopes_.empty());
-  const std::string stem = LegalName(wanted, fallback);
-  std::string name = stem;
-  for (int suffix = 2; globals_.contains(name) || visible_locals_.contains(name); ++suffix) {
-    name = WithSuffix(stem, std::to_string(suffix));
+  std::string name = LegalName(wanted, fallback);
+  Use* use = &uses_[name];
+  if (use->is_global || use->is_visible_local) {
+    const std::string stem = name;
+    for (int suffix = 2; use->is_global || use->is_visible_local; ++suffix) {
+      name = WithSuffix(stem, std::to_string(suffix));
+      use = &uses_[name];
+    }
   }
-  visible_locals_.insert(name);
-  all_locals_.insert(name);
-  scopes_.back().push_back(name);
+  use->is_visible_local = use->is_local = true;
+  scopes_.back().push_back(use);
   return name;
 }
 
 void Namer::CloseScope() {
   CLIPC_CHECK(!scopes_.empty());
-  for (const std::string& name : scopes_.back()) visible_locals_.erase(name);
+  for (Use* use : scopes_.back()) use->is_visible_local = false;
   scopes_.pop_back();
 }
 

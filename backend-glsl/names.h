@@ -4,7 +4,6 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
 namespace clipc::glsl {
@@ -27,11 +26,14 @@ class Namer {
   void CloseScope();
 
  private:
-  std::unordered_set<std::string> globals_;
-  std::unordered_set<std::string> visible_locals_;
-  std::unordered_set<std::string> all_locals_;
-  std::unordered_map<std::string, int> last_suffix_;  // of globals
-  std::vector<std::vector<std::string>> scopes_;
+  struct Use {
+    bool is_global = false;
+    bool is_visible_local = false;
+    bool is_local = false;  // visible or not
+    int last_suffix = 1;    // that was given to a global of this stem
+  };
+  std::unordered_map<std::string, Use> uses_;  // by name
+  std::vector<std::vector<Use*>> scopes_;      // their locals
 };
 
 }  // namespace clipc::glsl

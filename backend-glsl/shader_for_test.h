@@ -134,7 +134,7 @@ class ShaderForTest {
   }
 
   std::string Glsl(std::string_view target, GlslInfo* info = nullptr) const {
-    return WriteGlsl(program, *Target::Parse(target), {}, info);
+    return WriteGlsl(program, Reach(program), *Target::Parse(target), {}, info);
   }
 
  private:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "backend-glsl/snippets.h"
 
+#include <algorithm>
+
 namespace clipc::glsl {
 
 using ir::Scalar;
@@ -261,15 +263,14 @@ std::string Expand(const SnippetText& snippet, std::string_view function, const 
   const auto type = [&](Scalar kind) { return GlslName(shape.With(kind), has_unsigned); };
   std::string out;
   for (std::size_t i = 0; i < snippet.text.size(); ++i) {
-    const char c = snippet.text[i];
-    if (c == '@') {
+    const std::size_t plain = std::min(snippet.text.find_first_of("@$", i), snippet.text.size());
+    out += snippet.text.substr(i, plain - i);
+    i = plain;
+    if (i == snippet.text.size()) break;
+    if (snippet.text[i] == '@') {
       const std::size_t end = snippet.text.find('(', i);
       out += name_of_other(snippet.text.substr(i + 1, end - i - 1));
       i = end - 1;
-      continue;
-    }
-    if (c != '$') {
-      out += c;
       continue;
     }
     switch (snippet.text[++i]) {

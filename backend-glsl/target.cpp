@@ -60,7 +60,6 @@ Support Target::ClipDistance() const {
 
 Support Target::CullDistance() const {
   if (IsEs()) return Support::Through("GL_EXT_clip_cull_distance");
-  if (version_ >= 130 && version_ < 450) return Support::Through("GL_ARB_cull_distance");
   return Gate(450, kNever);
 }
 
@@ -69,7 +68,8 @@ Support Target::InstanceId() const {
 }
 
 Support Target::DrawParameters() const {
-  if (IsEs() || version_ < 140) return Support::No();
+  // The extension is older (OpenGL 3.1), but glslang knows its variables from GLSL 4.50 on only.
+  if (IsEs() || version_ < 450) return Support::No();
   return version_ >= 460 ? Support::Core() : Support::Through("GL_ARB_shader_draw_parameters");
 }
 
@@ -78,7 +78,12 @@ Support Target::LayerAndViewport() const {
 }
 
 Support Target::ViewIndex() const {
-  return IsVulkan() ? Support::Through("GL_EXT_multiview") : Support::No();
+  if (IsVulkan()) return Support::Through("GL_EXT_multiview");
+  return AtLeast(330, 300) ? Support::Through("GL_OVR_multiview2") : Support::No();
+}
+
+Support Target::ShadingRate() const {
+  return AtLeast(450, 310) ? Support::Through("GL_EXT_fragment_shading_rate") : Support::No();
 }
 
 Support Target::Doubles() const {

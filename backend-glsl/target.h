@@ -56,6 +56,8 @@ class Target {
   bool HasBlockInstances() const { return AtLeast(150, 300); }
   bool HasExplicitOffsets() const { return AtLeast(440, kNever); }
   bool HasBindings() const { return AtLeast(420, 310); }
+  // Images that shaders write. OpenGL ES has them too, and asks for no vertex shader to have any.
+  bool HasImages() const { return AtLeast(420, kNever); }
   bool HasStorageBuffers() const { return AtLeast(430, 310); }
   bool HasDynamicBlockIndex() const { return AtLeast(400, 320); }  // of arrays of blocks and of samplers
 
@@ -70,6 +72,7 @@ class Target {
   bool HasBaseVertexDraws() const { return AtLeast(150, 320); }
   Support LayerAndViewport() const;
   Support ViewIndex() const;
+  Support ShadingRate() const;
 
   // ---- types and expressions
   bool HasUnsigned() const { return AtLeast(130, 300); }  // uint, % << >> & | ^ ~, and int overloads of functions

@@ -32,6 +32,7 @@ struct Text {
 // `left op right`; the operators of GLSL associate to the left. Takes left's buffer, so that long chains stay linear.
 inline Text Infix(Text left, std::string_view op, Text right, Binding binding) {
   std::string text = std::move(left).At(binding);
+  text.reserve(text.size() + op.size() + right.text.size() + 4);
   text += ' ';
   text += op;
   text += ' ';

@@ -11,8 +11,9 @@ namespace clipc::glsl {
 
 using namespace ir;
 
-Writer::Writer(const Program& program, const Target& target, const WriteOptions& options, GlslInfo& info)
-    : program_(program), target_(target), options_(options), info_(info), reached_(Reach(program)) {
+Writer::Writer(const Program& program, const Target& target, const WriteOptions& options, GlslInfo& info, Reached reached)
+    : program_(program), target_(target), options_(options), info_(info), reached_(std::move(reached)) {
+  for (std::string* part : {&structs_, &blocks_, &inputs_, &outputs_, &functions_}) part->reserve(1024);
   struct_used_.resize(program.types.structs().size());
   function_effects_.assign(program.functions.size(), -1);
   layouts_.resize(program.cbuffers.size());
@@ -90,19 +91,12 @@ std::string Writer::Signature(FunctionId id) {
   std::string parameters;
   for (VarId parameter : function.parameters) {
     const Var& var = program_.vars[parameter];
-    const bool is_object = !IsValue(var.type);
-    if (is_object && !target_.IsVulkan()) continue;
     std::string& name = var_names_[parameter.index];
     name = namer_.Local(var.name, "unused");
     if (!parameters.empty()) parameters += ", ";
     if (var.storage == Storage::kOut) parameters += "out ";
     if (var.storage == Storage::kInOut) parameters += "inout ";
-    parameters += is_object ? ObjectTypeName(parameter) + " " + name + Dimensions(parameter) : Declaration(var.type, name);
-  }
-  if (!target_.IsVulkan()) {
-    const std::string combined = CombinedParameters(id);
-    if (!parameters.empty() && !combined.empty()) parameters += ", ";
-    parameters += combined;
+    parameters += Declaration(var.type, name);
   }
   return TypeName(function.return_type) + " " + function_names_[id.index] + "(" + parameters + ")";
 }
@@ -127,11 +121,11 @@ void Writer::Main() {
   namer_.CloseScope();
 }
 
-std::string WriteGlsl(const Program& program, const Target& target, const WriteOptions& options, GlslInfo* info) {
+std::string WriteGlsl(const Program& program, Reached reached, const Target& target, const WriteOptions& options, GlslInfo* info) {
   GlslInfo unwanted;
   GlslInfo& chosen = info ? *info : unwanted;
   chosen = {};
-  return Writer(program, target, options, chosen).Write();
+  return Writer(program, target, options, chosen, std::move(reached)).Write();
 }
 
 }  // namespace clipc::glsl

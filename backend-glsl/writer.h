@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "backend-glsl/block_layout.h"
+#include "backend-glsl/reach.h"
 #include "backend-glsl/target.h"
 #include "ir/program.h"
 
@@ -58,8 +59,8 @@ struct GlslInfo {
 };
 
 // The whole shader. Requires Verify(program) and CheckTarget(program, target) without errors. The text depends on
-// nothing but the arguments.
-std::string WriteGlsl(const ir::Program& program, const Target& target, const WriteOptions& options = {},
+// nothing but the arguments. `reached` is what CheckTarget gave back.
+std::string WriteGlsl(const ir::Program& program, Reached reached, const Target& target, const WriteOptions& options = {},
                       GlslInfo* info = nullptr);
 
 // ---- where the objects of a Vulkan shader are bound
@@ -67,7 +68,8 @@ std::string WriteGlsl(const ir::Program& program, const Target& target, const Wr
 // becomes binding n + the shift of its letter; the space becomes the set.
 inline constexpr std::uint32_t kVulkanShiftB = 0;
 inline constexpr std::uint32_t kVulkanShiftS = 16;  // b0 to b15 come before: Direct3D 11 has 14
-inline constexpr std::uint32_t kVulkanShiftT = 32;  // s0 to s15
+inline constexpr std::uint32_t kVulkanShiftT = 32;   // s0 to s15
+inline constexpr std::uint32_t kVulkanShiftU = 160;  // t0 to t127
 std::uint32_t VulkanBinding(const ir::Register& reg);
 
 }  // namespace clipc::glsl

@@ -21,8 +21,12 @@ std::string RegisterText(const Register& reg) {
 }  // namespace
 
 std::uint32_t VulkanBinding(const Register& reg) {
-  const std::uint32_t shift = reg.letter == 'b' ? kVulkanShiftB : reg.letter == 's' ? kVulkanShiftS : kVulkanShiftT;
-  return reg.number + shift;
+  switch (reg.letter) {
+    case 'b': return reg.number + kVulkanShiftB;
+    case 's': return reg.number + kVulkanShiftS;
+    case 'u': return reg.number + kVulkanShiftU;
+    default: return reg.number + kVulkanShiftT;
+  }
 }
 
 void Writer::Blocks() {

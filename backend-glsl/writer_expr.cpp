@@ -190,7 +190,7 @@ Text Writer::CompoundAssignText(const Assign& node) {
   const bool is_shift = op == BinaryOp::kShiftLeft || op == BinaryOp::kShiftRight;
   if (is_shift && shape.kind != Shape::kRows) {
     std::string text = Expr(node.target).At(Binding::kUnary);
-    return {text + " " + std::string(SpellingOf(op)) + "= " + ShiftCount(value).text, Binding::kAssignment};
+    return {text + " " + std::string(SpellingOf(op)) + "= " + ShiftCount(value, shape.scalar).text, Binding::kAssignment};
   }
   if (IsPure(node.target)) {
     Operand target{Expr(node.target), shape, std::nullopt, IsRepeatable(node.target)};
@@ -228,15 +228,8 @@ Text Writer::CallText(const Call& node) {
   NotConstant();
   std::string arguments;
   for (ExprId argument : program_.expr_lists[node.arguments]) {
-    const bool is_object = !IsValue(program_.exprs[argument].type);
-    if (is_object && !target_.IsVulkan()) continue;
     if (!arguments.empty()) arguments += ", ";
-    arguments += is_object ? ObjectName(argument, {}) : ArgumentOf(argument);
-  }
-  if (!target_.IsVulkan()) {
-    const std::string combined = CombinedArguments(node);
-    if (!arguments.empty() && !combined.empty()) arguments += ", ";
-    arguments += combined;
+    arguments += ArgumentOf(argument);
   }
   return {function_names_[node.function.index] + "(" + arguments + ")"};
 }
@@ -285,6 +278,11 @@ void ForEachWrite(const Program& program, ExprId id, OnTarget&& on_target) {
   }
 }
 
+bool IsStore(const ir::Expr& expr) {
+  const auto* call = std::get_if<ObjectCall>(&expr.node);
+  return call && call->op == ObjectOp::kStore;
+}
+
 }  // namespace
 
 bool Writer::IsPure(ExprId id) {
@@ -293,6 +291,7 @@ bool Writer::IsPure(ExprId id) {
     ForEachWrite(program_, part, [&](ExprId) { pure = false; });
     const auto* call = std::get_if<Call>(&program_.exprs[part].node);
     if (pure && call && HasEffects(call->function)) pure = false;
+    if (IsStore(program_.exprs[part])) pure = false;
   });
   return pure;
 }
@@ -310,6 +309,7 @@ bool Writer::HasEffects(FunctionId id) {
     });
     const auto* call = std::get_if<Call>(&program_.exprs[part].node);
     if (!effects && call && HasEffects(call->function)) effects = true;
+    if (IsStore(program_.exprs[part])) effects = true;
   });
   function_effects_[id.index] = effects ? 1 : 0;
   return effects;

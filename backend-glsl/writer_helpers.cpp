@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <utility>
+
 #include "backend-glsl/reserved_words.h"
 #include "backend-glsl/snippets.h"
 #include "backend-glsl/writer_state.h"
@@ -42,13 +44,16 @@ Text Writer::CallOn(std::string_view function, std::span<const Operand> operands
     if ((scalars >> i & 1) != 0 && !operands[i].scalar) all_scalar = false;
     if ((scalars >> i & 1) == 0 && operands[i].scalar && scalars != 0) all_scalar = false;
   }
-  std::string text = std::string(function) + "(";
+  std::string text;
+  text.reserve(64);
+  text.append(function) += '(';
   for (std::size_t i = 0; i < operands.size(); ++i) {
     if (i > 0) text += ", ";
     const bool as_scalar = all_scalar && (scalars >> i & 1) != 0;
     text += Argument(as_scalar ? *operands[i].scalar : Full(operands[i]));
   }
-  return {text + ")"};
+  text += ')';
+  return {std::move(text)};
 }
 
 namespace {

@@ -17,6 +17,9 @@ namespace {
 
 std::string SemanticOf(const IoVar& io) { return io.semantic + std::to_string(io.index); }
 
+// A headset's: OVR_multiview wants the number in the shader.
+constexpr int kViews = 2;
+
 bool IsIntegral(const Shape& shape) { return !shape.IsFloating(); }
 
 }  // namespace
@@ -80,7 +83,14 @@ std::string Writer::InputText(const IoVar& input, GlslInfo::Variable& info) {
     case Builtin::kDrawIndex: return draw_parameter("gl_DrawID");
     case Builtin::kViewId:
       Require(target_.ViewIndex());
-      return type + "(gl_ViewIndex)";
+      if (target_.IsVulkan()) return type + "(gl_ViewIndex)";
+      inputs_ += "layout(num_views = " + std::to_string(kViews) + ") in;  // " + SemanticOf(input) + "\n";
+      return type + "(gl_ViewID_OVR)";
+    case Builtin::kVertexIndex: return type + (target_.IsVulkan() ? "(gl_VertexIndex)" : "(gl_VertexID)");
+    case Builtin::kInstanceIndex:
+      if (target_.IsVulkan()) return type + "(gl_InstanceIndex)";
+      Require(target_.DrawParameters());
+      return type + "(gl_InstanceID + gl_BaseInstance" + suffix + ")";
     default: break;
   }
   CLIPC_CHECK(!"a built-in input");
@@ -96,6 +106,7 @@ std::string Writer::OutputName(const IoVar& output) const {
     case Builtin::kPointSize: return "gl_PointSize";
     case Builtin::kLayer: return "gl_Layer";
     case Builtin::kViewportIndex: return "gl_ViewportIndex";
+    case Builtin::kShadingRate: return "gl_PrimitiveShadingRateEXT";
     default: return var_names_[output.var.index];
   }
 }
@@ -108,6 +119,10 @@ void Writer::Outputs() {
     var_names_[output.var.index] = info.name;
     if (output.builtin == Builtin::kClipDistance) info_.clip_distance_mask = WrittenElements(output.var);
     if (output.builtin == Builtin::kCullDistance) info_.cull_distance_mask = WrittenElements(output.var);
+    if (output.builtin == Builtin::kShadingRate) {
+      Require(target_.ShadingRate());
+      integer_outputs_.push_back(output.var);
+    }
     if (output.builtin == Builtin::kLayer || output.builtin == Builtin::kViewportIndex) {
       Require(target_.LayerAndViewport());
       integer_outputs_.push_back(output.var);

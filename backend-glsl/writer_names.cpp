@@ -72,13 +72,17 @@ void Writer::NameStructs() {
   for (StructId id : program_.types.structs().ids()) {
     const Struct& structure = program_.types[id];
     struct_names_[id.index] = namer_.Global(structure.name, "Unnamed");
-    std::set<std::string> taken;
+    std::vector<std::string>& names = field_names_[id.index];
+    bool is_changed = false;
     for (const Field& field : structure.fields) {
-      std::string name = LegalFieldName(field.name);
-      for (int suffix = 2; !taken.insert(name).second; ++suffix) {
-        name = LegalFieldName(field.name + "_" + std::to_string(suffix));
+      is_changed |= names.emplace_back(LegalFieldName(field.name)) != field.name;
+    }
+    if (!is_changed) continue;  // so they differ, as they do in HLSL
+    std::set<std::string> taken;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      for (int suffix = 2; !taken.insert(names[i]).second; ++suffix) {
+        names[i] = LegalFieldName(structure.fields[i].name + "_" + std::to_string(suffix));
       }
-      field_names_[id.index].push_back(name);
     }
   }
 }
@@ -91,7 +95,9 @@ std::string Writer::OverloadKey(const Function& function) {
 
 // Overloads share a name as long as GLSL can tell them apart: half and float are the same there.
 void Writer::NameFunctions() {
-  std::unordered_map<std::string, std::string> shared;
+  std::unordered_map<std::string_view, int> counts;
+  for (FunctionId id : reached_.functions) ++counts[program_.functions[id].name];
+  std::unordered_map<std::string_view, std::string> shared;
   std::set<std::string> taken;
   for (FunctionId id : reached_.functions) {
     const Function& function = program_.functions[id];
@@ -101,7 +107,8 @@ void Writer::NameFunctions() {
     }
     std::string wanted = function.name;
     if (wanted == "main") wanted = "shader_main";
-    const bool is_new_signature = taken.insert(OverloadKey(function)).second;
+    const bool is_overloaded = counts[function.name] > 1;
+    const bool is_new_signature = is_overloaded && taken.insert(OverloadKey(function)).second;
     if (auto found = shared.find(function.name); found != shared.end() && is_new_signature) {
       function_names_[id.index] = found->second;
     } else {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // Declarations of textures, samplers and buffers. OpenGL knows a texture only together with its sampler: each pair that is
-// used becomes one sampler variable, and a function that is handed a texture and a sampler is handed the pair.
+// used becomes one sampler variable.
 #include <algorithm>
 #include <variant>
 
@@ -30,56 +30,33 @@ bool Writer::IsShadow(VarId sampler) const {
 namespace {
 
 bool TakesSampler(ObjectOp op) { return op <= ObjectOp::kGatherAlpha; }
-bool IsStorage(ObjectKind kind) { return kind == ObjectKind::kStructuredBuffer || kind == ObjectKind::kByteAddressBuffer; }
 
 }  // namespace
 
-void Writer::AddTextureUse(FunctionId function, TextureUse use) {
-  if (IsStorage(ObjectTypeOf(use.texture).object)) return;
-  const auto is_parameter = [&](VarId var) { return var && program_.vars[var].storage != Storage::kResource; };
-  auto& uses = is_parameter(use.texture) || is_parameter(use.sampler) ? parameter_uses_[function.index] : texture_uses_;
-  if (std::ranges::find(uses, use) == uses.end()) uses.push_back(use);
-}
-
-TextureUse Writer::InCaller(const TextureUse& use, const Call& call) const {
-  const auto& parameters = program_.functions[call.function].parameters;
-  const auto map = [&](VarId var) {
-    const auto found = std::ranges::find(parameters, var);
-    if (!var || found == parameters.end()) return var;
-    return ObjectVar(program_.expr_lists[call.arguments][static_cast<std::size_t>(found - parameters.begin())]);
-  };
-  return {map(use.texture), map(use.sampler)};
-}
-
 void Writer::UsesIn(FunctionId function) {
   ForEachExpr(program_, program_.functions[function].body, [&](ExprId id) {
-    const auto& node = program_.exprs[id].node;
-    if (const auto* call = std::get_if<Call>(&node)) {
-      for (const TextureUse& use : parameter_uses_[call->function.index]) AddTextureUse(function, InCaller(use, *call));
-    }
-    const auto* object = std::get_if<ObjectCall>(&node);
-    if (!object) return;
-    const auto arguments = program_.expr_lists[object->arguments];
-    AddTextureUse(function, {ObjectVar(arguments[0]), TakesSampler(object->op) ? ObjectVar(arguments[1]) : VarId{}});
+    const auto* call = std::get_if<ObjectCall>(&program_.exprs[id].node);
+    if (!call) return;
+    const auto arguments = program_.expr_lists[call->arguments];
+    const TextureUse use{ObjectVar(arguments[0]), TakesSampler(call->op) ? ObjectVar(arguments[1]) : VarId{}};
+    const ObjectKind kind = ObjectTypeOf(use.texture).object;
+    if (IsStorageBuffer(kind) || IsImage(kind)) return;
+    if (std::ranges::find(texture_uses_, use) == texture_uses_.end()) texture_uses_.push_back(use);
   });
 }
 
 // Names every pair. A texture that goes with one sampler keeps its name; a read without sampler goes through any pair of the
 // texture that does not compare.
 void Writer::FindTextureUses() {
-  parameter_uses_.resize(program_.functions.size());
+  if (program_.resources.empty()) return;
   for (FunctionId function : reached_.functions) UsesIn(function);
   if (target_.IsVulkan()) return;
-  const auto settle = [&](std::vector<TextureUse>& uses) {
-    std::ranges::stable_sort(uses);
-    std::erase_if(uses, [&](const TextureUse& use) {
-      return !use.sampler && std::ranges::any_of(uses, [&](const TextureUse& other) {
-        return other.texture == use.texture && other.sampler && !IsShadow(other.sampler);
-      });
+  std::ranges::stable_sort(texture_uses_);
+  std::erase_if(texture_uses_, [&](const TextureUse& use) {
+    return !use.sampler && std::ranges::any_of(texture_uses_, [&](const TextureUse& other) {
+      return other.texture == use.texture && other.sampler && !IsShadow(other.sampler);
     });
-  };
-  settle(texture_uses_);
-  for (auto& uses : parameter_uses_) settle(uses);
+  });
   for (const TextureUse& use : texture_uses_) {
     const auto same = std::ranges::count(texture_uses_, use.texture, &TextureUse::texture);
     const std::string& texture = program_.vars[use.texture].name;
@@ -116,7 +93,8 @@ const std::string& Writer::CombinedName(const TextureUse& use) const {
 std::string Writer::ObjectName(ExprId texture, ExprId sampler) {
   const std::string indices = IndicesOf(texture);
   const VarId texture_var = ObjectVar(texture);
-  if (!target_.IsVulkan()) {
+  const bool is_plain = ir::IsWritable(ObjectTypeOf(texture_var).object);
+  if (!target_.IsVulkan() && !is_plain) {
     return CombinedName({texture_var, sampler ? ObjectVar(sampler) : VarId{}}) + indices;
   }
   const std::string name = var_names_[texture_var.index] + indices;
@@ -177,8 +155,11 @@ std::uint32_t CountOf(const Program& program, VarId var) {
 void Writer::Objects() {
   for (const Resource& resource : program_.resources) {
     if (!reached_.Has(resource.var)) continue;
-    if (IsStorage(ObjectTypeOf(resource.var).object)) {
+    const ObjectKind kind = ObjectTypeOf(resource.var).object;
+    if (IsStorageBuffer(kind)) {
       BufferObject(resource);
+    } else if (IsImage(kind)) {
+      ImageObject(resource);
     } else if (target_.IsVulkan()) {
       SeparateObject(resource);
     }
@@ -248,41 +229,52 @@ void Writer::BufferObject(const Resource& resource) {
   }
   qualifiers += ", binding = " + std::to_string(*info.binding);
   std::string element = "uint ";
-  const bool is_structured = type.object == ObjectKind::kStructuredBuffer;
+  const bool is_structured = IsStructured(type.object);
   if (const auto extent = is_structured ? Std430(program_.types, type.element, var.row_major) : std::nullopt) {
     element = TypeName(type.element) + " ";
     if (extent->matrices == MatrixLayout::kRowMajor) qualifiers += ", row_major";
   }
   const std::string block = namer_.Global(var.name + "_block");
-  objects_ += "layout(" + qualifiers + ") readonly buffer " + block + " {  // " + resource.reg.letter +
+  objects_ += "layout(" + qualifiers + ")" + (ir::IsWritable(type.object) ? "" : " readonly") + " buffer " + block + " {  // " + resource.reg.letter +
               std::to_string(resource.reg.number) + "\n    " + element + info.name + "[];\n};\n";
   info_.objects.push_back(std::move(info));
 }
 
-std::string Writer::CombinedParameters(FunctionId function) {
-  std::string text;
-  for (const TextureUse& use : parameter_uses_[function.index]) {
-    const auto same = std::ranges::count(parameter_uses_[function.index], use.texture, &TextureUse::texture);
-    std::string wanted = program_.vars[use.texture].name;
-    if (same > 1 && use.sampler) wanted += "_" + program_.vars[use.sampler].name;
-    combined_[use] = namer_.Local(wanted);
-    text += std::string(text.empty() ? "" : ", ") + (target_.IsEs() ? "highp " : "") +
-            SamplerType(use.texture, IsShadow(use.sampler)) + " " + combined_[use] + Dimensions(use.texture);
+namespace {
+
+const char* ImageDimension(ObjectKind kind) {
+  switch (kind) {
+    case ObjectKind::kRWTexture1D: return "1D";
+    case ObjectKind::kRWTexture1DArray: return "1DArray";
+    case ObjectKind::kRWTexture2D: return "2D";
+    case ObjectKind::kRWTexture2DArray: return "2DArray";
+    case ObjectKind::kRWTexture3D: return "3D";
+    default: return "Buffer";
   }
-  return text;
 }
 
-std::string Writer::CombinedArguments(const Call& call) {
-  const auto& parameters = program_.functions[call.function].parameters;
-  std::string text;
-  for (const TextureUse& use : parameter_uses_[call.function.index]) {
-    if (!text.empty()) text += ", ";
-    text += CombinedName(InCaller(use, call));
-    const auto texture = std::ranges::find(parameters, use.texture);
-    if (texture == parameters.end()) continue;
-    text += IndicesOf(program_.expr_lists[call.arguments][static_cast<std::size_t>(texture - parameters.begin())]);
+}  // namespace
+
+// GLSL wants the format of an image that is read; HLSL tells the components and their kind: 32 bits each.
+void Writer::ImageObject(const Resource& resource) {
+  const Type& type = ObjectTypeOf(resource.var);
+  const Shape element = type.element ? ShapeOf(program_.types[type.element]) : ShapeOf(Scalar::kFloat, 1, 4);
+  GlslInfo::Object info{resource.var, {}, var_names_[resource.var.index], std::nullopt, std::nullopt};
+  std::string qualifiers;
+  if (target_.IsVulkan()) {
+    info.set = resource.reg.space;
+    info.binding = VulkanBinding(resource.reg);
+    qualifiers = "set = " + std::to_string(*info.set) + ", ";
+  } else {
+    info.binding = FreeBinding(image_bindings_, resource.reg.number, CountOf(program_, resource.var));
   }
-  return text;
+  const std::string prefix = element.scalar == Scalar::kInt ? "i" : element.scalar == Scalar::kUint ? "u" : "";
+  qualifiers += "binding = " + std::to_string(*info.binding) + ", ";
+  qualifiers += std::string("rgba").substr(0, element.size == 3 ? 4 : static_cast<std::size_t>(element.size)) + "32";
+  qualifiers += prefix == "u" ? "ui" : prefix == "i" ? "i" : "f";
+  objects_ += "layout(" + qualifiers + ") uniform " + prefix + "image" + ImageDimension(type.object) + " " + info.name +
+              Dimensions(resource.var) + ";  // " + resource.reg.letter + std::to_string(resource.reg.number) + "\n";
+  info_.objects.push_back(std::move(info));
 }
 
 }  // namespace clipc::glsl

@@ -71,10 +71,12 @@ Operand Writer::OperandOf(ExprId id) {
   if (const auto* splat = std::get_if<Splat>(&expr.node)) {
     operand.repeatable = IsRepeatable(splat->operand);
     operand.scalar = Expr(splat->operand);
-  } else if (std::holds_alternative<Zero>(expr.node) || std::holds_alternative<Literal>(expr.node)) {
+  } else if (std::holds_alternative<Zero>(expr.node)) {
     operand.repeatable = true;
     operand.scalar = Text{ZeroText(operand.shape.Component())};
-    if (std::holds_alternative<Literal>(expr.node)) operand.scalar = Expr(id);
+  } else if (std::holds_alternative<Literal>(expr.node)) {
+    operand.repeatable = true;
+    operand.scalar = Expr(id);
   } else {
     operand.repeatable = IsRepeatable(id);
     operand.text = Expr(id);
@@ -84,6 +86,7 @@ Operand Writer::OperandOf(ExprId id) {
 
 std::vector<Operand> Writer::OperandsOf(List<ExprId> list) {
   std::vector<Operand> operands;
+  operands.reserve(list.size);
   for (ExprId id : program_.expr_lists[list]) operands.push_back(OperandOf(id));
   return operands;
 }
@@ -168,16 +171,16 @@ Text Writer::ModOn(const Operand& left, const Operand& right) {
 }
 
 // GLSL leaves shifts by more than 31 undefined; HLSL takes the count modulo the number of bits.
-Text Writer::ShiftCount(const Operand& count) {
+Text Writer::ShiftCount(const Operand& count, Scalar shifted) {
   const Scalar kind = count.shape.scalar;
-  const std::uint32_t mask = kind == Scalar::kInt64 || kind == Scalar::kUint64 ? 63 : 31;
+  const std::uint32_t mask = shifted == Scalar::kInt64 || shifted == Scalar::kUint64 ? 63 : 31;
   const std::string suffix = kind == Scalar::kUint || kind == Scalar::kUint64 ? "u" : "";
   if (const auto number = PlainNumber(count.scalar)) return {std::to_string(*number & mask) + suffix};
   return Infix(ScalarOr(count), "&", {std::to_string(mask) + suffix}, Binding::kBitAnd);
 }
 
 Text Writer::ShiftOn(BinaryOp op, const Operand& left, const Operand& right) {
-  Text count = ShiftCount(right);
+  Text count = ShiftCount(right, left.shape.scalar);
   const bool both = left.scalar && right.scalar && !left.shape.IsScalar();
   // A vector may be shifted by a scalar, not a scalar by a vector.
   Text value = both || (left.scalar && !left.shape.IsScalar()) ? Full(left) : ScalarOr(left);

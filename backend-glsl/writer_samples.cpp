@@ -17,6 +17,7 @@ bool IsOffsetOp(ObjectOp op) { return op != ObjectOp::kD3d9Sample && op != Objec
 
 Text Writer::ObjectText(const ir::Expr& expr, const ObjectCall& node) {
   NotConstant();
+  const auto arguments = program_.expr_lists[node.arguments];
   switch (node.op) {
     case ObjectOp::kSampleLevel:
     case ObjectOp::kSampleGrad:
@@ -31,6 +32,9 @@ Text Writer::ObjectText(const ir::Expr& expr, const ObjectCall& node) {
     case ObjectOp::kBufferLoad:
     case ObjectOp::kStructuredLoad:
     case ObjectOp::kByteLoad: return BufferText(expr, node);
+    case ObjectOp::kImageLoad:
+      return Narrow("imageLoad(" + ObjectName(arguments[0], {}) + ", " + ArgumentOf(arguments[1]) + ")", program_.types[expr.type]);
+    case ObjectOp::kStore: return StoreText(node);
     case ObjectOp::kTextureSize:
     case ObjectOp::kTextureLevels:
     case ObjectOp::kTextureSamples:
@@ -98,10 +102,16 @@ Text Writer::GatherText(const ir::Expr& expr, const ObjectCall& node) {
   const auto arguments = program_.expr_lists[node.arguments];
   const int component = static_cast<int>(node.op) - static_cast<int>(ObjectOp::kGather);
   std::string text = ObjectName(arguments[0], arguments[1]) + ", " + ArgumentOf(arguments[2]);
-  const bool has_offset = arguments.size() > 3;
-  if (has_offset) text += ", " + ArgumentOf(arguments[3]);
+  const std::size_t offsets = arguments.size() - 3;
+  if (offsets == 1) text += ", " + ArgumentOf(arguments[3]);
+  if (offsets == 4) {
+    text += ", ivec2[4](";
+    for (std::size_t i = 0; i < 4; ++i) text += (i > 0 ? ", " : "") + ArgumentOf(arguments[3 + i]);
+    text += ")";
+  }
   if (component > 0) text += ", " + std::to_string(component);
-  return Narrow((has_offset ? "textureGatherOffset(" : "textureGather(") + text + ")", program_.types[expr.type]);
+  const char* function = offsets == 4 ? "textureGatherOffsets(" : offsets == 1 ? "textureGatherOffset(" : "textureGather(";
+  return Narrow(function + text + ")", program_.types[expr.type]);
 }
 
 Text Writer::TexelText(const ir::Expr& expr, const ObjectCall& node) {
@@ -119,8 +129,9 @@ Text Writer::QueryText(const ObjectCall& node) {
   const VarId var = ObjectVar(arguments[0]);
   const Type& object_type = ObjectTypeOf(var);
   const ObjectKind kind = object_type.object;
-  if (kind == ObjectKind::kByteAddressBuffer) return {var_names_[var.index] + ".length() * 4", Binding::kProduct};
-  if (kind == ObjectKind::kStructuredBuffer) {
+  if (IsImage(kind)) return {"imageSize(" + ObjectName(arguments[0], {}) + ")"};
+  if (IsByteAddress(kind)) return {var_names_[var.index] + ".length() * 4", Binding::kProduct};
+  if (IsStructured(kind)) {
     const std::string length = var_names_[var.index] + ".length()";
     if (Std430(program_.types, object_type.element, program_.vars[var].row_major)) return {length};
     const std::uint32_t words = std::max(Structured(program_.types, object_type.element).size / 4, 1u);
@@ -142,6 +153,9 @@ Text Writer::BufferText(const ir::Expr& expr, const ObjectCall& node) {
   const VarId var = ObjectVar(arguments[0]);
   if (node.op == ObjectOp::kByteLoad) return ByteLoadText(expr, node);
   if (node.op == ObjectOp::kBufferLoad) {
+    if (IsImage(ObjectTypeOf(var).object)) {
+      return Narrow("imageLoad(" + ObjectName(arguments[0], {}) + ", " + ArgumentOf(arguments[1]) + ")", program_.types[expr.type]);
+    }
     if (target_.IsVulkan()) Require("GL_EXT_samplerless_texture_functions");
     return Narrow("texelFetch(" + ObjectName(arguments[0], {}) + ", " + ArgumentOf(arguments[1]) + ")", program_.types[expr.type]);
   }
@@ -160,6 +174,36 @@ Text Writer::BufferText(const ir::Expr& expr, const ObjectCall& node) {
   });
   const bool is_int = TypeOf(arguments[1]).scalar == Scalar::kInt || std::holds_alternative<Literal>(program_.exprs[arguments[1]].node);
   return {helper + "(" + (is_int ? index : "int(" + index + ")") + ")"};
+}
+
+// The place is an index, a coordinate or a byte address.
+Text Writer::StoreText(const ObjectCall& node) {
+  const auto arguments = program_.expr_lists[node.arguments];
+  const ObjectKind kind = ObjectTypeOf(ObjectVar(arguments[0])).object;
+  const std::string name = ObjectName(arguments[0], {});
+  const std::string value = ArgumentOf(arguments[2]);
+  if (IsStructured(kind)) return {name + "[" + IndexValue(arguments[1]) + "] = " + value, Binding::kAssignment};
+  const Shape shape = ShapeAt(arguments[2]);
+  if (IsImage(kind)) {
+    // An image is written four components at a time; those that its format lacks are dropped.
+    const std::string type = TypeName(ShapeOf(shape.scalar, 1, 4));
+    const std::string zero = shape.IsFloating() ? "0.0" : shape.scalar == Scalar::kUint ? "0u" : "0";
+    std::string four = type + "(" + value;
+    for (int i = shape.size; i < 4; ++i) four += ", " + zero;
+    return {"imageStore(" + name + ", " + ArgumentOf(arguments[1]) + ", " + (shape.size == 4 ? value : four + ")") + ")"};
+  }
+  const std::string helper = Helper(name + "_store" + (shape.size > 1 ? std::to_string(shape.size) : ""), "",
+                                    [&](const std::string& function) {
+    const std::string address = Fresh("address"), stored = Fresh("value");
+    std::string text = "void " + function + "(uint " + address + ", " + TypeName(shape) + " " + stored + ") {\n";
+    for (int i = 0; i < shape.size; ++i) {
+      const std::string offset = i > 0 ? " + " + std::to_string(i) + "u" : "";
+      const std::string component = shape.size > 1 ? std::string(".") + "xyzw"[i] : "";
+      text += "    " + name + "[" + address + " / 4u" + offset + "] = " + stored + component + ";\n";
+    }
+    return text + "}\n";
+  });
+  return {helper + "(" + ArgumentOf(arguments[1]) + ", " + value + ")"};
 }
 
 // Load, Load2, Load3, Load4 of a ByteAddressBuffer.

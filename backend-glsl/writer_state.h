@@ -55,7 +55,8 @@ struct Memory {
 // The state of one WriteGlsl. Its methods are spread over writer*.cpp by subject.
 class Writer {
  public:
-  Writer(const ir::Program& program, const Target& target, const WriteOptions& options, GlslInfo& info);
+  Writer(const ir::Program& program, const Target& target, const WriteOptions& options, GlslInfo& info,
+         Reached reached);
   std::string Write();
 
  private:
@@ -89,7 +90,6 @@ class Writer {
   std::string FilledArray(ir::TypeId type, const std::function<std::string(const std::string&)>& element);
   std::string WrapperOf(ir::TypeId array);
   std::string ElementText(ir::TypeId element, Text text);  // as an argument of an array constructor
-  bool IsValue(ir::TypeId type) const;  // no texture, sampler or buffer, nor an array of them
   std::string ZeroText(ir::TypeId type);
   std::string ZeroText(const Shape& shape) const;
   std::string FieldName(ir::StructId id, std::uint32_t field) const { return field_names_[id.index][field]; }
@@ -169,7 +169,7 @@ class Writer {
   Text ArithmeticOn(ir::BinaryOp op, const Operand& left, const Operand& right);
   Text ModOn(const Operand& left, const Operand& right);
   Text ShiftOn(ir::BinaryOp op, const Operand& left, const Operand& right);
-  Text ShiftCount(const Operand& count);
+  Text ShiftCount(const Operand& count, ir::Scalar shifted);
   Text CompareOn(ir::BinaryOp op, const Operand& left, const Operand& right);
   Text LogicalOn(ir::BinaryOp op, const Operand& left, const Operand& right, bool right_is_pure);
   Text SelectOn(std::span<const Operand> operands, bool pure);
@@ -205,14 +205,11 @@ class Writer {
 
   // ---- writer_objects.cpp
   void FindTextureUses();
-  void AddTextureUse(ir::FunctionId function, TextureUse use);
   void UsesIn(ir::FunctionId function);
-  TextureUse InCaller(const TextureUse& use, const ir::Call& call) const;
-  std::string CombinedParameters(ir::FunctionId function);
-  std::string CombinedArguments(const ir::Call& call);
   void Objects();
   void CombinedSamplers();
   void SeparateObject(const ir::Resource& resource);
+  void ImageObject(const ir::Resource& resource);
   void BufferObject(const ir::Resource& resource);
   std::string SamplerType(ir::VarId texture, bool shadow) const;
   std::string ObjectTypeName(ir::VarId var) const;  // Vulkan's: "texture2D", "sampler"
@@ -225,6 +222,7 @@ class Writer {
   Text QueryText(const ir::ObjectCall& node);
   Text BufferText(const ir::Expr& expr, const ir::ObjectCall& node);
   Text ByteLoadText(const ir::Expr& expr, const ir::ObjectCall& node);
+  Text StoreText(const ir::ObjectCall& node);
   std::string ObjectName(ir::ExprId texture, ir::ExprId sampler);
   const std::string& CombinedName(const TextureUse& use) const;
   std::string IndicesOf(ir::ExprId object);
@@ -257,9 +255,8 @@ class Writer {
   std::vector<BlockLayout> layouts_;
   std::map<TextureUse, std::string> combined_;
   std::vector<TextureUse> texture_uses_;                 // of global objects
-  std::vector<std::vector<TextureUse>> parameter_uses_;  // by FunctionId: those that involve its parameters
   std::set<ir::VarId> mutable_globals_;  // written without `const`
-  std::set<std::uint32_t> uniform_bindings_, texture_bindings_, storage_bindings_;
+  std::set<std::uint32_t> uniform_bindings_, texture_bindings_, storage_bindings_, image_bindings_;
 
   std::vector<bool> struct_used_;
   std::map<std::string, std::string> wrappers_;

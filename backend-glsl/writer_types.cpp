@@ -21,11 +21,6 @@ bool IsArrayInGlsl(const TypeTable& types, TypeId id) {
 
 }  // namespace
 
-bool Writer::IsValue(TypeId id) const {
-  while (program_.types[id].kind == TypeKind::kArray) id = program_.types[id].element;
-  return program_.types[id].kind != TypeKind::kObject;
-}
-
 bool Writer::IsWrapped(TypeId array_element) const {
   return !target_.HasArraysOfArrays() && IsArrayInGlsl(program_.types, array_element);
 }

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // The floor of a cold start: a static program that does nothing but write a line.
 #include <unistd.h>
 

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // Speed and memory as ratios against named peers, all taken in one run, each beside its limit.
 //   clipc-bench CLIPC HELLO GLSLANG_VALIDATOR [SCRATCH_FOLDER]
 #include <algorithm>

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "bench/peers.h"
 
 #include <glslang/Public/ResourceLimits.h>
@@ -28,7 +28,9 @@ std::optional<std::string> CompileWithPeers(const std::string& hlsl) {
   program.addShader(&shader);
   if (!program.link(messages)) return std::nullopt;
   std::vector<unsigned> spirv;
-  glslang::GlslangToSpv(*program.getIntermediate(EShLangVertex), spirv);
+  glslang::SpvOptions spirv_options;
+  spirv_options.disableOptimizer = false;
+  glslang::GlslangToSpv(*program.getIntermediate(EShLangVertex), spirv, &spirv_options);
   spirv_cross::CompilerGLSL compiler(std::move(spirv));
   spirv_cross::CompilerGLSL::Options options;
   options.version = 450;

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# SPDX-License-Identifier: Apache-2.0
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 """Holds the catalogue of diagnostics against its document and its tests.
 
     check_diagnostics.py [--write] [--coverage]

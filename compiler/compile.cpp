@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/compile.h"
 
 #include <fmt/format.h>
@@ -148,8 +148,7 @@ void Compilation::RunBackEnd(ir::Program& program) {
     if (request_.dump_after.empty()) result_.dump = ir::Print(program);
     return;
   }
-  glsl::CheckTarget(program, *settings_.target, diagnostics_);
-  if (!diagnostics_.has_errors()) Write(program);
+  Write(program);
 }
 
 void Compilation::Lower(ir::Program& program) {
@@ -180,7 +179,9 @@ void Compilation::Lower(ir::Program& program) {
 void Compilation::Write(const ir::Program& program) {
   glsl::WriteOptions options;
   options.separable = request_.separable;
-  result_.glsl = glsl::WriteGlsl(program, *settings_.target, options, &info_);
+  glsl::Reached reached = glsl::CheckTarget(program, *settings_.target, diagnostics_);
+  if (diagnostics_.has_errors()) return;
+  result_.glsl = glsl::WriteGlsl(program, std::move(reached), *settings_.target, options, &info_);
   result_.table = MakeClipTable(program, settings_.lowering, info_);
   if (request_.validate) CheckWithGlslang(result_.glsl, ShaderStage::kVertex);
   if (settings_.lowering == Lowering::kDiscard) WriteFragment(program);
@@ -211,9 +212,8 @@ void Compilation::WriteVariants(const ir::Program& typed) {
     ir::Program program = typed;
     program.clip_planes.resize(count);
     Lower(program);
-    glsl::CheckTarget(program, *settings_.target, diagnostics_);
-    if (diagnostics_.has_errors()) return;
     Write(program);
+    if (diagnostics_.has_errors()) return;
     result_.variants.push_back({std::move(result_.glsl), std::move(result_.fragment)});
     info_ = {};
   }

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/driver.h"
 
 #include <fmt/format.h>
@@ -124,18 +124,14 @@ std::string Driver::CheckUsage() {
   if (!command_.fragment.empty() && command_.request.lowering != clip_table::Lowering::kDiscard) {
     return "--fragment is for --lower=discard; with the other lowerings the fragment shader stays as it is";
   }
-  std::vector<std::string> named;
+  FileSet named, sources;
+  for (const std::string& input : inputs) sources.Add(input);
+  if (!command_.fragment.empty()) sources.Add(command_.fragment);
   for (const std::string& input : inputs) {
     for (const std::string& path : PlaceOutputs(command_, input).Named()) {
-      for (const std::string& other : named) {
-        if (IsSameFile(path, other)) return fmt::format("two outputs would go to `{}`", path);
-      }
-      std::vector<std::string> sources = inputs;
-      if (!command_.fragment.empty()) sources.push_back(command_.fragment);
-      for (const std::string& source : sources) {
-        if (IsSameFile(path, source)) return fmt::format("the output `{}` would overwrite its input", path);
-      }
-      named.push_back(path);
+      if (named.Has(path)) return fmt::format("two outputs would go to `{}`", path);
+      if (sources.Has(path)) return fmt::format("the output `{}` would overwrite its input", path);
+      named.Add(path);
     }
   }
   return {};
@@ -203,10 +199,10 @@ void Driver::AddShaders(const CompileResult& result, const Outputs& outputs, Out
 
 // Empty on success. A failed compile has no files, but perhaps a dump of a stage before the failure.
 std::string Driver::Write(const CompileResult& result, const Outputs& outputs) {
+  FileSet sources;
+  for (const std::string& source : result.dependencies) sources.Add(source);
   for (const std::string& path : outputs.Named()) {
-    for (const std::string& source : result.dependencies) {
-      if (IsSameFile(path, source)) return fmt::format("the output `{}` would overwrite an included file", path);
-    }
+    if (sources.Has(path)) return fmt::format("the output `{}` would overwrite an included file", path);
   }
   OutputFiles files;
   if (!result.dump.empty()) files.Add("-", result.dump);

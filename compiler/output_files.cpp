@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/output_files.h"
 
 #include <fcntl.h>
@@ -111,11 +111,16 @@ std::string OutputFiles::Commit() {
   return {};
 }
 
-bool IsSameFile(const std::string& a, const std::string& b) {
-  if (a == b) return true;
-  struct stat first {}, second {};
-  return stat(a.c_str(), &first) == 0 && stat(b.c_str(), &second) == 0 && first.st_dev == second.st_dev &&
-         first.st_ino == second.st_ino;
+void FileSet::Add(const std::string& path) {
+  struct stat status {};
+  paths_.insert(path);
+  if (stat(path.c_str(), &status) == 0) files_.emplace(status.st_dev, status.st_ino);
+}
+
+bool FileSet::Has(const std::string& path) const {
+  struct stat status {};
+  return paths_.contains(path) ||
+         (!files_.empty() && stat(path.c_str(), &status) == 0 && files_.contains({status.st_dev, status.st_ino}));
 }
 
 bool IsDirectory(const std::string& path) {

@@ -1,7 +1,10 @@
-// SPDX-License-Identifier: Apache-2.0
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <cstdint>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace clipc {
@@ -32,8 +35,16 @@ class OutputFiles {
   std::vector<File> files_;
 };
 
-// Whether two paths name the same existing file, or are the same text.
-bool IsSameFile(const std::string& a, const std::string& b);
+// Files by identity: paths that name the same existing file, or are the same text, are one.
+class FileSet {
+ public:
+  void Add(const std::string& path);
+  bool Has(const std::string& path) const;
+
+ private:
+  std::set<std::string> paths_;
+  std::set<std::pair<std::uint64_t, std::uint64_t>> files_;  // device and number
+};
 bool IsDirectory(const std::string& path);
 
 }  // namespace clipc

@@ -33,9 +33,9 @@ class Chain {
     StopAtErrors<DrawError>("the shader has errors");
     shader.lowered = shader.typed;
     Lower(shader.lowered);
-    glsl::CheckTarget(shader.lowered, target_, diagnostics_);
+    glsl::Reached reached = glsl::CheckTarget(shader.lowered, target_, diagnostics_);
     StopAtErrors<NotForTarget>("not for this target");
-    shader.glsl = glsl::WriteGlsl(shader.lowered, target_, {}, &shader.info);
+    shader.glsl = glsl::WriteGlsl(shader.lowered, std::move(reached), target_, {}, &shader.info);
     return shader;
   }
 

@@ -54,6 +54,8 @@ void SetBuiltins(const ir::Program& program, const RandomOptions& options, int r
     };
     set(ir::Builtin::kVertexId, run % options.vertices);
     set(ir::Builtin::kInstanceId, run / options.vertices);
+    set(ir::Builtin::kVertexIndex, options.first_vertex + run % options.vertices);
+    set(ir::Builtin::kInstanceIndex, options.base_instance + run / options.vertices);
     set(ir::Builtin::kBaseVertex, options.first_vertex);
     set(ir::Builtin::kBaseInstance, options.base_instance);
   }

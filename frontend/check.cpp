@@ -1,9 +1,10 @@
-// SPDX-License-Identifier: Apache-2.0
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/check.h"
 
 #include "frontend/check_level9.h"
 #include "frontend/checker.h"
 #include "frontend/registers.h"
+#include "frontend/resolve_objects.h"
 #include "ir/packing.h"
 
 namespace clipc {
@@ -40,6 +41,7 @@ ir::Program Checker::Run() {
   BuildMain(program_, signature, diagnostics_);
   CheckPlanes(entry);
   FinishGlobals();
+  if (!diagnostics_.has_errors()) ResolveObjects(program_, diagnostics_);
   AssignRegisters(program_, diagnostics_);
   if (!diagnostics_.has_errors()) CheckLevel9(program_, diagnostics_);
   return std::move(program_);

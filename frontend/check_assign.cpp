@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <algorithm>
 
 #include "frontend/checker.h"
@@ -64,6 +64,66 @@ bool Checker::CheckTarget(ir::ExprId target) {
   return true;
 }
 
+// The read of a writable object that a path of fields, indices and swizzles starts at, `buffer[i]` in `buffer[i].x`; none
+// for other expressions.
+ir::ExprId Checker::ElementIn(ir::ExprId expr) const {
+  while (true) {
+    const auto& node = program_.exprs[expr].node;
+    if (const auto* call = std::get_if<ir::ObjectCall>(&node)) {
+      const bool is_element = call->op == ir::ObjectOp::kBufferLoad || call->op == ir::ObjectOp::kStructuredLoad ||
+                              call->op == ir::ObjectOp::kImageLoad;
+      const ir::ExprId object = program_.expr_lists[call->arguments][0];
+      return is_element && ir::IsWritable(TypeOf(object).object) ? expr : ir::ExprId{};
+    }
+    if (const auto* field = std::get_if<ir::FieldRef>(&node)) expr = field->base;
+    else if (const auto* index = std::get_if<ir::Index>(&node)) expr = index->base;
+    else if (const auto* swizzle = std::get_if<ir::Swizzle>(&node)) expr = swizzle->base;
+    else if (const auto* matrix = std::get_if<ir::MatrixSwizzle>(&node)) expr = matrix->base;
+    else return {};
+  }
+}
+
+// object[place] = value is a store; object[place].x = value and object[place] += value change a copy and store that.
+ir::ExprId Checker::AssignElement(const ast::AssignExpr& expr, ir::ExprId target, ir::ExprId element, ir::ExprId value,
+                                  Span span) {
+  if (target == element && !expr.op) {
+    const ir::ExprId converted = Implicit(value, TypeIdOf(target));
+    if (IsError(converted)) return converted;
+    const auto& load = std::get<ir::ObjectCall>(program_.exprs[element].node);
+    const ir::ExprId arguments[] = {program_.expr_lists[load.arguments][0], program_.expr_lists[load.arguments][1], converted};
+    return At(span).Add(program_.types.Void(), ir::ObjectCall{ir::ObjectOp::kStore, program_.expr_lists.Add(arguments)});
+  }
+  std::vector<ir::ExprId> steps;
+  const ir::ExprId store = ChangeElement(element, steps);
+  if (!CheckTarget(target)) return ErrorExpr(span);
+  ir::ExprId change;
+  if (expr.op) {
+    change = AssignCompound(*expr.op, target, value, span, span);
+  } else {
+    const ir::ExprId converted = Implicit(value, TypeIdOf(target));
+    change = IsError(converted) ? converted : StoreTo(target, converted, span);
+  }
+  if (IsError(change)) return change;
+  steps.push_back(change);
+  return WithPrologue(steps, store);
+}
+
+// Makes the read a variable that holds what was read, in place; the result stores the variable.
+ir::ExprId Checker::ChangeElement(ir::ExprId element, std::vector<ir::ExprId>& prologue) {
+  const Span span = program_.exprs[element].span;
+  const auto load = std::get<ir::ObjectCall>(program_.exprs[element].node);
+  const ir::ExprId object = program_.expr_lists[load.arguments][0];
+  ir::ExprId place = program_.expr_lists[load.arguments][1];
+  if (!ir::IsPure(program_, place)) place = Hoist(place, prologue);
+  const ir::ExprId again[] = {ir::Clone(program_, object), ir::Clone(program_, place)};
+  const ir::ExprId read =
+      At(span).Add(TypeIdOf(element), ir::ObjectCall{load.op, program_.expr_lists.Add(again)});
+  const ir::ExprId copy = Hoist(read, prologue);
+  program_.exprs[element].node = program_.exprs[copy].node;
+  const ir::ExprId arguments[] = {object, place, copy};
+  return At(span).Add(program_.types.Void(), ir::ObjectCall{ir::ObjectOp::kStore, program_.expr_lists.Add(arguments)});
+}
+
 // The path with every index that does something replaced by a temporary, so that it can be cloned.
 ir::ExprId Checker::Stabilize(ir::ExprId path, std::vector<ir::ExprId>& prologue) {
   if (ir::IsPure(program_, path)) return path;
@@ -91,12 +151,9 @@ ir::ExprId Checker::CheckAssign(const ast::AssignExpr& expr, Span span) {
   }
   const ir::ExprId value = CheckExpr(expr.right);
   if (IsError(target) || IsError(value)) return ErrorExpr(span);
+  if (const ir::ExprId element = ElementIn(target)) return AssignElement(expr, target, element, value, span);
   if (!CheckTarget(target)) return ErrorExpr(span);
   if (expr.op) return AssignCompound(*expr.op, target, value, span, span);
-  if (HoldsObjects(TypeIdOf(target))) {
-    diagnostics_.Report(span, diag::ObjectAssigned, TypeName(TypeIdOf(target)));
-    return ErrorExpr(span);
-  }
   const ir::ExprId converted = Implicit(value, TypeIdOf(target));
   return IsError(converted) ? converted : StoreTo(target, converted, span);
 }

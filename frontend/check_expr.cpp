@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <limits>
 
 #include "base/overloaded.h"
@@ -60,6 +60,11 @@ ir::ExprId Checker::CheckLiteral(const ast::Literal& literal, Span span) {
   const double number = std::bit_cast<double>(literal.bits);
   constexpr std::uint64_t kMaxInt = std::numeric_limits<std::int32_t>::max();
   constexpr std::uint64_t kMaxUint = std::numeric_limits<std::uint32_t>::max();
+  const bool is_wide = literal.kind == LiteralKind::kInt64 || literal.kind == LiteralKind::kUint64;
+  if (is_wide && literal.bits > kMaxUint && !program_.profile.IsAtLeast(6, 0)) {
+    diagnostics_.Report(span, diag::IntegerTooLarge, literal.bits);
+    return ErrorExpr(span);
+  }
   switch (literal.kind) {
     case LiteralKind::kBool: return at.Bool(literal.bits != 0);
     case LiteralKind::kInt:

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <algorithm>
 
 #include "frontend/checker.h"
@@ -18,6 +18,9 @@ const ast::FunctionDecl& Checker::DeclOf(const FunctionInfo& info) const {
 
 // A function, or a method for objects of type `self`.
 FunctionInfoId Checker::InfoOfFunction(SymbolId id, ir::TypeId self) {
+  // A static method is the same one for all that derive from its struct.
+  const auto& written = std::get<ast::FunctionDecl>(file_.decls[symbols_[id].decl].node);
+  if (written.qualifiers & ast::kStatic) self = {};
   const auto [slot, is_new] = function_of_.try_emplace(KeyOf(id, self));
   if (!is_new) return slot->second;
   const FunctionInfoId result{static_cast<std::uint32_t>(functions_.size())};

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <algorithm>
 
 #include "base/spelling.h"
@@ -111,8 +111,9 @@ void Checker::ResolveObject(SymbolId id, const ast::VarDecl& var, ir::TypeId typ
   const ir::ObjectKind object = program_.types[element].object;
   const bool is_sampler = object >= ir::ObjectKind::kSampler && object <= ir::ObjectKind::kSamplerCube;
   ir::Register reg;
-  reg.letter = is_sampler ? 's' : 't';
-  if (const ast::RegisterBinding* binding = BindingOf(var.registers, is_sampler ? "s" : "tu")) {
+  const bool is_written = ir::IsWritable(object);
+  reg.letter = is_sampler ? 's' : is_written ? 'u' : 't';
+  if (const ast::RegisterBinding* binding = BindingOf(var.registers, is_sampler ? "s" : is_written ? "u" : "tu")) {
     reg.number = binding->number;
     reg.space = binding->space;
     reg.is_explicit = binding->letter != 0;

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <algorithm>
 
 #include "frontend/checker.h"
@@ -73,6 +73,15 @@ ir::ExprId Checker::CheckIncrement(const ast::UnaryExpr& expr, Span span) {
   if (!program_.types[type].IsNumeric() || is_bool) {
     diagnostics_.Report(span, diag::BadOperand, SpellingOf(expr.op), TypeName(type));
     return ErrorExpr(span);
+  }
+  if (const ir::ExprId element = ElementIn(target)) {
+    std::vector<ir::ExprId> steps;
+    const ir::ExprId store = ChangeElement(element, steps);
+    const int step = static_cast<int>(expr.op) - static_cast<int>(ast::UnaryOp::kPreIncrement);
+    const auto op = static_cast<ir::UnaryOp>(static_cast<int>(ir::UnaryOp::kPreIncrement) + step);
+    const ir::ExprId result = Hoist(At(span).UnaryOf(op, target), steps);
+    steps.push_back(store);
+    return WithPrologue(steps, result);
   }
   if (!CheckTarget(target)) return ErrorExpr(span);
   if (!std::holds_alternative<ir::MatrixSwizzle>(program_.exprs[target].node)) {

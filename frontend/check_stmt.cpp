@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <algorithm>
 
 #include "base/overloaded.h"
@@ -150,15 +150,6 @@ void Checker::CheckLocal(ast::DeclId id, const ast::VarDecl& var) {
                         var.qualifiers & ast::kUniform ? "uniform" : "groupshared");
   }
   const ir::TypeId type = ResolveVarType(var);
-  if (HoldsObjects(type)) {
-    const ir::ExprId init = var.init ? CheckInit(var.init, type) : ir::ExprId{};
-    const auto* ref = init ? std::get_if<ir::VarRef>(&program_.exprs[init].node) : nullptr;
-    const SymbolId symbol = DeclareLocal(SymbolKind::kVariable, var.name, id, var.name_span);
-    symbols_[symbol].resolution = Resolution::kDone;
-    if (ref) symbols_[symbol].value = ref->var.index;
-    else if (!init || !IsError(init)) diagnostics_.Report(var.name_span, diag::ObjectNotGlobal, Text(var.name), TypeName(type));
-    return;
-  }
   ir::ExprId init;
   if (var.init && type != program_.types.Error()) init = CheckInit(var.init, type);
   const SymbolId symbol = DeclareLocal(SymbolKind::kVariable, var.name, id, var.name_span);

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <algorithm>
 
 #include "frontend/checker.h"
@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::uint64_t kUnknown = ~std::uint64_t{0};
 constexpr std::size_t kMaxInstances = 4096;
+constexpr std::uint32_t kUnderWay = ~std::uint32_t{0};  // the members of the instance are being looked at
 
 }  // namespace
 
@@ -80,13 +81,19 @@ std::optional<ir::TypeId> Checker::InstantiateStruct(SymbolId id, const ast::Typ
     diagnostics_.Report(type.span, diag::TooManyTypeArguments, Text(decl->name), decl->template_parameters.size);
     return program_.types.Error();
   }
-  const std::uint32_t order = OrderOf(id);
+  // The struct's own name is known inside it.
+  const bool is_in_namespace = symbol.scope && scopes_[symbol.scope].kind == ScopeKind::kNamespace;
+  const std::uint32_t order = is_in_namespace ? id.index + 1 : OrderOf(id);
   const ScopeId scope = BindTemplate(decl->template_parameters, symbol.scope, order, found);
   if (!scope) {
     diagnostics_.Report(type.span, diag::MissingTypeArgument, Text(decl->name));
     return program_.types.Error();
   }
-  const auto [slot, is_new] = instances_.try_emplace(InstanceKey(symbol.decl, symbol.scope, {}, found), program_.types.Error().index);
+  const auto [slot, is_new] = instances_.try_emplace(InstanceKey(symbol.decl, symbol.scope, {}, found), kUnderWay);
+  if (!is_new && slot->second == kUnderWay) {
+    diagnostics_.Report(type.span, diag::TypeContainsItself, Text(decl->name));
+    return program_.types.Error();
+  }
   if (!is_new) return ir::TypeId{slot->second};
   if (instances_.size() > kMaxInstances) {
     diagnostics_.Report(type.span, diag::TooManyInstances, kMaxInstances);

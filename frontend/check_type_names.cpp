@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <algorithm>
 
 #include "base/spelling.h"
@@ -53,15 +53,22 @@ constexpr ObjectName kObjectNames[] = {
     {"buffer", ir::ObjectKind::kBuffer, true},
     {"structuredbuffer", ir::ObjectKind::kStructuredBuffer, true},
     {"byteaddressbuffer", ir::ObjectKind::kByteAddressBuffer},
+    {"rwbuffer", ir::ObjectKind::kRWBuffer, true},
+    {"rwstructuredbuffer", ir::ObjectKind::kRWStructuredBuffer, true},
+    {"rwbyteaddressbuffer", ir::ObjectKind::kRWByteAddressBuffer},
+    {"rwtexture1d", ir::ObjectKind::kRWTexture1D, true},
+    {"rwtexture1darray", ir::ObjectKind::kRWTexture1DArray, true},
+    {"rwtexture2d", ir::ObjectKind::kRWTexture2D, true},
+    {"rwtexture2darray", ir::ObjectKind::kRWTexture2DArray, true},
+    {"rwtexture3d", ir::ObjectKind::kRWTexture3D, true},
 };
 // Known so that they can be declared.
 constexpr std::string_view kOtherObjects[] = {
-    "texture", "rwtexture1d", "rwtexture1darray", "rwtexture2d", "rwtexture2darray", "rwtexture2dms",
-    "rwtexture2dmsarray", "rwtexture3d", "rasterizerorderedbuffer", "rasterizerorderedbyteaddressbuffer",
+    "texture", "rwtexture2dms", "rwtexture2dmsarray", "rasterizerorderedbuffer", "rasterizerorderedbyteaddressbuffer",
     "rasterizerorderedstructuredbuffer", "rasterizerorderedtexture1d", "rasterizerorderedtexture1darray",
     "rasterizerorderedtexture2d", "rasterizerorderedtexture2darray", "rasterizerorderedtexture3d",
-    "feedbacktexture2d", "feedbacktexture2darray", "rwbuffer", "rwstructuredbuffer", "appendstructuredbuffer",
-    "consumestructuredbuffer", "rwbyteaddressbuffer", "pointstream", "linestream", "trianglestream", "inputpatch",
+    "feedbacktexture2d", "feedbacktexture2darray", "appendstructuredbuffer", "consumestructuredbuffer",
+    "pointstream", "linestream", "trianglestream", "inputpatch",
     "outputpatch", "rayquery", "raytracingaccelerationstructure", "subpassinput", "subpassinputms", "blendstate",
     "depthstencilstate", "rasterizerstate", "rendertargetview", "depthstencilview", "stateblock", "vertexshader",
     "pixelshader", "geometryshader", "hullshader", "domainshader", "computeshader", "vertexfragment", "pixelfragment",

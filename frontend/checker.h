@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
 #include <cstdint>
@@ -395,6 +395,9 @@ class Checker final : TemporaryMaker {
   ir::ExprId AssignCompound(ast::BinaryOp op, ir::ExprId target, ir::ExprId value, Span op_span, Span span);
   ir::ExprId StoreTo(ir::ExprId target, ir::ExprId value, Span span);
   ir::ExprId StoreToMatrixSwizzle(ir::ExprId target, ir::ExprId value, Span span);
+  ir::ExprId ElementIn(ir::ExprId target) const;
+  ir::ExprId AssignElement(const ast::AssignExpr& expr, ir::ExprId target, ir::ExprId element, ir::ExprId value, Span span);
+  ir::ExprId ChangeElement(ir::ExprId element, std::vector<ir::ExprId>& prologue);
   bool CheckTarget(ir::ExprId target);
   bool IsPath(ir::ExprId expr) const;
   ir::VarId RootOf(ir::ExprId expr) const;

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/entry.h"
 
 #include <algorithm>
@@ -202,13 +202,15 @@ class MainBuilder {
   // The input's value in the leaf's own type; none after an error.
   ir::ExprId Input(const Leaf& leaf) {
     const SystemValue value = LookUp(leaf, Direction::kInput);
-    if (value.use == SystemValue::Use::kRefused || !IsNew(leaf, Direction::kInput)) return {};
+    if (value.use == SystemValue::Use::kRefused || !MayAdd(leaf, Direction::kInput, value.use)) return {};
     const ir::Scalar kind = ir::BaseOf(program_.types[leaf.type].scalar);
     if (value.use == SystemValue::Use::kBuiltin) {
       if (!ir::IsInteger(kind) || program_.types[leaf.type].Components() != 1) {
         Refuse(leaf, "a `uint`");
         return {};
       }
+      const auto known = std::ranges::find(program_.inputs, value.builtin, &ir::IoVar::builtin);
+      if (known != program_.inputs.end()) return Fit(builder_.Ref(known->var), leaf.type);
       const ir::TypeId stored = program_.types.Make(value.builtin == ir::Builtin::kBaseVertex ? ir::Scalar::kInt : ir::Scalar::kUint);
       return Fit(builder_.Ref(AddIo(program_.inputs, leaf, stored, value.builtin)), leaf.type);
     }
@@ -241,7 +243,7 @@ class MainBuilder {
 
   void Output(const Leaf& leaf) {
     const SystemValue value = LookUp(leaf, Direction::kOutput);
-    if (value.use == SystemValue::Use::kRefused || !IsNew(leaf, Direction::kOutput)) return;
+    if (value.use == SystemValue::Use::kRefused || !MayAdd(leaf, Direction::kOutput, value.use)) return;
     switch (value.builtin) {
       case ir::Builtin::kNone: WriteOutput(leaf, StoredType(leaf.type), value.builtin); return;
       case ir::Builtin::kPosition: WriteFloats(leaf, 4, "a `float4`", value.builtin); return;
@@ -339,15 +341,19 @@ class MainBuilder {
     return value;
   }
 
-  bool IsNew(const Leaf& leaf, Direction direction) {
+  bool MayAdd(const Leaf& leaf, Direction direction, SystemValue::Use use) {
     const std::string key = UpperCase(leaf.semantic.name) + std::to_string(leaf.semantic.index);
     auto& seen = direction == Direction::kInput ? seen_inputs_ : seen_outputs_;
     const auto [found, is_new] = seen.emplace(key, leaf.span);
-    if (!is_new) {
-      diagnostics_.Report(leaf.span, diag::SemanticTwice, key, direction == Direction::kInput ? "inputs" : "outputs")
-          .Note(found->second, diag::SemanticFirstUsed);
-    }
-    return is_new;
+    if (is_new) return true;
+    // Plain data can do no harm: each use becomes a variable of its own, as in glslang and in DXC's SPIR-V. An output
+    // that the pipeline reads cannot have two values.
+    const std::string_view side = direction == Direction::kInput ? "inputs" : "outputs";
+    const bool can_share = direction == Direction::kInput || use == SystemValue::Use::kPlain;
+    (can_share ? diagnostics_.Report(leaf.span, diag::SemanticShared, key, side)
+               : diagnostics_.Report(leaf.span, diag::SemanticTwice, key, side))
+        .Note(found->second, diag::SemanticFirstUsed);
+    return can_share;
   }
 
   void Refuse(const Leaf& leaf, std::string_view wanted) {

@@ -1,7 +1,8 @@
-// SPDX-License-Identifier: Apache-2.0
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/keywords.h"
 
 #include <array>
+#include <cstdint>
 #include <string>
 
 #include "base/word_index.h"
@@ -202,6 +203,17 @@ constexpr auto kExactIndex = IndexOf(kExact);
 constexpr auto kAnyCaseIndex = IndexOf(kAnyCase);
 constexpr WordIndex kScalarIndex(kScalars);
 
+// By first letter: which lengths the words of any case have.
+constexpr auto kAnyCaseLengths = [] {
+  std::array<std::uint32_t, 32> lengths{};
+  for (const Entry& entry : kAnyCase) lengths[entry.text[0] & 31] |= 1u << entry.text.size();
+  return lengths;
+}();
+
+constexpr bool MayBeAnyCase(std::string_view text) {
+  return !text.empty() && text.size() < 32 && (kAnyCaseLengths[text[0] & 31] >> text.size() & 1) != 0;
+}
+
 constexpr bool EndsInSize(std::string_view text) { return !text.empty() && text.back() >= '1' && text.back() <= '4'; }
 
 bool IsNumericType(std::string_view text) {
@@ -217,8 +229,7 @@ bool IsNumericType(std::string_view text) {
 WordInfo ClassifyWord(std::string_view text) {
   if (const std::size_t i = kExactIndex.Find(text); i != kExactIndex.kNone) return kExact[i].info;
   if (IsNumericType(text)) return {Word::kNumericType};
-  constexpr std::size_t kLongest = 24;
-  if (text.size() > kLongest) return {};
+  if (!MayBeAnyCase(text)) return {};
   std::string lower(text);
   for (char& c : lower) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');

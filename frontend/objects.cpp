@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <algorithm>
 #include <iterator>
 #include <optional>
@@ -25,14 +25,18 @@ enum class Method : std::uint8_t {
   kGather,
   kLoad,
   kByteLoad,
+  kByteStore,
   kGetDimensions,
-  kImplicitLevel,  // refused: takes the level of detail from neighbouring pixels
+  kSample,         // takes the level of detail from neighbouring pixels: level 0 here
+  kSampleBias,
+  kSampleCmp,
+  kImplicitLevel,  // refused: asks for the level of detail of neighbouring pixels
   kUnsupported,
 };
 struct MethodName {
   std::string_view name;
   Method method;
-  std::uint8_t detail = 0;  // kGather: the ObjectOp; kByteLoad: how many words
+  std::uint8_t detail = 0;  // kGather: the ObjectOp; kByteLoad, kByteStore: how many words
 };
 constexpr std::uint8_t Detail(ObjectOp op) { return static_cast<std::uint8_t>(op); }
 
@@ -47,9 +51,9 @@ constexpr MethodName kTextureMethods[] = {
     {"GatherAlpha", Method::kGather, Detail(ObjectOp::kGatherAlpha)},
     {"Load", Method::kLoad},
     {"GetDimensions", Method::kGetDimensions},
-    {"Sample", Method::kImplicitLevel},
-    {"SampleBias", Method::kImplicitLevel},
-    {"SampleCmp", Method::kImplicitLevel},
+    {"Sample", Method::kSample},
+    {"SampleBias", Method::kSampleBias},
+    {"SampleCmp", Method::kSampleCmp},
     {"SampleCmpBias", Method::kImplicitLevel},
     {"CalculateLevelOfDetail", Method::kImplicitLevel},
     {"CalculateLevelOfDetailUnclamped", Method::kImplicitLevel},
@@ -69,18 +73,27 @@ constexpr MethodName kByteMethods[] = {{"Load", Method::kByteLoad, 1},
                                        {"Load2", Method::kByteLoad, 2},
                                        {"Load3", Method::kByteLoad, 3},
                                        {"Load4", Method::kByteLoad, 4},
-                                       {"GetDimensions", Method::kGetDimensions}};
+                                       {"GetDimensions", Method::kGetDimensions},
+                                       {"Store", Method::kByteStore, 1},
+                                       {"Store2", Method::kByteStore, 2},
+                                       {"Store3", Method::kByteStore, 3},
+                                       {"Store4", Method::kByteStore, 4}};
+constexpr std::size_t kByteReaders = 5;
 
 std::span<const MethodName> MethodsOf(ObjectKind kind) {
   if (IsTexture(kind)) return kTextureMethods;
   switch (kind) {
     case ObjectKind::kBuffer:
     case ObjectKind::kStructuredBuffer:
+    case ObjectKind::kRWStructuredBuffer:
       return kBufferMethods;
     case ObjectKind::kByteAddressBuffer:
+      return std::span(kByteMethods).first(kByteReaders);
+    case ObjectKind::kRWByteAddressBuffer:
       return kByteMethods;
     default:
-      return {};
+      return IsImage(kind) ? std::span<const MethodName>(kBufferMethods)
+                           : std::span<const MethodName>();
   }
 }
 
@@ -101,6 +114,27 @@ class MethodCheck {
     return Finish(ObjectOp::kSampleLevel, Element());
   }
 
+  // A vertex has no neighbours to take a level of detail from: fxc and DXC refuse (X4532), OpenGL reads level 0.
+  ExprId SampleImplicit(bool has_bias) {
+    const std::size_t least = has_bias ? 3 : 2;
+    if (!CheckCount(least) || !TakeSampler(ObjectKind::kSampler) ||
+        !TakeFloats(1, traits_.coordinates))
+      return call_.Error();
+    if (!has_bias) {
+      arguments_.push_back(call_.Make().Float(0));
+    } else if (!TakeFloats(2, 1)) {
+      return call_.Error();
+    }
+    if (!TakeOffset(least)) return call_.Error();
+    WarnOfLevel(has_bias ? "0 plus the bias" : "0");
+    return Finish(ObjectOp::kSampleLevel, Element());
+  }
+
+  ExprId SampleCmp() {
+    WarnOfLevel("0");
+    return SampleCmpLevelZero();
+  }
+
   ExprId SampleGrad() {
     if (!CheckCount(4) || !TakeSampler(ObjectKind::kSampler) || !TakeFloats(1, traits_.coordinates))
       return call_.Error();
@@ -117,10 +151,14 @@ class MethodCheck {
   }
 
   ExprId Gather(ObjectOp op) {
-    if (call_.arguments.size() >= 6) return Unsupported();  // an offset for each of the four texels
-    if (!CheckCount(2) || !TakeSampler(ObjectKind::kSampler) || !TakeFloats(1, traits_.coordinates))
+    constexpr std::size_t kFourOffsets = 6;  // sampler, coordinate, and an offset for each of the four texels
+    const bool has_four = traits_.offset != 0 && call_.arguments.size() == kFourOffsets;
+    if ((!has_four && !CheckCount(2)) || !TakeSampler(ObjectKind::kSampler) ||
+        !TakeFloats(1, traits_.coordinates))
       return call_.Error();
-    if (!TakeOffset(2)) return call_.Error();
+    for (std::size_t i = 2; i < (has_four ? kFourOffsets : 3); ++i) {
+      if (!TakeOffset(i)) return call_.Error();
+    }
     const Scalar kind = call_.program.types[Element()].scalar;
     return Finish(op, call_.program.types.Vector(kind, 4));
   }
@@ -151,8 +189,24 @@ class MethodCheck {
     const auto index = call_.Converted(0, call_.program.types.Make(Scalar::kInt));
     if (!index) return call_.Error();
     arguments_.push_back(*index);
-    return Finish(kind_ == ObjectKind::kBuffer ? ObjectOp::kBufferLoad : ObjectOp::kStructuredLoad,
-                  Element());
+    return Finish(IsStructured(kind_) ? ObjectOp::kStructuredLoad : ObjectOp::kBufferLoad, Element());
+  }
+
+  ExprId ImageLoad() {
+    if (!CheckCount(1)) return call_.Error();
+    const auto coordinate = call_.Converted(0, call_.VectorOf(Scalar::kInt, traits_.texel));
+    if (!coordinate) return call_.Error();
+    arguments_.push_back(*coordinate);
+    return Finish(ObjectOp::kImageLoad, Element());
+  }
+
+  ExprId ByteStore(int words) {
+    if (!call_.HasCount(2, 2)) return call_.Error();
+    const auto address = call_.Converted(0, call_.program.types.Make(Scalar::kUint));
+    const auto value = call_.Converted(1, call_.VectorOf(Scalar::kUint, words));
+    if (!address || !value) return call_.Error();
+    arguments_.insert(arguments_.end(), {*address, *value});
+    return Finish(ObjectOp::kStore, call_.program.types.Void());
   }
 
   ExprId ByteLoad(int words) {
@@ -173,6 +227,9 @@ class MethodCheck {
   }
 
  private:
+  void WarnOfLevel(std::string_view level) const {
+    call_.diagnostics.Report(call_.name_span, diag::MethodLevelZero, call_.name, level);
+  }
   std::string ObjectName() const { return call_.program.types.Name(call_.TypeIdOf(object_)); }
   TypeId Element() { return ElementOf(call_.program.types, call_.TypeOf(object_)); }
   ExprId Finish(ObjectOp op, TypeId type) {
@@ -248,8 +305,11 @@ bool Offers(const TextureTraits& traits, Method method) {
   switch (method) {
     case Method::kSampleLevel:
     case Method::kSampleGrad:
+    case Method::kSample:
+    case Method::kSampleBias:
     case Method::kImplicitLevel:
       return traits.coordinates != 0;
+    case Method::kSampleCmp:
     case Method::kSampleCmpLevelZero:
       return traits.coordinates != 0 && traits.gradient != 0;
     case Method::kGather:
@@ -271,14 +331,23 @@ ExprId Dispatch(const IntrinsicCheck& call, ExprId object, ObjectKind kind,
       return check.SampleLevel();
     case Method::kSampleGrad:
       return check.SampleGrad();
+    case Method::kSample:
+      return check.SampleImplicit(false);
+    case Method::kSampleBias:
+      return check.SampleImplicit(true);
+    case Method::kSampleCmp:
+      return check.SampleCmp();
     case Method::kSampleCmpLevelZero:
       return check.SampleCmpLevelZero();
     case Method::kGather:
       return check.Gather(static_cast<ObjectOp>(method->detail));
     case Method::kLoad:
-      return IsTexture(kind) ? check.Load() : check.BufferLoad();
+      if (IsTexture(kind)) return check.Load();
+      return TraitsOf(kind).texel != 0 ? check.ImageLoad() : check.BufferLoad();
     case Method::kByteLoad:
       return check.ByteLoad(method->detail);
+    case Method::kByteStore:
+      return check.ByteStore(method->detail);
     case Method::kGetDimensions:
       return CheckGetDimensions(call, object);
     case Method::kImplicitLevel:
@@ -314,6 +383,14 @@ TextureTraits TraitsOf(ObjectKind kind) {
       return {3, 0, 2, 0, 3, false, true};
     case ObjectKind::kTextureCubeArray:
       return {4, 0, 3, 0, 3, false, true};
+    case ObjectKind::kRWTexture1D:
+      return {0, 1, 1, 0, 0, false, false};
+    case ObjectKind::kRWTexture1DArray:
+    case ObjectKind::kRWTexture2D:
+      return {0, 2, 2, 0, 0, false, false};
+    case ObjectKind::kRWTexture2DArray:
+    case ObjectKind::kRWTexture3D:
+      return {0, 3, 3, 0, 0, false, false};
     default:
       return {};
   }

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <array>
 #include <string>
 #include <variant>
@@ -47,6 +47,10 @@ ExprId IndexTexture(ir::Program& program, ExprId object, ExprId index, ExprId le
                                            ConvertImplicit(program, index, coordinate, diagnostics),
                                            ConvertImplicit(program, level, number, diagnostics)};
   const TypeId element = ElementOf(program.types, type);
+  if (IsImage(type.object)) {
+    return MakeObjectCall(ir::Builder(program, span), program, element, ObjectOp::kImageLoad,
+                          std::span(arguments).first(2));
+  }
   return MakeObjectCall(ir::Builder(program, span), program, element, ObjectOp::kTextureLoad,
                         arguments);
 }
@@ -55,7 +59,7 @@ ExprId IndexBuffer(ir::Program& program, ExprId object, ExprId index, Span span,
                    Diagnostics& diagnostics) {
   const Type type = program.types[program.exprs[object].type];
   const Type& index_type = program.types[program.exprs[index].type];
-  const bool is_buffer = type.object == ObjectKind::kBuffer;
+  const bool is_buffer = !IsStructured(type.object);
   const bool keeps_uint =
       !is_buffer && index_type.IsNumeric() && ir::BaseOf(index_type.scalar) == Scalar::kUint;
   const TypeId number = program.types.Make(keeps_uint ? Scalar::kUint : Scalar::kInt);
@@ -84,12 +88,13 @@ ExprId CheckObjectIndex(ir::Program& program, ExprId object, ExprId index,
       diagnostics.Report(span, diag::ObjectUnusable, std::string_view("[]"));
       return builder.ZeroOf(program.types.Error());
     }
-    if (IsTexture(type.object) && TraitsOf(type.object).texel != 0) {
+    if (TraitsOf(type.object).texel != 0 && !(level && IsImage(type.object))) {
       return IndexTexture(program, object, index, level ? *level : builder.Int(0), span,
                           diagnostics);
     }
     if (!level &&
-        (type.object == ObjectKind::kBuffer || type.object == ObjectKind::kStructuredBuffer)) {
+        (type.object == ObjectKind::kBuffer || type.object == ObjectKind::kRWBuffer ||
+         IsStructured(type.object))) {
       return IndexBuffer(program, object, index, span, diagnostics);
     }
   }

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <vector>
 
 #include "frontend/object_call.h"
@@ -69,7 +69,7 @@ class SizeCheck {
   }
 
   ExprId Buffer(ObjectKind kind) {
-    const std::size_t count = kind == ObjectKind::kStructuredBuffer ? 2 : 1;
+    const std::size_t count = IsStructured(kind) ? 2 : 1;
     if (!call_.HasCount(count, count)) return call_.Error();
     for (std::size_t i = 0; i < count; ++i) {
       if (!IsOut(i)) return call_.Error();
@@ -122,7 +122,7 @@ class SizeCheck {
 ExprId CheckGetDimensions(const IntrinsicCheck& call, ExprId object) {
   const ObjectKind kind = call.TypeOf(object).object;
   SizeCheck check(call, object);
-  return IsTexture(kind) ? check.Texture(TraitsOf(kind)) : check.Buffer(kind);
+  return TraitsOf(kind).size != 0 ? check.Texture(TraitsOf(kind)) : check.Buffer(kind);
 }
 
 }  // namespace clipc

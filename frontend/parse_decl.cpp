@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/parser.h"
 
 // Declarations of every scope except functions (parse_function.cpp) and structs (parse_struct.cpp).

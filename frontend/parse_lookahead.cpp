@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/parser.h"
 
 // Where HLSL's grammar needs more than the current token. Every scan stops after kMaxLookahead tokens, so parsing

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/semantics.h"
 
 #include "base/spelling.h"
@@ -28,6 +28,9 @@ constexpr Row kRows[] = {
     {"sv_startvertexlocation", Is(Builtin::kBaseVertex, 6, 8), kRefused},
     {"sv_startinstancelocation", Is(Builtin::kBaseInstance, 6, 8), kRefused},
     {"sv_viewid", Is(Builtin::kViewId, 6, 1), kPlain},
+    {"sv_vulkanvertexid", Is(Builtin::kVertexIndex), kRefused},  // Slang's
+    {"sv_vulkaninstanceid", Is(Builtin::kInstanceIndex), kRefused},
+    {"sv_shadingrate", kPlain, Is(Builtin::kShadingRate, 6, 4)},
     {"sv_rendertargetarrayindex", kPlain, Is(Builtin::kLayer)},
     {"sv_viewportarrayindex", kPlain, Is(Builtin::kViewportIndex)},
     {"sv_primitiveid", kRefused, kPlain},

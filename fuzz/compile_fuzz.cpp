@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // The whole pipeline on any text: no crash, no hang, and GLSL exactly when there is no error. The first line of an input
 // may be `//PROFILE TARGET LOWERING`, three digits that choose among the lists below; any other input gets the first of each.
 #include <array>

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "ir/builder.h"
 
 #include <utility>
@@ -168,6 +168,8 @@ bool IsPure(const Program& program, ExprId expr) {
   const auto& node = program.exprs[expr].node;
   if (std::holds_alternative<Assign>(node) || std::holds_alternative<Call>(node)) return false;
   if (const auto* unary = std::get_if<Unary>(&node); unary && unary->op >= UnaryOp::kPreIncrement)
+    return false;
+  if (const auto* call = std::get_if<ObjectCall>(&node); call && call->op == ObjectOp::kStore)
     return false;
   if (const auto* call = std::get_if<IntrinsicCall>(&node)) {
     for (std::size_t i = 0; i < call->arguments.size; ++i) {

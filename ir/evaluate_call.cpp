@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <algorithm>
 #include <cmath>
 
@@ -179,6 +179,7 @@ void Machine::EvalObjectCall(ExprId expr, const ObjectCall& node) {
   request.arguments = bits;
   std::vector<Word> result(words, 0);
   if (inputs_.read_object) inputs_.read_object(request, result);
+  if (words == 0) return;
   std::vector<Scalar> kinds;
   AppendKinds(program_.exprs[expr].type, kinds);
   for (std::uint32_t i = 0; i < words; ++i) stack_.push_back(FromBits(result[i], kinds[i]));

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "ir/print.h"
 
 #include <string_view>
@@ -35,6 +35,12 @@ const char* NameOf(Builtin builtin) {
       return "draw_index";
     case Builtin::kViewId:
       return "view_id";
+    case Builtin::kVertexIndex:
+      return "vertex_index";
+    case Builtin::kInstanceIndex:
+      return "instance_index";
+    case Builtin::kShadingRate:
+      return "shading_rate";
     case Builtin::kLayer:
       return "layer";
     case Builtin::kViewportIndex:

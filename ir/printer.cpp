@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "ir/printer.h"
 
 #include <algorithm>
@@ -36,7 +36,9 @@ const char* TextOf(ObjectOp op) {
                                            "texture_samples",
                                            "buffer_size",
                                            "d3d9_sample_level",
-                                           "d3d9_sample"};
+                                           "d3d9_sample",
+                                           "image_load",
+                                           "store"};
   return kTexts[static_cast<std::size_t>(op)];
 }
 

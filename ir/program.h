@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
 #include <array>
@@ -175,8 +175,8 @@ enum class ObjectOp : std::uint8_t {
                  // literals])
   kSampleGrad,   // (texture, sampler, coordinate, ddx, ddy [, offset])
   kSampleCmpLevelZero,  // (texture, comparison sampler, coordinate, reference [, offset])
-  kGather,  // (texture, sampler, coordinate [, offset]); component 0 (red); kGatherGreen.. the
-            // others
+  kGather,  // (texture, sampler, coordinate [, offset, or one for each texel of the four]); component
+            // 0 (red); kGatherGreen.. the others
   kGatherGreen,
   kGatherBlue,
   kGatherAlpha,
@@ -192,6 +192,9 @@ enum class ObjectOp : std::uint8_t {
   kBufferSize,       // (buffer): int elements; of a ByteAddressBuffer bytes
   kD3d9SampleLevel,  // (sampler2D and so on, coordinate with the level in w already split off, lod)
   kD3d9Sample,       // (sampler, coordinate): level 0 in a vertex shader
+  kImageLoad,        // (RWTexture, coordinate int{1..3})
+  kStore,            // (a writable object, place as the load of that object has it, value): void; the
+                     // place of an RWByteAddressBuffer is a byte address, the value uint..uint4
 };
 struct ObjectCall {
   ObjectOp op;
@@ -350,6 +353,9 @@ enum class Builtin : std::uint8_t {
   kBaseInstance,  // input, int, uint: SV_StartVertexLocation, SV_StartInstanceLocation
   kDrawIndex,
   kViewId,  // input, uint
+  kVertexIndex,
+  kInstanceIndex,  // input, uint: with base vertex and base instance, as Vulkan counts
+  kShadingRate,    // output, uint: Direct3D's log2 of the width << 2 | log2 of the height
   kLayer,
   kViewportIndex,  // output, uint
 };

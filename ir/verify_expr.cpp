@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <algorithm>
 
 #include "base/overloaded.h"
@@ -371,7 +371,9 @@ void ExprVerifier::CheckObjectCall(ExprId expr, const ObjectCall& node) {
   const bool has_sampler = node.op <= ObjectOp::kGatherAlpha;
   if (has_sampler) Require(is_object(1), expr, "the second argument is a sampler");
   for (std::size_t i = has_sampler ? 2 : 1; i < arguments.size(); ++i) {
-    Require(TypeOf(arguments[i]).IsNumeric(), expr, "coordinates, levels and offsets are numeric");
+    const bool is_stored = node.op == ObjectOp::kStore && i == 2;
+    Require(is_stored || TypeOf(arguments[i]).IsNumeric(), expr,
+            "coordinates, levels and offsets are numeric");
   }
   for (std::size_t i = 0; i < (has_sampler ? 2u : 1u) && i < arguments.size(); ++i) {
     const auto* path = &program_.exprs[arguments[i]].node;

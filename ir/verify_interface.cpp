@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "ir/verify_interface.h"
 
 #include <bitset>
@@ -112,6 +112,7 @@ class InterfaceVerifier {
         return storage == Storage::kOutput && is_scalar && base == Scalar::kFloat;
       case Builtin::kLayer:
       case Builtin::kViewportIndex:
+      case Builtin::kShadingRate:
         return storage == Storage::kOutput && is_scalar && IsInteger(base);
       default:
         return storage == Storage::kInput && is_scalar && IsInteger(base);

@@ -38,14 +38,13 @@ float4 main(uint vertex : SV_VertexID, uint instance : SV_InstanceID) : SV_Posit
 // GL450-NEXT: }
 
 // GL330: #version 330
-// GL330-NEXT: #extension GL_ARB_shader_draw_parameters : require
 // GL330-EMPTY:
 // GL330-NEXT: vec4 shader_main(uint vertex, uint instance) {
 // GL330-NEXT:     return vec4(float(vertex), float(instance), 0.0, 1.0);
 // GL330-NEXT: }
 // GL330-EMPTY:
 // GL330-NEXT: void main() {
-// GL330-NEXT:     vec4 result = shader_main(uint(gl_VertexID - gl_BaseVertexARB), uint(gl_InstanceID));
+// GL330-NEXT:     vec4 result = shader_main(uint(gl_VertexID), uint(gl_InstanceID));
 // GL330-NEXT:     gl_Position = result;
 // GL330-NEXT: }
 

@@ -21,13 +21,13 @@ float4 main(float4 p : POSITION, int i : INDEX) : SV_Position {
 
 // CHECK: #version 400
 // CHECK-EMPTY:
-// CHECK-NEXT: struct Object {
-// CHECK-NEXT:     vec4 color;
-// CHECK-NEXT: };
-// CHECK-EMPTY:
 // CHECK-NEXT: struct Packed {
 // CHECK-NEXT:     float x;
 // CHECK-NEXT:     vec3 y;
+// CHECK-NEXT: };
+// CHECK-EMPTY:
+// CHECK-NEXT: struct Object {
+// CHECK-NEXT:     vec4 color;
 // CHECK-NEXT: };
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(std140) uniform objects_block {  // b0

@@ -1,18 +1,18 @@
 // Clip distances and inputs that a target does not have.
 // RUN: not %clipc -T vs_5_0 --target=glsl120 --lower=clip-distance %s -o %t 2>&1 | FileCheck %s --check-prefix=GL120
 // RUN: not %clipc -T vs_6_8 --target=essl320 -DPARAMETERS %s -o %t 2>&1 | FileCheck %s --check-prefix=ES320
-// RUN: not %clipc -T vs_6_1 --target=glsl450 -DVIEW %s -o %t 2>&1 | FileCheck %s --check-prefix=GL450
+// RUN: not %clipc -T vs_6_1 --target=glsl150 -DVIEW %s -o %t 2>&1 | FileCheck %s --check-prefix=GL150
 // RUN: not %clipc -T vs_6_0 --target=essl320 -DWIDE %s -o %t 2>&1 | FileCheck %s --check-prefix=WIDE
 // AUTOUPDATE
 #if defined(PARAMETERS)
 // ES320: fail_clip_outputs.hlsl:[[#@LINE+3]]:46: error: `SV_StartVertexLocation` is a parameter of the draw call; target `essl320` does not tell it to the shader
-// ES320-NEXT:     [[#@LINE+2]] | float4 main(float4 p : POSITION, int first : SV_StartVertexLocation) : SV_Position { return p + first; }
+// ES320-NEXT:    [[#@LINE+2]] | float4 main(float4 p : POSITION, int first : SV_StartVertexLocation) : SV_Position { return p + first; }
 // ES320-NEXT:       |                                              ^~~~~~~~~~~~~~~~~~~~~~
 float4 main(float4 p : POSITION, int first : SV_StartVertexLocation) : SV_Position { return p + first; }
 #elif defined(VIEW)
-// GL450: fail_clip_outputs.hlsl:[[#@LINE+3]]:46: error: the shader reads `SV_ViewID`; only target `vulkan` has such an input, not `glsl450`
-// GL450-NEXT:    [[#@LINE+2]] | float4 main(float4 p : POSITION, uint view : SV_ViewID) : SV_Position { return p + view; }
-// GL450-NEXT:       |                                              ^~~~~~~~~
+// GL150: fail_clip_outputs.hlsl:[[#@LINE+3]]:46: error: the shader reads `SV_ViewID`; target `glsl150` has no such input
+// GL150-NEXT:    [[#@LINE+2]] | float4 main(float4 p : POSITION, uint view : SV_ViewID) : SV_Position { return p + view; }
+// GL150-NEXT:       |                                              ^~~~~~~~~
 float4 main(float4 p : POSITION, uint view : SV_ViewID) : SV_Position { return p + view; }
 #elif defined(WIDE)
 // WIDE: fail_clip_outputs.hlsl:[[#@LINE+3]]:9: error: the shader computes with 64-bit integers; target `essl320` has no such type

@@ -62,143 +62,146 @@ struct Result {
 // ES300-NEXT:       |           ^~~~
   noperspective float a : A;
   nointerpolation float b : B;
-// GL330-NEXT: fail_features.hlsl:[[#@LINE+9]]:20: error: `C0` is interpolated per sample; target `glsl330` cannot
-// GL330-NEXT:    [[#@LINE+8]] |   sample float c : C;
+// GL330-NEXT: fail_features.hlsl:[[#@LINE+3]]:20: error: `C0` is interpolated per sample; target `glsl330` cannot
+// GL330-NEXT:    [[#@LINE+2]] |   sample float c : C;
 // GL330-NEXT:       |                    ^
-// GL330-NEXT: fail_features.hlsl:[[#@LINE-55]]:26: error: `structured` is a buffer of any layout; target `glsl330` has no storage buffers
-// GL330-NEXT:    [[#@LINE-56]] | StructuredBuffer<float4> structured;
-// GL330-NEXT:       |                          ^~~~~~~~~~
-// GL330-NEXT: fail_features.hlsl:[[#@LINE-55]]:11: error: `maps` is an array of arrays; target `glsl330` takes textures in simple arrays only
-// GL330-NEXT:    [[#@LINE-56]] | Texture2D maps[2][2];
-// GL330-NEXT:       |           ^~~~
   sample float c : C;
+// GL330-NEXT: fail_features.hlsl:[[#@LINE+9]]:16: error: the shader writes cull distances; target `glsl330` has no `gl_CullDistance`
+// GL330-NEXT:    [[#@LINE+8]] |   float cull : SV_CullDistance;
+// GL330-NEXT:       |                ^~~~~~~~~~~~~~~
+// GL330-NEXT: fail_features.hlsl:[[#@LINE-59]]:26: error: `structured` is a buffer of any layout; target `glsl330` has no storage buffers
+// GL330-NEXT:    [[#@LINE-60]] | StructuredBuffer<float4> structured;
+// GL330-NEXT:       |                          ^~~~~~~~~~
+// GL330-NEXT: fail_features.hlsl:[[#@LINE-59]]:11: error: `maps` is an array of arrays; target `glsl330` takes textures in simple arrays only
+// GL330-NEXT:    [[#@LINE-60]] | Texture2D maps[2][2];
+// GL330-NEXT:       |           ^~~~
   float cull : SV_CullDistance;
 };
 
 // GL120: fail_features.hlsl:[[#@LINE+48]]:48: error: the shader reads `SV_VertexID`; target `glsl120` has no such input
-// GL120-NEXT:    [[#@LINE+47]] | Result main(float4 p : POSITION, uint vertex : SV_VertexID) {
+// GL120-NEXT:   [[#@LINE+47]] | Result main(float4 p : POSITION, uint vertex : SV_VertexID) {
 // GL120-NEXT:       |                                                ^~~~~~~~~~~
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-51]]:16: error: the shader writes `SV_RenderTargetArrayIndex`; a vertex shader of target `glsl120` cannot
-// GL120-NEXT:    [[#@LINE-52]] |   uint layer : SV_RenderTargetArrayIndex;
+// GL120-NEXT: fail_features.hlsl:[[#@LINE-54]]:16: error: the shader writes `SV_RenderTargetArrayIndex`; a vertex shader of target `glsl120` cannot
+// GL120-NEXT:    [[#@LINE-55]] |   uint layer : SV_RenderTargetArrayIndex;
 // GL120-NEXT:       |                ^~~~~~~~~~~~~~~~~~~~~~~~~
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-53]]:16: error: `NUMBER0` is an integer output; those of target `glsl120` are floats
-// GL120-NEXT:    [[#@LINE-54]] |   int number : NUMBER;
+// GL120-NEXT: fail_features.hlsl:[[#@LINE-56]]:16: error: `NUMBER0` is an integer output; those of target `glsl120` are floats
+// GL120-NEXT:    [[#@LINE-57]] |   int number : NUMBER;
 // GL120-NEXT:       |                ^~~~~~
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-49]]:26: error: `WIDE0` is a `double`; inputs and outputs of target `glsl120` cannot be
-// GL120-NEXT:    [[#@LINE-50]] |   double precise_value : WIDE;
+// GL120-NEXT: fail_features.hlsl:[[#@LINE-52]]:26: error: `WIDE0` is a `double`; inputs and outputs of target `glsl120` cannot be
+// GL120-NEXT:    [[#@LINE-53]] |   double precise_value : WIDE;
 // GL120-NEXT:       |                          ^~~~
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-27]]:27: error: `A0` is interpolated without perspective; target `glsl120` cannot
-// GL120-NEXT:    [[#@LINE-28]] |   noperspective float a : A;
+// GL120-NEXT: fail_features.hlsl:[[#@LINE-30]]:27: error: `A0` is interpolated without perspective; target `glsl120` cannot
+// GL120-NEXT:    [[#@LINE-31]] |   noperspective float a : A;
 // GL120-NEXT:       |                           ^
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-29]]:29: error: `B0` is not interpolated; outputs of target `glsl120` always are
-// GL120-NEXT:    [[#@LINE-30]] |   nointerpolation float b : B;
+// GL120-NEXT: fail_features.hlsl:[[#@LINE-32]]:29: error: `B0` is not interpolated; outputs of target `glsl120` always are
+// GL120-NEXT:    [[#@LINE-33]] |   nointerpolation float b : B;
 // GL120-NEXT:       |                             ^
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-22]]:20: error: `C0` is interpolated per sample; target `glsl120` cannot
-// GL120-NEXT:    [[#@LINE-23]] |   sample float c : C;
+// GL120-NEXT: fail_features.hlsl:[[#@LINE-31]]:20: error: `C0` is interpolated per sample; target `glsl120` cannot
+// GL120-NEXT:    [[#@LINE-32]] |   sample float c : C;
 // GL120-NEXT:       |                    ^
 // GL120-NEXT: fail_features.hlsl:[[#@LINE-24]]:16: error: the shader writes cull distances; target `glsl120` has no `gl_CullDistance`
 // GL120-NEXT:    [[#@LINE-25]] |   float cull : SV_CullDistance;
 // GL120-NEXT:       |                ^~~~~~~~~~~~~~~
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-83]]:8: error: the shader computes in `double`; target `glsl120` has no such type
-// GL120-NEXT:    [[#@LINE-84]] | double wide;
+// GL120-NEXT: fail_features.hlsl:[[#@LINE-86]]:8: error: the shader computes in `double`; target `glsl120` has no such type
+// GL120-NEXT:    [[#@LINE-87]] | double wide;
 // GL120-NEXT:       |        ^~~~
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-97]]:17: error: `integers` holds integers; textures of target `glsl120` cannot
-// GL120-NEXT:     [[#@LINE-98]] | Texture2D<int4> integers;
+// GL120-NEXT: fail_features.hlsl:[[#@LINE-100]]:17: error: `integers` holds integers; textures of target `glsl120` cannot
+// GL120-NEXT:     [[#@LINE-101]] | Texture2D<int4> integers;
 // GL120-NEXT:       |                 ^~~~~~~~
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-99]]:16: error: `layers` is an array texture; target `glsl120` has none
-// GL120-NEXT:     [[#@LINE-100]] | Texture2DArray layers;
+// GL120-NEXT: fail_features.hlsl:[[#@LINE-102]]:16: error: `layers` is an array texture; target `glsl120` has none
+// GL120-NEXT:     [[#@LINE-103]] | Texture2DArray layers;
 // GL120-NEXT:       |                ^~~~~~
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-101]]:21: error: `samples` is a multisampled texture; target `glsl120` has none
-// GL120-NEXT:    [[#@LINE-102]] | Texture2DMS<float4> samples;
+// GL120-NEXT: fail_features.hlsl:[[#@LINE-104]]:21: error: `samples` is a multisampled texture; target `glsl120` has none
+// GL120-NEXT:    [[#@LINE-105]] | Texture2DMS<float4> samples;
 // GL120-NEXT:       |                     ^~~~~~~
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-103]]:18: error: `cubes` is an array of cube maps; target `glsl120` has none
-// GL120-NEXT:    [[#@LINE-104]] | TextureCubeArray cubes;
+// GL120-NEXT: fail_features.hlsl:[[#@LINE-106]]:18: error: `cubes` is an array of cube maps; target `glsl120` has none
+// GL120-NEXT:    [[#@LINE-107]] | TextureCubeArray cubes;
 // GL120-NEXT:       |                  ^~~~~
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-105]]:16: error: `typed` is a typed buffer; target `glsl120` has none
-// GL120-NEXT:    [[#@LINE-106]] | Buffer<float4> typed;
+// GL120-NEXT: fail_features.hlsl:[[#@LINE-108]]:16: error: `typed` is a typed buffer; target `glsl120` has none
+// GL120-NEXT:    [[#@LINE-109]] | Buffer<float4> typed;
 // GL120-NEXT:       |                ^~~~~
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-107]]:26: error: `structured` is a buffer of any layout; target `glsl120` has no storage buffers
-// GL120-NEXT:    [[#@LINE-108]] | StructuredBuffer<float4> structured;
+// GL120-NEXT: fail_features.hlsl:[[#@LINE-110]]:26: error: `structured` is a buffer of any layout; target `glsl120` has no storage buffers
+// GL120-NEXT:    [[#@LINE-111]] | StructuredBuffer<float4> structured;
 // GL120-NEXT:       |                          ^~~~~~~~~~
-// GL120-NEXT: fail_features.hlsl:[[#@LINE-107]]:11: error: `maps` is an array of arrays; target `glsl120` takes textures in simple arrays only
-// GL120-NEXT:    [[#@LINE-108]] | Texture2D maps[2][2];
+// GL120-NEXT: fail_features.hlsl:[[#@LINE-110]]:11: error: `maps` is an array of arrays; target `glsl120` takes textures in simple arrays only
+// GL120-NEXT:    [[#@LINE-111]] | Texture2D maps[2][2];
 // GL120-NEXT:       |           ^~~~
 Result main(float4 p : POSITION, uint vertex : SV_VertexID) {
   Result r = (Result)0;
 // GL120-NEXT: fail_features.hlsl:[[#@LINE+3]]:20: warning: target `glsl120` has no `uint`; `int` takes its place, and values from 2147483648 on are negative [-Wtarget-uint-as-int]
-// GL120-NEXT:    [[#@LINE+2]] |   r.position = p + vertex;
+// GL120-NEXT:   [[#@LINE+2]] |   r.position = p + vertex;
 // GL120-NEXT:       |                    ^~~~~~
   r.position = p + vertex;
 // GL120-NEXT: fail_features.hlsl:[[#@LINE+9]]:62: error: a texture is read by `Gather`; target `glsl120` has no function for that
-// GL120-NEXT:    [[#@LINE+8]] |   r.position += line_map.SampleLevel(linear_clamp, p.x, 0) + map.Gather(linear_clamp, p.xy);
+// GL120-NEXT:   [[#@LINE+8]] |   r.position += line_map.SampleLevel(linear_clamp, p.x, 0) + map.Gather(linear_clamp, p.xy);
 // GL120-NEXT:       |                                                              ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
 // ES300-NEXT: fail_features.hlsl:[[#@LINE+6]]:62: error: a texture is read by `Gather`; target `essl300` has no function for that
-// ES300-NEXT:    [[#@LINE+5]] |   r.position += line_map.SampleLevel(linear_clamp, p.x, 0) + map.Gather(linear_clamp, p.xy);
+// ES300-NEXT:   [[#@LINE+5]] |   r.position += line_map.SampleLevel(linear_clamp, p.x, 0) + map.Gather(linear_clamp, p.xy);
 // ES300-NEXT:       |                                                              ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
 // GL330-NEXT: fail_features.hlsl:[[#@LINE+3]]:62: error: a texture is read by `Gather`; target `glsl330` has no function for that
-// GL330-NEXT:    [[#@LINE+2]] |   r.position += line_map.SampleLevel(linear_clamp, p.x, 0) + map.Gather(linear_clamp, p.xy);
+// GL330-NEXT:   [[#@LINE+2]] |   r.position += line_map.SampleLevel(linear_clamp, p.x, 0) + map.Gather(linear_clamp, p.xy);
 // GL330-NEXT:       |                                                              ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
   r.position += line_map.SampleLevel(linear_clamp, p.x, 0) + map.Gather(linear_clamp, p.xy);
 // GL120-NEXT: fail_features.hlsl:[[#@LINE+6]]:17: error: a texture is read by `SampleGrad`; target `glsl120` has no function for that
-// GL120-NEXT:    [[#@LINE+5]] |   r.position += map.SampleGrad(linear_clamp, p.xy, p.zw, p.xy) + map.SampleCmpLevelZero(compare, p.xy, p.z).x;
+// GL120-NEXT:   [[#@LINE+5]] |   r.position += map.SampleGrad(linear_clamp, p.xy, p.zw, p.xy) + map.SampleCmpLevelZero(compare, p.xy, p.z).x;
 // GL120-NEXT:       |                 ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
 // GL120-NEXT: fail_features.hlsl:[[#@LINE+3]]:66: error: a texture is read by `SampleCmpLevelZero`; target `glsl120` has no function for that
-// GL120-NEXT:    [[#@LINE+2]] |   r.position += map.SampleGrad(linear_clamp, p.xy, p.zw, p.xy) + map.SampleCmpLevelZero(compare, p.xy, p.z).x;
+// GL120-NEXT:   [[#@LINE+2]] |   r.position += map.SampleGrad(linear_clamp, p.xy, p.zw, p.xy) + map.SampleCmpLevelZero(compare, p.xy, p.z).x;
 // GL120-NEXT:       |                                                                  ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
   r.position += map.SampleGrad(linear_clamp, p.xy, p.zw, p.xy) + map.SampleCmpLevelZero(compare, p.xy, p.z).x;
 // GL120-NEXT: fail_features.hlsl:[[#@LINE+3]]:17: error: a texel is read by `Load` or `[]`; target `glsl120` can only sample
-// GL120-NEXT:    [[#@LINE+2]] |   r.position += integers.Load(int3(1, 2, 0)) + layers.SampleLevel(linear_clamp, p.xyz, 0);
+// GL120-NEXT:   [[#@LINE+2]] |   r.position += integers.Load(int3(1, 2, 0)) + layers.SampleLevel(linear_clamp, p.xyz, 0);
 // GL120-NEXT:       |                 ^~~~~~~~~~~~~~~~~~~~~~~~~~~~
   r.position += integers.Load(int3(1, 2, 0)) + layers.SampleLevel(linear_clamp, p.xyz, 0);
 // GL120-NEXT: fail_features.hlsl:[[#@LINE+3]]:17: error: a texel is read by `Load` or `[]`; target `glsl120` can only sample
-// GL120-NEXT:    [[#@LINE+2]] |   r.position += samples.Load(int2(1, 2), 3) + cubes.SampleLevel(linear_clamp, p, 0);
+// GL120-NEXT:   [[#@LINE+2]] |   r.position += samples.Load(int2(1, 2), 3) + cubes.SampleLevel(linear_clamp, p, 0);
 // GL120-NEXT:       |                 ^~~~~~~~~~~~~~~~~~~~~~~~~~~
   r.position += samples.Load(int2(1, 2), 3) + cubes.SampleLevel(linear_clamp, p, 0);
   r.position += typed[vertex] + structured[vertex];
 // GL120-NEXT: fail_features.hlsl:[[#@LINE+9]]:40: error: the sampler `samplers` is an element of an array; target `glsl120` joins each texture with one sampler by name
-// GL120-NEXT:    [[#@LINE+8]] |   r.position += maps[1][0].SampleLevel(samplers[1], p.xy, 0);
+// GL120-NEXT:   [[#@LINE+8]] |   r.position += maps[1][0].SampleLevel(samplers[1], p.xy, 0);
 // GL120-NEXT:       |                                        ^~~~~~~~~~~
 // ES300-NEXT: fail_features.hlsl:[[#@LINE+6]]:40: error: the sampler `samplers` is an element of an array; target `essl300` joins each texture with one sampler by name
-// ES300-NEXT:    [[#@LINE+5]] |   r.position += maps[1][0].SampleLevel(samplers[1], p.xy, 0);
+// ES300-NEXT:   [[#@LINE+5]] |   r.position += maps[1][0].SampleLevel(samplers[1], p.xy, 0);
 // ES300-NEXT:       |                                        ^~~~~~~~~~~
 // GL330-NEXT: fail_features.hlsl:[[#@LINE+3]]:40: error: the sampler `samplers` is an element of an array; target `glsl330` joins each texture with one sampler by name
-// GL330-NEXT:    [[#@LINE+2]] |   r.position += maps[1][0].SampleLevel(samplers[1], p.xy, 0);
+// GL330-NEXT:   [[#@LINE+2]] |   r.position += maps[1][0].SampleLevel(samplers[1], p.xy, 0);
 // GL330-NEXT:       |                                        ^~~~~~~~~~~
   r.position += maps[1][0].SampleLevel(samplers[1], p.xy, 0);
   float2 size;
   float levels;
 // GL120-NEXT: fail_features.hlsl:[[#@LINE+12]]:3: error: the shader asks for the size of a texture; target `glsl120` does not tell
-// GL120-NEXT:    [[#@LINE+11]] |   map.GetDimensions(0, size.x, size.y, levels);
+// GL120-NEXT:   [[#@LINE+11]] |   map.GetDimensions(0, size.x, size.y, levels);
 // GL120-NEXT:       |   ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
 // GL120-NEXT: fail_features.hlsl:[[#@LINE+9]]:3: error: the shader asks for the number of levels of a texture; target `glsl120` does not tell
-// GL120-NEXT:    [[#@LINE+8]] |   map.GetDimensions(0, size.x, size.y, levels);
+// GL120-NEXT:   [[#@LINE+8]] |   map.GetDimensions(0, size.x, size.y, levels);
 // GL120-NEXT:       |   ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
 // ES300-NEXT: fail_features.hlsl:[[#@LINE+6]]:3: error: the shader asks for the number of levels of a texture; target `essl300` does not tell
-// ES300-NEXT:    [[#@LINE+5]] |   map.GetDimensions(0, size.x, size.y, levels);
+// ES300-NEXT:   [[#@LINE+5]] |   map.GetDimensions(0, size.x, size.y, levels);
 // ES300-NEXT:       |   ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
 // GL330-NEXT: fail_features.hlsl:[[#@LINE+3]]:3: error: the shader asks for the number of levels of a texture; target `glsl330` does not tell
-// GL330-NEXT:    [[#@LINE+2]] |   map.GetDimensions(0, size.x, size.y, levels);
+// GL330-NEXT:   [[#@LINE+2]] |   map.GetDimensions(0, size.x, size.y, levels);
 // GL330-NEXT:       |   ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
   map.GetDimensions(0, size.x, size.y, levels);
   r.position.xy += size * levels;
 // GL120-NEXT: fail_features.hlsl:[[#@LINE+9]]:19: error: `&` works on bits; target `glsl120` has no such operator
-// GL120-NEXT:    [[#@LINE+8]] |   r.position.x += (mask & 3) + asfloat(mask) + (float)wide + min(mask, 4000000000u);
+// GL120-NEXT:   [[#@LINE+8]] |   r.position.x += (mask & 3) + asfloat(mask) + (float)wide + min(mask, 4000000000u);
 // GL120-NEXT:       |                   ^~~~~~~~~~
 // GL120-NEXT: fail_features.hlsl:[[#@LINE+6]]:32: error: `asfloat` reads the bits of a number; target `glsl120` has no function for that
-// GL120-NEXT:    [[#@LINE+5]] |   r.position.x += (mask & 3) + asfloat(mask) + (float)wide + min(mask, 4000000000u);
+// GL120-NEXT:   [[#@LINE+5]] |   r.position.x += (mask & 3) + asfloat(mask) + (float)wide + min(mask, 4000000000u);
 // GL120-NEXT:       |                                ^~~~~~~~~~~~~
 // GL120-NEXT: fail_features.hlsl:[[#@LINE+3]]:72: error: `4000000000` does not fit an `int`; target `glsl120` has no `uint`
-// GL120-NEXT:    [[#@LINE+2]] |   r.position.x += (mask & 3) + asfloat(mask) + (float)wide + min(mask, 4000000000u);
+// GL120-NEXT:   [[#@LINE+2]] |   r.position.x += (mask & 3) + asfloat(mask) + (float)wide + min(mask, 4000000000u);
 // GL120-NEXT:       |                                                                        ^~~~~~~~~~~
   r.position.x += (mask & 3) + asfloat(mask) + (float)wide + min(mask, 4000000000u);
 // GL120-NEXT: fail_features.hlsl:[[#@LINE+9]]:3: error: target `glsl120` has no `switch`
-// GL120-NEXT:    [[#@LINE+8]] |   switch (choose) {
+// GL120-NEXT:   [[#@LINE+8]] |   switch (choose) {
 // GL120-NEXT:       |   ^~~~~~~~~~~~~~~~~
-// GL120-NEXT:    [[#@LINE+7]] |     case 1: r.position.y = 2; break;
+// GL120-NEXT:   [[#@LINE+7]] |     case 1: r.position.y = 2; break;
 // GL120-NEXT:       |     ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
-// GL120-NEXT:    [[#@LINE+6]] |     default: break;
+// GL120-NEXT:   [[#@LINE+6]] |     default: break;
 // GL120-NEXT:       |     ~~~~~~~~~~~~~~~
-// GL120-NEXT:    [[#@LINE+5]] |   }
+// GL120-NEXT:   [[#@LINE+5]] |   }
 // GL120-NEXT:       |   ~
   switch (choose) {
     case 1: r.position.y = 2; break;

@@ -1,16 +1,16 @@
 // What the entry point's signature must be like, each rule with its message.
 // RUN: not %clipc -T vs_5_0 -E twice %s 2>&1 | FileCheck %s --check-prefix=TWICE
-// RUN: not %clipc -T vs_5_0 -E counted %s 2>&1 | FileCheck %s --check-prefix=COUNTED
+// RUN: %clipc -T vs_5_0 -E counted %s -o %t 2>&1 | FileCheck %s --check-prefix=COUNTED
 // RUN: not %clipc -T vs_5_0 -E of_pixel_shader %s 2>&1 | FileCheck %s --check-prefix=TARGET
 // RUN: not %clipc -T vs_5_0 -E into_pixel_shader %s 2>&1 | FileCheck %s --check-prefix=FRONT
 // RUN: not %clipc -T vs_5_0 -E wrong_id %s 2>&1 | FileCheck %s --check-prefix=ID
 // RUN: not %clipc -T vs_5_0 -E wrong_layer %s 2>&1 | FileCheck %s --check-prefix=LAYER
 // RUN: not %clipc -T vs_5_0 -E nine %s 2>&1 | FileCheck %s --check-prefix=NINE
 
-// TWICE: error: semantic `POSITION0` is used twice among the inputs; each index of a semantic may be used once [X4571]
+// TWICE: error: semantic `SV_POSITION0` is used twice among the outputs; each index of a semantic may be used once [X4571]
 // TWICE: note: first used here
-float4 twice(float4 a : POSITION, float4 b : Position0) : SV_Position { return a + b; }
-// A matrix takes an index a row. COUNTED: error: semantic `TEXCOORD2` is used twice among the inputs
+float4 twice(float4 a : POSITION, out float4 b : SV_Position) : sv_position0 { return b = a; }
+// A matrix takes an index a row, and this is plain data. COUNTED: warning: semantic `TEXCOORD2` is used twice among the inputs
 float4 counted(float4x4 m : TEXCOORD0, float4 b : TEXCOORD2) : SV_Position { return mul(b, m); }
 
 // TARGET: error: `SV_Target` is no output of a vertex shader [X4502]

@@ -49,10 +49,8 @@ float4 main(float4 v : POSITION, const float fixed : FIXED) : SV_Position {
   S(1, 2);
   // CHECK: [[#@LINE+1]]:3: error: the sides of `?:` are `float4` and `S`; they need a common type [X3020]
   v.x > 0 ? v : s;
-  // CHECK: [[#@LINE+1]]:3: error: assignment to a `SamplerState`; objects cannot be chosen while the shader runs [X3025]
-  s.s = s.s;
-  // CHECK: [[#@LINE+1]]:13: error: `chosen` of type `Texture2D<float4>` is not one particular global; objects cannot be chosen while the shader runs [X3031]
-  Texture2D chosen;
+  // CHECK: [[#@LINE+1]]:9: error: cannot convert `Texture2D<float4>` to `SamplerState` [X3017]
+  s.s = one;
   // CHECK: error: `name` is a string; a shader computes with numbers only [X3020]
   name;
   // CHECK: [[#@LINE+1]]:13: error: cannot convert `void` to `float` [X3017]

@@ -9,9 +9,9 @@ uint shared_value;
 
 float4 main(float4 p : POSITION) : SV_Position {
   uint before;
-// CHECK: fail_other_stages.hlsl:[[#@LINE+3]]:18: error: `[]` of an object that a vertex shader may declare but not use; clipc compiles no writes to buffers or textures [X4532]
+// CHECK: fail_other_stages.hlsl:[[#@LINE+3]]:3: error: `InterlockedAdd` is an atomic operation on an unordered access view [X4532]
 // CHECK-NEXT:    [[#@LINE+2]] |   InterlockedAdd(counters[0], 1, before);
-// CHECK-NEXT:       |                  ^~~~~~~~~~~
+// CHECK-NEXT:       |   ^~~~~~~~~~~~~~
   InterlockedAdd(counters[0], 1, before);
 // CHECK-NEXT: fail_other_stages.hlsl:[[#@LINE+3]]:3: error: `GroupMemoryBarrierWithGroupSync` is a memory barrier; there is nothing to wait for in a vertex shader [X4532]
 // CHECK-NEXT:    [[#@LINE+2]] |   GroupMemoryBarrierWithGroupSync();
@@ -25,6 +25,10 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:    [[#@LINE+2]] |   clip(p.x);
 // CHECK-NEXT:       |   ^~~~
   clip(p.x);
+// CHECK-NEXT: fail_other_stages.hlsl:[[#@LINE+3]]:12: error: `CalculateLevelOfDetail` asks for the level of detail of neighbouring pixels; a vertex has none [X4532]
+// CHECK-NEXT:    [[#@LINE+2]] |   p += map.CalculateLevelOfDetail(linear_clamp, p.xy);
+// CHECK-NEXT:       |            ^~~~~~~~~~~~~~~~~~~~~~
+  p += map.CalculateLevelOfDetail(linear_clamp, p.xy);
 // CHECK-NEXT: fail_other_stages.hlsl:[[#@LINE+3]]:8: error: `tex2D` takes the level of detail from neighbouring pixels; a vertex shader gives it in the last component of `tex2Dlod` [X4532]
 // CHECK-NEXT:    [[#@LINE+2]] |   p += tex2D(old_map, p.xy);
 // CHECK-NEXT:       |        ^~~~~
@@ -41,7 +45,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:    [[#@LINE+2]] |   p += noise(p.xyz);
 // CHECK-NEXT:       |        ^~~~~
   p += noise(p.xyz);
-// CHECK-NEXT: fail_other_stages.hlsl:[[#@LINE+3]]:3: error: `InterlockedAdd` is an atomic operation on an unordered access view; clipc compiles no writes to buffers or textures [X4532]
+// CHECK-NEXT: fail_other_stages.hlsl:[[#@LINE+3]]:3: error: `InterlockedAdd` is an atomic operation on an unordered access view [X4532]
 // CHECK-NEXT:    [[#@LINE+2]] |   InterlockedAdd(shared_value, 1);
 // CHECK-NEXT:       |   ^~~~~~~~~~~~~~
   InterlockedAdd(shared_value, 1);
@@ -66,7 +70,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:    [[#@LINE+2]] |   p += WaveActiveSum(p);
 // CHECK-NEXT:       |        ^~~~~~~~~~~~~
   p += WaveActiveSum(p);
-// CHECK-NEXT: fail_other_stages.hlsl:[[#@LINE+3]]:12: error: `Sample` takes the level of detail from neighbouring pixels; a vertex shader calls `SampleLevel` with a level [X4532]
+// CHECK-NEXT: fail_other_stages.hlsl:[[#@LINE+3]]:12: warning: `Sample` takes the level of detail from neighbouring pixels, which a vertex has not; it reads level 0 here, and fxc refuses it: call `SampleLevel` [-Wmethod-level-zero]
 // CHECK-NEXT:    [[#@LINE+2]] |   p += map.Sample(linear_clamp, p.xy);
 // CHECK-NEXT:       |            ^~~~~~
   p += map.Sample(linear_clamp, p.xy);

@@ -36,7 +36,7 @@ float4 main(float4 position : POSITION) : SV_Position {
 // CHECK-NEXT: self.q = self.q * splat<float4>(2.0)
 // CHECK-NEXT: scale(self, 2.0)
 // CHECK: float total(inout Derived self.1) {
-// CHECK-NEXT: return length2(self.1) + half_of.1(self.1.q.x)
+// CHECK-NEXT: return length2(self.1) + half_of(self.1.q.x)
 // CHECK: float declared(Derived
 // CHECK: void scale(inout Derived
 // CHECK: float3 of_base(Base base)

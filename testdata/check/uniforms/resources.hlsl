@@ -12,9 +12,9 @@ ByteAddressBuffer bytes;
 RWTexture2D<float> never_used;
 float4 through(Texture2D t, SamplerState s, float2 at) { return t.SampleLevel(s, at, 0); }
 float4 main(float4 v : POSITION, uint id : SV_VertexID) : SV_Position {
-  // A local object is another name of the global one.
+  // A local object, and a parameter, is another name of the global one.
   Texture2D same = heights;
-  // CHECK: v += through(heights, linear_sampler, v.xy)
+  // CHECK: v += through(v.xy)
   v += through(same, linear_sampler, v.xy);
   // CHECK: v += structured_load(items, {{.*}}id).x
   v += items[id].x;

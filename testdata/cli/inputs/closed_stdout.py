@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: Apache-2.0
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 """closed_stdout.py CODE COMMAND...: runs the command with standard output closed; fails unless it exits with that code."""
 
 import os

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: Apache-2.0
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 """exit_code.py CODE COMMAND...: fails unless the command exits with that code."""
 
 import subprocess

@@ -1,0 +1,23 @@
+// Where a target cannot write, or would write elsewhere than Direct3D.
+// RUN: not %clipc -T vs_5_0 -DOLD --target=glsl330 %s -o %t 2>&1 | FileCheck %s --check-prefix=OLD
+// RUN: not %clipc -T vs_5_0 --target=glsl450 %s -o %t 2>&1 | FileCheck %s --check-prefix=CHECK
+// AUTOUPDATE
+#ifdef OLD
+// OLD: fail_writable_buffers.hlsl:[[#@LINE+3]]:20: error: `numbers` is written or may be; target `glsl330` has no images that shaders write
+// OLD-NEXT:     [[#@LINE+2]] | RWBuffer<uint4>    numbers;
+// OLD-NEXT:       |                    ^~~~~~~
+RWBuffer<uint4>    numbers;
+float4 main(float4 p : POSITION) : SV_Position {
+  numbers[1] = 2;
+  return p;
+}
+#else
+RWStructuredBuffer<float3> tight;
+float4 main(float4 p : POSITION) : SV_Position {
+// CHECK: fail_writable_buffers.hlsl:[[#@LINE+3]]:3: error: a `float3` is written into a structured buffer; target `glsl450` would lay it out otherwise than Direct3D
+// CHECK-NEXT:    [[#@LINE+2]] |   tight[1] = p.xyz;
+// CHECK-NEXT:       |   ^~~~~~~~~~~~~~~~
+  tight[1] = p.xyz;
+  return p;
+}
+#endif

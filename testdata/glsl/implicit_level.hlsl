@@ -1,0 +1,38 @@
+// A vertex has no neighbours to take a level of detail from. fxc refuses (X4532); OpenGL reads level 0, and so does this.
+// RUN: %clipc -T vs_5_0 --target=glsl450 --validate -DWANT=1 %s -o - 2>%t.err | FileCheck %s --check-prefix=CHECK
+// RUN: FileCheck %s --check-prefix=WARN < %t.err
+// RUN: %clipc -T vs_5_0 --target=vulkan --validate %s -o %t 2>&1
+// AUTOUPDATE
+Texture2D map;
+SamplerState smooth;
+SamplerComparisonState nearer;
+
+float4 main(float2 uv : TEXCOORD) : SV_Position {
+  // WARN: [[#@LINE+1]]:18: warning: `Sample` takes the level of detail from neighbouring pixels, which a vertex has not; it reads level 0 here, and fxc refuses it: call `SampleLevel` [-Wmethod-level-zero]
+  float4 r = map.Sample(smooth, uv);
+  // WARN: [[#@LINE+1]]:12: warning: `SampleBias` takes the level of detail from neighbouring pixels, which a vertex has not; it reads level 0 plus the bias here
+  r += map.SampleBias(smooth, uv, 1.5, int2(1, -1));
+  // WARN: [[#@LINE+1]]:12: warning: `SampleCmp` takes the level
+  r += map.SampleCmp(nearer, uv, 0.5);
+  // An offset for each of the four texels.
+  return r + map.GatherGreen(smooth, uv, int2(0, 0), int2(0, 1), int2(1, 0), int2(-8, 7));
+}
+
+// CHECK: #version 450
+// CHECK-EMPTY:
+// CHECK-NEXT: layout(binding = 0) uniform sampler2D map_smooth;  // map with smooth
+// CHECK-NEXT: layout(binding = 1) uniform sampler2DShadow map_nearer;  // map with nearer
+// CHECK-EMPTY:
+// CHECK-NEXT: layout(location = 0) in vec2 in_TEXCOORD0;  // TEXCOORD0
+// CHECK-EMPTY:
+// CHECK-NEXT: vec4 shader_main(vec2 uv) {
+// CHECK-NEXT:     vec4 r = textureLod(map_smooth, uv, 0.0);
+// CHECK-NEXT:     r += textureLodOffset(map_smooth, uv, 1.5, ivec2(1, -1));
+// CHECK-NEXT:     r += textureLod(map_nearer, vec3(uv, 0.5), 0.0);
+// CHECK-NEXT:     return r + textureGatherOffsets(map_smooth, uv, ivec2[4](ivec2(0), ivec2(0, 1), ivec2(1, 0), ivec2(-8, 7)), 1);
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: void main() {
+// CHECK-NEXT:     vec4 result = shader_main(in_TEXCOORD0);
+// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT: }
