@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: Apache-2.0
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // The runtime's cost as ratios taken in one run, each beside its limit.
 //   clipc-runtime-bench
 #include <algorithm>
@@ -152,6 +152,8 @@ class PointerDevice final : public runtime::ClipDevice {
   Functions* volatile& functions_;
 };
 
+constexpr int kDraws = 20'000;
+
 void BenchBinder(std::uint32_t plane_count) {
   runtime::Table table;
   table.lowering = runtime::Lowering::kLevel9;
@@ -170,7 +172,6 @@ void BenchBinder(std::uint32_t plane_count) {
   runtime::ClipDevice* volatile blind = &device;  // not to be seen through
   runtime::Level9Binder binder(device, 6);
 
-  constexpr int kDraws = 20'000;
   const auto bind = [&] {
     for (int draw = 0; draw < kDraws; ++draw) {
       if (!binder.Bind(table, buffers, 2).ok()) std::exit(1);

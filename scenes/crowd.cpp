@@ -23,7 +23,7 @@ constexpr int kObjects = 1000;
 constexpr double kPi = 3.14159265358979323846;
 
 // std::uniform_real_distribution differs between libraries.
-double Uniform(std::mt19937& random) { return random() / 4294967296.0; }
+double Uniform(std::mt19937& random) { return static_cast<double>(random()) / 4294967296.0; }
 double Between(std::mt19937& random, double low, double high) { return low + (high - low) * Uniform(random); }
 // Around 1, seldom far from it: as sizes of things are.
 double Size(std::mt19937& random, double spread) {

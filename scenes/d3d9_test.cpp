@@ -28,7 +28,7 @@ class Direct3D9 : public ::testing::Test {
     return comparison;
   }
 
-  const examples::Context context_{examples::Profile::kCompatibility};
+  const examples::Context context{examples::Profile::kCompatibility};
 };
 using Seed001Remarks = Direct3D9;
 

@@ -138,7 +138,7 @@ Matrix MovedProjection(const Scene& scene) {
 // centers that lie on an edge are then rounded the same way. Canvas::Read takes the last row for the topmost.
 Picture ReadUpsideDown(const Canvas& canvas) {
   Picture picture = canvas.Read();
-  const std::ptrdiff_t row = 4 * picture.width;
+  const std::ptrdiff_t row = std::ptrdiff_t{4} * picture.width;
   for (int top = 0, bottom = picture.height - 1; top < bottom; ++top, --bottom) {
     const auto first = picture.rgba.begin() + top * row;
     std::swap_ranges(first, first + row, picture.rgba.begin() + bottom * row);

@@ -29,7 +29,7 @@ class Lowerings : public ::testing::Test {
     return comparison;
   }
 
-  const examples::Context context_{examples::Profile::kCompatibility};
+  const examples::Context context{examples::Profile::kCompatibility};
 };
 
 // Were the cuts everywhere, every picture would agree with every other.
@@ -59,6 +59,7 @@ TEST_F(Lowerings, EveryMistakeIsSeenWithThreePlanes) {
   for (const Way way : {Way::kClipDistance, Way::kLevel9, Way::kDiscard}) {
     for (const Mistake mistake : kMistakes) {
       if (mistake == Mistake::kMask && way == Way::kDiscard) continue;  // its mask is always 0
+      if (mistake == Mistake::kOffset && way != Way::kLevel9) continue;  // the shader has its planes by name
       EXPECT_FALSE(Agree(CompareWithClipDistances(way, 3, mistake), CutError(MakeScene(3)))) << NameOf(way) << ' ' << NameOf(mistake);
     }
   }

@@ -56,6 +56,7 @@ const char* NameOf(Mistake mistake) {
     case Mistake::kSign: return "sign";
     case Mistake::kSpace: return "space";
     case Mistake::kMask: return "mask";
+    case Mistake::kOffset: return "offset";
   }
   return "";
 }
@@ -79,6 +80,7 @@ std::array<runtime::Float4, 3> PlaneConstants(const Scene& scene, const Matrix& 
 
 runtime::Table MistakenTable(runtime::Table table, Mistake mistake) {
   if (mistake == Mistake::kMask) table.enable_mask &= ~1U;
+  if (mistake == Mistake::kOffset) table.planes.at(0).byte_offset = table.planes.at(1).byte_offset;
   return table;
 }
 

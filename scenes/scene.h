@@ -41,16 +41,23 @@ struct Scene {
 Scene MakeScene(int plane_count);
 
 // Mistakes that an application or a binding can make. A picture with one must be told from the right one.
-enum class Mistake { kNone, kIndex, kSign, kSpace, kMask };
-inline constexpr Mistake kMistakes[] = {Mistake::kIndex, Mistake::kSign, Mistake::kSpace, Mistake::kMask};
+enum class Mistake {
+  kNone,
+  kIndex,   // another plane's constants under the index of the first
+  kSign,    // the first plane keeps its other side
+  kSpace,   // the first plane as it is in world space
+  kMask,    // the table does not enable its first plane
+  kOffset,  // the table's first plane lies where its second one does; only a device that reads the table sees that
+};
+inline constexpr Mistake kMistakes[] = {Mistake::kIndex, Mistake::kSign, Mistake::kSpace, Mistake::kMask, Mistake::kOffset};
 const char* NameOf(Mistake mistake);
 
 // What goes to the constant buffer `Planes`: the planes in the clip space of `projection`, times `scale`, or what the
-// mistake makes of them. kMask leaves them as they are.
+// mistake makes of them. kMask and kOffset leave them as they are.
 std::array<runtime::Float4, 3> PlaneConstants(const Scene& scene, const runtime::Matrix& projection, double scale,
                                               Mistake mistake);
 
-// With kMask, the table without its first plane enabled; else the table.
+// What kMask and kOffset make of the table; else the table.
 runtime::Table MistakenTable(runtime::Table table, Mistake mistake);
 
 }  // namespace clipc::scenes

@@ -55,7 +55,7 @@ class SeedDrawing : public ::testing::Test {
     EXPECT_LT(WhitePixels(expected), WhitePixels(DrawKept(TeapotScene({}), Kept::kByAll))) << "something is clipped";
   }
 
-  const examples::Context context_{examples::Profile::kCompatibility};
+  const examples::Context context{examples::Profile::kCompatibility};
 };
 
 using Seed000Background = SeedDrawing;

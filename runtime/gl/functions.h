@@ -18,6 +18,7 @@ inline constexpr unsigned kMaxClipDistances = 0x0D32;
 inline constexpr unsigned kMatrixMode = 0x0BA0;
 inline constexpr unsigned kModelView = 0x1700;
 
+// NOLINTBEGIN(readability-identifier-naming): named as OpenGL names them.
 struct Functions {
   void(CLIPC_GL_API* Enable)(unsigned capability) = nullptr;
   void(CLIPC_GL_API* Disable)(unsigned capability) = nullptr;
@@ -36,12 +37,14 @@ struct Functions {
   }
 };
 
+// NOLINTEND(readability-identifier-naming)
+
 // "glEnable" => its address: eglGetProcAddress, glXGetProcAddressARB, or a function around SDL_GL_GetProcAddress,
 // glfwGetProcAddress or wglGetProcAddress. Called with the context current.
 using Procedure = void (*)();
 using Loader = Procedure (*)(const char* name);
 
-// Errors: kDeviceFailed where the loader knows one of the functions that every profile has not; kInvalidArgument for a
+// Errors: kDeviceFailed where the loader does not find a function that every profile has; kInvalidArgument for a
 // null loader.
 Result<Functions> LoadFunctions(Loader loader) noexcept;
 
