@@ -184,8 +184,8 @@ void BenchBinder(std::uint32_t plane_count) {
     }
   };
   const auto [ours, blindly] = InTurn(51, [] {}, bind, set_all);
-  std::printf("| a draw with %u planes, nothing changed: Level9Binder %.1f ns, SetClipPlane blindly %.1f ns on a device that only "
-              "copies: %.2f x | | | |\n",
+  std::printf("| a draw with %u planes, nothing changed: Level9Binder %.1f ns, SetClipPlane blindly %.1f ns on a device "
+              "that only copies: %.2f x | | | |\n",
               plane_count, ours / kDraws, blindly / kDraws, ours / blindly);
 }
 

@@ -21,7 +21,8 @@ function(clipc_windows_program target)
   list(GET json 0 json)
   file(MAKE_DIRECTORY ${folder}/include)
   file(CREATE_LINK ${json}/nlohmann ${folder}/include/nlohmann COPY_ON_ERROR SYMBOLIC)
-  set(options -std=c++20 -O2 -Wall -Wextra -ffp-contract=off -fno-tree-slp-vectorize -I${clipc_SOURCE_DIR} -isystem ${folder}/include)
+  set(options -std=c++20 -O2 -Wall -Wextra -ffp-contract=off -fno-tree-slp-vectorize
+    -I${clipc_SOURCE_DIR} -isystem ${folder}/include)
   foreach(include IN LISTS program_INCLUDES)
     list(APPEND options -I${include})
   endforeach()
@@ -33,7 +34,7 @@ function(clipc_windows_program target)
     string(REPLACE / _ name ${source})
     set(object ${folder}/${name}.o)
     add_custom_command(OUTPUT ${object}
-      COMMAND ${CLIPC_MINGW} ${options} -MD -MF ${object}.d -c ${clipc_SOURCE_DIR}/${source} -o ${object}
+      COMMAND ${CMAKE_CXX_COMPILER_LAUNCHER} ${CLIPC_MINGW} ${options} -MD -MF ${object}.d -c ${clipc_SOURCE_DIR}/${source} -o ${object}
       DEPENDS ${clipc_SOURCE_DIR}/${source} ${program_DEPENDS}
       DEPFILE ${object}.d
       COMMENT "Building Windows object ${source}"

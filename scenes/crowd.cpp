@@ -109,7 +109,9 @@ Crowd CutawayCrowd() {
 Crowd BoxCrowd() {
   Crowd crowd = Cloud("box");
   for (const double side : {-1.0, 1.0}) {
-    for (const Plane plane : {Plane{side, 0, 0, 2.5}, Plane{0, side, 0, 2.5}, Plane{0, 0, side, 2.5}}) crowd.planes.push_back(plane);
+    crowd.planes.push_back({side, 0, 0, 2.5});
+    crowd.planes.push_back({0, side, 0, 2.5});
+    crowd.planes.push_back({0, 0, side, 2.5});
   }
   return crowd;
 }

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "examples/shared/check.h"
 #include "runtime/clip_plane.h"
 #include "runtime/gl/clip_plane_device.h"
 #include "runtime/gl/clip_switches.h"
@@ -30,6 +31,7 @@ namespace clipc::scenes {
 namespace {
 
 using examples::Canvas;
+using examples::Check;
 using examples::Context;
 using examples::Floats;
 using examples::Picture;
@@ -87,15 +89,6 @@ const char kCutsFragment[] =
     "  if (any(lessThan(d, vec3(-1.0))) || !any(lessThan(abs(d), vec3(1.0)))) discard;\n"
     "  fragment = vec4(1.0);\n"
     "}\n";
-
-template <typename T>
-T Check(const runtime::Result<T>& result) {
-  if (!result.ok()) throw std::runtime_error(result.status.message());
-  return result.value;
-}
-void Check(const runtime::Status& status) {
-  if (!status.ok()) throw std::runtime_error(status.message());
-}
 
 struct Shader {
   const char* vertex;

@@ -60,7 +60,8 @@ TEST_F(Lowerings, EveryMistakeIsSeenWithThreePlanes) {
     for (const Mistake mistake : kMistakes) {
       if (mistake == Mistake::kMask && way == Way::kDiscard) continue;  // its mask is always 0
       if (mistake == Mistake::kOffset && way != Way::kLevel9) continue;  // the shader has its planes by name
-      EXPECT_FALSE(Agree(CompareWithClipDistances(way, 3, mistake), CutError(MakeScene(3)))) << NameOf(way) << ' ' << NameOf(mistake);
+      EXPECT_FALSE(Agree(CompareWithClipDistances(way, 3, mistake), CutError(MakeScene(3))))
+          << NameOf(way) << ' ' << NameOf(mistake);
     }
   }
 }
@@ -68,7 +69,8 @@ TEST_F(Lowerings, EveryMistakeIsSeenWithThreePlanes) {
 TEST_F(Lowerings, EveryMistakeIsSeenWithOnePlane) {
   for (const Way way : {Way::kClipDistance, Way::kLevel9, Way::kDiscard, Way::kNearPlane}) {
     for (const Mistake mistake : {Mistake::kSign, Mistake::kSpace, Mistake::kIndex}) {
-      EXPECT_FALSE(Agree(CompareWithClipDistances(way, 1, mistake), CutError(MakeScene(1)))) << NameOf(way) << ' ' << NameOf(mistake);
+      EXPECT_FALSE(Agree(CompareWithClipDistances(way, 1, mistake), CutError(MakeScene(1))))
+          << NameOf(way) << ' ' << NameOf(mistake);
     }
   }
 }

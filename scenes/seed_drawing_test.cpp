@@ -50,7 +50,8 @@ class SeedDrawing : public ::testing::Test {
     for (const Way way : kWaysOfManyPlanes) {
       const Comparison comparison = Compare(expected.rgba, DrawScene(way, scene).rgba, cuts.rgba);
       EXPECT_TRUE(Agree(comparison, CutError(scene)))
-          << NameOf(way) << ": " << comparison.differ_at_cut << " pixels differ at cuts, elsewhere " << comparison.differ_elsewhere;
+          << NameOf(way) << ": " << comparison.differ_at_cut << " pixels differ at cuts, elsewhere "
+          << comparison.differ_elsewhere;
     }
     EXPECT_LT(WhitePixels(expected), WhitePixels(DrawKept(TeapotScene({}), Kept::kByAll))) << "something is clipped";
   }

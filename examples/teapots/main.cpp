@@ -6,10 +6,10 @@
 //   teapots [FILE.png]
 #include <cstdio>
 #include <exception>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "examples/shared/check.h"
 #include "examples/shared/mesh.h"
 #include "examples/shared/offscreen.h"
 #include "examples/shared/transform.h"
@@ -27,15 +27,6 @@ namespace runtime = clipc::runtime;
 
 constexpr int kSize = 200;  // of one teapot's part of the picture, in pixels
 constexpr Vector kEye{-1.9, 2.6, -5.2};
-
-template <typename T>
-T Check(const runtime::Result<T>& result) {
-  if (!result.ok()) throw std::runtime_error(result.status.message());
-  return result.value;
-}
-void Check(const runtime::Status& status) {
-  if (!status.ok()) throw std::runtime_error(status.message());
-}
 
 Picture DrawTeapots() {
   const std::vector<std::vector<runtime::Plane>> cases = {

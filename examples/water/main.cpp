@@ -7,10 +7,10 @@
 #include <cmath>
 #include <cstdio>
 #include <exception>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "examples/shared/check.h"
 #include "examples/shared/mesh.h"
 #include "examples/shared/offscreen.h"
 #include "examples/shared/transform.h"
@@ -48,16 +48,6 @@ struct Object {
   Matrix world;
   float red, green, blue;
 };
-
-// The value, or an end with the runtime's own words.
-template <typename T>
-T Check(const runtime::Result<T>& result) {
-  if (!result.ok()) throw std::runtime_error(result.status.message());
-  return result.value;
-}
-void Check(const runtime::Status& status) {
-  if (!status.ok()) throw std::runtime_error(status.message());
-}
 
 // `eye_height` is negative for a mirrored eye.
 void DrawObjects(const Program& program, const std::vector<Object>& objects, const Matrix& view, const Matrix& projection,
