@@ -42,11 +42,13 @@ constexpr char kStrings[] = "\0-\0--\0"
 constexpr llvm::StringTable kStringTable(kStrings);
 // A list of prefixes is its length and its strings: none, "-", "--".
 constexpr llvm::StringTable::Offset kPrefixes[] = {0, 1, 1, 1, 3};
-constexpr unsigned kPrefixNone = 0, kPrefixOne = 1, kPrefixTwo = 3;
+[[maybe_unused]] constexpr unsigned kPrefixNone = 0;
+constexpr unsigned kPrefixOne = 1, kPrefixTwo = 3;
 #else
 constexpr llvm::StringLiteral kDash[] = {"-"};
 constexpr llvm::StringLiteral kDashes[] = {"--"};
-constexpr llvm::ArrayRef<llvm::StringLiteral> kPrefixNone, kPrefixOne(kDash), kPrefixTwo(kDashes);
+[[maybe_unused]] constexpr llvm::ArrayRef<llvm::StringLiteral> kPrefixNone;
+constexpr llvm::ArrayRef<llvm::StringLiteral> kPrefixOne(kDash), kPrefixTwo(kDashes);
 #endif
 
 OptTable::Info Row(unsigned id, unsigned char kind, unsigned short alias, const char* metavar, const char* help) {

@@ -57,6 +57,8 @@ const char* NameOf(Form form) {
       return "no-clip-planes";
     case Form::kTargetClipSpace:
       return "target-clip-space";
+    case Form::kInlined:
+      return "inlined";
   }
   return "?";
 }

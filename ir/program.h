@@ -396,6 +396,7 @@ enum class Form : std::uint8_t {
   kTyped,            // as Check returns it
   kNoClipPlanes,     // clip planes are outputs, or table entries only: no ClipPlane has a value
   kTargetClipSpace,  // kPosition is in the target's clip space
+  kInlined,          // main may hold the entry's statements; then the entry is empty
 };
 
 struct Program {

@@ -8,6 +8,7 @@
 #include "base/check.h"
 #include "ir/print.h"
 #include "ir/verify.h"
+#include "passes/inline_entry.h"
 
 namespace clipc::passes {
 namespace {
@@ -32,6 +33,8 @@ constexpr Pass kPipeline[] = {
        AdjustClipSpace(program, options.clip_space);
      },
      ir::Form::kTargetClipSpace},
+    // The passes before find each output written in one place, after the call of the entry point; this one does away with it.
+    {"inline-entry", [](ir::Program& program, const PipelineOptions&) { InlineEntry(program); }, ir::Form::kInlined},
 };
 
 #ifdef NDEBUG

@@ -21,7 +21,7 @@ struct PipelineOptions {
   std::function<void(std::string_view pass, const ir::Program&)> after_pass;
 };
 
-// Takes a program from Form::kTyped to Form::kTargetClipSpace, unless `stop_after` ends it earlier.
+// Takes a program from Form::kTyped to Form::kInlined, unless `stop_after` ends it earlier.
 void RunPipeline(ir::Program& program, const PipelineOptions& options);
 
 // What --dump-after and --stop-after accept, in the order in which the passes run.

@@ -98,7 +98,7 @@ std::vector<std::vector<float>> OutputsOf(const Program& program, std::array<flo
 
 TEST(Pipeline, ClipDistances) {
   const Program program = Lowered(TwoPlanes(), {});
-  EXPECT_EQ(program.form, Form::kTargetClipSpace);
+  EXPECT_EQ(program.form, Form::kInlined);
   EXPECT_THAT(OutputsOf(program, {3, 5, 7, 2}),
               ElementsAre(ElementsAre(3, 5, 7, 2), ElementsAre(3 - 1, 10 - 7 + 0.5f)));
   EXPECT_EQ(program.outputs[1].builtin, Builtin::kClipDistance);
@@ -180,6 +180,7 @@ TEST(Pipeline, AShaderWithoutPlanesOrPositionStaysAsItIs) {
   for (const Lowering lowering : {Lowering::kClipDistance, Lowering::kLevel9, Lowering::kNone, Lowering::kNearPlane,
                                   Lowering::kDiscard}) {
     options.clip_planes = {.lowering = lowering, .write_clip_vertex = true};
+    options.stop_after = "adjust-clip-space";
     EXPECT_EQ(MainOf(Lowered(program, options)), MainOf(program));
   }
   EXPECT_EQ(Print(program), before);
@@ -193,12 +194,12 @@ TEST(Pipeline, StopsAndDumpsAfterAPass) {
     seen.push_back(std::string(pass) + (MainOf(program).find('-') == std::string::npos ? "" : " flipped"));
   };
   Lowered(TwoPlanes(), options);
-  EXPECT_THAT(seen, ElementsAre("lower-clip-planes", "adjust-clip-space flipped"));
+  EXPECT_THAT(seen, ElementsAre("lower-clip-planes", "adjust-clip-space flipped", "inline-entry flipped"));
   seen.clear();
   options.stop_after = "lower-clip-planes";
   EXPECT_EQ(Lowered(TwoPlanes(), options).form, Form::kNoClipPlanes);
   EXPECT_THAT(seen, ElementsAre("lower-clip-planes"));
-  EXPECT_THAT(PassNames(), ElementsAre("lower-clip-planes", "adjust-clip-space"));
+  EXPECT_THAT(PassNames(), ElementsAre("lower-clip-planes", "adjust-clip-space", "inline-entry"));
 }
 
 TEST(PipelineDeathTest, PassesWantTheirForms) {

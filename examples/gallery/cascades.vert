@@ -19,19 +19,11 @@ layout(location = 4) in uint in_CASCADE0;  // CASCADE0
 
 layout(location = 0) flat out uint vs_SLICE0;  // SLICE0
 
-vec4 shader_main(vec4 position, vec4 row0, vec4 row1, vec4 row2, uint cascade, out uint slice) {
-    slice = min(cascade, 3u);
-    Cascade c = cascades[slice];
-    vec3 world = vec3(dot(row0, position), dot(row1, position), dot(row2, position));
-    vec4 clip = c.view_projection * vec4(world, 1.0);
-    clip.xy *= c.scale;
-    clip.z += c.bias * clip.w;
-    return clip;
-}
-
 void main() {
-    uint slice;
-    vec4 result = shader_main(in_POSITION0, in_INSTANCE0, in_INSTANCE1, in_INSTANCE2, in_CASCADE0, slice);
-    vs_SLICE0 = slice;
-    gl_Position = result;
+    vs_SLICE0 = min(in_CASCADE0, 3u);
+    Cascade c = cascades[vs_SLICE0];
+    vec3 world = vec3(dot(in_INSTANCE0, in_POSITION0), dot(in_INSTANCE1, in_POSITION0), dot(in_INSTANCE2, in_POSITION0));
+    gl_Position = c.view_projection * vec4(world, 1.0);
+    gl_Position.xy *= c.scale;
+    gl_Position.z += c.bias * gl_Position.w;
 }

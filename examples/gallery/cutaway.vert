@@ -1,12 +1,5 @@
 #version 450
 
-struct Varyings {
-    vec4 position;
-    vec3 below;
-    vec3 above;
-    float culled;
-};
-
 layout(std140, binding = 0, row_major) uniform Box {  // b0
     mat4 view_projection;
     vec3 low;
@@ -22,24 +15,17 @@ layout(location = 0) in vec3 in_POSITION0;  // POSITION0
 out float gl_ClipDistance[7];
 out float gl_CullDistance[1];
 
-Varyings shader_main(vec3 position) {
-    Varyings o;
-    o.position = view_projection * vec4(position, 1.0);
-    o.below = enabled ? position - low : vec3(1.0);
-    o.above = enabled ? high - position : vec3(1.0);
-    o.culled = fade_radius - length(position);
-    return o;
-}
-
 void main() {
-    Varyings result = shader_main(in_POSITION0);
-    gl_Position = result.position;
-    gl_ClipDistance[0] = result.below.x;
-    gl_ClipDistance[1] = result.below.y;
-    gl_ClipDistance[2] = result.below.z;
+    gl_Position = view_projection * vec4(in_POSITION0, 1.0);
+    vec3 below = enabled ? in_POSITION0 - low : vec3(1.0);
+    vec3 above = enabled ? high - in_POSITION0 : vec3(1.0);
+    float culled = fade_radius - length(in_POSITION0);
+    gl_ClipDistance[0] = below.x;
+    gl_ClipDistance[1] = below.y;
+    gl_ClipDistance[2] = below.z;
     gl_ClipDistance[3] = 0.0;
-    gl_ClipDistance[4] = result.above.x;
-    gl_ClipDistance[5] = result.above.y;
-    gl_ClipDistance[6] = result.above.z;
-    gl_CullDistance[0] = result.culled;
+    gl_ClipDistance[4] = above.x;
+    gl_ClipDistance[5] = above.y;
+    gl_ClipDistance[6] = above.z;
+    gl_CullDistance[0] = culled;
 }

@@ -28,19 +28,16 @@ float Random(uint seed) {
     return float(Hash(seed) & 16777215u) / 16777216.0;
 }
 
-vec4 shader_main(uint corner, uint blade, vec3 root, out float shade) {
+void main() {
+    float shade;
+    uint corner = uint(gl_VertexID - gl_BaseVertexARB);
+    uint blade = uint(gl_InstanceID);
     vec2 offset = kCorners[corner & 3u];
     float height = mix(0.4, 1.0, Random(blade));
     float bend = offset.y * offset.y * strength * sin(time + 6.2831855 * Random(blade + 17u));
-    vec3 position = root + vec3(offset.x * 0.02, offset.y * height, 0.0);
+    vec3 position = in_ROOT0 + vec3(offset.x * 0.02, offset.y * height, 0.0);
     position.xz += direction * bend;
     shade = 0.5 + 0.5 * offset.y;
-    return view_projection * vec4(position, 1.0);
-}
-
-void main() {
-    float shade;
-    vec4 result = shader_main(uint(gl_VertexID - gl_BaseVertexARB), uint(gl_InstanceID), in_ROOT0, shade);
+    gl_Position = view_projection * vec4(position, 1.0);
     vs_SHADE0 = shade;
-    gl_Position = result;
 }

@@ -7,12 +7,6 @@ struct Particle {
     vec4 color;
 };
 
-struct Varyings {
-    vec4 position;
-    vec4 color;
-    vec2 uv;
-};
-
 layout(std140, binding = 0, row_major) uniform Camera {  // b0
     mat4 view;
     mat4 projection;
@@ -25,22 +19,14 @@ layout(std430, binding = 0) readonly buffer particles_block {  // t0
 layout(location = 0) out vec4 vs_COLOR0;  // COLOR0
 layout(location = 1) out vec2 vs_TEXCOORD0;  // TEXCOORD0
 
-Varyings shader_main(uint id) {
+void main() {
+    uint id = uint(gl_VertexID - gl_BaseVertexARB);
     Particle p = particles[id / 6u];
     uint corner = id % 6u;
     vec2 uv = vec2(float(corner == 1u || corner == 2u || corner == 4u), float(corner == 2u || corner >= 4u));
     vec4 view_position = view * vec4(p.position, 1.0);
     view_position.xy += (uv * 2.0 - 1.0) * p.size;
-    Varyings o = Varyings(vec4(0.0), vec4(0.0), vec2(0.0));
-    o.position = projection * view_position;
-    o.color = p.color;
-    o.uv = uv;
-    return o;
-}
-
-void main() {
-    Varyings result = shader_main(uint(gl_VertexID - gl_BaseVertexARB));
-    gl_Position = result.position;
-    vs_COLOR0 = result.color;
-    vs_TEXCOORD0 = result.uv;
+    gl_Position = projection * view_position;
+    vs_COLOR0 = p.color;
+    vs_TEXCOORD0 = uv;
 }

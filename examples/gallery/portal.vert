@@ -17,17 +17,10 @@ layout(location = 0) out vec4 vs_COLOR0;  // COLOR0
 // clip distances written: 0x1f
 out float gl_ClipDistance[5];
 
-vec4 shader_main(vec3 position, vec4 color, out vec4 out_color) {
-    out_color = color;
-    vec3 world_position = vec4(position, 1.0) * world;
-    return view.view_projection * vec4(world_position, 1.0);
-}
-
 void main() {
-    vec4 out_color;
-    vec4 result = shader_main(in_POSITION0, in_COLOR0, out_color);
-    vs_COLOR0 = out_color;
-    gl_Position = result;
+    vs_COLOR0 = in_COLOR0;
+    vec3 world_position = vec4(in_POSITION0, 1.0) * world;
+    gl_Position = view.view_projection * vec4(world_position, 1.0);
     gl_ClipDistance[0] = dot(gl_Position, view.edges[0]);
     gl_ClipDistance[1] = dot(gl_Position, view.edges[1]);
     gl_ClipDistance[2] = dot(gl_Position, view.edges[2]);

@@ -32,22 +32,10 @@ void Skin(Vertex v, out vec3 position, out vec3 normal) {
     }
 }
 
-void shader_main(Vertex v, out vec4 position, out vec3 normal) {
-    vec3 skinned;
-    Skin(v, skinned, normal);
-    position = view_projection * vec4(skinned, 1.0);
-    normal = normalize(normal);
-}
-
 void main() {
-    Vertex v;
-    v.position = in_POSITION0;
-    v.normal = in_NORMAL0;
-    v.bones = in_BLENDINDICES0;
-    v.weights = in_BLENDWEIGHT0;
-    vec4 position;
-    vec3 normal;
-    shader_main(v, position, normal);
-    gl_Position = position;
-    vs_NORMAL0 = normal;
+    Vertex v = Vertex(in_POSITION0, in_NORMAL0, in_BLENDINDICES0, in_BLENDWEIGHT0);
+    vec3 skinned;
+    Skin(v, skinned, vs_NORMAL0);
+    gl_Position = view_projection * vec4(skinned, 1.0);
+    vs_NORMAL0 = normalize(vs_NORMAL0);
 }

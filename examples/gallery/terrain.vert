@@ -22,23 +22,14 @@ float Height(vec2 uv) {
     return textureLod(heights, uv, 0.0).x * height_scale;
 }
 
-vec4 shader_main(vec2 grid, out vec3 normal, out vec2 uv) {
-    uv = grid * texel;
-    float left = Height(uv - vec2(texel.x, 0.0));
-    float right = Height(uv + vec2(texel.x, 0.0));
-    float down = Height(uv - vec2(0.0, texel.y));
-    float up = Height(uv + vec2(0.0, texel.y));
-    normal = normalize(vec3(left - right, 2.0 * cell, down - up));
-    vec2 xz = origin + grid * cell;
-    return view_projection * vec4(xz.x, Height(uv), xz.y, 1.0);
-}
-
 void main() {
-    vec3 normal;
-    vec2 uv;
-    vec4 result = shader_main(in_POSITION0, normal, uv);
-    vs_NORMAL0 = normal;
-    vs_TEXCOORD0 = uv;
-    gl_Position = result;
+    vs_TEXCOORD0 = in_POSITION0 * texel;
+    float left = Height(vs_TEXCOORD0 - vec2(texel.x, 0.0));
+    float right = Height(vs_TEXCOORD0 + vec2(texel.x, 0.0));
+    float down = Height(vs_TEXCOORD0 - vec2(0.0, texel.y));
+    float up = Height(vs_TEXCOORD0 + vec2(0.0, texel.y));
+    vs_NORMAL0 = normalize(vec3(left - right, 2.0 * cell, down - up));
+    vec2 xz = origin + in_POSITION0 * cell;
+    gl_Position = view_projection * vec4(xz.x, Height(vs_TEXCOORD0), xz.y, 1.0);
     gl_ClipDistance[0] = dot(gl_Position, cut);
 }

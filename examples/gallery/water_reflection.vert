@@ -1,18 +1,5 @@
 #version 450
 
-struct Vertex {
-    vec3 position;
-    vec3 normal;
-    vec2 uv;
-};
-
-struct Varyings {
-    vec4 position;
-    vec3 normal;
-    vec3 to_eye;
-    vec2 uv;
-};
-
 layout(std140, binding = 0, row_major) uniform Camera {  // b0
     mat4 view_projection;
     vec3 eye;
@@ -38,26 +25,12 @@ layout(location = 2) out vec2 vs_TEXCOORD0;  // TEXCOORD0
 // clip distances written: 0x1
 out float gl_ClipDistance[1];
 
-Varyings shader_main(Vertex v) {
-    vec4 world_position = world * vec4(v.position, 1.0);
-    world_position.y = -world_position.y;
-    Varyings o;
-    o.position = view_projection * world_position;
-    o.normal = normalize(mat3(world) * v.normal) * vec3(1.0, -1.0, 1.0);
-    o.to_eye = eye - world_position.xyz;
-    o.uv = v.uv + vec2(0.02 * sin(time), 0.0);
-    return o;
-}
-
 void main() {
-    Vertex v;
-    v.position = in_POSITION0;
-    v.normal = in_NORMAL0;
-    v.uv = in_TEXCOORD0;
-    Varyings result = shader_main(v);
-    gl_Position = result.position;
-    vs_NORMAL0 = result.normal;
-    vs_TEXCOORD1 = result.to_eye;
-    vs_TEXCOORD0 = result.uv;
+    vec4 world_position = world * vec4(in_POSITION0, 1.0);
+    world_position.y = -world_position.y;
+    gl_Position = view_projection * world_position;
+    vs_NORMAL0 = normalize(mat3(world) * in_NORMAL0) * vec3(1.0, -1.0, 1.0);
+    vs_TEXCOORD1 = eye - world_position.xyz;
+    vs_TEXCOORD0 = in_TEXCOORD0 + vec2(0.02 * sin(time), 0.0);
     gl_ClipDistance[0] = dot(gl_Position, water_plane);
 }

@@ -63,7 +63,7 @@ float4 main(float4 p : POSITION, int i : INDEX) : SV_Position {
 // CHECK-EMPTY:
 // CHECK-NEXT: float[20] zeros_float_20_() {
 // CHECK-NEXT:     float result[20];
-// CHECK-NEXT:     for (int i_2 = 0; i_2 < 20; ++i_2) result[i_2] = 0.0;
+// CHECK-NEXT:     for (int i = 0; i < 20; ++i) result[i] = 0.0;
 // CHECK-NEXT:     return result;
 // CHECK-NEXT: }
 // CHECK-EMPTY:
@@ -80,23 +80,18 @@ float4 main(float4 p : POSITION, int i : INDEX) : SV_Position {
 // CHECK-NEXT:     row[0] = row[1] = row[2] = 1.0;
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: vec4 shader_main(vec4 p, int i) {
-// CHECK-NEXT:     Inner inner = Inner(vec2[2](p.xy, p.zw), true);
+// CHECK-NEXT: void main() {
+// CHECK-NEXT:     Inner inner = Inner(vec2[2](in_POSITION0.xy, in_POSITION0.zw), true);
 // CHECK-NEXT:     Outer outer = Outer(inner, float[2][3](float[3](1.0, 2.0, 3.0), float[3](4.0, 5.0, 6.0)));
 // CHECK-NEXT:     Outer other = Make();
 // CHECK-NEXT:     other.inner = outer.inner;
 // CHECK-NEXT:     Fill(other.table[1]);
-// CHECK-NEXT:     float row[3] = other.table[i];
+// CHECK-NEXT:     float row[3] = other.table[in_INDEX0];
 // CHECK-NEXT:     float zeros[20] = zeros_float_20_();
 // CHECK-NEXT:     Empty empty;
 // CHECK-NEXT:     vec2 grid[2][2];
-// CHECK-NEXT:     grid[1][i] = p.xy;
-// CHECK-NEXT:     return p * kWeights[i] + kTable[1][i] + uniforms[1][i] + outer.inner.a[i].xyxy + row[2] + other.table[1][i] + zeros[i] + grid[1][0].x;
-// CHECK-NEXT: }
-// CHECK-EMPTY:
-// CHECK-NEXT: void main() {
-// CHECK-NEXT:     vec4 result = shader_main(in_POSITION0, in_INDEX0);
-// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT:     grid[1][in_INDEX0] = in_POSITION0.xy;
+// CHECK-NEXT:     gl_Position = in_POSITION0 * kWeights[in_INDEX0] + kTable[1][in_INDEX0] + uniforms[1][in_INDEX0] + outer.inner.a[in_INDEX0].xyxy + row[2] + other.table[1][in_INDEX0] + zeros[in_INDEX0] + grid[1][0].x;
 // CHECK-NEXT: }
 
 // WRAPPED: #version 330
@@ -136,7 +131,7 @@ float4 main(float4 p : POSITION, int i : INDEX) : SV_Position {
 // WRAPPED-EMPTY:
 // WRAPPED-NEXT: float[20] zeros_float_20_() {
 // WRAPPED-NEXT:     float result[20];
-// WRAPPED-NEXT:     for (int i_2 = 0; i_2 < 20; ++i_2) result[i_2] = 0.0;
+// WRAPPED-NEXT:     for (int i = 0; i < 20; ++i) result[i] = 0.0;
 // WRAPPED-NEXT:     return result;
 // WRAPPED-NEXT: }
 // WRAPPED-EMPTY:
@@ -153,21 +148,16 @@ float4 main(float4 p : POSITION, int i : INDEX) : SV_Position {
 // WRAPPED-NEXT:     row[0] = row[1] = row[2] = 1.0;
 // WRAPPED-NEXT: }
 // WRAPPED-EMPTY:
-// WRAPPED-NEXT: vec4 shader_main(vec4 p, int i) {
-// WRAPPED-NEXT:     Inner inner = Inner(vec2[2](p.xy, p.zw), true);
+// WRAPPED-NEXT: void main() {
+// WRAPPED-NEXT:     Inner inner = Inner(vec2[2](in_POSITION0.xy, in_POSITION0.zw), true);
 // WRAPPED-NEXT:     Outer outer = Outer(inner, float_array3[2](float_array3(float[3](1.0, 2.0, 3.0)), float_array3(float[3](4.0, 5.0, 6.0))));
 // WRAPPED-NEXT:     Outer other = Make();
 // WRAPPED-NEXT:     other.inner = outer.inner;
 // WRAPPED-NEXT:     Fill(other.table[1].e);
-// WRAPPED-NEXT:     float row[3] = other.table[i].e;
+// WRAPPED-NEXT:     float row[3] = other.table[in_INDEX0].e;
 // WRAPPED-NEXT:     float zeros[20] = zeros_float_20_();
 // WRAPPED-NEXT:     Empty empty;
 // WRAPPED-NEXT:     vec2_array2 grid[2];
-// WRAPPED-NEXT:     grid[1].e[i] = p.xy;
-// WRAPPED-NEXT:     return p * kWeights[i] + kTable[1].e[i] + uniforms[1].e[i] + outer.inner.a[i].xyxy + row[2] + other.table[1].e[i] + zeros[i] + grid[1].e[0].x;
-// WRAPPED-NEXT: }
-// WRAPPED-EMPTY:
-// WRAPPED-NEXT: void main() {
-// WRAPPED-NEXT:     vec4 result = shader_main(in_POSITION0, in_INDEX0);
-// WRAPPED-NEXT:     gl_Position = result;
+// WRAPPED-NEXT:     grid[1].e[in_INDEX0] = in_POSITION0.xy;
+// WRAPPED-NEXT:     gl_Position = in_POSITION0 * kWeights[in_INDEX0] + kTable[1].e[in_INDEX0] + uniforms[1].e[in_INDEX0] + outer.inner.a[in_INDEX0].xyxy + row[2] + other.table[1].e[in_INDEX0] + zeros[in_INDEX0] + grid[1].e[0].x;
 // WRAPPED-NEXT: }

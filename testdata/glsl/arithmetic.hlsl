@@ -55,8 +55,8 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     return target;
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: vec4 shader_main(vec4 p) {
-// CHECK-NEXT:     vec3 r = fmod(f, vec3(2.0)) + fmod(f, p.xyz);
+// CHECK-NEXT: void main() {
+// CHECK-NEXT:     vec3 r = fmod(f, vec3(2.0)) + fmod(f, in_POSITION0.xyz);
 // CHECK-NEXT:     r = fmod(r, f);
 // CHECK-NEXT:     ivec3 a = i / 3 + i / n + imod(i, ivec3(3)) + (ivec3(3) << (i & 31)) + (i >> 5) + (i >> 5) + (i << (n & 31)) + (i & 3 | ~i ^ 5);
 // CHECK-NEXT:     a = imod(a, ivec3(4));
@@ -71,10 +71,5 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     a = -a - -a + a;
 // CHECK-NEXT:     a++;
 // CHECK-NEXT:     --b.x;
-// CHECK-NEXT:     return vec4(r + vec3(a), float(b.x - (b.y - b.z) - b.x * (b.y + b.z) / (b.y / b.z)));
-// CHECK-NEXT: }
-// CHECK-EMPTY:
-// CHECK-NEXT: void main() {
-// CHECK-NEXT:     vec4 result = shader_main(in_POSITION0);
-// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT:     gl_Position = vec4(r + vec3(a), float(b.x - (b.y - b.z) - b.x * (b.y + b.z) / (b.y / b.z)));
 // CHECK-NEXT: }

@@ -49,16 +49,11 @@ float4 main(float4 p : POSITION) : SV_Position {
 // NEW-NEXT:     return vec2(unpackHalf2x16(a.x).x, unpackHalf2x16(a.y).x);
 // NEW-NEXT: }
 // NEW-EMPTY:
-// NEW-NEXT: vec4 shader_main(vec4 p) {
-// NEW-NEXT:     uint r = uint(bitCount(u())) + uint(findMSB(u())) + uint(findMSB(i())) + uint(findLSB(u())) + bitfieldReverse(u()) + uvec2(bitCount(u2())).x + uvec2(findMSB(u2())).y;
-// NEW-NEXT:     r += floatBitsToUint(f()) + uint(floatBitsToInt(f())) + uint(i()) + uint(int(u())) + packHalf2x16(vec2(f(), 0.0)) + f32tof16(p.xy).y;
-// NEW-NEXT:     float s = uintBitsToFloat(u()) + intBitsToFloat(i()) + f() + unpackHalf2x16(u()).x + f16tof32(u2()).y;
-// NEW-NEXT:     return p + float(r) + s;
-// NEW-NEXT: }
-// NEW-EMPTY:
 // NEW-NEXT: void main() {
-// NEW-NEXT:     vec4 result = shader_main(in_POSITION0);
-// NEW-NEXT:     gl_Position = result;
+// NEW-NEXT:     uint r = uint(bitCount(u())) + uint(findMSB(u())) + uint(findMSB(i())) + uint(findLSB(u())) + bitfieldReverse(u()) + uvec2(bitCount(u2())).x + uvec2(findMSB(u2())).y;
+// NEW-NEXT:     r += floatBitsToUint(f()) + uint(floatBitsToInt(f())) + uint(i()) + uint(int(u())) + packHalf2x16(vec2(f(), 0.0)) + f32tof16(in_POSITION0.xy).y;
+// NEW-NEXT:     float s = uintBitsToFloat(u()) + intBitsToFloat(i()) + f() + unpackHalf2x16(u()).x + f16tof32(u2()).y;
+// NEW-NEXT:     gl_Position = in_POSITION0 + float(r) + s;
 // NEW-NEXT: }
 
 // OLD: #version 330
@@ -159,14 +154,9 @@ float4 main(float4 p : POSITION) : SV_Position {
 // OLD-NEXT:     return vec2(f16tof32(a.x), f16tof32(a.y));
 // OLD-NEXT: }
 // OLD-EMPTY:
-// OLD-NEXT: vec4 shader_main(vec4 p) {
-// OLD-NEXT:     uint r = countbits(u()) + firstbithigh(u()) + firstbithigh(i()) + firstbitlow(u()) + reversebits(u()) + countbits(u2()).x + firstbithigh(u2()).y;
-// OLD-NEXT:     r += floatBitsToUint(f()) + uint(floatBitsToInt(f())) + uint(i()) + uint(int(u())) + f32tof16(f()) + f32tof16(p.xy).y;
-// OLD-NEXT:     float s = uintBitsToFloat(u()) + intBitsToFloat(i()) + f() + f16tof32(u()) + f16tof32(u2()).y;
-// OLD-NEXT:     return p + float(r) + s;
-// OLD-NEXT: }
-// OLD-EMPTY:
 // OLD-NEXT: void main() {
-// OLD-NEXT:     vec4 result = shader_main(in_POSITION0);
-// OLD-NEXT:     gl_Position = result;
+// OLD-NEXT:     uint r = countbits(u()) + firstbithigh(u()) + firstbithigh(i()) + firstbitlow(u()) + reversebits(u()) + countbits(u2()).x + firstbithigh(u2()).y;
+// OLD-NEXT:     r += floatBitsToUint(f()) + uint(floatBitsToInt(f())) + uint(i()) + uint(int(u())) + f32tof16(f()) + f32tof16(in_POSITION0.xy).y;
+// OLD-NEXT:     float s = uintBitsToFloat(u()) + intBitsToFloat(i()) + f() + f16tof32(u()) + f16tof32(u2()).y;
+// OLD-NEXT:     gl_Position = in_POSITION0 + float(r) + s;
 // OLD-NEXT: }

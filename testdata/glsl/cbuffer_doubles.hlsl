@@ -31,12 +31,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // CHECK-EMPTY:
-// CHECK-NEXT: vec4 shader_main(vec4 p) {
-// CHECK-NEXT:     dvec2 sum = d2 * d + double(f) * 0.1lf;
-// CHECK-NEXT:     return p + float(sum.x + sum.y) + float(dot(d3, d3)) + tail + float(packDouble2x32(uvec2(1u, 2u))) + float(fma(d, d, d));
-// CHECK-NEXT: }
-// CHECK-EMPTY:
 // CHECK-NEXT: void main() {
-// CHECK-NEXT:     vec4 result = shader_main(in_POSITION0);
-// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT:     dvec2 sum = d2 * d + double(f) * 0.1lf;
+// CHECK-NEXT:     gl_Position = in_POSITION0 + float(sum.x + sum.y) + float(dot(d3, d3)) + tail + float(packDouble2x32(uvec2(1u, 2u))) + float(fma(d, d, d));
 // CHECK-NEXT: }

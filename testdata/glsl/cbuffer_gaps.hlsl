@@ -21,13 +21,8 @@ float4 main(float4 p : POSITION) : SV_Position { return p * late + high.xyxy + e
 // OFFSET-EMPTY:
 // OFFSET-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // OFFSET-EMPTY:
-// OFFSET-NEXT: vec4 shader_main(vec4 p) {
-// OFFSET-NEXT:     return p * late + high.xyxy + early;
-// OFFSET-NEXT: }
-// OFFSET-EMPTY:
 // OFFSET-NEXT: void main() {
-// OFFSET-NEXT:     vec4 result = shader_main(in_POSITION0);
-// OFFSET-NEXT:     gl_Position = result;
+// OFFSET-NEXT:     gl_Position = in_POSITION0 * late + high.xyxy + early;
 // OFFSET-NEXT: }
 
 // PADDING: #version 430
@@ -47,11 +42,6 @@ float4 main(float4 p : POSITION) : SV_Position { return p * late + high.xyxy + e
 // PADDING-EMPTY:
 // PADDING-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // PADDING-EMPTY:
-// PADDING-NEXT: vec4 shader_main(vec4 p) {
-// PADDING-NEXT:     return p * late + high.xyxy + early;
-// PADDING-NEXT: }
-// PADDING-EMPTY:
 // PADDING-NEXT: void main() {
-// PADDING-NEXT:     vec4 result = shader_main(in_POSITION0);
-// PADDING-NEXT:     gl_Position = result;
+// PADDING-NEXT:     gl_Position = in_POSITION0 * late + high.xyxy + early;
 // PADDING-NEXT: }

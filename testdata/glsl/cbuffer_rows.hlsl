@@ -133,22 +133,16 @@ float4 main(float4 p : POSITION, uint n : INDEX) : SV_Position {
 // CHECK-NEXT:     return result;
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: vec4 shader_main(vec4 p, uint n) {
-// CHECK-NEXT:     vec4 r = x() + y().xyzx + weights(int(n)) + weights(2) + after_array() + after_matrix();
-// CHECK-NEXT:     r.xyz += normal() * p.xyz + normal()[1];
-// CHECK-NEXT:     r.xyz += frame() * p;
-// CHECK-NEXT:     r += bones(int(n)) * p + across();
-// CHECK-NEXT:     float all_[3] = weights_all();
-// CHECK-NEXT:     r.x += all_[n];
-// CHECK-NEXT:     r.xy += mixed().r[0] + mixed().c[1] + mixed().tail + after_struct();
-// CHECK-NEXT:     r += vec4(uint(i()) + u().xyxy) + f(int(n));
-// CHECK-NEXT:     if (b(int(n)) && after_bools()) {
-// CHECK-NEXT:         r = vec4(0.0);
-// CHECK-NEXT:     }
-// CHECK-NEXT:     return r;
-// CHECK-NEXT: }
-// CHECK-EMPTY:
 // CHECK-NEXT: void main() {
-// CHECK-NEXT:     vec4 result = shader_main(in_POSITION0, in_INDEX0);
-// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT:     gl_Position = x() + y().xyzx + weights(int(in_INDEX0)) + weights(2) + after_array() + after_matrix();
+// CHECK-NEXT:     gl_Position.xyz += normal() * in_POSITION0.xyz + normal()[1];
+// CHECK-NEXT:     gl_Position.xyz += frame() * in_POSITION0;
+// CHECK-NEXT:     gl_Position += bones(int(in_INDEX0)) * in_POSITION0 + across();
+// CHECK-NEXT:     float all_[3] = weights_all();
+// CHECK-NEXT:     gl_Position.x += all_[in_INDEX0];
+// CHECK-NEXT:     gl_Position.xy += mixed().r[0] + mixed().c[1] + mixed().tail + after_struct();
+// CHECK-NEXT:     gl_Position += vec4(uint(i()) + u().xyxy) + f(int(in_INDEX0));
+// CHECK-NEXT:     if (b(int(in_INDEX0)) && after_bools()) {
+// CHECK-NEXT:         gl_Position = vec4(0.0);
+// CHECK-NEXT:     }
 // CHECK-NEXT: }

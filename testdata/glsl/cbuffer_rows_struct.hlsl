@@ -48,12 +48,7 @@ float4 main(float4 p : POSITION, int i : INDEX) : SV_Position {
 // CHECK-NEXT:     return Outer(Inner[2](Inner(Buffer_rows[28 * i].x, Buffer_rows[28 * i].yzw), Inner(Buffer_rows[28 * i + 1].x, Buffer_rows[28 * i + 1].yzw)), load_Buffer_rows(28 * i + 2), float[2][3](float[3](Buffer_rows[28 * i + 22].x, Buffer_rows[28 * i + 23].x, Buffer_rows[28 * i + 24].x), float[3](Buffer_rows[28 * i + 25].x, Buffer_rows[28 * i + 26].x, Buffer_rows[28 * i + 27].x)));
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: vec4 shader_main(vec4 p, int i) {
-// CHECK-NEXT:     Outer outer = outers(i);
-// CHECK-NEXT:     return p + outer.inner[1].b.xyzx + outer.long_one[i] + outers(2).table[1][i] + outers(i + 1).inner[0].a;
-// CHECK-NEXT: }
-// CHECK-EMPTY:
 // CHECK-NEXT: void main() {
-// CHECK-NEXT:     vec4 result = shader_main(in_POSITION0, in_INDEX0);
-// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT:     Outer outer = outers(in_INDEX0);
+// CHECK-NEXT:     gl_Position = in_POSITION0 + outer.inner[1].b.xyzx + outer.long_one[in_INDEX0] + outers(2).table[1][in_INDEX0] + outers(in_INDEX0 + 1).inner[0].a;
 // CHECK-NEXT: }

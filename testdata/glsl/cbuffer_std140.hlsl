@@ -56,16 +56,11 @@ float4 main(float4 p : POSITION, uint i : INDEX) : SV_Position {
 // CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // CHECK-NEXT: layout(location = 1) in uint in_INDEX0;  // INDEX0
 // CHECK-EMPTY:
-// CHECK-NEXT: vec4 shader_main(vec4 p, uint i) {
-// CHECK-NEXT:     vec4 r = vec4(eye, time) + size.xyxy + float(count);
-// CHECK-NEXT:     r += world * p + m * p;
-// CHECK-NEXT:     r.xyz += skin[i] * p;
-// CHECK-NEXT:     r.xyz += lights[i].color * lights[1].intensity;
-// CHECK-NEXT:     r += p * lights[i].shadow + vec4(offsets[i & 3u]);
-// CHECK-NEXT:     return fog ? r : -r;
-// CHECK-NEXT: }
-// CHECK-EMPTY:
 // CHECK-NEXT: void main() {
-// CHECK-NEXT:     vec4 result = shader_main(in_POSITION0, in_INDEX0);
-// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT:     vec4 r = vec4(eye, time) + size.xyxy + float(count);
+// CHECK-NEXT:     r += world * in_POSITION0 + m * in_POSITION0;
+// CHECK-NEXT:     r.xyz += skin[in_INDEX0] * in_POSITION0;
+// CHECK-NEXT:     r.xyz += lights[in_INDEX0].color * lights[1].intensity;
+// CHECK-NEXT:     r += in_POSITION0 * lights[in_INDEX0].shadow + vec4(offsets[in_INDEX0 & 3u]);
+// CHECK-NEXT:     gl_Position = fog ? r : -r;
 // CHECK-NEXT: }

@@ -20,13 +20,8 @@ float4 main(float4 p : POSITION) : SV_Position { return p; }
 // GL130-NEXT: // clip distances written: 0x3
 // GL130-NEXT: out float gl_ClipDistance[2];
 // GL130-EMPTY:
-// GL130-NEXT: vec4 shader_main(vec4 p) {
-// GL130-NEXT:     return p;
-// GL130-NEXT: }
-// GL130-EMPTY:
 // GL130-NEXT: void main() {
-// GL130-NEXT:     vec4 result = shader_main(in_POSITION0);
-// GL130-NEXT:     gl_Position = result;
+// GL130-NEXT:     gl_Position = in_POSITION0;
 // GL130-NEXT:     gl_ClipDistance[0] = dot(gl_Position, water);
 // GL130-NEXT:     gl_ClipDistance[1] = dot(gl_Position, portal);
 // GL130-NEXT: }
@@ -43,13 +38,8 @@ float4 main(float4 p : POSITION) : SV_Position { return p; }
 // GL450-NEXT: // clip distances written: 0x3
 // GL450-NEXT: out float gl_ClipDistance[2];
 // GL450-EMPTY:
-// GL450-NEXT: vec4 shader_main(vec4 p) {
-// GL450-NEXT:     return p;
-// GL450-NEXT: }
-// GL450-EMPTY:
 // GL450-NEXT: void main() {
-// GL450-NEXT:     vec4 result = shader_main(in_POSITION0);
-// GL450-NEXT:     gl_Position = result;
+// GL450-NEXT:     gl_Position = in_POSITION0;
 // GL450-NEXT:     gl_ClipDistance[0] = dot(gl_Position, water);
 // GL450-NEXT:     gl_ClipDistance[1] = dot(gl_Position, portal);
 // GL450-NEXT: }
@@ -70,13 +60,8 @@ float4 main(float4 p : POSITION) : SV_Position { return p; }
 // SEPARABLE-NEXT:     float gl_ClipDistance[2];
 // SEPARABLE-NEXT: };
 // SEPARABLE-EMPTY:
-// SEPARABLE-NEXT: vec4 shader_main(vec4 p) {
-// SEPARABLE-NEXT:     return p;
-// SEPARABLE-NEXT: }
-// SEPARABLE-EMPTY:
 // SEPARABLE-NEXT: void main() {
-// SEPARABLE-NEXT:     vec4 result = shader_main(in_POSITION0);
-// SEPARABLE-NEXT:     gl_Position = result;
+// SEPARABLE-NEXT:     gl_Position = in_POSITION0;
 // SEPARABLE-NEXT:     gl_ClipDistance[0] = dot(gl_Position, water);
 // SEPARABLE-NEXT:     gl_ClipDistance[1] = dot(gl_Position, portal);
 // SEPARABLE-NEXT: }
@@ -97,13 +82,8 @@ float4 main(float4 p : POSITION) : SV_Position { return p; }
 // VULKAN-NEXT:     float gl_ClipDistance[2];
 // VULKAN-NEXT: };
 // VULKAN-EMPTY:
-// VULKAN-NEXT: vec4 shader_main(vec4 p) {
-// VULKAN-NEXT:     return p;
-// VULKAN-NEXT: }
-// VULKAN-EMPTY:
 // VULKAN-NEXT: void main() {
-// VULKAN-NEXT:     vec4 result = shader_main(in_POSITION0);
-// VULKAN-NEXT:     gl_Position = result;
+// VULKAN-NEXT:     gl_Position = in_POSITION0;
 // VULKAN-NEXT:     gl_ClipDistance[0] = dot(gl_Position, water);
 // VULKAN-NEXT:     gl_ClipDistance[1] = dot(gl_Position, portal);
 // VULKAN-NEXT: }
@@ -121,13 +101,8 @@ float4 main(float4 p : POSITION) : SV_Position { return p; }
 // ES-NEXT: // clip distances written: 0x3
 // ES-NEXT: out highp float gl_ClipDistance[2];
 // ES-EMPTY:
-// ES-NEXT: vec4 shader_main(vec4 p) {
-// ES-NEXT:     return p;
-// ES-NEXT: }
-// ES-EMPTY:
 // ES-NEXT: void main() {
-// ES-NEXT:     vec4 result = shader_main(in_POSITION0);
-// ES-NEXT:     gl_Position = result;
+// ES-NEXT:     gl_Position = in_POSITION0;
 // ES-NEXT:     gl_ClipDistance[0] = dot(gl_Position, water);
 // ES-NEXT:     gl_ClipDistance[1] = dot(gl_Position, portal);
 // ES-NEXT: }

@@ -24,13 +24,6 @@ Output main(float4 p : POSITION) {
 
 // CHECK: #version 450
 // CHECK-EMPTY:
-// CHECK-NEXT: struct Output {
-// CHECK-NEXT:     vec4 position;
-// CHECK-NEXT:     vec3 first;
-// CHECK-NEXT:     vec2 second;
-// CHECK-NEXT:     float culled[2];
-// CHECK-NEXT: };
-// CHECK-EMPTY:
 // CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // CHECK-EMPTY:
 // CHECK-NEXT: // clip distances written: 0x3f
@@ -38,25 +31,19 @@ Output main(float4 p : POSITION) {
 // CHECK-NEXT: out float gl_ClipDistance[6];
 // CHECK-NEXT: out float gl_CullDistance[2];
 // CHECK-EMPTY:
-// CHECK-NEXT: Output shader_main(vec4 p) {
-// CHECK-NEXT:     Output output_;
-// CHECK-NEXT:     output_.position = p;
-// CHECK-NEXT:     output_.first = p.xyz;
-// CHECK-NEXT:     output_.second = p.zw;
-// CHECK-NEXT:     output_.culled[0] = p.x;
-// CHECK-NEXT:     output_.culled[1] = p.y;
-// CHECK-NEXT:     return output_;
-// CHECK-NEXT: }
-// CHECK-EMPTY:
 // CHECK-NEXT: void main() {
-// CHECK-NEXT:     Output result = shader_main(in_POSITION0);
-// CHECK-NEXT:     gl_Position = result.position;
-// CHECK-NEXT:     gl_ClipDistance[0] = result.first.x;
-// CHECK-NEXT:     gl_ClipDistance[1] = result.first.y;
-// CHECK-NEXT:     gl_ClipDistance[2] = result.first.z;
+// CHECK-NEXT:     float culled[2];
+// CHECK-NEXT:     gl_Position = in_POSITION0;
+// CHECK-NEXT:     vec3 first = in_POSITION0.xyz;
+// CHECK-NEXT:     vec2 second = in_POSITION0.zw;
+// CHECK-NEXT:     culled[0] = in_POSITION0.x;
+// CHECK-NEXT:     culled[1] = in_POSITION0.y;
+// CHECK-NEXT:     gl_ClipDistance[0] = first.x;
+// CHECK-NEXT:     gl_ClipDistance[1] = first.y;
+// CHECK-NEXT:     gl_ClipDistance[2] = first.z;
 // CHECK-NEXT:     gl_ClipDistance[3] = 0.0;
-// CHECK-NEXT:     gl_ClipDistance[4] = result.second.x;
-// CHECK-NEXT:     gl_ClipDistance[5] = result.second.y;
-// CHECK-NEXT:     gl_CullDistance[0] = result.culled[0];
-// CHECK-NEXT:     gl_CullDistance[1] = result.culled[1];
+// CHECK-NEXT:     gl_ClipDistance[4] = second.x;
+// CHECK-NEXT:     gl_ClipDistance[5] = second.y;
+// CHECK-NEXT:     gl_CullDistance[0] = culled[0];
+// CHECK-NEXT:     gl_CullDistance[1] = culled[1];
 // CHECK-NEXT: }

@@ -11,13 +11,8 @@ float4 main(float4 p : POSITION) : SV_Position { return p; }
 // CHECK-EMPTY:
 // CHECK-NEXT: attribute vec4 in_POSITION0;  // POSITION0
 // CHECK-EMPTY:
-// CHECK-NEXT: vec4 shader_main(vec4 p) {
-// CHECK-NEXT:     return p;
-// CHECK-NEXT: }
-// CHECK-EMPTY:
 // CHECK-NEXT: void main() {
-// CHECK-NEXT:     vec4 result = shader_main(in_POSITION0);
-// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT:     gl_Position = in_POSITION0;
 // CHECK-NEXT:     gl_ClipVertex = gl_Position;
 // CHECK-NEXT:     gl_Position.z = 2.0 * gl_Position.z - gl_Position.w;
 // CHECK-NEXT: }
@@ -26,11 +21,6 @@ float4 main(float4 p : POSITION) : SV_Position { return p; }
 // NONE-EMPTY:
 // NONE-NEXT: in vec4 in_POSITION0;  // POSITION0
 // NONE-EMPTY:
-// NONE-NEXT: vec4 shader_main(vec4 p) {
-// NONE-NEXT:     return p;
-// NONE-NEXT: }
-// NONE-EMPTY:
 // NONE-NEXT: void main() {
-// NONE-NEXT:     vec4 result = shader_main(in_POSITION0);
-// NONE-NEXT:     gl_Position = result;
+// NONE-NEXT:     gl_Position = in_POSITION0;
 // NONE-NEXT: }

@@ -49,15 +49,9 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     return o.color * 2.0;
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: vec4 shader_main(vec4 p) {
-// CHECK-NEXT:     vec4 r = object.world * p + object.color + Tint(object_value());
-// CHECK-NEXT:     r += objects[1].color + Tint(Object(objects[2].world, objects[2].color));
-// CHECK-NEXT:     return r;
-// CHECK-NEXT: }
-// CHECK-EMPTY:
 // CHECK-NEXT: void main() {
-// CHECK-NEXT:     vec4 result = shader_main(in_POSITION0);
-// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT:     gl_Position = object.world * in_POSITION0 + object.color + Tint(object_value());
+// CHECK-NEXT:     gl_Position += objects[1].color + Tint(Object(objects[2].world, objects[2].color));
 // CHECK-NEXT: }
 
 // OLD: #version 140
@@ -77,12 +71,6 @@ float4 main(float4 p : POSITION) : SV_Position {
 // OLD-NEXT:     return o.color * 2.0;
 // OLD-NEXT: }
 // OLD-EMPTY:
-// OLD-NEXT: vec4 shader_main(vec4 p) {
-// OLD-NEXT:     vec4 r = object.world * p + object.color + Tint(object);
-// OLD-NEXT:     return r;
-// OLD-NEXT: }
-// OLD-EMPTY:
 // OLD-NEXT: void main() {
-// OLD-NEXT:     vec4 result = shader_main(in_POSITION0);
-// OLD-NEXT:     gl_Position = result;
+// OLD-NEXT:     gl_Position = object.world * in_POSITION0 + object.color + Tint(object);
 // OLD-NEXT: }

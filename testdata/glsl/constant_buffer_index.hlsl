@@ -53,19 +53,14 @@ float4 main(float4 p : POSITION, int i : INDEX) : SV_Position {
 // CHECK-NEXT:     return Packed(single_rows[0].x, single_rows[0].yzw);
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: Object objects_value(int i_2) {
-// CHECK-NEXT:     return Object(objects[i_2].color);
+// CHECK-NEXT: Object objects_value(int i) {
+// CHECK-NEXT:     return Object(objects[i].color);
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: vec4 Read(Object o) {
 // CHECK-NEXT:     return o.color;
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: vec4 shader_main(vec4 p, int i) {
-// CHECK-NEXT:     return p + objects[i].color + Read(objects_value(int(i + 1))) + packed_(i).y.xyzx + packed_(1).x + single().y.xyzx;
-// CHECK-NEXT: }
-// CHECK-EMPTY:
 // CHECK-NEXT: void main() {
-// CHECK-NEXT:     vec4 result = shader_main(in_POSITION0, in_INDEX0);
-// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT:     gl_Position = in_POSITION0 + objects[in_INDEX0].color + Read(objects_value(int(in_INDEX0 + 1))) + packed_(in_INDEX0).y.xyzx + packed_(1).x + single().y.xyzx;
 // CHECK-NEXT: }

@@ -8,23 +8,17 @@ float4 main(int first : SV_StartVertexLocation, uint instance : SV_StartInstance
 
 // GL460: #version 460
 // GL460-EMPTY:
-// GL460-NEXT: vec4 shader_main(int first, uint instance) {
-// GL460-NEXT:     return vec4(float(first), float(instance), 0.0, 1.0);
-// GL460-NEXT: }
-// GL460-EMPTY:
 // GL460-NEXT: void main() {
-// GL460-NEXT:     vec4 result = shader_main(int(gl_BaseVertex), uint(gl_BaseInstance));
-// GL460-NEXT:     gl_Position = result;
+// GL460-NEXT:     int first = int(gl_BaseVertex);
+// GL460-NEXT:     uint instance = uint(gl_BaseInstance);
+// GL460-NEXT:     gl_Position = vec4(float(first), float(instance), 0.0, 1.0);
 // GL460-NEXT: }
 
 // GL450: #version 450
 // GL450-NEXT: #extension GL_ARB_shader_draw_parameters : require
 // GL450-EMPTY:
-// GL450-NEXT: vec4 shader_main(int first, uint instance) {
-// GL450-NEXT:     return vec4(float(first), float(instance), 0.0, 1.0);
-// GL450-NEXT: }
-// GL450-EMPTY:
 // GL450-NEXT: void main() {
-// GL450-NEXT:     vec4 result = shader_main(int(gl_BaseVertexARB), uint(gl_BaseInstanceARB));
-// GL450-NEXT:     gl_Position = result;
+// GL450-NEXT:     int first = int(gl_BaseVertexARB);
+// GL450-NEXT:     uint instance = uint(gl_BaseInstanceARB);
+// GL450-NEXT:     gl_Position = vec4(float(first), float(instance), 0.0, 1.0);
 // GL450-NEXT: }

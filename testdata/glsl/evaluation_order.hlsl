@@ -40,18 +40,14 @@ float4 main(float4 p : POSITION, int i : INDEX) : SV_Position {
 // CHECK-NEXT:     return x * y;
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: vec4 shader_main(vec4 p, int i) {
+// CHECK-NEXT: void main() {
+// CHECK-NEXT:     int i = in_INDEX0;
 // CHECK-NEXT:     float v[3] = float[3](1.0, 2.0, 3.0);
 // CHECK-NEXT:     v[i++] += 2.0;
 // CHECK-NEXT:     assign_modulo(v[i++], 2.0);
 // CHECK-NEXT:     float r = Change(global, global) + Change(v[i], 2.0);
-// CHECK-NEXT:     vec4 q = p;
+// CHECK-NEXT:     vec4 q = in_POSITION0;
 // CHECK-NEXT:     Change(q.y, q[i]);
 // CHECK-NEXT:     r = q.x = q.y += 3.0;
-// CHECK-NEXT:     return q * r + v[0] * float((i++, i));
-// CHECK-NEXT: }
-// CHECK-EMPTY:
-// CHECK-NEXT: void main() {
-// CHECK-NEXT:     vec4 result = shader_main(in_POSITION0, in_INDEX0);
-// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT:     gl_Position = q * r + v[0] * float((i++, i));
 // CHECK-NEXT: }

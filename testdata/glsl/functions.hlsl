@@ -46,18 +46,14 @@ float4 entry(float4 p : POSITION) : SV_Position { return main(p); }
 // CHECK-NEXT: void Nothing() {
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: vec4 shader_main(vec4 p) {
+// CHECK-NEXT: void main() {
+// CHECK-NEXT:     vec4 p = in_POSITION0;
 // CHECK-NEXT:     float x = Second(p.x);
 // CHECK-NEXT:     float y;
 // CHECK-NEXT:     Both(p.y, x, y);
 // CHECK-NEXT:     Nothing();
 // CHECK-NEXT:     Both(1.0, p.z, p[3]);
-// CHECK-NEXT:     return p * x + y;
-// CHECK-NEXT: }
-// CHECK-EMPTY:
-// CHECK-NEXT: void main() {
-// CHECK-NEXT:     vec4 result = shader_main(in_POSITION0);
-// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT:     gl_Position = p * x + y;
 // CHECK-NEXT: }
 
 // ENTRY: #version 450
@@ -90,11 +86,6 @@ float4 entry(float4 p : POSITION) : SV_Position { return main(p); }
 // ENTRY-NEXT:     return p * x + y;
 // ENTRY-NEXT: }
 // ENTRY-EMPTY:
-// ENTRY-NEXT: vec4 entry(vec4 p) {
-// ENTRY-NEXT:     return shader_main(p);
-// ENTRY-NEXT: }
-// ENTRY-EMPTY:
 // ENTRY-NEXT: void main() {
-// ENTRY-NEXT:     vec4 result = entry(in_POSITION0);
-// ENTRY-NEXT:     gl_Position = result;
+// ENTRY-NEXT:     gl_Position = shader_main(in_POSITION0);
 // ENTRY-NEXT: }

@@ -25,14 +25,9 @@ float4 main(float2 uv : TEXCOORD) : SV_Position {
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(location = 0) in vec2 in_TEXCOORD0;  // TEXCOORD0
 // CHECK-EMPTY:
-// CHECK-NEXT: vec4 shader_main(vec2 uv) {
-// CHECK-NEXT:     vec4 r = textureLod(map_smooth, uv, 0.0);
-// CHECK-NEXT:     r += textureLodOffset(map_smooth, uv, 1.5, ivec2(1, -1));
-// CHECK-NEXT:     r += textureLod(map_nearer, vec3(uv, 0.5), 0.0);
-// CHECK-NEXT:     return r + textureGatherOffsets(map_smooth, uv, ivec2[4](ivec2(0), ivec2(0, 1), ivec2(1, 0), ivec2(-8, 7)), 1);
-// CHECK-NEXT: }
-// CHECK-EMPTY:
 // CHECK-NEXT: void main() {
-// CHECK-NEXT:     vec4 result = shader_main(in_TEXCOORD0);
-// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT:     vec4 r = textureLod(map_smooth, in_TEXCOORD0, 0.0);
+// CHECK-NEXT:     r += textureLodOffset(map_smooth, in_TEXCOORD0, 1.5, ivec2(1, -1));
+// CHECK-NEXT:     r += textureLod(map_nearer, vec3(in_TEXCOORD0, 0.5), 0.0);
+// CHECK-NEXT:     gl_Position = r + textureGatherOffsets(map_smooth, in_TEXCOORD0, ivec2[4](ivec2(0), ivec2(0, 1), ivec2(1, 0), ivec2(-8, 7)), 1);
 // CHECK-NEXT: }

@@ -18,13 +18,8 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // CHECK-EMPTY:
-// CHECK-NEXT: vec4 shader_main(vec4 p) {
+// CHECK-NEXT: void main() {
 // CHECK-NEXT:     int64_t a = i * 3l + 5l;
 // CHECK-NEXT:     u64vec2 b = (u << 3) + (u >> (a & 63)) + 7ul;
-// CHECK-NEXT:     return p + float(a) + float(b.x) + float(b.y);
-// CHECK-NEXT: }
-// CHECK-EMPTY:
-// CHECK-NEXT: void main() {
-// CHECK-NEXT:     vec4 result = shader_main(in_POSITION0);
-// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT:     gl_Position = in_POSITION0 + float(a) + float(b.x) + float(b.y);
 // CHECK-NEXT: }

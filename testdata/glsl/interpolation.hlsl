@@ -22,31 +22,9 @@ void main(float4 p : POSITION, out float4 position : SV_Position, out linear flo
 // CHECK-NEXT: layout(location = 6) flat out int vs_G0;  // G0
 // CHECK-NEXT: layout(location = 7) flat out double vs_H0;  // H0
 // CHECK-EMPTY:
-// CHECK-NEXT: void shader_main(vec4 p, out vec4 position, out float a, out float b, out float c, out float d, out float e, out float f, out int g, out double h) {
-// CHECK-NEXT:     position = p;
-// CHECK-NEXT:     a = b = c = d = e = f = p.x;
-// CHECK-NEXT:     g = int(p.y);
-// CHECK-NEXT:     h = double(p.z);
-// CHECK-NEXT: }
-// CHECK-EMPTY:
 // CHECK-NEXT: void main() {
-// CHECK-NEXT:     vec4 position;
-// CHECK-NEXT:     float a;
-// CHECK-NEXT:     float b;
-// CHECK-NEXT:     float c;
-// CHECK-NEXT:     float d;
-// CHECK-NEXT:     float e;
-// CHECK-NEXT:     float f;
-// CHECK-NEXT:     int g;
-// CHECK-NEXT:     double h;
-// CHECK-NEXT:     shader_main(in_POSITION0, position, a, b, c, d, e, f, g, h);
-// CHECK-NEXT:     gl_Position = position;
-// CHECK-NEXT:     vs_A0 = a;
-// CHECK-NEXT:     vs_B0 = b;
-// CHECK-NEXT:     vs_C0 = c;
-// CHECK-NEXT:     vs_D0 = d;
-// CHECK-NEXT:     vs_E0 = e;
-// CHECK-NEXT:     vs_F0 = f;
-// CHECK-NEXT:     vs_G0 = g;
-// CHECK-NEXT:     vs_H0 = h;
+// CHECK-NEXT:     gl_Position = in_POSITION0;
+// CHECK-NEXT:     vs_A0 = vs_B0 = vs_C0 = vs_D0 = vs_E0 = vs_F0 = in_POSITION0.x;
+// CHECK-NEXT:     vs_G0 = int(in_POSITION0.y);
+// CHECK-NEXT:     vs_H0 = double(in_POSITION0.z);
 // CHECK-NEXT: }

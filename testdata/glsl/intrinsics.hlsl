@@ -98,35 +98,29 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     return bvec4(isfinite(a.x), isfinite(a.y), isfinite(a.z), isfinite(a.w));
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: vec4 shader_main(vec4 p) {
-// CHECK-NEXT:     vec4 r = abs(a) + acos(a) + asin(a) + atan(a) + atan(a, b) + ceil(a) + clamp(a, 0.0, 1.0) + clamp(a, b, c);
-// CHECK-NEXT:     r += cos(a) + cosh(a) + degrees(a) + exp(a) + exp2(a) + floor(a) + fract(a) + a * exp2(b) + mix(a, b, c) + mix(a, b, s);
-// CHECK-NEXT:     r += log(a) + log2(a) * 0.30103 + log2(a) + (a * b + c) * 2.0 + max(a, 0.0) + min(a, b) + pow(a, vec4(2.2)) + radians(a) + 1.0 / a + roundEven(a);
-// CHECK-NEXT:     r += inversesqrt(a) + saturate(a) + sin(a) + sinh(a) + sqrt(a) + step(0.5, a) + tan(a) + tanh(a) + trunc(a) + saturate(s);
-// CHECK-NEXT:     r += smoothstep(0.0, 1.0, a) + smoothstep_(vec4(1.0), vec4(0.0), a) + smoothstep_(a, b, c);
-// CHECK-NEXT:     r.xyz += cross(a.xyz, b.xyz) + faceforward(a.xyz, b.xyz, c.xyz) + normalize(p.xyz) + reflect(a.xyz, b.xyz) + refract(a.xyz, b.xyz, 1.5);
-// CHECK-NEXT:     r.x += distance(a, b) + dot(a, b) + length(a) + s * t + float(dot_(i, i));
-// CHECK-NEXT:     r += lit(s, t, 8.0) + dst(a, b) + vec4(ivec4(a.zyxw * 255.00195));
-// CHECK-NEXT:     r += vec4(ivec4(sign(a)) * 2 + sign(i) + abs(i) + max(i, 3) + clamp(i, 0, 9) + int(sign(s)));
+// CHECK-NEXT: void main() {
+// CHECK-NEXT:     gl_Position = abs(a) + acos(a) + asin(a) + atan(a) + atan(a, b) + ceil(a) + clamp(a, 0.0, 1.0) + clamp(a, b, c);
+// CHECK-NEXT:     gl_Position += cos(a) + cosh(a) + degrees(a) + exp(a) + exp2(a) + floor(a) + fract(a) + a * exp2(b) + mix(a, b, c) + mix(a, b, s);
+// CHECK-NEXT:     gl_Position += log(a) + log2(a) * 0.30103 + log2(a) + (a * b + c) * 2.0 + max(a, 0.0) + min(a, b) + pow(a, vec4(2.2)) + radians(a) + 1.0 / a + roundEven(a);
+// CHECK-NEXT:     gl_Position += inversesqrt(a) + saturate(a) + sin(a) + sinh(a) + sqrt(a) + step(0.5, a) + tan(a) + tanh(a) + trunc(a) + saturate(s);
+// CHECK-NEXT:     gl_Position += smoothstep(0.0, 1.0, a) + smoothstep_(vec4(1.0), vec4(0.0), a) + smoothstep_(a, b, c);
+// CHECK-NEXT:     gl_Position.xyz += cross(a.xyz, b.xyz) + faceforward(a.xyz, b.xyz, c.xyz) + normalize(in_POSITION0.xyz) + reflect(a.xyz, b.xyz) + refract(a.xyz, b.xyz, 1.5);
+// CHECK-NEXT:     gl_Position.x += distance(a, b) + dot(a, b) + length(a) + s * t + float(dot_(i, i));
+// CHECK-NEXT:     gl_Position += lit(s, t, 8.0) + dst(a, b) + vec4(ivec4(a.zyxw * 255.00195));
+// CHECK-NEXT:     gl_Position += vec4(ivec4(sign(a)) * 2 + sign(i) + abs(i) + max(i, 3) + clamp(i, 0, 9) + int(sign(s)));
 // CHECK-NEXT:     vec4 sine;
 // CHECK-NEXT:     vec4 cosine;
 // CHECK-NEXT:     sincos(a, sine, cosine);
-// CHECK-NEXT:     r += sine + cosine;
+// CHECK-NEXT:     gl_Position += sine + cosine;
 // CHECK-NEXT:     vec4 whole;
-// CHECK-NEXT:     r += modf(a, whole) + whole;
+// CHECK-NEXT:     gl_Position += modf(a, whole) + whole;
 // CHECK-NEXT:     ivec4 whole_int;
-// CHECK-NEXT:     r += vec4(modf_(i, whole_int) + whole_int);
+// CHECK-NEXT:     gl_Position += vec4(modf_(i, whole_int) + whole_int);
 // CHECK-NEXT:     float exponent;
-// CHECK-NEXT:     r.x += frexp_(s, exponent) + exponent;
+// CHECK-NEXT:     gl_Position.x += frexp_(s, exponent) + exponent;
 // CHECK-NEXT:     vec2 exponents;
-// CHECK-NEXT:     r.xy += frexp_(a.xy, exponents) + exponents;
+// CHECK-NEXT:     gl_Position.xy += frexp_(a.xy, exponents) + exponents;
 // CHECK-NEXT:     if (isnan(s) || isinf(s) || !isfinite(s) || any(isnan(a)) || all(isfinite(a))) {
-// CHECK-NEXT:         r = vec4(0.0);
+// CHECK-NEXT:         gl_Position = vec4(0.0);
 // CHECK-NEXT:     }
-// CHECK-NEXT:     return r;
-// CHECK-NEXT: }
-// CHECK-EMPTY:
-// CHECK-NEXT: void main() {
-// CHECK-NEXT:     vec4 result = shader_main(in_POSITION0);
-// CHECK-NEXT:     gl_Position = result;
 // CHECK-NEXT: }

@@ -153,19 +153,13 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     return m[0].x * m[1].y - m[0].y * m[1].x;
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: vec4 shader_main(vec4 p) {
-// CHECK-NEXT:     vec4 r = cosh_(a) + sinh_(a) + tanh_(a) + trunc_(a) + round_(a) + fmod(a, p) + saturate(a);
-// CHECK-NEXT:     vec4 whole;
-// CHECK-NEXT:     r += modf_(a, whole) + whole;
-// CHECK-NEXT:     r += vec4(abs_(i) + min_(i, ivec4(3)) + max_(i, ivec4(4)) + clamp_(i, ivec4(0), ivec4(9)) + sign_(i) + imod(i, ivec4(3)));
-// CHECK-NEXT:     if (any(isnan_(a)) || isinf_(a.x) || !isfinite(a.y)) {
-// CHECK-NEXT:         r = select(greaterThan(a, vec4(0.0)), vec4(1.0), a);
-// CHECK-NEXT:     }
-// CHECK-NEXT:     r += determinant2(m2) + determinant3(m3) + determinant4(m4);
-// CHECK-NEXT:     return r;
-// CHECK-NEXT: }
-// CHECK-EMPTY:
 // CHECK-NEXT: void main() {
-// CHECK-NEXT:     vec4 result = shader_main(in_POSITION0);
-// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT:     gl_Position = cosh_(a) + sinh_(a) + tanh_(a) + trunc_(a) + round_(a) + fmod(a, in_POSITION0) + saturate(a);
+// CHECK-NEXT:     vec4 whole;
+// CHECK-NEXT:     gl_Position += modf_(a, whole) + whole;
+// CHECK-NEXT:     gl_Position += vec4(abs_(i) + min_(i, ivec4(3)) + max_(i, ivec4(4)) + clamp_(i, ivec4(0), ivec4(9)) + sign_(i) + imod(i, ivec4(3)));
+// CHECK-NEXT:     if (any(isnan_(a)) || isinf_(a.x) || !isfinite(a.y)) {
+// CHECK-NEXT:         gl_Position = select(greaterThan(a, vec4(0.0)), vec4(1.0), a);
+// CHECK-NEXT:     }
+// CHECK-NEXT:     gl_Position += determinant2(m2) + determinant3(m3) + determinant4(m4);
 // CHECK-NEXT: }

@@ -16,7 +16,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // CHECK-EMPTY:
-// CHECK-NEXT: vec4 shader_main(vec4 p) {
+// CHECK-NEXT: void main() {
 // CHECK-NEXT:     float r = 0.5 + 1.0 + 1e+20 + 1e-07 + 0.1 + 3.1415927 + 16777216.0 - 2.0;
 // CHECK-NEXT:     r += -1.5 - -2.5;
 // CHECK-NEXT:     r *= intBitsToFloat(2143289345);
@@ -24,10 +24,5 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     i += 2147483647;
 // CHECK-NEXT:     uint u = 4294967295u + 7u;
 // CHECK-NEXT:     bool b = true;
-// CHECK-NEXT:     return p * r + float(i) + float(u) + float(b) + vec4(0.0) + vec4(1.0, 2.0, 3.0, 4.0);
-// CHECK-NEXT: }
-// CHECK-EMPTY:
-// CHECK-NEXT: void main() {
-// CHECK-NEXT:     vec4 result = shader_main(in_POSITION0);
-// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT:     gl_Position = in_POSITION0 * r + float(i) + float(u) + float(b) + vec4(0.0) + vec4(1.0, 2.0, 3.0, 4.0);
 // CHECK-NEXT: }

@@ -55,7 +55,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     return x > 1.0;
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: vec4 shader_main(vec4 p) {
+// CHECK-NEXT: void main() {
 // CHECK-NEXT:     bool r = a.x > 0.0 && b.x > 0.0 || !flags.x;
 // CHECK-NEXT:     r = r && Pure(a.x);
 // CHECK-NEXT:     r = all(bvec2(r, Impure(a.x)));
@@ -69,12 +69,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     s += r ? a : b;
 // CHECK-NEXT:     ivec4 i = mix(ivec4(a), ivec4(1), w);
 // CHECK-NEXT:     bvec4 c = mix(w, v, flags);
-// CHECK-NEXT:     return s + vec4(i) + vec4(c) + float(r ? 1 : 2) + float(any(v)) + float(all(notEqual(a, vec4(0.0)))) + float(bool(a.x)) + float(calls) + float(r = !r);
-// CHECK-NEXT: }
-// CHECK-EMPTY:
-// CHECK-NEXT: void main() {
-// CHECK-NEXT:     vec4 result = shader_main(in_POSITION0);
-// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT:     gl_Position = s + vec4(i) + vec4(c) + float(r ? 1 : 2) + float(any(v)) + float(all(notEqual(a, vec4(0.0)))) + float(bool(a.x)) + float(calls) + float(r = !r);
 // CHECK-NEXT: }
 
 // GL120: #version 120
@@ -118,7 +113,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // GL120-NEXT:     return x > 1.0;
 // GL120-NEXT: }
 // GL120-EMPTY:
-// GL120-NEXT: vec4 shader_main(vec4 p) {
+// GL120-NEXT: void main() {
 // GL120-NEXT:     bool r = a.x > 0.0 && b.x > 0.0 || !flags.x;
 // GL120-NEXT:     r = r && Pure(a.x);
 // GL120-NEXT:     r = all(bvec2(r, Impure(a.x)));
@@ -132,10 +127,5 @@ float4 main(float4 p : POSITION) : SV_Position {
 // GL120-NEXT:     s += r ? a : b;
 // GL120-NEXT:     ivec4 i = select(w, ivec4(1), ivec4(a));
 // GL120-NEXT:     bvec4 c = select(flags, v, w);
-// GL120-NEXT:     return s + vec4(i) + vec4(c) + float(r ? 1 : 2) + float(any(v)) + float(all(notEqual(a, vec4(0.0)))) + float(bool(a.x)) + float(calls) + float(r = !r);
-// GL120-NEXT: }
-// GL120-EMPTY:
-// GL120-NEXT: void main() {
-// GL120-NEXT:     vec4 result = shader_main(in_POSITION0);
-// GL120-NEXT:     gl_Position = result;
+// GL120-NEXT:     gl_Position = s + vec4(i) + vec4(c) + float(r ? 1 : 2) + float(any(v)) + float(all(notEqual(a, vec4(0.0)))) + float(bool(a.x)) + float(calls) + float(r = !r);
 // GL120-NEXT: }

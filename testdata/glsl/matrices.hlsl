@@ -57,37 +57,31 @@ float4 main(float4 p : POSITION, float3 n : NORMAL, float2 t : TEXCOORD) : SV_Po
 // CHECK-NEXT: layout(location = 1) in vec3 in_NORMAL0;  // NORMAL0
 // CHECK-NEXT: layout(location = 2) in vec2 in_TEXCOORD0;  // TEXCOORD0
 // CHECK-EMPTY:
-// CHECK-NEXT: vec4 shader_main(vec4 p, vec3 n, vec2 t) {
-// CHECK-NEXT:     vec4 r = projection * (view * p);
-// CHECK-NEXT:     r += p * view;
-// CHECK-NEXT:     r += bone * n;
-// CHECK-NEXT:     r.xyz += p * bone;
-// CHECK-NEXT:     r.xyz += frame * p;
-// CHECK-NEXT:     r += n * frame;
-// CHECK-NEXT:     r.xyz += uv * t;
-// CHECK-NEXT:     r += (projection * view)[1];
-// CHECK-NEXT:     r.xyz += (bone * uv)[0].xyz;
-// CHECK-NEXT:     r += view[2];
-// CHECK-NEXT:     r.x += view[2][1] + view[2][1] + view[2][1];
-// CHECK-NEXT:     r += vec4(view[0][0], view[1][1], view[2][2], view[3][3]) + view[1].xyzw;
-// CHECK-NEXT:     r += transpose(view)[0];
-// CHECK-NEXT:     r.xyz += transpose(bone)[3].xyz;
+// CHECK-NEXT: void main() {
+// CHECK-NEXT:     gl_Position = projection * (view * in_POSITION0);
+// CHECK-NEXT:     gl_Position += in_POSITION0 * view;
+// CHECK-NEXT:     gl_Position += bone * in_NORMAL0;
+// CHECK-NEXT:     gl_Position.xyz += in_POSITION0 * bone;
+// CHECK-NEXT:     gl_Position.xyz += frame * in_POSITION0;
+// CHECK-NEXT:     gl_Position += in_NORMAL0 * frame;
+// CHECK-NEXT:     gl_Position.xyz += uv * in_TEXCOORD0;
+// CHECK-NEXT:     gl_Position += (projection * view)[1];
+// CHECK-NEXT:     gl_Position.xyz += (bone * uv)[0].xyz;
+// CHECK-NEXT:     gl_Position += view[2];
+// CHECK-NEXT:     gl_Position.x += view[2][1] + view[2][1] + view[2][1];
+// CHECK-NEXT:     gl_Position += vec4(view[0][0], view[1][1], view[2][2], view[3][3]) + view[1].xyzw;
+// CHECK-NEXT:     gl_Position += transpose(view)[0];
+// CHECK-NEXT:     gl_Position.xyz += transpose(bone)[3].xyz;
 // CHECK-NEXT:     mat4 m = matrixCompMult(view, projection);
 // CHECK-NEXT:     m = matrixCompMult(m, view);
 // CHECK-NEXT:     m += projection;
 // CHECK-NEXT:     m = m * 2.0 - 1.0;
-// CHECK-NEXT:     m[0] = p;
-// CHECK-NEXT:     m[1].xy = t;
+// CHECK-NEXT:     m[0] = in_POSITION0;
+// CHECK-NEXT:     m[1].xy = in_TEXCOORD0;
 // CHECK-NEXT:     m[2][3] = 3.0;
-// CHECK-NEXT:     r += m[3];
-// CHECK-NEXT:     r.xyz += mat3(view) * n;
-// CHECK-NEXT:     r.xyz += view[0].xyz + mat3x2(view)[0].xyx;
-// CHECK-NEXT:     r += mat4(p, p, r, r)[1] + mat4(1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0, 16.0)[2];
-// CHECK-NEXT:     r.x += determinant(view) + determinant(mat2(view));
-// CHECK-NEXT:     return r;
-// CHECK-NEXT: }
-// CHECK-EMPTY:
-// CHECK-NEXT: void main() {
-// CHECK-NEXT:     vec4 result = shader_main(in_POSITION0, in_NORMAL0, in_TEXCOORD0);
-// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT:     gl_Position += m[3];
+// CHECK-NEXT:     gl_Position.xyz += mat3(view) * in_NORMAL0;
+// CHECK-NEXT:     gl_Position.xyz += view[0].xyz + mat3x2(view)[0].xyx;
+// CHECK-NEXT:     gl_Position += mat4(in_POSITION0, in_POSITION0, gl_Position, gl_Position)[1] + mat4(1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0, 16.0)[2];
+// CHECK-NEXT:     gl_Position.x += determinant(view) + determinant(mat2(view));
 // CHECK-NEXT: }

@@ -156,25 +156,19 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     return mat4(vec4(x), vec4(x), vec4(x), vec4(x));
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: vec4 shader_main(vec4 p) {
-// CHECK-NEXT:     vec4 r = abs_(a)[0] + max_(a, b)[1] + saturate(a)[2] + lerp(a, b, mat4(vec4(0.5), vec4(0.5), vec4(0.5), vec4(0.5)))[3] + modulo(a, b)[0] + vec4(sign_(a)[1]);
+// CHECK-NEXT: void main() {
+// CHECK-NEXT:     gl_Position = abs_(a)[0] + max_(a, b)[1] + saturate(a)[2] + lerp(a, b, mat4(vec4(0.5), vec4(0.5), vec4(0.5), vec4(0.5)))[3] + modulo(a, b)[0] + vec4(sign_(a)[1]);
 // CHECK-NEXT:     if (all_(equal_rows(a, b)) || any_(less(a, b))) {
-// CHECK-NEXT:         r += 1.0;
+// CHECK-NEXT:         gl_Position += 1.0;
 // CHECK-NEXT:     }
-// CHECK-NEXT:     r += select(greater(a, b), a, b)[2];
+// CHECK-NEXT:     gl_Position += select(greater(a, b), a, b)[2];
 // CHECK-NEXT:     bvec4 both[4] = logical_and(greater(a, mat4(0.0)), logical_not(less(b, mat4(vec4(1.0), vec4(1.0), vec4(1.0), vec4(1.0)))));
-// CHECK-NEXT:     r.x += float(both[1][2]);
+// CHECK-NEXT:     gl_Position.x += float(both[1][2]);
 // CHECK-NEXT:     ivec3 j[3] = add(multiply(i, ivec3[3](ivec3(2), ivec3(2), ivec3(2))), divide(i, ivec3[3](ivec3(3), ivec3(3), ivec3(3))));
 // CHECK-NEXT:     j[1].x = 5;
 // CHECK-NEXT:     j = negate(j);
 // CHECK-NEXT:     post_increment(j);
-// CHECK-NEXT:     r.xyz += vec3(j[2] + mul(j, i)[0] + mul(j, ivec3(1, 2, 3)) + mul(ivec3(1, 2, 3), j) + transpose_(j)[1]);
-// CHECK-NEXT:     r.xyz += vec3(to_int(mat3(a))[0]) + to_float(j)[1];
-// CHECK-NEXT:     r += mat4(vec4(p.x), vec4(p.x), vec4(p.x), vec4(p.x))[0] + splat_mat4(p.x * p.y)[1] + mat4(0.0)[2];
-// CHECK-NEXT:     return r;
-// CHECK-NEXT: }
-// CHECK-EMPTY:
-// CHECK-NEXT: void main() {
-// CHECK-NEXT:     vec4 result = shader_main(in_POSITION0);
-// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT:     gl_Position.xyz += vec3(j[2] + mul(j, i)[0] + mul(j, ivec3(1, 2, 3)) + mul(ivec3(1, 2, 3), j) + transpose_(j)[1]);
+// CHECK-NEXT:     gl_Position.xyz += vec3(to_int(mat3(a))[0]) + to_float(j)[1];
+// CHECK-NEXT:     gl_Position += mat4(vec4(in_POSITION0.x), vec4(in_POSITION0.x), vec4(in_POSITION0.x), vec4(in_POSITION0.x))[0] + splat_mat4(in_POSITION0.x * in_POSITION0.y)[1] + mat4(0.0)[2];
 // CHECK-NEXT: }

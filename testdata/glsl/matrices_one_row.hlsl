@@ -33,23 +33,17 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // CHECK-EMPTY:
-// CHECK-NEXT: vec4 shader_main(vec4 p) {
-// CHECK-NEXT:     vec4 r = outerProduct(row, column)[2];
-// CHECK-NEXT:     r.x += dot(row, column) + dot(row, p) + dot(p, column);
-// CHECK-NEXT:     r += one * row;
-// CHECK-NEXT:     r.x += row[3] + column[3] + column[2] + one;
-// CHECK-NEXT:     r.xy += row.yz;
-// CHECK-NEXT:     r.x += column[3] + one;
-// CHECK-NEXT:     r += row + column;
-// CHECK-NEXT:     vec3 c = column.xyz;
-// CHECK-NEXT:     r.xyz += c.xyz;
-// CHECK-NEXT:     float f = r.x;
-// CHECK-NEXT:     f += 1.0;
-// CHECK-NEXT:     r.xyz += vec3(f);
-// CHECK-NEXT:     return r;
-// CHECK-NEXT: }
-// CHECK-EMPTY:
 // CHECK-NEXT: void main() {
-// CHECK-NEXT:     vec4 result = shader_main(in_POSITION0);
-// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT:     gl_Position = outerProduct(row, column)[2];
+// CHECK-NEXT:     gl_Position.x += dot(row, column) + dot(row, in_POSITION0) + dot(in_POSITION0, column);
+// CHECK-NEXT:     gl_Position += one * row;
+// CHECK-NEXT:     gl_Position.x += row[3] + column[3] + column[2] + one;
+// CHECK-NEXT:     gl_Position.xy += row.yz;
+// CHECK-NEXT:     gl_Position.x += column[3] + one;
+// CHECK-NEXT:     gl_Position += row + column;
+// CHECK-NEXT:     vec3 c = column.xyz;
+// CHECK-NEXT:     gl_Position.xyz += c.xyz;
+// CHECK-NEXT:     float f = gl_Position.x;
+// CHECK-NEXT:     f += 1.0;
+// CHECK-NEXT:     gl_Position.xyz += vec3(f);
 // CHECK-NEXT: }

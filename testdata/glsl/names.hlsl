@@ -79,7 +79,7 @@ float4 main(float4 output : POSITION) : SV_Position {
 // CHECK-NEXT:     return half_;
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: vec4 shader_main(vec4 output_) {
+// CHECK-NEXT: void main() {
 // CHECK-NEXT:     flat_ f = flat_(vec4(0.0), vec4(0.0), vec4(0.0));
 // CHECK-NEXT:     f.input_ = _gl_color + a_b + distance_ + in_POSITION0_2;
 // CHECK-NEXT:     float length_ = 1.0;
@@ -101,10 +101,5 @@ float4 main(float4 output : POSITION) : SV_Position {
 // CHECK-NEXT:         vec4 first = vec4(2.0);
 // CHECK-NEXT:         f.input_ += first;
 // CHECK-NEXT:     }
-// CHECK-NEXT:     return mix_(f.input_) + f.texture + f.smooth_ + length_ + sampler2D_(1.0) + helper(output_.x) + fmod(1.0) + output_;
-// CHECK-NEXT: }
-// CHECK-EMPTY:
-// CHECK-NEXT: void main() {
-// CHECK-NEXT:     vec4 result = shader_main(in_POSITION0);
-// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT:     gl_Position = mix_(f.input_) + f.texture + f.smooth_ + length_ + sampler2D_(1.0) + helper(in_POSITION0.x) + fmod(1.0) + in_POSITION0;
 // CHECK-NEXT: }

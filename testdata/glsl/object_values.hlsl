@@ -148,7 +148,8 @@ float4 main(float2 uv : TEXCOORD, uint id : SV_VertexID) : SV_Position {
 // CHECK-NEXT:     return offsets[i];
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: vec4 shader_main(vec2 uv, uint id) {
+// CHECK-NEXT: void main() {
+// CHECK-NEXT:     uint id = uint(gl_VertexID - gl_BaseVertexARB);
 // CHECK-NEXT:     int chosen_index;
 // CHECK-NEXT:     Maps filled;
 // CHECK-NEXT:     Maps copy;
@@ -159,17 +160,12 @@ float4 main(float2 uv : TEXCOORD, uint id : SV_VertexID) : SV_Position {
 // CHECK-NEXT:     pair.maps[1] = copy;
 // CHECK-NEXT:     pair.weight = 2.0;
 // CHECK-NEXT:     chosen_index = which;
-// CHECK-NEXT:     vec4 r = Read(uv);
-// CHECK-NEXT:     r += Read_2(uv) + Twice(uv) + Twice_2(uv) + Twice(uv, id);
+// CHECK-NEXT:     vec4 r = Read(in_TEXCOORD0);
+// CHECK-NEXT:     r += Read_2(in_TEXCOORD0) + Twice(in_TEXCOORD0) + Twice_2(in_TEXCOORD0) + Twice(in_TEXCOORD0, id);
 // CHECK-NEXT:     Maps temporary;
-// CHECK-NEXT:     r += Get(filled, uv) + Get_2(copy, uv) + Get_2(pair.maps[1], uv) * pair.weight + (temporary = Make(), Get_3(temporary, uv));
-// CHECK-NEXT:     r += Read(uv, chosen_index) + textureLod(stone, uv, 0.0) + Offset(id);
-// CHECK-NEXT:     return r + textureLod(material_map, uv, 0.0) * material.scale;
-// CHECK-NEXT: }
-// CHECK-EMPTY:
-// CHECK-NEXT: void main() {
-// CHECK-NEXT:     vec4 result = shader_main(in_TEXCOORD0, uint(gl_VertexID - gl_BaseVertexARB));
-// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT:     r += Get(filled, in_TEXCOORD0) + Get_2(copy, in_TEXCOORD0) + Get_2(pair.maps[1], in_TEXCOORD0) * pair.weight + (temporary = Make(), Get_3(temporary, in_TEXCOORD0));
+// CHECK-NEXT:     r += Read(in_TEXCOORD0, chosen_index) + textureLod(stone, in_TEXCOORD0, 0.0) + Offset(id);
+// CHECK-NEXT:     gl_Position = r + textureLod(material_map, in_TEXCOORD0, 0.0) * material.scale;
 // CHECK-NEXT: }
 
 // VULKAN: #version 460
@@ -260,7 +256,8 @@ float4 main(float2 uv : TEXCOORD, uint id : SV_VertexID) : SV_Position {
 // VULKAN-NEXT:     return offsets[i];
 // VULKAN-NEXT: }
 // VULKAN-EMPTY:
-// VULKAN-NEXT: vec4 shader_main(vec2 uv, uint id) {
+// VULKAN-NEXT: void main() {
+// VULKAN-NEXT:     uint id = uint(gl_VertexIndex - gl_BaseVertex);
 // VULKAN-NEXT:     int chosen_index;
 // VULKAN-NEXT:     Maps filled;
 // VULKAN-NEXT:     Maps copy;
@@ -271,15 +268,10 @@ float4 main(float2 uv : TEXCOORD, uint id : SV_VertexID) : SV_Position {
 // VULKAN-NEXT:     pair.maps[1] = copy;
 // VULKAN-NEXT:     pair.weight = 2.0;
 // VULKAN-NEXT:     chosen_index = which;
-// VULKAN-NEXT:     vec4 r = Read(uv);
-// VULKAN-NEXT:     r += Read_2(uv) + Twice(uv) + Twice_2(uv) + Twice(uv, id);
+// VULKAN-NEXT:     vec4 r = Read(in_TEXCOORD0);
+// VULKAN-NEXT:     r += Read_2(in_TEXCOORD0) + Twice(in_TEXCOORD0) + Twice_2(in_TEXCOORD0) + Twice(in_TEXCOORD0, id);
 // VULKAN-NEXT:     Maps temporary;
-// VULKAN-NEXT:     r += Get(filled, uv) + Get_2(copy, uv) + Get_2(pair.maps[1], uv) * pair.weight + (temporary = Make(), Get_3(temporary, uv));
-// VULKAN-NEXT:     r += Read(uv, chosen_index) + textureLod(sampler2D(stone, smooth_), uv, 0.0) + Offset(id);
-// VULKAN-NEXT:     return r + textureLod(sampler2D(material_map, smooth_), uv, 0.0) * material.scale;
-// VULKAN-NEXT: }
-// VULKAN-EMPTY:
-// VULKAN-NEXT: void main() {
-// VULKAN-NEXT:     vec4 result = shader_main(in_TEXCOORD0, uint(gl_VertexIndex - gl_BaseVertex));
-// VULKAN-NEXT:     gl_Position = result;
+// VULKAN-NEXT:     r += Get(filled, in_TEXCOORD0) + Get_2(copy, in_TEXCOORD0) + Get_2(pair.maps[1], in_TEXCOORD0) * pair.weight + (temporary = Make(), Get_3(temporary, in_TEXCOORD0));
+// VULKAN-NEXT:     r += Read(in_TEXCOORD0, chosen_index) + textureLod(sampler2D(stone, smooth_), in_TEXCOORD0, 0.0) + Offset(id);
+// VULKAN-NEXT:     gl_Position = r + textureLod(sampler2D(material_map, smooth_), in_TEXCOORD0, 0.0) * material.scale;
 // VULKAN-NEXT: }

@@ -52,12 +52,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     return x[1];
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: vec4 shader_main(vec4 p) {
-// CHECK-NEXT:     float a[2] = float[2](1.0, 2.0);
-// CHECK-NEXT:     return vec4(f(p.x) + f_2(p.x) + f(p.xy) + f(mat2(p.xy, p.zw)) + f(p) + f_3(p) + f(int(p.x)) + f(a));
-// CHECK-NEXT: }
-// CHECK-EMPTY:
 // CHECK-NEXT: void main() {
-// CHECK-NEXT:     vec4 result = shader_main(in_POSITION0);
-// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT:     float a[2] = float[2](1.0, 2.0);
+// CHECK-NEXT:     gl_Position = vec4(f(in_POSITION0.x) + f_2(in_POSITION0.x) + f(in_POSITION0.xy) + f(mat2(in_POSITION0.xy, in_POSITION0.zw)) + f(in_POSITION0) + f_3(in_POSITION0) + f(int(in_POSITION0.x)) + f(a));
 // CHECK-NEXT: }

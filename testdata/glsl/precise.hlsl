@@ -16,14 +16,9 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // CHECK-EMPTY:
-// CHECK-NEXT: vec4 shader_main(vec4 p) {
-// CHECK-NEXT:     precise vec4 r = p * a + 1.0;
-// CHECK-NEXT:     return r;
-// CHECK-NEXT: }
-// CHECK-EMPTY:
 // CHECK-NEXT: void main() {
-// CHECK-NEXT:     vec4 result = shader_main(in_POSITION0);
-// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT:     precise vec4 r = in_POSITION0 * a + 1.0;
+// CHECK-NEXT:     gl_Position = r;
 // CHECK-NEXT: }
 
 // OLD: #version 330
@@ -34,12 +29,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // OLD-EMPTY:
 // OLD-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // OLD-EMPTY:
-// OLD-NEXT: vec4 shader_main(vec4 p) {
-// OLD-NEXT:     vec4 r = p * a + 1.0;
-// OLD-NEXT:     return r;
-// OLD-NEXT: }
-// OLD-EMPTY:
 // OLD-NEXT: void main() {
-// OLD-NEXT:     vec4 result = shader_main(in_POSITION0);
-// OLD-NEXT:     gl_Position = result;
+// OLD-NEXT:     vec4 r = in_POSITION0 * a + 1.0;
+// OLD-NEXT:     gl_Position = r;
 // OLD-NEXT: }

@@ -13,24 +13,14 @@ float4 main(float4 p : POSITION) : SV_Position { return p; }
 // CHECK-NEXT:     float gl_PointSize;
 // CHECK-NEXT: };
 // CHECK-EMPTY:
-// CHECK-NEXT: vec4 shader_main(vec4 p) {
-// CHECK-NEXT:     return p;
-// CHECK-NEXT: }
-// CHECK-EMPTY:
 // CHECK-NEXT: void main() {
-// CHECK-NEXT:     vec4 result = shader_main(in_POSITION0);
-// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT:     gl_Position = in_POSITION0;
 // CHECK-NEXT: }
 
 // OLD: #version 330
 // OLD-EMPTY:
 // OLD-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // OLD-EMPTY:
-// OLD-NEXT: vec4 shader_main(vec4 p) {
-// OLD-NEXT:     return p;
-// OLD-NEXT: }
-// OLD-EMPTY:
 // OLD-NEXT: void main() {
-// OLD-NEXT:     vec4 result = shader_main(in_POSITION0);
-// OLD-NEXT:     gl_Position = result;
+// OLD-NEXT:     gl_Position = in_POSITION0;
 // OLD-NEXT: }

@@ -14,23 +14,12 @@ Output main(float4 p : POSITION, uint rate : RATE) {
 // CHECK: #version 460
 // CHECK-NEXT: #extension GL_EXT_fragment_shading_rate : require
 // CHECK-EMPTY:
-// CHECK-NEXT: struct Output {
-// CHECK-NEXT:     vec4 position;
-// CHECK-NEXT:     uint rate;
-// CHECK-NEXT: };
-// CHECK-EMPTY:
 // CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // CHECK-NEXT: layout(location = 1) in uint in_RATE0;  // RATE0
 // CHECK-EMPTY:
-// CHECK-NEXT: Output shader_main(vec4 p, uint rate) {
-// CHECK-NEXT:     Output result = Output(p, rate);
-// CHECK-NEXT:     return result;
-// CHECK-NEXT: }
-// CHECK-EMPTY:
 // CHECK-NEXT: void main() {
 // CHECK-NEXT:     uint vs_SV_SHADINGRATE0;
-// CHECK-NEXT:     Output result = shader_main(in_POSITION0, in_RATE0);
-// CHECK-NEXT:     gl_Position = result.position;
-// CHECK-NEXT:     vs_SV_SHADINGRATE0 = result.rate;
+// CHECK-NEXT:     gl_Position = in_POSITION0;
+// CHECK-NEXT:     vs_SV_SHADINGRATE0 = in_RATE0;
 // CHECK-NEXT:     gl_PrimitiveShadingRateEXT = int(vs_SV_SHADINGRATE0);
 // CHECK-NEXT: }

@@ -83,6 +83,5 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: void main() {
-// CHECK-NEXT:     vec4 result = shader_main(in_POSITION0);
-// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT:     gl_Position = shader_main(in_POSITION0);
 // CHECK-NEXT: }

@@ -46,13 +46,8 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     return counter * float(times);
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: vec4 shader_main(vec4 p) {
-// CHECK-NEXT:     return kIdentity * p + Count() + color + kLight.x + kMod + values[1] + Count();
-// CHECK-NEXT: }
-// CHECK-EMPTY:
 // CHECK-NEXT: void main() {
-// CHECK-NEXT:     vec4 result = shader_main(in_POSITION0);
-// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT:     gl_Position = kIdentity * in_POSITION0 + Count() + color + kLight.x + kMod + values[1] + Count();
 // CHECK-NEXT: }
 
 // ES: #version 300 es
@@ -79,12 +74,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // ES-NEXT:     return counter * float(times);
 // ES-NEXT: }
 // ES-EMPTY:
-// ES-NEXT: vec4 shader_main(vec4 p) {
-// ES-NEXT:     return kIdentity * p + Count() + color + kLight.x + kMod + values[1] + Count();
-// ES-NEXT: }
-// ES-EMPTY:
 // ES-NEXT: void main() {
 // ES-NEXT:     kMod = fmod(-5.5, 2.0) + kHalf;
-// ES-NEXT:     vec4 result = shader_main(in_POSITION0);
-// ES-NEXT:     gl_Position = result;
+// ES-NEXT:     gl_Position = kIdentity * in_POSITION0 + Count() + color + kLight.x + kMod + values[1] + Count();
 // ES-NEXT: }

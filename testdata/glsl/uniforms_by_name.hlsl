@@ -38,12 +38,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-EMPTY:
 // CHECK-NEXT: attribute vec4 in_POSITION0;  // POSITION0
 // CHECK-EMPTY:
-// CHECK-NEXT: vec4 shader_main(vec4 p) {
-// CHECK-NEXT:     vec4 r = view * (world * p) + x * y.xyzx + lights[1].color.xyzx * lights[0].intensity;
-// CHECK-NEXT:     return fog ? r : p;
-// CHECK-NEXT: }
-// CHECK-EMPTY:
 // CHECK-NEXT: void main() {
-// CHECK-NEXT:     vec4 result = shader_main(in_POSITION0);
-// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT:     vec4 r = view * (world * in_POSITION0) + x * y.xyzx + lights[1].color.xyzx * lights[0].intensity;
+// CHECK-NEXT:     gl_Position = fog ? r : in_POSITION0;
 // CHECK-NEXT: }

@@ -9,11 +9,7 @@ float4 main(uint view : SV_ViewID) : SV_Position { return view; }
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(num_views = 2) in;  // SV_ViewID0
 // CHECK-EMPTY:
-// CHECK-NEXT: vec4 shader_main(uint view) {
-// CHECK-NEXT:     return vec4(float(view));
-// CHECK-NEXT: }
-// CHECK-EMPTY:
 // CHECK-NEXT: void main() {
-// CHECK-NEXT:     vec4 result = shader_main(uint(gl_ViewID_OVR));
-// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT:     uint view = uint(gl_ViewID_OVR);
+// CHECK-NEXT:     gl_Position = vec4(float(view));
 // CHECK-NEXT: }

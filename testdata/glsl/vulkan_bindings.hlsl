@@ -26,12 +26,8 @@ float4 main(float4 p : POSITION, uint i : INDEX) : SV_Position {
 // CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // CHECK-NEXT: layout(location = 1) in uint in_INDEX0;  // INDEX0
 // CHECK-EMPTY:
-// CHECK-NEXT: vec4 shader_main(vec4 p, uint i) {
-// CHECK-NEXT:     p.y += textureLod(sampler2D(heights, linear_clamp), p.xz, 0.0).x;
-// CHECK-NEXT:     return view * (p + points[i]);
-// CHECK-NEXT: }
-// CHECK-EMPTY:
 // CHECK-NEXT: void main() {
-// CHECK-NEXT:     vec4 result = shader_main(in_POSITION0, in_INDEX0);
-// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT:     vec4 p = in_POSITION0;
+// CHECK-NEXT:     p.y += textureLod(sampler2D(heights, linear_clamp), p.xz, 0.0).x;
+// CHECK-NEXT:     gl_Position = view * (p + points[in_INDEX0]);
 // CHECK-NEXT: }

@@ -8,23 +8,17 @@ float4 main(uint vertex : SV_VulkanVertexID, uint instance : SV_VulkanInstanceID
 
 // CHECK: #version 460
 // CHECK-EMPTY:
-// CHECK-NEXT: vec4 shader_main(uint vertex, uint instance) {
-// CHECK-NEXT:     return vec4(float(vertex), float(instance), 0.0, 1.0);
-// CHECK-NEXT: }
-// CHECK-EMPTY:
 // CHECK-NEXT: void main() {
-// CHECK-NEXT:     vec4 result = shader_main(uint(gl_VertexIndex), uint(gl_InstanceIndex));
-// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT:     uint vertex = uint(gl_VertexIndex);
+// CHECK-NEXT:     uint instance = uint(gl_InstanceIndex);
+// CHECK-NEXT:     gl_Position = vec4(float(vertex), float(instance), 0.0, 1.0);
 // CHECK-NEXT: }
 
 // GL: #version 450
 // GL-NEXT: #extension GL_ARB_shader_draw_parameters : require
 // GL-EMPTY:
-// GL-NEXT: vec4 shader_main(uint vertex, uint instance) {
-// GL-NEXT:     return vec4(float(vertex), float(instance), 0.0, 1.0);
-// GL-NEXT: }
-// GL-EMPTY:
 // GL-NEXT: void main() {
-// GL-NEXT:     vec4 result = shader_main(uint(gl_VertexID), uint(gl_InstanceID + gl_BaseInstanceARB));
-// GL-NEXT:     gl_Position = result;
+// GL-NEXT:     uint vertex = uint(gl_VertexID);
+// GL-NEXT:     uint instance = uint(gl_InstanceID + gl_BaseInstanceARB);
+// GL-NEXT:     gl_Position = vec4(float(vertex), float(instance), 0.0, 1.0);
 // GL-NEXT: }

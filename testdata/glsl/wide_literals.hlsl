@@ -14,14 +14,9 @@ float4 main(float4 p : POSITION, uint id : ID) : SV_Position {
 // CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // CHECK-NEXT: layout(location = 1) in uint in_ID0;  // ID0
 // CHECK-EMPTY:
-// CHECK-NEXT: vec4 shader_main(vec4 p, uint id) {
-// CHECK-NEXT:     uint64_t wide = 4294967296ul * uint64_t(id);
+// CHECK-NEXT: void main() {
+// CHECK-NEXT:     uint64_t wide = 4294967296ul * uint64_t(in_ID0);
 // CHECK-NEXT:     uint64_t again = wide;
 // CHECK-NEXT:     again >>= 33;
-// CHECK-NEXT:     return p * float(wide >> 32) * float(again);
-// CHECK-NEXT: }
-// CHECK-EMPTY:
-// CHECK-NEXT: void main() {
-// CHECK-NEXT:     vec4 result = shader_main(in_POSITION0, in_ID0);
-// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT:     gl_Position = in_POSITION0 * float(wide >> 32) * float(again);
 // CHECK-NEXT: }

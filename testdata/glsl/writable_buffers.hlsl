@@ -60,14 +60,15 @@ float4 main(float4 p : POSITION, uint id : SV_VertexID) : SV_Position {
 // CHECK-NEXT:     return bytes[i_2];
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: vec4 shader_main(vec4 p, uint id) {
+// CHECK-NEXT: void main() {
+// CHECK-NEXT:     uint id = uint(gl_VertexID - gl_BaseVertexARB);
 // CHECK-NEXT:     uint i = 0u;
-// CHECK-NEXT:     rows[i++] = p;
+// CHECK-NEXT:     rows[i++] = in_POSITION0;
 // CHECK-NEXT:     vec4 temporary = rows[id];
 // CHECK-NEXT:     temporary.y += 2.0;
 // CHECK-NEXT:     rows[id] = temporary;
 // CHECK-NEXT:     vec4 temporary_2 = rows[id];
-// CHECK-NEXT:     temporary_2.xz = p.yx;
+// CHECK-NEXT:     temporary_2.xz = in_POSITION0.yx;
 // CHECK-NEXT:     rows[id] = temporary_2;
 // CHECK-NEXT:     imageStore(numbers, int(id), vec4(rows[0].x + imageLoad(numbers, 2).x, 0.0, 0.0, 0.0));
 // CHECK-NEXT:     float temporary_3 = imageLoad(numbers, 1).x;
@@ -77,7 +78,7 @@ float4 main(float4 p : POSITION, uint id : SV_VertexID) : SV_Position {
 // CHECK-NEXT:     uvec2 temporary_5 = imageLoad(picture, ivec2(1, 2)).xy;
 // CHECK-NEXT:     temporary_5.x = imageLoad(picture, ivec2(3, 4)).xy.y;
 // CHECK-NEXT:     imageStore(picture, ivec2(1, 2), uvec4(temporary_5, 0u, 0u));
-// CHECK-NEXT:     imageStore(volume, ivec3(1, 2, 3), vec4(p.xyz, 0.0));
+// CHECK-NEXT:     imageStore(volume, ivec3(1, 2, 3), vec4(in_POSITION0.xyz, 0.0));
 // CHECK-NEXT:     bytes_store(4u, i);
 // CHECK-NEXT:     bytes_store3(id * 4u, uvec3(1u, 2u, 3u));
 // CHECK-NEXT:     uint width;
@@ -85,12 +86,7 @@ float4 main(float4 p : POSITION, uint id : SV_VertexID) : SV_Position {
 // CHECK-NEXT:     ivec2 temporary_6 = imageSize(picture);
 // CHECK-NEXT:     width = uint(temporary_6.x);
 // CHECK-NEXT:     height = uint(temporary_6.y);
-// CHECK-NEXT:     return p + float(bytes_load(8u)) + float(width);
-// CHECK-NEXT: }
-// CHECK-EMPTY:
-// CHECK-NEXT: void main() {
-// CHECK-NEXT:     vec4 result = shader_main(in_POSITION0, uint(gl_VertexID - gl_BaseVertexARB));
-// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT:     gl_Position = in_POSITION0 + float(bytes_load(8u)) + float(width);
 // CHECK-NEXT: }
 
 // VULKAN: #version 460
@@ -122,14 +118,15 @@ float4 main(float4 p : POSITION, uint id : SV_VertexID) : SV_Position {
 // VULKAN-NEXT:     return bytes[i_2];
 // VULKAN-NEXT: }
 // VULKAN-EMPTY:
-// VULKAN-NEXT: vec4 shader_main(vec4 p, uint id) {
+// VULKAN-NEXT: void main() {
+// VULKAN-NEXT:     uint id = uint(gl_VertexIndex - gl_BaseVertex);
 // VULKAN-NEXT:     uint i = 0u;
-// VULKAN-NEXT:     rows[i++] = p;
+// VULKAN-NEXT:     rows[i++] = in_POSITION0;
 // VULKAN-NEXT:     vec4 temporary = rows[id];
 // VULKAN-NEXT:     temporary.y += 2.0;
 // VULKAN-NEXT:     rows[id] = temporary;
 // VULKAN-NEXT:     vec4 temporary_2 = rows[id];
-// VULKAN-NEXT:     temporary_2.xz = p.yx;
+// VULKAN-NEXT:     temporary_2.xz = in_POSITION0.yx;
 // VULKAN-NEXT:     rows[id] = temporary_2;
 // VULKAN-NEXT:     imageStore(numbers, int(id), vec4(rows[0].x + imageLoad(numbers, 2).x, 0.0, 0.0, 0.0));
 // VULKAN-NEXT:     float temporary_3 = imageLoad(numbers, 1).x;
@@ -139,7 +136,7 @@ float4 main(float4 p : POSITION, uint id : SV_VertexID) : SV_Position {
 // VULKAN-NEXT:     uvec2 temporary_5 = imageLoad(picture, ivec2(1, 2)).xy;
 // VULKAN-NEXT:     temporary_5.x = imageLoad(picture, ivec2(3, 4)).xy.y;
 // VULKAN-NEXT:     imageStore(picture, ivec2(1, 2), uvec4(temporary_5, 0u, 0u));
-// VULKAN-NEXT:     imageStore(volume, ivec3(1, 2, 3), vec4(p.xyz, 0.0));
+// VULKAN-NEXT:     imageStore(volume, ivec3(1, 2, 3), vec4(in_POSITION0.xyz, 0.0));
 // VULKAN-NEXT:     bytes_store(4u, i);
 // VULKAN-NEXT:     bytes_store3(id * 4u, uvec3(1u, 2u, 3u));
 // VULKAN-NEXT:     uint width;
@@ -147,10 +144,5 @@ float4 main(float4 p : POSITION, uint id : SV_VertexID) : SV_Position {
 // VULKAN-NEXT:     ivec2 temporary_6 = imageSize(picture);
 // VULKAN-NEXT:     width = uint(temporary_6.x);
 // VULKAN-NEXT:     height = uint(temporary_6.y);
-// VULKAN-NEXT:     return p + float(bytes_load(8u)) + float(width);
-// VULKAN-NEXT: }
-// VULKAN-EMPTY:
-// VULKAN-NEXT: void main() {
-// VULKAN-NEXT:     vec4 result = shader_main(in_POSITION0, uint(gl_VertexIndex - gl_BaseVertex));
-// VULKAN-NEXT:     gl_Position = result;
+// VULKAN-NEXT:     gl_Position = in_POSITION0 + float(bytes_load(8u)) + float(width);
 // VULKAN-NEXT: }

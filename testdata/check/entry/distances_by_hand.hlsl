@@ -11,15 +11,15 @@ void scalar(float4 v : POSITION, out float4 o : SV_Position, out float d : SV_Cl
 struct Two { float4 position : SV_Position; float3 a : SV_ClipDistance0; float3 b : SV_ClipDistance1; };
 Two two_float3(float4 v : POSITION) { Two o; o.position = v; o.a = p.xyz; o.b = q.xyz; return o; }
 // THREE: gl_ClipDistance[7]
-// THREE: gl_ClipDistance[2] = result.a.z;
+// THREE: gl_ClipDistance[2] = a.z;
 // THREE: gl_ClipDistance[3] = 0.0;
-// THREE: gl_ClipDistance[4] = result.b.x;
-// THREE: gl_ClipDistance[6] = result.b.z;
+// THREE: gl_ClipDistance[4] = b.x;
+// THREE: gl_ClipDistance[6] = b.z;
 
 struct Mixed { float4 position : SV_Position; float3 a : SV_ClipDistance0; float b : SV_ClipDistance1; float2 c : SV_CullDistance; };
 Mixed mixed(float4 v : POSITION) { Mixed o; o.position = v; o.a = p.xyz; o.b = q.x; o.c = q.yz; return o; }
-// MIXED-DAG: gl_ClipDistance[3] = result.b;
-// MIXED-DAG: gl_CullDistance[1] = result.c.y;
+// MIXED-DAG: gl_ClipDistance[3] = b;
+// MIXED-DAG: gl_CullDistance[1] = c.y;
 
 float4 several(float4 v : POSITION, out float2 b : SV_ClipDistance1, out float4 d[1] : SV_ClipDistance0) : SV_Position {
   b = q.xy;

@@ -22,12 +22,6 @@ Output main(float4 a : POSITION, float4 b : POSITION0, uint id : SV_VertexID, ui
 // CHECK: #version 450
 // CHECK-NEXT: #extension GL_ARB_shader_draw_parameters : require
 // CHECK-EMPTY:
-// CHECK-NEXT: struct Output {
-// CHECK-NEXT:     vec3 lights[2];
-// CHECK-NEXT:     vec3 view;
-// CHECK-NEXT:     vec4 position;
-// CHECK-NEXT: };
-// CHECK-EMPTY:
 // CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // CHECK-NEXT: layout(location = 1) in vec4 in_POSITION0_2;  // POSITION0
 // CHECK-EMPTY:
@@ -35,19 +29,14 @@ Output main(float4 a : POSITION, float4 b : POSITION0, uint id : SV_VertexID, ui
 // CHECK-NEXT: layout(location = 1) out vec3 vs_TEXCOORD3;  // TEXCOORD3
 // CHECK-NEXT: layout(location = 2) out vec3 vs_TEXCOORD3_2;  // TEXCOORD3
 // CHECK-EMPTY:
-// CHECK-NEXT: Output shader_main(vec4 a, vec4 b, uint id, uint again) {
-// CHECK-NEXT:     Output result;
-// CHECK-NEXT:     result.lights[0] = a.xyz;
-// CHECK-NEXT:     result.lights[1] = b.xyz;
-// CHECK-NEXT:     result.view = vec3(float(id + again));
-// CHECK-NEXT:     result.position = a + b;
-// CHECK-NEXT:     return result;
-// CHECK-NEXT: }
-// CHECK-EMPTY:
 // CHECK-NEXT: void main() {
-// CHECK-NEXT:     Output result = shader_main(in_POSITION0, in_POSITION0_2, uint(gl_VertexID - gl_BaseVertexARB), uint(gl_VertexID - gl_BaseVertexARB));
-// CHECK-NEXT:     vs_TEXCOORD2 = result.lights[0];
-// CHECK-NEXT:     vs_TEXCOORD3 = result.lights[1];
-// CHECK-NEXT:     vs_TEXCOORD3_2 = result.view;
-// CHECK-NEXT:     gl_Position = result.position;
+// CHECK-NEXT:     uint id = uint(gl_VertexID - gl_BaseVertexARB);
+// CHECK-NEXT:     uint again = uint(gl_VertexID - gl_BaseVertexARB);
+// CHECK-NEXT:     vec3 lights[2];
+// CHECK-NEXT:     lights[0] = in_POSITION0.xyz;
+// CHECK-NEXT:     lights[1] = in_POSITION0_2.xyz;
+// CHECK-NEXT:     vs_TEXCOORD3_2 = vec3(float(id + again));
+// CHECK-NEXT:     gl_Position = in_POSITION0 + in_POSITION0_2;
+// CHECK-NEXT:     vs_TEXCOORD2 = lights[0];
+// CHECK-NEXT:     vs_TEXCOORD3 = lights[1];
 // CHECK-NEXT: }

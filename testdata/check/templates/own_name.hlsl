@@ -35,12 +35,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     return 2.0;
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: vec4 shader_main(vec4 p) {
-// CHECK-NEXT:     Stack stack = Stack(float[2](p.x, p.y));
-// CHECK-NEXT:     return p * Same(Copy(stack)).items[1] * Two() * Two();
-// CHECK-NEXT: }
-// CHECK-EMPTY:
 // CHECK-NEXT: void main() {
-// CHECK-NEXT:     vec4 result = shader_main(in_POSITION0);
-// CHECK-NEXT:     gl_Position = result;
+// CHECK-NEXT:     Stack stack = Stack(float[2](in_POSITION0.x, in_POSITION0.y));
+// CHECK-NEXT:     gl_Position = in_POSITION0 * Same(Copy(stack)).items[1] * Two() * Two();
 // CHECK-NEXT: }

@@ -26,7 +26,7 @@ float4 main(float4 position : POSITION, out float4 color : COLOR) : SV_Position 
 // VERT: layout(location = 0) out vec4 vs_COLOR0;
 // VERT-NEXT: layout(location = 1) out vec4 vs_SV_CLIPPLANEDISTANCE0;
 // VERT-NEXT: layout(location = 2) out float vs_SV_CLIPPLANEDISTANCE1;
-// VERT: gl_Position = result;
+// VERT: gl_Position = in_POSITION0;
 // VERT-NEXT: vs_SV_CLIPPLANEDISTANCE0.x = dot(gl_Position, water);
 // VERT-NEXT: vs_SV_CLIPPLANEDISTANCE0.y = dot(gl_Position, portals[0]);
 // VERT-NEXT: vs_SV_CLIPPLANEDISTANCE0.z = dot(gl_Position, portals[1]);

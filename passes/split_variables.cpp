@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "passes/split_variables.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "ir/builder.h"
+#include "ir/walk.h"
+
+namespace clipc::passes {
+
+using namespace ir;
+
+namespace {
+
+// Calls on_place(expr, writes) for every variable, or field of a variable, that is read or written in an expression.
+template <typename OnPlace>
+void ForEachPlace(const Program& program, ExprId id, bool writes, OnPlace&& on_place) {
+  const auto& node = program.exprs[id].node;
+  const auto visit = [&](ExprId part, bool is_written) { ForEachPlace(program, part, is_written, on_place); };
+  if (std::holds_alternative<VarRef>(node)) return on_place(id, writes);
+  if (const auto* field = std::get_if<FieldRef>(&node)) {
+    if (std::holds_alternative<VarRef>(program.exprs[field->base].node)) return on_place(id, writes);
+    return visit(field->base, writes);
+  }
+  if (const auto* index = std::get_if<Index>(&node)) {
+    visit(index->base, writes);
+    return visit(index->index, false);
+  }
+  if (const auto* swizzle = std::get_if<Swizzle>(&node)) return visit(swizzle->base, writes);
+  if (const auto* assign = std::get_if<Assign>(&node)) {
+    visit(assign->target, true);
+    return visit(assign->value, false);
+  }
+  if (const auto* unary = std::get_if<Unary>(&node)) return visit(unary->operand, unary->op >= UnaryOp::kPreIncrement);
+  if (const auto* call = std::get_if<Call>(&node)) {
+    for (std::uint32_t i = 0; i < call->arguments.size; ++i) {
+      const Var& parameter = program.vars[program.functions[call->function].parameters[i]];
+      visit(program.expr_lists[call->arguments][i], parameter.storage != Storage::kIn);
+    }
+    return;
+  }
+  if (const auto* call = std::get_if<IntrinsicCall>(&node)) {
+    for (std::uint32_t i = 0; i < call->arguments.size; ++i) {
+      visit(program.expr_lists[call->arguments][i], WritesArgument(call->op, i));
+    }
+    return;
+  }
+  ForEachOperand(program, id, [&](ExprId operand) { visit(operand, false); });
+}
+
+template <typename OnPlace>
+void ForEachPlace(const Program& program, StmtId id, OnPlace&& on_place) {
+  ForEachPart(
+      program, id, [&](ExprId expr) { ForEachPlace(program, expr, false, on_place); },
+      [&](StmtId part) { ForEachPlace(program, part, on_place); });
+}
+
+class Splitter {
+ public:
+  Splitter(Program& program, const MainParts& parts)
+      : program_(program), before_end_(parts.before.size()), after_begin_(before_end_ + parts.body.size()) {
+    for (const std::vector<StmtId>* part : {&parts.before, &parts.body, &parts.after}) {
+      stmts_.insert(stmts_.end(), part->begin(), part->end());
+    }
+    replaced_.resize(stmts_.size());
+    is_replaced_.resize(stmts_.size());
+  }
+
+  std::vector<StmtId> Run() {
+    FindCandidates();
+    for (now_ = 0; now_ < stmts_.size(); ++now_) Collect(stmts_[now_]);
+    for (Candidate& candidate : candidates_) candidate.is_whole ? FillAtOnce(candidate) : Split(candidate);
+    std::vector<StmtId> result;
+    for (std::size_t i = 0; i < stmts_.size(); ++i) {
+      result.insert(result.end(), replaced_[i].begin(), replaced_[i].end());
+      if (!is_replaced_[i]) result.push_back(stmts_[i]);
+    }
+    return result;
+  }
+
+ private:
+  struct Use {
+    ExprId expr;
+    std::size_t stmt;
+    bool writes;
+  };
+  // A field of a struct, or a whole variable of another type.
+  struct Part {
+    std::string name;
+    TypeId type;
+    std::vector<Use> uses;  // in order of the statements
+    VarId becomes;
+    bool is_new = false;  // becomes a local variable
+  };
+  // Gives every part a value, or none: `S s;`, `S s = (S)0;`, `s = S(a, b);`
+  struct Definition {
+    std::size_t stmt;
+    ExprId value;
+  };
+  struct Candidate {
+    VarId var;
+    bool is_struct = false;
+    bool is_whole = false;  // has to stay
+    std::vector<Part> parts;
+    std::vector<Definition> definitions;  // the first is the declaration
+  };
+
+  // ---- what there is
+
+  void FindCandidates() {
+    for (std::size_t i = 0; i < stmts_.size(); ++i) {
+      const auto* declare = std::get_if<Declare>(&program_.stmts[stmts_[i]].node);
+      if (!declare) continue;
+      const Var& var = program_.vars[declare->var];
+      if (var.storage != Storage::kLocal || var.precise) continue;
+      Candidate candidate{declare->var, program_.types[var.type].kind == TypeKind::kStruct, false, {}, {}};
+      if (candidate.is_struct) {
+        for (const Field& field : program_.types.StructOf(var.type).fields) {
+          candidate.parts.push_back({field.name, field.type, {}, {}});
+          candidate.is_whole |= field.precise;
+        }
+      } else {
+        candidate.parts.push_back({var.name, var.type, {}, {}});
+      }
+      numbers_[declare->var] = candidates_.size();
+      candidates_.push_back(std::move(candidate));
+    }
+  }
+
+  Candidate* CandidateOf(ExprId expr) {
+    const auto* ref = std::get_if<VarRef>(&program_.exprs[expr].node);
+    const auto found = ref ? numbers_.find(ref->var) : numbers_.end();
+    return found == numbers_.end() ? nullptr : &candidates_[found->second];
+  }
+
+  void Collect(StmtId stmt) {
+    if (const auto* declare = std::get_if<Declare>(&program_.stmts[stmt].node)) {
+      if (const auto known = numbers_.find(declare->var); known != numbers_.end()) {
+        return Define(candidates_[known->second], declare->init, true);
+      }
+    }
+    if (const Assign* assign = AssignmentAt(now_)) {
+      Candidate* candidate = CandidateOf(assign->target);
+      if (candidate && candidate->is_struct) return Define(*candidate, assign->value, false);
+    }
+    ForEachPlace(program_, stmt, [&](ExprId expr, bool writes) { Place(expr, writes); });
+  }
+
+  void Place(ExprId expr, bool writes) {
+    if (Candidate* candidate = CandidateOf(expr)) {
+      if (candidate->is_struct) candidate->is_whole = true;
+      else candidate->parts[0].uses.push_back({expr, now_, writes});
+    } else if (const auto* field = std::get_if<FieldRef>(&program_.exprs[expr].node)) {
+      if (Candidate* base = CandidateOf(field->base)) base->parts[field->field].uses.push_back({expr, now_, writes});
+    }
+  }
+
+  // Only from a zero or from one value for each part, which does not read the variable itself.
+  void Define(Candidate& candidate, ExprId value, bool is_declaration) {
+    std::size_t uses = 0;
+    for (const Part& part : candidate.parts) uses += part.uses.size();
+    if (value) {
+      const auto& node = program_.exprs[value].node;
+      const bool is_by_parts = std::holds_alternative<Zero>(node) || std::holds_alternative<Construct>(node);
+      if (candidate.is_struct && !is_by_parts) candidate.is_whole = true;
+      ForEachPlace(program_, value, false, [&](ExprId expr, bool writes) { Place(expr, writes); });
+    }
+    for (const Part& part : candidate.parts) uses -= part.uses.size();
+    if (uses != 0 || (!is_declaration && candidate.definitions.empty())) candidate.is_whole = true;
+    candidate.definitions.push_back({now_, value});
+  }
+
+  // `target = value;`
+  const Assign* AssignmentAt(std::size_t stmt) const {
+    const auto* evaluate = std::get_if<Evaluate>(&program_.stmts[stmts_[stmt]].node);
+    const auto* assign = evaluate ? std::get_if<Assign>(&program_.exprs[evaluate->expr].node) : nullptr;
+    return assign && !assign->op ? assign : nullptr;
+  }
+
+  // ---- what becomes of it
+
+  // `Vertex v; v.position = in_POSITION0; v.normal = in_NORMAL0;` as `Vertex v = Vertex(in_POSITION0, in_NORMAL0);`
+  void FillAtOnce(Candidate& candidate) {
+    if (!candidate.is_struct || candidate.definitions.empty()) return;
+    const Definition& declaration = candidate.definitions.front();
+    if (declaration.stmt >= before_end_ || declaration.value) return;
+    std::vector<ExprId> values;
+    std::size_t last = 0;
+    for (const Part& part : candidate.parts) {
+      const Use* first = OverwriteAfter(part, declaration.stmt);
+      if (!first || first->stmt >= before_end_) return;
+      if (first != &part.uses.back() && std::next(first)->stmt < before_end_) return;
+      values.push_back(AssignmentAt(first->stmt)->value);
+      last = std::max(last, first->stmt);
+    }
+    Builder b(program_, program_.stmts[stmts_[declaration.stmt]].span);
+    const ExprId value = b.ConstructOf(program_.vars[candidate.var].type, values);
+    replaced_[last].push_back(b.Stmt(Declare{candidate.var, value}));
+    is_replaced_[declaration.stmt] = true;
+    for (const Part& part : candidate.parts) is_replaced_[part.uses.front().stmt] = true;
+  }
+
+  void Split(Candidate& candidate) {
+    bool is_interface = candidate.is_struct && candidate.definitions.front().stmt < before_end_;
+    for (Part& part : candidate.parts) {
+      part.becomes = OutputOf(part);
+      is_interface |= part.becomes.operator bool();
+    }
+    if (!is_interface) return;  // the shader's own business
+    for (Part& part : candidate.parts) {
+      if (part.becomes) {
+        is_replaced_[part.uses.back().stmt] = true;
+      } else if (const VarId input = candidate.definitions.size() == 1 && !candidate.definitions[0].value ? InputOf(part) : VarId{}) {
+        part.becomes = input;
+        is_replaced_[part.uses.front().stmt] = true;
+      } else if (IsNeverRead(part)) {
+        is_replaced_[part.uses.front().stmt] = true;
+      } else if (!part.uses.empty()) {
+        Var var = program_.vars[candidate.var];
+        var.name = part.name;
+        var.type = part.type;
+        part.becomes = program_.vars.Add(std::move(var));
+        part.is_new = true;
+      }
+    }
+    for (const Definition& definition : candidate.definitions) Replace(candidate, definition);
+    for (const Part& part : candidate.parts) {
+      if (!part.becomes) continue;
+      for (const Use& use : part.uses) program_.exprs[use.expr].node = VarRef{part.becomes};
+    }
+  }
+
+  // An input that the shader does not look at.
+  bool IsNeverRead(const Part& part) const {
+    if (part.uses.size() != 1 || part.uses.front().stmt >= before_end_) return false;
+    const Assign* assign = AssignmentAt(part.uses.front().stmt);
+    return assign && assign->target == part.uses.front().expr && IsPure(program_, assign->value);
+  }
+
+  // The output that takes the part's last value as it is.
+  VarId OutputOf(const Part& part) const {
+    if (part.uses.empty()) return {};
+    const Use& last = part.uses.back();
+    if (last.stmt < after_begin_ || (part.uses.size() > 1 && part.uses[part.uses.size() - 2].stmt >= after_begin_)) return {};
+    const Assign* assign = AssignmentAt(last.stmt);
+    if (!assign || assign->value != last.expr) return {};
+    const auto* target = std::get_if<VarRef>(&program_.exprs[assign->target].node);
+    if (!target || program_.vars[target->var].storage != Storage::kOutput) return {};
+    return program_.vars[target->var].type == part.type ? target->var : VarId{};
+  }
+
+  // The input that the part is from beginning to end.
+  VarId InputOf(const Part& part) const {
+    if (part.uses.empty() || std::ranges::count_if(part.uses, &Use::writes) != 1) return {};
+    const Use& first = part.uses.front();
+    const Assign* assign = first.stmt < before_end_ ? AssignmentAt(first.stmt) : nullptr;
+    if (!assign || assign->target != first.expr) return {};
+    const auto* value = std::get_if<VarRef>(&program_.exprs[assign->value].node);
+    const auto input = value ? std::ranges::find(program_.inputs, value->var, &IoVar::var) : program_.inputs.end();
+    const bool is_plain = input != program_.inputs.end() && input->builtin == Builtin::kNone;
+    return is_plain && program_.vars[input->var].type == part.type ? input->var : VarId{};
+  }
+
+  // The part's first use behind a statement, when it is `part = value;`.
+  const Use* OverwriteAfter(const Part& part, std::size_t stmt) const {
+    const auto next = std::ranges::upper_bound(part.uses, stmt, {}, &Use::stmt);
+    if (next == part.uses.end()) return nullptr;
+    const bool is_only = std::next(next) == part.uses.end() || std::next(next)->stmt != next->stmt;
+    const Assign* assign = AssignmentAt(next->stmt);
+    return is_only && assign && assign->target == next->expr ? &*next : nullptr;
+  }
+
+  void Replace(Candidate& candidate, const Definition& definition) {
+    const bool is_declaration = &definition == &candidate.definitions.front();
+    const auto* construct = definition.value ? std::get_if<Construct>(&program_.exprs[definition.value].node) : nullptr;
+    const List<ExprId> values = construct ? construct->arguments : List<ExprId>{};
+    is_replaced_[definition.stmt] = true;
+    for (std::size_t i = 0; i < candidate.parts.size(); ++i) {
+      const Part& part = candidate.parts[i];
+      Builder b(program_, program_.stmts[stmts_[definition.stmt]].span);
+      std::vector<StmtId>& out = replaced_[definition.stmt];
+      ExprId value = !candidate.is_struct ? definition.value : construct ? program_.expr_lists[values][i] : ExprId{};
+      if (!part.becomes) {
+        if (value && !IsPure(program_, value)) out.push_back(b.Eval(value));
+        continue;
+      }
+      const Use* overwrite = OverwriteAfter(part, definition.stmt);
+      const bool is_zero = candidate.is_struct && definition.value && !construct;
+      if (is_zero && !overwrite) value = b.ZeroOf(part.type);
+      if (part.is_new && is_declaration) {
+        const bool is_alone = candidate.definitions.size() == 1;
+        if (!value && overwrite && is_alone) {
+          const ExprId first = AssignmentAt(overwrite->stmt)->value;
+          is_replaced_[overwrite->stmt] = true;
+          replaced_[overwrite->stmt].push_back(b.Stmt(Declare{part.becomes, first}));
+        } else {
+          out.push_back(b.Stmt(Declare{part.becomes, value}));
+        }
+      } else if (value) {
+        out.push_back(b.Eval(b.AssignTo(b.Ref(part.becomes), value)));
+      }
+    }
+  }
+
+  Program& program_;
+  const std::size_t before_end_, after_begin_;
+  std::vector<StmtId> stmts_;
+  std::vector<std::vector<StmtId>> replaced_;  // what stands in front of a statement, or for it
+  std::vector<bool> is_replaced_;
+  std::size_t now_ = 0;
+  std::vector<Candidate> candidates_;
+  std::map<VarId, std::size_t> numbers_;
+};
+
+}  // namespace
+
+bool IsAssigned(const Program& program, StmtId stmt, VarId var) {
+  bool is_assigned = false;
+  ForEachPlace(program, stmt, [&](ExprId expr, bool writes) {
+    const auto* field = std::get_if<FieldRef>(&program.exprs[expr].node);
+    const auto* ref = std::get_if<VarRef>(&program.exprs[field ? field->base : expr].node);
+    is_assigned |= writes && ref->var == var;
+  });
+  return is_assigned;
+}
+
+std::vector<StmtId> SplitVariables(Program& program, const MainParts& parts) { return Splitter(program, parts).Run(); }
+
+}  // namespace clipc::passes
