@@ -9,10 +9,11 @@ cbuffer Clip : register(b3) {
   float4 more[4];
 };
 
-// The function as it would be without the attribute.
-// CHECK: vec4 shader_main(vec4 position) {
-// CHECK-NEXT: return position;
-// CHECK: gl_ClipDistance[0] = dot(gl_Position, near_water);
+// The rest is as it would be without the attribute.
+// CHECK: void main() {
+// CHECK-NOT: near_water
+// CHECK: gl_Position =
+// CHECK-NEXT: gl_ClipDistance[0] = dot(gl_Position, near_water);
 // CHECK-NEXT: gl_ClipDistance[1] = dot(gl_Position, behind_portal);
 // CHECK-NOT: gl_ClipDistance
 [clipplanes(near_water, behind_portal)]

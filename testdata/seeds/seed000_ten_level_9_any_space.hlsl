@@ -14,8 +14,9 @@ struct Output {
   float distance : SV_ClipDistance;
 };
 
-// CHECK: [[WORLD:[a-z_]+]] = {{.*}}world
-// CHECK: distance = dot([[WORLD]], plane);
+// CHECK: in_world = {{.*}}world *
+// CHECK: dot(in_world, plane);
+// CHECK: gl_ClipDistance[0] =
 Output in_world_space(float4 position : POSITION) {
   Output output;
   float4 in_world = mul(position, world);
