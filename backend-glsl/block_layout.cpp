@@ -86,6 +86,7 @@ class Comparer {
   }
 
   std::optional<Std140Extent> Struct(const ir::Struct& structure) const {
+    if (structure.fields.empty()) return std::nullopt;  // takes no room in HLSL, and cannot be said in GLSL
     Std140Extent whole{0, row_, MatrixLayout::kNone};
     std::uint32_t hlsl_end = 0;
     std::uint64_t end = 0;

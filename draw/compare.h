@@ -29,7 +29,7 @@ struct Comparison {
   int vertices = 0;
   long values = 0;       // components compared
   long equal = 0;        // to the bit, or both zero
-  long undefined = 0;    // the evaluator gives NaN: GLSL leaves the result open
+  long undefined = 0;    // the evaluator gives NaN, or the value depends on what HLSL leaves undefined
   double worst = 0;      // in units of 2^-24 of the output's size
   std::vector<std::string> mistakes;  // the first ones, in words
 

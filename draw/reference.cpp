@@ -14,18 +14,22 @@ namespace {
 template <typename Number>
 using Float4 = std::array<Number, 4>;
 
+struct EvaluatorStops : DrawError {
+  using DrawError::DrawError;
+};
+
 // The outputs of all vertices, once in float and once in double.
 struct Runs {
   std::vector<ir::EvalOutputs> in_float, in_double;
 };
 
-Runs RunAll(const ir::Program& program, const RandomInputs& inputs) {
+Runs RunAll(const ir::Program& program, const RandomInputs& inputs, double undefined) {
   Runs runs;
   for (const std::vector<ir::IoBits>& vertex : inputs.vertices) {
     const ir::EvalInputs values{vertex, inputs.cbuffers, nullptr};
     for (const bool in_double : {false, true}) {
-      ir::EvalResult result = ir::RunMain(program, values, {.in_double = in_double});
-      if (!result) throw DrawError("the reference evaluator stops: " + result.error);
+      ir::EvalResult result = ir::RunMain(program, values, {.in_double = in_double, .undefined = undefined});
+      if (!result) throw EvaluatorStops("the reference evaluator stops: " + result.error);
       (in_double ? runs.in_double : runs.in_float).push_back(std::move(result.outputs));
     }
   }
@@ -53,8 +57,8 @@ Number Dot(const Float4<Number>& position, const Float4<float>& plane) {
 
 class Reference {
  public:
-  Reference(const Shader& shader, const BuildOptions& options, const RandomInputs& inputs)
-      : shader_(shader), options_(options), inputs_(inputs), typed_(RunAll(shader.typed, inputs)) {}
+  Reference(const Shader& shader, const BuildOptions& options, const RandomInputs& inputs, double undefined)
+      : shader_(shader), options_(options), inputs_(inputs), undefined_(undefined), typed_(RunAll(shader.typed, inputs, undefined)) {}
 
   std::vector<Expected> Make() {
     const auto& outputs = shader_.lowered.outputs;
@@ -75,6 +79,8 @@ class Reference {
     return all;
   }
 
+  bool WroteOutOfBounds(std::size_t vertex) const { return typed_.in_float[vertex].wrote_out_of_bounds; }
+
  private:
   Expected Empty(std::size_t index) const {
     const ir::Program& program = shader_.lowered;
@@ -84,7 +90,7 @@ class Reference {
     if (is_array) type = &program.types[type->element];
     const ir::Scalar kind = ir::BaseOf(type->scalar);
     if (kind == ir::Scalar::kDouble) throw DrawError("an output of doubles, which no test draws with");
-    return {shader_.info.outputs.at(index).name, kind, count, {}, {}};
+    return {shader_.info.outputs.at(index).name, kind, count, {}, {}, {}};
   }
 
   void Fill(Expected& expected, std::size_t index, const Runs& runs) const {
@@ -120,7 +126,7 @@ class Reference {
   void FillDistances(Expected& expected, std::size_t index) const {
     const auto& planes = shader_.typed.clip_planes;
     if (!std::all_of(planes.begin(), planes.end(), [](const ir::ClipPlane& plane) { return plane.whole_register; })) {
-      return Fill(expected, index, RunAll(shader_.lowered, inputs_));
+      return Fill(expected, index, RunAll(shader_.lowered, inputs_, undefined_));
     }
     for (std::size_t vertex = 0; vertex < typed_.in_float.size(); ++vertex) {
       for (const ir::ClipPlane& plane : planes) {
@@ -141,13 +147,38 @@ class Reference {
   const Shader& shader_;
   const BuildOptions& options_;
   const RandomInputs& inputs_;
+  const double undefined_;
   Runs typed_;
 };
+
+// What is different in another run is open, and all of it when that run does not come to an end.
+template <typename Run>
+void MarkOpen(std::vector<Expected>& all, Run&& run) {
+  std::vector<Expected> others;
+  try {
+    others = run();
+  } catch (const EvaluatorStops&) {
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t k = 0; k < all[i].words.size(); ++k) {
+      if (others.empty() || all[i].words[k] != others[i].words[k]) all[i].open[k] = true;
+    }
+  }
+}
 
 }  // namespace
 
 std::vector<Expected> MakeExpected(const Shader& shader, const BuildOptions& options, const RandomInputs& inputs) {
-  return Reference(shader, options, inputs).Make();
+  Reference zero(shader, options, inputs, 0);
+  std::vector<Expected> all = zero.Make();
+  for (Expected& output : all) {
+    for (std::size_t k = 0; k < output.words.size(); ++k) {
+      output.open.push_back(zero.WroteOutOfBounds(k / static_cast<std::size_t>(output.components)));
+    }
+  }
+  // One other value may happen to give the same: max(0, x) does for any x below 0.
+  for (const double undefined : {1.0, 3.0, -2.5}) MarkOpen(all, [&] { return Reference(shader, options, inputs, undefined).Make(); });
+  return all;
 }
 
 }  // namespace clipc::draw

@@ -16,6 +16,7 @@ struct Expected {
   int components;    // of a vector, or elements of an array
   std::vector<std::uint32_t> words;  // of vertex 0, then of vertex 1, ...
   std::vector<double> numbers;       // the same, computed in double: a yardstick for what rounding may change
+  std::vector<bool> open;            // the same: depends on what HLSL leaves undefined; anything is right
 };
 
 // By the reference evaluator from the checked program, before any pass. What the passes add is computed here from their

@@ -43,6 +43,7 @@ bool Machine::Prepare() {
     if (WordsOf(id) > kMaxWords) return false;
   }
   memory_.assign(end, 0);
+  for (const IoVar& io : program_.outputs) SetUndefined(io.var);
   for (const Resource& resource : program_.resources) {
     const std::uint32_t address = address_[resource.var.index];
     for (std::uint32_t i = 0; i < WordsOf(program_.vars[resource.var].type); ++i) {
@@ -146,6 +147,7 @@ EvalOutputs Machine::ReadOutputs() const {
     outputs.values.push_back(bits);
     outputs.numbers.push_back(numbers);
   }
+  outputs.wrote_out_of_bounds = wrote_out_of_bounds_;
   return outputs;
 }
 
@@ -183,6 +185,24 @@ Word Machine::FromBits(Word bits, Scalar kind) const {
 }
 Word Machine::ToBits(Word word, Scalar kind) const {
   return ConvertBits(word, RepOf(kind), BaseOf(kind));
+}
+
+Word Machine::UndefinedOf(Scalar kind, std::size_t component) const {
+  const double value = options_.undefined * static_cast<double>(component + 1);
+  return ConvertBits(BitsOf(value), Scalar::kDouble, RepOf(kind));
+}
+
+void Machine::SetUndefined(VarId var) {
+  const auto to = memory_.begin() + address_[var.index];
+  const TypeId type = program_.vars[var].type;
+  if (options_.undefined == 0) {
+    std::fill_n(to, WordsOf(type), 0);
+    return;
+  }
+  std::vector<Scalar> kinds;
+  AppendKinds(type, kinds);
+  for (std::size_t i = 0; i < kinds.size(); ++i)
+    to[static_cast<std::ptrdiff_t>(i)] = UndefinedOf(kinds[i], i);
 }
 
 std::uint32_t Machine::WordsOf(TypeId id) {

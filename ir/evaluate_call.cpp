@@ -27,9 +27,9 @@ void Machine::EvalCall(ExprId expr, const Call& node) {
     const Place place = Locate(argument);
     written.emplace_back(parameter, place);
     if (storage == Storage::kInOut) {
-      PushFrom(place, WordsOf(argument));
+      PushFrom(place, program_.exprs[argument].type);
     } else {
-      PushZeros(WordsOf(argument));
+      PushUndefined(program_.exprs[argument].type);
     }
   }
   // All arguments are evaluated before the first parameter gets its value: one may call the same

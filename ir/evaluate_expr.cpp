@@ -54,7 +54,7 @@ void Machine::Keep(std::size_t base, std::size_t from, std::uint32_t words) {
 
 void Machine::EvalVarRef(const VarRef& node) {
   const Var& var = program_.vars[node.var];
-  if (!only_constants_) return PushFrom({.address = address_[node.var.index]}, WordsOf(var.type));
+  if (!only_constants_) return PushFrom({.address = address_[node.var.index]}, var.type);
   if (var.storage == Storage::kConstant && var.init) return Eval(var.init);
   is_constant_ = false;
   PushZeros(WordsOf(var.type));
@@ -78,7 +78,7 @@ bool Machine::IsPath(ExprId expr) const {
 // part of a value.
 void Machine::EvalPart(ExprId expr) {
   const std::uint32_t words = WordsOf(expr);
-  if (IsPath(expr)) return PushFrom(Locate(expr), words);
+  if (IsPath(expr)) return PushFrom(Locate(expr), program_.exprs[expr].type);
   const std::size_t base = stack_.size();
   const auto& node = program_.exprs[expr].node;
   if (const FieldRef* field = std::get_if<FieldRef>(&node)) {
@@ -90,7 +90,7 @@ void Machine::EvalPart(ExprId expr) {
   const auto element = IndexInto(TypeOf(index.base), index.index);
   if (element) return Keep(base, base + std::size_t{*element} * words, words);
   stack_.resize(base);
-  PushZeros(words);
+  PushUndefined(program_.exprs[expr].type);
 }
 
 std::optional<std::uint32_t> Machine::IndexInto(const Type& base, ExprId index) {
@@ -127,15 +127,26 @@ Machine::Place Machine::Locate(ExprId expr) {
   return place;
 }
 
-void Machine::PushFrom(const Place& place, std::uint32_t words) {
-  if (!place.in_bounds) return PushZeros(words);
+void Machine::PushUndefined(TypeId type) {
+  if (options_.undefined == 0) return PushZeros(WordsOf(type));
+  std::vector<Scalar> kinds;
+  AppendKinds(type, kinds);
+  for (std::size_t i = 0; i < kinds.size(); ++i) stack_.push_back(UndefinedOf(kinds[i], i));
+}
+
+void Machine::PushFrom(const Place& place, TypeId type) {
+  if (!place.in_bounds) return PushUndefined(type);
+  const std::uint32_t words = WordsOf(type);
   for (std::uint32_t i = 0; i < words; ++i) {
     stack_.push_back(memory_[place.address + (place.count != 0 ? place.components[i] : i)]);
   }
 }
 
 void Machine::Store(const Place& place, std::uint32_t words, const Word* from) {
-  if (!place.in_bounds) return;
+  if (!place.in_bounds) {
+    wrote_out_of_bounds_ = true;
+    return;
+  }
   for (std::uint32_t i = 0; i < words; ++i) {
     memory_[place.address + (place.count != 0 ? place.components[i] : i)] = from[i];
   }
@@ -175,8 +186,8 @@ void Machine::EvalUnary(const Unary& node) {
     return;
   }
   const Place place = Locate(node.operand);
-  PushFrom(place, words);
-  PushFrom(place, words);
+  PushFrom(place, program_.exprs[node.operand].type);
+  PushFrom(place, program_.exprs[node.operand].type);
   for (std::uint32_t i = 0; i < words; ++i) {
     stack_[base + words + i] = UnaryComponent(node.op, rep, stack_[base + words + i]);
   }
@@ -217,7 +228,7 @@ void Machine::EvalAssign(const Assign& node) {
   const Place place = Locate(node.target);
   Eval(node.value);
   if (node.op) {
-    PushFrom(place, words);
+    PushFrom(place, program_.exprs[node.target].type);
     for (std::uint32_t i = 0; i < words; ++i) {
       stack_[base + i] = BinaryComponent(*node.op, rep, stack_[base + words + i], stack_[base + i]);
     }

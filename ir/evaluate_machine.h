@@ -57,6 +57,8 @@ class Machine {
   std::uint32_t WordsOf(TypeId type);
   std::uint32_t WordsOf(ExprId expr) { return WordsOf(program_.exprs[expr].type); }
   std::uint32_t FieldWord(StructId structure, std::uint32_t field);
+  Word UndefinedOf(Scalar kind, std::size_t component) const;
+  void SetUndefined(VarId var);
   void AppendKinds(TypeId type,
                    std::vector<Scalar>& kinds) const;  // of each word; kUint for an object
 
@@ -89,9 +91,10 @@ class Machine {
   Place Locate(ExprId expr);
   // Evaluates the index; none when it is out of bounds.
   std::optional<std::uint32_t> IndexInto(const Type& base, ExprId index);
-  void PushFrom(const Place& place, std::uint32_t words);
+  void PushFrom(const Place& place, TypeId type);
   void Store(const Place& place, std::uint32_t words, const Word* from);
   void PushZeros(std::uint32_t words) { stack_.resize(stack_.size() + words, 0); }
+  void PushUndefined(TypeId type);
   // Keeps `words` words at `from` of those behind `base`.
   void Keep(std::size_t base, std::size_t from, std::uint32_t words);
 
@@ -114,6 +117,7 @@ class Machine {
   int depth_ = 0;
   bool only_constants_ = false;
   bool is_constant_ = true;
+  bool wrote_out_of_bounds_ = false;
 };
 
 }  // namespace clipc::ir

@@ -32,7 +32,12 @@ void Machine::CallFunction(FunctionId id, std::size_t base) {
   if (++depth_ > kMaxCallDepth && error_.empty()) error_ = "calls are nested too deeply";
   if (Step()) Exec(function.body);
   --depth_;
-  stack_.resize(base + words, 0);  // a function that ends without return gives zeros
+  // What a function that ends without return gives is undefined.
+  if (words != 0 && stack_.size() < base + words && error_.empty()) {
+    stack_.resize(base);
+    PushUndefined(function.return_type);
+  }
+  stack_.resize(base + words, 0);
 }
 
 Machine::Flow Machine::ExecList(List<StmtId> list) {
@@ -80,7 +85,7 @@ Machine::Flow Machine::ExecDeclare(const Declare& node) {
     std::copy(stack_.begin() + static_cast<std::ptrdiff_t>(base), stack_.end(), to);
     stack_.resize(base);
   } else if (!var.init) {
-    std::fill_n(to, WordsOf(var.type), 0);
+    SetUndefined(node.var);
   }
   return Flow::kNext;
 }

@@ -97,8 +97,10 @@ class Inliner {
       const auto* ref = std::get_if<VarRef>(&program_.exprs[argument].node);
       const bool is_local = ref && program_.vars[ref->var].storage == Storage::kLocal;
       const bool is_precise = program_.vars[parameter].precise;
-      if (ref && !is_precise && (is_local || (IsPlain(ref->var) && !IsAssigned(program_, entry.body, parameter)))) {
+      const bool is_unchanged = ref && !is_precise && IsPlain(ref->var) && !IsAssigned(program_, entry.body, parameter);
+      if (is_local || is_unchanged) {
         renamed_[parameter] = ref->var;
+        program_.vars[ref->var].precise |= is_precise;
         continue;
       }
       program_.vars[parameter].storage = Storage::kLocal;

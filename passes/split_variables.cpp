@@ -204,7 +204,7 @@ class Splitter {
   }
 
   void Split(Candidate& candidate) {
-    bool is_interface = candidate.is_struct && candidate.definitions.front().stmt < before_end_;
+    bool is_interface = candidate.definitions.front().stmt < before_end_;
     for (Part& part : candidate.parts) {
       part.becomes = OutputOf(part);
       is_interface |= part.becomes.operator bool();

@@ -29,7 +29,6 @@ float Random(uint seed) {
 }
 
 void main() {
-    float shade;
     uint corner = uint(gl_VertexID - gl_BaseVertexARB);
     uint blade = uint(gl_InstanceID);
     vec2 offset = kCorners[corner & 3u];
@@ -37,7 +36,7 @@ void main() {
     float bend = offset.y * offset.y * strength * sin(time + 6.2831855 * Random(blade + 17u));
     vec3 position = in_ROOT0 + vec3(offset.x * 0.02, offset.y * height, 0.0);
     position.xz += direction * bend;
-    shade = 0.5 + 0.5 * offset.y;
+    float shade = 0.5 + 0.5 * offset.y;
     gl_Position = view_projection * vec4(position, 1.0);
     vs_SHADE0 = shade;
 }

@@ -1,4 +1,6 @@
 // The structs of a signature become the inputs and outputs themselves; what is more than that stays.
+// RUN: %clipc -T vs_5_0 -E parameter --dump-after=inline-entry %s | FileCheck %s --check-prefix=PARAMETER
+// RUN: %draw compare -T vs_5_0 -E parameter %s
 // RUN: %clipc -T vs_5_0 -E plain --dump-after=inline-entry %s | FileCheck %s --check-prefix=PLAIN
 // RUN: %clipc -T vs_5_0 -E changed --dump-after=inline-entry %s | FileCheck %s --check-prefix=CHANGED
 // RUN: %clipc -T vs_5_0 -E zero --dump-after=inline-entry %s | FileCheck %s --check-prefix=ZERO
@@ -124,3 +126,11 @@ void back_and_forth(inout float4 position : POSITION, inout float4 color : COLOR
   position += color;
   clip = position;
 }
+
+// A parameter's `precise` holds for the output that it becomes.
+// PARAMETER: main void main() {
+// PARAMETER-NEXT: precise float4 position.1
+// PARAMETER-NEXT: position.1 = in_POSITION0
+// PARAMETER-NEXT: vs_SV_POSITION0 = position.1
+// PARAMETER-NEXT: }
+void parameter(float4 p : POSITION, out precise float4 position : SV_Position) { position = p; }
