@@ -39,7 +39,7 @@ function(clipc_folder name)
   if(NOT sources)
     target_sources(clipc_${name} PRIVATE ${CLIPC_EMPTY_SOURCE})
   endif()
-  target_include_directories(clipc_${name} PUBLIC ${clipc_SOURCE_DIR})
+  target_include_directories(clipc_${name} PUBLIC $<BUILD_INTERFACE:${clipc_SOURCE_DIR}> $<INSTALL_INTERFACE:include/clipc>)
   target_link_libraries(clipc_${name} PUBLIC ${folder_PUBLIC} PRIVATE ${folder_PRIVATE})
 
   if(BUILD_TESTING AND tests)

@@ -8,6 +8,9 @@ build_packages=(g++ cmake ninja-build ccache "libclang-$llvm-dev" "llvm-$llvm-de
 test_packages=(python3 "llvm-$llvm-tools" libgtest-dev libgmock-dev glslang-tools spirv-tools
   libegl-dev libgl-dev libopengl-dev libegl1 libopengl0 libgl1-mesa-dri libpng-dev)
 
+# What testing the Direct3D 9 binding takes; without, CTest has no entry `d3d9.*`. `./test --all` installs it.
+ci_packages=(g++-mingw-w64-x86-64-win32 wine64 libwine xvfb libgl1 libglx-mesa0)
+
 # quietly COMMAND...: runs it and shows what it printed only if it fails.
 quietly() {
   local log status=0

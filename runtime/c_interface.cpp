@@ -117,8 +117,8 @@ clipc_error clipc_binder_bind(clipc_binder* binder, const clipc_table* table, co
   if (binder == nullptr || table == nullptr || (buffers == nullptr && buffer_count != 0))
     return runtime::MissingArgument(message);
   if (buffer_count > CLIPC_MAX_BUFFERS) {
-    return runtime::Report(runtime::Status::Failure(runtime::Error::kInvalidArgument, "%zu buffers; at most %d",
-                                                    buffer_count, CLIPC_MAX_BUFFERS),
+    return runtime::Report(runtime::Status::Failure(runtime::Error::kInvalidArgument, "%llu buffers; at most %d",
+                                                    static_cast<unsigned long long>(buffer_count), CLIPC_MAX_BUFFERS),
                            message);
   }
   runtime::BoundBuffer bound[CLIPC_MAX_BUFFERS];

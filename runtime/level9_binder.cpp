@@ -29,9 +29,9 @@ const unsigned char* FindPlane(const TablePlane& plane, std::uint32_t index, con
     return nullptr;
   }
   if (buffer->size < 16 || buffer->size - 16 < plane.byte_offset) {
-    status = Status::Failure(Error::kShortBuffer, "clip plane %u lies at bytes %u to %llu of b%u `%s`, which has %zu",
+    status = Status::Failure(Error::kShortBuffer, "clip plane %u lies at bytes %u to %llu of b%u `%s`, which has %llu",
                              index, plane.byte_offset, plane.byte_offset + 15ULL, plane.register_number,
-                             plane.cbuffer.c_str(), buffer->size);
+                             plane.cbuffer.c_str(), static_cast<unsigned long long>(buffer->size));
     return nullptr;
   }
   return static_cast<const unsigned char*>(buffer->bytes) + plane.byte_offset;
@@ -68,8 +68,8 @@ Status Level9Binder::Bind(const Table& table, const BoundBuffer* buffers, std::s
   for (std::uint32_t i = 0; mask >> i != 0; ++i) {
     if ((mask >> i & 1) == 0) continue;
     if (i >= max_planes_ || i >= kMaxPlanes || i >= table.planes.size()) {
-      return Status::Failure(Error::kInvalidCall, "clip plane %u; the device has %u and the table %zu", i, max_planes_,
-                             table.planes.size());
+      return Status::Failure(Error::kInvalidCall, "clip plane %u; the device has %u and the table %u", i, max_planes_,
+                             static_cast<unsigned>(table.planes.size()));
     }
     Status status;
     const unsigned char* bytes = FindPlane(table.planes[i], i, buffers, buffer_count, status);

@@ -15,6 +15,8 @@ static_assert(static_cast<int>(Lowering::kLevel9) == static_cast<int>(clip_table
 static_assert(static_cast<int>(Lowering::kNearPlane) == static_cast<int>(clip_table::Lowering::kNearPlane));
 static_assert(static_cast<int>(Lowering::kDiscard) == static_cast<int>(clip_table::Lowering::kDiscard));
 static_assert(static_cast<int>(Lowering::kNone) == static_cast<int>(clip_table::Lowering::kNone));
+static_assert(static_cast<int>(Lowering::kNearPlane) == static_cast<int>(clip_table::Lowering::kNearPlane));
+static_assert(static_cast<int>(Lowering::kDiscard) == static_cast<int>(clip_table::Lowering::kDiscard));
 
 Result<Table> Fail(Error error, const char* what) { return {{}, Status::Failure(error, "%s", what)}; }
 

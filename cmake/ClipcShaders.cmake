@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+# Shaders as a part of a build:
+#
+#   clipc_add_shader(TARGET SHADER water.hlsl
+#     [NAME water]               # of what is written; the shader's file name without its extension
+#     [ENTRY main] [PROFILE vs_5_0]
+#     [LOWER clip-distance|level9|near-plane|discard|none]
+#     [TARGET glsl450]           # the GLSL to write
+#     [FRAGMENT water.frag]      # with LOWER discard: the fragment shader that gets the discard
+#     [TABLE .h|.json|.bin]      # the clip table, beside the header below; .h without this
+#     [VARIANTS n]               # one shader for each number of planes from 0 to n, n being all that the shader has
+#     [DEFINES A B=1] [OPTIONS --flip-y ...])
+#
+# compiles the shader with clipc whenever it or a file that it includes has changed. The target gets an include folder with
+# NAME.shader.h (constexpr const char NAME_vert[], with VARIANTS NAME_vert[n + 1][], and NAME_frag[] with FRAGMENT; characters
+# that \ stands for are none of GLSL's) and NAME.clip.h (constexpr clipc::StaticClipTable NAME_clip_table); the target property
+# CLIPC_SHADER_FOLDER names that folder, where NAME.vert and the table in other forms lie too.
+
+set(CLIPC_EMBED_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/embed_shaders.cmake)
+
+function(clipc_add_shader target)
+  cmake_parse_arguments(PARSE_ARGV 1 shader "" "SHADER;NAME;ENTRY;PROFILE;LOWER;TARGET;FRAGMENT;TABLE;VARIANTS" "DEFINES;OPTIONS")
+  if(shader_UNPARSED_ARGUMENTS OR NOT shader_SHADER)
+    message(FATAL_ERROR "clipc_add_shader(${target} SHADER file ...): what is `${shader_UNPARSED_ARGUMENTS}`?")
+  endif()
+  if(TARGET clipc)
+    set(compiler $<TARGET_FILE:clipc>)
+  elseif(TARGET clipc::clipc)
+    set(compiler $<TARGET_FILE:clipc::clipc>)
+  else()
+    find_program(CLIPC_EXECUTABLE clipc REQUIRED)
+    set(compiler ${CLIPC_EXECUTABLE})
+  endif()
+
+  cmake_path(ABSOLUTE_PATH shader_SHADER OUTPUT_VARIABLE source)
+  if(NOT shader_NAME)
+    cmake_path(GET shader_SHADER STEM shader_NAME)
+  endif()
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}_shaders)
+  file(MAKE_DIRECTORY ${folder})
+  set(glsl ${folder}/${shader_NAME}.vert)
+  set(header ${folder}/${shader_NAME}.shader.h)
+
+  set(arguments)
+  foreach(option ENTRY=-E PROFILE=-T LOWER=--lower TARGET=--target)
+    string(REGEX MATCH "^(.*)=(.*)$" unused ${option})
+    if(shader_${CMAKE_MATCH_1})
+      list(APPEND arguments ${CMAKE_MATCH_2} ${shader_${CMAKE_MATCH_1}})
+    endif()
+  endforeach()
+  foreach(define IN LISTS shader_DEFINES)
+    list(APPEND arguments -D ${define})
+  endforeach()
+  set(written ${glsl})
+  if(DEFINED shader_VARIANTS)
+    list(APPEND arguments --variants)
+    set(written)
+    foreach(count RANGE ${shader_VARIANTS})
+      list(APPEND written ${folder}/${shader_NAME}.${count}.vert)
+    endforeach()
+  endif()
+  set(fragment)
+  if(shader_FRAGMENT)
+    cmake_path(ABSOLUTE_PATH shader_FRAGMENT)
+    list(APPEND arguments --fragment=${shader_FRAGMENT})
+    set(fragment ${folder}/${shader_NAME}.frag)
+  endif()
+
+  # clipc writes one form of the table at a time.
+  set(compile ${compiler} ${source} -o ${glsl} ${arguments} ${shader_OPTIONS})
+  set(tables ${folder}/${shader_NAME}.clip.h)
+  if(shader_TABLE AND NOT shader_TABLE STREQUAL ".h")
+    list(APPEND tables ${folder}/${shader_NAME}.clip${shader_TABLE})
+  endif()
+  set(commands)
+  foreach(table IN LISTS tables)
+    list(APPEND commands COMMAND ${compile} --table=${table} -MD -MF ${header}.d -MT ${header})
+  endforeach()
+  string(JOIN "|" vertex_list ${written})
+  add_custom_command(OUTPUT ${header}
+    BYPRODUCTS ${written} ${fragment} ${tables}
+    ${commands}
+    COMMAND ${CMAKE_COMMAND} "-DNAME=${shader_NAME}" "-DVERTEX=${vertex_list}" "-DFRAGMENT=${fragment}"
+      "-DVARIANTS=${shader_VARIANTS}" "-DHEADER=${header}" -P ${CLIPC_EMBED_SCRIPT}
+    DEPENDS ${source} ${shader_FRAGMENT} ${compiler} ${CLIPC_EMBED_SCRIPT}
+    DEPFILE ${header}.d
+    COMMENT "Compiling shader ${shader_NAME}"
+    VERBATIM)
+  target_sources(${target} PRIVATE ${header})
+  target_include_directories(${target} PRIVATE ${folder})
+  set_target_properties(${target} PROPERTIES CLIPC_SHADER_FOLDER ${folder})
+endfunction()

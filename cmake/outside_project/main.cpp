@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// Prints what reached it of the shader: by header, by the table in a file, by the variants.
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "level9.clip.h"
+#include "level9.shader.h"
+#include "runtime/level9_binder.h"
+#include "variants.shader.h"
+
+int main() {
+  namespace runtime = clipc::runtime;
+  const auto table = runtime::ReadTable(level9_clip_table);
+  std::ifstream file(SHADER_FOLDER "/level9.clip.json", std::ios::binary);
+  const std::string json{std::istreambuf_iterator<char>(file), {}};
+  const auto same = runtime::ReadTable(json.data(), json.size());
+  if (!table.ok() || !same.ok() || same.value.planes.size() != table.value.planes.size()) return 1;
+  if (std::strstr(level9_vert, "gl_ClipVertex") == nullptr) return 1;
+  for (int count = 0; count <= 2; ++count) {
+    const std::string last = "gl_ClipDistance[" + std::to_string(count - 1) + "] =";
+    const std::string next = "gl_ClipDistance[" + std::to_string(count) + "] =";
+    if (count > 0 && std::strstr(variants_vert[count], last.c_str()) == nullptr) return 1;
+    if (std::strstr(variants_vert[count], next.c_str()) != nullptr) return 1;
+  }
+  std::printf("second plane: byte %u of b%u\n", table.value.planes[1].byte_offset, table.value.planes[1].register_number);
+  return 0;
+}

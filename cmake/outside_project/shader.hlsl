@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "planes.hlsli"
+
+#ifndef SCALE
+#define SCALE 1
+#endif
+
+[clipplanes(first, second)]
+float4 main(float4 position : POSITION) : SV_Position { return SCALE * position; }

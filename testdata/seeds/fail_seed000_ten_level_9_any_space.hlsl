@@ -1,0 +1,16 @@
+// "User clip planes on feature level 9 hardware", Background and 10Level9 feature levels: at feature level 9 there is no
+// SV_ClipDistance, and so no plane but in clip space.
+// RUN: not %clipc -T vs_4_0_level_9_1 %s -o - 2>&1 | FileCheck %s
+
+struct Output {
+  float4 position : SV_Position;
+  // CHECK: fail_seed000_ten_level_9_any_space.hlsl{{.*}}error: `SV_ClipDistance` is written by hand; `vs_4_0_level_9_1` has no clip distances
+  float distance : SV_ClipDistance;
+};
+
+Output main(float4 position : POSITION) {
+  Output output;
+  output.position = position;
+  output.distance = position.x;
+  return output;
+}
