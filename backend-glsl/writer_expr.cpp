@@ -38,7 +38,8 @@ Text Writer::Expr(ExprId id) {
           [&](const Unary& node) { return UnaryText(expr, node); },
           [&](const Binary& node) {
             const bool is_eager = node.op == BinaryOp::kLogicalAnd || node.op == BinaryOp::kLogicalOr;
-            return BinaryOn(node.op, OperandOf(node.left), OperandOf(node.right), !is_eager || IsPure(node.right));
+            const Operand left = OperandOf(node.left), right = OperandOf(node.right);
+            return BinaryOn(node.op, left, right, !is_eager || IsPure(node.right));
           },
           [&](const Assign& node) { return AssignText(node); },
           [&](const Conditional& node) {
@@ -204,7 +205,8 @@ Text Writer::CompoundAssignText(const Assign& node) {
     return type + " " + function + "(inout " + Declaration(shape, "target") + ", " + Declaration(shape, "value") +
            ") {\n    target = " + Argument(BinaryOn(op, a, b, true)) + ";\n    return target;\n}\n";
   });
-  return {helper + "(" + ArgumentOf(node.target) + ", " + Argument(Full(value)) + ")"};
+  const std::string target = ArgumentOf(node.target);
+  return {helper + "(" + target + ", " + Argument(Full(value)) + ")"};
 }
 
 Text Writer::ConvertText(const ir::Expr& expr, const Convert& node) {

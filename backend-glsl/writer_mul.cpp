@@ -2,6 +2,8 @@
 // mul() and matrices. GLSL's matrices are the transposes of HLSL's, so products turn round: mul(v, M) is M * v.
 #include "backend-glsl/writer_state.h"
 
+#include <utility>
+
 namespace clipc::glsl {
 
 using namespace ir;
@@ -25,12 +27,14 @@ Text Writer::MulText(ExprId left, ExprId right, const Type& result_type) {
     return BinaryOn(BinaryOp::kMul, a, b, true);
   }
   if (l.IsVector() && r.IsVector()) {
-    if (!left_is_column) return DotOn(OperandOf(left), OperandOf(right));
-    if (!l.IsFloating()) return RowsMulText(left, right, result);
-    return {"outerProduct(" + ArgumentOf(right) + ", " + ArgumentOf(left) + ")"};
+    if (left_is_column && !l.IsFloating()) return RowsMulText(left, right, result);
+    const Operand a = OperandOf(left), b = OperandOf(right);
+    if (!left_is_column) return DotOn(a, b);
+    return {"outerProduct(" + Argument(Full(b)) + ", " + Argument(Full(a)) + ")"};
   }
   if (l.kind == Shape::kRows || r.kind == Shape::kRows) return RowsMulText(left, right, result);
-  return Infix(Expr(right), "*", Expr(left), Binding::kProduct);
+  Text first = Expr(left);
+  return Infix(Expr(right), "*", std::move(first), Binding::kProduct);
 }
 
 // Products with a matrix of ints.

@@ -61,7 +61,8 @@ Text Writer::SampleText(const ir::Expr& expr, const ObjectCall& node) {
   if (!target_.HasTextureFunctions()) function.replace(0, 7, "texture");  // sampler2D: texture2D
   if (node.op == ObjectOp::kSampleGrad) {
     function += "Grad";
-    text += ", " + ArgumentOf(arguments[next]) + ", " + ArgumentOf(arguments[next + 1]);
+    text += ", " + ArgumentOf(arguments[next]);
+    text += ", " + ArgumentOf(arguments[next + 1]);
     next += 2;
   } else if (node.op != ObjectOp::kD3d9Sample) {
     function += "Lod";
@@ -118,7 +119,8 @@ Text Writer::TexelText(const ir::Expr& expr, const ObjectCall& node) {
   const auto arguments = program_.expr_lists[node.arguments];
   if (target_.IsVulkan()) Require("GL_EXT_samplerless_texture_functions");
   std::string text = ObjectName(arguments[0], {});
-  text += ", " + ArgumentOf(arguments[1]) + ", " + ArgumentOf(arguments[2]);
+  text += ", " + ArgumentOf(arguments[1]);
+  text += ", " + ArgumentOf(arguments[2]);
   const bool has_offset = arguments.size() > 3;
   if (has_offset) text += ", " + ArgumentOf(arguments[3]);
   return Narrow((has_offset ? "texelFetchOffset(" : "texelFetch(") + text + ")", program_.types[expr.type]);

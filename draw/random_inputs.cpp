@@ -26,7 +26,10 @@ class Values {
  private:
   // mt19937's numbers are the same everywhere; the standard distributions are not.
   std::uint32_t Below(std::uint32_t limit) { return static_cast<std::uint32_t>(random_() % limit); }
-  int Int(int least) { return least + static_cast<int>(Below(static_cast<std::uint32_t>(options_.greatest_int - least + 1))); }
+  int Int(int least) {
+    const std::int64_t count = std::int64_t{options_.greatest_int} - least + 1;
+    return static_cast<int>(least + std::int64_t{Below(static_cast<std::uint32_t>(count))});
+  }
   float Float() {
     if (Below(4) == 0) return static_cast<float>(static_cast<int>(Below(5)) - 2);
     return static_cast<float>(Below(1u << 24)) * 0x1p-22f - 2.0f;

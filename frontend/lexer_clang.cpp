@@ -497,8 +497,7 @@ Tokens Lex(Source& source, Diagnostics& diagnostics) {
   AddPragmas(preprocessor, state);
   preprocessor.addPPCallbacks(std::make_unique<Callbacks>(state, preprocessor, search));
 
-  const char stack = 0;
-  state.guard.SetStackBase(&stack);
+  state.guard.SetStackBase(static_cast<const char*>(__builtin_frame_address(0)));
   GuardScope scope(state.guard);
   tokens.list.reserve(state.main_text.size() / 3 + 64);  // untouched pages cost nothing
   TokenWriter writer(tokens, diagnostics);

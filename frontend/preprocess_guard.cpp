@@ -12,8 +12,9 @@ void PreprocessGuard::Stop(Limit limit, std::uint32_t location) {
 }
 
 PreprocessGuard::Limit PreprocessGuard::CountToken() {
-  const char here = 0;
-  if (static_cast<std::size_t>(std::abs(stack_base_ - &here)) > kMaxStack) return Limit::kStack;
+  // Not the address of a variable: AddressSanitizer may keep those elsewhere.
+  const auto* here = static_cast<const char*>(__builtin_frame_address(0));
+  if (static_cast<std::size_t>(std::abs(stack_base_ - here)) > kMaxStack) return Limit::kStack;
   return ++tokens_ > max_tokens_ ? Limit::kTokens : Limit::kNone;
 }
 

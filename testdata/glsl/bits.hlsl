@@ -80,35 +80,16 @@ float4 main(float4 p : POSITION) : SV_Position {
 // OLD-NEXT:     return uintBitsToFloat(Globals_rows[1].x);
 // OLD-NEXT: }
 // OLD-EMPTY:
-// OLD-NEXT: uint firstbithigh(uint x) {
-// OLD-NEXT:     for (int i = 31; i >= 0; --i) {
-// OLD-NEXT:         if (((x >> i) & 1u) != 0u) return uint(i);
-// OLD-NEXT:     }
-// OLD-NEXT:     return 0xFFFFFFFFu;
-// OLD-NEXT: }
-// OLD-EMPTY:
-// OLD-NEXT: uvec2 firstbithigh(uvec2 a) {
-// OLD-NEXT:     return uvec2(firstbithigh(a.x), firstbithigh(a.y));
-// OLD-NEXT: }
-// OLD-EMPTY:
-// OLD-NEXT: uvec2 countbits(uvec2 x) {
+// OLD-NEXT: uint countbits(uint x) {
 // OLD-NEXT:     x -= (x >> 1) & 0x55555555u;
 // OLD-NEXT:     x = (x & 0x33333333u) + ((x >> 2) & 0x33333333u);
 // OLD-NEXT:     x = (x + (x >> 4)) & 0x0F0F0F0Fu;
 // OLD-NEXT:     return (x * 0x01010101u) >> 24;
 // OLD-NEXT: }
 // OLD-EMPTY:
-// OLD-NEXT: uint reversebits(uint x) {
-// OLD-NEXT:     x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
-// OLD-NEXT:     x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
-// OLD-NEXT:     x = ((x >> 4) & 0x0F0F0F0Fu) | ((x & 0x0F0F0F0Fu) << 4);
-// OLD-NEXT:     x = ((x >> 8) & 0x00FF00FFu) | ((x & 0x00FF00FFu) << 8);
-// OLD-NEXT:     return (x >> 16) | (x << 16);
-// OLD-NEXT: }
-// OLD-EMPTY:
-// OLD-NEXT: uint firstbitlow(uint x) {
-// OLD-NEXT:     for (int i = 0; i < 32; ++i) {
-// OLD-NEXT:         if (((x >> i) & uint(1)) != uint(0)) return uint(i);
+// OLD-NEXT: uint firstbithigh(uint x) {
+// OLD-NEXT:     for (int i = 31; i >= 0; --i) {
+// OLD-NEXT:         if (((x >> i) & 1u) != 0u) return uint(i);
 // OLD-NEXT:     }
 // OLD-NEXT:     return 0xFFFFFFFFu;
 // OLD-NEXT: }
@@ -120,11 +101,30 @@ float4 main(float4 p : POSITION) : SV_Position {
 // OLD-NEXT:     return 0xFFFFFFFFu;
 // OLD-NEXT: }
 // OLD-EMPTY:
-// OLD-NEXT: uint countbits(uint x) {
+// OLD-NEXT: uint firstbitlow(uint x) {
+// OLD-NEXT:     for (int i = 0; i < 32; ++i) {
+// OLD-NEXT:         if (((x >> i) & uint(1)) != uint(0)) return uint(i);
+// OLD-NEXT:     }
+// OLD-NEXT:     return 0xFFFFFFFFu;
+// OLD-NEXT: }
+// OLD-EMPTY:
+// OLD-NEXT: uint reversebits(uint x) {
+// OLD-NEXT:     x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
+// OLD-NEXT:     x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
+// OLD-NEXT:     x = ((x >> 4) & 0x0F0F0F0Fu) | ((x & 0x0F0F0F0Fu) << 4);
+// OLD-NEXT:     x = ((x >> 8) & 0x00FF00FFu) | ((x & 0x00FF00FFu) << 8);
+// OLD-NEXT:     return (x >> 16) | (x << 16);
+// OLD-NEXT: }
+// OLD-EMPTY:
+// OLD-NEXT: uvec2 countbits(uvec2 x) {
 // OLD-NEXT:     x -= (x >> 1) & 0x55555555u;
 // OLD-NEXT:     x = (x & 0x33333333u) + ((x >> 2) & 0x33333333u);
 // OLD-NEXT:     x = (x + (x >> 4)) & 0x0F0F0F0Fu;
 // OLD-NEXT:     return (x * 0x01010101u) >> 24;
+// OLD-NEXT: }
+// OLD-EMPTY:
+// OLD-NEXT: uvec2 firstbithigh(uvec2 a) {
+// OLD-NEXT:     return uvec2(firstbithigh(a.x), firstbithigh(a.y));
 // OLD-NEXT: }
 // OLD-EMPTY:
 // OLD-NEXT: uint f32tof16(float x) {

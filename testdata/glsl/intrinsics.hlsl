@@ -44,12 +44,12 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // CHECK-EMPTY:
-// CHECK-NEXT: float saturate(float x) {
-// CHECK-NEXT:     return min(max(0.0, x), 1.0);  // 0 for NaN
-// CHECK-NEXT: }
-// CHECK-EMPTY:
 // CHECK-NEXT: vec4 saturate(vec4 x) {
 // CHECK-NEXT:     return min(max(vec4(0.0), x), 1.0);  // 0 for NaN
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: float saturate(float x) {
+// CHECK-NEXT:     return min(max(0.0, x), 1.0);  // 0 for NaN
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: vec4 smoothstep_(vec4 a, vec4 b, vec4 x) {
@@ -61,13 +61,13 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     return a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: vec4 dst(vec4 a, vec4 b) {
-// CHECK-NEXT:     return vec4(1.0, a.y * b.y, a.z, b.w);
-// CHECK-NEXT: }
-// CHECK-EMPTY:
 // CHECK-NEXT: vec4 lit(float n_dot_l, float n_dot_h, float m) {
 // CHECK-NEXT:     float specular = n_dot_l < 0.0 || n_dot_h < 0.0 ? 0.0 : pow(n_dot_h, m);
 // CHECK-NEXT:     return vec4(1.0, max(n_dot_l, 0.0), specular, 1.0);
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: vec4 dst(vec4 a, vec4 b) {
+// CHECK-NEXT:     return vec4(1.0, a.y * b.y, a.z, b.w);
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: void sincos(vec4 x, out vec4 s, out vec4 c) {

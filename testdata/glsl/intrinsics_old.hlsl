@@ -28,16 +28,21 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-EMPTY:
 // CHECK-NEXT: attribute vec4 in_POSITION0;  // POSITION0
 // CHECK-EMPTY:
-// CHECK-NEXT: vec4 saturate(vec4 x) {
-// CHECK-NEXT:     return min(max(vec4(0.0), x), 1.0);  // 0 for NaN
+// CHECK-NEXT: vec4 cosh_(vec4 x) {
+// CHECK-NEXT:     return 0.5 * (exp(x) + exp(-x));
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: vec4 sinh_(vec4 x) {
+// CHECK-NEXT:     return 0.5 * (exp(x) - exp(-x));
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: vec4 tanh_(vec4 x) {
+// CHECK-NEXT:     vec4 e = exp(-2.0 * abs(x));
+// CHECK-NEXT:     return sign(x) * (1.0 - e) / (1.0 + e);
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: vec4 trunc_(vec4 x) {
 // CHECK-NEXT:     return sign(x) * floor(abs(x));
-// CHECK-NEXT: }
-// CHECK-EMPTY:
-// CHECK-NEXT: vec4 fmod(vec4 x, vec4 y) {
-// CHECK-NEXT:     return x - y * trunc_(x / y);
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: float round_(float x) {
@@ -50,17 +55,12 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     return vec4(round_(a.x), round_(a.y), round_(a.z), round_(a.w));
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: vec4 tanh_(vec4 x) {
-// CHECK-NEXT:     vec4 e = exp(-2.0 * abs(x));
-// CHECK-NEXT:     return sign(x) * (1.0 - e) / (1.0 + e);
+// CHECK-NEXT: vec4 fmod(vec4 x, vec4 y) {
+// CHECK-NEXT:     return x - y * trunc_(x / y);
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: vec4 sinh_(vec4 x) {
-// CHECK-NEXT:     return 0.5 * (exp(x) - exp(-x));
-// CHECK-NEXT: }
-// CHECK-EMPTY:
-// CHECK-NEXT: vec4 cosh_(vec4 x) {
-// CHECK-NEXT:     return 0.5 * (exp(x) + exp(-x));
+// CHECK-NEXT: vec4 saturate(vec4 x) {
+// CHECK-NEXT:     return min(max(vec4(0.0), x), 1.0);  // 0 for NaN
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: vec4 modf_(vec4 x, out vec4 whole) {
@@ -68,16 +68,28 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     return x - whole;
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: ivec4 imod(ivec4 x, ivec4 y) {
-// CHECK-NEXT:     return x - y * (x / y);
+// CHECK-NEXT: int abs_(int x) {
+// CHECK-NEXT:     return x < 0 ? -x : x;
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: int sign_(int x) {
-// CHECK-NEXT:     return x > 0 ? 1 : x < 0 ? -1 : 0;
+// CHECK-NEXT: ivec4 abs_(ivec4 a) {
+// CHECK-NEXT:     return ivec4(abs_(a.x), abs_(a.y), abs_(a.z), abs_(a.w));
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: ivec4 sign_(ivec4 a) {
-// CHECK-NEXT:     return ivec4(sign_(a.x), sign_(a.y), sign_(a.z), sign_(a.w));
+// CHECK-NEXT: int min_(int x, int y) {
+// CHECK-NEXT:     return y < x ? y : x;
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: ivec4 min_(ivec4 a, ivec4 b) {
+// CHECK-NEXT:     return ivec4(min_(a.x, b.x), min_(a.y, b.y), min_(a.z, b.z), min_(a.w, b.w));
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: int max_(int x, int y) {
+// CHECK-NEXT:     return x < y ? y : x;
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: ivec4 max_(ivec4 a, ivec4 b) {
+// CHECK-NEXT:     return ivec4(max_(a.x, b.x), max_(a.y, b.y), max_(a.z, b.z), max_(a.w, b.w));
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: int clamp_(int x, int low, int high) {
@@ -89,32 +101,24 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     return ivec4(clamp_(a.x, b.x, c.x), clamp_(a.y, b.y, c.y), clamp_(a.z, b.z, c.z), clamp_(a.w, b.w, c.w));
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: int max_(int x, int y) {
-// CHECK-NEXT:     return x < y ? y : x;
+// CHECK-NEXT: int sign_(int x) {
+// CHECK-NEXT:     return x > 0 ? 1 : x < 0 ? -1 : 0;
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: ivec4 max_(ivec4 a, ivec4 b) {
-// CHECK-NEXT:     return ivec4(max_(a.x, b.x), max_(a.y, b.y), max_(a.z, b.z), max_(a.w, b.w));
+// CHECK-NEXT: ivec4 sign_(ivec4 a) {
+// CHECK-NEXT:     return ivec4(sign_(a.x), sign_(a.y), sign_(a.z), sign_(a.w));
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: int min_(int x, int y) {
-// CHECK-NEXT:     return y < x ? y : x;
-// CHECK-NEXT: }
-// CHECK-EMPTY:
-// CHECK-NEXT: ivec4 min_(ivec4 a, ivec4 b) {
-// CHECK-NEXT:     return ivec4(min_(a.x, b.x), min_(a.y, b.y), min_(a.z, b.z), min_(a.w, b.w));
-// CHECK-NEXT: }
-// CHECK-EMPTY:
-// CHECK-NEXT: int abs_(int x) {
-// CHECK-NEXT:     return x < 0 ? -x : x;
-// CHECK-NEXT: }
-// CHECK-EMPTY:
-// CHECK-NEXT: ivec4 abs_(ivec4 a) {
-// CHECK-NEXT:     return ivec4(abs_(a.x), abs_(a.y), abs_(a.z), abs_(a.w));
+// CHECK-NEXT: ivec4 imod(ivec4 x, ivec4 y) {
+// CHECK-NEXT:     return x - y * (x / y);
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: bool isnan_(float x) {
 // CHECK-NEXT:     return x != x;
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: bvec4 isnan_(vec4 a) {
+// CHECK-NEXT:     return bvec4(isnan_(a.x), isnan_(a.y), isnan_(a.z), isnan_(a.w));
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: bool isinf_(float x) {
@@ -125,12 +129,16 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     return !(isnan_(x) || isinf_(x));
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: bvec4 isnan_(vec4 a) {
-// CHECK-NEXT:     return bvec4(isnan_(a.x), isnan_(a.y), isnan_(a.z), isnan_(a.w));
-// CHECK-NEXT: }
-// CHECK-EMPTY:
 // CHECK-NEXT: vec4 select(bvec4 a, vec4 b, vec4 c) {
 // CHECK-NEXT:     return vec4(a.x ? b.x : c.x, a.y ? b.y : c.y, a.z ? b.z : c.z, a.w ? b.w : c.w);
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: float determinant2(mat2 m) {
+// CHECK-NEXT:     return m[0].x * m[1].y - m[0].y * m[1].x;
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: float determinant3(mat3 m) {
+// CHECK-NEXT:     return dot(m[0], cross(m[1], m[2]));
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: float determinant4(mat4 m) {
@@ -143,14 +151,6 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     vec2 g = m[2].yy * m[3].zw - m[3].yy * m[2].zw;
 // CHECK-NEXT:     float h = m[2].z * m[3].w - m[3].z * m[2].w;
 // CHECK-NEXT:     return a.x * h - a.y * g.y + b * g.x + c.x * f - c.y * e.y + d * e.x;
-// CHECK-NEXT: }
-// CHECK-EMPTY:
-// CHECK-NEXT: float determinant3(mat3 m) {
-// CHECK-NEXT:     return dot(m[0], cross(m[1], m[2]));
-// CHECK-NEXT: }
-// CHECK-EMPTY:
-// CHECK-NEXT: float determinant2(mat2 m) {
-// CHECK-NEXT:     return m[0].x * m[1].y - m[0].y * m[1].x;
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: void main() {

@@ -32,20 +32,12 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // CHECK-EMPTY:
-// CHECK-NEXT: ivec4[4] sign_(mat4 a) {
-// CHECK-NEXT:     return ivec4[4](ivec4(sign(a[0])), ivec4(sign(a[1])), ivec4(sign(a[2])), ivec4(sign(a[3])));
+// CHECK-NEXT: mat4 abs_(mat4 a) {
+// CHECK-NEXT:     return mat4(abs(a[0]), abs(a[1]), abs(a[2]), abs(a[3]));
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: vec4 fmod(vec4 x, vec4 y) {
-// CHECK-NEXT:     return x - y * trunc(x / y);
-// CHECK-NEXT: }
-// CHECK-EMPTY:
-// CHECK-NEXT: mat4 modulo(mat4 a, mat4 b) {
-// CHECK-NEXT:     return mat4(fmod(a[0], b[0]), fmod(a[1], b[1]), fmod(a[2], b[2]), fmod(a[3], b[3]));
-// CHECK-NEXT: }
-// CHECK-EMPTY:
-// CHECK-NEXT: mat4 lerp(mat4 a, mat4 b, mat4 c) {
-// CHECK-NEXT:     return mat4(mix(a[0], b[0], c[0]), mix(a[1], b[1], c[1]), mix(a[2], b[2], c[2]), mix(a[3], b[3], c[3]));
+// CHECK-NEXT: mat4 max_(mat4 a, mat4 b) {
+// CHECK-NEXT:     return mat4(max(a[0], b[0]), max(a[1], b[1]), max(a[2], b[2]), max(a[3], b[3]));
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: vec4 saturate(vec4 x) {
@@ -56,20 +48,20 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     return mat4(saturate(a[0]), saturate(a[1]), saturate(a[2]), saturate(a[3]));
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: mat4 max_(mat4 a, mat4 b) {
-// CHECK-NEXT:     return mat4(max(a[0], b[0]), max(a[1], b[1]), max(a[2], b[2]), max(a[3], b[3]));
+// CHECK-NEXT: mat4 lerp(mat4 a, mat4 b, mat4 c) {
+// CHECK-NEXT:     return mat4(mix(a[0], b[0], c[0]), mix(a[1], b[1], c[1]), mix(a[2], b[2], c[2]), mix(a[3], b[3], c[3]));
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: mat4 abs_(mat4 a) {
-// CHECK-NEXT:     return mat4(abs(a[0]), abs(a[1]), abs(a[2]), abs(a[3]));
+// CHECK-NEXT: vec4 fmod(vec4 x, vec4 y) {
+// CHECK-NEXT:     return x - y * trunc(x / y);
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: bvec4[4] less(mat4 a, mat4 b) {
-// CHECK-NEXT:     return bvec4[4](lessThan(a[0], b[0]), lessThan(a[1], b[1]), lessThan(a[2], b[2]), lessThan(a[3], b[3]));
+// CHECK-NEXT: mat4 modulo(mat4 a, mat4 b) {
+// CHECK-NEXT:     return mat4(fmod(a[0], b[0]), fmod(a[1], b[1]), fmod(a[2], b[2]), fmod(a[3], b[3]));
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: bool any_(bvec4 m[4]) {
-// CHECK-NEXT:     return any(m[0]) || any(m[1]) || any(m[2]) || any(m[3]);
+// CHECK-NEXT: ivec4[4] sign_(mat4 a) {
+// CHECK-NEXT:     return ivec4[4](ivec4(sign(a[0])), ivec4(sign(a[1])), ivec4(sign(a[2])), ivec4(sign(a[3])));
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: bvec4[4] equal_rows(mat4 a, mat4 b) {
@@ -78,6 +70,14 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-EMPTY:
 // CHECK-NEXT: bool all_(bvec4 m[4]) {
 // CHECK-NEXT:     return all(m[0]) && all(m[1]) && all(m[2]) && all(m[3]);
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: bvec4[4] less(mat4 a, mat4 b) {
+// CHECK-NEXT:     return bvec4[4](lessThan(a[0], b[0]), lessThan(a[1], b[1]), lessThan(a[2], b[2]), lessThan(a[3], b[3]));
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: bool any_(bvec4 m[4]) {
+// CHECK-NEXT:     return any(m[0]) || any(m[1]) || any(m[2]) || any(m[3]);
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: bvec4[4] greater(mat4 a, mat4 b) {
@@ -100,12 +100,12 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     return bvec4[4](logical_and(a[0], b[0]), logical_and(a[1], b[1]), logical_and(a[2], b[2]), logical_and(a[3], b[3]));
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: ivec3[3] divide(ivec3 a[3], ivec3 b[3]) {
-// CHECK-NEXT:     return ivec3[3](a[0] / b[0], a[1] / b[1], a[2] / b[2]);
-// CHECK-NEXT: }
-// CHECK-EMPTY:
 // CHECK-NEXT: ivec3[3] multiply(ivec3 a[3], ivec3 b[3]) {
 // CHECK-NEXT:     return ivec3[3](a[0] * b[0], a[1] * b[1], a[2] * b[2]);
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: ivec3[3] divide(ivec3 a[3], ivec3 b[3]) {
+// CHECK-NEXT:     return ivec3[3](a[0] / b[0], a[1] / b[1], a[2] / b[2]);
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: ivec3[3] add(ivec3 a[3], ivec3 b[3]) {
@@ -124,12 +124,8 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     return before;
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: ivec3[3] transpose_(ivec3 m[3]) {
-// CHECK-NEXT:     return ivec3[3](ivec3(m[0].x, m[1].x, m[2].x), ivec3(m[0].y, m[1].y, m[2].y), ivec3(m[0].z, m[1].z, m[2].z));
-// CHECK-NEXT: }
-// CHECK-EMPTY:
-// CHECK-NEXT: ivec3 mul(ivec3 a, ivec3 b[3]) {
-// CHECK-NEXT:     return a.x * b[0] + a.y * b[1] + a.z * b[2];
+// CHECK-NEXT: ivec3[3] mul(ivec3 a[3], ivec3 b[3]) {
+// CHECK-NEXT:     return ivec3[3](a[0].x * b[0] + a[0].y * b[1] + a[0].z * b[2], a[1].x * b[0] + a[1].y * b[1] + a[1].z * b[2], a[2].x * b[0] + a[2].y * b[1] + a[2].z * b[2]);
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: int dot_(ivec3 a, ivec3 b) {
@@ -140,16 +136,20 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     return ivec3(dot_(a[0], b), dot_(a[1], b), dot_(a[2], b));
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: ivec3[3] mul(ivec3 a[3], ivec3 b[3]) {
-// CHECK-NEXT:     return ivec3[3](a[0].x * b[0] + a[0].y * b[1] + a[0].z * b[2], a[1].x * b[0] + a[1].y * b[1] + a[1].z * b[2], a[2].x * b[0] + a[2].y * b[1] + a[2].z * b[2]);
+// CHECK-NEXT: ivec3 mul(ivec3 a, ivec3 b[3]) {
+// CHECK-NEXT:     return a.x * b[0] + a.y * b[1] + a.z * b[2];
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: mat3 to_float(ivec3 a[3]) {
-// CHECK-NEXT:     return mat3(vec3(a[0]), vec3(a[1]), vec3(a[2]));
+// CHECK-NEXT: ivec3[3] transpose_(ivec3 m[3]) {
+// CHECK-NEXT:     return ivec3[3](ivec3(m[0].x, m[1].x, m[2].x), ivec3(m[0].y, m[1].y, m[2].y), ivec3(m[0].z, m[1].z, m[2].z));
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: ivec3[3] to_int(mat3 a) {
 // CHECK-NEXT:     return ivec3[3](ivec3(a[0]), ivec3(a[1]), ivec3(a[2]));
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: mat3 to_float(ivec3 a[3]) {
+// CHECK-NEXT:     return mat3(vec3(a[0]), vec3(a[1]), vec3(a[2]));
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: mat4 splat_mat4(float x) {

@@ -52,12 +52,12 @@ float4 main(float4 output : POSITION) : SV_Position {
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // CHECK-EMPTY:
-// CHECK-NEXT: float fmod_2(float x, float y) {
-// CHECK-NEXT:     return x - y * trunc(x / y);
-// CHECK-NEXT: }
-// CHECK-EMPTY:
 // CHECK-NEXT: float saturate(float x) {
 // CHECK-NEXT:     return min(max(0.0, x), 1.0);  // 0 for NaN
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: float fmod_2(float x, float y) {
+// CHECK-NEXT:     return x - y * trunc(x / y);
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: vec4 filter_ = vec4(2.0);
