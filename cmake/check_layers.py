@@ -19,6 +19,7 @@ FOLDERS = {
     "clip-table": set(),
     "compiler": {"base", "ir", "frontend", "passes", "backend-glsl", "clip-table"},
     "runtime": {"clip-table"},
+    "study": {"clip-table", "compiler", "draw", "runtime"},
     "draw": {"base", "ir", "frontend", "passes", "backend-glsl", "clip-table", "compiler", "runtime"},
 }
 
