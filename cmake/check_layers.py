@@ -28,7 +28,7 @@ LIBRARIES = {
     r"(clang|llvm)/": r"frontend/\w+_clang\.cpp|compiler/options_llvm\.cpp",
     r"glslang/": r"compiler/.*\.cpp",
     r"fmt/": r"(base|ir|frontend|passes|backend-glsl|compiler)/.*",
-    r"nlohmann/": r"(base|clip-table|compiler)/.*\.cpp",
+    r"nlohmann/": r"(base|clip-table|compiler|study)/.*\.cpp",
 }
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')

@@ -28,6 +28,7 @@ using ClipPlaneProc = void(APIENTRYP)(GLenum plane, const double* equation);
   F(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer)                         \
   F(PFNGLBINDRENDERBUFFERPROC, BindRenderbuffer)                       \
   F(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                         \
+  F(PFNGLBLENDFUNCPROC, BlendFunc)                                     \
   F(PFNGLBUFFERDATAPROC, BufferData)                                   \
   F(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus)           \
   F(PFNGLCLEARPROC, Clear)                                             \
@@ -48,6 +49,7 @@ using ClipPlaneProc = void(APIENTRYP)(GLenum plane, const double* equation);
   F(PFNGLENABLEPROC, Enable)                                           \
   F(PFNGLENABLEVERTEXATTRIBARRAYPROC, EnableVertexAttribArray)         \
   F(PFNGLENDTRANSFORMFEEDBACKPROC, EndTransformFeedback)               \
+  F(PFNGLFINISHPROC, Finish)                                           \
   F(PFNGLFRAMEBUFFERRENDERBUFFERPROC, FramebufferRenderbuffer)         \
   F(PFNGLGENBUFFERSPROC, GenBuffers)                                   \
   F(PFNGLGENFRAMEBUFFERSPROC, GenFramebuffers)                         \

@@ -18,10 +18,14 @@ struct Point {
   long double x, y;  // pixels
 };
 
+Point PixelOf(const Vec4<long double>& p) {
+  return {p[0] / p[3] * (kPictureWidth / 2), p[1] / p[3] * (kPictureHeight / 2)};
+}
+
 Point PointAt(const Edge& edge, long double t) {
   Vec4<long double> p;
   for (int i = 0; i < 4; ++i) p[i] = edge.clip[0][i] + t * (edge.clip[1][i] - edge.clip[0][i]);
-  return {p[0] / p[3] * (kPictureWidth / 2), p[1] / p[3] * (kPictureHeight / 2)};
+  return PixelOf(p);
 }
 
 double Between(const Point& a, const Point& b) { return static_cast<double>(std::hypot(a.x - b.x, a.y - b.y)); }
@@ -46,12 +50,16 @@ class EdgeMaker {
       for (int i = 0; i < 3; ++i) v[i] = point[i] + way * direction[i];
       edge.ends[end] = ConvertTo<float>(Transform(v, to_object));
       edge.ends[end][3] = 1;
-      const Vec4<Wide> world = Transform(ConvertTo<Wide>(edge.ends[end]), world_);
-      edge.distances[end] = Dot(world, plane_);
-      edge.clip[end] = ConvertTo<long double>(Transform(Transform(world, view_), projection_));
+      edge.distances[end] = Dot(Transform(ConvertTo<Wide>(edge.ends[end]), world_), plane_);
+      edge.clip[end] = ToClip(edge.ends[end]);
     }
     if ((edge.distances[0] >= 0) == (edge.distances[1] >= 0)) return std::nullopt;
     return edge;
+  }
+
+  // Without rounding.
+  Vec4<long double> ToClip(const Vec4<float>& vertex) const {
+    return ConvertTo<long double>(Transform(Transform(Transform(ConvertTo<Wide>(vertex), world_), view_), projection_));
   }
 
  private:
@@ -98,13 +106,21 @@ class EdgeMaker {
 };
 
 // Pixels between the true cut and the method's; infinity where a distance is no number.
-double Displacement(const Edge& edge, const Distance& distance) {
+double Displacement(const Edge& edge, const Distance& distance, bool makes_vertices, const EdgeMaker& maker) {
   const double d[2] = {distance(edge.ends[0]), distance(edge.ends[1])};
   if (!std::isfinite(d[0]) || !std::isfinite(d[1])) return INFINITY;
   const Point right = PointAt(edge, static_cast<long double>(edge.distances[0] / (edge.distances[0] - edge.distances[1])));
   const bool kept[2] = {d[0] >= 0, d[1] >= 0};
   if (kept[0] != kept[1]) {
     const long double first = d[0], second = d[1];
+    if (makes_vertices) {
+      Vec4<float> cut = edge.ends[0];
+      for (int i = 0; i < 3; ++i) {
+        const double from = static_cast<double>(edge.ends[0][i]), to = static_cast<double>(edge.ends[1][i]);
+        cut[i] = static_cast<float>(from + d[0] / (d[0] - d[1]) * (to - from));
+      }
+      return Between(PixelOf(maker.ToClip(cut)), right);
+    }
     return Between(PointAt(edge, first / (first - second)), right);
   }
   // Kept whole: the cut moved to the end that should have been dropped; dropped whole: to the one to be kept.
@@ -144,7 +160,7 @@ std::vector<EdgeErrors> MeasureEdges(const Config& config, const std::vector<Met
     if (!edge) continue;
     ++made;
     for (std::size_t i = 0; i < methods.size(); ++i) {
-      if (distances[i]) pixels[i].push_back(Displacement(*edge, *distances[i]));
+      if (distances[i]) pixels[i].push_back(Displacement(*edge, *distances[i], methods[i].makes_vertices, maker));
     }
   }
   std::vector<EdgeErrors> errors;

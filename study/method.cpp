@@ -119,7 +119,8 @@ Method CpuDouble() {
   return {"cpu", [](const Setup& setup) -> std::optional<Distance> {
             const Vec4<double> plane = ConvertTo<double>(setup.object_plane);
             return [plane](const Vec4<float>& v) { return Dot(ConvertTo<double>(v), plane); };
-          }};
+          },
+          true};
 }
 
 std::vector<Method> AllMethods() {

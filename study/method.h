@@ -18,6 +18,7 @@ struct Method {
   std::string name;
   // Nothing where the method cannot be used: xyw1 without a perspective, the near plane with the eye on the kept side.
   std::function<std::optional<Distance>(const Setup&)> prepare;
+  bool makes_vertices = false;  // the cut becomes a float vertex of object space, instead of a place that the clipper finds
 };
 
 Method ClipSpace();    // [clipplanes] as fxc means it: dot(SV_Position, C_P); also SetClipPlane

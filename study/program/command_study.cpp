@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+
+#include "draw/gl.h"
+#include "study/depth.h"
+#include "study/edges.h"
+#include "study/program/commands.h"
+#include "study/program/csv.h"
+#include "study/program/pixels.h"
+#include "study/program/png.h"
+#include "study/program/speed.h"
+#include "study/sweeps.h"
+
+namespace clipc::study {
+namespace {
+
+struct StudyOptions {
+  bool quick = false, report = true;
+  std::string out = "study-report";
+};
+
+StudyOptions OptionsOf(const std::vector<std::string>& arguments) {
+  StudyOptions options;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    if (arguments[i] == "--quick") {
+      options.quick = true;
+    } else if (arguments[i] == "--no-report") {
+      options.report = false;
+    } else if (arguments[i] == "--out" && i + 1 < arguments.size()) {
+      options.out = arguments[++i];
+    } else {
+      throw draw::DrawError("`" + arguments[i] + "` is not understood\n" + kUsage);
+    }
+  }
+  return options;
+}
+
+class Study {
+ public:
+  explicit Study(StudyOptions options) : options_(std::move(options)) {
+    std::filesystem::create_directories(options_.out);
+  }
+
+  void Run() {
+    Edges();
+    Depth();
+    Pixels();
+    Speed();
+  }
+
+ private:
+  std::string Path(const std::string& name) const { return options_.out + "/" + name; }
+
+  void Edges() {
+    Csv csv(Path("edges.csv"), {"sweep", "parameter", "method", "applies", "edges", "median_px", "p99_px", "largest_px", "over_half", "not_finite"});
+    Progress progress("displaced edges");
+    const std::vector<SweepPoint> points = AllSweeps(options_.quick);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      for (const EdgeErrors& errors : MeasureEdges(points[i].config, AllMethods(), options_.quick ? 1000 : 6000, 12345)) {
+        csv << points[i].sweep << points[i].parameter << errors.method << errors.applies << errors.edges << errors.median
+            << errors.p99 << errors.largest << errors.over_half << errors.not_finite;
+        csv.EndRow();
+      }
+      progress(static_cast<double>(i + 1) / static_cast<double>(points.size()));
+    }
+  }
+
+  void Depth() {
+    Csv csv(Path("depth.csv"), {"eye", "method", "refused", "effective_near", "ordered", "tied", "inverted", "lost"});
+    for (const double eye : {-100.0, -10.0, -1.0, -0.1, -0.01, -0.001, 0.0, 0.01, 1.0, 10.0}) {
+      const runtime::Plane plane = {0, 1, 0, eye};
+      for (const DepthLeft& left : MeasureDepth(Camera{}, plane, options_.quick ? 4000 : 40000, 5)) {
+        csv << eye << left.method << left.refused << left.effective_near << left.ordered << left.tied << left.inverted << left.lost;
+        csv.EndRow();
+      }
+    }
+  }
+
+  void Pixels() {
+    Csv csv(Path("pixels.csv"), {"sweep", "parameter", "way", "applies", "reference", "extra", "lost", "wrong"});
+    Progress progress("wrong pixels");
+    PixelMeter meter(device_, options_.quick ? 960 : 1920, options_.quick ? 540 : 1080, options_.quick ? 12 : 24);
+    const std::vector<SweepPoint> points = AllSweeps(options_.quick);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (points[i].config.surface_angle < 0) {  // a knot has no such angle
+        for (const PixelErrors& errors : meter.Measure(points[i].config)) {
+          csv << points[i].sweep << points[i].parameter << errors.way << errors.applies << errors.reference << errors.extra
+              << errors.lost << errors.extra + errors.lost;
+          csv.EndRow();
+        }
+      }
+      progress(static_cast<double>(i + 1) / static_cast<double>(points.size()));
+    }
+    Pictures(meter);
+  }
+
+  // One cut near enough for the default to be right, one where it is visibly not.
+  void Pictures(PixelMeter& meter) {
+    const Config far = ObliqueAt(3e4, 0.1, 1e6);
+    for (const Way& way : AllWays()) {
+      const auto rgba = meter.Picture(device_, far, way.kind, 480, 270);
+      if (!rgba.empty()) WritePng(Path("picture-" + std::string(way.name) + ".png"), 480, 270, rgba);
+    }
+  }
+
+  void Speed() {
+    Csv csv(Path("speed.csv"), {"setting", "way", "planes", "median_ms", "least_ms", "ratio", "least_ratio"});
+    Progress progress("cost");
+    for (const Cost& cost : MeasureSpeed(device_, options_.quick ? 3 : 25, options_.quick ? 40 : 100, std::ref(progress))) {
+      csv << cost.setting << cost.way << cost.planes << cost.median_ms << cost.least_ms << cost.ratio << cost.least_ratio;
+      csv.EndRow();
+    }
+  }
+
+  StudyOptions options_;
+  draw::Device device_;
+};
+
+void MakeReport(const std::string& folder) {
+  const pid_t child = fork();
+  if (child == 0) {
+    execlp("/usr/bin/python3", "python3", CLIPC_STUDY_REPORT, folder.c_str(), nullptr);
+    std::_Exit(127);
+  }
+  int status = 0;
+  if (child < 0 || waitpid(child, &status, 0) < 0 || status != 0) {
+    throw draw::DrawError("the tables are in `" + folder + "`, but the report failed; it needs Debian's python3-matplotlib");
+  }
+}
+
+}  // namespace
+
+int RunStudy(const std::vector<std::string>& arguments) {
+  const StudyOptions options = OptionsOf(arguments);
+  Study(options).Run();
+  if (options.report) MakeReport(options.out);
+  return 0;
+}
+
+}  // namespace clipc::study
