@@ -113,12 +113,23 @@ TEST(PlaneConstantFor, WarnsWhereTheDefaultLosesPixels) {
 TEST(PlaneConstantFor, LawOfTheFieldOfViewAndTheAngle) {
   const Plane plane = {0, 0, -1, 30};
   const auto error = [&](double fov, double sine) {
-    return PredictEdgeError(PlaneSpace::kObject, plane, PerspectiveCamera(0.1, 100, {}, 1, 0, 0, fov).projection, 1080,
+    return PredictEdgeError(PlaneSpace::kXyw1, plane, PerspectiveCamera(0.1, 100, {}, 1, 0, 0, fov).projection, 1080,
                             sine)
         .value;
   };
   EXPECT_NEAR(error(1, 1) / error(60, 1), std::tan(3.14159265358979 / 6) / std::tan(3.14159265358979 / 360), 1e-9);
   EXPECT_NEAR(error(60, 0.01) / error(60, 1), 100, 1e-9);
+  const Plane tilted = {0, 0.6, -0.8, 30};
+  const auto orthographic = [&](bool reversed, PlaneSpace space) {
+    return PredictEdgeError(space, tilted, OrthographicCamera(0.1, 100, {false, reversed}).projection, 1080).value;
+  };
+  // Reversed, z is near 1 for all that is near: as bad as the far plane is far.
+  const double floor = 20 * 0x1p-24 * 540;
+  EXPECT_NEAR(orthographic(false, PlaneSpace::kClip), floor * (1 + 0.1 * 0.8 * 0.1), 1e-9);
+  EXPECT_NEAR(orthographic(true, PlaneSpace::kClip), floor * (1 + 0.1 * 0.8 * 100), 1e-9);
+  EXPECT_NEAR(orthographic(true, PlaneSpace::kObject), floor, 1e-9);
+  EXPECT_EQ(PredictEdgeError(PlaneSpace::kXyw1, tilted, OrthographicCamera(0.1, 100).projection, 1080).status.error(),
+            Error::kWrongProjection);
 }
 
 TEST(PlaneConstantFor, WorldOffsetsCostNothingInDouble) {
