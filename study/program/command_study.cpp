@@ -2,6 +2,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <bit>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -15,6 +17,8 @@
 #include "study/program/pixels.h"
 #include "study/program/png.h"
 #include "study/program/speed.h"
+#include "study/random_draws.h"
+#include "study/scene.h"
 #include "study/sweeps.h"
 
 namespace clipc::study {
@@ -51,7 +55,9 @@ class Study {
     Edges();
     Depth();
     Pixels();
-    Speed();
+    rule_costs_ = Speed("speed.csv", "cost");
+    Scenes();
+    RandomScenes();
   }
 
  private:
@@ -109,17 +115,71 @@ class Study {
     }
   }
 
-  void Speed() {
-    Csv csv(Path("speed.csv"), {"setting", "way", "planes", "median_ms", "least_ms", "ratio", "least_ratio"});
-    Progress progress("cost");
+  // The costs of the setting "picture".
+  CostTable Speed(const std::string& name, const char* what) {
+    Csv csv(Path(name), {"setting", "way", "planes", "median_ms", "least_ms", "ratio", "least_ratio"});
+    Progress progress(what);
+    CostTable table;
     for (const Cost& cost : MeasureSpeed(device_, options_.quick ? 3 : 25, options_.quick ? 40 : 100, std::ref(progress))) {
       csv << cost.setting << cost.way << cost.planes << cost.median_ms << cost.least_ms << cost.ratio << cost.least_ratio;
       csv.EndRow();
+      if (cost.planes > 0 && cost.setting == "picture") table[{cost.way, cost.planes}] = cost.least_ratio;
+    }
+    return table;
+  }
+
+  void Scenes() {
+    Csv csv(Path("scenes.csv"), {"scene", "planes", "objects", "outside", "culled", "need0", "need1", "need2", "need3", "way", "predicted_px", "bound_px", "cost", "share"});
+    for (const Scene& scene : BuiltInScenes()) {
+      int outside = 0, culled = 0, need[4] = {};
+      std::map<std::string, int> chosen;
+      std::map<std::string, Advice> worst;
+      for (const SceneObject& object : scene.objects) {
+        const Camera& camera = scene.cameras.front().camera;
+        const ObjectPlan plan = PlanObject(object, camera, scene.planes);
+        outside += plan.outside_frustum, culled += !plan.outside_frustum && plan.culled;
+        if (plan.outside_frustum || plan.culled) continue;
+        ++need[std::min(std::popcount(plan.needed), 3)];
+        if (plan.needed == 0) continue;
+        const Advice best = Advise(FactsOf(object, camera, scene, plan.needed), rule_costs_, scene.tolerance).front();
+        ++chosen[best.way];
+        if (best.bound > worst[best.way].bound) worst[best.way] = best;
+      }
+      const auto most = std::max_element(chosen.begin(), chosen.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+      const Advice& advice = worst[most->first];
+      csv << scene.name << static_cast<long>(scene.planes.size()) << static_cast<long>(scene.objects.size()) << outside << culled << need[0]
+          << need[1] << need[2] << need[3] << advice.way << advice.predicted << advice.bound << advice.cost
+          << static_cast<double>(most->second) / (need[1] + need[2] + need[3]);
+      csv.EndRow();
+    }
+  }
+
+  // The advice on draws that nobody chose: is the error under its bound, and the cost, measured a second time, near the best?
+  void RandomScenes() {
+    const CostTable second = Speed("speed-again.csv", "cost, again");
+    Csv csv(Path("advice.csv"), {"draw", "orthographic", "reversed", "rigid", "clip_distances", "user_planes", "way", "predicted_px", "bound_px", "measured_px", "cost", "best_cost", "best_way"});
+    Progress progress("advice on random draws");
+    const std::vector<RandomDraw> draws = RandomDraws(100, 424242);
+    for (std::size_t i = 0; i < draws.size(); ++i) {
+      const DrawFacts& facts = draws[i].facts;
+      const std::vector<Advice> all = Advise(facts, rule_costs_);
+      const Advice& best = all.front();
+      const auto cost_of = [&](const Advice& advice) { return second.at({advice.way, 1}); };
+      const Advice* cheapest = &best;
+      for (const Advice& other : all) {
+        if (other.possible && other.bound <= 0.5 && cost_of(other) < cost_of(*cheapest)) cheapest = &other;
+      }
+      const MeasuredWay measured = MeasureWay(draws[i], best.way, options_.quick ? 500 : 3000, 9);
+      csv << static_cast<long>(i) << facts.camera.orthographic << facts.camera.reversed << facts.means.rigid << facts.means.clip_distances
+          << facts.means.user_planes << best.way << best.predicted << best.bound << measured.p99 << cost_of(best) << cost_of(*cheapest) << cheapest->way;
+      csv.EndRow();
+      progress(static_cast<double>(i + 1) / static_cast<double>(draws.size()));
     }
   }
 
   StudyOptions options_;
   draw::Device device_;
+  CostTable rule_costs_;
 };
 
 void MakeReport(const std::string& folder) {
