@@ -35,7 +35,10 @@ class Vertex {
  public:
   Vertex(Program& program, const ClipPlaneOptions& options)
       : program_(program), space_(options.space), var_(options.position_input) {
-    if (space_ != PlaneSpace::kObject) var_ = PositionOf(program);
+    if (space_ != PlaneSpace::kObject) {
+      var_ = PositionOf(program);
+      local_ = LocalBehind(program, var_);
+    }
     CLIPC_CHECK(var_);
   }
 
@@ -48,7 +51,7 @@ class Vertex {
 
  private:
   ExprId Value(Builder& b) const {
-    const ExprId vertex = b.Ref(var_);
+    const ExprId vertex = local_ ? Clone(program_, local_) : b.Ref(var_);
     if (space_ == PlaneSpace::kXyw1) return WithOne(program_, b, b.Swizzled(vertex, {0, 1, 3}));
     const Type& type = program_.types[program_.vars[var_].type];
     CLIPC_CHECK(type.scalar == Scalar::kFloat && (type.Components() == 3 || type.Components() == 4));
@@ -58,6 +61,7 @@ class Vertex {
   Program& program_;
   PlaneSpace space_;
   VarId var_;
+  ExprId local_;  // what `var_` is a copy of
 };
 
 void WriteClipDistances(Program& program, const Vertex& vertex) {
@@ -89,8 +93,15 @@ void WriteDepth(Program& program, const Vertex& vertex) {
   const VarId position = PositionOf(program);
   const ClipPlane& plane = program.clip_planes.front();
   Builder b(program, plane.span);
-  ExprId depth = b.Swizzled(b.Ref(position), {2});
-  AppendToBody(program, program.main, std::array{b.Eval(b.AssignTo(depth, vertex.DistanceTo(plane)))});
+  const ExprId local = LocalBehind(program, position);
+  const ExprId depth = b.Swizzled(local ? Clone(program, local) : b.Ref(position), {2});
+  std::vector<StmtId> stmts = {b.Eval(b.AssignTo(depth, vertex.DistanceTo(plane)))};
+  if (local) {
+    // The depth changes before the position is written, which is then written once.
+    stmts.push_back(b.Eval(b.AssignTo(b.Ref(position), Clone(program, local))));
+    RemoveWrite(program, position);
+  }
+  AppendToBody(program, program.main, stmts);
 }
 
 void WriteVaryings(Program& program, const Vertex& vertex) {
@@ -102,12 +113,13 @@ void WriteVaryings(Program& program, const Vertex& vertex) {
                                    width == 1 ? program.types.Make(Scalar::kFloat) : program.types.Vector(Scalar::kFloat, width));
     program.outputs.back().semantic = kClipPlaneDistance;
     program.outputs.back().index = static_cast<std::uint32_t>(first / 4);
+    std::vector<ExprId> distances;
     for (int i = 0; i < width; ++i) {
-      const ClipPlane& plane = program.clip_planes[first + static_cast<std::size_t>(i)];
-      Builder b(program, plane.span);
-      ExprId distance = width == 1 ? b.Ref(output) : b.Swizzled(b.Ref(output), {i});
-      stmts.push_back(b.Eval(b.AssignTo(distance, vertex.DistanceTo(plane))));
+      distances.push_back(vertex.DistanceTo(program.clip_planes[first + static_cast<std::size_t>(i)]));
     }
+    Builder b(program, program.clip_planes[first].span);
+    const ExprId value = width == 1 ? distances.front() : b.ConstructOf(program.vars[output].type, distances);
+    stmts.push_back(b.Eval(b.AssignTo(b.Ref(output), value)));
   }
   AppendToBody(program, program.main, stmts);
 }

@@ -36,13 +36,14 @@ struct ClipPlaneOptions {
 // Ensures Form::kNoClipPlanes.
 //
 //   gl_Position = result.position;            gl_Position = result.position;
-//                                       =>    gl_ClipDistance[0] = dot(gl_Position, plane0);
-//                                             gl_ClipDistance[1] = dot(gl_Position, plane1);
+//                                       =>    gl_ClipDistance[0] = dot(result.position, plane0);
+//                                             gl_ClipDistance[1] = dot(result.position, plane1);
 //
-// With kNearPlane, `gl_Position.z = dot(gl_Position, plane)`: 0 <= z is what the plane asks, and interpolates as z does. With
+// Outputs are read again only where the position is no copy of a local variable. With kNearPlane,
+// `result.position.z = dot(result.position, plane); gl_Position = result.position;`: 0 <= z is what the plane asks, and interpolates as z does. With
 // kDiscard, the distances are float vectors of up to four components whose semantic is ir::kClipPlaneDistance.
 //
-// With PlaneSpace::kXyw1 the dot product is dot(float4(gl_Position.xyw, 1), plane), with kObject dot(in_POSITION0, plane).
+// With PlaneSpace::kXyw1 the dot product is dot(float4(result.position.xyw, 1), plane), with kObject dot(in_POSITION0, plane).
 // See docs/runtime.md, "Plane spaces", for the constants that then mean the same plane.
 //
 // The position is the one the HLSL shader wrote (Direct3D clip space), so this runs before AdjustClipSpace.

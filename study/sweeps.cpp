@@ -18,6 +18,7 @@ class Sweeps {
     Views();
     Planes();
     Offsets();
+    Sizes();
     return std::move(points_);
   }
 
@@ -91,6 +92,15 @@ class Sweeps {
       Config config = ObliqueAt(30);
       config.plane_scale = scale;
       Add("plane scale", scale, config);
+    }
+  }
+
+  // Triangles much larger than the picture: a ground that reaches to the horizon.
+  void Sizes() {
+    for (const double length : Some({0.05, 0.5, 5, 50, 500, 5000, 5e4})) {
+      Config config = ObliqueAt(10);
+      config.edge_length = length;
+      Add("edge length / depth", length, config);
     }
   }
 

@@ -28,9 +28,9 @@ void main() {
     vec4 result = shader_main(in_POSITION0, in_COLOR0, out_color);
     vs_COLOR0 = out_color;
     gl_Position = result;
-    gl_ClipDistance[0] = dot(gl_Position, view.edges[0]);
-    gl_ClipDistance[1] = dot(gl_Position, view.edges[1]);
-    gl_ClipDistance[2] = dot(gl_Position, view.edges[2]);
-    gl_ClipDistance[3] = dot(gl_Position, view.edges[3]);
-    gl_ClipDistance[4] = dot(gl_Position, view.portal);
+    gl_ClipDistance[0] = dot(result, view.edges[0]);
+    gl_ClipDistance[1] = dot(result, view.edges[1]);
+    gl_ClipDistance[2] = dot(result, view.edges[2]);
+    gl_ClipDistance[3] = dot(result, view.edges[3]);
+    gl_ClipDistance[4] = dot(result, view.portal);
 }

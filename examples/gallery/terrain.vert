@@ -40,5 +40,5 @@ void main() {
     vs_NORMAL0 = normal;
     vs_TEXCOORD0 = uv;
     gl_Position = result;
-    gl_ClipDistance[0] = dot(gl_Position, cut);
+    gl_ClipDistance[0] = dot(result, cut);
 }

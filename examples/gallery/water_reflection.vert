@@ -59,5 +59,5 @@ void main() {
     vs_NORMAL0 = result.normal;
     vs_TEXCOORD1 = result.to_eye;
     vs_TEXCOORD0 = result.uv;
-    gl_ClipDistance[0] = dot(gl_Position, water_plane);
+    gl_ClipDistance[0] = dot(result.position, water_plane);
 }

@@ -94,7 +94,8 @@ class Study {
     PixelMeter meter(device_, options_.quick ? 960 : 1920, options_.quick ? 540 : 1080, options_.quick ? 12 : 24);
     const std::vector<SweepPoint> points = AllSweeps(options_.quick);
     for (std::size_t i = 0; i < points.size(); ++i) {
-      if (points[i].config.surface_angle < 0) {  // a knot has no such angle
+      // A knot has no such angle, and no such triangles.
+      if (points[i].config.surface_angle < 0 && points[i].config.edge_length == Config{}.edge_length) {
         for (const PixelErrors& errors : meter.Measure(points[i].config)) {
           csv << points[i].sweep << points[i].parameter << errors.way << errors.applies << errors.reference << errors.extra
               << errors.lost << errors.extra + errors.lost;

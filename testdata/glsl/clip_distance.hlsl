@@ -27,8 +27,8 @@ float4 main(float4 p : POSITION) : SV_Position { return p; }
 // GL130-NEXT: void main() {
 // GL130-NEXT:     vec4 result = shader_main(in_POSITION0);
 // GL130-NEXT:     gl_Position = result;
-// GL130-NEXT:     gl_ClipDistance[0] = dot(gl_Position, water);
-// GL130-NEXT:     gl_ClipDistance[1] = dot(gl_Position, portal);
+// GL130-NEXT:     gl_ClipDistance[0] = dot(result, water);
+// GL130-NEXT:     gl_ClipDistance[1] = dot(result, portal);
 // GL130-NEXT: }
 
 // GL450: #version 450
@@ -50,8 +50,8 @@ float4 main(float4 p : POSITION) : SV_Position { return p; }
 // GL450-NEXT: void main() {
 // GL450-NEXT:     vec4 result = shader_main(in_POSITION0);
 // GL450-NEXT:     gl_Position = result;
-// GL450-NEXT:     gl_ClipDistance[0] = dot(gl_Position, water);
-// GL450-NEXT:     gl_ClipDistance[1] = dot(gl_Position, portal);
+// GL450-NEXT:     gl_ClipDistance[0] = dot(result, water);
+// GL450-NEXT:     gl_ClipDistance[1] = dot(result, portal);
 // GL450-NEXT: }
 
 // SEPARABLE: #version 450
@@ -77,8 +77,8 @@ float4 main(float4 p : POSITION) : SV_Position { return p; }
 // SEPARABLE-NEXT: void main() {
 // SEPARABLE-NEXT:     vec4 result = shader_main(in_POSITION0);
 // SEPARABLE-NEXT:     gl_Position = result;
-// SEPARABLE-NEXT:     gl_ClipDistance[0] = dot(gl_Position, water);
-// SEPARABLE-NEXT:     gl_ClipDistance[1] = dot(gl_Position, portal);
+// SEPARABLE-NEXT:     gl_ClipDistance[0] = dot(result, water);
+// SEPARABLE-NEXT:     gl_ClipDistance[1] = dot(result, portal);
 // SEPARABLE-NEXT: }
 
 // VULKAN: #version 460
@@ -104,8 +104,8 @@ float4 main(float4 p : POSITION) : SV_Position { return p; }
 // VULKAN-NEXT: void main() {
 // VULKAN-NEXT:     vec4 result = shader_main(in_POSITION0);
 // VULKAN-NEXT:     gl_Position = result;
-// VULKAN-NEXT:     gl_ClipDistance[0] = dot(gl_Position, water);
-// VULKAN-NEXT:     gl_ClipDistance[1] = dot(gl_Position, portal);
+// VULKAN-NEXT:     gl_ClipDistance[0] = dot(result, water);
+// VULKAN-NEXT:     gl_ClipDistance[1] = dot(result, portal);
 // VULKAN-NEXT: }
 
 // ES: #version 300 es
@@ -128,6 +128,6 @@ float4 main(float4 p : POSITION) : SV_Position { return p; }
 // ES-NEXT: void main() {
 // ES-NEXT:     vec4 result = shader_main(in_POSITION0);
 // ES-NEXT:     gl_Position = result;
-// ES-NEXT:     gl_ClipDistance[0] = dot(gl_Position, water);
-// ES-NEXT:     gl_ClipDistance[1] = dot(gl_Position, portal);
+// ES-NEXT:     gl_ClipDistance[0] = dot(result, water);
+// ES-NEXT:     gl_ClipDistance[1] = dot(result, portal);
 // ES-NEXT: }

@@ -21,18 +21,18 @@ enum { kTwo = 2 };
 // The attribute's name is case-insensitive; other attributes may stand beside it.
 [ClipPlanes(p, s.a, s.n.b, planes[2], s.c[kIndex + 1], sa[1].a)]
 float4 main(float4 v : POSITION) : SV_Position { return v; }
-// ONE: gl_ClipDistance[0] = dot(gl_Position, p);
-// ONE: gl_ClipDistance[1] = dot(gl_Position, s.a);
-// ONE: gl_ClipDistance[2] = dot(gl_Position, s.n.b);
-// ONE: gl_ClipDistance[3] = dot(gl_Position, planes[2]);
-// ONE: gl_ClipDistance[4] = dot(gl_Position, s.c[kIndex + 1]);
-// ONE: gl_ClipDistance[5] = dot(gl_Position, sa[1].a);
+// ONE: gl_ClipDistance[0] = dot(result, p);
+// ONE: gl_ClipDistance[1] = dot(result, s.a);
+// ONE: gl_ClipDistance[2] = dot(result, s.n.b);
+// ONE: gl_ClipDistance[3] = dot(result, planes[2]);
+// ONE: gl_ClipDistance[4] = dot(result, s.c[kIndex + 1]);
+// ONE: gl_ClipDistance[5] = dot(result, sa[1].a);
 
 [clipplanes((global), cb.plane, cbs[kTwo].plane, planes[kIndex].rgba, s.rows[1], planes[0].wzyx)]
 float4 more(float4 v : POSITION) : SV_Position { return v; }
-// TWO: gl_ClipDistance[0] = dot(gl_Position, {{.*}}global);
-// TWO: gl_ClipDistance[1] = dot(gl_Position, cb.plane);
-// TWO: gl_ClipDistance[2] = dot(gl_Position, cbs[2].plane);
-// TWO: gl_ClipDistance[3] = dot(gl_Position, planes[kIndex].xyzw);
-// TWO: gl_ClipDistance[4] = dot(gl_Position, s.rows[1]);
-// TWO: gl_ClipDistance[5] = dot(gl_Position, planes[0].wzyx);
+// TWO: gl_ClipDistance[0] = dot(result, {{.*}}global);
+// TWO: gl_ClipDistance[1] = dot(result, cb.plane);
+// TWO: gl_ClipDistance[2] = dot(result, cbs[2].plane);
+// TWO: gl_ClipDistance[3] = dot(result, planes[kIndex].xyzw);
+// TWO: gl_ClipDistance[4] = dot(result, s.rows[1]);
+// TWO: gl_ClipDistance[5] = dot(result, planes[0].wzyx);

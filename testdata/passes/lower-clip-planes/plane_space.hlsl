@@ -36,15 +36,16 @@ Output main(Input input) {
   return output;
 }
 
-// CLIP: gl_ClipDistance[0] = dot(gl_Position, water);
-// CLIP-NEXT: gl_ClipDistance[1] = dot(gl_Position, portal);
-// XYW1: gl_ClipDistance[0] = dot(vec4(gl_Position.xyw, 1.0), water);
-// XYW1-NEXT: gl_ClipDistance[1] = dot(vec4(gl_Position.xyw, 1.0), portal);
+// CLIP: gl_ClipDistance[0] = dot(result.position, water);
+// CLIP-NEXT: gl_ClipDistance[1] = dot(result.position, portal);
+// XYW1: gl_ClipDistance[0] = dot(vec4(result.position.xyw, 1.0), water);
+// XYW1-NEXT: gl_ClipDistance[1] = dot(vec4(result.position.xyw, 1.0), portal);
 // XYW1-NEXT: gl_Position.y = -gl_Position.y;
 // OBJECT: gl_ClipDistance[0] = dot(vec4(in_POSITION0, 1.0), water);
 // OBJECT-NEXT: gl_ClipDistance[1] = dot(vec4(in_POSITION0, 1.0), portal);
 // OTHER: gl_ClipDistance[0] = dot(in_BASE1, water);
-// DISCARD: vs_SV_CLIPPLANEDISTANCE0.x = dot(vec4(gl_Position.xyw, 1.0), water);
-// NEAR: gl_Position.z = dot(vec4(in_POSITION0, 1.0), portal);
+// DISCARD: vs_SV_CLIPPLANEDISTANCE0 = vec2(dot(vec4(result.position.xyw, 1.0), water), dot(vec4(result.position.xyw, 1.0), portal));
+// NEAR: result.position.z = dot(vec4(in_POSITION0, 1.0), portal);
+// NEAR-NEXT: gl_Position = result.position;
 // ONLY: gl_ClipDistance[0] = dot(vec4(in_POSITION0, 1.0), water);
 // ONLY-NOT: gl_ClipDistance[1]
