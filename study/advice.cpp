@@ -77,7 +77,7 @@ std::vector<Advice> Advise(const DrawFacts& facts, const CostTable& costs, doubl
     Advice& advice = all.emplace_back();
     advice.way = known.way;
     advice.possible = IsPossible(known, facts);
-    advice.predicted = LawOf(known.arithmetic, facts);
+    advice.predicted = LawOf(known.arithmetic, facts) * LengthFactor(facts.extent);
     advice.bound = kBoundFactor * advice.predicted;
     advice.cost = CostOf(known.way, facts.planes, costs);
   }

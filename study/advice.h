@@ -28,8 +28,12 @@ struct DrawFacts {
   double world_offset = 0;        // distance of the object from the world's origin
   double picture_height = 1080;   // pixels
   double sine = 0.1;              // of the angle between surface and plane; 0.1 stands for surfaces of every direction
+  double extent = 0;              // longest edge of a triangle, or the object's size, in half pictures at `depth`
   Means means;
 };
+
+// What edges that long multiply every law with, but that of vertices cut in double.
+inline double LengthFactor(double extent) { return 1 + extent / 8; }
 
 // Cost of a way (study/program/way.h) with so many planes, relative to drawing without: measured, not assumed.
 using CostTable = std::map<std::pair<std::string, int>, double>;

@@ -155,6 +155,16 @@ DrawFacts FactsOf(const SceneObject& object, const Camera& camera, const Scene& 
   }
   facts.world_offset = std::sqrt(in_world[0] * in_world[0] + in_world[1] * in_world[1] + in_world[2] * in_world[2]);
   facts.depth = std::max(in_view[2], camera.near);
+  double diagonal = 0;
+  for (int j = 0; j < 3; ++j) {
+    double side = 0;
+    for (int i = 0; i < 3; ++i) {
+      side += (static_cast<double>(object.box.high[i]) - static_cast<double>(object.box.low[i])) * std::fabs(object.world.m[i][j]);
+    }
+    diagonal += side * side;
+  }
+  facts.extent = std::sqrt(diagonal) /
+                 (camera.orthographic ? camera.half_height : facts.depth * std::tan(camera.fov * std::numbers::pi / 360));
   double worst = -1;
   for (std::size_t i = 0; i < scene.planes.size(); ++i) {
     if ((needed >> i & 1) == 0) continue;

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "runtime/plane_space.h"
+#include "study/advice.h"
 #include "study/edges.h"
 
 namespace clipc::study {
@@ -267,6 +268,22 @@ TEST(Stability, PlanesInTheWindowOfScalesAreAsGoodAndOthersAreRefused) {
   // Mutation: without the runtime's window, float arithmetic fails outside it.
   EXPECT_GT(P99(at(1e-43), WorldSpace()), 1);
   EXPECT_GT(Measure(at(1e37), WorldSpace()).not_finite, 0);
+}
+
+TEST(Stability, HugeTrianglesLoseInProportionToTheirLength) {
+  for (const double length : {50.0, 500.0, 5000.0}) {
+    Config config = Oblique(10);
+    config.edge_length = length;
+    const double factor = LengthFactor(length / std::tan(30 * std::numbers::pi / 180));
+    const auto share = [&](const Method& method, runtime::PlaneSpace space) {
+      return P99(config, method) / (Predicted(config, space) * factor);
+    };
+    for (const auto& [method, space] : {std::pair{ObjectSpace(), runtime::PlaneSpace::kObject}, std::pair{Xyw1Space(), runtime::PlaneSpace::kXyw1}}) {
+      EXPECT_GT(share(method, space), 0.2) << method.name << ' ' << length;
+      EXPECT_LT(share(method, space), 2) << method.name << ' ' << length;
+    }
+    EXPECT_LT(P99(config, CpuDouble()), 0.001);  // mutation: distances in double do not care
+  }
 }
 
 TEST(Stability, TheShearedNearPlaneIsAsGoodAsObjectSpaceAndRefusesTheKeptSide) {
