@@ -8,6 +8,9 @@ build_packages=(g++ cmake ninja-build ccache "libclang-$llvm-dev" "llvm-$llvm-de
 test_packages=(python3 "llvm-$llvm-tools" libgtest-dev libgmock-dev glslang-tools spirv-tools
   libegl-dev libgl-dev libopengl-dev libegl1 libopengl0 libgl1-mesa-dri libpng-dev python3-matplotlib)
 
+# What the study's slow checks take, `./test --all` installs them: a browser, and Mesa's compiler for AMD's processors.
+study_packages=(chromium libvulkan-dev mesa-vulkan-drivers)
+
 # quietly COMMAND...: runs it and shows what it printed only if it fails.
 quietly() {
   local log status=0

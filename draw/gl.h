@@ -29,6 +29,7 @@ using ClipPlaneProc = void(APIENTRYP)(GLenum plane, const double* equation);
   F(PFNGLBINDRENDERBUFFERPROC, BindRenderbuffer)                       \
   F(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                         \
   F(PFNGLBLENDFUNCPROC, BlendFunc)                                     \
+  F(PFNGLBLITFRAMEBUFFERPROC, BlitFramebuffer)                         \
   F(PFNGLBUFFERDATAPROC, BufferData)                                   \
   F(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus)           \
   F(PFNGLCLEARPROC, Clear)                                             \
@@ -73,6 +74,7 @@ using ClipPlaneProc = void(APIENTRYP)(GLenum plane, const double* equation);
   F(PFNGLPIXELSTOREIPROC, PixelStorei)                                 \
   F(PFNGLREADPIXELSPROC, ReadPixels)                                   \
   F(PFNGLRENDERBUFFERSTORAGEPROC, RenderbufferStorage)                 \
+  F(PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC, RenderbufferStorageMultisample) \
   F(PFNGLSHADERSOURCEPROC, ShaderSource)                               \
   F(PFNGLTRANSFORMFEEDBACKVARYINGSPROC, TransformFeedbackVaryings)     \
   F(PFNGLUNIFORM1FVPROC, Uniform1fv)                                   \

@@ -56,8 +56,8 @@ Result<double> PredictEdgeError(PlaneSpace space, const Plane& view_plane, const
   const double unit = 2 * 0x1p-24 * picture_height / 2 / sine, py = std::fabs(s.py);
   if (space == PlaneSpace::kObject) return {unit, {}};
   if (space == PlaneSpace::kXyw1) return {unit * py, {}};
-  if (s.is_perspective()) return {unit * py * (1 + std::fabs(view_plane.w * s.a / s.b) / length), {}};
-  return {unit * (1 + py * std::fabs(view_plane.z * s.b / s.a) / length), {}};
+  const double price = ClipSpaceEdgeError(view_plane, projection, picture_height).value * kAnySurface / sine;
+  return {unit * (s.is_perspective() ? py : 1) + price, {}};
 }
 
 Result<SpaceConstant> PlaneConstantFor(PlaneSpace space, const Plane& plane, KnownIn known_in, const DrawMatrices& draw,

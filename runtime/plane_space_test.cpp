@@ -110,6 +110,26 @@ TEST(PlaneConstantFor, WarnsWhereTheDefaultLosesPixels) {
   EXPECT_TRUE(PlaneConstantFor(PlaneSpace::kClip, plane, KnownIn::kView, reversed).value.warning.ok());
 }
 
+TEST(PredictEdgeError, GrowsWithTheDistanceOverNear) {
+  const auto error = [](const Camera& camera, double distance) {
+    return PredictEdgeError(PlaneSpace::kClip, {0, 0, 1, -distance}, camera.projection, 1080).value;
+  };
+  // 0.0012 px * |Cw|/n at 60 degrees and 1080 rows.
+  const Camera standard = PerspectiveCamera(0.1, 1e6);
+  EXPECT_NEAR(error(standard, 30), 0.0012 * 300, 0.03);
+  EXPECT_NEAR(error(standard, 60) / error(standard, 30), 2, 0.01);
+  EXPECT_NEAR(error(PerspectiveCamera(0.01, 1e6), 30) / error(standard, 30), 10, 0.1);
+  const double floor = PredictEdgeError(PlaneSpace::kXyw1, {0, 0, 1, -30}, standard.projection, 1080).value;
+  EXPECT_NEAR(error(PerspectiveCamera(0.1, 1e6, {false, true}), 30), floor, 1e-4 * floor);
+  EXPECT_EQ(error(PerspectiveCamera(0.1, INFINITY, {false, true}), 30), floor);
+  // The plane's length does not count.
+  EXPECT_NEAR(PredictEdgeError(PlaneSpace::kClip, {0, 0, 5, -150}, standard.projection, 1080).value, error(standard, 30), 1e-12);
+  EXPECT_EQ(PredictEdgeError(PlaneSpace::kClip, {0, 0, 0, 1}, standard.projection, 1080).status.error(), Error::kSingular);
+  Matrix general;
+  general.m[0][1] = 1;
+  EXPECT_EQ(PredictEdgeError(PlaneSpace::kClip, {0, 0, 1, 1}, general, 1080).status.error(), Error::kWrongProjection);
+}
+
 TEST(PlaneConstantFor, LawOfTheFieldOfViewAndTheAngle) {
   const Plane plane = {0, 0, -1, 30};
   const auto error = [&](double fov, double sine) {

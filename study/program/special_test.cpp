@@ -77,5 +77,37 @@ TEST_F(Special, TrianglesThroughTheEyesPlane) {
   }
 }
 
+// Only a clipper antialiases the cut. A square that fills the picture has no other edge in it.
+TEST_F(Special, MultisamplingSmoothsTheCutUnlessItIsDiscarded) {
+  Mesh square;
+  square.vertices = {{{-2, -2, 0, 1}}, {{2, -2, 0, 1}}, {{2, 2, 0, 1}}, {{-2, 2, 0, 1}}};
+  square.normals.resize(12);
+  square.indices = {0, 1, 2, 0, 2, 3};
+  study::Setup setup = setup_;
+  setup.world = setup.view = runtime::Matrix{};
+  setup.world.m[3][2] = 1;
+  setup.world_view = setup.world;
+  setup.world_view_projection = runtime::Multiply(setup.world, setup.projection);
+  Studio smooth(device_, 320, 180, true, 4);
+  for (const WayKind kind : {WayKind::kClip, WayKind::kXyw1, WayKind::kObject, WayKind::kLevel9, WayKind::kDiscard, WayKind::kDiscardRecomputed}) {
+    const auto constants = ConstantsOf(kind, setup, {runtime::Plane{1, 0.3, 0, 0.013}});
+    ASSERT_TRUE(constants);
+    const auto call = MakeCall(smooth.gl(), kind, 1, true);
+    call->SetMesh(square);
+    call->SetConstants(*constants);
+    smooth.Begin();
+    call->Draw();
+    int whole = 0, partial = 0;
+    for (const float count : smooth.Counts()) whole += count == 1, partial += count > 0 && count < 1;
+    const bool discards = kind == WayKind::kDiscard || kind == WayKind::kDiscardRecomputed;
+    EXPECT_GT(whole, 20000) << static_cast<int>(kind);
+    if (discards) {
+      EXPECT_EQ(partial, 0) << static_cast<int>(kind);
+    } else {
+      EXPECT_GT(partial, 100) << static_cast<int>(kind);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace clipc::study

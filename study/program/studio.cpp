@@ -28,8 +28,8 @@ std::vector<float> BufferOf(const WayConstants& constants) {
 
 }  // namespace
 
-Studio::Studio(draw::Device& device, int width, int height, bool coverage)
-    : gl_(device.Use(draw::Api::kCompatibility)), width_(width), height_(height), coverage_(coverage) {
+Studio::Studio(draw::Device& device, int width, int height, bool coverage, int samples)
+    : gl_(device.Use(draw::Api::kCompatibility)), width_(width), height_(height), coverage_(coverage), samples_(samples) {
   if (!gl_.ClipControl || !gl_.ClipPlane || !gl_.DrawElementsInstancedBaseVertexBaseInstance) {
     throw DrawError("OpenGL lacks glClipControl or glClipPlane");
   }
@@ -37,7 +37,12 @@ Studio::Studio(draw::Device& device, int width, int height, bool coverage)
   gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
   gl_.GenRenderbuffers(1, &color_);
   gl_.BindRenderbuffer(GL_RENDERBUFFER, color_);
-  gl_.RenderbufferStorage(GL_RENDERBUFFER, coverage ? GL_R32F : GL_RGBA8, width, height);
+  const GLenum format = coverage ? GL_R32F : GL_RGBA8;
+  if (samples > 1) {
+    gl_.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
+  } else {
+    gl_.RenderbufferStorage(GL_RENDERBUFFER, format, width, height);
+  }
   gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color_);
   if (!coverage) {
     gl_.GenRenderbuffers(1, &depth_);
@@ -46,12 +51,23 @@ Studio::Studio(draw::Device& device, int width, int height, bool coverage)
     gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
   }
   if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) throw DrawError("no framebuffer");
+  if (samples == 1) return;
+  gl_.GenFramebuffers(1, &resolved_framebuffer_);
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, resolved_framebuffer_);
+  gl_.GenRenderbuffers(1, &resolved_);
+  gl_.BindRenderbuffer(GL_RENDERBUFFER, resolved_);
+  gl_.RenderbufferStorage(GL_RENDERBUFFER, format, width, height);
+  gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, resolved_);
+  if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) throw DrawError("no framebuffer to resolve into");
 }
 
 Studio::~Studio() {
   gl_.DeleteFramebuffers(1, &framebuffer_);
   gl_.DeleteRenderbuffers(1, &color_);
   if (depth_ != 0) gl_.DeleteRenderbuffers(1, &depth_);
+  if (resolved_ == 0) return;
+  gl_.DeleteFramebuffers(1, &resolved_framebuffer_);
+  gl_.DeleteRenderbuffers(1, &resolved_);
 }
 
 void Studio::Begin() {
@@ -72,6 +88,12 @@ void Studio::Begin() {
 
 std::vector<float> Studio::Counts() {
   std::vector<float> counts(static_cast<std::size_t>(width_) * height_);
+  if (samples_ > 1) {
+    gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
+    gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_framebuffer_);
+    gl_.BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, resolved_framebuffer_);
+  }
   gl_.ReadPixels(0, 0, width_, height_, GL_RED, GL_FLOAT, counts.data());
   draw::CheckErrors(gl_, "reading the coverage");
   return counts;

@@ -16,8 +16,9 @@ namespace clipc::study {
 // A place to draw: Mesa's software OpenGL with Direct3D's depth range, one size.
 class Studio {
  public:
-  // `coverage`: each fragment adds 1, nothing hides anything; otherwise colours with a depth buffer.
-  Studio(draw::Device& device, int width, int height, bool coverage);
+  // `coverage`: each fragment adds 1, nothing hides anything; otherwise colours with a depth buffer. `samples`: of each
+  // pixel, 1 for none; only with `coverage`, where Counts then averages them.
+  Studio(draw::Device& device, int width, int height, bool coverage, int samples = 1);
   ~Studio();
   Studio(const Studio&) = delete;
   Studio& operator=(const Studio&) = delete;
@@ -34,7 +35,9 @@ class Studio {
   const draw::Gl& gl_;
   int width_, height_;
   bool coverage_;
+  int samples_;
   GLuint framebuffer_ = 0, color_ = 0, depth_ = 0;
+  GLuint resolved_framebuffer_ = 0, resolved_ = 0;  // with samples
 };
 
 // One mesh with one way of clipping, ready to be drawn again and again.
