@@ -23,9 +23,9 @@ def expect(condition, what):
 
 edges, pixels, speed, advice, scenes = (read(f"{name}.csv") for name in ("edges", "pixels", "speed", "advice", "scenes"))
 
-# object is accurate everywhere but for grazing surfaces, and clip is not.
+# object is accurate everywhere but for grazing surfaces and huge triangles, and clip is not.
 for row in edges:
-    if row["method"] == "object" and row["applies"] == "1" and row["sweep"] != "surface to plane, degrees":
+    if row["method"] == "object" and row["applies"] == "1" and row["sweep"] not in ("surface to plane, degrees", "edge length / depth"):
         expect(float(row["p99_px"]) < 0.002, f"object: {row['p99_px']} px at {row['sweep']} {row['parameter']}")
 expect(any(r["method"] == "clip" and float(r["p99_px"]) > 10 for r in edges), "clip never fails; it must at large distances")
 expect(all(int(r["edges"]) > 0 for r in edges if r["applies"] == "1"), "a configuration without an edge")
