@@ -9,6 +9,7 @@
 
 #include "base/spelling.h"
 #include "frontend/entry.h"
+#include "frontend/position_trial.h"
 #include "ir/walk.h"
 
 namespace clipc {
@@ -165,6 +166,9 @@ VarId CheckPositionInput(const Program& program, std::string_view semantic, Diag
     diagnostics.Report(*write, diag::PositionInputChanged, semantic)
         .Note(var.span, diag::PositionInputHere, semantic);
     return {};
+  }
+  if (const std::string why = WhyNotTimesMatrices(program, input->var); !why.empty()) {
+    diagnostics.Report(var.span, diag::PositionInputMoved, semantic, why);
   }
   return input->var;
 }

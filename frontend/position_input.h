@@ -16,6 +16,7 @@ namespace clipc {
 //   around it, increments it, or passes it as an `out` or `inout` argument. Then it is doubtful which of the two positions
 //   the planes are for.
 //
+// Warns where the position turns out to be more than the input times matrices (position_trial.h).
 // Requires a checked program (Form::kTyped).
 ir::VarId CheckPositionInput(const ir::Program& program, std::string_view semantic, Diagnostics& diagnostics);
 
