@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/position_input.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <optional>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "base/spelling.h"
 #include "frontend/entry.h"
@@ -17,7 +17,8 @@ namespace {
 
 using namespace ir;
 
-// A variable or a part of one: the fields and elements on the way down. Vectors are not taken apart.
+// A variable or a part of one: the fields and elements on the way down. Vectors are not taken
+// apart.
 struct Place {
   static constexpr std::uint32_t kAnyElement = ~std::uint32_t{0};
 
@@ -58,7 +59,8 @@ Place PlaceOf(const Program& program, ExprId id) {
 bool Mentions(const Program& program, ExprId expr, VarId var) {
   const auto* ref = std::get_if<VarRef>(&program.exprs[expr].node);
   bool found = ref && ref->var == var;
-  ForEachOperand(program, expr, [&](ExprId operand) { found = found || Mentions(program, operand, var); });
+  ForEachOperand(program, expr,
+                 [&](ExprId operand) { found = found || Mentions(program, operand, var); });
   return found;
 }
 
@@ -75,20 +77,22 @@ void ForEachExprOf(const Program& program, StmtId stmt, Visit& visit) {
       [&](StmtId inner) { ForEachExprOf(program, inner, visit); });
 }
 
-// What the entry function calls the value of `input`. The generated main passes an input as an argument, or stores it in a
-// local and passes that.
+// What the entry function calls the value of `input`. The generated main passes an input as an
+// argument, or stores it in a local and passes that.
 Place InEntry(const Program& program, VarId input) {
   Place stored, found;
   const auto visit = [&](ExprId id) {
     const auto& node = program.exprs[id].node;
     if (const auto* assign = std::get_if<Assign>(&node)) {
       if (Mentions(program, assign->value, input)) stored = PlaceOf(program, assign->target);
-    } else if (const auto* call = std::get_if<Call>(&node); call && call->function == program.entry) {
+    } else if (const auto* call = std::get_if<Call>(&node);
+               call && call->function == program.entry) {
       const std::vector<VarId>& parameters = program.functions[program.entry].parameters;
       for (std::uint32_t i = 0; i < call->arguments.size; ++i) {
         const ExprId argument = program.expr_lists[call->arguments][i];
         if (Mentions(program, argument, input)) found = {parameters[i], {}};
-        if (stored.var && Mentions(program, argument, stored.var)) found = {parameters[i], stored.path};
+        if (stored.var && Mentions(program, argument, stored.var))
+          found = {parameters[i], stored.path};
       }
     }
   };
@@ -136,7 +140,8 @@ std::optional<Span> FirstWrite(const Program& program, const Place& place) {
 std::string NearInputs(const Program& program, std::string_view semantic) {
   std::vector<std::string> names;
   for (const IoVar& input : program.inputs) {
-    if (input.builtin == Builtin::kNone) names.push_back(fmt::format("{}{}", input.semantic, input.index));
+    if (input.builtin == Builtin::kNone)
+      names.push_back(fmt::format("{}{}", input.semantic, input.index));
   }
   const std::vector<std::string_view> views(names.begin(), names.end());
   const std::vector<std::string_view> near = NearNames(semantic, views);
@@ -145,11 +150,14 @@ std::string NearInputs(const Program& program, std::string_view semantic) {
 
 }  // namespace
 
-VarId CheckPositionInput(const Program& program, std::string_view semantic, Diagnostics& diagnostics) {
+VarId CheckPositionInput(const Program& program, std::string_view semantic,
+                         Diagnostics& diagnostics) {
   const SemanticName wanted = SplitSemantic(semantic);
-  const auto input = std::find_if(program.inputs.begin(), program.inputs.end(), [&](const IoVar& io) {
-    return io.builtin == Builtin::kNone && io.index == wanted.index && EqualIgnoringCase(io.semantic, wanted.name);
-  });
+  const auto input =
+      std::find_if(program.inputs.begin(), program.inputs.end(), [&](const IoVar& io) {
+        return io.builtin == Builtin::kNone && io.index == wanted.index &&
+               EqualIgnoringCase(io.semantic, wanted.name);
+      });
   if (input == program.inputs.end()) {
     diagnostics.Report(program.functions[program.entry].span, diag::PositionInputMissing, semantic,
                        NearInputs(program, semantic));

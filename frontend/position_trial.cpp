@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/position_trial.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -10,6 +8,8 @@
 #include <cstring>
 #include <optional>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "ir/evaluate.h"
 
@@ -32,7 +32,8 @@ class Trial {
     inputs_.read_object = [](const ObjectRequest& request, std::span<std::uint64_t> result) {
       // Some function of where it reads: a texture is seldom the same everywhere.
       std::uint64_t hash = 14695981039346656037u;
-      for (const std::uint64_t argument : request.arguments) hash = (hash ^ argument) * 1099511628211u;
+      for (const std::uint64_t argument : request.arguments)
+        hash = (hash ^ argument) * 1099511628211u;
       for (std::uint64_t& word : result) {
         hash = hash * 6364136223846793005u + 1442695040888963407u;
         word = BitsOf(static_cast<float>(hash >> 40) * 0x1p-24f);
@@ -40,7 +41,8 @@ class Trial {
     };
     for (const CbufferId id : program.cbuffers.ids()) {
       const Cbuffer& cbuffer = program.cbuffers[id];
-      std::vector<std::uint8_t>& bytes = inputs_.cbuffers.emplace_back(std::size_t{cbuffer.size} * cbuffer.count);
+      std::vector<std::uint8_t>& bytes =
+          inputs_.cbuffers.emplace_back(std::size_t{cbuffer.size} * cbuffer.count);
       for (std::size_t at = 0; at + 4 <= bytes.size(); at += 4) {
         const auto word = static_cast<std::uint32_t>(BitsOf(Next()));
         std::memcpy(&bytes[at], &word, 4);
@@ -72,7 +74,9 @@ class Trial {
     IoBits bits{};
     for (std::uint32_t i = 0; i < type.Components(); ++i) {
       const float value = Next();
-      bits[i] = BaseOf(type.scalar) == Scalar::kFloat ? BitsOf(value) : static_cast<std::uint64_t>(std::fabs(value) * 2);
+      bits[i] = BaseOf(type.scalar) == Scalar::kFloat
+                    ? BitsOf(value)
+                    : static_cast<std::uint64_t>(std::fabs(value) * 2);
     }
     if (type.Components() == 4 && program_.inputs[vertex_].var == input.var) bits[3] = BitsOf(1);
     return bits;
@@ -111,7 +115,8 @@ class Trial {
         if (!after || !Differ(*before, *after)) continue;
         const IoVar& input = program_.inputs[i];
         const bool is_system = input.builtin != Builtin::kNone;
-        return fmt::format("it depends on `{}{}` too", input.semantic, is_system ? "" : std::to_string(input.index));
+        return fmt::format("it depends on `{}{}` too", input.semantic,
+                           is_system ? "" : std::to_string(input.index));
       }
       inputs_.values[i] = kept;
     }
@@ -147,6 +152,8 @@ class Trial {
 
 }  // namespace
 
-std::string WhyNotTimesMatrices(const Program& program, VarId input) { return Trial(program, input).Run(); }
+std::string WhyNotTimesMatrices(const Program& program, VarId input) {
+  return Trial(program, input).Run();
+}
 
 }  // namespace clipc

@@ -14,10 +14,13 @@ Result<PlaneConstant> InView(const Plane& plane, KnownIn known_in, const DrawMat
   return ViewPlaneFromWorld(plane, to_view);
 }
 
-Result<PlaneConstant> ObjectConstant(const Plane& plane, KnownIn known_in, const DrawMatrices& draw) {
+Result<PlaneConstant> ObjectConstant(const Plane& plane, KnownIn known_in,
+                                     const DrawMatrices& draw) {
   switch (known_in) {
-    case KnownIn::kObject: return ObjectPlaneFromWorld(plane, Matrix{});
-    case KnownIn::kWorld: return ObjectPlaneFromWorld(plane, draw.world);
+    case KnownIn::kObject:
+      return ObjectPlaneFromWorld(plane, Matrix{});
+    case KnownIn::kWorld:
+      return ObjectPlaneFromWorld(plane, draw.world);
     default: {
       // Step by step: a product of the matrices would lose digits far from the origin.
       const Result<PlaneConstant> in_world = ObjectPlaneFromWorld(plane, draw.view);
@@ -28,18 +31,24 @@ Result<PlaneConstant> ObjectConstant(const Plane& plane, KnownIn known_in, const
 
 Result<PlaneConstant> ClipConstant(const Plane& plane, KnownIn known_in, const DrawMatrices& draw) {
   switch (known_in) {
-    case KnownIn::kObject: return ClipPlaneFromObject(plane, draw.world, draw.view, draw.projection);
-    case KnownIn::kWorld: return ClipPlaneFromWorld(plane, draw.view, draw.projection);
-    default: return ClipPlaneFromView(plane, draw.projection);
+    case KnownIn::kObject:
+      return ClipPlaneFromObject(plane, draw.world, draw.view, draw.projection);
+    case KnownIn::kWorld:
+      return ClipPlaneFromWorld(plane, draw.view, draw.projection);
+    default:
+      return ClipPlaneFromView(plane, draw.projection);
   }
 }
 
-Result<PlaneConstant> ConstantOf(PlaneSpace space, const Plane& plane, KnownIn known_in, const DrawMatrices& draw,
-                                 const Plane& in_view) {
+Result<PlaneConstant> ConstantOf(PlaneSpace space, const Plane& plane, KnownIn known_in,
+                                 const DrawMatrices& draw, const Plane& in_view) {
   switch (space) {
-    case PlaneSpace::kXyw1: return Xyw1PlaneFromView(in_view, draw.projection);
-    case PlaneSpace::kObject: return ObjectConstant(plane, known_in, draw);
-    default: return ClipConstant(plane, known_in, draw);
+    case PlaneSpace::kXyw1:
+      return Xyw1PlaneFromView(in_view, draw.projection);
+    case PlaneSpace::kObject:
+      return ObjectConstant(plane, known_in, draw);
+    default:
+      return ClipConstant(plane, known_in, draw);
   }
 }
 
@@ -50,18 +59,22 @@ Result<double> PredictEdgeError(PlaneSpace space, const Plane& view_plane, const
   const ProjectionShape s = ShapeOf(projection);
   const double length = NormalLength(view_plane);
   const bool wrong = !s.holds || (space == PlaneSpace::kXyw1 && !s.is_perspective());
-  if (wrong) return {0, Status::Failure(Error::kWrongProjection, "the projection has not the shape that the space needs")};
+  if (wrong)
+    return {0, Status::Failure(Error::kWrongProjection,
+                               "the projection has not the shape that the space needs")};
   if (!(length > 0) || (s.is_perspective() ? s.b : s.a) == 0)
-    return {0, Status::Failure(Error::kSingular, "the plane has no normal, or the projection no inverse")};
+    return {0, Status::Failure(Error::kSingular,
+                               "the plane has no normal, or the projection no inverse")};
   const double unit = 2 * 0x1p-24 * picture_height / 2 / sine, py = std::fabs(s.py);
   if (space == PlaneSpace::kObject) return {unit, {}};
   if (space == PlaneSpace::kXyw1) return {unit * py, {}};
-  const double price = ClipSpaceEdgeError(view_plane, projection, picture_height).value * kAnySurface / sine;
+  const double price =
+      ClipSpaceEdgeError(view_plane, projection, picture_height).value * kAnySurface / sine;
   return {unit * (s.is_perspective() ? py : 1) + price, {}};
 }
 
-Result<SpaceConstant> PlaneConstantFor(PlaneSpace space, const Plane& plane, KnownIn known_in, const DrawMatrices& draw,
-                                       const Picture& picture) noexcept {
+Result<SpaceConstant> PlaneConstantFor(PlaneSpace space, const Plane& plane, KnownIn known_in,
+                                       const DrawMatrices& draw, const Picture& picture) noexcept {
   Result<SpaceConstant> result;
   // Space `object` needs no view; without one there is only no prediction.
   const Result<PlaneConstant> in_view = InView(plane, known_in, draw);
@@ -69,7 +82,8 @@ Result<SpaceConstant> PlaneConstantFor(PlaneSpace space, const Plane& plane, Kno
     result.status = in_view.status;
     return result;
   }
-  const Result<PlaneConstant> constant = ConstantOf(space, plane, known_in, draw, in_view.value.plane);
+  const Result<PlaneConstant> constant =
+      ConstantOf(space, plane, known_in, draw, in_view.value.plane);
   result.status = constant.status;
   if (!constant.ok()) return result;
   result.value.plane = constant.value;
@@ -81,7 +95,8 @@ Result<SpaceConstant> PlaneConstantFor(PlaneSpace space, const Plane& plane, Kno
   if (error.value > picture.most_pixels) {
     result.value.warning = Status::Failure(
         Error::kIllConditioned,
-        "plane space %s displaces the cut by about %.2g pixels of %g rows%s", NameOf(space), error.value, picture.height,
+        "plane space %s displaces the cut by about %.2g pixels of %g rows%s", NameOf(space),
+        error.value, picture.height,
         space == PlaneSpace::kClip ? "; use --plane-space=xyw1 or object, or reversed depth" : "");
   }
   return result;

@@ -35,7 +35,9 @@ constexpr Known kKnown[] = {{"clip", Arithmetic::kClip, Known::Needs::kDistances
 double LawOf(Arithmetic arithmetic, const DrawFacts& facts) {
   const runtime::Matrix projection = facts.camera.Projection();
   const auto law = [&](PlaneSpace space) {
-    return runtime::PredictEdgeError(space, facts.view_plane, projection, facts.picture_height, facts.sine).value;
+    return runtime::PredictEdgeError(space, facts.view_plane, projection, facts.picture_height,
+                                     facts.sine)
+        .value;
   };
   if (arithmetic == Arithmetic::kClip) return law(PlaneSpace::kClip);
   if (arithmetic == Arithmetic::kXyw1) return law(PlaneSpace::kXyw1);
@@ -57,7 +59,9 @@ bool IsPossible(const Known& known, const DrawFacts& facts) {
   if (std::string(known.way) != "near-plane") return true;
   // The lowering writes z = d, which is the near plane where z = 0 is near.
   return !facts.camera.reversed &&
-         runtime::ShearNearPlane(facts.view_plane, facts.camera.Projection(), facts.camera.Range(), runtime::NearPlaneScale::kKeepFar).ok();
+         runtime::ShearNearPlane(facts.view_plane, facts.camera.Projection(), facts.camera.Range(),
+                                 runtime::NearPlaneScale::kKeepFar)
+             .ok();
 }
 
 double CostOf(const std::string& way, int planes, const CostTable& costs) {
@@ -81,7 +85,9 @@ std::vector<Advice> Advise(const DrawFacts& facts, const CostTable& costs, doubl
     advice.bound = kBoundFactor * advice.predicted;
     advice.cost = CostOf(known.way, facts.planes, costs);
   }
-  const auto admissible = [&](const Advice& a) { return a.possible && a.bound <= tolerance && std::isfinite(a.cost); };
+  const auto admissible = [&](const Advice& a) {
+    return a.possible && a.bound <= tolerance && std::isfinite(a.cost);
+  };
   double least = std::numeric_limits<double>::infinity();
   for (const Advice& a : all) {
     if (admissible(a)) least = std::min(least, a.cost);

@@ -16,7 +16,8 @@ namespace {
 CostTable SomeCosts() {
   CostTable costs;
   for (const int planes : {1, 3, 6}) {
-    for (const char* way : {"clip", "xyw1", "object", "world", "level9"}) costs[{way, planes}] = 1.0;
+    for (const char* way : {"clip", "xyw1", "object", "world", "level9"})
+      costs[{way, planes}] = 1.0;
     for (const char* way : {"discard", "discard-object"}) costs[{way, planes}] = 1.1;
     costs[{"discard-world", planes}] = 1.4, costs[{"cpu", planes}] = 1.08;
   }
@@ -35,7 +36,8 @@ TEST(Advice, MeasuredErrorsStayUnderTheirBoundsOnRandomDraws) {
       if (!way.possible || way.bound > 20) continue;  // past some tens of pixels the law saturates
       const MeasuredWay measured = MeasureWay(draw, way.way, 1000, 7);
       if (!measured.applies) continue;
-      EXPECT_LE(measured.p99, way.bound) << way.way << " draw " << draws << " depth " << draw.facts.depth << " n " << draw.facts.camera.near;
+      EXPECT_LE(measured.p99, way.bound) << way.way << " draw " << draws << " depth "
+                                         << draw.facts.depth << " n " << draw.facts.camera.near;
       would_break_tighter += measured.p99 > way.bound / 10;
       if (first) ++recommended, ++chosen[way.way];
       first = false;
@@ -43,7 +45,7 @@ TEST(Advice, MeasuredErrorsStayUnderTheirBoundsOnRandomDraws) {
     ++draws;
   }
   EXPECT_GE(recommended, 100);
-  EXPECT_GT(chosen.size(), 4u);             // the choice is one
+  EXPECT_GT(chosen.size(), 4u);         // the choice is one
   EXPECT_GT(would_break_tighter, 100);  // mutation: bounds ten times tighter do not hold
 }
 
@@ -63,7 +65,8 @@ TEST(Advice, FollowsMeansAndNumbers) {
   facts.means.user_planes = false;
   EXPECT_EQ(best(), "discard");
   facts.camera.orthographic = true, facts.means.clip_distances = true;
-  for (const Advice& way : Advise(facts, SomeCosts())) EXPECT_FALSE(way.way == "xyw1" && way.possible);
+  for (const Advice& way : Advise(facts, SomeCosts()))
+    EXPECT_FALSE(way.way == "xyw1" && way.possible);
 }
 
 TEST(Advice, DearWaysLoseAgainstCheapOnesThatAreGoodEnough) {
@@ -101,7 +104,10 @@ TEST(Scenes, PlansAreRight) {
         const runtime::Plane plane = runtime::PlaneBefore(object.world, scene.planes[p].plane);
         int inside = 0;
         for (int corner = 0; corner < 8; ++corner) {
-          const auto at = [&](int axis) { return static_cast<double>((corner >> axis & 1) != 0 ? object.box.high[axis] : object.box.low[axis]); };
+          const auto at = [&](int axis) {
+            return static_cast<double>((corner >> axis & 1) != 0 ? object.box.high[axis]
+                                                                 : object.box.low[axis]);
+          };
           inside += plane.x * at(0) + plane.y * at(1) + plane.z * at(2) + plane.w >= 0;
         }
         some_plane_takes_all = some_plane_takes_all || inside == 0;

@@ -28,7 +28,8 @@ Matrix Camera::Projection() const {
   }
   const double py = 1 / std::tan(fov * std::numbers::pi / 360);
   const double a = infinite ? at_far : (at_far * far - at_near * near) / (far - near);
-  const double b = infinite ? (at_near - at_far) * near : (at_near - at_far) * near * far / (far - near);
+  const double b =
+      infinite ? (at_near - at_far) * near : (at_near - at_far) * near * far / (far - near);
   return {{{py / aspect, 0, 0, 0}, {0, py, 0, 0}, {offset_x, offset_y, a, 1}, {0, 0, b, 0}}};
 }
 

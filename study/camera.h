@@ -6,13 +6,14 @@
 
 namespace clipc::study {
 
-// A camera that looks along +z of its own space, with w = z for a perspective; row vectors; lengths in world units.
+// A camera that looks along +z of its own space, with w = z for a perspective; row vectors; lengths
+// in world units.
 struct Camera {
   bool orthographic = false;
-  bool reversed = false;   // z/w is 1 at the near plane
-  bool infinite = false;   // no far plane
+  bool reversed = false;  // z/w is 1 at the near plane
+  bool infinite = false;  // no far plane
   double near = 0.1, far = 1000;
-  double fov = 60;         // degrees from bottom to top
+  double fov = 60;          // degrees from bottom to top
   double half_height = 10;  // of an orthographic picture
   double aspect = 16.0 / 9;
   double offset_x = 0, offset_y = 0;  // of the frustum's axis, in half pictures: stereo, jitter

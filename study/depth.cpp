@@ -16,7 +16,8 @@ struct Candidate {
   bool reversed = false, fixed_point = true;
 };
 
-Candidate Sheared(const char* name, const Camera& camera, const runtime::Plane& plane, runtime::NearPlaneScale scale) {
+Candidate Sheared(const char* name, const Camera& camera, const runtime::Plane& plane,
+                  runtime::NearPlaneScale scale) {
   Candidate candidate;
   candidate.result.method = name;
   const auto sheared = runtime::ShearNearPlane(plane, camera.Projection(), camera.Range(), scale);
@@ -31,7 +32,8 @@ Candidate Sheared(const char* name, const Camera& camera, const runtime::Plane& 
   double a = 0;
   for (const double x : {-1.0, 1.0}) {
     for (const double y : {-1.0, 1.0}) {
-      a = std::max(a, plane.x * x / p.m[0][0] + plane.y * y / p.m[1][1] + plane.z + plane.w / camera.far);
+      a = std::max(
+          a, plane.x * x / p.m[0][0] + plane.y * y / p.m[1][1] + plane.z + plane.w / camera.far);
     }
   }
   a = scale == runtime::NearPlaneScale::kAsGiven || a <= 0 ? 1 : 1 / a;
@@ -51,19 +53,22 @@ std::vector<Candidate> Candidates(const Camera& camera, const runtime::Plane& pl
   reversed.result.method = "reversed", reversed.result.effective_near = camera.near;
   reversed.projection = ConvertTo<float>(turned.Projection());
   reversed.reversed = true, reversed.fixed_point = false;
-  return {standard, reversed, Sheared("near-plane", camera, plane, runtime::NearPlaneScale::kKeepFar),
+  return {standard, reversed,
+          Sheared("near-plane", camera, plane, runtime::NearPlaneScale::kKeepFar),
           Sheared("near-plane-unit", camera, plane, runtime::NearPlaneScale::kAsGiven)};
 }
 
 float DepthOf(const Candidate& candidate, const Vec4<float>& clip) {
   float depth = std::clamp(clip[2] / clip[3], 0.0f, 1.0f);
-  if (candidate.fixed_point) depth = static_cast<float>(std::floor(static_cast<double>(depth) * 16777215 + 0.5));
+  if (candidate.fixed_point)
+    depth = static_cast<float>(std::floor(static_cast<double>(depth) * 16777215 + 0.5));
   return candidate.reversed ? -depth : depth;
 }
 
 }  // namespace
 
-std::vector<DepthLeft> MeasureDepth(const Camera& camera, const runtime::Plane& plane, long pairs, std::uint64_t seed) {
+std::vector<DepthLeft> MeasureDepth(const Camera& camera, const runtime::Plane& plane, long pairs,
+                                    std::uint64_t seed) {
   const runtime::Matrix p = camera.Projection();
   std::vector<DepthLeft> results;
   for (Candidate& candidate : Candidates(camera, plane)) {
@@ -77,7 +82,8 @@ std::vector<DepthLeft> MeasureDepth(const Camera& camera, const runtime::Plane& 
       Vec4<float> clip[2];
       for (int k = 0; k < 2; ++k) {
         const double s = k == 0 ? z : 1.001 * z;
-        clip[k] = Transform(ConvertTo<float>(Vec4<double>{{x * s, y * s, s, 1}}), candidate.projection);
+        clip[k] =
+            Transform(ConvertTo<float>(Vec4<double>{{x * s, y * s, s, 1}}), candidate.projection);
       }
       if (clip[0][2] > clip[0][3]) continue;
       ++kept;
@@ -85,9 +91,12 @@ std::vector<DepthLeft> MeasureDepth(const Camera& camera, const runtime::Plane& 
       ordered += first < second, tied += first == second;
     }
     DepthLeft& result = candidate.result;
-    const auto share = [](long part, long whole) { return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole); };
+    const auto share = [](long part, long whole) {
+      return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
+    };
     result.ordered = share(ordered, kept), result.tied = share(tied, kept);
-    result.inverted = share(kept - ordered - tied, kept), result.lost = share(visible - kept, visible);
+    result.inverted = share(kept - ordered - tied, kept),
+    result.lost = share(visible - kept, visible);
     results.push_back(result);
   }
   return results;

@@ -9,9 +9,9 @@ namespace clipc::study {
 namespace {
 
 struct Edge {
-  Vec4<float> ends[2];          // object space
-  Wide distances[2];            // the truth, of different signs
-  Vec4<long double> clip[2];    // positions, without float's rounding
+  Vec4<float> ends[2];        // object space
+  Wide distances[2];          // the truth, of different signs
+  Vec4<long double> clip[2];  // positions, without float's rounding
 };
 
 struct Point {
@@ -28,11 +28,14 @@ Point PointAt(const Edge& edge, long double t) {
   return PixelOf(p);
 }
 
-double Between(const Point& a, const Point& b) { return static_cast<double>(std::hypot(a.x - b.x, a.y - b.y)); }
+double Between(const Point& a, const Point& b) {
+  return static_cast<double>(std::hypot(a.x - b.x, a.y - b.y));
+}
 
 class EdgeMaker {
  public:
-  EdgeMaker(const Setup& setup, std::uint64_t seed) : setup_(setup), config_(setup.config), random_(seed) {}
+  EdgeMaker(const Setup& setup, std::uint64_t seed)
+      : setup_(setup), config_(setup.config), random_(seed) {}
 
   // An edge that crosses the plane; nothing if the dice fell badly.
   std::optional<Edge> Next() {
@@ -59,7 +62,8 @@ class EdgeMaker {
 
   // Without rounding.
   Vec4<long double> ToClip(const Vec4<float>& vertex) const {
-    return ConvertTo<long double>(Transform(Transform(Transform(ConvertTo<Wide>(vertex), world_), view_), projection_));
+    return ConvertTo<long double>(
+        Transform(Transform(Transform(ConvertTo<Wide>(vertex), world_), view_), projection_));
   }
 
  private:
@@ -67,13 +71,17 @@ class EdgeMaker {
   bool PointOnPlane(double (&point)[3]) {
     const Camera& camera = config_.camera;
     const runtime::Matrix& p = setup_.projection;
-    const double z = random_.Magnitude(config_.nearest, config_.farthest), w = camera.orthographic ? 1 : z;
+    const double z = random_.Magnitude(config_.nearest, config_.farthest),
+                 w = camera.orthographic ? 1 : z;
     const double x = random_.Between(-1, 1), y = random_.Between(-1, 1);
-    const double at[3] = {(x - camera.offset_x) / p.m[0][0] * w, (y - camera.offset_y) / p.m[1][1] * w, z};
+    const double at[3] = {(x - camera.offset_x) / p.m[0][0] * w,
+                          (y - camera.offset_y) / p.m[1][1] * w, z};
     const runtime::Plane& c = config_.view_plane;
     const double distance = c.x * at[0] + c.y * at[1] + c.z * at[2] + c.w;
-    point[0] = at[0] - distance * c.x, point[1] = at[1] - distance * c.y, point[2] = at[2] - distance * c.z;
-    if (point[2] < config_.nearest / 2 || point[2] > config_.farthest * 2 || point[2] < camera.near) return false;
+    point[0] = at[0] - distance * c.x, point[1] = at[1] - distance * c.y,
+    point[2] = at[2] - distance * c.z;
+    if (point[2] < config_.nearest / 2 || point[2] > config_.farthest * 2 || point[2] < camera.near)
+      return false;
     const double now_w = camera.orthographic ? 1 : point[2];
     const double to_x = point[0] * p.m[0][0] + camera.offset_x * now_w;
     const double to_y = point[1] * p.m[1][1] + camera.offset_y * now_w;
@@ -82,7 +90,7 @@ class EdgeMaker {
 
   void ChooseDirection(double (&direction)[3]) {
     const double n[3] = {config_.view_plane.x, config_.view_plane.y, config_.view_plane.z};
-    const auto along = [&](const double (&v)[3]) { return v[0] * n[0] + v[1] * n[1] + v[2] * n[2]; };
+    const auto along = [&](const double(&v)[3]) { return v[0] * n[0] + v[1] * n[1] + v[2] * n[2]; };
     do random_.Direction(direction);
     while (std::fabs(along(direction)) <= 0.05);
     if (config_.surface_angle < 0) return;
@@ -93,7 +101,8 @@ class EdgeMaker {
       for (int i = 0; i < 3; ++i) direction[i] -= k * n[i], length += direction[i] * direction[i];
     } while (length < 0.01);
     for (int i = 0; i < 3; ++i) {
-      direction[i] = std::cos(config_.surface_angle) * direction[i] / std::sqrt(length) + std::sin(config_.surface_angle) * n[i];
+      direction[i] = std::cos(config_.surface_angle) * direction[i] / std::sqrt(length) +
+                     std::sin(config_.surface_angle) * n[i];
     }
   }
 
@@ -106,24 +115,28 @@ class EdgeMaker {
 };
 
 // Pixels between the true cut and the method's; infinity where a distance is no number.
-double Displacement(const Edge& edge, const Distance& distance, bool makes_vertices, const EdgeMaker& maker) {
+double Displacement(const Edge& edge, const Distance& distance, bool makes_vertices,
+                    const EdgeMaker& maker) {
   const double d[2] = {distance(edge.ends[0]), distance(edge.ends[1])};
   if (!std::isfinite(d[0]) || !std::isfinite(d[1])) return INFINITY;
-  const Point right = PointAt(edge, static_cast<long double>(edge.distances[0] / (edge.distances[0] - edge.distances[1])));
+  const Point right = PointAt(
+      edge, static_cast<long double>(edge.distances[0] / (edge.distances[0] - edge.distances[1])));
   const bool kept[2] = {d[0] >= 0, d[1] >= 0};
   if (kept[0] != kept[1]) {
     const long double first = d[0], second = d[1];
     if (makes_vertices) {
       Vec4<float> cut = edge.ends[0];
       for (int i = 0; i < 3; ++i) {
-        const double from = static_cast<double>(edge.ends[0][i]), to = static_cast<double>(edge.ends[1][i]);
+        const double from = static_cast<double>(edge.ends[0][i]),
+                     to = static_cast<double>(edge.ends[1][i]);
         cut[i] = static_cast<float>(from + d[0] / (d[0] - d[1]) * (to - from));
       }
       return Between(PixelOf(maker.ToClip(cut)), right);
     }
     return Between(PointAt(edge, first / (first - second)), right);
   }
-  // Kept whole: the cut moved to the end that should have been dropped; dropped whole: to the one to be kept.
+  // Kept whole: the cut moved to the end that should have been dropped; dropped whole: to the one
+  // to be kept.
   const bool first_is_kept = edge.distances[0] >= 0;
   return Between(PointAt(edge, first_is_kept == kept[0] ? 1 : 0), right);
 }
@@ -136,7 +149,8 @@ EdgeErrors Summary(const std::string& method, std::vector<double> pixels) {
   if (pixels.empty()) return errors;
   std::sort(pixels.begin(), pixels.end());
   const auto at = [&](double share) {
-    return pixels[std::min(pixels.size() - 1, static_cast<std::size_t>(share * static_cast<double>(pixels.size())))];
+    return pixels[std::min(pixels.size() - 1,
+                           static_cast<std::size_t>(share * static_cast<double>(pixels.size())))];
   };
   errors.median = at(0.5), errors.p99 = at(0.99), errors.largest = pixels.back();
   errors.not_finite = static_cast<long>(std::count(pixels.begin(), pixels.end(), INFINITY));
@@ -147,8 +161,8 @@ EdgeErrors Summary(const std::string& method, std::vector<double> pixels) {
 
 }  // namespace
 
-std::vector<EdgeErrors> MeasureEdges(const Config& config, const std::vector<Method>& methods, long count,
-                                     std::uint64_t seed) {
+std::vector<EdgeErrors> MeasureEdges(const Config& config, const std::vector<Method>& methods,
+                                     long count, std::uint64_t seed) {
   const Setup setup = Prepare(config);
   std::vector<std::optional<Distance>> distances;
   for (const Method& method : methods) distances.push_back(method.prepare(setup));
@@ -160,12 +174,14 @@ std::vector<EdgeErrors> MeasureEdges(const Config& config, const std::vector<Met
     if (!edge) continue;
     ++made;
     for (std::size_t i = 0; i < methods.size(); ++i) {
-      if (distances[i]) pixels[i].push_back(Displacement(*edge, *distances[i], methods[i].makes_vertices, maker));
+      if (distances[i])
+        pixels[i].push_back(Displacement(*edge, *distances[i], methods[i].makes_vertices, maker));
     }
   }
   std::vector<EdgeErrors> errors;
   for (std::size_t i = 0; i < methods.size(); ++i) {
-    errors.push_back(distances[i] ? Summary(methods[i].name, std::move(pixels[i])) : EdgeErrors{methods[i].name, false, 0, 0, 0, 0, 0, 0});
+    errors.push_back(distances[i] ? Summary(methods[i].name, std::move(pixels[i]))
+                                  : EdgeErrors{methods[i].name, false, 0, 0, 0, 0, 0, 0});
   }
   return errors;
 }

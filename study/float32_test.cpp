@@ -5,17 +5,21 @@
 
 #include "study/numbers.h"
 
-// The emulation of float32 must round: here with the flags of this project, and as a mutation with g++'s SLP vectoriser.
+// The emulation of float32 must round: here with the flags of this project, and as a mutation with
+// g++'s SLP vectoriser.
 #ifdef CLIPC_HAS_ROUND_TRIP
-extern "C" void RoundTrip_guarded(const double* a, const double* b, const double* c, double* plane, double* through);
-extern "C" void RoundTrip_provoked(const double* a, const double* b, const double* c, double* plane, double* through);
+extern "C" void RoundTrip_guarded(const double* a, const double* b, const double* c, double* plane,
+                                  double* through);
+extern "C" void RoundTrip_provoked(const double* a, const double* b, const double* c, double* plane,
+                                   double* through);
 #endif
 
 namespace clipc::study {
 namespace {
 
 #ifdef CLIPC_HAS_ROUND_TRIP
-using RoundTrip = void (*)(const double* a, const double* b, const double* c, double* plane, double* through);
+using RoundTrip = void (*)(const double* a, const double* b, const double* c, double* plane,
+                           double* through);
 
 // How far the result is from one whose roundings no compiler can take away.
 double Difference(RoundTrip run) {
@@ -46,7 +50,8 @@ TEST(Float32, RoundsWithTheProjectsFlags) {
   EXPECT_LT(Difference(RoundTrip_guarded), 1e-13);
 }
 
-#if defined(__GNUC__) && !defined(__clang__) && __GNUC__ == 12 && !defined(__SANITIZE_ADDRESS__) && defined(NDEBUG)
+#if defined(__GNUC__) && !defined(__clang__) && __GNUC__ == 12 && \
+    !defined(__SANITIZE_ADDRESS__) && defined(NDEBUG)
 TEST(Float32, TheFaultThatTheFlagsGuardAgainstIsThere) {
   if (!__builtin_cpu_supports("avx")) GTEST_SKIP() << "the fault needs AVX";
   EXPECT_GT(Difference(RoundTrip_provoked), 1e-9);

@@ -42,8 +42,9 @@ Method Xyw1Space() {
   return {"xyw1", [](const Setup& setup) -> std::optional<Distance> {
             const auto plane = ConstantOf(setup, PlaneSpace::kXyw1);
             if (!plane) return std::nullopt;
-            return AfterTransform(setup.world_view_projection, *plane,
-                                  [](const Vec4<float>& p) { return Vec4<float>{{p[0], p[1], p[3], 1}}; });
+            return AfterTransform(setup.world_view_projection, *plane, [](const Vec4<float>& p) {
+              return Vec4<float>{{p[0], p[1], p[3], 1}};
+            });
           }};
 }
 
@@ -72,7 +73,8 @@ Method DocumentFormula() {
             const Mat4<float> p = ConvertTo<float>(setup.projection);
             const Vec4<float> c = ConvertTo<float>(setup.view_plane);
             const float b = p.m[3][2];
-            const Vec4<float> plane = {{c[0] / p.m[0][0], c[1] / p.m[1][1], c[3] / b, c[2] - c[3] * p.m[2][2] / b}};
+            const Vec4<float> plane = {
+                {c[0] / p.m[0][0], c[1] / p.m[1][1], c[3] / b, c[2] - c[3] * p.m[2][2] / b}};
             return AfterTransform(setup.world_view_projection, plane, kWhole);
           }};
 }
@@ -81,7 +83,8 @@ Method FloatInverse() {
   return {"inverse-f32", [](const Setup& setup) -> std::optional<Distance> {
             const auto view_projection =
                 Multiply(ConvertTo<float>(setup.view), ConvertTo<float>(setup.projection));
-            const auto plane = PlaneThrough(InverseOf(view_projection), ConvertTo<float>(setup.world_plane));
+            const auto plane =
+                PlaneThrough(InverseOf(view_projection), ConvertTo<float>(setup.world_plane));
             return AfterTransform(setup.world_view_projection, plane, kWhole);
           }};
 }
@@ -94,29 +97,35 @@ Method NearPlane() {
             if (!sheared.ok()) return std::nullopt;
             runtime::Matrix to_clip = setup.world_view_projection;
             runtime::SetDepthColumn(to_clip, setup.object_plane, sheared.value.scale, range);
-            return [m = ConvertTo<float>(to_clip), reversed = range.reversed](const Vec4<float>& v) {
-              const Vec4<float> p = Transform(v, m);
-              return static_cast<double>(reversed ? p[3] - p[2] : p[2]);
-            };
+            return
+                [m = ConvertTo<float>(to_clip), reversed = range.reversed](const Vec4<float>& v) {
+                  const Vec4<float> p = Transform(v, m);
+                  return static_cast<double>(reversed ? p[3] - p[2] : p[2]);
+                };
           }};
 }
 
 Method NearPlaneFloat() {
   return {"near-plane-f32", [](const Setup& setup) -> std::optional<Distance> {
-            if (setup.config.camera.reversed) return std::nullopt;  // the paper's form is for z = 0 at the near plane
-            const Mat4<float> view = ConvertTo<float>(setup.view), projection = ConvertTo<float>(setup.projection);
-            const auto plane =
-                PlaneThrough(InverseOf(Multiply(view, projection)), ConvertTo<float>(setup.world_plane));
+            if (setup.config.camera.reversed)
+              return std::nullopt;  // the paper's form is for z = 0 at the near plane
+            const Mat4<float> view = ConvertTo<float>(setup.view),
+                              projection = ConvertTo<float>(setup.projection);
+            const auto plane = PlaneThrough(InverseOf(Multiply(view, projection)),
+                                            ConvertTo<float>(setup.world_plane));
             Mat4<float> shear = ConvertTo<float>(runtime::Matrix{});
             for (int i = 0; i < 4; ++i) shear.m[i][2] = plane[i];
-            const Mat4<float> to_clip =
-                Multiply(Multiply(ConvertTo<float>(setup.world), view), Multiply(projection, shear));
-            return [to_clip](const Vec4<float>& v) { return static_cast<double>(Transform(v, to_clip)[2]); };
+            const Mat4<float> to_clip = Multiply(Multiply(ConvertTo<float>(setup.world), view),
+                                                 Multiply(projection, shear));
+            return [to_clip](const Vec4<float>& v) {
+              return static_cast<double>(Transform(v, to_clip)[2]);
+            };
           }};
 }
 
 Method CpuDouble() {
-  return {"cpu", [](const Setup& setup) -> std::optional<Distance> {
+  return {"cpu",
+          [](const Setup& setup) -> std::optional<Distance> {
             const Vec4<double> plane = ConvertTo<double>(setup.object_plane);
             return [plane](const Vec4<float>& v) { return Dot(ConvertTo<double>(v), plane); };
           },
@@ -124,8 +133,8 @@ Method CpuDouble() {
 }
 
 std::vector<Method> AllMethods() {
-  return {ClipSpace(), Xyw1Space(), ObjectSpace(), WorldSpace(), ViewSpace(), DocumentFormula(), FloatInverse(),
-          NearPlane(), NearPlaneFloat(), CpuDouble()};
+  return {ClipSpace(),       Xyw1Space(),    ObjectSpace(), WorldSpace(),     ViewSpace(),
+          DocumentFormula(), FloatInverse(), NearPlane(),   NearPlaneFloat(), CpuDouble()};
 }
 
 }  // namespace clipc::study

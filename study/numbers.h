@@ -7,9 +7,10 @@
 
 #include "runtime/matrix.h"
 
-// Vectors in several precisions. `float` is what a vertex shader computes: each operation rounds, nothing is fused, sums go
-// from left to right. That only holds where the compiler lets it: this folder is built with -ffp-contract=off and
-// -fno-tree-slp-vectorize, and a test (float32_test.cpp) notices when it did not help.
+// Vectors in several precisions. `float` is what a vertex shader computes: each operation rounds,
+// nothing is fused, sums go from left to right. That only holds where the compiler lets it: this
+// folder is built with -ffp-contract=off and -fno-tree-slp-vectorize, and a test (float32_test.cpp)
+// notices when it did not help.
 namespace clipc::study {
 
 // For what counts as exact.
@@ -49,10 +50,13 @@ Mat4<To> ConvertTo(const runtime::Matrix& from) {
 
 template <typename To>
 Vec4<To> ConvertTo(const runtime::Plane& from) {
-  return {{static_cast<To>(from.x), static_cast<To>(from.y), static_cast<To>(from.z), static_cast<To>(from.w)}};
+  return {{static_cast<To>(from.x), static_cast<To>(from.y), static_cast<To>(from.z),
+           static_cast<To>(from.w)}};
 }
 
-inline Vec4<float> VectorOf(const runtime::Float4& from) { return {{from.x, from.y, from.z, from.w}}; }
+inline Vec4<float> VectorOf(const runtime::Float4& from) {
+  return {{from.x, from.y, from.z, from.w}};
+}
 
 template <typename T>
 T Dot(const Vec4<T>& a, const Vec4<T>& b) {
@@ -84,7 +88,8 @@ Mat4<T> Multiply(const Mat4<T>& a, const Mat4<T>& b) {
 template <typename T>
 Vec4<T> PlaneThrough(const Mat4<T>& m, const Vec4<T>& plane) {
   Vec4<T> to;
-  for (int i = 0; i < 4; ++i) to[i] = Dot(Vec4<T>{{m.m[i][0], m.m[i][1], m.m[i][2], m.m[i][3]}}, plane);
+  for (int i = 0; i < 4; ++i)
+    to[i] = Dot(Vec4<T>{{m.m[i][0], m.m[i][1], m.m[i][2], m.m[i][3]}}, plane);
   return to;
 }
 
@@ -101,7 +106,8 @@ Mat4<T> InverseOf(const Mat4<T>& matrix) {
       }
       ++r;
     }
-    const T value = d[0][0] * (d[1][1] * d[2][2] - d[1][2] * d[2][1]) - d[0][1] * (d[1][0] * d[2][2] - d[1][2] * d[2][0]) +
+    const T value = d[0][0] * (d[1][1] * d[2][2] - d[1][2] * d[2][1]) -
+                    d[0][1] * (d[1][0] * d[2][2] - d[1][2] * d[2][0]) +
                     d[0][2] * (d[1][0] * d[2][1] - d[1][1] * d[2][0]);
     return (row + column) % 2 == 0 ? value : -value;
   };
@@ -120,7 +126,9 @@ class Random {
   explicit Random(std::uint64_t seed) : bits_(seed) {}
   double Unit() { return static_cast<double>(bits_() >> 11) * 0x1p-53; }  // [0, 1)
   double Between(double low, double high) { return low + (high - low) * Unit(); }
-  double Magnitude(double low, double high) { return low * std::pow(high / low, Unit()); }  // even in its logarithm
+  double Magnitude(double low, double high) {
+    return low * std::pow(high / low, Unit());
+  }  // even in its logarithm
   std::uint32_t Below(std::uint32_t limit) { return static_cast<std::uint32_t>(bits_() % limit); }
   void Direction(double (&to)[3]) {
     double length;

@@ -20,11 +20,13 @@ RandomDraw OneDraw(Random& random) {
   camera.infinite = !camera.orthographic && random.Below(4) == 0;
   camera.fov = random.Magnitude(10, 120);
   camera.aspect = random.Between(1, 2.4);
-  if (random.Below(3) == 0) camera.offset_x = random.Between(-0.2, 0.2), camera.offset_y = random.Between(-0.2, 0.2);
+  if (random.Below(3) == 0)
+    camera.offset_x = random.Between(-0.2, 0.2), camera.offset_y = random.Between(-0.2, 0.2);
   camera.yaw = random.Between(-3, 3), camera.pitch = random.Between(-1, 1);
   if (random.Below(2) == 0) config.world_offset = random.Magnitude(1, 1e6);
   // The cut lies well inside the frustum.
-  const double depth = camera.near * random.Magnitude(4, std::min(1e5, camera.far / camera.near / 4));
+  const double depth =
+      camera.near * random.Magnitude(4, std::min(1e5, camera.far / camera.near / 4));
   camera.half_height = depth;
   double n[3];
   random.Direction(n);
@@ -35,7 +37,8 @@ RandomDraw OneDraw(Random& random) {
 
   DrawFacts& facts = draw.facts;
   facts.camera = camera, facts.view_plane = config.view_plane;
-  facts.depth = depth, facts.picture_height = kPictureHeight, facts.sine = std::sin(config.surface_angle);
+  facts.depth = depth, facts.picture_height = kPictureHeight,
+  facts.sine = std::sin(config.surface_angle);
   facts.world_offset = config.world_offset + depth;
   const std::uint32_t machine = random.Below(5);
   facts.means.clip_distances = machine < 3;
@@ -63,7 +66,8 @@ std::vector<RandomDraw> RandomDraws(int count, std::uint64_t seed) {
   return draws;
 }
 
-MeasuredWay MeasureWay(const RandomDraw& draw, const std::string& way, long edges, std::uint64_t seed) {
+MeasuredWay MeasureWay(const RandomDraw& draw, const std::string& way, long edges,
+                       std::uint64_t seed) {
   const EdgeErrors errors = MeasureEdges(draw.config, {MethodOf(way)}, edges, seed).front();
   return {errors.applies && errors.edges == edges, errors.p99};
 }

@@ -15,15 +15,17 @@ struct RandomDraw {
   DrawFacts facts;
 };
 
-// Equal seeds give equal draws. Fields of view of 10 to 120 degrees, near planes of 1e-3 to 1, surfaces that meet the plane
-// at 5 degrees or more.
+// Equal seeds give equal draws. Fields of view of 10 to 120 degrees, near planes of 1e-3 to 1,
+// surfaces that meet the plane at 5 degrees or more.
 std::vector<RandomDraw> RandomDraws(int count, std::uint64_t seed);
 
-// What MeasureEdges finds for the arithmetic that the way `way` has; `applies` is false where it cannot be used.
+// What MeasureEdges finds for the arithmetic that the way `way` has; `applies` is false where it
+// cannot be used.
 struct MeasuredWay {
   bool applies = false;
   double p99 = 0;
 };
-MeasuredWay MeasureWay(const RandomDraw& draw, const std::string& way, long edges, std::uint64_t seed);
+MeasuredWay MeasureWay(const RandomDraw& draw, const std::string& way, long edges,
+                       std::uint64_t seed);
 
 }  // namespace clipc::study

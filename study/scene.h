@@ -13,9 +13,9 @@ namespace clipc::study {
 
 struct SceneObject {
   std::string name;
-  runtime::Box box;       // of its own space
+  runtime::Box box;  // of its own space
   runtime::Matrix world;
-  bool rigid = true;      // Means::rigid
+  bool rigid = true;  // Means::rigid
 };
 
 struct NamedCamera {
@@ -49,9 +49,12 @@ struct ObjectPlan {
 };
 
 // Safe to the pixel, as runtime::PlanBox is: box and planes are compared in the object's own space.
-ObjectPlan PlanObject(const SceneObject& object, const Camera& camera, const std::vector<NamedPlane>& planes);
+ObjectPlan PlanObject(const SceneObject& object, const Camera& camera,
+                      const std::vector<NamedPlane>& planes);
 
-// What Advise needs to know to draw that object with the planes it needs; the worst of them decides.
-DrawFacts FactsOf(const SceneObject& object, const Camera& camera, const Scene& scene, std::uint8_t needed);
+// What Advise needs to know to draw that object with the planes it needs; the worst of them
+// decides.
+DrawFacts FactsOf(const SceneObject& object, const Camera& camera, const Scene& scene,
+                  std::uint8_t needed);
 
 }  // namespace clipc::study

@@ -12,21 +12,23 @@ inline constexpr double kPictureWidth = 1920, kPictureHeight = 1080;
 // One thing to measure: a camera, a plane, and where the surfaces that it cuts are.
 struct Config {
   Camera camera;
-  runtime::Plane view_plane;      // unit normal; in the camera's space
+  runtime::Plane view_plane;          // unit normal; in the camera's space
   double nearest = 1, farthest = 10;  // view-space depth of the surfaces
-  double world_offset = 0;        // the camera stands so far from the world's origin, and everything with it
-  double surface_angle = -1;      // between surface and plane, radians; negative: any from 3 degrees on
-  double plane_scale = 1;         // the world-space plane is this many times the unit one
-  double edge_length = 0.05;      // of the triangle edges, times the depth (orthographic: times half_height)
+  double world_offset =
+      0;  // the camera stands so far from the world's origin, and everything with it
+  double surface_angle = -1;  // between surface and plane, radians; negative: any from 3 degrees on
+  double plane_scale = 1;     // the world-space plane is this many times the unit one
+  double edge_length =
+      0.05;  // of the triangle edges, times the depth (orthographic: times half_height)
 };
 
-// What an application has for such a draw. Object, world and view matrix, projection and the world-space plane are exact
-// doubles: the truth that methods are held against.
+// What an application has for such a draw. Object, world and view matrix, projection and the
+// world-space plane are exact doubles: the truth that methods are held against.
 struct Setup {
   Config config;
   runtime::Matrix world, view, projection;
-  runtime::Matrix world_view, world_view_projection;  // multiplied in double
-  runtime::Matrix to_object;                          // from view space, only to make vertices
+  runtime::Matrix world_view, world_view_projection;     // multiplied in double
+  runtime::Matrix to_object;                             // from view space, only to make vertices
   runtime::Plane world_plane, view_plane, object_plane;  // in double
 };
 

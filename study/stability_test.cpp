@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Where each method fails, as laws on the displacement of cut edges (study/edges.h), each with a mutation that breaks it.
-// Seeds are fixed; the factors are what a law's constant may be off by, measured values stand beside them.
+// Where each method fails, as laws on the displacement of cut edges (study/edges.h), each with a
+// mutation that breaks it. Seeds are fixed; the factors are what a law's constant may be off by,
+// measured values stand beside them.
 #include <cmath>
 #include <numbers>
 
@@ -36,22 +37,28 @@ Config Oblique(double depth, double near = 0.1, double far = 1e6) {
 }
 
 double Predicted(const Config& config, runtime::PlaneSpace space) {
-  return runtime::PredictEdgeError(space, config.view_plane, config.camera.Projection(), kPictureHeight).value;
+  return runtime::PredictEdgeError(space, config.view_plane, config.camera.Projection(),
+                                   kPictureHeight)
+      .value;
 }
 
-// Constants that went through the clip-space plane in float, as if only that were known: the digits are gone.
+// Constants that went through the clip-space plane in float, as if only that were known: the digits
+// are gone.
 Method ThroughFloatClipPlane(bool to_object) {
   return {"mutation", [to_object](const Setup& setup) -> std::optional<Distance> {
             const auto clip = runtime::ClipPlaneFromView(setup.view_plane, setup.projection);
             const Vec4<double> rounded = ConvertTo<double>(VectorOf(clip.value.constant));
             const auto& p = setup.projection;
-            const runtime::Plane view = runtime::PlaneBefore(p, {rounded[0], rounded[1], rounded[2], rounded[3]});
+            const runtime::Plane view =
+                runtime::PlaneBefore(p, {rounded[0], rounded[1], rounded[2], rounded[3]});
             if (to_object) {
-              const auto plane = ConvertTo<float>(ConvertTo<double>(runtime::PlaneBefore(setup.world_view, view)));
+              const auto plane =
+                  ConvertTo<float>(ConvertTo<double>(runtime::PlaneBefore(setup.world_view, view)));
               return [plane](const Vec4<float>& v) { return static_cast<double>(Dot(v, plane)); };
             }
             const auto k = runtime::Xyw1PlaneFromView(view, p);
-            return [m = ConvertTo<float>(setup.world_view_projection), k = VectorOf(k.value.constant)](const Vec4<float>& v) {
+            return [m = ConvertTo<float>(setup.world_view_projection),
+                    k = VectorOf(k.value.constant)](const Vec4<float>& v) {
               const Vec4<float> q = Transform(v, m);
               return static_cast<double>(Dot(Vec4<float>{{q[0], q[1], q[3], 1}}, k));
             };
@@ -76,7 +83,8 @@ bool FollowsClipLaw(const Method& method, bool reversed) {
 
 TEST(Stability, ClipSpaceLosesInProportionToTheDistanceOverNear) {
   EXPECT_TRUE(FollowsClipLaw(ClipSpace(), false));
-  EXPECT_FALSE(FollowsClipLaw(Xyw1Space(), false));  // mutations: without z, or reversed, there is no such loss
+  EXPECT_FALSE(FollowsClipLaw(Xyw1Space(),
+                              false));  // mutations: without z, or reversed, there is no such loss
   EXPECT_FALSE(FollowsClipLaw(ClipSpace(), true));
 }
 
@@ -86,10 +94,12 @@ TEST(Stability, TheFarPlaneAloneDoesNotMatter) {
   const double share = P99(near, ClipSpace()) / P99(far, ClipSpace());
   EXPECT_GT(share, 0.5);
   EXPECT_LT(share, 2);
-  EXPECT_GT(P99(Oblique(4, 0.001, 40), ClipSpace()) / P99(near, ClipSpace()), 20);  // mutation: the near plane does
+  EXPECT_GT(P99(Oblique(4, 0.001, 40), ClipSpace()) / P99(near, ClipSpace()),
+            20);  // mutation: the near plane does
 }
 
-// No formula cures it: neither the published one nor an exact inverse; each is within a factor of two of the best.
+// No formula cures it: neither the published one nor an exact inverse; each is within a factor of
+// two of the best.
 TEST(Stability, NoFormulaForTheClipPlaneIsBetter) {
   const Config config = Oblique(300);
   const double best = P99(config, ClipSpace());
@@ -152,7 +162,8 @@ std::vector<Named> OrdinaryPerspectives() {
   return all;
 }
 
-// `object` keeps to this everywhere; `xyw1` from a field of view of 20 degrees on, and below it grows as the view narrows.
+// `object` keeps to this everywhere; `xyw1` from a field of view of 20 degrees on, and below it
+// grows as the view narrows.
 constexpr double kBound = 0.002;
 double Xyw1Bound(const Config& config) {
   const auto tangent = [](double fov) { return std::tan(fov * std::numbers::pi / 360); };
@@ -163,11 +174,13 @@ TEST(Stability, Xyw1AndObjectStayBelowTwoThousandthsOfAPixel) {
   int broken_xyw1 = 0, broken_object = 0;
   for (const auto& [what, config] : OrdinaryPerspectives()) {
     EXPECT_LT(P99(config, ObjectSpace()), kBound) << what;
-    EXPECT_LT(P99(config, Xyw1Space()), Xyw1Bound(config)) << what << ", field of view " << config.camera.fov;
+    EXPECT_LT(P99(config, Xyw1Space()), Xyw1Bound(config))
+        << what << ", field of view " << config.camera.fov;
     broken_xyw1 += P99(config, ThroughFloatClipPlane(false)) > Xyw1Bound(config);
     broken_object += P99(config, ThroughFloatClipPlane(true)) > kBound;
   }
-  EXPECT_GT(broken_xyw1, 20);  // mutations: the same shaders with constants made from the float clip-space plane
+  EXPECT_GT(broken_xyw1,
+            20);  // mutations: the same shaders with constants made from the float clip-space plane
   EXPECT_GT(broken_object, 20);
 }
 
@@ -177,8 +190,10 @@ bool FollowsAngleLaw(const Method& method, runtime::PlaneSpace space) {
   for (const double degrees : {90.0, 10.0, 1.0, 0.1, 0.03}) {
     Config config = Oblique(4, 0.1, 1000);
     config.surface_angle = degrees * std::numbers::pi / 180;
-    const double law = runtime::PredictEdgeError(space, config.view_plane, config.camera.Projection(), kPictureHeight,
-                                                 std::sin(config.surface_angle)).value;
+    const double law =
+        runtime::PredictEdgeError(space, config.view_plane, config.camera.Projection(),
+                                  kPictureHeight, std::sin(config.surface_angle))
+            .value;
     const double share = P99(config, method) / std::min(law, 40.0);  // an edge is hardly longer
     follows = follows && share > 0.2 && share < 2;
   }
@@ -189,7 +204,8 @@ TEST(Stability, GrazingSurfacesMultiplyEveryMethod) {
   EXPECT_TRUE(FollowsAngleLaw(ClipSpace(), runtime::PlaneSpace::kClip));
   EXPECT_TRUE(FollowsAngleLaw(Xyw1Space(), runtime::PlaneSpace::kXyw1));
   EXPECT_TRUE(FollowsAngleLaw(ObjectSpace(), runtime::PlaneSpace::kObject));
-  EXPECT_FALSE(FollowsAngleLaw(CpuDouble(), runtime::PlaneSpace::kObject));  // mutation: distances in double
+  EXPECT_FALSE(
+      FollowsAngleLaw(CpuDouble(), runtime::PlaneSpace::kObject));  // mutation: distances in double
 }
 
 TEST(Stability, ANarrowViewCostsXyw1ButNotObject) {
@@ -197,7 +213,8 @@ TEST(Stability, ANarrowViewCostsXyw1ButNotObject) {
   wide.camera.fov = 60, narrow.camera.fov = 1;
   const double law = std::tan(30 * std::numbers::pi / 180) / std::tan(std::numbers::pi / 360);
   EXPECT_NEAR(P99(narrow, Xyw1Space()) / P99(wide, Xyw1Space()) / law, 1, 0.5);
-  EXPECT_LT(P99(narrow, ObjectSpace()) / P99(wide, ObjectSpace()), 3);  // the other space does not follow that law
+  EXPECT_LT(P99(narrow, ObjectSpace()) / P99(wide, ObjectSpace()),
+            3);  // the other space does not follow that law
 }
 
 // ---- what peers do
@@ -209,11 +226,13 @@ TEST(Stability, WorldSpaceLosesFarFromTheOrigin) {
     return config;
   };
   const double near = P99(at(1e3), WorldSpace());
-  // A hundred times the offset; each plane and matrix rounds luckily or not, hence a factor of three.
+  // A hundred times the offset; each plane and matrix rounds luckily or not, hence a factor of
+  // three.
   EXPECT_GT(P99(at(1e5), WorldSpace()) / near, 33);
   EXPECT_LT(P99(at(1e5), WorldSpace()) / near, 300);
   EXPECT_GT(P99(at(1e5), WorldSpace()), 0.5);
-  // Mutations: planes and vertices of the object or relative to the camera do not know where the world's origin is.
+  // Mutations: planes and vertices of the object or relative to the camera do not know where the
+  // world's origin is.
   EXPECT_LT(P99(at(1e7), ObjectSpace()) / P99(at(1), ObjectSpace()), 2);
   EXPECT_LT(P99(at(1e7), ViewSpace()) / P99(at(1), ViewSpace()), 2);
 }
@@ -242,11 +261,13 @@ TEST(Stability, ThePublishedFormulaIsForCentredPerspectives) {
 TEST(Stability, OrthographicReversedDepthLosesWithTheFarPlane) {
   const auto at = [](double far, bool reversed) {
     Config config = Oblique(4, 0.1, far);
-    config.camera.orthographic = true, config.camera.reversed = reversed, config.camera.half_height = 2;
+    config.camera.orthographic = true, config.camera.reversed = reversed,
+    config.camera.half_height = 2;
     return config;
   };
   for (const double far : {1e3, 1e4, 1e5}) {
-    const double share = P99(at(far, true), ClipSpace()) / Predicted(at(far, true), runtime::PlaneSpace::kClip);
+    const double share =
+        P99(at(far, true), ClipSpace()) / Predicted(at(far, true), runtime::PlaneSpace::kClip);
     EXPECT_GT(share, 0.1) << far;
     EXPECT_LT(share, 2) << far;
     EXPECT_LT(P99(at(far, false), ClipSpace()), 0.003) << far;  // mutation: standard depth
@@ -264,7 +285,8 @@ TEST(Stability, PlanesInTheWindowOfScalesAreAsGoodAndOthersAreRefused) {
     EXPECT_LT(P99(at(scale), ObjectSpace()), kBound) << scale;
     EXPECT_LT(P99(at(scale), Xyw1Space()), kBound) << scale;
   }
-  for (const double scale : {1e-33, 1e35}) EXPECT_FALSE(Measure(at(scale), ObjectSpace()).applies) << scale;
+  for (const double scale : {1e-33, 1e35})
+    EXPECT_FALSE(Measure(at(scale), ObjectSpace()).applies) << scale;
   // Mutation: without the runtime's window, float arithmetic fails outside it.
   EXPECT_GT(P99(at(1e-43), WorldSpace()), 1);
   EXPECT_GT(Measure(at(1e37), WorldSpace()).not_finite, 0);
@@ -278,7 +300,8 @@ TEST(Stability, HugeTrianglesLoseInProportionToTheirLength) {
     const auto share = [&](const Method& method, runtime::PlaneSpace space) {
       return P99(config, method) / (Predicted(config, space) * factor);
     };
-    for (const auto& [method, space] : {std::pair{ObjectSpace(), runtime::PlaneSpace::kObject}, std::pair{Xyw1Space(), runtime::PlaneSpace::kXyw1}}) {
+    for (const auto& [method, space] : {std::pair{ObjectSpace(), runtime::PlaneSpace::kObject},
+                                        std::pair{Xyw1Space(), runtime::PlaneSpace::kXyw1}}) {
       EXPECT_GT(share(method, space), 0.2) << method.name << ' ' << length;
       EXPECT_LT(share(method, space), 2) << method.name << ' ' << length;
     }

@@ -23,7 +23,9 @@ class Sweeps {
   }
 
  private:
-  void Add(const char* sweep, double parameter, const Config& config) { points_.push_back({sweep, parameter, config}); }
+  void Add(const char* sweep, double parameter, const Config& config) {
+    points_.push_back({sweep, parameter, config});
+  }
   // The values to take: all, or in a quick run each second one from the last on.
   std::vector<double> Some(std::vector<double> values) const {
     std::vector<double> some;
@@ -78,7 +80,8 @@ class Sweeps {
     }
     for (const double angle : Some({90, 45, 10, 1, 0.1, 0.01})) {
       Config config = ObliqueAt(30);
-      config.view_plane = PlaneThroughPoint(0, std::cos(angle * kDegree), std::sin(angle * kDegree), 0, 0, 30);
+      config.view_plane =
+          PlaneThroughPoint(0, std::cos(angle * kDegree), std::sin(angle * kDegree), 0, 0, 30);
       config.nearest = 10, config.farthest = 100;
       Add("view to plane, degrees", angle, config);
     }

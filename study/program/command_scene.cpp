@@ -18,7 +18,8 @@ namespace {
 CostTable CostsFrom(const std::vector<Cost>& costs) {
   CostTable table;
   for (const Cost& cost : costs) {
-    if (cost.setting == "picture" && cost.planes > 0) table[{cost.way, cost.planes}] = cost.least_ratio;
+    if (cost.setting == "picture" && cost.planes > 0)
+      table[{cost.way, cost.planes}] = cost.least_ratio;
   }
   return table;
 }
@@ -27,7 +28,8 @@ CostTable CostsFrom(const std::vector<Cost>& costs) {
 CostTable ReadCosts(const std::string& path) {
   std::ifstream file(path);
   std::string line;
-  if (!std::getline(file, line) || line != "setting,way,planes,median_ms,least_ms,ratio,least_ratio") {
+  if (!std::getline(file, line) ||
+      line != "setting,way,planes,median_ms,least_ms,ratio,least_ratio") {
     throw draw::DrawError("`" + path + "` is no speed.csv of clipc-study");
   }
   std::vector<Cost> costs;
@@ -35,7 +37,8 @@ CostTable ReadCosts(const std::string& path) {
     std::istringstream row(line);
     std::vector<std::string> cells;
     for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
-    if (cells.size() != 7) throw draw::DrawError("`" + path + "` has a row that is not of seven cells");
+    if (cells.size() != 7)
+      throw draw::DrawError("`" + path + "` has a row that is not of seven cells");
     Cost& cost = costs.emplace_back();
     cost.setting = cells[0], cost.way = cells[1], cost.planes = std::atoi(cells[2].c_str());
     cost.least_ratio = std::strtod(cells[6].c_str(), nullptr);
@@ -55,9 +58,9 @@ struct CompileOptions {
 };
 CompileOptions OptionsFor(const std::string& way) {
   static const std::map<std::string, CompileOptions> options = {
-      {"clip", {"clip-distance", "clip"}},         {"xyw1", {"clip-distance", "xyw1"}},
-      {"object", {"clip-distance", "object"}},     {"level9", {"level9", "clip"}},
-      {"near-plane", {"near-plane", "object"}},    {"discard", {"discard", "clip"}},
+      {"clip", {"clip-distance", "clip"}},      {"xyw1", {"clip-distance", "xyw1"}},
+      {"object", {"clip-distance", "object"}},  {"level9", {"level9", "clip"}},
+      {"near-plane", {"near-plane", "object"}}, {"discard", {"discard", "clip"}},
       {"discard-object", {"discard", "object"}}};
   const auto found = options.find(way);
   return found == options.end() ? CompileOptions{} : found->second;
@@ -74,9 +77,12 @@ std::string MaskText(std::uint8_t needed, const Scene& scene) {
   return text.empty() ? "none" : text;
 }
 
-void Report(const Scene& scene, const NamedCamera& camera, const CostTable& costs, Variants& variants) {
-  std::printf("%s, camera %s: %zu planes, %zu objects\n", scene.name.c_str(), camera.name.c_str(), scene.planes.size(), scene.objects.size());
-  std::printf("%-20s %-12s %-28s %-16s %12s %8s\n", "object", "drawn", "planes needed", "method", "pixels off", "cost");
+void Report(const Scene& scene, const NamedCamera& camera, const CostTable& costs,
+            Variants& variants) {
+  std::printf("%s, camera %s: %zu planes, %zu objects\n", scene.name.c_str(), camera.name.c_str(),
+              scene.planes.size(), scene.objects.size());
+  std::printf("%-20s %-12s %-28s %-16s %12s %8s\n", "object", "drawn", "planes needed", "method",
+              "pixels off", "cost");
   for (const SceneObject& object : scene.objects) {
     const ObjectPlan plan = PlanObject(object, camera.camera, scene.planes);
     const char* drawn = plan.outside_frustum ? "not in view" : plan.culled ? "clipped away" : "yes";
@@ -85,21 +91,23 @@ void Report(const Scene& scene, const NamedCamera& camera, const CostTable& cost
       continue;
     }
     if (plan.needed == 0) {
-      std::printf("%-20s %-12s %-28s %-16s %12s %8.3f\n", object.name.c_str(), drawn, "none", "any, 0 planes", "0", 1.0);
+      std::printf("%-20s %-12s %-28s %-16s %12s %8.3f\n", object.name.c_str(), drawn, "none",
+                  "any, 0 planes", "0", 1.0);
       continue;
     }
     const DrawFacts facts = FactsOf(object, camera.camera, scene, plan.needed);
     const Advice best = Advise(facts, costs, scene.tolerance).front();
     if (!best.possible) throw draw::DrawError("no method can clip `" + object.name + "`");
-    std::printf("%-20s %-12s %-28s %-16s %12.2g %8.3f\n", object.name.c_str(), drawn, MaskText(plan.needed, scene).c_str(),
-                best.way.c_str(), best.bound, best.cost);
+    std::printf("%-20s %-12s %-28s %-16s %12.2g %8.3f\n", object.name.c_str(), drawn,
+                MaskText(plan.needed, scene).c_str(), best.way.c_str(), best.bound, best.cost);
     int& most = variants[best.way];
     most = std::max(most, std::popcount(plan.needed));
   }
 }
 
 std::string VariantList(const Scene& scene, const Variants& variants) {
-  std::string text = "# Written by `clipc-study scene` for " + scene.name + ". For each method: clipc_add_shader(... LOWER VARIANTS OPTIONS).\n";
+  std::string text = "# Written by `clipc-study scene` for " + scene.name +
+                     ". For each method: clipc_add_shader(... LOWER VARIANTS OPTIONS).\n";
   std::string names;
   for (const auto& [way, planes] : variants) {
     const CompileOptions options = OptionsFor(way);

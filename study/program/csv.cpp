@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "study/program/csv.h"
 
-#include <unistd.h>
-
 #include <cstdio>
+
+#include <unistd.h>
 
 #include "draw/gl.h"
 
 namespace clipc::study {
 
-Csv::Csv(const std::string& path, std::initializer_list<const char*> columns) : path_(path), file_(path) {
+Csv::Csv(const std::string& path, std::initializer_list<const char*> columns)
+    : path_(path), file_(path) {
   for (const char* column : columns) *this << column;
   EndRow();
 }
@@ -36,7 +37,9 @@ void Csv::EndRow() {
   if (!file_) throw draw::DrawError("cannot write `" + path_ + "`");
 }
 
-Progress::Progress(std::string what) : what_(std::move(what)), shown_(isatty(STDERR_FILENO) != 0) { (*this)(0); }
+Progress::Progress(std::string what) : what_(std::move(what)), shown_(isatty(STDERR_FILENO) != 0) {
+  (*this)(0);
+}
 
 Progress::~Progress() {
   if (shown_) std::fprintf(stderr, "\r%-60s\r", "");

@@ -7,7 +7,8 @@
 
 namespace clipc::study {
 
-// A table of comma-separated values, written as it grows. Throws DrawError when the file cannot be written.
+// A table of comma-separated values, written as it grows. Throws DrawError when the file cannot be
+// written.
 class Csv {
  public:
   Csv(const std::string& path, std::initializer_list<const char*> columns);
@@ -24,7 +25,8 @@ class Csv {
   bool first_ = true;
 };
 
-// One line on standard error that says what is being done and how far it is; nothing when that is no terminal.
+// One line on standard error that says what is being done and how far it is; nothing when that is
+// no terminal.
 class Progress {
  public:
   explicit Progress(std::string what);

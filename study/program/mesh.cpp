@@ -16,7 +16,9 @@ Point Knot(double t) {
   return {r * std::cos(2 * t), r * std::sin(2 * t), 0.4 * std::sin(3 * t)};
 }
 
-Point Cross(const Point& a, const Point& b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+Point Cross(const Point& a, const Point& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
 Point Unit(const Point& a) {
   const double length = std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z);
   return {a.x / length, a.y / length, a.z / length};
@@ -30,7 +32,8 @@ struct Corner {
 
 // Sutherland and Hodgman, one plane.
 template <typename T>
-void ClipPolygon(std::vector<Corner<T>>& polygon, const Vec4<T>& plane, std::vector<Corner<T>>& scratch) {
+void ClipPolygon(std::vector<Corner<T>>& polygon, const Vec4<T>& plane,
+                 std::vector<Corner<T>>& scratch) {
   scratch.clear();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Corner<T>&a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
@@ -42,8 +45,10 @@ void ClipPolygon(std::vector<Corner<T>>& polygon, const Vec4<T>& plane, std::vec
     const Corner<T>&kept = forward ? a : b, &dropped = forward ? b : a;
     const T k = forward ? from : to, d = forward ? to : from, t = k / (k - d);
     Corner<T> cut;
-    for (int c = 0; c < 4; ++c) cut.place[c] = kept.place[c] + t * (dropped.place[c] - kept.place[c]);
-    for (int c = 0; c < 3; ++c) cut.normal[c] = kept.normal[c] + t * (dropped.normal[c] - kept.normal[c]);
+    for (int c = 0; c < 4; ++c)
+      cut.place[c] = kept.place[c] + t * (dropped.place[c] - kept.place[c]);
+    for (int c = 0; c < 3; ++c)
+      cut.normal[c] = kept.normal[c] + t * (dropped.normal[c] - kept.normal[c]);
     scratch.push_back(cut);
   }
   polygon.swap(scratch);
@@ -69,10 +74,13 @@ Mesh TorusKnot(int along, int around, double scale, double flatten) {
       for (const double x : {n.x, n.y, n.z}) mesh.normals.push_back(static_cast<float>(x));
     }
   }
-  const auto at = [&](int i, int j) { return static_cast<std::uint32_t>(i % along * around + j % around); };
+  const auto at = [&](int i, int j) {
+    return static_cast<std::uint32_t>(i % along * around + j % around);
+  };
   for (int i = 0; i < along; ++i) {
     for (int j = 0; j < around; ++j) {
-      for (const std::uint32_t index : {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j), at(i + 1, j + 1), at(i, j + 1)}) {
+      for (const std::uint32_t index :
+           {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j), at(i + 1, j + 1), at(i, j + 1)}) {
         mesh.indices.push_back(index);
       }
     }
@@ -87,7 +95,8 @@ Mesh ClipMesh(const Mesh& mesh, const std::vector<Vec4<T>>& planes) {
   std::vector<std::uint8_t> outside(mesh.vertices.size());
   for (std::size_t p = 0; p < planes.size(); ++p) {
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-      if (!(Dot(ConvertTo<T>(mesh.vertices[i]), planes[p]) >= 0)) outside[i] = static_cast<std::uint8_t>(outside[i] | 1u << p);
+      if (!(Dot(ConvertTo<T>(mesh.vertices[i]), planes[p]) >= 0))
+        outside[i] = static_cast<std::uint8_t>(outside[i] | 1u << p);
     }
   }
   std::vector<Corner<T>> polygon, scratch;
@@ -102,7 +111,8 @@ Mesh ClipMesh(const Mesh& mesh, const std::vector<Vec4<T>>& planes) {
     polygon.clear();
     for (int k = 0; k < 3; ++k) {
       const float* n = &mesh.normals[3 * std::size_t{corner[k]}];
-      polygon.push_back({ConvertTo<T>(mesh.vertices[corner[k]]), {static_cast<T>(n[0]), static_cast<T>(n[1]), static_cast<T>(n[2])}});
+      polygon.push_back({ConvertTo<T>(mesh.vertices[corner[k]]),
+                         {static_cast<T>(n[0]), static_cast<T>(n[1]), static_cast<T>(n[2])}});
     }
     for (std::size_t p = 0; p < planes.size() && polygon.size() >= 3; ++p) {
       if (((a | b | c) >> p & 1) != 0) ClipPolygon(polygon, planes[p], scratch);
@@ -114,7 +124,8 @@ Mesh ClipMesh(const Mesh& mesh, const std::vector<Vec4<T>>& planes) {
       for (const T x : corner_of.normal) clipped.normals.push_back(static_cast<float>(x));
     }
     for (std::uint32_t k = 2; k < polygon.size(); ++k) {
-      for (const std::uint32_t index : {first, first + k - 1, first + k}) clipped.indices.push_back(index);
+      for (const std::uint32_t index : {first, first + k - 1, first + k})
+        clipped.indices.push_back(index);
     }
   }
   return clipped;

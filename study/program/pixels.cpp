@@ -10,7 +10,8 @@ namespace {
 // The mesh cut by the world-space plane, as clip-space polygons.
 Mesh ExactlyClipped(const Mesh& mesh, const Setup& setup) {
   const Mat4<Wide> world = ConvertTo<Wide>(setup.world);
-  const Mat4<long double> view = ConvertTo<long double>(setup.view), projection = ConvertTo<long double>(setup.projection);
+  const Mat4<long double> view = ConvertTo<long double>(setup.view),
+                          projection = ConvertTo<long double>(setup.projection);
   const Vec4<Wide> plane = ConvertTo<Wide>(setup.world_plane);
   std::vector<Wide> distances;
   std::vector<Vec4<long double>> clip;
@@ -29,7 +30,8 @@ Mesh ExactlyClipped(const Mesh& mesh, const Setup& setup) {
       if (a_in) polygon.push_back(ConvertTo<float>(clip[a]));
       if (a_in == b_in) continue;
       const std::uint32_t kept = a_in ? a : b, dropped = a_in ? b : a;
-      const auto t = static_cast<long double>(distances[kept] / (distances[kept] - distances[dropped]));
+      const auto t =
+          static_cast<long double>(distances[kept] / (distances[kept] - distances[dropped]));
       Vec4<long double> cut;
       for (int c = 0; c < 4; ++c) cut[c] = clip[kept][c] + t * (clip[dropped][c] - clip[kept][c]);
       polygon.push_back(ConvertTo<float>(cut));
@@ -37,7 +39,8 @@ Mesh ExactlyClipped(const Mesh& mesh, const Setup& setup) {
     const auto first = static_cast<std::uint32_t>(exact.vertices.size());
     exact.vertices.insert(exact.vertices.end(), polygon.begin(), polygon.end());
     for (std::uint32_t k = 2; k < polygon.size(); ++k) {
-      for (const std::uint32_t index : {first, first + k - 1, first + k}) exact.indices.push_back(index);
+      for (const std::uint32_t index : {first, first + k - 1, first + k})
+        exact.indices.push_back(index);
     }
   }
   exact.normals.resize(3 * exact.vertices.size());
@@ -54,7 +57,8 @@ PixelMeter::PixelMeter(draw::Device& device, int width, int height, int detail)
 Mesh PixelMeter::MeshFor(const Setup& setup) const {
   const Camera& camera = setup.config.camera;
   const double depth = std::sqrt(setup.config.nearest * setup.config.farthest);
-  const double half = camera.orthographic ? camera.half_height : depth * std::tan(camera.fov * std::numbers::pi / 360);
+  const double half = camera.orthographic ? camera.half_height
+                                          : depth * std::tan(camera.fov * std::numbers::pi / 360);
   // No deeper than the eye, whatever the field of view.
   return TorusKnot(10 * detail_, detail_, std::min(half, depth) / 1.75);
 }
@@ -77,7 +81,8 @@ std::vector<PixelErrors> PixelMeter::Measure(const Config& config) {
     if (!constants) continue;
     errors.applies = true;
     const bool by_cpu = way.kind == WayKind::kCpu;
-    calls_[i]->SetMesh(by_cpu ? ClipMesh<double>(mesh, {ConvertTo<double>(setup.object_plane)}) : mesh);
+    calls_[i]->SetMesh(by_cpu ? ClipMesh<double>(mesh, {ConvertTo<double>(setup.object_plane)})
+                              : mesh);
     calls_[i]->SetConstants(*constants);
     studio_.Begin();
     calls_[i]->Draw();
@@ -91,7 +96,8 @@ std::vector<PixelErrors> PixelMeter::Measure(const Config& config) {
   return all;
 }
 
-std::vector<std::uint8_t> PixelMeter::Picture(draw::Device& device, const Config& config, WayKind kind, int width, int height) {
+std::vector<std::uint8_t> PixelMeter::Picture(draw::Device& device, const Config& config,
+                                              WayKind kind, int width, int height) {
   const Setup setup = Prepare(config);
   const auto constants = ConstantsOf(kind, setup, {setup.world_plane});
   if (!constants) return {};

@@ -7,7 +7,8 @@
 
 namespace clipc::study {
 
-void WritePng(const std::string& path, int width, int height, const std::vector<std::uint8_t>& rgba) {
+void WritePng(const std::string& path, int width, int height,
+              const std::vector<std::uint8_t>& rgba) {
   std::vector<std::uint8_t> rgb;
   for (std::size_t i = 0; i < rgba.size(); i += 4) {
     for (int c = 0; c < 3; ++c) rgb.push_back(rgba[i + 3] == 0 ? 255 : rgba[i + c]);

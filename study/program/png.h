@@ -7,7 +7,9 @@
 
 namespace clipc::study {
 
-// Four bytes for each pixel, the bottom row first, as OpenGL reads them; drawn over white. Throws DrawError.
-void WritePng(const std::string& path, int width, int height, const std::vector<std::uint8_t>& rgba);
+// Four bytes for each pixel, the bottom row first, as OpenGL reads them; drawn over white. Throws
+// DrawError.
+void WritePng(const std::string& path, int width, int height,
+              const std::vector<std::uint8_t>& rgba);
 
 }  // namespace clipc::study

@@ -4,8 +4,9 @@
 #include <cmath>
 #include <fstream>
 #include <initializer_list>
-#include <nlohmann/json.hpp>
 #include <set>
+
+#include <nlohmann/json.hpp>
 
 #include "draw/gl.h"
 
@@ -47,7 +48,8 @@ class Reader {
     const Json* value = Find(key);
     if (!value && !required) return;
     if (!value) Fail(key, "is missing");
-    if (!value->is_array() || value->size() != N) Fail(key, "is no array of " + std::to_string(N) + " numbers");
+    if (!value->is_array() || value->size() != N)
+      Fail(key, "is no array of " + std::to_string(N) + " numbers");
     for (std::size_t i = 0; i < N; ++i) {
       if (!(*value)[i].is_number()) Fail(key, "is no array of " + std::to_string(N) + " numbers");
       to[i] = (*value)[i].get<double>();
@@ -57,8 +59,10 @@ class Reader {
   template <typename Read>
   void List(const char* key, Read read) {
     const Json* value = Find(key);
-    if (!value || !value->is_array() || value->empty()) Fail(key, "is no array with something in it");
-    for (std::size_t i = 0; i < value->size(); ++i) read((*value)[i], where_ + key + "[" + std::to_string(i) + "].");
+    if (!value || !value->is_array() || value->empty())
+      Fail(key, "is no array with something in it");
+    for (std::size_t i = 0; i < value->size(); ++i)
+      read((*value)[i], where_ + key + "[" + std::to_string(i) + "].");
   }
   void NothingElse() const {
     for (const auto& [key, value] : json_.items()) {
@@ -86,16 +90,20 @@ Camera CameraFrom(Reader& reader) {
   camera.orthographic = reader.Flag("orthographic", false);
   camera.reversed = reader.Flag("reversed", false);
   camera.infinite = reader.Flag("infinite", false);
-  camera.near = reader.Positive("near", camera.near), camera.far = reader.Positive("far", camera.far);
-  camera.fov = reader.Positive("fov", camera.fov), camera.half_height = reader.Positive("half_height", camera.half_height);
+  camera.near = reader.Positive("near", camera.near),
+  camera.far = reader.Positive("far", camera.far);
+  camera.fov = reader.Positive("fov", camera.fov),
+  camera.half_height = reader.Positive("half_height", camera.half_height);
   camera.aspect = reader.Positive("aspect", camera.aspect);
   double offset[2] = {0, 0};
   reader.Numbers("offset", offset, false);
   camera.offset_x = offset[0], camera.offset_y = offset[1];
   reader.Numbers("eye", camera.eye, false);
-  camera.yaw = reader.Number("yaw", 0), camera.pitch = reader.Number("pitch", 0), camera.roll = reader.Number("roll", 0);
+  camera.yaw = reader.Number("yaw", 0), camera.pitch = reader.Number("pitch", 0),
+  camera.roll = reader.Number("roll", 0);
   if (camera.fov >= 180) reader.Fail("fov", "is 180 degrees or more");
-  if (!camera.infinite && camera.far <= camera.near) reader.Fail("far", "is no farther than `near`");
+  if (!camera.infinite && camera.far <= camera.near)
+    reader.Fail("far", "is no farther than `near`");
   if (camera.infinite && camera.orthographic) reader.Fail("infinite", "is for perspectives");
   return camera;
 }
@@ -118,7 +126,8 @@ SceneObject ObjectFrom(Reader& reader, std::size_t number) {
 
 Scene SceneFrom(const Json& json) {
   Reader reader(json, "");
-  if (reader.Text("schema", "") != "clipc.study-scene") reader.Fail("schema", "is not \"clipc.study-scene\"");
+  if (reader.Text("schema", "") != "clipc.study-scene")
+    reader.Fail("schema", "is not \"clipc.study-scene\"");
   if (reader.Number("version", 0) != 1) reader.Fail("version", "is not 1");
   Scene scene;
   scene.name = reader.Text("name", "scene");
@@ -129,14 +138,16 @@ Scene SceneFrom(const Json& json) {
   scene.means.can_discard = reader.Flag("can_discard", true);
   reader.List("cameras", [&](const Json& element, const std::string& where) {
     Reader camera(element, where);
-    scene.cameras.push_back({camera.Text("name", "camera " + std::to_string(scene.cameras.size())), CameraFrom(camera)});
+    scene.cameras.push_back({camera.Text("name", "camera " + std::to_string(scene.cameras.size())),
+                             CameraFrom(camera)});
     camera.NothingElse();
   });
   reader.List("planes", [&](const Json& element, const std::string& where) {
     Reader plane(element, where);
     double c[4];
     plane.Numbers("plane", c);
-    scene.planes.push_back({plane.Text("name", "plane " + std::to_string(scene.planes.size())), {c[0], c[1], c[2], c[3]}});
+    scene.planes.push_back({plane.Text("name", "plane " + std::to_string(scene.planes.size())),
+                            {c[0], c[1], c[2], c[3]}});
     plane.NothingElse();
   });
   if (scene.planes.size() > 6) reader.Fail("planes", "has more than 6 elements");

@@ -7,7 +7,8 @@
 
 namespace clipc::study {
 
-// Reads a scene as docs/study.md describes it. Throws DrawError with the file and what is wrong in it.
+// Reads a scene as docs/study.md describes it. Throws DrawError with the file and what is wrong in
+// it.
 Scene ReadScene(const std::string& path);
 
 }  // namespace clipc::study

@@ -57,10 +57,14 @@ TEST(SceneFile, Reads) {
 TEST(SceneFile, MistakesAreNamed) {
   EXPECT_THAT(ErrorWith("\"version\": 1", "\"version\": 2"), HasSubstr("`version` is not 1"));
   EXPECT_THAT(ErrorWith("\"planes\"", "\"plains\""), HasSubstr("`planes` is no array"));
-  EXPECT_THAT(ErrorWith("\"tolerance\"", "\"tolerence\""), HasSubstr("`tolerence` is not known here"));
-  EXPECT_THAT(ErrorWith("\"far\": 5000", "\"far\": 0.01"), HasSubstr("`cameras[0].far` is no farther than `near`"));
-  EXPECT_THAT(ErrorWith("[0, 1, 0, 0]", "[0, 1, 0]"), HasSubstr("`planes[0].plane` is no array of 4 numbers"));
-  EXPECT_THAT(ErrorWith("[-5, -2, -20]", "[-5, 20, -20]"), HasSubstr("`objects[0].low` lies above `high`"));
+  EXPECT_THAT(ErrorWith("\"tolerance\"", "\"tolerence\""),
+              HasSubstr("`tolerence` is not known here"));
+  EXPECT_THAT(ErrorWith("\"far\": 5000", "\"far\": 0.01"),
+              HasSubstr("`cameras[0].far` is no farther than `near`"));
+  EXPECT_THAT(ErrorWith("[0, 1, 0, 0]", "[0, 1, 0]"),
+              HasSubstr("`planes[0].plane` is no array of 4 numbers"));
+  EXPECT_THAT(ErrorWith("[-5, -2, -20]", "[-5, 20, -20]"),
+              HasSubstr("`objects[0].low` lies above `high`"));
   EXPECT_THAT(ErrorWith("{", "("), HasSubstr("is no JSON"));
   EXPECT_THROW(ReadScene("study/scenes/none.json"), draw::DrawError);
 }
@@ -68,7 +72,8 @@ TEST(SceneFile, MistakesAreNamed) {
 TEST(SceneCommand, SaysWhatEachObjectNeeds) {
   const std::string list = ::testing::TempDir() + "clipc_variants.cmake";
   ::testing::internal::CaptureStdout();
-  EXPECT_EQ(RunScene({"scene", kHarbour, "--costs", "study/scenes/costs.csv", "--variants", list}), 0);
+  EXPECT_EQ(RunScene({"scene", kHarbour, "--costs", "study/scenes/costs.csv", "--variants", list}),
+            0);
   const std::string text = ::testing::internal::GetCapturedStdout();
   EXPECT_THAT(text, ContainsRegex("ship +yes +water +object"));
   EXPECT_THAT(text, ContainsRegex("flag +yes +water +xyw1"));  // the shader moves it

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// What a plane's odd values and odd triangles do on a real clipper, for each way that can be given them.
+// What a plane's odd values and odd triangles do on a real clipper, for each way that can be given
+// them.
 #include <cmath>
 #include <limits>
 #include <map>
@@ -36,16 +37,19 @@ class Special : public ::testing::Test {
   const Mesh knot_ = TorusKnot(120, 12, 1.3);
 };
 
-constexpr WayKind kShaders[] = {WayKind::kClip, WayKind::kXyw1, WayKind::kObject, WayKind::kWorld,
-                                WayKind::kDiscard, WayKind::kDiscardObject, WayKind::kDiscardRecomputed};
+constexpr WayKind kShaders[] = {
+    WayKind::kClip,    WayKind::kXyw1,          WayKind::kObject,           WayKind::kWorld,
+    WayKind::kDiscard, WayKind::kDiscardObject, WayKind::kDiscardRecomputed};
 
 TEST_F(Special, AZeroPlaneClipsNothing) {
   const double all = Fragments(WayKind::kNone, knot_, With(setup_, {}));
   ASSERT_GT(all, 5000);
   for (const WayKind kind : kShaders) {
     EXPECT_EQ(Fragments(kind, knot_, With(setup_, {{0, 0, 0, 0}})), all) << static_cast<int>(kind);
-    EXPECT_EQ(Fragments(kind, knot_, With(setup_, {{-0.0f, 0, 0, -0.0f}})), all) << static_cast<int>(kind);
-    EXPECT_EQ(Fragments(kind, knot_, With(setup_, {{0, 0, 0, -1}})) == all, false) << static_cast<int>(kind);  // the test can fail
+    EXPECT_EQ(Fragments(kind, knot_, With(setup_, {{-0.0f, 0, 0, -0.0f}})), all)
+        << static_cast<int>(kind);
+    EXPECT_EQ(Fragments(kind, knot_, With(setup_, {{0, 0, 0, -1}})) == all, false)
+        << static_cast<int>(kind);  // the test can fail
   }
   EXPECT_EQ(Fragments(WayKind::kLevel9, knot_, With(setup_, {})), all);
 }
@@ -57,15 +61,18 @@ TEST_F(Special, NotANumberClipsEverything) {
   }
 }
 
-// A knot around the eye: its triangles pass through w = 0. What a plane keeps and what its opposite keeps is all there is.
+// A knot around the eye: its triangles pass through w = 0. What a plane keeps and what its opposite
+// keeps is all there is.
 TEST_F(Special, TrianglesThroughTheEyesPlane) {
   const study::Setup& setup = setup_;
   const Mesh around = TorusKnot(120, 12, 6);
   int behind = 0;
-  for (const Vec4<float>& vertex : around.vertices) behind += Transform(vertex, ConvertTo<float>(setup.world_view_projection))[3] < 0;
+  for (const Vec4<float>& vertex : around.vertices)
+    behind += Transform(vertex, ConvertTo<float>(setup.world_view_projection))[3] < 0;
   ASSERT_GT(behind, 100);
   const double all = Fragments(WayKind::kNone, around, With(setup, {}));
-  for (const WayKind kind : {WayKind::kClip, WayKind::kXyw1, WayKind::kObject, WayKind::kWorld, WayKind::kLevel9}) {
+  for (const WayKind kind :
+       {WayKind::kClip, WayKind::kXyw1, WayKind::kObject, WayKind::kWorld, WayKind::kLevel9}) {
     const auto kept = ConstantsOf(kind, setup, {setup.world_plane});
     const runtime::Plane& p = setup.world_plane;
     const auto opposite = ConstantsOf(kind, setup, {runtime::Plane{-p.x, -p.y, -p.z, -p.w}});
@@ -89,7 +96,8 @@ TEST_F(Special, MultisamplingSmoothsTheCutUnlessItIsDiscarded) {
   setup.world_view = setup.world;
   setup.world_view_projection = runtime::Multiply(setup.world, setup.projection);
   Studio smooth(device_, 320, 180, true, 4);
-  for (const WayKind kind : {WayKind::kClip, WayKind::kXyw1, WayKind::kObject, WayKind::kLevel9, WayKind::kDiscard, WayKind::kDiscardRecomputed}) {
+  for (const WayKind kind : {WayKind::kClip, WayKind::kXyw1, WayKind::kObject, WayKind::kLevel9,
+                             WayKind::kDiscard, WayKind::kDiscardRecomputed}) {
     const auto constants = ConstantsOf(kind, setup, {runtime::Plane{1, 0.3, 0, 0.013}});
     ASSERT_TRUE(constants);
     const auto call = MakeCall(smooth.gl(), kind, 1, true);
@@ -98,7 +106,8 @@ TEST_F(Special, MultisamplingSmoothsTheCutUnlessItIsDiscarded) {
     smooth.Begin();
     call->Draw();
     int whole = 0, partial = 0;
-    for (const float count : smooth.Counts()) whole += count == 1, partial += count > 0 && count < 1;
+    for (const float count : smooth.Counts())
+      whole += count == 1, partial += count > 0 && count < 1;
     const bool discards = kind == WayKind::kDiscard || kind == WayKind::kDiscardRecomputed;
     EXPECT_GT(whole, 20000) << static_cast<int>(kind);
     if (discards) {

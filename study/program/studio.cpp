@@ -29,7 +29,11 @@ std::vector<float> BufferOf(const WayConstants& constants) {
 }  // namespace
 
 Studio::Studio(draw::Device& device, int width, int height, bool coverage, int samples)
-    : gl_(device.Use(draw::Api::kCompatibility)), width_(width), height_(height), coverage_(coverage), samples_(samples) {
+    : gl_(device.Use(draw::Api::kCompatibility)),
+      width_(width),
+      height_(height),
+      coverage_(coverage),
+      samples_(samples) {
   if (!gl_.ClipControl || !gl_.ClipPlane || !gl_.DrawElementsInstancedBaseVertexBaseInstance) {
     throw DrawError("OpenGL lacks glClipControl or glClipPlane");
   }
@@ -50,7 +54,8 @@ Studio::Studio(draw::Device& device, int width, int height, bool coverage, int s
     gl_.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32F, width, height);
     gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
   }
-  if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) throw DrawError("no framebuffer");
+  if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+    throw DrawError("no framebuffer");
   if (samples == 1) return;
   gl_.GenFramebuffers(1, &resolved_framebuffer_);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, resolved_framebuffer_);
@@ -58,7 +63,8 @@ Studio::Studio(draw::Device& device, int width, int height, bool coverage, int s
   gl_.BindRenderbuffer(GL_RENDERBUFFER, resolved_);
   gl_.RenderbufferStorage(GL_RENDERBUFFER, format, width, height);
   gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, resolved_);
-  if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) throw DrawError("no framebuffer to resolve into");
+  if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+    throw DrawError("no framebuffer to resolve into");
 }
 
 Studio::~Studio() {
@@ -91,7 +97,8 @@ std::vector<float> Studio::Counts() {
   if (samples_ > 1) {
     gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
     gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_framebuffer_);
-    gl_.BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    gl_.BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT,
+                        GL_NEAREST);
     gl_.BindFramebuffer(GL_FRAMEBUFFER, resolved_framebuffer_);
   }
   gl_.ReadPixels(0, 0, width_, height_, GL_RED, GL_FLOAT, counts.data());
@@ -107,8 +114,11 @@ std::vector<std::uint8_t> Studio::Rgba() {
 }
 
 DrawCall::DrawCall(const draw::Gl& gl, const WaySource& source, int planes, bool uses_clip_planes)
-    : gl_(gl), program_(gl, source.vertex, source.fragment, {}), planes_(planes),
-      fixed_planes_(draw::VersionOf(source.vertex).number < 130), distances_(uses_clip_planes) {
+    : gl_(gl),
+      program_(gl, source.vertex, source.fragment, {}),
+      planes_(planes),
+      fixed_planes_(draw::VersionOf(source.vertex).number < 130),
+      distances_(uses_clip_planes) {
   gl_.GenVertexArrays(1, &vertex_array_);
   gl_.GenBuffers(3, buffers_);
   gl_.GenBuffers(2, uniforms_);
@@ -122,7 +132,9 @@ DrawCall::~DrawCall() {
 }
 
 void DrawCall::SetMesh(const Mesh& mesh) {
-  const auto bytes = [](const auto& list) { return static_cast<GLsizeiptr>(list.size() * sizeof list[0]); };
+  const auto bytes = [](const auto& list) {
+    return static_cast<GLsizeiptr>(list.size() * sizeof list[0]);
+  };
   gl_.BindVertexArray(vertex_array_);
   for (const draw::Active& attribute : program_.Attributes()) {
     const bool is_normal = attribute.name.find("NORMAL") != attribute.name.npos;
@@ -145,7 +157,8 @@ void DrawCall::SetConstants(const WayConstants& constants) {
   constants_ = constants;
   const std::vector<float> words = BufferOf(constants);
   gl_.BindBuffer(GL_UNIFORM_BUFFER, uniforms_[0]);
-  gl_.BufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(4 * words.size()), words.data(), GL_STATIC_DRAW);
+  gl_.BufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(4 * words.size()), words.data(),
+                 GL_STATIC_DRAW);
   gl_.BindBuffer(GL_UNIFORM_BUFFER, uniforms_[1]);
   gl_.BufferData(GL_UNIFORM_BUFFER, 4 * 24, words.data() + 32, GL_STATIC_DRAW);
   GLuint index = 0;
@@ -153,7 +166,9 @@ void DrawCall::SetConstants(const WayConstants& constants) {
     gl_.UniformBlockBinding(program_.id(), index++, block.name == "Clip" ? 1 : 0);
   }
   gl_.UseProgram(program_.id());
-  for (const auto& [name, matrix] : {std::pair{"world_view_projection", &constants.world_view_projection}, std::pair{"world", &constants.world}}) {
+  for (const auto& [name, matrix] :
+       {std::pair{"world_view_projection", &constants.world_view_projection},
+        std::pair{"world", &constants.world}}) {
     const GLint location = gl_.GetUniformLocation(program_.id(), name);
     if (location >= 0) gl_.UniformMatrix4fv(location, 1, GL_FALSE, &matrix->m[0][0]);
   }
@@ -170,12 +185,14 @@ void DrawCall::Draw() {
     const Vec4<double> plane = ConvertTo<double>(constants_.planes[i]);
     gl_.ClipPlane(kClip0 + i, plane.c);
   }
-  gl_.DrawElementsInstancedBaseVertexBaseInstance(GL_TRIANGLES, count_, GL_UNSIGNED_INT, nullptr, 1, 0, 0);
+  gl_.DrawElementsInstancedBaseVertexBaseInstance(GL_TRIANGLES, count_, GL_UNSIGNED_INT, nullptr, 1,
+                                                  0, 0);
 }
 
 std::unique_ptr<DrawCall> MakeCall(const draw::Gl& gl, WayKind kind, int planes, bool coverage) {
-  const bool distances = kind == WayKind::kClip || kind == WayKind::kXyw1 || kind == WayKind::kObject ||
-                         kind == WayKind::kLevel9 || kind == WayKind::kWorld;
+  const bool distances = kind == WayKind::kClip || kind == WayKind::kXyw1 ||
+                         kind == WayKind::kObject || kind == WayKind::kLevel9 ||
+                         kind == WayKind::kWorld;
   return std::make_unique<DrawCall>(gl, SourceOf(kind, planes, coverage), planes, distances);
 }
 

@@ -16,8 +16,9 @@ namespace clipc::study {
 // A place to draw: Mesa's software OpenGL with Direct3D's depth range, one size.
 class Studio {
  public:
-  // `coverage`: each fragment adds 1, nothing hides anything; otherwise colours with a depth buffer. `samples`: of each
-  // pixel, 1 for none; only with `coverage`, where Counts then averages them.
+  // `coverage`: each fragment adds 1, nothing hides anything; otherwise colours with a depth
+  // buffer. `samples`: of each pixel, 1 for none; only with `coverage`, where Counts then averages
+  // them.
   Studio(draw::Device& device, int width, int height, bool coverage, int samples = 1);
   ~Studio();
   Studio(const Studio&) = delete;
@@ -56,7 +57,7 @@ class DrawCall {
   const draw::Gl& gl_;
   draw::Program program_;
   int planes_;
-  bool fixed_planes_;      // glClipPlane; otherwise planes_ clip distances when `uses_clip_planes`
+  bool fixed_planes_;  // glClipPlane; otherwise planes_ clip distances when `uses_clip_planes`
   bool distances_;
   WayConstants constants_;
   GLuint vertex_array_ = 0, buffers_[3] = {}, uniforms_[2] = {};

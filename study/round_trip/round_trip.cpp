@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "study/numbers.h"
 
-// A float32 emulation in the small: a plane is solved for in double, rounded to float, and used in double again. g++ 12
-// with AVX and its SLP vectoriser drops that rounding. `plane` gets the plane before it was rounded, `through` what became
-// of the rounded one behind the product of the matrices.
-extern "C" void CLIPC_ROUND_TRIP(const double* a, const double* b, const double* c, double* plane, double* through);
+// A float32 emulation in the small: a plane is solved for in double, rounded to float, and used in
+// double again. g++ 12 with AVX and its SLP vectoriser drops that rounding. `plane` gets the plane
+// before it was rounded, `through` what became of the rounded one behind the product of the
+// matrices.
+extern "C" void CLIPC_ROUND_TRIP(const double* a, const double* b, const double* c, double* plane,
+                                 double* through);
 
 using clipc::study::Mat4;
 using clipc::study::Vec4;
@@ -33,12 +35,14 @@ static Vec4<double> Solve(Mat4<double> m, Vec4<double> right) {
   return x;
 }
 
-extern "C" void CLIPC_ROUND_TRIP(const double* a, const double* b, const double* c, double* plane, double* through) {
+extern "C" void CLIPC_ROUND_TRIP(const double* a, const double* b, const double* c, double* plane,
+                                 double* through) {
   const Mat4<double> first = Load(a), second = Load(b);
   const Mat4<double> product = clipc::study::Multiply(first, second);
   const Vec4<double> solved = Solve(second, {{c[0], c[1], c[2], c[3]}});
   const Vec4<float> rounded = clipc::study::ConvertTo<float>(solved);
-  const Vec4<double> hoisted = clipc::study::PlaneThrough(product, clipc::study::ConvertTo<double>(rounded));
+  const Vec4<double> hoisted =
+      clipc::study::PlaneThrough(product, clipc::study::ConvertTo<double>(rounded));
   const Vec4<float> narrow = clipc::study::ConvertTo<float>(hoisted);
   for (int i = 0; i < 4; ++i) {
     plane[i] = solved[i];
