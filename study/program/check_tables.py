@@ -47,6 +47,8 @@ kept = sum(float(r["measured_px"]) <= float(r["bound_px"]) for r in advice)
 cheap = sum(float(r["cost"]) <= 1.05 * float(r["best_cost"]) for r in advice)
 expect(len(advice) == 100 and kept == 100, f"the advice's bound holds in {kept} of {len(advice)} random draws")
 expect("--costs" not in sys.argv or cheap >= 95, f"the advice's cost is near the best in {cheap} of {len(advice)} random draws")
+for row in read("scene-costs.csv"):
+    expect(row["same_picture"] == ("0" if row["planes"] == "none" else "1"), f"{row['scene']} with {row['planes']} planes: the picture")
 expect(len(scenes) == 4 and all(int(r["need0"]) > int(r["need1"]) for r in scenes), "most drawn objects need no plane")
 
 print("\n".join(problems) or f"{len(edges)} edge rows, {len(pixels)} pictures, {kept} of 100 bounds kept, {cheap} of 100 costs near the best")

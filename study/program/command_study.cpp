@@ -16,6 +16,7 @@
 #include "study/program/csv.h"
 #include "study/program/pixels.h"
 #include "study/program/png.h"
+#include "study/program/scene_cost.h"
 #include "study/program/speed.h"
 #include "study/random_draws.h"
 #include "study/scene.h"
@@ -57,6 +58,7 @@ class Study {
     Pixels();
     rule_costs_ = Speed("speed.csv", "cost");
     Scenes();
+    SceneCosts();
     RandomScenes();
   }
 
@@ -173,6 +175,27 @@ class Study {
           << need[2] << need[3] << advice.way << advice.predicted << advice.bound << advice.cost
           << static_cast<double>(most->second) / (need[1] + need[2] + need[3]);
       csv.EndRow();
+    }
+  }
+
+  // Frames of the scenes with no planes, all of them, and those that are needed.
+  void SceneCosts() {
+    Csv csv(Path("scene-costs.csv"),
+            {"scene", "planes", "draws", "planes_drawn", "least_ms", "same_picture"});
+    SceneDrawer drawer(device_, 1280, 720);
+    for (const Scene& scene : BuiltInScenes()) {
+      const std::vector<std::uint8_t> all = drawer.Draw(scene, Planes::kAll).rgba;
+      for (const auto& [planes, name] :
+           {std::pair{Planes::kNone, "none"}, std::pair{Planes::kAll, "all"},
+            std::pair{Planes::kNeeded, "needed"}}) {
+        SceneDrawer::Drawn drawn = drawer.Draw(scene, planes);
+        for (int round = 0; round < (options_.quick ? 1 : 6); ++round) {
+          drawn.cpu_ms = std::min(drawn.cpu_ms, drawer.Draw(scene, planes).cpu_ms);
+        }
+        csv << scene.name << name << drawn.draws << drawn.planes << drawn.cpu_ms
+            << (drawn.rgba == all);
+        csv.EndRow();
+      }
     }
   }
 

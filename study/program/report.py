@@ -293,6 +293,9 @@ def main():
     depth_chart(charts, depth)
     charts.text("<h2>No more planes than needed</h2>")
     scene_chart(charts, scenes)
+    charts.text(table(["scene", "planes", "draw calls", "planes of all draws", "least CPU time, ms", "picture as with all planes"],
+                      [[r["scene"], r["planes"], r["draws"], r["planes_drawn"], f'{number(r["least_ms"]):.1f}', "yes" if r["same_picture"] == "1" else "no"]
+                       for r in read(folder, "scene-costs.csv")]))
     charts.text(f'<h2>A cut 230,000 near distances away</h2><div class="pictures">{pictures(folder)}</div>')
     body = "\n".join(charts.parts)
     (folder / "report.html").write_text(
