@@ -153,6 +153,10 @@ ClipTable Direct3DPart(const ClipTable& table) {
 Result<std::string> WriteBinary(const ClipTable& table) {
   std::string problem = ProblemOf(table);
   if (problem.empty()) problem = ProblemOf(Direct3DPart(table));
+  if (problem.empty() && table.position_space != PositionSpace::kDirect3DClip) {
+    problem = "the binary form is Direct3D 9's own, whose planes are in clip space; these are in space " +
+              std::string(NameOf(table.position_space));
+  }
   if (!problem.empty()) return Result<std::string>::Error(std::move(problem));
 
   const auto count = static_cast<std::uint32_t>(table.planes.size());

@@ -9,7 +9,7 @@ namespace clipc::clip_table {
 namespace {
 
 constexpr std::string_view kLoweringNames[] = {"clip-distance", "level9", "none", "near-plane", "discard"};
-constexpr std::string_view kSpaceNames[] = {"direct3d-clip"};
+constexpr std::string_view kSpaceNames[] = {"direct3d-clip", "xyw1", "object"};
 constexpr std::string_view kScaleNames[] = {"any", "depth"};
 
 template <typename Enum, std::size_t N>
@@ -73,6 +73,10 @@ std::string ProblemOf(const ClipTable& table) {
   if (table.enable_mask != mask) {
     return "enable mask " + std::to_string(table.enable_mask) + " for " +
            std::to_string(table.planes.size()) + " planes; it must be " + std::to_string(mask);
+  }
+  if (!KnowsSpace(table.lowering, table.position_space)) {
+    return "planes in space " + std::string(NameOf(table.position_space)) + " with lowering " +
+           std::string(NameOf(table.lowering)) + ", which knows clip space only";
   }
   if (HoldsNul({table.entry, table.profile})) return "a name holds a NUL character";
   for (std::size_t i = 0; i < table.planes.size(); ++i) {

@@ -35,6 +35,8 @@ enum class PlaneScale : std::uint8_t {
 // The space of the position that the planes are dotted with, and so the space an application must give them in.
 enum class PositionSpace : std::uint8_t {
   kDirect3DClip,  // SV_Position as the HLSL shader wrote it: y up, 0 <= z <= w, whatever the target's conventions
+  kXyw1,          // (x, y, w, 1) of that position: without z, which loses digits where depth is not reversed
+  kObject,        // the vertex as it comes in, w = 1 where the input is a float3: the object's own space
 };
 
 // Where the application finds the plane: one whole float4 register of a constant buffer.
@@ -73,12 +75,18 @@ constexpr std::uint32_t EnableMask(Lowering lowering, std::size_t planes) {
   return device_clips ? (std::uint32_t{1} << planes) - 1 : 0;
 }
 
+// Whether a shader of that lowering can dot its planes with positions of that space: where the device does it, and where
+// nobody does, the planes are in clip space.
+constexpr bool KnowsSpace(Lowering lowering, PositionSpace space) {
+  return space == PositionSpace::kDirect3DClip || (lowering != Lowering::kLevel9 && lowering != Lowering::kNone);
+}
+
 constexpr PlaneScale PlaneScaleOf(Lowering lowering) {
   return lowering == Lowering::kNearPlane ? PlaneScale::kDepth : PlaneScale::kAny;
 }
 
-// "clip-distance", "level9", "none", "near-plane", "discard"; "direct3d-clip"; "any", "depth": the spelling in every text
-// form.
+// "clip-distance", "level9", "none", "near-plane", "discard"; "direct3d-clip", "xyw1", "object"; "any",
+// "depth": the spelling in every text form.
 std::string_view NameOf(Lowering lowering);
 std::string_view NameOf(PositionSpace space);
 std::string_view NameOf(PlaneScale scale);

@@ -146,6 +146,20 @@ TEST(ClipTable, BinaryRefusesWhatItCannotSay) {
   EXPECT_THAT(WriteBinary(composed).error, HasSubstr("plane 1 is no whole register"));
 }
 
+TEST(ClipTable, SpacesOtherThanClip) {
+  ClipTable table = TwoPlanes();
+  table.lowering = Lowering::kClipDistance;
+  for (const PositionSpace space : {PositionSpace::kXyw1, PositionSpace::kObject}) {
+    table.position_space = space;
+    EXPECT_EQ(ReadJson(*WriteJson(table))->position_space, space);
+    EXPECT_EQ(ReadHeader(*WriteHeader(table, "t"))->position_space, space);
+    EXPECT_THAT(WriteBinary(table).error, HasSubstr("whose planes are in clip space"));
+  }
+  table.lowering = Lowering::kLevel9;
+  EXPECT_EQ(ProblemOf(table), "planes in space object with lowering level9, which knows clip space only");
+  EXPECT_FALSE(WriteJson(table));
+}
+
 TEST(ClipTable, WritersRefuseContradictions) {
   ClipTable table = TwoPlanes();
   table.enable_mask = 1;

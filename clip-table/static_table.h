@@ -24,7 +24,7 @@ struct StaticClipTable {
   const char* entry;
   const char* profile;
   const char* lowering;        // "clip-distance", "level9", "none", "near-plane" or "discard"
-  const char* position_space;  // "direct3d-clip"
+  const char* position_space;  // "direct3d-clip", "xyw1" or "object"
   unsigned enable_mask;
   unsigned plane_count;
   StaticClipPlane planes[6];

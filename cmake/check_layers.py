@@ -21,6 +21,7 @@ FOLDERS = {
     "runtime": {"clip-table"},
     "examples": {"runtime"},
     "scenes": {"clip-table", "runtime", "examples"},
+    "study": {"clip-table", "compiler", "draw", "runtime"},
     "draw": {"base", "ir", "frontend", "passes", "backend-glsl", "clip-table", "compiler", "runtime"},
 }
 
@@ -29,7 +30,7 @@ LIBRARIES = {
     r"(clang|llvm)/": r"frontend/\w+_clang\.cpp|compiler/options_llvm\.cpp",
     r"glslang/": r"compiler/.*\.cpp",
     r"fmt/": r"(base|ir|frontend|passes|backend-glsl|compiler)/.*",
-    r"nlohmann/": r"(base|clip-table|compiler)/.*\.cpp",
+    r"nlohmann/": r"(base|clip-table|compiler|study)/.*\.cpp",
 }
 
 # What clipc_add_shader() writes into a build folder.

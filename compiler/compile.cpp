@@ -20,6 +20,7 @@
 #include "frontend/ast_print.h"
 #include "frontend/check.h"
 #include "frontend/parse.h"
+#include "frontend/position_input.h"
 #include "frontend/source.h"
 #include "ir/print.h"
 #include "passes/pipeline.h"
@@ -79,6 +80,7 @@ class Compilation {
   Diagnostics diagnostics_;
   FrontendContext& context_;
   Settings settings_;
+  ir::VarId position_input_;  // with plane space `object`
   glsl::GlslInfo info_;
   CompileResult result_;
 };
@@ -102,6 +104,10 @@ bool Compilation::ReadSettings() {
   if (!request_.stop_after.empty()) check_pass(request_.stop_after);
   const bool is_level9 = settings_.profile.level9 != ir::Level9::kNone;
   settings_.lowering = request_.lowering.value_or(is_level9 ? Lowering::kLevel9 : Lowering::kClipDistance);
+  if (!clip_table::KnowsSpace(settings_.lowering, request_.plane_space)) {
+    diagnostics_.Report({}, diag::PlaneSpaceLowering, clip_table::NameOf(request_.plane_space),
+                        clip_table::NameOf(settings_.lowering));
+  }
   return !diagnostics_.has_errors();
 }
 
@@ -141,6 +147,11 @@ void Compilation::RunBackEnd(ir::Program& program) {
     diagnostics_.Report(program.clip_planes[1].span, diag::ClipPlanesForNearPlane, program.clip_planes.size());
     return;
   }
+  if (request_.plane_space == clip_table::PositionSpace::kObject && !program.clip_planes.empty()) {
+    const std::string& semantic = request_.position_input;
+    position_input_ = CheckPositionInput(program, semantic.empty() ? "POSITION0" : semantic, diagnostics_);
+    if (!position_input_) return;
+  }
   if (request_.variants) WriteVariants(program);
   if (diagnostics_.has_errors()) return;
   Lower(program);
@@ -160,6 +171,12 @@ void Compilation::Lower(ir::Program& program) {
     case Lowering::kNearPlane: options.clip_planes.lowering = passes::Lowering::kNearPlane; break;
     case Lowering::kDiscard: options.clip_planes.lowering = passes::Lowering::kDiscard; break;
   }
+  switch (request_.plane_space) {
+    case clip_table::PositionSpace::kDirect3DClip: options.clip_planes.space = passes::PlaneSpace::kClip; break;
+    case clip_table::PositionSpace::kXyw1: options.clip_planes.space = passes::PlaneSpace::kXyw1; break;
+    case clip_table::PositionSpace::kObject: options.clip_planes.space = passes::PlaneSpace::kObject; break;
+  }
+  options.clip_planes.position_input = position_input_;
   options.clip_planes.write_clip_vertex = settings_.target->HasClipVertex();
   options.clip_space.negative_one_to_one = request_.depth_range == DepthRange::kNegativeOneToOne;
   options.clip_space.flip_y = request_.flip_y;
@@ -182,7 +199,7 @@ void Compilation::Write(const ir::Program& program) {
   glsl::Reached reached = glsl::CheckTarget(program, *settings_.target, diagnostics_);
   if (diagnostics_.has_errors()) return;
   result_.glsl = glsl::WriteGlsl(program, std::move(reached), *settings_.target, options, &info_);
-  result_.table = MakeClipTable(program, settings_.lowering, info_);
+  result_.table = MakeClipTable(program, settings_.lowering, request_.plane_space, info_);
   if (request_.validate) CheckWithGlslang(result_.glsl, ShaderStage::kVertex);
   if (settings_.lowering == Lowering::kDiscard) WriteFragment(program);
   if (IsDump(Stage::kGlsl)) result_.dump = result_.glsl;

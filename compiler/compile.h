@@ -31,6 +31,10 @@ struct CompileRequest {
   std::string target = "glsl450";
   // None: kLevel9 for the level_9_x profiles, kClipDistance for the others.
   std::optional<clip_table::Lowering> lowering;
+  // What the planes are dotted with: kXyw1 and kObject are for lowerings kClipDistance, kNearPlane and kDiscard, and the
+  // application then gives other constants (docs/runtime.md, "Plane spaces").
+  clip_table::PositionSpace plane_space = clip_table::PositionSpace::kDirect3DClip;
+  std::string position_input;  // with kObject: the semantic of the vertex's position; empty: POSITION0
   DepthRange depth_range = DepthRange::kZeroToOne;
   bool flip_y = false;
   bool separable = false;  // for program pipelines: gl_PerVertex is redeclared

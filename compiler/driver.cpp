@@ -128,6 +128,10 @@ std::string Driver::CheckUsage() {
   if (!command_.fragment.empty() && command_.request.lowering != clip_table::Lowering::kDiscard) {
     return "--fragment is for --lower=discard; with the other lowerings the fragment shader stays as it is";
   }
+  const CompileRequest& request = command_.request;
+  if (!request.position_input.empty() && request.plane_space != clip_table::PositionSpace::kObject) {
+    return "--position-input is for --plane-space=object; other spaces take the position that the shader computes";
+  }
   FileSet named, sources;
   for (const std::string& input : inputs) sources.Add(input);
   if (!command_.fragment.empty()) sources.Add(command_.fragment);

@@ -146,6 +146,11 @@ constexpr std::array<std::pair<std::string_view, clip_table::Lowering>, 5> kLowe
      {"discard", clip_table::Lowering::kDiscard},
      {"none", clip_table::Lowering::kNone}}};
 
+constexpr std::array<std::pair<std::string_view, clip_table::PositionSpace>, 3> kPlaneSpaces = {
+    {{"clip", clip_table::PositionSpace::kDirect3DClip},
+     {"xyw1", clip_table::PositionSpace::kXyw1},
+     {"object", clip_table::PositionSpace::kObject}}};
+
 // -Wno-clip-plane-twice, -Werror, -Werror=..., -Wno-error=...
 bool ReadWarning(std::string_view name, WarningOptions& warnings, std::string& error) {
   if (name == "error") return warnings.warnings_are_errors = true;
@@ -199,6 +204,8 @@ bool ReadRequestOption(const llvm::opt::Arg& argument, CompileRequest& request, 
     case kOptWarningsAreErrors: request.warnings.warnings_are_errors = true; return true;
     case kOptWarning: return ReadWarning(value(), request.warnings, error);
     case kOptLowerIs: return ReadChoice("--lower", value(), kLowerings, request.lowering.emplace(), error);
+    case kOptPlaneSpaceIs: return ReadChoice("--plane-space", value(), kPlaneSpaces, request.plane_space, error);
+    case kOptPositionInputIs: request.position_input = value(); return true;
     case kOptDumpIs: return ReadChoice("--dump", value(), kStages, request.dump.emplace(), error);
     case kOptDepthRangeIs: return ReadChoice("--depth-range", value(), kDepthRanges, request.depth_range, error);
     default: return true;

@@ -5,6 +5,7 @@
 
 #include "backend-glsl/check_target.h"
 #include "frontend/parse.h"
+#include "frontend/position_input.h"
 #include "frontend/source.h"
 
 namespace clipc::draw {
@@ -31,6 +32,10 @@ class Chain {
     Shader shader;
     shader.typed = Check(file, {profile_, options_.entry, options_.packing, whole_registers}, diagnostics_);
     StopAtErrors<DrawError>("the shader has errors");
+    if (options_.plane_space == passes::PlaneSpace::kObject) {
+      position_input_ = CheckPositionInput(shader.typed, options_.position_input, diagnostics_);
+      StopAtErrors<DrawError>("the shader has errors");
+    }
     shader.lowered = shader.typed;
     Lower(shader.lowered);
     glsl::Reached reached = glsl::CheckTarget(shader.lowered, target_, diagnostics_);
@@ -64,6 +69,8 @@ class Chain {
   void Lower(ir::Program& program) const {
     passes::PipelineOptions pipeline;
     pipeline.clip_planes.lowering = options_.lowering;
+    pipeline.clip_planes.space = options_.plane_space;
+    pipeline.clip_planes.position_input = position_input_;
     pipeline.clip_planes.write_clip_vertex =
         options_.lowering == passes::Lowering::kLevel9 && target_.HasClipVertex();
     pipeline.clip_space = options_.clip_space;
@@ -77,6 +84,7 @@ class Chain {
   FrontendContext context_;
   Source source_;
   Diagnostics diagnostics_;
+  ir::VarId position_input_;
 };
 
 }  // namespace

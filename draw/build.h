@@ -19,6 +19,8 @@ struct BuildOptions {
   MatrixPacking packing = MatrixPacking::kColumnMajor;
   std::string target = "glsl450";
   passes::Lowering lowering = passes::Lowering::kClipDistance;
+  passes::PlaneSpace plane_space = passes::PlaneSpace::kClip;
+  std::string position_input = "POSITION0";  // with plane space kObject
   passes::ClipSpaceOptions clip_space;
 };
 

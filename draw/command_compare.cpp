@@ -52,6 +52,13 @@ void SetInts(const std::string& text, RandomOptions& random) {
   }
 }
 
+passes::PlaneSpace PlaneSpaceOf(const std::string& name) {
+  if (name == "clip") return passes::PlaneSpace::kClip;
+  if (name == "xyw1") return passes::PlaneSpace::kXyw1;
+  if (name == "object") return passes::PlaneSpace::kObject;
+  throw DrawError("no plane space is called `" + name + "`");
+}
+
 std::map<std::string, Flag> FlagsOf(CompareOptions& options) {
   const auto text = [](std::string& to) { return Flag{true, [&to](const std::string& value) { to = value; }}; };
   const auto list = [](std::vector<std::string>& to) {
@@ -65,6 +72,8 @@ std::map<std::string, Flag> FlagsOf(CompareOptions& options) {
       {"row-major", {false, [&](const std::string&) { options.build.packing = MatrixPacking::kRowMajor; }}},
       {"target", {true, [&](const std::string& value) { options.targets = SplitAtCommas(value); }}},
       {"lower", {true, [&](const std::string& value) { options.lowerings = SplitAtCommas(value); }}},
+      {"plane-space", {true, [&](const std::string& value) { options.build.plane_space = PlaneSpaceOf(value); }}},
+      {"position-input", text(options.build.position_input)},
       {"depth-range", {true, [&](const std::string& value) {
          options.negative_one_to_one = {OneOf(value, "zero-to-one", "negative-one-to-one")};
        }}},

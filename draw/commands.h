@@ -32,6 +32,7 @@ clipc-draw compare SHADER.hlsl [options]
     --target a,b            default glsl450,glsl330,glsl130,essl300,vulkan; `all` is every target that
                             can say the shader; the others are listed
     --lower a,b             default clip-distance,level9,none
+    --plane-space S         clip, xyw1 or object; default clip. --position-input SEMANTIC, default POSITION0
     --depth-range R         zero-to-one or negative-one-to-one; default both
     --flip-y yes|no         default both
     --random N --seed S     vertices, default 64, and the seed, default 1

@@ -28,6 +28,8 @@ using ClipPlaneProc = void(APIENTRYP)(GLenum plane, const double* equation);
   F(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer)                         \
   F(PFNGLBINDRENDERBUFFERPROC, BindRenderbuffer)                       \
   F(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                         \
+  F(PFNGLBLENDFUNCPROC, BlendFunc)                                     \
+  F(PFNGLBLITFRAMEBUFFERPROC, BlitFramebuffer)                         \
   F(PFNGLBUFFERDATAPROC, BufferData)                                   \
   F(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus)           \
   F(PFNGLCLEARPROC, Clear)                                             \
@@ -48,6 +50,7 @@ using ClipPlaneProc = void(APIENTRYP)(GLenum plane, const double* equation);
   F(PFNGLENABLEPROC, Enable)                                           \
   F(PFNGLENABLEVERTEXATTRIBARRAYPROC, EnableVertexAttribArray)         \
   F(PFNGLENDTRANSFORMFEEDBACKPROC, EndTransformFeedback)               \
+  F(PFNGLFINISHPROC, Finish)                                           \
   F(PFNGLFRAMEBUFFERRENDERBUFFERPROC, FramebufferRenderbuffer)         \
   F(PFNGLGENBUFFERSPROC, GenBuffers)                                   \
   F(PFNGLGENFRAMEBUFFERSPROC, GenFramebuffers)                         \
@@ -71,6 +74,7 @@ using ClipPlaneProc = void(APIENTRYP)(GLenum plane, const double* equation);
   F(PFNGLPIXELSTOREIPROC, PixelStorei)                                 \
   F(PFNGLREADPIXELSPROC, ReadPixels)                                   \
   F(PFNGLRENDERBUFFERSTORAGEPROC, RenderbufferStorage)                 \
+  F(PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC, RenderbufferStorageMultisample) \
   F(PFNGLSHADERSOURCEPROC, ShaderSource)                               \
   F(PFNGLTRANSFORMFEEDBACKVARYINGSPROC, TransformFeedbackVaryings)     \
   F(PFNGLUNIFORM1FVPROC, Uniform1fv)                                   \

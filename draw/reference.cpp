@@ -113,6 +113,29 @@ class Reference {
     return position;
   }
 
+  // What the planes are dotted with, by the definition of the plane space.
+  template <typename Number>
+  Float4<Number> VertexOf(std::size_t vertex, const ir::EvalOutputs& outputs) const {
+    if (options_.plane_space != passes::PlaneSpace::kObject) {
+      const Float4<Number> p = PositionOf<Number>(outputs);
+      return options_.plane_space == passes::PlaneSpace::kClip ? p : Float4<Number>{p[0], p[1], p[3], 1};
+    }
+    const auto& list = shader_.typed.inputs;
+    const auto found = std::find_if(list.begin(), list.end(), [&](const ir::IoVar& io) {
+      return io.semantic + std::to_string(io.index) == options_.position_input;
+    });
+    if (found == list.end()) throw DrawError("no input " + options_.position_input);
+    const ir::Type& type = shader_.typed.types[shader_.typed.vars[found->var].type];
+    Float4<Number> raw{0, 0, 0, 1};
+    for (std::uint32_t i = 0; i < type.Components(); ++i) {
+      float value;
+      const auto bits = static_cast<std::uint32_t>(inputs_.vertices[vertex][found - list.begin()][i]);
+      std::memcpy(&value, &bits, sizeof value);
+      raw[i] = value;
+    }
+    return raw;
+  }
+
   void FillPosition(Expected& expected, bool adjusted) const {
     const passes::ClipSpaceOptions clip_space = adjusted ? options_.clip_space : passes::ClipSpaceOptions{};
     for (std::size_t vertex = 0; vertex < typed_.in_float.size(); ++vertex) {
@@ -131,8 +154,8 @@ class Reference {
     for (std::size_t vertex = 0; vertex < typed_.in_float.size(); ++vertex) {
       for (const ir::ClipPlane& plane : planes) {
         const Float4<float> value = PlaneOf(plane);
-        Append(expected, Dot(PositionOf<float>(typed_.in_float[vertex]), value),
-               Dot(PositionOf<double>(typed_.in_double[vertex]), value));
+        Append(expected, Dot(VertexOf<float>(vertex, typed_.in_float[vertex]), value),
+               Dot(VertexOf<double>(vertex, typed_.in_double[vertex]), value));
       }
     }
   }

@@ -20,7 +20,7 @@ struct Expected {
 };
 
 // By the reference evaluator from the checked program, before any pass. What the passes add is computed here from their
-// definition: distances as dot(SV_Position, plane) with the plane taken from the cbuffer's bytes, then y and z.
+// definition: distances as dot(SV_Position, plane), or what the plane space asks for, with the plane taken from the cbuffer's bytes, then y and z.
 std::vector<Expected> MakeExpected(const Shader& shader, const BuildOptions& options, const RandomInputs& inputs);
 
 }  // namespace clipc::draw

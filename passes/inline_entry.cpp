@@ -130,7 +130,7 @@ class Inliner {
     auto& node = program_.stmts[statement].node;
     if (auto* declare = std::get_if<Declare>(&node)) {
       const auto* ref = std::get_if<VarRef>(&program_.exprs[returned_].node);
-      if (ref && !program_.vars[declare->var].precise) {
+      if (ref && !program_.vars[declare->var].precise && MayStandFor(ref->var, declare->var)) {
         renamed_[declare->var] = ref->var;
         return;
       }
@@ -141,6 +141,14 @@ class Inliner {
       assign->value = returned_;
     }
     body.push_back(statement);
+  }
+
+  // Passes may have added assignments to the result; an input or a uniform takes none.
+  bool MayStandFor(VarId returned, VarId result) const {
+    const auto known = renamed_.find(returned);
+    const VarId var = known == renamed_.end() ? returned : known->second;
+    if (program_.vars[var].storage == Storage::kLocal) return true;
+    return std::none_of(stmts_.begin() + call_at_ + 1, stmts_.end(), [&](StmtId id) { return IsAssigned(program_, id, result); });
   }
 
   void Rename(StmtId id) {

@@ -25,16 +25,47 @@ VarId PositionOf(const Program& program) {
   return position;
 }
 
-// dot(position, plane)
-ExprId DistanceTo(Program& program, VarId position, const ClipPlane& plane) {
-  CLIPC_CHECK(plane.value);
-  Builder b(program, plane.span);
-  return b.IntrinsicOf(Intrinsic::kDot, program.types.Make(Scalar::kFloat), {b.Ref(position), plane.value});
+// `xyz` with a 1 behind it.
+ExprId WithOne(Program& program, Builder& b, ExprId xyz) {
+  return b.ConstructOf(program.types.Vector(Scalar::kFloat, 4), {xyz, b.Float(1)});
 }
 
-void WriteClipDistances(Program& program) {
+// What the planes are dotted with.
+class Vertex {
+ public:
+  Vertex(Program& program, const ClipPlaneOptions& options)
+      : program_(program), space_(options.space), var_(options.position_input) {
+    if (space_ != PlaneSpace::kObject) {
+      var_ = PositionOf(program);
+      local_ = LocalBehind(program, var_);
+    }
+    CLIPC_CHECK(var_);
+  }
+
+  // dot(vertex, plane)
+  ExprId DistanceTo(const ClipPlane& plane) const {
+    CLIPC_CHECK(plane.value);
+    Builder b(program_, plane.span);
+    return b.IntrinsicOf(Intrinsic::kDot, program_.types.Make(Scalar::kFloat), {Value(b), plane.value});
+  }
+
+ private:
+  ExprId Value(Builder& b) const {
+    const ExprId vertex = local_ ? Clone(program_, local_) : b.Ref(var_);
+    if (space_ == PlaneSpace::kXyw1) return WithOne(program_, b, b.Swizzled(vertex, {0, 1, 3}));
+    const Type& type = program_.types[program_.vars[var_].type];
+    CLIPC_CHECK(type.scalar == Scalar::kFloat && (type.Components() == 3 || type.Components() == 4));
+    return type.Components() == 3 ? WithOne(program_, b, vertex) : vertex;
+  }
+
+  Program& program_;
+  PlaneSpace space_;
+  VarId var_;
+  ExprId local_;  // what `var_` is a copy of
+};
+
+void WriteClipDistances(Program& program, const Vertex& vertex) {
   CLIPC_CHECK(!FindOutput(program, Builtin::kClipDistance));
-  const VarId position = PositionOf(program);
   const auto count = static_cast<std::uint32_t>(program.clip_planes.size());
   const TypeId one_distance = program.types.Make(Scalar::kFloat);
   const TypeId distances = program.types.Array(one_distance, count);
@@ -44,7 +75,7 @@ void WriteClipDistances(Program& program) {
   for (std::uint32_t i = 0; i < count; ++i) {
     const ClipPlane& plane = program.clip_planes[i];
     Builder b(program, plane.span);
-    stmts.push_back(b.Eval(b.AssignTo(b.At(b.Ref(output), i), DistanceTo(program, position, plane))));
+    stmts.push_back(b.Eval(b.AssignTo(b.At(b.Ref(output), i), vertex.DistanceTo(plane))));
   }
   AppendToBody(program, program.main, stmts);
 }
@@ -57,17 +88,23 @@ void WriteClipVertex(Program& program) {
   AppendToBody(program, program.main, std::array{b.Eval(b.AssignTo(b.Ref(output), b.Ref(position)))});
 }
 
-void WriteDepth(Program& program) {
+void WriteDepth(Program& program, const Vertex& vertex) {
   CLIPC_CHECK(program.clip_planes.size() == 1);
   const VarId position = PositionOf(program);
   const ClipPlane& plane = program.clip_planes.front();
   Builder b(program, plane.span);
-  ExprId depth = b.Swizzled(b.Ref(position), {2});
-  AppendToBody(program, program.main, std::array{b.Eval(b.AssignTo(depth, DistanceTo(program, position, plane)))});
+  const ExprId local = LocalBehind(program, position);
+  const ExprId depth = b.Swizzled(local ? Clone(program, local) : b.Ref(position), {2});
+  std::vector<StmtId> stmts = {b.Eval(b.AssignTo(depth, vertex.DistanceTo(plane)))};
+  if (local) {
+    // The depth changes before the position is written, which is then written once.
+    stmts.push_back(b.Eval(b.AssignTo(b.Ref(position), Clone(program, local))));
+    RemoveWrite(program, position);
+  }
+  AppendToBody(program, program.main, stmts);
 }
 
-void WriteVaryings(Program& program) {
-  const VarId position = PositionOf(program);
+void WriteVaryings(Program& program, const Vertex& vertex) {
   const std::size_t count = program.clip_planes.size();
   std::vector<StmtId> stmts;
   for (std::size_t first = 0; first < count; first += 4) {
@@ -76,12 +113,13 @@ void WriteVaryings(Program& program) {
                                    width == 1 ? program.types.Make(Scalar::kFloat) : program.types.Vector(Scalar::kFloat, width));
     program.outputs.back().semantic = kClipPlaneDistance;
     program.outputs.back().index = static_cast<std::uint32_t>(first / 4);
+    std::vector<ExprId> distances;
     for (int i = 0; i < width; ++i) {
-      const ClipPlane& plane = program.clip_planes[first + static_cast<std::size_t>(i)];
-      Builder b(program, plane.span);
-      ExprId distance = width == 1 ? b.Ref(output) : b.Swizzled(b.Ref(output), {i});
-      stmts.push_back(b.Eval(b.AssignTo(distance, DistanceTo(program, position, plane))));
+      distances.push_back(vertex.DistanceTo(program.clip_planes[first + static_cast<std::size_t>(i)]));
     }
+    Builder b(program, program.clip_planes[first].span);
+    const ExprId value = width == 1 ? distances.front() : b.ConstructOf(program.vars[output].type, distances);
+    stmts.push_back(b.Eval(b.AssignTo(b.Ref(output), value)));
   }
   AppendToBody(program, program.main, stmts);
 }
@@ -91,15 +129,17 @@ void WriteVaryings(Program& program) {
 void LowerClipPlanes(Program& program, const ClipPlaneOptions& options) {
   CLIPC_CHECK(program.form == Form::kTyped);
   CLIPC_CHECK(program.clip_planes.size() <= kMaxClipPlanes);
+  const bool shader_dots = options.lowering != Lowering::kLevel9 && options.lowering != Lowering::kNone;
+  CLIPC_CHECK(shader_dots || options.space == PlaneSpace::kClip);
   if (!program.clip_planes.empty()) {
     switch (options.lowering) {
-      case Lowering::kClipDistance: WriteClipDistances(program); break;
+      case Lowering::kClipDistance: WriteClipDistances(program, Vertex(program, options)); break;
       case Lowering::kLevel9:
         if (options.write_clip_vertex) WriteClipVertex(program);
         break;
       case Lowering::kNone: break;
-      case Lowering::kNearPlane: WriteDepth(program); break;
-      case Lowering::kDiscard: WriteVaryings(program); break;
+      case Lowering::kNearPlane: WriteDepth(program, Vertex(program, options)); break;
+      case Lowering::kDiscard: WriteVaryings(program, Vertex(program, options)); break;
     }
   }
   for (ClipPlane& plane : program.clip_planes) plane.value = {};

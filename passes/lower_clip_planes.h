@@ -15,22 +15,36 @@ enum class Lowering : std::uint8_t {
   kDiscard,       // n dot products into outputs of the shader's own, for a fragment shader that discards
 };
 
+// What the planes are dotted with.
+enum class PlaneSpace : std::uint8_t {
+  kClip,    // the position as the HLSL shader wrote it
+  kXyw1,    // float4(position.xyw, 1)
+  kObject,  // an input, float4; or float3, then float4(input, 1)
+};
+
 struct ClipPlaneOptions {
   Lowering lowering = Lowering::kClipDistance;
+  PlaneSpace space = PlaneSpace::kClip;
+  ir::VarId position_input = {};   // kObject: the input
   bool write_clip_vertex = false;  // kLevel9 on targets with gl_ClipVertex
 };
 
 // Turns the clip planes of the entry point into outputs, at the end of `main`, where every path of the shader meets.
 //
-// Requires Form::kTyped; for kClipDistance that no output is kClipDistance yet; for kNearPlane at most one plane. Ensures
-// Form::kNoClipPlanes.
+// Requires Form::kTyped; for kClipDistance that no output is kClipDistance yet; for kNearPlane at most one plane;
+// for kLevel9 and kNone PlaneSpace::kClip; for PlaneSpace::kObject that position_input is a float3 or float4 input.
+// Ensures Form::kNoClipPlanes.
 //
 //   gl_Position = result.position;            gl_Position = result.position;
-//                                       =>    gl_ClipDistance[0] = dot(gl_Position, plane0);
-//                                             gl_ClipDistance[1] = dot(gl_Position, plane1);
+//                                       =>    gl_ClipDistance[0] = dot(result.position, plane0);
+//                                             gl_ClipDistance[1] = dot(result.position, plane1);
 //
-// With kNearPlane, `gl_Position.z = dot(gl_Position, plane)`: 0 <= z is what the plane asks, and interpolates as z does. With
+// Outputs are read again only where the position is no copy of a local variable. With kNearPlane,
+// `result.position.z = dot(result.position, plane); gl_Position = result.position;`: 0 <= z is what the plane asks, and interpolates as z does. With
 // kDiscard, the distances are float vectors of up to four components whose semantic is ir::kClipPlaneDistance.
+//
+// With PlaneSpace::kXyw1 the dot product is dot(float4(result.position.xyw, 1), plane), with kObject dot(in_POSITION0, plane).
+// See docs/runtime.md, "Plane spaces", for the constants that then mean the same plane.
 //
 // The position is the one the HLSL shader wrote (Direct3D clip space), so this runs before AdjustClipSpace.
 void LowerClipPlanes(ir::Program& program, const ClipPlaneOptions& options);

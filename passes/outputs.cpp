@@ -2,7 +2,9 @@
 #include "passes/outputs.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace clipc::passes {
 
@@ -12,6 +14,48 @@ VarId FindOutput(const Program& program, Builtin builtin) {
   const auto found = std::find_if(program.outputs.begin(), program.outputs.end(),
                                   [&](const IoVar& output) { return output.builtin == builtin; });
   return found == program.outputs.end() ? VarId{} : found->var;
+}
+
+static bool IsLocalPath(const Program& program, ExprId id) {
+  const auto& node = program.exprs[id].node;
+  if (const auto* ref = std::get_if<VarRef>(&node)) return program.vars[ref->var].storage == Storage::kLocal;
+  if (const auto* field = std::get_if<FieldRef>(&node)) return IsLocalPath(program, field->base);
+  return false;
+}
+
+// The `output = value;` directly in the body of main.
+static const Assign* WriteOf(const Program& program, StmtId id, VarId output) {
+  const auto* evaluate = std::get_if<Evaluate>(&program.stmts[id].node);
+  if (!evaluate) return nullptr;
+  const auto* assign = std::get_if<Assign>(&program.exprs[evaluate->expr].node);
+  if (!assign || assign->op) return nullptr;
+  const auto* target = std::get_if<VarRef>(&program.exprs[assign->target].node);
+  return target && target->var == output ? assign : nullptr;
+}
+
+static List<StmtId> BodyOfMain(const Program& program) {
+  return std::get<Block>(program.stmts[program.functions[program.main].body].node).body;
+}
+
+ExprId LocalBehind(const Program& program, VarId output) {
+  ExprId found;
+  int writes = 0;
+  for (const StmtId id : program.stmt_lists[BodyOfMain(program)]) {
+    const Assign* assign = WriteOf(program, id, output);
+    if (!assign) continue;
+    ++writes;
+    found = assign->value;
+  }
+  return writes == 1 && IsLocalPath(program, found) ? found : ExprId{};
+}
+
+void RemoveWrite(Program& program, VarId output) {
+  std::vector<StmtId> body;
+  for (const StmtId id : std::as_const(program).stmt_lists[BodyOfMain(program)]) {
+    if (!WriteOf(program, id, output)) body.push_back(id);
+  }
+  std::get<Block>(program.stmts[program.functions[program.main].body].node).body =
+      program.stmt_lists.Add(std::span<const StmtId>(body));
 }
 
 // Behind the locations of all outputs; doubles of more than two components take two.

@@ -114,6 +114,37 @@ TEST(Pipeline, ClipDistancesAreThoseOfTheHlslPosition) {
               ElementsAre(ElementsAre(3, -5, 14 - 2, 2), ElementsAre(2, 3.5f)));
 }
 
+TEST(Pipeline, Xyw1LeavesTheDepthOut) {
+  PipelineOptions options;
+  options.clip_planes.space = PlaneSpace::kXyw1;
+  options.clip_space = {.negative_one_to_one = true, .flip_y = true};
+  // Of the HLSL position: 3 - 0.5 * 1 and 2 * 5 - 2 + 0.25 * 1.
+  EXPECT_THAT(OutputsOf(Lowered(TwoPlanes(), options), {3, 5, 7, 2}),
+              ElementsAre(ElementsAre(3, -5, 14 - 2, 2), ElementsAre(2.5f, 8.25f)));
+}
+
+// As TwoPlanes, but the shader doubles the position.
+Program TwoPlanesAndADoubledPosition() {
+  Program program = TwoPlanes();
+  Builder b(program);
+  const ExprId position = b.Ref(program.outputs[0].var), twice = b.Ref(program.outputs[0].var);
+  const TypeId type = b.TypeOf(position);
+  AppendToBody(program, program.main, std::array{b.Eval(b.AssignTo(
+      position, b.BinaryOf(BinaryOp::kMul, twice, b.SplatTo(type, b.Float(2)))))});
+  return program;
+}
+
+TEST(Pipeline, ObjectSpaceTakesTheVertexAsItComesIn) {
+  Program program = TwoPlanesAndADoubledPosition();
+  PipelineOptions options;
+  options.clip_planes.space = PlaneSpace::kObject;
+  options.clip_planes.position_input = program.inputs[0].var;
+  EXPECT_THAT(OutputsOf(Lowered(program, options), {3, 5, 7, 2}),
+              ElementsAre(ElementsAre(6, 10, 14, 4), ElementsAre(3 - 1, 10 - 7 + 0.5f)));
+  EXPECT_THAT(OutputsOf(Lowered(program, {}), {3, 5, 7, 2}),
+              ElementsAre(ElementsAre(6, 10, 14, 4), ElementsAre(6 - 2, 20 - 14 + 1)));
+}
+
 TEST(Pipeline, ClipSpaceOptionsAreIndependent) {
   PipelineOptions options;
   options.clip_planes.lowering = Lowering::kNone;

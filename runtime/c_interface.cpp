@@ -9,6 +9,7 @@
 #include "runtime/clip_status.h"
 #include "runtime/clipc_runtime.h"
 #include "runtime/level9_binder.h"
+#include "runtime/plane_space.h"
 #include "runtime/table.h"
 
 namespace clipc::runtime {
@@ -21,6 +22,8 @@ static_assert(CLIPC_NOT_FINITE == static_cast<int>(Error::kNotFinite));
 static_assert(CLIPC_SINGULAR == static_cast<int>(Error::kSingular));
 static_assert(CLIPC_NO_DEPTH_LEFT == static_cast<int>(Error::kNoDepthLeft));
 static_assert(CLIPC_CULLED == kCulled);
+static_assert(CLIPC_SPACE_CLIP == static_cast<int>(PlaneSpace::kClip));
+static_assert(CLIPC_SPACE_OBJECT == static_cast<int>(PlaneSpace::kObject));
 
 clipc_error Report(const Status& status, char* message) noexcept {
   static_assert(Status::kMessageSize == CLIPC_MESSAGE_SIZE);
@@ -101,6 +104,10 @@ uint32_t clipc_table_plane_count(const clipc_table* table) { return static_cast<
 
 uint32_t clipc_table_enable_mask(const clipc_table* table) { return table->table.enable_mask; }
 
+clipc_plane_space clipc_table_plane_space(const clipc_table* table) {
+  return static_cast<clipc_plane_space>(table->table.plane_space);
+}
+
 clipc_error clipc_binder_create(const clipc_device* device, uint32_t max_planes, clipc_binder** binder) {
   if (binder == nullptr) return CLIPC_INVALID_ARGUMENT;
   *binder = nullptr;
@@ -158,6 +165,14 @@ clipc_error clipc_object_plane(const float world_plane[4], const float world[16]
   if (world_plane == nullptr || world == nullptr || object_plane == nullptr) return runtime::MissingArgument(message);
   return runtime::Give(runtime::ObjectPlaneFromWorld(runtime::PlaneFrom(world_plane), runtime::MatrixFrom(world)),
                        object_plane, message);
+}
+
+double clipc_edge_error(clipc_plane_space space, const float view_plane[4], const float projection[16], double rows) {
+  if (view_plane == nullptr || projection == nullptr) return -1;
+  const runtime::Result<double> error =
+      runtime::PredictEdgeError(static_cast<runtime::PlaneSpace>(space), runtime::PlaneFrom(view_plane),
+                                runtime::MatrixFrom(projection), rows);
+  return error.ok() ? error.value : -1;
 }
 
 void clipc_update_clip_status(clipc_clip_status* status, const float* positions, size_t count, const float* planes,

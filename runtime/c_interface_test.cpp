@@ -9,6 +9,7 @@
 #include "runtime/clip_plane.h"
 #include "runtime/clip_status.h"
 #include "runtime/clipc_runtime.h"
+#include "runtime/plane_space.h"
 #include "runtime/test_cameras.h"
 
 extern "C" clipc_error BindFromC(const void* bytes, size_t size, const float* constants, size_t constants_size,
@@ -66,6 +67,7 @@ TEST(CInterface, TablesSayWhatTheyHold) {
   ASSERT_EQ(clipc_table_read(kTable, sizeof kTable, &table, nullptr), CLIPC_OK);
   EXPECT_EQ(clipc_table_plane_count(table), 1u);
   EXPECT_EQ(clipc_table_enable_mask(table), 1u);
+  EXPECT_EQ(clipc_table_plane_space(table), CLIPC_SPACE_CLIP);
   clipc_table_free(table);
 }
 
@@ -93,8 +95,14 @@ TEST(CInterface, PlanesAreThoseOfTheCppInterface) {
   EXPECT_TRUE(is(Xyw1PlaneFromView(c, p)));
   ASSERT_EQ(clipc_object_plane(plane, view, got, nullptr), CLIPC_OK);
   EXPECT_TRUE(is(ObjectPlaneFromWorld(c, v)));
+  EXPECT_EQ(clipc_edge_error(CLIPC_SPACE_CLIP, plane, projection, 720),
+            PredictEdgeError(PlaneSpace::kClip, c, p, 720).value);
+  EXPECT_LT(clipc_edge_error(CLIPC_SPACE_OBJECT, plane, projection, 720),
+            clipc_edge_error(CLIPC_SPACE_CLIP, plane, projection, 720));
+  EXPECT_LT(clipc_edge_error(CLIPC_SPACE_CLIP, nullptr, projection, 720), 0);
   projection[14] = 0;
   EXPECT_EQ(clipc_clip_plane(plane, nullptr, projection, got, nullptr), CLIPC_SINGULAR);
+  EXPECT_LT(clipc_edge_error(CLIPC_SPACE_CLIP, plane, projection, 720), 0);
 }
 
 TEST(CInterface, ClipStatusAndPlans) {

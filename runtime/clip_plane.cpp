@@ -212,10 +212,10 @@ Result<double> ClipSpaceEdgeError(const Plane& view_plane, const Matrix& project
   const double length = NormalLength(view_plane);
   if (!s.holds)
     return {0, Status::Failure(Error::kWrongProjection, "the projection is neither a perspective nor orthographic")};
-  if (s.is_orthographic()) return {0, {}};
-  if (!(length > 0) || s.b == 0)
+  if (!(length > 0) || (s.is_perspective() ? s.b : s.a) == 0)
     return {0, Status::Failure(Error::kSingular, "the plane has no normal, or the projection no inverse")};
-  return {20 * kFloatRoundoff * std::fabs(view_plane.w * s.a / s.b * s.py) * picture_height / (2 * length), {}};
+  const double amplified = s.is_perspective() ? view_plane.w * s.a / s.b : view_plane.z * s.b / s.a;
+  return {20 * kFloatRoundoff * std::fabs(amplified * s.py) * picture_height / (2 * length), {}};
 }
 
 }  // namespace clipc::runtime

@@ -64,12 +64,10 @@ Result<PlaneConstant> Xyw1PlaneFromView(const Plane& view_plane, const Matrix& p
 // all. C_obj = world * world_plane; `world` need not be invertible. From a view-space plane, give it world * view.
 Result<PlaneConstant> ObjectPlaneFromWorld(const Plane& world_plane, const Matrix& world) noexcept;
 
-// The 99th percentile of how far, in pixels, float arithmetic displaces the edge that a plane in *clip* space cuts,
-// where the surface does not graze the plane: 20 u |Cw| |A/B| Py H / (2 |N|) with u = 2^-24, for a perspective and a
-// picture of H rows. |A/B| is 1/n for standard depth and 0 or 1/f for reversed, so this is the price of standard depth
-// with plane space `clip`; `xyw1` and `object` do not pay it, and nobody gets below about 0.001. 0 for orthographic
-// projections. Errors: kWrongProjection unless ShapeOf holds; kSingular where the plane has no normal or the projection
-// no inverse.
+// What of PredictEdgeError (plane_space.h) is the price of plane space `clip`, for surfaces of every direction: 20 u |Cw| |A/B|
+// Py H / (2 |N|) with u = 2^-24 for a perspective and a picture of H rows, 20 u Py |Nz| |B/A| H / (2 |N|) for an orthographic
+// projection. |A/B| is 1/n for standard depth and 0 or 1/f for reversed, |B/A| is n and f; `xyw1` and `object` do not pay
+// that. Errors: kWrongProjection unless ShapeOf holds; kSingular where the plane has no normal or the projection no inverse.
 Result<double> ClipSpaceEdgeError(const Plane& view_plane, const Matrix& projection, double picture_height) noexcept;
 
 }  // namespace clipc::runtime

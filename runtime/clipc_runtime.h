@@ -52,6 +52,10 @@ void clipc_table_free(clipc_table* table); /* NULL is allowed */
 uint32_t clipc_table_plane_count(const clipc_table* table);
 uint32_t clipc_table_enable_mask(const clipc_table* table);
 
+/* table.h: clipc::runtime::PlaneSpace, the space in which the planes must be given. */
+typedef enum clipc_plane_space { CLIPC_SPACE_CLIP = 0, CLIPC_SPACE_XYW1, CLIPC_SPACE_OBJECT } clipc_plane_space;
+clipc_plane_space clipc_table_plane_space(const clipc_table* table);
+
 /* clip_device.h. Both functions return 0 when the device refuses, and are given `context`. */
 typedef struct clipc_device {
   void* context;
@@ -83,6 +87,10 @@ clipc_error clipc_clip_plane(const float plane[4], const float* view_or_null, co
                              float clip_plane[4], char* message);
 clipc_error clipc_xyw1_plane(const float view_plane[4], const float projection[16], float constant[4], char* message);
 clipc_error clipc_object_plane(const float world_plane[4], const float world[16], float object_plane[4], char* message);
+
+/* plane_space.h: how many pixels of a picture of `rows` rows the cut is displaced by, at the 99th percentile. Negative:
+ * no answer for this plane and projection. */
+double clipc_edge_error(clipc_plane_space space, const float view_plane[4], const float projection[16], double rows);
 
 /* clip_status.h: D3DCLIPSTATUS9; begin with {0, 0xFFFFFFFF}. `planes` is 6 * 4 floats, or NULL with a mask of 0. */
 typedef struct clipc_clip_status {

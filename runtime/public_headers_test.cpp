@@ -12,6 +12,7 @@
 #include "runtime/level9_binder.h"
 #include "runtime/matrix.h"
 #include "runtime/near_plane.h"
+#include "runtime/plane_space.h"
 #include "runtime/projection_shape.h"
 #include "runtime/reflection.h"
 #include "runtime/shader_variant.h"
@@ -34,6 +35,7 @@ TEST(PublicHeaders, AreCpp17) {
 TEST(PublicHeaders, ThrowNothing) {
   static_assert(noexcept(ReadTable(nullptr, 0)));
   static_assert(noexcept(ClipPlaneFromWorld({}, {}, {})));
+  static_assert(noexcept(PlaneConstantFor(PlaneSpace::kClip, {}, KnownIn::kWorld, {})));
   static_assert(noexcept(std::declval<Level9Binder&>().Bind(std::declval<const Table&>(), nullptr, 0)));
   static_assert(noexcept(ShearNearPlane({}, {}, {}, NearPlaneScale::kAsGiven)));
   static_assert(noexcept(PlanBoxes(std::declval<const BoxArrays&>(), nullptr, 0, nullptr)));

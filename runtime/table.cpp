@@ -18,6 +18,10 @@ static_assert(static_cast<int>(Lowering::kNone) == static_cast<int>(clip_table::
 static_assert(static_cast<int>(Lowering::kNearPlane) == static_cast<int>(clip_table::Lowering::kNearPlane));
 static_assert(static_cast<int>(Lowering::kDiscard) == static_cast<int>(clip_table::Lowering::kDiscard));
 
+static_assert(static_cast<int>(PlaneSpace::kClip) == static_cast<int>(clip_table::PositionSpace::kDirect3DClip));
+static_assert(static_cast<int>(PlaneSpace::kXyw1) == static_cast<int>(clip_table::PositionSpace::kXyw1));
+static_assert(static_cast<int>(PlaneSpace::kObject) == static_cast<int>(clip_table::PositionSpace::kObject));
+
 Result<Table> Fail(Error error, const char* what) { return {{}, Status::Failure(error, "%s", what)}; }
 
 TablePlane FromPlane(const clip_table::Plane& from) {
@@ -45,6 +49,7 @@ Result<Table> ReadWith(Read read) noexcept {
     table.value.entry = from.entry;
     table.value.profile = from.profile;
     table.value.lowering = static_cast<Lowering>(from.lowering);
+    table.value.plane_space = static_cast<PlaneSpace>(from.position_space);
     table.value.enable_mask = from.enable_mask;
     for (const clip_table::Plane& plane : from.planes) table.value.planes.push_back(FromPlane(plane));
     return table;
@@ -64,6 +69,14 @@ bool HasNull(const StaticClipTable& table) {
 }
 
 }  // namespace
+
+const char* NameOf(PlaneSpace space) noexcept {
+  switch (space) {
+    case PlaneSpace::kXyw1: return "xyw1";
+    case PlaneSpace::kObject: return "object";
+    default: return "clip";
+  }
+}
 
 Result<Table> ReadTable(const void* bytes, std::size_t size) noexcept {
   if (bytes == nullptr) return Fail(Error::kInvalidArgument, "no bytes to read a clip table from");

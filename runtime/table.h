@@ -26,7 +26,17 @@ enum class Lowering : std::uint8_t {
   kDiscard,       // the fragment shader discards; the mask is 0
 };
 
-// Where the application's constants hold one plane: 16 bytes, four floats, in Direct3D clip space.
+// The space of the planes: PlaneConstantFor makes the constants for it.
+enum class PlaneSpace : std::uint8_t {
+  kClip,    // Direct3D clip space: dot(SV_Position, plane), fxc's meaning
+  kXyw1,    // dot(float4(SV_Position.xyw, 1), plane)
+  kObject,  // the object's own: dot(the vertex as it comes in, plane)
+};
+
+// "clip", "xyw1", "object": clipc's spelling of --plane-space.
+const char* NameOf(PlaneSpace space) noexcept;
+
+// Where the application's constants hold one plane: 16 bytes, four floats, in the table's plane space.
 struct TablePlane {
   std::string text;                   // the operand as written; empty in the binary form
   bool in_register = true;            // false: composed of several constants; what follows is empty. Never with kLevel9
@@ -42,6 +52,7 @@ struct Table {
   std::string entry;
   std::string profile;
   Lowering lowering = Lowering::kLevel9;
+  PlaneSpace plane_space = PlaneSpace::kClip;
   std::uint32_t enable_mask = 0;   // (1 << planes.size()) - 1, or 0 where the device clips nothing
   std::vector<TablePlane> planes;  // at most kMaxPlanes; planes[i] is clip plane i
 };

@@ -107,6 +107,19 @@ TEST(ReadTableTest, PlanesThatAreComposed) {
   EXPECT_FALSE(table.value.planes[0].in_register);
 }
 
+TEST(ReadTableTest, PlaneSpaces) {
+  EXPECT_EQ(Read(*clip_table::WriteJson(Written())).value.plane_space, PlaneSpace::kClip);
+  clip_table::ClipTable written = Written();
+  written.lowering = clip_table::Lowering::kDiscard;
+  written.enable_mask = 0;
+  for (const PlaneSpace space : {PlaneSpace::kXyw1, PlaneSpace::kObject}) {
+    written.position_space = static_cast<clip_table::PositionSpace>(space);
+    EXPECT_EQ(Read(*clip_table::WriteJson(written)).value.plane_space, space);
+    EXPECT_EQ(Read(*clip_table::WriteHeader(written, "t")).value.plane_space, space);
+    EXPECT_EQ(clip_table::NameOf(written.position_space), NameOf(space));
+  }
+}
+
 TEST(ReadTableTest, DamageIsNamed) {
   const auto expect = [](const std::string& bytes, const char* what) {
     const Result<Table> table = Read(bytes);

@@ -20,10 +20,11 @@ out float gl_ClipDistance[5];
 void main() {
     vs_COLOR0 = in_COLOR0;
     vec3 world_position = vec4(in_POSITION0, 1.0) * world;
-    gl_Position = view.view_projection * vec4(world_position, 1.0);
-    gl_ClipDistance[0] = dot(gl_Position, view.edges[0]);
-    gl_ClipDistance[1] = dot(gl_Position, view.edges[1]);
-    gl_ClipDistance[2] = dot(gl_Position, view.edges[2]);
-    gl_ClipDistance[3] = dot(gl_Position, view.edges[3]);
-    gl_ClipDistance[4] = dot(gl_Position, view.portal);
+    vec4 result = view.view_projection * vec4(world_position, 1.0);
+    gl_Position = result;
+    gl_ClipDistance[0] = dot(result, view.edges[0]);
+    gl_ClipDistance[1] = dot(result, view.edges[1]);
+    gl_ClipDistance[2] = dot(result, view.edges[2]);
+    gl_ClipDistance[3] = dot(result, view.edges[3]);
+    gl_ClipDistance[4] = dot(result, view.portal);
 }

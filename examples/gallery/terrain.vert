@@ -30,6 +30,7 @@ void main() {
     float up = Height(vs_TEXCOORD0 + vec2(0.0, texel.y));
     vs_NORMAL0 = normalize(vec3(left - right, 2.0 * cell, down - up));
     vec2 xz = origin + in_POSITION0 * cell;
-    gl_Position = view_projection * vec4(xz.x, Height(vs_TEXCOORD0), xz.y, 1.0);
-    gl_ClipDistance[0] = dot(gl_Position, cut);
+    vec4 result = view_projection * vec4(xz.x, Height(vs_TEXCOORD0), xz.y, 1.0);
+    gl_Position = result;
+    gl_ClipDistance[0] = dot(result, cut);
 }

@@ -28,9 +28,10 @@ out float gl_ClipDistance[1];
 void main() {
     vec4 world_position = world * vec4(in_POSITION0, 1.0);
     world_position.y = -world_position.y;
-    gl_Position = view_projection * world_position;
+    vec4 position = view_projection * world_position;
     vs_NORMAL0 = normalize(mat3(world) * in_NORMAL0) * vec3(1.0, -1.0, 1.0);
     vs_TEXCOORD1 = eye - world_position.xyz;
     vs_TEXCOORD0 = in_TEXCOORD0 + vec2(0.02 * sin(time), 0.0);
-    gl_ClipDistance[0] = dot(gl_Position, water_plane);
+    gl_Position = position;
+    gl_ClipDistance[0] = dot(position, water_plane);
 }

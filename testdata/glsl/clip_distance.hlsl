@@ -22,8 +22,8 @@ float4 main(float4 p : POSITION) : SV_Position { return p; }
 // GL130-EMPTY:
 // GL130-NEXT: void main() {
 // GL130-NEXT:     gl_Position = in_POSITION0;
-// GL130-NEXT:     gl_ClipDistance[0] = dot(gl_Position, water);
-// GL130-NEXT:     gl_ClipDistance[1] = dot(gl_Position, portal);
+// GL130-NEXT:     gl_ClipDistance[0] = dot(in_POSITION0, water);
+// GL130-NEXT:     gl_ClipDistance[1] = dot(in_POSITION0, portal);
 // GL130-NEXT: }
 
 // GL450: #version 450
@@ -40,8 +40,8 @@ float4 main(float4 p : POSITION) : SV_Position { return p; }
 // GL450-EMPTY:
 // GL450-NEXT: void main() {
 // GL450-NEXT:     gl_Position = in_POSITION0;
-// GL450-NEXT:     gl_ClipDistance[0] = dot(gl_Position, water);
-// GL450-NEXT:     gl_ClipDistance[1] = dot(gl_Position, portal);
+// GL450-NEXT:     gl_ClipDistance[0] = dot(in_POSITION0, water);
+// GL450-NEXT:     gl_ClipDistance[1] = dot(in_POSITION0, portal);
 // GL450-NEXT: }
 
 // SEPARABLE: #version 450
@@ -62,8 +62,8 @@ float4 main(float4 p : POSITION) : SV_Position { return p; }
 // SEPARABLE-EMPTY:
 // SEPARABLE-NEXT: void main() {
 // SEPARABLE-NEXT:     gl_Position = in_POSITION0;
-// SEPARABLE-NEXT:     gl_ClipDistance[0] = dot(gl_Position, water);
-// SEPARABLE-NEXT:     gl_ClipDistance[1] = dot(gl_Position, portal);
+// SEPARABLE-NEXT:     gl_ClipDistance[0] = dot(in_POSITION0, water);
+// SEPARABLE-NEXT:     gl_ClipDistance[1] = dot(in_POSITION0, portal);
 // SEPARABLE-NEXT: }
 
 // VULKAN: #version 460
@@ -84,8 +84,8 @@ float4 main(float4 p : POSITION) : SV_Position { return p; }
 // VULKAN-EMPTY:
 // VULKAN-NEXT: void main() {
 // VULKAN-NEXT:     gl_Position = in_POSITION0;
-// VULKAN-NEXT:     gl_ClipDistance[0] = dot(gl_Position, water);
-// VULKAN-NEXT:     gl_ClipDistance[1] = dot(gl_Position, portal);
+// VULKAN-NEXT:     gl_ClipDistance[0] = dot(in_POSITION0, water);
+// VULKAN-NEXT:     gl_ClipDistance[1] = dot(in_POSITION0, portal);
 // VULKAN-NEXT: }
 
 // ES: #version 300 es
@@ -103,6 +103,6 @@ float4 main(float4 p : POSITION) : SV_Position { return p; }
 // ES-EMPTY:
 // ES-NEXT: void main() {
 // ES-NEXT:     gl_Position = in_POSITION0;
-// ES-NEXT:     gl_ClipDistance[0] = dot(gl_Position, water);
-// ES-NEXT:     gl_ClipDistance[1] = dot(gl_Position, portal);
+// ES-NEXT:     gl_ClipDistance[0] = dot(in_POSITION0, water);
+// ES-NEXT:     gl_ClipDistance[1] = dot(in_POSITION0, portal);
 // ES-NEXT: }

@@ -8,10 +8,10 @@
 // CHECK-NEXT:       |            ^
 [clipplanes(a, b]
 // CHECK-NEXT: fail_brackets.hlsl:[[#@LINE+6]]:51: error: unexpected `{`; expected `,` or `)` [X3000]
-// CHECK-NEXT:     [[#@LINE+5]] | float4 unclosed(float4 p : POSITION : SV_Position {
+// CHECK-NEXT:    [[#@LINE+5]] | float4 unclosed(float4 p : POSITION : SV_Position {
 // CHECK-NEXT:       |                                                   ^
 // CHECK-NEXT: fail_brackets.hlsl:[[#@LINE+3]]:16: note: the `(` is here
-// CHECK-NEXT:     [[#@LINE+2]] | float4 unclosed(float4 p : POSITION : SV_Position {
+// CHECK-NEXT:    [[#@LINE+2]] | float4 unclosed(float4 p : POSITION : SV_Position {
 // CHECK-NEXT:       |                ^
 float4 unclosed(float4 p : POSITION : SV_Position {
   return p;

@@ -5,15 +5,15 @@
 // CHECK-NEXT:       |                     ^~
 float4 a : register(q0);
 // CHECK-NEXT: fail_declarations.hlsl:[[#@LINE+3]]:25: error: unexpected `spaceX`; a register space is `space` and a number
-// CHECK-NEXT:     [[#@LINE+2]] | float4 b : register(c0, spaceX);
+// CHECK-NEXT:    [[#@LINE+2]] | float4 b : register(c0, spaceX);
 // CHECK-NEXT:       |                         ^~~~~~
 float4 b : register(c0, spaceX);
 // CHECK-NEXT: fail_declarations.hlsl:[[#@LINE+3]]:21: error: unexpected `3`; a register is one of the letters `b`, `c`, `i`, `s`, `t`, `u` and a number [X3530]
-// CHECK-NEXT:     [[#@LINE+2]] | float4 c : register(3);
+// CHECK-NEXT:    [[#@LINE+2]] | float4 c : register(3);
 // CHECK-NEXT:       |                     ^
 float4 c : register(3);
 // CHECK-NEXT: fail_declarations.hlsl:[[#@LINE+3]]:21: error: unexpected `c99999999999`; a register is one of the letters `b`, `c`, `i`, `s`, `t`, `u` and a number [X3530]
-// CHECK-NEXT:     [[#@LINE+2]] | float4 d : register(c99999999999);
+// CHECK-NEXT:    [[#@LINE+2]] | float4 d : register(c99999999999);
 // CHECK-NEXT:       |                     ^~~~~~~~~~~~
 float4 d : register(c99999999999);
 cbuffer C {

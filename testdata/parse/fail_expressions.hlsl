@@ -6,11 +6,11 @@ void f() {
 // CHECK-NEXT:       |           ^
   a = 1 + ;
 // CHECK-NEXT: fail_expressions.hlsl:[[#@LINE+3]]:7: error: unexpected `*`; HLSL has no pointers [X3000]
-// CHECK-NEXT:     [[#@LINE+2]] |   b = * 2;
+// CHECK-NEXT:    [[#@LINE+2]] |   b = * 2;
 // CHECK-NEXT:       |       ^
   b = * 2;
 // CHECK-NEXT: fail_expressions.hlsl:[[#@LINE+4]]:8: error: unexpected `->`; HLSL has no pointers [X3000]
-// CHECK-NEXT:     [[#@LINE+3]] |   c = a->x;
+// CHECK-NEXT:    [[#@LINE+3]] |   c = a->x;
 // CHECK-NEXT:       |        ^~
 // CHECK-NEXT:       |        .
   c = a->x;

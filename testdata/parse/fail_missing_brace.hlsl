@@ -7,7 +7,7 @@ float4 first(float x) {
 }
 
 // CHECK: fail_missing_brace.hlsl:[[#@LINE+3]]:8: error: function `second` starts inside the body of another; a `}` is missing before it [X3000]
-// CHECK-NEXT:     [[#@LINE+2]] | float4 second() : SV_Position {
+// CHECK-NEXT:    [[#@LINE+2]] | float4 second() : SV_Position {
 // CHECK-NEXT:       |        ^~~~~~
 float4 second() : SV_Position {
   return first(1);
@@ -16,7 +16,7 @@ float4 second() : SV_Position {
 // CHECK-NEXT:    [[#@LINE+5]] | cbuffer Scene { float4 plane; }
 // CHECK-NEXT:       | ^~~~~~~
 // CHECK-NEXT: fail_missing_brace.hlsl:[[#@LINE-6]]:31: note: the `{` is here
-// CHECK-NEXT:     [[#@LINE-7]] | float4 second() : SV_Position {
+// CHECK-NEXT:    [[#@LINE-7]] | float4 second() : SV_Position {
 // CHECK-NEXT:       |                               ^
 cbuffer Scene { float4 plane; }
 struct Vertex {

@@ -5,15 +5,15 @@
 // CHECK-NEXT:       |        ^~
 float4 in : POSITION;
 // CHECK-NEXT: fail_names.hlsl:[[#@LINE+3]]:19: error: unexpected `return`; a keyword cannot name a field [X3000]
-// CHECK-NEXT:     [[#@LINE+2]] | struct S { float4 return; float4 good; };
+// CHECK-NEXT:    [[#@LINE+2]] | struct S { float4 return; float4 good; };
 // CHECK-NEXT:       |                   ^~~~~~
 struct S { float4 return; float4 good; };
 // CHECK-NEXT: fail_names.hlsl:[[#@LINE+3]]:6: error: unexpected `float`; a keyword cannot name a function [X3000]
-// CHECK-NEXT:     [[#@LINE+2]] | void float(int a) {}
+// CHECK-NEXT:    [[#@LINE+2]] | void float(int a) {}
 // CHECK-NEXT:       |      ^~~~~
 void float(int a) {}
 // CHECK-NEXT: fail_names.hlsl:[[#@LINE+3]]:16: error: unexpected `if`; a keyword cannot name a type [X3000]
-// CHECK-NEXT:     [[#@LINE+2]] | typedef float4 if;
+// CHECK-NEXT:    [[#@LINE+2]] | typedef float4 if;
 // CHECK-NEXT:       |                ^~
 typedef float4 if;
 // CHECK-NEXT: fail_names.hlsl:[[#@LINE+3]]:9: error: unexpected `switch`; a keyword cannot name a constant buffer [X3000]

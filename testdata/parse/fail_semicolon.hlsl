@@ -6,12 +6,12 @@
 // CHECK-NEXT:       |                            );
 Texture2D map : register(t0)
 // CHECK-NEXT: fail_semicolon.hlsl:[[#@LINE+4]]:26: error: missing `;` after the declaration of `view` [X3000]
-// CHECK-NEXT:     [[#@LINE+3]] | cbuffer Scene { float4x4 view float4 plane; }
+// CHECK-NEXT:    [[#@LINE+3]] | cbuffer Scene { float4x4 view float4 plane; }
 // CHECK-NEXT:       |                          ^~~~
 // CHECK-NEXT:       |                          view;
 cbuffer Scene { float4x4 view float4 plane; }
 // CHECK-NEXT: fail_semicolon.hlsl:[[#@LINE+4]]:16: error: missing `;` after the typedef [X3000]
-// CHECK-NEXT:     [[#@LINE+3]] | typedef float4 Color
+// CHECK-NEXT:    [[#@LINE+3]] | typedef float4 Color
 // CHECK-NEXT:       |                ^~~~~
 // CHECK-NEXT:       |                Color;
 typedef float4 Color

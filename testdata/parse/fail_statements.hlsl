@@ -8,7 +8,7 @@ void f() {
   else d = 1;
   switch (a) {
 // CHECK-NEXT: fail_statements.hlsl:[[#@LINE+3]]:12: error: unexpected `b`; expected `:` after the value of `case` [X3000]
-// CHECK-NEXT:     [[#@LINE+2]] |     case 1 b = 2; break;
+// CHECK-NEXT:    [[#@LINE+2]] |     case 1 b = 2; break;
 // CHECK-NEXT:       |            ^
     case 1 b = 2; break;
 // CHECK-NEXT: fail_statements.hlsl:[[#@LINE+3]]:13: error: unexpected `b`; expected `:` after `default` [X3000]

@@ -8,7 +8,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:       |                  ^~~~
   float narrow = wide;
 // CHECK-NEXT: narrowing.hlsl:[[#@LINE+3]]:16: warning: implicit truncation of vector type `float4` to `float2` [-Wimplicit-truncation]
-// CHECK-NEXT:     [[#@LINE+2]] |   float2 two = p;
+// CHECK-NEXT:    [[#@LINE+2]] |   float2 two = p;
 // CHECK-NEXT:       |                ^
   float2 two = p;
   return float4(two, narrow, 1);

@@ -7,7 +7,7 @@
 float4 main(float4 p : POSITION) : SV_Position {
   float2 a = {1, 2};
 // LISTS: fail_forms.hlsl:[[#@LINE+3]]:11: error: unexpected `{`; expected an expression [X3000]
-// LISTS-NEXT:     [[#@LINE+2]] |   a = a + {1, 2};
+// LISTS-NEXT:    [[#@LINE+2]] |   a = a + {1, 2};
 // LISTS-NEXT:       |           ^
   a = a + {1, 2};
 // LISTS-NEXT: fail_forms.hlsl:[[#@LINE+3]]:21: error: unexpected `return`; expected `{` after `switch (...)` [X3000]

@@ -13,7 +13,8 @@ float4 main(float4 position : POSITION) : SV_Position { return position; }
 
 // CHECK: form target-clip-space
 // CHECK: main void {{.*}}() {
-// CHECK: clip_distance[0u] = dot([[POSITION:[a-zA-Z0-9_.]+]], water)
+// CHECK: [[POSITION:[a-zA-Z0-9_.]+]] = result
+// CHECK-NEXT: clip_distance[0u] = dot(result, water)
 // FLIP-NEXT: [[POSITION]].y = -[[POSITION]].y
 // DEPTH-NEXT: [[POSITION]].z = (2.0 * [[POSITION]].z) - [[POSITION]].w
 // CHECK-NEXT: }

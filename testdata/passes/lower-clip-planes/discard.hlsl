@@ -27,11 +27,8 @@ float4 main(float4 position : POSITION, out float4 color : COLOR) : SV_Position 
 // VERT-NEXT: layout(location = 1) out vec4 vs_SV_CLIPPLANEDISTANCE0;
 // VERT-NEXT: layout(location = 2) out float vs_SV_CLIPPLANEDISTANCE1;
 // VERT: gl_Position = in_POSITION0;
-// VERT-NEXT: vs_SV_CLIPPLANEDISTANCE0.x = dot(gl_Position, water);
-// VERT-NEXT: vs_SV_CLIPPLANEDISTANCE0.y = dot(gl_Position, portals[0]);
-// VERT-NEXT: vs_SV_CLIPPLANEDISTANCE0.z = dot(gl_Position, portals[1]);
-// VERT-NEXT: vs_SV_CLIPPLANEDISTANCE0.w = dot(gl_Position, portals[2]);
-// VERT-NEXT: vs_SV_CLIPPLANEDISTANCE1 = dot(gl_Position, portals[3]);
+// VERT-NEXT: vs_SV_CLIPPLANEDISTANCE0 = vec4(dot(in_POSITION0, water), dot(in_POSITION0, portals[0]), dot(in_POSITION0, portals[1]), dot(in_POSITION0, portals[2]));
+// VERT-NEXT: vs_SV_CLIPPLANEDISTANCE1 = dot({{in_POSITION0|result|position}}, portals[3]);
 
 // INCLUDE: layout(location = 1) in vec4 vs_SV_CLIPPLANEDISTANCE0;
 // INCLUDE-NEXT: layout(location = 2) in float vs_SV_CLIPPLANEDISTANCE1;

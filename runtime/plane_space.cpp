@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "runtime/plane_space.h"
+
+#include <cmath>
+
+#include "runtime/projection_shape.h"
+
+namespace clipc::runtime {
+namespace {
+
+Result<PlaneConstant> InView(const Plane& plane, KnownIn known_in, const DrawMatrices& draw) {
+  if (known_in == KnownIn::kView) return {{{}, plane, 0}, {}};
+  const Matrix to_view = known_in == KnownIn::kWorld ? draw.view : Multiply(draw.world, draw.view);
+  return ViewPlaneFromWorld(plane, to_view);
+}
+
+Result<PlaneConstant> ObjectConstant(const Plane& plane, KnownIn known_in,
+                                     const DrawMatrices& draw) {
+  switch (known_in) {
+    case KnownIn::kObject:
+      return ObjectPlaneFromWorld(plane, Matrix{});
+    case KnownIn::kWorld:
+      return ObjectPlaneFromWorld(plane, draw.world);
+    default: {
+      // Step by step: a product of the matrices would lose digits far from the origin.
+      const Result<PlaneConstant> in_world = ObjectPlaneFromWorld(plane, draw.view);
+      return in_world.ok() ? ObjectPlaneFromWorld(in_world.value.plane, draw.world) : in_world;
+    }
+  }
+}
+
+Result<PlaneConstant> ClipConstant(const Plane& plane, KnownIn known_in, const DrawMatrices& draw) {
+  switch (known_in) {
+    case KnownIn::kObject:
+      return ClipPlaneFromObject(plane, draw.world, draw.view, draw.projection);
+    case KnownIn::kWorld:
+      return ClipPlaneFromWorld(plane, draw.view, draw.projection);
+    default:
+      return ClipPlaneFromView(plane, draw.projection);
+  }
+}
+
+Result<PlaneConstant> ConstantOf(PlaneSpace space, const Plane& plane, KnownIn known_in,
+                                 const DrawMatrices& draw, const Plane& in_view) {
+  switch (space) {
+    case PlaneSpace::kXyw1:
+      return Xyw1PlaneFromView(in_view, draw.projection);
+    case PlaneSpace::kObject:
+      return ObjectConstant(plane, known_in, draw);
+    default:
+      return ClipConstant(plane, known_in, draw);
+  }
+}
+
+}  // namespace
+
+Result<double> PredictEdgeError(PlaneSpace space, const Plane& view_plane, const Matrix& projection,
+                                double picture_height, double sine) noexcept {
+  const ProjectionShape s = ShapeOf(projection);
+  const double length = NormalLength(view_plane);
+  const bool wrong = !s.holds || (space == PlaneSpace::kXyw1 && !s.is_perspective());
+  if (wrong)
+    return {0, Status::Failure(Error::kWrongProjection,
+                               "the projection has not the shape that the space needs")};
+  if (!(length > 0) || (s.is_perspective() ? s.b : s.a) == 0)
+    return {0, Status::Failure(Error::kSingular,
+                               "the plane has no normal, or the projection no inverse")};
+  const double unit = 2 * 0x1p-24 * picture_height / 2 / sine, py = std::fabs(s.py);
+  if (space == PlaneSpace::kObject) return {unit, {}};
+  if (space == PlaneSpace::kXyw1) return {unit * py, {}};
+  const double price =
+      ClipSpaceEdgeError(view_plane, projection, picture_height).value * kAnySurface / sine;
+  return {unit * (s.is_perspective() ? py : 1) + price, {}};
+}
+
+Result<SpaceConstant> PlaneConstantFor(PlaneSpace space, const Plane& plane, KnownIn known_in,
+                                       const DrawMatrices& draw, const Picture& picture) noexcept {
+  Result<SpaceConstant> result;
+  // Space `object` needs no view; without one there is only no prediction.
+  const Result<PlaneConstant> in_view = InView(plane, known_in, draw);
+  if (space == PlaneSpace::kXyw1 && !in_view.ok()) {
+    result.status = in_view.status;
+    return result;
+  }
+  const Result<PlaneConstant> constant =
+      ConstantOf(space, plane, known_in, draw, in_view.value.plane);
+  result.status = constant.status;
+  if (!constant.ok()) return result;
+  result.value.plane = constant.value;
+  if (!in_view.ok() || !(NormalLength(in_view.value.plane) > 0)) return result;
+  const Result<double> error =
+      PredictEdgeError(space, in_view.value.plane, draw.projection, picture.height);
+  if (!error.ok()) return result;
+  result.value.edge_error = error.value;
+  if (error.value > picture.most_pixels) {
+    result.value.warning = Status::Failure(
+        Error::kIllConditioned,
+        "plane space %s displaces the cut by about %.2g pixels of %g rows%s", NameOf(space),
+        error.value, picture.height,
+        space == PlaneSpace::kClip ? "; use --plane-space=xyw1 or object, or reversed depth" : "");
+  }
+  return result;
+}
+
+}  // namespace clipc::runtime

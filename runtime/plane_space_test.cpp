@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "runtime/plane_space.h"
+
+#include <cmath>
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "runtime/test_cameras.h"
+
+namespace clipc::runtime {
+namespace {
+
+using ::testing::HasSubstr;
+
+struct Vertex {
+  Wide object[4], view[4], clip[4];
+};
+
+// v * m, exact enough to compare with double.
+void Transform(const Wide (&v)[4], const Matrix& m, Wide (&to)[4]) {
+  for (int j = 0; j < 4; ++j) {
+    to[j] = 0;
+    for (int i = 0; i < 4; ++i) to[j] += v[i] * m.m[i][j];
+  }
+}
+
+Vertex VertexAt(Random& random, const DrawMatrices& draw) {
+  Vertex vertex = {
+      {random.Between(-5, 5), random.Between(-5, 5), random.Between(-5, 5), 1}, {}, {}};
+  Wide world[4];
+  Transform(vertex.object, draw.world, world);
+  Transform(world, draw.view, vertex.view);
+  Transform(vertex.view, draw.projection, vertex.clip);
+  return vertex;
+}
+
+// What a shader of that space dots with the plane.
+void PositionIn(PlaneSpace space, const Vertex& vertex, Wide (&p)[4]) {
+  const Wide xyw1[4] = {vertex.clip[0], vertex.clip[1], vertex.clip[3], 1};
+  for (int i = 0; i < 4; ++i) {
+    p[i] = space == PlaneSpace::kObject ? vertex.object[i]
+           : space == PlaneSpace::kXyw1 ? xyw1[i]
+                                        : vertex.clip[i];
+  }
+}
+
+constexpr PlaneSpace kSpaces[] = {PlaneSpace::kClip, PlaneSpace::kXyw1, PlaneSpace::kObject};
+
+// Every way from a plane to a constant means the same plane, in every convention.
+TEST(PlaneConstantFor, MeansTheSamePlaneEverywhere) {
+  Random random(11);
+  int checked = 0;
+  for (const Camera& camera : AllCameras()) {
+    for (int round = 0; round < 40; ++round) {
+      const DrawMatrices draw = {random.Rigid(10), random.Rigid(10), camera.projection};
+      const Plane object = random.PlaneAt(random.Between(-3, 3));
+      const Plane world = ViewPlaneFromWorld(object, draw.world).value.plane;
+      const Plane view = ViewPlaneFromWorld(world, draw.view).value.plane;
+      const Vertex vertex = VertexAt(random, draw);
+      Wide expected = 0;
+      const double c[4] = {object.x, object.y, object.z, object.w};
+      for (int i = 0; i < 4; ++i) expected += vertex.object[i] * c[i];
+      for (const PlaneSpace space : kSpaces) {
+        for (const auto& [plane, known_in] :
+             {std::pair{object, KnownIn::kObject}, std::pair{world, KnownIn::kWorld},
+              std::pair{view, KnownIn::kView}}) {
+          const Result<SpaceConstant> result = PlaneConstantFor(space, plane, known_in, draw);
+          if (space == PlaneSpace::kXyw1 && !camera.perspective) {
+            EXPECT_EQ(result.status.error(), Error::kWrongProjection) << camera.name;
+            continue;
+          }
+          ASSERT_TRUE(result.ok()) << camera.name << ": " << result.status.message();
+          const Plane& got = result.value.plane.plane;
+          const double k[4] = {got.x, got.y, got.z, got.w};
+          Wide p[4], value = 0, size = 0;
+          PositionIn(space, vertex, p);
+          for (int i = 0; i < 4; ++i) {
+            value += p[i] * k[i];
+            size += (p[i] < 0 ? -p[i] : p[i]) * std::fabs(k[i]);
+          }
+          EXPECT_NEAR(static_cast<double>(value), static_cast<double>(expected),
+                      1e-13 * static_cast<double>(size))
+              << camera.name << ' ' << NameOf(space);
+          EXPECT_EQ(result.value.plane.constant.x, static_cast<float>(got.x));
+          ++checked;
+        }
+      }
+    }
+  }
+  EXPECT_GT(checked, 10000);
+}
+
+TEST(PlaneConstantFor, WarnsWhereTheDefaultLosesPixels) {
+  // |Cw| / n = 300 / 0.1.
+  const Camera camera = PerspectiveCamera(0.1, 1e6);
+  const DrawMatrices draw = {{}, {}, camera.projection};
+  const Plane plane = {0, 0, -1, 300};
+  const auto clip = PlaneConstantFor(PlaneSpace::kClip, plane, KnownIn::kView, draw);
+  ASSERT_TRUE(clip.ok());
+  // 20 * 2^-24 * 3001 * 1080 / (2 tan 30).
+  EXPECT_NEAR(clip.value.edge_error, 3.346, 0.001);
+  EXPECT_EQ(clip.value.warning.error(), Error::kIllConditioned);
+  EXPECT_THAT(clip.value.warning.message(),
+              HasSubstr("plane space clip displaces the cut by about 3.3 pixels of 1080 rows"));
+  EXPECT_THAT(clip.value.warning.message(), HasSubstr("--plane-space=xyw1"));
+  EXPECT_TRUE(PlaneConstantFor(PlaneSpace::kClip, plane, KnownIn::kView, draw, {1080, 3.4})
+                  .value.warning.ok());
+  for (const PlaneSpace space : {PlaneSpace::kXyw1, PlaneSpace::kObject}) {
+    const auto other = PlaneConstantFor(space, plane, KnownIn::kView, draw);
+    ASSERT_TRUE(other.ok());
+    EXPECT_TRUE(other.value.warning.ok());
+    EXPECT_LT(other.value.edge_error, 0.002);
+  }
+  const DrawMatrices reversed = {{}, {}, PerspectiveCamera(0.1, 1e6, {false, true}).projection};
+  EXPECT_TRUE(
+      PlaneConstantFor(PlaneSpace::kClip, plane, KnownIn::kView, reversed).value.warning.ok());
+}
+
+TEST(PredictEdgeError, GrowsWithTheDistanceOverNear) {
+  const auto error = [](const Camera& camera, double distance) {
+    return PredictEdgeError(PlaneSpace::kClip, {0, 0, 1, -distance}, camera.projection, 1080).value;
+  };
+  // 0.0012 px * |Cw|/n at 60 degrees and 1080 rows.
+  const Camera standard = PerspectiveCamera(0.1, 1e6);
+  EXPECT_NEAR(error(standard, 30), 0.0012 * 300, 0.03);
+  EXPECT_NEAR(error(standard, 60) / error(standard, 30), 2, 0.01);
+  EXPECT_NEAR(error(PerspectiveCamera(0.01, 1e6), 30) / error(standard, 30), 10, 0.1);
+  const double floor =
+      PredictEdgeError(PlaneSpace::kXyw1, {0, 0, 1, -30}, standard.projection, 1080).value;
+  EXPECT_NEAR(error(PerspectiveCamera(0.1, 1e6, {false, true}), 30), floor, 1e-4 * floor);
+  EXPECT_EQ(error(PerspectiveCamera(0.1, INFINITY, {false, true}), 30), floor);
+  // The plane's length does not count.
+  EXPECT_NEAR(PredictEdgeError(PlaneSpace::kClip, {0, 0, 5, -150}, standard.projection, 1080).value,
+              error(standard, 30), 1e-12);
+  EXPECT_EQ(
+      PredictEdgeError(PlaneSpace::kClip, {0, 0, 0, 1}, standard.projection, 1080).status.error(),
+      Error::kSingular);
+  Matrix general;
+  general.m[0][1] = 1;
+  EXPECT_EQ(PredictEdgeError(PlaneSpace::kClip, {0, 0, 1, 1}, general, 1080).status.error(),
+            Error::kWrongProjection);
+}
+
+TEST(PlaneConstantFor, LawOfTheFieldOfViewAndTheAngle) {
+  const Plane plane = {0, 0, -1, 30};
+  const auto error = [&](double fov, double sine) {
+    return PredictEdgeError(PlaneSpace::kXyw1, plane,
+                            PerspectiveCamera(0.1, 100, {}, 1, 0, 0, fov).projection, 1080, sine)
+        .value;
+  };
+  EXPECT_NEAR(error(1, 1) / error(60, 1),
+              std::tan(3.14159265358979 / 6) / std::tan(3.14159265358979 / 360), 1e-9);
+  EXPECT_NEAR(error(60, 0.01) / error(60, 1), 100, 1e-9);
+  const Plane tilted = {0, 0.6, -0.8, 30};
+  const auto orthographic = [&](bool reversed, PlaneSpace space) {
+    return PredictEdgeError(space, tilted,
+                            OrthographicCamera(0.1, 100, {false, reversed}).projection, 1080)
+        .value;
+  };
+  // Reversed, z is near 1 for all that is near: as bad as the far plane is far.
+  const double floor = 20 * 0x1p-24 * 540;
+  EXPECT_NEAR(orthographic(false, PlaneSpace::kClip), floor * (1 + 0.1 * 0.8 * 0.1), 1e-9);
+  EXPECT_NEAR(orthographic(true, PlaneSpace::kClip), floor * (1 + 0.1 * 0.8 * 100), 1e-9);
+  EXPECT_NEAR(orthographic(true, PlaneSpace::kObject), floor, 1e-9);
+  EXPECT_EQ(
+      PredictEdgeError(PlaneSpace::kXyw1, tilted, OrthographicCamera(0.1, 100).projection, 1080)
+          .status.error(),
+      Error::kWrongProjection);
+}
+
+TEST(PlaneConstantFor, WorldOffsetsCostNothingInDouble) {
+  // The object sits at 1e7 and the plane one unit from its origin: a float product of the matrices
+  // would lose the unit.
+  DrawMatrices draw = {{}, {}, PerspectiveCamera(0.1, 100).projection};
+  draw.world.m[3][0] = 1e7;
+  draw.view.m[3][0] = -1e7;
+  const Plane view = {1, 0, 0, -1};
+  const auto object = PlaneConstantFor(PlaneSpace::kObject, view, KnownIn::kView, draw);
+  ASSERT_TRUE(object.ok());
+  EXPECT_EQ(object.value.plane.constant.w, -1.0f);
+  const auto world =
+      PlaneConstantFor(PlaneSpace::kObject, {1, 0, 0, -1e7 - 1}, KnownIn::kWorld, draw);
+  EXPECT_EQ(world.value.plane.constant.w, -1.0f);
+}
+
+TEST(PlaneConstantFor, ZeroPlaneAndErrors) {
+  const DrawMatrices draw = {{}, {}, PerspectiveCamera(0.1, 100).projection};
+  for (const PlaneSpace space : kSpaces) {
+    const auto zero = PlaneConstantFor(space, {}, KnownIn::kWorld, draw);
+    ASSERT_TRUE(zero.ok()) << NameOf(space);
+    EXPECT_EQ(zero.value.plane.constant.x, 0);
+    EXPECT_TRUE(zero.value.warning.ok());
+    const auto nan = PlaneConstantFor(space, {0, 0, std::numeric_limits<double>::quiet_NaN(), 1},
+                                      KnownIn::kWorld, draw);
+    EXPECT_EQ(nan.status.error(), Error::kNotFinite) << NameOf(space);
+    DrawMatrices flat = draw;
+    flat.view.m[2][2] = 0;
+    const auto singular = PlaneConstantFor(space, {0, 0, 1, 1}, KnownIn::kWorld, flat);
+    EXPECT_EQ(singular.status.error(),
+              space == PlaneSpace::kObject ? Error::kNone : Error::kSingular)
+        << NameOf(space);
+  }
+}
+
+}  // namespace
+}  // namespace clipc::runtime

@@ -1,0 +1,93 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+"""Opens a report in headless Chromium and checks that every chart is there and legible.
+
+usage: check_report.py FOLDER [--self-test]
+
+A chart must be drawn at least 300 by 150 pixels large, hold marks and text, and have all its text inside it and at least
+6 pixels high. --self-test breaks the report in several ways and fails unless each is noticed."""
+import csv
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+MEASURE = """<script>addEventListener('load',()=>{const all={};
+for(const svg of document.querySelectorAll('.chart svg')){const box=svg.getBoundingClientRect();const text=[...svg.querySelectorAll('text')];
+const rects=text.map(t=>t.getBoundingClientRect()).filter(r=>r.width>0);
+all[svg.id]={width:box.width,height:box.height,texts:rects.length,least:Math.min(...text.map(t=>{const m=t.getScreenCTM();return parseFloat(getComputedStyle(t).fontSize)*Math.sqrt(Math.abs(m.a*m.d-m.b*m.c))})),
+outside:rects.filter(r=>r.left<box.left-2||r.right>box.right+2||r.top<box.top-2||r.bottom>box.bottom+2).length,
+marks:svg.querySelectorAll('path,use,rect').length,visible:getComputedStyle(svg).visibility}}
+const pictures=[...document.querySelectorAll('.picture img')].map(i=>i.naturalWidth);
+const pre=document.createElement('pre');pre.id='measured';pre.textContent=JSON.stringify({charts:all,pictures:pictures,rows:document.querySelectorAll('td').length});
+document.body.append(pre)})</script></body>"""
+
+
+def measured(page):
+    """What the browser says of the page's text."""
+    browser = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+    if not browser:
+        sys.exit("check_report.py: no Chromium; on Debian: apt-get install chromium")
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder) / "report.html"
+        path.write_text(page.replace("</body>", MEASURE))
+        command = [browser, "--headless", "--no-sandbox", "--disable-gpu", "--window-size=1280,1024", "--virtual-time-budget=5000",
+                   f"--user-data-dir={folder}/profile", "--dump-dom", path.as_uri()]
+        dom = subprocess.run(command, capture_output=True, text=True, timeout=120, check=True).stdout
+    found = re.search(r'<pre id="measured">(.*?)</pre>', dom, re.S)
+    if not found:
+        sys.exit("check_report.py: the browser did not run the page")
+    return json.loads(found[1].replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&"))
+
+
+def problems(page, sweeps):
+    """What is wrong with the report's text, line by line."""
+    found = []
+    if re.search(r'(?:src|href)="(?!data:|#)', page):
+        found.append("the report loads something from elsewhere")
+    expected = ["speed-accuracy", "advice", "pixels", "cost", "depth", "planes-needed"] + [f"edges-{i}" for i in range(sweeps)]
+    result = measured(page)
+    for name in expected:
+        chart = result["charts"].get(f"chart-{name}")
+        if not chart:
+            found.append(f"chart {name} is missing")
+            continue
+        if chart["width"] < 300 or chart["height"] < 150 or chart["visible"] != "visible":
+            found.append(f"chart {name} is {chart['width']:.0f} by {chart['height']:.0f} pixels")
+        if chart["texts"] < 8 or chart["marks"] < 10:
+            found.append(f"chart {name} has {chart['texts']} texts and {chart['marks']} marks")
+        if not (chart["least"] or 0) >= 6:
+            found.append(f"chart {name} has text {chart['least']} pixels high")
+        if chart["outside"]:
+            found.append(f"chart {name} has {chart['outside']} texts that stick out of it")
+    if len(result["pictures"]) < 10 or 0 in result["pictures"]:
+        found.append(f"pictures are missing: {result['pictures']}")
+    if result["rows"] < 40:
+        found.append(f"the tables have {result['rows']} cells")
+    return found
+
+
+def main():
+    folder = pathlib.Path(sys.argv[1])
+    page = (folder / "report.html").read_text()
+    with open(folder / "edges.csv", newline="") as file:
+        sweeps = len({row["sweep"] for row in csv.DictReader(file)})
+    found = problems(page, sweeps)
+    if "--self-test" in sys.argv:
+        breaks = {
+            "a chart less": re.sub(r'id="chart-depth"', 'id="chart-other"', page),
+            "tiny text": page.replace("</style>", "svg text{font-size:3px!important}</style>", 1),
+            "a hidden chart": page.replace("</style>", "#chart-cost{display:none}</style>", 1),
+            "text outside": page.replace("</style>", "#chart-advice text{transform:translate(900px,0)!important}</style>", 1),
+            "a broken picture": page.replace("data:image/png;base64,iVBOR", "data:image/png;base64,AAAA", 1),
+            "a network load": page.replace("<h1>", '<img src="elsewhere.png"><h1>', 1),
+        }
+        found += [f"not noticed: {what}" for what, broken in breaks.items() if broken == page or not problems(broken, sweeps)]
+    print("\n".join(found) or f"{sweeps + 6} charts, all there and legible")
+    return bool(found)
+
+
+sys.exit(main())

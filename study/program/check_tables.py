@@ -1,0 +1,55 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+"""Holds the tables of a clipc-study run against what the study is there to show.
+
+usage: check_tables.py FOLDER"""
+import csv
+import pathlib
+import sys
+
+folder = pathlib.Path(sys.argv[1])
+problems = []
+
+
+def read(name):
+    with open(folder / name, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def expect(condition, what):
+    if not condition:
+        problems.append(what)
+
+
+edges, pixels, speed, advice, scenes = (read(f"{name}.csv") for name in ("edges", "pixels", "speed", "advice", "scenes"))
+
+# object is accurate everywhere but for grazing surfaces and huge triangles, and clip is not.
+for row in edges:
+    if row["method"] == "object" and row["applies"] == "1" and row["sweep"] not in ("surface to plane, degrees", "edge length / depth"):
+        expect(float(row["p99_px"]) < 0.002, f"object: {row['p99_px']} px at {row['sweep']} {row['parameter']}")
+expect(any(r["method"] == "clip" and float(r["p99_px"]) > 10 for r in edges), "clip never fails; it must at large distances")
+expect(all(int(r["edges"]) > 0 for r in edges if r["applies"] == "1"), "a configuration without an edge")
+
+# The real rasteriser agrees: where clip is wrong in hundreds of fragments, xyw1 and object are not.
+ways = {r["way"] for r in pixels if r["applies"] == "1"}
+expect(len(ways) == 11, f"drawn were {sorted(ways)}")
+for row in pixels:
+    if row["way"] in ("xyw1", "object") and row["applies"] == "1":
+        expect(int(row["wrong"]) <= 2e-5 * int(row["reference"]) + 2, f"{row['way']}: {row['wrong']} wrong at {row['sweep']} {row['parameter']}")
+expect(max(int(r["wrong"]) for r in pixels if r["way"] == "clip") > 100, "clip draws nothing wrong anywhere")
+expect(all(int(r["reference"]) > 1000 for r in pixels if r["applies"] == "1"), "a picture with hardly a fragment")
+
+costs = {(r["setting"], r["way"], r["planes"]): float(r["ratio"]) for r in speed}
+expect(costs[("cut", "object", "6")] < 0.5, "cutting almost everything away saves less than half")
+expect(costs[("cut", "discard", "6")] > 1, "discarding saves time; it cannot")
+
+kept = sum(float(r["measured_px"]) <= float(r["bound_px"]) for r in advice)
+cheap = sum(float(r["cost"]) <= 1.05 * float(r["best_cost"]) for r in advice)
+expect(len(advice) == 100 and kept == 100, f"the advice's bound holds in {kept} of {len(advice)} random draws")
+expect("--costs" not in sys.argv or cheap >= 95, f"the advice's cost is near the best in {cheap} of {len(advice)} random draws")
+for row in read("scene-costs.csv"):
+    expect(row["same_picture"] == ("0" if row["planes"] == "none" else "1"), f"{row['scene']} with {row['planes']} planes: the picture")
+expect(len(scenes) == 4 and all(int(r["need0"]) > int(r["need1"]) for r in scenes), "most drawn objects need no plane")
+
+print("\n".join(problems) or f"{len(edges)} edge rows, {len(pixels)} pictures, {kept} of 100 bounds kept, {cheap} of 100 costs near the best")
+sys.exit(bool(problems))

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace clipc::study {
+
+inline constexpr char kUsage[] =
+    R"(clipc-study [--quick] [--out FOLDER] [--no-report]
+  Measures every way to clip on Mesa's software OpenGL and writes tables (CSV), pictures and report.html into FOLDER
+  (default: study-report). --quick takes fewer points, edges and rounds. --no-report leaves the report and Python out.
+
+clipc-study scene FILE [--costs speed.csv] [--variants FILE]
+  What a scene needs: for each object whether a plane takes it away, the planes that may cut it, the method for it with the
+  error that it will have and its cost, and the shader variants to build. docs/study.md describes the file.
+Exit: 0 done, 2 cannot.
+)";
+
+// Return exit codes; throw DrawError for what cannot be done.
+int RunStudy(const std::vector<std::string>& arguments);
+int RunScene(const std::vector<std::string>& arguments);
+
+}  // namespace clipc::study

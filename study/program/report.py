@@ -1,0 +1,307 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+"""Makes report.html and its charts of the tables that clipc-study wrote into a folder.
+
+usage: report.py FOLDER
+
+The report is one file that loads nothing: charts are inline SVG, pictures are data URLs. Every number in it is read from
+the tables."""
+import base64
+import collections
+import csv
+import html
+import io
+import math
+import pathlib
+import sys
+
+import matplotlib
+
+matplotlib.use("svg")
+import matplotlib.pyplot as plt  # noqa: E402
+
+plt.rcParams.update({"svg.fonttype": "none", "font.size": 9, "axes.grid": True, "grid.color": "#dddddd",
+                     "axes.axisbelow": True, "figure.autolayout": True, "font.family": "sans-serif"})
+
+COLORS = {
+    "clip": "#c0392b", "level9": "#e67e22", "xyw1": "#2980b9", "object": "#16a085", "world": "#8e44ad", "view": "#7f8c8d",
+    "document-f32": "#d35400", "inverse-f32": "#b7950b", "near-plane": "#27ae60", "near-plane-f32": "#6e2c00",
+    "discard": "#e84393", "discard-object": "#fd79a8", "discard-world": "#6c5ce7", "cpu": "#2c3e50", "none": "#aaaaaa"}
+# Which arithmetic (edges.csv) a way (speed.csv, pixels.csv) has.
+ARITHMETIC = {"clip": "clip", "level9": "clip", "xyw1": "xyw1", "object": "object", "world": "world", "near-plane": "near-plane",
+              "near-plane-f32": "near-plane-f32", "discard": "clip", "discard-object": "object", "discard-world": "world", "cpu": "cpu"}
+HOW = {
+    "clip": "[clipplanes] as fxc means it; also DXC and wined3d", "xyw1": "--plane-space=xyw1", "object": "--plane-space=object",
+    "level9": "--lower=level9 and glClipPlane: SetClipPlane, Mesa's lowering", "world": "SV_ClipDistance of the world-space vertex, by hand",
+    "near-plane": "--lower=near-plane --plane-space=object, Lengyel's scale", "near-plane-f32": "near plane by float matrix products (the paper)",
+    "discard": "--lower=discard", "discard-object": "--lower=discard --plane-space=object",
+    "discard-world": "dot product in each fragment (three.js)", "cpu": "the application clips in double",
+    "view": "SV_ClipDistance of the view-space vertex", "document-f32": "the published closed form in float",
+    "inverse-f32": "float inverse of view * projection"}
+LEAST = 1e-5  # pixels: what is smaller is drawn there
+
+
+def read(folder, name):
+    with open(folder / name, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+class Charts:
+    def __init__(self, folder):
+        self.folder, self.parts = folder, []
+
+    def add(self, name, title, figure, alt):
+        matplotlib.rcParams["svg.hashsalt"] = name
+        text = io.StringIO()
+        figure.savefig(text, format="svg", metadata={"Date": None, "Creator": None})
+        plt.close(figure)
+        svg = text.getvalue()
+        (self.folder / f"{name}.svg").write_text(svg)
+        svg = svg[svg.index("<svg"):].replace("<svg", f'<svg id="chart-{name}" role="img" aria-label="{html.escape(alt)}"', 1)
+        self.parts.append(f'<figure class="chart"><figcaption>{html.escape(title)}</figcaption>{svg}</figure>')
+
+    def text(self, text):
+        self.parts.append(text)
+
+
+def number(text):
+    return float(text)
+
+
+def cost_of(speed, way, planes=1, setting="picture"):
+    for row in speed:
+        if (row["setting"], row["way"], row["planes"]) == (setting, way, str(planes)):
+            return number(row["least_ratio"])  # what else the machine does only ever adds time
+    return None
+
+
+def by_sweep(rows, key):
+    sweeps = collections.OrderedDict()
+    for row in rows:
+        if row["applies"] == "1":
+            sweeps.setdefault(row["sweep"], collections.OrderedDict()).setdefault(row[key], []).append(row)
+    return sweeps
+
+
+def main_chart(charts, edges, speed):
+    sweep = "eye to plane / near"
+    parameters = sorted({number(r["parameter"]) for r in edges if r["sweep"] == sweep})
+    chosen = [parameters[0], min(parameters, key=lambda p: abs(math.log(p / 300))), parameters[-1]]
+    figure, axes = plt.subplots(1, 3, figsize=(12.5, 4.6), sharey=True)
+    for axis, parameter in zip(axes, chosen):
+        error = {r["method"]: number(r["p99_px"]) for r in edges if r["sweep"] == sweep and number(r["parameter"]) == parameter and r["applies"] == "1"}
+        points = []
+        for way, arithmetic in ARITHMETIC.items():
+            cost = cost_of(speed, way)
+            if cost is not None and arithmetic in error:
+                points.append((max(error[arithmetic], LEAST), cost, way))
+                axis.scatter([cost], [points[-1][0]], color=COLORS[way], s=42, zorder=3)
+        # The names stand in a column on the right, in the order of the points and apart from one another.
+        slot, labels = math.inf, []
+        for y, cost, way in sorted(points, reverse=True):
+            slot = min(math.log10(y), slot - 0.33)
+            labels.append([slot, y, cost, way])
+        lowest = math.log10(LEAST) + 0.2
+        for k, label in enumerate(reversed(labels)):
+            label[0] = max(label[0], lowest + 0.33 * k)
+        right = max(cost for _, cost, _ in points) + 0.06
+        for slot, y, cost, way in labels:
+            axis.plot([cost, right], [y, 10 ** slot], color=COLORS[way], linewidth=0.5, zorder=2)
+            axis.text(right + 0.005, 10 ** slot, way, color=COLORS[way], fontsize=8, va="center")
+        axis.set_xlim(min(cost for _, cost, _ in points) - 0.03, right + 0.24)
+        axis.axhline(0.5, color="#555555", linewidth=0.8, linestyle="--")
+        axis.set_yscale("log")
+        axis.set_title(f"eye to plane = {parameter:g} near distances")
+        axis.set_xlabel("cost: least CPU time / that without planes")
+        axis.set_ylim(LEAST, 1e2)
+    axes[0].set_ylabel("99th percentile of displaced edges, pixels")
+    charts.add("speed-accuracy", "Speed against accuracy: one plane, standard depth, 60 degrees, 1920x1080; lower and further left is better; "
+               "dashed: half a pixel", figure, "speed against accuracy of every method")
+
+
+def sweep_charts(charts, edges):
+    for index, (sweep, methods) in enumerate(by_sweep(edges, "method").items()):
+        figure, axis = plt.subplots(figsize=(6.1, 3.7))
+        values = [number(r["parameter"]) for rows in methods.values() for r in rows]
+        for method, rows in methods.items():
+            axis.plot([number(r["parameter"]) for r in rows], [max(number(r["p99_px"]), LEAST) for r in rows],
+                      color=COLORS[method], marker="o", markersize=3, linewidth=1.2, label=method)
+        axis.set_yscale("log")
+        if min(values) > 0 and max(values) / min(values) > 20:
+            axis.set_xscale("log")
+        elif min(values) <= 0:
+            axis.set_xscale("symlog", linthresh=1e-4)
+        axis.axhline(0.5, color="#555555", linewidth=0.8, linestyle="--")
+        axis.set_xlabel(sweep)
+        axis.set_ylabel("p99, pixels")
+        axis.legend(fontsize=7, ncol=2, loc="center left", bbox_to_anchor=(1.0, 0.5))
+        charts.add(f"edges-{index}", f"Displaced edges: {sweep}", figure, f"displaced edges by {sweep}")
+
+
+def pixel_chart(charts, pixels):
+    sweeps = by_sweep(pixels, "way")
+    figure, axes = plt.subplots(math.ceil(len(sweeps) / 3), 3, figsize=(12.5, 2.7 * math.ceil(len(sweeps) / 3)), squeeze=False)
+    for axis, (sweep, ways) in zip(axes.flat, sweeps.items()):
+        for way, rows in ways.items():
+            axis.plot([r["parameter"] for r in rows], [number(r["wrong"]) for r in rows], color=COLORS[way], marker="o", markersize=3, linewidth=1, label=way)
+        axis.set_yscale("symlog", linthresh=1)
+        axis.set_title(sweep, fontsize=9)
+        axis.tick_params(axis="x", labelrotation=45, labelsize=7)
+    for axis in list(axes.flat)[len(sweeps):]:
+        axis.set_axis_off()
+    axes.flat[0].legend(fontsize=6, ncol=2)
+    charts.add("pixels", "Wrong fragments on Mesa's software OpenGL, against exactly clipped polygons", figure, "wrong fragments of every way")
+
+
+def cost_chart(charts, speed):
+    settings = ["picture", "vertices", "cut"]
+    figure, axes = plt.subplots(1, 3, figsize=(12.5, 4.2))
+    for axis, setting in zip(axes, settings):
+        ways = [w for w in ARITHMETIC if cost_of(speed, w, 1, setting) is not None]
+        for offset, planes in enumerate((1, 3, 6)):
+            bars = [(i, cost_of(speed, w, planes, setting)) for i, w in enumerate(ways)]
+            bars = [(i, c) for i, c in bars if c is not None]
+            axis.barh([i + 0.26 * (offset - 1) for i, _ in bars], [c for _, c in bars], height=0.24,
+                      color=["#9ec9e2", "#3f8fc4", "#1c4f7c"][offset], label=f"{planes} planes" if planes > 1 else "1 plane")
+        axis.set_yticks(range(len(ways)))
+        axis.set_yticklabels(ways)
+        axis.invert_yaxis()
+        axis.axvline(1, color="#555555", linewidth=0.8)
+        axis.set_title({"picture": "1280x720, nothing cut", "vertices": "64x64, nothing cut", "cut": "1280x720, most cut away"}[setting])
+        axis.set_xlabel("least CPU time / that without planes")
+    axes[0].legend(fontsize=7)
+    charts.add("cost", "What each way costs", figure, "cost of every way with one, three and six planes")
+
+
+def depth_chart(charts, depth):
+    methods = list(collections.OrderedDict.fromkeys(r["method"] for r in depth))
+    figure, axes = plt.subplots(1, 2, figsize=(12.5, 3.6))
+    eyes = list(collections.OrderedDict.fromkeys(r["eye"] for r in depth))
+    for axis, column, title in ((axes[0], "ordered", "pairs 0.1 % apart that are told apart rightly"), (axes[1], "lost", "visible points lost at the far plane")):
+        for method in methods:
+            axis.plot(eyes, [number(r[column]) for r in depth if r["method"] == method], marker="o", markersize=3, label=method)
+        refused = [r["eye"] for r in depth if r["method"] == "near-plane" and r["refused"] == "1"]
+        if refused:
+            axis.axvspan(eyes.index(refused[0]) - 0.5, len(eyes) - 0.5, color="#f6dddd", zorder=0)
+        axis.set_title(title)
+        axis.set_xlabel("eye above the plane (shaded: the runtime refuses)")
+    axes[0].legend(fontsize=7)
+    charts.add("depth", "Depth precision that the sheared near plane leaves", figure, "depth precision by the eye's distance from the plane")
+
+
+def scene_chart(charts, scenes):
+    figure, axis = plt.subplots(figsize=(8.5, 3.2))
+    columns = [("outside", "not in view", "#eeeeee"), ("culled", "clipped away whole", "#bbbbbb"), ("need0", "no plane", "#9ec9e2"),
+               ("need1", "1 plane", "#3f8fc4"), ("need2", "2 planes", "#1c4f7c"), ("need3", "3 or more", "#c0392b")]
+    left = [0.0] * len(scenes)
+    for column, label, color in columns:
+        widths = [number(r[column]) for r in scenes]
+        axis.barh(range(len(scenes)), widths, left=left, color=color, label=label)
+        left = [a + b for a, b in zip(left, widths)]
+    axis.set_yticks(range(len(scenes)))
+    axis.set_yticklabels([f'{r["scene"]} ({r["planes"]})' for r in scenes])
+    axis.invert_yaxis()
+    axis.set_xlabel("objects")
+    axis.legend(fontsize=7, ncol=6, loc="upper center", bbox_to_anchor=(0.5, 1.2))
+    charts.add("planes-needed", "Planes that objects need (in brackets: planes of the scene)", figure, "planes needed per object in four scenes")
+
+
+def advice_chart(charts, advice):
+    figure, axis = plt.subplots(figsize=(6.1, 4.6))
+    for way in collections.OrderedDict.fromkeys(r["way"] for r in advice):
+        rows = [r for r in advice if r["way"] == way]
+        axis.scatter([number(r["bound_px"]) for r in rows], [max(number(r["measured_px"]), 1e-6) for r in rows], color=COLORS[way], s=16, label=way)
+    ends = [1e-5, 1]
+    axis.plot(ends, ends, color="#555555", linewidth=0.8, linestyle="--")
+    axis.set_xscale("log")
+    axis.set_yscale("log")
+    axis.set_xlabel("predicted bound, pixels")
+    axis.set_ylabel("measured p99, pixels")
+    axis.legend(fontsize=7)
+    charts.add("advice", "The advice on 100 random draws: below the line is as promised", figure, "predicted bound against measured error")
+
+
+def table(head, rows):
+    cells = "".join(f"<th>{html.escape(h)}</th>" for h in head)
+    body = "".join("<tr>" + "".join(f"<td>{html.escape(str(c))}</td>" for c in row) + "</tr>" for row in rows)
+    return f"<table><thead><tr>{cells}</tr></thead><tbody>{body}</tbody></table>"
+
+
+def which_table(scenes, advice):
+    rows = [[f'{r["scene"]}: {r["planes"]} planes', r["way"], HOW[r["way"]], f'{number(r["bound_px"]):.2g}', f'{number(r["cost"]):.2f}',
+             f'{100 * number(r["share"]):.0f} % of the objects that a plane cuts'] for r in scenes]
+    groups = collections.OrderedDict()
+    for r in advice:
+        machine = "clip distances" if r["clip_distances"] == "1" else "SetClipPlane" if r["user_planes"] == "1" else "neither"
+        view = "orthographic" if r["orthographic"] == "1" else "reversed depth" if r["reversed"] == "1" else "standard depth"
+        groups.setdefault((machine, "rigid" if r["rigid"] == "1" else "moved by the shader", view), []).append(r)
+    for key in sorted(groups):
+        counts = collections.Counter(r["way"] for r in groups[key])
+        way, times = counts.most_common(1)[0]
+        chosen = [r for r in groups[key] if r["way"] == way]
+        rows.append(["; ".join(key), way, HOW[way], f'{max(number(r["bound_px"]) for r in chosen):.2g}',
+                     f'{number(chosen[0]["cost"]):.2f}', f"{times} of {len(groups[key])} random draws"])
+    return table(["scene or draw", "method", "how", "error at most, px", "cost", "for"], rows)
+
+
+def failure_table(edges):
+    rows = []
+    for method in collections.OrderedDict.fromkeys(r["method"] for r in edges):
+        worst = collections.OrderedDict()
+        for r in edges:
+            if r["method"] == method and r["applies"] == "1" and number(r["p99_px"]) > 0.5:
+                worst.setdefault(r["sweep"], []).append(number(r["parameter"]))
+        text = "; ".join(f"{sweep} {min(v):g} to {max(v):g}" if len(v) > 1 else f"{sweep} {v[0]:g}" for sweep, v in worst.items())
+        refused = collections.OrderedDict.fromkeys(r["sweep"] for r in edges if r["method"] == method and r["applies"] == "0")
+        rows.append([method, HOW[method], text or "nowhere", "; ".join(refused) or "-"])
+    return table(["method", "how", "more than half a pixel off at", "not usable somewhere in"], rows)
+
+
+def pictures(folder):
+    parts = []
+    for path in sorted(folder.glob("picture-*.png")):
+        way = path.stem.removeprefix("picture-")
+        data = base64.b64encode(path.read_bytes()).decode()
+        parts.append(f'<figure class="picture"><img alt="{way}" src="data:image/png;base64,{data}"><figcaption>{way}</figcaption></figure>')
+    return "".join(parts)
+
+
+STYLE = """body{font:15px/1.45 sans-serif;max-width:1240px;margin:1em auto;padding:0 1em;color:#222}
+.sweeps{display:grid;grid-template-columns:1fr 1fr;gap:0 12px}figure{margin:1em 0}figcaption{font-weight:bold;margin-bottom:.3em}.chart svg{max-width:100%;height:auto}
+.pictures{display:flex;flex-wrap:wrap;gap:8px}.picture img{width:290px;border:1px solid #ccc}.picture figcaption{font-weight:normal}
+table{border-collapse:collapse;font-size:13px}td,th{border:1px solid #ccc;padding:3px 7px;text-align:left;vertical-align:top}th{background:#f3f3f3}"""
+
+
+def main():
+    folder = pathlib.Path(sys.argv[1])
+    edges, pixels, speed = read(folder, "edges.csv"), read(folder, "pixels.csv"), read(folder, "speed.csv")
+    scenes, advice, depth = read(folder, "scenes.csv"), read(folder, "advice.csv"), read(folder, "depth.csv")
+    charts = Charts(folder)
+    main_chart(charts, edges, speed)
+    kept = sum(number(r["measured_px"]) <= number(r["bound_px"]) for r in advice)
+    cheap = sum(number(r["cost"]) <= 1.05 * number(r["best_cost"]) for r in advice)
+    charts.text("<h2>Which method for which scene</h2>" + which_table(scenes, advice) +
+                f"<p>On {len(advice)} random draws: error under its bound in {kept}, cost, measured a second time, within 5 % of the best admissible method in {cheap}.</p>")
+    advice_chart(charts, advice)
+    charts.text("<h2>Where each method fails</h2>" + failure_table(edges) + '<div class="sweeps">')
+    sweep_charts(charts, edges)
+    charts.text("</div><h2>On a real rasteriser</h2>")
+    pixel_chart(charts, pixels)
+    charts.text("<h2>Cost</h2>")
+    cost_chart(charts, speed)
+    charts.text("<h2>Depth</h2>")
+    depth_chart(charts, depth)
+    charts.text("<h2>No more planes than needed</h2>")
+    scene_chart(charts, scenes)
+    charts.text(table(["scene", "planes", "draw calls", "planes of all draws", "least CPU time, ms", "picture as with all planes"],
+                      [[r["scene"], r["planes"], r["draws"], r["planes_drawn"], f'{number(r["least_ms"]):.1f}', "yes" if r["same_picture"] == "1" else "no"]
+                       for r in read(folder, "scene-costs.csv")]))
+    charts.text(f'<h2>A cut 230,000 near distances away</h2><div class="pictures">{pictures(folder)}</div>')
+    body = "\n".join(charts.parts)
+    (folder / "report.html").write_text(
+        f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>clipc: speed against accuracy</title><style>{STYLE}</style></head>\n'
+        f"<body><h1>Clip planes: speed against accuracy</h1>\n{body}\n</body></html>\n")
+    print(folder / "report.html")
+
+
+main()

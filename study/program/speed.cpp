@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "study/program/speed.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <time.h>
+
+#include "study/program/studio.h"
+#include "study/sweeps.h"
+
+namespace clipc::study {
+namespace {
+
+double CpuMilliseconds() {
+  timespec now;
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
+}
+
+struct Setting {
+  const char* name;
+  int width, height;
+  bool cuts;
+};
+constexpr Setting kSettings[] = {
+    {"picture", 1280, 720, false}, {"vertices", 64, 64, false}, {"cut", 1280, 720, true}};
+
+// Six sides of a box around the object, in world space; far outside it, or through it.
+std::vector<runtime::Plane> Sides(const Setup& setup, int count, bool cuts) {
+  std::vector<runtime::Plane> planes;
+  // Behind every part of the object as the eye sees it, so that the near plane can be sheared: the
+  // first looks along the view.
+  const double normals[6][3] = {{0.1, 0.2, 0.97}, {-1, 0, 0.1}, {1, 0, 0.1},
+                                {0, -1, 0.1},     {0, 1, 0.1},  {0.3, 0, 1}};
+  const double depth = std::sqrt(setup.config.nearest * setup.config.farthest),
+               radius = 0.3 * depth;
+  for (int i = 0; i < count; ++i) {
+    const double* n = normals[i];
+    const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    const double away = cuts ? 0 : -2 * radius;  // from the object's middle, against the normal
+    const runtime::Plane view = PlaneThroughPoint(
+        n[0], n[1], n[2], away * n[0] / length, away * n[1] / length, depth + away * n[2] / length);
+    planes.push_back(runtime::PlaneBefore(setup.view, view));
+  }
+  return planes;
+}
+
+struct Entry {
+  Cost cost;
+  WayKind kind;
+  std::unique_ptr<DrawCall> call;
+  std::vector<Vec4<double>> object_planes;  // kCpu
+  std::vector<double> times;
+};
+
+std::vector<Entry> EntriesFor(const draw::Gl& gl, const Setting& setting, const Setup& setup,
+                              const Mesh& mesh) {
+  std::vector<Entry> entries;
+  for (const Way& way : AllWays()) {
+    for (const int planes : {0, 1, 3, 6}) {
+      if ((planes == 0) != (way.kind == WayKind::kNone) || planes > std::max(way.most_planes, 0))
+        continue;
+      const std::vector<runtime::Plane> world = Sides(setup, planes, setting.cuts);
+      const auto constants = ConstantsOf(way.kind, setup, world);
+      if (!constants) continue;
+      Entry entry;
+      entry.cost.setting = setting.name, entry.cost.way = way.name, entry.cost.planes = planes;
+      entry.kind = way.kind;
+      entry.call = MakeCall(gl, way.kind, planes, false);
+      entry.call->SetMesh(mesh);
+      entry.call->SetConstants(*constants);
+      for (const runtime::Plane& plane : world) {
+        entry.object_planes.push_back(ConvertTo<double>(runtime::PlaneBefore(setup.world, plane)));
+      }
+      entries.push_back(std::move(entry));
+    }
+  }
+  return entries;
+}
+
+double TimeOf(Studio& studio, Entry& entry, const Mesh& mesh) {
+  studio.Begin();
+  studio.gl().Finish();
+  const double start = CpuMilliseconds();
+  if (entry.kind == WayKind::kCpu) entry.call->SetMesh(ClipMesh(mesh, entry.object_planes));
+  entry.call->Draw();
+  studio.gl().Finish();
+  return CpuMilliseconds() - start;
+}
+
+}  // namespace
+
+std::vector<Cost> MeasureSpeed(draw::Device& device, int rounds, int detail,
+                               const std::function<void(double)>& progress) {
+  const Setup setup = Prepare(ObliqueAt(4, 0.1, 100));
+  const Mesh mesh = TorusKnot(10 * detail, detail, 4 * 0.577 / 1.75);
+  std::vector<Cost> costs;
+  int done = 0;
+  for (const Setting& setting : kSettings) {
+    Studio studio(device, setting.width, setting.height, false);
+    std::vector<Entry> entries = EntriesFor(studio.gl(), setting, setup, mesh);
+    for (int round = -1; round < rounds;
+         ++round) {  // the first is thrown away: shaders are compiled in it
+      for (Entry& entry : entries) {
+        const double time = TimeOf(studio, entry, mesh);
+        if (round >= 0) entry.times.push_back(time);
+      }
+      progress((done + static_cast<double>(round + 2) / (rounds + 1)) /
+               static_cast<double>(std::size(kSettings)));
+    }
+    ++done;
+    for (Entry& entry : entries) {
+      std::sort(entry.times.begin(), entry.times.end());
+      entry.cost.median_ms = entry.times[entry.times.size() / 2],
+      entry.cost.least_ms = entry.times.front();
+    }
+    const Cost none = entries.front().cost;
+    for (Entry& entry : entries) {
+      entry.cost.ratio = entry.cost.median_ms / none.median_ms;
+      entry.cost.least_ratio = entry.cost.least_ms / none.least_ms;
+      costs.push_back(entry.cost);
+    }
+  }
+  return costs;
+}
+
+}  // namespace clipc::study

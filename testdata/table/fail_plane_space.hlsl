@@ -1,0 +1,8 @@
+// Direct3D's own record has no word for the space of the planes.
+// RUN: not %clipc --plane-space=object %s -o %t.vert --table %t.bin 2>&1 | FileCheck %s --check-prefix=BIN
+
+float4 plane;
+[clipplanes(plane)]
+float4 main(float4 position : POSITION) : SV_Position { return position; }
+
+// BIN: error: cannot write `{{.*}}.bin`: the binary form is Direct3D 9's own, whose planes are in clip space; these are in space object
