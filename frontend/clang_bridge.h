@@ -10,12 +10,13 @@
 #include "frontend/preprocess_guard.h"
 #include "frontend/source.h"
 
-// What the two files that include Clang say to each other, in terms that do not.
+// What the files that include Clang say to each other, in terms that do not.
 
 namespace clang {
 class DiagnosticConsumer;
 class DiagnosticOptions;
 class LangOptions;
+class Preprocessor;
 class SourceManager;
 }  // namespace clang
 
@@ -34,5 +35,9 @@ std::string RenderText(const ClangText& text, const Diagnostics& diagnostics, bo
 // What Clang's preprocessor reports is put into *diagnostics, until `guard` has stopped it.
 std::unique_ptr<clang::DiagnosticConsumer> ReportInto(Diagnostics* const* diagnostics, const PreprocessGuard& guard,
                                                       std::function<void()> on_include_too_deep);
+
+// Adds what HLSL knows after `#pragma`. `#pragma pack_matrix` becomes a token tok::annot_pragma_pack, whose value is not null
+// for row_major.
+void AddPragmas(clang::Preprocessor& preprocessor, Diagnostics& diagnostics);
 
 }  // namespace clipc

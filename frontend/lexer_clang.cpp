@@ -276,91 +276,6 @@ class Callbacks : public clang::PPCallbacks {
   llvm::StringSet<> warned_;  // include names that are not spelled as on disk
 };
 
-// ---- pragmas
-
-// Hands the rest of the directive to `handle` as words and punctuators.
-class Pragma : public clang::PragmaHandler {
- public:
-  using Handle = void (*)(Source::State&, clang::Preprocessor&, const clang::Token& name,
-                          const std::vector<std::string>& words);
-  Pragma(llvm::StringRef name, Source::State& source, Handle handle)
-      : PragmaHandler(name), source_(source), handle_(handle) {}
-
-  void HandlePragma(clang::Preprocessor& preprocessor, clang::PragmaIntroducer, clang::Token& name) override {
-    if (name.isOneOf(tok::eod, tok::eof)) return;  // `#pragma` alone; there is nothing left of the line to read
-    std::vector<std::string> words;
-    clang::Token token;
-    for (preprocessor.LexUnexpandedToken(token); !token.isOneOf(tok::eod, tok::eof);
-         preprocessor.LexUnexpandedToken(token)) {
-      words.push_back(preprocessor.getSpelling(token));
-    }
-    handle_(source_, preprocessor, name, words);
-  }
-
- private:
-  Source::State& source_;
-  Handle handle_;
-};
-
-void HandleUnknown(Source::State& source, clang::Preprocessor& preprocessor, const clang::Token& name,
-                   const std::vector<std::string>&) {
-  if (name.is(tok::eod)) return;
-  source.diagnostics->Report(source.At(name.getLocation()), diag::UnknownPragma, preprocessor.getSpelling(name));
-}
-
-void HandlePackMatrix(Source::State& source, clang::Preprocessor& preprocessor, const clang::Token& name,
-                      const std::vector<std::string>& words) {
-  const bool row_major = words == std::vector<std::string>{"(", "row_major", ")"};
-  if (!row_major && words != std::vector<std::string>{"(", "column_major", ")"}) {
-    source.diagnostics->Report(source.At(name.getLocation()), diag::MalformedPragma, "pack_matrix",
-                               "it takes (row_major) or (column_major)");
-    return;
-  }
-  auto token = std::make_unique<clang::Token[]>(1);
-  token[0].startToken();
-  token[0].setKind(tok::annot_pragma_pack);
-  token[0].setLocation(name.getLocation());
-  token[0].setAnnotationEndLoc(name.getLocation());
-  token[0].setAnnotationValue(row_major ? &source : nullptr);
-  preprocessor.EnterTokenStream(std::move(token), 1, /*DisableMacroExpansion=*/true, /*IsReinject=*/false);
-}
-
-void HandleWarning(Source::State& source, clang::Preprocessor&, const clang::Token&,
-                   const std::vector<std::string>& words) {
-  ApplyWarningPragma(words, *source.diagnostics);
-}
-
-void HandleMessage(Source::State& source, clang::Preprocessor&, const clang::Token& name, const std::vector<std::string>& words) {
-  std::string message;
-  for (const std::string& word : words) {
-    if (word.size() >= 2 && word.front() == '"') message += word.substr(1, word.size() - 2);
-  }
-  source.diagnostics->Report(source.At(name.getLocation()), diag::PragmaMessage, message);
-}
-
-// One that Clang has.
-template <void (clang::Preprocessor::*handle)(clang::Token&)>
-class ClangPragma : public clang::PragmaHandler {
- public:
-  using PragmaHandler::PragmaHandler;
-  void HandlePragma(clang::Preprocessor& preprocessor, clang::PragmaIntroducer, clang::Token& name) override {
-    (preprocessor.*handle)(name);
-  }
-};
-
-void AddPragmas(clang::Preprocessor& preprocessor, Source::State& source) {
-  preprocessor.AddPragmaHandler(new ClangPragma<&clang::Preprocessor::HandlePragmaOnce>("once"));
-  preprocessor.AddPragmaHandler(new ClangPragma<&clang::Preprocessor::HandlePragmaPushMacro>("push_macro"));
-  preprocessor.AddPragmaHandler(new ClangPragma<&clang::Preprocessor::HandlePragmaPopMacro>("pop_macro"));
-  preprocessor.AddPragmaHandler(new Pragma("message", source, HandleMessage));
-  preprocessor.AddPragmaHandler(new clang::EmptyPragmaHandler("region"));  // for editors
-  preprocessor.AddPragmaHandler(new clang::EmptyPragmaHandler("endregion"));
-  preprocessor.AddPragmaHandler(new Pragma("pack_matrix", source, HandlePackMatrix));
-  preprocessor.AddPragmaHandler(new Pragma("warning", source, HandleWarning));
-  preprocessor.AddPragmaHandler(new clang::EmptyPragmaHandler("def"));  // fxc: constants given to the runtime
-  preprocessor.AddPragmaHandler(new Pragma("", source, HandleUnknown));
-}
-
 // ---- tokens
 
 constexpr std::array<TokenKind, tok::NUM_TOKENS> MakeKinds() {
@@ -494,7 +409,7 @@ Tokens Lex(Source& source, Diagnostics& diagnostics) {
 #endif
   preprocessor.Initialize(shared.target);
   preprocessor.setPredefines(Predefines(state.input));
-  AddPragmas(preprocessor, state);
+  AddPragmas(preprocessor, diagnostics);
   preprocessor.addPPCallbacks(std::make_unique<Callbacks>(state, preprocessor, search));
 
   state.guard.SetStackBase(static_cast<const char*>(__builtin_frame_address(0)));
