@@ -104,6 +104,23 @@ std::size_t WriteLarge(const std::string& path, std::size_t bytes) {
   return text.size();
 }
 
+// Text that makes the parser look far ahead: what decides is at the end of each statement.
+void BenchLookahead(const std::string& clipc, const std::string& folder) {
+  for (const char* statement : {"x = a < b < c; ", "f(a < b, c > (d)); ", "x = (y)(z); ", "a::b::c::d e; ", "A<B<C<D>>> e; ",
+                                "if (a) b = 1; else c = 2; "}) {
+    const auto per_byte = [&](std::size_t bytes) {
+      std::string text = "void f() {";
+      while (text.size() < bytes) text += statement;
+      Write(folder + "/ahead.hlsl", text + "}");
+      const auto runs = RunInTurn({{clipc, "--dump=ast", folder + "/ahead.hlsl"}}, 5)[0];
+      return MedianCpu(runs) / static_cast<double>(bytes);
+    };
+    const double small = per_byte(200'000);
+    const std::string what = std::string("parsing `") + statement + "`, a byte at 2 MB to one at 200 kB";
+    Report(what.c_str(), per_byte(2'000'000) / small, "x", 1.5);
+  }
+}
+
 // 10 kB to 10 MB of the same kind of text: processor time and peak memory of a whole process. To be run first, the small
 // texts before the large ones: Linux starts a process with the peak memory of the one that starts it.
 void BenchScaling(const std::string& clipc, const std::string& folder) {
@@ -141,6 +158,7 @@ int main(int argc, char** argv) {
   const std::string folder = argc > 4 ? argv[4] : "/tmp";
   std::printf("| what | measured | limit | |\n|---|---|---|---|\n");
   clipc::bench::BenchScaling(argv[1], folder);
+  clipc::bench::BenchLookahead(argv[1], folder);
   clipc::bench::BenchCold(argv[1], argv[2], argv[3], folder);
   clipc::bench::BenchWarm();
   clipc::bench::BenchBatchValidation();

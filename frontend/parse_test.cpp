@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <random>
 #include <string>
 
@@ -294,23 +293,6 @@ TEST(Parse, EveryPrefixIsAnswered) {
 TEST(Parse, StopsAfterTooManyErrors) {
   const Parsed parsed = ParseText("void f() {" + Repeat("a = ;", 1000) + "}");
   EXPECT_EQ(parsed.diagnostics.error_count(), Diagnostics::kMaxErrors);
-}
-
-// Looking ahead is bounded: text that invites it costs in proportion to its length.
-TEST(Parse, TakesLinearTime) {
-  using Clock = std::chrono::steady_clock;
-  for (const char* text : {"x = a < b < c; ", "f(a < b, c > (d)); ", "x = (y)(z); ", "a::b::c::d e; ", "A<B<C<D>>> e; ",
-                           "if (a) b = 1; else c = 2; "}) {
-    const auto seconds = [&](int count) {
-      Tokens tokens = LexText("void f() {" + Repeat(text, count) + "}");
-      Diagnostics diagnostics;
-      const auto start = Clock::now();
-      Parse(std::move(tokens), diagnostics);
-      return std::chrono::duration<double>(Clock::now() - start).count();
-    };
-    const double small = std::max(seconds(2000), 1e-3);
-    EXPECT_LT(seconds(32000), 16 * small * 6) << text;  // quadratic would be 16 times more
-  }
 }
 
 TEST(PrintAst, IsStable) {
