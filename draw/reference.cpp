@@ -26,7 +26,10 @@ struct Runs {
 Runs RunAll(const ir::Program& program, const RandomInputs& inputs, double undefined) {
   Runs runs;
   for (const std::vector<ir::IoBits>& vertex : inputs.vertices) {
-    const ir::EvalInputs values{vertex, inputs.cbuffers, nullptr};
+    const auto read = [&](const ir::ObjectRequest& request, std::span<std::uint64_t> result) {
+      inputs.ReadObject(program, request, undefined, result);
+    };
+    const ir::EvalInputs values{vertex, inputs.cbuffers, read};
     for (const bool in_double : {false, true}) {
       ir::EvalResult result = ir::RunMain(program, values, {.in_double = in_double, .undefined = undefined});
       if (!result) throw EvaluatorStops("the reference evaluator stops: " + result.error);

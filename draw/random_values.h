@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+#include <random>
+
+#include "ir/scalar.h"
+#include "ir/type.h"
+
+namespace clipc::draw {
+
+struct RandomOptions {
+  std::uint32_t seed = 1;
+  int vertices = 64;
+  int instances = 1;
+  int first_vertex = 0, base_instance = 0;  // of the draw call
+  int least_int = -4, greatest_int = 7;  // loop counts and array indices must stay small
+};
+
+// Equal seeds give equal values on every machine. Floats lie in [-2, 2], one in four is a whole number, so that comparisons
+// and exact zeros occur, and no result is large enough to hide the errors of another.
+class RandomValues {
+ public:
+  explicit RandomValues(const RandomOptions& options) : options_(options), random_(options.seed) {}
+
+  // The bits of a value as ir::Literal holds them.
+  std::uint64_t Next(ir::Scalar kind);
+  // mt19937's numbers are the same everywhere; the standard distributions are not.
+  std::uint32_t Below(std::uint32_t limit) { return static_cast<std::uint32_t>(random_() % limit); }
+
+ private:
+  int Int(int least);
+  float Float();
+
+  RandomOptions options_;
+  std::mt19937 random_;
+};
+
+// What EvalOptions::undefined makes of a component of that kind.
+std::uint64_t UndefinedBits(double undefined, ir::Scalar kind, std::size_t component);
+
+}  // namespace clipc::draw

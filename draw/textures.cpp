@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "draw/textures.h"
+
+#include <algorithm>
+#include <bit>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "ir/scalar.h"
+
+namespace clipc::draw {
+namespace {
+
+using ir::ObjectKind;
+using ir::ObjectOp;
+using Size = std::array<std::uint32_t, 3>;
+
+struct Form {
+  int axes;  // that become half with every level
+  bool is_array = false, is_cube = false;
+  GLenum target;
+
+  int Sizes() const { return axes + is_array; }
+};
+
+std::optional<Form> FormOf(ObjectKind kind) {
+  switch (kind) {
+    case ObjectKind::kTexture1D:
+    case ObjectKind::kSampler1D: return Form{.axes = 1, .target = GL_TEXTURE_1D};
+    case ObjectKind::kTexture1DArray: return Form{.axes = 1, .is_array = true, .target = GL_TEXTURE_1D_ARRAY};
+    case ObjectKind::kTexture2D:
+    case ObjectKind::kSampler2D: return Form{.axes = 2, .target = GL_TEXTURE_2D};
+    case ObjectKind::kTexture2DArray: return Form{.axes = 2, .is_array = true, .target = GL_TEXTURE_2D_ARRAY};
+    case ObjectKind::kTexture3D:
+    case ObjectKind::kSampler3D: return Form{.axes = 3, .target = GL_TEXTURE_3D};
+    case ObjectKind::kTextureCube:
+    case ObjectKind::kSamplerCube: return Form{.axes = 2, .is_cube = true, .target = GL_TEXTURE_CUBE_MAP};
+    case ObjectKind::kTextureCubeArray:
+      return Form{.axes = 2, .is_array = true, .is_cube = true, .target = GL_TEXTURE_CUBE_MAP_ARRAY};
+    default: return std::nullopt;
+  }
+}
+
+Size SizeOf(const Form& form, Size size, std::size_t level) {
+  for (int i = 0; i < form.axes; ++i) size[i] = std::max(size[i] >> level, 1u);
+  return size;
+}
+
+ir::Scalar KindOf(const ir::Program& program, ir::VarId var) {
+  const ir::TypeId element = ObjectTypeOf(program, var).element;
+  return element ? ir::BaseOf(program.types[element].scalar) : ir::Scalar::kFloat;
+}
+
+// How the shader reads a texture, wherever the call is.
+struct Uses {
+  bool sampled = false, compared = false;
+};
+
+std::map<std::uint32_t, Uses> FindUses(const ir::Program& program) {
+  std::map<std::uint32_t, Uses> uses;
+  for (const ir::ExprId id : program.exprs.ids()) {
+    const auto* call = std::get_if<ir::ObjectCall>(&program.exprs[id].node);
+    if (!call) continue;
+    const auto var = [&](std::uint32_t argument) {
+      ir::ExprId object = program.expr_lists[call->arguments][argument];
+      while (const auto* index = std::get_if<ir::Index>(&program.exprs[object].node)) object = index->base;
+      const auto* ref = std::get_if<ir::VarRef>(&program.exprs[object].node);
+      return ref ? ref->var : ir::VarId{};
+    };
+    if (!var(0)) continue;
+    Uses& found = uses[var(0).index];
+    const bool has_sampler = call->op <= ObjectOp::kGatherAlpha && var(1);
+    if (has_sampler || call->op == ObjectOp::kD3d9Sample || call->op == ObjectOp::kD3d9SampleLevel) found.sampled = true;
+    if (has_sampler && ObjectTypeOf(program, var(1)).object == ObjectKind::kSamplerComparison) found.compared = true;
+  }
+  return uses;
+}
+
+class Maker {
+ public:
+  Maker(const Form& form, const Uses& uses, ir::Scalar kind, RandomValues& values)
+      : form_(form), uses_(uses), kind_(kind), values_(values) {}
+
+  Texture Make() {
+    Texture texture;
+    for (int i = 0; i < form_.axes; ++i) {
+      texture.size[i] = form_.is_cube && i == 1 ? texture.size[0] : 3 + values_.Below(6);
+    }
+    if (form_.is_array) texture.size[form_.axes] = 2 + values_.Below(4);
+    const auto constant = Texel();
+    const std::uint32_t largest = *std::max_element(texture.size.begin(), texture.size.begin() + form_.axes);
+    texture.levels.resize(static_cast<std::size_t>(std::bit_width(largest)));
+    for (std::size_t level = 0; level < texture.levels.size(); ++level) {
+      const Size size = SizeOf(form_, texture.size, level);
+      const std::uint32_t count = size[0] * size[1] * size[2] * (form_.is_cube ? 6 : 1);
+      for (std::uint32_t i = 0; i < count; ++i) {
+        const auto texel = uses_.sampled ? constant : Texel();
+        texture.levels[level].insert(texture.levels[level].end(), texel.begin(), texel.end());
+      }
+    }
+    return texture;
+  }
+
+ private:
+  std::array<std::uint32_t, 4> Texel() {
+    std::array<std::uint32_t, 4> texel;
+    for (std::uint32_t& word : texel) word = static_cast<std::uint32_t>(uses_.compared ? Depth() : values_.Next(kind_));
+    return texel;
+  }
+  // Inside of ]0, 1[: then it does not matter whether reference values are clamped to [0, 1] first.
+  std::uint64_t Depth() { return ir::BitsOf((static_cast<float>(values_.Below(1u << 20)) + 0.5f) * 0x1p-20f); }
+
+  Form form_;
+  Uses uses_;
+  ir::Scalar kind_;
+  RandomValues& values_;
+};
+
+class Reader {
+ public:
+  Reader(const Form& form, const Texture& texture, const ir::ObjectRequest& request)
+      : form_(form), texture_(texture), request_(request) {}
+
+  // False: what the shader asks for is not there.
+  bool Read(std::span<std::uint64_t> result) const {
+    switch (request_.op) {
+      case ObjectOp::kSampleLevel:
+      case ObjectOp::kSampleGrad:
+      case ObjectOp::kD3d9SampleLevel:
+      case ObjectOp::kD3d9Sample: return Copy(texture_.levels[0].data(), result);
+      case ObjectOp::kSampleCmpLevelZero: return Compare(result);
+      case ObjectOp::kGather:
+      case ObjectOp::kGatherGreen:
+      case ObjectOp::kGatherBlue:
+      case ObjectOp::kGatherAlpha: return Gather(result);
+      case ObjectOp::kTextureLoad: return Load(result);
+      case ObjectOp::kTextureSize: return Sizes(result);
+      case ObjectOp::kTextureLevels: result[0] = texture_.levels.size(); return true;
+      default: return false;
+    }
+  }
+
+ private:
+  static bool Copy(const std::uint32_t* texel, std::span<std::uint64_t> result) {
+    std::copy_n(texel, result.size(), result.begin());
+    return true;
+  }
+
+  bool Gather(std::span<std::uint64_t> result) const {
+    const auto component = static_cast<std::size_t>(request_.op) - static_cast<std::size_t>(ObjectOp::kGather);
+    std::ranges::fill(result, texture_.levels[0][component]);
+    return true;
+  }
+
+  // The reference follows the coordinate; behind it are only offsets, which not all cubes and arrays take.
+  bool Compare(std::span<std::uint64_t> result) const {
+    const int coordinates = form_.Sizes() + form_.is_cube;
+    const float reference = ir::FloatOf(request_.arguments[static_cast<std::size_t>(coordinates)]);
+    result[0] = ir::BitsOf(reference <= ir::FloatOf(texture_.levels[0][0]) ? 1.0f : 0.0f);
+    return true;
+  }
+
+  bool Load(std::span<std::uint64_t> result) const {
+    const auto sizes = static_cast<std::size_t>(form_.Sizes());
+    const auto level = static_cast<std::size_t>(request_.arguments[sizes]);
+    if (level >= texture_.levels.size()) return false;
+    const Size size = SizeOf(form_, texture_.size, level);
+    std::uint32_t index = 0, stride = 1;
+    for (std::size_t i = 0; i < sizes; ++i) {
+      std::uint32_t at = ir::UintOf(request_.arguments[i]);
+      const bool has_offset = request_.arguments.size() > sizes + 1 && i < static_cast<std::size_t>(form_.axes);
+      if (has_offset) at += ir::UintOf(request_.arguments[sizes + 1 + i]);
+      if (at >= size[i]) return false;  // a negative one is large
+      index += at * stride;
+      stride *= size[i];
+    }
+    return Copy(&texture_.levels[level][4 * std::size_t{index}], result);
+  }
+
+  bool Sizes(std::span<std::uint64_t> result) const {
+    const std::uint64_t level = request_.arguments.empty() ? 0 : request_.arguments[0];
+    if (level >= texture_.levels.size()) return false;
+    const Size size = SizeOf(form_, texture_.size, level);
+    std::copy_n(size.begin(), result.size(), result.begin());
+    return true;
+  }
+
+  const Form& form_;
+  const Texture& texture_;
+  const ir::ObjectRequest& request_;
+};
+
+Inputs::Texture Uploaded(const Form& form, const Texture& texture, ir::Scalar kind, bool compares) {
+  Inputs::Texture upload;
+  upload.target = form.target;
+  upload.compares = compares;
+  upload.kind = KindOfTexels(kind);
+  for (std::size_t level = 0; level < texture.levels.size(); ++level) {
+    Size size = SizeOf(form, texture.size, level);
+    if (form.is_cube && form.is_array) size[2] *= 6;
+    std::vector<std::uint32_t> words = texture.levels[level];
+    if (compares) {  // one word for each texel
+      for (std::size_t i = 0; 4 * i < words.size(); ++i) words[i] = words[4 * i];
+      words.resize(words.size() / 4);
+    }
+    upload.levels.push_back({size, std::move(words)});
+  }
+  return upload;
+}
+
+}  // namespace
+
+Shape::Kind KindOfTexels(ir::Scalar kind) {
+  return kind == ir::Scalar::kInt ? Shape::Kind::kInt : kind == ir::Scalar::kUint ? Shape::Kind::kUint : Shape::Kind::kFloat;
+}
+
+const ir::Type& ObjectTypeOf(const ir::Program& program, ir::VarId var) {
+  ir::TypeId id = program.vars[var].type;
+  while (program.types[id].kind == ir::TypeKind::kArray) id = program.types[id].element;
+  return program.types[id];
+}
+
+std::vector<std::string> ElementIndices(const ir::Program& program, ir::VarId var) {
+  std::vector<std::string> all{""};
+  for (ir::TypeId id = program.vars[var].type; program.types[id].kind == ir::TypeKind::kArray; id = program.types[id].element) {
+    if (all.size() * program.types[id].count > 256) throw DrawError("a large array of objects, which no test draws with");
+    std::vector<std::string> longer;
+    for (const std::string& indices : all) {
+      for (std::uint32_t i = 0; i < program.types[id].count; ++i) longer.push_back(indices + "[" + std::to_string(i) + "]");
+    }
+    all = std::move(longer);
+  }
+  return all;
+}
+
+Textures MakeTextures(const ir::Program& program, RandomValues& values) {
+  const std::map<std::uint32_t, Uses> uses = FindUses(program);
+  Textures textures;
+  for (const ir::Resource& resource : program.resources) {
+    const ObjectKind kind = ObjectTypeOf(program, resource.var).object;
+    if (kind == ObjectKind::kTexture2DMS || kind == ObjectKind::kTexture2DMSArray) {
+      throw DrawError("the shader reads a multisampled texture, which no test draws with");
+    }
+    const auto found = uses.find(resource.var.index);
+    const std::optional<Form> form = FormOf(kind == ObjectKind::kSampler && found != uses.end() ? ObjectKind::kSampler2D : kind);
+    if (!form) continue;
+    Maker maker(*form, found == uses.end() ? Uses{} : found->second, KindOf(program, resource.var), values);
+    for (std::size_t i = 0; i < ElementIndices(program, resource.var).size(); ++i) {
+      textures[resource.var.index].push_back(maker.Make());
+    }
+  }
+  return textures;
+}
+
+void ReadTexture(const ir::Program& program, const Textures& textures, const ir::ObjectRequest& request, double undefined,
+                 std::span<std::uint64_t> result) {
+  const std::vector<Texture>& elements = textures.at(request.object.index);
+  const ObjectKind kind = ObjectTypeOf(program, request.object).object;
+  const Form form = FormOf(kind).value_or(Form{.axes = 2, .target = GL_TEXTURE_2D});
+  const ir::Scalar component = KindOf(program, request.object);
+  if (request.object_element < elements.size() &&
+      Reader(form, elements[request.object_element], request).Read(result)) {
+    return;
+  }
+  const bool is_query = request.op == ObjectOp::kTextureSize || request.op == ObjectOp::kTextureLevels;
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    result[i] = UndefinedBits(undefined, is_query ? ir::Scalar::kInt : component, i);
+  }
+}
+
+void GiveTextures(const ir::Program& program, const glsl::GlslInfo& info, const Textures& textures, Inputs& inputs) {
+  for (const glsl::GlslInfo::Object& object : info.objects) {
+    const auto found = object.texture ? textures.find(object.texture.index) : textures.end();
+    if (found == textures.end()) continue;
+    const ObjectKind kind = ObjectTypeOf(program, object.texture).object;
+    const Form form = FormOf(kind).value_or(Form{.axes = 2, .target = GL_TEXTURE_2D});
+    const bool compares =
+        object.sampler && ObjectTypeOf(program, object.sampler).object == ObjectKind::kSamplerComparison;
+    const std::vector<std::string> indices = ElementIndices(program, object.texture);
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+      Inputs::Texture upload = Uploaded(form, found->second[i], KindOf(program, object.texture), compares);
+      upload.name = object.name + indices[i];
+      inputs.textures.push_back(std::move(upload));
+    }
+  }
+}
+
+}  // namespace clipc::draw
