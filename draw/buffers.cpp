@@ -16,8 +16,8 @@ namespace {
 using ir::ObjectKind;
 using ir::ObjectOp;
 
-// Random indices and addresses stay small.
-constexpr std::uint32_t kLeastElements = 24, kMoreElements = 9, kLeastBytes = 256;
+// More than the numbers of vertices and random indices, which stay small.
+constexpr std::uint32_t kLeastElements = 192, kMoreElements = 9, kLeastBytes = 4096;
 
 std::uint32_t SizeOf(ir::Scalar kind) {
   const ir::Scalar base = ir::BaseOf(kind);
