@@ -106,6 +106,7 @@ Text Writer::GatherText(const ir::Expr& expr, const ObjectCall& node) {
   const std::size_t offsets = arguments.size() - 3;
   if (offsets == 1) text += ", " + ArgumentOf(arguments[3]);
   if (offsets == 4) {
+    Require(target_.GatherOffsets());
     text += ", ivec2[4](";
     for (std::size_t i = 0; i < 4; ++i) text += (i > 0 ? ", " : "") + ArgumentOf(arguments[3 + i]);
     text += ")";
