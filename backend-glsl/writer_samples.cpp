@@ -217,7 +217,9 @@ Text Writer::ByteLoadText(const ir::Expr& expr, const ObjectCall& node) {
   const std::string helper = Helper(name + "_load" + (shape.size > 1 ? std::to_string(shape.size) : ""), "",
                                     [&](const std::string& function) {
     const std::string address = Fresh("address"), i = Fresh("i");
-    const std::string words = Words({name, false, false}, {i, 0}, shape.size);
+    std::string words = name + "[" + i + "]";
+    for (int k = 1; k < shape.size; ++k) words += ", " + name + "[" + i + " + " + std::to_string(k) + "u]";
+    if (shape.size > 1) words = TypeName(shape) + "(" + words + ")";
     return TypeName(shape) + " " + function + "(uint " + address + ") {\n    uint " + i + " = " + address +
            " / 4u;\n    return " + words + ";\n}\n";
   });
