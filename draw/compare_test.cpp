@@ -160,6 +160,10 @@ TEST_F(Compare, MistakesWithTexturesAreSeen) {
   ASSERT_EQ(Run(options).wrong, 0);
   EXPECT_GT(Run(options, "textureLod(colors/textureLod(others").wrong, 0) << "another texture";
   EXPECT_GT(Run(options, "textureLod(colors, in_POSITION0.xy, 0.0)/textureLod(colors, in_POSITION0.xy, 0.0).yxzw").wrong, 0);
+  EXPECT_GT(Run(options, "colors, in_POSITION0.xy, 0.0/colors, in_POSITION0.yx, 0.0").wrong, 0) << "coordinates";
+  EXPECT_GT(Run(options, "colors, in_POSITION0.xy, 0.0/colors, in_POSITION0.xy, 1.0").wrong, 0) << "another level";
+  EXPECT_GT(Run(options, "vec4(in_POSITION0.xyz/vec4(in_POSITION0.xyx").wrong, 0) << "another element of an array texture";
+  EXPECT_GT(Run(options, "textureGather(colors, in_POSITION0.xy, 1)/textureGather(colors, in_POSITION0.xy, 1).wzyx").wrong, 0);
   EXPECT_GT(Run(options, "pages[1]/pages[0]").wrong, 0) << "another element";
   EXPECT_GT(Run(options, "in_POSITION0.xy, 1)/in_POSITION0.xy, 2)").wrong, 0) << "another component is gathered";
   EXPECT_GT(Run(options, "in_INDEX0.xy/in_INDEX0.yx").wrong, 0) << "another texel is loaded";
@@ -193,7 +197,7 @@ TEST_F(Compare, WhatLiesOutsideIsOpen) {
   EXPECT_EQ(open(2, "vs_LOADED0"), 0);
   EXPECT_EQ(open(2, "vs_BYTES0"), 0);
   for (const char* name : {"vs_ITEM0", "vs_LOADED0", "vs_BYTES0"}) EXPECT_GT(open(5000, name), 100) << name;
-  EXPECT_EQ(open(5000, "vs_COLOR0"), 0);
+  EXPECT_LT(open(5000, "vs_COLOR0"), 20) << "only what is near a border between texels";
 }
 
 TEST_F(Compare, StoresAndImagesAreRefused) {

@@ -2,7 +2,7 @@
 #include "draw/textures.h"
 
 #include <algorithm>
-#include <bit>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -55,7 +55,7 @@ ir::Scalar KindOf(const ir::Program& program, ir::VarId var) {
 
 // How the shader reads a texture, wherever the call is.
 struct Uses {
-  bool sampled = false, compared = false;
+  bool sampled = false, compared = false, graded = false;
 };
 
 std::map<std::uint32_t, Uses> FindUses(const ir::Program& program) {
@@ -73,10 +73,16 @@ std::map<std::uint32_t, Uses> FindUses(const ir::Program& program) {
     Uses& found = uses[var(0).index];
     const bool has_sampler = call->op <= ObjectOp::kGatherAlpha && var(1);
     if (has_sampler || call->op == ObjectOp::kD3d9Sample || call->op == ObjectOp::kD3d9SampleLevel) found.sampled = true;
+    if (call->op == ObjectOp::kSampleGrad) found.graded = true;
     if (has_sampler && ObjectTypeOf(program, var(1)).object == ObjectKind::kSamplerComparison) found.compared = true;
   }
   return uses;
 }
+
+using Texel4 = std::array<std::uint32_t, 4>;
+
+// The last texel of an axis is the first again.
+std::uint32_t Representative(std::uint32_t at, std::uint32_t size) { return at + 1 == size ? 0 : at; }
 
 class Maker {
  public:
@@ -86,26 +92,42 @@ class Maker {
   Texture Make() {
     Texture texture;
     for (int i = 0; i < form_.axes; ++i) {
-      texture.size[i] = form_.is_cube && i == 1 ? texture.size[0] : 3 + values_.Below(6);
+      texture.size[i] = form_.is_cube && i == 1 ? texture.size[0] : 3 + 2 * values_.Below(6);  // odd: 0.5 is no border
     }
     if (form_.is_array) texture.size[form_.axes] = 2 + values_.Below(4);
+    texture.is_constant = uses_.graded;
     const auto constant = Texel();
     const std::uint32_t largest = *std::max_element(texture.size.begin(), texture.size.begin() + form_.axes);
-    texture.levels.resize(static_cast<std::size_t>(std::bit_width(largest)));
-    for (std::size_t level = 0; level < texture.levels.size(); ++level) {
+    for (std::size_t level = 0; largest >> level != 0; ++level) {
       const Size size = SizeOf(form_, texture.size, level);
-      const std::uint32_t count = size[0] * size[1] * size[2] * (form_.is_cube ? 6 : 1);
-      for (std::uint32_t i = 0; i < count; ++i) {
-        const auto texel = uses_.sampled ? constant : Texel();
-        texture.levels[level].insert(texture.levels[level].end(), texel.begin(), texel.end());
+      std::vector<Texel4> texels(std::size_t{size[0]} * size[1] * size[2]);
+      for (std::size_t i = 0; i < texels.size(); ++i) {
+        const std::size_t first = uses_.sampled ? FirstLike(i, size) : i;
+        texels[i] = uses_.graded ? constant : first < i ? texels[first] : Texel();
+      }
+      auto& words = texture.levels.emplace_back();
+      for (std::size_t i = 0; i < texels.size() * (form_.is_cube ? 6 : 1); ++i) {
+        const Texel4& texel = texels[form_.is_cube ? i / (6 * size[0] * size[1]) * size[0] * size[1] : i];
+        words.insert(words.end(), texel.begin(), texel.end());
       }
     }
     return texture;
   }
 
  private:
-  std::array<std::uint32_t, 4> Texel() {
-    std::array<std::uint32_t, 4> texel;
+  // The texel that texel `index` repeats.
+  std::size_t FirstLike(std::size_t index, const Size& size) const {
+    std::size_t first = 0, stride = 1;
+    for (int i = 0; i < 3; ++i) {
+      const auto at = static_cast<std::uint32_t>(index / stride % size[i]);
+      first += stride * (i < form_.axes ? Representative(at, size[i]) : at);
+      stride *= size[i];
+    }
+    return first;
+  }
+
+  Texel4 Texel() {
+    Texel4 texel;
     for (std::uint32_t& word : texel) word = static_cast<std::uint32_t>(uses_.compared ? Depth() : values_.Next(kind_));
     return texel;
   }
@@ -123,13 +145,13 @@ class Reader {
   Reader(const Form& form, const Texture& texture, const ir::ObjectRequest& request)
       : form_(form), texture_(texture), request_(request) {}
 
-  // False: what the shader asks for is not there.
+  // False: what the shader asks for is not there, or open.
   bool Read(std::span<std::uint64_t> result) const {
     switch (request_.op) {
       case ObjectOp::kSampleLevel:
+      case ObjectOp::kD3d9SampleLevel: return Sample(LevelAt(Argument(Coordinates())), 1, result);
       case ObjectOp::kSampleGrad:
-      case ObjectOp::kD3d9SampleLevel:
-      case ObjectOp::kD3d9Sample: return Copy(texture_.levels[0].data(), result);
+      case ObjectOp::kD3d9Sample: return Sample(0, 0, result);
       case ObjectOp::kSampleCmpLevelZero: return Compare(result);
       case ObjectOp::kGather:
       case ObjectOp::kGatherGreen:
@@ -143,22 +165,96 @@ class Reader {
   }
 
  private:
+  // How far a float may be from another that a driver computes for it, in texels, elements and levels.
+  static constexpr double kMargin = 1.0 / 64, kFar = 10000;
+
   static bool Copy(const std::uint32_t* texel, std::span<std::uint64_t> result) {
     std::copy_n(texel, result.size(), result.begin());
     return true;
   }
 
+  std::size_t Coordinates() const { return static_cast<std::size_t>(form_.Sizes() + form_.is_cube); }
+  double Argument(std::size_t i) const { return ir::FloatOf(request_.arguments[i]); }
+  // Component `axis` of the offset that begins at argument `first`; 0 where there is none.
+  int Offset(std::size_t first, int axis) const {
+    const std::size_t at = first + static_cast<std::size_t>(axis);
+    return at < request_.arguments.size() ? ir::IntOf(request_.arguments[at]) : 0;
+  }
+
+  // The whole number below `value`, if a value that is a little off has the same.
+  static std::optional<std::int64_t> Below(double value) {
+    if (!(std::abs(value) < kFar)) return std::nullopt;
+    const double low = std::floor(value - kMargin), high = std::floor(value + kMargin);
+    return low == high ? std::optional(static_cast<std::int64_t>(low)) : std::nullopt;
+  }
+
+  // The texel of an axis that repeats, where its neighbour across a near border is not another.
+  static std::optional<std::uint32_t> Repeated(double place, int offset, std::uint32_t size) {
+    if (!(std::abs(place) < kFar)) return std::nullopt;
+    const auto texel = [&](double at) {
+      const auto whole = static_cast<std::int64_t>(std::floor(at)) + offset, count = std::int64_t{size};
+      return Representative(static_cast<std::uint32_t>((whole % count + count) % count), size);
+    };
+    const std::uint32_t low = texel(place - kMargin), high = texel(place + kMargin);
+    return low == high ? std::optional(low) : std::nullopt;
+  }
+
+  std::optional<std::size_t> LevelAt(double lod) const {
+    if (texture_.levels.size() == 1 || texture_.is_constant) return 0;
+    const auto last = static_cast<double>(texture_.levels.size() - 1);
+    const auto level = Below(std::clamp(lod, -1.0, last + 1) + 0.5);  // NaN stays
+    if (!level) return std::nullopt;
+    return static_cast<std::size_t>(std::clamp(static_cast<double>(*level), 0.0, last));
+  }
+
+  // The texel around the coordinate, `shift` texels further, with the offset at argument `first_offset`.
+  const std::uint32_t* TexelAt(std::size_t level, double shift, std::array<int, 2> step, std::size_t first_offset) const {
+    if (texture_.is_constant) return texture_.levels[0].data();
+    const Size size = SizeOf(form_, texture_.size, level);
+    std::size_t index = 0, stride = 1;
+    for (int i = 0; i < form_.axes; ++i) {
+      if (!form_.is_cube) {
+        const int offset = Offset(first_offset, i) + (i < 2 ? step[static_cast<std::size_t>(i)] : 0);
+        const auto at = Repeated(Argument(static_cast<std::size_t>(i)) * size[i] + shift, offset, size[i]);
+        if (!at) return nullptr;
+        index += *at * stride;
+      }
+      stride *= size[i];
+    }
+    if (form_.is_array) {
+      const auto last = static_cast<double>(size[form_.axes] - 1);
+      const auto element = Below(std::clamp(Argument(Coordinates() - 1), -1.0, last + 1) + 0.5);
+      if (!element) return nullptr;
+      index += static_cast<std::size_t>(std::clamp(static_cast<double>(*element), 0.0, last)) * stride * (form_.is_cube ? 6 : 1);
+    }
+    return &texture_.levels[level][4 * index];
+  }
+
+  // `behind`: arguments between the coordinate and the offset.
+  bool Sample(std::optional<std::size_t> level, std::size_t behind, std::span<std::uint64_t> result) const {
+    const std::uint32_t* texel = level ? TexelAt(*level, 0, {}, Coordinates() + behind) : nullptr;
+    return texel && Copy(texel, result);
+  }
+
+  // The four texels that a linear filter would mix, counterclockwise from the lower left. With an offset for each, of each
+  // footprint the upper left one.
   bool Gather(std::span<std::uint64_t> result) const {
+    static constexpr std::array<std::array<int, 2>, 4> kSteps{{{0, 1}, {1, 1}, {1, 0}, {0, 0}}};
     const auto component = static_cast<std::size_t>(request_.op) - static_cast<std::size_t>(ObjectOp::kGather);
-    std::ranges::fill(result, texture_.levels[0][component]);
+    const bool has_four = request_.arguments.size() == Coordinates() + 8;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::size_t first_offset = Coordinates() + (has_four ? 2 * i : 0);
+      const std::uint32_t* texel = TexelAt(0, -0.5, has_four ? std::array{0, 0} : kSteps[i], first_offset);
+      if (!texel) return false;
+      result[i] = texel[component];
+    }
     return true;
   }
 
-  // The reference follows the coordinate; behind it are only offsets, which not all cubes and arrays take.
   bool Compare(std::span<std::uint64_t> result) const {
-    const int coordinates = form_.Sizes() + form_.is_cube;
-    const float reference = ir::FloatOf(request_.arguments[static_cast<std::size_t>(coordinates)]);
-    result[0] = ir::BitsOf(reference <= ir::FloatOf(texture_.levels[0][0]) ? 1.0f : 0.0f);
+    const std::uint32_t* texel = TexelAt(0, 0, {}, Coordinates() + 1);
+    if (!texel) return false;
+    result[0] = ir::BitsOf(Argument(Coordinates()) <= ir::FloatOf(*texel) ? 1.0f : 0.0f);
     return true;
   }
 

@@ -17,19 +17,22 @@
 // Textures with random texels: what the evaluator reads, and the same for OpenGL.
 namespace clipc::draw {
 
-// One texture; of an array of textures one element. Where the shader samples it, all texels are the same, so that every
-// filter, address mode and level gives that constant; where the shader only loads, each is another.
+// One texture; of an array of textures one element. All texels differ, but for what random coordinates would not decide: the
+// last texel of an axis is the first again, so that whole numbers, where textures repeat, give one value; the faces of a cube
+// are all the same; and where the shader gives gradients, which choose a level as the driver likes, there is one texel.
 struct Texture {
-  std::array<std::uint32_t, 3> size{1, 1, 1};        // of level 0 as GetDimensions tells it, elements of an array last
+  std::array<std::uint32_t, 3> size{1, 1, 1};      // of level 0 as GetDimensions tells it, elements of an array last
   std::vector<std::vector<std::uint32_t>> levels;  // four words a texel; along x, then y, then z
+  bool is_constant = false;
 };
 using Textures = std::map<std::uint32_t, std::vector<Texture>>;  // by VarId
 
 // Those that `program` declares. Throws DrawError for multisampled ones.
 Textures MakeTextures(const ir::Program& program, RandomValues& values);
 
-// Answers a request for one of `textures`. Comparison samplers pass what is less or equal. What GLSL leaves open (texels
-// and levels outside of the texture) is `undefined`.
+// Answers a request for one of `textures`: the nearest texel of the nearest level of a texture that repeats. Comparison
+// samplers pass what is less or equal. What GLSL leaves open (loads and levels outside of the texture), and coordinates that lie
+// too near to the border between texels, are `undefined`.
 void ReadTexture(const ir::Program& program, const Textures& textures, const ir::ObjectRequest& request, double undefined,
                  std::span<std::uint64_t> result);
 
