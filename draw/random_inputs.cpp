@@ -70,7 +70,7 @@ RandomInputs MakeRandomInputs(const ir::Program& program, const RandomOptions& o
     if (run >= options.vertices) inputs.vertices.push_back(inputs.vertices[run % options.vertices]);
     SetBuiltins(program, options, run, inputs.vertices[run]);
   }
-  inputs.textures = MakeTextures(program, values);
+  inputs.textures = MakeTextures(program, options, values);
   inputs.buffers = MakeBuffers(program, values);
   return inputs;
 }

@@ -14,6 +14,7 @@ struct RandomOptions {
   int vertices = 64;
   int instances = 1;
   int first_vertex = 0, base_instance = 0;  // of the draw call
+  bool constant_textures = false;  // where the shader samples
   int least_int = -4, greatest_int = 7;  // loop counts and array indices must stay small
 };
 

@@ -55,7 +55,7 @@ ir::Scalar KindOf(const ir::Program& program, ir::VarId var) {
 
 // How the shader reads a texture, wherever the call is.
 struct Uses {
-  bool sampled = false, compared = false, graded = false;
+  bool sampled = false, compared = false, constant = false;
 };
 
 std::map<std::uint32_t, Uses> FindUses(const ir::Program& program) {
@@ -73,7 +73,7 @@ std::map<std::uint32_t, Uses> FindUses(const ir::Program& program) {
     Uses& found = uses[var(0).index];
     const bool has_sampler = call->op <= ObjectOp::kGatherAlpha && var(1);
     if (has_sampler || call->op == ObjectOp::kD3d9Sample || call->op == ObjectOp::kD3d9SampleLevel) found.sampled = true;
-    if (call->op == ObjectOp::kSampleGrad) found.graded = true;
+    if (call->op == ObjectOp::kSampleGrad) found.constant = true;
     if (has_sampler && ObjectTypeOf(program, var(1)).object == ObjectKind::kSamplerComparison) found.compared = true;
   }
   return uses;
@@ -94,8 +94,8 @@ class Maker {
     for (int i = 0; i < form_.axes; ++i) {
       texture.size[i] = form_.is_cube && i == 1 ? texture.size[0] : 3 + 2 * values_.Below(6);  // odd: 0.5 is no border
     }
-    if (form_.is_array) texture.size[form_.axes] = 2 + values_.Below(4);
-    texture.is_constant = uses_.graded;
+    if (form_.is_array) texture.size[form_.axes] = 3 + values_.Below(3);
+    texture.is_constant = uses_.constant;
     const auto constant = Texel();
     const std::uint32_t largest = *std::max_element(texture.size.begin(), texture.size.begin() + form_.axes);
     for (std::size_t level = 0; largest >> level != 0; ++level) {
@@ -103,7 +103,7 @@ class Maker {
       std::vector<Texel4> texels(std::size_t{size[0]} * size[1] * size[2]);
       for (std::size_t i = 0; i < texels.size(); ++i) {
         const std::size_t first = uses_.sampled ? FirstLike(i, size) : i;
-        texels[i] = uses_.graded ? constant : first < i ? texels[first] : Texel();
+        texels[i] = uses_.constant ? constant : first < i ? texels[first] : Texel();
       }
       auto& words = texture.levels.emplace_back();
       for (std::size_t i = 0; i < texels.size() * (form_.is_cube ? 6 : 1); ++i) {
@@ -331,18 +331,19 @@ std::vector<std::string> ElementIndices(const ir::Program& program, ir::VarId va
   return all;
 }
 
-Textures MakeTextures(const ir::Program& program, RandomValues& values) {
-  const std::map<std::uint32_t, Uses> uses = FindUses(program);
+Textures MakeTextures(const ir::Program& program, const RandomOptions& options, RandomValues& values) {
+  std::map<std::uint32_t, Uses> uses = FindUses(program);
   Textures textures;
   for (const ir::Resource& resource : program.resources) {
     const ObjectKind kind = ObjectTypeOf(program, resource.var).object;
     if (kind == ObjectKind::kTexture2DMS || kind == ObjectKind::kTexture2DMSArray) {
       throw DrawError("the shader reads a multisampled texture, which no test draws with");
     }
-    const auto found = uses.find(resource.var.index);
-    const std::optional<Form> form = FormOf(kind == ObjectKind::kSampler && found != uses.end() ? ObjectKind::kSampler2D : kind);
+    Uses& found = uses[resource.var.index];
+    found.constant = found.constant || (found.sampled && options.constant_textures);
+    const std::optional<Form> form = FormOf(kind == ObjectKind::kSampler && found.sampled ? ObjectKind::kSampler2D : kind);
     if (!form) continue;
-    Maker maker(*form, found == uses.end() ? Uses{} : found->second, KindOf(program, resource.var), values);
+    Maker maker(*form, found, KindOf(program, resource.var), values);
     for (std::size_t i = 0; i < ElementIndices(program, resource.var).size(); ++i) {
       textures[resource.var.index].push_back(maker.Make());
     }

@@ -19,7 +19,8 @@ namespace clipc::draw {
 
 // One texture; of an array of textures one element. All texels differ, but for what random coordinates would not decide: the
 // last texel of an axis is the first again, so that whole numbers, where textures repeat, give one value; the faces of a cube
-// are all the same; and where the shader gives gradients, which choose a level as the driver likes, there is one texel.
+// are all the same; and where the shader gives gradients, which choose a level as the driver likes, there is one texel. So
+// there is with RandomOptions::constant_textures: less is seen then, but nothing is open.
 struct Texture {
   std::array<std::uint32_t, 3> size{1, 1, 1};      // of level 0 as GetDimensions tells it, elements of an array last
   std::vector<std::vector<std::uint32_t>> levels;  // four words a texel; along x, then y, then z
@@ -28,7 +29,7 @@ struct Texture {
 using Textures = std::map<std::uint32_t, std::vector<Texture>>;  // by VarId
 
 // Those that `program` declares. Throws DrawError for multisampled ones.
-Textures MakeTextures(const ir::Program& program, RandomValues& values);
+Textures MakeTextures(const ir::Program& program, const RandomOptions& options, RandomValues& values);
 
 // Answers a request for one of `textures`: the nearest texel of the nearest level of a texture that repeats. Comparison
 // samplers pass what is less or equal. What GLSL leaves open (loads and levels outside of the texture), and coordinates that lie
