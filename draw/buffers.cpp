@@ -104,7 +104,7 @@ class Reader {
 
   std::uint64_t Component(std::uint64_t byte, ir::Scalar kind, std::size_t component) const {
     const std::uint32_t size = SizeOf(kind);
-    if (byte % 4 != 0 || byte + size > buffer_.size()) return UndefinedBits(undefined_, kind, component);
+    if (byte % 4 != 0 || byte + size > buffer_.size()) return UndefinedBits(request_, undefined_, kind, component);
     const std::uint64_t bits = ReadBits(buffer_, static_cast<std::uint32_t>(byte), size);
     return ir::BaseOf(kind) == ir::Scalar::kBool ? bits != 0 : bits;
   }

@@ -34,13 +34,6 @@ void SetBuiltins(const ir::Program& program, const RandomOptions& options, int r
   }
 }
 
-// Makes what is undefined another value for every request: else the difference of two such values is 0, as if it were known.
-double FactorOf(const ir::ObjectRequest& request) {
-  std::uint64_t hash = request.object.index * std::uint64_t{31} + request.object_element;
-  for (const std::uint64_t argument : request.arguments) hash = (hash ^ argument) * 0x9e3779b97f4a7c15u;
-  return 1 + static_cast<double>(hash >> 54) / 64;
-}
-
 }  // namespace
 
 RandomInputs MakeRandomInputs(const ir::Program& program, const RandomOptions& options) {
@@ -77,11 +70,10 @@ RandomInputs MakeRandomInputs(const ir::Program& program, const RandomOptions& o
 
 void RandomInputs::ReadObject(const ir::Program& program, const ir::ObjectRequest& request, double undefined,
                               std::span<std::uint64_t> result) const {
-  undefined *= FactorOf(request);
   if (textures.contains(request.object.index)) return ReadTexture(program, textures, request, undefined, result);
   if (buffers.contains(request.object.index)) return ReadBuffer(program, buffers, request, undefined, result);
   // Behind the end of an array of objects.
-  for (std::size_t i = 0; i < result.size(); ++i) result[i] = UndefinedBits(undefined, ir::Scalar::kFloat, i);
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] = UndefinedBits(request, undefined, ir::Scalar::kFloat, i);
 }
 
 }  // namespace clipc::draw

@@ -2,6 +2,7 @@
 #include "draw/random_values.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace clipc::draw {
 
@@ -27,8 +28,13 @@ float RandomValues::Float() {
   return static_cast<float>(Below(1u << 24)) * 0x1p-22f - 2.0f;
 }
 
-std::uint64_t UndefinedBits(double undefined, ir::Scalar kind, std::size_t component) {
-  const double value = undefined * static_cast<double>(component + 1);
+std::uint64_t UndefinedBits(const ir::ObjectRequest& request, double undefined, ir::Scalar kind, std::size_t component) {
+  std::uint64_t hash = ir::BitsOf(undefined);
+  const auto mix = [&](std::uint64_t value) { hash = (std::rotl(hash, 25) ^ value) * 0x9e3779b97f4a7c15u; };
+  mix(request.object.index), mix(request.object_element), mix(component);
+  for (const std::uint64_t argument : request.arguments) mix(argument);
+  // From -8 to 8, and never 0.
+  const double value = undefined * (static_cast<double>(hash >> 54) - 511.5) / 64;
   return ir::ConvertBits(ir::BitsOf(value), ir::Scalar::kDouble, ir::BaseOf(kind));
 }
 

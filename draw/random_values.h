@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <random>
 
+#include "ir/evaluate.h"
 #include "ir/scalar.h"
 #include "ir/type.h"
 
@@ -37,7 +38,8 @@ class RandomValues {
   std::mt19937 random_;
 };
 
-// What EvalOptions::undefined makes of a component of that kind.
-std::uint64_t UndefinedBits(double undefined, ir::Scalar kind, std::size_t component);
+// A component that a request reads and that is undefined: 0 where `undefined` is, else another value for every request,
+// component and `undefined`. Were they multiples of each other, a sum of some could be 0 every time, as if it were known.
+std::uint64_t UndefinedBits(const ir::ObjectRequest& request, double undefined, ir::Scalar kind, std::size_t component);
 
 }  // namespace clipc::draw

@@ -166,7 +166,7 @@ class Reader {
 
  private:
   // How far a float may be from another that a driver computes for it, in texels, elements and levels.
-  static constexpr double kMargin = 1.0 / 64, kFar = 10000;
+  static constexpr double kMargin = 1.0 / 64, kFar = 500;
 
   static bool Copy(const std::uint32_t* texel, std::span<std::uint64_t> result) {
     std::copy_n(texel, result.size(), result.begin());
@@ -363,7 +363,7 @@ void ReadTexture(const ir::Program& program, const Textures& textures, const ir:
   }
   const bool is_query = request.op == ObjectOp::kTextureSize || request.op == ObjectOp::kTextureLevels;
   for (std::size_t i = 0; i < result.size(); ++i) {
-    result[i] = UndefinedBits(undefined, is_query ? ir::Scalar::kInt : component, i);
+    result[i] = UndefinedBits(request, undefined, is_query ? ir::Scalar::kInt : component, i);
   }
 }
 
