@@ -139,7 +139,7 @@ Comparison CompareWithOpenGl(Device& device, const Shader& shader, const std::ve
                              const RandomInputs& random, const RandomOptions& draw, const Tolerance& tolerance) {
   std::string text = ForOpenGl(shader.glsl);
   if (std::ranges::any_of(shader.info.objects, [](const auto& object) { return object.set.has_value(); })) {
-    throw DrawError("OpenGL has no separate textures and samplers");
+    throw NotForTarget("OpenGL does not take the textures and buffers of a shader for Vulkan");
   }
   text = Capturable(std::move(text));
   const Gl& gl = device.Use(VersionOf(text).api);

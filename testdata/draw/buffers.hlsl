@@ -4,6 +4,7 @@
 // RUN: %draw compare %s -T vs_5_0 -E structured --target glsl430 --lower none --ints 0..300
 // RUN: %draw compare %s -T vs_5_0 -E rows --target glsl450,essl310 --lower none --ints 0..40
 // RUN: %draw compare %s -T vs_5_0 -E bytes --target glsl450,essl320 --lower none --ints 0..50
+// RUN: %draw compare %s -T vs_5_0 -E doubles --target glsl450 --lower none --ints 0..20
 // RUN: not %draw compare %s -T vs_5_0 -E writes --target glsl450 --lower none 2>&1 | FileCheck %s
 // CHECK: the shader writes to a texture or buffer, which no test draws with
 
@@ -28,6 +29,13 @@ StructuredBuffer<float3> points : register(t5);
 StructuredBuffer<float4x4> matrices : register(t6);
 StructuredBuffer<uint> indices : register(t7);
 ByteAddressBuffer memory : register(t8);
+struct Wide {
+  int a;
+  double d;
+  float2 f;
+  double2 e;
+};
+StructuredBuffer<Wide> wide : register(t9);
 RWStructuredBuffer<float4> results : register(u0);
 
 struct Output {
@@ -80,6 +88,14 @@ Output bytes(uint4 p : POSITION) {
   result.a = float4(asfloat(memory.Load3(p.y * 12)), memory.Load(4 * p.z));
   result.b = float4(asfloat(memory.Load2(p.w * 8 + 4)), asfloat(memory.Load(size - 4)), size);
   result.c = memory.Load4(p.w * 4);
+  return result;
+}
+
+Output doubles(uint4 p : POSITION) {
+  Output result = (Output)0;
+  Wide one = wide[p.x];
+  result.position = float4(one.a, (float)one.d, one.f);
+  result.a.xy = (float2)(wide[p.y].e * wide[p.z].d);
   return result;
 }
 

@@ -7,6 +7,9 @@
 // RUN: %draw compare %s -T vs_5_0 -E sizes --target glsl450,glsl430 --lower none --ints 0..2
 // RUN: %draw compare %s -T vs_5_0 -E arrays --target glsl450,glsl400,essl320 --lower none
 // RUN: %draw compare %s -T vs_5_0 -E arrays --target glsl330,essl300 --lower none -D WITHOUT_INDEX
+// RUN: %draw compare %s -T vs_5_0 -E parameters --target glsl450,essl310 --lower none --ints 0..4
+// RUN: not %draw compare %s -T vs_5_0 -E parameters --target vulkan --lower none 2>&1 | FileCheck %s
+// CHECK: OpenGL does not take the textures and buffers of a shader for Vulkan
 // RUN: %draw compare %s -T vs_3_0 -E old --target glsl450,glsl130,glsl120 --lower none
 
 Texture2D<float4> colors : register(t0);
@@ -104,6 +107,23 @@ Output arrays(float4 p : POSITION) {
   for (int i = 0; i < 3; ++i) result.b += (i + 1) * maps[i].SampleLevel(sharp, p.zw, 0);
 #endif
   result.c = p;
+  return result;
+}
+
+Texture2D<uint> ids[2][3] : register(t20);
+
+float4 fetch(Texture2D<float4> from, SamplerState how, float2 uv, uint2 at) {
+  return from.SampleLevel(how, uv, 1) + from[at].wzyx * 4;
+}
+
+// Arguments are evaluated from left to right, once.
+Output parameters(float4 p : POSITION, uint4 q : Q) {
+  Output result;
+  int i = 0;
+  result.position = fetch(colors, smooth, p.xy, q.xy) - fetch(maps[1], sharp, p.zw, q.zw);
+  result.a = colors.Load(int3(i++, i++, 0)) + maps[2].Load(int3(i++, i++, 0));
+  result.b = colors.SampleLevel(smooth, p.xy += 0.3, 0) + i;
+  result.c = float4(ids[1][2][q.xy], ids[0][1].Load(int3(q.zw, 0)), p.xy);
   return result;
 }
 
