@@ -165,7 +165,8 @@ class Reader {
   }
 
  private:
-  // How far a float may be from another that a driver computes for it, in texels, elements and levels.
+  // How far a float may be from another that a driver computes for it, in texels, elements and levels. A shader whose
+  // coordinates lose more than that (a sin of a large pow) finds other texels; with constant textures it does not.
   static constexpr double kMargin = 1.0 / 64, kFar = 500;
 
   static bool Copy(const std::uint32_t* texel, std::span<std::uint64_t> result) {
