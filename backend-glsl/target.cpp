@@ -111,6 +111,11 @@ Support Target::MultisampleArrays() const {
   return Gate(150, 320);
 }
 
+Support Target::GatherOffsets() const {
+  if (IsEs() && version_ == 310) return Support::Through("GL_EXT_gpu_shader5");
+  return Gate(400, 320);
+}
+
 Support Target::TextureBuffers() const {
   if (IsEs() && version_ == 310) return Support::Through("GL_EXT_texture_buffer");
   return Gate(140, 320);

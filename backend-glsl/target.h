@@ -100,6 +100,7 @@ class Target {
   Support MultisampleArrays() const;
   Support TextureBuffers() const;
   bool HasGather() const { return AtLeast(400, 310); }
+  Support GatherOffsets() const;  // one offset for each of the four texels
   bool HasTextureLevels() const { return AtLeast(430, kNever); }
   bool HasTextureSamples() const { return AtLeast(450, kNever); }
 

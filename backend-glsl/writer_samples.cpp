@@ -106,6 +106,7 @@ Text Writer::GatherText(const ir::Expr& expr, const ObjectCall& node) {
   const std::size_t offsets = arguments.size() - 3;
   if (offsets == 1) text += ", " + ArgumentOf(arguments[3]);
   if (offsets == 4) {
+    Require(target_.GatherOffsets());
     text += ", ivec2[4](";
     for (std::size_t i = 0; i < 4; ++i) text += (i > 0 ? ", " : "") + ArgumentOf(arguments[3 + i]);
     text += ")";
@@ -216,7 +217,9 @@ Text Writer::ByteLoadText(const ir::Expr& expr, const ObjectCall& node) {
   const std::string helper = Helper(name + "_load" + (shape.size > 1 ? std::to_string(shape.size) : ""), "",
                                     [&](const std::string& function) {
     const std::string address = Fresh("address"), i = Fresh("i");
-    const std::string words = Words({name, false, false}, {i, 0}, shape.size);
+    std::string words = name + "[" + i + "]";
+    for (int k = 1; k < shape.size; ++k) words += ", " + name + "[" + i + " + " + std::to_string(k) + "u]";
+    if (shape.size > 1) words = TypeName(shape) + "(" + words + ")";
     return TypeName(shape) + " " + function + "(uint " + address + ") {\n    uint " + i + " = " + address +
            " / 4u;\n    return " + words + ";\n}\n";
   });

@@ -25,7 +25,8 @@ def compare(arguments, line):
             command += [flag, value]
     try:
         done = subprocess.run(command, capture_output=True, text=True, errors="replace", timeout=60)
-        if "step limit" in done.stderr:  # a loop counts to a random number
+        # A loop counts to a random number, or all random indices lie outside.
+        if "step limit" in done.stderr or "nothing was compared" in done.stderr:
             done = subprocess.run(command + ["--ints", "0..3"], capture_output=True, text=True, errors="replace", timeout=60)
     except subprocess.TimeoutExpired:
         return "timeout", path, entry, ""

@@ -151,6 +151,12 @@ class Runner {
     const Shader shader = Build(build);
     RandomOptions random = options_.random;
     ChooseDraw(shader, VersionOf(shader.glsl).es, random);
+    Compare(shader, build, random, name);
+    random.constant_textures = true;
+    if (!shader.typed.resources.empty()) Compare(shader, build, random, name + " constant textures");
+  }
+
+  void Compare(const Shader& shader, const BuildOptions& build, const RandomOptions& random, const std::string& name) {
     const RandomInputs inputs = MakeRandomInputs(shader.typed, random);
     const std::vector<Expected> expected = MakeExpected(shader, build, inputs);
     const Comparison found =

@@ -21,12 +21,14 @@ class DrawError : public std::runtime_error {
 using ClipPlaneProc = void(APIENTRYP)(GLenum plane, const double* equation);
 
 #define CLIPC_GL_FUNCTIONS(F)                                          \
+  F(PFNGLACTIVETEXTUREPROC, ActiveTexture)                             \
   F(PFNGLATTACHSHADERPROC, AttachShader)                               \
   F(PFNGLBEGINTRANSFORMFEEDBACKPROC, BeginTransformFeedback)           \
   F(PFNGLBINDBUFFERPROC, BindBuffer)                                   \
   F(PFNGLBINDBUFFERBASEPROC, BindBufferBase)                           \
   F(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer)                         \
   F(PFNGLBINDRENDERBUFFERPROC, BindRenderbuffer)                       \
+  F(PFNGLBINDTEXTUREPROC, BindTexture)                                 \
   F(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                         \
   F(PFNGLBLENDFUNCPROC, BlendFunc)                                     \
   F(PFNGLBLITFRAMEBUFFERPROC, BlitFramebuffer)                         \
@@ -42,6 +44,7 @@ using ClipPlaneProc = void(APIENTRYP)(GLenum plane, const double* equation);
   F(PFNGLDELETEPROGRAMPROC, DeleteProgram)                             \
   F(PFNGLDELETERENDERBUFFERSPROC, DeleteRenderbuffers)                 \
   F(PFNGLDELETESHADERPROC, DeleteShader)                               \
+  F(PFNGLDELETETEXTURESPROC, DeleteTextures)                           \
   F(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays)                   \
   F(PFNGLDEPTHFUNCPROC, DepthFunc)                                     \
   F(PFNGLDISABLEPROC, Disable)                                         \
@@ -55,6 +58,7 @@ using ClipPlaneProc = void(APIENTRYP)(GLenum plane, const double* equation);
   F(PFNGLGENBUFFERSPROC, GenBuffers)                                   \
   F(PFNGLGENFRAMEBUFFERSPROC, GenFramebuffers)                         \
   F(PFNGLGENRENDERBUFFERSPROC, GenRenderbuffers)                       \
+  F(PFNGLGENTEXTURESPROC, GenTextures)                                 \
   F(PFNGLGENVERTEXARRAYSPROC, GenVertexArrays)                         \
   F(PFNGLGETACTIVEATTRIBPROC, GetActiveAttrib)                         \
   F(PFNGLGETACTIVEUNIFORMPROC, GetActiveUniform)                       \
@@ -76,6 +80,11 @@ using ClipPlaneProc = void(APIENTRYP)(GLenum plane, const double* equation);
   F(PFNGLRENDERBUFFERSTORAGEPROC, RenderbufferStorage)                 \
   F(PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC, RenderbufferStorageMultisample) \
   F(PFNGLSHADERSOURCEPROC, ShaderSource)                               \
+  F(PFNGLTEXBUFFERPROC, TexBuffer)                                     \
+  F(PFNGLTEXIMAGE1DPROC, TexImage1D)                                   \
+  F(PFNGLTEXIMAGE2DPROC, TexImage2D)                                   \
+  F(PFNGLTEXIMAGE3DPROC, TexImage3D)                                   \
+  F(PFNGLTEXPARAMETERIPROC, TexParameteri)                             \
   F(PFNGLTRANSFORMFEEDBACKVARYINGSPROC, TransformFeedbackVaryings)     \
   F(PFNGLUNIFORM1FVPROC, Uniform1fv)                                   \
   F(PFNGLUNIFORM2FVPROC, Uniform2fv)                                   \

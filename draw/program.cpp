@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "draw/upload.h"
+
 namespace clipc::draw {
 namespace {
 
@@ -102,6 +104,7 @@ Program::~Program() {
   gl_.UseProgram(0);
   gl_.BindVertexArray(0);
   gl_.DeleteVertexArrays(1, &vertex_array_);
+  gl_.DeleteTextures(static_cast<GLsizei>(textures_.size()), textures_.data());
   gl_.DeleteBuffers(static_cast<GLsizei>(buffers_.size()), buffers_.data());
   gl_.DeleteProgram(program_);
 }
@@ -217,12 +220,27 @@ void Program::BindUniform(const Active& active, const Inputs& inputs) {
   SetUniform(gl_, active, shape, words.data());
 }
 
+void Program::BindSampler(const Active& active, const Inputs& inputs) {
+  const bool is_array = active.name.ends_with("[0]");
+  const std::string name = active.name.substr(0, active.name.size() - (is_array ? 3 : 0));
+  for (int i = 0; i < active.count; ++i) {
+    const auto unit = static_cast<GLint>(textures_.size());
+    const Inputs::Texture& texture = Find(inputs.textures, is_array ? name + "[" + std::to_string(i) + "]" : name, "texture");
+    gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    textures_.push_back(UploadTexture(gl_, texture, [&](const std::vector<std::uint32_t>& words) {
+      return NewBuffer(GL_TEXTURE_BUFFER, words.data(), 4 * words.size());
+    }));
+    gl_.Uniform1iv(active.location + i, 1, &unit);
+  }
+}
+
 void Program::Bind(const Inputs& inputs) {
   gl_.UseProgram(program_);
   gl_.BindVertexArray(vertex_array_);
   for (const Active& attribute : Attributes()) BindAttribute(attribute, inputs);
   for (const Active& uniform : Uniforms()) {
-    if (uniform.location >= 0) BindUniform(uniform, inputs);
+    if (uniform.location < 0) continue;
+    IsSampler(uniform.type) ? BindSampler(uniform, inputs) : BindUniform(uniform, inputs);
   }
   GLuint index = 0;
   for (const ActiveBlock& block : Blocks()) {
@@ -232,6 +250,10 @@ void Program::Bind(const Inputs& inputs) {
     gl_.UniformBlockBinding(program_, index, index);
     gl_.BindBufferBase(GL_UNIFORM_BUFFER, index, buffer);
     ++index;
+  }
+  for (const Inputs::Storage& storage : inputs.storage) {
+    const GLuint buffer = NewBuffer(GL_SHADER_STORAGE_BUFFER, storage.bytes.data(), storage.bytes.size());
+    gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, storage.binding, buffer);
   }
   CheckErrors(gl_, "binding the shader's inputs");
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "draw/random_inputs.h"
 
-#include <algorithm>
 #include <cstring>
 
 #include "draw/memory.h"
@@ -10,36 +9,7 @@
 namespace clipc::draw {
 namespace {
 
-class Values {
- public:
-  explicit Values(const RandomOptions& options) : options_(options), random_(options.seed) {}
-
-  std::uint32_t Next(ir::Scalar kind) {
-    switch (kind) {
-      case ir::Scalar::kBool: return Below(2);
-      case ir::Scalar::kInt: return static_cast<std::uint32_t>(Int(options_.least_int));
-      case ir::Scalar::kUint: return static_cast<std::uint32_t>(Int(std::max(options_.least_int, 0)));
-      default: return static_cast<std::uint32_t>(ir::BitsOf(Float()));
-    }
-  }
-
- private:
-  // mt19937's numbers are the same everywhere; the standard distributions are not.
-  std::uint32_t Below(std::uint32_t limit) { return static_cast<std::uint32_t>(random_() % limit); }
-  int Int(int least) {
-    const std::int64_t count = std::int64_t{options_.greatest_int} - least + 1;
-    return static_cast<int>(least + std::int64_t{Below(static_cast<std::uint32_t>(count))});
-  }
-  float Float() {
-    if (Below(4) == 0) return static_cast<float>(static_cast<int>(Below(5)) - 2);
-    return static_cast<float>(Below(1u << 24)) * 0x1p-22f - 2.0f;
-  }
-
-  RandomOptions options_;
-  std::mt19937 random_;
-};
-
-ir::IoBits ValueOf(const ir::Program& program, const ir::IoVar& input, Values& values) {
+ir::IoBits ValueOf(const ir::Program& program, const ir::IoVar& input, RandomValues& values) {
   const ir::Type& type = program.types[program.vars[input.var].type];
   ir::IoBits bits{};
   for (std::uint32_t i = 0; i < type.Components(); ++i) bits[i] = values.Next(ir::BaseOf(type.scalar));
@@ -67,7 +37,7 @@ void SetBuiltins(const ir::Program& program, const RandomOptions& options, int r
 }  // namespace
 
 RandomInputs MakeRandomInputs(const ir::Program& program, const RandomOptions& options) {
-  Values values(options);
+  RandomValues values(options);
   RandomInputs inputs;
   for (const ir::CbufferId id : program.cbuffers.ids()) {
     const ir::Cbuffer& cbuffer = program.cbuffers[id];
@@ -79,7 +49,7 @@ RandomInputs MakeRandomInputs(const ir::Program& program, const RandomOptions& o
       for (std::uint32_t i = 0; i < cbuffer.count; ++i) {
         ForEachComponent(program.types, type, var.row_major, member.offset + i * cbuffer.size,
                          [&](ir::Scalar kind, std::uint32_t byte) {
-                           const std::uint32_t word = values.Next(kind);
+                           const auto word = static_cast<std::uint32_t>(values.Next(kind));
                            std::memcpy(&bytes.at(byte), &word, 4);
                          });
       }
@@ -93,7 +63,17 @@ RandomInputs MakeRandomInputs(const ir::Program& program, const RandomOptions& o
     if (run >= options.vertices) inputs.vertices.push_back(inputs.vertices[run % options.vertices]);
     SetBuiltins(program, options, run, inputs.vertices[run]);
   }
+  inputs.textures = MakeTextures(program, options, values);
+  inputs.buffers = MakeBuffers(program, values);
   return inputs;
+}
+
+void RandomInputs::ReadObject(const ir::Program& program, const ir::ObjectRequest& request, double undefined,
+                              std::span<std::uint64_t> result) const {
+  if (textures.contains(request.object.index)) return ReadTexture(program, textures, request, undefined, result);
+  if (buffers.contains(request.object.index)) return ReadBuffer(program, buffers, request, undefined, result);
+  // Behind the end of an array of objects.
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] = UndefinedBits(request, undefined, ir::Scalar::kFloat, i);
 }
 
 }  // namespace clipc::draw

@@ -2,6 +2,8 @@
 // RUN: %clipc -T vs_5_0 --target=glsl450 --validate -DWANT=1 %s -o - 2>%t.err | FileCheck %s --check-prefix=CHECK
 // RUN: FileCheck %s --check-prefix=WARN < %t.err
 // RUN: %clipc -T vs_5_0 --target=vulkan --validate %s -o %t 2>&1
+// RUN: %clipc -T vs_5_0 --target=essl310 --validate %s -o - 2>%t.err | FileCheck %s --check-prefix=ES
+// RUN: %clipc -T vs_5_0 --target=essl320 --validate %s -o - 2>%t.err | FileCheck %s --check-prefix=ES32
 // AUTOUPDATE
 Texture2D map;
 SamplerState smooth;
@@ -14,7 +16,9 @@ float4 main(float2 uv : TEXCOORD) : SV_Position {
   r += map.SampleBias(smooth, uv, 1.5, int2(1, -1));
   // WARN: [[#@LINE+1]]:12: warning: `SampleCmp` takes the level
   r += map.SampleCmp(nearer, uv, 0.5);
-  // An offset for each of the four texels.
+  // An offset for each of the four texels: OpenGL ES 3.1 knows it as an extension only.
+  // ES: #extension GL_EXT_gpu_shader5 : require
+  // ES32-NOT: #extension
   return r + map.GatherGreen(smooth, uv, int2(0, 0), int2(0, 1), int2(1, 0), int2(-8, 7));
 }
 
