@@ -1,6 +1,7 @@
 // The structs of a signature become the inputs and outputs themselves; what is more than that stays.
 // RUN: %clipc -T vs_5_0 -E parameter --dump-after=inline-entry %s | FileCheck %s --check-prefix=PARAMETER
 // RUN: %draw compare -T vs_5_0 -E parameter %s
+// RUN: %draw compare -T vs_5_0 -E itself %s
 // RUN: %clipc -T vs_5_0 -E plain --dump-after=inline-entry %s | FileCheck %s --check-prefix=PLAIN
 // RUN: %clipc -T vs_5_0 -E changed --dump-after=inline-entry %s | FileCheck %s --check-prefix=CHANGED
 // RUN: %clipc -T vs_5_0 -E zero --dump-after=inline-entry %s | FileCheck %s --check-prefix=ZERO
@@ -134,3 +135,10 @@ void back_and_forth(inout float4 position : POSITION, inout float4 color : COLOR
 // PARAMETER-NEXT: vs_SV_POSITION0 = position.1
 // PARAMETER-NEXT: }
 void parameter(float4 p : POSITION, out precise float4 position : SV_Position) { position = p; }
+
+// What a struct is made of may be itself.
+Varyings itself(Vertex v) {
+  Varyings o = {v.position, v.position};
+  o = (Varyings)(o.position.y * 2);
+  return o;
+}
