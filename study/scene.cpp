@@ -15,10 +15,12 @@ namespace {
 using runtime::Matrix;
 using runtime::Plane;
 
+// Random numbers are drawn in statements of their own: the arguments of a call may be evaluated in any order.
 SceneObject ObjectAt(Random& random, double x, double y, double z, double size) {
   SceneObject object;
   object.box = {{-1.7f, -1.7f, -0.7f}, {1.7f, 1.7f, 0.7f}};
-  object.world = Rotation(random.Between(0, 6), random.Between(0, 6), random.Between(0, 6));
+  const double third = random.Between(0, 6), second = random.Between(0, 6), first = random.Between(0, 6);
+  object.world = Rotation(first, second, third);
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) object.world.m[i][j] *= size;
   }
@@ -60,8 +62,9 @@ Scene Portal() {
   for (int i = 0; i < 5; ++i)
     scene.planes.push_back({names[i], {sides[i][0], sides[i][1], sides[i][2], sides[i][3]}});
   for (int i = 0; i < kObjects; ++i) {
-    scene.objects.push_back(ObjectAt(random, random.Between(-30, 30), random.Between(-10, 10),
-                                     random.Between(8, 88), random.Between(0.2, 1)));
+    const double size = random.Between(0.2, 1), z = random.Between(8, 88), y = random.Between(-10, 10),
+                 x = random.Between(-30, 30);
+    scene.objects.push_back(ObjectAt(random, x, y, z, size));
   }
   return scene;
 }
@@ -77,8 +80,8 @@ Scene CutAway() {
   scene.planes = {{"side", {1, 0, 0, 0.2}}, {"front", {0, 0, 1, 1}}, {"top", {0, -1, 0, 3}}};
   for (int i = 0; i < kObjects; ++i) {
     const double r = 5 * std::sqrt(random.Unit()), a = random.Between(0, 2 * std::numbers::pi);
-    scene.objects.push_back(ObjectAt(random, r * std::cos(a), random.Between(-5, 5),
-                                     r * std::sin(a), random.Magnitude(0.04, 0.3)));
+    const double size = random.Magnitude(0.04, 0.3), y = random.Between(-5, 5);
+    scene.objects.push_back(ObjectAt(random, r * std::cos(a), y, r * std::sin(a), size));
   }
   return scene;
 }
@@ -99,8 +102,9 @@ Scene Cascade() {
                   {"below", {0, 1, 0.3, 0}}, {"above", {0, -1, 0.3, 10}},
                   {"near", {0, 0, 1, -20}},  {"far", {0, 0, -1, 60}}};
   for (int i = 0; i < kObjects; ++i) {
-    scene.objects.push_back(ObjectAt(random, random.Between(-150, 150), random.Between(-2, 12),
-                                     random.Between(0, 300), random.Magnitude(0.3, 3)));
+    const double size = random.Magnitude(0.3, 3), z = random.Between(0, 300), y = random.Between(-2, 12),
+                 x = random.Between(-150, 150);
+    scene.objects.push_back(ObjectAt(random, x, y, z, size));
   }
   return scene;
 }
