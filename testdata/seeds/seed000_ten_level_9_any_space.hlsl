@@ -25,6 +25,6 @@ Output in_world_space(float4 position : POSITION) {
   return output;
 }
 
-// CLIP: gl_ClipDistance[0] = dot({{in_POSITION0|result|position}}, plane);
+// CLIP: gl_ClipDistance[0] = dot(result, plane);
 [clipplanes(plane)]
 float4 in_clip_space(float4 position : POSITION) : SV_Position { return mul(mul(position, world), view_projection); }

@@ -15,4 +15,4 @@ namespace NS {
 // CHECK: gl_ClipDistance[1] = dot(position, topPlane);
 
 [loop] PLANES float4 viaMacro(float4 v : POSITION) : SV_Position { return v; }
-// MACRO: gl_ClipDistance[1] = dot({{in_POSITION0|result|position}}, state.plane1);
+// MACRO: gl_ClipDistance[1] = dot(in_POSITION0, state.plane1);
