@@ -13,7 +13,6 @@ using namespace ir;
 
 namespace {
 
-constexpr std::uint32_t kRow = 16;
 // Beyond this no device takes a buffer; the sums below stay far from wrapping round.
 constexpr std::uint64_t kLargest = 1u << 30;
 

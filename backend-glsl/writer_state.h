@@ -24,6 +24,8 @@
 
 namespace clipc::glsl {
 
+inline constexpr std::uint32_t kLongArray = 17;  // elements; from here on a loop fills an array, not a constructor
+
 // A texture and the sampler it is read with; none for reads without one.
 struct TextureUse {
   ir::VarId texture, sampler;

@@ -11,9 +11,6 @@ using namespace ir;
 
 namespace {
 
-// Arrays from here on are filled by a loop instead of a constructor.
-constexpr std::uint32_t kLongArray = 17;
-
 bool IsArrayInGlsl(const TypeTable& types, TypeId id) {
   const Type& type = types[id];
   return type.kind == TypeKind::kArray || (type.IsNumeric() && ShapeOf(type).kind == Shape::kRows);

@@ -11,24 +11,6 @@
 namespace clipc::ir {
 namespace {
 
-bool GivesBool(BinaryOp op) {
-  switch (op) {
-    case BinaryOp::kLess:
-    case BinaryOp::kGreater:
-    case BinaryOp::kLessEqual:
-    case BinaryOp::kGreaterEqual:
-    case BinaryOp::kEqual:
-    case BinaryOp::kNotEqual:
-    case BinaryOp::kLogicalAnd:
-    case BinaryOp::kLogicalOr:
-    case BinaryOp::kShortCircuitAnd:
-    case BinaryOp::kShortCircuitOr:
-      return true;
-    default:
-      return false;
-  }
-}
-
 // A Pool may move its values while it adds, so what is added must not lie in it.
 List<ExprId> AddList(Program& program, std::span<const ExprId> values) {
   const std::vector<ExprId> copy(values.begin(), values.end());
