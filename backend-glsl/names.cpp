@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "backend-glsl/names.h"
 
+#include <array>
+
 #include "backend-glsl/reserved_words.h"
 #include "base/check.h"
 
 namespace clipc::glsl {
 namespace {
 
-bool IsLetterOrDigit(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-}
+constexpr auto kLettersAndDigits = [] {
+  std::array<bool, 256> chosen{};
+  for (const char c : std::string_view("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789")) {
+    chosen[static_cast<unsigned char>(c)] = true;
+  }
+  return chosen;
+}();
+bool IsLetterOrDigit(char c) { return kLettersAndDigits[static_cast<unsigned char>(c)]; }
 
 // A name that may stay as it is, and most are.
 bool IsPlain(std::string_view name) {
@@ -48,12 +55,14 @@ std::string WithSuffix(std::string_view name, std::string_view suffix) {
 
 std::string LegalName(std::string_view wanted, std::string_view fallback) {
   std::string name = Spelling(wanted, fallback);
-  return IsKeyword(name) || IsBuiltinFunction(name) ? WithSuffix(name, "") : name;
+  if (IsKeyword(name) || IsBuiltinFunction(name)) return WithSuffix(name, "");
+  return name;
 }
 
 std::string LegalFieldName(std::string_view wanted) {
   std::string name = Spelling(wanted, "field");
-  return IsKeyword(name) ? WithSuffix(name, "") : name;
+  if (IsKeyword(name)) return WithSuffix(name, "");
+  return name;
 }
 
 std::string Namer::Global(std::string_view wanted, std::string_view fallback) {

@@ -174,6 +174,8 @@ class TypeTable {
 
   // HLSL's spelling: "float4x3", "Light[3]", "Texture2D<float4>".
   std::string Name(TypeId id) const;
+  // Every TypeId is below it.
+  std::uint32_t size() const { return kCommonCount + types_.size(); }
 
  private:
   TypeId Intern(const Type& type);
