@@ -21,10 +21,11 @@ bool IsLetterOrDigit(char c) { return kLettersAndDigits[static_cast<unsigned cha
 // A name that may stay as it is, and most are.
 bool IsPlain(std::string_view name) {
   if (name.size() < 3 || !IsLetterOrDigit(name[0]) || name[0] <= '9' || name[2] == '_') return false;
-  char before = 0;
+  bool is_after_underscore = false;
   for (const char c : name) {
-    if (!IsLetterOrDigit(c) && (c != '_' || before == '_')) return false;
-    before = c;
+    const bool is_underscore = c == '_';
+    if (is_underscore ? is_after_underscore : !IsLetterOrDigit(c)) return false;
+    is_after_underscore = is_underscore;
   }
   return true;
 }

@@ -350,14 +350,15 @@ void AddToken(const clang::Token& from, const clang::Preprocessor& preprocessor,
   token.kind = kKinds[from.getKind()];
   token.after_space = from.hasLeadingSpace() || from.isAtStartOfLine();
   token.location = from.getLocation().getRawEncoding();
+  if (from.is(tok::identifier)) {  // every word
+    clang::IdentifierInfo& identifier = *from.getIdentifierInfo();
+    const std::string_view text(identifier.getNameStart(), identifier.getLength());
+    token.value = NameOf(identifier, text, names).index;
+    return writer.AddIdentifier(token, text);
+  }
   if (from.isAnnotation()) {
     token.value = from.getAnnotationValue() != nullptr;  // of pack_matrix: row_major
     return writer.AddPunctuator(token);
-  }
-  if (clang::IdentifierInfo* identifier = from.getIdentifierInfo()) {
-    const std::string_view text(identifier->getNameStart(), identifier->getLength());
-    token.value = NameOf(*identifier, text, names).index;
-    return writer.AddIdentifier(token, text);
   }
   if (from.is(tok::hash)) return writer.AddHash(token);
   if (!from.isLiteral()) return writer.AddPunctuator(token);
