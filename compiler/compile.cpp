@@ -225,7 +225,7 @@ void Compilation::WriteFragment(const ir::Program& program) {
 
 // The planes of a draw call are moved to the front, so its variant is told by their number alone.
 void Compilation::WriteVariants(const ir::Program& typed) {
-  for (std::size_t count = 0; count <= typed.clip_planes.size(); ++count) {
+  for (std::size_t count = 0; count <= std::min(typed.clip_planes.size(), request_.variant_planes); ++count) {
     ir::Program program = typed;
     program.clip_planes.resize(count);
     Lower(program);
