@@ -17,8 +17,10 @@
 #include "study/program/pixels.h"
 #include "study/program/png.h"
 #include "study/program/scene_cost.h"
+#include "study/program/special.h"
 #include "study/program/speed.h"
 #include "study/random_draws.h"
+#include "study/roundings.h"
 #include "study/scene.h"
 #include "study/sweeps.h"
 
@@ -54,8 +56,10 @@ class Study {
 
   void Run() {
     Edges();
+    Roundings();
     Depth();
     Pixels();
+    Special();
     rule_costs_ = Speed("speed.csv", "cost");
     Scenes();
     SceneCosts();
@@ -79,6 +83,18 @@ class Study {
         csv.EndRow();
       }
       progress(static_cast<double>(i + 1) / static_cast<double>(points.size()));
+    }
+  }
+
+  void Roundings() {
+    Csv csv(Path("roundings.csv"), {"fov", "rounding", "draws", "mean_px", "worst_px", "over"});
+    for (const double fov : {1.0, 5.0, 10.0, 20.0, 60.0, 120.0}) {
+      for (const RoundingCost& cost :
+           MeasureRoundings(fov, options_.quick ? 40 : 200, options_.quick ? 300 : 1000, 77)) {
+        csv << fov << cost.rounding << cost.draws << cost.mean << cost.worst
+            << cost.over;
+        csv.EndRow();
+      }
     }
   }
 
@@ -125,6 +141,14 @@ class Study {
       const auto rgba = meter.Picture(device_, far, way.kind, 480, 270);
       if (!rgba.empty())
         WritePng(Path("picture-" + std::string(way.name) + ".png"), 480, 270, rgba);
+    }
+  }
+
+  void Special() {
+    Csv csv(Path("special.csv"), {"sweep", "what", "way", "got", "right"});
+    for (const SpecialResult& result : MeasureSpecial(device_)) {
+      csv << result.sweep << result.what << result.way << result.got << result.right;
+      csv.EndRow();
     }
   }
 

@@ -257,6 +257,28 @@ def failure_table(edges):
     return table(["method", "how", "more than half a pixel off at", "not usable somewhere in"], rows)
 
 
+def special_table(special):
+    """Odd planes and odd triangles by way; wrong ones in bold."""
+    cases = list(collections.OrderedDict.fromkeys((r["sweep"], r["what"]) for r in special))
+    ways = list(collections.OrderedDict.fromkeys(r["way"] for r in special))
+    found = {(r["sweep"], r["what"], r["way"]): (number(r["got"]), number(r["right"])) for r in special}
+    rows = []
+    for sweep, what in cases:
+        cells = []
+        for way in ways:
+            got, right = found.get((sweep, what, way), (None, None))
+            cells.append("-" if got is None else f"{got:.3f}" if abs(got - right) < 0.02 else f"{got:.3f}, wrong")
+        rights = sorted({f"{found[sweep, what, way][1]:.2f}" for way in ways if (sweep, what, way) in found})
+        rows.append([sweep, what, " to ".join(dict.fromkeys((rights[0], rights[-1])))] + cells)
+    return table(["sweep", "what", "right"] + ways, rows)
+
+
+def roundings_table(roundings):
+    return table(["field of view", "roundings of xyw1", "draws", "p99 on average, px", "at worst", "draws over 0.002"],
+                 [[f'{number(r["fov"]):g} degrees', r["rounding"], r["draws"], f'{number(r["mean_px"]):.2g}', f'{number(r["worst_px"]):.2g}', r["over"]]
+                  for r in roundings])
+
+
 def pictures(folder):
     parts = []
     for path in sorted(folder.glob("picture-*.png")):
@@ -287,6 +309,11 @@ def main():
     sweep_charts(charts, edges)
     charts.text("</div><h2>On a real rasteriser</h2>")
     pixel_chart(charts, pixels)
+    charts.text("<h3>Special values, triangles through w = 0, multisampling</h3><p>Special values: the share of the fragments without a plane "
+                "that are drawn. Through w = 0: the same, and with the opposite plane's added. Multisampling: the share of rows in which the cut "
+                "is smooth. The runtime refuses the planes that fail here.</p>" + special_table(read(folder, "special.csv")))
+    charts.text("<h2>What narrow views cost xyw1</h2><p>Random planes and cameras, surfaces at 5 degrees or more; `all` is xyw1 as it is.</p>" +
+                roundings_table(read(folder, "roundings.csv")))
     charts.text("<h2>Cost</h2>")
     cost_chart(charts, speed)
     charts.text("<h2>Depth</h2>")
