@@ -33,7 +33,7 @@ TEST(Roundings, AddUpToXyw1) {
 TEST(Roundings, ThePositionAloneLosesMoreThanTheClaimAtTenDegrees) {
   EXPECT_GT(At(10)[kNorConstant].over, 2);
   EXPECT_EQ(At(20)[kNorConstant].over, 0);
-  EXPECT_EQ(At(60)[kAll].over, 0);
+  EXPECT_EQ(At(35)[kAll].over, 0);
 }
 
 // A position that is right to the last bit loses half a unit of its w, and a pixel is so much
