@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 """Holds the tables of a clipc-study run against what the study is there to show.
 
-usage: check_tables.py FOLDER"""
+usage: check_tables.py FOLDER [--costs]
+
+--costs looks at times too, which takes a whole study and a machine that does not do too much else."""
 import csv
 import pathlib
 import sys
@@ -51,6 +53,15 @@ roundings = {(r["fov"], r["rounding"]): r for r in read("roundings.csv")}
 expect(int(roundings["10", "nor the constant's"]["over"]) > 0, "xyw1 could be had below 0.002 pixels at 10 degrees")
 expect(int(roundings["60", "all"]["over"]) == 0, "xyw1 is over 0.002 pixels at 60 degrees")
 expect(float(roundings["10", "none"]["worst_px"]) < 1e-6, "xyw1 without rounding is not exact")
+
+# No more than 2 % more a frame than the default.
+if "--costs" in sys.argv:
+    paired = {(r["setting"], r["way"], r["planes"]): float(r["paired_ratio"]) for r in speed}
+    for setting in ("picture", "vertices"):
+        for way in ("xyw1", "object"):
+            for planes in "136":
+                more = paired[setting, way, planes] / paired[setting, "clip", planes]
+                expect(more <= 1.02, f"{way} with {planes} planes costs {more:.3f} times what clip does, setting {setting}")
 
 costs = {(r["setting"], r["way"], r["planes"]): float(r["ratio"]) for r in speed}
 expect(costs[("cut", "object", "6")] < 0.5, "cutting almost everything away saves less than half")

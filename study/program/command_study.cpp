@@ -155,16 +155,16 @@ class Study {
   // The costs of the setting "picture".
   CostTable Speed(const std::string& name, const char* what) {
     Csv csv(Path(name),
-            {"setting", "way", "planes", "median_ms", "least_ms", "ratio", "least_ratio"});
+            {"setting", "way", "planes", "median_ms", "least_ms", "ratio", "paired_ratio"});
     Progress progress(what);
     CostTable table;
     for (const Cost& cost : MeasureSpeed(device_, options_.quick ? 3 : 25,
                                          options_.quick ? 40 : 100, std::ref(progress))) {
       csv << cost.setting << cost.way << cost.planes << cost.median_ms << cost.least_ms
-          << cost.ratio << cost.least_ratio;
+          << cost.ratio << cost.paired_ratio;
       csv.EndRow();
       if (cost.planes > 0 && cost.setting == "picture")
-        table[{cost.way, cost.planes}] = cost.least_ratio;
+        table[{cost.way, cost.planes}] = cost.paired_ratio;
     }
     return table;
   }
