@@ -63,6 +63,20 @@ if "--costs" in sys.argv:
                 more = paired[setting, way, planes] / paired[setting, "clip", planes]
                 expect(more <= 1.02, f"{way} with {planes} planes costs {more:.3f} times what clip does, setting {setting}")
 
+# None of the peers' ways is as accurate and cheaper where planes cut little: by more than costs are known.
+PEERS = {"level9": "clip", "world": "world", "near-plane": "near-plane", "near-plane-f32": "near-plane-f32", "discard-world": "world", "cpu": "cpu"}
+if "--costs" in sys.argv:
+    for row in edges:
+        if row["sweep"] != "eye to plane / near" or row["method"] not in ("xyw1", "object"):
+            continue
+        for peer, arithmetic in PEERS.items():
+            other = next(r for r in edges if (r["sweep"], r["parameter"], r["method"]) == (row["sweep"], row["parameter"], arithmetic))
+            if other["applies"] != "1" or float(other["p99_px"]) > float(row["p99_px"]):
+                continue
+            for setting in ("picture", "vertices"):
+                less = paired[setting, peer, "1"] / paired[setting, row["method"], "1"]
+                expect(less > 0.98, f"{peer} is as accurate as {row['method']} at {row['parameter']} and costs {less:.3f} of it, setting {setting}")
+
 costs = {(r["setting"], r["way"], r["planes"]): float(r["ratio"]) for r in speed}
 expect(costs[("cut", "object", "6")] < 0.5, "cutting almost everything away saves less than half")
 expect(costs[("cut", "discard", "6")] > 1, "discarding saves time; it cannot")
