@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "passes/drop_unread.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <set>
 #include <span>
 #include <utility>
 #include <vector>
@@ -15,6 +17,99 @@ namespace clipc::passes {
 using namespace ir;
 
 namespace {
+
+// Gives zeros to an entry function that is still called for the inputs that it does not read.
+class ArgumentZeroer {
+ public:
+  explicit ArgumentZeroer(Program& program) : program_(program) {}
+
+  void Run() {
+    const Function& entry = program_.functions[program_.entry];
+    const Call* call = entry.parameters.empty() ? nullptr : FindCall();
+    if (!call) return;
+    const List<ExprId> arguments = call->arguments;
+    uses_.resize(arguments.size);
+    CollectUses(entry.body);
+    for (std::uint32_t i = 0; i < arguments.size; ++i) {
+      if (program_.vars[entry.parameters[i]].storage != Storage::kIn || uses_[i].as_whole) continue;
+      const ExprId argument = std::as_const(program_).expr_lists[arguments][i];
+      if (!uses_[i].fields.empty()) {
+        MakeFieldsZero(argument, uses_[i].fields);
+        continue;
+      }
+      ExprId value = argument;
+      MakeZero(value);
+      program_.expr_lists[arguments][i] = value;
+    }
+  }
+
+ private:
+  struct Uses {
+    bool as_whole = false;
+    std::set<std::uint32_t> fields;
+  };
+
+  List<StmtId> Body() const { return std::get<Block>(program_.stmts[program_.functions[program_.main].body].node).body; }
+
+  // `T result = entry(...);`, `output = entry(...);` or `entry(...);`
+  const Call* FindCall() const {
+    for (const StmtId id : std::as_const(program_).stmt_lists[Body()]) {
+      ExprId value;
+      if (const auto* declare = std::get_if<Declare>(&program_.stmts[id].node)) value = declare->init;
+      if (const auto* evaluate = std::get_if<Evaluate>(&program_.stmts[id].node)) {
+        const auto* assign = std::get_if<Assign>(&program_.exprs[evaluate->expr].node);
+        value = assign ? assign->value : evaluate->expr;
+      }
+      const auto* call = value ? std::get_if<Call>(&program_.exprs[value].node) : nullptr;
+      if (call && call->function == program_.entry) return call;
+    }
+    return nullptr;
+  }
+
+  void CollectUses(StmtId id) {
+    ForEachPart(program_, id, [&](ExprId expr) { CollectUses(expr); }, [&](StmtId part) { CollectUses(part); });
+  }
+  void CollectUses(ExprId id) {
+    const auto& node = program_.exprs[id].node;
+    const auto* field = std::get_if<FieldRef>(&node);
+    const auto* ref = std::get_if<VarRef>(field ? &program_.exprs[field->base].node : &node);
+    const std::vector<VarId>& parameters = program_.functions[program_.entry].parameters;
+    const auto found = ref ? std::ranges::find(parameters, ref->var) : parameters.end();
+    if (found != parameters.end()) {
+      Uses& uses = uses_[static_cast<std::size_t>(found - parameters.begin())];
+      if (field) uses.fields.insert(field->field);
+      else uses.as_whole = true;
+      return;
+    }
+    ForEachOperand(program_, id, [&](ExprId operand) { CollectUses(operand); });
+  }
+
+  void MakeZero(ExprId& value) {
+    if (IsPure(program_, value)) value = Builder(program_, program_.exprs[value].span).ZeroOf(program_.exprs[value].type);
+  }
+
+  // Of the variable that is made of the inputs for this call alone: `Vertex v = Vertex(in_POSITION0, in_NORMAL0);`
+  void MakeFieldsZero(ExprId argument, const std::set<std::uint32_t>& read) {
+    const auto* ref = std::get_if<VarRef>(&program_.exprs[argument].node);
+    if (!ref) return;
+    for (const StmtId id : std::as_const(program_).stmt_lists[Body()]) {
+      const auto* declare = std::get_if<Declare>(&program_.stmts[id].node);
+      if (!declare || declare->var != ref->var || !declare->init) continue;
+      const auto* construct = std::get_if<Construct>(&program_.exprs[declare->init].node);
+      if (!construct) return;
+      const List<ExprId> values = construct->arguments;
+      for (std::uint32_t i = 0; i < values.size; ++i) {
+        if (read.contains(i)) continue;
+        ExprId value = std::as_const(program_).expr_lists[values][i];
+        MakeZero(value);
+        program_.expr_lists[values][i] = value;
+      }
+    }
+  }
+
+  Program& program_;
+  std::vector<Uses> uses_;  // by parameter of the entry function
+};
 
 class Dropper {
  public:
@@ -108,6 +203,7 @@ class Dropper {
 
 void DropUnread(Program& program) {
   CLIPC_CHECK(program.form == Form::kInlined);
+  ArgumentZeroer(program).Run();
   Dropper(program).Run();
 }
 
