@@ -311,7 +311,7 @@ def main():
     pixel_chart(charts, pixels)
     charts.text("<h3>Special values, triangles through w = 0, multisampling</h3><p>Special values: the share of the fragments without a plane "
                 "that are drawn. Through w = 0: the same, and with the opposite plane's added. Multisampling: the share of rows in which the cut "
-                "is smooth. The runtime refuses the planes that fail here.</p>" + special_table(read(folder, "special.csv")))
+                "is smooth. The runtime refuses planes that are so short or so long, or changes their length.</p>" + special_table(read(folder, "special.csv")))
     charts.text("<h2>What narrow views cost xyw1</h2><p>Random planes and cameras, surfaces at 5 degrees or more; `all` is xyw1 as it is.</p>" +
                 roundings_table(read(folder, "roundings.csv")))
     charts.text("<h2>Cost</h2>")
