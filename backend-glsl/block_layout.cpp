@@ -13,7 +13,6 @@ using namespace ir;
 
 namespace {
 
-constexpr std::uint32_t kRow = 16;
 // Beyond this no device takes a buffer; the sums below stay far from wrapping round.
 constexpr std::uint64_t kLargest = 1u << 30;
 
@@ -135,6 +134,7 @@ bool OnlyFloats(const TypeTable& types, TypeId id) {
 // The members one by one: those of the cbuffer, or the fields of T.
 std::vector<BlockMember> MembersOf(const Program& program, const Cbuffer& cbuffer, bool fields_as_members) {
   std::vector<BlockMember> members;
+  members.reserve(cbuffer.members.size());
   if (!fields_as_members) {
     for (const CbufferMember& member : cbuffer.members) {
       const Var& var = program.vars[member.var];

@@ -14,6 +14,8 @@
 // Sources: HLSL packing as in ir/packing.h; std140 in section 7.6.2.2 of the OpenGL 4.6 specification.
 namespace clipc::glsl {
 
+inline constexpr std::uint32_t kRow = 16;  // bytes of a register of a cbuffer, and of std140's vec4
+
 enum class BlockForm : std::uint8_t {
   kStd140,    // members as written; some with an explicit offset or padding before them
   kRows,      // one array of rows of 16 bytes, and accessors

@@ -24,7 +24,7 @@ namespace {
 class TargetCheck {
  public:
   TargetCheck(const Program& program, const Target& target, Diagnostics& diagnostics)
-      : program_(program), target_(target), diagnostics_(diagnostics), reached_(Reach(program)) {}
+      : program_(program), target_(target), diagnostics_(diagnostics), reached_(Reach(program)), seen_types_(program.types.size()) {}
 
   Reached Run() {
     for (const IoVar& input : program_.inputs) Input(input);
@@ -210,9 +210,7 @@ class TargetCheck {
 
   // ---- types, each missing one reported once
   void Type(TypeId id, Span span) {
-    if (id.index >= seen_types_.size()) seen_types_.resize(id.index + 1);
-    if (seen_types_[id.index]) return;
-    seen_types_[id.index] = true;
+    if (std::exchange(seen_types_[id.index], true)) return;
     const ir::Type& type = program_.types[id];
     if (type.kind == TypeKind::kArray) return Type(type.element, span);
     if (type.kind == TypeKind::kStruct) {
@@ -389,7 +387,7 @@ class TargetCheck {
   const Target& target_;
   Diagnostics& diagnostics_;
   const Reached reached_;
-  std::vector<bool> seen_types_;  // by TypeId
+  std::vector<char> seen_types_;  // by TypeId
   bool double_reported_ = false, int64_reported_ = false, uint_reported_ = false;
 };
 

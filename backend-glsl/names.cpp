@@ -1,23 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "backend-glsl/names.h"
 
+#include <array>
+
 #include "backend-glsl/reserved_words.h"
 #include "base/check.h"
 
 namespace clipc::glsl {
 namespace {
 
-bool IsLetterOrDigit(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-}
+constexpr auto kLettersAndDigits = [] {
+  std::array<bool, 256> chosen{};
+  for (const char c : std::string_view("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789")) {
+    chosen[static_cast<unsigned char>(c)] = true;
+  }
+  return chosen;
+}();
+bool IsLetterOrDigit(char c) { return kLettersAndDigits[static_cast<unsigned char>(c)]; }
 
 // A name that may stay as it is, and most are.
 bool IsPlain(std::string_view name) {
   if (name.size() < 3 || !IsLetterOrDigit(name[0]) || name[0] <= '9' || name[2] == '_') return false;
-  char before = 0;
+  bool is_after_underscore = false;
   for (const char c : name) {
-    if (!IsLetterOrDigit(c) && (c != '_' || before == '_')) return false;
-    before = c;
+    const bool is_underscore = c == '_';
+    if (is_underscore ? is_after_underscore : !IsLetterOrDigit(c)) return false;
+    is_after_underscore = is_underscore;
   }
   return true;
 }
@@ -48,12 +56,14 @@ std::string WithSuffix(std::string_view name, std::string_view suffix) {
 
 std::string LegalName(std::string_view wanted, std::string_view fallback) {
   std::string name = Spelling(wanted, fallback);
-  return IsKeyword(name) || IsBuiltinFunction(name) ? WithSuffix(name, "") : name;
+  if (IsKeyword(name) || IsBuiltinFunction(name)) return WithSuffix(name, "");
+  return name;
 }
 
 std::string LegalFieldName(std::string_view wanted) {
   std::string name = Spelling(wanted, "field");
-  return IsKeyword(name) ? WithSuffix(name, "") : name;
+  if (IsKeyword(name)) return WithSuffix(name, "");
+  return name;
 }
 
 std::string Namer::Global(std::string_view wanted, std::string_view fallback) {

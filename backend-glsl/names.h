@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <memory_resource>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -32,7 +33,8 @@ class Namer {
     bool is_local = false;  // visible or not
     int last_suffix = 1;    // that was given to a global of this stem
   };
-  std::unordered_map<std::string, Use> uses_;  // by name
+  std::pmr::monotonic_buffer_resource memory_{4096};
+  std::pmr::unordered_map<std::string, Use> uses_{64, &memory_};  // by name
   std::vector<std::vector<Use*>> scopes_;      // their locals
 };
 

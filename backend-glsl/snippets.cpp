@@ -262,6 +262,7 @@ std::string Expand(const SnippetText& snippet, std::string_view function, const 
                    const std::function<std::string(std::string_view)>& name_of_other) {
   const auto type = [&](Scalar kind) { return GlslName(shape.With(kind), has_unsigned); };
   std::string out;
+  out.reserve(2 * snippet.text.size());
   for (std::size_t i = 0; i < snippet.text.size(); ++i) {
     const std::size_t plain = std::min(snippet.text.find_first_of("@$", i), snippet.text.size());
     out += snippet.text.substr(i, plain - i);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -17,6 +19,20 @@ constexpr Binding Tighter(Binding binding) {
   return binding == Binding::kPostfix ? binding : static_cast<Binding>(static_cast<int>(binding) + 1);
 }
 
+// The parts behind `text`, or one behind the other; memory is asked for once.
+template <typename... Parts>
+void Append(std::string& text, const Parts&... parts) {
+  const std::size_t size = text.size() + (std::string_view(parts).size() + ...);
+  if (size > text.capacity()) text.reserve(std::max(size, 2 * text.capacity()));
+  (text.append(std::string_view(parts)), ...);
+}
+template <typename... Parts>
+std::string Concat(const Parts&... parts) {
+  std::string text;
+  Append(text, parts...);
+  return text;
+}
+
 // A written expression.
 struct Text {
   std::string text;
@@ -24,19 +40,16 @@ struct Text {
 
   // The text, in parentheses when it binds looser than its place needs.
   std::string At(Binding least) && {
-    return binding >= least ? std::move(text) : "(" + text + ")";
+    if (binding >= least) return std::move(text);
+    return Concat("(", text, ")");
   }
-  std::string At(Binding least) const& { return binding >= least ? text : "(" + text + ")"; }
 };
 
 // `left op right`; the operators of GLSL associate to the left. Takes left's buffer, so that long chains stay linear.
 inline Text Infix(Text left, std::string_view op, Text right, Binding binding) {
   std::string text = std::move(left).At(binding);
-  text.reserve(text.size() + op.size() + right.text.size() + 4);
-  text += ' ';
-  text += op;
-  text += ' ';
-  text += std::move(right).At(Tighter(binding));
+  const bool is_loose = right.binding < Tighter(binding);
+  Append(text, " ", op, is_loose ? " (" : " ", right.text, is_loose ? ")" : "");
   return {std::move(text), binding};
 }
 

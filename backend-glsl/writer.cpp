@@ -36,7 +36,7 @@ std::string Writer::Write() {
   if (!inputs_.empty()) inputs_ += "\n";
   if (!outputs_.empty()) outputs_ += "\n";
   if (!globals_.empty()) globals_ += "\n";
-  return Header() + structs_ + blocks_ + objects_ + inputs_ + outputs_ + helpers_ + globals_ + functions_;
+  return Concat(Header(), structs_, blocks_, objects_, inputs_, outputs_, helpers_, globals_, functions_);
 }
 
 std::string Writer::Header() const {

@@ -99,6 +99,7 @@ void Writer::Block(CbufferId id) {
 }
 
 void Writer::BlockMembers(const BlockLayout& layout, GlslInfo::Block& info) {
+  info.members.reserve(layout.members.size());
   std::uint32_t end = 0;
   const auto pad = [&](std::string_view type, std::uint32_t bytes, std::uint32_t count) {
     const std::string name = layout.fields_as_members ? "padding_" + std::to_string(end) : namer_.Global("padding_" + std::to_string(end));
@@ -122,7 +123,7 @@ void Writer::BlockMembers(const BlockLayout& layout, GlslInfo::Block& info) {
       qualifiers += qualifiers.empty() ? "row_major" : ", row_major";
     }
     if (!qualifiers.empty()) qualifiers = "layout(" + qualifiers + ") ";
-    blocks_ += "    " + qualifiers + Declaration(member.type, name) + ";\n";
+    Append(blocks_, "    ", qualifiers, Declaration(member.type, name), ";\n");
     info.members.push_back({member.var, member.field, is_field ? info.name + "." + name : name, false});
   }
 }

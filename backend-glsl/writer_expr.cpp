@@ -16,7 +16,7 @@ using namespace ir;
 Text Writer::Expr(ExprId id) {
   const ir::Expr& expr = program_.exprs[id];
   RequireType(program_.types[expr.type]);
-  return std::visit(
+  return Visit(
       Overloaded{
           [&](const Literal& node) { return LiteralText(node.bits, TypeOf(id).scalar, target_); },
           [&](const Zero&) { return Text{ZeroText(expr.type)}; },
@@ -38,8 +38,8 @@ Text Writer::Expr(ExprId id) {
           [&](const Unary& node) { return UnaryText(expr, node); },
           [&](const Binary& node) {
             const bool is_eager = node.op == BinaryOp::kLogicalAnd || node.op == BinaryOp::kLogicalOr;
-            const Operand left = OperandOf(node.left), right = OperandOf(node.right);
-            return BinaryOn(node.op, left, right, !is_eager || IsPure(node.right));
+            Operand left = OperandOf(node.left), right = OperandOf(node.right);
+            return BinaryOn(node.op, std::move(left), std::move(right), !is_eager || IsPure(node.right));
           },
           [&](const Assign& node) { return AssignText(node); },
           [&](const Conditional& node) {
@@ -113,8 +113,10 @@ Text Writer::SwizzleText(const Swizzle& node) {
     if (node.count == 1) return base;
     return {TypeName(ShapeOf(shape.scalar, 1, node.count)) + "(" + Argument(std::move(base)) + ")"};
   }
-  std::string text = std::move(base).At(Binding::kPostfix) + ".";
-  for (int i = 0; i < node.count; ++i) text += "xyzw"[node.components[i]];
+  char components[] = ".xyzw";
+  for (int i = 0; i < node.count; ++i) components[i + 1] = "xyzw"[node.components[i]];
+  std::string text = std::move(base).At(Binding::kPostfix);
+  text.append(components, static_cast<std::size_t>(node.count) + 1);
   return {std::move(text)};
 }
 
@@ -172,8 +174,9 @@ Text Writer::UnaryText(const ir::Expr& expr, const Unary& node) {
 Text Writer::AssignText(const Assign& node) {
   NotConstant();
   if (node.op) return CompoundAssignText(node);
-  Text target = Expr(node.target);
-  return {std::move(target).At(Binding::kUnary) + " = " + ArgumentOf(node.value), Binding::kAssignment};
+  std::string text = Expr(node.target).At(Binding::kUnary);
+  Append(text, " = ", ArgumentOf(node.value));
+  return {std::move(text), Binding::kAssignment};
 }
 
 Text Writer::CompoundAssignText(const Assign& node) {
@@ -182,11 +185,9 @@ Text Writer::CompoundAssignText(const Assign& node) {
   Operand value = OperandOf(node.value);
   if (IsNative(op, shape, value)) {
     std::string text = Expr(node.target).At(Binding::kUnary);
-    text += ' ';
-    text += SpellingOf(op);
-    text += "= ";
     Text right = value.scalar ? std::move(*value.scalar) : std::move(value.text);
-    return {text + Argument(std::move(right)), Binding::kAssignment};
+    Append(text, " ", SpellingOf(op), "= ", Argument(std::move(right)));
+    return {std::move(text), Binding::kAssignment};
   }
   const bool is_shift = op == BinaryOp::kShiftLeft || op == BinaryOp::kShiftRight;
   if (is_shift && shape.kind != Shape::kRows) {
@@ -195,8 +196,9 @@ Text Writer::CompoundAssignText(const Assign& node) {
   }
   if (IsPure(node.target)) {
     Operand target{Expr(node.target), shape, std::nullopt, IsRepeatable(node.target)};
-    std::string text = target.text.At(Binding::kUnary) + " = ";
-    return {text + Argument(BinaryOn(op, target, value, true)), Binding::kAssignment};
+    std::string text = Text(target.text).At(Binding::kUnary);
+    Append(text, " = ", Argument(BinaryOn(op, std::move(target), std::move(value), true)));
+    return {std::move(text), Binding::kAssignment};
   }
   const std::string type = TypeName(shape);
   const std::string name = "assign_" + std::string(HelperName(op));
@@ -228,12 +230,12 @@ Text Writer::ConvertText(const ir::Expr& expr, const Convert& node) {
 
 Text Writer::CallText(const Call& node) {
   NotConstant();
-  std::string arguments;
-  for (ExprId argument : program_.expr_lists[node.arguments]) {
-    if (!arguments.empty()) arguments += ", ";
-    arguments += ArgumentOf(argument);
+  std::string text = Concat(function_names_[node.function.index], "(");
+  for (std::uint32_t i = 0; i < node.arguments.size; ++i) {
+    Append(text, i > 0 ? ", " : "", ArgumentOf(program_.expr_lists[node.arguments][i]));
   }
-  return {function_names_[node.function.index] + "(" + arguments + ")"};
+  text += ')';
+  return {std::move(text)};
 }
 
 bool Writer::IsRepeatable(ExprId id) const {

@@ -50,7 +50,14 @@ Text Writer::CallOn(std::string_view function, std::span<const Operand> operands
   for (std::size_t i = 0; i < operands.size(); ++i) {
     if (i > 0) text += ", ";
     const bool as_scalar = all_scalar && (scalars >> i & 1) != 0;
-    text += Argument(as_scalar ? *operands[i].scalar : Full(operands[i]));
+    const Operand& operand = operands[i];
+    if (operand.scalar && !as_scalar) {
+      text += Argument(Full(operand));
+    } else {
+      const Text& plain = as_scalar ? *operand.scalar : operand.text;
+      const bool is_comma = plain.binding < Binding::kAssignment;
+      Append(text, is_comma ? "(" : "", plain.text, is_comma ? ")" : "");
+    }
   }
   text += ')';
   return {std::move(text)};

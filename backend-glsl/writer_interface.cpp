@@ -25,6 +25,7 @@ bool IsIntegral(const Shape& shape) { return !shape.IsFloating(); }
 }  // namespace
 
 void Writer::Inputs() {
+  info_.inputs.reserve(program_.inputs.size());
   for (const IoVar& input : program_.inputs) {
     GlslInfo::Variable& info = info_.inputs.emplace_back();
     info.is_used = reached_.Has(input.var);
@@ -114,6 +115,7 @@ std::string Writer::OutputName(const IoVar& output) const {
 }
 
 void Writer::Outputs() {
+  info_.outputs.reserve(program_.outputs.size());
   std::uint32_t location = 0;
   for (const IoVar& output : program_.outputs) {
     GlslInfo::Variable& info = info_.outputs.emplace_back();
@@ -149,7 +151,7 @@ void Writer::Outputs() {
       line += "sample ";
     }
     line += target_.HasInAndOut() ? "out " : "varying ";
-    outputs_ += line + Declaration(shape, info.name) + ";  // " + SemanticOf(output) + "\n";
+    Append(outputs_, line, Declaration(shape, info.name), ";  // ", SemanticOf(output), "\n");
   }
   PerVertex();
 }

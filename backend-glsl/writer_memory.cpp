@@ -12,8 +12,7 @@ using namespace ir;
 
 namespace {
 
-constexpr std::uint32_t kRow = 16, kWord = 4;
-constexpr std::uint32_t kLongArray = 17;  // elements; from here on a loop fills the array
+constexpr std::uint32_t kWord = 4;
 
 std::uint32_t SizeOf(Scalar kind) {
   const Scalar base = BaseOf(kind);

@@ -58,7 +58,7 @@ std::optional<std::uint32_t> PlainNumber(const std::optional<Text>& text) {
   return whole ? std::optional(value) : std::nullopt;
 }
 
-Text ScalarOr(const Operand& operand) { return operand.scalar ? *operand.scalar : operand.text; }
+Text ScalarOr(Operand operand) { return operand.scalar ? std::move(*operand.scalar) : std::move(operand.text); }
 
 }  // namespace
 
@@ -136,10 +136,10 @@ bool Writer::IsNative(BinaryOp op, const Shape& shape, const Operand& right) con
   return true;
 }
 
-Text Writer::BinaryOn(BinaryOp op, const Operand& left, const Operand& right, bool right_is_pure) {
-  const Shape& shape = left.shape;
+Text Writer::BinaryOn(BinaryOp op, Operand left, Operand right, bool right_is_pure) {
+  const Shape shape = left.shape;
   if (shape.kind == Shape::kRows || (shape.kind == Shape::kMatrix && !IsLinear(op))) {
-    const Operand operands[] = {left, right};
+    const Operand operands[] = {std::move(left), std::move(right)};
     const bool gives_bool = IsComparison(op) || IsLogical(op);
     return ByRows(Of(op).name, operands, gives_bool ? shape.With(Scalar::kBool) : shape,
                   [&](std::span<const Operand> row) { return BinaryOn(op, row[0], row[1], true); });
@@ -148,17 +148,18 @@ Text Writer::BinaryOn(BinaryOp op, const Operand& left, const Operand& right, bo
   if (IsComparison(op)) return CompareOn(op, left, right);
   if (IsShift(op)) return ShiftOn(op, left, right);
   if (op == BinaryOp::kMod) return ModOn(left, right);
-  return ArithmeticOn(op, left, right);
+  return ArithmeticOn(op, std::move(left), std::move(right));
 }
 
 // A scalar operand may stand beside a vector or matrix as it is.
-Text Writer::ArithmeticOn(BinaryOp op, const Operand& left, const Operand& right) {
+Text Writer::ArithmeticOn(BinaryOp op, Operand left, Operand right) {
   if (left.shape.kind == Shape::kMatrix && op == BinaryOp::kMul && !left.scalar && !right.scalar) {
     const Operand operands[] = {left, right};
     return CallOn("matrixCompMult", operands);
   }
   const bool both = left.scalar && right.scalar && !left.shape.IsScalar();
-  return Infix(both ? Full(left) : ScalarOr(left), Of(op).spelling, ScalarOr(right), Of(op).binding);
+  Text first = both ? Full(left) : ScalarOr(std::move(left));
+  return Infix(std::move(first), Of(op).spelling, ScalarOr(std::move(right)), Of(op).binding);
 }
 
 Text Writer::ModOn(const Operand& left, const Operand& right) {

@@ -24,6 +24,8 @@
 
 namespace clipc::glsl {
 
+inline constexpr std::uint32_t kLongArray = 17;  // elements; from here on a loop fills an array, not a constructor
+
 // A texture and the sampler it is read with; none for reads without one.
 struct TextureUse {
   ir::VarId texture, sampler;
@@ -134,7 +136,11 @@ class Writer {
   void For(const ir::For& node);
   void Switch(const ir::Switch& node);
   std::string DeclareText(const ir::Declare& node);
-  void Line(std::string_view text);
+  template <typename... Parts>
+  void Line(const Parts&... parts) {
+    out_->append(static_cast<std::size_t>(indent_) * 4, ' ');
+    Append(*out_, parts..., "\n");
+  }
 
   // ---- writer_expr.cpp
   Text Expr(ir::ExprId id);
@@ -165,8 +171,8 @@ class Writer {
   Text Full(const Operand& operand);  // of its whole shape
   Text SplatText(const Text& scalar, const Shape& shape, bool repeatable);
   Text UnaryOn(ir::UnaryOp op, const Operand& operand);
-  Text BinaryOn(ir::BinaryOp op, const Operand& left, const Operand& right, bool right_is_pure);
-  Text ArithmeticOn(ir::BinaryOp op, const Operand& left, const Operand& right);
+  Text BinaryOn(ir::BinaryOp op, Operand left, Operand right, bool right_is_pure);
+  Text ArithmeticOn(ir::BinaryOp op, Operand left, Operand right);
   Text ModOn(const Operand& left, const Operand& right);
   Text ShiftOn(ir::BinaryOp op, const Operand& left, const Operand& right);
   Text ShiftCount(const Operand& count, ir::Scalar shifted);

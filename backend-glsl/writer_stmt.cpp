@@ -9,12 +9,6 @@ namespace clipc::glsl {
 
 using namespace ir;
 
-void Writer::Line(std::string_view text) {
-  out_->append(static_cast<std::size_t>(indent_) * 4, ' ');
-  out_->append(text);
-  *out_ += '\n';
-}
-
 void Writer::Statements(List<StmtId> list) {
   for (StmtId id : program_.stmt_lists[list]) Statement(id);
 }
@@ -33,28 +27,28 @@ void Writer::Body(StmtId id) {
 }
 
 void Writer::Statement(StmtId id) {
-  std::visit(Overloaded{
+  Visit(Overloaded{
                  [&](const ir::Block&) {
                    Line("{");
                    Body(id);
                    Line("}");
                  },
-                 [&](const Declare& node) { Line(DeclareText(node) + ";"); },
-                 [&](const Evaluate& node) { Line(Expr(node.expr).text + ";"); },
+                 [&](const Declare& node) { Line(DeclareText(node), ";"); },
+                 [&](const Evaluate& node) { Line(Expr(node.expr).text, ";"); },
                  [&](const ir::If& node) { If(node, ""); },
                  [&](const ir::For& node) { For(node); },
                  [&](const While& node) {
-                   Line("while (" + Expr(node.condition).text + ") {");
+                   Line("while (", Expr(node.condition).text, ") {");
                    Body(node.body);
                    Line("}");
                  },
                  [&](const DoWhile& node) {
                    Line("do {");
                    Body(node.body);
-                   Line("} while (" + Expr(node.condition).text + ");");
+                   Line("} while (", Expr(node.condition).text, ");");
                  },
                  [&](const ir::Switch& node) { Switch(node); },
-                 [&](const Return& node) { Line(node.value ? "return " + Expr(node.value).text + ";" : "return;"); },
+                 [&](const Return& node) { node.value ? Line("return ", Expr(node.value).text, ";") : Line("return;"); },
                  [&](const Break&) { Line("break;"); },
                  [&](const Continue&) { Line("continue;"); },
              },
@@ -67,12 +61,12 @@ std::string Writer::DeclareText(const Declare& node) {
   // The variable is in scope after its initialiser only, in GLSL as in HLSL.
   std::string value;
   constant_ = true;
-  if (init) value = " = " + ArgumentOf(init);
+  if (init) value = ArgumentOf(init);
   const bool is_const = var.storage == Storage::kConstant && init && constant_;
   std::string& name = var_names_[node.var.index];
   name = namer_.Local(var.name);
   const bool is_precise = var.precise && target_.HasPrecise();
-  return std::string(is_const ? "const " : "") + (is_precise ? "precise " : "") + Declaration(var.type, name) + value;
+  return Concat(is_const ? "const " : "", is_precise ? "precise " : "", Declaration(var.type, name), init ? " = " : "", value);
 }
 
 void Writer::If(const ir::If& node, std::string_view lead) {
@@ -103,7 +97,7 @@ void Writer::For(const ir::For& node) {
   if (node.condition) head += " " + Expr(node.condition).text;
   head += ";";
   if (node.step) head += " " + Expr(node.step).text;
-  Line(head + ") {");
+  Line(head, ") {");
   Body(node.body);
   Line("}");
   namer_.CloseScope();

@@ -11,9 +11,6 @@ using namespace ir;
 
 namespace {
 
-// Arrays from here on are filled by a loop instead of a constructor.
-constexpr std::uint32_t kLongArray = 17;
-
 bool IsArrayInGlsl(const TypeTable& types, TypeId id) {
   const Type& type = types[id];
   return type.kind == TypeKind::kArray || (type.IsNumeric() && ShapeOf(type).kind == Shape::kRows);
@@ -52,7 +49,8 @@ Writer::TypeParts Writer::PartsOf(TypeId id) {
     case TypeKind::kMatrix: {
       RequireType(type);
       const std::string name = TypeName(ShapeOf(type));
-      const std::size_t bracket = std::min(name.find('['), name.size());
+      const std::size_t bracket = name.find('[');
+      if (bracket == std::string::npos) return {name, ""};
       return {name.substr(0, bracket), name.substr(bracket)};
     }
     case TypeKind::kArray: {
@@ -73,18 +71,20 @@ Writer::TypeParts Writer::PartsOf(TypeId id) {
 
 std::string Writer::TypeName(TypeId type) {
   TypeParts parts = PartsOf(type);
-  return parts.base + parts.dimensions;
+  parts.base += parts.dimensions;
+  return std::move(parts.base);
 }
 
 std::string Writer::Declaration(TypeId type, std::string_view name) {
-  TypeParts parts = PartsOf(type);
-  return parts.base + " " + std::string(name) + parts.dimensions;
+  const TypeParts parts = PartsOf(type);
+  return Concat(parts.base, " ", name, parts.dimensions);
 }
 
 std::string Writer::Declaration(const Shape& shape, std::string_view name) const {
-  const std::string type = TypeName(shape);
+  const std::string type_name = TypeName(shape);
+  const std::string_view type = type_name;
   const std::size_t bracket = std::min(type.find('['), type.size());
-  return type.substr(0, bracket) + " " + std::string(name) + type.substr(bracket);
+  return Concat(type.substr(0, bracket), " ", name, type.substr(bracket));
 }
 
 void Writer::UseStruct(StructId id) {

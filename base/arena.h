@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
@@ -69,9 +70,16 @@ struct List {
 template <typename T>
 class Pool {
  public:
+  // `values` may lie in this pool.
   List<T> Add(std::span<const T> values) {
-    List<T> list{static_cast<std::uint32_t>(values_.size()), static_cast<std::uint32_t>(values.size())};
-    values_.insert(values_.end(), values.begin(), values.end());
+    const List<T> list{static_cast<std::uint32_t>(values_.size()), static_cast<std::uint32_t>(values.size())};
+    std::vector<T> old;
+    if (const std::size_t size = values_.size() + values.size(); size > values_.capacity()) {
+      old.reserve(std::max(size, 2 * values_.capacity()));
+      old.insert(old.end(), values_.begin(), values_.end());
+      old.swap(values_);
+    }
+    for (const T& value : values) values_.push_back(value);
     return list;
   }
   List<T> Add(std::initializer_list<T> values) { return Add(std::span<const T>(values.begin(), values.size())); }

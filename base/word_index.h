@@ -21,11 +21,13 @@ class WordIndex {
       std::size_t slot = FirstSlot(words[i]);
       while (slots_[slot] != kNone) slot = NextSlot(slot);
       slots_[slot] = static_cast<std::uint16_t>(i);
+      lengths_[FirstLetter(words[i])] |= LengthBit(words[i]);
     }
   }
 
   // The position of `word` in the array, or kNone.
   constexpr std::size_t Find(std::string_view word) const {
+    if ((lengths_[FirstLetter(word)] & LengthBit(word)) == 0) return kNone;
     std::size_t slot = FirstSlot(word);
     while (slots_[slot] != kNone && words_[slots_[slot]] != word) slot = NextSlot(slot);
     return slots_[slot];
@@ -45,10 +47,15 @@ class WordIndex {
     }
     return (hash ^ hash >> 15) % kSlots;
   }
+  static constexpr std::size_t FirstLetter(std::string_view word) {
+    return word.empty() ? 0 : static_cast<unsigned char>(word[0]) % 64;
+  }
+  static constexpr std::uint32_t LengthBit(std::string_view word) { return 1u << word.size() % 32; }
   static constexpr std::size_t NextSlot(std::size_t slot) { return (slot + 1) % kSlots; }
 
   std::array<std::string_view, N> words_;
   std::array<std::uint16_t, kSlots> slots_{};
+  std::array<std::uint32_t, 64> lengths_{};  // by first letter: the lengths of its words, which most other words fail
 };
 
 }  // namespace clipc

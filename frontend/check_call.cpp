@@ -22,6 +22,7 @@ ir::ExprId Checker::CheckCall(const ast::CallExpr& expr, Span span) {
 // False when an argument has an error.
 bool Checker::CheckArguments(List<ast::ExprId> list, std::vector<ir::ExprId>& arguments) {
   bool ok = true;
+  arguments.reserve(arguments.size() + list.size);
   for (std::uint32_t i = 0; i < list.size; ++i) {
     arguments.push_back(CheckExpr(file_.expr_lists[list][i]));
     ok = ok && !IsError(arguments.back());

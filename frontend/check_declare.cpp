@@ -20,7 +20,7 @@ void Checker::DeclareAll(std::span<const ast::DeclId> decls, ScopeId scope) {
 
 void Checker::DeclareOne(ast::DeclId id, ScopeId scope) {
   const ast::Decl& decl = file_.decls[id];
-  std::visit(Overloaded{
+  Visit(Overloaded{
                  [&](const ast::VarDecl& var) { DeclareVar(id, var, scope); },
                  [&](const ast::FunctionDecl& function) { DeclareFunction(id, function, scope); },
                  [&](const ast::StructDecl& structure) { DeclareStruct(id, structure, scope); },
@@ -66,6 +66,7 @@ void Checker::DeclareBuffer(ast::DeclId id, const ast::BufferDecl& buffer, Scope
   entry.scope = scope;
   const BufferId buffer_id = buffers_.Add(entry);
   std::vector<SymbolId> members;
+  members.reserve(buffer.members.size);
   for (std::uint32_t i = 0; i < buffer.members.size; ++i) {
     const ast::DeclId member = file_.decl_lists[buffer.members][i];
     const auto* var = std::get_if<ast::VarDecl>(&file_.decls[member].node);

@@ -29,7 +29,7 @@ ir::ExprId Checker::CheckExpr(ast::ExprId id) {
   const Depth depth(*this, expr.span);
   if (!depth.ok()) return ErrorExpr(expr.span);
   const Span span = expr.span;
-  return std::visit(
+  return Visit(
       Overloaded{
           [&](const ast::Literal& e) { return CheckLiteral(e, span); },
           [&](const ast::NameExpr& e) { return CheckName(e, span); },

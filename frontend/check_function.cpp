@@ -157,6 +157,10 @@ std::vector<FunctionInfoId> Checker::OverloadsOf(SymbolId first, ir::TypeId self
   for (auto id = symbols.rbegin(); id != symbols.rend(); ++id) {
     const FunctionInfoId added = InfoOfFunction(*id, self);
     ResolveSignature(added);
+    if (symbols.size() == 1) {
+      overloads.push_back(added);
+      break;
+    }
     const std::string parameters = Info(added).is_broken ? fmt::format("broken {}", added.index) : ParameterKey(Info(added));
     const auto [slot, is_new] = by_parameters.emplace(parameters, overloads.size());
     if (is_new) overloads.push_back(added);

@@ -232,6 +232,7 @@ void Checker::FinishBuffer(const Buffer& buffer) {
     result.reg.is_explicit = binding->letter != 0;
   }
   const ir::CbufferId id{program_.cbuffers.size()};
+  result.members.reserve(buffer.members.size());
   for (SymbolId symbol : buffer.members) {
     const bool is_member = symbols_[symbol].value != ~0u && symbols_[symbol].kind == SymbolKind::kVariable;
     const ir::VarId var{symbols_[symbol].value};

@@ -100,7 +100,7 @@ void Checker::CheckStmt(ast::StmtId id) {
   const Depth depth(*this, span);
   if (!depth.ok() || diagnostics_.TooManyErrors()) return;
   Body& body = *context_.body;
-  std::visit(Overloaded{
+  Visit(Overloaded{
                  [&](const ast::BlockStmt&) { stmts_.push_back(CheckBlock(id)); },
                  [&](const ast::DeclStmt& s) { CheckDeclStmt(s); },
                  [&](const ast::ExprStmt& s) {
@@ -247,7 +247,7 @@ bool Checker::FallsThrough(ir::StmtId id) const {
     const auto* literal = std::get_if<ir::Literal>(&program_.exprs[condition].node);
     return literal && literal->bits != 0;
   };
-  return std::visit(
+  return Visit(
       Overloaded{
           [&](const ir::Block& s) {
             return std::ranges::all_of(program_.stmt_lists[s.body], [&](ir::StmtId stmt) { return FallsThrough(stmt); });
@@ -279,7 +279,7 @@ bool Checker::FallsThrough(ir::StmtId id) const {
 // Whether a `break` in it leaves the loop or switch whose body it is (a `continue` of a do-while may leave it, too).
 bool Checker::Breaks(ir::StmtId id) const {
   if (!id) return false;
-  return std::visit(Overloaded{
+  return Visit(Overloaded{
                         [&](const ir::Block& s) {
                           return std::ranges::any_of(program_.stmt_lists[s.body],
                                                      [&](ir::StmtId stmt) { return Breaks(stmt); });

@@ -25,6 +25,8 @@ ir::TypeId Checker::ResolveStruct(ast::DeclId id, SymbolId symbol, ScopeId scope
   if (!is_local) context = {.scope = scope, .order = order, .local_floor = symbols_.size()};
   context.scope = struct_infos_[structure.index].scope;
   const ContextSwitch in(*this, context);
+  program_.types[structure].fields.reserve(decl.members.size);
+  struct_infos_[structure.index].fields.reserve(decl.members.size);
   AddBases(decl, type);
   for (std::uint32_t i = 0; i < decl.members.size; ++i) AddMember(file_.decl_lists[decl.members][i], type);
   MeasureStruct(type, span);

@@ -2,8 +2,8 @@
 #include "frontend/entry.h"
 
 #include <algorithm>
-#include <cctype>
-#include <functional>
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 
@@ -14,9 +14,20 @@
 namespace clipc {
 namespace {
 
-// A scalar or vector inside a parameter: how to reach it, and which semantic it has.
+// A local variable or a part of one: a field or an element of another.
+struct Part {
+  enum class Kind : std::uint8_t { kVariable, kField, kElement };
+  Kind kind;
+  std::uint32_t number;     // of the field or element
+  std::size_t whole = 0;    // number of the Part that it is in
+  ir::VarId variable = {};
+};
+using PartNumber = std::size_t;
+constexpr PartNumber kNoPart = ~PartNumber{0};
+
+// A scalar or vector inside a parameter: where it is, and which semantic it has.
 struct Leaf {
-  std::function<ir::ExprId(ir::Builder&)> path;  // a fresh expression each call
+  PartNumber part;
   ir::TypeId type;
   std::string name;  // for messages: "input.position"
   SemanticName semantic;
@@ -36,8 +47,6 @@ struct Cursor {
   bool sample = false;
 };
 
-using Path = std::function<ir::ExprId(ir::Builder&)>;
-
 Cursor CursorOf(const EntryParameter& parameter) {
   return {SplitSemantic(parameter.semantic), !parameter.semantic.empty(), parameter.semantic_span,
           parameter.interpolation, parameter.centroid, parameter.sample};
@@ -45,7 +54,7 @@ Cursor CursorOf(const EntryParameter& parameter) {
 
 std::string UpperCase(std::string_view text) {
   std::string upper(text);
-  std::transform(upper.begin(), upper.end(), upper.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  std::transform(upper.begin(), upper.end(), upper.begin(), [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
   return upper;
 }
 
@@ -59,7 +68,7 @@ class MainBuilder {
     const ir::Function& entry = program_.functions[program_.entry];
     for (std::size_t i = 0; i < entry.parameters.size(); ++i) PrepareParameter(entry.parameters[i], signature_.parameters[i]);
     CallEntry();
-    for (Pending& output : pending_outputs_) AddOutputs(output.path, output.type, output.cursor, output.name, output.span);
+    for (Pending& output : pending_outputs_) AddOutputs(output.part, output.type, output.cursor, output.name, output.span);
     WriteDistances(ir::Builtin::kClipDistance, "clip_distance");
     WriteDistances(ir::Builtin::kCullDistance, "cull_distance");
     CheckDistanceCount();
@@ -69,7 +78,7 @@ class MainBuilder {
 
  private:
   struct Pending {
-    Path path;
+    PartNumber part;
     ir::TypeId type;
     Cursor cursor;
     std::string name;
@@ -78,7 +87,7 @@ class MainBuilder {
   // One piece of SV_ClipDistance or SV_CullDistance, waiting for its place in the merged array.
   struct Distance {
     std::uint32_t index;  // of the semantic
-    Path path;
+    PartNumber part;
     int components;
     bool is_scalar;
     Span span;
@@ -96,21 +105,21 @@ class MainBuilder {
     const bool writes = var.storage != ir::Storage::kIn;
     const Cursor cursor = CursorOf(parameter);
     if (!writes && IsLeaf(var.type)) {
-      std::vector<Leaf> leaves = LeavesOf(nullptr, var.type, cursor, var.name, var.span);
+      std::vector<Leaf> leaves = LeavesOf(kNoPart, var.type, cursor, var.name, var.span);
       if (!leaves.empty()) arguments_.push_back(Input(leaves.front()));
       return;
     }
     const ir::VarId local = builder_.Local(var.name, var.type);
-    const Path path = [local](ir::Builder& b) { return b.Ref(local); };
+    const PartNumber part = Whole(local);
     body_.push_back(builder_.Stmt(ir::Declare{local, {}}));
     if (reads) {
-      for (const Leaf& leaf : LeavesOf(path, var.type, cursor, var.name, var.span)) {
+      for (const Leaf& leaf : LeavesOf(part, var.type, cursor, var.name, var.span)) {
         const ir::ExprId value = Input(leaf);
-        if (value) body_.push_back(builder_.Eval(builder_.AssignTo(leaf.path(builder_), value)));
+        if (value) body_.push_back(builder_.Eval(builder_.AssignTo(ValueOf(leaf.part), value)));
       }
     }
     arguments_.push_back(builder_.Ref(local));
-    if (writes) pending_outputs_.push_back({path, var.type, cursor, var.name, var.span});
+    if (writes) pending_outputs_.push_back({part, var.type, cursor, var.name, var.span});
   }
 
   void CallEntry() {
@@ -123,7 +132,7 @@ class MainBuilder {
     }
     const ir::VarId result = builder_.Local("result", entry.return_type);
     body_.push_back(builder_.Stmt(ir::Declare{result, call}));
-    pending_outputs_.push_back({[result](ir::Builder& b) { return b.Ref(result); }, entry.return_type,
+    pending_outputs_.push_back({Whole(result), entry.return_type,
                                 CursorOf(signature_.result), entry.name, entry.span});
   }
 
@@ -134,45 +143,61 @@ class MainBuilder {
     return kind == ir::TypeKind::kScalar || kind == ir::TypeKind::kVector;
   }
 
-  std::vector<Leaf> LeavesOf(const Path& path, ir::TypeId type, const Cursor& cursor, const std::string& name, Span span) {
+  std::vector<Leaf> LeavesOf(PartNumber part, ir::TypeId type, const Cursor& cursor, const std::string& name, Span span) {
     std::vector<Leaf> leaves;
+    leaves.reserve(16);
     Cursor moving = cursor;
-    Collect(path, type, moving, name, span, leaves);
+    Collect(part, type, moving, name, span, leaves);
     return leaves;
   }
 
-  void Collect(const Path& path, ir::TypeId id, Cursor& cursor, const std::string& name, Span span, std::vector<Leaf>& leaves) {
+  void Collect(PartNumber part, ir::TypeId id, Cursor& cursor, const std::string& name, Span span, std::vector<Leaf>& leaves) {
     const ir::Type type = program_.types[id];
     switch (type.kind) {
       case ir::TypeKind::kError: return;
       case ir::TypeKind::kScalar:
-      case ir::TypeKind::kVector: CollectLeaf(path, id, cursor, name, span, leaves); return;
+      case ir::TypeKind::kVector: CollectLeaf(part, id, cursor, name, span, leaves); return;
       case ir::TypeKind::kMatrix: {
         const ir::TypeId row = program_.types.Vector(type.scalar, type.columns);
-        for (std::uint32_t i = 0; i < type.rows; ++i) Collect(Element(path, i), row, cursor, name, span, leaves);
+        for (std::uint32_t i = 0; i < type.rows; ++i) Collect(Inside(part, Part::Kind::kElement, i), row, cursor, name, span, leaves);
         return;
       }
       case ir::TypeKind::kArray:
         for (std::uint32_t i = 0; i < type.count && leaves.size() < kMaxLeaves; ++i) {
-          Collect(Element(path, i), type.element, cursor, name, span, leaves);
+          Collect(Inside(part, Part::Kind::kElement, i), type.element, cursor, name, span, leaves);
         }
         return;
-      case ir::TypeKind::kStruct: CollectStruct(path, type.structure, cursor, name, leaves); return;
+      case ir::TypeKind::kStruct: CollectStruct(part, type.structure, cursor, name, leaves); return;
       default:
         diagnostics_.Report(span, diag::SemanticOnObject, name, program_.types.Name(id));
         return;
     }
   }
 
-  static Path Element(const Path& path, std::uint32_t index) {
-    return [path, index](ir::Builder& b) { return b.At(path(b), index); };
+  PartNumber Whole(ir::VarId variable) {
+    parts_.push_back({Part::Kind::kVariable, 0, 0, variable});
+    return parts_.size() - 1;
+  }
+  PartNumber Inside(PartNumber whole, Part::Kind kind, std::uint32_t number) {
+    parts_.push_back({kind, number, whole});
+    return parts_.size() - 1;
+  }
+  // A fresh expression each call.
+  ir::ExprId ValueOf(PartNumber number) {
+    const Part part = parts_[number];
+    switch (part.kind) {
+      case Part::Kind::kVariable: return builder_.Ref(part.variable);
+      case Part::Kind::kField: return builder_.Field(ValueOf(part.whole), part.number);
+      case Part::Kind::kElement: return builder_.At(ValueOf(part.whole), part.number);
+    }
+    return {};
   }
 
-  void CollectStruct(const Path& path, ir::StructId structure, Cursor& cursor, const std::string& name, std::vector<Leaf>& leaves) {
+  void CollectStruct(PartNumber part, ir::StructId structure, Cursor& cursor, const std::string& name, std::vector<Leaf>& leaves) {
     const std::vector<ir::Field> fields = program_.types[structure].fields;
     for (std::uint32_t i = 0; i < fields.size() && leaves.size() < kMaxLeaves; ++i) {
       const ir::Field& field = fields[i];
-      const Path inner = [path, i](ir::Builder& b) { return b.Field(path(b), i); };
+      const PartNumber inner = Inside(part, Part::Kind::kField, i);
       const std::string inner_name = name + "." + field.name;
       // A semantic on the struct as a whole overrides those of its fields (DXC: "semantic override").
       if (cursor.given) {
@@ -186,14 +211,14 @@ class MainBuilder {
     }
   }
 
-  void CollectLeaf(const Path& path, ir::TypeId id, Cursor& cursor, const std::string& name, Span span, std::vector<Leaf>& leaves) {
+  void CollectLeaf(PartNumber part, ir::TypeId id, Cursor& cursor, const std::string& name, Span span, std::vector<Leaf>& leaves) {
     // fxc refuses (X3502); Slang names such an input or output after itself, and nothing wrong can come of it.
     if (!cursor.given) {
       cursor.semantic = SplitSemantic(name.substr(name.rfind('.') + 1));
       cursor.given = true;
       diagnostics_.Report(span, diag::SemanticMissing, name, fmt::format("{}{}", cursor.semantic.name, cursor.semantic.index));
     }
-    leaves.push_back({path, id, name, cursor.semantic, cursor.span ? cursor.span : span, cursor.interpolation, cursor.centroid, cursor.sample});
+    leaves.push_back({part, id, name, cursor.semantic, cursor.span ? cursor.span : span, cursor.interpolation, cursor.centroid, cursor.sample});
     ++cursor.semantic.index;
   }
 
@@ -237,8 +262,8 @@ class MainBuilder {
 
   // ---- outputs
 
-  void AddOutputs(const Path& path, ir::TypeId type, const Cursor& cursor, const std::string& name, Span span) {
-    for (const Leaf& leaf : LeavesOf(path, type, cursor, name, span)) Output(leaf);
+  void AddOutputs(PartNumber part, ir::TypeId type, const Cursor& cursor, const std::string& name, Span span) {
+    for (const Leaf& leaf : LeavesOf(part, type, cursor, name, span)) Output(leaf);
   }
 
   void Output(const Leaf& leaf) {
@@ -269,7 +294,7 @@ class MainBuilder {
 
   void WriteOutput(const Leaf& leaf, ir::TypeId stored, ir::Builtin builtin) {
     const ir::VarId output = AddIo(program_.outputs, leaf, stored, builtin);
-    body_.push_back(builder_.Eval(builder_.AssignTo(builder_.Ref(output), Fit(leaf.path(builder_), stored))));
+    body_.push_back(builder_.Eval(builder_.AssignTo(builder_.Ref(output), Fit(ValueOf(leaf.part), stored))));
   }
 
   ir::VarId AddIo(std::vector<ir::IoVar>& list, const Leaf& leaf, ir::TypeId type, ir::Builtin builtin) {
@@ -293,7 +318,7 @@ class MainBuilder {
     const ir::Type type = program_.types[leaf.type];
     if (ir::BaseOf(type.scalar) != ir::Scalar::kFloat) return Refuse(leaf, "a `float` scalar or vector");
     auto& list = builtin == ir::Builtin::kClipDistance ? clip_ : cull_;
-    list.push_back({leaf.semantic.index, leaf.path, static_cast<int>(type.Components()), type.kind == ir::TypeKind::kScalar, leaf.span});
+    list.push_back({leaf.semantic.index, leaf.part, static_cast<int>(type.Components()), type.kind == ir::TypeKind::kScalar, leaf.span});
   }
 
   // The pieces in the order of their semantic index, each kept within a register of four as fxc packs a signature: two
@@ -306,14 +331,14 @@ class MainBuilder {
     for (const Distance& piece : list) {
       while (values.size() % 4 + static_cast<std::size_t>(piece.components) > 4) values.push_back(builder_.Float(0));
       for (int i = 0; i < piece.components; ++i) {
-        ir::ExprId value = piece.path(builder_);
+        ir::ExprId value = ValueOf(piece.part);
         if (!piece.is_scalar) value = builder_.Swizzled(value, {i});
         values.push_back(builder_.ConvertTo(ir::Scalar::kFloat, value));
       }
     }
     distance_count_ += static_cast<std::uint32_t>(values.size());
     const ir::TypeId type = program_.types.Array(program_.types.Make(ir::Scalar::kFloat), static_cast<std::uint32_t>(values.size()));
-    Leaf leaf{nullptr, type, name, {builtin == ir::Builtin::kClipDistance ? "SV_ClipDistance" : "SV_CullDistance", 0},
+    Leaf leaf{kNoPart, type, name, {builtin == ir::Builtin::kClipDistance ? "SV_ClipDistance" : "SV_CullDistance", 0},
               list.front().span, ir::Interpolation::kDefault, false, false};
     const ir::VarId array = AddIo(program_.outputs, leaf, type, builtin);
     program_.vars[array].name = std::move(name);
@@ -344,7 +369,7 @@ class MainBuilder {
   bool MayAdd(const Leaf& leaf, Direction direction, SystemValue::Use use) {
     const std::string key = UpperCase(leaf.semantic.name) + std::to_string(leaf.semantic.index);
     auto& seen = direction == Direction::kInput ? seen_inputs_ : seen_outputs_;
-    const auto [found, is_new] = seen.emplace(key, leaf.span);
+    const auto [found, is_new] = seen.try_emplace(key, leaf.span);
     if (is_new) return true;
     // Plain data can do no harm: each use becomes a variable of its own, as in glslang and in DXC's SPIR-V. An output
     // that the pipeline reads cannot have two values.
@@ -369,6 +394,7 @@ class MainBuilder {
   ir::Builder builder_;
   std::vector<ir::StmtId> body_;
   std::vector<ir::ExprId> arguments_;
+  std::vector<Part> parts_;
   std::vector<Pending> pending_outputs_;
   std::vector<Distance> clip_, cull_;
   std::map<std::string, Span> seen_inputs_, seen_outputs_;

@@ -202,6 +202,7 @@ ExprId CheckBySignature(const IntrinsicCheck& call, ir::Intrinsic op) {
   if (!unifier.Run()) return call.Error();
 
   std::vector<ExprId> ins;
+  ins.reserve(signature.count);
   std::vector<OutArgument> outs;
   for (std::size_t i = 0; i < signature.count; ++i) {
     const IntrinsicSlot slot = signature.arguments[i];
@@ -222,6 +223,7 @@ ExprId CheckBySignature(const IntrinsicCheck& call, ir::Intrinsic op) {
 ExprId CallWithOuts(const IntrinsicCheck& call, ir::Intrinsic op, TypeId result,
                     std::span<const ExprId> ins, std::span<const OutArgument> outs) {
   ir::Builder builder = call.Make();
+  if (outs.empty()) return builder.Add(result, ir::IntrinsicCall{op, call.program.expr_lists.Add(ins)});
   std::vector<ExprId> arguments(ins.begin(), ins.end());
   std::vector<ExprId> before;
   std::vector<ExprId> after;

@@ -77,7 +77,7 @@ void __wrap__ZN5clang12Preprocessor3LexERNS_5TokenE(clang::Preprocessor* preproc
   end_of_line = !end_of_line;
 }
 
-// Three more, because Clang sets every preprocessor up for a large C++ file, which would be a fifth of a small shader's time.
+// Four more, because Clang sets every preprocessor up for a large C++ file, which would be a fifth of a small shader's time.
 // To clipc all words are identifiers (NameOf), so C's keywords are not entered,
 void __wrap__ZN5clang15IdentifierTable11AddKeywordsERKNS_11LangOptionsE(clang::IdentifierTable*, const clang::LangOptions&) {}
 
@@ -89,9 +89,36 @@ void __wrap__ZN4llvm13StringMapImplC2Ejj(llvm::StringMapImpl* map, unsigned buck
 
 // Its thirty pragmas of C++ stay away; AddPragmas adds those of HLSL.
 void __wrap__ZN5clang12Preprocessor22RegisterBuiltinPragmasEv(clang::Preprocessor*) {}
+
+// __LINE__ and the twenty-nine others wait for a shader that names one (FirstUse).
+void __real__ZN5clang12Preprocessor21RegisterBuiltinMacrosEv(clang::Preprocessor*) __attribute__((weak));
+void __wrap__ZN5clang12Preprocessor21RegisterBuiltinMacrosEv(clang::Preprocessor*) {}
 }
 
 namespace {
+
+// Asked for every identifier that is new to the preprocessor: brings in Clang's own macros and the pragmas with the first
+// word that may want them.
+class FirstUse : public clang::IdentifierInfoLookup {
+ public:
+  void Watch(clang::Preprocessor& preprocessor, Diagnostics& diagnostics) {
+    preprocessor_ = &preprocessor;
+    diagnostics_ = &diagnostics;
+  }
+
+  clang::IdentifierInfo* get(llvm::StringRef name) override {
+    const bool is_wanted = name == "pragma" || (name.starts_with("_") && name != "__CLIPC__");
+    if (!preprocessor_ || !is_wanted) return nullptr;
+    clang::Preprocessor& preprocessor = *std::exchange(preprocessor_, nullptr);
+    __real__ZN5clang12Preprocessor21RegisterBuiltinMacrosEv(&preprocessor);
+    AddPragmas(preprocessor, *diagnostics_);
+    return &preprocessor.getIdentifierTable().get(name);
+  }
+
+ private:
+  clang::Preprocessor* preprocessor_ = nullptr;
+  Diagnostics* diagnostics_ = nullptr;
+};
 
 // ---- what Clang wants to know of the world
 
@@ -323,14 +350,15 @@ void AddToken(const clang::Token& from, const clang::Preprocessor& preprocessor,
   token.kind = kKinds[from.getKind()];
   token.after_space = from.hasLeadingSpace() || from.isAtStartOfLine();
   token.location = from.getLocation().getRawEncoding();
+  if (from.is(tok::identifier)) {  // every word
+    clang::IdentifierInfo& identifier = *from.getIdentifierInfo();
+    const std::string_view text(identifier.getNameStart(), identifier.getLength());
+    token.value = NameOf(identifier, text, names).index;
+    return writer.AddIdentifier(token, text);
+  }
   if (from.isAnnotation()) {
     token.value = from.getAnnotationValue() != nullptr;  // of pack_matrix: row_major
     return writer.AddPunctuator(token);
-  }
-  if (clang::IdentifierInfo* identifier = from.getIdentifierInfo()) {
-    const std::string_view text(identifier->getNameStart(), identifier->getLength());
-    token.value = NameOf(*identifier, text, names).index;
-    return writer.AddIdentifier(token, text);
   }
   if (from.is(tok::hash)) return writer.AddHash(token);
   if (!from.isLiteral()) return writer.AddPunctuator(token);
@@ -400,16 +428,17 @@ Tokens Lex(Source& source, Diagnostics& diagnostics) {
   search.SetSearchPaths(folders, 0, static_cast<unsigned>(folders.size()), llvm::DenseMap<unsigned, unsigned>());
 
   clang::TrivialModuleLoader modules;
+  FirstUse first_use;
 #if CLANG_VERSION_MAJOR >= 21
   clang::Preprocessor preprocessor(*shared.preprocessor_options, state.engine, shared.language, state.sources, search,
-                                   modules);
+                                   modules, &first_use);
 #else
   clang::Preprocessor preprocessor(shared.preprocessor_options, state.engine, shared.language, state.sources, search,
-                                   modules);
+                                   modules, &first_use);
 #endif
+  first_use.Watch(preprocessor, diagnostics);
   preprocessor.Initialize(shared.target);
   preprocessor.setPredefines(Predefines(state.input));
-  AddPragmas(preprocessor, diagnostics);
   preprocessor.addPPCallbacks(std::make_unique<Callbacks>(state, preprocessor, search));
 
   state.guard.SetStackBase(static_cast<const char*>(__builtin_frame_address(0)));

@@ -57,6 +57,10 @@ Parser::Parser(Tokens tokens, Diagnostics& diagnostics)
   }
   meanings_.resize(words_.size());
   beyond_.resize(words_.size());
+  heights_.reserve(tokens_.size() / 2);  // a guess that is seldom too small
+  type_heights_.reserve(64);
+  undo_.reserve(64);
+  name_stack_.reserve(8);
   RemovePragmas();
 }
 
@@ -67,9 +71,12 @@ File Parser::Run() {
 
 // So that looking ahead sees the language only.
 void Parser::RemovePragmas() {
-  std::size_t kept = 0;
-  for (const Token& token : tokens_) {
-    if (token.kind == TokenKind::kPragmaPackMatrix) {
+  const auto is_pragma = [](const Token& token) { return token.kind == TokenKind::kPragmaPackMatrix; };
+  const auto first = std::find_if(tokens_.begin(), tokens_.end(), is_pragma);
+  auto kept = static_cast<std::size_t>(first - tokens_.begin());
+  for (auto next = first; next != tokens_.end(); ++next) {
+    const Token token = *next;
+    if (is_pragma(token)) {
       packing_.push_back({kept, token.value != 0});
     } else {
       tokens_[kept++] = token;
@@ -88,24 +95,7 @@ Qualifiers Parser::PackingHere() {
 
 // ---- tokens
 
-bool Parser::Accept(TokenKind kind) {
-  if (!At(kind) || AtEnd()) return false;
-  Next();
-  return true;
-}
-
 Span Parser::PreviousSpan() const { return pos_ > 0 ? tokens_[pos_ - 1].span() : Here(); }
-
-// From the token at `start` to the last one consumed.
-Span Parser::SpanFrom(std::size_t start) const {
-  if (start >= pos_) return Here();
-  return Cover(tokens_[start].span(), tokens_[pos_ - 1].span());
-}
-
-// True for an identifier that can be the name of something.
-bool Parser::AtName(std::size_t ahead) const {
-  return Peek(ahead).kind == TokenKind::kIdentifier && !IsReserved(WordAt(ahead));
-}
 
 // Takes the `>` off a `>>`, `>=` or `>>=` that closes a list.
 void Parser::SplitGreater() {

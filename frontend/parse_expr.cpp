@@ -67,7 +67,7 @@ std::uint32_t Parser::HeightOf(List<ExprId> list) const {
 
 // Of the children of a node that is being made.
 std::uint32_t Parser::HeightOf(const decltype(Expr::node)& node) const {
-  return std::visit(
+  return Visit(
       Overloaded{
           [](const Literal&) { return 0u; },
           [this](const NameExpr& e) { return HeightOf(e.arguments); },
@@ -99,14 +99,15 @@ bool Parser::CheckHeight(std::uint32_t height, Span span) {
 }
 
 ExprId Parser::AddExpr(std::size_t start, decltype(Expr::node) node) {
+  const Span span = SpanFrom(start);
   std::uint32_t height = 1 + HeightOf(node);
-  if (!CheckHeight(height, SpanFrom(start))) {
+  if (!CheckHeight(height, span)) {
     node = ErrorExpr{};
     height = 1;
   }
   tallest_ = std::max(tallest_, height);
   heights_.push_back(static_cast<std::uint16_t>(height));
-  return file_.exprs.Add(Expr{SpanFrom(start), std::move(node)});
+  return file_.exprs.Add(Expr{span, std::move(node)});
 }
 
 ExprId Parser::ErrorExprHere() { return AddExpr(pos_, ErrorExpr{}); }
@@ -353,6 +354,9 @@ ExprId Parser::ParseString() {
 
 ExprId Parser::ParseNameOrType() {
   const std::size_t start = pos_;
+  const TokenKind next = Peek(1).kind;
+  const bool is_plain = next != TokenKind::kLeftParen && next != TokenKind::kLess && next != TokenKind::kColonColon;
+  if (is_plain && At(TokenKind::kIdentifier) && AtWord(Word::kNone)) return AddExpr(start, NameExpr{{Next().name(), {}, false}, {}});
   switch (WordAt()) {
     case Word::kTrue: case Word::kFalse:
       return AddExpr(start, Literal{LiteralKind::kBool, Next().name() == Intern("true") ? 1u : 0u});

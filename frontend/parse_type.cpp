@@ -112,6 +112,10 @@ Name Parser::ParseUnsigned() {
 
 QualifiedName Parser::ParseQualifiedName() {
   QualifiedName qualified;
+  if (At(TokenKind::kIdentifier) && AtWord(Word::kNone) && Peek(1).kind != TokenKind::kColonColon) {
+    qualified.name = Next().name();
+    return qualified;
+  }
   qualified.from_global = Accept(TokenKind::kColonColon);
   Collector<Name> scopes(name_stack_);
   while (true) {

@@ -128,10 +128,17 @@ class Parser {
   bool At(TokenKind kind) const { return Peek().kind == kind; }
   bool AtEnd() const { return At(TokenKind::kEnd); }
   const Token& Next() { return AtEnd() ? tokens_[pos_] : tokens_[pos_++]; }
-  bool Accept(TokenKind kind);
+  bool Accept(TokenKind kind) {
+    if (!At(kind) || AtEnd()) return false;
+    ++pos_;
+    return true;
+  }
   Span Here() const { return Peek().span(); }
   Span PreviousSpan() const;
-  Span SpanFrom(std::size_t start) const;
+  // From the token at `start` to the last one consumed.
+  Span SpanFrom(std::size_t start) const {
+    return start >= pos_ ? Here() : Cover(tokens_[start].span(), tokens_[pos_ - 1].span());
+  }
   Word WordOf(const Token& token) const {
     return token.kind == TokenKind::kIdentifier ? words_[token.name().index].word : Word::kNone;
   }
@@ -139,7 +146,11 @@ class Parser {
   Word WordAt(std::size_t ahead) const { return WordOf(Peek(ahead)); }
   const WordInfo& InfoOfName(Name name) const { return words_[name.index]; }
   bool AtWord(Word word) const { return WordAt() == word; }
-  bool AtName(std::size_t ahead = 0) const;
+  // At an identifier that can be the name of something.
+  bool AtName(std::size_t ahead = 0) const {
+    const Token& token = Peek(ahead);
+    return token.kind == TokenKind::kIdentifier && !IsReserved(words_[token.name().index].word);
+  }
   std::string_view Text(Name name) const { return file_.names[name]; }
   void SplitGreater();
   void RemovePragmas();

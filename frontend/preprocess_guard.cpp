@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/preprocess_guard.h"
 
-#include <cstdlib>
-
 namespace clipc {
 
 void PreprocessGuard::Stop(Limit limit, std::uint32_t location) {
   if (stopped()) return;
   limit_ = limit;
   location_ = location;
-}
-
-PreprocessGuard::Limit PreprocessGuard::CountToken() {
-  // Not the address of a variable: AddressSanitizer may keep those elsewhere.
-  const auto* here = static_cast<const char*>(__builtin_frame_address(0));
-  if (static_cast<std::size_t>(std::abs(stack_base_ - here)) > kMaxStack) return Limit::kStack;
-  return ++tokens_ > max_tokens_ ? Limit::kTokens : Limit::kNone;
 }
 
 void PreprocessGuard::Report(Diagnostics& diagnostics) const {

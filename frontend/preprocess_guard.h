@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 
 #include "base/diagnostics.h"
 
@@ -21,11 +22,16 @@ class PreprocessGuard {
   // Says which limit was met, unless that was said.
   void Report(Diagnostics& diagnostics) const;
 
-  // What is deeper in the stack than the caller's caller by kMaxStack stops.
+  // What is deeper in the stack by kMaxStack stops.
   void SetStackBase(const char* base) { stack_base_ = base; }
 
   // Counts one token that Clang reads, its own look-ahead included; kNone or the limit that is passed. The caller stops.
-  Limit CountToken();
+  Limit CountToken() {
+    // Not the address of a variable: AddressSanitizer may keep those elsewhere.
+    const auto* here = static_cast<const char*>(__builtin_frame_address(0));
+    if (static_cast<std::size_t>(std::abs(stack_base_ - here)) > kMaxStack) return Limit::kStack;
+    return ++tokens_ > max_tokens_ ? Limit::kTokens : Limit::kNone;
+  }
   void CountExpansion(std::uint32_t location) {
     if (++expansions_ > max_tokens_) Stop(Limit::kExpansions, location);
   }

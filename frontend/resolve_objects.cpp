@@ -38,10 +38,11 @@ void ObjectResolver::Run() {
 // ---- types
 
 bool ObjectResolver::Holds(ir::TypeId type) {
+  const ir::Type& shape = program_.types[type];
+  if (shape.IsNumeric()) return false;
   const auto [known, is_new] = holds_.try_emplace(type, false);
   if (!is_new) return known->second;
   bool holds = false;
-  const ir::Type& shape = program_.types[type];
   if (shape.kind == ir::TypeKind::kObject) holds = true;
   if (shape.kind == ir::TypeKind::kArray) holds = Holds(shape.element);
   if (shape.kind == ir::TypeKind::kStruct) {

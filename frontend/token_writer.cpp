@@ -10,17 +10,15 @@ void TokenWriter::AddHash(Token token) {
   Add(token, after_ == After::kNumberWithDot && !token.after_space ? After::kHash : After::kOther);
 }
 
-void TokenWriter::AddIdentifier(Token token, std::string_view text) {
+// `1.#` came before: true, and put together with `text`, if that makes a number.
+bool TokenWriter::EndSpecialNumber(std::string_view text) {
   Number number;
-  if (after_ == After::kHash && !token.after_space && ReadSpecialNumber(text, number)) {
-    tokens_.list.pop_back();
-    tokens_.list.back().literal = number.kind;
-    tokens_.list.back().value = number.value;
-    after_ = After::kOther;
-    return;
-  }
-  token.kind = TokenKind::kIdentifier;
-  Add(token, After::kOther);
+  if (!ReadSpecialNumber(text, number)) return false;
+  tokens_.list.pop_back();
+  tokens_.list.back().literal = number.kind;
+  tokens_.list.back().value = number.value;
+  after_ = After::kOther;
+  return true;
 }
 
 // C takes a whole "preprocessing number", which may be a number and a swizzle, or hold an operator: `1.0.yyy`,

@@ -20,7 +20,11 @@ class TokenWriter {
   void AddPunctuator(Token token) { Add(token, After::kOther); }
   void AddHash(Token token);
   // token.value is the Name of `text`.
-  void AddIdentifier(Token token, std::string_view text);
+  void AddIdentifier(Token token, std::string_view text) {
+    if (after_ == After::kHash && !token.after_space && EndSpecialNumber(text)) return;
+    token.kind = TokenKind::kIdentifier;
+    Add(token, After::kOther);
+  }
   void AddNumber(Token token, std::string_view text);
   void AddCharacter(Token token, std::string_view literal);
   void AddString(Token token, std::string_view literal);
@@ -34,6 +38,7 @@ class TokenWriter {
     after_ = after;
     tokens_.list.push_back(token);
   }
+  bool EndSpecialNumber(std::string_view text);
   void EndString();
   std::size_t AddOneNumber(Token token, std::string_view text);
   void ReportNumber(Span where, std::string_view text, NumberProblem problem);

@@ -11,30 +11,7 @@
 namespace clipc::ir {
 namespace {
 
-bool GivesBool(BinaryOp op) {
-  switch (op) {
-    case BinaryOp::kLess:
-    case BinaryOp::kGreater:
-    case BinaryOp::kLessEqual:
-    case BinaryOp::kGreaterEqual:
-    case BinaryOp::kEqual:
-    case BinaryOp::kNotEqual:
-    case BinaryOp::kLogicalAnd:
-    case BinaryOp::kLogicalOr:
-    case BinaryOp::kShortCircuitAnd:
-    case BinaryOp::kShortCircuitOr:
-      return true;
-    default:
-      return false;
-  }
-}
-
 // A Pool may move its values while it adds, so what is added must not lie in it.
-List<ExprId> AddList(Program& program, std::span<const ExprId> values) {
-  const std::vector<ExprId> copy(values.begin(), values.end());
-  return program.expr_lists.Add(std::span<const ExprId>(copy));
-}
-
 }  // namespace
 
 ExprId Builder::Add(TypeId type, decltype(Expr::node) node) {
@@ -118,7 +95,7 @@ ExprId Builder::SplatTo(TypeId type, ExprId scalar) {
 }
 
 ExprId Builder::ConstructOf(TypeId type, std::span<const ExprId> arguments) {
-  return Add(type, Construct{AddList(program_, arguments)});
+  return Add(type, Construct{program_.expr_lists.Add(arguments)});
 }
 
 ExprId Builder::IntrinsicOf(Intrinsic op, TypeId type, std::initializer_list<ExprId> arguments) {
@@ -127,7 +104,7 @@ ExprId Builder::IntrinsicOf(Intrinsic op, TypeId type, std::initializer_list<Exp
 
 ExprId Builder::CallOf(FunctionId function, std::span<const ExprId> arguments) {
   return Add(program_.functions[function].return_type,
-             Call{function, AddList(program_, arguments)});
+             Call{function, program_.expr_lists.Add(arguments)});
 }
 
 ExprId Builder::CommaOf(ExprId first, ExprId second) {
@@ -139,8 +116,7 @@ StmtId Builder::Stmt(decltype(ir::Stmt::node) node) {
 }
 
 StmtId Builder::BlockOf(std::span<const StmtId> body) {
-  const std::vector<StmtId> copy(body.begin(), body.end());
-  return Stmt(Block{program_.stmt_lists.Add(std::span<const StmtId>(copy))});
+  return Stmt(Block{program_.stmt_lists.Add(body)});
 }
 
 VarId Builder::Local(std::string name, TypeId type) {
@@ -156,7 +132,7 @@ ExprId Clone(Program& program, ExprId expr) {
   // A node with a list gets its own list first; then every operand is replaced by its clone.
   const auto own = [&](auto& node) {
     if constexpr (requires { node.arguments; }) {
-      node.arguments = AddList(program, std::as_const(program).expr_lists[node.arguments]);
+      node.arguments = program.expr_lists.Add(std::as_const(program).expr_lists[node.arguments]);
     }
   };
   std::visit(own, program.exprs[copy].node);

@@ -110,6 +110,10 @@ enum class BinaryOp : std::uint8_t {
   kShortCircuitAnd,
   kShortCircuitOr
 };
+// Comparisons and logical operators.
+constexpr bool GivesBool(BinaryOp op) {
+  return (op >= BinaryOp::kLess && op <= BinaryOp::kNotEqual) || op >= BinaryOp::kLogicalAnd;
+}
 struct Binary {
   BinaryOp op;
   ExprId left, right;

@@ -94,34 +94,6 @@ bool IsByteAddress(ObjectKind kind) {
 bool IsStorageBuffer(ObjectKind kind) { return IsStructured(kind) || IsByteAddress(kind); }
 bool IsImage(ObjectKind kind) { return IsWritable(kind) && !IsStorageBuffer(kind); }
 
-Scalar BaseOf(Scalar kind) {
-  switch (kind) {
-    case Scalar::kHalf:
-    case Scalar::kMin10Float:
-    case Scalar::kMin16Float:
-      return Scalar::kFloat;
-    case Scalar::kMin12Int:
-    case Scalar::kMin16Int:
-      return Scalar::kInt;
-    case Scalar::kMin16Uint:
-      return Scalar::kUint;
-    default:
-      return kind;
-  }
-}
-
-bool IsFloat(Scalar kind) {
-  const Scalar base = BaseOf(kind);
-  return base == Scalar::kFloat || base == Scalar::kDouble;
-}
-
-bool IsInteger(Scalar kind) { return !IsFloat(kind) && kind != Scalar::kBool; }
-
-bool IsUnsigned(Scalar kind) {
-  const Scalar base = BaseOf(kind);
-  return base == Scalar::kUint || base == Scalar::kUint64;
-}
-
 const char* NameOf(Scalar kind) {
   switch (kind) {
     case Scalar::kBool:

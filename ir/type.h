@@ -32,10 +32,22 @@ enum class Scalar : std::uint8_t {
 };
 // One of kBool, kInt, kUint, kFloat, kDouble, kInt64, kUint64: what a value of the kind is at run
 // time.
-Scalar BaseOf(Scalar kind);
-bool IsFloat(Scalar kind);    // half, float, double, min*float
-bool IsInteger(Scalar kind);  // signed or unsigned, not bool
-bool IsUnsigned(Scalar kind);
+constexpr Scalar BaseOf(Scalar kind) {
+  switch (kind) {
+    case Scalar::kHalf:
+    case Scalar::kMin10Float:
+    case Scalar::kMin16Float: return Scalar::kFloat;
+    case Scalar::kMin12Int:
+    case Scalar::kMin16Int: return Scalar::kInt;
+    case Scalar::kMin16Uint: return Scalar::kUint;
+    default: return kind;
+  }
+}
+// half, float, double, min*float
+constexpr bool IsFloat(Scalar kind) { return BaseOf(kind) == Scalar::kFloat || BaseOf(kind) == Scalar::kDouble; }
+// signed or unsigned, not bool
+constexpr bool IsInteger(Scalar kind) { return !IsFloat(kind) && kind != Scalar::kBool; }
+constexpr bool IsUnsigned(Scalar kind) { return BaseOf(kind) == Scalar::kUint || BaseOf(kind) == Scalar::kUint64; }
 const char* NameOf(Scalar kind);  // HLSL's spelling
 
 enum class ObjectKind : std::uint8_t {
@@ -174,6 +186,8 @@ class TypeTable {
 
   // HLSL's spelling: "float4x3", "Light[3]", "Texture2D<float4>".
   std::string Name(TypeId id) const;
+  // Every TypeId is below it.
+  std::uint32_t size() const { return kCommonCount + types_.size(); }
 
  private:
   TypeId Intern(const Type& type);

@@ -17,6 +17,11 @@ namespace clipc::ir {
 std::optional<std::string> CheckIntrinsic(const TypeTable& types, Intrinsic op, TypeId result,
                                           const std::vector<TypeId>& arguments);
 
+// Both numeric, of the same rows and columns.
+inline bool SameShape(const Type& a, const Type& b) {
+  return a.IsNumeric() && a.kind == b.kind && a.rows == b.rows && a.columns == b.columns;
+}
+
 // The types of expressions. Remembers the first problem; after it, nothing else is checked.
 class ExprVerifier {
  public:

@@ -13,10 +13,6 @@ bool IsScalar(const Type& type) { return type.kind == TypeKind::kScalar; }
 bool IsBoolScalar(const Type& type) { return IsScalar(type) && type.scalar == Scalar::kBool; }
 bool IsIndexType(const Type& type) { return IsScalar(type) && IsInteger(type.scalar); }
 
-bool SameShape(const Type& a, const Type& b) {
-  return a.IsNumeric() && a.kind == b.kind && a.rows == b.rows && a.columns == b.columns;
-}
-
 // What an arithmetic, bit, shift, comparison or logical operator takes.
 bool Takes(BinaryOp op, Scalar kind) {
   switch (op) {
@@ -41,10 +37,6 @@ bool Takes(BinaryOp op, Scalar kind) {
     default:
       return true;
   }
-}
-
-bool GivesBool(BinaryOp op) {
-  return (op >= BinaryOp::kLess && op <= BinaryOp::kNotEqual) || op >= BinaryOp::kLogicalAnd;
 }
 
 bool MayBeWritten(Storage storage) {

@@ -102,10 +102,6 @@ bool MatchesSignature(const TypeTable& types, std::string_view signature, TypeId
   return matcher.Match(signature[0], signature[1], result);
 }
 
-bool SameShape(const Type& a, const Type& b) {
-  return a.IsNumeric() && a.kind == b.kind && a.rows == b.rows && a.columns == b.columns;
-}
-
 // mul(): scalars, vectors and matrices in all nine combinations, of one kind.
 bool MatchesMul(const Type& result, const Type& left, const Type& right) {
   if (!left.IsNumeric() || !right.IsNumeric()) return false;

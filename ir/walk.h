@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include <array>
-#include <cstddef>
+#include <cstdint>
 
 #include "base/overloaded.h"
 #include "ir/program.h"
@@ -10,33 +9,58 @@
 // The children of a node, each kind of node once: whoever walks the tree need not know all kinds.
 namespace clipc::ir {
 
-// Where an expression keeps its operands: up to three in the node itself, or a list.
-struct OperandSlots {
-  std::array<ExprId*, 3> own{};
-  std::size_t own_count = 0;
-  List<ExprId> list;
-};
-OperandSlots SlotsOf(Expr& expr);
+// Calls own(ExprId&) for each operand that `expr` holds itself, or list(List<ExprId>) for a list of them, in the order of
+// evaluation.
+template <typename Own, typename Listed>
+void ForEachSlot(Expr& expr, Own&& own, Listed&& list) {
+  Visit(Overloaded{
+            [](Literal&) {},
+            [](Zero&) {},
+            [](VarRef&) {},
+            [&](FieldRef& node) { own(node.base); },
+            [&](Index& node) { own(node.base), own(node.index); },
+            [&](Swizzle& node) { own(node.base); },
+            [&](MatrixSwizzle& node) { own(node.base); },
+            [&](Unary& node) { own(node.operand); },
+            [&](Binary& node) { own(node.left), own(node.right); },
+            [&](Assign& node) { own(node.target), own(node.value); },
+            [&](Conditional& node) { own(node.condition), own(node.when_true), own(node.when_false); },
+            [&](Select& node) { own(node.condition), own(node.when_true), own(node.when_false); },
+            [&](Convert& node) { own(node.operand); },
+            [&](Splat& node) { own(node.operand); },
+            [&](Construct& node) { list(node.arguments); },
+            [&](MatrixTruncate& node) { own(node.operand); },
+            [&](Call& node) { list(node.arguments); },
+            [&](IntrinsicCall& node) { list(node.arguments); },
+            [&](ObjectCall& node) { list(node.arguments); },
+            [&](Comma& node) { own(node.first), own(node.second); },
+        },
+        expr.node);
+}
 
 // Calls visit(ExprId) for the direct operands of `expr` in the order of evaluation. `visit` may add
 // nodes; to replace operands there is MapOperands.
-template <typename Visit>
-void ForEachOperand(const Program& program, ExprId expr, Visit&& visit) {
-  // The slots of a const node are only read.
-  const OperandSlots slots = SlotsOf(const_cast<Expr&>(program.exprs[expr]));
-  for (std::size_t i = 0; i < slots.own_count; ++i) visit(*slots.own[i]);
-  for (std::uint32_t i = 0; i < slots.list.size; ++i) visit(program.expr_lists[slots.list][i]);
+template <typename OnOperand>
+void ForEachOperand(const Program& program, ExprId expr, OnOperand&& visit) {
+  ForEachSlot(
+      const_cast<Expr&>(program.exprs[expr]),  // only read
+      [&](ExprId operand) { visit(operand); },
+      [&](List<ExprId> list) {
+        for (std::uint32_t i = 0; i < list.size; ++i) visit(program.expr_lists[list][i]);
+      });
 }
 
 // Replaces each direct operand of `expr` by map(operand), in the order of evaluation.
 template <typename Map>
 void MapOperands(Program& program, ExprId expr, Map&& map) {
-  const OperandSlots slots = SlotsOf(program.exprs[expr]);
-  for (std::size_t i = 0; i < slots.own_count; ++i) *slots.own[i] = map(*slots.own[i]);
-  for (std::uint32_t i = 0; i < slots.list.size; ++i) {
-    const ExprId mapped = map(program.expr_lists[slots.list][i]);
-    program.expr_lists[slots.list][i] = mapped;
-  }
+  ForEachSlot(
+      program.exprs[expr], [&](ExprId& operand) { operand = map(operand); },
+      [&](List<ExprId> list) {
+        for (std::uint32_t i = 0; i < list.size; ++i) {
+          const ExprId mapped = map(program.expr_lists[list][i]);
+          program.expr_lists[list][i] = mapped;
+        }
+      });
 }
 
 // Calls on_expr(ExprId) for the expressions and on_stmt(StmtId) for the statements directly in
@@ -50,7 +74,7 @@ void ForEachPart(const Program& program, StmtId stmt, OnExpr&& on_expr, OnStmt&&
   const auto list = [&](List<StmtId> stmts) {
     for (std::uint32_t i = 0; i < stmts.size; ++i) on_stmt(program.stmt_lists[stmts][i]);
   };
-  std::visit(Overloaded{
+  Visit(Overloaded{
                  [&](const Block& node) { list(node.body); },
                  [&](const Declare& node) { expr(node.init); },
                  [&](const Evaluate& node) { expr(node.expr); },

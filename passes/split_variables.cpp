@@ -2,7 +2,7 @@
 #include "passes/split_variables.h"
 
 #include <algorithm>
-#include <unordered_map>
+#include <memory_resource>
 #include <utility>
 
 #include "ir/builder.h"
@@ -66,6 +66,7 @@ class Splitter {
     }
     replaced_.resize(stmts_.size());
     is_replaced_.resize(stmts_.size());
+    numbers_.resize(program.vars.size());
   }
 
   std::vector<StmtId> Run() {
@@ -89,7 +90,7 @@ class Splitter {
   // A field of a struct, or a whole variable of another type.
   struct Part {
     TypeId type;
-    std::vector<Use> uses;  // in order of the statements
+    std::pmr::vector<Use> uses;  // in order of the statements
     VarId becomes;
     bool is_new = false;  // becomes a local variable
   };
@@ -102,8 +103,8 @@ class Splitter {
     VarId var;
     bool is_struct = false;
     bool is_whole = false;  // has to stay
-    std::vector<Part> parts;
-    std::vector<Definition> definitions;  // the first is the declaration
+    std::pmr::vector<Part> parts;
+    std::pmr::vector<Definition> definitions;  // the first is the declaration
   };
 
   // ---- what there is
@@ -114,32 +115,36 @@ class Splitter {
       if (!declare) continue;
       const Var& var = program_.vars[declare->var];
       if (var.storage != Storage::kLocal || var.precise) continue;
-      Candidate candidate{declare->var, program_.types[var.type].kind == TypeKind::kStruct, false, {}, {}};
+      Candidate candidate{declare->var, program_.types[var.type].kind == TypeKind::kStruct, false,
+                          std::pmr::vector<Part>(&memory_), std::pmr::vector<Definition>(&memory_)};
       if (candidate.is_struct) {
         candidate.parts.reserve(program_.types.StructOf(var.type).fields.size());
         for (const Field& field : program_.types.StructOf(var.type).fields) {
-          candidate.parts.push_back({field.type, {}, {}});
+          candidate.parts.push_back({field.type, NoUses(), {}});
           candidate.is_whole |= field.precise;
         }
       } else {
-        candidate.parts.push_back({var.type, {}, {}});
+        candidate.parts.push_back({var.type, NoUses(), {}});
       }
-      numbers_[declare->var.index] = candidates_.size();
       candidates_.push_back(std::move(candidate));
+      numbers_[declare->var.index] = static_cast<std::uint32_t>(candidates_.size());
     }
   }
 
+  std::pmr::vector<Use> NoUses() { return std::pmr::vector<Use>(&memory_); }
+
+  Candidate* CandidateOf(VarId var) {
+    const std::uint32_t number = numbers_[var.index];
+    return number == 0 ? nullptr : &candidates_[number - 1];
+  }
   Candidate* CandidateOf(ExprId expr) {
     const auto* ref = std::get_if<VarRef>(&program_.exprs[expr].node);
-    const auto found = ref ? numbers_.find(ref->var.index) : numbers_.end();
-    return found == numbers_.end() ? nullptr : &candidates_[found->second];
+    return ref ? CandidateOf(ref->var) : nullptr;
   }
 
   void Collect(StmtId stmt) {
     if (const auto* declare = std::get_if<Declare>(&program_.stmts[stmt].node)) {
-      if (const auto known = numbers_.find(declare->var.index); known != numbers_.end()) {
-        return Define(candidates_[known->second], declare->init, true);
-      }
+      if (Candidate* candidate = CandidateOf(declare->var)) return Define(*candidate, declare->init, true);
     }
     if (const Assign* assign = AssignmentAt(now_)) {
       Candidate* candidate = CandidateOf(assign->target);
@@ -314,8 +319,9 @@ class Splitter {
   std::vector<std::vector<StmtId>> replaced_;  // what stands in front of a statement, or for it
   std::vector<bool> is_replaced_;
   std::size_t now_ = 0;
+  std::pmr::monotonic_buffer_resource memory_{4096};
   std::vector<Candidate> candidates_;
-  std::unordered_map<std::uint32_t, std::size_t> numbers_;  // of candidates, by VarId
+  std::vector<std::uint32_t> numbers_;  // of candidates, by VarId; 0: none
 };
 
 }  // namespace
