@@ -56,6 +56,7 @@ class TargetCheck {
 
   // ---- inputs and outputs
   void Input(const IoVar& input) {
+    if (!reached_.Has(input.var)) return;
     const Var& var = program_.vars[input.var];
     const std::string name = input.semantic + std::to_string(input.index);
     switch (input.builtin) {

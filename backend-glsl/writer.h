@@ -27,6 +27,8 @@ struct GlslInfo {
     bool needs_base_vertex_zero = false;
     // An integer in HLSL, a float attribute here: GLSL 1.20 has no others.
     bool integer_as_float = false;
+    // An input that the shader reads, and so declares. One that is not keeps its location, so that the same vertex layout fits.
+    bool is_used = true;
   };
   struct Member {
     ir::VarId var;

@@ -28,17 +28,19 @@ void Writer::Inputs() {
   info_.inputs.reserve(program_.inputs.size());
   for (const IoVar& input : program_.inputs) {
     GlslInfo::Variable& info = info_.inputs.emplace_back();
+    info.is_used = reached_.Has(input.var);
     std::string& name = var_names_[input.var.index];
     if (input.builtin != Builtin::kNone) {
-      name = reached_.Has(input.var) ? InputText(input, info) : "";
+      name = info.is_used ? InputText(input, info) : "";
       info.name = name;
       continue;
     }
     info.name = name;
+    if (target_.HasInputLocations()) info.location = input.location;
+    if (!info.is_used) continue;
     Shape shape = ShapeOf(program_.types[program_.vars[input.var].type]);
     std::string line;
     if (target_.HasInputLocations()) {
-      info.location = input.location;
       line = "layout(location = " + std::to_string(input.location) + ") ";
     }
     line += target_.HasInAndOut() ? "in " : "attribute ";

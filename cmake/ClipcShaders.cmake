@@ -8,7 +8,7 @@
 #     [TARGET glsl450]           # the GLSL to write
 #     [FRAGMENT water.frag]      # with LOWER discard: the fragment shader that gets the discard
 #     [TABLE .h|.json|.bin]      # the clip table, beside the header below; .h without this
-#     [VARIANTS n]               # one shader for each number of planes from 0 to n, n being all that the shader has
+#     [VARIANTS n]               # one shader for each number of planes from 0 to n, which is no more than the shader has
 #     [DEFINES A B=1] [OPTIONS --flip-y ...])
 #
 # compiles the shader with clipc whenever it or a file that it includes has changed. The target gets an include folder with
@@ -53,7 +53,7 @@ function(clipc_add_shader target)
   endforeach()
   set(written ${glsl})
   if(DEFINED shader_VARIANTS)
-    list(APPEND arguments --variants)
+    list(APPEND arguments --variants=${shader_VARIANTS})
     set(written)
     foreach(count RANGE ${shader_VARIANTS})
       list(APPEND written ${folder}/${shader_NAME}.${count}.vert)

@@ -6,7 +6,7 @@ llvm=${CLIPC_LLVM:-19}
 # What building clipc takes, and what testing it takes on top.
 build_packages=(g++ cmake ninja-build ccache "libclang-$llvm-dev" "llvm-$llvm-dev" libfmt-dev nlohmann-json3-dev glslang-dev)
 test_packages=(python3 "llvm-$llvm-tools" libgtest-dev libgmock-dev glslang-tools spirv-tools
-  libegl-dev libgl-dev libopengl-dev libegl1 libopengl0 libgl1-mesa-dri libpng-dev python3-matplotlib)
+  libegl-dev libgl-dev libopengl-dev libegl1 libopengl0 libgl1-mesa-dri libpng-dev libtinygltf-dev python3-matplotlib)
 
 # What the study's slow checks take, `./test --all` installs them: a browser, and Mesa's compiler for AMD's processors.
 study_packages=(chromium libvulkan-dev mesa-vulkan-drivers)

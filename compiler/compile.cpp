@@ -23,6 +23,7 @@
 #include "frontend/position_input.h"
 #include "frontend/source.h"
 #include "ir/print.h"
+#include "passes/outputs.h"
 #include "passes/pipeline.h"
 
 namespace clipc {
@@ -137,6 +138,12 @@ void Compilation::RunStages(Source& source) {
   if (!IsDump(Stage::kIr)) RunBackEnd(program);
 }
 
+// How many the shader has.
+std::uint32_t DistancesOf(const ir::Program& program) {
+  const ir::VarId distances = passes::FindOutput(program, ir::Builtin::kClipDistance);
+  return distances ? program.types[program.vars[distances].type].count : 0;
+}
+
 void Compilation::RunBackEnd(ir::Program& program) {
   if (settings_.lowering == Lowering::kNone && !program.clip_planes.empty()) {
     const std::size_t count = program.clip_planes.size();
@@ -154,7 +161,12 @@ void Compilation::RunBackEnd(ir::Program& program) {
   }
   if (request_.variants) WriteVariants(program);
   if (diagnostics_.has_errors()) return;
+  const ir::VarId distances = passes::FindOutput(program, ir::Builtin::kClipDistance);
+  const std::uint32_t count = DistancesOf(program);
   Lower(program);
+  if (distances && DistancesOf(program) < count && request_.stop_after.empty()) {
+    diagnostics_.Report(program.vars[distances].span, diag::ClipDistancesLeftOut, DistancesOf(program));
+  }
   if (!request_.stop_after.empty()) {
     if (request_.dump_after.empty()) result_.dump = ir::Print(program);
     return;
@@ -225,7 +237,7 @@ void Compilation::WriteFragment(const ir::Program& program) {
 
 // The planes of a draw call are moved to the front, so its variant is told by their number alone.
 void Compilation::WriteVariants(const ir::Program& typed) {
-  for (std::size_t count = 0; count <= typed.clip_planes.size(); ++count) {
+  for (std::size_t count = 0; count <= std::min(typed.clip_planes.size(), request_.variant_planes); ++count) {
     ir::Program program = typed;
     program.clip_planes.resize(count);
     Lower(program);

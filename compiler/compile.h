@@ -41,6 +41,7 @@ struct CompileRequest {
   // With lowering kDiscard: the GLSL of a fragment shader, to which the discard is added; none: it is an include of its own.
   std::optional<std::string> fragment;
   bool variants = false;   // fill CompileResult::variants
+  std::size_t variant_planes = SIZE_MAX;  // the most planes that one of them has
 
   WarningOptions warnings;
   bool validate = false;    // give the GLSL to glslang before returning it
@@ -70,7 +71,7 @@ struct CompileResult {
   Status status = Status::kOk;
   std::string glsl;                              // empty unless kOk, and when stopped before it
   std::string fragment;                          // with lowering kDiscard: the fragment shader, or what to include there
-  std::vector<Variant> variants;                 // on request: [k] has the first k planes
+  std::vector<Variant> variants;                 // on request: [k] has the first k planes, as far as variant_planes
   std::optional<clip_table::ClipTable> table;    // with `glsl`
   std::string reflection;                        // JSON, with `glsl`, on request
   std::string dump;

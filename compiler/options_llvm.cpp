@@ -183,6 +183,16 @@ bool ReadWarning(std::string_view name, WarningOptions& warnings, std::string& e
   return true;
 }
 
+// A number from `least` to `most`.
+template <typename T>
+bool ReadNumber(std::string_view option, const std::string& value, T least, T most, T& to, std::string& error) {
+  const auto [end, problem] = std::from_chars(value.data(), value.data() + value.size(), to);
+  const bool is_number = problem == std::errc() && end == value.data() + value.size();
+  if (is_number && to >= least && to <= most) return true;
+  error = fmt::format("`{}{}`: it must be a number from {} to {}", option, value, least, most);
+  return false;
+}
+
 // The options that say what to compile, and how.
 bool ReadRequestOption(const llvm::opt::Arg& argument, CompileRequest& request, std::string& error) {
   const auto value = [&] { return std::string(argument.getValue()); };
@@ -197,6 +207,9 @@ bool ReadRequestOption(const llvm::opt::Arg& argument, CompileRequest& request, 
     case kOptFlipY: request.flip_y = true; return true;
     case kOptSeparable: request.separable = true; return true;
     case kOptVariants: request.variants = true; return true;
+    case kOptVariantsUpTo:
+      request.variants = true;
+      return ReadNumber<std::size_t>("--variants=", value(), 0, 6, request.variant_planes, error);
     case kOptVerify: request.verify = true; return true;
     case kOptDumpAfterIs: request.dump_after.push_back(value()); return true;
     case kOptStopAfterIs: request.stop_after = value(); return true;
@@ -212,14 +225,6 @@ bool ReadRequestOption(const llvm::opt::Arg& argument, CompileRequest& request, 
   }
 }
 
-bool ReadJobs(const std::string& value, unsigned& jobs, std::string& error) {
-  constexpr unsigned kMost = 256;
-  const auto [end, problem] = std::from_chars(value.data(), value.data() + value.size(), jobs);
-  const bool is_number = problem == std::errc() && end == value.data() + value.size();
-  if (!is_number || jobs == 0 || jobs > kMost) error = fmt::format("`-j{}`: it must be a number from 1 to {}", value, kMost);
-  return error.empty();
-}
-
 // The others, which say what to do with the result. `validate` is what the user asked for.
 bool ReadDriverOption(const llvm::opt::Arg& argument, CommandLine& command, std::optional<bool>& validate,
                       std::string& error) {
@@ -233,7 +238,7 @@ bool ReadDriverOption(const llvm::opt::Arg& argument, CommandLine& command, std:
     case kOptDependencyFile: command.dependency_file = value(); [[fallthrough]];
     case kOptDependencies: command.write_dependencies = true; return true;
     case kOptDependencyTarget: command.dependency_target = value(); return true;
-    case kOptJobs: return ReadJobs(value(), command.jobs, error);
+    case kOptJobs: return ReadNumber("-j", value(), 1u, 256u, command.jobs, error);
     case kOptHelp: command.action = CommandLine::Action::kHelp; return true;
     case kOptVersion: command.action = CommandLine::Action::kVersion; return true;
     case kOptValidate: validate = true; return true;

@@ -62,11 +62,20 @@ Json InputOrOutput(const ir::Program& program, const ir::IoVar& io, const glsl::
   return json;
 }
 
-Json InputsOrOutputs(const ir::Program& program, const std::vector<ir::IoVar>& list,
-                     const std::vector<glsl::GlslInfo::Variable>& written) {
+// Every input of the signature, whether the shader reads it or not.
+Json Inputs(const ir::Program& program, const std::vector<glsl::GlslInfo::Variable>& written) {
   Json json = Json::array();
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    json.push_back(InputOrOutput(program, list[i], i < written.size() ? &written[i] : nullptr));
+  for (std::size_t i = 0; i < program.inputs.size(); ++i) {
+    json.push_back(InputOrOutput(program, program.inputs[i], i < written.size() ? &written[i] : nullptr));
+    json.back()["used"] = i < written.size() && written[i].is_used;
+  }
+  return json;
+}
+
+Json Outputs(const ir::Program& program, const std::vector<glsl::GlslInfo::Variable>& written) {
+  Json json = Json::array();
+  for (std::size_t i = 0; i < program.outputs.size(); ++i) {
+    json.push_back(InputOrOutput(program, program.outputs[i], i < written.size() ? &written[i] : nullptr));
   }
   return json;
 }
@@ -171,8 +180,8 @@ Json Planes(const clip_table::ClipTable& table) {
 std::string Reflect(const ir::Program& program, const glsl::Target& target, const glsl::GlslInfo& info,
                     const clip_table::ClipTable& table) {
   Json json = {{"version", 1}, {"entry", table.entry}, {"profile", table.profile}, {"target", target.name()}};
-  json["inputs"] = InputsOrOutputs(program, program.inputs, info.inputs);
-  json["outputs"] = InputsOrOutputs(program, program.outputs, info.outputs);
+  json["inputs"] = Inputs(program, info.inputs);
+  json["outputs"] = Outputs(program, info.outputs);
   json["cbuffers"] = Json::array();
   for (ir::CbufferId id : program.cbuffers.ids()) json["cbuffers"].push_back(Cbuffer(program, id, info));
   json["resources"] = Objects(program, info);

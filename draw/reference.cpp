@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <optional>
 
 #include "draw/gl.h"
 #include "ir/scalar.h"
@@ -70,8 +71,8 @@ class Reference {
       Expected expected = Empty(i);
       if (outputs[i].builtin == ir::Builtin::kPosition) {
         FillPosition(expected, true);
-      } else if (i < shader_.typed.outputs.size()) {
-        Fill(expected, i, typed_);
+      } else if (const std::optional<std::size_t> own = OwnOutput(outputs[i].var)) {
+        Fill(expected, *own, typed_);
       } else if (outputs[i].builtin == ir::Builtin::kClipVertex) {
         FillPosition(expected, false);
       } else {
@@ -85,6 +86,13 @@ class Reference {
   bool WroteOutOfBounds(std::size_t vertex) const { return typed_.in_float[vertex].wrote_out_of_bounds; }
 
  private:
+  // Which output of the HLSL shader that is; none: of a pass. Clip distances at the end may have gone.
+  std::optional<std::size_t> OwnOutput(ir::VarId var) const {
+    const auto& list = shader_.typed.outputs;
+    const auto found = std::ranges::find(list, var, &ir::IoVar::var);
+    return found == list.end() ? std::nullopt : std::optional<std::size_t>(found - list.begin());
+  }
+
   Expected Empty(std::size_t index) const {
     const ir::Program& program = shader_.lowered;
     const ir::Type* type = &program.types[program.vars[program.outputs[index].var].type];

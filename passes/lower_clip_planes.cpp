@@ -33,13 +33,15 @@ ExprId WithOne(Program& program, Builder& b, ExprId xyz) {
 // What the planes are dotted with.
 class Vertex {
  public:
-  Vertex(Program& program, const ClipPlaneOptions& options)
-      : program_(program), space_(options.space), var_(options.position_input) {
-    if (space_ != PlaneSpace::kObject) {
+  // Adds to `stmts` what must stand before the first distance.
+  Vertex(Program& program, const ClipPlaneOptions& options, std::vector<StmtId>& stmts)
+      : program_(program), var_(options.position_input) {
+    if (options.space != PlaneSpace::kObject) {
       var_ = PositionOf(program);
       local_ = LocalBehind(program, var_);
     }
     CLIPC_CHECK(var_);
+    if (options.space == PlaneSpace::kXyw1) MakeXyw1(stmts);
   }
 
   // dot(vertex, plane)
@@ -50,21 +52,31 @@ class Vertex {
   }
 
  private:
+  // `float4 xyw1 = position.xyww; xyw1.w = 1;` is two instructions of SPIR-V, float4(position.xyw, 1) four.
+  void MakeXyw1(std::vector<StmtId>& stmts) {
+    Builder b(program_, program_.clip_planes.front().span);
+    const VarId xyw1 = b.Local("xyw1", program_.vars[var_].type);
+    const ExprId position = local_ ? Clone(program_, local_) : b.Ref(var_);
+    stmts.push_back(b.Stmt(Declare{xyw1, b.Swizzled(position, {0, 1, 3, 3})}));
+    const ExprId w = b.Swizzled(b.Ref(xyw1), {3});
+    stmts.push_back(b.Eval(b.AssignTo(w, b.Float(1))));
+    var_ = xyw1;
+    local_ = {};
+  }
+
   ExprId Value(Builder& b) const {
     const ExprId vertex = local_ ? Clone(program_, local_) : b.Ref(var_);
-    if (space_ == PlaneSpace::kXyw1) return WithOne(program_, b, b.Swizzled(vertex, {0, 1, 3}));
     const Type& type = program_.types[program_.vars[var_].type];
     CLIPC_CHECK(type.scalar == Scalar::kFloat && (type.Components() == 3 || type.Components() == 4));
     return type.Components() == 3 ? WithOne(program_, b, vertex) : vertex;
   }
 
   Program& program_;
-  PlaneSpace space_;
   VarId var_;
   ExprId local_;  // what `var_` is a copy of
 };
 
-void WriteClipDistances(Program& program, const Vertex& vertex) {
+void WriteClipDistances(Program& program, const ClipPlaneOptions& options) {
   CLIPC_CHECK(!FindOutput(program, Builtin::kClipDistance));
   const auto count = static_cast<std::uint32_t>(program.clip_planes.size());
   const TypeId one_distance = program.types.Make(Scalar::kFloat);
@@ -72,6 +84,7 @@ void WriteClipDistances(Program& program, const Vertex& vertex) {
   const VarId output = AddOutput(program, Builtin::kClipDistance, "clip_distance", distances);
 
   std::vector<StmtId> stmts;
+  const Vertex vertex(program, options, stmts);
   for (std::uint32_t i = 0; i < count; ++i) {
     const ClipPlane& plane = program.clip_planes[i];
     Builder b(program, plane.span);
@@ -88,14 +101,16 @@ void WriteClipVertex(Program& program) {
   AppendToBody(program, program.main, std::array{b.Eval(b.AssignTo(b.Ref(output), b.Ref(position)))});
 }
 
-void WriteDepth(Program& program, const Vertex& vertex) {
+void WriteDepth(Program& program, const ClipPlaneOptions& options) {
   CLIPC_CHECK(program.clip_planes.size() == 1);
   const VarId position = PositionOf(program);
   const ClipPlane& plane = program.clip_planes.front();
   Builder b(program, plane.span);
+  std::vector<StmtId> stmts;
+  const Vertex vertex(program, options, stmts);
   const ExprId local = LocalBehind(program, position);
   const ExprId depth = b.Swizzled(local ? Clone(program, local) : b.Ref(position), {2});
-  std::vector<StmtId> stmts = {b.Eval(b.AssignTo(depth, vertex.DistanceTo(plane)))};
+  stmts.push_back(b.Eval(b.AssignTo(depth, vertex.DistanceTo(plane))));
   if (local) {
     // The depth changes before the position is written, which is then written once.
     stmts.push_back(b.Eval(b.AssignTo(b.Ref(position), Clone(program, local))));
@@ -104,9 +119,10 @@ void WriteDepth(Program& program, const Vertex& vertex) {
   AppendToBody(program, program.main, stmts);
 }
 
-void WriteVaryings(Program& program, const Vertex& vertex) {
+void WriteVaryings(Program& program, const ClipPlaneOptions& options) {
   const std::size_t count = program.clip_planes.size();
   std::vector<StmtId> stmts;
+  const Vertex vertex(program, options, stmts);
   for (std::size_t first = 0; first < count; first += 4) {
     const auto width = static_cast<int>(std::min<std::size_t>(count - first, 4));
     const VarId output = AddOutput(program, Builtin::kNone, "clip_plane_distance" + std::to_string(first / 4),
@@ -133,13 +149,13 @@ void LowerClipPlanes(Program& program, const ClipPlaneOptions& options) {
   CLIPC_CHECK(shader_dots || options.space == PlaneSpace::kClip);
   if (!program.clip_planes.empty()) {
     switch (options.lowering) {
-      case Lowering::kClipDistance: WriteClipDistances(program, Vertex(program, options)); break;
+      case Lowering::kClipDistance: WriteClipDistances(program, options); break;
       case Lowering::kLevel9:
         if (options.write_clip_vertex) WriteClipVertex(program);
         break;
       case Lowering::kNone: break;
-      case Lowering::kNearPlane: WriteDepth(program, Vertex(program, options)); break;
-      case Lowering::kDiscard: WriteVaryings(program, Vertex(program, options)); break;
+      case Lowering::kNearPlane: WriteDepth(program, options); break;
+      case Lowering::kDiscard: WriteVaryings(program, options); break;
     }
   }
   for (ClipPlane& plane : program.clip_planes) plane.value = {};

@@ -43,7 +43,8 @@ struct ClipPlaneOptions {
 // `result.position.z = dot(result.position, plane); gl_Position = result.position;`: 0 <= z is what the plane asks, and interpolates as z does. With
 // kDiscard, the distances are float vectors of up to four components whose semantic is ir::kClipPlaneDistance.
 //
-// With PlaneSpace::kXyw1 the dot product is dot(float4(result.position.xyw, 1), plane), with kObject dot(in_POSITION0, plane).
+// With PlaneSpace::kXyw1 the dot product is dot(float4(result.position.xyw, 1), plane), whose first operand is a variable `xyw1`;
+// with kObject dot(in_POSITION0, plane).
 // See docs/runtime.md, "Plane spaces", for the constants that then mean the same plane.
 //
 // The position is the one the HLSL shader wrote (Direct3D clip space), so this runs before AdjustClipSpace.

@@ -8,6 +8,8 @@
 #include "base/check.h"
 #include "ir/print.h"
 #include "ir/verify.h"
+#include "passes/drop_unread.h"
+#include "passes/fold_clip_distances.h"
 #include "passes/inline_entry.h"
 
 namespace clipc::passes {
@@ -35,6 +37,10 @@ constexpr Pass kPipeline[] = {
      ir::Form::kTargetClipSpace},
     // The passes before find each output written in one place, after the call of the entry point; this one does away with it.
     {"inline-entry", [](ir::Program& program, const PipelineOptions&) { InlineEntry(program); }, ir::Form::kInlined},
+    // Distances that the shader writes by hand have their constants in `main` only now.
+    {"fold-clip-distances", [](ir::Program& program, const PipelineOptions&) { FoldClipDistances(program); }, ir::Form::kInlined},
+    // Behind everything that leaves out statements.
+    {"drop-unread", [](ir::Program& program, const PipelineOptions&) { DropUnread(program); }, ir::Form::kInlined},
 };
 
 #ifdef NDEBUG

@@ -225,12 +225,13 @@ TEST(Pipeline, StopsAndDumpsAfterAPass) {
     seen.push_back(std::string(pass) + (MainOf(program).find('-') == std::string::npos ? "" : " flipped"));
   };
   Lowered(TwoPlanes(), options);
-  EXPECT_THAT(seen, ElementsAre("lower-clip-planes", "adjust-clip-space flipped", "inline-entry flipped"));
+  EXPECT_THAT(seen, ElementsAre("lower-clip-planes", "adjust-clip-space flipped", "inline-entry flipped",
+                                "fold-clip-distances flipped", "drop-unread flipped"));
   seen.clear();
   options.stop_after = "lower-clip-planes";
   EXPECT_EQ(Lowered(TwoPlanes(), options).form, Form::kNoClipPlanes);
   EXPECT_THAT(seen, ElementsAre("lower-clip-planes"));
-  EXPECT_THAT(PassNames(), ElementsAre("lower-clip-planes", "adjust-clip-space", "inline-entry"));
+  EXPECT_THAT(PassNames(), ElementsAre("lower-clip-planes", "adjust-clip-space", "inline-entry", "fold-clip-distances", "drop-unread"));
 }
 
 TEST(PipelineDeathTest, PassesWantTheirForms) {

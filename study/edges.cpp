@@ -92,7 +92,7 @@ class EdgeMaker {
     const double n[3] = {config_.view_plane.x, config_.view_plane.y, config_.view_plane.z};
     const auto along = [&](const double(&v)[3]) { return v[0] * n[0] + v[1] * n[1] + v[2] * n[2]; };
     do random_.Direction(direction);
-    while (std::fabs(along(direction)) <= 0.05);
+    while (std::fabs(along(direction)) <= config_.least_sine);
     if (config_.surface_angle < 0) return;
     double k, length;
     do {

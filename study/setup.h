@@ -16,7 +16,8 @@ struct Config {
   double nearest = 1, farthest = 10;  // view-space depth of the surfaces
   double world_offset =
       0;  // the camera stands so far from the world's origin, and everything with it
-  double surface_angle = -1;  // between surface and plane, radians; negative: any from 3 degrees on
+  double surface_angle = -1;  // between surface and plane, radians; negative: any from least_sine on
+  double least_sine = 0.05;   // 3 degrees
   double plane_scale = 1;     // the world-space plane is this many times the unit one
   double edge_length =
       0.05;  // of the triangle edges, times the depth (orthographic: times half_height)

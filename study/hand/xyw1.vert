@@ -16,7 +16,8 @@ void main() {
     vec4 position = world_view_projection * vertex;
     gl_Position = position;
     out_normal = mat3(world) * normal;
-    vec4 flat_position = vec4(position.xyw, 1.0);
+    vec4 flat_position = position.xyww;
+    flat_position.w = 1.0;
     gl_ClipDistance[0] = dot(flat_position, planes[0]);
     gl_ClipDistance[1] = dot(flat_position, planes[1]);
     gl_ClipDistance[2] = dot(flat_position, planes[2]);

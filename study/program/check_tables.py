@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 """Holds the tables of a clipc-study run against what the study is there to show.
 
-usage: check_tables.py FOLDER"""
+usage: check_tables.py FOLDER [--costs]
+
+--costs looks at times too, which takes a whole study and a machine that does not do too much else."""
 import csv
 import pathlib
 import sys
@@ -38,6 +40,42 @@ for row in pixels:
         expect(int(row["wrong"]) <= 2e-5 * int(row["reference"]) + 2, f"{row['way']}: {row['wrong']} wrong at {row['sweep']} {row['parameter']}")
 expect(max(int(r["wrong"]) for r in pixels if r["way"] == "clip") > 100, "clip draws nothing wrong anywhere")
 expect(all(int(r["reference"]) > 1000 for r in pixels if r["applies"] == "1"), "a picture with hardly a fragment")
+
+# Odd planes and triangles: what must be right everywhere is.
+special = read("special.csv")
+for row in special:
+    if row["what"] in ("0 0 0 0", "NaN 0 0 1", "both halves"):
+        expect(row["got"] == row["right"], f"{row['way']}: {row['what']} draws {row['got']}")
+expect({r["sweep"] for r in special} == {"special values", "triangles through w = 0", "multisampling"}, "a sweep of special.csv is missing")
+
+# At 10 degrees a float32 position alone loses more than 0.002 pixels somewhere; at 60 degrees xyw1 as it is does not.
+roundings = {(r["fov"], r["rounding"]): r for r in read("roundings.csv")}
+expect(int(roundings["10", "nor the constant's"]["over"]) > 0, "xyw1 could be had below 0.002 pixels at 10 degrees")
+expect(int(roundings["60", "all"]["over"]) == 0, "xyw1 is over 0.002 pixels at 60 degrees")
+expect(float(roundings["10", "none"]["worst_px"]) < 1e-6, "xyw1 without rounding is not exact")
+
+# No more than 2 % more a frame than the default.
+if "--costs" in sys.argv:
+    paired = {(r["setting"], r["way"], r["planes"]): float(r["paired_ratio"]) for r in speed}
+    for setting in ("picture", "vertices"):
+        for way in ("xyw1", "object"):
+            for planes in "136":
+                more = paired[setting, way, planes] / paired[setting, "clip", planes]
+                expect(more <= 1.02, f"{way} with {planes} planes costs {more:.3f} times what clip does, setting {setting}")
+
+# None of the peers' ways is as accurate and cheaper where planes cut little: by more than costs are known.
+PEERS = {"level9": "clip", "world": "world", "near-plane": "near-plane", "near-plane-f32": "near-plane-f32", "discard-world": "world", "cpu": "cpu"}
+if "--costs" in sys.argv:
+    for row in edges:
+        if row["sweep"] != "eye to plane / near" or row["method"] not in ("xyw1", "object"):
+            continue
+        for peer, arithmetic in PEERS.items():
+            other = next(r for r in edges if (r["sweep"], r["parameter"], r["method"]) == (row["sweep"], row["parameter"], arithmetic))
+            if other["applies"] != "1" or float(other["p99_px"]) > float(row["p99_px"]):
+                continue
+            for setting in ("picture", "vertices"):
+                less = paired[setting, peer, "1"] / paired[setting, row["method"], "1"]
+                expect(less > 0.98, f"{peer} is as accurate as {row['method']} at {row['parameter']} and costs {less:.3f} of it, setting {setting}")
 
 costs = {(r["setting"], r["way"], r["planes"]): float(r["ratio"]) for r in speed}
 expect(costs[("cut", "object", "6")] < 0.5, "cutting almost everything away saves less than half")

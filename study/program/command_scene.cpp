@@ -19,7 +19,7 @@ CostTable CostsFrom(const std::vector<Cost>& costs) {
   CostTable table;
   for (const Cost& cost : costs) {
     if (cost.setting == "picture" && cost.planes > 0)
-      table[{cost.way, cost.planes}] = cost.least_ratio;
+      table[{cost.way, cost.planes}] = cost.paired_ratio;
   }
   return table;
 }
@@ -29,7 +29,7 @@ CostTable ReadCosts(const std::string& path) {
   std::ifstream file(path);
   std::string line;
   if (!std::getline(file, line) ||
-      line != "setting,way,planes,median_ms,least_ms,ratio,least_ratio") {
+      line != "setting,way,planes,median_ms,least_ms,ratio,paired_ratio") {
     throw draw::DrawError("`" + path + "` is no speed.csv of clipc-study");
   }
   std::vector<Cost> costs;
@@ -41,7 +41,7 @@ CostTable ReadCosts(const std::string& path) {
       throw draw::DrawError("`" + path + "` has a row that is not of seven cells");
     Cost& cost = costs.emplace_back();
     cost.setting = cells[0], cost.way = cells[1], cost.planes = std::atoi(cells[2].c_str());
-    cost.least_ratio = std::strtod(cells[6].c_str(), nullptr);
+    cost.paired_ratio = std::strtod(cells[6].c_str(), nullptr);
   }
   return CostsFrom(costs);
 }

@@ -17,8 +17,10 @@
 #include "study/program/pixels.h"
 #include "study/program/png.h"
 #include "study/program/scene_cost.h"
+#include "study/program/special.h"
 #include "study/program/speed.h"
 #include "study/random_draws.h"
+#include "study/roundings.h"
 #include "study/scene.h"
 #include "study/sweeps.h"
 
@@ -54,8 +56,10 @@ class Study {
 
   void Run() {
     Edges();
+    Roundings();
     Depth();
     Pixels();
+    Special();
     rule_costs_ = Speed("speed.csv", "cost");
     Scenes();
     SceneCosts();
@@ -79,6 +83,18 @@ class Study {
         csv.EndRow();
       }
       progress(static_cast<double>(i + 1) / static_cast<double>(points.size()));
+    }
+  }
+
+  void Roundings() {
+    Csv csv(Path("roundings.csv"), {"fov", "rounding", "draws", "mean_px", "worst_px", "over"});
+    for (const double fov : {1.0, 5.0, 10.0, 20.0, 60.0, 120.0}) {
+      for (const RoundingCost& cost :
+           MeasureRoundings(fov, options_.quick ? 40 : 200, options_.quick ? 300 : 1000, 77)) {
+        csv << fov << cost.rounding << cost.draws << cost.mean << cost.worst
+            << cost.over;
+        csv.EndRow();
+      }
     }
   }
 
@@ -128,19 +144,27 @@ class Study {
     }
   }
 
+  void Special() {
+    Csv csv(Path("special.csv"), {"sweep", "what", "way", "got", "right"});
+    for (const SpecialResult& result : MeasureSpecial(device_)) {
+      csv << result.sweep << result.what << result.way << result.got << result.right;
+      csv.EndRow();
+    }
+  }
+
   // The costs of the setting "picture".
   CostTable Speed(const std::string& name, const char* what) {
     Csv csv(Path(name),
-            {"setting", "way", "planes", "median_ms", "least_ms", "ratio", "least_ratio"});
+            {"setting", "way", "planes", "median_ms", "least_ms", "ratio", "paired_ratio"});
     Progress progress(what);
     CostTable table;
     for (const Cost& cost : MeasureSpeed(device_, options_.quick ? 3 : 25,
                                          options_.quick ? 40 : 100, std::ref(progress))) {
       csv << cost.setting << cost.way << cost.planes << cost.median_ms << cost.least_ms
-          << cost.ratio << cost.least_ratio;
+          << cost.ratio << cost.paired_ratio;
       csv.EndRow();
       if (cost.planes > 0 && cost.setting == "picture")
-        table[{cost.way, cost.planes}] = cost.least_ratio;
+        table[{cost.way, cost.planes}] = cost.paired_ratio;
     }
     return table;
   }

@@ -13,7 +13,7 @@ inline constexpr char kUsage[] =
 
 clipc-study scene FILE [--costs speed.csv] [--variants FILE]
   What a scene needs: for each object whether a plane takes it away, the planes that may cut it, the method for it with the
-  error that it will have and its cost, and the shader variants to build. docs/study.md describes the file.
+  error that it will have and its cost, and the shader variants to build. FILE is JSON or glTF 2.0: see docs/study.md.
 Exit: 0 done, 2 cannot.
 )";
 

@@ -2,13 +2,15 @@
 #include "study/program/scene_file.h"
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
-#include <initializer_list>
 #include <set>
+#include <sstream>
 
 #include <nlohmann/json.hpp>
 
 #include "draw/gl.h"
+#include "study/program/gltf_scene.h"
 
 namespace clipc::study {
 namespace {
@@ -160,14 +162,22 @@ Scene SceneFrom(const Json& json) {
   return scene;
 }
 
+std::string FolderOf(const std::string& path) {
+  return std::filesystem::path(path).parent_path().string();
+}
+
 }  // namespace
 
 Scene ReadScene(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) throw draw::DrawError("cannot read `" + path + "`");
-  const Json json = Json::parse(file, nullptr, false);
-  if (json.is_discarded()) throw draw::DrawError("`" + path + "` is no JSON");
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  if (!file || !(text << file.rdbuf())) throw draw::DrawError("cannot read `" + path + "`");
+  const std::string bytes = text.str();
   try {
+    if (bytes.starts_with("glTF")) return GltfScene(bytes, FolderOf(path));
+    const Json json = Json::parse(bytes, nullptr, false);
+    if (json.is_discarded()) throw draw::DrawError("the file is no JSON");
+    if (json.is_object() && json.contains("asset")) return GltfScene(bytes, FolderOf(path));
     return SceneFrom(json);
   } catch (const draw::DrawError& error) {
     throw draw::DrawError(path + ": " + error.what());

@@ -7,7 +7,7 @@
 
 namespace clipc::study {
 
-// Reads a scene as docs/study.md describes it. Throws DrawError with the file and what is wrong in
+// Reads a scene, JSON or glTF 2.0, as docs/study.md describes it. Throws DrawError with the file and what is wrong in
 // it.
 Scene ReadScene(const std::string& path);
 

@@ -53,6 +53,7 @@ struct Entry {
   std::unique_ptr<DrawCall> call;
   std::vector<Vec4<double>> object_planes;  // kCpu
   std::vector<double> times;
+  std::vector<double> shares;  // of the frames without planes before and after
 };
 
 std::vector<Entry> EntriesFor(const draw::Gl& gl, const Setting& setting, const Setup& setup,
@@ -80,6 +81,11 @@ std::vector<Entry> EntriesFor(const draw::Gl& gl, const Setting& setting, const 
   return entries;
 }
 
+double MedianOf(std::vector<double> numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  return numbers[numbers.size() / 2];
+}
+
 double TimeOf(Studio& studio, Entry& entry, const Mesh& mesh) {
   studio.Begin();
   studio.gl().Finish();
@@ -90,6 +96,31 @@ double TimeOf(Studio& studio, Entry& entry, const Mesh& mesh) {
   return CpuMilliseconds() - start;
 }
 
+constexpr std::size_t kBetween = 3;  // entries between two frames without planes
+
+// Draws each entry once, in an order of its own.
+void Round(Studio& studio, const Mesh& mesh, std::vector<Entry>& entries, Random& random,
+           bool counts) {
+  std::vector<std::size_t> order(entries.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const std::size_t other = random.Below(static_cast<std::uint32_t>(i + 1));
+    order[i] = order[other], order[other] = i;
+  }
+  double before = TimeOf(studio, entries.front(), mesh);
+  for (std::size_t first = 0; first < order.size(); first += kBetween) {
+    const std::size_t end = std::min(first + kBetween, order.size());
+    std::vector<double> times;
+    for (std::size_t i = first; i < end; ++i)
+      times.push_back(TimeOf(studio, entries[order[i]], mesh));
+    const double after = TimeOf(studio, entries.front(), mesh);
+    for (std::size_t i = first; counts && i < end; ++i) {
+      entries[order[i]].times.push_back(times[i - first]);
+      entries[order[i]].shares.push_back(2 * times[i - first] / (before + after));
+    }
+    before = after;
+  }
+}
+
 }  // namespace
 
 std::vector<Cost> MeasureSpeed(draw::Device& device, int rounds, int detail,
@@ -97,29 +128,27 @@ std::vector<Cost> MeasureSpeed(draw::Device& device, int rounds, int detail,
   const Setup setup = Prepare(ObliqueAt(4, 0.1, 100));
   const Mesh mesh = TorusKnot(10 * detail, detail, 4 * 0.577 / 1.75);
   std::vector<Cost> costs;
+  Random random(8);
   int done = 0;
   for (const Setting& setting : kSettings) {
     Studio studio(device, setting.width, setting.height, false);
     std::vector<Entry> entries = EntriesFor(studio.gl(), setting, setup, mesh);
     for (int round = -1; round < rounds;
          ++round) {  // the first is thrown away: shaders are compiled in it
-      for (Entry& entry : entries) {
-        const double time = TimeOf(studio, entry, mesh);
-        if (round >= 0) entry.times.push_back(time);
-      }
+      Round(studio, mesh, entries, random, round >= 0);
       progress((done + static_cast<double>(round + 2) / (rounds + 1)) /
                static_cast<double>(std::size(kSettings)));
     }
     ++done;
     for (Entry& entry : entries) {
-      std::sort(entry.times.begin(), entry.times.end());
-      entry.cost.median_ms = entry.times[entry.times.size() / 2],
-      entry.cost.least_ms = entry.times.front();
+      entry.cost.median_ms = MedianOf(entry.times);
+      entry.cost.least_ms = *std::min_element(entry.times.begin(), entry.times.end());
+      entry.cost.paired_ratio = MedianOf(entry.shares);
     }
     const Cost none = entries.front().cost;
     for (Entry& entry : entries) {
       entry.cost.ratio = entry.cost.median_ms / none.median_ms;
-      entry.cost.least_ratio = entry.cost.least_ms / none.least_ms;
+      entry.cost.paired_ratio /= none.paired_ratio;  // noise lifts them alike
       costs.push_back(entry.cost);
     }
   }

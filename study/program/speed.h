@@ -17,12 +17,14 @@ struct Cost {
   std::string way;
   int planes = 0;
   double median_ms = 0, least_ms = 0;
-  double ratio = 1;        // of the medians
-  double least_ratio = 1;  // of the least times
+  double ratio = 1;  // of the medians
+  // The median of the ratios to the frames without planes just before and after: what else the
+  // machine does hits them alike.
+  double paired_ratio = 1;
 };
 
-// Each round draws each way once, in turn, so that what else the machine does hits all alike.
-// `progress` is told how much of the whole is done, 0 to 1.
+// Each round draws each way once, in an order of its own, so that no way always follows the same
+// one. `progress` is told how much of the whole is done, 0 to 1.
 std::vector<Cost> MeasureSpeed(draw::Device& device, int rounds, int detail,
                                const std::function<void(double)>& progress);
 

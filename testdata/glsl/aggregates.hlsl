@@ -22,6 +22,7 @@ Outer Make() {
   outer.inner.a[1] = 2;
   return outer;
 }
+void Take(Empty empty) {}
 void Fill(out float row[3]) { row[0] = row[1] = row[2] = 1; }
 
 float4 main(float4 p : POSITION, int i : INDEX) : SV_Position {
@@ -33,6 +34,7 @@ float4 main(float4 p : POSITION, int i : INDEX) : SV_Position {
   float row[3] = other.table[i];
   float zeros[20] = (float[20])0;
   Empty empty;
+  Take(empty);
   float2 grid[2][2];
   grid[1][i] = p.xy;
   return p * kWeights[i] + kTable[1][i] + uniforms[1][i] + outer.inner.a[i].xyxy + row[2] + other.table[1][i] + zeros[i] + grid[1][0].x;
@@ -80,6 +82,9 @@ float4 main(float4 p : POSITION, int i : INDEX) : SV_Position {
 // CHECK-NEXT:     row[0] = row[1] = row[2] = 1.0;
 // CHECK-NEXT: }
 // CHECK-EMPTY:
+// CHECK-NEXT: void Take(Empty empty) {
+// CHECK-NEXT: }
+// CHECK-EMPTY:
 // CHECK-NEXT: void main() {
 // CHECK-NEXT:     Inner inner = Inner(vec2[2](in_POSITION0.xy, in_POSITION0.zw), true);
 // CHECK-NEXT:     Outer outer = Outer(inner, float[2][3](float[3](1.0, 2.0, 3.0), float[3](4.0, 5.0, 6.0)));
@@ -89,6 +94,7 @@ float4 main(float4 p : POSITION, int i : INDEX) : SV_Position {
 // CHECK-NEXT:     float row[3] = other.table[in_INDEX0];
 // CHECK-NEXT:     float zeros[20] = zeros_float_20_();
 // CHECK-NEXT:     Empty empty;
+// CHECK-NEXT:     Take(empty);
 // CHECK-NEXT:     vec2 grid[2][2];
 // CHECK-NEXT:     grid[1][in_INDEX0] = in_POSITION0.xy;
 // CHECK-NEXT:     gl_Position = in_POSITION0 * kWeights[in_INDEX0] + kTable[1][in_INDEX0] + uniforms[1][in_INDEX0] + outer.inner.a[in_INDEX0].xyxy + row[2] + other.table[1][in_INDEX0] + zeros[in_INDEX0] + grid[1][0].x;
@@ -148,6 +154,9 @@ float4 main(float4 p : POSITION, int i : INDEX) : SV_Position {
 // WRAPPED-NEXT:     row[0] = row[1] = row[2] = 1.0;
 // WRAPPED-NEXT: }
 // WRAPPED-EMPTY:
+// WRAPPED-NEXT: void Take(Empty empty) {
+// WRAPPED-NEXT: }
+// WRAPPED-EMPTY:
 // WRAPPED-NEXT: void main() {
 // WRAPPED-NEXT:     Inner inner = Inner(vec2[2](in_POSITION0.xy, in_POSITION0.zw), true);
 // WRAPPED-NEXT:     Outer outer = Outer(inner, float_array3[2](float_array3(float[3](1.0, 2.0, 3.0)), float_array3(float[3](4.0, 5.0, 6.0))));
@@ -157,6 +166,7 @@ float4 main(float4 p : POSITION, int i : INDEX) : SV_Position {
 // WRAPPED-NEXT:     float row[3] = other.table[in_INDEX0].e;
 // WRAPPED-NEXT:     float zeros[20] = zeros_float_20_();
 // WRAPPED-NEXT:     Empty empty;
+// WRAPPED-NEXT:     Take(empty);
 // WRAPPED-NEXT:     vec2_array2 grid[2];
 // WRAPPED-NEXT:     grid[1].e[in_INDEX0] = in_POSITION0.xy;
 // WRAPPED-NEXT:     gl_Position = in_POSITION0 * kWeights[in_INDEX0] + kTable[1].e[in_INDEX0] + uniforms[1].e[in_INDEX0] + outer.inner.a[in_INDEX0].xyxy + row[2] + other.table[1].e[in_INDEX0] + zeros[in_INDEX0] + grid[1].e[0].x;

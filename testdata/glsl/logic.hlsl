@@ -33,8 +33,6 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     bvec4 flags;
 // CHECK-NEXT: };
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
-// CHECK-EMPTY:
 // CHECK-NEXT: bvec4 logical_and(bvec4 a, bvec4 b) {
 // CHECK-NEXT:     return bvec4(a.x && b.x, a.y && b.y, a.z && b.z, a.w && b.w);
 // CHECK-NEXT: }
@@ -78,8 +76,6 @@ float4 main(float4 p : POSITION) : SV_Position {
 // GL120-NEXT: uniform vec4 a;
 // GL120-NEXT: uniform vec4 b;
 // GL120-NEXT: uniform bvec4 flags;
-// GL120-EMPTY:
-// GL120-NEXT: attribute vec4 in_POSITION0;  // POSITION0
 // GL120-EMPTY:
 // GL120-NEXT: bvec4 logical_and(bvec4 a, bvec4 b) {
 // GL120-NEXT:     return bvec4(a.x && b.x, a.y && b.y, a.z && b.z, a.w && b.w);

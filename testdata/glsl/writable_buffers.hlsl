@@ -82,10 +82,8 @@ float4 main(float4 p : POSITION, uint id : SV_VertexID) : SV_Position {
 // CHECK-NEXT:     bytes_store(4u, i);
 // CHECK-NEXT:     bytes_store3(id * 4u, uvec3(1u, 2u, 3u));
 // CHECK-NEXT:     uint width;
-// CHECK-NEXT:     uint height;
 // CHECK-NEXT:     ivec2 temporary_6 = imageSize(picture);
 // CHECK-NEXT:     width = uint(temporary_6.x);
-// CHECK-NEXT:     height = uint(temporary_6.y);
 // CHECK-NEXT:     gl_Position = in_POSITION0 + float(bytes_load(8u)) + float(width);
 // CHECK-NEXT: }
 
@@ -140,9 +138,7 @@ float4 main(float4 p : POSITION, uint id : SV_VertexID) : SV_Position {
 // VULKAN-NEXT:     bytes_store(4u, i);
 // VULKAN-NEXT:     bytes_store3(id * 4u, uvec3(1u, 2u, 3u));
 // VULKAN-NEXT:     uint width;
-// VULKAN-NEXT:     uint height;
 // VULKAN-NEXT:     ivec2 temporary_6 = imageSize(picture);
 // VULKAN-NEXT:     width = uint(temporary_6.x);
-// VULKAN-NEXT:     height = uint(temporary_6.y);
 // VULKAN-NEXT:     gl_Position = in_POSITION0 + float(bytes_load(8u)) + float(width);
 // VULKAN-NEXT: }
