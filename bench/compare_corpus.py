@@ -20,6 +20,8 @@ def compare(arguments, line):
     path, entry, profile, includes, defines = (line.rstrip("\n").split("\t") + [""] * 5)[:5]
     command = [arguments.draw, "compare", path, "-T", profile, "-E", entry, "--target", arguments.target,
                "--lower", "clip-distance", "--depth-range", "zero-to-one", "--flip-y", "no"]
+    if arguments.peer:
+        command += ["--peer", arguments.peer]
     for flag, values in (("-I", includes), ("-D", defines)):
         for value in filter(None, values.split(";")):
             command += [flag, value]
@@ -41,6 +43,7 @@ def main():
     parser.add_argument("list")
     parser.add_argument("-j", type=int, default=2)
     parser.add_argument("--target", default="glsl450")
+    parser.add_argument("--peer")
     arguments = parser.parse_args()
     with open(arguments.list, encoding="utf-8") as file:
         lines = file.readlines()

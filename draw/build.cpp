@@ -94,10 +94,6 @@ Shader Build(const BuildOptions& options) { return Chain(options).Run(); }
 std::string ForOpenGl(const std::string& glsl) {
   std::string text = glsl;
   const auto replace = [&](const char* from, const char* to) { text = std::regex_replace(text, std::regex(from), to); };
-  replace("set *= *[0-9]+ *, *", "");
-  replace("\\bgl_VertexIndex\\b", "gl_VertexID");
-  // Vulkan's counts from the base instance, OpenGL's does not.
-  replace("\\bgl_InstanceIndex\\b", "(gl_InstanceID + gl_BaseInstance)");
   replace("\\bgl_(BaseVertex|BaseInstance|DrawID)\\b", "gl_$1ARB");
   const bool has_parameters = text.find("ARB_shader_draw_parameters") != text.npos || text.find("gl_Base") == text.npos;
   replace("^#version 4[56]0", has_parameters ? "#version 450" : "#version 450\n#extension GL_ARB_shader_draw_parameters : require");

@@ -42,8 +42,7 @@ class NotForTarget : public DrawError {
   using DrawError::DrawError;
 };
 
-// The same shader for Mesa's OpenGL: Vulkan's descriptor sets and vertex numbers are the only difference in what clipc
-// writes, and llvmpipe of Mesa 22.3 stops at version 450, where draw parameters are an extension.
+// The same shader for Mesa's OpenGL: llvmpipe of Mesa 22.3 stops at version 450, where draw parameters are an extension.
 std::string ForOpenGl(const std::string& glsl);
 
 }  // namespace clipc::draw

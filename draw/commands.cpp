@@ -20,12 +20,11 @@ std::map<std::string, Flag> InputFlags(Inputs& inputs) {
 }
 
 void Print(const Captured& output, int vertex) {
-  const Shape shape = ShapeOf(output.type);
-  const int size = shape.Words() * output.count;
+  const int size = output.shape.Words() * output.count;
   std::printf("%d %s =", vertex, output.name.c_str());
   for (int i = 0; i < size; ++i) {
     const std::uint32_t word = output.words[static_cast<std::size_t>(vertex) * size + i];
-    switch (shape.kind) {
+    switch (output.shape.kind) {
       case Shape::Kind::kFloat: std::printf(" %.9g", static_cast<double>(std::bit_cast<float>(word))); break;
       case Shape::Kind::kInt: std::printf(" %d", static_cast<std::int32_t>(word)); break;
       case Shape::Kind::kUint: std::printf(" %u", word); break;
