@@ -31,9 +31,11 @@ def compare(arguments, line):
         if "step limit" in done.stderr or "nothing was compared" in done.stderr:
             done = subprocess.run(command + ["--ints", "0..3"], capture_output=True, text=True, errors="replace", timeout=60)
     except subprocess.TimeoutExpired:
-        return "timeout", path, entry, ""
+        return "timeout", path, entry, []
     verdict = VERDICTS.get(done.returncode, "not compared")
     text = (done.stdout + done.stderr).strip().splitlines()
+    if verdict == "not compared" and "glslang" in text[0]:
+        verdict = "not compiled by the peer"
     return verdict, path, entry, text
 
 
@@ -47,10 +49,11 @@ def main():
     arguments = parser.parse_args()
     with open(arguments.list, encoding="utf-8") as file:
         lines = file.readlines()
-    counts = collections.Counter()
+    counts, bugs = collections.Counter(), collections.Counter()
     with concurrent.futures.ThreadPoolExecutor(arguments.j) as pool:
         for done, (verdict, path, entry, text) in enumerate(pool.map(lambda line: compare(arguments, line), lines), 1):
             counts[verdict] += 1
+            bugs.update(line for line in text if line.startswith("known bug of the peer: "))
             if sys.stderr.isatty():
                 print(f"\r{done} of {len(lines)}", end="", file=sys.stderr)
             if verdict == "equal":
@@ -58,6 +61,8 @@ def main():
             print(f"{verdict}: {path} {entry}")
             for line in text[-6:] if verdict == "different" else text[:1]:
                 print(f"    {line[:200]}")
+    for bug, count in sorted(bugs.items()):
+        print(f"{count} times {bug}")
     print(", ".join(f"{count} {verdict}" for verdict, count in sorted(counts.items())))
     return counts["different"] != 0
 

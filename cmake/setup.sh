@@ -9,7 +9,7 @@ test_packages=(python3 "llvm-$llvm-tools" libgtest-dev libgmock-dev glslang-tool
   libvulkan-dev mesa-vulkan-drivers libspirv-cross-c-shared-dev
   libegl-dev libgl-dev libopengl-dev libegl1 libopengl0 libgl1-mesa-dri libpng-dev python3-matplotlib)
 
-# What the study's slow checks take, `./test --all` installs them: a browser, and Mesa's compiler for AMD's processors.
+# What checking the study's report takes, `./test --all` installs it: a browser.
 study_packages=(chromium)
 
 # What testing the Direct3D 9 binding takes; without, CTest has no entry `d3d9.*`. `./test --all` installs it.

@@ -38,6 +38,10 @@ class Comparer {
   explicit Comparer(const Tolerance& tolerance) : tolerance_(tolerance) {}
 
   void Compare(const Expected& expected, const Captured& captured) {
+    if (captured.words.empty()) {
+      ++result_.missing;
+      return Fail(expected.name + " is not written");
+    }
     const Shape& shape = captured.shape;
     if (shape.Words() * captured.count != expected.components || captured.words.size() != expected.words.size()) {
       return Fail(expected.name + " has another number of components");

@@ -34,6 +34,7 @@ struct Comparison {
   std::vector<std::string> mistakes;  // the first ones, in words
 
   long wrong = 0;
+  long missing = 0;  // of the wrong ones: outputs that are not written
 };
 
 // The outputs that have a value: what nothing is written to cannot be captured.

@@ -5,7 +5,7 @@
 #include <cctype>
 #include <spirv_cross/spirv_cross.hpp>
 
-#include "draw/gl.h"
+#include "draw/vulkan/reflect.h"
 
 namespace clipc::draw::peer {
 namespace {
@@ -23,18 +23,28 @@ class Walker {
     return bytes_;
   }
 
+  // Of the array that is the structure's first member.
+  std::vector<std::uint32_t> WalkElement(const SPIRType& structure) {
+    bytes_.clear();
+    Value(compiler_.get_type(structure.member_types[0]).parent_type, MatrixOf(structure, 0), 0);
+    return bytes_;
+  }
+
  private:
   struct Matrix {
     std::uint32_t stride = 0;
     bool row_major = false;
   };
 
+  Matrix MatrixOf(const SPIRType& structure, std::uint32_t index) const {
+    const bool has_stride = compiler_.has_member_decoration(structure.self, index, spv::DecorationMatrixStride);
+    return {has_stride ? compiler_.type_struct_member_matrix_stride(structure, index) : 0,
+            compiler_.has_member_decoration(structure.self, index, spv::DecorationRowMajor)};
+  }
+
   void Member(const SPIRType& structure, std::uint32_t index, std::uint32_t base) {
-    const spirv_cross::TypeID self = structure.self;
-    const bool has_stride = compiler_.has_member_decoration(self, index, spv::DecorationMatrixStride);
-    const Matrix matrix{has_stride ? compiler_.type_struct_member_matrix_stride(structure, index) : 0,
-                        compiler_.has_member_decoration(self, index, spv::DecorationRowMajor)};
-    Value(structure.member_types[index], matrix, base + compiler_.get_member_decoration(self, index, spv::DecorationOffset));
+    const std::uint32_t offset = compiler_.get_member_decoration(structure.self, index, spv::DecorationOffset);
+    Value(structure.member_types[index], MatrixOf(structure, index), base + offset);
   }
 
   void Value(spirv_cross::TypeID id, const Matrix& matrix, std::uint32_t base) {
@@ -73,55 +83,79 @@ Block BlockOf(const spirv_cross::Compiler& compiler, const spirv_cross::Resource
   return block;
 }
 
-bool IsTextureBuffer(const spirv_cross::Compiler& compiler, const spirv_cross::Resource& resource) {
+// Structured buffers hold one array of that name; tbuffers have the names of their members.
+bool IsStructured(const spirv_cross::Compiler& compiler, const spirv_cross::Resource& resource) {
   const SPIRType& type = compiler.get_type(resource.base_type_id);
-  return !type.member_types.empty() && compiler.get_member_name(type.self, 0) != "@data" &&
-         compiler.get_member_name(type.self, 0) != "@count";
+  return !type.member_types.empty() && compiler.get_member_name(type.self, 0).starts_with('@');
 }
 
-template <typename Variables>
-std::vector<Vector> Count(const Variables& variables) {
-  std::map<std::string, std::uint32_t> used;  // vectors with that semantic so far: arrays come in parts
+// "input.lights[1].color[0]" => "input.lights.color"
+std::string WithoutIndices(const std::string& path) {
+  std::string plain;
+  for (std::size_t at = 0; at < path.size(); ++at) {
+    if (path[at] == '[') at = path.find(']', at);
+    else plain += path[at];
+  }
+  return plain;
+}
+
+struct Variable {
+  std::string name, semantic;
+  std::uint32_t location, locations;
+};
+
+std::vector<Vector> Count(const std::vector<Variable>& variables) {
+  std::map<std::string, std::uint32_t> used;  // vectors of that variable so far: arrays come in parts
   std::vector<Vector> all;
-  for (const auto& [semantic, location, locations] : variables) {
-    std::string name = semantic;
-    std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-    const std::size_t digits = name.find_last_not_of("0123456789") + 1;
-    const std::uint32_t first = digits < name.size() ? static_cast<std::uint32_t>(std::stoul(name.substr(digits))) : 0;
-    std::uint32_t& next = used[name];
+  for (const auto& [path, semantic, location, locations] : variables) {
+    const std::size_t digits = semantic.find_last_not_of("0123456789") + 1;
+    const std::uint32_t first = digits < semantic.size() ? static_cast<std::uint32_t>(std::stoul(semantic.substr(digits))) : 0;
+    std::uint32_t& next = used[WithoutIndices(path)];
     for (std::uint32_t i = 0; i < locations; ++i) {
-      all.push_back({name.substr(0, digits) + std::to_string(first + next++), location + i});
+      all.push_back({semantic.empty() ? "" : KeyOf(semantic.substr(0, digits), first + next++), location + i});
     }
   }
   return all;
 }
 
-struct Variable {
-  std::string semantic;
-  std::uint32_t location, locations;
-};
-
 }  // namespace
 
+std::string KeyOf(const std::string& semantic, std::uint32_t index) {
+  std::string key = semantic + std::to_string(index);
+  std::ranges::transform(key, key.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return key;
+}
+
 std::vector<Block> BlocksOf(const vulkan::Spirv& spirv) {
-  try {
-    const spirv_cross::Compiler compiler(spirv);
+  return vulkan::Reflected(spirv, [](const spirv_cross::Compiler& compiler) {
     const spirv_cross::ShaderResources resources = compiler.get_shader_resources();
     std::vector<Block> blocks;
     for (const spirv_cross::Resource& resource : resources.uniform_buffers) blocks.push_back(BlockOf(compiler, resource, false));
     for (const spirv_cross::Resource& resource : resources.storage_buffers) {
-      if (IsTextureBuffer(compiler, resource)) blocks.push_back(BlockOf(compiler, resource, true));
+      if (!IsStructured(compiler, resource)) blocks.push_back(BlockOf(compiler, resource, true));
     }
     return blocks;
-  } catch (const spirv_cross::CompilerError& error) {
-    throw DrawError(std::string("SPIRV-Cross cannot read the shader: ") + error.what());
-  }
+  });
+}
+
+std::vector<Elements> ElementsOf(const vulkan::Spirv& spirv) {
+  return vulkan::Reflected(spirv, [](const spirv_cross::Compiler& compiler) {
+    std::vector<Elements> all;
+    for (const spirv_cross::Resource& resource : compiler.get_shader_resources().storage_buffers) {
+      if (!IsStructured(compiler, resource)) continue;
+      const SPIRType& type = compiler.get_type(resource.base_type_id);
+      const spirv_cross::TypeID array = type.member_types[0];
+      all.push_back({compiler.get_name(resource.id), compiler.get_decoration(array, spv::DecorationArrayStride),
+                     Walker(compiler).WalkElement(type)});
+    }
+    return all;
+  });
 }
 
 std::vector<Vector> InputsOf(const vulkan::Spirv& declared) {
   std::vector<Variable> variables;
   for (const vulkan::Reads::Attribute& read : vulkan::ReadsOf(declared).attributes) {
-    variables.push_back({read.semantic, read.location, read.locations});
+    variables.push_back({read.name, read.semantic, read.location, read.locations});
   }
   return Count(variables);
 }
@@ -130,7 +164,7 @@ std::vector<Vector> OutputsOf(const vulkan::Spirv& declared) {
   std::vector<Variable> variables;
   for (const vulkan::Output& output : vulkan::OutputsOf(declared)) {
     if (!output.location) continue;
-    variables.push_back({output.semantic, *output.location, static_cast<std::uint32_t>(output.count * output.shape.columns)});
+    variables.push_back({output.name, output.semantic, *output.location, static_cast<std::uint32_t>(output.count * output.shape.columns)});
   }
   return Count(variables);
 }

@@ -22,11 +22,21 @@ struct Block {
 };
 std::vector<Block> BlocksOf(const vulkan::Spirv& spirv);
 
+// A StructuredBuffer.
+struct Elements {
+  std::string name;
+  std::uint32_t stride = 0;
+  std::vector<std::uint32_t> bytes;  // of an element's components, in the order of the value
+};
+std::vector<Elements> ElementsOf(const vulkan::Spirv& spirv);
+
 // A vector that the shader reads or writes: an array is as many as it has elements, a matrix as it has rows.
 struct Vector {
-  std::string semantic;  // in capitals, with its number: "TEXCOORD3"
+  std::string key;  // KeyOf its semantic; empty without one
   std::uint32_t location;
 };
+// "TEXCOORD3": how a semantic and its index are compared.
+std::string KeyOf(const std::string& semantic, std::uint32_t index);
 // Of a module with all that the shader declares: where no variable was left out, elements of arrays can be counted.
 std::vector<Vector> InputsOf(const vulkan::Spirv& declared);
 std::vector<Vector> OutputsOf(const vulkan::Spirv& declared);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "draw/textures.h"
+#include "draw/vulkan/driver_bugs.h"
 #include "ir/scalar.h"
 
 namespace clipc::draw::vulkan {
@@ -44,8 +45,6 @@ class Binder {
     const ir::VarId var = object.texture ? object.texture : object.sampler;
     const ObjectKind kind = ObjectTypeOf(program_, var).object;
     const std::vector<std::string> indices = ElementIndices(program_, var);
-    // lavapipe of Mesa 22.3 takes the last index for the element's number.
-    if (indices.size() > 1 && indices[0] != "[0]") throw DrawError("an array of arrays of textures, which lavapipe cannot read");
     for (std::uint32_t i = 0; i < indices.size(); ++i) {
       const std::string name = object.name + indices[i];
       if (!object.texture) {
@@ -76,6 +75,7 @@ class Binder {
 }  // namespace
 
 DrawCall MakeDrawCall(const ir::Program& program, const glsl::GlslInfo& info, const Inputs& inputs) {
+  RefuseDriverBugs(program);
   DrawCall call;
   call.vertices = inputs.vertices;
   call.instances = inputs.instances;

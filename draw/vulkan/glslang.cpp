@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <spirv-tools/libspirv.hpp>
 
 namespace clipc::draw::vulkan {
 namespace {
@@ -53,7 +54,7 @@ class Includer : public glslang::TShader::Includer {
 };
 
 std::string Preamble(const HlslSource& source) {
-  std::string text;
+  std::string text = "#undef VULKAN\n";  // glslang's own
   for (const std::string& define : source.defines) {
     const std::size_t equals = define.find('=');
     const bool has_value = equals != std::string::npos;
@@ -85,6 +86,17 @@ void SetText(glslang::TShader& shader, const char* const* text, const int* lengt
   shader.setStringsWithLengthsAndNames(text, length, name, 1);
 }
 
+void Validate(const Spirv& spirv) {
+  std::string problem;
+  spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_0);
+  tools.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t&, const char* message) {
+    if (problem.empty()) problem = message;
+  });
+  spvtools::ValidatorOptions options;
+  options.SetSkipBlockLayout(true);  // HLSL's is not Vulkan 1.0's
+  if (!tools.Validate(spirv.data(), spirv.size(), options)) throw PeerRefuses("glslang makes invalid SPIR-V: " + problem);
+}
+
 }  // namespace
 
 Spirv SpirvOfGlsl(const std::string& glsl) {
@@ -106,19 +118,27 @@ Spirv SpirvOfHlsl(const HlslSource& source, bool legalize) {
   const char *text = source.text.c_str(), *name = source.path.c_str();
   const int length = static_cast<int>(source.text.size());
   SetText(shader, &text, &length, &name);
-  shader.setEntryPoint("main");
+  shader.setEntryPoint(source.entry.c_str());  // not `main`: the shader may have another function of that name
   shader.setSourceEntryPoint(source.entry.c_str());
   shader.setEnvInput(glslang::EShSourceHlsl, EShLangVertex, glslang::EShClientVulkan, 100);
   shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_0);
   shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_0);
   shader.setEnvTargetHlslFunctionality1();
+  // Direct3D numbers each kind of object apart.
+  shader.setShiftBinding(glslang::EResSampler, 100);
+  shader.setShiftBinding(glslang::EResTexture, 200);
+  shader.setShiftBinding(glslang::EResSsbo, 400);
+  shader.setShiftBinding(glslang::EResImage, 600);
+  shader.setShiftBinding(glslang::EResUav, 800);
   shader.setAutoMapBindings(true);
   shader.setAutoMapLocations(true);
   const std::string preamble = Preamble(source);
   shader.setPreamble(preamble.c_str());
   Includer includer(source.include_dirs);
   const auto messages = static_cast<EShMessages>(EShMsgReadHlsl | EShMsgVulkanRules | EShMsgSpvRules | EShMsgHlslOffsets | EShMsgHlslLegalization);
-  return Translate<PeerRefuses>(shader, includer, messages, legalize);
+  Spirv spirv = Translate<PeerRefuses>(shader, includer, messages, legalize);
+  if (legalize) Validate(spirv);
+  return spirv;
 }
 
 }  // namespace clipc::draw::vulkan

@@ -7,7 +7,7 @@
 #include "draw/gl.h"
 #include "draw/vulkan/spirv.h"
 
-// Vertex shaders to SPIR-V, by glslang. The entry point of the SPIR-V is called `main`.
+// Vertex shaders to SPIR-V, by glslang.
 namespace clipc::draw::vulkan {
 
 // GLSL for Vulkan. What glslang refuses is a DrawError.

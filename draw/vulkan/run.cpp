@@ -63,7 +63,8 @@ Attributes Upload(const Device& device, const DrawCall& call) {
 vk::raii::Pipeline MakePipeline(const vk::raii::Device& device, const Spirv& vertex, const Attributes& attributes,
                                 const vk::raii::PipelineLayout& layout) {
   const vk::raii::ShaderModule module(device, vk::ShaderModuleCreateInfo({}, vertex));
-  const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eVertex, *module, "main");
+  const std::string entry = EntryPointOf(vertex);
+  const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eVertex, *module, entry.c_str());
   const vk::PipelineVertexInputStateCreateInfo input({}, attributes.bindings, attributes.places);
   const vk::PipelineInputAssemblyStateCreateInfo assembly({}, vk::PrimitiveTopology::ePointList);
   vk::PipelineRasterizationStateCreateInfo rasterization;

@@ -2,9 +2,8 @@
 #include "draw/vulkan/spirv.h"
 
 #include <set>
-#include <spirv_cross/spirv_cross.hpp>
 
-#include "draw/gl.h"
+#include "draw/vulkan/reflect.h"
 
 namespace clipc::draw::vulkan {
 namespace {
@@ -77,6 +76,7 @@ std::vector<Output> ReflectOutputs(const spirv_cross::Compiler& compiler) {
   for (const spirv_cross::BuiltInResource& found : resources.builtin_outputs) {
     Output& output = outputs.emplace_back(Make(compiler, found.resource, found.value_type_id, NameOf(found.builtin)));
     output.member = MemberOf(compiler, found);
+    output.semantic = compiler.get_decoration_string(found.resource.id, spv::DecorationHlslSemanticGOOGLE);
   }
   return outputs;
 }
@@ -100,15 +100,6 @@ Reads ReflectReads(const spirv_cross::Compiler& compiler) {
                                 static_cast<std::uint32_t>(CountOf(type)) * type.columns});
   }
   return reads;
-}
-
-template <typename Reflect>
-auto Reflected(const Spirv& spirv, Reflect&& reflect) {
-  try {
-    return reflect(spirv_cross::Compiler(spirv));
-  } catch (const spirv_cross::CompilerError& error) {
-    throw DrawError(std::string("SPIRV-Cross cannot read the shader: ") + error.what());
-  }
 }
 
 // Calls visit(opcode) until that returns false, and returns where it stopped.
@@ -149,6 +140,11 @@ bool IsPreamble(spv::Op op) {
 
 std::vector<Output> OutputsOf(const Spirv& spirv) { return Reflected(spirv, ReflectOutputs); }
 Reads ReadsOf(const Spirv& spirv) { return Reflected(spirv, ReflectReads); }
+
+std::string EntryPointOf(const Spirv& spirv) {
+  const std::size_t entry = Walk(spirv, [](spv::Op op) { return op != spv::OpEntryPoint; });
+  return reinterpret_cast<const char*>(&spirv.at(entry + 3));
+}
 
 Spirv WithTransformFeedback(const Spirv& spirv, std::span<const Output> outputs, std::span<const Place> places,
                             std::span<const std::uint32_t> strides) {

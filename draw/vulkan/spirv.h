@@ -9,7 +9,7 @@
 
 #include "draw/program.h"
 
-// Vertex shaders in SPIR-V.
+// Vertex shaders in SPIR-V. What SPIRV-Cross cannot read is a DrawError.
 namespace clipc::draw::vulkan {
 
 using Spirv = std::vector<std::uint32_t>;
@@ -27,6 +27,9 @@ struct Output {
   int Words() const { return shape.Words() * count; }
 };
 std::vector<Output> OutputsOf(const Spirv& spirv);
+
+// The name of its entry point.
+std::string EntryPointOf(const Spirv& spirv);
 
 // What the shader reads.
 struct Reads {
@@ -53,5 +56,4 @@ struct Place {
 Spirv WithTransformFeedback(const Spirv& spirv, std::span<const Output> outputs, std::span<const Place> places,
                             std::span<const std::uint32_t> strides);
 
-// What SPIRV-Cross cannot read is a DrawError.
 }  // namespace clipc::draw::vulkan
