@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 """Compares clipc's GLSL with its reference evaluator on a corpus of shaders that are not part of this repository.
 
-usage: compare_corpus.py CLIPC_DRAW LIST [-j JOBS] [--target glsl450]
+usage: compare_corpus.py CLIPC_DRAW LIST [-j JOBS] [--target glsl450 | --peer glslang]
 
 LIST has a line per shader, separated by tabs: path, entry, profile, include folders (a;b), defines (A=1;B). Every shader
-that clipc accepts runs on random vertices and constants through Mesa's software OpenGL and through the evaluator.
+that clipc accepts runs on random vertices and constants through Mesa's software OpenGL, or Vulkan for that target, and through the
+evaluator. With --peer it is what glslang's HLSL front end makes of the shader that runs; its known bugs (docs/peers.md) are counted.
 """
 import argparse
 import collections

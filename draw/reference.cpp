@@ -209,7 +209,7 @@ std::vector<Expected> MakeExpected(const Shader& shader, const BuildOptions& opt
   // Where the shader reads what is undefined at some vertices, three may do so at one of many. What lies outside of a texture or
   // at the border between two texels is common, and shaders branch on it.
   if (shader.typed.resources.empty() && std::ranges::none_of(all, has_open)) return all;
-  for (int i = 0; i < 6; ++i) try_value(0.125 * (i + 1)), try_value(i - 9.5);
+  for (const double undefined : {0.125, 2.0, 0.25, 5.0, 0.375, -7.5, 0.5, 9.0, 0.625, -4.0, 0.75, 14.0}) try_value(undefined);
   return all;
 }
 
