@@ -23,10 +23,14 @@ class Chain {
   explicit Chain(const BuildOptions& options)
       : options_(options), target_(TargetOf(options.target)), profile_(ProfileOf(options.profile)), source_(context_, InputOf()) {}
 
-  Shader Run() {
+  Tokens Preprocess() {
     Tokens tokens = Lex(source_, diagnostics_);
     StopAtErrors<DrawError>("the shader has errors");
-    const ast::File file = Parse(std::move(tokens), diagnostics_);
+    return tokens;
+  }
+
+  Shader Run() {
+    const ast::File file = Parse(Preprocess(), diagnostics_);
     StopAtErrors<DrawError>("the shader has errors");
     const bool whole_registers = options_.lowering == passes::Lowering::kLevel9;
     Shader shader;
@@ -90,6 +94,7 @@ class Chain {
 }  // namespace
 
 Shader Build(const BuildOptions& options) { return Chain(options).Run(); }
+Tokens Preprocess(const BuildOptions& options) { return Chain(options).Preprocess(); }
 
 std::string ForOpenGl(const std::string& glsl) {
   std::string text = glsl;

@@ -7,6 +7,7 @@
 #include "backend-glsl/writer.h"
 #include "draw/gl.h"
 #include "frontend/check.h"
+#include "frontend/token.h"
 #include "ir/program.h"
 #include "passes/pipeline.h"
 
@@ -35,6 +36,9 @@ struct Shader {
 // The stages one after another, as the compiler's driver calls them. Throws DrawError with the diagnostics, and
 // NotForTarget when only the target is at fault.
 Shader Build(const BuildOptions& options);
+
+// The shader's tokens behind the preprocessor. Throws DrawError with the diagnostics.
+Tokens Preprocess(const BuildOptions& options);
 
 // What the target cannot say of the shader, as the driver would report it: such a comparison cannot be made.
 class NotForTarget : public DrawError {

@@ -8,6 +8,7 @@
 #include "draw/options.h"
 #include "draw/peer/interface.h"
 #include "draw/peer/known_bugs.h"
+#include "draw/peer/plain_text.h"
 #include "draw/vulkan/bind.h"
 #include "draw/vulkan/glslang.h"
 
@@ -24,7 +25,12 @@ Module Compile(const BuildOptions& options) {
   module.hlsl = WithoutVulkanAttributes(ReadFile(options.path));
   vulkan::HlslSource source{options.path, module.hlsl, options.entry, options.defines, options.include_dirs};
   source.row_major = options.packing == MatrixPacking::kRowMajor;
-  module.declared = vulkan::SpirvOfHlsl(source, false);
+  try {
+    module.declared = vulkan::SpirvOfHlsl(source, false);
+  } catch (const vulkan::PeerRefuses&) {
+    module.hlsl = source.text = WithoutVulkanAttributes(PlainText(Preprocess(options), options.entry));
+    module.declared = vulkan::SpirvOfHlsl(source, false);
+  }
   module.run = vulkan::SpirvOfHlsl(source, true);
   module.blocks = BlocksOf(module.declared);
   module.elements = ElementsOf(module.declared);
