@@ -8,6 +8,7 @@
 #include "draw/arguments.h"
 #include "draw/options.h"
 #include "draw/picture.h"
+#include "draw/vulkan/run.h"
 
 namespace clipc::draw {
 namespace {
@@ -142,6 +143,13 @@ int RunPixels(int argc, char** argv) {
   std::printf("%d of %zu pixels drawn: %d missing, %d too many, largest depth error %.2g\n", difference.drawn,
               picture.pixels.size(), difference.missing, difference.extra, difference.depth_error);
   return right ? 0 : 1;
+}
+
+int RunDevices() {
+  Device device;
+  std::printf("OpenGL: %s\n", reinterpret_cast<const char*>(device.Use(Api::kCore).GetString(GL_RENDERER)));
+  std::printf("Vulkan: %s\n", vulkan::Runner().name().c_str());
+  return 0;
 }
 
 }  // namespace clipc::draw

@@ -44,6 +44,8 @@ clipc-draw compare SHADER.hlsl [options]
     --ulps U                what floats may differ, see draw/compare.h
     --exact                 floats must be equal to the bit
     --verbose               a line for each comparison; GLSL that fails
+clipc-draw devices
+  Prints the names of the software OpenGL and Vulkan that the others run on.
 Exit: 0 as expected, 1 not as expected, 2 cannot draw.
 )";
 
@@ -51,5 +53,6 @@ Exit: 0 as expected, 1 not as expected, 2 cannot draw.
 int RunCapture(int argc, char** argv);
 int RunPixels(int argc, char** argv);
 int RunCompare(int argc, char** argv);
+int RunDevices();
 
 }  // namespace clipc::draw

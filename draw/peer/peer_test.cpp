@@ -39,6 +39,10 @@ class Peer : public ::testing::Test {
   }
   static void TearDownTestSuite() { std::filesystem::remove(path_); }
 
+  void SetUp() override {
+    if (const std::string why = vulkan::Runner::WhyNone(); !why.empty()) GTEST_SKIP() << why;
+  }
+
   static BuildOptions Options() {
     BuildOptions options;
     options.path = path_;

@@ -64,7 +64,7 @@ auto Guarded(Make&& make) {
   } catch (const DrawError&) {
     throw;
   } catch (const std::exception& error) {
-    throw DrawError(std::string("no Vulkan: ") + error.what());
+    throw DrawError(std::string("no Vulkan: ") + error.what() + "; on Debian: apt-get install mesa-vulkan-drivers");
   }
 }
 

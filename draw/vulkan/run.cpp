@@ -2,6 +2,7 @@
 #include "draw/vulkan/run.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "draw/gl.h"
 #include "draw/vulkan/descriptors.h"
@@ -140,6 +141,16 @@ void CheckReads(const Spirv& vertex, const DrawCall& call) {
 
 Runner::Runner() : device_(std::make_unique<Device>()) {}
 Runner::~Runner() = default;
+
+std::string Runner::WhyNone() {
+  if (std::getenv("CI")) return "";
+  try {
+    const Device device;
+    return "";
+  } catch (const DrawError& error) {
+    return error.what();
+  }
+}
 
 std::string Runner::name() const { return device_->name(); }
 

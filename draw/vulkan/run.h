@@ -38,6 +38,9 @@ class Runner {
 
   std::string name() const;
 
+  // Empty if there is a device; else why there is none. In CI (the environment has `CI`) always empty: there, what needs one fails.
+  static std::string WhyNone();
+
   // Runs the vertex shader alone, on points, and returns `outputs` in their order. What the shader reads and the draw call does
   // not give is a DrawError.
   std::vector<Captured> Capture(const Spirv& vertex, std::span<const Output> outputs, const DrawCall& call) const;
