@@ -11,7 +11,8 @@
 #include "ir/program.h"
 
 // What glslang 12's HLSL front end is known to do otherwise than Direct3D. docs/peers.md says for each why it is the peer that is
-// wrong. A bug excuses a difference only where what it does, done by clipc's own means, gives exactly what the peer gives.
+// wrong. A bug excuses a difference only where what it does, done by clipc's own means, gives exactly what the peer gives; but for
+// two, which compare.cpp knows by the shader's text.
 namespace clipc::draw::peer {
 
 // The bug that puts the components of this member where the peer's block has them; empty: none does.
