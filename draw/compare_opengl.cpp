@@ -16,15 +16,18 @@ std::string Capturable(std::string text) {
 
 }  // namespace
 
-Comparison CompareWithOpenGl(Device& device, const Shader& shader, const std::vector<Expected>& expected,
-                             const RandomInputs& random, const RandomOptions& draw, const Tolerance& tolerance) {
+Comparison CompareWithOpenGl(Device& device, const Shader& shader,
+                             const std::vector<Expected>& expected, const RandomInputs& random,
+                             const RandomOptions& draw, const Tolerance& tolerance) {
   const std::string text = Capturable(ForOpenGl(shader.glsl));
   const Gl& gl = device.Use(VersionOf(text).api);
   const std::vector<const Expected*> outputs = Defined(expected);
   std::vector<std::string> names;
   for (const Expected* output : outputs) names.push_back(Capturable(output->name));
   if (outputs.empty()) return {};
-  return CompareOutputs(outputs, Capture(gl, text, names, MakeInputs(shader.lowered, shader.info, random, draw)), tolerance);
+  return CompareOutputs(
+      outputs, Capture(gl, text, names, MakeInputs(shader.lowered, shader.info, random, draw)),
+      tolerance);
 }
 
 }  // namespace clipc::draw

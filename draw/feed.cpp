@@ -9,7 +9,8 @@
 namespace clipc::draw {
 namespace {
 
-void GiveAttributes(const ir::Program& program, const glsl::GlslInfo& info, const RandomInputs& random, Inputs& inputs) {
+void GiveAttributes(const ir::Program& program, const glsl::GlslInfo& info,
+                    const RandomInputs& random, Inputs& inputs) {
   for (std::size_t i = 0; i < program.inputs.size(); ++i) {
     if (program.inputs[i].builtin != ir::Builtin::kNone) continue;
     const glsl::GlslInfo::Variable& written = info.inputs.at(i);
@@ -29,11 +30,13 @@ void GiveAttributes(const ir::Program& program, const glsl::GlslInfo& info, cons
 }  // namespace
 
 std::uint32_t AsFloat(std::uint32_t word, ir::Scalar kind) {
-  const double number = kind == ir::Scalar::kInt ? static_cast<std::int32_t>(word) : static_cast<double>(word);
+  const double number =
+      kind == ir::Scalar::kInt ? static_cast<std::int32_t>(word) : static_cast<double>(word);
   return std::bit_cast<std::uint32_t>(static_cast<float>(number));
 }
 
-Inputs MakeInputs(const ir::Program& program, const glsl::GlslInfo& info, const RandomInputs& random, const RandomOptions& draw) {
+Inputs MakeInputs(const ir::Program& program, const glsl::GlslInfo& info,
+                  const RandomInputs& random, const RandomOptions& draw) {
   Inputs inputs;
   inputs.instances = draw.instances;
   inputs.vertices = draw.vertices;

@@ -25,7 +25,8 @@ ir::Program WithPeerInputs(const ir::Program& program, const std::vector<const V
 }
 
 // Where the peer's shader reads what clipc's does, under the names of the HLSL.
-glsl::GlslInfo InfoOf(const ir::Program& program, const vulkan::Reads& reads, const std::vector<const Vector*>& vectors, const RandomInputs& random) {
+glsl::GlslInfo InfoOf(const ir::Program& program, const vulkan::Reads& reads,
+                      const std::vector<const Vector*>& vectors, const RandomInputs& random) {
   glsl::GlslInfo info;
   for (std::size_t i = 0; i < vectors.size(); ++i) {
     glsl::GlslInfo::Variable& variable = info.inputs.emplace_back();
@@ -36,14 +37,18 @@ glsl::GlslInfo InfoOf(const ir::Program& program, const vulkan::Reads& reads, co
     const std::string& name = program.vars[resource.var].name;
     const vulkan::Reads::Binding* binding = FindBinding(reads, name);
     if (!binding) continue;
-    const bool is_read = random.textures.contains(resource.var.index) || random.buffers.contains(resource.var.index);
-    info.objects.push_back({is_read ? resource.var : ir::VarId{}, is_read ? ir::VarId{} : resource.var, name, binding->set, binding->binding});
+    const bool is_read =
+        random.textures.contains(resource.var.index) || random.buffers.contains(resource.var.index);
+    info.objects.push_back({is_read ? resource.var : ir::VarId{},
+                            is_read ? ir::VarId{} : resource.var, name, binding->set,
+                            binding->binding});
   }
   return info;
 }
 
 // Where a block of the peer holds several cbuffers, each puts its members there.
-void GiveBlocks(const ir::Program& program, const Module& module, const vulkan::Reads& reads, const RandomInputs& random, vulkan::DrawCall& call) {
+void GiveBlocks(const ir::Program& program, const Module& module, const vulkan::Reads& reads,
+                const RandomInputs& random, vulkan::DrawCall& call) {
   for (const Block& block : module.blocks) {
     const vulkan::Reads::Binding* binding = FindBinding(reads, block.name);
     if (!binding) continue;
@@ -53,12 +58,14 @@ void GiveBlocks(const ir::Program& program, const Module& module, const vulkan::
       if (Find(module.blocks, cbuffer) != &block) continue;
       elements.resize(cbuffer.count, elements[0]);
       for (std::uint32_t i = 0; i < cbuffer.count; ++i) {
-        Relocate(program, cbuffer, block, random.cbuffers[id.index].data() + std::size_t{i} * cbuffer.size, elements[i]);
+        Relocate(program, cbuffer, block,
+                 random.cbuffers[id.index].data() + std::size_t{i} * cbuffer.size, elements[i]);
       }
     }
     using enum vulkan::DrawCall::Kind;
     for (std::uint32_t i = 0; i < elements.size(); ++i) {
-      call.descriptors.push_back({binding->set, binding->binding, i, block.is_storage ? kStorage : kUniforms, std::move(elements[i])});
+      call.descriptors.push_back({binding->set, binding->binding, i,
+                                  block.is_storage ? kStorage : kUniforms, std::move(elements[i])});
     }
   }
 }
@@ -72,11 +79,13 @@ std::string KeyOfBuiltin(const vulkan::Output& output) {
 }
 
 // The vector at that location.
-Captured PartAt(const std::vector<vulkan::Output>& outputs, const std::vector<Captured>& captured, std::uint32_t location) {
+Captured PartAt(const std::vector<vulkan::Output>& outputs, const std::vector<Captured>& captured,
+                std::uint32_t location) {
   Captured part;
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     if (!outputs[i].location || location < *outputs[i].location) continue;
-    const auto size = static_cast<std::size_t>(outputs[i].shape.rows), whole = static_cast<std::size_t>(outputs[i].Words());
+    const auto size = static_cast<std::size_t>(outputs[i].shape.rows),
+               whole = static_cast<std::size_t>(outputs[i].Words());
     const std::size_t first = (location - *outputs[i].location) * size;
     if (first >= whole) continue;
     part.shape = outputs[i].shape;
@@ -91,7 +100,8 @@ Captured PartAt(const std::vector<vulkan::Output>& outputs, const std::vector<Ca
 
 }  // namespace
 
-std::vector<const Vector*> Match(const std::vector<ir::IoVar>& list, const std::vector<Vector>& vectors) {
+std::vector<const Vector*> Match(const std::vector<ir::IoVar>& list,
+                                 const std::vector<Vector>& vectors) {
   std::vector<const Vector*> matches(list.size());
   std::vector<bool> taken(vectors.size());
   for (std::size_t i = 0; i < list.size(); ++i) {
@@ -105,7 +115,9 @@ std::vector<const Vector*> Match(const std::vector<ir::IoVar>& list, const std::
   for (std::size_t i = 0; i < list.size(); ++i) {
     if (!matches[i] && list[i].builtin == ir::Builtin::kNone) left.push_back(i);
   }
-  if (static_cast<std::ptrdiff_t>(left.size()) != std::ranges::count(vectors, std::string(), &Vector::key)) return matches;
+  if (static_cast<std::ptrdiff_t>(left.size()) !=
+      std::ranges::count(vectors, std::string(), &Vector::key))
+    return matches;
   std::size_t next = 0;
   for (const Vector& vector : vectors) {
     if (vector.key.empty()) matches[left[next++]] = &vector;
@@ -113,23 +125,30 @@ std::vector<const Vector*> Match(const std::vector<ir::IoVar>& list, const std::
   return matches;
 }
 
-vulkan::DrawCall MakeDrawCall(const ir::Program& program, const Module& module, const RandomInputs& random, const RandomOptions& draw) {
+vulkan::DrawCall MakeDrawCall(const ir::Program& program, const Module& module,
+                              const RandomInputs& random, const RandomOptions& draw) {
   const vulkan::Reads reads = vulkan::ReadsOf(module.run);
   const std::vector<const Vector*> vectors = Match(program.inputs, module.inputs);
   const ir::Program changed = WithPeerInputs(program, vectors);
   const glsl::GlslInfo info = InfoOf(changed, reads, vectors, random);
   RandomInputs relocated = random;
   for (const ir::Resource& resource : program.resources) {
-    const auto elements = std::ranges::find(module.elements, program.vars[resource.var].name, &Elements::name);
-    if (elements == module.elements.end() || !ir::IsStructured(ObjectTypeOf(program, resource.var).object)) continue;
-    for (Buffer& buffer : relocated.buffers[resource.var.index]) buffer = Relocated(program, resource.var, *elements, buffer);
+    const auto elements =
+        std::ranges::find(module.elements, program.vars[resource.var].name, &Elements::name);
+    if (elements == module.elements.end() ||
+        !ir::IsStructured(ObjectTypeOf(program, resource.var).object))
+      continue;
+    for (Buffer& buffer : relocated.buffers[resource.var.index])
+      buffer = Relocated(program, resource.var, *elements, buffer);
   }
-  vulkan::DrawCall call = vulkan::MakeDrawCall(changed, info, MakeInputs(changed, info, relocated, draw));
+  vulkan::DrawCall call =
+      vulkan::MakeDrawCall(changed, info, MakeInputs(changed, info, relocated, draw));
   GiveBlocks(program, module, reads, random, call);
   return call;
 }
 
-std::vector<Captured> PickOutputs(const ir::Program& program, const Module& module, const std::vector<vulkan::Output>& outputs,
+std::vector<Captured> PickOutputs(const ir::Program& program, const Module& module,
+                                  const std::vector<vulkan::Output>& outputs,
                                   const std::vector<Captured>& captured) {
   const std::vector<const Vector*> vectors = Match(program.outputs, module.outputs);
   std::vector<Captured> picked;

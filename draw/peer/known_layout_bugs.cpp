@@ -10,10 +10,13 @@ namespace {
 
 using ir::TypeKind;
 
-std::uint32_t RoundUp(std::uint32_t value, std::uint32_t multiple) { return (value + multiple - 1) / multiple * multiple; }
+std::uint32_t RoundUp(std::uint32_t value, std::uint32_t multiple) {
+  return (value + multiple - 1) / multiple * multiple;
+}
 
-// Where glslang 12 puts things: offsets by Direct3D's rules for vectors, but sizes and alignments by GLSL's, of std140 for constant
-// buffers and std430 for structured ones; and in the block of the global variables GLSL's alone.
+// Where glslang 12 puts things: offsets by Direct3D's rules for vectors, but sizes and alignments
+// by GLSL's, of std140 for constant buffers and std430 for structured ones; and in the block of the
+// global variables GLSL's alone.
 class Glslang {
  public:
   Glslang(const ir::TypeTable& types, std::uint32_t least_alignment, bool packs_vectors)
@@ -39,7 +42,8 @@ class Glslang {
       return {RoundUp(all.size, all.alignment), all.alignment};
     }
     if (type.kind != TypeKind::kMatrix) return VectorPlace(type.columns);
-    const std::uint32_t registers = row_major ? type.rows : type.columns, length = row_major ? type.columns : type.rows;
+    const std::uint32_t registers = row_major ? type.rows : type.columns,
+                        length = row_major ? type.columns : type.rows;
     const std::uint32_t stride = std::max(VectorPlace(length).alignment, least_);
     return {registers * stride, stride};
   }
@@ -54,11 +58,13 @@ class Glslang {
     return straddles ? RoundUp(at, 16) : at;
   }
 
-  void Append(ir::TypeId id, bool row_major, std::uint32_t at, std::vector<std::uint32_t>& bytes) const {
+  void Append(ir::TypeId id, bool row_major, std::uint32_t at,
+              std::vector<std::uint32_t>& bytes) const {
     const ir::Type& type = types_[id];
     if (type.kind == TypeKind::kArray) {
       const std::uint32_t stride = PlaceOf(id, row_major).size / type.count;
-      for (std::uint32_t i = 0; i < type.count; ++i) Append(type.element, row_major, at + i * stride, bytes);
+      for (std::uint32_t i = 0; i < type.count; ++i)
+        Append(type.element, row_major, at + i * stride, bytes);
       return;
     }
     if (type.kind == TypeKind::kStruct) {
@@ -72,7 +78,8 @@ class Glslang {
       }
       return;
     }
-    const std::uint32_t stride = type.kind == TypeKind::kMatrix ? PlaceOf(id, row_major).alignment : 0;
+    const std::uint32_t stride =
+        type.kind == TypeKind::kMatrix ? PlaceOf(id, row_major).alignment : 0;
     for (std::uint32_t row = 0; row < type.rows; ++row) {
       for (std::uint32_t column = 0; column < type.columns; ++column) {
         const bool by_row = type.kind != TypeKind::kMatrix || row_major;
@@ -82,7 +89,9 @@ class Glslang {
   }
 
  private:
-  Place VectorPlace(std::uint32_t components) const { return {4 * components, components == 3 ? 16 : 4 * components}; }
+  Place VectorPlace(std::uint32_t components) const {
+    return {4 * components, components == 3 ? 16 : 4 * components};
+  }
 
   const ir::TypeTable& types_;
   std::uint32_t least_;  // of arrays, structs and a matrix's registers
@@ -91,7 +100,8 @@ class Glslang {
 
 }  // namespace
 
-std::string LayoutBug(const ir::Program& program, const ir::Cbuffer& cbuffer, const Member& member, const Block& block) {
+std::string LayoutBug(const ir::Program& program, const ir::Cbuffer& cbuffer, const Member& member,
+                      const Block& block) {
   if (cbuffer.kind == ir::CbufferKind::kParams) return "uniform-parameters";
   const bool is_globals = cbuffer.kind == ir::CbufferKind::kGlobals;
   const Glslang glslang(program.types, 16, !is_globals);
@@ -114,7 +124,8 @@ std::string LayoutBug(const ir::Program& program, const ir::Cbuffer& cbuffer, co
   return !is_globals ? "row-after-aggregate" : has_places ? "register-c" : "globals-std140";
 }
 
-std::string StructuredBug(const ir::Program& program, ir::VarId var, const std::vector<std::uint32_t>& peer_bytes) {
+std::string StructuredBug(const ir::Program& program, ir::VarId var,
+                          const std::vector<std::uint32_t>& peer_bytes) {
   const Glslang glslang(program.types, 4, true);
   const ir::TypeId element = ObjectTypeOf(program, var).element;
   std::vector<std::uint32_t> bytes;

@@ -9,7 +9,8 @@
 #include "draw/peer/module.h"
 #include "ir/program.h"
 
-// Where clipc and a peer put the members of constant buffers and the parts of a structured buffer's elements.
+// Where clipc and a peer put the members of constant buffers and the parts of a structured buffer's
+// elements.
 namespace clipc::draw::peer {
 
 // A variable of a cbuffer, or a field of a ConstantBuffer<T>, and where clipc has it.
@@ -21,15 +22,17 @@ struct Member {
 };
 std::vector<Member> MembersOf(const ir::Program& program, const ir::Cbuffer& cbuffer);
 
-// The peer's block of that cbuffer; null when it has none. $Globals and the `uniform` parameters are one block.
+// The peer's block of that cbuffer; null when it has none. $Globals and the `uniform` parameters
+// are one block.
 const Block* Find(const std::vector<Block>& blocks, const ir::Cbuffer& cbuffer);
 
-// Puts the members of the cbuffer, whose bytes are `from`, where the peer reads them. Throws DrawError when the two disagree on
-// what the members are.
-void Relocate(const ir::Program& program, const ir::Cbuffer& cbuffer, const Block& block, const std::uint8_t* from,
-              std::vector<std::uint8_t>& to);
+// Puts the members of the cbuffer, whose bytes are `from`, where the peer reads them. Throws
+// DrawError when the two disagree on what the members are.
+void Relocate(const ir::Program& program, const ir::Cbuffer& cbuffer, const Block& block,
+              const std::uint8_t* from, std::vector<std::uint8_t>& to);
 // The elements of a structured buffer.
-Buffer Relocated(const ir::Program& program, ir::VarId var, const Elements& elements, const Buffer& buffer);
+Buffer Relocated(const ir::Program& program, ir::VarId var, const Elements& elements,
+                 const Buffer& buffer);
 
 // One member that lies elsewhere.
 struct Moved {
@@ -42,6 +45,7 @@ struct LayoutComparison {
   long members = 0;  // compared
   std::vector<Moved> moved;
 };
-LayoutComparison CompareLayout(const ir::Program& program, const std::vector<Block>& blocks, const std::vector<Elements>& elements);
+LayoutComparison CompareLayout(const ir::Program& program, const std::vector<Block>& blocks,
+                               const std::vector<Elements>& elements);
 
 }  // namespace clipc::draw::peer

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+
 #include <spirv_cross/spirv_cross.hpp>
 
 #include "draw/vulkan/reflect.h"
@@ -37,13 +38,15 @@ class Walker {
   };
 
   Matrix MatrixOf(const SPIRType& structure, std::uint32_t index) const {
-    const bool has_stride = compiler_.has_member_decoration(structure.self, index, spv::DecorationMatrixStride);
+    const bool has_stride =
+        compiler_.has_member_decoration(structure.self, index, spv::DecorationMatrixStride);
     return {has_stride ? compiler_.type_struct_member_matrix_stride(structure, index) : 0,
             compiler_.has_member_decoration(structure.self, index, spv::DecorationRowMajor)};
   }
 
   void Member(const SPIRType& structure, std::uint32_t index, std::uint32_t base) {
-    const std::uint32_t offset = compiler_.get_member_decoration(structure.self, index, spv::DecorationOffset);
+    const std::uint32_t offset =
+        compiler_.get_member_decoration(structure.self, index, spv::DecorationOffset);
     Value(structure.member_types[index], MatrixOf(structure, index), base + offset);
   }
 
@@ -51,14 +54,16 @@ class Walker {
     const SPIRType& type = compiler_.get_type(id);
     if (!type.array.empty()) {
       const std::uint32_t stride = compiler_.get_decoration(id, spv::DecorationArrayStride);
-      for (std::uint32_t i = 0; i < type.array.back(); ++i) Value(type.parent_type, matrix, base + i * stride);
+      for (std::uint32_t i = 0; i < type.array.back(); ++i)
+        Value(type.parent_type, matrix, base + i * stride);
     } else if (type.basetype == SPIRType::Struct) {
       for (std::uint32_t i = 0; i < type.member_types.size(); ++i) Member(type, i, base);
     } else {
       // A matrix is the transposed one of HLSL's: its columns are HLSL's rows.
       for (std::uint32_t row = 0; row < type.columns; ++row) {
         for (std::uint32_t column = 0; column < type.vecsize; ++column) {
-          bytes_.push_back(base + (matrix.row_major ? column * matrix.stride + 4 * row : row * matrix.stride + 4 * column));
+          bytes_.push_back(base + (matrix.row_major ? column * matrix.stride + 4 * row
+                                                    : row * matrix.stride + 4 * column));
         }
       }
     }
@@ -68,7 +73,8 @@ class Walker {
   std::vector<std::uint32_t> bytes_;
 };
 
-Block BlockOf(const spirv_cross::Compiler& compiler, const spirv_cross::Resource& resource, bool is_storage) {
+Block BlockOf(const spirv_cross::Compiler& compiler, const spirv_cross::Resource& resource,
+              bool is_storage) {
   const SPIRType& type = compiler.get_type(resource.base_type_id);
   Block block;
   const std::string variable = compiler.get_name(resource.id);
@@ -78,7 +84,8 @@ Block BlockOf(const spirv_cross::Compiler& compiler, const spirv_cross::Resource
   for (std::uint32_t i = 0; i < type.member_types.size(); ++i) {
     std::vector<std::uint32_t>& bytes = block.members[compiler.get_member_name(type.self, i)];
     bytes = walker.Walk(type, i);
-    for (const std::uint32_t byte : bytes) block.size = std::max(block.size, (byte + 4 + 15) / 16 * 16);
+    for (const std::uint32_t byte : bytes)
+      block.size = std::max(block.size, (byte + 4 + 15) / 16 * 16);
   }
   return block;
 }
@@ -93,8 +100,10 @@ bool IsStructured(const spirv_cross::Compiler& compiler, const spirv_cross::Reso
 std::string WithoutIndices(const std::string& path) {
   std::string plain;
   for (std::size_t at = 0; at < path.size(); ++at) {
-    if (path[at] == '[') at = path.find(']', at);
-    else plain += path[at];
+    if (path[at] == '[')
+      at = path.find(']', at);
+    else
+      plain += path[at];
   }
   return plain;
 }
@@ -105,14 +114,18 @@ struct Variable {
 };
 
 std::vector<Vector> Count(const std::vector<Variable>& variables) {
-  std::map<std::string, std::uint32_t> used;  // vectors of that variable so far: arrays come in parts
+  std::map<std::string, std::uint32_t>
+      used;  // vectors of that variable so far: arrays come in parts
   std::vector<Vector> all;
   for (const auto& [path, semantic, location, locations] : variables) {
     const std::size_t digits = semantic.find_last_not_of("0123456789") + 1;
-    const std::uint32_t first = digits < semantic.size() ? static_cast<std::uint32_t>(std::stoul(semantic.substr(digits))) : 0;
+    const std::uint32_t first =
+        digits < semantic.size() ? static_cast<std::uint32_t>(std::stoul(semantic.substr(digits)))
+                                 : 0;
     std::uint32_t& next = used[WithoutIndices(path)];
     for (std::uint32_t i = 0; i < locations; ++i) {
-      all.push_back({semantic.empty() ? "" : KeyOf(semantic.substr(0, digits), first + next++), location + i});
+      all.push_back({semantic.empty() ? "" : KeyOf(semantic.substr(0, digits), first + next++),
+                     location + i});
     }
   }
   return all;
@@ -122,7 +135,8 @@ std::vector<Vector> Count(const std::vector<Variable>& variables) {
 
 std::string KeyOf(const std::string& semantic, std::uint32_t index) {
   std::string key = semantic + std::to_string(index);
-  std::ranges::transform(key, key.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  std::ranges::transform(key, key.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   return key;
 }
 
@@ -130,7 +144,8 @@ std::vector<Block> BlocksOf(const vulkan::Spirv& spirv) {
   return vulkan::Reflected(spirv, [](const spirv_cross::Compiler& compiler) {
     const spirv_cross::ShaderResources resources = compiler.get_shader_resources();
     std::vector<Block> blocks;
-    for (const spirv_cross::Resource& resource : resources.uniform_buffers) blocks.push_back(BlockOf(compiler, resource, false));
+    for (const spirv_cross::Resource& resource : resources.uniform_buffers)
+      blocks.push_back(BlockOf(compiler, resource, false));
     for (const spirv_cross::Resource& resource : resources.storage_buffers) {
       if (!IsStructured(compiler, resource)) blocks.push_back(BlockOf(compiler, resource, true));
     }
@@ -145,7 +160,8 @@ std::vector<Elements> ElementsOf(const vulkan::Spirv& spirv) {
       if (!IsStructured(compiler, resource)) continue;
       const SPIRType& type = compiler.get_type(resource.base_type_id);
       const spirv_cross::TypeID array = type.member_types[0];
-      all.push_back({compiler.get_name(resource.id), compiler.get_decoration(array, spv::DecorationArrayStride),
+      all.push_back({compiler.get_name(resource.id),
+                     compiler.get_decoration(array, spv::DecorationArrayStride),
                      Walker(compiler).WalkElement(type)});
     }
     return all;
@@ -164,7 +180,8 @@ std::vector<Vector> OutputsOf(const vulkan::Spirv& declared) {
   std::vector<Variable> variables;
   for (const vulkan::Output& output : vulkan::OutputsOf(declared)) {
     if (!output.location) continue;
-    variables.push_back({output.name, output.semantic, *output.location, static_cast<std::uint32_t>(output.count * output.shape.columns)});
+    variables.push_back({output.name, output.semantic, *output.location,
+                         static_cast<std::uint32_t>(output.count * output.shape.columns)});
   }
   return Count(variables);
 }

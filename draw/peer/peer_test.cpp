@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
 
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
 #include "draw/peer/compare.h"
 
-// The comparison with a peer itself: it sees what is not the same, and a known bug excuses that bug only.
+// The comparison with a peer itself: it sees what is not the same, and a known bug excuses that bug
+// only.
 namespace clipc::draw::peer {
 namespace {
 
@@ -35,7 +35,8 @@ Output main(float4 p : POSITION, float2 uv[2] : TEXCOORD1, uint id : SV_VertexID
 class Peer : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
-    path_ = std::filesystem::temp_directory_path() / ("peer_test." + std::to_string(getpid()) + ".hlsl");
+    path_ = std::filesystem::temp_directory_path() /
+            ("peer_test." + std::to_string(getpid()) + ".hlsl");
   }
   static void TearDownTestSuite() { std::filesystem::remove(path_); }
 
@@ -78,13 +79,15 @@ TEST_F(Peer, AgreesOnWhatHasNoBug) {
 
 TEST_F(Peer, OtherValuesAreSeen) {
   EXPECT_GT(Run("uv[1] * lights", "uv[0] * lights").values.wrong, 0) << "an element of an input";
-  EXPECT_GT(Run("lights[1].range", "lights[0].range").values.wrong, 0) << "an element of a constant";
+  EXPECT_GT(Run("lights[1].range", "lights[0].range").values.wrong, 0)
+      << "an element of a constant";
   EXPECT_GT(Run("mul(world, p)", "mul(p.xyz, world).xyz").values.wrong, 0) << "a matrix";
   EXPECT_GT(Run("p.xy, p.yz", "p.yz, p.xy").values.wrong, 0) << "a row of an output";
   EXPECT_GT(Run("color.zw", "color.xy").values.wrong, 0) << "components";
   EXPECT_GT(Run("kind * count", "kind * count + 1").values.wrong, 0) << "an int";
   EXPECT_GT(Run("items[id]", "items[id + 1]").values.wrong, 0) << "an element of a buffer";
-  EXPECT_GT(Run("map.SampleLevel(smooth, p.xy", "map.SampleLevel(smooth, p.yx").values.wrong, 0) << "a texture's coordinate";
+  EXPECT_GT(Run("map.SampleLevel(smooth, p.xy", "map.SampleLevel(smooth, p.yx").values.wrong, 0)
+      << "a texture's coordinate";
 }
 
 TEST_F(Peer, OtherSemanticsAreSeen) {

@@ -25,13 +25,15 @@ std::uint32_t Require(const std::optional<std::uint32_t>& number, const std::str
 }
 
 bool HasSampler(ObjectKind kind) {
-  return kind == ObjectKind::kSampler || kind == ObjectKind::kSampler1D || kind == ObjectKind::kSampler2D ||
-         kind == ObjectKind::kSampler3D || kind == ObjectKind::kSamplerCube;
+  return kind == ObjectKind::kSampler || kind == ObjectKind::kSampler1D ||
+         kind == ObjectKind::kSampler2D || kind == ObjectKind::kSampler3D ||
+         kind == ObjectKind::kSamplerCube;
 }
 
 class Binder {
  public:
-  Binder(const ir::Program& program, const Inputs& inputs, DrawCall& call) : program_(program), inputs_(inputs), call_(call) {}
+  Binder(const ir::Program& program, const Inputs& inputs, DrawCall& call)
+      : program_(program), inputs_(inputs), call_(call) {}
 
   void Bind(const glsl::GlslInfo::Block& block) {
     const std::uint32_t count = program_.cbuffers[block.cbuffer].count;
@@ -63,8 +65,8 @@ class Binder {
  private:
   template <typename Written>
   DrawCall::Descriptor& Add(const Written& written, std::uint32_t element, DrawCall::Kind kind) {
-    return call_.descriptors.emplace_back(
-        DrawCall::Descriptor{Require(written.set, written.name), Require(written.binding, written.name), element, kind});
+    return call_.descriptors.emplace_back(DrawCall::Descriptor{
+        Require(written.set, written.name), Require(written.binding, written.name), element, kind});
   }
 
   const ir::Program& program_;
@@ -74,7 +76,8 @@ class Binder {
 
 }  // namespace
 
-DrawCall MakeDrawCall(const ir::Program& program, const glsl::GlslInfo& info, const Inputs& inputs) {
+DrawCall MakeDrawCall(const ir::Program& program, const glsl::GlslInfo& info,
+                      const Inputs& inputs) {
   RefuseDriverBugs(program);
   DrawCall call;
   call.vertices = inputs.vertices;
@@ -84,10 +87,13 @@ DrawCall MakeDrawCall(const ir::Program& program, const glsl::GlslInfo& info, co
   for (std::size_t i = 0; i < program.inputs.size(); ++i) {
     if (program.inputs[i].builtin != ir::Builtin::kNone) continue;
     const glsl::GlslInfo::Variable& written = info.inputs.at(i);
-    const ir::Scalar kind = ir::BaseOf(program.types[program.vars[program.inputs[i].var].type].scalar);
-    if (kind == ir::Scalar::kDouble) throw DrawError("an attribute of doubles, which no test draws with");
+    const ir::Scalar kind =
+        ir::BaseOf(program.types[program.vars[program.inputs[i].var].type].scalar);
+    if (kind == ir::Scalar::kDouble)
+      throw DrawError("an attribute of doubles, which no test draws with");
     const Shape::Kind words = kind == ir::Scalar::kBool ? Shape::Kind::kUint : KindOfTexels(kind);
-    call.attributes.push_back({Require(written.location, written.name), words, Find(inputs.attributes, written.name).words});
+    call.attributes.push_back({Require(written.location, written.name), words,
+                               Find(inputs.attributes, written.name).words});
   }
   Binder binder(program, inputs, call);
   for (const glsl::GlslInfo::Block& block : info.blocks) binder.Bind(block);

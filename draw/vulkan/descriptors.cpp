@@ -9,12 +9,18 @@ namespace {
 
 vk::DescriptorType TypeOf(DrawCall::Kind kind) {
   switch (kind) {
-    case DrawCall::Kind::kUniforms: return vk::DescriptorType::eUniformBuffer;
-    case DrawCall::Kind::kStorage: return vk::DescriptorType::eStorageBuffer;
-    case DrawCall::Kind::kTexture: return vk::DescriptorType::eSampledImage;
-    case DrawCall::Kind::kSampler: return vk::DescriptorType::eSampler;
-    case DrawCall::Kind::kTextureWithSampler: return vk::DescriptorType::eCombinedImageSampler;
-    case DrawCall::Kind::kTexels: return vk::DescriptorType::eUniformTexelBuffer;
+    case DrawCall::Kind::kUniforms:
+      return vk::DescriptorType::eUniformBuffer;
+    case DrawCall::Kind::kStorage:
+      return vk::DescriptorType::eStorageBuffer;
+    case DrawCall::Kind::kTexture:
+      return vk::DescriptorType::eSampledImage;
+    case DrawCall::Kind::kSampler:
+      return vk::DescriptorType::eSampler;
+    case DrawCall::Kind::kTextureWithSampler:
+      return vk::DescriptorType::eCombinedImageSampler;
+    case DrawCall::Kind::kTexels:
+      return vk::DescriptorType::eUniformTexelBuffer;
   }
   return {};
 }
@@ -49,9 +55,12 @@ void Descriptors::MakeSets(const DrawCall& call) {
   for (const DrawCall::Descriptor& descriptor : call.descriptors) ++counts[TypeOf(descriptor.kind)];
   std::vector<vk::DescriptorPoolSize> sizes;
   for (const auto& [type, count] : counts) sizes.emplace_back(type, count);
-  pool_ = vk::raii::DescriptorPool(device_.get(), vk::DescriptorPoolCreateInfo({}, static_cast<std::uint32_t>(layouts_.size()), sizes));
+  pool_ = vk::raii::DescriptorPool(
+      device_.get(),
+      vk::DescriptorPoolCreateInfo({}, static_cast<std::uint32_t>(layouts_.size()), sizes));
   const std::vector<vk::DescriptorSetLayout> layouts = Layouts();
-  for (vk::raii::DescriptorSet& set : vk::raii::DescriptorSets(device_.get(), vk::DescriptorSetAllocateInfo(*pool_, layouts))) {
+  for (vk::raii::DescriptorSet& set :
+       vk::raii::DescriptorSets(device_.get(), vk::DescriptorSetAllocateInfo(*pool_, layouts))) {
     sets_.push_back(set.release());  // goes with the pool
   }
 }
@@ -65,20 +74,29 @@ void Descriptors::Write(const DrawCall::Descriptor& given) {
   switch (given.kind) {
     case DrawCall::Kind::kUniforms:
     case DrawCall::Kind::kStorage: {
-      const auto usage = given.kind == DrawCall::Kind::kUniforms ? vk::BufferUsageFlagBits::eUniformBuffer : vk::BufferUsageFlagBits::eStorageBuffer;
+      const auto usage = given.kind == DrawCall::Kind::kUniforms
+                             ? vk::BufferUsageFlagBits::eUniformBuffer
+                             : vk::BufferUsageFlagBits::eStorageBuffer;
       buffer.buffer = *buffers_.emplace_back(device_.NewBuffer(usage, given.bytes)).buffer;
       break;
     }
     case DrawCall::Kind::kTexels: {
       const std::vector<std::uint32_t>& words = given.texture.levels.at(0).words;
       const auto* bytes = reinterpret_cast<const std::uint8_t*>(words.data());
-      const Buffer& made = buffers_.emplace_back(device_.NewBuffer(vk::BufferUsageFlagBits::eUniformTexelBuffer, {bytes, 4 * words.size()}));
-      texels_.emplace_back(device_.get(), vk::BufferViewCreateInfo({}, *made.buffer, FormatOf(given.texture), 0, VK_WHOLE_SIZE));
+      const Buffer& made = buffers_.emplace_back(device_.NewBuffer(
+          vk::BufferUsageFlagBits::eUniformTexelBuffer, {bytes, 4 * words.size()}));
+      texels_.emplace_back(
+          device_.get(),
+          vk::BufferViewCreateInfo({}, *made.buffer, FormatOf(given.texture), 0, VK_WHOLE_SIZE));
       texels = *texels_.back();
       break;
     }
-    case DrawCall::Kind::kTexture: image.imageView = *images_.emplace_back(UploadImage(device_, given.texture)).view; break;
-    case DrawCall::Kind::kSampler: image.sampler = *samplers_.emplace_back(MakeSampler(device_, given.compares)); break;
+    case DrawCall::Kind::kTexture:
+      image.imageView = *images_.emplace_back(UploadImage(device_, given.texture)).view;
+      break;
+    case DrawCall::Kind::kSampler:
+      image.sampler = *samplers_.emplace_back(MakeSampler(device_, given.compares));
+      break;
     case DrawCall::Kind::kTextureWithSampler:
       image.imageView = *images_.emplace_back(UploadImage(device_, given.texture)).view;
       image.sampler = *samplers_.emplace_back(MakeSampler(device_, false));
@@ -96,8 +114,10 @@ std::vector<vk::DescriptorSetLayout> Descriptors::Layouts() const {
   return layouts;
 }
 
-void Descriptors::Bind(const vk::raii::CommandBuffer& commands, const vk::raii::PipelineLayout& layout) const {
-  if (!sets_.empty()) commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout, 0, sets_, {});
+void Descriptors::Bind(const vk::raii::CommandBuffer& commands,
+                       const vk::raii::PipelineLayout& layout) const {
+  if (!sets_.empty())
+    commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout, 0, sets_, {});
 }
 
 }  // namespace clipc::draw::vulkan

@@ -11,8 +11,8 @@ namespace {
 
 constexpr char kFeedback[] = VK_EXT_TRANSFORM_FEEDBACK_EXTENSION_NAME;
 
-// Never destroyed: that would unload the driver with memory that it does not free, and LeakSanitizer, which could have
-// followed its pointers, reports that.
+// Never destroyed: that would unload the driver with memory that it does not free, and
+// LeakSanitizer, which could have followed its pointers, reports that.
 const vk::raii::Instance& TheInstance() {
   static const auto* context = new vk::raii::Context;
   static const auto* instance = [] {
@@ -24,37 +24,42 @@ const vk::raii::Instance& TheInstance() {
 
 bool HasFeedback(const vk::raii::PhysicalDevice& device) {
   const auto extensions = device.enumerateDeviceExtensionProperties();
-  return std::any_of(extensions.begin(), extensions.end(), [](const vk::ExtensionProperties& extension) {
-    return std::strcmp(extension.extensionName, kFeedback) == 0;
-  });
+  return std::any_of(extensions.begin(), extensions.end(),
+                     [](const vk::ExtensionProperties& extension) {
+                       return std::strcmp(extension.extensionName, kFeedback) == 0;
+                     });
 }
 
 vk::raii::PhysicalDevice Choose() {
   for (vk::raii::PhysicalDevice& device : vk::raii::PhysicalDevices(TheInstance())) {
     const vk::PhysicalDeviceProperties properties = device.getProperties();
     const bool is_processor = properties.deviceType == vk::PhysicalDeviceType::eCpu;
-    if (is_processor && properties.apiVersion >= VK_API_VERSION_1_3 && HasFeedback(device)) return std::move(device);
+    if (is_processor && properties.apiVersion >= VK_API_VERSION_1_3 && HasFeedback(device))
+      return std::move(device);
   }
   throw DrawError("no Vulkan 1.3 on the processor; on Debian: apt-get install mesa-vulkan-drivers");
 }
 
 std::uint32_t GraphicsFamily(const vk::raii::PhysicalDevice& device) {
   const auto families = device.getQueueFamilyProperties();
-  const auto found = std::find_if(families.begin(), families.end(), [](const vk::QueueFamilyProperties& family) {
-    return static_cast<bool>(family.queueFlags & vk::QueueFlagBits::eGraphics);
-  });
+  const auto found =
+      std::find_if(families.begin(), families.end(), [](const vk::QueueFamilyProperties& family) {
+        return static_cast<bool>(family.queueFlags & vk::QueueFlagBits::eGraphics);
+      });
   return static_cast<std::uint32_t>(found - families.begin());
 }
 
 // With every feature that it has.
 vk::raii::Device Create(const vk::raii::PhysicalDevice& physical, std::uint32_t family) {
   const auto features =
-      physical.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan11Features, vk::PhysicalDeviceVulkan12Features,
-                            vk::PhysicalDeviceVulkan13Features, vk::PhysicalDeviceTransformFeedbackFeaturesEXT>();
+      physical.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan11Features,
+                            vk::PhysicalDeviceVulkan12Features, vk::PhysicalDeviceVulkan13Features,
+                            vk::PhysicalDeviceTransformFeedbackFeaturesEXT>();
   const float priority = 1;
   const vk::DeviceQueueCreateInfo queue({}, family, 1, &priority);
   const char* extensions[] = {kFeedback};
-  return {physical, vk::DeviceCreateInfo({}, queue, {}, extensions, nullptr, &features.get<vk::PhysicalDeviceFeatures2>())};
+  return {physical, vk::DeviceCreateInfo({}, queue, {}, extensions, nullptr,
+                                         &features.get<vk::PhysicalDeviceFeatures2>())};
 }
 
 template <typename Make>
@@ -64,7 +69,8 @@ auto Guarded(Make&& make) {
   } catch (const DrawError&) {
     throw;
   } catch (const std::exception& error) {
-    throw DrawError(std::string("no Vulkan: ") + error.what() + "; on Debian: apt-get install mesa-vulkan-drivers");
+    throw DrawError(std::string("no Vulkan: ") + error.what() +
+                    "; on Debian: apt-get install mesa-vulkan-drivers");
   }
 }
 
@@ -80,21 +86,29 @@ Device::Device() {
 }
 
 std::uint32_t Device::MostFeedbackStride() const {
-  const auto properties = physical_.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceTransformFeedbackPropertiesEXT>();
-  return properties.get<vk::PhysicalDeviceTransformFeedbackPropertiesEXT>().maxTransformFeedbackBufferDataStride;
+  const auto properties =
+      physical_.getProperties2<vk::PhysicalDeviceProperties2,
+                               vk::PhysicalDeviceTransformFeedbackPropertiesEXT>();
+  return properties.get<vk::PhysicalDeviceTransformFeedbackPropertiesEXT>()
+      .maxTransformFeedbackBufferDataStride;
 }
 
 std::uint32_t Device::MostFeedbackBuffers() const {
-  const auto properties = physical_.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceTransformFeedbackPropertiesEXT>();
-  return properties.get<vk::PhysicalDeviceTransformFeedbackPropertiesEXT>().maxTransformFeedbackBuffers;
+  const auto properties =
+      physical_.getProperties2<vk::PhysicalDeviceProperties2,
+                               vk::PhysicalDeviceTransformFeedbackPropertiesEXT>();
+  return properties.get<vk::PhysicalDeviceTransformFeedbackPropertiesEXT>()
+      .maxTransformFeedbackBuffers;
 }
 
 vk::raii::DeviceMemory Device::Allocate(const vk::MemoryRequirements& requirements) const {
-  constexpr vk::MemoryPropertyFlags kWanted = vk::MemoryPropertyFlagBits::eHostVisible | vk::MemoryPropertyFlagBits::eHostCoherent;
+  constexpr vk::MemoryPropertyFlags kWanted =
+      vk::MemoryPropertyFlagBits::eHostVisible | vk::MemoryPropertyFlagBits::eHostCoherent;
   const vk::PhysicalDeviceMemoryProperties memory = physical_.getMemoryProperties();
   for (std::uint32_t i = 0; i < memory.memoryTypeCount; ++i) {
     const bool fits = requirements.memoryTypeBits >> i & 1;
-    if (fits && (memory.memoryTypes[i].propertyFlags & kWanted) == kWanted) return {device_, vk::MemoryAllocateInfo(requirements.size, i)};
+    if (fits && (memory.memoryTypes[i].propertyFlags & kWanted) == kWanted)
+      return {device_, vk::MemoryAllocateInfo(requirements.size, i)};
   }
   throw DrawError("Vulkan has no memory that the host can write");
 }
@@ -121,7 +135,8 @@ std::vector<std::uint32_t> Device::Read(const Buffer& buffer) const {
 
 void Device::Submit(const std::function<void(const vk::raii::CommandBuffer&)>& record) const {
   const vk::raii::CommandPool pool(device_, vk::CommandPoolCreateInfo({}, family_));
-  const vk::raii::CommandBuffers buffers(device_, vk::CommandBufferAllocateInfo(*pool, vk::CommandBufferLevel::ePrimary, 1));
+  const vk::raii::CommandBuffers buffers(
+      device_, vk::CommandBufferAllocateInfo(*pool, vk::CommandBufferLevel::ePrimary, 1));
   const vk::raii::CommandBuffer& commands = buffers.front();
   commands.begin(vk::CommandBufferBeginInfo(vk::CommandBufferUsageFlagBits::eOneTimeSubmit));
   record(commands);

@@ -5,6 +5,7 @@
 #include <functional>
 #include <span>
 #include <vector>
+
 #include <vulkan/vulkan_raii.hpp>
 
 // For this folder only: reading vulkan_raii.hpp takes seconds.

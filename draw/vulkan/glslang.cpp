@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "draw/vulkan/glslang.h"
 
-#include <glslang/Public/ResourceLimits.h>
-#include <glslang/Public/ShaderLang.h>
-#include <glslang/SPIRV/GlslangToSpv.h>
-
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+
+#include <glslang/Public/ResourceLimits.h>
+#include <glslang/Public/ShaderLang.h>
+#include <glslang/SPIRV/GlslangToSpv.h>
 #include <spirv-tools/libspirv.hpp>
 
 namespace clipc::draw::vulkan {
@@ -27,7 +27,9 @@ class Includer : public glslang::TShader::Includer {
   IncludeResult* includeLocal(const char* header, const char* includer, size_t) override {
     const std::string from = includer;
     const std::size_t slash = from.rfind('/');
-    if (IncludeResult* found = Open((slash == std::string::npos ? "" : from.substr(0, slash + 1)) + header)) return found;
+    if (IncludeResult* found =
+            Open((slash == std::string::npos ? "" : from.substr(0, slash + 1)) + header))
+      return found;
     return includeSystem(header, includer, 0);
   }
   IncludeResult* includeSystem(const char* header, const char*, size_t) override {
@@ -58,7 +60,8 @@ std::string Preamble(const HlslSource& source) {
   for (const std::string& define : source.defines) {
     const std::size_t equals = define.find('=');
     const bool has_value = equals != std::string::npos;
-    text += "#define " + define.substr(0, equals) + " " + (has_value ? define.substr(equals + 1) : "1") + "\n";
+    text += "#define " + define.substr(0, equals) + " " +
+            (has_value ? define.substr(equals + 1) : "1") + "\n";
   }
   // HLSL's row_major is glslang's.
   if (source.row_major) text += "#pragma pack_matrix(row_major)\n";
@@ -66,13 +69,15 @@ std::string Preamble(const HlslSource& source) {
 }
 
 template <typename Error>
-Spirv Translate(glslang::TShader& shader, glslang::TShader::Includer& includer, EShMessages messages, bool optimize) {
+Spirv Translate(glslang::TShader& shader, glslang::TShader::Includer& includer,
+                EShMessages messages, bool optimize) {
   if (!shader.parse(GetDefaultResources(), 110, false, messages, includer)) {
     throw Error(std::string("glslang refuses the shader:\n") + shader.getInfoLog());
   }
   glslang::TProgram program;
   program.addShader(&shader);
-  if (!program.link(messages) || !program.mapIO()) throw Error(std::string("glslang cannot link the shader:\n") + program.getInfoLog());
+  if (!program.link(messages) || !program.mapIO())
+    throw Error(std::string("glslang cannot link the shader:\n") + program.getInfoLog());
   glslang::SpvOptions options;
   options.disableOptimizer = !optimize;
   Spirv spirv;
@@ -82,19 +87,22 @@ Spirv Translate(glslang::TShader& shader, glslang::TShader::Includer& includer, 
   return spirv;
 }
 
-void SetText(glslang::TShader& shader, const char* const* text, const int* length, const char* const* name) {
+void SetText(glslang::TShader& shader, const char* const* text, const int* length,
+             const char* const* name) {
   shader.setStringsWithLengthsAndNames(text, length, name, 1);
 }
 
 void Validate(const Spirv& spirv) {
   std::string problem;
   spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_0);
-  tools.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t&, const char* message) {
-    if (problem.empty()) problem = message;
-  });
+  tools.SetMessageConsumer(
+      [&](spv_message_level_t, const char*, const spv_position_t&, const char* message) {
+        if (problem.empty()) problem = message;
+      });
   spvtools::ValidatorOptions options;
   options.SetSkipBlockLayout(true);  // HLSL's is not Vulkan 1.0's
-  if (!tools.Validate(spirv.data(), spirv.size(), options)) throw PeerRefuses("glslang makes invalid SPIR-V: " + problem);
+  if (!tools.Validate(spirv.data(), spirv.size(), options))
+    throw PeerRefuses("glslang makes invalid SPIR-V: " + problem);
 }
 
 }  // namespace
@@ -109,7 +117,8 @@ Spirv SpirvOfGlsl(const std::string& glsl) {
   shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_1);
   shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_3);
   glslang::TShader::ForbidIncluder includer;
-  return Translate<DrawError>(shader, includer, static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules), false);
+  return Translate<DrawError>(shader, includer,
+                              static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules), false);
 }
 
 Spirv SpirvOfHlsl(const HlslSource& source, bool legalize) {
@@ -118,7 +127,8 @@ Spirv SpirvOfHlsl(const HlslSource& source, bool legalize) {
   const char *text = source.text.c_str(), *name = source.path.c_str();
   const int length = static_cast<int>(source.text.size());
   SetText(shader, &text, &length, &name);
-  shader.setEntryPoint(source.entry.c_str());  // not `main`: the shader may have another function of that name
+  shader.setEntryPoint(
+      source.entry.c_str());  // not `main`: the shader may have another function of that name
   shader.setSourceEntryPoint(source.entry.c_str());
   shader.setEnvInput(glslang::EShSourceHlsl, EShLangVertex, glslang::EShClientVulkan, 100);
   shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_0);
@@ -135,7 +145,9 @@ Spirv SpirvOfHlsl(const HlslSource& source, bool legalize) {
   const std::string preamble = Preamble(source);
   shader.setPreamble(preamble.c_str());
   Includer includer(source.include_dirs);
-  const auto messages = static_cast<EShMessages>(EShMsgReadHlsl | EShMsgVulkanRules | EShMsgSpvRules | EShMsgHlslOffsets | EShMsgHlslLegalization);
+  const auto messages =
+      static_cast<EShMessages>(EShMsgReadHlsl | EShMsgVulkanRules | EShMsgSpvRules |
+                               EShMsgHlslOffsets | EShMsgHlslLegalization);
   Spirv spirv = Translate<PeerRefuses>(shader, includer, messages, legalize);
   if (legalize) Validate(spirv);
   return spirv;

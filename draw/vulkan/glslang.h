@@ -23,8 +23,9 @@ class PeerRefuses : public DrawError {
  public:
   using DrawError::DrawError;
 };
-// As glslangValidator -D -V --hlsl-offsets does it, with the semantics written down. legalize: what is not read is left out, and
-// the SPIR-V keeps Vulkan's rules; else all that the shader declares is there.
+// As glslangValidator -D -V --hlsl-offsets does it, with the semantics written down. legalize: what
+// is not read is left out, and the SPIR-V keeps Vulkan's rules; else all that the shader declares
+// is there.
 Spirv SpirvOfHlsl(const HlslSource& source, bool legalize);
 
 }  // namespace clipc::draw::vulkan

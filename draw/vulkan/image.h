@@ -16,7 +16,8 @@ Image UploadImage(const Device& device, const Inputs::Texture& texture);
 
 vk::Format FormatOf(const Inputs::Texture& texture);
 
-// The nearest texel of the nearest level of a texture that repeats; if it compares, what is less or equal passes.
+// The nearest texel of the nearest level of a texture that repeats; if it compares, what is less or
+// equal passes.
 vk::raii::Sampler MakeSampler(const Device& device, bool compares);
 
 }  // namespace clipc::draw::vulkan

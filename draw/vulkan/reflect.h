@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include <spirv_cross/spirv_cross.hpp>
 #include <string>
+
+#include <spirv_cross/spirv_cross.hpp>
 
 #include "draw/gl.h"
 #include "draw/vulkan/spirv.h"

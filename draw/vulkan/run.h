@@ -29,7 +29,8 @@ struct DrawCall {
   std::vector<Descriptor> descriptors;
 };
 
-// Vulkan without a display: Mesa's software driver. The loader finds it without an environment variable. All throw DrawError.
+// Vulkan without a display: Mesa's software driver. The loader finds it without an environment
+// variable. All throw DrawError.
 class Device;
 class Runner {
  public:
@@ -38,12 +39,14 @@ class Runner {
 
   std::string name() const;
 
-  // Empty if there is a device; else why there is none. In CI (the environment has `CI`) always empty: there, what needs one fails.
+  // Empty if there is a device; else why there is none. In CI (the environment has `CI`) always
+  // empty: there, what needs one fails.
   static std::string WhyNone();
 
-  // Runs the vertex shader alone, on points, and returns `outputs` in their order. What the shader reads and the draw call does
-  // not give is a DrawError.
-  std::vector<Captured> Capture(const Spirv& vertex, std::span<const Output> outputs, const DrawCall& call) const;
+  // Runs the vertex shader alone, on points, and returns `outputs` in their order. What the shader
+  // reads and the draw call does not give is a DrawError.
+  std::vector<Captured> Capture(const Spirv& vertex, std::span<const Output> outputs,
+                                const DrawCall& call) const;
 
  private:
   std::unique_ptr<Device> device_;

@@ -16,11 +16,12 @@ using Spirv = std::vector<std::uint32_t>;
 
 // A variable that a vertex shader writes, or a member of its gl_PerVertex.
 struct Output {
-  std::string name;      // in the text that it was compiled from; "gl_Position" and its like for what is built in
+  std::string name;  // in the text that it was compiled from; "gl_Position" and its like for what
+                     // is built in
   std::string semantic;  // as HLSL has it, if the compiler wrote that down: "TEXCOORD3"
   std::optional<std::uint32_t> location;  // none: built in
   Shape shape;
-  int count = 1;  // elements of an array
+  int count = 1;                         // elements of an array
   std::uint32_t variable = 0, type = 0;  // ids
   std::optional<std::uint32_t> member;   // of gl_PerVertex
 
@@ -52,8 +53,9 @@ struct Place {
   std::uint32_t buffer = 0, offset = 0;  // in bytes
 };
 
-// The shader that writes outputs[i] to places[i] of every vertex's part of the buffer, `strides[buffer]` bytes long.
-Spirv WithTransformFeedback(const Spirv& spirv, std::span<const Output> outputs, std::span<const Place> places,
-                            std::span<const std::uint32_t> strides);
+// The shader that writes outputs[i] to places[i] of every vertex's part of the buffer,
+// `strides[buffer]` bytes long.
+Spirv WithTransformFeedback(const Spirv& spirv, std::span<const Output> outputs,
+                            std::span<const Place> places, std::span<const std::uint32_t> strides);
 
 }  // namespace clipc::draw::vulkan
