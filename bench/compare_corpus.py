@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 """Compares clipc's GLSL with its reference evaluator on a corpus of shaders that are not part of this repository.
 
-usage: compare_corpus.py CLIPC_DRAW LIST [-j JOBS] [--target glsl450]
+usage: compare_corpus.py CLIPC_DRAW LIST [-j JOBS] [--target glsl450 | --peer glslang]
 
 LIST has a line per shader, separated by tabs: path, entry, profile, include folders (a;b), defines (A=1;B). Every shader
-that clipc accepts runs on random vertices and constants through Mesa's software OpenGL and through the evaluator.
+that clipc accepts runs on random vertices and constants through Mesa's software OpenGL, or Vulkan for that target, and through the
+evaluator. With --peer it is what glslang's HLSL front end makes of the shader that runs; its known bugs (docs/peers.md) are counted.
 """
 import argparse
 import collections
@@ -20,6 +21,8 @@ def compare(arguments, line):
     path, entry, profile, includes, defines = (line.rstrip("\n").split("\t") + [""] * 5)[:5]
     command = [arguments.draw, "compare", path, "-T", profile, "-E", entry, "--target", arguments.target,
                "--lower", "clip-distance", "--depth-range", "zero-to-one", "--flip-y", "no"]
+    if arguments.peer:
+        command += ["--peer", arguments.peer]
     for flag, values in (("-I", includes), ("-D", defines)):
         for value in filter(None, values.split(";")):
             command += [flag, value]
@@ -29,9 +32,11 @@ def compare(arguments, line):
         if "step limit" in done.stderr or "nothing was compared" in done.stderr:
             done = subprocess.run(command + ["--ints", "0..3"], capture_output=True, text=True, errors="replace", timeout=60)
     except subprocess.TimeoutExpired:
-        return "timeout", path, entry, ""
+        return "timeout", path, entry, []
     verdict = VERDICTS.get(done.returncode, "not compared")
     text = (done.stdout + done.stderr).strip().splitlines()
+    if verdict == "not compared" and text and "glslang" in text[0]:
+        verdict = "not compiled by the peer"
     return verdict, path, entry, text
 
 
@@ -41,13 +46,16 @@ def main():
     parser.add_argument("list")
     parser.add_argument("-j", type=int, default=2)
     parser.add_argument("--target", default="glsl450")
+    parser.add_argument("--peer")
     arguments = parser.parse_args()
     with open(arguments.list, encoding="utf-8") as file:
         lines = file.readlines()
-    counts = collections.Counter()
+    counts, bugs, members = collections.Counter(), collections.Counter(), 0
     with concurrent.futures.ThreadPoolExecutor(arguments.j) as pool:
         for done, (verdict, path, entry, text) in enumerate(pool.map(lambda line: compare(arguments, line), lines), 1):
             counts[verdict] += 1
+            members += sum(int(line.split()[0]) for line in text if " members of buffers: " in line)
+            bugs.update(line for line in text if line.startswith("known bug of the peer: "))
             if sys.stderr.isatty():
                 print(f"\r{done} of {len(lines)}", end="", file=sys.stderr)
             if verdict == "equal":
@@ -55,6 +63,10 @@ def main():
             print(f"{verdict}: {path} {entry}")
             for line in text[-6:] if verdict == "different" else text[:1]:
                 print(f"    {line[:200]}")
+    if arguments.peer:
+        print(f"{members} members of buffers compared")
+    for bug, count in sorted(bugs.items()):
+        print(f"{count} times {bug}")
     print(", ".join(f"{count} {verdict}" for verdict, count in sorted(counts.items())))
     return counts["different"] != 0
 

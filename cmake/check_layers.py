@@ -28,7 +28,9 @@ FOLDERS = {
 # A library's headers, and the files that may include them.
 LIBRARIES = {
     r"(clang|llvm)/": r"frontend/\w+_clang\.cpp|compiler/options_llvm\.cpp",
-    r"glslang/": r"compiler/.*\.cpp",
+    r"glslang/": r"compiler/.*\.cpp|draw/vulkan/glslang\.cpp",
+    r"spirv_cross/": r"draw/(vulkan|peer)/.*",
+    r"vulkan/": r"draw/vulkan/device\.h|study/isa/main\.cpp",
     r"fmt/": r"(base|ir|frontend|passes|backend-glsl|compiler)/.*",
     r"nlohmann/": r"(base|clip-table|compiler|study)/.*\.cpp",
 }

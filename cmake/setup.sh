@@ -6,10 +6,11 @@ llvm=${CLIPC_LLVM:-19}
 # What building clipc takes, and what testing it takes on top.
 build_packages=(g++ cmake ninja-build ccache "libclang-$llvm-dev" "llvm-$llvm-dev" libfmt-dev nlohmann-json3-dev glslang-dev)
 test_packages=(python3 "llvm-$llvm-tools" libgtest-dev libgmock-dev glslang-tools spirv-tools
+  libvulkan-dev mesa-vulkan-drivers libspirv-cross-c-shared-dev
   libegl-dev libgl-dev libopengl-dev libegl1 libopengl0 libgl1-mesa-dri libpng-dev libtinygltf-dev python3-matplotlib)
 
-# What the study's slow checks take, `./test --all` installs them: a browser, and Mesa's compiler for AMD's processors.
-study_packages=(chromium libvulkan-dev mesa-vulkan-drivers)
+# What checking the study's report takes, `./test --all` installs it: a browser.
+study_packages=(chromium)
 
 # What testing the Direct3D 9 binding takes; without, CTest has no entry `d3d9.*`. `./test --all` installs it.
 ci_packages=(g++-mingw-w64-x86-64-win32 wine64 libwine xvfb libgl1 libglx-mesa0)

@@ -216,7 +216,7 @@ void GiveBuffers(const ir::Program& program, const glsl::GlslInfo& info, const B
     for (std::size_t i = 0; i < indices.size(); ++i) {
       const Buffer& bytes = found->second[i];
       if (ir::IsStorageBuffer(type.object)) {
-        inputs.storage.push_back({object.binding.value() + static_cast<std::uint32_t>(i), bytes});
+        inputs.storage.push_back({object.name + indices[i], object.binding.value() + static_cast<std::uint32_t>(i), bytes});
         continue;
       }
       Inputs::Texture upload;

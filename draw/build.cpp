@@ -23,10 +23,14 @@ class Chain {
   explicit Chain(const BuildOptions& options)
       : options_(options), target_(TargetOf(options.target)), profile_(ProfileOf(options.profile)), source_(context_, InputOf()) {}
 
-  Shader Run() {
+  Tokens Preprocess() {
     Tokens tokens = Lex(source_, diagnostics_);
     StopAtErrors<DrawError>("the shader has errors");
-    const ast::File file = Parse(std::move(tokens), diagnostics_);
+    return tokens;
+  }
+
+  Shader Run() {
+    const ast::File file = Parse(Preprocess(), diagnostics_);
     StopAtErrors<DrawError>("the shader has errors");
     const bool whole_registers = options_.lowering == passes::Lowering::kLevel9;
     Shader shader;
@@ -90,14 +94,11 @@ class Chain {
 }  // namespace
 
 Shader Build(const BuildOptions& options) { return Chain(options).Run(); }
+Tokens Preprocess(const BuildOptions& options) { return Chain(options).Preprocess(); }
 
 std::string ForOpenGl(const std::string& glsl) {
   std::string text = glsl;
   const auto replace = [&](const char* from, const char* to) { text = std::regex_replace(text, std::regex(from), to); };
-  replace("set *= *[0-9]+ *, *", "");
-  replace("\\bgl_VertexIndex\\b", "gl_VertexID");
-  // Vulkan's counts from the base instance, OpenGL's does not.
-  replace("\\bgl_InstanceIndex\\b", "(gl_InstanceID + gl_BaseInstance)");
   replace("\\bgl_(BaseVertex|BaseInstance|DrawID)\\b", "gl_$1ARB");
   const bool has_parameters = text.find("ARB_shader_draw_parameters") != text.npos || text.find("gl_Base") == text.npos;
   replace("^#version 4[56]0", has_parameters ? "#version 450" : "#version 450\n#extension GL_ARB_shader_draw_parameters : require");

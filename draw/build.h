@@ -7,6 +7,7 @@
 #include "backend-glsl/writer.h"
 #include "draw/gl.h"
 #include "frontend/check.h"
+#include "frontend/token.h"
 #include "ir/program.h"
 #include "passes/pipeline.h"
 
@@ -36,14 +37,16 @@ struct Shader {
 // NotForTarget when only the target is at fault.
 Shader Build(const BuildOptions& options);
 
+// The shader's tokens behind the preprocessor. Throws DrawError with the diagnostics.
+Tokens Preprocess(const BuildOptions& options);
+
 // What the target cannot say of the shader, as the driver would report it: such a comparison cannot be made.
 class NotForTarget : public DrawError {
  public:
   using DrawError::DrawError;
 };
 
-// The same shader for Mesa's OpenGL: Vulkan's descriptor sets and vertex numbers are the only difference in what clipc
-// writes, and llvmpipe of Mesa 22.3 stops at version 450, where draw parameters are an extension.
+// The same shader for Mesa's OpenGL: llvmpipe of Mesa 22.3 stops at version 450, where draw parameters are an extension.
 std::string ForOpenGl(const std::string& glsl);
 
 }  // namespace clipc::draw

@@ -25,9 +25,10 @@ std::vector<Captured> CapturedOf(const Gl& gl, GLuint program, std::size_t count
   std::vector<Captured> all(count);
   for (std::size_t i = 0; i < count; ++i) {
     char name[512] = "";
-    gl.GetTransformFeedbackVarying(program, static_cast<GLuint>(i), sizeof name, nullptr, &all[i].count,
-                                   &all[i].type, name);
+    GLenum type = 0;
+    gl.GetTransformFeedbackVarying(program, static_cast<GLuint>(i), sizeof name, nullptr, &all[i].count, &type, name);
     all[i].name = name;
+    all[i].shape = ShapeOf(type);
   }
   return all;
 }
@@ -36,7 +37,7 @@ std::vector<Captured> CapturedOf(const Gl& gl, GLuint program, std::size_t count
 void Distribute(const std::uint32_t* words, int vertices, std::vector<Captured>& outputs) {
   for (int vertex = 0; vertex < vertices; ++vertex) {
     for (Captured& output : outputs) {
-      const int size = ShapeOf(output.type).Words() * output.count;
+      const int size = output.shape.Words() * output.count;
       output.words.insert(output.words.end(), words, words + size);
       words += size;
     }
@@ -66,7 +67,7 @@ std::vector<Captured> CaptureAtOnce(const Gl& gl, const std::string& vertex, std
   program.Bind(inputs);
   std::vector<Captured> outputs = CapturedOf(gl, program.id(), names.size());
   std::size_t words = 0;
-  for (const Captured& output : outputs) words += static_cast<std::size_t>(ShapeOf(output.type).Words()) * output.count;
+  for (const Captured& output : outputs) words += static_cast<std::size_t>(output.shape.Words()) * output.count;
   const int vertices = inputs.vertices * inputs.instances;
   const std::size_t bytes = 4 * words * vertices;
 

@@ -2,12 +2,15 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <set>
 
 #include "draw/arguments.h"
 #include "draw/commands.h"
 #include "draw/compare.h"
 #include "draw/options.h"
+#include "draw/peer/compare.h"
+#include "draw/vulkan/compare.h"
 
 namespace clipc::draw {
 namespace {
@@ -24,6 +27,7 @@ struct CompareOptions {
   std::vector<bool> negative_one_to_one = {false, true}, flip_y = {false, true};
   RandomOptions random;
   Tolerance tolerance;
+  std::string peer;  // compared instead of what clipc writes
   bool all_targets = false;  // leave out those that cannot say the shader
   bool verbose = false;
 };
@@ -83,6 +87,7 @@ std::map<std::string, Flag> FlagsOf(CompareOptions& options) {
       {"ints", {true, [&](const std::string& value) { SetInts(value, options.random); }}},
       {"ulps", {true, [&](const std::string& value) { options.tolerance.ulps = std::strtod(value.c_str(), nullptr); }}},
       {"exact", {false, [&](const std::string&) { options.tolerance.ulps = -1; }}},
+      {"peer", text(options.peer)},
       {"verbose", {false, [&](const std::string&) { options.verbose = true; }}},
   };
 }
@@ -116,6 +121,31 @@ class Runner {
  public:
   explicit Runner(CompareOptions options) : options_(std::move(options)) {}
 
+  int RunPeer() {
+    BuildOptions build = options_.build;
+    build.target = "vulkan";
+    build.lowering = Lowering::kNone;
+    const Shader shader = Build(build);
+    RandomOptions random = options_.random;
+    if (Reads(shader.typed, ir::Builtin::kInstanceId)) random.instances = 3;
+    const peer::PeerComparison found = peer::CompareWithGlslang(vulkan::Runner(), shader, build, random, options_.tolerance);
+    const Comparison& values = found.values;
+    for (const std::string& mistake : values.mistakes) std::printf("  %s\n", mistake.c_str());
+    std::printf("%ld values: %ld wrong, %ld of %ld equal to the bit, worst %.1f units\n", values.values, values.wrong, values.equal,
+                values.values - values.undefined, values.worst);
+    long unexplained = 0;
+    for (const peer::Moved& moved : found.layout.moved) {
+      unexplained += moved.bug.empty();
+      if (!options_.verbose && !moved.bug.empty()) continue;
+      std::printf("  %s, component %u: byte %u, the peer has %u %s\n", moved.member.c_str(), moved.component, moved.byte,
+                  moved.peer_byte, moved.bug.c_str());
+    }
+    std::printf("%ld members of buffers: %ld wrong\n", found.layout.members, unexplained);
+    for (const std::string& bug : found.known_bugs) std::printf("known bug of the peer: %s\n", bug.c_str());
+    if (values.equal == 0 && values.wrong == 0 && found.known_bugs.empty()) throw DrawError("nothing was compared");
+    return values.wrong == 0 && unexplained == 0 ? 0 : 1;
+  }
+
   int Run() {
     for (const std::string& target : options_.targets) {
       for (const std::string& lowering : options_.lowerings) RunLowering(target, lowering);
@@ -123,7 +153,7 @@ class Runner {
     std::printf("%d comparisons of %d values each at most: %ld wrong, %ld of %ld equal to the bit, worst %.1f units\n",
                 comparisons_, most_values_, sum_.wrong, sum_.equal, sum_.values - sum_.undefined, sum_.worst);
     for (const std::string& name : left_out_) std::printf("left out: %s\n", name.c_str());
-    if (comparisons_ == 0 || sum_.equal == 0) throw DrawError("nothing was compared");
+    if (comparisons_ == 0 || (sum_.equal == 0 && sum_.wrong == 0)) throw DrawError("nothing was compared");
     return sum_.wrong == 0 ? 0 : 1;
   }
 
@@ -159,14 +189,23 @@ class Runner {
   void Compare(const Shader& shader, const BuildOptions& build, const RandomOptions& random, const std::string& name) {
     const RandomInputs inputs = MakeRandomInputs(shader.typed, random);
     const std::vector<Expected> expected = MakeExpected(shader, build, inputs);
-    const Comparison found =
-        CompareWithOpenGl(device_, shader, expected, inputs, random, options_.tolerance);
+    const Comparison found = Run(shader, build, expected, inputs, random);
     if (options_.verbose || found.wrong > 0) {
       std::printf("%s: %ld of %ld values wrong, worst %.1f units\n", name.c_str(), found.wrong, found.values, found.worst);
     }
     for (const std::string& mistake : found.mistakes) std::printf("  %s\n", mistake.c_str());
     if (options_.verbose && found.wrong > 0) std::printf("%s\n", shader.glsl.c_str());
     Add(found);
+  }
+
+  Comparison Run(const Shader& shader, const BuildOptions& build, const std::vector<Expected>& expected, const RandomInputs& inputs,
+                 const RandomOptions& random) {
+    if (build.target == "vulkan") {
+      if (!vulkan_) vulkan_.emplace();
+      return vulkan::CompareWithVulkan(*vulkan_, shader, expected, inputs, random, options_.tolerance);
+    }
+    if (!opengl_) opengl_.emplace();
+    return CompareWithOpenGl(*opengl_, shader, expected, inputs, random, options_.tolerance);
   }
 
   void Add(const Comparison& found) {
@@ -180,7 +219,8 @@ class Runner {
   }
 
   CompareOptions options_;
-  Device device_;
+  std::optional<Device> opengl_;
+  std::optional<vulkan::Runner> vulkan_;
   Comparison sum_;
   std::set<std::string> left_out_;
   int comparisons_ = 0, most_values_ = 0;
@@ -196,7 +236,10 @@ int RunCompare(int argc, char** argv) {
     const auto names = glsl::Target::Names();
     options.targets.assign(names.begin(), names.end());
   }
-  return Runner(std::move(options)).Run();
+  const bool has_peer = !options.peer.empty();
+  if (has_peer && options.peer != "glslang") throw DrawError("no peer is called `" + options.peer + "`");
+  Runner runner(std::move(options));
+  return has_peer ? runner.RunPeer() : runner.Run();
 }
 
 }  // namespace clipc::draw

@@ -8,6 +8,7 @@
 #include "draw/arguments.h"
 #include "draw/options.h"
 #include "draw/picture.h"
+#include "draw/vulkan/run.h"
 
 namespace clipc::draw {
 namespace {
@@ -20,12 +21,11 @@ std::map<std::string, Flag> InputFlags(Inputs& inputs) {
 }
 
 void Print(const Captured& output, int vertex) {
-  const Shape shape = ShapeOf(output.type);
-  const int size = shape.Words() * output.count;
+  const int size = output.shape.Words() * output.count;
   std::printf("%d %s =", vertex, output.name.c_str());
   for (int i = 0; i < size; ++i) {
     const std::uint32_t word = output.words[static_cast<std::size_t>(vertex) * size + i];
-    switch (shape.kind) {
+    switch (output.shape.kind) {
       case Shape::Kind::kFloat: std::printf(" %.9g", static_cast<double>(std::bit_cast<float>(word))); break;
       case Shape::Kind::kInt: std::printf(" %d", static_cast<std::int32_t>(word)); break;
       case Shape::Kind::kUint: std::printf(" %u", word); break;
@@ -143,6 +143,13 @@ int RunPixels(int argc, char** argv) {
   std::printf("%d of %zu pixels drawn: %d missing, %d too many, largest depth error %.2g\n", difference.drawn,
               picture.pixels.size(), difference.missing, difference.extra, difference.depth_error);
   return right ? 0 : 1;
+}
+
+int RunDevices() {
+  Device device;
+  std::printf("OpenGL: %s\n", reinterpret_cast<const char*>(device.Use(Api::kCore).GetString(GL_RENDERER)));
+  std::printf("Vulkan: %s\n", vulkan::Runner().name().c_str());
+  return 0;
 }
 
 }  // namespace clipc::draw

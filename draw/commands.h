@@ -27,7 +27,10 @@ Numbers: 1.5 float, 3i int, 3u uint, 0x7fc00000 bits; `identity` is a 4x4 matrix
 
 clipc-draw compare SHADER.hlsl [options]
   Compiles the shader and compares what Mesa makes of the GLSL with the reference evaluator, on random vertices and
-  constants: for every target, lowering, depth range and flip that is asked for.
+  constants: for every target, lowering, depth range and flip that is asked for. The Vulkan target runs on Mesa's software
+  Vulkan, the others on its OpenGL.
+    --peer glslang          instead what glslang's own HLSL front end makes of the shader, values and layout of constants;
+                            known bugs of the peer are listed by name (docs/peers.md)
     -T PROFILE -E ENTRY -D NAME=VALUE -I FOLDER --row-major   as for clipc
     --target a,b            default glsl450,glsl330,glsl130,essl300,vulkan; `all` is every target that
                             can say the shader; the others are listed
@@ -41,6 +44,8 @@ clipc-draw compare SHADER.hlsl [options]
     --ulps U                what floats may differ, see draw/compare.h
     --exact                 floats must be equal to the bit
     --verbose               a line for each comparison; GLSL that fails
+clipc-draw devices
+  Prints the names of the software OpenGL and Vulkan that the others run on.
 Exit: 0 as expected, 1 not as expected, 2 cannot draw.
 )";
 
@@ -48,5 +53,6 @@ Exit: 0 as expected, 1 not as expected, 2 cannot draw.
 int RunCapture(int argc, char** argv);
 int RunPixels(int argc, char** argv);
 int RunCompare(int argc, char** argv);
+int RunDevices();
 
 }  // namespace clipc::draw

@@ -12,6 +12,7 @@
 
 #include "draw/buffers.h"
 #include "draw/memory.h"
+#include "draw/vulkan/compare.h"
 #include "ir/packing.h"
 
 // The comparison itself: right GLSL passes for every way of lowering, and GLSL with one mistake in it does not.
@@ -95,7 +96,6 @@ class Compare : public ::testing::Test {
 
   // `change` is `from`, a slash and `to`: what to do to the GLSL before it runs.
   static Comparison Run(const BuildOptions& options, const std::string& change = "") {
-    static Device device;
     Shader shader = Build(options);
     if (!change.empty()) {
       const std::size_t slash = change.find('/');
@@ -105,11 +105,17 @@ class Compare : public ::testing::Test {
     }
     const RandomOptions draw{.seed = 5, .vertices = 40};
     const RandomInputs inputs = MakeRandomInputs(shader.typed, draw);
-    return CompareWithOpenGl(device, shader, MakeExpected(shader, options, inputs), inputs, draw, {});
+    const std::vector<Expected> expected = MakeExpected(shader, options, inputs);
+    if (options.target == "vulkan") {
+      static const vulkan::Runner runner;
+      return vulkan::CompareWithVulkan(runner, shader, expected, inputs, draw, {});
+    }
+    static Device device;
+    return CompareWithOpenGl(device, shader, expected, inputs, draw, {});
   }
 
-  static BuildOptions Objects() {
-    BuildOptions options = Options("glsl450", Lowering::kNone);
+  static BuildOptions Objects(const std::string& target = "glsl450") {
+    BuildOptions options = Options(target, Lowering::kNone);
     options.path = objects_path_;
     return options;
   }
@@ -119,6 +125,7 @@ class Compare : public ::testing::Test {
 
 TEST_F(Compare, RightShadersPass) {
   for (const char* target : {"glsl460", "glsl410", "glsl330", "glsl140", "glsl130", "essl300", "essl320", "vulkan"}) {
+    if (target == std::string("vulkan") && !vulkan::Runner::WhyNone().empty()) continue;
     for (const Lowering lowering : {Lowering::kClipDistance, Lowering::kLevel9, Lowering::kNone}) {
       for (const bool depth : {false, true}) {
         for (const bool flip : {false, true}) {
@@ -179,6 +186,31 @@ TEST_F(Compare, MistakesWithBuffersAreSeen) {
   EXPECT_GT(Run(options, ".xy.x/.xy.y").wrong, 0) << "another component";
   EXPECT_GT(Run(options, "memory[i + 1u]/memory[i + 2u]").wrong, 0) << "another word";
   EXPECT_GT(Run(options, "uint i = address/uint i = 4u + address").wrong, 0) << "another address";
+}
+
+TEST_F(Compare, MistakesOnVulkanAreSeen) {
+  if (const std::string why = vulkan::Runner::WhyNone(); !why.empty()) GTEST_SKIP() << why;
+  const BuildOptions planes = Options("vulkan", Lowering::kClipDistance, {.negative_one_to_one = true, .flip_y = true});
+  ASSERT_EQ(Run(planes).wrong, 0);
+  EXPECT_GT(Run(planes, "= dot(/= -dot(").wrong, 0) << "sign";
+  EXPECT_GT(Run(planes, "2.0 */1.999 *").wrong, 0) << "depth range";
+  EXPECT_GT(Run(planes, " * 3/ * 4").wrong, 0) << "an int";
+  const BuildOptions objects = Objects("vulkan");
+  ASSERT_EQ(Run(objects).wrong, 0);
+  EXPECT_GT(Run(objects, "sampler2D(colors/sampler2D(others").wrong, 0) << "another texture";
+  EXPECT_GT(Run(objects, "pages[1]/pages[0]").wrong, 0) << "another element";
+  EXPECT_GT(Run(objects, "in_POSITION0.xyz, in_POSITION0.w/in_POSITION0.xyz, in_POSITION0.w - 0.5").wrong, 0) << "reference";
+  EXPECT_GT(Run(objects, "memory[i + 1u]/memory[i + 2u]").wrong, 0) << "another word";
+  EXPECT_GT(Run(objects, "5 * i + 1/5 * i + 2").wrong, 0) << "another word of a struct";
+}
+
+// What the application is told to bind is what the shader reads.
+TEST_F(Compare, WrongPlacesOnVulkanAreSeen) {
+  if (const std::string why = vulkan::Runner::WhyNone(); !why.empty()) GTEST_SKIP() << why;
+  const BuildOptions planes = Options("vulkan", Lowering::kNone);
+  EXPECT_THAT([&] { Run(planes, "binding = 0/binding = 7"); }, ::testing::ThrowsMessage<DrawError>(::testing::HasSubstr("has no value")));
+  EXPECT_THAT([&] { Run(planes, "location = 1) in/location = 5) in"); },
+              ::testing::ThrowsMessage<DrawError>(::testing::HasSubstr("location 5, has no value")));
 }
 
 // Behind the end of a texture or buffer anything is right.

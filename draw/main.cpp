@@ -12,6 +12,7 @@ int main(int argc, char** argv) {
     if (command == "capture") return clipc::draw::RunCapture(argc - 1, argv + 1);
     if (command == "pixels") return clipc::draw::RunPixels(argc - 1, argv + 1);
     if (command == "compare") return clipc::draw::RunCompare(argc - 1, argv + 1);
+    if (command == "devices") return clipc::draw::RunDevices();
     std::fputs(clipc::draw::kUsage, stderr);
     return 2;
   } catch (const std::exception& error) {

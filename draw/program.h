@@ -14,9 +14,9 @@ namespace clipc::draw {
 
 // How a GLSL type is made of words.
 struct Shape {
-  enum class Kind { kFloat, kInt, kUint } kind;
-  int columns;  // 1 but for matrices
-  int rows;     // components of a vector or of a matrix's column
+  enum class Kind { kFloat, kInt, kUint } kind = Kind::kFloat;
+  int columns = 1;  // 1 but for matrices
+  int rows = 1;     // components of a vector or of a matrix's column
   int Words() const { return columns * rows; }
 };
 Shape ShapeOf(GLenum type);  // bool counts as uint; DrawError for double and opaque types
@@ -48,6 +48,7 @@ struct Inputs {
     std::vector<Level> levels;
   };
   struct Storage {
+    std::string name;  // of the buffer; "items[1]" for an element of an array
     std::uint32_t binding;
     std::vector<std::uint8_t> bytes;
   };
@@ -111,8 +112,8 @@ class Program {
 // What transform feedback caught of one output.
 struct Captured {
   std::string name;
-  GLenum type = 0;  // of one element
-  int count = 1;    // elements of an array
+  Shape shape;    // of one element
+  int count = 1;  // elements of an array
   std::vector<std::uint32_t> words;  // of vertex 0, then of vertex 1, ...; instance by instance
 };
 

@@ -187,9 +187,18 @@ Word Machine::ToBits(Word word, Scalar kind) const {
   return ConvertBits(word, RepOf(kind), BaseOf(kind));
 }
 
-Word Machine::UndefinedOf(Scalar kind, std::size_t component) const {
-  const double value = options_.undefined * static_cast<double>(component + 1);
+Word Machine::UndefinedOf(Scalar kind, std::size_t component, bool negated) const {
+  const double value =
+      (negated ? -options_.undefined : options_.undefined) * static_cast<double>(component + 1);
   return ConvertBits(BitsOf(value), Scalar::kDouble, RepOf(kind));
+}
+
+// A bit of a hash of EvalOptions::undefined and of how many were read: the product of two such values then has
+// no sign of its own. The first is not negated.
+bool Machine::NextUndefinedIsNegated() {
+  const std::uint64_t hash =
+      (BitsOf(options_.undefined) ^ 0x9e3779b97f4a7c15u * undefined_reads_) * 0xbf58476d1ce4e5b9u;
+  return undefined_reads_++ != 0 && hash >> 63 != 0;
 }
 
 void Machine::SetUndefined(VarId var) {
@@ -202,7 +211,7 @@ void Machine::SetUndefined(VarId var) {
   std::vector<Scalar> kinds;
   AppendKinds(type, kinds);
   for (std::size_t i = 0; i < kinds.size(); ++i)
-    to[static_cast<std::ptrdiff_t>(i)] = UndefinedOf(kinds[i], i);
+    to[static_cast<std::ptrdiff_t>(i)] = UndefinedOf(kinds[i], i, false);
 }
 
 std::uint32_t Machine::WordsOf(TypeId id) {

@@ -65,7 +65,8 @@ struct EvalOptions {
   // branch.
   bool in_double = false;
   // What a value that HLSL leaves undefined reads as, converted to its kind: the first component; the
-  // second is twice as large, and so on. Two runs with different ones tell which outputs depend on it.
+  // second is twice as large, and so on. What is read outside of an array may be negated, another time
+  // with every value of this. Two runs with different ones tell which outputs depend on it.
   double undefined = 0;
 };
 

@@ -131,7 +131,8 @@ void Machine::PushUndefined(TypeId type) {
   if (options_.undefined == 0) return PushZeros(WordsOf(type));
   std::vector<Scalar> kinds;
   AppendKinds(type, kinds);
-  for (std::size_t i = 0; i < kinds.size(); ++i) stack_.push_back(UndefinedOf(kinds[i], i));
+  const bool negated = NextUndefinedIsNegated();
+  for (std::size_t i = 0; i < kinds.size(); ++i) stack_.push_back(UndefinedOf(kinds[i], i, negated));
 }
 
 void Machine::PushFrom(const Place& place, TypeId type) {

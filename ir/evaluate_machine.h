@@ -57,7 +57,8 @@ class Machine {
   std::uint32_t WordsOf(TypeId type);
   std::uint32_t WordsOf(ExprId expr) { return WordsOf(program_.exprs[expr].type); }
   std::uint32_t FieldWord(StructId structure, std::uint32_t field);
-  Word UndefinedOf(Scalar kind, std::size_t component) const;
+  Word UndefinedOf(Scalar kind, std::size_t component, bool negated) const;
+  bool NextUndefinedIsNegated();
   void SetUndefined(VarId var);
   void AppendKinds(TypeId type,
                    std::vector<Scalar>& kinds) const;  // of each word; kUint for an object
@@ -115,6 +116,7 @@ class Machine {
   std::string error_;
   std::uint64_t steps_ = 0;
   int depth_ = 0;
+  std::uint64_t undefined_reads_ = 0;
   bool only_constants_ = false;
   bool is_constant_ = true;
   bool wrote_out_of_bounds_ = false;

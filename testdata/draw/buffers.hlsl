@@ -1,10 +1,10 @@
 // Buffers: typed elements, structs in HLSL's tight packing, bytes; and what lies behind their end is open.
-// RUN: %draw compare %s -T vs_5_0 -E typed --target glsl450,glsl140,essl310,essl320 --lower none --ints 0..12
-// RUN: %draw compare %s -T vs_5_0 -E structured --target glsl450,essl310 --lower none --ints 0..7
+// RUN: %draw compare %s -T vs_5_0 -E typed --target vulkan,glsl450,glsl140,essl310,essl320 --lower none --ints 0..12
+// RUN: %draw compare %s -T vs_5_0 -E structured --target vulkan,glsl450,essl310 --lower none --ints 0..7
 // RUN: %draw compare %s -T vs_5_0 -E structured --target glsl430 --lower none --ints 0..300
-// RUN: %draw compare %s -T vs_5_0 -E rows --target glsl450,essl310 --lower none --ints 0..40
-// RUN: %draw compare %s -T vs_5_0 -E bytes --target glsl450,essl320 --lower none --ints 0..50
-// RUN: %draw compare %s -T vs_5_0 -E doubles --target glsl450 --lower none --ints 0..20
+// RUN: %draw compare %s -T vs_5_0 -E rows --target vulkan,glsl450,essl310 --lower none --ints 0..40
+// RUN: %draw compare %s -T vs_5_0 -E bytes --target vulkan,glsl450,essl320 --lower none --ints 0..50
+// RUN: %draw compare %s -T vs_5_0 -E doubles --target vulkan,glsl450 --lower none --ints 0..20
 // RUN: not %draw compare %s -T vs_5_0 -E writes --target glsl450 --lower none 2>&1 | FileCheck %s
 // CHECK: the shader writes to a texture or buffer, which no test draws with
 

@@ -8,8 +8,15 @@
 // RUN: %draw compare %s -T vs_5_0 -E arrays --target glsl450,glsl400,essl320 --lower none
 // RUN: %draw compare %s -T vs_5_0 -E arrays --target glsl330,essl300 --lower none -D WITHOUT_INDEX
 // RUN: %draw compare %s -T vs_5_0 -E parameters --target glsl450,essl310 --lower none --ints 0..4
+// RUN: %draw compare %s -T vs_5_0 -E samples --target vulkan --lower none
+// RUN: %draw compare %s -T vs_5_0 -E compares --target vulkan --lower none
+// RUN: %draw compare %s -T vs_5_0 -E gathers --target vulkan --lower none
+// RUN: %draw compare %s -T vs_5_0 -E loads --target vulkan --lower none --ints 0..3
+// RUN: %draw compare %s -T vs_5_0 -E sizes --target vulkan --lower none --ints 0..2
+// RUN: %draw compare %s -T vs_5_0 -E arrays --target vulkan --lower none
 // RUN: not %draw compare %s -T vs_5_0 -E parameters --target vulkan --lower none 2>&1 | FileCheck %s
-// CHECK: OpenGL does not take the textures and buffers of a shader for Vulkan
+// CHECK: an array of arrays of textures, which lavapipe does not read
+// RUN: %draw compare %s -T vs_3_0 -E old --target vulkan --lower none
 // RUN: %draw compare %s -T vs_3_0 -E old --target glsl450,glsl130,glsl120 --lower none
 
 Texture2D<float4> colors : register(t0);

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include <vulkan/vulkan_raii.hpp>
+
+// For this folder only: reading vulkan_raii.hpp takes seconds.
+namespace clipc::draw::vulkan {
+
+// Memory that the host writes and reads, where it lies.
+struct Buffer {
+  vk::raii::DeviceMemory memory{nullptr};
+  vk::raii::Buffer buffer{nullptr};
+  std::size_t size = 0;
+};
+
+// A Vulkan device that is a processor and has transform feedback: Mesa's lavapipe.
+class Device {
+ public:
+  Device();  // DrawError when there is none
+
+  const vk::raii::Device& get() const { return device_; }
+  std::string name() const { return physical_.getProperties().deviceName; }
+  std::uint32_t MostFeedbackStride() const;
+  std::uint32_t MostFeedbackBuffers() const;
+
+  // At least 16 bytes, so that empty ones can be bound.
+  Buffer NewBuffer(vk::BufferUsageFlags usage, std::span<const std::uint8_t> bytes) const;
+  std::vector<std::uint32_t> Read(const Buffer& buffer) const;
+  vk::raii::DeviceMemory Allocate(const vk::MemoryRequirements& requirements) const;
+
+  // Records commands, runs them and waits.
+  void Submit(const std::function<void(const vk::raii::CommandBuffer&)>& record) const;
+
+ private:
+  vk::raii::PhysicalDevice physical_{nullptr};
+  vk::raii::Device device_{nullptr};
+  vk::raii::Queue queue_{nullptr};
+  std::uint32_t family_ = 0;
+};
+
+}  // namespace clipc::draw::vulkan

@@ -1,0 +1,96 @@
+// What glslang's HLSL front end gets wrong (docs/peers.md), one entry point for each. The values are compared all the same: with
+// what the bug makes of the shader.
+// RUN: %draw compare %s -E lights --peer glslang | FileCheck %s --check-prefix=LIT
+// LIT: {{^}}known bug of the peer: lit
+// RUN: %draw compare %s -E remainders --peer glslang | FileCheck %s --check-prefix=REMAINDER
+// REMAINDER: {{^}}known bug of the peer: float-remainder
+// RUN: %draw compare %s -E products --peer glslang | FileCheck %s --check-prefix=PRODUCT
+// PRODUCT: {{^}}known bug of the peer: matrix-product
+// RUN: %draw compare %s -E initial --peer glslang | FileCheck %s --check-prefix=INITIAL
+// INITIAL: {{^}}known bug of the peer: global-initializer
+// RUN: %draw compare %s -E elements --peer glslang | FileCheck %s --check-prefix=ELEMENT
+// ELEMENT: {{^}}known bug of the peer: structured-std430
+// RUN: %draw compare %s -E views -T vs_6_1 --peer glslang | FileCheck %s --check-prefix=VIEW
+// VIEW: {{^}}known bug of the peer: system-values
+// RUN: %draw compare %s -E parameters --peer glslang | FileCheck %s --check-prefix=PARAMETER
+// PARAMETER: {{^}}known bug of the peer: uniform-parameters
+// RUN: %draw compare %s -E unsized --peer glslang | FileCheck %s --check-prefix=UNSIZED
+// UNSIZED: {{^}}known bug of the peer: unsized-initializer
+// RUN: %draw compare %s -E pasted --peer glslang | FileCheck %s --check-prefix=PASTED
+// PASTED: {{^}}known bug of the peer: token-paste
+// RUN: %draw compare %s -E packed --peer glslang --verbose | FileCheck %s --check-prefix=PACKED
+// PACKED: Packed.after, component 0: byte 28, the peer has 32 row-after-aggregate
+// PACKED: {{^}}known bug of the peer: row-after-aggregate
+// RUN: %draw compare %s -E globals --peer glslang --verbose | FileCheck %s --check-prefix=GLOBALS
+// GLOBALS: $Globals.beside, component 0: byte 100, the peer has 112 globals-std140
+// GLOBALS: {{^}}known bug of the peer: globals-std140
+// RUN: %draw compare %s -E clipped --peer glslang | FileCheck %s --check-prefix=CLIPPED
+// CLIPPED: {{^}}known bug of the peer: clip-planes
+// RUN: %draw compare %s -E placed -D PLACES --peer glslang | FileCheck %s --check-prefix=PLACED
+// PLACED: {{^}}known bug of the peer: register-c
+
+// Others it refuses, or makes invalid SPIR-V of.
+// RUN: not %draw compare %s -E scales -D SCALES --peer glslang 2>&1 | FileCheck %s --check-prefix=INVALID
+// INVALID: clipc-draw: glslang makes invalid SPIR-V: GLSL.std.450 Ldexp
+
+float4 main(float4 p : P, out float4 lit_ : O) : SV_Position { return lit_ = p; }
+
+float4 lights(float4 p : P) : SV_Position { return lit(p.x, p.y, p.z); }
+
+float4 remainders(float4 p : P) : SV_Position { return p % p.yzwx + fmod(p, 0.75); }
+
+float3x3 left, right;
+float4 products(float4 p : P) : SV_Position { return float4(mul(p.xyz, left * right), 1); }
+
+const int which = 2;
+float4 initial(float4 p : P) : SV_Position { return which == 2 ? p : -p; }
+
+cbuffer Planes {
+  float4 plane;
+};
+
+struct Element {
+  float3 a;
+  float2 b;
+};
+StructuredBuffer<Element> buffer;
+float4 elements(float4 p : P, uint i : I) : SV_Position { return p * buffer[i].a.z + buffer[i].b.y; }
+
+float4 views(float4 p : P, uint view : SV_ViewID) : SV_Position { return p + view; }
+
+float4 parameters(float4 p : P, uniform float4 q) : SV_Position { return p * q; }
+
+float4 unsized(float4 p : P, uint i : I) : SV_Position {
+  float2 pairs[] = {float2(1, 2), 3, 4};
+  return p * pairs[i & 1].xyxy;
+}
+
+#define NAME(n) SEMANTIC##n
+#define NUMBER 3
+float4 pasted(float4 p : P, out float4 q : NAME(NUMBER)) : SV_Position { return q = p; }
+
+cbuffer Packed {
+  float3x2 before;
+  float after;
+};
+float4 packed(float4 p : P) : SV_Position { return p * after; }
+
+float number;
+float3 beside;
+float4 globals(float4 p : P) : SV_Position { return p * number + beside.xyzz; }
+
+[clipplanes(plane)]
+float4 clipped(float4 p : P) : SV_Position { return p; }
+
+#ifdef PLACES
+float loose;
+float4 first : register(c0);
+#else
+float4 first;
+float loose;
+#endif
+float4 placed(float4 p : P) : SV_Position { return p * first + loose; }
+
+#ifdef SCALES
+float4 scales(float4 p : P) : SV_Position { return ldexp(p, p.yzwx); }
+#endif
