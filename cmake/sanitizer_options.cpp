@@ -8,3 +8,10 @@ extern "C" const char* __asan_default_options() { return "allow_user_poisoning=0
 
 extern "C" const char* __ubsan_default_options();
 extern "C" const char* __ubsan_default_options() { return "print_stacktrace=1"; }
+
+// Mesa's Vulkan driver forgets some of the machine code that it made of loops.
+extern "C" const char* __lsan_default_suppressions();
+extern "C" const char* __lsan_default_suppressions() { return "leak:libvulkan_lvp.so\nleak:libLLVM\n"; }
+
+extern "C" const char* __lsan_default_options();
+extern "C" const char* __lsan_default_options() { return "print_suppressions=0"; }
