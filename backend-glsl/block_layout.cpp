@@ -40,7 +40,8 @@ bool Agree(MatrixLayout& whole, MatrixLayout part) {
 class Comparer {
  public:
   // `tight`: std430 against a StructuredBuffer; else std140 against a cbuffer.
-  Comparer(const TypeTable& types, bool tight) : types_(types), row_(tight ? 1 : kRow), tight_(tight) {}
+  Comparer(const TypeTable& types, bool tight)
+      : types_(types), row_(tight ? 1 : kRow), tight_(tight) {}
 
   std::optional<Std140Extent> Extent(TypeId id, bool row_major) const {
     const Type& type = types_[id];
@@ -71,7 +72,8 @@ class Comparer {
     const auto stride = static_cast<std::uint32_t>(RoundUp(vector.size, alignment));
     if (stride != RoundUp(scalar_size * length, row_)) return std::nullopt;
     const MatrixLayout layout = row_major ? MatrixLayout::kColumnMajor : MatrixLayout::kRowMajor;
-    return Std140Extent{stride * registers, alignment, shape.kind == Shape::kMatrix ? layout : MatrixLayout::kNone};
+    return Std140Extent{stride * registers, alignment,
+                        shape.kind == Shape::kMatrix ? layout : MatrixLayout::kNone};
   }
 
   std::optional<Std140Extent> Array(TypeId id, bool row_major) const {
@@ -85,7 +87,8 @@ class Comparer {
   }
 
   std::optional<Std140Extent> Struct(const ir::Struct& structure) const {
-    if (structure.fields.empty()) return std::nullopt;  // takes no room in HLSL, and cannot be said in GLSL
+    if (structure.fields.empty())
+      return std::nullopt;  // takes no room in HLSL, and cannot be said in GLSL
     Std140Extent whole{0, row_, MatrixLayout::kNone};
     std::uint32_t hlsl_end = 0;
     std::uint64_t end = 0;
@@ -132,13 +135,17 @@ bool OnlyFloats(const TypeTable& types, TypeId id) {
 }
 
 // The members one by one: those of the cbuffer, or the fields of T.
-std::vector<BlockMember> MembersOf(const Program& program, const Cbuffer& cbuffer, bool fields_as_members) {
+std::vector<BlockMember> MembersOf(const Program& program, const Cbuffer& cbuffer,
+                                   bool fields_as_members) {
   std::vector<BlockMember> members;
   members.reserve(cbuffer.members.size());
   if (!fields_as_members) {
     for (const CbufferMember& member : cbuffer.members) {
       const Var& var = program.vars[member.var];
-      members.push_back({.var = member.var, .type = var.type, .row_major = var.row_major, .offset = member.offset});
+      members.push_back({.var = member.var,
+                         .type = var.type,
+                         .row_major = var.row_major,
+                         .offset = member.offset});
     }
     return members;
   }
@@ -148,23 +155,30 @@ std::vector<BlockMember> MembersOf(const Program& program, const Cbuffer& cbuffe
   std::uint32_t end = 0;
   const auto& fields = program.types.StructOf(type).fields;
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    const std::uint32_t offset = PackedOffset(program.types, fields[i].type, fields[i].row_major, end);
+    const std::uint32_t offset =
+        PackedOffset(program.types, fields[i].type, fields[i].row_major, end);
     end = offset + PackedExtent(program.types, fields[i].type, fields[i].row_major).size;
-    members.push_back({.var = var, .field = static_cast<int>(i), .type = fields[i].type,
-                       .row_major = fields[i].row_major, .offset = offset});
+    members.push_back({.var = var,
+                       .field = static_cast<int>(i),
+                       .type = fields[i].type,
+                       .row_major = fields[i].row_major,
+                       .offset = offset});
   }
   return members;
 }
 
 // Whether the members, in order of offset, fit std140; sets their explicit offsets and paddings.
-bool PlaceMembers(const TypeTable& types, std::span<BlockMember> members, std::uint32_t size, bool explicit_offsets) {
+bool PlaceMembers(const TypeTable& types, std::span<BlockMember> members, std::uint32_t size,
+                  bool explicit_offsets) {
   std::uint64_t end = 0;
   for (BlockMember& member : members) {
     const auto extent = Std140(types, member.type, member.row_major);
     if (!extent || member.offset % extent->alignment != 0 || member.offset < end) return false;
     const std::uint64_t natural = RoundUp(end, extent->alignment);
     member.explicit_offset = member.offset != natural && explicit_offsets;
-    member.padding = member.offset != natural && !explicit_offsets ? static_cast<std::uint32_t>(member.offset - end) : 0;
+    member.padding = member.offset != natural && !explicit_offsets
+                         ? static_cast<std::uint32_t>(member.offset - end)
+                         : 0;
     member.matrices = extent->matrices;
     end = std::uint64_t{member.offset} + extent->size;
   }
@@ -187,7 +201,8 @@ std::optional<Std140Extent> Std140(const TypeTable& types, TypeId type, bool row
 
 std::optional<Std140Extent> Std430(const TypeTable& types, TypeId type, bool row_major) {
   const auto extent = Comparer(types, true).Extent(type, row_major);
-  if (!extent || RoundUp(extent->size, extent->alignment) != Structured(types, type).size) return std::nullopt;
+  if (!extent || RoundUp(extent->size, extent->alignment) != Structured(types, type).size)
+    return std::nullopt;
   return extent;
 }
 
@@ -222,19 +237,21 @@ BlockLayout LayOutBlock(const Program& program, const Cbuffer& cbuffer, const Ta
   layout.fields_as_members = is_constant_buffer && target.HasBlockInstances();
   layout.members = MembersOf(program, cbuffer, layout.fields_as_members);
   std::ranges::stable_sort(layout.members, {}, &BlockMember::offset);
-  layout.float_rows = std::ranges::all_of(
-      layout.members, [&](const BlockMember& member) { return OnlyFloats(program.types, member.type); });
+  layout.float_rows = std::ranges::all_of(layout.members, [&](const BlockMember& member) {
+    return OnlyFloats(program.types, member.type);
+  });
 
   if (!PlaceMembers(program.types, layout.members, cbuffer.size, target.HasExplicitOffsets())) {
-    if (!layout.float_rows && !target.BitCasts()) return AsUniforms(program, cbuffer);  // nothing reads a float from bits
+    if (!layout.float_rows && !target.BitCasts())
+      return AsUniforms(program, cbuffer);  // nothing reads a float from bits
     layout.form = BlockForm::kRows;
     layout.fields_as_members = false;
     layout.members = MembersOf(program, cbuffer, false);
     return layout;
   }
   MatrixLayout whole = MatrixLayout::kNone;
-  const bool agree =
-      std::ranges::all_of(layout.members, [&](const BlockMember& member) { return Agree(whole, member.matrices); });
+  const bool agree = std::ranges::all_of(
+      layout.members, [&](const BlockMember& member) { return Agree(whole, member.matrices); });
   if (agree) layout.matrices = whole;
   return layout;
 }

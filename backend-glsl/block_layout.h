@@ -8,10 +8,10 @@
 #include "backend-glsl/target.h"
 #include "ir/program.h"
 
-// How a constant buffer, whose offsets Direct3D's rules fixed, is said in GLSL. Offsets are never changed: a buffer that
-// std140 would lay out otherwise is given with explicit offsets, with padding, or as an array of rows that is read by
-// accessors.
-// Sources: HLSL packing as in ir/packing.h; std140 in section 7.6.2.2 of the OpenGL 4.6 specification.
+// How a constant buffer, whose offsets Direct3D's rules fixed, is said in GLSL. Offsets are never
+// changed: a buffer that std140 would lay out otherwise is given with explicit offsets, with
+// padding, or as an array of rows that is read by accessors. Sources: HLSL packing as in
+// ir/packing.h; std140 in section 7.6.2.2 of the OpenGL 4.6 specification.
 namespace clipc::glsl {
 
 inline constexpr std::uint32_t kRow = 16;  // bytes of a register of a cbuffer, and of std140's vec4
@@ -22,16 +22,17 @@ enum class BlockForm : std::uint8_t {
   kUniforms,  // the target has no blocks: uniform variables that the host sets by name
 };
 
-// How a matrix lies in memory, in GLSL's words. HLSL's rows are GLSL's columns, so HLSL's row_major is column_major here.
+// How a matrix lies in memory, in GLSL's words. HLSL's rows are GLSL's columns, so HLSL's row_major
+// is column_major here.
 enum class MatrixLayout : std::uint8_t { kNone, kRowMajor, kColumnMajor };
 
 // A member of a buffer; of a ConstantBuffer<T> that is written with an instance name, a field of T.
 struct BlockMember {
-  ir::VarId var;        // the member; of a ConstantBuffer<T> the whole
-  int field = -1;       // of a ConstantBuffer<T>: the field of T
+  ir::VarId var;   // the member; of a ConstantBuffer<T> the whole
+  int field = -1;  // of a ConstantBuffer<T>: the field of T
   ir::TypeId type;
-  bool row_major = false;       // HLSL's
-  std::uint32_t offset = 0;     // bytes
+  bool row_major = false;        // HLSL's
+  std::uint32_t offset = 0;      // bytes
   bool explicit_offset = false;  // layout(offset = ..)
   std::uint32_t padding = 0;     // bytes of padding members before it
   MatrixLayout matrices = MatrixLayout::kNone;
@@ -40,12 +41,14 @@ struct BlockMember {
 struct BlockLayout {
   BlockForm form = BlockForm::kStd140;
   MatrixLayout matrices = MatrixLayout::kNone;  // of the whole block, when its members agree
-  bool float_rows = true;       // kRows: `vec4`, since every member is of floats; else `uvec4`
-  bool fields_as_members = false;  // a ConstantBuffer<T> written with an instance name: `buffer.field`
+  bool float_rows = true;  // kRows: `vec4`, since every member is of floats; else `uvec4`
+  bool fields_as_members =
+      false;  // a ConstantBuffer<T> written with an instance name: `buffer.field`
   std::vector<BlockMember> members;  // in order of offset (kUniforms: of declaration)
 };
 
-BlockLayout LayOutBlock(const ir::Program& program, const ir::Cbuffer& cbuffer, const Target& target);
+BlockLayout LayOutBlock(const ir::Program& program, const ir::Cbuffer& cbuffer,
+                        const Target& target);
 
 // What std140 gives a type.
 struct Std140Extent {
@@ -53,13 +56,15 @@ struct Std140Extent {
   std::uint32_t alignment = 4;
   MatrixLayout matrices = MatrixLayout::kNone;
 };
-// Nothing when it puts some part of the type elsewhere than HLSL does, or cannot say how its matrices lie.
+// Nothing when it puts some part of the type elsewhere than HLSL does, or cannot say how its
+// matrices lie.
 std::optional<Std140Extent> Std140(const ir::TypeTable& types, ir::TypeId type, bool row_major);
 
 // std430's extent of `type`, when it lays an array of them out as a StructuredBuffer<type> does.
 std::optional<Std140Extent> Std430(const ir::TypeTable& types, ir::TypeId type, bool row_major);
 
-// HLSL's layout of the elements of a StructuredBuffer: scalars at multiples of their own size, nothing else.
+// HLSL's layout of the elements of a StructuredBuffer: scalars at multiples of their own size,
+// nothing else.
 struct StructuredExtent {
   std::uint32_t size = 0;
   std::uint32_t alignment = 4;

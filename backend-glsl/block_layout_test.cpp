@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "backend-glsl/block_layout.h"
 
-#include <gtest/gtest.h>
-
 #include <cstdint>
 #include <map>
 #include <random>
@@ -10,6 +8,8 @@
 #include <sstream>
 #include <string>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "backend-glsl/shader_for_test.h"
 
@@ -22,8 +22,12 @@ using ir::TypeId;
 class BlockLayoutTest : public testing::Test {
  protected:
   TypeId F(int n) { return shader_.Vector(Scalar::kFloat, n); }
-  TypeId M(int rows, int columns, Scalar kind = Scalar::kFloat) { return shader_.program.types.Matrix(kind, rows, columns); }
-  TypeId A(TypeId element, std::uint32_t count) { return shader_.program.types.Array(element, count); }
+  TypeId M(int rows, int columns, Scalar kind = Scalar::kFloat) {
+    return shader_.program.types.Matrix(kind, rows, columns);
+  }
+  TypeId A(TypeId element, std::uint32_t count) {
+    return shader_.program.types.Array(element, count);
+  }
   TypeId S(const std::vector<ShaderForTest::Member>& fields) {
     ir::Struct structure;
     structure.name = "S";
@@ -36,12 +40,14 @@ class BlockLayoutTest : public testing::Test {
     }
     return shader_.program.types.Of(shader_.program.types.AddStruct(structure));
   }
-  BlockLayout Layout(const std::vector<ShaderForTest::Member>& members, std::string_view target = "glsl450",
+  BlockLayout Layout(const std::vector<ShaderForTest::Member>& members,
+                     std::string_view target = "glsl450",
                      ir::CbufferKind kind = ir::CbufferKind::kCbuffer) {
     const auto id = shader_.AddCbuffer("Buffer", members, kind);
     return LayOutBlock(shader_.program, shader_.program.cbuffers[id], *Target::Parse(target));
   }
-  BlockForm Form(const std::vector<ShaderForTest::Member>& members, std::string_view target = "glsl450") {
+  BlockForm Form(const std::vector<ShaderForTest::Member>& members,
+                 std::string_view target = "glsl450") {
     return Layout(members, target).form;
   }
 
@@ -54,7 +60,9 @@ TEST_F(BlockLayoutTest, Std140WhereItIsTheSame) {
   EXPECT_EQ(Form({{"a", F(2)}, {"b", F(2)}}), BlockForm::kStd140);
   EXPECT_EQ(Form({{"a", M(4, 4)}, {"b", F(1)}}), BlockForm::kStd140);
   EXPECT_EQ(Form({{"a", A(F(4), 3)}, {"b", F(3)}}), BlockForm::kStd140);
-  EXPECT_EQ(Form({{"a", shader_.Vector(Scalar::kBool, 1)}, {"b", shader_.Vector(Scalar::kUint, 3)}}), BlockForm::kRows)
+  EXPECT_EQ(
+      Form({{"a", shader_.Vector(Scalar::kBool, 1)}, {"b", shader_.Vector(Scalar::kUint, 3)}}),
+      BlockForm::kRows)
       << "uint3 b lies at 4";
   EXPECT_EQ(Form({{"a", F(3)}, {"b", shader_.Vector(Scalar::kBool, 1)}}), BlockForm::kStd140);
 }
@@ -62,11 +70,14 @@ TEST_F(BlockLayoutTest, Std140WhereItIsTheSame) {
 TEST_F(BlockLayoutTest, RowsWhereStd140WouldMoveAMember) {
   EXPECT_EQ(Form({{"a", F(1)}, {"b", F(3)}}), BlockForm::kRows);
   EXPECT_EQ(Form({{"a", F(1)}, {"b", F(2)}}), BlockForm::kRows);
-  EXPECT_EQ(Form({{"a", A(F(1), 2)}, {"b", F(1)}}), BlockForm::kRows) << "a scalar in an array's last row";
-  EXPECT_EQ(Form({{"a", M(3, 3)}, {"b", F(1)}}), BlockForm::kRows) << "a scalar in a matrix's last row";
+  EXPECT_EQ(Form({{"a", A(F(1), 2)}, {"b", F(1)}}), BlockForm::kRows)
+      << "a scalar in an array's last row";
+  EXPECT_EQ(Form({{"a", M(3, 3)}, {"b", F(1)}}), BlockForm::kRows)
+      << "a scalar in a matrix's last row";
   EXPECT_EQ(Form({{"a", M(4, 3)}, {"b", F(1)}}), BlockForm::kStd140) << "three whole rows";
   EXPECT_EQ(Form({{"a", M(4, 3), true}, {"b", F(1)}}), BlockForm::kRows);
-  EXPECT_EQ(Form({{"s", S({{"x", F(1)}})}, {"b", F(1)}}), BlockForm::kRows) << "a scalar in a struct's last row";
+  EXPECT_EQ(Form({{"s", S({{"x", F(1)}})}, {"b", F(1)}}), BlockForm::kRows)
+      << "a scalar in a struct's last row";
   EXPECT_EQ(Form({{"s", S({{"x", F(1)}})}, {"b", F(4)}}), BlockForm::kStd140);
   EXPECT_EQ(Form({{"s", S({{"x", F(1)}, {"y", F(3)}})}}), BlockForm::kRows) << "inside a struct";
   EXPECT_EQ(Form({{"s", A(S({{"x", F(3)}, {"y", F(1)}}), 2)}}), BlockForm::kStd140);
@@ -74,7 +85,8 @@ TEST_F(BlockLayoutTest, RowsWhereStd140WouldMoveAMember) {
 
 TEST_F(BlockLayoutTest, MatricesOfOneRowOrColumn) {
   EXPECT_EQ(Form({{"a", M(1, 4), true}, {"b", F(4)}}), BlockForm::kStd140) << "one register";
-  EXPECT_EQ(Form({{"a", M(1, 4)}, {"b", F(4)}}), BlockForm::kRows) << "four registers of one component";
+  EXPECT_EQ(Form({{"a", M(1, 4)}, {"b", F(4)}}), BlockForm::kRows)
+      << "four registers of one component";
   EXPECT_EQ(Form({{"a", M(4, 1)}, {"b", F(4)}}), BlockForm::kStd140);
   EXPECT_EQ(Form({{"a", M(4, 1), true}, {"b", F(4)}}), BlockForm::kRows);
   EXPECT_EQ(Form({{"a", M(1, 1)}, {"b", F(1)}}), BlockForm::kStd140);
@@ -87,18 +99,21 @@ TEST_F(BlockLayoutTest, MatricesOfIntegers) {
 }
 
 TEST_F(BlockLayoutTest, MatrixLayoutIsTheBlocksWhenAllAgree) {
-  EXPECT_EQ(Layout({{"a", M(4, 4)}, {"b", M(3, 4)}, {"c", F(4)}}).matrices, MatrixLayout::kRowMajor);
+  EXPECT_EQ(Layout({{"a", M(4, 4)}, {"b", M(3, 4)}, {"c", F(4)}}).matrices,
+            MatrixLayout::kRowMajor);
   EXPECT_EQ(Layout({{"a", M(4, 4), true}}).matrices, MatrixLayout::kColumnMajor);
   const BlockLayout mixed = Layout({{"a", M(4, 4), true}, {"b", M(4, 4)}});
   EXPECT_EQ(mixed.form, BlockForm::kStd140);
   EXPECT_EQ(mixed.matrices, MatrixLayout::kNone);
   EXPECT_EQ(mixed.members[0].matrices, MatrixLayout::kColumnMajor);
   EXPECT_EQ(mixed.members[1].matrices, MatrixLayout::kRowMajor);
-  EXPECT_EQ(Form({{"s", S({{"a", M(4, 4), true}, {"b", M(4, 4)}})}}), BlockForm::kRows) << "a struct cannot mix them";
+  EXPECT_EQ(Form({{"s", S({{"a", M(4, 4), true}, {"b", M(4, 4)}})}}), BlockForm::kRows)
+      << "a struct cannot mix them";
 }
 
 TEST_F(BlockLayoutTest, GapsAreOffsetsOrPadding) {
-  const std::vector<ShaderForTest::Member> members = {{"b", F(1), false, 72}, {"a", F(4), false, 16}};
+  const std::vector<ShaderForTest::Member> members = {{"b", F(1), false, 72},
+                                                      {"a", F(4), false, 16}};
   const BlockLayout offsets = Layout(members, "glsl440");
   EXPECT_EQ(offsets.form, BlockForm::kStd140);
   EXPECT_EQ(offsets.members[0].offset, 16u) << "in order of offset";
@@ -116,7 +131,8 @@ TEST_F(BlockLayoutTest, OldTargetsHaveUniformVariables) {
   EXPECT_EQ(Form({{"a", F(1)}}, "glsl130"), BlockForm::kUniforms);
   EXPECT_EQ(Form({{"a", F(1)}}, "essl300"), BlockForm::kStd140);
   const ir::TypeId uint3 = shader_.Vector(Scalar::kUint, 3);
-  EXPECT_EQ(Form({{"a", F(1)}, {"b", uint3}}, "glsl140"), BlockForm::kUniforms) << "no uintBitsToFloat to read rows with";
+  EXPECT_EQ(Form({{"a", F(1)}, {"b", uint3}}, "glsl140"), BlockForm::kUniforms)
+      << "no uintBitsToFloat to read rows with";
   EXPECT_EQ(Form({{"a", F(1)}, {"b", uint3}}, "glsl150"), BlockForm::kRows);
 }
 
@@ -141,7 +157,10 @@ TEST_F(BlockLayoutTest, StructuredBuffers) {
   EXPECT_TRUE(Std430(types, S({{"x", F(3)}, {"y", F(1)}}), false));
   EXPECT_FALSE(Std430(types, S({{"x", F(1)}, {"y", F(3)}}), false));
   EXPECT_FALSE(Std430(types, S({{"x", F(4)}, {"y", F(1)}}), false)) << "20 bytes each";
-  EXPECT_EQ(Structured(types, S({{"x", F(1)}, {"y", shader_.Vector(Scalar::kDouble, 1)}, {"z", F(1)}})).size, 24u);
+  EXPECT_EQ(
+      Structured(types, S({{"x", F(1)}, {"y", shader_.Vector(Scalar::kDouble, 1)}, {"z", F(1)}}))
+          .size,
+      24u);
 }
 
 // ---- against glslang's own reflection: what the written block says is where HLSL has it
@@ -157,12 +176,19 @@ class RandomCbuffers {
 
   TypeId Type(ShaderForTest& shader, int depth) {
     ir::TypeTable& types = shader.program.types;
-    static constexpr Scalar kKinds[] = {Scalar::kFloat, Scalar::kFloat, Scalar::kFloat, Scalar::kInt,
-                                        Scalar::kUint,  Scalar::kBool,  Scalar::kDouble};
+    static constexpr Scalar kKinds[] = {Scalar::kFloat, Scalar::kFloat, Scalar::kFloat,
+                                        Scalar::kInt,   Scalar::kUint,  Scalar::kBool,
+                                        Scalar::kDouble};
     const Scalar kind = kKinds[Below(std::size(kKinds))];
     switch (Below(depth > 0 ? 10 : 7)) {
-      case 0: case 1: case 2: case 3: return shader.Vector(kind, 1 + Below(4));
-      case 4: case 5: return types.Matrix(kind == Scalar::kDouble ? kind : Scalar::kFloat, 1 + Below(4), 1 + Below(4));
+      case 0:
+      case 1:
+      case 2:
+      case 3: return shader.Vector(kind, 1 + Below(4));
+      case 4:
+      case 5:
+        return types.Matrix(kind == Scalar::kDouble ? kind : Scalar::kFloat, 1 + Below(4),
+                            1 + Below(4));
       case 6: return types.Matrix(kind, 2 + Below(3), 2 + Below(3));
       case 7: return types.Array(Type(shader, depth - 1), 1 + static_cast<std::uint32_t>(Below(3)));
       default: {
@@ -187,15 +213,16 @@ class RandomCbuffers {
 };
 
 // Uses each leaf under `expr` (elements 0 of arrays) and notes where HLSL has it.
-void UseLeaves(ShaderForTest& shader, ir::ExprId expr, bool row_major, const std::string& path, std::uint32_t offset,
-               std::vector<Leaf>& leaves) {
+void UseLeaves(ShaderForTest& shader, ir::ExprId expr, bool row_major, const std::string& path,
+               std::uint32_t offset, std::vector<Leaf>& leaves) {
   ir::Builder b = shader.Make();
   const ir::Type type = shader.program.types[b.TypeOf(expr)];
   if (type.kind == ir::TypeKind::kArray) {
     for (std::uint32_t i = 0; i < type.count; ++i) {
       const ir::ExprId base = i == 0 ? expr : ir::Clone(shader.program, expr);
       std::vector<Leaf> ignored;
-      const std::uint32_t at = offset + i * ir::ArrayStride(shader.program.types, b.TypeOf(expr), row_major);
+      const std::uint32_t at =
+          offset + i * ir::ArrayStride(shader.program.types, b.TypeOf(expr), row_major);
       UseLeaves(shader, b.At(base, i), row_major, path, at, i == 0 ? leaves : ignored);
     }
     return;
@@ -204,7 +231,8 @@ void UseLeaves(ShaderForTest& shader, ir::ExprId expr, bool row_major, const std
     const ir::Struct structure = shader.program.types[type.structure];
     for (std::uint32_t i = 0; i < structure.fields.size(); ++i) {
       const ir::ExprId base = i == 0 ? expr : ir::Clone(shader.program, expr);
-      UseLeaves(shader, b.Field(base, i), structure.fields[i].row_major, path + "." + structure.fields[i].name,
+      UseLeaves(shader, b.Field(base, i), structure.fields[i].row_major,
+                path + "." + structure.fields[i].name,
                 offset + ir::FieldOffset(shader.program.types, type.structure, i), leaves);
     }
     return;
@@ -223,7 +251,8 @@ std::map<std::string, std::uint32_t> Offsets(const std::string& reflection) {
     const std::string name = std::regex_replace(match[1].str(), std::regex(R"(\[\d+\]|\.e\b)"), "");
     const auto offset = static_cast<std::uint32_t>(std::stoul(match[2]));
     const auto [found, is_new] = offsets.try_emplace(name, offset);
-    if (!is_new && offset < found->second) found->second = offset;  // element 0 of an array of structs
+    if (!is_new && offset < found->second)
+      found->second = offset;  // element 0 of an array of structs
   }
   return offsets;
 }
@@ -246,13 +275,16 @@ TEST_P(GlslangLayoutTest, OffsetsAreDirect3ds) {
         members.push_back({name, random.Type(shader, 2), random.Below(2) == 0});
       }
       const auto id = shader.AddCbuffer("Buffer" + std::to_string(i), members);
-      const BlockLayout layout = LayOutBlock(shader.program, shader.program.cbuffers[id], *Target::Parse(GetParam()));
+      const BlockLayout layout =
+          LayOutBlock(shader.program, shader.program.cbuffers[id], *Target::Parse(GetParam()));
       (layout.form == BlockForm::kStd140 ? std140 : rows) += 1;
       for (const ir::CbufferMember& member : shader.program.cbuffers[id].members) {
         std::vector<Leaf> found;
         const ir::Var& var = shader.program.vars[member.var];
-        UseLeaves(shader, shader.Make().Ref(member.var), var.row_major, var.name, member.offset, found);
-        if (layout.form == BlockForm::kStd140) leaves.insert(leaves.end(), found.begin(), found.end());
+        UseLeaves(shader, shader.Make().Ref(member.var), var.row_major, var.name, member.offset,
+                  found);
+        if (layout.form == BlockForm::kStd140)
+          leaves.insert(leaves.end(), found.begin(), found.end());
       }
     }
     shader.Finish();
@@ -270,7 +302,8 @@ TEST_P(GlslangLayoutTest, OffsetsAreDirect3ds) {
   EXPECT_GT(rows, 20);
 }
 
-INSTANTIATE_TEST_SUITE_P(Targets, GlslangLayoutTest, testing::Values("glsl400", "glsl430", "glsl450"));
+INSTANTIATE_TEST_SUITE_P(Targets, GlslangLayoutTest,
+                         testing::Values("glsl400", "glsl430", "glsl450"));
 
 }  // namespace
 }  // namespace clipc::glsl

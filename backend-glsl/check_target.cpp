@@ -24,7 +24,11 @@ namespace {
 class TargetCheck {
  public:
   TargetCheck(const Program& program, const Target& target, Diagnostics& diagnostics)
-      : program_(program), target_(target), diagnostics_(diagnostics), reached_(Reach(program)), seen_types_(program.types.size()) {}
+      : program_(program),
+        target_(target),
+        diagnostics_(diagnostics),
+        reached_(Reach(program)),
+        seen_types_(program.types.size()) {}
 
   Reached Run() {
     for (const IoVar& input : program_.inputs) Input(input);
@@ -62,13 +66,15 @@ class TargetCheck {
     switch (input.builtin) {
       case Builtin::kVertexId:
       case Builtin::kVertexIndex:
-        if (!target_.HasVertexId()) diagnostics_.Report(var.span, diag::TargetVertexId, target_name());
+        if (!target_.HasVertexId())
+          diagnostics_.Report(var.span, diag::TargetVertexId, target_name());
         break;
       case Builtin::kBaseVertex:
       case Builtin::kBaseInstance:
       case Builtin::kInstanceIndex:
       case Builtin::kDrawIndex:
-        if (!target_.DrawParameters()) diagnostics_.Report(var.span, diag::TargetDrawParameter, input.semantic, target_name());
+        if (!target_.DrawParameters())
+          diagnostics_.Report(var.span, diag::TargetDrawParameter, input.semantic, target_name());
         break;
       case Builtin::kViewId:
         if (!target_.ViewIndex()) diagnostics_.Report(var.span, diag::TargetViewId, target_name());
@@ -84,20 +90,25 @@ class TargetCheck {
     switch (output.builtin) {
       case Builtin::kNone: return Varying(output, var, name);
       case Builtin::kClipDistance:
-        if (!target_.ClipDistance()) diagnostics_.Report(PlaceOf(output), diag::TargetClipDistance, target_name());
+        if (!target_.ClipDistance())
+          diagnostics_.Report(PlaceOf(output), diag::TargetClipDistance, target_name());
         break;
       case Builtin::kCullDistance:
-        if (!target_.CullDistance()) diagnostics_.Report(PlaceOf(output), diag::TargetCullDistance, target_name());
+        if (!target_.CullDistance())
+          diagnostics_.Report(PlaceOf(output), diag::TargetCullDistance, target_name());
         break;
       case Builtin::kClipVertex:
-        if (!target_.HasClipVertex()) diagnostics_.Report(PlaceOf(output), diag::TargetClipVertex, target_name());
+        if (!target_.HasClipVertex())
+          diagnostics_.Report(PlaceOf(output), diag::TargetClipVertex, target_name());
         break;
       case Builtin::kShadingRate:
-        if (!target_.ShadingRate()) diagnostics_.Report(PlaceOf(output), diag::TargetShadingRate, target_name());
+        if (!target_.ShadingRate())
+          diagnostics_.Report(PlaceOf(output), diag::TargetShadingRate, target_name());
         break;
       case Builtin::kLayer:
       case Builtin::kViewportIndex:
-        if (!target_.LayerAndViewport()) diagnostics_.Report(PlaceOf(output), diag::TargetLayer, output.semantic, target_name());
+        if (!target_.LayerAndViewport())
+          diagnostics_.Report(PlaceOf(output), diag::TargetLayer, output.semantic, target_name());
         break;
       default: break;
     }
@@ -122,13 +133,15 @@ class TargetCheck {
     if (output.interpolation == Interpolation::kNoPerspective && !target_.HasNoPerspective()) {
       diagnostics_.Report(var.span, diag::TargetNoPerspective, name, target_name());
     }
-    if (output.sample && !target_.PerSample()) diagnostics_.Report(var.span, diag::TargetPerSample, name, target_name());
+    if (output.sample && !target_.PerSample())
+      diagnostics_.Report(var.span, diag::TargetPerSample, name, target_name());
     DoubleVarying(var, name);
   }
 
   void DoubleVarying(const Var& var, const std::string& name) {
     const ir::Type& type = program_.types[var.type];
-    if (type.IsNumeric() && BaseOf(type.scalar) == Scalar::kDouble && !target_.HasDoubleVaryings()) {
+    if (type.IsNumeric() && BaseOf(type.scalar) == Scalar::kDouble &&
+        !target_.HasDoubleVaryings()) {
       diagnostics_.Report(var.span, diag::TargetDoubleVarying, name, target_name());
     }
   }
@@ -139,15 +152,19 @@ class TargetCheck {
       const Var& var = program_.vars[member.var];
       if (reached_.Has(member.var) || target_.HasUniformBlocks()) Type(var.type, var.span);
     }
-    const bool is_array = cbuffer.kind == CbufferKind::kConstantBuffer &&
-                          program_.types[program_.vars[cbuffer.members[0].var].type].kind == TypeKind::kArray;
+    const bool is_array =
+        cbuffer.kind == CbufferKind::kConstantBuffer &&
+        program_.types[program_.vars[cbuffer.members[0].var].type].kind == TypeKind::kArray;
     if (!is_array || !target_.HasUniformBlocks()) return;
     const Var& var = program_.vars[cbuffer.members[0].var];
-    const bool is_nested = program_.types[program_.types[var.type].element].kind == TypeKind::kArray;
+    const bool is_nested =
+        program_.types[program_.types[var.type].element].kind == TypeKind::kArray;
     const bool in_rows = LayOutBlock(program_, cbuffer, target_).form == BlockForm::kRows;
-    const bool fits = in_rows ? target_.HasDynamicBlockIndex() && !is_nested : !is_nested || target_.HasArraysOfArrays();
+    const bool fits = in_rows ? target_.HasDynamicBlockIndex() && !is_nested
+                              : !is_nested || target_.HasArraysOfArrays();
     if (!fits || !target_.HasBlockInstances()) {
-      diagnostics_.Report(cbuffer.span, diag::TargetConstantBufferArray, cbuffer.name, target_name());
+      diagnostics_.Report(cbuffer.span, diag::TargetConstantBufferArray, cbuffer.name,
+                          target_name());
     }
   }
 
@@ -167,11 +184,21 @@ class TargetCheck {
         report(target_.Has1D(), diag::TargetTexture1D);
         report(target_.HasTextureArrays(), diag::TargetTextureArray);
         break;
-      case ObjectKind::kTexture2DArray: report(target_.HasTextureArrays(), diag::TargetTextureArray); break;
-      case ObjectKind::kTextureCubeArray: report(bool(target_.CubeArrays()), diag::TargetCubeArray); break;
-      case ObjectKind::kTexture2DMS: report(target_.HasMultisample(), diag::TargetMultisample); break;
-      case ObjectKind::kTexture2DMSArray: report(bool(target_.MultisampleArrays()), diag::TargetMultisample); break;
-      case ObjectKind::kBuffer: report(bool(target_.TextureBuffers()), diag::TargetTextureBuffer); break;
+      case ObjectKind::kTexture2DArray:
+        report(target_.HasTextureArrays(), diag::TargetTextureArray);
+        break;
+      case ObjectKind::kTextureCubeArray:
+        report(bool(target_.CubeArrays()), diag::TargetCubeArray);
+        break;
+      case ObjectKind::kTexture2DMS:
+        report(target_.HasMultisample(), diag::TargetMultisample);
+        break;
+      case ObjectKind::kTexture2DMSArray:
+        report(bool(target_.MultisampleArrays()), diag::TargetMultisample);
+        break;
+      case ObjectKind::kBuffer:
+        report(bool(target_.TextureBuffers()), diag::TargetTextureBuffer);
+        break;
       case ObjectKind::kStructuredBuffer:
       case ObjectKind::kByteAddressBuffer:
       case ObjectKind::kRWStructuredBuffer:
@@ -184,7 +211,8 @@ class TargetCheck {
         break;
     }
     if (!type.element) return;
-    if (program_.types[type.element].IsNumeric() && !ShapeOf(program_.types[type.element]).IsFloating()) {
+    if (program_.types[type.element].IsNumeric() &&
+        !ShapeOf(program_.types[type.element]).IsFloating()) {
       report(target_.HasTextureFunctions(), diag::TargetIntegerTexture);
     }
     Type(type.element, var.span);
@@ -196,7 +224,9 @@ class TargetCheck {
     const auto take = [&](const Register& reg, const std::string& name, Span span) {
       const std::uint32_t binding = VulkanBinding(reg);
       const auto [found, is_free] = taken.try_emplace({reg.space, binding}, name);
-      if (!is_free) diagnostics_.Report(span, diag::TargetBindingsCollide, found->second, name, binding, reg.space);
+      if (!is_free)
+        diagnostics_.Report(span, diag::TargetBindingsCollide, found->second, name, binding,
+                            reg.space);
     };
     for (CbufferId id : program_.cbuffers.ids()) {
       const ir::Cbuffer& cbuffer = program_.cbuffers[id];
@@ -247,7 +277,8 @@ class TargetCheck {
       Type(program_.vars[declare->var].type, stmt.span);
     }
     ForEachPart(
-        program_, id, [&](ExprId expr) { ForEachExpr(program_, expr, [&](ExprId part) { Expression(part); }); },
+        program_, id,
+        [&](ExprId expr) { ForEachExpr(program_, expr, [&](ExprId part) { Expression(part); }); },
         [&](StmtId part) { Statement(part); });
   }
 
@@ -267,23 +298,31 @@ class TargetCheck {
     const auto* unary = std::get_if<Unary>(&expr.node);
     if (binary) BitOperator(binary->op, TypeOf(binary->left), expr.span);
     if (assign && assign->op) BitOperator(*assign->op, TypeOf(assign->target), expr.span);
-    if (unary && unary->op == UnaryOp::kComplement) diagnostics_.Report(expr.span, diag::TargetBitOperator, "~", target_name());
+    if (unary && unary->op == UnaryOp::kComplement)
+      diagnostics_.Report(expr.span, diag::TargetBitOperator, "~", target_name());
 
     const auto* literal = std::get_if<Literal>(&expr.node);
     const bool is_uint = TypeOf(id).IsNumeric() && BaseOf(TypeOf(id).scalar) == Scalar::kUint;
     if (literal && is_uint && UintOf(literal->bits) > 0x7fffffffu) {
-      diagnostics_.Report(expr.span, diag::TargetUintTooLarge, UintOf(literal->bits), target_name());
+      diagnostics_.Report(expr.span, diag::TargetUintTooLarge, UintOf(literal->bits),
+                          target_name());
     }
-    if (const auto* convert = std::get_if<Convert>(&expr.node)) UintOperand(TypeOf(convert->operand), expr.span);
+    if (const auto* convert = std::get_if<Convert>(&expr.node))
+      UintOperand(TypeOf(convert->operand), expr.span);
   }
 
   void BitOperator(BinaryOp op, const ir::Type& type, Span span) {
     switch (op) {
-      case BinaryOp::kShiftLeft: return diagnostics_.Report(span, diag::TargetBitOperator, "<<", target_name()), void();
-      case BinaryOp::kShiftRight: return diagnostics_.Report(span, diag::TargetBitOperator, ">>", target_name()), void();
-      case BinaryOp::kBitAnd: return diagnostics_.Report(span, diag::TargetBitOperator, "&", target_name()), void();
-      case BinaryOp::kBitXor: return diagnostics_.Report(span, diag::TargetBitOperator, "^", target_name()), void();
-      case BinaryOp::kBitOr: return diagnostics_.Report(span, diag::TargetBitOperator, "|", target_name()), void();
+      case BinaryOp::kShiftLeft:
+        return diagnostics_.Report(span, diag::TargetBitOperator, "<<", target_name()), void();
+      case BinaryOp::kShiftRight:
+        return diagnostics_.Report(span, diag::TargetBitOperator, ">>", target_name()), void();
+      case BinaryOp::kBitAnd:
+        return diagnostics_.Report(span, diag::TargetBitOperator, "&", target_name()), void();
+      case BinaryOp::kBitXor:
+        return diagnostics_.Report(span, diag::TargetBitOperator, "^", target_name()), void();
+      case BinaryOp::kBitOr:
+        return diagnostics_.Report(span, diag::TargetBitOperator, "|", target_name()), void();
       case BinaryOp::kEqual:
       case BinaryOp::kNotEqual:
       case BinaryOp::kAdd:
@@ -295,7 +334,8 @@ class TargetCheck {
 
   void UintOperand(const ir::Type& type, Span span) {
     const bool is_uint = type.IsNumeric() && BaseOf(type.scalar) == Scalar::kUint;
-    if (is_uint && !std::exchange(uint_reported_, true)) diagnostics_.Report(span, diag::TargetUintAsInt, target_name());
+    if (is_uint && !std::exchange(uint_reported_, true))
+      diagnostics_.Report(span, diag::TargetUintAsInt, target_name());
   }
 
   void IntrinsicUse(const IntrinsicCall& call, Span span) {
@@ -304,7 +344,9 @@ class TargetCheck {
       case Intrinsic::kAsInt:
       case Intrinsic::kAsUint: {
         const auto arguments = program_.expr_lists[call.arguments];
-        if (arguments.size() == 1 && IsFloat(TypeOf(arguments[0]).scalar) == (call.op == Intrinsic::kAsFloat)) return;
+        if (arguments.size() == 1 &&
+            IsFloat(TypeOf(arguments[0]).scalar) == (call.op == Intrinsic::kAsFloat))
+          return;
         break;
       }
       case Intrinsic::kF16ToF32:
@@ -316,7 +358,8 @@ class TargetCheck {
       case Intrinsic::kReverseBits: break;
       default: return;
     }
-    if (!target_.BitCasts()) diagnostics_.Report(span, diag::TargetBitCast, NameOf(call.op), target_name());
+    if (!target_.BitCasts())
+      diagnostics_.Report(span, diag::TargetBitCast, NameOf(call.op), target_name());
   }
 
   void ObjectUse(const ObjectCall& call, Span span) {
@@ -326,7 +369,8 @@ class TargetCheck {
     switch (call.op) {
       case ObjectOp::kStore: StoreUse(arguments[0], span); break;
       case ObjectOp::kSampleGrad:
-        if (!target_.HasTextureFunctions()) diagnostics_.Report(span, diag::TargetSampleGradient, target_name());
+        if (!target_.HasTextureFunctions())
+          diagnostics_.Report(span, diag::TargetSampleGradient, target_name());
         break;
       case ObjectOp::kGather:
       case ObjectOp::kGatherGreen:
@@ -335,15 +379,23 @@ class TargetCheck {
         if (!target_.HasGather()) diagnostics_.Report(span, diag::TargetGather, target_name());
         break;
       case ObjectOp::kTextureLoad:
-        if (!target_.HasTextureFunctions()) diagnostics_.Report(span, diag::TargetTextureLoad, target_name());
+        if (!target_.HasTextureFunctions())
+          diagnostics_.Report(span, diag::TargetTextureLoad, target_name());
         break;
       case ObjectOp::kSampleCmpLevelZero:
-        if (!target_.HasTextureFunctions()) diagnostics_.Report(span, diag::TargetSampleCompare, target_name());
+        if (!target_.HasTextureFunctions())
+          diagnostics_.Report(span, diag::TargetSampleCompare, target_name());
         break;
       case ObjectOp::kTextureSize: Query(target_.HasTextureFunctions(), "size", span); break;
-      case ObjectOp::kTextureLevels: Query(target_.HasTextureLevels(), "number of levels", span); break;
-      case ObjectOp::kTextureSamples: Query(target_.HasTextureSamples(), "number of samples", span); break;
-      case ObjectOp::kBufferSize: Query(IsStorageBuffer(object) || target_.HasTextureFunctions(), "size", span); break;
+      case ObjectOp::kTextureLevels:
+        Query(target_.HasTextureLevels(), "number of levels", span);
+        break;
+      case ObjectOp::kTextureSamples:
+        Query(target_.HasTextureSamples(), "number of samples", span);
+        break;
+      case ObjectOp::kBufferSize:
+        Query(IsStorageBuffer(object) || target_.HasTextureFunctions(), "size", span);
+        break;
       default: break;
     }
   }
@@ -353,8 +405,10 @@ class TargetCheck {
     const ir::Type& type = Innermost(program_.exprs[object].type);
     const auto* ref = std::get_if<VarRef>(&program_.exprs[object].node);
     const bool row_major = ref && program_.vars[ref->var].row_major;
-    if (type.object == ObjectKind::kRWStructuredBuffer && !Std430(program_.types, type.element, row_major)) {
-      diagnostics_.Report(span, diag::TargetStructuredStore, program_.types.Name(type.element), target_name());
+    if (type.object == ObjectKind::kRWStructuredBuffer &&
+        !Std430(program_.types, type.element, row_major)) {
+      diagnostics_.Report(span, diag::TargetStructuredStore, program_.types.Name(type.element),
+                          target_name());
     }
   }
 
@@ -369,18 +423,21 @@ class TargetCheck {
     const bool is_sampler = kind == ObjectKind::kSampler || kind == ObjectKind::kSamplerComparison;
     if (!index || !is_sampler || target_.IsVulkan()) return;
     const auto* var = std::get_if<VarRef>(&program_.exprs[index->base].node);
-    diagnostics_.Report(program_.exprs[object].span, diag::TargetSamplerArray, var ? program_.vars[var->var].name : "sampler",
-                        target_name());
+    diagnostics_.Report(program_.exprs[object].span, diag::TargetSamplerArray,
+                        var ? program_.vars[var->var].name : "sampler", target_name());
   }
 
   void BufferIndex(const Index& index, Span span) {
     const auto* ref = std::get_if<VarRef>(&program_.exprs[index.base].node);
-    if (!ref || std::holds_alternative<Literal>(program_.exprs[index.index].node) || target_.HasDynamicBlockIndex()) return;
+    if (!ref || std::holds_alternative<Literal>(program_.exprs[index.index].node) ||
+        target_.HasDynamicBlockIndex())
+      return;
     const Var& var = program_.vars[ref->var];
     const bool is_object = Innermost(var.type).kind == TypeKind::kObject;
     const bool is_buffer = var.storage == Storage::kUniform && target_.HasUniformBlocks() &&
                            program_.cbuffers[var.cbuffer].kind == CbufferKind::kConstantBuffer;
-    if (is_object || is_buffer) diagnostics_.Report(span, diag::TargetBufferIndexNotConstant, var.name, target_name());
+    if (is_object || is_buffer)
+      diagnostics_.Report(span, diag::TargetBufferIndexNotConstant, var.name, target_name());
   }
 
   const Program& program_;

@@ -8,9 +8,9 @@
 
 namespace clipc::glsl {
 
-// Reports everything that `main` reaches and the target cannot say. Without errors, WriteGlsl succeeds.
-// Requires that the clip planes are lowered: which of them become clip distances is decided there. Gives back what `main`
-// reaches, for WriteGlsl.
+// Reports everything that `main` reaches and the target cannot say. Without errors, WriteGlsl
+// succeeds. Requires that the clip planes are lowered: which of them become clip distances is
+// decided there. Gives back what `main` reaches, for WriteGlsl.
 Reached CheckTarget(const ir::Program& program, const Target& target, Diagnostics& diagnostics);
 
 }  // namespace clipc::glsl

@@ -10,7 +10,8 @@ namespace {
 
 bool IsWordCharacter(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-// Words and single characters of GLSL, without comments and white space. A directive is one token, its line.
+// Words and single characters of GLSL, without comments and white space. A directive is one token,
+// its line.
 struct FragmentToken {
   std::string_view text;
   std::size_t begin = 0;  // byte offsets in the file
@@ -69,7 +70,8 @@ class FragmentScanner {
 
 std::vector<std::string_view> WordsOf(std::string_view line) {
   std::vector<std::string_view> words;
-  for (const FragmentToken& token : FragmentScanner(line.substr(1)).All()) words.push_back(token.text);
+  for (const FragmentToken& token : FragmentScanner(line.substr(1)).All())
+    words.push_back(token.text);
   return words;
 }
 
@@ -101,10 +103,12 @@ std::size_t EndOfDirectives(const std::vector<FragmentToken>& tokens) {
 std::optional<std::size_t> StartOfMain(const std::vector<FragmentToken>& tokens, int& count) {
   std::optional<std::size_t> start;
   for (std::size_t i = 0; i + 3 < tokens.size(); ++i) {
-    if (tokens[i].text != "void" || tokens[i + 1].text != "main" || tokens[i + 2].text != "(") continue;
+    if (tokens[i].text != "void" || tokens[i + 1].text != "main" || tokens[i + 2].text != "(")
+      continue;
     std::size_t next = i + 3;
     if (next < tokens.size() && tokens[next].text == "void") ++next;
-    if (next + 1 >= tokens.size() || tokens[next].text != ")" || tokens[next + 1].text != "{") continue;
+    if (next + 1 >= tokens.size() || tokens[next].text != ")" || tokens[next + 1].text != "{")
+      continue;
     ++count;
     start = tokens[next + 1].end;
   }
@@ -122,11 +126,13 @@ DiscardCode WriteDiscard(const ir::Program& program, const Target& target, const
     const GlslInfo::Variable& variable = info.outputs[i];
     const int count = program.types[program.vars[program.outputs[i].var].type].Components();
     const std::string type = count == 1 ? "float" : "vec" + std::to_string(count);
-    if (variable.location) code.declarations += "layout(location = " + std::to_string(*variable.location) + ") ";
+    if (variable.location)
+      code.declarations += "layout(location = " + std::to_string(*variable.location) + ") ";
     code.declarations += target.HasInAndOut() ? "in " : "varying ";
     code.declarations += (target.IsEs() ? "highp " : "") + type + " " + variable.name + ";\n";
-    const std::string kept = count == 1 ? variable.name + " >= 0.0"
-                                        : "all(greaterThanEqual(" + variable.name + ", " + type + "(0.0)))";
+    const std::string kept =
+        count == 1 ? variable.name + " >= 0.0"
+                   : "all(greaterThanEqual(" + variable.name + ", " + type + "(0.0)))";
     tests += (tests.empty() ? "" : " && ") + kept;
   }
   if (tests.empty()) return code;
@@ -136,14 +142,16 @@ DiscardCode WriteDiscard(const ir::Program& program, const Target& target, const
   return code;
 }
 
-Insertion InsertDiscard(std::string_view fragment, const ir::Program& program, const Target& target, const GlslInfo& info) {
+Insertion InsertDiscard(std::string_view fragment, const ir::Program& program, const Target& target,
+                        const GlslInfo& info) {
   const std::vector<FragmentToken> tokens = FragmentScanner(fragment).All();
   if (!HasVersion(tokens, target)) {
     return {{}, "it does not start with `" + target.VersionLine() + "`, as the vertex shader does"};
   }
   int mains = 0;
   const std::optional<std::size_t> start = StartOfMain(tokens, mains);
-  if (!start) return {{}, mains == 0 ? "it has no `void main() {`" : "it has more than one `void main() {`"};
+  if (!start)
+    return {{}, mains == 0 ? "it has no `void main() {`" : "it has more than one `void main() {`"};
   std::vector<std::string> taken;
   for (const FragmentToken& token : tokens) taken.emplace_back(token.text);
   const DiscardCode code = WriteDiscard(program, target, info, taken);
@@ -152,7 +160,8 @@ Insertion InsertDiscard(std::string_view fragment, const ir::Program& program, c
   const std::size_t head = EndOfDirectives(tokens);
   Insertion result;
   result.text = std::string(fragment.substr(0, head)) + "\n\n" + code.declarations;
-  result.text += std::string(fragment.substr(head, *start - head)) + "\n    " + code.function + "();";
+  result.text +=
+      std::string(fragment.substr(head, *start - head)) + "\n    " + code.function + "();";
   result.text += fragment.substr(*start);
   return result;
 }

@@ -9,8 +9,8 @@
 #include "backend-glsl/writer.h"
 #include "ir/program.h"
 
-// The fragment shader's part of the lowering `discard`: it reads the distances that the vertex shader interpolates, and
-// discards where one is not >= 0 (NaN is clipped, as in Direct3D).
+// The fragment shader's part of the lowering `discard`: it reads the distances that the vertex
+// shader interpolates, and discards where one is not >= 0 (NaN is clipped, as in Direct3D).
 namespace clipc::glsl {
 
 struct DiscardCode {
@@ -18,8 +18,8 @@ struct DiscardCode {
   std::string function;      // "clip_planes": to be called first in the fragment shader's main
 };
 
-// For a program after LowerClipPlanes with Lowering::kDiscard, as WriteGlsl wrote it with `info`. Empty code when it has no
-// clip planes. No name in `taken` is declared.
+// For a program after LowerClipPlanes with Lowering::kDiscard, as WriteGlsl wrote it with `info`.
+// Empty code when it has no clip planes. No name in `taken` is declared.
 DiscardCode WriteDiscard(const ir::Program& program, const Target& target, const GlslInfo& info,
                          const std::vector<std::string>& taken = {});
 
@@ -28,8 +28,9 @@ struct Insertion {
   std::string error;  // what keeps the code out, in words
 };
 
-// Puts the code into a GLSL fragment shader of the same version as the target's: the declarations behind its directives, the
-// call first in `main`. Nothing else of the text changes.
-Insertion InsertDiscard(std::string_view fragment, const ir::Program& program, const Target& target, const GlslInfo& info);
+// Puts the code into a GLSL fragment shader of the same version as the target's: the declarations
+// behind its directives, the call first in `main`. Nothing else of the text changes.
+Insertion InsertDiscard(std::string_view fragment, const ir::Program& program, const Target& target,
+                        const GlslInfo& info);
 
 }  // namespace clipc::glsl

@@ -41,7 +41,9 @@ Text FloatText(std::uint64_t bits, const Target& target) {
 Text DoubleText(std::uint64_t bits) {
   const double value = ir::DoubleOf(bits);
   if (std::isfinite(value)) return Number(Decimal(value) + "lf");
-  const char* text = std::isnan(value) ? "0.0lf / 0.0lf" : value > 0 ? "1.0lf / 0.0lf" : "-1.0lf / 0.0lf";
+  const char* text = std::isnan(value) ? "0.0lf / 0.0lf"
+                     : value > 0       ? "1.0lf / 0.0lf"
+                                       : "-1.0lf / 0.0lf";
   return {text, Binding::kProduct};
 }
 

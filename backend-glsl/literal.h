@@ -9,8 +9,9 @@
 
 namespace clipc::glsl {
 
-// `bits` as ir::Literal holds them. Floats are the shortest decimals that read back to the same bits; what no decimal
-// says (infinities, NaN) is made of bits where the target can, else of a division.
+// `bits` as ir::Literal holds them. Floats are the shortest decimals that read back to the same
+// bits; what no decimal says (infinities, NaN) is made of bits where the target can, else of a
+// division.
 Text LiteralText(std::uint64_t bits, ir::Scalar kind, const Target& target);
 
 }  // namespace clipc::glsl

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "backend-glsl/literal.h"
 
-#include <gtest/gtest.h>
-
 #include <cstdlib>
 #include <limits>
 #include <random>
+
+#include <gtest/gtest.h>
 
 #include "ir/scalar.h"
 
@@ -18,7 +18,9 @@ using ir::Scalar;
 std::string Of(std::uint64_t bits, Scalar kind, const char* target = "glsl450") {
   return LiteralText(bits, kind, *Target::Parse(target)).text;
 }
-std::string Of(float value, const char* target = "glsl450") { return Of(BitsOf(value), Scalar::kFloat, target); }
+std::string Of(float value, const char* target = "glsl450") {
+  return Of(BitsOf(value), Scalar::kFloat, target);
+}
 
 TEST(LiteralTest, FloatsAreShort) {
   EXPECT_EQ(Of(0.5f), "0.5");
@@ -47,7 +49,8 @@ TEST(LiteralTest, WhatNoDecimalSays) {
 TEST(LiteralTest, Integers) {
   EXPECT_EQ(Of(BitsOf(-5), Scalar::kInt), "-5");
   EXPECT_EQ(Of(BitsOf(std::numeric_limits<int>::min()), Scalar::kInt), "int(0x80000000u)");
-  EXPECT_EQ(Of(BitsOf(std::numeric_limits<int>::min()), Scalar::kInt, "glsl120"), "-2147483647 - 1");
+  EXPECT_EQ(Of(BitsOf(std::numeric_limits<int>::min()), Scalar::kInt, "glsl120"),
+            "-2147483647 - 1");
   EXPECT_EQ(Of(BitsOf(5u), Scalar::kUint), "5u");
   EXPECT_EQ(Of(BitsOf(5u), Scalar::kUint, "glsl120"), "5");
   EXPECT_EQ(Of(1, Scalar::kBool), "true");

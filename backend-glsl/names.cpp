@@ -11,7 +11,8 @@ namespace {
 
 constexpr auto kLettersAndDigits = [] {
   std::array<bool, 256> chosen{};
-  for (const char c : std::string_view("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789")) {
+  for (const char c :
+       std::string_view("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789")) {
     chosen[static_cast<unsigned char>(c)] = true;
   }
   return chosen;
@@ -20,7 +21,8 @@ bool IsLetterOrDigit(char c) { return kLettersAndDigits[static_cast<unsigned cha
 
 // A name that may stay as it is, and most are.
 bool IsPlain(std::string_view name) {
-  if (name.size() < 3 || !IsLetterOrDigit(name[0]) || name[0] <= '9' || name[2] == '_') return false;
+  if (name.size() < 3 || !IsLetterOrDigit(name[0]) || name[0] <= '9' || name[2] == '_')
+    return false;
   bool is_after_underscore = false;
   for (const char c : name) {
     const bool is_underscore = c == '_';

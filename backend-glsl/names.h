@@ -9,14 +9,15 @@
 
 namespace clipc::glsl {
 
-// `wanted` as a GLSL identifier: other characters become `_`, `__` becomes `_`, `gl_` and `GL_` get a `_` in front,
-// and keywords and built-in functions get a `_` behind. `fallback` stands in for an empty name.
+// `wanted` as a GLSL identifier: other characters become `_`, `__` becomes `_`, `gl_` and `GL_` get
+// a `_` in front, and keywords and built-in functions get a `_` behind. `fallback` stands in for an
+// empty name.
 std::string LegalName(std::string_view wanted, std::string_view fallback = "unnamed");
 // The same for struct fields, which may be called like a function.
 std::string LegalFieldName(std::string_view wanted);
 
-// Hands out names: the wanted one where it is legal and free, else with `_2`, `_3` and so on behind it. A name depends
-// only on the calls before it.
+// Hands out names: the wanted one where it is legal and free, else with `_2`, `_3` and so on behind
+// it. A name depends only on the calls before it.
 class Namer {
  public:
   // A name that nothing else has, in no function either.
@@ -35,7 +36,7 @@ class Namer {
   };
   std::pmr::monotonic_buffer_resource memory_{4096};
   std::pmr::unordered_map<std::string, Use> uses_{64, &memory_};  // by name
-  std::vector<std::vector<Use*>> scopes_;      // their locals
+  std::vector<std::vector<Use*>> scopes_;                         // their locals
 };
 
 }  // namespace clipc::glsl

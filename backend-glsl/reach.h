@@ -20,11 +20,13 @@ struct Reached {
 };
 Reached Reach(const ir::Program& program);
 
-// Calls visit(ExprId) for every expression at and below `expr`, parents before operands, in order of the text.
+// Calls visit(ExprId) for every expression at and below `expr`, parents before operands, in order
+// of the text.
 template <typename Visit>
 void ForEachExpr(const ir::Program& program, ir::ExprId expr, Visit&& visit) {
   visit(expr);
-  ir::ForEachOperand(program, expr, [&](ir::ExprId operand) { ForEachExpr(program, operand, visit); });
+  ir::ForEachOperand(program, expr,
+                     [&](ir::ExprId operand) { ForEachExpr(program, operand, visit); });
 }
 
 // The same for every expression in a statement.

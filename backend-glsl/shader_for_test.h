@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <random>
 #include <optional>
+#include <random>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -23,7 +23,8 @@
 
 namespace clipc::glsl {
 
-// For tests: a shader whose entry adds up expressions and returns the sum, written as GLSL and given to glslangValidator.
+// For tests: a shader whose entry adds up expressions and returns the sum, written as GLSL and
+// given to glslangValidator.
 class ShaderForTest {
  public:
   ir::Program program;
@@ -68,7 +69,8 @@ class ShaderForTest {
       placed.has_packoffset = member.packoffset.has_value();
       cbuffer.members.push_back(placed);
       if (kind == ir::CbufferKind::kConstantBuffer) {
-        for (ir::TypeId type = member.type; program.types[type].kind == ir::TypeKind::kArray; type = program.types[type].element) {
+        for (ir::TypeId type = member.type; program.types[type].kind == ir::TypeKind::kArray;
+             type = program.types[type].element) {
           cbuffer.count *= program.types[type].count;
         }
       }
@@ -127,7 +129,8 @@ class ShaderForTest {
     output.builtin = ir::Builtin::kPosition;
     program.outputs.push_back(output);
     const ir::StmtId write = b.Eval(b.AssignTo(b.Ref(output.var), b.CallOf(program.entry, {})));
-    program.main = program.functions.Add({"main", program.types.Void(), {}, b.BlockOf({&write, 1}), {}});
+    program.main =
+        program.functions.Add({"main", program.types.Void(), {}, b.BlockOf({&write, 1}), {}});
     const auto broken = ir::Verify(program, ir::Form::kTyped);
     if (broken) std::fprintf(stderr, "%s\n", broken->c_str());
     CLIPC_CHECK(!broken);
@@ -145,7 +148,8 @@ class ShaderForTest {
 
 // What `glslangValidator options` prints about the shader; its exit status in `status`.
 inline std::string Glslang(const std::string& glsl, const std::string& options, int& status) {
-  const auto folder = std::filesystem::temp_directory_path() / ("clipc_glsl_" + std::to_string(std::random_device{}()));
+  const auto folder = std::filesystem::temp_directory_path() /
+                      ("clipc_glsl_" + std::to_string(std::random_device{}()));
   std::filesystem::create_directory(folder);
   const auto shader = folder / "shader.vert";
   std::ofstream(shader) << glsl;

@@ -8,9 +8,9 @@
 
 namespace clipc::glsl {
 
-// What a numeric HLSL type is in GLSL. float1 is a scalar; a matrix of one row or one column is a vector; other
-// float and double matrices are GLSL matrices whose column i is HLSL's row i; matrices of other kinds, which GLSL
-// lacks, are arrays of their rows.
+// What a numeric HLSL type is in GLSL. float1 is a scalar; a matrix of one row or one column is a
+// vector; other float and double matrices are GLSL matrices whose column i is HLSL's row i;
+// matrices of other kinds, which GLSL lacks, are arrays of their rows.
 struct Shape {
   enum Kind : std::uint8_t { kScalar, kVector, kMatrix, kRows };
   Kind kind = kScalar;

@@ -243,7 +243,8 @@ bool Takes(const SnippetText& snippet, const Shape& shape) {
   switch (snippet.kind) {
     case SnippetText::kFloat: return shape.IsFloating();
     case SnippetText::kInt: return shape.scalar == Scalar::kInt || shape.scalar == Scalar::kInt64;
-    case SnippetText::kUint: return shape.scalar == Scalar::kUint || shape.scalar == Scalar::kUint64;
+    case SnippetText::kUint:
+      return shape.scalar == Scalar::kUint || shape.scalar == Scalar::kUint64;
     case SnippetText::kAny: return true;
   }
   return false;
@@ -258,7 +259,8 @@ const SnippetText* FindSnippet(std::string_view name, const Shape& shape) {
   return nullptr;
 }
 
-std::string Expand(const SnippetText& snippet, std::string_view function, const Shape& shape, bool has_unsigned,
+std::string Expand(const SnippetText& snippet, std::string_view function, const Shape& shape,
+                   bool has_unsigned,
                    const std::function<std::string(std::string_view)>& name_of_other) {
   const auto type = [&](Scalar kind) { return GlslName(shape.With(kind), has_unsigned); };
   std::string out;

@@ -10,18 +10,25 @@
 
 namespace clipc::glsl {
 
-// A function that GLSL, or an older version of it, lacks. In the text $N is its name, $T the type of its first argument,
-// $B $I $U $F the bool, int, uint and float types of the same size, $0 its zero, and @name another snippet for the same type.
+// A function that GLSL, or an older version of it, lacks. In the text $N is its name, $T the type
+// of its first argument, $B $I $U $F the bool, int, uint and float types of the same size, $0 its
+// zero, and @name another snippet for the same type.
 struct SnippetText {
   std::string_view name;  // HLSL's
-  enum Kind : char { kFloat = 'f', kInt = 'i', kUint = 'u', kAny = 'a' } kind;  // of the first argument
-  bool scalar_only;       // vectors are done component by component
+  enum Kind : char {
+    kFloat = 'f',
+    kInt = 'i',
+    kUint = 'u',
+    kAny = 'a'
+  } kind;            // of the first argument
+  bool scalar_only;  // vectors are done component by component
   std::string_view text;
 };
 
 // The one for an argument of this shape; null when there is none.
 const SnippetText* FindSnippet(std::string_view name, const Shape& shape);
-std::string Expand(const SnippetText& snippet, std::string_view function, const Shape& shape, bool has_unsigned,
+std::string Expand(const SnippetText& snippet, std::string_view function, const Shape& shape,
+                   bool has_unsigned,
                    const std::function<std::string(std::string_view)>& name_of_other);
 
 }  // namespace clipc::glsl

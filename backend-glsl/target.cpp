@@ -74,7 +74,8 @@ Support Target::DrawParameters() const {
 }
 
 Support Target::LayerAndViewport() const {
-  return AtLeast(410, kNever) ? Support::Through("GL_ARB_shader_viewport_layer_array") : Support::No();
+  return AtLeast(410, kNever) ? Support::Through("GL_ARB_shader_viewport_layer_array")
+                              : Support::No();
 }
 
 Support Target::ViewIndex() const {
@@ -87,7 +88,8 @@ Support Target::ShadingRate() const {
 }
 
 Support Target::Doubles() const {
-  if (!IsEs() && version_ >= 150 && version_ < 400) return Support::Through("GL_ARB_gpu_shader_fp64");
+  if (!IsEs() && version_ >= 150 && version_ < 400)
+    return Support::Through("GL_ARB_gpu_shader_fp64");
   return Gate(400, kNever);
 }
 
@@ -96,18 +98,21 @@ Support Target::Int64() const {
 }
 
 Support Target::BitCasts() const {
-  if (!IsEs() && version_ >= 150 && version_ < 330) return Support::Through("GL_ARB_shader_bit_encoding");
+  if (!IsEs() && version_ >= 150 && version_ < 330)
+    return Support::Through("GL_ARB_shader_bit_encoding");
   return Gate(330, 300);
 }
 
 Support Target::CubeArrays() const {
-  if (!IsEs() && version_ >= 130 && version_ < 400) return Support::Through("GL_ARB_texture_cube_map_array");
+  if (!IsEs() && version_ >= 130 && version_ < 400)
+    return Support::Through("GL_ARB_texture_cube_map_array");
   if (IsEs() && version_ == 310) return Support::Through("GL_EXT_texture_cube_map_array");
   return Gate(400, 320);
 }
 
 Support Target::MultisampleArrays() const {
-  if (IsEs() && version_ == 310) return Support::Through("GL_OES_texture_storage_multisample_2d_array");
+  if (IsEs() && version_ == 310)
+    return Support::Through("GL_OES_texture_storage_multisample_2d_array");
   return Gate(150, 320);
 }
 

@@ -7,13 +7,14 @@
 #include <string>
 #include <string_view>
 
-// The dialects of GLSL that clipc writes, and what each of them can say.
-// Sources: the GLSL specifications 1.20 to 4.60, GLSL ES 3.00 to 3.20, KHR_vulkan_glsl, and the extensions named.
+// The dialects of GLSL that clipc writes, and what each of them can say. Sources: the GLSL
+// specifications 1.20 to 4.60, GLSL ES 3.00 to 3.20, KHR_vulkan_glsl, and the extensions named.
 namespace clipc::glsl {
 
 enum class Api : std::uint8_t { kOpenGL, kOpenGLES, kVulkan };
 
-// How a target has a feature: not at all, in its core, or through an extension that the shader must name.
+// How a target has a feature: not at all, in its core, or through an extension that the shader must
+// name.
 class Support {
  public:
   static constexpr Support No() { return {false, ""}; }
@@ -59,7 +60,9 @@ class Target {
   // Images that shaders write. OpenGL ES has them too, and asks for no vertex shader to have any.
   bool HasImages() const { return AtLeast(420, kNever); }
   bool HasStorageBuffers() const { return AtLeast(430, 310); }
-  bool HasDynamicBlockIndex() const { return AtLeast(400, 320); }  // of arrays of blocks and of samplers
+  bool HasDynamicBlockIndex() const {
+    return AtLeast(400, 320);
+  }  // of arrays of blocks and of samplers
 
   // ---- built-in variables
   Support ClipDistance() const;
@@ -68,31 +71,42 @@ class Target {
   bool HasVertexId() const { return AtLeast(130, 300); }
   Support InstanceId() const;
   Support DrawParameters() const;  // gl_BaseVertex, gl_BaseInstance, gl_DrawID
-  // Whether a draw call can have a base vertex that gl_VertexID includes: OpenGL 3.2 and OpenGL ES 3.2 brought it.
+  // Whether a draw call can have a base vertex that gl_VertexID includes: OpenGL 3.2 and OpenGL ES
+  // 3.2 brought it.
   bool HasBaseVertexDraws() const { return AtLeast(150, 320); }
   Support LayerAndViewport() const;
   Support ViewIndex() const;
   Support ShadingRate() const;
 
   // ---- types and expressions
-  bool HasUnsigned() const { return AtLeast(130, 300); }  // uint, % << >> & | ^ ~, and int overloads of functions
+  bool HasUnsigned() const {
+    return AtLeast(130, 300);
+  }  // uint, % << >> & | ^ ~, and int overloads of functions
   bool HasSwitch() const { return AtLeast(130, 300); }
-  bool HasArraysOfArrays() const { return AtLeast(430, 310); }  // else the inner array is wrapped in a struct
-  bool HasGlobalInitializers() const { return !IsEs(); }        // that are no constant expressions
+  bool HasArraysOfArrays() const {
+    return AtLeast(430, 310);
+  }  // else the inner array is wrapped in a struct
+  bool HasGlobalInitializers() const { return !IsEs(); }  // that are no constant expressions
   bool HasPrecise() const { return AtLeast(400, 320); }
   Support Doubles() const;
   Support Int64() const;
   Support BitCasts() const;
   bool HasDoublePacking() const { return AtLeast(400, kNever); }
   bool HasHalfPacking() const { return AtLeast(420, 300); }
-  bool HasBitFunctions() const { return AtLeast(400, 310); }  // bitCount, findMSB, findLSB, bitfieldReverse
-  bool HasBoolMix() const { return AtLeast(130, 300); }       // mix(float, float, bool)
-  bool HasIntegerMix() const { return AtLeast(450, 310); }    // mix of int, uint and bool
-  bool HasRounding() const { return AtLeast(130, 300); }      // roundEven, trunc, modf, isnan, isinf, sinh ..
+  bool HasBitFunctions() const {
+    return AtLeast(400, 310);
+  }  // bitCount, findMSB, findLSB, bitfieldReverse
+  bool HasBoolMix() const { return AtLeast(130, 300); }     // mix(float, float, bool)
+  bool HasIntegerMix() const { return AtLeast(450, 310); }  // mix of int, uint and bool
+  bool HasRounding() const {
+    return AtLeast(130, 300);
+  }  // roundEven, trunc, modf, isnan, isinf, sinh ..
   bool HasDeterminant() const { return AtLeast(150, 300); }
 
   // ---- textures
-  bool HasTextureFunctions() const { return AtLeast(130, 300); }  // textureLod, texelFetch, textureSize; integer samplers
+  bool HasTextureFunctions() const {
+    return AtLeast(130, 300);
+  }  // textureLod, texelFetch, textureSize; integer samplers
   bool HasTextureArrays() const { return AtLeast(130, 300); }
   bool Has1D() const { return !IsEs(); }
   Support CubeArrays() const;
@@ -109,7 +123,9 @@ class Target {
   Target(std::string_view name, Api api, int version) : name_(name), api_(api), version_(version) {}
   // Vulkan's GLSL has what OpenGL 4.6 has, where both have it.
   bool AtLeast(int desktop, int es) const { return version_ >= (IsEs() ? es : desktop); }
-  Support Gate(int desktop, int es) const { return AtLeast(desktop, es) ? Support::Core() : Support::No(); }
+  Support Gate(int desktop, int es) const {
+    return AtLeast(desktop, es) ? Support::Core() : Support::No();
+  }
 
   std::string_view name_;
   Api api_;

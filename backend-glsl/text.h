@@ -12,11 +12,26 @@ namespace clipc::glsl {
 
 // How tightly an expression binds, loosest first: section 5.1 of the GLSL specification.
 enum class Binding : std::uint8_t {
-  kComma, kAssignment, kConditional, kLogicalOr, kLogicalXor, kLogicalAnd, kBitOr, kBitXor, kBitAnd, kEquality,
-  kRelational, kShift, kSum, kProduct, kUnary, kPostfix
+  kComma,
+  kAssignment,
+  kConditional,
+  kLogicalOr,
+  kLogicalXor,
+  kLogicalAnd,
+  kBitOr,
+  kBitXor,
+  kBitAnd,
+  kEquality,
+  kRelational,
+  kShift,
+  kSum,
+  kProduct,
+  kUnary,
+  kPostfix
 };
 constexpr Binding Tighter(Binding binding) {
-  return binding == Binding::kPostfix ? binding : static_cast<Binding>(static_cast<int>(binding) + 1);
+  return binding == Binding::kPostfix ? binding
+                                      : static_cast<Binding>(static_cast<int>(binding) + 1);
 }
 
 // The parts behind `text`, or one behind the other; memory is asked for once.
@@ -45,7 +60,8 @@ struct Text {
   }
 };
 
-// `left op right`; the operators of GLSL associate to the left. Takes left's buffer, so that long chains stay linear.
+// `left op right`; the operators of GLSL associate to the left. Takes left's buffer, so that long
+// chains stay linear.
 inline Text Infix(Text left, std::string_view op, Text right, Binding binding) {
   std::string text = std::move(left).At(binding);
   const bool is_loose = right.binding < Tighter(binding);

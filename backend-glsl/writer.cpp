@@ -11,9 +11,15 @@ namespace clipc::glsl {
 
 using namespace ir;
 
-Writer::Writer(const Program& program, const Target& target, const WriteOptions& options, GlslInfo& info, Reached reached)
-    : program_(program), target_(target), options_(options), info_(info), reached_(std::move(reached)) {
-  for (std::string* part : {&structs_, &blocks_, &inputs_, &outputs_, &functions_}) part->reserve(1024);
+Writer::Writer(const Program& program, const Target& target, const WriteOptions& options,
+               GlslInfo& info, Reached reached)
+    : program_(program),
+      target_(target),
+      options_(options),
+      info_(info),
+      reached_(std::move(reached)) {
+  for (std::string* part : {&structs_, &blocks_, &inputs_, &outputs_, &functions_})
+    part->reserve(1024);
   struct_used_.resize(program.types.structs().size());
   function_effects_.assign(program.functions.size(), -1);
   layouts_.resize(program.cbuffers.size());
@@ -36,12 +42,14 @@ std::string Writer::Write() {
   if (!inputs_.empty()) inputs_ += "\n";
   if (!outputs_.empty()) outputs_ += "\n";
   if (!globals_.empty()) globals_ += "\n";
-  return Concat(Header(), structs_, blocks_, objects_, inputs_, outputs_, helpers_, globals_, functions_);
+  return Concat(Header(), structs_, blocks_, objects_, inputs_, outputs_, helpers_, globals_,
+                functions_);
 }
 
 std::string Writer::Header() const {
   std::string text = target_.VersionLine() + "\n";
-  for (const std::string& extension : extensions_) text += "#extension " + extension + " : require\n";
+  for (const std::string& extension : extensions_)
+    text += "#extension " + extension + " : require\n";
   return text + "\n";
 }
 
@@ -53,7 +61,9 @@ void Writer::Globals() {
     // HLSL's static variables start as zero.
     const std::string value = var.init ? ArgumentOf(var.init) : ZeroText(var.type);
     const bool is_const = var.storage == Storage::kConstant && constant_;
-    const std::string qualifier = is_const ? "const " : var.precise && target_.HasPrecise() ? "precise " : "";
+    const std::string qualifier = is_const                              ? "const "
+                                  : var.precise && target_.HasPrecise() ? "precise "
+                                                                        : "";
     if (constant_ || target_.HasGlobalInitializers()) {
       globals_ += qualifier + Declaration(var.type, name) + " = " + value + ";\n";
     } else {
@@ -121,7 +131,8 @@ void Writer::Main() {
   namer_.CloseScope();
 }
 
-std::string WriteGlsl(const Program& program, Reached reached, const Target& target, const WriteOptions& options, GlslInfo* info) {
+std::string WriteGlsl(const Program& program, Reached reached, const Target& target,
+                      const WriteOptions& options, GlslInfo* info) {
   GlslInfo unwanted;
   GlslInfo& chosen = info ? *info : unwanted;
   chosen = {};

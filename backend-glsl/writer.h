@@ -14,27 +14,32 @@
 namespace clipc::glsl {
 
 struct WriteOptions {
-  // For program pipelines of separate stages (glUseProgramStages): gl_PerVertex is redeclared, as section 7.1.1 asks.
+  // For program pipelines of separate stages (glUseProgramStages): gl_PerVertex is redeclared, as
+  // section 7.1.1 asks.
   bool separable = false;
 };
 
 // What the host must know of the written shader: the names, places and layouts that were chosen.
 struct GlslInfo {
   struct Variable {
-    std::string name;                        // of the whole path: "gl_Position", "in_POSITION0"
-    std::optional<std::uint32_t> location;  // as written in the shader; none: linked or bound by name
-    // The value differs from Direct3D's unless the host draws with base vertex 0 (no gl_BaseVertex to subtract).
+    std::string name;  // of the whole path: "gl_Position", "in_POSITION0"
+    std::optional<std::uint32_t>
+        location;  // as written in the shader; none: linked or bound by name
+    // The value differs from Direct3D's unless the host draws with base vertex 0 (no gl_BaseVertex
+    // to subtract).
     bool needs_base_vertex_zero = false;
     // An integer in HLSL, a float attribute here: GLSL 1.20 has no others.
     bool integer_as_float = false;
-    // An input that the shader reads, and so declares. One that is not keeps its location, so that the same vertex layout fits.
+    // An input that the shader reads, and so declares. One that is not keeps its location, so that
+    // the same vertex layout fits.
     bool is_used = true;
   };
   struct Member {
     ir::VarId var;
     int field = -1;    // of a ConstantBuffer<T> with an instance name: the field of T
     std::string name;  // as the host asks for it: "world", "Camera.view"; kRows: the accessor
-    // kUniforms: what glUniformMatrix wants as `transpose` when it is handed the bytes of the HLSL buffer.
+    // kUniforms: what glUniformMatrix wants as `transpose` when it is handed the bytes of the HLSL
+    // buffer.
     bool transpose = false;
   };
   struct Block {
@@ -60,16 +65,16 @@ struct GlslInfo {
   std::uint32_t cull_distance_mask = 0;
 };
 
-// The whole shader. Requires Verify(program) and CheckTarget(program, target) without errors. The text depends on
-// nothing but the arguments. `reached` is what CheckTarget gave back.
-std::string WriteGlsl(const ir::Program& program, Reached reached, const Target& target, const WriteOptions& options = {},
-                      GlslInfo* info = nullptr);
+// The whole shader. Requires Verify(program) and CheckTarget(program, target) without errors. The
+// text depends on nothing but the arguments. `reached` is what CheckTarget gave back.
+std::string WriteGlsl(const ir::Program& program, Reached reached, const Target& target,
+                      const WriteOptions& options = {}, GlslInfo* info = nullptr);
 
 // ---- where the objects of a Vulkan shader are bound
-// Direct3D numbers constant buffers, textures and samplers apart; a Vulkan set has one row of bindings. Register n
-// becomes binding n + the shift of its letter; the space becomes the set.
+// Direct3D numbers constant buffers, textures and samplers apart; a Vulkan set has one row of
+// bindings. Register n becomes binding n + the shift of its letter; the space becomes the set.
 inline constexpr std::uint32_t kVulkanShiftB = 0;
-inline constexpr std::uint32_t kVulkanShiftS = 16;  // b0 to b15 come before: Direct3D 11 has 14
+inline constexpr std::uint32_t kVulkanShiftS = 16;   // b0 to b15 come before: Direct3D 11 has 14
 inline constexpr std::uint32_t kVulkanShiftT = 32;   // s0 to s15
 inline constexpr std::uint32_t kVulkanShiftU = 160;  // t0 to t127
 std::uint32_t VulkanBinding(const ir::Register& reg);

@@ -45,7 +45,8 @@ void Writer::PlainUniforms(CbufferId id) {
   GlslInfo::Block& info = info_.blocks.emplace_back();
   info.cbuffer = id;
   info.form = layout.form;
-  blocks_ += "// " + program_.cbuffers[id].name + ", " + RegisterText(program_.cbuffers[id].reg) + "\n";
+  blocks_ +=
+      "// " + program_.cbuffers[id].name + ", " + RegisterText(program_.cbuffers[id].reg) + "\n";
   for (const BlockMember& member : layout.members) {
     if (!reached_.Has(member.var)) continue;
     const std::string& name = var_names_[member.var.index];
@@ -56,7 +57,8 @@ void Writer::PlainUniforms(CbufferId id) {
   blocks_ += "\n";
 }
 
-std::string Writer::BlockQualifiers(const Cbuffer& cbuffer, const BlockLayout& layout, GlslInfo::Block& info) {
+std::string Writer::BlockQualifiers(const Cbuffer& cbuffer, const BlockLayout& layout,
+                                    GlslInfo::Block& info) {
   std::string text = "std140";
   if (target_.IsVulkan()) {
     info.set = cbuffer.reg.space;
@@ -66,14 +68,16 @@ std::string Writer::BlockQualifiers(const Cbuffer& cbuffer, const BlockLayout& l
     info.binding = FreeBinding(uniform_bindings_, cbuffer.reg.number, cbuffer.count);
   }
   if (info.binding) text += ", binding = " + std::to_string(*info.binding);
-  if (layout.matrices == MatrixLayout::kRowMajor && layout.form == BlockForm::kStd140) text += ", row_major";
+  if (layout.matrices == MatrixLayout::kRowMajor && layout.form == BlockForm::kStd140)
+    text += ", row_major";
   return "layout(" + text + ")";
 }
 
 // "[4]" of `ConstantBuffer<T> cb[4]`.
 std::string Writer::Dimensions(VarId var) const {
   std::string dimensions;
-  for (TypeId id = program_.vars[var].type; program_.types[id].kind == TypeKind::kArray; id = program_.types[id].element) {
+  for (TypeId id = program_.vars[var].type; program_.types[id].kind == TypeKind::kArray;
+       id = program_.types[id].element) {
     dimensions += "[" + std::to_string(program_.types[id].count) + "]";
   }
   return dimensions;
@@ -86,14 +90,16 @@ void Writer::Block(CbufferId id) {
   info.cbuffer = id;
   info.form = layout.form;
   info.name = block_names_[id.index];
-  blocks_ += BlockQualifiers(cbuffer, layout, info) + " uniform " + info.name + " {  // " + RegisterText(cbuffer.reg) + "\n";
+  blocks_ += BlockQualifiers(cbuffer, layout, info) + " uniform " + info.name + " {  // " +
+             RegisterText(cbuffer.reg) + "\n";
   if (layout.form == BlockForm::kRows) {
     RowsBlock(id, info);
   } else {
     BlockMembers(layout, info);
     const VarId var = layout.members.empty() ? VarId{} : layout.members.front().var;
     if (layout.fields_as_members) info.instance = var_names_[var.index];
-    blocks_ += "}" + (layout.fields_as_members ? " " + info.instance + Dimensions(var) : "") + ";\n\n";
+    blocks_ +=
+        "}" + (layout.fields_as_members ? " " + info.instance + Dimensions(var) : "") + ";\n\n";
   }
   info_.blocks.push_back(std::move(info));
 }
@@ -102,8 +108,11 @@ void Writer::BlockMembers(const BlockLayout& layout, GlslInfo::Block& info) {
   info.members.reserve(layout.members.size());
   std::uint32_t end = 0;
   const auto pad = [&](std::string_view type, std::uint32_t bytes, std::uint32_t count) {
-    const std::string name = layout.fields_as_members ? "padding_" + std::to_string(end) : namer_.Global("padding_" + std::to_string(end));
-    blocks_ += "    " + std::string(type) + " " + name + (count > 1 ? "[" + std::to_string(count) + "]" : "") + ";\n";
+    const std::string name = layout.fields_as_members
+                                 ? "padding_" + std::to_string(end)
+                                 : namer_.Global("padding_" + std::to_string(end));
+    blocks_ += "    " + std::string(type) + " " + name +
+               (count > 1 ? "[" + std::to_string(count) + "]" : "") + ";\n";
     end += bytes * count;
   };
   for (const BlockMember& member : layout.members) {
@@ -114,8 +123,10 @@ void Writer::BlockMembers(const BlockLayout& layout, GlslInfo::Block& info) {
     }
     const bool is_field = member.field >= 0;
     TypeId structure = program_.vars[member.var].type;
-    while (is_field && program_.types[structure].kind == TypeKind::kArray) structure = program_.types[structure].element;
-    const std::string name = is_field ? FieldName(program_.types[structure].structure, static_cast<std::uint32_t>(member.field))
+    while (is_field && program_.types[structure].kind == TypeKind::kArray)
+      structure = program_.types[structure].element;
+    const std::string name = is_field ? FieldName(program_.types[structure].structure,
+                                                  static_cast<std::uint32_t>(member.field))
                                       : var_names_[member.var.index];
     std::string qualifiers;
     if (member.explicit_offset) qualifiers = "offset = " + std::to_string(member.offset);
@@ -124,20 +135,24 @@ void Writer::BlockMembers(const BlockLayout& layout, GlslInfo::Block& info) {
     }
     if (!qualifiers.empty()) qualifiers = "layout(" + qualifiers + ") ";
     Append(blocks_, "    ", qualifiers, Declaration(member.type, name), ";\n");
-    info.members.push_back({member.var, member.field, is_field ? info.name + "." + name : name, false});
+    info.members.push_back(
+        {member.var, member.field, is_field ? info.name + "." + name : name, false});
   }
 }
 
-// A buffer that neither std140 nor offsets can say: rows of 16 bytes, and a function for each member that is read.
+// A buffer that neither std140 nor offsets can say: rows of 16 bytes, and a function for each
+// member that is read.
 void Writer::RowsBlock(CbufferId id, GlslInfo::Block& info) {
   const Cbuffer& cbuffer = program_.cbuffers[id];
   const BlockLayout& layout = layouts_[id.index];
   const std::string& rows = rows_names_[id.index];
   const std::string count = std::to_string(std::max(cbuffer.size / 16, 1u));
   info.rows = rows;
-  blocks_ += std::string("    ") + (layout.float_rows ? "vec4 " : "uvec4 ") + rows + "[" + count + "];\n}";
+  blocks_ +=
+      std::string("    ") + (layout.float_rows ? "vec4 " : "uvec4 ") + rows + "[" + count + "];\n}";
   Memory memory{rows, true, layout.float_rows};
-  const bool is_array = cbuffer.kind == CbufferKind::kConstantBuffer && !Dimensions(cbuffer.members[0].var).empty();
+  const bool is_array =
+      cbuffer.kind == CbufferKind::kConstantBuffer && !Dimensions(cbuffer.members[0].var).empty();
   if (is_array) {
     info.instance = namer_.Global(cbuffer.name + "_buffers");
     blocks_ += " " + info.instance + Dimensions(cbuffer.members[0].var);
@@ -162,7 +177,8 @@ void Writer::Accessor(const CbufferMember& member, const Memory& memory, bool is
     address.dynamic = stride == 1 ? index : std::to_string(stride) + " * " + index;
   }
   const std::string value = Load(memory, result, var.row_major, address);
-  helpers_ += TypeName(result) + " " + var_names_[member.var.index] + (is_array ? "(int " + index + ") {" : "() {") + "  // offset " +
+  helpers_ += TypeName(result) + " " + var_names_[member.var.index] +
+              (is_array ? "(int " + index + ") {" : "() {") + "  // offset " +
               std::to_string(member.offset) + "\n    return " + value + ";\n}\n\n";
 }
 
@@ -174,7 +190,9 @@ Text Writer::UniformText(VarId id) {
   const Type& type = program_.types[var.type];
   if (type.kind != TypeKind::kArray) return {name + "()"};
   const std::string all = Helper(name + "_all", "", [&](const std::string& function) {
-    const auto element = [&](const std::string& index) { return ElementText(type.element, {name + "(" + index + ")"}); };
+    const auto element = [&](const std::string& index) {
+      return ElementText(type.element, {name + "(" + index + ")"});
+    };
     return TypeName(var.type) + " " + function + "() {\n" + FilledArray(var.type, element) + "}\n";
   });
   return {all + "()"};
@@ -187,7 +205,8 @@ Text Writer::UniformElement(VarId id, ExprId index) {
   std::string text = IndexValue(index);
   if (layouts_[var.cbuffer.index].form == BlockForm::kRows) {
     NotConstant();
-    const bool is_int = TypeOf(index).scalar == Scalar::kInt || std::holds_alternative<Literal>(program_.exprs[index].node);
+    const bool is_int = TypeOf(index).scalar == Scalar::kInt ||
+                        std::holds_alternative<Literal>(program_.exprs[index].node);
     return {name + (is_int ? "(" + text + ")" : "(int(" + text + "))")};
   }
   NotConstant();
@@ -195,7 +214,8 @@ Text Writer::UniformElement(VarId id, ExprId index) {
   return {name + "[" + text + "]" + (IsWrapped(element) ? ".e" : "")};
 }
 
-// The ConstantBuffer<T> variable that `expr` is an element of, and the indices that lead there, outermost first.
+// The ConstantBuffer<T> variable that `expr` is an element of, and the indices that lead there,
+// outermost first.
 VarId Writer::InstanceOf(ExprId expr, std::vector<ExprId>& indices) const {
   const auto& node = program_.exprs[expr].node;
   if (const auto* index = std::get_if<Index>(&node)) {
@@ -233,8 +253,9 @@ Text Writer::InstanceValue(ExprId expr, const std::string& path) {
   };
   std::vector<ExprId> indices;
   const VarId var = InstanceOf(expr, indices);
-  const bool is_constant = std::ranges::all_of(
-      indices, [&](ExprId index) { return std::holds_alternative<Literal>(program_.exprs[index].node); });
+  const bool is_constant = std::ranges::all_of(indices, [&](ExprId index) {
+    return std::holds_alternative<Literal>(program_.exprs[index].node);
+  });
   if (is_constant && !indices.empty()) return {value(path)};
 
   const std::string& name = var_names_[var.index];
@@ -246,7 +267,8 @@ Text Writer::InstanceValue(ExprId expr, const std::string& path) {
     block += "[" + parameter + "]";
   }
   const std::string helper = Helper(name + "_value", "", [&](const std::string& function) {
-    return TypeName(type) + " " + function + "(" + parameters + ") {\n    return " + value(block) + ";\n}\n";
+    return TypeName(type) + " " + function + "(" + parameters + ") {\n    return " + value(block) +
+           ";\n}\n";
   });
   return {helper + "(" + arguments + ")"};
 }

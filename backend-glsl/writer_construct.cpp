@@ -23,7 +23,8 @@ Text Writer::ConstructText(const ir::Expr& expr, const Construct& node) {
       text += ArgumentOf(arguments[i]);
     }
   }
-  if (arguments.empty() && type.kind == TypeKind::kStruct) text += "0.0";  // the field that stands in for none
+  if (arguments.empty() && type.kind == TypeKind::kStruct)
+    text += "0.0";  // the field that stands in for none
   return {text + ")"};
 }
 
@@ -59,21 +60,24 @@ Text Writer::MatrixTruncateText(const ir::Expr& expr, const MatrixTruncate& node
     return {TypeName(to) + "(" + Argument(std::move(operand)) + ")"};
   }
   if (!to.HasRows() && type.rows == 1) {
-    return {std::move(operand).At(Binding::kPostfix) + "[0]" + (to.size == from.size ? "" : components)};
+    return {std::move(operand).At(Binding::kPostfix) + "[0]" +
+            (to.size == from.size ? "" : components)};
   }
   if (from.kind == Shape::kMatrix) {
     const bool whole = to.size == from.rows;
     return {"transpose(" + Argument(std::move(operand)) + ")[0]" + (whole ? "" : components)};
   }
-  const std::string name = Helper("truncate_" + TypeName(to), TypeName(from), [&](const std::string& helper) {
-    std::string rows;
-    for (int i = 0; i < type.rows; ++i) {
-      if (i > 0) rows += ", ";
-      rows += "m[" + std::to_string(i) + "]" + std::string(".xyzw").substr(0, type.columns + 1u);
-    }
-    return TypeName(to) + " " + helper + "(" + Declaration(from, "m") + ") {\n    return " + TypeName(to) + "(" + rows +
-           ");\n}\n";
-  });
+  const std::string name =
+      Helper("truncate_" + TypeName(to), TypeName(from), [&](const std::string& helper) {
+        std::string rows;
+        for (int i = 0; i < type.rows; ++i) {
+          if (i > 0) rows += ", ";
+          rows +=
+              "m[" + std::to_string(i) + "]" + std::string(".xyzw").substr(0, type.columns + 1u);
+        }
+        return TypeName(to) + " " + helper + "(" + Declaration(from, "m") + ") {\n    return " +
+               TypeName(to) + "(" + rows + ");\n}\n";
+      });
   return {name + "(" + Argument(std::move(operand)) + ")"};
 }
 

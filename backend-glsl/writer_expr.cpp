@@ -37,9 +37,11 @@ Text Writer::Expr(ExprId id) {
           [&](const MatrixSwizzle& node) { return MatrixSwizzleText(expr, node); },
           [&](const Unary& node) { return UnaryText(expr, node); },
           [&](const Binary& node) {
-            const bool is_eager = node.op == BinaryOp::kLogicalAnd || node.op == BinaryOp::kLogicalOr;
+            const bool is_eager =
+                node.op == BinaryOp::kLogicalAnd || node.op == BinaryOp::kLogicalOr;
             Operand left = OperandOf(node.left), right = OperandOf(node.right);
-            return BinaryOn(node.op, std::move(left), std::move(right), !is_eager || IsPure(node.right));
+            return BinaryOn(node.op, std::move(left), std::move(right),
+                            !is_eager || IsPure(node.right));
           },
           [&](const Assign& node) { return AssignText(node); },
           [&](const Conditional& node) {
@@ -63,7 +65,8 @@ Text Writer::Expr(ExprId id) {
           [&](const Comma& node) {
             NotConstant();
             Text first = Expr(node.first);
-            return Text{std::move(first).At(Binding::kComma) + ", " + ArgumentOf(node.second), Binding::kComma};
+            return Text{std::move(first).At(Binding::kComma) + ", " + ArgumentOf(node.second),
+                        Binding::kComma};
           },
       },
       expr.node);
@@ -75,7 +78,8 @@ Text Writer::VarText(VarId id) {
   if (var.storage != Storage::kConstant || mutable_globals_.contains(id)) NotConstant();
   Text text{var_names_[id.index]};
   // The text of an input may be an expression of built-in variables.
-  if (var.storage == Storage::kInput && text.text.find(' ') != std::string::npos && !text.text.ends_with(')')) {
+  if (var.storage == Storage::kInput && text.text.find(' ') != std::string::npos &&
+      !text.text.ends_with(')')) {
     text.binding = Binding::kSum;
   }
   return text;
@@ -157,13 +161,15 @@ Text Writer::UnaryText(const ir::Expr& expr, const Unary& node) {
   const Shape shape = ShapeOf(program_.types[expr.type]);
   Text operand = Expr(node.operand);
   if (shape.kind == Shape::kRows) {
-    const std::string name = std::string(is_prefix ? "pre_" : "post_") + (is_increment ? "increment" : "decrement");
+    const std::string name =
+        std::string(is_prefix ? "pre_" : "post_") + (is_increment ? "increment" : "decrement");
     const std::string helper = Helper(name, TypeName(shape), [&](const std::string& function) {
       std::string rows;
       for (int i = 0; i < shape.rows; ++i) rows += "    m[" + std::to_string(i) + "]" + op + ";\n";
       const std::string before = "    " + Declaration(shape, "before") + " = m;\n";
       return TypeName(shape) + " " + function + "(inout " + Declaration(shape, "m") + ") {\n" +
-             (is_prefix ? rows + "    return m;\n" : before + rows + "    return before;\n") + "}\n";
+             (is_prefix ? rows + "    return m;\n" : before + rows + "    return before;\n") +
+             "}\n";
     });
     return {helper + "(" + Argument(std::move(operand)) + ")"};
   }
@@ -192,7 +198,8 @@ Text Writer::CompoundAssignText(const Assign& node) {
   const bool is_shift = op == BinaryOp::kShiftLeft || op == BinaryOp::kShiftRight;
   if (is_shift && shape.kind != Shape::kRows) {
     std::string text = Expr(node.target).At(Binding::kUnary);
-    return {text + " " + std::string(SpellingOf(op)) + "= " + ShiftCount(value, shape.scalar).text, Binding::kAssignment};
+    return {text + " " + std::string(SpellingOf(op)) + "= " + ShiftCount(value, shape.scalar).text,
+            Binding::kAssignment};
   }
   if (IsPure(node.target)) {
     Operand target{Expr(node.target), shape, std::nullopt, IsRepeatable(node.target)};
@@ -204,8 +211,9 @@ Text Writer::CompoundAssignText(const Assign& node) {
   const std::string name = "assign_" + std::string(HelperName(op));
   const std::string helper = Helper(name, type, [&](const std::string& function) {
     const Operand a{{"target"}, shape, std::nullopt, true}, b{{"value"}, shape, std::nullopt, true};
-    return type + " " + function + "(inout " + Declaration(shape, "target") + ", " + Declaration(shape, "value") +
-           ") {\n    target = " + Argument(BinaryOn(op, a, b, true)) + ";\n    return target;\n}\n";
+    return type + " " + function + "(inout " + Declaration(shape, "target") + ", " +
+           Declaration(shape, "value") + ") {\n    target = " + Argument(BinaryOn(op, a, b, true)) +
+           ";\n    return target;\n}\n";
   });
   const std::string target = ArgumentOf(node.target);
   return {helper + "(" + target + ", " + Argument(Full(value)) + ")"};
@@ -215,13 +223,15 @@ Text Writer::ConvertText(const ir::Expr& expr, const Convert& node) {
   const Scalar kind = program_.types[expr.type].scalar;
   const auto& operand = program_.exprs[node.operand].node;
   if (const auto* literal = std::get_if<Literal>(&operand)) {
-    return LiteralText(ConvertBits(literal->bits, TypeOf(node.operand).scalar, kind), kind, target_);
+    return LiteralText(ConvertBits(literal->bits, TypeOf(node.operand).scalar, kind), kind,
+                       target_);
   }
   // sign() gives an int in HLSL and a float in GLSL, which is mostly what is wanted of it.
   const auto* call = std::get_if<IntrinsicCall>(&operand);
   if (call && call->op == Intrinsic::kSign) {
     const Operand argument = OperandOf(program_.expr_lists[call->arguments][0]);
-    if (argument.shape.scalar == BaseOf(kind) && argument.shape.IsFloating() && !argument.shape.HasRows()) {
+    if (argument.shape.scalar == BaseOf(kind) && argument.shape.IsFloating() &&
+        !argument.shape.HasRows()) {
       return CallOn("sign", {&argument, 1});
     }
   }
@@ -244,7 +254,8 @@ bool Writer::IsRepeatable(ExprId id) const {
   if (const auto* field = std::get_if<FieldRef>(&node)) return IsRepeatable(field->base);
   if (const auto* swizzle = std::get_if<Swizzle>(&node)) return IsRepeatable(swizzle->base);
   if (const auto* index = std::get_if<Index>(&node)) {
-    return std::holds_alternative<Literal>(program_.exprs[index->index].node) && IsRepeatable(index->base);
+    return std::holds_alternative<Literal>(program_.exprs[index->index].node) &&
+           IsRepeatable(index->base);
   }
   return false;
 }
@@ -271,13 +282,15 @@ void ForEachWrite(const Program& program, ExprId id, OnTarget&& on_target) {
   if (const auto* call = std::get_if<Call>(&node)) {
     const auto& parameters = program.functions[call->function].parameters;
     for (std::uint32_t i = 0; i < call->arguments.size; ++i) {
-      if (program.vars[parameters[i]].storage != Storage::kIn) on_target(program.expr_lists[call->arguments][i]);
+      if (program.vars[parameters[i]].storage != Storage::kIn)
+        on_target(program.expr_lists[call->arguments][i]);
     }
   }
   if (const auto* call = std::get_if<IntrinsicCall>(&node)) {
     const auto arguments = program.expr_lists[call->arguments];
     const bool first_is_input = call->op == Intrinsic::kFrexp || call->op == Intrinsic::kModf ||
-                                call->op == Intrinsic::kSincos || (call->op == Intrinsic::kAsUint && arguments.size() == 3);
+                                call->op == Intrinsic::kSincos ||
+                                (call->op == Intrinsic::kAsUint && arguments.size() == 3);
     for (std::size_t i = 1; first_is_input && i < arguments.size(); ++i) on_target(arguments[i]);
   }
 }

@@ -38,7 +38,8 @@ Text Writer::CallOn(std::string_view function, std::span<const Operand> operands
 }
 
 // Bit i of `scalars`: argument i may be a scalar beside vectors; all such arguments must be.
-Text Writer::CallOn(std::string_view function, std::span<const Operand> operands, unsigned scalars) {
+Text Writer::CallOn(std::string_view function, std::span<const Operand> operands,
+                    unsigned scalars) {
   bool all_scalar = true;
   for (std::size_t i = 0; i < operands.size(); ++i) {
     if ((scalars >> i & 1) != 0 && !operands[i].scalar) all_scalar = false;
@@ -69,7 +70,8 @@ constexpr std::string_view kParameters[] = {"a", "b", "c", "d"};
 
 }  // namespace
 
-Text Writer::ByRows(std::string_view name, std::span<const Operand> operands, const Shape& result, const Apply& apply) {
+Text Writer::ByRows(std::string_view name, std::span<const Operand> operands, const Shape& result,
+                    const Apply& apply) {
   std::string key, parameters;
   for (std::size_t i = 0; i < operands.size(); ++i) {
     key += TypeName(operands[i].shape) + " ";
@@ -85,14 +87,14 @@ Text Writer::ByRows(std::string_view name, std::span<const Operand> operands, co
       }
       rows += (row > 0 ? ", " : "") + Argument(apply(parts));
     }
-    return TypeName(result) + " " + function + "(" + parameters + ") {\n    return " + TypeName(result) + "(" + rows +
-           ");\n}\n";
+    return TypeName(result) + " " + function + "(" + parameters + ") {\n    return " +
+           TypeName(result) + "(" + rows + ");\n}\n";
   });
   return CallOn(helper, operands);
 }
 
-Text Writer::ByComponents(std::string_view name, std::span<const Operand> operands, const Shape& result,
-                          const Apply& apply) {
+Text Writer::ByComponents(std::string_view name, std::span<const Operand> operands,
+                          const Shape& result, const Apply& apply) {
   std::string key, parameters;
   for (std::size_t i = 0; i < operands.size(); ++i) {
     key += TypeName(operands[i].shape) + " ";
@@ -108,18 +110,20 @@ Text Writer::ByComponents(std::string_view name, std::span<const Operand> operan
       }
       components += (c > 0 ? ", " : "") + Argument(apply(parts));
     }
-    return TypeName(result) + " " + function + "(" + parameters + ") {\n    return " + TypeName(result) + "(" +
-           components + ");\n}\n";
+    return TypeName(result) + " " + function + "(" + parameters + ") {\n    return " +
+           TypeName(result) + "(" + components + ");\n}\n";
   });
   return CallOn(helper, operands);
 }
 
-Text Writer::Snippet(std::string_view name, std::span<const Operand> operands, const Shape& result) {
+Text Writer::Snippet(std::string_view name, std::span<const Operand> operands,
+                     const Shape& result) {
   const SnippetText* snippet = FindSnippet(name, operands[0].shape);
   CLIPC_CHECK(snippet != nullptr);
   if (snippet->scalar_only && operands[0].shape.IsVector()) {
-    return ByComponents(name, operands, result,
-                        [&](std::span<const Operand> parts) { return Snippet(name, parts, result.Component()); });
+    return ByComponents(name, operands, result, [&](std::span<const Operand> parts) {
+      return Snippet(name, parts, result.Component());
+    });
   }
   const Shape& shape = operands[0].shape;
   const std::string helper = Helper(name, TypeName(shape), [&](const std::string& function) {

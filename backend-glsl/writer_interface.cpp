@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // Inputs, outputs and built-in variables.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <variant>
+
+#include <fmt/format.h>
 
 #include "backend-glsl/writer_state.h"
 #include "base/check.h"
@@ -80,16 +80,19 @@ std::string Writer::InputText(const IoVar& input, GlslInfo::Variable& info) {
     case Builtin::kInstanceId:
       if (target_.IsVulkan()) return type + "(gl_InstanceIndex - gl_BaseInstance)";
       Require(target_.InstanceId());
-      return type + (target_.InstanceId().extension().empty() ? "(gl_InstanceID)" : "(gl_InstanceIDARB)");
+      return type +
+             (target_.InstanceId().extension().empty() ? "(gl_InstanceID)" : "(gl_InstanceIDARB)");
     case Builtin::kBaseVertex: return draw_parameter("gl_BaseVertex");
     case Builtin::kBaseInstance: return draw_parameter("gl_BaseInstance");
     case Builtin::kDrawIndex: return draw_parameter("gl_DrawID");
     case Builtin::kViewId:
       Require(target_.ViewIndex());
       if (target_.IsVulkan()) return type + "(gl_ViewIndex)";
-      inputs_ += "layout(num_views = " + std::to_string(kViews) + ") in;  // " + SemanticOf(input) + "\n";
+      inputs_ +=
+          "layout(num_views = " + std::to_string(kViews) + ") in;  // " + SemanticOf(input) + "\n";
       return type + "(gl_ViewID_OVR)";
-    case Builtin::kVertexIndex: return type + (target_.IsVulkan() ? "(gl_VertexIndex)" : "(gl_VertexID)");
+    case Builtin::kVertexIndex:
+      return type + (target_.IsVulkan() ? "(gl_VertexIndex)" : "(gl_VertexID)");
     case Builtin::kInstanceIndex:
       if (target_.IsVulkan()) return type + "(gl_InstanceIndex)";
       Require(target_.DrawParameters());
@@ -121,8 +124,10 @@ void Writer::Outputs() {
     GlslInfo::Variable& info = info_.outputs.emplace_back();
     info.name = OutputName(output);
     var_names_[output.var.index] = info.name;
-    if (output.builtin == Builtin::kClipDistance) info_.clip_distance_mask = WrittenElements(output.var);
-    if (output.builtin == Builtin::kCullDistance) info_.cull_distance_mask = WrittenElements(output.var);
+    if (output.builtin == Builtin::kClipDistance)
+      info_.clip_distance_mask = WrittenElements(output.var);
+    if (output.builtin == Builtin::kCullDistance)
+      info_.cull_distance_mask = WrittenElements(output.var);
     if (output.builtin == Builtin::kShadingRate) {
       Require(target_.ShadingRate());
       integer_outputs_.push_back(output.var);
@@ -156,8 +161,9 @@ void Writer::Outputs() {
   PerVertex();
 }
 
-// Clip and cull distances have no size of their own and are declared anew: as a member of gl_PerVertex where the interface
-// between separate stages is built from it, else as the array alone.
+// Clip and cull distances have no size of their own and are declared anew: as a member of
+// gl_PerVertex where the interface between separate stages is built from it, else as the array
+// alone.
 void Writer::PerVertex() {
   const auto find = [&](Builtin builtin) -> const IoVar* {
     const auto found = std::ranges::find(program_.outputs, builtin, &IoVar::builtin);
@@ -173,7 +179,8 @@ void Writer::PerVertex() {
   if (cull) Require(target_.CullDistance());
 
   const auto comment = [&](const char* what, std::uint32_t mask) {
-    outputs_ += "// " + std::string(what) + " distances written: 0x" + fmt::format("{:x}", mask) + "\n";
+    outputs_ +=
+        "// " + std::string(what) + " distances written: 0x" + fmt::format("{:x}", mask) + "\n";
   };
   if (clip) comment("clip", info_.clip_distance_mask);
   if (cull) comment("cull", info_.cull_distance_mask);
@@ -191,7 +198,8 @@ void Writer::PerVertex() {
   }
 }
 
-// Which elements of an output array `main` assigns; all when it assigns the whole, or an element that is not constant.
+// Which elements of an output array `main` assigns; all when it assigns the whole, or an element
+// that is not constant.
 std::uint32_t Writer::WrittenElements(VarId array) const {
   const std::uint32_t count = program_.types[program_.vars[array].type].count;
   const std::uint32_t all = count >= 32 ? ~0u : (1u << count) - 1;

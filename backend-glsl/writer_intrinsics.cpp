@@ -18,8 +18,8 @@ namespace {
 struct Direct {
   Intrinsic op;
   std::string_view glsl;
-  unsigned scalars = 0;             // bit i: argument i may be a scalar beside vectors
-  bool since_rounding = false;      // GLSL 1.30
+  unsigned scalars = 0;         // bit i: argument i may be a scalar beside vectors
+  bool since_rounding = false;  // GLSL 1.30
 };
 constexpr Direct kDirect[] = {
     {Intrinsic::kAbs, "abs"},
@@ -73,7 +73,8 @@ std::optional<double> NumberIn(const Operand& operand) {
   const std::string& text = operand.scalar->text;
   double value = 0;
   const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
-  return result.ec == std::errc{} && result.ptr == text.data() + text.size() ? std::optional(value) : std::nullopt;
+  return result.ec == std::errc{} && result.ptr == text.data() + text.size() ? std::optional(value)
+                                                                             : std::nullopt;
 }
 
 // A number as a literal of a float or double shape.
@@ -113,7 +114,9 @@ std::optional<Text> Writer::DirectOn(Intrinsic op, std::span<const Operand> oper
   const Shape& shape = operands[0].shape;
   const bool integers_lack = !shape.IsFloating() && !target_.HasUnsigned();
   if ((direct->since_rounding && !target_.HasRounding()) || integers_lack) {
-    return Snippet(NameOf(op), operands, op == Intrinsic::kIsInf || op == Intrinsic::kIsNan ? shape.With(Scalar::kBool) : shape);
+    return Snippet(
+        NameOf(op), operands,
+        op == Intrinsic::kIsInf || op == Intrinsic::kIsNan ? shape.With(Scalar::kBool) : shape);
   }
   return CallOn(direct->glsl, operands, shape.IsVector() ? direct->scalars : 0);
 }
@@ -138,10 +141,11 @@ Text Writer::IntrinsicOn(Intrinsic op, std::span<const Operand> operands, const 
         }
         rows += ")";
       }
-      const std::string name = Helper("transpose", TypeName(shape), [&](const std::string& function) {
-        return TypeName(result) + " " + function + "(" + Declaration(shape, "m") + ") {\n    return " + TypeName(result) +
-               "(" + rows + ");\n}\n";
-      });
+      const std::string name =
+          Helper("transpose", TypeName(shape), [&](const std::string& function) {
+            return TypeName(result) + " " + function + "(" + Declaration(shape, "m") +
+                   ") {\n    return " + TypeName(result) + "(" + rows + ");\n}\n";
+          });
       return CallOn(name, operands);
     }
     default: break;
@@ -159,10 +163,12 @@ Text Writer::IntrinsicOn(Intrinsic op, std::span<const Operand> operands, const 
   if (op == Intrinsic::kSign && is_unsigned) {
     Operand one = ScalarOperand(LiteralText(1, shape.scalar, target_), shape);
     const Operand both[] = {operands[0], one};
-    return ConvertOn(result.scalar, {IntrinsicOn(Intrinsic::kMin, both, shape), shape, std::nullopt, false});
+    return ConvertOn(result.scalar,
+                     {IntrinsicOn(Intrinsic::kMin, both, shape), shape, std::nullopt, false});
   }
   if (auto direct = DirectOn(op, operands)) return std::move(*direct);
-  if (op >= Intrinsic::kAsFloat && op <= Intrinsic::kReverseBits) return BitsOn(op, operands, result);
+  if (op >= Intrinsic::kAsFloat && op <= Intrinsic::kReverseBits)
+    return BitsOn(op, operands, result);
   return FloatOn(op, operands, result);
 }
 
@@ -173,20 +179,24 @@ Text Writer::FloatOn(Intrinsic op, std::span<const Operand> operands, const Shap
   switch (op) {
     case Intrinsic::kRcp: return ArithmeticOn(BinaryOp::kDiv, Constant(1, shape, target_), x);
     case Intrinsic::kLog10:
-      return ArithmeticOn(BinaryOp::kMul, of(CallOn("log2", operands)), Constant(0.30102999566398120, shape, target_));
+      return ArithmeticOn(BinaryOp::kMul, of(CallOn("log2", operands)),
+                          Constant(0.30102999566398120, shape, target_));
     case Intrinsic::kLdexp:
       return ArithmeticOn(BinaryOp::kMul, x, of(CallOn("exp2", operands.subspan(1, 1))));
     case Intrinsic::kMad:
-      return ArithmeticOn(BinaryOp::kAdd, of(ArithmeticOn(BinaryOp::kMul, x, operands[1])), operands[2]);
+      return ArithmeticOn(BinaryOp::kAdd, of(ArithmeticOn(BinaryOp::kMul, x, operands[1])),
+                          operands[2]);
     case Intrinsic::kFmod: return Snippet("fmod", operands, result);
     case Intrinsic::kSaturate:
     case Intrinsic::kIsFinite:
     case Intrinsic::kDst: return Snippet(NameOf(op), operands, result);
     case Intrinsic::kLit: return Snippet("lit", operands, result);
     case Intrinsic::kSmoothstep: {
-      // GLSL leaves smoothstep undefined when the edges are not in order; then HLSL's formula is spelled out.
+      // GLSL leaves smoothstep undefined when the edges are not in order; then HLSL's formula is
+      // spelled out.
       const auto low = NumberIn(x), high = NumberIn(operands[1]);
-      if (low && high && *low < *high) return CallOn("smoothstep", operands, shape.IsVector() ? 0b011 : 0);
+      if (low && high && *low < *high)
+        return CallOn("smoothstep", operands, shape.IsVector() ? 0b011 : 0);
       return Snippet("smoothstep", operands, result);
     }
     case Intrinsic::kD3dColorToUbyte4: {
@@ -217,13 +227,15 @@ Text Writer::BitsOn(Intrinsic op, std::span<const Operand> operands, const Shape
           return BitsOn(op, part, result.Component());
         });
       }
-      return {"packDouble2x32(uvec2(" + Argument(Full(x)) + ", " + Argument(Full(operands[1])) + "))"};
+      return {"packDouble2x32(uvec2(" + Argument(Full(x)) + ", " + Argument(Full(operands[1])) +
+              "))"};
     }
     case Intrinsic::kCountBits: return counted("bitCount");
     case Intrinsic::kFirstBitHigh: return counted("findMSB");
     case Intrinsic::kFirstBitLow: return counted("findLSB");
     case Intrinsic::kReverseBits:
-      return target_.HasBitFunctions() ? CallOn("bitfieldReverse", operands) : Snippet("reversebits", operands, result);
+      return target_.HasBitFunctions() ? CallOn("bitfieldReverse", operands)
+                                       : Snippet("reversebits", operands, result);
     case Intrinsic::kF16ToF32:
     case Intrinsic::kF32ToF16: {
       if (!target_.HasHalfPacking()) {
@@ -249,8 +261,8 @@ Text Writer::CastOn(Scalar to, const Operand& operand) {
   if (from == to) return Full(operand);
   if (from != Scalar::kFloat && to != Scalar::kFloat) return ConvertOn(to, operand);
   Require(target_.BitCasts());
-  const char* function = to == Scalar::kInt    ? "floatBitsToInt"
-                         : to == Scalar::kUint ? "floatBitsToUint"
+  const char* function = to == Scalar::kInt     ? "floatBitsToInt"
+                         : to == Scalar::kUint  ? "floatBitsToUint"
                          : from == Scalar::kInt ? "intBitsToFloat"
                                                 : "uintBitsToFloat";
   return CallOn(function, {&operand, 1});
@@ -264,9 +276,11 @@ Text Writer::ReduceOn(Intrinsic op, const Operand& operand) {
       std::string rows;
       for (int i = 0; i < shape.rows; ++i) {
         if (i > 0) rows += op == Intrinsic::kAll ? " && " : " || ";
-        rows += ReduceOn(op, {{"m[" + std::to_string(i) + "]"}, shape.Row(), std::nullopt, true}).text;
+        rows +=
+            ReduceOn(op, {{"m[" + std::to_string(i) + "]"}, shape.Row(), std::nullopt, true}).text;
       }
-      return "bool " + helper + "(" + Declaration(shape, "m") + ") {\n    return " + rows + ";\n}\n";
+      return "bool " + helper + "(" + Declaration(shape, "m") + ") {\n    return " + rows +
+             ";\n}\n";
     });
     return CallOn(name, {&operand, 1});
   }
@@ -287,45 +301,53 @@ Text Writer::DotOn(const Operand& left, const Operand& right) {
       const std::string component = std::string(".") + "xyzw"[i];
       sum += (i > 0 ? " + a" : "a") + component + " * b" + component;
     }
-    return TypeName(shape.Component()) + " " + function + "(" + Declaration(shape, "a") + ", " + Declaration(shape, "b") +
-           ") {\n    return " + sum + ";\n}\n";
+    return TypeName(shape.Component()) + " " + function + "(" + Declaration(shape, "a") + ", " +
+           Declaration(shape, "b") + ") {\n    return " + sum + ";\n}\n";
   });
   return CallOn(name, operands);
 }
 
-// frexp, modf, sincos, asuint(double): what they write are assignment targets, so they become functions with out parameters.
+// frexp, modf, sincos, asuint(double): what they write are assignment targets, so they become
+// functions with out parameters.
 Text Writer::WithOutputs(const IntrinsicCall& node) {
   NotConstant();
   const std::vector<Operand> operands = OperandsOf(node.arguments);
   const Shape& shape = operands[0].shape;
   const bool has_value = node.op == Intrinsic::kFrexp || node.op == Intrinsic::kModf;
-  if (node.op == Intrinsic::kModf && shape.IsFloating() && !shape.HasRows() && target_.HasRounding()) {
+  if (node.op == Intrinsic::kModf && shape.IsFloating() && !shape.HasRows() &&
+      target_.HasRounding()) {
     return CallOn("modf", operands);
   }
   if (node.op == Intrinsic::kFrexp) Require(target_.BitCasts());
   const std::string snippet = node.op == Intrinsic::kAsUint ? "asuint64" : NameOf(node.op);
-  const bool by_parts = shape.HasRows() || (shape.IsVector() && node.op != Intrinsic::kSincos && node.op != Intrinsic::kModf);
+  const bool by_parts = shape.HasRows() || (shape.IsVector() && node.op != Intrinsic::kSincos &&
+                                            node.op != Intrinsic::kModf);
   if (!by_parts) return Snippet(snippet, operands, shape);
 
   const Shape part = shape.HasRows() ? shape.Row() : shape.Component();
   const int count = shape.HasRows() ? shape.rows : shape.size;
   const Shape written = node.op == Intrinsic::kAsUint ? shape.With(Scalar::kUint) : shape;
   const bool two = operands.size() == 3;
-  const std::string name = Helper(NameOf(node.op), TypeName(shape), [&](const std::string& function) {
-    std::string body, values;
-    for (int i = 0; i < count; ++i) {
-      const std::string at = "[" + std::to_string(i) + "]";
-      std::vector<Operand> parts = {{{"a" + at}, part, std::nullopt, true}, {{"b" + at}, part, std::nullopt, true}};
-      if (two) parts.push_back({{"c" + at}, part, std::nullopt, true});
-      const bool builtin = node.op == Intrinsic::kModf && shape.IsFloating() && target_.HasRounding();
-      const std::string call = builtin ? CallOn("modf", parts).text : Snippet(snippet, parts, part).text;
-      if (has_value) values += (i > 0 ? ", " : "") + call;
-      if (!has_value) body += "    " + call + ";\n";
-    }
-    if (has_value) body = "    return " + TypeName(shape) + "(" + values + ");\n";
-    return (has_value ? TypeName(shape) : "void") + " " + function + "(" + Declaration(shape, "a") + ", out " +
-           Declaration(written, "b") + (two ? ", out " + Declaration(written, "c") : "") + ") {\n" + body + "}\n";
-  });
+  const std::string name =
+      Helper(NameOf(node.op), TypeName(shape), [&](const std::string& function) {
+        std::string body, values;
+        for (int i = 0; i < count; ++i) {
+          const std::string at = "[" + std::to_string(i) + "]";
+          std::vector<Operand> parts = {{{"a" + at}, part, std::nullopt, true},
+                                        {{"b" + at}, part, std::nullopt, true}};
+          if (two) parts.push_back({{"c" + at}, part, std::nullopt, true});
+          const bool builtin =
+              node.op == Intrinsic::kModf && shape.IsFloating() && target_.HasRounding();
+          const std::string call =
+              builtin ? CallOn("modf", parts).text : Snippet(snippet, parts, part).text;
+          if (has_value) values += (i > 0 ? ", " : "") + call;
+          if (!has_value) body += "    " + call + ";\n";
+        }
+        if (has_value) body = "    return " + TypeName(shape) + "(" + values + ");\n";
+        return (has_value ? TypeName(shape) : "void") + " " + function + "(" +
+               Declaration(shape, "a") + ", out " + Declaration(written, "b") +
+               (two ? ", out " + Declaration(written, "c") : "") + ") {\n" + body + "}\n";
+      });
   return CallOn(name, operands);
 }
 

@@ -19,7 +19,9 @@ std::uint32_t SizeOf(Scalar kind) {
   return base == Scalar::kDouble || base == Scalar::kInt64 || base == Scalar::kUint64 ? 8 : 4;
 }
 
-std::uint32_t RoundUp(std::uint32_t value, std::uint32_t multiple) { return (value + multiple - 1) / multiple * multiple; }
+std::uint32_t RoundUp(std::uint32_t value, std::uint32_t multiple) {
+  return (value + multiple - 1) / multiple * multiple;
+}
 
 std::string Sum(const std::string& dynamic, std::uint32_t constant) {
   if (dynamic.empty()) return std::to_string(constant);
@@ -42,7 +44,9 @@ std::uint32_t Writer::StrideOf(const Memory& memory, TypeId array, bool row_majo
 std::string Writer::Words(const Memory& memory, const Address& address, int count) {
   if (memory.is_rows) {
     std::string text = memory.array + "[" + Sum(address.dynamic, address.offset / kRow) + "]";
-    if (count < 4) text += "." + std::string("xyzw").substr(address.offset % kRow / kWord, static_cast<std::size_t>(count));
+    if (count < 4)
+      text += "." + std::string("xyzw").substr(address.offset % kRow / kWord,
+                                               static_cast<std::size_t>(count));
     return text;
   }
   std::string text;
@@ -53,7 +57,8 @@ std::string Writer::Words(const Memory& memory, const Address& address, int coun
   return count == 1 ? text : "uvec" + std::to_string(count) + "(" + text + ")";
 }
 
-std::string Writer::FromWords(const Memory& memory, Scalar kind, int components, std::string words) {
+std::string Writer::FromWords(const Memory& memory, Scalar kind, int components,
+                              std::string words) {
   const std::string type = TypeName(ShapeOf(kind, 1, components));
   switch (BaseOf(kind)) {
     case Scalar::kFloat:
@@ -68,21 +73,25 @@ std::string Writer::FromWords(const Memory& memory, Scalar kind, int components,
   }
 }
 
-std::string Writer::LoadVector(const Memory& memory, Scalar kind, int components, const Address& address) {
+std::string Writer::LoadVector(const Memory& memory, Scalar kind, int components,
+                               const Address& address) {
   const Scalar base = BaseOf(kind);
-  if (SizeOf(kind) == kWord) return FromWords(memory, kind, components, Words(memory, address, components));
+  if (SizeOf(kind) == kWord)
+    return FromWords(memory, kind, components, Words(memory, address, components));
   const std::string pack = base == Scalar::kDouble  ? "packDouble2x32("
                            : base == Scalar::kInt64 ? "packInt2x32(ivec2("
                                                     : "packUint2x32(";
   std::string text;
   for (int i = 0; i < components; ++i) {
-    text += (i > 0 ? ", " : "") + pack + Words(memory, Plus(address, static_cast<std::uint32_t>(i) * 8), 2);
+    text += (i > 0 ? ", " : "") + pack +
+            Words(memory, Plus(address, static_cast<std::uint32_t>(i) * 8), 2);
     text += base == Scalar::kInt64 ? "))" : ")";
   }
   return components == 1 ? text : TypeName(ShapeOf(kind, 1, components)) + "(" + text + ")";
 }
 
-std::string Writer::LoadMatrix(const Memory& memory, const Type& type, bool row_major, const Address& address) {
+std::string Writer::LoadMatrix(const Memory& memory, const Type& type, bool row_major,
+                               const Address& address) {
   const Shape shape = ShapeOf(type);
   const int registers = row_major ? type.rows : type.columns;
   const int length = row_major ? type.columns : type.rows;
@@ -92,25 +101,33 @@ std::string Writer::LoadMatrix(const Memory& memory, const Type& type, bool row_
 
   const auto each = [&](int count, const auto& text) {
     std::string list;
-    for (int i = 0; i < count; ++i) list += (i > 0 ? ", " : "") + text(static_cast<std::uint32_t>(i));
+    for (int i = 0; i < count; ++i)
+      list += (i > 0 ? ", " : "") + text(static_cast<std::uint32_t>(i));
     return list;
   };
   const auto register_text = [&](std::uint32_t i) {
     return LoadVector(memory, type.scalar, length, Plus(address, i * stride));
   };
-  if (!shape.HasRows() || row_major) return TypeName(shape) + "(" + each(registers, register_text) + ")";
+  if (!shape.HasRows() || row_major)
+    return TypeName(shape) + "(" + each(registers, register_text) + ")";
   if (shape.kind == Shape::kMatrix) {
-    return "transpose(" + TypeName(ShapeOf(type.scalar, type.columns, type.rows)) + "(" + each(registers, register_text) + "))";
+    return "transpose(" + TypeName(ShapeOf(type.scalar, type.columns, type.rows)) + "(" +
+           each(registers, register_text) + "))";
   }
   const auto row = [&](std::uint32_t r) {
-    return TypeName(shape.Row()) + "(" + each(type.columns, [&](std::uint32_t c) {
-      return LoadVector(memory, type.scalar, 1, Plus(address, c * stride + r * SizeOf(type.scalar)));
-    }) + ")";
+    return TypeName(shape.Row()) + "(" +
+           each(type.columns,
+                [&](std::uint32_t c) {
+                  return LoadVector(memory, type.scalar, 1,
+                                    Plus(address, c * stride + r * SizeOf(type.scalar)));
+                }) +
+           ")";
   };
   return TypeName(shape) + "(" + each(type.rows, row) + ")";
 }
 
-std::string Writer::LoadArray(const Memory& memory, TypeId id, bool row_major, const Address& address) {
+std::string Writer::LoadArray(const Memory& memory, TypeId id, bool row_major,
+                              const Address& address) {
   const Type& type = program_.types[id];
   const std::uint32_t stride = StrideOf(memory, id, row_major);
   if (type.count < kLongArray) {
@@ -122,15 +139,19 @@ std::string Writer::LoadArray(const Memory& memory, TypeId id, bool row_major, c
     return text + ")";
   }
   const std::uint32_t unit = memory.is_rows ? kRow : kWord;
-  const std::string helper = Helper("load_" + memory.array, TypeName(id) + std::to_string(address.offset % unit) + (row_major ? "r" : "c"),
-                                    [&](const std::string& function) {
-    const std::string at = Fresh("at");
-    const auto value = [&](const std::string& index) {
-      const Address element{at + " + " + std::to_string(stride / unit) + " * " + index, address.offset % unit};
-      return ElementText(type.element, {Load(memory, type.element, row_major, element)});
-    };
-    return TypeName(id) + " " + function + "(int " + at + ") {\n" + FilledArray(id, value) + "}\n";
-  });
+  const std::string helper =
+      Helper("load_" + memory.array,
+             TypeName(id) + std::to_string(address.offset % unit) + (row_major ? "r" : "c"),
+             [&](const std::string& function) {
+               const std::string at = Fresh("at");
+               const auto value = [&](const std::string& index) {
+                 const Address element{at + " + " + std::to_string(stride / unit) + " * " + index,
+                                       address.offset % unit};
+                 return ElementText(type.element, {Load(memory, type.element, row_major, element)});
+               };
+               return TypeName(id) + " " + function + "(int " + at + ") {\n" +
+                      FilledArray(id, value) + "}\n";
+             });
   return helper + "(" + Sum(address.dynamic, address.offset / unit) + ")";
 }
 

@@ -1,8 +1,8 @@
-// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// mul() and matrices. GLSL's matrices are the transposes of HLSL's, so products turn round: mul(v, M) is M * v.
-#include "backend-glsl/writer_state.h"
-
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception mul() and matrices. GLSL's matrices are
+// the transposes of HLSL's, so products turn round: mul(v, M) is M * v.
 #include <utility>
+
+#include "backend-glsl/writer_state.h"
 
 namespace clipc::glsl {
 
@@ -49,23 +49,29 @@ Text Writer::RowsMulText(ExprId left, ExprId right, const Shape& result) {
     }
     return sum;
   };
-  const std::string name = Helper("mul", TypeName(l) + " " + TypeName(r), [&](const std::string& function) {
-    std::string value;
-    if (l.IsVector() && r.HasRows()) {
-      value = combination("a", r.rows);
-    } else {
-      for (int i = 0; i < l.rows * (l.IsVector() ? l.size : 1); ++i) {
-        const std::string row = l.IsVector() ? std::string("a.") + "xyzw"[i] : "a[" + std::to_string(i) + "]";
-        if (i > 0) value += ", ";
-        if (l.IsVector()) value += row + " * b";
-        else if (r.HasRows()) value += combination(row, r.rows);
-        else value += DotOn({{row}, l.Row(), std::nullopt, true}, {{"b"}, r, std::nullopt, true}).text;
-      }
-      value = TypeName(result) + "(" + value + ")";
-    }
-    return TypeName(result) + " " + function + "(" + Declaration(l, "a") + ", " + Declaration(r, "b") + ") {\n    return " +
-           value + ";\n}\n";
-  });
+  const std::string name =
+      Helper("mul", TypeName(l) + " " + TypeName(r), [&](const std::string& function) {
+        std::string value;
+        if (l.IsVector() && r.HasRows()) {
+          value = combination("a", r.rows);
+        } else {
+          for (int i = 0; i < l.rows * (l.IsVector() ? l.size : 1); ++i) {
+            const std::string row =
+                l.IsVector() ? std::string("a.") + "xyzw"[i] : "a[" + std::to_string(i) + "]";
+            if (i > 0) value += ", ";
+            if (l.IsVector())
+              value += row + " * b";
+            else if (r.HasRows())
+              value += combination(row, r.rows);
+            else
+              value +=
+                  DotOn({{row}, l.Row(), std::nullopt, true}, {{"b"}, r, std::nullopt, true}).text;
+          }
+          value = TypeName(result) + "(" + value + ")";
+        }
+        return TypeName(result) + " " + function + "(" + Declaration(l, "a") + ", " +
+               Declaration(r, "b") + ") {\n    return " + value + ";\n}\n";
+      });
   return CallOn(name, operands);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "backend-glsl/writer_state.h"
-
 #include <algorithm>
+
+#include "backend-glsl/writer_state.h"
 
 namespace clipc::glsl {
 
@@ -11,13 +11,16 @@ namespace {
 
 // Semantics compare without case, and stages meet by name: one spelling for all.
 std::string UpperCase(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+  std::transform(text.begin(), text.end(), text.begin(), [](char c) {
+    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  });
   return text;
 }
 
 }  // namespace
 
-// The names that the host sees come first and so keep their spelling; locals are named when they are declared.
+// The names that the host sees come first and so keep their spelling; locals are named when they
+// are declared.
 void Writer::NameEverything() {
   var_names_.resize(program_.vars.size());
   function_names_.resize(program_.functions.size());
@@ -37,7 +40,8 @@ void Writer::NameEverything() {
 void Writer::NameInterface() {
   const auto name = [&](const IoVar& io, const char* prefix) {
     if (io.builtin != Builtin::kNone) return;
-    var_names_[io.var.index] = namer_.Global(prefix + UpperCase(io.semantic) + std::to_string(io.index));
+    var_names_[io.var.index] =
+        namer_.Global(prefix + UpperCase(io.semantic) + std::to_string(io.index));
   };
   for (const IoVar& input : program_.inputs) name(input, "in_");
   for (const IoVar& output : program_.outputs) name(output, "vs_");
@@ -58,8 +62,10 @@ void Writer::NameUniforms() {
     if (!reached_.Has(id) || layout.form == BlockForm::kUniforms) continue;
     // A ConstantBuffer<T> is called as its variable, which has the name already.
     const bool is_constant_buffer = cbuffer.kind == CbufferKind::kConstantBuffer;
-    block_names_[id.index] = namer_.Global(cbuffer.name + (is_constant_buffer ? "_block" : ""), "block");
-    if (layout.form == BlockForm::kRows) rows_names_[id.index] = namer_.Global(cbuffer.name + "_rows");
+    block_names_[id.index] =
+        namer_.Global(cbuffer.name + (is_constant_buffer ? "_block" : ""), "block");
+    if (layout.form == BlockForm::kRows)
+      rows_names_[id.index] = namer_.Global(cbuffer.name + "_rows");
   }
   for (const Resource& resource : program_.resources) {
     if (reached_.Has(resource.var)) {

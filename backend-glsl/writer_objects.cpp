@@ -1,6 +1,6 @@
-// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Declarations of textures, samplers and buffers. OpenGL knows a texture only together with its sampler: each pair that is
-// used becomes one sampler variable.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception Declarations of textures, samplers and
+// buffers. OpenGL knows a texture only together with its sampler: each pair that is used becomes
+// one sampler variable.
 #include <algorithm>
 #include <variant>
 
@@ -38,15 +38,16 @@ void Writer::UsesIn(FunctionId function) {
     const auto* call = std::get_if<ObjectCall>(&program_.exprs[id].node);
     if (!call) return;
     const auto arguments = program_.expr_lists[call->arguments];
-    const TextureUse use{ObjectVar(arguments[0]), TakesSampler(call->op) ? ObjectVar(arguments[1]) : VarId{}};
+    const TextureUse use{ObjectVar(arguments[0]),
+                         TakesSampler(call->op) ? ObjectVar(arguments[1]) : VarId{}};
     const ObjectKind kind = ObjectTypeOf(use.texture).object;
     if (IsStorageBuffer(kind) || IsImage(kind)) return;
     if (std::ranges::find(texture_uses_, use) == texture_uses_.end()) texture_uses_.push_back(use);
   });
 }
 
-// Names every pair. A texture that goes with one sampler keeps its name; a read without sampler goes through any pair of the
-// texture that does not compare.
+// Names every pair. A texture that goes with one sampler keeps its name; a read without sampler
+// goes through any pair of the texture that does not compare.
 void Writer::FindTextureUses() {
   if (program_.resources.empty()) return;
   for (FunctionId function : reached_.functions) UsesIn(function);
@@ -99,7 +100,8 @@ std::string Writer::ObjectName(ExprId texture, ExprId sampler) {
   }
   const std::string name = var_names_[texture_var.index] + indices;
   if (!sampler) return name;
-  return SamplerType(texture_var, IsShadow(ObjectVar(sampler))) + "(" + name + ", " + ObjectName(sampler, {}) + ")";
+  return SamplerType(texture_var, IsShadow(ObjectVar(sampler))) + "(" + name + ", " +
+         ObjectName(sampler, {}) + ")";
 }
 
 // "isampler2DArray", "sampler2DShadow"; for Vulkan's separate ones see SeparateObject.
@@ -122,12 +124,14 @@ std::string Writer::SamplerType(VarId var, bool shadow) const {
       default: return "2D";
     }
   };
-  const Scalar element = type.element ? BaseOf(program_.types[type.element].scalar) : Scalar::kFloat;
+  const Scalar element =
+      type.element ? BaseOf(program_.types[type.element].scalar) : Scalar::kFloat;
   const char* prefix = element == Scalar::kInt ? "i" : element == Scalar::kUint ? "u" : "";
   return prefix + ("sampler" + dimension()) + (shadow ? "Shadow" : "");
 }
 
-std::uint32_t Writer::FreeBinding(std::set<std::uint32_t>& taken, std::uint32_t wanted, std::uint32_t count) {
+std::uint32_t Writer::FreeBinding(std::set<std::uint32_t>& taken, std::uint32_t wanted,
+                                  std::uint32_t count) {
   const auto is_free = [&](std::uint32_t first) {
     const auto next = taken.lower_bound(first);
     return next == taken.end() || *next - first >= count;
@@ -144,7 +148,8 @@ namespace {
 
 std::uint32_t CountOf(const Program& program, VarId var) {
   std::uint64_t count = 1;
-  for (TypeId id = program.vars[var].type; program.types[id].kind == TypeKind::kArray; id = program.types[id].element) {
+  for (TypeId id = program.vars[var].type; program.types[id].kind == TypeKind::kArray;
+       id = program.types[id].element) {
     count = std::min<std::uint64_t>(count * program.types[id].count, 1u << 16);
   }
   return static_cast<std::uint32_t>(count);
@@ -184,8 +189,11 @@ void Writer::CombinedSamplers() {
       default: break;
     }
     line += target_.IsEs() ? "uniform highp " : "uniform ";
-    line += SamplerType(use.texture, IsShadow(use.sampler)) + " " + info.name + Dimensions(use.texture) + ";";
-    if (use.sampler) line += "  // " + program_.vars[use.texture].name + " with " + program_.vars[use.sampler].name;
+    line += SamplerType(use.texture, IsShadow(use.sampler)) + " " + info.name +
+            Dimensions(use.texture) + ";";
+    if (use.sampler)
+      line +=
+          "  // " + program_.vars[use.texture].name + " with " + program_.vars[use.sampler].name;
     objects_ += line + "\n";
     info_.objects.push_back(std::move(info));
   }
@@ -209,16 +217,18 @@ void Writer::SeparateObject(const Resource& resource) {
   info.name = var_names_[resource.var.index];
   info.set = resource.reg.space;
   info.binding = VulkanBinding(resource.reg);
-  objects_ += "layout(set = " + std::to_string(*info.set) + ", binding = " + std::to_string(*info.binding) + ") uniform " +
-              ObjectTypeName(resource.var) + " " + info.name + Dimensions(resource.var) + ";  // " + resource.reg.letter +
-              std::to_string(resource.reg.number) + "\n";
+  objects_ += "layout(set = " + std::to_string(*info.set) +
+              ", binding = " + std::to_string(*info.binding) + ") uniform " +
+              ObjectTypeName(resource.var) + " " + info.name + Dimensions(resource.var) + ";  // " +
+              resource.reg.letter + std::to_string(resource.reg.number) + "\n";
   info_.objects.push_back(std::move(info));
 }
 
 void Writer::BufferObject(const Resource& resource) {
   const Var& var = program_.vars[resource.var];
   const Type& type = ObjectTypeOf(resource.var);
-  GlslInfo::Object info{resource.var, {}, var_names_[resource.var.index], std::nullopt, std::nullopt};
+  GlslInfo::Object info{
+      resource.var, {}, var_names_[resource.var.index], std::nullopt, std::nullopt};
   std::string qualifiers = "std430";
   if (target_.IsVulkan()) {
     info.set = resource.reg.space;
@@ -230,12 +240,14 @@ void Writer::BufferObject(const Resource& resource) {
   qualifiers += ", binding = " + std::to_string(*info.binding);
   std::string element = "uint ";
   const bool is_structured = IsStructured(type.object);
-  if (const auto extent = is_structured ? Std430(program_.types, type.element, var.row_major) : std::nullopt) {
+  if (const auto extent =
+          is_structured ? Std430(program_.types, type.element, var.row_major) : std::nullopt) {
     element = TypeName(type.element) + " ";
     if (extent->matrices == MatrixLayout::kRowMajor) qualifiers += ", row_major";
   }
   const std::string block = namer_.Global(var.name + "_block");
-  objects_ += "layout(" + qualifiers + ")" + (ir::IsWritable(type.object) ? "" : " readonly") + " buffer " + block + " {  // " + resource.reg.letter +
+  objects_ += "layout(" + qualifiers + ")" + (ir::IsWritable(type.object) ? "" : " readonly") +
+              " buffer " + block + " {  // " + resource.reg.letter +
               std::to_string(resource.reg.number) + "\n    " + element + info.name + "[];\n};\n";
   info_.objects.push_back(std::move(info));
 }
@@ -255,25 +267,34 @@ const char* ImageDimension(ObjectKind kind) {
 
 }  // namespace
 
-// GLSL wants the format of an image that is read; HLSL tells the components and their kind: 32 bits each.
+// GLSL wants the format of an image that is read; HLSL tells the components and their kind: 32 bits
+// each.
 void Writer::ImageObject(const Resource& resource) {
   const Type& type = ObjectTypeOf(resource.var);
-  const Shape element = type.element ? ShapeOf(program_.types[type.element]) : ShapeOf(Scalar::kFloat, 1, 4);
-  GlslInfo::Object info{resource.var, {}, var_names_[resource.var.index], std::nullopt, std::nullopt};
+  const Shape element =
+      type.element ? ShapeOf(program_.types[type.element]) : ShapeOf(Scalar::kFloat, 1, 4);
+  GlslInfo::Object info{
+      resource.var, {}, var_names_[resource.var.index], std::nullopt, std::nullopt};
   std::string qualifiers;
   if (target_.IsVulkan()) {
     info.set = resource.reg.space;
     info.binding = VulkanBinding(resource.reg);
     qualifiers = "set = " + std::to_string(*info.set) + ", ";
   } else {
-    info.binding = FreeBinding(image_bindings_, resource.reg.number, CountOf(program_, resource.var));
+    info.binding =
+        FreeBinding(image_bindings_, resource.reg.number, CountOf(program_, resource.var));
   }
-  const std::string prefix = element.scalar == Scalar::kInt ? "i" : element.scalar == Scalar::kUint ? "u" : "";
+  const std::string prefix = element.scalar == Scalar::kInt    ? "i"
+                             : element.scalar == Scalar::kUint ? "u"
+                                                               : "";
   qualifiers += "binding = " + std::to_string(*info.binding) + ", ";
-  qualifiers += std::string("rgba").substr(0, element.size == 3 ? 4 : static_cast<std::size_t>(element.size)) + "32";
+  qualifiers += std::string("rgba").substr(
+                    0, element.size == 3 ? 4 : static_cast<std::size_t>(element.size)) +
+                "32";
   qualifiers += prefix == "u" ? "ui" : prefix == "i" ? "i" : "f";
-  objects_ += "layout(" + qualifiers + ") uniform " + prefix + "image" + ImageDimension(type.object) + " " + info.name +
-              Dimensions(resource.var) + ";  // " + resource.reg.letter + std::to_string(resource.reg.number) + "\n";
+  objects_ += "layout(" + qualifiers + ") uniform " + prefix + "image" +
+              ImageDimension(type.object) + " " + info.name + Dimensions(resource.var) + ";  // " +
+              resource.reg.letter + std::to_string(resource.reg.number) + "\n";
   info_.objects.push_back(std::move(info));
 }
 

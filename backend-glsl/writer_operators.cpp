@@ -1,6 +1,6 @@
-// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Operators on operands already written. What GLSL's operators do otherwise than HLSL's, or only for some types, is done by
-// helper functions.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception Operators on operands already written.
+// What GLSL's operators do otherwise than HLSL's, or only for some types, is done by helper
+// functions.
 #include <charconv>
 
 #include "backend-glsl/writer_state.h"
@@ -45,7 +45,8 @@ bool IsComparison(BinaryOp op) { return op >= BinaryOp::kLess && op <= BinaryOp:
 bool IsLogical(BinaryOp op) { return op >= BinaryOp::kLogicalAnd; }
 bool IsShift(BinaryOp op) { return op == BinaryOp::kShiftLeft || op == BinaryOp::kShiftRight; }
 bool IsLinear(BinaryOp op) {
-  return op == BinaryOp::kMul || op == BinaryOp::kDiv || op == BinaryOp::kAdd || op == BinaryOp::kSub;
+  return op == BinaryOp::kMul || op == BinaryOp::kDiv || op == BinaryOp::kAdd ||
+         op == BinaryOp::kSub;
 }
 
 // The value of "5" or "5u"; nothing for what is no plain number.
@@ -54,11 +55,14 @@ std::optional<std::uint32_t> PlainNumber(const std::optional<Text>& text) {
   std::uint32_t value = 0;
   const char* end = text->text.data() + text->text.size();
   const auto result = std::from_chars(text->text.data(), end, value);
-  const bool whole = result.ec == std::errc{} && (result.ptr == end || std::string_view(result.ptr, end) == "u");
+  const bool whole =
+      result.ec == std::errc{} && (result.ptr == end || std::string_view(result.ptr, end) == "u");
   return whole ? std::optional(value) : std::nullopt;
 }
 
-Text ScalarOr(Operand operand) { return operand.scalar ? std::move(*operand.scalar) : std::move(operand.text); }
+Text ScalarOr(Operand operand) {
+  return operand.scalar ? std::move(*operand.scalar) : std::move(operand.text);
+}
 
 }  // namespace
 
@@ -92,7 +96,8 @@ std::vector<Operand> Writer::OperandsOf(List<ExprId> list) {
 }
 
 Text Writer::Full(const Operand& operand) {
-  return operand.scalar ? SplatText(*operand.scalar, operand.shape, operand.repeatable) : operand.text;
+  return operand.scalar ? SplatText(*operand.scalar, operand.shape, operand.repeatable)
+                        : operand.text;
 }
 
 Text Writer::SplatText(const Text& scalar, const Shape& shape, bool repeatable) {
@@ -102,21 +107,26 @@ Text Writer::SplatText(const Text& scalar, const Shape& shape, bool repeatable) 
   if (!repeatable) {
     const std::string component = TypeName(shape.Component());
     const std::string name = Helper("splat_" + type, component, [&](const std::string& helper) {
-      return type + " " + helper + "(" + component + " x) {\n    return " + SplatText({"x"}, shape, true).text + ";\n}\n";
+      return type + " " + helper + "(" + component + " x) {\n    return " +
+             SplatText({"x"}, shape, true).text + ";\n}\n";
     });
     return {name + "(" + Argument(scalar) + ")"};
   }
   // mat4(x) is x on the diagonal only.
-  if (shape.kind == Shape::kMatrix && scalar.text == ZeroText(shape.Component())) return {type + "(" + scalar.text + ")"};
+  if (shape.kind == Shape::kMatrix && scalar.text == ZeroText(shape.Component()))
+    return {type + "(" + scalar.text + ")"};
   std::string text = type + "(";
-  for (int i = 0; i < shape.rows; ++i) text += (i > 0 ? ", " : "") + SplatText(scalar, shape.Row(), true).text;
+  for (int i = 0; i < shape.rows; ++i)
+    text += (i > 0 ? ", " : "") + SplatText(scalar, shape.Row(), true).text;
   return {text + ")"};
 }
 
 Text Writer::UnaryOn(UnaryOp op, const Operand& operand) {
   const Apply again = [&](std::span<const Operand> row) { return UnaryOn(op, row[0]); };
   if (operand.shape.kind == Shape::kRows) {
-    const char* name = op == UnaryOp::kNegate ? "negate" : op == UnaryOp::kNot ? "logical_not" : "complement";
+    const char* name = op == UnaryOp::kNegate ? "negate"
+                       : op == UnaryOp::kNot  ? "logical_not"
+                                              : "complement";
     return ByRows(name, {&operand, 1}, operand.shape, again);
   }
   if (op == UnaryOp::kNot && operand.shape.IsVector()) return CallOn("not", {&operand, 1});
@@ -165,7 +175,8 @@ Text Writer::ArithmeticOn(BinaryOp op, Operand left, Operand right) {
 Text Writer::ModOn(const Operand& left, const Operand& right) {
   const Operand operands[] = {left, right};
   if (left.shape.IsFloating()) return Snippet("fmod", operands, left.shape);
-  const bool is_unsigned = left.shape.scalar == Scalar::kUint || left.shape.scalar == Scalar::kUint64;
+  const bool is_unsigned =
+      left.shape.scalar == Scalar::kUint || left.shape.scalar == Scalar::kUint64;
   if (is_unsigned && target_.HasUnsigned()) return ArithmeticOn(BinaryOp::kMod, left, right);
   // GLSL's % is undefined when an operand is negative.
   return Snippet("imod", operands, left.shape);
@@ -176,7 +187,8 @@ Text Writer::ShiftCount(const Operand& count, Scalar shifted) {
   const Scalar kind = count.shape.scalar;
   const std::uint32_t mask = shifted == Scalar::kInt64 || shifted == Scalar::kUint64 ? 63 : 31;
   const std::string suffix = kind == Scalar::kUint || kind == Scalar::kUint64 ? "u" : "";
-  if (const auto number = PlainNumber(count.scalar)) return {std::to_string(*number & mask) + suffix};
+  if (const auto number = PlainNumber(count.scalar))
+    return {std::to_string(*number & mask) + suffix};
   return Infix(ScalarOr(count), "&", {std::to_string(mask) + suffix}, Binding::kBitAnd);
 }
 
@@ -197,11 +209,13 @@ Text Writer::CompareOn(BinaryOp op, const Operand& left, const Operand& right) {
 Text Writer::LogicalOn(BinaryOp op, const Operand& left, const Operand& right, bool right_is_pure) {
   const Operand operands[] = {left, right};
   if (left.shape.IsVector()) {
-    return ByComponents(Of(op).name, operands, left.shape,
-                        [&](std::span<const Operand> part) { return BinaryOn(op, part[0], part[1], true); });
+    return ByComponents(Of(op).name, operands, left.shape, [&](std::span<const Operand> part) {
+      return BinaryOn(op, part[0], part[1], true);
+    });
   }
   const bool is_eager = op == BinaryOp::kLogicalAnd || op == BinaryOp::kLogicalOr;
-  if (!is_eager || right_is_pure) return Infix(ScalarOr(left), Of(op).spelling, ScalarOr(right), Of(op).binding);
+  if (!is_eager || right_is_pure)
+    return Infix(ScalarOr(left), Of(op).spelling, ScalarOr(right), Of(op).binding);
   // Both sides are evaluated, as in HLSL before 2021.
   const std::string arguments = Argument(ScalarOr(left)) + ", " + Argument(ScalarOr(right));
   return {(op == BinaryOp::kLogicalAnd ? "all(bvec2(" : "any(bvec2(") + arguments + "))"};
@@ -220,12 +234,14 @@ Text Writer::SelectOn(std::span<const Operand> operands, bool pure) {
   }
   if (pure) {
     std::string text = Full(operands[0]).At(Tighter(Binding::kConditional)) + " ? ";
-    text += Full(operands[1]).At(Binding::kAssignment) + " : " + Full(operands[2]).At(Binding::kConditional);
+    text += Full(operands[1]).At(Binding::kAssignment) + " : " +
+            Full(operands[2]).At(Binding::kConditional);
     return {std::move(text), Binding::kConditional};
   }
   const std::string type = TypeName(shape);
   const std::string name = Helper("select", type, [&](const std::string& helper) {
-    return type + " " + helper + "(bool condition, " + type + " a, " + type + " b) {\n    return condition ? a : b;\n}\n";
+    return type + " " + helper + "(bool condition, " + type + " a, " + type +
+           " b) {\n    return condition ? a : b;\n}\n";
   });
   return CallOn(name, operands);
 }

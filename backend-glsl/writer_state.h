@@ -24,7 +24,8 @@
 
 namespace clipc::glsl {
 
-inline constexpr std::uint32_t kLongArray = 17;  // elements; from here on a loop fills an array, not a constructor
+inline constexpr std::uint32_t kLongArray =
+    17;  // elements; from here on a loop fills an array, not a constructor
 
 // A texture and the sampler it is read with; none for reads without one.
 struct TextureUse {
@@ -34,14 +35,14 @@ struct TextureUse {
 
 // An argument of an operation: its text, or the scalar that fills it.
 struct Operand {
-  Text text;                   // empty when scalar is given
+  Text text;  // empty when scalar is given
   Shape shape;
   std::optional<Text> scalar;  // every component is this
   bool repeatable = false;     // short and without effects: may be written twice
 };
 
 std::string_view SpellingOf(ir::BinaryOp op);  // "+"
-std::string_view HelperName(ir::BinaryOp op);      // "add": for helper functions
+std::string_view HelperName(ir::BinaryOp op);  // "add": for helper functions
 
 // Where a value lies in an array of words or rows.
 struct Address {
@@ -49,16 +50,16 @@ struct Address {
   std::uint32_t offset = 0;  // bytes
 };
 struct Memory {
-  std::string array;        // "Light_rows", "vertices_words"
-  bool is_rows = true;      // rows of four words; else single words
-  bool is_float = false;    // the words are floats; else uints
+  std::string array;      // "Light_rows", "vertices_words"
+  bool is_rows = true;    // rows of four words; else single words
+  bool is_float = false;  // the words are floats; else uints
 };
 
 // The state of one WriteGlsl. Its methods are spread over writer*.cpp by subject.
 class Writer {
  public:
-  Writer(const ir::Program& program, const Target& target, const WriteOptions& options, GlslInfo& info,
-         Reached reached);
+  Writer(const ir::Program& program, const Target& target, const WriteOptions& options,
+         GlslInfo& info, Reached reached);
   std::string Write();
 
  private:
@@ -85,16 +86,19 @@ class Writer {
   TypeParts PartsOf(ir::TypeId type);
   std::string TypeName(ir::TypeId type);
   std::string TypeName(const Shape& shape) const { return GlslName(shape, target_.HasUnsigned()); }
-  std::string Declaration(ir::TypeId type, std::string_view name);   // "float name[3]"
+  std::string Declaration(ir::TypeId type, std::string_view name);  // "float name[3]"
   std::string Declaration(const Shape& shape, std::string_view name) const;
   void UseStruct(ir::StructId id);
   bool IsWrapped(ir::TypeId array_element) const;
-  std::string FilledArray(ir::TypeId type, const std::function<std::string(const std::string&)>& element);
+  std::string FilledArray(ir::TypeId type,
+                          const std::function<std::string(const std::string&)>& element);
   std::string WrapperOf(ir::TypeId array);
   std::string ElementText(ir::TypeId element, Text text);  // as an argument of an array constructor
   std::string ZeroText(ir::TypeId type);
   std::string ZeroText(const Shape& shape) const;
-  std::string FieldName(ir::StructId id, std::uint32_t field) const { return field_names_[id.index][field]; }
+  std::string FieldName(ir::StructId id, std::uint32_t field) const {
+    return field_names_[id.index][field];
+  }
 
   // ---- writer_interface.cpp
   void Inputs();
@@ -111,19 +115,24 @@ class Writer {
   void BlockMembers(const BlockLayout& layout, GlslInfo::Block& info);
   void RowsBlock(ir::CbufferId id, GlslInfo::Block& info);
   void Accessor(const ir::CbufferMember& member, const Memory& memory, bool is_buffer_array);
-  std::string BlockQualifiers(const ir::Cbuffer& cbuffer, const BlockLayout& layout, GlslInfo::Block& info);
+  std::string BlockQualifiers(const ir::Cbuffer& cbuffer, const BlockLayout& layout,
+                              GlslInfo::Block& info);
   std::string Dimensions(ir::VarId var) const;
   Text UniformText(ir::VarId var);
   Text UniformElement(ir::VarId var, ir::ExprId index);
   ir::VarId InstanceOf(ir::ExprId expr, std::vector<ir::ExprId>& indices) const;
-  std::optional<std::string> InstancePath(ir::ExprId expr);  // "lights[i]" of a block with an instance name
+  std::optional<std::string> InstancePath(
+      ir::ExprId expr);  // "lights[i]" of a block with an instance name
   Text InstanceValue(ir::ExprId expr, const std::string& path);
 
   // ---- writer_memory.cpp: values out of arrays of words
   std::string Load(const Memory& memory, ir::TypeId type, bool row_major, const Address& address);
-  std::string LoadArray(const Memory& memory, ir::TypeId type, bool row_major, const Address& address);
-  std::string LoadMatrix(const Memory& memory, const ir::Type& type, bool row_major, const Address& address);
-  std::string LoadVector(const Memory& memory, ir::Scalar kind, int components, const Address& address);
+  std::string LoadArray(const Memory& memory, ir::TypeId type, bool row_major,
+                        const Address& address);
+  std::string LoadMatrix(const Memory& memory, const ir::Type& type, bool row_major,
+                         const Address& address);
+  std::string LoadVector(const Memory& memory, ir::Scalar kind, int components,
+                         const Address& address);
   std::string Words(const Memory& memory, const Address& address, int count);
   std::string FromWords(const Memory& memory, ir::Scalar kind, int components, std::string words);
   std::uint32_t StrideOf(const Memory& memory, ir::TypeId array, bool row_major) const;
@@ -181,12 +190,16 @@ class Writer {
   Text SelectOn(std::span<const Operand> operands, bool pure);
   Text ConvertOn(ir::Scalar kind, const Operand& operand);
   bool IsNative(ir::BinaryOp op, const Shape& shape, const Operand& right) const;
-  // A call of a helper function that does `apply` for each row, or for each component, of the operands.
-  Text ByRows(std::string_view name, std::span<const Operand> operands, const Shape& result, const Apply& apply);
-  Text ByComponents(std::string_view name, std::span<const Operand> operands, const Shape& result, const Apply& apply);
+  // A call of a helper function that does `apply` for each row, or for each component, of the
+  // operands.
+  Text ByRows(std::string_view name, std::span<const Operand> operands, const Shape& result,
+              const Apply& apply);
+  Text ByComponents(std::string_view name, std::span<const Operand> operands, const Shape& result,
+                    const Apply& apply);
 
   // ---- writer_helpers.cpp: functions that GLSL or the target lacks
-  // A name for a parameter or local of a function that is being defined, unlike everything it may mention.
+  // A name for a parameter or local of a function that is being defined, unlike everything it may
+  // mention.
   std::string Fresh(std::string_view wanted);
   // The GLSL name of helper `name`; defines it by define(glsl name) when `key` is new.
   std::string Helper(std::string_view name, const std::string& key,
@@ -236,7 +249,8 @@ class Writer {
   ir::VarId ObjectVar(ir::ExprId object) const;
   const ir::Type& ObjectTypeOf(ir::VarId var) const;
   // The wanted binding, or the first free one, for `count` objects.
-  std::uint32_t FreeBinding(std::set<std::uint32_t>& taken, std::uint32_t wanted, std::uint32_t count);
+  std::uint32_t FreeBinding(std::set<std::uint32_t>& taken, std::uint32_t wanted,
+                            std::uint32_t count);
 
   void Require(Support support) {
     if (!support.extension().empty()) extensions_.emplace(support.extension());
@@ -260,8 +274,8 @@ class Writer {
   std::vector<std::string> rows_names_;
   std::vector<BlockLayout> layouts_;
   std::map<TextureUse, std::string> combined_;
-  std::vector<TextureUse> texture_uses_;                 // of global objects
-  std::set<ir::VarId> mutable_globals_;  // written without `const`
+  std::vector<TextureUse> texture_uses_;  // of global objects
+  std::set<ir::VarId> mutable_globals_;   // written without `const`
   std::set<std::uint32_t> uniform_bindings_, texture_bindings_, storage_bindings_, image_bindings_;
 
   std::vector<bool> struct_used_;
@@ -270,7 +284,8 @@ class Writer {
   std::set<std::string> helper_keys_;
   std::vector<signed char> function_effects_;  // by FunctionId: -1 unknown
   std::vector<ir::VarId> integer_outputs_;     // uint in HLSL, int as built-in variables
-  std::vector<std::pair<std::string, std::string>> late_globals_;  // name and value: ES initialises them in main
+  std::vector<std::pair<std::string, std::string>>
+      late_globals_;  // name and value: ES initialises them in main
 
   std::set<std::string> extensions_;
   std::string structs_, blocks_, objects_, inputs_, outputs_, helpers_, globals_, functions_;

@@ -28,31 +28,33 @@ void Writer::Body(StmtId id) {
 
 void Writer::Statement(StmtId id) {
   Visit(Overloaded{
-                 [&](const ir::Block&) {
-                   Line("{");
-                   Body(id);
-                   Line("}");
-                 },
-                 [&](const Declare& node) { Line(DeclareText(node), ";"); },
-                 [&](const Evaluate& node) { Line(Expr(node.expr).text, ";"); },
-                 [&](const ir::If& node) { If(node, ""); },
-                 [&](const ir::For& node) { For(node); },
-                 [&](const While& node) {
-                   Line("while (", Expr(node.condition).text, ") {");
-                   Body(node.body);
-                   Line("}");
-                 },
-                 [&](const DoWhile& node) {
-                   Line("do {");
-                   Body(node.body);
-                   Line("} while (", Expr(node.condition).text, ");");
-                 },
-                 [&](const ir::Switch& node) { Switch(node); },
-                 [&](const Return& node) { node.value ? Line("return ", Expr(node.value).text, ";") : Line("return;"); },
-                 [&](const Break&) { Line("break;"); },
-                 [&](const Continue&) { Line("continue;"); },
-             },
-             program_.stmts[id].node);
+            [&](const ir::Block&) {
+              Line("{");
+              Body(id);
+              Line("}");
+            },
+            [&](const Declare& node) { Line(DeclareText(node), ";"); },
+            [&](const Evaluate& node) { Line(Expr(node.expr).text, ";"); },
+            [&](const ir::If& node) { If(node, ""); },
+            [&](const ir::For& node) { For(node); },
+            [&](const While& node) {
+              Line("while (", Expr(node.condition).text, ") {");
+              Body(node.body);
+              Line("}");
+            },
+            [&](const DoWhile& node) {
+              Line("do {");
+              Body(node.body);
+              Line("} while (", Expr(node.condition).text, ");");
+            },
+            [&](const ir::Switch& node) { Switch(node); },
+            [&](const Return& node) {
+              node.value ? Line("return ", Expr(node.value).text, ";") : Line("return;");
+            },
+            [&](const Break&) { Line("break;"); },
+            [&](const Continue&) { Line("continue;"); },
+        },
+        program_.stmts[id].node);
 }
 
 std::string Writer::DeclareText(const Declare& node) {
@@ -66,14 +68,16 @@ std::string Writer::DeclareText(const Declare& node) {
   std::string& name = var_names_[node.var.index];
   name = namer_.Local(var.name);
   const bool is_precise = var.precise && target_.HasPrecise();
-  return Concat(is_const ? "const " : "", is_precise ? "precise " : "", Declaration(var.type, name), init ? " = " : "", value);
+  return Concat(is_const ? "const " : "", is_precise ? "precise " : "", Declaration(var.type, name),
+                init ? " = " : "", value);
 }
 
 void Writer::If(const ir::If& node, std::string_view lead) {
   Line(std::string(lead) + "if (" + Expr(node.condition).text + ") {");
   Body(node.then);
   if (!node.otherwise) return Line("}");
-  if (const auto* next = std::get_if<ir::If>(&program_.stmts[node.otherwise].node)) return If(*next, "} else ");
+  if (const auto* next = std::get_if<ir::If>(&program_.stmts[node.otherwise].node))
+    return If(*next, "} else ");
   Line("} else {");
   Body(node.otherwise);
   Line("}");

@@ -29,14 +29,16 @@ void Writer::RequireType(const Type& type) {
   if (base == Scalar::kInt64 || base == Scalar::kUint64) Require(target_.Int64());
 }
 
-// `struct float_array3 { float e[3]; }`: an array as the element of another where GLSL has no arrays of arrays.
+// `struct float_array3 { float e[3]; }`: an array as the element of another where GLSL has no
+// arrays of arrays.
 std::string Writer::WrapperOf(TypeId array) {
   const TypeParts parts = PartsOf(array);
   auto [found, is_new] = wrappers_.try_emplace(parts.base + parts.dimensions);
   if (is_new) {
     const std::string size = parts.dimensions.substr(1, parts.dimensions.size() - 2);
     found->second = namer_.Global(parts.base + "_array" + size);
-    structs_ += "struct " + found->second + " {\n    " + parts.base + " e" + parts.dimensions + ";\n};\n\n";
+    structs_ +=
+        "struct " + found->second + " {\n    " + parts.base + " e" + parts.dimensions + ";\n};\n\n";
   }
   return found->second;
 }
@@ -100,11 +102,12 @@ void Writer::UseStruct(StructId id) {
 }
 
 // The body of a function that returns an array of element(index variable).
-std::string Writer::FilledArray(TypeId id, const std::function<std::string(const std::string&)>& element) {
+std::string Writer::FilledArray(TypeId id,
+                                const std::function<std::string(const std::string&)>& element) {
   const std::string array = Fresh("result"), index = Fresh("i");
   return "    " + Declaration(id, array) + ";\n    for (int " + index + " = 0; " + index + " < " +
-         std::to_string(program_.types[id].count) + "; ++" + index + ") " + array + "[" + index + "] = " + element(index) +
-         ";\n    return " + array + ";\n";
+         std::to_string(program_.types[id].count) + "; ++" + index + ") " + array + "[" + index +
+         "] = " + element(index) + ";\n    return " + array + ";\n";
 }
 
 std::string Writer::ElementText(TypeId element, Text text) {
@@ -136,9 +139,12 @@ std::string Writer::ZeroText(TypeId id) {
   CLIPC_CHECK(type.kind == TypeKind::kArray);
   const std::string zero = ElementText(type.element, {ZeroText(type.element)});
   if (type.count >= kLongArray) {
-    return Helper("zeros_" + name, "", [&](const std::string& helper) {
-      return name + " " + helper + "() {\n" + FilledArray(id, [&](const std::string&) { return zero; }) + "}\n";
-    }) + "()";
+    return Helper("zeros_" + name, "",
+                  [&](const std::string& helper) {
+                    return name + " " + helper + "() {\n" +
+                           FilledArray(id, [&](const std::string&) { return zero; }) + "}\n";
+                  }) +
+           "()";
   }
   for (std::uint32_t i = 0; i < type.count; ++i) text += (i > 0 ? ", " : "") + zero;
   return text + ")";

@@ -15,8 +15,8 @@
 
 namespace clipc {
 
-// Owns every value of type T of one tree, in the order of creation. References stay valid while the arena grows
-// (values live in fixed blocks), so a node may be read while others are added.
+// Owns every value of type T of one tree, in the order of creation. References stay valid while the
+// arena grows (values live in fixed blocks), so a node may be read while others are added.
 template <typename T>
 class Arena {
  public:
@@ -66,13 +66,15 @@ struct List {
   bool empty() const { return size == 0; }
 };
 
-// Owns the child lists of one tree. A span read from a Pool is valid until the next Add to the same Pool.
+// Owns the child lists of one tree. A span read from a Pool is valid until the next Add to the same
+// Pool.
 template <typename T>
 class Pool {
  public:
   // `values` may lie in this pool.
   List<T> Add(std::span<const T> values) {
-    const List<T> list{static_cast<std::uint32_t>(values_.size()), static_cast<std::uint32_t>(values.size())};
+    const List<T> list{static_cast<std::uint32_t>(values_.size()),
+                       static_cast<std::uint32_t>(values.size())};
     std::vector<T> old;
     if (const std::size_t size = values_.size() + values.size(); size > values_.capacity()) {
       old.reserve(std::max(size, 2 * values_.capacity()));
@@ -82,9 +84,13 @@ class Pool {
     for (const T& value : values) values_.push_back(value);
     return list;
   }
-  List<T> Add(std::initializer_list<T> values) { return Add(std::span<const T>(values.begin(), values.size())); }
+  List<T> Add(std::initializer_list<T> values) {
+    return Add(std::span<const T>(values.begin(), values.size()));
+  }
 
-  std::span<const T> operator[](List<T> list) const { return {values_.data() + list.begin, list.size}; }
+  std::span<const T> operator[](List<T> list) const {
+    return {values_.data() + list.begin, list.size};
+  }
   std::span<T> operator[](List<T> list) { return {values_.data() + list.begin, list.size}; }
 
  private:

@@ -8,7 +8,8 @@ namespace clipc {
 namespace {
 
 constexpr std::array<DiagInfo, kDiagCount> kInfos = {{
-#define DIAG(Name, SeverityName, FxcCode, Format, ...) {#Name, Severity::SeverityName, FxcCode, Format},
+#define DIAG(Name, SeverityName, FxcCode, Format, ...) \
+  {#Name, Severity::SeverityName, FxcCode, Format},
 #include "base/diagnostic_kinds.def"
 #undef DIAG
 }};
@@ -57,7 +58,8 @@ Diagnostic& Diagnostics::Add(Span where, DiagId id, std::string message) {
   bool dropped = false;
   if (severity == Severity::kWarning) {
     dropped = options_.off[index] || options_.no_warnings || pragma_off_[index];
-    if (options_.warnings_are_errors || options_.as_error[index] || pragma_error_[index]) severity = Severity::kError;
+    if (options_.warnings_are_errors || options_.as_error[index] || pragma_error_[index])
+      severity = Severity::kError;
   }
   if (!dropped) {
     int& count = severity == Severity::kError ? error_count_ : warning_count_;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include <fmt/format.h>
-
 #include <bitset>
 #include <cstdint>
 #include <optional>
@@ -11,6 +9,8 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "base/span.h"
 
@@ -34,13 +34,15 @@ struct DiagInfo {
   std::string_view format;
 };
 const DiagInfo& InfoOf(DiagId id);
-// The name users write in -W<name>, -Wno-<name>, and see in brackets after a message: "clip-plane-not-float4".
+// The name users write in -W<name>, -Wno-<name>, and see in brackets after a message:
+// "clip-plane-not-float4".
 std::string PrintedName(DiagId id);
 // The inverse of PrintedName.
 std::optional<DiagId> DiagIdOf(std::string_view printed_name);
 
 namespace diag {
-// A kind of diagnostic with the types of its arguments: a wrong number or type of arguments does not compile.
+// A kind of diagnostic with the types of its arguments: a wrong number or type of arguments does
+// not compile.
 template <typename... Args>
 struct Kind {
   DiagId id;
@@ -69,8 +71,10 @@ struct Diagnostic {
   std::vector<Diagnostic> notes;
 
   template <typename... Args>
-  Diagnostic& Note(Span where, const diag::Kind<Args...>& kind, const std::type_identity_t<Args>&... args) {
-    notes.push_back({kind.id, Severity::kNote, where, fmt::format(kind.format, args...), {}, {}, {}});
+  Diagnostic& Note(Span where, const diag::Kind<Args...>& kind,
+                   const std::type_identity_t<Args>&... args) {
+    notes.push_back(
+        {kind.id, Severity::kNote, where, fmt::format(kind.format, args...), {}, {}, {}});
     return *this;
   }
   Diagnostic& Fix(Span where, std::string text) {
@@ -79,8 +83,8 @@ struct Diagnostic {
   }
 };
 
-// What stands in brackets after the message: the option that switches a warning off, fxc's code of an error. Starts
-// with a space; empty for a note and for an error that fxc does not number.
+// What stands in brackets after the message: the option that switches a warning off, fxc's code of
+// an error. Starts with a space; empty for a note and for an error that fxc does not number.
 std::string MessageSuffix(const Diagnostic& diagnostic);
 
 // What -Werror, -W<name> and -Wno-<name> ask for. All warnings are on unless switched off.
@@ -91,8 +95,8 @@ struct WarningOptions {
   std::bitset<kDiagCount> as_error;
 };
 
-// Collects what one compile has to say, in the order of discovery. Past kMaxErrors errors nothing more is kept, so
-// that hostile input cannot make the list large.
+// Collects what one compile has to say, in the order of discovery. Past kMaxErrors errors nothing
+// more is kept, so that hostile input cannot make the list large.
 class Diagnostics {
  public:
   static constexpr int kMaxErrors = 50;
@@ -102,12 +106,13 @@ class Diagnostics {
 
   // The returned reference takes notes and fix-its; it is valid until the next Report.
   template <typename... Args>
-  Diagnostic& Report(Span where, const diag::Kind<Args...>& kind, const std::type_identity_t<Args>&... args) {
+  Diagnostic& Report(Span where, const diag::Kind<Args...>& kind,
+                     const std::type_identity_t<Args>&... args) {
     return Add(where, kind.id, fmt::format(kind.format, args...));
   }
 
-  // `#pragma warning(disable: 3206)`: from here on, what the shader itself asks for every warning with that fxc code.
-  // The command line has the last word on warnings it switches off.
+  // `#pragma warning(disable: 3206)`: from here on, what the shader itself asks for every warning
+  // with that fxc code. The command line has the last word on warnings it switches off.
   enum class WarningState : std::uint8_t { kOn, kOff, kError };
   void SetWarning(std::string_view fxc_code, WarningState state);
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "base/diagnostics.h"
 
-#include <gtest/gtest.h>
-
 #include <set>
+
+#include <gtest/gtest.h>
 
 namespace clipc {
 namespace {
@@ -65,13 +65,16 @@ TEST(Diagnostics, PragmaWarningTakesFxcCodes) {
 TEST(Diagnostics, KeepsABoundedNumber) {
   Diagnostics diagnostics;
   for (int i = 0; i < 10 * Diagnostics::kMaxWarnings; ++i) {
-    diagnostics.Report({}, diag::InvalidNumber, "1x", "").Note({}, diag::PlainNote, "note").Fix({}, "1");
+    diagnostics.Report({}, diag::InvalidNumber, "1x", "")
+        .Note({}, diag::PlainNote, "note")
+        .Fix({}, "1");
     diagnostics.Report({}, diag::UnknownPragma, "x");
   }
   EXPECT_TRUE(diagnostics.TooManyErrors());
   EXPECT_EQ(diagnostics.error_count(), Diagnostics::kMaxErrors);
   EXPECT_EQ(diagnostics.warning_count(), Diagnostics::kMaxWarnings);
-  EXPECT_EQ(diagnostics.all().size(), static_cast<std::size_t>(Diagnostics::kMaxErrors + Diagnostics::kMaxWarnings));
+  EXPECT_EQ(diagnostics.all().size(),
+            static_cast<std::size_t>(Diagnostics::kMaxErrors + Diagnostics::kMaxWarnings));
 }
 
 }  // namespace

@@ -6,7 +6,8 @@
 
 namespace clipc {
 
-// A dense index into the one Arena that owns values of type T. Ids of different kinds do not convert.
+// A dense index into the one Arena that owns values of type T. Ids of different kinds do not
+// convert.
 template <typename T>
 struct Id {
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};

@@ -27,14 +27,17 @@ class Names {
     }
     return slots_[slot];
   }
-  std::string_view operator[](Name name) const { return name ? std::string_view(texts_[name.index]) : ""; }
+  std::string_view operator[](Name name) const {
+    return name ? std::string_view(texts_[name.index]) : "";
+  }
   std::uint32_t size() const { return static_cast<std::uint32_t>(texts_.size()); }
 
  private:
   // Where `text` is, or would be. At least half of the slots are free.
   std::size_t SlotOf(std::string_view text) const {
     std::size_t slot = std::hash<std::string_view>()(text) & (slots_.size() - 1);
-    while (slots_[slot] && texts_[slots_[slot].index] != text) slot = (slot + 1) & (slots_.size() - 1);
+    while (slots_[slot] && texts_[slots_[slot].index] != text)
+      slot = (slot + 1) & (slots_.size() - 1);
     return slot;
   }
   void Grow() {

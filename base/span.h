@@ -5,8 +5,9 @@
 
 namespace clipc {
 
-// A place in the user's text: the first and the last token of a phrase (not one past it). The numbers are opaque;
-// only the SourceMap that handed them out can tell file, line and macro expansion. Zero is "nowhere".
+// A place in the user's text: the first and the last token of a phrase (not one past it). The
+// numbers are opaque; only the SourceMap that handed them out can tell file, line and macro
+// expansion. Zero is "nowhere".
 struct Span {
   std::uint32_t begin = 0;
   std::uint32_t end = 0;

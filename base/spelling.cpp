@@ -20,7 +20,8 @@ std::string ToLower(std::string_view text) {
 }
 
 bool EqualIgnoringCase(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return Lower(x) == Lower(y); });
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](char x, char y) { return Lower(x) == Lower(y); });
 }
 
 int EditDistance(std::string_view a, std::string_view b, int limit) {
@@ -34,7 +35,8 @@ int EditDistance(std::string_view a, std::string_view b, int limit) {
     std::swap(above, row);
     int best = row[0] = static_cast<int>(i);
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      row[j] = std::min({above[j] + 1, row[j - 1] + 1, above[j - 1] + (same(i - 1, j - 1) ? 0 : 1)});
+      row[j] =
+          std::min({above[j] + 1, row[j - 1] + 1, above[j - 1] + (same(i - 1, j - 1) ? 0 : 1)});
       const bool swapped = i > 1 && j > 1 && same(i - 1, j - 2) && same(i - 2, j - 1);
       if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);
       best = std::min(best, row[j]);
@@ -44,17 +46,21 @@ int EditDistance(std::string_view a, std::string_view b, int limit) {
   return std::min(row[b.size()], limit + 1);
 }
 
-std::vector<std::string_view> NearNames(std::string_view name, std::span<const std::string_view> candidates) {
+std::vector<std::string_view> NearNames(std::string_view name,
+                                        std::span<const std::string_view> candidates) {
   const int limit = std::max(1, static_cast<int>(std::min<std::size_t>(name.size(), 64)) / 3);
   std::vector<std::pair<int, std::string_view>> near;
   if (name.size() > 64) return {};
   for (std::string_view candidate : candidates) {
-    if (const int distance = EditDistance(name, candidate, limit); distance <= limit) near.emplace_back(distance, candidate);
+    if (const int distance = EditDistance(name, candidate, limit); distance <= limit)
+      near.emplace_back(distance, candidate);
   }
-  std::stable_sort(near.begin(), near.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::stable_sort(near.begin(), near.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<std::string_view> names;
   for (const auto& [distance, candidate] : near) {
-    if (names.size() < 3 && std::find(names.begin(), names.end(), candidate) == names.end()) names.push_back(candidate);
+    if (names.size() < 3 && std::find(names.begin(), names.end(), candidate) == names.end())
+      names.push_back(candidate);
   }
   return names;
 }

@@ -21,7 +21,8 @@ TEST(EditDistance, CountsInsertedDeletedReplacedAndSwappedLetters) {
 TEST(EditDistance, GivesUpBeyondItsLimit) {
   EXPECT_EQ(EditDistance("abcdef", "ghijkl", 2), 3);
   EXPECT_EQ(EditDistance("a", "abcd", 2), 3);
-  EXPECT_EQ(EditDistance("bacde", "abced", 2), 2) << "a swap at the end reaches over a row that is too far";
+  EXPECT_EQ(EditDistance("bacde", "abced", 2), 2)
+      << "a swap at the end reaches over a row that is too far";
 }
 
 TEST(NearNames, AreTheNearestThreeFirst) {

@@ -9,7 +9,8 @@
 
 namespace clipc {
 
-// Words known when clipc is built, each different, found by one hash and, almost always, one comparison.
+// Words known when clipc is built, each different, found by one hash and, almost always, one
+// comparison.
 template <std::size_t N>
 class WordIndex {
  public:
@@ -55,7 +56,8 @@ class WordIndex {
 
   std::array<std::string_view, N> words_;
   std::array<std::uint16_t, kSlots> slots_{};
-  std::array<std::uint32_t, 64> lengths_{};  // by first letter: the lengths of its words, which most other words fail
+  std::array<std::uint32_t, 64>
+      lengths_{};  // by first letter: the lengths of its words, which most other words fail
 };
 
 }  // namespace clipc

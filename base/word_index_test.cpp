@@ -7,8 +7,9 @@ namespace clipc {
 namespace {
 
 // The last two hash alike: they differ in letters that the hash does not read.
-constexpr std::array<std::string_view, 12> kWords = {"",     "a",    "b",     "float",  "float2", "float3",
-                                                     "abcb", "accb", "vec23", "vec32", "aXbXcXdXe", "aYbXcXdYe"};
+constexpr std::array<std::string_view, 12> kWords = {"",       "a",      "b",         "float",
+                                                     "float2", "float3", "abcb",      "accb",
+                                                     "vec23",  "vec32",  "aXbXcXdXe", "aYbXcXdYe"};
 constexpr WordIndex kIndex(kWords);
 
 TEST(WordIndex, FindsEachWordWhereItStands) {

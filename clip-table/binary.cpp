@@ -5,8 +5,9 @@
 #include "clip-table/read.h"
 #include "clip-table/write.h"
 
-// Formats: the custom-data block as write.h says; DXBC containers and token streams as d3d12TokenizedProgramFormat.hpp
-// ("Version Token", "Instruction Length", "Custom-Data Block Format") says.
+// Formats: the custom-data block as write.h says; DXBC containers and token streams as
+// d3d12TokenizedProgramFormat.hpp ("Version Token", "Instruction Length", "Custom-Data Block
+// Format") says.
 namespace clipc::clip_table {
 namespace {
 
@@ -32,7 +33,8 @@ class Dwords {
   std::size_t size() const { return bytes_.size() / 4; }
   std::uint32_t operator[](std::size_t index) const {
     std::uint32_t value = 0;
-    for (int i = 3; i >= 0; --i) value = value << 8 | static_cast<unsigned char>(bytes_[4 * index + i]);
+    for (int i = 3; i >= 0; --i)
+      value = value << 8 | static_cast<unsigned char>(bytes_[4 * index + i]);
     return value;
   }
   Dwords From(std::size_t index) const { return {bytes_.substr(4 * index), offset_ + 4 * index}; }
@@ -69,7 +71,8 @@ Result<ClipTable> ReadBlock(Dwords block) {
                    std::to_string(kMaxPlanes) + ", each at least one");
     }
     if (block[at + 1] >> 16 != 0) {
-      return Error("record " + std::to_string(i) + block.Where(at) + " has a reserved WORD that is not 0");
+      return Error("record " + std::to_string(i) + block.Where(at) +
+                   " has a reserved WORD that is not 0");
     }
     for (std::uint32_t k = 0; k < registers; ++k) {
       Constant constant;
@@ -99,12 +102,15 @@ Result<ClipTable> ReadProgram(Dwords program) {
       return Error("the instruction" + program.Where(at) + " is longer than the shader, or empty");
     }
     if (token == kBlockToken) {
-      if (length < kHeaderDwords) return Error("the clip plane block" + program.Where(at) + " is cut off");
+      if (length < kHeaderDwords)
+        return Error("the clip plane block" + program.Where(at) + " is cut off");
       return ReadBlock(program.From(at).First(length));
     }
     at += length;
   }
-  return Error("the shader has no clip plane block: it was compiled without [clipplanes], or not for a 9_x profile");
+  return Error(
+      "the shader has no clip plane block: it was compiled without [clipplanes], or not for a 9_x "
+      "profile");
 }
 
 Result<ClipTable> ReadContainer(std::string_view bytes) {
@@ -154,8 +160,9 @@ Result<std::string> WriteBinary(const ClipTable& table) {
   std::string problem = ProblemOf(table);
   if (problem.empty()) problem = ProblemOf(Direct3DPart(table));
   if (problem.empty() && table.position_space != PositionSpace::kDirect3DClip) {
-    problem = "the binary form is Direct3D 9's own, whose planes are in clip space; these are in space " +
-              std::string(NameOf(table.position_space));
+    problem =
+        "the binary form is Direct3D 9's own, whose planes are in clip space; these are in space " +
+        std::string(NameOf(table.position_space));
   }
   if (!problem.empty()) return Result<std::string>::Error(std::move(problem));
 
@@ -169,9 +176,10 @@ Result<std::string> WriteBinary(const ClipTable& table) {
     const Constant& constant = *plane.constant;
     if (constant.register_space != 0 || constant.register_number > kMaxWord ||
         constant.float4_register > kMaxWord) {
-      return Result<std::string>::Error("plane " + std::to_string(plane.index) +
-                                        " lies in a register that the binary form cannot name; it has no "
-                                        "register spaces, and 16 bits for a number");
+      return Result<std::string>::Error(
+          "plane " + std::to_string(plane.index) +
+          " lies in a register that the binary form cannot name; it has no "
+          "register spaces, and 16 bits for a number");
     }
     Put(bytes, constant.register_number, 2);
     Put(bytes, constant.float4_register, 2);
@@ -185,11 +193,12 @@ Result<ClipTable> ReadBinary(std::string_view bytes) {
   if (bytes.starts_with("DXBC")) return ReadContainer(bytes);
   const Dwords block(bytes, 0);
   if (bytes.size() % 4 != 0 || block.size() < kHeaderDwords || block[0] != kBlockToken) {
-    return Error("no clip plane block: it starts with the DWORD 0x2835 and has at least three DWORDs");
+    return Error(
+        "no clip plane block: it starts with the DWORD 0x2835 and has at least three DWORDs");
   }
   if (block[1] != block.size()) {
-    return Error("the clip plane block says that it has " + std::to_string(block[1]) + " DWORDs; the file has " +
-                 std::to_string(block.size()));
+    return Error("the clip plane block says that it has " + std::to_string(block[1]) +
+                 " DWORDs; the file has " + std::to_string(block.size()));
   }
   return ReadBlock(block);
 }

@@ -8,7 +8,8 @@
 namespace clipc::clip_table {
 namespace {
 
-constexpr std::string_view kLoweringNames[] = {"clip-distance", "level9", "none", "near-plane", "discard"};
+constexpr std::string_view kLoweringNames[] = {"clip-distance", "level9", "none", "near-plane",
+                                               "discard"};
 constexpr std::string_view kSpaceNames[] = {"direct3d-clip", "xyw1", "object"};
 constexpr std::string_view kScaleNames[] = {"any", "depth"};
 
@@ -26,7 +27,8 @@ bool HoldsNul(std::initializer_list<std::string_view> texts) {
 
 std::string ProblemOf(const Plane& plane, std::size_t index, Lowering lowering) {
   const std::string where = "plane " + std::to_string(index);
-  if (plane.index != index) return where + " says that it is operand " + std::to_string(plane.index);
+  if (plane.index != index)
+    return where + " says that it is operand " + std::to_string(plane.index);
   if (HoldsNul({plane.text})) return where + " holds a NUL character";
   if (!plane.constant) {
     return lowering == Lowering::kLevel9
@@ -38,8 +40,8 @@ std::string ProblemOf(const Plane& plane, std::size_t index, Lowering lowering) 
     return where + " holds a NUL character";
   }
   if (constant.byte_offset != std::uint64_t{16} * constant.float4_register) {
-    return where + " is register " + std::to_string(constant.float4_register) +
-           " at byte offset " + std::to_string(constant.byte_offset) + "; a register is 16 bytes";
+    return where + " is register " + std::to_string(constant.float4_register) + " at byte offset " +
+           std::to_string(constant.byte_offset) + "; a register is 16 bytes";
   }
   return "";
 }
@@ -50,7 +52,9 @@ std::string_view NameOf(Lowering lowering) {
   return kLoweringNames[static_cast<std::size_t>(lowering)];
 }
 
-std::string_view NameOf(PositionSpace space) { return kSpaceNames[static_cast<std::size_t>(space)]; }
+std::string_view NameOf(PositionSpace space) {
+  return kSpaceNames[static_cast<std::size_t>(space)];
+}
 
 std::string_view NameOf(PlaneScale scale) { return kScaleNames[static_cast<std::size_t>(scale)]; }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "clip-table/clip_table.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <fstream>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "clip-table/random_table.h"
 #include "clip-table/read.h"
@@ -156,7 +156,8 @@ TEST(ClipTable, SpacesOtherThanClip) {
     EXPECT_THAT(WriteBinary(table).error, HasSubstr("whose planes are in clip space"));
   }
   table.lowering = Lowering::kLevel9;
-  EXPECT_EQ(ProblemOf(table), "planes in space object with lowering level9, which knows clip space only");
+  EXPECT_EQ(ProblemOf(table),
+            "planes in space object with lowering level9, which knows clip space only");
   EXPECT_FALSE(WriteJson(table));
 }
 
@@ -174,7 +175,8 @@ TEST(ClipTable, WritersRefuseContradictions) {
 
 // ---- damaged files
 
-// A damaged text may still be a good table (a letter of a name changed); then it must say exactly what it reads.
+// A damaged text may still be a good table (a letter of a name changed); then it must say exactly
+// what it reads.
 TEST(ClipTable, DamageIsNeverACrash) {
   RandomTable random(2);
   int errors = 0;
@@ -211,7 +213,8 @@ std::string JsonError(const char* pointer, const nlohmann::json& value) {
 TEST(ClipTable, JsonErrorsNameThePlace) {
   EXPECT_EQ(JsonError("/schema", "other"), "`schema` is \"other\"; this is no clip table");
   EXPECT_EQ(JsonError("/version", 2), "`version` is 2; this clipc reads version 1");
-  EXPECT_EQ(JsonError("/lowering", "magic"), "`lowering` is \"magic\", which this clipc does not know");
+  EXPECT_EQ(JsonError("/lowering", "magic"),
+            "`lowering` is \"magic\", which this clipc does not know");
   EXPECT_EQ(JsonError("/planes/1/constant/register", -1),
             "`planes[1].constant.register` is no integer from 0 to 4294967295");
   EXPECT_EQ(JsonError("/planes/1/constant/register", 1.5),

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <cstdint>
 #include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include "clip-table/random_table.h"
 #include "clip-table/read.h"
@@ -53,7 +53,8 @@ ClipTable Expected() {
   ClipTable table;
   table.lowering = Lowering::kLevel9;
   table.enable_mask = 3;
-  table.planes = {{0, "", Constant{"", 0, 1, 0, 0, 0, "", ""}}, {1, "", Constant{"", 0, 1, 0, 3, 48, "", ""}}};
+  table.planes = {{0, "", Constant{"", 0, 1, 0, 0, 0, "", ""}},
+                  {1, "", Constant{"", 0, 1, 0, 3, 48, "", ""}}};
   return table;
 }
 
@@ -76,18 +77,24 @@ TEST(ClipTableContainer, ARecordMayMapSeveralRegisters) {
 }
 
 TEST(ClipTableContainer, RecordsThatCannotBe) {
-  EXPECT_THAT(ReadBinary(Bytes({0x2835, 5, 1, 0, 0})).error, HasSubstr("record 0 at byte 12 maps 0 registers"));
+  EXPECT_THAT(ReadBinary(Bytes({0x2835, 5, 1, 0, 0})).error,
+              HasSubstr("record 0 at byte 12 maps 0 registers"));
   EXPECT_THAT(ReadBinary(Bytes({0x2835, 5, 1, 0, 7})).error, HasSubstr("maps 7 registers"));
-  EXPECT_THAT(ReadBinary(Bytes({0x2835, 7, 2, 0, 6, 0, 1})).error, HasSubstr("record 1 at byte 20"));
+  EXPECT_THAT(ReadBinary(Bytes({0x2835, 7, 2, 0, 6, 0, 1})).error,
+              HasSubstr("record 1 at byte 20"));
   EXPECT_THAT(ReadBinary(Bytes({0x2835, 5, 1, 0, 0x0001'0001})).error, HasSubstr("reserved WORD"));
-  EXPECT_THAT(ReadBinary(Bytes({0x2835, 5, 2, 0, 1})).error, HasSubstr("claims to hold 2 clip planes"));
-  EXPECT_THAT(ReadBinary(Bytes({0x2835, 6, 1, 0, 1})).error, HasSubstr("says that it has 6 DWORDs; the file has 5"));
+  EXPECT_THAT(ReadBinary(Bytes({0x2835, 5, 2, 0, 1})).error,
+              HasSubstr("claims to hold 2 clip planes"));
+  EXPECT_THAT(ReadBinary(Bytes({0x2835, 6, 1, 0, 1})).error,
+              HasSubstr("says that it has 6 DWORDs; the file has 5"));
   EXPECT_THAT(ReadBinary(Bytes({0x2035, 5, 1, 0, 1})).error, HasSubstr("no clip plane block"));
 }
 
 TEST(ClipTableContainer, ShadersWithoutABlock) {
-  EXPECT_THAT(ReadBinary(Container(kShdr, Program({}))).error, HasSubstr("compiled without [clipplanes]"));
-  EXPECT_THAT(ReadBinary(Container(kIsgn, Program({}))).error, HasSubstr("neither an SHDR nor an SHEX"));
+  EXPECT_THAT(ReadBinary(Container(kShdr, Program({}))).error,
+              HasSubstr("compiled without [clipplanes]"));
+  EXPECT_THAT(ReadBinary(Container(kIsgn, Program({}))).error,
+              HasSubstr("neither an SHDR nor an SHEX"));
 }
 
 TEST(ClipTableContainer, BrokenContainers) {

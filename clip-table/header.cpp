@@ -51,8 +51,8 @@ bool IsIdentifier(std::string_view name) {
          !std::isdigit(static_cast<unsigned char>(name.front()));
 }
 
-// A C string literal. Octal escapes have at most three digits, so nothing that follows can join them; `?` is escaped
-// because two of them may start a trigraph.
+// A C string literal. Octal escapes have at most three digits, so nothing that follows can join
+// them; `?` is escaped because two of them may start a trigraph.
 std::string Quoted(std::string_view text) {
   std::string quoted = "\"";
   for (const char c : text) {
@@ -74,22 +74,27 @@ std::string Quoted(std::string_view text) {
 std::string Initializer(const Plane& plane) {
   const Constant constant = plane.constant.value_or(Constant{});
   const auto number = [](std::uint32_t value) { return std::to_string(value) + "u, "; };
-  return "{" + number(plane.index) + Quoted(plane.text) + ", " + (plane.constant ? "true, " : "false, ") +
-         Quoted(constant.cbuffer) + ", " + number(constant.cbuffer_element) +
-         number(constant.register_number) + number(constant.register_space) +
-         number(constant.float4_register) + number(constant.byte_offset) +
-         Quoted(constant.glsl_block) + ", " + Quoted(constant.glsl_member) + "}";
+  return "{" + number(plane.index) + Quoted(plane.text) + ", " +
+         (plane.constant ? "true, " : "false, ") + Quoted(constant.cbuffer) + ", " +
+         number(constant.cbuffer_element) + number(constant.register_number) +
+         number(constant.register_space) + number(constant.float4_register) +
+         number(constant.byte_offset) + Quoted(constant.glsl_block) + ", " +
+         Quoted(constant.glsl_member) + "}";
 }
 
 std::string HeaderText(const ClipTable& table, std::string_view name) {
-  std::string text = "// Written by clipc; changes are refused when it is read back, and lost when it is written again.\n";
+  std::string text =
+      "// Written by clipc; changes are refused when it is read back, and lost when it is written "
+      "again.\n";
   text += std::string(kMark) + std::string(name) + " " + JsonText(table, true) + "\n";
   text += "#pragma once\n\n";
   text += kTypes;
   text += "\ninline constexpr clipc::StaticClipTable " + std::string(name) + " = {\n";
   text += "    " + Quoted(table.entry) + ", " + Quoted(table.profile) + ",\n";
-  text += "    " + Quoted(NameOf(table.lowering)) + ", " + Quoted(NameOf(table.position_space)) + ",\n";
-  text += "    " + std::to_string(table.enable_mask) + "u, " + std::to_string(table.planes.size()) + "u,\n";
+  text +=
+      "    " + Quoted(NameOf(table.lowering)) + ", " + Quoted(NameOf(table.position_space)) + ",\n";
+  text += "    " + std::to_string(table.enable_mask) + "u, " + std::to_string(table.planes.size()) +
+          "u,\n";
   text += "    {\n";
   for (const Plane& plane : table.planes) text += "        " + Initializer(plane) + ",\n";
   text += "    }};\n";
@@ -140,7 +145,8 @@ Result<ClipTable> ReadHeader(std::string_view bytes) {
   const std::string text = WithoutCarriageReturns(bytes);
   const std::size_t mark = text.find(kMark);
   if (mark == text.npos || (mark > 0 && text[mark - 1] != '\n')) {
-    return Error("no clip table header: a comment `" + std::string(kMark) + "<name> <JSON>` is missing");
+    return Error("no clip table header: a comment `" + std::string(kMark) +
+                 "<name> <JSON>` is missing");
   }
   std::string_view line = std::string_view(text).substr(mark + kMark.size());
   line = line.substr(0, line.find('\n'));
@@ -153,8 +159,9 @@ Result<ClipTable> ReadHeader(std::string_view bytes) {
   if (*again != text) {
     const auto differ = std::mismatch(again->begin(), again->end(), text.begin(), text.end());
     const auto line_number = 1 + std::count(text.begin(), differ.second, '\n');
-    return Error("line " + std::to_string(line_number) +
-                 " of the header was changed after clipc wrote it, and its comment does not say the same");
+    return Error(
+        "line " + std::to_string(line_number) +
+        " of the header was changed after clipc wrote it, and its comment does not say the same");
   }
   return table;
 }
@@ -162,7 +169,8 @@ Result<ClipTable> ReadHeader(std::string_view bytes) {
 Result<ClipTable> FromStatic(const StaticClipTable& from) {
   const std::optional<Lowering> lowering = ParseLowering(from.lowering);
   const std::optional<PositionSpace> space = ParsePositionSpace(from.position_space);
-  if (!lowering || !space) return Error("a lowering or a position space that this clipc does not know");
+  if (!lowering || !space)
+    return Error("a lowering or a position space that this clipc does not know");
   if (from.plane_count > kMaxPlanes) return Error(std::to_string(from.plane_count) + " planes");
   ClipTable table{from.entry, from.profile, *lowering, *space, from.enable_mask, {}};
   for (unsigned i = 0; i < from.plane_count; ++i) {

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <filesystem>
+#include <fstream>
+
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 #include <stdlib.h>
-
-#include <filesystem>
-#include <fstream>
 
 #include "clip-table/random_table.h"
 #include "clip-table/read.h"
 #include "clip-table/write.h"
 
-// What WriteHeader writes is C++17 that compiles alone, without a warning, and means the table it was written from.
+// What WriteHeader writes is C++17 that compiles alone, without a warning, and means the table it
+// was written from.
 namespace clipc::clip_table {
 namespace {
 
@@ -25,7 +26,10 @@ class HeaderCompile : public ::testing::Test {
 
   int Compile() const {
     const std::string at = "cd '" + folder_.string() + "' && ";
-    return std::system((at + "c++ -std=c++17 -Wall -Wextra -Wpedantic -Werror -shared -fPIC tables.cpp -o tables.so").c_str());
+    return std::system(
+        (at +
+         "c++ -std=c++17 -Wall -Wextra -Wpedantic -Werror -shared -fPIC tables.cpp -o tables.so")
+            .c_str());
   }
 
   std::filesystem::path folder_;

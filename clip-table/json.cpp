@@ -3,9 +3,10 @@
 
 #include <initializer_list>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <vector>
+
+#include <nlohmann/json.hpp>
 
 #include "clip-table/read.h"
 #include "clip-table/write.h"
@@ -21,31 +22,32 @@ constexpr std::uint32_t kVersion = 1;
 
 OrderedJson ToJson(const Constant& constant) {
   return OrderedJson{{"cbuffer", constant.cbuffer},
-              {"cbuffer_element", constant.cbuffer_element},
-              {"register", constant.register_number},
-              {"space", constant.register_space},
-              {"float4_register", constant.float4_register},
-              {"byte_offset", constant.byte_offset},
-              {"glsl_block", constant.glsl_block},
-              {"glsl_member", constant.glsl_member}};
+                     {"cbuffer_element", constant.cbuffer_element},
+                     {"register", constant.register_number},
+                     {"space", constant.register_space},
+                     {"float4_register", constant.float4_register},
+                     {"byte_offset", constant.byte_offset},
+                     {"glsl_block", constant.glsl_block},
+                     {"glsl_member", constant.glsl_member}};
 }
 
 OrderedJson ToJson(const ClipTable& table) {
   OrderedJson planes = OrderedJson::array();
   for (const Plane& plane : table.planes) {
-    planes.push_back(OrderedJson{{"index", plane.index},
-                          {"text", plane.text},
-                          {"constant", plane.constant ? ToJson(*plane.constant) : OrderedJson(nullptr)}});
+    planes.push_back(
+        OrderedJson{{"index", plane.index},
+                    {"text", plane.text},
+                    {"constant", plane.constant ? ToJson(*plane.constant) : OrderedJson(nullptr)}});
   }
   return OrderedJson{{"schema", kSchema},
-              {"version", kVersion},
-              {"entry", table.entry},
-              {"profile", table.profile},
-              {"lowering", NameOf(table.lowering)},
-              {"position_space", NameOf(table.position_space)},
-              {"plane_scale", NameOf(PlaneScaleOf(table.lowering))},
-              {"enable_mask", table.enable_mask},
-              {"planes", std::move(planes)}};
+                     {"version", kVersion},
+                     {"entry", table.entry},
+                     {"profile", table.profile},
+                     {"lowering", NameOf(table.lowering)},
+                     {"position_space", NameOf(table.position_space)},
+                     {"plane_scale", NameOf(PlaneScaleOf(table.lowering))},
+                     {"enable_mask", table.enable_mask},
+                     {"planes", std::move(planes)}};
 }
 
 // Reads members of one JSON object; keeps the first thing that is wrong.
@@ -92,7 +94,8 @@ class ObjectReader {
 
   // Call when every known key was read.
   void NothingElse() {
-    if (error_.empty() && known_ != json_.size()) Fail("", "has a key that this clipc does not know");
+    if (error_.empty() && known_ != json_.size())
+      Fail("", "has a key that this clipc does not know");
   }
 
   void Fail(const std::string& key, const std::string& what) {
@@ -156,7 +159,9 @@ ClipTable TableFrom(const Json& json, std::string& error) {
   table.position_space = object.Name("position_space", ParsePositionSpace);
   const std::string scale = object.Text("plane_scale");
   const std::string_view right = NameOf(PlaneScaleOf(table.lowering));
-  if (scale != right) object.Fail("plane_scale", "is \"" + scale + "\"; with this lowering it is \"" + std::string(right) + "\"");
+  if (scale != right)
+    object.Fail("plane_scale",
+                "is \"" + scale + "\"; with this lowering it is \"" + std::string(right) + "\"");
   table.enable_mask = object.Number("enable_mask");
   const Json* planes = object.Find("planes");
   object.NothingElse();
@@ -167,7 +172,8 @@ ClipTable TableFrom(const Json& json, std::string& error) {
   return table;
 }
 
-// As nlohmann's parser, which keeps the last of equal keys; a table with two is damaged. Throws its parse_error.
+// As nlohmann's parser, which keeps the last of equal keys; a table with two is damaged. Throws its
+// parse_error.
 Json Parse(std::string_view text, bool& repeats_key) {
   std::vector<std::set<std::string>> open;
   const auto watch = [&](int, Json::parse_event_t event, Json& parsed) {

@@ -18,9 +18,9 @@ class RandomTable {
 
   // Identifiers, HLSL punctuation, and what is hard to quote.
   std::string Text() {
-    static const char* const kPieces[] = {"planes", "[2]", ".",    "$Globals", "float4(a, b)", "\"",
-                                          "\\",     "?\?/", "\n",   "\t",       "é",            "平面",
-                                          "\x7f",   "7",   "\x01", "*/",       "//",           " "};
+    static const char* const kPieces[] = {
+        "planes", "[2]",  ".",    "$Globals", "float4(a, b)", "\"", "\\", "?\?/", "\n", "\t",
+        "é",      "平面", "\x7f", "7",        "\x01",         "*/", "//", " "};
     std::string text;
     for (std::uint32_t n = Below(6); n > 0; --n) text += kPieces[Below(std::size(kPieces))];
     return text;
@@ -32,13 +32,15 @@ class RandomTable {
     table.profile = Text();
     table.lowering = static_cast<Lowering>(Below(5));
     table.position_space = static_cast<PositionSpace>(Below(3));
-    if (!KnowsSpace(table.lowering, table.position_space)) table.position_space = PositionSpace::kDirect3DClip;
+    if (!KnowsSpace(table.lowering, table.position_space))
+      table.position_space = PositionSpace::kDirect3DClip;
     const std::uint32_t count = Below(table.lowering == Lowering::kNearPlane ? 2 : kMaxPlanes + 1);
     for (std::uint32_t i = 0; i < count; ++i) {
       Plane& plane = table.planes.emplace_back(Plane{i, Text(), std::nullopt});
       if (table.lowering != Lowering::kLevel9 && Below(4) == 0) continue;
       const std::uint32_t row = Below(Below(2) ? 64 : 65536);
-      plane.constant = Constant{Text(), Below(3), Below(70000), Below(3), row, 16 * row, Text(), Text()};
+      plane.constant =
+          Constant{Text(), Below(3), Below(70000), Below(3), row, 16 * row, Text(), Text()};
     }
     table.enable_mask = EnableMask(table.lowering, count);
     return table;

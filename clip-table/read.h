@@ -8,18 +8,21 @@
 
 namespace clipc::clip_table {
 
-// All readers take the bytes of a whole file. Whatever the bytes are, the answer is a table that ProblemOf finds good, or
-// an error that says what is wrong and where.
+// All readers take the bytes of a whole file. Whatever the bytes are, the answer is a table that
+// ProblemOf finds good, or an error that says what is wrong and where.
 
-// What WriteJson wrote; white space and the order of the keys are free, unknown and repeated keys are errors.
+// What WriteJson wrote; white space and the order of the keys are free, unknown and repeated keys
+// are errors.
 Result<ClipTable> ReadJson(std::string_view text);
 
-// What WriteBinary wrote, or a DXBC container (a compiled shader of fxc) with such a block in its SHDR or SHEX chunk. A
-// record of several registers gives one plane for each. The container's hash is not checked.
+// What WriteBinary wrote, or a DXBC container (a compiled shader of fxc) with such a block in its
+// SHDR or SHEX chunk. A record of several registers gives one plane for each. The container's hash
+// is not checked.
 Result<ClipTable> ReadBinary(std::string_view bytes);
 
-// What WriteHeader wrote. A comment in it carries the table in JSON; the C++ below must be what WriteHeader makes of that
-// table, so a header that was edited by hand is an error. Line ends may have become CR LF.
+// What WriteHeader wrote. A comment in it carries the table in JSON; the C++ below must be what
+// WriteHeader makes of that table, so a header that was edited by hand is an error. Line ends may
+// have become CR LF.
 Result<ClipTable> ReadHeader(std::string_view text);
 
 // What such a header holds, for a program that was compiled with it.

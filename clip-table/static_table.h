@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-// The types of the tables that `clipc --table x.h` writes. Each such header brings this same text (a test compares), so it
-// compiles alone; whoever comes first defines the types.
+// The types of the tables that `clipc --table x.h` writes. Each such header brings this same text
+// (a test compares), so it compiles alone; whoever comes first defines the types.
 // clang-format off
 #ifndef CLIPC_STATIC_CLIP_TABLE
 #define CLIPC_STATIC_CLIP_TABLE 1

@@ -4,7 +4,7 @@
 option(CLIPC_WERROR "warnings are errors" ON)
 option(CLIPC_STATIC "link the release executable fully static: it starts in less than half the time" ON)
 set(CLIPC_SANITIZE "" CACHE STRING "sanitizers, as -fsanitize= takes them: address,undefined")
-option(CLIPC_FUZZ "instrument everything for libFuzzer and build fuzz/ (needs Clang)" OFF)
+option(CLIPC_FUZZ "instrument everything for libFuzzer and build tools/fuzz/ (needs Clang)" OFF)
 
 get_property(multi_config GLOBAL PROPERTY GENERATOR_IS_MULTI_CONFIG)
 if(NOT CMAKE_BUILD_TYPE AND NOT multi_config)

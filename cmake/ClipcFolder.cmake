@@ -51,6 +51,7 @@ endfunction()
 function(clipc_test target)
   cmake_parse_arguments(PARSE_ARGV 1 test "" "NAME" "SOURCES;LIBRARIES")
   add_executable(${target} ${test_SOURCES} ${CLIPC_SANITIZER_SOURCE})
+  set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)  # tests have like names in unnamed namespaces
   target_link_libraries(${target} PRIVATE ${test_LIBRARIES} GTest::gmock GTest::gtest_main)
   gtest_discover_tests(${target}
     TEST_PREFIX ${test_NAME}.

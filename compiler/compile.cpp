@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/compile.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <exception>
 #include <new>
+
+#include <fmt/format.h>
 
 #include "backend-glsl/check_target.h"
 #include "backend-glsl/discard.h"
@@ -17,11 +17,11 @@
 #include "compiler/reflect.h"
 #include "compiler/suggest.h"
 #include "compiler/validate.h"
-#include "frontend/ast_print.h"
-#include "frontend/check.h"
-#include "frontend/parse.h"
-#include "frontend/position_input.h"
-#include "frontend/source.h"
+#include "frontend/check/check.h"
+#include "frontend/lex/source.h"
+#include "frontend/parse/ast_print.h"
+#include "frontend/parse/parse.h"
+#include "frontend/rules/position_input.h"
 #include "ir/print.h"
 #include "passes/outputs.h"
 #include "passes/pipeline.h"
@@ -90,11 +90,13 @@ bool Compilation::ReadSettings() {
   if (auto profile = ir::ParseProfile(request_.profile)) {
     settings_.profile = std::move(*profile);
   } else {
-    diagnostics_.Report({}, diag::UnknownProfile, request_.profile, Suggest(request_.profile, ProfileNames()));
+    diagnostics_.Report({}, diag::UnknownProfile, request_.profile,
+                        Suggest(request_.profile, ProfileNames()));
   }
   settings_.target = glsl::Target::Parse(request_.target);
   if (!settings_.target) {
-    diagnostics_.Report({}, diag::UnknownTarget, request_.target, Suggest(request_.target, glsl::Target::Names()));
+    diagnostics_.Report({}, diag::UnknownTarget, request_.target,
+                        Suggest(request_.target, glsl::Target::Names()));
   }
   const std::vector<std::string_view> passes = passes::PassNames();
   const auto check_pass = [&](const std::string& name) {
@@ -104,7 +106,8 @@ bool Compilation::ReadSettings() {
   for (const std::string& name : request_.dump_after) check_pass(name);
   if (!request_.stop_after.empty()) check_pass(request_.stop_after);
   const bool is_level9 = settings_.profile.level9 != ir::Level9::kNone;
-  settings_.lowering = request_.lowering.value_or(is_level9 ? Lowering::kLevel9 : Lowering::kClipDistance);
+  settings_.lowering =
+      request_.lowering.value_or(is_level9 ? Lowering::kLevel9 : Lowering::kClipDistance);
   if (!clip_table::KnowsSpace(settings_.lowering, request_.plane_space)) {
     diagnostics_.Report({}, diag::PlaneSpaceLowering, clip_table::NameOf(request_.plane_space),
                         clip_table::NameOf(settings_.lowering));
@@ -124,8 +127,8 @@ void Compilation::RunStages(Source& source) {
     CheckOptions options;
     options.profile = settings_.profile;
     options.entry = request_.entry;
-    options.packing =
-        request_.matrices == MatrixOrder::kRowMajor ? MatrixPacking::kRowMajor : MatrixPacking::kColumnMajor;
+    options.packing = request_.matrices == MatrixOrder::kRowMajor ? MatrixPacking::kRowMajor
+                                                                  : MatrixPacking::kColumnMajor;
     options.whole_register_planes = settings_.lowering == Lowering::kLevel9;
     program = Check(file, options, diagnostics_);
     if (diagnostics_.has_errors()) return;
@@ -151,12 +154,14 @@ void Compilation::RunBackEnd(ir::Program& program) {
                         diag::ClipPlanesIgnored, count, count == 1 ? " is" : "s are");
   }
   if (settings_.lowering == Lowering::kNearPlane && program.clip_planes.size() > 1) {
-    diagnostics_.Report(program.clip_planes[1].span, diag::ClipPlanesForNearPlane, program.clip_planes.size());
+    diagnostics_.Report(program.clip_planes[1].span, diag::ClipPlanesForNearPlane,
+                        program.clip_planes.size());
     return;
   }
   if (request_.plane_space == clip_table::PositionSpace::kObject && !program.clip_planes.empty()) {
     const std::string& semantic = request_.position_input;
-    position_input_ = CheckPositionInput(program, semantic.empty() ? "POSITION0" : semantic, diagnostics_);
+    position_input_ =
+        CheckPositionInput(program, semantic.empty() ? "POSITION0" : semantic, diagnostics_);
     if (!position_input_) return;
   }
   if (request_.variants) WriteVariants(program);
@@ -165,7 +170,8 @@ void Compilation::RunBackEnd(ir::Program& program) {
   const std::uint32_t count = DistancesOf(program);
   Lower(program);
   if (distances && DistancesOf(program) < count && request_.stop_after.empty()) {
-    diagnostics_.Report(program.vars[distances].span, diag::ClipDistancesLeftOut, DistancesOf(program));
+    diagnostics_.Report(program.vars[distances].span, diag::ClipDistancesLeftOut,
+                        DistancesOf(program));
   }
   if (!request_.stop_after.empty()) {
     if (request_.dump_after.empty()) result_.dump = ir::Print(program);
@@ -177,16 +183,24 @@ void Compilation::RunBackEnd(ir::Program& program) {
 void Compilation::Lower(ir::Program& program) {
   passes::PipelineOptions options;
   switch (settings_.lowering) {
-    case Lowering::kClipDistance: options.clip_planes.lowering = passes::Lowering::kClipDistance; break;
+    case Lowering::kClipDistance:
+      options.clip_planes.lowering = passes::Lowering::kClipDistance;
+      break;
     case Lowering::kLevel9: options.clip_planes.lowering = passes::Lowering::kLevel9; break;
     case Lowering::kNone: options.clip_planes.lowering = passes::Lowering::kNone; break;
     case Lowering::kNearPlane: options.clip_planes.lowering = passes::Lowering::kNearPlane; break;
     case Lowering::kDiscard: options.clip_planes.lowering = passes::Lowering::kDiscard; break;
   }
   switch (request_.plane_space) {
-    case clip_table::PositionSpace::kDirect3DClip: options.clip_planes.space = passes::PlaneSpace::kClip; break;
-    case clip_table::PositionSpace::kXyw1: options.clip_planes.space = passes::PlaneSpace::kXyw1; break;
-    case clip_table::PositionSpace::kObject: options.clip_planes.space = passes::PlaneSpace::kObject; break;
+    case clip_table::PositionSpace::kDirect3DClip:
+      options.clip_planes.space = passes::PlaneSpace::kClip;
+      break;
+    case clip_table::PositionSpace::kXyw1:
+      options.clip_planes.space = passes::PlaneSpace::kXyw1;
+      break;
+    case clip_table::PositionSpace::kObject:
+      options.clip_planes.space = passes::PlaneSpace::kObject;
+      break;
   }
   options.clip_planes.position_input = position_input_;
   options.clip_planes.write_clip_vertex = settings_.target->HasClipVertex();
@@ -219,7 +233,8 @@ void Compilation::Write(const ir::Program& program) {
     auto json = clip_table::WriteJson(*result_.table);
     if (json) result_.dump = std::move(*json);
   }
-  if (request_.reflect) result_.reflection = Reflect(program, *settings_.target, info_, *result_.table);
+  if (request_.reflect)
+    result_.reflection = Reflect(program, *settings_.target, info_, *result_.table);
 }
 
 void Compilation::WriteFragment(const ir::Program& program) {
@@ -232,12 +247,14 @@ void Compilation::WriteFragment(const ir::Program& program) {
   glsl::Insertion insertion = glsl::InsertDiscard(*request_.fragment, program, target, info_);
   if (!insertion.error.empty()) diagnostics_.Report({}, diag::FragmentShader, insertion.error);
   result_.fragment = std::move(insertion.text);
-  if (request_.validate && insertion.error.empty()) CheckWithGlslang(result_.fragment, ShaderStage::kFragment);
+  if (request_.validate && insertion.error.empty())
+    CheckWithGlslang(result_.fragment, ShaderStage::kFragment);
 }
 
 // The planes of a draw call are moved to the front, so its variant is told by their number alone.
 void Compilation::WriteVariants(const ir::Program& typed) {
-  for (std::size_t count = 0; count <= std::min(typed.clip_planes.size(), request_.variant_planes); ++count) {
+  for (std::size_t count = 0; count <= std::min(typed.clip_planes.size(), request_.variant_planes);
+       ++count) {
     ir::Program program = typed;
     program.clip_planes.resize(count);
     Lower(program);
@@ -252,8 +269,9 @@ void Compilation::CheckWithGlslang(const std::string& glsl, ShaderStage stage) {
   const Validation validation = Validate(glsl, *settings_.target, stage);
   if (validation.ok) return;
   if (stage == ShaderStage::kFragment) {
-    diagnostics_.Report({}, diag::FragmentShader,
-                        validation.problems.empty() ? "glslang refuses it" : validation.problems[0]);
+    diagnostics_.Report(
+        {}, diag::FragmentShader,
+        validation.problems.empty() ? "glslang refuses it" : validation.problems[0]);
     return;
   }
   if (settings_.target->IsEs() && info_.clip_distance_mask != 0) {
@@ -262,12 +280,14 @@ void Compilation::CheckWithGlslang(const std::string& glsl, ShaderStage stage) {
     return;
   }
   const auto& problems = validation.problems;
-  Diagnostic& report = diagnostics_.Report({}, diag::InvalidGlsl, problems.empty() ? "no reason given" : problems[0]);
+  Diagnostic& report = diagnostics_.Report({}, diag::InvalidGlsl,
+                                           problems.empty() ? "no reason given" : problems[0]);
   for (std::size_t i = 1; i < problems.size(); ++i) report.Note({}, diag::PlainNote, problems[i]);
 }
 
 void Compilation::Finish(const Source& source) {
-  for (const Diagnostic& diagnostic : diagnostics_.all()) result_.messages.push_back(ToMessage(diagnostic, source));
+  for (const Diagnostic& diagnostic : diagnostics_.all())
+    result_.messages.push_back(ToMessage(diagnostic, source));
   if (request_.draw_text && !result_.messages.empty()) {
     result_.text = source.RenderText(diagnostics_, request_.colour);
   }

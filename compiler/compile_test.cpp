@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/compile.h"
 
-#include <gtest/gtest.h>
-
 #include <thread>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "compiler/options.h"
 
@@ -51,7 +51,8 @@ TEST(Compile, ErrorsLeaveNoOutput) {
 
 TEST(Compile, BadRequests) {
   for (const auto& change : std::vector<void (*)(CompileRequest&)>{
-           [](CompileRequest& r) { r.profile = "vs_9_9"; }, [](CompileRequest& r) { r.target = "spirv"; },
+           [](CompileRequest& r) { r.profile = "vs_9_9"; },
+           [](CompileRequest& r) { r.target = "spirv"; },
            [](CompileRequest& r) { r.stop_after = "nothing"; },
            [](CompileRequest& r) { r.text.reset(), r.path = "/no/such/file.hlsl"; }}) {
     CompileRequest request = TwoPlanes();
@@ -96,7 +97,8 @@ TEST(Compile, ThreadsDoNotMeet) {
 }
 
 TEST(ParseCommandLine, SlashIsAnOptionOnlyWhereItIsNoPath) {
-  const char* const arguments[] = {"/T", "vs_4_0", "/Emain", "/DX=1", "/usr/include", "/tmp/none.hlsl", "-o", "/Tx"};
+  const char* const arguments[] = {"/T",           "vs_4_0",         "/Emain", "/DX=1",
+                                   "/usr/include", "/tmp/none.hlsl", "-o",     "/Tx"};
   const ParsedCommandLine parsed = ParseCommandLine(arguments);
   ASSERT_EQ(parsed.error, "");
   EXPECT_EQ(parsed.command.request.profile, "vs_4_0");
@@ -108,10 +110,10 @@ TEST(ParseCommandLine, SlashIsAnOptionOnlyWhereItIsNoPath) {
 
 // LLVM searches the table by bisection: every row must be found by its own name.
 TEST(ParseCommandLine, EveryOptionIsFound) {
-#define OPTION(Enumerator, Dashes, Name, ...)                               \
-  {                                                                         \
-    const char* const arguments[] = {Name, "x"};                            \
-    const ParsedCommandLine parsed = ParseCommandLine(arguments);           \
+#define OPTION(Enumerator, Dashes, Name, ...)                                  \
+  {                                                                            \
+    const char* const arguments[] = {Name, "x"};                               \
+    const ParsedCommandLine parsed = ParseCommandLine(arguments);              \
     EXPECT_EQ(parsed.error.find("unknown option"), std::string::npos) << Name; \
   }
 #include "compiler/options.def"

@@ -25,11 +25,13 @@ std::string Escaped(const std::string& path) {
 
 }  // namespace
 
-std::string DependencyRule(const std::string& target, const std::vector<std::string>& dependencies) {
+std::string DependencyRule(const std::string& target,
+                           const std::vector<std::string>& dependencies) {
   std::string rule = Escaped(target) + ":";
   for (const std::string& file : dependencies) rule += " \\\n  " + Escaped(file);
   rule += '\n';
-  for (std::size_t i = 1; i < dependencies.size(); ++i) rule += '\n' + Escaped(dependencies[i]) + ":\n";
+  for (std::size_t i = 1; i < dependencies.size(); ++i)
+    rule += '\n' + Escaped(dependencies[i]) + ":\n";
   return rule;
 }
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/driver.h"
 
-#include <fmt/format.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <condition_variable>
 #include <cstdio>
@@ -14,12 +11,15 @@
 #include <thread>
 #include <utility>
 
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include "clip-table/write.h"
 #include "compiler/compile.h"
 #include "compiler/depfile.h"
 #include "compiler/options.h"
 #include "compiler/output_files.h"
-#include "frontend/source_text.h"
+#include "frontend/lex/source_text.h"
 
 namespace clipc {
 namespace {
@@ -32,7 +32,8 @@ int Fail(std::string_view what) {
 
 bool TerminalHasColour() {
   const char* terminal = std::getenv("TERM");
-  return isatty(STDERR_FILENO) && terminal && std::string_view(terminal) != "dumb" && !std::getenv("NO_COLOR");
+  return isatty(STDERR_FILENO) && terminal && std::string_view(terminal) != "dumb" &&
+         !std::getenv("NO_COLOR");
 }
 
 std::string WithoutExtension(const std::string& path) {
@@ -64,27 +65,32 @@ std::string VariantName(const std::string& path, std::size_t planes) {
 
 // A value that is only an extension, ".json", names the file after the GLSL.
 std::string NameAfter(const std::string& value, const std::string& glsl) {
-  const bool is_extension = value.size() > 1 && value[0] == '.' && value.find('/') == std::string::npos;
+  const bool is_extension =
+      value.size() > 1 && value[0] == '.' && value.find('/') == std::string::npos;
   return is_extension ? WithoutExtension(glsl) + value : value;
 }
 
 Outputs PlaceOutputs(const CommandLine& command, const std::string& input) {
-  const bool is_folder = command.output.ends_with('/') || (command.output != "-" && IsDirectory(command.output));
+  const bool is_folder =
+      command.output.ends_with('/') || (command.output != "-" && IsDirectory(command.output));
   Outputs outputs;
   outputs.glsl = command.output.empty() ? "-" : command.output;
   if (is_folder) {
     const std::string stem = input == "-" ? "stdin" : WithoutExtension(FileName(input));
-    outputs.glsl = fmt::format("{}{}{}.vert", command.output, command.output.ends_with('/') ? "" : "/", stem);
+    outputs.glsl =
+        fmt::format("{}{}{}.vert", command.output, command.output.ends_with('/') ? "" : "/", stem);
   }
   // What is named after the GLSL is named after the input when that goes to standard output.
   const std::string name = outputs.glsl != "-" ? outputs.glsl : input == "-" ? "stdin" : input;
   outputs.table = NameAfter(command.table, name);
   outputs.reflection = NameAfter(command.reflection, name);
   if (command.request.lowering == clip_table::Lowering::kDiscard) {
-    outputs.fragment = WithoutExtension(name) + (command.fragment.empty() ? ".discard.glsl" : ".frag");
+    outputs.fragment =
+        WithoutExtension(name) + (command.fragment.empty() ? ".discard.glsl" : ".frag");
   }
   if (command.write_dependencies) {
-    outputs.dependencies = NameAfter(command.dependency_file.empty() ? ".d" : command.dependency_file, name);
+    outputs.dependencies =
+        NameAfter(command.dependency_file.empty() ? ".d" : command.dependency_file, name);
   }
   // The program or a dump takes standard output; the GLSL is then written only where -o says.
   const CompileRequest& request = command.request;
@@ -126,11 +132,14 @@ std::string Driver::CheckUsage() {
     return "--variants writes several files, named after the one that -o gives";
   }
   if (!command_.fragment.empty() && command_.request.lowering != clip_table::Lowering::kDiscard) {
-    return "--fragment is for --lower=discard; with the other lowerings the fragment shader stays as it is";
+    return "--fragment is for --lower=discard; with the other lowerings the fragment shader stays "
+           "as it is";
   }
   const CompileRequest& request = command_.request;
-  if (!request.position_input.empty() && request.plane_space != clip_table::PositionSpace::kObject) {
-    return "--position-input is for --plane-space=object; other spaces take the position that the shader computes";
+  if (!request.position_input.empty() &&
+      request.plane_space != clip_table::PositionSpace::kObject) {
+    return "--position-input is for --plane-space=object; other spaces take the position that the "
+           "shader computes";
   }
   FileSet named, sources;
   for (const std::string& input : inputs) sources.Add(input);
@@ -150,7 +159,8 @@ int Driver::Run() {
   CompileRequest& request = command_.request;
   if (!command_.fragment.empty()) {
     const std::string problem = ReadText(command_.fragment, request.fragment.emplace());
-    if (!problem.empty()) return Fail(fmt::format("cannot read `{}`: {}", command_.fragment, problem));
+    if (!problem.empty())
+      return Fail(fmt::format("cannot read `{}`: {}", command_.fragment, problem));
   }
   request.reflect = !command_.reflection.empty();
   request.draw_text = command_.format == MessageFormat::kText;
@@ -164,7 +174,8 @@ int Driver::Run() {
   return exit_code;
 }
 
-// On as many threads as were asked for; what is said and written comes in the order of the inputs all the same.
+// On as many threads as were asked for; what is said and written comes in the order of the inputs
+// all the same.
 int Driver::CompileAll() {
   const std::size_t count = command_.inputs.size();
   std::vector<std::optional<CompileResult>> results(count);
@@ -214,7 +225,9 @@ int Driver::Finish(const CompileResult& result, const Outputs& outputs) {
 
 void Driver::Show(const CompileResult& result) {
   switch (command_.format) {
-    case MessageFormat::kText: std::fwrite(result.text.data(), 1, result.text.size(), stderr); return;
+    case MessageFormat::kText:
+      std::fwrite(result.text.data(), 1, result.text.size(), stderr);
+      return;
     case MessageFormat::kMsvc: {
       const std::string lines = RenderMsvc(result.messages);
       std::fwrite(lines.data(), 1, lines.size(), stderr);
@@ -227,7 +240,8 @@ void Driver::Show(const CompileResult& result) {
   }
 }
 
-void Driver::AddShaders(const CompileResult& result, const Outputs& outputs, OutputFiles& files) const {
+void Driver::AddShaders(const CompileResult& result, const Outputs& outputs,
+                        OutputFiles& files) const {
   if (!command_.request.variants) {
     files.Add(outputs.glsl, result.glsl);
     if (!outputs.fragment.empty()) files.Add(outputs.fragment, result.fragment);
@@ -241,12 +255,14 @@ void Driver::AddShaders(const CompileResult& result, const Outputs& outputs, Out
   }
 }
 
-// Empty on success. A failed compile has no files, but perhaps a dump of a stage before the failure.
+// Empty on success. A failed compile has no files, but perhaps a dump of a stage before the
+// failure.
 std::string Driver::Write(const CompileResult& result, const Outputs& outputs) {
   FileSet sources;
   for (const std::string& source : result.dependencies) sources.Add(source);
   for (const std::string& path : outputs.Named()) {
-    if (sources.Has(path)) return fmt::format("the output `{}` would overwrite an included file", path);
+    if (sources.Has(path))
+      return fmt::format("the output `{}` would overwrite an included file", path);
   }
   OutputFiles files;
   if (!result.dump.empty()) files.Add("-", result.dump);
@@ -260,7 +276,8 @@ std::string Driver::Write(const CompileResult& result, const Outputs& outputs) {
   }
   if (is_complete && !outputs.reflection.empty()) files.Add(outputs.reflection, result.reflection);
   if (is_complete && !outputs.dependencies.empty()) {
-    const std::string& target = !command_.dependency_target.empty() ? command_.dependency_target : outputs.glsl;
+    const std::string& target =
+        !command_.dependency_target.empty() ? command_.dependency_target : outputs.glsl;
     files.Add(outputs.dependencies, DependencyRule(target, result.dependencies));
   }
   return files.Commit();
@@ -271,9 +288,11 @@ std::string Driver::Write(const CompileResult& result, const Outputs& outputs) {
 int RunCommandLine(std::span<const char* const> arguments) {
   ParsedCommandLine parsed = ParseCommandLine(arguments);
   if (!parsed.error.empty()) return Fail(parsed.error);
-  if (parsed.command.action == CommandLine::Action::kCompile) return Driver(std::move(parsed.command)).Run();
+  if (parsed.command.action == CommandLine::Action::kCompile)
+    return Driver(std::move(parsed.command)).Run();
   OutputFiles files;
-  files.Add("-", parsed.command.action == CommandLine::Action::kHelp ? HelpText() : "clipc " CLIPC_VERSION "\n");
+  files.Add("-", parsed.command.action == CommandLine::Action::kHelp ? HelpText()
+                                                                     : "clipc " CLIPC_VERSION "\n");
   const std::string problem = files.Commit();
   return problem.empty() ? kExitOk : Fail(problem);
 }

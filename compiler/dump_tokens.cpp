@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/dump_tokens.h"
 
-#include <fmt/format.h>
-
 #include <bit>
 #include <iterator>
+
+#include <fmt/format.h>
 
 namespace clipc {
 namespace {
 
 constexpr const char* kPunctuators[] = {
-    "(", ")", "[", "]", "{", "}", ";", ",", ":", "::", ".", "?", "->", "...", "+", "-", "*", "/", "%", "&", "|", "^",
-    "~", "!", "<", ">", "<=", ">=", "==", "!=", "<<", ">>", "&&", "||", "++", "--", "=", "+=", "-=", "*=", "/=", "%=",
-    "&=", "|=", "^=", "<<=", ">>="};
+    "(",  ")",  "[",  "]",  "{", "}",  ";",  ",",  ":",  "::", ".",  "?",  "->", "...", "+",  "-",
+    "*",  "/",  "%",  "&",  "|", "^",  "~",  "!",  "<",  ">",  "<=", ">=", "==", "!=",  "<<", ">>",
+    "&&", "||", "++", "--", "=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="};
 static_assert(std::size(kPunctuators) == static_cast<std::size_t>(TokenKind::kGreaterGreaterEqual) -
                                              static_cast<std::size_t>(TokenKind::kLeftParen) + 1);
 
@@ -39,11 +39,13 @@ std::string Describe(const Token& token, const Names& names) {
     case TokenKind::kFloatLiteral:
       return fmt::format("{} {}", NameOf(token.literal), std::bit_cast<double>(token.value));
     case TokenKind::kStringLiteral: return fmt::format("string \"{}\"", names[token.name()]);
-    case TokenKind::kPragmaPackMatrix: return fmt::format("pack_matrix {}", token.value ? "row_major" : "column_major");
+    case TokenKind::kPragmaPackMatrix:
+      return fmt::format("pack_matrix {}", token.value ? "row_major" : "column_major");
     case TokenKind::kUnknown: return "unknown";
     default: break;
   }
-  return kPunctuators[static_cast<std::size_t>(token.kind) - static_cast<std::size_t>(TokenKind::kLeftParen)];
+  return kPunctuators[static_cast<std::size_t>(token.kind) -
+                      static_cast<std::size_t>(TokenKind::kLeftParen)];
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/make_clip_table.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+
+#include <fmt/format.h>
 
 #include "backend-glsl/names.h"
 #include "ir/packing.h"
@@ -14,11 +14,13 @@ namespace {
 constexpr std::uint32_t kRegister = 16;
 
 // ".state.planes[2]": what stands `offset` bytes into a value of `type`.
-std::string PathTo(const ir::TypeTable& types, ir::TypeId id, bool row_major, std::uint32_t offset) {
+std::string PathTo(const ir::TypeTable& types, ir::TypeId id, bool row_major,
+                   std::uint32_t offset) {
   const ir::Type& type = types[id];
   if (type.kind == ir::TypeKind::kArray) {
     const std::uint32_t stride = ir::ArrayStride(types, id, row_major);
-    return fmt::format("[{}]", offset / stride) + PathTo(types, type.element, row_major, offset % stride);
+    return fmt::format("[{}]", offset / stride) +
+           PathTo(types, type.element, row_major, offset % stride);
   }
   if (type.kind == ir::TypeKind::kStruct) {
     const ir::Struct& structure = types.StructOf(id);
@@ -26,7 +28,8 @@ std::string PathTo(const ir::TypeTable& types, ir::TypeId id, bool row_major, st
       const std::uint32_t start = ir::FieldOffset(types, type.structure, field);
       if (start > offset) continue;
       const ir::Field& found = structure.fields[field];
-      return "." + glsl::LegalFieldName(found.name) + PathTo(types, found.type, found.row_major, offset - start);
+      return "." + glsl::LegalFieldName(found.name) +
+             PathTo(types, found.type, found.row_major, offset - start);
     }
   }
   // A matrix's row is what HLSL's m[i] names, and GLSL's.
@@ -35,7 +38,8 @@ std::string PathTo(const ir::TypeTable& types, ir::TypeId id, bool row_major, st
 }
 
 // "[1][2]" for a buffer of an array of ConstantBuffers, and the type of the buffer itself.
-std::string BufferIndex(const ir::TypeTable& types, ir::TypeId& type, std::uint32_t element, std::uint32_t count) {
+std::string BufferIndex(const ir::TypeTable& types, ir::TypeId& type, std::uint32_t element,
+                        std::uint32_t count) {
   std::string path;
   while (types[type].kind == ir::TypeKind::kArray && count > 1) {
     count /= types[type].count;
@@ -46,9 +50,10 @@ std::string BufferIndex(const ir::TypeTable& types, ir::TypeId& type, std::uint3
   return path;
 }
 
-// The GLSL name of what stands `offset` bytes into one buffer: a member of it, or a field of a ConstantBuffer's struct.
-std::string MemberName(const ir::Program& program, const glsl::GlslInfo::Block& block, const ir::Cbuffer& cbuffer,
-                       std::uint32_t element, std::uint32_t offset) {
+// The GLSL name of what stands `offset` bytes into one buffer: a member of it, or a field of a
+// ConstantBuffer's struct.
+std::string MemberName(const ir::Program& program, const glsl::GlslInfo::Block& block,
+                       const ir::Cbuffer& cbuffer, std::uint32_t element, std::uint32_t offset) {
   const ir::TypeTable& types = program.types;
   for (const ir::CbufferMember& member : cbuffer.members) {
     if (offset < member.offset || offset - member.offset >= std::max(member.size, 1u)) continue;
@@ -66,16 +71,17 @@ std::string MemberName(const ir::Program& program, const glsl::GlslInfo::Block& 
     if (!found) return {};
     const auto field = static_cast<std::uint32_t>(found->field);
     const ir::Field& written = types.StructOf(type).fields[field];
-    return found->name +
-           PathTo(types, written.type, written.row_major, rest - ir::FieldOffset(types, types[type].structure, field));
+    return found->name + PathTo(types, written.type, written.row_major,
+                                rest - ir::FieldOffset(types, types[type].structure, field));
   }
   return {};
 }
 
 void NameInGlsl(const ir::Program& program, const ir::ClipPlane& plane, const glsl::GlslInfo& info,
                 clip_table::Constant& constant) {
-  const auto block = std::find_if(info.blocks.begin(), info.blocks.end(),
-                                  [&](const glsl::GlslInfo::Block& b) { return b.cbuffer == plane.cbuffer; });
+  const auto block =
+      std::find_if(info.blocks.begin(), info.blocks.end(),
+                   [&](const glsl::GlslInfo::Block& b) { return b.cbuffer == plane.cbuffer; });
   if (block == info.blocks.end()) return;
   const ir::Cbuffer& cbuffer = program.cbuffers[plane.cbuffer];
   constant.glsl_block = block->name;

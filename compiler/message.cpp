@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/message.h"
 
-#include <fmt/format.h>
-
 #include <cctype>
 #include <iterator>
 #include <map>
+
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace clipc {
@@ -14,7 +14,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Text of the user's may be anything; a JSON document is UTF-8.
-std::string Dump(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+std::string Dump(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
 
 void AppendMsvcLine(const Message& message, std::string& out) {
   const Place& place = message.place;
@@ -73,7 +75,8 @@ Json ToJson(const Message& message) {
 std::string Uri(std::string_view path) {
   std::string uri = path.starts_with('/') ? "file://" : "";
   for (const char c : path) {
-    const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) || std::string_view("/._-~+,@").find(c) != std::string_view::npos;
+    const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) ||
+                          std::string_view("/._-~+,@").find(c) != std::string_view::npos;
     uri += is_plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
   }
   return uri;
@@ -87,12 +90,15 @@ Json SarifRegion(const Place& place) {
 }
 
 Json SarifLocation(const Place& place) {
-  return {{"physicalLocation", {{"artifactLocation", {{"uri", Uri(place.file)}}}, {"region", SarifRegion(place)}}}};
+  return {{"physicalLocation",
+           {{"artifactLocation", {{"uri", Uri(place.file)}}}, {"region", SarifRegion(place)}}}};
 }
 
 Json SarifFix(const Message::Fix& fix) {
-  const Json replacement = {{"deletedRegion", SarifRegion(fix.place)}, {"insertedContent", {{"text", fix.text}}}};
-  const Json change = {{"artifactLocation", {{"uri", Uri(fix.place.file)}}}, {"replacements", Json::array({replacement})}};
+  const Json replacement = {{"deletedRegion", SarifRegion(fix.place)},
+                            {"insertedContent", {{"text", fix.text}}}};
+  const Json change = {{"artifactLocation", {{"uri", Uri(fix.place.file)}}},
+                       {"replacements", Json::array({replacement})}};
   return {{"artifactChanges", Json::array({change})}};
 }
 

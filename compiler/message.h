@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/diagnostics.h"
-#include "frontend/source.h"
+#include "frontend/lex/source.h"
 
 namespace clipc {
 
@@ -31,8 +31,9 @@ Message ToMessage(const Diagnostic& diagnostic, const Source& source);
 // One line each: `file(line,col-endcol): error X3084: text`, as fxc and cl print.
 std::string RenderMsvc(const std::vector<Message>& messages);
 
-// One document: {"version": 1, "diagnostics": [{severity, name, code, message, file, line, column, endLine, endColumn,
-// fixes, notes}]}. Lines and columns are 1-based, columns count bytes, the end is one past the last byte.
+// One document: {"version": 1, "diagnostics": [{severity, name, code, message, file, line, column,
+// endLine, endColumn, fixes, notes}]}. Lines and columns are 1-based, columns count bytes, the end
+// is one past the last byte.
 std::string RenderJson(const std::vector<Message>& messages);
 
 // SARIF 2.1.0, one run.

@@ -33,8 +33,9 @@ struct ParsedCommandLine {
   std::string error;  // not empty: what is wrong with the arguments
 };
 
-// `arguments` without the program's name. fxc's spelling with a slash (/T vs_5_0) is taken where the argument is no file:
-// an existing file, or a name in an existing folder, is an input however it starts.
+// `arguments` without the program's name. fxc's spelling with a slash (/T vs_5_0) is taken where
+// the argument is no file: an existing file, or a name in an existing folder, is an input however
+// it starts.
 ParsedCommandLine ParseCommandLine(std::span<const char* const> arguments);
 
 std::string HelpText();

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <array>
+#include <charconv>
+#include <string_view>
+
 #include <clang/Basic/Version.inc>
+#include <fmt/format.h>
 #include <llvm/ADT/ArrayRef.h>
 #include <llvm/Option/Arg.h>
 #include <llvm/Option/ArgList.h>
@@ -7,12 +12,6 @@
 #include <llvm/Option/Option.h>
 #include <llvm/Support/raw_ostream.h>
 #include <sys/stat.h>
-
-#include <fmt/format.h>
-
-#include <array>
-#include <charconv>
-#include <string_view>
 
 #include "base/spelling.h"
 #include "compiler/options.h"
@@ -25,7 +24,9 @@ using llvm::opt::Option;
 using llvm::opt::OptTable;
 
 enum Opt : unsigned short {
-  kOptNone, kOptInput, kOptUnknown,
+  kOptNone,
+  kOptInput,
+  kOptUnknown,
 #define OPTION(Enumerator, ...) kOpt##Enumerator,
 #include "compiler/options.def"
 #undef OPTION
@@ -34,7 +35,8 @@ enum Opt : unsigned short {
 // ---- LLVM's table, whose shape changed with 20
 
 #if CLANG_VERSION_MAJOR >= 20
-// Every string of the table behind one another, as llvm::StringTable wants them: first "", then the dashes.
+// Every string of the table behind one another, as llvm::StringTable wants them: first "", then the
+// dashes.
 constexpr char kStrings[] = "\0-\0--\0"
 #define OPTION(Enumerator, Dashes, Name, ...) Name "\0"
 #include "compiler/options.def"
@@ -52,7 +54,8 @@ constexpr llvm::StringLiteral kDashes[] = {"--"};
 constexpr llvm::ArrayRef<llvm::StringLiteral> kPrefixOne(kDash), kPrefixTwo(kDashes);
 #endif
 
-OptTable::Info Row(unsigned id, unsigned char kind, unsigned short alias, const char* metavar, const char* help) {
+OptTable::Info Row(unsigned id, unsigned char kind, unsigned short alias, const char* metavar,
+                   const char* help) {
 #if CLANG_VERSION_MAJOR >= 20
   OptTable::Info info{};
 #else
@@ -72,14 +75,14 @@ std::vector<OptTable::Info> Rows() {
                                       Row(kOptUnknown, Option::UnknownClass, 0, nullptr, nullptr)};
 #if CLANG_VERSION_MAJOR >= 20
   unsigned name = sizeof("\0-\0--\0") - 1;
-#define SET_NAME(Dashes, Name)             \
+#define SET_NAME(Dashes, Name)                  \
   rows.back().PrefixesOffset = kPrefix##Dashes; \
-  rows.back().PrefixedNameOffset = name;   \
+  rows.back().PrefixedNameOffset = name;        \
   name += sizeof(Name);
 #else
   rows[0].PrefixedName = "<input>";
   rows[1].PrefixedName = "<unknown>";
-#define SET_NAME(Dashes, Name)           \
+#define SET_NAME(Dashes, Name)            \
   rows.back().Prefixes = kPrefix##Dashes; \
   rows.back().PrefixedName = Name;
 #endif
@@ -95,7 +98,8 @@ std::vector<OptTable::Info> Rows() {
 class Table : public llvm::opt::GenericOptTable {
  public:
 #if CLANG_VERSION_MAJOR >= 20
-  explicit Table(const std::vector<OptTable::Info>& rows) : GenericOptTable(kStringTable, kPrefixes, rows) {}
+  explicit Table(const std::vector<OptTable::Info>& rows)
+      : GenericOptTable(kStringTable, kPrefixes, rows) {}
 #else
   explicit Table(const std::vector<OptTable::Info>& rows) : GenericOptTable(rows) {}
 #endif
@@ -103,25 +107,29 @@ class Table : public llvm::opt::GenericOptTable {
 
 // ---- arguments
 
-// Whether an argument that starts with a slash is a path: it exists, or something could be made there.
+// Whether an argument that starts with a slash is a path: it exists, or something could be made
+// there.
 bool LooksLikePath(const std::string& argument) {
-  struct stat status {};
+  struct stat status{};
   if (stat(argument.c_str(), &status) == 0) return true;
   const std::size_t slash = argument.rfind('/');
-  return slash > 0 && stat(argument.substr(0, slash).c_str(), &status) == 0 && S_ISDIR(status.st_mode);
+  return slash > 0 && stat(argument.substr(0, slash).c_str(), &status) == 0 &&
+         S_ISDIR(status.st_mode);
 }
 
 // "did you mean" for an option that is none.
 std::string NearOption(const Table& table, llvm::StringRef argument) {
   std::string nearest;
   const unsigned distance = table.findNearest(argument, nearest, llvm::opt::Visibility(), 2);
-  return distance <= 1 + argument.size() / 4 ? fmt::format("; did you mean `{}`?", nearest) : std::string();
+  return distance <= 1 + argument.size() / 4 ? fmt::format("; did you mean `{}`?", nearest)
+                                             : std::string();
 }
 
 // One of a few words; reports what it may be.
 template <typename T, std::size_t N>
 bool ReadChoice(std::string_view option, std::string_view value,
-                const std::array<std::pair<std::string_view, T>, N>& choices, T& to, std::string& error) {
+                const std::array<std::pair<std::string_view, T>, N>& choices, T& to,
+                std::string& error) {
   std::vector<std::string_view> names;
   for (const auto& [name, meaning] : choices) {
     names.push_back(name);
@@ -134,11 +142,18 @@ bool ReadChoice(std::string_view option, std::string_view value,
 }
 
 constexpr std::array<std::pair<std::string_view, DepthRange>, 2> kDepthRanges = {
-    {{"zero-to-one", DepthRange::kZeroToOne}, {"negative-one-to-one", DepthRange::kNegativeOneToOne}}};
+    {{"zero-to-one", DepthRange::kZeroToOne},
+     {"negative-one-to-one", DepthRange::kNegativeOneToOne}}};
 constexpr std::array<std::pair<std::string_view, MessageFormat>, 4> kFormats = {
-    {{"text", MessageFormat::kText}, {"msvc", MessageFormat::kMsvc}, {"json", MessageFormat::kJson}, {"sarif", MessageFormat::kSarif}}};
-constexpr std::array<std::pair<std::string_view, Stage>, 5> kStages = {
-    {{"tokens", Stage::kTokens}, {"ast", Stage::kAst}, {"ir", Stage::kIr}, {"glsl", Stage::kGlsl}, {"table", Stage::kTable}}};
+    {{"text", MessageFormat::kText},
+     {"msvc", MessageFormat::kMsvc},
+     {"json", MessageFormat::kJson},
+     {"sarif", MessageFormat::kSarif}}};
+constexpr std::array<std::pair<std::string_view, Stage>, 5> kStages = {{{"tokens", Stage::kTokens},
+                                                                        {"ast", Stage::kAst},
+                                                                        {"ir", Stage::kIr},
+                                                                        {"glsl", Stage::kGlsl},
+                                                                        {"table", Stage::kTable}}};
 constexpr std::array<std::pair<std::string_view, clip_table::Lowering>, 5> kLowerings = {
     {{"clip-distance", clip_table::Lowering::kClipDistance},
      {"level9", clip_table::Lowering::kLevel9},
@@ -171,7 +186,8 @@ bool ReadWarning(std::string_view name, WarningOptions& warnings, std::string& e
       if (InfoOf(other).severity == Severity::kWarning) names.push_back(PrintedName(other));
     }
     const std::vector<std::string_view> views(names.begin(), names.end());
-    error = fmt::format("unknown warning `{}`{}", name, NearNames(name, views).empty() ? "" : Suggest(name, views));
+    error = fmt::format("unknown warning `{}`{}", name,
+                        NearNames(name, views).empty() ? "" : Suggest(name, views));
     return false;
   }
   const auto index = static_cast<std::size_t>(*id);
@@ -185,7 +201,8 @@ bool ReadWarning(std::string_view name, WarningOptions& warnings, std::string& e
 
 // A number from `least` to `most`.
 template <typename T>
-bool ReadNumber(std::string_view option, const std::string& value, T least, T most, T& to, std::string& error) {
+bool ReadNumber(std::string_view option, const std::string& value, T least, T most, T& to,
+                std::string& error) {
   const auto [end, problem] = std::from_chars(value.data(), value.data() + value.size(), to);
   const bool is_number = problem == std::errc() && end == value.data() + value.size();
   if (is_number && to >= least && to <= most) return true;
@@ -194,7 +211,8 @@ bool ReadNumber(std::string_view option, const std::string& value, T least, T mo
 }
 
 // The options that say what to compile, and how.
-bool ReadRequestOption(const llvm::opt::Arg& argument, CompileRequest& request, std::string& error) {
+bool ReadRequestOption(const llvm::opt::Arg& argument, CompileRequest& request,
+                       std::string& error) {
   const auto value = [&] { return std::string(argument.getValue()); };
   switch (argument.getOption().getID()) {
     case kOptDefine: request.defines.push_back(value()); return true;
@@ -216,18 +234,21 @@ bool ReadRequestOption(const llvm::opt::Arg& argument, CompileRequest& request, 
     case kOptNoWarnings: request.warnings.no_warnings = true; return true;
     case kOptWarningsAreErrors: request.warnings.warnings_are_errors = true; return true;
     case kOptWarning: return ReadWarning(value(), request.warnings, error);
-    case kOptLowerIs: return ReadChoice("--lower", value(), kLowerings, request.lowering.emplace(), error);
-    case kOptPlaneSpaceIs: return ReadChoice("--plane-space", value(), kPlaneSpaces, request.plane_space, error);
+    case kOptLowerIs:
+      return ReadChoice("--lower", value(), kLowerings, request.lowering.emplace(), error);
+    case kOptPlaneSpaceIs:
+      return ReadChoice("--plane-space", value(), kPlaneSpaces, request.plane_space, error);
     case kOptPositionInputIs: request.position_input = value(); return true;
     case kOptDumpIs: return ReadChoice("--dump", value(), kStages, request.dump.emplace(), error);
-    case kOptDepthRangeIs: return ReadChoice("--depth-range", value(), kDepthRanges, request.depth_range, error);
+    case kOptDepthRangeIs:
+      return ReadChoice("--depth-range", value(), kDepthRanges, request.depth_range, error);
     default: return true;
   }
 }
 
 // The others, which say what to do with the result. `validate` is what the user asked for.
-bool ReadDriverOption(const llvm::opt::Arg& argument, CommandLine& command, std::optional<bool>& validate,
-                      std::string& error) {
+bool ReadDriverOption(const llvm::opt::Arg& argument, CommandLine& command,
+                      std::optional<bool>& validate, std::string& error) {
   const auto value = [&] { return std::string(argument.getValue()); };
   switch (argument.getOption().getID()) {
     case kOptInput: command.inputs.push_back(value()); return true;
@@ -243,7 +264,8 @@ bool ReadDriverOption(const llvm::opt::Arg& argument, CommandLine& command, std:
     case kOptVersion: command.action = CommandLine::Action::kVersion; return true;
     case kOptValidate: validate = true; return true;
     case kOptNoValidate: validate = false; return true;
-    case kOptDiagnosticsAre: return ReadChoice("--diagnostics", value(), kFormats, command.format, error);
+    case kOptDiagnosticsAre:
+      return ReadChoice("--diagnostics", value(), kFormats, command.format, error);
     default: return true;
   }
 }
@@ -290,7 +312,8 @@ std::string HelpText() {
   const Table table(rows);
   std::string text;
   llvm::raw_string_ostream out(text);
-  table.printHelp(out, "clipc [options] FILE...", "HLSL vertex shaders with [clipplanes] to GLSL and a Direct3D 9 clip table");
+  table.printHelp(out, "clipc [options] FILE...",
+                  "HLSL vertex shaders with [clipplanes] to GLSL and a Direct3D 9 clip table");
   out.flush();
   return text;
 }

@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/output_files.h"
 
-#include <fcntl.h>
-#include <fmt/format.h>
-#include <stdlib.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <memory>
 #include <utility>
 
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 namespace clipc {
 namespace {
 
 std::string Problem(const std::string& path) {
-  return fmt::format("cannot write `{}`: {}", path == "-" ? "standard output" : path, std::strerror(errno));
+  return fmt::format("cannot write `{}`: {}", path == "-" ? "standard output" : path,
+                     std::strerror(errno));
 }
 
 bool WriteAll(int file, const std::string& contents) {
@@ -68,7 +69,7 @@ void OutputFiles::Add(std::string path, std::string contents) {
 
 std::string OutputFiles::Prepare(File& file) {
   if (file.path == "-") return {};
-  struct stat status {};
+  struct stat status{};
   mode_t mode = 0666;
   if (stat(file.path.c_str(), &status) == 0) {
     if (S_ISDIR(status.st_mode)) {
@@ -97,9 +98,11 @@ std::string OutputFiles::Commit() {
   for (const File& file : files_) {
     if (!file.temporary.empty()) continue;
     const bool is_stdout = file.path == "-";
-    const int descriptor = is_stdout ? STDOUT_FILENO : open(file.path.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC);
+    const int descriptor =
+        is_stdout ? STDOUT_FILENO : open(file.path.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC);
     if (descriptor < 0) return Problem(file.path);
-    if (!(is_stdout ? WriteAll(descriptor, file.contents) : WriteAndClose(descriptor, file.contents))) {
+    if (!(is_stdout ? WriteAll(descriptor, file.contents)
+                    : WriteAndClose(descriptor, file.contents))) {
       return Problem(file.path);
     }
   }
@@ -112,19 +115,19 @@ std::string OutputFiles::Commit() {
 }
 
 void FileSet::Add(const std::string& path) {
-  struct stat status {};
+  struct stat status{};
   paths_.insert(path);
   if (stat(path.c_str(), &status) == 0) files_.emplace(status.st_dev, status.st_ino);
 }
 
 bool FileSet::Has(const std::string& path) const {
-  struct stat status {};
-  return paths_.contains(path) ||
-         (!files_.empty() && stat(path.c_str(), &status) == 0 && files_.contains({status.st_dev, status.st_ino}));
+  struct stat status{};
+  return paths_.contains(path) || (!files_.empty() && stat(path.c_str(), &status) == 0 &&
+                                   files_.contains({status.st_dev, status.st_ino}));
 }
 
 bool IsDirectory(const std::string& path) {
-  struct stat status {};
+  struct stat status{};
   return stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode);
 }
 

@@ -9,8 +9,9 @@
 
 namespace clipc {
 
-// Output files that appear all at once or not at all: each is written to a temporary file beside it, and they are renamed
-// only when every one is complete. What is no regular file (a device, a pipe) is written to last-minute, in place.
+// Output files that appear all at once or not at all: each is written to a temporary file beside
+// it, and they are renamed only when every one is complete. What is no regular file (a device, a
+// pipe) is written to last-minute, in place.
 class OutputFiles {
  public:
   OutputFiles() = default;

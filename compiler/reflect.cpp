@@ -2,6 +2,7 @@
 #include "compiler/reflect.h"
 
 #include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 #include "ir/packing.h"
@@ -47,8 +48,11 @@ const char* NameOf(glsl::BlockForm form) {
   return "";
 }
 
-Json InputOrOutput(const ir::Program& program, const ir::IoVar& io, const glsl::GlslInfo::Variable* written) {
-  Json json = {{"semantic", io.semantic}, {"index", io.index}, {"type", program.types.Name(program.vars[io.var].type)}};
+Json InputOrOutput(const ir::Program& program, const ir::IoVar& io,
+                   const glsl::GlslInfo::Variable* written) {
+  Json json = {{"semantic", io.semantic},
+               {"index", io.index},
+               {"type", program.types.Name(program.vars[io.var].type)}};
   if (written) {
     json["name"] = written->name;
     if (written->location) json["location"] = *written->location;
@@ -66,7 +70,8 @@ Json InputOrOutput(const ir::Program& program, const ir::IoVar& io, const glsl::
 Json Inputs(const ir::Program& program, const std::vector<glsl::GlslInfo::Variable>& written) {
   Json json = Json::array();
   for (std::size_t i = 0; i < program.inputs.size(); ++i) {
-    json.push_back(InputOrOutput(program, program.inputs[i], i < written.size() ? &written[i] : nullptr));
+    json.push_back(
+        InputOrOutput(program, program.inputs[i], i < written.size() ? &written[i] : nullptr));
     json.back()["used"] = i < written.size() && written[i].is_used;
   }
   return json;
@@ -75,7 +80,8 @@ Json Inputs(const ir::Program& program, const std::vector<glsl::GlslInfo::Variab
 Json Outputs(const ir::Program& program, const std::vector<glsl::GlslInfo::Variable>& written) {
   Json json = Json::array();
   for (std::size_t i = 0; i < program.outputs.size(); ++i) {
-    json.push_back(InputOrOutput(program, program.outputs[i], i < written.size() ? &written[i] : nullptr));
+    json.push_back(
+        InputOrOutput(program, program.outputs[i], i < written.size() ? &written[i] : nullptr));
   }
   return json;
 }
@@ -93,7 +99,8 @@ Json Field(const ir::Program& program, ir::TypeId type, int index) {
   return json;
 }
 
-Json Member(const ir::Program& program, const ir::CbufferMember& member, const glsl::GlslInfo::Block* block) {
+Json Member(const ir::Program& program, const ir::CbufferMember& member,
+            const glsl::GlslInfo::Block* block) {
   const ir::Var& var = program.vars[member.var];
   Json json = {{"name", var.name},
                {"type", program.types.Name(var.type)},
@@ -104,22 +111,24 @@ Json Member(const ir::Program& program, const ir::CbufferMember& member, const g
   for (const glsl::GlslInfo::Member& named : block->members) {
     if (named.var != member.var) continue;
     // A ConstantBuffer's fields are members of the GLSL block.
-    Json& entry = named.field < 0 ? json : json["fields"].emplace_back(Field(program, var.type, named.field));
+    Json& entry =
+        named.field < 0 ? json : json["fields"].emplace_back(Field(program, var.type, named.field));
     entry["glsl"] = named.name;
     if (block->form == glsl::BlockForm::kUniforms) entry["transpose"] = named.transpose;
   }
   return json;
 }
 
-void AddBinding(const std::optional<std::uint32_t>& set, const std::optional<std::uint32_t>& binding, Json& to) {
+void AddBinding(const std::optional<std::uint32_t>& set,
+                const std::optional<std::uint32_t>& binding, Json& to) {
   if (set) to["set"] = *set;
   if (binding) to["binding"] = *binding;
 }
 
 Json Cbuffer(const ir::Program& program, ir::CbufferId id, const glsl::GlslInfo& info) {
   const ir::Cbuffer& cbuffer = program.cbuffers[id];
-  const auto found =
-      std::find_if(info.blocks.begin(), info.blocks.end(), [&](const auto& block) { return block.cbuffer == id; });
+  const auto found = std::find_if(info.blocks.begin(), info.blocks.end(),
+                                  [&](const auto& block) { return block.cbuffer == id; });
   const glsl::GlslInfo::Block* block = found == info.blocks.end() ? nullptr : &*found;
 
   Json json = {{"name", cbuffer.name}, {"kind", NameOf(cbuffer.kind)}};
@@ -136,7 +145,8 @@ Json Cbuffer(const ir::Program& program, ir::CbufferId id, const glsl::GlslInfo&
     AddBinding(block->set, block->binding, glsl);
   }
   json["members"] = Json::array();
-  for (const ir::CbufferMember& member : cbuffer.members) json["members"].push_back(Member(program, member, block));
+  for (const ir::CbufferMember& member : cbuffer.members)
+    json["members"].push_back(Member(program, member, block));
   return json;
 }
 
@@ -145,9 +155,11 @@ Json Objects(const ir::Program& program, const glsl::GlslInfo& info) {
   for (const glsl::GlslInfo::Object& object : info.objects) {
     Json json = {{"glsl", object.name}};
     AddBinding(object.set, object.binding, json);
-    for (const auto& [key, var] : {std::pair{"texture", object.texture}, std::pair{"sampler", object.sampler}}) {
+    for (const auto& [key, var] :
+         {std::pair{"texture", object.texture}, std::pair{"sampler", object.sampler}}) {
       if (!var) continue;
-      json[key] = {{"name", program.vars[var].name}, {"type", program.types.Name(program.vars[var].type)}};
+      json[key] = {{"name", program.vars[var].name},
+                   {"type", program.types.Name(program.vars[var].type)}};
       for (const ir::Resource& resource : program.resources) {
         if (resource.var == var) json[key].update(ToJson(resource.reg));
       }
@@ -177,13 +189,17 @@ Json Planes(const clip_table::ClipTable& table) {
 
 }  // namespace
 
-std::string Reflect(const ir::Program& program, const glsl::Target& target, const glsl::GlslInfo& info,
-                    const clip_table::ClipTable& table) {
-  Json json = {{"version", 1}, {"entry", table.entry}, {"profile", table.profile}, {"target", target.name()}};
+std::string Reflect(const ir::Program& program, const glsl::Target& target,
+                    const glsl::GlslInfo& info, const clip_table::ClipTable& table) {
+  Json json = {{"version", 1},
+               {"entry", table.entry},
+               {"profile", table.profile},
+               {"target", target.name()}};
   json["inputs"] = Inputs(program, info.inputs);
   json["outputs"] = Outputs(program, info.outputs);
   json["cbuffers"] = Json::array();
-  for (ir::CbufferId id : program.cbuffers.ids()) json["cbuffers"].push_back(Cbuffer(program, id, info));
+  for (ir::CbufferId id : program.cbuffers.ids())
+    json["cbuffers"].push_back(Cbuffer(program, id, info));
   json["resources"] = Objects(program, info);
   json["lowering"] = clip_table::NameOf(table.lowering);
   json["positionSpace"] = clip_table::NameOf(table.position_space);

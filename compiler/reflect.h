@@ -10,10 +10,11 @@
 
 namespace clipc {
 
-// For --reflect: everything the host needs to feed the shader, as a JSON document. Inputs and outputs with semantics,
-// locations and types; constant buffers with members, offsets, registers and how each is laid out in the GLSL; textures
-// and samplers; clip planes and what to enable. docs/reflection.md describes every key.
-std::string Reflect(const ir::Program& program, const glsl::Target& target, const glsl::GlslInfo& info,
-                    const clip_table::ClipTable& table);
+// For --reflect: everything the host needs to feed the shader, as a JSON document. Inputs and
+// outputs with semantics, locations and types; constant buffers with members, offsets, registers
+// and how each is laid out in the GLSL; textures and samplers; clip planes and what to enable.
+// docs/reflection.md describes every key.
+std::string Reflect(const ir::Program& program, const glsl::Target& target,
+                    const glsl::GlslInfo& info, const clip_table::ClipTable& table);
 
 }  // namespace clipc

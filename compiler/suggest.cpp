@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/suggest.h"
 
-#include <fmt/format.h>
-
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "base/spelling.h"
 
@@ -11,8 +11,9 @@ namespace clipc {
 namespace {
 
 constexpr std::string_view kProfiles[] = {
-    "vs_2_0", "vs_3_0", "vs_4_0_level_9_0", "vs_4_0_level_9_1", "vs_4_0_level_9_3", "vs_4_0", "vs_4_1", "vs_5_0",
-    "vs_5_1", "vs_6_0", "vs_6_1", "vs_6_2", "vs_6_3", "vs_6_4", "vs_6_5", "vs_6_6", "vs_6_7", "vs_6_8"};
+    "vs_2_0", "vs_3_0", "vs_4_0_level_9_0", "vs_4_0_level_9_1", "vs_4_0_level_9_3", "vs_4_0",
+    "vs_4_1", "vs_5_0", "vs_5_1",           "vs_6_0",           "vs_6_1",           "vs_6_2",
+    "vs_6_3", "vs_6_4", "vs_6_5",           "vs_6_6",           "vs_6_7",           "vs_6_8"};
 
 // "`a`, `b` or `c`"
 std::string Choices(std::span<const std::string_view> names) {
@@ -28,8 +29,10 @@ std::string Choices(std::span<const std::string_view> names) {
 
 std::string Suggest(std::string_view name, std::span<const std::string_view> names) {
   constexpr std::size_t kFew = 8;
-  if (const auto near = NearNames(name, names); !near.empty()) return fmt::format("; did you mean {}?", Choices(near));
-  return names.empty() || names.size() > kFew ? std::string() : fmt::format("; there is {}", Choices(names));
+  if (const auto near = NearNames(name, names); !near.empty())
+    return fmt::format("; did you mean {}?", Choices(near));
+  return names.empty() || names.size() > kFew ? std::string()
+                                              : fmt::format("; there is {}", Choices(names));
 }
 
 std::span<const std::string_view> ProfileNames() { return kProfiles; }

@@ -7,8 +7,8 @@
 
 namespace clipc {
 
-// "; did you mean `vs_5_0` or `vs_5_1`?" for a name that is none of `names`; all the names when they are few and none is
-// near; empty when there is nothing to offer.
+// "; did you mean `vs_5_0` or `vs_5_1`?" for a name that is none of `names`; all the names when
+// they are few and none is near; empty when there is nothing to offer.
 std::string Suggest(std::string_view name, std::span<const std::string_view> names);
 
 // The profiles clipc compiles for.

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/validate.h"
 
+#include <cstdlib>
+#include <string_view>
+
 #include <fmt/format.h>
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
 #include <glslang/build_info.h>
-
-#include <cstdlib>
-#include <string_view>
 
 namespace clipc {
 namespace {
@@ -18,7 +18,8 @@ void InitializeOnce() {
   (void)initialized;
 }
 
-// "ERROR: 0:12: 'x' : message" per line => "line 12: 'x' : message". glslang closes with a summary of its own.
+// "ERROR: 0:12: 'x' : message" per line => "line 12: 'x' : message". glslang closes with a summary
+// of its own.
 std::vector<std::string> Problems(std::string_view log) {
   std::vector<std::string> problems;
   while (!log.empty()) {
@@ -26,7 +27,8 @@ std::vector<std::string> Problems(std::string_view log) {
     std::string_view line = log.substr(0, end);
     log.remove_prefix(std::min(end + 1, log.size()));
     constexpr std::string_view kError = "ERROR: ";
-    if (!line.starts_with(kError) || line.find("compilation errors") != std::string_view::npos) continue;
+    if (!line.starts_with(kError) || line.find("compilation errors") != std::string_view::npos)
+      continue;
     line.remove_prefix(kError.size());
     const std::size_t colon = line.find(':', 2);
     if (line.starts_with("0:") && colon != std::string_view::npos) {
@@ -64,7 +66,8 @@ Validation Validate(const std::string& glsl, const glsl::Target& target, ShaderS
 }
 
 std::string ValidatorName() {
-  return fmt::format("glslang {}.{}.{}", GLSLANG_VERSION_MAJOR, GLSLANG_VERSION_MINOR, GLSLANG_VERSION_PATCH);
+  return fmt::format("glslang {}.{}.{}", GLSLANG_VERSION_MAJOR, GLSLANG_VERSION_MINOR,
+                     GLSLANG_VERSION_PATCH);
 }
 
 }  // namespace clipc

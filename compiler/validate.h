@@ -15,8 +15,9 @@ struct Validation {
 
 enum class ShaderStage { kVertex, kFragment };
 
-// Compiles and links `glsl` as a shader of one stage with glslang, in this process. The first call for a GLSL version builds
-// glslang's tables for it, tens of milliseconds; they stay for the life of the process. Thread-safe.
+// Compiles and links `glsl` as a shader of one stage with glslang, in this process. The first call
+// for a GLSL version builds glslang's tables for it, tens of milliseconds; they stay for the life
+// of the process. Thread-safe.
 Validation Validate(const std::string& glsl, const glsl::Target& target, ShaderStage stage);
 
 // "glslang 12.0.0".

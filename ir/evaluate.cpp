@@ -193,8 +193,8 @@ Word Machine::UndefinedOf(Scalar kind, std::size_t component, bool negated) cons
   return ConvertBits(BitsOf(value), Scalar::kDouble, RepOf(kind));
 }
 
-// A bit of a hash of EvalOptions::undefined and of how many were read: the product of two such values then has
-// no sign of its own. The first is not negated.
+// A bit of a hash of EvalOptions::undefined and of how many were read: the product of two such
+// values then has no sign of its own. The first is not negated.
 bool Machine::NextUndefinedIsNegated() {
   const std::uint64_t hash =
       (BitsOf(options_.undefined) ^ 0x9e3779b97f4a7c15u * undefined_reads_) * 0xbf58476d1ce4e5b9u;

@@ -64,15 +64,16 @@ struct EvalOptions {
   // inputs and literals are the same floats, only results differ. Comparisons may then take another
   // branch.
   bool in_double = false;
-  // What a value that HLSL leaves undefined reads as, converted to its kind: the first component; the
-  // second is twice as large, and so on. What is read outside of an array may be negated, another time
-  // with every value of this. Two runs with different ones tell which outputs depend on it.
+  // What a value that HLSL leaves undefined reads as, converted to its kind: the first component;
+  // the second is twice as large, and so on. What is read outside of an array may be negated,
+  // another time with every value of this. Two runs with different ones tell which outputs depend
+  // on it.
   double undefined = 0;
 };
 
 struct EvalOutputs {
-  std::vector<IoBits> values;      // by index into Program::outputs; floats rounded to float
-  std::vector<IoNumbers> numbers;  // the same as numbers, unrounded with in_double
+  std::vector<IoBits> values;        // by index into Program::outputs; floats rounded to float
+  std::vector<IoNumbers> numbers;    // the same as numbers, unrounded with in_double
   bool wrote_out_of_bounds = false;  // an assignment went nowhere
 };
 

@@ -132,7 +132,8 @@ void Machine::PushUndefined(TypeId type) {
   std::vector<Scalar> kinds;
   AppendKinds(type, kinds);
   const bool negated = NextUndefinedIsNegated();
-  for (std::size_t i = 0; i < kinds.size(); ++i) stack_.push_back(UndefinedOf(kinds[i], i, negated));
+  for (std::size_t i = 0; i < kinds.size(); ++i)
+    stack_.push_back(UndefinedOf(kinds[i], i, negated));
 }
 
 void Machine::PushFrom(const Place& place, TypeId type) {

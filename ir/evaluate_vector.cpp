@@ -55,29 +55,17 @@ class Vectors {
 
   void Run(Intrinsic op, Word* result) const {
     switch (op) {
-      case Intrinsic::kCross:
-        return Cross(result);
-      case Intrinsic::kD3dColorToUbyte4:
-        return ColorToBytes(result);
-      case Intrinsic::kDeterminant:
-        return Put(result, 0, Determinant());
-      case Intrinsic::kDistance:
-        return Put(result, 0, Distance());
-      case Intrinsic::kDst:
-        return Dst(result);
-      case Intrinsic::kFaceforward:
-        return Faceforward(result);
-      case Intrinsic::kLength:
-        return Put(result, 0, std::sqrt(DotOf(0, 0)));
-      case Intrinsic::kLit:
-        return Lit(result);
-      case Intrinsic::kNormalize:
-        return Normalize(result);
-      case Intrinsic::kReflect:
-        return Reflect(result);
-      default:
-        CLIPC_CHECK(op == Intrinsic::kRefract);
-        return Refract(result);
+      case Intrinsic::kCross: return Cross(result);
+      case Intrinsic::kD3dColorToUbyte4: return ColorToBytes(result);
+      case Intrinsic::kDeterminant: return Put(result, 0, Determinant());
+      case Intrinsic::kDistance: return Put(result, 0, Distance());
+      case Intrinsic::kDst: return Dst(result);
+      case Intrinsic::kFaceforward: return Faceforward(result);
+      case Intrinsic::kLength: return Put(result, 0, std::sqrt(DotOf(0, 0)));
+      case Intrinsic::kLit: return Lit(result);
+      case Intrinsic::kNormalize: return Normalize(result);
+      case Intrinsic::kReflect: return Reflect(result);
+      default: CLIPC_CHECK(op == Intrinsic::kRefract); return Refract(result);
     }
   }
 
@@ -227,8 +215,7 @@ void VectorFunction(Intrinsic op, Scalar rep, std::span<const EvalArgument> argu
     case Intrinsic::kDot:
       result[0] = Dot(rep, first.words, 1, arguments[1].words, 1, count);
       return;
-    case Intrinsic::kMul:
-      return Multiply(rep, first, arguments[1], result);
+    case Intrinsic::kMul: return Multiply(rep, first, arguments[1], result);
     case Intrinsic::kTranspose:
       for (std::size_t r = 0; r < first.type->rows; ++r) {
         for (std::size_t c = 0; c < first.type->columns; ++c) {

@@ -24,10 +24,8 @@ std::uint32_t ScalarSize(Scalar kind) {
   switch (BaseOf(kind)) {
     case Scalar::kDouble:
     case Scalar::kInt64:
-    case Scalar::kUint64:
-      return 8;
-    default:
-      return 4;
+    case Scalar::kUint64: return 8;
+    default: return 4;
   }
 }
 
@@ -97,10 +95,8 @@ Extent PackedExtent(const TypeTable& types, TypeId id, bool row_major) {
   const Type& type = types[id];
   const std::uint32_t scalar_size = ScalarSize(type.scalar);
   switch (type.kind) {
-    case TypeKind::kScalar:
-      return {scalar_size, scalar_size};
-    case TypeKind::kVector:
-      return {scalar_size * type.columns, scalar_size};
+    case TypeKind::kScalar: return {scalar_size, scalar_size};
+    case TypeKind::kVector: return {scalar_size * type.columns, scalar_size};
     case TypeKind::kMatrix:
       return row_major ? MatrixExtent(scalar_size, type.rows, type.columns)
                        : MatrixExtent(scalar_size, type.columns, type.rows);
@@ -116,8 +112,7 @@ Extent PackedExtent(const TypeTable& types, TypeId id, bool row_major) {
     case TypeKind::kObject:
     case TypeKind::kError:
     case TypeKind::kVoid:
-    case TypeKind::kString:
-      return {0, 4};
+    case TypeKind::kString: return {0, 4};
   }
   return {};
 }

@@ -11,84 +11,54 @@ namespace {
 
 const char* NameOf(Builtin builtin) {
   switch (builtin) {
-    case Builtin::kNone:
-      return "none";
-    case Builtin::kPosition:
-      return "position";
-    case Builtin::kClipVertex:
-      return "clip_vertex";
-    case Builtin::kClipDistance:
-      return "clip_distance";
-    case Builtin::kCullDistance:
-      return "cull_distance";
-    case Builtin::kPointSize:
-      return "point_size";
-    case Builtin::kVertexId:
-      return "vertex_id";
-    case Builtin::kInstanceId:
-      return "instance_id";
-    case Builtin::kBaseVertex:
-      return "base_vertex";
-    case Builtin::kBaseInstance:
-      return "base_instance";
-    case Builtin::kDrawIndex:
-      return "draw_index";
-    case Builtin::kViewId:
-      return "view_id";
-    case Builtin::kVertexIndex:
-      return "vertex_index";
-    case Builtin::kInstanceIndex:
-      return "instance_index";
-    case Builtin::kShadingRate:
-      return "shading_rate";
-    case Builtin::kLayer:
-      return "layer";
-    case Builtin::kViewportIndex:
-      return "viewport_index";
+    case Builtin::kNone: return "none";
+    case Builtin::kPosition: return "position";
+    case Builtin::kClipVertex: return "clip_vertex";
+    case Builtin::kClipDistance: return "clip_distance";
+    case Builtin::kCullDistance: return "cull_distance";
+    case Builtin::kPointSize: return "point_size";
+    case Builtin::kVertexId: return "vertex_id";
+    case Builtin::kInstanceId: return "instance_id";
+    case Builtin::kBaseVertex: return "base_vertex";
+    case Builtin::kBaseInstance: return "base_instance";
+    case Builtin::kDrawIndex: return "draw_index";
+    case Builtin::kViewId: return "view_id";
+    case Builtin::kVertexIndex: return "vertex_index";
+    case Builtin::kInstanceIndex: return "instance_index";
+    case Builtin::kShadingRate: return "shading_rate";
+    case Builtin::kLayer: return "layer";
+    case Builtin::kViewportIndex: return "viewport_index";
   }
   return "?";
 }
 
 const char* NameOf(Form form) {
   switch (form) {
-    case Form::kTyped:
-      return "typed";
-    case Form::kNoClipPlanes:
-      return "no-clip-planes";
-    case Form::kTargetClipSpace:
-      return "target-clip-space";
-    case Form::kInlined:
-      return "inlined";
+    case Form::kTyped: return "typed";
+    case Form::kNoClipPlanes: return "no-clip-planes";
+    case Form::kTargetClipSpace: return "target-clip-space";
+    case Form::kInlined: return "inlined";
   }
   return "?";
 }
 
 const char* NameOf(CbufferKind kind) {
   switch (kind) {
-    case CbufferKind::kCbuffer:
-      return "cbuffer";
-    case CbufferKind::kTbuffer:
-      return "tbuffer";
-    case CbufferKind::kGlobals:
-      return "globals";
-    case CbufferKind::kParams:
-      return "params";
-    case CbufferKind::kConstantBuffer:
-      return "constant_buffer";
+    case CbufferKind::kCbuffer: return "cbuffer";
+    case CbufferKind::kTbuffer: return "tbuffer";
+    case CbufferKind::kGlobals: return "globals";
+    case CbufferKind::kParams: return "params";
+    case CbufferKind::kConstantBuffer: return "constant_buffer";
   }
   return "?";
 }
 
 const char* NameOf(Interpolation interpolation) {
   switch (interpolation) {
-    case Interpolation::kDefault:
-      return "";
-    case Interpolation::kLinear:
-      return " linear";
-    case Interpolation::kNoInterpolation:
-      return " nointerpolation";
-    case Interpolation::kNoPerspective:
-      return " noperspective";
+    case Interpolation::kDefault: return "";
+    case Interpolation::kLinear: return " linear";
+    case Interpolation::kNoInterpolation: return " nointerpolation";
+    case Interpolation::kNoPerspective: return " noperspective";
   }
   return "";
 }

@@ -44,16 +44,11 @@ const char* TextOf(ObjectOp op) {
 
 const char* StorageText(Storage storage) {
   switch (storage) {
-    case Storage::kOut:
-      return "out ";
-    case Storage::kInOut:
-      return "inout ";
-    case Storage::kStatic:
-      return "static ";
-    case Storage::kConstant:
-      return "const ";
-    default:
-      return "";
+    case Storage::kOut: return "out ";
+    case Storage::kInOut: return "inout ";
+    case Storage::kStatic: return "static ";
+    case Storage::kConstant: return "const ";
+    default: return "";
   }
 }
 
@@ -169,24 +164,15 @@ void Printer::PutCall(std::string_view name, List<ExprId> arguments) {
 
 void Printer::PutLiteral(const Type& type, std::uint64_t bits) {
   switch (type.scalar) {
-    case Scalar::kBool:
-      return Put(bits != 0 ? "true" : "false");
-    case Scalar::kInt:
-      return Put(std::to_string(IntOf(bits)));
-    case Scalar::kUint:
-      return Put(std::to_string(UintOf(bits)) + "u");
-    case Scalar::kInt64:
-      return Put(std::to_string(static_cast<std::int64_t>(bits)) + "LL");
-    case Scalar::kUint64:
-      return Put(std::to_string(bits) + "ULL");
-    case Scalar::kFloat:
-      return Put(NumberText(FloatOf(bits), bits));
-    case Scalar::kHalf:
-      return Put(NumberText(FloatOf(bits), bits) + "h");
-    case Scalar::kDouble:
-      return Put(NumberText(DoubleOf(bits), bits) + "L");
-    default:
-      break;
+    case Scalar::kBool: return Put(bits != 0 ? "true" : "false");
+    case Scalar::kInt: return Put(std::to_string(IntOf(bits)));
+    case Scalar::kUint: return Put(std::to_string(UintOf(bits)) + "u");
+    case Scalar::kInt64: return Put(std::to_string(static_cast<std::int64_t>(bits)) + "LL");
+    case Scalar::kUint64: return Put(std::to_string(bits) + "ULL");
+    case Scalar::kFloat: return Put(NumberText(FloatOf(bits), bits));
+    case Scalar::kHalf: return Put(NumberText(FloatOf(bits), bits) + "h");
+    case Scalar::kDouble: return Put(NumberText(DoubleOf(bits), bits) + "L");
+    default: break;
   }
   const Scalar base = BaseOf(type.scalar);
   Put(base == Scalar::kFloat ? NumberText(FloatOf(bits), bits)
@@ -213,24 +199,13 @@ void Printer::PutConstruct(TypeId type, List<ExprId> arguments) {
 
 void Printer::PutUnary(const Unary& node) {
   switch (node.op) {
-    case UnaryOp::kNegate:
-      Put("-");
-      break;
-    case UnaryOp::kNot:
-      Put("!");
-      break;
-    case UnaryOp::kComplement:
-      Put("~");
-      break;
-    case UnaryOp::kPreIncrement:
-      Put("++");
-      break;
-    case UnaryOp::kPreDecrement:
-      Put("--");
-      break;
+    case UnaryOp::kNegate: Put("-"); break;
+    case UnaryOp::kNot: Put("!"); break;
+    case UnaryOp::kComplement: Put("~"); break;
+    case UnaryOp::kPreIncrement: Put("++"); break;
+    case UnaryOp::kPreDecrement: Put("--"); break;
     case UnaryOp::kPostIncrement:
-    case UnaryOp::kPostDecrement:
-      break;
+    case UnaryOp::kPostDecrement: break;
   }
   PutOperand(node.operand);
   if (node.op == UnaryOp::kPostIncrement) Put("++");

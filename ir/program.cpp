@@ -15,14 +15,10 @@ const char* NameOf(Intrinsic op) {
 bool WritesArgument(Intrinsic op, std::size_t argument) {
   switch (op) {
     case Intrinsic::kFrexp:
-    case Intrinsic::kModf:
-      return argument == 1;
-    case Intrinsic::kSincos:
-      return argument == 1 || argument == 2;
-    case Intrinsic::kAsUint:
-      return argument > 0;
-    default:
-      return false;
+    case Intrinsic::kModf: return argument == 1;
+    case Intrinsic::kSincos: return argument == 1 || argument == 2;
+    case Intrinsic::kAsUint: return argument > 0;
+    default: return false;
   }
 }
 

@@ -179,8 +179,9 @@ enum class ObjectOp : std::uint8_t {
                  // literals])
   kSampleGrad,   // (texture, sampler, coordinate, ddx, ddy [, offset])
   kSampleCmpLevelZero,  // (texture, comparison sampler, coordinate, reference [, offset])
-  kGather,  // (texture, sampler, coordinate [, offset, or one for each texel of the four]); component
-            // 0 (red); kGatherGreen.. the others
+  // (texture, sampler, coordinate [, offset, or one for each texel of the four]); component 0
+  // (red); kGatherGreen.. the others
+  kGather,
   kGatherGreen,
   kGatherBlue,
   kGatherAlpha,
@@ -197,8 +198,8 @@ enum class ObjectOp : std::uint8_t {
   kD3d9SampleLevel,  // (sampler2D and so on, coordinate with the level in w already split off, lod)
   kD3d9Sample,       // (sampler, coordinate): level 0 in a vertex shader
   kImageLoad,        // (RWTexture, coordinate int{1..3})
-  kStore,            // (a writable object, place as the load of that object has it, value): void; the
-                     // place of an RWByteAddressBuffer is a byte address, the value uint..uint4
+  kStore,  // (a writable object, place as the load of that object has it, value): void; the
+           // place of an RWByteAddressBuffer is a byte address, the value uint..uint4
 };
 struct ObjectCall {
   ObjectOp op;
@@ -366,8 +367,8 @@ enum class Builtin : std::uint8_t {
 
 // One input or output of the shader: a scalar or vector of float, int, uint or double (bool arrives
 // as uint), or the arrays of kClipDistance and kCullDistance. Struct, array and matrix parameters
-// were taken apart (matrices by rows).
-// The semantic of outputs that carry distances to clip planes to a fragment shader that discards. No shader can write it.
+// were taken apart (matrices by rows). The semantic of outputs that carry distances to clip planes
+// to a fragment shader that discards. No shader can write it.
 inline constexpr std::string_view kClipPlaneDistance = "SV_ClipPlaneDistance";
 
 struct IoVar {

@@ -35,16 +35,11 @@ std::uint64_t ToUint64(double value) { return Saturating<std::uint64_t>(value); 
 
 double NumberOf(std::uint64_t bits, Scalar kind) {
   switch (BaseOf(kind)) {
-    case Scalar::kFloat:
-      return FloatOf(bits);
-    case Scalar::kDouble:
-      return DoubleOf(bits);
-    case Scalar::kInt:
-      return IntOf(bits);
-    case Scalar::kInt64:
-      return static_cast<double>(static_cast<std::int64_t>(bits));
-    default:
-      return static_cast<double>(bits);
+    case Scalar::kFloat: return FloatOf(bits);
+    case Scalar::kDouble: return DoubleOf(bits);
+    case Scalar::kInt: return IntOf(bits);
+    case Scalar::kInt64: return static_cast<double>(static_cast<std::int64_t>(bits));
+    default: return static_cast<double>(bits);
   }
 }
 
@@ -64,18 +59,12 @@ std::uint64_t ConvertBits(std::uint64_t bits, Scalar from, Scalar to) {
   }
   const double value = NumberOf(bits, source);
   switch (target) {
-    case Scalar::kInt:
-      return BitsOf(ToInt(value));
-    case Scalar::kUint:
-      return ToUint(value);
-    case Scalar::kInt64:
-      return static_cast<std::uint64_t>(ToInt64(value));
-    case Scalar::kUint64:
-      return ToUint64(value);
-    case Scalar::kFloat:
-      return BitsOf(static_cast<float>(value));
-    default:
-      return BitsOf(value);
+    case Scalar::kInt: return BitsOf(ToInt(value));
+    case Scalar::kUint: return ToUint(value);
+    case Scalar::kInt64: return static_cast<std::uint64_t>(ToInt64(value));
+    case Scalar::kUint64: return ToUint64(value);
+    case Scalar::kFloat: return BitsOf(static_cast<float>(value));
+    default: return BitsOf(value);
   }
 }
 

@@ -44,10 +44,14 @@ constexpr Scalar BaseOf(Scalar kind) {
   }
 }
 // half, float, double, min*float
-constexpr bool IsFloat(Scalar kind) { return BaseOf(kind) == Scalar::kFloat || BaseOf(kind) == Scalar::kDouble; }
+constexpr bool IsFloat(Scalar kind) {
+  return BaseOf(kind) == Scalar::kFloat || BaseOf(kind) == Scalar::kDouble;
+}
 // signed or unsigned, not bool
 constexpr bool IsInteger(Scalar kind) { return !IsFloat(kind) && kind != Scalar::kBool; }
-constexpr bool IsUnsigned(Scalar kind) { return BaseOf(kind) == Scalar::kUint || BaseOf(kind) == Scalar::kUint64; }
+constexpr bool IsUnsigned(Scalar kind) {
+  return BaseOf(kind) == Scalar::kUint || BaseOf(kind) == Scalar::kUint64;
+}
 const char* NameOf(Scalar kind);  // HLSL's spelling
 
 enum class ObjectKind : std::uint8_t {
@@ -81,8 +85,11 @@ enum class ObjectKind : std::uint8_t {
 };
 
 bool IsWritable(ObjectKind kind);
-bool IsImage(ObjectKind kind);          // RWBuffer, RWTexture...: a format stands between the shader and the memory
-bool IsStorageBuffer(ObjectKind kind);  // memory as the shader sees it: StructuredBuffer, ByteAddressBuffer, RW or not
+bool IsImage(
+    ObjectKind kind);  // RWBuffer, RWTexture...: a format stands between the shader and the memory
+bool IsStorageBuffer(
+    ObjectKind
+        kind);  // memory as the shader sees it: StructuredBuffer, ByteAddressBuffer, RW or not
 bool IsStructured(ObjectKind kind);
 bool IsByteAddress(ObjectKind kind);
 
@@ -144,8 +151,8 @@ struct Struct {
   Span span;
 };
 
-// The types of one program. The common types are the same in every program: their ids are arithmetic,
-// and they are not stored.
+// The types of one program. The common types are the same in every program: their ids are
+// arithmetic, and they are not stored.
 class TypeTable {
  public:
   TypeId Error() const { return TypeId{0}; }

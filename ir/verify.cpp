@@ -274,7 +274,8 @@ class ProgramVerifier {
     if (exprs_.failed()) return;
     state_.assign(program_.functions.size(), 0);
     for (FunctionId id : program_.functions.ids()) Visit(id);
-    if (program_.entry && program_.main && program_.entry != program_.main && program_.form < Form::kInlined) {
+    if (program_.entry && program_.main && program_.entry != program_.main &&
+        program_.form < Form::kInlined) {
       const auto& calls = callees_[program_.main.index];
       Require(std::count(calls.begin(), calls.end(), program_.entry) == 1,
               "main calls the entry once");

@@ -20,22 +20,17 @@ bool Takes(BinaryOp op, Scalar kind) {
     case BinaryOp::kDiv:
     case BinaryOp::kMod:
     case BinaryOp::kAdd:
-    case BinaryOp::kSub:
-      return kind != Scalar::kBool;
+    case BinaryOp::kSub: return kind != Scalar::kBool;
     case BinaryOp::kShiftLeft:
-    case BinaryOp::kShiftRight:
-      return IsInteger(kind);
+    case BinaryOp::kShiftRight: return IsInteger(kind);
     case BinaryOp::kBitAnd:
     case BinaryOp::kBitXor:
-    case BinaryOp::kBitOr:
-      return !IsFloat(kind);
+    case BinaryOp::kBitOr: return !IsFloat(kind);
     case BinaryOp::kLogicalAnd:
     case BinaryOp::kLogicalOr:
     case BinaryOp::kShortCircuitAnd:
-    case BinaryOp::kShortCircuitOr:
-      return kind == Scalar::kBool;
-    default:
-      return true;
+    case BinaryOp::kShortCircuitOr: return kind == Scalar::kBool;
+    default: return true;
   }
 }
 
@@ -46,10 +41,8 @@ bool MayBeWritten(Storage storage) {
     case Storage::kOut:
     case Storage::kInOut:
     case Storage::kStatic:
-    case Storage::kOutput:
-      return true;
-    default:
-      return false;
+    case Storage::kOutput: return true;
+    default: return false;
   }
 }
 
@@ -185,8 +178,7 @@ void ExprVerifier::CheckIndex(ExprId expr, const Index& node) {
                   type.columns == base.columns,
               expr, "a row is a vector of the matrix's columns");
       break;
-    default:
-      Require(false, expr, "only arrays, vectors and matrices are indexed");
+    default: Require(false, expr, "only arrays, vectors and matrices are indexed");
   }
 }
 
@@ -226,15 +218,9 @@ void ExprVerifier::CheckUnary(ExprId expr, const Unary& node) {
   Require(IdOf(expr) == IdOf(node.operand) && type.IsNumeric(), expr,
           "the value has the operand's numeric type");
   switch (node.op) {
-    case UnaryOp::kNot:
-      Require(type.scalar == Scalar::kBool, expr, "`!` takes bool");
-      break;
-    case UnaryOp::kComplement:
-      Require(IsInteger(type.scalar), expr, "`~` takes integers");
-      break;
-    case UnaryOp::kNegate:
-      Require(type.scalar != Scalar::kBool, expr, "`-` takes numbers");
-      break;
+    case UnaryOp::kNot: Require(type.scalar == Scalar::kBool, expr, "`!` takes bool"); break;
+    case UnaryOp::kComplement: Require(IsInteger(type.scalar), expr, "`~` takes integers"); break;
+    case UnaryOp::kNegate: Require(type.scalar != Scalar::kBool, expr, "`-` takes numbers"); break;
     default:
       Require(type.scalar != Scalar::kBool, expr, "`++` and `--` take numbers");
       Require(IsTarget(node.operand), expr, "`++` and `--` take an assignment target");

@@ -98,8 +98,7 @@ class InterfaceVerifier {
     const bool is_scalar = type.kind == TypeKind::kScalar;
     const Scalar base = BaseOf(type.scalar);
     switch (builtin) {
-      case Builtin::kNone:
-        return true;
+      case Builtin::kNone: return true;
       case Builtin::kPosition:
       case Builtin::kClipVertex:
         return storage == Storage::kOutput && type.kind == TypeKind::kVector && type.columns == 4 &&
@@ -114,8 +113,7 @@ class InterfaceVerifier {
       case Builtin::kViewportIndex:
       case Builtin::kShadingRate:
         return storage == Storage::kOutput && is_scalar && IsInteger(base);
-      default:
-        return storage == Storage::kInput && is_scalar && IsInteger(base);
+      default: return storage == Storage::kInput && is_scalar && IsInteger(base);
     }
   }
 

@@ -18,39 +18,25 @@ const char* SignatureOf(Intrinsic op) {
 
 bool FitsKind(char letter, Scalar kind) {
   switch (letter) {
-    case 'f':
-      return IsFloat(kind);
-    case 'n':
-      return kind != Scalar::kBool;
-    case 'b':
-      return kind == Scalar::kBool;
-    case 'i':
-      return IsInteger(kind) && !IsUnsigned(kind);
-    case 'u':
-      return IsInteger(kind) && IsUnsigned(kind);
-    case 'd':
-      return kind == Scalar::kDouble;
-    default:
-      return true;
+    case 'f': return IsFloat(kind);
+    case 'n': return kind != Scalar::kBool;
+    case 'b': return kind == Scalar::kBool;
+    case 'i': return IsInteger(kind) && !IsUnsigned(kind);
+    case 'u': return IsInteger(kind) && IsUnsigned(kind);
+    case 'd': return kind == Scalar::kDouble;
+    default: return true;
   }
 }
 
 bool FitsShape(char letter, const Type& type) {
   switch (letter) {
-    case 'g':
-      return type.IsNumeric();
-    case 'v':
-      return type.kind == TypeKind::kVector || type.kind == TypeKind::kScalar;
-    case '3':
-      return type.kind == TypeKind::kVector && type.columns == 3;
-    case '4':
-      return type.kind == TypeKind::kVector && type.columns == 4;
-    case 's':
-      return type.kind == TypeKind::kScalar;
-    case 'q':
-      return type.kind == TypeKind::kMatrix && type.rows == type.columns;
-    default:
-      return type.kind == TypeKind::kMatrix;  // m, t
+    case 'g': return type.IsNumeric();
+    case 'v': return type.kind == TypeKind::kVector || type.kind == TypeKind::kScalar;
+    case '3': return type.kind == TypeKind::kVector && type.columns == 3;
+    case '4': return type.kind == TypeKind::kVector && type.columns == 4;
+    case 's': return type.kind == TypeKind::kScalar;
+    case 'q': return type.kind == TypeKind::kMatrix && type.rows == type.columns;
+    default: return type.kind == TypeKind::kMatrix;  // m, t
   }
 }
 
@@ -138,10 +124,8 @@ bool MatchesSpecial(const TypeTable& types, Intrinsic op, TypeId result_id,
   switch (op) {
     case Intrinsic::kMul:
       return arguments.size() == 2 && MatchesMul(result, first, types[arguments[1]]);
-    case Intrinsic::kAsFloat:
-      return one_of_kind(Scalar::kFloat);
-    case Intrinsic::kAsInt:
-      return one_of_kind(Scalar::kInt);
+    case Intrinsic::kAsFloat: return one_of_kind(Scalar::kFloat);
+    case Intrinsic::kAsInt: return one_of_kind(Scalar::kInt);
     case Intrinsic::kAsUint:
       if (arguments.size() == 1) return one_of_kind(Scalar::kUint);
       return arguments.size() == 3 && result.kind == TypeKind::kVoid && from == Scalar::kDouble &&
@@ -153,8 +137,7 @@ bool MatchesSpecial(const TypeTable& types, Intrinsic op, TypeId result_id,
     case Intrinsic::kFirstBitHigh:
       return arguments.size() == 1 && IsInteger(first.scalar) && SameShape(result, first) &&
              IsInteger(result.scalar);
-    default:
-      return true;
+    default: return true;
   }
 }
 

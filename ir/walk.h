@@ -9,8 +9,8 @@
 // The children of a node, each kind of node once: whoever walks the tree need not know all kinds.
 namespace clipc::ir {
 
-// Calls own(ExprId&) for each operand that `expr` holds itself, or list(List<ExprId>) for a list of them, in the order of
-// evaluation.
+// Calls own(ExprId&) for each operand that `expr` holds itself, or list(List<ExprId>) for a list of
+// them, in the order of evaluation.
 template <typename Own, typename Listed>
 void ForEachSlot(Expr& expr, Own&& own, Listed&& list) {
   Visit(Overloaded{
@@ -24,7 +24,9 @@ void ForEachSlot(Expr& expr, Own&& own, Listed&& list) {
             [&](Unary& node) { own(node.operand); },
             [&](Binary& node) { own(node.left), own(node.right); },
             [&](Assign& node) { own(node.target), own(node.value); },
-            [&](Conditional& node) { own(node.condition), own(node.when_true), own(node.when_false); },
+            [&](Conditional& node) {
+              own(node.condition), own(node.when_true), own(node.when_false);
+            },
             [&](Select& node) { own(node.condition), own(node.when_true), own(node.when_false); },
             [&](Convert& node) { own(node.operand); },
             [&](Splat& node) { own(node.operand); },
@@ -75,35 +77,35 @@ void ForEachPart(const Program& program, StmtId stmt, OnExpr&& on_expr, OnStmt&&
     for (std::uint32_t i = 0; i < stmts.size; ++i) on_stmt(program.stmt_lists[stmts][i]);
   };
   Visit(Overloaded{
-                 [&](const Block& node) { list(node.body); },
-                 [&](const Declare& node) { expr(node.init); },
-                 [&](const Evaluate& node) { expr(node.expr); },
-                 [&](const If& node) {
-                   expr(node.condition);
-                   on_stmt(node.then);
-                   if (node.otherwise) on_stmt(node.otherwise);
-                 },
-                 [&](const For& node) {
-                   list(node.init);
-                   expr(node.condition), expr(node.step);
-                   on_stmt(node.body);
-                 },
-                 [&](const While& node) { expr(node.condition), on_stmt(node.body); },
-                 [&](const DoWhile& node) { on_stmt(node.body), expr(node.condition); },
-                 [&](const Switch& node) {
-                   expr(node.value);
-                   for (std::uint32_t i = 0; i < node.cases.size; ++i) {
-                     const SwitchCase arm = program.switch_cases[node.cases][i];
-                     for (std::uint32_t l = 0; l < arm.labels.size; ++l)
-                       expr(program.expr_lists[arm.labels][l]);
-                     list(arm.body);
-                   }
-                 },
-                 [&](const Return& node) { expr(node.value); },
-                 [](const Break&) {},
-                 [](const Continue&) {},
-             },
-             program.stmts[stmt].node);
+            [&](const Block& node) { list(node.body); },
+            [&](const Declare& node) { expr(node.init); },
+            [&](const Evaluate& node) { expr(node.expr); },
+            [&](const If& node) {
+              expr(node.condition);
+              on_stmt(node.then);
+              if (node.otherwise) on_stmt(node.otherwise);
+            },
+            [&](const For& node) {
+              list(node.init);
+              expr(node.condition), expr(node.step);
+              on_stmt(node.body);
+            },
+            [&](const While& node) { expr(node.condition), on_stmt(node.body); },
+            [&](const DoWhile& node) { on_stmt(node.body), expr(node.condition); },
+            [&](const Switch& node) {
+              expr(node.value);
+              for (std::uint32_t i = 0; i < node.cases.size; ++i) {
+                const SwitchCase arm = program.switch_cases[node.cases][i];
+                for (std::uint32_t l = 0; l < arm.labels.size; ++l)
+                  expr(program.expr_lists[arm.labels][l]);
+                list(arm.body);
+              }
+            },
+            [&](const Return& node) { expr(node.value); },
+            [](const Break&) {},
+            [](const Continue&) {},
+        },
+        program.stmts[stmt].node);
 }
 
 }  // namespace clipc::ir

@@ -49,13 +49,16 @@ class ArgumentZeroer {
     std::set<std::uint32_t> fields;
   };
 
-  List<StmtId> Body() const { return std::get<Block>(program_.stmts[program_.functions[program_.main].body].node).body; }
+  List<StmtId> Body() const {
+    return std::get<Block>(program_.stmts[program_.functions[program_.main].body].node).body;
+  }
 
   // `T result = entry(...);`, `output = entry(...);` or `entry(...);`
   const Call* FindCall() const {
     for (const StmtId id : std::as_const(program_).stmt_lists[Body()]) {
       ExprId value;
-      if (const auto* declare = std::get_if<Declare>(&program_.stmts[id].node)) value = declare->init;
+      if (const auto* declare = std::get_if<Declare>(&program_.stmts[id].node))
+        value = declare->init;
       if (const auto* evaluate = std::get_if<Evaluate>(&program_.stmts[id].node)) {
         const auto* assign = std::get_if<Assign>(&program_.exprs[evaluate->expr].node);
         value = assign ? assign->value : evaluate->expr;
@@ -67,7 +70,9 @@ class ArgumentZeroer {
   }
 
   void CollectUses(StmtId id) {
-    ForEachPart(program_, id, [&](ExprId expr) { CollectUses(expr); }, [&](StmtId part) { CollectUses(part); });
+    ForEachPart(
+        program_, id, [&](ExprId expr) { CollectUses(expr); },
+        [&](StmtId part) { CollectUses(part); });
   }
   void CollectUses(ExprId id) {
     const auto& node = program_.exprs[id].node;
@@ -77,18 +82,22 @@ class ArgumentZeroer {
     const auto found = ref ? std::ranges::find(parameters, ref->var) : parameters.end();
     if (found != parameters.end()) {
       Uses& uses = uses_[static_cast<std::size_t>(found - parameters.begin())];
-      if (field) uses.fields.insert(field->field);
-      else uses.as_whole = true;
+      if (field)
+        uses.fields.insert(field->field);
+      else
+        uses.as_whole = true;
       return;
     }
     ForEachOperand(program_, id, [&](ExprId operand) { CollectUses(operand); });
   }
 
   void MakeZero(ExprId& value) {
-    if (IsPure(program_, value)) value = Builder(program_, program_.exprs[value].span).ZeroOf(program_.exprs[value].type);
+    if (IsPure(program_, value))
+      value = Builder(program_, program_.exprs[value].span).ZeroOf(program_.exprs[value].type);
   }
 
-  // Of the variable that is made of the inputs for this call alone: `Vertex v = Vertex(in_POSITION0, in_NORMAL0);`
+  // Of the variable that is made of the inputs for this call alone: `Vertex v =
+  // Vertex(in_POSITION0, in_NORMAL0);`
   void MakeFieldsZero(ExprId argument, const std::set<std::uint32_t>& read) {
     const auto* ref = std::get_if<VarRef>(&program_.exprs[argument].node);
     if (!ref) return;
@@ -113,16 +122,21 @@ class ArgumentZeroer {
 
 class Dropper {
  public:
-  explicit Dropper(Program& program) : program_(program), reads_(program.vars.size()), lines_of_(program.vars.size()) {}
+  explicit Dropper(Program& program)
+      : program_(program), reads_(program.vars.size()), lines_of_(program.vars.size()) {}
 
   void Run() {
     Block& body = std::get<Block>(program_.stmts[program_.functions[program_.main].body].node);
     for (const StmtId id : std::as_const(program_).stmt_lists[body.body]) {
       const Definition definition = DefinitionAt(id);
-      lines_.push_back({id, definition.value, definition.var ? lines_of_[definition.var.index] : 0});
-      if (definition.var) lines_of_[definition.var.index] = static_cast<std::uint32_t>(lines_.size());
-      if (definition.var) Count(definition.value, definition.var, 1);
-      else CountAll(id);
+      lines_.push_back(
+          {id, definition.value, definition.var ? lines_of_[definition.var.index] : 0});
+      if (definition.var)
+        lines_of_[definition.var.index] = static_cast<std::uint32_t>(lines_.size());
+      if (definition.var)
+        Count(definition.value, definition.var, 1);
+      else
+        CountAll(id);
     }
     for (std::uint32_t var = 0; var < reads_.size(); ++var) {
       if (reads_[var] == 0 && lines_of_[var] != 0) unread_.push_back(var);
@@ -164,8 +178,10 @@ class Dropper {
       const auto* assign = std::get_if<Assign>(&program_.exprs[evaluate->expr].node);
       if (assign && !assign->op) definition = {RootOf(assign->target), assign->value};
     }
-    const bool is_local = definition.var && program_.vars[definition.var].storage == Storage::kLocal;
-    return is_local && (!definition.value || IsPure(program_, definition.value)) ? definition : Definition{};
+    const bool is_local =
+        definition.var && program_.vars[definition.var].storage == Storage::kLocal;
+    return is_local && (!definition.value || IsPure(program_, definition.value)) ? definition
+                                                                                 : Definition{};
   }
 
   // Of a path that needs no other variable; none: of another one.
@@ -175,7 +191,9 @@ class Dropper {
     if (const auto* field = std::get_if<FieldRef>(&node)) return RootOf(field->base);
     if (const auto* swizzle = std::get_if<Swizzle>(&node)) return RootOf(swizzle->base);
     const auto* index = std::get_if<Index>(&node);
-    return index && std::holds_alternative<Literal>(program_.exprs[index->index].node) ? RootOf(index->base) : VarId{};
+    return index && std::holds_alternative<Literal>(program_.exprs[index->index].node)
+               ? RootOf(index->base)
+               : VarId{};
   }
 
   // What a variable's own value reads of it does not count.
@@ -188,8 +206,11 @@ class Dropper {
     ForEachOperand(program_, id, [&](ExprId operand) { Count(operand, own, by); });
   }
   void CountAll(StmtId id) {
-    if (const auto* declare = std::get_if<Declare>(&program_.stmts[id].node)) ++reads_[declare->var.index];
-    ForEachPart(program_, id, [&](ExprId expr) { Count(expr, {}, 1); }, [&](StmtId part) { CountAll(part); });
+    if (const auto* declare = std::get_if<Declare>(&program_.stmts[id].node))
+      ++reads_[declare->var.index];
+    ForEachPart(
+        program_, id, [&](ExprId expr) { Count(expr, {}, 1); },
+        [&](StmtId part) { CountAll(part); });
   }
 
   Program& program_;

@@ -22,7 +22,8 @@ using namespace ir;
 
 namespace {
 
-// Components are counted through vectors and arrays: element 1 of a float2[3] is components 2 and 3.
+// Components are counted through vectors and arrays: element 1 of a float2[3] is components 2 and
+// 3.
 class Folder {
  public:
   Folder(Program& program, VarId distances) : program_(program), distances_(distances) {}
@@ -54,7 +55,8 @@ class Folder {
 
   const Assign* AssignmentAt(StmtId id) const {
     const auto* evaluate = std::get_if<Evaluate>(&program_.stmts[id].node);
-    const auto* assign = evaluate ? std::get_if<Assign>(&program_.exprs[evaluate->expr].node) : nullptr;
+    const auto* assign =
+        evaluate ? std::get_if<Assign>(&program_.exprs[evaluate->expr].node) : nullptr;
     return assign && !assign->op ? assign : nullptr;
   }
 
@@ -65,7 +67,8 @@ class Folder {
 
   // Each distance has one statement of its own in `main`, or nothing is done.
   bool FindDistances() {
-    const List<StmtId> list = std::get<Block>(program_.stmts[program_.functions[program_.main].body].node).body;
+    const List<StmtId> list =
+        std::get<Block>(program_.stmts[program_.functions[program_.main].body].node).body;
     const auto stmts = std::as_const(program_).stmt_lists[list];
     body_.assign(stmts.begin(), stmts.end());
     values_.resize(program_.types[program_.vars[distances_].type].count);
@@ -82,30 +85,31 @@ class Folder {
 
   bool CanClip(ExprId id, std::uint32_t component) {
     const Expr& expr = program_.exprs[id];
-    return std::visit(Overloaded{
-                          [&](const Literal& node) {
-                            const double value = NumberOf(node.bits, program_.types[expr.type].scalar);
-                            return !(value >= 0 && value <= FLT_MAX);
-                          },
-                          [](const Zero&) { return false; },
-                          [&](const Splat& node) { return CanClip(node.operand, 0); },
-                          [&](const Convert& node) {  // to a whole number, only a small one keeps its sign
-                            const bool is_float = BaseOf(program_.types[expr.type].scalar) == Scalar::kFloat;
-                            return !is_float || CanClip(node.operand, component);
-                          },
-                          [&](const Construct& node) { return PartCanClip(node, component); },
-                          [&](const Swizzle& node) { return CanClip(node.base, node.components[component]); },
-                          [&](const Index& node) {
-                            const std::optional<std::uint32_t> index = LiteralIndex(node.index);
-                            const std::uint32_t size = SizeOf(program_.exprs[node.base].type);
-                            const std::uint32_t part = SizeOf(expr.type);
-                            const bool is_inside = index && size > 0 && *index < size / part;
-                            return !is_inside || CanClip(node.base, *index * part + component);
-                          },
-                          [&](const VarRef& node) { return VariableCanClip(node.var, component); },
-                          [](const auto&) { return true; },
-                      },
-                      expr.node);
+    return std::visit(
+        Overloaded{
+            [&](const Literal& node) {
+              const double value = NumberOf(node.bits, program_.types[expr.type].scalar);
+              return !(value >= 0 && value <= FLT_MAX);
+            },
+            [](const Zero&) { return false; },
+            [&](const Splat& node) { return CanClip(node.operand, 0); },
+            [&](const Convert& node) {  // to a whole number, only a small one keeps its sign
+              const bool is_float = BaseOf(program_.types[expr.type].scalar) == Scalar::kFloat;
+              return !is_float || CanClip(node.operand, component);
+            },
+            [&](const Construct& node) { return PartCanClip(node, component); },
+            [&](const Swizzle& node) { return CanClip(node.base, node.components[component]); },
+            [&](const Index& node) {
+              const std::optional<std::uint32_t> index = LiteralIndex(node.index);
+              const std::uint32_t size = SizeOf(program_.exprs[node.base].type);
+              const std::uint32_t part = SizeOf(expr.type);
+              const bool is_inside = index && size > 0 && *index < size / part;
+              return !is_inside || CanClip(node.base, *index * part + component);
+            },
+            [&](const VarRef& node) { return VariableCanClip(node.var, component); },
+            [](const auto&) { return true; },
+        },
+        expr.node);
   }
 
   bool PartCanClip(const Construct& node, std::uint32_t component) {
@@ -118,10 +122,12 @@ class Folder {
     return true;
   }
 
-  // None of the values that it is ever given. What was asked before in the same question has its answer there.
+  // None of the values that it is ever given. What was asked before in the same question has its
+  // answer there.
   bool VariableCanClip(VarId var, std::uint32_t component) {
     const Var& variable = program_.vars[var];
-    if (variable.storage == Storage::kConstant && variable.init) return CanClip(variable.init, component);
+    if (variable.storage == Storage::kConstant && variable.init)
+      return CanClip(variable.init, component);
     if (variable.storage != Storage::kLocal || SizeOf(variable.type) == 0) return true;
     if (!asked_.insert({var, component}).second) return false;
     if (!has_writes_) CollectWrites();
@@ -129,7 +135,8 @@ class Folder {
     const auto found = writes_.find({var, component});
     if (found == writes_.end()) return false;
     // A list of its own: answers add no writes.
-    return std::ranges::any_of(found->second, [&](const auto& write) { return CanClip(write.first, write.second); });
+    return std::ranges::any_of(
+        found->second, [&](const auto& write) { return CanClip(write.first, write.second); });
   }
 
   // Components of a scalar, a vector or an array of these; 0: of anything else.
@@ -186,9 +193,12 @@ class Folder {
     const auto* declare = std::get_if<Declare>(&program_.stmts[id].node);
     if (declare && declare->init) {
       const std::uint32_t size = SizeOf(program_.vars[declare->var].type);
-      for (std::uint32_t i = 0; i < size; ++i) writes_[{declare->var, i}].emplace_back(declare->init, i);
+      for (std::uint32_t i = 0; i < size; ++i)
+        writes_[{declare->var, i}].emplace_back(declare->init, i);
     }
-    ForEachPart(program_, id, [&](ExprId expr) { CollectWrites(expr); }, [&](StmtId part) { CollectWrites(part); });
+    ForEachPart(
+        program_, id, [&](ExprId expr) { CollectWrites(expr); },
+        [&](StmtId part) { CollectWrites(part); });
   }
   void CollectWrites(ExprId id) {
     const auto& node = program_.exprs[id].node;
@@ -198,16 +208,19 @@ class Folder {
       for (std::uint32_t i = 0; place && i < place->components.size(); ++i) {
         writes_[{place->var, place->components[i]}].emplace_back(assign->value, i);
       }
-    } else if (const auto* unary = std::get_if<Unary>(&node); unary && unary->op >= UnaryOp::kPreIncrement) {
+    } else if (const auto* unary = std::get_if<Unary>(&node);
+               unary && unary->op >= UnaryOp::kPreIncrement) {
       unknown_.insert(RootOf(unary->operand));
     } else if (const auto* call = std::get_if<Call>(&node)) {
       for (std::uint32_t i = 0; i < call->arguments.size; ++i) {
         const Var& parameter = program_.vars[program_.functions[call->function].parameters[i]];
-        if (parameter.storage != Storage::kIn) unknown_.insert(RootOf(program_.expr_lists[call->arguments][i]));
+        if (parameter.storage != Storage::kIn)
+          unknown_.insert(RootOf(program_.expr_lists[call->arguments][i]));
       }
     } else if (const auto* intrinsic = std::get_if<IntrinsicCall>(&node)) {
       for (std::uint32_t i = 0; i < intrinsic->arguments.size; ++i) {
-        if (WritesArgument(intrinsic->op, i)) unknown_.insert(RootOf(program_.expr_lists[intrinsic->arguments][i]));
+        if (WritesArgument(intrinsic->op, i))
+          unknown_.insert(RootOf(program_.expr_lists[intrinsic->arguments][i]));
       }
     }
     ForEachOperand(program_, id, [&](ExprId operand) { CollectWrites(operand); });
@@ -215,7 +228,8 @@ class Folder {
 
   void Shorten(std::uint32_t count) {
     if (count == 0) {
-      std::erase_if(program_.outputs, [&](const IoVar& output) { return output.var == distances_; });
+      std::erase_if(program_.outputs,
+                    [&](const IoVar& output) { return output.var == distances_; });
       return;
     }
     const TypeId type = program_.types.Array(program_.types.Make(Scalar::kFloat), count);
@@ -229,11 +243,12 @@ class Folder {
 
   Program& program_;
   const VarId distances_;
-  std::vector<StmtId> body_;     // of main
+  std::vector<StmtId> body_;    // of main
   std::vector<ExprId> values_;  // of the distances
   std::set<std::pair<VarId, std::uint32_t>> asked_;
   bool has_writes_ = false;
-  std::map<std::pair<VarId, std::uint32_t>, std::vector<std::pair<ExprId, std::uint32_t>>> writes_;  // values and their components
+  std::map<std::pair<VarId, std::uint32_t>, std::vector<std::pair<ExprId, std::uint32_t>>>
+      writes_;               // values and their components
   std::set<VarId> unknown_;  // written in another way
 };
 

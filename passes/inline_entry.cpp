@@ -19,11 +19,13 @@ namespace {
 
 class Inliner {
  public:
-  explicit Inliner(Program& program) : program_(program), builder_(program, program.functions[program.main].span) {}
+  explicit Inliner(Program& program)
+      : program_(program), builder_(program, program.functions[program.main].span) {}
 
   void Run() {
     const Function& main = program_.functions[program_.main];
-    for (StmtId id : program_.stmt_lists[std::get<Block>(program_.stmts[main.body].node).body]) stmts_.push_back(id);
+    for (StmtId id : program_.stmt_lists[std::get<Block>(program_.stmts[main.body].node).body])
+      stmts_.push_back(id);
     if (!FindCall()) return;
     MainParts parts;
     parts.before.assign(stmts_.begin(), stmts_.begin() + call_at_);
@@ -69,7 +71,9 @@ class Inliner {
   }
 
   bool ReturnsAtTheEnd() {
-    const auto list = program_.stmt_lists[std::get<Block>(program_.stmts[program_.functions[program_.entry].body].node).body];
+    const auto list =
+        program_.stmt_lists
+            [std::get<Block>(program_.stmts[program_.functions[program_.entry].body].node).body];
     int returns = 0;
     for (StmtId id : list) CountReturns(id, returns);
     if (!list.empty()) {
@@ -79,7 +83,8 @@ class Inliner {
         has_return_ = true;
       }
     }
-    return returns == 0 && (returned_ || program_.functions[program_.entry].return_type == program_.types.Void());
+    return returns == 0 &&
+           (returned_ || program_.functions[program_.entry].return_type == program_.types.Void());
   }
 
   void CountReturns(StmtId id, int& returns) const {
@@ -87,8 +92,8 @@ class Inliner {
     ForEachPart(program_, id, [](ExprId) {}, [&](StmtId part) { CountReturns(part, returns); });
   }
 
-  // A parameter is the variable of `main` that is its argument, or an input or uniform that is not assigned to; any
-  // other becomes a local variable that starts as the argument.
+  // A parameter is the variable of `main` that is its argument, or an input or uniform that is not
+  // assigned to; any other becomes a local variable that starts as the argument.
   void Parameters(const Function& entry, std::vector<StmtId>& body) {
     const List<ExprId> arguments = std::get<Call>(program_.exprs[call_].node).arguments;
     for (std::uint32_t i = 0; i < arguments.size; ++i) {
@@ -97,7 +102,8 @@ class Inliner {
       const auto* ref = std::get_if<VarRef>(&program_.exprs[argument].node);
       const bool is_local = ref && program_.vars[ref->var].storage == Storage::kLocal;
       const bool is_precise = program_.vars[parameter].precise;
-      const bool is_unchanged = ref && !is_precise && IsPlain(ref->var) && !IsAssigned(program_, entry.body, parameter);
+      const bool is_unchanged =
+          ref && !is_precise && IsPlain(ref->var) && !IsAssigned(program_, entry.body, parameter);
       if (is_local || is_unchanged) {
         renamed_[parameter] = ref->var;
         program_.vars[ref->var].precise |= is_precise;
@@ -118,7 +124,8 @@ class Inliner {
   void TakeBody(std::vector<StmtId>& body) {
     const Function entry = program_.functions[program_.entry];
     Parameters(entry, body);
-    const auto list = std::as_const(program_).stmt_lists[std::get<Block>(program_.stmts[entry.body].node).body];
+    const auto list =
+        std::as_const(program_).stmt_lists[std::get<Block>(program_.stmts[entry.body].node).body];
     body.insert(body.end(), list.begin(), list.end());
     if (has_return_) body.pop_back();
     Result(body);
@@ -148,15 +155,18 @@ class Inliner {
     const auto known = renamed_.find(returned);
     const VarId var = known == renamed_.end() ? returned : known->second;
     if (program_.vars[var].storage == Storage::kLocal) return true;
-    return std::none_of(stmts_.begin() + call_at_ + 1, stmts_.end(), [&](StmtId id) { return IsAssigned(program_, id, result); });
+    return std::none_of(stmts_.begin() + call_at_ + 1, stmts_.end(),
+                        [&](StmtId id) { return IsAssigned(program_, id, result); });
   }
 
   void Rename(StmtId id) {
-    ForEachPart(program_, id, [&](ExprId expr) { Rename(expr); }, [&](StmtId part) { Rename(part); });
+    ForEachPart(
+        program_, id, [&](ExprId expr) { Rename(expr); }, [&](StmtId part) { Rename(part); });
   }
   void Rename(ExprId id) {
     if (auto* ref = std::get_if<VarRef>(&program_.exprs[id].node)) {
-      for (auto known = renamed_.find(ref->var); known != renamed_.end(); known = renamed_.find(ref->var)) {
+      for (auto known = renamed_.find(ref->var); known != renamed_.end();
+           known = renamed_.find(ref->var)) {
         ref->var = known->second;
       }
     }

@@ -16,7 +16,8 @@ namespace {
 
 using namespace ir;
 
-// Direct3D 10 and later guarantee 8 clip distances, but [clipplanes] takes as many planes as Direct3D 9 had.
+// Direct3D 10 and later guarantee 8 clip distances, but [clipplanes] takes as many planes as
+// Direct3D 9 had.
 constexpr std::size_t kMaxClipPlanes = 6;
 
 VarId PositionOf(const Program& program) {
@@ -48,11 +49,13 @@ class Vertex {
   ExprId DistanceTo(const ClipPlane& plane) const {
     CLIPC_CHECK(plane.value);
     Builder b(program_, plane.span);
-    return b.IntrinsicOf(Intrinsic::kDot, program_.types.Make(Scalar::kFloat), {Value(b), plane.value});
+    return b.IntrinsicOf(Intrinsic::kDot, program_.types.Make(Scalar::kFloat),
+                         {Value(b), plane.value});
   }
 
  private:
-  // `float4 xyw1 = position.xyww; xyw1.w = 1;` is two instructions of SPIR-V, float4(position.xyw, 1) four.
+  // `float4 xyw1 = position.xyww; xyw1.w = 1;` is two instructions of SPIR-V, float4(position.xyw,
+  // 1) four.
   void MakeXyw1(std::vector<StmtId>& stmts) {
     Builder b(program_, program_.clip_planes.front().span);
     const VarId xyw1 = b.Local("xyw1", program_.vars[var_].type);
@@ -67,7 +70,8 @@ class Vertex {
   ExprId Value(Builder& b) const {
     const ExprId vertex = local_ ? Clone(program_, local_) : b.Ref(var_);
     const Type& type = program_.types[program_.vars[var_].type];
-    CLIPC_CHECK(type.scalar == Scalar::kFloat && (type.Components() == 3 || type.Components() == 4));
+    CLIPC_CHECK(type.scalar == Scalar::kFloat &&
+                (type.Components() == 3 || type.Components() == 4));
     return type.Components() == 3 ? WithOne(program_, b, vertex) : vertex;
   }
 
@@ -98,7 +102,8 @@ void WriteClipVertex(Program& program) {
   const VarId output =
       AddOutput(program, Builtin::kClipVertex, "clip_vertex", program.vars[position].type);
   Builder b(program, program.clip_planes.front().span);
-  AppendToBody(program, program.main, std::array{b.Eval(b.AssignTo(b.Ref(output), b.Ref(position)))});
+  AppendToBody(program, program.main,
+               std::array{b.Eval(b.AssignTo(b.Ref(output), b.Ref(position)))});
 }
 
 void WriteDepth(Program& program, const ClipPlaneOptions& options) {
@@ -125,16 +130,20 @@ void WriteVaryings(Program& program, const ClipPlaneOptions& options) {
   const Vertex vertex(program, options, stmts);
   for (std::size_t first = 0; first < count; first += 4) {
     const auto width = static_cast<int>(std::min<std::size_t>(count - first, 4));
-    const VarId output = AddOutput(program, Builtin::kNone, "clip_plane_distance" + std::to_string(first / 4),
-                                   width == 1 ? program.types.Make(Scalar::kFloat) : program.types.Vector(Scalar::kFloat, width));
+    const VarId output =
+        AddOutput(program, Builtin::kNone, "clip_plane_distance" + std::to_string(first / 4),
+                  width == 1 ? program.types.Make(Scalar::kFloat)
+                             : program.types.Vector(Scalar::kFloat, width));
     program.outputs.back().semantic = kClipPlaneDistance;
     program.outputs.back().index = static_cast<std::uint32_t>(first / 4);
     std::vector<ExprId> distances;
     for (int i = 0; i < width; ++i) {
-      distances.push_back(vertex.DistanceTo(program.clip_planes[first + static_cast<std::size_t>(i)]));
+      distances.push_back(
+          vertex.DistanceTo(program.clip_planes[first + static_cast<std::size_t>(i)]));
     }
     Builder b(program, program.clip_planes[first].span);
-    const ExprId value = width == 1 ? distances.front() : b.ConstructOf(program.vars[output].type, distances);
+    const ExprId value =
+        width == 1 ? distances.front() : b.ConstructOf(program.vars[output].type, distances);
     stmts.push_back(b.Eval(b.AssignTo(b.Ref(output), value)));
   }
   AppendToBody(program, program.main, stmts);
@@ -145,7 +154,8 @@ void WriteVaryings(Program& program, const ClipPlaneOptions& options) {
 void LowerClipPlanes(Program& program, const ClipPlaneOptions& options) {
   CLIPC_CHECK(program.form == Form::kTyped);
   CLIPC_CHECK(program.clip_planes.size() <= kMaxClipPlanes);
-  const bool shader_dots = options.lowering != Lowering::kLevel9 && options.lowering != Lowering::kNone;
+  const bool shader_dots =
+      options.lowering != Lowering::kLevel9 && options.lowering != Lowering::kNone;
   CLIPC_CHECK(shader_dots || options.space == PlaneSpace::kClip);
   if (!program.clip_planes.empty()) {
     switch (options.lowering) {

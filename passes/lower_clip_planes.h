@@ -9,10 +9,12 @@ namespace clipc::passes {
 
 enum class Lowering : std::uint8_t {
   kClipDistance,  // n dot products into kClipDistance
-  kLevel9,        // nothing in the shader but, when asked for, kClipVertex; the clip table carries the planes
-  kNone,          // the planes are ignored, on the user's request
-  kNearPlane,     // the one plane becomes the depth: what lies behind it fails the test against the near plane
-  kDiscard,       // n dot products into outputs of the shader's own, for a fragment shader that discards
+  // nothing in the shader but, when asked for, kClipVertex; the clip table carries the planes
+  kLevel9,
+  kNone,  // the planes are ignored, on the user's request
+  // the one plane becomes the depth: what lies behind it fails the test against the near plane
+  kNearPlane,
+  kDiscard,  // n dot products into outputs of the shader's own, for a fragment shader that discards
 };
 
 // What the planes are dotted with.
@@ -29,25 +31,28 @@ struct ClipPlaneOptions {
   bool write_clip_vertex = false;  // kLevel9 on targets with gl_ClipVertex
 };
 
-// Turns the clip planes of the entry point into outputs, at the end of `main`, where every path of the shader meets.
+// Turns the clip planes of the entry point into outputs, at the end of `main`, where every path of
+// the shader meets.
 //
-// Requires Form::kTyped; for kClipDistance that no output is kClipDistance yet; for kNearPlane at most one plane;
-// for kLevel9 and kNone PlaneSpace::kClip; for PlaneSpace::kObject that position_input is a float3 or float4 input.
-// Ensures Form::kNoClipPlanes.
+// Requires Form::kTyped; for kClipDistance that no output is kClipDistance yet; for kNearPlane at
+// most one plane; for kLevel9 and kNone PlaneSpace::kClip; for PlaneSpace::kObject that
+// position_input is a float3 or float4 input. Ensures Form::kNoClipPlanes.
 //
 //   gl_Position = result.position;            gl_Position = result.position;
 //                                       =>    gl_ClipDistance[0] = dot(result.position, plane0);
 //                                             gl_ClipDistance[1] = dot(result.position, plane1);
 //
 // Outputs are read again only where the position is no copy of a local variable. With kNearPlane,
-// `result.position.z = dot(result.position, plane); gl_Position = result.position;`: 0 <= z is what the plane asks, and interpolates as z does. With
-// kDiscard, the distances are float vectors of up to four components whose semantic is ir::kClipPlaneDistance.
+// `result.position.z = dot(result.position, plane); gl_Position = result.position;`: 0 <= z is what
+// the plane asks, and interpolates as z does. With kDiscard, the distances are float vectors of up
+// to four components whose semantic is ir::kClipPlaneDistance.
 //
-// With PlaneSpace::kXyw1 the dot product is dot(float4(result.position.xyw, 1), plane), whose first operand is a variable `xyw1`;
-// with kObject dot(in_POSITION0, plane).
-// See docs/runtime.md, "Plane spaces", for the constants that then mean the same plane.
+// With PlaneSpace::kXyw1 the dot product is dot(float4(result.position.xyw, 1), plane), whose first
+// operand is a variable `xyw1`; with kObject dot(in_POSITION0, plane). See docs/runtime.md, "Plane
+// spaces", for the constants that then mean the same plane.
 //
-// The position is the one the HLSL shader wrote (Direct3D clip space), so this runs before AdjustClipSpace.
+// The position is the one the HLSL shader wrote (Direct3D clip space), so this runs before
+// AdjustClipSpace.
 void LowerClipPlanes(ir::Program& program, const ClipPlaneOptions& options);
 
 }  // namespace clipc::passes

@@ -18,7 +18,8 @@ VarId FindOutput(const Program& program, Builtin builtin) {
 
 static bool IsLocalPath(const Program& program, ExprId id) {
   const auto& node = program.exprs[id].node;
-  if (const auto* ref = std::get_if<VarRef>(&node)) return program.vars[ref->var].storage == Storage::kLocal;
+  if (const auto* ref = std::get_if<VarRef>(&node))
+    return program.vars[ref->var].storage == Storage::kLocal;
   if (const auto* field = std::get_if<FieldRef>(&node)) return IsLocalPath(program, field->base);
   return false;
 }
@@ -64,7 +65,8 @@ static std::uint32_t FreeLocation(const Program& program) {
   for (const IoVar& output : program.outputs) {
     if (output.builtin != Builtin::kNone) continue;
     const Type& type = program.types[program.vars[output.var].type];
-    next = std::max(next, output.location + (type.scalar == Scalar::kDouble && type.Components() > 2 ? 2 : 1));
+    next = std::max(
+        next, output.location + (type.scalar == Scalar::kDouble && type.Components() > 2 ? 2 : 1));
   }
   return next;
 }

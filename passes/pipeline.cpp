@@ -35,12 +35,17 @@ constexpr Pass kPipeline[] = {
        AdjustClipSpace(program, options.clip_space);
      },
      ir::Form::kTargetClipSpace},
-    // The passes before find each output written in one place, after the call of the entry point; this one does away with it.
-    {"inline-entry", [](ir::Program& program, const PipelineOptions&) { InlineEntry(program); }, ir::Form::kInlined},
+    // The passes before find each output written in one place, after the call of the entry point;
+    // this one does away with it.
+    {"inline-entry", [](ir::Program& program, const PipelineOptions&) { InlineEntry(program); },
+     ir::Form::kInlined},
     // Distances that the shader writes by hand have their constants in `main` only now.
-    {"fold-clip-distances", [](ir::Program& program, const PipelineOptions&) { FoldClipDistances(program); }, ir::Form::kInlined},
+    {"fold-clip-distances",
+     [](ir::Program& program, const PipelineOptions&) { FoldClipDistances(program); },
+     ir::Form::kInlined},
     // Behind everything that leaves out statements.
-    {"drop-unread", [](ir::Program& program, const PipelineOptions&) { DropUnread(program); }, ir::Form::kInlined},
+    {"drop-unread", [](ir::Program& program, const PipelineOptions&) { DropUnread(program); },
+     ir::Form::kInlined},
 };
 
 #ifdef NDEBUG

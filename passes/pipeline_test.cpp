@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "passes/pipeline.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <array>
 #include <bit>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include "ir/builder.h"
 #include "ir/evaluate.h"
@@ -42,10 +42,15 @@ Program TwoPlanes() {
   const VarId input = AddVar(program, "in_POSITION0", float4, Storage::kInput);
   const VarId position = AddVar(program, "position", float4, Storage::kOutput);
   const ExprId call = b.CallOf(program.entry, std::array{b.Ref(input)});
-  program.main = program.functions.Add({"main", program.types.Void(), {},
-      b.BlockOf(std::array{b.Eval(b.AssignTo(b.Ref(position), call))}), {}});
+  program.main =
+      program.functions.Add({"main",
+                             program.types.Void(),
+                             {},
+                             b.BlockOf(std::array{b.Eval(b.AssignTo(b.Ref(position), call))}),
+                             {}});
   program.inputs.push_back({.var = input, .semantic = "POSITION"});
-  program.outputs.push_back({.var = position, .semantic = "SV_Position", .builtin = Builtin::kPosition});
+  program.outputs.push_back(
+      {.var = position, .semantic = "SV_Position", .builtin = Builtin::kPosition});
 
   const VarId planes = AddVar(program, "planes", program.types.Array(float4, 2), Storage::kUniform);
   Cbuffer buffer;
@@ -82,7 +87,8 @@ std::vector<std::vector<float>> OutputsOf(const Program& program, std::array<flo
   for (int i = 0; i < 4; ++i) inputs.values[0][i] = std::bit_cast<std::uint32_t>(vertex[i]);
   std::vector<std::uint8_t>& bytes = inputs.cbuffers.emplace_back();
   for (const float value : {1.0f, 0.0f, 0.0f, -0.5f, 0.0f, 2.0f, -1.0f, 0.25f}) {
-    for (int i = 0; i < 4; ++i) bytes.push_back(static_cast<std::uint8_t>(std::bit_cast<std::uint32_t>(value) >> 8 * i));
+    for (int i = 0; i < 4; ++i)
+      bytes.push_back(static_cast<std::uint8_t>(std::bit_cast<std::uint32_t>(value) >> 8 * i));
   }
   const EvalResult result = RunMain(program, inputs);
   EXPECT_TRUE(result) << result.error;
@@ -91,7 +97,8 @@ std::vector<std::vector<float>> OutputsOf(const Program& program, std::array<flo
     const Type& type = program.types[program.vars[program.outputs[i].var].type];
     const std::uint32_t count = type.kind == TypeKind::kArray ? type.count : type.Components();
     std::vector<float>& values = all.emplace_back();
-    for (std::uint32_t k = 0; k < count; ++k) values.push_back(static_cast<float>(result.outputs.numbers[i][k]));
+    for (std::uint32_t k = 0; k < count; ++k)
+      values.push_back(static_cast<float>(result.outputs.numbers[i][k]));
   }
   return all;
 }
@@ -129,8 +136,9 @@ Program TwoPlanesAndADoubledPosition() {
   Builder b(program);
   const ExprId position = b.Ref(program.outputs[0].var), twice = b.Ref(program.outputs[0].var);
   const TypeId type = b.TypeOf(position);
-  AppendToBody(program, program.main, std::array{b.Eval(b.AssignTo(
-      position, b.BinaryOf(BinaryOp::kMul, twice, b.SplatTo(type, b.Float(2)))))});
+  AppendToBody(program, program.main,
+               std::array{b.Eval(b.AssignTo(
+                   position, b.BinaryOf(BinaryOp::kMul, twice, b.SplatTo(type, b.Float(2)))))});
   return program;
 }
 
@@ -148,11 +156,14 @@ TEST(Pipeline, ObjectSpaceTakesTheVertexAsItComesIn) {
 TEST(Pipeline, ClipSpaceOptionsAreIndependent) {
   PipelineOptions options;
   options.clip_planes.lowering = Lowering::kNone;
-  EXPECT_THAT(OutputsOf(Lowered(TwoPlanes(), options), {3, 5, 7, 2}), ElementsAre(ElementsAre(3, 5, 7, 2)));
+  EXPECT_THAT(OutputsOf(Lowered(TwoPlanes(), options), {3, 5, 7, 2}),
+              ElementsAre(ElementsAre(3, 5, 7, 2)));
   options.clip_space = {.negative_one_to_one = true, .flip_y = false};
-  EXPECT_THAT(OutputsOf(Lowered(TwoPlanes(), options), {3, 5, 7, 2}), ElementsAre(ElementsAre(3, 5, 12, 2)));
+  EXPECT_THAT(OutputsOf(Lowered(TwoPlanes(), options), {3, 5, 7, 2}),
+              ElementsAre(ElementsAre(3, 5, 12, 2)));
   options.clip_space = {.negative_one_to_one = false, .flip_y = true};
-  EXPECT_THAT(OutputsOf(Lowered(TwoPlanes(), options), {3, 5, 7, 2}), ElementsAre(ElementsAre(3, -5, 7, 2)));
+  EXPECT_THAT(OutputsOf(Lowered(TwoPlanes(), options), {3, 5, 7, 2}),
+              ElementsAre(ElementsAre(3, -5, 7, 2)));
 }
 
 TEST(Pipeline, Level9LeavesThePlanesToTheTable) {
@@ -170,7 +181,8 @@ TEST(Pipeline, Level9ClipVertexIsTheHlslPosition) {
   options.clip_space = {.negative_one_to_one = true, .flip_y = true};
   const Program program = Lowered(TwoPlanes(), options);
   EXPECT_EQ(program.outputs[1].builtin, Builtin::kClipVertex);
-  EXPECT_THAT(OutputsOf(program, {3, 5, 7, 2}), ElementsAre(ElementsAre(3, -5, 12, 2), ElementsAre(3, 5, 7, 2)));
+  EXPECT_THAT(OutputsOf(program, {3, 5, 7, 2}),
+              ElementsAre(ElementsAre(3, -5, 12, 2), ElementsAre(3, 5, 7, 2)));
 }
 
 TEST(Pipeline, NearPlaneIsTheDepth) {
@@ -178,9 +190,11 @@ TEST(Pipeline, NearPlaneIsTheDepth) {
   one.clip_planes.erase(one.clip_planes.begin());
   PipelineOptions options;
   options.clip_planes.lowering = Lowering::kNearPlane;
-  EXPECT_THAT(OutputsOf(Lowered(one, options), {3, 5, 7, 2}), ElementsAre(ElementsAre(3, 5, 3.5f, 2)));
+  EXPECT_THAT(OutputsOf(Lowered(one, options), {3, 5, 7, 2}),
+              ElementsAre(ElementsAre(3, 5, 3.5f, 2)));
   options.clip_space = {.negative_one_to_one = true, .flip_y = true};
-  EXPECT_THAT(OutputsOf(Lowered(one, options), {3, 5, 7, 2}), ElementsAre(ElementsAre(3, -5, 2 * 3.5f - 2, 2)));
+  EXPECT_THAT(OutputsOf(Lowered(one, options), {3, 5, 7, 2}),
+              ElementsAre(ElementsAre(3, -5, 2 * 3.5f - 2, 2)));
 }
 
 TEST(Pipeline, DiscardWritesTheDistancesAsVectors) {
@@ -188,7 +202,8 @@ TEST(Pipeline, DiscardWritesTheDistancesAsVectors) {
   options.clip_planes.lowering = Lowering::kDiscard;
   options.clip_space = {.negative_one_to_one = true, .flip_y = true};
   const Program two = Lowered(TwoPlanes(), options);
-  EXPECT_THAT(OutputsOf(two, {3, 5, 7, 2}), ElementsAre(ElementsAre(3, -5, 12, 2), ElementsAre(2, 3.5f)));
+  EXPECT_THAT(OutputsOf(two, {3, 5, 7, 2}),
+              ElementsAre(ElementsAre(3, -5, 12, 2), ElementsAre(2, 3.5f)));
   EXPECT_EQ(two.outputs[1].semantic, kClipPlaneDistance);
 
   Program five = TwoPlanes();
@@ -197,8 +212,9 @@ TEST(Pipeline, DiscardWritesTheDistancesAsVectors) {
     again.value = Clone(five, again.value);
     five.clip_planes.push_back(again);
   }
-  EXPECT_THAT(OutputsOf(Lowered(five, options), {3, 5, 7, 2}),
-              ElementsAre(ElementsAre(3, -5, 12, 2), ElementsAre(2, 3.5f, 3.5f, 3.5f), ElementsAre(3.5f)));
+  EXPECT_THAT(
+      OutputsOf(Lowered(five, options), {3, 5, 7, 2}),
+      ElementsAre(ElementsAre(3, -5, 12, 2), ElementsAre(2, 3.5f, 3.5f, 3.5f), ElementsAre(3.5f)));
 }
 
 TEST(Pipeline, AShaderWithoutPlanesOrPositionStaysAsItIs) {
@@ -208,8 +224,8 @@ TEST(Pipeline, AShaderWithoutPlanesOrPositionStaysAsItIs) {
   PipelineOptions options;
   options.clip_space = {.negative_one_to_one = true, .flip_y = true};
   const std::string before = Print(program);
-  for (const Lowering lowering : {Lowering::kClipDistance, Lowering::kLevel9, Lowering::kNone, Lowering::kNearPlane,
-                                  Lowering::kDiscard}) {
+  for (const Lowering lowering : {Lowering::kClipDistance, Lowering::kLevel9, Lowering::kNone,
+                                  Lowering::kNearPlane, Lowering::kDiscard}) {
     options.clip_planes = {.lowering = lowering, .write_clip_vertex = true};
     options.stop_after = "adjust-clip-space";
     EXPECT_EQ(MainOf(Lowered(program, options)), MainOf(program));
@@ -222,16 +238,19 @@ TEST(Pipeline, StopsAndDumpsAfterAPass) {
   PipelineOptions options;
   options.clip_space.flip_y = true;
   options.after_pass = [&](std::string_view pass, const Program& program) {
-    seen.push_back(std::string(pass) + (MainOf(program).find('-') == std::string::npos ? "" : " flipped"));
+    seen.push_back(std::string(pass) +
+                   (MainOf(program).find('-') == std::string::npos ? "" : " flipped"));
   };
   Lowered(TwoPlanes(), options);
-  EXPECT_THAT(seen, ElementsAre("lower-clip-planes", "adjust-clip-space flipped", "inline-entry flipped",
-                                "fold-clip-distances flipped", "drop-unread flipped"));
+  EXPECT_THAT(seen,
+              ElementsAre("lower-clip-planes", "adjust-clip-space flipped", "inline-entry flipped",
+                          "fold-clip-distances flipped", "drop-unread flipped"));
   seen.clear();
   options.stop_after = "lower-clip-planes";
   EXPECT_EQ(Lowered(TwoPlanes(), options).form, Form::kNoClipPlanes);
   EXPECT_THAT(seen, ElementsAre("lower-clip-planes"));
-  EXPECT_THAT(PassNames(), ElementsAre("lower-clip-planes", "adjust-clip-space", "inline-entry", "fold-clip-distances", "drop-unread"));
+  EXPECT_THAT(PassNames(), ElementsAre("lower-clip-planes", "adjust-clip-space", "inline-entry",
+                                       "fold-clip-distances", "drop-unread"));
 }
 
 TEST(PipelineDeathTest, PassesWantTheirForms) {

@@ -14,14 +14,18 @@ using namespace ir;
 
 namespace {
 
-// Calls on_place(expr, writes) for every variable, or field of a variable, that is read or written in an expression.
+// Calls on_place(expr, writes) for every variable, or field of a variable, that is read or written
+// in an expression.
 template <typename OnPlace>
 void ForEachPlace(const Program& program, ExprId id, bool writes, OnPlace&& on_place) {
   const auto& node = program.exprs[id].node;
-  const auto visit = [&](ExprId part, bool is_written) { ForEachPlace(program, part, is_written, on_place); };
+  const auto visit = [&](ExprId part, bool is_written) {
+    ForEachPlace(program, part, is_written, on_place);
+  };
   if (std::holds_alternative<VarRef>(node)) return on_place(id, writes);
   if (const auto* field = std::get_if<FieldRef>(&node)) {
-    if (std::holds_alternative<VarRef>(program.exprs[field->base].node)) return on_place(id, writes);
+    if (std::holds_alternative<VarRef>(program.exprs[field->base].node))
+      return on_place(id, writes);
     return visit(field->base, writes);
   }
   if (const auto* index = std::get_if<Index>(&node)) {
@@ -33,7 +37,8 @@ void ForEachPlace(const Program& program, ExprId id, bool writes, OnPlace&& on_p
     visit(assign->target, true);
     return visit(assign->value, false);
   }
-  if (const auto* unary = std::get_if<Unary>(&node)) return visit(unary->operand, unary->op >= UnaryOp::kPreIncrement);
+  if (const auto* unary = std::get_if<Unary>(&node))
+    return visit(unary->operand, unary->op >= UnaryOp::kPreIncrement);
   if (const auto* call = std::get_if<Call>(&node)) {
     for (std::uint32_t i = 0; i < call->arguments.size; ++i) {
       const Var& parameter = program.vars[program.functions[call->function].parameters[i]];
@@ -60,7 +65,9 @@ void ForEachPlace(const Program& program, StmtId id, OnPlace&& on_place) {
 class Splitter {
  public:
   Splitter(Program& program, const MainParts& parts)
-      : program_(program), before_end_(parts.before.size()), after_begin_(before_end_ + parts.body.size()) {
+      : program_(program),
+        before_end_(parts.before.size()),
+        after_begin_(before_end_ + parts.body.size()) {
     for (const std::vector<StmtId>* part : {&parts.before, &parts.body, &parts.after}) {
       stmts_.insert(stmts_.end(), part->begin(), part->end());
     }
@@ -72,7 +79,8 @@ class Splitter {
   std::vector<StmtId> Run() {
     FindCandidates();
     for (now_ = 0; now_ < stmts_.size(); ++now_) Collect(stmts_[now_]);
-    for (Candidate& candidate : candidates_) candidate.is_whole ? FillAtOnce(candidate) : Split(candidate);
+    for (Candidate& candidate : candidates_)
+      candidate.is_whole ? FillAtOnce(candidate) : Split(candidate);
     std::vector<StmtId> result;
     for (std::size_t i = 0; i < stmts_.size(); ++i) {
       result.insert(result.end(), replaced_[i].begin(), replaced_[i].end());
@@ -144,7 +152,8 @@ class Splitter {
 
   void Collect(StmtId stmt) {
     if (const auto* declare = std::get_if<Declare>(&program_.stmts[stmt].node)) {
-      if (Candidate* candidate = CandidateOf(declare->var)) return Define(*candidate, declare->init, true);
+      if (Candidate* candidate = CandidateOf(declare->var))
+        return Define(*candidate, declare->init, true);
     }
     if (const Assign* assign = AssignmentAt(now_)) {
       Candidate* candidate = CandidateOf(assign->target);
@@ -155,10 +164,13 @@ class Splitter {
 
   void Place(ExprId expr, bool writes) {
     if (Candidate* candidate = CandidateOf(expr)) {
-      if (candidate->is_struct) candidate->is_whole = true;
-      else candidate->parts[0].uses.push_back({expr, now_, writes});
+      if (candidate->is_struct)
+        candidate->is_whole = true;
+      else
+        candidate->parts[0].uses.push_back({expr, now_, writes});
     } else if (const auto* field = std::get_if<FieldRef>(&program_.exprs[expr].node)) {
-      if (Candidate* base = CandidateOf(field->base)) base->parts[field->field].uses.push_back({expr, now_, writes});
+      if (Candidate* base = CandidateOf(field->base))
+        base->parts[field->field].uses.push_back({expr, now_, writes});
     }
   }
 
@@ -168,7 +180,8 @@ class Splitter {
     for (const Part& part : candidate.parts) uses += part.uses.size();
     if (value) {
       const auto& node = program_.exprs[value].node;
-      const bool is_by_parts = std::holds_alternative<Zero>(node) || std::holds_alternative<Construct>(node);
+      const bool is_by_parts =
+          std::holds_alternative<Zero>(node) || std::holds_alternative<Construct>(node);
       if (candidate.is_struct && !is_by_parts) candidate.is_whole = true;
       ForEachPlace(program_, value, false, [&](ExprId expr, bool writes) { Place(expr, writes); });
     }
@@ -180,13 +193,15 @@ class Splitter {
   // `target = value;`
   const Assign* AssignmentAt(std::size_t stmt) const {
     const auto* evaluate = std::get_if<Evaluate>(&program_.stmts[stmts_[stmt]].node);
-    const auto* assign = evaluate ? std::get_if<Assign>(&program_.exprs[evaluate->expr].node) : nullptr;
+    const auto* assign =
+        evaluate ? std::get_if<Assign>(&program_.exprs[evaluate->expr].node) : nullptr;
     return assign && !assign->op ? assign : nullptr;
   }
 
   // ---- what becomes of it
 
-  // `Vertex v; v.position = in_POSITION0; v.normal = in_NORMAL0;` as `Vertex v = Vertex(in_POSITION0, in_NORMAL0);`
+  // `Vertex v; v.position = in_POSITION0; v.normal = in_NORMAL0;` as `Vertex v =
+  // Vertex(in_POSITION0, in_NORMAL0);`
   void FillAtOnce(Candidate& candidate) {
     if (!candidate.is_struct || candidate.definitions.empty()) return;
     const Definition& declaration = candidate.definitions.front();
@@ -217,14 +232,18 @@ class Splitter {
     for (Part& part : candidate.parts) {
       if (part.becomes) {
         is_replaced_[part.uses.back().stmt] = true;
-      } else if (const VarId input = candidate.definitions.size() == 1 && !candidate.definitions[0].value ? InputOf(part) : VarId{}) {
+      } else if (const VarId input =
+                     candidate.definitions.size() == 1 && !candidate.definitions[0].value
+                         ? InputOf(part)
+                         : VarId{}) {
         part.becomes = input;
         is_replaced_[part.uses.front().stmt] = true;
       } else if (IsNeverRead(part)) {
         is_replaced_[part.uses.front().stmt] = true;
       } else if (!part.uses.empty()) {
         Var var = program_.vars[candidate.var];
-        if (candidate.is_struct) var.name = program_.types.StructOf(var.type).fields[NumberOf(candidate, part)].name;
+        if (candidate.is_struct)
+          var.name = program_.types.StructOf(var.type).fields[NumberOf(candidate, part)].name;
         var.type = part.type;
         part.becomes = program_.vars.Add(std::move(var));
         part.is_new = true;
@@ -252,7 +271,9 @@ class Splitter {
   VarId OutputOf(const Part& part) const {
     if (part.uses.empty()) return {};
     const Use& last = part.uses.back();
-    if (last.stmt < after_begin_ || (part.uses.size() > 1 && part.uses[part.uses.size() - 2].stmt >= after_begin_)) return {};
+    if (last.stmt < after_begin_ ||
+        (part.uses.size() > 1 && part.uses[part.uses.size() - 2].stmt >= after_begin_))
+      return {};
     const Assign* assign = AssignmentAt(last.stmt);
     if (!assign || assign->value != last.expr) return {};
     const auto* target = std::get_if<VarRef>(&program_.exprs[assign->target].node);
@@ -267,7 +288,8 @@ class Splitter {
     const Assign* assign = first.stmt < before_end_ ? AssignmentAt(first.stmt) : nullptr;
     if (!assign || assign->target != first.expr) return {};
     const auto* value = std::get_if<VarRef>(&program_.exprs[assign->value].node);
-    const auto input = value ? std::ranges::find(program_.inputs, value->var, &IoVar::var) : program_.inputs.end();
+    const auto input =
+        value ? std::ranges::find(program_.inputs, value->var, &IoVar::var) : program_.inputs.end();
     const bool is_plain = input != program_.inputs.end() && input->builtin == Builtin::kNone;
     return is_plain && program_.vars[input->var].type == part.type ? input->var : VarId{};
   }
@@ -283,14 +305,17 @@ class Splitter {
 
   void Replace(Candidate& candidate, const Definition& definition) {
     const bool is_declaration = &definition == &candidate.definitions.front();
-    const auto* construct = definition.value ? std::get_if<Construct>(&program_.exprs[definition.value].node) : nullptr;
+    const auto* construct =
+        definition.value ? std::get_if<Construct>(&program_.exprs[definition.value].node) : nullptr;
     const List<ExprId> values = construct ? construct->arguments : List<ExprId>{};
     is_replaced_[definition.stmt] = true;
     for (std::size_t i = 0; i < candidate.parts.size(); ++i) {
       const Part& part = candidate.parts[i];
       Builder b(program_, program_.stmts[stmts_[definition.stmt]].span);
       std::vector<StmtId>& out = replaced_[definition.stmt];
-      ExprId value = !candidate.is_struct ? definition.value : construct ? program_.expr_lists[values][i] : ExprId{};
+      ExprId value = !candidate.is_struct ? definition.value
+                     : construct          ? program_.expr_lists[values][i]
+                                          : ExprId{};
       if (!part.becomes) {
         if (value && !IsPure(program_, value)) out.push_back(b.Eval(value));
         continue;
@@ -336,6 +361,8 @@ bool IsAssigned(const Program& program, StmtId stmt, VarId var) {
   return is_assigned;
 }
 
-std::vector<StmtId> SplitVariables(Program& program, const MainParts& parts) { return Splitter(program, parts).Run(); }
+std::vector<StmtId> SplitVariables(Program& program, const MainParts& parts) {
+  return Splitter(program, parts).Run();
+}
 
 }  // namespace clipc::passes

@@ -12,8 +12,8 @@ namespace {
 std::atomic<std::size_t> g_allocations = 0;
 }  // namespace
 
-// Of the whole test program, in all forms: a sanitizer brings its own for those left out. No caller may see what is
-// inside, or g++ warns of memory that was malloc'ed and is deleted.
+// Of the whole test program, in all forms: a sanitizer brings its own for those left out. No caller
+// may see what is inside, or g++ warns of memory that was malloc'ed and is deleted.
 #define CLIPC_NOINLINE __attribute__((noinline))
 CLIPC_NOINLINE void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   ++g_allocations;
@@ -31,8 +31,12 @@ CLIPC_NOINLINE void operator delete(void* memory) noexcept { std::free(memory); 
 CLIPC_NOINLINE void operator delete[](void* memory) noexcept { std::free(memory); }
 CLIPC_NOINLINE void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 CLIPC_NOINLINE void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
-CLIPC_NOINLINE void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
-CLIPC_NOINLINE void operator delete[](void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
+CLIPC_NOINLINE void operator delete(void* memory, const std::nothrow_t&) noexcept {
+  std::free(memory);
+}
+CLIPC_NOINLINE void operator delete[](void* memory, const std::nothrow_t&) noexcept {
+  std::free(memory);
+}
 #undef CLIPC_NOINLINE
 
 namespace clipc::runtime {

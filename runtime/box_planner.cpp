@@ -17,10 +17,11 @@ constexpr float kLargestSum = 0x1p120f;
 constexpr float kLargestBound = kErrorFactor * kLargestSum;
 constexpr float kUndecided = std::numeric_limits<float>::quiet_NaN();
 
-constexpr std::size_t kBlock = 256;  // 24 bytes each: a block stays in the first-level cache for all planes
+constexpr std::size_t kBlock =
+    256;  // 24 bytes each: a block stays in the first-level cache for all planes
 
-// Inlined into a function for AVX2 and into one for whatever the build is for: the same operations, so the same
-// results.
+// Inlined into a function for AVX2 and into one for whatever the build is for: the same operations,
+// so the same results.
 #if defined(__GNUC__) && defined(__x86_64__)
 #define CLIPC_HAS_AVX2_CLONE 1
 #define CLIPC_BLOCK_FUNCTION inline __attribute__((always_inline))
@@ -58,34 +59,42 @@ CLIPC_BLOCK_FUNCTION void MeasureBlock(Block& block) {
   }
 }
 
-// E for a plane whose coefficients have the magnitudes `size`: monotonic in each of them, roundings included. NaN, to
-// which no distance compares, where sums are too large.
-CLIPC_BLOCK_FUNCTION void SetError(const Block& block, const Float4& size, float underflow, float (&error)[kBlock]) {
+// E for a plane whose coefficients have the magnitudes `size`: monotonic in each of them, roundings
+// included. NaN, to which no distance compares, where sums are too large.
+CLIPC_BLOCK_FUNCTION void SetError(const Block& block, const Float4& size, float underflow,
+                                   float (&error)[kBlock]) {
   const float x = size.x, y = size.y, z = size.z, w = size.w;
   for (std::size_t i = 0; i < kBlock; ++i) {
-    const float sum = x * block.largest[0][i] + y * block.largest[1][i] + z * block.largest[2][i] + w;
+    const float sum =
+        x * block.largest[0][i] + y * block.largest[1][i] + z * block.largest[2][i] + w;
     const float bound = kErrorFactor * sum + underflow;
     error[i] = bound < kLargestBound ? bound : kUndecided;
   }
 }
 
-CLIPC_BLOCK_FUNCTION void SetCoarseError(Block& block, const Float4* planes, std::size_t plane_count) {
+CLIPC_BLOCK_FUNCTION void SetCoarseError(Block& block, const Float4* planes,
+                                         std::size_t plane_count) {
   Float4 size;
   for (std::size_t i = 0; i < plane_count; ++i) {
-    size.x = Larger(size.x, Magnitude(planes[i].x)), size.y = Larger(size.y, Magnitude(planes[i].y));
-    size.z = Larger(size.z, Magnitude(planes[i].z)), size.w = Larger(size.w, Magnitude(planes[i].w));
+    size.x = Larger(size.x, Magnitude(planes[i].x)),
+    size.y = Larger(size.y, Magnitude(planes[i].y));
+    size.z = Larger(size.z, Magnitude(planes[i].z)),
+    size.w = Larger(size.w, Magnitude(planes[i].w));
   }
   SetError(block, size, kUnderflow, block.coarse_error);
 }
 
-// One plane against a block of boxes, with `error` for E. Whether a distance is nearer to 0 than `error` for some box
-// in order: then another error might give another answer.
+// One plane against a block of boxes, with `error` for E. Whether a distance is nearer to 0 than
+// `error` for some box in order: then another error might give another answer.
 CLIPC_BLOCK_FUNCTION bool PlanBlock(Block& block, const Float4& plane, std::uint32_t bit,
                                     const float (&error)[kBlock]) {
   const bool up_x = plane.x >= 0, up_y = plane.y >= 0, up_z = plane.z >= 0;
-  const float *near_x = up_x ? block.low[0] : block.high[0], *far_x = up_x ? block.high[0] : block.low[0];
-  const float *near_y = up_y ? block.low[1] : block.high[1], *far_y = up_y ? block.high[1] : block.low[1];
-  const float *near_z = up_z ? block.low[2] : block.high[2], *far_z = up_z ? block.high[2] : block.low[2];
+  const float *near_x = up_x ? block.low[0] : block.high[0],
+              *far_x = up_x ? block.high[0] : block.low[0];
+  const float *near_y = up_y ? block.low[1] : block.high[1],
+              *far_y = up_y ? block.high[1] : block.low[1];
+  const float *near_z = up_z ? block.low[2] : block.high[2],
+              *far_z = up_z ? block.high[2] : block.low[2];
   const float x = plane.x, y = plane.y, z = plane.z, w = plane.w;
   std::uint32_t close = 0;
   for (std::size_t i = 0; i < kBlock; ++i) {
@@ -95,27 +104,30 @@ CLIPC_BLOCK_FUNCTION bool PlanBlock(Block& block, const Float4& plane, std::uint
     const bool is_in = nearest >= error[i], is_out = farthest < -error[i];
     block.needed[i] |= is_in ? 0 : bit;
     block.culled[i] |= is_out ? 1 : 0;
-    close |= static_cast<std::uint32_t>(is_in ^ (nearest >= 0)) | static_cast<std::uint32_t>(is_out ^ (farthest < 0));
+    close |= static_cast<std::uint32_t>(is_in ^ (nearest >= 0)) |
+             static_cast<std::uint32_t>(is_out ^ (farthest < 0));
   }
   return close != 0;
 }
 
 // The first `count` plans of a block of exactly kBlock boxes.
-CLIPC_BLOCK_FUNCTION void PlanFullBlock(Block& block, const Float4* planes, std::size_t plane_count, BoxPlan* plans,
-                                        std::size_t count) {
+CLIPC_BLOCK_FUNCTION void PlanFullBlock(Block& block, const Float4* planes, std::size_t plane_count,
+                                        BoxPlan* plans, std::size_t count) {
   MeasureBlock(block);
-  // One error for all planes is less work, and hardly ever too large. Where it may be, once more with each plane's own.
+  // One error for all planes is less work, and hardly ever too large. Where it may be, once more
+  // with each plane's own.
   SetCoarseError(block, planes, plane_count);
   for (std::size_t i = 0; i < kBlock; ++i) block.needed[i] = block.culled[i] = 0;
   bool close = false;
-  for (std::size_t i = 0; i < plane_count; ++i) close |= PlanBlock(block, planes[i], 1u << i, block.coarse_error);
+  for (std::size_t i = 0; i < plane_count; ++i)
+    close |= PlanBlock(block, planes[i], 1u << i, block.coarse_error);
   if (close) {
     for (std::size_t i = 0; i < kBlock; ++i) block.needed[i] = block.culled[i] = 0;
     for (std::size_t i = 0; i < plane_count; ++i) {
       float error[kBlock];
       const Float4& p = planes[i];
-      SetError(block, {Magnitude(p.x), Magnitude(p.y), Magnitude(p.z), Magnitude(p.w)}, IsZero(p) ? 0 : kUnderflow,
-               error);
+      SetError(block, {Magnitude(p.x), Magnitude(p.y), Magnitude(p.z), Magnitude(p.w)},
+               IsZero(p) ? 0 : kUnderflow, error);
       PlanBlock(block, p, 1u << i, error);
     }
   }
@@ -132,14 +144,15 @@ CLIPC_BLOCK_FUNCTION void PlanFullBlock(Block& block, const Float4* planes, std:
 
 using PlanFunction = void (*)(Block&, const Float4*, std::size_t, BoxPlan*, std::size_t);
 
-void PlanForAnyProcessor(Block& block, const Float4* planes, std::size_t plane_count, BoxPlan* plans,
-                         std::size_t count) {
+void PlanForAnyProcessor(Block& block, const Float4* planes, std::size_t plane_count,
+                         BoxPlan* plans, std::size_t count) {
   PlanFullBlock(block, planes, plane_count, plans, count);
 }
 
 #if CLIPC_HAS_AVX2_CLONE
-__attribute__((target("avx2"))) void PlanForAvx2(Block& block, const Float4* planes, std::size_t plane_count,
-                                                 BoxPlan* plans, std::size_t count) {
+__attribute__((target("avx2"))) void PlanForAvx2(Block& block, const Float4* planes,
+                                                 std::size_t plane_count, BoxPlan* plans,
+                                                 std::size_t count) {
   PlanFullBlock(block, planes, plane_count, plans, count);
 }
 #endif
@@ -158,18 +171,21 @@ bool IsBox(const Box& box) {
   return true;
 }
 
-// |v| |M_0| |M_1| ... for the corner of largest |v|, with what underflow may add; false where float might overflow.
-bool LargestPosition(const Box& box, const Matrix* matrices, std::size_t matrix_count, double (&position)[4]) {
+// |v| |M_0| |M_1| ... for the corner of largest |v|, with what underflow may add; false where float
+// might overflow.
+bool LargestPosition(const Box& box, const Matrix* matrices, std::size_t matrix_count,
+                     double (&position)[4]) {
   for (int axis = 0; axis < 3; ++axis) {
-    position[axis] =
-        std::max(std::fabs(static_cast<double>(box.low[axis])), std::fabs(static_cast<double>(box.high[axis])));
+    position[axis] = std::max(std::fabs(static_cast<double>(box.low[axis])),
+                              std::fabs(static_cast<double>(box.high[axis])));
   }
   position[3] = 1;
   for (std::size_t k = 0; k < matrix_count; ++k) {
     double next[4];
     for (int column = 0; column < 4; ++column) {
       next[column] = 0x1p-100;
-      for (int row = 0; row < 4; ++row) next[column] += position[row] * std::fabs(matrices[k].m[row][column]);
+      for (int row = 0; row < 4; ++row)
+        next[column] += position[row] * std::fabs(matrices[k].m[row][column]);
       if (!(next[column] < static_cast<double>(kLargestSum))) return false;
     }
     std::copy(next, next + 4, position);
@@ -186,8 +202,8 @@ std::uint32_t PlanTransformed(const Box& box, const Matrix* matrices, std::size_
   if (!(sum < static_cast<double>(kLargestSum))) return bit;
   const bool is_zero = before.x == 0 && before.y == 0 && before.z == 0 && before.w == 0;
   const double steps = static_cast<double>(matrix_count + 1);
-  const double error =
-      5 * steps * static_cast<double>(kUnitRoundoff) * sum + (is_zero ? 0 : static_cast<double>(kUnderflow));
+  const double error = 5 * steps * static_cast<double>(kUnitRoundoff) * sum +
+                       (is_zero ? 0 : static_cast<double>(kUnderflow));
   for (std::size_t k = matrix_count; k-- > 0;) before = PlaneBefore(matrices[k], before);
   const double n[3] = {before.x, before.y, before.z};
   double nearest = before.w, farthest = before.w;
@@ -232,7 +248,8 @@ BoxPlan PlanBox(const Box& box, const Float4* planes, std::size_t plane_count) n
   return culled ? kCulled : static_cast<BoxPlan>(needed);
 }
 
-void PlanBoxes(const BoxArrays& boxes, const Float4* planes, std::size_t plane_count, BoxPlan* plans) noexcept {
+void PlanBoxes(const BoxArrays& boxes, const Float4* planes, std::size_t plane_count,
+               BoxPlan* plans) noexcept {
   const PlanFunction plan = ChoosePlanFunction();
   plane_count = std::min(plane_count, kMaxPlanes);
   Block block;
@@ -254,8 +271,8 @@ void PlanBoxes(const BoxArrays& boxes, const Float4* planes, std::size_t plane_c
   plan(block, planes, plane_count, plans + first, rest);
 }
 
-BoxPlan PlanTransformedBox(const Box& box, const Matrix* matrices, std::size_t matrix_count, const Float4* planes,
-                           std::size_t plane_count) noexcept {
+BoxPlan PlanTransformedBox(const Box& box, const Matrix* matrices, std::size_t matrix_count,
+                           const Float4* planes, std::size_t plane_count) noexcept {
   plane_count = std::min(plane_count, kMaxPlanes);
   const auto all = static_cast<BoxPlan>((1u << plane_count) - 1);
   double largest[4];

@@ -33,13 +33,14 @@ void ForEachDot4(const float (&a)[4], const float (&b)[4], Visit visit) {
   } while (std::next_permutation(order, order + 4));
 }
 
-// The extremes of the exact distance over the box. Exact where Wide has 113 bits: products have 48, and the numbers of
-// these tests span less than the rest.
+// The extremes of the exact distance over the box. Exact where Wide has 113 bits: products have 48,
+// and the numbers of these tests span less than the rest.
 std::pair<Wide, Wide> ExactExtremes(const Box& box, const Float4& plane) {
   Wide low = plane.w, high = plane.w;
   const float n[3] = {plane.x, plane.y, plane.z};
   for (int axis = 0; axis < 3; ++axis) {
-    const Wide a = static_cast<Wide>(n[axis]) * box.low[axis], b = static_cast<Wide>(n[axis]) * box.high[axis];
+    const Wide a = static_cast<Wide>(n[axis]) * box.low[axis],
+               b = static_cast<Wide>(n[axis]) * box.high[axis];
     low += std::min(a, b);
     high += std::max(a, b);
   }
@@ -57,14 +58,16 @@ std::pair<Box, Float4> TouchingBox(Random& random) {
   Box box;
   const double size = random.Magnitude(1e-3, 1e3), extent = size * random.Magnitude(1e-6, 1);
   const Plane normal = random.PlaneAt(0);
-  Float4 plane = {static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z), 0};
+  Float4 plane = {static_cast<float>(normal.x), static_cast<float>(normal.y),
+                  static_cast<float>(normal.z), 0};
   for (int axis = 0; axis < 3; ++axis) {
     const double centre = random.Between(-size, size), half = random.Between(0, extent);
     box.low[axis] = static_cast<float>(centre - half);
     box.high[axis] = std::max(box.low[axis], static_cast<float>(centre + half));
   }
   const auto [low, high] = ExactExtremes(box, plane);
-  plane.w = Nudge(static_cast<float>(-(random.Below(2) == 0 ? low : high)), static_cast<int>(random.Below(101)) - 50);
+  plane.w = Nudge(static_cast<float>(-(random.Below(2) == 0 ? low : high)),
+                  static_cast<int>(random.Below(101)) - 50);
   return {box, plane};
 }
 
@@ -81,8 +84,10 @@ void ExpectSafe(const Box& box, const Float4& plane, BoxPlan plan) {
     const float v[4] = {(corner & 1 ? box.high : box.low)[0], (corner & 2 ? box.high : box.low)[1],
                         (corner & 4 ? box.high : box.low)[2], 1};
     bool safe = true;
-    ForEachDot4(v, {plane.x, plane.y, plane.z, plane.w}, [&](float d) { safe = safe && (plan == 0 ? d >= 0 : d < 0); });
-    EXPECT_TRUE(safe) << "corner " << corner << " of a box that " << (plan == 0 ? "needs no plane" : "is culled");
+    ForEachDot4(v, {plane.x, plane.y, plane.z, plane.w},
+                [&](float d) { safe = safe && (plan == 0 ? d >= 0 : d < 0); });
+    EXPECT_TRUE(safe) << "corner " << corner << " of a box that "
+                      << (plan == 0 ? "needs no plane" : "is culled");
   }
 }
 
@@ -123,13 +128,15 @@ TEST(PlanBoxTest, HardlyEverNeedsAPlaneInVain) {
 }
 
 TEST(PlanBoxTest, SeveralPlanes) {
-  const Float4 planes[6] = {{1, 0, 0, 0}, {-1, 0, 0, 10}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, -1, 10}, {0, -1, 0, 10}};
+  const Float4 planes[6] = {{1, 0, 0, 0}, {-1, 0, 0, 10}, {0, 1, 0, 0},
+                            {0, 0, 1, 0}, {0, 0, -1, 10}, {0, -1, 0, 10}};
   EXPECT_EQ(PlanBox({{1, 1, 1}, {2, 2, 2}}, planes, 6), 0);
   EXPECT_EQ(PlanBox({{-1, 1, 1}, {2, 2, 2}}, planes, 6), 0b000001);
   EXPECT_EQ(PlanBox({{-1, 1, 9}, {2, 2, 11}}, planes, 6), 0b010001);
   EXPECT_EQ(PlanBox({{-1, 1, 11}, {2, 2, 12}}, planes, 6), kCulled);
   EXPECT_EQ(PlanBox({{-1, 1, 11}, {2, 2, 12}}, planes, 0), 0);
-  EXPECT_EQ(PlanBox({{-99, -99, -99}, {99, 99, 99}}, planes, 99), 0b111111) << "there are six planes";
+  EXPECT_EQ(PlanBox({{-99, -99, -99}, {99, 99, 99}}, planes, 99), 0b111111)
+      << "there are six planes";
 }
 
 TEST(PlanBoxTest, TheZeroPlaneIsNeverNeeded) {
@@ -160,7 +167,8 @@ TEST(PlanBoxTest, WhatCannotBeJudgedNeedsThePlane) {
   const Float4 huge = {1e38f, 0, 0, 1e38f};
   EXPECT_EQ(PlanBox({{1, 1, 1}, {2, 2, 2}}, &huge, 1), 1) << "the shader's sum may overflow";
   const Float4 tiny = {1e-40f, 0, 0, 1e-40f};
-  EXPECT_EQ(PlanBox({{1, 1, 1}, {2, 2, 2}}, &tiny, 1), 1) << "the shader may flush it to 0, which keeps, or not";
+  EXPECT_EQ(PlanBox({{1, 1, 1}, {2, 2, 2}}, &tiny, 1), 1)
+      << "the shader may flush it to 0, which keeps, or not";
 }
 
 class ManyBoxes {
@@ -177,21 +185,26 @@ class ManyBoxes {
     }
   }
   float Odd() {
-    constexpr float kOdd[] = {kNan, kInfinity, -kInfinity, 0.0f, -0.0f, 3e38f, -3e38f, 1e-45f, 1e30f};
+    constexpr float kOdd[] = {kNan,  kInfinity, -kInfinity, 0.0f, -0.0f,
+                              3e38f, -3e38f,    1e-45f,     1e30f};
     return kOdd[random_.Below(9)];
   }
   std::vector<Float4> Planes(bool odd) {
     std::vector<Float4> planes(6);
     for (Float4& plane : planes) {
       const Plane p = random_.PlaneAt(random_.Between(-10, 10));
-      plane = {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z), static_cast<float>(p.w)};
+      plane = {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z),
+               static_cast<float>(p.w)};
       if (!odd) continue;
       switch (random_.Below(6)) {
         case 0: plane.x = Odd(); break;
         case 1: plane.w = Odd(); break;
         case 2: plane = {}; break;
         // Touches box 0, so that it makes a difference which error bound is used.
-        case 3: plane = {1, 0, 0, Nudge(-arrays_[random_.Below(2) * 3][0], static_cast<int>(random_.Below(40)))}; break;
+        case 3:
+          plane = {1, 0, 0,
+                   Nudge(-arrays_[random_.Below(2) * 3][0], static_cast<int>(random_.Below(40)))};
+          break;
         default: break;
       }
     }
@@ -203,7 +216,8 @@ class ManyBoxes {
             arrays_[0].size()};
   }
   Box At(std::size_t i) const {
-    return {{arrays_[0][i], arrays_[1][i], arrays_[2][i]}, {arrays_[3][i], arrays_[4][i], arrays_[5][i]}};
+    return {{arrays_[0][i], arrays_[1][i], arrays_[2][i]},
+            {arrays_[3][i], arrays_[4][i], arrays_[5][i]}};
   }
 
  private:
@@ -222,7 +236,8 @@ TEST(PlanBoxesTest, IsExactlyPlanBoxOfEach) {
     std::vector<BoxPlan> plans(count + 1, 0x55);
     PlanBoxes(arrays, planes.data(), plane_count, plans.data());
     for (std::size_t i = 0; i < count; ++i) {
-      ASSERT_EQ(plans[i], PlanBox(boxes.At(i), planes.data(), plane_count)) << "seed " << seed << " box " << i;
+      ASSERT_EQ(plans[i], PlanBox(boxes.At(i), planes.data(), plane_count))
+          << "seed " << seed << " box " << i;
     }
     EXPECT_EQ(plans[count], 0x55);
   }
@@ -237,8 +252,10 @@ TEST(PlanBoxesTest, DoesNotAllocate) {
   EXPECT_EQ(AllocationCount(), before);
 }
 
-// The float arithmetic of a shader that multiplies by one matrix after the other; `way` chooses order and fusing.
-void TransformInFloat(const float (&v)[4], const Matrix& matrix, std::uint32_t way, float (&to)[4]) {
+// The float arithmetic of a shader that multiplies by one matrix after the other; `way` chooses
+// order and fusing.
+void TransformInFloat(const float (&v)[4], const Matrix& matrix, std::uint32_t way,
+                      float (&to)[4]) {
   for (int j = 0; j < 4; ++j) {
     float column[4];
     for (int i = 0; i < 4; ++i) column[i] = static_cast<float>(matrix.m[i][j]);
@@ -276,8 +293,10 @@ TEST(PlanTransformedBoxTest, IsSafeForPlanesInClipSpace) {
     const double reach = std::fabs(object.x) * static_cast<double>(box.high[0]) +
                          std::fabs(object.y) * static_cast<double>(box.high[1]) +
                          std::fabs(object.z) * static_cast<double>(box.high[2]);
-    object.w = (random.Below(2) == 0 ? 1 : -1) * reach + random.Between(-1, 1) * size * random.Magnitude(1e-7, 1e-2);
-    const Result<PlaneConstant> clip = ClipPlaneFromObject(object, world_view, {}, camera.projection);
+    object.w = (random.Below(2) == 0 ? 1 : -1) * reach +
+               random.Between(-1, 1) * size * random.Magnitude(1e-7, 1e-2);
+    const Result<PlaneConstant> clip =
+        ClipPlaneFromObject(object, world_view, {}, camera.projection);
     ASSERT_TRUE(clip.ok()) << clip.status.message();
     const Float4 plane = clip.value.constant;
     const BoxPlan plan = PlanTransformedBox(box, matrices.data(), matrices.size(), &plane, 1);
@@ -306,7 +325,8 @@ TEST(PlanTransformedBoxTest, WithoutMatricesIsPlanBoxWithHalfTheError) {
   Random random(4);
   for (int i = 0; i < 20000; ++i) {
     const auto [box, plane] = TouchingBox(random);
-    const BoxPlan in_double = PlanTransformedBox(box, nullptr, 0, &plane, 1), in_float = PlanBox(box, &plane, 1);
+    const BoxPlan in_double = PlanTransformedBox(box, nullptr, 0, &plane, 1),
+                  in_float = PlanBox(box, &plane, 1);
     EXPECT_TRUE(in_double == in_float || in_float == 1);
     ExpectSafe(box, plane, in_double);
   }

@@ -50,7 +50,8 @@ class CallbackDevice final : public ClipDevice {
 };
 
 Plane PlaneFrom(const float* p) {
-  return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2]), static_cast<double>(p[3])};
+  return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2]),
+          static_cast<double>(p[3])};
 }
 
 Matrix MatrixFrom(const float* elements) {
@@ -83,7 +84,9 @@ struct clipc_binder {
 
 extern "C" {
 
-int32_t clipc_hresult(clipc_error error) { return runtime::HresultOf(static_cast<runtime::Error>(error)); }
+int32_t clipc_hresult(clipc_error error) {
+  return runtime::HresultOf(static_cast<runtime::Error>(error));
+}
 
 clipc_error clipc_table_read(const void* bytes, size_t size, clipc_table** table, char* message) {
   if (table == nullptr) return runtime::MissingArgument(message);
@@ -92,15 +95,18 @@ clipc_error clipc_table_read(const void* bytes, size_t size, clipc_table** table
   if (!result.ok()) return runtime::Report(result.status, message);
   *table = new (std::nothrow) clipc_table{std::move(result.value)};
   if (*table == nullptr) {
-    return runtime::Report(runtime::Status::Failure(runtime::Error::kOutOfMemory, "no memory for the clip table"),
-                           message);
+    return runtime::Report(
+        runtime::Status::Failure(runtime::Error::kOutOfMemory, "no memory for the clip table"),
+        message);
   }
   return runtime::Report({}, message);
 }
 
 void clipc_table_free(clipc_table* table) { delete table; }
 
-uint32_t clipc_table_plane_count(const clipc_table* table) { return static_cast<uint32_t>(table->table.planes.size()); }
+uint32_t clipc_table_plane_count(const clipc_table* table) {
+  return static_cast<uint32_t>(table->table.planes.size());
+}
 
 uint32_t clipc_table_enable_mask(const clipc_table* table) { return table->table.enable_mask; }
 
@@ -108,10 +114,12 @@ clipc_plane_space clipc_table_plane_space(const clipc_table* table) {
   return static_cast<clipc_plane_space>(table->table.plane_space);
 }
 
-clipc_error clipc_binder_create(const clipc_device* device, uint32_t max_planes, clipc_binder** binder) {
+clipc_error clipc_binder_create(const clipc_device* device, uint32_t max_planes,
+                                clipc_binder** binder) {
   if (binder == nullptr) return CLIPC_INVALID_ARGUMENT;
   *binder = nullptr;
-  if (device == nullptr || device->set_clip_plane == nullptr || device->set_clip_plane_enable == nullptr)
+  if (device == nullptr || device->set_clip_plane == nullptr ||
+      device->set_clip_plane_enable == nullptr)
     return CLIPC_INVALID_ARGUMENT;
   *binder = new (std::nothrow) clipc_binder(*device, max_planes);
   return *binder == nullptr ? CLIPC_OUT_OF_MEMORY : CLIPC_OK;
@@ -119,18 +127,21 @@ clipc_error clipc_binder_create(const clipc_device* device, uint32_t max_planes,
 
 void clipc_binder_free(clipc_binder* binder) { delete binder; }
 
-clipc_error clipc_binder_bind(clipc_binder* binder, const clipc_table* table, const clipc_bound_buffer* buffers,
-                              size_t buffer_count, uint32_t needed, char* message) {
+clipc_error clipc_binder_bind(clipc_binder* binder, const clipc_table* table,
+                              const clipc_bound_buffer* buffers, size_t buffer_count,
+                              uint32_t needed, char* message) {
   if (binder == nullptr || table == nullptr || (buffers == nullptr && buffer_count != 0))
     return runtime::MissingArgument(message);
   if (buffer_count > CLIPC_MAX_BUFFERS) {
-    return runtime::Report(runtime::Status::Failure(runtime::Error::kInvalidArgument, "%llu buffers; at most %d",
-                                                    static_cast<unsigned long long>(buffer_count), CLIPC_MAX_BUFFERS),
-                           message);
+    return runtime::Report(
+        runtime::Status::Failure(runtime::Error::kInvalidArgument, "%llu buffers; at most %d",
+                                 static_cast<unsigned long long>(buffer_count), CLIPC_MAX_BUFFERS),
+        message);
   }
   runtime::BoundBuffer bound[CLIPC_MAX_BUFFERS];
   for (size_t i = 0; i < buffer_count; ++i) {
-    bound[i] = {buffers[i].register_number, buffers[i].register_space, buffers[i].bytes, buffers[i].size};
+    bound[i] = {buffers[i].register_number, buffers[i].register_space, buffers[i].bytes,
+                buffers[i].size};
   }
   return runtime::Report(binder->binder.Bind(table->table, bound, buffer_count, needed), message);
 }
@@ -144,39 +155,48 @@ void clipc_binder_invalidate(clipc_binder* binder) {
   if (binder != nullptr) binder->binder.Invalidate();
 }
 
-clipc_error clipc_clip_plane(const float plane[4], const float* view_or_null, const float projection[16],
-                             float clip_plane[4], char* message) {
-  if (plane == nullptr || projection == nullptr || clip_plane == nullptr) return runtime::MissingArgument(message);
+clipc_error clipc_clip_plane(const float plane[4], const float* view_or_null,
+                             const float projection[16], float clip_plane[4], char* message) {
+  if (plane == nullptr || projection == nullptr || clip_plane == nullptr)
+    return runtime::MissingArgument(message);
   const runtime::Plane from = runtime::PlaneFrom(plane);
   const runtime::Matrix to_clip = runtime::MatrixFrom(projection);
-  if (view_or_null == nullptr) return runtime::Give(runtime::ClipPlaneFromView(from, to_clip), clip_plane, message);
-  return runtime::Give(runtime::ClipPlaneFromWorld(from, runtime::MatrixFrom(view_or_null), to_clip), clip_plane,
-                       message);
+  if (view_or_null == nullptr)
+    return runtime::Give(runtime::ClipPlaneFromView(from, to_clip), clip_plane, message);
+  return runtime::Give(
+      runtime::ClipPlaneFromWorld(from, runtime::MatrixFrom(view_or_null), to_clip), clip_plane,
+      message);
 }
 
-clipc_error clipc_xyw1_plane(const float view_plane[4], const float projection[16], float constant[4], char* message) {
-  if (view_plane == nullptr || projection == nullptr || constant == nullptr) return runtime::MissingArgument(message);
-  return runtime::Give(runtime::Xyw1PlaneFromView(runtime::PlaneFrom(view_plane), runtime::MatrixFrom(projection)),
-                       constant, message);
+clipc_error clipc_xyw1_plane(const float view_plane[4], const float projection[16],
+                             float constant[4], char* message) {
+  if (view_plane == nullptr || projection == nullptr || constant == nullptr)
+    return runtime::MissingArgument(message);
+  return runtime::Give(
+      runtime::Xyw1PlaneFromView(runtime::PlaneFrom(view_plane), runtime::MatrixFrom(projection)),
+      constant, message);
 }
 
-clipc_error clipc_object_plane(const float world_plane[4], const float world[16], float object_plane[4],
-                               char* message) {
-  if (world_plane == nullptr || world == nullptr || object_plane == nullptr) return runtime::MissingArgument(message);
-  return runtime::Give(runtime::ObjectPlaneFromWorld(runtime::PlaneFrom(world_plane), runtime::MatrixFrom(world)),
-                       object_plane, message);
+clipc_error clipc_object_plane(const float world_plane[4], const float world[16],
+                               float object_plane[4], char* message) {
+  if (world_plane == nullptr || world == nullptr || object_plane == nullptr)
+    return runtime::MissingArgument(message);
+  return runtime::Give(
+      runtime::ObjectPlaneFromWorld(runtime::PlaneFrom(world_plane), runtime::MatrixFrom(world)),
+      object_plane, message);
 }
 
-double clipc_edge_error(clipc_plane_space space, const float view_plane[4], const float projection[16], double rows) {
+double clipc_edge_error(clipc_plane_space space, const float view_plane[4],
+                        const float projection[16], double rows) {
   if (view_plane == nullptr || projection == nullptr) return -1;
-  const runtime::Result<double> error =
-      runtime::PredictEdgeError(static_cast<runtime::PlaneSpace>(space), runtime::PlaneFrom(view_plane),
-                                runtime::MatrixFrom(projection), rows);
+  const runtime::Result<double> error = runtime::PredictEdgeError(
+      static_cast<runtime::PlaneSpace>(space), runtime::PlaneFrom(view_plane),
+      runtime::MatrixFrom(projection), rows);
   return error.ok() ? error.value : -1;
 }
 
-void clipc_update_clip_status(clipc_clip_status* status, const float* positions, size_t count, const float* planes,
-                              uint32_t enable_mask, int clipping) {
+void clipc_update_clip_status(clipc_clip_status* status, const float* positions, size_t count,
+                              const float* planes, uint32_t enable_mask, int clipping) {
   runtime::UserClipPlanes user;
   if (planes != nullptr) {
     std::memcpy(user.planes, planes, sizeof user.planes);
@@ -187,12 +207,14 @@ void clipc_update_clip_status(clipc_clip_status* status, const float* positions,
   *status = {updated.clip_union, updated.clip_intersection};
 }
 
-void clipc_plan_boxes(const float* const bounds[6], size_t count, const float* planes, size_t plane_count,
-                      uint8_t* plans) {
+void clipc_plan_boxes(const float* const bounds[6], size_t count, const float* planes,
+                      size_t plane_count, uint8_t* plans) {
   runtime::Float4 copies[6];
   plane_count = std::min<size_t>(plane_count, 6);
-  if (plane_count != 0) std::memcpy(static_cast<void*>(copies), planes, plane_count * sizeof(runtime::Float4));
-  const runtime::BoxArrays boxes = {{bounds[0], bounds[1], bounds[2]}, {bounds[3], bounds[4], bounds[5]}, count};
+  if (plane_count != 0)
+    std::memcpy(static_cast<void*>(copies), planes, plane_count * sizeof(runtime::Float4));
+  const runtime::BoxArrays boxes = {
+      {bounds[0], bounds[1], bounds[2]}, {bounds[3], bounds[4], bounds[5]}, count};
   runtime::PlanBoxes(boxes, copies, plane_count, plans);
 }
 

@@ -12,8 +12,8 @@
 #include "runtime/plane_space.h"
 #include "runtime/test_cameras.h"
 
-extern "C" clipc_error BindFromC(const void* bytes, size_t size, const float* constants, size_t constants_size,
-                                 float* device, char* message);
+extern "C" clipc_error BindFromC(const void* bytes, size_t size, const float* constants,
+                                 size_t constants_size, float* device, char* message);
 
 namespace clipc::runtime {
 namespace {
@@ -22,13 +22,16 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 // One plane in b1, register 2.
-constexpr unsigned char kTable[] = {0x35, 0x28, 0, 0, 5, 0, 0, 0, 1, 0, 0, 0, 1, 0, 2, 0, 1, 0, 0, 0};
+constexpr unsigned char kTable[] = {0x35, 0x28, 0, 0, 5, 0, 0, 0, 1, 0,
+                                    0,    0,    1, 0, 2, 0, 1, 0, 0, 0};
 
 TEST(CInterface, BindsFromC) {
   const float constants[12] = {0, 0, 0, 0, 0, 0, 0, 0, 1, 2, 3, 4};
   float device[25] = {};
   char message[CLIPC_MESSAGE_SIZE] = "old";
-  ASSERT_EQ(BindFromC(kTable, sizeof kTable, constants, sizeof constants, device, message), CLIPC_OK) << message;
+  ASSERT_EQ(BindFromC(kTable, sizeof kTable, constants, sizeof constants, device, message),
+            CLIPC_OK)
+      << message;
   EXPECT_STREQ(message, "");
   EXPECT_THAT(std::vector<float>(device, device + 4), ElementsAre(1, 2, 3, 4));
   EXPECT_EQ(device[24], 1);
@@ -38,7 +41,8 @@ TEST(CInterface, ErrorsAreValuesWithMessages) {
   const float constants[12] = {};
   float device[25] = {};
   char message[CLIPC_MESSAGE_SIZE];
-  EXPECT_EQ(BindFromC("rubbish", 7, constants, sizeof constants, device, message), CLIPC_DAMAGED_TABLE);
+  EXPECT_EQ(BindFromC("rubbish", 7, constants, sizeof constants, device, message),
+            CLIPC_DAMAGED_TABLE);
   EXPECT_THAT(message, HasSubstr("no JSON"));
   EXPECT_EQ(BindFromC(kTable, sizeof kTable, constants, 40, device, message), CLIPC_SHORT_BUFFER);
   EXPECT_THAT(message, HasSubstr("which has 40"));
@@ -82,8 +86,8 @@ TEST(CInterface, PlanesAreThoseOfTheCppInterface) {
   }
   const Matrix p = RowVectorMatrix(projection), v = RowVectorMatrix(view);
   const float plane[4] = {0.6f, 0, 0.8f, -3};
-  const Plane c = {static_cast<double>(plane[0]), static_cast<double>(plane[1]), static_cast<double>(plane[2]),
-                   static_cast<double>(plane[3])};
+  const Plane c = {static_cast<double>(plane[0]), static_cast<double>(plane[1]),
+                   static_cast<double>(plane[2]), static_cast<double>(plane[3])};
   const auto is = [&](const Result<PlaneConstant>& expected) {
     return std::memcmp(got, &expected.value.constant, sizeof got) == 0;
   };

@@ -19,7 +19,9 @@ using ::testing::HasSubstr;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-double Largest(const Plane& p) { return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z), std::fabs(p.w)}); }
+double Largest(const Plane& p) {
+  return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z), std::fabs(p.w)});
+}
 
 // The largest difference, relative to the largest component.
 double Difference(const Plane& a, const Plane& b) {
@@ -50,7 +52,8 @@ Plane ExactAfter(const Matrix& matrix, const Plane& plane) {
     for (int i = 0; i < 4; ++i) x[j] += c[i] * minor(i, j);
     x[j] /= determinant;
   }
-  return {static_cast<double>(x[0]), static_cast<double>(x[1]), static_cast<double>(x[2]), static_cast<double>(x[3])};
+  return {static_cast<double>(x[0]), static_cast<double>(x[1]), static_cast<double>(x[2]),
+          static_cast<double>(x[3])};
 }
 
 TEST(ClipPlane, EveryProjectionMatchesTheExactSolution) {
@@ -76,20 +79,24 @@ TEST(ClipPlane, SameDotProductInBothSpaces) {
     for (int i = 0; i < 200; ++i) {
       const Plane view = random.PlaneAt(random.Between(-50, 50));
       const Plane clip = ClipPlaneFromView(view, camera.projection).value.plane;
-      const auto v = ViewPoint(camera, random.Between(-1, 1), random.Between(-1, 1), random.Between(camera.near, far));
+      const auto v = ViewPoint(camera, random.Between(-1, 1), random.Between(-1, 1),
+                               random.Between(camera.near, far));
       double position[4] = {}, size = 0;
       const double c[4] = {clip.x, clip.y, clip.z, clip.w};
       for (int j = 0; j < 4; ++j) {
         for (int k = 0; k < 4; ++k)
-          position[j] += v[k] * camera.projection.m[k][j], size += std::fabs(v[k] * camera.projection.m[k][j] * c[j]);
+          position[j] += v[k] * camera.projection.m[k][j],
+              size += std::fabs(v[k] * camera.projection.m[k][j] * c[j]);
       }
-      EXPECT_NEAR(Dot(clip, position), Dot(view, {v[0], v[1], v[2], v[3]}), 1e-14 * size) << camera.name;
+      EXPECT_NEAR(Dot(clip, position), Dot(view, {v[0], v[1], v[2], v[3]}), 1e-14 * size)
+          << camera.name;
     }
   }
 }
 
 TEST(ClipPlane, GeneralMatricesMatchTheClosedForm) {
-  // A rotation of the picture (a tilted display) takes the projection out of the closed form's shape.
+  // A rotation of the picture (a tilted display) takes the projection out of the closed form's
+  // shape.
   Random random(3);
   for (const Camera& camera : AllCameras()) {
     Matrix tilt;
@@ -101,7 +108,8 @@ TEST(ClipPlane, GeneralMatricesMatchTheClosedForm) {
       const Plane view = random.PlaneAt(random.Between(-50, 50));
       const Result<PlaneConstant> plane = ClipPlaneFromView(view, tilted);
       ASSERT_TRUE(plane.ok()) << plane.status.message();
-      EXPECT_LE(Difference(plane.value.plane, ExactAfter(tilted, view)), 8 * plane.value.condition * 0x1p-53)
+      EXPECT_LE(Difference(plane.value.plane, ExactAfter(tilted, view)),
+                8 * plane.value.condition * 0x1p-53)
           << camera.name;
       EXPECT_LT(plane.value.condition, 1e5) << camera.name;
     }
@@ -118,11 +126,16 @@ TEST(ClipPlane, WorldAndObjectSpaceGoThroughTheViewMatrix) {
       const Plane in_view = random.PlaneAt(random.Between(-20, 20));
       const Plane in_world = PlaneBefore(view, in_view), in_object = PlaneBefore(world, in_world);
       const Plane expected = ClipPlaneFromView(in_view, camera.projection).value.plane;
-      const Result<PlaneConstant> from_world = ClipPlaneFromWorld(in_world, view, camera.projection);
-      const Result<PlaneConstant> from_object = ClipPlaneFromObject(in_object, world, view, camera.projection);
+      const Result<PlaneConstant> from_world =
+          ClipPlaneFromWorld(in_world, view, camera.projection);
+      const Result<PlaneConstant> from_object =
+          ClipPlaneFromObject(in_object, world, view, camera.projection);
       ASSERT_TRUE(from_world.ok() && from_object.ok());
-      EXPECT_LE(Difference(from_world.value.plane, expected), 8 * from_world.value.condition * 0x1p-53) << camera.name;
-      EXPECT_LE(Difference(from_object.value.plane, expected), 8 * from_object.value.condition * 0x1p-53)
+      EXPECT_LE(Difference(from_world.value.plane, expected),
+                8 * from_world.value.condition * 0x1p-53)
+          << camera.name;
+      EXPECT_LE(Difference(from_object.value.plane, expected),
+                8 * from_object.value.condition * 0x1p-53)
           << camera.name;
     }
   }
@@ -144,23 +157,25 @@ TEST(ClipPlane, IsRoundedOnce) {
   Random random(5);
   for (int i = 0; i < 1000; ++i) {
     const Camera camera = PerspectiveCamera(random.Magnitude(0.01, 1), random.Magnitude(10, 1e5));
-    const Result<PlaneConstant> plane = ClipPlaneFromView(random.PlaneAt(random.Between(-50, 50)), camera.projection);
+    const Result<PlaneConstant> plane =
+        ClipPlaneFromView(random.PlaneAt(random.Between(-50, 50)), camera.projection);
     const Plane& p = plane.value.plane;
     EXPECT_EQ(plane.value.constant.z, static_cast<float>(p.z));
-    EXPECT_LE(std::fabs(static_cast<double>(plane.value.constant.w) - p.w), 0x1p-24 * std::fabs(p.w));
+    EXPECT_LE(std::fabs(static_cast<double>(plane.value.constant.w) - p.w),
+              0x1p-24 * std::fabs(p.w));
   }
 }
 
-// g++ 12 with vector instructions once dropped double -> float -> double; then every float result here would be a
-// fiction.
+// g++ 12 with vector instructions once dropped double -> float -> double; then every float result
+// here would be a fiction.
 TEST(ClipPlane, TheCompilerKeepsRoundings) {
   Random random(6);
   double plain[64], rounded[64];
   for (int i = 0; i < 64; ++i) plain[i] = random.Between(1, 2);
   for (int i = 0; i < 64; i += 4) {
     const Float4 f = RoundPlane({plain[i], plain[i + 1], plain[i + 2], plain[i + 3]}).value;
-    const Float4 g = {static_cast<float>(plain[i]), static_cast<float>(plain[i + 1]), static_cast<float>(plain[i + 2]),
-                      static_cast<float>(plain[i + 3])};
+    const Float4 g = {static_cast<float>(plain[i]), static_cast<float>(plain[i + 1]),
+                      static_cast<float>(plain[i + 2]), static_cast<float>(plain[i + 3])};
     EXPECT_EQ(std::memcmp(&f, &g, sizeof f), 0);
     rounded[i] = g.x, rounded[i + 1] = g.y, rounded[i + 2] = g.z, rounded[i + 3] = g.w;
   }
@@ -225,15 +240,18 @@ TEST(ClipPlane, NeverWrongWithoutSayingSo) {
     }
     // Make it nearly singular, more or less.
     const double away = random.Magnitude(1e-16, 1);
-    for (int j = 0; j < 4; ++j) matrix.m[3][j] = matrix.m[0][j] * 2 - matrix.m[1][j] + away * matrix.m[3][j];
+    for (int j = 0; j < 4; ++j)
+      matrix.m[3][j] = matrix.m[0][j] * 2 - matrix.m[1][j] + away * matrix.m[3][j];
     const Plane plane = random.PlaneAt(random.Between(-9, 9));
     const Result<PlaneConstant> result = ClipPlaneFromView(plane, matrix);
     if (result.ok()) {
       ++trusted;
-      EXPECT_LT(Difference(result.value.plane, ExactAfter(matrix, plane)), 0x1p-24) << result.value.condition;
+      EXPECT_LT(Difference(result.value.plane, ExactAfter(matrix, plane)), 0x1p-24)
+          << result.value.condition;
     } else {
       ++refused;
-      EXPECT_TRUE(result.status.error() == Error::kIllConditioned || result.status.error() == Error::kSingular);
+      EXPECT_TRUE(result.status.error() == Error::kIllConditioned ||
+                  result.status.error() == Error::kSingular);
     }
   }
   EXPECT_GT(trusted, 1000);
@@ -288,7 +306,8 @@ TEST(DocumentClipPlaneTest, OnlyForTheDocumentsMatrix) {
     const Result<PlaneConstant> plane = DocumentClipPlane(view, camera.projection);
     const auto& m = camera.projection.m;
     const bool is_the_documents = camera.perspective && camera.forward == 1 && m[2][0] == 0;
-    EXPECT_EQ(plane.status.error(), is_the_documents ? Error::kNone : Error::kWrongProjection) << camera.name;
+    EXPECT_EQ(plane.status.error(), is_the_documents ? Error::kNone : Error::kWrongProjection)
+        << camera.name;
     if (!is_the_documents) continue;
     const double a = m[2][2], b = m[3][2];
     const Plane formula = {view.x / m[0][0], view.y / m[1][1], view.w / b, view.z - view.w * a / b};
@@ -301,10 +320,12 @@ TEST(Xyw1Plane, SameDistanceWithoutZ) {
   for (const Camera& camera : AllCameras()) {
     const Plane view = random.PlaneAt(random.Between(-20, 20));
     const Result<PlaneConstant> k = Xyw1PlaneFromView(view, camera.projection);
-    ASSERT_EQ(k.status.error(), camera.perspective ? Error::kNone : Error::kWrongProjection) << camera.name;
+    ASSERT_EQ(k.status.error(), camera.perspective ? Error::kNone : Error::kWrongProjection)
+        << camera.name;
     if (!camera.perspective) continue;
     for (int i = 0; i < 50; ++i) {
-      const auto v = ViewPoint(camera, random.Between(-1, 1), random.Between(-1, 1), random.Magnitude(0.1, 1000));
+      const auto v = ViewPoint(camera, random.Between(-1, 1), random.Between(-1, 1),
+                               random.Magnitude(0.1, 1000));
       double p[4] = {};
       for (int j = 0; j < 4; ++j) {
         for (int r = 0; r < 4; ++r) p[j] += v[r] * camera.projection.m[r][j];
@@ -324,15 +345,19 @@ TEST(ObjectPlane, SameDistanceWhateverTheOffset) {
   for (const double offset : {0.0, 1e3, 1e7, 1e12}) {
     Matrix world = random.Rigid(0);
     world.m[3][0] = offset, world.m[3][1] = -offset, world.m[3][2] = offset / 3;
-    const Plane in_world = {0.6, -0.48, 0.64, -0.6 * offset - 0.48 * offset - 0.64 * offset / 3 + 0.5};
+    const Plane in_world = {0.6, -0.48, 0.64,
+                            -0.6 * offset - 0.48 * offset - 0.64 * offset / 3 + 0.5};
     const Result<PlaneConstant> plane = ObjectPlaneFromWorld(in_world, world);
     ASSERT_TRUE(plane.ok());
     for (int i = 0; i < 4; ++i) {
-      Wide exact = static_cast<Wide>(world.m[i][0]) * in_world.x + static_cast<Wide>(world.m[i][1]) * in_world.y;
-      exact += static_cast<Wide>(world.m[i][2]) * in_world.z + static_cast<Wide>(world.m[i][3]) * in_world.w;
+      Wide exact = static_cast<Wide>(world.m[i][0]) * in_world.x +
+                   static_cast<Wide>(world.m[i][1]) * in_world.y;
+      exact += static_cast<Wide>(world.m[i][2]) * in_world.z +
+               static_cast<Wide>(world.m[i][3]) * in_world.w;
       const Plane& p = plane.value.plane;
       const double component = i == 0 ? p.x : i == 1 ? p.y : i == 2 ? p.z : p.w;
-      EXPECT_LE(std::fabs(component - static_cast<double>(exact)), 0x1p-52 * std::fabs(static_cast<double>(exact)))
+      EXPECT_LE(std::fabs(component - static_cast<double>(exact)),
+                0x1p-52 * std::fabs(static_cast<double>(exact)))
           << offset;
     }
   }
@@ -350,12 +375,16 @@ TEST(ClipSpaceEdge, FollowsItsLaw) {
   EXPECT_LT(error(PerspectiveCamera(0.1, 1e6, {false, true}), 30), 1e-4);
   EXPECT_EQ(error(PerspectiveCamera(0.1, INFINITY, {false, true}), 30), 0);
   EXPECT_LT(error(OrthographicCamera(0.1, 100), 30), 1e-4);
-  EXPECT_NEAR(error(OrthographicCamera(0.1, 100, {false, true}), 30), 20 * 0x1p-24 * 0.1 * 100 * 540, 1e-9);
-  EXPECT_NEAR(ClipSpaceEdgeError({0, 0, 5, -150}, standard.projection, 1080).value, error(standard, 30), 1e-12);
-  EXPECT_EQ(ClipSpaceEdgeError({0, 0, 0, 1}, standard.projection, 1080).status.error(), Error::kSingular);
+  EXPECT_NEAR(error(OrthographicCamera(0.1, 100, {false, true}), 30),
+              20 * 0x1p-24 * 0.1 * 100 * 540, 1e-9);
+  EXPECT_NEAR(ClipSpaceEdgeError({0, 0, 5, -150}, standard.projection, 1080).value,
+              error(standard, 30), 1e-12);
+  EXPECT_EQ(ClipSpaceEdgeError({0, 0, 0, 1}, standard.projection, 1080).status.error(),
+            Error::kSingular);
   Matrix general;
   general.m[0][1] = 1;
-  EXPECT_EQ(ClipSpaceEdgeError({0, 0, 1, 1}, general, 1080).status.error(), Error::kWrongProjection);
+  EXPECT_EQ(ClipSpaceEdgeError({0, 0, 1, 1}, general, 1080).status.error(),
+            Error::kWrongProjection);
 }
 
 }  // namespace

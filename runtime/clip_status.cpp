@@ -4,7 +4,8 @@
 namespace clipc::runtime {
 namespace {
 
-// Enough for full vectors of any width, small enough to stay in registers and the first-level cache.
+// Enough for full vectors of any width, small enough to stay in registers and the first-level
+// cache.
 constexpr std::size_t kBlock = 32;
 
 // The vertices of a block, component by component, and their codes so far.
@@ -21,17 +22,20 @@ std::uint32_t FrustumCode(float x, float y, float z, float w) {
          Unless(y >= -w, kClipBottom) | Unless(z >= 0, kClipFront) | Unless(z <= w, kClipBack);
 }
 
-std::uint32_t PlaneCode(const float (&plane)[4], float x, float y, float z, float w, std::uint32_t bit) {
+std::uint32_t PlaneCode(const float (&plane)[4], float x, float y, float z, float w,
+                        std::uint32_t bit) {
   return Unless(plane[0] * x + plane[1] * y + plane[2] * z + plane[3] * w >= 0, bit);
 }
 
 void CodeBlock(Block& block, const UserClipPlanes& user_planes) {
-  for (std::size_t i = 0; i < kBlock; ++i) block.code[i] = FrustumCode(block.x[i], block.y[i], block.z[i], block.w[i]);
+  for (std::size_t i = 0; i < kBlock; ++i)
+    block.code[i] = FrustumCode(block.x[i], block.y[i], block.z[i], block.w[i]);
   for (std::uint32_t plane = 0; plane < 6; ++plane) {
     if ((user_planes.enable_mask >> plane & 1) == 0) continue;
     const std::uint32_t bit = std::uint32_t{kClipPlane0} << plane;
     for (std::size_t i = 0; i < kBlock; ++i) {
-      block.code[i] |= PlaneCode(user_planes.planes[plane], block.x[i], block.y[i], block.z[i], block.w[i], bit);
+      block.code[i] |=
+          PlaneCode(user_planes.planes[plane], block.x[i], block.y[i], block.z[i], block.w[i], bit);
     }
   }
 }
@@ -66,8 +70,9 @@ std::uint32_t ClipCode(const float (&position)[4], const UserClipPlanes& user_pl
   return code;
 }
 
-void UpdateClipStatus(ClipStatus& status, const float* positions, std::size_t count, const UserClipPlanes& user_planes,
-                      bool clipping, std::uint16_t* codes) noexcept {
+void UpdateClipStatus(ClipStatus& status, const float* positions, std::size_t count,
+                      const UserClipPlanes& user_planes, bool clipping,
+                      std::uint16_t* codes) noexcept {
   if (!clipping) {
     status = {0, 0};
     for (std::size_t i = 0; codes != nullptr && i < count; ++i) codes[i] = 0;
@@ -87,7 +92,8 @@ void UpdateClipStatus(ClipStatus& status, const float* positions, std::size_t co
     status.clip_union |= any;
     status.clip_intersection &= all;
     if (codes == nullptr) continue;
-    for (std::size_t i = 0; i < kBlock; ++i) codes[first + i] = static_cast<std::uint16_t>(block.code[i]);
+    for (std::size_t i = 0; i < kBlock; ++i)
+      codes[first + i] = static_cast<std::uint16_t>(block.code[i]);
   }
   for (; first < count; ++first) {
     const float* from = positions + 4 * first;
@@ -99,8 +105,10 @@ void UpdateClipStatus(ClipStatus& status, const float* positions, std::size_t co
 }
 
 ClipVerdict VerdictOf(const ClipStatus& status, bool clipping) noexcept {
-  // Every code is within kClipAll, so other bits stand in the intersection only before the first vertex.
-  if (!clipping || (status.clip_intersection & ~std::uint32_t{kClipAll}) != 0) return ClipVerdict::kUnknown;
+  // Every code is within kClipAll, so other bits stand in the intersection only before the first
+  // vertex.
+  if (!clipping || (status.clip_intersection & ~std::uint32_t{kClipAll}) != 0)
+    return ClipVerdict::kUnknown;
   if (status.clip_intersection != 0) return ClipVerdict::kOutside;
   return status.clip_union == 0 ? ClipVerdict::kInside : ClipVerdict::kNeedsClip;
 }

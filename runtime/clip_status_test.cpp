@@ -19,7 +19,9 @@ namespace {
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-std::uint32_t FrustumCodeOf(float x, float y, float z, float w) { return ClipCode({x, y, z, w}, {}); }
+std::uint32_t FrustumCodeOf(float x, float y, float z, float w) {
+  return ClipCode({x, y, z, w}, {});
+}
 
 TEST(ClipCodeTest, FrustumPlanes) {
   EXPECT_EQ(FrustumCodeOf(0, 0, 0.5f, 1), 0u);
@@ -41,7 +43,8 @@ TEST(ClipCodeTest, OnAPlaneIsInside) {
 
 TEST(ClipCodeTest, BehindTheEye) {
   // w < 0: left and right, top and bottom at once.
-  EXPECT_EQ(FrustumCodeOf(0, 0, 0, -1), kClipLeft | kClipRight | kClipTop | kClipBottom | kClipBack);
+  EXPECT_EQ(FrustumCodeOf(0, 0, 0, -1),
+            kClipLeft | kClipRight | kClipTop | kClipBottom | kClipBack);
 }
 
 TEST(ClipCodeTest, UserPlanesAreDottedWithTheWholePosition) {
@@ -84,7 +87,8 @@ class Vertices {
  public:
   explicit Vertices(std::uint32_t seed) : random_(seed) {}
   float Number() {
-    constexpr float kOdd[] = {0.0f, -0.0f, kNan, kInfinity, -kInfinity, 1e-45f, -1e-45f, 3e38f, -3e38f};
+    constexpr float kOdd[] = {0.0f,   -0.0f,   kNan,  kInfinity, -kInfinity,
+                              1e-45f, -1e-45f, 3e38f, -3e38f};
     switch (random_() % 8) {
       case 0: return kOdd[random_() % std::size(kOdd)];
       case 1:

@@ -7,11 +7,12 @@
 namespace clipc::runtime {
 namespace {
 
-const BoundBuffer* FindBuffer(const TablePlane& plane, const BoundBuffer* buffers, std::size_t count) {
+const BoundBuffer* FindBuffer(const TablePlane& plane, const BoundBuffer* buffers,
+                              std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     const BoundBuffer& buffer = buffers[i];
-    if (buffer.register_number == plane.register_number && buffer.register_space == plane.register_space &&
-        buffer.bytes != nullptr) {
+    if (buffer.register_number == plane.register_number &&
+        buffer.register_space == plane.register_space && buffer.bytes != nullptr) {
       return &buffer;
     }
   }
@@ -19,19 +20,20 @@ const BoundBuffer* FindBuffer(const TablePlane& plane, const BoundBuffer* buffer
 }
 
 // The plane's 16 bytes; null, and why in `status`, where there are none.
-const unsigned char* FindPlane(const TablePlane& plane, std::uint32_t index, const BoundBuffer* buffers,
-                               std::size_t count, Status& status) {
+const unsigned char* FindPlane(const TablePlane& plane, std::uint32_t index,
+                               const BoundBuffer* buffers, std::size_t count, Status& status) {
   const BoundBuffer* buffer = FindBuffer(plane, buffers, count);
   if (buffer == nullptr) {
-    status =
-        Status::Failure(Error::kMissingBuffer, "clip plane %u lies in constant buffer b%u `%s`, which is not bound",
-                        index, plane.register_number, plane.cbuffer.c_str());
+    status = Status::Failure(Error::kMissingBuffer,
+                             "clip plane %u lies in constant buffer b%u `%s`, which is not bound",
+                             index, plane.register_number, plane.cbuffer.c_str());
     return nullptr;
   }
   if (buffer->size < 16 || buffer->size - 16 < plane.byte_offset) {
-    status = Status::Failure(Error::kShortBuffer, "clip plane %u lies at bytes %u to %llu of b%u `%s`, which has %llu",
-                             index, plane.byte_offset, plane.byte_offset + 15ULL, plane.register_number,
-                             plane.cbuffer.c_str(), static_cast<unsigned long long>(buffer->size));
+    status = Status::Failure(
+        Error::kShortBuffer, "clip plane %u lies at bytes %u to %llu of b%u `%s`, which has %llu",
+        index, plane.byte_offset, plane.byte_offset + 15ULL, plane.register_number,
+        plane.cbuffer.c_str(), static_cast<unsigned long long>(buffer->size));
     return nullptr;
   }
   return static_cast<const unsigned char*>(buffer->bytes) + plane.byte_offset;
@@ -68,13 +70,15 @@ Status Level9Binder::Bind(const Table& table, const BoundBuffer* buffers, std::s
   for (std::uint32_t i = 0; mask >> i != 0; ++i) {
     if ((mask >> i & 1) == 0) continue;
     if (i >= max_planes_ || i >= kMaxPlanes || i >= table.planes.size()) {
-      return Status::Failure(Error::kInvalidCall, "clip plane %u; the device has %u and the table %u", i, max_planes_,
+      return Status::Failure(Error::kInvalidCall,
+                             "clip plane %u; the device has %u and the table %u", i, max_planes_,
                              static_cast<unsigned>(table.planes.size()));
     }
     Status status;
     const unsigned char* bytes = FindPlane(table.planes[i], i, buffers, buffer_count, status);
     if (bytes == nullptr) return status;
-    if ((known_planes_ >> i & 1) != 0 && std::memcmp(bytes, planes_[i], sizeof(planes_[i])) == 0) continue;
+    if ((known_planes_ >> i & 1) != 0 && std::memcmp(bytes, planes_[i], sizeof(planes_[i])) == 0)
+      continue;
     std::memcpy(changed[i], bytes, sizeof(changed[i]));
     if (status = CheckFinite(changed[i], i); !status.ok()) return status;
     changed_planes |= std::uint32_t{1} << i;
@@ -104,7 +108,8 @@ Status Level9Binder::Enable(std::uint32_t mask) noexcept {
   if (mask_is_known_ && mask_ == mask) return {};
   mask_is_known_ = false;
   if (!device_->SetClipPlaneEnable(mask)) {
-    return Status::Failure(Error::kDeviceFailed, "the device refused D3DRS_CLIPPLANEENABLE = %u", mask);
+    return Status::Failure(Error::kDeviceFailed, "the device refused D3DRS_CLIPPLANEENABLE = %u",
+                           mask);
   }
   mask_is_known_ = true;
   mask_ = mask;

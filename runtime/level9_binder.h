@@ -18,30 +18,33 @@ struct BoundBuffer {
   std::size_t size = 0;
 };
 
-// The part of the 10Level9 runtime that turns a shader's clip table into SetClipPlane calls ("User clip planes on
-// feature level 9 hardware"). It knows what the device holds and calls it only where that changes, bit for bit: with
-// nothing changed, Bind makes no call. It never allocates.
+// The part of the 10Level9 runtime that turns a shader's clip table into SetClipPlane calls ("User
+// clip planes on feature level 9 hardware"). It knows what the device holds and calls it only where
+// that changes, bit for bit: with nothing changed, Bind makes no call. It never allocates.
 //
-// One binder belongs to one device and, like the device, to one thread at a time. While it exists, nobody else sets the
-// device's clip planes or D3DRS_CLIPPLANEENABLE; whoever did calls Invalidate().
+// One binder belongs to one device and, like the device, to one thread at a time. While it exists,
+// nobody else sets the device's clip planes or D3DRS_CLIPPLANEENABLE; whoever did calls
+// Invalidate().
 class Level9Binder {
  public:
   // `max_planes`: D3DCAPS9::MaxUserClipPlanes. `device` must outlive the binder.
   Level9Binder(ClipDevice& device, std::uint32_t max_planes) noexcept;
 
-  // Before a draw: makes the device clip with the planes of `table`, read from `buffers`. Planes first, the mask last.
-  // A table of lowering kNone disables all planes. `needed`, bit i for plane i, may leave out planes that the object
-  // does not need (box_planner.h): they are neither read, nor checked, nor set. Errors, of which all but kDeviceFailed
-  // come before the first call and leave the device as it was; the caller must not draw: kWrongLowering; kInvalidCall
-  // where a plane's index is not below max_planes; kMissingBuffer; kShortBuffer; kNotFinite. After kDeviceFailed the
-  // next Bind calls again.
+  // Before a draw: makes the device clip with the planes of `table`, read from `buffers`. Planes
+  // first, the mask last. A table of lowering kNone disables all planes. `needed`, bit i for plane
+  // i, may leave out planes that the object does not need (box_planner.h): they are neither read,
+  // nor checked, nor set. Errors, of which all but kDeviceFailed come before the first call and
+  // leave the device as it was; the caller must not draw: kWrongLowering; kInvalidCall where a
+  // plane's index is not below max_planes; kMissingBuffer; kShortBuffer; kNotFinite. After
+  // kDeviceFailed the next Bind calls again.
   Status Bind(const Table& table, const BoundBuffer* buffers, std::size_t buffer_count,
               std::uint32_t needed = ~std::uint32_t{0}) noexcept;
 
   // Before a draw with a shader without clip planes: disables all. Errors: kDeviceFailed.
   Status BindNone() noexcept;
 
-  // After the device was lost or reset, or somebody else changed its clip state: the next Bind sets everything.
+  // After the device was lost or reset, or somebody else changed its clip state: the next Bind sets
+  // everything.
   void Invalidate() noexcept;
 
  private:

@@ -62,7 +62,8 @@ Table PlanesInB2(std::uint32_t count) {
 class Level9BinderTest : public ::testing::Test {
  protected:
   Status Bind(const Table& table, std::uint32_t needed = ~0u) {
-    const BoundBuffer buffers[] = {{0, 0, other_, sizeof other_}, {2, 0, constants_, sizeof constants_}};
+    const BoundBuffer buffers[] = {{0, 0, other_, sizeof other_},
+                                   {2, 0, constants_, sizeof constants_}};
     return binder_.Bind(table, buffers, 2, needed);
   }
 
@@ -211,7 +212,8 @@ TEST_F(Level9BinderTest, TablesThatLieAboutTheirPlanes) {
 TEST_F(Level9BinderTest, MissingBuffer) {
   const Status none = binder_.Bind(PlanesInB2(1), nullptr, 0);
   EXPECT_EQ(none.error(), Error::kMissingBuffer);
-  EXPECT_THAT(none.message(), HasSubstr("clip plane 0 lies in constant buffer b2 `Clip`, which is not bound"));
+  EXPECT_THAT(none.message(),
+              HasSubstr("clip plane 0 lies in constant buffer b2 `Clip`, which is not bound"));
   const BoundBuffer null = {2, 0, nullptr, 64};
   EXPECT_EQ(binder_.Bind(PlanesInB2(1), &null, 1).error(), Error::kMissingBuffer);
 }
@@ -223,7 +225,8 @@ TEST_F(Level9BinderTest, ShortBuffer) {
   }
   const BoundBuffer buffer = {2, 0, constants_, 47};
   const Status status = binder_.Bind(PlanesInB2(2), &buffer, 1);
-  EXPECT_THAT(status.message(), HasSubstr("clip plane 1 lies at bytes 32 to 47 of b2 `Clip`, which has 47"));
+  EXPECT_THAT(status.message(),
+              HasSubstr("clip plane 1 lies at bytes 32 to 47 of b2 `Clip`, which has 47"));
   EXPECT_THAT(device_.Take(), IsEmpty()) << "plane 0 was good, but all or nothing is set";
   const BoundBuffer enough = {2, 0, constants_, 48};
   EXPECT_TRUE(binder_.Bind(PlanesInB2(2), &enough, 1).ok());
@@ -269,7 +272,8 @@ TEST_F(Level9BinderTest, ARefusedCallIsRepeated) {
   EXPECT_THAT(device_.Take(), ElementsAre("mask 1"));
 }
 
-// Whatever is bound, changed, lost or refused: after a Bind that succeeded, the device clips with the table's planes.
+// Whatever is bound, changed, lost or refused: after a Bind that succeeded, the device clips with
+// the table's planes.
 TEST(Level9BinderProperty, TheDeviceHoldsTheTable) {
   std::mt19937 random(1);
   RecordingDevice device;
@@ -278,7 +282,8 @@ TEST(Level9BinderProperty, TheDeviceHoldsTheTable) {
   const BoundBuffer buffer = {2, 0, constants, sizeof constants};
   int bound = 0;
   for (int step = 0; step < 20000; ++step) {
-    constants[1 + random() % 6][random() % 4] = random() % 50 == 0 ? NAN : static_cast<float>(random() % 3);
+    constants[1 + random() % 6][random() % 4] =
+        random() % 50 == 0 ? NAN : static_cast<float>(random() % 3);
     device.refuse_planes = random() % 20 == 0;
     device.refuse_mask = random() % 20 == 0;
     if (random() % 30 == 0) {

@@ -23,7 +23,8 @@ Factors Factorise(const double (&a)[4][4]) {
     for (const double element : a[row]) largest = std::max(largest, std::fabs(element));
     // A power of two, so that scaling rounds nothing.
     factors.row_scale[row] = largest > 0 ? std::exp2(-std::ilogb(largest)) : 0;
-    for (int column = 0; column < 4; ++column) factors.lu[row][column] = a[row][column] * factors.row_scale[row];
+    for (int column = 0; column < 4; ++column)
+      factors.lu[row][column] = a[row][column] * factors.row_scale[row];
   }
   for (int k = 0; k < 4; ++k) {
     int pivot = k;
@@ -38,7 +39,8 @@ Factors Factorise(const double (&a)[4][4]) {
     std::swap(factors.row_of[pivot], factors.row_of[k]);
     for (int row = k + 1; row < 4; ++row) {
       const double factor = factors.lu[row][k] /= factors.lu[k][k];
-      for (int column = k + 1; column < 4; ++column) factors.lu[row][column] -= factor * factors.lu[k][column];
+      for (int column = k + 1; column < 4; ++column)
+        factors.lu[row][column] -= factor * factors.lu[k][column];
     }
   }
   return factors;
@@ -58,7 +60,8 @@ void Substitute(const Factors& factors, const double (&b)[4], double (&x)[4]) {
 
 }  // namespace
 
-Solution SolveLinear(const double (&a)[4][4], const double (&b)[4], const double (&b_error)[4]) noexcept {
+Solution SolveLinear(const double (&a)[4][4], const double (&b)[4],
+                     const double (&b_error)[4]) noexcept {
   Solution solution;
   const Factors factors = Factorise(a);
   solution.singular = factors.singular;

@@ -8,14 +8,15 @@ namespace clipc::runtime {
 struct Solution {
   bool singular = false;  // a pivot was zero: there is no x
   double x[4] = {};
-  // The error of x[i] is about error[i] * 2^-53: |A^-1| (|L| |U| |x| + b_error), component by component (Higham,
-  // "Accuracy and Stability of Numerical Algorithms", theorem 9.4). |A| for |L| |U| would forget what elimination fills
-  // in. Does not change when a row of A and b is scaled.
+  // The error of x[i] is about error[i] * 2^-53: |A^-1| (|L| |U| |x| + b_error), component by
+  // component (Higham, "Accuracy and Stability of Numerical Algorithms", theorem 9.4). |A| for |L|
+  // |U| would forget what elimination fills in. Does not change when a row of A and b is scaled.
   double error[4] = {};
 };
 
-// Gaussian elimination in double with partial pivoting, after each row was scaled to a largest element of 1.
-// `b_error[i] * 2^-53` is how wrong b[i] may be already.
-Solution SolveLinear(const double (&a)[4][4], const double (&b)[4], const double (&b_error)[4]) noexcept;
+// Gaussian elimination in double with partial pivoting, after each row was scaled to a largest
+// element of 1. `b_error[i] * 2^-53` is how wrong b[i] may be already.
+Solution SolveLinear(const double (&a)[4][4], const double (&b)[4],
+                     const double (&b_error)[4]) noexcept;
 
 }  // namespace clipc::runtime

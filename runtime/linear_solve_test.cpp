@@ -20,14 +20,16 @@ TEST(SolveLinear, SolvesAndBoundsItsError) {
       for (double& element : a[row]) element = static_cast<double>(random.Below(2000)) - 1000;
     }
     for (int row = 0; row < 4; ++row) {
-      const double scale = std::exp2(static_cast<double>(random.Below(80)) - 40);  // rows of very different sizes
+      const double scale =
+          std::exp2(static_cast<double>(random.Below(80)) - 40);  // rows of very different sizes
       for (int k = 0; k < 4; ++k) b[row] += a[row][k] * x[k];
       for (double& element : a[row]) element *= scale;
       b[row] *= scale;
     }
     const Solution solution = SolveLinear(a, b, {0, 0, 0, 0});
     ASSERT_FALSE(solution.singular);
-    for (int k = 0; k < 4; ++k) EXPECT_LE(std::fabs(solution.x[k] - x[k]), 8 * solution.error[k] * 0x1p-53);
+    for (int k = 0; k < 4; ++k)
+      EXPECT_LE(std::fabs(solution.x[k] - x[k]), 8 * solution.error[k] * 0x1p-53);
   }
 }
 
@@ -41,10 +43,12 @@ TEST(SolveLinear, ErrorsOfTheRightSideReachTheSolution) {
 }
 
 TEST(SolveLinear, Singular) {
-  EXPECT_TRUE(
-      SolveLinear({{0, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}, {1, 1, 1, 1}, {0, 0, 0, 0}).singular);
-  EXPECT_TRUE(
-      SolveLinear({{1, 2, 0, 0}, {2, 4, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}, {1, 1, 1, 1}, {0, 0, 0, 0}).singular);
+  EXPECT_TRUE(SolveLinear({{0, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}, {1, 1, 1, 1},
+                          {0, 0, 0, 0})
+                  .singular);
+  EXPECT_TRUE(SolveLinear({{1, 2, 0, 0}, {2, 4, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}, {1, 1, 1, 1},
+                          {0, 0, 0, 0})
+                  .singular);
 }
 
 }  // namespace

@@ -14,8 +14,8 @@ Matrix FromElements(const Number (&elements)[16]) {
   return matrix;
 }
 
-// a . b as if computed in twice double's precision and rounded once: Dot2 of Ogita, Rump and Oishi, "Accurate Sum and
-// Dot Product", with fma for the error of a product.
+// a . b as if computed in twice double's precision and rounded once: Dot2 of Ogita, Rump and Oishi,
+// "Accurate Sum and Dot Product", with fma for the error of a product.
 double CompensatedDot(const double (&a)[4], const Plane& plane) {
   const double b[4] = {plane.x, plane.y, plane.z, plane.w};
   double sum = a[0] * b[0];
@@ -35,8 +35,12 @@ double CompensatedDot(const double (&a)[4], const Plane& plane) {
 
 Matrix RowVectorMatrix(const float (&elements)[16]) noexcept { return FromElements(elements); }
 Matrix RowVectorMatrix(const double (&elements)[16]) noexcept { return FromElements(elements); }
-Matrix ColumnVectorMatrix(const float (&elements)[16]) noexcept { return Transpose(FromElements(elements)); }
-Matrix ColumnVectorMatrix(const double (&elements)[16]) noexcept { return Transpose(FromElements(elements)); }
+Matrix ColumnVectorMatrix(const float (&elements)[16]) noexcept {
+  return Transpose(FromElements(elements));
+}
+Matrix ColumnVectorMatrix(const double (&elements)[16]) noexcept {
+  return Transpose(FromElements(elements));
+}
 
 Matrix Multiply(const Matrix& first, const Matrix& second) noexcept {
   Matrix product;
@@ -63,8 +67,8 @@ double Dot(const Plane& plane, const double (&point)[4]) noexcept {
 }
 
 Plane PlaneBefore(const Matrix& matrix, const Plane& after) noexcept {
-  return {CompensatedDot(matrix.m[0], after), CompensatedDot(matrix.m[1], after), CompensatedDot(matrix.m[2], after),
-          CompensatedDot(matrix.m[3], after)};
+  return {CompensatedDot(matrix.m[0], after), CompensatedDot(matrix.m[1], after),
+          CompensatedDot(matrix.m[2], after), CompensatedDot(matrix.m[3], after)};
 }
 
 double NormalLength(const Plane& plane) noexcept { return std::hypot(plane.x, plane.y, plane.z); }

@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-// The types of the plane mathematics. Everything is computed in double; float is only what comes in and goes out.
+// The types of the plane mathematics. Everything is computed in double; float is only what comes in
+// and goes out.
 //
-// The convention inside is Direct3D's: a point is a row vector and v' = v * M, so that the whole way is
-// clip = v * World * View * Projection and row 3 of an affine matrix is its translation. RowVectorMatrix and
-// ColumnVectorMatrix take matrices of either convention in.
+// The convention inside is Direct3D's: a point is a row vector and v' = v * M, so that the whole
+// way is clip = v * World * View * Projection and row 3 of an affine matrix is its translation.
+// RowVectorMatrix and ColumnVectorMatrix take matrices of either convention in.
 namespace clipc::runtime {
 
-// {A, B, C, D}: keeps the points (x, y, z, w) of its space with Ax + By + Cz + Dw >= 0. Any positive multiple is the
-// same plane; the zero plane keeps everything. Not normalised unless somebody says so.
+// {A, B, C, D}: keeps the points (x, y, z, w) of its space with Ax + By + Cz + Dw >= 0. Any
+// positive multiple is the same plane; the zero plane keeps everything. Not normalised unless
+// somebody says so.
 struct Plane {
   double x = 0, y = 0, z = 0, w = 0;
 };
 
-// A plane or another constant as a shader or a device takes it: 16 bytes, to be copied to a constant buffer as it is.
+// A plane or another constant as a shader or a device takes it: 16 bytes, to be copied to a
+// constant buffer as it is.
 struct Float4 {
   float x = 0, y = 0, z = 0, w = 0;
 };
@@ -24,13 +27,14 @@ struct Matrix {
   double m[4][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
 };
 
-// Sixteen numbers with the translation in elements 12, 13, 14: D3DMATRIX, DirectXMath's XMFLOAT4X4 (row-major, row
-// vectors); OpenGL, glm and Vulkan samples (column-major, column vectors). The bytes are the same.
+// Sixteen numbers with the translation in elements 12, 13, 14: D3DMATRIX, DirectXMath's XMFLOAT4X4
+// (row-major, row vectors); OpenGL, glm and Vulkan samples (column-major, column vectors). The
+// bytes are the same.
 Matrix RowVectorMatrix(const float (&elements)[16]) noexcept;
 Matrix RowVectorMatrix(const double (&elements)[16]) noexcept;
 
-// Sixteen numbers with the translation in elements 3, 7, 11: matrices for column vectors written row after row, as
-// books print them; HLSL's `row_major` with mul(M, v).
+// Sixteen numbers with the translation in elements 3, 7, 11: matrices for column vectors written
+// row after row, as books print them; HLSL's `row_major` with mul(M, v).
 Matrix ColumnVectorMatrix(const float (&elements)[16]) noexcept;
 Matrix ColumnVectorMatrix(const double (&elements)[16]) noexcept;
 
@@ -38,13 +42,15 @@ Matrix ColumnVectorMatrix(const double (&elements)[16]) noexcept;
 Matrix Multiply(const Matrix& first, const Matrix& second) noexcept;
 Matrix Transpose(const Matrix& matrix) noexcept;
 
-// Ax + By + Cz + Dw. A distance only where the normal (x, y, z) is a unit vector and the space has a metric: in view,
-// world or object space with w = 1. In clip space it has the right sign and no unit.
+// Ax + By + Cz + Dw. A distance only where the normal (x, y, z) is a unit vector and the space has
+// a metric: in view, world or object space with w = 1. In clip space it has the right sign and no
+// unit.
 double Dot(const Plane& plane, const double (&point)[4]) noexcept;
 
-// The plane of the space *before* `matrix`, given the plane of the space after it: before = matrix * after, so that
-// Dot(before, v) == Dot(after, v * matrix) for every v. Needs no inverse: it takes a world-space plane to object space
-// with the world matrix. Each component is one compensated dot product: right to double precision whatever cancels.
+// The plane of the space *before* `matrix`, given the plane of the space after it: before = matrix
+// * after, so that Dot(before, v) == Dot(after, v * matrix) for every v. Needs no inverse: it takes
+// a world-space plane to object space with the world matrix. Each component is one compensated dot
+// product: right to double precision whatever cancels.
 Plane PlaneBefore(const Matrix& matrix, const Plane& after) noexcept;
 
 // |(x, y, z)|

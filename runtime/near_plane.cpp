@@ -14,11 +14,12 @@ constexpr double kSlack = 1e-9;
 
 Result<ShearedProjection> Fail(Status status) { return {{}, status}; }
 
-// Dot(clip_plane, corner) at the corner of the clip-space cube where it is largest; corners have w = 1, those at
-// infinity too.
+// Dot(clip_plane, corner) at the corner of the clip-space cube where it is largest; corners have w
+// = 1, those at infinity too.
 double LargestAtACorner(const Plane& clip_plane, DepthRange range) {
   const double low = range.negative_one_to_one ? -1 : 0;
-  return std::fabs(clip_plane.x) + std::fabs(clip_plane.y) + std::max(low * clip_plane.z, clip_plane.z) + clip_plane.w;
+  return std::fabs(clip_plane.x) + std::fabs(clip_plane.y) +
+         std::max(low * clip_plane.z, clip_plane.z) + clip_plane.w;
 }
 
 // What a depth of 1 is in the range: z/w runs over 1 or over 2.
@@ -27,42 +28,49 @@ double DepthSpan(DepthRange range) { return range.negative_one_to_one ? 2 : 1; }
 Status CheckEye(const ProjectionShape& shape, double depth_slope, double view_w) {
   if (depth_slope > 0) return {};
   return shape.is_perspective()
-             ? Status::Failure(Error::kEyeNotClipped,
-                               "the eye is %g in front of the plane; it must be on the clipped side", view_w)
-             : Status::Failure(Error::kEyeNotClipped, "the plane does not face away from the viewer");
+             ? Status::Failure(
+                   Error::kEyeNotClipped,
+                   "the eye is %g in front of the plane; it must be on the clipped side", view_w)
+             : Status::Failure(Error::kEyeNotClipped,
+                               "the plane does not face away from the viewer");
 }
 
-Status CheckDepth(const ProjectionShape& shape, DepthRange range, const ShearedProjection& sheared) {
+Status CheckDepth(const ProjectionShape& shape, DepthRange range,
+                  const ShearedProjection& sheared) {
   if (shape.is_orthographic()) {
     if (sheared.depth_ratio >= kMinOrthographicDepthRatio * (1 - kSlack)) return {};
-    return Status::Failure(Error::kNoDepthLeft, "%.3g of the depth precision is left; at least %.3g must be",
+    return Status::Failure(Error::kNoDepthLeft,
+                           "%.3g of the depth precision is left; at least %.3g must be",
                            sheared.depth_ratio, kMinOrthographicDepthRatio);
   }
   const double near = NearW(shape, range);
   if (sheared.effective_near >= near * (1 - kSlack)) return {};
-  return Status::Failure(Error::kNoDepthLeft,
-                         "depth would be resolved as with a near plane at %.3g; the projection's is at %.3g",
-                         sheared.effective_near, near);
+  return Status::Failure(
+      Error::kNoDepthLeft,
+      "depth would be resolved as with a near plane at %.3g; the projection's is at %.3g",
+      sheared.effective_near, near);
 }
 
 }  // namespace
 
-Result<ShearedProjection> ShearNearPlane(const Plane& view_plane, const Matrix& projection, DepthRange range,
-                                         NearPlaneScale scale) noexcept {
+Result<ShearedProjection> ShearNearPlane(const Plane& view_plane, const Matrix& projection,
+                                         DepthRange range, NearPlaneScale scale) noexcept {
   const ProjectionShape shape = ShapeOf(projection);
   if (!shape.holds) {
-    return Fail(Status::Failure(Error::kWrongProjection, "the projection is neither a perspective nor orthographic"));
+    return Fail(Status::Failure(Error::kWrongProjection,
+                                "the projection is neither a perspective nor orthographic"));
   }
   if (shape.is_perspective() && (range.reversed ? shape.b < 0 : shape.b > 0)) {
-    return Fail(
-        Status::Failure(Error::kWrongProjection, "the projection's depth is %sreversed", range.reversed ? "not " : ""));
+    return Fail(Status::Failure(Error::kWrongProjection, "the projection's depth is %sreversed",
+                                range.reversed ? "not " : ""));
   }
   const Result<PlaneConstant> clip = ClipPlaneFromView(view_plane, projection);
   if (!clip.ok()) return Fail(clip.status);
   const Plane& clip_plane = clip.value.plane;
 
-  // Along a line of sight x/w and y/w stand still, so this is how d/w grows with the given depth. For a perspective it
-  // is -d(eye)/n up to a positive factor: the eye is the point (0, 0, b, 0) of clip space.
+  // Along a line of sight x/w and y/w stand still, so this is how d/w grows with the given depth.
+  // For a perspective it is -d(eye)/n up to a positive factor: the eye is the point (0, 0, b, 0) of
+  // clip space.
   const double depth_slope = DepthSpan(range) * (range.reversed ? -clip_plane.z : clip_plane.z);
   const double at_eye = shape.b * clip_plane.z;
   if (Status status = CheckEye(shape, depth_slope, at_eye); !status.ok()) return Fail(status);

@@ -67,7 +67,8 @@ TEST(NearPlane, ClipsByThePlaneAndNothingElse) {
         const auto v = ViewPoint(camera, random.Between(-1, 1), random.Between(-1, 1), s);
         const double d = Dot(plane, {v[0], v[1], v[2], 1});
         if (std::fabs(d) < 1e-6) continue;
-        const Position p = Project(v, sheared.value.projection), plain = Project(v, camera.projection);
+        const Position p = Project(v, sheared.value.projection),
+                       plain = Project(v, camera.projection);
         EXPECT_EQ(PassesNear(p, camera.range), d > 0) << camera.name;
         if (d > 0) {
           EXPECT_TRUE(PassesFar(p, camera.range, 1e-9 * p.w)) << camera.name;
@@ -107,8 +108,8 @@ TEST(NearPlane, DepthGrowsAlongEveryLineOfSightAtThePromisedRate) {
     for (int i = 0; i < 100; ++i) {
       const double x = random.Between(-1, 1), y = random.Between(-1, 1), s = random.Between(5, 20);
       const auto v = ViewPoint(camera, x, y, s), farther = ViewPoint(camera, x, y, s * 1.001);
-      const double plain =
-          Depth(Project(farther, camera.projection), camera.range) - Depth(Project(v, camera.projection), camera.range);
+      const double plain = Depth(Project(farther, camera.projection), camera.range) -
+                           Depth(Project(v, camera.projection), camera.range);
       const double growth = Depth(Project(farther, sheared.projection), camera.range) -
                             Depth(Project(v, sheared.projection), camera.range);
       EXPECT_GT(growth, 0) << camera.name;
@@ -116,7 +117,8 @@ TEST(NearPlane, DepthGrowsAlongEveryLineOfSightAtThePromisedRate) {
         EXPECT_NEAR(growth / plain, sheared.depth_ratio, 1e-6 * sheared.depth_ratio) << camera.name;
       }
       if (camera.perspective) {  // dz/ds = a|Cw| / s^2
-        EXPECT_NEAR(growth, sheared.effective_near * (1 / s - 1 / (s * 1.001)), 1e-12) << camera.name;
+        EXPECT_NEAR(growth, sheared.effective_near * (1 / s - 1 / (s * 1.001)), 1e-12)
+            << camera.name;
       }
     }
   }
@@ -126,11 +128,13 @@ TEST(NearPlane, TheNearPlaneItselfChangesNothing) {
   for (const Camera& camera : AllCameras()) {
     if (camera.near == 0) continue;
     const Result<ShearedProjection> sheared =
-        ShearNearPlane({0, 0, camera.forward, -camera.near}, camera.projection, camera.range, NearPlaneScale::kKeepFar);
+        ShearNearPlane({0, 0, camera.forward, -camera.near}, camera.projection, camera.range,
+                       NearPlaneScale::kKeepFar);
     ASSERT_TRUE(sheared.ok()) << camera.name << ": " << sheared.status.message();
     EXPECT_NEAR(sheared.value.depth_ratio, 1, 1e-8);
     for (int row = 0; row < 4; ++row) {
-      EXPECT_NEAR(sheared.value.projection.m[row][2], camera.projection.m[row][2], 1e-8) << camera.name;
+      EXPECT_NEAR(sheared.value.projection.m[row][2], camera.projection.m[row][2], 1e-8)
+          << camera.name;
     }
   }
 }
@@ -147,7 +151,8 @@ TEST(NearPlane, TheEyeMustBeClipped) {
         EXPECT_EQ(error({0, 1, 0, 0}), Error::kEyeNotClipped) << "a plane through the eye";
         EXPECT_EQ(error({0, 0, camera.forward, 1e-9}), Error::kEyeNotClipped);
       } else {
-        EXPECT_EQ(error({0, 1, 0, -1}), Error::kEyeNotClipped) << "a plane along the direction of view";
+        EXPECT_EQ(error({0, 1, 0, -1}), Error::kEyeNotClipped)
+            << "a plane along the direction of view";
       }
     }
   }
@@ -167,16 +172,20 @@ TEST(NearPlane, ThePlaneMustNotBeNearerThanTheNearPlane) {
   }
   // Water that an orthographic camera sees from almost exactly the side.
   const Camera flat = OrthographicCamera(0.1, 100);
-  EXPECT_EQ(ShearNearPlane({0, 1, 1e-6, 0}, flat.projection, {}, NearPlaneScale::kKeepFar).status.error(),
-            Error::kNoDepthLeft);
+  EXPECT_EQ(
+      ShearNearPlane({0, 1, 1e-6, 0}, flat.projection, {}, NearPlaneScale::kKeepFar).status.error(),
+      Error::kNoDepthLeft);
 }
 
 TEST(NearPlane, ScaleOfThePlaneOnlyMattersAsGiven) {
   const Camera camera = PerspectiveCamera(0.1, 100);
   const auto shear = [&](double length, NearPlaneScale scale) {
-    return ShearNearPlane({0, 0.6 * length, 0.8 * length, -2 * length}, camera.projection, {}, scale).value;
+    return ShearNearPlane({0, 0.6 * length, 0.8 * length, -2 * length}, camera.projection, {},
+                          scale)
+        .value;
   };
-  const ShearedProjection one = shear(1, NearPlaneScale::kKeepFar), ten = shear(10, NearPlaneScale::kKeepFar);
+  const ShearedProjection one = shear(1, NearPlaneScale::kKeepFar),
+                          ten = shear(10, NearPlaneScale::kKeepFar);
   EXPECT_NEAR(one.effective_near, ten.effective_near, 1e-12);
   EXPECT_NEAR(one.depth_ratio, ten.depth_ratio, 1e-12);
   EXPECT_NEAR(one.scale, 10 * ten.scale, 1e-12);
@@ -208,7 +217,8 @@ TEST(NearPlane, TheDepthColumnOfAnObjectsMatrix) {
     Matrix to_clip = Multiply(world_view, camera.projection);
     SetDepthColumn(to_clip, PlaneBefore(world_view, plane), sheared.scale, camera.range);
     const Matrix expected = Multiply(world_view, sheared.projection);
-    for (int i = 0; i < 16; ++i) EXPECT_NEAR(to_clip.m[i / 4][i % 4], expected.m[i / 4][i % 4], 1e-12) << camera.name;
+    for (int i = 0; i < 16; ++i)
+      EXPECT_NEAR(to_clip.m[i / 4][i % 4], expected.m[i / 4][i % 4], 1e-12) << camera.name;
   }
 }
 
@@ -227,7 +237,8 @@ TEST(NearPlane, ProjectionsThatContradictTheirDepthRange) {
   EXPECT_EQ(error(broken, {}), Error::kSingular);
   broken.projection.m[3][2] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(error(broken, {}), Error::kWrongProjection);
-  EXPECT_EQ(ShearNearPlane({0, 0, NAN, 1}, PerspectiveCamera(0.1, 100).projection, {}, NearPlaneScale::kKeepFar)
+  EXPECT_EQ(ShearNearPlane({0, 0, NAN, 1}, PerspectiveCamera(0.1, 100).projection, {},
+                           NearPlaneScale::kKeepFar)
                 .status.error(),
             Error::kNotFinite);
 }

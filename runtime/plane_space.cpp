@@ -17,10 +17,8 @@ Result<PlaneConstant> InView(const Plane& plane, KnownIn known_in, const DrawMat
 Result<PlaneConstant> ObjectConstant(const Plane& plane, KnownIn known_in,
                                      const DrawMatrices& draw) {
   switch (known_in) {
-    case KnownIn::kObject:
-      return ObjectPlaneFromWorld(plane, Matrix{});
-    case KnownIn::kWorld:
-      return ObjectPlaneFromWorld(plane, draw.world);
+    case KnownIn::kObject: return ObjectPlaneFromWorld(plane, Matrix{});
+    case KnownIn::kWorld: return ObjectPlaneFromWorld(plane, draw.world);
     default: {
       // Step by step: a product of the matrices would lose digits far from the origin.
       const Result<PlaneConstant> in_world = ObjectPlaneFromWorld(plane, draw.view);
@@ -33,22 +31,17 @@ Result<PlaneConstant> ClipConstant(const Plane& plane, KnownIn known_in, const D
   switch (known_in) {
     case KnownIn::kObject:
       return ClipPlaneFromObject(plane, draw.world, draw.view, draw.projection);
-    case KnownIn::kWorld:
-      return ClipPlaneFromWorld(plane, draw.view, draw.projection);
-    default:
-      return ClipPlaneFromView(plane, draw.projection);
+    case KnownIn::kWorld: return ClipPlaneFromWorld(plane, draw.view, draw.projection);
+    default: return ClipPlaneFromView(plane, draw.projection);
   }
 }
 
 Result<PlaneConstant> ConstantOf(PlaneSpace space, const Plane& plane, KnownIn known_in,
                                  const DrawMatrices& draw, const Plane& in_view) {
   switch (space) {
-    case PlaneSpace::kXyw1:
-      return Xyw1PlaneFromView(in_view, draw.projection);
-    case PlaneSpace::kObject:
-      return ObjectConstant(plane, known_in, draw);
-    default:
-      return ClipConstant(plane, known_in, draw);
+    case PlaneSpace::kXyw1: return Xyw1PlaneFromView(in_view, draw.projection);
+    case PlaneSpace::kObject: return ObjectConstant(plane, known_in, draw);
+    default: return ClipConstant(plane, known_in, draw);
   }
 }
 

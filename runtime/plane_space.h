@@ -59,9 +59,9 @@ inline constexpr double kAnySurface = 0.1;
 //   is n for standard depth, f reversed xyw1                  2 u Py H/2 / sine object 2 u H/2 /
 //   sine
 //
-// Tests under study/ hold these against __float128; measured values are between 0.1 and 2 times the
-// law up to some tens of pixels, where it saturates. It is for objects about as large as the
-// picture or smaller; larger ones lose in proportion. Errors: kWrongProjection unless ShapeOf
+// Tests under tools/study/ hold these against __float128; measured values are between 0.1 and 2
+// times the law up to some tens of pixels, where it saturates. It is for objects about as large as
+// the picture or smaller; larger ones lose in proportion. Errors: kWrongProjection unless ShapeOf
 // holds, and for xyw1 without a perspective; kSingular where the plane has no normal or the
 // projection no inverse.
 Result<double> PredictEdgeError(PlaneSpace space, const Plane& view_plane, const Matrix& projection,

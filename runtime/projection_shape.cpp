@@ -17,7 +17,8 @@ ProjectionShape ShapeOf(const Matrix& projection) noexcept {
   for (const auto& row : m) {
     for (const double element : row) all_finite = all_finite && std::isfinite(element);
   }
-  shape.holds = all_finite && others_are_zero && shape.px != 0 && shape.py != 0 && (shape.e == 0) != (shape.g == 0);
+  shape.holds = all_finite && others_are_zero && shape.px != 0 && shape.py != 0 &&
+                (shape.e == 0) != (shape.g == 0);
   return shape;
 }
 

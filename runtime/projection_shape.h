@@ -7,8 +7,9 @@ namespace clipc::runtime {
 
 // Where z/w of the target's clip space lies, and which end is near.
 struct DepthRange {
-  bool negative_one_to_one = false;  // OpenGL's -w <= z <= w; otherwise Direct3D's and Vulkan's 0 <= z <= w
-  bool reversed = false;             // reverse-Z: the near plane is at z = w
+  bool negative_one_to_one =
+      false;              // OpenGL's -w <= z <= w; otherwise Direct3D's and Vulkan's 0 <= z <= w
+  bool reversed = false;  // reverse-Z: the near plane is at z = w
 };
 
 // What a projection matrix for row vectors looks like in every graphics API:
@@ -19,8 +20,8 @@ struct DepthRange {
 //   orthographic tx  ty  b  g        tx, ty   shift of an orthographic frustum; g is 0 for a perspective, 1 for
 //   orthographic
 //
-// A shape holds when the other elements are exactly 0, px and py are not, and one of e and g is exactly 0. It has an
-// inverse when b (perspective) or a (orthographic) is not 0 either.
+// A shape holds when the other elements are exactly 0, px and py are not, and one of e and g is
+// exactly 0. It has an inverse when b (perspective) or a (orthographic) is not 0 either.
 struct ProjectionShape {
   bool holds = false;
   double px = 0, py = 0, ox = 0, oy = 0, a = 0, e = 0, tx = 0, ty = 0, b = 0, g = 0;
@@ -31,7 +32,8 @@ struct ProjectionShape {
 
 ProjectionShape ShapeOf(const Matrix& projection) noexcept;
 
-// The clip-space w at which the perspective `shape` has its near plane: for e = 1 or -1, the near distance n.
+// The clip-space w at which the perspective `shape` has its near plane: for e = 1 or -1, the near
+// distance n.
 double NearW(const ProjectionShape& shape, DepthRange range) noexcept;
 
 }  // namespace clipc::runtime

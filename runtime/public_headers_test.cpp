@@ -36,7 +36,8 @@ TEST(PublicHeaders, ThrowNothing) {
   static_assert(noexcept(ReadTable(nullptr, 0)));
   static_assert(noexcept(ClipPlaneFromWorld({}, {}, {})));
   static_assert(noexcept(PlaneConstantFor(PlaneSpace::kClip, {}, KnownIn::kWorld, {})));
-  static_assert(noexcept(std::declval<Level9Binder&>().Bind(std::declval<const Table&>(), nullptr, 0)));
+  static_assert(
+      noexcept(std::declval<Level9Binder&>().Bind(std::declval<const Table&>(), nullptr, 0)));
   static_assert(noexcept(ShearNearPlane({}, {}, {}, NearPlaneScale::kAsGiven)));
   static_assert(noexcept(PlanBoxes(std::declval<const BoxArrays&>(), nullptr, 0, nullptr)));
   static_assert(noexcept(UpdateClipStatus(std::declval<ClipStatus&>(), nullptr, 0, {}, true)));

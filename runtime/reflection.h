@@ -6,13 +6,14 @@
 
 namespace clipc::runtime {
 
-// The matrix that mirrors points of the plane's space in the plane, for row vectors: v - 2 Dot(plane, v) N / |N|^2. It
-// is its own inverse, and turns clockwise triangles into anticlockwise ones: swap the cull mode where it is drawn with.
-// Any positive or negative multiple of `plane` gives the same matrix.
+// The matrix that mirrors points of the plane's space in the plane, for row vectors: v - 2
+// Dot(plane, v) N / |N|^2. It is its own inverse, and turns clockwise triangles into anticlockwise
+// ones: swap the cull mode where it is drawn with. Any positive or negative multiple of `plane`
+// gives the same matrix.
 //
-// A planar reflection (water) draws the scene with view_mirrored = Multiply(mirror, view), clipped by the water's
-// plane: ClipPlaneFromWorld(water, view_mirrored, projection) keeps what is above the water. Errors: kSingular where
-// the plane has no normal; kNotFinite.
+// A planar reflection (water) draws the scene with view_mirrored = Multiply(mirror, view), clipped
+// by the water's plane: ClipPlaneFromWorld(water, view_mirrored, projection) keeps what is above
+// the water. Errors: kSingular where the plane has no normal; kNotFinite.
 Result<Matrix> MirrorMatrix(const Plane& plane) noexcept;
 
 }  // namespace clipc::runtime

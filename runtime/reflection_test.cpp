@@ -26,15 +26,18 @@ TEST(MirrorMatrixTest, MirrorsInThePlane) {
     const double scale = random.Magnitude(0.1, 10) * (random.Below(2) == 0 ? 1 : -1);
     plane = {plane.x * scale, plane.y * scale, plane.z * scale, plane.w * scale};
     const Matrix mirror = MirrorMatrix(plane).value;
-    const double point[4] = {random.Between(-9, 9), random.Between(-9, 9), random.Between(-9, 9), 1};
+    const double point[4] = {random.Between(-9, 9), random.Between(-9, 9), random.Between(-9, 9),
+                             1};
     double image[4], back[4];
     Transform(point, mirror, image);
     Transform(image, mirror, back);
-    EXPECT_NEAR(Dot(plane, image), -Dot(plane, point), 1e-12 * std::fabs(scale) * 30) << "as far behind the plane";
+    EXPECT_NEAR(Dot(plane, image), -Dot(plane, point), 1e-12 * std::fabs(scale) * 30)
+        << "as far behind the plane";
     const double n[3] = {plane.x, plane.y, plane.z};
     for (int j = 0; j < 3; ++j) {
       EXPECT_NEAR(back[j], point[j], 1e-12);
-      EXPECT_NEAR(image[j] - point[j], -2 * Dot(plane, point) / (scale * scale) * n[j], 1e-12) << "along the normal";
+      EXPECT_NEAR(image[j] - point[j], -2 * Dot(plane, point) / (scale * scale) * n[j], 1e-12)
+          << "along the normal";
     }
     EXPECT_EQ(image[3], 1);
   }
@@ -58,7 +61,8 @@ TEST(MirrorMatrixTest, TheMirroredViewKeepsWhatIsAboveTheWater) {
     ASSERT_TRUE(plane.ok()) << plane.status.message();
     const Matrix to_clip = Multiply(mirrored, camera.projection);
     for (int i = 0; i < 100; ++i) {
-      const double point[4] = {random.Between(-9, 9), random.Between(-9, 9), random.Between(-9, 9), 1};
+      const double point[4] = {random.Between(-9, 9), random.Between(-9, 9), random.Between(-9, 9),
+                               1};
       double position[4];
       Transform(point, to_clip, position);
       EXPECT_EQ(Dot(plane.value.plane, position) >= 0, point[1] >= 2) << camera.name;
@@ -68,8 +72,10 @@ TEST(MirrorMatrixTest, TheMirroredViewKeepsWhatIsAboveTheWater) {
 
 TEST(MirrorMatrixTest, PlanesThatCannotMirror) {
   EXPECT_EQ(MirrorMatrix({0, 0, 0, 1}).status.error(), Error::kSingular);
-  EXPECT_EQ(MirrorMatrix({1, 0, 0, std::numeric_limits<double>::infinity()}).status.error(), Error::kNotFinite);
-  EXPECT_EQ(MirrorMatrix({1, std::numeric_limits<double>::quiet_NaN(), 0, 0}).status.error(), Error::kNotFinite);
+  EXPECT_EQ(MirrorMatrix({1, 0, 0, std::numeric_limits<double>::infinity()}).status.error(),
+            Error::kNotFinite);
+  EXPECT_EQ(MirrorMatrix({1, std::numeric_limits<double>::quiet_NaN(), 0, 0}).status.error(),
+            Error::kNotFinite);
 }
 
 }  // namespace

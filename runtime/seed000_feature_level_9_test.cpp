@@ -1,6 +1,6 @@
-// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// "User clip planes on feature level 9 hardware" (Microsoft), what a run-time test can say of each section. Where the
-// document errs, the test says what is right.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception "User clip planes on feature level 9
+// hardware" (Microsoft), what a run-time test can say of each section. Where the document errs, the
+// test says what is right.
 #include <cmath>
 #include <string>
 
@@ -28,8 +28,8 @@ struct Vertex {
 Vertex RandomVertex(Random& random, const Camera& camera) {
   Vertex vertex;
   const double far = std::isinf(camera.far) ? 1000 : camera.far;
-  const auto v =
-      ViewPoint(camera, random.Between(-1, 1), random.Between(-1, 1), random.Between(std::max(0.1, camera.near), far));
+  const auto v = ViewPoint(camera, random.Between(-1, 1), random.Between(-1, 1),
+                           random.Between(std::max(0.1, camera.near), far));
   for (int i = 0; i < 4; ++i) vertex.view[i] = v[i];
   for (int j = 0; j < 4; ++j) {
     for (int i = 0; i < 4; ++i) vertex.clip[j] += v[i] * camera.projection.m[i][j];
@@ -51,8 +51,9 @@ TEST(Seed000Background, TheNegativeSideOfAnyPlaneIsClipped) {
 }
 
 std::string BinaryTable(unsigned char planes) {
-  std::string bytes = {0x35, 0x28, 0, 0, static_cast<char>(3 + 2 * planes), 0, 0, 0, static_cast<char>(planes),
-                       0,    0,    0};
+  std::string bytes = {
+      0x35, 0x28, 0, 0, static_cast<char>(3 + 2 * planes), 0, 0, 0, static_cast<char>(planes),
+      0,    0,    0};
   for (char i = 0; i < static_cast<char>(planes); ++i) bytes += {0, 0, i, 0, 1, 0, 0, 0};
   return bytes;
 }
@@ -69,7 +70,9 @@ TEST(Seed000SyntaxNote, APlaneOfZerosNoLongerAffectsAnyGeometry) {
   Random random(1);
   const Float4 zero;
   for (int i = 0; i < 1000; ++i) {
-    const auto number = [&] { return static_cast<float>(random.Between(-1, 1) * random.Magnitude(1e-30, 1e30)); };
+    const auto number = [&] {
+      return static_cast<float>(random.Between(-1, 1) * random.Magnitude(1e-30, 1e30));
+    };
     EXPECT_FALSE(IsClipped(number(), number(), number(), number(), zero));
   }
   EXPECT_EQ(PlanBox({{-9, -9, -9}, {9, 9, 9}}, &zero, 1), 0);
@@ -116,7 +119,8 @@ TEST(Seed000TenLevel9FeatureLevels, ClipSpaceIsBeforeThePerspectiveDivision) {
 TEST(Seed000ClipPlaneMath, PixelsOnTheVectorsSideAreKept) {
   EXPECT_FALSE(IsClipped(0, 1, 0, 1, {0, 1, 0, 0}));
   EXPECT_TRUE(IsClipped(0, -1, 0, 1, {0, 1, 0, 0}));
-  EXPECT_FALSE(IsClipped(5, 0, 5, 1, {0, 1, 0, 0})) << "the plane runs through the origin, and what lies on it is kept";
+  EXPECT_FALSE(IsClipped(5, 0, 5, 1, {0, 1, 0, 0}))
+      << "the plane runs through the origin, and what lies on it is kept";
 }
 
 TEST(Seed000ClipPlaneMath, PositiveWClipsLessAndNegativeWMore) {
@@ -124,7 +128,8 @@ TEST(Seed000ClipPlaneMath, PositiveWClipsLessAndNegativeWMore) {
   EXPECT_TRUE(IsClipped(0, 0.5f, 0, 1, {0, 1, 0, -1}));
 }
 
-// The document: w pushes the plane w units back. Right only for a unit vector; in general by w / |n|.
+// The document: w pushes the plane w units back. Right only for a unit vector; in general by w /
+// |n|.
 TEST(Seed000ClipPlaneMath, WMovesThePlaneByItselfOverTheLengthOfTheNormal) {
   EXPECT_FALSE(IsClipped(0, -0.99f, 0, 1, {0, 1, 0, 1}));
   EXPECT_TRUE(IsClipped(0, -1.01f, 0, 1, {0, 1, 0, 1}));
@@ -166,7 +171,8 @@ TEST(Seed000ProjectionMatrix, TheSimplifiedMatrix) {
   EXPECT_EQ(v.clip[3], v.view[2]);
 }
 
-// "Other projections require different math": the closed form refuses them, and the general function does not.
+// "Other projections require different math": the closed form refuses them, and the general
+// function does not.
 TEST(Seed000ProjectionMatrix, OtherProjectionsRequireDifferentMath) {
   Random random(4);
   for (const Camera& camera : AllCameras()) {
@@ -187,7 +193,8 @@ TEST(Seed000ProjectionMatrix, OtherProjectionsRequireDifferentMath) {
     }
     EXPECT_EQ(wrong, 0) << camera.name;
     const bool is_accepted = DocumentClipPlane({0, 0, 1, -1}, m).ok();
-    EXPECT_EQ(is_accepted, camera.perspective && camera.forward == 1 && m.m[2][0] == 0) << camera.name;
+    EXPECT_EQ(is_accepted, camera.perspective && camera.forward == 1 && m.m[2][0] == 0)
+        << camera.name;
     if (is_accepted) {
       EXPECT_EQ(wrong_document, 0) << camera.name;
     }
@@ -209,7 +216,8 @@ TEST(Seed000ClipSpaceClipPlane, GivesTheSameDotProduct) {
   }
 }
 
-// The document writes A_y in the last equation; it is the scalar A of the matrix, as in the result below it.
+// The document writes A_y in the last equation; it is the scalar A of the matrix, as in the result
+// below it.
 TEST(Seed000ClipSpaceClipPlane, TheFourEquations) {
   const Camera camera = PerspectiveCamera(0.25, 64);
   const ProjectionShape p = ShapeOf(camera.projection);
@@ -219,7 +227,8 @@ TEST(Seed000ClipSpaceClipPlane, TheFourEquations) {
   EXPECT_DOUBLE_EQ(cp.y, c.y / p.py);
   EXPECT_DOUBLE_EQ(cp.z, c.w / p.b);
   EXPECT_DOUBLE_EQ(cp.w, c.z - c.w * p.a / p.b);
-  // With 0 <= z <= w, A/B = -1/n: the last component is the distance of the near plane's centre over n.
+  // With 0 <= z <= w, A/B = -1/n: the last component is the distance of the near plane's centre
+  // over n.
   EXPECT_DOUBLE_EQ(cp.w, (c.z * 0.25 + c.w) / 0.25);
 }
 

@@ -17,7 +17,8 @@ using ::testing::ElementsAre;
 class RecordingDevice final : public ClipDevice {
  public:
   bool SetClipPlane(std::uint32_t index, const float plane[4]) noexcept override {
-    calls.push_back("SetClipPlane(" + std::to_string(index) + ", " + std::to_string(static_cast<int>(plane[0])) + ")");
+    calls.push_back("SetClipPlane(" + std::to_string(index) + ", " +
+                    std::to_string(static_cast<int>(plane[0])) + ")");
     return true;
   }
   bool SetClipPlaneEnable(std::uint32_t mask) noexcept override {
@@ -48,8 +49,8 @@ TEST(Seed001Returns, AnIndexBeyondTheDevicesMaximumIsInvalidCall) {
   }
 }
 
-// The document: also where the array is not large enough. No function can see that through a pointer to const float;
-// the binder, which knows the buffer's size, can.
+// The document: also where the array is not large enough. No function can see that through a
+// pointer to const float; the binder, which knows the buffer's size, can.
 TEST(Seed001Returns, AnArrayOfLessThanFourFloatsIsInvalidCall) {
   RecordingDevice device;
   Level9Binder binder(device, 6);
@@ -74,7 +75,8 @@ TEST(Seed001Remarks, VisibleIsGreaterOrEqualZero) {
 TEST(Seed001Remarks, TheFourthCoefficientIsTimesW) {
   const UserClipPlanes user = {{{1, 0, 0, -1}}, 1};
   EXPECT_EQ(ClipCode({1.5f, 0, 0, 1.4f}, user) & kClipPlane0, 0u);
-  EXPECT_NE(ClipCode({1.5f, 0, 0, 1.6f}, user) & kClipPlane0, 0u) << "homogeneous coordinates, not (x, y, z, 1)";
+  EXPECT_NE(ClipCode({1.5f, 0, 0, 1.6f}, user) & kClipPlane0, 0u)
+      << "homogeneous coordinates, not (x, y, z, 1)";
 }
 
 TEST(Seed001Remarks, SettingDoesNotEnable) {

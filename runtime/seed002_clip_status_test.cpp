@@ -36,8 +36,8 @@ TEST(Seed002Members, AllIsTheCombinationOfAllFlags) {
   EXPECT_EQ(all, std::uint32_t{kClipAll});
 }
 
-// The document says "all vertices are clipped by" of the flags of both members. That is so of ClipIntersection; a flag
-// of ClipUnion says that at least one vertex is.
+// The document says "all vertices are clipped by" of the flags of both members. That is so of
+// ClipIntersection; a flag of ClipUnion says that at least one vertex is.
 TEST(Seed002Members, AFlagOfTheUnionMeansAtLeastOneVertex) {
   const UserClipPlanes user = {{{1, 0, 0, 0}, {-1, 0, 0, 1}}, 3};  // 0 <= x <= 1
   const ClipStatus status = StatusOf({-1, 0, 0, 9, 0.5f, 0, 0, 9, 2, 0, 0, 1, 3, 0, 0, 1}, user);
@@ -55,7 +55,9 @@ TEST(Seed002Remarks, UnionIsTheOrOfAllCodesAndIntersectionTheAnd) {
 
 TEST(Seed002ClipStatus, UnionStartsAtZero) { EXPECT_EQ(ClipStatus{}.clip_union, 0u); }
 
-TEST(Seed002ClipStatus, IntersectionStartsAtAllOnes) { EXPECT_EQ(ClipStatus{}.clip_intersection, 0xFFFFFFFFu); }
+TEST(Seed002ClipStatus, IntersectionStartsAtAllOnes) {
+  EXPECT_EQ(ClipStatus{}.clip_intersection, 0xFFFFFFFFu);
+}
 
 TEST(Seed002Remarks, ClippingOffSetsBothToZero) {
   ClipStatus status = StatusOf({-2, 0, 0, 1});
@@ -65,7 +67,8 @@ TEST(Seed002Remarks, ClippingOffSetsBothToZero) {
   EXPECT_EQ(status.clip_intersection, 0u);
 }
 
-// 0 and 0 would read "nothing is outside", and the initial values "everything is": neither may be believed.
+// 0 and 0 would read "nothing is outside", and the initial values "everything is": neither may be
+// believed.
 TEST(Seed002Remarks, NeitherClippingOffNorAnEmptyDrawSaysAnything) {
   EXPECT_EQ(VerdictOf({0, 0}, false), ClipVerdict::kUnknown);
   EXPECT_EQ(VerdictOf(StatusOf({}), true), ClipVerdict::kUnknown);
@@ -86,7 +89,8 @@ TEST(Seed002Remarks, DrawsAddUpUntilTheStatusIsReset) {
 
 // An intersection of 0 does not prove that something is visible.
 TEST(Seed002Remarks, AnInvisibleTriangleMayHaveNoIntersection) {
-  EXPECT_EQ(VerdictOf(StatusOf({-2, 0, 0, 1, 0, 9, 0, 1, -9, 9, 0, 1}), true), ClipVerdict::kNeedsClip);
+  EXPECT_EQ(VerdictOf(StatusOf({-2, 0, 0, 1, 0, 9, 0, 1, -9, 9, 0, 1}), true),
+            ClipVerdict::kNeedsClip);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
-// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// "What Are User-defined Clip Planes?" (Microsoft). The document contradicts SetClipPlane's page and its own pictures
-// in several places; each test says what is right.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception "What Are User-defined Clip Planes?"
+// (Microsoft). The document contradicts SetClipPlane's page and its own pictures in several places;
+// each test says what is right.
 #include <cmath>
 #include <vector>
 
@@ -36,13 +36,15 @@ bool IsKept(const Point& p, std::initializer_list<Float4> planes) {
   UserClipPlanes user;
   for (const Float4& plane : planes) {
     const std::uint32_t i = user.enable_mask == 0 ? 0 : 1;
-    user.planes[i][0] = plane.x, user.planes[i][1] = plane.y, user.planes[i][2] = plane.z, user.planes[i][3] = plane.w;
+    user.planes[i][0] = plane.x, user.planes[i][1] = plane.y, user.planes[i][2] = plane.z,
+    user.planes[i][3] = plane.w;
     user.enable_mask |= 1u << i;
   }
   return (ClipCode({p.x, p.y, p.z, 1}, user) & ~std::uint32_t{kClipPlane0 - 1}) == 0;
 }
 
-// The document: points on or behind the plane are clipped. Right: those behind; on the plane is visible.
+// The document: points on or behind the plane are clipped. Right: those behind; on the plane is
+// visible.
 TEST(Seed003Inequality, PointsOnThePlaneAreVisible) {
   EXPECT_TRUE(IsKept({0, 0.5f, 0.5f}, {{1, 0, 0, 0}}));
   EXPECT_TRUE(IsKept({0, 0.5f, 0.5f}, {{-1, 0, 0, 0}}));
@@ -52,7 +54,8 @@ TEST(Seed003Inequality, PointsOnThePlaneAreVisible) {
 // The formula is missing in the document: Ax + By + Cz + D >= 0 is visible.
 TEST(Seed003Inequality, VisibleIsGreaterOrEqualZero) {
   for (const Point& p : Teapot()) {
-    EXPECT_EQ(IsKept(p, {{0.5f, -0.25f, 2, 0.125f}}), 0.5f * p.x - 0.25f * p.y + 2 * p.z + 0.125f >= 0);
+    EXPECT_EQ(IsKept(p, {{0.5f, -0.25f, 2, 0.125f}}),
+              0.5f * p.x - 0.25f * p.y + 2 * p.z + 0.125f >= 0);
   }
 }
 
@@ -61,7 +64,8 @@ TEST(Seed003LeftTeapot, ClipsWhatHasPositiveX) {
   for (const Point& p : Teapot()) EXPECT_EQ(IsKept(p, {{-1, 0, 0, 0}}), p.x <= 0);
 }
 
-// The document: (1, 0, 1, 0) clips all vertices at z >= 0. Right: it is a diagonal plane that keeps x + z >= 0.
+// The document: (1, 0, 1, 0) clips all vertices at z >= 0. Right: it is a diagonal plane that keeps
+// x + z >= 0.
 TEST(Seed003RightTeapot, IsCutDiagonally) {
   int front = 0, front_kept = 0, back = 0, back_kept = 0;
   for (const Point& p : Teapot()) {
@@ -113,8 +117,8 @@ TEST(Seed003Limits, TheDeviceSaysHowManyPlanesThereAre) {
   EXPECT_EQ(small.Bind(table, &buffer, 1).error(), Error::kInvalidCall);
 }
 
-// The document: planes are in world space. Right only for the fixed-function pipeline; a plane for a vertex shader's
-// device goes to clip space first, and then keeps the same points.
+// The document: planes are in world space. Right only for the fixed-function pipeline; a plane for
+// a vertex shader's device goes to clip space first, and then keeps the same points.
 TEST(Seed003Space, WorldSpacePlanesGoToClipSpace) {
   Random random(2);
   const Matrix view = random.Rigid(0);
@@ -127,7 +131,8 @@ TEST(Seed003Space, WorldSpacePlanesGoToClipSpace) {
     ASSERT_TRUE(clip.ok());
     int differs_unconverted = 0;
     for (const Point& p : Teapot()) {
-      const double v[4] = {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z), 1};
+      const double v[4] = {static_cast<double>(p.x), static_cast<double>(p.y),
+                           static_cast<double>(p.z), 1};
       double position[4] = {};
       for (int j = 0; j < 4; ++j) {
         for (int i = 0; i < 4; ++i) position[j] += v[i] * to_clip.m[i][j];

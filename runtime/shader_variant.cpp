@@ -4,7 +4,8 @@
 namespace clipc::runtime {
 
 void CompactPlanes(const ShaderVariant& variant, const Float4* from, Float4* to) noexcept {
-  for (std::uint8_t slot = 0; slot < variant.plane_count; ++slot) to[slot] = from[variant.planes[slot]];
+  for (std::uint8_t slot = 0; slot < variant.plane_count; ++slot)
+    to[slot] = from[variant.planes[slot]];
 }
 
 void OrderByPlaneCount(const BoxPlan* plans, std::size_t count, std::uint32_t* order,
@@ -21,7 +22,8 @@ void OrderByPlaneCount(const BoxPlan* plans, std::size_t count, std::uint32_t* o
     first[k + 1] = first[k] + sizes[k];
   }
   for (std::size_t i = 0; i < count; ++i) {
-    if ((plans[i] & kCulled) == 0) order[next[VariantOf(plans[i]).plane_count]++] = static_cast<std::uint32_t>(i);
+    if ((plans[i] & kCulled) == 0)
+      order[next[VariantOf(plans[i]).plane_count]++] = static_cast<std::uint32_t>(i);
   }
 }
 

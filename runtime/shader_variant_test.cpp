@@ -16,7 +16,8 @@ TEST(VariantOfTest, PlanesMoveToTheFront) {
   EXPECT_EQ(kVariant.planes[0], 0);
   EXPECT_EQ(kVariant.planes[1], 3);
   EXPECT_EQ(kVariant.planes[2], 5);
-  const Float4 from[6] = {{0, 0, 0, 0}, {1, 0, 0, 0}, {2, 0, 0, 0}, {3, 0, 0, 0}, {4, 0, 0, 0}, {5, 0, 0, 0}};
+  const Float4 from[6] = {{0, 0, 0, 0}, {1, 0, 0, 0}, {2, 0, 0, 0},
+                          {3, 0, 0, 0}, {4, 0, 0, 0}, {5, 0, 0, 0}};
   Float4 to[3];
   CompactPlanes(kVariant, from, to);
   EXPECT_EQ(to[0].x, 0);

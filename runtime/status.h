@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-// How every function of the runtime answers. Nothing in clipc::runtime throws, and a Status holds its message in place,
-// so that an error costs no allocation either.
+// How every function of the runtime answers. Nothing in clipc::runtime throws, and a Status holds
+// its message in place, so that an error costs no allocation either.
 namespace clipc::runtime {
 
 enum class Error : std::int32_t {
@@ -32,7 +32,8 @@ inline constexpr std::int32_t kD3dErrInvalidCall = static_cast<std::int32_t>(0x8
 inline constexpr std::int32_t kD3dErrDriverInternalError = static_cast<std::int32_t>(0x88760827);
 inline constexpr std::int32_t kEOutOfMemory = static_cast<std::int32_t>(0x8007000E);
 
-// What an IDirect3DDevice9 would have answered: D3DERR_INVALIDCALL for whatever the caller did wrong.
+// What an IDirect3DDevice9 would have answered: D3DERR_INVALIDCALL for whatever the caller did
+// wrong.
 std::int32_t HresultOf(Error error) noexcept;
 
 // "kShortBuffer" => "short buffer".

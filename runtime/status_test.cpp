@@ -32,14 +32,16 @@ TEST(Status, LongMessagesAreCut) {
 
 TEST(Status, EveryErrorHasANameOfItsOwn) {
   std::set<std::string> names;
-  for (int i = 0; i <= static_cast<int>(Error::kNoDepthLeft); ++i) names.insert(NameOf(static_cast<Error>(i)));
+  for (int i = 0; i <= static_cast<int>(Error::kNoDepthLeft); ++i)
+    names.insert(NameOf(static_cast<Error>(i)));
   EXPECT_EQ(names.size(), static_cast<std::size_t>(Error::kNoDepthLeft) + 1);
   EXPECT_EQ(names.count("unknown error"), 0u);
 }
 
 TEST(Status, HresultsAreDirect3Ds) {
   EXPECT_EQ(HresultOf(Error::kNone), 0);
-  EXPECT_EQ(static_cast<std::uint32_t>(HresultOf(Error::kInvalidCall)), 0x8876086Cu);  // MAKE_D3DHRESULT(2156)
+  EXPECT_EQ(static_cast<std::uint32_t>(HresultOf(Error::kInvalidCall)),
+            0x8876086Cu);  // MAKE_D3DHRESULT(2156)
   EXPECT_EQ(HresultOf(Error::kNotFinite), kD3dErrInvalidCall);
   EXPECT_EQ(HresultOf(Error::kOutOfMemory), kEOutOfMemory);
 }

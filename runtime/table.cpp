@@ -10,19 +10,30 @@ namespace clipc::runtime {
 namespace {
 
 static_assert(kMaxPlanes == clip_table::kMaxPlanes);
-static_assert(static_cast<int>(Lowering::kClipDistance) == static_cast<int>(clip_table::Lowering::kClipDistance));
-static_assert(static_cast<int>(Lowering::kLevel9) == static_cast<int>(clip_table::Lowering::kLevel9));
-static_assert(static_cast<int>(Lowering::kNearPlane) == static_cast<int>(clip_table::Lowering::kNearPlane));
-static_assert(static_cast<int>(Lowering::kDiscard) == static_cast<int>(clip_table::Lowering::kDiscard));
+static_assert(static_cast<int>(Lowering::kClipDistance) ==
+              static_cast<int>(clip_table::Lowering::kClipDistance));
+static_assert(static_cast<int>(Lowering::kLevel9) ==
+              static_cast<int>(clip_table::Lowering::kLevel9));
+static_assert(static_cast<int>(Lowering::kNearPlane) ==
+              static_cast<int>(clip_table::Lowering::kNearPlane));
+static_assert(static_cast<int>(Lowering::kDiscard) ==
+              static_cast<int>(clip_table::Lowering::kDiscard));
 static_assert(static_cast<int>(Lowering::kNone) == static_cast<int>(clip_table::Lowering::kNone));
-static_assert(static_cast<int>(Lowering::kNearPlane) == static_cast<int>(clip_table::Lowering::kNearPlane));
-static_assert(static_cast<int>(Lowering::kDiscard) == static_cast<int>(clip_table::Lowering::kDiscard));
+static_assert(static_cast<int>(Lowering::kNearPlane) ==
+              static_cast<int>(clip_table::Lowering::kNearPlane));
+static_assert(static_cast<int>(Lowering::kDiscard) ==
+              static_cast<int>(clip_table::Lowering::kDiscard));
 
-static_assert(static_cast<int>(PlaneSpace::kClip) == static_cast<int>(clip_table::PositionSpace::kDirect3DClip));
-static_assert(static_cast<int>(PlaneSpace::kXyw1) == static_cast<int>(clip_table::PositionSpace::kXyw1));
-static_assert(static_cast<int>(PlaneSpace::kObject) == static_cast<int>(clip_table::PositionSpace::kObject));
+static_assert(static_cast<int>(PlaneSpace::kClip) ==
+              static_cast<int>(clip_table::PositionSpace::kDirect3DClip));
+static_assert(static_cast<int>(PlaneSpace::kXyw1) ==
+              static_cast<int>(clip_table::PositionSpace::kXyw1));
+static_assert(static_cast<int>(PlaneSpace::kObject) ==
+              static_cast<int>(clip_table::PositionSpace::kObject));
 
-Result<Table> Fail(Error error, const char* what) { return {{}, Status::Failure(error, "%s", what)}; }
+Result<Table> Fail(Error error, const char* what) {
+  return {{}, Status::Failure(error, "%s", what)};
+}
 
 TablePlane FromPlane(const clip_table::Plane& from) {
   TablePlane plane;
@@ -38,7 +49,8 @@ TablePlane FromPlane(const clip_table::Plane& from) {
   return plane;
 }
 
-// Runs `read`, which gives a clip_table::Result. That code knows no errors but its own and the lack of memory.
+// Runs `read`, which gives a clip_table::Result. That code knows no errors but its own and the lack
+// of memory.
 template <typename Read>
 Result<Table> ReadWith(Read read) noexcept {
   try {
@@ -51,14 +63,16 @@ Result<Table> ReadWith(Read read) noexcept {
     table.value.lowering = static_cast<Lowering>(from.lowering);
     table.value.plane_space = static_cast<PlaneSpace>(from.position_space);
     table.value.enable_mask = from.enable_mask;
-    for (const clip_table::Plane& plane : from.planes) table.value.planes.push_back(FromPlane(plane));
+    for (const clip_table::Plane& plane : from.planes)
+      table.value.planes.push_back(FromPlane(plane));
     return table;
   } catch (const std::exception&) {
     return Fail(Error::kOutOfMemory, "no memory to read the clip table");
   }
 }
 
-// A header that clipc wrote has no null pointer; a StaticClipTable that was zeroed or never filled has.
+// A header that clipc wrote has no null pointer; a StaticClipTable that was zeroed or never filled
+// has.
 bool HasNull(const StaticClipTable& table) {
   if (!table.entry || !table.profile || !table.lowering || !table.position_space) return true;
   for (unsigned i = 0; i < table.plane_count && i < kMaxPlanes; ++i) {
@@ -84,7 +98,8 @@ Result<Table> ReadTable(const void* bytes, std::size_t size) noexcept {
 }
 
 Result<Table> ReadTable(const StaticClipTable& table) noexcept {
-  if (HasNull(table)) return Fail(Error::kDamagedTable, "a name in the clip table is a null pointer");
+  if (HasNull(table))
+    return Fail(Error::kDamagedTable, "a name in the clip table is a null pointer");
   return ReadWith([&] { return clip_table::FromStatic(table); });
 }
 

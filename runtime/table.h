@@ -9,9 +9,10 @@
 #include "clip-table/static_table.h"
 #include "runtime/status.h"
 
-// The clip table of a shader as an application reads it: which constants hold its clip planes, and what to enable.
-// Reading allocates; do it when the shader is loaded, not when it is drawn with. A Table is a value: reading two tables
-// on two threads, or one Table from many threads, needs no lock.
+// The clip table of a shader as an application reads it: which constants hold its clip planes, and
+// what to enable. Reading allocates; do it when the shader is loaded, not when it is drawn with. A
+// Table is a value: reading two tables on two threads, or one Table from many threads, needs no
+// lock.
 namespace clipc::runtime {
 
 // The limit of [clipplanes(...)] and of Direct3D 9.
@@ -22,8 +23,10 @@ enum class Lowering : std::uint8_t {
   kClipDistance,  // it writes gl_ClipDistance[i]: enable clip distance i for each bit i of the mask
   kLevel9,        // SetClipPlane(i, plane) and D3DRS_CLIPPLANEENABLE, which Level9Binder does
   kNone,          // the planes are ignored; the mask is 0
-  kNearPlane,     // dot(position, plane) is the depth: the constant is scaled by ShearedProjection::scale; the mask is 0
-  kDiscard,       // the fragment shader discards; the mask is 0
+  // dot(position, plane) is the depth: the constant is scaled by ShearedProjection::scale; the mask
+  // is 0
+  kNearPlane,
+  kDiscard,  // the fragment shader discards; the mask is 0
 };
 
 // The space of the planes: PlaneConstantFor makes the constants for it.
@@ -36,10 +39,12 @@ enum class PlaneSpace : std::uint8_t {
 // "clip", "xyw1", "object": clipc's spelling of --plane-space.
 const char* NameOf(PlaneSpace space) noexcept;
 
-// Where the application's constants hold one plane: 16 bytes, four floats, in the table's plane space.
+// Where the application's constants hold one plane: 16 bytes, four floats, in the table's plane
+// space.
 struct TablePlane {
-  std::string text;                   // the operand as written; empty in the binary form
-  bool in_register = true;            // false: composed of several constants; what follows is empty. Never with kLevel9
+  std::string text;  // the operand as written; empty in the binary form
+  bool in_register =
+      true;  // false: composed of several constants; what follows is empty. Never with kLevel9
   std::string cbuffer;                // as written
   std::uint32_t register_number = 0;  // n of b<n>
   std::uint32_t register_space = 0;
@@ -57,9 +62,10 @@ struct Table {
   std::vector<TablePlane> planes;  // at most kMaxPlanes; planes[i] is clip plane i
 };
 
-// Reads any form that `clipc --table` writes, told apart by the first bytes: JSON; the binary block; the C++ header as
-// a text. Also a DXBC container, a shader that fxc compiled, whose SHDR or SHEX chunk holds such a block. Errors:
-// kDamagedTable with what is wrong and where; kInvalidArgument; kOutOfMemory.
+// Reads any form that `clipc --table` writes, told apart by the first bytes: JSON; the binary
+// block; the C++ header as a text. Also a DXBC container, a shader that fxc compiled, whose SHDR or
+// SHEX chunk holds such a block. Errors: kDamagedTable with what is wrong and where;
+// kInvalidArgument; kOutOfMemory.
 Result<Table> ReadTable(const void* bytes, std::size_t size) noexcept;
 
 // The table of a generated header that the application was compiled with.

@@ -18,19 +18,21 @@ using ::testing::HasSubstr;
 
 Result<Table> Read(const std::string& bytes) { return ReadTable(bytes.data(), bytes.size()); }
 
-// As fxc wraps a shader: a container with one SHDR chunk, which holds the block between two instructions.
+// As fxc wraps a shader: a container with one SHDR chunk, which holds the block between two
+// instructions.
 std::string Container(const std::string& block) {
   const auto dword = [](std::uint32_t value) {
     std::string bytes;
     for (int i = 0; i < 4; ++i) bytes.push_back(static_cast<char>(value >> 8 * i));
     return bytes;
   };
-  const std::string body =
-      dword(4u << 24 | 0x59) + dword(0x208e46) + dword(0) + dword(4) + block + dword(1u << 24 | 0x3e);
-  const std::string program = dword(0x1'0040) + dword(static_cast<std::uint32_t>(body.size() / 4 + 2)) + body;
+  const std::string body = dword(4u << 24 | 0x59) + dword(0x208e46) + dword(0) + dword(4) + block +
+                           dword(1u << 24 | 0x3e);
+  const std::string program =
+      dword(0x1'0040) + dword(static_cast<std::uint32_t>(body.size() / 4 + 2)) + body;
   const std::string chunk = "SHDR" + dword(static_cast<std::uint32_t>(program.size())) + program;
-  return "DXBC" + std::string(16, '\0') + dword(1) + dword(static_cast<std::uint32_t>(36 + chunk.size())) + dword(1) +
-         dword(36) + chunk;
+  return "DXBC" + std::string(16, '\0') + dword(1) +
+         dword(static_cast<std::uint32_t>(36 + chunk.size())) + dword(1) + dword(36) + chunk;
 }
 
 // Two planes of feature level 9, the second in another buffer.
@@ -40,8 +42,9 @@ clip_table::ClipTable Written() {
   table.profile = "vs_4_0_level_9_1";
   table.lowering = clip_table::Lowering::kLevel9;
   table.enable_mask = 3;
-  table.planes = {{0, "water", clip_table::Constant{"Clip", 0, 1, 0, 2, 32, "Clip", "water"}},
-                  {1, "portal[1]", clip_table::Constant{"$Globals", 0, 0, 0, 5, 80, "", "portal[1]"}}};
+  table.planes = {
+      {0, "water", clip_table::Constant{"Clip", 0, 1, 0, 2, 32, "Clip", "water"}},
+      {1, "portal[1]", clip_table::Constant{"$Globals", 0, 0, 0, 5, 80, "", "portal[1]"}}};
   return table;
 }
 
@@ -81,17 +84,20 @@ TEST(ReadTableTest, HeaderAsText) {
 
 TEST(ReadTableTest, Binary) { ExpectRegisters(Read(*clip_table::WriteBinary(Written()))); }
 
-TEST(ReadTableTest, InsideACompiledShader) { ExpectRegisters(Read(Container(*clip_table::WriteBinary(Written())))); }
+TEST(ReadTableTest, InsideACompiledShader) {
+  ExpectRegisters(Read(Container(*clip_table::WriteBinary(Written()))));
+}
 
 TEST(ReadTableTest, CompiledIntoTheApplication) {
-  static constexpr StaticClipTable kTable = {"main",
-                                             "vs_4_0_level_9_1",
-                                             "level9",
-                                             "direct3d-clip",
-                                             3,
-                                             2,
-                                             {{0, "water", true, "Clip", 0, 1, 0, 2, 32, "Clip", "water"},
-                                              {1, "portal[1]", true, "$Globals", 0, 0, 0, 5, 80, "", "portal[1]"}}};
+  static constexpr StaticClipTable kTable = {
+      "main",
+      "vs_4_0_level_9_1",
+      "level9",
+      "direct3d-clip",
+      3,
+      2,
+      {{0, "water", true, "Clip", 0, 1, 0, 2, 32, "Clip", "water"},
+       {1, "portal[1]", true, "$Globals", 0, 0, 0, 5, 80, "", "portal[1]"}}};
   const Result<Table> table = ReadTable(kTable);
   ExpectRegisters(table);
   ExpectNames(table);
@@ -145,21 +151,25 @@ TEST(ReadTableTest, StaticTablesThatNobodyWrote) {
   EXPECT_EQ(ReadTable(many).status.error(), Error::kDamagedTable);
 }
 
-TEST(ReadTableTest, NullPointer) { EXPECT_EQ(ReadTable(nullptr, 4).status.error(), Error::kInvalidArgument); }
+TEST(ReadTableTest, NullPointer) {
+  EXPECT_EQ(ReadTable(nullptr, 4).status.error(), Error::kInvalidArgument);
+}
 
 // Whatever the bytes are: a table that keeps its promises, or a message.
 TEST(ReadTableTest, DamageIsNeverACrash) {
   clip_table::RandomTable random(7);
   for (int i = 0; i < 4000; ++i) {
-    const std::string forms[] = {*clip_table::WriteJson(random.Next()), *clip_table::WriteHeader(random.Next(), "t"),
-                                 *clip_table::WriteBinary(Written()), Container(*clip_table::WriteBinary(Written()))};
+    const std::string forms[] = {
+        *clip_table::WriteJson(random.Next()), *clip_table::WriteHeader(random.Next(), "t"),
+        *clip_table::WriteBinary(Written()), Container(*clip_table::WriteBinary(Written()))};
     const Result<Table> table = Read(clip_table::Damaged(forms[i % 4], random));
     if (!table.ok()) {
       EXPECT_STRNE(table.status.message(), "");
       continue;
     }
     ASSERT_LE(table.value.planes.size(), kMaxPlanes);
-    const bool device_clips = table.value.lowering == Lowering::kClipDistance || table.value.lowering == Lowering::kLevel9;
+    const bool device_clips = table.value.lowering == Lowering::kClipDistance ||
+                              table.value.lowering == Lowering::kLevel9;
     const std::uint32_t mask = device_clips ? (1u << table.value.planes.size()) - 1 : 0;
     EXPECT_EQ(table.value.enable_mask, mask);
   }

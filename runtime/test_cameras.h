@@ -25,11 +25,14 @@ class Random {
   explicit Random(std::uint32_t seed) : bits_(seed) {}
   // In [low, high).
   double Between(double low, double high) {
-    const double unit = (static_cast<double>(bits_() >> 5) * 0x1p26 + static_cast<double>(bits_() >> 6)) * 0x1p-53;
+    const double unit =
+        (static_cast<double>(bits_() >> 5) * 0x1p26 + static_cast<double>(bits_() >> 6)) * 0x1p-53;
     return low + (high - low) * unit;
   }
   // Between them with an even logarithm: for sizes and distances.
-  double Magnitude(double low, double high) { return std::exp(Between(std::log(low), std::log(high))); }
+  double Magnitude(double low, double high) {
+    return std::exp(Between(std::log(low), std::log(high)));
+  }
   std::uint32_t Below(std::uint32_t limit) { return static_cast<std::uint32_t>(bits_() % limit); }
   // A plane with a unit normal of any direction.
   Plane PlaneAt(double offset) {
@@ -66,34 +69,39 @@ struct Camera {
   double far = 100;  // infinity for an infinite perspective
 };
 
-// The view-space point at depth `s` (forward is positive) whose position on the picture is (x, y) in [-1, 1].
+// The view-space point at depth `s` (forward is positive) whose position on the picture is (x, y)
+// in [-1, 1].
 inline std::vector<double> ViewPoint(const Camera& camera, double x, double y, double s) {
   const auto& m = camera.projection.m;
   const double z = camera.forward * s;
   const double w = z * m[2][3] + m[3][3];
-  return {(x * w - z * m[2][0] - m[3][0]) / m[0][0], (y * w - z * m[2][1] - m[3][1]) / m[1][1], z, 1};
+  return {(x * w - z * m[2][0] - m[3][0]) / m[0][0], (y * w - z * m[2][1] - m[3][1]) / m[1][1], z,
+          1};
 }
 
-inline Camera PerspectiveCamera(double near, double far, DepthRange range = {}, double forward = 1, double ox = 0,
-                                double oy = 0, double fov_degrees = 60) {
+inline Camera PerspectiveCamera(double near, double far, DepthRange range = {}, double forward = 1,
+                                double ox = 0, double oy = 0, double fov_degrees = 60) {
   Camera camera{"perspective", {}, range, true, forward, near, far};
   const double py = 1 / std::tan(fov_degrees * 3.14159265358979323846 / 360);
   // z/w is `at_near` at n and `at_far` at f; with w = s: z = a s + b.
   const double low = range.negative_one_to_one ? -1 : 0;
   const double at_near = range.reversed ? 1 : low, at_far = range.reversed ? low : 1;
   const double a = std::isinf(far) ? at_far : (at_far * far - at_near * near) / (far - near);
-  const double b = std::isinf(far) ? (at_near - at_far) * near : (at_near - at_far) * near * far / (far - near);
-  camera.projection = {{{py * 9 / 16, 0, 0, 0}, {0, py, 0, 0}, {ox, oy, forward * a, forward}, {0, 0, b, 0}}};
+  const double b =
+      std::isinf(far) ? (at_near - at_far) * near : (at_near - at_far) * near * far / (far - near);
+  camera.projection = {
+      {{py * 9 / 16, 0, 0, 0}, {0, py, 0, 0}, {ox, oy, forward * a, forward}, {0, 0, b, 0}}};
   return camera;
 }
 
-inline Camera OrthographicCamera(double near, double far, DepthRange range = {}, double forward = 1, double tx = 0,
-                                 double ty = 0) {
+inline Camera OrthographicCamera(double near, double far, DepthRange range = {}, double forward = 1,
+                                 double tx = 0, double ty = 0) {
   Camera camera{"orthographic", {}, range, false, forward, near, far};
   const double low = range.negative_one_to_one ? -1 : 0;
   const double at_near = range.reversed ? 1 : low, at_far = range.reversed ? low : 1;
   const double a = (at_far - at_near) / (far - near);
-  camera.projection = {{{0.05, 0, 0, 0}, {0, 0.1, 0, 0}, {0, 0, forward * a, 0}, {tx, ty, at_near - a * near, 1}}};
+  camera.projection = {
+      {{0.05, 0, 0, 0}, {0, 0.1, 0, 0}, {0, 0, forward * a, 0}, {tx, ty, at_near - a * near, 1}}};
   return camera;
 }
 
@@ -105,7 +113,8 @@ inline std::vector<Camera> AllCameras() {
       for (const bool reversed : {false, true}) {
         const DepthRange range{negative, reversed};
         const auto add = [&](Camera camera, const char* what) {
-          camera.name += std::string(" ") + what + (forward > 0 ? " left-handed" : " right-handed") +
+          camera.name += std::string(" ") + what +
+                         (forward > 0 ? " left-handed" : " right-handed") +
                          (negative ? " [-1,1]" : " [0,1]") + (reversed ? " reversed" : "");
           cameras.push_back(camera);
         };

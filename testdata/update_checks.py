@@ -132,7 +132,7 @@ def update(path, clipc, adopt):
         path.write_text("\n".join(lines) + "\n")
         try:
             seen = outputs(path, lines, [
-                ("%clipc", str(clipc)), ("%draw", str(clipc.parent.parent / "draw/clipc-draw")),
+                ("%clipc", str(clipc)), ("%draw", str(clipc.parent.parent / "tools/draw/clipc-draw")),
                 ("%validate", "glslangValidator"), ("%python", sys.executable),
                 ("%s", str(path)), ("%S", str(path.parent)), ("%t", f"{scratch}/t"), ("%T", scratch),
             ])

@@ -25,6 +25,7 @@ int main() {
     if (count > 0 && std::strstr(variants_vert[count], last.c_str()) == nullptr) return 1;
     if (std::strstr(variants_vert[count], next.c_str()) != nullptr) return 1;
   }
-  std::printf("second plane: byte %u of b%u\n", table.value.planes[1].byte_offset, table.value.planes[1].register_number);
+  std::printf("second plane: byte %u of b%u\n", table.value.planes[1].byte_offset,
+              table.value.planes[1].register_number);
   return 0;
 }

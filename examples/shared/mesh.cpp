@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-// Adds the surface point(u, v), with u and v from 0 to 1 in so many steps. Normals come from its slopes.
+// Adds the surface point(u, v), with u and v from 0 to 1 in so many steps. Normals come from its
+// slopes.
 template <typename Point>
 void AddSurface(Mesh& mesh, int u_steps, int v_steps, Point point) {
   constexpr double kStep = 1e-4;
@@ -20,16 +21,19 @@ void AddSurface(Mesh& mesh, int u_steps, int v_steps, Point point) {
     for (int j = 0; j <= v_steps; ++j) {
       const double u = static_cast<double>(i) / u_steps, v = static_cast<double>(j) / v_steps;
       const Vector p = point(u, v);
-      const Vector n = Unit(Cross(point(u, v + kStep) - point(u, v - kStep), point(u + kStep, v) - point(u - kStep, v)));
-      mesh.vertices.push_back({{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)},
-                               {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)}});
+      const Vector n = Unit(Cross(point(u, v + kStep) - point(u, v - kStep),
+                                  point(u + kStep, v) - point(u - kStep, v)));
+      mesh.vertices.push_back(
+          {{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)},
+           {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)}});
     }
   }
   const auto row = static_cast<std::uint32_t>(v_steps + 1);
   for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(u_steps); ++i) {
     for (std::uint32_t j = 0; j < static_cast<std::uint32_t>(v_steps); ++j) {
       const std::uint32_t a = first + i * row + j, b = a + row;
-      for (const std::uint32_t corner : {a, b, a + 1, a + 1, b, b + 1}) mesh.indices.push_back(corner);
+      for (const std::uint32_t corner : {a, b, a + 1, a + 1, b, b + 1})
+        mesh.indices.push_back(corner);
     }
   }
 }
@@ -40,7 +44,8 @@ void AddTube(Mesh& mesh, int detail, Center center, Radius radius) {
   AddSurface(mesh, 2 * detail, detail, [&](double u, double v) {
     const Vector c = center(u), along = Unit(center(u + 1e-3) - center(u - 1e-3));
     const double a = 2 * kPi * v, r = radius(u);
-    return Vector{c.x - r * std::cos(a) * along.y, c.y + r * std::cos(a) * along.x, r * std::sin(a)};
+    return Vector{c.x - r * std::cos(a) * along.y, c.y + r * std::cos(a) * along.x,
+                  r * std::sin(a)};
   });
 }
 
@@ -49,7 +54,8 @@ std::array<float, 3> Corner(const Mesh& mesh, Choose choose) {
   std::array<float, 3> corner{};
   for (int axis = 0; axis < 3; ++axis) {
     corner[axis] = mesh.vertices.empty() ? 0 : mesh.vertices[0].position[axis];
-    for (const Vertex& vertex : mesh.vertices) corner[axis] = choose(corner[axis], vertex.position[axis]);
+    for (const Vertex& vertex : mesh.vertices)
+      corner[axis] = choose(corner[axis], vertex.position[axis]);
   }
   return corner;
 }
@@ -104,7 +110,8 @@ Mesh Cube() {
   Mesh mesh;
   for (int side = 0; side < 6; ++side) {
     AddSurface(mesh, 1, 1, [&](double u, double v) {
-      const double p[3] = {side % 2 == 0 ? -1.0 : 1.0, 2 * u - 1, side % 2 == 0 ? 2 * v - 1 : 1 - 2 * v};
+      const double p[3] = {side % 2 == 0 ? -1.0 : 1.0, 2 * u - 1,
+                           side % 2 == 0 ? 2 * v - 1 : 1 - 2 * v};
       return Vector{p[side / 2], p[(side / 2 + 1) % 3], p[(side / 2 + 2) % 3]};
     });
   }
@@ -113,7 +120,8 @@ Mesh Cube() {
 
 Mesh Ground(double size, int parts) {
   Mesh mesh;
-  AddSurface(mesh, parts, parts, [&](double u, double v) { return Vector{size * (2 * u - 1), 0, size * (2 * v - 1)}; });
+  AddSurface(mesh, parts, parts,
+             [&](double u, double v) { return Vector{size * (2 * u - 1), 0, size * (2 * v - 1)}; });
   return mesh;
 }
 

@@ -22,7 +22,8 @@ struct Mesh {
   std::array<float, 3> high() const;
 };
 
-// About 3.4 wide along x, from y = -0.75 to 1: body, knob, spout (+x) and handle (-x). 14 * detail^2 quads.
+// About 3.4 wide along x, from y = -0.75 to 1: body, knob, spout (+x) and handle (-x). 14 *
+// detail^2 quads.
 Mesh Teapot(int detail);
 
 // Around the y axis, through x = `radius`.

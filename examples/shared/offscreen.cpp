@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "examples/shared/offscreen.h"
 
+#include <cstring>
+#include <stdexcept>
+
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <png.h>
-
-#include <cstring>
-#include <stdexcept>
 
 namespace clipc::examples {
 namespace {
@@ -26,7 +26,8 @@ GLuint Compile(GLenum stage, const char* text) {
 }  // namespace
 
 Context::Context(Profile profile) {
-  const auto get_display = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
+  const auto get_display = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
+      eglGetProcAddress("eglGetPlatformDisplayEXT"));
   if (get_display == nullptr) throw std::runtime_error("EGL has no platforms");
   display_ = get_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
   if (!eglInitialize(display_, nullptr, nullptr) || !eglBindAPI(EGL_OPENGL_API)) {
@@ -37,11 +38,13 @@ Context::Context(Profile profile) {
                                EGL_CONTEXT_MINOR_VERSION,
                                5,
                                EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                               profile == Profile::kCore ? EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT
-                                                         : EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT,
+                               profile == Profile::kCore
+                                   ? EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT
+                                   : EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT,
                                EGL_NONE};
   context_ = eglCreateContext(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
-  if (context_ == EGL_NO_CONTEXT || !eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {
+  if (context_ == EGL_NO_CONTEXT ||
+      !eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {
     throw std::runtime_error("no OpenGL 4.5 context");
   }
 }
@@ -61,7 +64,8 @@ Picture Half(const Picture& picture) {
   for (int y = 0; y < half.height; ++y) {
     for (int x = 0; x < half.width; ++x) {
       for (int c = 0; c < 4; ++c) {
-        const int sum = at(2 * x, 2 * y, c) + at(2 * x + 1, 2 * y, c) + at(2 * x, 2 * y + 1, c) + at(2 * x + 1, 2 * y + 1, c);
+        const int sum = at(2 * x, 2 * y, c) + at(2 * x + 1, 2 * y, c) + at(2 * x, 2 * y + 1, c) +
+                        at(2 * x + 1, 2 * y + 1, c);
         half.rgba.push_back(static_cast<std::uint8_t>((sum + 2) / 4));
       }
     }
@@ -95,7 +99,8 @@ Canvas::Canvas(int width, int height) : width_(width), height_(height) {
   glBindRenderbuffer(GL_RENDERBUFFER, depth_);
   glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
-  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) throw std::runtime_error("no framebuffer");
+  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+    throw std::runtime_error("no framebuffer");
   glViewport(0, 0, width, height);
   glEnable(GL_DEPTH_TEST);
 }
@@ -108,18 +113,22 @@ Canvas::~Canvas() {
 }
 
 Picture Canvas::Read() const {
-  const std::size_t row = 4 * static_cast<std::size_t>(width_), rows = static_cast<std::size_t>(height_);
+  const std::size_t row = 4 * static_cast<std::size_t>(width_),
+                    rows = static_cast<std::size_t>(height_);
   std::vector<std::uint8_t> upwards(row * rows);
   glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, upwards.data());
   if (glGetError() != GL_NO_ERROR) throw std::runtime_error("OpenGL noted an error");
   Picture picture{width_, height_, std::vector<std::uint8_t>(row * rows)};
-  for (std::size_t y = 0; y < rows; ++y) std::memcpy(&picture.rgba[y * row], &upwards[(rows - 1 - y) * row], row);
+  for (std::size_t y = 0; y < rows; ++y)
+    std::memcpy(&picture.rgba[y * row], &upwards[(rows - 1 - y) * row], row);
   return picture;
 }
 
-Program::Program(const char* vertex, const char* fragment, std::initializer_list<const char*> inputs)
+Program::Program(const char* vertex, const char* fragment,
+                 std::initializer_list<const char*> inputs)
     : program_(glCreateProgram()) {
-  for (const GLuint shader : {Compile(GL_VERTEX_SHADER, vertex), Compile(GL_FRAGMENT_SHADER, fragment)}) {
+  for (const GLuint shader :
+       {Compile(GL_VERTEX_SHADER, vertex), Compile(GL_FRAGMENT_SHADER, fragment)}) {
     glAttachShader(program_, shader);
     glDeleteShader(shader);
   }
@@ -153,14 +162,16 @@ MeshBuffers::MeshBuffers(const Mesh& mesh) : count_(static_cast<GLsizei>(mesh.in
   glBindVertexArray(array_);
   glGenBuffers(1, &vertices_);
   glBindBuffer(GL_ARRAY_BUFFER, vertices_);
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(Vertex)), mesh.vertices.data(),
-               GL_STATIC_DRAW);
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(Vertex)),
+               mesh.vertices.data(), GL_STATIC_DRAW);
   glGenBuffers(1, &indices_);
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
-  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.indices.size() * sizeof(std::uint32_t)),
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER,
+               static_cast<GLsizeiptr>(mesh.indices.size() * sizeof(std::uint32_t)),
                mesh.indices.data(), GL_STATIC_DRAW);
   glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), nullptr);
-  glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), reinterpret_cast<void*>(offsetof(Vertex, normal)));
+  glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex),
+                        reinterpret_cast<void*>(offsetof(Vertex, normal)));
   glEnableVertexAttribArray(0);
   glEnableVertexAttribArray(1);
 }

@@ -2,14 +2,14 @@
 #pragma once
 
 #define GL_GLEXT_PROTOTYPES 1
-#include <GL/glcorearb.h>
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <string>
 #include <vector>
+
+#include <GL/glcorearb.h>
 
 #include "examples/shared/mesh.h"
 #include "runtime/gl/functions.h"
@@ -19,7 +19,8 @@ namespace clipc::examples {
 
 enum class Profile { kCore, kCompatibility };
 
-// OpenGL 4.5 through EGL's surfaceless platform; current until it is destroyed or another one is made.
+// OpenGL 4.5 through EGL's surfaceless platform; current until it is destroyed or another one is
+// made.
 class Context {
  public:
   explicit Context(Profile profile);
@@ -42,7 +43,8 @@ struct Picture {
   std::vector<std::uint8_t> rgba;
 };
 
-// Half as wide and as high, each pixel the mean of four: what was drawn too large comes out with smooth edges.
+// Half as wide and as high, each pixel the mean of four: what was drawn too large comes out with
+// smooth edges.
 Picture Half(const Picture& picture);
 
 void WritePng(const std::string& path, const Picture& picture);
@@ -62,8 +64,8 @@ class Canvas {
   GLuint framebuffer_ = 0, color_ = 0, depth_ = 0;
 };
 
-// A vertex shader from clipc and a fragment shader. The inputs named get attributes 0, 1 and so on; without names as
-// MeshBuffers has them.
+// A vertex shader from clipc and a fragment shader. The inputs named get attributes 0, 1 and so on;
+// without names as MeshBuffers has them.
 class Program {
  public:
   Program(const char* vertex, const char* fragment,

@@ -1,8 +1,8 @@
-// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// The teapots of "What Are User-defined Clip Planes?" side by side: whole; clipped by (-1, 0, 0, 0), which leaves x <= 0;
-// by (1, 0, 1, 0), which leaves x + z >= 0; and by (1, 0, 0, 0) and (0, -1, 0, 0) together, which leaves what both keep:
-// x >= 0 and y <= 0. The inside shows red. Planes are given in world space and set as on Direct3D 9, glClipPlane playing
-// SetClipPlane.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception The teapots of "What Are User-defined
+// Clip Planes?" side by side: whole; clipped by (-1, 0, 0, 0), which leaves x <= 0; by (1, 0, 1,
+// 0), which leaves x + z >= 0; and by (1, 0, 0, 0) and (0, -1, 0, 0) together, which leaves what
+// both keep: x >= 0 and y <= 0. The inside shows red. Planes are given in world space and set as on
+// Direct3D 9, glClipPlane playing SetClipPlane.
 //   teapots [FILE.png]
 #include <cstdio>
 #include <exception>
@@ -43,7 +43,8 @@ Picture DrawTeapots() {
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   const Program program(teapots_vert, teapots_fragment);
   program.Use();
-  program.Set("eye", static_cast<float>(kEye.x), static_cast<float>(kEye.y), static_cast<float>(kEye.z), 1);
+  program.Set("eye", static_cast<float>(kEye.x), static_cast<float>(kEye.y),
+              static_cast<float>(kEye.z), 1);
   program.Set("world", Floats(world));
   program.Set("world_view_projection", Floats(Multiply(Multiply(world, view), projection)));
   for (int i = 0; i < count; ++i) {
@@ -52,7 +53,8 @@ Picture DrawTeapots() {
     for (std::size_t k = 0; k < planes.size(); ++k) {
       constants[k] = Check(runtime::ClipPlaneFromWorld(planes[k], view, projection)).constant;
     }
-    const runtime::BoundBuffer clip{table.planes[0].register_number, 0, constants, sizeof constants};
+    const runtime::BoundBuffer clip{table.planes[0].register_number, 0, constants,
+                                    sizeof constants};
     const std::uint32_t needed = (1U << planes.size()) - 1;
     Check(binder.Bind(table, &clip, 1, needed));
     glViewport(2 * i * kSize, 0, 2 * kSize, 2 * kSize);

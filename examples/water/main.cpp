@@ -1,7 +1,8 @@
-// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Teapots in a lake, drawn to a PNG once for each of clipc's lowerings: the same reflection, clipped at the water by clip
-// distances, by glClipPlane in the part of Direct3D 9's SetClipPlane, by the near plane, and by discard. A fifth picture
-// is not clipped and shows what would go wrong: the mirrored bottoms stick out of the water.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception Teapots in a lake, drawn to a PNG once
+// for each of clipc's lowerings: the same reflection, clipped at the water by clip distances, by
+// glClipPlane in the part of Direct3D 9's SetClipPlane, by the near plane, and by discard. A fifth
+// picture is not clipped and shows what would go wrong: the mirrored bottoms stick out of the
+// water.
 //   water [FOLDER]
 #include <algorithm>
 #include <cmath>
@@ -50,11 +51,13 @@ struct Object {
 };
 
 // `eye_height` is negative for a mirrored eye.
-void DrawObjects(const Program& program, const std::vector<Object>& objects, const Matrix& view, const Matrix& projection,
-                 double eye_height) {
-  program.Set("eye", static_cast<float>(kEye.x), static_cast<float>(eye_height), static_cast<float>(kEye.z), 1);
+void DrawObjects(const Program& program, const std::vector<Object>& objects, const Matrix& view,
+                 const Matrix& projection, double eye_height) {
+  program.Set("eye", static_cast<float>(kEye.x), static_cast<float>(eye_height),
+              static_cast<float>(kEye.z), 1);
   for (const Object& object : objects) {
-    program.Set("world_view_projection", Floats(Multiply(Multiply(object.world, view), projection)));
+    program.Set("world_view_projection",
+                Floats(Multiply(Multiply(object.world, view), projection)));
     program.Set("world", Floats(object.world));
     program.Set("color", object.red, object.green, object.blue, 1);
     object.mesh->Draw();
@@ -66,7 +69,9 @@ runtime::Float4 PlaneFor(runtime::Lowering lowering, const Matrix& view, const M
   runtime::Plane plane = Check(runtime::ViewPlaneFromWorld(kWater, view)).plane;
   if (lowering == runtime::Lowering::kNearPlane) {
     // Here the plane becomes depth, so its length counts: this one loses nothing at the far plane.
-    const double a = Check(runtime::ShearNearPlane(plane, projection, {}, runtime::NearPlaneScale::kKeepFar)).scale;
+    const double a =
+        Check(runtime::ShearNearPlane(plane, projection, {}, runtime::NearPlaneScale::kKeepFar))
+            .scale;
     plane = {a * plane.x, a * plane.y, a * plane.z, a * plane.w};
   }
   return Check(runtime::ClipPlaneFromView(plane, projection)).constant;
@@ -117,7 +122,8 @@ class Lake {
     const Program program(technique.vertex, technique.fragment);
     program.Use();
     if (table.lowering == runtime::Lowering::kLevel9) {
-      // The device clips: the binder reads the plane from the constants as the table says, and sets it.
+      // The device clips: the binder reads the plane from the constants as the table says, and sets
+      // it.
       runtime::gl::ClipPlaneDevice device(gl);
       runtime::Level9Binder binder(device, device.max_planes());
       const runtime::BoundBuffer scene{table.planes[0].register_number, 0, &plane, sizeof plane};
@@ -135,7 +141,8 @@ class Lake {
   // Brighter towards the horizon, and below it the same mirrored, for the water to reflect.
   void DrawSky() const {
     const Vector ahead = Unit({kTarget.x - kEye.x, 0, kTarget.z - kEye.z});
-    const double up = Dot({view_.m[0][1], 0, view_.m[2][1]}, ahead), depth = Dot({view_.m[0][2], 0, view_.m[2][2]}, ahead);
+    const double up = Dot({view_.m[0][1], 0, view_.m[2][1]}, ahead),
+                 depth = Dot({view_.m[0][2], 0, view_.m[2][2]}, ahead);
     const double horizon = kHeight * (1 + projection_.m[1][1] * up / depth);
     glEnable(GL_SCISSOR_TEST);
     for (int row = 0; row < 2 * kHeight; ++row) {
@@ -169,9 +176,11 @@ int main(int argc, char** argv) try {
   const Context context(Profile::kCompatibility);
   const Lake lake;
   for (const Technique& technique : {
-           Technique{"clip-distance", water_clip_distance_vert, water_fragment, &water_clip_distance_clip_table},
+           Technique{"clip-distance", water_clip_distance_vert, water_fragment,
+                     &water_clip_distance_clip_table},
            Technique{"level9", water_level9_vert, water_fragment, &water_level9_clip_table},
-           Technique{"near-plane", water_near_plane_vert, water_fragment, &water_near_plane_clip_table},
+           Technique{"near-plane", water_near_plane_vert, water_fragment,
+                     &water_near_plane_clip_table},
            Technique{"discard", water_discard_vert, water_discard_frag, &water_discard_clip_table},
            Technique{"none", water_none_vert, water_fragment, &water_none_clip_table},
        }) {

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include <windows.h>
+#include <cstdint>
 
 #include <d3d9.h>
-
-#include <cstdint>
+#include <windows.h>
 
 #include "runtime/clip_device.h"
 
 namespace clipc::runtime::d3d9 {
 
-// A real IDirect3DDevice9 for Level9Binder. Drawing with a vertex shader (or with D3DFVF_XYZW), so that SetClipPlane takes
-// planes of clip space; with the fixed function it would take them in world space.
+// A real IDirect3DDevice9 for Level9Binder. Drawing with a vertex shader (or with D3DFVF_XYZW), so
+// that SetClipPlane takes planes of clip space; with the fixed function it would take them in world
+// space.
 //
-// The device must outlive this object, which takes no reference. State that it found is not restored: Direct3D 9's own
-// means for that is a state block. On the device's thread.
+// The device must outlive this object, which takes no reference. State that it found is not
+// restored: Direct3D 9's own means for that is a state block. On the device's thread.
 class ClipPlaneDevice final : public ClipDevice {
  public:
   explicit ClipPlaneDevice(IDirect3DDevice9& device) noexcept;

@@ -21,7 +21,9 @@ bool ClipPlaneDevice::SetClipPlane(std::uint32_t index, const float plane[4]) no
   return true;
 }
 
-bool ClipPlaneDevice::SetClipPlaneEnable(std::uint32_t mask) noexcept { return switches_.Enable(mask).ok(); }
+bool ClipPlaneDevice::SetClipPlaneEnable(std::uint32_t mask) noexcept {
+  return switches_.Enable(mask).ok();
+}
 
 void ClipPlaneDevice::SetEquation(std::uint32_t index, const double (&equation)[4]) noexcept {
   int mode = 0;

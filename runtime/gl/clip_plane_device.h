@@ -9,15 +9,17 @@
 
 namespace clipc::runtime::gl {
 
-// OpenGL's own clip planes in the part of Direct3D 9's, for Level9Binder: glClipPlane and GL_CLIP_PLANEi on a context of
-// the compatibility profile, with shaders of lowering level9 that write gl_ClipVertex (targets glsl120 and glsl130).
+// OpenGL's own clip planes in the part of Direct3D 9's, for Level9Binder: glClipPlane and
+// GL_CLIP_PLANEi on a context of the compatibility profile, with shaders of lowering level9 that
+// write gl_ClipVertex (targets glsl120 and glsl130).
 //
-// glClipPlane takes a plane of object space and multiplies it by the inverse of the current modelview matrix; gl_ClipVertex
-// is dotted with the result. clipc's gl_ClipVertex is the position in Direct3D clip space, and so the matrix must be the
-// identity: SetClipPlane makes it that for the call, and leaves matrix and matrix mode as they were.
+// glClipPlane takes a plane of object space and multiplies it by the inverse of the current
+// modelview matrix; gl_ClipVertex is dotted with the result. clipc's gl_ClipVertex is the position
+// in Direct3D clip space, and so the matrix must be the identity: SetClipPlane makes it that for
+// the call, and leaves matrix and matrix mode as they were.
 //
-// The context must be current in every call, the destructor included, which restores planes and switches as the
-// constructor found them.
+// The context must be current in every call, the destructor included, which restores planes and
+// switches as the constructor found them.
 class ClipPlaneDevice final : public ClipDevice {
  public:
   // `gl` must have has_clip_planes(); without, every SetClipPlane is refused.
@@ -37,7 +39,7 @@ class ClipPlaneDevice final : public ClipDevice {
 
   Functions gl_;
   ClipSwitches switches_;
-  std::uint32_t changed_ = 0;           // bit i: plane i was set
+  std::uint32_t changed_ = 0;          // bit i: plane i was set
   double before_[kMaxPlanes][4] = {};  // what it was
 };
 

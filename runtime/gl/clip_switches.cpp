@@ -19,7 +19,8 @@ ClipSwitches::~ClipSwitches() { Restore(); }
 
 Status ClipSwitches::Bind(const Table& table) noexcept {
   if (table.lowering == Lowering::kLevel9) {
-    return Status::Failure(Error::kWrongLowering, "the shader writes no clip distances; Level9Binder sets its planes");
+    return Status::Failure(Error::kWrongLowering,
+                           "the shader writes no clip distances; Level9Binder sets its planes");
   }
   return Enable(table.enable_mask);
 }
@@ -31,7 +32,8 @@ Status ClipSwitches::Bind(const ShaderVariant& variant) noexcept {
 Status ClipSwitches::Enable(std::uint32_t mask) noexcept {
   const std::uint32_t limit = std::min(max_planes_, kMaxPlanes);
   if (mask >> limit != 0) {
-    return Status::Failure(Error::kInvalidCall, "clip distances 0x%x; OpenGL has %u here", mask, limit);
+    return Status::Failure(Error::kInvalidCall, "clip distances 0x%x; OpenGL has %u here", mask,
+                           limit);
   }
   Switch(mask);
   return {};

@@ -10,13 +10,14 @@
 
 namespace clipc::runtime::gl {
 
-// GL_CLIP_DISTANCE0 .. 5, switched so that exactly the distances are enabled that the shader writes. One that is enabled
-// but not written is undefined in OpenGL; one that is written but not enabled does not clip, except that Mesa's software
-// driver clips with all of them where none is enabled. So a shader that writes distances has at least one enabled, and a
-// draw without planes takes the shader variant without.
+// GL_CLIP_DISTANCE0 .. 5, switched so that exactly the distances are enabled that the shader
+// writes. One that is enabled but not written is undefined in OpenGL; one that is written but not
+// enabled does not clip, except that Mesa's software driver clips with all of them where none is
+// enabled. So a shader that writes distances has at least one enabled, and a draw without planes
+// takes the shader variant without.
 //
-// The context must be current in every call, the destructor included. Calls OpenGL only where something changes; while
-// the object lives, nobody else switches what it switched. No allocation.
+// The context must be current in every call, the destructor included. Calls OpenGL only where
+// something changes; while the object lives, nobody else switches what it switched. No allocation.
 class ClipSwitches {
  public:
   // Remembers what is enabled now.
@@ -29,13 +30,14 @@ class ClipSwitches {
   // GL_MAX_CLIP_DISTANCES, which GL_MAX_CLIP_PLANES is another name of.
   std::uint32_t max_planes() const noexcept { return max_planes_; }
 
-  // Before a draw with the shader of `table`; any lowering but kLevel9, whose planes Level9Binder switches. Errors:
-  // kWrongLowering; as Enable.
+  // Before a draw with the shader of `table`; any lowering but kLevel9, whose planes Level9Binder
+  // switches. Errors: kWrongLowering; as Enable.
   Status Bind(const Table& table) noexcept;
-  // Before a draw with one of the shaders that `clipc --variants` wrote with lowering kClipDistance. Errors: as Enable.
+  // Before a draw with one of the shaders that `clipc --variants` wrote with lowering
+  // kClipDistance. Errors: as Enable.
   Status Bind(const ShaderVariant& variant) noexcept;
-  // Bit i enables GL_CLIP_DISTANCEi; the others are disabled. Errors: kInvalidCall where the mask has a bit that is not
-  // below max_planes() or kMaxPlanes; then nothing is changed.
+  // Bit i enables GL_CLIP_DISTANCEi; the others are disabled. Errors: kInvalidCall where the mask
+  // has a bit that is not below max_planes() or kMaxPlanes; then nothing is changed.
   Status Enable(std::uint32_t mask) noexcept;
 
   // As when the object was made. The next Enable begins from there.

@@ -12,7 +12,8 @@ void Load(Loader loader, const char* name, Function& function) {
 }  // namespace
 
 Result<Functions> LoadFunctions(Loader loader) noexcept {
-  if (loader == nullptr) return {{}, Status::Failure(Error::kInvalidArgument, "no loader of OpenGL functions")};
+  if (loader == nullptr)
+    return {{}, Status::Failure(Error::kInvalidArgument, "no loader of OpenGL functions")};
   Result<Functions> result;
   Functions& gl = result.value;
   Load(loader, "glEnable", gl.Enable);
@@ -20,7 +21,10 @@ Result<Functions> LoadFunctions(Loader loader) noexcept {
   Load(loader, "glIsEnabled", gl.IsEnabled);
   Load(loader, "glGetIntegerv", gl.GetIntegerv);
   if (!gl.Enable || !gl.Disable || !gl.IsEnabled || !gl.GetIntegerv) {
-    return {{}, Status::Failure(Error::kDeviceFailed, "the loader knows no glEnable, glDisable, glIsEnabled or glGetIntegerv")};
+    return {
+        {},
+        Status::Failure(Error::kDeviceFailed,
+                        "the loader knows no glEnable, glDisable, glIsEnabled or glGetIntegerv")};
   }
   Load(loader, "glClipPlane", gl.ClipPlane);
   Load(loader, "glGetClipPlane", gl.GetClipPlane);

@@ -3,7 +3,8 @@
 
 #include "runtime/status.h"
 
-// The few OpenGL functions that clip planes need, with no OpenGL header and no link to an OpenGL library.
+// The few OpenGL functions that clip planes need, with no OpenGL header and no link to an OpenGL
+// library.
 namespace clipc::runtime::gl {
 
 #if defined(_WIN32)
@@ -12,7 +13,8 @@ namespace clipc::runtime::gl {
 #define CLIPC_GL_API
 #endif
 
-// OpenGL's values. GL_CLIP_PLANEi of the compatibility profile is the same number as GL_CLIP_DISTANCEi.
+// OpenGL's values. GL_CLIP_PLANEi of the compatibility profile is the same number as
+// GL_CLIP_DISTANCEi.
 inline constexpr unsigned kClipDistance0 = 0x3000;
 inline constexpr unsigned kMaxClipDistances = 0x0D32;
 inline constexpr unsigned kMatrixMode = 0x0BA0;
@@ -39,13 +41,13 @@ struct Functions {
 
 // NOLINTEND(readability-identifier-naming)
 
-// "glEnable" => its address: eglGetProcAddress, glXGetProcAddressARB, or a function around SDL_GL_GetProcAddress,
-// glfwGetProcAddress or wglGetProcAddress. Called with the context current.
+// "glEnable" => its address: eglGetProcAddress, glXGetProcAddressARB, or a function around
+// SDL_GL_GetProcAddress, glfwGetProcAddress or wglGetProcAddress. Called with the context current.
 using Procedure = void (*)();
 using Loader = Procedure (*)(const char* name);
 
-// Errors: kDeviceFailed where the loader does not find a function that every profile has; kInvalidArgument for a
-// null loader.
+// Errors: kDeviceFailed where the loader does not find a function that every profile has;
+// kInvalidArgument for a null loader.
 Result<Functions> LoadFunctions(Loader loader) noexcept;
 
 }  // namespace clipc::runtime::gl

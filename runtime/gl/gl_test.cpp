@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Against an OpenGL that only keeps state, so that every call and its order can be seen. scenes/ draws with a real one.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception Against an OpenGL that only keeps state,
+// so that every call and its order can be seen. tools/scenes/ draws with a real one.
 #include <map>
 #include <set>
 #include <string>
@@ -30,7 +30,9 @@ struct FakeGl {
 };
 FakeGl fake;
 
-void Note(const char* what, unsigned capability) { fake.calls.push_back(what + std::to_string(capability - kClipDistance0)); }
+void Note(const char* what, unsigned capability) {
+  fake.calls.push_back(what + std::to_string(capability - kClipDistance0));
+}
 void CLIPC_GL_API Enable(unsigned capability) {
   fake.enabled.insert(capability);
   Note("+", capability);
@@ -39,7 +41,9 @@ void CLIPC_GL_API Disable(unsigned capability) {
   fake.enabled.erase(capability);
   Note("-", capability);
 }
-unsigned char CLIPC_GL_API IsEnabled(unsigned capability) { return fake.enabled.count(capability) != 0; }
+unsigned char CLIPC_GL_API IsEnabled(unsigned capability) {
+  return fake.enabled.count(capability) != 0;
+}
 void CLIPC_GL_API GetIntegerv(unsigned name, int* value) {
   if (name == kMaxClipDistances) *value = fake.max;
   if (name == kMatrixMode) *value = static_cast<int>(fake.mode);
@@ -50,7 +54,8 @@ void CLIPC_GL_API ClipPlane(unsigned plane, const double* equation) {
   Note("=", plane);
 }
 void CLIPC_GL_API GetClipPlane(unsigned plane, double* equation) {
-  for (int i = 0; i < 4; ++i) equation[i] = fake.planes.count(plane) != 0 ? fake.planes[plane][i] : 0;
+  for (int i = 0; i < 4; ++i)
+    equation[i] = fake.planes.count(plane) != 0 ? fake.planes[plane][i] : 0;
 }
 void CLIPC_GL_API MatrixMode(unsigned mode) { fake.mode = mode; }
 void CLIPC_GL_API PushMatrix() {
@@ -108,7 +113,8 @@ Table TableOf(Lowering lowering, std::uint32_t mask) {
 
 TEST(LoadFunctions, NeedsWhatEveryProfileHas) {
   EXPECT_EQ(LoadFunctions(nullptr).status.error(), Error::kInvalidArgument);
-  EXPECT_EQ(LoadFunctions([](const char*) -> Procedure { return nullptr; }).status.error(), Error::kDeviceFailed);
+  EXPECT_EQ(LoadFunctions([](const char*) -> Procedure { return nullptr; }).status.error(),
+            Error::kDeviceFailed);
   fake = {};
   EXPECT_TRUE(LoadFunctions(Load).value.has_clip_planes());
   fake.compatibility = false;

@@ -1,6 +1,6 @@
 // Offsets and sizes of every kind of member, held against Direct3D's rules once more.
-// RUN: %python %S/../../bench/check_packing.py %clipc --shader %s -T vs_6_0 | FileCheck %s
-// RUN: %python %S/../../bench/check_packing.py %clipc --shader %s -T vs_6_0 -Zpr | FileCheck %s
+// RUN: %python %S/../../tools/bench/check_packing.py %clipc --shader %s -T vs_6_0 | FileCheck %s
+// RUN: %python %S/../../tools/bench/check_packing.py %clipc --shader %s -T vs_6_0 -Zpr | FileCheck %s
 // CHECK: 1 shaders, 34 members of buffers: 0 wrong
 
 struct Inner {

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception Places and messages: Clang's preprocessor
+// diagnostics become ours, ours are drawn by Clang's caret printer.
+#include <utility>
+
+#include <clang/Basic/Diagnostic.h>
+#include <clang/Basic/DiagnosticOptions.h>
+#include <clang/Basic/LangOptions.h>
+#include <clang/Basic/SourceManager.h>
+#include <clang/Basic/Version.inc>
+#include <clang/Frontend/TextDiagnostic.h>
+#include <clang/Lex/LexDiagnostic.h>
+#include <clang/Lex/Lexer.h>
+#include <llvm/ADT/SmallString.h>
+#include <llvm/Support/raw_ostream.h>
+
+#include "frontend/lex/clang_bridge.h"
+
+namespace clipc {
+namespace {
+
+using clang::CharSourceRange;
+using clang::FixItHint;
+using clang::SourceLocation;
+
+SourceLocation Location(std::uint32_t raw) { return SourceLocation::getFromRawEncoding(raw); }
+Span ToSpan(SourceLocation begin, SourceLocation end) {
+  return {begin.getRawEncoding(), end.getRawEncoding()};
+}
+
+class Consumer : public clang::DiagnosticConsumer {
+ public:
+  Consumer(Diagnostics* const* diagnostics, const PreprocessGuard& guard,
+           std::function<void()> on_include_too_deep)
+      : diagnostics_(diagnostics),
+        guard_(guard),
+        on_include_too_deep_(std::move(on_include_too_deep)) {}
+
+  void HandleDiagnostic(clang::DiagnosticsEngine::Level level,
+                        const clang::Diagnostic& info) override {
+    if (guard_.stopped() || level == clang::DiagnosticsEngine::Ignored) return;
+    if (info.getID() == clang::diag::err_pp_include_too_deep) return on_include_too_deep_();
+    if (info.getID() == clang::diag::pp_pragma_once_in_main_file)
+      return;  // an include file checked by itself
+    if (info.getID() == clang::diag::err_invalid_utf8 && std::exchange(is_not_text_, true))
+      return;  // once says it
+    llvm::SmallString<128> message;
+    info.FormatDiagnostic(message);
+    const Span where = ToSpan(info.getLocation(), info.getLocation());
+    if (level == clang::DiagnosticsEngine::Note) {
+      if (last_) last_->Note(where, diag::PreprocessorNote, message.str());
+      return;
+    }
+    last_ = &Report(level, info.getID(), where, message.str());
+    for (const CharSourceRange& range : info.getRanges()) {
+      if (range.isTokenRange()) last_->also.push_back(ToSpan(range.getBegin(), range.getEnd()));
+    }
+    for (const FixItHint& hint : info.getFixItHints()) AddFixIt(hint);
+  }
+
+ private:
+  Diagnostic& Report(clang::DiagnosticsEngine::Level level, unsigned id, Span where,
+                     std::string_view message) {
+    Diagnostics& to = **diagnostics_;
+    switch (id) {
+      case clang::diag::ext_pp_macro_redef: return to.Report(where, diag::MacroRedefined, message);
+      case clang::diag::err_pp_hash_error: return to.Report(where, diag::ErrorDirective, message);
+      case clang::diag::pp_hash_warning: return to.Report(where, diag::WarningDirective, message);
+      case clang::diag::warn_pragma_message: return to.Report(where, diag::PragmaMessage, message);
+      default: break;
+    }
+    return level >= clang::DiagnosticsEngine::Error
+               ? to.Report(where, diag::PreprocessorError, message)
+               : to.Report(where, diag::PreprocessorWarning, message);
+  }
+
+  void AddFixIt(const FixItHint& hint) {
+    if (!hint.InsertFromRange.isInvalid()) return;
+    if (hint.RemoveRange.isTokenRange()) {
+      last_->Fix(ToSpan(hint.RemoveRange.getBegin(), hint.RemoveRange.getEnd()), hint.CodeToInsert);
+    } else if (hint.RemoveRange.getBegin() == hint.RemoveRange.getEnd()) {
+      const SourceLocation at = hint.RemoveRange.getBegin();
+      last_->fix_its.push_back({ToSpan(at, at), hint.CodeToInsert, true});
+    }
+  }
+
+  Diagnostics* const* diagnostics_;
+  const PreprocessGuard& guard_;
+  std::function<void()> on_include_too_deep_;
+  bool is_not_text_ = false;
+  Diagnostic* last_ = nullptr;  // notes follow their diagnostic at once, so it is still in place
+};
+
+// Where the user wrote what comes from a macro: the argument, or else one end of the macro's use.
+SourceLocation FileEnd(const clang::SourceManager& sources, SourceLocation location,
+                       bool is_begin) {
+  while (location.isMacroID()) {
+    if (sources.isMacroArgExpansion(location)) {
+      location = sources.getImmediateSpellingLoc(location);
+    } else {
+      const CharSourceRange use = sources.getImmediateExpansionRange(location);
+      location = is_begin ? use.getBegin() : use.getEnd();
+    }
+  }
+  return location;
+}
+
+// The part of `span` that lies in one file, as bytes; the user's own text where a macro is
+// involved.
+CharSourceRange FileRange(const ClangText& text, Span span) {
+  const SourceLocation begin = FileEnd(text.sources, Location(span.begin), true);
+  const SourceLocation end = FileEnd(text.sources, Location(span.end), false);
+  const bool is_in_order = text.sources.isWrittenInSameFile(begin, end) &&
+                           text.sources.getFileOffset(begin) <= text.sources.getFileOffset(end);
+  return clang::Lexer::getAsCharRange(clang::SourceRange(begin, is_in_order ? end : begin),
+                                      text.sources, text.language);
+}
+
+clang::DiagnosticsEngine::Level LevelOf(Severity severity) {
+  switch (severity) {
+    case Severity::kNote: return clang::DiagnosticsEngine::Note;
+    case Severity::kWarning: return clang::DiagnosticsEngine::Warning;
+    case Severity::kError: break;
+  }
+  return clang::DiagnosticsEngine::Error;
+}
+
+std::vector<FixItHint> Hints(const Diagnostic& diagnostic) {
+  std::vector<FixItHint> hints;
+  for (const FixIt& fix : diagnostic.fix_its) {
+    const auto range =
+        CharSourceRange::getTokenRange(Location(fix.span.begin), Location(fix.span.end));
+    hints.push_back(fix.insert ? FixItHint::CreateInsertion(range.getBegin(), fix.text)
+                               : FixItHint::CreateReplacement(range, fix.text));
+  }
+  return hints;
+}
+
+void Draw(const ClangText& text, clang::TextDiagnostic& printer, llvm::raw_ostream& out,
+          const Diagnostic& diagnostic) {
+  const std::string message = diagnostic.message + MessageSuffix(diagnostic);
+  if (diagnostic.span) {
+    std::vector<CharSourceRange> ranges{CharSourceRange::getTokenRange(
+        Location(diagnostic.span.begin), Location(diagnostic.span.end))};
+    for (Span also : diagnostic.also) {
+      ranges.push_back(CharSourceRange::getTokenRange(Location(also.begin), Location(also.end)));
+    }
+    printer.emitDiagnostic(clang::FullSourceLoc(Location(diagnostic.span.begin), text.sources),
+                           LevelOf(diagnostic.severity), message, ranges, Hints(diagnostic));
+  } else {
+    const bool colour = text.options.ShowColors;
+    out << "clipc: ";
+    clang::TextDiagnostic::printDiagnosticLevel(out, LevelOf(diagnostic.severity), colour);
+    clang::TextDiagnostic::printDiagnosticMessage(out, diagnostic.severity == Severity::kNote,
+                                                  message, 0, 0, colour);
+  }
+  for (const Diagnostic& note : diagnostic.notes) Draw(text, printer, out, note);
+}
+
+}  // namespace
+
+Place Resolve(const ClangText& text, Span span) {
+  if (!span) return {};
+  const CharSourceRange range = FileRange(text, span);
+  const clang::PresumedLoc begin = text.sources.getPresumedLoc(range.getBegin());
+  const clang::PresumedLoc end = text.sources.getPresumedLoc(range.getEnd());
+  if (begin.isInvalid() || end.isInvalid()) return {};
+  return {begin.getFilename(), begin.getLine(), begin.getColumn(), end.getLine(), end.getColumn()};
+}
+
+std::string RenderText(const ClangText& text, const Diagnostics& diagnostics, bool colour) {
+  std::string rendered;
+  llvm::raw_string_ostream out(rendered);
+  out.enable_colors(colour);
+  text.options.ShowColors = colour;
+  text.options.ShowPresumedLoc = true;  // or #line would be ignored in messages
+#if CLANG_VERSION_MAJOR >= 21
+  clang::TextDiagnostic printer(out, text.language, text.options);
+#else
+  clang::TextDiagnostic printer(out, text.language, &text.options);
+#endif
+  for (const Diagnostic& diagnostic : diagnostics.all()) Draw(text, printer, out, diagnostic);
+  out.flush();
+  return rendered;
+}
+
+std::unique_ptr<clang::DiagnosticConsumer> ReportInto(Diagnostics* const* diagnostics,
+                                                      const PreprocessGuard& guard,
+                                                      std::function<void()> on_include_too_deep) {
+  return std::make_unique<Consumer>(diagnostics, guard, std::move(on_include_too_deep));
+}
+
+}  // namespace clipc

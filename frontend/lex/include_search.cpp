@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/lex/include_search.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <strings.h>
+
+namespace clipc {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The entry of `folder` that is `name` in any case: the exact one if there is one, else the first
+// by name.
+std::string MatchEntry(const fs::path& folder, const std::string& name) {
+  std::error_code error;
+  if (name == "." || name == ".." || fs::exists(folder / name, error)) return name;
+  std::string best;
+  fs::directory_iterator entry(folder.empty() ? fs::path(".") : folder, error);
+  for (const fs::directory_iterator end; !error && entry != end; entry.increment(error)) {
+    std::string candidate = entry->path().filename().string();
+    if (strcasecmp(candidate.c_str(), name.c_str()) == 0 && (best.empty() || candidate < best))
+      best = candidate;
+  }
+  return best;
+}
+
+std::optional<fs::path> MatchPath(const fs::path& folder, const fs::path& relative) {
+  fs::path matched;
+  for (const fs::path& part : relative) {
+    if (part.has_root_directory()) {
+      matched /= part;
+      continue;
+    }
+    const std::string entry = MatchEntry(folder / matched, part.string());
+    if (entry.empty()) return std::nullopt;
+    matched /= entry;
+  }
+  std::error_code error;
+  if (!fs::is_regular_file(folder / matched, error)) return std::nullopt;
+  return matched;
+}
+
+// " through `a`, `b`": the files between the two ends of a cycle.
+std::string Through(std::span<const EnteredFile> files) {
+  std::string text;
+  for (const EnteredFile& file : files)
+    text += fmt::format("{}`{}`", text.empty() ? " through " : ", ", file.name);
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> IncludeFolders(std::span<const EnteredFile> stack,
+                                        const std::vector<std::string>& include_dirs) {
+  std::vector<std::string> folders;
+  const auto add = [&](const std::string& folder) {
+    const std::string plain = folder == "." ? "" : folder;
+    if (std::find(folders.begin(), folders.end(), plain) == folders.end()) folders.push_back(plain);
+  };
+  for (auto file = stack.rbegin(); file != stack.rend(); ++file) {
+    if (file->identity) add(file->folder);
+  }
+  for (const std::string& folder : include_dirs) add(folder);
+  return folders;
+}
+
+std::optional<FoundInclude> FindIncludeLikeWindows(const std::vector<std::string>& folders,
+                                                   std::string_view name) {
+  if (name.find('\0') != std::string_view::npos) return std::nullopt;
+  std::string portable(name);
+  std::replace(portable.begin(), portable.end(), '\\', '/');
+  for (const std::string& folder : folders) {
+    if (auto matched = MatchPath(folder, portable))
+      return FoundInclude{(fs::path(folder) / *matched).string(), matched->string()};
+  }
+  return std::nullopt;
+}
+
+void ReportMissingInclude(Span where, const std::string& name,
+                          const std::vector<std::string>& folders, Diagnostics& diagnostics) {
+  const auto& all = diagnostics.all();
+  if (!all.empty() && all.back().severity == Severity::kError && all.back().span == where) return;
+  std::string list;
+  for (const std::string& folder : folders) {
+    list += fmt::format("{}`{}`", list.empty() ? "" : ", ", folder.empty() ? "." : folder);
+  }
+  diagnostics.Report(where, diag::MissingInclude, name, list);
+}
+
+void ReportIncludeTooDeep(std::span<const EnteredFile> stack, Diagnostics& diagnostics) {
+  // The first file that comes again closes the cycle.
+  for (std::size_t end = 1; end < stack.size(); ++end) {
+    for (std::size_t begin = 0; stack[end].identity && begin < end; ++begin) {
+      if (stack[begin].identity != stack[end].identity) continue;
+      const Span where{stack[end].included_at, stack[end].included_at};
+      diagnostics.Report(where, diag::IncludeCycle, stack[end].name,
+                         Through(stack.subspan(begin + 1, end - begin - 1)));
+      return;
+    }
+  }
+  const Span where{stack.back().included_at, stack.back().included_at};
+  diagnostics.Report(where, diag::IncludeTooDeep, static_cast<int>(stack.size()));
+}
+
+}  // namespace clipc

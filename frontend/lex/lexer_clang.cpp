@@ -1,0 +1,530 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception Clang's preprocessor as clipc's: what is
+// read, which macros exist, and each of Clang's tokens turned into one of ours.
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <clang/Basic/Diagnostic.h>
+#include <clang/Basic/DiagnosticOptions.h>
+#include <clang/Basic/FileManager.h>
+#include <clang/Basic/LangOptions.h>
+#include <clang/Basic/SourceManager.h>
+#include <clang/Basic/TargetBuiltins.h>
+#include <clang/Basic/TargetInfo.h>
+#include <clang/Basic/Version.inc>
+#include <clang/Lex/HeaderSearch.h>
+#include <clang/Lex/HeaderSearchOptions.h>
+#include <clang/Lex/ModuleLoader.h>
+#include <clang/Lex/Preprocessor.h>
+#include <clang/Lex/PreprocessorOptions.h>
+#include <llvm/ADT/StringSet.h>
+#include <llvm/Support/MemoryBuffer.h>
+#include <llvm/Support/VirtualFileSystem.h>
+
+#include "frontend/lex/clang_bridge.h"
+#include "frontend/lex/include_search.h"
+#include "frontend/lex/preprocess_guard.h"
+#include "frontend/lex/source.h"
+#include "frontend/lex/source_text.h"
+#include "frontend/lex/token_writer.h"
+
+namespace clipc {
+namespace {
+
+namespace tok = clang::tok;
+using clang::SourceLocation;
+
+// ---- limits
+
+using Limit = PreprocessGuard::Limit;
+
+thread_local PreprocessGuard* current_guard = nullptr;
+
+struct GuardScope {
+  explicit GuardScope(PreprocessGuard& guard) : outer(std::exchange(current_guard, &guard)) {}
+  ~GuardScope() { current_guard = outer; }
+  GuardScope(const GuardScope&) = delete;
+  GuardScope& operator=(const GuardScope&) = delete;
+  PreprocessGuard* outer;
+};
+
+// Whether the preprocessor may go on with one more token.
+bool Pass(PreprocessGuard& guard, const clang::Preprocessor& preprocessor) {
+  if (guard.stopped()) return false;
+  const Limit limit = guard.CountToken();
+  if (limit == Limit::kNone) return true;
+  auto* file = static_cast<clang::Lexer*>(preprocessor.getCurrentFileLexer());
+  guard.Stop(limit, file ? file->getSourceLocation().getRawEncoding() : 0);
+  return false;
+}
+
+}  // namespace
+
+// The linker's --wrap sends every call of clang::Preprocessor::Lex, Clang's own included, through
+// here (CMakeLists.txt).
+extern "C" {
+void __real__ZN5clang12Preprocessor3LexERNS_5TokenE(clang::Preprocessor*, clang::Token&)
+    __attribute__((weak));
+void __wrap__ZN5clang12Preprocessor3LexERNS_5TokenE(clang::Preprocessor*, clang::Token&);
+
+void __wrap__ZN5clang12Preprocessor3LexERNS_5TokenE(clang::Preprocessor* preprocessor,
+                                                    clang::Token& token) {
+  PreprocessGuard* guard = current_guard;
+  if (!guard || Pass(*guard, *preprocessor)) {
+    return __real__ZN5clang12Preprocessor3LexERNS_5TokenE(preprocessor, token);
+  }
+  // Some of Clang's loops wait for the end of a line, some for the end of the file: give them
+  // turns.
+  thread_local bool end_of_line = false;
+  token.startToken();
+  token.setKind(end_of_line ? tok::eod : tok::eof);
+  end_of_line = !end_of_line;
+}
+
+// Four more, because Clang sets every preprocessor up for a large C++ file, which would be a fifth
+// of a small shader's time. To clipc all words are identifiers (NameOf), so C's keywords are not
+// entered,
+void __wrap__ZN5clang15IdentifierTable11AddKeywordsERKNS_11LangOptionsE(clang::IdentifierTable*,
+                                                                        const clang::LangOptions&) {
+}
+
+// and the table of identifiers, the one map that is made this large, grows from fewer buckets.
+void __real__ZN4llvm13StringMapImplC2Ejj(llvm::StringMapImpl*, unsigned, unsigned)
+    __attribute__((weak));
+void __wrap__ZN4llvm13StringMapImplC2Ejj(llvm::StringMapImpl* map, unsigned buckets,
+                                         unsigned item_size) {
+  __real__ZN4llvm13StringMapImplC2Ejj(map, std::min(buckets, 256u), item_size);
+}
+
+// Its thirty pragmas of C++ stay away; AddPragmas adds those of HLSL.
+void __wrap__ZN5clang12Preprocessor22RegisterBuiltinPragmasEv(clang::Preprocessor*) {}
+
+// __LINE__ and the twenty-nine others wait for a shader that names one (FirstUse).
+void __real__ZN5clang12Preprocessor21RegisterBuiltinMacrosEv(clang::Preprocessor*)
+    __attribute__((weak));
+void __wrap__ZN5clang12Preprocessor21RegisterBuiltinMacrosEv(clang::Preprocessor*) {}
+}
+
+namespace {
+
+// Asked for every identifier that is new to the preprocessor: brings in Clang's own macros and the
+// pragmas with the first word that may want them.
+class FirstUse : public clang::IdentifierInfoLookup {
+ public:
+  void Watch(clang::Preprocessor& preprocessor, Diagnostics& diagnostics) {
+    preprocessor_ = &preprocessor;
+    diagnostics_ = &diagnostics;
+  }
+
+  clang::IdentifierInfo* get(llvm::StringRef name) override {
+    const bool is_wanted = name == "pragma" || (name.starts_with("_") && name != "__CLIPC__");
+    if (!preprocessor_ || !is_wanted) return nullptr;
+    clang::Preprocessor& preprocessor = *std::exchange(preprocessor_, nullptr);
+    __real__ZN5clang12Preprocessor21RegisterBuiltinMacrosEv(&preprocessor);
+    AddPragmas(preprocessor, *diagnostics_);
+    return &preprocessor.getIdentifierTable().get(name);
+  }
+
+ private:
+  clang::Preprocessor* preprocessor_ = nullptr;
+  Diagnostics* diagnostics_ = nullptr;
+};
+
+// ---- what Clang wants to know of the world
+
+// Twenty lines instead of every target's tables: the preprocessor asks for the widths of integers
+// and characters only.
+class VertexTarget : public clang::TargetInfo {
+ public:
+  VertexTarget() : TargetInfo(llvm::Triple("dxil-pc-shadermodel6.0-vertex")) {
+    NoAsmVariants = true;
+    PointerWidth = PointerAlign = 32;
+    LongWidth = LongAlign = 64;
+#if CLANG_VERSION_MAJOR >= 22
+    resetDataLayout("e-m:e-p:32:32");
+#else
+    resetDataLayout("e-m:e-p:32:32", "");
+#endif
+  }
+  void getTargetDefines(const clang::LangOptions&, clang::MacroBuilder&) const override {}
+#if CLANG_VERSION_MAJOR >= 20
+  llvm::SmallVector<clang::Builtin::InfosShard> getTargetBuiltins() const override { return {}; }
+#else
+  clang::ArrayRef<clang::Builtin::Info> getTargetBuiltins() const override { return {}; }
+#endif
+  BuiltinVaListKind getBuiltinVaListKind() const override { return VoidPtrBuiltinVaList; }
+  bool validateAsmConstraint(const char*&, TargetInfo::ConstraintInfo&) const override {
+    return false;
+  }
+  std::string_view getClobbers() const override { return ""; }
+  clang::ArrayRef<const char*> getGCCRegNames() const override { return {}; }
+  clang::ArrayRef<TargetInfo::GCCRegAlias> getGCCRegAliases() const override { return {}; }
+};
+
+// Includes are regular files: `#include "/dev/zero"` finds nothing.
+class RegularFiles : public llvm::vfs::ProxyFileSystem {
+ public:
+  RegularFiles() : ProxyFileSystem(llvm::vfs::getRealFileSystem()) {}
+  llvm::ErrorOr<llvm::vfs::Status> status(const llvm::Twine& path) override {
+    auto found = ProxyFileSystem::status(path);
+    if (!found || found->isDirectory() || found->isRegularFile()) return found;
+    return std::make_error_code(std::errc::no_such_file_or_directory);
+  }
+  llvm::ErrorOr<std::unique_ptr<llvm::vfs::File>> openFileForRead(
+      const llvm::Twine& path) override {
+    if (auto found = status(path); !found) return found.getError();
+    return ProxyFileSystem::openFileForRead(path);
+  }
+};
+
+}  // namespace
+
+struct FrontendContext::State {
+  llvm::IntrusiveRefCntPtr<clang::FileManager> files{new clang::FileManager(
+      clang::FileSystemOptions(), llvm::IntrusiveRefCntPtr<RegularFiles>(new RegularFiles))};
+  llvm::IntrusiveRefCntPtr<clang::DiagnosticIDs> ids{new clang::DiagnosticIDs};
+#if CLANG_VERSION_MAJOR >= 21
+  clang::DiagnosticOptions options;
+  clang::DiagnosticOptions& Options() { return options; }
+#else
+  llvm::IntrusiveRefCntPtr<clang::DiagnosticOptions> options{new clang::DiagnosticOptions};
+  clang::DiagnosticOptions& Options() { return *options; }
+#endif
+  clang::LangOptions language;
+  VertexTarget target;
+  std::shared_ptr<clang::HeaderSearchOptions> search_options =
+      std::make_shared<clang::HeaderSearchOptions>();
+  std::shared_ptr<clang::PreprocessorOptions> preprocessor_options =
+      std::make_shared<clang::PreprocessorOptions>();
+
+  State() {
+    language.HLSL = 1;
+    language.C99 = 1;
+    language.LineComment = 1;
+    language.Half = 1;
+    language.CPlusPlus = 0;
+    language.GNUMode = 0;
+    language.DollarIdents = 0;
+    preprocessor_options->SourceDateEpoch = 0;  // __DATE__ and __TIME__: same input, same output
+  }
+};
+
+struct Source::State {
+  FrontendContext::State& shared;
+  SourceInput input;
+  std::string main_text;
+  bool main_file_read = false;
+  Diagnostics* diagnostics = nullptr;
+  PreprocessGuard guard;
+  std::unique_ptr<clang::DiagnosticConsumer> consumer;
+  clang::DiagnosticsEngine engine;
+  clang::SourceManager sources;
+  std::vector<EnteredFile> include_stack;
+  std::vector<std::string> dependencies;
+
+  State(FrontendContext::State& context, SourceInput what)
+      : shared(context),
+        input(std::move(what)),
+        consumer(ReportInto(&diagnostics, guard, [this] { StopInclude(); })),
+        engine(shared.ids, shared.options, consumer.get(), /*ShouldOwnClient=*/false),
+        sources(engine, *shared.files, /*UserFilesAreVolatile=*/true) {
+  }  // never mapped: a file may shrink while read
+
+  ClangText Text() { return {sources, shared.language, shared.Options()}; }
+  Span At(SourceLocation where) const { return {where.getRawEncoding(), where.getRawEncoding()}; }
+  bool MainFileIsOnDisk() const { return !input.text && input.path != "-"; }
+  bool EnterMainFile();
+  EnteredFile Describe(clang::FileID file) const;
+  void StopInclude() {
+    ReportIncludeTooDeep(include_stack, *diagnostics);
+    guard.Stop(Limit::kReported, 0);
+  }
+};
+
+namespace {
+
+// ---- includes
+
+class Callbacks : public clang::PPCallbacks {
+ public:
+  Callbacks(Source::State& source, clang::Preprocessor& preprocessor, clang::HeaderSearch& search)
+      : source_(source), preprocessor_(preprocessor), search_(search) {}
+
+  // InclusionDirective follows, and knows the place.
+  bool FileNotFound(llvm::StringRef) override { return true; }
+
+  void InclusionDirective(SourceLocation, const clang::Token&, llvm::StringRef name, bool,
+                          clang::CharSourceRange where, clang::OptionalFileEntryRef file,
+                          llvm::StringRef, llvm::StringRef, const clang::Module*, bool,
+                          clang::SrcMgr::CharacteristicKind) override {
+    if (file || source_.guard.stopped()) return;
+    const std::vector<std::string> folders =
+        IncludeFolders(source_.include_stack, source_.input.include_dirs);
+    const Span span{where.getBegin().getRawEncoding(), where.getBegin().getRawEncoding()};
+    auto found = FindIncludeLikeWindows(folders, name.str());
+    auto entry = found ? source_.shared.files->getOptionalFileRef(found->path) : std::nullopt;
+    if (!entry) {
+      ReportMissingInclude(span, name.str(), folders, *source_.diagnostics);
+      return source_.guard.Stop(Limit::kReported, span.begin);
+    }
+    if (found->spelling != name && warned_.insert(name).second) {
+      source_.diagnostics->Report(span, diag::IncludeSpelling, name.str(), found->spelling);
+    }
+    Enter(*entry, where.getBegin());
+  }
+
+  void LexedFileChanged(clang::FileID file, LexedFileChangeReason reason,
+                        clang::SrcMgr::CharacteristicKind, clang::FileID,
+                        SourceLocation where) override {
+    auto& stack = source_.include_stack;
+    if (reason == LexedFileChangeReason::EnterFile) {
+      const EnteredFile& entered = stack.emplace_back(source_.Describe(file));
+      if (stack.size() > 1 || source_.MainFileIsOnDisk()) AddDependency(entered.name);
+      source_.guard.CountInclude(where.getRawEncoding(), source_.sources.getFileIDSize(file));
+    } else {
+      while (!stack.empty() && stack.back().id != file.getHashValue()) stack.pop_back();
+    }
+    if (source_.guard.stopped()) SkipRestOfFile(file);
+  }
+
+  void MacroExpands(const clang::Token& name, const clang::MacroDefinition& macro,
+                    clang::SourceRange, const clang::MacroArgs*) override {
+    source_.guard.CountExpansion(name.getLocation().getRawEncoding());
+    // A macro that is "being expanded" already comes out as a plain identifier: that ends Clang's
+    // loop.
+    if (source_.guard.stopped() && macro.getMacroInfo()->isEnabled())
+      macro.getMacroInfo()->DisableMacro();
+  }
+
+ private:
+  void Enter(clang::FileEntryRef file, SourceLocation where) {
+    if (source_.include_stack.size() >= 200) return source_.StopInclude();
+    bool is_first = false;
+    if (!search_.ShouldEnterIncludeFile(preprocessor_, file, /*isImport=*/false,
+                                        /*ModulesEnabled=*/false, nullptr, is_first)) {
+      return;
+    }
+    const clang::FileID id = source_.sources.createFileID(file, where, clang::SrcMgr::C_User);
+    preprocessor_.EnterSourceFile(id, nullptr, where, is_first);
+  }
+
+  void SkipRestOfFile(clang::FileID file) {
+    if (auto* lexer = static_cast<clang::Lexer*>(preprocessor_.getCurrentLexer())) {
+      lexer->seek(source_.sources.getFileIDSize(file), /*IsAtStartOfLine=*/true);
+    }
+  }
+
+  void AddDependency(const std::string& name) {
+    auto& list = source_.dependencies;
+    if (!name.empty() && std::find(list.begin(), list.end(), name) == list.end())
+      list.push_back(name);
+  }
+
+  Source::State& source_;
+  clang::Preprocessor& preprocessor_;
+  clang::HeaderSearch& search_;
+  llvm::StringSet<> warned_;  // include names that are not spelled as on disk
+};
+
+// ---- tokens
+
+constexpr std::array<TokenKind, tok::NUM_TOKENS> MakeKinds() {
+  std::array<TokenKind, tok::NUM_TOKENS> kinds{};
+  kinds.fill(TokenKind::kUnknown);
+  constexpr std::pair<tok::TokenKind, TokenKind> kPairs[] = {
+      {tok::eof, TokenKind::kEnd},
+      {tok::l_paren, TokenKind::kLeftParen},
+      {tok::r_paren, TokenKind::kRightParen},
+      {tok::l_square, TokenKind::kLeftBracket},
+      {tok::r_square, TokenKind::kRightBracket},
+      {tok::l_brace, TokenKind::kLeftBrace},
+      {tok::r_brace, TokenKind::kRightBrace},
+      {tok::semi, TokenKind::kSemicolon},
+      {tok::comma, TokenKind::kComma},
+      {tok::colon, TokenKind::kColon},
+      {tok::coloncolon, TokenKind::kColonColon},
+      {tok::period, TokenKind::kDot},
+      {tok::question, TokenKind::kQuestion},
+      {tok::arrow, TokenKind::kArrow},
+      {tok::ellipsis, TokenKind::kEllipsis},
+      {tok::plus, TokenKind::kPlus},
+      {tok::minus, TokenKind::kMinus},
+      {tok::star, TokenKind::kStar},
+      {tok::slash, TokenKind::kSlash},
+      {tok::percent, TokenKind::kPercent},
+      {tok::amp, TokenKind::kAmp},
+      {tok::pipe, TokenKind::kPipe},
+      {tok::caret, TokenKind::kCaret},
+      {tok::tilde, TokenKind::kTilde},
+      {tok::exclaim, TokenKind::kExclaim},
+      {tok::less, TokenKind::kLess},
+      {tok::greater, TokenKind::kGreater},
+      {tok::lessequal, TokenKind::kLessEqual},
+      {tok::greaterequal, TokenKind::kGreaterEqual},
+      {tok::equalequal, TokenKind::kEqualEqual},
+      {tok::exclaimequal, TokenKind::kExclaimEqual},
+      {tok::lessless, TokenKind::kLessLess},
+      {tok::greatergreater, TokenKind::kGreaterGreater},
+      {tok::ampamp, TokenKind::kAmpAmp},
+      {tok::pipepipe, TokenKind::kPipePipe},
+      {tok::plusplus, TokenKind::kPlusPlus},
+      {tok::minusminus, TokenKind::kMinusMinus},
+      {tok::equal, TokenKind::kEqual},
+      {tok::plusequal, TokenKind::kPlusEqual},
+      {tok::minusequal, TokenKind::kMinusEqual},
+      {tok::starequal, TokenKind::kStarEqual},
+      {tok::slashequal, TokenKind::kSlashEqual},
+      {tok::percentequal, TokenKind::kPercentEqual},
+      {tok::ampequal, TokenKind::kAmpEqual},
+      {tok::pipeequal, TokenKind::kPipeEqual},
+      {tok::caretequal, TokenKind::kCaretEqual},
+      {tok::lesslessequal, TokenKind::kLessLessEqual},
+      {tok::greatergreaterequal, TokenKind::kGreaterGreaterEqual},
+      {tok::annot_pragma_pack, TokenKind::kPragmaPackMatrix}};
+  for (auto [theirs, ours] : kPairs) kinds[theirs] = ours;
+  return kinds;
+}
+constexpr std::array<TokenKind, tok::NUM_TOKENS> kKinds = MakeKinds();
+
+// The name is kept with Clang's identifier, plus one: no look-up when it comes again.
+Name NameOf(clang::IdentifierInfo& identifier, std::string_view text, Names& names) {
+  auto known = reinterpret_cast<std::uintptr_t>(identifier.getFETokenInfo());
+  if (known == 0) {
+    known = std::uintptr_t{names.Intern(text).index} + 1;
+    identifier.setFETokenInfo(reinterpret_cast<void*>(known));
+  }
+  return Name{static_cast<std::uint32_t>(known - 1)};
+}
+
+void AddToken(const clang::Token& from, const clang::Preprocessor& preprocessor, Names& names,
+              TokenWriter& writer) {
+  Token token;
+  token.kind = kKinds[from.getKind()];
+  token.after_space = from.hasLeadingSpace() || from.isAtStartOfLine();
+  token.location = from.getLocation().getRawEncoding();
+  if (from.is(tok::identifier)) {  // every word
+    clang::IdentifierInfo& identifier = *from.getIdentifierInfo();
+    const std::string_view text(identifier.getNameStart(), identifier.getLength());
+    token.value = NameOf(identifier, text, names).index;
+    return writer.AddIdentifier(token, text);
+  }
+  if (from.isAnnotation()) {
+    token.value = from.getAnnotationValue() != nullptr;  // of pack_matrix: row_major
+    return writer.AddPunctuator(token);
+  }
+  if (from.is(tok::hash)) return writer.AddHash(token);
+  if (!from.isLiteral()) return writer.AddPunctuator(token);
+
+  llvm::SmallString<64> buffer;
+  const llvm::StringRef spelling = preprocessor.getSpelling(from, buffer);
+  const std::string_view text(spelling.data(), spelling.size());
+  switch (from.getKind()) {
+    case tok::numeric_constant: return writer.AddNumber(token, text);
+    case tok::char_constant: return writer.AddCharacter(token, text);
+    case tok::string_literal: return writer.AddString(token, text);
+    default: return writer.AddPunctuator(token);  // L"", u8'' and the like: kUnknown
+  }
+}
+
+}  // namespace
+
+bool Source::State::EnterMainFile() {
+  if (input.text) {
+    main_text = *input.text;
+  } else if (const std::string problem = ReadText(input.path, main_text); !problem.empty()) {
+    diagnostics->Report({}, diag::CannotReadFile, input.path, problem);
+    return false;
+  }
+  main_file_read = true;
+  const std::string name = input.path == "-"    ? "<stdin>"
+                           : input.path.empty() ? "<memory>"
+                                                : input.path;
+  const auto entry = shared.files->getVirtualFileRef(name, static_cast<off_t>(main_text.size()), 0);
+  sources.overrideFileContents(entry, llvm::MemoryBuffer::getMemBuffer(main_text, name));
+  sources.setMainFileID(sources.createFileID(entry, SourceLocation(), clang::SrcMgr::C_User));
+  return true;
+}
+
+EnteredFile Source::State::Describe(clang::FileID file) const {
+  EnteredFile described;
+  described.id = file.getHashValue();
+  described.included_at = sources.getIncludeLoc(file).getRawEncoding();
+  if (auto entry = sources.getFileEntryRefForID(file)) {
+    llvm::StringRef name = entry->getName();
+    name.consume_front("./");
+    described.identity = &entry->getFileEntry();
+    described.name = name.str();
+    described.folder = entry->getDir().getName().str();
+  }
+  return described;
+}
+
+Tokens Lex(Source& source, Diagnostics& diagnostics) {
+  Source::State& state = source.state();
+  state.diagnostics = &diagnostics;
+  Tokens tokens;
+  if (!state.EnterMainFile()) {
+    tokens.list.emplace_back();
+    return tokens;
+  }
+  FrontendContext::State& shared = state.shared;
+#if CLANG_VERSION_MAJOR >= 21
+  clang::HeaderSearch search(*shared.search_options, state.sources, state.engine, shared.language,
+                             &shared.target);
+#else
+  clang::HeaderSearch search(shared.search_options, state.sources, state.engine, shared.language,
+                             &shared.target);
+#endif
+  std::vector<clang::DirectoryLookup> folders;
+  for (const std::string& folder : state.input.include_dirs) {
+    if (auto entry = shared.files->getOptionalDirectoryRef(folder)) {
+      folders.emplace_back(*entry, clang::SrcMgr::C_User, /*isFramework=*/false);
+    }
+  }
+  search.SetSearchPaths(folders, 0, static_cast<unsigned>(folders.size()),
+                        llvm::DenseMap<unsigned, unsigned>());
+
+  clang::TrivialModuleLoader modules;
+  FirstUse first_use;
+#if CLANG_VERSION_MAJOR >= 21
+  clang::Preprocessor preprocessor(*shared.preprocessor_options, state.engine, shared.language,
+                                   state.sources, search, modules, &first_use);
+#else
+  clang::Preprocessor preprocessor(shared.preprocessor_options, state.engine, shared.language,
+                                   state.sources, search, modules, &first_use);
+#endif
+  first_use.Watch(preprocessor, diagnostics);
+  preprocessor.Initialize(shared.target);
+  preprocessor.setPredefines(Predefines(state.input));
+  preprocessor.addPPCallbacks(std::make_unique<Callbacks>(state, preprocessor, search));
+
+  state.guard.SetStackBase(static_cast<const char*>(__builtin_frame_address(0)));
+  GuardScope scope(state.guard);
+  tokens.list.reserve(state.main_text.size() / 3 + 64);  // untouched pages cost nothing
+  TokenWriter writer(tokens, diagnostics);
+  preprocessor.EnterMainSourceFile();
+  clang::Token token;
+  for (preprocessor.Lex(token); token.isNot(tok::eof); preprocessor.Lex(token)) {
+    if (state.guard.stopped() || diagnostics.TooManyErrors()) break;
+    AddToken(token, preprocessor, tokens.names, writer);
+  }
+  writer.AddEnd(token.getLocation().getRawEncoding());
+  state.guard.Report(diagnostics);
+  return tokens;
+}
+
+FrontendContext::FrontendContext() : state_(std::make_unique<State>()) {}
+FrontendContext::~FrontendContext() = default;
+
+Source::Source(FrontendContext& context, SourceInput input)
+    : state_(std::make_unique<State>(context.state(), std::move(input))) {}
+Source::~Source() = default;
+
+Place Source::Resolve(Span span) const { return clipc::Resolve(state_->Text(), span); }
+std::string Source::RenderText(const Diagnostics& diagnostics, bool colour) const {
+  return clipc::RenderText(state_->Text(), diagnostics, colour);
+}
+std::vector<std::string> Source::Dependencies() const { return state_->dependencies; }
+bool Source::main_file_read() const { return state_->main_file_read; }
+
+}  // namespace clipc

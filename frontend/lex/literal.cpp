@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/lex/literal.h"
+
+#include <algorithm>
+#include <bit>
+#include <charconv>
+#include <cstdlib>
+#include <limits>
+#include <system_error>
+
+namespace clipc {
+namespace {
+
+bool IsDigit(char c) { return c >= '0' && c <= '9'; }
+char Lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; }
+bool IsHexDigit(char c) { return IsDigit(c) || (Lower(c) >= 'a' && Lower(c) <= 'f'); }
+bool IsWordChar(char c) {
+  return IsDigit(c) || (Lower(c) >= 'a' && Lower(c) <= 'z') || c == '_' ||
+         static_cast<unsigned char>(c) >= 0x80;
+}
+
+char At(std::string_view text, std::size_t i) { return i < text.size() ? text[i] : '\0'; }
+
+// u l ul lu ll ull llu; fxc's and C's `l` alone is still 32 bits.
+bool ReadIntegerSuffix(std::string_view text, Number& number) {
+  bool is_unsigned = false;
+  int longs = 0;
+  for (; IsWordChar(At(text, number.length)); ++number.length) {
+    const char c = Lower(text[number.length]);
+    if (c == 'u' && !is_unsigned) {
+      is_unsigned = true;
+    } else if (c == 'l' && longs < 2 && (longs == 0 || Lower(text[number.length - 1]) == 'l')) {
+      ++longs;
+    } else {
+      return false;
+    }
+  }
+  const bool is_wide = longs == 2 || number.value > std::numeric_limits<std::uint32_t>::max();
+  const bool needs_top_bit =
+      number.value > (is_wide ? std::uint64_t{1} << 63 : std::uint64_t{1} << 31) - 1;
+  if (is_wide) {
+    number.kind = is_unsigned || needs_top_bit ? LiteralKind::kUint64 : LiteralKind::kInt64;
+  } else {
+    number.kind = is_unsigned || needs_top_bit ? LiteralKind::kUint : LiteralKind::kInt;
+  }
+  return true;
+}
+
+Number ReadInteger(std::string_view text, std::size_t digits_begin, std::size_t digits_end,
+                   int base) {
+  Number number;
+  number.length = digits_end;
+  const auto result =
+      std::from_chars(text.data() + digits_begin, text.data() + digits_end, number.value, base);
+  if (result.ec == std::errc::result_out_of_range) {
+    number.problem = NumberProblem::kTooLarge;
+  } else if (digits_begin == digits_end) {
+    number.problem = NumberProblem::kNotANumber;
+  } else if (result.ptr != text.data() + digits_end) {
+    number.problem = NumberProblem::kBadOctal;
+  }
+  if (!ReadIntegerSuffix(text, number)) number.problem = NumberProblem::kNotANumber;
+  return number;
+}
+
+bool ReadFloatSuffix(std::string_view text, Number& number) {
+  number.kind = LiteralKind::kFloat;
+  switch (Lower(At(text, number.length))) {
+    case 'f': break;
+    case 'h': number.kind = LiteralKind::kHalf; break;
+    case 'l': number.kind = LiteralKind::kDouble; break;
+    default: return !IsWordChar(At(text, number.length));
+  }
+  ++number.length;
+  return !IsWordChar(At(text, number.length));
+}
+
+// The digits of a floating-point number end at `end`. A number with the suffix `f` is rounded to
+// float at once: by way of double it could be rounded twice.
+Number ReadFloat(std::string_view text, std::size_t begin, std::size_t end,
+                 std::chars_format format) {
+  Number number;
+  number.length = end;
+  const bool has_suffix = Lower(At(text, end)) == 'f';
+  if (!ReadFloatSuffix(text, number)) number.problem = NumberProblem::kNotANumber;
+  double value = 0;
+  auto result = std::from_chars(text.data() + begin, text.data() + end, value, format);
+  if (result.ec == std::errc::result_out_of_range) {
+    value = std::strtod(std::string(text.substr(0, end)).c_str(),
+                        nullptr);  // tells too large from too small
+  } else if (has_suffix) {
+    float rounded = 0;
+    result = std::from_chars(text.data() + begin, text.data() + end, rounded, format);
+    value = result.ec == std::errc() ? rounded : static_cast<float>(value);
+  }
+  const double largest = number.kind == LiteralKind::kDouble
+                             ? std::numeric_limits<double>::max()
+                             : double{std::numeric_limits<float>::max()};
+  if (value > largest) {
+    value = std::numeric_limits<double>::infinity();
+    if (number.problem == NumberProblem::kNone) number.problem = NumberProblem::kInfinite;
+  }
+  number.value = std::bit_cast<std::uint64_t>(value);
+  return number;
+}
+
+std::size_t SkipDigits(std::string_view text, std::size_t i, bool (*is_digit)(char)) {
+  while (is_digit(At(text, i))) ++i;
+  return i;
+}
+
+// The end of the exponent that starts at `i` with `mark`, or `i` if there is none.
+std::size_t SkipExponent(std::string_view text, std::size_t i, char mark) {
+  if (Lower(At(text, i)) != mark) return i;
+  std::size_t digits = i + 1;
+  if (At(text, digits) == '+' || At(text, digits) == '-') ++digits;
+  const std::size_t end = SkipDigits(text, digits, IsDigit);
+  return end > digits ? end : i;
+}
+
+Number ReadHexadecimal(std::string_view text) {
+  std::size_t i = SkipDigits(text, 2, IsHexDigit);
+  const std::size_t integer_end = i;
+  if (At(text, i) == '.') i = SkipDigits(text, i + 1, IsHexDigit);
+  const std::size_t end = SkipExponent(text, i, 'p');
+  if (end > i) return ReadFloat(text, 2, end, std::chars_format::hex);
+  return ReadInteger(text, 2, integer_end, 16);
+}
+
+}  // namespace
+
+Number ReadNumber(std::string_view text) {
+  if (text.size() == 1)
+    return {LiteralKind::kInt, static_cast<std::uint64_t>(text[0] - '0'), 1, NumberProblem::kNone};
+  if (text[0] == '0' && Lower(text[1]) == 'x') return ReadHexadecimal(text);
+  const std::size_t integer_end = SkipDigits(text, 0, IsDigit);
+  std::size_t end = integer_end;
+  if (At(text, end) == '.') end = SkipDigits(text, end + 1, IsDigit);
+  end = SkipExponent(text, end, 'e');
+  // `1.yyy` is the integer 1 and a swizzle, as DXC has it.
+  constexpr std::string_view kSwizzleStarts = "xyzwrgba_";
+  if (end == integer_end + 1 && end > 1 &&
+      kSwizzleStarts.find(At(text, end)) != std::string_view::npos)
+    end = integer_end;
+  const char suffix = Lower(At(text, end));
+  if (end > integer_end || suffix == 'f' || suffix == 'h')
+    return ReadFloat(text, 0, end, std::chars_format::general);
+  return ReadInteger(text, 0, end, text[0] == '0' ? 8 : 10);
+}
+
+bool ReadSpecialNumber(std::string_view identifier, Number& number) {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  if (identifier.starts_with("INF")) {
+    value = std::numeric_limits<double>::infinity();
+  } else if (!identifier.starts_with("IND") && !identifier.starts_with("QNAN") &&
+             !identifier.starts_with("SNAN")) {
+    return false;
+  }
+  number.kind = LiteralKind::kFloat;
+  number.value = std::bit_cast<std::uint64_t>(value);
+  return true;
+}
+
+void AppendUnescaped(std::string_view literal, std::string& out) {
+  const std::size_t open = literal.find_first_of("\"'");
+  if (open == std::string_view::npos || literal.size() < open + 2) return;
+  std::string_view text = literal.substr(open + 1, literal.size() - open - 2);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '\\' || i + 1 == text.size()) {
+      out += text[i];
+      continue;
+    }
+    const char c = text[++i];
+    constexpr std::string_view kLetters = "abfnrtv", kMeanings = "\a\b\f\n\r\t\v";
+    const std::size_t simple = kLetters.find(c);
+    const bool is_octal = c >= '0' && c <= '7';
+    if (simple != std::string_view::npos) {
+      out += kMeanings[simple];
+    } else if (is_octal || (c == 'x' && IsHexDigit(At(text, i + 1)))) {
+      const std::size_t begin = is_octal ? i : i + 1;
+      const std::size_t size = std::min<std::size_t>(text.size() - begin, is_octal ? 3 : 2);
+      unsigned value = 0;
+      const auto end =
+          std::from_chars(text.data() + begin, text.data() + begin + size, value, is_octal ? 8 : 16)
+              .ptr;
+      out += static_cast<char>(value);
+      i = static_cast<std::size_t>(end - text.data()) - 1;
+    } else {
+      out += c;
+    }
+  }
+}
+
+std::uint32_t CharacterValue(std::string_view literal) {
+  std::string characters;
+  AppendUnescaped(literal, characters);
+  std::uint32_t value = 0;
+  for (char c : characters) value = value << 8 | static_cast<unsigned char>(c);
+  return value;
+}
+
+}  // namespace clipc

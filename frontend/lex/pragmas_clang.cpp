@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// HLSL's pragmas, as handlers of Clang's preprocessor.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <clang/Lex/Pragma.h>
+#include <clang/Lex/Preprocessor.h>
+
+#include "frontend/lex/clang_bridge.h"
+#include "frontend/lex/source_text.h"
+
+namespace clipc {
+namespace {
+
+namespace tok = clang::tok;
+
+Span At(clang::SourceLocation where) { return {where.getRawEncoding(), where.getRawEncoding()}; }
+
+// Hands the rest of the directive to `handle` as words and punctuators.
+class Pragma : public clang::PragmaHandler {
+ public:
+  using Handle = void (*)(Diagnostics&, clang::Preprocessor&, const clang::Token& name,
+                          const std::vector<std::string>& words);
+  Pragma(llvm::StringRef name, Diagnostics& diagnostics, Handle handle)
+      : PragmaHandler(name), diagnostics_(diagnostics), handle_(handle) {}
+
+  void HandlePragma(clang::Preprocessor& preprocessor, clang::PragmaIntroducer,
+                    clang::Token& name) override {
+    if (name.isOneOf(tok::eod, tok::eof))
+      return;  // `#pragma` alone; there is nothing left of the line to read
+    std::vector<std::string> words;
+    clang::Token token;
+    for (preprocessor.LexUnexpandedToken(token); !token.isOneOf(tok::eod, tok::eof);
+         preprocessor.LexUnexpandedToken(token)) {
+      words.push_back(preprocessor.getSpelling(token));
+    }
+    handle_(diagnostics_, preprocessor, name, words);
+  }
+
+ private:
+  Diagnostics& diagnostics_;
+  Handle handle_;
+};
+
+void HandleUnknown(Diagnostics& diagnostics, clang::Preprocessor& preprocessor,
+                   const clang::Token& name, const std::vector<std::string>&) {
+  if (name.is(tok::eod)) return;
+  diagnostics.Report(At(name.getLocation()), diag::UnknownPragma, preprocessor.getSpelling(name));
+}
+
+void HandlePackMatrix(Diagnostics& diagnostics, clang::Preprocessor& preprocessor,
+                      const clang::Token& name, const std::vector<std::string>& words) {
+  const bool row_major = words == std::vector<std::string>{"(", "row_major", ")"};
+  if (!row_major && words != std::vector<std::string>{"(", "column_major", ")"}) {
+    diagnostics.Report(At(name.getLocation()), diag::MalformedPragma, "pack_matrix",
+                       "it takes (row_major) or (column_major)");
+    return;
+  }
+  auto token = std::make_unique<clang::Token[]>(1);
+  token[0].startToken();
+  token[0].setKind(tok::annot_pragma_pack);
+  token[0].setLocation(name.getLocation());
+  token[0].setAnnotationEndLoc(name.getLocation());
+  token[0].setAnnotationValue(row_major ? &diagnostics : nullptr);
+  preprocessor.EnterTokenStream(std::move(token), 1, /*DisableMacroExpansion=*/true,
+                                /*IsReinject=*/false);
+}
+
+void HandleWarning(Diagnostics& diagnostics, clang::Preprocessor&, const clang::Token&,
+                   const std::vector<std::string>& words) {
+  ApplyWarningPragma(words, diagnostics);
+}
+
+void HandleMessage(Diagnostics& diagnostics, clang::Preprocessor&, const clang::Token& name,
+                   const std::vector<std::string>& words) {
+  std::string message;
+  for (const std::string& word : words) {
+    if (word.size() >= 2 && word.front() == '"') message += word.substr(1, word.size() - 2);
+  }
+  diagnostics.Report(At(name.getLocation()), diag::PragmaMessage, message);
+}
+
+// One that Clang has.
+template <void (clang::Preprocessor::*handle)(clang::Token&)>
+class ClangPragma : public clang::PragmaHandler {
+ public:
+  using PragmaHandler::PragmaHandler;
+  void HandlePragma(clang::Preprocessor& preprocessor, clang::PragmaIntroducer,
+                    clang::Token& name) override {
+    (preprocessor.*handle)(name);
+  }
+};
+
+}  // namespace
+
+void AddPragmas(clang::Preprocessor& preprocessor, Diagnostics& diagnostics) {
+  preprocessor.AddPragmaHandler(new ClangPragma<&clang::Preprocessor::HandlePragmaOnce>("once"));
+  preprocessor.AddPragmaHandler(
+      new ClangPragma<&clang::Preprocessor::HandlePragmaPushMacro>("push_macro"));
+  preprocessor.AddPragmaHandler(
+      new ClangPragma<&clang::Preprocessor::HandlePragmaPopMacro>("pop_macro"));
+  preprocessor.AddPragmaHandler(new Pragma("message", diagnostics, HandleMessage));
+  preprocessor.AddPragmaHandler(new clang::EmptyPragmaHandler("region"));  // for editors
+  preprocessor.AddPragmaHandler(new clang::EmptyPragmaHandler("endregion"));
+  preprocessor.AddPragmaHandler(new Pragma("pack_matrix", diagnostics, HandlePackMatrix));
+  preprocessor.AddPragmaHandler(new Pragma("warning", diagnostics, HandleWarning));
+  preprocessor.AddPragmaHandler(
+      new clang::EmptyPragmaHandler("def"));  // fxc: constants given to the runtime
+  preprocessor.AddPragmaHandler(new Pragma("", diagnostics, HandleUnknown));
+}
+
+}  // namespace clipc

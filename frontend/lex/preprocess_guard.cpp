@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/lex/preprocess_guard.h"
+
+namespace clipc {
+
+void PreprocessGuard::Stop(Limit limit, std::uint32_t location) {
+  if (stopped()) return;
+  limit_ = limit;
+  location_ = location;
+}
+
+void PreprocessGuard::Report(Diagnostics& diagnostics) const {
+  const Span where{location_, location_};
+  switch (limit_) {
+    case Limit::kNone:
+    case Limit::kReported: return;
+    case Limit::kStack: diagnostics.Report(where, diag::DirectiveTooDeep); return;
+    case Limit::kTokens:
+      diagnostics.Report(where, diag::TooMuchToPreprocess, max_tokens_, "tokens");
+      return;
+    case Limit::kExpansions:
+      diagnostics.Report(where, diag::TooMuchToPreprocess, max_tokens_, "macro expansions");
+      return;
+    case Limit::kIncludes:
+      diagnostics.Report(where, diag::TooMuchToPreprocess, std::size_t{kMaxIncludes}, "includes");
+      return;
+  }
+}
+
+}  // namespace clipc

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "base/diagnostics.h"
+#include "frontend/lex/literal.h"
+#include "frontend/lex/token.h"
+
+namespace clipc {
+
+// Appends tokens to a list, making of C's preprocessing tokens what HLSL has: numbers are read,
+// adjacent string literals joined, `1.#INF` put together. `token` brings location and after_space;
+// the writer fills in the rest.
+class TokenWriter {
+ public:
+  TokenWriter(Tokens& tokens, Diagnostics& diagnostics)
+      : tokens_(tokens), diagnostics_(diagnostics) {}
+
+  void AddPunctuator(Token token) { Add(token, After::kOther); }
+  void AddHash(Token token);
+  // token.value is the Name of `text`.
+  void AddIdentifier(Token token, std::string_view text) {
+    if (after_ == After::kHash && !token.after_space && EndSpecialNumber(text)) return;
+    token.kind = TokenKind::kIdentifier;
+    Add(token, After::kOther);
+  }
+  void AddNumber(Token token, std::string_view text);
+  void AddCharacter(Token token, std::string_view literal);
+  void AddString(Token token, std::string_view literal);
+  void AddEnd(std::uint32_t location);
+
+ private:
+  enum class After : std::uint8_t {
+    kOther,
+    kNumberWithDot,
+    kHash,
+    kString
+  };  // what was added last
+
+  void Add(Token token, After after) {
+    if (after_ == After::kString) EndString();
+    after_ = after;
+    tokens_.list.push_back(token);
+  }
+  bool EndSpecialNumber(std::string_view text);
+  void EndString();
+  std::size_t AddOneNumber(Token token, std::string_view text);
+  void ReportNumber(Span where, std::string_view text, NumberProblem problem);
+
+  Tokens& tokens_;
+  Diagnostics& diagnostics_;
+  After after_ = After::kOther;
+  Token string_;
+  std::string string_text_;
+};
+
+}  // namespace clipc

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/parse/parser.h"
+
+namespace clipc::ast {
+
+StmtId Parser::AddStmt(std::size_t start, decltype(Stmt::node) node) {
+  return file_.stmts.Add(Stmt{SpanFrom(start), {}, std::move(node)});
+}
+
+// One statement with its attributes. After an error the next statement can be read.
+StmtId Parser::ParseStatement() {
+  const std::size_t start = pos_;
+  Nesting nesting(*this);
+  if (!nesting.ok()) return AddStmt(start, ErrorStmt{});
+  Collector<Attr> collector(attr_stack_);
+  ParseAttributes(collector);
+  const List<Attr> attributes = collector.Finish(file_.attrs);
+  const StmtId stmt = ParseUnattributed(start);
+  if (!attributes.empty()) file_.stmts[stmt].attributes = attributes;
+  if (panic_ && !leaving_function_) SyncStatement();
+  return stmt;
+}
+
+StmtId Parser::ParseUnattributed(std::size_t start) {
+  if (panic_) return AddStmt(start, ErrorStmt{});
+  if (At(TokenKind::kLeftBrace)) return ParseBlock();
+  if (Accept(TokenKind::kSemicolon)) return AddStmt(start, EmptyStmt{});
+  switch (WordAt()) {
+    case Word::kIf: return ParseIf(start);
+    case Word::kFor: return ParseFor();
+    case Word::kWhile: return ParseWhile();
+    case Word::kDo: return ParseDo();
+    case Word::kSwitch: return ParseSwitch();
+    case Word::kCase:
+    case Word::kDefault: return ParseCase();
+    case Word::kReturn: return ParseReturn();
+    case Word::kBreak:
+    case Word::kContinue:
+    case Word::kDiscard: return ParseSimple();
+    case Word::kElse:
+      Error(Here(), diag::ElseWithoutIf);
+      Next();
+      panic_ = aborted_;
+      return AddStmt(start, ErrorStmt{});
+    default: break;
+  }
+  return IsDeclaration() ? ParseDeclStatement() : ParseExprStatement();
+}
+
+StmtId Parser::ParseBlock() {
+  const std::size_t open = pos_;
+  Accept(TokenKind::kLeftBrace);
+  NameScope scope(*this);
+  Stmts body(stmt_stack_);
+  while (!At(TokenKind::kRightBrace) && !AtEnd() && !leaving_function_) {
+    const Word word = WordAt();
+    const bool outside = word == Word::kCbuffer || word == Word::kTbuffer ||
+                         word == Word::kNamespace || word == Word::kTemplate ||
+                         (word == Word::kTechnique && AtDeclarationWord());
+    if (outside && !panic_) {
+      ExpectClose(TokenKind::kRightBrace, open);
+      leaving_function_ = !aborted_;
+      break;
+    }
+    const std::size_t before = pos_;
+    body.Add(ParseStatement());
+    if (pos_ == before && !leaving_function_) Next();
+  }
+  if (!leaving_function_) ExpectClose(TokenKind::kRightBrace, open);
+  return AddStmt(open, BlockStmt{body.Finish(file_.stmt_lists)});
+}
+
+// The statement that a loop or branch governs.
+StmtId Parser::ParseBody(std::string_view of) {
+  NameScope scope(*this);
+  if (At(TokenKind::kRightBrace) || AtEnd()) Unexpected(fmt::format("a statement after `{}`", of));
+  if (panic_) return AddStmt(pos_, ErrorStmt{});
+  return ParseStatement();
+}
+
+// `(condition)` behind the keyword.
+ExprId Parser::ParseCondition(std::string_view of) {
+  const std::size_t open = pos_;
+  if (!Expect(TokenKind::kLeftParen, fmt::format("`(` after `{}`", of))) return ErrorExprHere();
+  const ExprId condition = ParseExpression();
+  if (!ExpectClose(TokenKind::kRightParen, open)) SkipToClose(TokenKind::kRightParen);
+  return condition;
+}
+
+// A chain of else-ifs is one loop here, though it is one path of the tree.
+StmtId Parser::ParseIf(std::size_t start) {
+  struct Arm {
+    std::size_t start;
+    List<Attr> attributes;
+    ExprId condition;
+    StmtId then;
+  };
+  std::vector<Arm> arms;
+  const int depth_before = depth_;
+  List<Attr> attributes;
+  StmtId otherwise;
+  while (true) {
+    Next();
+    Arm arm{start, attributes, ParseCondition("if"), {}};
+    arm.then = ParseBody("if (...)");
+    arms.push_back(arm);
+    if (panic_ || !AtWord(Word::kElse)) break;
+    Next();
+    start = pos_;
+    Collector<Attr> collector(attr_stack_);
+    ParseAttributes(collector);
+    attributes = collector.Finish(file_.attrs);
+    if (!AtWord(Word::kIf)) {
+      otherwise = ParseBody("else");
+      if (!attributes.empty()) file_.stmts[otherwise].attributes = attributes;
+      break;
+    }
+    Nesting level(*this);
+    if (!level.ok()) break;
+    ++depth_;
+  }
+  depth_ = depth_before;
+  while (!arms.empty()) {
+    const Arm& arm = arms.back();
+    otherwise = AddStmt(arm.start, IfStmt{arm.condition, arm.then, otherwise});
+    file_.stmts[otherwise].attributes = arm.attributes;
+    arms.pop_back();
+  }
+  return otherwise;
+}
+
+StmtId Parser::ParseFor() {
+  const std::size_t start = pos_;
+  NameScope scope(*this);
+  Next();
+  ForStmt loop{};
+  const std::size_t open = pos_;
+  if (!Expect(TokenKind::kLeftParen, "`(` after `for`")) return AddStmt(start, ErrorStmt{});
+  loop.init = ParseForInit();
+  if (!At(TokenKind::kSemicolon) && !panic_) loop.condition = ParseExpression();
+  if (!panic_) Expect(TokenKind::kSemicolon, "`;` after the condition of `for`");
+  if (!At(TokenKind::kRightParen) && !panic_) loop.step = ParseExpression();
+  if (!ExpectClose(TokenKind::kRightParen, open)) SkipToClose(TokenKind::kRightParen, true);
+  loop.body = ParseBody("for (...)");
+  return AddStmt(start, loop);
+}
+
+StmtId Parser::ParseForInit() {
+  if (Accept(TokenKind::kSemicolon)) return {};
+  return IsDeclaration() ? ParseDeclStatement() : ParseExprStatement();
+}
+
+StmtId Parser::ParseWhile() {
+  const std::size_t start = pos_;
+  Next();
+  WhileStmt loop{};
+  loop.condition = ParseCondition("while");
+  loop.body = ParseBody("while (...)");
+  return AddStmt(start, loop);
+}
+
+StmtId Parser::ParseDo() {
+  const std::size_t start = pos_;
+  Next();
+  DoStmt loop{};
+  loop.body = ParseBody("do");
+  if (panic_) return AddStmt(start, ErrorStmt{});
+  if (!AtWord(Word::kWhile)) {
+    Unexpected("`while` after the body of `do`");
+    return AddStmt(start, ErrorStmt{});
+  }
+  Next();
+  loop.condition = ParseCondition("while");
+  ExpectSemicolon("`do ... while (...)`");
+  return AddStmt(start, loop);
+}
+
+StmtId Parser::ParseSwitch() {
+  const std::size_t start = pos_;
+  Next();
+  SwitchStmt statement{};
+  statement.value = ParseCondition("switch");
+  if (!panic_ && !At(TokenKind::kLeftBrace)) Unexpected("`{` after `switch (...)`");
+  if (panic_) return AddStmt(start, ErrorStmt{});
+  statement.body = ParseStatement();
+  return AddStmt(start, statement);
+}
+
+StmtId Parser::ParseCase() {
+  const std::size_t start = pos_;
+  const bool has_value = Next().name() == Intern("case");
+  CaseStmt label{};
+  if (has_value) label.value = ParseConditional();
+  Expect(TokenKind::kColon, has_value ? "`:` after the value of `case`" : "`:` after `default`");
+  return AddStmt(start, label);
+}
+
+StmtId Parser::ParseReturn() {
+  const std::size_t start = pos_;
+  Next();
+  ReturnStmt statement{};
+  if (!At(TokenKind::kSemicolon) && !At(TokenKind::kRightBrace))
+    statement.value = ParseExpression();
+  ExpectSemicolon("`return`");
+  return AddStmt(start, statement);
+}
+
+StmtId Parser::ParseSimple() {
+  const std::size_t start = pos_;
+  const Word word = WordAt();
+  const std::string_view text = Text(Next().name());
+  ExpectSemicolon(fmt::format("`{}`", text));
+  switch (word) {
+    case Word::kBreak: return AddStmt(start, BreakStmt{});
+    case Word::kContinue: return AddStmt(start, ContinueStmt{});
+    default: return AddStmt(start, DiscardStmt{});
+  }
+}
+
+StmtId Parser::ParseDeclStatement() {
+  const std::size_t start = pos_;
+  Decls decls(decl_stack_);
+  if (!ParseKeywordDeclaration(decls, Scope::kLocal)) ParseSpecified(decls, Scope::kLocal, {});
+  return AddStmt(start, DeclStmt{decls.Finish(file_.decl_lists)});
+}
+
+StmtId Parser::ParseExprStatement() {
+  const std::size_t start = pos_;
+  const ExprId expr = ParseExpression();
+  ExpectSemicolon("the expression");
+  return AddStmt(start, ExprStmt{expr});
+}
+
+}  // namespace clipc::ast

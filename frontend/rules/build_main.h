@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "ir/program.h"
+
+// What stands between the shader's inputs and outputs and the user's entry function.
+namespace clipc {
+
+// A semantic as written, taken apart: "TEXCOORD12" is {"TEXCOORD", 12}. Names compare without case.
+struct SemanticName {
+  std::string name;
+  std::uint32_t index = 0;
+};
+SemanticName SplitSemantic(std::string_view written);
+
+// What the entry function says beside its types: struct fields carry their own semantics
+// (ir::Field).
+struct EntryParameter {
+  std::string semantic;  // as written; empty: none
+  Span semantic_span;
+  ir::Interpolation interpolation = ir::Interpolation::kDefault;
+  bool centroid = false;
+  bool sample = false;
+  bool is_uniform =
+      // `uniform` parameter: the checker made it a member of $Params; uniform_var is that member
+      false;
+  ir::VarId uniform_var;
+};
+struct EntrySignature {
+  std::vector<EntryParameter> parameters;  // one per parameter of program.entry
+  EntryParameter result;
+};
+
+// Makes program.main, program.inputs and program.outputs for program.entry, and reports what is
+// wrong with the signature: a parameter or field without a semantic, one semantic twice, a system
+// value that a vertex shader cannot take or write, of a wrong type, ... Semantics inside structs
+// may be overridden by one on the parameter (indices count on).
+//
+// Inputs and outputs are taken apart: structs by field, arrays by element, matrices by row, each
+// piece the next index. Under vs_1_1..vs_3_0 the output POSITION is the position (and PSIZE the
+// point size, FOG, COLOR plain outputs). SV_ClipDistance and SV_CullDistance in any shape become
+// one float array each, packed by register as fxc does. An SV_Position input is a plain input.
+void BuildMain(ir::Program& program, const EntrySignature& signature, Diagnostics& diagnostics);
+
+}  // namespace clipc

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/rules/conversion.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace clipc {
+namespace {
+
+using ir::Scalar;
+using ir::Type;
+using ir::TypeId;
+using ir::TypeKind;
+using ir::TypeTable;
+
+bool IsSingle(const Type& type) { return type.Components() == 1; }
+bool IsRowOrColumn(const Type& type) { return type.rows == 1 || type.columns == 1; }
+
+// Whether the components of `from` fill `to` by splatting, truncating or another reading of the
+// same components. The rules are those that fxc and DXC share, comment by comment, in DXC's test
+// conversions-between-type-shapes.hlsl.
+bool FitsShape(const Type& from, const Type& to) {
+  const std::uint32_t have = from.Components();
+  const std::uint32_t want = to.Components();
+  if (have == 1 || want == 1) return true;
+  const bool from_matrix = from.kind == TypeKind::kMatrix;
+  const bool to_matrix = to.kind == TypeKind::kMatrix;
+  if (from_matrix && to_matrix) return to.rows <= from.rows && to.columns <= from.columns;
+  if (from_matrix) return have == want || (IsRowOrColumn(from) && want < have);
+  if (to_matrix) return have == want || (IsRowOrColumn(to) && want < have);
+  return want <= have;
+}
+
+struct KindTraits {
+  bool is_float;
+  bool is_unsigned;
+  int bits;  // 0: bool
+};
+KindTraits TraitsOf(Scalar kind) {
+  switch (kind) {
+    case Scalar::kBool: return {false, false, 0};
+    case Scalar::kInt: return {false, false, 32};
+    case Scalar::kUint: return {false, true, 32};
+    case Scalar::kMin10Float: return {true, false, 10};
+    case Scalar::kMin16Float: return {true, false, 16};
+    case Scalar::kHalf: return {true, false, 17};  // after min16float, before float
+    case Scalar::kFloat: return {true, false, 32};
+    case Scalar::kDouble: return {true, false, 64};
+    case Scalar::kMin12Int: return {false, false, 12};
+    case Scalar::kMin16Int: return {false, false, 16};
+    case Scalar::kMin16Uint: return {false, true, 16};
+    case Scalar::kInt64: return {false, false, 64};
+    case Scalar::kUint64: return {false, true, 64};
+  }
+  return {false, false, 0};
+}
+
+// See ConversionRank::kind.
+std::uint8_t RankKind(Scalar from, Scalar to) {
+  constexpr std::uint8_t kSame = 0, kPromotion = 1, kToSigned = 2, kToUnsigned = 3, kLossy = 4,
+                         kOther = 5;
+  if (from == to) return kSame;
+  const KindTraits source = TraitsOf(from);
+  const KindTraits target = TraitsOf(to);
+  if (to == Scalar::kBool) return kLossy;
+  if (from == Scalar::kBool) return kOther;
+  if (source.is_float != target.is_float) return source.is_float ? kLossy : kOther;
+  if (target.bits < source.bits) return kLossy;
+  if (source.is_unsigned != target.is_unsigned) return target.is_unsigned ? kToUnsigned : kToSigned;
+  return kPromotion;
+}
+
+// Collects leaves; stops at objects, at kMaxLeaves, and at types that are nested or repeated beyond
+// all reason.
+class LeafCollector {
+ public:
+  explicit LeafCollector(const TypeTable& types) : types_(types) {}
+
+  bool Add(TypeId id, int depth = 0) {
+    constexpr int kMaxDepth = 64;
+    constexpr std::size_t kMaxSteps = 4 * kMaxLeaves;
+    if (depth > kMaxDepth || ++steps_ > kMaxSteps) return false;
+    const Type type = types_[id];
+    switch (type.kind) {
+      case TypeKind::kScalar:
+      case TypeKind::kVector:
+      case TypeKind::kMatrix:
+        leaves_.insert(leaves_.end(), type.Components(), type.scalar);
+        return leaves_.size() <= kMaxLeaves;
+      case TypeKind::kArray:
+        for (std::uint32_t i = 0; i < type.count; ++i) {
+          if (!Add(type.element, depth + 1)) return false;
+        }
+        return true;
+      case TypeKind::kStruct:
+        for (const ir::Field& field : types_[type.structure].fields) {
+          if (!Add(field.type, depth + 1)) return false;
+        }
+        return true;
+      default: return false;
+    }
+  }
+  std::vector<Scalar> Take() { return std::move(leaves_); }
+
+ private:
+  const TypeTable& types_;
+  std::vector<Scalar> leaves_;
+  std::size_t steps_ = 0;
+};
+
+// Whether a type is made of numbers only, however large it is.
+bool IsNumericThroughout(const TypeTable& types, TypeId id, int& budget) {
+  if (--budget < 0) return false;
+  const Type& type = types[id];
+  if (type.IsNumeric()) return true;
+  if (type.kind == TypeKind::kArray) return IsNumericThroughout(types, type.element, budget);
+  if (type.kind != TypeKind::kStruct) return false;
+  const auto& fields = types[type.structure].fields;
+  return std::all_of(fields.begin(), fields.end(), [&](const ir::Field& field) {
+    return IsNumericThroughout(types, field.type, budget);
+  });
+}
+
+bool IsAggregate(const Type& type) {
+  return type.kind == TypeKind::kStruct || type.kind == TypeKind::kArray;
+}
+
+// Whether `base` is what a struct that inherits from it starts with.
+bool IsBaseOf(const TypeTable& types, const Type& base, const Type& derived) {
+  if (base.kind != TypeKind::kStruct || derived.kind != TypeKind::kStruct) return false;
+  const auto& want = types[base.structure].fields;
+  const auto& have = types[derived.structure].fields;
+  return !want.empty() && want.size() < have.size() &&
+         std::equal(
+             want.begin(), want.end(), have.begin(),
+             [](const ir::Field& a, const ir::Field& b) {
+               return a.name == b.name && a.type == b.type;
+             });
+}
+
+// `sampler` of Direct3D 9 stands for a sampler of any dimension, so sampler2D s = the parameter of
+// a function takes it.
+bool FitsObject(const Type& from, const Type& to) {
+  using ir::ObjectKind;
+  if (from.kind != TypeKind::kObject || to.kind != TypeKind::kObject ||
+      from.object != ObjectKind::kSampler)
+    return false;
+  return to.object == ObjectKind::kSampler1D || to.object == ObjectKind::kSampler2D ||
+         to.object == ObjectKind::kSampler3D || to.object == ObjectKind::kSamplerCube;
+}
+
+}  // namespace
+
+Scalar CommonKind(Scalar left, Scalar right) {
+  if (left == right) return left;
+  const KindTraits a = TraitsOf(left);
+  const KindTraits b = TraitsOf(right);
+  if (a.is_float != b.is_float)
+    return a.is_float ? left : right;  // an integer follows the float: min16float + int
+  if (a.bits == 0 || b.bits == 0) return a.bits == 0 ? right : left;
+  const int bits = std::max(a.bits, b.bits);
+  if (a.is_float) return a.bits == bits ? left : right;
+  const bool is_unsigned = a.is_unsigned || b.is_unsigned;
+  switch (bits) {
+    case 12: return Scalar::kMin12Int;
+    case 16: return is_unsigned ? Scalar::kMin16Uint : Scalar::kMin16Int;
+    case 64: return is_unsigned ? Scalar::kUint64 : Scalar::kInt64;
+    default: return is_unsigned ? Scalar::kUint : Scalar::kInt;
+  }
+}
+
+std::optional<std::vector<Scalar>> Flatten(const TypeTable& types, TypeId type) {
+  LeafCollector collector(types);
+  if (!collector.Add(type)) return std::nullopt;
+  return collector.Take();
+}
+
+std::optional<ConversionRank> RankImplicit(const TypeTable& types, TypeId from_id, TypeId to_id) {
+  if (from_id == to_id || from_id == types.Error() || to_id == types.Error())
+    return ConversionRank{};
+  const Type& from = types[from_id];
+  const Type& to = types[to_id];
+  if (from.IsNumeric() && to.IsNumeric()) {
+    if (!FitsShape(from, to)) return std::nullopt;
+    ConversionRank rank{.kind = RankKind(from.scalar, to.scalar)};
+    if (to.Components() < from.Components()) {
+      rank.truncation = 1;
+    } else if (to.Components() > from.Components()) {
+      rank.splat = 1;
+    } else {
+      rank.form = from.kind != to.kind;
+    }
+    return rank;
+  }
+  // A struct converts to a struct or array with the very same leaves; never to or from a number
+  // (X3017).
+  if (IsAggregate(from) && IsAggregate(to)) {
+    if (IsBaseOf(types, to, from)) return ConversionRank{.kind = 1, .form = 1};
+    const auto have = Flatten(types, from_id);
+    if (!have || have->empty() || have != Flatten(types, to_id)) return std::nullopt;
+    return ConversionRank{.form = 1};
+  }
+  if (FitsObject(from, to)) return ConversionRank{.form = 1};
+  return std::nullopt;
+}
+
+bool IsExplicitlyConvertible(const TypeTable& types, TypeId from_id, TypeId to_id) {
+  if (RankImplicit(types, from_id, to_id) || to_id == types.Void()) return true;
+  const Type& from = types[from_id];
+  const Type& to = types[to_id];
+  if (!IsAggregate(from) && !IsAggregate(to)) return false;
+  if (IsSingle(from)) {
+    int budget = kMaxLeaves;
+    return IsNumericThroughout(types, to_id, budget);
+  }
+  const auto want = Flatten(types, to_id);
+  const auto have = Flatten(types, from_id);
+  if (!want || !have || have->empty()) return false;
+  return !want->empty() && want->size() <= have->size();
+}
+
+std::optional<TypeId> CommonType(TypeTable& types, TypeId left_id, TypeId right_id) {
+  if (left_id == right_id) return left_id;
+  if (left_id == types.Error() || right_id == types.Error()) return types.Error();
+  const Type left = types[left_id];
+  const Type right = types[right_id];
+  if (!left.IsNumeric() || !right.IsNumeric()) return std::nullopt;
+  const Scalar kind = CommonKind(left.scalar, right.scalar);
+  if (IsSingle(left) && IsSingle(right)) {
+    const bool use_right = left.kind != TypeKind::kScalar && right.kind == TypeKind::kScalar;
+    return types.WithScalar(use_right ? right_id : left_id, kind);
+  }
+  // The larger one if the other fits it, else the smaller one; the left one of two equally large.
+  const bool left_is_larger = left.Components() >= right.Components();
+  const auto& [larger, larger_id] =
+      left_is_larger ? std::tie(left, left_id) : std::tie(right, right_id);
+  const auto& [smaller, smaller_id] =
+      left_is_larger ? std::tie(right, right_id) : std::tie(left, left_id);
+  if (FitsShape(smaller, larger)) return types.WithScalar(larger_id, kind);
+  if (FitsShape(larger, smaller)) return types.WithScalar(smaller_id, kind);
+  return std::nullopt;
+}
+
+}  // namespace clipc

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/rules/intrinsic_call.h"
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "frontend/rules/reread.h"
+
+namespace clipc {
+namespace {
+
+using ir::ExprId;
+using ir::Scalar;
+using ir::TypeId;
+
+std::string CountText(std::size_t least, std::size_t most) {
+  if (least == most) return std::to_string(least);
+  return std::to_string(least) + (most == least + 1 ? " or " : " to ") + std::to_string(most);
+}
+
+// The variable at the root of a path that may be assigned to, or none.
+ir::VarId TargetRoot(const ir::Program& program, ExprId expr) {
+  const auto& node = program.exprs[expr].node;
+  if (const auto* ref = std::get_if<ir::VarRef>(&node)) return ref->var;
+  if (const auto* field = std::get_if<ir::FieldRef>(&node)) return TargetRoot(program, field->base);
+  if (const auto* index = std::get_if<ir::Index>(&node)) return TargetRoot(program, index->base);
+  if (const auto* swizzle = std::get_if<ir::Swizzle>(&node)) {
+    unsigned seen = 0;
+    for (std::size_t i = 0; i < swizzle->count; ++i) {
+      const unsigned bit = 1u << swizzle->components[i];
+      if ((seen & bit) != 0) return {};
+      seen |= bit;
+    }
+    return TargetRoot(program, swizzle->base);
+  }
+  return {};
+}
+
+// The arguments of a vector's constructor that make its components [begin, end), or nothing when
+// some argument reaches across an end.
+std::optional<std::vector<ExprId>> Cut(const ir::Program& program, List<ExprId> list,
+                                       std::uint32_t begin, std::uint32_t end) {
+  std::vector<ExprId> found;
+  std::uint32_t at = 0;
+  for (const ExprId argument : program.expr_lists[list]) {
+    const std::uint32_t next = at + program.types[program.exprs[argument].type].Components();
+    if (at < end && next > begin) {
+      if (at < begin || next > end) return std::nullopt;
+      found.push_back(argument);
+    }
+    at = next;
+  }
+  return found;
+}
+
+}  // namespace
+
+bool IntrinsicCheck::HasCount(std::size_t least, std::size_t most) const {
+  if (arguments.size() >= least && arguments.size() <= most) return true;
+  diagnostics.Report(name_span, diag::IntrinsicArgumentCount, name, CountText(least, most),
+                     arguments.size());
+  return false;
+}
+
+ExprId IntrinsicCheck::BadArgument(std::size_t i, std::string_view expected) const {
+  diagnostics.Report(SpanOf(arguments[i]), diag::IntrinsicArgumentType, i + 1, name,
+                     program.types.Name(TypeIdOf(arguments[i])), expected);
+  return Error();
+}
+
+std::optional<ExprId> IntrinsicCheck::Converted(std::size_t i, TypeId type) const {
+  if (RankImplicit(program.types, TypeIdOf(arguments[i]), type)) return Convert(arguments[i], type);
+  BadArgument(i, "`" + program.types.Name(type) + "`");
+  return std::nullopt;
+}
+
+bool IntrinsicCheck::IsTarget(std::size_t i) const {
+  const ir::VarId root = TargetRoot(program, arguments[i]);
+  if (root) {
+    switch (program.vars[root].storage) {
+      case ir::Storage::kLocal:
+      case ir::Storage::kIn:
+      case ir::Storage::kOut:
+      case ir::Storage::kInOut:
+      case ir::Storage::kStatic: return true;
+      default: break;
+    }
+  }
+  diagnostics.Report(SpanOf(arguments[i]), diag::IntrinsicOutArgument, i + 1, name);
+  return false;
+}
+
+IntrinsicCheck::Parts IntrinsicCheck::Split(ExprId vector, int count, int last) const {
+  const Scalar kind = TypeOf(vector).scalar;
+  const TypeId leading_type = VectorOf(kind, count);
+  ir::Builder builder(program, SpanOf(vector));
+  // float4(uv, 0, level) needs no temporary: its parts are there.
+  ExprId inner = vector;
+  if (const auto* convert = std::get_if<ir::Convert>(&program.exprs[vector].node))
+    inner = convert->operand;
+  if (const auto* construct = std::get_if<ir::Construct>(&program.exprs[inner].node)) {
+    const auto list = construct->arguments;
+    const auto leading = Cut(program, list, 0, static_cast<std::uint32_t>(count));
+    const auto level =
+        Cut(program, list, static_cast<std::uint32_t>(last), static_cast<std::uint32_t>(last) + 1);
+    if (leading && level && (count == last || IsPure(program, inner))) {
+      const TypeId whole = program.types.WithScalar(leading_type, TypeOf(inner).scalar);
+      const ExprId joined =
+          leading->size() == 1 ? leading->front() : builder.ConstructOf(whole, *leading);
+      return {Convert(joined, leading_type), Convert(level->front(), program.types.Make(kind)), {}};
+    }
+  }
+  Reread source(program, inner, &temporaries);
+  constexpr std::array<std::uint8_t, 4> kInOrder = {0, 1, 2, 3};
+  const ExprId leading =
+      builder.Swizzled(source.Read(), std::span(kInOrder).first(static_cast<std::size_t>(count)));
+  const ExprId lone = builder.Swizzled(source.Read(), {last});
+  return {Convert(leading, leading_type), Convert(lone, program.types.Make(kind)),
+          source.prologue()};
+}
+
+ExprId WithPrologue(const IntrinsicCheck& call, ExprId prologue, ExprId value) {
+  return prologue ? call.Make().CommaOf(prologue, value) : value;
+}
+
+}  // namespace clipc

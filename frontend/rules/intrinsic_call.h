@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "base/diagnostics.h"
+#include "frontend/rules/conversion.h"
+#include "ir/builder.h"
+#include "ir/program.h"
+
+// What the files behind intrinsics.h share: one call of something built in, while it is checked.
+namespace clipc {
+
+// One argument or the result of an intrinsic, as ir/intrinsics.def writes it.
+struct IntrinsicSlot {
+  char shape = 0;  // 0: void
+  char kind = 0;
+  bool is_out = false;
+};
+struct IntrinsicSignature {
+  static constexpr std::size_t kMaxArguments = 3;
+  IntrinsicSlot result;
+  std::array<IntrinsicSlot, kMaxArguments> arguments = {};
+  std::uint8_t count = 0;
+  bool is_special = false;  // the rules are in intrinsics_special.cpp
+};
+
+class IntrinsicCheck {
+ public:
+  IntrinsicCheck(ir::Program& program, std::string_view name, Span name_span,
+                 std::span<const ir::ExprId> arguments, Span call_span, TemporaryMaker& temporaries,
+                 Diagnostics& diagnostics)
+      : program(program),
+        name(name),
+        name_span(name_span),
+        arguments(arguments),
+        call_span(call_span),
+        temporaries(temporaries),
+        diagnostics(diagnostics) {}
+
+  ir::Program& program;
+  std::string_view name;
+  Span name_span;
+  std::span<const ir::ExprId> arguments;
+  Span call_span;
+  TemporaryMaker& temporaries;
+  Diagnostics& diagnostics;
+
+  ir::Builder Make() const { return ir::Builder(program, call_span); }
+  ir::ExprId Error() const { return Make().ZeroOf(program.types.Error()); }
+  ir::TypeId TypeIdOf(ir::ExprId expr) const { return program.exprs[expr].type; }
+  const ir::Type& TypeOf(ir::ExprId expr) const { return program.types[TypeIdOf(expr)]; }
+  const ir::Type& ArgumentType(std::size_t i) const { return TypeOf(arguments[i]); }
+  Span SpanOf(ir::ExprId expr) const { return program.exprs[expr].span; }
+
+  // False, and reported, when the number of arguments is not between these.
+  bool HasCount(std::size_t least, std::size_t most) const;
+  // Reports that an argument has a type that does not fit; `expected` completes "it must be ...".
+  ir::ExprId BadArgument(std::size_t i, std::string_view expected) const;
+  // Reports unless the argument converts to `type`.
+  std::optional<ir::ExprId> Converted(std::size_t i, ir::TypeId type) const;
+  ir::ExprId Convert(ir::ExprId value, ir::TypeId type) const {
+    return ConvertImplicit(program, value, type, diagnostics, &temporaries);
+  }
+  // A scalar, not a vector of one, when count is 1.
+  ir::TypeId VectorOf(ir::Scalar kind, int count) const {
+    return count == 1 ? program.types.Make(kind) : program.types.Vector(kind, count);
+  }
+
+  // Reports unless the argument can be assigned to.
+  bool IsTarget(std::size_t i) const;
+
+  // A value to be taken apart: the leading `count` components and component `last` of argument i,
+  // which has at least last + 1 components of kind `kind`. `prologue`, if any, is to be evaluated
+  // before both.
+  struct Parts {
+    ir::ExprId leading, last, prologue;
+  };
+  Parts Split(ir::ExprId vector, int count, int last) const;
+};
+
+// Puts `prologue` (or none) before `value`.
+ir::ExprId WithPrologue(const IntrinsicCheck& call, ir::ExprId prologue, ir::ExprId value);
+
+// intrinsics_signature.cpp
+const IntrinsicSignature& SignatureOf(ir::Intrinsic op);
+ir::ExprId CheckBySignature(const IntrinsicCheck& call, ir::Intrinsic op);
+// A call whose out arguments have types of their own: `targets` receive the temporaries' values
+// after the call.
+struct OutArgument {
+  ir::ExprId target;  // as the user wrote it
+  ir::TypeId type;    // what the intrinsic writes
+};
+ir::ExprId CallWithOuts(const IntrinsicCheck& call, ir::Intrinsic op, ir::TypeId result,
+                        std::span<const ir::ExprId> ins, std::span<const OutArgument> outs);
+
+// intrinsics_special.cpp
+ir::ExprId CheckMul(const IntrinsicCheck& call);
+ir::ExprId CheckBitCast(const IntrinsicCheck& call, ir::Intrinsic op);
+ir::ExprId CheckFirstBitHigh(const IntrinsicCheck& call);
+ir::ExprId CheckSelect(const IntrinsicCheck& call);
+ir::ExprId CheckLogical(const IntrinsicCheck& call, ir::BinaryOp op);
+
+// objects_index.cpp: tex2Dlod and its family.
+ir::ExprId CheckTexLod(const IntrinsicCheck& call, ir::ObjectKind sampler);
+
+}  // namespace clipc

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/check.h"
+#include "frontend/rules/intrinsic_call.h"
+
+// Checks calls against the signatures of ir/intrinsics.def. Arguments unify as DXC's MatchArguments
+// does: the smallest vector wins, scalars are splatted, kinds combine, and a kind that the
+// intrinsic lacks becomes float.
+namespace clipc {
+namespace {
+
+using ir::ExprId;
+using ir::Scalar;
+using ir::Type;
+using ir::TypeId;
+using ir::TypeKind;
+
+constexpr IntrinsicSlot ParseSlot(std::string_view text, std::size_t& at) {
+  IntrinsicSlot slot;
+  if (text[at] == 'o') {
+    slot.is_out = true;
+    ++at;
+  }
+  slot.shape = text[at++];
+  slot.kind = text[at++];
+  return slot;
+}
+
+constexpr IntrinsicSignature ParseSignature(std::string_view text) {
+  IntrinsicSignature signature;
+  if (text == "special") {
+    signature.is_special = true;
+    return signature;
+  }
+  std::size_t at = 0;
+  if (text.starts_with("void")) {
+    at = 4;
+  } else {
+    signature.result = ParseSlot(text, at);
+  }
+  while (text[at] != ')') {
+    ++at;  // the parenthesis or the comma
+    signature.arguments[signature.count++] = ParseSlot(text, at);
+  }
+  return signature;
+}
+
+constexpr IntrinsicSignature kSignatures[] = {
+#define INTRINSIC(Enumerator, HlslName, Signature) ParseSignature(Signature),
+#include "ir/intrinsics.def"
+#undef INTRINSIC
+};
+
+constexpr const char* ShapeText(char shape) {
+  switch (shape) {
+    case 'v': return "a scalar or a vector";
+    case 's': return "a scalar";
+    case '3': return "a vector of three";
+    case '4': return "a vector of four";
+    case 'm':
+    case 'q': return "a matrix";
+    default: return "a scalar, vector or matrix";
+  }
+}
+
+// The kinds and the shape that the arguments of one call agree on.
+class Unifier {
+ public:
+  Unifier(const IntrinsicCheck& call, const IntrinsicSignature& signature)
+      : call_(call), signature_(signature) {}
+
+  // False after reporting what does not fit.
+  bool Run() {
+    for (std::size_t i = 0; i < signature_.count; ++i) {
+      if (!signature_.arguments[i].is_out && !Take(i)) return false;
+    }
+    for (std::size_t i = 0; i < signature_.count; ++i) {
+      if (signature_.arguments[i].kind == 'd' && kind_ != Scalar::kDouble) {
+        call_.BadArgument(i, "a double, or a vector or matrix of doubles");
+        return false;
+      }
+    }
+    return true;
+  }
+
+  TypeId TypeOf(IntrinsicSlot slot) const {
+    ir::TypeTable& types = call_.program.types;
+    const Scalar kind = KindOf(slot.kind);
+    switch (slot.shape) {
+      case 'g': return types.WithScalar(common_, kind);
+      case 'v': return call_.VectorOf(kind, vector_size_);
+      case 's': return types.Make(kind);
+      case '3': return types.Vector(kind, 3);
+      case '4': return types.Vector(kind, 4);
+      case 'm': return types.Matrix(kind, rows_, columns_);
+      case 't': return types.Matrix(kind, columns_, rows_);
+      case 'q': return types.Matrix(kind, std::min(rows_, columns_), std::min(rows_, columns_));
+      default: return types.Void();
+    }
+  }
+
+ private:
+  bool Take(std::size_t i) {
+    const IntrinsicSlot slot = signature_.arguments[i];
+    const Type& type = call_.ArgumentType(i);
+    if (!type.IsNumeric() || !TakeShape(i, slot.shape, type)) {
+      call_.BadArgument(i, ShapeText(slot.shape));
+      return false;
+    }
+    if (slot.kind == 'f' || slot.kind == 'n' || slot.kind == 'a' || slot.kind == 'd') {
+      kind_ = kind_ ? CommonKind(*kind_, type.scalar) : type.scalar;
+    }
+    return true;
+  }
+
+  bool TakeShape(std::size_t i, char shape, const Type& type) {
+    const bool is_single = type.Components() == 1;
+    switch (shape) {
+      case 'g': {
+        const TypeId id = call_.TypeIdOf(call_.arguments[i]);
+        const auto common = common_ ? CommonType(call_.program.types, common_, id) : id;
+        if (common) common_ = *common;
+        return common.has_value();
+      }
+      case 'v':
+        if (is_single) return true;
+        if (type.kind != TypeKind::kVector) return false;
+        vector_size_ = vector_size_ == 1 ? type.columns : std::min<int>(vector_size_, type.columns);
+        return true;
+      case '3':
+      case '4': return is_single || (type.kind == TypeKind::kVector && type.columns >= shape - '0');
+      case 'm':
+      case 'q':
+        rows_ = type.rows;
+        columns_ = type.columns;
+        return type.kind == TypeKind::kMatrix;
+      default: return true;  // a scalar: anything truncates to it
+    }
+  }
+
+  Scalar KindOf(char letter) const {
+    const Scalar kind = kind_.value_or(Scalar::kFloat);
+    switch (letter) {
+      case 'f': return ir::IsFloat(kind) && kind != Scalar::kDouble ? kind : Scalar::kFloat;
+      case 'n': return kind == Scalar::kBool ? Scalar::kFloat : kind;
+      case 'b': return Scalar::kBool;
+      case 'i': return Scalar::kInt;
+      case 'u': return Scalar::kUint;
+      case 'd': return Scalar::kDouble;
+      default: return kind;
+    }
+  }
+
+  const IntrinsicCheck& call_;
+  const IntrinsicSignature& signature_;
+  std::optional<Scalar> kind_;
+  TypeId common_;
+  int vector_size_ = 1;
+  int rows_ = 1;
+  int columns_ = 1;
+};
+
+}  // namespace
+
+const IntrinsicSignature& SignatureOf(ir::Intrinsic op) {
+  return kSignatures[static_cast<std::size_t>(op)];
+}
+
+ExprId CheckBySignature(const IntrinsicCheck& call, ir::Intrinsic op) {
+  const IntrinsicSignature& signature = SignatureOf(op);
+  if (!call.HasCount(signature.count, signature.count)) return call.Error();
+  Unifier unifier(call, signature);
+  if (!unifier.Run()) return call.Error();
+
+  std::vector<ExprId> ins;
+  ins.reserve(signature.count);
+  std::vector<OutArgument> outs;
+  for (std::size_t i = 0; i < signature.count; ++i) {
+    const IntrinsicSlot slot = signature.arguments[i];
+    const TypeId type = unifier.TypeOf(slot);
+    if (!slot.is_out) {
+      ins.push_back(call.Convert(call.arguments[i], type));
+      continue;
+    }
+    if (!call.IsTarget(i)) return call.Error();
+    if (!RankImplicit(call.program.types, type, call.TypeIdOf(call.arguments[i]))) {
+      return call.BadArgument(i, "`" + call.program.types.Name(type) + "`");
+    }
+    outs.push_back({call.arguments[i], type});
+  }
+  return CallWithOuts(call, op, unifier.TypeOf(signature.result), ins, outs);
+}
+
+ExprId CallWithOuts(const IntrinsicCheck& call, ir::Intrinsic op, TypeId result,
+                    std::span<const ExprId> ins, std::span<const OutArgument> outs) {
+  ir::Builder builder = call.Make();
+  if (outs.empty())
+    return builder.Add(result, ir::IntrinsicCall{op, call.program.expr_lists.Add(ins)});
+  std::vector<ExprId> arguments(ins.begin(), ins.end());
+  std::vector<ExprId> before;
+  std::vector<ExprId> after;
+  for (const OutArgument& out : outs) {
+    const TypeId target_type = call.TypeIdOf(out.target);
+    if (target_type == out.type) {
+      arguments.push_back(out.target);
+      continue;
+    }
+    const auto temporary = call.temporaries.Make(builder.ZeroOf(out.type));
+    before.push_back(temporary.prologue);
+    arguments.push_back(builder.Ref(temporary.var));
+    const ir::Builder at_target(call.program, call.SpanOf(out.target));
+    const ExprId value = call.Convert(ir::Builder(at_target).Ref(temporary.var), target_type);
+    after.push_back(builder.AssignTo(out.target, value));
+  }
+  const auto list = call.program.expr_lists.Add(std::span<const ExprId>(arguments));
+  ExprId value = builder.Add(result, ir::IntrinsicCall{op, list});
+  if (!after.empty() && result != call.program.types.Void()) {
+    const auto held = call.temporaries.Make(value);
+    after.insert(after.begin(), held.prologue);
+    value = builder.Ref(held.var);
+    for (auto each = after.rbegin(); each != after.rend(); ++each)
+      value = builder.CommaOf(*each, value);
+  } else {
+    for (const ExprId each : after) value = builder.CommaOf(value, each);
+  }
+  for (auto each = before.rbegin(); each != before.rend(); ++each)
+    value = builder.CommaOf(*each, value);
+  return value;
+}
+
+}  // namespace clipc

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "frontend/rules/intrinsic_call.h"
+#include "frontend/rules/reread.h"
+
+namespace clipc {
+namespace {
+
+using ir::ExprId;
+using ir::Scalar;
+using ir::Type;
+using ir::TypeId;
+using ir::TypeKind;
+
+// ---- mul
+
+ExprId MulScalar(const IntrinsicCheck& call, TypeId type) {
+  const ExprId left = call.Convert(call.arguments[0], type);
+  const ExprId right = call.Convert(call.arguments[1], type);
+  return call.Make().BinaryOf(ir::BinaryOp::kMul, left, right);
+}
+
+// A vector of one times a matrix, or the other way round: its one component times the first row or
+// column.
+ExprId MulSingle(const IntrinsicCheck& call, bool vector_first, Scalar kind) {
+  const Type matrix = call.ArgumentType(vector_first ? 1 : 0);
+  const int size = vector_first ? matrix.columns : matrix.rows;
+  const TypeId line = vector_first ? call.program.types.Matrix(kind, 1, size)
+                                   : call.program.types.Matrix(kind, size, 1);
+  const TypeId type = call.VectorOf(kind, size);
+  const auto convert = [&](std::size_t i, bool is_matrix) {
+    return call.Convert(is_matrix ? call.Convert(call.arguments[i], line) : call.arguments[i],
+                        type);
+  };
+  const ExprId left = convert(0, !vector_first);
+  return call.Make().BinaryOf(ir::BinaryOp::kMul, left, convert(1, vector_first));
+}
+
+ExprId MulTensors(const IntrinsicCheck& call, Scalar kind) {
+  ir::TypeTable& types = call.program.types;
+  const Type a = call.ArgumentType(0);
+  const Type b = call.ArgumentType(1);
+  const bool a_is_vector = a.kind == TypeKind::kVector;
+  const bool b_is_vector = b.kind == TypeKind::kVector;
+  // The sides that are summed over become equally long: mul(float3, float4x4) uses three rows
+  // (X3206, fxc and DXC).
+  const int inner = std::min(a.columns, b_is_vector ? b.columns : b.rows);
+  if (inner == 1 && a_is_vector != b_is_vector && (a_is_vector ? a : b).columns == 1)
+    return MulSingle(call, a_is_vector, kind);
+  if (a_is_vector && b_is_vector) {
+    const TypeId type = call.VectorOf(kind, inner);
+    const ExprId left = call.Convert(call.arguments[0], type);
+    const ExprId right = call.Convert(call.arguments[1], type);
+    if (inner == 1) return call.Make().BinaryOf(ir::BinaryOp::kMul, left, right);
+    return call.Make().IntrinsicOf(ir::Intrinsic::kDot, types.Make(kind), {left, right});
+  }
+  const TypeId left_type =
+      a_is_vector ? types.Vector(kind, inner) : types.Matrix(kind, a.rows, inner);
+  const TypeId right_type =
+      b_is_vector ? types.Vector(kind, inner) : types.Matrix(kind, inner, b.columns);
+  const TypeId result = a_is_vector   ? types.Vector(kind, b.columns)
+                        : b_is_vector ? types.Vector(kind, a.rows)
+                                      : types.Matrix(kind, a.rows, b.columns);
+  const ExprId left = call.Convert(call.arguments[0], left_type);
+  const ExprId right = call.Convert(call.arguments[1], right_type);
+  return call.Make().IntrinsicOf(ir::Intrinsic::kMul, result, {left, right});
+}
+
+// ---- bits
+
+bool IsWide(Scalar kind) {
+  return kind == Scalar::kDouble || kind == Scalar::kInt64 || kind == Scalar::kUint64;
+}
+
+// asuint(double, out low, out high)
+ExprId SplitDouble(const IntrinsicCheck& call) {
+  const Type& type = call.ArgumentType(0);
+  if (!type.IsNumeric()) return call.BadArgument(0, "a double");
+  ir::TypeTable& types = call.program.types;
+  const TypeId whole = types.WithScalar(call.TypeIdOf(call.arguments[0]), Scalar::kDouble);
+  const TypeId half = types.WithScalar(whole, Scalar::kUint);
+  for (const std::size_t i : {1u, 2u}) {
+    if (!call.IsTarget(i)) return call.Error();
+    if (!RankImplicit(types, half, call.TypeIdOf(call.arguments[i])))
+      return call.BadArgument(i, "`" + types.Name(half) + "`");
+  }
+  const std::array<ExprId, 1> ins = {call.Convert(call.arguments[0], whole)};
+  const std::array<OutArgument, 2> outs = {OutArgument{call.arguments[1], half},
+                                           OutArgument{call.arguments[2], half}};
+  return CallWithOuts(call, ir::Intrinsic::kAsUint, types.Void(), ins, outs);
+}
+
+ExprId FuseDouble(const IntrinsicCheck& call) {
+  if (!call.HasCount(2, 2)) return call.Error();
+  ir::TypeTable& types = call.program.types;
+  const auto common =
+      CommonType(types, call.TypeIdOf(call.arguments[0]), call.TypeIdOf(call.arguments[1]));
+  if (!common || !types[*common].IsNumeric())
+    return call.BadArgument(1, "a uint of the shape of the first");
+  const TypeId half = types.WithScalar(*common, Scalar::kUint);
+  const ExprId low = call.Convert(call.arguments[0], half);
+  const ExprId high = call.Convert(call.arguments[1], half);
+  return call.Make().IntrinsicOf(ir::Intrinsic::kAsDouble, types.WithScalar(half, Scalar::kDouble),
+                                 {low, high});
+}
+
+}  // namespace
+
+ExprId CheckMul(const IntrinsicCheck& call) {
+  if (!call.HasCount(2, 2)) return call.Error();
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (!call.ArgumentType(i).IsNumeric()) return call.BadArgument(i, "a scalar, vector or matrix");
+  }
+  const Type& a = call.ArgumentType(0);
+  const Type& b = call.ArgumentType(1);
+  Scalar kind = CommonKind(a.scalar, b.scalar);
+  if (kind == Scalar::kBool) kind = Scalar::kFloat;
+  if (a.kind == TypeKind::kScalar || b.kind == TypeKind::kScalar) {
+    const ExprId shaped = call.arguments[a.kind == TypeKind::kScalar ? 1 : 0];
+    return MulScalar(call, call.program.types.WithScalar(call.TypeIdOf(shaped), kind));
+  }
+  return MulTensors(call, kind);
+}
+
+ExprId CheckBitCast(const IntrinsicCheck& call, ir::Intrinsic op) {
+  if (op == ir::Intrinsic::kAsDouble) return FuseDouble(call);
+  const bool to_uint = op == ir::Intrinsic::kAsUint;
+  if (!call.HasCount(1, to_uint && call.arguments.size() > 1 ? 3 : 1)) return call.Error();
+  if (call.arguments.size() == 3) return SplitDouble(call);
+  if (call.arguments.size() == 2) return call.HasCount(3, 3), call.Error();
+  const Type& type = call.ArgumentType(0);
+  if (!type.IsNumeric() || IsWide(type.scalar) || type.scalar == Scalar::kBool) {
+    return call.BadArgument(0, "a float, int or uint, or a vector or matrix of them");
+  }
+  ir::TypeTable& types = call.program.types;
+  const Scalar base = ir::BaseOf(type.scalar);
+  const Scalar target = to_uint                       ? Scalar::kUint
+                        : op == ir::Intrinsic::kAsInt ? Scalar::kInt
+                                                      : Scalar::kFloat;
+  const ExprId value =
+      call.Convert(call.arguments[0], types.WithScalar(call.TypeIdOf(call.arguments[0]), base));
+  const TypeId result = types.WithScalar(call.TypeIdOf(value), target);
+  // Between int and uint a conversion keeps the bits.
+  if (base == target || (base != Scalar::kFloat && target != Scalar::kFloat))
+    return call.Convert(value, result);
+  return call.Make().IntrinsicOf(op, result, {value});
+}
+
+ExprId CheckFirstBitHigh(const IntrinsicCheck& call) {
+  if (!call.HasCount(1, 1)) return call.Error();
+  const Type& type = call.ArgumentType(0);
+  if (!type.IsNumeric())
+    return call.BadArgument(0, "an int or uint, or a vector or matrix of them");
+  ir::TypeTable& types = call.program.types;
+  const Scalar kind = ir::IsUnsigned(type.scalar) ? Scalar::kUint : Scalar::kInt;
+  const ExprId value =
+      call.Convert(call.arguments[0], types.WithScalar(call.TypeIdOf(call.arguments[0]), kind));
+  const TypeId result = types.WithScalar(call.TypeIdOf(value), Scalar::kUint);
+  return call.Make().IntrinsicOf(ir::Intrinsic::kFirstBitHigh, result, {value});
+}
+
+ExprId CheckLogical(const IntrinsicCheck& call, ir::BinaryOp op) {
+  if (!call.HasCount(2, 2)) return call.Error();
+  ir::TypeTable& types = call.program.types;
+  const auto common =
+      CommonType(types, call.TypeIdOf(call.arguments[0]), call.TypeIdOf(call.arguments[1]));
+  if (!common || !types[*common].IsNumeric())
+    return call.BadArgument(1, "a bool of the shape of the first");
+  const TypeId type = types.WithScalar(*common, Scalar::kBool);
+  const ExprId left = call.Convert(call.arguments[0], type);
+  return call.Make().BinaryOf(op, left, call.Convert(call.arguments[1], type));
+}
+
+// select(condition, a, b): both are evaluated, and each component chosen by the condition's.
+ExprId CheckSelect(const IntrinsicCheck& call) {
+  if (!call.HasCount(3, 3)) return call.Error();
+  ir::TypeTable& types = call.program.types;
+  if (!call.ArgumentType(0).IsNumeric())
+    return call.BadArgument(0, "a bool, or a vector or matrix of them");
+  const TypeId condition_type = types.WithScalar(call.TypeIdOf(call.arguments[0]), Scalar::kBool);
+  const auto common =
+      CommonType(types, call.TypeIdOf(call.arguments[1]), call.TypeIdOf(call.arguments[2]));
+  if (!common) return call.BadArgument(2, "of the type of the second");
+  ir::Builder builder = call.Make();
+  if (types[condition_type].Components() > 1) {
+    const auto shape = CommonType(types, condition_type, types.WithScalar(*common, Scalar::kBool));
+    if (!types[*common].IsNumeric() || !shape)
+      return call.BadArgument(1, "of the shape of the condition");
+    const TypeId type = types.WithScalar(*shape, types[*common].scalar);
+    const ExprId condition = call.Convert(call.arguments[0], *shape);
+    const ExprId when_true = call.Convert(call.arguments[1], type);
+    return builder.Add(type,
+                       ir::Select{condition, when_true, call.Convert(call.arguments[2], type)});
+  }
+  ExprId condition = call.Convert(call.arguments[0], types.Make(Scalar::kBool));
+  ExprId when_true = call.Convert(call.arguments[1], *common);
+  ExprId when_false = call.Convert(call.arguments[2], *common);
+  std::vector<ExprId> before;
+  if (!IsPure(call.program, when_true) || !IsPure(call.program, when_false)) {
+    for (ExprId* each : {&condition, &when_true, &when_false}) {
+      const auto temporary = call.temporaries.Make(*each);
+      before.push_back(temporary.prologue);
+      *each = builder.Ref(temporary.var);
+    }
+  }
+  ExprId value = builder.Add(*common, ir::Conditional{condition, when_true, when_false});
+  for (auto each = before.rbegin(); each != before.rend(); ++each)
+    value = builder.CommaOf(*each, value);
+  return value;
+}
+
+}  // namespace clipc

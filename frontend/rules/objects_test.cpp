@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "frontend/rules/intrinsics.h"
+#include "frontend/rules/program_for_test.h"
+
+namespace clipc {
+namespace {
+
+using ir::ObjectKind;
+
+// t.method(arguments); an argument is a variable named by its type ("float2"), "s" (a
+// SamplerState), "c" (a comparison sampler) or a number.
+class ObjectsTest : public testing::Test {
+ protected:
+  ir::ExprId Argument(const std::string& text) {
+    if (text == "s") return test_.Object("s", ObjectKind::kSampler);
+    if (text == "c") return test_.Object("c", ObjectKind::kSamplerComparison);
+    if (text[0] >= '0' && text[0] <= '9') return test_.Make().Int(std::stoi(text));
+    return test_.Var(text + "_" + std::to_string(++count_), text);
+  }
+  std::string Call(ObjectKind kind, std::string_view method,
+                   const std::vector<std::string>& arguments, std::string_view element = "") {
+    test_ = ProgramForTest();
+    count_ = 0;
+    const ir::TypeId element_type = element.empty() ? ir::TypeId{} : test_.Type(element);
+    const ir::ExprId object = test_.Object("t", kind, element_type);
+    std::vector<ir::ExprId> expressions;
+    for (const std::string& each : arguments) expressions.push_back(Argument(each));
+    return test_.Text(CheckMethodCall(test_.program, object, method, {}, expressions, {}, test_,
+                                      test_.diagnostics));
+  }
+  std::string Index(ObjectKind kind, const std::string& index, std::string_view element = "",
+                    const std::string& level = "") {
+    test_ = ProgramForTest();
+    count_ = 0;
+    const ir::ExprId object =
+        test_.Object("t", kind, element.empty() ? ir::TypeId{} : test_.Type(element));
+    const ir::ExprId at = Argument(index);
+    const auto mip = level.empty() ? std::nullopt : std::optional(Argument(level));
+    return test_.Text(CheckObjectIndex(test_.program, object, at, mip, {}, test_.diagnostics));
+  }
+
+  ProgramForTest test_;
+  int count_ = 0;
+};
+
+TEST_F(ObjectsTest, Samples) {
+  EXPECT_EQ(Call(ObjectKind::kTexture2D, "SampleLevel", {"s", "float2", "0"}),
+            "float4: sample_level(t, s, float2_1, 0.0)");
+  EXPECT_EQ(Call(ObjectKind::kTexture1D, "SampleLevel", {"s", "float", "float"}, "float3"),
+            "float3: sample_level(t, s, float_1, float_2)");
+  EXPECT_EQ(Call(ObjectKind::kTextureCubeArray, "SampleLevel", {"s", "float4", "float"}, "half"),
+            "half: sample_level(t, s, float4_1, float_2)");
+  EXPECT_EQ(Call(ObjectKind::kTexture2DArray, "SampleLevel", {"s", "float3", "float", "1"}),
+            "float4: sample_level(t, s, float3_1, float_2, int2(1, 1))");
+  EXPECT_EQ(Call(ObjectKind::kTexture2D, "SampleGrad", {"s", "float2", "float2", "float2"}),
+            "float4: sample_grad(t, s, float2_1, float2_2, float2_3)");
+  EXPECT_EQ(Call(ObjectKind::kTextureCube, "SampleGrad", {"s", "float3", "float3", "float3"}),
+            "float4: sample_grad(t, s, float3_1, float3_2, float3_3)");
+  EXPECT_EQ(Call(ObjectKind::kTexture2D, "SampleCmpLevelZero", {"c", "float2", "float"}),
+            "float: sample_cmp_level_zero(t, c, float2_1, float_2)");
+  EXPECT_EQ(Call(ObjectKind::kTexture2D, "Gather", {"s", "float2"}, "float"),
+            "float4: gather(t, s, float2_1)");
+  EXPECT_EQ(Call(ObjectKind::kTextureCube, "GatherBlue", {"s", "float3"}, "uint4"),
+            "uint4: gather_blue(t, s, float3_1)");
+}
+
+TEST_F(ObjectsTest, SamplesRefused) {
+  EXPECT_EQ(Call(ObjectKind::kTexture2D, "CalculateLevelOfDetail", {"s", "float2"}),
+            "X4532 `CalculateLevelOfDetail` asks for the level of detail of neighbouring pixels; a "
+            "vertex has none");
+  EXPECT_EQ(Call(ObjectKind::kTexture2D, "GatherCmp", {"c", "float2", "float"}),
+            " `GatherCmp` of `Texture2D` is not supported by clipc");
+  EXPECT_EQ(
+      Call(ObjectKind::kTexture2D, "GatherRed", {"s", "float2", "int2", "int2", "int2", "int2"}),
+      "X4566 the offset given to `GatherRed` is not constant; it must be known at compile time");
+  EXPECT_EQ(Call(ObjectKind::kTexture3D, "Gather", {"s", "float3"}),
+            "X3018 `Texture3D` has no method `Gather`");
+  EXPECT_EQ(Call(ObjectKind::kTexture2DMS, "SampleLevel", {"s", "float2", "0"}),
+            "X3018 `Texture2DMS` has no method `SampleLevel`");
+  EXPECT_EQ(Call(ObjectKind::kTexture2D, "SampleLevel", {"c", "float2", "0"}),
+            "X3013 argument 1 of `SampleLevel` has type `SamplerComparisonState`; it must be a "
+            "`SamplerState`");
+  EXPECT_EQ(Call(ObjectKind::kTexture2D, "SampleLevel", {"s", "float2"}),
+            "X3013 `SampleLevel` takes 3 or 4 arguments; 2 given");
+  EXPECT_EQ(Call(ObjectKind::kTextureCube, "SampleLevel", {"s", "float3", "0", "1"}),
+            "X3013 `SampleLevel` takes 3 arguments; 4 given");
+  EXPECT_EQ(Call(ObjectKind::kTextureCube, "SampleLevel", {"s", "float2", "0"}),
+            "X3013 argument 2 of `SampleLevel` has type `float2`; it must be `float3`");
+  EXPECT_EQ(
+      Call(ObjectKind::kTexture2D, "SampleLevel", {"s", "float2", "0", "int2"}),
+      "X4566 the offset given to `SampleLevel` is not constant; it must be known at compile time");
+  EXPECT_EQ(Call(ObjectKind::kTexture2D, "SampleLevel", {"s", "float2", "0", "8"}),
+            "X4566 offset 8 given to `SampleLevel`; it must be from -8 to 7");
+  EXPECT_EQ(
+      Call(ObjectKind::kTexture2D, "SampleLevel", {"s", "float2", "0", "1", "uint"}),
+      "X4532 `SampleLevel` with a status asks about tiled resources; no target of clipc has them");
+  EXPECT_EQ(Call(ObjectKind::kTexture2D, "Frobnicate", {}),
+            "X3018 `Texture2D` has no method `Frobnicate`");
+  EXPECT_EQ(Call(ObjectKind::kSampler, "SampleLevel", {}),
+            "X3018 `SamplerState` has no method `SampleLevel`");
+  EXPECT_EQ(Call(ObjectKind::kOther, "Store", {"0", "0"}),
+            "X4532 `Store` of an object that a vertex shader may declare but not use");
+}
+
+TEST_F(ObjectsTest, Loads) {
+  EXPECT_EQ(Call(ObjectKind::kTexture2D, "Load", {"int3"}),
+            "float4: texture_load(t, int3_1.xy, int3_1.z)");
+  EXPECT_EQ(
+      Call(ObjectKind::kTexture2D, "Load", {"uint3", "1"}, "uint4"),
+      "uint4: texture_load(t, convert<int2>(uint3_1.xy), convert<int>(uint3_1.z), int2(1, 1))");
+  EXPECT_EQ(Call(ObjectKind::kTexture1D, "Load", {"int2"}, "float"),
+            "float: texture_load(t, int2_1.x, int2_1.y)");
+  EXPECT_EQ(Call(ObjectKind::kTexture3D, "Load", {"int4"}),
+            "float4: texture_load(t, int4_1.xyz, int4_1.w)");
+  EXPECT_EQ(Call(ObjectKind::kTexture2DArray, "Load", {"int4"}),
+            "float4: texture_load(t, int4_1.xyz, int4_1.w)");
+  EXPECT_EQ(Call(ObjectKind::kTexture2DMS, "Load", {"int2", "int"}),
+            "float4: texture_load(t, int2_1, int_2)");
+  EXPECT_EQ(Call(ObjectKind::kTextureCube, "Load", {"int4"}),
+            "X3018 `TextureCube` has no method `Load`");
+  EXPECT_EQ(Call(ObjectKind::kTexture2D, "Load", {"int2"}),
+            "X3013 argument 1 of `Load` has type `int2`; it must be `int3`");
+  EXPECT_EQ(Call(ObjectKind::kBuffer, "Load", {"uint"}, "float2"),
+            "float2: buffer_load(t, convert<int>(uint_1))");
+  EXPECT_EQ(Call(ObjectKind::kStructuredBuffer, "Load", {"int"}, "float4"),
+            "float4: structured_load(t, int_1)");
+  EXPECT_EQ(Call(ObjectKind::kStructuredBuffer, "Load", {"int", "uint"}, "float4"),
+            "X4532 `Load` with a status asks about tiled resources; no target of clipc has them");
+  EXPECT_EQ(Call(ObjectKind::kByteAddressBuffer, "Load", {"int"}),
+            "uint: byte_load(t, convert<uint>(int_1))");
+  EXPECT_EQ(Call(ObjectKind::kByteAddressBuffer, "Load3", {"uint"}), "uint3: byte_load(t, uint_1)");
+  EXPECT_EQ(Call(ObjectKind::kByteAddressBuffer, "Store", {"uint", "uint"}),
+            "X3018 `ByteAddressBuffer` has no method `Store`");
+}
+
+// The place and the level are taken from the constructor that makes them; only what is computed
+// goes into a variable.
+TEST_F(ObjectsTest, LoadsTakeConstructorsApart) {
+  const ir::ExprId texture = test_.Object("t", ObjectKind::kTexture2D);
+  const auto load = [&](ir::ExprId place) {
+    const std::vector<ir::ExprId> arguments = {place};
+    return test_.Text(CheckMethodCall(test_.program, texture, "Load", {}, arguments, {}, test_,
+                                      test_.diagnostics));
+  };
+  ir::Builder make(test_.program);
+  EXPECT_EQ(load(make.ConstructOf(test_.Type("int3"), {test_.Var("p", "int2"), make.Int(0)})),
+            "float4: texture_load(t, p, 0)");
+  EXPECT_EQ(load(make.ConstructOf(test_.Type("int3"), {test_.Var("x", "int"), test_.Var("y", "int"),
+                                                       test_.Var("z", "int")})),
+            "float4: texture_load(t, int2(x, y), z)");
+  EXPECT_EQ(load(make.ConstructOf(test_.Type("uint3"), {test_.Var("q", "uint2"), make.Uint(0)})),
+            "float4: texture_load(t, convert<int2>(q), 0)");
+  EXPECT_EQ(
+      load(make.ConstructOf(test_.Type("int3"), {test_.Var("u", "int"), test_.Var("v", "int2")})),
+      "float4: (t1 = int3(u, v)), texture_load(t, t1.xy, t1.z)");
+  EXPECT_EQ(load(make.BinaryOf(ir::BinaryOp::kAdd, test_.Var("i", "int3"), test_.Var("j", "int3"))),
+            "float4: (t2 = i + j), texture_load(t, t2.xy, t2.z)");
+}
+
+TEST_F(ObjectsTest, GetDimensions) {
+  EXPECT_EQ(Call(ObjectKind::kTexture1D, "GetDimensions", {"uint"}),
+            "uint: uint_1 = convert<uint>(texture_size(t, 0u))");
+  EXPECT_EQ(Call(ObjectKind::kTexture2D, "GetDimensions", {"float", "uint"}),
+            "uint: (t1 = texture_size(t, 0u)), ((float_1 = convert<float>(t1.x)), (uint_2 = "
+            "convert<uint>(t1.y)))");
+  EXPECT_EQ(Call(ObjectKind::kTexture2D, "GetDimensions", {"0", "uint", "uint", "uint"}),
+            "uint: (t1 = texture_size(t, 0u)), ((uint_1 = convert<uint>(t1.x)), ((uint_2 = "
+            "convert<uint>(t1.y)), (uint_3 = convert<uint>(texture_levels(t)))))");
+  EXPECT_EQ(Call(ObjectKind::kTexture2DMS, "GetDimensions", {"uint", "uint", "uint"}),
+            "uint: (t1 = texture_size(t, 0u)), ((uint_1 = convert<uint>(t1.x)), ((uint_2 = "
+            "convert<uint>(t1.y)), (uint_3 = convert<uint>(texture_samples(t)))))");
+  EXPECT_EQ(Call(ObjectKind::kTexture2DArray, "GetDimensions", {"uint", "uint", "uint"}),
+            "uint: (t1 = texture_size(t, 0u)), ((uint_1 = convert<uint>(t1.x)), ((uint_2 = "
+            "convert<uint>(t1.y)), (uint_3 = convert<uint>(t1.z))))");
+  EXPECT_EQ(Call(ObjectKind::kBuffer, "GetDimensions", {"uint"}),
+            "uint: uint_1 = convert<uint>(buffer_size(t))");
+  EXPECT_EQ(Call(ObjectKind::kStructuredBuffer, "GetDimensions", {"uint", "uint"}, "float4x3"),
+            "uint: (uint_1 = convert<uint>(buffer_size(t))), (uint_2 = 48u)");
+  EXPECT_EQ(Call(ObjectKind::kByteAddressBuffer, "GetDimensions", {"uint"}),
+            "uint: uint_1 = convert<uint>(buffer_size(t))");
+  EXPECT_EQ(Call(ObjectKind::kTexture2D, "GetDimensions", {"uint"}),
+            "X3013 `GetDimensions` takes 2 arguments; 1 given");
+  EXPECT_EQ(
+      Call(ObjectKind::kTexture2D, "GetDimensions", {"uint2", "uint"}),
+      "X3013 argument 1 of `GetDimensions` has type `uint2`; it must be a uint or float variable");
+  EXPECT_EQ(
+      Call(ObjectKind::kTexture2D, "GetDimensions", {"uint", "1"}),
+      "X3025 argument 2 of `GetDimensions` is written to; it must be a variable or a part of one");
+}
+
+TEST_F(ObjectsTest, Indices) {
+  EXPECT_EQ(Index(ObjectKind::kTexture2D, "uint2"),
+            "float4: texture_load(t, convert<int2>(uint2_1), 0)");
+  EXPECT_EQ(Index(ObjectKind::kTexture1D, "int", "float3"), "float3: texture_load(t, int_1, 0)");
+  EXPECT_EQ(Index(ObjectKind::kTexture2D, "int2", "", "int"),
+            "float4: texture_load(t, int2_1, int_2)");
+  EXPECT_EQ(Index(ObjectKind::kTexture2DMS, "int2", "float4", "int"),
+            "float4: texture_load(t, int2_1, int_2)");
+  EXPECT_EQ(Index(ObjectKind::kTexture2D, "int"),
+            "X3120 an index of type `int`; it must be `int2`");
+  EXPECT_EQ(Index(ObjectKind::kTexture2D, "int3"), "float4: texture_load(t, int3_1.xy, 0)");
+  EXPECT_EQ(Index(ObjectKind::kBuffer, "uint", "float4"),
+            "float4: buffer_load(t, convert<int>(uint_1))");
+  EXPECT_EQ(Index(ObjectKind::kStructuredBuffer, "uint", "float4"),
+            "float4: structured_load(t, uint_1)");
+  EXPECT_EQ(Index(ObjectKind::kStructuredBuffer, "float", "float4"),
+            "float4: structured_load(t, convert<int>(float_1))");
+  EXPECT_EQ(Index(ObjectKind::kByteAddressBuffer, "uint"),
+            "X3121 `ByteAddressBuffer` has no elements or texels to index");
+  EXPECT_EQ(Index(ObjectKind::kTextureCube, "uint"),
+            "X3121 `TextureCube` has no elements or texels to index");
+  EXPECT_EQ(Index(ObjectKind::kOther, "uint"),
+            "X4532 `[]` of an object that a vertex shader may declare but not use");
+}
+
+TEST_F(ObjectsTest, Direct3d9) {
+  const auto lod = [&](std::string_view name, ObjectKind sampler, ir::ExprId place) {
+    const std::vector<ir::ExprId> arguments = {test_.Object("s", sampler), place};
+    return test_.Text(
+        CheckIntrinsicCall(test_.program, name, {}, arguments, {}, test_, test_.diagnostics));
+  };
+  EXPECT_EQ(lod("tex2Dlod", ObjectKind::kSampler2D, test_.Var("p", "float4")),
+            "float4: d3d9_sample_level(s, p.xy, p.w)");
+  EXPECT_EQ(lod("tex2Dlod", ObjectKind::kSampler, test_.Var("q", "float4")),
+            "float4: d3d9_sample_level(s.1, q.xy, q.w)");
+  ir::Builder make(test_.program);
+  const ir::ExprId place = make.ConstructOf(
+      test_.Type("float4"), {test_.Var("uv", "float2"), make.Float(0), make.Float(0)});
+  EXPECT_EQ(lod("tex2Dlod", ObjectKind::kSampler2D, place),
+            "float4: d3d9_sample_level(s.2, uv, 0.0)");
+  EXPECT_EQ(lod("texCUBElod", ObjectKind::kSamplerCube, test_.Var("r", "float4")),
+            "float4: d3d9_sample_level(s.3, r.xyz, r.w)");
+  EXPECT_EQ(lod("tex1Dlod", ObjectKind::kSampler1D, test_.Var("l", "half4")),
+            "float4: d3d9_sample_level(s.4, convert<float>(l.x), convert<float>(l.w))");
+  EXPECT_EQ(lod("tex2Dlod", ObjectKind::kSampler3D, test_.Var("w", "float4")),
+            "X3013 argument 1 of `tex2Dlod` has type `sampler3D`; it must be a `sampler2D`");
+  EXPECT_EQ(lod("tex3Dlod", ObjectKind::kSampler3D, test_.Var("z", "float3")),
+            "X3013 argument 2 of `tex3Dlod` has type `float3`; it must be `float4`");
+}
+
+TEST_F(ObjectsTest, WhatIsMadeIsWellTyped) {
+  const ir::ExprId texture = test_.Object("t", ObjectKind::kTexture2D);
+  const std::vector<ir::ExprId> arguments = {test_.Make().Int(0), test_.Var("w", "uint"),
+                                             test_.Var("h", "float"), test_.Var("n", "uint")};
+  const ir::ExprId call = CheckMethodCall(test_.program, texture, "GetDimensions", {}, arguments,
+                                          {}, test_, test_.diagnostics);
+  test_.program.resources.push_back(
+      {std::get<ir::VarRef>(test_.program.exprs[texture].node).var, {.letter = 't'}});
+  EXPECT_EQ(test_.Broken(call), "");
+}
+
+}  // namespace
+}  // namespace clipc

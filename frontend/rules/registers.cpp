@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/rules/registers.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+#include <vector>
+
+namespace clipc {
+namespace {
+
+// One thing that takes registers: `count` in a row.
+struct Taker {
+  ir::Register* reg;
+  std::uint32_t count;
+  std::string_view name;
+  Span span;
+};
+
+// Slots of Direct3D 11; shader model 5.1 lifts the limits.
+std::uint32_t HighestRegister(char letter, const ir::Profile& profile) {
+  if (profile.IsAtLeast(5, 1) || profile.IsDirect3D9()) return 0xfffffffeu;
+  return letter == 'b' ? 13 : letter == 's' ? 15 : 127;
+}
+
+class Allocator {
+ public:
+  Allocator(const ir::Profile& profile, Diagnostics& diagnostics)
+      : profile_(profile), diagnostics_(diagnostics) {}
+
+  void Run(std::vector<Taker>& takers) {
+    for (const Taker& taker : takers) {
+      if (taker.reg->is_explicit) Occupy(taker);
+    }
+    for (Taker& taker : takers) {
+      if (!taker.reg->is_explicit) Choose(taker);
+    }
+  }
+
+ private:
+  using Key = std::tuple<char, std::uint32_t, std::uint32_t>;  // letter, space, first register
+
+  static std::string Written(const ir::Register& reg) {
+    std::string text = fmt::format("{}{}", reg.letter, reg.number);
+    if (reg.space != 0) text += fmt::format(", space{}", reg.space);
+    return text;
+  }
+
+  // The run that shares a register with [first, first + count), or null.
+  const Taker* Overlap(char letter, std::uint32_t space, std::uint64_t first,
+                       std::uint64_t count) const {
+    auto next =
+        taken_.upper_bound(Key{letter, space, static_cast<std::uint32_t>(first + count - 1)});
+    if (next == taken_.begin()) return nullptr;
+    --next;
+    const auto& [next_letter, next_space, start] = next->first;
+    const bool shares = next_letter == letter && next_space == space &&
+                        std::uint64_t{start} + next->second.count > first;
+    return shares ? &next->second : nullptr;
+  }
+
+  void Occupy(const Taker& taker) {
+    const ir::Register& reg = *taker.reg;
+    const std::uint32_t highest = HighestRegister(reg.letter, profile_);
+    const std::uint64_t last = std::uint64_t{reg.number} + taker.count - 1;
+    if (last > highest) {
+      diagnostics_.Report(taker.span, diag::RegisterTooHigh, Written(reg), taker.name, highest);
+      return;
+    }
+    if (const Taker* other = Overlap(reg.letter, reg.space, reg.number, taker.count)) {
+      diagnostics_.Report(taker.span, diag::RegisterTwice, other->name, taker.name, Written(reg))
+          .Note(other->span, diag::DeclaredHere, other->name);
+      return;
+    }
+    taken_.emplace(Key{reg.letter, reg.space, reg.number}, taker);
+  }
+
+  void Choose(Taker& taker) {
+    ir::Register& reg = *taker.reg;
+    reg.number = 0;
+    while (const Taker* other = Overlap(reg.letter, reg.space, reg.number, taker.count)) {
+      reg.number = other->reg->number + other->count;
+    }
+    Occupy(taker);
+  }
+
+  const ir::Profile& profile_;
+  Diagnostics& diagnostics_;
+  std::map<Key, Taker> taken_;
+};
+
+std::uint32_t CountOf(const ir::TypeTable& types, ir::TypeId type) {
+  std::uint32_t count = 1;
+  for (; types[type].kind == ir::TypeKind::kArray; type = types[type].element)
+    count *= std::max<std::uint32_t>(types[type].count, 1);
+  return count;
+}
+
+}  // namespace
+
+void AssignRegisters(ir::Program& program, Diagnostics& diagnostics) {
+  // fxc's order, as far as known (design of the clip table): $Globals, the others as declared,
+  // $Params.
+  const auto rank = [](ir::CbufferKind kind) {
+    return kind == ir::CbufferKind::kGlobals ? 0 : kind == ir::CbufferKind::kParams ? 2 : 1;
+  };
+  std::vector<ir::CbufferId> order;
+  for (ir::CbufferId id : program.cbuffers.ids()) order.push_back(id);
+  std::stable_sort(order.begin(), order.end(), [&](ir::CbufferId a, ir::CbufferId b) {
+    return rank(program.cbuffers[a].kind) < rank(program.cbuffers[b].kind);
+  });
+  std::vector<Taker> takers;
+  for (ir::CbufferId id : order) {
+    ir::Cbuffer& buffer = program.cbuffers[id];
+    if (buffer.kind == ir::CbufferKind::kTbuffer) buffer.reg.letter = 't';
+    takers.push_back({&buffer.reg, buffer.count, buffer.name, buffer.span});
+  }
+  for (ir::Resource& resource : program.resources) {
+    const ir::Var& var = program.vars[resource.var];
+    takers.push_back({&resource.reg, CountOf(program.types, var.type), var.name, var.span});
+  }
+  Allocator(program.profile, diagnostics).Run(takers);
+}
+
+}  // namespace clipc

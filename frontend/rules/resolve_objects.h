@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "base/diagnostics.h"
+#include "ir/program.h"
+
+namespace clipc {
+
+// Textures, samplers and buffers are global variables for GLSL, while HLSL passes them to
+// functions, keeps them in local variables and structs, and returns them. Follows every object to
+// its global, makes one copy of a function for each tuple of objects it is called with, and takes
+// the objects out of parameters, variables and structs:
+//
+//   float4 Read(Maps maps, float2 uv)                         float4 Read(Maps maps, float2 uv)
+//   { return maps.color.SampleLevel(maps.s, uv, maps.lod); }  { return Color.SampleLevel(Linear, uv, maps.lod); }
+//   ...                                                  =>   ...
+//   Maps maps; maps.color = Color; maps.s = Linear;           Maps maps;
+//   maps.lod = 0; Read(maps, uv);                             maps.lod = 0; Read(maps, uv);
+//
+// An index of an array of objects that is known only at run time travels as a number of its own.
+// Objects inside a uniform struct become resources. Where the object is not the same on all paths
+// it reports ObjectNotGlobal, as fxc (X3031) and DXC do. Afterwards an object occurs in an
+// ObjectCall only, as the path of a resource.
+void ResolveObjects(ir::Program& program, Diagnostics& diagnostics);
+
+}  // namespace clipc

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <algorithm>
+
+#include "frontend/rules/object_resolver.h"
+
+namespace clipc {
+
+// The variable and the part of it that a path names, where its indices are known.
+std::optional<std::pair<ir::VarId, SlotPath>> ObjectResolver::PlaceOf(ir::ExprId expr) const {
+  SlotPath path;
+  while (true) {
+    const auto& node = program_.exprs[expr].node;
+    if (const auto* ref = std::get_if<ir::VarRef>(&node)) {
+      if (!frame_->slots.contains(ref->var)) return std::nullopt;
+      std::ranges::reverse(path);
+      return std::pair{ref->var, path};
+    }
+    if (const auto* field = std::get_if<ir::FieldRef>(&node)) {
+      path.push_back(field->field);
+      expr = field->base;
+      continue;
+    }
+    const auto* index = std::get_if<ir::Index>(&node);
+    const auto* literal =
+        index ? std::get_if<ir::Literal>(&program_.exprs[index->index].node) : nullptr;
+    if (!literal) return std::nullopt;
+    path.push_back(static_cast<std::uint32_t>(literal->bits));
+    expr = index->base;
+  }
+}
+
+// From here on the part of the variable holds these objects. Where that is not so on all paths, it
+// is an error, unless they are the ones it holds anyway.
+void ObjectResolver::Bind(ir::VarId var, const SlotPath& place, Slots slots, Span span) {
+  Slots& held = frame_->slots[var];
+  Slots added;
+  for (auto& [path, object] : slots) {
+    SlotPath whole = place;
+    whole.insert(whole.end(), path.begin(), path.end());
+    Keep(var, whole, object, span);
+    added[whole] = std::move(object);
+  }
+  const bool is_certain = frame_->depth == frame_->depths[var];
+  for (const auto& [path, object] : added) {
+    const auto found = held.find(path);
+    if (!is_certain && found != held.end() && found->second != object) {
+      return ReportChoice(program_.vars[var].name, program_.vars[var].type, span);
+    }
+  }
+  if (is_certain) {
+    std::erase_if(held, [&](const auto& slot) { return StartsWith(slot.first, place); });
+  }
+  for (auto& [path, object] : added) held[path] = std::move(object);
+}
+
+// Indices known at run time are stored beside the object.
+void ObjectResolver::Keep(ir::VarId var, const SlotPath& path, ObjectPath& object, Span span) {
+  for (std::size_t i = 0; i < object.indices.size(); ++i) {
+    ObjectIndex& index = object.indices[i];
+    if (index.IsLiteral()) continue;
+    const ir::TypeId type = program_.types.Make(TypeOf(index));
+    ir::Builder at(program_, span);
+    ir::VarId& companion = frame_->companions[{var, path, i}];
+    if (!companion) {
+      companion = at.Local(program_.vars[var].name + "_index", type);
+      frame_->declarations.push_back(at.Stmt(ir::Declare{companion, {}}));
+    }
+    const ir::ExprId value = index.expr ? index.expr : at.Ref(index.var);
+    Before(at.AssignTo(at.Ref(companion),
+                       at.ConvertTo(program_.types[program_.vars[companion].type].scalar, value)),
+           span);
+    index = {0, companion, {}};
+  }
+}
+
+// Runs the expression before the current statement.
+void ObjectResolver::Before(ir::ExprId expr, Span span) {
+  if (ir::IsPure(program_, expr)) return;
+  if (frame_ == nullptr || !frame_->may_emit) {
+    diagnostics_.Report(span, diag::Unsupported, "choosing an object in the condition of a loop");
+    return;
+  }
+  frame_->before.push_back(ir::Builder(program_, span).Eval(expr));
+}
+
+std::string ObjectResolver::NameOf(ir::ExprId expr) const {
+  while (true) {
+    const auto& node = program_.exprs[expr].node;
+    if (const auto* ref = std::get_if<ir::VarRef>(&node)) return program_.vars[ref->var].name;
+    if (const auto* field = std::get_if<ir::FieldRef>(&node)) {
+      return NameOf(field->base) + "." +
+             program_.types.StructOf(program_.exprs[field->base].type).fields[field->field].name;
+    }
+    const auto* index = std::get_if<ir::Index>(&node);
+    if (!index) return "this";
+    expr = index->base;
+  }
+}
+
+void ObjectResolver::ReportChoice(const std::string& name, ir::TypeId type, Span span) {
+  diagnostics_.Report(span, diag::ObjectNotGlobal, name, program_.types.Name(type));
+}
+
+}  // namespace clipc

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/rules/semantics.h"
+
+#include "base/spelling.h"
+
+namespace clipc {
+namespace {
+
+using Use = SystemValue::Use;
+using ir::Builtin;
+
+struct Row {
+  std::string_view name;  // lower case
+  SystemValue input, output;
+};
+
+constexpr SystemValue kPlain{};
+constexpr SystemValue kRefused{Use::kRefused, Builtin::kNone, 0, 0};
+constexpr SystemValue Is(Builtin builtin, int major = 4, int minor = 0) {
+  return {Use::kBuiltin, builtin, major, minor};
+}
+
+// A position or clip distance that the input assembler reads is data like any other (DXC: "Arb" for
+// the vertex input).
+constexpr Row kRows[] = {
+    {"sv_position", kPlain, Is(Builtin::kPosition, 0)},
+    {"sv_clipdistance", kPlain, Is(Builtin::kClipDistance)},
+    {"sv_culldistance", kPlain, Is(Builtin::kCullDistance)},
+    {"sv_vertexid", Is(Builtin::kVertexId), kPlain},
+    {"sv_instanceid", Is(Builtin::kInstanceId), kPlain},
+    {"sv_startvertexlocation", Is(Builtin::kBaseVertex, 6, 8), kRefused},
+    {"sv_startinstancelocation", Is(Builtin::kBaseInstance, 6, 8), kRefused},
+    {"sv_viewid", Is(Builtin::kViewId, 6, 1), kPlain},
+    {"sv_vulkanvertexid", Is(Builtin::kVertexIndex), kRefused},  // Slang's
+    {"sv_vulkaninstanceid", Is(Builtin::kInstanceIndex), kRefused},
+    {"sv_shadingrate", kPlain, Is(Builtin::kShadingRate, 6, 4)},
+    {"sv_rendertargetarrayindex", kPlain, Is(Builtin::kLayer)},
+    {"sv_viewportarrayindex", kPlain, Is(Builtin::kViewportIndex)},
+    {"sv_primitiveid", kRefused, kPlain},
+    {"sv_pointsize", kRefused,
+     Is(Builtin::kPointSize, 0)},  // Slang's and SDL's name for Direct3D 9's PSIZE
+};
+
+}  // namespace
+
+SystemValue LookUpSemantic(std::string_view name, std::uint32_t index, Direction direction,
+                           const ir::Profile& profile) {
+  const std::string lower = ToLower(name);
+  for (const Row& row : kRows) {
+    if (row.name == lower) return direction == Direction::kInput ? row.input : row.output;
+  }
+  // Direct3D 9's vertex shaders name their position POSITION; from 4.0 on it is a name like any
+  // other.
+  if (profile.IsDirect3D9() && direction == Direction::kOutput && index == 0) {
+    if (lower == "position") return Is(Builtin::kPosition, 0);
+    if (lower == "psize") return Is(Builtin::kPointSize, 0);
+  }
+  return lower.starts_with("sv_") ? kRefused : kPlain;
+}
+
+}  // namespace clipc

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "ir/profile.h"
+#include "ir/program.h"
+
+// The semantics a vertex shader knows. Source: Direct3D 11.3 functional specification 8 and 9
+// (system generated and interpreted values), DXC's signature table for the vertex stage, Direct3D
+// 9's vertex shader outputs.
+namespace clipc {
+
+enum class Direction : std::uint8_t { kInput, kOutput };
+
+struct SystemValue {
+  enum class Use : std::uint8_t {
+    kPlain,    // an ordinary input or output of that name
+    kBuiltin,  // `builtin`
+    kRefused,  // a system value of another stage
+  };
+  Use use = Use::kPlain;
+  ir::Builtin builtin = ir::Builtin::kNone;
+  int major = 0, minor = 0;  // the profile it needs
+};
+
+// What the semantic means on that side of a vertex shader of that profile. `name` has no index.
+SystemValue LookUpSemantic(std::string_view name, std::uint32_t index, Direction direction,
+                           const ir::Profile& profile);
+
+}  // namespace clipc

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "tools/bench/generate.h"
+
+#include <fmt/format.h>
+
+namespace clipc::bench {
+
+std::string SixtyLineShader(unsigned seed) {
+  return fmt::format(R"(// Shader {0}
+#define LIGHT_COUNT 4
+
+cbuffer PerFrame : register(b0)
+{{
+    float4x4 view_projection;
+    float3 eye_position;
+    float time;
+    float4 fog_range;
+}};
+
+cbuffer PerObject : register(b1)
+{{
+    float4x4 world;
+    float4 light_position[LIGHT_COUNT];
+    float4 light_color[LIGHT_COUNT];
+    float4 ambient;
+}};
+
+cbuffer Planes : register(b2)
+{{
+    float4 water_plane{0};
+    float4 portal_plane{0};
+}};
+
+struct Vertex
+{{
+    float3 position : POSITION;
+    float3 normal : NORMAL;
+    float2 uv : TEXCOORD0;
+    float4 color : COLOR;
+}};
+
+struct Varyings
+{{
+    float4 position : SV_Position;
+    float4 color : COLOR0;
+    float2 uv : TEXCOORD0;
+    float fog : TEXCOORD1;
+}};
+
+float4 Lighting(float3 position, float3 normal)
+{{
+    float4 sum = ambient;
+    for (int i = 0; i < LIGHT_COUNT; ++i)
+    {{
+        float3 to_light = light_position[i].xyz - position;
+        float attenuation = saturate(1.0 - dot(to_light, to_light) * light_position[i].w);
+        sum += light_color[i] * attenuation * max(dot(normal, normalize(to_light)), 0);
+    }}
+    return sum;
+}}
+
+[clipplanes(water_plane{0}, portal_plane{0})]
+Varyings main(Vertex input)
+{{
+    Varyings output = (Varyings)0;
+    float4 world_position = mul(float4(input.position, 1), world);
+    world_position.y += sin(time + world_position.x * {1}.25) * 0.1;
+    output.position = mul(world_position, view_projection);
+    output.color = input.color * Lighting(world_position.xyz, normalize(mul(input.normal, (float3x3)world)));
+    output.uv = input.uv * {1} + float2(0.5, time);
+    output.fog = smoothstep(fog_range.x, fog_range.y, distance(eye_position, world_position.xyz));
+    return output;
+}}
+)",
+                     seed, seed % 7 + 1);
+}
+
+std::string LargeShader(std::size_t bytes) {
+  std::string text =
+      "cbuffer C { float4 plane; float4 k[16]; float4x4 m; };\nstruct Pair { float4 a; float3 b; "
+      "};\n";
+  constexpr unsigned kPerGroup =
+      50;  // functions called by one caller, so that calls do not nest deeply
+  unsigned function = 0, group = 0;
+  std::string all;
+  while (text.size() < bytes) {
+    std::string calls;
+    for (unsigned i = 0; i < kPerGroup && text.size() < bytes; ++i, ++function) {
+      text += fmt::format(
+          "float4 f{0}(float4 v, int i)\n{{\n    Pair p;\n    p.a = mul(v, m) * {1}.5 + k[i & "
+          "15];\n    p.b = normalize(v.xyz + p.a.yzw);\n"
+          "    if (p.a.x > 0.25)\n    {{\n        p.a.xy = p.b.zx - v.wz;\n    }}\n    for (int j "
+          "= 0; j < 3; ++j)\n    {{\n"
+          "        p.a += float4(p.b, 1) * saturate(dot(p.b, v.xyz)) / (j + 1);\n    }}\n    "
+          "return lerp(p.a, v, 0.125);\n}}\n",
+          function, function % 9);
+      calls += fmt::format("    v += f{}(v, {});\n", function, function % 16);
+    }
+    text += fmt::format("float4 g{}(float4 v)\n{{\n{}    return v;\n}}\n", group, calls);
+    all += fmt::format("    v += g{}(v);\n", group++);
+  }
+  return text + "[clipplanes(plane)]\nfloat4 main(float4 v : POSITION) : SV_Position\n{\n" + all +
+         "    return v;\n}\n";
+}
+
+}  // namespace clipc::bench

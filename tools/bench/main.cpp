@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// Speed and memory as ratios against named peers, all taken in one run, each beside its limit.
+//   clipc-bench CLIPC HELLO GLSLANG_VALIDATOR [SCRATCH_FOLDER]
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <ctime>
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compiler/compile.h"
+#include "tools/bench/corpus.h"
+#include "tools/bench/generate.h"
+#include "tools/bench/peers.h"
+#include "tools/bench/process.h"
+
+namespace clipc::bench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+int g_missed = 0;
+
+void Report(const char* what, double value, const char* unit, double limit) {
+  const bool holds = value <= limit;
+  g_missed += !holds;
+  std::printf("| %s | %.3g %s | at most %.3g %s | %s |\n", what, value, unit, limit, unit,
+              holds ? "holds" : "**missed**");
+  std::fflush(stdout);
+}
+
+void Write(const std::string& path, const std::string& text) {
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+double Milliseconds(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+// Cold starts of whole processes.
+void BenchCold(const std::string& clipc, const std::string& hello, const std::string& glslang,
+               const std::string& folder) {
+  const std::string hlsl = folder + "/shader.vert.hlsl", glsl = folder + "/shader.vert";
+  Write(hlsl, SixtyLineShader(1));
+  const std::vector<std::string> compile = {clipc, "-T", "vs_5_0", "-E", "main", hlsl, "-o", glsl};
+  std::vector<std::string> validate = compile;
+  validate.push_back("--validate");
+  const auto cold = RunInTurn(
+      {compile,
+       {hello},
+       {glslang, "-D", "-V", "-e", "main", "-S", "vert", hlsl, "-o", folder + "/peer.spv"}},
+      100);
+  std::printf(
+      "| cold start: hello world %.2f ms, clipc %.2f ms, glslangValidator -D -V %.2f ms | | | |\n",
+      MedianWall(cold[1]), MedianWall(cold[0]), MedianWall(cold[2]));
+  Report("cold, to a static hello world", MedianWall(cold[0]) / MedianWall(cold[1]), "x", 5);
+  Report("cold, to glslangValidator -D -V", MedianWall(cold[0]) / MedianWall(cold[2]), "x", 0.2);
+  const auto checked = RunInTurn({validate, {glslang, "-S", "vert", glsl}}, 40);
+  Report("cold with --validate, to glslangValidator on the GLSL",
+         MedianCpu(checked[0]) / MedianCpu(checked[1]), "x", 1.1);
+}
+
+// Many shaders in this process, the two ways in turn.
+void BenchWarm() {
+  constexpr int kShaders = 100, kRounds = 7;
+  std::vector<std::string> shaders;
+  for (unsigned i = 0; i < kShaders; ++i) shaders.push_back(SixtyLineShader(i));
+  StartPeers();
+  Compiler compiler;
+  std::vector<double> ours, theirs;
+  for (int round = 0; round < kRounds; ++round) {
+    std::clock_t start = std::clock();  // processor time: the machine may have other things to do
+    for (const std::string& shader : shaders) {
+      CompileRequest request;
+      request.path = "shader.hlsl";
+      request.text = shader;
+      if (!compiler.Compile(request).ok()) std::exit(1);
+    }
+    ours.push_back(1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / kShaders);
+    start = std::clock();
+    for (const std::string& shader : shaders) {
+      if (!CompileWithPeers(shader)) std::exit(1);
+    }
+    theirs.push_back(1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC /
+                     kShaders);
+  }
+  StopPeers();
+  std::printf(
+      "| in one process, a shader: clipc %.4f ms, glslang and SPIRV-Cross %.4f ms | | | |\n",
+      Median(ours), Median(theirs));
+  Report("in one process, to glslang + SPIRV-Cross", Median(ours) / Median(theirs), "x", 1.0 / 20);
+}
+
+void BenchBatchValidation() {
+  constexpr unsigned kShaders = 100;
+  std::vector<double> plain, validated;
+  Compiler compiler;
+  for (unsigned i = 0; i < kShaders + 1; ++i) {
+    CompileRequest request;
+    request.path = "shader.hlsl";
+    request.text = SixtyLineShader(i);
+    auto start = Clock::now();
+    if (!compiler.Compile(request).ok()) std::exit(1);
+    if (i > 0) plain.push_back(Milliseconds(start));
+    request.validate = true;
+    start = Clock::now();
+    if (!compiler.Compile(request).ok()) std::exit(1);
+    if (i > 0)
+      validated.push_back(Milliseconds(start));  // the first one builds glslang's symbol tables
+  }
+  Report("validation of one shader in a batch", Median(validated) - Median(plain), "ms", 2);
+}
+
+// Gives the size of the text back, and its memory.
+std::size_t WriteLarge(const std::string& path, std::size_t bytes) {
+  const std::string text = LargeShader(bytes);
+  Write(path, text);
+  return text.size();
+}
+
+// Text that makes the parser look far ahead: what decides is at the end of each statement.
+void BenchLookahead(const std::string& clipc, const std::string& folder) {
+  for (const char* statement : {"x = a < b < c; ", "f(a < b, c > (d)); ", "x = (y)(z); ",
+                                "a::b::c::d e; ", "A<B<C<D>>> e; ", "if (a) b = 1; else c = 2; "}) {
+    const auto per_byte = [&](std::size_t bytes) {
+      std::string text = "void f() {";
+      while (text.size() < bytes) text += statement;
+      Write(folder + "/ahead.hlsl", text + "}");
+      const auto runs = RunInTurn({{clipc, "--dump=ast", folder + "/ahead.hlsl"}}, 5)[0];
+      return MedianCpu(runs) / static_cast<double>(bytes);
+    };
+    const double small = per_byte(200'000);
+    const std::string what =
+        std::string("parsing `") + statement + "`, a byte at 2 MB to one at 200 kB";
+    Report(what.c_str(), per_byte(2'000'000) / small, "x", 1.5);
+  }
+}
+
+// 10 kB to 10 MB of the same kind of text: processor time and peak memory of a whole process. To be
+// run first, the small texts before the large ones: Linux starts a process with the peak memory of
+// the one that starts it.
+void BenchScaling(const std::string& clipc, const std::string& folder) {
+  const std::size_t sizes[] = {10'000, 100'000, 1'000'000, 10'000'000};
+  std::vector<double> per_byte;
+  double worst_memory = 0;
+  for (std::size_t size : sizes) {
+    const std::string hlsl = folder + "/large.hlsl";
+    const double bytes = static_cast<double>(WriteLarge(hlsl, size));
+    const auto runs = RunInTurn({{clipc, "-T", "vs_5_0", hlsl, "-o", folder + "/large.vert"}},
+                                size > 5'000'000 ? 3 : 9)[0];
+    const double peak = 1024.0 * static_cast<double>(runs[0].peak_kib);
+    per_byte.push_back(MedianCpu(runs) / bytes);
+    worst_memory = std::max(worst_memory, (peak - 8.0 * 1024 * 1024) / bytes);
+    std::printf("| %.0f bytes: %.2f ms, %.1f ns a byte, peak %.1f MiB | | | |\n", bytes,
+                MedianCpu(runs), 1e6 * MedianCpu(runs) / bytes, peak / 1024 / 1024);
+  }
+  // The smallest size is all start-up; growth is told by the others.
+  Report("cost a byte at 10 MB, to that at 100 kB", per_byte[3] / per_byte[1], "x", 1.5);
+  Report("cost a byte at 10 MB, to that at 1 MB", per_byte[3] / per_byte[2], "x", 1.5);
+  Report("peak memory beyond 8 MiB", worst_memory, "bytes a byte", 40);
+}
+
+}  // namespace
+}  // namespace clipc::bench
+
+int main(int argc, char** argv) {
+  if (argc == 3 && std::string_view(argv[1]) == "corpus") {
+    clipc::bench::BenchCorpus(argv[2]);
+    return 0;
+  }
+  if (argc < 4) {
+    std::fprintf(stderr,
+                 "usage: clipc-bench CLIPC HELLO GLSLANG_VALIDATOR [SCRATCH_FOLDER]\n       "
+                 "clipc-bench corpus LIST\n");
+    return 2;
+  }
+  const std::string folder = argc > 4 ? argv[4] : "/tmp";
+  std::printf("| what | measured | limit | |\n|---|---|---|---|\n");
+  clipc::bench::BenchScaling(argv[1], folder);
+  clipc::bench::BenchLookahead(argv[1], folder);
+  clipc::bench::BenchCold(argv[1], argv[2], argv[3], folder);
+  clipc::bench::BenchWarm();
+  clipc::bench::BenchBatchValidation();
+  std::printf("\n%d limits missed\n", clipc::bench::g_missed);
+  return clipc::bench::g_missed != 0;
+}

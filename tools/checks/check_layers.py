@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+"""Fails when a lower room includes a higher one, or a room includes a library that is not its business.
+
+usage: check_layers.py REPOSITORY_ROOT
+"""
+
+import pathlib
+import re
+import sys
+import tempfile
+
+# A room is a folder, with the folders below it that are not rooms themselves. A room may include itself and these. From the
+# bottom to the top, as in the top-level CMakeLists.txt.
+ROOMS = {
+    "base": set(),
+    "ir": {"base"},
+    "frontend/lex": {"base"},
+    "frontend/parse": {"base", "frontend/lex"},
+    "frontend/rules": {"base", "ir"},
+    "frontend/check": {"base", "ir", "frontend/lex", "frontend/parse", "frontend/rules"},
+    "passes": {"base", "ir"},
+    "backend-glsl": {"base", "ir"},
+    "clip-table": set(),
+    "compiler": {
+        "base", "ir", "frontend/lex", "frontend/parse", "frontend/rules", "frontend/check", "passes", "backend-glsl", "clip-table",
+    },
+    "runtime": {"clip-table"},
+    "examples": {"runtime"},
+    "tools/draw": {
+        "base", "ir", "frontend/lex", "frontend/parse", "frontend/rules", "frontend/check", "passes", "backend-glsl", "clip-table",
+        "compiler", "runtime",
+    },
+    "tools/study": {"clip-table", "compiler", "tools/draw", "runtime"},
+    "tools/scenes": {"clip-table", "runtime", "examples"},
+    "tools/bench": {"compiler", "runtime"},
+    "tools/fuzz": {"clip-table", "compiler", "runtime"},
+}
+
+# A library's headers, and the files that may include them.
+LIBRARIES = {
+    r"(clang|llvm)/": r"frontend/lex/\w+_clang\.cpp|compiler/options_llvm\.cpp",
+    r"glslang/": r"compiler/.*\.cpp|tools/draw/vulkan/glslang\.cpp|tools/bench/peers\.cpp",
+    r"spirv_cross/": r"tools/draw/(vulkan|peer)/.*|tools/bench/peers\.cpp",
+    r"vulkan/": r"tools/draw/vulkan/device\.h|tools/study/isa/main\.cpp",
+    r"fmt/": r"(base|ir|frontend|passes|backend-glsl|compiler|tools/bench)/.*",
+    r"nlohmann/": r"(base|clip-table|compiler|tools/study)/.*\.cpp",
+}
+
+# What clipc_add_shader() writes into a build folder.
+GENERATED = re.compile(r"[\w-]+\.(shader|clip)\.h")
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')
+
+
+def room_of(path):
+    """The room that holds the file at `path`, a path from the root in slashes; or None."""
+    return max((room for room in ROOMS if path.startswith(room + "/")), key=len, default=None)
+
+
+def problem(path, quote, target):
+    """What is wrong with the file at `path`, relative to the root, including `target`; or None."""
+    if quote == '"':
+        if GENERATED.fullmatch(target):
+            return None
+        if "/" not in target or target.startswith("../"):
+            return "is not written from the repository's root"
+        room, included = room_of(path.as_posix()), room_of(target)
+        if included and included != room and included not in ROOMS[room]:
+            allowed = ", ".join(sorted(ROOMS[room])) or "no other room"
+            return f"points up; {room}/ includes {allowed}"
+    for headers, users in LIBRARIES.items():
+        if re.match(headers, target) and not re.fullmatch(users, path.as_posix()):
+            return f"does not belong here; only {users} includes it"
+    return None
+
+
+def problems(root):
+    for room in ROOMS:
+        for file in sorted((root / room).rglob("*")):
+            if file.suffix not in {".h", ".cpp", ".def", ".inc"}:
+                continue
+            path = file.relative_to(root)
+            for number, line in enumerate(file.read_text(errors="replace").splitlines(), 1):
+                if match := INCLUDE.match(line):
+                    if found := problem(path, match[1], match[2]):
+                        yield f"{path}:{number}: including {match[2]} {found}"
+
+
+def self_test():
+    """A tree with one of each mistake: the check must see them all and nothing else."""
+    tree = {
+        "base/a.h": '#include "ir/program.h"\n',
+        "ir/a.h": '#include "base/id.h"\n#include <vector>\n',
+        "frontend/check/a.cpp": '#include <clang/Lex/Lexer.h>\n',
+        "frontend/parse/a.h": '#include "frontend/lex/token.h"\n#include "frontend/check/check.h"\n',
+        "frontend/lex/lexer_clang.cpp": '#include <clang/Lex/Lexer.h>\n',
+        "examples/a.cpp": '#include "water.clip.h"\n#include "water.shader.h"\n#include "../water.clip.h"\n#include "water.h"\n',
+        "passes/a.cpp": '# include "backend-glsl/writer.h"\n',
+        "backend-glsl/a.cpp": '#include "writer.h"\n',
+        "clip-table/a.h": '#include <nlohmann/json.hpp>\n',
+        "clip-table/a.cpp": '#include <nlohmann/json.hpp>\n',
+        "runtime/gl/a.cpp": '#include <fmt/format.h>\n#include "base/id.h"\n#include "clip-table/table.h"\n',
+    }
+    with tempfile.TemporaryDirectory() as name:
+        root = pathlib.Path(name)
+        for path, text in tree.items():
+            (root / path).parent.mkdir(parents=True, exist_ok=True)
+            (root / path).write_text(text)
+        seen = {found.split(": ")[0] for found in problems(root)}
+    expected = {
+        "base/a.h:1", "frontend/check/a.cpp:1", "frontend/parse/a.h:2", "passes/a.cpp:1", "backend-glsl/a.cpp:1", "clip-table/a.h:1",
+        "runtime/gl/a.cpp:1", "runtime/gl/a.cpp:2", "examples/a.cpp:3", "examples/a.cpp:4",
+    }
+    if seen != expected:
+        sys.exit(f"check_layers.py itself is wrong: saw {sorted(seen)}, expected {sorted(expected)}")
+
+
+def main():
+    self_test()
+    found = list(problems(pathlib.Path(sys.argv[1])))
+    print("\n".join(found))
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

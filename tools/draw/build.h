@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "backend-glsl/writer.h"
+#include "frontend/check/check.h"
+#include "frontend/lex/token.h"
+#include "ir/program.h"
+#include "passes/pipeline.h"
+#include "tools/draw/gl.h"
+
+namespace clipc::draw {
+
+struct BuildOptions {
+  std::string path;
+  std::string profile = "vs_5_0", entry = "main";
+  std::vector<std::string> defines, include_dirs;
+  MatrixPacking packing = MatrixPacking::kColumnMajor;
+  std::string target = "glsl450";
+  passes::Lowering lowering = passes::Lowering::kClipDistance;
+  passes::PlaneSpace plane_space = passes::PlaneSpace::kClip;
+  std::string position_input = "POSITION0";  // with plane space kObject
+  passes::ClipSpaceOptions clip_space;
+};
+
+// One shader at three stages.
+struct Shader {
+  ir::Program typed;    // as checked: what the user means
+  ir::Program lowered;  // after the passes
+  std::string glsl;
+  glsl::GlslInfo info;  // beside `lowered`
+};
+
+// The stages one after another, as the compiler's driver calls them. Throws DrawError with the
+// diagnostics, and NotForTarget when only the target is at fault.
+Shader Build(const BuildOptions& options);
+
+// The shader's tokens behind the preprocessor. Throws DrawError with the diagnostics.
+Tokens Preprocess(const BuildOptions& options);
+
+// What the target cannot say of the shader, as the driver would report it: such a comparison cannot
+// be made.
+class NotForTarget : public DrawError {
+ public:
+  using DrawError::DrawError;
+};
+
+// The same shader for Mesa's OpenGL: llvmpipe of Mesa 22.3 stops at version 450, where draw
+// parameters are an extension.
+std::string ForOpenGl(const std::string& glsl);
+
+}  // namespace clipc::draw

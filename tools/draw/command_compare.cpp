@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
+#include <set>
+
+#include "tools/draw/arguments.h"
+#include "tools/draw/commands.h"
+#include "tools/draw/compare.h"
+#include "tools/draw/options.h"
+#include "tools/draw/peer/compare.h"
+#include "tools/draw/vulkan/compare.h"
+
+namespace clipc::draw {
+namespace {
+
+using passes::Lowering;
+
+constexpr std::pair<const char*, Lowering> kLowerings[] = {
+    {"clip-distance", Lowering::kClipDistance},
+    {"level9", Lowering::kLevel9},
+    {"none", Lowering::kNone}};
+
+struct CompareOptions {
+  BuildOptions build;
+  std::vector<std::string> targets = {"glsl450", "glsl330", "glsl130", "essl300", "vulkan"};
+  std::vector<std::string> lowerings = {"clip-distance", "level9", "none"};
+  std::vector<bool> negative_one_to_one = {false, true}, flip_y = {false, true};
+  RandomOptions random;
+  Tolerance tolerance;
+  std::string peer;          // compared instead of what clipc writes
+  bool all_targets = false;  // leave out those that cannot say the shader
+  bool verbose = false;
+};
+
+std::vector<std::string> SplitAtCommas(const std::string& text) {
+  std::vector<std::string> parts{""};
+  for (const char c : text) {
+    if (c == ',') {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  return parts;
+}
+
+bool OneOf(const std::string& value, const char* no, const char* yes) {
+  if (value != no && value != yes)
+    throw DrawError("`" + value + "` is neither " + no + " nor " + yes);
+  return value == yes;
+}
+
+void SetInts(const std::string& text, RandomOptions& random) {
+  if (std::sscanf(text.c_str(), "%d..%d", &random.least_int, &random.greatest_int) != 2 ||
+      random.least_int > random.greatest_int) {
+    throw DrawError("--ints -4..7, not `" + text + "`");
+  }
+}
+
+passes::PlaneSpace PlaneSpaceOf(const std::string& name) {
+  if (name == "clip") return passes::PlaneSpace::kClip;
+  if (name == "xyw1") return passes::PlaneSpace::kXyw1;
+  if (name == "object") return passes::PlaneSpace::kObject;
+  throw DrawError("no plane space is called `" + name + "`");
+}
+
+std::map<std::string, Flag> FlagsOf(CompareOptions& options) {
+  const auto text = [](std::string& to) {
+    return Flag{true, [&to](const std::string& value) { to = value; }};
+  };
+  const auto list = [](std::vector<std::string>& to) {
+    return Flag{true, [&to](const std::string& value) { to.push_back(value); }};
+  };
+  return {
+      {"T", text(options.build.profile)},
+      {"E", text(options.build.entry)},
+      {"D", list(options.build.defines)},
+      {"I", list(options.build.include_dirs)},
+      {"row-major",
+       {false, [&](const std::string&) { options.build.packing = MatrixPacking::kRowMajor; }}},
+      {"target", {true, [&](const std::string& value) { options.targets = SplitAtCommas(value); }}},
+      {"lower",
+       {true, [&](const std::string& value) { options.lowerings = SplitAtCommas(value); }}},
+      {"plane-space",
+       {true, [&](const std::string& value) { options.build.plane_space = PlaneSpaceOf(value); }}},
+      {"position-input", text(options.build.position_input)},
+      {"depth-range",
+       {true,
+        [&](const std::string& value) {
+          options.negative_one_to_one = {OneOf(value, "zero-to-one", "negative-one-to-one")};
+        }}},
+      {"flip-y",
+       {true, [&](const std::string& value) { options.flip_y = {OneOf(value, "no", "yes")}; }}},
+      {"random",
+       {true,
+        [&](const std::string& value) {
+          options.random.vertices = static_cast<int>(ParseNumber(value));
+        }}},
+      {"seed", {true, [&](const std::string& value) { options.random.seed = ParseNumber(value); }}},
+      {"ints", {true, [&](const std::string& value) { SetInts(value, options.random); }}},
+      {"ulps",
+       {true,
+        [&](const std::string& value) {
+          options.tolerance.ulps = std::strtod(value.c_str(), nullptr);
+        }}},
+      {"exact", {false, [&](const std::string&) { options.tolerance.ulps = -1; }}},
+      {"peer", text(options.peer)},
+      {"verbose", {false, [&](const std::string&) { options.verbose = true; }}},
+  };
+}
+
+Lowering LoweringOf(const std::string& name) {
+  for (const auto& [known, lowering] : kLowerings) {
+    if (name == known) return lowering;
+  }
+  throw DrawError("no lowering is called `" + name + "`");
+}
+
+bool Reads(const ir::Program& program, ir::Builtin builtin) {
+  return std::any_of(program.inputs.begin(), program.inputs.end(),
+                     [&](const ir::IoVar& io) { return io.builtin == builtin; });
+}
+
+// A draw call in the middle of its vertices and instances, where the shader is said to stand that.
+void ChooseDraw(const Shader& shader, bool is_es, RandomOptions& draw) {
+  if (Reads(shader.typed, ir::Builtin::kInstanceId)) draw.instances = 3;
+  const auto& inputs = shader.info.inputs;
+  const bool from_zero =
+      is_es || std::any_of(inputs.begin(), inputs.end(), [](const glsl::GlslInfo::Variable& input) {
+        return input.needs_base_vertex_zero;
+      });
+  if (from_zero) return;
+  draw.first_vertex = 5;
+  draw.base_instance = 2;
+}
+
+// Adds up the comparisons of one shader.
+class Runner {
+ public:
+  explicit Runner(CompareOptions options) : options_(std::move(options)) {}
+
+  int RunPeer() {
+    BuildOptions build = options_.build;
+    build.target = "vulkan";
+    build.lowering = Lowering::kNone;
+    const Shader shader = Build(build);
+    RandomOptions random = options_.random;
+    if (Reads(shader.typed, ir::Builtin::kInstanceId)) random.instances = 3;
+    const peer::PeerComparison found =
+        peer::CompareWithGlslang(vulkan::Runner(), shader, build, random, options_.tolerance);
+    const Comparison& values = found.values;
+    for (const std::string& mistake : values.mistakes) std::printf("  %s\n", mistake.c_str());
+    std::printf("%ld values: %ld wrong, %ld of %ld equal to the bit, worst %.1f units\n",
+                values.values, values.wrong, values.equal, values.values - values.undefined,
+                values.worst);
+    long unexplained = 0;
+    for (const peer::Moved& moved : found.layout.moved) {
+      unexplained += moved.bug.empty();
+      if (!options_.verbose && !moved.bug.empty()) continue;
+      std::printf("  %s, component %u: byte %u, the peer has %u %s\n", moved.member.c_str(),
+                  moved.component, moved.byte, moved.peer_byte, moved.bug.c_str());
+    }
+    std::printf("%ld members of buffers: %ld wrong\n", found.layout.members, unexplained);
+    for (const std::string& bug : found.known_bugs)
+      std::printf("known bug of the peer: %s\n", bug.c_str());
+    if (values.equal == 0 && values.wrong == 0 && found.known_bugs.empty())
+      throw DrawError("nothing was compared");
+    return values.wrong == 0 && unexplained == 0 ? 0 : 1;
+  }
+
+  int Run() {
+    for (const std::string& target : options_.targets) {
+      for (const std::string& lowering : options_.lowerings) RunLowering(target, lowering);
+    }
+    std::printf(
+        "%d comparisons of %d values each at most: %ld wrong, %ld of %ld equal to the bit, worst "
+        "%.1f units\n",
+        comparisons_, most_values_, sum_.wrong, sum_.equal, sum_.values - sum_.undefined,
+        sum_.worst);
+    for (const std::string& name : left_out_) std::printf("left out: %s\n", name.c_str());
+    if (comparisons_ == 0 || (sum_.equal == 0 && sum_.wrong == 0))
+      throw DrawError("nothing was compared");
+    return sum_.wrong == 0 ? 0 : 1;
+  }
+
+ private:
+  void RunLowering(const std::string& target, const std::string& lowering) {
+    BuildOptions build = options_.build;
+    build.target = target;
+    build.lowering = LoweringOf(lowering);
+    for (const bool negative_one_to_one : options_.negative_one_to_one) {
+      for (const bool flip_y : options_.flip_y) {
+        build.clip_space = {negative_one_to_one, flip_y};
+        try {
+          RunOne(build, target + " " + lowering +
+                            (negative_one_to_one ? " negative-one-to-one" : " zero-to-one") +
+                            (flip_y ? " flip-y" : ""));
+        } catch (const NotForTarget& reason) {
+          if (!options_.all_targets) throw;
+          left_out_.insert(target + " " + lowering);
+          if (options_.verbose)
+            std::printf("%s %s: %s\n", target.c_str(), lowering.c_str(), reason.what());
+        }
+      }
+    }
+  }
+
+  void RunOne(const BuildOptions& build, const std::string& name) {
+    const Shader shader = Build(build);
+    RandomOptions random = options_.random;
+    ChooseDraw(shader, VersionOf(shader.glsl).es, random);
+    Compare(shader, build, random, name);
+    random.constant_textures = true;
+    if (!shader.typed.resources.empty())
+      Compare(shader, build, random, name + " constant textures");
+  }
+
+  void Compare(const Shader& shader, const BuildOptions& build, const RandomOptions& random,
+               const std::string& name) {
+    const RandomInputs inputs = MakeRandomInputs(shader.typed, random);
+    const std::vector<Expected> expected = MakeExpected(shader, build, inputs);
+    const Comparison found = Run(shader, build, expected, inputs, random);
+    if (options_.verbose || found.wrong > 0) {
+      std::printf("%s: %ld of %ld values wrong, worst %.1f units\n", name.c_str(), found.wrong,
+                  found.values, found.worst);
+    }
+    for (const std::string& mistake : found.mistakes) std::printf("  %s\n", mistake.c_str());
+    if (options_.verbose && found.wrong > 0) std::printf("%s\n", shader.glsl.c_str());
+    Add(found);
+  }
+
+  Comparison Run(const Shader& shader, const BuildOptions& build,
+                 const std::vector<Expected>& expected, const RandomInputs& inputs,
+                 const RandomOptions& random) {
+    if (build.target == "vulkan") {
+      if (!vulkan_) vulkan_.emplace();
+      return vulkan::CompareWithVulkan(*vulkan_, shader, expected, inputs, random,
+                                       options_.tolerance);
+    }
+    if (!opengl_) opengl_.emplace();
+    return CompareWithOpenGl(*opengl_, shader, expected, inputs, random, options_.tolerance);
+  }
+
+  void Add(const Comparison& found) {
+    ++comparisons_;
+    most_values_ = std::max(most_values_, static_cast<int>(found.values));
+    sum_.values += found.values;
+    sum_.equal += found.equal;
+    sum_.undefined += found.undefined;
+    sum_.wrong += found.wrong;
+    sum_.worst = std::max(sum_.worst, found.worst);
+  }
+
+  CompareOptions options_;
+  std::optional<Device> opengl_;
+  std::optional<vulkan::Runner> vulkan_;
+  Comparison sum_;
+  std::set<std::string> left_out_;
+  int comparisons_ = 0, most_values_ = 0;
+};
+
+}  // namespace
+
+int RunCompare(int argc, char** argv) {
+  CompareOptions options;
+  options.build.path = OnlyPath(ParseOptions(argc, argv, FlagsOf(options)));
+  options.all_targets = options.targets == std::vector<std::string>{"all"};
+  if (options.all_targets) {
+    const auto names = glsl::Target::Names();
+    options.targets.assign(names.begin(), names.end());
+  }
+  const bool has_peer = !options.peer.empty();
+  if (has_peer && options.peer != "glslang")
+    throw DrawError("no peer is called `" + options.peer + "`");
+  Runner runner(std::move(options));
+  return has_peer ? runner.RunPeer() : runner.Run();
+}
+
+}  // namespace clipc::draw

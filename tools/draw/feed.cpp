@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "tools/draw/feed.h"
+
+#include <bit>
+
+#include "ir/scalar.h"
+#include "tools/draw/memory.h"
+
+namespace clipc::draw {
+namespace {
+
+void GiveAttributes(const ir::Program& program, const glsl::GlslInfo& info,
+                    const RandomInputs& random, Inputs& inputs) {
+  for (std::size_t i = 0; i < program.inputs.size(); ++i) {
+    if (program.inputs[i].builtin != ir::Builtin::kNone) continue;
+    const glsl::GlslInfo::Variable& written = info.inputs.at(i);
+    const ir::Type& type = program.types[program.vars[program.inputs[i].var].type];
+    const ir::Scalar kind = ir::BaseOf(type.scalar);
+    Inputs::Attribute attribute{written.name, {}};
+    for (int vertex = 0; vertex < inputs.vertices; ++vertex) {
+      for (std::uint32_t k = 0; k < type.Components(); ++k) {
+        const auto word = static_cast<std::uint32_t>(random.vertices[vertex][i][k]);
+        attribute.words.push_back(written.integer_as_float ? AsFloat(word, kind) : word);
+      }
+    }
+    inputs.attributes.push_back(std::move(attribute));
+  }
+}
+
+}  // namespace
+
+std::uint32_t AsFloat(std::uint32_t word, ir::Scalar kind) {
+  const double number =
+      kind == ir::Scalar::kInt ? static_cast<std::int32_t>(word) : static_cast<double>(word);
+  return std::bit_cast<std::uint32_t>(static_cast<float>(number));
+}
+
+Inputs MakeInputs(const ir::Program& program, const glsl::GlslInfo& info,
+                  const RandomInputs& random, const RandomOptions& draw) {
+  Inputs inputs;
+  inputs.instances = draw.instances;
+  inputs.vertices = draw.vertices;
+  inputs.first_vertex = draw.first_vertex;
+  inputs.base_instance = draw.base_instance;
+  GiveAttributes(program, info, random, inputs);
+  GiveConstants(program, info, random.cbuffers, inputs);
+  GiveTextures(program, info, random.textures, inputs);
+  GiveBuffers(program, info, random.buffers, inputs);
+  return inputs;
+}
+
+}  // namespace clipc::draw

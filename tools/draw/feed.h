@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "backend-glsl/writer.h"
+#include "ir/program.h"
+#include "tools/draw/program.h"
+#include "tools/draw/random_inputs.h"
+
+namespace clipc::draw {
+
+// GLSL 1.20 has no attributes and varyings of ints: they pass as floats.
+std::uint32_t AsFloat(std::uint32_t word, ir::Scalar kind);
+
+// All that `random` holds, under the names that the written shader gives it. Refers to the
+// arguments.
+Inputs MakeInputs(const ir::Program& program, const glsl::GlslInfo& info,
+                  const RandomInputs& random, const RandomOptions& draw);
+
+}  // namespace clipc::draw

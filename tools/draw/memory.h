@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "backend-glsl/writer.h"
+#include "ir/evaluate.h"
+#include "ir/program.h"
+#include "tools/draw/program.h"
+
+// How values lie in constant buffers, written from HLSL's rules and not from what the GLSL writer
+// makes of them.
+namespace clipc::draw {
+
+// Calls visit(kind, byte) for every component of a value of `type` that starts at `offset`, in the
+// order of the value: elements, fields, and of a matrix row after row. Throws DrawError for 64-bit
+// components.
+void ForEachComponent(const ir::TypeTable& types, ir::TypeId type, bool row_major,
+                      std::uint32_t offset,
+                      const std::function<void(ir::Scalar kind, std::uint32_t byte)>& visit);
+
+// The cbuffers' bytes, by CbufferId, as the blocks and uniforms of the written shader. What a plain
+// uniform gets is found by its name: `light.color`, `planes[1]`. `inputs` refers to the other
+// arguments from then on.
+void GiveConstants(const ir::Program& program, const glsl::GlslInfo& info,
+                   const std::vector<std::vector<std::uint8_t>>& cbuffers, Inputs& inputs);
+
+}  // namespace clipc::draw

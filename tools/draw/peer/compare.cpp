@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "tools/draw/peer/compare.h"
+
+#include <algorithm>
+#include <regex>
+
+#include "tools/draw/feed.h"
+#include "tools/draw/options.h"
+#include "tools/draw/peer/interface.h"
+#include "tools/draw/peer/known_bugs.h"
+#include "tools/draw/peer/plain_text.h"
+#include "tools/draw/vulkan/bind.h"
+#include "tools/draw/vulkan/glslang.h"
+
+namespace clipc::draw::peer {
+namespace {
+
+// Direct3D compilers have no use for what is said to Vulkan.
+std::string WithoutVulkanAttributes(const std::string& hlsl) {
+  return std::regex_replace(hlsl, std::regex(R"(\[\[vk::[^\]]*\]\])"), "");
+}
+
+Module Compile(const BuildOptions& options) {
+  Module module;
+  module.hlsl = WithoutVulkanAttributes(ReadFile(options.path));
+  vulkan::HlslSource source{options.path, module.hlsl, options.entry, options.defines,
+                            options.include_dirs};
+  source.row_major = options.packing == MatrixPacking::kRowMajor;
+  try {
+    module.declared = vulkan::SpirvOfHlsl(source, false);
+  } catch (const vulkan::PeerRefuses&) {
+    module.hlsl = source.text =
+        WithoutVulkanAttributes(PlainText(Preprocess(options), options.entry));
+    module.declared = vulkan::SpirvOfHlsl(source, false);
+  }
+  module.run = vulkan::SpirvOfHlsl(source, true);
+  module.blocks = BlocksOf(module.declared);
+  module.elements = ElementsOf(module.declared);
+  module.inputs = InputsOf(module.declared);
+  module.outputs = OutputsOf(module.declared);
+  return module;
+}
+
+// The shader's outputs as the peer's shader writes them, beside `expected`; without words what it
+// does not write.
+std::vector<Captured> Run(const vulkan::Runner& runner, const Module& module,
+                          const ir::Program& program, const RandomInputs& random,
+                          const RandomOptions& draw) {
+  const std::vector<vulkan::Output> outputs = vulkan::OutputsOf(module.run);
+  const auto writes = [&](const char* name) {
+    return std::ranges::find(outputs, name, &vulkan::Output::name) != outputs.end();
+  };
+  if (writes("gl_ClipDistance") && writes("gl_CullDistance"))
+    throw DrawError("clip and cull distances at once, which lavapipe does not capture");
+  const vulkan::DrawCall call = MakeDrawCall(program, module, random, draw);
+  return PickOutputs(program, module, outputs, runner.Capture(module.run, outputs, call));
+}
+
+Comparison Compare(const Shader& shader, const BuildOptions& options, const RandomInputs& random,
+                   const std::vector<Captured>& captured, const Tolerance& tolerance) {
+  const std::vector<Expected> expected = MakeExpected(shader, options, random);
+  const std::vector<const Expected*> defined = Defined(expected);
+  std::vector<Captured> matching;
+  for (const Expected* output : defined)
+    matching.push_back(captured[static_cast<std::size_t>(output - expected.data())]);
+  return CompareOutputs(defined, matching, tolerance);
+}
+
+// Of the bugs that no rewriting shows: those that the shader's text invites.
+std::set<std::string> BugsInText(const std::string& hlsl, const Comparison& found) {
+  if (found.missing == found.wrong && hlsl.find("##") != hlsl.npos) return {"token-paste"};
+  if (found.missing == 0 && std::regex_search(hlsl, std::regex(R"(\[\s*\]\s*=\s*\{)")))
+    return {"unsized-initializer"};
+  return {};
+}
+
+// Two members of a block share bytes: no values can be right.
+bool HasOverlap(const std::vector<Block>& blocks) {
+  for (const Block& block : blocks) {
+    std::vector<std::uint32_t> bytes;
+    for (const auto& [name, places] : block.members)
+      bytes.insert(bytes.end(), places.begin(), places.end());
+    std::ranges::sort(bytes);
+    if (std::ranges::adjacent_find(bytes) != bytes.end()) return true;
+  }
+  return false;
+}
+
+bool TakesSystemValues(const std::vector<ir::IoVar>& list, const std::vector<Vector>& vectors) {
+  const std::vector<const Vector*> matches = Match(list, vectors);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (matches[i] && list[i].builtin != ir::Builtin::kNone) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+PeerComparison CompareWithGlslang(const vulkan::Runner& runner, const Shader& shader,
+                                  const BuildOptions& options, const RandomOptions& draw,
+                                  const Tolerance& tolerance) {
+  const Module module = Compile(options);
+  RandomInputs random = MakeRandomInputs(shader.typed, draw);
+  PeerComparison result;
+  result.layout = CompareLayout(shader.lowered, module.blocks, module.elements);
+  const std::vector<Captured> captured = Run(runner, module, shader.lowered, random, draw);
+  result.values = Compare(shader, options, random, captured, tolerance);
+  if (result.values.wrong > 0) {
+    Shader mistaken = shader;
+    std::set<std::string> bugs = ApplyValueBugs(mistaken.typed);
+    Comparison again = Compare(mistaken, options, random, captured, tolerance);
+    if (again.wrong > 0 && GiveInitialValues(shader.lowered, module.blocks, module.hlsl, random)) {
+      bugs.insert("global-initializer");
+      again = Compare(mistaken, options, random, captured, tolerance);
+    }
+    if (again.wrong == 0) {
+      result.values = again;
+    } else {
+      bugs = HasOverlap(module.blocks) ? std::set<std::string>{"register-c"}
+                                       : BugsInText(module.hlsl, again);
+      if (!bugs.empty()) result.values.wrong = 0;
+    }
+    result.known_bugs.merge(bugs);
+  }
+  for (const Moved& moved : result.layout.moved) {
+    if (!moved.bug.empty()) result.known_bugs.insert(moved.bug);
+  }
+  if (!shader.typed.clip_planes.empty()) result.known_bugs.insert("clip-planes");
+  if (TakesSystemValues(shader.lowered.inputs, module.inputs) ||
+      TakesSystemValues(shader.lowered.outputs, module.outputs)) {
+    result.known_bugs.insert("system-values");
+  }
+  return result;
+}
+
+}  // namespace clipc::draw::peer

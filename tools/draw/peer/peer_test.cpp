@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <filesystem>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "tools/draw/peer/compare.h"
+
+// The comparison with a peer itself: it sees what is not the same, and a known bug excuses that bug
+// only.
+namespace clipc::draw::peer {
+namespace {
+
+constexpr char kShader[] = R"(
+struct Light { float3 place; float2 range; };
+cbuffer Scene { row_major float3x4 world; Light lights[2]; int count; float4 color; };
+struct Item { float4 size; float weight; };
+StructuredBuffer<Item> items;
+Texture2D map;
+SamplerState smooth;
+struct Output { float4 position : SV_Position; float2 uv[2] : TEXCOORD3; float3x2 frame : FRAME; int kind : KIND; };
+Output main(float4 p : POSITION, float2 uv[2] : TEXCOORD1, uint id : SV_VertexID, int kind : KIND) {
+  Output result;
+  result.position = float4(mul(world, p), 1) * items[id].weight + map.SampleLevel(smooth, p.xy, 0);
+  result.uv[0] = uv[1] * lights[1].range;
+  result.uv[1] = uv[0] + color.zw;
+  result.frame = float3x2(p.xy, p.yz, lights[0].place.xy);
+  result.kind = kind * count;
+  return result;
+}
+)";
+
+class Peer : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    path_ = std::filesystem::temp_directory_path() /
+            ("peer_test." + std::to_string(getpid()) + ".hlsl");
+  }
+  static void TearDownTestSuite() { std::filesystem::remove(path_); }
+
+  void SetUp() override {
+    if (const std::string why = vulkan::Runner::WhyNone(); !why.empty()) GTEST_SKIP() << why;
+  }
+
+  static BuildOptions Options() {
+    BuildOptions options;
+    options.path = path_;
+    options.target = "vulkan";
+    options.lowering = passes::Lowering::kNone;
+    return options;
+  }
+
+  // The peer reads the text with `from` replaced.
+  static PeerComparison Run(const std::string& from = "", const std::string& to = "") {
+    std::string text = kShader;
+    std::ofstream(path_) << text;
+    const Shader shader = Build(Options());
+    if (!from.empty()) {
+      const std::size_t at = text.find(from);
+      EXPECT_NE(at, text.npos) << from;
+      std::ofstream(path_) << text.replace(at, from.size(), to);
+    }
+    static const vulkan::Runner runner;
+    return CompareWithGlslang(runner, shader, Options(), {.seed = 3, .vertices = 40}, {});
+  }
+
+  static inline std::string path_;
+};
+
+TEST_F(Peer, AgreesOnWhatHasNoBug) {
+  const PeerComparison found = Run();
+  EXPECT_EQ(found.values.wrong, 0) << found.values.mistakes.at(0);
+  EXPECT_EQ(found.values.values, 40 * (4 + 4 + 6 + 1));
+  EXPECT_EQ(found.layout.members, 5);
+  EXPECT_THAT(found.known_bugs, ::testing::ElementsAre("row-after-aggregate", "structured-std430"));
+}
+
+TEST_F(Peer, OtherValuesAreSeen) {
+  EXPECT_GT(Run("uv[1] * lights", "uv[0] * lights").values.wrong, 0) << "an element of an input";
+  EXPECT_GT(Run("lights[1].range", "lights[0].range").values.wrong, 0)
+      << "an element of a constant";
+  EXPECT_GT(Run("mul(world, p)", "mul(p.xyz, world).xyz").values.wrong, 0) << "a matrix";
+  EXPECT_GT(Run("p.xy, p.yz", "p.yz, p.xy").values.wrong, 0) << "a row of an output";
+  EXPECT_GT(Run("color.zw", "color.xy").values.wrong, 0) << "components";
+  EXPECT_GT(Run("kind * count", "kind * count + 1").values.wrong, 0) << "an int";
+  EXPECT_GT(Run("items[id]", "items[id + 1]").values.wrong, 0) << "an element of a buffer";
+  EXPECT_GT(Run("map.SampleLevel(smooth, p.xy", "map.SampleLevel(smooth, p.yx").values.wrong, 0)
+      << "a texture's coordinate";
+}
+
+TEST_F(Peer, OtherSemanticsAreSeen) {
+  EXPECT_GT(Run("KIND; };", "SORT; };").values.wrong, 0) << "an output";
+  EXPECT_GT(Run("TEXCOORD3", "TEXCOORD5").values.wrong, 0) << "its number";
+  EXPECT_THROW(Run(" uv[2] : TEXCOORD1,", " uv[2] : TEXCOORD2,"), DrawError) << "an input";
+}
+
+TEST_F(Peer, OtherPlacesAreSeen) {
+  const auto unexplained = [](const PeerComparison& found) {
+    return std::ranges::count(found.layout.moved, std::string(), &Moved::bug);
+  };
+  EXPECT_EQ(unexplained(Run()), 0);
+  EXPECT_EQ(unexplained(Run("float4 color;", "float4 color : packoffset(c9);")), 1);
+}
+
+}  // namespace
+}  // namespace clipc::draw::peer

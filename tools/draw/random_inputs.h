@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "ir/evaluate.h"
+#include "ir/program.h"
+#include "tools/draw/buffers.h"
+#include "tools/draw/random_values.h"
+#include "tools/draw/textures.h"
+
+namespace clipc::draw {
+
+// What a shader reads, at random.
+struct RandomInputs {
+  std::vector<std::vector<ir::IoBits>> vertices;    // by vertex, then by index into Program::inputs
+  std::vector<std::vector<std::uint8_t>> cbuffers;  // by CbufferId
+  Textures textures;
+  Buffers buffers;
+
+  // Answers the evaluator's read_object for `program`.
+  void ReadObject(const ir::Program& program, const ir::ObjectRequest& request, double undefined,
+                  std::span<std::uint64_t> result) const;
+};
+
+// vertices[i * instances..]: instance after instance, each with the same attributes, as a draw call
+// runs them.
+RandomInputs MakeRandomInputs(const ir::Program& program, const RandomOptions& options);
+
+}  // namespace clipc::draw

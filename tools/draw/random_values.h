@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+#include <random>
+
+#include "ir/evaluate.h"
+#include "ir/scalar.h"
+#include "ir/type.h"
+
+namespace clipc::draw {
+
+struct RandomOptions {
+  std::uint32_t seed = 1;
+  int vertices = 64;
+  int instances = 1;
+  int first_vertex = 0, base_instance = 0;  // of the draw call
+  bool constant_textures = false;           // where the shader samples
+  int least_int = -4, greatest_int = 7;     // loop counts and array indices must stay small
+};
+
+// Equal seeds give equal values on every machine. Floats lie in [-2, 2], one in four is a whole
+// number, so that comparisons and exact zeros occur, and no result is large enough to hide the
+// errors of another.
+class RandomValues {
+ public:
+  explicit RandomValues(const RandomOptions& options) : options_(options), random_(options.seed) {}
+
+  // The bits of a value as ir::Literal holds them.
+  std::uint64_t Next(ir::Scalar kind);
+  // mt19937's numbers are the same everywhere; the standard distributions are not.
+  std::uint32_t Below(std::uint32_t limit) { return static_cast<std::uint32_t>(random_() % limit); }
+
+ private:
+  int Int(int least);
+  float Float();
+
+  RandomOptions options_;
+  std::mt19937 random_;
+};
+
+// A component that a request reads and that is undefined: 0 where `undefined` is, else another
+// value for every request, component and `undefined`. Were they multiples of each other, a sum of
+// some could be 0 every time, as if it were known.
+std::uint64_t UndefinedBits(const ir::ObjectRequest& request, double undefined, ir::Scalar kind,
+                            std::size_t component);
+
+}  // namespace clipc::draw

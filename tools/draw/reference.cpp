@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "tools/draw/reference.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <optional>
+
+#include "ir/scalar.h"
+#include "tools/draw/gl.h"
+
+namespace clipc::draw {
+namespace {
+
+template <typename Number>
+using Float4 = std::array<Number, 4>;
+
+struct EvaluatorStops : DrawError {
+  using DrawError::DrawError;
+};
+
+// The outputs of all vertices, once in float and once in double.
+struct Runs {
+  std::vector<ir::EvalOutputs> in_float, in_double;
+};
+
+Runs RunAll(const ir::Program& program, const RandomInputs& inputs, double undefined) {
+  Runs runs;
+  for (const std::vector<ir::IoBits>& vertex : inputs.vertices) {
+    const auto read = [&](const ir::ObjectRequest& request, std::span<std::uint64_t> result) {
+      inputs.ReadObject(program, request, undefined, result);
+    };
+    const ir::EvalInputs values{vertex, inputs.cbuffers, read};
+    for (const bool in_double : {false, true}) {
+      ir::EvalResult result =
+          ir::RunMain(program, values, {.in_double = in_double, .undefined = undefined});
+      if (!result) throw EvaluatorStops("the reference evaluator stops: " + result.error);
+      (in_double ? runs.in_double : runs.in_float).push_back(std::move(result.outputs));
+    }
+  }
+  return runs;
+}
+
+void Append(Expected& expected, float value, double number) {
+  expected.words.push_back(static_cast<std::uint32_t>(ir::BitsOf(value)));
+  expected.numbers.push_back(number);
+}
+
+template <typename Number>
+Float4<Number> Adjusted(Float4<Number> position, const passes::ClipSpaceOptions& options) {
+  if (options.flip_y) position[1] = -position[1];
+  if (options.negative_one_to_one) position[2] = 2 * position[2] - position[3];
+  return position;
+}
+
+template <typename Number>
+Number Dot(const Float4<Number>& position, const Float4<float>& plane) {
+  Number sum = position[0] * plane[0];
+  for (int i = 1; i < 4; ++i) sum = sum + position[i] * plane[i];
+  return sum;
+}
+
+class Reference {
+ public:
+  Reference(const Shader& shader, const BuildOptions& options, const RandomInputs& inputs,
+            double undefined)
+      : shader_(shader),
+        options_(options),
+        inputs_(inputs),
+        undefined_(undefined),
+        typed_(RunAll(shader.typed, inputs, undefined)) {}
+
+  std::vector<Expected> Make() {
+    const auto& outputs = shader_.lowered.outputs;
+    std::vector<Expected> all;
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+      Expected expected = Empty(i);
+      if (outputs[i].builtin == ir::Builtin::kPosition) {
+        FillPosition(expected, true);
+      } else if (const std::optional<std::size_t> own = OwnOutput(outputs[i].var)) {
+        Fill(expected, *own, typed_);
+      } else if (outputs[i].builtin == ir::Builtin::kClipVertex) {
+        FillPosition(expected, false);
+      } else {
+        FillDistances(expected, i);
+      }
+      all.push_back(std::move(expected));
+    }
+    return all;
+  }
+
+  bool WroteOutOfBounds(std::size_t vertex) const {
+    return typed_.in_float[vertex].wrote_out_of_bounds;
+  }
+
+ private:
+  // Which output of the HLSL shader that is; none: of a pass. Clip distances at the end may have
+  // gone.
+  std::optional<std::size_t> OwnOutput(ir::VarId var) const {
+    const auto& list = shader_.typed.outputs;
+    const auto found = std::ranges::find(list, var, &ir::IoVar::var);
+    return found == list.end() ? std::nullopt : std::optional<std::size_t>(found - list.begin());
+  }
+
+  Expected Empty(std::size_t index) const {
+    const ir::Program& program = shader_.lowered;
+    const ir::Type* type = &program.types[program.vars[program.outputs[index].var].type];
+    const bool is_array = type->kind == ir::TypeKind::kArray;
+    const auto count = static_cast<int>(is_array ? type->count : type->Components());
+    if (is_array) type = &program.types[type->element];
+    const ir::Scalar kind = ir::BaseOf(type->scalar);
+    if (kind == ir::Scalar::kDouble)
+      throw DrawError("an output of doubles, which no test draws with");
+    return {shader_.info.outputs.at(index).name, kind, count, {}, {}, {}};
+  }
+
+  void Fill(Expected& expected, std::size_t index, const Runs& runs) const {
+    for (std::size_t vertex = 0; vertex < runs.in_float.size(); ++vertex) {
+      for (int i = 0; i < expected.components; ++i) {
+        expected.words.push_back(
+            static_cast<std::uint32_t>(runs.in_float[vertex].values[index][i]));
+        expected.numbers.push_back(runs.in_double[vertex].numbers[index][i]);
+      }
+    }
+  }
+
+  template <typename Number>
+  Float4<Number> PositionOf(const ir::EvalOutputs& outputs) const {
+    const auto& list = shader_.typed.outputs;
+    const auto found = std::find_if(list.begin(), list.end(), [](const ir::IoVar& io) {
+      return io.builtin == ir::Builtin::kPosition;
+    });
+    if (found == list.end()) throw DrawError("planes without a position");
+    Float4<Number> position;
+    for (int i = 0; i < 4; ++i)
+      position[i] = static_cast<Number>(outputs.numbers[found - list.begin()][i]);
+    return position;
+  }
+
+  // What the planes are dotted with, by the definition of the plane space.
+  template <typename Number>
+  Float4<Number> VertexOf(std::size_t vertex, const ir::EvalOutputs& outputs) const {
+    if (options_.plane_space != passes::PlaneSpace::kObject) {
+      const Float4<Number> p = PositionOf<Number>(outputs);
+      return options_.plane_space == passes::PlaneSpace::kClip
+                 ? p
+                 : Float4<Number>{p[0], p[1], p[3], 1};
+    }
+    const auto& list = shader_.typed.inputs;
+    const auto found = std::find_if(list.begin(), list.end(), [&](const ir::IoVar& io) {
+      return io.semantic + std::to_string(io.index) == options_.position_input;
+    });
+    if (found == list.end()) throw DrawError("no input " + options_.position_input);
+    const ir::Type& type = shader_.typed.types[shader_.typed.vars[found->var].type];
+    Float4<Number> raw{0, 0, 0, 1};
+    for (std::uint32_t i = 0; i < type.Components(); ++i) {
+      float value;
+      const auto bits =
+          static_cast<std::uint32_t>(inputs_.vertices[vertex][found - list.begin()][i]);
+      std::memcpy(&value, &bits, sizeof value);
+      raw[i] = value;
+    }
+    return raw;
+  }
+
+  void FillPosition(Expected& expected, bool adjusted) const {
+    const passes::ClipSpaceOptions clip_space =
+        adjusted ? options_.clip_space : passes::ClipSpaceOptions{};
+    for (std::size_t vertex = 0; vertex < typed_.in_float.size(); ++vertex) {
+      const auto in_float = Adjusted(PositionOf<float>(typed_.in_float[vertex]), clip_space);
+      const auto in_double = Adjusted(PositionOf<double>(typed_.in_double[vertex]), clip_space);
+      for (int i = 0; i < 4; ++i) Append(expected, in_float[i], in_double[i]);
+    }
+  }
+
+  // Planes composed of several constants are read by the evaluator; all others from the bytes that
+  // the application uploads.
+  void FillDistances(Expected& expected, std::size_t index) const {
+    const auto& planes = shader_.typed.clip_planes;
+    if (!std::all_of(planes.begin(), planes.end(),
+                     [](const ir::ClipPlane& plane) { return plane.whole_register; })) {
+      return Fill(expected, index, RunAll(shader_.lowered, inputs_, undefined_));
+    }
+    for (std::size_t vertex = 0; vertex < typed_.in_float.size(); ++vertex) {
+      for (const ir::ClipPlane& plane : planes) {
+        const Float4<float> value = PlaneOf(plane);
+        Append(expected, Dot(VertexOf<float>(vertex, typed_.in_float[vertex]), value),
+               Dot(VertexOf<double>(vertex, typed_.in_double[vertex]), value));
+      }
+    }
+  }
+
+  Float4<float> PlaneOf(const ir::ClipPlane& plane) const {
+    const std::uint32_t at =
+        plane.element * shader_.typed.cbuffers[plane.cbuffer].size + plane.offset;
+    Float4<float> value;
+    std::memcpy(value.data(), inputs_.cbuffers[plane.cbuffer.index].data() + at, sizeof value);
+    return value;
+  }
+
+  const Shader& shader_;
+  const BuildOptions& options_;
+  const RandomInputs& inputs_;
+  const double undefined_;
+  Runs typed_;
+};
+
+// What is different in another run is open, and all of it when that run does not come to an end.
+template <typename Run>
+void MarkOpen(std::vector<Expected>& all, Run&& run) {
+  std::vector<Expected> others;
+  try {
+    others = run();
+  } catch (const EvaluatorStops&) {
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t k = 0; k < all[i].words.size(); ++k) {
+      if (others.empty() || all[i].words[k] != others[i].words[k]) all[i].open[k] = true;
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Expected> MakeExpected(const Shader& shader, const BuildOptions& options,
+                                   const RandomInputs& inputs) {
+  Reference zero(shader, options, inputs, 0);
+  std::vector<Expected> all = zero.Make();
+  for (Expected& output : all) {
+    for (std::size_t k = 0; k < output.words.size(); ++k) {
+      output.open.push_back(zero.WroteOutOfBounds(k / static_cast<std::size_t>(output.components)));
+    }
+  }
+  const auto try_value = [&](double undefined) {
+    MarkOpen(all, [&] { return Reference(shader, options, inputs, undefined).Make(); });
+  };
+  // One other value may happen to give the same: max(0, x) does for any x below 0.
+  for (const double undefined : {1.0, 3.0, -2.5}) try_value(undefined);
+  const auto has_open = [](const Expected& output) {
+    return std::ranges::find(output.open, true) != output.open.end();
+  };
+  // Where the shader reads what is undefined at some vertices, three may do so at one of many. What
+  // lies outside of a texture or at the border between two texels is common, and shaders branch on
+  // it.
+  if (shader.typed.resources.empty() && std::ranges::none_of(all, has_open)) return all;
+  for (const double undefined :
+       {0.125, 2.0, 0.25, 5.0, 0.375, -7.5, 0.5, 9.0, 0.625, -4.0, 0.75, 14.0})
+    try_value(undefined);
+  return all;
+}
+
+}  // namespace clipc::draw

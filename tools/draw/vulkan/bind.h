@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "backend-glsl/writer.h"
+#include "ir/program.h"
+#include "tools/draw/vulkan/run.h"
+
+namespace clipc::draw::vulkan {
+
+// `inputs` at the locations, sets and bindings that `info` says.
+DrawCall MakeDrawCall(const ir::Program& program, const glsl::GlslInfo& info, const Inputs& inputs);
+
+}  // namespace clipc::draw::vulkan

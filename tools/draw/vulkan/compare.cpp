@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "tools/draw/vulkan/compare.h"
+
+#include <algorithm>
+#include <regex>
+
+#include "tools/draw/feed.h"
+#include "tools/draw/vulkan/bind.h"
+#include "tools/draw/vulkan/glslang.h"
+
+namespace clipc::draw::vulkan {
+namespace {
+
+// lavapipe of Mesa 22.3 loses an output when clip and cull distances share a vector: there cull
+// distances are an output like any other.
+std::string Capturable(const std::string& glsl) {
+  static const std::regex both(
+      R"((\n +float gl_ClipDistance\[\d+\];)\n +float gl_CullDistance(\[\d+\];)\n\};)");
+  const std::string text =
+      std::regex_replace(glsl, both, "$1\n};\nlayout(location = 24) out float cull_distance$2");
+  return text == glsl ? glsl
+                      : std::regex_replace(text, std::regex("gl_CullDistance"), "cull_distance");
+}
+
+}  // namespace
+
+std::vector<Output> FindOutputs(const Spirv& spirv, const std::vector<const Expected*>& expected) {
+  const std::vector<Output> written = OutputsOf(spirv);
+  std::vector<Output> found;
+  for (const Expected* output : expected) {
+    auto same = std::ranges::find(written, output->name, &Output::name);
+    if (same == written.end() && output->name == "gl_CullDistance")
+      same = std::ranges::find(written, "cull_distance", &Output::name);
+    if (same == written.end()) throw DrawError("the shader does not write `" + output->name + "`");
+    found.push_back(*same);
+  }
+  return found;
+}
+
+Comparison CompareWithVulkan(const Runner& runner, const Shader& shader,
+                             const std::vector<Expected>& expected, const RandomInputs& random,
+                             const RandomOptions& draw, const Tolerance& tolerance) {
+  const std::vector<const Expected*> outputs = Defined(expected);
+  if (outputs.empty()) return {};
+  const Spirv spirv = SpirvOfGlsl(Capturable(shader.glsl));
+  const Inputs inputs = MakeInputs(shader.lowered, shader.info, random, draw);
+  const DrawCall call = MakeDrawCall(shader.lowered, shader.info, inputs);
+  return CompareOutputs(outputs, runner.Capture(spirv, FindOutputs(spirv, outputs), call),
+                        tolerance);
+}
+
+}  // namespace clipc::draw::vulkan

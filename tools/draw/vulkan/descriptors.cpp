@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "tools/draw/vulkan/descriptors.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace clipc::draw::vulkan {
+namespace {
+
+vk::DescriptorType TypeOf(DrawCall::Kind kind) {
+  switch (kind) {
+    case DrawCall::Kind::kUniforms: return vk::DescriptorType::eUniformBuffer;
+    case DrawCall::Kind::kStorage: return vk::DescriptorType::eStorageBuffer;
+    case DrawCall::Kind::kTexture: return vk::DescriptorType::eSampledImage;
+    case DrawCall::Kind::kSampler: return vk::DescriptorType::eSampler;
+    case DrawCall::Kind::kTextureWithSampler: return vk::DescriptorType::eCombinedImageSampler;
+    case DrawCall::Kind::kTexels: return vk::DescriptorType::eUniformTexelBuffer;
+  }
+  return {};
+}
+
+}  // namespace
+
+Descriptors::Descriptors(const Device& device, const DrawCall& call) : device_(device) {
+  MakeLayouts(call);
+  MakeSets(call);
+  for (const DrawCall::Descriptor& descriptor : call.descriptors) Write(descriptor);
+}
+
+void Descriptors::MakeLayouts(const DrawCall& call) {
+  std::map<std::uint32_t, std::map<std::uint32_t, vk::DescriptorSetLayoutBinding>> sets;
+  for (const DrawCall::Descriptor& descriptor : call.descriptors) {
+    vk::DescriptorSetLayoutBinding& binding = sets[descriptor.set][descriptor.binding];
+    binding.binding = descriptor.binding;
+    binding.descriptorType = TypeOf(descriptor.kind);
+    binding.stageFlags = vk::ShaderStageFlagBits::eVertex;
+    binding.descriptorCount = std::max(binding.descriptorCount, descriptor.element + 1);
+  }
+  for (std::uint32_t set = 0; !sets.empty() && set <= sets.rbegin()->first; ++set) {
+    std::vector<vk::DescriptorSetLayoutBinding> bindings;
+    for (const auto& [number, binding] : sets[set]) bindings.push_back(binding);
+    layouts_.emplace_back(device_.get(), vk::DescriptorSetLayoutCreateInfo({}, bindings));
+  }
+}
+
+void Descriptors::MakeSets(const DrawCall& call) {
+  if (layouts_.empty()) return;
+  std::map<vk::DescriptorType, std::uint32_t> counts;
+  for (const DrawCall::Descriptor& descriptor : call.descriptors) ++counts[TypeOf(descriptor.kind)];
+  std::vector<vk::DescriptorPoolSize> sizes;
+  for (const auto& [type, count] : counts) sizes.emplace_back(type, count);
+  pool_ = vk::raii::DescriptorPool(
+      device_.get(),
+      vk::DescriptorPoolCreateInfo({}, static_cast<std::uint32_t>(layouts_.size()), sizes));
+  const std::vector<vk::DescriptorSetLayout> layouts = Layouts();
+  for (vk::raii::DescriptorSet& set :
+       vk::raii::DescriptorSets(device_.get(), vk::DescriptorSetAllocateInfo(*pool_, layouts))) {
+    sets_.push_back(set.release());  // goes with the pool
+  }
+}
+
+void Descriptors::Write(const DrawCall::Descriptor& given) {
+  const vk::DescriptorType type = TypeOf(given.kind);
+  vk::WriteDescriptorSet write(sets_.at(given.set), given.binding, given.element, 1, type);
+  vk::DescriptorBufferInfo buffer(nullptr, 0, VK_WHOLE_SIZE);
+  vk::DescriptorImageInfo image({}, {}, vk::ImageLayout::eShaderReadOnlyOptimal);
+  vk::BufferView texels;
+  switch (given.kind) {
+    case DrawCall::Kind::kUniforms:
+    case DrawCall::Kind::kStorage: {
+      const auto usage = given.kind == DrawCall::Kind::kUniforms
+                             ? vk::BufferUsageFlagBits::eUniformBuffer
+                             : vk::BufferUsageFlagBits::eStorageBuffer;
+      buffer.buffer = *buffers_.emplace_back(device_.NewBuffer(usage, given.bytes)).buffer;
+      break;
+    }
+    case DrawCall::Kind::kTexels: {
+      const std::vector<std::uint32_t>& words = given.texture.levels.at(0).words;
+      const auto* bytes = reinterpret_cast<const std::uint8_t*>(words.data());
+      const Buffer& made = buffers_.emplace_back(device_.NewBuffer(
+          vk::BufferUsageFlagBits::eUniformTexelBuffer, {bytes, 4 * words.size()}));
+      texels_.emplace_back(
+          device_.get(),
+          vk::BufferViewCreateInfo({}, *made.buffer, FormatOf(given.texture), 0, VK_WHOLE_SIZE));
+      texels = *texels_.back();
+      break;
+    }
+    case DrawCall::Kind::kTexture:
+      image.imageView = *images_.emplace_back(UploadImage(device_, given.texture)).view;
+      break;
+    case DrawCall::Kind::kSampler:
+      image.sampler = *samplers_.emplace_back(MakeSampler(device_, given.compares));
+      break;
+    case DrawCall::Kind::kTextureWithSampler:
+      image.imageView = *images_.emplace_back(UploadImage(device_, given.texture)).view;
+      image.sampler = *samplers_.emplace_back(MakeSampler(device_, false));
+      break;
+  }
+  write.pBufferInfo = &buffer;
+  write.pImageInfo = &image;
+  write.pTexelBufferView = &texels;
+  device_.get().updateDescriptorSets(write, {});
+}
+
+std::vector<vk::DescriptorSetLayout> Descriptors::Layouts() const {
+  std::vector<vk::DescriptorSetLayout> layouts;
+  for (const vk::raii::DescriptorSetLayout& layout : layouts_) layouts.push_back(*layout);
+  return layouts;
+}
+
+void Descriptors::Bind(const vk::raii::CommandBuffer& commands,
+                       const vk::raii::PipelineLayout& layout) const {
+  if (!sets_.empty())
+    commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout, 0, sets_, {});
+}
+
+}  // namespace clipc::draw::vulkan

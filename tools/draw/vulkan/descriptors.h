@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "tools/draw/vulkan/image.h"
+#include "tools/draw/vulkan/run.h"
+
+namespace clipc::draw::vulkan {
+
+// The descriptor sets of a draw call and what they point to.
+class Descriptors {
+ public:
+  Descriptors(const Device& device, const DrawCall& call);
+
+  std::vector<vk::DescriptorSetLayout> Layouts() const;
+  void Bind(const vk::raii::CommandBuffer& commands, const vk::raii::PipelineLayout& layout) const;
+
+ private:
+  void MakeLayouts(const DrawCall& call);
+  void MakeSets(const DrawCall& call);
+  void Write(const DrawCall::Descriptor& descriptor);
+
+  const Device& device_;
+  std::vector<vk::raii::DescriptorSetLayout> layouts_;  // by number of the set; empty ones between
+  vk::raii::DescriptorPool pool_{nullptr};
+  std::vector<vk::DescriptorSet> sets_;
+  // What stays as long as the sets do.
+  std::vector<Buffer> buffers_;
+  std::vector<Image> images_;
+  std::vector<vk::raii::BufferView> texels_;
+  std::vector<vk::raii::Sampler> samplers_;
+};
+
+}  // namespace clipc::draw::vulkan

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "tools/draw/vulkan/driver_bugs.h"
+
+#include <algorithm>
+#include <variant>
+
+#include "tools/draw/gl.h"
+
+namespace clipc::draw::vulkan {
+namespace {
+
+using ir::TypeKind;
+
+bool IsArrayOfArrays(const ir::TypeTable& types, ir::TypeId id) {
+  return types[id].kind == TypeKind::kArray && types[types[id].element].kind == TypeKind::kArray;
+}
+
+bool IsGather(ir::ObjectOp op) {
+  return op >= ir::ObjectOp::kGather && op <= ir::ObjectOp::kGatherAlpha;
+}
+
+// (texture, sampler, coordinate, and four offsets)
+bool HasFourOffsets(const ir::Program& program, const ir::ObjectCall& call) {
+  return IsGather(call.op) && program.expr_lists[call.arguments].size() == 7;
+}
+
+// Whether it is an element of an array, or another texture has a lower register.
+bool MayNotBeTheFirst(const ir::Program& program, ir::ExprId object) {
+  const auto* ref = std::get_if<ir::VarRef>(&program.exprs[object].node);
+  if (!ref) return true;
+  const auto register_of = [](const ir::Resource& resource) {
+    return std::pair(resource.reg.space, resource.reg.number);
+  };
+  const auto self = std::ranges::find(program.resources, ref->var, &ir::Resource::var);
+  return std::ranges::any_of(program.resources, [&](const ir::Resource& other) {
+    return other.reg.letter == 't' && register_of(other) < register_of(*self);
+  });
+}
+
+}  // namespace
+
+void RefuseDriverBugs(const ir::Program& program) {
+  for (const ir::Resource& resource : program.resources) {
+    if (!IsArrayOfArrays(program.types, program.vars[resource.var].type)) continue;
+    throw DrawError("an array of arrays of textures, which lavapipe does not read");
+  }
+  for (const ir::ExprId id : program.exprs.ids()) {
+    const auto* call = std::get_if<ir::ObjectCall>(&program.exprs[id].node);
+    if (!call || !HasFourOffsets(program, *call) ||
+        !MayNotBeTheFirst(program, program.expr_lists[call->arguments][0]))
+      continue;
+    throw DrawError("a gather with four offsets, which lavapipe reads from another texture");
+  }
+}
+
+}  // namespace clipc::draw::vulkan

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "tools/draw/vulkan/run.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "tools/draw/gl.h"
+#include "tools/draw/vulkan/descriptors.h"
+#include "tools/draw/vulkan/device.h"
+
+namespace clipc::draw::vulkan {
+namespace {
+
+// Outputs one after another in as many buffers as they take.
+struct Layout {
+  std::vector<Place> places;           // beside the outputs
+  std::vector<std::uint32_t> strides;  // of each buffer
+};
+
+Layout LayOut(const Device& device, std::span<const Output> outputs) {
+  Layout layout;
+  const std::uint32_t most = device.MostFeedbackStride();
+  for (const Output& output : outputs) {
+    const auto bytes = 4 * static_cast<std::uint32_t>(output.Words());
+    if (layout.strides.empty() || layout.strides.back() + bytes > most) layout.strides.push_back(0);
+    layout.places.push_back(
+        {static_cast<std::uint32_t>(layout.strides.size() - 1), layout.strides.back()});
+    layout.strides.back() += bytes;
+  }
+  if (layout.strides.size() > device.MostFeedbackBuffers())
+    throw DrawError("more outputs than transform feedback writes");
+  return layout;
+}
+
+// The buffers of the attributes, with what a pipeline must know of them.
+struct Attributes {
+  std::vector<vk::VertexInputBindingDescription> bindings;
+  std::vector<vk::VertexInputAttributeDescription> places;
+  std::vector<Buffer> buffers;
+};
+
+vk::Format FormatOf(Shape::Kind kind, std::size_t components) {
+  using enum vk::Format;
+  constexpr vk::Format kFormats[3][4] = {
+      {eR32Sfloat, eR32G32Sfloat, eR32G32B32Sfloat, eR32G32B32A32Sfloat},
+      {eR32Sint, eR32G32Sint, eR32G32B32Sint, eR32G32B32A32Sint},
+      {eR32Uint, eR32G32Uint, eR32G32B32Uint, eR32G32B32A32Uint}};
+  if (components < 1 || components > 4) throw DrawError("an attribute is a scalar or a vector");
+  return kFormats[static_cast<int>(kind)][components - 1];
+}
+
+Attributes Upload(const Device& device, const DrawCall& call) {
+  Attributes made;
+  for (const DrawCall::Attribute& attribute : call.attributes) {
+    const std::size_t components = attribute.words.size() / static_cast<std::size_t>(call.vertices);
+    std::vector<std::uint32_t> words(components * static_cast<std::size_t>(call.first_vertex));
+    words.insert(words.end(), attribute.words.begin(), attribute.words.end());
+    const auto binding = static_cast<std::uint32_t>(made.bindings.size());
+    made.bindings.emplace_back(binding, static_cast<std::uint32_t>(4 * components));
+    made.places.emplace_back(attribute.location, binding, FormatOf(attribute.kind, components), 0);
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(words.data());
+    made.buffers.push_back(
+        device.NewBuffer(vk::BufferUsageFlagBits::eVertexBuffer, {bytes, 4 * words.size()}));
+  }
+  return made;
+}
+
+vk::raii::Pipeline MakePipeline(const vk::raii::Device& device, const Spirv& vertex,
+                                const Attributes& attributes,
+                                const vk::raii::PipelineLayout& layout) {
+  const vk::raii::ShaderModule module(device, vk::ShaderModuleCreateInfo({}, vertex));
+  const std::string entry = EntryPointOf(vertex);
+  const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eVertex, *module,
+                                                entry.c_str());
+  const vk::PipelineVertexInputStateCreateInfo input({}, attributes.bindings, attributes.places);
+  const vk::PipelineInputAssemblyStateCreateInfo assembly({}, vk::PrimitiveTopology::ePointList);
+  vk::PipelineRasterizationStateCreateInfo rasterization;
+  rasterization.rasterizerDiscardEnable = true;
+  rasterization.lineWidth = 1;
+  const vk::PipelineRenderingCreateInfo rendering;  // no attachments
+  vk::GraphicsPipelineCreateInfo info;
+  info.pNext = &rendering;
+  info.setStages(stage);
+  info.pVertexInputState = &input;
+  info.pInputAssemblyState = &assembly;
+  info.pRasterizationState = &rasterization;
+  info.layout = *layout;
+  return {device, nullptr, info};
+}
+
+std::vector<Buffer> FeedbackBuffers(const Device& device, const Layout& layout,
+                                    const DrawCall& call) {
+  std::vector<Buffer> buffers;
+  const std::size_t runs =
+      static_cast<std::size_t>(call.vertices) * static_cast<std::size_t>(call.instances);
+  for (const std::uint32_t stride : layout.strides) {
+    // What nothing is written to stays a NaN.
+    const std::vector<std::uint8_t> bytes(stride * runs, 0xff);
+    buffers.push_back(
+        device.NewBuffer(vk::BufferUsageFlagBits::eTransformFeedbackBufferEXT, bytes));
+  }
+  return buffers;
+}
+
+void Draw(const vk::raii::CommandBuffer& commands, const std::vector<Buffer>& feedback,
+          const Attributes& attributes, const DrawCall& call) {
+  for (std::uint32_t i = 0; i < attributes.buffers.size(); ++i)
+    commands.bindVertexBuffers(i, *attributes.buffers[i].buffer, {0});
+  for (std::uint32_t i = 0; i < feedback.size(); ++i) {
+    commands.bindTransformFeedbackBuffersEXT(i, *feedback[i].buffer, {0}, {VK_WHOLE_SIZE});
+  }
+  commands.beginRendering(vk::RenderingInfo({}, vk::Rect2D({0, 0}, {1, 1}), 1));
+  commands.beginTransformFeedbackEXT(0, {}, {});
+  commands.draw(static_cast<std::uint32_t>(call.vertices),
+                static_cast<std::uint32_t>(call.instances),
+                static_cast<std::uint32_t>(call.first_vertex),
+                static_cast<std::uint32_t>(call.base_instance));
+  commands.endTransformFeedbackEXT(0, {}, {});
+  commands.endRendering();
+}
+
+std::vector<Captured> Gather(const Device& device, const Layout& layout,
+                             const std::vector<Buffer>& feedback, std::span<const Output> outputs,
+                             const DrawCall& call) {
+  std::vector<std::vector<std::uint32_t>> words;
+  for (const Buffer& buffer : feedback) words.push_back(device.Read(buffer));
+  std::vector<Captured> all;
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    Captured& captured =
+        all.emplace_back(Captured{outputs[i].name, outputs[i].shape, outputs[i].count, {}});
+    const Place& place = layout.places[i];
+    for (int run = 0; run < call.vertices * call.instances; ++run) {
+      const auto first =
+          words[place.buffer].begin() +
+          (run * static_cast<std::ptrdiff_t>(layout.strides[place.buffer]) + place.offset) / 4;
+      captured.words.insert(captured.words.end(), first, first + outputs[i].Words());
+    }
+  }
+  return all;
+}
+
+// Vulkan would read anything.
+void CheckReads(const Spirv& vertex, const DrawCall& call) {
+  const Reads reads = ReadsOf(vertex);
+  for (const Reads::Binding& read : reads.bindings) {
+    if (std::ranges::any_of(call.descriptors, [&](const auto& given) {
+          return given.set == read.set && given.binding == read.binding;
+        }))
+      continue;
+    throw DrawError("`" + read.name + "`, set " + std::to_string(read.set) + ", binding " +
+                    std::to_string(read.binding) + ", has no value");
+  }
+  for (const Reads::Attribute& read : reads.attributes) {
+    for (std::uint32_t at = read.location; at < read.location + read.locations; ++at) {
+      if (std::ranges::any_of(call.attributes,
+                              [&](const auto& given) { return given.location == at; }))
+        continue;
+      throw DrawError("attribute `" + read.name + "`, location " + std::to_string(at) +
+                      ", has no value");
+    }
+  }
+}
+
+}  // namespace
+
+Runner::Runner() : device_(std::make_unique<Device>()) {}
+Runner::~Runner() = default;
+
+std::string Runner::WhyNone() {
+  if (std::getenv("CI")) return "";
+  try {
+    const Device device;
+    return "";
+  } catch (const DrawError& error) {
+    return error.what();
+  }
+}
+
+std::string Runner::name() const { return device_->name(); }
+
+std::vector<Captured> Runner::Capture(const Spirv& vertex, std::span<const Output> outputs,
+                                      const DrawCall& call) const {
+  CheckReads(vertex, call);
+  const Layout layout = LayOut(*device_, outputs);
+  try {
+    const Attributes attributes = Upload(*device_, call);
+    const Descriptors descriptors(*device_, call);
+    const vk::raii::Device& device = device_->get();
+    const std::vector<vk::DescriptorSetLayout> set_layouts = descriptors.Layouts();
+    const vk::raii::PipelineLayout pipeline_layout(device,
+                                                   vk::PipelineLayoutCreateInfo({}, set_layouts));
+    const Spirv capturing = WithTransformFeedback(vertex, outputs, layout.places, layout.strides);
+    const vk::raii::Pipeline pipeline =
+        MakePipeline(device, capturing, attributes, pipeline_layout);
+    const std::vector<Buffer> feedback = FeedbackBuffers(*device_, layout, call);
+    device_->Submit([&](const vk::raii::CommandBuffer& commands) {
+      commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline);
+      descriptors.Bind(commands, pipeline_layout);
+      Draw(commands, feedback, attributes, call);
+    });
+    return Gather(*device_, layout, feedback, outputs, call);
+  } catch (const vk::Error& error) {
+    throw DrawError(std::string("Vulkan refuses the shader or its inputs: ") + error.what());
+  }
+}
+
+}  // namespace clipc::draw::vulkan

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "tools/draw/vulkan/spirv.h"
+
+#include <set>
+
+#include "tools/draw/vulkan/reflect.h"
+
+namespace clipc::draw::vulkan {
+namespace {
+
+constexpr std::size_t kHeaderWords = 5;
+
+Shape ShapeOf(const spirv_cross::SPIRType& type, const std::string& name) {
+  using enum Shape::Kind;
+  const auto columns = static_cast<int>(type.columns), rows = static_cast<int>(type.vecsize);
+  switch (type.basetype) {
+    case spirv_cross::SPIRType::Float: return {kFloat, columns, rows};
+    case spirv_cross::SPIRType::Int: return {kInt, columns, rows};
+    case spirv_cross::SPIRType::Boolean:
+    case spirv_cross::SPIRType::UInt: return {kUint, columns, rows};
+    default: throw DrawError("the output `" + name + "` has a type that no test draws with");
+  }
+}
+
+int CountOf(const spirv_cross::SPIRType& type) {
+  int count = 1;
+  for (const std::uint32_t size : type.array) count *= static_cast<int>(size);
+  return count;
+}
+
+const char* NameOf(spv::BuiltIn builtin) {
+  switch (builtin) {
+    case spv::BuiltInPosition: return "gl_Position";
+    case spv::BuiltInPointSize: return "gl_PointSize";
+    case spv::BuiltInClipDistance: return "gl_ClipDistance";
+    case spv::BuiltInCullDistance: return "gl_CullDistance";
+    case spv::BuiltInLayer: return "gl_Layer";
+    case spv::BuiltInViewportIndex: return "gl_ViewportIndex";
+    default: return "";
+  }
+}
+
+Output Make(const spirv_cross::Compiler& compiler, const spirv_cross::Resource& resource,
+            spirv_cross::TypeID type_id, std::string name) {
+  const spirv_cross::SPIRType& type = compiler.get_type(type_id);
+  Output output;
+  output.shape = ShapeOf(type, name);
+  output.count = CountOf(type);
+  output.name = std::move(name);
+  output.variable = resource.id;
+  output.type = resource.base_type_id;
+  return output;
+}
+
+// Of gl_PerVertex the member that is built in so.
+std::optional<std::uint32_t> MemberOf(const spirv_cross::Compiler& compiler,
+                                      const spirv_cross::BuiltInResource& found) {
+  const spirv_cross::SPIRType& type = compiler.get_type(found.resource.base_type_id);
+  if (type.basetype != spirv_cross::SPIRType::Struct) return std::nullopt;
+  for (std::uint32_t i = 0; i < type.member_types.size(); ++i) {
+    if (compiler.has_member_decoration(type.self, i, spv::DecorationBuiltIn) &&
+        compiler.get_member_decoration(type.self, i, spv::DecorationBuiltIn) ==
+            static_cast<std::uint32_t>(found.builtin)) {
+      return i;
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<Output> ReflectOutputs(const spirv_cross::Compiler& compiler) {
+  const spirv_cross::ShaderResources resources = compiler.get_shader_resources();
+  std::vector<Output> outputs;
+  for (const spirv_cross::Resource& resource : resources.stage_outputs) {
+    Output& output =
+        outputs.emplace_back(Make(compiler, resource, resource.type_id, resource.name));
+    output.location = compiler.get_decoration(resource.id, spv::DecorationLocation);
+    output.semantic =
+        compiler.get_decoration_string(resource.id, spv::DecorationHlslSemanticGOOGLE);
+  }
+  for (const spirv_cross::BuiltInResource& found : resources.builtin_outputs) {
+    Output& output = outputs.emplace_back(
+        Make(compiler, found.resource, found.value_type_id, NameOf(found.builtin)));
+    output.member = MemberOf(compiler, found);
+    output.semantic =
+        compiler.get_decoration_string(found.resource.id, spv::DecorationHlslSemanticGOOGLE);
+  }
+  return outputs;
+}
+
+Reads ReflectReads(const spirv_cross::Compiler& compiler) {
+  const spirv_cross::ShaderResources resources = compiler.get_shader_resources();
+  Reads reads;
+  for (const auto* list :
+       {&resources.uniform_buffers, &resources.storage_buffers, &resources.sampled_images,
+        &resources.separate_images, &resources.separate_samplers, &resources.storage_images}) {
+    for (const spirv_cross::Resource& resource : *list) {
+      const std::string variable = compiler.get_name(resource.id);
+      reads.bindings.push_back(
+          {variable.empty() ? compiler.get_name(resource.base_type_id) : variable,
+           compiler.get_decoration(resource.id, spv::DecorationDescriptorSet),
+           compiler.get_decoration(resource.id, spv::DecorationBinding)});
+    }
+  }
+  for (const spirv_cross::Resource& resource : resources.stage_inputs) {
+    const spirv_cross::SPIRType& type = compiler.get_type(resource.type_id);
+    reads.attributes.push_back(
+        {resource.name,
+         compiler.get_decoration_string(resource.id, spv::DecorationHlslSemanticGOOGLE),
+         compiler.get_decoration(resource.id, spv::DecorationLocation),
+         static_cast<std::uint32_t>(CountOf(type)) * type.columns});
+  }
+  return reads;
+}
+
+// Calls visit(opcode) until that returns false, and returns where it stopped.
+template <typename Visit>
+std::size_t Walk(const Spirv& spirv, Visit&& visit) {
+  std::size_t at = kHeaderWords;
+  while (at < spirv.size() && visit(static_cast<spv::Op>(spirv[at] & 0xffff)))
+    at += std::max(spirv[at] >> 16, 1u);
+  return at;
+}
+
+void Append(Spirv& spirv, spv::Op op, std::initializer_list<std::uint32_t> operands) {
+  spirv.push_back(static_cast<std::uint32_t>(operands.size() + 1) << 16 |
+                  static_cast<std::uint32_t>(op));
+  spirv.insert(spirv.end(), operands);
+}
+
+// What must come before the first decoration or type.
+bool IsPreamble(spv::Op op) {
+  switch (op) {
+    case spv::OpCapability:
+    case spv::OpExtension:
+    case spv::OpExtInstImport:
+    case spv::OpMemoryModel:
+    case spv::OpEntryPoint:
+    case spv::OpExecutionMode:
+    case spv::OpString:
+    case spv::OpSource:
+    case spv::OpSourceContinued:
+    case spv::OpSourceExtension:
+    case spv::OpName:
+    case spv::OpMemberName:
+    case spv::OpModuleProcessed:
+    case spv::OpNop: return true;
+    default: return false;
+  }
+}
+
+}  // namespace
+
+std::vector<Output> OutputsOf(const Spirv& spirv) { return Reflected(spirv, ReflectOutputs); }
+Reads ReadsOf(const Spirv& spirv) { return Reflected(spirv, ReflectReads); }
+
+std::string EntryPointOf(const Spirv& spirv) {
+  const std::size_t entry = Walk(spirv, [](spv::Op op) { return op != spv::OpEntryPoint; });
+  return reinterpret_cast<const char*>(&spirv.at(entry + 3));
+}
+
+Spirv WithTransformFeedback(const Spirv& spirv, std::span<const Output> outputs,
+                            std::span<const Place> places, std::span<const std::uint32_t> strides) {
+  Spirv decorations;
+  std::set<std::uint32_t> blocks;
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const Output& output = outputs[i];
+    const Place& place = places[i];
+    if (output.member) {
+      Append(decorations, spv::OpMemberDecorate,
+             {output.type, *output.member, spv::DecorationOffset, place.offset});
+      if (!blocks.insert(output.variable).second) continue;
+    } else {
+      Append(decorations, spv::OpDecorate, {output.variable, spv::DecorationOffset, place.offset});
+    }
+    Append(decorations, spv::OpDecorate, {output.variable, spv::DecorationXfbBuffer, place.buffer});
+    Append(decorations, spv::OpDecorate,
+           {output.variable, spv::DecorationXfbStride, strides[place.buffer]});
+  }
+
+  const std::size_t entry = Walk(spirv, [](spv::Op op) { return op != spv::OpEntryPoint; });
+  const std::size_t modes = entry + (spirv.at(entry) >> 16);
+  const std::size_t body = Walk(spirv, IsPreamble);
+  Spirv result(spirv.begin(), spirv.begin() + kHeaderWords);
+  Append(result, spv::OpCapability, {spv::CapabilityTransformFeedback});
+  result.insert(result.end(), spirv.begin() + kHeaderWords,
+                spirv.begin() + static_cast<std::ptrdiff_t>(modes));
+  Append(result, spv::OpExecutionMode, {spirv[entry + 2], spv::ExecutionModeXfb});
+  result.insert(result.end(), spirv.begin() + static_cast<std::ptrdiff_t>(modes),
+                spirv.begin() + static_cast<std::ptrdiff_t>(body));
+  result.insert(result.end(), decorations.begin(), decorations.end());
+  result.insert(result.end(), spirv.begin() + static_cast<std::ptrdiff_t>(body), spirv.end());
+  return result;
+}
+
+}  // namespace clipc::draw::vulkan

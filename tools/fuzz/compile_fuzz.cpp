@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception The whole pipeline on any text: no crash,
+// no hang, and GLSL exactly when there is no error. The first line of an input may be `//PROFILE
+// TARGET LOWERING SPACE`, up to four digits that choose among the lists below; any other input gets
+// the first of each.
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+#include "compiler/compile.h"
+
+namespace {
+
+constexpr std::array kProfiles = {
+    "vs_5_0", "vs_4_0_level_9_1", "vs_4_0_level_9_3", "vs_5_1", "vs_6_6", "vs_3_0", "vs_4_0"};
+constexpr std::array kTargets = {"glsl450", "vulkan",  "glsl330", "glsl120",
+                                 "glsl130", "essl310", "glsl420", "essl300"};
+constexpr std::array kLowerings = {
+    clipc::clip_table::Lowering::kClipDistance, clipc::clip_table::Lowering::kLevel9,
+    clipc::clip_table::Lowering::kNone, clipc::clip_table::Lowering::kNearPlane,
+    clipc::clip_table::Lowering::kDiscard};
+constexpr std::array kSpaces = {clipc::clip_table::PositionSpace::kDirect3DClip,
+                                clipc::clip_table::PositionSpace::kXyw1,
+                                clipc::clip_table::PositionSpace::kObject};
+
+// The digit at `position` as an index into a list of `size`.
+std::size_t Choose(std::string_view text, std::size_t position, std::size_t size) {
+  const bool chooses = text.size() > position && text.starts_with("//");
+  const int digit = chooses ? text[position] - '0' : 0;
+  return digit >= 0 && digit <= 9 ? static_cast<std::size_t>(digit) % size : 0;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static clipc::Compiler compiler;
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  clipc::CompileRequest request;
+  request.path = "fuzz.hlsl";
+  request.text = std::string(text);
+  request.profile = kProfiles[Choose(text, 2, kProfiles.size())];
+  request.target = kTargets[Choose(text, 3, kTargets.size())];
+  const std::size_t lowering = Choose(text, 4, kLowerings.size() + 1);
+  if (lowering < kLowerings.size()) request.lowering = kLowerings[lowering];
+  request.plane_space = kSpaces[Choose(text, 5, kSpaces.size())];
+  request.flip_y = true;
+  request.depth_range = clipc::DepthRange::kNegativeOneToOne;
+  request.reflect = true;
+  request.verify = true;
+  const clipc::CompileResult result = compiler.Compile(request);
+  if (result.ok() == result.glsl.empty()) std::abort();
+  if (!result.ok() && result.messages.empty()) std::abort();
+  return 0;
+}

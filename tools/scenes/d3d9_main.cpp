@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception Windows: draws the scenes on a real
+// IDirect3DDevice9, the planes going from clipc's table through Level9Binder to SetClipPlane, and
+// writes the pictures as raw RGBA, rows from top to bottom: FOLDER/<planes>-<mistake>.rgba and,
+// drawn without a vertex shader, FOLDER/fixed-function.rgba. Prints what a draw costs of setting
+// planes that have not changed, for docs/runtime.md.
+//   d3d9_scenes FOLDER TABLE.bin
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include <d3d9.h>
+#include <windows.h>
+
+#include "runtime/d3d9/clip_plane_device.h"
+#include "runtime/level9_binder.h"
+#include "runtime/table.h"
+#include "scene_level9_1.clip.h"
+#include "scene_level9_3.clip.h"
+#include "tools/scenes/scene.h"
+
+namespace {
+
+using namespace clipc::scenes;
+namespace runtime = clipc::runtime;
+
+constexpr D3DCOLOR kClearColor = 0xFF203040;
+
+[[noreturn]] void Fail(const char* what, long code) {
+  std::fprintf(stderr, "%s: 0x%lx\n", what, static_cast<unsigned long>(code));
+  std::exit(1);
+}
+void Check(HRESULT result, const char* what) {
+  if (FAILED(result)) Fail(what, result);
+}
+void Check(const runtime::Status& status) {
+  if (!status.ok()) Fail(status.message(), runtime::HresultOf(status.error()));
+}
+
+// What fxc makes of scene.hlsl, without the pixel offset, which Direct3D 9's rasteriser has by
+// itself: position in the order in which OpenGL multiplies matrix and vector.
+//   vs_1_1
+//   dcl_position v0
+//   dcl_color v1
+//   mul r0, c0, v0.x
+//   mad r0, c1, v0.y, r0
+//   mad r0, c2, v0.z, r0
+//   add oPos, r0, c3
+//   mov oD0, v1
+constexpr DWORD kShader[] = {0xFFFE0101,                                                  //
+                             0x0000001F, 0x80000000, 0x900F0000,                          //
+                             0x0000001F, 0x8000000A, 0x900F0001,                          //
+                             0x00000005, 0x800F0000, 0xA0E40000, 0x90000000,              //
+                             0x00000004, 0x800F0000, 0xA0E40001, 0x90550000, 0x80E40000,  //
+                             0x00000004, 0x800F0000, 0xA0E40002, 0x90AA0000, 0x80E40000,  //
+                             0x00000002, 0xC00F0000, 0x80E40000, 0xA0E40003,              //
+                             0x00000001, 0xD00F0000, 0x90E40001,                          //
+                             0x0000FFFF};
+
+IDirect3DDevice9* MakeDevice() {
+  IDirect3D9* direct3d = Direct3DCreate9(D3D_SDK_VERSION);
+  if (direct3d == nullptr) Fail("Direct3DCreate9", 0);
+  const HWND window = CreateWindowA("static", "scenes", WS_POPUP, 0, 0, kSize, kSize, nullptr,
+                                    nullptr, nullptr, nullptr);
+  D3DPRESENT_PARAMETERS parameters = {};
+  parameters.Windowed = TRUE;
+  parameters.SwapEffect = D3DSWAPEFFECT_DISCARD;
+  parameters.BackBufferFormat = D3DFMT_X8R8G8B8;
+  parameters.BackBufferWidth = kSize;
+  parameters.BackBufferHeight = kSize;
+  parameters.EnableAutoDepthStencil = TRUE;
+  parameters.AutoDepthStencilFormat = D3DFMT_D24S8;
+  parameters.hDeviceWindow = window;
+  IDirect3DDevice9* device = nullptr;
+  Check(direct3d->CreateDevice(0, D3DDEVTYPE_HAL, window, D3DCREATE_HARDWARE_VERTEXPROCESSING,
+                               &parameters, &device),
+        "CreateDevice");
+  IDirect3DVertexShader9* shader = nullptr;
+  Check(device->CreateVertexShader(kShader, &shader), "CreateVertexShader");
+  Check(device->SetFVF(D3DFVF_XYZ | D3DFVF_DIFFUSE), "SetFVF");
+  Check(device->SetVertexShader(shader), "SetVertexShader");
+  Check(device->SetRenderState(D3DRS_CULLMODE, D3DCULL_NONE), "CULLMODE");
+  Check(device->SetRenderState(D3DRS_LIGHTING, FALSE), "LIGHTING");
+  return device;
+}
+
+void DrawObjects(IDirect3DDevice9& device, const Scene& scene) {
+  for (const Object& object : scene.objects) {
+    // Four constant registers, a row each: what c0 to c3 in the shader are.
+    const auto matrix = clipc::examples::Floats(
+        runtime::Multiply(runtime::Multiply(object.world, scene.view), scene.projection));
+    Check(device.SetVertexShaderConstantF(0, matrix.data(), 4), "SetVertexShaderConstantF");
+    Check(device.DrawPrimitiveUP(D3DPT_TRIANGLELIST, static_cast<UINT>(object.vertices.size() / 3),
+                                 object.vertices.data(), sizeof(SceneVertex)),
+          "DrawPrimitiveUP");
+  }
+}
+
+void WritePicture(IDirect3DDevice9& device, const std::string& path) {
+  IDirect3DSurface9 *target = nullptr, *copy = nullptr;
+  Check(device.GetRenderTarget(0, &target), "GetRenderTarget");
+  Check(device.CreateOffscreenPlainSurface(kSize, kSize, D3DFMT_X8R8G8B8, D3DPOOL_SYSTEMMEM, &copy,
+                                           nullptr),
+        "surface");
+  Check(device.GetRenderTargetData(target, copy), "GetRenderTargetData");
+  D3DLOCKED_RECT locked;
+  Check(copy->LockRect(&locked, nullptr, D3DLOCK_READONLY), "LockRect");
+  std::ofstream file(path, std::ios::binary);
+  for (int y = 0; y < kSize; ++y) {
+    for (int x = 0; x < kSize; ++x) {
+      std::uint32_t color;
+      std::memcpy(&color, static_cast<const char*>(locked.pBits) + y * locked.Pitch + 4 * x, 4);
+      const char rgba[4] = {static_cast<char>(color >> 16), static_cast<char>(color >> 8),
+                            static_cast<char>(color), '\xFF'};
+      file.write(rgba, 4);
+    }
+  }
+  copy->UnlockRect();
+  copy->Release();
+  target->Release();
+  if (!file.flush()) Fail(path.c_str(), 0);
+}
+
+void Draw(IDirect3DDevice9& device, runtime::Level9Binder& binder, const runtime::Table& table,
+          int plane_count, Mistake mistake, const std::string& folder) {
+  const Scene scene = MakeScene(plane_count);
+  const auto planes = PlaneConstants(scene, scene.projection, 1, mistake);
+  Check(device.Clear(0, nullptr, D3DCLEAR_TARGET | D3DCLEAR_ZBUFFER, kClearColor, 1, 0), "Clear");
+  Check(device.BeginScene(), "BeginScene");
+  const runtime::BoundBuffer buffer{1, 0, planes.data(), sizeof planes};
+  Check(binder.Bind(MistakenTable(table, mistake), &buffer, 1));
+  DrawObjects(device, scene);
+  Check(device.EndScene(), "EndScene");
+  WritePicture(device,
+               folder + "/" + std::to_string(plane_count) + "-" + NameOf(mistake) + ".rgba");
+}
+
+// Without a vertex shader, the planes as they are in world space. "SetClipPlane", Remarks.
+void DrawFixedFunction(IDirect3DDevice9& device, const std::string& path) {
+  const Scene scene = MakeScene(3);
+  const auto set = [&](D3DTRANSFORMSTATETYPE state, const runtime::Matrix& matrix) {
+    const auto floats = clipc::examples::Floats(matrix);
+    D3DMATRIX elements;
+    std::memcpy(&elements, floats.data(), sizeof elements);
+    Check(device.SetTransform(state, &elements), "SetTransform");
+  };
+  Check(device.SetVertexShader(nullptr), "SetVertexShader");
+  set(D3DTS_VIEW, scene.view);
+  set(D3DTS_PROJECTION, scene.projection);
+  Check(device.Clear(0, nullptr, D3DCLEAR_TARGET | D3DCLEAR_ZBUFFER, kClearColor, 1, 0), "Clear");
+  Check(device.BeginScene(), "BeginScene");
+  for (DWORD i = 0; i < 3; ++i) {
+    const runtime::Plane& plane = scene.planes[i];
+    const float floats[4] = {static_cast<float>(plane.x), static_cast<float>(plane.y),
+                             static_cast<float>(plane.z), static_cast<float>(plane.w)};
+    Check(device.SetClipPlane(i, floats), "SetClipPlane");
+  }
+  Check(device.SetRenderState(D3DRS_CLIPPLANEENABLE, 7), "CLIPPLANEENABLE");
+  for (const Object& object : scene.objects) {
+    set(D3DTS_WORLD, object.world);
+    Check(device.DrawPrimitiveUP(D3DPT_TRIANGLELIST, static_cast<UINT>(object.vertices.size() / 3),
+                                 object.vertices.data(), sizeof(SceneVertex)),
+          "DrawPrimitiveUP");
+  }
+  Check(device.EndScene(), "EndScene");
+  WritePicture(device, path);
+}
+
+double Nanoseconds() {
+  LARGE_INTEGER count, frequency;
+  QueryPerformanceCounter(&count);
+  QueryPerformanceFrequency(&frequency);
+  return 1e9 * static_cast<double>(count.QuadPart) / static_cast<double>(frequency.QuadPart);
+}
+
+// Beside a loop that sets them blindly.
+void TimeUnchangedDraws(IDirect3DDevice9& device, runtime::Level9Binder& binder,
+                        const runtime::Table& table) {
+  constexpr int kDraws = 20'000;
+  const auto planes = PlaneConstants(MakeScene(3), MakeScene(3).projection, 1, Mistake::kNone);
+  const runtime::BoundBuffer buffer{1, 0, planes.data(), sizeof planes};
+  Check(binder.Bind(table, &buffer, 1));
+  double bound = 1e30, blind = 1e30;
+  for (int round = 0; round < 9; ++round) {
+    const double start = Nanoseconds();
+    for (int draw = 0; draw < kDraws; ++draw) Check(binder.Bind(table, &buffer, 1));
+    const double middle = Nanoseconds();
+    for (int draw = 0; draw < kDraws; ++draw) {
+      for (DWORD i = 0; i < 3; ++i) device.SetClipPlane(i, &planes[(i + 2) % 3].x);
+      device.SetRenderState(D3DRS_CLIPPLANEENABLE, table.enable_mask);
+    }
+    bound = std::min(bound, (middle - start) / kDraws),
+    blind = std::min(blind, (Nanoseconds() - middle) / kDraws);
+  }
+  std::printf("3 planes unchanged: Level9Binder %.1f ns a draw, SetClipPlane blindly %.1f ns\n",
+              bound, blind);
+}
+
+// Direct3D's own record, as `clipc --table x.bin` wrote it.
+runtime::Table ReadBinaryTable(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  const auto table = runtime::ReadTable(bytes.data(), bytes.size());
+  Check(table.status);
+  return table.value;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 3) Fail("usage: d3d9_scenes FOLDER TABLE.bin", argc);
+  IDirect3DDevice9& device = *MakeDevice();
+  runtime::d3d9::ClipPlaneDevice clip_device(device);
+  std::printf("MaxUserClipPlanes %u\n", static_cast<unsigned>(clip_device.max_planes()));
+  const float plane[4] = {1, 0, 0, 0};
+  if (clip_device.SetClipPlane(clip_device.max_planes(), plane))
+    Fail("a plane too many was taken", 0);
+  runtime::Level9Binder binder(clip_device, clip_device.max_planes());
+  const auto one = runtime::ReadTable(scene_level9_1_clip_table);
+  Check(one.status);
+  Draw(device, binder, one.value, 1, Mistake::kNone, argv[1]);
+  Draw(device, binder, ReadBinaryTable(argv[2]), 3, Mistake::kNone, argv[1]);
+  const auto three = runtime::ReadTable(scene_level9_3_clip_table);
+  Check(three.status);
+  for (const Mistake mistake : kMistakes) Draw(device, binder, three.value, 3, mistake, argv[1]);
+  TimeUnchangedDraws(device, binder, three.value);
+  DrawFixedFunction(device, std::string(argv[1]) + "/fixed-function.rgba");
+  return 0;
+}

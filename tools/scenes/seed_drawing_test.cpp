@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception What the source documents say of pixels,
+// drawn. runtime/seed*_test.cpp has what they say of numbers and calls.
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "examples/shared/mesh.h"
+#include "examples/shared/transform.h"
+#include "runtime/gl/clip_plane_device.h"
+#include "tools/scenes/comparison.h"
+#include "tools/scenes/gl_drawing.h"
+
+namespace clipc::scenes {
+namespace {
+
+using runtime::Plane;
+
+constexpr Way kWaysOfManyPlanes[] = {Way::kClipDistance, Way::kLevel9, Way::kDiscard};
+
+// Before an eye above it and to its left.
+Scene SceneOf(const examples::Mesh& mesh, std::vector<Plane> planes) {
+  Scene scene;
+  scene.objects.emplace_back();
+  for (const std::uint32_t index : mesh.indices) {
+    const float* p = mesh.vertices[index].position;
+    scene.objects[0].vertices.push_back({{p[0], p[1], p[2]}, 0xFFFFFFFF});
+  }
+  scene.view = examples::LookAt({-1.9, 2.6, -5.2}, {0, 0.1, 0});
+  scene.projection = examples::Perspective(0.62, 1, 1, 20);
+  scene.planes = std::move(planes);
+  return scene;
+}
+
+Scene TeapotScene(std::vector<Plane> planes) {
+  return SceneOf(examples::Teapot(16), std::move(planes));
+}
+
+int WhitePixels(const examples::Picture& picture) {
+  int count = 0;
+  for (std::size_t i = 0; i < picture.rgba.size(); i += 4) count += picture.rgba[i] == 0xFF;
+  return count;
+}
+
+class SeedDrawing : public ::testing::Test {
+ protected:
+  // Drawn every way, the scene shows what both sides say that it shows.
+  static void ExpectKept(const Scene& scene, Kept kept) {
+    const examples::Picture expected = DrawKept(scene, kept), cuts = DrawCuts(scene);
+    for (const Way way : kWaysOfManyPlanes) {
+      const Comparison comparison = Compare(expected.rgba, DrawScene(way, scene).rgba, cuts.rgba);
+      EXPECT_TRUE(Agree(comparison, CutError(scene)))
+          << NameOf(way) << ": " << comparison.differ_at_cut << " pixels differ at cuts, elsewhere "
+          << comparison.differ_elsewhere;
+    }
+    EXPECT_LT(WhitePixels(expected), WhitePixels(DrawKept(TeapotScene({}), Kept::kByAll)))
+        << "something is clipped";
+  }
+
+  const examples::Context context{examples::Profile::kCompatibility};
+};
+
+using Seed000Background = SeedDrawing;
+using Seed000SyntaxNote = SeedDrawing;
+using Seed001Remarks = SeedDrawing;
+using Seed003LeftTeapot = SeedDrawing;
+using Seed003RightTeapot = SeedDrawing;
+using Seed003TwoPlanes = SeedDrawing;
+
+TEST_F(Seed000Background, NoPixelBehindAnyPlaneIsDrawn) {
+  ExpectKept(TeapotScene({{0.6, 0.8, 0, 0.1}, {0, -0.6, 0.8, 0.3}, {-0.8, 0, -0.6, 0.7}}),
+             Kept::kByAll);
+}
+
+TEST_F(Seed000SyntaxNote, PlanesOfZerosChangeNoPixel) {
+  const Scene scene = TeapotScene({{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}});
+  const examples::Picture expected = DrawKept(TeapotScene({}), Kept::kByAll);
+  for (const Way way : kWaysOfManyPlanes)
+    EXPECT_EQ(DrawScene(way, scene).rgba, expected.rgba) << NameOf(way);
+}
+
+// A plane that a surface lies in keeps all of it, from either side.
+TEST_F(Seed001Remarks, PointsOnThePlaneAreDrawn) {
+  const examples::Mesh ground = examples::Ground(1, 1);
+  const int all = WhitePixels(DrawKept(SceneOf(ground, {}), Kept::kByAll));
+  EXPECT_GT(all, 1000);
+  for (const double side : {1.0, -1.0}) {
+    Scene scene = SceneOf(ground, {{0, side, 0, 0}});
+    // Straight ahead, so that positions and distances are exact.
+    scene.view = {};
+    scene.view.m[3][2] = 2;
+    scene.objects[0].world = {{{1, 0, 0, 0}, {0, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}}};
+    scene.planes[0] = {0, 0, side, 0};
+    const int expected = WhitePixels(DrawKept(scene, Kept::kByAll));
+    EXPECT_GT(expected, 1000);
+    for (const Way way : kWaysOfManyPlanes)
+      EXPECT_EQ(WhitePixels(DrawScene(way, scene)), expected) << NameOf(way);
+  }
+}
+
+TEST_F(Seed001Remarks, APlaneThatIsSetAndNotEnabledClipsNothing) {
+  // Clip plane 0, which is the shader's third constant, keeps nothing; kMask leaves it out.
+  const Scene scene = TeapotScene({{1, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, -1}});
+  EXPECT_EQ(WhitePixels(DrawScene(Way::kLevel9, scene)), 0) << "enabled";
+  const int expected = WhitePixels(DrawScene(Way::kLevel9, scene, Mistake::kMask));
+  EXPECT_GT(expected, 1000) << "neither set nor enabled";
+  runtime::gl::ClipPlaneDevice device(runtime::gl::LoadFunctions(examples::Context::Load).value);
+  const float nothing[4] = {0, 0, 0, -1};
+  ASSERT_TRUE(device.SetClipPlane(0, nothing));
+  EXPECT_EQ(WhitePixels(DrawScene(Way::kLevel9, scene, Mistake::kMask)), expected)
+      << "set and not enabled";
+}
+
+TEST_F(Seed003LeftTeapot, ShowsNegativeX) {
+  ExpectKept(TeapotScene({{-1, 0, 0, 0}}), Kept::kByAll);
+}
+
+TEST_F(Seed003RightTeapot, IsDrawnCutDiagonally) {
+  ExpectKept(TeapotScene({{1, 0, 1, 0}}), Kept::kByAll);
+}
+
+// The document: the union. Its own picture, and every device: the intersection.
+TEST_F(Seed003TwoPlanes, TheDrawnAreaIsTheIntersection) {
+  const Scene scene = TeapotScene({{1, 0, 0, 0}, {0, -1, 0, 0}});
+  ExpectKept(scene, Kept::kByAll);
+  const int both = WhitePixels(DrawKept(scene, Kept::kByAll)),
+            either = WhitePixels(DrawKept(scene, Kept::kByAny));
+  EXPECT_LT(2 * both, either);
+  const auto to_union = Compare(DrawKept(scene, Kept::kByAny).rgba,
+                                DrawScene(Way::kLevel9, scene).rgba, DrawCuts(scene).rgba);
+  EXPECT_GT(to_union.differ_elsewhere, 1000);
+}
+
+}  // namespace
+}  // namespace clipc::scenes

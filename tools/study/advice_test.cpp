@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "tools/study/advice.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tools/study/random_draws.h"
+#include "tools/study/scene.h"
+
+namespace clipc::study {
+namespace {
+
+// Any costs do for what is tested here; these have the order that llvmpipe has.
+CostTable SomeCosts() {
+  CostTable costs;
+  for (const int planes : {1, 3, 6}) {
+    for (const char* way : {"clip", "xyw1", "object", "world", "level9"})
+      costs[{way, planes}] = 1.0;
+    for (const char* way : {"discard", "discard-object"}) costs[{way, planes}] = 1.1;
+    costs[{"discard-world", planes}] = 1.4, costs[{"cpu", planes}] = 1.08;
+  }
+  costs[{"near-plane", 1}] = 1.0;
+  return costs;
+}
+
+TEST(Advice, MeasuredErrorsStayUnderTheirBoundsOnRandomDraws) {
+  int draws = 0, would_break_tighter = 0, recommended = 0;
+  std::map<std::string, int> chosen;
+  for (const RandomDraw& draw : RandomDraws(150, 77)) {
+    const std::vector<Advice> advice = Advise(draw.facts, SomeCosts());
+    ASSERT_TRUE(advice.front().possible);
+    bool first = true;
+    for (const Advice& way : advice) {
+      if (!way.possible || way.bound > 20) continue;  // past some tens of pixels the law saturates
+      const MeasuredWay measured = MeasureWay(draw, way.way, 1000, 7);
+      if (!measured.applies) continue;
+      EXPECT_LE(measured.p99, way.bound) << way.way << " draw " << draws << " depth "
+                                         << draw.facts.depth << " n " << draw.facts.camera.near;
+      would_break_tighter += measured.p99 > way.bound / 10;
+      if (first) ++recommended, ++chosen[way.way];
+      first = false;
+    }
+    ++draws;
+  }
+  EXPECT_GE(recommended, 100);
+  EXPECT_GT(chosen.size(), 4u);         // the choice is one
+  EXPECT_GT(would_break_tighter, 100);  // mutation: bounds ten times tighter do not hold
+}
+
+TEST(Advice, FollowsMeansAndNumbers) {
+  DrawFacts facts;
+  facts.camera.far = 1e5;
+  facts.view_plane = {0, 0, 1, -300};
+  facts.depth = 300;
+  const auto best = [&] { return Advise(facts, SomeCosts()).front().way; };
+  EXPECT_EQ(best(), "object");
+  facts.means.rigid = false;
+  EXPECT_EQ(best(), "xyw1");
+  facts.means.clip_distances = false, facts.means.user_planes = true;
+  EXPECT_NE(best(), "level9");  // 3.4 pixels
+  facts.camera.reversed = true;
+  EXPECT_EQ(best(), "level9");
+  facts.means.user_planes = false;
+  EXPECT_EQ(best(), "discard");
+  facts.camera.orthographic = true, facts.means.clip_distances = true;
+  for (const Advice& way : Advise(facts, SomeCosts()))
+    EXPECT_FALSE(way.way == "xyw1" && way.possible);
+}
+
+TEST(Advice, DearWaysLoseAgainstCheapOnesThatAreGoodEnough) {
+  DrawFacts facts;
+  facts.view_plane = {0, 0, 1, -3};  // 0.03 pixels in clip space
+  CostTable costs = SomeCosts();
+  for (const char* way : {"object", "xyw1", "near-plane", "world"}) costs[{way, 1}] = 1.1;
+  EXPECT_EQ(Advise(facts, costs).front().way, "clip");
+  EXPECT_NE(Advise(facts, costs, 0.01).front().way, "clip");
+}
+
+TEST(Scenes, MostObjectsNeedNoPlane) {
+  for (const Scene& scene : BuiltInScenes()) {
+    int drawn = 0, without = 0, culled = 0;
+    for (const SceneObject& object : scene.objects) {
+      const ObjectPlan plan = PlanObject(object, scene.cameras.front().camera, scene.planes);
+      if (plan.outside_frustum) continue;
+      culled += plan.culled;
+      drawn += !plan.culled, without += !plan.culled && plan.needed == 0;
+    }
+    EXPECT_GT(drawn, 10) << scene.name;
+    EXPECT_GT(culled, 0) << scene.name;
+    EXPECT_GT(without, drawn / 2) << scene.name;
+  }
+}
+
+// Against the corners themselves, in double.
+TEST(Scenes, PlansAreRight) {
+  for (const Scene& scene : BuiltInScenes()) {
+    for (std::size_t i = 0; i < scene.objects.size(); i += 7) {
+      const SceneObject& object = scene.objects[i];
+      const ObjectPlan plan = PlanObject(object, scene.cameras.front().camera, scene.planes);
+      bool some_plane_takes_all = false;
+      for (std::size_t p = 0; p < scene.planes.size(); ++p) {
+        const runtime::Plane plane = runtime::PlaneBefore(object.world, scene.planes[p].plane);
+        int inside = 0;
+        for (int corner = 0; corner < 8; ++corner) {
+          const auto at = [&](int axis) {
+            return static_cast<double>((corner >> axis & 1) != 0 ? object.box.high[axis]
+                                                                 : object.box.low[axis]);
+          };
+          inside += plane.x * at(0) + plane.y * at(1) + plane.z * at(2) + plane.w >= 0;
+        }
+        some_plane_takes_all = some_plane_takes_all || inside == 0;
+        if (!plan.culled) {
+          EXPECT_EQ(plan.needed >> p & 1, inside < 8) << scene.name << " " << i;
+        }
+      }
+      EXPECT_EQ(plan.culled, some_plane_takes_all) << scene.name << ' ' << i;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace clipc::study

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "tools/study/method.h"
+
+#include "runtime/near_plane.h"
+#include "runtime/plane_space.h"
+
+namespace clipc::study {
+namespace {
+
+using runtime::KnownIn;
+using runtime::PlaneSpace;
+
+// The product's constant for that space, from the world-space plane.
+std::optional<Vec4<float>> ConstantOf(const Setup& setup, PlaneSpace space) {
+  const runtime::DrawMatrices draw = {setup.world, setup.view, setup.projection};
+  const auto constant = runtime::PlaneConstantFor(space, setup.world_plane, KnownIn::kWorld, draw);
+  if (!constant.ok()) return std::nullopt;
+  return VectorOf(constant.value.plane.constant);
+}
+
+// dot(v * matrix, plane), where `pick` chooses what of the position is dotted.
+template <typename Pick>
+Distance AfterTransform(const runtime::Matrix& matrix, const Vec4<float>& plane, Pick pick) {
+  return [m = ConvertTo<float>(matrix), plane, pick](const Vec4<float>& v) {
+    return static_cast<double>(Dot(pick(Transform(v, m)), plane));
+  };
+}
+
+constexpr auto kWhole = [](const Vec4<float>& p) { return p; };
+
+}  // namespace
+
+Method ClipSpace() {
+  return {"clip", [](const Setup& setup) -> std::optional<Distance> {
+            const auto plane = ConstantOf(setup, PlaneSpace::kClip);
+            if (!plane) return std::nullopt;
+            return AfterTransform(setup.world_view_projection, *plane, kWhole);
+          }};
+}
+
+Method Xyw1Space() {
+  return {"xyw1", [](const Setup& setup) -> std::optional<Distance> {
+            const auto plane = ConstantOf(setup, PlaneSpace::kXyw1);
+            if (!plane) return std::nullopt;
+            return AfterTransform(setup.world_view_projection, *plane, [](const Vec4<float>& p) {
+              return Vec4<float>{{p[0], p[1], p[3], 1}};
+            });
+          }};
+}
+
+Method ObjectSpace() {
+  return {"object", [](const Setup& setup) -> std::optional<Distance> {
+            const auto plane = ConstantOf(setup, PlaneSpace::kObject);
+            if (!plane) return std::nullopt;
+            return [plane](const Vec4<float>& v) { return static_cast<double>(Dot(v, *plane)); };
+          }};
+}
+
+Method WorldSpace() {
+  return {"world", [](const Setup& setup) -> std::optional<Distance> {
+            return AfterTransform(setup.world, ConvertTo<float>(setup.world_plane), kWhole);
+          }};
+}
+
+Method ViewSpace() {
+  return {"view", [](const Setup& setup) -> std::optional<Distance> {
+            return AfterTransform(setup.world_view, ConvertTo<float>(setup.view_plane), kWhole);
+          }};
+}
+
+Method DocumentFormula() {
+  return {"document-f32", [](const Setup& setup) -> std::optional<Distance> {
+            const Mat4<float> p = ConvertTo<float>(setup.projection);
+            const Vec4<float> c = ConvertTo<float>(setup.view_plane);
+            const float b = p.m[3][2];
+            const Vec4<float> plane = {
+                {c[0] / p.m[0][0], c[1] / p.m[1][1], c[3] / b, c[2] - c[3] * p.m[2][2] / b}};
+            return AfterTransform(setup.world_view_projection, plane, kWhole);
+          }};
+}
+
+Method FloatInverse() {
+  return {"inverse-f32", [](const Setup& setup) -> std::optional<Distance> {
+            const auto view_projection =
+                Multiply(ConvertTo<float>(setup.view), ConvertTo<float>(setup.projection));
+            const auto plane =
+                PlaneThrough(InverseOf(view_projection), ConvertTo<float>(setup.world_plane));
+            return AfterTransform(setup.world_view_projection, plane, kWhole);
+          }};
+}
+
+Method NearPlane() {
+  return {"near-plane", [](const Setup& setup) -> std::optional<Distance> {
+            const runtime::DepthRange range = setup.config.camera.Range();
+            const auto sheared = runtime::ShearNearPlane(setup.view_plane, setup.projection, range,
+                                                         runtime::NearPlaneScale::kKeepFar);
+            if (!sheared.ok()) return std::nullopt;
+            runtime::Matrix to_clip = setup.world_view_projection;
+            runtime::SetDepthColumn(to_clip, setup.object_plane, sheared.value.scale, range);
+            return
+                [m = ConvertTo<float>(to_clip), reversed = range.reversed](const Vec4<float>& v) {
+                  const Vec4<float> p = Transform(v, m);
+                  return static_cast<double>(reversed ? p[3] - p[2] : p[2]);
+                };
+          }};
+}
+
+Method NearPlaneFloat() {
+  return {"near-plane-f32", [](const Setup& setup) -> std::optional<Distance> {
+            if (setup.config.camera.reversed)
+              return std::nullopt;  // the paper's form is for z = 0 at the near plane
+            const Mat4<float> view = ConvertTo<float>(setup.view),
+                              projection = ConvertTo<float>(setup.projection);
+            const auto plane = PlaneThrough(InverseOf(Multiply(view, projection)),
+                                            ConvertTo<float>(setup.world_plane));
+            Mat4<float> shear = ConvertTo<float>(runtime::Matrix{});
+            for (int i = 0; i < 4; ++i) shear.m[i][2] = plane[i];
+            const Mat4<float> to_clip = Multiply(Multiply(ConvertTo<float>(setup.world), view),
+                                                 Multiply(projection, shear));
+            return [to_clip](const Vec4<float>& v) {
+              return static_cast<double>(Transform(v, to_clip)[2]);
+            };
+          }};
+}
+
+Method CpuDouble() {
+  return {"cpu",
+          [](const Setup& setup) -> std::optional<Distance> {
+            const Vec4<double> plane = ConvertTo<double>(setup.object_plane);
+            return [plane](const Vec4<float>& v) { return Dot(ConvertTo<double>(v), plane); };
+          },
+          true};
+}
+
+std::vector<Method> AllMethods() {
+  return {ClipSpace(),       Xyw1Space(),    ObjectSpace(), WorldSpace(),     ViewSpace(),
+          DocumentFormula(), FloatInverse(), NearPlane(),   NearPlaneFloat(), CpuDouble()};
+}
+
+}  // namespace clipc::study

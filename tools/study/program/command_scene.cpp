@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <algorithm>
+#include <bit>
+#include <cstdio>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "tools/draw/gl.h"
+#include "tools/study/program/commands.h"
+#include "tools/study/program/csv.h"
+#include "tools/study/program/scene_file.h"
+#include "tools/study/program/speed.h"
+
+namespace clipc::study {
+namespace {
+
+CostTable CostsFrom(const std::vector<Cost>& costs) {
+  CostTable table;
+  for (const Cost& cost : costs) {
+    if (cost.setting == "picture" && cost.planes > 0)
+      table[{cost.way, cost.planes}] = cost.paired_ratio;
+  }
+  return table;
+}
+
+// speed.csv as clipc-study wrote it.
+CostTable ReadCosts(const std::string& path) {
+  std::ifstream file(path);
+  std::string line;
+  if (!std::getline(file, line) ||
+      line != "setting,way,planes,median_ms,least_ms,ratio,paired_ratio") {
+    throw draw::DrawError("`" + path + "` is no speed.csv of clipc-study");
+  }
+  std::vector<Cost> costs;
+  while (std::getline(file, line)) {
+    std::istringstream row(line);
+    std::vector<std::string> cells;
+    for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
+    if (cells.size() != 7)
+      throw draw::DrawError("`" + path + "` has a row that is not of seven cells");
+    Cost& cost = costs.emplace_back();
+    cost.setting = cells[0], cost.way = cells[1], cost.planes = std::atoi(cells[2].c_str());
+    cost.paired_ratio = std::strtod(cells[6].c_str(), nullptr);
+  }
+  return CostsFrom(costs);
+}
+
+CostTable MeasuredCosts() {
+  draw::Device device;
+  Progress progress("cost");
+  return CostsFrom(MeasureSpeed(device, 5, 40, std::ref(progress)));
+}
+
+// How clipc is told to compile for a way; nothing for ways that it does not make.
+struct CompileOptions {
+  std::string lower, plane_space;
+};
+CompileOptions OptionsFor(const std::string& way) {
+  static const std::map<std::string, CompileOptions> options = {
+      {"clip", {"clip-distance", "clip"}},      {"xyw1", {"clip-distance", "xyw1"}},
+      {"object", {"clip-distance", "object"}},  {"level9", {"level9", "clip"}},
+      {"near-plane", {"near-plane", "object"}}, {"discard", {"discard", "clip"}},
+      {"discard-object", {"discard", "object"}}};
+  const auto found = options.find(way);
+  return found == options.end() ? CompileOptions{} : found->second;
+}
+
+// A method with the most planes that an object drawn with it needs.
+using Variants = std::map<std::string, int>;
+
+std::string MaskText(std::uint8_t needed, const Scene& scene) {
+  std::string text;
+  for (std::size_t i = 0; i < scene.planes.size(); ++i) {
+    if ((needed >> i & 1) != 0) text += (text.empty() ? "" : "+") + scene.planes[i].name;
+  }
+  return text.empty() ? "none" : text;
+}
+
+void Report(const Scene& scene, const NamedCamera& camera, const CostTable& costs,
+            Variants& variants) {
+  std::printf("%s, camera %s: %zu planes, %zu objects\n", scene.name.c_str(), camera.name.c_str(),
+              scene.planes.size(), scene.objects.size());
+  std::printf("%-20s %-12s %-28s %-16s %12s %8s\n", "object", "drawn", "planes needed", "method",
+              "pixels off", "cost");
+  for (const SceneObject& object : scene.objects) {
+    const ObjectPlan plan = PlanObject(object, camera.camera, scene.planes);
+    const char* drawn = plan.outside_frustum ? "not in view" : plan.culled ? "clipped away" : "yes";
+    if (plan.outside_frustum || plan.culled) {
+      std::printf("%-20s %-12s\n", object.name.c_str(), drawn);
+      continue;
+    }
+    if (plan.needed == 0) {
+      std::printf("%-20s %-12s %-28s %-16s %12s %8.3f\n", object.name.c_str(), drawn, "none",
+                  "any, 0 planes", "0", 1.0);
+      continue;
+    }
+    const DrawFacts facts = FactsOf(object, camera.camera, scene, plan.needed);
+    const Advice best = Advise(facts, costs, scene.tolerance).front();
+    if (!best.possible) throw draw::DrawError("no method can clip `" + object.name + "`");
+    std::printf("%-20s %-12s %-28s %-16s %12.2g %8.3f\n", object.name.c_str(), drawn,
+                MaskText(plan.needed, scene).c_str(), best.way.c_str(), best.bound, best.cost);
+    int& most = variants[best.way];
+    most = std::max(most, std::popcount(plan.needed));
+  }
+}
+
+std::string VariantList(const Scene& scene, const Variants& variants) {
+  std::string text = "# Written by `clipc-study scene` for " + scene.name +
+                     ". For each method: clipc_add_shader(... LOWER VARIANTS OPTIONS).\n";
+  std::string names;
+  for (const auto& [way, planes] : variants) {
+    const CompileOptions options = OptionsFor(way);
+    if (options.lower.empty()) continue;
+    names += (names.empty() ? "" : ";") + way;
+    text += "set(CLIPC_SCENE_" + way + "_LOWER " + options.lower + ")\n";
+    text += "set(CLIPC_SCENE_" + way + "_VARIANTS " + std::to_string(planes) + ")\n";
+    text += "set(CLIPC_SCENE_" + way + "_OPTIONS --plane-space=" + options.plane_space + ")\n";
+  }
+  return text + "set(CLIPC_SCENE_METHODS \"" + names + "\")\n";
+}
+
+}  // namespace
+
+int RunScene(const std::vector<std::string>& arguments) {
+  std::string path, costs_path, variants_path;
+  for (std::size_t i = 1; i < arguments.size(); ++i) {
+    if (arguments[i] == "--costs" && i + 1 < arguments.size()) {
+      costs_path = arguments[++i];
+    } else if (arguments[i] == "--variants" && i + 1 < arguments.size()) {
+      variants_path = arguments[++i];
+    } else if (path.empty() && !arguments[i].starts_with("--")) {
+      path = arguments[i];
+    } else {
+      throw draw::DrawError("`" + arguments[i] + "` is not understood\n" + kUsage);
+    }
+  }
+  if (path.empty()) throw draw::DrawError(std::string("no scene\n") + kUsage);
+  const Scene scene = ReadScene(path);
+  const CostTable costs = costs_path.empty() ? MeasuredCosts() : ReadCosts(costs_path);
+  Variants variants;
+  for (const NamedCamera& camera : scene.cameras) Report(scene, camera, costs, variants);
+  for (const auto& [way, planes] : variants) {
+    std::printf("build: %s with 0 to %d planes\n", way.c_str(), planes);
+  }
+  if (!variants_path.empty()) {
+    std::ofstream file(variants_path);
+    file << VariantList(scene, variants);
+    if (!file.flush()) throw draw::DrawError("cannot write `" + variants_path + "`");
+  }
+  return 0;
+}
+
+}  // namespace clipc::study

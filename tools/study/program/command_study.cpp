@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <algorithm>
+#include <bit>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "tools/draw/gl.h"
+#include "tools/study/depth.h"
+#include "tools/study/edges.h"
+#include "tools/study/program/commands.h"
+#include "tools/study/program/csv.h"
+#include "tools/study/program/pixels.h"
+#include "tools/study/program/png.h"
+#include "tools/study/program/scene_cost.h"
+#include "tools/study/program/special.h"
+#include "tools/study/program/speed.h"
+#include "tools/study/random_draws.h"
+#include "tools/study/roundings.h"
+#include "tools/study/scene.h"
+#include "tools/study/sweeps.h"
+
+namespace clipc::study {
+namespace {
+
+struct StudyOptions {
+  bool quick = false, report = true;
+  std::string out = "study-report";
+};
+
+StudyOptions OptionsOf(const std::vector<std::string>& arguments) {
+  StudyOptions options;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    if (arguments[i] == "--quick") {
+      options.quick = true;
+    } else if (arguments[i] == "--no-report") {
+      options.report = false;
+    } else if (arguments[i] == "--out" && i + 1 < arguments.size()) {
+      options.out = arguments[++i];
+    } else {
+      throw draw::DrawError("`" + arguments[i] + "` is not understood\n" + kUsage);
+    }
+  }
+  return options;
+}
+
+class Study {
+ public:
+  explicit Study(StudyOptions options) : options_(std::move(options)) {
+    std::filesystem::create_directories(options_.out);
+  }
+
+  void Run() {
+    Edges();
+    Roundings();
+    Depth();
+    Pixels();
+    Special();
+    rule_costs_ = Speed("speed.csv", "cost");
+    Scenes();
+    SceneCosts();
+    RandomScenes();
+  }
+
+ private:
+  std::string Path(const std::string& name) const { return options_.out + "/" + name; }
+
+  void Edges() {
+    Csv csv(Path("edges.csv"), {"sweep", "parameter", "method", "applies", "edges", "median_px",
+                                "p99_px", "largest_px", "over_half", "not_finite"});
+    Progress progress("displaced edges");
+    const std::vector<SweepPoint> points = AllSweeps(options_.quick);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      for (const EdgeErrors& errors :
+           MeasureEdges(points[i].config, AllMethods(), options_.quick ? 1000 : 6000, 12345)) {
+        csv << points[i].sweep << points[i].parameter << errors.method << errors.applies
+            << errors.edges << errors.median << errors.p99 << errors.largest << errors.over_half
+            << errors.not_finite;
+        csv.EndRow();
+      }
+      progress(static_cast<double>(i + 1) / static_cast<double>(points.size()));
+    }
+  }
+
+  void Roundings() {
+    Csv csv(Path("roundings.csv"), {"fov", "rounding", "draws", "mean_px", "worst_px", "over"});
+    for (const double fov : {1.0, 5.0, 10.0, 20.0, 60.0, 120.0}) {
+      for (const RoundingCost& cost :
+           MeasureRoundings(fov, options_.quick ? 40 : 200, options_.quick ? 300 : 1000, 77)) {
+        csv << fov << cost.rounding << cost.draws << cost.mean << cost.worst << cost.over;
+        csv.EndRow();
+      }
+    }
+  }
+
+  void Depth() {
+    Csv csv(Path("depth.csv"),
+            {"eye", "method", "refused", "effective_near", "ordered", "tied", "inverted", "lost"});
+    for (const double eye : {-100.0, -10.0, -1.0, -0.1, -0.01, -0.001, 0.0, 0.01, 1.0, 10.0}) {
+      const runtime::Plane plane = {0, 1, 0, eye};
+      for (const DepthLeft& left :
+           MeasureDepth(Camera{}, plane, options_.quick ? 4000 : 40000, 5)) {
+        csv << eye << left.method << left.refused << left.effective_near << left.ordered
+            << left.tied << left.inverted << left.lost;
+        csv.EndRow();
+      }
+    }
+  }
+
+  void Pixels() {
+    Csv csv(Path("pixels.csv"),
+            {"sweep", "parameter", "way", "applies", "reference", "extra", "lost", "wrong"});
+    Progress progress("wrong pixels");
+    PixelMeter meter(device_, options_.quick ? 960 : 1920, options_.quick ? 540 : 1080,
+                     options_.quick ? 12 : 24);
+    const std::vector<SweepPoint> points = AllSweeps(options_.quick);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      // A knot has no such angle, and no such triangles.
+      if (points[i].config.surface_angle < 0 &&
+          points[i].config.edge_length == Config{}.edge_length) {
+        for (const PixelErrors& errors : meter.Measure(points[i].config)) {
+          csv << points[i].sweep << points[i].parameter << errors.way << errors.applies
+              << errors.reference << errors.extra << errors.lost << errors.extra + errors.lost;
+          csv.EndRow();
+        }
+      }
+      progress(static_cast<double>(i + 1) / static_cast<double>(points.size()));
+    }
+    Pictures(meter);
+  }
+
+  // One cut near enough for the default to be right, one where it is visibly not.
+  void Pictures(PixelMeter& meter) {
+    const Config far = ObliqueAt(3e4, 0.1, 1e6);
+    for (const Way& way : AllWays()) {
+      const auto rgba = meter.Picture(device_, far, way.kind, 480, 270);
+      if (!rgba.empty())
+        WritePng(Path("picture-" + std::string(way.name) + ".png"), 480, 270, rgba);
+    }
+  }
+
+  void Special() {
+    Csv csv(Path("special.csv"), {"sweep", "what", "way", "got", "right"});
+    for (const SpecialResult& result : MeasureSpecial(device_)) {
+      csv << result.sweep << result.what << result.way << result.got << result.right;
+      csv.EndRow();
+    }
+  }
+
+  // The costs of the setting "picture".
+  CostTable Speed(const std::string& name, const char* what) {
+    Csv csv(Path(name),
+            {"setting", "way", "planes", "median_ms", "least_ms", "ratio", "paired_ratio"});
+    Progress progress(what);
+    CostTable table;
+    for (const Cost& cost : MeasureSpeed(device_, options_.quick ? 3 : 25,
+                                         options_.quick ? 40 : 100, std::ref(progress))) {
+      csv << cost.setting << cost.way << cost.planes << cost.median_ms << cost.least_ms
+          << cost.ratio << cost.paired_ratio;
+      csv.EndRow();
+      if (cost.planes > 0 && cost.setting == "picture")
+        table[{cost.way, cost.planes}] = cost.paired_ratio;
+    }
+    return table;
+  }
+
+  void Scenes() {
+    Csv csv(Path("scenes.csv"),
+            {"scene", "planes", "objects", "outside", "culled", "need0", "need1", "need2", "need3",
+             "way", "predicted_px", "bound_px", "cost", "share"});
+    for (const Scene& scene : BuiltInScenes()) {
+      int outside = 0, culled = 0, need[4] = {};
+      std::map<std::string, int> chosen;
+      std::map<std::string, Advice> worst;
+      for (const SceneObject& object : scene.objects) {
+        const Camera& camera = scene.cameras.front().camera;
+        const ObjectPlan plan = PlanObject(object, camera, scene.planes);
+        outside += plan.outside_frustum, culled += !plan.outside_frustum && plan.culled;
+        if (plan.outside_frustum || plan.culled) continue;
+        ++need[std::min(std::popcount(plan.needed), 3)];
+        if (plan.needed == 0) continue;
+        const Advice best =
+            Advise(FactsOf(object, camera, scene, plan.needed), rule_costs_, scene.tolerance)
+                .front();
+        ++chosen[best.way];
+        if (best.bound > worst[best.way].bound) worst[best.way] = best;
+      }
+      const auto most =
+          std::max_element(chosen.begin(), chosen.end(),
+                           [](const auto& a, const auto& b) { return a.second < b.second; });
+      const Advice& advice = worst[most->first];
+      csv << scene.name << static_cast<long>(scene.planes.size())
+          << static_cast<long>(scene.objects.size()) << outside << culled << need[0] << need[1]
+          << need[2] << need[3] << advice.way << advice.predicted << advice.bound << advice.cost
+          << static_cast<double>(most->second) / (need[1] + need[2] + need[3]);
+      csv.EndRow();
+    }
+  }
+
+  // Frames of the scenes with no planes, all of them, and those that are needed.
+  void SceneCosts() {
+    Csv csv(Path("scene-costs.csv"),
+            {"scene", "planes", "draws", "planes_drawn", "least_ms", "same_picture"});
+    SceneDrawer drawer(device_, 1280, 720);
+    for (const Scene& scene : BuiltInScenes()) {
+      const std::vector<std::uint8_t> all = drawer.Draw(scene, Planes::kAll).rgba;
+      for (const auto& [planes, name] :
+           {std::pair{Planes::kNone, "none"}, std::pair{Planes::kAll, "all"},
+            std::pair{Planes::kNeeded, "needed"}}) {
+        SceneDrawer::Drawn drawn = drawer.Draw(scene, planes);
+        for (int round = 0; round < (options_.quick ? 1 : 6); ++round) {
+          drawn.cpu_ms = std::min(drawn.cpu_ms, drawer.Draw(scene, planes).cpu_ms);
+        }
+        csv << scene.name << name << drawn.draws << drawn.planes << drawn.cpu_ms
+            << (drawn.rgba == all);
+        csv.EndRow();
+      }
+    }
+  }
+
+  // The advice on draws that nobody chose: is the error under its bound, and the cost, measured a
+  // second time, near the best?
+  void RandomScenes() {
+    const CostTable second = Speed("speed-again.csv", "cost, again");
+    Csv csv(Path("advice.csv"),
+            {"draw", "orthographic", "reversed", "rigid", "clip_distances", "user_planes", "way",
+             "predicted_px", "bound_px", "measured_px", "cost", "best_cost", "best_way"});
+    Progress progress("advice on random draws");
+    const std::vector<RandomDraw> draws = RandomDraws(100, 424242);
+    for (std::size_t i = 0; i < draws.size(); ++i) {
+      const DrawFacts& facts = draws[i].facts;
+      const std::vector<Advice> all = Advise(facts, rule_costs_);
+      const Advice& best = all.front();
+      const auto cost_of = [&](const Advice& advice) { return second.at({advice.way, 1}); };
+      const Advice* cheapest = &best;
+      for (const Advice& other : all) {
+        if (other.possible && other.bound <= 0.5 && cost_of(other) < cost_of(*cheapest))
+          cheapest = &other;
+      }
+      const MeasuredWay measured = MeasureWay(draws[i], best.way, options_.quick ? 500 : 3000, 9);
+      csv << static_cast<long>(i) << facts.camera.orthographic << facts.camera.reversed
+          << facts.means.rigid << facts.means.clip_distances << facts.means.user_planes << best.way
+          << best.predicted << best.bound << measured.p99 << cost_of(best) << cost_of(*cheapest)
+          << cheapest->way;
+      csv.EndRow();
+      progress(static_cast<double>(i + 1) / static_cast<double>(draws.size()));
+    }
+  }
+
+  StudyOptions options_;
+  draw::Device device_;
+  CostTable rule_costs_;
+};
+
+void MakeReport(const std::string& folder) {
+  const pid_t child = fork();
+  if (child == 0) {
+    execlp("/usr/bin/python3", "python3", CLIPC_STUDY_REPORT, folder.c_str(), nullptr);
+    std::_Exit(127);
+  }
+  int status = 0;
+  if (child < 0 || waitpid(child, &status, 0) < 0 || status != 0) {
+    throw draw::DrawError("the tables are in `" + folder +
+                          "`, but the report failed; it needs Debian's python3-matplotlib");
+  }
+}
+
+}  // namespace
+
+int RunStudy(const std::vector<std::string>& arguments) {
+  const StudyOptions options = OptionsOf(arguments);
+  Study(options).Run();
+  if (options.report) MakeReport(options.out);
+  return 0;
+}
+
+}  // namespace clipc::study

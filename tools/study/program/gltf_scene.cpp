@@ -1,0 +1,476 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "tools/study/program/gltf_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+#include <tiny_gltf.h>
+
+#include "tools/draw/gl.h"
+
+namespace clipc::study {
+namespace {
+
+using runtime::Matrix;
+
+constexpr int kDeepestJson = 64;
+constexpr std::size_t kMostObjects = 1'000'000;
+
+[[noreturn]] void Fail(const std::string& where, const std::string& what) {
+  throw draw::DrawError("`" + where + "` " + what);
+}
+
+std::string At(const char* list, std::size_t index) {
+  return std::string(list) + "[" + std::to_string(index) + "]";
+}
+
+// The element of a list that an index of the file names.
+template <typename T>
+const T& ElementOf(const std::vector<T>& list, int index, const std::string& where) {
+  if (index < 0 || static_cast<std::size_t>(index) >= list.size()) {
+    Fail(where, "is " + std::to_string(index) + ", of " + std::to_string(list.size()));
+  }
+  return list[static_cast<std::size_t>(index)];
+}
+
+// The JSON of a .glb file is its first chunk, behind twenty bytes.
+std::string_view JsonOf(const std::string& bytes, bool is_binary) {
+  if (!is_binary) return bytes;
+  if (bytes.size() < 20) throw draw::DrawError("the file ends within the header of a .glb");
+  std::uint32_t length = 0;
+  for (int i = 3; i >= 0; --i) length = length << 8 | static_cast<unsigned char>(bytes[12 + i]);
+  if (length > bytes.size() - 20) throw draw::DrawError("the file ends within the JSON of a .glb");
+  return std::string_view(bytes).substr(20, length);
+}
+
+// The loader goes through extras and extensions by recursion: a depth that no real file has is
+// refused before.
+void CheckDepth(std::string_view json) {
+  bool is_deep = false;
+  const auto visit = [&](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
+    is_deep |= depth > kDeepestJson;
+    return !is_deep;
+  };
+  if (nlohmann::json::parse(json, visit, false).is_discarded() && !is_deep) {
+    throw draw::DrawError("the file is no JSON");
+  }
+  if (is_deep) throw draw::DrawError("the JSON is nested deeper than 64 levels");
+}
+
+tinygltf::Model Load(const std::string& bytes, const std::string& folder) {
+  const bool is_binary = bytes.starts_with("glTF");
+  CheckDepth(JsonOf(bytes, is_binary));
+  tinygltf::TinyGLTF loader;
+  // Pictures are not looked at.
+  loader.SetImageLoader([](tinygltf::Image*, const int, std::string*, std::string*, int, int,
+                           const unsigned char*, int, void*) { return true; },
+                        nullptr);
+  tinygltf::Model model;
+  std::string error, warning;
+  const auto size = static_cast<unsigned>(bytes.size());
+  bool ok = false;
+  try {
+    ok = is_binary
+             ? loader.LoadBinaryFromMemory(&model, &error, &warning,
+                                           reinterpret_cast<const unsigned char*>(bytes.data()),
+                                           size, folder)
+             : loader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, folder);
+  } catch (const std::exception& problem) {
+    error = problem.what();
+  }
+  if (!ok) throw draw::DrawError("no glTF: " + error.substr(0, error.find('\n')));
+  return model;
+}
+
+class Converter {
+ public:
+  explicit Converter(const tinygltf::Model& model) : model_(model) {}
+
+  Scene Run() {
+    if (!model_.asset.version.starts_with("2.")) {
+      Fail("asset.version", "is \"" + model_.asset.version + "\"; only 2.0 is read");
+    }
+    const tinygltf::Scene& root =
+        ElementOf(model_.scenes, std::max(model_.defaultScene, 0), "scene");
+    scene_.name = root.name.empty() ? "scene" : root.name;
+    Settings(root.extras);
+    PlaceNodes(root);
+    for (std::size_t i : placed_) Take(i);
+    if (scene_.cameras.empty()) throw draw::DrawError("the scene has no camera");
+    if (scene_.planes.empty()) {
+      throw draw::DrawError(
+          "no node of the scene has `extras` with `clip_plane`: there is no plane to clip by");
+    }
+    if (scene_.planes.size() > 6)
+      throw draw::DrawError("more than 6 nodes have `extras` with `clip_plane`");
+    if (scene_.objects.empty()) throw draw::DrawError("the scene has no mesh");
+    return std::move(scene_);
+  }
+
+ private:
+  // ---- extras
+
+  static bool Flag(const tinygltf::Value& extras, const char* key, bool standard,
+                   const std::string& where) {
+    if (!extras.IsObject() || !extras.Has(key)) return standard;
+    if (!extras.Get(key).IsBool()) Fail(where + ".extras." + key, "is neither true nor false");
+    return extras.Get(key).Get<bool>();
+  }
+  static double Positive(const tinygltf::Value& extras, const char* key, double standard) {
+    if (!extras.IsObject() || !extras.Has(key)) return standard;
+    const tinygltf::Value& value = extras.Get(key);
+    const double number = value.IsNumber() ? value.GetNumberAsDouble() : 0;
+    if (!(number > 0)) Fail(std::string("scene.extras.") + key, "is no positive number");
+    return number;
+  }
+
+  void Settings(const tinygltf::Value& extras) {
+    scene_.picture_height = Positive(extras, "picture_height", scene_.picture_height);
+    scene_.tolerance = Positive(extras, "tolerance", scene_.tolerance);
+    Means& means = scene_.means;
+    means.clip_distances = Flag(extras, "clip_distances", means.clip_distances, "scene");
+    means.user_planes = Flag(extras, "user_planes", means.user_planes, "scene");
+    means.can_discard = Flag(extras, "can_discard", means.can_discard, "scene");
+  }
+
+  // ---- where the nodes are
+
+  // Parents before children. A node that is reached twice, or through itself, is refused.
+  void PlaceNodes(const tinygltf::Scene& root) {
+    to_world_.resize(model_.nodes.size());
+    struct Step {
+      int node;
+      Matrix parent;
+      std::string where;
+    };
+    std::vector<Step> steps;
+    const auto add = [&](const std::vector<int>& nodes, const Matrix& parent,
+                         const std::string& list) {
+      for (std::size_t i = nodes.size(); i-- > 0;)
+        steps.push_back({nodes[i], parent, At(list.c_str(), i)});
+    };
+    add(root.nodes, Matrix(), "scene.nodes");
+    while (!steps.empty()) {
+      const Step step = std::move(steps.back());
+      steps.pop_back();
+      const tinygltf::Node& node = ElementOf(model_.nodes, step.node, step.where);
+      const auto index = static_cast<std::size_t>(step.node);
+      const std::string name = At("nodes", index);
+      if (to_world_[index]) Fail(name, "is reached twice; the nodes of a scene are trees");
+      const Matrix world = runtime::Multiply(LocalOf(node, name), step.parent);
+      for (const auto& row : world.m) {
+        for (const double x : row) {
+          if (!std::isfinite(x)) Fail(name, "is moved beyond all numbers");
+        }
+      }
+      to_world_[index] = world;
+      placed_.push_back(index);
+      add(node.children, world, name + ".children");
+    }
+  }
+
+  static void CheckSize(const std::vector<double>& list, std::size_t size,
+                        const std::string& where) {
+    if (list.size() != size) Fail(where, "is no array of " + std::to_string(size) + " numbers");
+  }
+
+  // For row vectors, as everything here.
+  static Matrix LocalOf(const tinygltf::Node& node, const std::string& name) {
+    if (!node.matrix.empty()) {
+      CheckSize(node.matrix, 16, name + ".matrix");
+      double elements[16];
+      std::copy(node.matrix.begin(), node.matrix.end(), elements);
+      return runtime::RowVectorMatrix(elements);
+    }
+    Matrix local;
+    if (!node.rotation.empty()) {
+      CheckSize(node.rotation, 4, name + ".rotation");
+      const double length = std::hypot(std::hypot(node.rotation[0], node.rotation[1]),
+                                       std::hypot(node.rotation[2], node.rotation[3]));
+      if (!(std::fabs(length - 1) < 1e-2)) Fail(name + ".rotation", "is no unit quaternion");
+      const double x = node.rotation[0] / length, y = node.rotation[1] / length;
+      const double z = node.rotation[2] / length, w = node.rotation[3] / length;
+      local = {{{1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w), 0},
+                {2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w), 0},
+                {2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y), 0},
+                {0, 0, 0, 1}}};
+    }
+    if (!node.scale.empty()) {
+      CheckSize(node.scale, 3, name + ".scale");
+      for (std::size_t i = 0; i < 3; ++i) {
+        for (double& x : local.m[i]) x *= node.scale[i];
+      }
+    }
+    if (!node.translation.empty()) {
+      CheckSize(node.translation, 3, name + ".translation");
+      std::copy(node.translation.begin(), node.translation.end(), local.m[3]);
+    }
+    return local;
+  }
+
+  // glTF's world to the scene's, behind `matrix`.
+  static Matrix Mirrored(Matrix matrix) {
+    for (auto& row : matrix.m) row[2] = -row[2];
+    return matrix;
+  }
+
+  static void Cross(const double (&a)[3], const double (&b)[3], double (&to)[3]) {
+    for (int i = 0; i < 3; ++i)
+      to[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+  }
+  static double Dot(const double (&a)[3], const double (&b)[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  }
+  struct Axes {
+    double x[3], y[3], z[3], origin[3];
+  };
+  static Axes AxesOf(const Matrix& m) {
+    Axes axes;
+    for (int i = 0; i < 3; ++i)
+      axes.x[i] = m.m[0][i], axes.y[i] = m.m[1][i], axes.z[i] = m.m[2][i],
+      axes.origin[i] = m.m[3][i];
+    return axes;
+  }
+  static bool Normalize(double (&v)[3]) {
+    const double length = std::hypot(v[0], v[1], v[2]);
+    for (double& c : v) c /= length;
+    return length > 0 && std::isfinite(length);
+  }
+
+  // ---- what the nodes carry
+
+  void Take(std::size_t index) {
+    const tinygltf::Node& node = model_.nodes[index];
+    const std::string where = At("nodes", index);
+    const Matrix& world = *to_world_[index];
+    if (Flag(node.extras, "clip_plane", false, where)) TakePlane(node, world, where);
+    if (node.camera >= 0) TakeCamera(node, world, where);
+    if (node.mesh < 0) return;
+    if (node.extensions.contains("EXT_mesh_gpu_instancing")) {
+      Fail(where + ".extensions.EXT_mesh_gpu_instancing",
+           "draws the mesh in places that are not looked at");
+    }
+    TakeMesh(node, world, where);
+  }
+
+  static std::string NameOf(const std::string& name, const std::string& other,
+                            const std::string& where) {
+    return !name.empty() ? name : !other.empty() ? other : where;
+  }
+
+  // Local y >= 0 is kept.
+  void TakePlane(const tinygltf::Node& node, const Matrix& world, const std::string& where) {
+    const Axes axes = AxesOf(Mirrored(world));
+    double normal[3];
+    Cross(axes.z, axes.x, normal);
+    if (!Normalize(normal)) Fail(where, "has no plane: its scale is 0");
+    const double side = Dot(normal, axes.y) < 0 ? -1 : 1;
+    const double distance = -Dot(normal, axes.origin);
+    scene_.planes.push_back(
+        {NameOf(node.name, "", where),
+         {side * normal[0], side * normal[1], side * normal[2], side * distance}});
+  }
+
+  // A camera's own scale does not count.
+  void TakeCamera(const tinygltf::Node& node, const Matrix& world, const std::string& where) {
+    const tinygltf::Camera& from = ElementOf(model_.cameras, node.camera, where + ".camera");
+    const std::string place = At("cameras", static_cast<std::size_t>(node.camera));
+    Camera camera;
+    if (from.type == "orthographic") {
+      Lens(from.orthographic, place + ".orthographic", camera);
+    } else {
+      Lens(from.perspective, place + ".perspective", camera);
+    }
+    // It looks along -z here as there, and then along z of the mirrored space.
+    Matrix to_world = Mirrored(world);
+    for (double& c : to_world.m[2]) c = -c;
+    Axes axes = AxesOf(to_world);
+    if (!Normalize(axes.x) || !Normalize(axes.y) || !Normalize(axes.z))
+      Fail(where, "is a camera of scale 0");
+    double right[3];
+    Cross(axes.y, axes.z, right);
+    if (std::fabs(Dot(axes.x, axes.y)) > 1e-6 || std::fabs(Dot(right, axes.x) - 1) > 1e-6) {
+      Fail(where, "is a camera whose space is skewed or mirrored");
+    }
+    std::copy(axes.origin, axes.origin + 3, camera.eye);
+    // The rows of Rotation(yaw, pitch, roll), read backwards.
+    const double level = std::hypot(axes.z[0], axes.z[2]);
+    camera.pitch = std::atan2(-axes.z[1], level);
+    const bool is_upright = level > 1e-9;
+    camera.yaw = is_upright ? std::atan2(axes.z[0], axes.z[2]) : std::atan2(-axes.x[2], axes.x[0]);
+    camera.roll = is_upright ? std::atan2(axes.x[1], axes.y[1]) : 0;
+    scene_.cameras.push_back({NameOf(node.name, from.name, where), camera});
+  }
+
+  static void Lens(const tinygltf::PerspectiveCamera& from, const std::string& where, Camera& to) {
+    if (!(from.yfov > 0 && from.yfov < std::numbers::pi))
+      Fail(where + ".yfov", "is not between 0 and pi");
+    if (!(from.znear > 0)) Fail(where + ".znear", "is not positive");
+    if (from.aspectRatio < 0) Fail(where + ".aspectRatio", "is not positive");
+    to.infinite = from.zfar == 0;  // absent
+    if (!to.infinite && !(from.zfar > from.znear))
+      Fail(where + ".zfar", "is no farther than `znear`");
+    to.fov = from.yfov * 180 / std::numbers::pi;
+    if (from.aspectRatio > 0) to.aspect = from.aspectRatio;
+    to.near = from.znear;
+    if (!to.infinite) to.far = from.zfar;
+  }
+
+  static void Lens(const tinygltf::OrthographicCamera& from, const std::string& where, Camera& to) {
+    if (!(from.xmag > 0)) Fail(where + ".xmag", "is not positive");
+    if (!(from.ymag > 0)) Fail(where + ".ymag", "is not positive");
+    if (!(from.znear >= 0)) Fail(where + ".znear", "is negative");
+    if (!(from.zfar > from.znear)) Fail(where + ".zfar", "is no farther than `znear`");
+    to.orthographic = true;
+    to.half_height = from.ymag, to.aspect = from.xmag / from.ymag;
+    to.near = from.znear, to.far = from.zfar;
+  }
+
+  // ---- meshes: one object for each primitive, as each is one draw
+
+  struct Bounds {
+    double low[3], high[3];
+    void Add(const double (&point)[3]) {
+      for (int i = 0; i < 3; ++i)
+        low[i] = std::min(low[i], point[i]), high[i] = std::max(high[i], point[i]);
+    }
+  };
+  static constexpr Bounds kNothing = {{INFINITY, INFINITY, INFINITY},
+                                      {-INFINITY, -INFINITY, -INFINITY}};
+
+  void TakeMesh(const tinygltf::Node& node, const Matrix& world, const std::string& where) {
+    const tinygltf::Mesh& mesh = ElementOf(model_.meshes, node.mesh, where + ".mesh");
+    const std::string place = At("meshes", static_cast<std::size_t>(node.mesh));
+    for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
+      if (scene_.objects.size() >= kMostObjects)
+        throw draw::DrawError("the scene draws more than a million objects");
+      const tinygltf::Primitive& primitive = mesh.primitives[i];
+      const std::string part = place + "." + At("primitives", i);
+      SceneObject object;
+      object.name = NameOf(node.name, mesh.name, where);
+      if (mesh.primitives.size() > 1) object.name += "/" + std::to_string(i);
+      Bounds bounds = PositionBounds(primitive.attributes, part + ".attributes");
+      // Weights between 0 and 1 keep within this.
+      for (std::size_t t = 0; t < primitive.targets.size(); ++t) {
+        if (!primitive.targets[t].contains("POSITION")) continue;
+        const Bounds moved = PositionBounds(primitive.targets[t], part + "." + At("targets", t));
+        for (int c = 0; c < 3; ++c)
+          bounds.low[c] += std::min(moved.low[c], 0.0),
+              bounds.high[c] += std::max(moved.high[c], 0.0);
+      }
+      object.rigid =
+          node.skin < 0 && primitive.targets.empty() && Flag(node.extras, "rigid", true, where);
+      object.world = Mirrored(world);
+      if (node.skin >= 0) {
+        bounds = SkinnedBounds(node.skin, bounds, where + ".skin");
+        object.world = Mirrored(Matrix());
+      }
+      for (int c = 0; c < 3; ++c) {
+        // Outwards, so that the box still holds everything.
+        object.box.low[c] = std::nextafter(static_cast<float>(bounds.low[c]), -INFINITY);
+        object.box.high[c] = std::nextafter(static_cast<float>(bounds.high[c]), INFINITY);
+      }
+      scene_.objects.push_back(std::move(object));
+    }
+  }
+
+  Bounds PositionBounds(const std::map<std::string, int>& attributes,
+                        const std::string& where) const {
+    const auto found = attributes.find("POSITION");
+    if (found == attributes.end()) Fail(where, "has no POSITION");
+    const tinygltf::Accessor& accessor =
+        ElementOf(model_.accessors, found->second, where + ".POSITION");
+    const std::string place = At("accessors", static_cast<std::size_t>(found->second));
+    if (accessor.type != TINYGLTF_TYPE_VEC3 ||
+        accessor.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT) {
+      Fail(place, "holds positions and is not of float VEC3");
+    }
+    Bounds bounds = kNothing;
+    for (const auto& [list, key] :
+         {std::pair{&accessor.minValues, ".min"}, std::pair{&accessor.maxValues, ".max"}}) {
+      CheckSize(*list, 3, place + key);
+      bounds.Add({(*list)[0], (*list)[1], (*list)[2]});
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!(accessor.minValues[i] <= accessor.maxValues[i]))
+        Fail(place + ".min", "lies above `max`");
+    }
+    return bounds;
+  }
+
+  // A skinned vertex lies between the places that its joints would put it: the box, in the world,
+  // of all of these.
+  Bounds SkinnedBounds(int index, const Bounds& box, const std::string& where) const {
+    const tinygltf::Skin& skin = ElementOf(model_.skins, index, where);
+    const std::string place = At("skins", static_cast<std::size_t>(index));
+    if (skin.joints.empty()) Fail(place + ".joints", "is empty");
+    Bounds bounds = kNothing;
+    for (std::size_t j = 0; j < skin.joints.size(); ++j) {
+      const std::string joint = place + "." + At("joints", j);
+      const auto& to_world = ElementOf(to_world_, skin.joints[j], joint);
+      if (!to_world) Fail(joint, "is no node of the scene");
+      const Matrix bind = skin.inverseBindMatrices < 0 ? Matrix() : BindMatrix(skin, j, place);
+      const Matrix m = runtime::Multiply(bind, *to_world);
+      for (int corner = 0; corner < 8; ++corner) {
+        double point[3];
+        for (int c = 0; c < 3; ++c) {
+          point[c] = m.m[3][c];
+          for (int r = 0; r < 3; ++r)
+            point[c] += (corner >> r & 1 ? box.high : box.low)[r] * m.m[r][c];
+          if (!std::isfinite(point[c])) Fail(joint, "moves the mesh beyond all numbers");
+        }
+        bounds.Add(point);
+      }
+    }
+    return bounds;
+  }
+
+  Matrix BindMatrix(const tinygltf::Skin& skin, std::size_t number,
+                    const std::string& place) const {
+    const std::string where = place + ".inverseBindMatrices";
+    const tinygltf::Accessor& accessor =
+        ElementOf(model_.accessors, skin.inverseBindMatrices, where);
+    if (accessor.type != TINYGLTF_TYPE_MAT4 ||
+        accessor.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT || accessor.sparse.isSparse) {
+      Fail(where, "is not of float MAT4 in one piece");
+    }
+    const tinygltf::BufferView& view =
+        ElementOf(model_.bufferViews, accessor.bufferView, where + ".bufferView");
+    const std::vector<unsigned char>& data =
+        ElementOf(model_.buffers, view.buffer, where + ".bufferView.buffer").data;
+    float matrix[16];
+    const std::size_t stride = view.byteStride == 0 ? sizeof matrix : view.byteStride;
+    const auto within = [](std::size_t from, std::size_t size, std::size_t whole) {
+      return from <= whole && size <= whole - from;
+    };
+    const bool has_room =
+        number < accessor.count && number < data.size() && stride <= data.size() &&
+        within(view.byteOffset, view.byteLength, data.size()) &&
+        within(accessor.byteOffset, number * stride, view.byteLength) &&
+        within(accessor.byteOffset + number * stride, sizeof matrix, view.byteLength);
+    if (!has_room) Fail(where, "ends before the matrix of joint " + std::to_string(number));
+    std::memcpy(matrix, data.data() + view.byteOffset + accessor.byteOffset + number * stride,
+                sizeof matrix);
+    return runtime::RowVectorMatrix(matrix);
+  }
+
+  const tinygltf::Model& model_;
+  Scene scene_;
+  std::vector<std::optional<Matrix>> to_world_;  // by node; glTF's world; none: not in the scene
+  std::vector<std::size_t> placed_;              // nodes, parents before children
+};
+
+}  // namespace
+
+Scene GltfScene(const std::string& bytes, const std::string& folder) {
+  const tinygltf::Model model = Load(bytes, folder);
+  return Converter(model).Run();
+}
+
+}  // namespace clipc::study

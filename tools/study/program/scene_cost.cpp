@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "tools/study/program/scene_cost.h"
+
+#include <time.h>
+
+#include "runtime/clip_plane.h"
+#include "runtime/shader_variant.h"
+
+namespace clipc::study {
+namespace {
+
+double CpuMilliseconds() {
+  timespec now;
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
+}
+
+// The plans of all objects of the scene.
+std::vector<runtime::BoxPlan> PlansOf(const Scene& scene, Planes planes) {
+  const auto every = static_cast<runtime::BoxPlan>((1u << scene.planes.size()) - 1);
+  std::vector<runtime::BoxPlan> plans;
+  for (const SceneObject& object : scene.objects) {
+    if (planes == Planes::kNone || planes == Planes::kAll) {
+      plans.push_back(planes == Planes::kAll ? every : 0);
+      continue;
+    }
+    const ObjectPlan plan = PlanObject(object, scene.cameras.front().camera, scene.planes);
+    std::uint8_t needed = plan.needed;
+    if (planes == Planes::kTooFew) needed = static_cast<std::uint8_t>(needed & (needed - 1));
+    plans.push_back(plan.culled ? runtime::kCulled : needed);
+  }
+  return plans;
+}
+
+}  // namespace
+
+SceneDrawer::SceneDrawer(draw::Device& device, int width, int height)
+    : studio_(device, width, height, false) {
+  const Mesh mesh = TorusKnot(40, 8, 1);
+  for (int planes = 0; planes <= 6; ++planes) {
+    variants_.push_back(
+        MakeCall(studio_.gl(), planes == 0 ? WayKind::kNone : WayKind::kObject, planes, false));
+    variants_.back()->SetMesh(mesh);
+  }
+}
+
+SceneDrawer::Drawn SceneDrawer::Draw(const Scene& scene, Planes planes) {
+  studio_.Begin();
+  studio_.gl().Finish();
+  const double start = CpuMilliseconds();
+  const Camera& camera = scene.cameras.front().camera;
+  const runtime::Matrix view_projection = runtime::Multiply(camera.View(), camera.Projection());
+  const std::vector<runtime::BoxPlan> plans = PlansOf(scene, planes);
+  std::vector<std::uint32_t> order(plans.size());
+  std::size_t first[8];
+  runtime::OrderByPlaneCount(plans.data(), plans.size(), order.data(), first);
+  Drawn drawn;
+  for (std::size_t i = 0; i < first[7]; ++i) {
+    const SceneObject& object = scene.objects[order[i]];
+    const runtime::ShaderVariant variant = runtime::VariantOf(plans[order[i]]);
+    WayConstants constants = {ConvertTo<float>(runtime::Multiply(object.world, view_projection)),
+                              ConvertTo<float>(object.world),
+                              {}};
+    for (int slot = 0; slot < variant.plane_count; ++slot) {
+      const runtime::Plane& plane = scene.planes[variant.planes[slot]].plane;
+      constants.planes.push_back(
+          VectorOf(runtime::ObjectPlaneFromWorld(plane, object.world).value.constant));
+    }
+    DrawCall& call = *variants_[variant.plane_count];
+    call.SetConstants(constants);
+    call.Draw();
+    ++drawn.draws, drawn.planes += variant.plane_count;
+  }
+  studio_.gl().Finish();
+  drawn.cpu_ms = CpuMilliseconds() - start;
+  drawn.rgba = studio_.Rgba();
+  return drawn;
+}
+
+}  // namespace clipc::study

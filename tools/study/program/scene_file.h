@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <string>
+
+#include "tools/study/scene.h"
+
+namespace clipc::study {
+
+// Reads a scene, JSON or glTF 2.0, as docs/study.md describes it. Throws DrawError with the file
+// and what is wrong in it.
+Scene ReadScene(const std::string& path);
+
+}  // namespace clipc::study

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "tools/study/program/speed.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <time.h>
+
+#include "tools/study/program/studio.h"
+#include "tools/study/sweeps.h"
+
+namespace clipc::study {
+namespace {
+
+double CpuMilliseconds() {
+  timespec now;
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
+}
+
+struct Setting {
+  const char* name;
+  int width, height;
+  bool cuts;
+};
+constexpr Setting kSettings[] = {
+    {"picture", 1280, 720, false}, {"vertices", 64, 64, false}, {"cut", 1280, 720, true}};
+
+// Six sides of a box around the object, in world space; far outside it, or through it.
+std::vector<runtime::Plane> Sides(const Setup& setup, int count, bool cuts) {
+  std::vector<runtime::Plane> planes;
+  // Behind every part of the object as the eye sees it, so that the near plane can be sheared: the
+  // first looks along the view.
+  const double normals[6][3] = {{0.1, 0.2, 0.97}, {-1, 0, 0.1}, {1, 0, 0.1},
+                                {0, -1, 0.1},     {0, 1, 0.1},  {0.3, 0, 1}};
+  const double depth = std::sqrt(setup.config.nearest * setup.config.farthest),
+               radius = 0.3 * depth;
+  for (int i = 0; i < count; ++i) {
+    const double* n = normals[i];
+    const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    const double away = cuts ? 0 : -2 * radius;  // from the object's middle, against the normal
+    const runtime::Plane view = PlaneThroughPoint(
+        n[0], n[1], n[2], away * n[0] / length, away * n[1] / length, depth + away * n[2] / length);
+    planes.push_back(runtime::PlaneBefore(setup.view, view));
+  }
+  return planes;
+}
+
+struct Entry {
+  Cost cost;
+  WayKind kind;
+  std::unique_ptr<DrawCall> call;
+  std::vector<Vec4<double>> object_planes;  // kCpu
+  std::vector<double> times;
+  std::vector<double> shares;  // of the frames without planes before and after
+};
+
+std::vector<Entry> EntriesFor(const draw::Gl& gl, const Setting& setting, const Setup& setup,
+                              const Mesh& mesh) {
+  std::vector<Entry> entries;
+  for (const Way& way : AllWays()) {
+    for (const int planes : {0, 1, 3, 6}) {
+      if ((planes == 0) != (way.kind == WayKind::kNone) || planes > std::max(way.most_planes, 0))
+        continue;
+      const std::vector<runtime::Plane> world = Sides(setup, planes, setting.cuts);
+      const auto constants = ConstantsOf(way.kind, setup, world);
+      if (!constants) continue;
+      Entry entry;
+      entry.cost.setting = setting.name, entry.cost.way = way.name, entry.cost.planes = planes;
+      entry.kind = way.kind;
+      entry.call = MakeCall(gl, way.kind, planes, false);
+      entry.call->SetMesh(mesh);
+      entry.call->SetConstants(*constants);
+      for (const runtime::Plane& plane : world) {
+        entry.object_planes.push_back(ConvertTo<double>(runtime::PlaneBefore(setup.world, plane)));
+      }
+      entries.push_back(std::move(entry));
+    }
+  }
+  return entries;
+}
+
+double MedianOf(std::vector<double> numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  return numbers[numbers.size() / 2];
+}
+
+double TimeOf(Studio& studio, Entry& entry, const Mesh& mesh) {
+  studio.Begin();
+  studio.gl().Finish();
+  const double start = CpuMilliseconds();
+  if (entry.kind == WayKind::kCpu) entry.call->SetMesh(ClipMesh(mesh, entry.object_planes));
+  entry.call->Draw();
+  studio.gl().Finish();
+  return CpuMilliseconds() - start;
+}
+
+constexpr std::size_t kBetween = 3;  // entries between two frames without planes
+
+// Draws each entry once, in an order of its own.
+void Round(Studio& studio, const Mesh& mesh, std::vector<Entry>& entries, Random& random,
+           bool counts) {
+  std::vector<std::size_t> order(entries.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const std::size_t other = random.Below(static_cast<std::uint32_t>(i + 1));
+    order[i] = order[other], order[other] = i;
+  }
+  double before = TimeOf(studio, entries.front(), mesh);
+  for (std::size_t first = 0; first < order.size(); first += kBetween) {
+    const std::size_t end = std::min(first + kBetween, order.size());
+    std::vector<double> times;
+    for (std::size_t i = first; i < end; ++i)
+      times.push_back(TimeOf(studio, entries[order[i]], mesh));
+    const double after = TimeOf(studio, entries.front(), mesh);
+    for (std::size_t i = first; counts && i < end; ++i) {
+      entries[order[i]].times.push_back(times[i - first]);
+      entries[order[i]].shares.push_back(2 * times[i - first] / (before + after));
+    }
+    before = after;
+  }
+}
+
+}  // namespace
+
+std::vector<Cost> MeasureSpeed(draw::Device& device, int rounds, int detail,
+                               const std::function<void(double)>& progress) {
+  const Setup setup = Prepare(ObliqueAt(4, 0.1, 100));
+  const Mesh mesh = TorusKnot(10 * detail, detail, 4 * 0.577 / 1.75);
+  std::vector<Cost> costs;
+  Random random(8);
+  int done = 0;
+  for (const Setting& setting : kSettings) {
+    Studio studio(device, setting.width, setting.height, false);
+    std::vector<Entry> entries = EntriesFor(studio.gl(), setting, setup, mesh);
+    for (int round = -1; round < rounds;
+         ++round) {  // the first is thrown away: shaders are compiled in it
+      Round(studio, mesh, entries, random, round >= 0);
+      progress((done + static_cast<double>(round + 2) / (rounds + 1)) /
+               static_cast<double>(std::size(kSettings)));
+    }
+    ++done;
+    for (Entry& entry : entries) {
+      entry.cost.median_ms = MedianOf(entry.times);
+      entry.cost.least_ms = *std::min_element(entry.times.begin(), entry.times.end());
+      entry.cost.paired_ratio = MedianOf(entry.shares);
+    }
+    const Cost none = entries.front().cost;
+    for (Entry& entry : entries) {
+      entry.cost.ratio = entry.cost.median_ms / none.median_ms;
+      entry.cost.paired_ratio /= none.paired_ratio;  // noise lifts them alike
+      costs.push_back(entry.cost);
+    }
+  }
+  return costs;
+}
+
+}  // namespace clipc::study

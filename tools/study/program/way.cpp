@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "tools/study/program/way.h"
+
+#include "compiler/compile.h"
+#include "runtime/near_plane.h"
+#include "runtime/plane_space.h"
+#include "tools/draw/gl.h"
+
+namespace clipc::study {
+namespace {
+
+using runtime::PlaneSpace;
+using Space = clip_table::PositionSpace;
+using Lowering = clip_table::Lowering;
+
+PlaneSpace SpaceOf(WayKind kind) {
+  switch (kind) {
+    case WayKind::kXyw1: return PlaneSpace::kXyw1;
+    case WayKind::kObject:
+    case WayKind::kNearPlane:
+    case WayKind::kDiscardObject: return PlaneSpace::kObject;
+    default: return PlaneSpace::kClip;
+  }
+}
+
+Lowering LoweringOf(WayKind kind) {
+  switch (kind) {
+    case WayKind::kLevel9: return Lowering::kLevel9;
+    case WayKind::kNearPlane: return Lowering::kNearPlane;
+    case WayKind::kDiscard:
+    case WayKind::kDiscardObject: return Lowering::kDiscard;
+    default: return Lowering::kClipDistance;
+  }
+}
+
+std::string FragmentOf(WayKind kind, int planes, bool coverage) {
+  const bool is_old = kind == WayKind::kLevel9;
+  const std::string in = is_old ? "varying " : "layout(location = 0) in ";
+  const std::string out = is_old ? "gl_FragColor" : "color";
+  std::string text =
+      is_old ? "#version 120\n" : "#version 450\nlayout(location = 0) out vec4 color;\n";
+  std::string body;
+  if (kind == WayKind::kDiscardRecomputed) {
+    // In the place of three.js's: every fragment dots its interpolated world position.
+    const std::string count = std::to_string(planes);
+    text += "layout(location = 0) in vec3 vs_PLACE0;\nlayout(location = 1) in vec3 vs_NORMAL0;\n";
+    text += "layout(std140) uniform Clip { vec4 clip[" + count + "]; };\n";
+    body = "    for (int i = 0; i < " + count +
+           "; ++i) if (!(dot(vec4(vs_PLACE0, 1.0), clip[i]) >= 0.0)) discard;\n";
+  } else if (!coverage) {
+    text += in + "vec3 vs_NORMAL0;\n";
+  }
+  const char* shaded =
+      "vec4(vec3(0.6, 0.7, 0.8) * (0.25 + 0.75 * max(0.0, dot(normalize(vs_NORMAL0), vec3(0.37, "
+      "0.74, 0.56)))), 1.0)";
+  return text + "void main() {\n" + body + "    " + out + " = " +
+         (coverage ? "vec4(1.0)" : shaded) + ";\n}\n";
+}
+
+}  // namespace
+
+const std::vector<Way>& AllWays() {
+  static const std::vector<Way> ways = {
+      {WayKind::kNone, "none", "", 0},
+      {WayKind::kClip, "clip", "clip", 6},
+      {WayKind::kXyw1, "xyw1", "xyw1", 6},
+      {WayKind::kObject, "object", "object", 6},
+      {WayKind::kLevel9, "level9", "clip", 6},
+      {WayKind::kWorld, "world", "world", 6},
+      {WayKind::kNearPlane, "near-plane", "near-plane", 1},
+      {WayKind::kNearPlaneFloat, "near-plane-f32", "near-plane-f32", 1},
+      {WayKind::kDiscard, "discard", "clip", 6},
+      {WayKind::kDiscardObject, "discard-object", "object", 6},
+      {WayKind::kDiscardRecomputed, "discard-world", "world", 6},
+      {WayKind::kCpu, "cpu", "cpu", 6}};
+  return ways;
+}
+
+WaySource SourceOf(WayKind kind, int planes, bool coverage) {
+  CompileRequest request;
+  request.path = CLIPC_STUDY_SHADER;
+  const bool is_plain =
+      kind == WayKind::kNone || kind == WayKind::kNearPlaneFloat || kind == WayKind::kCpu;
+  request.defines.push_back("PLANES=" + std::to_string(is_plain ? 0 : planes));
+  if (kind == WayKind::kWorld) request.defines.push_back("BY_HAND");
+  if (kind == WayKind::kDiscardRecomputed) request.defines.push_back("RECOMPUTED");
+  if (kind == WayKind::kLevel9) request.profile = "vs_4_0_level_9_1", request.target = "glsl120";
+  request.lowering = LoweringOf(kind);
+  const PlaneSpace space = SpaceOf(kind);
+  request.plane_space = space == PlaneSpace::kXyw1     ? Space::kXyw1
+                        : space == PlaneSpace::kObject ? Space::kObject
+                                                       : Space::kDirect3DClip;
+  WaySource source;
+  source.fragment = FragmentOf(kind, planes, coverage);
+  if (request.lowering == Lowering::kDiscard) request.fragment = source.fragment;
+  CompileResult result = Compile(request);
+  if (!result.ok()) throw draw::DrawError(result.text);
+  source.vertex = std::move(result.glsl);
+  if (request.fragment) source.fragment = std::move(result.fragment);
+  return source;
+}
+
+std::optional<WayConstants> ConstantsOf(WayKind kind, const Setup& setup,
+                                        const std::vector<runtime::Plane>& world_planes) {
+  WayConstants constants = {
+      ConvertTo<float>(setup.world_view_projection), ConvertTo<float>(setup.world), {}};
+  const runtime::DrawMatrices draw = {setup.world, setup.view, setup.projection};
+  for (const runtime::Plane& plane : world_planes) {
+    if (kind == WayKind::kWorld || kind == WayKind::kDiscardRecomputed) {
+      constants.planes.push_back(ConvertTo<float>(plane));
+      continue;
+    }
+    const auto constant =
+        runtime::PlaneConstantFor(SpaceOf(kind), plane, runtime::KnownIn::kWorld, draw);
+    if (!constant.ok()) return std::nullopt;
+    constants.planes.push_back(VectorOf(constant.value.plane.constant));
+  }
+  const runtime::DepthRange range = setup.config.camera.Range();
+  if (kind == WayKind::kNearPlane) {
+    const auto view = runtime::ViewPlaneFromWorld(world_planes.front(), setup.view);
+    const auto sheared = runtime::ShearNearPlane(view.value.plane, setup.projection, range,
+                                                 runtime::NearPlaneScale::kKeepFar);
+    if (!sheared.ok() || range.reversed)
+      return std::nullopt;  // the lowering writes z = d, which is for z = 0 at the near plane
+    const auto object = runtime::ObjectPlaneFromWorld(world_planes.front(), setup.world);
+    const runtime::Plane& p = object.value.plane;
+    const double a = sheared.value.scale;
+    constants.planes.front() = ConvertTo<float>(runtime::Plane{p.x * a, p.y * a, p.z * a, p.w * a});
+  }
+  if (kind == WayKind::kNearPlaneFloat) {
+    const auto view_plane = runtime::ViewPlaneFromWorld(world_planes.front(), setup.view);
+    if (range.reversed || view_plane.value.plane.w >= 0) return std::nullopt;
+    const Mat4<float> view = ConvertTo<float>(setup.view),
+                      projection = ConvertTo<float>(setup.projection);
+    const auto plane =
+        PlaneThrough(InverseOf(Multiply(view, projection)), ConvertTo<float>(world_planes.front()));
+    Mat4<float> shear = ConvertTo<float>(runtime::Matrix{});
+    for (int i = 0; i < 4; ++i) shear.m[i][2] = plane[i];
+    constants.world_view_projection =
+        Multiply(Multiply(ConvertTo<float>(setup.world), view), Multiply(projection, shear));
+  }
+  return constants;
+}
+
+}  // namespace clipc::study

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "tools/study/setup.h"
+
+#include <cmath>
+
+#include "runtime/clip_plane.h"
+
+namespace clipc::study {
+
+using runtime::Matrix;
+using runtime::Plane;
+
+Plane PlaneThroughPoint(double nx, double ny, double nz, double x, double y, double z) {
+  const double length = std::sqrt(nx * nx + ny * ny + nz * nz);
+  nx /= length, ny /= length, nz /= length;
+  return {nx, ny, nz, -(nx * x + ny * y + nz * z)};
+}
+
+Setup Prepare(const Config& config) {
+  Setup setup;
+  setup.config = config;
+  Camera& camera = setup.config.camera;
+  camera.yaw += 0.3, camera.pitch -= 0.2, camera.roll += 0.1;
+  const double away[3] = {0.8, -0.5, 0.33};
+  for (int i = 0; i < 3; ++i) camera.eye[i] += away[i] * config.world_offset;
+  setup.view = camera.View();
+  setup.projection = camera.Projection();
+
+  // The object stands where the surfaces are, turned in a way of its own.
+  setup.world = Rotation(1.1, 0.4, -0.7);
+  const Matrix view_to_world = camera.ViewToWorld();
+  const double depth = std::sqrt(config.nearest * config.farthest);
+  for (int j = 0; j < 3; ++j)
+    setup.world.m[3][j] = depth * view_to_world.m[2][j] + view_to_world.m[3][j];
+  setup.world_view = runtime::Multiply(setup.world, setup.view);
+  setup.world_view_projection = runtime::Multiply(setup.world_view, setup.projection);
+  const Mat4<double> inverse = InverseOf(ConvertTo<double>(setup.world_view));
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) setup.to_object.m[i][j] = inverse.m[i][j];
+  }
+
+  // The world-space plane is the truth; the other two follow from it.
+  const Plane unit = runtime::PlaneBefore(setup.view, config.view_plane);
+  const double s = config.plane_scale;
+  setup.world_plane = {unit.x * s, unit.y * s, unit.z * s, unit.w * s};
+  setup.view_plane = runtime::PlaneBefore(view_to_world, setup.world_plane);
+  setup.object_plane = runtime::PlaneBefore(setup.world, setup.world_plane);
+  return setup;
+}
+
+}  // namespace clipc::study
