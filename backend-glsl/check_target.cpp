@@ -14,6 +14,7 @@
 #include "backend-glsl/writer.h"
 #include "base/overloaded.h"
 #include "ir/scalar.h"
+#include "ir/walk.h"
 
 namespace clipc::glsl {
 

@@ -4,6 +4,8 @@
 #include <utility>
 #include <variant>
 
+#include "ir/walk.h"
+
 namespace clipc::glsl {
 
 using namespace ir;

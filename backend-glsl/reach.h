@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "ir/program.h"
-#include "ir/walk.h"
 
 namespace clipc::glsl {
 
@@ -19,22 +18,5 @@ struct Reached {
   bool Has(ir::CbufferId cbuffer) const { return cbuffers[cbuffer.index]; }
 };
 Reached Reach(const ir::Program& program);
-
-// Calls visit(ExprId) for every expression at and below `expr`, parents before operands, in order
-// of the text.
-template <typename Visit>
-void ForEachExpr(const ir::Program& program, ir::ExprId expr, Visit&& visit) {
-  visit(expr);
-  ir::ForEachOperand(program, expr,
-                     [&](ir::ExprId operand) { ForEachExpr(program, operand, visit); });
-}
-
-// The same for every expression in a statement.
-template <typename Visit>
-void ForEachExpr(const ir::Program& program, ir::StmtId stmt, Visit&& visit) {
-  ir::ForEachPart(
-      program, stmt, [&](ir::ExprId expr) { ForEachExpr(program, expr, visit); },
-      [&](ir::StmtId part) { ForEachExpr(program, part, visit); });
-}
 
 }  // namespace clipc::glsl

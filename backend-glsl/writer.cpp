@@ -17,11 +17,11 @@ Writer::Writer(const Program& program, const Target& target, const WriteOptions&
       target_(target),
       options_(options),
       info_(info),
-      reached_(std::move(reached)) {
+      reached_(std::move(reached)),
+      effects_(program) {
   for (std::string* part : {&structs_, &blocks_, &inputs_, &outputs_, &functions_})
     part->reserve(1024);
   struct_used_.resize(program.types.structs().size());
-  function_effects_.assign(program.functions.size(), -1);
   layouts_.resize(program.cbuffers.size());
   for (CbufferId id : program.cbuffers.ids()) {
     if (reached_.Has(id)) layouts_[id.index] = LayOutBlock(program, program.cbuffers[id], target);
@@ -89,7 +89,7 @@ void Writer::OneFunction(FunctionId id) {
   namer_.OpenScope();
   Line(Signature(id) + " {");
   ++indent_;
-  Statements(std::get<ir::Block>(program_.stmts[program_.functions[id].body].node).body);
+  Statements(BodyOf(program_, id));
   --indent_;
   Line("}");
   functions_ += '\n';
@@ -124,7 +124,7 @@ void Writer::Main() {
     Line(Declaration(program_.vars[id].type, name) + ";");
     conversions.emplace_back(builtin, name);
   }
-  Statements(std::get<ir::Block>(program_.stmts[program_.functions[program_.main].body].node).body);
+  Statements(MainBody(program_));
   for (const auto& [builtin, name] : conversions) Line(builtin + " = int(" + name + ");");
   --indent_;
   Line("}");

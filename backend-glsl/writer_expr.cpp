@@ -6,8 +6,8 @@
 #include "backend-glsl/writer_state.h"
 #include "base/check.h"
 #include "base/overloaded.h"
+#include "ir/access.h"
 #include "ir/scalar.h"
-#include "ir/walk.h"
 
 namespace clipc::glsl {
 
@@ -41,7 +41,7 @@ Text Writer::Expr(ExprId id) {
                 node.op == BinaryOp::kLogicalAnd || node.op == BinaryOp::kLogicalOr;
             Operand left = OperandOf(node.left), right = OperandOf(node.right);
             return BinaryOn(node.op, std::move(left), std::move(right),
-                            !is_eager || IsPure(node.right));
+                            !is_eager || effects_.IsPure(node.right));
           },
           [&](const Assign& node) { return AssignText(node); },
           [&](const Conditional& node) {
@@ -53,7 +53,8 @@ Text Writer::Expr(ExprId id) {
           [&](const Select& node) {
             const Operand operands[] = {OperandOf(node.condition), OperandOf(node.when_true),
                                         OperandOf(node.when_false)};
-            return SelectOn(operands, IsPure(node.when_true) && IsPure(node.when_false));
+            return SelectOn(operands,
+                            effects_.IsPure(node.when_true) && effects_.IsPure(node.when_false));
           },
           [&](const Convert& node) { return ConvertText(expr, node); },
           [&](const Splat&) { return Full(OperandOf(id)); },
@@ -201,7 +202,7 @@ Text Writer::CompoundAssignText(const Assign& node) {
     return {text + " " + std::string(SpellingOf(op)) + "= " + ShiftCount(value, shape.scalar).text,
             Binding::kAssignment};
   }
-  if (IsPure(node.target)) {
+  if (effects_.IsPure(node.target)) {
     Operand target{Expr(node.target), shape, std::nullopt, IsRepeatable(node.target)};
     std::string text = Text(target.text).At(Binding::kUnary);
     Append(text, " = ", Argument(BinaryOn(op, std::move(target), std::move(value), true)));
@@ -249,87 +250,11 @@ Text Writer::CallText(const Call& node) {
 }
 
 bool Writer::IsRepeatable(ExprId id) const {
-  const auto& node = program_.exprs[id].node;
-  if (std::holds_alternative<Literal>(node) || std::holds_alternative<VarRef>(node)) return true;
-  if (const auto* field = std::get_if<FieldRef>(&node)) return IsRepeatable(field->base);
-  if (const auto* swizzle = std::get_if<Swizzle>(&node)) return IsRepeatable(swizzle->base);
-  if (const auto* index = std::get_if<Index>(&node)) {
-    return std::holds_alternative<Literal>(program_.exprs[index->index].node) &&
-           IsRepeatable(index->base);
-  }
-  return false;
-}
-
-namespace {
-
-VarId RootOf(const Program& program, ExprId target) {
-  const auto& node = program.exprs[target].node;
-  if (const auto* ref = std::get_if<VarRef>(&node)) return ref->var;
-  if (const auto* field = std::get_if<FieldRef>(&node)) return RootOf(program, field->base);
-  if (const auto* index = std::get_if<Index>(&node)) return RootOf(program, index->base);
-  if (const auto* swizzle = std::get_if<Swizzle>(&node)) return RootOf(program, swizzle->base);
-  return {};
-}
-
-// The targets that the node itself writes; those of calls included.
-template <typename OnTarget>
-void ForEachWrite(const Program& program, ExprId id, OnTarget&& on_target) {
-  const auto& node = program.exprs[id].node;
-  if (const auto* assign = std::get_if<Assign>(&node)) on_target(assign->target);
-  if (const auto* unary = std::get_if<Unary>(&node); unary && unary->op >= UnaryOp::kPreIncrement) {
-    on_target(unary->operand);
-  }
-  if (const auto* call = std::get_if<Call>(&node)) {
-    const auto& parameters = program.functions[call->function].parameters;
-    for (std::uint32_t i = 0; i < call->arguments.size; ++i) {
-      if (program.vars[parameters[i]].storage != Storage::kIn)
-        on_target(program.expr_lists[call->arguments][i]);
-    }
-  }
-  if (const auto* call = std::get_if<IntrinsicCall>(&node)) {
-    const auto arguments = program.expr_lists[call->arguments];
-    const bool first_is_input = call->op == Intrinsic::kFrexp || call->op == Intrinsic::kModf ||
-                                call->op == Intrinsic::kSincos ||
-                                (call->op == Intrinsic::kAsUint && arguments.size() == 3);
-    for (std::size_t i = 1; first_is_input && i < arguments.size(); ++i) on_target(arguments[i]);
-  }
-}
-
-bool IsStore(const ir::Expr& expr) {
-  const auto* call = std::get_if<ObjectCall>(&expr.node);
-  return call && call->op == ObjectOp::kStore;
-}
-
-}  // namespace
-
-bool Writer::IsPure(ExprId id) {
-  bool pure = true;
-  ForEachExpr(program_, id, [&](ExprId part) {
-    ForEachWrite(program_, part, [&](ExprId) { pure = false; });
-    const auto* call = std::get_if<Call>(&program_.exprs[part].node);
-    if (pure && call && HasEffects(call->function)) pure = false;
-    if (IsStore(program_.exprs[part])) pure = false;
-  });
-  return pure;
-}
-
-// Callees are written before callers, so this goes no deeper than one call.
-bool Writer::HasEffects(FunctionId id) {
-  signed char& known = function_effects_[id.index];
-  if (known >= 0) return known != 0;
-  bool effects = false;
-  ForEachExpr(program_, program_.functions[id].body, [&](ExprId part) {
-    ForEachWrite(program_, part, [&](ExprId target) {
-      const VarId root = RootOf(program_, target);
-      const Storage storage = root ? program_.vars[root].storage : Storage::kOut;
-      if (storage != Storage::kLocal && storage != Storage::kIn) effects = true;
-    });
-    const auto* call = std::get_if<Call>(&program_.exprs[part].node);
-    if (!effects && call && HasEffects(call->function)) effects = true;
-    if (IsStore(program_.exprs[part])) effects = true;
-  });
-  function_effects_[id.index] = effects ? 1 : 0;
-  return effects;
+  const auto* index = As<Index>(program_, id);
+  if (index && !As<Literal>(program_, index->index)) return false;
+  if (As<MatrixSwizzle>(program_, id)) return false;
+  const ExprId whole = WholeOf(program_, id);
+  return whole ? IsRepeatable(whole) : As<Literal>(program_, id) || As<VarRef>(program_, id);
 }
 
 }  // namespace clipc::glsl

@@ -11,11 +11,7 @@ namespace clipc::glsl {
 
 using namespace ir;
 
-VarId Writer::ObjectVar(ExprId object) const {
-  const auto& node = program_.exprs[object].node;
-  if (const auto* index = std::get_if<Index>(&node)) return ObjectVar(index->base);
-  return std::get<VarRef>(node).var;
-}
+VarId Writer::ObjectVar(ExprId object) const { return RootOf(program_, object); }
 
 const Type& Writer::ObjectTypeOf(VarId var) const {
   TypeId id = program_.vars[var].type;

@@ -20,6 +20,7 @@
 #include "backend-glsl/target.h"
 #include "backend-glsl/text.h"
 #include "backend-glsl/writer.h"
+#include "ir/access.h"
 #include "ir/program.h"
 
 namespace clipc::glsl {
@@ -139,7 +140,7 @@ class Writer {
 
   // ---- writer_stmt.cpp
   void Statement(ir::StmtId id);
-  void Statements(List<ir::StmtId> list);
+  void Statements(std::span<const ir::StmtId> list);
   void Body(ir::StmtId id);  // of a compound statement, in braces
   void If(const ir::If& node, std::string_view lead);
   void For(const ir::For& node);
@@ -170,8 +171,6 @@ class Writer {
   const ir::Type& TypeOf(ir::ExprId id) const { return program_.types[program_.exprs[id].type]; }
   Shape ShapeAt(ir::ExprId id) const { return ShapeOf(TypeOf(id)); }
   bool IsRepeatable(ir::ExprId id) const;
-  bool IsPure(ir::ExprId id);
-  bool HasEffects(ir::FunctionId id);
 
   // ---- writer_operators.cpp: operations on texts
   using Apply = std::function<Text(std::span<const Operand>)>;
@@ -282,8 +281,8 @@ class Writer {
   std::map<std::string, std::string> wrappers_;
   std::unordered_map<std::string, std::string> helper_names_;
   std::set<std::string> helper_keys_;
-  std::vector<signed char> function_effects_;  // by FunctionId: -1 unknown
-  std::vector<ir::VarId> integer_outputs_;     // uint in HLSL, int as built-in variables
+  ir::Effects effects_;
+  std::vector<ir::VarId> integer_outputs_;  // uint in HLSL, int as built-in variables
   std::vector<std::pair<std::string, std::string>>
       late_globals_;  // name and value: ES initialises them in main
 

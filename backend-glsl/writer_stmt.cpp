@@ -9,8 +9,8 @@ namespace clipc::glsl {
 
 using namespace ir;
 
-void Writer::Statements(List<StmtId> list) {
-  for (StmtId id : program_.stmt_lists[list]) Statement(id);
+void Writer::Statements(std::span<const StmtId> list) {
+  for (StmtId id : list) Statement(id);
 }
 
 // The statements of a block, or the one statement; the caller wrote the brace before it.
@@ -18,7 +18,7 @@ void Writer::Body(StmtId id) {
   ++indent_;
   namer_.OpenScope();
   if (const auto* block = std::get_if<ir::Block>(&program_.stmts[id].node)) {
-    Statements(block->body);
+    Statements(program_.stmt_lists[block->body]);
   } else {
     Statement(id);
   }
@@ -116,7 +116,7 @@ void Writer::Switch(const ir::Switch& node) {
     for (ExprId label : program_.expr_lists[arm.labels]) Line("case " + Expr(label).text + ":");
     if (arm.is_default) Line("default:");
     ++indent_;
-    Statements(arm.body);
+    Statements(program_.stmt_lists[arm.body]);
     // GLSL wants a statement behind the last label.
     if (arm.body.empty() && i + 1 == cases.size()) Line("break;");
     --indent_;

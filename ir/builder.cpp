@@ -9,11 +9,6 @@
 #include "ir/walk.h"
 
 namespace clipc::ir {
-namespace {
-
-// A Pool may move its values while it adds, so what is added must not lie in it.
-}  // namespace
-
 ExprId Builder::Add(TypeId type, decltype(Expr::node) node) {
   return program_.exprs.Add({.type = type, .span = span_, .node = node});
 }
@@ -138,31 +133,6 @@ ExprId Clone(Program& program, ExprId expr) {
   std::visit(own, program.exprs[copy].node);
   MapOperands(program, copy, [&](ExprId operand) { return Clone(program, operand); });
   return copy;
-}
-
-bool IsPure(const Program& program, ExprId expr) {
-  const auto& node = program.exprs[expr].node;
-  if (std::holds_alternative<Assign>(node) || std::holds_alternative<Call>(node)) return false;
-  if (const auto* unary = std::get_if<Unary>(&node); unary && unary->op >= UnaryOp::kPreIncrement)
-    return false;
-  if (const auto* call = std::get_if<ObjectCall>(&node); call && call->op == ObjectOp::kStore)
-    return false;
-  if (const auto* call = std::get_if<IntrinsicCall>(&node)) {
-    for (std::size_t i = 0; i < call->arguments.size; ++i) {
-      if (WritesArgument(call->op, i)) return false;
-    }
-  }
-  bool pure = true;
-  ForEachOperand(program, expr, [&](ExprId operand) { pure = pure && IsPure(program, operand); });
-  return pure;
-}
-
-void AppendToBody(Program& program, FunctionId function, std::span<const StmtId> stmts) {
-  auto& block = std::get<Block>(program.stmts[program.functions[function].body].node);
-  const auto old = std::as_const(program).stmt_lists[block.body];
-  std::vector<StmtId> body(old.begin(), old.end());
-  body.insert(body.end(), stmts.begin(), stmts.end());
-  block.body = program.stmt_lists.Add(std::span<const StmtId>(body));
 }
 
 }  // namespace clipc::ir

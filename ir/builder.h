@@ -58,10 +58,5 @@ class Builder {
 // A copy of the tree under `expr`: an expression has one parent, so using a value twice needs two
 // trees.
 ExprId Clone(Program& program, ExprId expr);
-// No assignment, increment, call of a user function or out argument anywhere in it: it may be
-// evaluated twice or not at all.
-bool IsPure(const Program& program, ExprId expr);
-// Appends statements to the end of `function`'s body.
-void AppendToBody(Program& program, FunctionId function, std::span<const StmtId> stmts);
 
 }  // namespace clipc::ir

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "ir/access.h"
 #include "ir/print.h"
 #include "ir/test_program.h"
 #include "ir/verify.h"

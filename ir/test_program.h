@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "ir/access.h"
 #include "ir/builder.h"
 #include "ir/evaluate.h"
 #include "ir/packing.h"

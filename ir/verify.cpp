@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/overloaded.h"
-#include "ir/builder.h"
+#include "ir/access.h"
 #include "ir/verifier.h"
 #include "ir/verify_interface.h"
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <concepts>
 #include <cstdint>
+#include <type_traits>
 
 #include "base/overloaded.h"
 #include "ir/program.h"
@@ -9,44 +11,38 @@
 // The children of a node, each kind of node once: whoever walks the tree need not know all kinds.
 namespace clipc::ir {
 
-// Calls own(ExprId&) for each operand that `expr` holds itself, or list(List<ExprId>) for a list of
-// them, in the order of evaluation.
-template <typename Own, typename Listed>
-void ForEachSlot(Expr& expr, Own&& own, Listed&& list) {
+// A node that is of one of these kinds, const or not.
+template <typename Node, typename... Kinds>
+concept OneOf = (std::same_as<std::remove_const_t<Node>, Kinds> || ...);
+
+// Calls own(operand) for each operand that `expr` holds itself, a reference to an ExprId that is as
+// const as `expr`, or list(List<ExprId>) for a list of them, in the order of evaluation.
+template <OneOf<Expr> MaybeConst, typename Own, typename Listed>
+void ForEachSlot(MaybeConst& expr, Own&& own, Listed&& list) {
   Visit(Overloaded{
-            [](Literal&) {},
-            [](Zero&) {},
-            [](VarRef&) {},
-            [&](FieldRef& node) { own(node.base); },
-            [&](Index& node) { own(node.base), own(node.index); },
-            [&](Swizzle& node) { own(node.base); },
-            [&](MatrixSwizzle& node) { own(node.base); },
-            [&](Unary& node) { own(node.operand); },
-            [&](Binary& node) { own(node.left), own(node.right); },
-            [&](Assign& node) { own(node.target), own(node.value); },
-            [&](Conditional& node) {
+            [](OneOf<Literal, Zero, VarRef> auto&) {},
+            [&](OneOf<FieldRef, Swizzle, MatrixSwizzle> auto& node) { own(node.base); },
+            [&](OneOf<Index> auto& node) { own(node.base), own(node.index); },
+            [&](OneOf<Unary, Convert, Splat, MatrixTruncate> auto& node) { own(node.operand); },
+            [&](OneOf<Binary> auto& node) { own(node.left), own(node.right); },
+            [&](OneOf<Assign> auto& node) { own(node.target), own(node.value); },
+            [&](OneOf<Conditional, Select> auto& node) {
               own(node.condition), own(node.when_true), own(node.when_false);
             },
-            [&](Select& node) { own(node.condition), own(node.when_true), own(node.when_false); },
-            [&](Convert& node) { own(node.operand); },
-            [&](Splat& node) { own(node.operand); },
-            [&](Construct& node) { list(node.arguments); },
-            [&](MatrixTruncate& node) { own(node.operand); },
-            [&](Call& node) { list(node.arguments); },
-            [&](IntrinsicCall& node) { list(node.arguments); },
-            [&](ObjectCall& node) { list(node.arguments); },
-            [&](Comma& node) { own(node.first), own(node.second); },
+            [&](OneOf<Construct, Call, IntrinsicCall, ObjectCall> auto& node) {
+              list(node.arguments);
+            },
+            [&](OneOf<Comma> auto& node) { own(node.first), own(node.second); },
         },
         expr.node);
 }
 
 // Calls visit(ExprId) for the direct operands of `expr` in the order of evaluation. `visit` may add
-// nodes; to replace operands there is MapOperands.
+// nodes; MapOperands replaces operands.
 template <typename OnOperand>
 void ForEachOperand(const Program& program, ExprId expr, OnOperand&& visit) {
   ForEachSlot(
-      const_cast<Expr&>(program.exprs[expr]),  // only read
-      [&](ExprId operand) { visit(operand); },
+      program.exprs[expr], [&](ExprId operand) { visit(operand); },
       [&](List<ExprId> list) {
         for (std::uint32_t i = 0; i < list.size; ++i) visit(program.expr_lists[list][i]);
       });
@@ -106,6 +102,36 @@ void ForEachPart(const Program& program, StmtId stmt, OnExpr&& on_expr, OnStmt&&
             [](const Continue&) {},
         },
         program.stmts[stmt].node);
+}
+
+// Whether holds(ExprId) is true for any expression at or below `expr`, or anywhere in `stmt`:
+// parents are asked before their operands, in the order of the text, until one holds.
+template <typename Holds>
+bool AnyExpr(const Program& program, ExprId expr, Holds&& holds) {
+  bool any = holds(expr);
+  if (!any) {
+    ForEachOperand(program, expr,
+                   [&](ExprId operand) { any = any || AnyExpr(program, operand, holds); });
+  }
+  return any;
+}
+template <typename Holds>
+bool AnyExpr(const Program& program, StmtId stmt, Holds&& holds) {
+  bool any = false;
+  ForEachPart(
+      program, stmt, [&](ExprId expr) { any = any || AnyExpr(program, expr, holds); },
+      [&](StmtId part) { any = any || AnyExpr(program, part, holds); });
+  return any;
+}
+
+// Calls visit(ExprId) for every expression at and below `root`, an expression or a statement, in
+// the same order.
+template <typename Root, typename OnExpr>
+void ForEachExpr(const Program& program, Id<Root> root, OnExpr&& visit) {
+  AnyExpr(program, root, [&](ExprId expr) {
+    visit(expr);
+    return false;
+  });
 }
 
 }  // namespace clipc::ir

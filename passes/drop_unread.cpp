@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "base/check.h"
+#include "ir/access.h"
 #include "ir/builder.h"
-#include "ir/walk.h"
 
 namespace clipc::passes {
 

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "base/check.h"
+#include "ir/access.h"
 #include "ir/builder.h"
 #include "ir/scalar.h"
-#include "ir/walk.h"
 #include "passes/outputs.h"
 
 namespace clipc::passes {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "base/check.h"
+#include "ir/access.h"
 #include "ir/builder.h"
-#include "ir/walk.h"
 #include "passes/split_variables.h"
 
 namespace clipc::passes {

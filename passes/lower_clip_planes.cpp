@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/check.h"
+#include "ir/access.h"
 #include "ir/builder.h"
 #include "passes/outputs.h"
 

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "ir/access.h"
 #include "ir/builder.h"
 #include "ir/evaluate.h"
 #include "ir/print.h"

@@ -5,8 +5,8 @@
 #include <memory_resource>
 #include <utility>
 
+#include "ir/access.h"
 #include "ir/builder.h"
-#include "ir/walk.h"
 
 namespace clipc::passes {
 

@@ -15,30 +15,14 @@ bool Checker::IsConstVar(ir::VarId var) const {
   return var.index < const_vars_.size() && const_vars_[var.index];
 }
 
-// The variable that a path of fields, indices and swizzles starts at; none for other expressions.
-ir::VarId Checker::RootOf(ir::ExprId expr) const {
-  while (true) {
-    const auto& node = program_.exprs[expr].node;
-    if (const auto* ref = std::get_if<ir::VarRef>(&node)) return ref->var;
-    if (const auto* field = std::get_if<ir::FieldRef>(&node))
-      expr = field->base;
-    else if (const auto* index = std::get_if<ir::Index>(&node))
-      expr = index->base;
-    else if (const auto* swizzle = std::get_if<ir::Swizzle>(&node))
-      expr = swizzle->base;
-    else if (const auto* matrix = std::get_if<ir::MatrixSwizzle>(&node))
-      expr = matrix->base;
-    else
-      return {};
-  }
+bool Checker::IsPath(ir::ExprId expr) const {
+  return static_cast<bool>(ir::RootOf(program_, expr));
 }
-
-bool Checker::IsPath(ir::ExprId expr) const { return static_cast<bool>(RootOf(expr)); }
 
 // Whether the expression can be assigned to; reports why not.
 bool Checker::CheckTarget(ir::ExprId target) {
   const Span span = program_.exprs[target].span;
-  const ir::VarId root = RootOf(target);
+  const ir::VarId root = ir::RootOf(program_, target);
   if (!root) {
     diagnostics_.Report(span, diag::NotAssignable);
     return false;
@@ -77,26 +61,14 @@ bool Checker::CheckTarget(ir::ExprId target) {
 // The read of a writable object that a path of fields, indices and swizzles starts at, `buffer[i]`
 // in `buffer[i].x`; none for other expressions.
 ir::ExprId Checker::ElementIn(ir::ExprId expr) const {
-  while (true) {
-    const auto& node = program_.exprs[expr].node;
-    if (const auto* call = std::get_if<ir::ObjectCall>(&node)) {
-      const bool is_element = call->op == ir::ObjectOp::kBufferLoad ||
-                              call->op == ir::ObjectOp::kStructuredLoad ||
-                              call->op == ir::ObjectOp::kImageLoad;
-      const ir::ExprId object = program_.expr_lists[call->arguments][0];
-      return is_element && ir::IsWritable(TypeOf(object).object) ? expr : ir::ExprId{};
-    }
-    if (const auto* field = std::get_if<ir::FieldRef>(&node))
-      expr = field->base;
-    else if (const auto* index = std::get_if<ir::Index>(&node))
-      expr = index->base;
-    else if (const auto* swizzle = std::get_if<ir::Swizzle>(&node))
-      expr = swizzle->base;
-    else if (const auto* matrix = std::get_if<ir::MatrixSwizzle>(&node))
-      expr = matrix->base;
-    else
-      return {};
-  }
+  while (const ir::ExprId whole = ir::WholeOf(program_, expr)) expr = whole;
+  const auto* call = ir::As<ir::ObjectCall>(program_, expr);
+  if (!call) return {};
+  const bool is_element = call->op == ir::ObjectOp::kBufferLoad ||
+                          call->op == ir::ObjectOp::kStructuredLoad ||
+                          call->op == ir::ObjectOp::kImageLoad;
+  const ir::ExprId object = program_.expr_lists[call->arguments][0];
+  return is_element && ir::IsWritable(TypeOf(object).object) ? expr : ir::ExprId{};
 }
 
 // object[place] = value is a store; object[place].x = value and object[place] += value change a

@@ -255,7 +255,7 @@ ir::VarId Checker::MakeEmpty(ir::TypeId type, Span span) {
 ir::ExprId Checker::BindSelf(const FunctionInfo& function, ir::ExprId self,
                              std::vector<ir::ExprId>& before) {
   if (!function.changes_self) return self;
-  const ir::VarId root = RootOf(self);
+  const ir::VarId root = ir::RootOf(program_, self);
   const bool is_changeable =
       root && !IsConstVar(root) && program_.vars[root].storage != ir::Storage::kUniform;
   return is_changeable ? self : Hoist(self, before);

@@ -3,7 +3,6 @@
 
 #include "base/spelling.h"
 #include "frontend/check/checker.h"
-#include "ir/walk.h"
 
 // Variables outside functions: uniforms and their buffers, statics, resources.
 namespace clipc {
@@ -91,21 +90,12 @@ void Checker::ResolveStatic(SymbolId id, const ast::VarDecl& var) {
 // Whether GLSL, too, takes the expression for a constant: literals and constants under pure
 // operators.
 bool Checker::IsConstantExpr(ir::ExprId expr) const {
-  const auto& node = program_.exprs[expr].node;
-  if (const auto* ref = std::get_if<ir::VarRef>(&node)) {
-    return program_.vars[ref->var].storage == ir::Storage::kConstant;
-  }
-  if (std::holds_alternative<ir::Assign>(node) || std::holds_alternative<ir::Call>(node) ||
-      std::holds_alternative<ir::ObjectCall>(node) || std::holds_alternative<ir::Comma>(node)) {
-    return false;
-  }
-  if (const auto* unary = std::get_if<ir::Unary>(&node);
-      unary && unary->op >= ir::UnaryOp::kPreIncrement)
-    return false;
-  bool constant = true;
-  ir::ForEachOperand(program_, expr,
-                     [&](ir::ExprId operand) { constant = constant && IsConstantExpr(operand); });
-  return constant;
+  const bool reads_more = ir::AnyExpr(program_, expr, [&](ir::ExprId part) {
+    const auto* ref = ir::As<ir::VarRef>(program_, part);
+    return (ref && program_.vars[ref->var].storage != ir::Storage::kConstant) ||
+           ir::As<ir::ObjectCall>(program_, part) || ir::As<ir::Comma>(program_, part);
+  });
+  return !reads_more && ir::IsPure(program_, expr);
 }
 
 void Checker::ResolveObject(SymbolId id, const ast::VarDecl& var, ir::TypeId type) {

@@ -19,6 +19,7 @@
 #include "frontend/parse/ast.h"
 #include "frontend/rules/build_main.h"
 #include "frontend/rules/conversion.h"
+#include "ir/access.h"
 #include "ir/builder.h"
 #include "ir/program.h"
 
@@ -333,7 +334,6 @@ class Checker final : TemporaryMaker {
   ir::ExprId ChangeElement(ir::ExprId element, std::vector<ir::ExprId>& prologue);
   bool CheckTarget(ir::ExprId target);
   bool IsPath(ir::ExprId expr) const;
-  ir::VarId RootOf(ir::ExprId expr) const;
   ir::ExprId Stabilize(ir::ExprId path, std::vector<ir::ExprId>& prologue);
   void MarkConst(ir::VarId var);
   bool IsConstVar(ir::VarId var) const;

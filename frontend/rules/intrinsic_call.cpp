@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/rules/intrinsic_call.h"
 
+#include <bit>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "frontend/rules/reread.h"
+#include "ir/access.h"
 
 namespace clipc {
 namespace {
@@ -19,22 +21,18 @@ std::string CountText(std::size_t least, std::size_t most) {
   return std::to_string(least) + (most == least + 1 ? " or " : " to ") + std::to_string(most);
 }
 
-// The variable at the root of a path that may be assigned to, or none.
-ir::VarId TargetRoot(const ir::Program& program, ExprId expr) {
-  const auto& node = program.exprs[expr].node;
-  if (const auto* ref = std::get_if<ir::VarRef>(&node)) return ref->var;
-  if (const auto* field = std::get_if<ir::FieldRef>(&node)) return TargetRoot(program, field->base);
-  if (const auto* index = std::get_if<ir::Index>(&node)) return TargetRoot(program, index->base);
-  if (const auto* swizzle = std::get_if<ir::Swizzle>(&node)) {
+// The variable at the root of a path that may be assigned to, or none: no component may be named
+// twice, and those of a matrix are assigned one by one.
+ir::VarId TargetRoot(const ir::Program& program, ExprId path) {
+  for (ExprId part = path; part; part = ir::WholeOf(program, part)) {
+    if (ir::As<ir::MatrixSwizzle>(program, part)) return {};
+    const auto* swizzle = ir::As<ir::Swizzle>(program, part);
     unsigned seen = 0;
-    for (std::size_t i = 0; i < swizzle->count; ++i) {
-      const unsigned bit = 1u << swizzle->components[i];
-      if ((seen & bit) != 0) return {};
-      seen |= bit;
-    }
-    return TargetRoot(program, swizzle->base);
+    for (std::size_t i = 0; swizzle && i < swizzle->count; ++i)
+      seen |= 1u << swizzle->components[i];
+    if (swizzle && std::popcount(seen) != swizzle->count) return {};
   }
-  return {};
+  return ir::RootOf(program, path);
 }
 
 // The arguments of a vector's constructor that make its components [begin, end), or nothing when

@@ -5,6 +5,7 @@
 
 #include "frontend/rules/intrinsic_call.h"
 #include "frontend/rules/reread.h"
+#include "ir/access.h"
 
 namespace clipc {
 namespace {

@@ -10,7 +10,7 @@
 #include "base/spelling.h"
 #include "frontend/rules/build_main.h"
 #include "frontend/rules/position_trial.h"
-#include "ir/walk.h"
+#include "ir/access.h"
 
 namespace clipc {
 namespace {
@@ -36,57 +36,35 @@ bool Overlap(const Place& a, const Place& b) {
   return true;
 }
 
-// The place that an assignment target names; no variable for what is none.
+// The place that a path names; without a variable for an expression that is not a path.
 Place PlaceOf(const Program& program, ExprId id) {
-  const auto& node = program.exprs[id].node;
-  if (const auto* ref = std::get_if<VarRef>(&node)) return {ref->var, {}};
-  if (const auto* swizzle = std::get_if<Swizzle>(&node)) return PlaceOf(program, swizzle->base);
-  if (const auto* field = std::get_if<FieldRef>(&node)) {
-    Place place = PlaceOf(program, field->base);
+  const ExprId whole = WholeOf(program, id);
+  if (!whole) return {RootOf(program, id), {}};
+  Place place = PlaceOf(program, whole);
+  if (const auto* field = As<FieldRef>(program, id)) {
     place.path.push_back(field->field);
-    return place;
-  }
-  if (const auto* index = std::get_if<Index>(&node)) {
-    Place place = PlaceOf(program, index->base);
-    if (program.types[program.exprs[index->base].type].kind != TypeKind::kArray) return place;
-    const auto* literal = std::get_if<Literal>(&program.exprs[index->index].node);
+  } else if (program.types[program.exprs[whole].type].kind == TypeKind::kArray) {
+    const auto* literal = As<Literal>(program, As<Index>(program, id)->index);
     place.path.push_back(literal ? static_cast<std::uint32_t>(literal->bits) : Place::kAnyElement);
-    return place;
   }
-  return {};
+  return place;
 }
 
 bool Mentions(const Program& program, ExprId expr, VarId var) {
-  const auto* ref = std::get_if<VarRef>(&program.exprs[expr].node);
-  bool found = ref && ref->var == var;
-  ForEachOperand(program, expr,
-                 [&](ExprId operand) { found = found || Mentions(program, operand, var); });
-  return found;
-}
-
-// Calls visit(ExprId) for every expression under `stmt`, the outer ones first.
-template <typename Visit>
-void ForEachExpr(const Program& program, ExprId expr, Visit& visit) {
-  visit(expr);
-  ForEachOperand(program, expr, [&](ExprId operand) { ForEachExpr(program, operand, visit); });
-}
-template <typename Visit>
-void ForEachExprOf(const Program& program, StmtId stmt, Visit& visit) {
-  ForEachPart(
-      program, stmt, [&](ExprId expr) { ForEachExpr(program, expr, visit); },
-      [&](StmtId inner) { ForEachExprOf(program, inner, visit); });
+  return AnyExpr(program, expr, [&](ExprId part) {
+    const auto* ref = As<VarRef>(program, part);
+    return ref && ref->var == var;
+  });
 }
 
 // What the entry function calls the value of `input`. The generated main passes an input as an
 // argument, or stores it in a local and passes that.
 Place InEntry(const Program& program, VarId input) {
   Place stored, found;
-  const auto visit = [&](ExprId id) {
-    const auto& node = program.exprs[id].node;
-    if (const auto* assign = std::get_if<Assign>(&node)) {
+  ForEachExpr(program, program.functions[program.main].body, [&](ExprId id) {
+    if (const auto* assign = As<Assign>(program, id)) {
       if (Mentions(program, assign->value, input)) stored = PlaceOf(program, assign->target);
-    } else if (const auto* call = std::get_if<Call>(&node);
-               call && call->function == program.entry) {
+    } else if (const auto* call = As<Call>(program, id); call && call->function == program.entry) {
       const std::vector<VarId>& parameters = program.functions[program.entry].parameters;
       for (std::uint32_t i = 0; i < call->arguments.size; ++i) {
         const ExprId argument = program.expr_lists[call->arguments][i];
@@ -95,44 +73,18 @@ Place InEntry(const Program& program, VarId input) {
           found = {parameters[i], stored.path};
       }
     }
-  };
-  ForEachExprOf(program, program.functions[program.main].body, visit);
+  });
   return found;
-}
-
-// The targets that `expr` itself writes.
-std::vector<ExprId> TargetsOf(const Program& program, ExprId id) {
-  const auto& node = program.exprs[id].node;
-  std::vector<ExprId> targets;
-  if (const auto* assign = std::get_if<Assign>(&node)) targets.push_back(assign->target);
-  if (const auto* unary = std::get_if<Unary>(&node); unary && unary->op >= UnaryOp::kPreIncrement) {
-    targets.push_back(unary->operand);
-  }
-  if (const auto* call = std::get_if<Call>(&node)) {
-    const std::vector<VarId>& parameters = program.functions[call->function].parameters;
-    for (std::uint32_t i = 0; i < call->arguments.size; ++i) {
-      const Storage storage = program.vars[parameters[i]].storage;
-      const bool writes = storage == Storage::kOut || storage == Storage::kInOut;
-      if (writes) targets.push_back(program.expr_lists[call->arguments][i]);
-    }
-  }
-  if (const auto* call = std::get_if<IntrinsicCall>(&node)) {
-    for (std::uint32_t i = 0; i < call->arguments.size; ++i) {
-      if (WritesArgument(call->op, i)) targets.push_back(program.expr_lists[call->arguments][i]);
-    }
-  }
-  return targets;
 }
 
 // Where the entry function first writes that place.
 std::optional<Span> FirstWrite(const Program& program, const Place& place) {
   std::optional<Span> first;
-  const auto visit = [&](ExprId id) {
-    for (const ExprId target : TargetsOf(program, id)) {
+  ForEachExpr(program, program.functions[program.entry].body, [&](ExprId id) {
+    ForEachWrite(program, id, [&](ExprId target) {
       if (!first && Overlap(PlaceOf(program, target), place)) first = program.exprs[target].span;
-    }
-  };
-  ForEachExprOf(program, program.functions[program.entry].body, visit);
+    });
+  });
   return first;
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "frontend/rules/object_resolver.h"
+#include "ir/access.h"
 
 namespace clipc {
 

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "ir/access.h"
+
+namespace clipc::ir {
+namespace {
+
+// An object is not an lvalue: a store writes none of its operands.
+bool IsStore(const Program& program, ExprId expr) {
+  const auto* call = As<ObjectCall>(program, expr);
+  return call && call->op == ObjectOp::kStore;
+}
+
+// The node alone, without its operands and, for a call, without what the function does.
+bool Writes(const Program& program, ExprId expr) {
+  bool writes = IsStore(program, expr);
+  ForEachWrite(program, expr, [&](ExprId) { writes = true; });
+  return writes;
+}
+
+void SetBody(Program& program, FunctionId function, std::span<const StmtId> body) {
+  std::get<Block>(program.stmts[program.functions[function].body].node).body =
+      program.stmt_lists.Add(body);
+}
+
+}  // namespace
+
+const Assign* AsAssignment(const Program& program, StmtId stmt) {
+  const auto* evaluate = As<Evaluate>(program, stmt);
+  const auto* assign = evaluate ? As<Assign>(program, evaluate->expr) : nullptr;
+  return assign && !assign->op ? assign : nullptr;
+}
+
+ExprId WholeOf(const Program& program, ExprId expr) {
+  return Visit(
+      Overloaded{
+          [](const OneOf<FieldRef, Index, Swizzle, MatrixSwizzle> auto& node) { return node.base; },
+          [](const auto&) { return ExprId{}; },
+      },
+      program.exprs[expr].node);
+}
+
+VarId RootOf(const Program& program, ExprId path) {
+  while (const ExprId whole = WholeOf(program, path)) path = whole;
+  const auto* ref = As<VarRef>(program, path);
+  return ref ? ref->var : VarId{};
+}
+
+bool WritesOperand(const Program& program, ExprId expr, std::size_t operand) {
+  return Visit(Overloaded{
+                   [&](const Assign&) { return operand == 0; },
+                   [&](const Unary& node) { return node.op >= UnaryOp::kPreIncrement; },
+                   [&](const Call& node) {
+                     const VarId parameter = program.functions[node.function].parameters[operand];
+                     return program.vars[parameter].storage != Storage::kIn;
+                   },
+                   [&](const IntrinsicCall& node) { return WritesArgument(node.op, operand); },
+                   [](const auto&) { return false; },
+               },
+               program.exprs[expr].node);
+}
+
+bool IsPure(const Program& program, ExprId expr) {
+  return !AnyExpr(program, expr,
+                  [&](ExprId part) { return As<Call>(program, part) || Writes(program, part); });
+}
+
+bool Effects::IsPure(ExprId expr) {
+  return !AnyExpr(program_, expr, [&](ExprId part) {
+    const auto* call = As<Call>(program_, part);
+    return Writes(program_, part) || (call && !IsPure(call->function));
+  });
+}
+
+bool Effects::IsPure(FunctionId function) {
+  Answer& answer = functions_[function.index];
+  if (answer != Answer::kUnknown) return answer == Answer::kPure;
+  const bool is_impure = AnyExpr(program_, program_.functions[function].body, [&](ExprId part) {
+    bool reaches_out = IsStore(program_, part);
+    ForEachWrite(program_, part, [&](ExprId target) {
+      const VarId root = RootOf(program_, target);
+      const Storage storage = root ? program_.vars[root].storage : Storage::kOut;
+      reaches_out |= storage != Storage::kLocal && storage != Storage::kIn;
+    });
+    const auto* call = As<Call>(program_, part);
+    return reaches_out || (call && !IsPure(call->function));
+  });
+  answer = is_impure ? Answer::kImpure : Answer::kPure;
+  return !is_impure;
+}
+
+std::span<const StmtId> BodyOf(const Program& program, FunctionId function) {
+  return program
+      .stmt_lists[std::get<Block>(program.stmts[program.functions[function].body].node).body];
+}
+
+void SetMainBody(Program& program, std::span<const StmtId> body) {
+  SetBody(program, program.main, body);
+}
+
+void AppendToBody(Program& program, FunctionId function, std::span<const StmtId> stmts) {
+  const std::span<const StmtId> old = BodyOf(program, function);
+  std::vector<StmtId> body(old.begin(), old.end());
+  body.insert(body.end(), stmts.begin(), stmts.end());
+  SetBody(program, function, body);
+}
+
+}  // namespace clipc::ir

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "ir/program.h"
+#include "ir/walk.h"
+
+// What a node reads, writes and starts at, and what a function's body holds: each of these
+// questions has its one answer here.
+namespace clipc::ir {
+
+// ---- nodes
+
+// The node as a `Node`; null for a node of another kind and for no expression or statement at all.
+template <typename Node>
+const Node* As(const Program& program, ExprId expr) {
+  return expr ? std::get_if<Node>(&program.exprs[expr].node) : nullptr;
+}
+template <typename Node>
+const Node* As(const Program& program, StmtId stmt) {
+  return stmt ? std::get_if<Node>(&program.stmts[stmt].node) : nullptr;
+}
+
+// A statement `target = value;`; null for every other statement, `target += value;` included.
+const Assign* AsAssignment(const Program& program, StmtId stmt);
+
+// ---- paths
+
+// The expression that `expr` takes a field, an element or components of; none for an expression of
+// another kind.
+ExprId WholeOf(const Program& program, ExprId expr);
+// The variable that a path of fields, indices and swizzles starts at; none for an expression that
+// is not such a path.
+VarId RootOf(const Program& program, ExprId path);
+
+// ---- effects
+
+// Whether the node of `expr` writes its operand number `operand`, counted from 0 in the order of
+// evaluation: assignments, increments, and the out and inout arguments of calls.
+bool WritesOperand(const Program& program, ExprId expr, std::size_t operand);
+
+// Calls on_target(ExprId) for each target that the node of `expr` writes. The operands' own writes
+// are not among them.
+template <typename OnTarget>
+void ForEachWrite(const Program& program, ExprId expr, OnTarget&& on_target) {
+  std::size_t number = 0;
+  ForEachOperand(program, expr, [&](ExprId operand) {
+    if (WritesOperand(program, expr, number++)) on_target(operand);
+  });
+}
+
+// Whether the expression changes nothing, so that it may be evaluated twice or not at all: it has
+// no assignment, increment, store or out argument in it, and no call of a user function.
+bool IsPure(const Program& program, ExprId expr);
+
+// Looks into the functions too: a call is pure when its function changes nothing but its own
+// parameters and local variables. The answers for functions are kept, so the program must not
+// change while this lives. Asking for callees before their callers keeps the recursion flat.
+class Effects {
+ public:
+  explicit Effects(const Program& program)
+      : program_(program), functions_(program.functions.size()) {}
+
+  bool IsPure(ExprId expr);
+  bool IsPure(FunctionId function);
+
+ private:
+  enum class Answer : std::uint8_t { kUnknown, kPure, kImpure };
+
+  const Program& program_;
+  std::vector<Answer> functions_;  // by FunctionId
+};
+
+// ---- functions
+
+// The statements directly in the body of a function, or of `main`. Adding statements to the program
+// ends the span.
+std::span<const StmtId> BodyOf(const Program& program, FunctionId function);
+inline std::span<const StmtId> MainBody(const Program& program) {
+  return BodyOf(program, program.main);
+}
+// `body` may be a span of the old body.
+void SetMainBody(Program& program, std::span<const StmtId> body);
+// Appends statements to the end of `function`'s body.
+void AppendToBody(Program& program, FunctionId function, std::span<const StmtId> stmts);
+
+}  // namespace clipc::ir
