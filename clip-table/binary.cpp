@@ -55,7 +55,7 @@ void Put(std::string& bytes, std::uint32_t value, int count) {
 // The block is exactly `block`: its length was checked against what is there.
 Result<ClipTable> ReadBlock(Dwords block) {
   const std::uint32_t count = block[2];
-  if (count > kMaxPlanes || block.size() != kHeaderDwords + kRecordDwords * count) {
+  if (count > kMaxClipPlanes || block.size() != kHeaderDwords + kRecordDwords * count) {
     return Error("a block of " + std::to_string(block.size()) + " DWORDs" + block.Where(1) +
                  " claims to hold " + std::to_string(count) + " clip planes");
   }
@@ -65,10 +65,10 @@ Result<ClipTable> ReadBlock(Dwords block) {
     const std::size_t at = kHeaderDwords + kRecordDwords * i;
     const std::uint32_t first = block[at] >> 16;
     const std::uint32_t registers = block[at + 1] & 0xffff;
-    if (registers == 0 || table.planes.size() + registers > kMaxPlanes) {
+    if (registers == 0 || table.planes.size() + registers > kMaxClipPlanes) {
       return Error("record " + std::to_string(i) + block.Where(at) + " maps " +
                    std::to_string(registers) + " registers; all records together map at most " +
-                   std::to_string(kMaxPlanes) + ", each at least one");
+                   std::to_string(kMaxClipPlanes) + ", each at least one");
     }
     if (block[at + 1] >> 16 != 0) {
       return Error("record " + std::to_string(i) + block.Where(at) +
@@ -159,10 +159,11 @@ ClipTable Direct3DPart(const ClipTable& table) {
 Result<std::string> WriteBinary(const ClipTable& table) {
   std::string problem = ProblemOf(table);
   if (problem.empty()) problem = ProblemOf(Direct3DPart(table));
-  if (problem.empty() && table.position_space != PositionSpace::kDirect3DClip) {
+  if (problem.empty() && table.plane_space != PlaneSpace::kClip) {
     problem =
-        "the binary form is Direct3D 9's own, whose planes are in clip space; these are in space " +
-        std::string(NameOf(table.position_space));
+        std::string("the binary form is Direct3D 9's own, whose planes are in clip space; these are "
+                    "in space ") +
+        NameOf(table.plane_space);
   }
   if (!problem.empty()) return Result<std::string>::Error(std::move(problem));
 

@@ -3,22 +3,9 @@
 
 #include <algorithm>
 #include <initializer_list>
-#include <iterator>
 
 namespace clipc::clip_table {
 namespace {
-
-constexpr std::string_view kLoweringNames[] = {"clip-distance", "level9", "none", "near-plane",
-                                               "discard"};
-constexpr std::string_view kSpaceNames[] = {"direct3d-clip", "xyw1", "object"};
-constexpr std::string_view kScaleNames[] = {"any", "depth"};
-
-template <typename Enum, std::size_t N>
-std::optional<Enum> Parse(std::string_view name, const std::string_view (&names)[N]) {
-  const auto found = std::find(std::begin(names), std::end(names), name);
-  if (found == std::end(names)) return std::nullopt;
-  return static_cast<Enum>(found - std::begin(names));
-}
 
 bool HoldsNul(std::initializer_list<std::string_view> texts) {
   return std::any_of(texts.begin(), texts.end(),
@@ -48,27 +35,10 @@ std::string ProblemOf(const Plane& plane, std::size_t index, Lowering lowering) 
 
 }  // namespace
 
-std::string_view NameOf(Lowering lowering) {
-  return kLoweringNames[static_cast<std::size_t>(lowering)];
-}
-
-std::string_view NameOf(PositionSpace space) {
-  return kSpaceNames[static_cast<std::size_t>(space)];
-}
-
-std::string_view NameOf(PlaneScale scale) { return kScaleNames[static_cast<std::size_t>(scale)]; }
-
-std::optional<Lowering> ParseLowering(std::string_view name) {
-  return Parse<Lowering>(name, kLoweringNames);
-}
-
-std::optional<PositionSpace> ParsePositionSpace(std::string_view name) {
-  return Parse<PositionSpace>(name, kSpaceNames);
-}
-
 std::string ProblemOf(const ClipTable& table) {
-  if (table.planes.size() > kMaxPlanes) {
-    return std::to_string(table.planes.size()) + " planes; at most " + std::to_string(kMaxPlanes);
+  if (table.planes.size() > kMaxClipPlanes) {
+    return std::to_string(table.planes.size()) + " planes; at most " +
+           std::to_string(kMaxClipPlanes);
   }
   if (table.lowering == Lowering::kNearPlane && table.planes.size() > 1) {
     return std::to_string(table.planes.size()) + " planes in the place of one near plane";
@@ -78,9 +48,9 @@ std::string ProblemOf(const ClipTable& table) {
     return "enable mask " + std::to_string(table.enable_mask) + " for " +
            std::to_string(table.planes.size()) + " planes; it must be " + std::to_string(mask);
   }
-  if (!KnowsSpace(table.lowering, table.position_space)) {
-    return "planes in space " + std::string(NameOf(table.position_space)) + " with lowering " +
-           std::string(NameOf(table.lowering)) + ", which knows clip space only";
+  if (!Supports(table.lowering, table.plane_space)) {
+    return std::string("planes in space ") + NameOf(table.plane_space) + " with lowering " +
+           NameOf(table.lowering) + ", which knows clip space only";
   }
   if (HoldsNul({table.entry, table.profile})) return "a name holds a NUL character";
   for (std::size_t i = 0; i < table.planes.size(); ++i) {

@@ -7,44 +7,12 @@
 #include <string_view>
 #include <vector>
 
+#include "clip-table/vocabulary.h"
+
 // The clip table: what an application must know about a shader's clip planes to draw with it. Which
 // constants hold the planes, where they lie, and what to enable. A plane keeps the vertices with
 // dot(position, plane) >= 0.
 namespace clipc::clip_table {
-
-// The limit of [clipplanes(...)] and of Direct3D 9.
-inline constexpr std::size_t kMaxPlanes = 6;
-
-// How the shader was lowered, and so what the application does for bit i of the enable mask.
-enum class Lowering : std::uint8_t {
-  kClipDistance,  // the shader writes gl_ClipDistance[i]: glEnable(GL_CLIP_DISTANCE0 + i)
-  // the shader writes no distance: SetClipPlane(i, plane) and D3DRS_CLIPPLANEENABLE, or glClipPlane
-  kLevel9,
-  kNone,       // the planes are ignored; nothing to enable
-  kNearPlane,  // the one plane takes the near plane's place; see PlaneScale::kDepth
-  kDiscard,    // the fragment shader discards what is clipped; nothing to enable
-};
-
-// Which lengths of a plane mean the same.
-enum class PlaneScale : std::uint8_t {
-  kAny,  // only the sign of dot(position, plane) counts
-  // dot(position, plane) becomes z: where it exceeds w, the far plane clips. The application scales
-  // the plane so
-  kDepth,
-  // that dot(v, plane) <= w at the corners v of the frustum's far side (Lengyel, "Oblique view
-  // frustum depth projection and clipping"), and must have the eye on the clipped side. A plane of
-  // zeros clips nothing but leaves no depth.
-};
-
-// The space of the position that the planes are dotted with, and so the space an application must
-// give them in.
-enum class PositionSpace : std::uint8_t {
-  // SV_Position as the HLSL shader wrote it: y up, 0 <= z <= w, whatever the target's conventions
-  kDirect3DClip,
-  // (x, y, w, 1) of that position: without z, which loses digits where depth is not reversed
-  kXyw1,
-  kObject,  // the vertex as it comes in, w = 1 where the input is a float3: the object's own space
-};
 
 // Where the application finds the plane: one whole float4 register of a constant buffer.
 struct Constant {
@@ -71,7 +39,7 @@ struct ClipTable {
   std::string entry;    // the entry function
   std::string profile;  // "vs_4_0_level_9_1"
   Lowering lowering = Lowering::kClipDistance;
-  PositionSpace position_space = PositionSpace::kDirect3DClip;
+  PlaneSpace plane_space = PlaneSpace::kClip;
   std::uint32_t enable_mask = 0;  // EnableMask(lowering, planes.size())
   std::vector<Plane> planes;
   friend bool operator==(const ClipTable&, const ClipTable&) = default;
@@ -84,24 +52,24 @@ constexpr std::uint32_t EnableMask(Lowering lowering, std::size_t planes) {
   return device_clips ? (std::uint32_t{1} << planes) - 1 : 0;
 }
 
-// Whether a shader of that lowering can dot its planes with positions of that space: where the
-// device does it, and where nobody does, the planes are in clip space.
-constexpr bool KnowsSpace(Lowering lowering, PositionSpace space) {
-  return space == PositionSpace::kDirect3DClip ||
-         (lowering != Lowering::kLevel9 && lowering != Lowering::kNone);
+// Which lengths of a plane mean the same, as the text forms spell it. "any": only the sign of
+// dot(position, plane) counts. "depth": dot(position, plane) becomes z, and where it exceeds w, the
+// far plane clips. The application then scales the plane so that dot(v, plane) <= w at the corners v
+// of the frustum's far side (Lengyel, "Oblique view frustum depth projection and clipping"), and
+// must have the eye on the clipped side. A plane of zeros clips nothing but leaves no depth.
+constexpr const char* PlaneScaleOf(Lowering lowering) {
+  return lowering == Lowering::kNearPlane ? "depth" : "any";
 }
 
-constexpr PlaneScale PlaneScaleOf(Lowering lowering) {
-  return lowering == Lowering::kNearPlane ? PlaneScale::kDepth : PlaneScale::kAny;
+// A plane space as the text forms spell it. They say "direct3d-clip" for what the command line
+// calls "clip", and "position_space" for what clipc calls plane space: both are part of the format.
+inline constexpr const char* kTableSpaceNames[] = {"direct3d-clip", "xyw1", "object"};
+constexpr const char* TableNameOf(PlaneSpace space) {
+  return kTableSpaceNames[static_cast<std::size_t>(space)];
 }
-
-// "clip-distance", "level9", "none", "near-plane", "discard"; "direct3d-clip", "xyw1", "object";
-// "any", "depth": the spelling in every text form.
-std::string_view NameOf(Lowering lowering);
-std::string_view NameOf(PositionSpace space);
-std::string_view NameOf(PlaneScale scale);
-std::optional<Lowering> ParseLowering(std::string_view name);
-std::optional<PositionSpace> ParsePositionSpace(std::string_view name);
+constexpr std::optional<PlaneSpace> ParseTableSpace(std::string_view name) {
+  return EnumeratorOf<PlaneSpace>(name, kTableSpaceNames);
+}
 
 // What makes a table contradict itself, in words; empty for a good one. Readers and writers refuse
 // what this refuses.

@@ -149,10 +149,10 @@ TEST(ClipTable, BinaryRefusesWhatItCannotSay) {
 TEST(ClipTable, SpacesOtherThanClip) {
   ClipTable table = TwoPlanes();
   table.lowering = Lowering::kClipDistance;
-  for (const PositionSpace space : {PositionSpace::kXyw1, PositionSpace::kObject}) {
-    table.position_space = space;
-    EXPECT_EQ(ReadJson(*WriteJson(table))->position_space, space);
-    EXPECT_EQ(ReadHeader(*WriteHeader(table, "t"))->position_space, space);
+  for (const PlaneSpace space : {PlaneSpace::kXyw1, PlaneSpace::kObject}) {
+    table.plane_space = space;
+    EXPECT_EQ(ReadJson(*WriteJson(table))->plane_space, space);
+    EXPECT_EQ(ReadHeader(*WriteHeader(table, "t"))->plane_space, space);
     EXPECT_THAT(WriteBinary(table).error, HasSubstr("whose planes are in clip space"));
   }
   table.lowering = Lowering::kLevel9;

@@ -91,8 +91,8 @@ std::string HeaderText(const ClipTable& table, std::string_view name) {
   text += kTypes;
   text += "\ninline constexpr clipc::StaticClipTable " + std::string(name) + " = {\n";
   text += "    " + Quoted(table.entry) + ", " + Quoted(table.profile) + ",\n";
-  text +=
-      "    " + Quoted(NameOf(table.lowering)) + ", " + Quoted(NameOf(table.position_space)) + ",\n";
+  text += "    " + Quoted(NameOf(table.lowering)) + ", " + Quoted(TableNameOf(table.plane_space)) +
+          ",\n";
   text += "    " + std::to_string(table.enable_mask) + "u, " + std::to_string(table.planes.size()) +
           "u,\n";
   text += "    {\n";
@@ -168,10 +168,10 @@ Result<ClipTable> ReadHeader(std::string_view bytes) {
 
 Result<ClipTable> FromStatic(const StaticClipTable& from) {
   const std::optional<Lowering> lowering = ParseLowering(from.lowering);
-  const std::optional<PositionSpace> space = ParsePositionSpace(from.position_space);
+  const std::optional<PlaneSpace> space = ParseTableSpace(from.position_space);
   if (!lowering || !space)
     return Error("a lowering or a position space that this clipc does not know");
-  if (from.plane_count > kMaxPlanes) return Error(std::to_string(from.plane_count) + " planes");
+  if (from.plane_count > kMaxClipPlanes) return Error(std::to_string(from.plane_count) + " planes");
   ClipTable table{from.entry, from.profile, *lowering, *space, from.enable_mask, {}};
   for (unsigned i = 0; i < from.plane_count; ++i) {
     const StaticClipPlane& plane = from.planes[i];

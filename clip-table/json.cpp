@@ -44,8 +44,8 @@ OrderedJson ToJson(const ClipTable& table) {
                      {"entry", table.entry},
                      {"profile", table.profile},
                      {"lowering", NameOf(table.lowering)},
-                     {"position_space", NameOf(table.position_space)},
-                     {"plane_scale", NameOf(PlaneScaleOf(table.lowering))},
+                     {"position_space", TableNameOf(table.plane_space)},
+                     {"plane_scale", PlaneScaleOf(table.lowering)},
                      {"enable_mask", table.enable_mask},
                      {"planes", std::move(planes)}};
 }
@@ -156,9 +156,9 @@ ClipTable TableFrom(const Json& json, std::string& error) {
   table.entry = object.Text("entry");
   table.profile = object.Text("profile");
   table.lowering = object.Name("lowering", ParseLowering);
-  table.position_space = object.Name("position_space", ParsePositionSpace);
+  table.plane_space = object.Name("position_space", ParseTableSpace);
   const std::string scale = object.Text("plane_scale");
-  const std::string_view right = NameOf(PlaneScaleOf(table.lowering));
+  const std::string_view right = PlaneScaleOf(table.lowering);
   if (scale != right)
     object.Fail("plane_scale",
                 "is \"" + scale + "\"; with this lowering it is \"" + std::string(right) + "\"");

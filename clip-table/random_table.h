@@ -31,10 +31,10 @@ class RandomTable {
     table.entry = Text();
     table.profile = Text();
     table.lowering = static_cast<Lowering>(Below(5));
-    table.position_space = static_cast<PositionSpace>(Below(3));
-    if (!KnowsSpace(table.lowering, table.position_space))
-      table.position_space = PositionSpace::kDirect3DClip;
-    const std::uint32_t count = Below(table.lowering == Lowering::kNearPlane ? 2 : kMaxPlanes + 1);
+    table.plane_space = static_cast<PlaneSpace>(Below(3));
+    if (!Supports(table.lowering, table.plane_space)) table.plane_space = PlaneSpace::kClip;
+    const std::uint32_t count =
+        Below(table.lowering == Lowering::kNearPlane ? 2 : kMaxClipPlanes + 1);
     for (std::uint32_t i = 0; i < count; ++i) {
       Plane& plane = table.planes.emplace_back(Plane{i, Text(), std::nullopt});
       if (table.lowering != Lowering::kLevel9 && Below(4) == 0) continue;

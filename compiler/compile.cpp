@@ -29,8 +29,6 @@
 namespace clipc {
 namespace {
 
-using clip_table::Lowering;
-
 // The parts of a request that are names, understood.
 struct Settings {
   ir::Profile profile;
@@ -108,9 +106,9 @@ bool Compilation::ReadSettings() {
   const bool is_level9 = settings_.profile.level9 != ir::Level9::kNone;
   settings_.lowering =
       request_.lowering.value_or(is_level9 ? Lowering::kLevel9 : Lowering::kClipDistance);
-  if (!clip_table::KnowsSpace(settings_.lowering, request_.plane_space)) {
-    diagnostics_.Report({}, diag::PlaneSpaceLowering, clip_table::NameOf(request_.plane_space),
-                        clip_table::NameOf(settings_.lowering));
+  if (!Supports(settings_.lowering, request_.plane_space)) {
+    diagnostics_.Report({}, diag::PlaneSpaceLowering, NameOf(request_.plane_space),
+                        NameOf(settings_.lowering));
   }
   return !diagnostics_.has_errors();
 }
@@ -158,7 +156,7 @@ void Compilation::RunBackEnd(ir::Program& program) {
                         program.clip_planes.size());
     return;
   }
-  if (request_.plane_space == clip_table::PositionSpace::kObject && !program.clip_planes.empty()) {
+  if (request_.plane_space == PlaneSpace::kObject && !program.clip_planes.empty()) {
     const std::string& semantic = request_.position_input;
     position_input_ =
         CheckPositionInput(program, semantic.empty() ? "POSITION0" : semantic, diagnostics_);
@@ -182,26 +180,8 @@ void Compilation::RunBackEnd(ir::Program& program) {
 
 void Compilation::Lower(ir::Program& program) {
   passes::PipelineOptions options;
-  switch (settings_.lowering) {
-    case Lowering::kClipDistance:
-      options.clip_planes.lowering = passes::Lowering::kClipDistance;
-      break;
-    case Lowering::kLevel9: options.clip_planes.lowering = passes::Lowering::kLevel9; break;
-    case Lowering::kNone: options.clip_planes.lowering = passes::Lowering::kNone; break;
-    case Lowering::kNearPlane: options.clip_planes.lowering = passes::Lowering::kNearPlane; break;
-    case Lowering::kDiscard: options.clip_planes.lowering = passes::Lowering::kDiscard; break;
-  }
-  switch (request_.plane_space) {
-    case clip_table::PositionSpace::kDirect3DClip:
-      options.clip_planes.space = passes::PlaneSpace::kClip;
-      break;
-    case clip_table::PositionSpace::kXyw1:
-      options.clip_planes.space = passes::PlaneSpace::kXyw1;
-      break;
-    case clip_table::PositionSpace::kObject:
-      options.clip_planes.space = passes::PlaneSpace::kObject;
-      break;
-  }
+  options.clip_planes.lowering = settings_.lowering;
+  options.clip_planes.space = request_.plane_space;
   options.clip_planes.position_input = position_input_;
   options.clip_planes.write_clip_vertex = settings_.target->HasClipVertex();
   options.clip_space.negative_one_to_one = request_.depth_range == DepthRange::kNegativeOneToOne;

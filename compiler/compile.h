@@ -33,10 +33,10 @@ struct CompileRequest {
 
   std::string target = "glsl450";
   // None: kLevel9 for the level_9_x profiles, kClipDistance for the others.
-  std::optional<clip_table::Lowering> lowering;
+  std::optional<Lowering> lowering;
   // What the planes are dotted with: kXyw1 and kObject are for lowerings kClipDistance, kNearPlane
   // and kDiscard, and the application then gives other constants (docs/runtime.md, "Plane spaces").
-  clip_table::PositionSpace plane_space = clip_table::PositionSpace::kDirect3DClip;
+  PlaneSpace plane_space = PlaneSpace::kClip;
   std::string
       position_input;  // with kObject: the semantic of the vertex's position; empty: POSITION0
   DepthRange depth_range = DepthRange::kZeroToOne;

@@ -84,7 +84,7 @@ Outputs PlaceOutputs(const CommandLine& command, const std::string& input) {
   const std::string name = outputs.glsl != "-" ? outputs.glsl : input == "-" ? "stdin" : input;
   outputs.table = NameAfter(command.table, name);
   outputs.reflection = NameAfter(command.reflection, name);
-  if (command.request.lowering == clip_table::Lowering::kDiscard) {
+  if (command.request.lowering == Lowering::kDiscard) {
     outputs.fragment =
         WithoutExtension(name) + (command.fragment.empty() ? ".discard.glsl" : ".frag");
   }
@@ -131,13 +131,12 @@ std::string Driver::CheckUsage() {
   if (command_.request.variants && (command_.output.empty() || command_.output == "-")) {
     return "--variants writes several files, named after the one that -o gives";
   }
-  if (!command_.fragment.empty() && command_.request.lowering != clip_table::Lowering::kDiscard) {
+  if (!command_.fragment.empty() && command_.request.lowering != Lowering::kDiscard) {
     return "--fragment is for --lower=discard; with the other lowerings the fragment shader stays "
            "as it is";
   }
   const CompileRequest& request = command_.request;
-  if (!request.position_input.empty() &&
-      request.plane_space != clip_table::PositionSpace::kObject) {
+  if (!request.position_input.empty() && request.plane_space != PlaneSpace::kObject) {
     return "--position-input is for --plane-space=object; other spaces take the position that the "
            "shader computes";
   }

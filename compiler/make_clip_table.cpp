@@ -96,13 +96,13 @@ void NameInGlsl(const ir::Program& program, const ir::ClipPlane& plane, const gl
 
 }  // namespace
 
-clip_table::ClipTable MakeClipTable(const ir::Program& program, clip_table::Lowering lowering,
-                                    clip_table::PositionSpace space, const glsl::GlslInfo& info) {
+clip_table::ClipTable MakeClipTable(const ir::Program& program, Lowering lowering, PlaneSpace space,
+                                    const glsl::GlslInfo& info) {
   clip_table::ClipTable table;
   table.entry = program.functions[program.entry].name;
   table.profile = program.profile.name;
   table.lowering = lowering;
-  table.position_space = space;
+  table.plane_space = space;
   table.enable_mask = clip_table::EnableMask(lowering, program.clip_planes.size());
   for (const ir::ClipPlane& plane : program.clip_planes) {
     clip_table::Plane& entry = table.planes.emplace_back();

@@ -9,7 +9,7 @@ namespace clipc {
 
 // What the host must know to clip with `program`: where each plane's constant lies, and its name in
 // the GLSL.
-clip_table::ClipTable MakeClipTable(const ir::Program& program, clip_table::Lowering lowering,
-                                    clip_table::PositionSpace space, const glsl::GlslInfo& info);
+clip_table::ClipTable MakeClipTable(const ir::Program& program, Lowering lowering, PlaneSpace space,
+                                    const glsl::GlslInfo& info);
 
 }  // namespace clipc

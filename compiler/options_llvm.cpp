@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include <array>
 #include <charconv>
 #include <string_view>
 
@@ -125,46 +124,22 @@ std::string NearOption(const Table& table, llvm::StringRef argument) {
                                              : std::string();
 }
 
-// One of a few words; reports what it may be.
-template <typename T, std::size_t N>
-bool ReadChoice(std::string_view option, std::string_view value,
-                const std::array<std::pair<std::string_view, T>, N>& choices, T& to,
-                std::string& error) {
-  std::vector<std::string_view> names;
-  for (const auto& [name, meaning] : choices) {
-    names.push_back(name);
-    if (name != value) continue;
-    to = meaning;
+// One of a few words, which stand in the order of the enumerators; reports what it may be.
+template <typename Enum, std::size_t kCount>
+bool ReadChoice(std::string_view option, std::string_view value, const char* const (&names)[kCount],
+                Enum& to, std::string& error) {
+  if (const auto choice = EnumeratorOf<Enum>(value, names)) {
+    to = *choice;
     return true;
   }
-  error = fmt::format("unknown value `{}` of {}{}", value, option, Suggest(value, names));
+  const std::vector<std::string_view> views(std::begin(names), std::end(names));
+  error = fmt::format("unknown value `{}` of {}{}", value, option, Suggest(value, views));
   return false;
 }
 
-constexpr std::array<std::pair<std::string_view, DepthRange>, 2> kDepthRanges = {
-    {{"zero-to-one", DepthRange::kZeroToOne},
-     {"negative-one-to-one", DepthRange::kNegativeOneToOne}}};
-constexpr std::array<std::pair<std::string_view, MessageFormat>, 4> kFormats = {
-    {{"text", MessageFormat::kText},
-     {"msvc", MessageFormat::kMsvc},
-     {"json", MessageFormat::kJson},
-     {"sarif", MessageFormat::kSarif}}};
-constexpr std::array<std::pair<std::string_view, Stage>, 5> kStages = {{{"tokens", Stage::kTokens},
-                                                                        {"ast", Stage::kAst},
-                                                                        {"ir", Stage::kIr},
-                                                                        {"glsl", Stage::kGlsl},
-                                                                        {"table", Stage::kTable}}};
-constexpr std::array<std::pair<std::string_view, clip_table::Lowering>, 5> kLowerings = {
-    {{"clip-distance", clip_table::Lowering::kClipDistance},
-     {"level9", clip_table::Lowering::kLevel9},
-     {"near-plane", clip_table::Lowering::kNearPlane},
-     {"discard", clip_table::Lowering::kDiscard},
-     {"none", clip_table::Lowering::kNone}}};
-
-constexpr std::array<std::pair<std::string_view, clip_table::PositionSpace>, 3> kPlaneSpaces = {
-    {{"clip", clip_table::PositionSpace::kDirect3DClip},
-     {"xyw1", clip_table::PositionSpace::kXyw1},
-     {"object", clip_table::PositionSpace::kObject}}};
+constexpr const char* kDepthRanges[] = {"zero-to-one", "negative-one-to-one"};
+constexpr const char* kFormats[] = {"text", "msvc", "json", "sarif"};
+constexpr const char* kStages[] = {"tokens", "ast", "ir", "glsl", "table"};
 
 // -Wno-clip-plane-twice, -Werror, -Werror=..., -Wno-error=...
 bool ReadWarning(std::string_view name, WarningOptions& warnings, std::string& error) {
@@ -227,7 +202,8 @@ bool ReadRequestOption(const llvm::opt::Arg& argument, CompileRequest& request,
     case kOptVariants: request.variants = true; return true;
     case kOptVariantsUpTo:
       request.variants = true;
-      return ReadNumber<std::size_t>("--variants=", value(), 0, 6, request.variant_planes, error);
+      return ReadNumber<std::size_t>("--variants=", value(), 0, kMaxClipPlanes,
+                                     request.variant_planes, error);
     case kOptVerify: request.verify = true; return true;
     case kOptDumpAfterIs: request.dump_after.push_back(value()); return true;
     case kOptStopAfterIs: request.stop_after = value(); return true;
@@ -235,9 +211,9 @@ bool ReadRequestOption(const llvm::opt::Arg& argument, CompileRequest& request,
     case kOptWarningsAreErrors: request.warnings.warnings_are_errors = true; return true;
     case kOptWarning: return ReadWarning(value(), request.warnings, error);
     case kOptLowerIs:
-      return ReadChoice("--lower", value(), kLowerings, request.lowering.emplace(), error);
+      return ReadChoice("--lower", value(), kLoweringNames, request.lowering.emplace(), error);
     case kOptPlaneSpaceIs:
-      return ReadChoice("--plane-space", value(), kPlaneSpaces, request.plane_space, error);
+      return ReadChoice("--plane-space", value(), kPlaneSpaceNames, request.plane_space, error);
     case kOptPositionInputIs: request.position_input = value(); return true;
     case kOptDumpIs: return ReadChoice("--dump", value(), kStages, request.dump.emplace(), error);
     case kOptDepthRangeIs:

@@ -201,8 +201,8 @@ std::string Reflect(const ir::Program& program, const glsl::Target& target,
   for (ir::CbufferId id : program.cbuffers.ids())
     json["cbuffers"].push_back(Cbuffer(program, id, info));
   json["resources"] = Objects(program, info);
-  json["lowering"] = clip_table::NameOf(table.lowering);
-  json["positionSpace"] = clip_table::NameOf(table.position_space);
+  json["lowering"] = NameOf(table.lowering);
+  json["positionSpace"] = clip_table::TableNameOf(table.plane_space);
   json["clipPlanes"] = Planes(table);
   json["enableMask"] = table.enable_mask;
   json["clipDistanceMask"] = info.clip_distance_mask;

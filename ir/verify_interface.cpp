@@ -4,10 +4,11 @@
 #include <bitset>
 #include <set>
 
+#include "clip-table/vocabulary.h"
+
 namespace clipc::ir {
 namespace {
 
-constexpr std::size_t kMaxClipPlanes = 6;
 constexpr std::uint32_t kMaxClipDistances = 8;
 
 class InterfaceVerifier {

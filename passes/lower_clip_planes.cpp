@@ -17,10 +17,6 @@ namespace {
 
 using namespace ir;
 
-// Direct3D 10 and later guarantee 8 clip distances, but [clipplanes] takes as many planes as
-// Direct3D 9 had.
-constexpr std::size_t kMaxClipPlanes = 6;
-
 VarId PositionOf(const Program& program) {
   const VarId position = FindOutput(program, Builtin::kPosition);
   CLIPC_CHECK(position);
@@ -155,9 +151,7 @@ void WriteVaryings(Program& program, const ClipPlaneOptions& options) {
 void LowerClipPlanes(Program& program, const ClipPlaneOptions& options) {
   CLIPC_CHECK(program.form == Form::kTyped);
   CLIPC_CHECK(program.clip_planes.size() <= kMaxClipPlanes);
-  const bool shader_dots =
-      options.lowering != Lowering::kLevel9 && options.lowering != Lowering::kNone;
-  CLIPC_CHECK(shader_dots || options.space == PlaneSpace::kClip);
+  CLIPC_CHECK(Supports(options.lowering, options.space));
   if (!program.clip_planes.empty()) {
     switch (options.lowering) {
       case Lowering::kClipDistance: WriteClipDistances(program, options); break;

@@ -1,28 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include <cstdint>
-
+#include "clip-table/vocabulary.h"
 #include "ir/program.h"
 
 namespace clipc::passes {
-
-enum class Lowering : std::uint8_t {
-  kClipDistance,  // n dot products into kClipDistance
-  // nothing in the shader but, when asked for, kClipVertex; the clip table carries the planes
-  kLevel9,
-  kNone,  // the planes are ignored, on the user's request
-  // the one plane becomes the depth: what lies behind it fails the test against the near plane
-  kNearPlane,
-  kDiscard,  // n dot products into outputs of the shader's own, for a fragment shader that discards
-};
-
-// What the planes are dotted with.
-enum class PlaneSpace : std::uint8_t {
-  kClip,    // the position as the HLSL shader wrote it
-  kXyw1,    // float4(position.xyw, 1)
-  kObject,  // an input, float4; or float3, then float4(input, 1)
-};
 
 struct ClipPlaneOptions {
   Lowering lowering = Lowering::kClipDistance;
@@ -35,7 +17,7 @@ struct ClipPlaneOptions {
 // the shader meets.
 //
 // Requires Form::kTyped; for kClipDistance that no output is kClipDistance yet; for kNearPlane at
-// most one plane; for kLevel9 and kNone PlaneSpace::kClip; for PlaneSpace::kObject that
+// most one plane; Supports(lowering, space); for PlaneSpace::kObject that
 // position_input is a float3 or float4 input. Ensures Form::kNoClipPlanes.
 //
 //   gl_Position = result.position;            gl_Position = result.position;

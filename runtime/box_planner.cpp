@@ -5,10 +5,11 @@
 #include <cmath>
 #include <limits>
 
+#include "clip-table/vocabulary.h"
+
 namespace clipc::runtime {
 namespace {
 
-constexpr std::size_t kMaxPlanes = 6;
 constexpr float kUnitRoundoff = 0x1p-24f;
 constexpr float kErrorFactor = 10 * kUnitRoundoff;
 constexpr float kUnderflow = 0x1p-120f;
@@ -221,7 +222,7 @@ std::uint32_t PlanTransformed(const Box& box, const Matrix* matrices, std::size_
 
 BoxPlan PlanBox(const Box& box, const Float4* planes, std::size_t plane_count) noexcept {
   // Operation by operation as PlanBlock.
-  plane_count = std::min(plane_count, kMaxPlanes);
+  plane_count = std::min<std::size_t>(plane_count, kMaxClipPlanes);
   std::uint32_t needed = 0;
   bool culled = false;
   for (std::size_t i = 0; i < plane_count; ++i) {
@@ -251,7 +252,7 @@ BoxPlan PlanBox(const Box& box, const Float4* planes, std::size_t plane_count) n
 void PlanBoxes(const BoxArrays& boxes, const Float4* planes, std::size_t plane_count,
                BoxPlan* plans) noexcept {
   const PlanFunction plan = ChoosePlanFunction();
-  plane_count = std::min(plane_count, kMaxPlanes);
+  plane_count = std::min<std::size_t>(plane_count, kMaxClipPlanes);
   Block block;
   std::size_t first = 0;
   for (; boxes.count - first >= kBlock; first += kBlock) {
@@ -273,7 +274,7 @@ void PlanBoxes(const BoxArrays& boxes, const Float4* planes, std::size_t plane_c
 
 BoxPlan PlanTransformedBox(const Box& box, const Matrix* matrices, std::size_t matrix_count,
                            const Float4* planes, std::size_t plane_count) noexcept {
-  plane_count = std::min(plane_count, kMaxPlanes);
+  plane_count = std::min<std::size_t>(plane_count, kMaxClipPlanes);
   const auto all = static_cast<BoxPlan>((1u << plane_count) - 1);
   double largest[4];
   if (!IsBox(box) || !LargestPosition(box, matrices, matrix_count, largest)) return all;

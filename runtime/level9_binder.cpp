@@ -65,11 +65,11 @@ Status Level9Binder::Bind(const Table& table, const BoundBuffer* buffers, std::s
   const std::uint32_t mask = table.enable_mask & needed;
 
   // What must change. Nothing is told to the device until everything is known to be good.
-  float changed[kMaxPlanes][4];
+  float changed[kMaxClipPlanes][4];
   std::uint32_t changed_planes = 0;
   for (std::uint32_t i = 0; mask >> i != 0; ++i) {
     if ((mask >> i & 1) == 0) continue;
-    if (i >= max_planes_ || i >= kMaxPlanes || i >= table.planes.size()) {
+    if (i >= max_planes_ || i >= kMaxClipPlanes || i >= table.planes.size()) {
       return Status::Failure(Error::kInvalidCall,
                              "clip plane %u; the device has %u and the table %u", i, max_planes_,
                              static_cast<unsigned>(table.planes.size()));

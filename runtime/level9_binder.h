@@ -55,7 +55,7 @@ class Level9Binder {
   std::uint32_t known_planes_ = 0;  // bit i: the device holds the four floats of planes_[i]
   bool mask_is_known_ = false;
   std::uint32_t mask_ = 0;
-  unsigned char planes_[kMaxPlanes][16] = {};
+  unsigned char planes_[kMaxClipPlanes][16] = {};
 };
 
 }  // namespace clipc::runtime

@@ -9,28 +9,6 @@
 namespace clipc::runtime {
 namespace {
 
-static_assert(kMaxPlanes == clip_table::kMaxPlanes);
-static_assert(static_cast<int>(Lowering::kClipDistance) ==
-              static_cast<int>(clip_table::Lowering::kClipDistance));
-static_assert(static_cast<int>(Lowering::kLevel9) ==
-              static_cast<int>(clip_table::Lowering::kLevel9));
-static_assert(static_cast<int>(Lowering::kNearPlane) ==
-              static_cast<int>(clip_table::Lowering::kNearPlane));
-static_assert(static_cast<int>(Lowering::kDiscard) ==
-              static_cast<int>(clip_table::Lowering::kDiscard));
-static_assert(static_cast<int>(Lowering::kNone) == static_cast<int>(clip_table::Lowering::kNone));
-static_assert(static_cast<int>(Lowering::kNearPlane) ==
-              static_cast<int>(clip_table::Lowering::kNearPlane));
-static_assert(static_cast<int>(Lowering::kDiscard) ==
-              static_cast<int>(clip_table::Lowering::kDiscard));
-
-static_assert(static_cast<int>(PlaneSpace::kClip) ==
-              static_cast<int>(clip_table::PositionSpace::kDirect3DClip));
-static_assert(static_cast<int>(PlaneSpace::kXyw1) ==
-              static_cast<int>(clip_table::PositionSpace::kXyw1));
-static_assert(static_cast<int>(PlaneSpace::kObject) ==
-              static_cast<int>(clip_table::PositionSpace::kObject));
-
 Result<Table> Fail(Error error, const char* what) {
   return {{}, Status::Failure(error, "%s", what)};
 }
@@ -60,8 +38,8 @@ Result<Table> ReadWith(Read read) noexcept {
     Result<Table> table;
     table.value.entry = from.entry;
     table.value.profile = from.profile;
-    table.value.lowering = static_cast<Lowering>(from.lowering);
-    table.value.plane_space = static_cast<PlaneSpace>(from.position_space);
+    table.value.lowering = from.lowering;
+    table.value.plane_space = from.plane_space;
     table.value.enable_mask = from.enable_mask;
     for (const clip_table::Plane& plane : from.planes)
       table.value.planes.push_back(FromPlane(plane));
@@ -75,7 +53,7 @@ Result<Table> ReadWith(Read read) noexcept {
 // has.
 bool HasNull(const StaticClipTable& table) {
   if (!table.entry || !table.profile || !table.lowering || !table.position_space) return true;
-  for (unsigned i = 0; i < table.plane_count && i < kMaxPlanes; ++i) {
+  for (unsigned i = 0; i < table.plane_count && i < kMaxClipPlanes; ++i) {
     const StaticClipPlane& plane = table.planes[i];
     if (!plane.text || !plane.cbuffer || !plane.glsl_block || !plane.glsl_member) return true;
   }
@@ -83,14 +61,6 @@ bool HasNull(const StaticClipTable& table) {
 }
 
 }  // namespace
-
-const char* NameOf(PlaneSpace space) noexcept {
-  switch (space) {
-    case PlaneSpace::kXyw1: return "xyw1";
-    case PlaneSpace::kObject: return "object";
-    default: return "clip";
-  }
-}
 
 Result<Table> ReadTable(const void* bytes, std::size_t size) noexcept {
   if (bytes == nullptr) return Fail(Error::kInvalidArgument, "no bytes to read a clip table from");

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "clip-table/static_table.h"
+#include "clip-table/vocabulary.h"
 #include "runtime/status.h"
 
 // The clip table of a shader as an application reads it: which constants hold its clip planes, and
@@ -15,29 +16,10 @@
 // lock.
 namespace clipc::runtime {
 
-// The limit of [clipplanes(...)] and of Direct3D 9.
-inline constexpr std::uint32_t kMaxPlanes = 6;
-
-// How the shader was lowered.
-enum class Lowering : std::uint8_t {
-  kClipDistance,  // it writes gl_ClipDistance[i]: enable clip distance i for each bit i of the mask
-  kLevel9,        // SetClipPlane(i, plane) and D3DRS_CLIPPLANEENABLE, which Level9Binder does
-  kNone,          // the planes are ignored; the mask is 0
-  // dot(position, plane) is the depth: the constant is scaled by ShearedProjection::scale; the mask
-  // is 0
-  kNearPlane,
-  kDiscard,  // the fragment shader discards; the mask is 0
-};
-
-// The space of the planes: PlaneConstantFor makes the constants for it.
-enum class PlaneSpace : std::uint8_t {
-  kClip,    // Direct3D clip space: dot(SV_Position, plane), fxc's meaning
-  kXyw1,    // dot(float4(SV_Position.xyw, 1), plane)
-  kObject,  // the object's own: dot(the vertex as it comes in, plane)
-};
-
-// "clip", "xyw1", "object": clipc's spelling of --plane-space.
-const char* NameOf(PlaneSpace space) noexcept;
+using clipc::kMaxClipPlanes;
+using clipc::Lowering;
+using clipc::NameOf;
+using clipc::PlaneSpace;
 
 // Where the application's constants hold one plane: 16 bytes, four floats, in the table's plane
 // space.
@@ -59,7 +41,7 @@ struct Table {
   Lowering lowering = Lowering::kLevel9;
   PlaneSpace plane_space = PlaneSpace::kClip;
   std::uint32_t enable_mask = 0;   // (1 << planes.size()) - 1, or 0 where the device clips nothing
-  std::vector<TablePlane> planes;  // at most kMaxPlanes; planes[i] is clip plane i
+  std::vector<TablePlane> planes;  // at most kMaxClipPlanes; planes[i] is clip plane i
 };
 
 // Reads any form that `clipc --table` writes, told apart by the first bytes: JSON; the binary

@@ -40,7 +40,7 @@ clip_table::ClipTable Written() {
   clip_table::ClipTable table;
   table.entry = "main";
   table.profile = "vs_4_0_level_9_1";
-  table.lowering = clip_table::Lowering::kLevel9;
+  table.lowering = Lowering::kLevel9;
   table.enable_mask = 3;
   table.planes = {
       {0, "water", clip_table::Constant{"Clip", 0, 1, 0, 2, 32, "Clip", "water"}},
@@ -116,13 +116,12 @@ TEST(ReadTableTest, PlanesThatAreComposed) {
 TEST(ReadTableTest, PlaneSpaces) {
   EXPECT_EQ(Read(*clip_table::WriteJson(Written())).value.plane_space, PlaneSpace::kClip);
   clip_table::ClipTable written = Written();
-  written.lowering = clip_table::Lowering::kDiscard;
+  written.lowering = Lowering::kDiscard;
   written.enable_mask = 0;
   for (const PlaneSpace space : {PlaneSpace::kXyw1, PlaneSpace::kObject}) {
-    written.position_space = static_cast<clip_table::PositionSpace>(space);
+    written.plane_space = space;
     EXPECT_EQ(Read(*clip_table::WriteJson(written)).value.plane_space, space);
     EXPECT_EQ(Read(*clip_table::WriteHeader(written, "t")).value.plane_space, space);
-    EXPECT_EQ(clip_table::NameOf(written.position_space), NameOf(space));
   }
 }
 
@@ -167,7 +166,7 @@ TEST(ReadTableTest, DamageIsNeverACrash) {
       EXPECT_STRNE(table.status.message(), "");
       continue;
     }
-    ASSERT_LE(table.value.planes.size(), kMaxPlanes);
+    ASSERT_LE(table.value.planes.size(), kMaxClipPlanes);
     const bool device_clips = table.value.lowering == Lowering::kClipDistance ||
                               table.value.lowering == Lowering::kLevel9;
     const std::uint32_t mask = device_clips ? (1u << table.value.planes.size()) - 1 : 0;

@@ -7,6 +7,7 @@
 
 #include "base/overloaded.h"
 #include "base/spelling.h"
+#include "clip-table/vocabulary.h"
 #include "frontend/rules/constant.h"
 #include "ir/packing.h"
 
@@ -14,8 +15,6 @@ namespace clipc {
 namespace {
 
 constexpr std::string_view kAttribute = "clipplanes";
-constexpr std::size_t kMaxPlanes =
-    6;  // D3DCS_PLANE0..5; seed "User clip planes on feature level 9 hardware"
 
 // Where one float of a plane lies: a byte of a cbuffer, or of one element of an array of
 // ConstantBuffers.
@@ -250,12 +249,13 @@ class ClipPlaneChecker {
       diagnostics_.Report(attribute.span, diag::ClipPlanesProfile, program_.profile.name);
       return false;
     }
-    if (count == 0 || count > kMaxPlanes) {
+    if (count == 0 || count > kMaxClipPlanes) {
       const Span where =
           count == 0
               ? attribute.span
-              : context_.file.exprs[context_.file.expr_lists[attribute.arguments][kMaxPlanes]].span;
-      diagnostics_.Report(where, diag::ClipPlaneCount, count, kMaxPlanes);
+              : context_.file.exprs[context_.file.expr_lists[attribute.arguments][kMaxClipPlanes]]
+                    .span;
+      diagnostics_.Report(where, diag::ClipPlaneCount, count, kMaxClipPlanes);
       return false;
     }
     bool has_position = false;

@@ -12,7 +12,7 @@ ClipPlaneDevice::~ClipPlaneDevice() {
 }
 
 bool ClipPlaneDevice::SetClipPlane(std::uint32_t index, const float plane[4]) noexcept {
-  if (!gl_.has_clip_planes() || index >= max_planes() || index >= kMaxPlanes) return false;
+  if (!gl_.has_clip_planes() || index >= max_planes() || index >= kMaxClipPlanes) return false;
   if ((changed_ >> index & 1) == 0) {
     gl_.GetClipPlane(kClipDistance0 + index, before_[index]);
     changed_ |= std::uint32_t{1} << index;

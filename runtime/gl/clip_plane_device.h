@@ -39,8 +39,8 @@ class ClipPlaneDevice final : public ClipDevice {
 
   Functions gl_;
   ClipSwitches switches_;
-  std::uint32_t changed_ = 0;          // bit i: plane i was set
-  double before_[kMaxPlanes][4] = {};  // what it was
+  std::uint32_t changed_ = 0;              // bit i: plane i was set
+  double before_[kMaxClipPlanes][4] = {};  // what it was
 };
 
 }  // namespace clipc::runtime::gl

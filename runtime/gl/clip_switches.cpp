@@ -9,7 +9,7 @@ ClipSwitches::ClipSwitches(const Functions& gl) noexcept : gl_(gl) {
   int max = 0;
   gl_.GetIntegerv(kMaxClipDistances, &max);
   max_planes_ = static_cast<std::uint32_t>(std::max(max, 0));
-  for (std::uint32_t i = 0; i < std::min(max_planes_, kMaxPlanes); ++i) {
+  for (std::uint32_t i = 0; i < std::min(max_planes_, kMaxClipPlanes); ++i) {
     if (gl_.IsEnabled(kClipDistance0 + i) != 0) before_ |= std::uint32_t{1} << i;
   }
   mask_ = before_;
@@ -30,7 +30,7 @@ Status ClipSwitches::Bind(const ShaderVariant& variant) noexcept {
 }
 
 Status ClipSwitches::Enable(std::uint32_t mask) noexcept {
-  const std::uint32_t limit = std::min(max_planes_, kMaxPlanes);
+  const std::uint32_t limit = std::min(max_planes_, kMaxClipPlanes);
   if (mask >> limit != 0) {
     return Status::Failure(Error::kInvalidCall, "clip distances 0x%x; OpenGL has %u here", mask,
                            limit);

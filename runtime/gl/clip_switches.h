@@ -37,7 +37,7 @@ class ClipSwitches {
   // kClipDistance. Errors: as Enable.
   Status Bind(const ShaderVariant& variant) noexcept;
   // Bit i enables GL_CLIP_DISTANCEi; the others are disabled. Errors: kInvalidCall where the mask
-  // has a bit that is not below max_planes() or kMaxPlanes; then nothing is changed.
+  // has a bit that is not below max_planes() or kMaxClipPlanes; then nothing is changed.
   Status Enable(std::uint32_t mask) noexcept;
 
   // As when the object was made. The next Enable begins from there.

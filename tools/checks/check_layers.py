@@ -9,26 +9,29 @@ import re
 import sys
 import tempfile
 
-# A room is a folder, with the folders below it that are not rooms themselves. A room may include itself and these. From the
-# bottom to the top, as in the top-level CMakeLists.txt.
+# A room is a folder, with the folders below it that are not rooms themselves, or a single file. A room may include itself and
+# these. From the bottom to the top, as in the top-level CMakeLists.txt.
+VOCABULARY = "clip-table/vocabulary.h"
 ROOMS = {
+    VOCABULARY: set(),
     "base": set(),
-    "ir": {"base"},
+    "ir": {"base", VOCABULARY},
     "frontend/lex": {"base"},
     "frontend/parse": {"base", "frontend/lex"},
     "frontend/rules": {"base", "ir"},
-    "frontend/check": {"base", "ir", "frontend/lex", "frontend/parse", "frontend/rules"},
-    "passes": {"base", "ir"},
+    "frontend/check": {"base", "ir", "frontend/lex", "frontend/parse", "frontend/rules", VOCABULARY},
+    "passes": {"base", "ir", VOCABULARY},
     "backend-glsl": {"base", "ir"},
-    "clip-table": set(),
+    "clip-table": {VOCABULARY},
     "compiler": {
         "base", "ir", "frontend/lex", "frontend/parse", "frontend/rules", "frontend/check", "passes", "backend-glsl", "clip-table",
+        VOCABULARY,
     },
-    "runtime": {"clip-table"},
+    "runtime": {"clip-table", VOCABULARY},
     "examples": {"runtime"},
     "tools/draw": {
         "base", "ir", "frontend/lex", "frontend/parse", "frontend/rules", "frontend/check", "passes", "backend-glsl", "clip-table",
-        "compiler", "runtime",
+        "compiler", "runtime", VOCABULARY,
     },
     "tools/study": {"clip-table", "compiler", "tools/draw", "runtime"},
     "tools/scenes": {"clip-table", "runtime", "examples"},
@@ -54,7 +57,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')
 
 def room_of(path):
     """The room that holds the file at `path`, a path from the root in slashes; or None."""
-    return max((room for room in ROOMS if path.startswith(room + "/")), key=len, default=None)
+    return max((room for room in ROOMS if path == room or path.startswith(room + "/")), key=len, default=None)
 
 
 def problem(path, quote, target):
@@ -76,8 +79,8 @@ def problem(path, quote, target):
 
 def problems(root):
     for room in ROOMS:
-        for file in sorted((root / room).rglob("*")):
-            if file.suffix not in {".h", ".cpp", ".def", ".inc"}:
+        for file in [root / room, *sorted((root / room).rglob("*"))]:
+            if not file.is_file() or file.suffix not in {".h", ".cpp", ".def", ".inc"}:
                 continue
             path = file.relative_to(root)
             for number, line in enumerate(file.read_text(errors="replace").splitlines(), 1):
@@ -99,6 +102,8 @@ def self_test():
         "backend-glsl/a.cpp": '#include "writer.h"\n',
         "clip-table/a.h": '#include <nlohmann/json.hpp>\n',
         "clip-table/a.cpp": '#include <nlohmann/json.hpp>\n',
+        "clip-table/vocabulary.h": '#include <string_view>\n#include "clip-table/a.h"\n',
+        "backend-glsl/b.cpp": '#include "clip-table/vocabulary.h"\n',
         "runtime/gl/a.cpp": '#include <fmt/format.h>\n#include "base/id.h"\n#include "clip-table/table.h"\n',
     }
     with tempfile.TemporaryDirectory() as name:
@@ -109,6 +114,7 @@ def self_test():
         seen = {found.split(": ")[0] for found in problems(root)}
     expected = {
         "base/a.h:1", "frontend/check/a.cpp:1", "frontend/parse/a.h:2", "passes/a.cpp:1", "backend-glsl/a.cpp:1", "clip-table/a.h:1",
+        "clip-table/vocabulary.h:2", "backend-glsl/b.cpp:1",
         "runtime/gl/a.cpp:1", "runtime/gl/a.cpp:2", "examples/a.cpp:3", "examples/a.cpp:4",
     }
     if seen != expected:

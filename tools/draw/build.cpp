@@ -35,12 +35,12 @@ class Chain {
   Shader Run() {
     const ast::File file = Parse(Preprocess(), diagnostics_);
     StopAtErrors<DrawError>("the shader has errors");
-    const bool whole_registers = options_.lowering == passes::Lowering::kLevel9;
+    const bool whole_registers = options_.lowering == Lowering::kLevel9;
     Shader shader;
     shader.typed =
         Check(file, {profile_, options_.entry, options_.packing, whole_registers}, diagnostics_);
     StopAtErrors<DrawError>("the shader has errors");
-    if (options_.plane_space == passes::PlaneSpace::kObject) {
+    if (options_.plane_space == PlaneSpace::kObject) {
       position_input_ = CheckPositionInput(shader.typed, options_.position_input, diagnostics_);
       StopAtErrors<DrawError>("the shader has errors");
     }
@@ -81,7 +81,7 @@ class Chain {
     pipeline.clip_planes.space = options_.plane_space;
     pipeline.clip_planes.position_input = position_input_;
     pipeline.clip_planes.write_clip_vertex =
-        options_.lowering == passes::Lowering::kLevel9 && target_.HasClipVertex();
+        options_.lowering == Lowering::kLevel9 && target_.HasClipVertex();
     pipeline.clip_space = options_.clip_space;
     pipeline.verify = true;
     passes::RunPipeline(program, pipeline);

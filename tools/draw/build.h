@@ -19,8 +19,8 @@ struct BuildOptions {
   std::vector<std::string> defines, include_dirs;
   MatrixPacking packing = MatrixPacking::kColumnMajor;
   std::string target = "glsl450";
-  passes::Lowering lowering = passes::Lowering::kClipDistance;
-  passes::PlaneSpace plane_space = passes::PlaneSpace::kClip;
+  Lowering lowering = Lowering::kClipDistance;
+  PlaneSpace plane_space = PlaneSpace::kClip;
   std::string position_input = "POSITION0";  // with plane space kObject
   passes::ClipSpaceOptions clip_space;
 };

@@ -15,13 +15,6 @@
 namespace clipc::draw {
 namespace {
 
-using passes::Lowering;
-
-constexpr std::pair<const char*, Lowering> kLowerings[] = {
-    {"clip-distance", Lowering::kClipDistance},
-    {"level9", Lowering::kLevel9},
-    {"none", Lowering::kNone}};
-
 struct CompareOptions {
   BuildOptions build;
   std::vector<std::string> targets = {"glsl450", "glsl330", "glsl130", "essl300", "vulkan"};
@@ -59,11 +52,10 @@ void SetInts(const std::string& text, RandomOptions& random) {
   }
 }
 
-passes::PlaneSpace PlaneSpaceOf(const std::string& name) {
-  if (name == "clip") return passes::PlaneSpace::kClip;
-  if (name == "xyw1") return passes::PlaneSpace::kXyw1;
-  if (name == "object") return passes::PlaneSpace::kObject;
-  throw DrawError("no plane space is called `" + name + "`");
+template <typename T>
+T Known(std::optional<T> parsed, const char* kind, const std::string& name) {
+  if (!parsed) throw DrawError("no " + std::string(kind) + " is called `" + name + "`");
+  return *parsed;
 }
 
 std::map<std::string, Flag> FlagsOf(CompareOptions& options) {
@@ -84,7 +76,10 @@ std::map<std::string, Flag> FlagsOf(CompareOptions& options) {
       {"lower",
        {true, [&](const std::string& value) { options.lowerings = SplitAtCommas(value); }}},
       {"plane-space",
-       {true, [&](const std::string& value) { options.build.plane_space = PlaneSpaceOf(value); }}},
+       {true,
+        [&](const std::string& value) {
+          options.build.plane_space = Known(ParsePlaneSpace(value), "plane space", value);
+        }}},
       {"position-input", text(options.build.position_input)},
       {"depth-range",
        {true,
@@ -109,13 +104,6 @@ std::map<std::string, Flag> FlagsOf(CompareOptions& options) {
       {"peer", text(options.peer)},
       {"verbose", {false, [&](const std::string&) { options.verbose = true; }}},
   };
-}
-
-Lowering LoweringOf(const std::string& name) {
-  for (const auto& [known, lowering] : kLowerings) {
-    if (name == known) return lowering;
-  }
-  throw DrawError("no lowering is called `" + name + "`");
 }
 
 bool Reads(const ir::Program& program, ir::Builtin builtin) {
@@ -189,7 +177,7 @@ class Runner {
   void RunLowering(const std::string& target, const std::string& lowering) {
     BuildOptions build = options_.build;
     build.target = target;
-    build.lowering = LoweringOf(lowering);
+    build.lowering = Known(ParseLowering(lowering), "lowering", lowering);
     for (const bool negative_one_to_one : options_.negative_one_to_one) {
       for (const bool flip_y : options_.flip_y) {
         build.clip_space = {negative_one_to_one, flip_y};

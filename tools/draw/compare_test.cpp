@@ -19,8 +19,6 @@
 namespace clipc::draw {
 namespace {
 
-using passes::Lowering;
-
 constexpr char kShader[] = R"(
 cbuffer Planes { float4 water; float4 portals[2]; };
 row_major float3x4 world;

@@ -140,11 +140,9 @@ class Reference {
   // What the planes are dotted with, by the definition of the plane space.
   template <typename Number>
   Float4<Number> VertexOf(std::size_t vertex, const ir::EvalOutputs& outputs) const {
-    if (options_.plane_space != passes::PlaneSpace::kObject) {
+    if (options_.plane_space != PlaneSpace::kObject) {
       const Float4<Number> p = PositionOf<Number>(outputs);
-      return options_.plane_space == passes::PlaneSpace::kClip
-                 ? p
-                 : Float4<Number>{p[0], p[1], p[3], 1};
+      return options_.plane_space == PlaneSpace::kClip ? p : Float4<Number>{p[0], p[1], p[3], 1};
     }
     const auto& list = shader_.typed.inputs;
     const auto found = std::find_if(list.begin(), list.end(), [&](const ir::IoVar& io) {

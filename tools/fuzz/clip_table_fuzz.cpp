@@ -12,14 +12,14 @@ namespace {
 class CheckingDevice final : public clipc::runtime::ClipDevice {
  public:
   bool SetClipPlane(std::uint32_t index, const float plane[4]) noexcept override {
-    if (index >= clipc::runtime::kMaxPlanes) std::abort();
+    if (index >= clipc::runtime::kMaxClipPlanes) std::abort();
     for (int i = 0; i < 4; ++i) {
       if (!std::isfinite(plane[i])) std::abort();
     }
     return true;
   }
   bool SetClipPlaneEnable(std::uint32_t mask) noexcept override {
-    if (mask >> clipc::runtime::kMaxPlanes != 0) std::abort();
+    if (mask >> clipc::runtime::kMaxClipPlanes != 0) std::abort();
     return true;
   }
 };
@@ -36,7 +36,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   clipc::runtime::BoundBuffer buffers[4];
   for (std::uint32_t i = 0; i < 4; ++i) buffers[i] = {i, 0, data, size};
   CheckingDevice device;
-  clipc::runtime::Level9Binder binder(device, clipc::runtime::kMaxPlanes);
+  clipc::runtime::Level9Binder binder(device, clipc::runtime::kMaxClipPlanes);
   const clipc::runtime::Status status = binder.Bind(table.value, buffers, 4);
   if (status.ok() == (status.message()[0] != '\0')) std::abort();
   return 0;

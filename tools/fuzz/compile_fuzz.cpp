@@ -16,13 +16,6 @@ constexpr std::array kProfiles = {
     "vs_5_0", "vs_4_0_level_9_1", "vs_4_0_level_9_3", "vs_5_1", "vs_6_6", "vs_3_0", "vs_4_0"};
 constexpr std::array kTargets = {"glsl450", "vulkan",  "glsl330", "glsl120",
                                  "glsl130", "essl310", "glsl420", "essl300"};
-constexpr std::array kLowerings = {
-    clipc::clip_table::Lowering::kClipDistance, clipc::clip_table::Lowering::kLevel9,
-    clipc::clip_table::Lowering::kNone, clipc::clip_table::Lowering::kNearPlane,
-    clipc::clip_table::Lowering::kDiscard};
-constexpr std::array kSpaces = {clipc::clip_table::PositionSpace::kDirect3DClip,
-                                clipc::clip_table::PositionSpace::kXyw1,
-                                clipc::clip_table::PositionSpace::kObject};
 
 // The digit at `position` as an index into a list of `size`.
 std::size_t Choose(std::string_view text, std::size_t position, std::size_t size) {
@@ -41,9 +34,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   request.text = std::string(text);
   request.profile = kProfiles[Choose(text, 2, kProfiles.size())];
   request.target = kTargets[Choose(text, 3, kTargets.size())];
-  const std::size_t lowering = Choose(text, 4, kLowerings.size() + 1);
-  if (lowering < kLowerings.size()) request.lowering = kLowerings[lowering];
-  request.plane_space = kSpaces[Choose(text, 5, kSpaces.size())];
+  const std::size_t lowering = Choose(text, 4, std::size(clipc::kLoweringNames) + 1);
+  if (lowering < std::size(clipc::kLoweringNames)) {
+    request.lowering = static_cast<clipc::Lowering>(lowering);
+  }
+  request.plane_space =
+      static_cast<clipc::PlaneSpace>(Choose(text, 5, std::size(clipc::kPlaneSpaceNames)));
   request.flip_y = true;
   request.depth_range = clipc::DepthRange::kNegativeOneToOne;
   request.reflect = true;

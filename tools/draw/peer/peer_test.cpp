@@ -48,7 +48,7 @@ class Peer : public ::testing::Test {
     BuildOptions options;
     options.path = path_;
     options.target = "vulkan";
-    options.lowering = passes::Lowering::kNone;
+    options.lowering = Lowering::kNone;
     return options;
   }
 

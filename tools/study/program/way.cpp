@@ -9,10 +9,6 @@
 namespace clipc::study {
 namespace {
 
-using runtime::PlaneSpace;
-using Space = clip_table::PositionSpace;
-using Lowering = clip_table::Lowering;
-
 PlaneSpace SpaceOf(WayKind kind) {
   switch (kind) {
     case WayKind::kXyw1: return PlaneSpace::kXyw1;
@@ -86,10 +82,7 @@ WaySource SourceOf(WayKind kind, int planes, bool coverage) {
   if (kind == WayKind::kDiscardRecomputed) request.defines.push_back("RECOMPUTED");
   if (kind == WayKind::kLevel9) request.profile = "vs_4_0_level_9_1", request.target = "glsl120";
   request.lowering = LoweringOf(kind);
-  const PlaneSpace space = SpaceOf(kind);
-  request.plane_space = space == PlaneSpace::kXyw1     ? Space::kXyw1
-                        : space == PlaneSpace::kObject ? Space::kObject
-                                                       : Space::kDirect3DClip;
+  request.plane_space = SpaceOf(kind);
   WaySource source;
   source.fragment = FragmentOf(kind, planes, coverage);
   if (request.lowering == Lowering::kDiscard) request.fragment = source.fragment;
