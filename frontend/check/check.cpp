@@ -1,56 +1,51 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/check/check.h"
 
-#include "frontend/check/checker.h"
+#include "frontend/check/body.h"
+#include "frontend/check/buffer.h"
+#include "frontend/check/clip_planes.h"
+#include "frontend/check/declare.h"
+#include "frontend/check/entry.h"
+#include "frontend/check/entry_signature.h"
+#include "frontend/check/global.h"
 #include "frontend/rules/check_level9.h"
 #include "frontend/rules/registers.h"
 #include "frontend/rules/resolve_objects.h"
 #include "ir/packing.h"
 
 namespace clipc {
+namespace check {
+namespace {
 
-Checker::Checker(const ast::File& file, const CheckOptions& options, Diagnostics& diagnostics)
-    : file_(file), options_(options), diagnostics_(diagnostics) {
-  program_.profile = options.profile;
-  local_by_name_.resize(file.names.size());
-  numeric_types_.resize(file.names.size());
-  constexpr std::string_view kOperator = "operator";
-  for (std::uint32_t i = 0; i < file.names.size(); ++i) {
-    const std::string_view text = file.names[Name{i}];
-    if (text.starts_with(kOperator) && text != kOperator)
-      operator_names_.emplace(text.substr(kOperator.size()), Name{i});
-  }
-  global_scope_ = AddScope(ScopeKind::kNamespace, {}, {});
-  context_.scope = global_scope_;
-  Buffer globals;
-  globals.kind = ir::CbufferKind::kGlobals;
-  globals.scope = global_scope_;
-  globals_buffer_ = buffers_.Add(std::move(globals));
+void Run(Context& context) {
+  DeclareAll(context, context.file.top_level, context.names.global());
+  const FunctionInfoId entry = FindEntry(context);
+  if (!entry || context[entry].is_broken) return;
+  ir::Program& program = context.program;
+  program.entry = Reach(context, entry);
+  const EntrySignature signature = SignatureOf(context, entry);
+  const AttributeLists attributes = AttributesOf(context, entry);
+  ReachClipPlanes(context, entry, attributes);
+  CheckBodies(context);
+  CheckRecursion(context);
+  FinishBuffers(context);
+  for (ir::CbufferId id : program.cbuffers.ids())
+    ir::LayOut(program.types, program.vars, program.cbuffers[id]);
+  BuildMain(program, signature, context.diagnostics);
+  CheckClipPlanes(context, entry, attributes);
+  FinishGlobals(context);
+  if (!context.diagnostics.has_errors()) ResolveObjects(program, context.diagnostics);
+  AssignRegisters(program, context.diagnostics);
+  if (!context.diagnostics.has_errors()) CheckLevel9(program, context.diagnostics);
 }
 
-ir::Program Checker::Run() {
-  DeclareAll(file_.top_level, global_scope_);
-  const FunctionInfoId entry = FindEntry();
-  if (!entry || Info(entry).is_broken) return std::move(program_);
-  program_.entry = Reach(entry);
-  const EntrySignature signature = SignatureOf(entry);
-  ReachClipPlanes(entry);
-  CheckBodies();
-  CheckRecursion();
-  FinishBuffers();
-  for (ir::CbufferId id : program_.cbuffers.ids())
-    ir::LayOut(program_.types, program_.vars, program_.cbuffers[id]);
-  BuildMain(program_, signature, diagnostics_);
-  CheckPlanes(entry);
-  FinishGlobals();
-  if (!diagnostics_.has_errors()) ResolveObjects(program_, diagnostics_);
-  AssignRegisters(program_, diagnostics_);
-  if (!diagnostics_.has_errors()) CheckLevel9(program_, diagnostics_);
-  return std::move(program_);
-}
+}  // namespace
+}  // namespace check
 
 ir::Program Check(const ast::File& file, const CheckOptions& options, Diagnostics& diagnostics) {
-  return Checker(file, options, diagnostics).Run();
+  check::Context context(file, options, diagnostics);
+  check::Run(context);
+  return std::move(context.program);
 }
 
 }  // namespace clipc

@@ -11,7 +11,7 @@
 #include "ir/program.h"
 
 // What the checker knows of each declaration. Included by checker.h only.
-namespace clipc {
+namespace clipc::check {
 
 struct Symbol;
 struct Scope;
@@ -69,7 +69,7 @@ struct Buffer {
   ir::CbufferKind kind = ir::CbufferKind::kCbuffer;
   ScopeId scope;
   std::uint32_t order = 0;
-  std::vector<SymbolId> members;
+  std::vector<SymbolId> members = {};
   Resolution resolution = Resolution::kNone;  // reached, when not kNone
 };
 
@@ -107,4 +107,4 @@ struct FunctionInfo {
   ir::FunctionId function;  // none: not reached
 };
 
-}  // namespace clipc
+}  // namespace clipc::check

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/check/body.h"
+
+#include "frontend/check/assign.h"
+#include "frontend/check/clip_planes.h"
+#include "frontend/check/flow.h"
+#include "frontend/check/function.h"
+#include "frontend/check/global.h"
+#include "frontend/check/scope.h"
+#include "frontend/check/stmt.h"
+
+namespace clipc::check {
+namespace {
+
+void CheckBody(Context& context, FunctionInfoId id) {
+  const FunctionInfo info = context[id];
+  const ast::FunctionDecl& decl = DeclOf(context, info);
+  const ir::Function& function = context[info.function];
+  const std::vector<ir::VarId> vars = function.parameters;
+  Body body;
+  body.function = info.function;
+  body.return_type = info.return_type;
+  const ViewSwitch in(context, {.scope = info.scope,
+                                .order = info.order,
+                                .local_floor = context.names.size(),
+                                .body = &body});
+  const int errors_before = context.diagnostics.error_count();
+  if (info.function != context.program.entry) CheckUnusedClipPlanes(context, decl);
+  const ScopeTable::LocalScope parameter_scope(context.names);
+  std::size_t next = 0;
+  if (info.self) body.self = vars[next++];
+  for (const Parameter& parameter :
+       std::vector<Parameter>(context[info.parameters].begin(), context[info.parameters].end())) {
+    const auto& var = context.Get<ast::VarDecl>(parameter.decl);
+    const SymbolId symbol =
+        DeclareLocal(context, SymbolKind::kVariable, var.name, parameter.decl, var.name_span);
+    context[symbol].value = vars[next++].index;
+    context[symbol].resolution = Resolution::kDone;
+  }
+  const std::size_t mark = context.stmts.size();
+  {
+    const ScopeTable::LocalScope body_scope(context.names);
+    CheckStmts(context, context.Get<ast::BlockStmt>(decl.body).body);
+  }
+  std::vector<ir::StmtId> stmts = std::move(body.hoisted);
+  stmts.insert(stmts.end(), context.stmts.begin() + static_cast<std::ptrdiff_t>(mark),
+               context.stmts.end());
+  context.stmts.resize(mark);
+  const ir::StmtId block = context.At(context[decl.body].span).BlockOf(stmts);
+  context[info.function].body = block;
+  const bool is_whole = context.diagnostics.error_count() == errors_before;
+  if (is_whole && info.return_type != context.program.types.Void() &&
+      FallsThrough(context, block)) {
+    context.Report(decl.name_span, diag::NotAllPathsReturn, context[decl.name],
+                   context.TypeName(info.return_type));
+  }
+}
+
+}  // namespace
+
+ir::FunctionId Reach(Context& context, FunctionInfoId id) {
+  FunctionInfo& info = context[id];
+  if (info.function) return info.function;
+  const ast::FunctionDecl& decl = DeclOf(context, info);
+  ir::Function function;
+  function.name = context[decl.name];
+  function.return_type = info.return_type;
+  function.span = decl.name_span;
+  if (info.self) {
+    const ir::Storage storage = info.changes_self ? ir::Storage::kInOut : ir::Storage::kIn;
+    ir::Var self;
+    self.name = "self";
+    self.type = info.self;
+    self.storage = storage;
+    self.span = decl.name_span;
+    function.parameters.push_back(context.program.vars.Add(std::move(self)));
+    if (!info.changes_self) MarkConst(context, function.parameters.back());
+  }
+  for (const Parameter& parameter : context[info.parameters]) {
+    const auto& var = context.Get<ast::VarDecl>(parameter.decl);
+    const Span span = var.name ? var.name_span : context[parameter.decl].span;
+    const ir::VarId added =
+        AddVar(context, var.name ? var.name : Name{}, parameter.type, parameter.storage, span);
+    if (!var.name) context[added].name = "unused";
+    context[added].precise = (var.qualifiers & ast::kPrecise) != 0;
+    if ((var.qualifiers & ast::kConst) && parameter.storage == ir::Storage::kIn)
+      MarkConst(context, added);
+    function.parameters.push_back(added);
+  }
+  function.body = context.At(decl.name_span).BlockOf({});
+  info.function = context.program.functions.Add(std::move(function));
+  if (decl.body) context.functions.waiting.push_back(id);
+  return info.function;
+}
+
+void CheckBodies(Context& context) {
+  for (std::size_t i = 0;
+       i < context.functions.waiting.size() && !context.diagnostics.TooManyErrors(); ++i)
+    CheckBody(context, context.functions.waiting[i]);
+}
+
+void CheckRecursion(Context& context) {
+  std::vector<std::vector<Overloads::CallEdge>> calls(context.program.functions.size());
+  for (const Overloads::CallEdge& edge : context.functions.calls)
+    calls[edge.caller.index].push_back(edge);
+  enum : std::uint8_t { kNew, kOpen, kDone };
+  std::vector<std::uint8_t> state(context.program.functions.size(), kNew);
+  struct Step {
+    std::uint32_t function;
+    std::size_t next;
+  };
+  std::vector<Step> path;
+  for (std::uint32_t start = 0; start < calls.size(); ++start) {
+    if (state[start] != kNew) continue;
+    path.push_back({start, 0});
+    state[start] = kOpen;
+    while (!path.empty()) {
+      Step& step = path.back();
+      if (step.next == calls[step.function].size()) {
+        state[step.function] = kDone;
+        path.pop_back();
+        continue;
+      }
+      const Overloads::CallEdge& edge = calls[step.function][step.next++];
+      if (state[edge.callee.index] == kOpen) {
+        const ir::Function& callee = context[edge.callee];
+        context.Report(edge.span, diag::Recursion, callee.name)
+            .Note(callee.span, diag::DeclaredHere, callee.name);
+      } else if (state[edge.callee.index] == kNew) {
+        state[edge.callee.index] = kOpen;
+        path.push_back({edge.callee.index, 0});
+      }
+    }
+  }
+}
+
+}  // namespace clipc::check

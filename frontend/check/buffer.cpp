@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/check/buffer.h"
+
+#include <algorithm>
+
+#include "frontend/check/assign.h"
+#include "frontend/check/global.h"
+#include "frontend/check/type.h"
+
+namespace clipc::check {
+namespace {
+
+void ResolveMember(Context& context, Buffer& buffer, SymbolId id) {
+  Symbol& symbol = context[id];
+  const auto& var = context.Get<ast::VarDecl>(symbol.decl);
+  if (buffer.kind == ir::CbufferKind::kGlobals &&
+      (symbol.resolution == Resolution::kDone || IsConstantBuffer(context, var)))
+    return;
+  const ir::TypeId type = ResolveVarType(context, var);
+  if (context.IsError(type) || type == context.program.types.String()) return;
+  if (HoldsObjects(context, type)) {
+    if (buffer.kind == ir::CbufferKind::kGlobals) return;
+    return ResolveObject(context, id, var, type);
+  }
+  const ast::Qualifiers qualifiers = QualifiersOf(context, var);
+  const ir::VarId result = AddVar(context, var.name, type, ir::Storage::kUniform, symbol.span);
+  context[result].row_major = IsRowMajor(context, qualifiers);
+  MarkConst(context, result);
+  symbol.owner =
+      (buffer.kind == ir::CbufferKind::kGlobals ? context.globals.buffer.index : symbol.owner);
+  symbol.is_const = (qualifiers & ast::kConst) != 0;
+  symbol.value = result.index;
+  symbol.resolution = Resolution::kDone;
+}
+
+void FinishMember(Context& context, const ast::VarDecl& var, ir::CbufferMember& member) {
+  constexpr std::uint32_t kRow = 16, kMaxRow = 65536;
+  if (var.packoffset && var.packoffset->reg < kMaxRow) {
+    member.offset = var.packoffset->reg * kRow + var.packoffset->component * 4;
+    member.has_packoffset = true;
+  } else if (const ast::RegisterBinding* binding = BindingOf(context, var.registers, "c");
+             binding && binding->letter == 'c') {
+    if (binding->number >= kMaxRow) return;
+    member.offset = binding->number * kRow;
+    member.has_packoffset = true;
+  }
+}
+
+// Of T[2][3]: 6; of T: 1.
+std::uint32_t CountOfArray(const Context& context, ir::TypeId type) {
+  std::uint32_t count = 1;
+  for (; context[type].kind == ir::TypeKind::kArray; type = context[type].element) {
+    count *= context[type].count;
+  }
+  return count;
+}
+
+void FinishBuffer(Context& context, const Buffer& buffer) {
+  ir::Cbuffer result;
+  result.kind = buffer.kind;
+  List<ast::RegisterBinding> registers;
+  if (buffer.kind == ir::CbufferKind::kGlobals) {
+    result.name = "$Globals";
+  } else if (buffer.kind == ir::CbufferKind::kParams) {
+    result.name = "$Params";
+  } else if (const auto* decl = context.GetIf<ast::BufferDecl>(buffer.decl)) {
+    result.name = context[decl->name];
+    result.span = decl->name ? decl->name_span : context[buffer.decl].span;
+    registers = decl->registers;
+  } else {
+    const auto& var = context.Get<ast::VarDecl>(buffer.decl);
+    result.name = context[var.name];
+    result.span = var.name_span;
+    registers = var.registers;
+  }
+  const bool is_texture = buffer.kind == ir::CbufferKind::kTbuffer;
+  result.reg.letter = is_texture ? 't' : 'b';
+  if (const ast::RegisterBinding* binding = BindingOf(context, registers, is_texture ? "t" : "b")) {
+    result.reg.number = binding->number;
+    result.reg.space = binding->space;
+    result.reg.is_explicit = binding->letter != 0;
+  }
+  const ir::CbufferId id{context.program.cbuffers.size()};
+  result.members.reserve(buffer.members.size());
+  for (SymbolId symbol : buffer.members) {
+    const bool is_member =
+        context[symbol].value != ~0u && context[symbol].kind == SymbolKind::kVariable;
+    const ir::VarId var{context[symbol].value};
+    if (!is_member || context[var].storage != ir::Storage::kUniform) continue;
+    if (buffer.kind == ir::CbufferKind::kGlobals &&
+        context[symbol].owner != context.globals.buffer.index)
+      continue;
+    ir::CbufferMember member;
+    member.var = var;
+    FinishMember(context, context.Get<ast::VarDecl>(context[symbol].decl), member);
+    context[var].cbuffer = id;
+    if (buffer.kind == ir::CbufferKind::kConstantBuffer) {
+      result.count = CountOfArray(context, context[var].type);
+      member.has_packoffset = false;
+    }
+    result.members.push_back(member);
+  }
+  context.program.cbuffers.Add(std::move(result));
+}
+
+}  // namespace
+
+bool IsConstantBuffer(const Context& context, const ast::VarDecl& var) {
+  const ast::Type& type = context[var.type];
+  if (!type.has_arguments || !type.name.scopes.empty()) return false;
+  const std::string_view text = context[type.name.name];
+  return (text == "ConstantBuffer" || text == "TextureBuffer") &&
+         !context.names.FindUnqualified(type.name.name, true);
+}
+
+void ResolveConstantBuffer(Context& context, SymbolId id, const ast::VarDecl& var) {
+  Buffer buffer;
+  buffer.decl = context[id].decl;
+  buffer.kind = context[context[var.type].name.name] == "ConstantBuffer"
+                    ? ir::CbufferKind::kConstantBuffer
+                    : ir::CbufferKind::kTbuffer;
+  buffer.scope = context[id].scope;
+  buffer.order = OrderOf(context, id);
+  buffer.members.push_back(id);
+  const BufferId buffer_id = context.globals.buffers.Add(std::move(buffer));
+  context[id].owner = buffer_id.index;
+  ReachBuffer(context, buffer_id);
+}
+
+void ReachBuffer(Context& context, BufferId id) {
+  Buffer& buffer = context[id];
+  if (buffer.resolution != Resolution::kNone) return;
+  buffer.resolution = Resolution::kUnderWay;
+  for (std::size_t i = 0; i < buffer.members.size(); ++i) {
+    const SymbolId member = buffer.members[i];
+    View view = ContextOf(context, member);
+    if (buffer.kind == ir::CbufferKind::kCbuffer || buffer.kind == ir::CbufferKind::kTbuffer)
+      view.order = buffer.order;
+    const ViewSwitch in(context, view);
+    ResolveMember(context, buffer, member);
+  }
+  buffer.resolution = Resolution::kDone;
+}
+
+void FinishBuffers(Context& context) {
+  std::vector<BufferId> reached;
+  for (BufferId id : context.globals.buffers.ids()) {
+    if (context[id].resolution != Resolution::kNone) reached.push_back(id);
+  }
+  // $Globals was made first, with order 0; $Params has the highest.
+  std::stable_sort(reached.begin(), reached.end(),
+                   [&](BufferId a, BufferId b) { return context[a].order < context[b].order; });
+  for (BufferId id : reached) FinishBuffer(context, context[id]);
+}
+
+}  // namespace clipc::check

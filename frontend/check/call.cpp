@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/check/call.h"
+
+#include "frontend/check/assign.h"
+#include "frontend/check/body.h"
+#include "frontend/check/construct.h"
+#include "frontend/check/expr.h"
+#include "frontend/check/function.h"
+#include "frontend/check/init.h"
+#include "frontend/check/member.h"
+#include "frontend/check/overload.h"
+#include "frontend/check/scope.h"
+#include "frontend/check/struct.h"
+#include "frontend/check/template.h"
+#include "frontend/check/text.h"
+#include "frontend/check/type.h"
+#include "frontend/check/type_names.h"
+#include "frontend/check/value.h"
+#include "frontend/rules/intrinsics.h"
+
+namespace clipc::check {
+namespace {
+
+// A function of that name that the context may call, those declared later included.
+SymbolId FindFunction(Context& context, const ast::QualifiedName& name) {
+  View view = context.view;
+  view.order = ~0u;
+  view.local_floor = ~0u;
+  const ViewSwitch in(context, view);
+  const SymbolId symbol = Find(context, name);
+  return symbol && context[symbol].kind == SymbolKind::kFunction ? symbol : SymbolId{};
+}
+
+ir::ExprId CallIntrinsic(Context& context, Name name, Span name_span,
+                         std::span<const ir::ExprId> arguments, Span span) {
+  return CheckIntrinsicCall(context.program, context[name], name_span, arguments, span, context,
+                            context.diagnostics);
+}
+
+// The functions of a name, and the instances of the templates of that name that these arguments ask
+// for.
+std::vector<FunctionInfoId> CandidatesOf(Context& context, SymbolId symbol, ir::TypeId self,
+                                         List<ast::ExprId> explicit_arguments,
+                                         std::span<const ir::ExprId> arguments) {
+  std::vector<FunctionInfoId> candidates;
+  if (explicit_arguments.empty()) candidates = OverloadsOf(context, symbol, self);
+  for (SymbolId id = symbol; id; id = context[id].older) {
+    if (context[id].kind != SymbolKind::kFunction) continue;
+    if (!context.Get<ast::FunctionDecl>(context[id].decl).is_template) continue;
+    const FunctionInfoId instance =
+        InstantiateFunction(context, id, self, explicit_arguments, arguments);
+    if (instance) candidates.push_back(instance);
+  }
+  return candidates;
+}
+
+ir::ExprId CallNamed(Context& context, const ast::NameExpr& name, Span name_span,
+                     const ast::CallExpr& expr, Span span) {
+  const bool is_plain = name.name.scopes.empty() && !name.name.from_global;
+  const bool is_intrinsic = is_plain && IsIntrinsicName(context[name.name.name]);
+  SymbolId symbol = Find(context, name.name);
+  if (symbol && context[symbol].kind == SymbolKind::kType) {
+    ast::Type type;
+    type.span = name_span;
+    type.name = name.name;
+    type.arguments = name.arguments;
+    type.has_arguments = !name.arguments.empty();
+    return CheckConstructor(context, ResolveNamedType(context, type), expr.arguments, span);
+  }
+  // Real files define functions after the entry point; and a variable does not hide a function that
+  // is called.
+  if (!symbol || context[symbol].kind != SymbolKind::kFunction)
+    symbol = FindFunction(context, name.name);
+  std::vector<ir::ExprId> arguments;
+  const bool ok = CheckArguments(context, expr.arguments, arguments);
+  if (!symbol && !is_intrinsic) {
+    const SymbolId other = Find(context, name.name);
+    if (other)
+      context.Report(name_span, diag::NotCallable, QualifiedText(context, name.name));
+    else
+      ReportUndeclared(context, name_span, name.name, false, true);
+    return context.ErrorExpr(span);
+  }
+  if (!ok) return context.ErrorExpr(span);
+  if (!symbol) return CallIntrinsic(context, name.name.name, name_span, arguments, span);
+  const ir::TypeId self = context.view.body && context.view.body->self
+                              ? context[context.view.body->self].type
+                              : ir::TypeId{};
+  const bool is_method = context[context[symbol].scope].kind == ScopeKind::kStruct;
+  const std::vector<FunctionInfoId> overloads =
+      CandidatesOf(context, symbol, is_method ? self : ir::TypeId{}, name.arguments, arguments);
+  const Choice choice = ChooseOverload(context, overloads, arguments, name.name.name, name_span);
+  if (choice.reported) return context.ErrorExpr(span);
+  if (is_intrinsic && (!choice.function || choice.changes_shape)) {
+    return CallIntrinsic(context, name.name.name, name_span, arguments, span);
+  }
+  if (!choice.function) {
+    ReportNoOverload(context, overloads, arguments, name.name.name, name_span);
+    return context.ErrorExpr(span);
+  }
+  ir::ExprId object;
+  if (context[choice.function].self) {
+    if (!context.view.body || !context.view.body->self) {
+      return context.Fail(name_span, diag::FieldWithoutObject, context[name.name.name]);
+    }
+    object = context.At(name_span).Ref(context.view.body->self);
+  }
+  return CallFunction(context, choice.function, object, std::move(arguments), name_span, span);
+}
+
+// buffer.Load<float3>(address) of HLSL 6.2: the bits, taken for that type.
+ir::ExprId CallTemplatedLoad(Context& context, const ast::MemberExpr& member, ir::ExprId object,
+                             std::span<const ir::ExprId> arguments, Span span) {
+  const ir::TypeId type_id = TypeArgument(context, context[member.arguments][0]);
+  const ir::Type type = context[type_id];
+  if (context.IsError(type_id)) return context.ErrorExpr(span);
+  const ir::Scalar base = ir::BaseOf(type.scalar);
+  const bool is_word =
+      base == ir::Scalar::kFloat || base == ir::Scalar::kInt || base == ir::Scalar::kUint;
+  const bool fits = type.IsNumeric() && type.kind != ir::TypeKind::kMatrix && is_word &&
+                    context[member.name] == "Load";
+  if (!fits) {
+    return context.Fail(member.name_span, diag::Unsupported,
+                        fmt::format("`{}` with the type argument `{}`", context[member.name],
+                                    context.TypeName(type_id)));
+  }
+  constexpr std::string_view kMethods[] = {"Load", "Load2", "Load3", "Load4"};
+  const ir::ExprId words =
+      CheckMethodCall(context.program, object, kMethods[type.columns - 1], member.name_span,
+                      arguments, span, context, context.diagnostics);
+  if (context.IsError(words) || base == ir::Scalar::kUint) return words;
+  const ir::ExprId operand[] = {words};
+  const std::string_view cast = base == ir::Scalar::kFloat ? "asfloat" : "asint";
+  const ir::ExprId value = CheckIntrinsicCall(context.program, cast, member.name_span, operand,
+                                              span, context, context.diagnostics);
+  return Implicit(context, value, type_id);
+}
+
+ir::ExprId CallMember(Context& context, const ast::MemberExpr& member, const ast::CallExpr& expr,
+                      Span span) {
+  const ir::ExprId object = CheckExpr(context, member.base);
+  std::vector<ir::ExprId> arguments;
+  const bool ok = CheckArguments(context, expr.arguments, arguments);
+  if (context.IsError(object) || !ok) return context.ErrorExpr(span);
+  const ir::TypeId type = context.TypeIdOf(object);
+  if (context[type].kind == ir::TypeKind::kObject) {
+    if (!member.arguments.empty())
+      return CallTemplatedLoad(context, member, object, arguments, span);
+    return CheckMethodCall(context.program, object, context[member.name], member.name_span,
+                           arguments, span, context, context.diagnostics);
+  }
+  const SymbolId symbol = FindMember(context, type, member.name);
+  if (!symbol) {
+    ReportNoMember(context, type, member.name, member.name_span);
+    return context.ErrorExpr(span);
+  }
+  if (context[symbol].kind != SymbolKind::kFunction) {
+    return context.Fail(member.name_span, diag::NotCallable, context[member.name]);
+  }
+  const std::vector<FunctionInfoId> overloads =
+      CandidatesOf(context, symbol, type, member.arguments, arguments);
+  const Choice choice =
+      ChooseOverload(context, overloads, arguments, member.name, member.name_span);
+  if (choice.reported) return context.ErrorExpr(span);
+  if (!choice.function) {
+    ReportNoOverload(context, overloads, arguments, member.name, member.name_span);
+    return context.ErrorExpr(span);
+  }
+  const ir::ExprId self = context[choice.function].self ? object : ir::ExprId{};
+  return CallFunction(context, choice.function, self, std::move(arguments), member.name_span, span);
+}
+
+bool IsInterface(const Context& context, ir::TypeId type) {
+  const StructInfo* info = InfoOf(context, type);
+  return info && context.Get<ast::StructDecl>(info->decl).kind == ast::StructKind::kInterface;
+}
+
+// A temporary that is written before it is read.
+ir::VarId MakeEmpty(Context& context, ir::TypeId type, Span span) {
+  const ir::VarId var = context.At(span).Local("temporary", type);
+  if (context.view.body) context.view.body->temporaries.push_back(var);
+  return var;
+}
+
+ir::ExprId BindArgument(Context& context, const Parameter& parameter, ir::ExprId argument,
+                        std::vector<ir::ExprId>& before, std::vector<ir::ExprId>& after) {
+  if (parameter.storage == ir::Storage::kIn) return Implicit(context, argument, parameter.type);
+  const Span span = context[argument].span;
+  if (!CheckTarget(context, argument)) return context.ErrorExpr(span);
+  const bool is_swizzle = context.Is<ir::MatrixSwizzle>(argument);
+  if (context.TypeIdOf(argument) == parameter.type && !is_swizzle) return argument;
+  // f(x) => (t = (P)x, f(t), x = (X)t)
+  ir::Builder at = context.At(span);
+  argument = Stabilize(context, argument, before);
+  const ir::ExprId initial =
+      parameter.storage == ir::Storage::kInOut
+          ? Implicit(context, ir::Clone(context.program, argument), parameter.type)
+          : ir::ExprId{};
+  ir::VarId copy;
+  if (initial) {
+    if (context.IsError(initial)) return initial;
+    const TemporaryMaker::Temporary temporary = context.Make(initial);
+    before.push_back(temporary.prologue);
+    copy = temporary.var;
+  } else {
+    copy = MakeEmpty(context, parameter.type, span);
+  }
+  const ir::ExprId result = Implicit(context, at.Ref(copy), context.TypeIdOf(argument));
+  if (context.IsError(result)) return result;
+  after.push_back(StoreTo(context, argument, result, span));
+  return at.Ref(copy);
+}
+
+// The object a method is called on. One that the method may change but nobody can assign to is
+// changed in a copy.
+ir::ExprId BindSelf(Context& context, const FunctionInfo& function, ir::ExprId self,
+                    std::vector<ir::ExprId>& before) {
+  if (!function.changes_self) return self;
+  const ir::VarId root = ir::RootOf(context.program, self);
+  const bool is_changeable =
+      root && !IsConstVar(context, root) && context[root].storage != ir::Storage::kUniform;
+  return is_changeable ? self : Hoist(context, self, before);
+}
+
+ir::ExprId DefaultArgument(Context& context, const FunctionInfo& function, std::uint32_t index) {
+  const Parameter parameter = context[function.parameters][index];
+  const auto& var = context.Get<ast::VarDecl>(parameter.with_default);
+  const ViewSwitch in(context, {.scope = function.scope,
+                                .order = function.order,
+                                .local_floor = context.names.size(),
+                                .body = context.view.body});
+  return CheckInit(context, var.init, parameter.type);
+}
+
+ir::ExprId FinishCall(Context& context, ir::ExprId call, std::span<const ir::ExprId> before,
+                      std::span<const ir::ExprId> after) {
+  std::vector<ir::ExprId> steps(before.begin(), before.end());
+  if (after.empty()) return WithPrologue(context, steps, call);
+  if (context.TypeIdOf(call) == context.program.types.Void()) {
+    steps.push_back(call);
+    steps.insert(steps.end(), after.begin(), after.end());
+    const ir::ExprId last = steps.back();
+    steps.pop_back();
+    return WithPrologue(context, steps, last);
+  }
+  const ir::ExprId result = Hoist(context, call, steps);
+  steps.insert(steps.end(), after.begin(), after.end());
+  return WithPrologue(context, steps, result);
+}
+
+}  // namespace
+
+ir::ExprId CheckCall(Context& context, const ast::CallExpr& expr, Span span) {
+  const ast::Expr& callee = context[expr.callee];
+  if (const auto* type = std::get_if<ast::TypeExpr>(&callee.node)) {
+    return CheckConstructor(context, ResolveType(context, type->type), expr.arguments, span);
+  }
+  if (const auto* name = std::get_if<ast::NameExpr>(&callee.node))
+    return CallNamed(context, *name, callee.span, expr, span);
+  if (const auto* member = std::get_if<ast::MemberExpr>(&callee.node))
+    return CallMember(context, *member, expr, span);
+  const ir::ExprId value = CheckExpr(context, expr.callee);
+  return context.IsError(value)
+             ? value
+             : context.Fail(callee.span, diag::NotCallable, TextOf(context, expr.callee));
+}
+
+bool CheckArguments(Context& context, List<ast::ExprId> list, std::vector<ir::ExprId>& arguments) {
+  bool ok = true;
+  arguments.reserve(arguments.size() + list.size);
+  for (ast::ExprId argument : context[list]) {
+    arguments.push_back(CheckExpr(context, argument));
+    ok = ok && !context.IsError(arguments.back());
+  }
+  return ok;
+}
+
+ir::ExprId CallFunction(Context& context, FunctionInfoId id, ir::ExprId self,
+                        std::vector<ir::ExprId> arguments, Span name_span, Span span) {
+  const ir::FunctionId function = Reach(context, id);
+  FunctionInfo& info = context[id];
+  if (info.is_broken) return context.ErrorExpr(span);
+  const ScopeId owner = info.self ? info.scope : ScopeId{};
+  if (owner && context[owner].kind == ScopeKind::kStruct &&
+      IsInterface(context, context[owner].self)) {
+    return context.Fail(name_span, diag::Unsupported,
+                        "a call through an interface, which the application fills in,");
+  }
+  if (!DeclOf(context, info).body) {
+    context.Report(name_span, diag::FunctionWithoutBody, SignatureText(context, info))
+        .Note(DeclOf(context, info).name_span, diag::DeclaredHere,
+              context[DeclOf(context, info).name]);
+    return context.ErrorExpr(span);
+  }
+  if (context.view.body)
+    context.functions.calls.push_back({context.view.body->function, function, name_span});
+  std::vector<ir::ExprId> bound, before, after;
+  if (info.self) bound.push_back(BindSelf(context, info, self, before));
+  for (std::uint32_t i = 0; i < info.parameters.size; ++i) {
+    const Parameter parameter = context[info.parameters][i];
+    const bool is_given = i < arguments.size();
+    const ir::ExprId argument = is_given
+                                    ? BindArgument(context, parameter, arguments[i], before, after)
+                                    : DefaultArgument(context, info, i);
+    if (context.IsError(argument)) return context.ErrorExpr(span);
+    bound.push_back(argument);
+  }
+  return FinishCall(context, context.At(span).CallOf(function, bound), before, after);
+}
+
+}  // namespace clipc::check

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/check/construct.h"
+
+#include <algorithm>
+
+#include "frontend/check/call.h"
+#include "frontend/check/value.h"
+#include "frontend/rules/reread.h"
+
+namespace clipc::check {
+namespace {
+
+// S(a, b) is an initialiser list in another spelling (HLSL 2021 has it for casts of one value).
+ir::ExprId ConstructStruct(Context& context, ir::TypeId type, std::span<const ir::ExprId> arguments,
+                           Span span) {
+  if (arguments.size() == 1) {
+    if (context.TypeIdOf(arguments[0]) == type) return arguments[0];
+    if (IsExplicitlyConvertible(context.program.types, context.TypeIdOf(arguments[0]), type)) {
+      return ConvertExplicit(context.program, arguments[0], type, context);
+    }
+  }
+  return context.Fail(span, diag::NotConstructible, context.TypeName(type));
+}
+
+// From scalars and vectors whose components add up; matrices among them are taken apart.
+ir::ExprId ConstructVector(Context& context, ir::TypeId type, std::span<const ir::ExprId> arguments,
+                           Span span) {
+  if (arguments.size() == 1 && context.TypeIdOf(arguments[0]) == type) return arguments[0];
+  std::vector<ir::ExprId> parts, prologue;
+  for (ir::ExprId argument : arguments) {
+    if (context.TypeOf(argument).kind == ir::TypeKind::kMatrix)
+      TakeApart(context, argument, parts, prologue);
+    else
+      parts.push_back(argument);
+  }
+  return WithPrologue(context, prologue, context.At(span).ConstructOf(type, parts));
+}
+
+// From rows, where the arguments make up rows; else from scalars.
+ir::ExprId ConstructMatrix(Context& context, ir::TypeId type_id,
+                           std::span<const ir::ExprId> arguments, Span span) {
+  const ir::Type type = context[type_id];
+  const auto is_scalar = [&](ir::ExprId argument) {
+    return context.TypeOf(argument).kind == ir::TypeKind::kScalar;
+  };
+  if (std::ranges::all_of(arguments, is_scalar))
+    return context.At(span).ConstructOf(type_id, arguments);
+  const ir::TypeId row_type = context.program.types.Vector(type.scalar, type.columns);
+  std::vector<ir::ExprId> rows, row;
+  std::uint32_t filled = 0;
+  bool fits = true;
+  for (ir::ExprId argument : arguments) {
+    fits = fits && context.TypeOf(argument).kind != ir::TypeKind::kMatrix;
+    row.push_back(argument);
+    filled += context.TypeOf(argument).Components();
+    if (filled < type.columns) continue;
+    fits = fits && filled == type.columns;
+    if (!fits) break;
+    rows.push_back(ConstructVector(context, row_type, row, span));
+    row.clear();
+    filled = 0;
+  }
+  if (fits) return context.At(span).ConstructOf(type_id, rows);
+  std::vector<ir::ExprId> scalars, prologue;
+  for (ir::ExprId argument : arguments) TakeApart(context, argument, scalars, prologue);
+  return WithPrologue(context, prologue, context.At(span).ConstructOf(type_id, scalars));
+}
+
+}  // namespace
+
+ir::ExprId CheckConstructor(Context& context, ir::TypeId type, List<ast::ExprId> list, Span span) {
+  std::vector<ir::ExprId> arguments;
+  const bool ok = CheckArguments(context, list, arguments);
+  if (!ok || context.IsError(type)) return context.ErrorExpr(span);
+  const ir::Type& wanted = context[type];
+  if (wanted.kind == ir::TypeKind::kStruct) return ConstructStruct(context, type, arguments, span);
+  if (!wanted.IsNumeric()) {
+    return context.Fail(span, diag::NotConstructible, context.TypeName(type));
+  }
+  std::uint32_t given = 0;
+  for (ir::ExprId argument : arguments) {
+    if (!context.TypeOf(argument).IsNumeric()) {
+      // float3x3(s) is what (float3x3)s is.
+      if (arguments.size() == 1 &&
+          IsExplicitlyConvertible(context.program.types, context.TypeIdOf(argument), type)) {
+        return ConvertExplicit(context.program, argument, type, context);
+      }
+      return context.Fail(context[argument].span, diag::CannotConvert, context.TypeName(argument),
+                          context.TypeName(type));
+    }
+    given += context.TypeOf(argument).Components();
+  }
+  const std::uint32_t needed = wanted.Components();
+  const bool is_cast = arguments.size() == 1 && (needed == 1 || given != needed ||
+                                                 wanted.kind == context.TypeOf(arguments[0]).kind);
+  if (is_cast &&
+      IsExplicitlyConvertible(context.program.types, context.TypeIdOf(arguments[0]), type)) {
+    // fxc refuses float4(1) and float3x3(m); HLSL 2021 and glslang take them for casts, and nobody
+    // for anything else.
+    return ConvertExplicit(context.program, arguments[0], type, context);
+  }
+  if (given != needed) {
+    return context.Fail(span, diag::WrongComponentCount, context.TypeName(type), needed, given);
+  }
+  for (ir::ExprId& argument : arguments) {
+    argument =
+        Implicit(context, argument,
+                 context.program.types.WithScalar(context.TypeIdOf(argument), wanted.scalar));
+  }
+  return wanted.kind == ir::TypeKind::kMatrix ? ConstructMatrix(context, type, arguments, span)
+                                              : ConstructVector(context, type, arguments, span);
+}
+
+ir::ExprId Component(Context& context, ir::ExprId vector, std::uint8_t component) {
+  ir::Builder at = context.At(context[vector].span);
+  if (const auto* swizzle = context.GetIf<ir::Swizzle>(vector)) {
+    component = swizzle->components[component];
+    vector = swizzle->base;
+  }
+  return at.Swizzled(vector, {component});
+}
+
+void TakeApart(Context& context, ir::ExprId value, std::vector<ir::ExprId>& scalars,
+               std::vector<ir::ExprId>& prologue) {
+  const ir::Type type = context.TypeOf(value);
+  if (type.kind == ir::TypeKind::kScalar) {
+    scalars.push_back(value);
+    return;
+  }
+  ir::Builder at = context.At(context[value].span);
+  Reread source(context.program, value, &context);
+  for (std::uint32_t row = 0; row < type.rows; ++row) {
+    for (int column = 0; column < type.columns; ++column) {
+      ir::ExprId vector = source.Read();
+      if (type.kind == ir::TypeKind::kMatrix) vector = at.At(vector, row);
+      scalars.push_back(Component(context, vector, static_cast<std::uint8_t>(column)));
+    }
+  }
+  if (source.prologue()) prologue.push_back(source.prologue());
+}
+
+}  // namespace clipc::check

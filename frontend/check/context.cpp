@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/check/context.h"
+
+namespace clipc::check {
+namespace {
+
+// Of expressions, statements and declarations inside each other. Frames of the checker are small
+// enough for a stack of 8 MiB, sanitizers included.
+constexpr int kMaxCheckDepth = 2500;
+
+}  // namespace
+
+Context::Context(const ast::File& file, const CheckOptions& options, Diagnostics& diagnostics)
+    : file(file),
+      options(options),
+      diagnostics(diagnostics),
+      names(file.names.size(), view),
+      functions(file.names),
+      numeric_types(file.names.size()) {
+  program.profile = options.profile;
+  view.scope = names.global();
+  globals.buffer = globals.buffers.Add({{}, ir::CbufferKind::kGlobals, view.scope});
+}
+
+TemporaryMaker::Temporary Context::Make(ir::ExprId value) {
+  ir::Builder at = At(program.exprs[value].span);
+  const ir::VarId var = at.Local("temporary", TypeIdOf(value));
+  if (view.body) {
+    view.body->temporaries.push_back(var);
+  } else {
+    program.vars[var].storage = ir::Storage::kStatic;
+    globals.reached.push_back({view.order, var});
+  }
+  return {var, at.AssignTo(at.Ref(var), value)};
+}
+
+Depth::Depth(Context& context, Span where, int weight) : context_(context), weight_(weight) {
+  context.depth += weight;
+  ok_ = context.depth <= kMaxCheckDepth;
+  if (!ok_) context.Report(where, diag::CheckTooDeep, kMaxCheckDepth);
+}
+
+}  // namespace clipc::check

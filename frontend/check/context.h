@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <unordered_map>
+#include <variant>
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "frontend/check/check.h"
+#include "frontend/check/overloads.h"
+#include "frontend/check/scope_table.h"
+#include "frontend/check/symbols.h"
+#include "frontend/parse/ast.h"
+#include "frontend/rules/conversion.h"
+#include "ir/access.h"
+#include "ir/builder.h"
+#include "ir/program.h"
+
+namespace clipc::check {
+
+// The function body that is being checked.
+struct Body {
+  ir::FunctionId function;
+  ir::TypeId return_type;
+  // The variable that `this` names; none outside of methods.
+  ir::VarId self;
+  int loops = 0;
+  int switches = 0;
+  // Temporaries that the current statement needs and that are not declared yet.
+  std::vector<ir::VarId> temporaries;
+  // Declarations that go before the first statement.
+  std::vector<ir::StmtId> hoisted;
+};
+
+// Structs and enums.
+struct Structs {
+  std::deque<StructInfo> infos;  // by StructId
+  // By DeclId: the types that are defined inside another declaration.
+  std::unordered_map<std::uint32_t, SymbolId> symbols;
+  // By the enum's SymbolId: its values, as far as they are known.
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> enum_values;
+};
+
+// Variables outside functions.
+struct Globals {
+  struct Ordered {
+    std::uint32_t order;  // of the declaration, as OrderOf gives it
+    ir::VarId var;
+  };
+  Arena<Buffer> buffers;
+  BufferId buffer;         // $Globals
+  BufferId params_buffer;  // $Params; none before the first `uniform` parameter
+  // The static variables and the resources that something reached uses.
+  std::vector<Ordered> reached, resources;
+  std::unordered_map<std::uint32_t, ir::Register> registers;  // by a resource's VarId
+  std::vector<bool> const_vars;                               // by VarId
+};
+
+// What all subjects of the checker share. A subject is a header of free functions over it.
+//
+// Declarations are entered under their names first, all of them; what a name means is worked out
+// when something reached first uses it (so the code of other stages costs next to nothing), seen
+// from its declaration (View). Function bodies wait in a queue, so calls do not nest.
+struct Context final : TemporaryMaker {
+  Context(const ast::File& file, const CheckOptions& options, Diagnostics& diagnostics);
+
+  const ast::File& file;
+  const CheckOptions& options;
+  Diagnostics& diagnostics;
+  ir::Program program;
+  View view;
+  ScopeTable names;
+  Overloads functions;
+  Structs structs;
+  Globals globals;
+  std::vector<ir::TypeId> numeric_types;  // by Name: float4x3 and the like, once looked up
+  std::vector<ir::StmtId> stmts;          // the statements of the blocks in progress
+  int depth = 0;                          // of Depth
+
+  // The row that an id or a list stands for, in the table that has ids of this kind: a node of the
+  // syntax tree, a node or variable of the program, a symbol, the text of a name.
+  template <typename Key>
+  decltype(auto) operator[](Key key) {
+    return RowOf(*this, key);
+  }
+  template <typename Key>
+  decltype(auto) operator[](Key key) const {
+    return RowOf(*this, key);
+  }
+  // The node that an id stands for, as std::get, std::get_if and std::holds_alternative see it.
+  template <typename Node, typename Id>
+  auto& Get(Id id) {
+    return std::get<Node>((*this)[id].node);
+  }
+  template <typename Node, typename Id>
+  auto& Get(Id id) const {
+    return std::get<Node>((*this)[id].node);
+  }
+  template <typename Node, typename Id>
+  auto* GetIf(Id id) {
+    return std::get_if<Node>(&(*this)[id].node);
+  }
+  template <typename Node, typename Id>
+  auto* GetIf(Id id) const {
+    return std::get_if<Node>(&(*this)[id].node);
+  }
+  template <typename Node, typename Id>
+  bool Is(Id id) const {
+    return std::holds_alternative<Node>((*this)[id].node);
+  }
+
+  template <typename... Args>
+  Diagnostic& Report(Span where, const diag::Kind<Args...>& kind,
+                     const std::type_identity_t<Args>&... args) {
+    return diagnostics.Report(where, kind, args...);
+  }
+  // Reports and returns an expression of the error type, which silences what follows from it.
+  template <typename... Args>
+  ir::ExprId Fail(Span where, const diag::Kind<Args...>& kind,
+                  const std::type_identity_t<Args>&... args) {
+    diagnostics.Report(where, kind, args...);
+    return ErrorExpr(where);
+  }
+  ir::ExprId ErrorExpr(Span span) { return At(span).ZeroOf(program.types.Error()); }
+  bool IsError(ir::TypeId type) const { return type == program.types.Error(); }
+  bool IsError(ir::ExprId expr) const { return IsError(TypeIdOf(expr)); }
+
+  ir::TypeId TypeIdOf(ir::ExprId expr) const { return program.exprs[expr].type; }
+  const ir::Type& TypeOf(ir::ExprId expr) const { return program.types[TypeIdOf(expr)]; }
+  std::string TypeName(ir::TypeId type) const { return program.types.Name(type); }
+  std::string TypeName(ir::ExprId expr) const { return TypeName(TypeIdOf(expr)); }
+  ir::Builder At(Span span) { return ir::Builder(program, span); }
+  // A local variable of the body in progress; a static one outside of functions.
+  Temporary Make(ir::ExprId value) override;
+
+ private:
+  template <typename Key>
+  static decltype(auto) RowOf(auto& self, Key key) {
+    auto& program = self.program;
+    auto& file = self.file;
+    return TableOf<Key>(program.exprs, program.types, program.vars, program.stmts,
+                        program.functions, program.cbuffers, program.expr_lists, program.stmt_lists,
+                        program.switch_cases, self.names, self.functions, self.globals.buffers,
+                        file.names, file.exprs, file.stmts, file.decls, file.types, file.expr_lists,
+                        file.stmt_lists, file.decl_lists, file.type_lists, file.name_lists,
+                        file.attrs, file.registers, file.enumerators,
+                        file.template_parameters)[key];
+  }
+  template <typename Key>
+  static auto& TableOf(auto& table, auto&... others) {
+    if constexpr (requires(Key key) { table[key]; }) {
+      return table;
+    } else {
+      return TableOf<Key>(others...);
+    }
+  }
+};
+
+// While it lives, the checker looks from elsewhere.
+class ViewSwitch {
+ public:
+  ViewSwitch(Context& context, const View& view)
+      : context_(context), saved_(std::exchange(context.view, view)) {}
+  ~ViewSwitch() { context_.view = saved_; }
+  ViewSwitch(const ViewSwitch&) = delete;
+  ViewSwitch& operator=(const ViewSwitch&) = delete;
+
+ private:
+  Context& context_;
+  View saved_;
+};
+
+// One level of the checker's own recursion. Not ok when there are too many, which it reports.
+class Depth {
+ public:
+  // The weight of a declaration that is resolved on the way; an expression has 1.
+  static constexpr int kDeclaration = 8;
+
+  Depth(Context& context, Span where, int weight = 1);
+  ~Depth() { context_.depth -= weight_; }
+  Depth(const Depth&) = delete;
+  Depth& operator=(const Depth&) = delete;
+  bool ok() const { return ok_; }
+
+ private:
+  Context& context_;
+  int weight_;
+  bool ok_;
+};
+
+}  // namespace clipc::check

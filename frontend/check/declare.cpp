@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/check/declare.h"
+
+#include "base/overloaded.h"
+#include "frontend/check/enum.h"
+#include "frontend/check/scope.h"
+#include "frontend/check/text.h"
+
+namespace clipc::check {
+namespace {
+
+void DeclareVar(Context& context, ast::DeclId id, const ast::VarDecl& var, ScopeId scope) {
+  DeclareTypeInside(context, var.type, scope);
+  const SymbolId older = context.names.FindIn(scope, var.name);
+  const SymbolId symbol =
+      context.names.Declare(SymbolKind::kVariable, scope, var.name, id, var.name_span);
+  if (older && context[older].kind == SymbolKind::kVariable) {
+    const bool is_extern = (var.qualifiers & ast::kExtern) != 0;
+    if (!is_extern) ReportRedefinition(context, older, var.name, var.name_span);
+  }
+  if (!(var.qualifiers & (ast::kStatic | ast::kGroupShared)))
+    context[context.globals.buffer].members.push_back(symbol);
+}
+
+void DeclareBuffer(Context& context, ast::DeclId id, const ast::BufferDecl& buffer, ScopeId scope) {
+  Buffer entry;
+  entry.decl = id;
+  entry.kind = buffer.kind == ast::BufferKind::kCbuffer ? ir::CbufferKind::kCbuffer
+                                                        : ir::CbufferKind::kTbuffer;
+  entry.scope = scope;
+  const BufferId buffer_id = context.globals.buffers.Add(entry);
+  std::vector<SymbolId> members;
+  members.reserve(buffer.members.size);
+  for (ast::DeclId member : context[buffer.members]) {
+    const auto* var = context.GetIf<ast::VarDecl>(member);
+    if (!var || (var->qualifiers & ast::kStatic)) {
+      DeclareOne(context, member, scope);
+      continue;
+    }
+    DeclareTypeInside(context, var->type, scope);
+    const SymbolId older = context.names.FindIn(scope, var->name);
+    if (older && context[older].kind == SymbolKind::kVariable)
+      ReportRedefinition(context, older, var->name, var->name_span);
+    const SymbolId symbol =
+        context.names.Declare(SymbolKind::kVariable, scope, var->name, member, var->name_span);
+    context[symbol].owner = buffer_id.index;
+    members.push_back(symbol);
+  }
+  context[buffer_id].members = std::move(members);
+  context[buffer_id].order = context.names.size();
+}
+
+// A namespace may be opened several times.
+void DeclareNamespace(Context& context, const ast::NamespaceDecl& space, Span span, ScopeId scope) {
+  const SymbolId older = space.name ? context.names.FindIn(scope, space.name) : SymbolId{};
+  ScopeId inner;
+  if (older && context[older].kind == SymbolKind::kNamespace) {
+    inner = ScopeId{context[older].value};
+  } else {
+    inner = context.names.AddScope(ScopeKind::kNamespace, scope, space.name);
+    const SymbolId symbol = context.names.Declare(SymbolKind::kNamespace, scope, space.name, {},
+                                                  space.name ? space.name_span : span);
+    context[symbol].value = inner.index;
+    context[symbol].resolution = Resolution::kDone;
+    if (!space.name) context[scope].nested.push_back(inner);
+  }
+  for (ast::DeclId member : context[space.members]) DeclareOne(context, member, inner);
+}
+
+// A forward declaration and the definition are one symbol, the definition's declaration.
+void DeclareStruct(Context& context, ast::DeclId id, const ast::StructDecl& decl, ScopeId scope) {
+  const SymbolId older = decl.name ? context.names.FindIn(scope, decl.name, true) : SymbolId{};
+  const auto* before = older ? context.GetIf<ast::StructDecl>(context[older].decl) : nullptr;
+  if (before && !decl.template_arguments.empty()) {
+    context.names.Declare(SymbolKind::kType, scope, decl.name, id, decl.name_span);
+    return;
+  }
+  if (before && !decl.is_definition) return;
+  if (before && !before->is_definition) {
+    context[older].decl = id;
+    return;
+  }
+  if (before) ReportRedefinition(context, older, decl.name, decl.name_span);
+  context.names.Declare(SymbolKind::kType, scope, decl.name, id, decl.name_span);
+}
+
+void DeclareFunction(Context& context, ast::DeclId id, const ast::FunctionDecl& decl,
+                     ScopeId scope) {
+  DeclareTypeInside(context, decl.return_type, scope);
+  if (decl.out_of_line_of.name) {
+    context.functions.out_of_line[decl.name.index].push_back(id);
+    return;
+  }
+  context.names.Declare(SymbolKind::kFunction, scope, decl.name, id, decl.name_span);
+}
+
+}  // namespace
+
+void DeclareAll(Context& context, std::span<const ast::DeclId> decls, ScopeId scope) {
+  for (ast::DeclId id : decls) DeclareOne(context, id, scope);
+}
+
+void DeclareOne(Context& context, ast::DeclId id, ScopeId scope) {
+  const ast::Decl& decl = context[id];
+  Visit(
+      Overloaded{
+          [&](const ast::VarDecl& var) { DeclareVar(context, id, var, scope); },
+          [&](const ast::FunctionDecl& function) { DeclareFunction(context, id, function, scope); },
+          [&](const ast::StructDecl& structure) { DeclareStruct(context, id, structure, scope); },
+          [&](const ast::TypedefDecl& alias) {
+            DeclareTypeInside(context, alias.type, scope);
+            context.names.Declare(SymbolKind::kType, scope, alias.name, id, alias.name_span);
+          },
+          [&](const ast::BufferDecl& buffer) { DeclareBuffer(context, id, buffer, scope); },
+          [&](const ast::NamespaceDecl& space) {
+            DeclareNamespace(context, space, decl.span, scope);
+          },
+          [&](const ast::EnumDecl& enumeration) { DeclareEnum(context, id, enumeration, scope); },
+          [&](const ast::UsingDecl& use) { DeclareUsing(context, use, decl.span, scope); },
+      },
+      decl.node);
+}
+
+void DeclareTypeInside(Context& context, ast::TypeId type, ScopeId scope) {
+  if (!type) return;
+  const ast::DeclId definition = context[type].struct_definition;
+  if (!definition || context.structs.symbols.contains(definition.index)) return;
+  const std::uint32_t next = context.names.size();
+  DeclareOne(context, definition, scope);
+  // The definition of what was declared before is no new symbol.
+  const SymbolId symbol = context.names.size() > next
+                              ? SymbolId{next}
+                              : context.names.FindIn(scope, context[type].name.name, true);
+  context.structs.symbols.emplace(definition.index, symbol);
+}
+
+void DeclareUsing(Context& context, const ast::UsingDecl& use, Span span, ScopeId scope) {
+  ViewSwitch in(context, {.scope = scope});
+  const SymbolId target = Find(context, use.name);
+  if (!target) {
+    ReportUndeclared(context, span, use.name, false, false);
+  } else if (!use.is_namespace) {
+    const Symbol found = context[target];
+    const SymbolId alias =
+        context.names.Declare(found.kind, scope, use.name.name, found.decl, found.span);
+    context[alias].owner = found.owner;
+    context[alias].value = found.value;
+    context[alias].resolution = found.resolution;
+  } else if (context[target].kind == SymbolKind::kNamespace) {
+    context[scope].nested.push_back(ScopeId{context[target].value});
+  } else {
+    context.Report(span, diag::NoSuchScope, QualifiedText(context, use.name));
+  }
+}
+
+}  // namespace clipc::check

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/check/entry.h"
+
+#include <algorithm>
+
+#include "base/spelling.h"
+#include "frontend/check/function.h"
+#include "frontend/check/scope.h"
+
+namespace clipc::check {
+namespace {
+
+// "NS::main" => {"NS", "main"}
+std::vector<std::string_view> SplitQualified(std::string_view text) {
+  std::vector<std::string_view> parts;
+  while (true) {
+    const std::size_t colons = text.find("::");
+    if (colons != 0) parts.push_back(text.substr(0, colons));
+    if (colons == std::string_view::npos) return parts;
+    text.remove_prefix(colons + 2);
+  }
+}
+
+// The name of the file that has that text; none when the file does not use it.
+Name NameOf(const Context& context, std::string_view text) {
+  for (std::uint32_t i = 0; i < context.file.names.size(); ++i) {
+    if (context[Name{i}] == text) return Name{i};
+  }
+  return {};
+}
+
+// The functions of that name in the scope that have a body and are no template.
+std::vector<SymbolId> EntriesIn(const Context& context, ScopeId scope, Name name) {
+  std::vector<SymbolId> found;
+  for (SymbolId id = context.names.FindIn(scope, name); id; id = context[id].older) {
+    if (context[id].kind != SymbolKind::kFunction) continue;
+    const auto& decl = context.Get<ast::FunctionDecl>(context[id].decl);
+    if (decl.body && !decl.is_template) found.push_back(id);
+  }
+  std::ranges::reverse(found);
+  return found;
+}
+
+// "NS::main"
+std::string ScopedName(const Context& context, SymbolId id) {
+  std::string text(context[context[id].name]);
+  for (ScopeId scope = context[id].scope; scope && scope != context.names.global();
+       scope = context[scope].parent) {
+    text = fmt::format("{}::{}", context[context[scope].name], text);
+  }
+  return text;
+}
+
+void ReportNoEntry(Context& context) {
+  std::vector<std::string> names;
+  std::vector<Span> places;
+  for (SymbolId id : context.names.symbol_ids()) {
+    if (context[id].kind != SymbolKind::kFunction) continue;
+    names.push_back(ScopedName(context, id));
+    places.push_back(context.Get<ast::FunctionDecl>(context[id].decl).name_span);
+  }
+  const std::vector<std::string_view> candidates(names.begin(), names.end());
+  std::vector<std::string_view> near = NearNames(context.options.entry, candidates);
+  const bool has_hints = near.empty() && !context.file.technique_vertex_shaders.empty();
+  constexpr std::size_t kMaxHints = 5;
+  for (std::size_t i = 0;
+       has_hints && i < context.file.technique_vertex_shaders.size() && near.size() < kMaxHints;
+       ++i) {
+    const std::string_view hint = context[context.file.technique_vertex_shaders[i]];
+    if (std::ranges::find(near, hint) == near.end()) near.push_back(hint);
+  }
+  std::string text;
+  for (std::string_view candidate : near)
+    text += fmt::format("{}`{}`", text.empty() ? "" : ", ", candidate);
+  const std::string tail = text.empty() ? ""
+                           : has_hints  ? fmt::format("; its techniques compile {}", text)
+                                        : fmt::format("; did you mean {}?", text);
+  // The place of what was probably meant, or where the file's last declaration starts.
+  Span where =
+      context.file.top_level.empty() ? Span{} : context[context.file.top_level.back()].span;
+  where.end = where.begin;
+  if (!near.empty() && !has_hints)
+    where = places[static_cast<std::size_t>(std::ranges::find(names, near[0]) - names.begin())];
+  context.Report(where, diag::EntryNotFound, context.options.entry, tail);
+}
+
+}  // namespace
+
+FunctionInfoId FindEntry(Context& context) {
+  std::vector<std::string_view> parts = SplitQualified(context.options.entry);
+  const Name name = NameOf(context, parts.back());
+  std::vector<SymbolId> found;
+  ScopeId scope = context.names.global();
+  for (std::size_t i = 0; i + 1 < parts.size() && scope; ++i) {
+    const Name part = NameOf(context, parts[i]);
+    const SymbolId symbol = part ? context.names.FindIn(scope, part) : SymbolId{};
+    scope = symbol ? ScopeOf(context, symbol) : ScopeId{};
+  }
+  if (name && scope) found = EntriesIn(context, scope, name);
+  if (name && found.empty() && parts.size() == 1) {
+    for (ScopeId id : context.names.scope_ids()) {
+      if (context[id].kind != ScopeKind::kNamespace) continue;
+      const std::vector<SymbolId> more = EntriesIn(context, id, name);
+      found.insert(found.end(), more.begin(), more.end());
+    }
+  }
+  if (found.empty()) {
+    ReportNoEntry(context);
+    return {};
+  }
+  if (found.size() > 1) {
+    Diagnostic& report = context.Report(context[found[0]].span, diag::EntryAmbiguous,
+                                        context.options.entry, found.size());
+    for (SymbolId id : found)
+      report.Note(context[id].span, diag::Candidate, ScopedName(context, id));
+    return {};
+  }
+  // Its prototypes' default arguments and attributes belong to it.
+  FunctionInfoId entry;
+  for (FunctionInfoId id : OverloadsOf(context, found[0], {})) {
+    if (context[id].decl == context[found[0]].decl) entry = id;
+  }
+  return entry;
+}
+
+}  // namespace clipc::check

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/check/entry_signature.h"
+
+#include <limits>
+
+#include "frontend/check/assign.h"
+#include "frontend/check/function.h"
+#include "frontend/check/global.h"
+#include "frontend/check/type.h"
+
+namespace clipc::check {
+namespace {
+
+// A `uniform` parameter of the entry point is a member of $Params, or a resource.
+ir::VarId AddUniformParameter(Context& context, const ast::VarDecl& var,
+                              const Parameter& parameter) {
+  const SymbolId symbol = context.names.Declare(SymbolKind::kVariable, context.names.global(), {},
+                                                parameter.decl, var.name_span);
+  context[symbol].resolution = Resolution::kDone;
+  if (HoldsObjects(context, parameter.type)) {
+    ResolveObject(context, symbol, var, parameter.type);
+    return ir::VarId{context[symbol].value};
+  }
+  const ir::VarId added =
+      AddVar(context, var.name, parameter.type, ir::Storage::kUniform, var.name_span);
+  context[added].row_major = IsRowMajor(context, QualifiersOf(context, var));
+  MarkConst(context, added);
+  context[symbol].value = added.index;
+  if (!context.globals.params_buffer) {
+    Buffer buffer;
+    buffer.kind = ir::CbufferKind::kParams;
+    buffer.scope = context.names.global();
+    buffer.order = std::numeric_limits<std::uint32_t>::max();
+    buffer.resolution = Resolution::kDone;
+    context.globals.params_buffer = context.globals.buffers.Add(std::move(buffer));
+  }
+  context[context.globals.params_buffer].members.push_back(symbol);
+  return added;
+}
+
+}  // namespace
+
+EntrySignature SignatureOf(Context& context, FunctionInfoId entry) {
+  const FunctionInfo& info = context[entry];
+  const ast::FunctionDecl& decl = DeclOf(context, info);
+  EntrySignature signature;
+  for (const Parameter& parameter :
+       std::vector<Parameter>(context[info.parameters].begin(), context[info.parameters].end())) {
+    const auto& var = context.Get<ast::VarDecl>(parameter.decl);
+    EntryParameter entry_parameter;
+    entry_parameter.semantic = context[var.semantic.name];
+    entry_parameter.semantic_span = var.semantic.span;
+    ReadInterpolation(var.qualifiers, entry_parameter.interpolation, entry_parameter.centroid,
+                      entry_parameter.sample);
+    if (var.qualifiers & ast::kUniform) {
+      entry_parameter.is_uniform = true;
+      entry_parameter.uniform_var = AddUniformParameter(context, var, parameter);
+    }
+    signature.parameters.push_back(std::move(entry_parameter));
+  }
+  signature.result.semantic = context[decl.return_semantic.name];
+  signature.result.semantic_span = decl.return_semantic.span;
+  ReadInterpolation(decl.qualifiers, signature.result.interpolation, signature.result.centroid,
+                    signature.result.sample);
+  return signature;
+}
+
+void ReadInterpolation(ast::Qualifiers qualifiers, ir::Interpolation& interpolation, bool& centroid,
+                       bool& sample) {
+  if (qualifiers & ast::kLinear) interpolation = ir::Interpolation::kLinear;
+  if (qualifiers & ast::kNoPerspective) interpolation = ir::Interpolation::kNoPerspective;
+  if (qualifiers & ast::kNoInterpolation) interpolation = ir::Interpolation::kNoInterpolation;
+  centroid = (qualifiers & ast::kCentroid) != 0;
+  sample = (qualifiers & ast::kSample) != 0;
+}
+
+}  // namespace clipc::check

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/check/expr.h"
+
+#include <bit>
+#include <limits>
+
+#include "base/overloaded.h"
+#include "frontend/check/assign.h"
+#include "frontend/check/call.h"
+#include "frontend/check/enum.h"
+#include "frontend/check/global.h"
+#include "frontend/check/index.h"
+#include "frontend/check/init.h"
+#include "frontend/check/loop.h"
+#include "frontend/check/member.h"
+#include "frontend/check/operator.h"
+#include "frontend/check/scope.h"
+#include "frontend/check/struct.h"
+#include "frontend/check/text.h"
+#include "frontend/check/type.h"
+#include "frontend/check/type_names.h"
+#include "frontend/check/value.h"
+#include "frontend/rules/intrinsics.h"
+
+namespace clipc::check {
+namespace {
+
+ir::ExprId CheckLiteral(Context& context, const ast::Literal& literal, Span span) {
+  ir::Builder at = context.At(span);
+  const double number = std::bit_cast<double>(literal.bits);
+  constexpr std::uint64_t kMaxInt = std::numeric_limits<std::int32_t>::max();
+  constexpr std::uint64_t kMaxUint = std::numeric_limits<std::uint32_t>::max();
+  const bool is_wide = literal.kind == LiteralKind::kInt64 || literal.kind == LiteralKind::kUint64;
+  if (is_wide && literal.bits > kMaxUint && !context.program.profile.IsAtLeast(6, 0)) {
+    return context.Fail(span, diag::IntegerTooLarge, literal.bits);
+  }
+  switch (literal.kind) {
+    case LiteralKind::kBool: return at.Bool(literal.bits != 0);
+    case LiteralKind::kInt:
+    case LiteralKind::kUint:
+      if (literal.bits > kMaxUint) context.Report(span, diag::IntegerTooLarge, literal.bits);
+      if (literal.kind == LiteralKind::kUint || literal.bits > kMaxInt)
+        return at.Uint(static_cast<std::uint32_t>(literal.bits));
+      return at.Int(static_cast<std::int32_t>(literal.bits));
+    case LiteralKind::kInt64:
+      return at.Add(context.program.types.Make(ir::Scalar::kInt64), ir::Literal{literal.bits});
+    case LiteralKind::kUint64:
+      return at.Add(context.program.types.Make(ir::Scalar::kUint64), ir::Literal{literal.bits});
+    case LiteralKind::kHalf: return at.LiteralOf(ir::Scalar::kHalf, number);
+    case LiteralKind::kFloat: return at.Float(static_cast<float>(number));
+    case LiteralKind::kDouble: return at.LiteralOf(ir::Scalar::kDouble, number);
+    case LiteralKind::kString: break;
+  }
+  return at.ZeroOf(context.program.types.String());
+}
+
+ir::ExprId CheckName(Context& context, const ast::NameExpr& name, Span span) {
+  if (const SymbolId symbol = Find(context, name.name)) return UseSymbol(context, symbol, span);
+  const bool is_plain = name.name.scopes.empty();
+  const std::string_view text = context[name.name.name];
+  if (is_plain && text == "this" && context.view.body && context.view.body->self)
+    return context.At(span).Ref(context.view.body->self);
+  if (is_plain && IsIntrinsicName(text)) {
+    context.Report(span, diag::FunctionAsValue, text);
+  } else {
+    ReportUndeclared(context, span, name.name, false, false);
+  }
+  return context.ErrorExpr(span);
+}
+
+ir::ExprId UseVariable(Context& context, SymbolId id, Span span) {
+  Symbol& symbol = context[id];
+  if (!symbol.scope) {
+    if (symbol.is_leaked) HoistLoopVariable(context, id);
+    return symbol.value == ~0u ? context.ErrorExpr(span)
+                               : context.At(span).Ref(ir::VarId{symbol.value});
+  }
+  const auto& var = context.Get<ast::VarDecl>(symbol.decl);
+  const bool is_uniform = !(var.qualifiers & ast::kStatic);
+  if (context.view.wants_constant && is_uniform && (var.qualifiers & ast::kConst) && var.init) {
+    // fxc takes the value of a `const` global for a constant where it needs one, and nowhere else.
+    View view = ContextOf(context, id);
+    view.wants_constant = true;
+    const ViewSwitch in(context, view);
+    const ir::TypeId type = ResolveVarType(context, var);
+    return context.IsError(type) ? context.ErrorExpr(span) : CheckInit(context, var.init, type);
+  }
+  if (!ResolveVar(context, id)) return context.ErrorExpr(span);
+  if (is_uniform && symbol.is_const && var.init) {
+    context.Report(symbol.span, diag::ConstGlobalIsUniform, context[symbol.name]);
+    symbol.is_const = false;
+  }
+  return context.At(span).Ref(ir::VarId{symbol.value});
+}
+
+ir::ExprId CheckConditional(Context& context, const ast::ConditionalExpr& expr, Span span) {
+  ir::ExprId condition = CheckExpr(context, expr.condition);
+  ir::ExprId when_true = CheckExpr(context, expr.when_true);
+  ir::ExprId when_false = CheckExpr(context, expr.when_false);
+  if (context.IsError(condition) || context.IsError(when_true) || context.IsError(when_false))
+    return context.ErrorExpr(span);
+  const Span condition_span = context[expr.condition].span;
+  if (!context.TypeOf(condition).IsNumeric()) {
+    return context.Fail(condition_span, diag::ConditionNotScalar,
+                        "?:", context.TypeName(condition));
+  }
+  const bool is_scalar = context.TypeOf(condition).Components() == 1;
+  std::optional<ir::TypeId> type =
+      CommonType(context.program.types, context.TypeIdOf(when_true), context.TypeIdOf(when_false));
+  if (type && !is_scalar) {
+    type = CommonType(
+        context.program.types,
+        context.program.types.WithScalar(context.TypeIdOf(condition), context[*type].scalar),
+        *type);
+  }
+  if (!type || *type == context.program.types.Void()) {
+    return context.Fail(span, diag::BranchesDiffer, context.TypeName(when_true),
+                        context.TypeName(when_false));
+  }
+  when_true = Implicit(context, when_true, *type);
+  when_false = Implicit(context, when_false, *type);
+  const ir::TypeId boolean = context.program.types.Make(ir::Scalar::kBool);
+  condition = is_scalar ? ConvertSilently(context, condition, boolean)
+                        : Implicit(context, condition,
+                                   context.program.types.WithScalar(*type, ir::Scalar::kBool));
+  if (!is_scalar) return context.At(span).Add(*type, ir::Select{condition, when_true, when_false});
+  // Before HLSL 2021 both sides are evaluated.
+  std::vector<ir::ExprId> prologue;
+  const bool evaluates_both = !context.options.profile.IsAtLeast(6, 0);
+  if (evaluates_both &&
+      !(ir::IsPure(context.program, when_true) && ir::IsPure(context.program, when_false))) {
+    condition = Hoist(context, condition, prologue);
+    const bool is_literal = context.Is<ir::Literal>(when_true);
+    if (!is_literal) when_true = Hoist(context, when_true, prologue);
+    // Last in order: nothing comes between it and the choice.
+    if (!ir::IsPure(context.program, when_false)) when_false = Hoist(context, when_false, prologue);
+  }
+  return WithPrologue(
+      context, prologue,
+      context.At(span).Add(*type, ir::Conditional{condition, when_true, when_false}));
+}
+
+ir::ExprId CheckCast(Context& context, const ast::CastExpr& expr, Span span) {
+  const ir::TypeId type =
+      ArrayOf(context, ResolveType(context, expr.type), expr.dimensions, context[expr.type].span);
+  const ir::ExprId value = CheckExpr(context, expr.operand);
+  if (context.IsError(value) || context.IsError(type)) return context.ErrorExpr(span);
+  if (context.TypeIdOf(value) == type) return value;
+  if (IsExplicitlyConvertible(context.program.types, context.TypeIdOf(value), type)) {
+    return ConvertExplicit(context.program, value, type, context);
+  }
+  if (DerivesFrom(context, context.TypeIdOf(value), type)) return Implicit(context, value, type);
+  return context.Fail(span, diag::CannotCast, context.TypeName(value), context.TypeName(type));
+}
+
+// As DXC has it: the bytes of the components, without padding.
+ir::ExprId CheckSizeof(Context& context, const ast::SizeofExpr& expr, Span span) {
+  const ast::Expr& operand = context[expr.operand];
+  ir::TypeId type;
+  if (const auto* written = std::get_if<ast::TypeExpr>(&operand.node)) {
+    type = ResolveType(context, written->type);
+  } else if (const auto* name = std::get_if<ast::NameExpr>(&operand.node);
+             name && Find(context, name->name, true)) {
+    type = TypeArgument(context, expr.operand);
+  } else {
+    type = context.TypeIdOf(CheckExpr(context, expr.operand));
+  }
+  if (context.IsError(type)) return context.ErrorExpr(span);
+  const auto leaves = Flatten(context.program.types, type);
+  if (!leaves) {
+    return context.Fail(span, diag::SizeUnknown, context.TypeName(type));
+  }
+  std::uint32_t size = 0;
+  for (ir::Scalar leaf : *leaves) {
+    const ir::Scalar base = ir::BaseOf(leaf);
+    const bool is_wide =
+        base == ir::Scalar::kDouble || base == ir::Scalar::kInt64 || base == ir::Scalar::kUint64;
+    size += is_wide ? 8 : 4;
+  }
+  return context.At(span).Uint(size);
+}
+
+}  // namespace
+
+ir::ExprId CheckExpr(Context& context, ast::ExprId id) {
+  const ast::Expr& expr = context[id];
+  const Depth depth(context, expr.span);
+  if (!depth.ok()) return context.ErrorExpr(expr.span);
+  const Span span = expr.span;
+  return Visit(
+      Overloaded{
+          [&](const ast::Literal& e) { return CheckLiteral(context, e, span); },
+          [&](const ast::NameExpr& e) { return CheckName(context, e, span); },
+          [&](const ast::TypeExpr&) {
+            return context.Fail(span, diag::TypeAsValue, TextOf(context, id));
+          },
+          [&](const ast::UnaryExpr& e) { return CheckUnary(context, e, span); },
+          [&](const ast::BinaryExpr& e) { return CheckBinary(context, e, span); },
+          [&](const ast::AssignExpr& e) { return CheckAssign(context, e, span); },
+          [&](const ast::ConditionalExpr& e) { return CheckConditional(context, e, span); },
+          [&](const ast::CallExpr& e) { return CheckCall(context, e, span); },
+          [&](const ast::CastExpr& e) { return CheckCast(context, e, span); },
+          [&](const ast::IndexExpr& e) { return CheckIndex(context, e, span); },
+          [&](const ast::MemberExpr& e) { return CheckMember(context, e, span); },
+          [&](const ast::InitListExpr&) { return context.Fail(span, diag::InitListAsValue); },
+          [&](const ast::SizeofExpr& e) { return CheckSizeof(context, e, span); },
+          [&](const ast::ErrorExpr&) { return context.ErrorExpr(span); },
+      },
+      expr.node);
+}
+
+ir::ExprId UseSymbol(Context& context, SymbolId id, Span span) {
+  const Symbol& symbol = context[id];
+  switch (symbol.kind) {
+    case SymbolKind::kVariable: return UseVariable(context, id, span);
+    case SymbolKind::kField: {
+      const ir::VarId self = context.view.body ? context.view.body->self : ir::VarId{};
+      const auto field = self ? FindField(context, context[self].type, symbol.name) : std::nullopt;
+      if (field) return context.At(span).Field(context.At(span).Ref(self), *field);
+      context.Report(span, diag::FieldWithoutObject, context[symbol.name])
+          .Note(symbol.span, diag::DeclaredHere, context[symbol.name]);
+      return context.ErrorExpr(span);
+    }
+    case SymbolKind::kEnumerator: {
+      const SymbolId owner{symbol.owner};
+      ResolveEnum(context, owner, context.Get<ast::EnumDecl>(symbol.decl));
+      const auto& values = context.structs.enum_values[owner.index];
+      if (symbol.value < values.size())
+        return context.At(span).Add(ResolveTypeSymbol(context, owner),
+                                    ir::Literal{values[symbol.value]});
+      return context.Fail(span, diag::InitialisedByItself, context[symbol.name]);
+    }
+    case SymbolKind::kTemplateValue:
+      return context.At(span).Add(ir::TypeId{symbol.owner}, ir::Literal{symbol.value});
+    case SymbolKind::kFunction:
+      context.Report(span, diag::FunctionAsValue, context[symbol.name]);
+      break;
+    case SymbolKind::kType: context.Report(span, diag::TypeAsValue, context[symbol.name]); break;
+    case SymbolKind::kNamespace:
+      context.Report(span, diag::NamespaceAsValue, context[symbol.name]);
+      break;
+  }
+  return context.ErrorExpr(span);
+}
+
+}  // namespace clipc::check

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "frontend/check/context.h"
+
+namespace clipc::check {
+
+// Whether control can reach what follows the statement.
+bool FallsThrough(const Context& context, ir::StmtId id);
+
+}  // namespace clipc::check

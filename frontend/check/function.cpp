@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/check/function.h"
+
+#include <algorithm>
+
+#include "frontend/check/scope.h"
+#include "frontend/check/self.h"
+#include "frontend/check/type.h"
+
+namespace clipc::check {
+namespace {
+
+// A function, or a method for objects of type `self`.
+FunctionInfoId InfoOfFunction(Context& context, SymbolId id, ir::TypeId self) {
+  // A static method is the same one for all that derive from its struct.
+  const auto& written = context.Get<ast::FunctionDecl>(context[id].decl);
+  if (written.qualifiers & ast::kStatic) self = {};
+  const auto [slot, is_new] = context.functions.of_symbol.try_emplace(Overloads::KeyOf(id, self));
+  if (!is_new) return slot->second;
+  const FunctionInfoId result{static_cast<std::uint32_t>(context.functions.infos.size())};
+  slot->second = result;
+  const Symbol& symbol = context[id];
+  const Scope& scope = context[symbol.scope];
+  FunctionInfo info;
+  info.decl = symbol.decl;
+  info.scope = symbol.scope;
+  const bool is_method = scope.kind == ScopeKind::kStruct;
+  info.order = is_method ? scope.order : id.index + 1;
+  info.declared = is_method ? 0 : id.index;
+  if (is_method && !(DeclOf(context, info).qualifiers & ast::kStatic))
+    info.self = self ? self : scope.self;
+  context.functions.infos.push_back(info);
+  return result;
+}
+
+void AddParameter(Context& context, const ast::VarDecl& var, ast::DeclId id, FunctionInfo& info,
+                  std::vector<Parameter>& parameters) {
+  Parameter parameter;
+  parameter.decl = id;
+  parameter.type = ResolveVarType(context, var);
+  const bool out = (var.qualifiers & ast::kOut) != 0;
+  const bool in = (var.qualifiers & ast::kIn) != 0;
+  parameter.storage = !out ? ir::Storage::kIn : in ? ir::Storage::kInOut : ir::Storage::kOut;
+  if (context.IsError(parameter.type)) info.is_broken = true;
+  if (var.init) {
+    parameter.with_default = id;
+  } else {
+    info.required = static_cast<std::uint32_t>(parameters.size()) + 1;
+  }
+  parameters.push_back(parameter);
+}
+
+// The definition of a method that its struct only declares: `float S::f() {...}`.
+void FindOutOfLine(Context& context, FunctionInfo& info) {
+  const auto found = context.functions.out_of_line.find(DeclOf(context, info).name.index);
+  if (found == context.functions.out_of_line.end()) return;
+  for (ast::DeclId id : found->second) {
+    const auto& decl = context.Get<ast::FunctionDecl>(id);
+    if (decl.parameters.size != info.parameters.size || !decl.body) continue;
+    const ViewSwitch in(context, {.scope = context.names.global()});
+    const SymbolId owner = Find(context, decl.out_of_line_of, true);
+    if (!owner || ScopeOf(context, owner) != info.scope) continue;
+    bool same = true;
+    std::vector<Parameter> parameters(context[info.parameters].begin(),
+                                      context[info.parameters].end());
+    const ViewSwitch in_struct(
+        context, {.scope = info.scope, .order = info.order, .local_floor = context.names.size()});
+    for (std::uint32_t i = 0; i < decl.parameters.size && same; ++i) {
+      parameters[i].decl = context[decl.parameters][i];
+      same = ResolveVarType(context, context.Get<ast::VarDecl>(parameters[i].decl)) ==
+             parameters[i].type;
+    }
+    if (!same) continue;
+    info.decl = id;
+    info.order = ~0u;  // its body stands later than the struct
+    info.parameters = context.functions.parameters.Add(std::span<const Parameter>(parameters));
+    return;
+  }
+}
+
+// The parameters, so that equal ones have equal keys.
+std::string ParameterKey(const Context& context, const FunctionInfo& info) {
+  std::string key;
+  for (const Parameter& parameter : context[info.parameters]) {
+    key += fmt::format("{}:{},", static_cast<int>(parameter.storage), parameter.type.index);
+  }
+  return key;
+}
+
+// Prototypes and their definition are one overload: the one with the body, which learns what the
+// other says.
+FunctionInfoId MergeOverloads(Context& context, FunctionInfoId known, FunctionInfoId added) {
+  FunctionInfo& info = context[added];
+  FunctionInfo& other = context[known];
+  const ast::FunctionDecl& decl = DeclOf(context, info);
+  const ast::FunctionDecl& other_decl = DeclOf(context, other);
+  if (decl.body && other_decl.body) {
+    context.Report(decl.name_span, diag::FunctionRedefinition, SignatureText(context, info))
+        .Note(other_decl.name_span, diag::DeclaredHere, context[decl.name]);
+  } else if (info.return_type != other.return_type) {
+    context.diagnostics
+        .Report(decl.name_span, diag::ReturnTypeDiffers, SignatureText(context, info),
+                context.TypeName(info.return_type), context.TypeName(other.return_type))
+        .Note(other_decl.name_span, diag::DeclaredHere, context[decl.name]);
+  }
+  FunctionInfo& kept = decl.body ? info : other;
+  const FunctionInfo& dropped = decl.body ? other : info;
+  for (std::uint32_t i = 0; i < kept.parameters.size; ++i) {
+    Parameter& parameter = context[kept.parameters][i];
+    if (!parameter.with_default)
+      parameter.with_default = context[dropped.parameters][i].with_default;
+  }
+  kept.required = std::min(kept.required, dropped.required);
+  kept.declared = std::min(kept.declared, dropped.declared);
+  return decl.body ? added : known;
+}
+
+}  // namespace
+
+const ast::FunctionDecl& DeclOf(const Context& context, const FunctionInfo& info) {
+  return context.Get<ast::FunctionDecl>(info.decl);
+}
+
+void ResolveSignature(Context& context, FunctionInfoId id) {
+  FunctionInfo& info = context[id];
+  if (info.is_resolved) return;
+  info.is_resolved = true;
+  const ViewSwitch in(
+      context, {.scope = info.scope, .order = info.order, .local_floor = context.names.size()});
+  const ast::FunctionDecl& decl = DeclOf(context, info);
+  info.return_type = ArrayOf(context, ResolveType(context, decl.return_type),
+                             decl.return_dimensions, decl.name_span);
+  if (context.IsError(info.return_type)) info.is_broken = true;
+  std::vector<Parameter> parameters;
+  for (ast::DeclId parameter : context[decl.parameters]) {
+    AddParameter(context, context.Get<ast::VarDecl>(parameter), parameter, info, parameters);
+  }
+  info.parameters = context.functions.parameters.Add(std::span<const Parameter>(parameters));
+  if (info.self && !decl.body) FindOutOfLine(context, info);
+  if (info.self) info.changes_self = MayChangeSelf(context, DeclOf(context, info), info.scope);
+}
+
+bool SameParameters(const Context& context, const FunctionInfo& a, const FunctionInfo& b) {
+  return std::ranges::equal(context[a.parameters], context[b.parameters],
+                            [](const Parameter& x, const Parameter& y) {
+                              return x.type == y.type && x.storage == y.storage;
+                            });
+}
+
+std::vector<FunctionInfoId> OverloadsOf(Context& context, SymbolId first, ir::TypeId self) {
+  const Symbol& symbol = context[first];
+  const SymbolId newest = context.names.NewestIn(symbol.scope, symbol.name);
+  const std::uint64_t key = Overloads::KeyOf(newest, self);
+  if (const auto known = context.functions.overloads.find(key);
+      known != context.functions.overloads.end())
+    return known->second;
+  std::vector<SymbolId> symbols;
+  for (SymbolId id = newest; id; id = context[id].older) {
+    if (context[id].kind != SymbolKind::kFunction) continue;
+    if (context.Get<ast::FunctionDecl>(context[id].decl).is_template) continue;
+    symbols.push_back(id);
+  }
+  std::vector<FunctionInfoId> overloads;
+  std::unordered_map<std::string, std::size_t> by_parameters;
+  for (auto id = symbols.rbegin(); id != symbols.rend(); ++id) {
+    const FunctionInfoId added = InfoOfFunction(context, *id, self);
+    ResolveSignature(context, added);
+    if (symbols.size() == 1) {
+      overloads.push_back(added);
+      break;
+    }
+    const std::string parameters = context[added].is_broken ? fmt::format("broken {}", added.index)
+                                                            : ParameterKey(context, context[added]);
+    const auto [slot, is_new] = by_parameters.emplace(parameters, overloads.size());
+    if (is_new)
+      overloads.push_back(added);
+    else
+      overloads[slot->second] = MergeOverloads(context, overloads[slot->second], added);
+  }
+  context.functions.overloads.emplace(key, overloads);
+  return overloads;
+}
+
+std::string SignatureText(const Context& context, const FunctionInfo& info) {
+  std::string text(context[DeclOf(context, info).name]);
+  text += '(';
+  bool first = true;
+  for (const Parameter& parameter : context[info.parameters]) {
+    if (!first) text += ", ";
+    first = false;
+    if (parameter.storage == ir::Storage::kOut) text += "out ";
+    if (parameter.storage == ir::Storage::kInOut) text += "inout ";
+    text += context.TypeName(parameter.type);
+  }
+  return text + ')';
+}
+
+}  // namespace clipc::check

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/check/global.h"
+
+#include <algorithm>
+
+#include "base/spelling.h"
+#include "frontend/check/assign.h"
+#include "frontend/check/buffer.h"
+#include "frontend/check/init.h"
+#include "frontend/check/type.h"
+#include "frontend/check/value.h"
+
+namespace clipc::check {
+namespace {
+
+void ResolveGlobal(Context& context, SymbolId id, const ast::VarDecl& var) {
+  const std::uint32_t buffer = context[id].owner;
+  if (buffer != ~0u) return ReachBuffer(context, BufferId{buffer});
+  const ViewSwitch in(context, ContextOf(context, id));
+  if (IsConstantBuffer(context, var)) return ResolveConstantBuffer(context, id, var);
+  if (var.qualifiers & (ast::kStatic | ast::kGroupShared)) return ResolveStatic(context, id, var);
+  const ir::TypeId type = ResolveVarType(context, var);
+  if (context.IsError(type)) return;
+  if (type == context.program.types.String()) {
+    context.Report(context[id].span, diag::StringUsed, context[var.name]);
+  } else if (HoldsObjects(context, type)) {
+    ResolveObject(context, id, var, type);
+  } else {
+    ReachBuffer(context, context.globals.buffer);
+  }
+}
+
+}  // namespace
+
+bool ResolveVar(Context& context, SymbolId id) {
+  Symbol& symbol = context[id];
+  if (symbol.resolution == Resolution::kNone) {
+    const Depth depth(context, symbol.span, Depth::kDeclaration);
+    symbol.resolution = Resolution::kUnderWay;
+    if (depth.ok()) ResolveGlobal(context, id, context.Get<ast::VarDecl>(symbol.decl));
+    symbol.resolution = Resolution::kDone;
+  } else if (symbol.resolution == Resolution::kUnderWay) {
+    context.Report(symbol.span, diag::InitialisedByItself, context[symbol.name]);
+    symbol.resolution = Resolution::kDone;
+  }
+  return symbol.value != ~0u;
+}
+
+bool HoldsObjects(const Context& context, ir::TypeId type) {
+  while (context[type].kind == ir::TypeKind::kArray) type = context[type].element;
+  return context[type].kind == ir::TypeKind::kObject;
+}
+
+ir::VarId AddVar(Context& context, Name name, ir::TypeId type, ir::Storage storage, Span span) {
+  ir::Var var;
+  var.name = context[name];
+  var.type = type;
+  var.storage = storage;
+  var.span = span;
+  return context.program.vars.Add(std::move(var));
+}
+
+std::uint32_t OrderOf(const Context& context, SymbolId id) {
+  const ScopeId scope = context[id].scope;
+  if (!scope) return context.view.order;
+  return context[scope].kind == ScopeKind::kNamespace ? id.index : context[scope].order;
+}
+
+void ResolveStatic(Context& context, SymbolId id, const ast::VarDecl& var) {
+  const ir::TypeId type = ResolveVarType(context, var);
+  if (context.IsError(type)) return;
+  const ir::ExprId init = var.init ? CheckInit(context, var.init, type) : ir::ExprId{};
+  if (init && context.IsError(init)) return;
+  if (HoldsObjects(context, type)) {
+    // An alias of the object it is initialised with.
+    const auto* ref = init ? context.GetIf<ir::VarRef>(init) : nullptr;
+    if (ref)
+      context[id].value = ref->var.index;
+    else
+      context.Report(context[id].span, diag::ObjectNotGlobal, context[var.name],
+                     context.TypeName(type));
+    return;
+  }
+  const ast::Qualifiers qualifiers = QualifiersOf(context, var);
+  const bool is_const = (qualifiers & ast::kConst) != 0;
+  const bool is_constant = is_const && init && IsConstantExpr(context, init);
+  const ir::VarId result =
+      AddVar(context, var.name, type, is_constant ? ir::Storage::kConstant : ir::Storage::kStatic,
+             context[id].span);
+  context[result].init = init;
+  context[result].row_major = IsRowMajor(context, qualifiers);
+  if (is_const) MarkConst(context, result);
+  context[id].value = result.index;
+  context.globals.reached.push_back({OrderOf(context, id), result});
+}
+
+void ResolveObject(Context& context, SymbolId id, const ast::VarDecl& var, ir::TypeId type) {
+  const ir::VarId result =
+      AddVar(context, var.name, type, ir::Storage::kResource, context[id].span);
+  MarkConst(context, result);
+  context[id].value = result.index;
+  context.globals.resources.push_back({OrderOf(context, id), result});
+  ir::TypeId element = type;
+  while (context[element].kind == ir::TypeKind::kArray) element = context[element].element;
+  const ir::ObjectKind object = context[element].object;
+  const bool is_sampler =
+      object >= ir::ObjectKind::kSampler && object <= ir::ObjectKind::kSamplerCube;
+  ir::Register reg;
+  const bool is_written = ir::IsWritable(object);
+  reg.letter = is_sampler ? 's' : is_written ? 'u' : 't';
+  if (const ast::RegisterBinding* binding = BindingOf(context, var.registers,
+                                                      is_sampler   ? "s"
+                                                      : is_written ? "u"
+                                                                   : "tu")) {
+    reg.number = binding->number;
+    reg.space = binding->space;
+    reg.is_explicit = binding->letter != 0;
+  }
+  context.globals.registers.emplace(result.index, reg);
+}
+
+const ast::RegisterBinding* BindingOf(const Context& context, List<ast::RegisterBinding> bindings,
+                                      std::string_view letters) {
+  const ast::RegisterBinding* best = nullptr;
+  for (const ast::RegisterBinding& binding : context[bindings]) {
+    if (binding.letter != 0 && letters.find(binding.letter) == std::string_view::npos) continue;
+    if (!binding.profile) {
+      if (!best) best = &binding;
+    } else if (std::string_view profile = context[binding.profile];
+               EqualIgnoringCase(profile, context.options.profile.name) ||
+               EqualIgnoringCase(profile, context.options.profile.stage)) {
+      best = &binding;
+    }
+  }
+  return best;
+}
+
+void FinishGlobals(Context& context) {
+  const auto before = [](const Globals::Ordered& a, const Globals::Ordered& b) {
+    return a.order < b.order;
+  };
+  std::stable_sort(context.globals.reached.begin(), context.globals.reached.end(), before);
+  for (const Globals::Ordered& global : context.globals.reached)
+    context.program.globals.push_back(global.var);
+  std::stable_sort(context.globals.resources.begin(), context.globals.resources.end(), before);
+  for (const Globals::Ordered& resource : context.globals.resources) {
+    context.program.resources.push_back(
+        {resource.var, context.globals.registers.at(resource.var.index)});
+  }
+}
+
+}  // namespace clipc::check

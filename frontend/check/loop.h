@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "frontend/check/context.h"
+
+// Loops and switch.
+namespace clipc::check {
+
+void CheckFor(Context& context, const ast::ForStmt& stmt, Span span);
+// A variable of a finished `for` is used: it moves to the top of the function.
+void HoistLoopVariable(Context& context, SymbolId id);
+void CheckWhile(Context& context, const ast::WhileStmt& stmt, Span span);
+void CheckDo(Context& context, const ast::DoStmt& stmt, Span span);
+
+}  // namespace clipc::check

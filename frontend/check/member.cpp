@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/check/member.h"
+
+#include <algorithm>
+
+#include "base/spelling.h"
+#include "frontend/check/assign.h"
+#include "frontend/check/expr.h"
+#include "frontend/check/struct.h"
+#include "frontend/check/value.h"
+
+namespace clipc::check {
+namespace {
+
+// .xyz, .rgb
+ir::ExprId CheckSwizzle(Context& context, ir::ExprId base, std::string_view text, Span name_span,
+                        Span span) {
+  const ir::Type type = context.TypeOf(base);
+  std::array<std::uint8_t, 4> components{};
+  const std::string_view set =
+      text.find_first_of("xyzw") != std::string_view::npos ? "xyzw" : "rgba";
+  bool valid = !text.empty() && text.size() <= 4;
+  for (std::size_t i = 0; valid && i < text.size(); ++i) {
+    const std::size_t component = set.find(text[i]);
+    valid = component != std::string_view::npos && component < type.columns;
+    components[i] = static_cast<std::uint8_t>(component);
+  }
+  if (!valid) {
+    return context.Fail(name_span, diag::BadSwizzle, text, context.TypeName(base));
+  }
+  const int count = static_cast<int>(text.size());
+  if (type.kind == ir::TypeKind::kScalar) {
+    return count == 1
+               ? base
+               : context.At(span).SplatTo(context.program.types.Vector(type.scalar, count), base);
+  }
+  // A swizzle of a swizzle is one.
+  if (const auto* inner = context.GetIf<ir::Swizzle>(base)) {
+    for (int i = 0; i < count; ++i) components[i] = inner->components[components[i]];
+    base = inner->base;
+  }
+  return context.At(span).Swizzled(base,
+                                   std::span<const std::uint8_t>(components.data(), text.size()));
+}
+
+// ._m00_m11, ._11_22
+ir::ExprId CheckMatrixSwizzle(Context& context, ir::ExprId base, std::string_view text,
+                              Span name_span, Span span) {
+  const ir::Type type = context.TypeOf(base);
+  const bool from_zero = text.starts_with("_m");
+  const std::size_t step = from_zero ? 4 : 3;
+  const char first = from_zero ? '0' : '1';
+  ir::MatrixSwizzle node{.base = base, .rows = {}, .columns = {}, .count = 0};
+  bool valid = !text.empty() && text.size() % step == 0 && text.size() / step <= 4;
+  for (std::size_t i = 0; valid && i < text.size(); i += step) {
+    const int row = text[i + step - 2] - first, column = text[i + step - 1] - first;
+    valid = text[i] == '_' && (!from_zero || text[i + 1] == 'm') && row >= 0 && row < type.rows &&
+            column >= 0 && column < type.columns;
+    node.rows[node.count] = static_cast<std::uint8_t>(row);
+    node.columns[node.count++] = static_cast<std::uint8_t>(column);
+  }
+  if (!valid) {
+    return context.Fail(name_span, diag::BadSwizzle, text, context.TypeName(base));
+  }
+  ir::Builder at = context.At(span);
+  const auto same_row = [&](std::uint8_t row) { return row == node.rows[0]; };
+  if (std::all_of(node.rows.begin(), node.rows.begin() + node.count, same_row)) {
+    const ir::ExprId row = at.At(base, std::uint32_t{node.rows[0]});
+    if (node.count == 1) return at.At(row, std::uint32_t{node.columns[0]});
+    return at.Swizzled(row, std::span<const std::uint8_t>(node.columns.data(), node.count));
+  }
+  std::vector<ir::ExprId> prologue;
+  if (!IsPath(context, base) || !ir::IsPure(context.program, base))
+    node.base = Hoist(context, base, prologue);
+  return WithPrologue(context, prologue,
+                      at.Add(context.program.types.Vector(type.scalar, node.count), node));
+}
+
+}  // namespace
+
+ir::ExprId CheckMember(Context& context, const ast::MemberExpr& expr, Span span) {
+  const ir::ExprId base = CheckExpr(context, expr.base);
+  if (context.IsError(base)) return base;
+  const ir::TypeId type = context.TypeIdOf(base);
+  switch (context[type].kind) {
+    case ir::TypeKind::kScalar:
+    case ir::TypeKind::kVector:
+      return CheckSwizzle(context, base, context[expr.name], expr.name_span, span);
+    case ir::TypeKind::kMatrix:
+      return CheckMatrixSwizzle(context, base, context[expr.name], expr.name_span, span);
+    default: break;
+  }
+  if (const auto field = FindField(context, type, expr.name))
+    return context.At(span).Field(base, *field);
+  const SymbolId member = FindMember(context, type, expr.name);
+  if (!member) {
+    ReportNoMember(context, type, expr.name, expr.name_span);
+    return context.ErrorExpr(span);
+  }
+  return UseSymbol(context, member, span);
+}
+
+void ReportNoMember(Context& context, ir::TypeId type, Name name, Span span) {
+  std::vector<std::string_view> candidates;
+  if (const StructInfo* info = InfoOf(context, type)) {
+    for (SymbolId id : context.names.symbol_ids()) {
+      if (context[id].scope == info->scope) candidates.push_back(context[context[id].name]);
+    }
+  }
+  const std::vector<std::string_view> near = NearNames(context[name], candidates);
+  const std::string tail = near.empty() ? "" : fmt::format("; did you mean `{}`?", near.front());
+  Diagnostic& report =
+      context.Report(span, diag::NoSuchMember, context.TypeName(type), context[name], tail);
+  if (!near.empty()) report.Fix(span, std::string(near.front()));
+  if (const StructInfo* info = InfoOf(context, type)) {
+    report.Note(context.program.types.StructOf(type).span, diag::DeclaredHere,
+                context[context[info->scope].name]);
+  }
+}
+
+}  // namespace clipc::check

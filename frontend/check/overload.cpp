@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/check/overload.h"
+
+#include <algorithm>
+
+#include "frontend/check/function.h"
+#include "frontend/check/struct.h"
+
+namespace clipc::check {
+namespace {
+
+std::optional<ConversionRank> Rank(const Context& context, ir::TypeId from, ir::TypeId to) {
+  if (from == to) return ConversionRank{};
+  if (const auto rank = RankImplicit(context.program.types, from, to)) return rank;
+  if (DerivesFrom(context, from, to)) return ConversionRank{.form = 1};
+  return std::nullopt;
+}
+
+// False when the call does not fit.
+bool RankArguments(const Context& context, const FunctionInfo& info,
+                   std::span<const ir::ExprId> arguments, std::uint64_t& cost,
+                   bool& changes_shape) {
+  if (arguments.size() > info.parameters.size || arguments.size() < info.required) return false;
+  cost = 0;
+  changes_shape = false;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const Parameter& parameter = context[info.parameters][i];
+    const ir::TypeId given = context.TypeIdOf(arguments[i]);
+    const auto add = [&](std::optional<ConversionRank> rank) {
+      if (!rank) return false;
+      cost += CostOf(*rank);
+      changes_shape = changes_shape || rank->truncation > 0 || rank->splat > 0;
+      return true;
+    };
+    if (parameter.storage != ir::Storage::kOut && !add(Rank(context, given, parameter.type)))
+      return false;
+    if (parameter.storage != ir::Storage::kIn && !add(Rank(context, parameter.type, given)))
+      return false;
+  }
+  return true;
+}
+
+std::string ArgumentTypes(const Context& context, std::span<const ir::ExprId> arguments) {
+  std::string text = "(";
+  for (ir::ExprId argument : arguments) {
+    if (text.size() > 1) text += ", ";
+    text += context.TypeName(argument);
+  }
+  return text + ')';
+}
+
+}  // namespace
+
+Choice ChooseOverload(Context& context, std::span<const FunctionInfoId> overloads,
+                      std::span<const ir::ExprId> arguments, Name name, Span span) {
+  Choice choice;
+  for (const bool later : {false, true}) {
+    std::uint64_t best_cost = ~std::uint64_t{0};
+    FunctionInfoId rival;
+    for (FunctionInfoId id : overloads) {
+      const FunctionInfo& info = context[id];
+      std::uint64_t cost = 0;
+      bool changes_shape = false;
+      if (info.is_broken) {
+        choice.reported = true;
+        return choice;
+      }
+      if ((info.declared >= context.view.order) != later) continue;
+      if (!RankArguments(context, info, arguments, cost, changes_shape) || cost > best_cost)
+        continue;
+      // A function is better than an instance of a template.
+      const bool yields = choice.function && cost == best_cost && info.is_instance &&
+                          !context[choice.function].is_instance;
+      if (yields) continue;
+      rival = cost == best_cost ? choice.function : FunctionInfoId{};
+      best_cost = cost;
+      choice.function = id;
+      choice.changes_shape = changes_shape;
+    }
+    if (rival) {
+      context.Report(span, diag::AmbiguousCall, context[name], ArgumentTypes(context, arguments))
+          .Note(DeclOf(context, context[rival]).name_span, diag::Candidate,
+                SignatureText(context, context[rival]))
+          .Note(DeclOf(context, context[choice.function]).name_span, diag::Candidate,
+                SignatureText(context, context[choice.function]));
+      return {.function = {}, .reported = true};
+    }
+    if (choice.function) break;
+  }
+  return choice;
+}
+
+void ReportNoOverload(Context& context, std::span<const FunctionInfoId> overloads,
+                      std::span<const ir::ExprId> arguments, Name name, Span span) {
+  constexpr std::size_t kMaxNotes = 6;
+  const bool count_fits = std::ranges::any_of(overloads, [&](FunctionInfoId id) {
+    return arguments.size() >= context[id].required &&
+           arguments.size() <= context[id].parameters.size;
+  });
+  Diagnostic& report =
+      count_fits || overloads.empty()
+          ? context.Report(span, diag::NoMatchingFunction, context[name],
+                           ArgumentTypes(context, arguments))
+          : context.Report(span, diag::WrongArgumentCount, context[name], arguments.size());
+  for (std::size_t i = 0; i < overloads.size() && i < kMaxNotes; ++i) {
+    report.Note(DeclOf(context, context[overloads[i]]).name_span, diag::Candidate,
+                SignatureText(context, context[overloads[i]]));
+  }
+}
+
+}  // namespace clipc::check

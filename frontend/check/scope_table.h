@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+#include <memory_resource>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "frontend/check/symbols.h"
+
+namespace clipc::check {
+
+struct Body;
+
+// Where the checker stands, which decides what a name means there.
+struct View {
+  ScopeId scope;
+  // Symbols of namespaces from this one on are not declared yet.
+  std::uint32_t order = ~0u;
+  // Locals before this one belong to other functions.
+  std::uint32_t local_floor = 0;
+  // The function body that is being checked; null outside functions.
+  Body* body = nullptr;
+  // Whether a `const` global stands for its initialiser.
+  bool wants_constant = false;
+};
+
+// All symbols, by scope and name. Looking a name up finds what can be seen from `view`, which
+// belongs to the caller and may change between calls.
+class ScopeTable {
+ public:
+  ScopeTable(std::size_t name_count, const View& view);
+
+  Symbol& operator[](SymbolId id) { return symbols_[id]; }
+  const Symbol& operator[](SymbolId id) const { return symbols_[id]; }
+  Scope& operator[](ScopeId id) { return scopes_[id]; }
+  const Scope& operator[](ScopeId id) const { return scopes_[id]; }
+  auto symbol_ids() const { return symbols_.ids(); }
+  auto scope_ids() const { return scopes_.ids(); }
+  // The number of symbols, which is the number that the next one gets.
+  std::uint32_t size() const { return symbols_.size(); }
+  ScopeId global() const { return global_; }
+
+  // A scope whose members see the symbols of namespaces before `order`.
+  ScopeId AddScope(ScopeKind kind, ScopeId parent, Name name, std::uint32_t order = ~0u);
+  // A symbol without a name cannot be found.
+  SymbolId Declare(SymbolKind kind, ScopeId scope, Name name, ast::DeclId decl, Span span);
+  // A symbol that is found until the LocalScope in which it was declared ends.
+  SymbolId DeclareLocal(SymbolKind kind, Name name, ast::DeclId decl, Span span);
+
+  // The last symbol of that name in the scope, whether it can be seen or not; none without one.
+  SymbolId NewestIn(ScopeId scope, Name name) const;
+  // The symbol of that name in the scope itself.
+  SymbolId FindIn(ScopeId scope, Name name, bool types_only = false) const;
+  // The symbol of that name in the scope, in those of its base structs, or in the namespaces that
+  // it uses.
+  SymbolId FindNested(ScopeId scope, Name name, bool types_only = false, int depth = 0) const;
+  // The symbol that a name without `::` means.
+  SymbolId FindUnqualified(Name name, bool types_only = false) const;
+  // The local of that name that hides all others.
+  SymbolId InnermostLocal(Name name) const { return local_by_name_[name.index]; }
+  // Whether the local was declared in the LocalScope that began last.
+  bool IsInLastScope(SymbolId local) const {
+    return !scope_starts_.empty() && local.index >= scope_starts_.back();
+  }
+  bool IsVisible(SymbolId id) const;
+  // The locals that have not been forgotten, in the order of their declarations.
+  std::span<const SymbolId> locals() const { return locals_; }
+
+  // Locals that are declared while it lives are forgotten afterwards.
+  class LocalScope {
+   public:
+    explicit LocalScope(ScopeTable& table);
+    ~LocalScope();
+    LocalScope(const LocalScope&) = delete;
+    LocalScope& operator=(const LocalScope&) = delete;
+
+   private:
+    ScopeTable& table_;
+    std::size_t mark_;
+  };
+
+ private:
+  const View& view_;
+  Arena<Symbol> symbols_;
+  Arena<Scope> scopes_;
+  ScopeId global_;
+  std::pmr::monotonic_buffer_resource memory_{4096};
+  std::pmr::unordered_map<std::uint64_t, SymbolId> newest_{64, &memory_};  // by scope and name
+  std::vector<SymbolId> local_by_name_;                                    // the innermost ones
+  std::vector<SymbolId> locals_;
+  std::vector<std::uint32_t> scope_starts_;  // the number of symbols at each LocalScope's start
+};
+
+}  // namespace clipc::check

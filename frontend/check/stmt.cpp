@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/check/stmt.h"
+
+#include "base/overloaded.h"
+#include "frontend/check/assign.h"
+#include "frontend/check/declare.h"
+#include "frontend/check/emit.h"
+#include "frontend/check/expr.h"
+#include "frontend/check/global.h"
+#include "frontend/check/init.h"
+#include "frontend/check/loop.h"
+#include "frontend/check/scope.h"
+#include "frontend/check/struct.h"
+#include "frontend/check/switch.h"
+#include "frontend/check/type.h"
+#include "frontend/check/value.h"
+
+namespace clipc::check {
+namespace {
+
+// A global that only this function can name.
+void CheckStaticLocal(Context& context, ast::DeclId id, const ast::VarDecl& var) {
+  const SymbolId symbol = DeclareLocal(context, SymbolKind::kVariable, var.name, id, var.name_span);
+  context[symbol].resolution = Resolution::kDone;
+  View view = context.view;
+  view.body = nullptr;
+  const ViewSwitch in(context, view);
+  ResolveStatic(context, symbol, var);
+}
+
+void CheckLocal(Context& context, ast::DeclId id, const ast::VarDecl& var) {
+  if (var.qualifiers & ast::kStatic) return CheckStaticLocal(context, id, var);
+  if (var.qualifiers & (ast::kGroupShared | ast::kUniform)) {
+    context.Report(var.name_span, diag::LocalStorage, context[var.name],
+                   var.qualifiers & ast::kUniform ? "uniform" : "groupshared");
+  }
+  const ir::TypeId type = ResolveVarType(context, var);
+  ir::ExprId init;
+  if (var.init && !context.IsError(type)) init = CheckInit(context, var.init, type);
+  const SymbolId symbol = DeclareLocal(context, SymbolKind::kVariable, var.name, id, var.name_span);
+  context[symbol].resolution = Resolution::kDone;
+  if (context.IsError(type)) return;
+  if (init && context.IsError(init)) init = {};
+  const ast::Qualifiers qualifiers = QualifiersOf(context, var);
+  const ir::VarId result = AddVar(context, var.name, type, ir::Storage::kLocal, var.name_span);
+  ir::Var& local = context[result];
+  local.precise = (qualifiers & ast::kPrecise) != 0;
+  local.row_major = IsRowMajor(context, qualifiers);
+  context[symbol].value = result.index;
+  if (qualifiers & ast::kConst) {
+    MarkConst(context, result);
+    if (!var.init) context.Report(var.name_span, diag::ConstWithoutValue, context[var.name]);
+    // Only arrays' sizes and case labels look through the variable, so scalars are enough.
+    if (init && IsConstantExpr(context, init) && context[type].kind == ir::TypeKind::kScalar) {
+      local.storage = ir::Storage::kConstant;
+      local.init = ir::Clone(context.program, init);
+    }
+  }
+  if (init) init = Unwrap(context, init);
+  Emit(context, var.name_span, ir::Declare{result, init});
+}
+
+void CheckDeclStmt(Context& context, const ast::DeclStmt& stmt) {
+  for (ast::DeclId id : context[stmt.decls]) {
+    const ast::Decl& decl = context[id];
+    if (const auto* var = std::get_if<ast::VarDecl>(&decl.node)) {
+      CheckLocal(context, id, *var);
+    } else if (const auto* use = std::get_if<ast::UsingDecl>(&decl.node)) {
+      DeclareUsing(context, *use, decl.span, context.view.scope);
+    } else {
+      DeclareLocalType(context, id);
+    }
+  }
+}
+
+void CheckIf(Context& context, const ast::IfStmt& stmt, Span span) {
+  const ir::ExprId condition = Unwrap(context, CheckCondition(context, stmt.condition, "if"));
+  DeclareTemporaries(context);
+  const ir::StmtId then = CheckBlock(context, stmt.then);
+  ir::StmtId otherwise;
+  if (stmt.otherwise) {
+    // `else if` keeps its shape when nothing has to be declared before the second `if`.
+    const std::size_t mark = context.stmts.size();
+    if (context.Is<ast::IfStmt>(stmt.otherwise)) {
+      CheckStmt(context, stmt.otherwise);
+      const bool is_one = context.stmts.size() == mark + 1;
+      otherwise = is_one ? context.stmts.back()
+                         : context.At(context[stmt.otherwise].span)
+                               .BlockOf(std::span<const ir::StmtId>(context.stmts).subspan(mark));
+      context.stmts.resize(mark);
+    } else {
+      otherwise = CheckBlock(context, stmt.otherwise);
+    }
+  }
+  Emit(context, span, ir::If{condition, then, otherwise});
+}
+
+void CheckReturn(Context& context, const ast::ReturnStmt& stmt, Span span) {
+  const ir::TypeId wanted = context.view.body->return_type;
+  const std::string_view function = context[context.view.body->function].name;
+  if (!stmt.value) {
+    if (wanted != context.program.types.Void() && !context.IsError(wanted)) {
+      context.Report(span, diag::ReturnWithoutValue, function, context.TypeName(wanted));
+    }
+    return Emit(context, span, ir::Return{});
+  }
+  if (wanted == context.program.types.Void()) {
+    const ir::ExprId value = CheckExpr(context, stmt.value);
+    if (context.IsError(value)) return;
+    if (context.TypeIdOf(value) != wanted) {
+      context.Report(context[stmt.value].span, diag::ReturnFromVoid, function);
+      return;
+    }
+    EmitValue(context, value);
+    return Emit(context, span, ir::Return{});
+  }
+  const ir::ExprId value = Unwrap(context, CheckInit(context, stmt.value, wanted));
+  if (!context.IsError(value)) Emit(context, span, ir::Return{value});
+}
+
+}  // namespace
+
+void CheckStmts(Context& context, List<ast::StmtId> stmts) {
+  for (ast::StmtId stmt : context[stmts]) CheckStmt(context, stmt);
+}
+
+ir::StmtId CheckBlock(Context& context, ast::StmtId id) {
+  const ast::Stmt& stmt = context[id];
+  const std::size_t mark = context.stmts.size();
+  const ScopeTable::LocalScope scope(context.names);
+  if (const auto* block = std::get_if<ast::BlockStmt>(&stmt.node)) {
+    CheckStmts(context, block->body);
+  } else {
+    CheckStmt(context, id);
+  }
+  const ir::StmtId result =
+      context.At(stmt.span).BlockOf(std::span<const ir::StmtId>(context.stmts).subspan(mark));
+  context.stmts.resize(mark);
+  return result;
+}
+
+void CheckStmt(Context& context, ast::StmtId id) {
+  const ast::Stmt& stmt = context[id];
+  const Span span = stmt.span;
+  const Depth depth(context, span);
+  if (!depth.ok() || context.diagnostics.TooManyErrors()) return;
+  Body& body = *context.view.body;
+  Visit(Overloaded{
+            [&](const ast::BlockStmt&) { context.stmts.push_back(CheckBlock(context, id)); },
+            [&](const ast::DeclStmt& s) { CheckDeclStmt(context, s); },
+            [&](const ast::ExprStmt& s) {
+              const ir::ExprId value = CheckExpr(context, s.expr);
+              if (!context.IsError(value)) EmitValue(context, value);
+            },
+            [&](const ast::IfStmt& s) { CheckIf(context, s, span); },
+            [&](const ast::ForStmt& s) { CheckFor(context, s, span); },
+            [&](const ast::WhileStmt& s) { CheckWhile(context, s, span); },
+            [&](const ast::DoStmt& s) { CheckDo(context, s, span); },
+            [&](const ast::SwitchStmt& s) { CheckSwitch(context, s, span); },
+            [&](const ast::CaseStmt&) { context.Report(span, diag::CaseOutsideSwitch); },
+            [&](const ast::ReturnStmt& s) { CheckReturn(context, s, span); },
+            [&](const ast::BreakStmt&) {
+              if (body.loops + body.switches == 0)
+                context.Report(span, diag::BreakOutsideLoop);
+              else
+                Emit(context, span, ir::Break{});
+            },
+            [&](const ast::ContinueStmt&) {
+              if (body.loops == 0)
+                context.Report(span, diag::ContinueOutsideLoop);
+              else
+                Emit(context, span, ir::Continue{});
+            },
+            [&](const ast::DiscardStmt&) { context.Report(span, diag::DiscardInVertexShader); },
+            [](const ast::EmptyStmt&) {},
+            [](const ast::ErrorStmt&) {},
+        },
+        stmt.node);
+}
+
+ir::ExprId CheckCondition(Context& context, ast::ExprId id, std::string_view statement) {
+  const ir::ExprId value = CheckExpr(context, id);
+  if (context.IsError(value)) return value;
+  const ir::Type& type = context.TypeOf(value);
+  if (!type.IsNumeric() || type.Components() != 1) {
+    return context.Fail(context[id].span, diag::ConditionNotScalar, statement,
+                        context.TypeName(value));
+  }
+  return ConvertSilently(context, value, context.program.types.Make(ir::Scalar::kBool));
+}
+
+}  // namespace clipc::check

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/check/switch.h"
+
+#include <unordered_set>
+
+#include "frontend/check/emit.h"
+#include "frontend/check/expr.h"
+#include "frontend/check/stmt.h"
+#include "frontend/check/value.h"
+
+namespace clipc::check {
+namespace {
+
+// The value of a label; nothing for `default`, and after an error, which was reported.
+std::optional<std::int64_t> CheckCaseLabel(Context& context, const ast::CaseStmt& stmt, Span span,
+                                           std::unordered_set<std::int64_t>& seen) {
+  constexpr std::int64_t kDefault = std::int64_t{1} << 40;  // no label has this value
+  std::optional<std::int64_t> value = kDefault;
+  if (stmt.value) value = ConstantInteger(context, stmt.value);
+  if (!value) return std::nullopt;
+  if (!seen.insert(*value).second) {
+    context.Report(span, diag::CaseTwice, stmt.value ? fmt::format("case {}", *value) : "default");
+    return std::nullopt;
+  }
+  return stmt.value ? value : std::nullopt;
+}
+
+}  // namespace
+
+void CheckSwitch(Context& context, const ast::SwitchStmt& stmt, Span span) {
+  ir::ExprId value = CheckExpr(context, stmt.value);
+  if (!context.IsError(value)) {
+    const ir::Type& type = context.TypeOf(value);
+    if (!type.IsNumeric() || type.Components() != 1) {
+      context.Report(context[stmt.value].span, diag::ConditionNotScalar, "switch",
+                     context.TypeName(value));
+      value = context.ErrorExpr(span);
+    } else {
+      const ir::Scalar kind = ir::IsUnsigned(type.scalar) ? ir::Scalar::kUint : ir::Scalar::kInt;
+      value = ConvertSilently(context, value, context.program.types.Make(kind));
+    }
+  }
+  const ir::TypeId type = context.TypeIdOf(value);
+  DeclareTemporaries(context);
+  const auto* block = context.GetIf<ast::BlockStmt>(stmt.body);
+  if (!block) {
+    context.Report(span, diag::SwitchWithoutBlock);
+    return;
+  }
+  ++context.view.body->switches;
+  const ScopeTable::LocalScope scope(context.names);
+  std::vector<ir::SwitchCase> arms;
+  std::vector<ir::ExprId> labels;
+  std::unordered_set<std::int64_t> seen;
+  const std::size_t mark = context.stmts.size();
+  const auto finish = [&] {
+    if (!arms.empty()) {
+      const std::vector<ir::StmtId> body(context.stmts.begin() + static_cast<std::ptrdiff_t>(mark),
+                                         context.stmts.end());
+      arms.back().body = context.program.stmt_lists.Add(std::span<const ir::StmtId>(body));
+      arms.back().labels = context.program.expr_lists.Add(std::span<const ir::ExprId>(labels));
+    }
+    labels.clear();
+    context.stmts.resize(mark);
+  };
+  bool reported = false;
+  for (ast::StmtId inner : context[block->body]) {
+    const ast::Stmt& child = context[inner];
+    if (const auto* label = std::get_if<ast::CaseStmt>(&child.node)) {
+      if (arms.empty() || context.stmts.size() > mark) {
+        finish();
+        arms.emplace_back();
+      }
+      if (const auto value = CheckCaseLabel(context, *label, child.span, seen)) {
+        labels.push_back(
+            context.At(child.span).Add(type, ir::Literal{static_cast<std::uint32_t>(*value)}));
+      } else {
+        arms.back().is_default = arms.back().is_default || !label->value;
+      }
+      continue;
+    }
+    if (arms.empty() && !reported) context.Report(child.span, diag::StatementBeforeCase);
+    reported = reported || arms.empty();
+    CheckStmt(context, inner);
+  }
+  finish();
+  --context.view.body->switches;
+  Emit(context, span,
+       ir::Switch{value, context.program.switch_cases.Add(std::span<const ir::SwitchCase>(arms))});
+}
+
+}  // namespace clipc::check

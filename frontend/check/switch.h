@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "frontend/check/context.h"
+
+namespace clipc::check {
+
+void CheckSwitch(Context& context, const ast::SwitchStmt& stmt, Span span);
+
+}  // namespace clipc::check

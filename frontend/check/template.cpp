@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/check/template.h"
+
+#include "frontend/check/function.h"
+#include "frontend/check/global.h"
+#include "frontend/check/struct.h"
+#include "frontend/check/type.h"
+#include "frontend/check/type_names.h"
+#include "frontend/check/value.h"
+
+namespace clipc::check {
+namespace {
+
+constexpr std::uint64_t kUnknown = ~std::uint64_t{0};
+
+constexpr std::size_t kMaxInstances = 4096;
+constexpr std::uint32_t kUnderWay =
+    ~std::uint32_t{0};  // the members of the instance are being looked at
+
+// Reads S<...>'s arguments behind those that are `found` already; defaults stand in for missing
+// ones. False after an error, or when an argument is missing.
+bool ReadTemplateArguments(Context& context, List<ast::TemplateParameter> parameters,
+                           List<ast::ExprId> arguments, std::vector<std::uint64_t>& found) {
+  for (std::uint32_t i = 0; i < arguments.size && i < parameters.size; ++i) {
+    const ast::TemplateParameter& parameter = context[parameters][i];
+    const ast::ExprId argument = context[arguments][i];
+    if (parameter.is_type) {
+      const ir::TypeId type = TypeArgument(context, argument);
+      if (context.IsError(type)) return false;
+      found[i] = type.index;
+    } else {
+      const auto value = ConstantInteger(context, argument);
+      if (!value) return false;
+      found[i] = static_cast<std::uint32_t>(*value);
+    }
+  }
+  return true;
+}
+
+// A scope with the parameters' names. Parameters without an argument get their default; none when
+// there is no default.
+ScopeId BindTemplate(Context& context, List<ast::TemplateParameter> parameters, ScopeId parent,
+                     std::uint32_t order, std::vector<std::uint64_t>& found) {
+  const ScopeId scope = context.names.AddScope(ScopeKind::kTemplate, parent, {}, order);
+  const ViewSwitch in(context,
+                      {.scope = scope, .order = order, .local_floor = context.names.size()});
+  for (std::uint32_t i = 0; i < parameters.size; ++i) {
+    const ast::TemplateParameter& parameter = context[parameters][i];
+    if (found[i] == kUnknown) {
+      if (!parameter.default_value) return {};
+      if (parameter.is_type)
+        found[i] = TypeArgument(context, parameter.default_value).index;
+      else
+        found[i] = static_cast<std::uint32_t>(
+            ConstantInteger(context, parameter.default_value).value_or(0));
+    }
+    const SymbolKind kind = parameter.is_type ? SymbolKind::kType : SymbolKind::kTemplateValue;
+    const SymbolId symbol = context.names.Declare(kind, scope, parameter.name, {}, parameter.span);
+    context[symbol].value = static_cast<std::uint32_t>(found[i]);
+    context[symbol].resolution = Resolution::kDone;
+    if (!parameter.is_type) context[symbol].owner = ResolveType(context, parameter.type).index;
+  }
+  return scope;
+}
+
+std::string InstanceKey(ast::DeclId decl, ScopeId scope, ir::TypeId self,
+                        const std::vector<std::uint64_t>& found) {
+  std::string key = fmt::format("{},{},{}", decl.index, scope.index, self.index);
+  for (std::uint64_t argument : found) key += fmt::format(",{}", argument);
+  return key;
+}
+
+// What `pattern`, the type of a parameter, says of the template's arguments when a value of `type`
+// is passed.
+void Deduce(Context& context, ast::TypeId pattern_id, ir::TypeId type,
+            const ast::FunctionDecl& decl, std::vector<std::uint64_t>& found) {
+  const ast::Type& pattern = context[pattern_id];
+  const ir::Type given = context[type];
+  const auto parameter_of = [&](Name name) -> std::optional<std::uint32_t> {
+    for (std::uint32_t i = 0; i < decl.template_parameters.size; ++i) {
+      if (context[decl.template_parameters][i].name == name) return i;
+    }
+    return std::nullopt;
+  };
+  if (const auto i = parameter_of(pattern.name.name); i && !pattern.has_arguments) {
+    if (found[*i] == kUnknown) found[*i] = type.index;
+    return;
+  }
+  // vector<T, N>, matrix<T, R, C>
+  const std::string_view text = context[pattern.name.name];
+  if ((text != "vector" && text != "matrix") || !given.IsNumeric()) return;
+  const std::uint64_t parts[] = {context.program.types.Make(given.scalar).index,
+                                 text == "vector" ? given.columns : given.rows, given.columns};
+  for (std::uint32_t a = 0; a < pattern.arguments.size && a < 3; ++a) {
+    const ast::Expr& argument = context[context[pattern.arguments][a]];
+    Name name;
+    if (const auto* written = std::get_if<ast::TypeExpr>(&argument.node))
+      name = context[written->type].name.name;
+    if (const auto* used = std::get_if<ast::NameExpr>(&argument.node)) name = used->name.name;
+    const auto i = name ? parameter_of(name) : std::nullopt;
+    if (i && found[*i] == kUnknown) found[*i] = parts[a];
+  }
+}
+
+}  // namespace
+
+std::optional<ir::TypeId> InstantiateStruct(Context& context, SymbolId id, const ast::Type& type) {
+  const Symbol symbol = context[id];
+  const auto* decl = symbol.decl ? context.GetIf<ast::StructDecl>(symbol.decl) : nullptr;
+  if (!decl || !decl->is_template) return std::nullopt;
+  // Inside its own body the bare name means this instance.
+  if (!type.has_arguments) {
+    for (ScopeId scope = context.view.scope; scope; scope = context[scope].parent) {
+      const bool is_own =
+          context[scope].kind == ScopeKind::kStruct &&
+          context.structs.infos[context[context[scope].self].structure.index].decl == symbol.decl;
+      if (is_own) return context[scope].self;
+    }
+  }
+  const Depth depth(context, type.span, Depth::kDeclaration);
+  std::vector<std::uint64_t> found(decl->template_parameters.size, kUnknown);
+  if (!depth.ok() ||
+      !ReadTemplateArguments(context, decl->template_parameters, type.arguments, found))
+    return context.program.types.Error();
+  if (type.arguments.size > decl->template_parameters.size) {
+    context.Report(type.span, diag::TooManyTypeArguments, context[decl->name],
+                   decl->template_parameters.size);
+    return context.program.types.Error();
+  }
+  // The struct's own name is known inside it.
+  const bool is_in_namespace = symbol.scope && context[symbol.scope].kind == ScopeKind::kNamespace;
+  const std::uint32_t order = is_in_namespace ? id.index + 1 : OrderOf(context, id);
+  const ScopeId scope =
+      BindTemplate(context, decl->template_parameters, symbol.scope, order, found);
+  if (!scope) {
+    context.Report(type.span, diag::MissingTypeArgument, context[decl->name]);
+    return context.program.types.Error();
+  }
+  const auto [slot, is_new] = context.functions.instances.try_emplace(
+      InstanceKey(symbol.decl, symbol.scope, {}, found), kUnderWay);
+  if (!is_new && slot->second == kUnderWay) {
+    context.Report(type.span, diag::TypeContainsItself, context[decl->name]);
+    return context.program.types.Error();
+  }
+  if (!is_new) return ir::TypeId{slot->second};
+  if (context.functions.instances.size() > kMaxInstances) {
+    context.Report(type.span, diag::TooManyInstances, kMaxInstances);
+    return context.program.types.Error();
+  }
+  std::uint32_t& result = slot->second;
+  const SymbolId instance =
+      context.names.Declare(SymbolKind::kType, scope, {}, symbol.decl, decl->name_span);
+  const ir::TypeId made = ResolveStruct(context, symbol.decl, instance, scope, order);
+  result = made.index;
+  return made;
+}
+
+FunctionInfoId InstantiateFunction(Context& context, SymbolId id, ir::TypeId self,
+                                   List<ast::ExprId> explicit_arguments,
+                                   std::span<const ir::ExprId> arguments) {
+  const Symbol symbol = context[id];
+  const auto& decl = context.Get<ast::FunctionDecl>(symbol.decl);
+  std::vector<std::uint64_t> found(decl.template_parameters.size, kUnknown);
+  if (explicit_arguments.size > found.size() || arguments.size() > decl.parameters.size) return {};
+  if (!ReadTemplateArguments(context, decl.template_parameters, explicit_arguments, found))
+    return {};
+  for (std::uint32_t i = 0; i < arguments.size(); ++i) {
+    const ast::DeclId parameter = context[decl.parameters][i];
+    Deduce(context, context.Get<ast::VarDecl>(parameter).type, context.TypeIdOf(arguments[i]), decl,
+           found);
+  }
+  const std::uint32_t order = OrderOf(context, id);
+  const ScopeId scope = BindTemplate(context, decl.template_parameters, symbol.scope, order, found);
+  if (!scope) return {};
+  const auto [slot, is_new] = context.functions.instances.try_emplace(
+      InstanceKey(symbol.decl, symbol.scope, self, found),
+      static_cast<std::uint32_t>(context.functions.infos.size()));
+  if (!is_new) return FunctionInfoId{slot->second};
+  if (context.functions.instances.size() > kMaxInstances) {
+    context.Report(decl.name_span, diag::TooManyInstances, kMaxInstances);
+    return {};
+  }
+  FunctionInfo info;
+  info.decl = symbol.decl;
+  info.scope = scope;
+  const bool is_method = context[symbol.scope].kind == ScopeKind::kStruct;
+  info.order = is_method || order == ~0u ? order : order + 1;
+  info.declared = is_method ? 0 : id.index;
+  info.is_instance = true;
+  if (is_method && !(decl.qualifiers & ast::kStatic))
+    info.self = self ? self : context[symbol.scope].self;
+  context.functions.infos.push_back(info);
+  const FunctionInfoId result{slot->second};
+  ResolveSignature(context, result);
+  return result;
+}
+
+}  // namespace clipc::check

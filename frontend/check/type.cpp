@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/check/type.h"
+
+#include <algorithm>
+
+#include "frontend/check/enum.h"
+#include "frontend/check/init.h"
+#include "frontend/check/scope.h"
+#include "frontend/check/struct.h"
+#include "frontend/check/template.h"
+#include "frontend/check/type_names.h"
+#include "frontend/check/value.h"
+
+namespace clipc::check {
+namespace {
+
+// Far above what any shader needs, and low enough that a type can be walked leaf by leaf.
+constexpr std::uint64_t kMaxComponents = 1u << 20;
+
+constexpr int kMaxTypeDepth = 64;
+
+std::optional<std::uint32_t> ArraySize(Context& context, ast::ExprId dimension) {
+  const auto size = ConstantInteger(context, dimension);
+  if (!size) return std::nullopt;
+  if (*size > 0 && static_cast<std::uint64_t>(*size) <= kMaxComponents)
+    return static_cast<std::uint32_t>(*size);
+  context.Report(context[dimension].span, diag::BadArraySize, *size, kMaxComponents);
+  return std::nullopt;
+}
+
+}  // namespace
+
+ir::TypeId ResolveType(Context& context, ast::TypeId id) {
+  if (!id) return context.program.types.Error();
+  const ast::Type& type = context[id];
+  if (!type.struct_definition) return ResolveNamedType(context, type);
+  const auto known = context.structs.symbols.find(type.struct_definition.index);
+  if (known != context.structs.symbols.end())
+    return known->second ? ResolveTypeSymbol(context, known->second)
+                         : context.program.types.Error();
+  DeclareLocalType(context, type.struct_definition);
+  return ResolveTypeSymbol(context, context.structs.symbols.at(type.struct_definition.index));
+}
+
+ir::TypeId ResolveNamedType(Context& context, const ast::Type& type) {
+  const bool is_plain = type.name.scopes.empty() && !type.name.from_global;
+  if (!type.name.name) return context.program.types.Error();
+  if (is_plain && !type.has_arguments) {
+    if (const auto numeric = NumericType(context, type.name.name)) return *numeric;
+  }
+  if (const SymbolId symbol = Find(context, type.name, true)) {
+    if (const auto instance = InstantiateStruct(context, symbol, type)) return *instance;
+    return ResolveTypeSymbol(context, symbol);
+  }
+  if (is_plain) {
+    const std::string_view text = context[type.name.name];
+    if (const auto generic = GenericNumericType(context, type, text)) return *generic;
+    if (const auto object = ObjectType(context, type, text)) return *object;
+  }
+  ReportUndeclared(context, type.span, type.name, true, false);
+  return context.program.types.Error();
+}
+
+ir::TypeId ResolveTypeSymbol(Context& context, SymbolId id) {
+  Symbol& symbol = context[id];
+  if (symbol.resolution == Resolution::kDone) return ir::TypeId{symbol.value};
+  const Depth depth(context, symbol.span, Depth::kDeclaration);
+  if (symbol.resolution == Resolution::kUnderWay || !depth.ok()) {
+    if (depth.ok()) context.Report(symbol.span, diag::TypeContainsItself, context[symbol.name]);
+    symbol.value = context.program.types.Error().index;
+    symbol.resolution = Resolution::kDone;
+    return context.program.types.Error();
+  }
+  symbol.resolution = Resolution::kUnderWay;
+  const View view = ContextOf(context, id);
+  const ast::Decl& decl = context[symbol.decl];
+  ir::TypeId type = context.program.types.Error();
+  if (const auto* structure = std::get_if<ast::StructDecl>(&decl.node)) {
+    if (structure->is_definition) {
+      type = ResolveStruct(context, symbol.decl, id, view.scope, view.order);
+    } else {
+      context.Report(structure->name_span, diag::IncompleteType, context[structure->name]);
+    }
+  } else if (const auto* alias = std::get_if<ast::TypedefDecl>(&decl.node)) {
+    const ViewSwitch in(context, view);
+    type = ArrayOf(context, ResolveType(context, alias->type), alias->dimensions, alias->name_span);
+  } else if (const auto* enumeration = std::get_if<ast::EnumDecl>(&decl.node)) {
+    const ViewSwitch in(context, view);
+    type = EnumType(context, *enumeration);
+  }
+  symbol.value = type.index;
+  symbol.resolution = Resolution::kDone;
+  return type;
+}
+
+View ContextOf(const Context& context, SymbolId id) {
+  const Symbol& symbol = context[id];
+  if (!symbol.scope) return context.view;
+  const Scope& scope = context[symbol.scope];
+  View view;
+  view.scope = symbol.scope;
+  view.order = scope.kind == ScopeKind::kNamespace ? id.index + 1 : scope.order;
+  view.local_floor = context.names.size();
+  return view;
+}
+
+std::uint64_t ComponentsOf(const Context& context, ir::TypeId id) {
+  const ir::Type& type = context[id];
+  switch (type.kind) {
+    case ir::TypeKind::kArray:
+      return std::min(type.count * ComponentsOf(context, type.element), kMaxComponents + 1);
+    case ir::TypeKind::kStruct: return context.structs.infos[type.structure.index].components;
+    default: return type.IsNumeric() ? type.Components() : 1;
+  }
+}
+
+int DepthOf(const Context& context, ir::TypeId id) {
+  const ir::Type& type = context[id];
+  if (type.kind == ir::TypeKind::kArray) return DepthOf(context, type.element) + 1;
+  return type.kind == ir::TypeKind::kStruct ? context.structs.infos[type.structure.index].depth : 0;
+}
+
+bool IsTooLarge(Context& context, ir::TypeId type, Span span) {
+  if (ComponentsOf(context, type) > kMaxComponents) {
+    context.Report(span, diag::TypeTooLarge, kMaxComponents);
+    return true;
+  }
+  if (DepthOf(context, type) > kMaxTypeDepth) {
+    context.Report(span, diag::TypeTooDeep, kMaxTypeDepth);
+    return true;
+  }
+  return false;
+}
+
+ir::TypeId ArrayOf(Context& context, ir::TypeId element, List<ast::ExprId> dimensions, Span span,
+                   std::optional<std::uint32_t> implied) {
+  if (dimensions.empty()) return element;
+  if (element == context.program.types.Void()) {
+    context.Report(span, diag::VoidValue, "an array of `void`");
+    return context.program.types.Error();
+  }
+  ir::TypeId type = element;
+  bool is_broken = context.IsError(element);
+  for (std::uint32_t i = dimensions.size; i-- > 0;) {
+    const ast::ExprId dimension = context[dimensions][i];
+    std::optional<std::uint32_t> size;
+    if (dimension) {
+      size = ArraySize(context, dimension);
+    } else if (i == 0 && implied) {
+      size = implied;
+    } else {
+      context.Report(span, diag::ArrayWithoutSize);
+    }
+    is_broken = is_broken || !size;
+    if (is_broken) continue;
+    type = context.program.types.Array(type, *size);
+    is_broken = IsTooLarge(context, type, span);
+  }
+  return is_broken ? context.program.types.Error() : type;
+}
+
+ir::TypeId ResolveVarType(Context& context, const ast::VarDecl& var) {
+  const ir::TypeId element = ResolveType(context, var.type);
+  const Span span = var.name ? var.name_span : context[var.type].span;
+  if (element == context.program.types.Void()) {
+    context.Report(span, diag::VoidValue, fmt::format("`{}` of type `void`", context[var.name]));
+    return context.program.types.Error();
+  }
+  const bool is_implied = !var.dimensions.empty() && !context[var.dimensions][0];
+  std::optional<std::uint32_t> implied;
+  if (is_implied && var.init && !context.IsError(element)) {
+    List<ast::ExprId> inner = var.dimensions;
+    ++inner.begin;
+    --inner.size;
+    const ir::TypeId row = ArrayOf(context, element, inner, span);
+    if (context.IsError(row)) return row;
+    implied = ImpliedCount(context, var.init, row);
+    if (!implied) return context.program.types.Error();
+  }
+  return ArrayOf(context, element, var.dimensions, span, implied);
+}
+
+bool IsRowMajor(const Context& context, ast::Qualifiers qualifiers) {
+  if (qualifiers & ast::kRowMajor) return true;
+  if (qualifiers & ast::kColumnMajor) return false;
+  if (qualifiers & ast::kPackRowMajor) return true;
+  if (qualifiers & ast::kPackColumnMajor) return false;
+  return context.options.packing == MatrixPacking::kRowMajor;
+}
+
+ast::Qualifiers QualifiersOf(Context& context, const ast::VarDecl& var) {
+  ast::Qualifiers qualifiers = var.qualifiers;
+  const ast::Type& type = context[var.type];
+  if (!type.name.name || type.struct_definition) return qualifiers;
+  const SymbolId symbol = Find(context, type.name, true);
+  if (!symbol || !context[symbol].decl) return qualifiers;
+  const auto* alias = context.GetIf<ast::TypedefDecl>(context[symbol].decl);
+  if (!alias) return qualifiers;
+  constexpr ast::Qualifiers kPacking = ast::kRowMajor | ast::kColumnMajor;
+  if (!(qualifiers & kPacking)) qualifiers |= alias->qualifiers & kPacking;
+  return qualifiers | (alias->qualifiers & ast::kConst);
+}
+
+}  // namespace clipc::check

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/check/value.h"
+
+#include <algorithm>
+
+#include "frontend/check/assign.h"
+#include "frontend/check/expr.h"
+#include "frontend/check/struct.h"
+#include "frontend/check/text.h"
+#include "frontend/rules/constant.h"
+
+namespace clipc::check {
+ir::ExprId Hoist(Context& context, ir::ExprId value, std::vector<ir::ExprId>& prologue) {
+  const Span span = context[value].span;
+  const TemporaryMaker::Temporary temporary = context.Make(value);
+  prologue.push_back(temporary.prologue);
+  return context.At(span).Ref(temporary.var);
+}
+
+ir::ExprId WithPrologue(Context& context, std::span<const ir::ExprId> prologue, ir::ExprId value) {
+  for (std::size_t i = prologue.size(); i-- > 0;) {
+    value = context.At(context[value].span).CommaOf(prologue[i], value);
+  }
+  return value;
+}
+
+ir::ExprId Implicit(Context& context, ir::ExprId value, ir::TypeId to) {
+  const ir::TypeId from = context.TypeIdOf(value);
+  const Span span = context[value].span;
+  if (from == to) return value;
+  if (context.IsError(from) || context.IsError(to)) return context.ErrorExpr(span);
+  if (RankImplicit(context.program.types, from, to))
+    return ConvertImplicit(context.program, value, to, context.diagnostics, &context);
+  if (DerivesFrom(context, from, to)) {
+    // The fields of the first base come first.
+    std::vector<ir::ExprId> prologue, fields;
+    const ir::ExprId object = IsPath(context, value) && ir::IsPure(context.program, value)
+                                  ? value
+                                  : Hoist(context, value, prologue);
+    const ir::Struct& base = context.program.types.StructOf(to);
+    const StructInfo& info = *InfoOf(context, to);
+    for (std::size_t i = 0; i < base.fields.size(); ++i) {
+      const auto field = FindField(context, from, info.fields[i]);
+      fields.push_back(context.At(span).Field(ir::Clone(context.program, object), *field));
+    }
+    return WithPrologue(context, prologue, context.At(span).ConstructOf(to, fields));
+  }
+  return context.Fail(span, diag::CannotConvert, context.TypeName(from), context.TypeName(to));
+}
+
+ir::ExprId ConvertSilently(Context& context, ir::ExprId value, ir::TypeId to) {
+  if (context.TypeIdOf(value) == to) return value;
+  return ConvertExplicit(context.program, value, to, context);
+}
+
+bool IsConstantExpr(const Context& context, ir::ExprId expr) {
+  const ir::Program& program = context.program;
+  const bool reads_more = ir::AnyExpr(program, expr, [&](ir::ExprId part) {
+    const auto* ref = context.GetIf<ir::VarRef>(part);
+    return (ref && context[ref->var].storage != ir::Storage::kConstant) ||
+           context.Is<ir::ObjectCall>(part) || context.Is<ir::Comma>(part);
+  });
+  return !reads_more && ir::IsPure(program, expr);
+}
+
+std::optional<std::int64_t> ConstantInteger(Context& context, ast::ExprId id) {
+  const ast::Expr& expr = context[id];
+  if (const auto* literal = std::get_if<ast::Literal>(&expr.node);
+      literal && literal->kind == LiteralKind::kInt) {
+    return static_cast<std::int64_t>(literal->bits);
+  }
+  View view = context.view;
+  view.wants_constant = true;
+  const ViewSwitch in(context, view);
+  const ir::ExprId value = CheckExpr(context, id);
+  if (context.IsError(value)) return std::nullopt;
+  if (const auto number = EvaluateInteger(context.program, value)) return number;
+  // A float with a whole value will do, as in fxc.
+  if (const auto constant = EvaluateConstant(context.program, value);
+      constant && constant->components.size() == 1) {
+    const double number = constant->components[0];
+    if (number == static_cast<double>(static_cast<std::int32_t>(std::clamp(number, -2e9, 2e9)))) {
+      return static_cast<std::int64_t>(number);
+    }
+  }
+  context.Report(expr.span, diag::NotConstantInteger, TextOf(context, id));
+  return std::nullopt;
+}
+
+}  // namespace clipc::check
