@@ -9,13 +9,6 @@
 namespace clipc {
 namespace {
 
-constexpr const char* kPunctuators[] = {
-    "(",  ")",  "[",  "]",  "{", "}",  ";",  ",",  ":",  "::", ".",  "?",  "->", "...", "+",  "-",
-    "*",  "/",  "%",  "&",  "|", "^",  "~",  "!",  "<",  ">",  "<=", ">=", "==", "!=",  "<<", ">>",
-    "&&", "||", "++", "--", "=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="};
-static_assert(std::size(kPunctuators) == static_cast<std::size_t>(TokenKind::kGreaterGreaterEqual) -
-                                             static_cast<std::size_t>(TokenKind::kLeftParen) + 1);
-
 const char* NameOf(LiteralKind kind) {
   switch (kind) {
     case LiteralKind::kBool: return "bool";
@@ -42,10 +35,8 @@ std::string Describe(const Token& token, const Names& names) {
     case TokenKind::kPragmaPackMatrix:
       return fmt::format("pack_matrix {}", token.value ? "row_major" : "column_major");
     case TokenKind::kUnknown: return "unknown";
-    default: break;
+    default: return std::string(SpellingOf(token.kind));
   }
-  return kPunctuators[static_cast<std::size_t>(token.kind) -
-                      static_cast<std::size_t>(TokenKind::kLeftParen)];
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-"""How lit runs the tests in this folder. Loaded by the build folder's lit.site.cfg.py; README.md says how to write a test."""
+"""How lit runs the tests in this folder. The build folder's lit.site.cfg.py loads it."""
 
 import os
 import sys

@@ -10,7 +10,7 @@
 #include "frontend/lex/preprocess_guard.h"
 #include "frontend/lex/source.h"
 
-// What the files that include Clang say to each other, in terms that do not.
+// What the *_clang.cpp files, which alone include Clang, offer each other.
 
 namespace clang {
 class DiagnosticConsumer;
@@ -22,7 +22,7 @@ class SourceManager;
 
 namespace clipc {
 
-// Everything needed to show a place in the text.
+// The part of Clang's state that turns a Span into a place in the text.
 struct ClangText {
   const clang::SourceManager& sources;
   const clang::LangOptions& language;
@@ -32,13 +32,13 @@ struct ClangText {
 Place Resolve(const ClangText& text, Span span);
 std::string RenderText(const ClangText& text, const Diagnostics& diagnostics, bool colour);
 
-// What Clang's preprocessor reports is put into *diagnostics, until `guard` has stopped it.
+// A consumer that puts what Clang's preprocessor reports into **diagnostics until `guard` stops it.
 std::unique_ptr<clang::DiagnosticConsumer> ReportInto(Diagnostics* const* diagnostics,
                                                       const PreprocessGuard& guard,
                                                       std::function<void()> on_include_too_deep);
 
-// Adds what HLSL knows after `#pragma`. `#pragma pack_matrix` becomes a token
-// tok::annot_pragma_pack, whose value is not null for row_major.
+// Adds the pragmas of HLSL. `#pragma pack_matrix` becomes a token tok::annot_pragma_pack, whose
+// annotation value is not null for row_major.
 void AddPragmas(clang::Preprocessor& preprocessor, Diagnostics& diagnostics);
 
 }  // namespace clipc

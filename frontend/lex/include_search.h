@@ -13,37 +13,36 @@
 
 namespace clipc {
 
-// One file on the way from the main file to the one being read.
+// A file that is being read: the main file, or one that an #include entered.
 struct EnteredFile {
-  unsigned id = 0;                 // of this time it is read
-  const void* identity = nullptr;  // of the file itself; null for text that is in no file
+  unsigned id = 0;                 // another one each time that the file is entered
+  const void* identity = nullptr;  // of the file itself; null for text that is not in a file
   std::string name;
   std::string folder;
-  std::uint32_t included_at = 0;  // location of the directive
+  std::uint32_t included_at = 0;  // the location of the #include
 };
 
-// Where an include is looked for: beside the file that includes it, beside that one's includer and
-// so on, then `-I`.
+// The folders in which an include is looked for: that of the file that includes it, that of the
+// file that includes this one and so on, then `include_dirs`. "" is the current folder.
 std::vector<std::string> IncludeFolders(std::span<const EnteredFile> stack,
                                         const std::vector<std::string>& include_dirs);
 
 struct FoundInclude {
   std::string path;      // folder joined with `spelling`
-  std::string spelling;  // the name in the form that the file system has it
+  std::string spelling;  // the name as the file system has it
 };
 
-// Looks for an include file as Windows would where the exact name was not found: `\` parts folders
-// and case does not matter. Folders are tried in order; in each, an exact match wins over one in
-// another case. "" is the current folder.
+// Looks for an include file as Windows does: `\` separates folders and case does not matter. The
+// first folder with a match wins; in each, an exact match wins over one in another case.
 std::optional<FoundInclude> FindIncludeLikeWindows(const std::vector<std::string>& folders,
                                                    std::string_view name);
 
-// A missing include, unless an error at the same place has just said why.
+// Reports an include file that does not exist, unless the last error is one at the same place.
 void ReportMissingInclude(Span where, const std::string& name,
                           const std::vector<std::string>& folders, Diagnostics& diagnostics);
 
-// The stack is as deep as it may be: names the cycle, placed where it closes, or says that there is
-// none.
+// Reports that includes are nested too deeply. If a file includes itself, the message names the
+// cycle and stands at the #include that closes it.
 void ReportIncludeTooDeep(std::span<const EnteredFile> stack, Diagnostics& diagnostics);
 
 }  // namespace clipc

@@ -331,57 +331,10 @@ class Callbacks : public clang::PPCallbacks {
 constexpr std::array<TokenKind, tok::NUM_TOKENS> MakeKinds() {
   std::array<TokenKind, tok::NUM_TOKENS> kinds{};
   kinds.fill(TokenKind::kUnknown);
-  constexpr std::pair<tok::TokenKind, TokenKind> kPairs[] = {
-      {tok::eof, TokenKind::kEnd},
-      {tok::l_paren, TokenKind::kLeftParen},
-      {tok::r_paren, TokenKind::kRightParen},
-      {tok::l_square, TokenKind::kLeftBracket},
-      {tok::r_square, TokenKind::kRightBracket},
-      {tok::l_brace, TokenKind::kLeftBrace},
-      {tok::r_brace, TokenKind::kRightBrace},
-      {tok::semi, TokenKind::kSemicolon},
-      {tok::comma, TokenKind::kComma},
-      {tok::colon, TokenKind::kColon},
-      {tok::coloncolon, TokenKind::kColonColon},
-      {tok::period, TokenKind::kDot},
-      {tok::question, TokenKind::kQuestion},
-      {tok::arrow, TokenKind::kArrow},
-      {tok::ellipsis, TokenKind::kEllipsis},
-      {tok::plus, TokenKind::kPlus},
-      {tok::minus, TokenKind::kMinus},
-      {tok::star, TokenKind::kStar},
-      {tok::slash, TokenKind::kSlash},
-      {tok::percent, TokenKind::kPercent},
-      {tok::amp, TokenKind::kAmp},
-      {tok::pipe, TokenKind::kPipe},
-      {tok::caret, TokenKind::kCaret},
-      {tok::tilde, TokenKind::kTilde},
-      {tok::exclaim, TokenKind::kExclaim},
-      {tok::less, TokenKind::kLess},
-      {tok::greater, TokenKind::kGreater},
-      {tok::lessequal, TokenKind::kLessEqual},
-      {tok::greaterequal, TokenKind::kGreaterEqual},
-      {tok::equalequal, TokenKind::kEqualEqual},
-      {tok::exclaimequal, TokenKind::kExclaimEqual},
-      {tok::lessless, TokenKind::kLessLess},
-      {tok::greatergreater, TokenKind::kGreaterGreater},
-      {tok::ampamp, TokenKind::kAmpAmp},
-      {tok::pipepipe, TokenKind::kPipePipe},
-      {tok::plusplus, TokenKind::kPlusPlus},
-      {tok::minusminus, TokenKind::kMinusMinus},
-      {tok::equal, TokenKind::kEqual},
-      {tok::plusequal, TokenKind::kPlusEqual},
-      {tok::minusequal, TokenKind::kMinusEqual},
-      {tok::starequal, TokenKind::kStarEqual},
-      {tok::slashequal, TokenKind::kSlashEqual},
-      {tok::percentequal, TokenKind::kPercentEqual},
-      {tok::ampequal, TokenKind::kAmpEqual},
-      {tok::pipeequal, TokenKind::kPipeEqual},
-      {tok::caretequal, TokenKind::kCaretEqual},
-      {tok::lesslessequal, TokenKind::kLessLessEqual},
-      {tok::greatergreaterequal, TokenKind::kGreaterGreaterEqual},
-      {tok::annot_pragma_pack, TokenKind::kPragmaPackMatrix}};
-  for (auto [theirs, ours] : kPairs) kinds[theirs] = ours;
+  kinds[tok::eof] = TokenKind::kEnd;
+  kinds[tok::annot_pragma_pack] = TokenKind::kPragmaPackMatrix;
+#define PUNCTUATOR(kind, clang_kind, spelling) kinds[tok::clang_kind] = TokenKind::kind;
+#include "frontend/lex/punctuators.def"
   return kinds;
 }
 constexpr std::array<TokenKind, tok::NUM_TOKENS> kKinds = MakeKinds();

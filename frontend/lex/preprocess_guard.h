@@ -9,24 +9,24 @@
 
 namespace clipc {
 
-// Keeps hostile text from running away inside one call of the preprocessor: nested macro arguments
-// and `#if (((...` recurse, macros and includes can grow without bound before a token comes out.
-// Once stopped, the preprocessor is shown the end of everything.
+// Bounds the work of one call of Clang's preprocessor on hostile text: nested macro arguments and
+// `#if (((...` recurse, macros and includes can grow without bound before a token comes out. From
+// Stop on, the preprocessor reads the end of all files.
 class PreprocessGuard {
  public:
   enum class Limit : std::uint8_t { kNone, kStack, kTokens, kExpansions, kIncludes, kReported };
 
   bool stopped() const { return limit_ != Limit::kNone; }
-  // kReported: a diagnostic has said why.
+  // `limit` is kReported if a diagnostic has given the reason.
   void Stop(Limit limit, std::uint32_t location);
-  // Says which limit was met, unless that was said.
+  // Reports the limit that was passed, unless it is kReported.
   void Report(Diagnostics& diagnostics) const;
 
-  // What is deeper in the stack by kMaxStack stops.
+  // A token may be read at most kMaxStack deeper in the stack than `base`.
   void SetStackBase(const char* base) { stack_base_ = base; }
 
-  // Counts one token that Clang reads, its own look-ahead included; kNone or the limit that is
-  // passed. The caller stops.
+  // Counts one token that Clang reads, for itself or for clipc. Returns the limit that it passes,
+  // or kNone; the caller calls Stop.
   Limit CountToken() {
     // Not the address of a variable: AddressSanitizer may keep those elsewhere.
     const auto* here = static_cast<const char*>(__builtin_frame_address(0));
@@ -36,7 +36,7 @@ class PreprocessGuard {
   void CountExpansion(std::uint32_t location) {
     if (++expansions_ > max_tokens_) Stop(Limit::kExpansions, location);
   }
-  // A file of that many bytes is entered: it has at most that many tokens.
+  // Counts a file of `bytes` bytes, which has at most as many tokens.
   void CountInclude(std::uint32_t location, std::size_t bytes) {
     max_tokens_ += bytes;
     if (++includes_ > kMaxIncludes) Stop(Limit::kIncludes, location);
@@ -44,8 +44,8 @@ class PreprocessGuard {
 
  private:
   static constexpr std::size_t kMaxStack = std::size_t{2} << 20;
-  static constexpr std::size_t kMaxGrowth = std::size_t{1}
-                                            << 22;  // tokens that macros add to what is written
+  // The tokens that macros may add to what is written.
+  static constexpr std::size_t kMaxGrowth = std::size_t{4} << 20;
   static constexpr unsigned kMaxIncludes = 1u << 16;
 
   const char* stack_base_ = nullptr;

@@ -9,20 +9,21 @@
 
 namespace clipc {
 
-// Longer sources are refused: a Span has 31 bits for every file of a compile and every macro
-// expansion in it.
+// The size of a source, at the most: a Span has 31 bits for all files of a translation unit and all
+// macro expansions in them.
 inline constexpr std::size_t kMaxSourceBytes = std::size_t{256} << 20;
 
-// Reads a whole file, pipe or device, "-" being standard input. Empty on success, else the reason
-// in lower case.
+// Reads a whole file, pipe or device; "-" is standard input. Returns an empty string on success,
+// otherwise the reason of the failure, which starts with a small letter.
 std::string ReadText(const std::string& path, std::string& text);
 
-// The macros there are before the first line: clipc's own, those of the compiler that the shader
-// model belongs to, and the user's, which messages place in "<command line>".
+// The text that defines the macros that exist before the first line: clipc's own, those of the
+// compiler that the shader model belongs to, and the user's, which are in "<command line>" for
+// messages.
 std::string Predefines(const SourceInput& input);
 
-// What stands after `#pragma warning`: (disable: 3206 3571; error: 4000). The numbers are fxc's.
-// push, pop and anything else is taken without effect.
+// Obeys a `#pragma warning`, given the words after it: (disable: 3206 3571; error: 4000). The
+// numbers are fxc's. Other words, push and pop among them, have no effect.
 void ApplyWarningPragma(const std::vector<std::string>& words, Diagnostics& diagnostics);
 
 }  // namespace clipc

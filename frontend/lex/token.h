@@ -12,62 +12,46 @@ namespace clipc {
 
 enum class TokenKind : std::uint8_t {
   kEnd,
-  kIdentifier,  // keywords too: the parser tells them apart by Name
+  kIdentifier,  // keywords too, which the parser tells apart by Name
   kIntLiteral,
   kFloatLiteral,
   kStringLiteral,
-  kLeftParen,
-  kRightParen,
-  kLeftBracket,
-  kRightBracket,
-  kLeftBrace,
-  kRightBrace,
-  kSemicolon,
-  kComma,
-  kColon,
-  kColonColon,
-  kDot,
-  kQuestion,
-  kArrow,
-  kEllipsis,
-  kPlus,
-  kMinus,
-  kStar,
-  kSlash,
-  kPercent,
-  kAmp,
-  kPipe,
-  kCaret,
-  kTilde,
-  kExclaim,
-  kLess,
-  kGreater,
-  kLessEqual,
-  kGreaterEqual,
-  kEqualEqual,
-  kExclaimEqual,
-  kLessLess,
-  kGreaterGreater,
-  kAmpAmp,
-  kPipePipe,
-  kPlusPlus,
-  kMinusMinus,
-  kEqual,
-  kPlusEqual,
-  kMinusEqual,
-  kStarEqual,
-  kSlashEqual,
-  kPercentEqual,
-  kAmpEqual,
-  kPipeEqual,
-  kCaretEqual,
-  kLessLessEqual,
-  kGreaterGreaterEqual,
-  kPragmaPackMatrix,  // value 1: row_major from here on, 0: column_major
-  kUnknown,           // a character HLSL has no use for; the parser reports it
+#define PUNCTUATOR(kind, clang_kind, spelling) kind,
+#include "frontend/lex/punctuators.def"
+  kPragmaPackMatrix,  // `#pragma pack_matrix`; its value is 1 for row_major, 0 for column_major
+  kUnknown,           // a character that HLSL does not have; the parser reports it
 };
 
-// What a literal's suffix says it is; no suffix: kInt or kFloat.
+// The text of a punctuator; empty for the other kinds.
+constexpr std::string_view SpellingOf(TokenKind kind) {
+  switch (kind) {
+#define PUNCTUATOR(kind, clang_kind, spelling) \
+  case TokenKind::kind: return spelling;
+#include "frontend/lex/punctuators.def"
+    default: return {};
+  }
+}
+
+// True for `=`, `+=` and so on.
+constexpr bool IsAssignment(TokenKind kind) {
+  return kind >= TokenKind::kEqual && kind <= TokenKind::kGreaterGreaterEqual;
+}
+
+// What a token adds to the depth of brackets: 1 for ( [ {, -1 for ) ] }, 0 for the rest.
+constexpr int BracketStep(TokenKind kind) {
+  switch (kind) {
+    case TokenKind::kLeftParen:
+    case TokenKind::kLeftBracket:
+    case TokenKind::kLeftBrace: return 1;
+    case TokenKind::kRightParen:
+    case TokenKind::kRightBracket:
+    case TokenKind::kRightBrace: return -1;
+    default: return 0;
+  }
+}
+
+// The type that a literal's suffix gives it. A number without a suffix is kInt or kFloat, or what
+// ReadNumber says of large integers.
 enum class LiteralKind : std::uint8_t {
   kBool,
   kInt,
@@ -80,12 +64,16 @@ enum class LiteralKind : std::uint8_t {
   kString
 };
 
-// Sixteen bytes. `value` is an integer literal's value, a float literal's bits as a double, an
-// identifier's or a string literal's Name index.
+constexpr bool IsFloatingPoint(LiteralKind kind) {
+  return kind == LiteralKind::kHalf || kind == LiteralKind::kFloat || kind == LiteralKind::kDouble;
+}
+
+// One token, in sixteen bytes. `value` is the value of an integer literal, the bits of a double for
+// a floating-point literal, the index of a Name for an identifier or a string literal.
 struct Token {
   TokenKind kind = TokenKind::kEnd;
   LiteralKind literal = LiteralKind::kInt;
-  bool after_space = false;  // white space or a comment stands before it
+  bool after_space = false;  // white space or a comment precedes it
   std::uint32_t location = 0;
   std::uint64_t value = 0;
 

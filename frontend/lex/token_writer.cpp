@@ -52,9 +52,7 @@ std::size_t TokenWriter::AddOneNumber(Token token, std::string_view text) {
     if (number.problem == NumberProblem::kNotANumber) number.length = text.size();
     ReportNumber(token.span(), text.substr(0, number.length), number.problem);
   }
-  const bool is_float = number.kind == LiteralKind::kHalf || number.kind == LiteralKind::kFloat ||
-                        number.kind == LiteralKind::kDouble;
-  token.kind = is_float ? TokenKind::kFloatLiteral : TokenKind::kIntLiteral;
+  token.kind = IsFloatingPoint(number.kind) ? TokenKind::kFloatLiteral : TokenKind::kIntLiteral;
   token.literal = number.kind;
   token.value = number.value;
   const bool ends_in_dot = number.length == text.size() && text.back() == '.';

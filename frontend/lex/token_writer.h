@@ -11,9 +11,9 @@
 
 namespace clipc {
 
-// Appends tokens to a list, making of C's preprocessing tokens what HLSL has: numbers are read,
-// adjacent string literals joined, `1.#INF` put together. `token` brings location and after_space;
-// the writer fills in the rest.
+// Appends tokens to a list, and turns C's preprocessing tokens into those of HLSL: reads numbers,
+// joins adjacent string literals and the parts of `1.#INF`. The `token` of an Add function has its
+// location and after_space; the writer fills in the rest.
 class TokenWriter {
  public:
   TokenWriter(Tokens& tokens, Diagnostics& diagnostics)
@@ -21,7 +21,7 @@ class TokenWriter {
 
   void AddPunctuator(Token token) { Add(token, After::kOther); }
   void AddHash(Token token);
-  // token.value is the Name of `text`.
+  // `token.value` is the Name of `text`.
   void AddIdentifier(Token token, std::string_view text) {
     if (after_ == After::kHash && !token.after_space && EndSpecialNumber(text)) return;
     token.kind = TokenKind::kIdentifier;
@@ -33,12 +33,8 @@ class TokenWriter {
   void AddEnd(std::uint32_t location);
 
  private:
-  enum class After : std::uint8_t {
-    kOther,
-    kNumberWithDot,
-    kHash,
-    kString
-  };  // what was added last
+  // What was added last.
+  enum class After : std::uint8_t { kOther, kNumberWithDot, kHash, kString };
 
   void Add(Token token, After after) {
     if (after_ == After::kString) EndString();

@@ -7,9 +7,8 @@
 
 namespace clipc {
 
-// The tree as indented text, for `--dump=ast` and tests: a line per declaration and statement;
-// expressions on one line with every operator in parentheses. The same tree always prints the same
-// text.
+// The tree as indented text, for `--dump=ast` and tests: one line for each declaration and
+// statement, expressions with every operator in parentheses. Equal trees have equal texts.
 std::string PrintAst(const ast::File& file);
 
 }  // namespace clipc

@@ -16,12 +16,7 @@ struct Entry {
 };
 
 constexpr Entry Plain(std::string_view text, Word word) { return {text, {word}}; }
-constexpr Entry Qualifies(std::string_view text, ast::Qualifiers bits) {
-  return {text, {Word::kQualifier, false, bits}};
-}
-constexpr Entry MayQualify(std::string_view text, ast::Qualifiers bits) {
-  return {text, {Word::kContextualQualifier, false, bits}};
-}
+constexpr Entry MayQualify(std::string_view text) { return {text, {Word::kContextualQualifier}}; }
 constexpr Entry Object(std::string_view text) { return {text, {Word::kObjectType}}; }
 constexpr Entry ShaderType(std::string_view text) { return {text, {Word::kObjectType, true}}; }
 
@@ -58,43 +53,24 @@ constexpr auto kExact = std::to_array<Entry>({
     Plain("unsigned", Word::kUnsigned),
     Plain("void", Word::kNumericType),
     Plain("DWORD", Word::kNumericType),
-    Qualifies("const", ast::kConst),
-    Qualifies("static", ast::kStatic),
-    Qualifies("uniform", ast::kUniform),
-    Qualifies("extern", ast::kExtern),
-    Qualifies("volatile", ast::kVolatile),
-    Qualifies("inline", ast::kInline),
-    Qualifies("in", ast::kIn),
-    Qualifies("out", ast::kOut),
-    Qualifies("inout", ast::kIn | ast::kOut),
-    Qualifies("row_major", ast::kRowMajor),
-    Qualifies("column_major", ast::kColumnMajor),
-    Qualifies("nointerpolation", ast::kNoInterpolation),
-    Qualifies("noperspective", ast::kNoPerspective),
-    Qualifies("groupshared", ast::kGroupShared),
-    MayQualify("globallycoherent", ast::kGloballyCoherent),
-    MayQualify("reordercoherent", 0),
-    MayQualify("center", 0),
-    MayQualify("linear", ast::kLinear),
-    MayQualify("centroid", ast::kCentroid),
-    MayQualify("sample", ast::kSample),
-    MayQualify("precise", ast::kPrecise),
-    MayQualify("shared", ast::kShared),
-    MayQualify("snorm", ast::kSnorm),
-    MayQualify("unorm", ast::kUnorm),
-    MayQualify("export", ast::kExport),
-    MayQualify("noinline", 0),
-    MayQualify("varying", 0),  // Cg
+#define QUALIFIER(bit, spelling, word) {spelling, {Word::word, false, ast::bit}},
+#include "frontend/parse/qualifiers.def"
+    {"inout", {Word::kQualifier, false, ast::kIn | ast::kOut}},
+    // Qualifiers without a meaning for a vertex shader.
+    MayQualify("reordercoherent"),
+    MayQualify("center"),
+    MayQualify("noinline"),
+    MayQualify("varying"),  // Cg
     // Geometry and mesh shaders.
-    MayQualify("point", 0),
-    MayQualify("line", 0),
-    MayQualify("triangle", 0),
-    MayQualify("lineadj", 0),
-    MayQualify("triangleadj", 0),
-    MayQualify("vertices", 0),
-    MayQualify("indices", 0),
-    MayQualify("primitives", 0),
-    MayQualify("payload", 0),
+    MayQualify("point"),
+    MayQualify("line"),
+    MayQualify("triangle"),
+    MayQualify("lineadj"),
+    MayQualify("triangleadj"),
+    MayQualify("vertices"),
+    MayQualify("indices"),
+    MayQualify("primitives"),
+    MayQualify("payload"),
     Object("vector"),
     Object("matrix"),
     Object("RWTexture1D"),

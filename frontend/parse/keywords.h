@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <string_view>
 
-#include "frontend/parse/ast.h"
+#include "frontend/parse/ast_decl.h"
 
-// What HLSL's grammar knows about a word. Few words are reserved in real shaders: everything from
-// kContextualQualifier on is a name wherever a name fits better, and only the parser knows where
-// that is.
+// The words of HLSL's grammar. Real shaders use many of them as names, so few are reserved: from
+// kContextualQualifier on, a word is a name wherever the parser finds that a name fits better.
 namespace clipc {
 
 enum class Word : std::uint8_t {
@@ -62,13 +62,41 @@ enum class Word : std::uint8_t {
 
 struct WordInfo {
   Word word = Word::kNone;
-  bool is_shader_type = false;  // VertexShader and friends: initialised by effects-framework text
-  ast::Qualifiers qualifier =
-      0;  // of (contextual) qualifiers; 0 for those that mean nothing to a vertex shader
+  // VertexShader, PixelShader and the like, whose initialiser is effects-framework text.
+  bool is_shader_type = false;
+  // The bits of a qualifier; 0 if it has no meaning for a vertex shader.
+  ast::Qualifiers qualifier = 0;
 };
 
-// Words of the effects framework and legacy object types match in any case, as fxc has it.
+// The words of the effects framework and the object types of Direct3D 9 match in any case, as in
+// fxc.
 WordInfo ClassifyWord(std::string_view text);
+
+// A set of words.
+class Words {
+ public:
+  template <std::same_as<Word>... Each>
+  constexpr Words(Each... words) : bits_((0 | ... | (std::uint64_t{1} << int(words)))) {}
+  constexpr bool Has(Word word) const { return (bits_ >> int(word) & 1) != 0; }
+  friend constexpr Words operator|(Words a, Words b) {
+    a.bits_ |= b.bits_;
+    return a;
+  }
+
+ private:
+  std::uint64_t bits_;
+};
+
+// Words that define a type, or name one that is defined elsewhere.
+inline constexpr Words kTagWords(Word::kStruct, Word::kClass, Word::kInterface, Word::kEnum);
+// Words that can only start a type.
+inline constexpr Words kTypeWords =
+    kTagWords | Words(Word::kQualifier, Word::kUnsigned, Word::kTypename);
+// Words that are the name of a type, unless a declaration gives them another meaning.
+inline constexpr Words kTypeNameWords(Word::kNumericType, Word::kObjectType, Word::kUnsigned);
+inline constexpr Words kBufferWords(Word::kCbuffer, Word::kTbuffer);
+// Words that start a declaration outside of functions only.
+inline constexpr Words kOutsideWords = kBufferWords | Words(Word::kNamespace, Word::kTemplate);
 
 // True for words that start a statement or belong to one.
 constexpr bool IsStatementWord(Word word) { return word >= Word::kIf && word <= Word::kDiscard; }

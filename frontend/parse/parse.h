@@ -7,11 +7,11 @@
 
 namespace clipc {
 
-// Whole HLSL as fxc and DXC accept it, whatever the shader stage; effects-framework text
-// (techniques, state blocks, annotations) is skipped with its brackets matched. Linear in the
-// number of tokens. Syntax errors are reported with recovery, several in one run; a file is worth
-// checking only when there were none. Any token sequence is answered: what nests too deeply for the
-// promise of ast::kMaxDepth is an error.
+// Parses all of HLSL that fxc and DXC accept, for every shader stage; effects-framework text
+// (techniques, state blocks, annotations) is skipped with its brackets matched. It is linear in the
+// number of tokens, and every sequence of tokens has a result: what nests too deeply for
+// ast::kMaxDepth is an error. One run reports several syntax errors; a file is worth checking only
+// if there are none.
 ast::File Parse(Tokens tokens, Diagnostics& diagnostics);
 
 }  // namespace clipc

@@ -43,7 +43,7 @@ float4 i : 3.0;
 // CHECK-NEXT:       |           ^
 clipplanes(a, b)
 float4 lost() : SV_Position { return 0; }
-// CHECK-NEXT: fail_declarations.hlsl:[[#@LINE+6]]:12: error: unexpected `B`; expected `}` [X3000]
+// CHECK-NEXT: fail_declarations.hlsl:[[#@LINE+6]]:12: error: unexpected `B`; expected `,` or `}` [X3000]
 // CHECK-NEXT:    [[#@LINE+5]] | enum E { A B };
 // CHECK-NEXT:       |            ^
 // CHECK-NEXT: fail_declarations.hlsl:[[#@LINE+3]]:8: note: the `{` is here

@@ -15,23 +15,6 @@ namespace {
 using enum TokenKind;
 using Item = std::vector<Token>;  // one declaration
 
-constexpr const char* kPunctuators[] = {
-    "(",  ")",  "[",  "]",  "{", "}",  ";",  ",",  ":",  "::", ".",  "?",  "->", "...", "+",  "-",
-    "*",  "/",  "%",  "&",  "|", "^",  "~",  "!",  "<",  ">",  "<=", ">=", "==", "!=",  "<<", ">>",
-    "&&", "||", "++", "--", "=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="};
-
-int Depth(TokenKind kind) {
-  switch (kind) {
-    case kLeftParen:
-    case kLeftBracket:
-    case kLeftBrace: return 1;
-    case kRightParen:
-    case kRightBracket:
-    case kRightBrace: return -1;
-    default: return 0;
-  }
-}
-
 class Writer {
  public:
   Writer(const Tokens& tokens, const std::string& entry) : names_(tokens.names) {
@@ -66,7 +49,7 @@ class Writer {
     std::vector<Token> kept;
     int depth = 0;
     for (std::size_t i = 0; i < tokens.size(); ++i) {
-      depth += Depth(tokens[i].kind);
+      depth += BracketStep(tokens[i].kind);
       const auto kind = [&](std::size_t ahead) {
         return i + ahead < tokens.size() ? tokens[i + ahead].kind : kEnd;
       };
@@ -96,7 +79,7 @@ class Writer {
         continue;
       }
       item.push_back(tokens[i]);
-      depth += Depth(tokens[i].kind);
+      depth += BracketStep(tokens[i].kind);
       const TokenKind next = tokens[i + 1].kind;
       const bool closes =
           tokens[i].kind == kRightBrace && next != kSemicolon &&
@@ -164,7 +147,7 @@ class Writer {
     for (std::size_t i = 0; i < item.size(); ++i) {
       if (depth == 0 && item[i].kind == kLeftParen && i > 0 && item[i - 1].kind == kIdentifier)
         return std::string(Text(item[i - 1]));
-      depth += Depth(item[i].kind);
+      depth += BracketStep(item[i].kind);
     }
     return "";
   }
@@ -194,9 +177,7 @@ class Writer {
         return text;
       case kEnd:
       case kUnknown: return "";
-      default:
-        return kPunctuators[static_cast<std::size_t>(token.kind) -
-                            static_cast<std::size_t>(kLeftParen)];
+      default: return std::string(SpellingOf(token.kind));
     }
   }
 

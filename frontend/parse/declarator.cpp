@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <charconv>
 
+#include <fmt/format.h>
+
+#include "frontend/parse/operators.h"
 #include "frontend/parse/parser.h"
 
 // What follows a type: name, dimensions, semantic, register, packoffset, annotation, initialiser.
@@ -9,7 +12,7 @@ namespace {
 
 char Lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
-// The number that is the whole of `digits`.
+// The number that `digits` is, from the first to the last character.
 std::optional<std::uint32_t> ParseNumber(std::string_view digits) {
   std::uint32_t number = 0;
   const char* end = digits.data() + digits.size();
@@ -18,22 +21,28 @@ std::optional<std::uint32_t> ParseNumber(std::string_view digits) {
   return number;
 }
 
+// 3 of `c3`. A letter alone is its register 0: `s[5]` is s5.
+std::optional<std::uint32_t> NumberAfterLetter(std::string_view text) {
+  if (text.empty()) return std::nullopt;
+  return text.size() == 1 ? 0 : ParseNumber(text.substr(1));
+}
+
 }  // namespace
 
 bool Parser::ParseDeclaratorName(Name& name, Span& span, std::string_view what) {
-  if (At(TokenKind::kStar) || At(TokenKind::kAmp)) {
-    Error(Here(), diag::NoPointers, At(TokenKind::kStar) ? "*" : "&");
+  if (At(kStar) || At(kAmp)) {
+    Error(Here(), diag::NoPointers, At(kStar) ? "*" : "&");
     return false;
   }
-  if (!At(TokenKind::kIdentifier)) {
+  if (!At(kIdentifier)) {
     Unexpected(fmt::format("the name of a {}", what));
     return false;
   }
-  // `int int1`: names of types with a size are no keywords.
-  const std::string_view text = Text(Peek().name());
+  // `int int1`: the name of a type with a size may be the name of something else.
+  const std::string_view text = TextAt();
   const bool sized = AtWord(Word::kNumericType) && text.back() >= '1' && text.back() <= '4';
   const bool fixed_width = AtWord(Word::kNumericType) && text.ends_with("_t");
-  if (IsReserved(WordAt()) && !(fixed_width || (sized && Peek(1).kind != TokenKind::kIdentifier))) {
+  if (IsReserved(WordAt()) && !(fixed_width || (sized && !At(kIdentifier, 1)))) {
     Error(Here(), diag::ReservedName, text, what);
     Next();
     return false;
@@ -43,29 +52,42 @@ bool Parser::ParseDeclaratorName(Name& name, Span& span, std::string_view what) 
   return true;
 }
 
-// Everything of a declarator behind its name.
+VarDecl Parser::MakeVar(const Specifiers& specifiers) const {
+  VarDecl var{};
+  var.type = specifiers.type;
+  var.qualifiers = specifiers.qualifiers;
+  var.attributes = specifiers.attributes;
+  return var;
+}
+
+// Everything of a declarator after its name.
 void Parser::ParseDeclaratorTail(VarDecl& var, Scope scope) {
   var.dimensions = ParseDimensions();
-  Collector<RegisterBinding> registers(register_stack_);
-  while ((At(TokenKind::kColon) || At(TokenKind::kLess)) && !panic_) {
-    if (At(TokenKind::kLess)) {
+  ParseColonParts(var);
+  if (panic_) return;
+  const Name type = file_.types[var.type].name.name;
+  const bool object = type && InfoOf(type).word == Word::kObjectType;
+  if (AtStateBlock() && (scope != Scope::kLocal || object)) {
+    var.has_state_block = true;
+    Accept(kEqual);
+    if (AtWord(Word::kSamplerState)) Next();
+    SkipEffectBlock();
+  } else if (Accept(kEqual)) {
+    ParseInitializer(var);
+  }
+}
+
+// Any number of annotations, and of what follows a colon.
+void Parser::ParseColonParts(VarDecl& var) {
+  Collector registers(registers_);
+  while ((At(kColon) || At(kLess)) && !panic_) {
+    if (At(kLess)) {
       SkipAnnotation();
     } else {
       ParseColonPart(var, registers);
     }
   }
-  var.registers = registers.Finish(file_.registers);
-  if (panic_) return;
-  const Name type = file_.types[var.type].name.name;
-  const bool object = type && InfoOfName(type).word == Word::kObjectType;
-  if (AtStateBlock() && (scope != Scope::kLocal || object)) {
-    var.has_state_block = true;
-    Accept(TokenKind::kEqual);
-    if (AtWord(Word::kSamplerState)) Next();
-    SkipEffectBlock();
-  } else if (Accept(TokenKind::kEqual)) {
-    ParseInitializer(var);
-  }
+  var.registers = registers.Finish();
 }
 
 // `: SEMANTIC`, `: register(...)`, `: packoffset(...)` or the width of a bit-field.
@@ -76,10 +98,10 @@ void Parser::ParseColonPart(VarDecl& var, Collector<RegisterBinding>& registers)
     case Word::kPackOffset: var.packoffset = ParsePackOffset(); return;
     default: break;
   }
-  if (At(TokenKind::kIntLiteral)) {
-    var.bit_width = ParseBinary(kAdditivePrecedence);
-  } else if (At(TokenKind::kIdentifier) && Peek(1).kind == TokenKind::kLeftParen) {
-    Next();  // read(caller), write(miss): of ray payloads
+  if (At(kIntLiteral)) {
+    var.bit_width = ParseBinary(OperatorOf(BinaryOp::kAdd).precedence);
+  } else if (At(kIdentifier) && At(kLeftParen, 1)) {
+    Next();  // read(caller) and write(miss), of ray payloads
     SkipBalanced();
   } else {
     var.semantic = ParseSemantic();
@@ -87,7 +109,7 @@ void Parser::ParseColonPart(VarDecl& var, Collector<RegisterBinding>& registers)
 }
 
 Semantic Parser::ParseSemantic() {
-  if (!At(TokenKind::kIdentifier)) {
+  if (!At(kIdentifier)) {
     Unexpected("a semantic, `register(...)` or `packoffset(...)`");
     return {};
   }
@@ -99,14 +121,11 @@ Semantic Parser::ParseSemantic() {
 
 void Parser::ParseInitializer(VarDecl& var) {
   const Name type = file_.types[var.type].name.name;
-  const bool shader =
-      type && InfoOfName(type).is_shader_type && MeaningOf(type) == Meaning::kUnknown;
-  const Word word = WordAt(At(TokenKind::kLeftBrace) ? 1 : 0);
-  const bool effect_word =
-      word == Word::kCompile || word == Word::kAsm || word == Word::kSamplerState;
+  const bool shader = type && InfoOf(type).is_shader_type && MeaningOf(type) == Meaning::kUnknown;
+  constexpr Words kEffectWords(Word::kCompile, Word::kAsm, Word::kSamplerState);
+  const bool effect_word = kEffectWords.Has(WordAt(At(kLeftBrace) ? 1 : 0));
   // A variable may have such a name; two names in a row do not make an expression.
-  if (shader || (effect_word && (Peek(1).kind == TokenKind::kIdentifier ||
-                                 Peek(1).kind == TokenKind::kLeftBrace))) {
+  if (shader || (effect_word && (At(kIdentifier, 1) || At(kLeftBrace, 1)))) {
     var.has_state_block = true;
     SkipEffectValue();
   } else {
@@ -114,9 +133,7 @@ void Parser::ParseInitializer(VarDecl& var) {
   }
 }
 
-ExprId Parser::ParseInitValue() {
-  return At(TokenKind::kLeftBrace) ? ParseInitList() : ParseAssignment();
-}
+ExprId Parser::ParseInitValue() { return At(kLeftBrace) ? ParseInitList() : ParseAssignment(); }
 
 // {a, {b, c},}
 ExprId Parser::ParseInitList() {
@@ -125,20 +142,9 @@ ExprId Parser::ParseInitList() {
   if (!nesting.ok()) return ErrorExprHere();
   Next();
   Bracketed bracketed(*this);
-  Collector<ExprId> elements(expr_stack_);
-  while (!At(TokenKind::kRightBrace) && !AtEnd()) {
-    elements.Add(ParseInitValue());
-    if (panic_ || !Accept(TokenKind::kComma)) break;
-  }
-  if (!panic_ && !At(TokenKind::kRightBrace)) {
-    Diagnostic* report = Error(Here(), diag::UnexpectedToken, Describe(), "`,` or `}`");
-    if (report) report->Note(tokens_[open].span(), diag::OpenedHere, "{");
-  }
-  if (panic_)
-    SkipToClose(TokenKind::kRightBrace);
-  else
-    Next();
-  return AddExpr(open, InitListExpr{elements.Finish(file_.expr_lists)});
+  Collector elements(exprs_);
+  ParseList(kRightBrace, open, {}, [&] { elements.Add(ParseInitValue()); });
+  return AddExpr(open, InitListExpr{elements.Finish()});
 }
 
 // register(c3), register(vs_5_0, b0), register(t0, space1), register(space2), register(c3[1])
@@ -147,50 +153,42 @@ RegisterBinding Parser::ParseRegister() {
   RegisterBinding binding;
   Next();
   const std::size_t open = pos_;
-  if (!Expect(TokenKind::kLeftParen, "`(` after `register`")) return binding;
-  while (ParseRegisterOperand(binding) && Accept(TokenKind::kComma)) {
+  if (!Expect(kLeftParen, "`(` after `register`")) return binding;
+  while (ParseRegisterOperand(binding) && Accept(kComma)) {
   }
-  if (!ExpectClose(TokenKind::kRightParen, open)) SkipToClose(TokenKind::kRightParen);
+  Close(kRightParen, open);
   binding.span = SpanFrom(start);
   return binding;
 }
 
+// One of the parts between the commas. False: an error was reported.
 bool Parser::ParseRegisterOperand(RegisterBinding& binding) {
-  if (!At(TokenKind::kIdentifier)) {
-    Error(Here(), diag::BadRegister, Describe());
-    return false;
-  }
-  const std::string_view text = Text(Peek().name());
   constexpr std::string_view kSpace = "space";
-  if (text.starts_with(kSpace)) {
-    const auto number = ParseNumber(text.substr(kSpace.size()));
-    if (!number) {
-      Error(Here(), diag::BadSpace, Describe());
-      return false;
-    }
-    binding.space = *number;
-    Next();
-    return true;
-  }
   constexpr std::string_view kLetters = "bcistu";
-  // A letter alone is its register 0; `s[5]` is s5.
-  const auto number = text.size() == 1 ? 0 : ParseNumber(text.substr(1));
-  if (number && kLetters.find(Lower(text[0])) != std::string_view::npos) {
+  const std::string_view text = TextAt();
+  if (text.starts_with(kSpace)) {
+    if (const auto number = ParseNumber(text.substr(kSpace.size()))) {
+      binding.space = *number;
+      Next();
+    } else {
+      Error(Here(), diag::BadSpace, Describe());
+    }
+  } else if (const auto number = NumberAfterLetter(text);
+             number && kLetters.find(Lower(text[0])) != kLetters.npos) {
     binding.letter = Lower(text[0]);
     binding.number = *number;
     Next();
-    if (!At(TokenKind::kLeftBracket)) return true;
     const std::size_t open = pos_;
-    Next();
-    binding.subcomponent = ParseConditional();
-    return ExpectClose(TokenKind::kRightBracket, open);
-  }
-  if (Peek(1).kind == TokenKind::kComma && binding.letter == 0 && !binding.profile) {
+    if (Accept(kLeftBracket)) {
+      binding.subcomponent = ParseConditional();
+      return ExpectClose(kRightBracket, open);
+    }
+  } else if (At(kIdentifier) && At(kComma, 1) && binding.letter == 0 && !binding.profile) {
     binding.profile = Next().name();
-    return true;
+  } else {
+    Error(Here(), diag::BadRegister, Describe());
   }
-  Error(Here(), diag::BadRegister, Describe());
-  return false;
+  return !panic_;
 }
 
 // packoffset(c3), packoffset(c3.y), packoffset(c[3])
@@ -198,33 +196,31 @@ std::optional<PackOffset> Parser::ParsePackOffset() {
   const std::size_t start = pos_;
   Next();
   const std::size_t open = pos_;
-  if (!Expect(TokenKind::kLeftParen, "`(` after `packoffset`")) return std::nullopt;
+  if (!Expect(kLeftParen, "`(` after `packoffset`")) return std::nullopt;
   PackOffset offset;
   if (!ParsePackOffsetOperand(offset)) Error(Here(), diag::BadPackOffset, Describe());
   const bool good = !panic_;
-  if (!ExpectClose(TokenKind::kRightParen, open)) SkipToClose(TokenKind::kRightParen);
+  Close(kRightParen, open);
   offset.span = SpanFrom(start);
   return good ? std::optional(offset) : std::nullopt;
 }
 
 // False: the current token does not belong there.
 bool Parser::ParsePackOffsetOperand(PackOffset& offset) {
-  if (!At(TokenKind::kIdentifier)) return false;
-  const std::string_view text = Text(Peek().name());
-  const auto number = text.size() == 1 ? 0 : ParseNumber(text.substr(1));
-  if (Lower(text[0]) != 'c' || !number) return false;
+  const std::string_view text = TextAt();
+  const auto number = NumberAfterLetter(text);
+  if (!number || Lower(text[0]) != 'c') return false;
   offset.reg = *number;
   Next();
-  if (At(TokenKind::kLeftBracket) && Peek(1).kind == TokenKind::kIntLiteral &&
-      Peek(2).kind == TokenKind::kRightBracket) {
+  if (At(kLeftBracket) && At(kIntLiteral, 1) && At(kRightBracket, 2)) {
     Next();
     offset.reg += static_cast<std::uint32_t>(Next().value);
     Next();
   }
-  if (!Accept(TokenKind::kDot)) return true;
-  const std::string_view component = At(TokenKind::kIdentifier) ? Text(Peek().name()) : "";
+  if (!Accept(kDot)) return true;
+  const std::string_view component = TextAt();
   const std::size_t at = std::string_view("xyzwrgba").find(component);
-  if (component.size() != 1 || at == std::string_view::npos) return false;
+  if (component.size() != 1 || at == component.npos) return false;
   offset.component = static_cast<std::uint32_t>(at % 4);
   Next();
   return true;

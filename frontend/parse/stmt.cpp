@@ -1,30 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <fmt/format.h>
+
 #include "frontend/parse/parser.h"
 
+// Statements.
 namespace clipc::ast {
-
-StmtId Parser::AddStmt(std::size_t start, decltype(Stmt::node) node) {
-  return file_.stmts.Add(Stmt{SpanFrom(start), {}, std::move(node)});
-}
 
 // One statement with its attributes. After an error the next statement can be read.
 StmtId Parser::ParseStatement() {
   const std::size_t start = pos_;
   Nesting nesting(*this);
   if (!nesting.ok()) return AddStmt(start, ErrorStmt{});
-  Collector<Attr> collector(attr_stack_);
-  ParseAttributes(collector);
-  const List<Attr> attributes = collector.Finish(file_.attrs);
+  const List<Attr> attributes = ParseAttributes();
   const StmtId stmt = ParseUnattributed(start);
   if (!attributes.empty()) file_.stmts[stmt].attributes = attributes;
-  if (panic_ && !leaving_function_) SyncStatement();
+  if (panic_ && !leaving_function_) SkipStatement();
   return stmt;
 }
 
 StmtId Parser::ParseUnattributed(std::size_t start) {
   if (panic_) return AddStmt(start, ErrorStmt{});
-  if (At(TokenKind::kLeftBrace)) return ParseBlock();
-  if (Accept(TokenKind::kSemicolon)) return AddStmt(start, EmptyStmt{});
+  if (At(kLeftBrace)) return ParseBlock();
+  if (Accept(kSemicolon)) return AddStmt(start, EmptyStmt{});
   switch (WordAt()) {
     case Word::kIf: return ParseIf(start);
     case Word::kFor: return ParseFor();
@@ -40,25 +37,22 @@ StmtId Parser::ParseUnattributed(std::size_t start) {
     case Word::kElse:
       Error(Here(), diag::ElseWithoutIf);
       Next();
-      panic_ = aborted_;
+      EndPanic();
       return AddStmt(start, ErrorStmt{});
     default: break;
   }
-  return IsDeclaration() ? ParseDeclStatement() : ParseExprStatement();
+  return ParseDeclOrExpr();
 }
 
 StmtId Parser::ParseBlock() {
   const std::size_t open = pos_;
-  Accept(TokenKind::kLeftBrace);
+  Accept(kLeftBrace);
   NameScope scope(*this);
-  Stmts body(stmt_stack_);
-  while (!At(TokenKind::kRightBrace) && !AtEnd() && !leaving_function_) {
-    const Word word = WordAt();
-    const bool outside = word == Word::kCbuffer || word == Word::kTbuffer ||
-                         word == Word::kNamespace || word == Word::kTemplate ||
-                         (word == Word::kTechnique && AtDeclarationWord());
+  Collector body(stmts_);
+  while (!At(kRightBrace) && !AtEnd() && !leaving_function_) {
+    const bool outside = AtAnyOf(kOutsideWords | Word::kTechnique) && AtDeclarationWord();
     if (outside && !panic_) {
-      ExpectClose(TokenKind::kRightBrace, open);
+      ExpectClose(kRightBrace, open);
       leaving_function_ = !aborted_;
       break;
     }
@@ -66,28 +60,26 @@ StmtId Parser::ParseBlock() {
     body.Add(ParseStatement());
     if (pos_ == before && !leaving_function_) Next();
   }
-  if (!leaving_function_) ExpectClose(TokenKind::kRightBrace, open);
-  return AddStmt(open, BlockStmt{body.Finish(file_.stmt_lists)});
+  if (!leaving_function_) ExpectClose(kRightBrace, open);
+  return AddStmt(open, BlockStmt{body.Finish()});
 }
 
 // The statement that a loop or branch governs.
 StmtId Parser::ParseBody(std::string_view of) {
   NameScope scope(*this);
-  if (At(TokenKind::kRightBrace) || AtEnd()) Unexpected(fmt::format("a statement after `{}`", of));
+  if (At(kRightBrace) || AtEnd()) Unexpected(fmt::format("a statement after `{}`", of));
   if (panic_) return AddStmt(pos_, ErrorStmt{});
   return ParseStatement();
 }
 
-// `(condition)` behind the keyword.
+// (condition), after the word `of`.
 ExprId Parser::ParseCondition(std::string_view of) {
-  const std::size_t open = pos_;
-  if (!Expect(TokenKind::kLeftParen, fmt::format("`(` after `{}`", of))) return ErrorExprHere();
-  const ExprId condition = ParseExpression();
-  if (!ExpectClose(TokenKind::kRightParen, open)) SkipToClose(TokenKind::kRightParen);
-  return condition;
+  if (At(kLeftParen)) return ParseInBrackets(kRightParen);
+  Unexpected(fmt::format("`(` after `{}`", of));
+  return ErrorExprHere();
 }
 
-// A chain of else-ifs is one loop here, though it is one path of the tree.
+// A chain of else-ifs is one path of the tree, but no recursion of the parser.
 StmtId Parser::ParseIf(std::size_t start) {
   struct Arm {
     std::size_t start;
@@ -107,9 +99,7 @@ StmtId Parser::ParseIf(std::size_t start) {
     if (panic_ || !AtWord(Word::kElse)) break;
     Next();
     start = pos_;
-    Collector<Attr> collector(attr_stack_);
-    ParseAttributes(collector);
-    attributes = collector.Finish(file_.attrs);
+    attributes = ParseAttributes();
     if (!AtWord(Word::kIf)) {
       otherwise = ParseBody("else");
       if (!attributes.empty()) file_.stmts[otherwise].attributes = attributes;
@@ -135,19 +125,14 @@ StmtId Parser::ParseFor() {
   Next();
   ForStmt loop{};
   const std::size_t open = pos_;
-  if (!Expect(TokenKind::kLeftParen, "`(` after `for`")) return AddStmt(start, ErrorStmt{});
-  loop.init = ParseForInit();
-  if (!At(TokenKind::kSemicolon) && !panic_) loop.condition = ParseExpression();
-  if (!panic_) Expect(TokenKind::kSemicolon, "`;` after the condition of `for`");
-  if (!At(TokenKind::kRightParen) && !panic_) loop.step = ParseExpression();
-  if (!ExpectClose(TokenKind::kRightParen, open)) SkipToClose(TokenKind::kRightParen, true);
+  if (!Expect(kLeftParen, "`(` after `for`")) return AddStmt(start, ErrorStmt{});
+  if (!Accept(kSemicolon)) loop.init = ParseDeclOrExpr();
+  if (!At(kSemicolon) && !panic_) loop.condition = ParseExpression();
+  if (!panic_) Expect(kSemicolon, "`;` after the condition of `for`");
+  if (!At(kRightParen) && !panic_) loop.step = ParseExpression();
+  if (!ExpectClose(kRightParen, open)) SkipToClose(kRightParen, true);
   loop.body = ParseBody("for (...)");
   return AddStmt(start, loop);
-}
-
-StmtId Parser::ParseForInit() {
-  if (Accept(TokenKind::kSemicolon)) return {};
-  return IsDeclaration() ? ParseDeclStatement() : ParseExprStatement();
 }
 
 StmtId Parser::ParseWhile() {
@@ -180,7 +165,7 @@ StmtId Parser::ParseSwitch() {
   Next();
   SwitchStmt statement{};
   statement.value = ParseCondition("switch");
-  if (!panic_ && !At(TokenKind::kLeftBrace)) Unexpected("`{` after `switch (...)`");
+  if (!panic_ && !At(kLeftBrace)) Unexpected("`{` after `switch (...)`");
   if (panic_) return AddStmt(start, ErrorStmt{});
   statement.body = ParseStatement();
   return AddStmt(start, statement);
@@ -191,7 +176,7 @@ StmtId Parser::ParseCase() {
   const bool has_value = Next().name() == Intern("case");
   CaseStmt label{};
   if (has_value) label.value = ParseConditional();
-  Expect(TokenKind::kColon, has_value ? "`:` after the value of `case`" : "`:` after `default`");
+  Expect(kColon, has_value ? "`:` after the value of `case`" : "`:` after `default`");
   return AddStmt(start, label);
 }
 
@@ -199,8 +184,7 @@ StmtId Parser::ParseReturn() {
   const std::size_t start = pos_;
   Next();
   ReturnStmt statement{};
-  if (!At(TokenKind::kSemicolon) && !At(TokenKind::kRightBrace))
-    statement.value = ParseExpression();
+  if (!At(kSemicolon) && !At(kRightBrace)) statement.value = ParseExpression();
   ExpectSemicolon("`return`");
   return AddStmt(start, statement);
 }
@@ -217,15 +201,14 @@ StmtId Parser::ParseSimple() {
   }
 }
 
-StmtId Parser::ParseDeclStatement() {
+// float x = 1;  x += 1;
+StmtId Parser::ParseDeclOrExpr() {
   const std::size_t start = pos_;
-  Decls decls(decl_stack_);
-  if (!ParseKeywordDeclaration(decls, Scope::kLocal)) ParseSpecified(decls, Scope::kLocal, {});
-  return AddStmt(start, DeclStmt{decls.Finish(file_.decl_lists)});
-}
-
-StmtId Parser::ParseExprStatement() {
-  const std::size_t start = pos_;
+  if (IsDeclaration()) {
+    Collector decls(decls_);
+    if (!ParseKeywordDeclaration(decls, Scope::kLocal)) ParseSpecified(decls, Scope::kLocal, {});
+    return AddStmt(start, DeclStmt{decls.Finish()});
+  }
   const ExprId expr = ParseExpression();
   ExpectSemicolon("the expression");
   return AddStmt(start, ExprStmt{expr});

@@ -1,4 +1,4 @@
-// A line with nothing behind #pragma ran past the end of the text.
+// `#pragma` alone on a line, or at the end of the file, has no effect.
 // RUN: %clipc %s -o - | FileCheck %s
 #pragma
 float4 main(float4 v : POSITION) : SV_Position { return v; }

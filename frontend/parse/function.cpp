@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <fmt/format.h>
+
 #include "frontend/parse/parser.h"
 
 // Functions, their parameters and templates.
@@ -8,22 +10,20 @@ namespace clipc::ast {
 void Parser::ParseTemplate(Decls& decls, Scope scope) {
   Next();
   const std::size_t open = pos_;
-  if (!Expect(TokenKind::kLess, "`<`")) return;
+  if (!Expect(kLess, "`<`")) return;
   NameScope names(*this);
   Nesting nesting(*this, 0);
   if (!nesting.ok()) return;
   TemplateHeader header;
   header.present = true;
-  Collector<TemplateParameter> parameters(template_parameter_stack_);
-  while (!At(TokenKind::kGreater) && !AtEnd()) {
+  Collector parameters(template_parameters_);
+  while (!At(kGreater) && !AtEnd()) {
     parameters.Add(ParseTemplateParameter());
-    if (panic_ || !Accept(TokenKind::kComma)) break;
+    if (panic_ || !Accept(kComma)) break;
   }
-  if (!ExpectClose(TokenKind::kGreater, open)) return;
-  header.parameters = parameters.Finish(file_.template_parameters);
-  const bool structure = (AtWord(Word::kStruct) || AtWord(Word::kClass)) && AtName(1) &&
-                         Peek(2).kind != TokenKind::kIdentifier;
-  if (structure) {
+  if (!ExpectClose(kGreater, open)) return;
+  header.parameters = parameters.Finish();
+  if (AtAnyOf({Word::kStruct, Word::kClass}) && AtName(1) && !At(kIdentifier, 2)) {
     const DeclId definition = ParseStruct(header);
     decls.Add(definition);
     ParseEndOfType(definition);
@@ -37,54 +37,55 @@ void Parser::ParseTemplate(Decls& decls, Scope scope) {
 TemplateParameter Parser::ParseTemplateParameter() {
   const std::size_t start = pos_;
   TemplateParameter parameter{};
-  parameter.is_type = AtWord(Word::kTypename) || AtWord(Word::kClass);
-  if (parameter.is_type)
+  parameter.is_type = AtAnyOf({Word::kTypename, Word::kClass});
+  if (parameter.is_type) {
     Next();
-  else
+  } else {
     parameter.type = ParseSpecifiers("a template parameter").type;
+  }
   if (AtName()) parameter.name = Next().name();
   Declare(parameter.name, parameter.is_type ? Meaning::kType : Meaning::kValue);
-  if (Accept(TokenKind::kEqual)) parameter.default_value = ParseTemplateArgument();
+  if (Accept(kEqual)) parameter.default_value = ParseTemplateArgument();
   parameter.span = SpanFrom(start);
   return parameter;
 }
 
-// `S::` or `S<T>::` before the name that is declared.
+// At `S::` or `S<T>::`, before the name that is declared.
 bool Parser::AtDeclaratorScope() const {
   if (!AtName() || WordAt() == Word::kOperator) return false;
-  if (Peek(1).kind == TokenKind::kColonColon) return true;
-  if (Peek(1).kind != TokenKind::kLess) return false;
+  if (At(kColonColon, 1)) return true;
+  if (!At(kLess, 1)) return false;
   const std::size_t after = SkipTemplateArguments(1);
-  return after != 0 && Peek(after).kind == TokenKind::kColonColon;
+  return after != 0 && At(kColonColon, after);
 }
 
-// Returns the arguments of `S<T>::`.
+// `S::` or `S<T>::`. Returns the arguments.
 List<ExprId> Parser::ParseDeclaratorScope(QualifiedName& scope) {
-  Collector<Name> scopes(name_stack_);
+  Collector scopes(name_lists_);
   List<ExprId> arguments;
   while (AtDeclaratorScope() && !panic_) {
     scopes.Add(Next().name());
-    if (At(TokenKind::kLess)) arguments = ParseTemplateArguments();
-    Accept(TokenKind::kColonColon);
+    if (At(kLess)) arguments = ParseTemplateArguments();
+    Accept(kColonColon);
   }
   scope.name = scopes.last();
   scopes.RemoveLast();
-  scope.scopes = scopes.Finish(file_.name_lists);
+  scope.scopes = scopes.Finish();
   return arguments;
 }
 
-// `name(`, `S::name(`, `name<float>(` or an operator.
+// At `name(`, `S::name(`, `name<float>(` or an operator.
 bool Parser::AtFunctionDeclarator() const {
   std::size_t i = 0;
-  while (Peek(i).kind == TokenKind::kIdentifier) {
+  while (At(kIdentifier, i)) {
     if (WordAt(i) == Word::kOperator) return true;
     ++i;
-    if (Peek(i).kind == TokenKind::kLess) {
+    if (At(kLess, i)) {
       const std::size_t after = SkipTemplateArguments(i);
       if (after != 0) i = after;
     }
-    if (Peek(i).kind == TokenKind::kLeftParen) return true;
-    if (Peek(i).kind != TokenKind::kColonColon) return false;
+    if (At(kLeftParen, i)) return true;
+    if (!At(kColonColon, i)) return false;
     ++i;
   }
   return false;
@@ -108,51 +109,43 @@ void Parser::ParseFunction(Decls& decls, Scope scope, const Specifiers& specifie
   NameScope names(*this);
   function.parameters = ParseParameters();
   function.return_dimensions = ParseDimensions();
-  function.is_const_method =
-      AtWord(Word::kQualifier) && InfoOfName(Peek().name()).qualifier == kConst;
+  function.is_const_method = TextAt() == "const";
   if (function.is_const_method) Next();
-  Collector<RegisterBinding> ignored(register_stack_);
   VarDecl parts{};
-  while ((At(TokenKind::kColon) || At(TokenKind::kLess)) && !panic_) {
-    if (At(TokenKind::kLess))
-      SkipAnnotation();
-    else
-      ParseColonPart(parts, ignored);
-  }
+  ParseColonParts(parts);
   function.return_semantic = parts.semantic;
-  if (panic_ && At(TokenKind::kLeftBrace)) panic_ = aborted_;
-  if (At(TokenKind::kLeftBrace) && !panic_) {
+  if (panic_ && At(kLeftBrace)) EndPanic();
+  if (At(kLeftBrace) && !panic_) {
     function.body = ParseFunctionBody();
-  } else if (!panic_ && !At(TokenKind::kSemicolon)) {
+  } else if (!panic_ && !At(kSemicolon)) {
     Unexpected(fmt::format("`{{` or `;` after the header of `{}`", Text(function.name)));
     // A forgotten `{`: the body is read as if it were there.
     if (IsStatementWord(WordAt())) {
-      panic_ = aborted_;
+      EndPanic();
       function.body = ParseFunctionBody();
     }
   } else {
-    Accept(TokenKind::kSemicolon);
+    Accept(kSemicolon);
   }
   decls.Add(AddDecl(specifiers.start, function));
 }
 
-// Inside a function: true for a prototype. A definition means that a `}` is missing before it; the
-// text is read on as if it were there.
+// Inside a function. True for a prototype, which is still to be read. A definition means that a `}`
+// is missing before it; the text is read on as if it were there.
 bool Parser::ParseLocalFunction(const Specifiers& specifiers) {
   std::size_t name_at = 0;
-  while (Peek(name_at + 1).kind == TokenKind::kColonColon) name_at += 2;
+  while (At(kColonColon, name_at + 1)) name_at += 2;
   const std::size_t first = name_at + 2;
-  const bool has_parameters =
-      Peek(first).kind == TokenKind::kRightParen || SkipQualifiers(first) > first ||
-      (StartsType(first) && Peek(first + 1).kind != TokenKind::kLeftParen) ||
-      (AtName(first) && AtName(first + 1));
+  const bool has_parameters = At(kRightParen, first) || SkipQualifiers(first) > first ||
+                              (StartsType(first) && !At(kLeftParen, first + 1)) ||
+                              (AtName(first) && AtName(first + 1));
   if (!has_parameters) {  // float3 x(1, 2, 3);
-    for (std::size_t i = 0; i <= name_at; ++i) Next();
+    Skip(name_at + 1);
     Unexpected("`;` or `=` after the name of a variable");
     return false;
   }
   const std::size_t after = SkipBrackets(name_at + 1);
-  if (after != 0 && Peek(after).kind == TokenKind::kSemicolon) return true;
+  if (after != 0 && At(kSemicolon, after)) return true;
   Error(Peek(name_at).span(), diag::FunctionInsideFunction, Text(Peek(name_at).name()));
   leaving_function_ = !aborted_;
   if (leaving_function_) pos_ = specifiers.start;
@@ -163,7 +156,7 @@ StmtId Parser::ParseFunctionBody() {
   const StmtId body = ParseBlock();
   if (leaving_function_) {
     leaving_function_ = false;
-    panic_ = aborted_;
+    EndPanic();
   }
   return body;
 }
@@ -179,67 +172,41 @@ void Parser::ParseFunctionName(FunctionDecl& function) {
     return;
   }
   function.name_span = SpanFrom(function.out_of_line_of.name ? start : name_at);
-  if (At(TokenKind::kLess)) function.template_arguments = ParseTemplateArguments();
+  if (At(kLess)) function.template_arguments = ParseTemplateArguments();
 }
 
 // operator+, operator(), operator[]
 Name Parser::ParseOperatorName() {
   Next();
   std::string text = "operator";
-  if (At(TokenKind::kLeftParen) && Peek(1).kind == TokenKind::kRightParen) {
-    text += "()";
+  const auto take = [&] {
     Next();
-    Next();
-  } else if (At(TokenKind::kLeftBracket) && Peek(1).kind == TokenKind::kRightBracket) {
-    text += "[]";
-    Next();
-    Next();
+    text += PreviousText();
+  };
+  if ((At(kLeftParen) && At(kRightParen, 1)) || (At(kLeftBracket) && At(kRightBracket, 1))) {
+    take();
+    take();
   } else {
-    while (!At(TokenKind::kLeftParen) && !At(TokenKind::kSemicolon) && !At(TokenKind::kLeftBrace) &&
-           !AtEnd()) {
-      Next();
-      text += PreviousText();
-    }
+    while (!At(kLeftParen) && !At(kSemicolon) && !At(kLeftBrace) && !AtEnd()) take();
   }
   return Intern(text);
 }
 
+// (in float4 a, uniform int b = 1), or (void)
 List<DeclId> Parser::ParseParameters() {
   const std::size_t open = pos_;
-  Decls parameters(decl_stack_);
-  if (!Expect(TokenKind::kLeftParen, "`(`")) return {};
-  const bool is_void = AtWord(Word::kNumericType) && Text(Peek().name()) == "void" &&
-                       Peek(1).kind == TokenKind::kRightParen;
-  if (is_void) Next();
-  while (!At(TokenKind::kRightParen) && !AtEnd()) {
-    ParseParameter(parameters);
-    if (panic_ || !Accept(TokenKind::kComma)) break;
-    if (At(TokenKind::kRightParen)) Unexpected("a parameter");
-  }
-  if (!panic_ && !At(TokenKind::kRightParen)) {
-    Diagnostic* report = Error(Here(), diag::UnexpectedToken, Describe(), "`,` or `)`");
-    if (report) report->Note(tokens_[open].span(), diag::OpenedHere, "(");
-  }
-  if (panic_)
-    SkipToClose(TokenKind::kRightParen);
-  else
-    Next();
-  return parameters.Finish(file_.decl_lists);
+  Collector parameters(decls_);
+  if (!Expect(kLeftParen, "`(`")) return {};
+  if (TextAt() == "void" && At(kRightParen, 1)) Next();
+  ParseList(kRightParen, open, "a parameter", [&] { ParseParameter(parameters); });
+  return parameters.Finish();
 }
 
 void Parser::ParseParameter(Decls& decls) {
-  const Specifiers specifiers = ParseSpecifiers("a parameter");
-  if (panic_) return;
-  VarDecl var{};
-  if (!specifiers.type) {
-    Unexpected("a parameter");
-    return;
-  }
-  var.type = specifiers.type;
-  var.qualifiers = specifiers.qualifiers;
-  var.attributes = specifiers.attributes;
-  if (At(TokenKind::kIdentifier) && !ParseDeclaratorName(var.name, var.name_span, "parameter"))
-    return;
+  Specifiers specifiers;
+  if (!ParseTypedSpecifiers(specifiers, "a parameter")) return;
+  VarDecl var = MakeVar(specifiers);
+  if (At(kIdentifier) && !ParseDeclaratorName(var.name, var.name_span, "parameter")) return;
   Declare(var.name, Meaning::kValue);
   ParseDeclaratorTail(var, Scope::kLocal);
   decls.Add(AddDecl(specifiers.start, var));

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/parse/tree_builder.h"
+
+#include "base/overloaded.h"
+
+namespace clipc::ast {
+namespace {
+
+// The levels of brackets, blocks and prefix operators together: what the parser's recursion may
+// take of the stack.
+constexpr int kMaxNesting = 256;
+// The nodes of statements and declarations on one path.
+constexpr int kMaxStatementDepth = kMaxDepth / 2;
+// The nodes of expressions and types on one path.
+constexpr std::uint32_t kMaxHeight = kMaxDepth / 2 - 20;
+
+}  // namespace
+
+TreeBuilder::Nesting::Nesting(TreeBuilder& builder, int weight)
+    : builder_(builder), weight_(weight) {
+  ++builder_.nesting_;
+  builder_.depth_ += weight_;
+  builder_.deepest_ = std::max(builder_.deepest_, builder_.depth_);
+  ok_ = builder_.nesting_ <= kMaxNesting && builder_.depth_ <= kMaxStatementDepth;
+  if (ok_) return;
+  const int limit = builder_.nesting_ > kMaxNesting ? kMaxNesting : kMaxStatementDepth;
+  builder_.Error(builder_.Here(), diag::NestedTooDeeply, limit);
+  builder_.Abort();
+}
+
+TreeBuilder::Nesting::~Nesting() {
+  --builder_.nesting_;
+  builder_.depth_ -= weight_;
+}
+
+TreeBuilder::TreeBuilder(Tokens tokens, Diagnostics& diagnostics)
+    : Lookahead(std::move(tokens), diagnostics) {
+  heights_.reserve(tokens_.size() / 2);  // seldom too small
+  type_heights_.reserve(64);
+  name_lists_.stack.reserve(8);
+}
+
+std::uint32_t TreeBuilder::HeightOf(List<ExprId> list) const {
+  std::uint32_t height = 0;
+  for (ExprId id : file_.expr_lists[list]) height = std::max(height, HeightOf(id));
+  return height;
+}
+
+std::uint32_t TreeBuilder::HeightOfChildren(const decltype(Expr::node)& node) const {
+  return Visit(Overloaded{
+                   [](const Literal&) { return 0u; },
+                   [this](const NameExpr& e) { return Tallest(e.arguments); },
+                   [this](const TypeExpr& e) { return Tallest(e.type); },
+                   [this](const UnaryExpr& e) { return Tallest(e.operand); },
+                   [this](const BinaryExpr& e) { return Tallest(e.left, e.right); },
+                   [this](const AssignExpr& e) { return Tallest(e.left, e.right); },
+                   [this](const ConditionalExpr& e) {
+                     return Tallest(e.condition, e.when_true, e.when_false);
+                   },
+                   [this](const CallExpr& e) { return Tallest(e.callee, e.arguments); },
+                   [this](const CastExpr& e) { return Tallest(e.type, e.dimensions, e.operand); },
+                   [this](const IndexExpr& e) { return Tallest(e.base, e.index); },
+                   [this](const MemberExpr& e) { return Tallest(e.base, e.arguments); },
+                   [this](const InitListExpr& e) { return Tallest(e.elements); },
+                   [this](const SizeofExpr& e) { return Tallest(e.operand); },
+                   [](const ErrorExpr&) { return 0u; },
+               },
+               node);
+}
+
+bool TreeBuilder::CheckHeight(std::uint32_t height, Span span) {
+  if (height <= kMaxHeight) return true;
+  Error(span, diag::ExpressionTooLong, static_cast<int>(kMaxHeight));
+  Abort();
+  return false;
+}
+
+ExprId TreeBuilder::AddExpr(std::size_t start, decltype(Expr::node) node) {
+  const Span span = SpanFrom(start);
+  std::uint32_t height = 1 + HeightOfChildren(node);
+  if (!CheckHeight(height, span)) {
+    node = ErrorExpr{};
+    height = 1;
+  }
+  tallest_ = std::max(tallest_, height);
+  heights_.push_back(static_cast<std::uint16_t>(height));
+  return file_.exprs.Add(Expr{span, std::move(node)});
+}
+
+TypeId TreeBuilder::AddType(Type type, std::uint32_t height_of_definition) {
+  std::uint32_t height = 1 + std::max(Tallest(type.arguments, type.outer), height_of_definition);
+  if (!CheckHeight(height, type.span)) {
+    type = {};
+    height = 1;
+  }
+  type_heights_.push_back(height);
+  return file_.types.Add(type);
+}
+
+}  // namespace clipc::ast

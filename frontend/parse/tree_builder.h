@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "frontend/parse/ast.h"
+#include "frontend/parse/lookahead.h"
+
+namespace clipc::ast {
+
+// Makes the nodes of a File, and keeps the promise of kMaxDepth: half of it is for the statements
+// and declarations on a path, which Nesting counts while they are parsed, the other half for the
+// expressions and types below them, whose height is known when they are made. Text that would break
+// the promise is an error, and the rest of it is not read.
+class TreeBuilder : protected Lookahead {
+ protected:
+  // One level of recursion of the parser. `weight` is the number of tree nodes that it can put on a
+  // path.
+  class Nesting {
+   public:
+    explicit Nesting(TreeBuilder& builder, int weight = 1);
+    ~Nesting();
+    Nesting(const Nesting&) = delete;
+    Nesting& operator=(const Nesting&) = delete;
+    // False: a limit was passed, which is reported.
+    bool ok() const { return ok_; }
+
+   private:
+    TreeBuilder& builder_;
+    int weight_;
+    bool ok_;
+  };
+
+  // The lists of one kind in a File, and the stack on which those under construction lie.
+  template <typename T>
+  struct Lists {
+    Pool<T>& pool;
+    std::vector<T> stack = {};
+  };
+
+  // Gathers the children of one node. Of the Collectors with the same Lists, the last one made that
+  // is not finished is the one to add to.
+  template <typename T>
+  class Collector {
+   public:
+    explicit Collector(Lists<T>& lists) : lists_(lists), mark_(std::ssize(lists.stack)) {}
+    ~Collector() {
+      if (!finished_) Drop();
+    }
+    Collector(const Collector&) = delete;
+    Collector& operator=(const Collector&) = delete;
+    void Add(T value) { lists_.stack.push_back(std::move(value)); }
+    T last() const { return lists_.stack.back(); }
+    void RemoveLast() { lists_.stack.pop_back(); }
+    std::span<const T> values() const {
+      return std::span<const T>(lists_.stack).subspan(static_cast<std::size_t>(mark_));
+    }
+    // Moves what was gathered into the File.
+    List<T> Finish() {
+      finished_ = true;  // a Collector made earlier may now add
+      if (values().empty()) return {};
+      const List<T> list = lists_.pool.Add(values());
+      Drop();
+      return list;
+    }
+
+   private:
+    void Drop() { lists_.stack.erase(lists_.stack.begin() + mark_, lists_.stack.end()); }
+
+    Lists<T>& lists_;
+    std::ptrdiff_t mark_;
+    bool finished_ = false;
+  };
+
+  TreeBuilder(Tokens tokens, Diagnostics& diagnostics);
+
+  // `start` is the position of a node's first token; its last one is the last token taken.
+  ExprId AddExpr(std::size_t start, decltype(Expr::node) node);
+  ExprId ErrorExprHere() { return AddExpr(pos_, ErrorExpr{}); }
+  StmtId AddStmt(std::size_t start, decltype(Stmt::node) node) {
+    return file_.stmts.Add(Stmt{SpanFrom(start), {}, std::move(node)});
+  }
+  template <typename Node>
+  DeclId AddDecl(std::size_t start, Node node) {
+    return file_.decls.Add(Decl{SpanFrom(start), std::move(node)});
+  }
+  // `height_of_definition`: the number of nodes on the longest path of a struct defined in place.
+  TypeId AddType(Type type, std::uint32_t height_of_definition = 0);
+  // Calls `define`, which parses a definition, and returns the number of nodes on the longest path
+  // of what was made.
+  template <typename Define>
+  std::uint32_t HeightOfDefinition(Define define) {
+    const int outer_deepest = std::exchange(deepest_, depth_);
+    const std::uint32_t outer_tallest = std::exchange(tallest_, 0);
+    define();
+    const std::uint32_t height = static_cast<std::uint32_t>(deepest_ - depth_) + tallest_;
+    deepest_ = std::max(deepest_, outer_deepest);
+    tallest_ = std::max(tallest_, outer_tallest);
+    return height;
+  }
+
+  File file_;
+  Lists<ExprId> exprs_{file_.expr_lists};
+  Lists<StmtId> stmts_{file_.stmt_lists};
+  Lists<DeclId> decls_{file_.decl_lists};
+  Lists<TypeId> types_{file_.type_lists};
+  Lists<Name> name_lists_{file_.name_lists};
+  Lists<Attr> attrs_{file_.attrs};
+  Lists<RegisterBinding> registers_{file_.registers};
+  Lists<Enumerator> enumerators_{file_.enumerators};
+  Lists<TemplateParameter> template_parameters_{file_.template_parameters};
+  int depth_ = 0;  // the weights of the Nestings that are open
+
+ private:
+  // True if a node of that height may be made; otherwise reports, and ends the parse.
+  bool CheckHeight(std::uint32_t height, Span span);
+  // The number of nodes on the longest path from a child.
+  std::uint32_t HeightOf(ExprId id) const { return id ? heights_[id.index] : 0; }
+  std::uint32_t HeightOf(TypeId id) const { return id ? type_heights_[id.index] : 0; }
+  std::uint32_t HeightOf(List<ExprId> list) const;
+  template <typename... Children>
+  std::uint32_t Tallest(const Children&... children) const {
+    return std::max({0u, HeightOf(children)...});
+  }
+  std::uint32_t HeightOfChildren(const decltype(Expr::node)& node) const;
+
+  int nesting_ = 0;
+  int deepest_ = 0;                          // the largest depth_ of the definition being parsed
+  std::uint32_t tallest_ = 0;                // the largest of heights_ in it
+  std::vector<std::uint16_t> heights_;       // by Expr: the number of nodes on its longest path
+  std::vector<std::uint32_t> type_heights_;  // by Type: the same
+};
+
+}  // namespace clipc::ast
