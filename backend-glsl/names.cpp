@@ -4,7 +4,7 @@
 #include <array>
 
 #include "backend-glsl/reserved_words.h"
-#include "base/check.h"
+#include "base/invariant.h"
 
 namespace clipc::glsl {
 namespace {

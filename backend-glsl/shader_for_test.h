@@ -15,7 +15,7 @@
 #include "backend-glsl/check_target.h"
 #include "backend-glsl/target.h"
 #include "backend-glsl/writer.h"
-#include "base/check.h"
+#include "base/invariant.h"
 #include "ir/builder.h"
 #include "ir/packing.h"
 #include "ir/program.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "backend-glsl/shape.h"
 
-#include "base/check.h"
+#include "base/invariant.h"
 
 namespace clipc::glsl {
 

@@ -4,7 +4,7 @@
 
 #include "backend-glsl/literal.h"
 #include "backend-glsl/writer_state.h"
-#include "base/check.h"
+#include "base/invariant.h"
 #include "base/overloaded.h"
 #include "ir/access.h"
 #include "ir/scalar.h"

@@ -4,7 +4,7 @@
 #include "backend-glsl/reserved_words.h"
 #include "backend-glsl/snippets.h"
 #include "backend-glsl/writer_state.h"
-#include "base/check.h"
+#include "base/invariant.h"
 
 namespace clipc::glsl {
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "backend-glsl/writer_state.h"
-#include "base/check.h"
+#include "base/invariant.h"
 #include "ir/scalar.h"
 
 namespace clipc::glsl {

@@ -5,7 +5,7 @@
 
 #include "backend-glsl/literal.h"
 #include "backend-glsl/writer_state.h"
-#include "base/check.h"
+#include "base/invariant.h"
 #include "ir/scalar.h"
 
 namespace clipc::glsl {

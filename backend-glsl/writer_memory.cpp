@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "backend-glsl/writer_state.h"
-#include "base/check.h"
+#include "base/invariant.h"
 #include "ir/packing.h"
 
 namespace clipc::glsl {

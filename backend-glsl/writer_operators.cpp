@@ -4,7 +4,7 @@
 #include <charconv>
 
 #include "backend-glsl/writer_state.h"
-#include "base/check.h"
+#include "base/invariant.h"
 
 namespace clipc::glsl {
 

@@ -3,7 +3,7 @@
 #include <variant>
 
 #include "backend-glsl/writer_state.h"
-#include "base/check.h"
+#include "base/invariant.h"
 
 namespace clipc::glsl {
 

@@ -2,7 +2,7 @@
 #include <variant>
 
 #include "backend-glsl/writer_state.h"
-#include "base/check.h"
+#include "base/invariant.h"
 #include "base/overloaded.h"
 
 namespace clipc::glsl {

@@ -3,7 +3,7 @@
 
 #include "backend-glsl/literal.h"
 #include "backend-glsl/writer_state.h"
-#include "base/check.h"
+#include "base/invariant.h"
 
 namespace clipc::glsl {
 

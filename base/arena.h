@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "base/check.h"
 #include "base/id.h"
+#include "base/invariant.h"
 
 namespace clipc {
 

@@ -41,7 +41,8 @@ std::string MessageSuffix(const Diagnostic& diagnostic) {
     const char* promoted = diagnostic.severity == Severity::kError ? "-Werror," : "";
     return fmt::format(" [{}-W{}]", promoted, PrintedName(diagnostic.id));
   }
-  return info.fxc_code.empty() ? std::string() : fmt::format(" [{}]", info.fxc_code);
+  const char* separator = info.fxc_code.empty() ? "" : ", ";
+  return fmt::format(" [{}{}{}]", PrintedName(diagnostic.id), separator, info.fxc_code);
 }
 
 void Diagnostics::SetWarning(std::string_view fxc_code, WarningState state) {

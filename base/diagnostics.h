@@ -18,7 +18,7 @@ namespace clipc {
 
 enum class Severity : std::uint8_t { kNote, kWarning, kError };
 
-// One enumerator per line of the catalogue (diagnostic_kinds.def).
+// One enumerator for each row of base/diagnostic_kinds.def.
 enum class DiagId : std::uint16_t {
 #define DIAG(Name, Severity, FxcCode, Format, ...) k##Name,
 #include "base/diagnostic_kinds.def"
@@ -28,14 +28,14 @@ enum class DiagId : std::uint16_t {
 inline constexpr std::size_t kDiagCount = static_cast<std::size_t>(DiagId::kCount);
 
 struct DiagInfo {
-  std::string_view camel_name;  // "ClipPlaneNotFloat4"; Printed() gives "clip-plane-not-float4"
+  std::string_view camel_name;  // "ClipPlaneNotFloat4"; PrintedName gives "clip-plane-not-float4"
   Severity severity;
   std::string_view fxc_code;  // "X3084", or empty where fxc has none
   std::string_view format;
 };
 const DiagInfo& InfoOf(DiagId id);
-// The name users write in -W<name>, -Wno-<name>, and see in brackets after a message:
-// "clip-plane-not-float4".
+// The kind's name as users see it, "clip-plane-not-float4": in brackets after every warning and
+// error, in docs/diagnostics.md, and for warnings in -W<name> and -Wno-<name>.
 std::string PrintedName(DiagId id);
 // The inverse of PrintedName.
 std::optional<DiagId> DiagIdOf(std::string_view printed_name);
@@ -54,7 +54,8 @@ struct Kind {
 #undef DIAG
 }  // namespace diag
 
-// Replaces the text of `span` by `text`; inserts before `span` when `insert` is set.
+// A change of the user's text: `text` replaces that of `span`, or, if `insert` is set, is inserted
+// before it.
 struct FixIt {
   Span span;
   std::string text;
@@ -66,7 +67,7 @@ struct Diagnostic {
   Severity severity;
   Span span;
   std::string message;
-  std::vector<Span> also;  // further places to underline in the same line
+  std::vector<Span> also;  // further places of the same line, underlined too
   std::vector<FixIt> fix_its;
   std::vector<Diagnostic> notes;
 
@@ -83,11 +84,13 @@ struct Diagnostic {
   }
 };
 
-// What stands in brackets after the message: the option that switches a warning off, fxc's code of
-// an error. Starts with a space; empty for a note and for an error that fxc does not number.
+// The bracket after a message, with a space before it. A warning's names the option that switches
+// it off, " [-Wclip-plane-repeated]"; an error's has the kind's name and, where there is one, fxc's
+// code, " [clip-plane-not-float4, X3084]". Empty for a note.
 std::string MessageSuffix(const Diagnostic& diagnostic);
 
-// What -Werror, -W<name> and -Wno-<name> ask for. All warnings are on unless switched off.
+// The command line's -Werror, -w, -W<name>, -Werror=<name> and -Wno-<name>. Every warning is on
+// unless it is switched off.
 struct WarningOptions {
   bool warnings_are_errors = false;
   bool no_warnings = false;
@@ -95,8 +98,8 @@ struct WarningOptions {
   std::bitset<kDiagCount> as_error;
 };
 
-// Collects what one compile has to say, in the order of discovery. Past kMaxErrors errors nothing
-// more is kept, so that hostile input cannot make the list large.
+// The messages of one compile, in the order of their discovery. Errors past kMaxErrors and warnings
+// past kMaxWarnings are dropped, so that hostile input cannot make the list large.
 class Diagnostics {
  public:
   static constexpr int kMaxErrors = 50;
@@ -111,14 +114,13 @@ class Diagnostics {
     return Add(where, kind.id, fmt::format(kind.format, args...));
   }
 
-  // `#pragma warning(disable: 3206)`: from here on, what the shader itself asks for every warning
-  // with that fxc code. The command line has the last word on warnings it switches off.
+  // `#pragma warning(disable: 3206)`: sets the state of every warning with that fxc code, for the
+  // reports that follow. A warning that the command line switches off stays off.
   enum class WarningState : std::uint8_t { kOn, kOff, kError };
   void SetWarning(std::string_view fxc_code, WarningState state);
 
   bool has_errors() const { return error_count_ > 0; }
   int error_count() const { return error_count_; }
-  int warning_count() const { return warning_count_; }
   bool TooManyErrors() const { return error_count_ >= kMaxErrors; }
   const std::vector<Diagnostic>& all() const { return list_; }
 

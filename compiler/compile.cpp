@@ -149,7 +149,7 @@ void Compilation::RunBackEnd(ir::Program& program) {
   if (settings_.lowering == Lowering::kNone && !program.clip_planes.empty()) {
     const std::size_t count = program.clip_planes.size();
     diagnostics_.Report(Cover(program.clip_planes.front().span, program.clip_planes.back().span),
-                        diag::ClipPlanesIgnored, count, count == 1 ? " is" : "s are");
+                        diag::ClipPlanesIgnored, count, count == 1 ? "" : "s");
   }
   if (settings_.lowering == Lowering::kNearPlane && program.clip_planes.size() > 1) {
     diagnostics_.Report(program.clip_planes[1].span, diag::ClipPlanesForNearPlane,
@@ -255,7 +255,7 @@ void Compilation::CheckWithGlslang(const std::string& glsl, ShaderStage stage) {
     return;
   }
   if (settings_.target->IsEs() && info_.clip_distance_mask != 0) {
-    const std::string why = fmt::format("{} knows no clip distances in OpenGL ES", ValidatorName());
+    const std::string why = fmt::format("{} does not support clip distances in OpenGL ES", ValidatorName());
     diagnostics_.Report({}, diag::NotValidated, why);
     return;
   }

@@ -18,6 +18,15 @@ std::string Dump(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+std::string_view NameOf(Severity severity) {
+  switch (severity) {
+    case Severity::kNote: return "note";
+    case Severity::kWarning: return "warning";
+    case Severity::kError: break;
+  }
+  return "error";
+}
+
 void AppendMsvcLine(const Message& message, std::string& out) {
   const Place& place = message.place;
   auto end = std::back_inserter(out);
@@ -28,23 +37,16 @@ void AppendMsvcLine(const Message& message, std::string& out) {
   } else {
     fmt::format_to(end, "{}({},{})", place.file, place.line, place.column);
   }
-  // Log scrapers look for a word and a code: where fxc has no number, the name stands in.
-  const std::string& code = message.code.empty() ? message.name : message.code;
-  switch (message.severity) {
-    case Severity::kNote: fmt::format_to(end, ": note: {}\n", message.text); break;
-    case Severity::kWarning: fmt::format_to(end, ": warning {}: {}\n", code, message.text); break;
-    case Severity::kError: fmt::format_to(end, ": error {}: {}\n", code, message.text); break;
+  // Readers of build logs look for a severity and a code before the text.
+  if (message.severity == Severity::kNote) {
+    fmt::format_to(end, ": note: {}\n", message.text);
+  } else if (message.code.empty()) {
+    fmt::format_to(end, ": {} {}: {}\n", NameOf(message.severity), message.name, message.text);
+  } else {
+    fmt::format_to(end, ": {} {}: {} [{}]\n", NameOf(message.severity), message.code, message.text,
+                   message.name);
   }
   for (const Message& note : message.notes) AppendMsvcLine(note, out);
-}
-
-std::string_view NameOf(Severity severity) {
-  switch (severity) {
-    case Severity::kNote: return "note";
-    case Severity::kWarning: return "warning";
-    case Severity::kError: break;
-  }
-  return "error";
 }
 
 void AddPlace(const Place& place, Json& to) {

@@ -10,7 +10,7 @@
 
 namespace clipc {
 
-// A diagnostic whose places are files and lines: it needs no Source any more.
+// A diagnostic whose places are files and lines, so that it outlives its Source.
 struct Message {
   struct Fix {
     Place place;  // insertions have place.end == place.begin
@@ -18,17 +18,18 @@ struct Message {
   };
 
   Severity severity = Severity::kError;
-  std::string name;  // "clip-plane-not-float4", as in -W<name>
+  std::string name;  // the kind's: "clip-plane-not-float4"
   std::string code;  // fxc's: "X3084"; may be empty
   std::string text;
-  Place place;  // place.file is empty: about no place in particular
+  Place place;  // place.file is empty for a message about no place in particular
   std::vector<Fix> fixes;
   std::vector<Message> notes;
 };
 
 Message ToMessage(const Diagnostic& diagnostic, const Source& source);
 
-// One line each: `file(line,col-endcol): error X3084: text`, as fxc and cl print.
+// A line for each message, as fxc and cl print: `file(line,col-endcol): error X3084: text [name]`,
+// or, where fxc has no code, `file(line,col-endcol): error name: text`.
 std::string RenderMsvc(const std::vector<Message>& messages);
 
 // One document: {"version": 1, "diagnostics": [{severity, name, code, message, file, line, column,

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/check.h"
+#include "base/invariant.h"
 #include "ir/scalar.h"
 #include "ir/walk.h"
 

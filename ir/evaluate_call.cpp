@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/check.h"
+#include "base/invariant.h"
 #include "ir/evaluate_machine.h"
 #include "ir/scalar.h"
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <type_traits>
 
-#include "base/check.h"
+#include "base/invariant.h"
 #include "ir/scalar.h"
 
 namespace clipc::ir {

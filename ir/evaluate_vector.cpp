@@ -3,7 +3,7 @@
 #include <cmath>
 #include <type_traits>
 
-#include "base/check.h"
+#include "base/invariant.h"
 #include "ir/evaluate_math.h"
 #include "ir/scalar.h"
 

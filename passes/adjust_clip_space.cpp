@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "base/check.h"
+#include "base/invariant.h"
 #include "ir/access.h"
 #include "ir/builder.h"
 #include "passes/outputs.h"

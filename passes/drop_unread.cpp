@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/check.h"
+#include "base/invariant.h"
 #include "ir/access.h"
 #include "ir/builder.h"
 

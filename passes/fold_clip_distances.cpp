@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/check.h"
+#include "base/invariant.h"
 #include "ir/access.h"
 #include "ir/builder.h"
 #include "ir/scalar.h"

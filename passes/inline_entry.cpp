@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/check.h"
+#include "base/invariant.h"
 #include "ir/access.h"
 #include "ir/builder.h"
 #include "passes/split_variables.h"

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <optional>
 
-#include "base/check.h"
+#include "base/invariant.h"
 #include "ir/print.h"
 #include "ir/verify.h"
 #include "passes/drop_unread.h"

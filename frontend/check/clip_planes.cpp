@@ -119,7 +119,7 @@ class Operand {
       else if (member != buffer.members.end())
         return Path{{var.cbuffer, 0, member->offset}, var.row_major, buffer.count > 1};
     }
-    context_.Report(span, diag::ClipPlaneInNoCbuffer, var.name, reason)
+    context_.Report(span, diag::ClipPlaneNotInCbuffer, var.name, reason)
         .Note(var.span, diag::DeclaredHere, var.name);
     return std::nullopt;
   }

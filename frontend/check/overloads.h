@@ -9,7 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "base/names.h"
+#include "base/name.h"
 #include "frontend/check/symbols.h"
 
 namespace clipc::check {

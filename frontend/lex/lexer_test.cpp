@@ -86,7 +86,7 @@ TEST(RenderText, UnderlinesTheSpan) {
       .Note({}, diag::PlainNote, "nowhere in particular")
       .Fix(lexed.tokens.list[0].span(), "float3");
   EXPECT_EQ(lexed.source.RenderText(lexed.diagnostics, false),
-            "test.hlsl:1:8: error: bad plane\n"
+            "test.hlsl:1:8: error: bad plane [error-directive]\n"
             "    1 | float4 plane_value;\n"
             "      | ~~~~~~ ^~~~~~~~~~~\n"
             "      | float3\n"

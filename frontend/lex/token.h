@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/names.h"
+#include "base/name.h"
 #include "base/span.h"
 
 namespace clipc {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/arena.h"
-#include "base/names.h"
+#include "base/name.h"
 #include "frontend/parse/ast_decl.h"
 #include "frontend/parse/ast_expr.h"
 #include "frontend/parse/ast_stmt.h"

@@ -7,7 +7,7 @@
 
 #include "base/arena.h"
 #include "base/id.h"
-#include "base/names.h"
+#include "base/name.h"
 #include "base/span.h"
 #include "frontend/lex/token.h"
 

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "base/check.h"
+#include "base/invariant.h"
 #include "frontend/rules/conversion.h"
 #include "frontend/rules/reread.h"
 #include "ir/scalar.h"

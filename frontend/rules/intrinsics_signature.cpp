@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "base/check.h"
+#include "base/invariant.h"
 #include "frontend/rules/intrinsic_call.h"
 
 // Checks calls against the signatures of ir/intrinsics.def. Arguments unify as DXC's MatchArguments

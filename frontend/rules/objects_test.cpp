@@ -70,41 +70,46 @@ TEST_F(ObjectsTest, Samples) {
 }
 
 TEST_F(ObjectsTest, SamplesRefused) {
-  EXPECT_EQ(Call(ObjectKind::kTexture2D, "CalculateLevelOfDetail", {"s", "float2"}),
-            "X4532 `CalculateLevelOfDetail` asks for the level of detail of neighbouring pixels; a "
-            "vertex has none");
+  EXPECT_EQ(
+      Call(ObjectKind::kTexture2D, "CalculateLevelOfDetail", {"s", "float2"}),
+      "`CalculateLevelOfDetail` asks for the level of detail of neighbouring pixels; a vertex "
+      "shader has none [method-implicit-level, X4532]");
   EXPECT_EQ(Call(ObjectKind::kTexture2D, "GatherCmp", {"c", "float2", "float"}),
-            " `GatherCmp` of `Texture2D` is not supported by clipc");
+            "`GatherCmp` of `Texture2D` is not supported by clipc [method-unsupported]");
   EXPECT_EQ(
       Call(ObjectKind::kTexture2D, "GatherRed", {"s", "float2", "int2", "int2", "int2", "int2"}),
-      "X4566 the offset given to `GatherRed` is not constant; it must be known at compile time");
+      "the offset given to `GatherRed` is not constant; it must be known at compile time "
+      "[texture-offset-not-constant, X4566]");
   EXPECT_EQ(Call(ObjectKind::kTexture3D, "Gather", {"s", "float3"}),
-            "X3018 `Texture3D` has no method `Gather`");
+            "`Texture3D` has no method `Gather` [method-unknown, X3018]");
   EXPECT_EQ(Call(ObjectKind::kTexture2DMS, "SampleLevel", {"s", "float2", "0"}),
-            "X3018 `Texture2DMS` has no method `SampleLevel`");
+            "`Texture2DMS` has no method `SampleLevel` [method-unknown, X3018]");
   EXPECT_EQ(Call(ObjectKind::kTexture2D, "SampleLevel", {"c", "float2", "0"}),
-            "X3013 argument 1 of `SampleLevel` has type `SamplerComparisonState`; it must be a "
-            "`SamplerState`");
+            "argument 1 of `SampleLevel` has type `SamplerComparisonState`; it must be a "
+            "`SamplerState` [intrinsic-argument-type, X3013]");
   EXPECT_EQ(Call(ObjectKind::kTexture2D, "SampleLevel", {"s", "float2"}),
-            "X3013 `SampleLevel` takes 3 or 4 arguments; 2 given");
+            "`SampleLevel` takes 3 or 4 arguments; 2 given [intrinsic-argument-count, X3013]");
   EXPECT_EQ(Call(ObjectKind::kTextureCube, "SampleLevel", {"s", "float3", "0", "1"}),
-            "X3013 `SampleLevel` takes 3 arguments; 4 given");
+            "`SampleLevel` takes 3 arguments; 4 given [intrinsic-argument-count, X3013]");
   EXPECT_EQ(Call(ObjectKind::kTextureCube, "SampleLevel", {"s", "float2", "0"}),
-            "X3013 argument 2 of `SampleLevel` has type `float2`; it must be `float3`");
+            "argument 2 of `SampleLevel` has type `float2`; it must be `float3` "
+            "[intrinsic-argument-type, X3013]");
+  EXPECT_EQ(Call(ObjectKind::kTexture2D, "SampleLevel", {"s", "float2", "0", "int2"}),
+            "the offset given to `SampleLevel` is not constant; it must be known at compile time "
+            "[texture-offset-not-constant, X4566]");
   EXPECT_EQ(
-      Call(ObjectKind::kTexture2D, "SampleLevel", {"s", "float2", "0", "int2"}),
-      "X4566 the offset given to `SampleLevel` is not constant; it must be known at compile time");
-  EXPECT_EQ(Call(ObjectKind::kTexture2D, "SampleLevel", {"s", "float2", "0", "8"}),
-            "X4566 offset 8 given to `SampleLevel`; it must be from -8 to 7");
-  EXPECT_EQ(
-      Call(ObjectKind::kTexture2D, "SampleLevel", {"s", "float2", "0", "1", "uint"}),
-      "X4532 `SampleLevel` with a status asks about tiled resources; no target of clipc has them");
+      Call(ObjectKind::kTexture2D, "SampleLevel", {"s", "float2", "0", "8"}),
+      "offset 8 is given to `SampleLevel`; it must be from -8 to 7 [texture-offset-range, X4566]");
+  EXPECT_EQ(Call(ObjectKind::kTexture2D, "SampleLevel", {"s", "float2", "0", "1", "uint"}),
+            "`SampleLevel` with a status asks about tiled resources; no target of clipc has them "
+            "[method-status, X4532]");
   EXPECT_EQ(Call(ObjectKind::kTexture2D, "Frobnicate", {}),
-            "X3018 `Texture2D` has no method `Frobnicate`");
+            "`Texture2D` has no method `Frobnicate` [method-unknown, X3018]");
   EXPECT_EQ(Call(ObjectKind::kSampler, "SampleLevel", {}),
-            "X3018 `SamplerState` has no method `SampleLevel`");
+            "`SamplerState` has no method `SampleLevel` [method-unknown, X3018]");
   EXPECT_EQ(Call(ObjectKind::kOther, "Store", {"0", "0"}),
-            "X4532 `Store` of an object that a vertex shader may declare but not use");
+            "`Store` is used on an object that a vertex shader may declare but not use "
+            "[object-unusable, X4532]");
 }
 
 TEST_F(ObjectsTest, Loads) {
@@ -122,20 +127,22 @@ TEST_F(ObjectsTest, Loads) {
   EXPECT_EQ(Call(ObjectKind::kTexture2DMS, "Load", {"int2", "int"}),
             "float4: texture_load(t, int2_1, int_2)");
   EXPECT_EQ(Call(ObjectKind::kTextureCube, "Load", {"int4"}),
-            "X3018 `TextureCube` has no method `Load`");
-  EXPECT_EQ(Call(ObjectKind::kTexture2D, "Load", {"int2"}),
-            "X3013 argument 1 of `Load` has type `int2`; it must be `int3`");
+            "`TextureCube` has no method `Load` [method-unknown, X3018]");
+  EXPECT_EQ(
+      Call(ObjectKind::kTexture2D, "Load", {"int2"}),
+      "argument 1 of `Load` has type `int2`; it must be `int3` [intrinsic-argument-type, X3013]");
   EXPECT_EQ(Call(ObjectKind::kBuffer, "Load", {"uint"}, "float2"),
             "float2: buffer_load(t, convert<int>(uint_1))");
   EXPECT_EQ(Call(ObjectKind::kStructuredBuffer, "Load", {"int"}, "float4"),
             "float4: structured_load(t, int_1)");
   EXPECT_EQ(Call(ObjectKind::kStructuredBuffer, "Load", {"int", "uint"}, "float4"),
-            "X4532 `Load` with a status asks about tiled resources; no target of clipc has them");
+            "`Load` with a status asks about tiled resources; no target of clipc has them "
+            "[method-status, X4532]");
   EXPECT_EQ(Call(ObjectKind::kByteAddressBuffer, "Load", {"int"}),
             "uint: byte_load(t, convert<uint>(int_1))");
   EXPECT_EQ(Call(ObjectKind::kByteAddressBuffer, "Load3", {"uint"}), "uint3: byte_load(t, uint_1)");
   EXPECT_EQ(Call(ObjectKind::kByteAddressBuffer, "Store", {"uint", "uint"}),
-            "X3018 `ByteAddressBuffer` has no method `Store`");
+            "`ByteAddressBuffer` has no method `Store` [method-unknown, X3018]");
 }
 
 // The place and the level are taken from the constructor that makes them; only what is computed
@@ -184,13 +191,13 @@ TEST_F(ObjectsTest, GetDimensions) {
   EXPECT_EQ(Call(ObjectKind::kByteAddressBuffer, "GetDimensions", {"uint"}),
             "uint: uint_1 = convert<uint>(buffer_size(t))");
   EXPECT_EQ(Call(ObjectKind::kTexture2D, "GetDimensions", {"uint"}),
-            "X3013 `GetDimensions` takes 2 arguments; 1 given");
-  EXPECT_EQ(
-      Call(ObjectKind::kTexture2D, "GetDimensions", {"uint2", "uint"}),
-      "X3013 argument 1 of `GetDimensions` has type `uint2`; it must be a uint or float variable");
-  EXPECT_EQ(
-      Call(ObjectKind::kTexture2D, "GetDimensions", {"uint", "1"}),
-      "X3025 argument 2 of `GetDimensions` is written to; it must be a variable or a part of one");
+            "`GetDimensions` takes 2 arguments; 1 given [intrinsic-argument-count, X3013]");
+  EXPECT_EQ(Call(ObjectKind::kTexture2D, "GetDimensions", {"uint2", "uint"}),
+            "argument 1 of `GetDimensions` has type `uint2`; it must be a uint or float variable "
+            "[intrinsic-argument-type, X3013]");
+  EXPECT_EQ(Call(ObjectKind::kTexture2D, "GetDimensions", {"uint", "1"}),
+            "argument 2 of `GetDimensions` is written to; it must be a variable or a part of one "
+            "[intrinsic-out-argument, X3025]");
 }
 
 TEST_F(ObjectsTest, Indices) {
@@ -202,7 +209,7 @@ TEST_F(ObjectsTest, Indices) {
   EXPECT_EQ(Index(ObjectKind::kTexture2DMS, "int2", "float4", "int"),
             "float4: texture_load(t, int2_1, int_2)");
   EXPECT_EQ(Index(ObjectKind::kTexture2D, "int"),
-            "X3120 an index of type `int`; it must be `int2`");
+            "the index has type `int`; it must be `int2` [object-index-type, X3120]");
   EXPECT_EQ(Index(ObjectKind::kTexture2D, "int3"), "float4: texture_load(t, int3_1.xy, 0)");
   EXPECT_EQ(Index(ObjectKind::kBuffer, "uint", "float4"),
             "float4: buffer_load(t, convert<int>(uint_1))");
@@ -211,11 +218,12 @@ TEST_F(ObjectsTest, Indices) {
   EXPECT_EQ(Index(ObjectKind::kStructuredBuffer, "float", "float4"),
             "float4: structured_load(t, convert<int>(float_1))");
   EXPECT_EQ(Index(ObjectKind::kByteAddressBuffer, "uint"),
-            "X3121 `ByteAddressBuffer` has no elements or texels to index");
+            "`ByteAddressBuffer` has no elements or texels to index [object-not-indexed, X3121]");
   EXPECT_EQ(Index(ObjectKind::kTextureCube, "uint"),
-            "X3121 `TextureCube` has no elements or texels to index");
+            "`TextureCube` has no elements or texels to index [object-not-indexed, X3121]");
   EXPECT_EQ(Index(ObjectKind::kOther, "uint"),
-            "X4532 `[]` of an object that a vertex shader may declare but not use");
+            "`[]` is used on an object that a vertex shader may declare but not use "
+            "[object-unusable, X4532]");
 }
 
 TEST_F(ObjectsTest, Direct3d9) {
@@ -238,9 +246,11 @@ TEST_F(ObjectsTest, Direct3d9) {
   EXPECT_EQ(lod("tex1Dlod", ObjectKind::kSampler1D, test_.Var("l", "half4")),
             "float4: d3d9_sample_level(s.4, convert<float>(l.x), convert<float>(l.w))");
   EXPECT_EQ(lod("tex2Dlod", ObjectKind::kSampler3D, test_.Var("w", "float4")),
-            "X3013 argument 1 of `tex2Dlod` has type `sampler3D`; it must be a `sampler2D`");
+            "argument 1 of `tex2Dlod` has type `sampler3D`; it must be a `sampler2D` "
+            "[intrinsic-argument-type, X3013]");
   EXPECT_EQ(lod("tex3Dlod", ObjectKind::kSampler3D, test_.Var("z", "float3")),
-            "X3013 argument 2 of `tex3Dlod` has type `float3`; it must be `float4`");
+            "argument 2 of `tex3Dlod` has type `float3`; it must be `float4` "
+            "[intrinsic-argument-type, X3013]");
 }
 
 TEST_F(ObjectsTest, WhatIsMadeIsWellTyped) {

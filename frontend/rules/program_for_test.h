@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "base/check.h"
 #include "base/diagnostics.h"
+#include "base/invariant.h"
 #include "frontend/rules/conversion.h"
 #include "ir/builder.h"
 #include "ir/print.h"
@@ -86,12 +86,12 @@ class ProgramForTest final : public TemporaryMaker {
     if (type == program.types.Error()) return Said();
     return program.types.Name(type) + ": " + ir::PrintExpr(program, expr);
   }
-  // "X3206 implicit truncation ...; ..." and forgets it.
+  // Every message with its suffix, joined by " | "; and forgets them.
   std::string Said() {
     std::string text;
     for (const Diagnostic& each : diagnostics.all()) {
       if (!text.empty()) text += " | ";
-      text += std::string(InfoOf(each.id).fxc_code) + " " + each.message;
+      text += each.message + MessageSuffix(each);
     }
     diagnostics = Diagnostics();
     return text;

@@ -5,24 +5,24 @@
 // RUN: not %clipc -T vs_6_0 --target=essl320 -DWIDE %s -o %t 2>&1 | FileCheck %s --check-prefix=WIDE
 // AUTOUPDATE
 #if defined(PARAMETERS)
-// ES320: fail_clip_outputs.hlsl:[[#@LINE+3]]:46: error: `SV_StartVertexLocation` is a parameter of the draw call; target `essl320` does not tell it to the shader
+// ES320: fail_clip_outputs.hlsl:[[#@LINE+3]]:46: error: `SV_StartVertexLocation` is a parameter of the draw call; target `essl320` does not pass it to the shader [target-draw-parameter]
 // ES320-NEXT:    [[#@LINE+2]] | float4 main(float4 p : POSITION, int first : SV_StartVertexLocation) : SV_Position { return p + first; }
 // ES320-NEXT:       |                                              ^~~~~~~~~~~~~~~~~~~~~~
 float4 main(float4 p : POSITION, int first : SV_StartVertexLocation) : SV_Position { return p + first; }
 #elif defined(VIEW)
-// GL150: fail_clip_outputs.hlsl:[[#@LINE+3]]:46: error: the shader reads `SV_ViewID`; target `glsl150` has no such input
+// GL150: fail_clip_outputs.hlsl:[[#@LINE+3]]:46: error: the shader reads `SV_ViewID`; target `glsl150` has no such input [target-view-id]
 // GL150-NEXT:    [[#@LINE+2]] | float4 main(float4 p : POSITION, uint view : SV_ViewID) : SV_Position { return p + view; }
 // GL150-NEXT:       |                                              ^~~~~~~~~
 float4 main(float4 p : POSITION, uint view : SV_ViewID) : SV_Position { return p + view; }
 #elif defined(WIDE)
-// WIDE: fail_clip_outputs.hlsl:[[#@LINE+3]]:9: error: the shader computes with 64-bit integers; target `essl320` has no such type
+// WIDE: fail_clip_outputs.hlsl:[[#@LINE+3]]:9: error: the shader computes with 64-bit integers; target `essl320` has no such type [target-int64]
 // WIDE-NEXT:    [[#@LINE+2]] | int64_t wide;
 // WIDE-NEXT:       |         ^~~~
 int64_t wide;
 float4 main(float4 p : POSITION) : SV_Position { return p + (float)wide; }
 #else
 float4 plane;
-// GL120: fail_clip_outputs.hlsl:[[#@LINE+3]]:13: error: the shader writes clip distances; target `glsl120` has no `gl_ClipDistance`; `[clipplanes]` can do without, by --lower=level9
+// GL120: fail_clip_outputs.hlsl:[[#@LINE+3]]:13: error: the shader writes clip distances; target `glsl120` has no `gl_ClipDistance`; `[clipplanes]` does not need it under `--lower=level9` [target-clip-distance]
 // GL120-NEXT:    [[#@LINE+2]] | [clipplanes(plane)]
 // GL120-NEXT:       |             ^~~~~
 [clipplanes(plane)]

@@ -3,7 +3,7 @@
 // RUN: not %clipc -T vs_5_0 --target=glsl450 %s -o %t 2>&1 | FileCheck %s --check-prefix=CHECK
 // AUTOUPDATE
 #ifdef OLD
-// OLD: fail_writable_buffers.hlsl:[[#@LINE+3]]:20: error: `numbers` is written or may be; target `glsl330` has no images that shaders write
+// OLD: fail_writable_buffers.hlsl:[[#@LINE+3]]:20: error: `numbers` is writable; target `glsl330` has no images that a shader can write [target-image]
 // OLD-NEXT:     [[#@LINE+2]] | RWBuffer<uint4>    numbers;
 // OLD-NEXT:       |                    ^~~~~~~
 RWBuffer<uint4>    numbers;
@@ -14,7 +14,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 #else
 RWStructuredBuffer<float3> tight;
 float4 main(float4 p : POSITION) : SV_Position {
-// CHECK: fail_writable_buffers.hlsl:[[#@LINE+3]]:3: error: a `float3` is written into a structured buffer; target `glsl450` would lay it out otherwise than Direct3D
+// CHECK: fail_writable_buffers.hlsl:[[#@LINE+3]]:3: error: a `float3` is written into a structured buffer; target `glsl450` lays it out differently from Direct3D [target-structured-store]
 // CHECK-NEXT:    [[#@LINE+2]] |   tight[1] = p.xyz;
 // CHECK-NEXT:       |   ^~~~~~~~~~~~~~~~
   tight[1] = p.xyz;

@@ -10,9 +10,9 @@ SamplerState smooth;
 SamplerComparisonState nearer;
 
 float4 main(float2 uv : TEXCOORD) : SV_Position {
-  // WARN: [[#@LINE+1]]:18: warning: `Sample` takes the level of detail from neighbouring pixels, which a vertex has not; it reads level 0 here, and fxc refuses it: call `SampleLevel` [-Wmethod-level-zero]
+  // WARN: [[#@LINE+1]]:18: warning: `Sample` takes the level of detail from neighbouring pixels, which a vertex shader does not have; it reads level 0 here, fxc reports an error; call `SampleLevel` instead [-Wmethod-level-zero]
   float4 r = map.Sample(smooth, uv);
-  // WARN: [[#@LINE+1]]:12: warning: `SampleBias` takes the level of detail from neighbouring pixels, which a vertex has not; it reads level 0 plus the bias here
+  // WARN: [[#@LINE+1]]:12: warning: `SampleBias` takes the level of detail from neighbouring pixels, which a vertex shader does not have; it reads level 0 plus the bias here
   r += map.SampleBias(smooth, uv, 1.5, int2(1, -1));
   // WARN: [[#@LINE+1]]:12: warning: `SampleCmp` takes the level
   r += map.SampleCmp(nearer, uv, 0.5);

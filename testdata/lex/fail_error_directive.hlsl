@@ -2,7 +2,7 @@
 #if 1
 #error no vertex data
 #endif
-// CHECK: fail_error_directive.hlsl:3:2: error: no vertex data
+// CHECK: fail_error_directive.hlsl:3:2: error: no vertex data [error-directive]
 #if undefined_function(1)
 #endif
-// CHECK: :6:5: error: {{.*}}undefined_function{{.*}} [X1500]
+// CHECK: :6:5: error: {{.*}}undefined_function{{.*}} [preprocessor-error, X1500]

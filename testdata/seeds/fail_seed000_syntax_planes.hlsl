@@ -11,18 +11,18 @@ cbuffer Clip {
 };
 static float4 computed;
 
-// SEVEN: error: 7 clip planes given; `clipplanes` takes 1 to 6
+// SEVEN: error: 7 clip planes given; `clipplanes` takes 1 to 6 [clip-plane-count, X3084]
 [clipplanes(planes[0], planes[1], planes[2], planes[3], planes[4], planes[5], planes[6])]
 float4 seven(float4 position : POSITION) : SV_Position { return position; }
 
-// TYPE: error: clip plane `normal` has type `float3`; a clip plane is a `float4`
+// TYPE: error: clip plane `normal` has type `float3`; a clip plane is a `float4` [clip-plane-not-float4, X3084]
 [clipplanes(normal)]
 float4 three_components(float4 position : POSITION) : SV_Position { return position; }
 
-// BUFFER: error: `computed` is not a member of a cbuffer; a clip plane must lie in a constant buffer
+// BUFFER: error: `computed` is not a member of a cbuffer; a clip plane must lie in a constant buffer [clip-plane-not-in-cbuffer, X3084]
 [clipplanes(computed)]
 float4 in_no_buffer(float4 position : POSITION) : SV_Position { return position; }
 
-// NONE: error: 0 clip planes given; `clipplanes` takes 1 to 6
+// NONE: error: 0 clip planes given; `clipplanes` takes 1 to 6 [clip-plane-count, X3084]
 [clipplanes()]
 float4 none(float4 position : POSITION) : SV_Position { return position; }

@@ -4,7 +4,7 @@
 
 struct Output {
   float4 position : SV_Position;
-  // CHECK: fail_seed000_ten_level_9_any_space.hlsl{{.*}}error: `SV_ClipDistance` is written by hand; `vs_4_0_level_9_1` has no clip distances
+  // CHECK: fail_seed000_ten_level_9_any_space.hlsl{{.*}}error: the shader writes `SV_ClipDistance`; `vs_4_0_level_9_1` has no clip distances; give the planes with `clipplanes` [level9-clip-distance, X4583]
   float distance : SV_ClipDistance;
 };
 

@@ -4,9 +4,11 @@
 
     check_diagnostics.py [--write] [--coverage]
 
-Fails when docs/diagnostics.md is not what base/diagnostic_kinds.def says (--write makes it so), when two kinds share a
-name, or, with --coverage, when a kind's message occurs in no test: the longest literal piece of its format must stand
-in a file under testdata/ or in a *_test.cpp."""
+Fails when docs/diagnostics.md is not what base/diagnostic_kinds.def says (--write makes it so), when
+two kinds share a name, or, with --coverage, when no test expects a kind. A test expects a kind where
+its printed name stands as clipc prints it: in brackets after a message (`[-Wclip-plane-repeated]`,
+`[clip-plane-not-float4, X3084]`), as the code of the msvc form, or as a name of the JSON form, which
+is the only one that names notes."""
 import pathlib
 import re
 import sys
@@ -39,8 +41,9 @@ def render(all_kinds):
         "# Diagnostics",
         "",
         "Everything clipc can say about a shader, from `base/diagnostic_kinds.def` by `tools/checks/check_diagnostics.py --write`.",
-        "`{}` stands for what was seen. `-Wno-NAME` switches a warning off, `-WNAME` on again; `-Werror` makes errors of all.",
-        "The code is fxc's for the same rule.",
+        "A message ends with its name in brackets: `[-Wclip-plane-repeated]` after a warning, `[clip-plane-not-float4, X3084]`",
+        "after an error, with fxc's code for the same rule where fxc has one. `{}` stands for what was seen.",
+        "`-Wno-NAME` switches a warning off, `-WNAME` switches it on again, `-Werror` turns all warnings into errors.",
     ]
     current = None
     for section, name, severity, code, message in all_kinds:
@@ -54,19 +57,30 @@ def render(all_kinds):
     return "\n".join(lines) + "\n"
 
 
-# Nets below others: the parser or the driver says what is wrong before these could, or only a fault of clipc's brings them.
-NOT_PROVOKED = {"InvalidGlsl", "InternalError", "InitListAsValue", "SwitchWithoutBlock", "TargetClipVertex"}
+# No shader brings these about: the parser or the driver refuses what would, or they report a fault of
+# clipc itself (PlainNote lists the rest of what glslang finds).
+NOT_PROVOKED = {"InvalidGlsl", "PlainNote", "InternalError", "InitListAsValue", "SwitchWithoutBlock", "TargetClipVertex"}
+
+# A printed name in an expected message.
+EXPECTED = re.compile(r'\[(?:-Werror,)?(?:-W)?([a-z0-9-]+)(?=[],])|: (?:error|warning) ([a-z0-9-]+):|"name": "([a-z0-9-]+)"')
+
+
+def expected_names():
+    """Every name that a line of a test expects, except in the RUN lines."""
+    tests = [file for file in sorted((root / "testdata").rglob("*")) if file.suffix in {".hlsl", ".test"}]
+    tests += [file for file in sorted(root.rglob("*_test.cpp")) if "build" not in file.relative_to(root).parts]
+    for file in tests:
+        for line in file.read_text(errors="replace").splitlines():
+            if "RUN:" not in line:
+                for match in EXPECTED.finditer(line):
+                    yield next(filter(None, match.groups()))
 
 
 def untested(all_kinds):
-    texts = [p.read_text(errors="replace") for p in sorted((root / "testdata").rglob("*")) if p.is_file()]
-    texts += [p.read_text() for p in sorted(root.rglob("*_test.cpp")) if "build" not in p.relative_to(root).parts]
-    corpus = "\n".join(texts)
-    for _, name, _, _, message in all_kinds:
-        pieces = [piece.strip(" `;") for piece in re.split(r"\{[^{}]*\}", message.replace("{{", "{").replace("}}", "}"))]
-        longest = max(pieces, key=len)
-        if name not in NOT_PROVOKED and longest and longest not in corpus:
-            yield name, longest
+    expected = set(expected_names())
+    for _, name, *_ in all_kinds:
+        if name not in NOT_PROVOKED and printed(name) not in expected:
+            yield name
 
 
 def main():
@@ -83,7 +97,7 @@ def main():
     elif not document.exists() or document.read_text() != text:
         problems.append("docs/diagnostics.md is out of date: run tools/checks/check_diagnostics.py --write")
     if "--coverage" in sys.argv:
-        problems += [f"{name}: no test shows `{piece}`" for name, piece in untested(all_kinds)]
+        problems += [f"{name}: no test expects `{printed(name)}`" for name in untested(all_kinds)]
     print("\n".join(problems) or f"{len(all_kinds)} kinds of diagnostics, each documented")
     return bool(problems)
 

@@ -11,10 +11,10 @@ float4 overloaded(float4 v : POSITION) : SV_Position { return v; }
 float4 overloaded(float3 v : POSITION) : SV_Position { return v.xyzz; }
 float4 prototype(float4 v : POSITION) : SV_Position;
 technique T { pass P { VertexShader = compile vs_3_0 VSMain(); } }
-// NEAR: error: entry point `VSMian` was not found; did you mean `VSMain`? [X3501]
-// TWICE: error: entry point `twice` may be one of 2 functions; name one of them in full [X3501]
+// NEAR: error: entry point `VSMian` was not found; did you mean `VSMain`? [entry-not-found, X3501]
+// TWICE: error: entry point `twice` may be one of 2 functions; name one of them in full [entry-ambiguous, X3501]
 // TWICE: note: candidate: `a::twice`
 // TWICE: note: candidate: `b::twice`
 // OVERLOADED: error: entry point `overloaded` may be one of 2 functions
 // NONE: error: entry point `{{.*}}` was not found
-// HINT: error: entry point `something_else_entirely` was not found; its techniques compile `VSMain` [X3501]
+// HINT: error: entry point `something_else_entirely` was not found; its techniques compile `VSMain` [entry-not-found, X3501]

@@ -5,7 +5,7 @@
 // AUTOUPDATE
 struct Output {
   float3 lights[2] : TEXCOORD2;
-  // WARN-DAG: [[#@LINE+1]]:17: warning: semantic `TEXCOORD3` is used twice among the outputs; each use gets a location of its own, and fxc refuses this [-Wsemantic-shared]
+  // WARN-DAG: [[#@LINE+1]]:17: warning: semantic `TEXCOORD3` is used twice among the outputs; each use gets its own location, fxc reports an error [-Wsemantic-shared]
   float3 view : TEXCOORD3;
   float4 position : SV_Position;
 };

@@ -2,23 +2,23 @@
 struct S {
   float4 position;
   float4 normal;
-  // CHECK-DAG: [[#@LINE+1]]:10: error: `normal` is declared twice in one scope [X3003]
+  // CHECK-DAG: [[#@LINE+1]]:10: error: `normal` is declared twice in one scope [redefinition, X3003]
   float3 normal;
-  // CHECK-DAG: [[#@LINE+1]]:29: error: `position` is used without an object; it belongs to each object of its struct [X3004]
+  // CHECK-DAG: [[#@LINE+1]]:29: error: `position` is used without an object; it belongs to each object of its struct [field-without-object, X3004]
   static float f() { return position.x; }
-  // CHECK-DAG: [[#@LINE+1]]:12: error: a bit-field is not supported
+  // CHECK-DAG: [[#@LINE+1]]:12: error: a bit-field is not supported [unsupported]
   uint b : 3;
 };
-// CHECK-DAG: [[#@LINE+1]]:12: error: `float4` is no struct, class or interface; nothing else can be inherited from [X3000]
+// CHECK-DAG: [[#@LINE+1]]:12: error: `float4` is not a struct, class or interface; only those can be inherited from [base-not-struct, X3000]
 struct T : float4 { float x; };
 float4 main(float4 position : POSITION) : SV_Position {
   S s;
   T t;
-  // CHECK-DAG: [[#@LINE+1]]:5: error: `S` has no member `positoin`; did you mean `position`? [X3018]
+  // CHECK-DAG: [[#@LINE+1]]:5: error: `S` has no member `positoin`; did you mean `position`? [no-such-member, X3018]
   s.positoin = position;
-  // CHECK-DAG: [[#@LINE+1]]:5: error: `S` has no member `shade` [X3018]
+  // CHECK-DAG: [[#@LINE+1]]:5: error: `S` has no member `shade` [no-such-member, X3018]
   s.shade(1);
-  // CHECK-DAG: [[#@LINE+1]]:5: error: `normal` is no function [X3005]
+  // CHECK-DAG: [[#@LINE+1]]:5: error: `normal` is not a function [not-callable, X3005]
   s.normal(1);
   return S::f();
 }

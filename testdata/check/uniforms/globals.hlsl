@@ -6,7 +6,7 @@
 float scale = 2;
 row_major float4x3 row;
 column_major float4x3 column;
-// WARN: warning: the value of `limit` is not used; a global that is `const` but not `static` is set by the application
+// WARN: warning: the value of `limit` is not used; a global that is `const` but not `static` is set by the application [-Wconst-global-is-uniform]
 const int limit = 3;
 float list[limit] : register(c8);
 Texture2D unused_texture;

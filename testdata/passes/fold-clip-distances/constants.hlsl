@@ -31,7 +31,7 @@ struct Vector {
   float4 distances : SV_ClipDistance;
 };
 
-// VECTOR: constants.hlsl:[[#@LINE-3]]:{{.*}}warning: clip distances from 1 on are constants that clip nothing; they are left out, and no pixel shader can read them
+// VECTOR: constants.hlsl:[[#@LINE-3]]:{{.*}}warning: clip distances from 1 on are constants that never clip; they are left out, so a pixel shader cannot read them [-Wclip-distances-left-out]
 // VECTOR: // clip distances written: 0x1
 // VECTOR-NEXT: out float gl_ClipDistance[1];
 // VECTOR: gl_ClipDistance[0] = distances.x;

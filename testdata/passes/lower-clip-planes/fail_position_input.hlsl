@@ -26,7 +26,7 @@ void Move(inout float3 p) { p *= scale; }
 #endif
 #if defined ELEMENT
 float4 main(float4 p[4] : POSITION, uniform int which) : SV_Position {
-  p[2].y = 0;  // ELEMENT: fail_position_input.hlsl:[[#@LINE]]:3: error: the input `POSITION2` is changed here; {{.*}} so change a copy if that is meant
+  p[2].y = 0;  // ELEMENT: fail_position_input.hlsl:[[#@LINE]]:3: error: the input `POSITION2` is changed here; {{.*}} so change a copy instead
   return p[3] + p[2];
 }
 // THIRD: gl_ClipDistance[0] = dot(in_POSITION3, plane);
@@ -36,13 +36,13 @@ void main(inout float4 p : POSITION, out float4 q : SV_Position) {
   p.x++;  // INOUT: :[[#@LINE]]:3: error: the input `POSITION0` is changed here
 }
 #else
-// MISSING: error: the entry point has no input `POSITOIN0`; plane space `object` clips a vertex by that input, `--position-input` names another; did you mean `POSITION0`?
-// SHORT: :[[#@LINE-21]]:15: error: the input `TEXCOORD` is a `float2`; plane space `object` takes a `float3` or a `float4`
+// MISSING: error: the entry point has no input `POSITOIN0`; plane space `object` clips by that input, and `--position-input` can name another; did you mean `POSITION0`? [position-input-missing]
+// SHORT: :[[#@LINE-21]]:15: error: the input `TEXCOORD` is a `float2`; plane space `object` takes a `float3` or a `float4` [position-input-type]
 // INTEGER: error: the input `COLOR` is a `uint4`; plane space `object`
 float4 main(Input input) : SV_Position {
 #if defined ASSIGNED
-  input.position *= scale;  // ASSIGNED: :[[#@LINE]]:3: error: the input `POSITION0` is changed here; plane space `object` clips the vertex as it comes in, so change a copy if that is meant
-  // ASSIGNED: note: the input `POSITION0` comes in here
+  input.position *= scale;  // ASSIGNED: :[[#@LINE]]:3: error: the input `POSITION0` is changed here; plane space `object` clips by the unchanged input, so change a copy instead [position-input-changed]
+  // ASSIGNED: note: the input `POSITION0` is declared here
 #elif defined PART
   if (scale > 0) input.position.xy = input.uv;  // PART: :[[#@LINE]]:18: error: the input `POSITION0` is changed here
 #elif defined WHOLE

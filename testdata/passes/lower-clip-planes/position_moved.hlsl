@@ -29,7 +29,7 @@ struct Input {
 
 [clipplanes(plane)]
 float4 main(Input input, out float2 uv : TEXCOORD) : SV_Position {
-  // SKIN: position_moved.hlsl:[[#@LINE-8]]:21: warning: the position is not the input `POSITION0` times matrices: it depends on `BLENDINDICES0` too; plane space `object` clips the vertex as it comes in
+  // SKIN: position_moved.hlsl:[[#@LINE-8]]:21: warning: the position is not the input `POSITION0` times matrices: it depends on `BLENDINDICES0` too; plane space `object` clips by the unchanged input [-Wposition-input-moved]
   // INSTANCE: warning: the position is not the input `POSITION0` times matrices: it depends on `SV_InstanceID` too;
   // WAVE: warning: {{.*}} times matrices: the middle of two vertices is not drawn in the middle;
   uv = input.uv + float2(input.bone.xy);
