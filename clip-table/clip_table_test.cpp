@@ -143,7 +143,7 @@ TEST(ClipTable, BinaryRefusesWhatItCannotSay) {
   ClipTable composed = TwoPlanes();
   composed.lowering = Lowering::kClipDistance;
   composed.planes[1].constant.reset();
-  EXPECT_THAT(WriteBinary(composed).error, HasSubstr("plane 1 is no whole register"));
+  EXPECT_THAT(WriteBinary(composed).error, HasSubstr("plane 1 is not one whole register"));
 }
 
 TEST(ClipTable, SpacesOtherThanClip) {
@@ -157,7 +157,7 @@ TEST(ClipTable, SpacesOtherThanClip) {
   }
   table.lowering = Lowering::kLevel9;
   EXPECT_EQ(ProblemOf(table),
-            "planes in space object with lowering level9, which knows clip space only");
+            "planes in space object with lowering level9, which takes planes in clip space only");
   EXPECT_FALSE(WriteJson(table));
 }
 
@@ -211,23 +211,23 @@ std::string JsonError(const char* pointer, const nlohmann::json& value) {
 }
 
 TEST(ClipTable, JsonErrorsNameThePlace) {
-  EXPECT_EQ(JsonError("/schema", "other"), "`schema` is \"other\"; this is no clip table");
+  EXPECT_EQ(JsonError("/schema", "other"), "`schema` is \"other\"; this is not a clip table");
   EXPECT_EQ(JsonError("/version", 2), "`version` is 2; this clipc reads version 1");
   EXPECT_EQ(JsonError("/lowering", "magic"),
             "`lowering` is \"magic\", which this clipc does not know");
   EXPECT_EQ(JsonError("/planes/1/constant/register", -1),
-            "`planes[1].constant.register` is no integer from 0 to 4294967295");
+            "`planes[1].constant.register` is not an integer from 0 to 4294967295");
   EXPECT_EQ(JsonError("/planes/1/constant/register", 1.5),
-            "`planes[1].constant.register` is no integer from 0 to 4294967295");
-  EXPECT_EQ(JsonError("/planes/0/text", 5), "`planes[0].text` is no string");
-  EXPECT_EQ(JsonError("/planes/0", 5), "`planes[0]` is no object");
-  EXPECT_EQ(JsonError("/planes", 5), "`planes` is no array");
+            "`planes[1].constant.register` is not an integer from 0 to 4294967295");
+  EXPECT_EQ(JsonError("/planes/0/text", 5), "`planes[0].text` is not a string");
+  EXPECT_EQ(JsonError("/planes/0", 5), "`planes[0]` is not an object");
+  EXPECT_EQ(JsonError("/planes", 5), "`planes` is not an array");
   EXPECT_EQ(JsonError("/planes/0/more", 5), "`planes[0]` has a key that this clipc does not know");
   EXPECT_EQ(JsonError("/enable_mask", 7), "enable mask 7 for 2 planes; it must be 3");
   EXPECT_EQ(JsonError("/planes/0/constant", nullptr),
-            "plane 0 is no whole register, which Direct3D 9 cannot be told");
+            "plane 0 is not one whole register; Direct3D 9 takes only whole registers");
   EXPECT_EQ(ReadJson("{}").error, "`schema` is missing");
-  EXPECT_EQ(ReadJson("[]").error, "the table is no object");
+  EXPECT_EQ(ReadJson("[]").error, "the table is not an object");
   EXPECT_EQ(ReadJson("{\"schema\": ").error, "no JSON: byte 12 cannot stand there");
   std::string repeated = *WriteJson(TwoPlanes());
   repeated.insert(1, "\"entry\": \"x\",");

@@ -55,12 +55,12 @@ class ObjectReader {
  public:
   ObjectReader(const Json& json, std::string where, std::string& error)
       : json_(json), where_(std::move(where)), error_(error) {
-    if (!json_.is_object()) Fail("", "is no object");
+    if (!json_.is_object()) Fail("", "is not an object");
   }
 
   std::string Text(const char* key) {
     const Json* value = Find(key);
-    if (value && !value->is_string()) Fail(key, "is no string");
+    if (value && !value->is_string()) Fail(key, "is not a string");
     return error_.empty() ? value->get<std::string>() : "";
   }
 
@@ -68,7 +68,7 @@ class ObjectReader {
     const Json* value = Find(key);
     if (value && !(value->is_number_unsigned() &&
                    value->get<std::uint64_t>() <= std::numeric_limits<std::uint32_t>::max())) {
-      Fail(key, "is no integer from 0 to 4294967295");
+      Fail(key, "is not an integer from 0 to 4294967295");
     }
     return error_.empty() ? value->get<std::uint32_t>() : 0;
   }
@@ -141,7 +141,7 @@ Plane PlaneFrom(const Json& json, const std::string& where, std::string& error) 
 
 void CheckVersion(ObjectReader& object) {
   const std::string schema = object.Text("schema");
-  if (schema != kSchema) object.Fail("schema", "is \"" + schema + "\"; this is no clip table");
+  if (schema != kSchema) object.Fail("schema", "is \"" + schema + "\"; this is not a clip table");
   const std::uint32_t version = object.Number("version");
   if (version != kVersion) {
     object.Fail("version", "is " + std::to_string(version) + "; this clipc reads version " +
@@ -165,7 +165,7 @@ ClipTable TableFrom(const Json& json, std::string& error) {
   table.enable_mask = object.Number("enable_mask");
   const Json* planes = object.Find("planes");
   object.NothingElse();
-  if (planes && !planes->is_array()) object.Fail("planes", "is no array");
+  if (planes && !planes->is_array()) object.Fail("planes", "is not an array");
   for (std::size_t i = 0; error.empty() && i < planes->size(); ++i) {
     table.planes.push_back(PlaneFrom((*planes)[i], "planes[" + std::to_string(i) + "]", error));
   }

@@ -1,5 +1,6 @@
-// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception Linked into every program of a sanitizer
-// build, so that it behaves the same under ctest, lit and a debugger.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// Linked into every program of a sanitizer build, so that it behaves the same under ctest, lit and
+// a debugger.
 
 // LLVM's BumpPtrAllocator poisons memory in its headers, which are compiled here with ASan, and
 // expects its archives, which are not, to unpoison it.

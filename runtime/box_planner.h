@@ -6,24 +6,22 @@
 
 #include "runtime/matrix.h"
 
-// Which clip planes does an object need? Most need none, and many are clipped away whole. The
-// answers here are safe to the pixel: whatever order and fusing a shader uses for its dot products,
-// no vertex inside the box gets a distance whose sign contradicts the answer. So a plane that is
-// not needed can be left out, and a culled object need not be drawn, without changing the picture.
-// There is no tolerance to loosen: a surface just behind a plane fills the screen however close it
-// is.
+// Finds the clip planes that an object needs: most objects need none, and many are clipped away
+// whole. The plans are safe to the pixel: whatever order and fusing a shader uses for its dot
+// products, no vertex inside the box gets a distance whose sign contradicts the plan. A plane that
+// is not needed can therefore be left out, and a culled object need not be drawn, without changing
+// the picture. There is no tolerance: a surface just outside of a plane may fill the screen.
 //
 // Pure functions: any thread, no allocation.
 namespace clipc::runtime {
 
-// What an object needs: bit i for a plane i that may cut it, or kCulled alone: a plane has the
-// whole object on its clipped side.
+// The planes that an object needs: bit i for each plane i that may cut it; or kCulled alone if the
+// whole object is on the clipped side of a plane.
 using BoxPlan = std::uint8_t;
 inline constexpr BoxPlan kCulled = 0x80;
 
-// An axis-aligned box around all vertices of an object, in the space of the vertices that the
-// shader dots with the planes. Bounds that are not finite or not in order are a box that needs
-// every plane.
+// An axis-aligned box around all vertices of an object, in the space in which the shader dots the
+// vertices with the planes. A box whose bounds are not finite or not in order needs every plane.
 struct Box {
   float low[3];
   float high[3];
@@ -36,30 +34,31 @@ struct BoxArrays {
   std::size_t count;
 };
 
-// For shaders that compute dot(float4(v, 1), plane) with the vertex itself: plane space `object`;
-// or with a world- or view-space vertex, if the box bounds those rounded vertices. Box and planes
-// in one space. `plane_count` is at most 6, further ones are ignored.
+// The plan for shaders that compute dot(float4(v, 1), plane) with the vertex itself (plane space
+// `object`), or with a world- or view-space vertex if the box bounds the rounded vertices. Box and
+// planes are in one space. Planes after the sixth are ignored.
 //
-// A plane is not needed where d >= E at the box's nearest corner, and culls where d < -E at the
-// farthest, in float; else it is needed. E = 10 u S + 2^-120 with u = 2^-24 and S = sum |n_i|
-// max(|low_i|, |high_i|) + |D|. Proof: each d has four products and three sums, an error of at most
-// 4u S / (1 - 4u); the shader's dot product has another one of that size, in any order, fused or
-// not; S itself is computed 5u too small at most; what underflows is below 2^-120 altogether.
+// A plane is not needed if d >= E at the box's nearest corner, and culls if d < -E at the farthest,
+// in float; otherwise it is needed. E = 10 u S + 2^-120 with u = 2^-24 and
+// S = sum |n_i| max(|low_i|, |high_i|) + |D|. Proof: each d has four products and three sums, an
+// error of at most 4u S / (1 - 4u); the shader's dot product has an error of the same size, in any
+// order, fused or not; S is computed at most 5u too small; everything that underflows is below
+// 2^-120 in total.
 BoxPlan PlanBox(const Box& box, const Float4* planes, std::size_t plane_count) noexcept;
 
 // The same for many boxes: exactly PlanBox of each.
 void PlanBoxes(const BoxArrays& boxes, const Float4* planes, std::size_t plane_count,
                BoxPlan* plans) noexcept;
 
-// For shaders that dot a transformed position: position = v * matrices[0] * ... *
-// matrices[matrix_count - 1], each step in float, dot(position, plane). Plane space `clip`,
-// SetClipPlane and [clipplanes]: the box is in object space, the planes in clip space. `matrices`
-// are those that the shader multiplies by, one after the other (one matrix if the application
-// multiplies them itself), with the float values that the shader gets.
+// The plan for shaders that dot a transformed position, as for plane space `clip` and SetClipPlane:
+// dot(position, plane) with position = v * matrices[0] * ... * matrices[matrix_count - 1], each
+// step in float. The box is in object space, the planes are in clip space. `matrices` are those
+// that the shader multiplies by, in order (one matrix if the application multiplies them itself),
+// with the float values that the shader receives.
 //
-// As above with E = 5 steps u S + 2^-120, where steps is matrix_count + 1 and S = |v| |M_0| |M_1|
-// ... |plane|, and with the corners in double. With depth that is not reversed S is hundreds of
-// times larger than in object space, and more planes are needed.
+// The rule is that of PlanBox with E = 5 steps u S + 2^-120, where steps = matrix_count + 1 and
+// S = |v| |M_0| |M_1| ... |plane|, and with the corners in double. If depth is not reversed, S is
+// hundreds of times larger than in object space, and more planes are needed.
 BoxPlan PlanTransformedBox(const Box& box, const Matrix* matrices, std::size_t matrix_count,
                            const Float4* planes, std::size_t plane_count) noexcept;
 

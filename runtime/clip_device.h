@@ -5,9 +5,9 @@
 
 namespace clipc::runtime {
 
-// What Level9Binder needs of a device: two calls of IDirect3DDevice9, or what stands for them.
-// Called on the thread that calls the binder. Neither function may throw; false means that the
-// device refused, and nobody knows what it holds then.
+// The device that Level9Binder sets planes on: two functions of IDirect3DDevice9, or their
+// replacement. They are called on the thread that calls the binder, and do not throw. They return
+// false if the device refuses the call; the state that it holds is then unknown.
 class ClipDevice {
  public:
   // IDirect3DDevice9::SetClipPlane: `plane` is {A, B, C, D} in clip space; Ax + By + Cz + Dw >= 0

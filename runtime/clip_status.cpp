@@ -42,24 +42,6 @@ void CodeBlock(Block& block, const UserClipPlanes& user_planes) {
 
 }  // namespace
 
-const char* NameOfClipBit(std::uint32_t bit) noexcept {
-  switch (bit) {
-    case kClipLeft: return "D3DCS_LEFT";
-    case kClipRight: return "D3DCS_RIGHT";
-    case kClipTop: return "D3DCS_TOP";
-    case kClipBottom: return "D3DCS_BOTTOM";
-    case kClipFront: return "D3DCS_FRONT";
-    case kClipBack: return "D3DCS_BACK";
-    case kClipPlane0: return "D3DCS_PLANE0";
-    case kClipPlane0 << 1: return "D3DCS_PLANE1";
-    case kClipPlane0 << 2: return "D3DCS_PLANE2";
-    case kClipPlane0 << 3: return "D3DCS_PLANE3";
-    case kClipPlane0 << 4: return "D3DCS_PLANE4";
-    case kClipPlane0 << 5: return "D3DCS_PLANE5";
-    default: return nullptr;
-  }
-}
-
 std::uint32_t ClipCode(const float (&position)[4], const UserClipPlanes& user_planes) noexcept {
   const float x = position[0], y = position[1], z = position[2], w = position[3];
   std::uint32_t code = FrustumCode(x, y, z, w);
@@ -102,15 +84,6 @@ void UpdateClipStatus(ClipStatus& status, const float* positions, std::size_t co
     status.clip_intersection &= code;
     if (codes != nullptr) codes[first] = static_cast<std::uint16_t>(code);
   }
-}
-
-ClipVerdict VerdictOf(const ClipStatus& status, bool clipping) noexcept {
-  // Every code is within kClipAll, so other bits stand in the intersection only before the first
-  // vertex.
-  if (!clipping || (status.clip_intersection & ~std::uint32_t{kClipAll}) != 0)
-    return ClipVerdict::kUnknown;
-  if (status.clip_intersection != 0) return ClipVerdict::kOutside;
-  return status.clip_union == 0 ? ClipVerdict::kInside : ClipVerdict::kNeedsClip;
 }
 
 }  // namespace clipc::runtime

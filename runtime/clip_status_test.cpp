@@ -73,15 +73,6 @@ TEST(ClipCodeTest, NanIsOutside) {
   EXPECT_EQ(ClipCode({0, 0, 0.5f, 1}, user), std::uint32_t{kClipPlane0});
 }
 
-TEST(ClipCodeTest, EveryBitHasItsDirect3dName) {
-  std::set<std::string> names;
-  for (std::uint32_t bit = 1; bit <= kClipAll; bit <<= 1) names.insert(NameOfClipBit(bit));
-  EXPECT_EQ(names.size(), 12u);
-  EXPECT_STREQ(NameOfClipBit(0x800), "D3DCS_PLANE5");
-  EXPECT_EQ(NameOfClipBit(3), nullptr);
-  EXPECT_EQ(NameOfClipBit(0x1000), nullptr);
-}
-
 // Numbers that meet planes exactly, and all that is odd.
 class Vertices {
  public:
@@ -161,14 +152,6 @@ TEST(UpdateClipStatusTest, DoesNotAllocate) {
   ClipStatus status;
   UpdateClipStatus(status, positions.data(), 1000, user, true);
   EXPECT_EQ(AllocationCount(), before);
-}
-
-TEST(ClipVerdictTest, ReadsTheStatus) {
-  EXPECT_EQ(VerdictOf({}, true), ClipVerdict::kUnknown) << "an empty draw is not an invisible one";
-  EXPECT_EQ(VerdictOf({0, 0}, false), ClipVerdict::kUnknown);
-  EXPECT_EQ(VerdictOf({0, 0}, true), ClipVerdict::kInside);
-  EXPECT_EQ(VerdictOf({kClipLeft, 0}, true), ClipVerdict::kNeedsClip);
-  EXPECT_EQ(VerdictOf({kClipLeft | kClipTop, kClipTop}, true), ClipVerdict::kOutside);
 }
 
 }  // namespace

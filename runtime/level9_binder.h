@@ -10,33 +10,38 @@
 
 namespace clipc::runtime {
 
-// The bytes of one bound constant buffer, as the application gave them to the shader.
+// The bytes of one bound constant buffer, as the application passed them to the shader.
 struct BoundBuffer {
   std::uint32_t register_number = 0;  // n of b<n>
   std::uint32_t register_space = 0;
-  const void* bytes = nullptr;  // need not be aligned; only read during the call
+  const void* bytes = nullptr;  // of any alignment; read only during the call
   std::size_t size = 0;
 };
 
-// The part of the 10Level9 runtime that turns a shader's clip table into SetClipPlane calls ("User
-// clip planes on feature level 9 hardware"). It knows what the device holds and calls it only where
-// that changes, bit for bit: with nothing changed, Bind makes no call. It never allocates.
+// The part of the 10Level9 runtime that turns a shader's clip table into SetClipPlane calls
+// (Microsoft, "User clip planes on feature level 9 hardware"). The binder remembers the state of
+// the device and calls it only for a change, bit for bit: if nothing changed, Bind makes no call.
+// It never allocates.
 //
-// One binder belongs to one device and, like the device, to one thread at a time. While it exists,
-// nobody else sets the device's clip planes or D3DRS_CLIPPLANEENABLE; whoever did calls
-// Invalidate().
+// One binder belongs to one device and, like the device, to one thread at a time. Code that changes
+// the device's clip planes or D3DRS_CLIPPLANEENABLE by other means calls Invalidate() afterwards.
 class Level9Binder {
  public:
   // `max_planes`: D3DCAPS9::MaxUserClipPlanes. `device` must outlive the binder.
   Level9Binder(ClipDevice& device, std::uint32_t max_planes) noexcept;
 
-  // Before a draw: makes the device clip with the planes of `table`, read from `buffers`. Planes
-  // first, the mask last. A table of lowering kNone disables all planes. `needed`, bit i for plane
-  // i, may leave out planes that the object does not need (box_planner.h): they are neither read,
-  // nor checked, nor set. Errors, of which all but kDeviceFailed come before the first call and
-  // leave the device as it was; the caller must not draw: kWrongLowering; kInvalidCall where a
-  // plane's index is not below max_planes; kMissingBuffer; kShortBuffer; kNotFinite. After
-  // kDeviceFailed the next Bind calls again.
+  // Before a draw: makes the device clip with the planes of `table`, read from `buffers`; sets the
+  // planes first, the mask last. A table of lowering kNone disables all planes. Planes whose bit in
+  // `needed` is 0, because the object does not need them (box_planner.h), are not read, checked or
+  // set. After an error the caller must not draw:
+  //
+  //   kWrongLowering                    the table is for another lowering
+  //   kInvalidCall                      a plane's index is not below max_planes
+  //   kMissingBuffer, kShortBuffer      no buffer, or too few bytes, for a plane
+  //   kNotFinite                        a plane with NaN or infinity
+  //   kDeviceFailed                     the device refused a call; the next Bind repeats it
+  //
+  // Every error but kDeviceFailed is found before the first call and leaves the device unchanged.
   Status Bind(const Table& table, const BoundBuffer* buffers, std::size_t buffer_count,
               std::uint32_t needed = ~std::uint32_t{0}) noexcept;
 

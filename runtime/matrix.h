@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-// The types of the plane mathematics. Everything is computed in double; float is only what comes in
-// and goes out.
+// The types of the plane mathematics. Everything is computed in double; only inputs and results are
+// float.
 //
-// The convention inside is Direct3D's: a point is a row vector and v' = v * M, so that the whole
-// way is clip = v * World * View * Projection and row 3 of an affine matrix is its translation.
-// RowVectorMatrix and ColumnVectorMatrix take matrices of either convention in.
+// The convention inside is Direct3D's: a point is a row vector and v' = v * M, so that
+// clip = v * World * View * Projection, and row 3 of an affine matrix is its translation.
+// RowVectorMatrix and ColumnVectorMatrix read matrices of either convention.
 namespace clipc::runtime {
 
 // {A, B, C, D}: keeps the points (x, y, z, w) of its space with Ax + By + Cz + Dw >= 0. Any
-// positive multiple is the same plane; the zero plane keeps everything. Not normalised unless
-// somebody says so.
+// positive multiple is the same plane; the zero plane keeps everything. The normal (A, B, C) may
+// have any length.
 struct Plane {
   double x = 0, y = 0, z = 0, w = 0;
 };
@@ -42,18 +42,17 @@ Matrix ColumnVectorMatrix(const double (&elements)[16]) noexcept;
 Matrix Multiply(const Matrix& first, const Matrix& second) noexcept;
 Matrix Transpose(const Matrix& matrix) noexcept;
 
-// Ax + By + Cz + Dw. A distance only where the normal (x, y, z) is a unit vector and the space has
-// a metric: in view, world or object space with w = 1. In clip space it has the right sign and no
-// unit.
+// Ax + By + Cz + Dw. The value is a distance if the normal (A, B, C) is a unit vector, the space
+// has a metric (view, world or object space) and w = 1. In clip space only its sign has a meaning.
 double Dot(const Plane& plane, const double (&point)[4]) noexcept;
 
-// The plane of the space *before* `matrix`, given the plane of the space after it: before = matrix
-// * after, so that Dot(before, v) == Dot(after, v * matrix) for every v. Needs no inverse: it takes
-// a world-space plane to object space with the world matrix. Each component is one compensated dot
-// product: right to double precision whatever cancels.
+// The plane of the space *before* `matrix`, given the plane of the space after it:
+// before = matrix * after, so that Dot(before, v) == Dot(after, v * matrix) for every v. Needs no
+// inverse: with the world matrix it takes a world-space plane to object space. Each component is
+// one compensated dot product, which is right to double precision whatever cancels.
 Plane PlaneBefore(const Matrix& matrix, const Plane& after) noexcept;
 
-// |(x, y, z)|
+// The length |(A, B, C)| of the plane's normal.
 double NormalLength(const Plane& plane) noexcept;
 
 }  // namespace clipc::runtime

@@ -6,14 +6,16 @@
 
 namespace clipc::runtime {
 
-// The matrix that mirrors points of the plane's space in the plane, for row vectors: v - 2
-// Dot(plane, v) N / |N|^2. It is its own inverse, and turns clockwise triangles into anticlockwise
-// ones: swap the cull mode where it is drawn with. Any positive or negative multiple of `plane`
-// gives the same matrix.
+// The matrix that mirrors points of the plane's space in the plane, for row vectors:
+// v => v - 2 Dot(plane, v) N / |N|^2 with N = (x, y, z). The matrix is its own inverse. It turns
+// clockwise triangles into anticlockwise ones, so a draw with it swaps the cull mode. Any positive
+// or negative multiple of `plane` gives the same matrix.
 //
-// A planar reflection (water) draws the scene with view_mirrored = Multiply(mirror, view), clipped
-// by the water's plane: ClipPlaneFromWorld(water, view_mirrored, projection) keeps what is above
-// the water. Errors: kSingular where the plane has no normal; kNotFinite.
+// A planar reflection, such as water, draws the scene with view_mirrored = Multiply(mirror, view),
+// clipped by the water's plane: ClipPlaneFromWorld(water, view_mirrored, projection) keeps what is
+// above the water.
+//
+// Errors: kSingular if the plane has no normal; kNotFinite.
 Result<Matrix> MirrorMatrix(const Plane& plane) noexcept;
 
 }  // namespace clipc::runtime

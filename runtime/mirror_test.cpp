@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "runtime/reflection.h"
+#include "runtime/mirror.h"
 
 #include <cmath>
 #include <limits>

@@ -102,8 +102,4 @@ void SetDepthColumn(Matrix& to_clip, const Plane& plane, double scale, DepthRang
   }
 }
 
-double DepthStep(double effective_near, double distance, int depth_bits) noexcept {
-  return std::ldexp(distance * distance / effective_near, -depth_bits);
-}
-
 }  // namespace clipc::runtime

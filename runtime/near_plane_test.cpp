@@ -243,9 +243,10 @@ TEST(NearPlane, ProjectionsThatContradictTheirDepthRange) {
             Error::kNotFinite);
 }
 
+// The formula that ShearedProjection::effective_near states, on an unsheared projection.
 TEST(NearPlane, DepthStepOfTheStandardProjection) {
-  const Camera camera = PerspectiveCamera(0.1, INFINITY);
-  const double s = 30, step = DepthStep(0.1, s, 24);
+  const double near = 0.1, s = 30, step = s * s / near * 0x1p-24;
+  const Camera camera = PerspectiveCamera(near, INFINITY);
   const double before = Depth(Project(ViewPoint(camera, 0, 0, s), camera.projection), {});
   const double after = Depth(Project(ViewPoint(camera, 0, 0, s + step), camera.projection), {});
   EXPECT_NEAR((after - before) * 0x1p24, 1, 1e-3);

@@ -54,7 +54,7 @@ Result<double> PredictEdgeError(PlaneSpace space, const Plane& view_plane, const
   const bool wrong = !s.holds || (space == PlaneSpace::kXyw1 && !s.is_perspective());
   if (wrong)
     return {0, Status::Failure(Error::kWrongProjection,
-                               "the projection has not the shape that the space needs")};
+                               "the projection does not have the shape that the space needs")};
   if (!(length > 0) || (s.is_perspective() ? s.b : s.a) == 0)
     return {0, Status::Failure(Error::kSingular,
                                "the plane has no normal, or the projection no inverse")};
@@ -69,7 +69,7 @@ Result<double> PredictEdgeError(PlaneSpace space, const Plane& view_plane, const
 Result<SpaceConstant> PlaneConstantFor(PlaneSpace space, const Plane& plane, KnownIn known_in,
                                        const DrawMatrices& draw, const Picture& picture) noexcept {
   Result<SpaceConstant> result;
-  // Space `object` needs no view; without one there is only no prediction.
+  // Space `object` does not need the view, but the prediction does.
   const Result<PlaneConstant> in_view = InView(plane, known_in, draw);
   if (space == PlaneSpace::kXyw1 && !in_view.ok()) {
     result.status = in_view.status;

@@ -5,20 +5,22 @@
 
 namespace clipc::runtime {
 
-// Where z/w of the target's clip space lies, and which end is near.
+// The range of z/w in the target's clip space, and the end of it that is near.
 struct DepthRange {
-  bool negative_one_to_one =
-      false;              // OpenGL's -w <= z <= w; otherwise Direct3D's and Vulkan's 0 <= z <= w
+  // True: OpenGL's -w <= z <= w. False: Direct3D's and Vulkan's 0 <= z <= w.
+  bool negative_one_to_one = false;
   bool reversed = false;  // reverse-Z: the near plane is at z = w
 };
 
-// What a projection matrix for row vectors looks like in every graphics API:
+// A projection matrix for row vectors, as every graphics API shapes it:
 //
-//   px  0   0  0        px, py   scales, possibly negative (y down)
-//   0   py  0  0        ox, oy   off-centre or jittered frustum
-//   ox  oy  a  e        a, b     depth; e is 1 (view looks along +z) or -1 (along -z) for a perspective, 0 for
-//   orthographic tx  ty  b  g        tx, ty   shift of an orthographic frustum; g is 0 for a perspective, 1 for
-//   orthographic
+//   px  0   0  0        px, py   scales; negative where an axis is mirrored (y down)
+//   0   py  0  0        ox, oy   shift of an off-centre or jittered perspective
+//   ox  oy  a  e        tx, ty   shift of an off-centre orthographic frustum
+//   tx  ty  b  g        a, b     depth
+//
+//   perspective         g = 0; e = 1 if the view looks along +z, e = -1 if along -z
+//   orthographic        e = 0; g = 1
 //
 // A shape holds when the other elements are exactly 0, px and py are not, and one of e and g is
 // exactly 0. It has an inverse when b (perspective) or a (orthographic) is not 0 either.
@@ -32,8 +34,8 @@ struct ProjectionShape {
 
 ProjectionShape ShapeOf(const Matrix& projection) noexcept;
 
-// The clip-space w at which the perspective `shape` has its near plane: for e = 1 or -1, the near
-// distance n.
+// The clip-space w of the near plane of the perspective `shape`; if e is 1 or -1, the near
+// distance.
 double NearW(const ProjectionShape& shape, DepthRange range) noexcept;
 
 }  // namespace clipc::runtime

@@ -1,6 +1,6 @@
-// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception "User clip planes on feature level 9
-// hardware" (Microsoft), what a run-time test can say of each section. Where the document errs, the
-// test says what is right.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// "User clip planes on feature level 9 hardware" (Microsoft), what a run-time test can say of each
+// section. Where the document errs, the test says what is right.
 #include <cmath>
 #include <string>
 

@@ -1,6 +1,6 @@
-// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception "What Are User-defined Clip Planes?"
-// (Microsoft). The document contradicts SetClipPlane's page and its own pictures in several places;
-// each test says what is right.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// "What Are User-defined Clip Planes?" (Microsoft). The document contradicts SetClipPlane's page
+// and its own pictures in several places; each test says what is right.
 #include <cmath>
 #include <vector>
 

@@ -1,6 +1,6 @@
-// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception "Custom Clip Plane Using Near Clip Plane
-// Shearing" (NVIDIA, WP-01386-001), section by section. Where the paper errs, the test says what is
-// right.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// "Custom Clip Plane Using Near Clip Plane Shearing" (NVIDIA, WP-01386-001), section by section.
+// Where the paper errs, the test says what is right.
 #include <cmath>
 
 #include <gtest/gtest.h>

@@ -3,40 +3,40 @@
 
 #include <cstdint>
 
-// How every function of the runtime answers. Nothing in clipc::runtime throws, and a Status holds
-// its message in place, so that an error costs no allocation either.
+// The answer of every function that can fail. No function of clipc::runtime throws, and a Status
+// holds its message in place, so that an error allocates nothing.
 namespace clipc::runtime {
 
 enum class Error : std::int32_t {
   kNone = 0,
   kOutOfMemory,       // only readers of tables and the makers of C objects allocate
-  kInvalidArgument,   // a null pointer, a count that cannot be
-  kDamagedTable,      // no clip table, or one that contradicts itself
-  kWrongLowering,     // the table is for a shader that wants no SetClipPlane
+  kInvalidArgument,   // a null pointer, or an impossible count
+  kDamagedTable,      // the bytes are not a clip table, or the table contradicts itself
+  kWrongLowering,     // the table is for a shader that clips in another way
   kInvalidCall,       // a plane index beyond the device's maximum
   kMissingBuffer,     // the table names a constant buffer that is not bound
   kShortBuffer,       // the bound buffer ends before the plane does
   kNotFinite,         // a coefficient is NaN or infinite
   kDeviceFailed,      // the device refused a call
-  kSingular,          // a matrix has no inverse, or a plane no normal
-  kIllConditioned,    // the result would not be right to float precision
+  kSingular,          // a matrix has no inverse, or a plane has no normal
+  kIllConditioned,    // the result is not right to float precision
   kNotRepresentable,  // the result is too large or too small for float arithmetic in the clipper
-  kWrongProjection,   // the projection has not the shape that the function is for
+  kWrongProjection,   // the projection does not have the shape that the function needs
   kEyeNotClipped,     // near-plane shearing needs the eye strictly on the clipped side
   kNoDepthLeft,       // near-plane shearing would leave too little depth precision
 };
 
-// HRESULTs of Direct3D 9 (d3d9.h) that HresultOf answers with.
+// The HRESULTs of Direct3D 9 (d3d9.h) that HresultOf returns.
 inline constexpr std::int32_t kD3dOk = 0;
 inline constexpr std::int32_t kD3dErrInvalidCall = static_cast<std::int32_t>(0x8876086C);
 inline constexpr std::int32_t kD3dErrDriverInternalError = static_cast<std::int32_t>(0x88760827);
 inline constexpr std::int32_t kEOutOfMemory = static_cast<std::int32_t>(0x8007000E);
 
-// What an IDirect3DDevice9 would have answered: D3DERR_INVALIDCALL for whatever the caller did
-// wrong.
+// The HRESULT that an IDirect3DDevice9 returns in the same situation: D3DERR_INVALIDCALL for every
+// mistake of the caller.
 std::int32_t HresultOf(Error error) noexcept;
 
-// "kShortBuffer" => "short buffer".
+// The error in words: "short buffer" for kShortBuffer.
 const char* NameOf(Error error) noexcept;
 
 // Success, or an error with its reason in words. Copyable, no resources.
@@ -62,7 +62,7 @@ class [[nodiscard]] Status {
   char message_[kMessageSize];
 };
 
-// A value, or the reason why there is none. `value` is default-made when !ok().
+// A value, or the reason why there is none. `value` is default-constructed if !ok().
 template <typename T>
 struct [[nodiscard]] Result {
   T value{};

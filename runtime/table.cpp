@@ -27,7 +27,7 @@ TablePlane FromPlane(const clip_table::Plane& from) {
   return plane;
 }
 
-// Runs `read`, which gives a clip_table::Result. That code knows no errors but its own and the lack
+// Runs `read`, which gives a clip_table::Result. Its only other failure is a lack
 // of memory.
 template <typename Read>
 Result<Table> ReadWith(Read read) noexcept {

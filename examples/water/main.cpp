@@ -1,8 +1,9 @@
-// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception Teapots in a lake, drawn to a PNG once
-// for each of clipc's lowerings: the same reflection, clipped at the water by clip distances, by
-// glClipPlane in the part of Direct3D 9's SetClipPlane, by the near plane, and by discard. A fifth
-// picture is not clipped and shows what would go wrong: the mirrored bottoms stick out of the
-// water.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// Teapots in a lake, drawn to a PNG once for each of clipc's lowerings: the same reflection,
+// clipped at the water by clip distances, by glClipPlane in the part of Direct3D 9's SetClipPlane,
+// by the near plane, and by discard. A fifth picture is not clipped and shows what would go wrong:
+// the mirrored bottoms stick out of the water.
+//
 //   water [FOLDER]
 #include <algorithm>
 #include <cmath>
@@ -21,7 +22,7 @@
 #include "runtime/gl/clip_switches.h"
 #include "runtime/level9_binder.h"
 #include "runtime/near_plane.h"
-#include "runtime/reflection.h"
+#include "runtime/mirror.h"
 #include "water_clip_distance.clip.h"
 #include "water_clip_distance.shader.h"
 #include "water_discard.clip.h"

@@ -1,5 +1,6 @@
-// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception Places and messages: Clang's preprocessor
-// diagnostics become ours, ours are drawn by Clang's caret printer.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// Places and messages: Clang's preprocessor diagnostics become ours, ours are drawn by Clang's
+// caret printer.
 #include <utility>
 
 #include <clang/Basic/Diagnostic.h>

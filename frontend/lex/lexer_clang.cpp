@@ -1,5 +1,6 @@
-// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception Clang's preprocessor as clipc's: what is
-// read, which macros exist, and each of Clang's tokens turned into one of ours.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// Clang's preprocessor as clipc's: what is read, which macros exist, and each of Clang's tokens
+// turned into one of ours.
 #include <algorithm>
 #include <array>
 #include <utility>

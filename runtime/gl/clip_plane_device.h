@@ -9,20 +9,20 @@
 
 namespace clipc::runtime::gl {
 
-// OpenGL's own clip planes in the part of Direct3D 9's, for Level9Binder: glClipPlane and
-// GL_CLIP_PLANEi on a context of the compatibility profile, with shaders of lowering level9 that
-// write gl_ClipVertex (targets glsl120 and glsl130).
+// OpenGL's own clip planes as the device of a Level9Binder: glClipPlane and GL_CLIP_PLANEi on a
+// context of the compatibility profile, for shaders of lowering level9 that write gl_ClipVertex
+// (targets glsl120 and glsl130).
 //
-// glClipPlane takes a plane of object space and multiplies it by the inverse of the current
-// modelview matrix; gl_ClipVertex is dotted with the result. clipc's gl_ClipVertex is the position
-// in Direct3D clip space, and so the matrix must be the identity: SetClipPlane makes it that for
-// the call, and leaves matrix and matrix mode as they were.
+// glClipPlane multiplies a plane by the inverse of the current modelview matrix, and OpenGL dots
+// gl_ClipVertex with the result. clipc's gl_ClipVertex is the position in Direct3D clip space, so
+// the matrix must be the identity: SetClipPlane sets it for the call and restores matrix and matrix
+// mode.
 //
 // The context must be current in every call, the destructor included, which restores planes and
 // switches as the constructor found them.
 class ClipPlaneDevice final : public ClipDevice {
  public:
-  // `gl` must have has_clip_planes(); without, every SetClipPlane is refused.
+  // If has_clip_planes() of `gl` is false, SetClipPlane refuses every call.
   explicit ClipPlaneDevice(const Functions& gl) noexcept;
   ~ClipPlaneDevice();
   ClipPlaneDevice(const ClipPlaneDevice&) = delete;
@@ -40,7 +40,7 @@ class ClipPlaneDevice final : public ClipDevice {
   Functions gl_;
   ClipSwitches switches_;
   std::uint32_t changed_ = 0;              // bit i: plane i was set
-  double before_[kMaxClipPlanes][4] = {};  // what it was
+  double before_[kMaxClipPlanes][4] = {};  // the planes to restore, for the bits of changed_
 };
 
 }  // namespace clipc::runtime::gl

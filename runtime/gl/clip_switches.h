@@ -10,37 +10,37 @@
 
 namespace clipc::runtime::gl {
 
-// GL_CLIP_DISTANCE0 .. 5, switched so that exactly the distances are enabled that the shader
-// writes. One that is enabled but not written is undefined in OpenGL; one that is written but not
-// enabled does not clip, except that Mesa's software driver clips with all of them where none is
-// enabled. So a shader that writes distances has at least one enabled, and a draw without planes
-// takes the shader variant without.
+// Switches GL_CLIP_DISTANCE0 to 5 so that exactly those distances are enabled that the shader
+// writes. A distance that is enabled but not written is undefined in OpenGL; one that is written
+// but not enabled does not clip, except that Mesa's software driver clips with all of them if none
+// is enabled. A draw without planes therefore takes the shader variant that writes no distances.
 //
-// The context must be current in every call, the destructor included. Calls OpenGL only where
-// something changes; while the object lives, nobody else switches what it switched. No allocation.
+// The context must be current in every call, the destructor included. Calls OpenGL only for a
+// change; while the object lives, no other code switches these capabilities. No allocation.
 class ClipSwitches {
  public:
-  // Remembers what is enabled now.
+  // Remembers the distances that are enabled now.
   explicit ClipSwitches(const Functions& gl) noexcept;
-  // Restores it.
+  // Calls Restore().
   ~ClipSwitches();
   ClipSwitches(const ClipSwitches&) = delete;
   ClipSwitches& operator=(const ClipSwitches&) = delete;
 
-  // GL_MAX_CLIP_DISTANCES, which GL_MAX_CLIP_PLANES is another name of.
+  // GL_MAX_CLIP_DISTANCES, also named GL_MAX_CLIP_PLANES.
   std::uint32_t max_planes() const noexcept { return max_planes_; }
 
-  // Before a draw with the shader of `table`; any lowering but kLevel9, whose planes Level9Binder
-  // switches. Errors: kWrongLowering; as Enable.
+  // Before a draw with the shader of `table`. Errors: kWrongLowering for kLevel9, whose planes
+  // Level9Binder switches; those of Enable.
   Status Bind(const Table& table) noexcept;
   // Before a draw with one of the shaders that `clipc --variants` wrote with lowering
-  // kClipDistance. Errors: as Enable.
+  // kClipDistance. Errors: those of Enable.
   Status Bind(const ShaderVariant& variant) noexcept;
-  // Bit i enables GL_CLIP_DISTANCEi; the others are disabled. Errors: kInvalidCall where the mask
-  // has a bit that is not below max_planes() or kMaxClipPlanes; then nothing is changed.
+  // Enables GL_CLIP_DISTANCEi for each bit i of `mask` and disables the others. Errors:
+  // kInvalidCall if the mask has a bit that is not below max_planes() and kMaxClipPlanes; nothing
+  // is changed then.
   Status Enable(std::uint32_t mask) noexcept;
 
-  // As when the object was made. The next Enable begins from there.
+  // Restores the state that the constructor found. The object can be used further.
   void Restore() noexcept;
 
  private:
@@ -48,8 +48,8 @@ class ClipSwitches {
 
   Functions gl_;
   std::uint32_t max_planes_ = 0;
-  std::uint32_t before_ = 0;  // what to restore
-  std::uint32_t mask_ = 0;    // what is enabled
+  std::uint32_t before_ = 0;  // bits of the distances that the constructor found enabled
+  std::uint32_t mask_ = 0;    // bits of the distances that are enabled now
 };
 
 }  // namespace clipc::runtime::gl

@@ -21,10 +21,10 @@ Result<Functions> LoadFunctions(Loader loader) noexcept {
   Load(loader, "glIsEnabled", gl.IsEnabled);
   Load(loader, "glGetIntegerv", gl.GetIntegerv);
   if (!gl.Enable || !gl.Disable || !gl.IsEnabled || !gl.GetIntegerv) {
-    return {
-        {},
-        Status::Failure(Error::kDeviceFailed,
-                        "the loader knows no glEnable, glDisable, glIsEnabled or glGetIntegerv")};
+    return {{},
+            Status::Failure(
+                Error::kDeviceFailed,
+                "the loader does not find glEnable, glDisable, glIsEnabled or glGetIntegerv")};
   }
   Load(loader, "glClipPlane", gl.ClipPlane);
   Load(loader, "glGetClipPlane", gl.GetClipPlane);

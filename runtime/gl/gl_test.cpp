@@ -1,5 +1,6 @@
-// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception Against an OpenGL that only keeps state,
-// so that every call and its order can be seen. tools/scenes/ draws with a real one.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// Against an OpenGL that only keeps state, so that every call and its order can be seen.
+// tools/scenes/ draws with a real one.
 #include <map>
 #include <set>
 #include <string>

@@ -1,5 +1,6 @@
-// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception The runtime's table reader on any bytes,
-// and the binder on any table: an error with a message, or planes that a device can take.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// The runtime's table reader on any bytes, and the binder on any table: an error with a message, or
+// planes that a device can take.
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>

@@ -1,7 +1,7 @@
-// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception The whole pipeline on any text: no crash,
-// no hang, and GLSL exactly when there is no error. The first line of an input may be `//PROFILE
-// TARGET LOWERING SPACE`, up to four digits that choose among the lists below; any other input gets
-// the first of each.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// The whole pipeline on any text: no crash, no hang, and GLSL exactly when there is no error. The
+// first line of an input may be `//PROFILE TARGET LOWERING SPACE`, up to four digits that choose
+// among the lists below; any other input gets the first of each.
 #include <array>
 #include <cstdint>
 #include <cstdlib>

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "examples/shared/transform.h"
-#include "runtime/reflection.h"
+#include "runtime/mirror.h"
 
 namespace clipc::scenes {
 namespace {

@@ -1,8 +1,9 @@
-// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception Windows: draws the scenes on a real
-// IDirect3DDevice9, the planes going from clipc's table through Level9Binder to SetClipPlane, and
-// writes the pictures as raw RGBA, rows from top to bottom: FOLDER/<planes>-<mistake>.rgba and,
-// drawn without a vertex shader, FOLDER/fixed-function.rgba. Prints what a draw costs of setting
-// planes that have not changed, for docs/runtime.md.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// Windows: draws the scenes on a real IDirect3DDevice9, the planes going from clipc's table through
+// Level9Binder to SetClipPlane, and writes the pictures as raw RGBA, rows from top to bottom:
+// FOLDER/<planes>-<mistake>.rgba and, drawn without a vertex shader, FOLDER/fixed-function.rgba.
+// Prints what a draw costs of setting planes that have not changed, for docs/runtime.md.
+//
 //   d3d9_scenes FOLDER TABLE.bin
 #include <algorithm>
 #include <cstdio>

@@ -1,5 +1,6 @@
-// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception Drawn with no more planes than the
-// planner says, by the shader variants, a scene is the same to the pixel as with all.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// Drawn with no more planes than the planner says, by the shader variants, a scene is the same to
+// the pixel as with all.
 #include <algorithm>
 #include <array>
 #include <cstdio>

@@ -5,7 +5,7 @@
 
 #include "examples/shared/mesh.h"
 #include "runtime/clip_plane.h"
-#include "runtime/reflection.h"
+#include "runtime/mirror.h"
 
 namespace clipc::scenes {
 namespace {

@@ -1,5 +1,6 @@
-// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception What the source documents say of pixels,
-// drawn. runtime/seed*_test.cpp has what they say of numbers and calls.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// What the source documents say of pixels, drawn. runtime/seed*_test.cpp has what they say of
+// numbers and calls.
 #include <cstddef>
 #include <cstdint>
 #include <utility>

@@ -1,6 +1,7 @@
-// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception Where each method fails, as laws on the
-// displacement of cut edges (tools/study/edges.h), each with a mutation that breaks it. Seeds are
-// fixed; the factors are what a law's constant may be off by, measured values stand beside them.
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// Where each method fails, as laws on the displacement of cut edges (tools/study/edges.h), each
+// with a mutation that breaks it. Seeds are fixed; the factors are what a law's constant may be off
+// by, measured values stand beside them.
 #include <cmath>
 #include <numbers>
 
