@@ -5,15 +5,17 @@ llvm=${CLIPC_LLVM:-19}
 
 # What building clipc takes, and what testing it takes on top.
 build_packages=(g++ cmake ninja-build ccache "libclang-$llvm-dev" "llvm-$llvm-dev" libfmt-dev nlohmann-json3-dev glslang-dev)
-test_packages=(python3 "llvm-$llvm-tools" libgtest-dev libgmock-dev glslang-tools spirv-tools
+# clang-format-19 is pinned: other versions write other text.
+test_packages=(python3 clang-format-19 "llvm-$llvm-tools" libgtest-dev libgmock-dev glslang-tools spirv-tools
   libvulkan-dev mesa-vulkan-drivers libspirv-cross-c-shared-dev
   libegl-dev libgl-dev libopengl-dev libegl1 libopengl0 libgl1-mesa-dri libpng-dev libtinygltf-dev python3-matplotlib)
 
 # What checking the study's report takes, `./test --all` installs it: a browser.
 study_packages=(chromium)
 
-# What testing the Direct3D 9 binding takes; without, CTest has no entry `d3d9.*`. `./test --all` installs it.
-ci_packages=(g++-mingw-w64-x86-64-win32 wine64 libwine xvfb libgl1 libglx-mesa0)
+# What `./test --all` installs too: clang-tidy, and what testing the Direct3D 9 binding takes, without which CTest has
+# no entry `d3d9.*`.
+ci_packages=(clang-tidy-19 g++-mingw-w64-x86-64-win32 wine64 libwine xvfb libgl1 libglx-mesa0)
 
 # quietly COMMAND...: runs it and shows what it printed only if it fails.
 quietly() {

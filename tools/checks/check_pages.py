@@ -1,0 +1,68 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+"""Fails when a page names a file or folder of this repository that does not exist.
+
+    check_pages.py
+
+Pages: every .md file at the top and below docs/. A page names a path in backticks or as the target of a link. Text in
+backticks is taken for a path where it begins with one of the repository's top-level folders and a slash, or is a file
+at the top; `*` stands for any name, a word in capitals (PASS) for any text, and `:12` may follow. What a build writes,
+below build/, is left out.
+"""
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+CODE = re.compile(r"`([^`\n]+)`")
+LINK = re.compile(r"\]\(([^)#\s]+)(?:#[^)]*)?\)")
+PATH = re.compile(r"(?<![\w./-])[.\w-]+(?:/[\w.*+{},-]+)*/?")
+BLOCK = re.compile(r"^```.*?^```|^    .*$", re.M | re.S)
+
+
+def expand(path):
+    """The alternatives of `a/{b,c}.h`."""
+    if match := re.search(r"\{([^{}]*)\}", path):
+        return [name for part in match[1].split(",") for name in expand(path[:match.start()] + part + path[match.end():])]
+    return [path]
+
+
+def exists(path):
+    pattern = re.sub(r"\b[A-Z]{3,}\b(?!\.md)", "*", path.rstrip("/"))
+    return any(True for _ in ROOT.glob(pattern)) if "*" in pattern else (ROOT / pattern).exists()
+
+
+def paths_in(text, folders):
+    """The paths that the prose of a page names in backticks."""
+    for code in CODE.findall(text):
+        for word in PATH.findall(code):
+            if word.split("/")[0] in folders and "/" in word:
+                yield from expand(word)
+
+
+def problems():
+    folders = {entry.name for entry in ROOT.iterdir() if entry.is_dir() and entry.name != "build"}
+    pages = sorted(ROOT.glob("*.md")) + sorted((ROOT / "docs").rglob("*.md"))
+    for page in pages:
+        text = page.read_text()
+        name = page.relative_to(ROOT)
+        for path in sorted(set(paths_in(text, folders))):
+            if not exists(path):
+                yield f"{name}: `{path}` does not exist"
+        for target in sorted(set(LINK.findall(BLOCK.sub("", text)))):
+            if "://" not in target and not (page.parent / target).exists():
+                yield f"{name}: the link to {target} leads nowhere"
+
+
+def main():
+    for page in ("docs/architecture.md", "CONTRIBUTING.md"):
+        if not (ROOT / page).exists():
+            print(f"{page} does not exist")
+            return 1
+    found = list(problems())
+    print("\n".join(found) or "every path that a page names exists")
+    return bool(found)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,85 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+"""Runs clang-tidy-19, with the repository's .clang-tidy, over the C++ that changed.
+
+    check_tidy.py [--build FOLDER] [--since REVISION] [--limit N] [FILE...]
+
+What changed: the .cpp files that differ from REVISION, committed or not, and for each changed header one .cpp file that
+includes it. REVISION is by default where this branch left origin/main or, if it is there, the commit before HEAD. At
+most N files (24) are checked, about ten seconds each on one core; a message counts those left out. FILEs replace what
+changed. FOLDER, build/release by default, has the compile_commands.json of a configured and built tree.
+"""
+import argparse
+import concurrent.futures
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+CLANG_TIDY = "clang-tidy-19"
+
+
+def git(*arguments):
+    done = subprocess.run(["git", "-C", ROOT, *arguments], capture_output=True, text=True, check=False)
+    return done.stdout.strip() if done.returncode == 0 else None
+
+
+def base_revision():
+    head, fork = git("rev-parse", "HEAD"), git("merge-base", "HEAD", "origin/main")
+    return fork if fork and fork != head else git("rev-parse", "HEAD~1")
+
+
+def changed_files(revision):
+    names = git("diff", "--name-only", "--diff-filter=d", revision) or ""
+    return [name for name in names.splitlines() if name.endswith((".h", ".cpp")) and not name.startswith("testdata/")]
+
+
+def includer(header, sources):
+    """The first source that includes `header`, its own .cpp before others; or None."""
+    own = header.removesuffix(".h") + ".cpp"
+    include = re.compile(rf'^#include "{re.escape(header)}"$', re.M)
+    for source in sorted(sources, key=lambda name: name != own):
+        if include.search((ROOT / source).read_text()):
+            return source
+    return None
+
+
+def tidy(source, build):
+    done = subprocess.run([CLANG_TIDY, "-p", build, "--quiet", "--extra-arg=-Wno-unknown-warning-option", source],
+                          cwd=ROOT, capture_output=True, text=True, check=False)
+    return done.returncode, done.stdout
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/release")
+    parser.add_argument("--since")
+    parser.add_argument("--limit", type=int, default=24)
+    parser.add_argument("files", nargs="*")
+    given = parser.parse_args()
+    commands = json.loads((given.build / "compile_commands.json").read_text())
+    sources = {os.path.relpath(entry["file"], ROOT) for entry in commands}
+    revision = None if given.files else given.since or base_revision()
+    if not given.files and not revision:
+        print("no earlier revision to compare with: clang-tidy is not run")
+        return 0
+    changed = given.files or changed_files(revision)
+    wanted = [includer(name, sources) if name.endswith(".h") else name for name in changed]
+    wanted = [name for name in dict.fromkeys(wanted) if name in sources]
+    if len(wanted) > given.limit:
+        print(f"clang-tidy: {len(wanted) - given.limit} of {len(wanted)} changed files are left out")
+    failed = 0
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        for status, output in pool.map(lambda name: tidy(name, given.build.resolve()), wanted[:given.limit]):
+            if status:
+                print(output)
+            failed += status != 0
+    print(f"clang-tidy: {min(len(wanted), given.limit)} files, {failed} with findings")
+    return failed != 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
