@@ -15,8 +15,9 @@
 
 namespace clipc {
 
-// Owns every value of type T of one tree, in the order of creation. References stay valid while the
-// arena grows (values live in fixed blocks), so a node may be read while others are added.
+// The owner of all values of type T of one tree, in the order of their creation. Values lie in
+// fixed blocks, so references stay valid while the arena grows and a node may be read while others
+// are added.
 template <typename T>
 class Arena {
  public:
@@ -53,12 +54,12 @@ class Arena {
   IdRange ids() const { return {size_}; }
 
  private:
-  static constexpr std::size_t kBlock = 64;  // a small shader has hardly more of a kind
+  static constexpr std::size_t kBlock = 64;  // about the nodes of one kind in a small shader
   std::vector<std::vector<T>> blocks_;
   std::uint32_t size_ = 0;
 };
 
-// A run of values in one Pool: eight bytes in a node instead of a vector.
+// A run of values in one Pool. A node holds these eight bytes instead of a vector.
 template <typename T>
 struct List {
   std::uint32_t begin = 0;
@@ -66,12 +67,12 @@ struct List {
   bool empty() const { return size == 0; }
 };
 
-// Owns the child lists of one tree. A span read from a Pool is valid until the next Add to the same
-// Pool.
+// The owner of the child lists of one tree. A span read from a Pool is valid until the next Add to
+// that Pool.
 template <typename T>
 class Pool {
  public:
-  // `values` may lie in this pool.
+  // Appends a copy of `values`, which may lie in this pool.
   List<T> Add(std::span<const T> values) {
     const List<T> list{static_cast<std::uint32_t>(values_.size()),
                        static_cast<std::uint32_t>(values.size())};

@@ -41,6 +41,8 @@ std::string PrintedName(DiagId id);
 std::optional<DiagId> DiagIdOf(std::string_view printed_name);
 
 namespace diag {
+using Text = std::string_view;  // for the rows of the catalogue
+
 // A kind of diagnostic with the types of its arguments: a wrong number or type of arguments does
 // not compile.
 template <typename... Args>

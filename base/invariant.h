@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-// An invariant of clipc itself, never a property of the user's shader: prints the place and aborts,
-// in every build.
+// Checks an invariant of clipc itself, never a property of the user's shader. In every build, a
+// condition that is false prints its place and aborts.
 #define CLIPC_CHECK(condition)                                                                    \
   ((condition) ? void(0)                                                                          \
                : (std::fprintf(stderr, "%s:%d: clipc invariant broken: %s\n", __FILE__, __LINE__, \

@@ -12,7 +12,7 @@
 
 namespace clipc {
 
-// An interned identifier; equal text, equal Name (within one Names).
+// An interned identifier. Within one Names, two Names are equal if their texts are.
 using Name = Id<std::string>;
 
 // The identifiers of one translation unit.
@@ -33,7 +33,7 @@ class Names {
   std::uint32_t size() const { return static_cast<std::uint32_t>(texts_.size()); }
 
  private:
-  // Where `text` is, or would be. At least half of the slots are free.
+  // The slot of `text`, or the free slot that it would take. At least half of the slots are free.
   std::size_t SlotOf(std::string_view text) const {
     std::size_t slot = std::hash<std::string_view>()(text) & (slots_.size() - 1);
     while (slots_[slot] && texts_[slots_[slot].index] != text)

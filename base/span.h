@@ -6,8 +6,8 @@
 namespace clipc {
 
 // A place in the user's text: the first and the last token of a phrase (not one past it). The
-// numbers are opaque; only the SourceMap that handed them out can tell file, line and macro
-// expansion. Zero is "nowhere".
+// numbers are opaque: only the Source that they come from (frontend/lex/source.h) resolves them to
+// file, line and macro expansion. Zero is no place.
 struct Span {
   std::uint32_t begin = 0;
   std::uint32_t end = 0;
@@ -15,7 +15,7 @@ struct Span {
   friend constexpr bool operator==(Span, Span) = default;
 };
 
-// From the first token of `first` to the last token of `last`.
+// The place from the first token of `first` to the last token of `last`.
 constexpr Span Cover(Span first, Span last) {
   if (!first) return last;
   if (!last) return first;

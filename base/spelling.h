@@ -8,17 +8,17 @@
 
 namespace clipc {
 
-// ASCII lower case.
+// `text` with its ASCII letters in lower case.
 std::string ToLower(std::string_view text);
 bool EqualIgnoringCase(std::string_view a, std::string_view b);
 
-// Letters to insert, delete, replace or swap with their neighbour to make one name of the other
-// (optimal string alignment), without regard to case; `limit + 1` as soon as it must exceed
-// `limit`.
+// The number of letters to insert, delete, replace or swap with their neighbour that turn one name
+// into the other (optimal string alignment), without regard to case. Returns `limit + 1` if the
+// number exceeds `limit`.
 int EditDistance(std::string_view a, std::string_view b, int limit);
 
-// The candidates that a user who wrote `name` probably meant, nearest first, at most three: those
-// within a third of the name's length, at least one edit.
+// The candidates that a user who wrote `name` probably meant, nearest first, at most three. A
+// candidate may be as many edits away as a third of the name's length, but always one.
 std::vector<std::string_view> NearNames(std::string_view name,
                                         std::span<const std::string_view> candidates);
 

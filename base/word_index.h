@@ -9,8 +9,8 @@
 
 namespace clipc {
 
-// Words known when clipc is built, each different, found by one hash and, almost always, one
-// comparison.
+// A set of different words, known when clipc is built, that finds a word's position by one hash
+// and, almost always, one comparison.
 template <std::size_t N>
 class WordIndex {
  public:
@@ -38,7 +38,7 @@ class WordIndex {
  private:
   static constexpr std::size_t kSlots = std::bit_ceil(4 * N);
 
-  // The length and four letters tell words of a language apart well enough.
+  // A hash of the length and four letters, which rarely collides for words of a language.
   static constexpr std::size_t FirstSlot(std::string_view word) {
     const std::size_t size = word.size();
     if (size == 0) return 0;
@@ -56,8 +56,9 @@ class WordIndex {
 
   std::array<std::string_view, N> words_;
   std::array<std::uint16_t, kSlots> slots_{};
-  std::array<std::uint32_t, 64>
-      lengths_{};  // by first letter: the lengths of its words, which most other words fail
+  // For each first letter, the lengths of the words that begin with it, one bit each: most words
+  // that are not in the set are refused by this alone.
+  std::array<std::uint32_t, 64> lengths_{};
 };
 
 }  // namespace clipc

@@ -22,9 +22,9 @@ struct Constant {
   std::uint32_t register_space = 0;
   std::uint32_t float4_register = 0;  // m of cb<n>[m]: the 16-byte row in the buffer
   std::uint32_t byte_offset = 0;      // 16 * float4_register
-  std::string glsl_block;             // the uniform block in the GLSL; empty: a plain uniform
-  std::string
-      glsl_member;  // the member or uniform: "water_plane", "planes[2]"; empty: the shader does not read it
+  std::string glsl_block;             // the uniform block in the GLSL; empty for a plain uniform
+  // The member or uniform, "water_plane" or "planes[2]"; empty if the shader does not read it.
+  std::string glsl_member;
   friend bool operator==(const Constant&, const Constant&) = default;
 };
 
@@ -52,10 +52,10 @@ constexpr std::uint32_t EnableMask(Lowering lowering, std::size_t planes) {
   return device_clips ? (std::uint32_t{1} << planes) - 1 : 0;
 }
 
-// Which lengths of a plane mean the same, as the text forms spell it. "any": only the sign of
+// The meaning of a plane's length, as the text forms spell it. "any": only the sign of
 // dot(position, plane) counts. "depth": dot(position, plane) becomes z, and where it exceeds w, the
-// far plane clips. The application then scales the plane so that dot(v, plane) <= w at the corners v
-// of the frustum's far side (Lengyel, "Oblique view frustum depth projection and clipping"), and
+// far plane clips. The application then scales the plane so that dot(v, plane) <= w at the corners
+// v of the frustum's far side (Lengyel, "Oblique view frustum depth projection and clipping"), and
 // must have the eye on the clipped side. A plane of zeros clips nothing but leaves no depth.
 constexpr const char* PlaneScaleOf(Lowering lowering) {
   return lowering == Lowering::kNearPlane ? "depth" : "any";

@@ -153,7 +153,7 @@ TEST(ClipTable, SpacesOtherThanClip) {
     table.plane_space = space;
     EXPECT_EQ(ReadJson(*WriteJson(table))->plane_space, space);
     EXPECT_EQ(ReadHeader(*WriteHeader(table, "t"))->plane_space, space);
-    EXPECT_THAT(WriteBinary(table).error, HasSubstr("whose planes are in clip space"));
+    EXPECT_THAT(WriteBinary(table).error, HasSubstr("takes planes in clip space only"));
   }
   table.lowering = Lowering::kLevel9;
   EXPECT_EQ(ProblemOf(table),

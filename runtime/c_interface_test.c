@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
-/* clipc_runtime.h compiles as C99, and a C program can bind planes with it. Called by c_interface_test.cpp. */
+/* clipc_runtime.h compiles as C99, and a C program can bind planes with it. Called by
+ * c_interface_test.cpp. */
 #include <string.h>
 
 #include "runtime/clipc_runtime.h"
@@ -17,8 +18,8 @@ static int SetClipPlaneEnable(void* context, uint32_t mask) {
 }
 
 /* Binds the table in `bytes` with `constants` in b1; `device` gets six planes and the mask. */
-clipc_error BindFromC(const void* bytes, size_t size, const float* constants, size_t constants_size, float device[25],
-                      char* message) {
+clipc_error BindFromC(const void* bytes, size_t size, const float* constants, size_t constants_size,
+                      float device[25], char* message) {
   const clipc_device callbacks = {device, SetClipPlane, SetClipPlaneEnable};
   const clipc_bound_buffer buffer = {1, 0, constants, constants_size};
   clipc_table* table = NULL;

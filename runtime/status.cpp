@@ -3,6 +3,7 @@
 
 #include <cstdarg>
 #include <cstdio>
+#include <iterator>
 
 namespace clipc::runtime {
 
@@ -16,25 +17,27 @@ std::int32_t HresultOf(Error error) noexcept {
 }
 
 const char* NameOf(Error error) noexcept {
-  switch (error) {
-    case Error::kNone: return "none";
-    case Error::kOutOfMemory: return "out of memory";
-    case Error::kInvalidArgument: return "invalid argument";
-    case Error::kDamagedTable: return "damaged table";
-    case Error::kWrongLowering: return "wrong lowering";
-    case Error::kInvalidCall: return "invalid call";
-    case Error::kMissingBuffer: return "missing buffer";
-    case Error::kShortBuffer: return "short buffer";
-    case Error::kNotFinite: return "not finite";
-    case Error::kDeviceFailed: return "device failed";
-    case Error::kSingular: return "singular";
-    case Error::kIllConditioned: return "ill conditioned";
-    case Error::kNotRepresentable: return "not representable";
-    case Error::kWrongProjection: return "wrong projection";
-    case Error::kEyeNotClipped: return "eye not clipped";
-    case Error::kNoDepthLeft: return "no depth left";
-  }
-  return "unknown error";
+  // In the order of the enumerators.
+  constexpr const char* kNames[] = {
+      "none",
+      "out of memory",
+      "invalid argument",
+      "damaged table",
+      "wrong lowering",
+      "invalid call",
+      "missing buffer",
+      "short buffer",
+      "not finite",
+      "device failed",
+      "singular",
+      "ill conditioned",
+      "not representable",
+      "wrong projection",
+      "eye not clipped",
+      "no depth left",
+  };
+  const auto index = static_cast<std::uint32_t>(error);
+  return index < std::size(kNames) ? kNames[index] : "unknown error";
 }
 
 Status Status::Failure(Error error, const char* format, ...) noexcept {
