@@ -19,10 +19,10 @@
 // * Functions such as sin, exp and pow are computed in double and rounded once; a GPU may differ by
 //   its error bound.
 // * Denormals are kept; Direct3D 11 flushes them to zero, shader model 6 lets the compiler choose.
-// * An array, vector or matrix index out of bounds reads EvalOptions::undefined, and a write there is
-//   dropped; bytes behind the end of a cbuffer are 0.
-// * A variable without initialiser is EvalOptions::undefined, and so are the outputs that the shader
-//   does not write.
+// * An array, vector or matrix index out of bounds reads EvalOptions::undefined, and a write there
+//   is dropped; bytes after the end of a cbuffer are 0.
+// * A variable without initialiser is EvalOptions::undefined, and so are the outputs that the
+//   shader does not write.
 // * x / 0u and x % 0u are 0xffffffff (udiv). Signed division is what fxc makes of udiv: on the
 //   magnitudes, then the sign; so 5 / 0 is -1, -5 / 0 is 1, and INT_MIN / -1 is INT_MIN.
 // * x % y and fmod of floats are x - y * trunc(x / y), in three roundings.

@@ -9,9 +9,12 @@ namespace clipc::passes {
 // place of its call, and structs that only carried inputs and outputs become those inputs and
 // outputs.
 //
-//   Vertex v; v.position = in_POSITION0;                   gl_Position = view * float4(in_POSITION0, 1);
-//   Varyings result = shader(v);                     =>    vs_COLOR0 = tint;
+//   Vertex v; v.position = in_POSITION0;
+//   Varyings result = shader(v);
 //   gl_Position = result.position; vs_COLOR0 = result.color;
+//
+//   =>  gl_Position = view * float4(in_POSITION0, 1);
+//       vs_COLOR0 = tint;
 //
 // An entry point that returns early keeps its function, and a struct that is used as a whole stays
 // a struct. The values written are the same, bit for bit.

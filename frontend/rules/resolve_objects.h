@@ -11,11 +11,14 @@ namespace clipc {
 // its global, makes one copy of a function for each tuple of objects it is called with, and takes
 // the objects out of parameters, variables and structs:
 //
-//   float4 Read(Maps maps, float2 uv)                         float4 Read(Maps maps, float2 uv)
-//   { return maps.color.SampleLevel(maps.s, uv, maps.lod); }  { return Color.SampleLevel(Linear, uv, maps.lod); }
-//   ...                                                  =>   ...
-//   Maps maps; maps.color = Color; maps.s = Linear;           Maps maps;
-//   maps.lod = 0; Read(maps, uv);                             maps.lod = 0; Read(maps, uv);
+//   float4 Read(Maps maps, float2 uv) {             float4 Read(Maps maps, float2 uv) {
+//     return maps.color.SampleLevel(                  return Color.SampleLevel(
+//         maps.s, uv, maps.lod);                          Linear, uv, maps.lod);
+//   }                                          =>   }
+//   ...                                             ...
+//   Maps maps; maps.color = Color;                  Maps maps;
+//   maps.s = Linear; maps.lod = 0;                  maps.lod = 0;
+//   Read(maps, uv);                                 Read(maps, uv);
 //
 // An index of an array of objects that is known only at run time travels as a number of its own.
 // Objects inside a uniform struct become resources. Where the object is not the same on all paths
