@@ -6,6 +6,17 @@
 #include <iterator>
 
 namespace clipc::runtime {
+namespace {
+
+// In the order of the enumerators.
+constexpr const char* kErrorNames[] = {
+    "none",          "out of memory",   "invalid argument",  "damaged table",    "wrong lowering",
+    "invalid call",  "missing buffer",  "short buffer",      "not finite",       "device failed",
+    "singular",      "ill conditioned", "not representable", "wrong projection", "eye not clipped",
+    "no depth left",
+};
+
+}  // namespace
 
 std::int32_t HresultOf(Error error) noexcept {
   switch (error) {
@@ -17,27 +28,8 @@ std::int32_t HresultOf(Error error) noexcept {
 }
 
 const char* NameOf(Error error) noexcept {
-  // In the order of the enumerators.
-  constexpr const char* kNames[] = {
-      "none",
-      "out of memory",
-      "invalid argument",
-      "damaged table",
-      "wrong lowering",
-      "invalid call",
-      "missing buffer",
-      "short buffer",
-      "not finite",
-      "device failed",
-      "singular",
-      "ill conditioned",
-      "not representable",
-      "wrong projection",
-      "eye not clipped",
-      "no depth left",
-  };
   const auto index = static_cast<std::uint32_t>(error);
-  return index < std::size(kNames) ? kNames[index] : "unknown error";
+  return index < std::size(kErrorNames) ? kErrorNames[index] : "unknown error";
 }
 
 Status Status::Failure(Error error, const char* format, ...) noexcept {
