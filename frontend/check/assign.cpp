@@ -9,6 +9,23 @@
 namespace clipc::check {
 namespace {
 
+// target = value, or target op= value.
+ir::ExprId Assign(Context& context, const ast::AssignExpr& expr, ir::ExprId target,
+                  ir::ExprId value, Span span) {
+  if (!CheckTarget(context, target)) return context.ErrorExpr(span);
+  if (expr.op) return AssignCompound(context, *expr.op, target, value, span);
+  const ir::ExprId converted = Implicit(context, value, context.TypeIdOf(target));
+  return context.IsError(converted) ? converted : StoreTo(context, target, converted, span);
+}
+
+// object[place] = value
+ir::ExprId StoreElement(Context& context, ir::ExprId object, ir::ExprId place, ir::ExprId value,
+                        Span span) {
+  return context.At(span).Add(
+      context.types.Void(),
+      ir::ObjectCall{ir::ObjectOp::kStore, context.program.expr_lists.Add({object, place, value})});
+}
+
 // object[place] = value is a store; object[place].x = value and object[place] += value change a
 // copy and store that.
 ir::ExprId AssignElement(Context& context, const ast::AssignExpr& expr, ir::ExprId target,
@@ -16,23 +33,12 @@ ir::ExprId AssignElement(Context& context, const ast::AssignExpr& expr, ir::Expr
   if (target == element && !expr.op) {
     const ir::ExprId converted = Implicit(context, value, context.TypeIdOf(target));
     if (context.IsError(converted)) return converted;
-    const auto& load = context.Get<ir::ObjectCall>(element);
-    const ir::ExprId arguments[] = {context[load.arguments][0], context[load.arguments][1],
-                                    converted};
-    return context.At(span).Add(
-        context.program.types.Void(),
-        ir::ObjectCall{ir::ObjectOp::kStore, context.program.expr_lists.Add(arguments)});
+    const auto load = context[context.Get<ir::ObjectCall>(element).arguments];
+    return StoreElement(context, load[0], load[1], converted, span);
   }
-  std::vector<ir::ExprId> steps;
+  Exprs steps;
   const ir::ExprId store = ChangeElement(context, element, steps);
-  if (!CheckTarget(context, target)) return context.ErrorExpr(span);
-  ir::ExprId change;
-  if (expr.op) {
-    change = AssignCompound(context, *expr.op, target, value, span, span);
-  } else {
-    const ir::ExprId converted = Implicit(context, value, context.TypeIdOf(target));
-    change = context.IsError(converted) ? converted : StoreTo(context, target, converted, span);
-  }
+  const ir::ExprId change = Assign(context, expr, target, value, span);
   if (context.IsError(change)) return change;
   steps.push_back(change);
   return WithPrologue(context, steps, store);
@@ -42,7 +48,7 @@ ir::ExprId AssignElement(Context& context, const ast::AssignExpr& expr, ir::Expr
 ir::ExprId StoreToMatrixSwizzle(Context& context, ir::ExprId target, ir::ExprId value, Span span) {
   const auto node = context.Get<ir::MatrixSwizzle>(target);
   ir::Builder at = context.At(span);
-  std::vector<ir::ExprId> steps;
+  Exprs steps;
   const ir::ExprId base = Stabilize(context, node.base, steps);
   const ir::ExprId stored = Hoist(context, value, steps);
   for (int i = 0; i < node.count; ++i) {
@@ -63,10 +69,6 @@ void MarkConst(Context& context, ir::VarId var) {
 
 bool IsConstVar(const Context& context, ir::VarId var) {
   return var.index < context.globals.const_vars.size() && context.globals.const_vars[var.index];
-}
-
-bool IsPath(const Context& context, ir::ExprId expr) {
-  return static_cast<bool>(ir::RootOf(context.program, expr));
 }
 
 bool CheckTarget(Context& context, ir::ExprId target) {
@@ -118,25 +120,22 @@ ir::ExprId ElementIn(const Context& context, ir::ExprId expr) {
   return is_element && ir::IsWritable(context.TypeOf(object).object) ? expr : ir::ExprId{};
 }
 
-ir::ExprId ChangeElement(Context& context, ir::ExprId element, std::vector<ir::ExprId>& prologue) {
+ir::ExprId ChangeElement(Context& context, ir::ExprId element, Exprs& prologue) {
   const Span span = context[element].span;
   const auto load = context.Get<ir::ObjectCall>(element);
   const ir::ExprId object = context[load.arguments][0];
   ir::ExprId place = context[load.arguments][1];
   if (!ir::IsPure(context.program, place)) place = Hoist(context, place, prologue);
-  const ir::ExprId again[] = {ir::Clone(context.program, object),
-                              ir::Clone(context.program, place)};
-  const ir::ExprId read = context.At(span).Add(
-      context.TypeIdOf(element), ir::ObjectCall{load.op, context.program.expr_lists.Add(again)});
+  const List<ir::ExprId> again = context.program.expr_lists.Add(
+      {ir::Clone(context.program, object), ir::Clone(context.program, place)});
+  const ir::ExprId read =
+      context.At(span).Add(context.TypeIdOf(element), ir::ObjectCall{load.op, again});
   const ir::ExprId copy = Hoist(context, read, prologue);
   context[element].node = context[copy].node;
-  const ir::ExprId arguments[] = {object, place, copy};
-  return context.At(span).Add(
-      context.program.types.Void(),
-      ir::ObjectCall{ir::ObjectOp::kStore, context.program.expr_lists.Add(arguments)});
+  return StoreElement(context, object, place, copy, span);
 }
 
-ir::ExprId Stabilize(Context& context, ir::ExprId path, std::vector<ir::ExprId>& prologue) {
+ir::ExprId Stabilize(Context& context, ir::ExprId path, Exprs& prologue) {
   if (ir::IsPure(context.program, path)) return path;
   auto& node = context[path].node;
   if (auto* index = std::get_if<ir::Index>(&node)) {
@@ -165,48 +164,45 @@ ir::ExprId CheckAssign(Context& context, const ast::AssignExpr& expr, Span span)
                : context.ErrorExpr(span);
   }
   const ir::ExprId value = CheckExpr(context, expr.right);
-  if (context.IsError(target) || context.IsError(value)) return context.ErrorExpr(span);
+  if (context.IsError(target, value)) return context.ErrorExpr(span);
   if (const ir::ExprId element = ElementIn(context, target))
     return AssignElement(context, expr, target, element, value, span);
-  if (!CheckTarget(context, target)) return context.ErrorExpr(span);
-  if (expr.op) return AssignCompound(context, *expr.op, target, value, span, span);
-  const ir::ExprId converted = Implicit(context, value, context.TypeIdOf(target));
-  return context.IsError(converted) ? converted : StoreTo(context, target, converted, span);
+  return Assign(context, expr, target, value, span);
 }
 
 ir::ExprId AssignCompound(Context& context, ast::BinaryOp op, ir::ExprId target, ir::ExprId value,
-                          Span op_span, Span span) {
+                          Span span) {
   const ir::TypeId type_id = context.TypeIdOf(target);
   const ir::Type type = context[type_id];
   if (type.IsNumeric() && type.Components() == 1 && context.TypeOf(value).Components() > 1) {
-    value = Implicit(context, value,
-                     context.program.types.WithScalar(type_id, context.TypeOf(value).scalar));
+    value =
+        Implicit(context, value, context.types.WithScalar(type_id, context.TypeOf(value).scalar));
   }
   const bool is_numeric = type.IsNumeric() && context.TypeOf(value).IsNumeric();
-  const auto common = is_numeric ? OperandType(context, op, target, value, op_span) : std::nullopt;
+  const auto common = is_numeric ? OperandType(context, op, target, value, span) : std::nullopt;
   if (is_numeric && !common) return context.ErrorExpr(span);
   const bool is_swizzle = context.Is<ir::MatrixSwizzle>(target);
   if (common && !is_swizzle) {
     const bool is_shift = op == ast::BinaryOp::kShiftLeft || op == ast::BinaryOp::kShiftRight;
-    const ir::TypeId same_shape = context.program.types.WithScalar(*common, type.scalar);
+    const ir::TypeId same_shape = context.types.WithScalar(*common, type.scalar);
     const bool same_kind = ir::BaseOf(context[*common].scalar) == ir::BaseOf(type.scalar);
     if (same_shape == type_id && type.scalar != ir::Scalar::kBool && (same_kind || is_shift)) {
       const ir::Scalar kind = is_shift && context.TypeOf(value).scalar != ir::Scalar::kBool
                                   ? context.TypeOf(value).scalar
                                   : type.scalar;
-      value = Implicit(context, value, context.program.types.WithScalar(type_id, kind));
+      value = Implicit(context, value, context.types.WithScalar(type_id, kind));
       return context.IsError(value)
                  ? value
                  : context.At(span).AssignTo(target, value, static_cast<ir::BinaryOp>(op));
     }
   }
-  std::vector<ir::ExprId> prologue;
+  Exprs prologue;
   target = Stabilize(context, target, prologue);
   const bool is_bool = type.IsNumeric() && type.scalar == ir::Scalar::kBool;
   if (is_bool && op == ast::BinaryOp::kBitAnd) op = ast::BinaryOp::kLogicalAnd;
   if (is_bool && op == ast::BinaryOp::kBitOr) op = ast::BinaryOp::kLogicalOr;
   const ir::ExprId result =
-      CombineOperands(context, op, ir::Clone(context.program, target), value, op_span, span);
+      CombineOperands(context, op, ir::Clone(context.program, target), value, span, span);
   if (context.IsError(result)) return result;
   const ir::ExprId converted = Implicit(context, result, type_id);
   return context.IsError(converted)

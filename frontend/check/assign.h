@@ -5,27 +5,30 @@
 
 #include "frontend/check/context.h"
 
-// Assignment, and what may be assigned to.
+// Assignment: which expressions can be assigned to, and how each kind of target is written.
 namespace clipc::check {
 
+// Makes the variable one that cannot be assigned to.
 void MarkConst(Context& context, ir::VarId var);
 bool IsConstVar(const Context& context, ir::VarId var);
-bool IsPath(const Context& context, ir::ExprId expr);
-// Whether the expression can be assigned to; reports why not.
+// Whether the expression can be assigned to. Reports why it cannot.
 bool CheckTarget(Context& context, ir::ExprId target);
 // The read of a writable object that a path of fields, indices and swizzles starts at, `buffer[i]`
 // in `buffer[i].x`; none for other expressions.
 ir::ExprId ElementIn(const Context& context, ir::ExprId expr);
-// Makes the read a variable that holds what was read, in place; the result stores the variable.
-ir::ExprId ChangeElement(Context& context, ir::ExprId element, std::vector<ir::ExprId>& prologue);
-// The path with every index that does something replaced by a temporary, so that it can be cloned.
-ir::ExprId Stabilize(Context& context, ir::ExprId path, std::vector<ir::ExprId>& prologue);
+// Turns such a read into a variable that holds what was read, so that its parts can be changed in
+// place. Returns the store of the variable into the object. `prologue` must come before.
+ir::ExprId ChangeElement(Context& context, ir::ExprId element, Exprs& prologue);
+// The path with every index that has side effects replaced by a temporary, so that the path can be
+// cloned.
+ir::ExprId Stabilize(Context& context, ir::ExprId path, Exprs& prologue);
+// Every assignment `left op= right`.
 ir::ExprId CheckAssign(Context& context, const ast::AssignExpr& expr, Span span);
-// target op= value. Where the operator works on another type than the target's: target = (T)(target
-// op value).
+// target op= value. Where the operator works on another type than the target's, this is target =
+// (T)(target op value).
 ir::ExprId AssignCompound(Context& context, ast::BinaryOp op, ir::ExprId target, ir::ExprId value,
-                          Span op_span, Span span);
-// target = value, both of one type.
+                          Span span);
+// target = value; both have the same type.
 ir::ExprId StoreTo(Context& context, ir::ExprId target, ir::ExprId value, Span span);
 
 }  // namespace clipc::check

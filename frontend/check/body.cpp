@@ -3,6 +3,7 @@
 
 #include "frontend/check/assign.h"
 #include "frontend/check/clip_planes.h"
+#include "frontend/check/emit.h"
 #include "frontend/check/flow.h"
 #include "frontend/check/function.h"
 #include "frontend/check/global.h"
@@ -34,8 +35,7 @@ void CheckBody(Context& context, FunctionInfoId id) {
     const auto& var = context.Get<ast::VarDecl>(parameter.decl);
     const SymbolId symbol =
         DeclareLocal(context, SymbolKind::kVariable, var.name, parameter.decl, var.name_span);
-    context[symbol].value = vars[next++].index;
-    context[symbol].resolution = Resolution::kDone;
+    context[symbol].Resolve(vars[next++].index);
   }
   const std::size_t mark = context.stmts.size();
   {
@@ -43,14 +43,12 @@ void CheckBody(Context& context, FunctionInfoId id) {
     CheckStmts(context, context.Get<ast::BlockStmt>(decl.body).body);
   }
   std::vector<ir::StmtId> stmts = std::move(body.hoisted);
-  stmts.insert(stmts.end(), context.stmts.begin() + static_cast<std::ptrdiff_t>(mark),
-               context.stmts.end());
-  context.stmts.resize(mark);
+  const std::vector<ir::StmtId> checked = TakeStmts(context, mark);
+  stmts.insert(stmts.end(), checked.begin(), checked.end());
   const ir::StmtId block = context.At(context[decl.body].span).BlockOf(stmts);
   context[info.function].body = block;
   const bool is_whole = context.diagnostics.error_count() == errors_before;
-  if (is_whole && info.return_type != context.program.types.Void() &&
-      FallsThrough(context, block)) {
+  if (is_whole && info.return_type != context.types.Void() && FallsThrough(context, block)) {
     context.Report(decl.name_span, diag::NotAllPathsReturn, context[decl.name],
                    context.TypeName(info.return_type));
   }

@@ -17,7 +17,7 @@ void ResolveMember(Context& context, Buffer& buffer, SymbolId id) {
       (symbol.resolution == Resolution::kDone || IsConstantBuffer(context, var)))
     return;
   const ir::TypeId type = ResolveVarType(context, var);
-  if (context.IsError(type) || type == context.program.types.String()) return;
+  if (context.IsError(type) || type == context.types.String()) return;
   if (HoldsObjects(context, type)) {
     if (buffer.kind == ir::CbufferKind::kGlobals) return;
     return ResolveObject(context, id, var, type);
@@ -29,8 +29,7 @@ void ResolveMember(Context& context, Buffer& buffer, SymbolId id) {
   symbol.owner =
       (buffer.kind == ir::CbufferKind::kGlobals ? context.globals.buffer.index : symbol.owner);
   symbol.is_const = (qualifiers & ast::kConst) != 0;
-  symbol.value = result.index;
-  symbol.resolution = Resolution::kDone;
+  symbol.Resolve(result.index);
 }
 
 void FinishMember(Context& context, const ast::VarDecl& var, ir::CbufferMember& member) {
@@ -46,7 +45,7 @@ void FinishMember(Context& context, const ast::VarDecl& var, ir::CbufferMember& 
   }
 }
 
-// Of T[2][3]: 6; of T: 1.
+// The number of elements of an array: 6 for T[2][3], 1 for T.
 std::uint32_t CountOfArray(const Context& context, ir::TypeId type) {
   std::uint32_t count = 1;
   for (; context[type].kind == ir::TypeKind::kArray; type = context[type].element) {
@@ -74,12 +73,8 @@ void FinishBuffer(Context& context, const Buffer& buffer) {
     registers = var.registers;
   }
   const bool is_texture = buffer.kind == ir::CbufferKind::kTbuffer;
-  result.reg.letter = is_texture ? 't' : 'b';
-  if (const ast::RegisterBinding* binding = BindingOf(context, registers, is_texture ? "t" : "b")) {
-    result.reg.number = binding->number;
-    result.reg.space = binding->space;
-    result.reg.is_explicit = binding->letter != 0;
-  }
+  result.reg = is_texture ? RegisterOf(context, registers, 't', "t")
+                          : RegisterOf(context, registers, 'b', "b");
   const ir::CbufferId id{context.program.cbuffers.size()};
   result.members.reserve(buffer.members.size());
   for (SymbolId symbol : buffer.members) {
@@ -133,7 +128,7 @@ void ReachBuffer(Context& context, BufferId id) {
   buffer.resolution = Resolution::kUnderWay;
   for (std::size_t i = 0; i < buffer.members.size(); ++i) {
     const SymbolId member = buffer.members[i];
-    View view = ContextOf(context, member);
+    View view = ViewOf(context, member);
     if (buffer.kind == ir::CbufferKind::kCbuffer || buffer.kind == ir::CbufferKind::kTbuffer)
       view.order = buffer.order;
     const ViewSwitch in(context, view);

@@ -21,7 +21,7 @@
 namespace clipc::check {
 namespace {
 
-// A function of that name that the context may call, those declared later included.
+// The function of that name that can be called, even if it is declared later.
 SymbolId FindFunction(Context& context, const ast::QualifiedName& name) {
   View view = context.view;
   view.order = ~0u;
@@ -31,22 +31,15 @@ SymbolId FindFunction(Context& context, const ast::QualifiedName& name) {
   return symbol && context[symbol].kind == SymbolKind::kFunction ? symbol : SymbolId{};
 }
 
-ir::ExprId CallIntrinsic(Context& context, Name name, Span name_span,
-                         std::span<const ir::ExprId> arguments, Span span) {
-  return CheckIntrinsicCall(context.program, context[name], name_span, arguments, span, context,
-                            context.diagnostics);
-}
-
-// The functions of a name, and the instances of the templates of that name that these arguments ask
-// for.
+// The functions of a name, and those instances of templates of that name that the arguments
+// determine.
 std::vector<FunctionInfoId> CandidatesOf(Context& context, SymbolId symbol, ir::TypeId self,
-                                         List<ast::ExprId> explicit_arguments,
-                                         std::span<const ir::ExprId> arguments) {
+                                         List<ast::ExprId> explicit_arguments, ExprSpan arguments) {
   std::vector<FunctionInfoId> candidates;
   if (explicit_arguments.empty()) candidates = OverloadsOf(context, symbol, self);
   for (SymbolId id = symbol; id; id = context[id].older) {
     if (context[id].kind != SymbolKind::kFunction) continue;
-    if (!context.Get<ast::FunctionDecl>(context[id].decl).is_template) continue;
+    if (!DeclOf(context, id).is_template) continue;
     const FunctionInfoId instance =
         InstantiateFunction(context, id, self, explicit_arguments, arguments);
     if (instance) candidates.push_back(instance);
@@ -60,39 +53,36 @@ ir::ExprId CallNamed(Context& context, const ast::NameExpr& name, Span name_span
   const bool is_intrinsic = is_plain && IsIntrinsicName(context[name.name.name]);
   SymbolId symbol = Find(context, name.name);
   if (symbol && context[symbol].kind == SymbolKind::kType) {
-    ast::Type type;
-    type.span = name_span;
-    type.name = name.name;
-    type.arguments = name.arguments;
-    type.has_arguments = !name.arguments.empty();
-    return CheckConstructor(context, ResolveNamedType(context, type), expr.arguments, span);
+    return CheckConstructor(context, TypeArgument(context, expr.callee), expr.arguments, span);
   }
   // Real files define functions after the entry point; and a variable does not hide a function that
   // is called.
   if (!symbol || context[symbol].kind != SymbolKind::kFunction)
     symbol = FindFunction(context, name.name);
-  std::vector<ir::ExprId> arguments;
+  Exprs arguments;
   const bool ok = CheckArguments(context, expr.arguments, arguments);
+  const auto call_intrinsic = [&] {
+    return CheckIntrinsicCall(context.program, context[name.name.name], name_span, arguments, span,
+                              context, context.diagnostics);
+  };
   if (!symbol && !is_intrinsic) {
-    const SymbolId other = Find(context, name.name);
-    if (other)
+    if (Find(context, name.name))
       context.Report(name_span, diag::NotCallable, QualifiedText(context, name.name));
     else
-      ReportUndeclared(context, name_span, name.name, false, true);
+      ReportUndeclared(context, name_span, name.name, NameUse::kFunction);
     return context.ErrorExpr(span);
   }
   if (!ok) return context.ErrorExpr(span);
-  if (!symbol) return CallIntrinsic(context, name.name.name, name_span, arguments, span);
-  const ir::TypeId self = context.view.body && context.view.body->self
-                              ? context[context.view.body->self].type
-                              : ir::TypeId{};
+  if (!symbol) return call_intrinsic();
+  const ir::VarId self = context.view.body ? context.view.body->self : ir::VarId{};
   const bool is_method = context[context[symbol].scope].kind == ScopeKind::kStruct;
   const std::vector<FunctionInfoId> overloads =
-      CandidatesOf(context, symbol, is_method ? self : ir::TypeId{}, name.arguments, arguments);
+      CandidatesOf(context, symbol, is_method && self ? context[self].type : ir::TypeId{},
+                   name.arguments, arguments);
   const Choice choice = ChooseOverload(context, overloads, arguments, name.name.name, name_span);
   if (choice.reported) return context.ErrorExpr(span);
   if (is_intrinsic && (!choice.function || choice.changes_shape)) {
-    return CallIntrinsic(context, name.name.name, name_span, arguments, span);
+    return call_intrinsic();
   }
   if (!choice.function) {
     ReportNoOverload(context, overloads, arguments, name.name.name, name_span);
@@ -100,17 +90,15 @@ ir::ExprId CallNamed(Context& context, const ast::NameExpr& name, Span name_span
   }
   ir::ExprId object;
   if (context[choice.function].self) {
-    if (!context.view.body || !context.view.body->self) {
-      return context.Fail(name_span, diag::FieldWithoutObject, context[name.name.name]);
-    }
-    object = context.At(name_span).Ref(context.view.body->self);
+    if (!self) return context.Fail(name_span, diag::FieldWithoutObject, context[name.name.name]);
+    object = context.At(name_span).Ref(self);
   }
   return CallFunction(context, choice.function, object, std::move(arguments), name_span, span);
 }
 
 // buffer.Load<float3>(address) of HLSL 6.2: the bits, taken for that type.
 ir::ExprId CallTemplatedLoad(Context& context, const ast::MemberExpr& member, ir::ExprId object,
-                             std::span<const ir::ExprId> arguments, Span span) {
+                             ExprSpan arguments, Span span) {
   const ir::TypeId type_id = TypeArgument(context, context[member.arguments][0]);
   const ir::Type type = context[type_id];
   if (context.IsError(type_id)) return context.ErrorExpr(span);
@@ -139,7 +127,7 @@ ir::ExprId CallTemplatedLoad(Context& context, const ast::MemberExpr& member, ir
 ir::ExprId CallMember(Context& context, const ast::MemberExpr& member, const ast::CallExpr& expr,
                       Span span) {
   const ir::ExprId object = CheckExpr(context, member.base);
-  std::vector<ir::ExprId> arguments;
+  Exprs arguments;
   const bool ok = CheckArguments(context, expr.arguments, arguments);
   if (context.IsError(object) || !ok) return context.ErrorExpr(span);
   const ir::TypeId type = context.TypeIdOf(object);
@@ -183,7 +171,7 @@ ir::VarId MakeEmpty(Context& context, ir::TypeId type, Span span) {
 }
 
 ir::ExprId BindArgument(Context& context, const Parameter& parameter, ir::ExprId argument,
-                        std::vector<ir::ExprId>& before, std::vector<ir::ExprId>& after) {
+                        Exprs& before, Exprs& after) {
   if (parameter.storage == ir::Storage::kIn) return Implicit(context, argument, parameter.type);
   const Span span = context[argument].span;
   if (!CheckTarget(context, argument)) return context.ErrorExpr(span);
@@ -211,10 +199,10 @@ ir::ExprId BindArgument(Context& context, const Parameter& parameter, ir::ExprId
   return at.Ref(copy);
 }
 
-// The object a method is called on. One that the method may change but nobody can assign to is
-// changed in a copy.
+// The object that a method is called on, or a copy of it when the method may change it but it cannot
+// be assigned to.
 ir::ExprId BindSelf(Context& context, const FunctionInfo& function, ir::ExprId self,
-                    std::vector<ir::ExprId>& before) {
+                    Exprs& before) {
   if (!function.changes_self) return self;
   const ir::VarId root = ir::RootOf(context.program, self);
   const bool is_changeable =
@@ -232,11 +220,10 @@ ir::ExprId DefaultArgument(Context& context, const FunctionInfo& function, std::
   return CheckInit(context, var.init, parameter.type);
 }
 
-ir::ExprId FinishCall(Context& context, ir::ExprId call, std::span<const ir::ExprId> before,
-                      std::span<const ir::ExprId> after) {
-  std::vector<ir::ExprId> steps(before.begin(), before.end());
+ir::ExprId FinishCall(Context& context, ir::ExprId call, ExprSpan before, ExprSpan after) {
+  Exprs steps(before.begin(), before.end());
   if (after.empty()) return WithPrologue(context, steps, call);
-  if (context.TypeIdOf(call) == context.program.types.Void()) {
+  if (context.TypeIdOf(call) == context.types.Void()) {
     steps.push_back(call);
     steps.insert(steps.end(), after.begin(), after.end());
     const ir::ExprId last = steps.back();
@@ -265,7 +252,7 @@ ir::ExprId CheckCall(Context& context, const ast::CallExpr& expr, Span span) {
              : context.Fail(callee.span, diag::NotCallable, TextOf(context, expr.callee));
 }
 
-bool CheckArguments(Context& context, List<ast::ExprId> list, std::vector<ir::ExprId>& arguments) {
+bool CheckArguments(Context& context, List<ast::ExprId> list, Exprs& arguments) {
   bool ok = true;
   arguments.reserve(arguments.size() + list.size);
   for (ast::ExprId argument : context[list]) {
@@ -275,8 +262,8 @@ bool CheckArguments(Context& context, List<ast::ExprId> list, std::vector<ir::Ex
   return ok;
 }
 
-ir::ExprId CallFunction(Context& context, FunctionInfoId id, ir::ExprId self,
-                        std::vector<ir::ExprId> arguments, Span name_span, Span span) {
+ir::ExprId CallFunction(Context& context, FunctionInfoId id, ir::ExprId self, Exprs arguments,
+                        Span name_span, Span span) {
   const ir::FunctionId function = Reach(context, id);
   FunctionInfo& info = context[id];
   if (info.is_broken) return context.ErrorExpr(span);
@@ -294,7 +281,7 @@ ir::ExprId CallFunction(Context& context, FunctionInfoId id, ir::ExprId self,
   }
   if (context.view.body)
     context.functions.calls.push_back({context.view.body->function, function, name_span});
-  std::vector<ir::ExprId> bound, before, after;
+  Exprs bound, before, after;
   if (info.self) bound.push_back(BindSelf(context, info, self, before));
   for (std::uint32_t i = 0; i < info.parameters.size; ++i) {
     const Parameter parameter = context[info.parameters][i];

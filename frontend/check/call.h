@@ -9,11 +9,11 @@
 namespace clipc::check {
 
 ir::ExprId CheckCall(Context& context, const ast::CallExpr& expr, Span span);
-// False when an argument has an error.
-bool CheckArguments(Context& context, List<ast::ExprId> list, std::vector<ir::ExprId>& arguments);
-// A call with its object (for a method) and arguments, converted and with what `out` parameters
-// need around it.
-ir::ExprId CallFunction(Context& context, FunctionInfoId id, ir::ExprId self,
-                        std::vector<ir::ExprId> arguments, Span name_span, Span span);
+// Appends the checked arguments. False when one of them has an error.
+bool CheckArguments(Context& context, List<ast::ExprId> list, Exprs& arguments);
+// A call of the function with its object (`self`, of a method) and arguments: the arguments are
+// converted, and arguments of `out` parameters copied back where needed.
+ir::ExprId CallFunction(Context& context, FunctionInfoId id, ir::ExprId self, Exprs arguments,
+                        Span name_span, Span span);
 
 }  // namespace clipc::check

@@ -8,6 +8,7 @@
 #include "frontend/check/entry.h"
 #include "frontend/check/entry_signature.h"
 #include "frontend/check/global.h"
+#include "frontend/rules/build_main.h"
 #include "frontend/rules/check_level9.h"
 #include "frontend/rules/registers.h"
 #include "frontend/rules/resolve_objects.h"

@@ -11,23 +11,24 @@
 
 namespace clipc {
 
-// How matrices lie in memory where neither a qualifier nor #pragma pack_matrix says so: -Zpc (the
-// default), -Zpr.
+// How matrices lie in memory where neither a qualifier nor #pragma pack_matrix says so: the options
+// -Zpc (the default) and -Zpr.
 enum class MatrixPacking : std::uint8_t { kColumnMajor, kRowMajor };
 
 struct CheckOptions {
   ir::Profile profile;
   std::string entry = "main";  // may be qualified: "NS::main"
   MatrixPacking packing = MatrixPacking::kColumnMajor;
-  bool whole_register_planes =
-      false;  // clip planes go to SetClipPlane (the level9 lowering): X4594 on anything less
+  // Whether clip planes go to SetClipPlane (the level9 lowering), which takes whole registers only:
+  // anything less is reported (X4594).
+  bool whole_register_planes = false;
 };
 
-// Resolves names, types and overloads of everything the entry point reaches and returns what it
-// means, in Form::kTyped. Every error about the shader is reported here (the parser's aside); the
-// program is only meaningful when `diagnostics` has no errors afterwards. Bodies of functions that
-// the entry point does not reach are not looked at, so pixel shaders and other stages may stand in
-// the same file.
+// Resolves the names, types and overloads of everything that the entry point reaches. Returns what
+// the shader means, in Form::kTyped. Every error about the shader is reported here, except those of
+// the syntax, which the parser reports. The program is meaningful only when `diagnostics` has no
+// errors afterwards. Bodies of functions that the entry point does not reach are not looked at, so
+// the same file may hold pixel shaders and other stages.
 ir::Program Check(const ast::File& file, const CheckOptions& options, Diagnostics& diagnostics);
 
 }  // namespace clipc

@@ -2,7 +2,6 @@
 #include "frontend/check/clip_planes.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 
 #include "base/overloaded.h"
@@ -327,7 +326,7 @@ AttributeLists AttributesOf(const Context& context, FunctionInfoId function) {
     if (context[id].kind != SymbolKind::kFunction || context[id].decl == info.decl) continue;
     const FunctionInfoId other = context.functions.Known(id, {});
     if (other && SameParameters(context, info, context[other]))
-      attributes.push_back(context[context.Get<ast::FunctionDecl>(context[id].decl).attributes]);
+      attributes.push_back(context[DeclOf(context, id).attributes]);
   }
   return attributes;
 }

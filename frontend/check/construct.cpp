@@ -11,11 +11,10 @@ namespace clipc::check {
 namespace {
 
 // S(a, b) is an initialiser list in another spelling (HLSL 2021 has it for casts of one value).
-ir::ExprId ConstructStruct(Context& context, ir::TypeId type, std::span<const ir::ExprId> arguments,
-                           Span span) {
+ir::ExprId ConstructStruct(Context& context, ir::TypeId type, ExprSpan arguments, Span span) {
   if (arguments.size() == 1) {
     if (context.TypeIdOf(arguments[0]) == type) return arguments[0];
-    if (IsExplicitlyConvertible(context.program.types, context.TypeIdOf(arguments[0]), type)) {
+    if (IsExplicitlyConvertible(context.types, context.TypeIdOf(arguments[0]), type)) {
       return ConvertExplicit(context.program, arguments[0], type, context);
     }
   }
@@ -23,10 +22,9 @@ ir::ExprId ConstructStruct(Context& context, ir::TypeId type, std::span<const ir
 }
 
 // From scalars and vectors whose components add up; matrices among them are taken apart.
-ir::ExprId ConstructVector(Context& context, ir::TypeId type, std::span<const ir::ExprId> arguments,
-                           Span span) {
+ir::ExprId ConstructVector(Context& context, ir::TypeId type, ExprSpan arguments, Span span) {
   if (arguments.size() == 1 && context.TypeIdOf(arguments[0]) == type) return arguments[0];
-  std::vector<ir::ExprId> parts, prologue;
+  Exprs parts, prologue;
   for (ir::ExprId argument : arguments) {
     if (context.TypeOf(argument).kind == ir::TypeKind::kMatrix)
       TakeApart(context, argument, parts, prologue);
@@ -37,16 +35,15 @@ ir::ExprId ConstructVector(Context& context, ir::TypeId type, std::span<const ir
 }
 
 // From rows, where the arguments make up rows; else from scalars.
-ir::ExprId ConstructMatrix(Context& context, ir::TypeId type_id,
-                           std::span<const ir::ExprId> arguments, Span span) {
+ir::ExprId ConstructMatrix(Context& context, ir::TypeId type_id, ExprSpan arguments, Span span) {
   const ir::Type type = context[type_id];
   const auto is_scalar = [&](ir::ExprId argument) {
     return context.TypeOf(argument).kind == ir::TypeKind::kScalar;
   };
   if (std::ranges::all_of(arguments, is_scalar))
     return context.At(span).ConstructOf(type_id, arguments);
-  const ir::TypeId row_type = context.program.types.Vector(type.scalar, type.columns);
-  std::vector<ir::ExprId> rows, row;
+  const ir::TypeId row_type = context.types.Vector(type.scalar, type.columns);
+  Exprs rows, row;
   std::uint32_t filled = 0;
   bool fits = true;
   for (ir::ExprId argument : arguments) {
@@ -61,7 +58,7 @@ ir::ExprId ConstructMatrix(Context& context, ir::TypeId type_id,
     filled = 0;
   }
   if (fits) return context.At(span).ConstructOf(type_id, rows);
-  std::vector<ir::ExprId> scalars, prologue;
+  Exprs scalars, prologue;
   for (ir::ExprId argument : arguments) TakeApart(context, argument, scalars, prologue);
   return WithPrologue(context, prologue, context.At(span).ConstructOf(type_id, scalars));
 }
@@ -69,7 +66,7 @@ ir::ExprId ConstructMatrix(Context& context, ir::TypeId type_id,
 }  // namespace
 
 ir::ExprId CheckConstructor(Context& context, ir::TypeId type, List<ast::ExprId> list, Span span) {
-  std::vector<ir::ExprId> arguments;
+  Exprs arguments;
   const bool ok = CheckArguments(context, list, arguments);
   if (!ok || context.IsError(type)) return context.ErrorExpr(span);
   const ir::Type& wanted = context[type];
@@ -82,7 +79,7 @@ ir::ExprId CheckConstructor(Context& context, ir::TypeId type, List<ast::ExprId>
     if (!context.TypeOf(argument).IsNumeric()) {
       // float3x3(s) is what (float3x3)s is.
       if (arguments.size() == 1 &&
-          IsExplicitlyConvertible(context.program.types, context.TypeIdOf(argument), type)) {
+          IsExplicitlyConvertible(context.types, context.TypeIdOf(argument), type)) {
         return ConvertExplicit(context.program, argument, type, context);
       }
       return context.Fail(context[argument].span, diag::CannotConvert, context.TypeName(argument),
@@ -93,8 +90,7 @@ ir::ExprId CheckConstructor(Context& context, ir::TypeId type, List<ast::ExprId>
   const std::uint32_t needed = wanted.Components();
   const bool is_cast = arguments.size() == 1 && (needed == 1 || given != needed ||
                                                  wanted.kind == context.TypeOf(arguments[0]).kind);
-  if (is_cast &&
-      IsExplicitlyConvertible(context.program.types, context.TypeIdOf(arguments[0]), type)) {
+  if (is_cast && IsExplicitlyConvertible(context.types, context.TypeIdOf(arguments[0]), type)) {
     // fxc refuses float4(1) and float3x3(m); HLSL 2021 and glslang take them for casts, and nobody
     // for anything else.
     return ConvertExplicit(context.program, arguments[0], type, context);
@@ -103,9 +99,8 @@ ir::ExprId CheckConstructor(Context& context, ir::TypeId type, List<ast::ExprId>
     return context.Fail(span, diag::WrongComponentCount, context.TypeName(type), needed, given);
   }
   for (ir::ExprId& argument : arguments) {
-    argument =
-        Implicit(context, argument,
-                 context.program.types.WithScalar(context.TypeIdOf(argument), wanted.scalar));
+    argument = Implicit(context, argument,
+                        context.types.WithScalar(context.TypeIdOf(argument), wanted.scalar));
   }
   return wanted.kind == ir::TypeKind::kMatrix ? ConstructMatrix(context, type, arguments, span)
                                               : ConstructVector(context, type, arguments, span);
@@ -120,8 +115,7 @@ ir::ExprId Component(Context& context, ir::ExprId vector, std::uint8_t component
   return at.Swizzled(vector, {component});
 }
 
-void TakeApart(Context& context, ir::ExprId value, std::vector<ir::ExprId>& scalars,
-               std::vector<ir::ExprId>& prologue) {
+void TakeApart(Context& context, ir::ExprId value, Exprs& scalars, Exprs& prologue) {
   const ir::Type type = context.TypeOf(value);
   if (type.kind == ir::TypeKind::kScalar) {
     scalars.push_back(value);

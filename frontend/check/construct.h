@@ -5,14 +5,14 @@
 
 #include "frontend/check/context.h"
 
-// float4(a, b), float3x3(x, y, z)
+// Constructors: float4(a, b), float3x3(x, y, z), S(s).
 namespace clipc::check {
 
 ir::ExprId CheckConstructor(Context& context, ir::TypeId type, List<ast::ExprId> list, Span span);
-// vector.x; a swizzle of a swizzle is one.
+// vector.x for component 0. A component of a swizzle is read from the vector itself.
 ir::ExprId Component(Context& context, ir::ExprId vector, std::uint8_t component);
-// The components of a value, row by row; `value` is evaluated once.
-void TakeApart(Context& context, ir::ExprId value, std::vector<ir::ExprId>& scalars,
-               std::vector<ir::ExprId>& prologue);
+// Appends the components of the value to `scalars`, row by row. The value is evaluated once, in
+// `prologue` if need be.
+void TakeApart(Context& context, ir::ExprId value, Exprs& scalars, Exprs& prologue);
 
 }  // namespace clipc::check

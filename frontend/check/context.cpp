@@ -14,12 +14,13 @@ Context::Context(const ast::File& file, const CheckOptions& options, Diagnostics
     : file(file),
       options(options),
       diagnostics(diagnostics),
+      types(program.types),
       names(file.names.size(), view),
       functions(file.names),
       numeric_types(file.names.size()) {
   program.profile = options.profile;
   view.scope = names.global();
-  globals.buffer = globals.buffers.Add({{}, ir::CbufferKind::kGlobals, view.scope});
+  globals.buffer = globals.buffers.Add({.kind = ir::CbufferKind::kGlobals, .scope = view.scope});
 }
 
 TemporaryMaker::Temporary Context::Make(ir::ExprId value) {

@@ -3,8 +3,11 @@
 
 #include <cstdint>
 #include <deque>
+#include <span>
 #include <string>
+#include <type_traits>
 #include <unordered_map>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -38,9 +41,9 @@ struct Body {
 // Structs and enums.
 struct Structs {
   std::deque<StructInfo> infos;  // by StructId
-  // By DeclId: the types that are defined inside another declaration.
+  // The types that are defined inside another declaration, by DeclId.
   std::unordered_map<std::uint32_t, SymbolId> symbols;
-  // By the enum's SymbolId: its values, as far as they are known.
+  // The values of enums, as far as they are known, by the SymbolId of the enum.
   std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> enum_values;
 };
 
@@ -51,19 +54,22 @@ struct Globals {
     ir::VarId var;
   };
   Arena<Buffer> buffers;
-  BufferId buffer;         // $Globals
-  BufferId params_buffer;  // $Params; none before the first `uniform` parameter
+  BufferId buffer;         // the one for $Globals
+  BufferId params_buffer;  // the one for $Params; none before the first `uniform` parameter
   // The static variables and the resources that something reached uses.
   std::vector<Ordered> reached, resources;
   std::unordered_map<std::uint32_t, ir::Register> registers;  // by a resource's VarId
   std::vector<bool> const_vars;                               // by VarId
 };
 
+using Exprs = std::vector<ir::ExprId>;
+using ExprSpan = std::span<const ir::ExprId>;
+
 // What all subjects of the checker share. A subject is a header of free functions over it.
 //
 // Declarations are entered under their names first, all of them; what a name means is worked out
-// when something reached first uses it (so the code of other stages costs next to nothing), seen
-// from its declaration (View). Function bodies wait in a queue, so calls do not nest.
+// when something reached first uses it, as seen from its declaration (View). So the code of other
+// stages costs next to nothing. Function bodies wait in a queue, so calls do not nest.
 struct Context final : TemporaryMaker {
   Context(const ast::File& file, const CheckOptions& options, Diagnostics& diagnostics);
 
@@ -71,6 +77,7 @@ struct Context final : TemporaryMaker {
   const CheckOptions& options;
   Diagnostics& diagnostics;
   ir::Program program;
+  ir::TypeTable& types;  // of the program
   View view;
   ScopeTable names;
   Overloads functions;
@@ -124,14 +131,24 @@ struct Context final : TemporaryMaker {
     diagnostics.Report(where, kind, args...);
     return ErrorExpr(where);
   }
-  ir::ExprId ErrorExpr(Span span) { return At(span).ZeroOf(program.types.Error()); }
-  bool IsError(ir::TypeId type) const { return type == program.types.Error(); }
-  bool IsError(ir::ExprId expr) const { return IsError(TypeIdOf(expr)); }
+  ir::ExprId ErrorExpr(Span span) { return At(span).ZeroOf(types.Error()); }
+  // Whether one of the types or expressions comes from an error, which was reported.
+  bool IsError(auto first, auto... others) const {
+    if constexpr (std::is_same_v<decltype(first), ir::ExprId>) {
+      return IsError(TypeIdOf(first), others...);
+    } else {
+      return first == types.Error() || (... || IsError(others));
+    }
+  }
 
   ir::TypeId TypeIdOf(ir::ExprId expr) const { return program.exprs[expr].type; }
-  const ir::Type& TypeOf(ir::ExprId expr) const { return program.types[TypeIdOf(expr)]; }
-  std::string TypeName(ir::TypeId type) const { return program.types.Name(type); }
+  const ir::Type& TypeOf(ir::ExprId expr) const { return types[TypeIdOf(expr)]; }
+  std::string TypeName(ir::TypeId type) const { return types.Name(type); }
   std::string TypeName(ir::ExprId expr) const { return TypeName(TypeIdOf(expr)); }
+  // What is seen from a scope, outside of function bodies.
+  View ViewFrom(ScopeId scope, std::uint32_t order) const {
+    return {.scope = scope, .order = order, .local_floor = names.size()};
+  }
   ir::Builder At(Span span) { return ir::Builder(program, span); }
   // A local variable of the body in progress; a static one outside of functions.
   Temporary Make(ir::ExprId value) override;

@@ -60,8 +60,7 @@ void DeclareNamespace(Context& context, const ast::NamespaceDecl& space, Span sp
     inner = context.names.AddScope(ScopeKind::kNamespace, scope, space.name);
     const SymbolId symbol = context.names.Declare(SymbolKind::kNamespace, scope, space.name, {},
                                                   space.name ? space.name_span : span);
-    context[symbol].value = inner.index;
-    context[symbol].resolution = Resolution::kDone;
+    context[symbol].Resolve(inner.index);
     if (!space.name) context[scope].nested.push_back(inner);
   }
   for (ast::DeclId member : context[space.members]) DeclareOne(context, member, inner);
@@ -138,7 +137,7 @@ void DeclareUsing(Context& context, const ast::UsingDecl& use, Span span, ScopeI
   ViewSwitch in(context, {.scope = scope});
   const SymbolId target = Find(context, use.name);
   if (!target) {
-    ReportUndeclared(context, span, use.name, false, false);
+    ReportUndeclared(context, span, use.name, NameUse::kValue);
   } else if (!use.is_namespace) {
     const Symbol found = context[target];
     const SymbolId alias =

@@ -6,8 +6,8 @@
 namespace clipc::check {
 namespace {
 
-// Takes `var` and the temporaries made after it off the list; gives the latter.
-std::vector<ir::VarId> TakeBehind(Context& context, ir::VarId var) {
+// Removes `var` and the temporaries made after it from the list. Returns those after it.
+std::vector<ir::VarId> TakeAfter(Context& context, ir::VarId var) {
   std::vector<ir::VarId>& temporaries = context.view.body->temporaries;
   const auto found = std::ranges::find(temporaries, var);
   if (found == temporaries.end()) return {};
@@ -21,6 +21,13 @@ std::vector<ir::VarId> TakeBehind(Context& context, ir::VarId var) {
 void Emit(Context& context, Span span, decltype(ir::Stmt::node) node) {
   DeclareTemporaries(context);
   context.stmts.push_back(context.At(span).Stmt(std::move(node)));
+}
+
+std::vector<ir::StmtId> TakeStmts(Context& context, std::size_t mark) {
+  const std::vector<ir::StmtId> taken(context.stmts.begin() + static_cast<std::ptrdiff_t>(mark),
+                                      context.stmts.end());
+  context.stmts.resize(mark);
+  return taken;
 }
 
 void DeclareTemporaries(Context& context) {
@@ -49,7 +56,7 @@ void EmitValue(Context& context, ir::ExprId value) {
     const ir::VarId var = *found;
     const ir::ExprId init = Unwrap(context, assign->value);
     // The value may use temporaries that were made before this one.
-    const std::vector<ir::VarId> later = TakeBehind(context, var);
+    const std::vector<ir::VarId> later = TakeAfter(context, var);
     DeclareTemporaries(context);
     temporaries = later;
     context.stmts.push_back(context.At(span).Stmt(ir::Declare{var, init}));

@@ -1,19 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "frontend/check/context.h"
+#include <cstddef>
+#include <vector>
 
+#include "frontend/check/context.h"
+// Writing statements to the end of context.stmts.
 namespace clipc::check {
 
+// Adds the statement, with the temporaries that it needs declared before it.
 void Emit(Context& context, Span span, decltype(ir::Stmt::node) node);
-// The temporaries that the expressions checked last need are declared before the statement they
-// belong to.
+// Declares the temporaries of the expressions that were checked since the last statement.
 void DeclareTemporaries(Context& context);
-// An expression for what it does. The steps of a Comma are statements of their own, and the
-// assignment that makes a temporary is its declaration.
+// Removes the statements after the first `mark` of context.stmts, and returns them.
+std::vector<ir::StmtId> TakeStmts(Context& context, std::size_t mark);
+// Adds statements that evaluate the expression for its effects. The steps of a Comma are statements
+// of their own, and the assignment that makes a temporary is its declaration.
 void EmitValue(Context& context, ir::ExprId value);
-// Makes statements of the steps before a value that is evaluated once, first thing in its
-// statement.
+// Adds the steps of a Comma as statements and returns its last value. The value must be evaluated
+// once and before the rest of its statement.
 ir::ExprId Unwrap(Context& context, ir::ExprId value);
 
 }  // namespace clipc::check

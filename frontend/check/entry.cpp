@@ -6,6 +6,7 @@
 #include "base/spelling.h"
 #include "frontend/check/function.h"
 #include "frontend/check/scope.h"
+#include "frontend/check/text.h"
 
 namespace clipc::check {
 namespace {
@@ -29,12 +30,12 @@ Name NameOf(const Context& context, std::string_view text) {
   return {};
 }
 
-// The functions of that name in the scope that have a body and are no template.
+// The functions of that name in the scope that have a body and are not templates.
 std::vector<SymbolId> EntriesIn(const Context& context, ScopeId scope, Name name) {
   std::vector<SymbolId> found;
   for (SymbolId id = context.names.FindIn(scope, name); id; id = context[id].older) {
     if (context[id].kind != SymbolKind::kFunction) continue;
-    const auto& decl = context.Get<ast::FunctionDecl>(context[id].decl);
+    const auto& decl = DeclOf(context, id);
     if (decl.body && !decl.is_template) found.push_back(id);
   }
   std::ranges::reverse(found);
@@ -57,7 +58,7 @@ void ReportNoEntry(Context& context) {
   for (SymbolId id : context.names.symbol_ids()) {
     if (context[id].kind != SymbolKind::kFunction) continue;
     names.push_back(ScopedName(context, id));
-    places.push_back(context.Get<ast::FunctionDecl>(context[id].decl).name_span);
+    places.push_back(DeclOf(context, id).name_span);
   }
   const std::vector<std::string_view> candidates(names.begin(), names.end());
   std::vector<std::string_view> near = NearNames(context.options.entry, candidates);
@@ -69,9 +70,7 @@ void ReportNoEntry(Context& context) {
     const std::string_view hint = context[context.file.technique_vertex_shaders[i]];
     if (std::ranges::find(near, hint) == near.end()) near.push_back(hint);
   }
-  std::string text;
-  for (std::string_view candidate : near)
-    text += fmt::format("{}`{}`", text.empty() ? "" : ", ", candidate);
+  const std::string text = QuotedList(near);
   const std::string tail = text.empty() ? ""
                            : has_hints  ? fmt::format("; its techniques compile {}", text)
                                         : fmt::format("; did you mean {}?", text);

@@ -3,11 +3,12 @@
 
 #include "frontend/check/context.h"
 
-// The entry point: finding it, its signature, its clip planes.
+// Finding the entry point.
 namespace clipc::check {
 
-// The one function that the options name: as written from global scope; a simple name that global
-// scope lacks, too, when one namespace alone has it. Prototypes do not count. None after an error.
+// The one function that the options name. The name is looked up from global scope; a name without
+// `::` that global scope does not have is also found when exactly one namespace has it. Prototypes
+// do not count. None after an error, which was reported.
 FunctionInfoId FindEntry(Context& context);
 
 }  // namespace clipc::check

@@ -27,12 +27,11 @@ ir::VarId AddUniformParameter(Context& context, const ast::VarDecl& var,
   MarkConst(context, added);
   context[symbol].value = added.index;
   if (!context.globals.params_buffer) {
-    Buffer buffer;
-    buffer.kind = ir::CbufferKind::kParams;
-    buffer.scope = context.names.global();
-    buffer.order = std::numeric_limits<std::uint32_t>::max();
-    buffer.resolution = Resolution::kDone;
-    context.globals.params_buffer = context.globals.buffers.Add(std::move(buffer));
+    context.globals.params_buffer =
+        context.globals.buffers.Add({.kind = ir::CbufferKind::kParams,
+                                     .scope = context.names.global(),
+                                     .order = std::numeric_limits<std::uint32_t>::max(),
+                                     .resolution = Resolution::kDone});
   }
   context[context.globals.params_buffer].members.push_back(symbol);
   return added;
@@ -50,8 +49,7 @@ EntrySignature SignatureOf(Context& context, FunctionInfoId entry) {
     EntryParameter entry_parameter;
     entry_parameter.semantic = context[var.semantic.name];
     entry_parameter.semantic_span = var.semantic.span;
-    ReadInterpolation(var.qualifiers, entry_parameter.interpolation, entry_parameter.centroid,
-                      entry_parameter.sample);
+    ReadInterpolation(var.qualifiers, entry_parameter);
     if (var.qualifiers & ast::kUniform) {
       entry_parameter.is_uniform = true;
       entry_parameter.uniform_var = AddUniformParameter(context, var, parameter);
@@ -60,18 +58,8 @@ EntrySignature SignatureOf(Context& context, FunctionInfoId entry) {
   }
   signature.result.semantic = context[decl.return_semantic.name];
   signature.result.semantic_span = decl.return_semantic.span;
-  ReadInterpolation(decl.qualifiers, signature.result.interpolation, signature.result.centroid,
-                    signature.result.sample);
+  ReadInterpolation(decl.qualifiers, signature.result);
   return signature;
-}
-
-void ReadInterpolation(ast::Qualifiers qualifiers, ir::Interpolation& interpolation, bool& centroid,
-                       bool& sample) {
-  if (qualifiers & ast::kLinear) interpolation = ir::Interpolation::kLinear;
-  if (qualifiers & ast::kNoPerspective) interpolation = ir::Interpolation::kNoPerspective;
-  if (qualifiers & ast::kNoInterpolation) interpolation = ir::Interpolation::kNoInterpolation;
-  centroid = (qualifiers & ast::kCentroid) != 0;
-  sample = (qualifiers & ast::kSample) != 0;
 }
 
 }  // namespace clipc::check

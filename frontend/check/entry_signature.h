@@ -3,11 +3,18 @@
 
 #include "frontend/check/context.h"
 #include "frontend/rules/build_main.h"
-
+// What the entry point says about its parameters and its result.
 namespace clipc::check {
 
+// The semantics and modifiers of the entry point. Makes variables of its `uniform` parameters.
 EntrySignature SignatureOf(Context& context, FunctionInfoId entry);
-void ReadInterpolation(ast::Qualifiers qualifiers, ir::Interpolation& interpolation, bool& centroid,
-                       bool& sample);
+// Sets how a value is interpolated, in an EntryParameter or an ir::Field.
+void ReadInterpolation(ast::Qualifiers qualifiers, auto& into) {
+  if (qualifiers & ast::kLinear) into.interpolation = ir::Interpolation::kLinear;
+  if (qualifiers & ast::kNoPerspective) into.interpolation = ir::Interpolation::kNoPerspective;
+  if (qualifiers & ast::kNoInterpolation) into.interpolation = ir::Interpolation::kNoInterpolation;
+  into.centroid = (qualifiers & ast::kCentroid) != 0;
+  into.sample = (qualifiers & ast::kSample) != 0;
+}
 
 }  // namespace clipc::check

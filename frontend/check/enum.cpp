@@ -1,49 +1,52 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/check/enum.h"
 
+#include "frontend/check/scope.h"
 #include "frontend/check/type.h"
 #include "frontend/check/value.h"
 
 namespace clipc::check {
-void DeclareEnum(Context& context, ast::DeclId id, const ast::EnumDecl& decl, ScopeId scope) {
-  const SymbolId symbol =
-      context.names.Declare(SymbolKind::kType, scope, decl.name, id, decl.name_span);
-  const ScopeId inner =
-      decl.is_class ? context.names.AddScope(ScopeKind::kEnum, scope, decl.name) : scope;
-  // `E::a` is fine for a plain enum, too.
-  const ScopeId own =
-      decl.is_class ? inner : context.names.AddScope(ScopeKind::kEnum, scope, decl.name);
+
+SymbolId DeclareEnum(Context& context, ast::DeclId id, const ast::EnumDecl& decl, ScopeId scope) {
+  const auto declare = [&](SymbolKind kind, Name name, Span span) {
+    return scope ? context.names.Declare(kind, scope, name, id, span)
+                 : DeclareLocal(context, kind, name, id, span);
+  };
+  const SymbolId symbol = declare(SymbolKind::kType, decl.name, decl.name_span);
+  // `E::a` means something for every enum, a plain `a` for those that are not classes.
+  const ScopeId own = scope ? context.names.AddScope(ScopeKind::kEnum, scope, decl.name)
+                            : context.names.AddScope(ScopeKind::kEnum, context.view.scope,
+                                                     decl.name, context.view.order);
   context[symbol].owner = own.index;
-  for (std::uint32_t i = 0; i < decl.enumerators.size; ++i) {
-    const ast::Enumerator& enumerator = context[decl.enumerators][i];
-    const SymbolId value =
-        context.names.Declare(SymbolKind::kEnumerator, inner, enumerator.name, id, enumerator.span);
-    context[value].owner = symbol.index;
-    context[value].value = i;
-    if (decl.is_class) continue;
-    const SymbolId again =
-        context.names.Declare(SymbolKind::kEnumerator, own, enumerator.name, id, enumerator.span);
-    context[again].owner = symbol.index;
-    context[again].value = i;
+  std::uint32_t number = 0;
+  const auto add = [&](SymbolId enumerator) {
+    context[enumerator].owner = symbol.index;
+    context[enumerator].value = number;
+  };
+  for (const ast::Enumerator& enumerator : context[decl.enumerators]) {
+    if (!decl.is_class) add(declare(SymbolKind::kEnumerator, enumerator.name, enumerator.span));
+    add(context.names.Declare(SymbolKind::kEnumerator, own, enumerator.name, id, enumerator.span));
+    ++number;
   }
+  return symbol;
 }
 
 ir::TypeId EnumType(Context& context, const ast::EnumDecl& decl) {
-  if (!decl.underlying) return context.program.types.Make(ir::Scalar::kInt);
+  if (!decl.underlying) return context.types.Make(ir::Scalar::kInt);
   const ir::TypeId type = ResolveType(context, decl.underlying);
   const ir::Type& underlying = context[type];
-  if (underlying.kind == ir::TypeKind::kScalar && ir::IsInteger(underlying.scalar)) return type;
-  if (underlying.kind == ir::TypeKind::kScalar && underlying.scalar == ir::Scalar::kBool)
-    return type;
+  const bool is_integer =
+      ir::IsInteger(underlying.scalar) || underlying.scalar == ir::Scalar::kBool;
+  if (underlying.kind == ir::TypeKind::kScalar && is_integer) return type;
   if (!context.IsError(type)) {
     context.Report(context[decl.underlying].span, diag::EnumNotInteger, context.TypeName(type));
   }
-  return context.program.types.Make(ir::Scalar::kInt);
+  return context.types.Make(ir::Scalar::kInt);
 }
 
 void ResolveEnum(Context& context, SymbolId id, const ast::EnumDecl& decl) {
   if (!context.structs.enum_values.try_emplace(id.index).second) return;
-  View view = ContextOf(context, id);
+  View view = ViewOf(context, id);
   view.scope = ScopeId{context[id].owner};
   const ViewSwitch in(context, view);
   std::int64_t next = 0;

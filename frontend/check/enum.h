@@ -2,12 +2,14 @@
 #pragma once
 
 #include "frontend/check/context.h"
-
+// Enums.
 namespace clipc::check {
 
-void DeclareEnum(Context& context, ast::DeclId id, const ast::EnumDecl& decl, ScopeId scope);
+// Enters an enum and its enumerators. Without a scope they are locals.
+SymbolId DeclareEnum(Context& context, ast::DeclId id, const ast::EnumDecl& decl, ScopeId scope);
+// The type that the values of the enum have.
 ir::TypeId EnumType(Context& context, const ast::EnumDecl& decl);
-// All values of the enum `id`, in order; a value may use the ones before it.
+// Works out all values of the enum `id`, in order. A value may use those before it.
 void ResolveEnum(Context& context, SymbolId id, const ast::EnumDecl& decl);
 
 }  // namespace clipc::check

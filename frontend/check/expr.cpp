@@ -43,15 +43,15 @@ ir::ExprId CheckLiteral(Context& context, const ast::Literal& literal, Span span
         return at.Uint(static_cast<std::uint32_t>(literal.bits));
       return at.Int(static_cast<std::int32_t>(literal.bits));
     case LiteralKind::kInt64:
-      return at.Add(context.program.types.Make(ir::Scalar::kInt64), ir::Literal{literal.bits});
+      return at.Add(context.types.Make(ir::Scalar::kInt64), ir::Literal{literal.bits});
     case LiteralKind::kUint64:
-      return at.Add(context.program.types.Make(ir::Scalar::kUint64), ir::Literal{literal.bits});
+      return at.Add(context.types.Make(ir::Scalar::kUint64), ir::Literal{literal.bits});
     case LiteralKind::kHalf: return at.LiteralOf(ir::Scalar::kHalf, number);
     case LiteralKind::kFloat: return at.Float(static_cast<float>(number));
     case LiteralKind::kDouble: return at.LiteralOf(ir::Scalar::kDouble, number);
     case LiteralKind::kString: break;
   }
-  return at.ZeroOf(context.program.types.String());
+  return at.ZeroOf(context.types.String());
 }
 
 ir::ExprId CheckName(Context& context, const ast::NameExpr& name, Span span) {
@@ -63,7 +63,7 @@ ir::ExprId CheckName(Context& context, const ast::NameExpr& name, Span span) {
   if (is_plain && IsIntrinsicName(text)) {
     context.Report(span, diag::FunctionAsValue, text);
   } else {
-    ReportUndeclared(context, span, name.name, false, false);
+    ReportUndeclared(context, span, name.name, NameUse::kValue);
   }
   return context.ErrorExpr(span);
 }
@@ -79,7 +79,7 @@ ir::ExprId UseVariable(Context& context, SymbolId id, Span span) {
   const bool is_uniform = !(var.qualifiers & ast::kStatic);
   if (context.view.wants_constant && is_uniform && (var.qualifiers & ast::kConst) && var.init) {
     // fxc takes the value of a `const` global for a constant where it needs one, and nowhere else.
-    View view = ContextOf(context, id);
+    View view = ViewOf(context, id);
     view.wants_constant = true;
     const ViewSwitch in(context, view);
     const ir::TypeId type = ResolveVarType(context, var);
@@ -97,8 +97,7 @@ ir::ExprId CheckConditional(Context& context, const ast::ConditionalExpr& expr, 
   ir::ExprId condition = CheckExpr(context, expr.condition);
   ir::ExprId when_true = CheckExpr(context, expr.when_true);
   ir::ExprId when_false = CheckExpr(context, expr.when_false);
-  if (context.IsError(condition) || context.IsError(when_true) || context.IsError(when_false))
-    return context.ErrorExpr(span);
+  if (context.IsError(condition, when_true, when_false)) return context.ErrorExpr(span);
   const Span condition_span = context[expr.condition].span;
   if (!context.TypeOf(condition).IsNumeric()) {
     return context.Fail(condition_span, diag::ConditionNotScalar,
@@ -106,26 +105,25 @@ ir::ExprId CheckConditional(Context& context, const ast::ConditionalExpr& expr, 
   }
   const bool is_scalar = context.TypeOf(condition).Components() == 1;
   std::optional<ir::TypeId> type =
-      CommonType(context.program.types, context.TypeIdOf(when_true), context.TypeIdOf(when_false));
+      CommonType(context.types, context.TypeIdOf(when_true), context.TypeIdOf(when_false));
   if (type && !is_scalar) {
-    type = CommonType(
-        context.program.types,
-        context.program.types.WithScalar(context.TypeIdOf(condition), context[*type].scalar),
-        *type);
+    type = CommonType(context.types,
+                      context.types.WithScalar(context.TypeIdOf(condition), context[*type].scalar),
+                      *type);
   }
-  if (!type || *type == context.program.types.Void()) {
+  if (!type || *type == context.types.Void()) {
     return context.Fail(span, diag::BranchesDiffer, context.TypeName(when_true),
                         context.TypeName(when_false));
   }
   when_true = Implicit(context, when_true, *type);
   when_false = Implicit(context, when_false, *type);
-  const ir::TypeId boolean = context.program.types.Make(ir::Scalar::kBool);
-  condition = is_scalar ? ConvertSilently(context, condition, boolean)
-                        : Implicit(context, condition,
-                                   context.program.types.WithScalar(*type, ir::Scalar::kBool));
+  const ir::TypeId boolean = context.types.Make(ir::Scalar::kBool);
+  condition =
+      is_scalar ? ConvertSilently(context, condition, boolean)
+                : Implicit(context, condition, context.types.WithScalar(*type, ir::Scalar::kBool));
   if (!is_scalar) return context.At(span).Add(*type, ir::Select{condition, when_true, when_false});
   // Before HLSL 2021 both sides are evaluated.
-  std::vector<ir::ExprId> prologue;
+  Exprs prologue;
   const bool evaluates_both = !context.options.profile.IsAtLeast(6, 0);
   if (evaluates_both &&
       !(ir::IsPure(context.program, when_true) && ir::IsPure(context.program, when_false))) {
@@ -144,9 +142,9 @@ ir::ExprId CheckCast(Context& context, const ast::CastExpr& expr, Span span) {
   const ir::TypeId type =
       ArrayOf(context, ResolveType(context, expr.type), expr.dimensions, context[expr.type].span);
   const ir::ExprId value = CheckExpr(context, expr.operand);
-  if (context.IsError(value) || context.IsError(type)) return context.ErrorExpr(span);
+  if (context.IsError(value, type)) return context.ErrorExpr(span);
   if (context.TypeIdOf(value) == type) return value;
-  if (IsExplicitlyConvertible(context.program.types, context.TypeIdOf(value), type)) {
+  if (IsExplicitlyConvertible(context.types, context.TypeIdOf(value), type)) {
     return ConvertExplicit(context.program, value, type, context);
   }
   if (DerivesFrom(context, context.TypeIdOf(value), type)) return Implicit(context, value, type);
@@ -166,7 +164,7 @@ ir::ExprId CheckSizeof(Context& context, const ast::SizeofExpr& expr, Span span)
     type = context.TypeIdOf(CheckExpr(context, expr.operand));
   }
   if (context.IsError(type)) return context.ErrorExpr(span);
-  const auto leaves = Flatten(context.program.types, type);
+  const auto leaves = Flatten(context.types, type);
   if (!leaves) {
     return context.Fail(span, diag::SizeUnknown, context.TypeName(type));
   }

@@ -3,11 +3,12 @@
 
 #include "frontend/check/context.h"
 
-// Expressions. Each is checked bottom up into a typed expression of the program; after an error it
-// has the error type, which silences what follows.
+// Expressions. Each is checked bottom up into a typed expression of the program. After an error it
+// has the error type, which silences what follows from it.
 namespace clipc::check {
 
 ir::ExprId CheckExpr(Context& context, ast::ExprId id);
+// The value that a name stands for.
 ir::ExprId UseSymbol(Context& context, SymbolId id, Span span);
 
 }  // namespace clipc::check

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "frontend/check/context.h"
-
+// Control flow of checked statements.
 namespace clipc::check {
 
-// Whether control can reach what follows the statement.
+// Whether control can reach the end of the statement.
 bool FallsThrough(const Context& context, ir::StmtId id);
 
 }  // namespace clipc::check

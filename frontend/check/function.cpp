@@ -13,24 +13,10 @@ namespace {
 // A function, or a method for objects of type `self`.
 FunctionInfoId InfoOfFunction(Context& context, SymbolId id, ir::TypeId self) {
   // A static method is the same one for all that derive from its struct.
-  const auto& written = context.Get<ast::FunctionDecl>(context[id].decl);
-  if (written.qualifiers & ast::kStatic) self = {};
-  const auto [slot, is_new] = context.functions.of_symbol.try_emplace(Overloads::KeyOf(id, self));
-  if (!is_new) return slot->second;
-  const FunctionInfoId result{static_cast<std::uint32_t>(context.functions.infos.size())};
-  slot->second = result;
-  const Symbol& symbol = context[id];
-  const Scope& scope = context[symbol.scope];
-  FunctionInfo info;
-  info.decl = symbol.decl;
-  info.scope = symbol.scope;
-  const bool is_method = scope.kind == ScopeKind::kStruct;
-  info.order = is_method ? scope.order : id.index + 1;
-  info.declared = is_method ? 0 : id.index;
-  if (is_method && !(DeclOf(context, info).qualifiers & ast::kStatic))
-    info.self = self ? self : scope.self;
-  context.functions.infos.push_back(info);
-  return result;
+  if (DeclOf(context, id).qualifiers & ast::kStatic) self = {};
+  FunctionInfoId& known = context.functions.of_symbol[Overloads::KeyOf(id, self)];
+  if (!known) known = AddFunction(context, id, self);
+  return known;
 }
 
 void AddParameter(Context& context, const ast::VarDecl& var, ast::DeclId id, FunctionInfo& info,
@@ -63,8 +49,7 @@ void FindOutOfLine(Context& context, FunctionInfo& info) {
     bool same = true;
     std::vector<Parameter> parameters(context[info.parameters].begin(),
                                       context[info.parameters].end());
-    const ViewSwitch in_struct(
-        context, {.scope = info.scope, .order = info.order, .local_floor = context.names.size()});
+    const ViewSwitch in_struct(context, context.ViewFrom(info.scope, info.order));
     for (std::uint32_t i = 0; i < decl.parameters.size && same; ++i) {
       parameters[i].decl = context[decl.parameters][i];
       same = ResolveVarType(context, context.Get<ast::VarDecl>(parameters[i].decl)) ==
@@ -72,13 +57,13 @@ void FindOutOfLine(Context& context, FunctionInfo& info) {
     }
     if (!same) continue;
     info.decl = id;
-    info.order = ~0u;  // its body stands later than the struct
+    info.order = ~0u;  // its body comes after the struct
     info.parameters = context.functions.parameters.Add(std::span<const Parameter>(parameters));
     return;
   }
 }
 
-// The parameters, so that equal ones have equal keys.
+// A text that is the same for the same parameters.
 std::string ParameterKey(const Context& context, const FunctionInfo& info) {
   std::string key;
   for (const Parameter& parameter : context[info.parameters]) {
@@ -87,8 +72,8 @@ std::string ParameterKey(const Context& context, const FunctionInfo& info) {
   return key;
 }
 
-// Prototypes and their definition are one overload: the one with the body, which learns what the
-// other says.
+// Prototypes and their definition are one overload: the one with the body, which takes over the
+// default arguments of the other.
 FunctionInfoId MergeOverloads(Context& context, FunctionInfoId known, FunctionInfoId added) {
   FunctionInfo& info = context[added];
   FunctionInfo& other = context[known];
@@ -121,12 +106,31 @@ const ast::FunctionDecl& DeclOf(const Context& context, const FunctionInfo& info
   return context.Get<ast::FunctionDecl>(info.decl);
 }
 
+const ast::FunctionDecl& DeclOf(const Context& context, SymbolId function) {
+  return context.Get<ast::FunctionDecl>(context[function].decl);
+}
+
+FunctionInfoId AddFunction(Context& context, SymbolId id, ir::TypeId self, ScopeId instance) {
+  const Symbol& symbol = context[id];
+  const Scope& scope = context[symbol.scope];
+  const bool is_method = scope.kind == ScopeKind::kStruct;
+  FunctionInfo info;
+  info.decl = symbol.decl;
+  info.scope = instance ? instance : symbol.scope;
+  info.order = is_method ? scope.order : id.index + 1;
+  info.declared = is_method ? 0 : id.index;
+  info.is_instance = static_cast<bool>(instance);
+  if (is_method && !(DeclOf(context, id).qualifiers & ast::kStatic))
+    info.self = self ? self : scope.self;
+  context.functions.infos.push_back(info);
+  return FunctionInfoId{static_cast<std::uint32_t>(context.functions.infos.size()) - 1};
+}
+
 void ResolveSignature(Context& context, FunctionInfoId id) {
   FunctionInfo& info = context[id];
   if (info.is_resolved) return;
   info.is_resolved = true;
-  const ViewSwitch in(
-      context, {.scope = info.scope, .order = info.order, .local_floor = context.names.size()});
+  const ViewSwitch in(context, context.ViewFrom(info.scope, info.order));
   const ast::FunctionDecl& decl = DeclOf(context, info);
   info.return_type = ArrayOf(context, ResolveType(context, decl.return_type),
                              decl.return_dimensions, decl.name_span);
@@ -157,7 +161,7 @@ std::vector<FunctionInfoId> OverloadsOf(Context& context, SymbolId first, ir::Ty
   std::vector<SymbolId> symbols;
   for (SymbolId id = newest; id; id = context[id].older) {
     if (context[id].kind != SymbolKind::kFunction) continue;
-    if (context.Get<ast::FunctionDecl>(context[id].decl).is_template) continue;
+    if (DeclOf(context, id).is_template) continue;
     symbols.push_back(id);
   }
   std::vector<FunctionInfoId> overloads;

@@ -16,12 +16,12 @@ namespace {
 void ResolveGlobal(Context& context, SymbolId id, const ast::VarDecl& var) {
   const std::uint32_t buffer = context[id].owner;
   if (buffer != ~0u) return ReachBuffer(context, BufferId{buffer});
-  const ViewSwitch in(context, ContextOf(context, id));
+  const ViewSwitch in(context, ViewOf(context, id));
   if (IsConstantBuffer(context, var)) return ResolveConstantBuffer(context, id, var);
   if (var.qualifiers & (ast::kStatic | ast::kGroupShared)) return ResolveStatic(context, id, var);
   const ir::TypeId type = ResolveVarType(context, var);
   if (context.IsError(type)) return;
-  if (type == context.program.types.String()) {
+  if (type == context.types.String()) {
     context.Report(context[id].span, diag::StringUsed, context[var.name]);
   } else if (HoldsObjects(context, type)) {
     ResolveObject(context, id, var, type);
@@ -105,18 +105,11 @@ void ResolveObject(Context& context, SymbolId id, const ast::VarDecl& var, ir::T
   const ir::ObjectKind object = context[element].object;
   const bool is_sampler =
       object >= ir::ObjectKind::kSampler && object <= ir::ObjectKind::kSamplerCube;
-  ir::Register reg;
   const bool is_written = ir::IsWritable(object);
-  reg.letter = is_sampler ? 's' : is_written ? 'u' : 't';
-  if (const ast::RegisterBinding* binding = BindingOf(context, var.registers,
-                                                      is_sampler   ? "s"
-                                                      : is_written ? "u"
-                                                                   : "tu")) {
-    reg.number = binding->number;
-    reg.space = binding->space;
-    reg.is_explicit = binding->letter != 0;
-  }
-  context.globals.registers.emplace(result.index, reg);
+  context.globals.registers.emplace(result.index,
+                                    is_sampler   ? RegisterOf(context, var.registers, 's', "s")
+                                    : is_written ? RegisterOf(context, var.registers, 'u', "u")
+                                                 : RegisterOf(context, var.registers, 't', "tu"));
 }
 
 const ast::RegisterBinding* BindingOf(const Context& context, List<ast::RegisterBinding> bindings,
@@ -133,6 +126,18 @@ const ast::RegisterBinding* BindingOf(const Context& context, List<ast::Register
     }
   }
   return best;
+}
+
+ir::Register RegisterOf(const Context& context, List<ast::RegisterBinding> bindings, char letter,
+                        std::string_view letters) {
+  ir::Register reg;
+  reg.letter = letter;
+  if (const ast::RegisterBinding* binding = BindingOf(context, bindings, letters)) {
+    reg.number = binding->number;
+    reg.space = binding->space;
+    reg.is_explicit = binding->letter != 0;
+  }
+  return reg;
 }
 
 void FinishGlobals(Context& context) {

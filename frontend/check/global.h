@@ -5,20 +5,27 @@
 
 #include "frontend/check/context.h"
 
-// Variables outside functions: uniforms and their buffers, statics, resources.
+// Variables outside functions: uniforms, static variables and resources.
 namespace clipc::check {
 
-// Works out what a variable is. False after an error, which was reported.
+// Works out what the variable is, once. False after an error, which was reported.
 bool ResolveVar(Context& context, SymbolId id);
+// Whether the type is a texture, sampler or buffer, or an array of them.
 bool HoldsObjects(const Context& context, ir::TypeId type);
 ir::VarId AddVar(Context& context, Name name, ir::TypeId type, ir::Storage storage, Span span);
-// Where a declaration stands among those of namespaces.
+// The place of the declaration among those of namespaces.
 std::uint32_t OrderOf(const Context& context, SymbolId id);
 void ResolveStatic(Context& context, SymbolId id, const ast::VarDecl& var);
 void ResolveObject(Context& context, SymbolId id, const ast::VarDecl& var, ir::TypeId type);
-// The binding that counts under this profile.
+// The register of a resource or buffer: that of the binding that counts, if there is one. `letters`
+// are the kinds of register that fit.
+ir::Register RegisterOf(const Context& context, List<ast::RegisterBinding> bindings, char letter,
+                        std::string_view letters);
+// The binding that counts under this profile; null without one.
 const ast::RegisterBinding* BindingOf(const Context& context, List<ast::RegisterBinding> bindings,
                                       std::string_view letters);
+// Adds the static variables and resources that were reached to the program, in the order of the
+// text.
 void FinishGlobals(Context& context);
 
 }  // namespace clipc::check

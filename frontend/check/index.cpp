@@ -25,11 +25,11 @@ ir::ExprId CheckMips(Context& context, const ast::IndexExpr& expr, Span span) {
   }
   const ir::ExprId level = CheckExpr(context, inner->index);
   const ir::ExprId index = CheckExpr(context, expr.index);
-  if (context.IsError(level) || context.IsError(index)) return context.ErrorExpr(span);
+  if (context.IsError(level, index)) return context.ErrorExpr(span);
   return CheckObjectIndex(context.program, object, index, level, span, context.diagnostics);
 }
 
-// An int or uint scalar.
+// The index as a scalar int or uint.
 ir::ExprId ConvertIndex(Context& context, ir::ExprId index) {
   const ir::Type& type = context.TypeOf(index);
   const Span span = context[index].span;
@@ -37,9 +37,8 @@ ir::ExprId ConvertIndex(Context& context, ir::ExprId index) {
     return context.Fail(span, diag::IndexNotScalar, context.TypeName(index));
   }
   const bool is_unsigned = ir::IsUnsigned(type.scalar) || type.scalar == ir::Scalar::kBool;
-  return ConvertSilently(
-      context, index,
-      context.program.types.Make(is_unsigned ? ir::Scalar::kUint : ir::Scalar::kInt));
+  return ConvertSilently(context, index,
+                         context.types.Make(is_unsigned ? ir::Scalar::kUint : ir::Scalar::kInt));
 }
 
 bool CheckBounds(Context& context, ir::ExprId base, ir::ExprId index) {
@@ -60,7 +59,7 @@ ir::ExprId CheckIndex(Context& context, const ast::IndexExpr& expr, Span span) {
   if (const ir::ExprId mips = CheckMips(context, expr, span)) return mips;
   const ir::ExprId base = CheckExpr(context, expr.base);
   ir::ExprId index = CheckExpr(context, expr.index);
-  if (context.IsError(base) || context.IsError(index)) return context.ErrorExpr(span);
+  if (context.IsError(base, index)) return context.ErrorExpr(span);
   const ir::Type type = context.TypeOf(base);
   switch (type.kind) {
     case ir::TypeKind::kObject:

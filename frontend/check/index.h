@@ -2,7 +2,7 @@
 #pragma once
 
 #include "frontend/check/context.h"
-
+// Indices: array[i], vector[i], matrix[i], texture[i], texture.mips[level][i].
 namespace clipc::check {
 
 ir::ExprId CheckIndex(Context& context, const ast::IndexExpr& expr, Span span);

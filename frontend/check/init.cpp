@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "frontend/check/assign.h"
 #include "frontend/check/construct.h"
 #include "frontend/check/expr.h"
 #include "frontend/check/type.h"
@@ -12,173 +11,161 @@
 namespace clipc::check {
 namespace {
 
-// The elements of a list that are not lists, in order, checked one after another as they are
-// needed.
-struct Leaves {
-  std::vector<ast::ExprId> sources;
-  std::size_t next = 0;
-  ir::ExprId current;               // checked, not used yet
-  std::vector<ir::ExprId> scalars;  // of an element that is dealt out one by one
-  std::size_t next_scalar = 0;
-  std::vector<ir::ExprId> prologue;
-  bool ran_out = false;
-  bool failed = false;  // an error was reported
-};
+// Deals the elements of a list out to the components of a type. The elements that are not lists are
+// checked in order, when they are needed.
+class ListReader {
+ public:
+  ListReader(Context& context, ast::ExprId list) : context_(context) { Collect(list); }
 
-ir::ExprId Take(Context& context, Leaves& leaves, ir::TypeId type_id);
-
-void CollectLeaves(const Context& context, ast::ExprId init, std::vector<ast::ExprId>& leaves) {
-  const auto* list = context.GetIf<ast::InitListExpr>(init);
-  if (!list) return leaves.push_back(init);
-  for (ast::ExprId element : context[list->elements]) CollectLeaves(context, element, leaves);
-}
-
-// Makes leaves.current the next element, if there is one and none is being dealt out.
-bool Peek(Context& context, Leaves& leaves) {
-  if (leaves.next_scalar < leaves.scalars.size()) return false;
-  if (leaves.current) return true;
-  if (leaves.next == leaves.sources.size() || leaves.failed) return false;
-  leaves.current = CheckExpr(context, leaves.sources[leaves.next++]);
-  leaves.failed = context.IsError(leaves.current);
-  return !leaves.failed;
-}
-
-void OpenPart(Context& context, ir::ExprId value, Leaves& leaves) {
-  ir::Builder at = context.At(context[value].span);
-  const ir::Type type = context.TypeOf(value);
-  if (type.kind == ir::TypeKind::kStruct) {
-    const std::size_t count = context[type.structure].fields.size();
-    for (std::uint32_t i = 0; i < count; ++i)
-      OpenPart(context, at.Field(ir::Clone(context.program, value), i), leaves);
-  } else if (type.kind == ir::TypeKind::kArray) {
-    for (std::uint32_t i = 0; i < type.count; ++i)
-      OpenPart(context, at.At(ir::Clone(context.program, value), i), leaves);
-  } else {
-    TakeApart(context, value, leaves.scalars, leaves.prologue);
+  ir::ExprId Read(ir::TypeId type, Span span) {
+    const ir::ExprId value = Take(type);
+    if (failed_) return context_.ErrorExpr(span);
+    if (ran_out_ || next_ < sources_.size() || next_scalar_ < scalars_.size() || current_) {
+      return context_.Fail(span, diag::InitialiserCount, ran_out_ ? "too few" : "too many",
+                           context_.TypeName(type), ComponentsOf(context_, type));
+    }
+    return WithPrologue(context_, prologue_, value);
   }
-}
 
-// Has leaves.current dealt out component by component.
-void Open(Context& context, Leaves& leaves) {
-  const ir::ExprId value = std::exchange(leaves.current, {});
-  leaves.scalars.clear();
-  leaves.next_scalar = 0;
-  const ir::TypeId type = context.TypeIdOf(value);
-  if (context[type].IsNumeric()) return TakeApart(context, value, leaves.scalars, leaves.prologue);
-  const auto kinds = Flatten(context.program.types, type);
-  if (!kinds) {
-    context.Report(context[value].span, diag::CannotTakeApart, context.TypeName(type));
-    leaves.failed = true;
-    return;
+ private:
+  void Collect(ast::ExprId init) {
+    const auto* list = context_.GetIf<ast::InitListExpr>(init);
+    if (!list) return sources_.push_back(init);
+    for (ast::ExprId element : context_[list->elements]) Collect(element);
   }
-  const ir::ExprId object = IsPath(context, value) && ir::IsPure(context.program, value)
-                                ? value
-                                : Hoist(context, value, leaves.prologue);
-  OpenPart(context, object, leaves);
-}
 
-ir::ExprId TakeScalar(Context& context, Leaves& leaves, ir::Scalar kind) {
-  if (Peek(context, leaves)) Open(context, leaves);
-  if (leaves.next_scalar >= leaves.scalars.size()) {
-    leaves.ran_out = true;
-    return context.ErrorExpr({});
+  bool Stopped() const { return ran_out_ || failed_; }
+
+  // Makes current_ the next element, if there is one and none is being dealt out.
+  bool Peek() {
+    if (next_scalar_ < scalars_.size()) return false;
+    if (current_) return true;
+    if (next_ == sources_.size() || failed_) return false;
+    current_ = CheckExpr(context_, sources_[next_++]);
+    failed_ = context_.IsError(current_);
+    return !failed_;
   }
-  return Implicit(context, leaves.scalars[leaves.next_scalar++], context.program.types.Make(kind));
-}
 
-ir::ExprId TakeVector(Context& context, Leaves& leaves, ir::TypeId type_id) {
-  const ir::Type type = context[type_id];
-  std::vector<ir::ExprId> parts;
-  std::uint32_t filled = 0;
-  while (filled < type.columns && !leaves.ran_out && !leaves.failed) {
-    const bool has_current = Peek(context, leaves);
-    const ir::Type given = has_current ? context.TypeOf(leaves.current) : ir::Type{};
-    const bool is_simple =
-        given.kind == ir::TypeKind::kScalar || given.kind == ir::TypeKind::kVector;
-    if (has_current && is_simple && filled + given.columns <= type.columns) {
-      const ir::ExprId value = std::exchange(leaves.current, {});
-      parts.push_back(Implicit(
-          context, value, context.program.types.WithScalar(context.TypeIdOf(value), type.scalar)));
-      filled += given.columns;
-    } else {
-      parts.push_back(TakeScalar(context, leaves, type.scalar));
-      ++filled;
+  // Has current_ dealt out component by component.
+  void Open() {
+    const ir::ExprId value = std::exchange(current_, {});
+    scalars_.clear();
+    next_scalar_ = 0;
+    if (context_.TypeOf(value).IsNumeric()) return TakeApart(context_, value, scalars_, prologue_);
+    if (Flatten(context_.types, context_.TypeIdOf(value)))
+      return OpenPart(Repeatable(context_, value, prologue_));
+    context_.Report(context_[value].span, diag::CannotTakeApart, context_.TypeName(value));
+    failed_ = true;
+  }
+
+  void OpenPart(ir::ExprId value) {
+    ir::Builder at = context_.At(context_[value].span);
+    const ir::Type type = context_.TypeOf(value);
+    const std::size_t count =
+        type.kind == ir::TypeKind::kStruct ? context_[type.structure].fields.size() : type.count;
+    if (type.kind != ir::TypeKind::kStruct && type.kind != ir::TypeKind::kArray)
+      return TakeApart(context_, value, scalars_, prologue_);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const ir::ExprId whole = ir::Clone(context_.program, value);
+      OpenPart(type.kind == ir::TypeKind::kStruct ? at.Field(whole, i) : at.At(whole, i));
     }
   }
-  const Span span = parts.empty() ? Span{} : context[parts.front()].span;
-  return leaves.ran_out || leaves.failed ? context.ErrorExpr(span)
-                                         : context.At(span).ConstructOf(type_id, parts);
-}
 
-// The rows of a matrix, the fields of a struct, the elements of an array.
-ir::ExprId TakeParts(Context& context, Leaves& leaves, ir::TypeId type_id) {
-  const ir::Type type = context[type_id];
-  const bool is_struct = type.kind == ir::TypeKind::kStruct;
-  const std::size_t count = is_struct ? context[type.structure].fields.size()
-                            : type.kind == ir::TypeKind::kMatrix ? type.rows
-                                                                 : type.count;
-  std::vector<ir::ExprId> parts;
-  for (std::size_t i = 0; i < count && !leaves.ran_out && !leaves.failed; ++i) {
-    const ir::TypeId part = is_struct ? context[type.structure].fields[i].type
-                            : type.kind == ir::TypeKind::kMatrix
-                                ? context.program.types.Vector(type.scalar, type.columns)
-                                : type.element;
-    parts.push_back(Take(context, leaves, part));
+  ir::ExprId TakeScalar(ir::Scalar kind) {
+    if (Peek()) Open();
+    ran_out_ = next_scalar_ >= scalars_.size();
+    if (ran_out_) return context_.ErrorExpr({});
+    return Implicit(context_, scalars_[next_scalar_++], context_.types.Make(kind));
   }
-  const Span span = parts.empty() ? Span{} : context[parts.front()].span;
-  return leaves.ran_out || leaves.failed ? context.ErrorExpr(span)
-                                         : context.At(span).ConstructOf(type_id, parts);
-}
 
-ir::ExprId Take(Context& context, Leaves& leaves, ir::TypeId type_id) {
-  if (leaves.ran_out || leaves.failed) return context.ErrorExpr({});
-  const ir::Type type = context[type_id];
-  if (Peek(context, leaves)) {
-    // An element that is just what is wanted here stays whole.
-    const ir::Type& given = context.TypeOf(leaves.current);
-    const bool same_shape = type.IsNumeric() && given.IsNumeric() && given.rows == type.rows &&
-                            given.columns == type.columns;
-    if (context.TypeIdOf(leaves.current) == type_id || same_shape)
-      return Implicit(context, std::exchange(leaves.current, {}), type_id);
+  ir::ExprId Construct(ir::TypeId type, ExprSpan parts) {
+    const Span span = parts.empty() ? Span{} : context_[parts.front()].span;
+    return Stopped() ? context_.ErrorExpr(span) : context_.At(span).ConstructOf(type, parts);
   }
-  switch (type.kind) {
-    case ir::TypeKind::kScalar: return TakeScalar(context, leaves, type.scalar);
-    case ir::TypeKind::kVector: return TakeVector(context, leaves, type_id);
-    case ir::TypeKind::kMatrix:
-    case ir::TypeKind::kStruct:
-    case ir::TypeKind::kArray: return TakeParts(context, leaves, type_id);
-    default: break;
-  }
-  if (!leaves.failed)
-    context.Report(leaves.current ? context[leaves.current].span : Span{}, diag::NotConstructible,
-                   context.TypeName(type_id));
-  leaves.failed = true;
-  return context.ErrorExpr({});
-}
 
-ir::ExprId CheckInitList(Context& context, ast::ExprId init, ir::TypeId type) {
-  const Span span = context[init].span;
-  if (context.IsError(type)) return context.ErrorExpr(span);
-  Leaves leaves;
-  CollectLeaves(context, init, leaves.sources);
-  const ir::ExprId value = Take(context, leaves, type);
-  if (leaves.failed) return context.ErrorExpr(span);
-  if (leaves.ran_out || leaves.next < leaves.sources.size() ||
-      leaves.next_scalar < leaves.scalars.size() || leaves.current) {
-    const std::string given = leaves.ran_out ? "too few" : "too many";
-    return context.Fail(span, diag::InitialiserCount, given, context.TypeName(type),
-                        ComponentsOf(context, type));
+  ir::ExprId TakeVector(ir::TypeId type_id) {
+    const ir::Type type = context_[type_id];
+    Exprs parts;
+    std::uint32_t filled = 0;
+    while (filled < type.columns && !Stopped()) {
+      const bool has_current = Peek();
+      const ir::Type given = has_current ? context_.TypeOf(current_) : ir::Type{};
+      const bool is_simple =
+          given.kind == ir::TypeKind::kScalar || given.kind == ir::TypeKind::kVector;
+      if (has_current && is_simple && filled + given.columns <= type.columns) {
+        const ir::ExprId value = std::exchange(current_, {});
+        parts.push_back(Implicit(context_, value,
+                                 context_.types.WithScalar(context_.TypeIdOf(value), type.scalar)));
+        filled += given.columns;
+      } else {
+        parts.push_back(TakeScalar(type.scalar));
+        ++filled;
+      }
+    }
+    return Construct(type_id, parts);
   }
-  return WithPrologue(context, leaves.prologue, value);
-}
 
-// Nothing after an error, which was reported.
+  // The rows of a matrix, the fields of a struct, the elements of an array.
+  ir::ExprId TakeParts(ir::TypeId type_id) {
+    const ir::Type type = context_[type_id];
+    const bool is_struct = type.kind == ir::TypeKind::kStruct;
+    const bool is_matrix = type.kind == ir::TypeKind::kMatrix;
+    const std::size_t count = is_struct   ? context_[type.structure].fields.size()
+                              : is_matrix ? type.rows
+                                          : type.count;
+    Exprs parts;
+    for (std::size_t i = 0; i < count && !Stopped(); ++i) {
+      parts.push_back(Take(is_struct   ? context_[type.structure].fields[i].type
+                           : is_matrix ? context_.types.Vector(type.scalar, type.columns)
+                                       : type.element));
+    }
+    return Construct(type_id, parts);
+  }
+
+  ir::ExprId Take(ir::TypeId type_id) {
+    if (Stopped()) return context_.ErrorExpr({});
+    const ir::Type type = context_[type_id];
+    if (Peek()) {
+      // An element that is just what is wanted here stays whole.
+      const ir::Type& given = context_.TypeOf(current_);
+      const bool same_shape = type.IsNumeric() && given.IsNumeric() && given.rows == type.rows &&
+                              given.columns == type.columns;
+      if (context_.TypeIdOf(current_) == type_id || same_shape)
+        return Implicit(context_, std::exchange(current_, {}), type_id);
+    }
+    switch (type.kind) {
+      case ir::TypeKind::kScalar: return TakeScalar(type.scalar);
+      case ir::TypeKind::kVector: return TakeVector(type_id);
+      case ir::TypeKind::kMatrix:
+      case ir::TypeKind::kStruct:
+      case ir::TypeKind::kArray: return TakeParts(type_id);
+      default: break;
+    }
+    if (!std::exchange(failed_, true)) {
+      context_.Report(current_ ? context_[current_].span : Span{}, diag::NotConstructible,
+                      context_.TypeName(type_id));
+    }
+    return context_.ErrorExpr({});
+  }
+
+  Context& context_;
+  std::vector<ast::ExprId> sources_;
+  std::size_t next_ = 0;
+  ir::ExprId current_;  // checked, not used yet
+  Exprs scalars_;       // of an element that is dealt out one by one
+  std::size_t next_scalar_ = 0;
+  Exprs prologue_;
+  bool ran_out_ = false;
+  bool failed_ = false;  // an error was reported
+};
+
+// The number of components that an initialiser gives. Nothing after an error, which was reported.
 std::optional<std::uint64_t> CountComponents(Context& context, ast::ExprId init) {
   const auto& node = context[init].node;
   if (const auto* list = std::get_if<ast::InitListExpr>(&node)) {
     std::uint64_t total = 0;
-    for (std::uint32_t i = 0; i < list->elements.size; ++i) {
-      const auto count = CountComponents(context, context[list->elements][i]);
+    for (ast::ExprId element : context[list->elements]) {
+      const auto count = CountComponents(context, element);
       if (!count) return std::nullopt;
       total += *count;
     }
@@ -198,7 +185,11 @@ std::optional<std::uint64_t> CountComponents(Context& context, ast::ExprId init)
 }  // namespace
 
 ir::ExprId CheckInit(Context& context, ast::ExprId init, ir::TypeId type) {
-  if (context.Is<ast::InitListExpr>(init)) return CheckInitList(context, init, type);
+  if (context.Is<ast::InitListExpr>(init)) {
+    const Span span = context[init].span;
+    return context.IsError(type) ? context.ErrorExpr(span)
+                                 : ListReader(context, init).Read(type, span);
+  }
   const ir::ExprId value = CheckExpr(context, init);
   return context.IsError(value) ? value : Implicit(context, value, type);
 }

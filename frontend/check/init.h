@@ -5,12 +5,14 @@
 
 #include "frontend/check/context.h"
 
-// Initialisers. HLSL does not care how the braces of a list nest: the list is one row of
-// components, dealt out to the components of the type in order.
+// Initialisers. The way the braces of a list nest has no meaning in HLSL: the list is one row of
+// components, which are dealt out to the components of the type in order.
 namespace clipc::check {
 
+// The initialiser as a value of the type.
 ir::ExprId CheckInit(Context& context, ast::ExprId init, ir::TypeId type);
-// The size of `T x[] = init`.
+// The size of the array in `T x[] = init`; `element` is T. Nothing after an error, which was
+// reported.
 std::optional<std::uint32_t> ImpliedCount(Context& context, ast::ExprId init, ir::TypeId element);
 
 }  // namespace clipc::check

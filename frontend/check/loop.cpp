@@ -11,6 +11,13 @@
 namespace clipc::check {
 namespace {
 
+ir::StmtId CheckLoopBody(Context& context, ast::StmtId body) {
+  ++context.view.body->loops;
+  const ir::StmtId block = CheckBlock(context, body);
+  --context.view.body->loops;
+  return block;
+}
+
 void CheckForInit(Context& context, ast::StmtId init, ir::For& loop) {
   const std::size_t mark = context.stmts.size();
   if (const auto* stmt = context.GetIf<ast::ExprStmt>(init)) {
@@ -33,44 +40,36 @@ void CheckForInit(Context& context, ast::StmtId init, ir::For& loop) {
       type && std::ranges::all_of(emitted, [&](ir::StmtId id) { return type_of(id) == type; });
   // Anything else stands before the loop.
   if (!one_type) return;
-  const std::vector<ir::StmtId> stmts(emitted.begin(), emitted.end());
+  const std::vector<ir::StmtId> stmts = TakeStmts(context, mark);
   loop.init = context.program.stmt_lists.Add(std::span<const ir::StmtId>(stmts));
-  context.stmts.resize(mark);
 }
 
 }  // namespace
 
 void CheckFor(Context& context, const ast::ForStmt& stmt, Span span) {
-  struct Kept {
-    Name name;
-    SymbolId symbol;
-  };
-  std::vector<Kept> variables;
+  std::vector<SymbolId> variables;
   ir::For loop;
   {
     const ScopeTable::LocalScope scope(context.names);
     const std::size_t mark = context.names.locals().size();
     if (stmt.init) CheckForInit(context, stmt.init, loop);
-    for (std::size_t i = mark; i < context.names.locals().size(); ++i)
-      variables.push_back({context[context.names.locals()[i]].name, context.names.locals()[i]});
+    const std::span<const SymbolId> declared = context.names.locals().subspan(mark);
+    variables.assign(declared.begin(), declared.end());
     if (stmt.condition) loop.condition = CheckCondition(context, stmt.condition, "for");
     if (stmt.step) loop.step = CheckExpr(context, stmt.step);
     DeclareTemporaries(context);
-    ++context.view.body->loops;
-    loop.body = CheckBlock(context, stmt.body);
-    --context.view.body->loops;
+    loop.body = CheckLoopBody(context, stmt.body);
   }
   Emit(context, span, loop);
   // fxc lets the variables live on (X3078 tells of the conflicts that makes).
-  for (const Kept& kept : variables) {
-    const SymbolId hidden = context.names.InnermostLocal(kept.name);
+  for (SymbolId id : variables) {
+    const Symbol variable = context[id];
+    const SymbolId hidden = context.names.InnermostLocal(variable.name);
     if (hidden && hidden.index >= context.view.local_floor && !context[hidden].is_leaked) continue;
-    const Symbol variable = context[kept.symbol];
     const SymbolId leaked =
         DeclareLocal(context, variable.kind, variable.name, variable.decl, variable.span);
     context[leaked].is_leaked = true;
-    context[leaked].value = variable.value;
-    context[leaked].resolution = Resolution::kDone;
+    context[leaked].Resolve(variable.value);
     context[leaked].owner = context.stmts.back().index;
   }
 }
@@ -87,10 +86,9 @@ void HoistLoopVariable(Context& context, SymbolId id) {
     if (!declare) return;
     const ir::VarId var = declare->var;
     const ir::ExprId value = declare->init;
-    const ir::Builder builder = context.At(context[var].span);
-    context.view.body->hoisted.push_back(ir::Builder(builder).Stmt(ir::Declare{var, {}}));
-    if (!value) continue;
     ir::Builder at = context.At(context[var].span);
+    context.view.body->hoisted.push_back(at.Stmt(ir::Declare{var, {}}));
+    if (!value) continue;
     const ir::ExprId assignment = at.AssignTo(at.Ref(var), value);
     assignments = assignments ? at.CommaOf(assignments, assignment) : assignment;
   }
@@ -103,16 +101,12 @@ void HoistLoopVariable(Context& context, SymbolId id) {
 void CheckWhile(Context& context, const ast::WhileStmt& stmt, Span span) {
   const ir::ExprId condition = CheckCondition(context, stmt.condition, "while");
   DeclareTemporaries(context);
-  ++context.view.body->loops;
-  const ir::StmtId body = CheckBlock(context, stmt.body);
-  --context.view.body->loops;
+  const ir::StmtId body = CheckLoopBody(context, stmt.body);
   Emit(context, span, ir::While{condition, body});
 }
 
 void CheckDo(Context& context, const ast::DoStmt& stmt, Span span) {
-  ++context.view.body->loops;
-  const ir::StmtId body = CheckBlock(context, stmt.body);
-  --context.view.body->loops;
+  const ir::StmtId body = CheckLoopBody(context, stmt.body);
   const ir::ExprId condition = CheckCondition(context, stmt.condition, "while");
   Emit(context, span, ir::DoWhile{body, condition});
 }

@@ -3,11 +3,12 @@
 
 #include "frontend/check/context.h"
 
-// Loops and switch.
+// Loops.
 namespace clipc::check {
 
 void CheckFor(Context& context, const ast::ForStmt& stmt, Span span);
-// A variable of a finished `for` is used: it moves to the top of the function.
+// Declares the variable of a finished `for` at the top of the function, because it is used after
+// the loop.
 void HoistLoopVariable(Context& context, SymbolId id);
 void CheckWhile(Context& context, const ast::WhileStmt& stmt, Span span);
 void CheckDo(Context& context, const ast::DoStmt& stmt, Span span);

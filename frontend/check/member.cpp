@@ -2,9 +2,9 @@
 #include "frontend/check/member.h"
 
 #include <algorithm>
+#include <array>
 
 #include "base/spelling.h"
-#include "frontend/check/assign.h"
 #include "frontend/check/expr.h"
 #include "frontend/check/struct.h"
 #include "frontend/check/value.h"
@@ -30,9 +30,8 @@ ir::ExprId CheckSwizzle(Context& context, ir::ExprId base, std::string_view text
   }
   const int count = static_cast<int>(text.size());
   if (type.kind == ir::TypeKind::kScalar) {
-    return count == 1
-               ? base
-               : context.At(span).SplatTo(context.program.types.Vector(type.scalar, count), base);
+    return count == 1 ? base
+                      : context.At(span).SplatTo(context.types.Vector(type.scalar, count), base);
   }
   // A swizzle of a swizzle is one.
   if (const auto* inner = context.GetIf<ir::Swizzle>(base)) {
@@ -69,11 +68,10 @@ ir::ExprId CheckMatrixSwizzle(Context& context, ir::ExprId base, std::string_vie
     if (node.count == 1) return at.At(row, std::uint32_t{node.columns[0]});
     return at.Swizzled(row, std::span<const std::uint8_t>(node.columns.data(), node.count));
   }
-  std::vector<ir::ExprId> prologue;
-  if (!IsPath(context, base) || !ir::IsPure(context.program, base))
-    node.base = Hoist(context, base, prologue);
+  Exprs prologue;
+  node.base = Repeatable(context, base, prologue);
   return WithPrologue(context, prologue,
-                      at.Add(context.program.types.Vector(type.scalar, node.count), node));
+                      at.Add(context.types.Vector(type.scalar, node.count), node));
 }
 
 }  // namespace
@@ -113,7 +111,7 @@ void ReportNoMember(Context& context, ir::TypeId type, Name name, Span span) {
       context.Report(span, diag::NoSuchMember, context.TypeName(type), context[name], tail);
   if (!near.empty()) report.Fix(span, std::string(near.front()));
   if (const StructInfo* info = InfoOf(context, type)) {
-    report.Note(context.program.types.StructOf(type).span, diag::DeclaredHere,
+    report.Note(context.types.StructOf(type).span, diag::DeclaredHere,
                 context[context[info->scope].name]);
   }
 }

@@ -3,10 +3,11 @@
 
 #include "frontend/check/context.h"
 
-// What follows a `.` that is no method call, and what stands in brackets.
+// Members: fields, static members, swizzles of vectors and matrices.
 namespace clipc::check {
 
 ir::ExprId CheckMember(Context& context, const ast::MemberExpr& expr, Span span);
+// Reports that the type does not have a member of that name.
 void ReportNoMember(Context& context, ir::TypeId type, Name name, Span span);
 
 }  // namespace clipc::check

@@ -46,75 +46,65 @@ static_assert(static_cast<int>(ast::BinaryOp::kEqual) == static_cast<int>(ir::Bi
 ir::ExprId CheckIncrement(Context& context, const ast::UnaryExpr& expr, Span span) {
   const ir::ExprId target = CheckExpr(context, expr.operand);
   if (context.IsError(target)) return target;
-  const ir::TypeId type = context.TypeIdOf(target);
-  const bool is_bool = context[type].scalar == ir::Scalar::kBool;
-  if (!context[type].IsNumeric() || is_bool) {
-    return context.Fail(span, diag::BadOperand, SpellingOf(expr.op), context.TypeName(type));
-  }
+  const ir::Type& type = context.TypeOf(target);
+  if (!type.IsNumeric() || type.scalar == ir::Scalar::kBool)
+    return context.Fail(span, diag::BadOperand, SpellingOf(expr.op), context.TypeName(target));
+  // The four operators have the same order in both enums.
+  const int step = static_cast<int>(expr.op) - static_cast<int>(ast::UnaryOp::kPreIncrement);
+  const auto op = static_cast<ir::UnaryOp>(static_cast<int>(ir::UnaryOp::kPreIncrement) + step);
+  Exprs steps;
   if (const ir::ExprId element = ElementIn(context, target)) {
-    std::vector<ir::ExprId> steps;
     const ir::ExprId store = ChangeElement(context, element, steps);
-    const int step = static_cast<int>(expr.op) - static_cast<int>(ast::UnaryOp::kPreIncrement);
-    const auto op = static_cast<ir::UnaryOp>(static_cast<int>(ir::UnaryOp::kPreIncrement) + step);
     const ir::ExprId result = Hoist(context, context.At(span).UnaryOf(op, target), steps);
     steps.push_back(store);
     return WithPrologue(context, steps, result);
   }
   if (!CheckTarget(context, target)) return context.ErrorExpr(span);
-  if (!context.Is<ir::MatrixSwizzle>(target)) {
-    // The four operators come in the same order, after three of the IR's and four of the tree's.
-    const int step = static_cast<int>(expr.op) - static_cast<int>(ast::UnaryOp::kPreIncrement);
-    const auto op = static_cast<ir::UnaryOp>(static_cast<int>(ir::UnaryOp::kPreIncrement) + step);
-    return context.At(span).UnaryOf(op, target);
-  }
+  if (!context.Is<ir::MatrixSwizzle>(target)) return context.At(span).UnaryOf(op, target);
   const bool adds =
       expr.op == ast::UnaryOp::kPreIncrement || expr.op == ast::UnaryOp::kPostIncrement;
   const bool is_post = expr.op >= ast::UnaryOp::kPostIncrement;
-  std::vector<ir::ExprId> prologue;
   const ir::ExprId old =
-      is_post ? Hoist(context, ir::Clone(context.program, target), prologue) : ir::ExprId{};
-  const ast::BinaryOp op = adds ? ast::BinaryOp::kAdd : ast::BinaryOp::kSub;
+      is_post ? Hoist(context, ir::Clone(context.program, target), steps) : ir::ExprId{};
   const ir::ExprId changed =
-      AssignCompound(context, op, target, context.At(span).Int(1), span, span);
+      AssignCompound(context, adds ? ast::BinaryOp::kAdd : ast::BinaryOp::kSub, target,
+                     context.At(span).Int(1), span);
   if (!is_post) return changed;
-  prologue.push_back(changed);
-  return WithPrologue(context, prologue, old);
+  steps.push_back(changed);
+  return WithPrologue(context, steps, old);
+}
+
+// left op right, each converted to its type.
+ir::ExprId Combine(Context& context, ir::BinaryOp op, ir::ExprId left, ir::TypeId left_type,
+                   ir::ExprId right, ir::TypeId right_type, Span span) {
+  left = Implicit(context, left, left_type);
+  right = Implicit(context, right, right_type);
+  if (context.IsError(left, right)) return context.ErrorExpr(span);
+  return context.At(span).BinaryOf(op, left, right);
 }
 
 ir::ExprId CombineLogical(Context& context, ast::BinaryOp op, ir::ExprId left, ir::ExprId right,
-                          Span op_span, Span span) {
-  const auto shape = OperandType(context, op, left, right, op_span);
-  if (!shape) return context.ErrorExpr(span);
-  const ir::TypeId type = context.program.types.WithScalar(*shape, ir::Scalar::kBool);
-  left = Implicit(context, left, type);
-  right = Implicit(context, right, type);
-  if (context.IsError(left) || context.IsError(right)) return context.ErrorExpr(span);
-  // HLSL 2021 evaluates the right side only when it matters; where it does nothing, both are the
-  // same.
-  const bool short_circuits = context.options.profile.IsAtLeast(6, 0) &&
-                              context[type].kind == ir::TypeKind::kScalar &&
-                              !ir::IsPure(context.program, right);
-  if (!short_circuits) return context.At(span).BinaryOf(ToIr(op), left, right);
-  const bool is_and = op == ast::BinaryOp::kLogicalAnd;
-  return context.At(span).BinaryOf(
-      is_and ? ir::BinaryOp::kShortCircuitAnd : ir::BinaryOp::kShortCircuitOr, left, right);
+                          ir::TypeId shape, Span span) {
+  const ir::TypeId type = context.types.WithScalar(shape, ir::Scalar::kBool);
+  // HLSL 2021 evaluates the right side only when it matters, which shows only when it does
+  // something.
+  ir::BinaryOp wanted = ToIr(op);
+  if (context.options.profile.IsAtLeast(6, 0) && context[type].kind == ir::TypeKind::kScalar &&
+      !ir::IsPure(context.program, right)) {
+    wanted = op == ast::BinaryOp::kLogicalAnd ? ir::BinaryOp::kShortCircuitAnd
+                                              : ir::BinaryOp::kShortCircuitOr;
+  }
+  return Combine(context, wanted, left, type, right, type, span);
 }
 
 // The operands keep their kinds: the result is signed as the left one is.
 ir::ExprId CombineShift(Context& context, ast::BinaryOp op, ir::ExprId left, ir::ExprId right,
-                        Span op_span, Span span) {
-  const auto shape = OperandType(context, op, left, right, op_span);
-  if (!shape) return context.ErrorExpr(span);
-  const auto as_operand = [&](ir::ExprId operand) {
+                        ir::TypeId shape, Span span) {
+  const auto type_of = [&](ir::ExprId operand) {
     const ir::Scalar kind = context.TypeOf(operand).scalar;
-    return Implicit(context, operand,
-                    context.program.types.WithScalar(
-                        *shape, kind == ir::Scalar::kBool ? ir::Scalar::kInt : kind));
+    return context.types.WithScalar(shape, kind == ir::Scalar::kBool ? ir::Scalar::kInt : kind);
   };
-  left = as_operand(left);
-  right = as_operand(right);
-  if (context.IsError(left) || context.IsError(right)) return context.ErrorExpr(span);
-  return context.At(span).BinaryOf(ToIr(op), left, right);
+  return Combine(context, ToIr(op), left, type_of(left), right, type_of(right), span);
 }
 
 }  // namespace
@@ -138,7 +128,7 @@ ir::ExprId CheckUnary(Context& context, const ast::UnaryExpr& expr, Span span) {
   }
   const ir::Scalar kind = context[type].scalar;
   const auto as = [&](ir::Scalar wanted) {
-    return Implicit(context, operand, context.program.types.WithScalar(type, wanted));
+    return Implicit(context, operand, context.types.WithScalar(type, wanted));
   };
   switch (expr.op) {
     case ast::UnaryOp::kPlus: return kind == ir::Scalar::kBool ? as(ir::Scalar::kInt) : operand;
@@ -159,7 +149,7 @@ ir::ExprId CheckUnary(Context& context, const ast::UnaryExpr& expr, Span span) {
 ir::ExprId CheckBinary(Context& context, const ast::BinaryExpr& expr, Span span) {
   const ir::ExprId left = CheckExpr(context, expr.left);
   const ir::ExprId right = CheckExpr(context, expr.right);
-  if (context.IsError(left) || context.IsError(right)) return context.ErrorExpr(span);
+  if (context.IsError(left, right)) return context.ErrorExpr(span);
   return CombineOperands(context, expr.op, left, right, expr.op_span, span);
 }
 
@@ -172,24 +162,20 @@ ir::ExprId CombineOperands(Context& context, ast::BinaryOp op, ir::ExprId left, 
     if (const auto call = CallOperator(context, SpellingOf(op), operands, op_span, span))
       return *call;
   }
-  if (op == ast::BinaryOp::kLogicalAnd || op == ast::BinaryOp::kLogicalOr) {
-    return CombineLogical(context, op, left, right, op_span, span);
-  }
-  if (IsShift(op)) return CombineShift(context, op, left, right, op_span, span);
   const auto type = OperandType(context, op, left, right, op_span);
   if (!type) return context.ErrorExpr(span);
-  left = Implicit(context, left, *type);
-  right = Implicit(context, right, *type);
-  if (context.IsError(left) || context.IsError(right)) return context.ErrorExpr(span);
-  return context.At(span).BinaryOf(ToIr(op), left, right);
+  if (op == ast::BinaryOp::kLogicalAnd || op == ast::BinaryOp::kLogicalOr)
+    return CombineLogical(context, op, left, right, *type, span);
+  if (IsShift(op)) return CombineShift(context, op, left, right, *type, span);
+  return Combine(context, ToIr(op), left, *type, right, *type, span);
 }
 
 std::optional<ir::TypeId> OperandType(Context& context, ast::BinaryOp op, ir::ExprId left,
                                       ir::ExprId right, Span op_span) {
   const bool is_numeric = context.TypeOf(left).IsNumeric() && context.TypeOf(right).IsNumeric();
-  const auto type = is_numeric ? CommonType(context.program.types, context.TypeIdOf(left),
-                                            context.TypeIdOf(right))
-                               : std::nullopt;
+  const auto type = is_numeric
+                        ? CommonType(context.types, context.TypeIdOf(left), context.TypeIdOf(right))
+                        : std::nullopt;
   if (!type) {
     context.Report(op_span, diag::OperandsMismatch, SpellingOf(op), context.TypeName(left),
                    context.TypeName(right));
@@ -202,20 +188,19 @@ std::optional<ir::TypeId> OperandType(Context& context, ast::BinaryOp op, ir::Ex
   }
   const bool takes_bools = op == ast::BinaryOp::kEqual || op == ast::BinaryOp::kNotEqual;
   if (kind == ir::Scalar::kBool && !takes_bools)
-    return context.program.types.WithScalar(*type, ir::Scalar::kInt);
+    return context.types.WithScalar(*type, ir::Scalar::kInt);
   return type;
 }
 
-std::optional<ir::ExprId> CallOperator(Context& context, std::string_view op,
-                                       std::span<const ir::ExprId> operands, Span op_span,
-                                       Span span) {
+std::optional<ir::ExprId> CallOperator(Context& context, std::string_view op, ExprSpan operands,
+                                       Span op_span, Span span) {
   const auto found = context.functions.operators.find(op);
   if (found == context.functions.operators.end()) return std::nullopt;
   const Name name = found->second;
   if (const SymbolId member = FindMember(context, context.TypeIdOf(operands[0]), name)) {
     const std::vector<FunctionInfoId> overloads =
         OverloadsOf(context, member, context.TypeIdOf(operands[0]));
-    const std::vector<ir::ExprId> arguments(operands.begin() + 1, operands.end());
+    const Exprs arguments(operands.begin() + 1, operands.end());
     const Choice choice = ChooseOverload(context, overloads, arguments, name, op_span);
     if (choice.function)
       return CallFunction(context, choice.function, operands[0], arguments, op_span, span);
@@ -224,7 +209,7 @@ std::optional<ir::ExprId> CallOperator(Context& context, std::string_view op,
   if (const SymbolId symbol = context.names.FindUnqualified(name)) {
     const Choice choice =
         ChooseOverload(context, OverloadsOf(context, symbol, {}), operands, name, op_span);
-    const std::vector<ir::ExprId> arguments(operands.begin(), operands.end());
+    const Exprs arguments(operands.begin(), operands.end());
     if (choice.function)
       return CallFunction(context, choice.function, {}, arguments, op_span, span);
     if (choice.reported) return context.ErrorExpr(span);

@@ -11,15 +11,14 @@ namespace {
 
 std::optional<ConversionRank> Rank(const Context& context, ir::TypeId from, ir::TypeId to) {
   if (from == to) return ConversionRank{};
-  if (const auto rank = RankImplicit(context.program.types, from, to)) return rank;
+  if (const auto rank = RankImplicit(context.types, from, to)) return rank;
   if (DerivesFrom(context, from, to)) return ConversionRank{.form = 1};
   return std::nullopt;
 }
 
-// False when the call does not fit.
-bool RankArguments(const Context& context, const FunctionInfo& info,
-                   std::span<const ir::ExprId> arguments, std::uint64_t& cost,
-                   bool& changes_shape) {
+// Whether the call fits; sets its cost and whether an argument changes its shape.
+bool RankArguments(const Context& context, const FunctionInfo& info, ExprSpan arguments,
+                   std::uint64_t& cost, bool& changes_shape) {
   if (arguments.size() > info.parameters.size || arguments.size() < info.required) return false;
   cost = 0;
   changes_shape = false;
@@ -40,7 +39,7 @@ bool RankArguments(const Context& context, const FunctionInfo& info,
   return true;
 }
 
-std::string ArgumentTypes(const Context& context, std::span<const ir::ExprId> arguments) {
+std::string ArgumentTypes(const Context& context, ExprSpan arguments) {
   std::string text = "(";
   for (ir::ExprId argument : arguments) {
     if (text.size() > 1) text += ", ";
@@ -52,7 +51,7 @@ std::string ArgumentTypes(const Context& context, std::span<const ir::ExprId> ar
 }  // namespace
 
 Choice ChooseOverload(Context& context, std::span<const FunctionInfoId> overloads,
-                      std::span<const ir::ExprId> arguments, Name name, Span span) {
+                      ExprSpan arguments, Name name, Span span) {
   Choice choice;
   for (const bool later : {false, true}) {
     std::uint64_t best_cost = ~std::uint64_t{0};
@@ -91,7 +90,7 @@ Choice ChooseOverload(Context& context, std::span<const FunctionInfoId> overload
 }
 
 void ReportNoOverload(Context& context, std::span<const FunctionInfoId> overloads,
-                      std::span<const ir::ExprId> arguments, Name name, Span span) {
+                      ExprSpan arguments, Name name, Span span) {
   constexpr std::size_t kMaxNotes = 6;
   const bool count_fits = std::ranges::any_of(overloads, [&](FunctionInfoId id) {
     return arguments.size() >= context[id].required &&

@@ -5,18 +5,21 @@
 
 #include "frontend/check/context.h"
 
-// Which overload a call means: the one whose arguments need the cheapest conversions (CostOf).
+// Overload resolution: a call means the overload whose arguments need the cheapest conversions
+// (CostOf).
 namespace clipc::check {
 
 struct Choice {
-  FunctionInfoId function;  // none: nothing fits, or an error was reported
-  bool reported = false;
-  bool changes_shape = false;  // an argument is splatted or truncated
+  FunctionInfoId function;     // none when nothing fits, and after an error
+  bool reported = false;       // whether an error was reported
+  bool changes_shape = false;  // whether an argument is splatted or truncated
 };
-// The best of those declared so far; when none of them fits, of those declared later.
+// The best of the overloads that are declared so far; when none of them fits, the best of those
+// that are declared later.
 Choice ChooseOverload(Context& context, std::span<const FunctionInfoId> overloads,
-                      std::span<const ir::ExprId> arguments, Name name, Span span);
+                      ExprSpan arguments, Name name, Span span);
+// Reports that none of the overloads fits the arguments.
 void ReportNoOverload(Context& context, std::span<const FunctionInfoId> overloads,
-                      std::span<const ir::ExprId> arguments, Name name, Span span);
+                      ExprSpan arguments, Name name, Span span);
 
 }  // namespace clipc::check

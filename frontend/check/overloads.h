@@ -24,7 +24,8 @@ struct Overloads {
         operators.emplace(text.substr(kOperator.size()), Name{i});
     }
   }
-  // The function, as objects of type `self` have it when it is a method; none before its first use.
+  // The function of a symbol, for objects of type `self` when it is a method; none before its
+  // overload set was asked for.
   FunctionInfoId Known(SymbolId symbol, ir::TypeId self) const {
     const auto found = of_symbol.find(KeyOf(symbol, self));
     return found == of_symbol.end() ? FunctionInfoId{} : found->second;
@@ -37,15 +38,22 @@ struct Overloads {
   std::span<Parameter> operator[](List<Parameter> list) { return parameters[list]; }
   std::span<const Parameter> operator[](List<Parameter> list) const { return parameters[list]; }
 
-  std::unordered_map<std::string_view, Name> operators;  // "+" for operator+, of those in the file
-  std::deque<FunctionInfo> infos;
+  // The names of the operators that the file declares: "operator+" by "+".
+  std::unordered_map<std::string_view, Name> operators;
+  std::deque<FunctionInfo> infos;  // by FunctionInfoId
   Pool<Parameter> parameters;
-  std::unordered_map<std::uint32_t, bool> changes_self;                      // by a method's DeclId
-  std::unordered_map<std::uint64_t, FunctionInfoId> of_symbol;               // by SymbolId and self
-  std::unordered_map<std::uint64_t, std::vector<FunctionInfoId>> overloads;  // by SymbolId and self
-  std::unordered_map<std::uint32_t, std::vector<ast::DeclId>> out_of_line;   // by Name
-  std::unordered_map<std::string, std::uint32_t> instances;  // by decl, scope, arguments
-  std::vector<FunctionInfoId> waiting;                       // reached, bodies not checked
+  // The functions of symbols, by KeyOf.
+  std::unordered_map<std::uint64_t, FunctionInfoId> of_symbol;
+  // The overload sets, by KeyOf the newest symbol of the name.
+  std::unordered_map<std::uint64_t, std::vector<FunctionInfoId>> overloads;
+  // The definitions of methods outside their structs, by Name.
+  std::unordered_map<std::uint32_t, std::vector<ast::DeclId>> out_of_line;
+  // Whether a method changes its object, by DeclId.
+  std::unordered_map<std::uint32_t, bool> changes_self;
+  // The instances of templates, by declaration, scope and arguments: a TypeId or FunctionInfoId.
+  std::unordered_map<std::string, std::uint32_t> instances;
+  // The functions that are reached, in the order in which their bodies are checked.
+  std::vector<FunctionInfoId> waiting;
   struct CallEdge {
     ir::FunctionId caller, callee;
     Span span;

@@ -10,24 +10,20 @@
 namespace clipc::check {
 namespace {
 
-// The scope that `a::b::` names; none, and which name was missing in which scope, when there is no
-// such scope.
-ScopeId FindScope(Context& context, const ast::QualifiedName& name, ScopeId* missing_in,
-                  Name* missing) {
+// The scope that `a::b::` names. When there is no such scope: none, and the name that is missing.
+ScopeId FindScope(Context& context, const ast::QualifiedName& name, Name& missing) {
   ScopeId scope = name.from_global ? context.names.global() : ScopeId{};
   for (Name part : context[name.scopes]) {
     const SymbolId id =
         scope ? context.names.FindNested(scope, part) : context.names.FindUnqualified(part);
-    *missing_in = scope;
-    *missing = part;
-    if (!id) return {};
-    scope = ScopeOf(context, id);
-    if (!scope) return {};
+    missing = part;
+    scope = id ? ScopeOf(context, id) : ScopeId{};
+    if (!scope) break;
   }
   return scope;
 }
 
-// What a use would have found if it stood at the end of the text.
+// The symbol that the name would mean at the end of the text.
 SymbolId FindLater(const Context& context, Name name) {
   for (ScopeId scope = context.view.scope; scope; scope = context[scope].parent) {
     if (const SymbolId id = context.names.NewestIn(scope, name)) return id;
@@ -35,29 +31,26 @@ SymbolId FindLater(const Context& context, Name name) {
   return {};
 }
 
-// The names that can be seen from here and are nearly `name`: "`a`, `b`"; empty when there is none.
-std::string NearText(const Context& context, Name name, bool types_only, bool functions_only) {
+// The names that can be seen from here and are spelt nearly like `name`: "`a`, `b`".
+std::string NearText(const Context& context, Name name, NameUse use) {
   std::vector<std::string_view> candidates;
   for (SymbolId id : context.names.symbol_ids()) {
     const Symbol& symbol = context[id];
     if (!symbol.name || symbol.name == name) continue;
-    if (types_only && symbol.kind != SymbolKind::kType) continue;
-    if (functions_only && symbol.kind != SymbolKind::kFunction) continue;
+    if (use == NameUse::kType && symbol.kind != SymbolKind::kType) continue;
+    if (use == NameUse::kFunction && symbol.kind != SymbolKind::kFunction) continue;
     if (symbol.scope ? !context.names.IsVisible(id)
                      : context.names.InnermostLocal(symbol.name) != id)
       continue;
     candidates.push_back(context[symbol.name]);
   }
   std::vector<std::string_view> near = NearNames(context[name], candidates);
-  if (functions_only) {
+  if (use == NameUse::kFunction) {
     for (std::string_view intrinsic : NearIntrinsics(context[name])) {
       if (near.size() < 3) near.push_back(intrinsic);
     }
   }
-  std::string text;
-  for (std::string_view candidate : near)
-    text += fmt::format("{}`{}`", text.empty() ? "" : ", ", candidate);
-  return text;
+  return QuotedList(near);
 }
 
 }  // namespace
@@ -78,29 +71,27 @@ ScopeId ScopeOf(Context& context, SymbolId id) {
 SymbolId Find(Context& context, const ast::QualifiedName& name, bool types_only) {
   if (name.scopes.empty() && !name.from_global)
     return context.names.FindUnqualified(name.name, types_only);
-  ScopeId missing_in;
   Name missing;
-  const ScopeId scope = FindScope(context, name, &missing_in, &missing);
+  const ScopeId scope = FindScope(context, name, missing);
   return scope ? context.names.FindNested(scope, name.name, types_only) : SymbolId{};
 }
 
-void ReportUndeclared(Context& context, Span span, const ast::QualifiedName& name, bool as_type,
-                      bool as_function) {
-  ScopeId missing_in;
+void ReportUndeclared(Context& context, Span span, const ast::QualifiedName& name, NameUse use) {
   Name missing;
-  if (!name.scopes.empty() && !FindScope(context, name, &missing_in, &missing)) {
+  if (!name.scopes.empty() && !FindScope(context, name, missing)) {
     context.Report(span, diag::NoSuchScope, context[missing]);
     return;
   }
   const SymbolId later = name.scopes.empty() ? FindLater(context, name.name) : SymbolId{};
-  const std::string near = later ? "" : NearText(context, name.name, as_type, as_function);
+  const std::string near = later ? "" : NearText(context, name.name, use);
   const std::string tail = later          ? "; a name must be declared before its use"
                            : near.empty() ? ""
                                           : fmt::format("; did you mean {}?", near);
   const std::string text = QualifiedText(context, name);
-  Diagnostic& report = as_type       ? context.Report(span, diag::UnknownType, text, tail)
-                       : as_function ? context.Report(span, diag::UnknownFunction, text, tail)
-                                     : context.Report(span, diag::UndeclaredName, text, tail);
+  Diagnostic& report = use == NameUse::kType ? context.Report(span, diag::UnknownType, text, tail)
+                       : use == NameUse::kFunction
+                           ? context.Report(span, diag::UnknownFunction, text, tail)
+                           : context.Report(span, diag::UndeclaredName, text, tail);
   if (later) report.Note(context[later].span, diag::DeclaredHere, context[name.name]);
   const bool is_one = !near.empty() && near.find(',') == std::string::npos && name.scopes.empty();
   if (is_one) report.Fix(span, near.substr(1, near.size() - 2));

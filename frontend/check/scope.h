@@ -3,16 +3,19 @@
 
 #include "frontend/check/context.h"
 
-// Names: entering them, finding them, and what to say when they are not found.
+// Names as they are written: what they mean, and what is reported when they mean nothing.
 namespace clipc::check {
 
-// The scope a symbol opens: of a namespace, a struct, an enum, a typedef of one of them.
+// The scope that a symbol opens: that of a namespace, a struct, an enum, or a typedef of one of
+// them; none for other symbols.
 ScopeId ScopeOf(Context& context, SymbolId id);
-// None when there is nothing of that name; nothing is reported.
+// The symbol that a name means; none when there is nothing of that name, which is not reported.
 SymbolId Find(Context& context, const ast::QualifiedName& name, bool types_only = false);
-void ReportUndeclared(Context& context, Span span, const ast::QualifiedName& name, bool as_type,
-                      bool as_function);
-// A local, which reports one of the same name in the same scope.
+// What a name was used as.
+enum class NameUse { kValue, kType, kFunction };
+// Reports a name that means nothing, with names that are spelt alike.
+void ReportUndeclared(Context& context, Span span, const ast::QualifiedName& name, NameUse use);
+// Declares a local. Reports one of the same name in the same block.
 SymbolId DeclareLocal(Context& context, SymbolKind kind, Name name, ast::DeclId decl, Span span);
 void ReportRedefinition(Context& context, SymbolId older, Name name, Span span);
 

@@ -9,8 +9,7 @@
 namespace clipc::check {
 namespace {
 
-// Whether a call of the method `id` on the same object may change it. Each method is looked at
-// once.
+// Whether a call of the method `id` on the same object may change it. The answers are kept.
 bool CallChangesSelf(Context& context, SymbolId id, ScopeId scope) {
   for (; id; id = context[id].older) {
     const auto* decl =

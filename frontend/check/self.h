@@ -3,11 +3,12 @@
 
 #include "frontend/check/context.h"
 
-// Which methods change the object they are called on. Those that do take it `inout`, the others
-// `in`. The text decides, before any name of the body is resolved, so the answer may be "yes" where
-// "no" would do.
+// Which methods change the object that they are called on. Those that do take it `inout`, the
+// others `in`. The text decides, before any name of the body is resolved, so a method may count as
+// one that changes its object although it does not.
 namespace clipc::check {
 
+// Whether the method may change its object; `scope` is that of its struct.
 bool MayChangeSelf(Context& context, const ast::FunctionDecl& decl, ScopeId scope);
 
 }  // namespace clipc::check

@@ -18,7 +18,7 @@
 namespace clipc::check {
 namespace {
 
-// A global that only this function can name.
+// A static variable that only this function can name.
 void CheckStaticLocal(Context& context, ast::DeclId id, const ast::VarDecl& var) {
   const SymbolId symbol = DeclareLocal(context, SymbolKind::kVariable, var.name, id, var.name_span);
   context[symbol].resolution = Resolution::kDone;
@@ -83,11 +83,9 @@ void CheckIf(Context& context, const ast::IfStmt& stmt, Span span) {
     const std::size_t mark = context.stmts.size();
     if (context.Is<ast::IfStmt>(stmt.otherwise)) {
       CheckStmt(context, stmt.otherwise);
-      const bool is_one = context.stmts.size() == mark + 1;
-      otherwise = is_one ? context.stmts.back()
-                         : context.At(context[stmt.otherwise].span)
-                               .BlockOf(std::span<const ir::StmtId>(context.stmts).subspan(mark));
-      context.stmts.resize(mark);
+      const std::vector<ir::StmtId> checked = TakeStmts(context, mark);
+      otherwise = checked.size() == 1 ? checked.front()
+                                      : context.At(context[stmt.otherwise].span).BlockOf(checked);
     } else {
       otherwise = CheckBlock(context, stmt.otherwise);
     }
@@ -99,12 +97,12 @@ void CheckReturn(Context& context, const ast::ReturnStmt& stmt, Span span) {
   const ir::TypeId wanted = context.view.body->return_type;
   const std::string_view function = context[context.view.body->function].name;
   if (!stmt.value) {
-    if (wanted != context.program.types.Void() && !context.IsError(wanted)) {
+    if (wanted != context.types.Void() && !context.IsError(wanted)) {
       context.Report(span, diag::ReturnWithoutValue, function, context.TypeName(wanted));
     }
     return Emit(context, span, ir::Return{});
   }
-  if (wanted == context.program.types.Void()) {
+  if (wanted == context.types.Void()) {
     const ir::ExprId value = CheckExpr(context, stmt.value);
     if (context.IsError(value)) return;
     if (context.TypeIdOf(value) != wanted) {
@@ -125,18 +123,13 @@ void CheckStmts(Context& context, List<ast::StmtId> stmts) {
 }
 
 ir::StmtId CheckBlock(Context& context, ast::StmtId id) {
-  const ast::Stmt& stmt = context[id];
   const std::size_t mark = context.stmts.size();
   const ScopeTable::LocalScope scope(context.names);
-  if (const auto* block = std::get_if<ast::BlockStmt>(&stmt.node)) {
+  if (const auto* block = context.GetIf<ast::BlockStmt>(id))
     CheckStmts(context, block->body);
-  } else {
+  else
     CheckStmt(context, id);
-  }
-  const ir::StmtId result =
-      context.At(stmt.span).BlockOf(std::span<const ir::StmtId>(context.stmts).subspan(mark));
-  context.stmts.resize(mark);
-  return result;
+  return context.At(context[id].span).BlockOf(TakeStmts(context, mark));
 }
 
 void CheckStmt(Context& context, ast::StmtId id) {
@@ -178,15 +171,20 @@ void CheckStmt(Context& context, ast::StmtId id) {
         stmt.node);
 }
 
-ir::ExprId CheckCondition(Context& context, ast::ExprId id, std::string_view statement) {
+ir::ExprId CheckScalar(Context& context, ast::ExprId id, std::string_view statement) {
   const ir::ExprId value = CheckExpr(context, id);
   if (context.IsError(value)) return value;
   const ir::Type& type = context.TypeOf(value);
-  if (!type.IsNumeric() || type.Components() != 1) {
-    return context.Fail(context[id].span, diag::ConditionNotScalar, statement,
-                        context.TypeName(value));
-  }
-  return ConvertSilently(context, value, context.program.types.Make(ir::Scalar::kBool));
+  if (type.IsNumeric() && type.Components() == 1) return value;
+  return context.Fail(context[id].span, diag::ConditionNotScalar, statement,
+                      context.TypeName(value));
+}
+
+ir::ExprId CheckCondition(Context& context, ast::ExprId id, std::string_view statement) {
+  const ir::ExprId value = CheckScalar(context, id, statement);
+  return context.IsError(value)
+             ? value
+             : ConvertSilently(context, value, context.types.Make(ir::Scalar::kBool));
 }
 
 }  // namespace clipc::check

@@ -5,13 +5,16 @@
 
 #include "frontend/check/context.h"
 
-// Statements but for loops and switch. What is checked is put at the end of stmts_.
+// Statements except loops and switch. The checked statements go to the end of context.stmts.
 namespace clipc::check {
 
 void CheckStmts(Context& context, List<ast::StmtId> stmts);
-// A statement that is the body of another, always a Block, with a scope of its own.
+// The statement as a Block with a scope of its own: the body of another statement.
 ir::StmtId CheckBlock(Context& context, ast::StmtId id);
 void CheckStmt(Context& context, ast::StmtId id);
+// A number that a statement takes; `statement` is its name in messages.
+ir::ExprId CheckScalar(Context& context, ast::ExprId id, std::string_view statement);
+// A condition as a bool; `statement` is its name in messages.
 ir::ExprId CheckCondition(Context& context, ast::ExprId id, std::string_view statement);
 
 }  // namespace clipc::check

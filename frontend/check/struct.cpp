@@ -5,11 +5,20 @@
 
 #include "frontend/check/declare.h"
 #include "frontend/check/entry_signature.h"
+#include "frontend/check/enum.h"
 #include "frontend/check/scope.h"
 #include "frontend/check/type.h"
 
 namespace clipc::check {
 namespace {
+
+// Adds a field to the struct. Its symbol is declared already.
+void AddField(Context& context, ir::StructId structure, SymbolId symbol, ir::Field field) {
+  auto& fields = context[structure].fields;
+  context[symbol].Resolve(static_cast<std::uint32_t>(fields.size()));
+  context.structs.infos[structure.index].fields.push_back(context[symbol].name);
+  fields.push_back(std::move(field));
+}
 
 void AddBases(Context& context, const ast::StructDecl& decl, ir::TypeId type) {
   const ir::StructId structure = context[type].structure;
@@ -25,15 +34,11 @@ void AddBases(Context& context, const ast::StructDecl& decl, ir::TypeId type) {
     context.structs.infos[structure.index].bases.push_back(base);
     const ScopeId scope = context.structs.infos[structure.index].scope;
     context[scope].nested.push_back(info->scope);
-    const ir::Struct& base_struct = context.program.types.StructOf(base);
+    const ir::Struct& base_struct = context.types.StructOf(base);
     for (std::size_t f = 0; f < base_struct.fields.size(); ++f) {
-      const Name name = info->fields[f];
-      const SymbolId symbol =
-          context.names.Declare(SymbolKind::kField, scope, name, {}, base_struct.fields[f].span);
-      context[symbol].value = static_cast<std::uint32_t>(context[structure].fields.size());
-      context[symbol].resolution = Resolution::kDone;
-      context[structure].fields.push_back(base_struct.fields[f]);
-      context.structs.infos[structure.index].fields.push_back(name);
+      const SymbolId symbol = context.names.Declare(SymbolKind::kField, scope, info->fields[f], {},
+                                                    base_struct.fields[f].span);
+      AddField(context, structure, symbol, base_struct.fields[f]);
     }
   }
 }
@@ -48,22 +53,9 @@ ir::Field MakeField(Context& context, const ast::VarDecl& var) {
   field.semantic = context[var.semantic.name];
   field.semantic_span = var.semantic.span;
   field.precise = (qualifiers & ast::kPrecise) != 0;
-  ReadInterpolation(qualifiers, field.interpolation, field.centroid, field.sample);
+  ReadInterpolation(qualifiers, field);
   if (var.bit_width) context.Report(context[var.bit_width].span, diag::Unsupported, "a bit-field");
   return field;
-}
-
-void AddField(Context& context, const ast::VarDecl& var, ast::DeclId id, ir::TypeId type) {
-  const ir::StructId structure = context[type].structure;
-  const SymbolId symbol =
-      context.names.Declare(SymbolKind::kField, context.structs.infos[structure.index].scope,
-                            var.name, id, var.name_span);
-  ir::Field field = MakeField(context, var);
-  context.structs.infos[structure.index].fields.push_back(var.name);
-  auto& fields = context[structure].fields;
-  context[symbol].value = static_cast<std::uint32_t>(fields.size());
-  context[symbol].resolution = Resolution::kDone;
-  fields.push_back(std::move(field));
 }
 
 void AddMember(Context& context, ast::DeclId id, ir::TypeId type) {
@@ -78,7 +70,9 @@ void AddMember(Context& context, ast::DeclId id, ir::TypeId type) {
     if (var->qualifiers & ast::kStatic) {
       context.names.Declare(SymbolKind::kVariable, scope, var->name, id, var->name_span);
     } else {
-      AddField(context, *var, id, type);
+      const SymbolId symbol =
+          context.names.Declare(SymbolKind::kField, scope, var->name, id, var->name_span);
+      AddField(context, context[type].structure, symbol, MakeField(context, *var));
     }
     return;
   }
@@ -87,7 +81,7 @@ void AddMember(Context& context, ast::DeclId id, ir::TypeId type) {
 
 void MeasureStruct(Context& context, ir::TypeId type, Span span) {
   StructInfo& info = context.structs.infos[context[type].structure.index];
-  for (const ir::Field& field : context.program.types.StructOf(type).fields) {
+  for (const ir::Field& field : context.types.StructOf(type).fields) {
     info.components += ComponentsOf(context, field.type);
     info.depth = std::max(info.depth, DepthOf(context, field.type) + 1);
   }
@@ -106,8 +100,8 @@ ir::TypeId ResolveStruct(Context& context, ast::DeclId id, SymbolId symbol, Scop
   const auto& decl = context.Get<ast::StructDecl>(id);
   const Span span = decl.name ? decl.name_span : context[id].span;
   const ir::StructId structure =
-      context.program.types.AddStruct({std::string(context[decl.name]), {}, span});
-  const ir::TypeId type = context.program.types.Of(structure);
+      context.types.AddStruct({std::string(context[decl.name]), {}, span});
+  const ir::TypeId type = context.types.Of(structure);
   StructInfo info;
   info.decl = id;
   info.scope = context.names.AddScope(ScopeKind::kStruct, scope, decl.name, order);
@@ -117,7 +111,7 @@ ir::TypeId ResolveStruct(Context& context, ast::DeclId id, SymbolId symbol, Scop
 
   View view = context.view;
   const bool is_local = !context[symbol].scope;
-  if (!is_local) view = {.scope = scope, .order = order, .local_floor = context.names.size()};
+  if (!is_local) view = context.ViewFrom(scope, order);
   view.scope = context.structs.infos[structure.index].scope;
   const ViewSwitch in(context, view);
   context[structure].fields.reserve(decl.members.size);
@@ -143,7 +137,7 @@ std::optional<std::uint32_t> FindField(const Context& context, ir::TypeId type, 
   const SymbolId id = info ? context.names.FindIn(info->scope, name) : SymbolId{};
   if (!id || context[id].kind != SymbolKind::kField) return std::nullopt;
   const std::uint32_t field = context[id].value;
-  if (field >= context.program.types.StructOf(type).fields.size()) return std::nullopt;
+  if (field >= context.types.StructOf(type).fields.size()) return std::nullopt;
   return field;
 }
 
@@ -165,24 +159,7 @@ void DeclareLocalType(Context& context, ast::DeclId id) {
     ResolveTypeSymbol(context,
                       DeclareLocal(context, SymbolKind::kType, alias->name, id, alias->name_span));
   } else if (const auto* enumeration = context.GetIf<ast::EnumDecl>(id)) {
-    const SymbolId symbol =
-        DeclareLocal(context, SymbolKind::kType, enumeration->name, id, enumeration->name_span);
-    context.structs.symbols[id.index] = symbol;
-    const ScopeId own = context.names.AddScope(ScopeKind::kEnum, context.view.scope,
-                                               enumeration->name, context.view.order);
-    context[symbol].owner = own.index;
-    for (std::uint32_t i = 0; i < enumeration->enumerators.size; ++i) {
-      const ast::Enumerator& enumerator = context[enumeration->enumerators][i];
-      const SymbolId inner =
-          context.names.Declare(SymbolKind::kEnumerator, own, enumerator.name, id, enumerator.span);
-      context[inner].owner = symbol.index;
-      context[inner].value = i;
-      if (enumeration->is_class) continue;
-      const SymbolId outer =
-          DeclareLocal(context, SymbolKind::kEnumerator, enumerator.name, id, enumerator.span);
-      context[outer].owner = symbol.index;
-      context[outer].value = i;
-    }
+    context.structs.symbols[id.index] = DeclareEnum(context, id, *enumeration, {});
   }
 }
 

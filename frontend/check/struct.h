@@ -5,17 +5,21 @@
 
 #include "frontend/check/context.h"
 
-// Structs, their members and bases; enums.
+// Structs: their members and bases.
 namespace clipc::check {
 
+// Makes a type of the struct declaration. `symbol` is its name, `scope` and `order` tell what its
+// members see.
 ir::TypeId ResolveStruct(Context& context, ast::DeclId id, SymbolId symbol, ScopeId scope,
                          std::uint32_t order);
+// What the checker knows about a struct type; null for other types.
 const StructInfo* InfoOf(const Context& context, ir::TypeId type);
+// The member of a struct or of its bases; none without one, and for other types.
 SymbolId FindMember(const Context& context, ir::TypeId type, Name name);
-// The number of a field of the struct; none when the struct has no such field.
+// The number of the field in the struct; nothing when the struct does not have such a field.
 std::optional<std::uint32_t> FindField(const Context& context, ir::TypeId type, Name name);
 bool DerivesFrom(const Context& context, ir::TypeId derived, ir::TypeId base);
-// A struct or enum defined inside a function.
+// Declares a struct, typedef or enum inside a function.
 void DeclareLocalType(Context& context, ast::DeclId id);
 
 }  // namespace clipc::check

@@ -4,14 +4,13 @@
 #include <unordered_set>
 
 #include "frontend/check/emit.h"
-#include "frontend/check/expr.h"
 #include "frontend/check/stmt.h"
 #include "frontend/check/value.h"
 
 namespace clipc::check {
 namespace {
 
-// The value of a label; nothing for `default`, and after an error, which was reported.
+// The value of a label. Nothing for `default`, and after an error, which was reported.
 std::optional<std::int64_t> CheckCaseLabel(Context& context, const ast::CaseStmt& stmt, Span span,
                                            std::unordered_set<std::int64_t>& seen) {
   constexpr std::int64_t kDefault = std::int64_t{1} << 40;  // no label has this value
@@ -28,17 +27,11 @@ std::optional<std::int64_t> CheckCaseLabel(Context& context, const ast::CaseStmt
 }  // namespace
 
 void CheckSwitch(Context& context, const ast::SwitchStmt& stmt, Span span) {
-  ir::ExprId value = CheckExpr(context, stmt.value);
+  ir::ExprId value = CheckScalar(context, stmt.value, "switch");
   if (!context.IsError(value)) {
-    const ir::Type& type = context.TypeOf(value);
-    if (!type.IsNumeric() || type.Components() != 1) {
-      context.Report(context[stmt.value].span, diag::ConditionNotScalar, "switch",
-                     context.TypeName(value));
-      value = context.ErrorExpr(span);
-    } else {
-      const ir::Scalar kind = ir::IsUnsigned(type.scalar) ? ir::Scalar::kUint : ir::Scalar::kInt;
-      value = ConvertSilently(context, value, context.program.types.Make(kind));
-    }
+    const bool is_unsigned = ir::IsUnsigned(context.TypeOf(value).scalar);
+    value = ConvertSilently(context, value,
+                            context.types.Make(is_unsigned ? ir::Scalar::kUint : ir::Scalar::kInt));
   }
   const ir::TypeId type = context.TypeIdOf(value);
   DeclareTemporaries(context);
@@ -50,18 +43,16 @@ void CheckSwitch(Context& context, const ast::SwitchStmt& stmt, Span span) {
   ++context.view.body->switches;
   const ScopeTable::LocalScope scope(context.names);
   std::vector<ir::SwitchCase> arms;
-  std::vector<ir::ExprId> labels;
+  Exprs labels;
   std::unordered_set<std::int64_t> seen;
   const std::size_t mark = context.stmts.size();
   const auto finish = [&] {
+    const std::vector<ir::StmtId> body = TakeStmts(context, mark);
     if (!arms.empty()) {
-      const std::vector<ir::StmtId> body(context.stmts.begin() + static_cast<std::ptrdiff_t>(mark),
-                                         context.stmts.end());
       arms.back().body = context.program.stmt_lists.Add(std::span<const ir::StmtId>(body));
-      arms.back().labels = context.program.expr_lists.Add(std::span<const ir::ExprId>(labels));
+      arms.back().labels = context.program.expr_lists.Add(ExprSpan(labels));
     }
     labels.clear();
-    context.stmts.resize(mark);
   };
   bool reported = false;
   for (ast::StmtId inner : context[block->body]) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "frontend/check/context.h"
-
+// Switch statements.
 namespace clipc::check {
 
 void CheckSwitch(Context& context, const ast::SwitchStmt& stmt, Span span);

@@ -10,7 +10,7 @@
 #include "frontend/parse/ast.h"
 #include "ir/program.h"
 
-// What the checker knows of each declaration. Included by checker.h only.
+// What the checker knows about each declaration.
 namespace clipc::check {
 
 struct Symbol;
@@ -22,33 +22,39 @@ using ScopeId = Id<Scope>;
 using BufferId = Id<Buffer>;
 using FunctionInfoId = Id<FunctionInfo>;
 
+// The comment after a kind says what Symbol::value is.
 enum class SymbolKind : std::uint8_t {
-  kVariable,       // value: ir::VarId
-  kField,          // value: the field's number in the struct whose scope it stands in
-  kFunction,       // value: FunctionInfoId
-  kType,           // value: ir::TypeId
-  kEnumerator,     // value: the 32 bits of the number
-  kNamespace,      // value: ScopeId
-  kTemplateValue,  // value: the 32 bits of the number; owner: its ir::TypeId
+  kVariable,       // an ir::VarId
+  kField,          // the number of the field in the struct whose scope has the symbol
+  kFunction,       // not used
+  kType,           // an ir::TypeId
+  kEnumerator,     // the number of the enumerator in its enum
+  kNamespace,      // a ScopeId
+  kTemplateValue,  // the 32 bits of the value
 };
 enum class Resolution : std::uint8_t { kNone, kUnderWay, kDone };
 
-// A name in a scope. Symbols of namespaces are numbered in the order of the text, which tells what
-// a use may see.
+// A name in a scope. Symbols of namespaces are numbered in the order of the text, which decides
+// which of them a use can see.
 struct Symbol {
   SymbolKind kind = SymbolKind::kVariable;
   Resolution resolution = Resolution::kNone;  // whether `value` is set
-  bool is_const = false;
+  bool is_const = false;                      // a uniform variable that is declared `const`
   bool is_leaked = false;  // the variable of a finished `for`, which fxc leaves visible
   Name name;
-  ScopeId scope;     // none: local to a function
-  SymbolId older;    // of the same name: in the same scope; for a local, the one it hides
-  ast::DeclId decl;  // none: a template argument
+  ScopeId scope;   // none for a local of a function
+  SymbolId older;  // the symbol of that name before it in the scope; the local that this one hides
+  ast::DeclId decl;  // none for a template argument
   Span span;
   std::uint32_t value = ~0u;
-  // A variable: the Buffer it is a member of; a leaked one: its ir::For. An enum: its ScopeId. An
-  // enumerator: its enum.
+  // A variable: the Buffer that it is a member of; a leaked one: its ir::For. A type: the ScopeId
+  // of an enum. An enumerator: the SymbolId of its enum. A template value: its ir::TypeId.
   std::uint32_t owner = ~0u;
+
+  void Resolve(std::uint32_t to) {
+    value = to;
+    resolution = Resolution::kDone;
+  }
 };
 
 enum class ScopeKind : std::uint8_t { kNamespace, kStruct, kEnum, kTemplate };
@@ -56,55 +62,55 @@ struct Scope {
   ScopeKind kind = ScopeKind::kNamespace;
   ScopeId parent;
   Name name;
-  std::uint32_t order =
-      // what its members see of namespaces; kNamespace: each member sees what stands before it
-      ~0u;
-  ir::TypeId self;              // kStruct
+  // The members see the symbols of namespaces before this one. Those of a namespace do not use it:
+  // each sees the symbols before itself.
+  std::uint32_t order = ~0u;
+  ir::TypeId self;              // the type of a struct
   std::vector<ScopeId> nested;  // namespaces that `using` names, scopes of base structs
 };
 
-// A cbuffer or what becomes one: $Globals, a ConstantBuffer<T>.
+// A cbuffer, or what becomes one: $Globals, $Params, a ConstantBuffer<T>.
 struct Buffer {
-  ast::DeclId decl;  // none: $Globals, $Params
+  ast::DeclId decl = {};  // none for $Globals and $Params
   ir::CbufferKind kind = ir::CbufferKind::kCbuffer;
   ScopeId scope;
   std::uint32_t order = 0;
   std::vector<SymbolId> members = {};
-  Resolution resolution = Resolution::kNone;  // reached, when not kNone
+  Resolution resolution = Resolution::kNone;  // kNone until the buffer is reached
 };
 
 struct Parameter {
   ast::DeclId decl;
-  ast::DeclId with_default;  // the declaration that gives a default, or none
+  ast::DeclId with_default;  // the declaration with the default argument, or none
   ir::TypeId type;
   ir::Storage storage = ir::Storage::kIn;
 };
 
-// What a struct is beside its fields.
+// What the checker knows about a struct besides its ir::Struct.
 struct StructInfo {
   ast::DeclId decl;
   ScopeId scope;
   std::vector<ir::TypeId> bases;
-  std::vector<Name> fields;  // as in ir::Struct
-  std::uint64_t components = 0;
-  int depth = 1;  // of structs and arrays inside each other
+  std::vector<Name> fields;      // in the order of ir::Struct::fields
+  std::uint64_t components = 0;  // of a value of this type
+  int depth = 1;                 // how deep structs and arrays nest in it
 };
 
-// One overload: a declaration with the types it has in one instantiation and for one `this`.
+// One overload: a declaration with the types that it has in one instance and for one `this`.
 struct FunctionInfo {
-  ast::DeclId decl;  // the definition when there is one
-  ScopeId scope;     // where its types and body are looked up
-  std::uint32_t order = 0;
-  std::uint32_t declared = 0;  // the first declaration's order
-  bool is_resolved = false;
-  bool is_broken = false;    // its signature has errors, which were reported
-  bool is_instance = false;  // of a template
-  bool changes_self = false;
-  std::uint32_t required = 0;  // parameters without a default
+  ast::DeclId decl;            // the definition when there is one
+  ScopeId scope;               // where the names of its types and body are looked up
+  std::uint32_t order = 0;     // of what they see
+  std::uint32_t declared = 0;  // the order of the first declaration
+  bool is_resolved = false;    // whether the signature is known
+  bool is_broken = false;      // the signature has errors, which were reported
+  bool is_instance = false;    // of a template
+  bool changes_self = false;   // the method may change its object
+  std::uint32_t required = 0;  // the number of parameters without a default
   ir::TypeId return_type;
   List<Parameter> parameters;
-  ir::TypeId self;          // a method's struct; none for functions and static methods
-  ir::FunctionId function;  // none: not reached
+  ir::TypeId self;          // the struct of a method; none for functions and static methods
+  ir::FunctionId function;  // none until the function is reached
 };
 
 }  // namespace clipc::check

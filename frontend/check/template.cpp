@@ -15,49 +15,47 @@ constexpr std::uint64_t kUnknown = ~std::uint64_t{0};
 
 constexpr std::size_t kMaxInstances = 4096;
 constexpr std::uint32_t kUnderWay =
-    ~std::uint32_t{0};  // the members of the instance are being looked at
+    ~std::uint32_t{0};  // the value of an instance whose members are being resolved
 
-// Reads S<...>'s arguments behind those that are `found` already; defaults stand in for missing
-// ones. False after an error, or when an argument is missing.
+// An argument of a template as a number; nothing after an error, which was reported.
+std::optional<std::uint32_t> ReadArgument(Context& context, const ast::TemplateParameter& parameter,
+                                          ast::ExprId argument) {
+  if (parameter.is_type) {
+    const ir::TypeId type = TypeArgument(context, argument);
+    return context.IsError(type) ? std::nullopt : std::optional(type.index);
+  }
+  const auto value = ConstantInteger(context, argument);
+  return value ? std::optional(static_cast<std::uint32_t>(*value)) : std::nullopt;
+}
+
+// Reads the arguments that are written, S<...>, into `found`. False after an error, which was
+// reported.
 bool ReadTemplateArguments(Context& context, List<ast::TemplateParameter> parameters,
                            List<ast::ExprId> arguments, std::vector<std::uint64_t>& found) {
   for (std::uint32_t i = 0; i < arguments.size && i < parameters.size; ++i) {
-    const ast::TemplateParameter& parameter = context[parameters][i];
-    const ast::ExprId argument = context[arguments][i];
-    if (parameter.is_type) {
-      const ir::TypeId type = TypeArgument(context, argument);
-      if (context.IsError(type)) return false;
-      found[i] = type.index;
-    } else {
-      const auto value = ConstantInteger(context, argument);
-      if (!value) return false;
-      found[i] = static_cast<std::uint32_t>(*value);
-    }
+    const auto value = ReadArgument(context, context[parameters][i], context[arguments][i]);
+    if (!value) return false;
+    found[i] = *value;
   }
   return true;
 }
 
-// A scope with the parameters' names. Parameters without an argument get their default; none when
-// there is no default.
+// A scope with the names of the parameters. A parameter without an argument gets its default; when
+// it does not have one, there is no scope.
 ScopeId BindTemplate(Context& context, List<ast::TemplateParameter> parameters, ScopeId parent,
                      std::uint32_t order, std::vector<std::uint64_t>& found) {
   const ScopeId scope = context.names.AddScope(ScopeKind::kTemplate, parent, {}, order);
-  const ViewSwitch in(context,
-                      {.scope = scope, .order = order, .local_floor = context.names.size()});
+  const ViewSwitch in(context, context.ViewFrom(scope, order));
   for (std::uint32_t i = 0; i < parameters.size; ++i) {
     const ast::TemplateParameter& parameter = context[parameters][i];
     if (found[i] == kUnknown) {
       if (!parameter.default_value) return {};
-      if (parameter.is_type)
-        found[i] = TypeArgument(context, parameter.default_value).index;
-      else
-        found[i] = static_cast<std::uint32_t>(
-            ConstantInteger(context, parameter.default_value).value_or(0));
+      found[i] = ReadArgument(context, parameter, parameter.default_value)
+                     .value_or(parameter.is_type ? context.types.Error().index : 0);
     }
     const SymbolKind kind = parameter.is_type ? SymbolKind::kType : SymbolKind::kTemplateValue;
     const SymbolId symbol = context.names.Declare(kind, scope, parameter.name, {}, parameter.span);
-    context[symbol].value = static_cast<std::uint32_t>(found[i]);
-    context[symbol].resolution = Resolution::kDone;
+    context[symbol].Resolve(static_cast<std::uint32_t>(found[i]));
     if (!parameter.is_type) context[symbol].owner = ResolveType(context, parameter.type).index;
   }
   return scope;
@@ -70,8 +68,8 @@ std::string InstanceKey(ast::DeclId decl, ScopeId scope, ir::TypeId self,
   return key;
 }
 
-// What `pattern`, the type of a parameter, says of the template's arguments when a value of `type`
-// is passed.
+// Adds to `found` the arguments of the template that follow from passing a value of `type` to a
+// parameter whose type is written as `pattern`.
 void Deduce(Context& context, ast::TypeId pattern_id, ir::TypeId type,
             const ast::FunctionDecl& decl, std::vector<std::uint64_t>& found) {
   const ast::Type& pattern = context[pattern_id];
@@ -89,7 +87,7 @@ void Deduce(Context& context, ast::TypeId pattern_id, ir::TypeId type,
   // vector<T, N>, matrix<T, R, C>
   const std::string_view text = context[pattern.name.name];
   if ((text != "vector" && text != "matrix") || !given.IsNumeric()) return;
-  const std::uint64_t parts[] = {context.program.types.Make(given.scalar).index,
+  const std::uint64_t parts[] = {context.types.Make(given.scalar).index,
                                  text == "vector" ? given.columns : given.rows, given.columns};
   for (std::uint32_t a = 0; a < pattern.arguments.size && a < 3; ++a) {
     const ast::Expr& argument = context[context[pattern.arguments][a]];
@@ -121,11 +119,11 @@ std::optional<ir::TypeId> InstantiateStruct(Context& context, SymbolId id, const
   std::vector<std::uint64_t> found(decl->template_parameters.size, kUnknown);
   if (!depth.ok() ||
       !ReadTemplateArguments(context, decl->template_parameters, type.arguments, found))
-    return context.program.types.Error();
+    return context.types.Error();
   if (type.arguments.size > decl->template_parameters.size) {
     context.Report(type.span, diag::TooManyTypeArguments, context[decl->name],
                    decl->template_parameters.size);
-    return context.program.types.Error();
+    return context.types.Error();
   }
   // The struct's own name is known inside it.
   const bool is_in_namespace = symbol.scope && context[symbol.scope].kind == ScopeKind::kNamespace;
@@ -134,18 +132,18 @@ std::optional<ir::TypeId> InstantiateStruct(Context& context, SymbolId id, const
       BindTemplate(context, decl->template_parameters, symbol.scope, order, found);
   if (!scope) {
     context.Report(type.span, diag::MissingTypeArgument, context[decl->name]);
-    return context.program.types.Error();
+    return context.types.Error();
   }
   const auto [slot, is_new] = context.functions.instances.try_emplace(
       InstanceKey(symbol.decl, symbol.scope, {}, found), kUnderWay);
   if (!is_new && slot->second == kUnderWay) {
     context.Report(type.span, diag::TypeContainsItself, context[decl->name]);
-    return context.program.types.Error();
+    return context.types.Error();
   }
   if (!is_new) return ir::TypeId{slot->second};
   if (context.functions.instances.size() > kMaxInstances) {
     context.Report(type.span, diag::TooManyInstances, kMaxInstances);
-    return context.program.types.Error();
+    return context.types.Error();
   }
   std::uint32_t& result = slot->second;
   const SymbolId instance =
@@ -156,10 +154,9 @@ std::optional<ir::TypeId> InstantiateStruct(Context& context, SymbolId id, const
 }
 
 FunctionInfoId InstantiateFunction(Context& context, SymbolId id, ir::TypeId self,
-                                   List<ast::ExprId> explicit_arguments,
-                                   std::span<const ir::ExprId> arguments) {
+                                   List<ast::ExprId> explicit_arguments, ExprSpan arguments) {
   const Symbol symbol = context[id];
-  const auto& decl = context.Get<ast::FunctionDecl>(symbol.decl);
+  const ast::FunctionDecl& decl = DeclOf(context, id);
   std::vector<std::uint64_t> found(decl.template_parameters.size, kUnknown);
   if (explicit_arguments.size > found.size() || arguments.size() > decl.parameters.size) return {};
   if (!ReadTemplateArguments(context, decl.template_parameters, explicit_arguments, found))
@@ -169,8 +166,8 @@ FunctionInfoId InstantiateFunction(Context& context, SymbolId id, ir::TypeId sel
     Deduce(context, context.Get<ast::VarDecl>(parameter).type, context.TypeIdOf(arguments[i]), decl,
            found);
   }
-  const std::uint32_t order = OrderOf(context, id);
-  const ScopeId scope = BindTemplate(context, decl.template_parameters, symbol.scope, order, found);
+  const ScopeId scope =
+      BindTemplate(context, decl.template_parameters, symbol.scope, OrderOf(context, id), found);
   if (!scope) return {};
   const auto [slot, is_new] = context.functions.instances.try_emplace(
       InstanceKey(symbol.decl, symbol.scope, self, found),
@@ -180,17 +177,7 @@ FunctionInfoId InstantiateFunction(Context& context, SymbolId id, ir::TypeId sel
     context.Report(decl.name_span, diag::TooManyInstances, kMaxInstances);
     return {};
   }
-  FunctionInfo info;
-  info.decl = symbol.decl;
-  info.scope = scope;
-  const bool is_method = context[symbol.scope].kind == ScopeKind::kStruct;
-  info.order = is_method || order == ~0u ? order : order + 1;
-  info.declared = is_method ? 0 : id.index;
-  info.is_instance = true;
-  if (is_method && !(decl.qualifiers & ast::kStatic))
-    info.self = self ? self : context[symbol.scope].self;
-  context.functions.infos.push_back(info);
-  const FunctionInfoId result{slot->second};
+  const FunctionInfoId result = AddFunction(context, id, self, scope);
   ResolveSignature(context, result);
   return result;
 }

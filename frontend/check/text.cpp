@@ -6,6 +6,7 @@
 #include "base/overloaded.h"
 
 namespace clipc::check {
+
 std::string TextOf(const Context& context, ast::ExprId id) {
   const auto list = [&](List<ast::ExprId> expressions) {
     std::string text;
@@ -49,6 +50,12 @@ std::string QualifiedText(const Context& context, const ast::QualifiedName& name
     text += "::";
   }
   return text += context[name.name];
+}
+
+std::string QuotedList(std::span<const std::string_view> names) {
+  std::string text;
+  for (std::string_view name : names) text += fmt::format("{}`{}`", text.empty() ? "" : ", ", name);
+  return text;
 }
 
 }  // namespace clipc::check

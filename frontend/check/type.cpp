@@ -14,7 +14,7 @@
 namespace clipc::check {
 namespace {
 
-// Far above what any shader needs, and low enough that a type can be walked leaf by leaf.
+// Limits far above what any shader needs, and low enough that a type can be walked leaf by leaf.
 constexpr std::uint64_t kMaxComponents = 1u << 20;
 
 constexpr int kMaxTypeDepth = 64;
@@ -31,20 +31,19 @@ std::optional<std::uint32_t> ArraySize(Context& context, ast::ExprId dimension) 
 }  // namespace
 
 ir::TypeId ResolveType(Context& context, ast::TypeId id) {
-  if (!id) return context.program.types.Error();
+  if (!id) return context.types.Error();
   const ast::Type& type = context[id];
   if (!type.struct_definition) return ResolveNamedType(context, type);
   const auto known = context.structs.symbols.find(type.struct_definition.index);
   if (known != context.structs.symbols.end())
-    return known->second ? ResolveTypeSymbol(context, known->second)
-                         : context.program.types.Error();
+    return known->second ? ResolveTypeSymbol(context, known->second) : context.types.Error();
   DeclareLocalType(context, type.struct_definition);
   return ResolveTypeSymbol(context, context.structs.symbols.at(type.struct_definition.index));
 }
 
 ir::TypeId ResolveNamedType(Context& context, const ast::Type& type) {
   const bool is_plain = type.name.scopes.empty() && !type.name.from_global;
-  if (!type.name.name) return context.program.types.Error();
+  if (!type.name.name) return context.types.Error();
   if (is_plain && !type.has_arguments) {
     if (const auto numeric = NumericType(context, type.name.name)) return *numeric;
   }
@@ -57,8 +56,8 @@ ir::TypeId ResolveNamedType(Context& context, const ast::Type& type) {
     if (const auto generic = GenericNumericType(context, type, text)) return *generic;
     if (const auto object = ObjectType(context, type, text)) return *object;
   }
-  ReportUndeclared(context, type.span, type.name, true, false);
-  return context.program.types.Error();
+  ReportUndeclared(context, type.span, type.name, NameUse::kType);
+  return context.types.Error();
 }
 
 ir::TypeId ResolveTypeSymbol(Context& context, SymbolId id) {
@@ -67,14 +66,13 @@ ir::TypeId ResolveTypeSymbol(Context& context, SymbolId id) {
   const Depth depth(context, symbol.span, Depth::kDeclaration);
   if (symbol.resolution == Resolution::kUnderWay || !depth.ok()) {
     if (depth.ok()) context.Report(symbol.span, diag::TypeContainsItself, context[symbol.name]);
-    symbol.value = context.program.types.Error().index;
-    symbol.resolution = Resolution::kDone;
-    return context.program.types.Error();
+    symbol.Resolve(context.types.Error().index);
+    return context.types.Error();
   }
   symbol.resolution = Resolution::kUnderWay;
-  const View view = ContextOf(context, id);
+  const View view = ViewOf(context, id);
   const ast::Decl& decl = context[symbol.decl];
-  ir::TypeId type = context.program.types.Error();
+  ir::TypeId type = context.types.Error();
   if (const auto* structure = std::get_if<ast::StructDecl>(&decl.node)) {
     if (structure->is_definition) {
       type = ResolveStruct(context, symbol.decl, id, view.scope, view.order);
@@ -88,12 +86,11 @@ ir::TypeId ResolveTypeSymbol(Context& context, SymbolId id) {
     const ViewSwitch in(context, view);
     type = EnumType(context, *enumeration);
   }
-  symbol.value = type.index;
-  symbol.resolution = Resolution::kDone;
+  symbol.Resolve(type.index);
   return type;
 }
 
-View ContextOf(const Context& context, SymbolId id) {
+View ViewOf(const Context& context, SymbolId id) {
   const Symbol& symbol = context[id];
   if (!symbol.scope) return context.view;
   const Scope& scope = context[symbol.scope];
@@ -135,9 +132,9 @@ bool IsTooLarge(Context& context, ir::TypeId type, Span span) {
 ir::TypeId ArrayOf(Context& context, ir::TypeId element, List<ast::ExprId> dimensions, Span span,
                    std::optional<std::uint32_t> implied) {
   if (dimensions.empty()) return element;
-  if (element == context.program.types.Void()) {
+  if (element == context.types.Void()) {
     context.Report(span, diag::VoidValue, "an array of `void`");
-    return context.program.types.Error();
+    return context.types.Error();
   }
   ir::TypeId type = element;
   bool is_broken = context.IsError(element);
@@ -153,18 +150,18 @@ ir::TypeId ArrayOf(Context& context, ir::TypeId element, List<ast::ExprId> dimen
     }
     is_broken = is_broken || !size;
     if (is_broken) continue;
-    type = context.program.types.Array(type, *size);
+    type = context.types.Array(type, *size);
     is_broken = IsTooLarge(context, type, span);
   }
-  return is_broken ? context.program.types.Error() : type;
+  return is_broken ? context.types.Error() : type;
 }
 
 ir::TypeId ResolveVarType(Context& context, const ast::VarDecl& var) {
   const ir::TypeId element = ResolveType(context, var.type);
   const Span span = var.name ? var.name_span : context[var.type].span;
-  if (element == context.program.types.Void()) {
+  if (element == context.types.Void()) {
     context.Report(span, diag::VoidValue, fmt::format("`{}` of type `void`", context[var.name]));
-    return context.program.types.Error();
+    return context.types.Error();
   }
   const bool is_implied = !var.dimensions.empty() && !context[var.dimensions][0];
   std::optional<std::uint32_t> implied;
@@ -175,7 +172,7 @@ ir::TypeId ResolveVarType(Context& context, const ast::VarDecl& var) {
     const ir::TypeId row = ArrayOf(context, element, inner, span);
     if (context.IsError(row)) return row;
     implied = ImpliedCount(context, var.init, row);
-    if (!implied) return context.program.types.Error();
+    if (!implied) return context.types.Error();
   }
   return ArrayOf(context, element, var.dimensions, span, implied);
 }

@@ -47,7 +47,7 @@ struct ObjectName {
   bool has_element = false;
 };
 
-// Of these fxc takes any case.
+// Object types; fxc accepts their names in upper and lower case.
 constexpr ObjectName kObjectNames[] = {
     {"texture1d", ir::ObjectKind::kTexture1D, true},
     {"texture1darray", ir::ObjectKind::kTexture1DArray, true},
@@ -78,7 +78,7 @@ constexpr ObjectName kObjectNames[] = {
     {"rwtexture3d", ir::ObjectKind::kRWTexture3D, true},
 };
 
-// Known so that they can be declared.
+// Object types that can be declared but not used.
 constexpr std::string_view kOtherObjects[] = {
     "texture",
     "rwtexture2dms",
@@ -127,21 +127,21 @@ bool IsSize(char c) { return c >= '1' && c <= '4'; }
 std::optional<ir::TypeId> NumericType(Context& context, Name name) {
   ir::TypeId& known = context.numeric_types[name.index];
   if (known) return context.IsError(known) ? std::nullopt : std::optional(known);
-  known = context.program.types.Error();
+  known = context.types.Error();
   const std::string_view text = context[name];
-  if (text == "void") return known = context.program.types.Void();
-  if (text == "string") return known = context.program.types.String();
+  if (text == "void") return known = context.types.Void();
+  if (text == "string") return known = context.types.String();
   if (std::ranges::find(kPackedNames, text) != std::end(kPackedNames)) {
-    return known = context.program.types.Make(ir::Scalar::kUint);
+    return known = context.types.Make(ir::Scalar::kUint);
   }
   for (const ScalarName& scalar : kScalarNames) {
     if (!text.starts_with(scalar.text)) continue;
     const std::string_view size = text.substr(scalar.text.size());
-    if (size.empty()) return known = context.program.types.Make(scalar.kind);
+    if (size.empty()) return known = context.types.Make(scalar.kind);
     if (size.size() == 1 && IsSize(size[0]))
-      return known = context.program.types.Vector(scalar.kind, size[0] - '0');
+      return known = context.types.Vector(scalar.kind, size[0] - '0');
     if (size.size() == 3 && IsSize(size[0]) && size[1] == 'x' && IsSize(size[2])) {
-      return known = context.program.types.Matrix(scalar.kind, size[0] - '0', size[2] - '0');
+      return known = context.types.Matrix(scalar.kind, size[0] - '0', size[2] - '0');
     }
   }
   return std::nullopt;
@@ -162,7 +162,7 @@ ir::TypeId TypeArgument(Context& context, ast::ExprId id) {
   if (!std::holds_alternative<ast::ErrorExpr>(expr.node)) {
     context.Report(expr.span, diag::UnknownType, TextOf(context, id), "");
   }
-  return context.program.types.Error();
+  return context.types.Error();
 }
 
 std::optional<ir::TypeId> GenericNumericType(Context& context, const ast::Type& type,
@@ -174,7 +174,7 @@ std::optional<ir::TypeId> GenericNumericType(Context& context, const ast::Type& 
   const std::uint32_t most = is_vector ? 2 : 3;
   if (type.arguments.size > most) {
     context.Report(type.span, diag::TooManyTypeArguments, text, most);
-    return context.program.types.Error();
+    return context.types.Error();
   }
   for (std::uint32_t i = 0; i < type.arguments.size; ++i) {
     const ast::ExprId argument = context[type.arguments][i];
@@ -184,21 +184,21 @@ std::optional<ir::TypeId> GenericNumericType(Context& context, const ast::Type& 
       if (context[component].kind != ir::TypeKind::kScalar) {
         context.Report(context[argument].span, diag::ComponentNotScalar,
                        context.TypeName(component), text);
-        return context.program.types.Error();
+        return context.types.Error();
       }
       kind = context[component].scalar;
       continue;
     }
     const auto size = ConstantInteger(context, argument);
-    if (!size) return context.program.types.Error();
+    if (!size) return context.types.Error();
     if (*size < 1 || *size > 4) {
       context.Report(context[argument].span, diag::BadVectorSize, *size, text);
-      return context.program.types.Error();
+      return context.types.Error();
     }
     sizes[i - 1] = static_cast<int>(*size);
   }
-  return is_vector ? context.program.types.Vector(kind, sizes[0])
-                   : context.program.types.Matrix(kind, sizes[0], sizes[1]);
+  return is_vector ? context.types.Vector(kind, sizes[0])
+                   : context.types.Matrix(kind, sizes[0], sizes[1]);
 }
 
 std::optional<ir::TypeId> ObjectType(Context& context, const ast::Type& type,
@@ -208,18 +208,18 @@ std::optional<ir::TypeId> ObjectType(Context& context, const ast::Type& type,
   if (text == "ConstantBuffer" || text == "TextureBuffer") {
     if (type.arguments.size == 1) return TypeArgument(context, context[type.arguments][0]);
     context.Report(type.span, diag::MissingTypeArgument, text);
-    return context.program.types.Error();
+    return context.types.Error();
   }
   for (const ObjectName& object : kObjectNames) {
     if (object.text != lower) continue;
-    if (!object.has_element) return context.program.types.Object(object.kind);
-    ir::TypeId element = context.program.types.Vector(ir::Scalar::kFloat, 4);
+    if (!object.has_element) return context.types.Object(object.kind);
+    ir::TypeId element = context.types.Vector(ir::Scalar::kFloat, 4);
     if (!type.arguments.empty()) element = TypeArgument(context, context[type.arguments][0]);
     if (context.IsError(element)) return element;
-    return context.program.types.Object(object.kind, element);
+    return context.types.Object(object.kind, element);
   }
   if (std::ranges::find(kOtherObjects, lower) != std::end(kOtherObjects)) {
-    return context.program.types.Object(ir::ObjectKind::kOther);
+    return context.types.Object(ir::ObjectKind::kOther);
   }
   return std::nullopt;
 }

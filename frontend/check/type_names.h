@@ -6,16 +6,17 @@
 
 #include "frontend/check/context.h"
 
-// The types that HLSL has built in, in all their spellings.
+// The built-in types of HLSL in all their spellings.
 namespace clipc::check {
 
-// void, float, float3, float3x4, for every scalar type.
+// void, string, float, float3, float3x4, for every scalar type.
 std::optional<ir::TypeId> NumericType(Context& context, Name name);
-// A type as a template argument. Names arrive as expressions.
+// A template argument as a type. Names are expressions in the syntax tree.
 ir::TypeId TypeArgument(Context& context, ast::ExprId id);
 // vector, vector<float, 3>, matrix, matrix<float, 3, 4>
 std::optional<ir::TypeId> GenericNumericType(Context& context, const ast::Type& type,
                                              std::string_view text);
+// Textures, samplers, buffers; ConstantBuffer<T> inside a function is T.
 std::optional<ir::TypeId> ObjectType(Context& context, const ast::Type& type,
                                      std::string_view text);
 

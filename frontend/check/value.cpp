@@ -3,21 +3,26 @@
 
 #include <algorithm>
 
-#include "frontend/check/assign.h"
 #include "frontend/check/expr.h"
 #include "frontend/check/struct.h"
 #include "frontend/check/text.h"
 #include "frontend/rules/constant.h"
 
 namespace clipc::check {
-ir::ExprId Hoist(Context& context, ir::ExprId value, std::vector<ir::ExprId>& prologue) {
+
+ir::ExprId Hoist(Context& context, ir::ExprId value, Exprs& prologue) {
   const Span span = context[value].span;
   const TemporaryMaker::Temporary temporary = context.Make(value);
   prologue.push_back(temporary.prologue);
   return context.At(span).Ref(temporary.var);
 }
 
-ir::ExprId WithPrologue(Context& context, std::span<const ir::ExprId> prologue, ir::ExprId value) {
+ir::ExprId Repeatable(Context& context, ir::ExprId value, Exprs& prologue) {
+  const bool is_path = ir::RootOf(context.program, value) && ir::IsPure(context.program, value);
+  return is_path ? value : Hoist(context, value, prologue);
+}
+
+ir::ExprId WithPrologue(Context& context, ExprSpan prologue, ir::ExprId value) {
   for (std::size_t i = prologue.size(); i-- > 0;) {
     value = context.At(context[value].span).CommaOf(prologue[i], value);
   }
@@ -28,16 +33,14 @@ ir::ExprId Implicit(Context& context, ir::ExprId value, ir::TypeId to) {
   const ir::TypeId from = context.TypeIdOf(value);
   const Span span = context[value].span;
   if (from == to) return value;
-  if (context.IsError(from) || context.IsError(to)) return context.ErrorExpr(span);
-  if (RankImplicit(context.program.types, from, to))
+  if (context.IsError(from, to)) return context.ErrorExpr(span);
+  if (RankImplicit(context.types, from, to))
     return ConvertImplicit(context.program, value, to, context.diagnostics, &context);
   if (DerivesFrom(context, from, to)) {
     // The fields of the first base come first.
-    std::vector<ir::ExprId> prologue, fields;
-    const ir::ExprId object = IsPath(context, value) && ir::IsPure(context.program, value)
-                                  ? value
-                                  : Hoist(context, value, prologue);
-    const ir::Struct& base = context.program.types.StructOf(to);
+    Exprs prologue, fields;
+    const ir::ExprId object = Repeatable(context, value, prologue);
+    const ir::Struct& base = context.types.StructOf(to);
     const StructInfo& info = *InfoOf(context, to);
     for (std::size_t i = 0; i < base.fields.size(); ++i) {
       const auto field = FindField(context, from, info.fields[i]);

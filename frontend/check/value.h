@@ -6,20 +6,24 @@
 #include <vector>
 
 #include "frontend/check/context.h"
-
+// Values: temporaries that hold them, conversions, and constants.
 namespace clipc::check {
 
-// A fresh reference to a temporary that holds `value`.
-ir::ExprId Hoist(Context& context, ir::ExprId value, std::vector<ir::ExprId>& prologue);
-ir::ExprId WithPrologue(Context& context, std::span<const ir::ExprId> prologue, ir::ExprId value);
-// The value as `to`, or what is wrong with that.
+// A reference to a new temporary. The assignment of the value to it is added to `prologue`.
+ir::ExprId Hoist(Context& context, ir::ExprId value, Exprs& prologue);
+// The value itself when it is a path that may be cloned, else a reference to a temporary.
+ir::ExprId Repeatable(Context& context, ir::ExprId value, Exprs& prologue);
+// The value, with the steps of the prologue evaluated before it.
+ir::ExprId WithPrologue(Context& context, ExprSpan prologue, ir::ExprId value);
+// The value converted to `to` as HLSL does without a cast. Reports when there is no such
+// conversion.
 ir::ExprId Implicit(Context& context, ir::ExprId value, ir::TypeId to);
-// Of one component, or where the user asked for it: nothing to warn of.
+// The value cast to `to`, without the warnings of an implicit conversion.
 ir::ExprId ConvertSilently(Context& context, ir::ExprId value, ir::TypeId to);
-// Whether GLSL, too, takes the expression for a constant: literals and constants under pure
-// operators.
+// Whether the expression is a constant for GLSL as well: it consists of literals and constants
+// under operators without side effects.
 bool IsConstantExpr(const Context& context, ir::ExprId expr);
-// An integer that the text fixes; nothing after an error, which was reported.
+// An integer that the text determines. Nothing after an error, which was reported.
 std::optional<std::int64_t> ConstantInteger(Context& context, ast::ExprId id);
 
 }  // namespace clipc::check
