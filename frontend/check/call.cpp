@@ -199,8 +199,8 @@ ir::ExprId BindArgument(Context& context, const Parameter& parameter, ir::ExprId
   return at.Ref(copy);
 }
 
-// The object that a method is called on, or a copy of it when the method may change it but it cannot
-// be assigned to.
+// The object that a method is called on. When the method may change it and nothing can be assigned
+// to it, a copy.
 ir::ExprId BindSelf(Context& context, const FunctionInfo& function, ir::ExprId self,
                     Exprs& before) {
   if (!function.changes_self) return self;

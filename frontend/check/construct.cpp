@@ -91,8 +91,8 @@ ir::ExprId CheckConstructor(Context& context, ir::TypeId type, List<ast::ExprId>
   const bool is_cast = arguments.size() == 1 && (needed == 1 || given != needed ||
                                                  wanted.kind == context.TypeOf(arguments[0]).kind);
   if (is_cast && IsExplicitlyConvertible(context.types, context.TypeIdOf(arguments[0]), type)) {
-    // fxc refuses float4(1) and float3x3(m); HLSL 2021 and glslang take them for casts, and nobody
-    // for anything else.
+    // fxc refuses float4(1) and float3x3(m); HLSL 2021 and glslang accept them as
+    // casts, and no compiler gives them another meaning.
     return ConvertExplicit(context.program, arguments[0], type, context);
   }
   if (given != needed) {

@@ -126,7 +126,7 @@ void DeclareTypeInside(Context& context, ast::TypeId type, ScopeId scope) {
   if (!definition || context.structs.symbols.contains(definition.index)) return;
   const std::uint32_t next = context.names.size();
   DeclareOne(context, definition, scope);
-  // The definition of what was declared before is no new symbol.
+  // The definition of a type that was declared before is not a new symbol.
   const SymbolId symbol = context.names.size() > next
                               ? SymbolId{next}
                               : context.names.FindIn(scope, context[type].name.name, true);

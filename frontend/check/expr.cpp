@@ -78,7 +78,7 @@ ir::ExprId UseVariable(Context& context, SymbolId id, Span span) {
   const auto& var = context.Get<ast::VarDecl>(symbol.decl);
   const bool is_uniform = !(var.qualifiers & ast::kStatic);
   if (context.view.wants_constant && is_uniform && (var.qualifiers & ast::kConst) && var.init) {
-    // fxc takes the value of a `const` global for a constant where it needs one, and nowhere else.
+    // fxc uses the value of a `const` global only where it needs a constant.
     View view = ViewOf(context, id);
     view.wants_constant = true;
     const ViewSwitch in(context, view);

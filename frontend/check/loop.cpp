@@ -38,7 +38,7 @@ void CheckForInit(Context& context, ast::StmtId init, ir::For& loop) {
   const ir::TypeId type = type_of(emitted.front());
   const bool one_type =
       type && std::ranges::all_of(emitted, [&](ir::StmtId id) { return type_of(id) == type; });
-  // Anything else stands before the loop.
+  // Other statements stay before the loop.
   if (!one_type) return;
   const std::vector<ir::StmtId> stmts = TakeStmts(context, mark);
   loop.init = context.program.stmt_lists.Add(std::span<const ir::StmtId>(stmts));
@@ -61,7 +61,7 @@ void CheckFor(Context& context, const ast::ForStmt& stmt, Span span) {
     loop.body = CheckLoopBody(context, stmt.body);
   }
   Emit(context, span, loop);
-  // fxc lets the variables live on (X3078 tells of the conflicts that makes).
+  // In fxc the variables are visible after the loop (it warns of conflicts with X3078).
   for (SymbolId id : variables) {
     const Symbol variable = context[id];
     const SymbolId hidden = context.names.InnermostLocal(variable.name);

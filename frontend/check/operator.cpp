@@ -74,7 +74,7 @@ ir::ExprId CheckIncrement(Context& context, const ast::UnaryExpr& expr, Span spa
   return WithPrologue(context, steps, old);
 }
 
-// left op right, each converted to its type.
+// The operation, with each operand converted to its type.
 ir::ExprId Combine(Context& context, ir::BinaryOp op, ir::ExprId left, ir::TypeId left_type,
                    ir::ExprId right, ir::TypeId right_type, Span span) {
   left = Implicit(context, left, left_type);

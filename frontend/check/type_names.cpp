@@ -204,7 +204,7 @@ std::optional<ir::TypeId> GenericNumericType(Context& context, const ast::Type& 
 std::optional<ir::TypeId> ObjectType(Context& context, const ast::Type& type,
                                      std::string_view text) {
   const std::string lower = ToLower(text);
-  // As a type of its own, where it is no global: a plain T.
+  // Where the declaration is not a global, the type is a plain T.
   if (text == "ConstantBuffer" || text == "TextureBuffer") {
     if (type.arguments.size == 1) return TypeArgument(context, context[type.arguments][0]);
     context.Report(type.span, diag::MissingTypeArgument, text);
