@@ -10,13 +10,15 @@
 #include "frontend/lex/preprocess_guard.h"
 #include "frontend/lex/source.h"
 
-// What the *_clang.cpp files, which alone include Clang, offer each other.
+// The functions that the *_clang.cpp files, which alone include Clang, offer each other.
 
 namespace clang {
 class DiagnosticConsumer;
 class DiagnosticOptions;
 class LangOptions;
+class IdentifierInfoLookup;
 class Preprocessor;
+class SourceLocation;
 class SourceManager;
 }  // namespace clang
 
@@ -29,6 +31,7 @@ struct ClangText {
   clang::DiagnosticOptions& options;
 };
 
+Span SpanAt(const clang::SourceLocation& where);
 Place Resolve(const ClangText& text, Span span);
 std::string RenderText(const ClangText& text, const Diagnostics& diagnostics, bool colour);
 
@@ -40,5 +43,22 @@ std::unique_ptr<clang::DiagnosticConsumer> ReportInto(Diagnostics* const* diagno
 // Adds the pragmas of HLSL. `#pragma pack_matrix` becomes a token tok::annot_pragma_pack, whose
 // annotation value is not null for row_major.
 void AddPragmas(clang::Preprocessor& preprocessor, Diagnostics& diagnostics);
+
+// A look-up for *preprocessor that adds Clang's own macros and calls AddPragmas at the first word
+// of a shader that may need them. It does nothing while `preprocessor` is null.
+std::unique_ptr<clang::IdentifierInfoLookup> AddMacrosAndPragmasOnFirstUse(
+    clang::Preprocessor* const& preprocessor, Diagnostics& diagnostics);
+
+// During its life, `guard` counts every token that a preprocessor of this thread reads.
+class GuardScope {
+ public:
+  explicit GuardScope(PreprocessGuard& guard);
+  ~GuardScope();
+  GuardScope(const GuardScope&) = delete;
+  GuardScope& operator=(const GuardScope&) = delete;
+
+ private:
+  PreprocessGuard* outer_;
+};
 
 }  // namespace clipc

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Places and messages: Clang's preprocessor diagnostics become ours, ours are drawn by Clang's
-// caret printer.
+// Places and messages: the diagnostics of Clang's preprocessor become ours, and Clang's printer
+// draws ours.
 #include <utility>
 
 #include <clang/Basic/Diagnostic.h>
@@ -40,13 +40,12 @@ class Consumer : public clang::DiagnosticConsumer {
                         const clang::Diagnostic& info) override {
     if (guard_.stopped() || level == clang::DiagnosticsEngine::Ignored) return;
     if (info.getID() == clang::diag::err_pp_include_too_deep) return on_include_too_deep_();
-    if (info.getID() == clang::diag::pp_pragma_once_in_main_file)
-      return;  // an include file checked by itself
-    if (info.getID() == clang::diag::err_invalid_utf8 && std::exchange(is_not_text_, true))
-      return;  // once says it
+    // An include file that is compiled by itself.
+    if (info.getID() == clang::diag::pp_pragma_once_in_main_file) return;
+    if (info.getID() == clang::diag::err_invalid_utf8 && std::exchange(is_not_text_, true)) return;
     llvm::SmallString<128> message;
     info.FormatDiagnostic(message);
-    const Span where = ToSpan(info.getLocation(), info.getLocation());
+    const Span where = SpanAt(info.getLocation());
     if (level == clang::DiagnosticsEngine::Note) {
       if (last_) last_->Note(where, diag::PreprocessorNote, message.str());
       return;
@@ -79,8 +78,7 @@ class Consumer : public clang::DiagnosticConsumer {
     if (hint.RemoveRange.isTokenRange()) {
       last_->Fix(ToSpan(hint.RemoveRange.getBegin(), hint.RemoveRange.getEnd()), hint.CodeToInsert);
     } else if (hint.RemoveRange.getBegin() == hint.RemoveRange.getEnd()) {
-      const SourceLocation at = hint.RemoveRange.getBegin();
-      last_->fix_its.push_back({ToSpan(at, at), hint.CodeToInsert, true});
+      last_->fix_its.push_back({SpanAt(hint.RemoveRange.getBegin()), hint.CodeToInsert, true});
     }
   }
 
@@ -88,10 +86,11 @@ class Consumer : public clang::DiagnosticConsumer {
   const PreprocessGuard& guard_;
   std::function<void()> on_include_too_deep_;
   bool is_not_text_ = false;
-  Diagnostic* last_ = nullptr;  // notes follow their diagnostic at once, so it is still in place
+  Diagnostic* last_ = nullptr;  // valid for its notes, which follow it at once
 };
 
-// Where the user wrote what comes from a macro: the argument, or else one end of the macro's use.
+// The place in a file of what may come from a macro: where the user wrote the argument, otherwise
+// one end of the macro's use.
 SourceLocation FileEnd(const clang::SourceManager& sources, SourceLocation location,
                        bool is_begin) {
   while (location.isMacroID()) {
@@ -105,8 +104,8 @@ SourceLocation FileEnd(const clang::SourceManager& sources, SourceLocation locat
   return location;
 }
 
-// The part of `span` that lies in one file, as bytes; the user's own text where a macro is
-// involved.
+// The bytes of `span`, as the user wrote them where a macro is involved. If it starts and ends in
+// different files, only its first token.
 CharSourceRange FileRange(const ClangText& text, Span span) {
   const SourceLocation begin = FileEnd(text.sources, Location(span.begin), true);
   const SourceLocation end = FileEnd(text.sources, Location(span.end), false);
@@ -159,6 +158,8 @@ void Draw(const ClangText& text, clang::TextDiagnostic& printer, llvm::raw_ostre
 
 }  // namespace
 
+Span SpanAt(const SourceLocation& where) { return ToSpan(where, where); }
+
 Place Resolve(const ClangText& text, Span span) {
   if (!span) return {};
   const CharSourceRange range = FileRange(text, span);
@@ -173,7 +174,7 @@ std::string RenderText(const ClangText& text, const Diagnostics& diagnostics, bo
   llvm::raw_string_ostream out(rendered);
   out.enable_colors(colour);
   text.options.ShowColors = colour;
-  text.options.ShowPresumedLoc = true;  // or #line would be ignored in messages
+  text.options.ShowPresumedLoc = true;  // messages obey #line
 #if CLANG_VERSION_MAJOR >= 21
   clang::TextDiagnostic printer(out, text.language, text.options);
 #else

@@ -13,8 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The entry of `folder` that is `name` in any case: the exact one if there is one, else the first
-// by name.
+// The entry of `folder` with the name `name` in any case: that with exactly this name, otherwise
+// the first in alphabetical order; empty if there is none.
 std::string MatchEntry(const fs::path& folder, const std::string& name) {
   std::error_code error;
   if (name == "." || name == ".." || fs::exists(folder / name, error)) return name;
@@ -28,6 +28,7 @@ std::string MatchEntry(const fs::path& folder, const std::string& name) {
   return best;
 }
 
+// The same for each part of `relative`; none unless the whole is a regular file.
 std::optional<fs::path> MatchPath(const fs::path& folder, const fs::path& relative) {
   fs::path matched;
   for (const fs::path& part : relative) {
@@ -92,7 +93,7 @@ void ReportMissingInclude(Span where, const std::string& name,
 }
 
 void ReportIncludeTooDeep(std::span<const EnteredFile> stack, Diagnostics& diagnostics) {
-  // The first file that comes again closes the cycle.
+  // The first file that is entered again closes the cycle.
   for (std::size_t end = 1; end < stack.size(); ++end) {
     for (std::size_t begin = 0; stack[end].identity && begin < end; ++begin) {
       if (stack[begin].identity != stack[end].identity) continue;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Clang's preprocessor as clipc's: what is read, which macros exist, and each of Clang's tokens
-// turned into one of ours.
+// Clang's preprocessor as clipc's: its world, the include files, and each of Clang's tokens turned
+// into one of ours.
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -35,106 +35,21 @@ namespace {
 namespace tok = clang::tok;
 using clang::SourceLocation;
 
-// ---- limits
-
 using Limit = PreprocessGuard::Limit;
 
-thread_local PreprocessGuard* current_guard = nullptr;
+// ---- the world as Clang sees it
 
-struct GuardScope {
-  explicit GuardScope(PreprocessGuard& guard) : outer(std::exchange(current_guard, &guard)) {}
-  ~GuardScope() { current_guard = outer; }
-  GuardScope(const GuardScope&) = delete;
-  GuardScope& operator=(const GuardScope&) = delete;
-  PreprocessGuard* outer;
-};
-
-// Whether the preprocessor may go on with one more token.
-bool Pass(PreprocessGuard& guard, const clang::Preprocessor& preprocessor) {
-  if (guard.stopped()) return false;
-  const Limit limit = guard.CountToken();
-  if (limit == Limit::kNone) return true;
-  auto* file = static_cast<clang::Lexer*>(preprocessor.getCurrentFileLexer());
-  guard.Stop(limit, file ? file->getSourceLocation().getRawEncoding() : 0);
-  return false;
+// Options as the constructors of this version of Clang take them.
+template <typename Options>
+decltype(auto) ForClang(const std::shared_ptr<Options>& options) {
+#if CLANG_VERSION_MAJOR >= 21
+  return (*options);
+#else
+  return options;
+#endif
 }
 
-}  // namespace
-
-// The linker's --wrap sends every call of clang::Preprocessor::Lex, Clang's own included, through
-// here (CMakeLists.txt).
-extern "C" {
-void __real__ZN5clang12Preprocessor3LexERNS_5TokenE(clang::Preprocessor*, clang::Token&)
-    __attribute__((weak));
-void __wrap__ZN5clang12Preprocessor3LexERNS_5TokenE(clang::Preprocessor*, clang::Token&);
-
-void __wrap__ZN5clang12Preprocessor3LexERNS_5TokenE(clang::Preprocessor* preprocessor,
-                                                    clang::Token& token) {
-  PreprocessGuard* guard = current_guard;
-  if (!guard || Pass(*guard, *preprocessor)) {
-    return __real__ZN5clang12Preprocessor3LexERNS_5TokenE(preprocessor, token);
-  }
-  // Some of Clang's loops wait for the end of a line, some for the end of the file: give them
-  // turns.
-  thread_local bool end_of_line = false;
-  token.startToken();
-  token.setKind(end_of_line ? tok::eod : tok::eof);
-  end_of_line = !end_of_line;
-}
-
-// Four more, because Clang sets every preprocessor up for a large C++ file, which would be a fifth
-// of a small shader's time. To clipc all words are identifiers (NameOf), so C's keywords are not
-// entered,
-void __wrap__ZN5clang15IdentifierTable11AddKeywordsERKNS_11LangOptionsE(clang::IdentifierTable*,
-                                                                        const clang::LangOptions&) {
-}
-
-// and the table of identifiers, the one map that is made this large, grows from fewer buckets.
-void __real__ZN4llvm13StringMapImplC2Ejj(llvm::StringMapImpl*, unsigned, unsigned)
-    __attribute__((weak));
-void __wrap__ZN4llvm13StringMapImplC2Ejj(llvm::StringMapImpl* map, unsigned buckets,
-                                         unsigned item_size) {
-  __real__ZN4llvm13StringMapImplC2Ejj(map, std::min(buckets, 256u), item_size);
-}
-
-// Its thirty pragmas of C++ stay away; AddPragmas adds those of HLSL.
-void __wrap__ZN5clang12Preprocessor22RegisterBuiltinPragmasEv(clang::Preprocessor*) {}
-
-// __LINE__ and the twenty-nine others wait for a shader that names one (FirstUse).
-void __real__ZN5clang12Preprocessor21RegisterBuiltinMacrosEv(clang::Preprocessor*)
-    __attribute__((weak));
-void __wrap__ZN5clang12Preprocessor21RegisterBuiltinMacrosEv(clang::Preprocessor*) {}
-}
-
-namespace {
-
-// Asked for every identifier that is new to the preprocessor: brings in Clang's own macros and the
-// pragmas with the first word that may want them.
-class FirstUse : public clang::IdentifierInfoLookup {
- public:
-  void Watch(clang::Preprocessor& preprocessor, Diagnostics& diagnostics) {
-    preprocessor_ = &preprocessor;
-    diagnostics_ = &diagnostics;
-  }
-
-  clang::IdentifierInfo* get(llvm::StringRef name) override {
-    const bool is_wanted = name == "pragma" || (name.starts_with("_") && name != "__CLIPC__");
-    if (!preprocessor_ || !is_wanted) return nullptr;
-    clang::Preprocessor& preprocessor = *std::exchange(preprocessor_, nullptr);
-    __real__ZN5clang12Preprocessor21RegisterBuiltinMacrosEv(&preprocessor);
-    AddPragmas(preprocessor, *diagnostics_);
-    return &preprocessor.getIdentifierTable().get(name);
-  }
-
- private:
-  clang::Preprocessor* preprocessor_ = nullptr;
-  Diagnostics* diagnostics_ = nullptr;
-};
-
-// ---- what Clang wants to know of the world
-
-// Twenty lines instead of every target's tables: the preprocessor asks for the widths of integers
-// and characters only.
+// The target. The preprocessor asks it only for the widths of integers and characters.
 class VertexTarget : public clang::TargetInfo {
  public:
   VertexTarget() : TargetInfo(llvm::Triple("dxil-pc-shadermodel6.0-vertex")) {
@@ -162,7 +77,7 @@ class VertexTarget : public clang::TargetInfo {
   clang::ArrayRef<TargetInfo::GCCRegAlias> getGCCRegAliases() const override { return {}; }
 };
 
-// Includes are regular files: `#include "/dev/zero"` finds nothing.
+// The file system, with regular files only: `#include "/dev/zero"` finds no file.
 class RegularFiles : public llvm::vfs::ProxyFileSystem {
  public:
   RegularFiles() : ProxyFileSystem(llvm::vfs::getRealFileSystem()) {}
@@ -228,11 +143,10 @@ struct Source::State {
         input(std::move(what)),
         consumer(ReportInto(&diagnostics, guard, [this] { StopInclude(); })),
         engine(shared.ids, shared.options, consumer.get(), /*ShouldOwnClient=*/false),
-        sources(engine, *shared.files, /*UserFilesAreVolatile=*/true) {
-  }  // never mapped: a file may shrink while read
+        // Volatile files are never mapped: a file may shrink while it is read.
+        sources(engine, *shared.files, /*UserFilesAreVolatile=*/true) {}
 
   ClangText Text() { return {sources, shared.language, shared.Options()}; }
-  Span At(SourceLocation where) const { return {where.getRawEncoding(), where.getRawEncoding()}; }
   bool MainFileIsOnDisk() const { return !input.text && input.path != "-"; }
   bool EnterMainFile();
   EnteredFile Describe(clang::FileID file) const;
@@ -251,7 +165,7 @@ class Callbacks : public clang::PPCallbacks {
   Callbacks(Source::State& source, clang::Preprocessor& preprocessor, clang::HeaderSearch& search)
       : source_(source), preprocessor_(preprocessor), search_(search) {}
 
-  // InclusionDirective follows, and knows the place.
+  // True: go on. InclusionDirective, which is called next, has the place for a message.
   bool FileNotFound(llvm::StringRef) override { return true; }
 
   void InclusionDirective(SourceLocation, const clang::Token&, llvm::StringRef name, bool,
@@ -261,7 +175,7 @@ class Callbacks : public clang::PPCallbacks {
     if (file || source_.guard.stopped()) return;
     const std::vector<std::string> folders =
         IncludeFolders(source_.include_stack, source_.input.include_dirs);
-    const Span span{where.getBegin().getRawEncoding(), where.getBegin().getRawEncoding()};
+    const Span span = SpanAt(where.getBegin());
     auto found = FindIncludeLikeWindows(folders, name.str());
     auto entry = found ? source_.shared.files->getOptionalFileRef(found->path) : std::nullopt;
     if (!entry) {
@@ -291,8 +205,7 @@ class Callbacks : public clang::PPCallbacks {
   void MacroExpands(const clang::Token& name, const clang::MacroDefinition& macro,
                     clang::SourceRange, const clang::MacroArgs*) override {
     source_.guard.CountExpansion(name.getLocation().getRawEncoding());
-    // A macro that is "being expanded" already comes out as a plain identifier: that ends Clang's
-    // loop.
+    // Clang does not expand a macro that is disabled, as it is during its own expansion.
     if (source_.guard.stopped() && macro.getMacroInfo()->isEnabled())
       macro.getMacroInfo()->DisableMacro();
   }
@@ -324,7 +237,7 @@ class Callbacks : public clang::PPCallbacks {
   Source::State& source_;
   clang::Preprocessor& preprocessor_;
   clang::HeaderSearch& search_;
-  llvm::StringSet<> warned_;  // include names that are not spelled as on disk
+  llvm::StringSet<> warned_;  // the include names reported as not spelled as on disk
 };
 
 // ---- tokens
@@ -340,7 +253,7 @@ constexpr std::array<TokenKind, tok::NUM_TOKENS> MakeKinds() {
 }
 constexpr std::array<TokenKind, tok::NUM_TOKENS> kKinds = MakeKinds();
 
-// The name is kept with Clang's identifier, plus one: no look-up when it comes again.
+// The index of the name plus one is kept with Clang's identifier, which saves looking it up again.
 Name NameOf(clang::IdentifierInfo& identifier, std::string_view text, Names& names) {
   auto known = reinterpret_cast<std::uintptr_t>(identifier.getFETokenInfo());
   if (known == 0) {
@@ -422,13 +335,8 @@ Tokens Lex(Source& source, Diagnostics& diagnostics) {
     return tokens;
   }
   FrontendContext::State& shared = state.shared;
-#if CLANG_VERSION_MAJOR >= 21
-  clang::HeaderSearch search(*shared.search_options, state.sources, state.engine, shared.language,
-                             &shared.target);
-#else
-  clang::HeaderSearch search(shared.search_options, state.sources, state.engine, shared.language,
-                             &shared.target);
-#endif
+  clang::HeaderSearch search(ForClang(shared.search_options), state.sources, state.engine,
+                             shared.language, &shared.target);
   std::vector<clang::DirectoryLookup> folders;
   for (const std::string& folder : state.input.include_dirs) {
     if (auto entry = shared.files->getOptionalDirectoryRef(folder)) {
@@ -439,15 +347,12 @@ Tokens Lex(Source& source, Diagnostics& diagnostics) {
                         llvm::DenseMap<unsigned, unsigned>());
 
   clang::TrivialModuleLoader modules;
-  FirstUse first_use;
-#if CLANG_VERSION_MAJOR >= 21
-  clang::Preprocessor preprocessor(*shared.preprocessor_options, state.engine, shared.language,
-                                   state.sources, search, modules, &first_use);
-#else
-  clang::Preprocessor preprocessor(shared.preprocessor_options, state.engine, shared.language,
-                                   state.sources, search, modules, &first_use);
-#endif
-  first_use.Watch(preprocessor, diagnostics);
+  clang::Preprocessor* preprocessor_for_macros = nullptr;
+  const auto first_use = AddMacrosAndPragmasOnFirstUse(preprocessor_for_macros, diagnostics);
+  clang::Preprocessor preprocessor(ForClang(shared.preprocessor_options), state.engine,
+                                   shared.language, state.sources, search, modules,
+                                   first_use.get());
+  preprocessor_for_macros = &preprocessor;
   preprocessor.Initialize(shared.target);
   preprocessor.setPredefines(Predefines(state.input));
   preprocessor.addPPCallbacks(std::make_unique<Callbacks>(state, preprocessor, search));

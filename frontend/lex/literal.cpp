@@ -21,7 +21,7 @@ bool IsWordChar(char c) {
 
 char At(std::string_view text, std::size_t i) { return i < text.size() ? text[i] : '\0'; }
 
-// u l ul lu ll ull llu; fxc's and C's `l` alone is still 32 bits.
+// u l ul lu ll ull llu. `l` alone means 32 bits, as in fxc and C.
 bool ReadIntegerSuffix(std::string_view text, Number& number) {
   bool is_unsigned = false;
   int longs = 0;
@@ -75,8 +75,8 @@ bool ReadFloatSuffix(std::string_view text, Number& number) {
   return !IsWordChar(At(text, number.length));
 }
 
-// The digits of a floating-point number end at `end`. A number with the suffix `f` is rounded to
-// float at once: by way of double it could be rounded twice.
+// Reads a floating-point number whose digits are from `begin` to `end`. With the suffix `f` it is
+// rounded to float at once: by way of double it could be rounded twice.
 Number ReadFloat(std::string_view text, std::size_t begin, std::size_t end,
                  std::chars_format format) {
   Number number;
@@ -86,8 +86,8 @@ Number ReadFloat(std::string_view text, std::size_t begin, std::size_t end,
   double value = 0;
   auto result = std::from_chars(text.data() + begin, text.data() + end, value, format);
   if (result.ec == std::errc::result_out_of_range) {
-    value = std::strtod(std::string(text.substr(0, end)).c_str(),
-                        nullptr);  // tells too large from too small
+    // strtod tells too large from too small.
+    value = std::strtod(std::string(text.substr(0, end)).c_str(), nullptr);
   } else if (has_suffix) {
     float rounded = 0;
     result = std::from_chars(text.data() + begin, text.data() + end, rounded, format);

@@ -8,14 +8,11 @@
 #include <clang/Lex/Preprocessor.h>
 
 #include "frontend/lex/clang_bridge.h"
-#include "frontend/lex/source_text.h"
 
 namespace clipc {
 namespace {
 
 namespace tok = clang::tok;
-
-Span At(clang::SourceLocation where) { return {where.getRawEncoding(), where.getRawEncoding()}; }
 
 // Hands the rest of the directive to `handle` as words and punctuators.
 class Pragma : public clang::PragmaHandler {
@@ -27,8 +24,7 @@ class Pragma : public clang::PragmaHandler {
 
   void HandlePragma(clang::Preprocessor& preprocessor, clang::PragmaIntroducer,
                     clang::Token& name) override {
-    if (name.isOneOf(tok::eod, tok::eof))
-      return;  // `#pragma` alone; there is nothing left of the line to read
+    if (name.isOneOf(tok::eod, tok::eof)) return;  // `#pragma` alone: the line has been read
     std::vector<std::string> words;
     clang::Token token;
     for (preprocessor.LexUnexpandedToken(token); !token.isOneOf(tok::eod, tok::eof);
@@ -45,15 +41,15 @@ class Pragma : public clang::PragmaHandler {
 
 void HandleUnknown(Diagnostics& diagnostics, clang::Preprocessor& preprocessor,
                    const clang::Token& name, const std::vector<std::string>&) {
-  if (name.is(tok::eod)) return;
-  diagnostics.Report(At(name.getLocation()), diag::UnknownPragma, preprocessor.getSpelling(name));
+  diagnostics.Report(SpanAt(name.getLocation()), diag::UnknownPragma,
+                     preprocessor.getSpelling(name));
 }
 
 void HandlePackMatrix(Diagnostics& diagnostics, clang::Preprocessor& preprocessor,
                       const clang::Token& name, const std::vector<std::string>& words) {
   const bool row_major = words == std::vector<std::string>{"(", "row_major", ")"};
   if (!row_major && words != std::vector<std::string>{"(", "column_major", ")"}) {
-    diagnostics.Report(At(name.getLocation()), diag::MalformedPragma, "pack_matrix",
+    diagnostics.Report(SpanAt(name.getLocation()), diag::MalformedPragma, "pack_matrix",
                        "it takes (row_major) or (column_major)");
     return;
   }
@@ -67,9 +63,18 @@ void HandlePackMatrix(Diagnostics& diagnostics, clang::Preprocessor& preprocesso
                                 /*IsReinject=*/false);
 }
 
+// #pragma warning (disable: 3206 3571; error: 4000), with fxc's numbers. Other words, push and pop
+// among them, have no effect.
 void HandleWarning(Diagnostics& diagnostics, clang::Preprocessor&, const clang::Token&,
                    const std::vector<std::string>& words) {
-  ApplyWarningPragma(words, diagnostics);
+  auto state = Diagnostics::WarningState::kOn;
+  for (const std::string& word : words) {
+    if (word == "disable") state = Diagnostics::WarningState::kOff;
+    if (word == "error") state = Diagnostics::WarningState::kError;
+    if (word == "default" || word == "once" || word == "enable")
+      state = Diagnostics::WarningState::kOn;
+    if (word[0] >= '1' && word[0] <= '9') diagnostics.SetWarning("X" + word, state);
+  }
 }
 
 void HandleMessage(Diagnostics& diagnostics, clang::Preprocessor&, const clang::Token& name,
@@ -78,10 +83,10 @@ void HandleMessage(Diagnostics& diagnostics, clang::Preprocessor&, const clang::
   for (const std::string& word : words) {
     if (word.size() >= 2 && word.front() == '"') message += word.substr(1, word.size() - 2);
   }
-  diagnostics.Report(At(name.getLocation()), diag::PragmaMessage, message);
+  diagnostics.Report(SpanAt(name.getLocation()), diag::PragmaMessage, message);
 }
 
-// One that Clang has.
+// A pragma that Clang handles.
 template <void (clang::Preprocessor::*handle)(clang::Token&)>
 class ClangPragma : public clang::PragmaHandler {
  public:
@@ -95,19 +100,21 @@ class ClangPragma : public clang::PragmaHandler {
 }  // namespace
 
 void AddPragmas(clang::Preprocessor& preprocessor, Diagnostics& diagnostics) {
-  preprocessor.AddPragmaHandler(new ClangPragma<&clang::Preprocessor::HandlePragmaOnce>("once"));
-  preprocessor.AddPragmaHandler(
-      new ClangPragma<&clang::Preprocessor::HandlePragmaPushMacro>("push_macro"));
-  preprocessor.AddPragmaHandler(
-      new ClangPragma<&clang::Preprocessor::HandlePragmaPopMacro>("pop_macro"));
-  preprocessor.AddPragmaHandler(new Pragma("message", diagnostics, HandleMessage));
-  preprocessor.AddPragmaHandler(new clang::EmptyPragmaHandler("region"));  // for editors
-  preprocessor.AddPragmaHandler(new clang::EmptyPragmaHandler("endregion"));
-  preprocessor.AddPragmaHandler(new Pragma("pack_matrix", diagnostics, HandlePackMatrix));
-  preprocessor.AddPragmaHandler(new Pragma("warning", diagnostics, HandleWarning));
-  preprocessor.AddPragmaHandler(
-      new clang::EmptyPragmaHandler("def"));  // fxc: constants given to the runtime
-  preprocessor.AddPragmaHandler(new Pragma("", diagnostics, HandleUnknown));
+  using clang::EmptyPragmaHandler;
+  for (clang::PragmaHandler* handler : std::initializer_list<clang::PragmaHandler*>{
+           new ClangPragma<&clang::Preprocessor::HandlePragmaOnce>("once"),
+           new ClangPragma<&clang::Preprocessor::HandlePragmaPushMacro>("push_macro"),
+           new ClangPragma<&clang::Preprocessor::HandlePragmaPopMacro>("pop_macro"),
+           new Pragma("message", diagnostics, HandleMessage),
+           new Pragma("pack_matrix", diagnostics, HandlePackMatrix),
+           new Pragma("warning", diagnostics, HandleWarning),
+           new EmptyPragmaHandler("region"),  // for editors
+           new EmptyPragmaHandler("endregion"),
+           new EmptyPragmaHandler("def"),  // fxc: constants for the Direct3D runtime
+           new Pragma("", diagnostics, HandleUnknown),
+       }) {
+    preprocessor.AddPragmaHandler(handler);
+  }
 }
 
 }  // namespace clipc

@@ -42,18 +42,24 @@ std::string ReadAll(int file, std::string& text) {
   return {};
 }
 
+// DXC's predefined macros, as it documents them. fxc, which the older shader models belong to, has
+// none.
 void DefineTarget(const SourceInput& input, std::string& out) {
-  // What DXC documents; fxc, which the older shader models belong to, has none.
   out += fmt::format(
-      "#define __hlsl_dx_compiler 1\n#define __HLSL_VERSION 2018\n"
-      "#define __SHADER_TARGET_STAGE 1\n#define __SHADER_TARGET_MAJOR {}\n#define "
-      "__SHADER_TARGET_MINOR {}\n"
-      "#define __SHADER_STAGE_PIXEL 0\n#define __SHADER_STAGE_VERTEX 1\n#define "
-      "__SHADER_STAGE_GEOMETRY 2\n"
-      "#define __SHADER_STAGE_HULL 3\n#define __SHADER_STAGE_DOMAIN 4\n#define "
-      "__SHADER_STAGE_COMPUTE 5\n"
-      "#define __SHADER_STAGE_LIBRARY 6\n#define __SHADER_STAGE_MESH 13\n#define "
-      "__SHADER_STAGE_AMPLIFICATION 14\n",
+      "#define __hlsl_dx_compiler 1\n"
+      "#define __HLSL_VERSION 2018\n"
+      "#define __SHADER_TARGET_STAGE 1\n"
+      "#define __SHADER_TARGET_MAJOR {}\n"
+      "#define __SHADER_TARGET_MINOR {}\n"
+      "#define __SHADER_STAGE_PIXEL 0\n"
+      "#define __SHADER_STAGE_VERTEX 1\n"
+      "#define __SHADER_STAGE_GEOMETRY 2\n"
+      "#define __SHADER_STAGE_HULL 3\n"
+      "#define __SHADER_STAGE_DOMAIN 4\n"
+      "#define __SHADER_STAGE_COMPUTE 5\n"
+      "#define __SHADER_STAGE_LIBRARY 6\n"
+      "#define __SHADER_STAGE_MESH 13\n"
+      "#define __SHADER_STAGE_AMPLIFICATION 14\n",
       input.shader_model_major, input.shader_model_minor);
 }
 
@@ -81,17 +87,6 @@ std::string Predefines(const SourceInput& input) {
                : fmt::format("#define {} {}\n", line.substr(0, equals), line.substr(equals + 1));
   }
   return out + "# 1 \"<built-in>\" 2\n";
-}
-
-void ApplyWarningPragma(const std::vector<std::string>& words, Diagnostics& diagnostics) {
-  auto state = Diagnostics::WarningState::kOn;
-  for (const std::string& word : words) {
-    if (word == "disable") state = Diagnostics::WarningState::kOff;
-    if (word == "error") state = Diagnostics::WarningState::kError;
-    if (word == "default" || word == "once" || word == "enable")
-      state = Diagnostics::WarningState::kOn;
-    if (word[0] >= '1' && word[0] <= '9') diagnostics.SetWarning("X" + word, state);
-  }
 }
 
 }  // namespace clipc

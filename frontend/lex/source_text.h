@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <string>
-#include <vector>
 
 #include "frontend/lex/source.h"
 
@@ -21,9 +20,5 @@ std::string ReadText(const std::string& path, std::string& text);
 // compiler that the shader model belongs to, and the user's, which are in "<command line>" for
 // messages.
 std::string Predefines(const SourceInput& input);
-
-// Obeys a `#pragma warning`, given the words after it: (disable: 3206 3571; error: 4000). The
-// numbers are fxc's. Other words, push and pop among them, have no effect.
-void ApplyWarningPragma(const std::vector<std::string>& words, Diagnostics& diagnostics);
 
 }  // namespace clipc

@@ -10,7 +10,7 @@ void TokenWriter::AddHash(Token token) {
   Add(token, after_ == After::kNumberWithDot && !token.after_space ? After::kHash : After::kOther);
 }
 
-// `1.#` came before: true, and put together with `text`, if that makes a number.
+// After `1.#`: if `text` completes a number, puts it together and returns true.
 bool TokenWriter::EndSpecialNumber(std::string_view text) {
   Number number;
   if (!ReadSpecialNumber(text, number)) return false;
@@ -21,8 +21,8 @@ bool TokenWriter::EndSpecialNumber(std::string_view text) {
   return true;
 }
 
-// C takes a whole "preprocessing number", which may be a number and a swizzle, or hold an operator:
-// `1.0.yyy`, `0x1e+2`. The parts get places of their own.
+// Reads C's "preprocessing number", which may be a number and a swizzle or contain an operator:
+// `1.0.yyy`, `0x1e+2`. Each part has a location of its own.
 void TokenWriter::AddNumber(Token token, std::string_view text) {
   const auto is_digit = [&](std::size_t i) {
     return i < text.size() && text[i] >= '0' && text[i] <= '9';

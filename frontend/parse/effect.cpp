@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/parse/parser.h"
 
-// The effects framework: techniques, passes, state blocks and annotations. None of it means
-// anything to a vertex shader, so it is skipped with its brackets matched, as fxc does under a
-// shader profile; only the names of vertex shaders are remembered.
+// The effects framework: techniques, passes, state blocks and annotations. They have no meaning for
+// a vertex shader, so they are skipped with their brackets matched, as fxc does under a shader
+// profile; only the names of vertex shaders are kept.
 namespace clipc::ast {
 
 // technique10 Name <annotation> {...}, fxgroup Name {...}

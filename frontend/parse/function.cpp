@@ -91,7 +91,7 @@ bool Parser::AtFunctionDeclarator() const {
   return false;
 }
 
-// From the name on.
+// The rest of a function, from its name on.
 void Parser::ParseFunction(Decls& decls, Scope scope, const Specifiers& specifiers,
                            const TemplateHeader& header) {
   FunctionDecl function{};

@@ -161,7 +161,7 @@ constexpr auto kAnyCase = std::to_array<Entry>({
     ShaderType("pixelfragment"),
 });
 
-// These alone and with a size behind them: `float`, `float3`, `float3x4`.
+// Numeric types, alone or with a size: `float`, `float3`, `float3x4`.
 constexpr auto kScalars = std::to_array<std::string_view>({
     "bool",
     "int",

@@ -52,7 +52,7 @@ enum class Word : std::uint8_t {
   kObjectType,           // `Texture2D`, `sampler`, `vector`, `string`, ...
   kRegister,
   kPackOffset,
-  kLayout,     // layout(...): Vulkan's, in the dialect of some compilers
+  kLayout,     // layout(...), Vulkan's attributes in the dialect of some compilers
   kTechnique,  // technique, technique10, technique11, fxgroup
   kCompile,    // compile, compile_fragment
   kCompileShader,

@@ -10,9 +10,9 @@
 
 namespace clipc::ast {
 
-// What needs more than the current token: what the names of the text mean so far, and the questions
-// that tell a cast from parentheses, template arguments from less-than, a declaration from an
-// expression.
+// A cursor that knows what the names of the text mean so far, and answers the questions that need
+// more than the current token: a cast or parentheses, template arguments or less-than, a
+// declaration or an expression.
 //
 // Every question reads a bounded number of tokens, so parsing is linear for every text. `ahead`
 // counts tokens from the current one; a Skip function returns the position after what it skips, or

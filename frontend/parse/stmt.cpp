@@ -79,7 +79,7 @@ ExprId Parser::ParseCondition(std::string_view of) {
   return ErrorExprHere();
 }
 
-// A chain of else-ifs is one path of the tree, but no recursion of the parser.
+// A chain of else-ifs is one path of the tree; the parser reads it in a loop.
 StmtId Parser::ParseIf(std::size_t start) {
   struct Arm {
     std::size_t start;

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// Functions of Clang that the linker's --wrap (frontend/CMakeLists.txt) sends through here: every
+// token that the preprocessor reads is counted, and its set-up, which is made for large C++ files
+// and would be a fifth of a small shader's time, is cut down to what a shader needs.
+#include <algorithm>
+#include <utility>
+
+#include <clang/Basic/IdentifierTable.h>
+#include <clang/Lex/Lexer.h>
+#include <clang/Lex/Preprocessor.h>
+#include <llvm/ADT/StringMap.h>
+
+#include "frontend/lex/clang_bridge.h"
+
+namespace clipc {
+namespace {
+
+namespace tok = clang::tok;
+using Limit = PreprocessGuard::Limit;
+
+thread_local PreprocessGuard* current_guard = nullptr;
+
+// Whether the preprocessor may read one more token.
+bool MayRead(PreprocessGuard& guard, const clang::Preprocessor& preprocessor) {
+  if (guard.stopped()) return false;
+  const Limit limit = guard.CountToken();
+  if (limit == Limit::kNone) return true;
+  auto* file = static_cast<clang::Lexer*>(preprocessor.getCurrentFileLexer());
+  guard.Stop(limit, file ? file->getSourceLocation().getRawEncoding() : 0);
+  return false;
+}
+
+}  // namespace
+
+GuardScope::GuardScope(PreprocessGuard& guard) : outer_(std::exchange(current_guard, &guard)) {}
+GuardScope::~GuardScope() { current_guard = outer_; }
+
+extern "C" {
+void __real__ZN5clang12Preprocessor3LexERNS_5TokenE(clang::Preprocessor*, clang::Token&)
+    __attribute__((weak));
+void __wrap__ZN5clang12Preprocessor3LexERNS_5TokenE(clang::Preprocessor*, clang::Token&);
+
+// clang::Preprocessor::Lex, which Clang itself calls too.
+void __wrap__ZN5clang12Preprocessor3LexERNS_5TokenE(clang::Preprocessor* preprocessor,
+                                                    clang::Token& token) {
+  PreprocessGuard* guard = current_guard;
+  if (!guard || MayRead(*guard, *preprocessor)) {
+    return __real__ZN5clang12Preprocessor3LexERNS_5TokenE(preprocessor, token);
+  }
+  // Some of Clang's loops wait for the end of a line, some for the end of the file: both come by
+  // turns.
+  thread_local bool end_of_line = false;
+  token.startToken();
+  token.setKind(end_of_line ? tok::eod : tok::eof);
+  end_of_line = !end_of_line;
+}
+
+// IdentifierTable::AddKeywords: to clipc all words are identifiers, so C's keywords are not
+// entered.
+void __wrap__ZN5clang15IdentifierTable11AddKeywordsERKNS_11LangOptionsE(clang::IdentifierTable*,
+                                                                        const clang::LangOptions&) {
+}
+
+// StringMapImpl's constructor: the table of identifiers, the one map that Clang makes this large,
+// grows from fewer buckets.
+void __real__ZN4llvm13StringMapImplC2Ejj(llvm::StringMapImpl*, unsigned, unsigned)
+    __attribute__((weak));
+void __wrap__ZN4llvm13StringMapImplC2Ejj(llvm::StringMapImpl* map, unsigned buckets,
+                                         unsigned item_size) {
+  __real__ZN4llvm13StringMapImplC2Ejj(map, std::min(buckets, 256u), item_size);
+}
+
+// Preprocessor::RegisterBuiltinPragmas: the thirty pragmas of C++ are left out; AddPragmas adds
+// those of HLSL.
+void __wrap__ZN5clang12Preprocessor22RegisterBuiltinPragmasEv(clang::Preprocessor*) {}
+
+// Preprocessor::RegisterBuiltinMacros: __LINE__ and the twenty-nine others are added when a shader
+// names one (FirstUse).
+void __real__ZN5clang12Preprocessor21RegisterBuiltinMacrosEv(clang::Preprocessor*)
+    __attribute__((weak));
+void __wrap__ZN5clang12Preprocessor21RegisterBuiltinMacrosEv(clang::Preprocessor*) {}
+}
+
+namespace {
+
+// Clang asks it for every identifier that is new to the preprocessor.
+class FirstUse : public clang::IdentifierInfoLookup {
+ public:
+  FirstUse(clang::Preprocessor* const& preprocessor, Diagnostics& diagnostics)
+      : preprocessor_(preprocessor), diagnostics_(diagnostics) {}
+
+  clang::IdentifierInfo* get(llvm::StringRef name) override {
+    const bool is_wanted = name == "pragma" || (name.starts_with("_") && name != "__CLIPC__");
+    if (!preprocessor_ || !is_wanted || std::exchange(is_done_, true)) return nullptr;
+    __real__ZN5clang12Preprocessor21RegisterBuiltinMacrosEv(preprocessor_);
+    AddPragmas(*preprocessor_, diagnostics_);
+    return &preprocessor_->getIdentifierTable().get(name);
+  }
+
+ private:
+  clang::Preprocessor* const& preprocessor_;
+  Diagnostics& diagnostics_;
+  bool is_done_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<clang::IdentifierInfoLookup> AddMacrosAndPragmasOnFirstUse(
+    clang::Preprocessor* const& preprocessor, Diagnostics& diagnostics) {
+  return std::make_unique<FirstUse>(preprocessor, diagnostics);
+}
+
+}  // namespace clipc
