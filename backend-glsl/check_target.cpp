@@ -24,14 +24,15 @@ namespace {
 
 class TargetCheck {
  public:
-  TargetCheck(const Program& program, const Target& target, Diagnostics& diagnostics)
+  TargetCheck(const Program& program, const Reached& reached, const Target& target,
+              Diagnostics& diagnostics)
       : program_(program),
         target_(target),
         diagnostics_(diagnostics),
-        reached_(Reach(program)),
+        reached_(reached),
         seen_types_(program.types.size()) {}
 
-  Reached Run() {
+  void Run() {
     for (const IoVar& input : program_.inputs) Input(input);
     for (const IoVar& output : program_.outputs) Output(output);
     for (CbufferId id : program_.cbuffers.ids()) {
@@ -48,7 +49,6 @@ class TargetCheck {
       }
     }
     for (FunctionId id : reached_.functions) Function(program_.functions[id]);
-    return std::move(reached_);
   }
 
  private:
@@ -444,15 +444,16 @@ class TargetCheck {
   const Program& program_;
   const Target& target_;
   Diagnostics& diagnostics_;
-  const Reached reached_;
+  const Reached& reached_;
   std::vector<char> seen_types_;  // by TypeId
   bool double_reported_ = false, int64_reported_ = false, uint_reported_ = false;
 };
 
 }  // namespace
 
-Reached CheckTarget(const Program& program, const Target& target, Diagnostics& diagnostics) {
-  return TargetCheck(program, target, diagnostics).Run();
+void CheckTarget(const Program& program, const Reached& reached, const Target& target,
+                 Diagnostics& diagnostics) {
+  TargetCheck(program, reached, target, diagnostics).Run();
 }
 
 }  // namespace clipc::glsl

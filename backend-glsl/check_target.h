@@ -10,7 +10,8 @@ namespace clipc::glsl {
 
 // Reports everything that `main` reaches and the target cannot say. Without errors, WriteGlsl
 // succeeds. Requires that the clip planes are lowered: which of them become clip distances is
-// decided there. Gives back what `main` reaches, for WriteGlsl.
-Reached CheckTarget(const ir::Program& program, const Target& target, Diagnostics& diagnostics);
+// decided there. `reached` is Reach(program).
+void CheckTarget(const ir::Program& program, const Reached& reached, const Target& target,
+                 Diagnostics& diagnostics);
 
 }  // namespace clipc::glsl

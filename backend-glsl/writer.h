@@ -65,8 +65,8 @@ struct GlslInfo {
   std::uint32_t cull_distance_mask = 0;
 };
 
-// The whole shader. Requires Verify(program) and CheckTarget(program, target) without errors. The
-// text depends on nothing but the arguments. `reached` is what CheckTarget gave back.
+// The whole shader. Requires Verify(program) and CheckTarget without errors. The
+// text depends on nothing but the arguments. `reached` is Reach(program).
 std::string WriteGlsl(const ir::Program& program, Reached reached, const Target& target,
                       const WriteOptions& options = {}, GlslInfo* info = nullptr);
 

@@ -28,7 +28,8 @@ TEST(Compile, GivesGlslAndTable) {
   request.reflect = true;
   const CompileResult result = Compile(request);
   ASSERT_TRUE(result.ok()) << result.text;
-  EXPECT_NE(result.glsl.find("gl_ClipDistance[1]"), std::string::npos) << result.glsl;
+  EXPECT_NE(result.shaders.vertex.find("gl_ClipDistance[1]"), std::string::npos)
+      << result.shaders.vertex;
   ASSERT_TRUE(result.table.has_value());
   EXPECT_EQ(result.table->enable_mask, 3u);
   ASSERT_EQ(result.table->planes.size(), 2u);
@@ -42,7 +43,7 @@ TEST(Compile, ErrorsLeaveNoOutput) {
   *request.text += "float broken(";
   const CompileResult result = Compile(request);
   EXPECT_EQ(result.status, Status::kErrors);
-  EXPECT_TRUE(result.glsl.empty());
+  EXPECT_TRUE(result.shaders.vertex.empty());
   EXPECT_FALSE(result.table.has_value());
   ASSERT_FALSE(result.messages.empty());
   EXPECT_EQ(result.messages[0].place.file, "two.hlsl");
@@ -53,7 +54,7 @@ TEST(Compile, BadRequests) {
   for (const auto& change : std::vector<void (*)(CompileRequest&)>{
            [](CompileRequest& r) { r.profile = "vs_9_9"; },
            [](CompileRequest& r) { r.target = "spirv"; },
-           [](CompileRequest& r) { r.stop_after = "nothing"; },
+           [](CompileRequest& r) { r.debug.stop_after = "nothing"; },
            [](CompileRequest& r) { r.text.reset(), r.path = "/no/such/file.hlsl"; }}) {
     CompileRequest request = TwoPlanes();
     change(request);
@@ -74,7 +75,7 @@ TEST(Compile, OneCompilerManyShaders) {
     const CompileResult alone = Compile(TwoPlanes(i));
     const CompileResult together = compiler.Compile(TwoPlanes(i));
     ASSERT_TRUE(together.ok()) << together.text;
-    EXPECT_EQ(alone.glsl, together.glsl);
+    EXPECT_EQ(alone.shaders.vertex, together.shaders.vertex);
   }
 }
 
@@ -88,12 +89,12 @@ TEST(Compile, ThreadsDoNotMeet) {
       for (int i = 0; i < 10; ++i) {
         CompileRequest request = TwoPlanes(7);
         request.validate = i == 9;
-        result = compiler.Compile(request).glsl;
+        result = compiler.Compile(request).shaders.vertex;
       }
     });
   }
   for (std::thread& thread : threads) thread.join();
-  for (const std::string& result : results) EXPECT_EQ(result, expected.glsl);
+  for (const std::string& result : results) EXPECT_EQ(result, expected.shaders.vertex);
 }
 
 TEST(ParseCommandLine, SlashIsAnOptionOnlyWhereItIsNoPath) {

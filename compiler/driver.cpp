@@ -93,8 +93,8 @@ Outputs PlaceOutputs(const CommandLine& command, const std::string& input) {
         NameAfter(command.dependency_file.empty() ? ".d" : command.dependency_file, name);
   }
   // The program or a dump takes standard output; the GLSL is then written only where -o says.
-  const CompileRequest& request = command.request;
-  const bool is_dump = request.dump || !request.dump_after.empty() || !request.stop_after.empty();
+  const DebugOptions& debug = command.request.debug;
+  const bool is_dump = debug.dump || !debug.dump_after.empty() || !debug.stop_after.empty();
   if (is_dump && command.output.empty()) outputs.glsl.clear();
   return outputs;
 }
@@ -124,7 +124,7 @@ std::string Driver::CheckUsage() {
   if (!command_.table.empty() && !clip_table::FormatOf(command_.table)) {
     return fmt::format("`{}` names no clip table; it ends in .json, .bin or .h", command_.table);
   }
-  const bool is_dump = command_.request.dump || !command_.request.stop_after.empty();
+  const bool is_dump = command_.request.debug.dump || !command_.request.debug.stop_after.empty();
   if (inputs.size() > 1 && !is_dump && !IsDirectory(command_.output)) {
     return "several input files need a folder to write to; give an existing one with -o";
   }
@@ -242,12 +242,12 @@ void Driver::Show(const CompileResult& result) {
 void Driver::AddShaders(const CompileResult& result, const Outputs& outputs,
                         OutputFiles& files) const {
   if (!command_.request.variants) {
-    files.Add(outputs.glsl, result.glsl);
-    if (!outputs.fragment.empty()) files.Add(outputs.fragment, result.fragment);
+    files.Add(outputs.glsl, result.shaders.vertex);
+    if (!outputs.fragment.empty()) files.Add(outputs.fragment, result.shaders.fragment);
   }
   for (std::size_t planes = 0; planes < result.variants.size(); ++planes) {
     const std::string path = VariantName(outputs.glsl, planes);
-    files.Add(path, result.variants[planes].glsl);
+    files.Add(path, result.variants[planes].vertex);
     if (outputs.fragment.empty()) continue;
     const std::string ending = outputs.fragment.substr(WithoutExtension(outputs.glsl).size());
     files.Add(WithoutExtension(path) + ending, result.variants[planes].fragment);
@@ -265,7 +265,7 @@ std::string Driver::Write(const CompileResult& result, const Outputs& outputs) {
   }
   OutputFiles files;
   if (!result.dump.empty()) files.Add("-", result.dump);
-  const bool is_complete = result.table.has_value() && !command_.request.dump;
+  const bool is_complete = result.table.has_value() && !command_.request.debug.dump;
   if (is_complete && !outputs.glsl.empty()) AddShaders(result, outputs, files);
   if (is_complete && !outputs.table.empty()) {
     const auto format = clip_table::FormatOf(outputs.table);

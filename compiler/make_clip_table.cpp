@@ -96,14 +96,14 @@ void NameInGlsl(const ir::Program& program, const ir::ClipPlane& plane, const gl
 
 }  // namespace
 
-clip_table::ClipTable MakeClipTable(const ir::Program& program, Lowering lowering, PlaneSpace space,
-                                    const glsl::GlslInfo& info) {
+clip_table::ClipTable MakeClipTable(const Lowered& lowered, const glsl::GlslInfo& info) {
+  const ir::Program& program = lowered.program;
   clip_table::ClipTable table;
   table.entry = program.functions[program.entry].name;
   table.profile = program.profile.name;
-  table.lowering = lowering;
-  table.plane_space = space;
-  table.enable_mask = clip_table::EnableMask(lowering, program.clip_planes.size());
+  table.lowering = lowered.lowering;
+  table.plane_space = lowered.plane_space;
+  table.enable_mask = clip_table::EnableMask(table.lowering, program.clip_planes.size());
   for (const ir::ClipPlane& plane : program.clip_planes) {
     clip_table::Plane& entry = table.planes.emplace_back();
     entry.index = static_cast<std::uint32_t>(table.planes.size() - 1);

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "backend-glsl/writer.h"
 #include "clip-table/clip_table.h"
-#include "ir/program.h"
+#include "compiler/stages.h"
 
 namespace clipc {
 
-// What the host must know to clip with `program`: where each plane's constant lies, and its name in
-// the GLSL.
-clip_table::ClipTable MakeClipTable(const ir::Program& program, Lowering lowering, PlaneSpace space,
-                                    const glsl::GlslInfo& info);
+// The clip table: what the host must know to clip with the shader that was written with `info`. It
+// says where the constant of each plane lies, and its name in the GLSL.
+clip_table::ClipTable MakeClipTable(const Lowered& lowered, const glsl::GlslInfo& info);
 
 }  // namespace clipc

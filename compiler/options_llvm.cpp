@@ -195,18 +195,18 @@ bool ReadRequestOption(const llvm::opt::Arg& argument, CompileRequest& request,
     case kOptProfile: request.profile = value(); return true;
     case kOptEntry: request.entry = value(); return true;
     case kOptTargetIs: request.target = value(); return true;
-    case kOptPackRows: request.matrices = MatrixOrder::kRowMajor; return true;
-    case kOptPackColumns: request.matrices = MatrixOrder::kColumnMajor; return true;
-    case kOptFlipY: request.flip_y = true; return true;
+    case kOptPackRows: request.packing = MatrixPacking::kRowMajor; return true;
+    case kOptPackColumns: request.packing = MatrixPacking::kColumnMajor; return true;
+    case kOptFlipY: request.clip_space.flip_y = true; return true;
     case kOptSeparable: request.separable = true; return true;
     case kOptVariants: request.variants = true; return true;
     case kOptVariantsUpTo:
       request.variants = true;
       return ReadNumber<std::size_t>("--variants=", value(), 0, kMaxClipPlanes,
                                      request.variant_planes, error);
-    case kOptVerify: request.verify = true; return true;
-    case kOptDumpAfterIs: request.dump_after.push_back(value()); return true;
-    case kOptStopAfterIs: request.stop_after = value(); return true;
+    case kOptVerify: request.debug.verify = true; return true;
+    case kOptDumpAfterIs: request.debug.dump_after.push_back(value()); return true;
+    case kOptStopAfterIs: request.debug.stop_after = value(); return true;
     case kOptNoWarnings: request.warnings.no_warnings = true; return true;
     case kOptWarningsAreErrors: request.warnings.warnings_are_errors = true; return true;
     case kOptWarning: return ReadWarning(value(), request.warnings, error);
@@ -215,9 +215,11 @@ bool ReadRequestOption(const llvm::opt::Arg& argument, CompileRequest& request,
     case kOptPlaneSpaceIs:
       return ReadChoice("--plane-space", value(), kPlaneSpaceNames, request.plane_space, error);
     case kOptPositionInputIs: request.position_input = value(); return true;
-    case kOptDumpIs: return ReadChoice("--dump", value(), kStages, request.dump.emplace(), error);
+    case kOptDumpIs:
+      return ReadChoice("--dump", value(), kStages, request.debug.dump.emplace(), error);
     case kOptDepthRangeIs:
-      return ReadChoice("--depth-range", value(), kDepthRanges, request.depth_range, error);
+      return ReadChoice("--depth-range", value(), kDepthRanges,
+                        request.clip_space.negative_one_to_one, error);
     default: return true;
   }
 }

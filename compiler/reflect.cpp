@@ -189,12 +189,13 @@ Json Planes(const clip_table::ClipTable& table) {
 
 }  // namespace
 
-std::string Reflect(const ir::Program& program, const glsl::Target& target,
-                    const glsl::GlslInfo& info, const clip_table::ClipTable& table) {
+std::string Reflect(const Lowered& lowered, const glsl::GlslInfo& info,
+                    const clip_table::ClipTable& table) {
+  const ir::Program& program = lowered.program;
   Json json = {{"version", 1},
                {"entry", table.entry},
                {"profile", table.profile},
-               {"target", target.name()}};
+               {"target", lowered.target.name()}};
   json["inputs"] = Inputs(program, info.inputs);
   json["outputs"] = Outputs(program, info.outputs);
   json["cbuffers"] = Json::array();

@@ -3,18 +3,16 @@
 
 #include <string>
 
-#include "backend-glsl/target.h"
-#include "backend-glsl/writer.h"
 #include "clip-table/clip_table.h"
-#include "ir/program.h"
+#include "compiler/stages.h"
 
 namespace clipc {
 
-// For --reflect: everything the host needs to feed the shader, as a JSON document. Inputs and
-// outputs with semantics, locations and types; constant buffers with members, offsets, registers
-// and how each is laid out in the GLSL; textures and samplers; clip planes and what to enable.
+// The text of --reflect, a JSON document with everything that the host needs to feed the shader:
+// inputs and outputs with semantics, locations and types; constant buffers with members, offsets,
+// registers and their layout in the GLSL; textures and samplers; clip planes and what to enable.
 // docs/reflection.md describes every key.
-std::string Reflect(const ir::Program& program, const glsl::Target& target,
-                    const glsl::GlslInfo& info, const clip_table::ClipTable& table);
+std::string Reflect(const Lowered& lowered, const glsl::GlslInfo& info,
+                    const clip_table::ClipTable& table);
 
 }  // namespace clipc

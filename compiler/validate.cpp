@@ -37,12 +37,14 @@ std::vector<std::string> Problems(std::string_view log) {
       problems.emplace_back(line);
     }
   }
+  if (problems.empty()) problems.emplace_back("no reason given");
   return problems;
 }
 
 }  // namespace
 
-Validation Validate(const std::string& glsl, const glsl::Target& target, ShaderStage stage) {
+std::vector<std::string> Validate(const std::string& glsl, const glsl::Target& target,
+                                  ShaderStage stage) {
   InitializeOnce();
   const EShLanguage language = stage == ShaderStage::kVertex ? EShLangVertex : EShLangFragment;
   auto messages = EShMsgDefault;
@@ -57,12 +59,12 @@ Validation Validate(const std::string& glsl, const glsl::Target& target, ShaderS
   const int length = static_cast<int>(glsl.size());
   shader.setStringsWithLengths(&text, &length, 1);
   if (!shader.parse(GetDefaultResources(), target.version(), false, messages)) {
-    return {false, Problems(shader.getInfoLog())};
+    return Problems(shader.getInfoLog());
   }
   glslang::TProgram program;
   program.addShader(&shader);
-  if (!program.link(messages)) return {false, Problems(program.getInfoLog())};
-  return {true, {}};
+  if (!program.link(messages)) return Problems(program.getInfoLog());
+  return {};
 }
 
 std::string ValidatorName() {

@@ -8,17 +8,14 @@
 
 namespace clipc {
 
-struct Validation {
-  bool ok = false;
-  std::vector<std::string> problems;  // glslang's messages, "line 12: ..."
-};
-
 enum class ShaderStage { kVertex, kFragment };
 
-// Compiles and links `glsl` as a shader of one stage with glslang, in this process. The first call
-// for a GLSL version builds glslang's tables for it, tens of milliseconds; they stay for the life
-// of the process. Thread-safe.
-Validation Validate(const std::string& glsl, const glsl::Target& target, ShaderStage stage);
+// Compiles and links `glsl` as a shader of one stage with glslang, in this process. Returns
+// glslang's messages, "line 12: ...": none for a valid shader, at least one for another. The first
+// call for a GLSL version builds glslang's tables for it, which takes tens of milliseconds; they
+// stay for the life of the process. Thread-safe.
+std::vector<std::string> Validate(const std::string& glsl, const glsl::Target& target,
+                                  ShaderStage stage);
 
 // "glslang 12.0.0".
 std::string ValidatorName();

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "backend-glsl/writer.h"
@@ -33,15 +35,22 @@ struct Shader {
   glsl::GlslInfo info;  // beside `lowered`
 };
 
-// The stages one after another, as the compiler's driver calls them. Throws DrawError with the
-// diagnostics, and NotForTarget when only the target is at fault.
+// Runs the compiler's stages (compiler/stages.h). Throws DrawError with the diagnostics, and
+// NotForTarget when only the target is at fault.
 Shader Build(const BuildOptions& options);
 
-// The shader's tokens behind the preprocessor. Throws DrawError with the diagnostics.
+// The shader's tokens after the preprocessor. Throws DrawError with the diagnostics.
 Tokens Preprocess(const BuildOptions& options);
 
-// What the target cannot say of the shader, as the driver would report it: such a comparison cannot
-// be made.
+// The value of a name that was parsed. Throws DrawError for a name of no `kind`, "plane space".
+template <typename T>
+T Known(std::optional<T> parsed, const char* kind, const std::string& name) {
+  if (!parsed) throw DrawError("no " + std::string(kind) + " is called `" + name + "`");
+  return std::move(*parsed);
+}
+
+// What the target cannot say of the shader, as the compiler reports it. Such a shader cannot be
+// compared on that target.
 class NotForTarget : public DrawError {
  public:
   using DrawError::DrawError;

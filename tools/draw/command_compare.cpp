@@ -52,12 +52,6 @@ void SetInts(const std::string& text, RandomOptions& random) {
   }
 }
 
-template <typename T>
-T Known(std::optional<T> parsed, const char* kind, const std::string& name) {
-  if (!parsed) throw DrawError("no " + std::string(kind) + " is called `" + name + "`");
-  return *parsed;
-}
-
 std::map<std::string, Flag> FlagsOf(CompareOptions& options) {
   const auto text = [](std::string& to) {
     return Flag{true, [&to](const std::string& value) { to = value; }};

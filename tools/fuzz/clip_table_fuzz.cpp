@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// The runtime's table reader on any bytes, and the binder on any table: an error with a message, or
-// planes that a device can take.
+// Gives any bytes to the runtime's table reader, and any table to the binder: either there is an
+// error with a message, or the planes are such that a device can take them.
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// The whole pipeline on any text: no crash, no hang, and GLSL exactly when there is no error. The
-// first line of an input may be `//PROFILE TARGET LOWERING SPACE`, up to four digits that choose
-// among the lists below; any other input gets the first of each.
+// Compiles any text: no crash, no hang, and GLSL exactly when there is no error. The first line of
+// an input may be `//PROFILE TARGET LOWERING SPACE`, up to four digits that choose a profile and a
+// target from the lists below, a lowering and a plane space; a digit that is missing chooses the
+// first.
 #include <array>
 #include <cstdint>
 #include <cstdlib>
@@ -40,12 +41,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   request.plane_space =
       static_cast<clipc::PlaneSpace>(Choose(text, 5, std::size(clipc::kPlaneSpaceNames)));
-  request.flip_y = true;
-  request.depth_range = clipc::DepthRange::kNegativeOneToOne;
+  request.clip_space = {.negative_one_to_one = true, .flip_y = true};
   request.reflect = true;
-  request.verify = true;
+  request.debug.verify = true;
   const clipc::CompileResult result = compiler.Compile(request);
-  if (result.ok() == result.glsl.empty()) std::abort();
+  if (result.ok() == result.shaders.vertex.empty()) std::abort();
   if (!result.ok() && result.messages.empty()) std::abort();
   return 0;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// The main() of a fuzz target in a build without libFuzzer: gives it every file in and below the
-// folders named.
+// The main() of a fuzz target in a build without libFuzzer. It gives the target every file in and
+// below the folders that are named.
 
 #include <cstdint>
 #include <cstdio>

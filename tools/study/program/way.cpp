@@ -88,8 +88,8 @@ WaySource SourceOf(WayKind kind, int planes, bool coverage) {
   if (request.lowering == Lowering::kDiscard) request.fragment = source.fragment;
   CompileResult result = Compile(request);
   if (!result.ok()) throw draw::DrawError(result.text);
-  source.vertex = std::move(result.glsl);
-  if (request.fragment) source.fragment = std::move(result.fragment);
+  source.vertex = std::move(result.shaders.vertex);
+  if (request.fragment) source.fragment = std::move(result.shaders.fragment);
   return source;
 }
 

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "compiler/check_lowering.h"
+
+#include "frontend/rules/position_input.h"
+#include "passes/outputs.h"
+
+namespace clipc {
+
+Lowering DefaultLowering(const ir::Profile& profile) {
+  return profile.level9 == ir::Level9::kNone ? Lowering::kClipDistance : Lowering::kLevel9;
+}
+
+void CheckRequest(const LoweringRequest& request, Diagnostics& diagnostics) {
+  if (Supports(request.lowering, request.plane_space)) return;
+  diagnostics.Report({}, diag::PlaneSpaceLowering, NameOf(request.plane_space),
+                     NameOf(request.lowering));
+}
+
+ir::VarId CheckLowering(const ir::Program& program, const LoweringRequest& request,
+                        Diagnostics& diagnostics) {
+  const auto& planes = program.clip_planes;
+  if (planes.empty()) return {};
+  if (request.lowering == Lowering::kNone) {
+    diagnostics.Report(Cover(planes.front().span, planes.back().span), diag::ClipPlanesIgnored,
+                       planes.size(), planes.size() == 1 ? "" : "s");
+  }
+  if (request.lowering == Lowering::kNearPlane && planes.size() > 1) {
+    diagnostics.Report(planes[1].span, diag::ClipPlanesForNearPlane, planes.size());
+    return {};
+  }
+  if (request.plane_space != PlaneSpace::kObject) return {};
+  const std::string& semantic = request.position_input;
+  return CheckPositionInput(program, semantic.empty() ? "POSITION0" : semantic, diagnostics);
+}
+
+ClipDistances ClipDistancesOf(const ir::Program& program) {
+  const ir::VarId output = passes::FindOutput(program, ir::Builtin::kClipDistance);
+  if (!output) return {};
+  return {output, program.types[program.vars[output].type].count};
+}
+
+void ReportLeftOut(const ClipDistances& before, const ir::Program& lowered,
+                   Diagnostics& diagnostics) {
+  const std::uint32_t left = ClipDistancesOf(lowered).count;
+  if (!before.output || left == before.count) return;
+  diagnostics.Report(lowered.vars[before.output].span, diag::ClipDistancesLeftOut, left);
+}
+
+}  // namespace clipc

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "base/diagnostics.h"
+#include "clip-table/vocabulary.h"
+#include "ir/profile.h"
+#include "ir/program.h"
+
+// The rules about what a user may ask of a shader's clip planes: which lowering goes with which
+// plane space, and with which shader.
+namespace clipc {
+
+// What the user asks for.
+struct LoweringRequest {
+  Lowering lowering = Lowering::kClipDistance;
+  PlaneSpace plane_space = PlaneSpace::kClip;
+  // The semantic of the vertex's position, for plane space kObject; empty: POSITION0.
+  std::string position_input;
+};
+
+// The lowering of a shader that is compiled for `profile` when the user names none: kLevel9 for the
+// level_9_x profiles, kClipDistance for the others.
+Lowering DefaultLowering(const ir::Profile& profile);
+
+// Reports a lowering and a plane space that do not go together, whatever the shader.
+void CheckRequest(const LoweringRequest& request, Diagnostics& diagnostics);
+
+// Reports what the shader's clip planes and the request ask of each other. Returns the input that
+// carries the position for kObject; none for the other spaces, for a shader without planes, and
+// after an error. Requires Form::kTyped.
+ir::VarId CheckLowering(const ir::Program& program, const LoweringRequest& request,
+                        Diagnostics& diagnostics);
+
+// The output that carries the clip distances, and the number of its elements; none and 0 for a
+// program without it.
+struct ClipDistances {
+  ir::VarId output;
+  std::uint32_t count = 0;
+};
+ClipDistances ClipDistancesOf(const ir::Program& program);
+
+// Reports the clip distances that the HLSL shader writes (`before`, taken from the program in
+// Form::kTyped) and the lowered program does not.
+void ReportLeftOut(const ClipDistances& before, const ir::Program& lowered,
+                   Diagnostics& diagnostics);
+
+}  // namespace clipc

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "compiler/stages.h"
+
+#include <utility>
+
+#include "backend-glsl/check_target.h"
+#include "frontend/parse/parse.h"
+
+namespace clipc {
+
+ast::File ReadFile(Source& source, Diagnostics& diagnostics) {
+  Tokens tokens = Lex(source, diagnostics);
+  return diagnostics.has_errors() ? ast::File() : Parse(std::move(tokens), diagnostics);
+}
+
+ir::Program Front(Source& source, const CheckOptions& options, Diagnostics& diagnostics) {
+  const ast::File file = ReadFile(source, diagnostics);
+  if (diagnostics.has_errors()) return {};
+  ir::Program program = Check(file, options, diagnostics);
+  if (!diagnostics.has_errors() && !options.profile.IsVertex()) {
+    diagnostics.Report({}, diag::NotVertexProfile, options.profile.name);
+  }
+  return program;
+}
+
+Lowered Lower(ir::Program program, const LowerSettings& settings) {
+  passes::PipelineOptions options = settings.passes;
+  options.clip_planes.write_clip_vertex = settings.target.HasClipVertex();
+  passes::RunPipeline(program, options);
+  glsl::Reached reached = glsl::Reach(program);
+  return {std::move(program), settings.target, options.clip_planes.lowering,
+          options.clip_planes.space, std::move(reached)};
+}
+
+std::vector<std::string_view> LowerPasses() { return passes::PassNames(); }
+
+void CheckTarget(const Lowered& lowered, Diagnostics& diagnostics) {
+  glsl::CheckTarget(lowered.program, lowered.reached, lowered.target, diagnostics);
+}
+
+Written Write(const Lowered& lowered, const glsl::WriteOptions& options) {
+  Written written;
+  written.glsl =
+      glsl::WriteGlsl(lowered.program, lowered.reached, lowered.target, options, &written.info);
+  return written;
+}
+
+}  // namespace clipc

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "backend-glsl/reach.h"
+#include "backend-glsl/target.h"
+#include "backend-glsl/writer.h"
+#include "base/diagnostics.h"
+#include "clip-table/vocabulary.h"
+#include "frontend/check/check.h"
+#include "frontend/lex/source.h"
+#include "frontend/parse/ast.h"
+#include "ir/program.h"
+#include "passes/pipeline.h"
+
+// The chain that every shader takes from HLSL to GLSL. Each stage takes a value and gives a value;
+// the compiler, the draw tests and whoever else compiles a shader call these and nothing below.
+//
+//   Source --Front--> ir::Program --Lower--> Lowered --Write--> Written
+//
+// What the user may ask for stands beside the chain: check_lowering.h between Front and Lower,
+// CheckTarget between Lower and Write.
+namespace clipc {
+
+// Lexes and parses; the first half of Front. The file is only meaningful when `diagnostics` has no
+// errors afterwards.
+ast::File ReadFile(Source& source, Diagnostics& diagnostics);
+
+// What the shader means, in Form::kTyped. The program is only meaningful when `diagnostics` has no
+// errors afterwards. Every error about the shader alone is reported here.
+ir::Program Front(Source& source, const CheckOptions& options, Diagnostics& diagnostics);
+
+struct LowerSettings {
+  glsl::Target target;
+  passes::PipelineOptions passes;  // Lower itself decides about clip_planes.write_clip_vertex
+};
+
+// A program that the target's writer can print.
+struct Lowered {
+  ir::Program program;
+  glsl::Target target;
+  Lowering lowering;
+  PlaneSpace plane_space;
+  glsl::Reached reached;
+};
+
+// Runs the passes, in the order of LowerPasses(). Requires Form::kTyped.
+Lowered Lower(ir::Program program, const LowerSettings& settings);
+
+// The names of the passes that Lower runs: what `stop_after` and `after_pass` know.
+std::vector<std::string_view> LowerPasses();
+
+// Reports what the target cannot say. Without errors, Write succeeds, also for the same shader with
+// fewer clip planes: LowerClipPlanes only adds to the shader.
+void CheckTarget(const Lowered& lowered, Diagnostics& diagnostics);
+
+struct Written {
+  std::string glsl;
+  glsl::GlslInfo info;  // beside the Lowered program
+};
+
+// Requires that CheckTarget reports no error, and that Lower was not stopped early.
+Written Write(const Lowered& lowered, const glsl::WriteOptions& options);
+
+}  // namespace clipc
