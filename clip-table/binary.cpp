@@ -23,8 +23,6 @@ constexpr std::uint32_t FourCc(const char (&text)[5]) {
   return code;
 }
 
-Result<ClipTable> Error(std::string what) { return Result<ClipTable>::Error(std::move(what)); }
-
 // DWORDs of a file; the numbers in messages are byte offsets in that file.
 class Dwords {
  public:
@@ -56,8 +54,8 @@ void Put(std::string& bytes, std::uint32_t value, int count) {
 Result<ClipTable> ReadBlock(Dwords block) {
   const std::uint32_t count = block[2];
   if (count > kMaxClipPlanes || block.size() != kHeaderDwords + kRecordDwords * count) {
-    return Error("a block of " + std::to_string(block.size()) + " DWORDs" + block.Where(1) +
-                 " claims to hold " + std::to_string(count) + " clip planes");
+    return Problem{"a block of " + std::to_string(block.size()) + " DWORDs" + block.Where(1) +
+                   " claims to hold " + std::to_string(count) + " clip planes"};
   }
   ClipTable table;
   table.lowering = Lowering::kLevel9;
@@ -66,13 +64,13 @@ Result<ClipTable> ReadBlock(Dwords block) {
     const std::uint32_t first = block[at] >> 16;
     const std::uint32_t registers = block[at + 1] & 0xffff;
     if (registers == 0 || table.planes.size() + registers > kMaxClipPlanes) {
-      return Error("record " + std::to_string(i) + block.Where(at) + " maps " +
-                   std::to_string(registers) + " registers; all records together map at most " +
-                   std::to_string(kMaxClipPlanes) + ", each at least one");
+      return Problem{"record " + std::to_string(i) + block.Where(at) + " maps " +
+                     std::to_string(registers) + " registers; all records together map at most " +
+                     std::to_string(kMaxClipPlanes) + ", each at least one"};
     }
     if (block[at + 1] >> 16 != 0) {
-      return Error("record " + std::to_string(i) + block.Where(at) +
-                   " has a reserved WORD that is not 0");
+      return Problem{"record " + std::to_string(i) + block.Where(at) +
+                     " has a reserved WORD that is not 0"};
     }
     for (std::uint32_t k = 0; k < registers; ++k) {
       Constant constant;
@@ -84,13 +82,13 @@ Result<ClipTable> ReadBlock(Dwords block) {
     }
   }
   table.enable_mask = EnableMask(table.lowering, table.planes.size());
-  return {std::move(table), ""};
+  return table;
 }
 
 // Walks the instructions of a shader model 4 or 5 program to the clip plane block.
 Result<ClipTable> ReadProgram(Dwords program) {
   if (program.size() < 2 || program[1] < 2 || program[1] > program.size()) {
-    return Error("the shader's length" + program.Where(1) + " does not fit its chunk");
+    return Problem{"the shader's length" + program.Where(1) + " does not fit its chunk"};
   }
   program = program.First(program[1]);
   for (std::size_t at = 2; at < program.size();) {
@@ -99,18 +97,19 @@ Result<ClipTable> ReadProgram(Dwords program) {
     std::uint32_t length = is_custom_data ? 0 : token >> 24 & 0x7f;
     if (length == 0 && at + 1 < program.size()) length = program[at + 1];
     if (length < (is_custom_data ? 2u : 1u) || length > program.size() - at) {
-      return Error("the instruction" + program.Where(at) + " is longer than the shader, or empty");
+      return Problem{"the instruction" + program.Where(at) +
+                     " is longer than the shader, or empty"};
     }
     if (token == kBlockToken) {
       if (length < kHeaderDwords)
-        return Error("the clip plane block" + program.Where(at) + " is cut off");
+        return Problem{"the clip plane block" + program.Where(at) + " is cut off"};
       return ReadBlock(program.From(at).First(length));
     }
     at += length;
   }
-  return Error(
+  return Problem{
       "the shader has no clip plane block: it was compiled without [clipplanes], or not for a 9_x "
-      "profile");
+      "profile"};
 }
 
 Result<ClipTable> ReadContainer(std::string_view bytes) {
@@ -118,24 +117,25 @@ Result<ClipTable> ReadContainer(std::string_view bytes) {
   constexpr std::size_t kSize = 6, kChunks = 7, kOffsets = 8;
   const Dwords file(bytes, 0);
   if (file.size() < kOffsets || file[kSize] != bytes.size()) {
-    return Error("the DXBC container is cut off, or its size" + file.Where(kSize) + " is wrong");
+    return Problem{"the DXBC container is cut off, or its size" + file.Where(kSize) + " is wrong"};
   }
   if (file[kChunks] > file.size() - kOffsets) {
-    return Error("the DXBC container claims " + std::to_string(file[kChunks]) + " chunks" +
-                 file.Where(kChunks));
+    return Problem{"the DXBC container claims " + std::to_string(file[kChunks]) + " chunks" +
+                   file.Where(kChunks)};
   }
   for (std::size_t i = 0; i < file[kChunks]; ++i) {
     const std::size_t offset = file[kOffsets + i];
     if (offset % 4 != 0 || offset / 4 + 2 > file.size() ||
         file[offset / 4 + 1] > bytes.size() - offset - 8) {
-      return Error("chunk " + std::to_string(i) + " of the DXBC container does not lie inside it");
+      return Problem{"chunk " + std::to_string(i) +
+                     " of the DXBC container does not lie inside it"};
     }
     const std::uint32_t code = file[offset / 4];
     if (code == FourCc("SHDR") || code == FourCc("SHEX")) {
       return ReadProgram({bytes.substr(offset + 8, file[offset / 4 + 1]), offset + 8});
     }
   }
-  return Error("the DXBC container has neither an SHDR nor an SHEX chunk");
+  return Problem{"the DXBC container has neither an SHDR nor an SHEX chunk"};
 }
 
 }  // namespace
@@ -163,7 +163,7 @@ Result<std::string> WriteBinary(const ClipTable& table) {
     problem = std::string("the binary form takes planes in clip space only; these are in space ") +
               NameOf(table.plane_space);
   }
-  if (!problem.empty()) return Result<std::string>::Error(std::move(problem));
+  if (!problem.empty()) return Problem{std::move(problem)};
 
   const auto count = static_cast<std::uint32_t>(table.planes.size());
   std::string bytes;
@@ -175,29 +175,28 @@ Result<std::string> WriteBinary(const ClipTable& table) {
     const Constant& constant = *plane.constant;
     if (constant.register_space != 0 || constant.register_number > kMaxWord ||
         constant.float4_register > kMaxWord) {
-      return Result<std::string>::Error(
-          "plane " + std::to_string(plane.index) +
-          " lies in a register that the binary form cannot name; it has no "
-          "register spaces, and 16 bits for a number");
+      return Problem{"plane " + std::to_string(plane.index) +
+                     " lies in a register that the binary form cannot name; it has no "
+                     "register spaces, and 16 bits for a number"};
     }
     Put(bytes, constant.register_number, 2);
     Put(bytes, constant.float4_register, 2);
     Put(bytes, 1, 2);
     Put(bytes, 0, 2);
   }
-  return {std::move(bytes), ""};
+  return bytes;
 }
 
 Result<ClipTable> ReadBinary(std::string_view bytes) {
   if (bytes.starts_with("DXBC")) return ReadContainer(bytes);
   const Dwords block(bytes, 0);
   if (bytes.size() % 4 != 0 || block.size() < kHeaderDwords || block[0] != kBlockToken) {
-    return Error(
-        "no clip plane block: it starts with the DWORD 0x2835 and has at least three DWORDs");
+    return Problem{
+        "no clip plane block: it starts with the DWORD 0x2835 and has at least three DWORDs"};
   }
   if (block[1] != block.size()) {
-    return Error("the clip plane block says that it has " + std::to_string(block[1]) +
-                 " DWORDs; the file has " + std::to_string(block.size()));
+    return Problem{"the clip plane block says that it has " + std::to_string(block[1]) +
+                   " DWORDs; the file has " + std::to_string(block.size())};
   }
   return ReadBlock(block);
 }

@@ -9,16 +9,17 @@
 
 #include "clip-table/vocabulary.h"
 
-// The clip table: what an application must know about a shader's clip planes to draw with it. Which
-// constants hold the planes, where they lie, and what to enable. A plane keeps the vertices with
-// dot(position, plane) >= 0.
+// The clip table: what an application must know about a shader's clip planes to draw with it. It
+// says which constants hold the planes, where these constants lie, and what to enable. A plane
+// keeps the vertices with dot(position, plane) >= 0.
 namespace clipc::clip_table {
 
 // Where the application finds the plane: one whole float4 register of a constant buffer.
 struct Constant {
-  std::string cbuffer;                // as written; "$Globals" for uniforms outside any cbuffer
-  std::uint32_t cbuffer_element = 0;  // which buffer of an array of ConstantBuffers
-  std::uint32_t register_number = 0;  // n of b<n>, the element of an array already added
+  std::string cbuffer;  // as written; "$Globals" for uniforms outside any cbuffer
+  // For an array of ConstantBuffers, the element that holds the plane; otherwise 0.
+  std::uint32_t cbuffer_element = 0;
+  std::uint32_t register_number = 0;  // n of b<n>; the element of an array is already added
   std::uint32_t register_space = 0;
   std::uint32_t float4_register = 0;  // m of cb<n>[m]: the 16-byte row in the buffer
   std::uint32_t byte_offset = 0;      // 16 * float4_register
@@ -29,7 +30,7 @@ struct Constant {
 };
 
 struct Plane {
-  std::uint32_t index = 0;           // of the operand: planes[i].index == i
+  std::uint32_t index = 0;           // the operand's position: planes[i].index == i
   std::string text;                  // the operand as written: "planes[2]"
   std::optional<Constant> constant;  // none when the operand is composed: float4(a, b, c, d)
   friend bool operator==(const Plane&, const Plane&) = default;
@@ -45,8 +46,8 @@ struct ClipTable {
   friend bool operator==(const ClipTable&, const ClipTable&) = default;
 };
 
-// (1 << planes) - 1 where the device clips, else 0: what is enabled but not written is undefined in
-// OpenGL.
+// The bits of the clip distances to enable: (1 << planes) - 1 where the device clips, otherwise 0.
+// A clip distance that is enabled but not written is undefined in OpenGL.
 constexpr std::uint32_t EnableMask(Lowering lowering, std::size_t planes) {
   const bool device_clips = lowering == Lowering::kClipDistance || lowering == Lowering::kLevel9;
   return device_clips ? (std::uint32_t{1} << planes) - 1 : 0;
@@ -71,27 +72,34 @@ constexpr std::optional<PlaneSpace> ParseTableSpace(std::string_view name) {
   return EnumeratorOf<PlaneSpace>(name, kTableSpaceNames);
 }
 
-// What makes a table contradict itself, in words; empty for a good one. Readers and writers refuse
-// what this refuses.
+// What makes the table contradict itself, in words; empty for a good table. Readers and writers
+// refuse a table that is not good.
 std::string ProblemOf(const ClipTable& table);
 
-// A value, or what stands in its way, in words. Nothing here throws.
+// What keeps a value from being made, in words.
+struct Problem {
+  std::string what;
+};
+
+// A value, or the problem that keeps it from being made. Nothing here throws.
 template <typename T>
 struct Result {
   std::optional<T> value;
   std::string error;  // not empty exactly when there is no value
+
+  Result(T made) : value(std::move(made)) {}
+  Result(Problem problem) : error(std::move(problem.what)) {}
 
   explicit operator bool() const { return value.has_value(); }
   T& operator*() { return *value; }
   const T& operator*() const { return *value; }
   T* operator->() { return &*value; }
   const T* operator->() const { return &*value; }
-
-  static Result Error(std::string what) { return {std::nullopt, std::move(what)}; }
 };
 
 enum class Format : std::uint8_t { kJson, kBinary, kHeader };
-// By the file's extension: .json; .bin; .h, .hpp, .inc. Nothing for another.
+// The format that the extension of `path` names: .json; .bin; .h, .hpp or .inc. Nothing for another
+// extension.
 std::optional<Format> FormatOf(std::string_view path);
 
 }  // namespace clipc::clip_table

@@ -110,20 +110,18 @@ std::string WithoutCarriageReturns(std::string_view text) {
   return without;
 }
 
-Result<ClipTable> Error(std::string what) { return Result<ClipTable>::Error(std::move(what)); }
-
 }  // namespace
 
 Result<std::string> WriteHeader(const ClipTable& table, std::string_view name) {
   if (!IsIdentifier(name)) {
-    return Result<std::string>::Error("`" + std::string(name) + "` cannot name a C++ variable");
+    return Problem{"`" + std::string(name) + "` cannot name a C++ variable"};
   }
   if (std::string problem = ProblemOf(table); !problem.empty()) {
-    return Result<std::string>::Error(std::move(problem));
+    return Problem{std::move(problem)};
   }
   // Through JSON and back, so that both halves of the header have the same, valid UTF-8.
   const Result<ClipTable> same = ReadJson(JsonText(table, true));
-  return {HeaderText(*same, name), ""};
+  return HeaderText(*same, name);
 }
 
 std::string HeaderNameOf(std::string_view path) {
@@ -145,23 +143,23 @@ Result<ClipTable> ReadHeader(std::string_view bytes) {
   const std::string text = WithoutCarriageReturns(bytes);
   const std::size_t mark = text.find(kMark);
   if (mark == text.npos || (mark > 0 && text[mark - 1] != '\n')) {
-    return Error("no clip table header: a comment `" + std::string(kMark) +
-                 "<name> <JSON>` is missing");
+    return Problem{"no clip table header: a comment `" + std::string(kMark) +
+                   "<name> <JSON>` is missing"};
   }
   std::string_view line = std::string_view(text).substr(mark + kMark.size());
   line = line.substr(0, line.find('\n'));
   const std::size_t space = std::min(line.find(' '), line.size());
   const std::string_view name = line.substr(0, space);
   Result<ClipTable> table = ReadJson(line.substr(std::min(space + 1, line.size())));
-  if (!table) return Error("the clip table in the header's comment is damaged: " + table.error);
+  if (!table) return Problem{"the clip table in the header's comment is damaged: " + table.error};
   const Result<std::string> again = WriteHeader(*table, name);
-  if (!again) return Error(again.error);
+  if (!again) return Problem{again.error};
   if (*again != text) {
     const auto differ = std::mismatch(again->begin(), again->end(), text.begin(), text.end());
     const auto line_number = 1 + std::count(text.begin(), differ.second, '\n');
-    return Error(
+    return Problem{
         "line " + std::to_string(line_number) +
-        " of the header was changed after clipc wrote it, and its comment does not say the same");
+        " of the header was changed after clipc wrote it, and its comment does not say the same"};
   }
   return table;
 }
@@ -170,8 +168,9 @@ Result<ClipTable> FromStatic(const StaticClipTable& from) {
   const std::optional<Lowering> lowering = ParseLowering(from.lowering);
   const std::optional<PlaneSpace> space = ParseTableSpace(from.position_space);
   if (!lowering || !space)
-    return Error("a lowering or a position space that this clipc does not know");
-  if (from.plane_count > kMaxClipPlanes) return Error(std::to_string(from.plane_count) + " planes");
+    return Problem{"a lowering or a plane space that this clipc does not know"};
+  if (from.plane_count > kMaxClipPlanes)
+    return Problem{std::to_string(from.plane_count) + " planes"};
   ClipTable table{from.entry, from.profile, *lowering, *space, from.enable_mask, {}};
   for (unsigned i = 0; i < from.plane_count; ++i) {
     const StaticClipPlane& plane = from.planes[i];
@@ -181,8 +180,8 @@ Result<ClipTable> FromStatic(const StaticClipTable& from) {
                            plane.register_space, plane.float4_register, plane.byte_offset,
                            plane.glsl_block,     plane.glsl_member};
   }
-  if (std::string problem = ProblemOf(table); !problem.empty()) return Error(std::move(problem));
-  return {std::move(table), ""};
+  if (std::string problem = ProblemOf(table); !problem.empty()) return Problem{std::move(problem)};
+  return table;
 }
 
 Result<std::string> Write(const ClipTable& table, Format format, std::string_view path) {
@@ -191,7 +190,7 @@ Result<std::string> Write(const ClipTable& table, Format format, std::string_vie
     case Format::kBinary: return WriteBinary(table);
     case Format::kHeader: return WriteHeader(table, HeaderNameOf(path));
   }
-  return Result<std::string>::Error("no such format");
+  return Problem{"no such format"};
 }
 
 Result<ClipTable> Read(std::string_view bytes) {

@@ -197,9 +197,9 @@ std::string JsonText(const ClipTable& table, bool one_line) {
 
 Result<std::string> WriteJson(const ClipTable& table) {
   if (std::string problem = ProblemOf(table); !problem.empty()) {
-    return Result<std::string>::Error(std::move(problem));
+    return Problem{std::move(problem)};
   }
-  return {JsonText(table, false), ""};
+  return JsonText(table, false);
 }
 
 Result<ClipTable> ReadJson(std::string_view text) {
@@ -208,15 +208,14 @@ Result<ClipTable> ReadJson(std::string_view text) {
   try {
     json = Parse(text, repeats_key);
   } catch (const Json::parse_error& error) {
-    return Result<ClipTable>::Error("no JSON: byte " + std::to_string(error.byte) +
-                                    " cannot stand there");
+    return Problem{"no JSON: byte " + std::to_string(error.byte) + " cannot stand there"};
   }
   std::string error;
   ClipTable table = TableFrom(json, error);
   if (error.empty()) error = ProblemOf(table);
   if (error.empty() && repeats_key) error = "a key occurs twice in one object";
-  if (!error.empty()) return Result<ClipTable>::Error(std::move(error));
-  return {std::move(table), ""};
+  if (!error.empty()) return Problem{std::move(error)};
+  return table;
 }
 
 }  // namespace clipc::clip_table

@@ -7,7 +7,8 @@
 
 namespace clipc::clip_table {
 
-// The table in JSON: indented and ending in a newline, or in one line without any. All of it ASCII.
+// The table in JSON, all of it ASCII: indented and ending in a newline, or in one line without a
+// newline.
 std::string JsonText(const ClipTable& table, bool one_line);
 
 }  // namespace clipc::clip_table

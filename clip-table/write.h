@@ -38,11 +38,10 @@ ClipTable Direct3DPart(const ClipTable& table);
 // be in one program if the names differ. `name` must be an identifier.
 Result<std::string> WriteHeader(const ClipTable& table, std::string_view name);
 
-// "water.clip.h" => "water_clip_table": a name for WriteHeader from the path of the file it goes
-// to.
+// The name for WriteHeader that the path of the header gives: "water.clip.h" => "water_clip_table".
 std::string HeaderNameOf(std::string_view path);
 
-// WriteJson, WriteBinary or WriteHeader (named after the path).
+// Calls WriteJson, WriteBinary, or WriteHeader with a name from `path`.
 Result<std::string> Write(const ClipTable& table, Format format, std::string_view path);
 
 }  // namespace clipc::clip_table

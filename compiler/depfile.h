@@ -6,8 +6,8 @@
 
 namespace clipc {
 
-// The make rule `target: dependencies`, and an empty rule for each included file, so that one that
-// is deleted does not stop the build. Understood by make and ninja.
+// The make rule `target: dependencies`, and an empty rule for each included file, so that the build
+// does not stop when such a file is deleted. make and ninja understand both.
 std::string DependencyRule(const std::string& target, const std::vector<std::string>& dependencies);
 
 }  // namespace clipc

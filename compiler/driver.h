@@ -8,10 +8,11 @@ namespace clipc {
 // Exit codes of the program.
 inline constexpr int kExitOk = 0;
 inline constexpr int kExitErrors = 1;  // the shader has errors
-inline constexpr int kExitUsage =
-    2;  // the command line is wrong, or a file cannot be read or written
+// The command line is wrong, or a file cannot be read or written.
+inline constexpr int kExitUsage = 2;
 
-// The clipc program, given its arguments without its own name.
+// Runs the clipc program. `arguments` do not include the name of the program. Returns the exit
+// code.
 int RunCommandLine(std::span<const char* const> arguments);
 
 }  // namespace clipc

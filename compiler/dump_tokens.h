@@ -8,8 +8,8 @@
 
 namespace clipc {
 
-// For --dump=tokens: a line per token, its place (the file's name where it changes), its kind, its
-// value.
+// The text of --dump=tokens: a line for each token with its place, its kind and its value. The name
+// of the file stands on a line of its own where it changes.
 std::string DumpTokens(const Tokens& tokens, const Source& source);
 
 }  // namespace clipc

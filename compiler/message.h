@@ -13,7 +13,7 @@ namespace clipc {
 // A diagnostic whose places are files and lines, so that it outlives its Source.
 struct Message {
   struct Fix {
-    Place place;  // insertions have place.end == place.begin
+    Place place;  // of an insertion: the end is the beginning
     std::string text;
   };
 

@@ -12,7 +12,7 @@ namespace clipc {
 
 enum class MessageFormat : std::uint8_t { kText, kMsvc, kJson, kSarif };
 
-// A command line, understood but for the names that Compile checks (profile, target, passes).
+// A command line. Its names of a profile, a target and passes are unchecked; Compile checks them.
 struct CommandLine {
   enum class Action : std::uint8_t { kCompile, kHelp, kVersion };
 
@@ -21,11 +21,11 @@ struct CommandLine {
   CompileRequest request;  // without path and text
   std::string output;      // empty: standard output
   std::string table, reflection;
-  std::string fragment;  // a file that gets the discard of --lower=discard
+  std::string fragment;  // a file: the fragment shader for --lower=discard
   bool write_dependencies = false;
   std::string dependency_file, dependency_target;
   MessageFormat format = MessageFormat::kText;
-  unsigned jobs = 1;  // inputs compiled at once
+  unsigned jobs = 1;  // the number of inputs that are compiled at once
 };
 
 struct ParsedCommandLine {
@@ -33,11 +33,12 @@ struct ParsedCommandLine {
   std::string error;  // not empty: what is wrong with the arguments
 };
 
-// `arguments` without the program's name. fxc's spelling with a slash (/T vs_5_0) is taken where
-// the argument is no file: an existing file, or a name in an existing folder, is an input however
-// it starts.
+// Reads a command line. `arguments` do not include the name of the program. fxc's spelling with a
+// slash (/T vs_5_0) is an option when the argument is not a file; an existing file, or a name in an
+// existing folder, is an input.
 ParsedCommandLine ParseCommandLine(std::span<const char* const> arguments);
 
+// The text of --help.
 std::string HelpText();
 
 }  // namespace clipc

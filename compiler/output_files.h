@@ -9,20 +9,21 @@
 
 namespace clipc {
 
-// Output files that appear all at once or not at all: each is written to a temporary file beside
-// it, and they are renamed only when every one is complete. What is no regular file (a device, a
-// pipe) is written to last-minute, in place.
+// Output files that appear all at once or not at all. Each is written to a temporary file beside
+// it; the temporary files are renamed when every one is complete. A path that is not a regular file
+// (a device, a pipe) is written in place, just before the renaming.
 class OutputFiles {
  public:
   OutputFiles() = default;
-  ~OutputFiles();  // removes the temporaries of what was not committed
+  ~OutputFiles();  // removes the temporary files that were not renamed
   OutputFiles(const OutputFiles&) = delete;
   OutputFiles& operator=(const OutputFiles&) = delete;
 
   // "-" is standard output.
   void Add(std::string path, std::string contents);
 
-  // Empty on success; else what went wrong, and every regular file is as it was. Call it once.
+  // Writes the files. Returns an empty string on success; otherwise what went wrong, and every
+  // regular file is as it was. Call it once.
   std::string Commit();
 
  private:
@@ -36,7 +37,7 @@ class OutputFiles {
   std::vector<File> files_;
 };
 
-// Files by identity: paths that name the same existing file, or are the same text, are one.
+// A set of files. Paths that name the same existing file, or that are the same text, are one file.
 class FileSet {
  public:
   void Add(const std::string& path);
@@ -44,7 +45,7 @@ class FileSet {
 
  private:
   std::set<std::string> paths_;
-  std::set<std::pair<std::uint64_t, std::uint64_t>> files_;  // device and number
+  std::set<std::pair<std::uint64_t, std::uint64_t>> files_;  // device and inode number
 };
 bool IsDirectory(const std::string& path);
 

@@ -7,11 +7,11 @@
 
 namespace clipc {
 
-// "; did you mean `vs_5_0` or `vs_5_1`?" for a name that is none of `names`; all the names when
-// they are few and none is near; empty when there is nothing to offer.
+// "; did you mean `vs_5_0` or `vs_5_1`?" for a `name` that is not one of `names`. Lists all `names`
+// when there are few of them and none is near; empty when there is nothing to offer.
 std::string Suggest(std::string_view name, std::span<const std::string_view> names);
 
-// The profiles clipc compiles for.
+// The profiles for which clipc compiles.
 std::span<const std::string_view> ProfileNames();
 
 }  // namespace clipc

@@ -16,6 +16,8 @@
 // threads, needs no lock.
 namespace clipc::runtime {
 
+// The words of the clip table: how a shader was lowered, and the space in which PlaneConstantFor
+// makes the constants of its planes.
 using clipc::kMaxClipPlanes;
 using clipc::Lowering;
 using clipc::NameOf;
