@@ -366,7 +366,7 @@ class TargetCheck {
   void ObjectUse(const ObjectCall& call, Span span) {
     const auto arguments = program_.expr_lists[call.arguments];
     const ObjectKind object = Innermost(program_.exprs[arguments[0]].type).object;
-    if (call.op <= ObjectOp::kGatherAlpha) ObjectArgument(arguments[1]);
+    if (TakesSampler(call.op)) ObjectArgument(arguments[1]);
     switch (call.op) {
       case ObjectOp::kStore: StoreUse(arguments[0], span); break;
       case ObjectOp::kSampleGrad:
@@ -420,8 +420,7 @@ class TargetCheck {
   // Samplers and textures in arrays.
   void ObjectArgument(ExprId object) {
     const auto* index = std::get_if<Index>(&program_.exprs[object].node);
-    const ObjectKind kind = TypeOf(object).object;
-    const bool is_sampler = kind == ObjectKind::kSampler || kind == ObjectKind::kSamplerComparison;
+    const bool is_sampler = InfoOf(TypeOf(object).object).category == ObjectCategory::kSampler;
     if (!index || !is_sampler || target_.IsVulkan()) return;
     const auto* var = std::get_if<VarRef>(&program_.exprs[index->base].node);
     diagnostics_.Report(program_.exprs[object].span, diag::TargetSamplerArray,

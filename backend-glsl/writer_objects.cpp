@@ -25,7 +25,14 @@ bool Writer::IsShadow(VarId sampler) const {
 
 namespace {
 
-bool TakesSampler(ObjectOp op) { return op <= ObjectOp::kGatherAlpha; }
+// "2DMSArray", the end of a sampler's or an image's type.
+std::string Dimension(ObjectKind kind) {
+  const ObjectInfo& info = InfoOf(kind);
+  if (info.category == ObjectCategory::kTypedBuffer) return "Buffer";
+  const int axes = info.axes == 0 ? 2 : info.axes;  // `sampler` of Direct3D 9 is one of 2D textures
+  return (info.is_cube ? "Cube" : std::to_string(axes) + "D") + (info.is_multisampled ? "MS" : "") +
+         (info.is_array ? "Array" : "");
+}
 
 }  // namespace
 
@@ -103,27 +110,10 @@ std::string Writer::ObjectName(ExprId texture, ExprId sampler) {
 // "isampler2DArray", "sampler2DShadow"; for Vulkan's separate ones see SeparateObject.
 std::string Writer::SamplerType(VarId var, bool shadow) const {
   const Type& type = ObjectTypeOf(var);
-  const auto dimension = [&]() -> std::string {
-    switch (type.object) {
-      case ObjectKind::kTexture1D:
-      case ObjectKind::kSampler1D: return "1D";
-      case ObjectKind::kTexture1DArray: return "1DArray";
-      case ObjectKind::kTexture2DArray: return "2DArray";
-      case ObjectKind::kTexture2DMS: return "2DMS";
-      case ObjectKind::kTexture2DMSArray: return "2DMSArray";
-      case ObjectKind::kTexture3D:
-      case ObjectKind::kSampler3D: return "3D";
-      case ObjectKind::kTextureCube:
-      case ObjectKind::kSamplerCube: return "Cube";
-      case ObjectKind::kTextureCubeArray: return "CubeArray";
-      case ObjectKind::kBuffer: return "Buffer";
-      default: return "2D";
-    }
-  };
   const Scalar element =
       type.element ? BaseOf(program_.types[type.element].scalar) : Scalar::kFloat;
   const char* prefix = element == Scalar::kInt ? "i" : element == Scalar::kUint ? "u" : "";
-  return prefix + ("sampler" + dimension()) + (shadow ? "Shadow" : "");
+  return prefix + ("sampler" + Dimension(type.object)) + (shadow ? "Shadow" : "");
 }
 
 std::uint32_t Writer::FreeBinding(std::set<std::uint32_t>& taken, std::uint32_t wanted,
@@ -200,14 +190,13 @@ std::string Writer::ObjectTypeName(VarId var) const {
   if (kind == ObjectKind::kSampler) return "sampler";
   if (kind == ObjectKind::kSamplerComparison) return "samplerShadow";
   std::string type = SamplerType(var, false);
-  const bool is_combined = kind >= ObjectKind::kSampler1D && kind <= ObjectKind::kSamplerCube;
-  if (!is_combined) type.replace(type.find("sampler"), 7, "texture");
+  if (!IsCombinedSampler(kind)) type.replace(type.find("sampler"), 7, "texture");
   return type;
 }
 
 void Writer::SeparateObject(const Resource& resource) {
   const ObjectKind kind = ObjectTypeOf(resource.var).object;
-  const bool is_sampler = kind == ObjectKind::kSampler || kind == ObjectKind::kSamplerComparison;
+  const bool is_sampler = InfoOf(kind).category == ObjectCategory::kSampler;
   GlslInfo::Object info;
   (is_sampler ? info.sampler : info.texture) = resource.var;
   info.name = var_names_[resource.var.index];
@@ -248,21 +237,6 @@ void Writer::BufferObject(const Resource& resource) {
   info_.objects.push_back(std::move(info));
 }
 
-namespace {
-
-const char* ImageDimension(ObjectKind kind) {
-  switch (kind) {
-    case ObjectKind::kRWTexture1D: return "1D";
-    case ObjectKind::kRWTexture1DArray: return "1DArray";
-    case ObjectKind::kRWTexture2D: return "2D";
-    case ObjectKind::kRWTexture2DArray: return "2DArray";
-    case ObjectKind::kRWTexture3D: return "3D";
-    default: return "Buffer";
-  }
-}
-
-}  // namespace
-
 // GLSL wants the format of an image that is read; HLSL tells the components and their kind: 32 bits
 // each.
 void Writer::ImageObject(const Resource& resource) {
@@ -288,9 +262,9 @@ void Writer::ImageObject(const Resource& resource) {
                     0, element.size == 3 ? 4 : static_cast<std::size_t>(element.size)) +
                 "32";
   qualifiers += prefix == "u" ? "ui" : prefix == "i" ? "i" : "f";
-  objects_ += "layout(" + qualifiers + ") uniform " + prefix + "image" +
-              ImageDimension(type.object) + " " + info.name + Dimensions(resource.var) + ";  // " +
-              resource.reg.letter + std::to_string(resource.reg.number) + "\n";
+  objects_ += "layout(" + qualifiers + ") uniform " + prefix + "image" + Dimension(type.object) +
+              " " + info.name + Dimensions(resource.var) + ";  // " + resource.reg.letter +
+              std::to_string(resource.reg.number) + "\n";
   info_.objects.push_back(std::move(info));
 }
 

@@ -201,6 +201,19 @@ enum class ObjectOp : std::uint8_t {
   kStore,  // (a writable object, place as the load of that object has it, value): void; the
            // place of an RWByteAddressBuffer is a byte address, the value uint..uint4
 };
+// arguments[1] is a sampler.
+constexpr bool TakesSampler(ObjectOp op) {
+  switch (op) {
+    case ObjectOp::kSampleLevel:
+    case ObjectOp::kSampleGrad:
+    case ObjectOp::kSampleCmpLevelZero:
+    case ObjectOp::kGather:
+    case ObjectOp::kGatherGreen:
+    case ObjectOp::kGatherBlue:
+    case ObjectOp::kGatherAlpha: return true;
+    default: return false;
+  }
+}
 struct ObjectCall {
   ObjectOp op;
   List<ExprId> arguments;

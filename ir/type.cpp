@@ -20,70 +20,14 @@ std::uint64_t Key(const Type& type) {
          count;
 }
 
-const char* ObjectName(ObjectKind kind) {
-  switch (kind) {
-    case ObjectKind::kTexture1D: return "Texture1D";
-    case ObjectKind::kTexture1DArray: return "Texture1DArray";
-    case ObjectKind::kTexture2D: return "Texture2D";
-    case ObjectKind::kTexture2DArray: return "Texture2DArray";
-    case ObjectKind::kTexture2DMS: return "Texture2DMS";
-    case ObjectKind::kTexture2DMSArray: return "Texture2DMSArray";
-    case ObjectKind::kTexture3D: return "Texture3D";
-    case ObjectKind::kTextureCube: return "TextureCube";
-    case ObjectKind::kTextureCubeArray: return "TextureCubeArray";
-    case ObjectKind::kSampler: return "SamplerState";
-    case ObjectKind::kSamplerComparison: return "SamplerComparisonState";
-    case ObjectKind::kSampler1D: return "sampler1D";
-    case ObjectKind::kSampler2D: return "sampler2D";
-    case ObjectKind::kSampler3D: return "sampler3D";
-    case ObjectKind::kSamplerCube: return "samplerCUBE";
-    case ObjectKind::kBuffer: return "Buffer";
-    case ObjectKind::kStructuredBuffer: return "StructuredBuffer";
-    case ObjectKind::kByteAddressBuffer: return "ByteAddressBuffer";
-    case ObjectKind::kRWBuffer: return "RWBuffer";
-    case ObjectKind::kRWStructuredBuffer: return "RWStructuredBuffer";
-    case ObjectKind::kRWByteAddressBuffer: return "RWByteAddressBuffer";
-    case ObjectKind::kRWTexture1D: return "RWTexture1D";
-    case ObjectKind::kRWTexture1DArray: return "RWTexture1DArray";
-    case ObjectKind::kRWTexture2D: return "RWTexture2D";
-    case ObjectKind::kRWTexture2DArray: return "RWTexture2DArray";
-    case ObjectKind::kRWTexture3D: return "RWTexture3D";
-    case ObjectKind::kOther: return "object";
-  }
-  return "object";
-}
-
 }  // namespace
 
-bool IsWritable(ObjectKind kind) {
-  return kind >= ObjectKind::kRWBuffer && kind <= ObjectKind::kRWTexture3D;
-}
-bool IsStructured(ObjectKind kind) {
-  return kind == ObjectKind::kStructuredBuffer || kind == ObjectKind::kRWStructuredBuffer;
-}
-bool IsByteAddress(ObjectKind kind) {
-  return kind == ObjectKind::kByteAddressBuffer || kind == ObjectKind::kRWByteAddressBuffer;
-}
-bool IsStorageBuffer(ObjectKind kind) { return IsStructured(kind) || IsByteAddress(kind); }
-bool IsImage(ObjectKind kind) { return IsWritable(kind) && !IsStorageBuffer(kind); }
-
 const char* NameOf(Scalar kind) {
-  switch (kind) {
-    case Scalar::kBool: return "bool";
-    case Scalar::kInt: return "int";
-    case Scalar::kUint: return "uint";
-    case Scalar::kHalf: return "half";
-    case Scalar::kFloat: return "float";
-    case Scalar::kDouble: return "double";
-    case Scalar::kMin10Float: return "min10float";
-    case Scalar::kMin16Float: return "min16float";
-    case Scalar::kMin12Int: return "min12int";
-    case Scalar::kMin16Int: return "min16int";
-    case Scalar::kMin16Uint: return "min16uint";
-    case Scalar::kInt64: return "int64_t";
-    case Scalar::kUint64: return "uint64_t";
-  }
-  return "?";
+  static constexpr const char* kNames[] = {
+#define SCALAR(Enumerator, Spelling) Spelling,
+#include "base/builtin_types.def"
+  };
+  return kNames[static_cast<std::size_t>(kind)];
 }
 
 constexpr std::array<Type, TypeTable::kCommonCount> TypeTable::MakeCommon() {
@@ -156,7 +100,7 @@ std::string TypeTable::Name(TypeId id) const {
       if (name.empty()) name = "<unnamed struct>";
       break;
     case TypeKind::kObject:
-      name = ObjectName(type->object);
+      name = InfoOf(type->object).name;
       if (type->element) name += "<" + Name(type->element) + ">";
       break;
     case TypeKind::kArray: break;

@@ -10,25 +10,15 @@
 #include "base/arena.h"
 #include "base/id.h"
 #include "base/span.h"
+#include "ir/object.h"
 
 namespace clipc::ir {
 
 // The kinds differ for overload ranking and messages; the shader computes with BaseOf(kind) only:
 // half and the minimum-precision types are computed at 32 bits, as Direct3D allows.
 enum class Scalar : std::uint8_t {
-  kBool,
-  kInt,
-  kUint,
-  kHalf,
-  kFloat,
-  kDouble,
-  kMin10Float,
-  kMin16Float,
-  kMin12Int,
-  kMin16Int,
-  kMin16Uint,
-  kInt64,
-  kUint64,
+#define SCALAR(Enumerator, Spelling) k##Enumerator,
+#include "base/builtin_types.def"
 };
 // One of kBool, kInt, kUint, kFloat, kDouble, kInt64, kUint64: what a value of the kind is at run
 // time.
@@ -53,45 +43,6 @@ constexpr bool IsUnsigned(Scalar kind) {
   return BaseOf(kind) == Scalar::kUint || BaseOf(kind) == Scalar::kUint64;
 }
 const char* NameOf(Scalar kind);  // HLSL's spelling
-
-enum class ObjectKind : std::uint8_t {
-  kTexture1D,
-  kTexture1DArray,
-  kTexture2D,
-  kTexture2DArray,
-  kTexture2DMS,
-  kTexture2DMSArray,
-  kTexture3D,
-  kTextureCube,
-  kTextureCubeArray,
-  kSampler,
-  kSamplerComparison,
-  kSampler1D,
-  kSampler2D,
-  kSampler3D,
-  kSamplerCube,  // Direct3D 9: texture and sampler in one; `sampler` is kSampler
-  kBuffer,
-  kStructuredBuffer,
-  kByteAddressBuffer,
-  kRWBuffer,  // these the shader may write; RWBuffer and the textures are images in GLSL
-  kRWStructuredBuffer,
-  kRWByteAddressBuffer,
-  kRWTexture1D,
-  kRWTexture1DArray,
-  kRWTexture2D,
-  kRWTexture2DArray,
-  kRWTexture3D,
-  kOther,  // an object no vertex shader may use (streams, ...): it may be declared, not used
-};
-
-bool IsWritable(ObjectKind kind);
-bool IsImage(
-    ObjectKind kind);  // RWBuffer, RWTexture...: a format stands between the shader and the memory
-bool IsStorageBuffer(
-    ObjectKind
-        kind);  // memory as the shader sees it: StructuredBuffer, ByteAddressBuffer, RW or not
-bool IsStructured(ObjectKind kind);
-bool IsByteAddress(ObjectKind kind);
 
 enum class TypeKind : std::uint8_t {
   kError,

@@ -346,7 +346,7 @@ void ExprVerifier::CheckObjectCall(ExprId expr, const ObjectCall& node) {
     return i < arguments.size() && TypeOf(arguments[i]).kind == TypeKind::kObject;
   };
   Require(is_object(0), expr, "the first argument is an object");
-  const bool has_sampler = node.op <= ObjectOp::kGatherAlpha;
+  const bool has_sampler = TakesSampler(node.op);
   if (has_sampler) Require(is_object(1), expr, "the second argument is a sampler");
   for (std::size_t i = has_sampler ? 2 : 1; i < arguments.size(); ++i) {
     const bool is_stored = node.op == ObjectOp::kStore && i == 2;

@@ -103,13 +103,11 @@ void ResolveObject(Context& context, SymbolId id, const ast::VarDecl& var, ir::T
   ir::TypeId element = type;
   while (context[element].kind == ir::TypeKind::kArray) element = context[element].element;
   const ir::ObjectKind object = context[element].object;
-  const bool is_sampler =
-      object >= ir::ObjectKind::kSampler && object <= ir::ObjectKind::kSamplerCube;
-  const bool is_written = ir::IsWritable(object);
-  context.globals.registers.emplace(result.index,
-                                    is_sampler   ? RegisterOf(context, var.registers, 's', "s")
-                                    : is_written ? RegisterOf(context, var.registers, 'u', "u")
-                                                 : RegisterOf(context, var.registers, 't', "tu"));
+  const char letter = ir::RegisterLetter(object);
+  context.globals.registers.emplace(result.index, RegisterOf(context, var.registers, letter,
+                                                             letter == 's'   ? "s"
+                                                             : letter == 'u' ? "u"
+                                                                             : "tu"));
 }
 
 const ast::RegisterBinding* BindingOf(const Context& context, List<ast::RegisterBinding> bindings,

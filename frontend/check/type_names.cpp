@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/check/type_names.h"
 
-#include <algorithm>
-
 #include "base/spelling.h"
 #include "frontend/check/text.h"
 #include "frontend/check/type.h"
@@ -11,113 +9,25 @@
 namespace clipc::check {
 namespace {
 
-struct ScalarName {
+template <typename Kind>
+struct BuiltinName {
   std::string_view text;
-  ir::Scalar kind;
+  Kind kind;
 };
 
-constexpr ScalarName kScalarNames[] = {
-    {"float", ir::Scalar::kFloat},
-    {"int", ir::Scalar::kInt},
-    {"uint", ir::Scalar::kUint},
-    {"half", ir::Scalar::kHalf},
-    {"bool", ir::Scalar::kBool},
-    {"double", ir::Scalar::kDouble},
-    {"min16float", ir::Scalar::kMin16Float},
-    {"min10float", ir::Scalar::kMin10Float},
-    {"min16int", ir::Scalar::kMin16Int},
-    {"min12int", ir::Scalar::kMin12Int},
-    {"min16uint", ir::Scalar::kMin16Uint},
-    {"int16_t", ir::Scalar::kMin16Int},
-    {"uint16_t", ir::Scalar::kMin16Uint},
-    {"float16_t", ir::Scalar::kHalf},
-    {"int32_t", ir::Scalar::kInt},
-    {"uint32_t", ir::Scalar::kUint},
-    {"float32_t", ir::Scalar::kFloat},
-    {"int64_t", ir::Scalar::kInt64},
-    {"uint64_t", ir::Scalar::kUint64},
-    {"float64_t", ir::Scalar::kDouble},
+constexpr BuiltinName<ir::Scalar> kScalarNames[] = {
+#define SCALAR(Enumerator, Spelling) {Spelling, ir::Scalar::k##Enumerator},
+#define SCALAR_ALIAS(Enumerator, Spelling) {Spelling, ir::Scalar::k##Enumerator},
+#include "base/builtin_types.def"
 };
 
-constexpr std::string_view kPackedNames[] = {"int8_t4_packed", "uint8_t4_packed"};
-
-struct ObjectName {
-  std::string_view text;  // in lower case
-  ir::ObjectKind kind;
-  bool has_element = false;
-};
-
-// Object types; fxc accepts their names in upper and lower case.
-constexpr ObjectName kObjectNames[] = {
-    {"texture1d", ir::ObjectKind::kTexture1D, true},
-    {"texture1darray", ir::ObjectKind::kTexture1DArray, true},
-    {"texture2d", ir::ObjectKind::kTexture2D, true},
-    {"texture2darray", ir::ObjectKind::kTexture2DArray, true},
-    {"texture2dms", ir::ObjectKind::kTexture2DMS, true},
-    {"texture2dmsarray", ir::ObjectKind::kTexture2DMSArray, true},
-    {"texture3d", ir::ObjectKind::kTexture3D, true},
-    {"texturecube", ir::ObjectKind::kTextureCube, true},
-    {"texturecubearray", ir::ObjectKind::kTextureCubeArray, true},
-    {"sampler", ir::ObjectKind::kSampler},
-    {"samplerstate", ir::ObjectKind::kSampler},
-    {"samplercomparisonstate", ir::ObjectKind::kSamplerComparison},
-    {"sampler1d", ir::ObjectKind::kSampler1D},
-    {"sampler2d", ir::ObjectKind::kSampler2D},
-    {"sampler3d", ir::ObjectKind::kSampler3D},
-    {"samplercube", ir::ObjectKind::kSamplerCube},
-    {"buffer", ir::ObjectKind::kBuffer, true},
-    {"structuredbuffer", ir::ObjectKind::kStructuredBuffer, true},
-    {"byteaddressbuffer", ir::ObjectKind::kByteAddressBuffer},
-    {"rwbuffer", ir::ObjectKind::kRWBuffer, true},
-    {"rwstructuredbuffer", ir::ObjectKind::kRWStructuredBuffer, true},
-    {"rwbyteaddressbuffer", ir::ObjectKind::kRWByteAddressBuffer},
-    {"rwtexture1d", ir::ObjectKind::kRWTexture1D, true},
-    {"rwtexture1darray", ir::ObjectKind::kRWTexture1DArray, true},
-    {"rwtexture2d", ir::ObjectKind::kRWTexture2D, true},
-    {"rwtexture2darray", ir::ObjectKind::kRWTexture2DArray, true},
-    {"rwtexture3d", ir::ObjectKind::kRWTexture3D, true},
-};
-
-// Object types that can be declared but not used.
-constexpr std::string_view kOtherObjects[] = {
-    "texture",
-    "rwtexture2dms",
-    "rwtexture2dmsarray",
-    "rasterizerorderedbuffer",
-    "rasterizerorderedbyteaddressbuffer",
-    "rasterizerorderedstructuredbuffer",
-    "rasterizerorderedtexture1d",
-    "rasterizerorderedtexture1darray",
-    "rasterizerorderedtexture2d",
-    "rasterizerorderedtexture2darray",
-    "rasterizerorderedtexture3d",
-    "feedbacktexture2d",
-    "feedbacktexture2darray",
-    "appendstructuredbuffer",
-    "consumestructuredbuffer",
-    "pointstream",
-    "linestream",
-    "trianglestream",
-    "inputpatch",
-    "outputpatch",
-    "rayquery",
-    "raytracingaccelerationstructure",
-    "subpassinput",
-    "subpassinputms",
-    "blendstate",
-    "depthstencilstate",
-    "rasterizerstate",
-    "rendertargetview",
-    "depthstencilview",
-    "stateblock",
-    "vertexshader",
-    "pixelshader",
-    "geometryshader",
-    "hullshader",
-    "domainshader",
-    "computeshader",
-    "vertexfragment",
-    "pixelfragment",
+// fxc accepts their names in upper and lower case.
+constexpr BuiltinName<ir::ObjectKind> kObjectNames[] = {
+#define OBJECT(Enumerator, Spelling, ...) {Spelling, ir::ObjectKind::k##Enumerator},
+#define OBJECT_ALIAS(Enumerator, Spelling, ...) {Spelling, ir::ObjectKind::k##Enumerator},
+#define UNUSABLE(Spelling, ...) {Spelling, ir::ObjectKind::kOther},
+#define UNUSABLE_SHADER(Spelling) {Spelling, ir::ObjectKind::kOther},
+#include "base/builtin_types.def"
 };
 
 bool IsSize(char c) { return c >= '1' && c <= '4'; }
@@ -131,10 +41,7 @@ std::optional<ir::TypeId> NumericType(Context& context, Name name) {
   const std::string_view text = context[name];
   if (text == "void") return known = context.types.Void();
   if (text == "string") return known = context.types.String();
-  if (std::ranges::find(kPackedNames, text) != std::end(kPackedNames)) {
-    return known = context.types.Make(ir::Scalar::kUint);
-  }
-  for (const ScalarName& scalar : kScalarNames) {
+  for (const auto& scalar : kScalarNames) {
     if (!text.starts_with(scalar.text)) continue;
     const std::string_view size = text.substr(scalar.text.size());
     if (size.empty()) return known = context.types.Make(scalar.kind);
@@ -203,23 +110,19 @@ std::optional<ir::TypeId> GenericNumericType(Context& context, const ast::Type& 
 
 std::optional<ir::TypeId> ObjectType(Context& context, const ast::Type& type,
                                      std::string_view text) {
-  const std::string lower = ToLower(text);
   // Where the declaration is not a global, the type is a plain T.
   if (text == "ConstantBuffer" || text == "TextureBuffer") {
     if (type.arguments.size == 1) return TypeArgument(context, context[type.arguments][0]);
     context.Report(type.span, diag::MissingTypeArgument, text);
     return context.types.Error();
   }
-  for (const ObjectName& object : kObjectNames) {
-    if (object.text != lower) continue;
-    if (!object.has_element) return context.types.Object(object.kind);
+  for (const auto& object : kObjectNames) {
+    if (!EqualIgnoringCase(object.text, text)) continue;
+    if (!ir::HasElement(object.kind)) return context.types.Object(object.kind);
     ir::TypeId element = context.types.Vector(ir::Scalar::kFloat, 4);
     if (!type.arguments.empty()) element = TypeArgument(context, context[type.arguments][0]);
     if (context.IsError(element)) return element;
     return context.types.Object(object.kind, element);
-  }
-  if (std::ranges::find(kOtherObjects, lower) != std::end(kOtherObjects)) {
-    return context.types.Object(ir::ObjectKind::kOther);
   }
   return std::nullopt;
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 
+#include "base/spelling.h"
 #include "base/word_index.h"
 
 namespace clipc {
@@ -13,14 +14,18 @@ namespace {
 struct Entry {
   std::string_view text;
   WordInfo info;
+  bool is_exact = false;  // of words in kFolded: they are found in this spelling only
 };
+
+constexpr bool kAnyCase = false, kExact = true;  // in base/builtin_types.def
 
 constexpr Entry Plain(std::string_view text, Word word) { return {text, {word}}; }
 constexpr Entry MayQualify(std::string_view text) { return {text, {Word::kContextualQualifier}}; }
-constexpr Entry Object(std::string_view text) { return {text, {Word::kObjectType}}; }
-constexpr Entry ShaderType(std::string_view text) { return {text, {Word::kObjectType, true}}; }
+constexpr Entry Object(std::string_view text, bool is_exact = true) {
+  return {text, {Word::kObjectType}, is_exact};
+}
 
-constexpr auto kExact = std::to_array<Entry>({
+constexpr auto kWords = std::to_array<Entry>({
     Plain("if", Word::kIf),
     Plain("else", Word::kElse),
     Plain("for", Word::kFor),
@@ -73,42 +78,8 @@ constexpr auto kExact = std::to_array<Entry>({
     MayQualify("payload"),
     Object("vector"),
     Object("matrix"),
-    Object("RWTexture1D"),
-    Object("RWTexture1DArray"),
-    Object("RWTexture2D"),
-    Object("RWTexture2DArray"),
-    Object("RWTexture2DMS"),
-    Object("RWTexture2DMSArray"),
-    Object("RWTexture3D"),
-    Object("RasterizerOrderedBuffer"),
-    Object("RasterizerOrderedByteAddressBuffer"),
-    Object("RasterizerOrderedStructuredBuffer"),
-    Object("RasterizerOrderedTexture1D"),
-    Object("RasterizerOrderedTexture1DArray"),
-    Object("RasterizerOrderedTexture2D"),
-    Object("RasterizerOrderedTexture2DArray"),
-    Object("RasterizerOrderedTexture3D"),
-    Object("FeedbackTexture2D"),
-    Object("FeedbackTexture2DArray"),
-    Object("Buffer"),
-    Object("RWBuffer"),
-    Object("StructuredBuffer"),
-    Object("RWStructuredBuffer"),
-    Object("AppendStructuredBuffer"),
-    Object("ConsumeStructuredBuffer"),
-    Object("ByteAddressBuffer"),
-    Object("RWByteAddressBuffer"),
     Object("ConstantBuffer"),
     Object("TextureBuffer"),
-    Object("PointStream"),
-    Object("LineStream"),
-    Object("TriangleStream"),
-    Object("InputPatch"),
-    Object("OutputPatch"),
-    Object("RayQuery"),
-    Object("RaytracingAccelerationStructure"),
-    Object("SubpassInput"),
-    Object("SubpassInputMS"),
     Object("string"),
     Plain("register", Word::kRegister),
     Plain("layout", Word::kLayout),
@@ -116,8 +87,8 @@ constexpr auto kExact = std::to_array<Entry>({
     Plain("CompileShader", Word::kCompileShader),
 });
 
-// In lower case.
-constexpr auto kAnyCase = std::to_array<Entry>({
+// Found without regard to case.
+constexpr auto kFolded = std::to_array<Entry>({
     Plain("technique", Word::kTechnique),
     Plain("technique10", Word::kTechnique),
     Plain("technique11", Word::kTechnique),
@@ -128,87 +99,45 @@ constexpr auto kAnyCase = std::to_array<Entry>({
     Plain("stateblock_state", Word::kSamplerState),
     Plain("asm", Word::kAsm),
     Plain("asm_fragment", Word::kAsm),
-    Object("texture"),
-    Object("texture1d"),
-    Object("texture1darray"),
-    Object("texture2d"),
-    Object("texture2darray"),
-    Object("texture2dms"),
-    Object("texture2dmsarray"),
-    Object("texture3d"),
-    Object("texturecube"),
-    Object("texturecubearray"),
-    Object("sampler"),
-    Object("sampler1d"),
-    Object("sampler2d"),
-    Object("sampler3d"),
-    Object("samplercube"),
-    Object("samplerstate"),
-    Object("samplercomparisonstate"),
-    Object("blendstate"),
-    Object("depthstencilstate"),
-    Object("rasterizerstate"),
-    Object("rendertargetview"),
-    Object("depthstencilview"),
-    Object("stateblock"),
-    ShaderType("vertexshader"),
-    ShaderType("pixelshader"),
-    ShaderType("geometryshader"),
-    ShaderType("hullshader"),
-    ShaderType("domainshader"),
-    ShaderType("computeshader"),
-    ShaderType("vertexfragment"),
-    ShaderType("pixelfragment"),
+#define OBJECT(Enumerator, Spelling, Case, ...) Object(Spelling, Case),
+#define OBJECT_ALIAS(Enumerator, Spelling, Case) Object(Spelling, Case),
+#define UNUSABLE(Spelling, Case) Object(Spelling, Case),
+#define UNUSABLE_SHADER(Spelling) {Spelling, {Word::kObjectType, true}},
+#include "base/builtin_types.def"
 });
 
 // Numeric types, alone or with a size: `float`, `float3`, `float3x4`.
 constexpr auto kScalars = std::to_array<std::string_view>({
-    "bool",
-    "int",
-    "uint",
     "dword",
-    "half",
-    "float",
-    "double",
-    "min16float",
-    "min10float",
-    "min16int",
-    "min12int",
-    "min16uint",
-    "int16_t",
-    "uint16_t",
-    "int32_t",
-    "uint32_t",
-    "int64_t",
-    "uint64_t",
-    "float16_t",
-    "float32_t",
-    "float64_t",
-    "int8_t4_packed",
-    "uint8_t4_packed",
+#define SCALAR(Enumerator, Spelling) Spelling,
+#define SCALAR_ALIAS(Enumerator, Spelling) Spelling,
+#include "base/builtin_types.def"
 });
 
-template <std::size_t N>
-constexpr auto IndexOf(const std::array<Entry, N>& entries) {
-  std::array<std::string_view, N> words;
-  for (std::size_t i = 0; i < N; ++i) words[i] = entries[i].text;
-  return WordIndex(words);
-}
-constexpr auto kExactIndex = IndexOf(kExact);
-constexpr auto kAnyCaseIndex = IndexOf(kAnyCase);
-constexpr WordIndex kScalarIndex(kScalars);
-
-// By first letter: which lengths the words of any case have.
-constexpr auto kAnyCaseLengths = [] {
-  std::array<std::uint32_t, 32> lengths{};
-  for (const Entry& entry : kAnyCase) lengths[entry.text[0] & 31] |= 1u << entry.text.size();
-  return lengths;
+constexpr std::size_t kLongestFolded = 40;
+// The texts of kFolded in lower case, one after a multiple of kLongestFolded each.
+constexpr auto kLowerCase = [] {
+  std::array<char, kFolded.size() * kLongestFolded> letters{};
+  for (std::size_t i = 0; i < kFolded.size(); ++i) {
+    std::size_t at = i * kLongestFolded;
+    for (const char c : kFolded[i].text)
+      letters[at++] = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  return letters;
 }();
 
-constexpr bool MayBeAnyCase(std::string_view text) {
-  return !text.empty() && text.size() < 32 &&
-         (kAnyCaseLengths[text[0] & 31] >> text.size() & 1) != 0;
-}
+constexpr WordIndex kWordIndex = [] {
+  std::array<std::string_view, kWords.size()> words;
+  for (std::size_t i = 0; i < words.size(); ++i) words[i] = kWords[i].text;
+  return WordIndex(words);
+}();
+constexpr WordIndex kFoldedIndex = [] {
+  std::array<std::string_view, kFolded.size()> words;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    words[i] = {&kLowerCase[i * kLongestFolded], kFolded[i].text.size()};
+  return WordIndex(words);
+}();
+constexpr WordIndex kScalarIndex(kScalars);
 
 constexpr bool EndsInSize(std::string_view text) {
   return !text.empty() && text.back() >= '1' && text.back() <= '4';
@@ -225,16 +154,11 @@ bool IsNumericType(std::string_view text) {
 }  // namespace
 
 WordInfo ClassifyWord(std::string_view text) {
-  if (const std::size_t i = kExactIndex.Find(text); i != kExactIndex.kNone) return kExact[i].info;
+  if (const std::size_t i = kWordIndex.Find(text); i != kWordIndex.kNone) return kWords[i].info;
   if (IsNumericType(text)) return {Word::kNumericType};
-  if (!MayBeAnyCase(text)) return {};
-  std::string lower(text);
-  for (char& c : lower) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  if (const std::size_t i = kAnyCaseIndex.Find(lower); i != kAnyCaseIndex.kNone)
-    return kAnyCase[i].info;
-  return {};
+  const std::size_t i = kFoldedIndex.Find(ToLower(text));
+  if (i == kFoldedIndex.kNone || (kFolded[i].is_exact && kFolded[i].text != text)) return {};
+  return kFolded[i].info;
 }
 
 }  // namespace clipc

@@ -7,8 +7,8 @@
 
 #include "frontend/parse/ast_decl.h"
 
-// The words of HLSL's grammar. Real shaders use many of them as names, so few are reserved: from
-// kContextualQualifier on, a word is a name wherever the parser finds that a name fits better.
+// The words of HLSL's grammar. Real shaders use many of them as names, so few are reserved: the
+// others are names wherever the parser finds that a name fits better.
 namespace clipc {
 
 enum class Word : std::uint8_t {
@@ -98,12 +98,19 @@ inline constexpr Words kBufferWords(Word::kCbuffer, Word::kTbuffer);
 // Words that start a declaration outside of functions only.
 inline constexpr Words kOutsideWords = kBufferWords | Words(Word::kNamespace, Word::kTemplate);
 
-// True for words that start a statement or belong to one.
-constexpr bool IsStatementWord(Word word) { return word >= Word::kIf && word <= Word::kDiscard; }
+inline constexpr Words kStatementWords(Word::kIf, Word::kElse, Word::kFor, Word::kWhile, Word::kDo,
+                                       Word::kSwitch, Word::kCase, Word::kDefault, Word::kReturn,
+                                       Word::kBreak, Word::kContinue, Word::kDiscard);
+// Words that are names unless the context says otherwise, and ordinary names.
+inline constexpr Words kNameWords(Word::kNone, Word::kContextualQualifier, Word::kObjectType,
+                                  Word::kRegister, Word::kPackOffset, Word::kLayout,
+                                  Word::kTechnique, Word::kCompile, Word::kCompileShader,
+                                  Word::kSamplerState, Word::kAsm);
 
-// True for words that cannot be the name of anything.
-constexpr bool IsReserved(Word word) {
-  return word != Word::kNone && word < Word::kContextualQualifier;
-}
+// Whether the word starts a statement or belongs to one.
+constexpr bool IsStatementWord(Word word) { return kStatementWords.Has(word); }
+
+// Whether the word can never be the name of anything.
+constexpr bool IsReserved(Word word) { return !kNameWords.Has(word); }
 
 }  // namespace clipc

@@ -142,12 +142,8 @@ bool IsBaseOf(const TypeTable& types, const Type& base, const Type& derived) {
 // `sampler` of Direct3D 9 stands for a sampler of any dimension, so sampler2D s = the parameter of
 // a function takes it.
 bool FitsObject(const Type& from, const Type& to) {
-  using ir::ObjectKind;
-  if (from.kind != TypeKind::kObject || to.kind != TypeKind::kObject ||
-      from.object != ObjectKind::kSampler)
-    return false;
-  return to.object == ObjectKind::kSampler1D || to.object == ObjectKind::kSampler2D ||
-         to.object == ObjectKind::kSampler3D || to.object == ObjectKind::kSamplerCube;
+  return from.kind == TypeKind::kObject && to.kind == TypeKind::kObject &&
+         from.object == ir::ObjectKind::kSampler && ir::IsCombinedSampler(to.object);
 }
 
 }  // namespace

@@ -8,18 +8,17 @@
 // What the files behind CheckMethodCall and CheckObjectIndex share.
 namespace clipc {
 
-// How many components the operations of a texture take. A zero means that there is no such
-// operation.
+// How many components the operands of a texture's operations have; 0: there is no such operation.
 struct TextureTraits {
-  std::uint8_t coordinates = 0;  // of a sample, array element included; 0: cannot be sampled
-  std::uint8_t texel = 0;        // of a load, array element included, without level or sample
-  std::uint8_t size = 0;         // what GetDimensions tells, without levels or samples
-  std::uint8_t offset = 0;
-  std::uint8_t gradient = 0;
+  int coordinates = 0;  // of a sample, with the element of an array of textures
+  int texel = 0;        // of a load, with the element of an array, without level and sample
+  int size = 0;         // that GetDimensions gives, with the elements of an array
+  int offset = 0;
+  int gradient = 0;
   bool is_multisampled = false;
   bool can_gather = false;
 };
-bool IsTexture(ir::ObjectKind kind);
+// Zeros for an object that is not a texture.
 TextureTraits TraitsOf(ir::ObjectKind kind);
 // What a read of the object gives: its element type, float4 when none was written.
 ir::TypeId ElementOf(ir::TypeTable& types, const ir::Type& object);

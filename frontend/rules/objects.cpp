@@ -345,26 +345,19 @@ ExprId Dispatch(const IntrinsicCheck& call, ExprId object, ObjectKind kind,
 
 }  // namespace
 
-bool IsTexture(ObjectKind kind) { return kind <= ObjectKind::kTextureCubeArray; }
-
 TextureTraits TraitsOf(ObjectKind kind) {
-  switch (kind) {
-    case ObjectKind::kTexture1D: return {1, 1, 1, 1, 1, false, false};
-    case ObjectKind::kTexture1DArray: return {2, 2, 2, 1, 1, false, false};
-    case ObjectKind::kTexture2D: return {2, 2, 2, 2, 2, false, true};
-    case ObjectKind::kTexture2DArray: return {3, 3, 3, 2, 2, false, true};
-    case ObjectKind::kTexture2DMS: return {0, 2, 2, 2, 0, true, false};
-    case ObjectKind::kTexture2DMSArray: return {0, 3, 3, 2, 0, true, false};
-    case ObjectKind::kTexture3D: return {3, 3, 3, 3, 3, false, false};
-    case ObjectKind::kTextureCube: return {3, 0, 2, 0, 3, false, true};
-    case ObjectKind::kTextureCubeArray: return {4, 0, 3, 0, 3, false, true};
-    case ObjectKind::kRWTexture1D: return {0, 1, 1, 0, 0, false, false};
-    case ObjectKind::kRWTexture1DArray:
-    case ObjectKind::kRWTexture2D: return {0, 2, 2, 0, 0, false, false};
-    case ObjectKind::kRWTexture2DArray:
-    case ObjectKind::kRWTexture3D: return {0, 3, 3, 0, 0, false, false};
-    default: return {};
-  }
+  const ir::ObjectInfo& info = ir::InfoOf(kind);
+  if (info.category != ir::ObjectCategory::kTexture) return {};
+  const bool is_sampled = !info.is_writable && !info.is_multisampled;
+  const int layers = info.is_array;
+  const int direction = info.is_cube ? 3 : info.axes;
+  return {.coordinates = is_sampled ? direction + layers : 0,
+          .texel = info.is_cube ? 0 : info.axes + layers,
+          .size = info.axes + layers,
+          .offset = info.is_cube || info.is_writable ? 0 : info.axes,
+          .gradient = is_sampled ? direction : 0,
+          .is_multisampled = info.is_multisampled,
+          .can_gather = is_sampled && info.axes == 2};
 }
 
 TypeId ElementOf(ir::TypeTable& types, const Type& object) {

@@ -112,9 +112,8 @@ ExprId CheckTexLod(const IntrinsicCheck& call, ObjectKind sampler) {
   const TypeId float4 = types.Vector(Scalar::kFloat, 4);
   const auto location = call.Converted(1, float4);
   if (!location) return call.Error();
-  const int dimensions = sampler == ObjectKind::kSampler1D   ? 1
-                         : sampler == ObjectKind::kSampler2D ? 2
-                                                             : 3;
+  const ir::ObjectInfo& info = ir::InfoOf(sampler);
+  const int dimensions = info.is_cube ? 3 : info.axes;
   const auto parts = call.Split(*location, dimensions, 3);
   const std::array<ExprId, 3> arguments = {object, parts.leading, parts.last};
   return WithPrologue(

@@ -99,11 +99,8 @@ void ObjectResolver::AddResources(ir::TypeId type, const std::string& name, Span
     var.span = span;
     const ir::VarId resource = program_.vars.Add(std::move(var));
     while (program_.types[type].kind == ir::TypeKind::kArray) type = program_.types[type].element;
-    const ir::ObjectKind kind = program_.types[type].object;
-    const bool is_sampler =
-        kind >= ir::ObjectKind::kSampler && kind <= ir::ObjectKind::kSamplerCube;
     ir::Register reg;
-    reg.letter = is_sampler ? 's' : ir::IsWritable(kind) ? 'u' : 't';
+    reg.letter = ir::RegisterLetter(program_.types[type].object);
     program_.resources.push_back({resource, reg});
     slots[path] = {resource, {}};
     return;

@@ -76,7 +76,7 @@ std::map<std::uint32_t, Uses> FindUses(const ir::Program& program) {
     };
     if (!var(0)) continue;
     Uses& found = uses[var(0).index];
-    const bool has_sampler = call->op <= ObjectOp::kGatherAlpha && var(1);
+    const bool has_sampler = ir::TakesSampler(call->op) && var(1);
     if (has_sampler || call->op == ObjectOp::kD3d9Sample || call->op == ObjectOp::kD3d9SampleLevel)
       found.sampled = true;
     if (call->op == ObjectOp::kSampleGrad) found.constant = true;

@@ -24,12 +24,6 @@ std::uint32_t Require(const std::optional<std::uint32_t>& number, const std::str
   return *number;
 }
 
-bool HasSampler(ObjectKind kind) {
-  return kind == ObjectKind::kSampler || kind == ObjectKind::kSampler1D ||
-         kind == ObjectKind::kSampler2D || kind == ObjectKind::kSampler3D ||
-         kind == ObjectKind::kSamplerCube;
-}
-
 class Binder {
  public:
   Binder(const ir::Program& program, const Inputs& inputs, DrawCall& call)
@@ -55,7 +49,7 @@ class Binder {
         Add(object, i, DrawCall::Kind::kStorage).bytes = Find(inputs_.storage, name).bytes;
       } else {
         const DrawCall::Kind how = kind == ObjectKind::kBuffer ? DrawCall::Kind::kTexels
-                                   : HasSampler(kind)          ? DrawCall::Kind::kTextureWithSampler
+                                   : ir::IsSampler(kind)       ? DrawCall::Kind::kTextureWithSampler
                                                                : DrawCall::Kind::kTexture;
         Add(object, i, how).texture = Find(inputs_.textures, name);
       }

@@ -15,13 +15,9 @@ bool IsArrayOfArrays(const ir::TypeTable& types, ir::TypeId id) {
   return types[id].kind == TypeKind::kArray && types[types[id].element].kind == TypeKind::kArray;
 }
 
-bool IsGather(ir::ObjectOp op) {
-  return op >= ir::ObjectOp::kGather && op <= ir::ObjectOp::kGatherAlpha;
-}
-
-// (texture, sampler, coordinate, and four offsets)
+// A gather's (texture, sampler, coordinate, and four offsets): no other call has seven arguments.
 bool HasFourOffsets(const ir::Program& program, const ir::ObjectCall& call) {
-  return IsGather(call.op) && program.expr_lists[call.arguments].size() == 7;
+  return ir::TakesSampler(call.op) && program.expr_lists[call.arguments].size() == 7;
 }
 
 // Whether it is an element of an array, or another texture has a lower register.

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+
+// The textures, samplers and buffers of HLSL: one row of base/builtin_types.def each.
+namespace clipc::ir {
+
+enum class ObjectKind : std::uint8_t {
+#define OBJECT(Enumerator, ...) k##Enumerator,
+#include "base/builtin_types.def"
+  kOther,  // an object that no vertex shader may use (a stream, ...): it may only be declared
+};
+
+enum class ObjectCategory : std::uint8_t {
+  kTexture,
+  kSampler,          // SamplerState and SamplerComparisonState; Direct3D 9's `sampler` before its
+                     // first use
+  kCombinedSampler,  // Direct3D 9's sampler2D and the like: a texture and its sampler in one
+  kTypedBuffer,      // Buffer<T>
+  kStructuredBuffer,
+  kByteAddressBuffer,
+  kOther,
+};
+
+struct ObjectInfo {
+  const char* name;  // HLSL's spelling, as messages print it
+  ObjectCategory category;
+  std::uint8_t axes;  // 1 to 3 dimensions of a texel's place; 0: not a texture
+  bool is_writable;   // RWTexture2D, RWBuffer and the like
+  bool is_array;
+  bool is_cube;
+  bool is_multisampled;
+};
+const ObjectInfo& InfoOf(ObjectKind kind);
+
+bool IsWritable(ObjectKind kind);
+// Texture1D to TextureCubeArray: a texture that the shader cannot write.
+bool IsTexture(ObjectKind kind);
+// SamplerState, SamplerComparisonState, and Direct3D 9's samplers, which hold their texture too.
+bool IsSampler(ObjectKind kind);
+// Direct3D 9's sampler1D to samplerCUBE.
+bool IsCombinedSampler(ObjectKind kind);
+// RWBuffer and RWTexture: a format stands between the shader and the memory.
+bool IsImage(ObjectKind kind);
+bool IsStructured(ObjectKind kind);
+bool IsByteAddress(ObjectKind kind);
+// StructuredBuffer and ByteAddressBuffer, RW or not: the shader sees the memory itself.
+bool IsStorageBuffer(ObjectKind kind);
+// The object is written with the type of its elements: Texture2D<float4>.
+bool HasElement(ObjectKind kind);
+// The letter of the registers that hold the object: s, t, or u for a writable one.
+char RegisterLetter(ObjectKind kind);
+
+}  // namespace clipc::ir
