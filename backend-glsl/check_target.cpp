@@ -340,26 +340,7 @@ class TargetCheck {
   }
 
   void IntrinsicUse(const IntrinsicCall& call, Span span) {
-    switch (call.op) {
-      case Intrinsic::kAsFloat:
-      case Intrinsic::kAsInt:
-      case Intrinsic::kAsUint: {
-        const auto arguments = program_.expr_lists[call.arguments];
-        if (arguments.size() == 1 &&
-            IsFloat(TypeOf(arguments[0]).scalar) == (call.op == Intrinsic::kAsFloat))
-          return;
-        break;
-      }
-      case Intrinsic::kF16ToF32:
-      case Intrinsic::kF32ToF16:
-      case Intrinsic::kFrexp:
-      case Intrinsic::kCountBits:
-      case Intrinsic::kFirstBitHigh:
-      case Intrinsic::kFirstBitLow:
-      case Intrinsic::kReverseBits: break;
-      default: return;
-    }
-    if (!target_.BitCasts())
+    if (InfoOf(call.op).gate == TargetGate::kBitCasts && !target_.BitCasts())
       diagnostics_.Report(span, diag::TargetBitCast, NameOf(call.op), target_name());
   }
 

@@ -167,9 +167,7 @@ Text Writer::IntrinsicOn(Intrinsic op, std::span<const Operand> operands, const 
                      {IntrinsicOn(Intrinsic::kMin, both, shape), shape, std::nullopt, false});
   }
   if (auto direct = DirectOn(op, operands)) return std::move(*direct);
-  if (op >= Intrinsic::kAsFloat && op <= Intrinsic::kReverseBits)
-    return BitsOn(op, operands, result);
-  return FloatOn(op, operands, result);
+  return BitsOn(op, operands, result);
 }
 
 Text Writer::FloatOn(Intrinsic op, std::span<const Operand> operands, const Shape& result) {
@@ -250,10 +248,8 @@ Text Writer::BitsOn(Intrinsic op, std::span<const Operand> operands, const Shape
       if (op == Intrinsic::kF16ToF32) return {"unpackHalf2x16(" + Argument(Full(x)) + ").x"};
       return {"packHalf2x16(vec2(" + Argument(Full(x)) + ", 0.0))"};
     }
-    default: break;
+    default: return FloatOn(op, operands, result);
   }
-  CLIPC_CHECK(!"an intrinsic that WriteGlsl knows");
-  return {};
 }
 
 Text Writer::CastOn(Scalar to, const Operand& operand) {

@@ -51,7 +51,8 @@ void Machine::EvalCall(ExprId expr, const Call& node) {
 
 void Machine::EvalIntrinsic(ExprId expr, const IntrinsicCall& node) {
   if (node.arguments.size > 1 && WritesArgument(node.op, 1)) return EvalWriting(node);
-  if (!IsComponentWise(node.op) && node.op <= Intrinsic::kReverseBits) return EvalBits(expr, node);
+  const IntrinsicCategory category = CategoryOf(node.op);
+  if (category == IntrinsicCategory::kBits) return EvalBits(expr, node);
   const std::size_t base = stack_.size();
   std::array<ExprId, 3> arguments{};
   std::array<std::size_t, 3> starts{base, base, base};
@@ -64,7 +65,7 @@ void Machine::EvalIntrinsic(ExprId expr, const IntrinsicCall& node) {
   const Scalar rep = RepOf(arguments[0]);
   std::array<Word, 16> result{};
   const std::uint32_t words = WordsOf(expr);
-  if (IsComponentWise(node.op)) {
+  if (category == IntrinsicCategory::kComponents) {
     for (std::uint32_t i = 0; i < words; ++i) {
       result[i] = ComponentFunction(node.op, rep, stack_[starts[0] + i], stack_[starts[1] + i],
                                     stack_[starts[2] + i]);

@@ -210,9 +210,9 @@ TEST_F(Intrinsics, BitCounting) {
   EXPECT_EQ(u(Intrinsic::kFirstBitLow, 0), 4294967295.0);
   EXPECT_EQ(u(Intrinsic::kReverseBits, 3), 0xC0000000u);
   // Of a signed number: the first bit that differs from the sign.
-  EXPECT_EQ(Of(Intrinsic::kFirstBitHigh, Scalar::kInt, Scalar::kInt, {-2}), 0);
-  EXPECT_EQ(Of(Intrinsic::kFirstBitHigh, Scalar::kInt, Scalar::kInt, {-1}), -1);
-  EXPECT_EQ(Of(Intrinsic::kFirstBitHigh, Scalar::kInt, Scalar::kInt, {-129}), 7);
+  EXPECT_EQ(Of(Intrinsic::kFirstBitHigh, Scalar::kUint, Scalar::kInt, {-2}), 0);
+  EXPECT_EQ(Of(Intrinsic::kFirstBitHigh, Scalar::kUint, Scalar::kInt, {-1}), 4294967295.0);
+  EXPECT_EQ(Of(Intrinsic::kFirstBitHigh, Scalar::kUint, Scalar::kInt, {-129}), 7);
 }
 
 TEST_F(Intrinsics, BitCastsKeepEveryBit) {

@@ -281,12 +281,6 @@ Word UnaryComponent(UnaryOp op, Scalar rep, Word operand) {
   }
 }
 
-bool IsComponentWise(Intrinsic op) {
-  const bool converts_half = op == Intrinsic::kF16ToF32 || op == Intrinsic::kF32ToF16;
-  const bool casts = op >= Intrinsic::kAsFloat && op <= Intrinsic::kAsDouble;
-  return op <= Intrinsic::kReverseBits && !casts && !converts_half;
-}
-
 Word ComponentFunction(Intrinsic op, Scalar rep, Word x, Word y, Word z) {
   switch (rep) {
     case Scalar::kFloat: return FloatComponent(op, FloatOf(x), FloatOf(y), FloatOf(z));

@@ -17,9 +17,7 @@ Word BinaryComponent(BinaryOp op, Scalar rep, Word left, Word right);
 // The increments give the new value.
 Word UnaryComponent(UnaryOp op, Scalar rep, Word operand);
 
-// An intrinsic of intrinsics.def whose arguments and result have one shape g, without out
-// arguments.
-bool IsComponentWise(Intrinsic op);
+// One component of an intrinsic of category kComponents.
 Word ComponentFunction(Intrinsic op, Scalar rep, Word x, Word y, Word z);
 
 struct EvalArgument {

@@ -12,6 +12,7 @@
 #include "base/arena.h"
 #include "base/id.h"
 #include "base/span.h"
+#include "ir/intrinsic.h"
 #include "ir/profile.h"
 #include "ir/type.h"
 
@@ -159,15 +160,6 @@ struct Call {
   FunctionId function;
   List<ExprId> arguments;
 };
-enum class Intrinsic : std::uint8_t {
-#define INTRINSIC(Enumerator, HlslName, Signature) k##Enumerator,
-#include "ir/intrinsics.def"
-#undef INTRINSIC
-};
-const char* NameOf(Intrinsic op);  // HLSL's spelling
-// The argument is an lvalue that the call writes: modf(x, ip), sincos(x, s, c), asuint(d, low,
-// high).
-bool WritesArgument(Intrinsic op, std::size_t argument);
 struct IntrinsicCall {
   Intrinsic op;
   List<ExprId> arguments;

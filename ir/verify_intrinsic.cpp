@@ -7,15 +7,6 @@
 namespace clipc::ir {
 namespace {
 
-const char* SignatureOf(Intrinsic op) {
-  static constexpr const char* kSignatures[] = {
-#define INTRINSIC(Enumerator, HlslName, Signature) Signature,
-#include "ir/intrinsics.def"
-#undef INTRINSIC
-  };
-  return kSignatures[static_cast<std::size_t>(op)];
-}
-
 bool FitsKind(char letter, Scalar kind) {
   switch (letter) {
     case 'f': return IsFloat(kind);
@@ -24,29 +15,33 @@ bool FitsKind(char letter, Scalar kind) {
     case 'i': return IsInteger(kind) && !IsUnsigned(kind);
     case 'u': return IsInteger(kind) && IsUnsigned(kind);
     case 'd': return kind == Scalar::kDouble;
+    case 'w': return IsInteger(kind);
     default: return true;
   }
 }
 
-bool FitsShape(char letter, const Type& type) {
-  switch (letter) {
+bool FitsShape(char shape, const Type& type) {
+  switch (shape) {
     case 'g': return type.IsNumeric();
     case 'v': return type.kind == TypeKind::kVector || type.kind == TypeKind::kScalar;
-    case '3': return type.kind == TypeKind::kVector && type.columns == 3;
-    case '4': return type.kind == TypeKind::kVector && type.columns == 4;
+    case '2':
+    case '3':
+    case '4': return type.kind == TypeKind::kVector && type.columns == shape - '0';
     case 's': return type.kind == TypeKind::kScalar;
     case 'q': return type.kind == TypeKind::kMatrix && type.rows == type.columns;
     default: return type.kind == TypeKind::kMatrix;  // m, t
   }
 }
 
-// Holds the types of one call against a signature of intrinsics.def, letter by letter.
+// Compares the types of one call with a signature of intrinsics.def, slot by slot.
 class Matcher {
  public:
   explicit Matcher(const TypeTable& types) : types_(types) {}
 
-  bool Match(char shape, char kind, TypeId id) {
+  bool Match(IntrinsicSlot slot, TypeId id) {
+    auto [shape, kind, is_out] = slot;
     const Type& type = types_[id];
+    if (shape == 0) return type.kind == TypeKind::kVoid;
     if (!FitsShape(shape, type) || !FitsKind(kind, type.scalar)) return false;
     if (kind == 'f' || kind == 'n' || kind == 'a') {
       if (kinds_[Slot(kind)] && kinds_[Slot(kind)] != 1 + static_cast<int>(type.scalar))
@@ -73,19 +68,14 @@ class Matcher {
   std::array<std::optional<Type>, 3> shapes_;
 };
 
-bool MatchesSignature(const TypeTable& types, std::string_view signature, TypeId result,
+bool MatchesSignature(const TypeTable& types, const IntrinsicSignature& signature, TypeId result,
                       const std::vector<TypeId>& arguments) {
+  if (arguments.size() != signature.count) return false;
   Matcher matcher(types);
-  const std::size_t open = signature.find('(');
-  std::string_view rest = signature.substr(open + 1);
-  for (TypeId argument : arguments) {
-    if (!rest.empty() && rest.front() == 'o') rest.remove_prefix(1);
-    if (rest.size() < 3 || !matcher.Match(rest[0], rest[1], argument)) return false;
-    rest.remove_prefix(3);  // two letters and the comma or the closing parenthesis
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    if (!matcher.Match(signature.arguments[i], arguments[i])) return false;
   }
-  if (!rest.empty()) return false;
-  if (signature.starts_with("void")) return types[result].kind == TypeKind::kVoid;
-  return matcher.Match(signature[0], signature[1], result);
+  return matcher.Match(signature.result, result);
 }
 
 // mul(): scalars, vectors and matrices in all nine combinations, of one kind.
@@ -110,47 +100,39 @@ bool MatchesMul(const Type& result, const Type& left, const Type& right) {
          result.rows == left.rows && result.columns == right.columns;
 }
 
+// mul, asfloat, asint, asuint.
 bool MatchesSpecial(const TypeTable& types, Intrinsic op, TypeId result_id,
                     const std::vector<TypeId>& arguments) {
   const Type& result = types[result_id];
   if (arguments.empty()) return false;
   const Type& first = types[arguments[0]];
+  if (op == Intrinsic::kMul)
+    return arguments.size() == 2 && MatchesMul(result, first, types[arguments[1]]);
   const Scalar from = BaseOf(first.scalar);
-  const bool is_32_bits = from == Scalar::kFloat || from == Scalar::kInt || from == Scalar::kUint;
-  const auto one_of_kind = [&](Scalar kind) {
-    return arguments.size() == 1 && is_32_bits && SameShape(result, first) &&
-           BaseOf(result.scalar) == kind;
-  };
-  switch (op) {
-    case Intrinsic::kMul:
-      return arguments.size() == 2 && MatchesMul(result, first, types[arguments[1]]);
-    case Intrinsic::kAsFloat: return one_of_kind(Scalar::kFloat);
-    case Intrinsic::kAsInt: return one_of_kind(Scalar::kInt);
-    case Intrinsic::kAsUint:
-      if (arguments.size() == 1) return one_of_kind(Scalar::kUint);
-      return arguments.size() == 3 && result.kind == TypeKind::kVoid && from == Scalar::kDouble &&
-             SameShape(first, types[arguments[1]]) && types[arguments[1]].scalar == Scalar::kUint &&
-             arguments[1] == arguments[2];
-    case Intrinsic::kAsDouble:
-      return arguments.size() == 2 && arguments[0] == arguments[1] && from == Scalar::kUint &&
-             SameShape(result, first) && result.scalar == Scalar::kDouble;
-    case Intrinsic::kFirstBitHigh:
-      return arguments.size() == 1 && IsInteger(first.scalar) && SameShape(result, first) &&
-             IsInteger(result.scalar);
-    default: return true;
+  if (arguments.size() == 3) {
+    return op == Intrinsic::kAsUint && result.kind == TypeKind::kVoid && from == Scalar::kDouble &&
+           SameShape(first, types[arguments[1]]) && types[arguments[1]].scalar == Scalar::kUint &&
+           arguments[1] == arguments[2];
   }
+  const Scalar to = op == Intrinsic::kAsFloat ? Scalar::kFloat
+                    : op == Intrinsic::kAsInt ? Scalar::kInt
+                                              : Scalar::kUint;
+  const bool is_from_integer = from == Scalar::kInt || from == Scalar::kUint;
+  return arguments.size() == 1 && SameShape(result, first) && BaseOf(result.scalar) == to &&
+         (to == Scalar::kFloat ? is_from_integer : from == Scalar::kFloat);
 }
 
 }  // namespace
 
 std::optional<std::string> CheckIntrinsic(const TypeTable& types, Intrinsic op, TypeId result,
                                           const std::vector<TypeId>& arguments) {
-  const std::string_view signature = SignatureOf(op);
-  const bool fits = signature == "special" ? MatchesSpecial(types, op, result, arguments)
-                                           : MatchesSignature(types, signature, result, arguments);
+  const IntrinsicInfo& info = InfoOf(op);
+  const bool fits = info.signature.is_special
+                        ? MatchesSpecial(types, op, result, arguments)
+                        : MatchesSignature(types, info.signature, result, arguments);
   if (fits) return std::nullopt;
   std::string text =
-      "the types do not fit " + std::string(NameOf(op)) + " (" + std::string(signature) + "): ";
+      std::string("the types do not fit ") + info.name + " (" + info.signature_text + "): ";
   text += types.Name(result) + "(";
   for (std::size_t i = 0; i < arguments.size(); ++i)
     text += (i == 0 ? "" : ", ") + types.Name(arguments[i]);

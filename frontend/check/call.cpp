@@ -17,6 +17,7 @@
 #include "frontend/check/type_names.h"
 #include "frontend/check/value.h"
 #include "frontend/rules/intrinsics.h"
+#include "frontend/rules/objects.h"
 
 namespace clipc::check {
 namespace {

@@ -7,7 +7,7 @@
 #include "frontend/check/operator.h"
 #include "frontend/check/value.h"
 #include "frontend/rules/constant.h"
-#include "frontend/rules/intrinsics.h"
+#include "frontend/rules/objects.h"
 
 namespace clipc::check {
 namespace {

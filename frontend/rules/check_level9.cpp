@@ -119,21 +119,10 @@ class Level9Checker {
   }
 
   void CheckIntrinsic(const ir::IntrinsicCall& call, Span span) {
-    switch (call.op) {
-      case ir::Intrinsic::kAsFloat:
-      case ir::Intrinsic::kAsInt:
-      case ir::Intrinsic::kAsUint:
-      case ir::Intrinsic::kAsDouble:
-      case ir::Intrinsic::kCountBits:
-      case ir::Intrinsic::kF16ToF32:
-      case ir::Intrinsic::kF32ToF16:
-      case ir::Intrinsic::kFirstBitHigh:
-      case ir::Intrinsic::kFirstBitLow:
-      case ir::Intrinsic::kReverseBits:
-        diagnostics_.Report(span, diag::Level9Intrinsic, ir::NameOf(call.op), Target());
-        break;
-      case ir::Intrinsic::kMul: instructions_ += MulInstructions(call); break;
-      default: ++instructions_; break;
+    if (ir::InfoOf(call.op).first_model >= 4) {
+      diagnostics_.Report(span, diag::Level9Intrinsic, ir::NameOf(call.op), Target());
+    } else {
+      instructions_ += call.op == ir::Intrinsic::kMul ? MulInstructions(call) : 1;
     }
   }
 

@@ -292,14 +292,14 @@ class Folder {
     for (std::size_t i = 0; i < views.size(); ++i) views[i].words = arguments[i].bits.data();
     const Scalar base = ir::BaseOf(arguments[0].kind);
     Folded folded{type.scalar, std::vector<std::uint64_t>(type.Components(), 0)};
-    if (ir::IsComponentWise(node.op)) {
+    if (ir::CategoryOf(node.op) == ir::IntrinsicCategory::kComponents) {
       const auto word = [&](std::size_t a, std::size_t i) {
         return a < arguments.size() ? arguments[a].bits[i] : 0;
       };
       for (std::size_t i = 0; i < folded.bits.size(); ++i) {
         folded.bits[i] = ir::ComponentFunction(node.op, base, word(0, i), word(1, i), word(2, i));
       }
-    } else if (node.op <= ir::Intrinsic::kReverseBits) {
+    } else if (ir::CategoryOf(node.op) == ir::IntrinsicCategory::kBits) {
       for (std::size_t i = 0; i < folded.bits.size(); ++i) {
         const auto bits = CastBits(node.op, arguments[0].bits[i]);
         if (!bits) return std::nullopt;

@@ -13,22 +13,8 @@
 #include "ir/builder.h"
 #include "ir/program.h"
 
-// What the files behind intrinsics.h share: one call of something built in, while it is checked.
+// One call of a function or method that HLSL has built in, while it is checked.
 namespace clipc {
-
-// One argument or the result of an intrinsic, as ir/intrinsics.def writes it.
-struct IntrinsicSlot {
-  char shape = 0;  // 0: void
-  char kind = 0;
-  bool is_out = false;
-};
-struct IntrinsicSignature {
-  static constexpr std::size_t kMaxArguments = 3;
-  IntrinsicSlot result;
-  std::array<IntrinsicSlot, kMaxArguments> arguments = {};
-  std::uint8_t count = 0;
-  bool is_special = false;  // the rules are in intrinsics_special.cpp
-};
 
 class IntrinsicCheck {
  public:
@@ -88,7 +74,6 @@ class IntrinsicCheck {
 ir::ExprId WithPrologue(const IntrinsicCheck& call, ir::ExprId prologue, ir::ExprId value);
 
 // intrinsics_signature.cpp
-const IntrinsicSignature& SignatureOf(ir::Intrinsic op);
 ir::ExprId CheckBySignature(const IntrinsicCheck& call, ir::Intrinsic op);
 // A call whose out arguments have types of their own: `targets` receive the temporaries' values
 // after the call.
@@ -102,11 +87,9 @@ ir::ExprId CallWithOuts(const IntrinsicCheck& call, ir::Intrinsic op, ir::TypeId
 // intrinsics_special.cpp
 ir::ExprId CheckMul(const IntrinsicCheck& call);
 ir::ExprId CheckBitCast(const IntrinsicCheck& call, ir::Intrinsic op);
-ir::ExprId CheckFirstBitHigh(const IntrinsicCheck& call);
 ir::ExprId CheckSelect(const IntrinsicCheck& call);
 ir::ExprId CheckLogical(const IntrinsicCheck& call, ir::BinaryOp op);
-
-// objects_index.cpp: tex2Dlod and its family.
-ir::ExprId CheckTexLod(const IntrinsicCheck& call, ir::ObjectKind sampler);
+// tex2Dlod and its family.
+ir::ExprId CheckTexLod(const IntrinsicCheck& call);
 
 }  // namespace clipc

@@ -20,46 +20,11 @@ using ir::Type;
 using ir::TypeId;
 using ir::TypeKind;
 
-constexpr IntrinsicSlot ParseSlot(std::string_view text, std::size_t& at) {
-  IntrinsicSlot slot;
-  if (text[at] == 'o') {
-    slot.is_out = true;
-    ++at;
-  }
-  slot.shape = text[at++];
-  slot.kind = text[at++];
-  return slot;
-}
-
-constexpr IntrinsicSignature ParseSignature(std::string_view text) {
-  IntrinsicSignature signature;
-  if (text == "special") {
-    signature.is_special = true;
-    return signature;
-  }
-  std::size_t at = 0;
-  if (text.starts_with("void")) {
-    at = 4;
-  } else {
-    signature.result = ParseSlot(text, at);
-  }
-  while (text[at] != ')') {
-    ++at;  // the parenthesis or the comma
-    signature.arguments[signature.count++] = ParseSlot(text, at);
-  }
-  return signature;
-}
-
-constexpr IntrinsicSignature kSignatures[] = {
-#define INTRINSIC(Enumerator, HlslName, Signature) ParseSignature(Signature),
-#include "ir/intrinsics.def"
-#undef INTRINSIC
-};
-
 constexpr const char* ShapeText(char shape) {
   switch (shape) {
     case 'v': return "a scalar or a vector";
     case 's': return "a scalar";
+    case '2': return "a vector of two";
     case '3': return "a vector of three";
     case '4': return "a vector of four";
     case 'm':
@@ -71,7 +36,7 @@ constexpr const char* ShapeText(char shape) {
 // The kinds and the shape that the arguments of one call agree on.
 class Unifier {
  public:
-  Unifier(const IntrinsicCheck& call, const IntrinsicSignature& signature)
+  Unifier(const IntrinsicCheck& call, const ir::IntrinsicSignature& signature)
       : call_(call), signature_(signature) {}
 
   // False after reporting what does not fit.
@@ -88,15 +53,16 @@ class Unifier {
     return true;
   }
 
-  TypeId TypeOf(IntrinsicSlot slot) const {
+  TypeId TypeOf(ir::IntrinsicSlot slot) const {
     ir::TypeTable& types = call_.program.types;
     const Scalar kind = KindOf(slot.kind);
     switch (slot.shape) {
       case 'g': return types.WithScalar(common_, kind);
       case 'v': return call_.VectorOf(kind, vector_size_);
       case 's': return types.Make(kind);
-      case '3': return types.Vector(kind, 3);
-      case '4': return types.Vector(kind, 4);
+      case '2':
+      case '3':
+      case '4': return types.Vector(kind, slot.shape - '0');
       case 'm': return types.Matrix(kind, rows_, columns_);
       case 't': return types.Matrix(kind, columns_, rows_);
       case 'q': return types.Matrix(kind, std::min(rows_, columns_), std::min(rows_, columns_));
@@ -106,13 +72,13 @@ class Unifier {
 
  private:
   bool Take(std::size_t i) {
-    const IntrinsicSlot slot = signature_.arguments[i];
+    const ir::IntrinsicSlot slot = signature_.arguments[i];
     const Type& type = call_.ArgumentType(i);
     if (!type.IsNumeric() || !TakeShape(i, slot.shape, type)) {
       call_.BadArgument(i, ShapeText(slot.shape));
       return false;
     }
-    if (slot.kind == 'f' || slot.kind == 'n' || slot.kind == 'a' || slot.kind == 'd') {
+    if (std::string_view("fnawd").find(slot.kind) != std::string_view::npos) {
       kind_ = kind_ ? CommonKind(*kind_, type.scalar) : type.scalar;
     }
     return true;
@@ -132,6 +98,7 @@ class Unifier {
         if (type.kind != TypeKind::kVector) return false;
         vector_size_ = vector_size_ == 1 ? type.columns : std::min<int>(vector_size_, type.columns);
         return true;
+      case '2':
       case '3':
       case '4': return is_single || (type.kind == TypeKind::kVector && type.columns >= shape - '0');
       case 'm':
@@ -149,6 +116,7 @@ class Unifier {
       case 'f': return ir::IsFloat(kind) && kind != Scalar::kDouble ? kind : Scalar::kFloat;
       case 'n': return kind == Scalar::kBool ? Scalar::kFloat : kind;
       case 'b': return Scalar::kBool;
+      case 'w': return ir::IsUnsigned(kind) ? Scalar::kUint : Scalar::kInt;
       case 'i': return Scalar::kInt;
       case 'u': return Scalar::kUint;
       case 'd': return Scalar::kDouble;
@@ -157,7 +125,7 @@ class Unifier {
   }
 
   const IntrinsicCheck& call_;
-  const IntrinsicSignature& signature_;
+  const ir::IntrinsicSignature& signature_;
   std::optional<Scalar> kind_;
   TypeId common_;
   int vector_size_ = 1;
@@ -167,12 +135,8 @@ class Unifier {
 
 }  // namespace
 
-const IntrinsicSignature& SignatureOf(ir::Intrinsic op) {
-  return kSignatures[static_cast<std::size_t>(op)];
-}
-
 ExprId CheckBySignature(const IntrinsicCheck& call, ir::Intrinsic op) {
-  const IntrinsicSignature& signature = SignatureOf(op);
+  const ir::IntrinsicSignature& signature = ir::InfoOf(op).signature;
   if (!call.HasCount(signature.count, signature.count)) return call.Error();
   Unifier unifier(call, signature);
   if (!unifier.Run()) return call.Error();
@@ -181,7 +145,7 @@ ExprId CheckBySignature(const IntrinsicCheck& call, ir::Intrinsic op) {
   ins.reserve(signature.count);
   std::vector<OutArgument> outs;
   for (std::size_t i = 0; i < signature.count; ++i) {
-    const IntrinsicSlot slot = signature.arguments[i];
+    const ir::IntrinsicSlot slot = signature.arguments[i];
     const TypeId type = unifier.TypeOf(slot);
     if (!slot.is_out) {
       ins.push_back(call.Convert(call.arguments[i], type));

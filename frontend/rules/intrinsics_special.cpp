@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "frontend/rules/intrinsic_call.h"
+#include "frontend/rules/object_call.h"
 #include "frontend/rules/reread.h"
 #include "ir/access.h"
 
@@ -94,20 +95,6 @@ ExprId SplitDouble(const IntrinsicCheck& call) {
   return CallWithOuts(call, ir::Intrinsic::kAsUint, types.Void(), ins, outs);
 }
 
-ExprId FuseDouble(const IntrinsicCheck& call) {
-  if (!call.HasCount(2, 2)) return call.Error();
-  ir::TypeTable& types = call.program.types;
-  const auto common =
-      CommonType(types, call.TypeIdOf(call.arguments[0]), call.TypeIdOf(call.arguments[1]));
-  if (!common || !types[*common].IsNumeric())
-    return call.BadArgument(1, "a uint of the shape of the first");
-  const TypeId half = types.WithScalar(*common, Scalar::kUint);
-  const ExprId low = call.Convert(call.arguments[0], half);
-  const ExprId high = call.Convert(call.arguments[1], half);
-  return call.Make().IntrinsicOf(ir::Intrinsic::kAsDouble, types.WithScalar(half, Scalar::kDouble),
-                                 {low, high});
-}
-
 }  // namespace
 
 ExprId CheckMul(const IntrinsicCheck& call) {
@@ -127,7 +114,6 @@ ExprId CheckMul(const IntrinsicCheck& call) {
 }
 
 ExprId CheckBitCast(const IntrinsicCheck& call, ir::Intrinsic op) {
-  if (op == ir::Intrinsic::kAsDouble) return FuseDouble(call);
   const bool to_uint = op == ir::Intrinsic::kAsUint;
   if (!call.HasCount(1, to_uint && call.arguments.size() > 1 ? 3 : 1)) return call.Error();
   if (call.arguments.size() == 3) return SplitDouble(call);
@@ -148,19 +134,6 @@ ExprId CheckBitCast(const IntrinsicCheck& call, ir::Intrinsic op) {
   if (base == target || (base != Scalar::kFloat && target != Scalar::kFloat))
     return call.Convert(value, result);
   return call.Make().IntrinsicOf(op, result, {value});
-}
-
-ExprId CheckFirstBitHigh(const IntrinsicCheck& call) {
-  if (!call.HasCount(1, 1)) return call.Error();
-  const Type& type = call.ArgumentType(0);
-  if (!type.IsNumeric())
-    return call.BadArgument(0, "an int or uint, or a vector or matrix of them");
-  ir::TypeTable& types = call.program.types;
-  const Scalar kind = ir::IsUnsigned(type.scalar) ? Scalar::kUint : Scalar::kInt;
-  const ExprId value =
-      call.Convert(call.arguments[0], types.WithScalar(call.TypeIdOf(call.arguments[0]), kind));
-  const TypeId result = types.WithScalar(call.TypeIdOf(value), Scalar::kUint);
-  return call.Make().IntrinsicOf(ir::Intrinsic::kFirstBitHigh, result, {value});
 }
 
 ExprId CheckLogical(const IntrinsicCheck& call, ir::BinaryOp op) {
@@ -211,6 +184,33 @@ ExprId CheckSelect(const IntrinsicCheck& call) {
   for (auto each = before.rbegin(); each != before.rend(); ++each)
     value = builder.CommaOf(*each, value);
   return value;
+}
+
+// texCUBElod(sampler, float4(coordinate, level)); the digit or C in the name tells the sampler.
+ExprId CheckTexLod(const IntrinsicCheck& call) {
+  using ir::ObjectKind;
+  const char letter = call.name[3];
+  const ObjectKind sampler = letter == '1'   ? ObjectKind::kSampler1D
+                             : letter == '2' ? ObjectKind::kSampler2D
+                             : letter == '3' ? ObjectKind::kSampler3D
+                                             : ObjectKind::kSamplerCube;
+  if (!call.HasCount(2, 2)) return call.Error();
+  ir::TypeTable& types = call.program.types;
+  const TypeId wanted = types.Object(sampler);
+  if (!RankImplicit(types, call.TypeIdOf(call.arguments[0]), wanted)) {
+    return call.BadArgument(0, "a `" + types.Name(wanted) + "`");
+  }
+  const ExprId object = call.Convert(call.arguments[0], wanted);
+  const TypeId float4 = types.Vector(Scalar::kFloat, 4);
+  const auto location = call.Converted(1, float4);
+  if (!location) return call.Error();
+  const ir::ObjectInfo& info = ir::InfoOf(sampler);
+  const int dimensions = info.is_cube ? 3 : info.axes;
+  const auto parts = call.Split(*location, dimensions, 3);
+  const std::array<ExprId, 3> arguments = {object, parts.leading, parts.last};
+  return WithPrologue(
+      call, parts.prologue,
+      MakeObjectCall(call.Make(), call.program, float4, ir::ObjectOp::kD3d9SampleLevel, arguments));
 }
 
 }  // namespace clipc

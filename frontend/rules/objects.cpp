@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/rules/objects.h"
+
 #include <algorithm>
 #include <iterator>
 #include <optional>
 #include <vector>
 
 #include "frontend/rules/constant.h"
-#include "frontend/rules/intrinsics.h"
 #include "frontend/rules/object_call.h"
 
 namespace clipc {
@@ -18,82 +19,6 @@ using ir::Scalar;
 using ir::Type;
 using ir::TypeId;
 
-enum class Method : std::uint8_t {
-  kSampleLevel,
-  kSampleGrad,
-  kSampleCmpLevelZero,
-  kGather,
-  kLoad,
-  kByteLoad,
-  kByteStore,
-  kGetDimensions,
-  kSample,  // takes the level of detail from neighbouring pixels: level 0 here
-  kSampleBias,
-  kSampleCmp,
-  kImplicitLevel,  // refused: asks for the level of detail of neighbouring pixels
-  kUnsupported,
-};
-struct MethodName {
-  std::string_view name;
-  Method method;
-  std::uint8_t detail = 0;  // kGather: the ObjectOp; kByteLoad, kByteStore: how many words
-};
-constexpr std::uint8_t Detail(ObjectOp op) { return static_cast<std::uint8_t>(op); }
-
-constexpr MethodName kTextureMethods[] = {
-    {"SampleLevel", Method::kSampleLevel},
-    {"SampleGrad", Method::kSampleGrad},
-    {"SampleCmpLevelZero", Method::kSampleCmpLevelZero},
-    {"Gather", Method::kGather, Detail(ObjectOp::kGather)},
-    {"GatherRed", Method::kGather, Detail(ObjectOp::kGather)},
-    {"GatherGreen", Method::kGather, Detail(ObjectOp::kGatherGreen)},
-    {"GatherBlue", Method::kGather, Detail(ObjectOp::kGatherBlue)},
-    {"GatherAlpha", Method::kGather, Detail(ObjectOp::kGatherAlpha)},
-    {"Load", Method::kLoad},
-    {"GetDimensions", Method::kGetDimensions},
-    {"Sample", Method::kSample},
-    {"SampleBias", Method::kSampleBias},
-    {"SampleCmp", Method::kSampleCmp},
-    {"SampleCmpBias", Method::kImplicitLevel},
-    {"CalculateLevelOfDetail", Method::kImplicitLevel},
-    {"CalculateLevelOfDetailUnclamped", Method::kImplicitLevel},
-    {"SampleCmpGrad", Method::kUnsupported},
-    {"SampleCmpLevel", Method::kUnsupported},
-    {"GatherCmp", Method::kUnsupported},
-    {"GatherCmpRed", Method::kUnsupported},
-    {"GatherCmpGreen", Method::kUnsupported},
-    {"GatherCmpBlue", Method::kUnsupported},
-    {"GatherCmpAlpha", Method::kUnsupported},
-    {"GatherRaw", Method::kUnsupported},
-    {"GetSamplePosition", Method::kUnsupported},
-};
-constexpr MethodName kBufferMethods[] = {{"Load", Method::kLoad},
-                                         {"GetDimensions", Method::kGetDimensions}};
-constexpr MethodName kByteMethods[] = {{"Load", Method::kByteLoad, 1},
-                                       {"Load2", Method::kByteLoad, 2},
-                                       {"Load3", Method::kByteLoad, 3},
-                                       {"Load4", Method::kByteLoad, 4},
-                                       {"GetDimensions", Method::kGetDimensions},
-                                       {"Store", Method::kByteStore, 1},
-                                       {"Store2", Method::kByteStore, 2},
-                                       {"Store3", Method::kByteStore, 3},
-                                       {"Store4", Method::kByteStore, 4}};
-constexpr std::size_t kByteReaders = 5;
-
-std::span<const MethodName> MethodsOf(ObjectKind kind) {
-  if (IsTexture(kind)) return kTextureMethods;
-  switch (kind) {
-    case ObjectKind::kBuffer:
-    case ObjectKind::kStructuredBuffer:
-    case ObjectKind::kRWStructuredBuffer: return kBufferMethods;
-    case ObjectKind::kByteAddressBuffer: return std::span(kByteMethods).first(kByteReaders);
-    case ObjectKind::kRWByteAddressBuffer: return kByteMethods;
-    default:
-      return IsImage(kind) ? std::span<const MethodName>(kBufferMethods)
-                           : std::span<const MethodName>();
-  }
-}
-
 // A method call in progress: the object, and the arguments of the ObjectCall made so far.
 class MethodCheck {
  public:
@@ -104,74 +29,70 @@ class MethodCheck {
         traits_(clipc::TraitsOf(kind)),
         arguments_{object} {}
 
-  ExprId SampleLevel() {
-    if (!CheckCount(3) || !TakeSampler(ObjectKind::kSampler) || !TakeFloats(1, traits_.coordinates))
-      return call_.Error();
-    if (!TakeFloats(2, 1) || !TakeOffset(3)) return call_.Error();
+  ExprId SampleLevel(int) {
+    if (!TakeSample(3) || !TakeFloats(2, 1) || !TakeOffset(3)) return call_.Error();
     return Finish(ObjectOp::kSampleLevel, Element());
   }
 
   // A vertex has no neighbours to take a level of detail from: fxc and DXC refuse (X4532), OpenGL
   // reads level 0.
-  ExprId SampleImplicit(bool has_bias) {
-    const std::size_t least = has_bias ? 3 : 2;
-    if (!CheckCount(least) || !TakeSampler(ObjectKind::kSampler) ||
-        !TakeFloats(1, traits_.coordinates))
-      return call_.Error();
-    if (!has_bias) {
-      arguments_.push_back(call_.Make().Float(0));
-    } else if (!TakeFloats(2, 1)) {
-      return call_.Error();
-    }
-    if (!TakeOffset(least)) return call_.Error();
-    WarnOfLevel(has_bias ? "0 plus the bias" : "0");
+  ExprId Sample(int) {
+    if (!TakeSample(2)) return call_.Error();
+    arguments_.push_back(call_.Make().Float(0));
+    if (!TakeOffset(2)) return call_.Error();
+    WarnOfLevel("0");
     return Finish(ObjectOp::kSampleLevel, Element());
   }
 
-  ExprId SampleCmp() {
-    WarnOfLevel("0");
-    return SampleCmpLevelZero();
+  ExprId SampleBias(int) {
+    const ExprId sample = SampleLevel(0);
+    if (call_.TypeIdOf(sample) != call_.program.types.Error()) WarnOfLevel("0 plus the bias");
+    return sample;
   }
 
-  ExprId SampleGrad() {
-    if (!CheckCount(4) || !TakeSampler(ObjectKind::kSampler) || !TakeFloats(1, traits_.coordinates))
-      return call_.Error();
-    if (!TakeFloats(2, traits_.gradient) || !TakeFloats(3, traits_.gradient) || !TakeOffset(4))
+  ExprId SampleCmp(int) {
+    WarnOfLevel("0");
+    return SampleCmpLevelZero(0);
+  }
+
+  ExprId SampleGrad(int) {
+    if (!TakeSample(4) || !TakeFloats(2, traits_.gradient) || !TakeFloats(3, traits_.gradient) ||
+        !TakeOffset(4))
       return call_.Error();
     return Finish(ObjectOp::kSampleGrad, Element());
   }
 
-  ExprId SampleCmpLevelZero() {
-    if (!CheckCount(3) || !TakeSampler(ObjectKind::kSamplerComparison)) return call_.Error();
-    if (!TakeFloats(1, traits_.coordinates) || !TakeFloats(2, 1) || !TakeOffset(3))
+  ExprId SampleCmpLevelZero(int) {
+    if (!TakeSample(3, ObjectKind::kSamplerComparison) || !TakeFloats(2, 1) || !TakeOffset(3))
       return call_.Error();
     return Finish(ObjectOp::kSampleCmpLevelZero, call_.program.types.Make(Scalar::kFloat));
   }
 
-  ExprId Gather(ObjectOp op) {
-    constexpr std::size_t kFourOffsets =
-        6;  // sampler, coordinate, and an offset for each of the four texels
-    const bool has_four = traits_.offset != 0 && call_.arguments.size() == kFourOffsets;
+  // (sampler, coordinate), and an offset or one for each of the four texels
+  ExprId Gather(int op) {
+    const std::size_t given = call_.arguments.size();
+    const bool has_four = traits_.offset != 0 && given == 6;
     if ((!has_four && !CheckCount(2)) || !TakeSampler(ObjectKind::kSampler) ||
         !TakeFloats(1, traits_.coordinates))
       return call_.Error();
-    for (std::size_t i = 2; i < (has_four ? kFourOffsets : 3); ++i) {
+    for (std::size_t i = 2; i < given; ++i) {
       if (!TakeOffset(i)) return call_.Error();
     }
     const Scalar kind = call_.program.types[Element()].scalar;
-    return Finish(op, call_.program.types.Vector(kind, 4));
+    return Finish(static_cast<ObjectOp>(op), call_.program.types.Vector(kind, 4));
   }
 
-  ExprId Load() {
+  ExprId TextureLoad(int) {
+    if (ir::IsImage(kind_)) {
+      return LoadAt(ObjectOp::kImageLoad, call_.VectorOf(Scalar::kInt, traits_.texel), Element());
+    }
     if (!CheckCount(traits_.is_multisampled ? 2 : 1)) return call_.Error();
     ir::TypeTable& types = call_.program.types;
     const int texel = traits_.texel;
     ExprId prologue;
     if (traits_.is_multisampled) {
-      const auto coordinate = call_.Converted(0, call_.VectorOf(Scalar::kInt, texel));
-      const auto sample = coordinate ? call_.Converted(1, types.Make(Scalar::kInt)) : std::nullopt;
-      if (!sample) return call_.Error();
-      arguments_.insert(arguments_.end(), {*coordinate, *sample});
+      if (!Take(0, call_.VectorOf(Scalar::kInt, texel)) || !Take(1, types.Make(Scalar::kInt)))
+        return call_.Error();
     } else {
       const auto location = call_.Converted(0, types.Vector(Scalar::kInt, texel + 1));
       if (!location) return call_.Error();
@@ -183,41 +104,31 @@ class MethodCheck {
     return WithPrologue(call_, prologue, Finish(ObjectOp::kTextureLoad, Element()));
   }
 
-  ExprId BufferLoad() {
-    if (!CheckCount(1)) return call_.Error();
-    const auto index = call_.Converted(0, call_.program.types.Make(Scalar::kInt));
-    if (!index) return call_.Error();
-    arguments_.push_back(*index);
-    return Finish(IsStructured(kind_) ? ObjectOp::kStructuredLoad : ObjectOp::kBufferLoad,
-                  Element());
-  }
-
-  ExprId ImageLoad() {
-    if (!CheckCount(1)) return call_.Error();
-    const auto coordinate = call_.Converted(0, call_.VectorOf(Scalar::kInt, traits_.texel));
-    if (!coordinate) return call_.Error();
-    arguments_.push_back(*coordinate);
-    return Finish(ObjectOp::kImageLoad, Element());
-  }
-
-  ExprId ByteStore(int words) {
-    if (!call_.HasCount(2, 2)) return call_.Error();
-    const auto address = call_.Converted(0, call_.program.types.Make(Scalar::kUint));
-    const auto value = call_.Converted(1, call_.VectorOf(Scalar::kUint, words));
-    if (!address || !value) return call_.Error();
-    arguments_.insert(arguments_.end(), {*address, *value});
-    return Finish(ObjectOp::kStore, call_.program.types.Void());
+  ExprId BufferLoad(int) {
+    return LoadAt(IsStructured(kind_) ? ObjectOp::kStructuredLoad : ObjectOp::kBufferLoad,
+                  call_.program.types.Make(Scalar::kInt), Element());
   }
 
   ExprId ByteLoad(int words) {
-    if (!CheckCount(1)) return call_.Error();
-    const auto address = call_.Converted(0, call_.program.types.Make(Scalar::kUint));
-    if (!address) return call_.Error();
-    arguments_.push_back(*address);
-    return Finish(ObjectOp::kByteLoad, call_.VectorOf(Scalar::kUint, words));
+    return LoadAt(ObjectOp::kByteLoad, call_.program.types.Make(Scalar::kUint),
+                  call_.VectorOf(Scalar::kUint, words));
   }
 
-  ExprId Unsupported() {
+  ExprId ByteStore(int words) {
+    if (!call_.HasCount(2, 2) || !Take(0, call_.program.types.Make(Scalar::kUint)) ||
+        !Take(1, call_.VectorOf(Scalar::kUint, words)))
+      return call_.Error();
+    return Finish(ObjectOp::kStore, call_.program.types.Void());
+  }
+
+  ExprId GetDimensions(int) { return CheckGetDimensions(call_, object_); }
+
+  // What asks for the level of detail of neighbouring pixels.
+  ExprId ImplicitLevel(int) {
+    call_.diagnostics.Report(call_.name_span, diag::MethodImplicitLevel, call_.name);
+    return call_.Error();
+  }
+  ExprId Unsupported(int) {
     call_.diagnostics.Report(call_.name_span, diag::MethodUnsupported, call_.name, ObjectName());
     return call_.Error();
   }
@@ -236,7 +147,7 @@ class MethodCheck {
     return MakeObjectCall(call_.Make(), call_.program, type, op, arguments_);
   }
 
-  // `least` arguments, then perhaps an offset; a status behind it asks about tiled resources.
+  // `least` arguments, then perhaps an offset; a status after it asks about tiled resources.
   bool CheckCount(std::size_t least) {
     const std::size_t most = least + (traits_.offset != 0 ? 1 : 0);
     if (call_.arguments.size() == most + 1 &&
@@ -258,10 +169,21 @@ class MethodCheck {
     return true;
   }
 
-  bool TakeFloats(std::size_t i, int count) {
-    const auto value = call_.Converted(i, call_.VectorOf(Scalar::kFloat, count));
+  bool Take(std::size_t i, TypeId type) {
+    const auto value = call_.Converted(i, type);
     if (value) arguments_.push_back(*value);
     return value.has_value();
+  }
+  bool TakeFloats(std::size_t i, int count) {
+    return Take(i, call_.VectorOf(Scalar::kFloat, count));
+  }
+  // A sampler and a coordinate, the first of `least` arguments.
+  bool TakeSample(std::size_t least, ObjectKind sampler = ObjectKind::kSampler) {
+    return CheckCount(least) && TakeSampler(sampler) && TakeFloats(1, traits_.coordinates);
+  }
+  // One argument that tells where to read.
+  ExprId LoadAt(ObjectOp op, TypeId place, TypeId result) {
+    return CheckCount(1) && Take(0, place) ? Finish(op, result) : call_.Error();
   }
 
   // An optional offset in texels, which must be known now.
@@ -285,10 +207,8 @@ class MethodCheck {
       }
       texels.push_back(builder.Int(static_cast<int>(texel)));
     }
-    arguments_.push_back(
-        texels.size() == 1
-            ? texels[0]
-            : builder.ConstructOf(call_.VectorOf(Scalar::kInt, traits_.offset), texels));
+    arguments_.push_back(texels.size() == 1 ? texels[0]
+                                            : builder.ConstructOf(call_.TypeIdOf(*value), texels));
     return true;
   }
 
@@ -299,49 +219,90 @@ class MethodCheck {
   std::vector<ExprId> arguments_;
 };
 
-// Whether the texture has what the method needs: cube textures have no texels to load, only some
-// can gather.
-bool Offers(const TextureTraits& traits, Method method) {
-  switch (method) {
-    case Method::kSampleLevel:
-    case Method::kSampleGrad:
-    case Method::kSample:
-    case Method::kSampleBias:
-    case Method::kImplicitLevel: return traits.coordinates != 0;
-    case Method::kSampleCmp:
-    case Method::kSampleCmpLevelZero: return traits.coordinates != 0 && traits.gradient != 0;
-    case Method::kGather: return traits.can_gather;
-    case Method::kLoad: return traits.texel != 0;
-    default: return true;
+// What an object must have for a method to exist.
+enum class Needs : std::uint8_t {
+  kNothing,
+  kSampling,
+  kComparison,
+  kGathering,
+  kTexels,  // cube textures have none to load
+  kReading,
+  kWriting,
+};
+
+bool Offers(ObjectKind kind, Needs needs) {
+  const TextureTraits traits = TraitsOf(kind);
+  switch (needs) {
+    case Needs::kNothing: return true;
+    case Needs::kSampling: return traits.coordinates != 0;
+    case Needs::kComparison: return traits.gradient != 0;
+    case Needs::kGathering: return traits.can_gather;
+    case Needs::kTexels: return traits.texel != 0;
+    case Needs::kReading: return !ir::IsWritable(kind);
+    case Needs::kWriting: return ir::IsWritable(kind);
   }
+  return false;
 }
 
-ExprId Dispatch(const IntrinsicCheck& call, ExprId object, ObjectKind kind,
-                const MethodName* method) {
-  MethodCheck check(call, object, kind);
-  if (method == nullptr || (IsTexture(kind) && !Offers(TraitsOf(kind), method->method)))
-    return check.Unknown();
-  switch (method->method) {
-    case Method::kSampleLevel: return check.SampleLevel();
-    case Method::kSampleGrad: return check.SampleGrad();
-    case Method::kSample: return check.SampleImplicit(false);
-    case Method::kSampleBias: return check.SampleImplicit(true);
-    case Method::kSampleCmp: return check.SampleCmp();
-    case Method::kSampleCmpLevelZero: return check.SampleCmpLevelZero();
-    case Method::kGather: return check.Gather(static_cast<ObjectOp>(method->detail));
-    case Method::kLoad:
-      if (IsTexture(kind)) return check.Load();
-      return TraitsOf(kind).texel != 0 ? check.ImageLoad() : check.BufferLoad();
-    case Method::kByteLoad: return check.ByteLoad(method->detail);
-    case Method::kByteStore: return check.ByteStore(method->detail);
-    case Method::kGetDimensions: return CheckGetDimensions(call, object);
-    case Method::kImplicitLevel:
-      call.diagnostics.Report(call.name_span, diag::MethodImplicitLevel, call.name);
-      return call.Error();
-    case Method::kUnsupported: return check.Unsupported();
-  }
-  return call.Error();
+using Category = ir::ObjectCategory;
+
+struct Method {
+  Category category;  // of the objects that have the method
+  std::string_view name;
+  Needs needs;
+  ExprId (MethodCheck::*check)(int detail);
+  int detail = 0;  // Gather: the ObjectOp; ByteLoad, ByteStore: how many words
+};
+
+constexpr Method Texture(std::string_view name, Needs needs, ExprId (MethodCheck::*check)(int),
+                         ObjectOp op = {}) {
+  return {Category::kTexture, name, needs, check, static_cast<int>(op)};
 }
+constexpr Method Bytes(std::string_view name, Needs needs, ExprId (MethodCheck::*check)(int),
+                       int words = 0) {
+  return {Category::kByteAddressBuffer, name, needs, check, words};
+}
+
+constexpr Method kMethods[] = {
+    Texture("SampleLevel", Needs::kSampling, &MethodCheck::SampleLevel),
+    Texture("SampleGrad", Needs::kSampling, &MethodCheck::SampleGrad),
+    Texture("Sample", Needs::kSampling, &MethodCheck::Sample),
+    Texture("SampleBias", Needs::kSampling, &MethodCheck::SampleBias),
+    Texture("SampleCmp", Needs::kComparison, &MethodCheck::SampleCmp),
+    Texture("SampleCmpLevelZero", Needs::kComparison, &MethodCheck::SampleCmpLevelZero),
+    Texture("Gather", Needs::kGathering, &MethodCheck::Gather, ObjectOp::kGather),
+    Texture("GatherRed", Needs::kGathering, &MethodCheck::Gather, ObjectOp::kGather),
+    Texture("GatherGreen", Needs::kGathering, &MethodCheck::Gather, ObjectOp::kGatherGreen),
+    Texture("GatherBlue", Needs::kGathering, &MethodCheck::Gather, ObjectOp::kGatherBlue),
+    Texture("GatherAlpha", Needs::kGathering, &MethodCheck::Gather, ObjectOp::kGatherAlpha),
+    Texture("Load", Needs::kTexels, &MethodCheck::TextureLoad),
+    Texture("GetDimensions", Needs::kNothing, &MethodCheck::GetDimensions),
+    Texture("SampleCmpBias", Needs::kSampling, &MethodCheck::ImplicitLevel),
+    Texture("CalculateLevelOfDetail", Needs::kSampling, &MethodCheck::ImplicitLevel),
+    Texture("CalculateLevelOfDetailUnclamped", Needs::kSampling, &MethodCheck::ImplicitLevel),
+    Texture("SampleCmpGrad", Needs::kReading, &MethodCheck::Unsupported),
+    Texture("SampleCmpLevel", Needs::kReading, &MethodCheck::Unsupported),
+    Texture("GatherCmp", Needs::kReading, &MethodCheck::Unsupported),
+    Texture("GatherCmpRed", Needs::kReading, &MethodCheck::Unsupported),
+    Texture("GatherCmpGreen", Needs::kReading, &MethodCheck::Unsupported),
+    Texture("GatherCmpBlue", Needs::kReading, &MethodCheck::Unsupported),
+    Texture("GatherCmpAlpha", Needs::kReading, &MethodCheck::Unsupported),
+    Texture("GatherRaw", Needs::kReading, &MethodCheck::Unsupported),
+    Texture("GetSamplePosition", Needs::kReading, &MethodCheck::Unsupported),
+    {Category::kTypedBuffer, "Load", Needs::kNothing, &MethodCheck::BufferLoad},
+    {Category::kTypedBuffer, "GetDimensions", Needs::kNothing, &MethodCheck::GetDimensions},
+    {Category::kStructuredBuffer, "Load", Needs::kNothing, &MethodCheck::BufferLoad},
+    {Category::kStructuredBuffer, "GetDimensions", Needs::kNothing, &MethodCheck::GetDimensions},
+    Bytes("Load", Needs::kNothing, &MethodCheck::ByteLoad, 1),
+    Bytes("Load2", Needs::kNothing, &MethodCheck::ByteLoad, 2),
+    Bytes("Load3", Needs::kNothing, &MethodCheck::ByteLoad, 3),
+    Bytes("Load4", Needs::kNothing, &MethodCheck::ByteLoad, 4),
+    Bytes("GetDimensions", Needs::kNothing, &MethodCheck::GetDimensions),
+    Bytes("Store", Needs::kWriting, &MethodCheck::ByteStore, 1),
+    Bytes("Store2", Needs::kWriting, &MethodCheck::ByteStore, 2),
+    Bytes("Store3", Needs::kWriting, &MethodCheck::ByteStore, 3),
+    Bytes("Store4", Needs::kWriting, &MethodCheck::ByteStore, 4),
+};
 
 }  // namespace
 
@@ -388,10 +349,12 @@ ExprId CheckMethodCall(ir::Program& program, ExprId object, std::string_view met
     diagnostics.Report(method_span, diag::ObjectUnusable, method);
     return call.Error();
   }
-  const auto methods = MethodsOf(type.object);
-  const auto found = std::find_if(methods.begin(), methods.end(),
-                                  [&](const MethodName& each) { return each.name == method; });
-  return Dispatch(call, object, type.object, found == methods.end() ? nullptr : &*found);
+  MethodCheck check(call, object, type.object);
+  const Category category = ir::InfoOf(type.object).category;
+  const auto* found = std::ranges::find_if(kMethods, [&](const Method& each) {
+    return each.category == category && each.name == method && Offers(type.object, each.needs);
+  });
+  return found == std::end(kMethods) ? check.Unknown() : (check.*found->check)(found->detail);
 }
 
 }  // namespace clipc

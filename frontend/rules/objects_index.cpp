@@ -4,11 +4,10 @@
 #include <variant>
 #include <vector>
 
-#include "frontend/rules/intrinsics.h"
 #include "frontend/rules/object_call.h"
+#include "frontend/rules/objects.h"
 
-// object[index], object.mips[level][index], object.sample[sample][index], and Direct3D 9's tex2Dlod
-// and its family.
+// object[index], object.mips[level][index] and object.sample[sample][index].
 namespace clipc {
 namespace {
 
@@ -99,26 +98,6 @@ ExprId CheckObjectIndex(ir::Program& program, ExprId object, ExprId index,
   }
   diagnostics.Report(span, diag::ObjectNotIndexed, program.types.Name(program.exprs[object].type));
   return builder.ZeroOf(program.types.Error());
-}
-
-ExprId CheckTexLod(const IntrinsicCheck& call, ObjectKind sampler) {
-  if (!call.HasCount(2, 2)) return call.Error();
-  ir::TypeTable& types = call.program.types;
-  const TypeId wanted = types.Object(sampler);
-  if (!RankImplicit(types, call.TypeIdOf(call.arguments[0]), wanted)) {
-    return call.BadArgument(0, "a `" + types.Name(wanted) + "`");
-  }
-  const ExprId object = call.Convert(call.arguments[0], wanted);
-  const TypeId float4 = types.Vector(Scalar::kFloat, 4);
-  const auto location = call.Converted(1, float4);
-  if (!location) return call.Error();
-  const ir::ObjectInfo& info = ir::InfoOf(sampler);
-  const int dimensions = info.is_cube ? 3 : info.axes;
-  const auto parts = call.Split(*location, dimensions, 3);
-  const std::array<ExprId, 3> arguments = {object, parts.leading, parts.last};
-  return WithPrologue(
-      call, parts.prologue,
-      MakeObjectCall(call.Make(), call.program, float4, ObjectOp::kD3d9SampleLevel, arguments));
 }
 
 }  // namespace clipc

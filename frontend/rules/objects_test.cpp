@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/rules/intrinsics.h"
+#include "frontend/rules/objects.h"
+
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "frontend/rules/intrinsics.h"
 #include "frontend/rules/program_for_test.h"
 
 namespace clipc {

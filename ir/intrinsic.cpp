@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "ir/intrinsic.h"
+
+#include <string_view>
+
+namespace clipc::ir {
+namespace {
+
+constexpr IntrinsicSlot ParseSlot(std::string_view text, std::size_t& at) {
+  const bool is_out = text[at] == 'o';
+  at += is_out ? 3 : 2;
+  return {text[at - 2], text[at - 1], is_out};
+}
+
+constexpr IntrinsicSignature ParseSignature(std::string_view text) {
+  IntrinsicSignature signature;
+  signature.is_special = text.starts_with("special");
+  std::size_t at = text.find('(');
+  std::size_t start = 0;
+  if (!signature.is_special && !text.starts_with("void")) signature.result = ParseSlot(text, start);
+  while (text[at] != ')') {
+    ++at;  // the parenthesis or the comma
+    signature.arguments[signature.count++] = ParseSlot(text, at);
+  }
+  return signature;
+}
+
+constexpr IntrinsicInfo MakeInfo(const char* name, const char* signature,
+                                 IntrinsicCategory category, std::uint8_t first_model = 1,
+                                 TargetGate gate = TargetGate::kNone) {
+  return {name, signature, ParseSignature(signature), category, first_model, gate};
+}
+
+}  // namespace
+
+const IntrinsicInfo& InfoOf(Intrinsic op) {
+  using enum IntrinsicCategory;
+  using enum TargetGate;
+  static constexpr IntrinsicInfo kInfos[] = {
+#define INTRINSIC(Enumerator, ...) MakeInfo(__VA_ARGS__),
+#include "ir/intrinsics.def"
+  };
+  return kInfos[static_cast<std::size_t>(op)];
+}
+
+bool WritesArgument(Intrinsic op, std::size_t argument) {
+  const IntrinsicSignature& signature = InfoOf(op).signature;
+  return argument < signature.count && signature.arguments[argument].is_out;
+}
+
+}  // namespace clipc::ir

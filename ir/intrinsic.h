@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+// The functions that HLSL has built in and the IR keeps as calls: one row of ir/intrinsics.def
+// each, where the columns are explained.
+namespace clipc::ir {
+
+enum class Intrinsic : std::uint8_t {
+#define INTRINSIC(Enumerator, ...) k##Enumerator,
+#include "ir/intrinsics.def"
+};
+
+// One argument, or the result.
+struct IntrinsicSlot {
+  char shape = 0;  // 0: void
+  char kind = 0;
+  bool is_out = false;
+};
+struct IntrinsicSignature {
+  static constexpr std::size_t kMaxArguments = 3;
+  IntrinsicSlot result;
+  std::array<IntrinsicSlot, kMaxArguments> arguments = {};
+  std::uint8_t count = 0;   // of `arguments`
+  bool is_special = false;  // the letters say nothing: the types follow rules of their own
+};
+
+enum class IntrinsicCategory : std::uint8_t {
+  kComponents,  // component i of the result depends on component i of each argument
+  kBits,        // the same, and a pattern of bits changes its meaning
+  kVectors,     // the components of an argument are combined
+  kWriting,     // an argument is written
+};
+
+// What a GLSL target must have to express the intrinsic.
+enum class TargetGate : std::uint8_t { kNone, kBitCasts };
+
+struct IntrinsicInfo {
+  const char* name;            // HLSL's spelling
+  const char* signature_text;  // as ir/intrinsics.def writes it
+  IntrinsicSignature signature;
+  IntrinsicCategory category;
+  std::uint8_t first_model;  // the first shader model that has it, without the minor version
+  TargetGate gate;
+};
+const IntrinsicInfo& InfoOf(Intrinsic op);
+
+inline const char* NameOf(Intrinsic op) { return InfoOf(op).name; }
+inline IntrinsicCategory CategoryOf(Intrinsic op) { return InfoOf(op).category; }
+// Whether a call writes argument number `argument`, which is an lvalue then: modf(x, whole),
+// sincos(x, sine, cosine), asuint(double, low, high).
+bool WritesArgument(Intrinsic op, std::size_t argument);
+
+}  // namespace clipc::ir
