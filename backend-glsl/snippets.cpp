@@ -43,6 +43,16 @@ constexpr SnippetText kSnippets[] = {
     return vec4(1.0, max(n_dot_l, 0.0), specular, 1.0);
 }
 )"},
+    {"msad4", SnippetText::kUint, true,
+     R"(uvec4 $N(uint reference, uvec2 source, uvec4 sums) {
+    uvec4 windows = uvec4(source.x, source.x >> 8 | source.y << 24, source.x >> 16 | source.y << 16, source.x >> 24 | source.y << 8);
+    for (int i = 0; i < 32; i += 8) {
+        int wanted = int(reference >> i & 255u);
+        if (wanted != 0) sums += uvec4(abs(ivec4(windows >> i & 255u) - wanted));
+    }
+    return sums;
+}
+)"},
     {"dst", SnippetText::kFloat, false,
      R"(vec4 $N(vec4 a, vec4 b) {
     return vec4(1.0, a.y * b.y, a.z, b.w);

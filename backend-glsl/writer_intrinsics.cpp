@@ -187,7 +187,8 @@ Text Writer::FloatOn(Intrinsic op, std::span<const Operand> operands, const Shap
     case Intrinsic::kFmod: return Snippet("fmod", operands, result);
     case Intrinsic::kSaturate:
     case Intrinsic::kIsFinite:
-    case Intrinsic::kDst: return Snippet(NameOf(op), operands, result);
+    case Intrinsic::kDst:
+    case Intrinsic::kMsad4: return Snippet(NameOf(op), operands, result);
     case Intrinsic::kLit: return Snippet("lit", operands, result);
     case Intrinsic::kSmoothstep: {
       // GLSL leaves smoothstep undefined when the edges are not in order; then HLSL's formula is

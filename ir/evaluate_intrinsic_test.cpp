@@ -89,6 +89,19 @@ class Intrinsics : public testing::Test {
   Builder build{program};
 };
 
+// Window 0 is 0x40302010 and differs by 0x0f, 0x1e, 0x2d and 0x3c from the bytes 1, 2, 3, 4. The
+// reference's byte 0 masks the third byte of the second call.
+TEST_F(Intrinsics, Msad4) {
+  const TypeId uint4 = program.types.Vector(Scalar::kUint, 4);
+  const auto msad4 = [&](std::uint32_t reference) {
+    return Bits(Call(Intrinsic::kMsad4, uint4,
+                     {build.Uint(reference), Value(Scalar::kUint, {0x40302010, 0x80706050}),
+                      Value(Scalar::kUint, {0, 1, 2, 0xffffffff})}));
+  };
+  EXPECT_THAT(msad4(0x04030201), ElementsAre(150, 215, 280, 341));
+  EXPECT_THAT(msad4(0x04000201), ElementsAre(105, 154, 203, 248));
+}
+
 TEST_F(Intrinsics, RoundGoesToEvenOnTies) {
   EXPECT_EQ(F(Intrinsic::kRound, 0.5), 0);
   EXPECT_EQ(F(Intrinsic::kRound, 1.5), 2);

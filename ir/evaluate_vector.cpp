@@ -48,6 +48,22 @@ void Multiply(Scalar rep, const EvalArgument& left, const EvalArgument& right, W
   }
 }
 
+// Masked sums of absolute differences. Window i is bytes i to i + 3 of the eight in `source`; sum i
+// grows by |reference byte - byte of the window| for each byte of the reference that is not 0.
+// Source: Microsoft's "msad4 (DirectX HLSL)".
+void MaskedSums(const Word* reference, const Word* source, const Word* sums, Word* result) {
+  const std::uint64_t bytes = std::uint64_t{UintOf(source[1])} << 32 | UintOf(source[0]);
+  for (unsigned window = 0; window < 4; ++window) {
+    std::uint32_t sum = UintOf(sums[window]);
+    for (unsigned i = 0; i < 4; ++i) {
+      const int wanted = UintOf(reference[0]) >> 8 * i & 255;
+      const int found = bytes >> 8 * (window + i) & 255;
+      if (wanted != 0) sum += static_cast<std::uint32_t>(std::abs(wanted - found));
+    }
+    result[window] = sum;
+  }
+}
+
 template <typename T>
 class Vectors {
  public:
@@ -215,6 +231,8 @@ void VectorFunction(Intrinsic op, Scalar rep, std::span<const EvalArgument> argu
     case Intrinsic::kDot:
       result[0] = Dot(rep, first.words, 1, arguments[1].words, 1, count);
       return;
+    case Intrinsic::kMsad4:
+      return MaskedSums(first.words, arguments[1].words, arguments[2].words, result);
     case Intrinsic::kMul: return Multiply(rep, first, arguments[1], result);
     case Intrinsic::kTranspose:
       for (std::size_t r = 0; r < first.type->rows; ++r) {

@@ -50,6 +50,12 @@ TEST(IntrinsicsTest, ComponentWise) {
   EXPECT_EQ(Call("rcp", {"float1"}), "float1: rcp(a)");
 }
 
+TEST(IntrinsicsTest, VectorsOfFixedSize) {
+  EXPECT_EQ(Call("msad4", {"uint", "uint2", "uint4"}), "uint4: msad4(a, b, c)");
+  EXPECT_EQ(Call("msad4", {"int", "uint3", "uint4"}),
+            "uint4: msad4(convert<uint>(a), b.xy, c) [-Wimplicit-truncation]");
+}
+
 TEST(IntrinsicsTest, ArgumentsUnify) {
   EXPECT_EQ(Call("max", {"float3", "float"}), "float3: max(a, splat<float3>(b))");
   EXPECT_EQ(Call("max", {"int", "float"}), "float: max(convert<float>(a), b)");
@@ -250,8 +256,9 @@ TEST(IntrinsicsTest, RefusedFamilies) {
   EXPECT_EQ(Call("WaveActiveSum", {"float"}),
             "`WaveActiveSum` works across the lanes of a wave; clipc does not translate wave "
             "operations [intrinsic-wave]");
-  EXPECT_EQ(Call("msad4", {"uint", "uint2", "uint4"}),
-            "`msad4` computes with packed bytes; clipc does not translate that [intrinsic-packed]");
+  EXPECT_EQ(Call("dot4add_u8packed", {"uint", "uint", "uint"}),
+            "`dot4add_u8packed` computes with packed bytes; clipc does not translate that "
+            "[intrinsic-packed]");
   EXPECT_EQ(Call("printf", {}), "int: 0 [-Wintrinsic-debug]");
 }
 
