@@ -102,8 +102,7 @@ void ResolveObject(Context& context, SymbolId id, const ast::VarDecl& var, ir::T
   context.globals.resources.push_back({OrderOf(context, id), result});
   ir::TypeId element = type;
   while (context[element].kind == ir::TypeKind::kArray) element = context[element].element;
-  const ir::ObjectKind object = context[element].object;
-  const char letter = ir::RegisterLetter(object);
+  const char letter = ir::RegisterLetter(context[element].object);
   context.globals.registers.emplace(result.index, RegisterOf(context, var.registers, letter,
                                                              letter == 's'   ? "s"
                                                              : letter == 'u' ? "u"

@@ -17,9 +17,8 @@ using ir::TypeTable;
 bool IsSingle(const Type& type) { return type.Components() == 1; }
 bool IsRowOrColumn(const Type& type) { return type.rows == 1 || type.columns == 1; }
 
-// Whether the components of `from` fill `to` by splatting, truncating or another reading of the
-// same components. The rules are those that fxc and DXC share, comment by comment, in DXC's test
-// conversions-between-type-shapes.hlsl.
+// Whether the components of `from` fill `to` by splatting, truncating or being read in another
+// shape. fxc and DXC share the rules; DXC's test conversions-between-type-shapes.hlsl lists them.
 bool FitsShape(const Type& from, const Type& to) {
   const std::uint32_t have = from.Components();
   const std::uint32_t want = to.Components();
@@ -71,8 +70,8 @@ std::uint8_t RankKind(Scalar from, Scalar to) {
   return kPromotion;
 }
 
-// Collects leaves; stops at objects, at kMaxLeaves, and at types that are nested or repeated beyond
-// all reason.
+// Collects the leaves of a type. Gives up at objects, after kMaxLeaves, and on types that are
+// nested too deeply or have too many parts without leaves.
 class LeafCollector {
  public:
   explicit LeafCollector(const TypeTable& types) : types_(types) {}
@@ -139,8 +138,7 @@ bool IsBaseOf(const TypeTable& types, const Type& base, const Type& derived) {
              });
 }
 
-// `sampler` of Direct3D 9 stands for a sampler of any dimension, so sampler2D s = the parameter of
-// a function takes it.
+// Direct3D 9's `sampler` stands for a sampler of any dimension: a parameter `sampler2D s` takes it.
 bool FitsObject(const Type& from, const Type& to) {
   return from.kind == TypeKind::kObject && to.kind == TypeKind::kObject &&
          from.object == ir::ObjectKind::kSampler && ir::IsCombinedSampler(to.object);

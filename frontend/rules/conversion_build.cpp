@@ -38,8 +38,8 @@ bool IsLiteralList(const ir::Program& program, ExprId value) {
   return true;
 }
 
-// -1 is a negation; only where both sides of the conversion are exact, so not for -0 and not for
-// the least int.
+// The value of `-1`, a negated literal, in a kind of float; none when the conversion would not be
+// exact on both sides, as for -0 and the least int.
 ExprId ConvertNegatedLiteral(ir::Program& program, ExprId value, Scalar kind) {
   const auto* unary = std::get_if<ir::Unary>(&program.exprs[value].node);
   if (unary == nullptr || unary->op != ir::UnaryOp::kNegate || !ir::IsFloat(kind)) return {};
@@ -100,8 +100,8 @@ class Reshaper {
   Reshaper(ir::Program& program, Reread& source, Span span)
       : program_(program), source_(source), builder_(program, span) {}
 
-  // Both types have the same tree of structs and arrays over the same shapes: member by member,
-  // whole where equal.
+  // Whether both types are the same tree of structs and arrays over the same shapes. Their values
+  // convert member by member, and members of equal types as a whole.
   bool IsParallel(TypeId from_id, TypeId to_id, int depth = 0) const {
     constexpr int kMaxDepth = 64;
     if (from_id == to_id) return true;
@@ -187,7 +187,7 @@ class Reshaper {
     return expr;
   }
 
-  // The next components, at most `count`: what is left of the current piece.
+  // At most `count` components of the current piece, from the first that was not taken yet.
   ExprId TakePart(std::uint8_t count, std::uint8_t& taken) {
     CLIPC_CHECK(next_ < pieces_.size());
     const Piece& piece = pieces_[next_];
@@ -255,7 +255,8 @@ class Reshaper {
   std::uint8_t offset_ = 0;
 };
 
-// (S)x: the scalar in every leaf. An array's element that is no number is made once and repeated.
+// (S)x: the scalar in every leaf. An array's element that is not a number is made once and
+// repeated.
 ExprId FillAggregate(ir::Program& program, Reread& scalar, TypeId id, Span span,
                      TemporaryMaker& temporaries) {
   const Type type = program.types[id];
@@ -299,8 +300,8 @@ ExprId FirstComponents(ir::Program& program, ExprId vector, std::uint8_t count) 
       .Swizzled(vector, std::span(kInOrder).first(count));
 }
 
-// Between numeric shapes as FitsShape allows; none when `value` must be read several times and
-// cannot be.
+// The value in another numeric shape, as RankImplicit allows; none when `value` would have to be
+// read several times and `temporaries` is null.
 ExprId ConvertNumeric(ir::Program& program, ExprId value, TypeId to_id,
                       TemporaryMaker* temporaries) {
   const Type from = program.types[program.exprs[value].type];

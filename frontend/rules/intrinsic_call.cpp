@@ -118,8 +118,11 @@ IntrinsicCheck::Parts IntrinsicCheck::Split(ExprId vector, int count, int last) 
           source.prologue()};
 }
 
-ExprId WithPrologue(const IntrinsicCheck& call, ExprId prologue, ExprId value) {
-  return prologue ? call.Make().CommaOf(prologue, value) : value;
+ExprId After(const IntrinsicCheck& call, std::span<const ExprId> steps, ExprId value) {
+  for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
+    if (*step) value = call.Make().CommaOf(*step, value);
+  }
+  return value;
 }
 
 }  // namespace clipc

@@ -61,26 +61,26 @@ class IntrinsicCheck {
   // Reports unless the argument can be assigned to.
   bool IsTarget(std::size_t i) const;
 
-  // A value to be taken apart: the leading `count` components and component `last` of argument i,
-  // which has at least last + 1 components of kind `kind`. `prologue`, if any, is to be evaluated
-  // before both.
+  // The leading `count` components of a vector and its component `last`, to be evaluated after
+  // `prologue`, if there is one.
   struct Parts {
     ir::ExprId leading, last, prologue;
   };
   Parts Split(ir::ExprId vector, int count, int last) const;
 };
 
-// Puts `prologue` (or none) before `value`.
-ir::ExprId WithPrologue(const IntrinsicCheck& call, ir::ExprId prologue, ir::ExprId value);
+// `value` after `steps`, any of which may be none.
+ir::ExprId After(const IntrinsicCheck& call, std::span<const ir::ExprId> steps, ir::ExprId value);
 
 // intrinsics_signature.cpp
 ir::ExprId CheckBySignature(const IntrinsicCheck& call, ir::Intrinsic op);
-// A call whose out arguments have types of their own: `targets` receive the temporaries' values
-// after the call.
+// An argument that an intrinsic writes.
 struct OutArgument {
   ir::ExprId target;  // as the user wrote it
-  ir::TypeId type;    // what the intrinsic writes
+  ir::TypeId type;    // that the intrinsic writes
 };
+// A call with the arguments `ins` and then `outs`. A target of another type than the intrinsic
+// writes gets its value from a temporary after the call.
 ir::ExprId CallWithOuts(const IntrinsicCheck& call, ir::Intrinsic op, ir::TypeId result,
                         std::span<const ir::ExprId> ins, std::span<const OutArgument> outs);
 

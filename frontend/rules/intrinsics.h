@@ -15,7 +15,7 @@ namespace clipc {
 // Whether `name` is a function that HLSL has built in for any stage: "ddx" too.
 bool IsIntrinsicName(std::string_view name);
 
-// A call name(arguments) of a built-in function as IR, with its arguments converted. Reports a wrong
+// A call name(arguments) of a built-in function as IR, its arguments converted. Reports a wrong
 // number or type of arguments (X3013, X3014), a function that no vertex shader may call (ddx, clip,
 // tex2D without a level, ...), and one that the profile does not have; the result then has the
 // error type. Many functions become other nodes than an IntrinsicCall: select, and, or, tex2Dlod,

@@ -181,20 +181,16 @@ ExprId CallWithOuts(const IntrinsicCheck& call, ir::Intrinsic op, TypeId result,
     const ExprId value = call.Convert(ir::Builder(at_target).Ref(temporary.var), target_type);
     after.push_back(builder.AssignTo(out.target, value));
   }
-  const auto list = call.program.expr_lists.Add(std::span<const ExprId>(arguments));
+  const auto list = call.program.expr_lists.Add(arguments);
   ExprId value = builder.Add(result, ir::IntrinsicCall{op, list});
   if (!after.empty() && result != call.program.types.Void()) {
     const auto held = call.temporaries.Make(value);
     after.insert(after.begin(), held.prologue);
-    value = builder.Ref(held.var);
-    for (auto each = after.rbegin(); each != after.rend(); ++each)
-      value = builder.CommaOf(*each, value);
+    value = After(call, after, builder.Ref(held.var));
   } else {
     for (const ExprId each : after) value = builder.CommaOf(value, each);
   }
-  for (auto each = before.rbegin(); each != before.rend(); ++each)
-    value = builder.CommaOf(*each, value);
-  return value;
+  return After(call, before, value);
 }
 
 }  // namespace clipc

@@ -180,10 +180,8 @@ ExprId CheckSelect(const IntrinsicCheck& call) {
       *each = builder.Ref(temporary.var);
     }
   }
-  ExprId value = builder.Add(*common, ir::Conditional{condition, when_true, when_false});
-  for (auto each = before.rbegin(); each != before.rend(); ++each)
-    value = builder.CommaOf(*each, value);
-  return value;
+  return After(call, before,
+               builder.Add(*common, ir::Conditional{condition, when_true, when_false}));
 }
 
 // texCUBElod(sampler, float4(coordinate, level)); the digit or C in the name tells the sampler.
@@ -208,8 +206,8 @@ ExprId CheckTexLod(const IntrinsicCheck& call) {
   const int dimensions = info.is_cube ? 3 : info.axes;
   const auto parts = call.Split(*location, dimensions, 3);
   const std::array<ExprId, 3> arguments = {object, parts.leading, parts.last};
-  return WithPrologue(
-      call, parts.prologue,
+  return After(
+      call, {&parts.prologue, 1},
       MakeObjectCall(call.Make(), call.program, float4, ir::ObjectOp::kD3d9SampleLevel, arguments));
 }
 

@@ -23,29 +23,29 @@ class ObjectResolver {
   void Run();
 
  private:
-  // What a function's copy for certain objects does with them.
+  // The copy of a function for certain objects.
   struct Instance {
     ir::FunctionId function;
     Slots result;
-    std::vector<Slots> ins, outs;  // by parameter of the original
+    std::vector<Slots> ins, outs;  // the objects before and after a call, by original parameter
   };
 
-  // The function whose body is worked on.
+  // The state of the function whose body is rewritten.
   struct Frame {
     const ir::Function* function = nullptr;
     std::map<ir::VarId, Slots> slots;
-    std::map<ir::VarId, int>
-        depths;  // how many branches and loops the variable's declaration is inside of
-    std::map<std::tuple<ir::VarId, SlotPath, std::size_t>, ir::VarId>
-        companions;                        // hold indices known at run time
+    // The number of branches and loops around the variable's declaration.
+    std::map<ir::VarId, int> depths;
+    // Variables that hold indices known at run time: of a variable's part, by position in its path.
+    std::map<std::tuple<ir::VarId, SlotPath, std::size_t>, ir::VarId> companions;
     std::vector<ir::StmtId> declarations;  // of companions
-    std::vector<ir::StmtId> before;        // what has to run before the current statement
-    std::optional<Slots> result;
-    int depth = 0;
-    bool may_emit = true;
+    std::vector<ir::StmtId> before;        // statements to run before the current one
+    std::optional<Slots> result;           // the objects that the function returns
+    int depth = 0;                         // the number of branches and loops around the statement
+    bool may_emit = true;                  // false where nothing can be put before the expression
   };
   struct Value {
-    ir::ExprId expr;  // none: an object, or what has been done already
+    ir::ExprId expr;  // none for an object, and for an expression that Before() took
     Slots slots;
   };
 
@@ -109,8 +109,8 @@ class ObjectResolver {
   ir::Program& program_;
   Diagnostics& diagnostics_;
   std::map<ir::TypeId, bool> holds_;
-  std::vector<std::vector<std::uint32_t>>
-      field_numbers_;  // by StructId and field: without the objects; ~0: an object
+  // By StructId and field: the field's number when the objects are removed; ~0 for an object.
+  std::vector<std::vector<std::uint32_t>> field_numbers_;
   std::map<ir::VarId, Slots> globals_;
   std::map<ir::FunctionId, ir::FunctionId> in_place_;
   std::map<std::vector<std::uint32_t>, Instance> instances_;

@@ -77,7 +77,7 @@ List<ir::StmtId> BodyCloner::Clone(List<ir::StmtId> list) {
   std::vector<ir::StmtId> copies;
   for (std::uint32_t i = 0; i < list.size; ++i)
     copies.push_back(Clone(program_.stmt_lists[list][i]));
-  return program_.stmt_lists.Add(std::span<const ir::StmtId>(copies));
+  return program_.stmt_lists.Add(copies);
 }
 
 ir::StmtId BodyCloner::Clone(ir::StmtId stmt) {
@@ -118,11 +118,11 @@ ir::StmtId BodyCloner::Clone(ir::StmtId stmt) {
                      for (std::uint32_t l = 0; l < arm.labels.size; ++l) {
                        labels.push_back(Clone(program_.expr_lists[arm.labels][l]));
                      }
-                     arm.labels = program_.expr_lists.Add(std::span<const ir::ExprId>(labels));
+                     arm.labels = program_.expr_lists.Add(labels);
                      arm.body = Clone(arm.body);
                      cases.push_back(arm);
                    }
-                   node.cases = program_.switch_cases.Add(std::span<const ir::SwitchCase>(cases));
+                   node.cases = program_.switch_cases.Add(cases);
                  },
                  [&](ir::Return& node) { node.value = Clone(node.value); },
                  [](ir::Break&) {},

@@ -7,7 +7,7 @@
 
 #include "ir/program.h"
 
-// What ResolveObjects knows of a value that holds objects.
+// The objects that a value holds, as ResolveObjects follows them.
 namespace clipc {
 
 // An index into an array of objects: a literal, a variable, or (until it is bound) an expression.
@@ -32,21 +32,23 @@ struct ObjectPath {
   friend bool operator==(const ObjectPath&, const ObjectPath&) = default;
 };
 
-// Fields and elements, from the outside in.
+// The numbers of the fields and elements that lead to a part of a value, the outermost first.
 using SlotPath = std::vector<std::uint32_t>;
-// The objects in a value, by where they are in it; an array of objects may stand as a whole.
+// The objects in a value by their places in it. An array of objects may be one entry.
 using Slots = std::map<SlotPath, ObjectPath>;
 
+// The objects of the field or element number `part`.
 Slots Inside(const Slots& slots, std::uint32_t part);
+// Adds the objects of the field or element number `part`.
 void AddUnder(Slots& slots, std::uint32_t part, const Slots& inner);
-// An element chosen at run time has the objects that all elements share.
+// The objects that all `count` elements share: those of an element chosen at run time.
 Slots InsideAny(const Slots& slots, std::uint32_t count);
 bool StartsWith(const SlotPath& path, const SlotPath& prefix);
 
-// Objects, and arrays of them.
+// Whether the type is an object or an array of objects.
 bool IsObjectType(const ir::TypeTable& types, ir::TypeId type);
 
-// A copy of a statement and of all that is in it, its variables included.
+// Copies statements with everything in them; the copies have variables of their own.
 class BodyCloner {
  public:
   explicit BodyCloner(ir::Program& program) : program_(program) {}

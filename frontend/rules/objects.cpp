@@ -101,7 +101,7 @@ class MethodCheck {
       prologue = parts.prologue;
     }
     if (!TakeOffset(traits_.is_multisampled ? 2 : 1)) return call_.Error();
-    return WithPrologue(call_, prologue, Finish(ObjectOp::kTextureLoad, Element()));
+    return After(call_, {&prologue, 1}, Finish(ObjectOp::kTextureLoad, Element()));
   }
 
   ExprId BufferLoad(int) {

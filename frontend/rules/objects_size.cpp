@@ -104,12 +104,7 @@ class SizeCheck {
     steps_.push_back(call_.Make().AssignTo(target, call_.Convert(value, call_.TypeIdOf(target))));
   }
 
-  ExprId Chain() {
-    ExprId chain = steps_.back();
-    for (std::size_t i = steps_.size() - 1; i-- > 0;)
-      chain = call_.Make().CommaOf(steps_[i], chain);
-    return chain;
-  }
+  ExprId Chain() { return After(call_, std::span(steps_).first(steps_.size() - 1), steps_.back()); }
 
   const IntrinsicCheck& call_;
   ExprId object_;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "frontend/rules/intrinsics.h"
 #include "frontend/rules/objects.h"
 
 #include <string>
@@ -7,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "frontend/rules/intrinsics.h"
 #include "frontend/rules/program_for_test.h"
 
 namespace clipc {

@@ -17,7 +17,7 @@ struct Taker {
   Span span;
 };
 
-// Slots of Direct3D 11; shader model 5.1 lifts the limits.
+// The number of the last register in Direct3D 11; shader model 5.1 lifts the limits.
 std::uint32_t HighestRegister(char letter, const ir::Profile& profile) {
   if (profile.IsAtLeast(5, 1) || profile.IsDirect3D9()) return 0xfffffffeu;
   return letter == 'b' ? 13 : letter == 's' ? 15 : 127;
@@ -99,8 +99,7 @@ std::uint32_t CountOf(const ir::TypeTable& types, ir::TypeId type) {
 }  // namespace
 
 void AssignRegisters(ir::Program& program, Diagnostics& diagnostics) {
-  // fxc's order, as far as known (design of the clip table): $Globals, the others as declared,
-  // $Params.
+  // fxc's order, as far as it is known: $Globals, the others as declared, $Params.
   const auto rank = [](ir::CbufferKind kind) {
     return kind == ir::CbufferKind::kGlobals ? 0 : kind == ir::CbufferKind::kParams ? 2 : 1;
   };

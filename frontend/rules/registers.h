@@ -6,10 +6,10 @@
 
 namespace clipc {
 
-// Gives every cbuffer and resource without a written register its number: used buffers take the
-// free slots in order of declaration, $Globals first, $Params last; textures and samplers likewise.
-// Reports two explicit bindings of one register, and numbers out of range. Requires that only
-// reached buffers are in the program.
+// Gives a register to every cbuffer and resource that the user gave none. Buffers take the free
+// registers in the order of their declarations, but $Globals comes first and $Params last; textures
+// and samplers follow the same rule. Reports two explicit bindings of one register, and numbers out
+// of range. Requires that only buffers that the shader reaches are in the program.
 void AssignRegisters(ir::Program& program, Diagnostics& diagnostics);
 
 }  // namespace clipc

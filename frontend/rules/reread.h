@@ -6,8 +6,8 @@
 
 namespace clipc {
 
-// A path of variables, fields and simple indices, or a literal: short enough to be written again
-// for every use.
+// Whether the expression is a literal or a short path of variables, fields and simple indices:
+// one that may be written again for every use.
 bool IsPlainPath(const ir::Program& program, ir::ExprId expr);
 
 // A value that is read several times: written out each time when it is a plain path, else held in a
@@ -16,14 +16,14 @@ class Reread {
  public:
   Reread(ir::Program& program, ir::ExprId value, TemporaryMaker* temporaries);
 
-  // Not so when a temporary is needed and nobody can make one.
+  // False when the value needs a temporary and `temporaries` is null.
   bool usable() const { return usable_; }
   ir::TypeId type() const { return program_.exprs[value_].type; }
   // A fresh expression each time.
   ir::ExprId Read();
-  // What must be evaluated before the first Read(), or none.
+  // The expression that must be evaluated before the first Read(), or none.
   ir::ExprId prologue() const { return prologue_; }
-  // `result`, which is made of what Read() gave, with the prologue before it.
+  // `result`, an expression with uses of Read() in it, after the prologue.
   ir::ExprId Finish(ir::ExprId result);
 
  private:

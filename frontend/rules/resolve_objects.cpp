@@ -169,7 +169,7 @@ bool ObjectResolver::SignatureHolds(const ir::Function& function) {
 }
 
 // The copy of a function for the objects in its arguments. Indices known at run time are parameters
-// behind the others.
+// after the others.
 const ObjectResolver::Instance* ObjectResolver::InstanceFor(ir::FunctionId id,
                                                             std::vector<Slots>& arguments,
                                                             std::vector<ir::ExprId>& extra,
@@ -255,7 +255,7 @@ ir::Scalar ObjectResolver::TypeOf(const ObjectIndex& index) const {
       .scalar;
 }
 
-// `Texture2D Choose() { return color; }` does nothing more.
+// Whether the body is one `return`, as in `Texture2D Choose() { return color; }`.
 bool ObjectResolver::IsReturnOnly(ir::FunctionId id) const {
   const auto body =
       program_.stmt_lists[std::get<ir::Block>(program_.stmts[functions_[id].body].node).body];

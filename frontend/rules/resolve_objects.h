@@ -20,7 +20,7 @@ namespace clipc {
 //   maps.s = Linear; maps.lod = 0;                  maps.lod = 0;
 //   Read(maps, uv);                                 Read(maps, uv);
 //
-// An index of an array of objects that is known only at run time travels as a number of its own.
+// An index into an array of objects that is known only at run time becomes a variable of its own.
 // Objects inside a uniform struct become resources. Where the object is not the same on all paths
 // it reports ObjectNotGlobal, as fxc (X3031) and DXC do. Afterwards an object occurs in an
 // ObjectCall only, as the path of a resource.

@@ -120,8 +120,7 @@ ObjectResolver::Value ObjectResolver::VisitConstruct(ir::ExprId id) {
     AddUnder(value.slots, i, part.slots);
     if (part.expr) arguments.push_back(part.expr);
   }
-  program_.exprs[id].node =
-      ir::Construct{program_.expr_lists.Add(std::span<const ir::ExprId>(arguments))};
+  program_.exprs[id].node = ir::Construct{program_.expr_lists.Add(arguments)};
   return value;
 }
 
@@ -157,20 +156,18 @@ ObjectResolver::Value ObjectResolver::VisitCall(ir::ExprId id) {
   }
   if (!SignatureHolds(callee)) {
     const ir::FunctionId function = InPlace(call.function);
-    program_.exprs[id].node =
-        ir::Call{function, program_.expr_lists.Add(std::span<const ir::ExprId>(kept))};
+    program_.exprs[id].node = ir::Call{function, program_.expr_lists.Add(kept)};
     return {id, {}};
   }
   const Instance* instance = InstanceFor(call.function, slots, kept, span);
   if (!instance) return {id, {}};
-  program_.exprs[id].node =
-      ir::Call{instance->function, program_.expr_lists.Add(std::span<const ir::ExprId>(kept))};
+  program_.exprs[id].node = ir::Call{instance->function, program_.expr_lists.Add(kept)};
   for (std::size_t i = 0; i < places.size(); ++i) {
     const ir::Var& parameter = program_.vars[callee.parameters[i]];
     if (parameter.storage == ir::Storage::kIn || !Holds(parameter.type)) continue;
     const bool is_known = std::ranges::all_of(
         instance->outs[i], [](const auto& slot) { return slot.second.IsKnown(); });
-    // What an inout parameter brings back unchanged needs no word.
+    // An inout parameter that comes back unchanged binds nothing.
     if (parameter.storage == ir::Storage::kInOut && instance->outs[i] == instance->ins[i]) continue;
     if (!places[i] || !is_known) {
       ReportChoice(parameter.name, parameter.type, span);

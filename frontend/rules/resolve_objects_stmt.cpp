@@ -4,7 +4,7 @@
 
 namespace clipc {
 
-// The statement with what has to run before it; none when nothing is left of it.
+// The statement after those that have to run before it; none when nothing is left of it.
 ir::StmtId ObjectResolver::RewriteOne(ir::StmtId id) {
   std::vector<ir::StmtId> outer = std::exchange(frame_->before, {});
   const ir::StmtId result = Rewrite(id);
@@ -23,7 +23,7 @@ List<ir::StmtId> ObjectResolver::RewriteList(List<ir::StmtId> list) {
     frame_->before = std::move(outer);
     if (stmt) stmts.push_back(stmt);
   }
-  return program_.stmt_lists.Add(std::span<const ir::StmtId>(stmts));
+  return program_.stmt_lists.Add(stmts);
 }
 
 ir::StmtId ObjectResolver::Inner(ir::StmtId id) {

@@ -37,8 +37,8 @@ constexpr Row kRows[] = {
     {"sv_rendertargetarrayindex", kPlain, Is(Builtin::kLayer)},
     {"sv_viewportarrayindex", kPlain, Is(Builtin::kViewportIndex)},
     {"sv_primitiveid", kRefused, kPlain},
-    {"sv_pointsize", kRefused,
-     Is(Builtin::kPointSize, 0)},  // Slang's and SDL's name for Direct3D 9's PSIZE
+    // Slang's and SDL's name for Direct3D 9's PSIZE.
+    {"sv_pointsize", kRefused, Is(Builtin::kPointSize, 0)},
 };
 
 }  // namespace

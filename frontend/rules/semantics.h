@@ -8,9 +8,9 @@
 #include "ir/profile.h"
 #include "ir/program.h"
 
-// The semantics a vertex shader knows. Source: Direct3D 11.3 functional specification 8 and 9
-// (system generated and interpreted values), DXC's signature table for the vertex stage, Direct3D
-// 9's vertex shader outputs.
+// The semantics of a vertex shader's inputs and outputs. Sources: the Direct3D 11.3 functional
+// specification, sections 8 and 9 (system generated and interpreted values); DXC's signature table
+// for the vertex stage; the Direct3D 9 reference on vertex shader outputs.
 namespace clipc {
 
 enum class Direction : std::uint8_t { kInput, kOutput };
@@ -23,10 +23,10 @@ struct SystemValue {
   };
   Use use = Use::kPlain;
   ir::Builtin builtin = ir::Builtin::kNone;
-  int major = 0, minor = 0;  // the profile it needs
+  int major = 0, minor = 0;  // the first profile that has the system value
 };
 
-// What the semantic means on that side of a vertex shader of that profile. `name` has no index.
+// The meaning of a semantic on one side of a vertex shader. `name` is without the index.
 SystemValue LookUpSemantic(std::string_view name, std::uint32_t index, Direction direction,
                            const ir::Profile& profile);
 
