@@ -8,7 +8,7 @@ build_packages=(g++ cmake ninja-build ccache "libclang-$llvm-dev" "llvm-$llvm-de
 # clang-format-19 is pinned: other versions write other text.
 test_packages=(python3 clang-format-19 "llvm-$llvm-tools" libgtest-dev libgmock-dev glslang-tools spirv-tools
   libvulkan-dev mesa-vulkan-drivers libspirv-cross-c-shared-dev
-  libegl-dev libgl-dev libopengl-dev libegl1 libopengl0 libgl1-mesa-dri libpng-dev libtinygltf-dev python3-matplotlib)
+  libepoxy-dev libegl1 libopengl0 libgles2 libgl1-mesa-dri libpng-dev libtinygltf-dev python3-matplotlib)
 
 # What checking the study's report takes, `./test --all` installs it: a browser.
 study_packages=(chromium)

@@ -1,30 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// The teapots of "What Are User-defined Clip Planes?" side by side: whole; clipped by
-// (-1, 0, 0, 0), which leaves x <= 0; by (1, 0, 1, 0), which leaves x + z >= 0; and by (1, 0, 0, 0)
-// and (0, -1, 0, 0) together, which leaves the points that both keep, x >= 0 and y <= 0. The inside
-// is red. The planes are in world space and are set as on Direct3D 9, with glClipPlane as
-// SetClipPlane.
-//
+// The teapots of "What Are User-defined Clip Planes?" side by side: whole; clipped by (-1, 0, 0,
+// 0), which leaves x <= 0; by (1, 0, 1, 0), which leaves x + z >= 0; and by (1, 0, 0, 0) and (0,
+// -1, 0, 0) together, which leaves what both keep: x >= 0 and y <= 0. The inside is red. Planes are
+// given in world space and set as on Direct3D 9, with glClipPlane for SetClipPlane.
 //   teapots [FILE.png]
 #include <cstdio>
 #include <exception>
 #include <string>
 #include <vector>
 
-#include "examples/shared/check.h"
-#include "examples/shared/mesh.h"
-#include "examples/shared/offscreen.h"
-#include "examples/shared/transform.h"
 #include "fragment.shader.h"
 #include "runtime/clip_plane.h"
 #include "runtime/gl/clip_plane_device.h"
 #include "runtime/level9_binder.h"
 #include "teapots.clip.h"
 #include "teapots.shader.h"
+#include "tools/harness/camera.h"
+#include "tools/harness/check.h"
+#include "tools/harness/drawing.h"
+#include "tools/harness/framebuffer.h"
+#include "tools/harness/offscreen.h"
 
 namespace {
 
-using namespace clipc::examples;
+using namespace clipc::harness;
 namespace runtime = clipc::runtime;
 
 constexpr int kSize = 200;  // of one teapot's part of the picture, in pixels
@@ -35,7 +34,7 @@ Picture DrawTeapots() {
       {}, {{-1, 0, 0, 0}}, {{1, 0, 1, 0}}, {{1, 0, 0, 0}, {0, -1, 0, 0}}};
   const int count = static_cast<int>(cases.size());
   const Matrix world, view = LookAt(kEye, {0, 0.1, 0}), projection = Perspective(0.62, 1, 1, 20);
-  const runtime::gl::Functions gl = Check(runtime::gl::LoadFunctions(Context::Load));
+  const runtime::gl::Functions gl = Check(runtime::gl::LoadFunctions(OpenGl::Load));
   const runtime::Table table = Check(runtime::ReadTable(teapots_clip_table));
   runtime::gl::ClipPlaneDevice device(gl);
   runtime::Level9Binder binder(device, device.max_planes());
@@ -70,7 +69,7 @@ Picture DrawTeapots() {
 
 int main(int argc, char** argv) try {
   const std::string path = argc > 1 ? argv[1] : "teapots.png";
-  const Context context(Profile::kCompatibility);
+  const OpenGl opengl(Api::kCompatibility);
   WritePng(path, DrawTeapots());
   std::printf("%s\n", path.c_str());
   return 0;

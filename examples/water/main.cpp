@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // Teapots in a lake, drawn to a PNG once for each of clipc's lowerings: the same reflection,
-// clipped at the water by clip distances, by glClipPlane in the part of Direct3D 9's SetClipPlane,
+// clipped at the water by clip distances, by glClipPlane as Direct3D 9's SetClipPlane would do it,
 // by the near plane, and by discard. A fifth picture is not clipped and shows what would go wrong:
 // the mirrored bottoms stick out of the water.
-//
 //   water [FOLDER]
 #include <algorithm>
 #include <cmath>
@@ -12,10 +11,6 @@
 #include <string>
 #include <vector>
 
-#include "examples/shared/check.h"
-#include "examples/shared/mesh.h"
-#include "examples/shared/offscreen.h"
-#include "examples/shared/transform.h"
 #include "fragments.shader.h"
 #include "runtime/clip_plane.h"
 #include "runtime/gl/clip_plane_device.h"
@@ -23,6 +18,11 @@
 #include "runtime/level9_binder.h"
 #include "runtime/mirror.h"
 #include "runtime/near_plane.h"
+#include "tools/harness/camera.h"
+#include "tools/harness/check.h"
+#include "tools/harness/drawing.h"
+#include "tools/harness/framebuffer.h"
+#include "tools/harness/offscreen.h"
 #include "water_clip_distance.clip.h"
 #include "water_clip_distance.shader.h"
 #include "water_discard.clip.h"
@@ -36,7 +36,7 @@
 
 namespace {
 
-using namespace clipc::examples;
+using namespace clipc::harness;
 namespace runtime = clipc::runtime;
 
 // Keeps what is above the water, y >= 0.
@@ -94,7 +94,7 @@ class Lake {
         torus_(Torus(24, 1.3, 0.3)),
         surface_(Ground(400, 1)) {
     const auto place = [](double x, double y, double z, double size, double angle) {
-      return Multiply(Multiply(Scaling(size), RotationY(angle)), Translation(x, y, z));
+      return Multiply(Multiply(Scaling(size), Rotation(angle)), Translation(x, y, z));
     };
     objects_ = {{&teapot_, place(-1.4, 0.3, 5.5, 1.1, 0.5), 0.80F, 0.45F, 0.25F},
                 {&teapot_, place(2.2, 0.9, 8.5, 1.4, 2.6), 0.35F, 0.55F, 0.85F},
@@ -116,7 +116,7 @@ class Lake {
 
  private:
   void DrawReflection(const Technique& technique) const {
-    const runtime::gl::Functions gl = Check(runtime::gl::LoadFunctions(Context::Load));
+    const runtime::gl::Functions gl = Check(runtime::gl::LoadFunctions(OpenGl::Load));
     const runtime::Table table = Check(runtime::ReadTable(*technique.table));
     const Matrix mirrored = Multiply(Check(runtime::MirrorMatrix(kWater)), view_);
     const runtime::Float4 plane = PlaneFor(table.lowering, mirrored, projection_);
@@ -174,7 +174,7 @@ class Lake {
 
 int main(int argc, char** argv) try {
   const std::string folder = argc > 1 ? argv[1] : ".";
-  const Context context(Profile::kCompatibility);
+  const OpenGl opengl(Api::kCompatibility);
   const Lake lake;
   for (const Technique& technique : {
            Technique{"clip-distance", water_clip_distance_vert, water_fragment,

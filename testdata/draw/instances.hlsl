@@ -1,7 +1,6 @@
 // Vertex and instance numbers, and instance data in an array of buffers.
 // RUN: %draw compare %s -T vs_5_1 -E main --target glsl450,glsl410,essl320,vulkan
 // RUN: %draw compare %s -T vs_5_1 --peer glslang
-// RUN: %python %S/../../tools/bench/check_packing.py %clipc --shader %s -T vs_5_1
 
 struct Camera {
   float4 offset;

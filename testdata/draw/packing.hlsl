@@ -1,7 +1,6 @@
 // Where Direct3D's packing and std140 disagree, and where they do not.
 // RUN: %draw compare %s -T vs_5_0 -E main --target all --exact --lower none | FileCheck %s
 // RUN: %draw compare %s -T vs_5_0 --peer glslang
-// RUN: %python %S/../../tools/bench/check_packing.py %clipc --shader %s
 // CHECK: {{[1-9][0-9]+}} comparisons {{.*}}: 0 wrong
 // CHECK-NOT: left out
 

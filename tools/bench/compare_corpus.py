@@ -55,11 +55,10 @@ def main():
     arguments = parser.parse_args()
     with open(arguments.list, encoding="utf-8") as file:
         lines = file.readlines()
-    counts, bugs, members = collections.Counter(), collections.Counter(), 0
+    counts, bugs = collections.Counter(), collections.Counter()
     with concurrent.futures.ThreadPoolExecutor(arguments.j) as pool:
         for done, (verdict, path, entry, text) in enumerate(pool.map(lambda line: compare(arguments, line), lines), 1):
             counts[verdict] += 1
-            members += sum(int(line.split()[0]) for line in text if " members of buffers: " in line)
             bugs.update(line for line in text if line.startswith("known bug of the peer: "))
             if sys.stderr.isatty():
                 print(f"\r{done} of {len(lines)}", end="", file=sys.stderr)
@@ -68,8 +67,6 @@ def main():
             print(f"{verdict}: {path} {entry}")
             for line in text[-6:] if verdict in ("different", "equal within 64 units") else text[:1]:
                 print(f"    {line[:200]}")
-    if arguments.peer:
-        print(f"{members} members of buffers compared")
     for bug, count in sorted(bugs.items()):
         print(f"{count} times {bug}")
     print(", ".join(f"{count} {verdict}" for verdict, count in sorted(counts.items())))

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
-#include <ctime>
 #include <fstream>
 #include <functional>
 #include <sstream>
@@ -13,18 +12,15 @@
 
 #include "compiler/compile.h"
 #include "tools/bench/peers.h"
+#include "tools/harness/timing.h"
 
 namespace clipc::bench {
 namespace {
 
-constexpr int kThreads = 2;
+using harness::ProcessSeconds;
+using harness::ThreadSeconds;
 
-// Processor time of this thread so far: the machine may have other things to do.
-double ThreadSeconds() {
-  std::timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
+constexpr int kThreads = 2;
 
 std::vector<std::string> Split(const std::string& text, char separator) {
   std::vector<std::string> parts;
@@ -53,10 +49,10 @@ std::vector<CompileRequest> ReadList(const std::string& path) {
   return requests;
 }
 
-// Calls work(thread, index) for every index, and gives the processor seconds of a thread that took.
+// Calls work(thread, index) for every index. Returns the processor seconds that a thread took.
 double OnThreads(std::size_t count, const std::function<void(int, std::size_t)>& work) {
   std::atomic<std::size_t> next = 0;
-  const std::clock_t start = std::clock();
+  const double start = ProcessSeconds();
   std::vector<std::jthread> threads;
   for (int thread = 0; thread < kThreads; ++thread) {
     threads.emplace_back([&, thread] {
@@ -64,7 +60,7 @@ double OnThreads(std::size_t count, const std::function<void(int, std::size_t)>&
     });
   }
   threads.clear();
-  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / kThreads;
+  return (ProcessSeconds() - start) / kThreads;
 }
 
 void Say(const char* who, const std::vector<char>& accepted, double seconds) {
@@ -91,7 +87,7 @@ void BenchCorpus(const std::string& list) {
   });
   Say("clipc", accepted, ours);
   Say("glslang and SPIRV-Cross", accepted_by_peers, theirs);
-  // What the peers refuse costs them little: once more, with what both accept.
+  // Shaders that the peers refuse cost them little: measures again with those that both accept.
   std::vector<std::size_t> both;
   for (std::size_t i = 0; i < requests.size(); ++i) {
     if (accepted[i] && accepted_by_peers[i]) both.push_back(i);

@@ -4,15 +4,14 @@
 #include <cstddef>
 #include <string>
 
-// Shaders to measure with: made, so that any size can be had, and the same text for the same
-// arguments.
+// Generated shaders to measure with, of any size. Equal arguments give equal text.
 namespace clipc::bench {
 
-// About 60 lines of what vertex shaders do: transform, light, fog, texture coordinates, two clip
-// planes. `seed` changes constants and names, so that no two are equal.
+// A vertex shader of about 60 lines: transform, light, fog, texture coordinates, two clip planes.
+// Different seeds give different constants and names.
 std::string SixtyLineShader(unsigned seed);
 
-// At least `bytes` of functions and statements, all reached from main.
+// A shader of at least `bytes` bytes of functions and statements, all reached from main.
 std::string LargeShader(std::size_t bytes);
 
 }  // namespace clipc::bench

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <ctime>
 #include <fstream>
 #include <string>
 #include <string_view>
@@ -15,6 +14,7 @@
 #include "tools/bench/generate.h"
 #include "tools/bench/peers.h"
 #include "tools/bench/process.h"
+#include "tools/harness/timing.h"
 
 namespace clipc::bench {
 namespace {
@@ -54,12 +54,15 @@ void BenchCold(const std::string& clipc, const std::string& hello, const std::st
       100);
   std::printf(
       "| cold start: hello world %.2f ms, clipc %.2f ms, glslangValidator -D -V %.2f ms | | | |\n",
-      MedianWall(cold[1]), MedianWall(cold[0]), MedianWall(cold[2]));
-  Report("cold, to a static hello world", MedianWall(cold[0]) / MedianWall(cold[1]), "x", 5);
-  Report("cold, to glslangValidator -D -V", MedianWall(cold[0]) / MedianWall(cold[2]), "x", 0.2);
+      MedianOf(cold[1], &Run::wall_ms), MedianOf(cold[0], &Run::wall_ms),
+      MedianOf(cold[2], &Run::wall_ms));
+  Report("cold, to a static hello world",
+         MedianOf(cold[0], &Run::wall_ms) / MedianOf(cold[1], &Run::wall_ms), "x", 5);
+  Report("cold, to glslangValidator -D -V",
+         MedianOf(cold[0], &Run::wall_ms) / MedianOf(cold[2], &Run::wall_ms), "x", 0.2);
   const auto checked = RunInTurn({validate, {glslang, "-S", "vert", glsl}}, 40);
   Report("cold with --validate, to glslangValidator on the GLSL",
-         MedianCpu(checked[0]) / MedianCpu(checked[1]), "x", 1.1);
+         MedianOf(checked[0], &Run::cpu_ms) / MedianOf(checked[1], &Run::cpu_ms), "x", 1.1);
 }
 
 // Many shaders in this process, the two ways in turn.
@@ -71,26 +74,26 @@ void BenchWarm() {
   Compiler compiler;
   std::vector<double> ours, theirs;
   for (int round = 0; round < kRounds; ++round) {
-    std::clock_t start = std::clock();  // processor time: the machine may have other things to do
+    double start = harness::ProcessSeconds();
     for (const std::string& shader : shaders) {
       CompileRequest request;
       request.path = "shader.hlsl";
       request.text = shader;
       if (!compiler.Compile(request).ok()) std::exit(1);
     }
-    ours.push_back(1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / kShaders);
-    start = std::clock();
+    ours.push_back(1e3 * (harness::ProcessSeconds() - start) / kShaders);
+    start = harness::ProcessSeconds();
     for (const std::string& shader : shaders) {
       if (!CompileWithPeers(shader)) std::exit(1);
     }
-    theirs.push_back(1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC /
-                     kShaders);
+    theirs.push_back(1e3 * (harness::ProcessSeconds() - start) / kShaders);
   }
   StopPeers();
   std::printf(
       "| in one process, a shader: clipc %.4f ms, glslang and SPIRV-Cross %.4f ms | | | |\n",
-      Median(ours), Median(theirs));
-  Report("in one process, to glslang + SPIRV-Cross", Median(ours) / Median(theirs), "x", 1.0 / 20);
+      harness::Median(ours), harness::Median(theirs));
+  Report("in one process, to glslang + SPIRV-Cross",
+         harness::Median(ours) / harness::Median(theirs), "x", 1.0 / 20);
 }
 
 void BenchBatchValidation() {
@@ -110,7 +113,8 @@ void BenchBatchValidation() {
     if (i > 0)
       validated.push_back(Milliseconds(start));  // the first one builds glslang's symbol tables
   }
-  Report("validation of one shader in a batch", Median(validated) - Median(plain), "ms", 2);
+  Report("validation of one shader in a batch", harness::Median(validated) - harness::Median(plain),
+         "ms", 2);
 }
 
 // Gives the size of the text back, and its memory.
@@ -129,7 +133,7 @@ void BenchLookahead(const std::string& clipc, const std::string& folder) {
       while (text.size() < bytes) text += statement;
       Write(folder + "/ahead.hlsl", text + "}");
       const auto runs = RunInTurn({{clipc, "--dump=ast", folder + "/ahead.hlsl"}}, 5)[0];
-      return MedianCpu(runs) / static_cast<double>(bytes);
+      return MedianOf(runs, &Run::cpu_ms) / static_cast<double>(bytes);
     };
     const double small = per_byte(200'000);
     const std::string what =
@@ -151,10 +155,11 @@ void BenchScaling(const std::string& clipc, const std::string& folder) {
     const auto runs = RunInTurn({{clipc, "-T", "vs_5_0", hlsl, "-o", folder + "/large.vert"}},
                                 size > 5'000'000 ? 3 : 9)[0];
     const double peak = 1024.0 * static_cast<double>(runs[0].peak_kib);
-    per_byte.push_back(MedianCpu(runs) / bytes);
+    per_byte.push_back(MedianOf(runs, &Run::cpu_ms) / bytes);
     worst_memory = std::max(worst_memory, (peak - 8.0 * 1024 * 1024) / bytes);
     std::printf("| %.0f bytes: %.2f ms, %.1f ns a byte, peak %.1f MiB | | | |\n", bytes,
-                MedianCpu(runs), 1e6 * MedianCpu(runs) / bytes, peak / 1024 / 1024);
+                MedianOf(runs, &Run::cpu_ms), 1e6 * MedianOf(runs, &Run::cpu_ms) / bytes,
+                peak / 1024 / 1024);
   }
   // The smallest size is all start-up; growth is told by the others.
   Report("cost a byte at 10 MB, to that at 100 kB", per_byte[3] / per_byte[1], "x", 1.5);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "tools/bench/peers.h"
 
-#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <vector>
@@ -11,48 +10,14 @@
 #include <glslang/SPIRV/GlslangToSpv.h>
 #include <spirv_cross/spirv_glsl.hpp>
 
+#include "tools/harness/glslang_includer.h"
+
 namespace clipc::bench {
 
 void StartPeers() { glslang::InitializeProcess(); }
 void StopPeers() { glslang::FinalizeProcess(); }
 
 namespace {
-
-// Looks beside the including file, then in the folders given.
-class Includer : public glslang::TShader::Includer {
- public:
-  explicit Includer(const std::vector<std::string>& folders) : folders_(folders) {}
-
-  IncludeResult* includeLocal(const char* header, const char* includer, size_t) override {
-    const std::string from = includer;
-    const std::size_t slash = from.rfind('/');
-    if (IncludeResult* found =
-            Open((slash == std::string::npos ? "" : from.substr(0, slash + 1)) + header))
-      return found;
-    return includeSystem(header, includer, 0);
-  }
-  IncludeResult* includeSystem(const char* header, const char*, size_t) override {
-    for (const std::string& folder : folders_) {
-      if (IncludeResult* found = Open(folder + "/" + header)) return found;
-    }
-    return nullptr;
-  }
-  void releaseInclude(IncludeResult* result) override {
-    if (result) delete static_cast<std::string*>(result->userData);
-    delete result;
-  }
-
- private:
-  static IncludeResult* Open(std::string path) {
-    std::replace(path.begin(), path.end(), '\\', '/');
-    std::ifstream file(path, std::ios::binary);
-    if (!file) return nullptr;
-    auto* text = new std::string(std::istreambuf_iterator<char>(file), {});
-    return new IncludeResult(path, text->data(), text->size(), text);
-  }
-
-  const std::vector<std::string>& folders_;
-};
 
 std::optional<std::string> CompileText(const std::string& hlsl, const CompileRequest& request) {
   glslang::TShader shader(EShLangVertex);
@@ -65,14 +30,9 @@ std::optional<std::string> CompileText(const std::string& hlsl, const CompileReq
   shader.setEnvInput(glslang::EShSourceHlsl, EShLangVertex, glslang::EShClientVulkan, 100);
   shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_0);
   shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_0);
-  std::string preamble;
-  for (const std::string& define : request.defines) {
-    const std::size_t equals = define.find('=');
-    preamble += "#define " + define.substr(0, equals) +
-                (equals == std::string::npos ? " 1" : " " + define.substr(equals + 1)) + "\n";
-  }
+  const std::string preamble = harness::DefineLines(request.defines);
   shader.setPreamble(preamble.c_str());
-  Includer includer(request.include_dirs);
+  harness::Includer includer(request.include_dirs);
   const auto messages =
       static_cast<EShMessages>(EShMsgReadHlsl | EShMsgVulkanRules | EShMsgSpvRules);
   if (!shader.parse(GetDefaultResources(), 450, false, messages, includer)) return std::nullopt;

@@ -6,16 +6,18 @@
 
 #include "compiler/compile.h"
 
-// The way from HLSL to GLSL without clipc, as libraries in this process: glslang's HLSL front end
-// to SPIR-V, SPIRV-Cross from there to GLSL.
+// Compiling HLSL to GLSL without clipc, by libraries in this process: glslang's HLSL front end
+// makes SPIR-V, and SPIRV-Cross makes GLSL of it.
 namespace clipc::bench {
 
-// GLSL 4.50, or nothing where the peers fail. Set up glslang's process-wide state before with
-// StartPeers().
-std::optional<std::string> CompileWithPeers(const std::string& hlsl);
-// The shader of a file; of the request counts what says where it is and what to compile.
-std::optional<std::string> CompileFileWithPeers(const CompileRequest& request);
+// Set up and free glslang's process-wide state.
 void StartPeers();
 void StopPeers();
+
+// Compiles that text to GLSL 4.50, between StartPeers() and StopPeers(). Returns none where the
+// peers fail.
+std::optional<std::string> CompileWithPeers(const std::string& hlsl);
+// Compiles a file. Uses the request's path, entry point, macros and include folders.
+std::optional<std::string> CompileFileWithPeers(const CompileRequest& request);
 
 }  // namespace clipc::bench

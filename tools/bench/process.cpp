@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "tools/bench/process.h"
 
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -11,6 +10,8 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include "tools/harness/timing.h"
 
 extern char** environ;
 
@@ -61,21 +62,10 @@ std::vector<std::vector<Run>> RunInTurn(const std::vector<std::vector<std::strin
   return results;
 }
 
-double Median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values.empty() ? 0 : values[values.size() / 2];
-}
-
-double MedianWall(const std::vector<Run>& runs) {
+double MedianOf(const std::vector<Run>& runs, double Run::* field) {
   std::vector<double> values;
-  for (const Run& run : runs) values.push_back(run.wall_ms);
-  return Median(std::move(values));
-}
-
-double MedianCpu(const std::vector<Run>& runs) {
-  std::vector<double> values;
-  for (const Run& run : runs) values.push_back(run.cpu_ms);
-  return Median(std::move(values));
+  for (const Run& run : runs) values.push_back(run.*field);
+  return harness::Median(std::move(values));
 }
 
 }  // namespace clipc::bench

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-// Whole processes, measured from outside as the user meets them.
+// Measures whole processes from outside, as the user meets them.
 namespace clipc::bench {
 
 struct Run {
@@ -14,18 +14,17 @@ struct Run {
   long peak_kib = 0;  // resident set
   int status = 0;     // exit status; 128 + n when killed by signal n
 };
-// Starts `command` (found by its path) with its output thrown away and waits for it; nothing when
-// it cannot start.
+// Starts `command`, whose first word is the program's path, without its output, and waits for it.
+// Returns none when it cannot start.
 std::optional<Run> RunProcess(const std::vector<std::string>& command);
 
-// Each command `rounds` times, in turn (A B C A B C ...), so that a drift of the machine's speed
-// hits all alike. result[i] are command i's runs. Exits with a message when one cannot start or
-// fails.
+// Runs each command `rounds` times, in turn (A B C A B C ...), so that a drift of the machine's
+// speed changes all alike. result[i] has the runs of commands[i]. Exits with a message when a
+// command cannot start or fails.
 std::vector<std::vector<Run>> RunInTurn(const std::vector<std::vector<std::string>>& commands,
                                         int rounds);
 
-double MedianWall(const std::vector<Run>& runs);
-double MedianCpu(const std::vector<Run>& runs);
-double Median(std::vector<double> values);
+// The median of one number of the runs, such as &Run::cpu_ms.
+double MedianOf(const std::vector<Run>& runs, double Run::* field);
 
 }  // namespace clipc::bench

@@ -6,13 +6,13 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <ctime>
 #include <random>
 #include <utility>
 #include <vector>
 
 #include "runtime/box_planner.h"
 #include "runtime/level9_binder.h"
+#include "tools/harness/timing.h"
 
 namespace clipc::bench {
 namespace {
@@ -29,18 +29,7 @@ void Report(const char* what, double ratio, double limit) {
               holds ? "holds" : "**missed**");
 }
 
-// Nanoseconds of processor time, so that other programs do not count.
-double Now() {
-  timespec time;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return 1e9 * static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec);
-}
-
-double Median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-                   values.end());
-  return values[values.size() / 2];
-}
+double Nanoseconds() { return 1e9 * harness::ProcessSeconds(); }
 
 // Median times of two functions, taken in turn, `before` each one not counted.
 template <typename Before, typename One, typename Other>
@@ -48,15 +37,15 @@ std::pair<double, double> InTurn(int rounds, Before before, One one, Other other
   std::vector<double> ones, others;
   for (int i = 0; i < rounds; ++i) {
     before();
-    double start = Now();
+    double start = Nanoseconds();
     one();
-    ones.push_back(Now() - start);
+    ones.push_back(Nanoseconds() - start);
     before();
-    start = Now();
+    start = Nanoseconds();
     other();
-    others.push_back(Now() - start);
+    others.push_back(Nanoseconds() - start);
   }
-  return {Median(ones), Median(others)};
+  return {harness::Median(ones), harness::Median(others)};
 }
 
 constexpr std::size_t kObjects = 100'000, kPlanes = 6;
@@ -126,8 +115,8 @@ void BenchPlanner() {
          cold / cold_read, 4);
 }
 
-// A device as a program meets it: a table of functions behind a pointer. What lies there copies the
-// plane, which is less than any device does.
+// A device as a program sees it: a pointer to a table of functions. These copy the plane, which is
+// less than any device does.
 struct Functions {
   bool (*set_clip_plane)(Functions*, std::uint32_t, const float*);
   bool (*set_enable)(Functions*, std::uint32_t);

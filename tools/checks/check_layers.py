@@ -28,21 +28,24 @@ ROOMS = {
         VOCABULARY,
     },
     "runtime": {"clip-table", VOCABULARY},
-    "examples": {"runtime"},
+    "tools/harness": {"runtime"},
     "tools/draw": {
         "base", "ir", "frontend/lex", "frontend/parse", "frontend/rules", "frontend/check", "passes", "backend-glsl", "clip-table",
-        "compiler", "runtime", VOCABULARY,
+        "compiler", "runtime", "tools/harness", VOCABULARY,
     },
-    "tools/study": {"clip-table", "compiler", "tools/draw", "runtime"},
-    "tools/scenes": {"clip-table", "runtime", "examples"},
-    "tools/bench": {"compiler", "runtime"},
+    "tools/study": {"clip-table", "compiler", "runtime", "tools/harness", "tools/draw"},
+    "tools/scenes": {"clip-table", "runtime", "tools/harness", "tools/study"},
+    "tools/bench": {"compiler", "runtime", "tools/harness"},
     "tools/fuzz": {"clip-table", "compiler", "runtime"},
+    "examples": {"runtime", "tools/harness"},
 }
 
 # A library's headers, and the files that may include them.
 LIBRARIES = {
     r"(clang|llvm)/": r"frontend/lex/\w+_clang\.cpp|compiler/options_llvm\.cpp",
-    r"glslang/": r"compiler/.*\.cpp|tools/draw/vulkan/glslang\.cpp|tools/bench/peers\.cpp",
+    r"glslang/": r"compiler/.*\.cpp|tools/harness/glslang_includer\.h|tools/draw/vulkan/glslang\.cpp|tools/bench/peers\.cpp",
+    r"epoxy/": r"tools/(harness|draw|study/program|scenes)/.*|examples/.*\.cpp",
+    r"png\.h": r"tools/harness/picture\.cpp",
     r"spirv_cross/": r"tools/draw/(vulkan|peer)/.*|tools/bench/peers\.cpp",
     r"vulkan/": r"tools/draw/vulkan/device\.h|tools/study/isa/main\.cpp",
     r"fmt/": r"(base|ir|frontend|passes|backend-glsl|compiler|tools/bench)/.*",

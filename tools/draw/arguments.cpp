@@ -10,16 +10,6 @@
 namespace clipc::draw {
 namespace {
 
-std::vector<std::string> Split(const std::string& text, char separator) {
-  std::vector<std::string> parts;
-  std::size_t begin = 0;
-  for (std::size_t end; (end = text.find(separator, begin)) != text.npos; begin = end + 1) {
-    parts.push_back(text.substr(begin, end - begin));
-  }
-  parts.push_back(text.substr(begin));
-  return parts;
-}
-
 // "a=b" => {"a", "b"}
 std::pair<std::string, std::string> Halves(const std::string& text, char separator) {
   const std::size_t at = text.find(separator);
@@ -44,6 +34,16 @@ std::uint32_t ParseWord(const std::string& text) {
 }
 
 }  // namespace
+
+std::vector<std::string> Split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  for (std::size_t end; (end = text.find(separator, begin)) != text.npos; begin = end + 1) {
+    parts.push_back(text.substr(begin, end - begin));
+  }
+  parts.push_back(text.substr(begin));
+  return parts;
+}
 
 std::vector<std::uint32_t> ParseWords(const std::string& text) {
   if (text == "identity") return ParseWords("1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1");
@@ -92,9 +92,9 @@ void AddBlock(const std::string& text, Inputs& inputs) {
   const auto [place, values] = Halves(text, '=');
   const auto [name, offset_text] = Halves(place, '@');
   const std::uint32_t offset = ParseNumber(offset_text);
-  auto block =
-      std::find_if(inputs.blocks.begin(), inputs.blocks.end(),
-                   [&, name = name](const Inputs::Block& known) { return known.name == name; });
+  auto block = std::find_if(
+      inputs.blocks.begin(), inputs.blocks.end(),
+      [&, name = name](const Inputs::UniformBlock& known) { return known.name == name; });
   if (block == inputs.blocks.end()) block = inputs.blocks.insert(block, {name, {}});
   const std::vector<std::uint32_t> words = ParseWords(values);
   block->bytes.resize(std::max<std::size_t>(block->bytes.size(), offset + 4 * words.size()));

@@ -6,10 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "tools/draw/program.h"
+#include "tools/draw/inputs.h"
 
-// Values on clipc-draw's command line. All throw DrawError for what they do not understand.
+// Values on clipc-draw's command line. All throw DrawError for text that they do not understand.
 namespace clipc::draw {
+
+// "a,b" => "a", "b"
+std::vector<std::string> Split(const std::string& text, char separator);
 
 // "1,-0.5,3i,7u,0x7fc00000": floats, ints, uints, raw bits; "identity" is a float4x4.
 std::vector<std::uint32_t> ParseWords(const std::string& text);
@@ -20,8 +23,8 @@ std::array<double, 4> ParsePlane(const std::string& text);
 // "0x3", "3"
 std::uint32_t ParseNumber(const std::string& text);
 
-// "in_POSITION0=1,2,3/4,5,6": the vertices' values, separated by slashes. All attributes have as
-// many vertices.
+// "in_POSITION0=1,2,3/4,5,6": the vertices' values, separated by slashes. All attributes have the
+// same number of vertices.
 void AddAttribute(const std::string& text, Inputs& inputs);
 
 // "planes=1,0,0,0,0,1,0,0"

@@ -50,7 +50,7 @@ Buffer Typed(const ir::Program& program, const ir::Type& type, RandomValues& val
 
 Buffer Structured(const ir::Program& program, const ir::Type& type, bool row_major,
                   RandomValues& values) {
-  const std::uint32_t stride = StructuredPlaceOf(program.types, type.element).size;
+  const std::uint32_t stride = StructuredSizeOf(program.types, type.element).size;
   const std::uint32_t count = kLeastElements + values.Below(kMoreElements);
   Buffer buffer(std::size_t{stride} * count);
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -113,7 +113,7 @@ class Reader {
   std::uint32_t Stride() const {
     if (ir::IsByteAddress(type_.object)) return 1;
     return ir::IsStructured(type_.object)
-               ? std::max(StructuredPlaceOf(program_.types, type_.element).size, 1u)
+               ? std::max(StructuredSizeOf(program_.types, type_.element).size, 1u)
                : 16;
   }
 
@@ -158,17 +158,17 @@ class Reader {
 
 }  // namespace
 
-StructuredPlace StructuredPlaceOf(const ir::TypeTable& types, ir::TypeId id) {
+StructuredSize StructuredSizeOf(const ir::TypeTable& types, ir::TypeId id) {
   const ir::Type& type = types[id];
   if (type.kind == ir::TypeKind::kArray) {
-    const StructuredPlace element = StructuredPlaceOf(types, type.element);
+    const StructuredSize element = StructuredSizeOf(types, type.element);
     return {element.size * type.count, element.alignment};
   }
   if (type.kind != ir::TypeKind::kStruct)
     return {SizeOf(type.scalar) * type.Components(), SizeOf(type.scalar)};
-  StructuredPlace all;
+  StructuredSize all;
   for (const ir::Field& field : types[type.structure].fields) {
-    const StructuredPlace place = StructuredPlaceOf(types, field.type);
+    const StructuredSize place = StructuredSizeOf(types, field.type);
     all.size = RoundUp(all.size, place.alignment) + place.size;
     all.alignment = std::max(all.alignment, place.alignment);
   }
@@ -181,14 +181,14 @@ void ForEachStructured(const ir::TypeTable& types, ir::TypeId id, bool row_major
                        const std::function<void(ir::Scalar kind, std::uint32_t byte)>& visit) {
   const ir::Type type = types[id];
   if (type.kind == ir::TypeKind::kArray) {
-    const std::uint32_t stride = StructuredPlaceOf(types, type.element).size;
+    const std::uint32_t stride = StructuredSizeOf(types, type.element).size;
     for (std::uint32_t i = 0; i < type.count; ++i)
       ForEachStructured(types, type.element, row_major, offset + i * stride, visit);
     return;
   }
   if (type.kind == ir::TypeKind::kStruct) {
     for (const ir::Field& field : types[type.structure].fields) {
-      const StructuredPlace place = StructuredPlaceOf(types, field.type);
+      const StructuredSize place = StructuredSizeOf(types, field.type);
       offset = RoundUp(offset, place.alignment);
       ForEachStructured(types, field.type, field.row_major, offset, visit);
       offset += place.size;

@@ -11,7 +11,7 @@
 #include "frontend/lex/token.h"
 #include "ir/program.h"
 #include "passes/pipeline.h"
-#include "tools/draw/gl.h"
+#include "tools/draw/inputs.h"
 
 namespace clipc::draw {
 

@@ -6,8 +6,9 @@
 #include <map>
 
 #include "tools/draw/arguments.h"
+#include "tools/draw/opengl/picture.h"
+#include "tools/draw/opengl/program.h"
 #include "tools/draw/options.h"
-#include "tools/draw/picture.h"
 #include "tools/draw/vulkan/run.h"
 
 namespace clipc::draw {
@@ -15,8 +16,8 @@ namespace {
 
 std::map<std::string, Flag> InputFlags(Inputs& inputs) {
   return {
-      {"uniform", {true, [&](const std::string& value) { AddUniform(value, inputs); }}},
-      {"block", {true, [&](const std::string& value) { AddBlock(value, inputs); }}},
+      {"uniform", With([&](auto& value) { AddUniform(value, inputs); })},
+      {"block", With([&](auto& value) { AddBlock(value, inputs); })},
   };
 }
 
@@ -36,13 +37,13 @@ void Print(const Captured& output, int vertex) {
   std::printf("\n");
 }
 
-// What --position and --constant give, with as many components as the shader declares.
+// Adds the attributes of --position and --constant, with as many components as the shader declares.
 void AddMesh(const std::vector<Active>& attributes, const std::string& position,
              const std::map<std::string, std::vector<std::uint32_t>>& constants, Inputs& inputs) {
   const std::vector<std::array<float, 4>> mesh = FullTarget();
   inputs.vertices = static_cast<int>(mesh.size());
   for (const Active& active : attributes) {
-    const int components = ShapeOf(active.type).rows;
+    const int components = ShapeOf(active).rows;
     Inputs::Attribute attribute{active.name, {}};
     const auto constant = constants.find(active.name);
     if (active.name != position && constant == constants.end()) continue;
@@ -72,39 +73,26 @@ struct PixelsOptions {
 
 std::map<std::string, Flag> PixelsFlags(PixelsOptions& options) {
   return {
-      {"position", {true, [&](const std::string& value) { options.position = value; }}},
-      {"constant",
-       {true,
-        [&](const std::string& value) {
-          const std::size_t at = std::min(value.find('='), value.size() - 1);
-          options.constants[value.substr(0, at)] = ParseWords(value.substr(at + 1));
-        }}},
-      {"enable",
-       {true, [&](const std::string& value) { options.picture.enable_mask = ParseNumber(value); }}},
-      {"clip-plane",
-       {true,
-        [&](const std::string& value) {
-          if (value.size() < 3 || value[0] < '0' || value[0] > '7' || value[1] != '=') {
-            throw DrawError("--clip-plane 0=1,0,0,0, not `" + value + "`");
-          }
-          options.picture.clip_planes[value[0] - '0'] = ParsePlane(value.substr(2));
-        }}},
-      {"fragment",
-       {true, [&](const std::string& value) { options.picture.fragment = ReadFile(value); }}},
-      {"zero-to-one", {false, [&](const std::string&) { options.picture.zero_to_one = true; }}},
+      {"position", Text(options.position)},
+      {"constant", With([&](auto& value) {
+         const std::size_t at = std::min(value.find('='), value.size() - 1);
+         options.constants[value.substr(0, at)] = ParseWords(value.substr(at + 1));
+       })},
+      {"enable", Number(options.picture.enable_mask)},
+      {"clip-plane", With([&](auto& value) {
+         if (value.size() < 3 || value[0] < '0' || value[0] > '7' || value[1] != '=') {
+           throw DrawError("--clip-plane 0=1,0,0,0, not `" + value + "`");
+         }
+         options.picture.clip_planes[value[0] - '0'] = ParsePlane(value.substr(2));
+       })},
+      {"fragment", With([&](auto& value) { options.picture.fragment = ReadFile(value); })},
+      {"zero-to-one", Switch(options.picture.zero_to_one)},
       {"expect-plane",
-       {true,
-        [&](const std::string& value) {
-          options.expectation.planes.push_back(ParsePlane(value));
-        }}},
-      {"expect-flipped", {false, [&](const std::string&) { options.expectation.flipped = true; }}},
-      {"expect-any-depth", {false, [&](const std::string&) { options.any_depth = true; }}},
-      {"size",
-       {true,
-        [&](const std::string& value) {
-          options.picture.size = static_cast<int>(ParseNumber(value));
-        }}},
-      {"png", {true, [&](const std::string& value) { options.png = value; }}},
+       With([&](auto& value) { options.expectation.planes.push_back(ParsePlane(value)); })},
+      {"expect-flipped", Switch(options.expectation.flipped)},
+      {"expect-any-depth", Switch(options.any_depth)},
+      {"size", Number(options.picture.size)},
+      {"png", Text(options.png)},
   };
 }
 
@@ -114,8 +102,8 @@ int RunCapture(int argc, char** argv) {
   Inputs inputs;
   std::vector<std::string> outputs;
   std::map<std::string, Flag> flags = InputFlags(inputs);
-  flags["attribute"] = {true, [&](const std::string& value) { AddAttribute(value, inputs); }};
-  flags["output"] = {true, [&](const std::string& value) { outputs.push_back(value); }};
+  flags["attribute"] = With([&](auto& value) { AddAttribute(value, inputs); });
+  flags["output"] = Append(outputs);
   const std::string vertex = ReadFile(OnlyPath(ParseOptions(argc, argv, flags)));
   if (outputs.empty()) {
     outputs.push_back("gl_Position");
@@ -123,9 +111,8 @@ int RunCapture(int argc, char** argv) {
   }
   if (inputs.vertices == 0) inputs.vertices = 1;
 
-  Device device;
-  const Gl& gl = device.Use(VersionOf(vertex).api);
-  const std::vector<Captured> captured = Capture(gl, vertex, outputs, inputs);
+  const harness::OpenGl opengl(VersionOf(vertex).api);
+  const std::vector<Captured> captured = Capture(vertex, outputs, inputs);
   for (int i = 0; i < inputs.vertices; ++i) {
     for (const Captured& output : captured) Print(output, i);
   }
@@ -139,15 +126,14 @@ int RunPixels(int argc, char** argv) {
   flags.merge(PixelsFlags(options));
   const std::string vertex = ReadFile(OnlyPath(ParseOptions(argc, argv, flags)));
 
-  Device device;
   const Version version = VersionOf(vertex);
-  const Gl& gl = device.Use(version.api);
+  const harness::OpenGl opengl(version.api);
   {
-    const Program program(gl, vertex, version.es ? version.Line() + "void main() {}\n" : "", {});
+    const Program program(vertex, version.es ? version.Line() + "void main() {}\n" : "", {});
     AddMesh(program.Attributes(), options.position, options.constants, inputs);
   }
-  const Picture picture = Draw(gl, vertex, inputs, options.picture);
-  if (!options.png.empty()) WritePng(picture, options.png);
+  const Picture picture = Draw(vertex, inputs, options.picture);
+  if (!options.png.empty()) harness::WritePng(options.png, ColorsOf(picture));
 
   constexpr double kDepthError = 1e-5;
   const Difference difference = Compare(picture, options.expectation);
@@ -160,9 +146,8 @@ int RunPixels(int argc, char** argv) {
 }
 
 int RunDevices() {
-  Device device;
-  std::printf("OpenGL: %s\n",
-              reinterpret_cast<const char*>(device.Use(Api::kCore).GetString(GL_RENDERER)));
+  const harness::OpenGl opengl(harness::Api::kCore);
+  std::printf("OpenGL: %s\n", reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
   std::printf("Vulkan: %s\n", vulkan::Runner().name().c_str());
   return 0;
 }

@@ -5,17 +5,16 @@
 #include <vector>
 
 #include "tools/draw/build.h"
-#include "tools/draw/gl.h"
 #include "tools/draw/random_inputs.h"
 #include "tools/draw/reference.h"
 
 namespace clipc::draw {
 
-// How far a driver may be from the evaluator: ints and what is equal in float always match. Else a
-// float must lie within ulps * 2^-24 * max(|expected|, the largest |expected| of the output among
-// all vertices) of the double value; or, where the shader loses more than that by cancelling,
-// within `roundings` times what the evaluator's float32 loses there: another order of the same
-// operations errs by as much, another formula by more.
+// How far a driver may be from the evaluator. Ints must be equal. A float must equal the
+// evaluator's float, or lie within ulps * 2^-24 * max(|expected|, the largest |expected| of the
+// output among all vertices) of its double; or, where the shader loses more than that by
+// cancelling, within `roundings` times the evaluator's own difference between float and double:
+// another order of the same operations errs by as much, another formula by more.
 //
 // Measured on Mesa 22.3.6's llvmpipe: + - * / sqrt and rcp round as IEEE, nothing is fused, and mat
 // * vec adds from left to right, so most shaders match bit for bit. dot and vec * mat add from the
@@ -29,27 +28,22 @@ struct Tolerance {
 };
 
 struct Comparison {
-  long values = 0;  // components compared
-  long equal = 0;   // to the bit, or both zero
-  long undefined =
-      0;             // the evaluator gives NaN, or the value depends on what HLSL leaves undefined
-  double worst = 0;  // in units of 2^-24 of the output's size
+  long values = 0;                    // components compared
+  long equal = 0;                     // to the bit, or both zero
+  long undefined = 0;                 // NaN, or a value that depends on what HLSL leaves undefined
+  double worst = 0;                   // the largest error, in units of 2^-24 of the output's size
   std::vector<std::string> mistakes;  // the first ones, in words
 
   long wrong = 0;
-  long missing = 0;  // of the wrong ones: outputs that are not written
+  long missing = 0;  // wrong, because the output is not written
 };
 
-// The outputs that have a value: what nothing is written to cannot be captured.
+// The outputs that have a defined value at some vertex: others may not be written, and so cannot be
+// captured.
 std::vector<const Expected*> Defined(const std::vector<Expected>& expected);
 
-// Holds what came out against what must; one for one.
+// Compares each captured output with the expected one of the same index.
 Comparison CompareOutputs(const std::vector<const Expected*>& expected,
                           const std::vector<Captured>& captured, const Tolerance& tolerance);
-
-// Runs the shader on OpenGL and holds what comes out against what must.
-Comparison CompareWithOpenGl(Device& device, const Shader& shader,
-                             const std::vector<Expected>& expected, const RandomInputs& random,
-                             const RandomOptions& draw, const Tolerance& tolerance);
 
 }  // namespace clipc::draw

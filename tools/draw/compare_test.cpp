@@ -12,6 +12,7 @@
 #include "ir/packing.h"
 #include "tools/draw/buffers.h"
 #include "tools/draw/memory.h"
+#include "tools/draw/opengl/compare.h"
 #include "tools/draw/vulkan/compare.h"
 
 // The comparison itself: right GLSL passes for every way of lowering, and GLSL with one mistake in
@@ -110,8 +111,8 @@ class Compare : public ::testing::Test {
       static const vulkan::Runner runner;
       return vulkan::CompareWithVulkan(runner, shader, expected, inputs, draw, {});
     }
-    static Device device;
-    return CompareWithOpenGl(device, shader, expected, inputs, draw, {});
+    static harness::OpenGl opengl;
+    return CompareWithOpenGl(opengl, shader, expected, inputs, draw, {});
   }
 
   static BuildOptions Objects(const std::string& target = "glsl450") {
@@ -342,7 +343,7 @@ TEST(Buffers, StructuredElementsLieTight) {
   ForEachStructured(types, type, false, 0,
                     [&](ir::Scalar, std::uint32_t byte) { bytes.push_back(byte); });
   EXPECT_THAT(bytes, ::testing::ElementsAre(0, 4, 8, 12, 20, 28, 16, 24, 32, 36, 40, 44, 48));
-  EXPECT_EQ(StructuredPlaceOf(types, type).size, 52u);
+  EXPECT_EQ(StructuredSizeOf(types, type).size, 52u);
 }
 
 // A struct begins at, and takes, multiples of its largest component.
@@ -357,7 +358,7 @@ TEST(Buffers, DoublesAreAligned) {
   ForEachStructured(types, type, false, 0,
                     [&](ir::Scalar, std::uint32_t byte) { bytes.push_back(byte); });
   EXPECT_THAT(bytes, ::testing::ElementsAre(0, 8, 16));
-  EXPECT_EQ(StructuredPlaceOf(types, type).size, 24u);
+  EXPECT_EQ(StructuredSizeOf(types, type).size, 24u);
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tools/draw/picture.h"
-#include "tools/draw/program.h"
+#include "tools/draw/opengl/picture.h"
+#include "tools/draw/opengl/program.h"
 
 // The tool itself, on GLSL that nobody generated: what is right passes, and each way to be wrong is
 // seen.
@@ -15,10 +15,11 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-// One for the whole run: making contexts is what takes the time.
-Device& TheDevice() {
-  static Device device;
-  return device;
+// Makes the context that compiles the shader current. One OpenGL serves the whole run, since making
+// contexts takes the time.
+void UseContextFor(const std::string& shader) {
+  static harness::OpenGl opengl;
+  opengl.Use(VersionOf(shader).api);
 }
 
 std::vector<std::uint32_t> Words(std::initializer_list<float> values) {
@@ -61,9 +62,9 @@ Inputs TwoVertices() {
 }
 
 void ExpectCaptured(const std::string& shader) {
-  const Gl& gl = TheDevice().Use(VersionOf(shader).api);
+  UseContextFor(shader);
   const std::string names[] = {"b", "gl_ClipDistance", "a", "gl_Position"};
-  const auto captured = Capture(gl, shader, names, TwoVertices());
+  const auto captured = Capture(shader, names, TwoVertices());
   ASSERT_EQ(captured.size(), 4u);
   EXPECT_THAT(Floats(captured[0]), ElementsAre(3, 4, 7, 8));
   EXPECT_THAT(Floats(captured[1]), ElementsAre(-1, -1));
@@ -88,7 +89,8 @@ TEST(Capture, ClipVertexOfTheOldestVersion) {
   const std::string shader =
       "#version 120\nattribute vec4 p;\nvoid main() { gl_ClipVertex = p; gl_Position = -p; }\n";
   const std::string names[] = {"gl_ClipVertex", "gl_Position"};
-  const auto captured = Capture(TheDevice().Use(Api::kCompatibility), shader, names, TwoVertices());
+  UseContextFor(shader);
+  const auto captured = Capture(shader, names, TwoVertices());
   EXPECT_THAT(Floats(captured[0]), ElementsAre(1, 2, 3, 4, 5, 6, 7, 8));
   EXPECT_THAT(Floats(captured[1]), ElementsAre(-1, -2, -3, -4, -5, -6, -7, -8));
 }
@@ -102,7 +104,8 @@ TEST(Capture, MoreOutputsThanOneRunTakes) {
     body += names.back() + " = p + " + std::to_string(i) + ".0; ";
   }
   shader += "void main() { gl_Position = p; " + body + "}\n";
-  const auto captured = Capture(TheDevice().Use(Api::kCore), shader, names, TwoVertices());
+  UseContextFor(shader);
+  const auto captured = Capture(shader, names, TwoVertices());
   ASSERT_EQ(captured.size(), 29u);
   for (int i = 0; i < 28; ++i) EXPECT_EQ(Floats(captured[i + 1])[7], 8.0f + static_cast<float>(i));
 }
@@ -114,14 +117,16 @@ TEST(Capture, Instances) {
       "#version 450\nin vec4 p; flat out ivec2 v;\nvoid main() { gl_Position = p; v = "
       "ivec2(gl_VertexID, gl_InstanceID); }\n";
   const std::string names[] = {"v"};
-  EXPECT_THAT(Capture(TheDevice().Use(Api::kCore), shader, names, inputs)[0].words,
+  UseContextFor(shader);
+  EXPECT_THAT(Capture(shader, names, inputs)[0].words,
               ElementsAre(0, 0, 1, 0, 0, 1, 1, 1, 0, 2, 1, 2));
 }
 
 std::string ErrorOf(const std::string& shader, const Inputs& inputs) {
   const std::string names[] = {"gl_Position"};
+  UseContextFor(shader);
   try {
-    Capture(TheDevice().Use(VersionOf(shader).api), shader, names, inputs);
+    Capture(shader, names, inputs);
   } catch (const DrawError& error) {
     return error.what();
   }
@@ -178,7 +183,8 @@ bool IsRight(const std::string& shader, PictureOptions options, bool flipped) {
       inputs.uniforms[0].words.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(value)));
   }
   if (options.enable_mask == 0) options.enable_mask = 3;
-  const Picture picture = Draw(TheDevice().Use(VersionOf(shader).api), shader, inputs, options);
+  UseContextFor(shader);
+  const Picture picture = Draw(shader, inputs, options);
   const Difference difference = Compare(picture, {{kPlanes[0], kPlanes[1]}, flipped});
   EXPECT_GT(difference.drawn, 500);
   return difference.missing == 0 && difference.extra == 0 && difference.depth_error < 1e-5;

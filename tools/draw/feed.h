@@ -3,16 +3,17 @@
 
 #include "backend-glsl/writer.h"
 #include "ir/program.h"
-#include "tools/draw/program.h"
+#include "tools/draw/inputs.h"
 #include "tools/draw/random_inputs.h"
 
 namespace clipc::draw {
 
-// GLSL 1.20 has no attributes and varyings of ints: they pass as floats.
+// The float of an int or uint. GLSL 1.20 has no attributes and varyings of ints: they are passed as
+// floats.
 std::uint32_t AsFloat(std::uint32_t word, ir::Scalar kind);
 
-// All that `random` holds, under the names that the written shader gives it. Refers to the
-// arguments.
+// The inputs that `random` holds, under the names that the written shader gives them. They refer to
+// the arguments.
 Inputs MakeInputs(const ir::Program& program, const glsl::GlslInfo& info,
                   const RandomInputs& random, const RandomOptions& draw);
 

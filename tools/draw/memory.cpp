@@ -12,50 +12,50 @@ namespace clipc::draw {
 namespace {
 
 // A part of a constant buffer.
-struct Place {
+struct Part {
   ir::TypeId type;
   std::uint32_t offset = 0;
   bool row_major = false;
 };
 
-Place FieldOf(const ir::TypeTable& types, const Place& place, std::uint32_t field) {
-  const ir::StructId structure = types[place.type].structure;
+Part FieldOf(const ir::TypeTable& types, const Part& part, std::uint32_t field) {
+  const ir::StructId structure = types[part.type].structure;
   const ir::Field& declared = types[structure].fields[field];
-  return {declared.type, place.offset + ir::FieldOffset(types, structure, field),
+  return {declared.type, part.offset + ir::FieldOffset(types, structure, field),
           declared.row_major};
 }
 
-Place ElementOf(const ir::TypeTable& types, const Place& place, std::uint32_t index) {
-  const std::uint32_t stride = ir::ArrayStride(types, place.type, place.row_major);
-  return {types[place.type].element, place.offset + index * stride, place.row_major};
+Part ElementOf(const ir::TypeTable& types, const Part& part, std::uint32_t index) {
+  const std::uint32_t stride = ir::ArrayStride(types, part.type, part.row_major);
+  return {types[part.type].element, part.offset + index * stride, part.row_major};
 }
 
 // Follows ".field" and "[index]" of a name that OpenGL gives a uniform.
-std::optional<Place> Follow(const ir::TypeTable& types, Place place, std::string_view path) {
+std::optional<Part> Follow(const ir::TypeTable& types, Part part, std::string_view path) {
   while (!path.empty()) {
-    const ir::Type& type = types[place.type];
+    const ir::Type& type = types[part.type];
     const std::size_t end = std::min(path.find_first_of(".[", 1), path.size());
-    const std::string part(path.substr(1, end - 1));
+    const std::string step(path.substr(1, end - 1));
     if (path[0] == '[' && type.kind == ir::TypeKind::kArray) {
-      place = ElementOf(types, place, static_cast<std::uint32_t>(std::stoul(part)));
+      part = ElementOf(types, part, static_cast<std::uint32_t>(std::stoul(step)));
     } else if (path[0] == '.' && type.kind == ir::TypeKind::kStruct) {
       const auto& fields = types[type.structure].fields;
       const auto found = std::find_if(fields.begin(), fields.end(), [&](const ir::Field& field) {
-        return glsl::LegalFieldName(field.name) == part;
+        return glsl::LegalFieldName(field.name) == step;
       });
       if (found == fields.end()) return std::nullopt;
-      place = FieldOf(types, place, static_cast<std::uint32_t>(found - fields.begin()));
+      part = FieldOf(types, part, static_cast<std::uint32_t>(found - fields.begin()));
     } else {
       return std::nullopt;
     }
     path.remove_prefix(end);
   }
-  return place;
+  return part;
 }
 
-void AppendWords(const ir::TypeTable& types, const Place& place,
+void AppendWords(const ir::TypeTable& types, const Part& part,
                  const std::vector<std::uint8_t>& bytes, std::vector<std::uint32_t>& words) {
-  ForEachComponent(types, place.type, place.row_major, place.offset,
+  ForEachComponent(types, part.type, part.row_major, part.offset,
                    [&](ir::Scalar kind, std::uint32_t byte) {
                      std::uint32_t word = 0;
                      std::memcpy(&word, &bytes.at(byte), 4);
@@ -63,20 +63,20 @@ void AppendWords(const ir::TypeTable& types, const Place& place,
                    });
 }
 
-// The words of an active uniform; empty when it is no part of that member.
+// The words of an active uniform; empty when it is not a part of that member.
 std::vector<std::uint32_t> WordsOf(const ir::Program& program, const ir::CbufferMember& member,
                                    std::string_view path, const std::vector<std::uint8_t>& bytes) {
   const ir::Var& var = program.vars[member.var];
   const bool is_array = path.ends_with("[0]");
   if (is_array) path.remove_suffix(3);
-  const std::optional<Place> place =
+  const std::optional<Part> part =
       Follow(program.types, {var.type, member.offset, var.row_major}, path);
   std::vector<std::uint32_t> words;
-  if (place) AppendWords(program.types, *place, bytes, words);
+  if (part) AppendWords(program.types, *part, bytes, words);
   return words;
 }
 
-// The words of the uniform that OpenGL calls `name`; empty when it is no part of the block's
+// The words of the uniform that OpenGL calls `name`; empty when it is not a part of the block's
 // members.
 std::vector<std::uint32_t> UniformOf(const ir::Program& program, const glsl::GlslInfo::Block& block,
                                      const std::vector<std::uint8_t>& bytes,
@@ -100,14 +100,14 @@ void ForEachComponent(const ir::TypeTable& types, ir::TypeId type_id, bool row_m
   const ir::Type type = types[type_id];
   if (type.kind == ir::TypeKind::kArray) {
     for (std::uint32_t i = 0; i < type.count; ++i) {
-      const Place element = ElementOf(types, {type_id, offset, row_major}, i);
+      const Part element = ElementOf(types, {type_id, offset, row_major}, i);
       ForEachComponent(types, element.type, row_major, element.offset, visit);
     }
     return;
   }
   if (type.kind == ir::TypeKind::kStruct) {
     for (std::uint32_t i = 0; i < types[type.structure].fields.size(); ++i) {
-      const Place field = FieldOf(types, {type_id, offset, row_major}, i);
+      const Part field = FieldOf(types, {type_id, offset, row_major}, i);
       ForEachComponent(types, field.type, field.row_major, field.offset, visit);
     }
     return;

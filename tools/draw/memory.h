@@ -9,10 +9,10 @@
 #include "backend-glsl/writer.h"
 #include "ir/evaluate.h"
 #include "ir/program.h"
-#include "tools/draw/program.h"
+#include "tools/draw/inputs.h"
 
-// How values lie in constant buffers, written from HLSL's rules and not from what the GLSL writer
-// makes of them.
+// The layout of values in constant buffers, by HLSL's rules; it shares nothing with the GLSL
+// writer.
 namespace clipc::draw {
 
 // Calls visit(kind, byte) for every component of a value of `type` that starts at `offset`, in the
@@ -22,9 +22,9 @@ void ForEachComponent(const ir::TypeTable& types, ir::TypeId type, bool row_majo
                       std::uint32_t offset,
                       const std::function<void(ir::Scalar kind, std::uint32_t byte)>& visit);
 
-// The cbuffers' bytes, by CbufferId, as the blocks and uniforms of the written shader. What a plain
-// uniform gets is found by its name: `light.color`, `planes[1]`. `inputs` refers to the other
-// arguments from then on.
+// Adds the cbuffers, whose bytes are given by CbufferId, to `inputs` as the blocks and uniforms of
+// the written shader. The value of a plain uniform is found by its name: `light.color`,
+// `planes[1]`. `inputs` refers to the other arguments from then on.
 void GiveConstants(const ir::Program& program, const glsl::GlslInfo& info,
                    const std::vector<std::vector<std::uint8_t>>& cbuffers, Inputs& inputs);
 

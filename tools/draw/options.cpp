@@ -6,7 +6,7 @@
 
 #include <getopt.h>
 
-#include "tools/draw/gl.h"
+#include "tools/draw/inputs.h"
 
 namespace clipc::draw {
 

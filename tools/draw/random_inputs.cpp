@@ -17,8 +17,8 @@ ir::IoBits ValueOf(const ir::Program& program, const ir::IoVar& input, RandomVal
   return bits;
 }
 
-// What the draw call gives. Direct3D counts vertices and instances from 0 wherever the draw call
-// starts.
+// Sets the values that the draw call gives. Direct3D counts vertices and instances from 0 wherever
+// the draw call starts.
 void SetBuiltins(const ir::Program& program, const RandomOptions& options, int run,
                  std::vector<ir::IoBits>& inputs) {
   for (std::size_t i = 0; i < inputs.size(); ++i) {
@@ -79,7 +79,7 @@ void RandomInputs::ReadObject(const ir::Program& program, const ir::ObjectReques
     return ReadTexture(program, textures, request, undefined, result);
   if (buffers.contains(request.object.index))
     return ReadBuffer(program, buffers, request, undefined, result);
-  // Behind the end of an array of objects.
+  // After the end of an array of objects.
   for (std::size_t i = 0; i < result.size(); ++i)
     result[i] = UndefinedBits(request, undefined, ir::Scalar::kFloat, i);
 }

@@ -12,7 +12,7 @@
 
 namespace clipc::draw {
 
-// What a shader reads, at random.
+// Random values for all that a shader reads.
 struct RandomInputs {
   std::vector<std::vector<ir::IoBits>> vertices;    // by vertex, then by index into Program::inputs
   std::vector<std::vector<std::uint8_t>> cbuffers;  // by CbufferId
@@ -24,8 +24,8 @@ struct RandomInputs {
                   std::span<std::uint64_t> result) const;
 };
 
-// vertices[i * instances..]: instance after instance, each with the same attributes, as a draw call
-// runs them.
+// Makes the inputs of one draw call. RandomInputs::vertices has instance after instance, each with
+// the same attributes.
 RandomInputs MakeRandomInputs(const ir::Program& program, const RandomOptions& options);
 
 }  // namespace clipc::draw

@@ -2,21 +2,22 @@
 #pragma once
 
 #include <cstdint>
-#include <random>
 
 #include "ir/evaluate.h"
 #include "ir/scalar.h"
 #include "ir/type.h"
+#include "tools/harness/random.h"
 
 namespace clipc::draw {
 
+// The settings of one run of a shader.
 struct RandomOptions {
   std::uint32_t seed = 1;
   int vertices = 64;
   int instances = 1;
   int first_vertex = 0, base_instance = 0;  // of the draw call
-  bool constant_textures = false;           // where the shader samples
-  int least_int = -4, greatest_int = 7;     // loop counts and array indices must stay small
+  bool constant_textures = false;           // all texels of a sampled texture are equal
+  int least_int = -4, greatest_int = 7;     // small, as ints are loop counts and array indices
 };
 
 // Equal seeds give equal values on every machine. Floats lie in [-2, 2], one in four is a whole
@@ -28,20 +29,20 @@ class RandomValues {
 
   // The bits of a value as ir::Literal holds them.
   std::uint64_t Next(ir::Scalar kind);
-  // mt19937's numbers are the same everywhere; the standard distributions are not.
-  std::uint32_t Below(std::uint32_t limit) { return static_cast<std::uint32_t>(random_() % limit); }
+  // In [0, limit).
+  std::uint32_t Below(std::uint32_t limit) { return random_.Below(limit); }
 
  private:
   int Int(int least);
   float Float();
 
   RandomOptions options_;
-  std::mt19937 random_;
+  harness::Random random_;
 };
 
-// A component that a request reads and that is undefined: 0 where `undefined` is, else another
-// value for every request, component and `undefined`. Were they multiples of each other, a sum of
-// some could be 0 every time, as if it were known.
+// The bits of a component that a request reads and that is undefined: 0 where `undefined` is 0,
+// else another value for every request, component and `undefined`. The values are no multiples of
+// each other, so that a sum of some is not 0 every time, as if it were known.
 std::uint64_t UndefinedBits(const ir::ObjectRequest& request, double undefined, ir::Scalar kind,
                             std::size_t component);
 

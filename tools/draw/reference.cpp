@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "ir/scalar.h"
-#include "tools/draw/gl.h"
+#include "tools/draw/inputs.h"
 
 namespace clipc::draw {
 namespace {
@@ -94,8 +94,8 @@ class Reference {
   }
 
  private:
-  // Which output of the HLSL shader that is; none: of a pass. Clip distances at the end may have
-  // gone.
+  // The index of that output among those of the HLSL shader, none for an output that a pass added.
+  // Passes may have removed clip distances from the end of the list.
   std::optional<std::size_t> OwnOutput(ir::VarId var) const {
     const auto& list = shader_.typed.outputs;
     const auto found = std::ranges::find(list, var, &ir::IoVar::var);
@@ -137,7 +137,7 @@ class Reference {
     return position;
   }
 
-  // What the planes are dotted with, by the definition of the plane space.
+  // The vector that the planes are dotted with, by the definition of the plane space.
   template <typename Number>
   Float4<Number> VertexOf(std::size_t vertex, const ir::EvalOutputs& outputs) const {
     if (options_.plane_space != PlaneSpace::kObject) {
@@ -203,7 +203,7 @@ class Reference {
   Runs typed_;
 };
 
-// What is different in another run is open, and all of it when that run does not come to an end.
+// Marks values as open that differ in another run, and all values when that run does not end.
 template <typename Run>
 void MarkOpen(std::vector<Expected>& all, Run&& run) {
   std::vector<Expected> others;

@@ -9,20 +9,20 @@
 
 namespace clipc::draw {
 
-// What one output of the written shader must be.
+// The values that one output of the written shader must have.
 struct Expected {
   std::string name;                  // in the GLSL
   ir::Scalar kind;                   // kFloat, kInt or kUint
   int components;                    // of a vector, or elements of an array
   std::vector<std::uint32_t> words;  // of vertex 0, then of vertex 1, ...
   std::vector<double>
-      numbers;             // the same, computed in double: a yardstick for what rounding may change
-  std::vector<bool> open;  // the same: depends on what HLSL leaves undefined; anything is right
+      numbers;             // beside `words`: computed in double, to tell how far rounding may go
+  std::vector<bool> open;  // beside `words`: HLSL leaves the value undefined; any is right
 };
 
-// By the reference evaluator from the checked program, before any pass. What the passes add is
-// computed here from their definition: distances as dot(SV_Position, plane), or what the plane
-// space asks for, with the plane taken from the cbuffer's bytes, then y and z.
+// Runs the checked program, before any pass, in the reference evaluator. The outputs that passes
+// add are computed here from their definition: distances as dot(SV_Position, plane), or as the
+// plane space says, with the plane taken from the cbuffer's bytes; then y and z of the position.
 std::vector<Expected> MakeExpected(const Shader& shader, const BuildOptions& options,
                                    const RandomInputs& inputs);
 

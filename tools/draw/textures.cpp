@@ -103,7 +103,7 @@ class Maker {
     for (int i = 0; i < form_.axes; ++i) {
       texture.size[i] = form_.is_cube && i == 1
                             ? texture.size[0]
-                            : 3 + 2 * values_.Below(6);  // odd: 0.5 is no border
+                            : 3 + 2 * values_.Below(6);  // odd: 0.5 is not a border
     }
     if (form_.is_array) texture.size[form_.axes] = 3 + values_.Below(3);
     texture.is_constant = uses_.constant;
@@ -161,7 +161,7 @@ class Reader {
   Reader(const Form& form, const Texture& texture, const ir::ObjectRequest& request)
       : form_(form), texture_(texture), request_(request) {}
 
-  // False: what the shader asks for is not there, or open.
+  // Returns false where the texture does not have what the shader asks for, or it is open.
   bool Read(std::span<std::uint64_t> result) const {
     switch (request_.op) {
       case ObjectOp::kSampleLevel:
@@ -256,10 +256,10 @@ class Reader {
     return &texture_.levels[level][4 * index];
   }
 
-  // `behind`: arguments between the coordinate and the offset.
-  bool Sample(std::optional<std::size_t> level, std::size_t behind,
+  // `between`: the number of arguments between the coordinate and the offset.
+  bool Sample(std::optional<std::size_t> level, std::size_t between,
               std::span<std::uint64_t> result) const {
-    const std::uint32_t* texel = level ? TexelAt(*level, 0, {}, Coordinates() + behind) : nullptr;
+    const std::uint32_t* texel = level ? TexelAt(*level, 0, {}, Coordinates() + between) : nullptr;
     return texel && Copy(texel, result);
   }
 

@@ -11,47 +11,50 @@
 #include "backend-glsl/writer.h"
 #include "ir/evaluate.h"
 #include "ir/program.h"
-#include "tools/draw/program.h"
+#include "tools/draw/inputs.h"
 #include "tools/draw/random_values.h"
 
-// Textures with random texels: what the evaluator reads, and the same for OpenGL.
+// Textures with random texels, for the evaluator and for OpenGL.
 namespace clipc::draw {
 
-// One texture; of an array of textures one element. All texels differ, but for what random
-// coordinates would not decide: the last texel of an axis is the first again, so that whole
-// numbers, where textures repeat, give one value; the faces of a cube are all the same; and where
-// the shader gives gradients, which choose a level as the driver likes, there is one texel. So
-// there is with RandomOptions::constant_textures: less is seen then, but nothing is open.
+// One texture, or one element of an array of textures. Its texels differ, except where random
+// coordinates would not decide between them: the last texel of an axis equals the first, so that
+// coordinates that are whole numbers, where textures repeat, give one value; the faces of a cube
+// are equal; and where the shader gives gradients, from which drivers choose a level freely, all
+// texels are equal; likewise with RandomOptions::constant_textures, which tests less but leaves no
+// result undefined.
 struct Texture {
-  std::array<std::uint32_t, 3> size{
-      1, 1, 1};  // of level 0 as GetDimensions tells it, elements of an array last
+  // The size of level 0 as GetDimensions returns it, elements of an array last.
+  std::array<std::uint32_t, 3> size{1, 1, 1};
   std::vector<std::vector<std::uint32_t>> levels;  // four words a texel; along x, then y, then z
   bool is_constant = false;
 };
 using Textures = std::map<std::uint32_t, std::vector<Texture>>;  // by VarId
 
-// Those that `program` declares. Throws DrawError for multisampled ones.
+// Makes the textures that `program` declares. Throws DrawError for multisampled ones.
 Textures MakeTextures(const ir::Program& program, const RandomOptions& options,
                       RandomValues& values);
 
 // Answers a request for one of `textures`: the nearest texel of the nearest level of a texture that
-// repeats. Comparison samplers pass what is less or equal. What GLSL leaves open (loads and levels
-// outside of the texture), and coordinates that lie too near to the border between texels, are
-// `undefined`.
+// repeats. With a comparison sampler, a reference passes that is less or equal. The result is
+// `undefined` where GLSL leaves it open (loads and levels outside of the texture), and for
+// coordinates that lie too near to the border between texels.
 void ReadTexture(const ir::Program& program, const Textures& textures,
                  const ir::ObjectRequest& request, double undefined,
                  std::span<std::uint64_t> result);
 
-// The textures for every sampler variable of the written shader.
+// Adds a texture for every sampler variable of the written shader to `inputs`.
 void GiveTextures(const ir::Program& program, const glsl::GlslInfo& info, const Textures& textures,
                   Inputs& inputs);
 
-// ---- for objects of every kind
+// ---- Objects of every kind
+
 // The type of the object, or of the elements of an array of them.
 const ir::Type& ObjectTypeOf(const ir::Program& program, ir::VarId var);
+// The kind of the words that texels of that type have.
 Shape::Kind KindOfTexels(ir::Scalar kind);
-// "[1][0]" for each element of an array of objects in the order of the evaluator's numbers; "" for
-// a single one.
+// "[1][0]" for each element of an array of objects, in the order of the evaluator's numbers; "" for
+// a single object.
 std::vector<std::string> ElementIndices(const ir::Program& program, ir::VarId var);
 
 }  // namespace clipc::draw

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Windows: draws the scenes on a real IDirect3DDevice9, the planes going from clipc's table through
-// Level9Binder to SetClipPlane, and writes the pictures as raw RGBA, rows from top to bottom:
-// FOLDER/<planes>-<mistake>.rgba and, drawn without a vertex shader, FOLDER/fixed-function.rgba.
-// Prints what a draw costs of setting planes that have not changed, for docs/runtime.md.
-//
+// A program for Windows: draws the scenes on a real IDirect3DDevice9, where the planes go from
+// clipc's table through Level9Binder to SetClipPlane, and writes the pictures as raw RGBA, rows
+// from top to bottom: FOLDER/<planes>-<mistake>.rgba and, drawn without a vertex shader,
+// FOLDER/fixed-function.rgba. Prints the time that setting unchanged planes takes for each draw,
+// for docs/runtime.md.
 //   d3d9_scenes FOLDER TABLE.bin
 #include <algorithm>
 #include <cstdio>
@@ -92,7 +92,7 @@ IDirect3DDevice9* MakeDevice() {
 void DrawObjects(IDirect3DDevice9& device, const Scene& scene) {
   for (const Object& object : scene.objects) {
     // Four constant registers, a row each: what c0 to c3 in the shader are.
-    const auto matrix = clipc::examples::Floats(
+    const auto matrix = clipc::harness::Floats(
         runtime::Multiply(runtime::Multiply(object.world, scene.view), scene.projection));
     Check(device.SetVertexShaderConstantF(0, matrix.data(), 4), "SetVertexShaderConstantF");
     Check(device.DrawPrimitiveUP(D3DPT_TRIANGLELIST, static_cast<UINT>(object.vertices.size() / 3),
@@ -144,7 +144,7 @@ void Draw(IDirect3DDevice9& device, runtime::Level9Binder& binder, const runtime
 void DrawFixedFunction(IDirect3DDevice9& device, const std::string& path) {
   const Scene scene = MakeScene(3);
   const auto set = [&](D3DTRANSFORMSTATETYPE state, const runtime::Matrix& matrix) {
-    const auto floats = clipc::examples::Floats(matrix);
+    const auto floats = clipc::harness::Floats(matrix);
     D3DMATRIX elements;
     std::memcpy(&elements, floats.data(), sizeof elements);
     Check(device.SetTransform(state, &elements), "SetTransform");

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tools/harness/offscreen.h"
 #include "tools/scenes/comparison.h"
 #include "tools/scenes/gl_drawing.h"
 
@@ -30,7 +31,7 @@ class Direct3D9 : public ::testing::Test {
     return comparison;
   }
 
-  const examples::Context context{examples::Profile::kCompatibility};
+  const harness::OpenGl context{harness::Api::kCompatibility};
 };
 using Seed001Remarks = Direct3D9;
 

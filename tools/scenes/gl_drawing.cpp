@@ -6,7 +6,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "examples/shared/check.h"
 #include "runtime/clip_plane.h"
 #include "runtime/gl/clip_plane_device.h"
 #include "runtime/gl/clip_switches.h"
@@ -26,19 +25,25 @@
 #include "scene_level9_3.shader.h"
 #include "scene_near_plane_1.clip.h"
 #include "scene_near_plane_1.shader.h"
+#include "tools/harness/check.h"
+#include "tools/harness/drawing.h"
+#include "tools/harness/framebuffer.h"
+#include "tools/harness/offscreen.h"
 
 namespace clipc::scenes {
 namespace {
 
-using examples::Canvas;
-using examples::Check;
-using examples::Context;
-using examples::Floats;
-using examples::Picture;
-using examples::Program;
+using harness::Canvas;
+using harness::Check;
+using harness::Floats;
+using harness::Picture;
+using harness::Program;
 using runtime::Matrix;
 using runtime::Multiply;
 using runtime::Plane;
+
+// All shaders draw upside down (--flip-y), so that the first row in memory is the topmost as on
+// Direct3D: corners and centers that lie on an edge are then rounded the same way.
 
 const char kFragment[] =
     "#version 130\n"
@@ -128,19 +133,6 @@ Matrix MovedProjection(const Scene& scene) {
   return Multiply(scene.projection, move);
 }
 
-// The shaders draw upside down (--flip-y), so that the first row in memory is the topmost as on
-// Direct3D: corners and centers that lie on an edge are then rounded the same way. Canvas::Read
-// takes the last row for the topmost.
-Picture ReadUpsideDown(const Canvas& canvas) {
-  Picture picture = canvas.Read();
-  const std::ptrdiff_t row = std::ptrdiff_t{4} * picture.width;
-  for (int top = 0, bottom = picture.height - 1; top < bottom; ++top, --bottom) {
-    const auto first = picture.rgba.begin() + top * row;
-    std::swap_ranges(first, first + row, picture.rgba.begin() + bottom * row);
-  }
-  return picture;
-}
-
 // Triangles of one object, drawn once.
 class ObjectBuffers {
  public:
@@ -188,9 +180,9 @@ void DrawInWorld(const Program& program, const Scene& scene, const Plane& missin
   program.Set("view_projection", Floats(Multiply(scene.view, MovedProjection(scene))));
   for (std::size_t i = 0; i < 3; ++i) {
     const Plane plane = i < scene.planes.size() ? scene.planes[i] : missing;
-    const std::string name = "plane" + std::to_string(i);
-    program.Set(name.c_str(), static_cast<float>(plane.x), static_cast<float>(plane.y),
-                static_cast<float>(plane.z), static_cast<float>(plane.w));
+    program.Set("plane" + std::to_string(i), static_cast<float>(plane.x),
+                static_cast<float>(plane.y), static_cast<float>(plane.z),
+                static_cast<float>(plane.w));
   }
   for (const Object& object : scene.objects) {
     program.Set("world", Floats(object.world));
@@ -223,7 +215,7 @@ const char* NameOf(Way way) {
 }
 
 Picture DrawScene(Way way, const Scene& scene, Mistake mistake) {
-  const runtime::gl::Functions gl = Check(runtime::gl::LoadFunctions(Context::Load));
+  const runtime::gl::Functions gl = Check(runtime::gl::LoadFunctions(harness::OpenGl::Load));
   const Shader shader = ShaderOf(way, scene.planes.size());
   const runtime::Table table = MistakenTable(Check(runtime::ReadTable(*shader.table)), mistake);
   const double scale = way == Way::kNearPlane ? NearPlaneScaleOf(scene) : 1;
@@ -243,12 +235,12 @@ Picture DrawScene(Way way, const Scene& scene, Mistake mistake) {
     runtime::gl::ClipSwitches switches(gl);
     Check(switches.Bind(table));
     for (std::size_t i = 0; i < planes.size(); ++i) {
-      const std::string name = "planes[" + std::to_string(i) + "]";
-      program.Set(name.c_str(), planes[i].x, planes[i].y, planes[i].z, planes[i].w);
+      program.Set("planes[" + std::to_string(i) + "]", planes[i].x, planes[i].y, planes[i].z,
+                  planes[i].w);
     }
     DrawObjects(program, scene);
   }
-  return ReadUpsideDown(canvas);
+  return canvas.ReadUpsideDown();
 }
 
 Picture DrawKept(const Scene& scene, Kept kept) {
@@ -260,7 +252,7 @@ Picture DrawKept(const Scene& scene, Kept kept) {
   program.Set("any_plane", any ? 1 : 0, 0, 0, 0);
   // A plane that is not there keeps nothing that another does not, or everything.
   DrawInWorld(program, scene, {0, 0, 0, any ? -1.0 : 1.0});
-  return ReadUpsideDown(canvas);
+  return canvas.ReadUpsideDown();
 }
 
 Picture DrawCuts(const Scene& scene) {
@@ -273,7 +265,7 @@ Picture DrawCuts(const Scene& scene) {
   // A plane that is not there keeps everything, and is far from everything.
   DrawInWorld(program, scene, {0, 0, 0, 1});
   glEnable(GL_DEPTH_TEST);
-  return ReadUpsideDown(canvas);
+  return canvas.ReadUpsideDown();
 }
 
 double CutError(const Scene& scene) {

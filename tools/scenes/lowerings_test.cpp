@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tools/harness/offscreen.h"
 #include "tools/scenes/comparison.h"
 #include "tools/scenes/gl_drawing.h"
 
@@ -17,7 +18,7 @@ class Lowerings : public ::testing::Test {
   // Against clip distances without a mistake.
   static Comparison CompareWithClipDistances(Way way, int plane_count, Mistake mistake) {
     const Scene scene = MakeScene(plane_count);
-    const examples::Picture picture = DrawScene(way, scene, mistake), cuts = DrawCuts(scene);
+    const harness::Picture picture = DrawScene(way, scene, mistake), cuts = DrawCuts(scene);
     if (const char* folder = std::getenv("CLIPC_PICTURES"); folder != nullptr) {  // to look at them
       const std::string planes = folder + std::string("/") + std::to_string(plane_count);
       WritePng(planes + "-" + NameOf(way) + "-" + NameOf(mistake) + ".png", picture);
@@ -32,7 +33,7 @@ class Lowerings : public ::testing::Test {
     return comparison;
   }
 
-  const examples::Context context{examples::Profile::kCompatibility};
+  const harness::OpenGl context{harness::Api::kCompatibility};
 };
 
 // Were the cuts everywhere, every picture would agree with every other.

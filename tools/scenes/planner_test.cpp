@@ -1,39 +1,44 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // Drawn with no more planes than the planner says, by the shader variants, a scene is the same to
-// the pixel as with all.
+// the pixel as with all of its planes.
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
-#include <random>
+#include <numbers>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "examples/shared/mesh.h"
-#include "examples/shared/offscreen.h"
-#include "examples/shared/transform.h"
 #include "planner.shader.h"
 #include "runtime/clip_plane.h"
 #include "runtime/gl/clip_switches.h"
 #include "runtime/shader_variant.h"
-#include "tools/scenes/crowd.h"
+#include "tools/harness/drawing.h"
+#include "tools/harness/framebuffer.h"
+#include "tools/harness/offscreen.h"
+#include "tools/study/scene.h"
 
 namespace clipc::scenes {
 namespace {
 
-using examples::Floats;
-using examples::Mesh;
-using examples::MeshBuffers;
-using examples::Picture;
-using examples::Program;
+using harness::Camera;
+using harness::Floats;
+using harness::Mesh;
+using harness::MeshBuffers;
+using harness::Picture;
+using harness::Program;
+using harness::Random;
+using harness::Vector;
 using runtime::BoxPlan;
 using runtime::Float4;
 using runtime::Matrix;
 using runtime::Multiply;
+using runtime::Plane;
 using runtime::ShaderVariant;
+using study::Scene;
 
 const char kFragment[] =
     "#version 130\n"
@@ -41,11 +46,71 @@ const char kFragment[] =
     "out vec4 fragment;\n"
     "void main() { fragment = vec4(vs_COLOR0.rgb, 1.0); }\n";
 
+// Object i of a scene is drawn as a teapot, a torus or a cube, in turn.
+constexpr std::uint32_t kShapes = 3, kCube = 2;
+
+// The cut-away scene inside of a box of six planes.
+Scene BoxScene() {
+  Scene scene = study::BuiltInScenes()[2];
+  scene.name = "box";
+  scene.planes.clear();
+  for (const double side : {-1.0, 1.0}) {
+    scene.planes.push_back({"", {side, 0, 0, 2.5}});
+    scene.planes.push_back({"", {0, side, 0, 2.5}});
+    scene.planes.push_back({"", {0, 0, side, 2.5}});
+  }
+  return scene;
+}
+
+// The plane of a cube's face, kept to one side or the other.
+Plane FaceOf(Random& random, const Matrix& world) {
+  const double(&row)[4] = world.m[random.Below(3)];
+  const double side = random.Below(2) == 0 ? 1 : -1, kept = random.Below(2) == 0 ? 1 : -1;
+  const Vector half{row[0], row[1], row[2]};
+  const Vector point = Vector{world.m[3][0], world.m[3][1], world.m[3][2]} + side * half;
+  const Vector normal = kept * Unit(half);
+  return {normal.x, normal.y, normal.z, -Dot(normal, point)};
+}
+
+// Some objects and one to six planes, of which some lie exactly in a face of a cube; perspective or
+// orthographic.
+Scene RandomScene(Random& random) {
+  Scene scene;
+  const std::uint32_t objects = 4 + random.Below(9), planes = 1 + random.Below(6);
+  for (std::uint32_t i = 0; i < objects; ++i) {
+    const double yaw = random.Between(-3, 3), pitch = random.Between(-1.5, 1.5),
+                 roll = random.Between(-3, 3), size = random.Between(0.3, 1.2);
+    Matrix& world = scene.objects.emplace_back().world;
+    world = Multiply(harness::Scaling(size), harness::Rotation(yaw, pitch, roll));
+    for (int c = 0; c < 3; ++c) world.m[3][c] = random.Between(-4, 4);
+  }
+  for (std::uint32_t i = 0; i < planes; ++i) {
+    if (random.Below(3) == 0) {
+      const std::size_t cube = kCube + kShapes * random.Below(objects / kShapes);
+      scene.planes.push_back({"", FaceOf(random, scene.objects.at(cube).world)});
+    } else {
+      const Vector normal = random.Direction();
+      // Most of the space is kept, or nothing would be left of six.
+      scene.planes.push_back({"", {normal.x, normal.y, normal.z, random.Between(-1, 5)}});
+    }
+  }
+  Camera camera;
+  camera.yaw = random.Between(-3, 3), camera.pitch = random.Between(-1.5, 1.5);
+  const Matrix axes = harness::Rotation(camera.yaw, camera.pitch);
+  const double distance = random.Between(7, 16);
+  for (int c = 0; c < 3; ++c) camera.eye[c] = -distance * axes.m[2][c];
+  camera.near = random.Magnitude(0.01, 1), camera.far = 100, camera.aspect = 1;
+  camera.fov = random.Between(23, 80);
+  camera.orthographic = random.Below(4) == 0, camera.half_height = 5;
+  scene.cameras = {{"", camera}};
+  return scene;
+}
+
 // Which planes to draw each object with.
 enum class Plan {
   kAll,
   kPlanned,
-  kOneTooFew,  // of what is planned, one is left out: a mistake that must show
+  kOneTooFew,  // one of the planned planes is left out: a mistake that must show
 };
 
 struct Drawing {
@@ -56,9 +121,8 @@ struct Drawing {
 class Planner : public ::testing::Test {
  protected:
   Planner() {
-    const Mesh meshes[kShapes] = {examples::Teapot(4), examples::Torus(8, 1, 0.4),
-                                  examples::Cube()};
-    for (int i = 0; i < kShapes; ++i) {
+    const Mesh meshes[kShapes] = {harness::Teapot(4), harness::Torus(8, 1, 0.4), harness::Cube()};
+    for (std::size_t i = 0; i < kShapes; ++i) {
       buffers_[i] = std::make_unique<MeshBuffers>(meshes[i]);
       const auto low = meshes[i].low(), high = meshes[i].high();
       std::copy(low.begin(), low.end(), boxes_[i].low);
@@ -69,14 +133,14 @@ class Planner : public ::testing::Test {
     }
   }
 
-  Drawing Draw(const Crowd& crowd, Plan plan, int width, int height) const {
-    const examples::Canvas canvas(width, height);
+  Drawing Draw(const Scene& scene, Plan plan, int width, int height) const {
+    const harness::Canvas canvas(width, height);
     glClearColor(0, 0, 0, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     runtime::gl::ClipSwitches switches(gl_);
     Drawing drawing;
-    for (std::size_t i = 0; i < crowd.objects.size(); ++i)
-      DrawObject(crowd, i, plan, switches, drawing);
+    for (std::size_t i = 0; i < scene.objects.size(); ++i)
+      DrawObject(scene, i, plan, switches, drawing);
     drawing.picture = canvas.Read();
     return drawing;
   }
@@ -90,40 +154,41 @@ class Planner : public ::testing::Test {
   }
 
   // No pixel differs, and so many times fewer planes are handed over.
-  void ExpectSavings(const Crowd& crowd, double at_least) const {
-    const Drawing all = Draw(crowd, Plan::kAll, 320, 180),
-                  planned = Draw(crowd, Plan::kPlanned, 320, 180);
+  void ExpectSavings(const Scene& scene, double at_least) const {
+    const Drawing all = Draw(scene, Plan::kAll, 320, 180),
+                  planned = Draw(scene, Plan::kPlanned, 320, 180);
     EXPECT_EQ(Differing(all.picture, planned.picture), 0);
     const double ratio = all.planes / static_cast<double>(planned.planes);
-    std::printf("%s: %d planes, %d where planned: %.1f times fewer\n", crowd.name.c_str(),
+    std::printf("%s: %d planes, %d where planned: %.1f times fewer\n", scene.name.c_str(),
                 all.planes, planned.planes, ratio);
     EXPECT_GE(ratio, at_least);
     // The planes cut something, or leaving them out would prove nothing.
-    EXPECT_GT(Differing(all.picture, Draw(crowd, Plan::kOneTooFew, 320, 180).picture), 0);
+    EXPECT_GT(Differing(all.picture, Draw(scene, Plan::kOneTooFew, 320, 180).picture), 0);
     if (const char* folder = std::getenv("CLIPC_PICTURES"); folder != nullptr) {
-      WritePng(folder + ("/" + crowd.name) + ".png", planned.picture);
+      WritePng(folder + ("/" + scene.name) + ".png", planned.picture);
     }
   }
 
  private:
-  void DrawObject(const Crowd& crowd, std::size_t index, Plan how,
+  void DrawObject(const Scene& scene, std::size_t index, Plan how,
                   runtime::gl::ClipSwitches& switches, Drawing& drawing) const {
-    const CrowdObject& object = crowd.objects[index];
-    const auto shape = static_cast<std::size_t>(object.shape);
-    const auto floats = Floats(Multiply(Multiply(object.world, crowd.view), crowd.projection));
+    const Camera& camera = scene.cameras.front().camera;
+    const Matrix view = camera.View(), projection = camera.Projection();
+    const std::size_t shape = index % kShapes;
+    const auto floats = Floats(Multiply(Multiply(scene.objects[index].world, view), projection));
     float elements[16];
     std::copy(floats.begin(), floats.end(), elements);
     const Matrix matrix = runtime::RowVectorMatrix(elements);  // what the shader gets, rounded
 
     Float4 planes[6];
-    for (std::size_t i = 0; i < crowd.planes.size(); ++i) {
-      const auto plane = runtime::ClipPlaneFromWorld(crowd.planes[i], crowd.view, crowd.projection);
+    for (std::size_t i = 0; i < scene.planes.size(); ++i) {
+      const auto plane = runtime::ClipPlaneFromWorld(scene.planes[i].plane, view, projection);
       ASSERT_TRUE(plane.ok()) << plane.status.message();
       planes[i] = plane.value.constant;
     }
-    auto plan = static_cast<BoxPlan>((1U << crowd.planes.size()) - 1);
+    auto plan = static_cast<BoxPlan>((1U << scene.planes.size()) - 1);
     if (how != Plan::kAll)
-      plan = runtime::PlanTransformedBox(boxes_[shape], &matrix, 1, planes, crowd.planes.size());
+      plan = runtime::PlanTransformedBox(boxes_[shape], &matrix, 1, planes, scene.planes.size());
     if (plan == runtime::kCulled) return;
     if (how == Plan::kOneTooFew) plan &= static_cast<BoxPlan>(plan - 1);
 
@@ -140,34 +205,35 @@ class Planner : public ::testing::Test {
     };
     program.Set("color", shade(0), shade(1), shade(2), 1);
     for (int i = 0; i < variant.plane_count; ++i) {
-      const std::string name = "planes[" + std::to_string(i) + "]";
-      program.Set(name.c_str(), constants[i].x, constants[i].y, constants[i].z, constants[i].w);
+      program.Set("planes[" + std::to_string(i) + "]", constants[i].x, constants[i].y,
+                  constants[i].z, constants[i].w);
     }
     buffers_[shape]->Draw();
   }
 
-  const examples::Context context_{examples::Profile::kCompatibility};
-  const runtime::gl::Functions gl_ = runtime::gl::LoadFunctions(examples::Context::Load).value;
+  const harness::OpenGl context_{harness::Api::kCompatibility};
+  const runtime::gl::Functions gl_ = runtime::gl::LoadFunctions(harness::OpenGl::Load).value;
   std::array<std::unique_ptr<MeshBuffers>, kShapes> buffers_;
   std::array<runtime::Box, kShapes> boxes_;
   std::vector<std::unique_ptr<Program>> programs_;  // by number of planes
 };
 
-TEST_F(Planner, Water) { ExpectSavings(WaterCrowd(), 4); }
-TEST_F(Planner, Portal) { ExpectSavings(PortalCrowd(), 30); }
-TEST_F(Planner, Cutaway) { ExpectSavings(CutawayCrowd(), 30); }
-TEST_F(Planner, Box) { ExpectSavings(BoxCrowd(), 30); }
+TEST_F(Planner, Water) { ExpectSavings(study::BuiltInScenes()[0], 4); }
+TEST_F(Planner, Portal) { ExpectSavings(study::BuiltInScenes()[1], 30); }
+TEST_F(Planner, CutAway) { ExpectSavings(study::BuiltInScenes()[2], 30); }
+TEST_F(Planner, Cascade) { ExpectSavings(study::BuiltInScenes()[3], 30); }
+TEST_F(Planner, Box) { ExpectSavings(BoxScene(), 30); }
 
 TEST_F(Planner, AThousandRandomScenes) {
-  std::mt19937 random(4);
+  Random random(4);
   int all_planes = 0, planned_planes = 0, mistakes_seen = 0;
   for (int i = 0; i < 1000; ++i) {
-    const Crowd crowd = RandomCrowd(random);
-    const Drawing all = Draw(crowd, Plan::kAll, 64, 64),
-                  planned = Draw(crowd, Plan::kPlanned, 64, 64);
+    const Scene scene = RandomScene(random);
+    const Drawing all = Draw(scene, Plan::kAll, 64, 64),
+                  planned = Draw(scene, Plan::kPlanned, 64, 64);
     ASSERT_EQ(Differing(all.picture, planned.picture), 0) << "scene " << i;
     all_planes += all.planes, planned_planes += planned.planes;
-    mistakes_seen += Differing(all.picture, Draw(crowd, Plan::kOneTooFew, 64, 64).picture) != 0;
+    mistakes_seen += Differing(all.picture, Draw(scene, Plan::kOneTooFew, 64, 64).picture) != 0;
   }
   std::printf("random: %d planes, %d where planned; a plane too few shows in %d scenes\n",
               all_planes, planned_planes, mistakes_seen);

@@ -3,18 +3,19 @@
 
 #include <cstdlib>
 
-#include "examples/shared/mesh.h"
 #include "runtime/clip_plane.h"
 #include "runtime/mirror.h"
+#include "tools/harness/camera.h"
+#include "tools/harness/mesh.h"
 
 namespace clipc::scenes {
 namespace {
 
-using examples::Mesh;
-using examples::Multiply;
-using examples::RotationY;
-using examples::Scaling;
-using examples::Translation;
+using harness::Mesh;
+using harness::Multiply;
+using harness::Rotation;
+using harness::Scaling;
+using harness::Translation;
 using runtime::Matrix;
 using runtime::Plane;
 
@@ -25,7 +26,7 @@ Object MakeObject(const Mesh& mesh, double x, double y, double z, double size, d
     const float* p = mesh.vertices[index].position;
     object.vertices.push_back({{p[0], p[1], p[2]}, color});
   }
-  object.world = Multiply(Multiply(Scaling(size), RotationY(angle)), Translation(x, y, z));
+  object.world = Multiply(Multiply(Scaling(size), Rotation(angle)), Translation(x, y, z));
   return object;
 }
 
@@ -33,21 +34,21 @@ Object MakeObject(const Mesh& mesh, double x, double y, double z, double size, d
 
 Scene MakeScene(int plane_count) {
   Scene scene;
-  const Mesh teapot = examples::Teapot(12);
-  const Mesh torus = examples::Torus(16, 1.3, 0.35);
+  const Mesh teapot = harness::Teapot(12);
+  const Mesh torus = harness::Torus(16, 1.3, 0.35);
   scene.objects = {MakeObject(teapot, -1.1, 0.21, 6.3, 1.3, 0.6, 0xFFCC7040),
                    MakeObject(teapot, 2.3, 0.13, 8.9, 1.5, 2.5, 0xFF5090D0),
                    MakeObject(torus, 1.2, 0.07, 5.1, 0.6, 0.3, 0xFFE0C040),
                    MakeObject(torus, -3.1, 0.91, 10.3, 1.4, 0.1, 0xFF70B070),
-                   MakeObject(examples::Cube(), 0.6, -0.4, 12.7, 2.1, 0.4, 0xFF9060A0)};
+                   MakeObject(harness::Cube(), 0.6, -0.4, 12.7, 2.1, 0.4, 0xFF9060A0)};
   scene.planes = {{0, 1, 0, -0.05}};
   if (plane_count == 3) {
     scene.planes.push_back({0.93, 0.11, -0.21, 2.9});
     scene.planes.push_back({-0.21, -0.87, 0.13, -0.25});
   }
-  const Matrix view = examples::LookAt({0.3, 2.3, -0.4}, {0.1, 0.2, 7});
+  const Matrix view = harness::LookAt({0.3, 2.3, -0.4}, {0.1, 0.2, 7});
   scene.view = Multiply(runtime::MirrorMatrix(scene.planes[0]).value, view);
-  scene.projection = examples::Perspective(0.85, 1, 0.5, 60);
+  scene.projection = harness::Perspective(0.85, 1, 0.5, 60);
   return scene;
 }
 
@@ -73,11 +74,11 @@ std::array<runtime::Float4, 3> PlaneConstants(const Scene& scene, const Matrix& 
     const auto constant = runtime::ClipPlaneFromView(plane, projection);
     if (!constant.ok()) std::abort();
     constants[i] = constant.value.constant;
-    // Seed 000's trap: the plane as the application knows it, not in clip space.
+    // A likely mistake (seed 000): the plane as the application has it, not in clip space.
     if (mistake == Mistake::kSpace && i == 0)
       constants[i] = runtime::RoundPlane(scene.planes[i]).value;
   }
-  // Another plane under this one's index, and this one nowhere.
+  // Another plane has the index of the first, which has none.
   if (mistake == Mistake::kIndex) constants[0] = constants[1];
   return constants;
 }

@@ -7,23 +7,22 @@
 #include <string>
 #include <vector>
 
-#include "examples/shared/transform.h"
 #include "runtime/matrix.h"
 #include "runtime/table.h"
 
-// The scene that is drawn through every lowering, on OpenGL and on Direct3D 9. No library, so that
-// the Windows program has exactly the same numbers.
+// The scene that is drawn with every lowering, on OpenGL and on Direct3D 9. It uses no library, so
+// that the Windows program has exactly the same numbers.
 namespace clipc::scenes {
 
-inline constexpr int kSize = 256;  // of the picture, in pixels, both ways
+inline constexpr int kSize = 256;  // the picture's width and height in pixels
 
 struct SceneVertex {
   float position[3];
   std::uint32_t color;  // 0xAARRGGBB, a D3DCOLOR
 };
 
-// Each object is one draw of a triangle list, in one color: what is inside of it cannot be told
-// apart, so that only its outline and its cuts show.
+// Each object is one draw of a triangle list, in one color, so that only its outline and its cuts
+// show.
 struct Object {
   std::vector<SceneVertex> vertices;
   runtime::Matrix world;
@@ -33,36 +32,36 @@ struct Scene {
   std::vector<Object> objects;
   runtime::Matrix view;        // mirrored in the water
   runtime::Matrix projection;  // 0 <= z <= w
-  // Kept is what is above the water and, of the scene with three, right of a wall and below a
-  // slanted roof. World space.
+  // In world space. They keep what is above the water and, if there are three, right of a wall and
+  // below a slanted roof.
   std::vector<runtime::Plane> planes;
 };
 
 // `plane_count` is 1 or 3.
 Scene MakeScene(int plane_count);
 
-// Mistakes that an application or a binding can make. A picture with one must be told from the
+// Mistakes that an application or a binding can make. The picture with one must differ from the
 // right one.
 enum class Mistake {
   kNone,
-  kIndex,  // another plane's constants under the index of the first
+  kIndex,  // another plane's constants have the index of the first plane
   kSign,   // the first plane keeps its other side
-  kSpace,  // the first plane as it is in world space
+  kSpace,  // the first plane is given in world space
   kMask,   // the table does not enable its first plane
-  // the table's first plane lies where its second one does; only a device that reads the table sees
-  // that
+  // The table has its first plane at the offset of its second one. Only a device that reads the
+  // table shows it.
   kOffset,
 };
 inline constexpr Mistake kMistakes[] = {Mistake::kIndex, Mistake::kSign, Mistake::kSpace,
                                         Mistake::kMask, Mistake::kOffset};
 const char* NameOf(Mistake mistake);
 
-// What goes to the constant buffer `Planes`: the planes in the clip space of `projection`, times
-// `scale`, or what the mistake makes of them. kMask and kOffset leave them as they are.
+// The content of the constant buffer `Planes`: the planes in the clip space of `projection`, times
+// `scale`, with the mistake. kMask and kOffset do not change them.
 std::array<runtime::Float4, 3> PlaneConstants(const Scene& scene, const runtime::Matrix& projection,
                                               double scale, Mistake mistake);
 
-// What kMask and kOffset make of the table; else the table.
+// The table with the mistake. Only kMask and kOffset change it.
 runtime::Table MistakenTable(runtime::Table table, Mistake mistake);
 
 }  // namespace clipc::scenes

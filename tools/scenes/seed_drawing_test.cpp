@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// What the source documents say of pixels, drawn. runtime/seed*_test.cpp has what they say of
-// numbers and calls.
+// What the source documents say of pixels, drawn. What they say of numbers and calls is in
+// runtime/seed*_test.cpp.
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -8,9 +8,10 @@
 
 #include <gtest/gtest.h>
 
-#include "examples/shared/mesh.h"
-#include "examples/shared/transform.h"
 #include "runtime/gl/clip_plane_device.h"
+#include "tools/harness/camera.h"
+#include "tools/harness/mesh.h"
+#include "tools/harness/offscreen.h"
 #include "tools/scenes/comparison.h"
 #include "tools/scenes/gl_drawing.h"
 
@@ -22,24 +23,24 @@ using runtime::Plane;
 constexpr Way kWaysOfManyPlanes[] = {Way::kClipDistance, Way::kLevel9, Way::kDiscard};
 
 // Before an eye above it and to its left.
-Scene SceneOf(const examples::Mesh& mesh, std::vector<Plane> planes) {
+Scene SceneOf(const harness::Mesh& mesh, std::vector<Plane> planes) {
   Scene scene;
   scene.objects.emplace_back();
   for (const std::uint32_t index : mesh.indices) {
     const float* p = mesh.vertices[index].position;
     scene.objects[0].vertices.push_back({{p[0], p[1], p[2]}, 0xFFFFFFFF});
   }
-  scene.view = examples::LookAt({-1.9, 2.6, -5.2}, {0, 0.1, 0});
-  scene.projection = examples::Perspective(0.62, 1, 1, 20);
+  scene.view = harness::LookAt({-1.9, 2.6, -5.2}, {0, 0.1, 0});
+  scene.projection = harness::Perspective(0.62, 1, 1, 20);
   scene.planes = std::move(planes);
   return scene;
 }
 
 Scene TeapotScene(std::vector<Plane> planes) {
-  return SceneOf(examples::Teapot(16), std::move(planes));
+  return SceneOf(harness::Teapot(16), std::move(planes));
 }
 
-int WhitePixels(const examples::Picture& picture) {
+int WhitePixels(const harness::Picture& picture) {
   int count = 0;
   for (std::size_t i = 0; i < picture.rgba.size(); i += 4) count += picture.rgba[i] == 0xFF;
   return count;
@@ -49,7 +50,7 @@ class SeedDrawing : public ::testing::Test {
  protected:
   // Drawn every way, the scene shows what both sides say that it shows.
   static void ExpectKept(const Scene& scene, Kept kept) {
-    const examples::Picture expected = DrawKept(scene, kept), cuts = DrawCuts(scene);
+    const harness::Picture expected = DrawKept(scene, kept), cuts = DrawCuts(scene);
     for (const Way way : kWaysOfManyPlanes) {
       const Comparison comparison = Compare(expected.rgba, DrawScene(way, scene).rgba, cuts.rgba);
       EXPECT_TRUE(Agree(comparison, CutError(scene)))
@@ -60,7 +61,7 @@ class SeedDrawing : public ::testing::Test {
         << "something is clipped";
   }
 
-  const examples::Context context{examples::Profile::kCompatibility};
+  const harness::OpenGl context{harness::Api::kCompatibility};
 };
 
 using Seed000Background = SeedDrawing;
@@ -77,14 +78,14 @@ TEST_F(Seed000Background, NoPixelBehindAnyPlaneIsDrawn) {
 
 TEST_F(Seed000SyntaxNote, PlanesOfZerosChangeNoPixel) {
   const Scene scene = TeapotScene({{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}});
-  const examples::Picture expected = DrawKept(TeapotScene({}), Kept::kByAll);
+  const harness::Picture expected = DrawKept(TeapotScene({}), Kept::kByAll);
   for (const Way way : kWaysOfManyPlanes)
     EXPECT_EQ(DrawScene(way, scene).rgba, expected.rgba) << NameOf(way);
 }
 
 // A plane that a surface lies in keeps all of it, from either side.
 TEST_F(Seed001Remarks, PointsOnThePlaneAreDrawn) {
-  const examples::Mesh ground = examples::Ground(1, 1);
+  const harness::Mesh ground = harness::Ground(1, 1);
   const int all = WhitePixels(DrawKept(SceneOf(ground, {}), Kept::kByAll));
   EXPECT_GT(all, 1000);
   for (const double side : {1.0, -1.0}) {
@@ -107,7 +108,7 @@ TEST_F(Seed001Remarks, APlaneThatIsSetAndNotEnabledClipsNothing) {
   EXPECT_EQ(WhitePixels(DrawScene(Way::kLevel9, scene)), 0) << "enabled";
   const int expected = WhitePixels(DrawScene(Way::kLevel9, scene, Mistake::kMask));
   EXPECT_GT(expected, 1000) << "neither set nor enabled";
-  runtime::gl::ClipPlaneDevice device(runtime::gl::LoadFunctions(examples::Context::Load).value);
+  runtime::gl::ClipPlaneDevice device(runtime::gl::LoadFunctions(harness::OpenGl::Load).value);
   const float nothing[4] = {0, 0, 0, -1};
   ASSERT_TRUE(device.SetClipPlane(0, nothing));
   EXPECT_EQ(WhitePixels(DrawScene(Way::kLevel9, scene, Mistake::kMask)), expected)

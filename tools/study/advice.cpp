@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "runtime/near_plane.h"
 #include "runtime/plane_space.h"
@@ -13,36 +14,36 @@ namespace {
 
 using runtime::PlaneSpace;
 
-enum class Arithmetic { kClip, kXyw1, kObject, kWorld };
+enum class Needs { kDistances, kUserPlanes, kDiscard, kNothing };
 
 struct Known {
   const char* way;
-  Arithmetic arithmetic;
-  enum class Needs { kDistances, kUserPlanes, kDiscard, kNothing } needs;
+  std::optional<PlaneSpace> space;  // of the planes; none: the world's
+  Needs needs;
   int most_planes = 6;
 };
-constexpr Known kKnown[] = {{"clip", Arithmetic::kClip, Known::Needs::kDistances},
-                            {"xyw1", Arithmetic::kXyw1, Known::Needs::kDistances},
-                            {"object", Arithmetic::kObject, Known::Needs::kDistances},
-                            {"world", Arithmetic::kWorld, Known::Needs::kDistances},
-                            {"level9", Arithmetic::kClip, Known::Needs::kUserPlanes},
-                            {"near-plane", Arithmetic::kObject, Known::Needs::kNothing, 1},
-                            {"discard", Arithmetic::kClip, Known::Needs::kDiscard},
-                            {"discard-object", Arithmetic::kObject, Known::Needs::kDiscard},
-                            {"discard-world", Arithmetic::kWorld, Known::Needs::kDiscard},
-                            {"cpu", Arithmetic::kObject, Known::Needs::kNothing}};
+using enum PlaneSpace;
+using enum Needs;
+constexpr Known kKnown[] = {{"clip", kClip, kDistances},
+                            {"xyw1", kXyw1, kDistances},
+                            {"object", kObject, kDistances},
+                            {"world", std::nullopt, kDistances},
+                            {"level9", kClip, kUserPlanes},
+                            {"near-plane", kObject, kNothing, 1},
+                            {"discard", kClip, kDiscard},
+                            {"discard-object", kObject, kDiscard},
+                            {"discard-world", std::nullopt, kDiscard},
+                            {"cpu", kObject, kNothing}};
 
-double LawOf(Arithmetic arithmetic, const DrawFacts& facts) {
+double LawOf(std::optional<PlaneSpace> space, const DrawFacts& facts) {
   const runtime::Matrix projection = facts.camera.Projection();
-  const auto law = [&](PlaneSpace space) {
-    return runtime::PredictEdgeError(space, facts.view_plane, projection, facts.picture_height,
+  const auto law = [&](PlaneSpace of) {
+    return runtime::PredictEdgeError(of, facts.view_plane, projection, facts.picture_height,
                                      facts.sine)
         .value;
   };
-  if (arithmetic == Arithmetic::kClip) return law(PlaneSpace::kClip);
-  if (arithmetic == Arithmetic::kXyw1) return law(PlaneSpace::kXyw1);
-  if (arithmetic == Arithmetic::kObject) return law(PlaneSpace::kObject);
-  const double floor = law(facts.camera.orthographic ? PlaneSpace::kObject : PlaneSpace::kXyw1);
+  if (space) return law(*space);
+  const double floor = law(facts.camera.orthographic ? kObject : kXyw1);
   // World coordinates carry the offset's rounding: as many units as it is larger than what is seen.
   const double size = facts.camera.orthographic ? facts.camera.half_height : facts.depth;
   return floor * (1 + facts.world_offset / size);
@@ -51,11 +52,11 @@ double LawOf(Arithmetic arithmetic, const DrawFacts& facts) {
 bool IsPossible(const Known& known, const DrawFacts& facts) {
   const Means& means = facts.means;
   if (facts.planes > known.most_planes) return false;
-  if (known.needs == Known::Needs::kDistances && !means.clip_distances) return false;
-  if (known.needs == Known::Needs::kUserPlanes && !means.user_planes) return false;
-  if (known.needs == Known::Needs::kDiscard && !means.can_discard) return false;
-  if (known.arithmetic == Arithmetic::kObject && !means.rigid) return false;
-  if (known.arithmetic == Arithmetic::kXyw1 && facts.camera.orthographic) return false;
+  if (known.needs == kDistances && !means.clip_distances) return false;
+  if (known.needs == kUserPlanes && !means.user_planes) return false;
+  if (known.needs == kDiscard && !means.can_discard) return false;
+  if (known.space == kObject && !means.rigid) return false;
+  if (known.space == kXyw1 && facts.camera.orthographic) return false;
   if (std::string(known.way) != "near-plane") return true;
   // The lowering writes z = d, which is the near plane where z = 0 is near.
   return !facts.camera.reversed &&
@@ -81,7 +82,7 @@ std::vector<Advice> Advise(const DrawFacts& facts, const CostTable& costs, doubl
     Advice& advice = all.emplace_back();
     advice.way = known.way;
     advice.possible = IsPossible(known, facts);
-    advice.predicted = LawOf(known.arithmetic, facts) * LengthFactor(facts.extent);
+    advice.predicted = LawOf(known.space, facts) * LengthFactor(facts.extent);
     advice.bound = kBoundFactor * advice.predicted;
     advice.cost = CostOf(known.way, facts.planes, costs);
   }

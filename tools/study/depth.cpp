@@ -27,7 +27,8 @@ Candidate Sheared(const char* name, const Camera& camera, const runtime::Plane& 
     candidate.result.effective_near = sheared.value.effective_near;
     return candidate;
   }
-  // What it would do: the same column, with the scale that Lengyel's formula gives.
+  // The projection that it would make: the same column, with the scale that Lengyel's formula
+  // gives.
   const runtime::Matrix p = camera.Projection();
   double a = 0;
   for (const double x : {-1.0, 1.0}) {

@@ -8,6 +8,8 @@
 namespace clipc::study {
 namespace {
 
+using harness::Vector;
+
 struct Edge {
   Vec4<float> ends[2];        // object space
   Wide distances[2];          // the truth, of different signs
@@ -37,21 +39,19 @@ class EdgeMaker {
   EdgeMaker(const Setup& setup, std::uint64_t seed)
       : setup_(setup), config_(setup.config), random_(seed) {}
 
-  // An edge that crosses the plane; nothing if the dice fell badly.
+  // An edge that crosses the plane; none if the random numbers do not give one.
   std::optional<Edge> Next() {
-    double point[3];
-    if (!PointOnPlane(point)) return std::nullopt;
-    double direction[3];
-    ChooseDirection(direction);
-    const double size = config_.camera.orthographic ? config_.camera.half_height : point[2];
+    const std::optional<Vector> point = PointOnPlane();
+    if (!point) return std::nullopt;
+    const Vector direction = ChooseDirection();
+    const double size = config_.camera.orthographic ? config_.camera.half_height : point->z;
     const double length = config_.edge_length * size, before = random_.Between(0.2, 0.8);
     Edge edge;
     const Mat4<double> to_object = ConvertTo<double>(setup_.to_object);
     for (int end = 0; end < 2; ++end) {
-      const double way = (end == 0 ? -before : 1 - before) * length;
-      Vec4<double> v = {{0, 0, 0, 1}};
-      for (int i = 0; i < 3; ++i) v[i] = point[i] + way * direction[i];
-      edge.ends[end] = ConvertTo<float>(Transform(v, to_object));
+      const Vector place = *point + (end == 0 ? -before : 1 - before) * length * direction;
+      edge.ends[end] =
+          ConvertTo<float>(Transform(Vec4<double>{{place.x, place.y, place.z, 1}}, to_object));
       edge.ends[end][3] = 1;
       edge.distances[end] = Dot(Transform(ConvertTo<Wide>(edge.ends[end]), world_), plane_);
       edge.clip[end] = ToClip(edge.ends[end]);
@@ -68,53 +68,48 @@ class EdgeMaker {
 
  private:
   // A point of the frustum, moved to the plane along the normal, that is still in the picture.
-  bool PointOnPlane(double (&point)[3]) {
+  std::optional<Vector> PointOnPlane() {
     const Camera& camera = config_.camera;
     const runtime::Matrix& p = setup_.projection;
     const double z = random_.Magnitude(config_.nearest, config_.farthest),
                  w = camera.orthographic ? 1 : z;
     const double x = random_.Between(-1, 1), y = random_.Between(-1, 1);
-    const double at[3] = {(x - camera.offset_x) / p.m[0][0] * w,
-                          (y - camera.offset_y) / p.m[1][1] * w, z};
-    const runtime::Plane& c = config_.view_plane;
-    const double distance = c.x * at[0] + c.y * at[1] + c.z * at[2] + c.w;
-    point[0] = at[0] - distance * c.x, point[1] = at[1] - distance * c.y,
-    point[2] = at[2] - distance * c.z;
-    if (point[2] < config_.nearest / 2 || point[2] > config_.farthest * 2 || point[2] < camera.near)
-      return false;
-    const double now_w = camera.orthographic ? 1 : point[2];
-    const double to_x = point[0] * p.m[0][0] + camera.offset_x * now_w;
-    const double to_y = point[1] * p.m[1][1] + camera.offset_y * now_w;
-    return std::fabs(to_x) <= now_w && std::fabs(to_y) <= now_w;
+    const Vector at{(x - camera.offset_x) / p.m[0][0] * w, (y - camera.offset_y) / p.m[1][1] * w,
+                    z};
+    const Vector point = at - (Dot(normal_, at) + config_.view_plane.w) * normal_;
+    if (point.z < config_.nearest / 2 || point.z > config_.farthest * 2 || point.z < camera.near)
+      return std::nullopt;
+    const double now_w = camera.orthographic ? 1 : point.z;
+    const double to_x = point.x * p.m[0][0] + camera.offset_x * now_w;
+    const double to_y = point.y * p.m[1][1] + camera.offset_y * now_w;
+    if (std::fabs(to_x) > now_w || std::fabs(to_y) > now_w) return std::nullopt;
+    return point;
   }
 
-  void ChooseDirection(double (&direction)[3]) {
-    const double n[3] = {config_.view_plane.x, config_.view_plane.y, config_.view_plane.z};
-    const auto along = [&](const double(&v)[3]) { return v[0] * n[0] + v[1] * n[1] + v[2] * n[2]; };
-    do random_.Direction(direction);
-    while (std::fabs(along(direction)) <= config_.least_sine);
-    if (config_.surface_angle < 0) return;
-    double k, length;
+  Vector ChooseDirection() {
+    Vector direction;
+    do direction = random_.Direction();
+    while (std::fabs(Dot(direction, normal_)) <= config_.least_sine);
+    if (config_.surface_angle < 0) return direction;
+    Vector along;  // the direction's part in the plane
     do {
-      random_.Direction(direction);
-      k = along(direction), length = 0;
-      for (int i = 0; i < 3; ++i) direction[i] -= k * n[i], length += direction[i] * direction[i];
-    } while (length < 0.01);
-    for (int i = 0; i < 3; ++i) {
-      direction[i] = std::cos(config_.surface_angle) * direction[i] / std::sqrt(length) +
-                     std::sin(config_.surface_angle) * n[i];
-    }
+      direction = random_.Direction();
+      along = direction - Dot(direction, normal_) * normal_;
+    } while (Dot(along, along) < 0.01);
+    return std::cos(config_.surface_angle) * along / std::sqrt(Dot(along, along)) +
+           std::sin(config_.surface_angle) * normal_;
   }
 
   const Setup& setup_;
   const Config& config_;
+  const Vector normal_{config_.view_plane.x, config_.view_plane.y, config_.view_plane.z};
   Random random_;
   Mat4<Wide> world_ = ConvertTo<Wide>(setup_.world), view_ = ConvertTo<Wide>(setup_.view);
   Mat4<Wide> projection_ = ConvertTo<Wide>(setup_.projection);
   Vec4<Wide> plane_ = ConvertTo<Wide>(setup_.world_plane);
 };
 
-// Pixels between the true cut and the method's; infinity where a distance is no number.
+// Pixels between the true cut and the method's; infinity where a distance is not a number.
 double Displacement(const Edge& edge, const Distance& distance, bool makes_vertices,
                     const EdgeMaker& maker) {
   const double d[2] = {distance(edge.ends[0]), distance(edge.ends[1])};

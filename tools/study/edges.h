@@ -14,18 +14,18 @@ namespace clipc::study {
 // 1920x1080.
 struct EdgeErrors {
   std::string method;
-  bool applies = false;  // the method can be used here at all
+  bool applies = false;  // the method can be used here
   long edges = 0;
   double median = 0, p99 = 0, largest = 0;  // pixels
-  double over_half = 0;  // share of the edges that are more than half a pixel off
-  long not_finite = 0;   // edges with a distance that is NaN or infinite; counted as over_half
+  double over_half = 0;  // the share of edges that are more than half a pixel off
+  long not_finite = 0;   // edges with a distance that is NaN or infinite; over_half counts them too
 };
 
-// Cuts `count` random edges that cross the plane inside the picture. The truth is the sign and the
-// place that the float vertices, the double matrices and the double world-space plane have in Wide.
-// A method that keeps or drops a whole edge is displaced by the way from the cut to the end that it
-// chose. Vertices are rounded to float in object space first, so that no method pays for that.
-// Equal arguments give equal results.
+// Cuts `count` random edges that cross the plane inside the picture. The true sign and place follow
+// in Wide from the float vertices, the double matrices and the double world-space plane. The
+// displacement of a method that keeps or drops a whole edge is the distance from the cut to the end
+// that it chose. Vertices are rounded to float in object space first, so that no method pays for
+// that. Equal arguments give equal results.
 std::vector<EdgeErrors> MeasureEdges(const Config& config, const std::vector<Method>& methods,
                                      long count, std::uint64_t seed);
 

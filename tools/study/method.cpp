@@ -108,7 +108,7 @@ Method NearPlane() {
 Method NearPlaneFloat() {
   return {"near-plane-f32", [](const Setup& setup) -> std::optional<Distance> {
             if (setup.config.camera.reversed)
-              return std::nullopt;  // the paper's form is for z = 0 at the near plane
+              return std::nullopt;  // this form is for z = 0 at the near plane
             const Mat4<float> view = ConvertTo<float>(setup.view),
                               projection = ConvertTo<float>(setup.projection);
             const auto plane = PlaneThrough(InverseOf(Multiply(view, projection)),

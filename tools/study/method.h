@@ -10,32 +10,34 @@
 
 namespace clipc::study {
 
-// A way to clip, as the arithmetic of a vertex shader in float32: the signed distance that the
-// clipper gets for a vertex of object space, times any positive number. The constants come from
-// clipc::runtime where clipc has the method.
+// The arithmetic of a vertex shader in float32: returns the signed distance that the clipper gets
+// for a vertex of object space, times any positive number. The constants come from clipc::runtime
+// where clipc has the method.
 using Distance = std::function<double(const Vec4<float>& vertex)>;
 
+// A way to clip.
 struct Method {
   std::string name;
-  // Nothing where the method cannot be used: xyw1 without a perspective, the near plane with the
-  // eye on the kept side.
+  // Returns none where the method cannot be used: xyw1 without a perspective, the near plane with
+  // the eye on the kept side.
   std::function<std::optional<Distance>(const Setup&)> prepare;
-  bool makes_vertices = false;  // the cut becomes a float vertex of object space, instead of a
-                                // place that the clipper finds
+  // The cut becomes a float vertex of object space, instead of a place that the clipper finds.
+  bool makes_vertices = false;
 };
 
-Method ClipSpace();    // [clipplanes] as fxc means it: dot(SV_Position, C_P); also SetClipPlane
+Method ClipSpace();    // [clipplanes] as fxc compiles it: dot(SV_Position, C_P); also SetClipPlane
 Method Xyw1Space();    // --plane-space=xyw1
 Method ObjectSpace();  // --plane-space=object
-Method WorldSpace();   // SV_ClipDistance from a float world-space vertex, as peers write it
+Method WorldSpace();   // SV_ClipDistance from a float world-space vertex
 Method ViewSpace();    // SV_ClipDistance from a float view-space vertex
-// The published closed form C_P = (Cx/Px, Cy/Py, Cw/B, Cz - Cw A/B), each operation in float32.
+// C_P by its published closed form, C_P = (Cx/Px, Cy/Py, Cw/B, Cz - Cw A/B), each operation in
+// float32.
 Method DocumentFormula();
 // C_P by a float32 inverse of the float32 view * projection.
 Method FloatInverse();
-Method NearPlane();  // the near plane sheared, Lengyel's scale; runtime::SetDepthColumn in double,
-                     // rounded once
-Method NearPlaneFloat();  // the same as the paper's product of float32 matrices
+// The near plane sheared with Lengyel's scale: runtime::SetDepthColumn in double, rounded once.
+Method NearPlane();
+Method NearPlaneFloat();  // the same by a product of float32 matrices
 Method CpuDouble();       // vertices clipped by the application in double
 
 // All of these, in this order.

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include <cmath>
-#include <cstdint>
-#include <random>
+#include "tools/harness/camera.h"
+#include "tools/harness/random.h"
 
-#include "runtime/matrix.h"
-
-// Vectors in several precisions. `float` is what a vertex shader computes: each operation rounds,
-// nothing is fused, sums go from left to right. That only holds where the compiler lets it: this
-// folder is built with -ffp-contract=off and -fno-tree-slp-vectorize, and a test (float32_test.cpp)
-// notices when it did not help.
+// Vectors in several precisions. `float` computes as a vertex shader does: each operation rounds,
+// nothing is fused, sums are taken from left to right. Compilers may break that: the project is
+// built with -ffp-contract=off and -fno-tree-slp-vectorize, and float32_test.cpp fails where these
+// do not help.
 namespace clipc::study {
 
-// For what counts as exact.
+using harness::Camera;
+using harness::Random;
+
+// The precision that counts as exact.
 #if defined(__SIZEOF_FLOAT128__)
 using Wide = __float128;
 #else
@@ -84,7 +84,7 @@ Mat4<T> Multiply(const Mat4<T>& a, const Mat4<T>& b) {
   return product;
 }
 
-// m * plane, m applied to a column: planes go the other way than points.
+// m * plane: the plane of `to` space in `from` space, where points go by v * m from `from` to `to`.
 template <typename T>
 Vec4<T> PlaneThrough(const Mat4<T>& m, const Vec4<T>& plane) {
   Vec4<T> to;
@@ -93,7 +93,7 @@ Vec4<T> PlaneThrough(const Mat4<T>& m, const Vec4<T>& plane) {
   return to;
 }
 
-// By cofactors, every operation in T: what applications with a float matrix library do.
+// The inverse by cofactors, every operation in T, as matrix libraries of float compute it.
 template <typename T>
 Mat4<T> InverseOf(const Mat4<T>& matrix) {
   const auto& m = matrix.m;
@@ -119,28 +119,5 @@ Mat4<T> InverseOf(const Mat4<T>& matrix) {
   }
   return inverse;
 }
-
-// Equal seeds give equal numbers on every machine.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : bits_(seed) {}
-  double Unit() { return static_cast<double>(bits_() >> 11) * 0x1p-53; }  // [0, 1)
-  double Between(double low, double high) { return low + (high - low) * Unit(); }
-  double Magnitude(double low, double high) {
-    return low * std::pow(high / low, Unit());
-  }  // even in its logarithm
-  std::uint32_t Below(std::uint32_t limit) { return static_cast<std::uint32_t>(bits_() % limit); }
-  void Direction(double (&to)[3]) {
-    double length;
-    do {
-      for (double& x : to) x = Between(-1, 1);
-      length = std::sqrt(to[0] * to[0] + to[1] * to[1] + to[2] * to[2]);
-    } while (length < 0.1 || length > 1);
-    for (double& x : to) x /= length;
-  }
-
- private:
-  std::mt19937_64 bits_;
-};
 
 }  // namespace clipc::study

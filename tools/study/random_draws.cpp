@@ -28,10 +28,9 @@ RandomDraw OneDraw(Random& random) {
   const double depth =
       camera.near * random.Magnitude(4, std::min(1e5, camera.far / camera.near / 4));
   camera.half_height = depth;
-  double n[3];
-  random.Direction(n);
-  if (n[2] < 0 && random.Below(3) != 0) n[2] = -n[2];  // mostly with the eye on the clipped side
-  config.view_plane = PlaneThroughPoint(n[0], n[1], n[2], 0, 0, depth);
+  harness::Vector n = random.Direction();
+  if (n.z < 0 && random.Below(3) != 0) n.z = -n.z;  // mostly with the eye on the clipped side
+  config.view_plane = PlaneThroughPoint(n, {0, 0, depth});
   config.nearest = depth / 2, config.farthest = 2 * depth;
   config.surface_angle = random.Magnitude(5, 90) * std::numbers::pi / 180;
 

@@ -9,7 +9,7 @@
 
 namespace clipc::study {
 
-// A draw that nobody chose: any projection, plane, offset and machine that the advice is for.
+// A random draw: any projection, plane, offset and machine that the advice is for.
 struct RandomDraw {
   Config config;
   DrawFacts facts;
@@ -19,7 +19,7 @@ struct RandomDraw {
 // surfaces that meet the plane at 5 degrees or more.
 std::vector<RandomDraw> RandomDraws(int count, std::uint64_t seed);
 
-// What MeasureEdges finds for the arithmetic that the way `way` has; `applies` is false where it
+// The errors of a way's arithmetic, measured by MeasureEdges. `applies` is false where the way
 // cannot be used.
 struct MeasuredWay {
   bool applies = false;

@@ -41,13 +41,12 @@ Method With(const char* name, Formula formula) {
 
 // A draw that nobody chose, at that field of view.
 Config DrawAt(double fov, Random& random) {
-  double normal[3];
-  random.Direction(normal);
+  const harness::Vector normal = random.Direction();
   const double depth = random.Magnitude(0.3, 3000);
   const double x = random.Between(-0.05, 0.05) * depth;
   const double y = random.Between(-0.05, 0.05) * depth;
   Config config;
-  config.view_plane = PlaneThroughPoint(normal[0], normal[1], normal[2], x, y, depth);
+  config.view_plane = PlaneThroughPoint(normal, {x, y, depth});
   config.nearest = depth / 2, config.farthest = 2 * depth;
   config.least_sine = std::sin(5 * std::numbers::pi / 180);
   config.camera.fov = fov;

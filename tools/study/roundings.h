@@ -9,11 +9,10 @@
 
 namespace clipc::study {
 
-// `xyw1` as it is, and with roundings left out that no shader can leave out: what each of them
-// costs.
+// `xyw1` as it is, and with one rounding after the other left out, which no shader can do.
 std::vector<Method> Xyw1Roundings();
 
-// What one of these loses on many draws.
+// The errors of one of these methods on many draws.
 struct RoundingCost {
   std::string rounding;
   int draws = 0;
@@ -21,7 +20,7 @@ struct RoundingCost {
   int over = 0;                // draws whose 99th percentile is over kXyw1Claim
 };
 
-// Pixels that a 99th percentile ought to stay under.
+// The number of pixels that a 99th percentile should stay under.
 inline constexpr double kXyw1Claim = 0.002;
 
 // Random perspectives of `fov` degrees from bottom to top, and random planes, cutting surfaces that

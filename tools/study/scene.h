@@ -7,7 +7,6 @@
 
 #include "runtime/box_planner.h"
 #include "tools/study/advice.h"
-#include "tools/study/camera.h"
 
 namespace clipc::study {
 
@@ -25,10 +24,10 @@ struct NamedCamera {
 
 struct NamedPlane {
   std::string name;
-  runtime::Plane plane;  // world space; what is behind any of the planes is clipped
+  runtime::Plane plane;  // in world space; a point on the negative side of any plane is clipped
 };
 
-// At most 6 planes.
+// A scene for the study; it has at most 6 planes.
 struct Scene {
   std::string name;
   double picture_height = 1080;
@@ -39,21 +38,23 @@ struct Scene {
   std::vector<SceneObject> objects;
 };
 
-// Water, portal, cut-away and shadow cascade with 1000 objects each; the same every time.
+// Water, portal, cut-away and shadow cascade, in this order, with 1000 objects each; the same in
+// every run.
 std::vector<Scene> BuiltInScenes();
 
 struct ObjectPlan {
-  bool outside_frustum = false;  // not drawn at all
-  bool culled = false;           // nor this: one plane takes all of it
+  bool outside_frustum = false;  // the object is not drawn
+  bool culled = false;           // the object is not drawn: one plane takes away all of it
   std::uint8_t needed = 0;       // bit i: plane i may cut it
 };
 
-// Safe to the pixel, as runtime::PlanBox is: box and planes are compared in the object's own space.
+// Plans one object; leaving out what the plan leaves out changes no pixel, as with
+// runtime::PlanBox. Box and planes are compared in the object's own space.
 ObjectPlan PlanObject(const SceneObject& object, const Camera& camera,
                       const std::vector<NamedPlane>& planes);
 
-// What Advise needs to know to draw that object with the planes it needs; the worst of them
-// decides.
+// The facts that Advise needs about drawing that object with the planes `needed`, a bit for each.
+// The plane farthest from the eye decides.
 DrawFacts FactsOf(const SceneObject& object, const Camera& camera, const Scene& scene,
                   std::uint8_t needed);
 

@@ -10,10 +10,9 @@ namespace clipc::study {
 using runtime::Matrix;
 using runtime::Plane;
 
-Plane PlaneThroughPoint(double nx, double ny, double nz, double x, double y, double z) {
-  const double length = std::sqrt(nx * nx + ny * ny + nz * nz);
-  nx /= length, ny /= length, nz /= length;
-  return {nx, ny, nz, -(nx * x + ny * y + nz * z)};
+Plane PlaneThroughPoint(harness::Vector direction, harness::Vector point) {
+  const harness::Vector n = Unit(direction);
+  return {n.x, n.y, n.z, -Dot(n, point)};
 }
 
 Setup Prepare(const Config& config) {
@@ -27,7 +26,7 @@ Setup Prepare(const Config& config) {
   setup.projection = camera.Projection();
 
   // The object stands where the surfaces are, turned in a way of its own.
-  setup.world = Rotation(1.1, 0.4, -0.7);
+  setup.world = harness::Rotation(1.1, 0.4, -0.7);
   const Matrix view_to_world = camera.ViewToWorld();
   const double depth = std::sqrt(config.nearest * config.farthest);
   for (int j = 0; j < 3; ++j)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // Where each method fails, as laws on the displacement of cut edges (tools/study/edges.h), each
 // with a mutation that breaks it. Seeds are fixed; the factors are what a law's constant may be off
-// by, measured values stand beside them.
+// by, and measured values stand beside them.
 #include <cmath>
 #include <numbers>
 
@@ -31,7 +31,7 @@ double P99(const Config& config, const Method& method) {
 Config Oblique(double depth, double near = 0.1, double far = 1e6) {
   Config config;
   config.camera.near = near, config.camera.far = far;
-  config.view_plane = PlaneThroughPoint(0.4, 0.5, 0.77, 0, 0, depth);
+  config.view_plane = PlaneThroughPoint({0.4, 0.5, 0.77}, {0, 0, depth});
   config.nearest = depth / 2, config.farthest = 2 * depth;
   return config;
 }
@@ -155,7 +155,7 @@ std::vector<Named> OrdinaryPerspectives() {
   }
   for (const double eye : {-10.0, -0.01, 0.0, 0.01, 10.0}) {
     all.push_back({"eye beside the plane", Oblique(10)});
-    all.back().config.view_plane = PlaneThroughPoint(0.1, 0.9, 0.3, 0, 0, 0);
+    all.back().config.view_plane = PlaneThroughPoint({0.1, 0.9, 0.3}, {0, 0, 0});
     all.back().config.view_plane.w = eye;
     all.back().config.nearest = 5, all.back().config.farthest = 100;
   }
@@ -314,7 +314,7 @@ TEST(Stability, TheShearedNearPlaneIsAsGoodAsObjectSpaceAndRefusesTheKeptSide) {
   EXPECT_LT(P99(behind, NearPlane()), kBound);
   for (const double eye : {0.0, 0.01, 10.0}) {
     Config kept = behind;
-    kept.view_plane = PlaneThroughPoint(0.1, 0.9, 0.3, 0, 0, 0);
+    kept.view_plane = PlaneThroughPoint({0.1, 0.9, 0.3}, {0, 0, 0});
     kept.view_plane.w = eye;
     EXPECT_FALSE(Measure(kept, NearPlane()).applies) << eye;
   }

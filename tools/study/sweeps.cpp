@@ -62,7 +62,7 @@ class Sweeps {
       Config config = ObliqueAt(0.4 * size, 0.001 * size, size);
       config.camera.orthographic = true, config.camera.half_height = 0.2 * size;
       config.nearest = 0.2 * size, config.farthest = 0.9 * size;
-      config.view_plane = PlaneThroughPoint(0.4, 0.5, 0.77, 0, 0, 0.4 * size);
+      config.view_plane = PlaneThroughPoint({0.4, 0.5, 0.77}, {0, 0, 0.4 * size});
       Add("orthographic, size", size, config);
     }
     for (const double offset : Some({0, 1e-4, 1.0 / 1920, 1e-3, 1e-2, 0.1, 1})) {
@@ -81,13 +81,13 @@ class Sweeps {
     for (const double angle : Some({90, 45, 10, 1, 0.1, 0.01})) {
       Config config = ObliqueAt(30);
       config.view_plane =
-          PlaneThroughPoint(0, std::cos(angle * kDegree), std::sin(angle * kDegree), 0, 0, 30);
+          PlaneThroughPoint({0, std::cos(angle * kDegree), std::sin(angle * kDegree)}, {0, 0, 30});
       config.nearest = 10, config.farthest = 100;
       Add("view to plane, degrees", angle, config);
     }
     for (const double eye : Some({-10, -1, -0.1, -0.01, -1e-4, 0, 1e-4, 0.01, 0.1, 1, 10})) {
       Config config = ObliqueAt(20);
-      config.view_plane = PlaneThroughPoint(0.1, 0.9, 0.3, 0, 0, 0);
+      config.view_plane = PlaneThroughPoint({0.1, 0.9, 0.3}, {0, 0, 0});
       config.view_plane.w = eye, config.nearest = 5, config.farthest = 100;
       Add("eye above plane", eye, config);
     }
@@ -124,7 +124,7 @@ class Sweeps {
 Config ObliqueAt(double depth, double near, double far) {
   Config config;
   config.camera.near = near, config.camera.far = far;
-  config.view_plane = PlaneThroughPoint(0.4, 0.5, 0.77, 0, 0, depth);
+  config.view_plane = PlaneThroughPoint({0.4, 0.5, 0.77}, {0, 0, depth});
   config.nearest = depth / 2, config.farthest = 2 * depth;
   return config;
 }

@@ -8,17 +8,18 @@
 
 namespace clipc::study {
 
-// One setting of one parameter, everything else ordinary.
+// One value of one parameter, while all others have ordinary values.
 struct SweepPoint {
   std::string sweep;  // "near-far", "field-of-view"
-  double parameter;   // what it is set to, in the unit that UnitOf names
+  double parameter;   // the value
   Config config;
 };
 
-// Every failure boundary that the methods have. `quick`: fewer points of each.
+// Sweeps over every boundary beyond which a method fails. `quick`: fewer points of each.
 std::vector<SweepPoint> AllSweeps(bool quick);
 
-// An oblique plane that crosses the view axis at `depth`, surfaces from half to twice that depth.
+// A case with an oblique plane that crosses the view axis at `depth`, and surfaces from half to
+// twice that depth.
 Config ObliqueAt(double depth, double near = 0.1, double far = 1000);
 
 }  // namespace clipc::study

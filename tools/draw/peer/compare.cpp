@@ -75,8 +75,8 @@ std::set<std::string> BugsInText(const std::string& hlsl, const Comparison& foun
 }
 
 // Two members of a block share bytes: no values can be right.
-bool HasOverlap(const std::vector<Block>& blocks) {
-  for (const Block& block : blocks) {
+bool HasOverlap(const std::vector<PeerBlock>& blocks) {
+  for (const PeerBlock& block : blocks) {
     std::vector<std::uint32_t> bytes;
     for (const auto& [name, places] : block.members)
       bytes.insert(bytes.end(), places.begin(), places.end());
@@ -102,7 +102,6 @@ PeerComparison CompareWithGlslang(const vulkan::Runner& runner, const Shader& sh
   const Module module = Compile(options);
   RandomInputs random = MakeRandomInputs(shader.typed, draw);
   PeerComparison result;
-  result.layout = CompareLayout(shader.lowered, module.blocks, module.elements);
   const std::vector<Captured> captured = Run(runner, module, shader.lowered, random, draw);
   result.values = Compare(shader, options, random, captured, tolerance);
   if (result.values.wrong > 0) {
@@ -121,9 +120,6 @@ PeerComparison CompareWithGlslang(const vulkan::Runner& runner, const Shader& sh
       if (!bugs.empty()) result.values.wrong = 0;
     }
     result.known_bugs.merge(bugs);
-  }
-  for (const Moved& moved : result.layout.moved) {
-    if (!moved.bug.empty()) result.known_bugs.insert(moved.bug);
   }
   if (!shader.typed.clip_planes.empty()) result.known_bugs.insert("clip-planes");
   if (TakesSystemValues(shader.lowered.inputs, module.inputs) ||

@@ -5,22 +5,20 @@
 #include <string>
 
 #include "tools/draw/compare.h"
-#include "tools/draw/peer/layout.h"
 #include "tools/draw/vulkan/run.h"
 
-// The same HLSL through another compiler.
+// Comparing with what another compiler makes of the same HLSL.
 namespace clipc::draw::peer {
 
 struct PeerComparison {
   Comparison values;
-  LayoutComparison layout;
-  std::set<std::string> known_bugs;  // that `values` was compared with, and that `layout` shows
+  std::set<std::string> known_bugs;  // that explain differences, or leave nothing to compare
 };
 
 // Compiles the shader with glslang's HLSL front end, runs it on Vulkan with the same vertices and
-// constants, and holds every output against what must come out; and where the constants lie against
-// where clipc has them. The shader must have been built without clip distances and in Direct3D's
-// clip space, which is what the peer writes. The draw call must start at 0.
+// constants, and compares every output with the expected one. The shader must have been built
+// without clip distances and in Direct3D's clip space, which is what the peer writes. The draw call
+// must start at 0.
 PeerComparison CompareWithGlslang(const vulkan::Runner& runner, const Shader& shader,
                                   const BuildOptions& options, const RandomOptions& draw,
                                   const Tolerance& tolerance);

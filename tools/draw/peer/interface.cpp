@@ -49,7 +49,7 @@ glsl::GlslInfo InfoOf(const ir::Program& program, const vulkan::Reads& reads,
 // Where a block of the peer holds several cbuffers, each puts its members there.
 void GiveBlocks(const ir::Program& program, const Module& module, const vulkan::Reads& reads,
                 const RandomInputs& random, vulkan::DrawCall& call) {
-  for (const Block& block : module.blocks) {
+  for (const PeerBlock& block : module.blocks) {
     const vulkan::Reads::Binding* binding = FindBinding(reads, block.name);
     if (!binding) continue;
     std::vector<std::vector<std::uint8_t>> elements(1, std::vector<std::uint8_t>(block.size));
@@ -134,7 +134,7 @@ vulkan::DrawCall MakeDrawCall(const ir::Program& program, const Module& module,
   RandomInputs relocated = random;
   for (const ir::Resource& resource : program.resources) {
     const auto elements =
-        std::ranges::find(module.elements, program.vars[resource.var].name, &Elements::name);
+        std::ranges::find(module.elements, program.vars[resource.var].name, &PeerElements::name);
     if (elements == module.elements.end() ||
         !ir::IsStructured(ObjectTypeOf(program, resource.var).object))
       continue;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ir/program.h"
-#include "tools/draw/peer/layout.h"
+#include "tools/draw/peer/relocate.h"
 #include "tools/draw/random_inputs.h"
 #include "tools/draw/vulkan/run.h"
 
@@ -13,24 +13,25 @@ namespace clipc::draw::peer {
 
 struct Module {
   std::string hlsl;
-  vulkan::Spirv declared, run;  // with all that the shader declares; what is to be run
-  std::vector<Block> blocks;
-  std::vector<Elements> elements;
+  vulkan::Spirv declared;  // with all that the shader declares
+  vulkan::Spirv run;       // without what it does not use
+  std::vector<PeerBlock> blocks;
+  std::vector<PeerElements> elements;
   std::vector<Vector> inputs, outputs;
 };
 
-// The peer's vector for each input or output; null where it has none. By the semantic; those that
-// have none, as glslang does not pass the semantic of a struct on to its fields, in the order of
-// declaration if as many are left.
+// The peer's vector for each input or output; null where it has none. Vectors are found by their
+// semantic. Those without one (glslang does not pass the semantic of a struct on to its fields) are
+// taken in the order of declaration if their number is that of the inputs or outputs left.
 std::vector<const Vector*> Match(const std::vector<ir::IoVar>& list,
                                  const std::vector<Vector>& vectors);
 
-// `random` where the peer's shader reads it.
+// A draw call with the values of `random` in the places where the peer's shader reads them.
 vulkan::DrawCall MakeDrawCall(const ir::Program& program, const Module& module,
                               const RandomInputs& random, const RandomOptions& draw);
 
-// What was captured of the peer's outputs, beside program.outputs; without words what it does not
-// write.
+// What was captured of the peer's outputs, in the order of program.outputs. An output that the peer
+// does not write has no words.
 std::vector<Captured> PickOutputs(const ir::Program& program, const Module& module,
                                   const std::vector<vulkan::Output>& outputs,
                                   const std::vector<Captured>& captured);

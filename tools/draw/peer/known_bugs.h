@@ -7,27 +7,19 @@
 #include <vector>
 
 #include "ir/program.h"
-#include "tools/draw/peer/layout.h"
+#include "tools/draw/peer/relocate.h"
 #include "tools/draw/random_inputs.h"
 
-// What glslang 12's HLSL front end is known to do otherwise than Direct3D. docs/peers.md says for
-// each why it is the peer that is wrong. A bug excuses a difference only where what it does, done
-// by clipc's own means, gives exactly what the peer gives; but for two, which compare.cpp knows by
-// the shader's text.
+// What glslang 12's HLSL front end is known to do in another way than Direct3D. docs/peers.md says
+// for each why it is the peer that is wrong. A bug excuses a difference only where clipc's program,
+// changed to do the same, gives exactly what the peer gives. The exceptions are two bugs that
+// compare.cpp tells by the shader's text, and one that it tells by members that overlap.
 namespace clipc::draw::peer {
 
-// The bug that puts the components of this member where the peer's block has them; empty: none
-// does.
-std::string LayoutBug(const ir::Program& program, const ir::Cbuffer& cbuffer, const Member& member,
-                      const Block& block);
-// The same for the components of a structured buffer's element, the next element's first byte
-// behind them.
-std::string StructuredBug(const ir::Program& program, ir::VarId var,
-                          const std::vector<std::uint32_t>& peer_bytes);
-
-// Gives the constants of `random` that the peer has no uniform for the values that the peer
-// compiled in: a global variable's initial value, read from `hlsl`. Returns whether there are any.
-bool GiveInitialValues(const ir::Program& program, const std::vector<Block>& blocks,
+// Sets the constants of `random` that the peer compiled in, for which it has no uniform, to the
+// values that it took: the initial values of global variables, read from `hlsl`. Returns whether
+// there are any.
+bool GiveInitialValues(const ir::Program& program, const std::vector<PeerBlock>& blocks,
                        const std::string& hlsl, RandomInputs& random);
 
 // Rewrites the shader into what the peer makes of it, bug by bug, and returns their names.

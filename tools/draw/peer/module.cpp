@@ -73,10 +73,10 @@ class Walker {
   std::vector<std::uint32_t> bytes_;
 };
 
-Block BlockOf(const spirv_cross::Compiler& compiler, const spirv_cross::Resource& resource,
-              bool is_storage) {
+PeerBlock BlockOf(const spirv_cross::Compiler& compiler, const spirv_cross::Resource& resource,
+                  bool is_storage) {
   const SPIRType& type = compiler.get_type(resource.base_type_id);
-  Block block;
+  PeerBlock block;
   const std::string variable = compiler.get_name(resource.id);
   block.name = variable.empty() ? compiler.get_name(resource.base_type_id) : variable;
   block.is_storage = is_storage;
@@ -140,10 +140,10 @@ std::string KeyOf(const std::string& semantic, std::uint32_t index) {
   return key;
 }
 
-std::vector<Block> BlocksOf(const vulkan::Spirv& spirv) {
+std::vector<PeerBlock> BlocksOf(const vulkan::Spirv& spirv) {
   return vulkan::Reflected(spirv, [](const spirv_cross::Compiler& compiler) {
     const spirv_cross::ShaderResources resources = compiler.get_shader_resources();
-    std::vector<Block> blocks;
+    std::vector<PeerBlock> blocks;
     for (const spirv_cross::Resource& resource : resources.uniform_buffers)
       blocks.push_back(BlockOf(compiler, resource, false));
     for (const spirv_cross::Resource& resource : resources.storage_buffers) {
@@ -153,9 +153,9 @@ std::vector<Block> BlocksOf(const vulkan::Spirv& spirv) {
   });
 }
 
-std::vector<Elements> ElementsOf(const vulkan::Spirv& spirv) {
+std::vector<PeerElements> ElementsOf(const vulkan::Spirv& spirv) {
   return vulkan::Reflected(spirv, [](const spirv_cross::Compiler& compiler) {
-    std::vector<Elements> all;
+    std::vector<PeerElements> all;
     for (const spirv_cross::Resource& resource : compiler.get_shader_resources().storage_buffers) {
       if (!IsStructured(compiler, resource)) continue;
       const SPIRType& type = compiler.get_type(resource.base_type_id);

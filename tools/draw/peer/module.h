@@ -8,12 +8,12 @@
 
 #include "tools/draw/vulkan/spirv.h"
 
-// What another compiler made of a shader, in terms of the HLSL: semantics, names of buffers and
-// members.
+// What another compiler made of a shader, in terms of the HLSL: semantics, names of buffers, names
+// of members.
 namespace clipc::draw::peer {
 
 // A cbuffer, tbuffer or ConstantBuffer.
-struct Block {
+struct PeerBlock {
   std::string name;
   std::uint32_t size = 0;
   bool is_storage = false;  // a tbuffer
@@ -21,26 +21,26 @@ struct Block {
   // fields, and of a matrix row after row of the HLSL matrix.
   std::map<std::string, std::vector<std::uint32_t>> members;
 };
-std::vector<Block> BlocksOf(const vulkan::Spirv& spirv);
+std::vector<PeerBlock> BlocksOf(const vulkan::Spirv& spirv);
 
 // A StructuredBuffer.
-struct Elements {
+struct PeerElements {
   std::string name;
   std::uint32_t stride = 0;
   std::vector<std::uint32_t> bytes;  // of an element's components, in the order of the value
 };
-std::vector<Elements> ElementsOf(const vulkan::Spirv& spirv);
+std::vector<PeerElements> ElementsOf(const vulkan::Spirv& spirv);
 
-// A vector that the shader reads or writes: an array is as many as it has elements, a matrix as it
-// has rows.
+// A vector that the shader reads or writes. An array counts as one vector for each element, a
+// matrix as one for each row.
 struct Vector {
-  std::string key;  // KeyOf its semantic; empty without one
+  std::string key;  // KeyOf(its semantic, its index); empty without a semantic
   std::uint32_t location;
 };
-// "TEXCOORD3": how a semantic and its index are compared.
+// "TEXCOORD3": a semantic with its index, in the spelling that they are compared by.
 std::string KeyOf(const std::string& semantic, std::uint32_t index);
-// Of a module with all that the shader declares: where no variable was left out, elements of arrays
-// can be counted.
+// The inputs and outputs of a module with all that the shader declares: where no variable was left
+// out, elements of arrays can be counted.
 std::vector<Vector> InputsOf(const vulkan::Spirv& declared);
 std::vector<Vector> OutputsOf(const vulkan::Spirv& declared);
 

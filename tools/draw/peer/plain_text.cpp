@@ -104,7 +104,7 @@ class Writer {
     return token.kind == kIdentifier ? names_[token.name()] : std::string_view();
   }
 
-  // Takes away what only an effect has.
+  // Removes what only an effect has.
   void Reduce(Item& item) {
     static const std::set<std::string_view> kDropped = {
         "VertexShader",    "PixelShader",      "GeometryShader",   "HullShader",
@@ -137,7 +137,7 @@ class Writer {
     item.push_back(semicolon);
   }
 
-  // Empty for what is no function with a body.
+  // Empty where the item is not a function with a body.
   std::string FunctionName(const Item& item) const {
     if (item.empty() || item.back().kind != kRightBrace) return "";
     static const std::set<std::string_view> kOthers = {

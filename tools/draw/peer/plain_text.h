@@ -7,9 +7,9 @@
 
 namespace clipc::draw::peer {
 
-// A shader as plain HLSL without preprocessor: what its entry function needs of it. Techniques,
-// states, annotations, shader objects and functions that the entry does not call are left out,
-// which glslang does not understand in an effect file.
+// The parts of a shader that its entry function needs, as plain HLSL without preprocessor. Left out
+// are techniques, states, annotations and shader objects, which glslang does not understand in an
+// effect file, and functions that the entry does not call.
 std::string PlainText(const Tokens& tokens, const std::string& entry);
 
 }  // namespace clipc::draw::peer

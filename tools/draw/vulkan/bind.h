@@ -7,7 +7,7 @@
 
 namespace clipc::draw::vulkan {
 
-// `inputs` at the locations, sets and bindings that `info` says.
+// A draw call with `inputs` at the locations, sets and bindings that `info` has.
 DrawCall MakeDrawCall(const ir::Program& program, const glsl::GlslInfo& info, const Inputs& inputs);
 
 }  // namespace clipc::draw::vulkan

@@ -6,11 +6,12 @@
 
 namespace clipc::draw::vulkan {
 
-// `expected` among what `spirv` writes, in that order. What is not written is a DrawError.
+// The outputs of `spirv` that are `expected`, in that order. Throws DrawError where one is not
+// written.
 std::vector<Output> FindOutputs(const Spirv& spirv, const std::vector<const Expected*>& expected);
 
-// Compiles clipc's GLSL for Vulkan with glslang, runs it and holds what comes out against what
-// must.
+// Compiles clipc's GLSL for Vulkan with glslang, runs it and compares its outputs with the expected
+// ones.
 Comparison CompareWithVulkan(const Runner& runner, const Shader& shader,
                              const std::vector<Expected>& expected, const RandomInputs& random,
                              const RandomOptions& draw, const Tolerance& tolerance);

@@ -55,7 +55,7 @@ void Descriptors::MakeSets(const DrawCall& call) {
   const std::vector<vk::DescriptorSetLayout> layouts = Layouts();
   for (vk::raii::DescriptorSet& set :
        vk::raii::DescriptorSets(device_.get(), vk::DescriptorSetAllocateInfo(*pool_, layouts))) {
-    sets_.push_back(set.release());  // goes with the pool
+    sets_.push_back(set.release());  // freed with the pool
   }
 }
 

@@ -9,7 +9,7 @@
 
 namespace clipc::draw::vulkan {
 
-// The descriptor sets of a draw call and what they point to.
+// The descriptor sets of a draw call and the objects that they point to.
 class Descriptors {
  public:
   Descriptors(const Device& device, const DrawCall& call);
@@ -26,7 +26,7 @@ class Descriptors {
   std::vector<vk::raii::DescriptorSetLayout> layouts_;  // by number of the set; empty ones between
   vk::raii::DescriptorPool pool_{nullptr};
   std::vector<vk::DescriptorSet> sets_;
-  // What stays as long as the sets do.
+  // The objects that the sets point to.
   std::vector<Buffer> buffers_;
   std::vector<Image> images_;
   std::vector<vk::raii::BufferView> texels_;

@@ -8,10 +8,10 @@
 
 #include <vulkan/vulkan_raii.hpp>
 
-// For this folder only: reading vulkan_raii.hpp takes seconds.
+// Only files of this folder include this header: compiling vulkan_raii.hpp takes seconds.
 namespace clipc::draw::vulkan {
 
-// Memory that the host writes and reads, where it lies.
+// A buffer in memory that the host can write and read.
 struct Buffer {
   vk::raii::DeviceMemory memory{nullptr};
   vk::raii::Buffer buffer{nullptr};
@@ -21,14 +21,14 @@ struct Buffer {
 // A Vulkan device that is a processor and has transform feedback: Mesa's lavapipe.
 class Device {
  public:
-  Device();  // DrawError when there is none
+  Device();  // throws DrawError when there is none
 
   const vk::raii::Device& get() const { return device_; }
   std::string name() const { return physical_.getProperties().deviceName; }
   std::uint32_t MostFeedbackStride() const;
   std::uint32_t MostFeedbackBuffers() const;
 
-  // At least 16 bytes, so that empty ones can be bound.
+  // Makes a buffer of these bytes, and of 16 at least, so that an empty one can be bound.
   Buffer NewBuffer(vk::BufferUsageFlags usage, std::span<const std::uint8_t> bytes) const;
   std::vector<std::uint32_t> Read(const Buffer& buffer) const;
   vk::raii::DeviceMemory Allocate(const vk::MemoryRequirements& requirements) const;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <variant>
 
-#include "tools/draw/gl.h"
+#include "tools/harness/offscreen.h"
 
 namespace clipc::draw::vulkan {
 namespace {

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "tools/draw/vulkan/glslang.h"
 
-#include <algorithm>
-#include <fstream>
-#include <iterator>
-
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
 #include <glslang/SPIRV/GlslangToSpv.h>
 #include <spirv-tools/libspirv.hpp>
+
+#include "tools/harness/glslang_includer.h"
 
 namespace clipc::draw::vulkan {
 namespace {
@@ -19,53 +17,10 @@ void InitializeOnce() {
   (void)initialized;
 }
 
-// Looks beside the including file, then in the folders given.
-class Includer : public glslang::TShader::Includer {
- public:
-  explicit Includer(const std::vector<std::string>& folders) : folders_(folders) {}
-
-  IncludeResult* includeLocal(const char* header, const char* includer, size_t) override {
-    const std::string from = includer;
-    const std::size_t slash = from.rfind('/');
-    if (IncludeResult* found =
-            Open((slash == std::string::npos ? "" : from.substr(0, slash + 1)) + header))
-      return found;
-    return includeSystem(header, includer, 0);
-  }
-  IncludeResult* includeSystem(const char* header, const char*, size_t) override {
-    for (const std::string& folder : folders_) {
-      if (IncludeResult* found = Open(folder + "/" + header)) return found;
-    }
-    return nullptr;
-  }
-  void releaseInclude(IncludeResult* result) override {
-    if (result) delete static_cast<std::string*>(result->userData);
-    delete result;
-  }
-
- private:
-  static IncludeResult* Open(std::string path) {
-    std::replace(path.begin(), path.end(), '\\', '/');
-    std::ifstream file(path, std::ios::binary);
-    if (!file) return nullptr;
-    auto* text = new std::string(std::istreambuf_iterator<char>(file), {});
-    return new IncludeResult(path, text->data(), text->size(), text);
-  }
-
-  const std::vector<std::string>& folders_;
-};
-
 std::string Preamble(const HlslSource& source) {
-  std::string text = "#undef VULKAN\n";  // glslang's own
-  for (const std::string& define : source.defines) {
-    const std::size_t equals = define.find('=');
-    const bool has_value = equals != std::string::npos;
-    text += "#define " + define.substr(0, equals) + " " +
-            (has_value ? define.substr(equals + 1) : "1") + "\n";
-  }
-  // HLSL's row_major is glslang's.
-  if (source.row_major) text += "#pragma pack_matrix(row_major)\n";
-  return text;
+  // glslang defines VULKAN itself, and its row_major is HLSL's.
+  return "#undef VULKAN\n" + harness::DefineLines(source.defines) +
+         (source.row_major ? "#pragma pack_matrix(row_major)\n" : "");
 }
 
 template <typename Error>
@@ -144,7 +99,7 @@ Spirv SpirvOfHlsl(const HlslSource& source, bool legalize) {
   shader.setAutoMapLocations(true);
   const std::string preamble = Preamble(source);
   shader.setPreamble(preamble.c_str());
-  Includer includer(source.include_dirs);
+  harness::Includer includer(source.include_dirs);
   const auto messages =
       static_cast<EShMessages>(EShMsgReadHlsl | EShMsgVulkanRules | EShMsgSpvRules |
                                EShMsgHlslOffsets | EShMsgHlslLegalization);

@@ -4,13 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "tools/draw/gl.h"
+#include "tools/draw/inputs.h"
 #include "tools/draw/vulkan/spirv.h"
 
 // Vertex shaders to SPIR-V, by glslang.
 namespace clipc::draw::vulkan {
 
-// GLSL for Vulkan. What glslang refuses is a DrawError.
+// Compiles GLSL for Vulkan. Throws DrawError where glslang refuses it.
 Spirv SpirvOfGlsl(const std::string& glsl);
 
 struct HlslSource {
@@ -18,14 +18,14 @@ struct HlslSource {
   std::vector<std::string> defines, include_dirs;
   bool row_major = false;
 };
-// What glslang's HLSL front end refuses.
+// glslang's HLSL front end refuses the shader.
 class PeerRefuses : public DrawError {
  public:
   using DrawError::DrawError;
 };
-// As glslangValidator -D -V --hlsl-offsets does it, with the semantics written down. legalize: what
-// is not read is left out, and the SPIR-V keeps Vulkan's rules; else all that the shader declares
-// is there.
+// Compiles HLSL as glslangValidator -D -V --hlsl-offsets does it, and writes down the semantics.
+// `legalize`: variables that are not read are left out, and the SPIR-V keeps Vulkan's rules;
+// without it, all that the shader declares is there.
 Spirv SpirvOfHlsl(const HlslSource& source, bool legalize);
 
 }  // namespace clipc::draw::vulkan

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "tools/draw/vulkan/image.h"
 
-#include "tools/draw/gl.h"
+#include "tools/harness/offscreen.h"
 
 namespace clipc::draw::vulkan {
 namespace {
@@ -10,7 +10,7 @@ namespace {
 struct Form {
   vk::ImageType type;
   vk::ImageViewType view;
-  int axes;                 // of the size that are no layers
+  int axes;                 // of the size, without layers
   std::uint32_t faces = 1;  // of a cube that is not in an array
 };
 

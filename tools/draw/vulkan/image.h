@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "tools/draw/program.h"
+#include "tools/draw/inputs.h"
 #include "tools/draw/vulkan/device.h"
 
 namespace clipc::draw::vulkan {
@@ -16,8 +16,8 @@ Image UploadImage(const Device& device, const Inputs::Texture& texture);
 
 vk::Format FormatOf(const Inputs::Texture& texture);
 
-// The nearest texel of the nearest level of a texture that repeats; if it compares, what is less or
-// equal passes.
+// A sampler that takes the nearest texel of the nearest level of a texture that repeats. If it
+// compares, a reference passes that is less or equal.
 vk::raii::Sampler MakeSampler(const Device& device, bool compares);
 
 }  // namespace clipc::draw::vulkan

@@ -5,12 +5,12 @@
 
 #include <spirv_cross/spirv_cross.hpp>
 
-#include "tools/draw/gl.h"
+#include "tools/draw/inputs.h"
 #include "tools/draw/vulkan/spirv.h"
 
 namespace clipc::draw::vulkan {
 
-// reflect(compiler); what SPIRV-Cross cannot read is a DrawError.
+// Returns reflect(compiler). Throws DrawError where SPIRV-Cross cannot read the shader.
 template <typename Reflect>
 auto Reflected(const Spirv& spirv, Reflect&& reflect) {
   try {

@@ -4,16 +4,16 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "tools/draw/gl.h"
 #include "tools/draw/vulkan/descriptors.h"
 #include "tools/draw/vulkan/device.h"
+#include "tools/harness/offscreen.h"
 
 namespace clipc::draw::vulkan {
 namespace {
 
 // Outputs one after another in as many buffers as they take.
 struct Layout {
-  std::vector<Place> places;           // beside the outputs
+  std::vector<FeedbackSlot> places;    // beside the outputs
   std::vector<std::uint32_t> strides;  // of each buffer
 };
 
@@ -94,7 +94,7 @@ std::vector<Buffer> FeedbackBuffers(const Device& device, const Layout& layout,
   const std::size_t runs =
       static_cast<std::size_t>(call.vertices) * static_cast<std::size_t>(call.instances);
   for (const std::uint32_t stride : layout.strides) {
-    // What nothing is written to stays a NaN.
+    // A value that is not written stays a NaN.
     const std::vector<std::uint8_t> bytes(stride * runs, 0xff);
     buffers.push_back(
         device.NewBuffer(vk::BufferUsageFlagBits::eTransformFeedbackBufferEXT, bytes));
@@ -128,7 +128,7 @@ std::vector<Captured> Gather(const Device& device, const Layout& layout,
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     Captured& captured =
         all.emplace_back(Captured{outputs[i].name, outputs[i].shape, outputs[i].count, {}});
-    const Place& place = layout.places[i];
+    const FeedbackSlot& place = layout.places[i];
     for (int run = 0; run < call.vertices * call.instances; ++run) {
       const auto first =
           words[place.buffer].begin() +
@@ -139,7 +139,7 @@ std::vector<Captured> Gather(const Device& device, const Layout& layout,
   return all;
 }
 
-// Vulkan would read anything.
+// Throws DrawError where the shader reads something without a value, of which Vulkan says nothing.
 void CheckReads(const Spirv& vertex, const DrawCall& call) {
   const Reads reads = ReadsOf(vertex);
   for (const Reads::Binding& read : reads.bindings) {

@@ -3,12 +3,12 @@
 
 #include <memory>
 
-#include "tools/draw/program.h"
+#include "tools/draw/inputs.h"
 #include "tools/draw/vulkan/spirv.h"
 
 namespace clipc::draw::vulkan {
 
-// What a vertex shader reads, as an application gives it.
+// The data that an application gives a vertex shader.
 struct DrawCall {
   struct Attribute {
     std::uint32_t location;
@@ -17,11 +17,11 @@ struct DrawCall {
   };
   enum class Kind { kUniforms, kStorage, kTexture, kSampler, kTextureWithSampler, kTexels };
   struct Descriptor {
-    std::uint32_t set, binding, element;  // element of an array
+    std::uint32_t set, binding, element;  // the element of an array
     Kind kind;
-    std::vector<std::uint8_t> bytes = {};  // kUniforms, kStorage
-    Inputs::Texture texture = {};          // the others but kSampler
-    bool compares = false;                 // kSampler
+    std::vector<std::uint8_t> bytes = {};  // of kUniforms and kStorage
+    Inputs::Texture texture = {};          // of kTexture, kTextureWithSampler and kTexels
+    bool compares = false;                 // of kSampler
   };
   int vertices = 0, instances = 1;
   int first_vertex = 0, base_instance = 0;
@@ -29,9 +29,10 @@ struct DrawCall {
   std::vector<Descriptor> descriptors;
 };
 
-// Vulkan without a display: Mesa's software driver. The loader finds it without an environment
-// variable. All throw DrawError.
 class Device;
+
+// Vulkan without a display: Mesa's software driver, which the loader finds without an environment
+// variable. All functions throw DrawError.
 class Runner {
  public:
   Runner();
@@ -39,12 +40,12 @@ class Runner {
 
   std::string name() const;
 
-  // Empty if there is a device; else why there is none. In CI (the environment has `CI`) always
-  // empty: there, what needs one fails.
+  // Why there is no device; empty if there is one. Always empty in CI (the environment has `CI`),
+  // so that tests without a device fail there.
   static std::string WhyNone();
 
-  // Runs the vertex shader alone, on points, and returns `outputs` in their order. What the shader
-  // reads and the draw call does not give is a DrawError.
+  // Runs the vertex shader without any other stage, on points, and returns `outputs` in their
+  // order. Throws DrawError where the shader reads something that the draw call does not give.
   std::vector<Captured> Capture(const Spirv& vertex, std::span<const Output> outputs,
                                 const DrawCall& call) const;
 

@@ -52,7 +52,7 @@ Output Make(const spirv_cross::Compiler& compiler, const spirv_cross::Resource& 
   return output;
 }
 
-// Of gl_PerVertex the member that is built in so.
+// The member of gl_PerVertex with that built-in; none where it is a variable of its own.
 std::optional<std::uint32_t> MemberOf(const spirv_cross::Compiler& compiler,
                                       const spirv_cross::BuiltInResource& found) {
   const spirv_cross::SPIRType& type = compiler.get_type(found.resource.base_type_id);
@@ -127,7 +127,7 @@ void Append(Spirv& spirv, spv::Op op, std::initializer_list<std::uint32_t> opera
   spirv.insert(spirv.end(), operands);
 }
 
-// What must come before the first decoration or type.
+// Whether the instruction must come before the first decoration or type.
 bool IsPreamble(spv::Op op) {
   switch (op) {
     case spv::OpCapability:
@@ -159,12 +159,13 @@ std::string EntryPointOf(const Spirv& spirv) {
 }
 
 Spirv WithTransformFeedback(const Spirv& spirv, std::span<const Output> outputs,
-                            std::span<const Place> places, std::span<const std::uint32_t> strides) {
+                            std::span<const FeedbackSlot> places,
+                            std::span<const std::uint32_t> strides) {
   Spirv decorations;
   std::set<std::uint32_t> blocks;
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const Output& output = outputs[i];
-    const Place& place = places[i];
+    const FeedbackSlot& place = places[i];
     if (output.member) {
       Append(decorations, spv::OpMemberDecorate,
              {output.type, *output.member, spv::DecorationOffset, place.offset});

@@ -7,18 +7,18 @@
 #include <string>
 #include <vector>
 
-#include "tools/draw/program.h"
+#include "tools/draw/inputs.h"
 
-// Vertex shaders in SPIR-V. What SPIRV-Cross cannot read is a DrawError.
+// Vertex shaders in SPIR-V. All functions throw DrawError where SPIRV-Cross cannot read the shader.
 namespace clipc::draw::vulkan {
 
 using Spirv = std::vector<std::uint32_t>;
 
 // A variable that a vertex shader writes, or a member of its gl_PerVertex.
 struct Output {
-  std::string name;  // in the text that it was compiled from; "gl_Position" and its like for what
-                     // is built in
-  std::string semantic;  // as HLSL has it, if the compiler wrote that down: "TEXCOORD3"
+  // In the text that the shader was compiled from; "gl_Position" and the like of built-in outputs.
+  std::string name;
+  std::string semantic;                   // of the HLSL, if the compiler wrote it down: "TEXCOORD3"
   std::optional<std::uint32_t> location;  // none: built in
   Shape shape;
   int count = 1;                         // elements of an array
@@ -32,7 +32,7 @@ std::vector<Output> OutputsOf(const Spirv& spirv);
 // The name of its entry point.
 std::string EntryPointOf(const Spirv& spirv);
 
-// What the shader reads.
+// The variables that the shader reads.
 struct Reads {
   struct Binding {
     std::string name;  // of the variable, or of a block without an instance
@@ -41,21 +41,22 @@ struct Reads {
   struct Attribute {
     std::string name, semantic;  // as those of an output
     std::uint32_t location;
-    std::uint32_t locations;  // how many it takes: elements of arrays and columns of matrices
+    std::uint32_t locations;  // their number: elements of arrays and columns of matrices
   };
   std::vector<Binding> bindings;
   std::vector<Attribute> attributes;
 };
 Reads ReadsOf(const Spirv& spirv);
 
-// Where transform feedback is to write an output.
-struct Place {
+// The place where transform feedback writes an output.
+struct FeedbackSlot {
   std::uint32_t buffer = 0, offset = 0;  // in bytes
 };
 
-// The shader that writes outputs[i] to places[i] of every vertex's part of the buffer,
-// `strides[buffer]` bytes long.
+// The shader, changed to write outputs[i] to places[i] of every vertex's part of the buffer. A part
+// has strides[buffer] bytes.
 Spirv WithTransformFeedback(const Spirv& spirv, std::span<const Output> outputs,
-                            std::span<const Place> places, std::span<const std::uint32_t> strides);
+                            std::span<const FeedbackSlot> places,
+                            std::span<const std::uint32_t> strides);
 
 }  // namespace clipc::draw::vulkan

@@ -6,7 +6,7 @@
 #include <map>
 #include <sstream>
 
-#include "tools/draw/gl.h"
+#include "tools/harness/offscreen.h"
 #include "tools/study/program/commands.h"
 #include "tools/study/program/csv.h"
 #include "tools/study/program/scene_file.h"
@@ -15,22 +15,13 @@
 namespace clipc::study {
 namespace {
 
-CostTable CostsFrom(const std::vector<Cost>& costs) {
-  CostTable table;
-  for (const Cost& cost : costs) {
-    if (cost.setting == "picture" && cost.planes > 0)
-      table[{cost.way, cost.planes}] = cost.paired_ratio;
-  }
-  return table;
-}
-
 // speed.csv as clipc-study wrote it.
 CostTable ReadCosts(const std::string& path) {
   std::ifstream file(path);
   std::string line;
   if (!std::getline(file, line) ||
       line != "setting,way,planes,median_ms,least_ms,ratio,paired_ratio") {
-    throw draw::DrawError("`" + path + "` is no speed.csv of clipc-study");
+    throw harness::DrawError("`" + path + "` is no speed.csv of clipc-study");
   }
   std::vector<Cost> costs;
   while (std::getline(file, line)) {
@@ -38,18 +29,18 @@ CostTable ReadCosts(const std::string& path) {
     std::vector<std::string> cells;
     for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
     if (cells.size() != 7)
-      throw draw::DrawError("`" + path + "` has a row that is not of seven cells");
+      throw harness::DrawError("`" + path + "` has a row that is not of seven cells");
     Cost& cost = costs.emplace_back();
     cost.setting = cells[0], cost.way = cells[1], cost.planes = std::atoi(cells[2].c_str());
     cost.paired_ratio = std::strtod(cells[6].c_str(), nullptr);
   }
-  return CostsFrom(costs);
+  return TableOf(costs);
 }
 
 CostTable MeasuredCosts() {
-  draw::Device device;
+  const harness::OpenGl opengl(harness::Api::kCompatibility);
   Progress progress("cost");
-  return CostsFrom(MeasureSpeed(device, 5, 40, std::ref(progress)));
+  return TableOf(MeasureSpeed(5, 40, std::ref(progress)));
 }
 
 // How clipc is told to compile for a way; nothing for ways that it does not make.
@@ -97,7 +88,7 @@ void Report(const Scene& scene, const NamedCamera& camera, const CostTable& cost
     }
     const DrawFacts facts = FactsOf(object, camera.camera, scene, plan.needed);
     const Advice best = Advise(facts, costs, scene.tolerance).front();
-    if (!best.possible) throw draw::DrawError("no method can clip `" + object.name + "`");
+    if (!best.possible) throw harness::DrawError("no method can clip `" + object.name + "`");
     std::printf("%-20s %-12s %-28s %-16s %12.2g %8.3f\n", object.name.c_str(), drawn,
                 MaskText(plan.needed, scene).c_str(), best.way.c_str(), best.bound, best.cost);
     int& most = variants[best.way];
@@ -132,10 +123,10 @@ int RunScene(const std::vector<std::string>& arguments) {
     } else if (path.empty() && !arguments[i].starts_with("--")) {
       path = arguments[i];
     } else {
-      throw draw::DrawError("`" + arguments[i] + "` is not understood\n" + kUsage);
+      throw harness::DrawError("`" + arguments[i] + "` is not understood\n" + kUsage);
     }
   }
-  if (path.empty()) throw draw::DrawError(std::string("no scene\n") + kUsage);
+  if (path.empty()) throw harness::DrawError(std::string("no scene\n") + kUsage);
   const Scene scene = ReadScene(path);
   const CostTable costs = costs_path.empty() ? MeasuredCosts() : ReadCosts(costs_path);
   Variants variants;
@@ -146,7 +137,7 @@ int RunScene(const std::vector<std::string>& arguments) {
   if (!variants_path.empty()) {
     std::ofstream file(variants_path);
     file << VariantList(scene, variants);
-    if (!file.flush()) throw draw::DrawError("cannot write `" + variants_path + "`");
+    if (!file.flush()) throw harness::DrawError("cannot write `" + variants_path + "`");
   }
   return 0;
 }

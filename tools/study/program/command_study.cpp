@@ -9,13 +9,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "tools/draw/gl.h"
+#include "tools/harness/offscreen.h"
 #include "tools/study/depth.h"
 #include "tools/study/edges.h"
 #include "tools/study/program/commands.h"
 #include "tools/study/program/csv.h"
 #include "tools/study/program/pixels.h"
-#include "tools/study/program/png.h"
 #include "tools/study/program/scene_cost.h"
 #include "tools/study/program/special.h"
 #include "tools/study/program/speed.h"
@@ -42,7 +41,7 @@ StudyOptions OptionsOf(const std::vector<std::string>& arguments) {
     } else if (arguments[i] == "--out" && i + 1 < arguments.size()) {
       options.out = arguments[++i];
     } else {
-      throw draw::DrawError("`" + arguments[i] + "` is not understood\n" + kUsage);
+      throw harness::DrawError("`" + arguments[i] + "` is not understood\n" + kUsage);
     }
   }
   return options;
@@ -67,6 +66,7 @@ class Study {
   }
 
  private:
+  int KnotDetail() const { return options_.quick ? 12 : 24; }
   std::string Path(const std::string& name) const { return options_.out + "/" + name; }
 
   void Edges() {
@@ -77,10 +77,8 @@ class Study {
     for (std::size_t i = 0; i < points.size(); ++i) {
       for (const EdgeErrors& errors :
            MeasureEdges(points[i].config, AllMethods(), options_.quick ? 1000 : 6000, 12345)) {
-        csv << points[i].sweep << points[i].parameter << errors.method << errors.applies
-            << errors.edges << errors.median << errors.p99 << errors.largest << errors.over_half
-            << errors.not_finite;
-        csv.EndRow();
+        csv.Row(points[i].sweep, points[i].parameter, errors.method, errors.applies, errors.edges,
+                errors.median, errors.p99, errors.largest, errors.over_half, errors.not_finite);
       }
       progress(static_cast<double>(i + 1) / static_cast<double>(points.size()));
     }
@@ -91,8 +89,7 @@ class Study {
     for (const double fov : {1.0, 5.0, 10.0, 20.0, 60.0, 120.0}) {
       for (const RoundingCost& cost :
            MeasureRoundings(fov, options_.quick ? 40 : 200, options_.quick ? 300 : 1000, 77)) {
-        csv << fov << cost.rounding << cost.draws << cost.mean << cost.worst << cost.over;
-        csv.EndRow();
+        csv.Row(fov, cost.rounding, cost.draws, cost.mean, cost.worst, cost.over);
       }
     }
   }
@@ -104,9 +101,8 @@ class Study {
       const runtime::Plane plane = {0, 1, 0, eye};
       for (const DepthLeft& left :
            MeasureDepth(Camera{}, plane, options_.quick ? 4000 : 40000, 5)) {
-        csv << eye << left.method << left.refused << left.effective_near << left.ordered
-            << left.tied << left.inverted << left.lost;
-        csv.EndRow();
+        csv.Row(eye, left.method, left.refused, left.effective_near, left.ordered, left.tied,
+                left.inverted, left.lost);
       }
     }
   }
@@ -115,39 +111,35 @@ class Study {
     Csv csv(Path("pixels.csv"),
             {"sweep", "parameter", "way", "applies", "reference", "extra", "lost", "wrong"});
     Progress progress("wrong pixels");
-    PixelMeter meter(device_, options_.quick ? 960 : 1920, options_.quick ? 540 : 1080,
-                     options_.quick ? 12 : 24);
+    PixelMeter meter(options_.quick ? 960 : 1920, options_.quick ? 540 : 1080, KnotDetail());
     const std::vector<SweepPoint> points = AllSweeps(options_.quick);
     for (std::size_t i = 0; i < points.size(); ++i) {
-      // A knot has no such angle, and no such triangles.
+      // The knot does not have such an angle or such triangles.
       if (points[i].config.surface_angle < 0 &&
           points[i].config.edge_length == Config{}.edge_length) {
         for (const PixelErrors& errors : meter.Measure(points[i].config)) {
-          csv << points[i].sweep << points[i].parameter << errors.way << errors.applies
-              << errors.reference << errors.extra << errors.lost << errors.extra + errors.lost;
-          csv.EndRow();
+          csv.Row(points[i].sweep, points[i].parameter, errors.way, errors.applies,
+                  errors.reference, errors.extra, errors.lost, errors.extra + errors.lost);
         }
       }
       progress(static_cast<double>(i + 1) / static_cast<double>(points.size()));
     }
-    Pictures(meter);
+    Pictures();
   }
 
   // One cut near enough for the default to be right, one where it is visibly not.
-  void Pictures(PixelMeter& meter) {
+  void Pictures() {
     const Config far = ObliqueAt(3e4, 0.1, 1e6);
     for (const Way& way : AllWays()) {
-      const auto rgba = meter.Picture(device_, far, way.kind, 480, 270);
-      if (!rgba.empty())
-        WritePng(Path("picture-" + std::string(way.name) + ".png"), 480, 270, rgba);
+      if (const auto picture = DrawOnce(far, way.kind, KnotDetail(), 480, 270))
+        harness::WritePng(Path("picture-" + std::string(way.name) + ".png"), *picture);
     }
   }
 
   void Special() {
     Csv csv(Path("special.csv"), {"sweep", "what", "way", "got", "right"});
-    for (const SpecialResult& result : MeasureSpecial(device_)) {
-      csv << result.sweep << result.what << result.way << result.got << result.right;
-      csv.EndRow();
+    for (const SpecialResult& result : MeasureSpecial()) {
+      csv.Row(result.sweep, result.what, result.way, result.got, result.right);
     }
   }
 
@@ -156,16 +148,13 @@ class Study {
     Csv csv(Path(name),
             {"setting", "way", "planes", "median_ms", "least_ms", "ratio", "paired_ratio"});
     Progress progress(what);
-    CostTable table;
-    for (const Cost& cost : MeasureSpeed(device_, options_.quick ? 3 : 25,
-                                         options_.quick ? 40 : 100, std::ref(progress))) {
-      csv << cost.setting << cost.way << cost.planes << cost.median_ms << cost.least_ms
-          << cost.ratio << cost.paired_ratio;
-      csv.EndRow();
-      if (cost.planes > 0 && cost.setting == "picture")
-        table[{cost.way, cost.planes}] = cost.paired_ratio;
+    const std::vector<Cost> costs =
+        MeasureSpeed(options_.quick ? 3 : 25, options_.quick ? 40 : 100, std::ref(progress));
+    for (const Cost& cost : costs) {
+      csv.Row(cost.setting, cost.way, cost.planes, cost.median_ms, cost.least_ms, cost.ratio,
+              cost.paired_ratio);
     }
-    return table;
+    return TableOf(costs);
   }
 
   void Scenes() {
@@ -193,11 +182,9 @@ class Study {
           std::max_element(chosen.begin(), chosen.end(),
                            [](const auto& a, const auto& b) { return a.second < b.second; });
       const Advice& advice = worst[most->first];
-      csv << scene.name << static_cast<long>(scene.planes.size())
-          << static_cast<long>(scene.objects.size()) << outside << culled << need[0] << need[1]
-          << need[2] << need[3] << advice.way << advice.predicted << advice.bound << advice.cost
-          << static_cast<double>(most->second) / (need[1] + need[2] + need[3]);
-      csv.EndRow();
+      csv.Row(scene.name, scene.planes.size(), scene.objects.size(), outside, culled, need[0],
+              need[1], need[2], need[3], advice.way, advice.predicted, advice.bound, advice.cost,
+              static_cast<double>(most->second) / (need[1] + need[2] + need[3]));
     }
   }
 
@@ -205,7 +192,7 @@ class Study {
   void SceneCosts() {
     Csv csv(Path("scene-costs.csv"),
             {"scene", "planes", "draws", "planes_drawn", "least_ms", "same_picture"});
-    SceneDrawer drawer(device_, 1280, 720);
+    SceneDrawer drawer(1280, 720);
     for (const Scene& scene : BuiltInScenes()) {
       const std::vector<std::uint8_t> all = drawer.Draw(scene, Planes::kAll).rgba;
       for (const auto& [planes, name] :
@@ -215,9 +202,7 @@ class Study {
         for (int round = 0; round < (options_.quick ? 1 : 6); ++round) {
           drawn.cpu_ms = std::min(drawn.cpu_ms, drawer.Draw(scene, planes).cpu_ms);
         }
-        csv << scene.name << name << drawn.draws << drawn.planes << drawn.cpu_ms
-            << (drawn.rgba == all);
-        csv.EndRow();
+        csv.Row(scene.name, name, drawn.draws, drawn.planes, drawn.cpu_ms, (drawn.rgba == all));
       }
     }
   }
@@ -242,17 +227,15 @@ class Study {
           cheapest = &other;
       }
       const MeasuredWay measured = MeasureWay(draws[i], best.way, options_.quick ? 500 : 3000, 9);
-      csv << static_cast<long>(i) << facts.camera.orthographic << facts.camera.reversed
-          << facts.means.rigid << facts.means.clip_distances << facts.means.user_planes << best.way
-          << best.predicted << best.bound << measured.p99 << cost_of(best) << cost_of(*cheapest)
-          << cheapest->way;
-      csv.EndRow();
+      csv.Row(i, facts.camera.orthographic, facts.camera.reversed, facts.means.rigid,
+              facts.means.clip_distances, facts.means.user_planes, best.way, best.predicted,
+              best.bound, measured.p99, cost_of(best), cost_of(*cheapest), cheapest->way);
       progress(static_cast<double>(i + 1) / static_cast<double>(draws.size()));
     }
   }
 
   StudyOptions options_;
-  draw::Device device_;
+  const harness::OpenGl opengl_{harness::Api::kCompatibility};
   CostTable rule_costs_;
 };
 
@@ -264,8 +247,8 @@ void MakeReport(const std::string& folder) {
   }
   int status = 0;
   if (child < 0 || waitpid(child, &status, 0) < 0 || status != 0) {
-    throw draw::DrawError("the tables are in `" + folder +
-                          "`, but the report failed; it needs Debian's python3-matplotlib");
+    throw harness::DrawError("the tables are in `" + folder +
+                             "`, but the report failed; it needs Debian's python3-matplotlib");
   }
 }
 

@@ -8,16 +8,19 @@ namespace clipc::study {
 
 inline constexpr char kUsage[] =
     R"(clipc-study [--quick] [--out FOLDER] [--no-report]
-  Measures every way to clip on Mesa's software OpenGL and writes tables (CSV), pictures and report.html into FOLDER
-  (default: study-report). --quick takes fewer points, edges and rounds. --no-report leaves the report and Python out.
+  Measures every way to clip on Mesa's software OpenGL and writes tables (CSV), pictures and
+  report.html into FOLDER (default: study-report).
+    --quick                 takes fewer points, edges and rounds
+    --no-report             writes no report, which needs Python
 
 clipc-study scene FILE [--costs speed.csv] [--variants FILE]
-  What a scene needs: for each object whether a plane takes it away, the planes that may cut it, the method for it with the
-  error that it will have and its cost, and the shader variants to build. FILE is JSON or glTF 2.0: see docs/study.md.
-Exit: 0 done, 2 cannot.
+  Prints what a scene needs: for each object whether a plane takes it away, the planes that may cut
+  it, the best method with its error and its cost; and the shader variants to build. FILE is JSON or
+  glTF 2.0: see docs/study.md.
+Exit: 0 done, 2 failed.
 )";
 
-// Return exit codes; throw DrawError for what cannot be done.
+// Return the exit code. Throw DrawError with the reason where they fail.
 int RunStudy(const std::vector<std::string>& arguments);
 int RunScene(const std::vector<std::string>& arguments);
 

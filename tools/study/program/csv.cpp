@@ -5,36 +5,35 @@
 
 #include <unistd.h>
 
-#include "tools/draw/gl.h"
+#include "tools/harness/offscreen.h"
 
 namespace clipc::study {
 
 Csv::Csv(const std::string& path, std::initializer_list<const char*> columns)
     : path_(path), file_(path) {
-  for (const char* column : columns) *this << column;
+  for (const char* column : columns) Add(column);
   EndRow();
 }
 
-Csv& Csv::operator<<(const std::string& cell) {
+void Csv::Add(const std::string& cell) {
   const bool quote = cell.find_first_of(",\"\n") != cell.npos;
   std::string text;
   for (const char c : cell) text += c == '"' ? "\"\"" : std::string(1, c);
   file_ << (first_ ? "" : ",") << (quote ? "\"" + text + "\"" : text);
   first_ = false;
-  return *this;
 }
 
-Csv& Csv::operator<<(double number) {
+void Csv::Add(double number) {
   char text[64];
   std::snprintf(text, sizeof text, "%.6g", number);
-  return *this << text;
+  Add(text);
 }
 
 void Csv::EndRow() {
   file_ << '\n';
   file_.flush();
   first_ = true;
-  if (!file_) throw draw::DrawError("cannot write `" + path_ + "`");
+  if (!file_) throw harness::DrawError("cannot write `" + path_ + "`");
 }
 
 Progress::Progress(std::string what) : what_(std::move(what)), shown_(isatty(STDERR_FILENO) != 0) {

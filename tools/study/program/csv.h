@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <concepts>
 #include <fstream>
 #include <initializer_list>
 #include <string>
@@ -12,21 +13,29 @@ namespace clipc::study {
 class Csv {
  public:
   Csv(const std::string& path, std::initializer_list<const char*> columns);
-  Csv& operator<<(const std::string& cell);
-  Csv& operator<<(const char* cell) { return *this << std::string(cell); }
-  Csv& operator<<(double number);  // six digits
-  Csv& operator<<(long number) { return *this << std::to_string(number); }
-  Csv& operator<<(int number) { return *this << std::to_string(number); }
-  void EndRow();
+  // Adds a row of strings and numbers; numbers that are not whole have six digits.
+  template <typename... Cells>
+  void Row(const Cells&... cells) {
+    (Add(cells), ...);
+    EndRow();
+  }
 
  private:
+  void Add(const std::string& cell);
+  void Add(double number);
+  template <std::integral Number>
+  void Add(Number number) {
+    Add(std::to_string(number));
+  }
+  void EndRow();
+
   std::string path_;
   std::ofstream file_;
   bool first_ = true;
 };
 
-// One line on standard error that says what is being done and how far it is; nothing when that is
-// no terminal.
+// A line on standard error that says what the program does and how far it is; nothing is printed
+// when standard error is not a terminal.
 class Progress {
  public:
   explicit Progress(std::string what);

@@ -12,18 +12,19 @@
 #include <nlohmann/json.hpp>
 #include <tiny_gltf.h>
 
-#include "tools/draw/gl.h"
+#include "tools/harness/offscreen.h"
 
 namespace clipc::study {
 namespace {
 
+using harness::Vector;
 using runtime::Matrix;
 
 constexpr int kDeepestJson = 64;
 constexpr std::size_t kMostObjects = 1'000'000;
 
 [[noreturn]] void Fail(const std::string& where, const std::string& what) {
-  throw draw::DrawError("`" + where + "` " + what);
+  throw harness::DrawError("`" + where + "` " + what);
 }
 
 std::string At(const char* list, std::size_t index) {
@@ -39,13 +40,14 @@ const T& ElementOf(const std::vector<T>& list, int index, const std::string& whe
   return list[static_cast<std::size_t>(index)];
 }
 
-// The JSON of a .glb file is its first chunk, behind twenty bytes.
+// The JSON of a .glb file is its first chunk, after twenty bytes.
 std::string_view JsonOf(const std::string& bytes, bool is_binary) {
   if (!is_binary) return bytes;
-  if (bytes.size() < 20) throw draw::DrawError("the file ends within the header of a .glb");
+  if (bytes.size() < 20) throw harness::DrawError("the file ends within the header of a .glb");
   std::uint32_t length = 0;
   for (int i = 3; i >= 0; --i) length = length << 8 | static_cast<unsigned char>(bytes[12 + i]);
-  if (length > bytes.size() - 20) throw draw::DrawError("the file ends within the JSON of a .glb");
+  if (length > bytes.size() - 20)
+    throw harness::DrawError("the file ends within the JSON of a .glb");
   return std::string_view(bytes).substr(20, length);
 }
 
@@ -58,9 +60,9 @@ void CheckDepth(std::string_view json) {
     return !is_deep;
   };
   if (nlohmann::json::parse(json, visit, false).is_discarded() && !is_deep) {
-    throw draw::DrawError("the file is no JSON");
+    throw harness::DrawError("the file is no JSON");
   }
-  if (is_deep) throw draw::DrawError("the JSON is nested deeper than 64 levels");
+  if (is_deep) throw harness::DrawError("the JSON is nested deeper than 64 levels");
 }
 
 tinygltf::Model Load(const std::string& bytes, const std::string& folder) {
@@ -84,7 +86,7 @@ tinygltf::Model Load(const std::string& bytes, const std::string& folder) {
   } catch (const std::exception& problem) {
     error = problem.what();
   }
-  if (!ok) throw draw::DrawError("no glTF: " + error.substr(0, error.find('\n')));
+  if (!ok) throw harness::DrawError("no glTF: " + error.substr(0, error.find('\n')));
   return model;
 }
 
@@ -102,14 +104,14 @@ class Converter {
     Settings(root.extras);
     PlaceNodes(root);
     for (std::size_t i : placed_) Take(i);
-    if (scene_.cameras.empty()) throw draw::DrawError("the scene has no camera");
+    if (scene_.cameras.empty()) throw harness::DrawError("the scene has no camera");
     if (scene_.planes.empty()) {
-      throw draw::DrawError(
+      throw harness::DrawError(
           "no node of the scene has `extras` with `clip_plane`: there is no plane to clip by");
     }
     if (scene_.planes.size() > 6)
-      throw draw::DrawError("more than 6 nodes have `extras` with `clip_plane`");
-    if (scene_.objects.empty()) throw draw::DrawError("the scene has no mesh");
+      throw harness::DrawError("more than 6 nodes have `extras` with `clip_plane`");
+    if (scene_.objects.empty()) throw harness::DrawError("the scene has no mesh");
     return std::move(scene_);
   }
 
@@ -144,12 +146,12 @@ class Converter {
   // Parents before children. A node that is reached twice, or through itself, is refused.
   void PlaceNodes(const tinygltf::Scene& root) {
     to_world_.resize(model_.nodes.size());
-    struct Step {
+    struct Visit {
       int node;
       Matrix parent;
       std::string where;
     };
-    std::vector<Step> steps;
+    std::vector<Visit> steps;
     const auto add = [&](const std::vector<int>& nodes, const Matrix& parent,
                          const std::string& list) {
       for (std::size_t i = nodes.size(); i-- > 0;)
@@ -157,7 +159,7 @@ class Converter {
     };
     add(root.nodes, Matrix(), "scene.nodes");
     while (!steps.empty()) {
-      const Step step = std::move(steps.back());
+      const Visit step = std::move(steps.back());
       steps.pop_back();
       const tinygltf::Node& node = ElementOf(model_.nodes, step.node, step.where);
       const auto index = static_cast<std::size_t>(step.node);
@@ -214,32 +216,17 @@ class Converter {
     return local;
   }
 
-  // glTF's world to the scene's, behind `matrix`.
+  // `matrix`, followed by the way from glTF's world to the scene's.
   static Matrix Mirrored(Matrix matrix) {
     for (auto& row : matrix.m) row[2] = -row[2];
     return matrix;
   }
 
-  static void Cross(const double (&a)[3], const double (&b)[3], double (&to)[3]) {
-    for (int i = 0; i < 3; ++i)
-      to[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
-  }
-  static double Dot(const double (&a)[3], const double (&b)[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-  }
-  struct Axes {
-    double x[3], y[3], z[3], origin[3];
-  };
-  static Axes AxesOf(const Matrix& m) {
-    Axes axes;
-    for (int i = 0; i < 3; ++i)
-      axes.x[i] = m.m[0][i], axes.y[i] = m.m[1][i], axes.z[i] = m.m[2][i],
-      axes.origin[i] = m.m[3][i];
-    return axes;
-  }
-  static bool Normalize(double (&v)[3]) {
-    const double length = std::hypot(v[0], v[1], v[2]);
-    for (double& c : v) c /= length;
+  static Vector RowOf(const Matrix& m, int i) { return {m.m[i][0], m.m[i][1], m.m[i][2]}; }
+  // Returns false where the vector has no direction.
+  static bool Normalize(Vector& v) {
+    const double length = std::hypot(v.x, v.y, v.z);
+    v = v / length;
     return length > 0 && std::isfinite(length);
   }
 
@@ -266,15 +253,12 @@ class Converter {
 
   // Local y >= 0 is kept.
   void TakePlane(const tinygltf::Node& node, const Matrix& world, const std::string& where) {
-    const Axes axes = AxesOf(Mirrored(world));
-    double normal[3];
-    Cross(axes.z, axes.x, normal);
+    const Matrix axes = Mirrored(world);
+    Vector normal = Cross(RowOf(axes, 2), RowOf(axes, 0));
     if (!Normalize(normal)) Fail(where, "has no plane: its scale is 0");
-    const double side = Dot(normal, axes.y) < 0 ? -1 : 1;
-    const double distance = -Dot(normal, axes.origin);
-    scene_.planes.push_back(
-        {NameOf(node.name, "", where),
-         {side * normal[0], side * normal[1], side * normal[2], side * distance}});
+    if (Dot(normal, RowOf(axes, 1)) < 0) normal = -1 * normal;
+    scene_.planes.push_back({NameOf(node.name, "", where),
+                             {normal.x, normal.y, normal.z, -Dot(normal, RowOf(axes, 3))}});
   }
 
   // A camera's own scale does not count.
@@ -287,24 +271,20 @@ class Converter {
     } else {
       Lens(from.perspective, place + ".perspective", camera);
     }
-    // It looks along -z here as there, and then along z of the mirrored space.
-    Matrix to_world = Mirrored(world);
-    for (double& c : to_world.m[2]) c = -c;
-    Axes axes = AxesOf(to_world);
-    if (!Normalize(axes.x) || !Normalize(axes.y) || !Normalize(axes.z))
-      Fail(where, "is a camera of scale 0");
-    double right[3];
-    Cross(axes.y, axes.z, right);
-    if (std::fabs(Dot(axes.x, axes.y)) > 1e-6 || std::fabs(Dot(right, axes.x) - 1) > 1e-6) {
+    // It looks along -z in its own space, which is mirrored as the world is.
+    const Matrix to_world = Mirrored(world);
+    Vector x = RowOf(to_world, 0), y = RowOf(to_world, 1), z = -1 * RowOf(to_world, 2);
+    if (!Normalize(x) || !Normalize(y) || !Normalize(z)) Fail(where, "is a camera of scale 0");
+    if (std::fabs(Dot(x, y)) > 1e-6 || std::fabs(Dot(Cross(y, z), x) - 1) > 1e-6) {
       Fail(where, "is a camera whose space is skewed or mirrored");
     }
-    std::copy(axes.origin, axes.origin + 3, camera.eye);
+    std::copy(to_world.m[3], to_world.m[3] + 3, camera.eye);
     // The rows of Rotation(yaw, pitch, roll), read backwards.
-    const double level = std::hypot(axes.z[0], axes.z[2]);
-    camera.pitch = std::atan2(-axes.z[1], level);
+    const double level = std::hypot(z.x, z.z);
+    camera.pitch = std::atan2(-z.y, level);
     const bool is_upright = level > 1e-9;
-    camera.yaw = is_upright ? std::atan2(axes.z[0], axes.z[2]) : std::atan2(-axes.x[2], axes.x[0]);
-    camera.roll = is_upright ? std::atan2(axes.x[1], axes.y[1]) : 0;
+    camera.yaw = is_upright ? std::atan2(z.x, z.z) : std::atan2(-x.z, x.x);
+    camera.roll = is_upright ? std::atan2(x.y, y.y) : 0;
     scene_.cameras.push_back({NameOf(node.name, from.name, where), camera});
   }
 
@@ -349,7 +329,7 @@ class Converter {
     const std::string place = At("meshes", static_cast<std::size_t>(node.mesh));
     for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
       if (scene_.objects.size() >= kMostObjects)
-        throw draw::DrawError("the scene draws more than a million objects");
+        throw harness::DrawError("the scene draws more than a million objects");
       const tinygltf::Primitive& primitive = mesh.primitives[i];
       const std::string part = place + "." + At("primitives", i);
       SceneObject object;

@@ -7,12 +7,12 @@
 
 namespace clipc::study {
 
-// A glTF 2.0 scene, from the text of a .gltf file or the bytes of a .glb one; buffers beside it lie
-// in `folder`. docs/study.md says what of it is taken, and how planes are marked. The file may hold
-// anything: throws DrawError with the place and what is wrong there.
+// Reads a glTF 2.0 scene from the text of a .gltf file or the bytes of a .glb one; its buffers are
+// files in `folder`. docs/study.md says which parts of it are read, and how planes are marked.
+// Throws DrawError with the place and the reason where the file is wrong; it may hold anything.
 //
-// glTF's space is right-handed and its cameras look along -z; the scene's is left-handed. So the
-// world is mirrored: its z is glTF's -z. Boxes stay in the space of their own mesh.
+// glTF's space is right-handed and its cameras look along -z; the scene's space is left-handed. So
+// the world is mirrored: its z is glTF's -z. Boxes stay in the space of their own mesh.
 Scene GltfScene(const std::string& bytes, const std::string& folder);
 
 }  // namespace clipc::study

@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "tools/draw/gl.h"
+#include "tools/harness/offscreen.h"
 #include "tools/study/program/commands.h"
 #include "tools/study/program/scene_file.h"
 
@@ -37,7 +37,7 @@ void ExpectNear(const Matrix& a, const Matrix& b) {
 std::string ErrorOf(const std::string& bytes) {
   try {
     GltfScene(bytes, "");
-  } catch (const draw::DrawError& error) {
+  } catch (const harness::DrawError& error) {
     return error.what();
   }
   return "";

@@ -9,18 +9,17 @@
 namespace clipc::study {
 
 struct Mesh {
-  std::vector<Vec4<float>> vertices;   // of object space, w = 1; or of clip space
+  std::vector<Vec4<float>> vertices;   // of object space, with w = 1; or of clip space
   std::vector<float> normals;          // three for each vertex
   std::vector<std::uint32_t> indices;  // three for each triangle
 };
 
-// A tube around a (2, 3) torus knot within 1.75 of the origin: 2 * along * around triangles that
-// overlap themselves.
-Mesh TorusKnot(int along, int around, double scale, double flatten = 1);
+// A tube around a (2, 3) torus knot within 1.75 * scale of the origin, of 2 * along * around
+// triangles. It hides parts of itself.
+Mesh TorusKnot(int along, int around, double scale);
 
-// The part of `mesh` where dot(vertex, plane) >= 0 for each plane, computed in T: what the
-// application clips itself. Cut vertices are rounded to float.
-template <typename T>
-Mesh ClipMesh(const Mesh& mesh, const std::vector<Vec4<T>>& planes);
+// The part of `mesh` where dot(vertex, plane) >= 0 for each plane, as an application clips it in
+// double. Cut vertices are rounded to float.
+Mesh ClipMesh(const Mesh& mesh, const std::vector<Vec4<double>>& planes);
 
 }  // namespace clipc::study

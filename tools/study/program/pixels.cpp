@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "tools/study/program/pixels.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -47,25 +48,25 @@ Mesh ExactlyClipped(const Mesh& mesh, const Setup& setup) {
   return exact;
 }
 
-}  // namespace
-
-PixelMeter::PixelMeter(draw::Device& device, int width, int height, int detail)
-    : studio_(device, width, height, true), detail_(detail) {
-  for (const Way& way : AllWays()) calls_.push_back(MakeCall(studio_.gl(), way.kind, 1, true));
-}
-
-Mesh PixelMeter::MeshFor(const Setup& setup) const {
+Mesh MeshFor(const Setup& setup, int detail) {
   const Camera& camera = setup.config.camera;
   const double depth = std::sqrt(setup.config.nearest * setup.config.farthest);
   const double half = camera.orthographic ? camera.half_height
                                           : depth * std::tan(camera.fov * std::numbers::pi / 360);
   // No deeper than the eye, whatever the field of view.
-  return TorusKnot(10 * detail_, detail_, std::min(half, depth) / 1.75);
+  return TorusKnot(10 * detail, detail, std::min(half, depth) / 1.75);
+}
+
+}  // namespace
+
+PixelMeter::PixelMeter(int width, int height, int detail)
+    : studio_(width, height, true), detail_(detail) {
+  for (const Way& way : AllWays()) calls_.push_back(MakeCall(way.kind, 1, true));
 }
 
 std::vector<PixelErrors> PixelMeter::Measure(const Config& config) {
   const Setup setup = Prepare(config);
-  const Mesh mesh = MeshFor(setup), exact = ExactlyClipped(mesh, setup);
+  const Mesh mesh = MeshFor(setup, detail_), exact = ExactlyClipped(mesh, setup);
   const Mat4<float> identity = ConvertTo<float>(runtime::Matrix{});
   studio_.Begin();
   calls_[0]->SetMesh(exact);
@@ -81,8 +82,7 @@ std::vector<PixelErrors> PixelMeter::Measure(const Config& config) {
     if (!constants) continue;
     errors.applies = true;
     const bool by_cpu = way.kind == WayKind::kCpu;
-    calls_[i]->SetMesh(by_cpu ? ClipMesh<double>(mesh, {ConvertTo<double>(setup.object_plane)})
-                              : mesh);
+    calls_[i]->SetMesh(by_cpu ? ClipMesh(mesh, {ConvertTo<double>(setup.object_plane)}) : mesh);
     calls_[i]->SetConstants(*constants);
     studio_.Begin();
     calls_[i]->Draw();
@@ -96,18 +96,22 @@ std::vector<PixelErrors> PixelMeter::Measure(const Config& config) {
   return all;
 }
 
-std::vector<std::uint8_t> PixelMeter::Picture(draw::Device& device, const Config& config,
-                                              WayKind kind, int width, int height) {
+std::optional<harness::Picture> DrawOnce(const Config& config, WayKind kind, int detail, int width,
+                                         int height) {
   const Setup setup = Prepare(config);
   const auto constants = ConstantsOf(kind, setup, {setup.world_plane});
-  if (!constants) return {};
-  Studio studio(device, width, height, false);
-  const auto call = MakeCall(studio.gl(), kind, 1, false);
-  call->SetMesh(MeshFor(setup));
+  if (!constants) return std::nullopt;
+  Studio studio(width, height, false);
+  const auto call = MakeCall(kind, 1, false);
+  call->SetMesh(MeshFor(setup, detail));
   call->SetConstants(*constants);
   studio.Begin();
   call->Draw();
-  return studio.Rgba();
+  harness::Picture picture = studio.Read();
+  for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
+    if (picture.rgba[i + 3] == 0) std::fill_n(&picture.rgba[i], 3, 255);
+  }
+  return picture;
 }
 
 }  // namespace clipc::study

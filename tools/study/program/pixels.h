@@ -4,13 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "tools/draw/gl.h"
 #include "tools/study/program/studio.h"
 
 namespace clipc::study {
 
-// What a way draws wrongly: fragments counted at each pixel, against polygons that were clipped
-// exactly.
+// How much a way draws wrongly: the fragments at each pixel are compared with those of polygons
+// that were clipped exactly.
 struct PixelErrors {
   std::string way;
   bool applies = false;
@@ -18,22 +17,22 @@ struct PixelErrors {
   long extra = 0, lost = 0;  // fragments too many and too few, summed over the pixels
 };
 
-// Draws a knot at the config's depth with each way, and with the reference: each triangle cut at
-// the exact distances of its vertices (Wide), its clip-space corners rounded to float once.
+// Draws a knot at the config's depth with each way, and the reference: each triangle is cut at the
+// exact distances of its vertices (Wide), and its clip-space corners are rounded to float once. An
+// OpenGL context of the compatibility profile must be current.
 class PixelMeter {
  public:
-  PixelMeter(draw::Device& device, int width, int height, int detail);
+  PixelMeter(int width, int height, int detail);
   std::vector<PixelErrors> Measure(const Config& config);
-  // Colours, from the bottom row up, of the config drawn with one way.
-  std::vector<std::uint8_t> Picture(draw::Device& device, const Config& config, WayKind kind,
-                                    int width, int height);
 
  private:
-  Mesh MeshFor(const Setup& setup) const;
-
   Studio studio_;
   int detail_;
   std::vector<std::unique_ptr<DrawCall>> calls_;  // as AllWays
 };
+
+// The knot of that detail drawn once with one way, over white; none where the way cannot be used.
+std::optional<harness::Picture> DrawOnce(const Config& config, WayKind kind, int detail, int width,
+                                         int height);
 
 }  // namespace clipc::study

@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "tools/study/program/scene_cost.h"
 
-#include <time.h>
-
 #include "runtime/clip_plane.h"
 #include "runtime/shader_variant.h"
+#include "tools/harness/timing.h"
 
 namespace clipc::study {
 namespace {
-
-double CpuMilliseconds() {
-  timespec now;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
-}
 
 // The plans of all objects of the scene.
 std::vector<runtime::BoxPlan> PlansOf(const Scene& scene, Planes planes) {
@@ -34,20 +27,18 @@ std::vector<runtime::BoxPlan> PlansOf(const Scene& scene, Planes planes) {
 
 }  // namespace
 
-SceneDrawer::SceneDrawer(draw::Device& device, int width, int height)
-    : studio_(device, width, height, false) {
+SceneDrawer::SceneDrawer(int width, int height) : studio_(width, height, false) {
   const Mesh mesh = TorusKnot(40, 8, 1);
   for (int planes = 0; planes <= 6; ++planes) {
-    variants_.push_back(
-        MakeCall(studio_.gl(), planes == 0 ? WayKind::kNone : WayKind::kObject, planes, false));
+    variants_.push_back(MakeCall(planes == 0 ? WayKind::kNone : WayKind::kObject, planes, false));
     variants_.back()->SetMesh(mesh);
   }
 }
 
 SceneDrawer::Drawn SceneDrawer::Draw(const Scene& scene, Planes planes) {
   studio_.Begin();
-  studio_.gl().Finish();
-  const double start = CpuMilliseconds();
+  glFinish();
+  const double start = harness::ProcessSeconds();
   const Camera& camera = scene.cameras.front().camera;
   const runtime::Matrix view_projection = runtime::Multiply(camera.View(), camera.Projection());
   const std::vector<runtime::BoxPlan> plans = PlansOf(scene, planes);
@@ -71,9 +62,9 @@ SceneDrawer::Drawn SceneDrawer::Draw(const Scene& scene, Planes planes) {
     call.Draw();
     ++drawn.draws, drawn.planes += variant.plane_count;
   }
-  studio_.gl().Finish();
-  drawn.cpu_ms = CpuMilliseconds() - start;
-  drawn.rgba = studio_.Rgba();
+  glFinish();
+  drawn.cpu_ms = 1e3 * (harness::ProcessSeconds() - start);
+  drawn.rgba = studio_.Read().rgba;
   return drawn;
 }
 

@@ -12,24 +12,26 @@ namespace clipc::study {
 
 // How many planes objects are drawn with.
 enum class Planes {
-  kNone,    // nothing is clipped
-  kAll,     // every plane on every object
-  kNeeded,  // objects that a plane takes away are left out; the others have the planes that may cut
-            // them, and are drawn in the order of their number, so that each shader variant is
-            // bound once
-  kTooFew,  // as kNeeded, without the first needed plane: what must look different
+  kNone,  // nothing is clipped
+  kAll,   // every plane clips every object
+  // Objects that a plane takes away are left out. The others are clipped by the planes that may cut
+  // them, and drawn in the order of the number of planes, so that each shader variant is bound
+  // once.
+  kNeeded,
+  kTooFew,  // as kNeeded, without the first needed plane: the picture must differ
 };
 
-// Draws a scene's first camera with plane space `object`: a shader variant for each number of
-// planes, the plans of runtime::PlanBox.
+// Draws what a scene's first camera sees, with plane space `object`, a shader variant for each
+// number of planes, and the plans of runtime::PlanBox. An OpenGL context of the compatibility
+// profile must be current.
 class SceneDrawer {
  public:
-  SceneDrawer(draw::Device& device, int width, int height);
+  SceneDrawer(int width, int height);
 
   struct Drawn {
-    std::vector<std::uint8_t> rgba;  // from the bottom row up
-    double cpu_ms = 0;               // of the process, planning included
-    long draws = 0, planes = 0;      // draw calls; planes of all of them together
+    std::vector<std::uint8_t> rgba;
+    double cpu_ms = 0;           // of the process, planning included
+    long draws = 0, planes = 0;  // draw calls; planes of all of them together
   };
   Drawn Draw(const Scene& scene, Planes planes);
 

@@ -3,13 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include "tools/harness/offscreen.h"
+
 namespace clipc::study {
 namespace {
 
 // The planes that are left out change no pixel; those that are left in do.
 TEST(SceneCost, LeavingOutWhatIsNotNeededChangesNoPixel) {
-  draw::Device device;
-  SceneDrawer drawer(device, 320, 180);
+  const harness::OpenGl opengl(harness::Api::kCompatibility);
+  SceneDrawer drawer(320, 180);
   for (const Scene& scene : BuiltInScenes()) {
     const auto none = drawer.Draw(scene, Planes::kNone), all = drawer.Draw(scene, Planes::kAll);
     const auto needed = drawer.Draw(scene, Planes::kNeeded),

@@ -9,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tools/draw/gl.h"
+#include "tools/harness/offscreen.h"
 #include "tools/study/program/gltf_scene.h"
 
 namespace clipc::study {
@@ -72,7 +72,7 @@ class Reader {
     }
   }
   [[noreturn]] void Fail(const std::string& key, const std::string& what) const {
-    throw draw::DrawError("`" + where_ + key + "` " + what);
+    throw harness::DrawError("`" + where_ + key + "` " + what);
   }
 
  private:
@@ -171,16 +171,16 @@ std::string FolderOf(const std::string& path) {
 Scene ReadScene(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
-  if (!file || !(text << file.rdbuf())) throw draw::DrawError("cannot read `" + path + "`");
+  if (!file || !(text << file.rdbuf())) throw harness::DrawError("cannot read `" + path + "`");
   const std::string bytes = text.str();
   try {
     if (bytes.starts_with("glTF")) return GltfScene(bytes, FolderOf(path));
     const Json json = Json::parse(bytes, nullptr, false);
-    if (json.is_discarded()) throw draw::DrawError("the file is no JSON");
+    if (json.is_discarded()) throw harness::DrawError("the file is no JSON");
     if (json.is_object() && json.contains("asset")) return GltfScene(bytes, FolderOf(path));
     return SceneFrom(json);
-  } catch (const draw::DrawError& error) {
-    throw draw::DrawError(path + ": " + error.what());
+  } catch (const harness::DrawError& error) {
+    throw harness::DrawError(path + ": " + error.what());
   }
 }
 

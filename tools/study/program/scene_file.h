@@ -8,7 +8,7 @@
 namespace clipc::study {
 
 // Reads a scene, JSON or glTF 2.0, as docs/study.md describes it. Throws DrawError with the file
-// and what is wrong in it.
+// and the reason where it is wrong.
 Scene ReadScene(const std::string& path);
 
 }  // namespace clipc::study

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tools/draw/gl.h"
+#include "tools/harness/offscreen.h"
 #include "tools/study/program/commands.h"
 
 namespace clipc::study {
@@ -35,7 +35,7 @@ std::string ErrorWith(const std::string& from, const std::string& to) {
   std::ofstream(path) << text;
   try {
     ReadScene(path);
-  } catch (const draw::DrawError& error) {
+  } catch (const harness::DrawError& error) {
     return error.what();
   }
   return "";
@@ -66,7 +66,7 @@ TEST(SceneFile, MistakesAreNamed) {
   EXPECT_THAT(ErrorWith("[-5, -2, -20]", "[-5, 20, -20]"),
               HasSubstr("`objects[0].low` lies above `high`"));
   EXPECT_THAT(ErrorWith("{", "("), HasSubstr("is no JSON"));
-  EXPECT_THROW(ReadScene("tools/study/scenes/none.json"), draw::DrawError);
+  EXPECT_THROW(ReadScene("tools/study/scenes/none.json"), harness::DrawError);
 }
 
 TEST(SceneCommand, SaysWhatEachObjectNeeds) {
@@ -90,9 +90,9 @@ TEST(SceneCommand, SaysWhatEachObjectNeeds) {
 }
 
 TEST(SceneCommand, RefusesWhatItDoesNotKnow) {
-  EXPECT_THROW(RunScene({"scene"}), draw::DrawError);
-  EXPECT_THROW(RunScene({"scene", kHarbour, "--cost", "x"}), draw::DrawError);
-  EXPECT_THROW(RunScene({"scene", kHarbour, "--costs", kHarbour}), draw::DrawError);
+  EXPECT_THROW(RunScene({"scene"}), harness::DrawError);
+  EXPECT_THROW(RunScene({"scene", kHarbour, "--cost", "x"}), harness::DrawError);
+  EXPECT_THROW(RunScene({"scene", kHarbour, "--costs", kHarbour}), harness::DrawError);
 }
 
 }  // namespace

@@ -14,12 +14,10 @@ constexpr int kWidth = 320, kHeight = 180;
 
 class Specials {
  public:
-  explicit Specials(draw::Device& device)
-      : device_(device), studio_(device, kWidth, kHeight, true), setup_(Prepare(ObliqueAt(4))) {}
-
   std::vector<SpecialResult> Run() {
     for (const Way& way : AllWays()) {
-      // The paper's matrices and the application's own clipping take no plane as it is.
+      // These two ways take no plane as it is: one makes matrices of it, one clips in the
+      // application.
       if (way.most_planes == 0 || way.kind == WayKind::kNearPlaneFloat || way.kind == WayKind::kCpu)
         continue;
       way_ = &way;
@@ -37,7 +35,7 @@ class Specials {
 
   std::vector<float> Draw(Studio& studio, WayKind kind, const Mesh& mesh,
                           const WayConstants& constants) {
-    const auto call = MakeCall(studio.gl(), kind, kind == WayKind::kNone ? 0 : 1, true);
+    const auto call = MakeCall(kind, kind == WayKind::kNone ? 0 : 1, true);
     call->SetMesh(mesh);
     call->SetConstants(constants);
     studio.Begin();
@@ -102,7 +100,7 @@ class Specials {
     setup.world_view_projection = runtime::Multiply(setup.world, setup.projection);
     const auto constants = ConstantsOf(way_->kind, setup, {runtime::Plane{1, 1, 0, -0.013}});
     if (!constants) return;
-    Studio smooth(device_, kWidth, kHeight, true, 4);
+    Studio smooth(kWidth, kHeight, true, 4);
     const std::vector<float> counts = Draw(smooth, way_->kind, square, *constants);
     int rows = 0;
     for (int y = 0; y < kHeight; ++y) {
@@ -116,9 +114,8 @@ class Specials {
     Add("multisampling", "4 samples", static_cast<double>(rows) / kHeight, 1);
   }
 
-  draw::Device& device_;
-  Studio studio_;
-  const Setup setup_;
+  Studio studio_{kWidth, kHeight, true};
+  const Setup setup_ = Prepare(ObliqueAt(4));
   const Mesh knot_ = TorusKnot(120, 12, 1.3), around_ = TorusKnot(120, 12, 6);
   const Way* way_ = nullptr;
   std::vector<SpecialResult> results_;
@@ -126,6 +123,6 @@ class Specials {
 
 }  // namespace
 
-std::vector<SpecialResult> MeasureSpecial(draw::Device& device) { return Specials(device).Run(); }
+std::vector<SpecialResult> MeasureSpecial() { return Specials().Run(); }
 
 }  // namespace clipc::study

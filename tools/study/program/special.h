@@ -4,21 +4,21 @@
 #include <string>
 #include <vector>
 
-#include "tools/draw/gl.h"
-
 namespace clipc::study {
 
-// What odd planes and odd triangles do on a real clipper, for each way that can be given them.
+// How a real clipper treats odd planes and odd triangles, for one way to clip.
 struct SpecialResult {
   std::string sweep;  // "special values", "triangles through w = 0", "multisampling"
   std::string what;
   std::string way;
-  // Special values: the share of the fragments without a plane that are drawn. Through w = 0: those
-  // drawn with the plane and those with its opposite, together. Multisampling: the share of the
-  // picture's rows where the cut is smooth.
+  // Special values: the drawn share of the fragments that there are without a plane. Triangles
+  // through w = 0: the same share, with the plane and with its opposite together. Multisampling:
+  // the share of the picture's rows where the cut is smooth.
   double got = 0, right = 0;
 };
 
-std::vector<SpecialResult> MeasureSpecial(draw::Device& device);
+// Measures each way that can be given such planes and triangles. An OpenGL context of the
+// compatibility profile must be current.
+std::vector<SpecialResult> MeasureSpecial();
 
 }  // namespace clipc::study

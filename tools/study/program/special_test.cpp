@@ -8,14 +8,16 @@
 
 #include <gtest/gtest.h>
 
+#include "tools/harness/offscreen.h"
+
 namespace clipc::study {
 namespace {
 
 class Special : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
-    draw::Device device;
-    results_ = MeasureSpecial(device);
+    const harness::OpenGl opengl(harness::Api::kCompatibility);
+    results_ = MeasureSpecial();
   }
   // Calls check(result) for each with that name, and counts the ways.
   void For(const std::string& what, const std::function<void(const SpecialResult&)>& check) {

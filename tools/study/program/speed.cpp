@@ -5,19 +5,12 @@
 #include <cmath>
 #include <memory>
 
-#include <time.h>
-
+#include "tools/harness/timing.h"
 #include "tools/study/program/studio.h"
 #include "tools/study/sweeps.h"
 
 namespace clipc::study {
 namespace {
-
-double CpuMilliseconds() {
-  timespec now;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
-}
 
 struct Setting {
   const char* name;
@@ -30,18 +23,17 @@ constexpr Setting kSettings[] = {
 // Six sides of a box around the object, in world space; far outside it, or through it.
 std::vector<runtime::Plane> Sides(const Setup& setup, int count, bool cuts) {
   std::vector<runtime::Plane> planes;
-  // Behind every part of the object as the eye sees it, so that the near plane can be sheared: the
-  // first looks along the view.
-  const double normals[6][3] = {{0.1, 0.2, 0.97}, {-1, 0, 0.1}, {1, 0, 0.1},
-                                {0, -1, 0.1},     {0, 1, 0.1},  {0.3, 0, 1}};
+  // The first looks along the view and lies behind every part of the object as the eye sees it, so
+  // that the near plane can be sheared.
+  const harness::Vector normals[6] = {{0.1, 0.2, 0.97}, {-1, 0, 0.1}, {1, 0, 0.1},
+                                      {0, -1, 0.1},     {0, 1, 0.1},  {0.3, 0, 1}};
   const double depth = std::sqrt(setup.config.nearest * setup.config.farthest),
                radius = 0.3 * depth;
   for (int i = 0; i < count; ++i) {
-    const double* n = normals[i];
-    const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-    const double away = cuts ? 0 : -2 * radius;  // from the object's middle, against the normal
-    const runtime::Plane view = PlaneThroughPoint(
-        n[0], n[1], n[2], away * n[0] / length, away * n[1] / length, depth + away * n[2] / length);
+    const harness::Vector n = normals[i];
+    // From the object's middle, against the normal.
+    const harness::Vector away = (cuts ? 0 : -2 * radius) * n / std::sqrt(Dot(n, n));
+    const runtime::Plane view = PlaneThroughPoint(n, harness::Vector{0, 0, depth} + away);
     planes.push_back(runtime::PlaneBefore(setup.view, view));
   }
   return planes;
@@ -56,8 +48,7 @@ struct Entry {
   std::vector<double> shares;  // of the frames without planes before and after
 };
 
-std::vector<Entry> EntriesFor(const draw::Gl& gl, const Setting& setting, const Setup& setup,
-                              const Mesh& mesh) {
+std::vector<Entry> EntriesFor(const Setting& setting, const Setup& setup, const Mesh& mesh) {
   std::vector<Entry> entries;
   for (const Way& way : AllWays()) {
     for (const int planes : {0, 1, 3, 6}) {
@@ -69,7 +60,7 @@ std::vector<Entry> EntriesFor(const draw::Gl& gl, const Setting& setting, const 
       Entry entry;
       entry.cost.setting = setting.name, entry.cost.way = way.name, entry.cost.planes = planes;
       entry.kind = way.kind;
-      entry.call = MakeCall(gl, way.kind, planes, false);
+      entry.call = MakeCall(way.kind, planes, false);
       entry.call->SetMesh(mesh);
       entry.call->SetConstants(*constants);
       for (const runtime::Plane& plane : world) {
@@ -81,19 +72,14 @@ std::vector<Entry> EntriesFor(const draw::Gl& gl, const Setting& setting, const 
   return entries;
 }
 
-double MedianOf(std::vector<double> numbers) {
-  std::sort(numbers.begin(), numbers.end());
-  return numbers[numbers.size() / 2];
-}
-
 double TimeOf(Studio& studio, Entry& entry, const Mesh& mesh) {
   studio.Begin();
-  studio.gl().Finish();
-  const double start = CpuMilliseconds();
+  glFinish();
+  const double start = harness::ProcessSeconds();
   if (entry.kind == WayKind::kCpu) entry.call->SetMesh(ClipMesh(mesh, entry.object_planes));
   entry.call->Draw();
-  studio.gl().Finish();
-  return CpuMilliseconds() - start;
+  glFinish();
+  return 1e3 * (harness::ProcessSeconds() - start);
 }
 
 constexpr std::size_t kBetween = 3;  // entries between two frames without planes
@@ -123,7 +109,7 @@ void Round(Studio& studio, const Mesh& mesh, std::vector<Entry>& entries, Random
 
 }  // namespace
 
-std::vector<Cost> MeasureSpeed(draw::Device& device, int rounds, int detail,
+std::vector<Cost> MeasureSpeed(int rounds, int detail,
                                const std::function<void(double)>& progress) {
   const Setup setup = Prepare(ObliqueAt(4, 0.1, 100));
   const Mesh mesh = TorusKnot(10 * detail, detail, 4 * 0.577 / 1.75);
@@ -131,8 +117,8 @@ std::vector<Cost> MeasureSpeed(draw::Device& device, int rounds, int detail,
   Random random(8);
   int done = 0;
   for (const Setting& setting : kSettings) {
-    Studio studio(device, setting.width, setting.height, false);
-    std::vector<Entry> entries = EntriesFor(studio.gl(), setting, setup, mesh);
+    Studio studio(setting.width, setting.height, false);
+    std::vector<Entry> entries = EntriesFor(setting, setup, mesh);
     for (int round = -1; round < rounds;
          ++round) {  // the first is thrown away: shaders are compiled in it
       Round(studio, mesh, entries, random, round >= 0);
@@ -141,9 +127,9 @@ std::vector<Cost> MeasureSpeed(draw::Device& device, int rounds, int detail,
     }
     ++done;
     for (Entry& entry : entries) {
-      entry.cost.median_ms = MedianOf(entry.times);
+      entry.cost.median_ms = harness::Median(entry.times);
       entry.cost.least_ms = *std::min_element(entry.times.begin(), entry.times.end());
-      entry.cost.paired_ratio = MedianOf(entry.shares);
+      entry.cost.paired_ratio = harness::Median(entry.shares);
     }
     const Cost none = entries.front().cost;
     for (Entry& entry : entries) {
@@ -153,6 +139,15 @@ std::vector<Cost> MeasureSpeed(draw::Device& device, int rounds, int detail,
     }
   }
   return costs;
+}
+
+CostTable TableOf(const std::vector<Cost>& costs) {
+  CostTable table;
+  for (const Cost& cost : costs) {
+    if (cost.setting == "picture" && cost.planes > 0)
+      table[{cost.way, cost.planes}] = cost.paired_ratio;
+  }
+  return table;
 }
 
 }  // namespace clipc::study

@@ -4,7 +4,7 @@
 #include "compiler/compile.h"
 #include "runtime/near_plane.h"
 #include "runtime/plane_space.h"
-#include "tools/draw/gl.h"
+#include "tools/harness/offscreen.h"
 
 namespace clipc::study {
 namespace {
@@ -56,19 +56,18 @@ std::string FragmentOf(WayKind kind, int planes, bool coverage) {
 }  // namespace
 
 const std::vector<Way>& AllWays() {
-  static const std::vector<Way> ways = {
-      {WayKind::kNone, "none", "", 0},
-      {WayKind::kClip, "clip", "clip", 6},
-      {WayKind::kXyw1, "xyw1", "xyw1", 6},
-      {WayKind::kObject, "object", "object", 6},
-      {WayKind::kLevel9, "level9", "clip", 6},
-      {WayKind::kWorld, "world", "world", 6},
-      {WayKind::kNearPlane, "near-plane", "near-plane", 1},
-      {WayKind::kNearPlaneFloat, "near-plane-f32", "near-plane-f32", 1},
-      {WayKind::kDiscard, "discard", "clip", 6},
-      {WayKind::kDiscardObject, "discard-object", "object", 6},
-      {WayKind::kDiscardRecomputed, "discard-world", "world", 6},
-      {WayKind::kCpu, "cpu", "cpu", 6}};
+  static const std::vector<Way> ways = {{WayKind::kNone, "none", 0},
+                                        {WayKind::kClip, "clip", 6},
+                                        {WayKind::kXyw1, "xyw1", 6},
+                                        {WayKind::kObject, "object", 6},
+                                        {WayKind::kLevel9, "level9", 6},
+                                        {WayKind::kWorld, "world", 6},
+                                        {WayKind::kNearPlane, "near-plane", 1},
+                                        {WayKind::kNearPlaneFloat, "near-plane-f32", 1},
+                                        {WayKind::kDiscard, "discard", 6},
+                                        {WayKind::kDiscardObject, "discard-object", 6},
+                                        {WayKind::kDiscardRecomputed, "discard-world", 6},
+                                        {WayKind::kCpu, "cpu", 6}};
   return ways;
 }
 
@@ -87,7 +86,7 @@ WaySource SourceOf(WayKind kind, int planes, bool coverage) {
   source.fragment = FragmentOf(kind, planes, coverage);
   if (request.lowering == Lowering::kDiscard) request.fragment = source.fragment;
   CompileResult result = Compile(request);
-  if (!result.ok()) throw draw::DrawError(result.text);
+  if (!result.ok()) throw harness::DrawError(result.text);
   source.vertex = std::move(result.shaders.vertex);
   if (request.fragment) source.fragment = std::move(result.shaders.fragment);
   return source;

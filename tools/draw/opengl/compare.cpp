@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "tools/draw/opengl/compare.h"
+
+#include "tools/draw/feed.h"
+#include "tools/draw/opengl/program.h"
+
+namespace clipc::draw {
+namespace {
+
+// Renames cull distances, which Mesa 22.3 does not capture, into an ordinary output.
+std::string Capturable(std::string text) {
+  constexpr std::string_view kCull = "gl_CullDistance";
+  for (std::size_t at = text.find(kCull); at != std::string::npos; at = text.find(kCull, at)) {
+    text.replace(at, kCull.size(), "cull_distance");
+  }
+  return text;
+}
+
+}  // namespace
+
+Comparison CompareWithOpenGl(harness::OpenGl& opengl, const Shader& shader,
+                             const std::vector<Expected>& expected, const RandomInputs& random,
+                             const RandomOptions& draw, const Tolerance& tolerance) {
+  const std::string text = Capturable(ForOpenGl(shader.glsl));
+  opengl.Use(VersionOf(text).api);
+  const std::vector<const Expected*> outputs = Defined(expected);
+  std::vector<std::string> names;
+  for (const Expected* output : outputs) names.push_back(Capturable(output->name));
+  if (outputs.empty()) return {};
+  return CompareOutputs(outputs,
+                        Capture(text, names, MakeInputs(shader.lowered, shader.info, random, draw)),
+                        tolerance);
+}
+
+}  // namespace clipc::draw

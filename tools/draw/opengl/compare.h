@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "tools/draw/compare.h"
+
+namespace clipc::draw {
+
+// Runs the shader on OpenGL and compares its outputs with the expected ones.
+Comparison CompareWithOpenGl(harness::OpenGl& opengl, const Shader& shader,
+                             const std::vector<Expected>& expected, const RandomInputs& random,
+                             const RandomOptions& draw, const Tolerance& tolerance);
+
+}  // namespace clipc::draw

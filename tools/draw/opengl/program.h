@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tools/draw/inputs.h"
+
+namespace clipc::draw {
+
+// The first line of a shader.
+struct Version {
+  int number = 110;
+  bool es = false;
+  harness::Api api = harness::Api::kCompatibility;  // of a context that compiles the shader
+
+  std::string Line() const;
+};
+Version VersionOf(const std::string& glsl);
+
+// One attribute or uniform of a linked shader.
+struct Active {
+  std::string name;  // "planes[0]" for an array
+  GLenum type = 0;
+  int count = 1;      // elements of an array
+  int location = -1;  // -1: in a block
+};
+// The shape of an OpenGL type; that of a bool is that of a uint. Doubles and samplers have none.
+std::optional<Shape> FindShape(GLenum type);
+// Throws DrawError where there is none.
+Shape ShapeOf(const Active& active);
+
+struct ActiveBlock {
+  std::string name;
+  int size = 0;
+};
+
+// A linked program with buffers for its inputs, in the context that was current when it was made.
+class Program {
+ public:
+  // `fragment` is empty for none, where the API allows that. `captured` are the outputs for
+  // transform feedback.
+  Program(const std::string& vertex, const std::string& fragment,
+          std::span<const std::string> captured);
+  ~Program();
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  GLuint id() const { return program_; }
+  std::vector<Active> Attributes() const;
+  std::vector<Active> Uniforms() const;
+  std::vector<ActiveBlock> Blocks() const;
+
+  // Makes the program current with these inputs.
+  void Bind(const Inputs& inputs);
+
+ private:
+  GLuint NewBuffer(GLenum target, const void* data, std::size_t size);
+  void BindAttribute(const Active& active, const Inputs& inputs);
+  void BindUniform(const Active& active, const Inputs& inputs);
+  void BindSampler(const Active& active, const Inputs& inputs);
+
+  GLuint program_;
+  GLuint vertex_array_ = 0;
+  std::vector<GLuint> buffers_;
+  std::vector<GLuint> textures_;  // on texture unit 0, 1, ...
+};
+
+// Runs the vertex shader without any other stage, on points, and returns the outputs `names` in
+// their order. A context that VersionOf(vertex) names must be current.
+std::vector<Captured> Capture(const std::string& vertex, std::span<const std::string> names,
+                              const Inputs& inputs);
+
+}  // namespace clipc::draw

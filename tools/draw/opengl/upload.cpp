@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "tools/draw/opengl/upload.h"
+
+namespace clipc::draw {
+namespace {
+
+struct Format {
+  GLenum internal, components, type;
+};
+
+Format FormatOf(const Inputs::Texture& texture) {
+  if (texture.compares) return {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT};
+  switch (texture.kind) {
+    case Shape::Kind::kInt: return {GL_RGBA32I, GL_RGBA_INTEGER, GL_INT};
+    case Shape::Kind::kUint: return {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT};
+    case Shape::Kind::kFloat: break;
+  }
+  return {GL_RGBA32F, GL_RGBA, GL_FLOAT};
+}
+
+void UploadLevel(GLenum target, const Format& format, GLint number,
+                 const Inputs::Texture::Level& level) {
+  const auto internal = static_cast<GLint>(format.internal);
+  const auto width = static_cast<GLsizei>(level.size[0]),
+             height = static_cast<GLsizei>(level.size[1]),
+             depth = static_cast<GLsizei>(level.size[2]);
+  const void* words = level.words.data();
+  switch (target) {
+    case GL_TEXTURE_1D:
+      return glTexImage1D(target, number, internal, width, 0, format.components, format.type,
+                          words);
+    case GL_TEXTURE_1D_ARRAY:
+    case GL_TEXTURE_2D:
+      return glTexImage2D(target, number, internal, width, height, 0, format.components,
+                          format.type, words);
+    case GL_TEXTURE_CUBE_MAP:
+      for (GLenum face = 0; face < 6; ++face) {
+        const std::size_t first = level.words.size() / 6 * face;
+        glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, number, internal, width, height, 0,
+                     format.components, format.type, level.words.data() + first);
+      }
+      return;
+    default:
+      return glTexImage3D(target, number, internal, width, height, depth, 0, format.components,
+                          format.type, words);
+  }
+}
+
+}  // namespace
+
+GLuint UploadTexture(
+    const Inputs::Texture& texture,
+    const std::function<GLuint(const std::vector<std::uint32_t>& words)>& new_buffer) {
+  GLuint id = 0;
+  glGenTextures(1, &id);
+  glBindTexture(texture.target, id);
+  const Format format = FormatOf(texture);
+  if (texture.target == GL_TEXTURE_BUFFER) {
+    glTexBuffer(GL_TEXTURE_BUFFER, format.internal, new_buffer(texture.levels.at(0).words));
+    return id;
+  }
+  for (std::size_t level = 0; level < texture.levels.size(); ++level) {
+    UploadLevel(texture.target, format, static_cast<GLint>(level), texture.levels[level]);
+  }
+  glTexParameteri(texture.target, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
+  glTexParameteri(texture.target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTexParameteri(texture.target, GL_TEXTURE_MAX_LEVEL,
+                  static_cast<GLint>(texture.levels.size()) - 1);
+  if (texture.compares) {
+    glTexParameteri(texture.target, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    glTexParameteri(texture.target, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+  }
+  return id;
+}
+
+}  // namespace clipc::draw

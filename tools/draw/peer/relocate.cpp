@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "tools/draw/peer/relocate.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "ir/packing.h"
+#include "tools/draw/memory.h"
+#include "tools/draw/textures.h"
+
+namespace clipc::draw::peer {
+namespace {
+
+std::vector<std::uint32_t> BytesOf(const ir::Program& program, const Member& member) {
+  std::vector<std::uint32_t> bytes;
+  ForEachComponent(program.types, member.type, member.row_major, member.offset,
+                   [&](ir::Scalar, std::uint32_t byte) { bytes.push_back(byte); });
+  return bytes;
+}
+
+// Of an element of a structured buffer.
+std::vector<std::uint32_t> BytesOf(const ir::Program& program, ir::VarId var) {
+  std::vector<std::uint32_t> bytes;
+  ForEachStructured(
+      program.types, ObjectTypeOf(program, var).element, program.vars[var].row_major, 0,
+      [&](ir::Scalar kind, std::uint32_t byte) {
+        const ir::Scalar base = ir::BaseOf(kind);
+        if (base == ir::Scalar::kDouble || base == ir::Scalar::kInt64 ||
+            base == ir::Scalar::kUint64) {
+          throw DrawError("64-bit parts of a structured buffer, which no test lets a peer read");
+        }
+        bytes.push_back(byte);
+      });
+  return bytes;
+}
+
+const std::vector<std::uint32_t>& PeerBytes(const PeerBlock& block, const Member& member,
+                                            std::size_t count) {
+  const auto found = block.members.find(member.name);
+  if (found == block.members.end())
+    throw DrawError("the peer's " + block.name + " has no `" + member.name + "`");
+  if (found->second.size() != count)
+    throw DrawError("the peer's `" + member.name + "` has another number of components");
+  return found->second;
+}
+
+// Whether the peer made a global constant of the member, and not a uniform.
+bool IsCompiledIn(const ir::Cbuffer& cbuffer, const PeerBlock& block, const Member& member) {
+  return cbuffer.kind == ir::CbufferKind::kGlobals && !block.members.contains(member.name);
+}
+
+}  // namespace
+
+std::vector<Member> MembersOf(const ir::Program& program, const ir::Cbuffer& cbuffer) {
+  std::vector<Member> members;
+  if (cbuffer.kind != ir::CbufferKind::kConstantBuffer) {
+    for (const ir::CbufferMember& member : cbuffer.members) {
+      const ir::Var& var = program.vars[member.var];
+      members.push_back({var.name, var.type, var.row_major, member.offset});
+    }
+    return members;
+  }
+  ir::TypeId type = program.vars[cbuffer.members.at(0).var].type;
+  while (program.types[type].kind == ir::TypeKind::kArray) type = program.types[type].element;
+  const ir::StructId structure = program.types[type].structure;
+  const auto& fields = program.types[structure].fields;
+  for (std::uint32_t i = 0; i < fields.size(); ++i) {
+    members.push_back({fields[i].name, fields[i].type, fields[i].row_major,
+                       ir::FieldOffset(program.types, structure, i)});
+  }
+  return members;
+}
+
+const PeerBlock* Find(const std::vector<PeerBlock>& blocks, const ir::Cbuffer& cbuffer) {
+  const bool is_loose =
+      cbuffer.kind == ir::CbufferKind::kGlobals || cbuffer.kind == ir::CbufferKind::kParams;
+  // glslang cuts this one name short.
+  const std::string name = is_loose                           ? "$Global"
+                           : cbuffer.name == "ConstantBuffer" ? "C"
+                                                              : cbuffer.name;
+  const auto found = std::ranges::find(blocks, name, &PeerBlock::name);
+  return found == blocks.end() ? nullptr : &*found;
+}
+
+void Relocate(const ir::Program& program, const ir::Cbuffer& cbuffer, const PeerBlock& block,
+              const std::uint8_t* from, std::vector<std::uint8_t>& to) {
+  for (const Member& member : MembersOf(program, cbuffer)) {
+    if (IsCompiledIn(cbuffer, block, member)) continue;
+    const std::vector<std::uint32_t> ours = BytesOf(program, member);
+    const std::vector<std::uint32_t>& theirs = PeerBytes(block, member, ours.size());
+    for (std::size_t i = 0; i < ours.size(); ++i)
+      std::memcpy(&to.at(theirs[i] + 3) - 3, from + ours[i], 4);
+  }
+}
+
+Buffer Relocated(const ir::Program& program, ir::VarId var, const PeerElements& elements,
+                 const Buffer& buffer) {
+  const std::vector<std::uint32_t> ours = BytesOf(program, var);
+  if (ours.size() != elements.bytes.size())
+    throw DrawError("the peer's `" + elements.name + "` has other elements");
+  const std::size_t stride =
+      StructuredSizeOf(program.types, ObjectTypeOf(program, var).element).size;
+  const std::size_t count = buffer.size() / stride;
+  Buffer relocated(count * elements.stride);
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t k = 0; k < ours.size(); ++k) {
+      std::memcpy(&relocated.at(i * elements.stride + elements.bytes[k] + 3) - 3,
+                  &buffer.at(i * stride + ours[k] + 3) - 3, 4);
+    }
+  }
+  return relocated;
+}
+
+}  // namespace clipc::draw::peer

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "ir/program.h"
+#include "tools/draw/buffers.h"
+#include "tools/draw/peer/module.h"
+
+// Moves constants from the places where clipc has them to those where a peer reads them, so that
+// the values are compared wherever the peer puts its constants.
+namespace clipc::draw::peer {
+
+// A variable of a cbuffer, or a field of a ConstantBuffer<T>, and where clipc has it.
+struct Member {
+  std::string name;
+  ir::TypeId type;
+  bool row_major = false;
+  std::uint32_t offset = 0;
+};
+std::vector<Member> MembersOf(const ir::Program& program, const ir::Cbuffer& cbuffer);
+
+// The peer's block of that cbuffer; null when it has none. $Globals and the `uniform` parameters
+// are one block.
+const PeerBlock* Find(const std::vector<PeerBlock>& blocks, const ir::Cbuffer& cbuffer);
+
+// Copies the members of the cbuffer, whose bytes are `from`, to where the peer reads them. Throws
+// DrawError when the two disagree on what the members are.
+void Relocate(const ir::Program& program, const ir::Cbuffer& cbuffer, const PeerBlock& block,
+              const std::uint8_t* from, std::vector<std::uint8_t>& to);
+// The elements of a structured buffer, laid out as the peer reads them.
+Buffer Relocated(const ir::Program& program, ir::VarId var, const PeerElements& elements,
+                 const Buffer& buffer);
+
+}  // namespace clipc::draw::peer

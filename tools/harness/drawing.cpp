@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "tools/harness/drawing.h"
+
+#include <cstddef>
+
+#include "tools/harness/offscreen.h"
+
+namespace clipc::harness {
+
+GLuint LinkProgram(const std::string& vertex, const std::string& fragment,
+                   const std::function<void(GLuint program)>& before_linking) {
+  const GLuint program = glCreateProgram();
+  GLint ok = 0;
+  char log[4096] = "";
+  const auto add = [&](GLenum stage, const char* name, const std::string& source) {
+    const GLuint shader = glCreateShader(stage);
+    const char* text = source.c_str();
+    glShaderSource(shader, 1, &text, nullptr);
+    glCompileShader(shader);
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
+    glGetShaderInfoLog(shader, sizeof log, nullptr, log);
+    if (!ok)
+      throw DrawError(std::string("OpenGL refuses the ") + name + " shader:\n" + log + "\n" +
+                      source);
+    glAttachShader(program, shader);
+    glDeleteShader(shader);
+  };
+  add(GL_VERTEX_SHADER, "vertex", vertex);
+  if (!fragment.empty()) add(GL_FRAGMENT_SHADER, "fragment", fragment);
+  if (before_linking) before_linking(program);
+  glLinkProgram(program);
+  glGetProgramiv(program, GL_LINK_STATUS, &ok);
+  glGetProgramInfoLog(program, sizeof log, nullptr, log);
+  if (!ok) throw DrawError(std::string("OpenGL cannot link the shader:\n") + log);
+  return program;
+}
+
+Program::Program(const std::string& vertex, const std::string& fragment,
+                 std::initializer_list<const char*> inputs)
+    : program_(LinkProgram(vertex, fragment, [&](GLuint program) {
+        GLuint attribute = 0;
+        for (const char* input : inputs) glBindAttribLocation(program, attribute++, input);
+      })) {}
+
+void Program::Set(const std::string& name, const std::array<float, 16>& matrix) const {
+  glUniformMatrix4fv(glGetUniformLocation(program_, name.c_str()), 1, GL_FALSE, matrix.data());
+}
+
+void Program::Set(const std::string& name, float x, float y, float z, float w) const {
+  glUniform4f(glGetUniformLocation(program_, name.c_str()), x, y, z, w);
+}
+
+MeshBuffers::MeshBuffers(const Mesh& mesh) : count_(static_cast<GLsizei>(mesh.indices.size())) {
+  const auto upload = [](GLenum target, GLuint& buffer, const auto& list) {
+    glGenBuffers(1, &buffer);
+    glBindBuffer(target, buffer);
+    glBufferData(target, static_cast<GLsizeiptr>(list.size() * sizeof list[0]), list.data(),
+                 GL_STATIC_DRAW);
+  };
+  glGenVertexArrays(1, &array_);
+  glBindVertexArray(array_);
+  upload(GL_ARRAY_BUFFER, vertices_, mesh.vertices);
+  upload(GL_ELEMENT_ARRAY_BUFFER, indices_, mesh.indices);
+  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), nullptr);
+  glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex),
+                        reinterpret_cast<void*>(offsetof(Vertex, normal)));
+  glEnableVertexAttribArray(0);
+  glEnableVertexAttribArray(1);
+}
+
+MeshBuffers::~MeshBuffers() {
+  glDeleteVertexArrays(1, &array_);
+  glDeleteBuffers(1, &vertices_);
+  glDeleteBuffers(1, &indices_);
+}
+
+void MeshBuffers::Draw() const {
+  glBindVertexArray(array_);
+  glDrawElements(GL_TRIANGLES, count_, GL_UNSIGNED_INT, nullptr);
+}
+
+}  // namespace clipc::harness

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <array>
+#include <functional>
+#include <initializer_list>
+#include <string>
+
+#include <epoxy/gl.h>
+
+#include "tools/harness/mesh.h"
+
+// Shaders and meshes on the current OpenGL context.
+namespace clipc::harness {
+
+// A linked program of that vertex shader and that fragment shader, which may be empty for none
+// where the API allows it. `before_linking` may set up the program; it may be empty. Throws
+// DrawError with OpenGL's log and the shader.
+GLuint LinkProgram(const std::string& vertex, const std::string& fragment,
+                   const std::function<void(GLuint program)>& before_linking = {});
+
+// A vertex shader from clipc and a fragment shader. The named inputs get the attributes 0, 1 and so
+// on; the standard ones are as MeshBuffers has them.
+class Program {
+ public:
+  Program(const std::string& vertex, const std::string& fragment,
+          std::initializer_list<const char*> inputs = {"in_POSITION0", "in_NORMAL0"});
+  ~Program() { glDeleteProgram(program_); }
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  void Use() const { glUseProgram(program_); }
+  // Sets a plain uniform of the program in use. A name that the program does not have is ignored.
+  void Set(const std::string& name, const std::array<float, 16>& matrix) const;
+  void Set(const std::string& name, float x, float y, float z, float w) const;
+
+ private:
+  GLuint program_;
+};
+
+// A mesh on the device.
+class MeshBuffers {
+ public:
+  explicit MeshBuffers(const Mesh& mesh);
+  ~MeshBuffers();
+  MeshBuffers(const MeshBuffers&) = delete;
+  MeshBuffers& operator=(const MeshBuffers&) = delete;
+
+  void Draw() const;
+
+ private:
+  GLsizei count_;
+  GLuint array_ = 0, vertices_ = 0, indices_ = 0;
+};
+
+}  // namespace clipc::harness

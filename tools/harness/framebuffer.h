@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <vector>
+
+#include <epoxy/gl.h>
+
+#include "tools/harness/picture.h"
+
+namespace clipc::harness {
+
+struct FramebufferFormat {
+  GLenum color = GL_RGBA8;
+  GLenum depth = GL_NONE;  // GL_NONE: no depth buffer
+  int samples = 1;         // of each pixel
+};
+
+// A framebuffer stands for the window, which there is none. It is bound, with its viewport set,
+// when it is made. Throws DrawError where the current context does not support the format.
+class Framebuffer {
+ public:
+  Framebuffer(int width, int height, const FramebufferFormat& format = {});
+  ~Framebuffer();
+  Framebuffer(const Framebuffer&) = delete;
+  Framebuffer& operator=(const Framebuffer&) = delete;
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+  // Draws into it from then on, over the whole of it.
+  void Bind() const;
+  // Copies the color of `other`, the mean of its samples, which has the same size. Binds this one.
+  void Resolve(const Framebuffer& other) const;
+
+  // The colors of the framebuffer that is bound, which must be this one. Throw DrawError when
+  // OpenGL has noted an error.
+  Picture Read() const;
+  // The same with the bottom row first: of what was drawn upside down.
+  Picture ReadUpsideDown() const;
+  // `components`: GL_RED or GL_RGBA. The bottom row first.
+  std::vector<float> ReadFloats(GLenum components) const;
+
+ private:
+  int width_, height_;
+  GLuint framebuffer_ = 0, color_ = 0, depth_ = 0;
+};
+
+// A framebuffer for pictures, with a depth test.
+class Canvas : public Framebuffer {
+ public:
+  Canvas(int width, int height) : Framebuffer(width, height, {.depth = GL_DEPTH_COMPONENT24}) {
+    glEnable(GL_DEPTH_TEST);
+  }
+};
+
+}  // namespace clipc::harness

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace clipc::harness {
+
+// Four bytes for each pixel, red, green, blue and alpha; the top row first.
+struct Picture {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgba;
+};
+
+// Half as wide and as high, each pixel the mean of four: what was drawn too large gets smooth
+// edges.
+Picture Half(const Picture& picture);
+
+// Writes red, green and blue. Throws DrawError when the file cannot be written.
+void WritePng(const std::string& path, const Picture& picture);
+
+}  // namespace clipc::harness
