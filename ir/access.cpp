@@ -45,6 +45,14 @@ VarId RootOf(const Program& program, ExprId path) {
   return ref ? ref->var : VarId{};
 }
 
+bool HasLiteralIndices(const Program& program, ExprId path) {
+  for (; path; path = WholeOf(program, path)) {
+    const auto* index = As<Index>(program, path);
+    if (index && !As<Literal>(program, index->index)) return false;
+  }
+  return true;
+}
+
 bool WritesOperand(const Program& program, ExprId expr, std::size_t operand) {
   return Visit(Overloaded{
                    [&](const Assign&) { return operand == 0; },
@@ -88,9 +96,29 @@ bool Effects::IsPure(FunctionId function) {
   return !is_impure;
 }
 
+bool MayAssign(const Program& program, StmtId stmt, VarId var) {
+  return AnyExpr(program, stmt, [&](ExprId part) {
+    bool assigns = false;
+    ForEachWrite(program, part, [&](ExprId target) { assigns |= RootOf(program, target) == var; });
+    return assigns;
+  });
+}
+
 std::span<const StmtId> BodyOf(const Program& program, FunctionId function) {
   return program
       .stmt_lists[std::get<Block>(program.stmts[program.functions[function].body].node).body];
+}
+
+ExprId EntryCall(const Program& program, StmtId stmt) {
+  const auto* declare = As<Declare>(program, stmt);
+  const auto* evaluate = As<Evaluate>(program, stmt);
+  const Assign* assign = AsAssignment(program, stmt);
+  const ExprId value = declare    ? declare->init
+                       : assign   ? assign->value
+                       : evaluate ? evaluate->expr
+                                  : ExprId{};
+  const auto* call = As<Call>(program, value);
+  return call && call->function == program.entry ? value : ExprId{};
 }
 
 void SetMainBody(Program& program, std::span<const StmtId> body) {

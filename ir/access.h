@@ -37,6 +37,9 @@ ExprId WholeOf(const Program& program, ExprId expr);
 // is not such a path.
 VarId RootOf(const Program& program, ExprId path);
 
+// Whether every index in the path is a literal, so that naming the place reads no other variable.
+bool HasLiteralIndices(const Program& program, ExprId path);
+
 // ---- effects
 
 // Whether the node of `expr` writes its operand number `operand`, counted from 0 in the order of
@@ -75,6 +78,9 @@ class Effects {
   std::vector<Answer> functions_;  // by FunctionId
 };
 
+// Whether the statement may change the variable or a part of it.
+bool MayAssign(const Program& program, StmtId stmt, VarId var);
+
 // ---- functions
 
 // The statements directly in the body of a function, or of `main`. Adding statements to the program
@@ -83,6 +89,9 @@ std::span<const StmtId> BodyOf(const Program& program, FunctionId function);
 inline std::span<const StmtId> MainBody(const Program& program) {
   return BodyOf(program, program.main);
 }
+// The call of the entry function that a statement of `main` consists of: `T result = entry(...);`,
+// `output = entry(...);` or `entry(...);`. None for every other statement.
+ExprId EntryCall(const Program& program, StmtId stmt);
 // `body` may be a span of the old body.
 void SetMainBody(Program& program, std::span<const StmtId> body);
 // Appends statements to the end of `function`'s body.

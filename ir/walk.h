@@ -104,6 +104,14 @@ void ForEachPart(const Program& program, StmtId stmt, OnExpr&& on_expr, OnStmt&&
         program.stmts[stmt].node);
 }
 
+// Calls visit(StmtId) for `stmt` and every statement in it, outer ones first.
+template <typename OnStmt>
+void ForEachStmt(const Program& program, StmtId stmt, OnStmt&& visit) {
+  visit(stmt);
+  ForEachPart(
+      program, stmt, [](ExprId) {}, [&](StmtId part) { ForEachStmt(program, part, visit); });
+}
+
 // Whether holds(ExprId) is true for any expression at or below `expr`, or anywhere in `stmt`:
 // parents are asked before their operands, in the order of the text, until one holds.
 template <typename Holds>

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
 #include <vector>
 
 #include "base/invariant.h"
@@ -23,73 +22,30 @@ class Inliner {
       : program_(program), builder_(program, program.functions[program.main].span) {}
 
   void Run() {
-    const Function& main = program_.functions[program_.main];
-    for (StmtId id : program_.stmt_lists[std::get<Block>(program_.stmts[main.body].node).body])
-      stmts_.push_back(id);
-    if (!FindCall()) return;
-    MainParts parts;
-    parts.before.assign(stmts_.begin(), stmts_.begin() + call_at_);
-    parts.after.assign(stmts_.begin() + call_at_ + 1, stmts_.end());
+    const auto body = MainBody(program_);
+    const auto call = std::find_if(body.begin(), body.end(), [&](StmtId id) {
+      call_ = EntryCall(program_, id);
+      return static_cast<bool>(call_);
+    });
+    if (call == body.end()) return;
+    MainParts parts{{body.begin(), call}, {*call}, {call + 1, body.end()}};
     const bool is_inlined = ReturnsAtTheEnd();
-    if (is_inlined) {
-      TakeBody(parts.body);
-      for (std::vector<StmtId>* part : {&parts.before, &parts.body, &parts.after}) {
-        for (StmtId id : *part) Rename(id);
-      }
-    } else {
-      parts.body = {stmts_[static_cast<std::size_t>(call_at_)]};
-    }
-    const StmtId whole = builder_.BlockOf(SplitVariables(program_, parts));
-    program_.functions[program_.main].body = whole;
-    if (!is_inlined) return;
-    // What is left is a name.
-    Function& left = program_.functions[program_.entry];
-    left.body = builder_.BlockOf({});
-    left.parameters.clear();
-    left.return_type = program_.types.Void();
+    if (is_inlined) TakeBody(parts);
+    SetMainBody(program_, SplitVariables(program_, parts));
+    if (is_inlined) EmptyEntry();
   }
 
  private:
-  bool IsEntryCall(ExprId expr) const {
-    const auto* call = expr ? std::get_if<Call>(&program_.exprs[expr].node) : nullptr;
-    return call && call->function == program_.entry;
-  }
-
-  // `T result = entry(...);`, `output = entry(...);` or `entry(...);`
-  bool FindCall() {
-    for (std::size_t i = 0; i < stmts_.size(); ++i) {
-      const auto& node = program_.stmts[stmts_[i]].node;
-      if (const auto* declare = std::get_if<Declare>(&node)) call_ = declare->init;
-      if (const auto* evaluate = std::get_if<Evaluate>(&node)) {
-        const auto* assign = std::get_if<Assign>(&program_.exprs[evaluate->expr].node);
-        call_ = assign && !assign->op ? assign->value : evaluate->expr;
-      }
-      call_at_ = static_cast<std::ptrdiff_t>(i);
-      if (IsEntryCall(call_)) return true;
-    }
-    return false;
-  }
-
   bool ReturnsAtTheEnd() {
-    const auto list =
-        program_.stmt_lists
-            [std::get<Block>(program_.stmts[program_.functions[program_.entry].body].node).body];
+    const Function& entry = program_.functions[program_.entry];
     int returns = 0;
-    for (StmtId id : list) CountReturns(id, returns);
-    if (!list.empty()) {
-      if (const auto* last = std::get_if<Return>(&program_.stmts[list.back()].node)) {
-        returned_ = last->value;
-        --returns;
-        has_return_ = true;
-      }
-    }
-    return returns == 0 &&
-           (returned_ || program_.functions[program_.entry].return_type == program_.types.Void());
-  }
-
-  void CountReturns(StmtId id, int& returns) const {
-    if (std::holds_alternative<Return>(program_.stmts[id].node)) ++returns;
-    ForEachPart(program_, id, [](ExprId) {}, [&](StmtId part) { CountReturns(part, returns); });
+    ForEachStmt(program_, entry.body,
+                [&](StmtId id) { returns += As<Return>(program_, id) != nullptr; });
+    const auto body = BodyOf(program_, program_.entry);
+    const auto* last = body.empty() ? nullptr : As<Return>(program_, body.back());
+    if (last) returned_ = last->value;
+    has_return_ = last != nullptr;
+    return returns == (last ? 1 : 0) && (returned_ || entry.return_type == program_.types.Void());
   }
 
   // A parameter is the variable of `main` that is its argument, or an input or uniform that is not
@@ -99,11 +55,11 @@ class Inliner {
     for (std::uint32_t i = 0; i < arguments.size; ++i) {
       const VarId parameter = entry.parameters[i];
       const ExprId argument = program_.expr_lists[arguments][i];
-      const auto* ref = std::get_if<VarRef>(&program_.exprs[argument].node);
+      const auto* ref = As<VarRef>(program_, argument);
       const bool is_local = ref && program_.vars[ref->var].storage == Storage::kLocal;
       const bool is_precise = program_.vars[parameter].precise;
       const bool is_unchanged =
-          ref && !is_precise && IsPlain(ref->var) && !IsAssigned(program_, entry.body, parameter);
+          ref && !is_precise && IsPlain(ref->var) && !MayAssign(program_, entry.body, parameter);
       if (is_local || is_unchanged) {
         renamed_[parameter] = ref->var;
         program_.vars[ref->var].precise |= is_precise;
@@ -114,30 +70,34 @@ class Inliner {
     }
   }
 
-  // Costs nothing to name again. Built-in inputs may stand for a computation.
+  // Whether naming the variable again costs nothing; a built-in input may stand for a computation.
   bool IsPlain(VarId var) const {
     if (program_.vars[var].storage == Storage::kUniform) return true;
     const auto input = std::ranges::find(program_.inputs, var, &IoVar::var);
     return input != program_.inputs.end() && input->builtin == Builtin::kNone;
   }
 
-  void TakeBody(std::vector<StmtId>& body) {
-    const Function entry = program_.functions[program_.entry];
-    Parameters(entry, body);
-    const auto list =
-        std::as_const(program_).stmt_lists[std::get<Block>(program_.stmts[entry.body].node).body];
-    body.insert(body.end(), list.begin(), list.end());
-    if (has_return_) body.pop_back();
-    Result(body);
+  // Puts the entry function's statements in the place of its call, under the names of `main`.
+  void TakeBody(MainParts& parts) {
+    const StmtId call = parts.body.front();
+    parts.body.clear();
+    Parameters(program_.functions[program_.entry], parts.body);
+    const auto body = BodyOf(program_, program_.entry);
+    parts.body.insert(parts.body.end(), body.begin(), body.end());
+    if (has_return_) parts.body.pop_back();
+    Result(call, parts);
+    for (const std::vector<StmtId>* part : {&parts.before, &parts.body, &parts.after}) {
+      for (const StmtId id : *part) Rename(id);
+    }
   }
 
   // The statement of the call takes the value that the entry point returned.
-  void Result(std::vector<StmtId>& body) {
-    const StmtId statement = stmts_[static_cast<std::size_t>(call_at_)];
-    auto& node = program_.stmts[statement].node;
+  void Result(StmtId call, MainParts& parts) {
+    auto& node = program_.stmts[call].node;
     if (auto* declare = std::get_if<Declare>(&node)) {
-      const auto* ref = std::get_if<VarRef>(&program_.exprs[returned_].node);
-      if (ref && !program_.vars[declare->var].precise && MayStandFor(ref->var, declare->var)) {
+      const auto* ref = As<VarRef>(program_, returned_);
+      if (ref && !program_.vars[declare->var].precise &&
+          MayStandFor(ref->var, declare->var, parts.after)) {
         renamed_[declare->var] = ref->var;
         return;
       }
@@ -147,36 +107,38 @@ class Inliner {
       if (!assign) return;
       assign->value = returned_;
     }
-    body.push_back(statement);
+    parts.body.push_back(call);
   }
 
   // Passes may have added assignments to the result; an input or a uniform takes none.
-  bool MayStandFor(VarId returned, VarId result) const {
+  bool MayStandFor(VarId returned, VarId result, const std::vector<StmtId>& after) const {
     const auto known = renamed_.find(returned);
     const VarId var = known == renamed_.end() ? returned : known->second;
-    if (program_.vars[var].storage == Storage::kLocal) return true;
-    return std::none_of(stmts_.begin() + call_at_ + 1, stmts_.end(),
-                        [&](StmtId id) { return IsAssigned(program_, id, result); });
+    return program_.vars[var].storage == Storage::kLocal ||
+           std::ranges::none_of(after, [&](StmtId id) { return MayAssign(program_, id, result); });
   }
 
-  void Rename(StmtId id) {
-    ForEachPart(
-        program_, id, [&](ExprId expr) { Rename(expr); }, [&](StmtId part) { Rename(part); });
-  }
-  void Rename(ExprId id) {
-    if (auto* ref = std::get_if<VarRef>(&program_.exprs[id].node)) {
+  void Rename(StmtId stmt) {
+    ForEachExpr(program_, stmt, [&](ExprId id) {
+      auto* ref = std::get_if<VarRef>(&program_.exprs[id].node);
+      if (!ref) return;
       for (auto known = renamed_.find(ref->var); known != renamed_.end();
            known = renamed_.find(ref->var)) {
         ref->var = known->second;
       }
-    }
-    ForEachOperand(program_, id, [&](ExprId operand) { Rename(operand); });
+    });
+  }
+
+  // Only the name of the entry function is left.
+  void EmptyEntry() {
+    Function& entry = program_.functions[program_.entry];
+    entry.body = builder_.BlockOf({});
+    entry.parameters.clear();
+    entry.return_type = program_.types.Void();
   }
 
   Program& program_;
   Builder builder_;
-  std::vector<StmtId> stmts_;
-  std::ptrdiff_t call_at_ = 0;
   ExprId call_, returned_;
   bool has_return_ = false;
   std::map<VarId, VarId> renamed_;

@@ -36,7 +36,7 @@ class Vertex {
       : program_(program), var_(options.position_input) {
     if (options.space != PlaneSpace::kObject) {
       var_ = PositionOf(program);
-      local_ = LocalBehind(program, var_);
+      local_ = LocalWrittenTo(program, var_);
     }
     CLIPC_CHECK(var_);
     if (options.space == PlaneSpace::kXyw1) MakeXyw1(stmts);
@@ -110,7 +110,7 @@ void WriteDepth(Program& program, const ClipPlaneOptions& options) {
   Builder b(program, plane.span);
   std::vector<StmtId> stmts;
   const Vertex vertex(program, options, stmts);
-  const ExprId local = LocalBehind(program, position);
+  const ExprId local = LocalWrittenTo(program, position);
   const ExprId depth = b.Swizzled(local ? Clone(program, local) : b.Ref(position), {2});
   stmts.push_back(b.Eval(b.AssignTo(depth, vertex.DistanceTo(plane))));
   if (local) {

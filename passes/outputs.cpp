@@ -2,46 +2,38 @@
 #include "passes/outputs.h"
 
 #include <algorithm>
-#include <span>
 #include <utility>
 #include <vector>
+
+#include "ir/access.h"
 
 namespace clipc::passes {
 
 using namespace ir;
 
 VarId FindOutput(const Program& program, Builtin builtin) {
-  const auto found = std::find_if(program.outputs.begin(), program.outputs.end(),
-                                  [&](const IoVar& output) { return output.builtin == builtin; });
+  const auto found = std::ranges::find(program.outputs, builtin, &IoVar::builtin);
   return found == program.outputs.end() ? VarId{} : found->var;
 }
 
+// Whether the expression is a local variable or a field of one.
 static bool IsLocalPath(const Program& program, ExprId id) {
-  const auto& node = program.exprs[id].node;
-  if (const auto* ref = std::get_if<VarRef>(&node))
-    return program.vars[ref->var].storage == Storage::kLocal;
-  if (const auto* field = std::get_if<FieldRef>(&node)) return IsLocalPath(program, field->base);
-  return false;
+  if (const auto* field = As<FieldRef>(program, id)) return IsLocalPath(program, field->base);
+  const auto* ref = As<VarRef>(program, id);
+  return ref && program.vars[ref->var].storage == Storage::kLocal;
 }
 
 // The `output = value;` directly in the body of main.
 static const Assign* WriteOf(const Program& program, StmtId id, VarId output) {
-  const auto* evaluate = std::get_if<Evaluate>(&program.stmts[id].node);
-  if (!evaluate) return nullptr;
-  const auto* assign = std::get_if<Assign>(&program.exprs[evaluate->expr].node);
-  if (!assign || assign->op) return nullptr;
-  const auto* target = std::get_if<VarRef>(&program.exprs[assign->target].node);
+  const Assign* assign = AsAssignment(program, id);
+  const auto* target = assign ? As<VarRef>(program, assign->target) : nullptr;
   return target && target->var == output ? assign : nullptr;
 }
 
-static List<StmtId> BodyOfMain(const Program& program) {
-  return std::get<Block>(program.stmts[program.functions[program.main].body].node).body;
-}
-
-ExprId LocalBehind(const Program& program, VarId output) {
+ExprId LocalWrittenTo(const Program& program, VarId output) {
   ExprId found;
   int writes = 0;
-  for (const StmtId id : program.stmt_lists[BodyOfMain(program)]) {
+  for (const StmtId id : MainBody(program)) {
     const Assign* assign = WriteOf(program, id, output);
     if (!assign) continue;
     ++writes;
@@ -52,14 +44,13 @@ ExprId LocalBehind(const Program& program, VarId output) {
 
 void RemoveWrite(Program& program, VarId output) {
   std::vector<StmtId> body;
-  for (const StmtId id : std::as_const(program).stmt_lists[BodyOfMain(program)]) {
+  for (const StmtId id : MainBody(program)) {
     if (!WriteOf(program, id, output)) body.push_back(id);
   }
-  std::get<Block>(program.stmts[program.functions[program.main].body].node).body =
-      program.stmt_lists.Add(std::span<const StmtId>(body));
+  SetMainBody(program, body);
 }
 
-// Behind the locations of all outputs; doubles of more than two components take two.
+// The first location after those of all outputs; a double of more than two components takes two.
 static std::uint32_t FreeLocation(const Program& program) {
   std::uint32_t next = 0;
   for (const IoVar& output : program.outputs) {

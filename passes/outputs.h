@@ -7,19 +7,19 @@
 
 namespace clipc::passes {
 
-// The output variable with that meaning; none when the shader has none.
+// The output variable with that meaning; none when the shader does not have it.
 ir::VarId FindOutput(const ir::Program& program, ir::Builtin builtin);
 
-// The local variable, or the part of one, that `main` copies to that output, once, as its last word
-// on it; none when the output gets something else. To read it costs a target less than to read the
-// output. Clone it for each use.
-ir::ExprId LocalBehind(const ir::Program& program, ir::VarId output);
+// The value of the output, when `main` writes the output exactly once, as a copy of a local
+// variable or of one of its fields; none otherwise. Reading the local costs a target less than
+// reading the output again. The expression has its parent: clone it for each use.
+ir::ExprId LocalWrittenTo(const ir::Program& program, ir::VarId output);
 
-// Takes that one copy out of `main`; whoever calls this writes the output again.
+// Removes that one copy from `main`. The caller writes the output again.
 void RemoveWrite(ir::Program& program, ir::VarId output);
 
-// A new output after all others, which only `main` may touch. `name` is what dumps show; the target
-// has its own.
+// Adds an output after all others, which only `main` may touch. Dumps show `name`; the target gives
+// the output a name of its own.
 ir::VarId AddOutput(ir::Program& program, ir::Builtin builtin, std::string name, ir::TypeId type);
 
 }  // namespace clipc::passes

@@ -8,8 +8,9 @@
 #include "base/invariant.h"
 #include "ir/print.h"
 #include "ir/verify.h"
+#include "passes/drop_idle_clip_distances.h"
 #include "passes/drop_unread.h"
-#include "passes/fold_clip_distances.h"
+#include "passes/drop_unread_arguments.h"
 #include "passes/inline_entry.h"
 
 namespace clipc::passes {
@@ -36,14 +37,18 @@ constexpr Pass kPipeline[] = {
      },
      ir::Form::kTargetClipSpace},
     // The passes before find each output written in one place, after the call of the entry point;
-    // this one does away with it.
+    // this one removes the call.
     {"inline-entry", [](ir::Program& program, const PipelineOptions&) { InlineEntry(program); },
      ir::Form::kInlined},
     // Distances that the shader writes by hand have their constants in `main` only now.
-    {"fold-clip-distances",
-     [](ir::Program& program, const PipelineOptions&) { FoldClipDistances(program); },
+    {"drop-idle-clip-distances",
+     [](ir::Program& program, const PipelineOptions&) { DropIdleClipDistances(program); },
      ir::Form::kInlined},
-    // Behind everything that leaves out statements.
+    // What an entry function that keeps its call does not read, `main` need not read either.
+    {"drop-unread-arguments",
+     [](ir::Program& program, const PipelineOptions&) { DropUnreadArguments(program); },
+     ir::Form::kInlined},
+    // After everything that removes statements.
     {"drop-unread", [](ir::Program& program, const PipelineOptions&) { DropUnread(program); },
      ir::Form::kInlined},
 };

@@ -18,41 +18,14 @@ namespace {
 // in an expression.
 template <typename OnPlace>
 void ForEachPlace(const Program& program, ExprId id, bool writes, OnPlace&& on_place) {
-  const auto& node = program.exprs[id].node;
-  const auto visit = [&](ExprId part, bool is_written) {
-    ForEachPlace(program, part, is_written, on_place);
-  };
-  if (std::holds_alternative<VarRef>(node)) return on_place(id, writes);
-  if (const auto* field = std::get_if<FieldRef>(&node)) {
-    if (std::holds_alternative<VarRef>(program.exprs[field->base].node))
-      return on_place(id, writes);
-    return visit(field->base, writes);
-  }
-  if (const auto* index = std::get_if<Index>(&node)) {
-    visit(index->base, writes);
-    return visit(index->index, false);
-  }
-  if (const auto* swizzle = std::get_if<Swizzle>(&node)) return visit(swizzle->base, writes);
-  if (const auto* assign = std::get_if<Assign>(&node)) {
-    visit(assign->target, true);
-    return visit(assign->value, false);
-  }
-  if (const auto* unary = std::get_if<Unary>(&node))
-    return visit(unary->operand, unary->op >= UnaryOp::kPreIncrement);
-  if (const auto* call = std::get_if<Call>(&node)) {
-    for (std::uint32_t i = 0; i < call->arguments.size; ++i) {
-      const Var& parameter = program.vars[program.functions[call->function].parameters[i]];
-      visit(program.expr_lists[call->arguments][i], parameter.storage != Storage::kIn);
-    }
-    return;
-  }
-  if (const auto* call = std::get_if<IntrinsicCall>(&node)) {
-    for (std::uint32_t i = 0; i < call->arguments.size; ++i) {
-      visit(program.expr_lists[call->arguments][i], WritesArgument(call->op, i));
-    }
-    return;
-  }
-  ForEachOperand(program, id, [&](ExprId operand) { visit(operand, false); });
+  const auto* field = As<FieldRef>(program, id);
+  if (As<VarRef>(program, field ? field->base : id)) return on_place(id, writes);
+  const ExprId whole = WholeOf(program, id);
+  std::size_t number = 0;
+  ForEachOperand(program, id, [&](ExprId operand) {
+    const bool is_written = WritesOperand(program, id, number++);
+    ForEachPlace(program, operand, operand == whole ? writes : is_written, on_place);
+  });
 }
 
 template <typename OnPlace>
@@ -119,7 +92,7 @@ class Splitter {
 
   void FindCandidates() {
     for (std::size_t i = 0; i < stmts_.size(); ++i) {
-      const auto* declare = std::get_if<Declare>(&program_.stmts[stmts_[i]].node);
+      const auto* declare = As<Declare>(program_, stmts_[i]);
       if (!declare) continue;
       const Var& var = program_.vars[declare->var];
       if (var.storage != Storage::kLocal || var.precise) continue;
@@ -146,12 +119,12 @@ class Splitter {
     return number == 0 ? nullptr : &candidates_[number - 1];
   }
   Candidate* CandidateOf(ExprId expr) {
-    const auto* ref = std::get_if<VarRef>(&program_.exprs[expr].node);
+    const auto* ref = As<VarRef>(program_, expr);
     return ref ? CandidateOf(ref->var) : nullptr;
   }
 
   void Collect(StmtId stmt) {
-    if (const auto* declare = std::get_if<Declare>(&program_.stmts[stmt].node)) {
+    if (const auto* declare = As<Declare>(program_, stmt)) {
       if (Candidate* candidate = CandidateOf(declare->var))
         return Define(*candidate, declare->init, true);
     }
@@ -168,7 +141,7 @@ class Splitter {
         candidate->is_whole = true;
       else
         candidate->parts[0].uses.push_back({expr, now_, writes});
-    } else if (const auto* field = std::get_if<FieldRef>(&program_.exprs[expr].node)) {
+    } else if (const auto* field = As<FieldRef>(program_, expr)) {
       if (Candidate* base = CandidateOf(field->base))
         base->parts[field->field].uses.push_back({expr, now_, writes});
     }
@@ -179,9 +152,7 @@ class Splitter {
     std::size_t uses = 0;
     for (const Part& part : candidate.parts) uses += part.uses.size();
     if (value) {
-      const auto& node = program_.exprs[value].node;
-      const bool is_by_parts =
-          std::holds_alternative<Zero>(node) || std::holds_alternative<Construct>(node);
+      const bool is_by_parts = As<Zero>(program_, value) || As<Construct>(program_, value);
       if (candidate.is_struct && !is_by_parts) candidate.is_whole = true;
       ForEachPlace(program_, value, false, [&](ExprId expr, bool writes) { Place(expr, writes); });
     }
@@ -190,12 +161,8 @@ class Splitter {
     candidate.definitions.push_back({now_, value});
   }
 
-  // `target = value;`
   const Assign* AssignmentAt(std::size_t stmt) const {
-    const auto* evaluate = std::get_if<Evaluate>(&program_.stmts[stmts_[stmt]].node);
-    const auto* assign =
-        evaluate ? std::get_if<Assign>(&program_.exprs[evaluate->expr].node) : nullptr;
-    return assign && !assign->op ? assign : nullptr;
+    return AsAssignment(program_, stmts_[stmt]);
   }
 
   // ---- what becomes of it
@@ -276,7 +243,7 @@ class Splitter {
       return {};
     const Assign* assign = AssignmentAt(last.stmt);
     if (!assign || assign->value != last.expr) return {};
-    const auto* target = std::get_if<VarRef>(&program_.exprs[assign->target].node);
+    const auto* target = As<VarRef>(program_, assign->target);
     if (!target || program_.vars[target->var].storage != Storage::kOutput) return {};
     return program_.vars[target->var].type == part.type ? target->var : VarId{};
   }
@@ -287,14 +254,14 @@ class Splitter {
     const Use& first = part.uses.front();
     const Assign* assign = first.stmt < before_end_ ? AssignmentAt(first.stmt) : nullptr;
     if (!assign || assign->target != first.expr) return {};
-    const auto* value = std::get_if<VarRef>(&program_.exprs[assign->value].node);
+    const auto* value = As<VarRef>(program_, assign->value);
     const auto input =
         value ? std::ranges::find(program_.inputs, value->var, &IoVar::var) : program_.inputs.end();
     const bool is_plain = input != program_.inputs.end() && input->builtin == Builtin::kNone;
     return is_plain && program_.vars[input->var].type == part.type ? input->var : VarId{};
   }
 
-  // The part's first use behind a statement, when it is `part = value;`.
+  // The part's first use after a statement, when it is `part = value;`.
   const Use* OverwriteAfter(const Part& part, std::size_t stmt) const {
     const auto next = std::ranges::upper_bound(part.uses, stmt, {}, &Use::stmt);
     if (next == part.uses.end()) return nullptr;
@@ -305,8 +272,7 @@ class Splitter {
 
   void Replace(Candidate& candidate, const Definition& definition) {
     const bool is_declaration = &definition == &candidate.definitions.front();
-    const auto* construct =
-        definition.value ? std::get_if<Construct>(&program_.exprs[definition.value].node) : nullptr;
+    const auto* construct = As<Construct>(program_, definition.value);
     const List<ExprId> values = construct ? construct->arguments : List<ExprId>{};
     is_replaced_[definition.stmt] = true;
     for (std::size_t i = 0; i < candidate.parts.size(); ++i) {
@@ -350,16 +316,6 @@ class Splitter {
 };
 
 }  // namespace
-
-bool IsAssigned(const Program& program, StmtId stmt, VarId var) {
-  bool is_assigned = false;
-  ForEachPlace(program, stmt, [&](ExprId expr, bool writes) {
-    const auto* field = std::get_if<FieldRef>(&program.exprs[expr].node);
-    const auto* ref = std::get_if<VarRef>(&program.exprs[field ? field->base : expr].node);
-    is_assigned |= writes && ref->var == var;
-  });
-  return is_assigned;
-}
 
 std::vector<StmtId> SplitVariables(Program& program, const MainParts& parts) {
   return Splitter(program, parts).Run();

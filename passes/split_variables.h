@@ -13,13 +13,18 @@ struct MainParts {
   std::vector<ir::StmtId> before, body, after;
 };
 
-// Whether a statement may change the variable or a part of it.
-bool IsAssigned(const ir::Program& program, ir::StmtId stmt, ir::VarId var);
-
-// Takes apart the structs that only carry inputs or outputs and that nothing uses as a whole. A
-// field that passes an input on, or whose last value goes to an output, is that input or output
-// from then on; another becomes a variable of its own. Others get their inputs in one statement.
-// Gives back the statements of `main`.
+// Scalar replacement of the structs that only carry inputs or outputs: each field becomes the input
+// that it is loaded from, the output that it is stored to, or a local variable. A variable of
+// another type is replaced in the same way. Returns the statements that `main` then consists of.
+//
+//   Vertex v; v.position = in_POSITION0;           =>
+//   Varyings o;
+//   o.position = v.position * 2.0;                      gl_Position = in_POSITION0 * 2.0;
+//   gl_Position = o.position;
+//
+// A struct that something uses as a whole stays, and gets its inputs in one statement:
+//
+//   Vertex v; v.position = in_POSITION0; v.uv = in_UV0;  =>  Vertex v = Vertex(in_POSITION0, in_UV0);
 std::vector<ir::StmtId> SplitVariables(ir::Program& program, const MainParts& parts);
 
 }  // namespace clipc::passes

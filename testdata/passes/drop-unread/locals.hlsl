@@ -1,4 +1,4 @@
-// A local variable that nothing reads goes, with the variables that only it needed; what does something else besides stays.
+// A local variable that nothing reads is removed, with the variables that only it needed; what changes something else stays.
 // RUN: %clipc -T vs_5_0 --dump-after=drop-unread %s | FileCheck %s
 // RUN: %draw compare -T vs_5_0 %s
 float4 tint;

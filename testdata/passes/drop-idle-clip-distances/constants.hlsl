@@ -1,5 +1,8 @@
-// Distances at the end that are constants from 0 up clip nothing, however they came to be constants: they go, with a warning. The
-// others keep their indices, and the picture is the same.
+// Distances at the end that are constants from 0 up clip nothing, however they came to be constants: they are removed, with a
+// warning. The others keep their indices, and the picture is the same.
+// RUN: %clipc -T vs_5_0 -E scalars --dump-after=inline-entry %s 2>&1 | FileCheck %s --check-prefix=IDLE
+// RUN: %clipc -T vs_5_0 -E scalars --dump-after=drop-idle-clip-distances %s 2>&1 | FileCheck %s --check-prefix=DROPPED
+// RUN: %clipc -T vs_5_0 -E all --dump-after=drop-idle-clip-distances %s 2>&1 | FileCheck %s --check-prefix=NO-OUTPUT
 // RUN: %clipc -T vs_5_0 -E vector --validate --reflect=%t.json %s -o - 2>&1 | FileCheck %s --check-prefix=VECTOR
 // RUN: FileCheck %s --check-prefix=MASK --input-file %t.json
 // RUN: %clipc -T vs_5_0 -E all --validate --reflect=%t.all.json %s -o - 2>&1 | FileCheck %s --check-prefix=ALL
@@ -65,7 +68,22 @@ struct Scalars {
   float third : SV_ClipDistance2;
 };
 
-// What only a distance that went was computed from goes too.
+// IDLE: output float clip_distance[3] : SV_ClipDistance0
+// IDLE: main void main() {
+// IDLE: clip_distance[0u] = first
+// IDLE-NEXT: clip_distance[1u] = second
+// IDLE-NEXT: clip_distance[2u] = third
+// DROPPED: output float clip_distance[1] : SV_ClipDistance0
+// DROPPED: main void main() {
+// DROPPED: float second = never
+// DROPPED-NEXT: float third = 3.0
+// DROPPED-NEXT: clip_distance[0u] = first
+// DROPPED-NEXT: }
+// NO-OUTPUT-NOT: clip_distance
+// NO-OUTPUT: main void main() {
+// NO-OUTPUT-NOT: clip_distance
+
+// What only a removed distance was computed from is removed later.
 // SCALARS: warning: clip distances from 1 on
 // SCALARS: gl_Position = in_POSITION0;
 // SCALARS-NEXT: float first = dot(in_POSITION0, plane);

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "passes/drop_unread_arguments.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <set>
+#include <vector>
+
+#include "base/invariant.h"
+#include "ir/access.h"
+#include "ir/builder.h"
+
+namespace clipc::passes {
+
+using namespace ir;
+
+namespace {
+
+// What the entry function reads of one parameter.
+struct Reads {
+  std::uint32_t all = 0, of_fields = 0;
+  std::set<std::uint32_t> fields;
+
+  bool HasWhole() const { return all != of_fields; }
+};
+
+std::vector<Reads> ReadsOfParameters(const Program& program) {
+  const Function& entry = program.functions[program.entry];
+  std::vector<Reads> reads(entry.parameters.size());
+  const auto reads_of = [&](ExprId id) {
+    const auto* ref = As<VarRef>(program, id);
+    const auto found = ref ? std::ranges::find(entry.parameters, ref->var) : entry.parameters.end();
+    return found == entry.parameters.end() ? nullptr : &reads[found - entry.parameters.begin()];
+  };
+  ForEachExpr(program, entry.body, [&](ExprId id) {
+    if (Reads* parameter = reads_of(id)) ++parameter->all;
+    const auto* field = As<FieldRef>(program, id);
+    Reads* base = field ? reads_of(field->base) : nullptr;
+    if (!base) return;
+    ++base->of_fields;
+    base->fields.insert(field->field);
+  });
+  return reads;
+}
+
+void MakeZero(Program& program, List<ExprId> list, std::uint32_t i) {
+  const ExprId value = program.expr_lists[list][i];
+  if (!IsPure(program, value)) return;
+  const ExprId zero = Builder(program, program.exprs[value].span).ZeroOf(program.exprs[value].type);
+  program.expr_lists[list][i] = zero;
+}
+
+// Of the variable that is made of the inputs for this call alone: `Vertex v =
+// Vertex(in_POSITION0, in_NORMAL0);`
+void MakeFieldsZero(Program& program, ExprId argument, const std::set<std::uint32_t>& read) {
+  const auto* ref = As<VarRef>(program, argument);
+  if (!ref) return;
+  for (const StmtId id : MainBody(program)) {
+    const auto* declare = As<Declare>(program, id);
+    if (!declare || declare->var != ref->var) continue;
+    const auto* construct = As<Construct>(program, declare->init);
+    for (std::uint32_t i = 0; construct && i < construct->arguments.size; ++i) {
+      if (!read.contains(i)) MakeZero(program, construct->arguments, i);
+    }
+  }
+}
+
+}  // namespace
+
+void DropUnreadArguments(Program& program) {
+  CLIPC_CHECK(program.form == Form::kInlined);
+  ExprId call;
+  for (const StmtId id : MainBody(program)) {
+    if (!call) call = EntryCall(program, id);
+  }
+  if (!call) return;
+  const List<ExprId> arguments = As<Call>(program, call)->arguments;
+  const std::vector<VarId>& parameters = program.functions[program.entry].parameters;
+  const std::vector<Reads> reads = ReadsOfParameters(program);
+  for (std::uint32_t i = 0; i < arguments.size; ++i) {
+    if (program.vars[parameters[i]].storage != Storage::kIn || reads[i].HasWhole()) continue;
+    if (reads[i].fields.empty())
+      MakeZero(program, arguments, i);
+    else
+      MakeFieldsZero(program, program.expr_lists[arguments][i], reads[i].fields);
+  }
+}
+
+}  // namespace clipc::passes
