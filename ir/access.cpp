@@ -56,7 +56,7 @@ bool HasLiteralIndices(const Program& program, ExprId path) {
 bool WritesOperand(const Program& program, ExprId expr, std::size_t operand) {
   return Visit(Overloaded{
                    [&](const Assign&) { return operand == 0; },
-                   [&](const Unary& node) { return node.op >= UnaryOp::kPreIncrement; },
+                   [&](const Unary& node) { return ChangesOperand(node.op); },
                    [&](const Call& node) {
                      const VarId parameter = program.functions[node.function].parameters[operand];
                      return program.vars[parameter].storage != Storage::kIn;

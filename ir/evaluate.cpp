@@ -7,16 +7,8 @@
 #include "ir/evaluate_machine.h"
 #include "ir/packing.h"
 #include "ir/scalar.h"
-#include "ir/walk.h"
 
 namespace clipc::ir {
-namespace {
-
-// The largest value, and all variables together, that the evaluator holds: 128 MiB.
-constexpr std::uint32_t kMaxWords = 1u << 24;
-
-}  // namespace
-
 Machine::Machine(const Program& program, const EvalInputs& inputs, const EvalOptions& options)
     : program_(program), inputs_(inputs), options_(options) {}
 
@@ -137,8 +129,7 @@ EvalOutputs Machine::ReadOutputs() const {
   for (const IoVar& io : program_.outputs) {
     IoBits bits{};
     IoNumbers numbers{};
-    std::vector<Scalar> kinds;
-    AppendKinds(program_.vars[io.var].type, kinds);
+    const std::vector<Scalar> kinds = KindsOf(program_.types, program_.vars[io.var].type);
     const Word* from = memory_.data() + address_[io.var.index];
     for (std::size_t i = 0; i < kinds.size() && i < bits.size(); ++i) {
       bits[i] = ToBits(from[i], kinds[i]);
@@ -208,8 +199,7 @@ void Machine::SetUndefined(VarId var) {
     std::fill_n(to, WordsOf(type), 0);
     return;
   }
-  std::vector<Scalar> kinds;
-  AppendKinds(type, kinds);
+  const std::vector<Scalar> kinds = KindsOf(program_.types, type);
   for (std::size_t i = 0; i < kinds.size(); ++i)
     to[static_cast<std::ptrdiff_t>(i)] = UndefinedOf(kinds[i], i, false);
 }
@@ -245,43 +235,15 @@ std::uint32_t Machine::FieldWord(StructId id, std::uint32_t field) {
   return field_words_[id.index][field];
 }
 
-void Machine::AppendKinds(TypeId id, std::vector<Scalar>& kinds) const {
-  const Type& type = program_.types[id];
-  if (type.kind == TypeKind::kObject) kinds.push_back(Scalar::kUint);
-  kinds.insert(kinds.end(), type.Components(), type.scalar);
-  if (type.kind == TypeKind::kArray) {
-    for (std::uint32_t i = 0; i < type.count; ++i) AppendKinds(type.element, kinds);
-  }
-  if (type.kind == TypeKind::kStruct) {
-    for (const Field& field : program_.types[type.structure].fields) AppendKinds(field.type, kinds);
-  }
-}
-
-bool Machine::Fits(ExprId expr) {
-  if (WordsOf(expr) > kMaxWords) return false;
-  bool fits = true;
-  ForEachOperand(program_, expr, [&](ExprId operand) { fits = fits && Fits(operand); });
-  const VarRef* var = std::get_if<VarRef>(&program_.exprs[expr].node);
-  return fits &&
-         (var == nullptr || !program_.vars[var->var].init || Fits(program_.vars[var->var].init));
-}
-
-std::optional<std::vector<Word>> Machine::Constant(ExprId expr) {
-  if (!Fits(expr)) return std::nullopt;
-  only_constants_ = true;
+std::vector<Word> Machine::Value(ExprId expr) {
+  if (!Prepare()) return {};
+  InitialiseGlobals();
   Eval(expr);
-  if (!is_constant_) return std::nullopt;
   return std::move(stack_);
 }
 
 EvalResult RunMain(const Program& program, const EvalInputs& inputs, const EvalOptions& options) {
   return Machine(program, inputs, options).Run();
-}
-
-std::optional<std::vector<std::uint64_t>> ConstantBits(const Program& program, ExprId expr) {
-  static const EvalInputs kNoInputs;
-  static const EvalOptions kInFloat;
-  return Machine(program, kNoInputs, kInFloat).Constant(expr);
 }
 
 }  // namespace clipc::ir

@@ -89,8 +89,10 @@ EvalResult RunMain(const Program& program, const EvalInputs& inputs,
                    const EvalOptions& options = {});
 
 // The value of an expression of literals, operators, intrinsics and constants (Storage::kConstant
-// with an init), component after component in the order of the type; nothing when anything else
-// occurs in it.
+// with an init), component after component in the order of the type. Nothing when the expression
+// has anything else in it, where it divides an integer by zero or indexes out of bounds, or where it
+// is too much work: it takes time linear in the expression, and what it reads out of variables is
+// bounded. The program need not be complete.
 std::optional<std::vector<std::uint64_t>> ConstantBits(const Program& program, ExprId expr);
 
 }  // namespace clipc::ir

@@ -8,11 +8,7 @@
 
 namespace clipc::ir {
 
-void Machine::EvalCall(ExprId expr, const Call& node) {
-  if (only_constants_) {
-    is_constant_ = false;
-    return PushZeros(WordsOf(expr));
-  }
+void Machine::EvalCall(const Call& node) {
   const Function& function = program_.functions[node.function];
   const std::size_t base = stack_.size();
   std::vector<std::pair<VarId, Place>> written;
@@ -135,10 +131,6 @@ void Machine::EvalWriting(const IntrinsicCall& node) {
   const auto argument = [&](std::uint32_t i) { return program_.expr_lists[node.arguments][i]; };
   const bool has_value = node.op == Intrinsic::kModf || node.op == Intrinsic::kFrexp;
   const std::uint32_t words = WordsOf(argument(0));
-  if (only_constants_) {
-    is_constant_ = false;
-    return PushZeros(has_value ? words : 0);
-  }
   const std::size_t base = stack_.size();
   Eval(argument(0));
   std::array<Place, 2> places{};
@@ -159,8 +151,6 @@ void Machine::EvalWriting(const IntrinsicCall& node) {
 void Machine::EvalObjectCall(ExprId expr, const ObjectCall& node) {
   const std::uint32_t words = WordsOf(expr);
   const std::size_t base = stack_.size();
-  is_constant_ = false;
-  if (only_constants_) return PushZeros(words);
   ObjectRequest request{.op = node.op, .object = {}, .sampler = {}, .arguments = {}};
   std::vector<Word> bits;
   for (std::uint32_t i = 0; i < node.arguments.size; ++i) {
@@ -181,8 +171,7 @@ void Machine::EvalObjectCall(ExprId expr, const ObjectCall& node) {
   std::vector<Word> result(words, 0);
   if (inputs_.read_object) inputs_.read_object(request, result);
   if (words == 0) return;
-  std::vector<Scalar> kinds;
-  AppendKinds(program_.exprs[expr].type, kinds);
+  const std::vector<Scalar> kinds = KindsOf(program_.types, program_.exprs[expr].type);
   for (std::uint32_t i = 0; i < words; ++i) stack_.push_back(FromBits(result[i], kinds[i]));
 }
 

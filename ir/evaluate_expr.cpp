@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <algorithm>
 
-#include "base/overloaded.h"
+#include "ir/access.h"
 #include "ir/evaluate_machine.h"
 #include "ir/scalar.h"
 
 namespace clipc::ir {
 
-void Machine::Eval(ExprId expr) {
+void Machine::EvalNode(ExprId expr) {
   std::visit(
       Overloaded{
           [&](const Literal& n) { stack_.push_back(FromBits(n.bits, TypeOf(expr).scalar)); },
@@ -31,7 +31,7 @@ void Machine::Eval(ExprId expr) {
             for (ExprId argument : program_.expr_lists[n.arguments]) Eval(argument);
           },
           [&](const MatrixTruncate& n) { EvalTruncate(expr, n); },
-          [&](const Call& n) { EvalCall(expr, n); },
+          [&](const Call& n) { EvalCall(n); },
           [&](const IntrinsicCall& n) { EvalIntrinsic(expr, n); },
           [&](const ObjectCall& n) { EvalObjectCall(expr, n); },
           [&](const Comma& n) {
@@ -53,39 +53,30 @@ void Machine::Keep(std::size_t base, std::size_t from, std::uint32_t words) {
 // ---- variables and their parts
 
 void Machine::EvalVarRef(const VarRef& node) {
-  const Var& var = program_.vars[node.var];
-  if (!only_constants_) return PushFrom({.address = address_[node.var.index]}, var.type);
-  if (var.storage == Storage::kConstant && var.init) return Eval(var.init);
-  is_constant_ = false;
-  PushZeros(WordsOf(var.type));
+  if (only_constants_) return EvalConstantVar(node.var);
+  PushFrom({.address = address_[node.var.index]}, program_.vars[node.var].type);
 }
 
 bool Machine::IsPath(ExprId expr) const {
-  if (only_constants_) return false;
-  for (;;) {
-    const auto& node = program_.exprs[expr].node;
-    if (const FieldRef* field = std::get_if<FieldRef>(&node)) {
-      expr = field->base;
-    } else if (const Index* index = std::get_if<Index>(&node)) {
-      expr = index->base;
-    } else {
-      return std::holds_alternative<VarRef>(node);
-    }
-  }
+  while (As<FieldRef>(program_, expr) || As<Index>(program_, expr)) expr = WholeOf(program_, expr);
+  return As<VarRef>(program_, expr) != nullptr;
 }
 
 // Part of a variable where it lies, so that an index into a large array copies one element; else
 // part of a value.
 void Machine::EvalPart(ExprId expr) {
   const std::uint32_t words = WordsOf(expr);
-  if (IsPath(expr)) return PushFrom(Locate(expr), program_.exprs[expr].type);
+  if (only_constants_) {
+    if (!TypeOf(WholeOf(program_, expr)).IsNumeric()) return EvalConstantMember(expr);
+  } else if (IsPath(expr)) {
+    return PushFrom(Locate(expr), program_.exprs[expr].type);
+  }
   const std::size_t base = stack_.size();
-  const auto& node = program_.exprs[expr].node;
-  if (const FieldRef* field = std::get_if<FieldRef>(&node)) {
+  if (const auto* field = As<FieldRef>(program_, expr)) {
     Eval(field->base);
     return Keep(base, base + FieldWord(TypeOf(field->base).structure, field->field), words);
   }
-  const Index& index = std::get<Index>(node);
+  const Index& index = std::get<Index>(program_.exprs[expr].node);
   Eval(index.base);
   const auto element = IndexInto(TypeOf(index.base), index.index);
   if (element) return Keep(base, base + std::size_t{*element} * words, words);
@@ -101,8 +92,9 @@ std::optional<std::uint32_t> Machine::IndexInto(const Type& base, ExprId index) 
   const std::uint32_t count = base.kind == TypeKind::kArray    ? base.count
                               : base.kind == TypeKind::kMatrix ? base.rows
                                                                : base.columns;
-  if (word >= count) return std::nullopt;  // a negative index is a large word
-  return static_cast<std::uint32_t>(word);
+  if (word < count) return static_cast<std::uint32_t>(word);  // a negative index is a large word
+  is_constant_ = false;
+  return std::nullopt;
 }
 
 Machine::Place Machine::Locate(ExprId expr) {
@@ -129,8 +121,7 @@ Machine::Place Machine::Locate(ExprId expr) {
 
 void Machine::PushUndefined(TypeId type) {
   if (options_.undefined == 0) return PushZeros(WordsOf(type));
-  std::vector<Scalar> kinds;
-  AppendKinds(type, kinds);
+  const std::vector<Scalar> kinds = KindsOf(program_.types, type);
   const bool negated = NextUndefinedIsNegated();
   for (std::size_t i = 0; i < kinds.size(); ++i)
     stack_.push_back(UndefinedOf(kinds[i], i, negated));
@@ -180,8 +171,7 @@ void Machine::EvalUnary(const Unary& node) {
   const Scalar rep = RepOf(node.operand);
   const std::uint32_t words = WordsOf(node.operand);
   const std::size_t base = stack_.size();
-  if (node.op < UnaryOp::kPreIncrement || only_constants_) {
-    is_constant_ = is_constant_ && node.op < UnaryOp::kPreIncrement;
+  if (!ChangesOperand(node.op)) {
     Eval(node.operand);
     for (std::uint32_t i = 0; i < words; ++i)
       stack_[base + i] = UnaryComponent(node.op, rep, stack_[base + i]);
@@ -199,14 +189,16 @@ void Machine::EvalUnary(const Unary& node) {
 }
 
 void Machine::EvalBinary(const Binary& node) {
-  if (node.op == BinaryOp::kShortCircuitAnd || node.op == BinaryOp::kShortCircuitOr)
-    return EvalShortCircuit(node);
+  // Both sides of a constant are constant, and so may be evaluated.
+  if (IsShortCircuit(node.op) && !only_constants_) return EvalShortCircuit(node);
   const Scalar rep = RepOf(node.left);
   const std::uint32_t words = WordsOf(node.left);
   const std::size_t base = stack_.size();
   Eval(node.left);
   Eval(node.right);
+  const bool divides = (node.op == BinaryOp::kDiv || node.op == BinaryOp::kMod) && !IsFloat(rep);
   for (std::uint32_t i = 0; i < words; ++i) {
+    if (divides && stack_[base + words + i] == 0) is_constant_ = false;
     stack_[base + i] = BinaryComponent(node.op, rep, stack_[base + i], stack_[base + words + i]);
   }
   stack_.resize(base + words);
@@ -222,10 +214,6 @@ void Machine::EvalShortCircuit(const Binary& node) {
 void Machine::EvalAssign(const Assign& node) {
   const Scalar rep = RepOf(node.target);
   const std::uint32_t words = WordsOf(node.target);
-  if (only_constants_) {
-    is_constant_ = false;
-    return PushZeros(words);
-  }
   const std::size_t base = stack_.size();
   const Place place = Locate(node.target);
   Eval(node.value);

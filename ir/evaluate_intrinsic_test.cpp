@@ -8,6 +8,7 @@
 #include "ir/builder.h"
 #include "ir/evaluate.h"
 #include "ir/scalar.h"
+#include "ir/test_program.h"
 #include "ir/verifier.h"
 
 // Every expected number here was computed by hand or follows from the document that the comment
@@ -45,11 +46,7 @@ class Intrinsics : public testing::Test {
                         : program.types.Vector(Scalar::kFloat, columns);
   }
 
-  std::vector<std::uint64_t> Bits(ExprId expr) {
-    const auto bits = ConstantBits(program, expr);
-    EXPECT_TRUE(bits.has_value());
-    return bits.value_or(std::vector<std::uint64_t>(16, 0));
-  }
+  std::vector<std::uint64_t> Bits(ExprId expr) { return ValueOf(program, expr); }
   Numbers Evaluated(ExprId expr) {
     Numbers numbers;
     for (std::uint64_t bits : Bits(expr))

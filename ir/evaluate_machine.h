@@ -4,12 +4,16 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "ir/evaluate.h"
 #include "ir/evaluate_math.h"
 
 namespace clipc::ir {
+
+// The most words that one value, or all variables together, may have: 128 MiB.
+inline constexpr std::uint32_t kMaxWords = 1u << 24;
 
 // Runs one program once. A value is its components in order, one word each (a matrix by rows, a
 // struct by fields, an array by elements); an object is one word that names a resource. Expressions
@@ -20,6 +24,9 @@ class Machine {
   Machine(const Program& program, const EvalInputs& inputs, const EvalOptions& options);
 
   EvalResult Run();
+  // The value of an expression outside of all functions, by which a test sees one operation.
+  std::vector<Word> Value(ExprId expr);
+  // What ConstantBits() returns.
   std::optional<std::vector<Word>> Constant(ExprId expr);
 
  private:
@@ -33,8 +40,7 @@ class Machine {
   };
 
   // evaluate.cpp: from the program's inputs to its outputs
-  bool Prepare();          // false: too large
-  bool Fits(ExprId expr);  // no value in it is too large
+  bool Prepare();  // false: too large
   void LoadCbuffer(CbufferId id);
   void Unpack(const std::vector<std::uint8_t>& bytes, std::uint64_t offset, TypeId type,
               bool row_major, Word*& to);
@@ -60,8 +66,6 @@ class Machine {
   Word UndefinedOf(Scalar kind, std::size_t component, bool negated) const;
   bool NextUndefinedIsNegated();
   void SetUndefined(VarId var);
-  void AppendKinds(TypeId type,
-                   std::vector<Scalar>& kinds) const;  // of each word; kUint for an object
 
   // evaluate_stmt.cpp
   bool Step();  // false: the limit is reached
@@ -76,7 +80,8 @@ class Machine {
   void CallFunction(FunctionId function, std::size_t base);
 
   // evaluate_expr.cpp: each pushes the value of the node
-  void Eval(ExprId expr);
+  void Eval(ExprId expr) { only_constants_ ? EvalConstant(expr) : EvalNode(expr); }
+  void EvalNode(ExprId expr);
   void EvalVarRef(const VarRef& node);
   void EvalPart(ExprId expr);  // FieldRef, Index
   void EvalSwizzle(const Swizzle& node);
@@ -100,11 +105,22 @@ class Machine {
   void Keep(std::size_t base, std::size_t from, std::uint32_t words);
 
   // evaluate_call.cpp
-  void EvalCall(ExprId expr, const Call& node);
+  void EvalCall(const Call& node);
   void EvalIntrinsic(ExprId expr, const IntrinsicCall& node);
   void EvalBits(ExprId expr, const IntrinsicCall& node);
   void EvalWriting(const IntrinsicCall& node);
   void EvalObjectCall(ExprId expr, const ObjectCall& node);
+
+  // evaluate_constant.cpp
+  void EvalConstant(ExprId expr);
+  void EvalConstantVar(VarId var);
+  void EvalConstantMember(ExprId expr);
+  void EvalConstantWhole(ExprId expr);
+  void EvalInVariable(ExprId expr);
+  void PushNoConstant();
+  bool IsTooMuch();
+  ExprId SourceOf(ExprId expr);
+  ExprId MemberOf(ExprId expr);
 
   const Program& program_;
   const EvalInputs& inputs_;
@@ -117,8 +133,10 @@ class Machine {
   std::uint64_t steps_ = 0;
   int depth_ = 0;
   std::uint64_t undefined_reads_ = 0;
-  bool only_constants_ = false;
-  bool is_constant_ = true;
+  bool only_constants_ = false;  // Constant() runs
+  bool is_constant_ = true;      // as far as has been seen
+  int variables_ = 0;            // constant variables whose values are being evaluated
+  std::unordered_map<std::uint32_t, std::vector<Word>> known_;  // values of constant variables
   bool wrote_out_of_bounds_ = false;
 };
 

@@ -12,8 +12,8 @@ namespace clipc::ir {
 // NOLINTNEXTLINE(readability-identifier-naming)
 enum class Level9 : std::uint8_t { kNone, k9_0, k9_1, k9_3 };
 
-// A compilation target of fxc or dxc. Only vertex shader profiles compile; the others are known to
-// be told apart.
+// A compilation target of fxc or dxc. Only the profiles of vertex shaders compile; a message names
+// the others.
 struct Profile {
   std::string name = "vs_5_0";  // as written, lower case
   std::string stage = "vs";
@@ -22,15 +22,15 @@ struct Profile {
   Level9 level9 = Level9::kNone;
 
   bool IsVertex() const { return stage == "vs"; }
-  bool IsDirect3D9() const {
-    return major < 4;
-  }  // vs_1_1, vs_2_0, vs_2_a, vs_3_0: the older dialect
+  // vs_1_1, vs_2_0, vs_2_a or vs_3_0: the older dialect.
+  bool IsDirect3D9() const { return major < 4; }
   bool IsAtLeast(int want_major, int want_minor) const {
     return major > want_major || (major == want_major && minor >= want_minor);
   }
 };
 
-// "vs_4_0_level_9_1" and so on, in any case; nothing for a name that no compiler knows.
+// `name` is "vs_4_0_level_9_1" or the like, in any case. Nothing for a name that neither compiler
+// takes.
 std::optional<Profile> ParseProfile(std::string_view name);
 
 }  // namespace clipc::ir

@@ -9,11 +9,19 @@
 #include "ir/access.h"
 #include "ir/builder.h"
 #include "ir/evaluate.h"
+#include "ir/evaluate_machine.h"
 #include "ir/packing.h"
 #include "ir/scalar.h"
 
 // For tests only.
 namespace clipc::ir {
+
+// The value of an expression outside of all functions, component after component.
+inline std::vector<std::uint64_t> ValueOf(const Program& program, ExprId expr) {
+  const EvalInputs inputs;
+  const EvalOptions options;
+  return Machine(program, inputs, options).Value(expr);
+}
 
 // A small whole program, into which a test puts what it is about:
 //

@@ -108,4 +108,22 @@ std::string TypeTable::Name(TypeId id) const {
   return name + dimensions;
 }
 
+std::vector<Scalar> KindsOf(const TypeTable& types, TypeId id) {
+  const Type& type = types[id];
+  std::vector<Scalar> kinds(type.Components(), type.scalar);
+  if (type.kind == TypeKind::kObject) kinds.push_back(Scalar::kUint);
+  if (type.kind == TypeKind::kArray) {
+    const std::vector<Scalar> element = KindsOf(types, type.element);
+    for (std::uint32_t i = 0; i < type.count; ++i)
+      kinds.insert(kinds.end(), element.begin(), element.end());
+  }
+  if (type.kind == TypeKind::kStruct) {
+    for (const Field& field : types[type.structure].fields) {
+      const std::vector<Scalar> part = KindsOf(types, field.type);
+      kinds.insert(kinds.end(), part.begin(), part.end());
+    }
+  }
+  return kinds;
+}
+
 }  // namespace clipc::ir

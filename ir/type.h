@@ -65,12 +65,11 @@ using TypeId = Id<Type>;
 struct Type {
   TypeKind kind = TypeKind::kError;
   Scalar scalar = Scalar::kFloat;  // scalar, vector, matrix
-  std::uint8_t rows = 1;  // vector: 1; matrix: rows as written first in float{rows}x{columns}
-  std::uint8_t columns =
-      1;  // vector: number of components 1..4 (float1 is a vector of one); matrix: columns
-  std::uint32_t count = 0;  // array: elements
-  TypeId element =
-      {};  // array; object: element type of Buffer<T>, StructuredBuffer<T>, Texture2D<T>
+  std::uint8_t rows = 1;           // of a matrix: the first number in float{rows}x{columns}
+  std::uint8_t columns = 1;  // of a matrix; the components, 1 to 4, of a vector: float1 has one
+  std::uint32_t count = 0;   // the elements of an array
+  // Of an array, Buffer<T>, StructuredBuffer<T> or Texture2D<T>; none for an object without <T>.
+  TypeId element = {};
   StructId structure = {};
   ObjectKind object = ObjectKind::kOther;
 
@@ -161,8 +160,11 @@ class TypeTable {
 
   Arena<Type> types_;  // the others
   Arena<Struct> structs_;
-  std::unordered_map<std::uint64_t, TypeId>
-      by_key_;  // numeric, array, struct and object types by a packed key
+  std::unordered_map<std::uint64_t, TypeId> by_key_;  // the others by a packed key
 };
+
+// The kind of each component of a type in order, through structs and arrays; an object counts as
+// one kUint.
+std::vector<Scalar> KindsOf(const TypeTable& types, TypeId type);
 
 }  // namespace clipc::ir

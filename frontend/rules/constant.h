@@ -9,17 +9,16 @@
 
 namespace clipc {
 
-// The value of a constant expression, component by component in the order of the type (bool and
-// integers as themselves, floats as doubles of their float32 values); nothing when the expression
-// is not constant, which an integer division by zero is not. Sees through kConstant variables. A
-// struct or array has the kind of its first component. Takes time linear in the expression; what it
-// reads out of variables is bounded.
+// The value of a constant expression, as ir::ConstantBits finds it: component by component in the
+// order of the type, bool and integers as themselves, floats as doubles of their float32 values. The
+// kind of a struct or array is that of its first component.
 struct Constant {
   ir::Scalar kind;
   std::vector<double> components;
 };
+// Nothing for an expression that is not constant.
 std::optional<Constant> EvaluateConstant(const ir::Program& program, ir::ExprId expr);
-// The value of a constant integer or bool scalar, exactly.
+// The value of a constant integer or bool scalar, exactly; nothing for any other expression.
 std::optional<std::int64_t> EvaluateInteger(const ir::Program& program, ir::ExprId expr);
 
 }  // namespace clipc

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <variant>
+
+#include "base/arena.h"
+#include "base/span.h"
+#include "ir/ids.h"
+#include "ir/intrinsic.h"
+#include "ir/type.h"
+
+// Expressions. program.h says what holds of all of them.
+namespace clipc::ir {
+
+// A scalar. `bits` of a bool are 0 or 1; of int and uint the value; of float kinds those of a
+// float; of double those of a double. Vectors and matrices of constants are Constructs of Literals.
+struct Literal {
+  std::uint64_t bits = 0;
+};
+// A zero of any type, structs and arrays included: (T)0.
+struct Zero {};
+struct VarRef {
+  VarId var;
+};
+struct FieldRef {
+  ExprId base;  // of struct type
+  std::uint32_t field = 0;
+};
+// An element: array[i], a component: vector[i], or a row: matrix[i]. The index is an int or uint
+// scalar. Reads of StructuredBuffer and Buffer are ObjectCalls.
+struct Index {
+  ExprId base, index;
+};
+// Components of a vector: base.xyz. One component gives a scalar. In an assignment target no
+// component repeats.
+struct Swizzle {
+  ExprId base;
+  std::array<std::uint8_t, 4> components{};
+  std::uint8_t count = 0;
+};
+// Components of a matrix, as a value only: m._m00_m11. `base` is a path of variables, fields and
+// constant or pure indices. Assignments to such components are assignments to Index nodes.
+struct MatrixSwizzle {
+  ExprId base;
+  std::array<std::uint8_t, 4> rows{}, columns{};
+  std::uint8_t count = 0;
+};
+enum class UnaryOp : std::uint8_t {
+  kNegate,
+  kNot,  // of bool shapes
+  kComplement,
+  // These change their operand, an lvalue of an int, uint or float shape.
+  kPreIncrement,
+  kPreDecrement,
+  kPostIncrement,
+  kPostDecrement,
+};
+constexpr bool ChangesOperand(UnaryOp op) { return op >= UnaryOp::kPreIncrement; }
+struct Unary {
+  UnaryOp op = UnaryOp::kNegate;
+  ExprId operand;
+};
+// Component-wise. Both operands have the same type; those of a shift need only the same shape.
+// Comparisons and logical operators give bool of that shape. kMod of floats is fmod: the result has
+// the sign of the dividend. Shift counts are taken modulo 32. The logical operators evaluate both
+// sides, as HLSL before 2021 does; the short-circuit forms are for scalars (HLSL 2021).
+enum class BinaryOp : std::uint8_t {
+  kMul,
+  kDiv,
+  kMod,
+  kAdd,
+  kSub,
+  kShiftLeft,
+  kShiftRight,
+  kLess,
+  kGreater,
+  kLessEqual,
+  kGreaterEqual,
+  kEqual,
+  kNotEqual,
+  kBitAnd,
+  kBitXor,
+  kBitOr,
+  kLogicalAnd,
+  kLogicalOr,
+  kShortCircuitAnd,
+  kShortCircuitOr,
+};
+// Whether the operator is a comparison or a logical one.
+constexpr bool GivesBool(BinaryOp op) {
+  return (op >= BinaryOp::kLess && op <= BinaryOp::kNotEqual) || op >= BinaryOp::kLogicalAnd;
+}
+// Whether the right side is evaluated only when the left one does not decide.
+constexpr bool IsShortCircuit(BinaryOp op) { return op >= BinaryOp::kShortCircuitAnd; }
+struct Binary {
+  BinaryOp op = BinaryOp::kMul;
+  ExprId left, right;
+};
+// target = value, or target op= value; both have the same type. The value of the expression is the
+// target's new value. A target is a path of VarRef, FieldRef, Index and at most one last Swizzle.
+struct Assign {
+  std::optional<BinaryOp> op;  // an arithmetic, bit or shift operator
+  ExprId target, value;
+};
+// A choice by a bool scalar. Only the chosen side is evaluated: where HLSL evaluates both and that
+// matters, both are computed before.
+struct Conditional {
+  ExprId condition, when_true, when_false;
+};
+// A choice of each component by a bool vector or matrix. All three operands are evaluated.
+struct Select {
+  ExprId condition, when_true, when_false;
+};
+// The same shape with another component kind. float to int truncates; to bool is != 0; from bool is
+// 0 or 1; signed and unsigned keep the bits. Between half, float and minimum-precision floats it is
+// the identity.
+struct Convert {
+  ExprId operand;
+};
+// A scalar in every component of a vector or matrix.
+struct Splat {
+  ExprId operand;
+};
+// A vector, from scalars and vectors of the same kind whose components add up; a matrix, from
+// scalars in row order or from its rows; a struct or an array, from one expression for each field
+// or element, of exactly its type.
+struct Construct {
+  List<ExprId> arguments;
+};
+// The upper left part of a matrix.
+struct MatrixTruncate {
+  ExprId operand;
+};
+// Arguments have exactly the parameters' types. Those of out and inout parameters are assignment
+// targets: copied in before the call (inout) and out after it, from left to right.
+struct Call {
+  FunctionId function;
+  List<ExprId> arguments;
+};
+struct IntrinsicCall {
+  Intrinsic op{};
+  List<ExprId> arguments;
+};
+// Reads and writes through texture and buffer objects. arguments[0] is the object: a VarRef, or an
+// Index of one for an array of them. The arguments of each operation stand in parentheses; [] marks
+// those that may be left out. An offset is an int{1..3} of literals.
+enum class ObjectOp : std::uint8_t {
+  // (texture, sampler, coordinate float{1..4}, lod float [, offset])
+  kSampleLevel,
+  // (texture, sampler, coordinate, ddx, ddy [, offset])
+  kSampleGrad,
+  // (texture, comparison sampler, coordinate, reference [, offset])
+  kSampleCmpLevelZero,
+  // (texture, sampler, coordinate [, offset, or one for each texel of the four]): component 0
+  kGather,
+  // The same for components 1, 2 and 3.
+  kGatherGreen,
+  kGatherBlue,
+  kGatherAlpha,
+  // (texture, coordinate int{1..3} without level, level int [, offset]); of a multisampled texture
+  // the level is the sample
+  kTextureLoad,
+  // (Buffer<T>, index): the element, of the ObjectType's element type
+  kBufferLoad,
+  // (StructuredBuffer<T>, index)
+  kStructuredLoad,
+  // (ByteAddressBuffer, byte address uint): uint..uint4, as the node's type says
+  kByteLoad,
+  // (texture, level uint): an int scalar or vector of width [, height [, depth]] [, elements]
+  kTextureSize,
+  // (texture): int
+  kTextureLevels,
+  // (texture): int
+  kTextureSamples,
+  // (buffer): int, the number of elements; of a ByteAddressBuffer, of bytes
+  kBufferSize,
+  // (sampler2D and the like, coordinate without the level that HLSL has in w, lod)
+  kD3d9SampleLevel,
+  // (sampler, coordinate): level 0 in a vertex shader
+  kD3d9Sample,
+  // (RWTexture, coordinate int{1..3})
+  kImageLoad,
+  // (a writable object, place as the load of that object has it, value): void; the place in an
+  // RWByteAddressBuffer is a byte address, the value uint..uint4
+  kStore,
+};
+// Whether arguments[1] is a sampler.
+constexpr bool TakesSampler(ObjectOp op) {
+  switch (op) {
+    case ObjectOp::kSampleLevel:
+    case ObjectOp::kSampleGrad:
+    case ObjectOp::kSampleCmpLevelZero:
+    case ObjectOp::kGather:
+    case ObjectOp::kGatherGreen:
+    case ObjectOp::kGatherBlue:
+    case ObjectOp::kGatherAlpha: return true;
+    default: return false;
+  }
+}
+struct ObjectCall {
+  ObjectOp op{};
+  List<ExprId> arguments;
+};
+// Evaluates first, then second, whose value it has.
+struct Comma {
+  ExprId first, second;
+};
+
+struct Expr {
+  TypeId type;
+  Span span;
+  std::variant<Literal, Zero, VarRef, FieldRef, Index, Swizzle, MatrixSwizzle, Unary, Binary,
+               Assign, Conditional, Select, Convert, Splat, Construct, MatrixTruncate, Call,
+               IntrinsicCall, ObjectCall, Comma>
+      node;
+};
+
+}  // namespace clipc::ir

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/span.h"
+#include "ir/ids.h"
+#include "ir/type.h"
+
+// Variables and functions.
+namespace clipc::ir {
+
+enum class Storage : std::uint8_t {
+  kLocal,
+  kIn,        // a parameter
+  kOut,       // a parameter that is copied out after the call
+  kInOut,     // a parameter that is copied in before the call and out after it
+  kStatic,    // a global that may change: `static float x = ...;`
+  kConstant,  // `static const`, or a const local with a constant value: init is constant
+  kUniform,   // a member of a Cbuffer
+  kResource,  // a texture, sampler or buffer object, or an array of them
+  kInput,     // of the whole shader: only `main` reads it
+  kOutput,    // of the whole shader: only `main` touches it
+};
+
+struct Var {
+  std::string name;  // as written; the back end makes it legal and unique
+  TypeId type;
+  Storage storage = Storage::kLocal;
+  Span span;
+  ExprId init;        // of kStatic and kConstant
+  CbufferId cbuffer;  // of kUniform
+  bool row_major = false;
+  bool precise = false;
+};
+
+struct Function {
+  std::string name;
+  TypeId return_type;
+  std::vector<VarId> parameters;
+  StmtId body;  // a Block
+  Span span;
+};
+
+}  // namespace clipc::ir
