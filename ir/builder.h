@@ -9,8 +9,8 @@
 
 namespace clipc::ir {
 
-// Makes well-typed nodes: each call computes the type that program.h promises for the node.
-// Stateless but for the span that new nodes get.
+// Makes well-typed nodes: each call computes the type that ir/expr.h promises for the node. New
+// nodes get the builder's span.
 class Builder {
  public:
   explicit Builder(Program& program, Span span = {}) : program_(program), span_(span) {}
@@ -20,7 +20,7 @@ class Builder {
   ExprId Int(std::int32_t value);
   ExprId Uint(std::uint32_t value);
   ExprId Float(float value);
-  ExprId LiteralOf(Scalar kind, double value);  // converted as a Convert would
+  ExprId LiteralOf(Scalar kind, double value);  // the value is converted as by a Convert
   ExprId ZeroOf(TypeId type);
   ExprId Ref(VarId var);
   ExprId Field(ExprId base, std::uint32_t field);
@@ -55,7 +55,7 @@ class Builder {
   Span span_;
 };
 
-// A copy of the tree under `expr`: an expression has one parent, so using a value twice needs two
+// Copies the tree under `expr`: an expression has one parent, so using a value twice needs two
 // trees.
 ExprId Clone(Program& program, ExprId expr);
 

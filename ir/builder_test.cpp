@@ -67,22 +67,6 @@ TEST_F(BuilderTest, CloneSharesNothing) {
   EXPECT_EQ(Verify(shader, Form::kTyped), std::nullopt);
 }
 
-TEST_F(BuilderTest, Purity) {
-  const auto scale = [&] { return build.Ref(shader.scale); };
-  const auto counter = [&] { return build.Ref(shader.counter); };
-  const auto twice = [&](ExprId x) { return build.BinaryOf(BinaryOp::kMul, build.Float(2), x); };
-  EXPECT_TRUE(IsPure(shader, twice(scale())));
-  EXPECT_TRUE(IsPure(shader, build.UnaryOf(UnaryOp::kNegate, scale())));
-  EXPECT_FALSE(IsPure(shader, twice(build.UnaryOf(UnaryOp::kPostIncrement, counter()))));
-  EXPECT_FALSE(IsPure(shader, twice(build.AssignTo(counter(), build.Float(1)))));
-  const TypeId type = shader.types.Make(Scalar::kFloat);
-  EXPECT_TRUE(IsPure(shader, build.IntrinsicOf(Intrinsic::kSin, type, {scale()})));
-  EXPECT_FALSE(
-      IsPure(shader, twice(build.IntrinsicOf(Intrinsic::kModf, type, {scale(), counter()}))));
-  const ExprId argument = build.Ref(shader.parameter);
-  EXPECT_FALSE(IsPure(shader, build.CallOf(shader.entry, std::span(&argument, 1))));
-}
-
 TEST_F(BuilderTest, AppendToBodyKeepsTheOrder) {
   shader.Append({build.Eval(build.Int(1))});
   shader.Append({build.Eval(build.Int(2)), build.Eval(build.Int(3))});

@@ -41,19 +41,19 @@ struct ObjectRequest {
   ObjectOp op;
   VarId object;
   std::uint32_t object_element = 0;  // of an array of objects
-  VarId sampler;                     // none where the operation takes none
+  VarId sampler;                     // none for an operation without a sampler
   std::uint32_t sampler_element = 0;
   // The other arguments in order, component after component, as Literal holds them.
   std::span<const std::uint64_t> arguments;
 };
 
 struct EvalInputs {
-  // By index into Program::inputs; a missing one is zero.
+  // The inputs by index into Program::inputs; a missing one is zero.
   std::vector<IoBits> values;
-  // By index of the cbuffer: its bytes as the application uploads them, in HLSL packing; missing
+  // By index of the cbuffer, its bytes as the application uploads them, in HLSL packing; missing
   // ones are zero. Buffer e of an array of ConstantBuffers starts at byte e * Cbuffer::size.
   std::vector<std::vector<std::uint8_t>> cbuffers;
-  // Fills in the components of the result, which start as zeros. None: everything reads zero.
+  // Fills in the components of the result, which start as zeros. Without it all reads give zero.
   std::function<void(const ObjectRequest&, std::span<std::uint64_t> result)> read_object;
 };
 
@@ -64,10 +64,10 @@ struct EvalOptions {
   // inputs and literals are the same floats, only results differ. Comparisons may then take another
   // branch.
   bool in_double = false;
-  // What a value that HLSL leaves undefined reads as, converted to its kind: the first component;
-  // the second is twice as large, and so on. What is read outside of an array may be negated,
-  // another time with every value of this. Two runs with different ones tell which outputs depend
-  // on it.
+  // The first component of a value that HLSL leaves undefined, converted to its kind; the second
+  // component is twice as large, and so on. Out-of-bounds reads also flip sign pseudo-randomly,
+  // depending on this value. Comparing two runs with different values shows which outputs depend on
+  // undefined values.
   double undefined = 0;
 };
 
@@ -90,9 +90,9 @@ EvalResult RunMain(const Program& program, const EvalInputs& inputs,
 
 // The value of an expression of literals, operators, intrinsics and constants (Storage::kConstant
 // with an init), component after component in the order of the type. Nothing when the expression
-// has anything else in it, where it divides an integer by zero or indexes out of bounds, or where it
-// is too much work: it takes time linear in the expression, and what it reads out of variables is
-// bounded. The program need not be complete.
+// has anything else in it, where it divides an integer by zero or indexes out of bounds, or where
+// it is too much work: it takes time linear in the expression, and what it reads out of variables
+// is bounded. The program need not be complete.
 std::optional<std::vector<std::uint64_t>> ConstantBits(const Program& program, ExprId expr);
 
 }  // namespace clipc::ir

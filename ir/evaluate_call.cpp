@@ -125,7 +125,7 @@ Parts PartsOf(Intrinsic op, Scalar rep, Word x) {
 
 }  // namespace
 
-// modf, frexp, sincos and asuint of a double: the arguments behind the first are written, left to
+// modf, frexp, sincos and asuint of a double: the arguments after the first are written, left to
 // right.
 void Machine::EvalWriting(const IntrinsicCall& node) {
   const auto argument = [&](std::uint32_t i) { return program_.expr_lists[node.arguments][i]; };

@@ -6,8 +6,8 @@
 
 // Constant expressions. The expression itself is walked once. A constant variable is evaluated once
 // however often it is named, and the work inside variables is bounded: constant arrays that refer
-// to constant arrays are a graph that a walk of trees could take exponentially long for. Structs and
-// arrays are not evaluated: a member is looked up where it was written.
+// to constant arrays are a graph that a walk of trees could take exponentially long for. Structs
+// and arrays are not evaluated: a member is looked up where it was written.
 namespace clipc::ir {
 namespace {
 

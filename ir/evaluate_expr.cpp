@@ -98,21 +98,20 @@ std::optional<std::uint32_t> Machine::IndexInto(const Type& base, ExprId index) 
 }
 
 Machine::Place Machine::Locate(ExprId expr) {
-  const auto& node = program_.exprs[expr].node;
-  if (const VarRef* var = std::get_if<VarRef>(&node)) return {.address = address_[var->var.index]};
-  if (const FieldRef* field = std::get_if<FieldRef>(&node)) {
+  if (const auto* ref = As<VarRef>(program_, expr)) return {.address = address_[ref->var.index]};
+  if (const auto* field = As<FieldRef>(program_, expr)) {
     Place place = Locate(field->base);
     place.address += FieldWord(TypeOf(field->base).structure, field->field);
     return place;
   }
-  if (const Index* index = std::get_if<Index>(&node)) {
+  if (const auto* index = As<Index>(program_, expr)) {
     Place place = Locate(index->base);
     const auto element = IndexInto(TypeOf(index->base), index->index);
     place.in_bounds = place.in_bounds && element.has_value();
     place.address += element.value_or(0) * WordsOf(expr);
     return place;
   }
-  const Swizzle& swizzle = std::get<Swizzle>(node);
+  const Swizzle& swizzle = std::get<Swizzle>(program_.exprs[expr].node);
   Place place = Locate(swizzle.base);
   place.count = swizzle.count;
   place.components = swizzle.components;

@@ -31,7 +31,7 @@ class Machine {
 
  private:
   enum class Flow : std::uint8_t { kNext, kBreak, kContinue, kReturn, kStop };
-  // Where a target lies. With count > 0, the components behind `address` in that order.
+  // Where a target lies. With count > 0, the components after `address` in that order.
   struct Place {
     std::uint32_t address = 0;
     bool in_bounds = true;
@@ -101,7 +101,7 @@ class Machine {
   void Store(const Place& place, std::uint32_t words, const Word* from);
   void PushZeros(std::uint32_t words) { stack_.resize(stack_.size() + words, 0); }
   void PushUndefined(TypeId type);
-  // Keeps `words` words at `from` of those behind `base`.
+  // Keeps `words` words at `from` of those after `base`.
   void Keep(std::size_t base, std::size_t from, std::uint32_t words);
 
   // evaluate_call.cpp

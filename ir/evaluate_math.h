@@ -21,14 +21,14 @@ Word UnaryComponent(UnaryOp op, Scalar rep, Word operand);
 Word ComponentFunction(Intrinsic op, Scalar rep, Word x, Word y, Word z);
 
 struct EvalArgument {
-  const Word* words;
-  const Type* type;
+  const Word* words = nullptr;
+  const Type* type = nullptr;
 };
 // mul, dot, cross, transpose and so on: fills in the components of `result`.
 void VectorFunction(Intrinsic op, Scalar rep, std::span<const EvalArgument> arguments,
                     Word* result);
 
-// Parts that the vector functions share with the component-wise ones.
+// pow(x, y), which the vector function lit uses too.
 template <typename T>
 T PowOf(T x, T y);
 

@@ -25,7 +25,7 @@ bool Machine::Test(ExprId condition) {
   return holds;
 }
 
-// The arguments are in the parameters' memory. Leaves the result behind `base`.
+// The arguments are in the parameters' memory. Leaves the result after `base`.
 void Machine::CallFunction(FunctionId id, std::size_t base) {
   const Function& function = program_.functions[id];
   const std::uint32_t words = WordsOf(function.return_type);

@@ -34,8 +34,8 @@ enum class CbufferKind : std::uint8_t {
   kTbuffer,
   kGlobals,  // "$Globals": the uniforms outside any cbuffer
   kParams,   // "$Params": the `uniform` parameters of the entry point
-  // ConstantBuffer<T>: one member at offset 0, whose type is T, or T[count] with one buffer for each
-  // element
+  // ConstantBuffer<T>: one member at offset 0, whose type is T, or T[count] with one buffer for
+  // each element
   kConstantBuffer,
 };
 struct Cbuffer {

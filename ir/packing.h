@@ -14,7 +14,7 @@
 // "Packing rules for constant variables" (Direct3D 11 documentation), and where that is silent or
 // loose, the HLSL language specification, "Constant Buffer Layout": what follows a struct may use
 // the rest of its last row. The older page's sentence that a struct's size is a multiple of 16
-// holds of array strides only; fxc's and DXC's listings agree. Sizes past 2^32 - 16 stop there.
+// holds of array strides only; fxc's and DXC's listings agree. A size past 2^32 - 16 is 2^32 - 16.
 namespace clipc::ir {
 
 struct Extent {

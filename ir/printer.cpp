@@ -163,23 +163,20 @@ void Printer::PutCall(std::string_view name, List<ExprId> arguments) {
 }
 
 void Printer::PutLiteral(const Type& type, std::uint64_t bits) {
-  switch (type.scalar) {
+  const Scalar base = BaseOf(type.scalar);
+  switch (base) {
     case Scalar::kBool: return Put(bits != 0 ? "true" : "false");
-    case Scalar::kInt: return Put(std::to_string(IntOf(bits)));
-    case Scalar::kUint: return Put(std::to_string(UintOf(bits)) + "u");
+    case Scalar::kInt: Put(std::to_string(IntOf(bits))); break;
+    case Scalar::kUint: Put(std::to_string(UintOf(bits))); break;
     case Scalar::kInt64: return Put(std::to_string(static_cast<std::int64_t>(bits)) + "LL");
     case Scalar::kUint64: return Put(std::to_string(bits) + "ULL");
-    case Scalar::kFloat: return Put(NumberText(FloatOf(bits), bits));
-    case Scalar::kHalf: return Put(NumberText(FloatOf(bits), bits) + "h");
     case Scalar::kDouble: return Put(NumberText(DoubleOf(bits), bits) + "L");
-    default: break;
+    default: Put(NumberText(FloatOf(bits), bits));
   }
-  const Scalar base = BaseOf(type.scalar);
-  Put(base == Scalar::kFloat ? NumberText(FloatOf(bits), bits)
-      : base == Scalar::kInt ? std::to_string(IntOf(bits))
-                             : std::to_string(UintOf(bits)));
-  Put(":");
-  Put(ir::NameOf(type.scalar));
+  if (type.scalar == Scalar::kUint) Put("u");
+  if (type.scalar == Scalar::kHalf) Put("h");
+  if (type.scalar != base && type.scalar != Scalar::kHalf)
+    Put(std::string(":") + ir::NameOf(type.scalar));
 }
 
 void Printer::PutOperand(ExprId id) {
@@ -198,18 +195,12 @@ void Printer::PutConstruct(TypeId type, List<ExprId> arguments) {
 }
 
 void Printer::PutUnary(const Unary& node) {
-  switch (node.op) {
-    case UnaryOp::kNegate: Put("-"); break;
-    case UnaryOp::kNot: Put("!"); break;
-    case UnaryOp::kComplement: Put("~"); break;
-    case UnaryOp::kPreIncrement: Put("++"); break;
-    case UnaryOp::kPreDecrement: Put("--"); break;
-    case UnaryOp::kPostIncrement:
-    case UnaryOp::kPostDecrement: break;
-  }
+  static constexpr const char* kTexts[] = {"-", "!", "~", "++", "--", "++", "--"};
+  const char* text = kTexts[static_cast<std::size_t>(node.op)];
+  const bool is_post = node.op == UnaryOp::kPostIncrement || node.op == UnaryOp::kPostDecrement;
+  if (!is_post) Put(text);
   PutOperand(node.operand);
-  if (node.op == UnaryOp::kPostIncrement) Put("++");
-  if (node.op == UnaryOp::kPostDecrement) Put("--");
+  if (is_post) Put(text);
 }
 
 void Printer::PutExpr(ExprId id) {

@@ -1,78 +1,71 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "ir/profile.h"
 
+#include <algorithm>
+
 namespace clipc::ir {
 namespace {
 
-struct Entry {
-  std::string_view name;
-  int major;
-  int minor;
-  Level9 level9 = Level9::kNone;
+// fxc's and dxc's documented targets before shader model 6.
+constexpr std::string_view kNames[] = {
+    "vs_1_1",
+    "vs_2_0",
+    "vs_2_a",
+    "vs_2_sw",
+    "vs_3_0",
+    "vs_3_sw",
+    "vs_4_0",
+    "vs_4_0_level_9_0",
+    "vs_4_0_level_9_1",
+    "vs_4_0_level_9_3",
+    "vs_4_1",
+    "vs_5_0",
+    "vs_5_1",
+    "ps_1_1",
+    "ps_1_2",
+    "ps_1_3",
+    "ps_1_4",
+    "ps_2_0",
+    "ps_2_a",
+    "ps_2_b",
+    "ps_2_sw",
+    "ps_3_0",
+    "ps_3_sw",
+    "ps_4_0",
+    "ps_4_0_level_9_0",
+    "ps_4_0_level_9_1",
+    "ps_4_0_level_9_3",
+    "ps_4_1",
+    "ps_5_0",
+    "ps_5_1",
+    "gs_4_0",
+    "gs_4_1",
+    "gs_5_0",
+    "gs_5_1",
+    "hs_5_0",
+    "hs_5_1",
+    "ds_5_0",
+    "ds_5_1",
+    "cs_4_0",
+    "cs_4_1",
+    "cs_5_0",
+    "cs_5_1",
+    "lib_4_0",
+    "lib_4_1",
+    "lib_4_0_level_9_1",
+    "lib_4_0_level_9_3",
+    "lib_5_0",
+    "lib_6_x",
+    "fx_2_0",
+    "fx_4_0",
+    "fx_4_1",
+    "fx_5_0",
+    "tx_1_0",
+    "rootsig_1_0",
+    "rootsig_1_1",
+    "rootsig_1_2",
 };
-
-// fxc's and dxc's documented targets; dxc adds the 6.x rows for each stage.
-constexpr Entry kVertex[] = {
-    {"vs_1_1", 1, 1},
-    {"vs_2_0", 2, 0},
-    {"vs_2_a", 2, 0},
-    {"vs_2_sw", 2, 0},
-    {"vs_3_0", 3, 0},
-    {"vs_3_sw", 3, 0},
-    {"vs_4_0", 4, 0},
-    {"vs_4_0_level_9_0", 4, 0, Level9::k9_0},
-    {"vs_4_0_level_9_1", 4, 0, Level9::k9_1},
-    {"vs_4_0_level_9_3", 4, 0, Level9::k9_3},
-    {"vs_4_1", 4, 1},
-    {"vs_5_0", 5, 0},
-    {"vs_5_1", 5, 1},
-};
-constexpr Entry kOther[] = {
-    {"ps_1_1", 1, 1},
-    {"ps_1_2", 1, 2},
-    {"ps_1_3", 1, 3},
-    {"ps_1_4", 1, 4},
-    {"ps_2_0", 2, 0},
-    {"ps_2_a", 2, 0},
-    {"ps_2_b", 2, 0},
-    {"ps_2_sw", 2, 0},
-    {"ps_3_0", 3, 0},
-    {"ps_3_sw", 3, 0},
-    {"ps_4_0", 4, 0},
-    {"ps_4_0_level_9_0", 4, 0, Level9::k9_0},
-    {"ps_4_0_level_9_1", 4, 0, Level9::k9_1},
-    {"ps_4_0_level_9_3", 4, 0, Level9::k9_3},
-    {"ps_4_1", 4, 1},
-    {"ps_5_0", 5, 0},
-    {"ps_5_1", 5, 1},
-    {"gs_4_0", 4, 0},
-    {"gs_4_1", 4, 1},
-    {"gs_5_0", 5, 0},
-    {"gs_5_1", 5, 1},
-    {"hs_5_0", 5, 0},
-    {"hs_5_1", 5, 1},
-    {"ds_5_0", 5, 0},
-    {"ds_5_1", 5, 1},
-    {"cs_4_0", 4, 0},
-    {"cs_4_1", 4, 1},
-    {"cs_5_0", 5, 0},
-    {"cs_5_1", 5, 1},
-    {"lib_4_0", 4, 0},
-    {"lib_4_1", 4, 1},
-    {"lib_4_0_level_9_1", 4, 0, Level9::k9_1},
-    {"lib_4_0_level_9_3", 4, 0, Level9::k9_3},
-    {"lib_5_0", 5, 0},
-    {"lib_6_x", 6, 15},
-    {"fx_2_0", 2, 0},
-    {"fx_4_0", 4, 0},
-    {"fx_4_1", 4, 1},
-    {"fx_5_0", 5, 0},
-    {"tx_1_0", 1, 0},
-    {"rootsig_1_0", 1, 0},
-    {"rootsig_1_1", 1, 1},
-    {"rootsig_1_2", 1, 2},
-};
-// Shader model 6.minor: the first minor of each stage, and the last that a dxc release knows.
+// Shader model 6.minor: the first minor of each stage, and the last that a dxc release takes.
 struct Stage {
   std::string_view stage;
   int first_minor;
@@ -89,32 +82,39 @@ std::string LowerCase(std::string_view text) {
   return lower;
 }
 
-Profile Make(std::string_view name, int major, int minor, Level9 level9) {
-  return {.name = std::string(name),
-          .stage = std::string(name.substr(0, name.find('_'))),
-          .major = major,
-          .minor = minor,
-          .level9 = level9};
+bool IsKnown(const std::string& lower) {
+  if (std::ranges::find(kNames, lower) != std::end(kNames)) return true;
+  for (const Stage& stage : kStages6) {
+    for (int minor = stage.first_minor; minor <= kLastMinor6; ++minor) {
+      if (lower == std::string(stage.stage) + "_6_" + std::to_string(minor)) return true;
+    }
+  }
+  return false;
+}
+
+// vs_2_a and vs_2_sw are versions of 2.0; lib_6_x is a library of any shader model 6.
+int MinorOf(char letter) {
+  if (letter == 'x') return 15;
+  return letter >= '0' && letter <= '9' ? letter - '0' : 0;
+}
+
+Level9 Level9Of(const std::string& lower) {
+  if (lower.ends_with("level_9_0")) return Level9::k9_0;
+  if (lower.ends_with("level_9_1")) return Level9::k9_1;
+  return lower.ends_with("level_9_3") ? Level9::k9_3 : Level9::kNone;
 }
 
 }  // namespace
 
 std::optional<Profile> ParseProfile(std::string_view name) {
   const std::string lower = LowerCase(name);
-  for (const Entry& entry : kVertex) {
-    if (entry.name == lower) return Make(lower, entry.major, entry.minor, entry.level9);
-  }
-  for (const Entry& entry : kOther) {
-    if (entry.name == lower) return Make(lower, entry.major, entry.minor, entry.level9);
-  }
-  for (const Stage& stage : kStages6) {
-    for (int minor = stage.first_minor; minor <= kLastMinor6; ++minor) {
-      if (lower == std::string(stage.stage) + "_6_" + std::to_string(minor)) {
-        return Make(lower, 6, minor, Level9::kNone);
-      }
-    }
-  }
-  return std::nullopt;
+  if (!IsKnown(lower)) return std::nullopt;
+  const std::size_t stage = lower.find('_');
+  return Profile{.name = lower,
+                 .stage = lower.substr(0, stage),
+                 .major = lower[stage + 1] - '0',
+                 .minor = MinorOf(lower[stage + 3]),
+                 .level9 = Level9Of(lower)};
 }
 
 }  // namespace clipc::ir

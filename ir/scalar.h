@@ -24,19 +24,19 @@ inline std::int32_t IntOf(std::uint64_t bits) {
 }
 inline std::uint32_t UintOf(std::uint64_t bits) { return static_cast<std::uint32_t>(bits); }
 
-// Truncates; NaN gives 0, and what does not fit gives the nearest value that does: ftoi and ftou of
-// the Direct3D 11.3 functional specification.
+// Each truncates. NaN gives 0, and a value that does not fit gives the nearest one that does: ftoi
+// and ftou of the Direct3D 11.3 functional specification.
 std::int32_t ToInt(double value);
 std::uint32_t ToUint(double value);
 std::int64_t ToInt64(double value);
 std::uint64_t ToUint64(double value);
 
-// What a Convert does to one component.
+// Converts one component as a Convert does.
 std::uint64_t ConvertBits(std::uint64_t bits, Scalar from, Scalar to);
 // The value as a number, for printing and comparing.
 double NumberOf(std::uint64_t bits, Scalar kind);
 
-// IEEE half in the low 16 bits; the upper 16 are ignored.
+// The IEEE half in the low 16 bits of `half`; the upper 16 are ignored.
 float HalfToFloat(std::uint32_t half);
 // Rounds to the nearest half, ties to even; overflows to infinity; NaN stays NaN. Direct3D drivers
 // round f32tof16 to the nearest or toward zero, so a comparison with a device takes values that a

@@ -11,13 +11,12 @@
 
 namespace clipc::ir {
 
-// Nothing when the types are what the intrinsic's signature promises (half and the
-// minimum-precision kinds count as float, int or uint), else what is wrong. `lvalues` need no check
-// here.
+// What is wrong with the types of a call of the intrinsic; nothing when they are what its signature
+// promises. half and the minimum-precision kinds count as float, int or uint.
 std::optional<std::string> CheckIntrinsic(const TypeTable& types, Intrinsic op, TypeId result,
                                           const std::vector<TypeId>& arguments);
 
-// Both numeric, of the same rows and columns.
+// Whether both are numeric and have the same rows and columns.
 inline bool SameShape(const Type& a, const Type& b) {
   return a.IsNumeric() && a.kind == b.kind && a.rows == b.rows && a.columns == b.columns;
 }
@@ -50,6 +49,7 @@ class ExprVerifier {
   std::vector<TypeId> TypesOf(List<ExprId> list) const;
 
   void CheckNode(ExprId expr);
+  void RequireComponents(ExprId expr, const Type& base, std::uint8_t count);
   void CheckVarRef(ExprId expr, const VarRef& node);
   void CheckField(ExprId expr, const FieldRef& node);
   void CheckIndex(ExprId expr, const Index& node);

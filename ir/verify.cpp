@@ -153,7 +153,7 @@ class ProgramVerifier {
     LeaveScope(mark);
   }
 
-  // A body that is no block has a scope of its own all the same.
+  // A body that is not a block has a scope of its own too.
   void CheckBody(StmtId body, Loop loop) {
     const std::size_t mark = declared_.size();
     CheckStmt(body, loop);

@@ -8,10 +8,10 @@
 
 namespace clipc::ir {
 
-// Whether `program` keeps every promise of program.h for programs of `form`: nothing when it does,
-// else the first broken one with the function and the printed node, for people who work on clipc.
-// It takes time linear in the program and never fails on what Check returns. Ids in nodes may be
-// wrong in any way; Lists must be of the program's pools.
+// The first promise of program.h for programs of `form` that `program` breaks, with the function
+// and the printed node, for people who work on clipc; nothing when it keeps all of them. It takes
+// time linear in the program and never fails on what Check returns. Ids in nodes may be wrong in
+// any way; Lists must be of the program's pools.
 //
 // * Ids are in range; an expression or statement has one parent; every expression has the type that
 //   its node promises.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <algorithm>
+#include <bit>
 
-#include "base/overloaded.h"
+#include "ir/access.h"
 #include "ir/print.h"
 #include "ir/verifier.h"
-#include "ir/walk.h"
 
 namespace clipc::ir {
 namespace {
@@ -182,24 +182,27 @@ void ExprVerifier::CheckIndex(ExprId expr, const Index& node) {
   }
 }
 
+void ExprVerifier::RequireComponents(ExprId expr, const Type& base, std::uint8_t count) {
+  const Type& type = TypeOf(expr);
+  const bool has_shape =
+      count == 1 ? IsScalar(type) : type.kind == TypeKind::kVector && type.columns == count;
+  Require(type.scalar == base.scalar && has_shape, expr,
+          "one component is a scalar, more are a vector, of the same kind");
+}
+
 void ExprVerifier::CheckSwizzle(ExprId expr, const Swizzle& node) {
   const Type& base = TypeOf(node.base);
-  const Type& type = TypeOf(expr);
   if (!Require(base.kind == TypeKind::kVector, expr, "a swizzle is of a vector")) return;
   if (!Require(node.count >= 1 && node.count <= 4, expr, "a swizzle has one to four components"))
     return;
   for (int i = 0; i < node.count; ++i) {
     Require(node.components[i] < base.columns, expr, "the vector has no such component");
   }
-  Require(type.scalar == base.scalar &&
-              (node.count == 1 ? IsScalar(type)
-                               : type.kind == TypeKind::kVector && type.columns == node.count),
-          expr, "one component is a scalar, more are a vector, of the same kind");
+  RequireComponents(expr, base, node.count);
 }
 
 void ExprVerifier::CheckMatrixSwizzle(ExprId expr, const MatrixSwizzle& node) {
   const Type& base = TypeOf(node.base);
-  const Type& type = TypeOf(expr);
   if (!Require(base.kind == TypeKind::kMatrix, expr, "a matrix swizzle is of a matrix")) return;
   if (!Require(node.count >= 1 && node.count <= 4, expr, "a swizzle has one to four components"))
     return;
@@ -207,10 +210,7 @@ void ExprVerifier::CheckMatrixSwizzle(ExprId expr, const MatrixSwizzle& node) {
     Require(node.rows[i] < base.rows && node.columns[i] < base.columns, expr,
             "the matrix has no such component");
   }
-  Require(type.scalar == base.scalar &&
-              (node.count == 1 ? IsScalar(type)
-                               : type.kind == TypeKind::kVector && type.columns == node.count),
-          expr, "one component is a scalar, more are a vector, of the same kind");
+  RequireComponents(expr, base, node.count);
 }
 
 void ExprVerifier::CheckUnary(ExprId expr, const Unary& node) {
@@ -242,13 +242,13 @@ void ExprVerifier::CheckBinary(ExprId expr, const Binary& node) {
   } else {
     Require(IdOf(expr) == IdOf(node.left), expr, "the value has the left operand's type");
   }
-  if (node.op >= BinaryOp::kShortCircuitAnd)
+  if (IsShortCircuit(node.op))
     Require(IsScalar(left), expr, "short-circuit operators take scalars");
 }
 
 void ExprVerifier::CheckAssign(ExprId expr, const Assign& node) {
   Require(IdOf(expr) == IdOf(node.target), expr, "an assignment has the target's type");
-  Require(IsTarget(node.target), expr, "the left side is no assignment target");
+  Require(IsTarget(node.target), expr, "the left side is not an assignment target");
   const bool is_shift = node.op == BinaryOp::kShiftLeft || node.op == BinaryOp::kShiftRight;
   Require(is_shift ? HasShapeOf(node.target, node.value) : IdOf(node.target) == IdOf(node.value),
           expr, "both sides have the same type (of a shift: the same shape)");
@@ -354,34 +354,24 @@ void ExprVerifier::CheckObjectCall(ExprId expr, const ObjectCall& node) {
             "coordinates, levels and offsets are numeric");
   }
   for (std::size_t i = 0; i < (has_sampler ? 2u : 1u) && i < arguments.size(); ++i) {
-    const auto* path = &program_.exprs[arguments[i]].node;
-    while (const Index* index = std::get_if<Index>(path)) path = &program_.exprs[index->base].node;
-    Require(std::holds_alternative<VarRef>(*path), expr,
+    ExprId path = arguments[i];
+    while (const auto* index = As<Index>(program_, path)) path = index->base;
+    Require(As<VarRef>(program_, path), expr,
             "an object is a variable, or an element of an array of them");
   }
 }
 
+// A path of fields and indices to a variable that may be written, with at most one last swizzle.
 bool ExprVerifier::IsTarget(ExprId expr) const {
-  const auto* node = &program_.exprs[expr].node;
-  if (const Swizzle* swizzle = std::get_if<Swizzle>(node)) {
-    for (int i = 0; i < swizzle->count; ++i) {
-      for (int j = 0; j < i; ++j) {
-        if (swizzle->components[i] == swizzle->components[j]) return false;
-      }
-    }
-    node = &program_.exprs[swizzle->base].node;
+  if (const auto* swizzle = As<Swizzle>(program_, expr)) {
+    unsigned seen = 0;
+    for (int i = 0; i < swizzle->count; ++i) seen |= 1u << swizzle->components[i];
+    if (std::popcount(seen) != swizzle->count) return false;
+    expr = swizzle->base;
   }
-  for (;;) {
-    if (const FieldRef* field = std::get_if<FieldRef>(node)) {
-      node = &program_.exprs[field->base].node;
-    } else if (const Index* index = std::get_if<Index>(node)) {
-      node = &program_.exprs[index->base].node;
-    } else {
-      break;
-    }
-  }
-  const VarRef* root = std::get_if<VarRef>(node);
-  return root != nullptr && MayBeWritten(program_.vars[root->var].storage);
+  while (As<FieldRef>(program_, expr) || As<Index>(program_, expr)) expr = WholeOf(program_, expr);
+  const auto* root = As<VarRef>(program_, expr);
+  return root && MayBeWritten(program_.vars[root->var].storage);
 }
 
 }  // namespace clipc::ir

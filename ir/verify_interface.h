@@ -8,8 +8,8 @@
 
 namespace clipc::ir {
 
-// What of the program is no expression or statement: entry points, inputs, outputs, cbuffers,
-// resources and clip planes. Ids are in range when it finds nothing.
+// The first thing that is wrong with the program's entry points, inputs, outputs, cbuffers,
+// resources and clip planes; nothing when they are right, and then their ids are in range.
 std::optional<std::string> CheckInterface(const Program& program);
 
 }  // namespace clipc::ir

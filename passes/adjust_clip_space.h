@@ -10,8 +10,8 @@ struct ClipSpaceOptions {
   bool flip_y = false;               // y becomes -y
 };
 
-// Takes the position from Direct3D's clip space (y up, 0 <= z <= w) to the target's, as the last
-// thing `main` does.
+// Converts the position from Direct3D's clip space (y up, 0 <= z <= w) to the target's, at the end
+// of `main`.
 //
 // Requires Form::kNoClipPlanes. Ensures Form::kTargetClipSpace.
 //

@@ -23,7 +23,7 @@ VarId PositionOf(const Program& program) {
   return position;
 }
 
-// `xyz` with a 1 behind it.
+// float4(xyz, 1).
 ExprId WithOne(Program& program, Builder& b, ExprId xyz) {
   return b.ConstructOf(program.types.Vector(Scalar::kFloat, 4), {xyz, b.Float(1)});
 }

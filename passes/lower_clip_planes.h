@@ -24,10 +24,10 @@ struct ClipPlaneOptions {
 //                                       =>    gl_ClipDistance[0] = dot(result.position, plane0);
 //                                             gl_ClipDistance[1] = dot(result.position, plane1);
 //
-// Outputs are read again only where the position is no copy of a local variable. With kNearPlane,
-// `result.position.z = dot(result.position, plane); gl_Position = result.position;`: 0 <= z is what
-// the plane asks, and interpolates as z does. With kDiscard, the distances are float vectors of up
-// to four components whose semantic is ir::kClipPlaneDistance.
+// An output is read again only where the position is not a copy of a local variable. kNearPlane
+// writes `result.position.z = dot(result.position, plane); gl_Position = result.position;`: the
+// plane asks 0 <= z, and interpolates as z does. kDiscard writes the distances as float vectors of
+// up to four components whose semantic is ir::kClipPlaneDistance.
 //
 // With PlaneSpace::kXyw1 the dot product is dot(float4(result.position.xyw, 1), plane), whose first
 // operand is a variable `xyw1`; with kObject dot(in_POSITION0, plane). See docs/runtime.md, "Plane

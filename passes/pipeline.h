@@ -15,7 +15,7 @@ namespace clipc::passes {
 struct PipelineOptions {
   ClipPlaneOptions clip_planes;
   ClipSpaceOptions clip_space;
-  std::string stop_after;  // a pass's name: the ones behind it do not run; empty: all run
+  std::string stop_after;  // the name of the last pass that runs; empty: all run
   bool verify =
       false;  // ir::Verify before the first pass and after each; builds with assertions always do
   // Called when a pass is done, with its name: --dump-after prints the program here.

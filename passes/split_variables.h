@@ -24,7 +24,9 @@ struct MainParts {
 //
 // A struct that something uses as a whole stays, and gets its inputs in one statement:
 //
-//   Vertex v; v.position = in_POSITION0; v.uv = in_UV0;  =>  Vertex v = Vertex(in_POSITION0, in_UV0);
+//   Vertex v; v.position = in_POSITION0; v.uv = in_UV0;
+//       =>
+//   Vertex v = Vertex(in_POSITION0, in_UV0);
 std::vector<ir::StmtId> SplitVariables(ir::Program& program, const MainParts& parts);
 
 }  // namespace clipc::passes

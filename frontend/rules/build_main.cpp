@@ -17,9 +17,9 @@ namespace {
 // A local variable or a part of one: a field or an element of another.
 struct Part {
   enum class Kind : std::uint8_t { kVariable, kField, kElement };
-  Kind kind;
-  std::uint32_t number;   // of the field or element
-  std::size_t whole = 0;  // number of the Part that it is in
+  Kind kind = Kind::kVariable;
+  std::uint32_t number = 0;  // of the field or element
+  std::size_t whole = 0;     // number of the Part that it is in
   ir::VarId variable = {};
 };
 using PartNumber = std::size_t;
@@ -27,14 +27,14 @@ constexpr PartNumber kNoPart = ~PartNumber{0};
 
 // A scalar or vector inside a parameter: where it is, and which semantic it has.
 struct Leaf {
-  PartNumber part;
+  PartNumber part = kNoPart;
   ir::TypeId type;
   std::string name;  // for messages: "input.position"
   SemanticName semantic;
   Span span;
-  ir::Interpolation interpolation;
-  bool centroid;
-  bool sample;
+  ir::Interpolation interpolation = ir::Interpolation::kDefault;
+  bool centroid = false;
+  bool sample = false;
 };
 
 // The semantic in force for a part of a parameter. Indices count on through arrays, matrices and
@@ -93,10 +93,10 @@ class MainBuilder {
   };
   // One piece of SV_ClipDistance or SV_CullDistance, waiting for its place in the merged array.
   struct Distance {
-    std::uint32_t index;  // of the semantic
-    PartNumber part;
-    int components;
-    bool is_scalar;
+    std::uint32_t index = 0;  // of the semantic
+    PartNumber part = kNoPart;
+    int components = 0;
+    bool is_scalar = false;
     Span span;
   };
 
@@ -379,14 +379,12 @@ class MainBuilder {
     distance_count_ += static_cast<std::uint32_t>(values.size());
     const ir::TypeId type = program_.types.Array(program_.types.Make(ir::Scalar::kFloat),
                                                  static_cast<std::uint32_t>(values.size()));
-    Leaf leaf{kNoPart,
-              type,
-              name,
-              {builtin == ir::Builtin::kClipDistance ? "SV_ClipDistance" : "SV_CullDistance", 0},
-              list.front().span,
-              ir::Interpolation::kDefault,
-              false,
-              false};
+    Leaf leaf;
+    leaf.type = type;
+    leaf.name = name;
+    leaf.semantic.name =
+        builtin == ir::Builtin::kClipDistance ? "SV_ClipDistance" : "SV_CullDistance";
+    leaf.span = list.front().span;
     const ir::VarId array = AddIo(program_.outputs, leaf, type, builtin);
     program_.vars[array].name = std::move(name);
     for (std::uint32_t i = 0; i < values.size(); ++i) {

@@ -7,7 +7,8 @@
 #include "base/diagnostics.h"
 #include "ir/program.h"
 
-// What stands between the shader's inputs and outputs and the user's entry function.
+// The function `main`, which connects the shader's inputs and outputs with the user's entry
+// function.
 namespace clipc {
 
 // A semantic as written, taken apart: "TEXCOORD12" is {"TEXCOORD", 12}. Names compare without case.
@@ -17,18 +18,16 @@ struct SemanticName {
 };
 SemanticName SplitSemantic(std::string_view written);
 
-// What the entry function says beside its types: struct fields carry their own semantics
-// (ir::Field).
+// What is written at a parameter or at the result beside its type. Struct fields carry their own
+// semantics (ir::Field).
 struct EntryParameter {
   std::string semantic;  // as written; empty: none
   Span semantic_span;
   ir::Interpolation interpolation = ir::Interpolation::kDefault;
   bool centroid = false;
   bool sample = false;
-  bool is_uniform =
-      // `uniform` parameter: the checker made it a member of $Params; uniform_var is that member
-      false;
-  ir::VarId uniform_var;
+  bool is_uniform = false;
+  ir::VarId uniform_var;  // the member of $Params that a `uniform` parameter became
 };
 struct EntrySignature {
   std::vector<EntryParameter> parameters;  // one per parameter of program.entry
@@ -37,8 +36,8 @@ struct EntrySignature {
 
 // Makes program.main, program.inputs and program.outputs for program.entry, and reports what is
 // wrong with the signature: a parameter or field without a semantic, one semantic twice, a system
-// value that a vertex shader cannot take or write, of a wrong type, ... Semantics inside structs
-// may be overridden by one on the parameter (indices count on).
+// value that a vertex shader cannot take or write, or one of a wrong type. A semantic on a
+// parameter overrides those inside its struct; its index counts on through the fields.
 //
 // Inputs and outputs are taken apart: structs by field, arrays by element, matrices by row, each
 // piece the next index. Under vs_1_1..vs_3_0 the output POSITION is the position (and PSIZE the

@@ -10,8 +10,8 @@
 namespace clipc {
 
 // The value of a constant expression, as ir::ConstantBits finds it: component by component in the
-// order of the type, bool and integers as themselves, floats as doubles of their float32 values. The
-// kind of a struct or array is that of its first component.
+// order of the type, bool and integers as themselves, floats as doubles of their float32 values.
+// The kind of a struct or array is that of its first component.
 struct Constant {
   ir::Scalar kind;
   std::vector<double> components;

@@ -8,16 +8,16 @@
 
 namespace clipc {
 
-// The input that carries `semantic` ("POSITION0", "position": letters in any case, no index is 0),
-// for clip planes in the object's own space. None after an error:
+// The input that carries `semantic`, for clip planes in the object's own space. Letters compare
+// without case, and a semantic without an index has index 0: "POSITION0" is "position". None after
+// an error:
 //
-// - the entry point has no such input, or it is no float3 or float4;
+// - the entry point does not have such an input, or the input is not a float3 or float4;
 // - the entry function writes it anywhere: assigns the parameter or field that carries it, a part
-// of it, or the struct
-//   around it, increments it, or passes it as an `out` or `inout` argument. Then it is doubtful
-//   which of the two positions the planes are for.
+//   of it, or the struct around it, increments it, or passes it as an `out` or `inout` argument.
+//   Then it is doubtful which of the two positions the planes are for.
 //
-// Warns where the position turns out to be more than the input times matrices (position_trial.h).
+// Warns where the position is more than the input times matrices (position_trial.h).
 // Requires a checked program (Form::kTyped).
 ir::VarId CheckPositionInput(const ir::Program& program, std::string_view semantic,
                              Diagnostics& diagnostics);

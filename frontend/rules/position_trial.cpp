@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstring>
 #include <optional>
@@ -12,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "ir/evaluate.h"
+#include "ir/scalar.h"
 
 namespace clipc {
 namespace {
@@ -23,12 +23,8 @@ using Position = std::array<double, 4>;
 class Trial {
  public:
   Trial(const Program& program, VarId input) : program_(program) {
-    for (std::size_t i = 0; i < program.inputs.size(); ++i) {
-      if (program.inputs[i].var == input) vertex_ = i;
-    }
-    for (std::size_t i = 0; i < program.outputs.size(); ++i) {
-      if (program.outputs[i].builtin == Builtin::kPosition) position_ = i;
-    }
+    vertex_ = IndexOf(program.inputs, &IoVar::var, input);
+    position_ = IndexOf(program.outputs, &IoVar::builtin, Builtin::kPosition);
     inputs_.read_object = [](const ObjectRequest& request, std::span<std::uint64_t> result) {
       // Some function of where it reads: a texture is seldom the same everywhere.
       std::uint64_t hash = 14695981039346656037u;
@@ -61,7 +57,11 @@ class Trial {
   }
 
  private:
-  static std::uint64_t BitsOf(float value) { return std::bit_cast<std::uint32_t>(value); }
+  template <typename Member, typename T>
+  static std::size_t IndexOf(const std::vector<IoVar>& list, Member member, T value) {
+    const auto found = std::ranges::find(list, value, member);
+    return found == list.end() ? 0 : static_cast<std::size_t>(found - list.begin());
+  }
 
   // Multiples of 1/256 in [-2, 2): the middle of two of them is a float too.
   float Next() {
@@ -78,7 +78,7 @@ class Trial {
                     ? BitsOf(value)
                     : static_cast<std::uint64_t>(std::fabs(value) * 2);
     }
-    if (type.Components() == 4 && program_.inputs[vertex_].var == input.var) bits[3] = BitsOf(1);
+    if (type.Components() == 4 && program_.inputs[vertex_].var == input.var) bits[3] = BitsOf(1.0f);
     return bits;
   }
 
@@ -127,9 +127,7 @@ class Trial {
     const IoBits first = Value(program_.inputs[vertex_]), second = Value(program_.inputs[vertex_]);
     IoBits middle = first;
     for (int i = 0; i < 4; ++i) {
-      const float a = std::bit_cast<float>(static_cast<std::uint32_t>(first[i]));
-      const float b = std::bit_cast<float>(static_cast<std::uint32_t>(second[i]));
-      middle[i] = BitsOf((a + b) / 2);
+      middle[i] = BitsOf((FloatOf(first[i]) + FloatOf(second[i])) / 2);
     }
     std::array<Position, 3> positions;
     const IoBits* const vertices[] = {&first, &second, &middle};
