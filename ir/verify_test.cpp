@@ -196,18 +196,19 @@ TEST_F(Verifier, ShortCircuitTakesScalars) {
 }
 TEST_F(Verifier, AssignToConstant) {
   ExpectProblemIn(build.AssignTo(build.At(build.Ref(shader.table), 0u), build.Float(1)),
-                  "no assignment target");
+                  "is not an assignment target");
 }
 TEST_F(Verifier, AssignToUniform) {
-  ExpectProblemIn(build.AssignTo(build.Ref(shader.scale), build.Float(1)), "no assignment target");
+  ExpectProblemIn(build.AssignTo(build.Ref(shader.scale), build.Float(1)),
+                  "is not an assignment target");
 }
 TEST_F(Verifier, AssignToRepeatedSwizzle) {
   ExpectProblemIn(build.AssignTo(build.Swizzled(V(), {0, 0}), build.ZeroOf(F(2))),
-                  "no assignment target");
+                  "is not an assignment target");
 }
 TEST_F(Verifier, AssignToSwizzleOfSwizzle) {
   ExpectProblemIn(build.AssignTo(build.Swizzled(build.Swizzled(V(), {0, 1}), {0}), build.Float(1)),
-                  "no assignment target");
+                  "is not an assignment target");
 }
 TEST_F(Verifier, AssignOtherType) {
   ExpectProblemIn(build.AssignTo(V(), build.Float(1)), "both sides have the same type");
