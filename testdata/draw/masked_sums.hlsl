@@ -1,7 +1,6 @@
 // msad4 matches to the bit: GLSL gets a function for it.
 // RUN: %draw compare %s -T vs_5_0 -E main --target glsl450,glsl330,essl300,vulkan --exact --lower none --ints -2000000000..2000000000
 // RUN: %draw compare %s -T vs_5_0 -E main --target glsl450,essl310 --exact --lower none --ints 0..255 --seed 2
-// RUN: not %clipc -T vs_4_0 -E main %s -o - 2>&1 | FileCheck %s --check-prefix=OLD
 
 uint2 source;
 uint4 sums;
@@ -15,7 +14,6 @@ struct Output {
 Output main(float4 p : POSITION, uint4 q : BLENDINDICES) {
   Output result;
   result.position = p;
-  // OLD: masked_sums.hlsl:[[#@LINE+1]]:16: error: {{.*}}`msad4`
   result.all = msad4(q.x, source, sums);
   result.masked = msad4(q.y & 0xff00ff, q.zw, result.all);
   return result;
