@@ -231,18 +231,19 @@ StructuredExtent Structured(const TypeTable& types, TypeId id) {
 }
 
 BlockLayout LayOutBlock(const Program& program, const Cbuffer& cbuffer, const Target& target) {
-  if (!target.HasUniformBlocks()) return AsUniforms(program, cbuffer);
+  if (!target.Has(Feature::kUniformBlocks)) return AsUniforms(program, cbuffer);
   BlockLayout layout;
   const bool is_constant_buffer = cbuffer.kind == CbufferKind::kConstantBuffer;
-  layout.fields_as_members = is_constant_buffer && target.HasBlockInstances();
+  layout.fields_as_members = is_constant_buffer && target.Has(Feature::kBlockInstances);
   layout.members = MembersOf(program, cbuffer, layout.fields_as_members);
   std::ranges::stable_sort(layout.members, {}, &BlockMember::offset);
   layout.float_rows = std::ranges::all_of(layout.members, [&](const BlockMember& member) {
     return OnlyFloats(program.types, member.type);
   });
 
-  if (!PlaceMembers(program.types, layout.members, cbuffer.size, target.HasExplicitOffsets())) {
-    if (!layout.float_rows && !target.BitCasts())
+  if (!PlaceMembers(program.types, layout.members, cbuffer.size,
+                    target.Has(Feature::kExplicitOffsets))) {
+    if (!layout.float_rows && !target.Has(Feature::kBitCasts))
       return AsUniforms(program, cbuffer);  // nothing reads a float from bits
     layout.form = BlockForm::kRows;
     layout.fields_as_members = false;

@@ -9,9 +9,11 @@
 #include <vector>
 
 #include "backend-glsl/block_layout.h"
+#include "backend-glsl/needs.h"
+#include "backend-glsl/operators.h"
 #include "backend-glsl/reach.h"
 #include "backend-glsl/shape.h"
-#include "backend-glsl/writer.h"
+#include "backend-glsl/write.h"
 #include "base/overloaded.h"
 #include "ir/scalar.h"
 #include "ir/walk.h"
@@ -59,60 +61,32 @@ class TargetCheck {
     return program_.types[id];
   }
 
+  // Reports what the target lacks.
+  void Check(const Need* need, Span span, std::string_view name = {}) {
+    if (need && !target_.Has(need->feature)) Lack(*need, span, name);
+  }
+  void Check(Feature feature, const Need::Named& message, Span span, std::string_view name) {
+    if (!target_.Has(feature)) diagnostics_.Report(span, message, name, target_name());
+  }
+  void Lack(const Need& need, Span span, std::string_view name) {
+    if (need.plain) {
+      diagnostics_.Report(span, *need.plain, target_name());
+    } else {
+      diagnostics_.Report(span, *need.named, need.what.empty() ? name : need.what, target_name());
+    }
+  }
+
   // ---- inputs and outputs
   void Input(const IoVar& input) {
     if (!reached_.Has(input.var)) return;
     const Var& var = program_.vars[input.var];
-    const std::string name = input.semantic + std::to_string(input.index);
-    switch (input.builtin) {
-      case Builtin::kVertexId:
-      case Builtin::kVertexIndex:
-        if (!target_.HasVertexId())
-          diagnostics_.Report(var.span, diag::TargetVertexId, target_name());
-        break;
-      case Builtin::kBaseVertex:
-      case Builtin::kBaseInstance:
-      case Builtin::kInstanceIndex:
-      case Builtin::kDrawIndex:
-        if (!target_.DrawParameters())
-          diagnostics_.Report(var.span, diag::TargetDrawParameter, input.semantic, target_name());
-        break;
-      case Builtin::kViewId:
-        if (!target_.ViewIndex()) diagnostics_.Report(var.span, diag::TargetViewId, target_name());
-        break;
-      default: break;
-    }
-    DoubleVarying(var, name);
+    Check(NeedOf(input.builtin), var.span, input.semantic);
+    DoubleVarying(var, input.semantic + std::to_string(input.index));
   }
 
   void Output(const IoVar& output) {
-    const Var& var = program_.vars[output.var];
-    const std::string name = output.semantic + std::to_string(output.index);
-    switch (output.builtin) {
-      case Builtin::kNone: return Varying(output, var, name);
-      case Builtin::kClipDistance:
-        if (!target_.ClipDistance())
-          diagnostics_.Report(PlaceOf(output), diag::TargetClipDistance, target_name());
-        break;
-      case Builtin::kCullDistance:
-        if (!target_.CullDistance())
-          diagnostics_.Report(PlaceOf(output), diag::TargetCullDistance, target_name());
-        break;
-      case Builtin::kClipVertex:
-        if (!target_.HasClipVertex())
-          diagnostics_.Report(PlaceOf(output), diag::TargetClipVertex, target_name());
-        break;
-      case Builtin::kShadingRate:
-        if (!target_.ShadingRate())
-          diagnostics_.Report(PlaceOf(output), diag::TargetShadingRate, target_name());
-        break;
-      case Builtin::kLayer:
-      case Builtin::kViewportIndex:
-        if (!target_.LayerAndViewport())
-          diagnostics_.Report(PlaceOf(output), diag::TargetLayer, output.semantic, target_name());
-        break;
-      default: break;
-    }
+    if (output.builtin == Builtin::kNone) return Varying(output);
+    Check(NeedOf(output.builtin), PlaceOf(output), output.semantic);
   }
 
   // Lowered outputs have no place of their own: the clip planes, or the entry point.
@@ -122,28 +96,26 @@ class TargetCheck {
     return program_.functions[program_.entry].span;
   }
 
-  void Varying(const IoVar& output, const Var& var, const std::string& name) {
-    const Shape shape = ShapeOf(program_.types[var.type]);
-    if (!shape.IsFloating() && !target_.HasIntegerVaryings()) {
-      diagnostics_.Report(var.span, diag::TargetIntegerVarying, name, target_name());
-    }
+  void Varying(const IoVar& output) {
+    const Var& var = program_.vars[output.var];
+    const std::string name = output.semantic + std::to_string(output.index);
+    const bool is_floating = ShapeOf(program_.types[var.type]).IsFloating();
+    const auto check = [&](bool asked, Feature feature, const Need::Named& message) {
+      if (asked) Check(feature, message, var.span, name);
+    };
     const bool is_flat = output.interpolation == Interpolation::kNoInterpolation;
-    if (is_flat && shape.IsFloating() && !target_.HasInAndOut()) {
-      diagnostics_.Report(var.span, diag::TargetFlat, name, target_name());
-    }
-    if (output.interpolation == Interpolation::kNoPerspective && !target_.HasNoPerspective()) {
-      diagnostics_.Report(var.span, diag::TargetNoPerspective, name, target_name());
-    }
-    if (output.sample && !target_.PerSample())
-      diagnostics_.Report(var.span, diag::TargetPerSample, name, target_name());
+    check(!is_floating, Feature::kIntegerVaryings, diag::TargetIntegerVarying);
+    check(is_flat && is_floating, Feature::kInAndOut, diag::TargetFlat);
+    check(output.interpolation == Interpolation::kNoPerspective, Feature::kNoPerspective,
+          diag::TargetNoPerspective);
+    check(output.sample, Feature::kPerSample, diag::TargetPerSample);
     DoubleVarying(var, name);
   }
 
   void DoubleVarying(const Var& var, const std::string& name) {
     const ir::Type& type = program_.types[var.type];
-    if (type.IsNumeric() && BaseOf(type.scalar) == Scalar::kDouble &&
-        !target_.HasDoubleVaryings()) {
-      diagnostics_.Report(var.span, diag::TargetDoubleVarying, name, target_name());
+    if (type.IsNumeric() && BaseOf(type.scalar) == Scalar::kDouble) {
+      Check(Feature::kDoubleVaryings, diag::TargetDoubleVarying, var.span, name);
     }
   }
 
@@ -151,19 +123,20 @@ class TargetCheck {
   void Cbuffer(const ir::Cbuffer& cbuffer) {
     for (const CbufferMember& member : cbuffer.members) {
       const Var& var = program_.vars[member.var];
-      if (reached_.Has(member.var) || target_.HasUniformBlocks()) Type(var.type, var.span);
+      if (reached_.Has(member.var) || target_.Has(Feature::kUniformBlocks))
+        Type(var.type, var.span);
     }
     const bool is_array =
         cbuffer.kind == CbufferKind::kConstantBuffer &&
         program_.types[program_.vars[cbuffer.members[0].var].type].kind == TypeKind::kArray;
-    if (!is_array || !target_.HasUniformBlocks()) return;
+    if (!is_array || !target_.Has(Feature::kUniformBlocks)) return;
     const Var& var = program_.vars[cbuffer.members[0].var];
     const bool is_nested =
         program_.types[program_.types[var.type].element].kind == TypeKind::kArray;
     const bool in_rows = LayOutBlock(program_, cbuffer, target_).form == BlockForm::kRows;
-    const bool fits = in_rows ? target_.HasDynamicBlockIndex() && !is_nested
-                              : !is_nested || target_.HasArraysOfArrays();
-    if (!fits || !target_.HasBlockInstances()) {
+    const bool fits = in_rows ? target_.Has(Feature::kDynamicBlockIndex) && !is_nested
+                              : !is_nested || target_.Has(Feature::kArraysOfArrays);
+    if (!fits || !target_.Has(Feature::kBlockInstances)) {
       diagnostics_.Report(cbuffer.span, diag::TargetConstantBufferArray, cbuffer.name,
                           target_name());
     }
@@ -171,50 +144,21 @@ class TargetCheck {
 
   void Object(const Var& var) {
     const ir::Type& type = Innermost(var.type);
-    const auto report = [&](bool has, const auto& kind) {
-      if (!has) diagnostics_.Report(var.span, kind, var.name, target_name());
-    };
     const bool is_array = program_.types[var.type].kind == TypeKind::kArray;
     if (is_array && program_.types[program_.types[var.type].element].kind == TypeKind::kArray) {
-      report(target_.HasArraysOfArrays(), diag::TargetObjectArrays);
+      Check(Feature::kArraysOfArrays, diag::TargetObjectArrays, var.span, var.name);
     }
-    switch (type.object) {
-      case ObjectKind::kTexture1D:
-      case ObjectKind::kSampler1D: report(target_.Has1D(), diag::TargetTexture1D); break;
-      case ObjectKind::kTexture1DArray:
-        report(target_.Has1D(), diag::TargetTexture1D);
-        report(target_.HasTextureArrays(), diag::TargetTextureArray);
-        break;
-      case ObjectKind::kTexture2DArray:
-        report(target_.HasTextureArrays(), diag::TargetTextureArray);
-        break;
-      case ObjectKind::kTextureCubeArray:
-        report(bool(target_.CubeArrays()), diag::TargetCubeArray);
-        break;
-      case ObjectKind::kTexture2DMS:
-        report(target_.HasMultisample(), diag::TargetMultisample);
-        break;
-      case ObjectKind::kTexture2DMSArray:
-        report(bool(target_.MultisampleArrays()), diag::TargetMultisample);
-        break;
-      case ObjectKind::kBuffer:
-        report(bool(target_.TextureBuffers()), diag::TargetTextureBuffer);
-        break;
-      case ObjectKind::kStructuredBuffer:
-      case ObjectKind::kByteAddressBuffer:
-      case ObjectKind::kRWStructuredBuffer:
-      case ObjectKind::kRWByteAddressBuffer:
-        report(target_.HasStorageBuffers(), diag::TargetStorageBuffer);
-        report(!is_array, diag::TargetArrayOfBuffers);
-        break;
-      default:
-        if (IsImage(type.object)) report(target_.HasImages(), diag::TargetImage);
-        break;
+    if (type.object == ObjectKind::kTexture1DArray) {
+      Check(NeedOf(ObjectKind::kTexture1D), var.span, var.name);
+    }
+    Check(NeedOf(type.object), var.span, var.name);
+    if (is_array && IsStorageBuffer(type.object)) {
+      diagnostics_.Report(var.span, diag::TargetArrayOfBuffers, var.name, target_name());
     }
     if (!type.element) return;
     if (program_.types[type.element].IsNumeric() &&
         !ShapeOf(program_.types[type.element]).IsFloating()) {
-      report(target_.HasTextureFunctions(), diag::TargetIntegerTexture);
+      Check(Feature::kTextureFunctions, diag::TargetIntegerTexture, var.span, var.name);
     }
     Type(type.element, var.span);
   }
@@ -251,13 +195,10 @@ class TargetCheck {
       return;
     }
     if (!type.IsNumeric()) return;
-    const Scalar base = BaseOf(type.scalar);
-    if (base == Scalar::kDouble && !target_.Doubles() && !std::exchange(double_reported_, true)) {
-      diagnostics_.Report(span, diag::TargetDouble, target_name());
-    }
-    const bool is_wide = base == Scalar::kInt64 || base == Scalar::kUint64;
-    if (is_wide && !target_.Int64() && !std::exchange(int64_reported_, true)) {
-      diagnostics_.Report(span, diag::TargetInt64, target_name());
+    const Need* need = NeedOf(BaseOf(type.scalar));
+    if (!need || target_.Has(need->feature)) return;
+    if (!std::exchange(reported_[need->feature == Feature::kDoubles ? 0 : 1], true)) {
+      Lack(*need, span, {});
     }
   }
 
@@ -271,7 +212,7 @@ class TargetCheck {
 
   void Statement(StmtId id) {
     const ir::Stmt& stmt = program_.stmts[id];
-    if (std::holds_alternative<Switch>(stmt.node) && !target_.HasSwitch()) {
+    if (std::holds_alternative<Switch>(stmt.node) && !target_.Has(Feature::kSwitch)) {
       diagnostics_.Report(stmt.span, diag::TargetSwitch, target_name());
     }
     if (const auto* declare = std::get_if<Declare>(&stmt.node)) {
@@ -289,7 +230,7 @@ class TargetCheck {
     if (const auto* call = std::get_if<IntrinsicCall>(&expr.node)) IntrinsicUse(*call, expr.span);
     if (const auto* call = std::get_if<ObjectCall>(&expr.node)) ObjectUse(*call, expr.span);
     if (const auto* index = std::get_if<Index>(&expr.node)) BufferIndex(*index, expr.span);
-    if (!target_.HasUnsigned()) SmallIntegers(id, expr);
+    if (!target_.Has(Feature::kUnsigned)) SmallIntegers(id, expr);
   }
 
   // GLSL 1.20 has int, and only the four arithmetic operators for it.
@@ -315,15 +256,12 @@ class TargetCheck {
   void BitOperator(BinaryOp op, const ir::Type& type, Span span) {
     switch (op) {
       case BinaryOp::kShiftLeft:
-        return diagnostics_.Report(span, diag::TargetBitOperator, "<<", target_name()), void();
       case BinaryOp::kShiftRight:
-        return diagnostics_.Report(span, diag::TargetBitOperator, ">>", target_name()), void();
       case BinaryOp::kBitAnd:
-        return diagnostics_.Report(span, diag::TargetBitOperator, "&", target_name()), void();
       case BinaryOp::kBitXor:
-        return diagnostics_.Report(span, diag::TargetBitOperator, "^", target_name()), void();
       case BinaryOp::kBitOr:
-        return diagnostics_.Report(span, diag::TargetBitOperator, "|", target_name()), void();
+        diagnostics_.Report(span, diag::TargetBitOperator, OperatorOf(op).spelling, target_name());
+        return;
       case BinaryOp::kEqual:
       case BinaryOp::kNotEqual:
       case BinaryOp::kAdd:
@@ -340,46 +278,18 @@ class TargetCheck {
   }
 
   void IntrinsicUse(const IntrinsicCall& call, Span span) {
-    if (InfoOf(call.op).gate == TargetGate::kBitCasts && !target_.BitCasts())
-      diagnostics_.Report(span, diag::TargetBitCast, NameOf(call.op), target_name());
+    if (InfoOf(call.op).gate == TargetGate::kBitCasts) {
+      Check(Feature::kBitCasts, diag::TargetBitCast, span, NameOf(call.op));
+    }
   }
 
   void ObjectUse(const ObjectCall& call, Span span) {
     const auto arguments = program_.expr_lists[call.arguments];
     const ObjectKind object = Innermost(program_.exprs[arguments[0]].type).object;
     if (TakesSampler(call.op)) ObjectArgument(arguments[1]);
-    switch (call.op) {
-      case ObjectOp::kStore: StoreUse(arguments[0], span); break;
-      case ObjectOp::kSampleGrad:
-        if (!target_.HasTextureFunctions())
-          diagnostics_.Report(span, diag::TargetSampleGradient, target_name());
-        break;
-      case ObjectOp::kGather:
-      case ObjectOp::kGatherGreen:
-      case ObjectOp::kGatherBlue:
-      case ObjectOp::kGatherAlpha:
-        if (!target_.HasGather()) diagnostics_.Report(span, diag::TargetGather, target_name());
-        break;
-      case ObjectOp::kTextureLoad:
-        if (!target_.HasTextureFunctions())
-          diagnostics_.Report(span, diag::TargetTextureLoad, target_name());
-        break;
-      case ObjectOp::kSampleCmpLevelZero:
-        if (!target_.HasTextureFunctions())
-          diagnostics_.Report(span, diag::TargetSampleCompare, target_name());
-        break;
-      case ObjectOp::kTextureSize: Query(target_.HasTextureFunctions(), "size", span); break;
-      case ObjectOp::kTextureLevels:
-        Query(target_.HasTextureLevels(), "number of levels", span);
-        break;
-      case ObjectOp::kTextureSamples:
-        Query(target_.HasTextureSamples(), "number of samples", span);
-        break;
-      case ObjectOp::kBufferSize:
-        Query(IsStorageBuffer(object) || target_.HasTextureFunctions(), "size", span);
-        break;
-      default: break;
-    }
+    if (call.op == ObjectOp::kStore) StoreUse(arguments[0], span);
+    const bool is_length = call.op == ObjectOp::kBufferSize && IsStorageBuffer(object);
+    if (!is_length) Check(NeedOf(call.op), span);
   }
 
   // Elements that lie tighter than std430 says are read as words, and not written.
@@ -392,10 +302,6 @@ class TargetCheck {
       diagnostics_.Report(span, diag::TargetStructuredStore, program_.types.Name(type.element),
                           target_name());
     }
-  }
-
-  void Query(bool has, std::string_view what, Span span) {
-    if (!has) diagnostics_.Report(span, diag::TargetTextureQuery, what, target_name());
   }
 
   // Samplers and textures in arrays.
@@ -411,11 +317,12 @@ class TargetCheck {
   void BufferIndex(const Index& index, Span span) {
     const auto* ref = std::get_if<VarRef>(&program_.exprs[index.base].node);
     if (!ref || std::holds_alternative<Literal>(program_.exprs[index.index].node) ||
-        target_.HasDynamicBlockIndex())
+        target_.Has(Feature::kDynamicBlockIndex))
       return;
     const Var& var = program_.vars[ref->var];
     const bool is_object = Innermost(var.type).kind == TypeKind::kObject;
-    const bool is_buffer = var.storage == Storage::kUniform && target_.HasUniformBlocks() &&
+    const bool is_buffer = var.storage == Storage::kUniform &&
+                           target_.Has(Feature::kUniformBlocks) &&
                            program_.cbuffers[var.cbuffer].kind == CbufferKind::kConstantBuffer;
     if (is_object || is_buffer)
       diagnostics_.Report(span, diag::TargetBufferIndexNotConstant, var.name, target_name());
@@ -426,7 +333,8 @@ class TargetCheck {
   Diagnostics& diagnostics_;
   const Reached& reached_;
   std::vector<char> seen_types_;  // by TypeId
-  bool double_reported_ = false, int64_reported_ = false, uint_reported_ = false;
+  bool reported_[2] = {};         // that there is no double, no 64-bit integer
+  bool uint_reported_ = false;
 };
 
 }  // namespace

@@ -128,7 +128,7 @@ DiscardCode WriteDiscard(const ir::Program& program, const Target& target, const
     const std::string type = count == 1 ? "float" : "vec" + std::to_string(count);
     if (variable.location)
       code.declarations += "layout(location = " + std::to_string(*variable.location) + ") ";
-    code.declarations += target.HasInAndOut() ? "in " : "varying ";
+    code.declarations += target.Has(Feature::kInAndOut) ? "in " : "varying ";
     code.declarations += (target.IsEs() ? "highp " : "") + type + " " + variable.name + ";\n";
     const std::string kept =
         count == 1 ? variable.name + " >= 0.0"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "backend-glsl/target.h"
-#include "backend-glsl/writer.h"
+#include "backend-glsl/write.h"
 #include "ir/program.h"
 
 // The fragment shader's part of the lowering `discard`: it reads the distances that the vertex

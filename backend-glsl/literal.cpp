@@ -29,7 +29,7 @@ std::string Decimal(Float value) {
 Text FloatText(std::uint64_t bits, const Target& target) {
   const float value = ir::FloatOf(bits);
   if (std::isfinite(value)) return Number(Decimal(value));
-  if (target.BitCasts() && target.BitCasts().extension().empty()) {
+  if (target.Has(Feature::kBitCasts) && target.Of(Feature::kBitCasts).extension.empty()) {
     char hex[16];
     const auto result = std::to_chars(hex, hex + sizeof hex, static_cast<std::uint32_t>(bits), 16);
     return {"uintBitsToFloat(0x" + std::string(hex, result.ptr) + "u)"};
@@ -50,7 +50,7 @@ Text DoubleText(std::uint64_t bits) {
 Text IntText(std::int32_t value, const Target& target) {
   if (value != std::numeric_limits<std::int32_t>::min()) return Number(std::to_string(value));
   // GLSL reads -2147483648 as the negation of a number that is no int.
-  if (target.HasUnsigned()) return {"int(0x80000000u)"};
+  if (target.Has(Feature::kUnsigned)) return {"int(0x80000000u)"};
   return {"-2147483647 - 1", Binding::kSum};
 }
 
@@ -61,7 +61,7 @@ Text LiteralText(std::uint64_t bits, ir::Scalar kind, const Target& target) {
     case ir::Scalar::kBool: return {bits != 0 ? "true" : "false"};
     case ir::Scalar::kInt: return IntText(ir::IntOf(bits), target);
     case ir::Scalar::kUint:
-      if (!target.HasUnsigned()) return IntText(ir::IntOf(bits), target);
+      if (!target.Has(Feature::kUnsigned)) return IntText(ir::IntOf(bits), target);
       return {std::to_string(ir::UintOf(bits)) + "u"};
     case ir::Scalar::kInt64: return Number(std::to_string(static_cast<std::int64_t>(bits)) + "l");
     case ir::Scalar::kUint64: return {std::to_string(bits) + "ul"};

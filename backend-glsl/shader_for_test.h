@@ -13,8 +13,9 @@
 #include <vector>
 
 #include "backend-glsl/check_target.h"
+#include "backend-glsl/legalize/legalize.h"
 #include "backend-glsl/target.h"
-#include "backend-glsl/writer.h"
+#include "backend-glsl/write.h"
 #include "base/invariant.h"
 #include "ir/builder.h"
 #include "ir/packing.h"
@@ -137,7 +138,12 @@ class ShaderForTest {
   }
 
   std::string Glsl(std::string_view target, GlslInfo* info = nullptr) const {
-    return WriteGlsl(program, Reach(program), *Target::Parse(target), {}, info);
+    ir::Program legalized = program;
+    legalized.form = ir::Form::kInlined;
+    ir::PassOptions options;
+    options.verify = true;
+    Legalize(legalized, *Target::Parse(target), options);
+    return WriteGlsl(legalized, Reach(program), *Target::Parse(target), {}, info);
   }
 
  private:

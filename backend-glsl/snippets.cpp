@@ -11,16 +11,6 @@ namespace {
 
 constexpr SnippetText kSnippets[] = {
     // ---- HLSL's own meaning, on every target
-    {"fmod", SnippetText::kFloat, false,
-     R"($T $N($T x, $T y) {
-    return x - y * @trunc(x / y);
-}
-)"},
-    {"imod", SnippetText::kAny, false,
-     R"($T $N($T x, $T y) {
-    return x - y * (x / y);
-}
-)"},
     {"saturate", SnippetText::kFloat, false,
      R"($T $N($T x) {
     return min(max($0, x), 1.0);  // 0 for NaN
@@ -56,24 +46,6 @@ constexpr SnippetText kSnippets[] = {
     {"dst", SnippetText::kFloat, false,
      R"(vec4 $N(vec4 a, vec4 b) {
     return vec4(1.0, a.y * b.y, a.z, b.w);
-}
-)"},
-    {"sincos", SnippetText::kFloat, false,
-     R"(void $N($T x, out $T s, out $T c) {
-    s = sin(x);
-    c = cos(x);
-}
-)"},
-    {"modf", SnippetText::kFloat, false,
-     R"($T $N($T x, out $T whole) {
-    whole = @trunc(x);
-    return x - whole;
-}
-)"},
-    {"modf", SnippetText::kAny, false,
-     R"($T $N($T x, out $T whole) {
-    whole = x;
-    return x - x;
 }
 )"},
     {"frexp", SnippetText::kFloat, true,

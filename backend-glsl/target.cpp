@@ -2,7 +2,10 @@
 #include "backend-glsl/target.h"
 
 #include <array>
+#include <cstddef>
+#include <iterator>
 
+#include "base/invariant.h"
 #include "base/spelling.h"
 
 namespace clipc::glsl {
@@ -30,6 +33,89 @@ constexpr auto kNames = [] {
   return names;
 }();
 
+constexpr int kNever = 10000;
+
+// The first version that has a feature in its core, and the first one that has it through an
+// extension.
+struct Since {
+  int core = kNever;
+  int extended = kNever;
+  std::string_view extension = "";
+};
+struct FeatureRow {
+  Feature feature;
+  Since desktop, es;
+};
+
+// Sources: the GLSL specifications 1.20 to 4.60, GLSL ES 3.00 to 3.20, KHR_vulkan_glsl, and the
+// extensions named.
+constexpr FeatureRow kFeatures[] = {
+    {Feature::kInAndOut, {130}, {300}},
+    {Feature::kInputLocations, {330}, {300}},
+    {Feature::kOutputLocations, {410}, {310}},
+    {Feature::kIntegerVaryings, {130}, {300}},
+    {Feature::kDoubleVaryings, {410}, {}},
+    {Feature::kNoPerspective, {130}, {}},
+    {Feature::kPerSample, {400}, {320, 300, "GL_OES_shader_multisample_interpolation"}},
+    {Feature::kUniformBlocks, {140}, {300}},
+    {Feature::kBlockInstances, {150}, {300}},
+    {Feature::kExplicitOffsets, {440}, {}},
+    {Feature::kBindings, {420}, {310}},
+    // OpenGL ES asks for no vertex shader to have any.
+    {Feature::kImages, {420}, {}},
+    {Feature::kStorageBuffers, {430}, {310}},
+    {Feature::kDynamicBlockIndex, {400}, {320}},
+    {Feature::kClipDistance, {130}, {kNever, 300, "GL_EXT_clip_cull_distance"}},
+    {Feature::kCullDistance, {450}, {kNever, 300, "GL_EXT_clip_cull_distance"}},
+    {Feature::kClipVertex, {110}, {}},  // up to 1.30
+    {Feature::kVertexId, {130}, {300}},
+    {Feature::kInstanceId, {140, 110, "GL_ARB_draw_instanced"}, {300}},
+    // The extension is older (OpenGL 3.1), but glslang knows its variables from GLSL 4.50 on only.
+    {Feature::kDrawParameters, {460, 450, "GL_ARB_shader_draw_parameters"}, {}},
+    {Feature::kBaseVertexDraws, {150}, {320}},
+    {Feature::kLayerAndViewport, {kNever, 410, "GL_ARB_shader_viewport_layer_array"}, {}},
+    {Feature::kViewIndex,  // Vulkan: GL_EXT_multiview
+     {kNever, 330, "GL_OVR_multiview2"},
+     {kNever, 300, "GL_OVR_multiview2"}},
+    {Feature::kShadingRate,
+     {kNever, 450, "GL_EXT_fragment_shading_rate"},
+     {kNever, 310, "GL_EXT_fragment_shading_rate"}},
+    {Feature::kUnsigned, {130}, {300}},
+    {Feature::kSwitch, {130}, {300}},
+    {Feature::kArraysOfArrays, {430}, {310}},
+    {Feature::kGlobalInitializers, {110}, {}},
+    {Feature::kPrecise, {400}, {320}},
+    {Feature::kDoubles, {400, 150, "GL_ARB_gpu_shader_fp64"}, {}},
+    {Feature::kInt64, {kNever, 400, "GL_ARB_gpu_shader_int64"}, {}},
+    {Feature::kBitCasts, {330, 150, "GL_ARB_shader_bit_encoding"}, {300}},
+    {Feature::kHalfPacking, {420}, {300}},
+    {Feature::kBitFunctions, {400}, {310}},
+    {Feature::kBoolMix, {130}, {300}},
+    {Feature::kIntegerMix, {450}, {310}},
+    {Feature::kRounding, {130}, {300}},
+    {Feature::kDeterminant, {150}, {300}},
+    {Feature::kTextureFunctions, {130}, {300}},
+    {Feature::kTextureArrays, {130}, {300}},
+    {Feature::kTexture1D, {110}, {}},
+    {Feature::kCubeArrays,
+     {400, 130, "GL_ARB_texture_cube_map_array"},
+     {320, 310, "GL_EXT_texture_cube_map_array"}},
+    {Feature::kMultisample, {150}, {310}},
+    {Feature::kMultisampleArrays, {150}, {320, 310, "GL_OES_texture_storage_multisample_2d_array"}},
+    {Feature::kTextureBuffers, {140}, {320, 310, "GL_EXT_texture_buffer"}},
+    {Feature::kGather, {400}, {310}},
+    {Feature::kGatherOffsets, {400}, {320, 310, "GL_EXT_gpu_shader5"}},
+    {Feature::kTextureLevels, {430}, {}},
+    {Feature::kTextureSamples, {450}, {}},
+};
+static_assert(std::size(kFeatures) == static_cast<std::size_t>(Feature::kCount));
+
+const FeatureRow& RowOf(Feature feature) {
+  const FeatureRow& row = kFeatures[static_cast<std::size_t>(feature)];
+  CLIPC_CHECK(row.feature == feature);
+  return row;
+}
+
 }  // namespace
 
 std::optional<Target> Target::Parse(std::string_view name) {
@@ -47,83 +133,14 @@ std::string Target::VersionLine() const {
   return "#version " + std::to_string(version_) + (IsEs() ? " es" : "");
 }
 
-Support Target::PerSample() const {
-  if (api_ == Api::kOpenGLES && version_ < 320) {
-    return Support::Through("GL_OES_shader_multisample_interpolation");
-  }
-  return Gate(400, 320);
-}
-
-Support Target::ClipDistance() const {
-  return IsEs() ? Support::Through("GL_EXT_clip_cull_distance") : Gate(130, kNever);
-}
-
-Support Target::CullDistance() const {
-  if (IsEs()) return Support::Through("GL_EXT_clip_cull_distance");
-  return Gate(450, kNever);
-}
-
-Support Target::InstanceId() const {
-  return AtLeast(140, 300) ? Support::Core() : Support::Through("GL_ARB_draw_instanced");
-}
-
-Support Target::DrawParameters() const {
-  // The extension is older (OpenGL 3.1), but glslang knows its variables from GLSL 4.50 on only.
-  if (IsEs() || version_ < 450) return Support::No();
-  return version_ >= 460 ? Support::Core() : Support::Through("GL_ARB_shader_draw_parameters");
-}
-
-Support Target::LayerAndViewport() const {
-  return AtLeast(410, kNever) ? Support::Through("GL_ARB_shader_viewport_layer_array")
-                              : Support::No();
-}
-
-Support Target::ViewIndex() const {
-  if (IsVulkan()) return Support::Through("GL_EXT_multiview");
-  return AtLeast(330, 300) ? Support::Through("GL_OVR_multiview2") : Support::No();
-}
-
-Support Target::ShadingRate() const {
-  return AtLeast(450, 310) ? Support::Through("GL_EXT_fragment_shading_rate") : Support::No();
-}
-
-Support Target::Doubles() const {
-  if (!IsEs() && version_ >= 150 && version_ < 400)
-    return Support::Through("GL_ARB_gpu_shader_fp64");
-  return Gate(400, kNever);
-}
-
-Support Target::Int64() const {
-  return AtLeast(400, kNever) ? Support::Through("GL_ARB_gpu_shader_int64") : Support::No();
-}
-
-Support Target::BitCasts() const {
-  if (!IsEs() && version_ >= 150 && version_ < 330)
-    return Support::Through("GL_ARB_shader_bit_encoding");
-  return Gate(330, 300);
-}
-
-Support Target::CubeArrays() const {
-  if (!IsEs() && version_ >= 130 && version_ < 400)
-    return Support::Through("GL_ARB_texture_cube_map_array");
-  if (IsEs() && version_ == 310) return Support::Through("GL_EXT_texture_cube_map_array");
-  return Gate(400, 320);
-}
-
-Support Target::MultisampleArrays() const {
-  if (IsEs() && version_ == 310)
-    return Support::Through("GL_OES_texture_storage_multisample_2d_array");
-  return Gate(150, 320);
-}
-
-Support Target::GatherOffsets() const {
-  if (IsEs() && version_ == 310) return Support::Through("GL_EXT_gpu_shader5");
-  return Gate(400, 320);
-}
-
-Support Target::TextureBuffers() const {
-  if (IsEs() && version_ == 310) return Support::Through("GL_EXT_texture_buffer");
-  return Gate(140, 320);
+Support Target::Of(Feature feature) const {
+  if (feature == Feature::kClipVertex && (version_ > 130 || IsVulkan())) return {};
+  if (feature == Feature::kViewIndex && IsVulkan()) return {true, "GL_EXT_multiview"};
+  // Vulkan's GLSL has what OpenGL 4.6 has, where both have it.
+  const FeatureRow& row = RowOf(feature);
+  const Since& since = IsEs() ? row.es : row.desktop;
+  if (version_ >= since.core) return {true, ""};
+  return {version_ >= since.extended, version_ >= since.extended ? since.extension : ""};
 }
 
 }  // namespace clipc::glsl

@@ -27,28 +27,28 @@ TEST(TargetTest, VersionLines) {
 
 // design/glsl.md, "Version gates".
 TEST(TargetTest, VersionGates) {
-  EXPECT_FALSE(Of("glsl150").HasInputLocations());
-  EXPECT_TRUE(Of("glsl330").HasInputLocations());
-  EXPECT_FALSE(Of("glsl400").HasOutputLocations());
-  EXPECT_TRUE(Of("glsl410").HasOutputLocations());
-  EXPECT_FALSE(Of("glsl410").HasBindings());
-  EXPECT_TRUE(Of("glsl420").HasBindings());
-  EXPECT_FALSE(Of("glsl430").HasExplicitOffsets());
-  EXPECT_TRUE(Of("glsl440").HasExplicitOffsets());
-  EXPECT_FALSE(Of("glsl140").HasBlockInstances());
-  EXPECT_TRUE(Of("glsl150").HasBlockInstances());
-  EXPECT_FALSE(Of("glsl330").HasPrecise());
-  EXPECT_TRUE(Of("glsl400").HasPrecise());
-  EXPECT_FALSE(Of("glsl120").BitCasts());
-  EXPECT_EQ(Of("glsl150").BitCasts().extension(), "GL_ARB_shader_bit_encoding");
-  EXPECT_EQ(Of("glsl330").BitCasts().extension(), "");
-  EXPECT_EQ(Of("glsl450").DrawParameters().extension(), "GL_ARB_shader_draw_parameters");
-  EXPECT_EQ(Of("glsl460").DrawParameters().extension(), "");
-  EXPECT_FALSE(Of("essl320").DrawParameters());
-  EXPECT_FALSE(Of("glsl120").ClipDistance());
-  EXPECT_EQ(Of("essl300").ClipDistance().extension(), "GL_EXT_clip_cull_distance");
-  EXPECT_TRUE(Of("glsl130").HasClipVertex());
-  EXPECT_FALSE(Of("glsl140").HasClipVertex());
+  EXPECT_FALSE(Of("glsl150").Has(Feature::kInputLocations));
+  EXPECT_TRUE(Of("glsl330").Has(Feature::kInputLocations));
+  EXPECT_FALSE(Of("glsl400").Has(Feature::kOutputLocations));
+  EXPECT_TRUE(Of("glsl410").Has(Feature::kOutputLocations));
+  EXPECT_FALSE(Of("glsl410").Has(Feature::kBindings));
+  EXPECT_TRUE(Of("glsl420").Has(Feature::kBindings));
+  EXPECT_FALSE(Of("glsl430").Has(Feature::kExplicitOffsets));
+  EXPECT_TRUE(Of("glsl440").Has(Feature::kExplicitOffsets));
+  EXPECT_FALSE(Of("glsl140").Has(Feature::kBlockInstances));
+  EXPECT_TRUE(Of("glsl150").Has(Feature::kBlockInstances));
+  EXPECT_FALSE(Of("glsl330").Has(Feature::kPrecise));
+  EXPECT_TRUE(Of("glsl400").Has(Feature::kPrecise));
+  EXPECT_FALSE(Of("glsl120").Has(Feature::kBitCasts));
+  EXPECT_EQ(Of("glsl150").Of(Feature::kBitCasts).extension, "GL_ARB_shader_bit_encoding");
+  EXPECT_EQ(Of("glsl330").Of(Feature::kBitCasts).extension, "");
+  EXPECT_EQ(Of("glsl450").Of(Feature::kDrawParameters).extension, "GL_ARB_shader_draw_parameters");
+  EXPECT_EQ(Of("glsl460").Of(Feature::kDrawParameters).extension, "");
+  EXPECT_FALSE(Of("essl320").Has(Feature::kDrawParameters));
+  EXPECT_FALSE(Of("glsl120").Has(Feature::kClipDistance));
+  EXPECT_EQ(Of("essl300").Of(Feature::kClipDistance).extension, "GL_EXT_clip_cull_distance");
+  EXPECT_TRUE(Of("glsl130").Has(Feature::kClipVertex));
+  EXPECT_FALSE(Of("glsl140").Has(Feature::kClipVertex));
 }
 
 }  // namespace

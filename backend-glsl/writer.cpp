@@ -4,7 +4,7 @@
 #include <utility>
 #include <variant>
 
-#include "backend-glsl/writer_state.h"
+#include "backend-glsl/write.h"
 #include "base/invariant.h"
 
 namespace clipc::glsl {
@@ -17,8 +17,7 @@ Writer::Writer(const Program& program, const Target& target, const WriteOptions&
       target_(target),
       options_(options),
       info_(info),
-      reached_(std::move(reached)),
-      effects_(program) {
+      reached_(std::move(reached)) {
   for (std::string* part : {&structs_, &blocks_, &inputs_, &outputs_, &functions_})
     part->reserve(1024);
   struct_used_.resize(program.types.structs().size());
@@ -61,10 +60,10 @@ void Writer::Globals() {
     // HLSL's static variables start as zero.
     const std::string value = var.init ? ArgumentOf(var.init) : ZeroText(var.type);
     const bool is_const = var.storage == Storage::kConstant && constant_;
-    const std::string qualifier = is_const                              ? "const "
-                                  : var.precise && target_.HasPrecise() ? "precise "
-                                                                        : "";
-    if (constant_ || target_.HasGlobalInitializers()) {
+    const std::string qualifier = is_const                                        ? "const "
+                                  : var.precise && target_.Has(Feature::kPrecise) ? "precise "
+                                                                                  : "";
+    if (constant_ || target_.Has(Feature::kGlobalInitializers)) {
       globals_ += qualifier + Declaration(var.type, name) + " = " + value + ";\n";
     } else {
       globals_ += qualifier + Declaration(var.type, name) + ";\n";
@@ -81,6 +80,7 @@ void Writer::Functions() {
       Main();
     } else {
       OneFunction(id);
+      functions_ += '\n';
     }
   }
 }
@@ -92,7 +92,6 @@ void Writer::OneFunction(FunctionId id) {
   Statements(BodyOf(program_, id));
   --indent_;
   Line("}");
-  functions_ += '\n';
   namer_.CloseScope();
 }
 
@@ -102,7 +101,7 @@ std::string Writer::Signature(FunctionId id) {
   for (VarId parameter : function.parameters) {
     const Var& var = program_.vars[parameter];
     std::string& name = var_names_[parameter.index];
-    name = namer_.Local(var.name, "unused");
+    name = LocalName(var.name, "unused");
     if (!parameters.empty()) parameters += ", ";
     if (var.storage == Storage::kOut) parameters += "out ";
     if (var.storage == Storage::kInOut) parameters += "inout ";

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <variant>
 
-#include "backend-glsl/writer_state.h"
+#include "backend-glsl/writer.h"
 #include "base/invariant.h"
 
 namespace clipc::glsl {
@@ -64,7 +64,7 @@ std::string Writer::BlockQualifiers(const Cbuffer& cbuffer, const BlockLayout& l
     info.set = cbuffer.reg.space;
     info.binding = VulkanBinding(cbuffer.reg);
     text += ", set = " + std::to_string(*info.set);
-  } else if (target_.HasBindings()) {
+  } else if (target_.Has(Feature::kBindings)) {
     info.binding = FreeBinding(uniform_bindings_, cbuffer.reg.number, cbuffer.count);
   }
   if (info.binding) text += ", binding = " + std::to_string(*info.binding);

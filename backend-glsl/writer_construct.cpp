@@ -3,7 +3,7 @@
 #include <variant>
 
 #include "backend-glsl/literal.h"
-#include "backend-glsl/writer_state.h"
+#include "backend-glsl/writer.h"
 #include "base/invariant.h"
 
 namespace clipc::glsl {
@@ -56,29 +56,15 @@ Text Writer::MatrixTruncateText(const ir::Expr& expr, const MatrixTruncate& node
   if (from == to) return operand;
   const std::string components = std::string(".xyzw").substr(0, to.size + 1u);
   if (!from.HasRows()) return {std::move(operand).At(Binding::kPostfix) + components};
-  if (from.kind == Shape::kMatrix && to.kind == Shape::kMatrix) {
+  if (to.kind == Shape::kMatrix) {
     return {TypeName(to) + "(" + Argument(std::move(operand)) + ")"};
   }
-  if (!to.HasRows() && type.rows == 1) {
+  if (type.rows == 1) {
     return {std::move(operand).At(Binding::kPostfix) + "[0]" +
             (to.size == from.size ? "" : components)};
   }
-  if (from.kind == Shape::kMatrix) {
-    const bool whole = to.size == from.rows;
-    return {"transpose(" + Argument(std::move(operand)) + ")[0]" + (whole ? "" : components)};
-  }
-  const std::string name =
-      Helper("truncate_" + TypeName(to), TypeName(from), [&](const std::string& helper) {
-        std::string rows;
-        for (int i = 0; i < type.rows; ++i) {
-          if (i > 0) rows += ", ";
-          rows +=
-              "m[" + std::to_string(i) + "]" + std::string(".xyzw").substr(0, type.columns + 1u);
-        }
-        return TypeName(to) + " " + helper + "(" + Declaration(from, "m") + ") {\n    return " +
-               TypeName(to) + "(" + rows + ");\n}\n";
-      });
-  return {name + "(" + Argument(std::move(operand)) + ")"};
+  const bool whole = to.size == from.rows;
+  return {"transpose(" + Argument(std::move(operand)) + ")[0]" + (whole ? "" : components)};
 }
 
 }  // namespace clipc::glsl

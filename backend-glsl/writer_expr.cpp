@@ -3,7 +3,7 @@
 #include <variant>
 
 #include "backend-glsl/literal.h"
-#include "backend-glsl/writer_state.h"
+#include "backend-glsl/writer.h"
 #include "base/invariant.h"
 #include "base/overloaded.h"
 #include "ir/access.h"
@@ -35,13 +35,10 @@ Text Writer::Expr(ExprId id) {
           },
           [&](const Swizzle& node) { return SwizzleText(node); },
           [&](const MatrixSwizzle& node) { return MatrixSwizzleText(expr, node); },
-          [&](const Unary& node) { return UnaryText(expr, node); },
+          [&](const Unary& node) { return UnaryText(node); },
           [&](const Binary& node) {
-            const bool is_eager =
-                node.op == BinaryOp::kLogicalAnd || node.op == BinaryOp::kLogicalOr;
             Operand left = OperandOf(node.left), right = OperandOf(node.right);
-            return BinaryOn(node.op, std::move(left), std::move(right),
-                            !is_eager || effects_.IsPure(node.right));
+            return BinaryOn(node.op, std::move(left), std::move(right));
           },
           [&](const Assign& node) { return AssignText(node); },
           [&](const Conditional& node) {
@@ -51,10 +48,9 @@ Text Writer::Expr(ExprId id) {
             return Text{std::move(text), Binding::kConditional};
           },
           [&](const Select& node) {
-            const Operand operands[] = {OperandOf(node.condition), OperandOf(node.when_true),
-                                        OperandOf(node.when_false)};
-            return SelectOn(operands,
-                            effects_.IsPure(node.when_true) && effects_.IsPure(node.when_false));
+            const Operand mixed[] = {OperandOf(node.when_false), OperandOf(node.when_true),
+                                     OperandOf(node.condition)};
+            return CallOn("mix", mixed);
           },
           [&](const Convert& node) { return ConvertText(expr, node); },
           [&](const Splat&) { return Full(OperandOf(id)); },
@@ -77,13 +73,8 @@ Text Writer::VarText(VarId id) {
   const Var& var = program_.vars[id];
   if (var.storage == Storage::kUniform) return UniformText(id);
   if (var.storage != Storage::kConstant || mutable_globals_.contains(id)) NotConstant();
-  Text text{var_names_[id.index]};
-  // The text of an input may be an expression of built-in variables.
-  if (var.storage == Storage::kInput && text.text.find(' ') != std::string::npos &&
-      !text.text.ends_with(')')) {
-    text.binding = Binding::kSum;
-  }
-  return text;
+  // A name; of an input that is a built-in variable of GLSL the call of a constructor.
+  return {var_names_[id.index]};
 }
 
 std::string Writer::IndexValue(ExprId index) {
@@ -151,7 +142,7 @@ Text Writer::MatrixSwizzleText(const ir::Expr& expr, const MatrixSwizzle& node) 
   return {TypeName(ShapeOf(program_.types[expr.type])) + "(" + elements + ")"};
 }
 
-Text Writer::UnaryText(const ir::Expr& expr, const Unary& node) {
+Text Writer::UnaryText(const Unary& node) {
   const bool is_prefix = node.op == UnaryOp::kPreIncrement || node.op == UnaryOp::kPreDecrement;
   const bool is_postfix = node.op == UnaryOp::kPostIncrement || node.op == UnaryOp::kPostDecrement;
   if (!is_prefix && !is_postfix) return UnaryOn(node.op, OperandOf(node.operand));
@@ -159,65 +150,20 @@ Text Writer::UnaryText(const ir::Expr& expr, const Unary& node) {
   NotConstant();
   const bool is_increment = node.op == UnaryOp::kPreIncrement || node.op == UnaryOp::kPostIncrement;
   const std::string op = is_increment ? "++" : "--";
-  const Shape shape = ShapeOf(program_.types[expr.type]);
   Text operand = Expr(node.operand);
-  if (shape.kind == Shape::kRows) {
-    const std::string name =
-        std::string(is_prefix ? "pre_" : "post_") + (is_increment ? "increment" : "decrement");
-    const std::string helper = Helper(name, TypeName(shape), [&](const std::string& function) {
-      std::string rows;
-      for (int i = 0; i < shape.rows; ++i) rows += "    m[" + std::to_string(i) + "]" + op + ";\n";
-      const std::string before = "    " + Declaration(shape, "before") + " = m;\n";
-      return TypeName(shape) + " " + function + "(inout " + Declaration(shape, "m") + ") {\n" +
-             (is_prefix ? rows + "    return m;\n" : before + rows + "    return before;\n") +
-             "}\n";
-    });
-    return {helper + "(" + Argument(std::move(operand)) + ")"};
-  }
   if (is_postfix) return {std::move(operand).At(Binding::kPostfix) + op};
   return {op + std::move(operand).At(Binding::kUnary), Binding::kUnary};
 }
 
 Text Writer::AssignText(const Assign& node) {
   NotConstant();
-  if (node.op) return CompoundAssignText(node);
+  const std::string_view op = node.op ? OperatorOf(*node.op).spelling : "";
+  // The value of a compound assignment may be a scalar beside a vector.
+  Text value = node.op ? ScalarOr(OperandOf(node.value)) : Text{};
   std::string text = Expr(node.target).At(Binding::kUnary);
-  Append(text, " = ", ArgumentOf(node.value));
+  if (!node.op) value = Expr(node.value);
+  Append(text, " ", op, "= ", Argument(std::move(value)));
   return {std::move(text), Binding::kAssignment};
-}
-
-Text Writer::CompoundAssignText(const Assign& node) {
-  const BinaryOp op = *node.op;
-  const Shape shape = ShapeAt(node.target);
-  Operand value = OperandOf(node.value);
-  if (IsNative(op, shape, value)) {
-    std::string text = Expr(node.target).At(Binding::kUnary);
-    Text right = value.scalar ? std::move(*value.scalar) : std::move(value.text);
-    Append(text, " ", SpellingOf(op), "= ", Argument(std::move(right)));
-    return {std::move(text), Binding::kAssignment};
-  }
-  const bool is_shift = op == BinaryOp::kShiftLeft || op == BinaryOp::kShiftRight;
-  if (is_shift && shape.kind != Shape::kRows) {
-    std::string text = Expr(node.target).At(Binding::kUnary);
-    return {text + " " + std::string(SpellingOf(op)) + "= " + ShiftCount(value, shape.scalar).text,
-            Binding::kAssignment};
-  }
-  if (effects_.IsPure(node.target)) {
-    Operand target{Expr(node.target), shape, std::nullopt, IsRepeatable(node.target)};
-    std::string text = Text(target.text).At(Binding::kUnary);
-    Append(text, " = ", Argument(BinaryOn(op, std::move(target), std::move(value), true)));
-    return {std::move(text), Binding::kAssignment};
-  }
-  const std::string type = TypeName(shape);
-  const std::string name = "assign_" + std::string(HelperName(op));
-  const std::string helper = Helper(name, type, [&](const std::string& function) {
-    const Operand a{{"target"}, shape, std::nullopt, true}, b{{"value"}, shape, std::nullopt, true};
-    return type + " " + function + "(inout " + Declaration(shape, "target") + ", " +
-           Declaration(shape, "value") + ") {\n    target = " + Argument(BinaryOn(op, a, b, true)) +
-           ";\n    return target;\n}\n";
-  });
-  const std::string target = ArgumentOf(node.target);
-  return {helper + "(" + target + ", " + Argument(Full(value)) + ")"};
 }
 
 Text Writer::ConvertText(const ir::Expr& expr, const Convert& node) {
@@ -241,12 +187,14 @@ Text Writer::ConvertText(const ir::Expr& expr, const Convert& node) {
 
 Text Writer::CallText(const Call& node) {
   NotConstant();
-  std::string text = Concat(function_names_[node.function.index], "(");
-  for (std::uint32_t i = 0; i < node.arguments.size; ++i) {
-    Append(text, i > 0 ? ", " : "", ArgumentOf(program_.expr_lists[node.arguments][i]));
+  std::string arguments;
+  for (ExprId argument : program_.expr_lists[node.arguments]) {
+    Append(arguments, arguments.empty() ? "" : ", ", ArgumentOf(argument));
   }
-  text += ')';
-  return {std::move(text)};
+  const bool is_helper = program_.functions[node.function].is_helper;
+  const std::string& name =
+      is_helper ? HelperFunction(node.function) : function_names_[node.function.index];
+  return {Concat(name, "(", arguments, ")")};
 }
 
 bool Writer::IsRepeatable(ExprId id) const {

@@ -3,7 +3,7 @@
 
 #include "backend-glsl/reserved_words.h"
 #include "backend-glsl/snippets.h"
-#include "backend-glsl/writer_state.h"
+#include "backend-glsl/writer.h"
 #include "base/invariant.h"
 
 namespace clipc::glsl {
@@ -64,77 +64,45 @@ Text Writer::CallOn(std::string_view function, std::span<const Operand> operands
   return {std::move(text)};
 }
 
-namespace {
-
-constexpr std::string_view kParameters[] = {"a", "b", "c", "d"};
-
-}  // namespace
-
-Text Writer::ByRows(std::string_view name, std::span<const Operand> operands, const Shape& result,
-                    const Apply& apply) {
-  std::string key, parameters;
-  for (std::size_t i = 0; i < operands.size(); ++i) {
-    key += TypeName(operands[i].shape) + " ";
-    parameters += (i > 0 ? ", " : "") + Declaration(operands[i].shape, kParameters[i]);
-  }
-  const std::string helper = Helper(name, key, [&](const std::string& function) {
-    std::string rows;
-    for (int row = 0; row < result.rows; ++row) {
-      std::vector<Operand> parts;
-      for (std::size_t i = 0; i < operands.size(); ++i) {
-        const std::string text = std::string(kParameters[i]) + "[" + std::to_string(row) + "]";
-        parts.push_back({{text}, operands[i].shape.Row(), std::nullopt, true});
-      }
-      rows += (row > 0 ? ", " : "") + Argument(apply(parts));
-    }
-    return TypeName(result) + " " + function + "(" + parameters + ") {\n    return " +
-           TypeName(result) + "(" + rows + ");\n}\n";
-  });
-  return CallOn(helper, operands);
-}
-
-Text Writer::ByComponents(std::string_view name, std::span<const Operand> operands,
-                          const Shape& result, const Apply& apply) {
-  std::string key, parameters;
-  for (std::size_t i = 0; i < operands.size(); ++i) {
-    key += TypeName(operands[i].shape) + " ";
-    parameters += (i > 0 ? ", " : "") + Declaration(operands[i].shape, kParameters[i]);
-  }
-  const std::string helper = Helper(name, key, [&](const std::string& function) {
-    std::string components;
-    for (int c = 0; c < result.size; ++c) {
-      std::vector<Operand> parts;
-      for (std::size_t i = 0; i < operands.size(); ++i) {
-        const std::string text = std::string(kParameters[i]) + "." + "xyzw"[c];
-        parts.push_back({{text}, operands[i].shape.Component(), std::nullopt, true});
-      }
-      components += (c > 0 ? ", " : "") + Argument(apply(parts));
-    }
-    return TypeName(result) + " " + function + "(" + parameters + ") {\n    return " +
-           TypeName(result) + "(" + components + ");\n}\n";
-  });
-  return CallOn(helper, operands);
-}
-
-Text Writer::Snippet(std::string_view name, std::span<const Operand> operands,
-                     const Shape& result) {
+Text Writer::SnippetCall(std::string_view name, std::span<const Operand> operands) {
   const SnippetText* snippet = FindSnippet(name, operands[0].shape);
   CLIPC_CHECK(snippet != nullptr);
-  if (snippet->scalar_only && operands[0].shape.IsVector()) {
-    return ByComponents(name, operands, result, [&](std::span<const Operand> parts) {
-      return Snippet(name, parts, result.Component());
-    });
-  }
-  const Shape& shape = operands[0].shape;
-  const std::string helper = Helper(name, TypeName(shape), [&](const std::string& function) {
-    return Expand(*snippet, function, shape, target_.HasUnsigned(), [&](std::string_view other) {
-      if (target_.HasRounding() && IsBuiltinFunction(other)) return std::string(other);
-      const Operand argument{{"x"}, shape, std::nullopt, true};
-      const std::string call = Snippet(other, {&argument, 1}, shape).text;
-      return call.substr(0, call.find('('));
-    });
+  return CallOn(SnippetName(*snippet, operands[0].shape), operands);
+}
+
+std::string Writer::SnippetName(const SnippetText& snippet, const Shape& shape) {
+  return Helper(snippet.name, TypeName(shape), [&](const std::string& function) {
+    return Expand(snippet, function, shape, target_.Has(Feature::kUnsigned),
+                  [&](std::string_view other) {
+                    if (target_.Has(Feature::kRounding) && IsBuiltinFunction(other)) {
+                      return std::string(other);
+                    }
+                    const SnippetText* found = FindSnippet(other, shape);
+                    CLIPC_CHECK(found != nullptr);
+                    return SnippetName(*found, shape);
+                  });
   });
-  return CallOn(helper, operands);
+}
+
+// Types that differ in HLSL, as half and float, are the same here: the first such function is it.
+std::string Writer::HelperFunction(FunctionId id) {
+  const Function& function = program_.functions[id];
+  std::string key;
+  for (VarId parameter : function.parameters) key += TypeName(program_.vars[parameter].type) + " ";
+  return Helper(function.name, key, [&](const std::string& name) {
+    function_names_[id.index] = name;
+    std::string text;
+    std::string* const out = std::exchange(out_, &text);
+    const int indent = std::exchange(indent_, 0);
+    const bool is_constant = constant_;
+    in_helper_ = true;
+    OneFunction(id);
+    in_helper_ = false;
+    constant_ = is_constant;
+    indent_ = indent;
+    out_ = out;
+    return text;
+  });
 }
 
 }  // namespace clipc::glsl

@@ -5,7 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "backend-glsl/writer_state.h"
+#include "backend-glsl/needs.h"
+#include "backend-glsl/writer.h"
 #include "base/invariant.h"
 #include "ir/scalar.h"
 
@@ -36,15 +37,15 @@ void Writer::Inputs() {
       continue;
     }
     info.name = name;
-    if (target_.HasInputLocations()) info.location = input.location;
+    if (target_.Has(Feature::kInputLocations)) info.location = input.location;
     if (!info.is_used) continue;
     Shape shape = ShapeOf(program_.types[program_.vars[input.var].type]);
     std::string line;
-    if (target_.HasInputLocations()) {
+    if (target_.Has(Feature::kInputLocations)) {
       line = "layout(location = " + std::to_string(input.location) + ") ";
     }
-    line += target_.HasInAndOut() ? "in " : "attribute ";
-    if (!target_.HasInAndOut() && IsIntegral(shape)) {
+    line += target_.Has(Feature::kInAndOut) ? "in " : "attribute ";
+    if (!target_.Has(Feature::kInAndOut) && IsIntegral(shape)) {
       // Attributes are floats in GLSL 1.20; whole numbers up to 2^24 come through exactly.
       info.integer_as_float = true;
       const std::string as_integer = TypeName(shape) + "(" + name + ")";
@@ -60,33 +61,31 @@ void Writer::Inputs() {
 // The value of an input that is a built-in variable of GLSL.
 std::string Writer::InputText(const IoVar& input, GlslInfo::Variable& info) {
   const std::string type = TypeName(ShapeOf(program_.types[program_.vars[input.var].type]));
-  const bool is_core = target_.DrawParameters().extension().empty();
+  Require(NeedOf(input.builtin)->feature);
+  const bool is_core = target_.Of(Feature::kDrawParameters).extension.empty();
   const std::string suffix = is_core ? "" : "ARB";
   const auto draw_parameter = [&](std::string_view name) {
-    Require(target_.DrawParameters());
     return type + "(" + std::string(name) + suffix + ")";
   };
   switch (input.builtin) {
     case Builtin::kVertexId: {
       if (target_.IsVulkan()) return type + "(gl_VertexIndex - gl_BaseVertex)";
-      if (!target_.HasBaseVertexDraws()) return type + "(gl_VertexID)";
-      if (!target_.DrawParameters()) {
+      if (!target_.Has(Feature::kBaseVertexDraws)) return type + "(gl_VertexID)";
+      if (!target_.Has(Feature::kDrawParameters)) {
         info.needs_base_vertex_zero = true;
         return type + "(gl_VertexID)";
       }
-      Require(target_.DrawParameters());
+      Require(Feature::kDrawParameters);
       return type + "(gl_VertexID - gl_BaseVertex" + suffix + ")";
     }
     case Builtin::kInstanceId:
       if (target_.IsVulkan()) return type + "(gl_InstanceIndex - gl_BaseInstance)";
-      Require(target_.InstanceId());
-      return type +
-             (target_.InstanceId().extension().empty() ? "(gl_InstanceID)" : "(gl_InstanceIDARB)");
+      return type + (target_.Of(Feature::kInstanceId).extension.empty() ? "(gl_InstanceID)"
+                                                                        : "(gl_InstanceIDARB)");
     case Builtin::kBaseVertex: return draw_parameter("gl_BaseVertex");
     case Builtin::kBaseInstance: return draw_parameter("gl_BaseInstance");
     case Builtin::kDrawIndex: return draw_parameter("gl_DrawID");
     case Builtin::kViewId:
-      Require(target_.ViewIndex());
       if (target_.IsVulkan()) return type + "(gl_ViewIndex)";
       inputs_ +=
           "layout(num_views = " + std::to_string(kViews) + ") in;  // " + SemanticOf(input) + "\n";
@@ -95,7 +94,6 @@ std::string Writer::InputText(const IoVar& input, GlslInfo::Variable& info) {
       return type + (target_.IsVulkan() ? "(gl_VertexIndex)" : "(gl_VertexID)");
     case Builtin::kInstanceIndex:
       if (target_.IsVulkan()) return type + "(gl_InstanceIndex)";
-      Require(target_.DrawParameters());
       return type + "(gl_InstanceID + gl_BaseInstance" + suffix + ")";
     default: break;
   }
@@ -128,19 +126,16 @@ void Writer::Outputs() {
       info_.clip_distance_mask = WrittenElements(output.var);
     if (output.builtin == Builtin::kCullDistance)
       info_.cull_distance_mask = WrittenElements(output.var);
-    if (output.builtin == Builtin::kShadingRate) {
-      Require(target_.ShadingRate());
-      integer_outputs_.push_back(output.var);
-    }
-    if (output.builtin == Builtin::kLayer || output.builtin == Builtin::kViewportIndex) {
-      Require(target_.LayerAndViewport());
+    if (const Need* need = NeedOf(output.builtin)) Require(need->feature);
+    if (output.builtin == Builtin::kShadingRate || output.builtin == Builtin::kLayer ||
+        output.builtin == Builtin::kViewportIndex) {
       integer_outputs_.push_back(output.var);
     }
     if (output.builtin != Builtin::kNone) continue;
     const Shape shape = ShapeOf(program_.types[program_.vars[output.var].type]);
     location = std::max(location, output.location);
     std::string line;
-    if (target_.HasOutputLocations()) {
+    if (target_.Has(Feature::kOutputLocations)) {
       info.location = location;
       line = "layout(location = " + std::to_string(location) + ") ";
     }
@@ -148,14 +143,14 @@ void Writer::Outputs() {
 
     const bool is_flat = IsIntegral(shape) || shape.scalar == Scalar::kDouble ||
                          output.interpolation == Interpolation::kNoInterpolation;
-    if (is_flat && target_.HasInAndOut()) line += "flat ";
+    if (is_flat && target_.Has(Feature::kInAndOut)) line += "flat ";
     if (!is_flat && output.interpolation == Interpolation::kNoPerspective) line += "noperspective ";
     if (output.centroid) line += "centroid ";
     if (output.sample) {
-      Require(target_.PerSample());
+      Require(Feature::kPerSample);
       line += "sample ";
     }
-    line += target_.HasInAndOut() ? "out " : "varying ";
+    line += target_.Has(Feature::kInAndOut) ? "out " : "varying ";
     Append(outputs_, line, Declaration(shape, info.name), ";  // ", SemanticOf(output), "\n");
   }
   PerVertex();
@@ -175,9 +170,6 @@ void Writer::PerVertex() {
   };
   const IoVar* clip = find(Builtin::kClipDistance);
   const IoVar* cull = find(Builtin::kCullDistance);
-  if (clip) Require(target_.ClipDistance());
-  if (cull) Require(target_.CullDistance());
-
   const auto comment = [&](const char* what, std::uint32_t mask) {
     outputs_ +=
         "// " + std::string(what) + " distances written: 0x" + fmt::format("{:x}", mask) + "\n";

@@ -2,7 +2,7 @@
 // Values out of arrays of words: constant buffers in rows, structured buffers in single words.
 #include <algorithm>
 
-#include "backend-glsl/writer_state.h"
+#include "backend-glsl/writer.h"
 #include "base/invariant.h"
 #include "ir/packing.h"
 
@@ -63,7 +63,7 @@ std::string Writer::FromWords(const Memory& memory, Scalar kind, int components,
   switch (BaseOf(kind)) {
     case Scalar::kFloat:
       if (memory.is_float) return words;
-      Require(target_.BitCasts());
+      Require(Feature::kBitCasts);
       return "uintBitsToFloat(" + words + ")";
     case Scalar::kUint: return words;
     case Scalar::kBool:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <algorithm>
 
-#include "backend-glsl/writer_state.h"
+#include "backend-glsl/writer.h"
 
 namespace clipc::glsl {
 

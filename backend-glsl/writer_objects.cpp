@@ -1,10 +1,12 @@
-// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception Declarations of textures, samplers and
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// Declarations of textures, samplers and
 // buffers. OpenGL knows a texture only together with its sampler: each pair that is used becomes
 // one sampler variable.
 #include <algorithm>
 #include <variant>
 
-#include "backend-glsl/writer_state.h"
+#include "backend-glsl/needs.h"
+#include "backend-glsl/writer.h"
 #include "base/invariant.h"
 
 namespace clipc::glsl {
@@ -163,17 +165,13 @@ void Writer::CombinedSamplers() {
     GlslInfo::Object info{use.texture, use.sampler, combined_[use], std::nullopt, std::nullopt};
     const auto resource = std::ranges::find(program_.resources, use.texture, &Resource::var);
     std::string line;
-    if (target_.HasBindings()) {
+    if (target_.Has(Feature::kBindings)) {
       const std::uint32_t wanted = resource == program_.resources.end() ? 0 : resource->reg.number;
       info.binding = FreeBinding(texture_bindings_, wanted, CountOf(program_, use.texture));
       line = "layout(binding = " + std::to_string(*info.binding) + ") ";
     }
-    switch (ObjectTypeOf(use.texture).object) {
-      case ObjectKind::kTextureCubeArray: Require(target_.CubeArrays()); break;
-      case ObjectKind::kTexture2DMSArray: Require(target_.MultisampleArrays()); break;
-      case ObjectKind::kBuffer: Require(target_.TextureBuffers()); break;
-      default: break;
-    }
+    const Need* need = NeedOf(ObjectTypeOf(use.texture).object);
+    if (need) Require(need->feature);
     line += target_.IsEs() ? "uniform highp " : "uniform ";
     line += SamplerType(use.texture, IsShadow(use.sampler)) + " " + info.name +
             Dimensions(use.texture) + ";";

@@ -2,7 +2,7 @@
 // Reads through textures and buffers.
 #include <variant>
 
-#include "backend-glsl/writer_state.h"
+#include "backend-glsl/writer.h"
 #include "base/invariant.h"
 
 namespace clipc::glsl {
@@ -61,9 +61,11 @@ Text Writer::SampleText(const ir::Expr& expr, const ObjectCall& node) {
   std::size_t next = separate ? 2 : 1;
   std::string text = object + ", " + ArgumentOf(arguments[next++]);
 
-  std::string function =
-      target_.HasTextureFunctions() ? "texture" : SamplerType(ObjectVar(arguments[0]), false);
-  if (!target_.HasTextureFunctions()) function.replace(0, 7, "texture");  // sampler2D: texture2D
+  std::string function = target_.Has(Feature::kTextureFunctions)
+                             ? "texture"
+                             : SamplerType(ObjectVar(arguments[0]), false);
+  if (!target_.Has(Feature::kTextureFunctions))
+    function.replace(0, 7, "texture");  // sampler2D: texture2D
   if (node.op == ObjectOp::kSampleGrad) {
     function += "Grad";
     text += ", " + ArgumentOf(arguments[next]);
@@ -72,7 +74,7 @@ Text Writer::SampleText(const ir::Expr& expr, const ObjectCall& node) {
   } else if (node.op != ObjectOp::kD3d9Sample) {
     function += "Lod";
     text += ", " + ArgumentOf(arguments[next++]);
-  } else if (target_.HasTextureFunctions()) {
+  } else if (target_.Has(Feature::kTextureFunctions)) {
     function += "Lod";
     text += ", 0.0";
   }
@@ -117,7 +119,7 @@ Text Writer::GatherText(const ir::Expr& expr, const ObjectCall& node) {
   const std::size_t offsets = arguments.size() - 3;
   if (offsets == 1) text += ", " + ArgumentOf(arguments[3]);
   if (offsets == 4) {
-    Require(target_.GatherOffsets());
+    Require(Feature::kGatherOffsets);
     text += ", ivec2[4](";
     for (std::size_t i = 0; i < 4; ++i) text += (i > 0 ? ", " : "") + ArgumentOf(arguments[3 + i]);
     text += ")";

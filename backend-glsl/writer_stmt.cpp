@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <variant>
 
-#include "backend-glsl/writer_state.h"
+#include "backend-glsl/writer.h"
 #include "base/invariant.h"
 #include "base/overloaded.h"
 
@@ -66,8 +66,8 @@ std::string Writer::DeclareText(const Declare& node) {
   if (init) value = ArgumentOf(init);
   const bool is_const = var.storage == Storage::kConstant && init && constant_;
   std::string& name = var_names_[node.var.index];
-  name = namer_.Local(var.name);
-  const bool is_precise = var.precise && target_.HasPrecise();
+  name = LocalName(var.name, "value");
+  const bool is_precise = var.precise && target_.Has(Feature::kPrecise);
   return Concat(is_const ? "const " : "", is_precise ? "precise " : "", Declaration(var.type, name),
                 init ? " = " : "", value);
 }

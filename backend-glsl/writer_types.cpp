@@ -2,7 +2,8 @@
 #include <algorithm>
 
 #include "backend-glsl/literal.h"
-#include "backend-glsl/writer_state.h"
+#include "backend-glsl/needs.h"
+#include "backend-glsl/writer.h"
 #include "base/invariant.h"
 
 namespace clipc::glsl {
@@ -19,14 +20,12 @@ bool IsArrayInGlsl(const TypeTable& types, TypeId id) {
 }  // namespace
 
 bool Writer::IsWrapped(TypeId array_element) const {
-  return !target_.HasArraysOfArrays() && IsArrayInGlsl(program_.types, array_element);
+  return !target_.Has(Feature::kArraysOfArrays) && IsArrayInGlsl(program_.types, array_element);
 }
 
 void Writer::RequireType(const Type& type) {
   if (!type.IsNumeric()) return;
-  const Scalar base = BaseOf(type.scalar);
-  if (base == Scalar::kDouble) Require(target_.Doubles());
-  if (base == Scalar::kInt64 || base == Scalar::kUint64) Require(target_.Int64());
+  if (const Need* need = NeedOf(BaseOf(type.scalar))) Require(need->feature);
 }
 
 // `struct float_array3 { float e[3]; }`: an array as the element of another where GLSL has no

@@ -128,14 +128,17 @@ void Compilation::RunBackEnd(ir::Program typed) {
   const LowerSettings settings = SettingsFor(CheckLowering(typed, lowering_, diagnostics_));
   if (diagnostics_.has_errors()) return;
   const ClipDistances distances = ClipDistancesOf(typed);
-  const Lowered lowered = Lower(request_.variants ? typed : std::move(typed), settings);
-  if (!request_.debug.stop_after.empty()) {
+  Lowered lowered = Lower(request_.variants ? typed : std::move(typed), settings);
+  if (lowered.is_complete) {
+    ReportLeftOut(distances, lowered.program, diagnostics_);
+    CheckTarget(lowered, diagnostics_);
+    if (diagnostics_.has_errors()) return;
+    Legalize(lowered, settings.passes);
+  }
+  if (!lowered.is_complete) {
     if (request_.debug.dump_after.empty()) result_.dump = ir::Print(lowered.program);
     return;
   }
-  ReportLeftOut(distances, lowered.program, diagnostics_);
-  CheckTarget(lowered, diagnostics_);
-  if (diagnostics_.has_errors()) return;
 
   Written written = Write(lowered, {request_.separable});
   result_.table = MakeClipTable(lowered, written.info);
@@ -201,7 +204,8 @@ void Compilation::WriteVariants(const ir::Program& typed, LowerSettings settings
     }
     ir::Program program = typed;
     program.clip_planes.resize(count);
-    const Lowered lowered = Lower(std::move(program), settings);
+    Lowered lowered = Lower(std::move(program), settings);
+    Legalize(lowered, settings.passes);
     result_.variants.push_back(Finish(lowered, Write(lowered, {request_.separable})));
   }
 }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "backend-glsl/check_target.h"
+#include "backend-glsl/legalize/legalize.h"
 #include "frontend/parse/parse.h"
 
 namespace clipc {
@@ -25,14 +26,22 @@ ir::Program Front(Source& source, const CheckOptions& options, Diagnostics& diag
 
 Lowered Lower(ir::Program program, const LowerSettings& settings) {
   passes::PipelineOptions options = settings.passes;
-  options.clip_planes.write_clip_vertex = settings.target.HasClipVertex();
-  passes::RunPipeline(program, options);
+  options.clip_planes.write_clip_vertex = settings.target.Has(glsl::Feature::kClipVertex);
+  const bool is_complete = passes::RunPipeline(program, options);
   glsl::Reached reached = glsl::Reach(program);
-  return {std::move(program), settings.target, options.clip_planes.lowering,
-          options.clip_planes.space, std::move(reached)};
+  return {std::move(program),        settings.target,    options.clip_planes.lowering,
+          options.clip_planes.space, std::move(reached), is_complete};
 }
 
-std::vector<std::string_view> LowerPasses() { return passes::PassNames(); }
+std::vector<std::string_view> LowerPasses() {
+  std::vector<std::string_view> names = passes::PassNames();
+  for (const auto& pass : glsl::LegalizePasses()) names.push_back(pass.name);
+  return names;
+}
+
+void Legalize(Lowered& lowered, const ir::PassOptions& options) {
+  lowered.is_complete = glsl::Legalize(lowered.program, lowered.target, options);
+}
 
 void CheckTarget(const Lowered& lowered, Diagnostics& diagnostics) {
   glsl::CheckTarget(lowered.program, lowered.reached, lowered.target, diagnostics);

@@ -7,7 +7,7 @@
 
 #include "backend-glsl/reach.h"
 #include "backend-glsl/target.h"
-#include "backend-glsl/writer.h"
+#include "backend-glsl/write.h"
 #include "base/diagnostics.h"
 #include "clip-table/vocabulary.h"
 #include "frontend/check/check.h"
@@ -19,10 +19,10 @@
 // The chain that every shader takes from HLSL to GLSL. Each stage takes a value and gives a value;
 // the compiler, the draw tests and whoever else compiles a shader call these and nothing below.
 //
-//   Source --Front--> ir::Program --Lower--> Lowered --Write--> Written
+//   Source --Front--> ir::Program --Lower--> Lowered --Legalize--> Lowered --Write--> Written
 //
 // What the user may ask for stands beside the chain: check_lowering.h between Front and Lower,
-// CheckTarget between Lower and Write.
+// CheckTarget between Lower and Legalize.
 namespace clipc {
 
 // Lexes and parses; the first half of Front. The file is only meaningful when `diagnostics` has no
@@ -45,24 +45,31 @@ struct Lowered {
   Lowering lowering;
   PlaneSpace plane_space;
   glsl::Reached reached;
+  bool is_complete = true;  // no pass stopped it early
 };
 
-// Runs the passes, in the order of LowerPasses(). Requires Form::kTyped.
+// Runs the passes of the clip planes, of the target's clip space and those that clear up. Requires
+// Form::kTyped.
 Lowered Lower(ir::Program program, const LowerSettings& settings);
 
-// The names of the passes that Lower runs: what `stop_after` and `after_pass` know.
+// The names of the passes that Lower and Legalize run, in their order: what `stop_after` and
+// `after_pass` know.
 std::vector<std::string_view> LowerPasses();
 
 // Reports what the target cannot say. Without errors, Write succeeds, also for the same shader with
 // fewer clip planes: LowerClipPlanes only adds to the shader.
 void CheckTarget(const Lowered& lowered, Diagnostics& diagnostics);
 
+// Runs the passes that take apart what the target's GLSL cannot say. Requires that CheckTarget
+// reports no error. Afterwards `lowered` is complete unless `options` stopped it.
+void Legalize(Lowered& lowered, const ir::PassOptions& options);
+
 struct Written {
   std::string glsl;
   glsl::GlslInfo info;  // beside the Lowered program
 };
 
-// Requires that CheckTarget reports no error, and that Lower was not stopped early.
+// Requires that Legalize has run to its end.
 Written Write(const Lowered& lowered, const glsl::WriteOptions& options);
 
 }  // namespace clipc

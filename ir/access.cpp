@@ -68,8 +68,10 @@ bool WritesOperand(const Program& program, ExprId expr, std::size_t operand) {
 }
 
 bool IsPure(const Program& program, ExprId expr) {
-  return !AnyExpr(program, expr,
-                  [&](ExprId part) { return As<Call>(program, part) || Writes(program, part); });
+  return !AnyExpr(program, expr, [&](ExprId part) {
+    const auto* call = As<Call>(program, part);
+    return Writes(program, part) || (call && !program.functions[call->function].is_helper);
+  });
 }
 
 bool Effects::IsPure(ExprId expr) {

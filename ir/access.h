@@ -57,7 +57,7 @@ void ForEachWrite(const Program& program, ExprId expr, OnTarget&& on_target) {
 }
 
 // Whether the expression changes nothing, so that it may be evaluated twice or not at all: it has
-// no assignment, increment, store or out argument in it, and no call of a user function.
+// no assignment, increment, store or out argument in it, and no call of a function but helpers.
 bool IsPure(const Program& program, ExprId expr);
 
 // Looks into the functions too: a call is pure when its function changes nothing but its own

@@ -38,6 +38,7 @@ const char* NameOf(Form form) {
     case Form::kNoClipPlanes: return "no-clip-planes";
     case Form::kTargetClipSpace: return "target-clip-space";
     case Form::kInlined: return "inlined";
+    case Form::kLegalized: return "legalized";
   }
   return "?";
 }
@@ -86,7 +87,11 @@ class ProgramPrinter {
     for (std::size_t i = 0; i < program_.clip_planes.size(); ++i) PrintClipPlane(i);
     for (VarId global : program_.globals) PrintGlobal(global);
     for (FunctionId id : program_.functions.ids()) {
-      std::string_view role = id == program_.main ? "main " : id == program_.entry ? "entry " : "";
+      const bool is_helper = program_.functions[id].is_helper;
+      std::string_view role = id == program_.main    ? "main "
+                              : id == program_.entry ? "entry "
+                              : is_helper            ? "helper "
+                                                     : "";
       printer_.PrintFunction(id, role);
     }
     return printer_.Take();

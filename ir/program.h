@@ -28,6 +28,7 @@ enum class Form : std::uint8_t {
   kNoClipPlanes,     // clip planes are outputs, or entries of the table only: none has a value
   kTargetClipSpace,  // kPosition is in the target's clip space
   kInlined,          // main may hold the entry's statements; then the entry is empty
+  kLegalized,        // operators are those of C-like shading languages: see ir/verify_legal.cpp
 };
 
 struct Program {

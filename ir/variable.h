@@ -42,6 +42,8 @@ struct Function {
   std::vector<VarId> parameters;
   StmtId body;  // a Block
   Span span;
+  // A pass made it: it reads and writes nothing but its parameters and its own variables.
+  bool is_helper = false;
 };
 
 }  // namespace clipc::ir

@@ -16,6 +16,9 @@ namespace clipc::ir {
 std::optional<std::string> CheckIntrinsic(const TypeTable& types, Intrinsic op, TypeId result,
                                           const std::vector<TypeId>& arguments);
 
+// What a node of Form::kLegalized must not be; empty for a node that it may be.
+std::string_view RuleBrokenBy(const Program& program, ExprId expr);
+
 // Whether both are numeric and have the same rows and columns.
 inline bool SameShape(const Type& a, const Type& b) {
   return a.IsNumeric() && a.kind == b.kind && a.rows == b.rows && a.columns == b.columns;
@@ -35,6 +38,8 @@ class ExprVerifier {
   // Which variables may be named at the moment.
   enum class Scope : std::uint8_t { kNotYet, kVisible, kGone };
   std::vector<Scope> scope;
+  // Whether Form::kLegalized is asked for.
+  bool legalized = false;
   // Printed before a problem: "function main".
   std::string where;
   // The functions that the trees checked so far call.

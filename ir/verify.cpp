@@ -23,6 +23,7 @@ class ProgramVerifier {
 
   std::optional<std::string> Run(Form form) {
     if (program_.form < form) Fail("the program has not reached the form that is asked for");
+    exprs_.legalized = form >= Form::kLegalized;
     if (auto problem = CheckInterface(program_)) Fail(*problem);
     if (exprs_.failed()) return exprs_.problem();
     for (CbufferId id : program_.cbuffers.ids()) {

@@ -88,6 +88,9 @@ void ExprVerifier::CheckTree(ExprId expr) {
   }
   ForEachOperand(program_, expr, [&](ExprId operand) { CheckTree(operand); });
   if (!failed()) CheckNode(expr);
+  if (!legalized || failed()) return;
+  const std::string_view broken = RuleBrokenBy(program_, expr);
+  Require(broken.empty(), expr, broken);
 }
 
 void ExprVerifier::CheckNode(ExprId expr) {

@@ -20,6 +20,6 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-EMPTY:
 // CHECK-NEXT: void main() {
 // CHECK-NEXT:     int64_t a = i * 3l + 5l;
-// CHECK-NEXT:     u64vec2 b = (u << 3) + (u >> (a & 63)) + 7ul;
+// CHECK-NEXT:     u64vec2 b = (u << 3) + (u >> (a & 63l)) + 7ul;
 // CHECK-NEXT:     gl_Position = in_POSITION0 + float(a) + float(b.x) + float(b.y);
 // CHECK-NEXT: }

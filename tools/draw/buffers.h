@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "backend-glsl/writer.h"
+#include "backend-glsl/write.h"
 #include "ir/evaluate.h"
 #include "ir/program.h"
 #include "tools/draw/inputs.h"

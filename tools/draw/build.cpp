@@ -59,6 +59,7 @@ Shader Build(const BuildOptions& options) {
   Lowered lowered = Lower(shader.typed, settings);
   CheckTarget(lowered, reading.diagnostics);
   reading.StopAtErrors<NotForTarget>("not for this target");
+  Legalize(lowered, settings.passes);
   Written written = Write(lowered, {});
   shader.lowered = std::move(lowered.program);
   shader.glsl = std::move(written.glsl);

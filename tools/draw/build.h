@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "backend-glsl/writer.h"
+#include "backend-glsl/write.h"
 #include "frontend/check/check.h"
 #include "frontend/lex/token.h"
 #include "ir/program.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "backend-glsl/writer.h"
+#include "backend-glsl/write.h"
 #include "ir/evaluate.h"
 #include "ir/program.h"
 #include "tools/draw/inputs.h"

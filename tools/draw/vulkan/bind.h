@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "backend-glsl/writer.h"
+#include "backend-glsl/write.h"
 #include "ir/program.h"
 #include "tools/draw/vulkan/run.h"
 

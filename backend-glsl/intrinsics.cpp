@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "backend-glsl/intrinsics.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "backend-glsl/snippets.h"
+
+namespace clipc::glsl {
+
+using namespace ir;
+
+namespace {
+
+constexpr BuiltinFunction kBuiltins[] = {
+    {Intrinsic::kAbs, "abs"},
+    {Intrinsic::kAcos, "acos"},
+    {Intrinsic::kAsin, "asin"},
+    {Intrinsic::kAtan, "atan"},
+    {Intrinsic::kAtan2, "atan"},
+    {Intrinsic::kCeil, "ceil"},
+    {Intrinsic::kClamp, "clamp", 0b110},
+    {Intrinsic::kCos, "cos"},
+    {Intrinsic::kCosh, "cosh", 0, true},
+    {Intrinsic::kCross, "cross"},
+    {Intrinsic::kDegrees, "degrees"},
+    {Intrinsic::kDistance, "distance"},
+    {Intrinsic::kExp, "exp"},
+    {Intrinsic::kExp2, "exp2"},
+    {Intrinsic::kFaceforward, "faceforward"},
+    {Intrinsic::kFloor, "floor"},
+    {Intrinsic::kFma, "fma"},
+    {Intrinsic::kFrac, "fract"},
+    {Intrinsic::kIsInf, "isinf", 0, true},
+    {Intrinsic::kIsNan, "isnan", 0, true},
+    {Intrinsic::kLength, "length"},
+    {Intrinsic::kLerp, "mix", 0b100},
+    {Intrinsic::kLog, "log"},
+    {Intrinsic::kLog2, "log2"},
+    {Intrinsic::kMax, "max", 0b10},
+    {Intrinsic::kMin, "min", 0b10},
+    {Intrinsic::kModf, "modf", 0, true},
+    {Intrinsic::kNormalize, "normalize"},
+    {Intrinsic::kPow, "pow"},
+    {Intrinsic::kRadians, "radians"},
+    {Intrinsic::kReflect, "reflect"},
+    {Intrinsic::kRefract, "refract"},
+    {Intrinsic::kRound, "roundEven", 0, true},
+    {Intrinsic::kRsqrt, "inversesqrt"},
+    {Intrinsic::kSign, "sign"},
+    {Intrinsic::kSin, "sin"},
+    {Intrinsic::kSinh, "sinh", 0, true},
+    {Intrinsic::kSqrt, "sqrt"},
+    {Intrinsic::kStep, "step", 0b01},
+    {Intrinsic::kTan, "tan"},
+    {Intrinsic::kTanh, "tanh", 0, true},
+    {Intrinsic::kTrunc, "trunc", 0, true},
+};
+
+}  // namespace
+
+const BuiltinFunction* BuiltinOf(Intrinsic op, const Shape& shape, const Target& target) {
+  const auto* found = std::ranges::find(kBuiltins, op, &BuiltinFunction::op);
+  if (found == std::end(kBuiltins)) return nullptr;
+  if (found->is_rounding && !target.Has(Feature::kRounding)) return nullptr;
+  return shape.IsFloating() || target.Has(Feature::kUnsigned) ? found : nullptr;
+}
+
+bool IsOfScalars(Intrinsic op, const Shape& shape, const Target& target) {
+  if (!shape.IsVector() || BuiltinOf(op, shape, target)) return false;
+  switch (op) {
+    case Intrinsic::kAsDouble: return true;
+    case Intrinsic::kF16ToF32:
+    case Intrinsic::kF32ToF16:
+      if (target.Has(Feature::kHalfPacking)) return true;
+      break;
+    case Intrinsic::kCountBits:
+    case Intrinsic::kFirstBitHigh:
+    case Intrinsic::kFirstBitLow:
+      if (target.Has(Feature::kBitFunctions)) return false;
+      break;
+    default: break;
+  }
+  const SnippetText* snippet = FindSnippet(NameOf(op), shape);
+  return snippet && snippet->scalar_only;
+}
+
+}  // namespace clipc::glsl

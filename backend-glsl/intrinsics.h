@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <string_view>
+
+#include "backend-glsl/shape.h"
+#include "backend-glsl/target.h"
+#include "ir/program.h"
+
+namespace clipc::glsl {
+
+// A function that GLSL has under the same or another name.
+struct BuiltinFunction {
+  ir::Intrinsic op;
+  std::string_view glsl;
+  unsigned scalars = 0;      // bit i: argument i may be a scalar beside vectors
+  bool is_rounding = false;  // Feature::kRounding has it
+};
+// Null where the target has no function for a first argument of this shape.
+const BuiltinFunction* BuiltinOf(ir::Intrinsic op, const Shape& shape, const Target& target);
+
+// Whether a first argument of this shape, a vector, is too much: what the target has, or the
+// snippet that stands for it, takes scalars only.
+bool IsOfScalars(ir::Intrinsic op, const Shape& shape, const Target& target);
+
+}  // namespace clipc::glsl

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "backend-glsl/legalize/legalize.h"
+
+namespace clipc::glsl {
+
+using ir::Form;
+
+namespace {
+
+// Each pass leaves nodes that the later ones take apart: rows are vectors, components are scalars.
+constexpr ir::Pass<Legalizer> kPasses[] = {
+    {"lower-assignments", LowerAssignments, Form::kInlined},
+    {"lower-matrix-operators", LowerMatrixOperators, Form::kInlined},
+    {"lower-matrix-functions", LowerMatrixFunctions, Form::kInlined},
+    {"lower-written-arguments", LowerWrittenArguments, Form::kInlined},
+    {"lower-choices", LowerChoices, Form::kInlined},
+    {"lower-arithmetic", LowerArithmetic, Form::kInlined},
+    {"lower-components", LowerComponents, Form::kLegalized},
+};
+
+}  // namespace
+
+std::span<const ir::Pass<Legalizer>> LegalizePasses() { return kPasses; }
+
+bool Legalize(ir::Program& program, const Target& target, const ir::PassOptions& options) {
+  Legalizer legalizer(program, target);
+  return ir::RunPasses(program, LegalizePasses(), legalizer, options);
+}
+
+}  // namespace clipc::glsl

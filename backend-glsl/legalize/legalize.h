@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <span>
+
+#include "backend-glsl/legalize/legalizer.h"
+#include "ir/run_passes.h"
+
+// Takes what GLSL, or the target's version of it, cannot say apart into what it can, on the
+// program, so that the writer only prints. What a pass cannot do in place it puts into helper
+// functions (Function::is_helper). One pass a function, before => after:
+namespace clipc::glsl {
+
+// `a op= b` where GLSL has no such operator: matrices, and % that is not on uint.
+//
+//   m *= n;       =>  m = m * n;
+//   a[i++] %= b;  =>  assign_modulo(a[i++], b);
+void LowerAssignments(Legalizer& legalizer);
+
+// What GLSL has for vectors only, done row by row: matrices of integers and of bool, and all of
+// matrices but the four arithmetic operators.
+//
+//   max(m, n)  =>  max(m, n) with float2x2 max(float2x2 a, float2x2 b) {
+//                                   return float2x2(max(a[0], b[0]), max(a[1], b[1]));
+//                                 }
+//   i++        =>  post_increment(i)
+void LowerMatrixOperators(Legalizer& legalizer);
+
+// Functions of matrices that GLSL has for float matrices only, and dot() of integers.
+//
+//   all(m)  =>  all(m) with bool all(bool2x2 m) { return all(m[0]) && all(m[1]); }
+//   mul(i, j), transpose(i), (int2x2)i, dot(i, j)  =>  sums, constructors
+void LowerMatrixFunctions(Legalizer& legalizer);
+
+// Functions that write their arguments, which GLSL has otherwise or for scalars only.
+//
+//   sincos(x, s, c)    =>  sincos(x, s, c) with { s = sin(x); c = cos(x); }
+//   frexp(v, e)        =>  frexp(v, e) with { return float2(frexp(a[0], b[0]), ...); }
+void LowerWrittenArguments(Legalizer& legalizer);
+
+// Logical operators and choices: GLSL evaluates the side that it needs.
+//
+//   a && b      =>  a and_then b, or all(bool2(a, b)) when b has effects
+//   select(..)  =>  c ? a : b for each component, where the target has no mix() for it
+void LowerChoices(Legalizer& legalizer);
+
+// Operators and functions that are short for others.
+//
+//   rcp(x) => 1 / x, mad(a, b, c) => a * b + c, x % y => fmod(x, y) with x - y * trunc(x / y)
+//   x << n => x << (n & 31)
+void LowerArithmetic(Legalizer& legalizer);
+
+// Functions that the target has for scalars only, or not at all: one call for each component.
+void LowerComponents(Legalizer& legalizer);
+
+// The passes in the order in which they run.
+std::span<const ir::Pass<Legalizer>> LegalizePasses();
+// Takes the program from Form::kInlined to Form::kLegalized, unless options.stop_after ends it
+// earlier. Returns whether all passes ran.
+bool Legalize(ir::Program& program, const Target& target, const ir::PassOptions& options = {});
+
+}  // namespace clipc::glsl

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "backend-glsl/legalize/legalizer.h"
+
+#include <utility>
+#include <variant>
+
+#include "ir/walk.h"
+
+namespace clipc::glsl {
+
+using namespace ir;
+
+HelperBody::HelperBody(Program& program, std::span<const Parameter> wanted) : b(program) {
+  for (const Parameter& parameter : wanted) {
+    const VarId var = b.Local(std::string(parameter.name), parameter.type);
+    program.vars[var].storage = parameter.storage;
+    parameters.push_back(var);
+  }
+}
+
+bool Legalizer::IsPure(ExprId expr) {
+  if (!effects_ || effects_functions_ != program.functions.size()) {
+    effects_.emplace(program);
+    effects_functions_ = program.functions.size();
+  }
+  return effects_->IsPure(expr);
+}
+
+ExprId Legalizer::Component(Builder b, ExprId expr, int i) {
+  const Type type = TypeOf(expr);
+  if (type.kind == TypeKind::kScalar) return expr;
+  const auto component = static_cast<std::uint8_t>(i);
+  if (type.kind == TypeKind::kVector) return b.Swizzled(expr, {i});
+  MatrixSwizzle node{expr, {}, {}, 1};
+  (type.columns == 1 ? node.rows : node.columns)[0] = component;
+  return b.Add(program.types.Make(type.scalar), node);
+}
+
+void Legalizer::BecomeCall(ExprId expr, std::string_view name,
+                           std::span<const Parameter> parameters, std::span<const ExprId> arguments,
+                           const Define& define) {
+  std::string key(name);
+  for (const Parameter& parameter : parameters) {
+    key += ' ' + std::to_string(parameter.type.index);
+  }
+  FunctionId& helper = helpers_[key];
+  if (!helper) {
+    HelperBody body(program, parameters);
+    define(body);
+    helper = program.functions.Add({.name = std::string(name),
+                                    .return_type = program.exprs[expr].type,
+                                    .parameters = std::move(body.parameters),
+                                    .body = body.b.BlockOf(body.statements),
+                                    .span = {},
+                                    .is_helper = true});
+  }
+  program.exprs[expr].node = Call{helper, program.expr_lists.Add(arguments)};
+}
+
+void Legalizer::BecomeCall(ExprId expr, std::string_view name, std::span<const ExprId> arguments,
+                           const Define& define) {
+  static constexpr std::string_view kNames[] = {"a", "b", "c", "d"};
+  std::vector<Parameter> parameters;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    parameters.push_back({kNames[i], program.exprs[arguments[i]].type});
+  }
+  BecomeCall(expr, name, parameters, arguments, define);
+}
+
+void Legalizer::ByParts(ExprId expr, std::string_view name, const Node& node, bool rows) {
+  std::vector<ExprId> operands;
+  ForEachOperand(program, expr, [&](ExprId operand) { operands.push_back(operand); });
+  const TypeId result = program.exprs[expr].type;
+  const Type type = program.types[result];
+  const TypeId part_type =
+      rows ? program.types.Vector(type.scalar, type.columns) : program.types.Make(type.scalar);
+  const int count = rows ? type.rows : static_cast<int>(type.Components());
+  BecomeCall(expr, name, operands, [&, node = node](HelperBody& body) {
+    std::vector<ExprId> parts;
+    for (int i = 0; i < count; ++i) parts.push_back(PartOf(body.b, node, part_type, body, i, rows));
+    body.Return(body.b.ConstructOf(result, parts));
+  });
+}
+
+ExprId Legalizer::PartOf(Builder b, const Node& node, TypeId type, HelperBody& body, int part,
+                         bool rows) {
+  const ExprId copy = b.Add(type, node);
+  std::visit(
+      [&](auto& of_copy) {
+        if constexpr (requires { of_copy.arguments; }) {
+          of_copy.arguments =
+              program.expr_lists.Add(std::as_const(program).expr_lists[of_copy.arguments]);
+        }
+      },
+      program.exprs[copy].node);
+  std::size_t operand = 0;
+  MapOperands(program, copy, [&](ExprId) {
+    const ExprId whole = body[operand++];
+    return rows ? b.At(whole, static_cast<std::uint32_t>(part)) : Component(b, whole, part);
+  });
+  return copy;
+}
+
+}  // namespace clipc::glsl

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "backend-glsl/shape.h"
+#include "backend-glsl/target.h"
+#include "ir/access.h"
+#include "ir/builder.h"
+#include "ir/program.h"
+
+namespace clipc::glsl {
+
+// A parameter of a helper function.
+struct Parameter {
+  std::string_view name;
+  ir::TypeId type;
+  ir::Storage storage = ir::Storage::kIn;
+};
+
+// The body of a helper function that is being defined.
+class HelperBody {
+ public:
+  HelperBody(ir::Program& program, std::span<const Parameter> parameters);
+
+  ir::Builder b;
+  // A new reference to parameter `i`.
+  ir::ExprId operator[](std::size_t i) { return b.Ref(parameters[i]); }
+  void Add(ir::StmtId stmt) { statements.push_back(stmt); }
+  void Do(ir::ExprId expr) { Add(b.Eval(expr)); }
+  void Return(ir::ExprId value) { Add(b.Stmt(ir::Return{value})); }
+
+  std::vector<ir::VarId> parameters;
+  std::vector<ir::StmtId> statements;
+};
+
+// What the legalising passes share: the program, the target, and the helper functions that stand
+// for what GLSL lacks.
+class Legalizer {
+ public:
+  Legalizer(ir::Program& program, const Target& target) : program(program), target(target) {}
+
+  ir::Program& program;
+  const Target& target;
+
+  const ir::Type& TypeOf(ir::ExprId expr) const { return program.types[program.exprs[expr].type]; }
+  Shape ShapeAt(ir::ExprId expr) const { return ShapeOf(TypeOf(expr)); }
+  bool IsNumeric(ir::ExprId expr) const { return TypeOf(expr).IsNumeric(); }
+  // A builder whose nodes have the place of `expr` in the source.
+  ir::Builder At(ir::ExprId expr) { return ir::Builder(program, program.exprs[expr].span); }
+  // Whether `expr` may be evaluated twice or not at all.
+  bool IsPure(ir::ExprId expr);
+
+  // Component `i` of a vector, a matrix of one row or one column, or a scalar.
+  ir::ExprId Component(ir::Builder b, ir::ExprId expr, int i);
+
+  // Makes `expr` what `other`, of the same type, is.
+  void Become(ir::ExprId expr, ir::ExprId other) {
+    program.exprs[expr].node = program.exprs[other].node;
+  }
+
+  // Makes `expr` a call of the helper function `name` for these parameters; `define` writes the
+  // body when there is no such function yet.
+  using Define = std::function<void(HelperBody&)>;
+  void BecomeCall(ir::ExprId expr, std::string_view name, std::span<const Parameter> parameters,
+                  std::span<const ir::ExprId> arguments, const Define& define);
+  // The same for parameters called a, b, c, d of the arguments' types.
+  void BecomeCall(ir::ExprId expr, std::string_view name, std::span<const ir::ExprId> arguments,
+                  const Define& define);
+
+  // Makes `expr`, which does something for each component of its operands, a call of a helper
+  // function that does `node` for each row, or each component, of its parameters. The operands of
+  // `node` stand for those of `expr`, one for one.
+  using Node = decltype(ir::Expr::node);
+  void ByRows(ir::ExprId expr, std::string_view name) {
+    ByParts(expr, name, program.exprs[expr].node, true);
+  }
+  void ByComponents(ir::ExprId expr, std::string_view name, Node node) {
+    ByParts(expr, name, node, false);
+  }
+
+  // Calls visit(ExprId) for every expression of the program, and for those that are added
+  // meanwhile.
+  template <typename OnExpr>
+  void ForEach(OnExpr&& visit) {
+    for (std::uint32_t i = 0; i < program.exprs.size(); ++i) visit(ir::ExprId{i});
+  }
+
+ private:
+  void ByParts(ir::ExprId expr, std::string_view name, const Node& node, bool rows);
+  ir::ExprId PartOf(ir::Builder b, const Node& node, ir::TypeId type, HelperBody& body, int part,
+                    bool rows);
+
+  std::map<std::string, ir::FunctionId> helpers_;  // by name and types of parameters
+  std::optional<ir::Effects> effects_;
+  std::uint32_t effects_functions_ = 0;  // how many functions effects_ was made for
+};
+
+}  // namespace clipc::glsl

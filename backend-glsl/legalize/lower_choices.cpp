@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "backend-glsl/legalize/legalize.h"
+#include "backend-glsl/operators.h"
+
+namespace clipc::glsl {
+
+using namespace ir;
+
+namespace {
+
+void LowerLogical(Legalizer& legalizer, ExprId expr, const Binary& node) {
+  const bool is_and = node.op == BinaryOp::kLogicalAnd;
+  const BinaryOp lazy = is_and ? BinaryOp::kShortCircuitAnd : BinaryOp::kShortCircuitOr;
+  if (!legalizer.ShapeAt(expr).IsScalar()) {
+    return legalizer.ByComponents(expr, OperatorOf(node.op).name,
+                                  Binary{lazy, node.left, node.right});
+  }
+  Builder b = legalizer.At(expr);
+  const ExprId left = legalizer.Component(b, node.left, 0);
+  const ExprId right = legalizer.Component(b, node.right, 0);
+  const bool is_pure = legalizer.IsPure(node.right);
+  TypeTable& types = legalizer.program.types;
+  const ExprId both = is_pure ? left : b.ConstructOf(types.Vector(Scalar::kBool, 2), {left, right});
+  const ExprId value = is_pure ? b.BinaryOf(lazy, left, right)
+                               : b.IntrinsicOf(is_and ? Intrinsic::kAll : Intrinsic::kAny,
+                                               types.Make(Scalar::kBool), {both});
+  const TypeId type = legalizer.program.exprs[expr].type;
+  legalizer.Become(expr, b.TypeOf(value) == type ? value : b.ConstructOf(type, {value}));
+}
+
+void LowerSelect(Legalizer& legalizer, ExprId expr, const Select& node) {
+  const Shape shape = legalizer.ShapeAt(expr);
+  const Conditional choice{node.condition, node.when_true, node.when_false};
+  if (shape.IsVector()) {
+    const Feature mix = shape.IsFloating() ? Feature::kBoolMix : Feature::kIntegerMix;
+    if (!legalizer.target.Has(mix)) legalizer.ByComponents(expr, "select", choice);
+    return;
+  }
+  Builder b = legalizer.At(expr);
+  const ExprId condition = legalizer.Component(b, node.condition, 0);
+  if (legalizer.IsPure(node.when_true) && legalizer.IsPure(node.when_false)) {
+    legalizer.program.exprs[expr].node = Conditional{condition, node.when_true, node.when_false};
+    return;
+  }
+  const TypeId type = legalizer.program.exprs[expr].type;
+  const Parameter parameters[] = {{"condition", b.TypeOf(condition)}, {"a", type}, {"b", type}};
+  const ExprId arguments[] = {condition, node.when_true, node.when_false};
+  legalizer.BecomeCall(expr, "select", parameters, arguments, [&](HelperBody& body) {
+    body.Return(body.b.Add(type, Conditional{body[0], body[1], body[2]}));
+  });
+}
+
+}  // namespace
+
+void LowerChoices(Legalizer& legalizer) {
+  legalizer.ForEach([&](ExprId expr) {
+    const auto* binary = As<Binary>(legalizer.program, expr);
+    if (binary && (binary->op == BinaryOp::kLogicalAnd || binary->op == BinaryOp::kLogicalOr)) {
+      LowerLogical(legalizer, expr, Binary(*binary));
+    } else if (const auto* select = As<Select>(legalizer.program, expr)) {
+      LowerSelect(legalizer, expr, Select(*select));
+    }
+  });
+}
+
+}  // namespace clipc::glsl

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "backend-glsl/needs.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace clipc::glsl {
+
+using ir::Builtin;
+using ir::ObjectKind;
+using ir::ObjectOp;
+using ir::Scalar;
+
+namespace {
+
+template <typename Part>
+struct Row {
+  Part part;
+  Need need;
+};
+
+constexpr Row<Builtin> kBuiltins[] = {
+    {Builtin::kVertexId, {Feature::kVertexId, &diag::TargetVertexId}},
+    {Builtin::kVertexIndex, {Feature::kVertexId, &diag::TargetVertexId}},
+    {Builtin::kInstanceId, {Feature::kInstanceId}},  // some way on every target
+    {Builtin::kInstanceIndex, {Feature::kDrawParameters, nullptr, &diag::TargetDrawParameter}},
+    {Builtin::kBaseVertex, {Feature::kDrawParameters, nullptr, &diag::TargetDrawParameter}},
+    {Builtin::kBaseInstance, {Feature::kDrawParameters, nullptr, &diag::TargetDrawParameter}},
+    {Builtin::kDrawIndex, {Feature::kDrawParameters, nullptr, &diag::TargetDrawParameter}},
+    {Builtin::kViewId, {Feature::kViewIndex, &diag::TargetViewId}},
+    {Builtin::kClipDistance, {Feature::kClipDistance, &diag::TargetClipDistance}},
+    {Builtin::kCullDistance, {Feature::kCullDistance, &diag::TargetCullDistance}},
+    {Builtin::kClipVertex, {Feature::kClipVertex, &diag::TargetClipVertex}},
+    {Builtin::kShadingRate, {Feature::kShadingRate, &diag::TargetShadingRate}},
+    {Builtin::kLayer, {Feature::kLayerAndViewport, nullptr, &diag::TargetLayer}},
+    {Builtin::kViewportIndex, {Feature::kLayerAndViewport, nullptr, &diag::TargetLayer}},
+};
+
+constexpr Need kImage = {Feature::kImages, nullptr, &diag::TargetImage};
+constexpr Need kStorageBuffer = {Feature::kStorageBuffers, nullptr, &diag::TargetStorageBuffer};
+constexpr Row<ObjectKind> kObjects[] = {
+    {ObjectKind::kTexture1D, {Feature::kTexture1D, nullptr, &diag::TargetTexture1D}},
+    {ObjectKind::kSampler1D, {Feature::kTexture1D, nullptr, &diag::TargetTexture1D}},
+    // And what kTexture1D needs.
+    {ObjectKind::kTexture1DArray, {Feature::kTextureArrays, nullptr, &diag::TargetTextureArray}},
+    {ObjectKind::kTexture2DArray, {Feature::kTextureArrays, nullptr, &diag::TargetTextureArray}},
+    {ObjectKind::kTextureCubeArray, {Feature::kCubeArrays, nullptr, &diag::TargetCubeArray}},
+    {ObjectKind::kTexture2DMS, {Feature::kMultisample, nullptr, &diag::TargetMultisample}},
+    {ObjectKind::kTexture2DMSArray,
+     {Feature::kMultisampleArrays, nullptr, &diag::TargetMultisample}},
+    {ObjectKind::kBuffer, {Feature::kTextureBuffers, nullptr, &diag::TargetTextureBuffer}},
+};
+
+constexpr Row<ObjectOp> kObjectOps[] = {
+    {ObjectOp::kSampleGrad, {Feature::kTextureFunctions, &diag::TargetSampleGradient}},
+    {ObjectOp::kSampleCmpLevelZero, {Feature::kTextureFunctions, &diag::TargetSampleCompare}},
+    {ObjectOp::kGather, {Feature::kGather, &diag::TargetGather}},
+    {ObjectOp::kGatherGreen, {Feature::kGather, &diag::TargetGather}},
+    {ObjectOp::kGatherBlue, {Feature::kGather, &diag::TargetGather}},
+    {ObjectOp::kGatherAlpha, {Feature::kGather, &diag::TargetGather}},
+    {ObjectOp::kTextureLoad, {Feature::kTextureFunctions, &diag::TargetTextureLoad}},
+    {ObjectOp::kTextureSize,
+     {Feature::kTextureFunctions, nullptr, &diag::TargetTextureQuery, "size"}},
+    {ObjectOp::kBufferSize,
+     {Feature::kTextureFunctions, nullptr, &diag::TargetTextureQuery, "size"}},
+    {ObjectOp::kTextureLevels,
+     {Feature::kTextureLevels, nullptr, &diag::TargetTextureQuery, "number of levels"}},
+    {ObjectOp::kTextureSamples,
+     {Feature::kTextureSamples, nullptr, &diag::TargetTextureQuery, "number of samples"}},
+};
+
+constexpr Row<Scalar> kScalars[] = {
+    {Scalar::kDouble, {Feature::kDoubles, &diag::TargetDouble}},
+    {Scalar::kInt64, {Feature::kInt64, &diag::TargetInt64}},
+    {Scalar::kUint64, {Feature::kInt64, &diag::TargetInt64}},
+};
+
+template <typename Part, std::size_t N>
+const Need* Find(const Row<Part> (&rows)[N], Part part) {
+  const auto* found = std::ranges::find(rows, part, &Row<Part>::part);
+  return found == std::end(rows) ? nullptr : &found->need;
+}
+
+}  // namespace
+
+const Need* NeedOf(Builtin builtin) { return Find(kBuiltins, builtin); }
+
+const Need* NeedOf(ObjectKind kind) {
+  if (IsStorageBuffer(kind)) return &kStorageBuffer;
+  return IsImage(kind) ? &kImage : Find(kObjects, kind);
+}
+
+const Need* NeedOf(ObjectOp op) { return Find(kObjectOps, op); }
+
+const Need* NeedOf(Scalar kind) { return Find(kScalars, kind); }
+
+}  // namespace clipc::glsl

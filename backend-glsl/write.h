@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "backend-glsl/block_layout.h"
+#include "backend-glsl/reach.h"
+#include "backend-glsl/target.h"
+#include "ir/program.h"
+
+namespace clipc::glsl {
+
+struct WriteOptions {
+  // For program pipelines of separate stages (glUseProgramStages): gl_PerVertex is redeclared, as
+  // section 7.1.1 asks.
+  bool separable = false;
+};
+
+// What the host must know of the written shader: the names, places and layouts that were chosen.
+struct GlslInfo {
+  struct Variable {
+    std::string name;  // of the whole path: "gl_Position", "in_POSITION0"
+    std::optional<std::uint32_t>
+        location;  // as written in the shader; none: linked or bound by name
+    // The value differs from Direct3D's unless the host draws with base vertex 0 (no gl_BaseVertex
+    // to subtract).
+    bool needs_base_vertex_zero = false;
+    // An integer in HLSL, a float attribute here: GLSL 1.20 has no others.
+    bool integer_as_float = false;
+    // An input that the shader reads, and so declares. One that is not keeps its location, so that
+    // the same vertex layout fits.
+    bool is_used = true;
+  };
+  struct Member {
+    ir::VarId var;
+    int field = -1;    // of a ConstantBuffer<T> with an instance name: the field of T
+    std::string name;  // as the host asks for it: "world", "Camera.view"; kRows: the accessor
+    // kUniforms: what glUniformMatrix wants as `transpose` when it is handed the bytes of the HLSL
+    // buffer.
+    bool transpose = false;
+  };
+  struct Block {
+    ir::CbufferId cbuffer;
+    BlockForm form = BlockForm::kStd140;
+    std::string name;      // of the block; empty when form is kUniforms
+    std::string instance;  // empty: members are global names
+    std::string rows;      // kRows: the array of rows
+    std::optional<std::uint32_t> set, binding;
+    std::vector<Member> members;
+  };
+  // A texture, a sampler, a texture with a sampler, or a buffer.
+  struct Object {
+    ir::VarId texture, sampler;  // of the HLSL shader; either may be none
+    std::string name;
+    std::optional<std::uint32_t> set, binding;
+  };
+
+  std::vector<Variable> inputs, outputs;  // beside program.inputs and program.outputs, one for one
+  std::vector<Block> blocks;              // reached ones, in order of declaration
+  std::vector<Object> objects;
+  std::uint32_t clip_distance_mask = 0;  // bit i: gl_ClipDistance[i] is written
+  std::uint32_t cull_distance_mask = 0;
+};
+
+// The whole shader. Requires Form::kLegalized, and that CheckTarget reported no error. The text
+// depends on nothing but the arguments. `reached` is Reach of the program before Legalize.
+std::string WriteGlsl(const ir::Program& program, Reached reached, const Target& target,
+                      const WriteOptions& options = {}, GlslInfo* info = nullptr);
+
+// ---- where the objects of a Vulkan shader are bound
+// Direct3D numbers constant buffers, textures and samplers apart; a Vulkan set has one row of
+// bindings. Register n becomes binding n + the shift of its letter; the space becomes the set.
+inline constexpr std::uint32_t kVulkanShiftB = 0;
+inline constexpr std::uint32_t kVulkanShiftS = 16;   // b0 to b15 come before: Direct3D 11 has 14
+inline constexpr std::uint32_t kVulkanShiftT = 32;   // s0 to s15
+inline constexpr std::uint32_t kVulkanShiftU = 160;  // t0 to t127
+std::uint32_t VulkanBinding(const ir::Register& reg);
+
+}  // namespace clipc::glsl

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "ir/program.h"
+
+// How passes run: one after the other, and what is asked for after each.
+namespace clipc::ir {
+
+struct PassOptions {
+  std::string stop_after;  // the name of the last pass that runs; empty: all run
+  // Verify before the first pass and after each; builds with assertions always do.
+  bool verify = false;
+  // Called when a pass is done, with its name: --dump-after prints the program here.
+  std::function<void(std::string_view pass, const Program&)> after_pass;
+};
+
+// A pass that works on a Context, in which the program is.
+template <typename Context>
+struct Pass {
+  std::string_view name;
+  void (*run)(Context&);
+  Form ensures;
+};
+
+// What follows every step: checks that the program has the form, and tells options.after_pass.
+// Returns whether the next pass runs.
+bool FinishPass(const Program& program, std::string_view pass, Form ensures,
+                const PassOptions& options);
+// Verifies the program where `options` or the build ask for it. A broken invariant ends clipc with
+// a message and the program.
+void VerifyAfter(std::string_view step, const Program& program, Form form,
+                 const PassOptions& options);
+
+// Returns whether all passes ran.
+template <typename Context>
+bool RunPasses(const Program& program, std::span<const Pass<Context>> passes, Context& context,
+               const PassOptions& options) {
+  for (const Pass<Context>& pass : passes) {
+    pass.run(context);
+    if (!FinishPass(program, pass.name, pass.ensures, options)) return false;
+  }
+  return true;
+}
+
+}  // namespace clipc::ir

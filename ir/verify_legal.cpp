@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// What Form::kLegalized promises of each node: C-like shading languages have it as it is.
+#include <variant>
+
+#include "base/overloaded.h"
+#include "ir/access.h"
+#include "ir/verifier.h"
+
+namespace clipc::ir {
+namespace {
+
+bool IsMatrix(const Type& type) {
+  return type.kind == TypeKind::kMatrix && type.rows > 1 && type.columns > 1;
+}
+
+// A literal below the number of bits, or what `& literal` leaves of a number.
+bool IsBounded(const Program& program, ExprId count) {
+  if (const auto* splat = As<Splat>(program, count)) return IsBounded(program, splat->operand);
+  if (const auto* literal = As<Literal>(program, count)) return literal->bits < 64;
+  const auto* mask = As<Binary>(program, count);
+  return mask && mask->op == BinaryOp::kBitAnd && IsBounded(program, mask->right);
+}
+
+bool IsShift(BinaryOp op) { return op == BinaryOp::kShiftLeft || op == BinaryOp::kShiftRight; }
+
+std::string_view BrokenBy(const Program& program, BinaryOp op, const Type& type, ExprId right) {
+  const bool is_linear =
+      op == BinaryOp::kMul || op == BinaryOp::kDiv || op == BinaryOp::kAdd || op == BinaryOp::kSub;
+  if (IsMatrix(type) && !(is_linear && IsFloat(type.scalar))) {
+    return "only + - * / take matrices, of floats";
+  }
+  if (op == BinaryOp::kLogicalAnd || op == BinaryOp::kLogicalOr) {
+    return "logical operators evaluate one side first";
+  }
+  if (op == BinaryOp::kMod && !IsUnsigned(type.scalar)) return "% is of unsigned integers";
+  if (IsShift(op) && !IsBounded(program, right)) return "a shift count is below the number of bits";
+  return {};
+}
+
+std::string_view BrokenBy(const Program& program, const IntrinsicCall& call) {
+  const Type& type = program.types[program.exprs[program.expr_lists[call.arguments][0]].type];
+  switch (call.op) {
+    case Intrinsic::kMul:
+    case Intrinsic::kTranspose:
+      if (!IsMatrix(type) || IsFloat(type.scalar)) return {};
+      break;
+    case Intrinsic::kDeterminant: return {};
+    case Intrinsic::kMad:
+    case Intrinsic::kRcp:
+    case Intrinsic::kLog10:
+    case Intrinsic::kLdexp:
+    case Intrinsic::kFmod:
+    case Intrinsic::kSincos: return "the function is short for others";
+    default: break;
+  }
+  return IsMatrix(type) ? "the function takes no matrix" : std::string_view{};
+}
+
+}  // namespace
+
+std::string_view RuleBrokenBy(const Program& program, ExprId expr) {
+  const auto type_of = [&](ExprId id) -> const Type& {
+    return program.types[program.exprs[id].type];
+  };
+  return Visit(Overloaded{
+                   [&](const Binary& node) {
+                     return BrokenBy(program, node.op, type_of(node.left), node.right);
+                   },
+                   [&](const Assign& node) {
+                     if (!node.op) return std::string_view{};
+                     return BrokenBy(program, *node.op, type_of(node.target), node.value);
+                   },
+                   [&](const Unary& node) -> std::string_view {
+                     const Type& type = type_of(node.operand);
+                     return IsMatrix(type) && !IsFloat(type.scalar)
+                                ? "the operator takes no such matrix"
+                                : "";
+                   },
+                   [&](const Select&) -> std::string_view {
+                     return IsMatrix(type_of(expr)) ? "a choice takes no matrices" : "";
+                   },
+                   [&](const IntrinsicCall& node) { return BrokenBy(program, node); },
+                   [](const auto&) { return std::string_view{}; },
+               },
+               program.exprs[expr].node);
+}
+
+}  // namespace clipc::ir
