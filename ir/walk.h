@@ -41,24 +41,28 @@ void ForEachSlot(MaybeConst& expr, Own&& own, Listed&& list) {
 // nodes; MapOperands replaces operands.
 template <typename OnOperand>
 void ForEachOperand(const Program& program, ExprId expr, OnOperand&& visit) {
+  const Expr walked = program.exprs[expr];
   ForEachSlot(
-      program.exprs[expr], [&](ExprId operand) { visit(operand); },
+      walked, [&](ExprId operand) { visit(operand); },
       [&](List<ExprId> list) {
         for (std::uint32_t i = 0; i < list.size; ++i) visit(program.expr_lists[list][i]);
       });
 }
 
-// Replaces each direct operand of `expr` by map(operand), in the order of evaluation.
+// Replaces each direct operand of `expr` by map(operand), in the order of evaluation. `map` may add
+// expressions, which moves those that are there; so a copy is changed and put back.
 template <typename Map>
 void MapOperands(Program& program, ExprId expr, Map&& map) {
+  Expr changed = program.exprs[expr];
   ForEachSlot(
-      program.exprs[expr], [&](ExprId& operand) { operand = map(operand); },
+      changed, [&](ExprId& operand) { operand = map(operand); },
       [&](List<ExprId> list) {
         for (std::uint32_t i = 0; i < list.size; ++i) {
           const ExprId mapped = map(program.expr_lists[list][i]);
           program.expr_lists[list][i] = mapped;
         }
       });
+  program.exprs[expr].node = changed.node;
 }
 
 // Calls on_expr(ExprId) for the expressions and on_stmt(StmtId) for the statements directly in
