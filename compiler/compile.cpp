@@ -120,8 +120,7 @@ void Compilation::Dump(Source& source) {
     result_.dump = DumpTokens(Lex(source, diagnostics_), source);
     return;
   }
-  const ast::File file = ReadFile(source, diagnostics_);
-  if (!diagnostics_.has_errors()) result_.dump = PrintAst(file);
+  result_.dump = PrintAst(ReadFile(source, diagnostics_));
 }
 
 void Compilation::RunBackEnd(ir::Program typed) {

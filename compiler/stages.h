@@ -25,8 +25,8 @@
 // CheckTarget between Lower and Legalize.
 namespace clipc {
 
-// Lexes and parses; the first half of Front. The file is only meaningful when `diagnostics` has no
-// errors afterwards.
+// Lexes and parses; the first half of Front. After syntax errors the file has what could be read,
+// and after errors of the preprocessor it is empty.
 ast::File ReadFile(Source& source, Diagnostics& diagnostics);
 
 // What the shader means, in Form::kTyped. The program is only meaningful when `diagnostics` has no
