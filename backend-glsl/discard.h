@@ -29,7 +29,7 @@ struct Insertion {
 };
 
 // Puts the code into a GLSL fragment shader of the same version as the target's: the declarations
-// behind its directives, the call first in `main`. Nothing else of the text changes.
+// after its directives, the call first in `main`. Nothing else of the text changes.
 Insertion InsertDiscard(std::string_view fragment, const ir::Program& program, const Target& target,
                         const GlslInfo& info);
 

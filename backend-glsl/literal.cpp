@@ -49,7 +49,7 @@ Text DoubleText(std::uint64_t bits) {
 
 Text IntText(std::int32_t value, const Target& target) {
   if (value != std::numeric_limits<std::int32_t>::min()) return Number(std::to_string(value));
-  // GLSL reads -2147483648 as the negation of a number that is no int.
+  // GLSL reads -2147483648 as the negation of a number that is not an int.
   if (target.Has(Feature::kUnsigned)) return {"int(0x80000000u)"};
   return {"-2147483647 - 1", Binding::kSum};
 }

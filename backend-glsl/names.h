@@ -10,13 +10,13 @@
 namespace clipc::glsl {
 
 // `wanted` as a GLSL identifier: other characters become `_`, `__` becomes `_`, `gl_` and `GL_` get
-// a `_` in front, and keywords and built-in functions get a `_` behind. `fallback` stands in for an
-// empty name.
+// a `_` in front, and keywords and built-in functions get a `_` at the end. `fallback` stands in
+// for an empty name.
 std::string LegalName(std::string_view wanted, std::string_view fallback = "unnamed");
 // The same for struct fields, which may be called like a function.
 std::string LegalFieldName(std::string_view wanted);
 
-// Hands out names: the wanted one where it is legal and free, else with `_2`, `_3` and so on behind
+// Hands out names: the wanted one where it is legal and free, else with `_2`, `_3` and so on after
 // it. A name depends only on the calls before it.
 class Namer {
  public:

@@ -34,7 +34,7 @@ constexpr Binding Tighter(Binding binding) {
                                       : static_cast<Binding>(static_cast<int>(binding) + 1);
 }
 
-// The parts behind `text`, or one behind the other; memory is asked for once.
+// Appends the parts to `text`, or joins them. Memory is asked for once.
 template <typename... Parts>
 void Append(std::string& text, const Parts&... parts) {
   const std::size_t size = text.size() + (std::string_view(parts).size() + ...);

@@ -117,7 +117,7 @@ void Writer::Switch(const ir::Switch& node) {
     if (arm.is_default) Line("default:");
     ++indent_;
     Statements(program_.stmt_lists[arm.body]);
-    // GLSL wants a statement behind the last label.
+    // GLSL wants a statement after the last label.
     if (arm.body.empty() && i + 1 == cases.size()) Line("break;");
     --indent_;
   }

@@ -7,7 +7,7 @@ namespace clipc {
 
 // A place in the user's text: the first and the last token of a phrase (not one past it). The
 // numbers are opaque: only the Source that they come from (frontend/lex/source.h) resolves them to
-// file, line and macro expansion. Zero is no place.
+// file, line and macro expansion. Zero is not a place.
 struct Span {
   std::uint32_t begin = 0;
   std::uint32_t end = 0;

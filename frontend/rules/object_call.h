@@ -5,7 +5,7 @@
 
 #include "frontend/rules/intrinsic_call.h"
 
-// What the files behind CheckMethodCall and CheckObjectIndex share.
+// The files that implement CheckMethodCall and CheckObjectIndex share these.
 namespace clipc {
 
 // How many components the operands of a texture's operations have; 0: there is no such operation.

@@ -35,7 +35,7 @@ ExprId IndexTexture(ir::Program& program, ExprId object, ExprId index, ExprId le
   const Type type = program.types[program.exprs[object].type];
   const TypeId coordinate = IntVector(program.types, TraitsOf(type.object).texel);
   const TypeId number = program.types.Make(Scalar::kInt);
-  // A scalar is no place in a texture of several dimensions: unlike arguments, an index is not
+  // A scalar is not a place in a texture of several dimensions: unlike arguments, an index is not
   // splatted (fxc X3120).
   const auto rank = RankImplicit(program.types, program.exprs[index].type, coordinate);
   if (!rank || rank->splat != 0)

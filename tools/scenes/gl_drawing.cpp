@@ -175,7 +175,7 @@ void DrawObjects(const Program& program, const Scene& scene) {
   }
 }
 
-// With programs of kWorldVertex; `missing` stands for planes that the scene has not.
+// With programs of kWorldVertex; `missing` stands for planes that the scene does not have.
 void DrawInWorld(const Program& program, const Scene& scene, const Plane& missing) {
   program.Set("view_projection", Floats(Multiply(scene.view, MovedProjection(scene))));
   for (std::size_t i = 0; i < 3; ++i) {

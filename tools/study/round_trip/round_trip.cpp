@@ -3,7 +3,7 @@
 
 // A float32 emulation in the small: a plane is solved for in double, rounded to float, and used in
 // double again. g++ 12 with AVX and its SLP vectoriser drops that rounding. `plane` gets the plane
-// before it was rounded, `through` what became of the rounded one behind the product of the
+// before it was rounded, `through` what the rounded one became after the product of the
 // matrices.
 extern "C" void CLIPC_ROUND_TRIP(const double* a, const double* b, const double* c, double* plane,
                                  double* through);
