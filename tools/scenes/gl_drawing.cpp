@@ -29,6 +29,7 @@
 #include "tools/harness/drawing.h"
 #include "tools/harness/framebuffer.h"
 #include "tools/harness/offscreen.h"
+#include "tools/harness/transform.h"
 
 namespace clipc::scenes {
 namespace {

@@ -37,7 +37,8 @@ vk::raii::PhysicalDevice Choose() {
     if (is_processor && properties.apiVersion >= VK_API_VERSION_1_3 && HasFeedback(device))
       return std::move(device);
   }
-  throw DrawError("no Vulkan 1.3 on the processor; on Debian: apt-get install mesa-vulkan-drivers");
+  throw harness::DrawError(
+      "no Vulkan 1.3 on the processor; on Debian: apt-get install mesa-vulkan-drivers");
 }
 
 std::uint32_t GraphicsFamily(const vk::raii::PhysicalDevice& device) {
@@ -66,11 +67,11 @@ template <typename Make>
 auto Guarded(Make&& make) {
   try {
     return make();
-  } catch (const DrawError&) {
+  } catch (const harness::DrawError&) {
     throw;
   } catch (const std::exception& error) {
-    throw DrawError(std::string("no Vulkan: ") + error.what() +
-                    "; on Debian: apt-get install mesa-vulkan-drivers");
+    throw harness::DrawError(std::string("no Vulkan: ") + error.what() +
+                             "; on Debian: apt-get install mesa-vulkan-drivers");
   }
 }
 
@@ -110,7 +111,7 @@ vk::raii::DeviceMemory Device::Allocate(const vk::MemoryRequirements& requiremen
     if (fits && (memory.memoryTypes[i].propertyFlags & kWanted) == kWanted)
       return {device_, vk::MemoryAllocateInfo(requirements.size, i)};
   }
-  throw DrawError("Vulkan has no memory that the host can write");
+  throw harness::DrawError("Vulkan has no memory that the host can write");
 }
 
 Buffer Device::NewBuffer(vk::BufferUsageFlags usage, std::span<const std::uint8_t> bytes) const {

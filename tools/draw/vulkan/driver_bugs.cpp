@@ -38,14 +38,15 @@ bool MayNotBeTheFirst(const ir::Program& program, ir::ExprId object) {
 void RefuseDriverBugs(const ir::Program& program) {
   for (const ir::Resource& resource : program.resources) {
     if (!IsArrayOfArrays(program.types, program.vars[resource.var].type)) continue;
-    throw DrawError("an array of arrays of textures, which lavapipe does not read");
+    throw harness::DrawError("an array of arrays of textures, which lavapipe does not read");
   }
   for (const ir::ExprId id : program.exprs.ids()) {
     const auto* call = std::get_if<ir::ObjectCall>(&program.exprs[id].node);
     if (!call || !HasFourOffsets(program, *call) ||
         !MayNotBeTheFirst(program, program.expr_lists[call->arguments][0]))
       continue;
-    throw DrawError("a gather with four offsets, which lavapipe reads from another texture");
+    throw harness::DrawError(
+        "a gather with four offsets, which lavapipe reads from another texture");
   }
 }
 
