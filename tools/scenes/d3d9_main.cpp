@@ -22,6 +22,7 @@
 #include "runtime/table.h"
 #include "scene_level9_1.clip.h"
 #include "scene_level9_3.clip.h"
+#include "tools/harness/transform.h"
 #include "tools/scenes/scene.h"
 
 namespace {
