@@ -42,7 +42,7 @@ ROOMS = {
 
 # A library's headers, and the files that may include them.
 LIBRARIES = {
-    r"(clang|llvm)/": r"frontend/lex/\w+_clang\.cpp|compiler/options_llvm\.cpp",
+    r"(clang|llvm)/": r"frontend/lex/\w+_clang\.cpp",
     r"glslang/": r"compiler/.*\.cpp|tools/harness/glslang_includer\.h|tools/draw/vulkan/glslang\.cpp|tools/bench/peers\.cpp",
     r"epoxy/": r"tools/(harness|draw|study/program|scenes)/.*|examples/.*\.cpp",
     r"png\.h": r"tools/harness/picture\.cpp",
