@@ -31,15 +31,16 @@ constexpr std::size_t kBlock =
 #define CLIPC_BLOCK_FUNCTION inline
 #endif
 
-// kBlock boxes, and what was found out about them.
+// kSize boxes, and what was found out about them.
+template <std::size_t kSize>
 struct Block {
   const float* low[3];
   const float* high[3];
-  float largest[3][kBlock];        // max(|low|, |high|)
-  std::uint32_t in_order[kBlock];  // 1 where low <= high on every axis: not so if one is NaN
-  float coarse_error[kBlock];      // at least E of every plane
-  std::uint32_t needed[kBlock];    // bits of planes
-  std::uint32_t culled[kBlock];    // 1 or 0
+  float largest[3][kSize];        // max(|low|, |high|)
+  std::uint32_t in_order[kSize];  // 1 where low <= high on every axis: not so if one is NaN
+  float coarse_error[kSize];      // at least E of every plane
+  std::uint32_t needed[kSize];    // bits of planes
+  std::uint32_t culled[kSize];    // 1 or 0
 };
 
 CLIPC_BLOCK_FUNCTION float Magnitude(float number) { return number < 0 ? -number : number; }
@@ -49,11 +50,12 @@ CLIPC_BLOCK_FUNCTION bool IsZero(const Float4& plane) {
   return plane.x == 0 && plane.y == 0 && plane.z == 0 && plane.w == 0;
 }
 
-CLIPC_BLOCK_FUNCTION void MeasureBlock(Block& block) {
-  for (std::size_t i = 0; i < kBlock; ++i) block.in_order[i] = 1;
+template <std::size_t kSize>
+CLIPC_BLOCK_FUNCTION void MeasureBlock(Block<kSize>& block) {
+  for (std::size_t i = 0; i < kSize; ++i) block.in_order[i] = 1;
   for (int axis = 0; axis < 3; ++axis) {
     const float *low = block.low[axis], *high = block.high[axis];
-    for (std::size_t i = 0; i < kBlock; ++i) {
+    for (std::size_t i = 0; i < kSize; ++i) {
       block.largest[axis][i] = Larger(Magnitude(low[i]), Magnitude(high[i]));
       block.in_order[i] &= static_cast<std::uint32_t>(low[i] <= high[i]);
     }
@@ -62,10 +64,11 @@ CLIPC_BLOCK_FUNCTION void MeasureBlock(Block& block) {
 
 // E for a plane whose coefficients have the magnitudes `size`: monotonic in each of them, roundings
 // included. NaN, to which no distance compares, where sums are too large.
-CLIPC_BLOCK_FUNCTION void SetError(const Block& block, const Float4& size, float underflow,
-                                   float (&error)[kBlock]) {
+template <std::size_t kSize>
+CLIPC_BLOCK_FUNCTION void SetError(const Block<kSize>& block, const Float4& size, float underflow,
+                                   float (&error)[kSize]) {
   const float x = size.x, y = size.y, z = size.z, w = size.w;
-  for (std::size_t i = 0; i < kBlock; ++i) {
+  for (std::size_t i = 0; i < kSize; ++i) {
     const float sum =
         x * block.largest[0][i] + y * block.largest[1][i] + z * block.largest[2][i] + w;
     const float bound = kErrorFactor * sum + underflow;
@@ -73,7 +76,8 @@ CLIPC_BLOCK_FUNCTION void SetError(const Block& block, const Float4& size, float
   }
 }
 
-CLIPC_BLOCK_FUNCTION void SetCoarseError(Block& block, const Float4* planes,
+template <std::size_t kSize>
+CLIPC_BLOCK_FUNCTION void SetCoarseError(Block<kSize>& block, const Float4* planes,
                                          std::size_t plane_count) {
   Float4 size;
   for (std::size_t i = 0; i < plane_count; ++i) {
@@ -87,8 +91,9 @@ CLIPC_BLOCK_FUNCTION void SetCoarseError(Block& block, const Float4* planes,
 
 // One plane against a block of boxes, with `error` for E. Whether a distance is nearer to 0 than
 // `error` for some box in order: then another error might give another answer.
-CLIPC_BLOCK_FUNCTION bool PlanBlock(Block& block, const Float4& plane, std::uint32_t bit,
-                                    const float (&error)[kBlock]) {
+template <std::size_t kSize>
+CLIPC_BLOCK_FUNCTION bool PlanBlock(Block<kSize>& block, const Float4& plane, std::uint32_t bit,
+                                    const float (&error)[kSize]) {
   const bool up_x = plane.x >= 0, up_y = plane.y >= 0, up_z = plane.z >= 0;
   const float *near_x = up_x ? block.low[0] : block.high[0],
               *far_x = up_x ? block.high[0] : block.low[0];
@@ -98,7 +103,7 @@ CLIPC_BLOCK_FUNCTION bool PlanBlock(Block& block, const Float4& plane, std::uint
               *far_z = up_z ? block.high[2] : block.low[2];
   const float x = plane.x, y = plane.y, z = plane.z, w = plane.w;
   std::uint32_t close = 0;
-  for (std::size_t i = 0; i < kBlock; ++i) {
+  for (std::size_t i = 0; i < kSize; ++i) {
     const float nearest = x * near_x[i] + y * near_y[i] + z * near_z[i] + w;
     const float farthest = x * far_x[i] + y * far_y[i] + z * far_z[i] + w;
     // All comparisons are false for NaN, which needs the plane.
@@ -111,21 +116,23 @@ CLIPC_BLOCK_FUNCTION bool PlanBlock(Block& block, const Float4& plane, std::uint
   return close != 0;
 }
 
-// The first `count` plans of a block of exactly kBlock boxes.
-CLIPC_BLOCK_FUNCTION void PlanFullBlock(Block& block, const Float4* planes, std::size_t plane_count,
-                                        BoxPlan* plans, std::size_t count) {
+// The first `count` plans of a block.
+template <std::size_t kSize>
+CLIPC_BLOCK_FUNCTION void PlanFullBlock(Block<kSize>& block, const Float4* planes,
+                                        std::size_t plane_count, BoxPlan* plans,
+                                        std::size_t count) {
   MeasureBlock(block);
   // One error for all planes is less work, and hardly ever too large. Where it may be, once more
   // with each plane's own.
   SetCoarseError(block, planes, plane_count);
-  for (std::size_t i = 0; i < kBlock; ++i) block.needed[i] = block.culled[i] = 0;
+  for (std::size_t i = 0; i < kSize; ++i) block.needed[i] = block.culled[i] = 0;
   bool close = false;
   for (std::size_t i = 0; i < plane_count; ++i)
     close |= PlanBlock(block, planes[i], 1u << i, block.coarse_error);
   if (close) {
-    for (std::size_t i = 0; i < kBlock; ++i) block.needed[i] = block.culled[i] = 0;
+    for (std::size_t i = 0; i < kSize; ++i) block.needed[i] = block.culled[i] = 0;
     for (std::size_t i = 0; i < plane_count; ++i) {
-      float error[kBlock];
+      float error[kSize];
       const Float4& p = planes[i];
       SetError(block, {Magnitude(p.x), Magnitude(p.y), Magnitude(p.z), Magnitude(p.w)},
                IsZero(p) ? 0 : kUnderflow, error);
@@ -133,8 +140,8 @@ CLIPC_BLOCK_FUNCTION void PlanFullBlock(Block& block, const Float4* planes, std:
     }
   }
   const std::uint32_t all = (1u << plane_count) - 1;
-  BoxPlan narrow[kBlock];
-  for (std::size_t i = 0; i < kBlock; ++i) {
+  BoxPlan narrow[kSize];
+  for (std::size_t i = 0; i < kSize; ++i) {
     // Masks instead of branches, which would keep the loop scalar.
     const std::uint32_t is_culled = block.culled[i], in_order = block.in_order[i];
     const std::uint32_t plan = is_culled * kCulled | ((is_culled - 1) & block.needed[i]);
@@ -143,15 +150,16 @@ CLIPC_BLOCK_FUNCTION void PlanFullBlock(Block& block, const Float4* planes, std:
   for (std::size_t i = 0; i < count; ++i) plans[i] = narrow[i];
 }
 
-using PlanFunction = void (*)(Block&, const Float4*, std::size_t, BoxPlan*, std::size_t);
+using FullBlock = Block<kBlock>;
+using PlanFunction = void (*)(FullBlock&, const Float4*, std::size_t, BoxPlan*, std::size_t);
 
-void PlanForAnyProcessor(Block& block, const Float4* planes, std::size_t plane_count,
+void PlanForAnyProcessor(FullBlock& block, const Float4* planes, std::size_t plane_count,
                          BoxPlan* plans, std::size_t count) {
   PlanFullBlock(block, planes, plane_count, plans, count);
 }
 
 #if CLIPC_HAS_AVX2_CLONE
-__attribute__((target("avx2"))) void PlanForAvx2(Block& block, const Float4* planes,
+__attribute__((target("avx2"))) void PlanForAvx2(FullBlock& block, const Float4* planes,
                                                  std::size_t plane_count, BoxPlan* plans,
                                                  std::size_t count) {
   PlanFullBlock(block, planes, plane_count, plans, count);
@@ -221,39 +229,21 @@ std::uint32_t PlanTransformed(const Box& box, const Matrix* matrices, std::size_
 }  // namespace
 
 BoxPlan PlanBox(const Box& box, const Float4* planes, std::size_t plane_count) noexcept {
-  // Operation by operation as PlanBlock.
-  plane_count = std::min<std::size_t>(plane_count, kMaxClipPlanes);
-  std::uint32_t needed = 0;
-  bool culled = false;
-  for (std::size_t i = 0; i < plane_count; ++i) {
-    const Float4& plane = planes[i];
-    const float n[3] = {plane.x, plane.y, plane.z};
-    const bool is_zero = n[0] == 0 && n[1] == 0 && n[2] == 0 && plane.w == 0;
-    float nearest = 0, farthest = 0, sum = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      const float low = n[axis] * (n[axis] >= 0 ? box.low[axis] : box.high[axis]);
-      const float high = n[axis] * (n[axis] >= 0 ? box.high[axis] : box.low[axis]);
-      const float a = std::fabs(box.low[axis]), b = std::fabs(box.high[axis]);
-      const float size = std::fabs(n[axis]) * (a > b ? a : b);
-      nearest = axis == 0 ? low : nearest + low;
-      farthest = axis == 0 ? high : farthest + high;
-      sum = axis == 0 ? size : sum + size;
-    }
-    nearest += plane.w, farthest += plane.w, sum += std::fabs(plane.w);
-    const float bound = kErrorFactor * sum + (is_zero ? 0 : kUnderflow);
-    const float error = bound < kLargestBound ? bound : kUndecided;
-    if (!(nearest >= error)) needed |= std::uint32_t{1} << i;
-    culled |= farthest < -error;
+  Block<1> block;
+  for (int axis = 0; axis < 3; ++axis) {
+    block.low[axis] = &box.low[axis];
+    block.high[axis] = &box.high[axis];
   }
-  if (!IsBox(box)) return static_cast<BoxPlan>((1u << plane_count) - 1);
-  return culled ? kCulled : static_cast<BoxPlan>(needed);
+  BoxPlan plan;
+  PlanFullBlock(block, planes, std::min<std::size_t>(plane_count, kMaxClipPlanes), &plan, 1);
+  return plan;
 }
 
 void PlanBoxes(const BoxArrays& boxes, const Float4* planes, std::size_t plane_count,
                BoxPlan* plans) noexcept {
   const PlanFunction plan = ChoosePlanFunction();
   plane_count = std::min<std::size_t>(plane_count, kMaxClipPlanes);
-  Block block;
+  FullBlock block;
   std::size_t first = 0;
   for (; boxes.count - first >= kBlock; first += kBlock) {
     for (int axis = 0; axis < 3; ++axis) {

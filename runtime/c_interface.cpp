@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <algorithm>
 #include <cstring>
+#include <initializer_list>
 #include <new>
 #include <utility>
 
@@ -31,8 +32,11 @@ clipc_error Report(const Status& status, char* message) noexcept {
   return static_cast<clipc_error>(status.error());
 }
 
-clipc_error MissingArgument(char* message) noexcept {
-  return Report(Status::Failure(Error::kInvalidArgument, "an argument is a null pointer"), message);
+// Whether one of the arguments is a null pointer, which is then reported.
+bool IsMissing(std::initializer_list<const void*> arguments, char* message) noexcept {
+  if (std::find(arguments.begin(), arguments.end(), nullptr) == arguments.end()) return false;
+  Report(Status::Failure(Error::kInvalidArgument, "an argument is a null pointer"), message);
+  return true;
 }
 
 class CallbackDevice final : public ClipDevice {
@@ -68,6 +72,14 @@ clipc_error Give(const Result<PlaneConstant>& result, float* to, char* message) 
 }  // namespace
 }  // namespace clipc::runtime
 
+using clipc::runtime::CallbackDevice;
+using clipc::runtime::Error;
+using clipc::runtime::Give;
+using clipc::runtime::IsMissing;
+using clipc::runtime::MatrixFrom;
+using clipc::runtime::PlaneFrom;
+using clipc::runtime::Report;
+using clipc::runtime::Status;
 namespace runtime = clipc::runtime;
 
 // NOLINTBEGIN(readability-identifier-naming): names of the C interface.
@@ -78,28 +90,24 @@ struct clipc_table {
 struct clipc_binder {
   clipc_binder(const clipc_device& callbacks, std::uint32_t max_planes)
       : device(callbacks), binder(device, max_planes) {}
-  runtime::CallbackDevice device;
+  CallbackDevice device;
   runtime::Level9Binder binder;
 };
 
 extern "C" {
 
-int32_t clipc_hresult(clipc_error error) {
-  return runtime::HresultOf(static_cast<runtime::Error>(error));
-}
+int32_t clipc_hresult(clipc_error error) { return runtime::HresultOf(static_cast<Error>(error)); }
 
 clipc_error clipc_table_read(const void* bytes, size_t size, clipc_table** table, char* message) {
-  if (table == nullptr) return runtime::MissingArgument(message);
+  if (IsMissing({table}, message)) return CLIPC_INVALID_ARGUMENT;
   *table = nullptr;
   runtime::Result<runtime::Table> result = runtime::ReadTable(bytes, size);
-  if (!result.ok()) return runtime::Report(result.status, message);
+  if (!result.ok()) return Report(result.status, message);
   *table = new (std::nothrow) clipc_table{std::move(result.value)};
   if (*table == nullptr) {
-    return runtime::Report(
-        runtime::Status::Failure(runtime::Error::kOutOfMemory, "no memory for the clip table"),
-        message);
+    return Report(Status::Failure(Error::kOutOfMemory, "no memory for the clip table"), message);
   }
-  return runtime::Report({}, message);
+  return Report({}, message);
 }
 
 void clipc_table_free(clipc_table* table) { delete table; }
@@ -130,25 +138,24 @@ void clipc_binder_free(clipc_binder* binder) { delete binder; }
 clipc_error clipc_binder_bind(clipc_binder* binder, const clipc_table* table,
                               const clipc_bound_buffer* buffers, size_t buffer_count,
                               uint32_t needed, char* message) {
-  if (binder == nullptr || table == nullptr || (buffers == nullptr && buffer_count != 0))
-    return runtime::MissingArgument(message);
+  if (IsMissing({binder, table}, message)) return CLIPC_INVALID_ARGUMENT;
+  if (buffer_count != 0 && IsMissing({buffers}, message)) return CLIPC_INVALID_ARGUMENT;
   if (buffer_count > CLIPC_MAX_BUFFERS) {
-    return runtime::Report(
-        runtime::Status::Failure(runtime::Error::kInvalidArgument, "%llu buffers; at most %d",
-                                 static_cast<unsigned long long>(buffer_count), CLIPC_MAX_BUFFERS),
-        message);
+    return Report(Status::Failure(Error::kInvalidArgument, "%llu buffers; at most %d",
+                                  static_cast<unsigned long long>(buffer_count), CLIPC_MAX_BUFFERS),
+                  message);
   }
   runtime::BoundBuffer bound[CLIPC_MAX_BUFFERS];
   for (size_t i = 0; i < buffer_count; ++i) {
     bound[i] = {buffers[i].register_number, buffers[i].register_space, buffers[i].bytes,
                 buffers[i].size};
   }
-  return runtime::Report(binder->binder.Bind(table->table, bound, buffer_count, needed), message);
+  return Report(binder->binder.Bind(table->table, bound, buffer_count, needed), message);
 }
 
 clipc_error clipc_binder_bind_none(clipc_binder* binder, char* message) {
-  if (binder == nullptr) return runtime::MissingArgument(message);
-  return runtime::Report(binder->binder.BindNone(), message);
+  if (IsMissing({binder}, message)) return CLIPC_INVALID_ARGUMENT;
+  return Report(binder->binder.BindNone(), message);
 }
 
 void clipc_binder_invalidate(clipc_binder* binder) {
@@ -157,41 +164,34 @@ void clipc_binder_invalidate(clipc_binder* binder) {
 
 clipc_error clipc_clip_plane(const float plane[4], const float* view_or_null,
                              const float projection[16], float clip_plane[4], char* message) {
-  if (plane == nullptr || projection == nullptr || clip_plane == nullptr)
-    return runtime::MissingArgument(message);
-  const runtime::Plane from = runtime::PlaneFrom(plane);
-  const runtime::Matrix to_clip = runtime::MatrixFrom(projection);
-  if (view_or_null == nullptr)
-    return runtime::Give(runtime::ClipPlaneFromView(from, to_clip), clip_plane, message);
-  return runtime::Give(
-      runtime::ClipPlaneFromWorld(from, runtime::MatrixFrom(view_or_null), to_clip), clip_plane,
-      message);
+  if (IsMissing({plane, projection, clip_plane}, message)) return CLIPC_INVALID_ARGUMENT;
+  const runtime::Plane from = PlaneFrom(plane);
+  const runtime::Matrix to_clip = MatrixFrom(projection);
+  return Give(view_or_null == nullptr
+                  ? runtime::ClipPlaneFromView(from, to_clip)
+                  : runtime::ClipPlaneFromWorld(from, MatrixFrom(view_or_null), to_clip),
+              clip_plane, message);
 }
 
 clipc_error clipc_xyw1_plane(const float view_plane[4], const float projection[16],
                              float constant[4], char* message) {
-  if (view_plane == nullptr || projection == nullptr || constant == nullptr)
-    return runtime::MissingArgument(message);
-  return runtime::Give(
-      runtime::Xyw1PlaneFromView(runtime::PlaneFrom(view_plane), runtime::MatrixFrom(projection)),
-      constant, message);
+  if (IsMissing({view_plane, projection, constant}, message)) return CLIPC_INVALID_ARGUMENT;
+  return Give(runtime::Xyw1PlaneFromView(PlaneFrom(view_plane), MatrixFrom(projection)), constant,
+              message);
 }
 
 clipc_error clipc_object_plane(const float world_plane[4], const float world[16],
                                float object_plane[4], char* message) {
-  if (world_plane == nullptr || world == nullptr || object_plane == nullptr)
-    return runtime::MissingArgument(message);
-  return runtime::Give(
-      runtime::ObjectPlaneFromWorld(runtime::PlaneFrom(world_plane), runtime::MatrixFrom(world)),
-      object_plane, message);
+  if (IsMissing({world_plane, world, object_plane}, message)) return CLIPC_INVALID_ARGUMENT;
+  return Give(runtime::ObjectPlaneFromWorld(PlaneFrom(world_plane), MatrixFrom(world)),
+              object_plane, message);
 }
 
 double clipc_edge_error(clipc_plane_space space, const float view_plane[4],
                         const float projection[16], double rows) {
   if (view_plane == nullptr || projection == nullptr) return -1;
   const runtime::Result<double> error = runtime::PredictEdgeError(
-      static_cast<runtime::PlaneSpace>(space), runtime::PlaneFrom(view_plane),
-      runtime::MatrixFrom(projection), rows);
+      static_cast<runtime::PlaneSpace>(space), PlaneFrom(view_plane), MatrixFrom(projection), rows);
   return error.ok() ? error.value : -1;
 }
 

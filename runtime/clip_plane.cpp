@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 
 #include "runtime/linear_solve.h"
 #include "runtime/projection_shape.h"
@@ -13,10 +12,13 @@ namespace {
 
 constexpr double kFloatRoundoff = 0x1p-24;
 
-double LargestOf(std::initializer_list<double> numbers) {
-  double largest = 0;
-  for (const double number : numbers) largest = std::max(largest, std::fabs(number));
-  return largest;
+Plane Magnitude(const Plane& p) {
+  return {std::fabs(p.x), std::fabs(p.y), std::fabs(p.z), std::fabs(p.w)};
+}
+
+double LargestOf(const Plane& plane) {
+  const Plane size = Magnitude(plane);
+  return std::max({size.x, size.y, size.z, size.w});
 }
 
 bool IsFinite(const Plane& plane) {
@@ -25,54 +27,43 @@ bool IsFinite(const Plane& plane) {
 }
 
 bool IsFinite(const Matrix& matrix) {
-  for (const auto& row : matrix.m) {
-    for (const double element : row) {
-      if (!std::isfinite(element)) return false;
-    }
-  }
-  return true;
+  return std::all_of(&matrix.m[0][0], &matrix.m[0][0] + 16,
+                     [](double element) { return std::isfinite(element); });
 }
 
 // A plane on its way through several spaces.
-struct Step {
-  Status status;
+struct Bounded {
   Plane plane;
   Plane error;  // of each component, in units of 2^-53
 };
+using Step = Result<Bounded>;
 
 Step Begin(const Plane& plane) {
-  Step step{{}, plane, {}};
-  if (!IsFinite(plane))
-    step.status =
-        Status::Failure(Error::kNotFinite, "the plane has a coefficient that is not finite");
-  return step;
+  if (IsFinite(plane)) return Bounded{plane, {}};
+  return Status::Failure(Error::kNotFinite, "the plane has a coefficient that is not finite");
 }
 
 // The plane after `matrix`, whose inverse must exist; `name` is for the message.
 Step Through(const Step& before, const Matrix& matrix, const char* name) {
-  if (!before.status.ok()) return before;
-  Step after;
+  if (!before.ok()) return before;
   if (!IsFinite(matrix)) {
-    after.status =
-        Status::Failure(Error::kNotFinite, "the %s matrix has an element that is not finite", name);
-    return after;
+    return Status::Failure(Error::kNotFinite, "the %s matrix has an element that is not finite",
+                           name);
   }
-  const Plane &b = before.plane, &e = before.error;
+  const auto& [b, e] = before.value;
   const Solution solution = SolveLinear(matrix.m, {b.x, b.y, b.z, b.w}, {e.x, e.y, e.z, e.w});
-  if (solution.singular) {
-    after.status = Status::Failure(Error::kSingular, "the %s matrix has no inverse", name);
-    return after;
-  }
-  after.plane = {solution.x[0], solution.x[1], solution.x[2], solution.x[3]};
-  after.error = {solution.error[0], solution.error[1], solution.error[2], solution.error[3]};
-  return after;
+  if (solution.singular)
+    return Status::Failure(Error::kSingular, "the %s matrix has no inverse", name);
+  const auto plane_of = [](const double(&x)[4]) { return Plane{x[0], x[1], x[2], x[3]}; };
+  return Bounded{plane_of(solution.x), plane_of(solution.error)};
 }
 
 // The closed form for the shape in projection_shape.h: row i of the matrix times C_P is component i
 // of the plane before.
 Step ThroughShape(const Step& before, const ProjectionShape& s) {
-  const Plane &c = before.plane, &ce = before.error;
-  Step after;
+  if (!before.ok()) return before;
+  const Plane &c = before.value.plane, &ce = before.value.error;
+  Bounded after;
   Plane &p = after.plane, &e = after.error;
   p.x = c.x / s.px;
   p.y = c.y / s.py;
@@ -101,63 +92,45 @@ Step ThroughShape(const Step& before, const ProjectionShape& s) {
 }
 
 Step ThroughProjection(const Step& before, const Matrix& projection) {
-  if (!before.status.ok()) return before;
   const ProjectionShape shape = ShapeOf(projection);
   if (!shape.holds) return Through(before, projection, "projection");
-  if ((shape.is_perspective() ? shape.b : shape.a) == 0) {
-    Step failed;
-    failed.status = Status::Failure(
-        Error::kSingular, "the projection matrix has no inverse: its depth does not depend on z");
-    return failed;
+  if (before.ok() && (shape.is_perspective() ? shape.b : shape.a) == 0) {
+    return Status::Failure(Error::kSingular,
+                           "the projection matrix has no inverse: its depth does not depend on z");
   }
   return ThroughShape(before, shape);
 }
 
 Result<PlaneConstant> Finish(const Step& step) {
-  Result<PlaneConstant> result;
-  result.status = step.status;
-  if (!result.status.ok()) return result;
-  const Plane& plane = step.plane;
-  const double largest = LargestOf({plane.x, plane.y, plane.z, plane.w});
-  const double condition =
-      largest == 0 ? 0
-                   : LargestOf({step.error.x, step.error.y, step.error.z, step.error.w}) / largest;
+  if (!step.ok()) return step.status;
+  const auto& [plane, error] = step.value;
+  const double largest = LargestOf(plane);
+  const double condition = largest == 0 ? 0 : LargestOf(error) / largest;
   if (condition > kMaxCondition) {
-    result.status = Status::Failure(
-        Error::kIllConditioned, "the plane is not right to float precision: its condition is %.2g",
-        condition);
-    return result;
+    return Status::Failure(Error::kIllConditioned,
+                           "the plane is not right to float precision: its condition is %.2g",
+                           condition);
   }
   const Result<Float4> rounded = RoundPlane(plane);
-  result.status = rounded.status;
-  if (result.status.ok()) result.value = {rounded.value, plane, condition};
-  return result;
-}
-
-Result<PlaneConstant> Fail(Error error, const char* what) {
-  return {{}, Status::Failure(error, "%s", what)};
+  if (!rounded.ok()) return rounded.status;
+  return PlaneConstant{rounded.value, plane, condition};
 }
 
 }  // namespace
 
 Result<Float4> RoundPlane(const Plane& plane) noexcept {
-  Result<Float4> result;
   if (!IsFinite(plane)) {
-    result.status = Status::Failure(Error::kNotFinite, "the plane is (%g, %g, %g, %g)", plane.x,
-                                    plane.y, plane.z, plane.w);
-    return result;
+    return Status::Failure(Error::kNotFinite, "the plane is (%g, %g, %g, %g)", plane.x, plane.y,
+                           plane.z, plane.w);
   }
-  const double largest = LargestOf({plane.x, plane.y, plane.z, plane.w});
+  const double largest = LargestOf(plane);
   if (largest != 0 && (largest < static_cast<double>(kMinPlaneScale) ||
                        largest > static_cast<double>(kMaxPlaneScale))) {
-    result.status =
-        Status::Failure(Error::kNotRepresentable,
-                        "the plane's largest component is %.3g; scale the plane", largest);
-    return result;
+    return Status::Failure(Error::kNotRepresentable,
+                           "the plane's largest component is %.3g; scale the plane", largest);
   }
-  result.value = {static_cast<float>(plane.x), static_cast<float>(plane.y),
-                  static_cast<float>(plane.z), static_cast<float>(plane.w)};
-  return result;
+  return Float4{static_cast<float>(plane.x), static_cast<float>(plane.y),
+                static_cast<float>(plane.z), static_cast<float>(plane.w)};
 }
 
 Result<PlaneConstant> ClipPlaneFromView(const Plane& view_plane,
@@ -185,42 +158,39 @@ Result<PlaneConstant> DocumentClipPlane(const Plane& view_plane,
   const ProjectionShape s = ShapeOf(projection);
   if (!s.is_perspective() || s.e != 1 || s.ox != 0 || s.oy != 0 || s.tx != 0 || s.ty != 0 ||
       s.b == 0) {
-    return Fail(
+    return Status::Failure(
         Error::kWrongProjection,
         "the closed form is for [Px 0 0 0; 0 Py 0 0; 0 0 A 1; 0 0 B 0]; use ClipPlaneFromView");
   }
-  const Step begin = Begin(view_plane);
-  return Finish(begin.status.ok() ? ThroughShape(begin, s) : begin);
+  return Finish(ThroughShape(Begin(view_plane), s));
 }
 
 Result<PlaneConstant> Xyw1PlaneFromView(const Plane& view_plane,
                                         const Matrix& projection) noexcept {
   const ProjectionShape s = ShapeOf(projection);
   if (!s.is_perspective() || s.tx != 0 || s.ty != 0) {
-    return Fail(Error::kWrongProjection,
-                "plane space xyw1 needs a perspective; for others plane space clip is as accurate");
+    return Status::Failure(
+        Error::kWrongProjection,
+        "plane space xyw1 needs a perspective; for others plane space clip is as accurate");
   }
-  Step step = Begin(view_plane);
-  if (!step.status.ok()) return Finish(step);
+  const Step begin = Begin(view_plane);
+  if (!begin.ok()) return begin.status;
   const double x = view_plane.x / s.px, y = view_plane.y / s.py;
-  step.plane = {x, y, (view_plane.z - s.ox * x - s.oy * y) / s.e, view_plane.w};
-  step.error = {std::fabs(x), std::fabs(y),
-                std::fabs(step.plane.z) +
-                    (std::fabs(view_plane.z) + 3 * std::fabs(s.ox * x) + 3 * std::fabs(s.oy * y)) /
-                        std::fabs(s.e),
-                0};
-  return Finish(step);
+  const Plane plane = {x, y, (view_plane.z - s.ox * x - s.oy * y) / s.e, view_plane.w};
+  Plane error = Magnitude(plane);
+  error.z += (std::fabs(view_plane.z) + 3 * std::fabs(s.ox * x) + 3 * std::fabs(s.oy * y)) /
+             std::fabs(s.e);
+  error.w = 0;
+  return Finish(Bounded{plane, error});
 }
 
 Result<PlaneConstant> ObjectPlaneFromWorld(const Plane& world_plane, const Matrix& world) noexcept {
   if (!IsFinite(world))
-    return Fail(Error::kNotFinite, "the world matrix has an element that is not finite");
-  Step step = Begin(world_plane);
-  if (!step.status.ok()) return Finish(step);
-  step.plane = PlaneBefore(world, world_plane);
-  const Plane& p = step.plane;
-  step.error = {std::fabs(p.x), std::fabs(p.y), std::fabs(p.z), std::fabs(p.w)};
-  return Finish(step);
+    return Status::Failure(Error::kNotFinite, "the world matrix has an element that is not finite");
+  const Step begin = Begin(world_plane);
+  if (!begin.ok()) return begin.status;
+  const Plane plane = PlaneBefore(world, world_plane);
+  return Finish(Bounded{plane, Magnitude(plane)});
 }
 
 Result<double> ClipSpaceEdgeError(const Plane& view_plane, const Matrix& projection,
@@ -228,13 +198,13 @@ Result<double> ClipSpaceEdgeError(const Plane& view_plane, const Matrix& project
   const ProjectionShape s = ShapeOf(projection);
   const double length = NormalLength(view_plane);
   if (!s.holds)
-    return {0, Status::Failure(Error::kWrongProjection,
-                               "the projection is neither a perspective nor orthographic")};
+    return Status::Failure(Error::kWrongProjection,
+                           "the projection is neither a perspective nor orthographic");
   if (!(length > 0) || (s.is_perspective() ? s.b : s.a) == 0)
-    return {0, Status::Failure(Error::kSingular,
-                               "the plane has no normal, or the projection no inverse")};
+    return Status::Failure(Error::kSingular,
+                           "the plane has no normal, or the projection no inverse");
   const double amplified = s.is_perspective() ? view_plane.w * s.a / s.b : view_plane.z * s.b / s.a;
-  return {20 * kFloatRoundoff * std::fabs(amplified * s.py) * picture_height / (2 * length), {}};
+  return 20 * kFloatRoundoff * std::fabs(amplified * s.py) * picture_height / (2 * length);
 }
 
 }  // namespace clipc::runtime

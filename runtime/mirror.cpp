@@ -6,24 +6,20 @@
 namespace clipc::runtime {
 
 Result<Matrix> MirrorMatrix(const Plane& plane) noexcept {
-  Result<Matrix> result;
   const double length = NormalLength(plane);
   if (!std::isfinite(length) || !std::isfinite(plane.w)) {
-    result.status = Status::Failure(Error::kNotFinite,
-                                    "the mirror's plane has a coefficient that is not finite");
-    return result;
+    return Status::Failure(Error::kNotFinite,
+                           "the mirror's plane has a coefficient that is not finite");
   }
-  if (length == 0) {
-    result.status = Status::Failure(Error::kSingular, "the mirror's plane has no normal");
-    return result;
-  }
+  if (length == 0) return Status::Failure(Error::kSingular, "the mirror's plane has no normal");
+  Matrix mirror;
   const double normal[3] = {plane.x / length, plane.y / length, plane.z / length};
   const double coefficients[4] = {normal[0], normal[1], normal[2], plane.w / length};
   for (int row = 0; row < 4; ++row) {
     for (int column = 0; column < 3; ++column)
-      result.value.m[row][column] -= 2 * coefficients[row] * normal[column];
+      mirror.m[row][column] -= 2 * coefficients[row] * normal[column];
   }
-  return result;
+  return mirror;
 }
 
 }  // namespace clipc::runtime

@@ -12,8 +12,6 @@ namespace {
 // Room for the rounding of numbers that are equal by construction.
 constexpr double kSlack = 1e-9;
 
-Result<ShearedProjection> Fail(Status status) { return {{}, status}; }
-
 // Dot(clip_plane, corner) at the corner of the clip-space cube where it is largest; corners have w
 // = 1, those at infinity too.
 double LargestAtACorner(const Plane& clip_plane, DepthRange range) {
@@ -57,15 +55,15 @@ Result<ShearedProjection> ShearNearPlane(const Plane& view_plane, const Matrix& 
                                          DepthRange range, NearPlaneScale scale) noexcept {
   const ProjectionShape shape = ShapeOf(projection);
   if (!shape.holds) {
-    return Fail(Status::Failure(Error::kWrongProjection,
-                                "the projection is neither a perspective nor orthographic"));
+    return Status::Failure(Error::kWrongProjection,
+                           "the projection is neither a perspective nor orthographic");
   }
   if (shape.is_perspective() && (range.reversed ? shape.b < 0 : shape.b > 0)) {
-    return Fail(Status::Failure(Error::kWrongProjection, "the projection's depth is %sreversed",
-                                range.reversed ? "not " : ""));
+    return Status::Failure(Error::kWrongProjection, "the projection's depth is %sreversed",
+                           range.reversed ? "not " : "");
   }
   const Result<PlaneConstant> clip = ClipPlaneFromView(view_plane, projection);
-  if (!clip.ok()) return Fail(clip.status);
+  if (!clip.ok()) return clip.status;
   const Plane& clip_plane = clip.value.plane;
 
   // Along a line of sight x/w and y/w stand still, so this is how d/w grows with the given depth.
@@ -73,10 +71,9 @@ Result<ShearedProjection> ShearNearPlane(const Plane& view_plane, const Matrix& 
   // clip space.
   const double depth_slope = DepthSpan(range) * (range.reversed ? -clip_plane.z : clip_plane.z);
   const double at_eye = shape.b * clip_plane.z;
-  if (Status status = CheckEye(shape, depth_slope, at_eye); !status.ok()) return Fail(status);
+  if (Status status = CheckEye(shape, depth_slope, at_eye); !status.ok()) return status;
 
-  Result<ShearedProjection> result;
-  ShearedProjection& sheared = result.value;
+  ShearedProjection sheared;
   const double largest = LargestAtACorner(clip_plane, range);
   sheared.scale = 1;
   if (scale == NearPlaneScale::kKeepFar) {
@@ -86,11 +83,10 @@ Result<ShearedProjection> ShearNearPlane(const Plane& view_plane, const Matrix& 
   sheared.keeps_far = sheared.scale * largest <= 1 + kSlack;
   sheared.depth_ratio = sheared.scale * depth_slope;
   if (shape.is_perspective()) sheared.effective_near = sheared.scale * std::fabs(at_eye);
-  result.status = CheckDepth(shape, range, sheared);
-  if (!result.ok()) return Fail(result.status);
+  if (Status status = CheckDepth(shape, range, sheared); !status.ok()) return status;
   sheared.projection = projection;
   SetDepthColumn(sheared.projection, view_plane, sheared.scale, range);
-  return result;
+  return sheared;
 }
 
 void SetDepthColumn(Matrix& to_clip, const Plane& plane, double scale, DepthRange range) noexcept {

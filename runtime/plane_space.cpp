@@ -9,7 +9,7 @@ namespace clipc::runtime {
 namespace {
 
 Result<PlaneConstant> InView(const Plane& plane, KnownIn known_in, const DrawMatrices& draw) {
-  if (known_in == KnownIn::kView) return {{{}, plane, 0}, {}};
+  if (known_in == KnownIn::kView) return PlaneConstant{{}, plane, 0};
   const Matrix to_view = known_in == KnownIn::kWorld ? draw.view : Multiply(draw.world, draw.view);
   return ViewPlaneFromWorld(plane, to_view);
 }
@@ -53,40 +53,36 @@ Result<double> PredictEdgeError(PlaneSpace space, const Plane& view_plane, const
   const double length = NormalLength(view_plane);
   const bool wrong = !s.holds || (space == PlaneSpace::kXyw1 && !s.is_perspective());
   if (wrong)
-    return {0, Status::Failure(Error::kWrongProjection,
-                               "the projection does not have the shape that the space needs")};
+    return Status::Failure(Error::kWrongProjection,
+                           "the projection does not have the shape that the space needs");
   if (!(length > 0) || (s.is_perspective() ? s.b : s.a) == 0)
-    return {0, Status::Failure(Error::kSingular,
-                               "the plane has no normal, or the projection no inverse")};
+    return Status::Failure(Error::kSingular,
+                           "the plane has no normal, or the projection no inverse");
   const double unit = 2 * 0x1p-24 * picture_height / 2 / sine, py = std::fabs(s.py);
-  if (space == PlaneSpace::kObject) return {unit, {}};
-  if (space == PlaneSpace::kXyw1) return {unit * py, {}};
+  if (space == PlaneSpace::kObject) return unit;
+  if (space == PlaneSpace::kXyw1) return unit * py;
   const double price =
       ClipSpaceEdgeError(view_plane, projection, picture_height).value * kAnySurface / sine;
-  return {unit * (s.is_perspective() ? py : 1) + price, {}};
+  return unit * (s.is_perspective() ? py : 1) + price;
 }
 
 Result<SpaceConstant> PlaneConstantFor(PlaneSpace space, const Plane& plane, KnownIn known_in,
                                        const DrawMatrices& draw, const Picture& picture) noexcept {
-  Result<SpaceConstant> result;
   // Space `object` does not need the view, but the prediction does.
   const Result<PlaneConstant> in_view = InView(plane, known_in, draw);
-  if (space == PlaneSpace::kXyw1 && !in_view.ok()) {
-    result.status = in_view.status;
-    return result;
-  }
+  if (space == PlaneSpace::kXyw1 && !in_view.ok()) return in_view.status;
   const Result<PlaneConstant> constant =
       ConstantOf(space, plane, known_in, draw, in_view.value.plane);
-  result.status = constant.status;
-  if (!constant.ok()) return result;
-  result.value.plane = constant.value;
+  if (!constant.ok()) return constant.status;
+  SpaceConstant result;
+  result.plane = constant.value;
   if (!in_view.ok() || !(NormalLength(in_view.value.plane) > 0)) return result;
   const Result<double> error =
       PredictEdgeError(space, in_view.value.plane, draw.projection, picture.height);
   if (!error.ok()) return result;
-  result.value.edge_error = error.value;
+  result.edge_error = error.value;
   if (error.value > picture.most_pixels) {
-    result.value.warning = Status::Failure(
+    result.warning = Status::Failure(
         Error::kIllConditioned,
         "plane space %s displaces the cut by about %.2g pixels of %g rows%s", NameOf(space),
         error.value, picture.height,

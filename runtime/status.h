@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 
 // The answer of every function that can fail. No function of clipc::runtime throws, and a Status
 // holds its message in place, so that an error allocates nothing.
@@ -67,6 +68,10 @@ template <typename T>
 struct [[nodiscard]] Result {
   T value{};
   Status status;
+
+  Result() = default;
+  Result(T made, Status with = {}) : value(std::move(made)), status(with) {}
+  Result(Status why) noexcept : status(why) {}
 
   bool ok() const noexcept { return status.ok(); }
 };

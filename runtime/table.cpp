@@ -9,10 +9,6 @@
 namespace clipc::runtime {
 namespace {
 
-Result<Table> Fail(Error error, const char* what) {
-  return {{}, Status::Failure(error, "%s", what)};
-}
-
 TablePlane FromPlane(const clip_table::Plane& from) {
   TablePlane plane;
   plane.text = from.text;
@@ -33,7 +29,8 @@ template <typename Read>
 Result<Table> ReadWith(Read read) noexcept {
   try {
     const clip_table::Result<clip_table::ClipTable> result = read();
-    if (!result.value.has_value()) return Fail(Error::kDamagedTable, result.error.c_str());
+    if (!result.value.has_value())
+      return Status::Failure(Error::kDamagedTable, "%s", result.error.c_str());
     const clip_table::ClipTable& from = *result.value;
     Result<Table> table;
     table.value.entry = from.entry;
@@ -45,7 +42,7 @@ Result<Table> ReadWith(Read read) noexcept {
       table.value.planes.push_back(FromPlane(plane));
     return table;
   } catch (const std::exception&) {
-    return Fail(Error::kOutOfMemory, "no memory to read the clip table");
+    return Status::Failure(Error::kOutOfMemory, "no memory to read the clip table");
   }
 }
 
@@ -63,13 +60,14 @@ bool HasNull(const StaticClipTable& table) {
 }  // namespace
 
 Result<Table> ReadTable(const void* bytes, std::size_t size) noexcept {
-  if (bytes == nullptr) return Fail(Error::kInvalidArgument, "no bytes to read a clip table from");
+  if (bytes == nullptr)
+    return Status::Failure(Error::kInvalidArgument, "no bytes to read a clip table from");
   return ReadWith([&] { return clip_table::Read({static_cast<const char*>(bytes), size}); });
 }
 
 Result<Table> ReadTable(const StaticClipTable& table) noexcept {
   if (HasNull(table))
-    return Fail(Error::kDamagedTable, "a name in the clip table is a null pointer");
+    return Status::Failure(Error::kDamagedTable, "a name in the clip table is a null pointer");
   return ReadWith([&] { return clip_table::FromStatic(table); });
 }
 

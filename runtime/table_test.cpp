@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "clip-table/random_table.h"
+#include "clip-table/test_tables.h"
 #include "clip-table/write.h"
 
 namespace clipc::runtime {

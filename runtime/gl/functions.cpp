@@ -13,18 +13,16 @@ void Load(Loader loader, const char* name, Function& function) {
 
 Result<Functions> LoadFunctions(Loader loader) noexcept {
   if (loader == nullptr)
-    return {{}, Status::Failure(Error::kInvalidArgument, "no loader of OpenGL functions")};
-  Result<Functions> result;
-  Functions& gl = result.value;
+    return Status::Failure(Error::kInvalidArgument, "no loader of OpenGL functions");
+  Functions gl;
   Load(loader, "glEnable", gl.Enable);
   Load(loader, "glDisable", gl.Disable);
   Load(loader, "glIsEnabled", gl.IsEnabled);
   Load(loader, "glGetIntegerv", gl.GetIntegerv);
   if (!gl.Enable || !gl.Disable || !gl.IsEnabled || !gl.GetIntegerv) {
-    return {{},
-            Status::Failure(
-                Error::kDeviceFailed,
-                "the loader does not find glEnable, glDisable, glIsEnabled or glGetIntegerv")};
+    return Status::Failure(
+        Error::kDeviceFailed,
+        "the loader does not find glEnable, glDisable, glIsEnabled or glGetIntegerv");
   }
   Load(loader, "glClipPlane", gl.ClipPlane);
   Load(loader, "glGetClipPlane", gl.GetClipPlane);
@@ -32,7 +30,7 @@ Result<Functions> LoadFunctions(Loader loader) noexcept {
   Load(loader, "glPushMatrix", gl.PushMatrix);
   Load(loader, "glPopMatrix", gl.PopMatrix);
   Load(loader, "glLoadIdentity", gl.LoadIdentity);
-  return result;
+  return gl;
 }
 
 }  // namespace clipc::runtime::gl
