@@ -20,11 +20,6 @@ std::uint64_t RoundUp(std::uint64_t value, std::uint64_t multiple) {
   return (value + multiple - 1) / multiple * multiple;
 }
 
-std::uint32_t ScalarSize(Scalar kind) {
-  const Scalar base = BaseOf(kind);
-  return base == Scalar::kDouble || base == Scalar::kInt64 || base == Scalar::kUint64 ? 8 : 4;
-}
-
 Std140Extent VectorExtent(std::uint32_t scalar_size, std::uint32_t components) {
   return {scalar_size * components, scalar_size * (components == 3 ? 4 : components)};
 }
@@ -47,7 +42,7 @@ class Comparer {
     const Type& type = types_[id];
     switch (type.kind) {
       case TypeKind::kScalar:
-      case TypeKind::kVector: return VectorExtent(ScalarSize(type.scalar), type.columns);
+      case TypeKind::kVector: return VectorExtent(ByteSize(type.scalar), type.columns);
       case TypeKind::kMatrix: return Matrix(type, row_major);
       case TypeKind::kArray: return Array(id, row_major);
       case TypeKind::kStruct: return Struct(types_.StructOf(id));
@@ -57,7 +52,7 @@ class Comparer {
 
  private:
   std::optional<Std140Extent> Matrix(const Type& type, bool row_major) const {
-    const std::uint32_t scalar_size = ScalarSize(type.scalar);
+    const std::uint32_t scalar_size = ByteSize(type.scalar);
     const Shape shape = ShapeOf(type);
     const std::uint32_t registers = row_major ? type.rows : type.columns;
     const std::uint32_t length = row_major ? type.columns : type.rows;
@@ -208,7 +203,7 @@ std::optional<Std140Extent> Std430(const TypeTable& types, TypeId type, bool row
 
 StructuredExtent Structured(const TypeTable& types, TypeId id) {
   const Type& type = types[id];
-  const std::uint32_t scalar = ScalarSize(type.scalar);
+  const std::uint32_t scalar = ByteSize(type.scalar);
   switch (type.kind) {
     case TypeKind::kArray: {
       const StructuredExtent element = Structured(types, type.element);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -63,6 +64,12 @@ struct GlslInfo {
   std::vector<Object> objects;
   std::uint32_t clip_distance_mask = 0;  // bit i: gl_ClipDistance[i] is written
   std::uint32_t cull_distance_mask = 0;
+
+  // The block of a cbuffer; null when the shader does not reach it.
+  const Block* BlockOf(ir::CbufferId cbuffer) const {
+    const auto found = std::ranges::find(blocks, cbuffer, &Block::cbuffer);
+    return found == blocks.end() ? nullptr : &*found;
+  }
 };
 
 // The whole shader. Requires Form::kLegalized, and that CheckTarget reported no error. The text

@@ -14,11 +14,6 @@ namespace {
 
 constexpr std::uint32_t kWord = 4;
 
-std::uint32_t SizeOf(Scalar kind) {
-  const Scalar base = BaseOf(kind);
-  return base == Scalar::kDouble || base == Scalar::kInt64 || base == Scalar::kUint64 ? 8 : 4;
-}
-
 std::uint32_t RoundUp(std::uint32_t value, std::uint32_t multiple) {
   return (value + multiple - 1) / multiple * multiple;
 }
@@ -76,7 +71,7 @@ std::string Writer::FromWords(const Memory& memory, Scalar kind, int components,
 std::string Writer::LoadVector(const Memory& memory, Scalar kind, int components,
                                const Address& address) {
   const Scalar base = BaseOf(kind);
-  if (SizeOf(kind) == kWord)
+  if (ByteSize(kind) == kWord)
     return FromWords(memory, kind, components, Words(memory, address, components));
   const std::string pack = base == Scalar::kDouble  ? "packDouble2x32("
                            : base == Scalar::kInt64 ? "packInt2x32(ivec2("
@@ -95,7 +90,7 @@ std::string Writer::LoadMatrix(const Memory& memory, const Type& type, bool row_
   const Shape shape = ShapeOf(type);
   const int registers = row_major ? type.rows : type.columns;
   const int length = row_major ? type.columns : type.rows;
-  const std::uint32_t tight = static_cast<std::uint32_t>(length) * SizeOf(type.scalar);
+  const std::uint32_t tight = static_cast<std::uint32_t>(length) * ByteSize(type.scalar);
   const std::uint32_t stride = memory.is_rows ? RoundUp(tight, kRow) : tight;
   if (!shape.HasRows() && registers == 1) return LoadVector(memory, type.scalar, length, address);
 
@@ -119,7 +114,7 @@ std::string Writer::LoadMatrix(const Memory& memory, const Type& type, bool row_
            each(type.columns,
                 [&](std::uint32_t c) {
                   return LoadVector(memory, type.scalar, 1,
-                                    Plus(address, c * stride + r * SizeOf(type.scalar)));
+                                    Plus(address, c * stride + r * ByteSize(type.scalar)));
                 }) +
            ")";
   };

@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "clip-table/random_table.h"
 #include "clip-table/read.h"
+#include "clip-table/test_tables.h"
 #include "clip-table/write.h"
 #include "testdata/table/inputs/two_planes.clip.h"
 

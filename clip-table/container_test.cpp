@@ -5,8 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "clip-table/random_table.h"
 #include "clip-table/read.h"
+#include "clip-table/test_tables.h"
 #include "clip-table/write.h"
 
 // Clip plane blocks inside compiled shaders.

@@ -71,15 +71,15 @@ std::string Quoted(std::string_view text) {
   return quoted + '"';
 }
 
+std::string Literal(const std::string& text) { return Quoted(text); }
+std::string Literal(std::uint32_t number) { return std::to_string(number) + "u"; }
+
 std::string Initializer(const Plane& plane) {
   const Constant constant = plane.constant.value_or(Constant{});
-  const auto number = [](std::uint32_t value) { return std::to_string(value) + "u, "; };
-  return "{" + number(plane.index) + Quoted(plane.text) + ", " +
-         (plane.constant ? "true, " : "false, ") + Quoted(constant.cbuffer) + ", " +
-         number(constant.cbuffer_element) + number(constant.register_number) +
-         number(constant.register_space) + number(constant.float4_register) +
-         number(constant.byte_offset) + Quoted(constant.glsl_block) + ", " +
-         Quoted(constant.glsl_member) + "}";
+  std::string text = "{" + Literal(plane.index) + ", " + Literal(plane.text) +
+                     (plane.constant ? ", true" : ", false");
+  ForEachMember(constant, [&](const char*, const auto& value) { text += ", " + Literal(value); });
+  return text + "}";
 }
 
 std::string HeaderText(const ClipTable& table, std::string_view name) {
@@ -90,11 +90,11 @@ std::string HeaderText(const ClipTable& table, std::string_view name) {
   text += "#pragma once\n\n";
   text += kTypes;
   text += "\ninline constexpr clipc::StaticClipTable " + std::string(name) + " = {\n";
+  const auto count = static_cast<std::uint32_t>(table.planes.size());
   text += "    " + Quoted(table.entry) + ", " + Quoted(table.profile) + ",\n";
   text += "    " + Quoted(NameOf(table.lowering)) + ", " + Quoted(TableNameOf(table.plane_space)) +
           ",\n";
-  text += "    " + std::to_string(table.enable_mask) + "u, " + std::to_string(table.planes.size()) +
-          "u,\n";
+  text += "    " + Literal(table.enable_mask) + ", " + Literal(count) + ",\n";
   text += "    {\n";
   for (const Plane& plane : table.planes) text += "        " + Initializer(plane) + ",\n";
   text += "    }};\n";

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
-#include "clip-table/random_table.h"
 #include "clip-table/read.h"
+#include "clip-table/test_tables.h"
 #include "clip-table/write.h"
 
 // What WriteHeader writes is C++17 that compiles alone, without a warning, and means the table it

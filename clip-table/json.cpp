@@ -20,24 +20,18 @@ using OrderedJson = nlohmann::ordered_json;  // as the schema lists the keys; li
 constexpr std::string_view kSchema = "clipc.clip-table";
 constexpr std::uint32_t kVersion = 1;
 
-OrderedJson ToJson(const Constant& constant) {
-  return OrderedJson{{"cbuffer", constant.cbuffer},
-                     {"cbuffer_element", constant.cbuffer_element},
-                     {"register", constant.register_number},
-                     {"space", constant.register_space},
-                     {"float4_register", constant.float4_register},
-                     {"byte_offset", constant.byte_offset},
-                     {"glsl_block", constant.glsl_block},
-                     {"glsl_member", constant.glsl_member}};
+OrderedJson ToJson(const std::optional<Constant>& constant) {
+  OrderedJson json;  // null
+  if (constant)
+    ForEachMember(*constant, [&](const char* key, const auto& value) { json[key] = value; });
+  return json;
 }
 
 OrderedJson ToJson(const ClipTable& table) {
   OrderedJson planes = OrderedJson::array();
   for (const Plane& plane : table.planes) {
     planes.push_back(
-        OrderedJson{{"index", plane.index},
-                    {"text", plane.text},
-                    {"constant", plane.constant ? ToJson(*plane.constant) : OrderedJson(nullptr)}});
+        {{"index", plane.index}, {"text", plane.text}, {"constant", ToJson(plane.constant)}});
   }
   return OrderedJson{{"schema", kSchema},
                      {"version", kVersion},
@@ -58,19 +52,25 @@ class ObjectReader {
     if (!json_.is_object()) Fail("", "is not an object");
   }
 
-  std::string Text(const char* key) {
+  void Read(const char* key, std::string& to) {
     const Json* value = Find(key);
     if (value && !value->is_string()) Fail(key, "is not a string");
-    return error_.empty() ? value->get<std::string>() : "";
+    if (error_.empty()) to = value->get<std::string>();
   }
 
-  std::uint32_t Number(const char* key) {
+  void Read(const char* key, std::uint32_t& to) {
     const Json* value = Find(key);
     if (value && !(value->is_number_unsigned() &&
                    value->get<std::uint64_t>() <= std::numeric_limits<std::uint32_t>::max())) {
       Fail(key, "is not an integer from 0 to 4294967295");
     }
-    return error_.empty() ? value->get<std::uint32_t>() : 0;
+    if (error_.empty()) to = value->get<std::uint32_t>();
+  }
+
+  std::string Text(const char* key) {
+    std::string text;
+    Read(key, text);
+    return text;
   }
 
   template <typename Enum>
@@ -115,14 +115,7 @@ class ObjectReader {
 Constant ConstantFrom(const Json& json, const std::string& where, std::string& error) {
   ObjectReader object(json, where, error);
   Constant constant;
-  constant.cbuffer = object.Text("cbuffer");
-  constant.cbuffer_element = object.Number("cbuffer_element");
-  constant.register_number = object.Number("register");
-  constant.register_space = object.Number("space");
-  constant.float4_register = object.Number("float4_register");
-  constant.byte_offset = object.Number("byte_offset");
-  constant.glsl_block = object.Text("glsl_block");
-  constant.glsl_member = object.Text("glsl_member");
+  ForEachMember(constant, [&](const char* key, auto& member) { object.Read(key, member); });
   object.NothingElse();
   return constant;
 }
@@ -130,8 +123,8 @@ Constant ConstantFrom(const Json& json, const std::string& where, std::string& e
 Plane PlaneFrom(const Json& json, const std::string& where, std::string& error) {
   ObjectReader object(json, where, error);
   Plane plane;
-  plane.index = object.Number("index");
-  plane.text = object.Text("text");
+  object.Read("index", plane.index);
+  object.Read("text", plane.text);
   if (const Json* constant = object.Find("constant"); constant && !constant->is_null()) {
     plane.constant = ConstantFrom(*constant, where + ".constant", error);
   }
@@ -142,7 +135,8 @@ Plane PlaneFrom(const Json& json, const std::string& where, std::string& error) 
 void CheckVersion(ObjectReader& object) {
   const std::string schema = object.Text("schema");
   if (schema != kSchema) object.Fail("schema", "is \"" + schema + "\"; this is not a clip table");
-  const std::uint32_t version = object.Number("version");
+  std::uint32_t version = 0;
+  object.Read("version", version);
   if (version != kVersion) {
     object.Fail("version", "is " + std::to_string(version) + "; this clipc reads version " +
                                std::to_string(kVersion));
@@ -153,8 +147,8 @@ ClipTable TableFrom(const Json& json, std::string& error) {
   ObjectReader object(json, "", error);
   CheckVersion(object);
   ClipTable table;
-  table.entry = object.Text("entry");
-  table.profile = object.Text("profile");
+  object.Read("entry", table.entry);
+  object.Read("profile", table.profile);
   table.lowering = object.Name("lowering", ParseLowering);
   table.plane_space = object.Name("position_space", ParseTableSpace);
   const std::string scale = object.Text("plane_scale");
@@ -162,7 +156,7 @@ ClipTable TableFrom(const Json& json, std::string& error) {
   if (scale != right)
     object.Fail("plane_scale",
                 "is \"" + scale + "\"; with this lowering it is \"" + std::string(right) + "\"");
-  table.enable_mask = object.Number("enable_mask");
+  object.Read("enable_mask", table.enable_mask);
   const Json* planes = object.Find("planes");
   object.NothingElse();
   if (planes && !planes->is_array()) object.Fail("planes", "is not an array");

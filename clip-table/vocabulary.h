@@ -55,14 +55,17 @@ inline constexpr const char* kLoweringNames[] = {"clip-distance", "level9", "non
                                                  "discard"};
 inline constexpr const char* kPlaneSpaceNames[] = {"clip", "xyw1", "object"};
 
+// What `names`, a table in the order of the enumerators, calls `value`.
+template <typename Enum, std::size_t kCount>
+constexpr const char* NameIn(const char* const (&names)[kCount], Enum value) noexcept {
+  return names[static_cast<std::size_t>(value)];
+}
 constexpr const char* NameOf(Lowering lowering) noexcept {
-  return kLoweringNames[static_cast<std::size_t>(lowering)];
+  return NameIn(kLoweringNames, lowering);
 }
-constexpr const char* NameOf(PlaneSpace space) noexcept {
-  return kPlaneSpaceNames[static_cast<std::size_t>(space)];
-}
+constexpr const char* NameOf(PlaneSpace space) noexcept { return NameIn(kPlaneSpaceNames, space); }
 
-// The enumerator whose name in `names`, a table in the order of the enumerators, is `name`.
+// The enumerator that such a table calls `name`.
 template <typename Enum, std::size_t kCount>
 constexpr std::optional<Enum> EnumeratorOf(std::string_view name,
                                            const char* const (&names)[kCount]) noexcept {

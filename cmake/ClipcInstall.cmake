@@ -13,7 +13,7 @@ endif()
 install(TARGETS ${targets} EXPORT clipc)
 foreach(folder runtime clip-table)
   install(DIRECTORY ${clipc_SOURCE_DIR}/${folder} DESTINATION include/clipc FILES_MATCHING PATTERN *.h
-    PATTERN allocation_count.h EXCLUDE PATTERN test_cameras.h EXCLUDE PATTERN random_table.h EXCLUDE PATTERN json.h EXCLUDE)
+    PATTERN allocation_count.h EXCLUDE PATTERN test_cameras.h EXCLUDE PATTERN test_tables.h EXCLUDE PATTERN json.h EXCLUDE)
 endforeach()
 
 set(package lib/cmake/clipc)

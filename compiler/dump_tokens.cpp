@@ -6,35 +6,29 @@
 
 #include <fmt/format.h>
 
+#include "clip-table/vocabulary.h"
+
 namespace clipc {
 namespace {
 
-const char* NameOf(LiteralKind kind) {
-  switch (kind) {
-    case LiteralKind::kBool: return "bool";
-    case LiteralKind::kInt: return "int";
-    case LiteralKind::kUint: return "uint";
-    case LiteralKind::kInt64: return "int64";
-    case LiteralKind::kUint64: return "uint64";
-    case LiteralKind::kHalf: return "half";
-    case LiteralKind::kFloat: return "float";
-    case LiteralKind::kDouble: return "double";
-    case LiteralKind::kString: return "string";
-  }
-  return "";
-}
+// In the order of the enumerators.
+constexpr const char* kLiteralKinds[] = {"bool", "int",   "uint",   "int64", "uint64",
+                                         "half", "float", "double", "string"};
 
 std::string Describe(const Token& token, const Names& names) {
+  using enum TokenKind;
   switch (token.kind) {
-    case TokenKind::kEnd: return "end";
-    case TokenKind::kIdentifier: return fmt::format("identifier {}", names[token.name()]);
-    case TokenKind::kIntLiteral: return fmt::format("{} {}", NameOf(token.literal), token.value);
-    case TokenKind::kFloatLiteral:
-      return fmt::format("{} {}", NameOf(token.literal), std::bit_cast<double>(token.value));
-    case TokenKind::kStringLiteral: return fmt::format("string \"{}\"", names[token.name()]);
-    case TokenKind::kPragmaPackMatrix:
+    case kEnd: return "end";
+    case kIdentifier: return fmt::format("identifier {}", names[token.name()]);
+    case kIntLiteral:
+      return fmt::format("{} {}", NameIn(kLiteralKinds, token.literal), token.value);
+    case kFloatLiteral:
+      return fmt::format("{} {}", NameIn(kLiteralKinds, token.literal),
+                         std::bit_cast<double>(token.value));
+    case kStringLiteral: return fmt::format("string \"{}\"", names[token.name()]);
+    case kPragmaPackMatrix:
       return fmt::format("pack_matrix {}", token.value ? "row_major" : "column_major");
-    case TokenKind::kUnknown: return "unknown";
+    case kUnknown: return "unknown";
     default: return std::string(SpellingOf(token.kind));
   }
 }

@@ -11,18 +11,24 @@
 namespace clipc {
 namespace {
 
+using Block = glsl::GlslInfo::Block;
+using ir::Program;
+using ir::Type;
+using ir::TypeId;
+using ir::TypeKind;
+using ir::TypeTable;
+
 constexpr std::uint32_t kRegister = 16;
 
 // ".state.planes[2]": what stands `offset` bytes into a value of `type`.
-std::string PathTo(const ir::TypeTable& types, ir::TypeId id, bool row_major,
-                   std::uint32_t offset) {
-  const ir::Type& type = types[id];
-  if (type.kind == ir::TypeKind::kArray) {
+std::string PathTo(const TypeTable& types, TypeId id, bool row_major, std::uint32_t offset) {
+  const Type& type = types[id];
+  if (type.kind == TypeKind::kArray) {
     const std::uint32_t stride = ir::ArrayStride(types, id, row_major);
     return fmt::format("[{}]", offset / stride) +
            PathTo(types, type.element, row_major, offset % stride);
   }
-  if (type.kind == ir::TypeKind::kStruct) {
+  if (type.kind == TypeKind::kStruct) {
     const ir::Struct& structure = types.StructOf(id);
     for (auto field = static_cast<std::uint32_t>(structure.fields.size()); field-- > 0;) {
       const std::uint32_t start = ir::FieldOffset(types, type.structure, field);
@@ -33,15 +39,15 @@ std::string PathTo(const ir::TypeTable& types, ir::TypeId id, bool row_major,
     }
   }
   // A matrix's row is what HLSL's m[i] names, and GLSL's.
-  if (type.kind == ir::TypeKind::kMatrix) return fmt::format("[{}]", offset / kRegister);
+  if (type.kind == TypeKind::kMatrix) return fmt::format("[{}]", offset / kRegister);
   return {};
 }
 
 // "[1][2]" for a buffer of an array of ConstantBuffers, and the type of the buffer itself.
-std::string BufferIndex(const ir::TypeTable& types, ir::TypeId& type, std::uint32_t element,
+std::string BufferIndex(const TypeTable& types, TypeId& type, std::uint32_t element,
                         std::uint32_t count) {
   std::string path;
-  while (types[type].kind == ir::TypeKind::kArray && count > 1) {
+  while (types[type].kind == TypeKind::kArray && count > 1) {
     count /= types[type].count;
     path += fmt::format("[{}]", element / count);
     element %= count;
@@ -52,13 +58,13 @@ std::string BufferIndex(const ir::TypeTable& types, ir::TypeId& type, std::uint3
 
 // The GLSL name of what stands `offset` bytes into one buffer: a member of it, or a field of a
 // ConstantBuffer's struct.
-std::string MemberName(const ir::Program& program, const glsl::GlslInfo::Block& block,
-                       const ir::Cbuffer& cbuffer, std::uint32_t element, std::uint32_t offset) {
-  const ir::TypeTable& types = program.types;
+std::string MemberName(const Program& program, const Block& block, const ir::Cbuffer& cbuffer,
+                       std::uint32_t element, std::uint32_t offset) {
+  const TypeTable& types = program.types;
   for (const ir::CbufferMember& member : cbuffer.members) {
     if (offset < member.offset || offset - member.offset >= std::max(member.size, 1u)) continue;
     const ir::Var& var = program.vars[member.var];
-    ir::TypeId type = var.type;
+    TypeId type = var.type;
     const std::string index = BufferIndex(types, type, element, cbuffer.count);
     const std::uint32_t rest = offset - member.offset;
     const glsl::GlslInfo::Member* found = nullptr;
@@ -77,16 +83,14 @@ std::string MemberName(const ir::Program& program, const glsl::GlslInfo::Block& 
   return {};
 }
 
-void NameInGlsl(const ir::Program& program, const ir::ClipPlane& plane, const glsl::GlslInfo& info,
+void NameInGlsl(const Program& program, const ir::ClipPlane& plane, const glsl::GlslInfo& info,
                 clip_table::Constant& constant) {
-  const auto block =
-      std::find_if(info.blocks.begin(), info.blocks.end(),
-                   [&](const glsl::GlslInfo::Block& b) { return b.cbuffer == plane.cbuffer; });
-  if (block == info.blocks.end()) return;
+  const Block* block = info.BlockOf(plane.cbuffer);
+  if (!block) return;
   const ir::Cbuffer& cbuffer = program.cbuffers[plane.cbuffer];
   constant.glsl_block = block->name;
   if (cbuffer.count > 1 && !block->name.empty()) {
-    ir::TypeId type = program.vars[cbuffer.members.front().var].type;
+    TypeId type = program.vars[cbuffer.members.front().var].type;
     constant.glsl_block += BufferIndex(program.types, type, plane.element, cbuffer.count);
   }
   constant.glsl_member = block->form == glsl::BlockForm::kRows
@@ -97,7 +101,7 @@ void NameInGlsl(const ir::Program& program, const ir::ClipPlane& plane, const gl
 }  // namespace
 
 clip_table::ClipTable MakeClipTable(const Lowered& lowered, const glsl::GlslInfo& info) {
-  const ir::Program& program = lowered.program;
+  const Program& program = lowered.program;
   clip_table::ClipTable table;
   table.entry = program.functions[program.entry].name;
   table.profile = program.profile.name;

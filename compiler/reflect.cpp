@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/reflect.h"
 
-#include <algorithm>
-
 #include <nlohmann/json.hpp>
 
 #include "ir/packing.h"
@@ -10,6 +8,10 @@
 namespace clipc {
 namespace {
 
+using clip_table::ClipTable;
+using glsl::GlslInfo;
+using ir::IoVar;
+using ir::Program;
 using Json = nlohmann::ordered_json;
 
 Json ToJson(const ir::Register& reg) {
@@ -18,75 +20,40 @@ Json ToJson(const ir::Register& reg) {
           {"explicit", reg.is_explicit}};
 }
 
-const char* NameOf(ir::Interpolation interpolation) {
-  switch (interpolation) {
-    case ir::Interpolation::kDefault: return nullptr;
-    case ir::Interpolation::kLinear: return "linear";
-    case ir::Interpolation::kNoInterpolation: return "nointerpolation";
-    case ir::Interpolation::kNoPerspective: return "noperspective";
-  }
-  return nullptr;
-}
+// Names in the order of the enumerators.
+constexpr const char* kInterpolations[] = {"", "linear", "nointerpolation", "noperspective"};
+constexpr const char* kCbufferKinds[] = {"cbuffer", "tbuffer", "globals", "params",
+                                         "ConstantBuffer"};
+constexpr const char* kBlockForms[] = {"std140", "rows", "uniforms"};
 
-const char* NameOf(ir::CbufferKind kind) {
-  switch (kind) {
-    case ir::CbufferKind::kCbuffer: return "cbuffer";
-    case ir::CbufferKind::kTbuffer: return "tbuffer";
-    case ir::CbufferKind::kGlobals: return "globals";
-    case ir::CbufferKind::kParams: return "params";
-    case ir::CbufferKind::kConstantBuffer: return "ConstantBuffer";
-  }
-  return "";
-}
-
-const char* NameOf(glsl::BlockForm form) {
-  switch (form) {
-    case glsl::BlockForm::kStd140: return "std140";
-    case glsl::BlockForm::kRows: return "rows";
-    case glsl::BlockForm::kUniforms: return "uniforms";
-  }
-  return "";
-}
-
-Json InputOrOutput(const ir::Program& program, const ir::IoVar& io,
-                   const glsl::GlslInfo::Variable* written) {
+Json InputOrOutput(const Program& program, const IoVar& io, const GlslInfo::Variable& written) {
   Json json = {{"semantic", io.semantic},
                {"index", io.index},
-               {"type", program.types.Name(program.vars[io.var].type)}};
-  if (written) {
-    json["name"] = written->name;
-    if (written->location) json["location"] = *written->location;
-    if (written->needs_base_vertex_zero) json["needsBaseVertexZero"] = true;
-    if (written->integer_as_float) json["integerAsFloat"] = true;
-  }
+               {"type", program.types.Name(program.vars[io.var].type)},
+               {"name", written.name}};
+  if (written.location) json["location"] = *written.location;
+  if (written.needs_base_vertex_zero) json["needsBaseVertexZero"] = true;
+  if (written.integer_as_float) json["integerAsFloat"] = true;
   json["builtin"] = io.builtin != ir::Builtin::kNone;
-  if (const char* name = NameOf(io.interpolation)) json["interpolation"] = name;
+  if (io.interpolation != ir::Interpolation::kDefault)
+    json["interpolation"] = NameIn(kInterpolations, io.interpolation);
   if (io.centroid) json["centroid"] = true;
   if (io.sample) json["sample"] = true;
   return json;
 }
 
-// Every input of the signature, whether the shader reads it or not.
-Json Inputs(const ir::Program& program, const std::vector<glsl::GlslInfo::Variable>& written) {
+// Every input or output of the signature; an input says whether the shader reads it.
+Json Signature(const Program& program, const std::vector<IoVar>& signature,
+               const std::vector<GlslInfo::Variable>& written, bool is_input) {
   Json json = Json::array();
-  for (std::size_t i = 0; i < program.inputs.size(); ++i) {
-    json.push_back(
-        InputOrOutput(program, program.inputs[i], i < written.size() ? &written[i] : nullptr));
-    json.back()["used"] = i < written.size() && written[i].is_used;
+  for (std::size_t i = 0; i < signature.size(); ++i) {
+    json.push_back(InputOrOutput(program, signature[i], written[i]));
+    if (is_input) json.back()["used"] = written[i].is_used;
   }
   return json;
 }
 
-Json Outputs(const ir::Program& program, const std::vector<glsl::GlslInfo::Variable>& written) {
-  Json json = Json::array();
-  for (std::size_t i = 0; i < program.outputs.size(); ++i) {
-    json.push_back(
-        InputOrOutput(program, program.outputs[i], i < written.size() ? &written[i] : nullptr));
-  }
-  return json;
-}
-
-Json Field(const ir::Program& program, ir::TypeId type, int index) {
+Json Field(const Program& program, ir::TypeId type, int index) {
   const ir::TypeTable& types = program.types;
   while (types[type].kind == ir::TypeKind::kArray) type = types[type].element;
   const auto number = static_cast<std::uint32_t>(index);
@@ -99,8 +66,7 @@ Json Field(const ir::Program& program, ir::TypeId type, int index) {
   return json;
 }
 
-Json Member(const ir::Program& program, const ir::CbufferMember& member,
-            const glsl::GlslInfo::Block* block) {
+Json Member(const Program& program, const ir::CbufferMember& member, const GlslInfo::Block* block) {
   const ir::Var& var = program.vars[member.var];
   Json json = {{"name", var.name},
                {"type", program.types.Name(var.type)},
@@ -108,7 +74,7 @@ Json Member(const ir::Program& program, const ir::CbufferMember& member,
                {"size", member.size}};
   if (var.row_major) json["rowMajor"] = true;
   if (!block) return json;
-  for (const glsl::GlslInfo::Member& named : block->members) {
+  for (const GlslInfo::Member& named : block->members) {
     if (named.var != member.var) continue;
     // A ConstantBuffer's fields are members of the GLSL block.
     Json& entry =
@@ -125,20 +91,17 @@ void AddBinding(const std::optional<std::uint32_t>& set,
   if (binding) to["binding"] = *binding;
 }
 
-Json Cbuffer(const ir::Program& program, ir::CbufferId id, const glsl::GlslInfo& info) {
+Json Cbuffer(const Program& program, ir::CbufferId id, const GlslInfo& info) {
   const ir::Cbuffer& cbuffer = program.cbuffers[id];
-  const auto found = std::find_if(info.blocks.begin(), info.blocks.end(),
-                                  [&](const auto& block) { return block.cbuffer == id; });
-  const glsl::GlslInfo::Block* block = found == info.blocks.end() ? nullptr : &*found;
-
-  Json json = {{"name", cbuffer.name}, {"kind", NameOf(cbuffer.kind)}};
+  const GlslInfo::Block* block = info.BlockOf(id);
+  Json json = {{"name", cbuffer.name}, {"kind", NameIn(kCbufferKinds, cbuffer.kind)}};
   json.update(ToJson(cbuffer.reg));
   json["size"] = cbuffer.size;
   if (cbuffer.count != 1) json["count"] = cbuffer.count;
   json["used"] = block != nullptr;
   if (block) {
     Json& glsl = json["glsl"];
-    glsl["layout"] = NameOf(block->form);
+    glsl["layout"] = NameIn(kBlockForms, block->form);
     if (!block->name.empty()) glsl["block"] = block->name;
     if (!block->instance.empty()) glsl["instance"] = block->instance;
     if (!block->rows.empty()) glsl["rows"] = block->rows;
@@ -150,9 +113,9 @@ Json Cbuffer(const ir::Program& program, ir::CbufferId id, const glsl::GlslInfo&
   return json;
 }
 
-Json Objects(const ir::Program& program, const glsl::GlslInfo& info) {
+Json Objects(const Program& program, const GlslInfo& info) {
   Json list = Json::array();
-  for (const glsl::GlslInfo::Object& object : info.objects) {
+  for (const GlslInfo::Object& object : info.objects) {
     Json json = {{"glsl", object.name}};
     AddBinding(object.set, object.binding, json);
     for (const auto& [key, var] :
@@ -169,7 +132,7 @@ Json Objects(const ir::Program& program, const glsl::GlslInfo& info) {
   return list;
 }
 
-Json Planes(const clip_table::ClipTable& table) {
+Json Planes(const ClipTable& table) {
   Json list = Json::array();
   for (const clip_table::Plane& plane : table.planes) {
     Json json = {{"index", plane.index}, {"text", plane.text}};
@@ -191,13 +154,13 @@ Json Planes(const clip_table::ClipTable& table) {
 
 std::string Reflect(const Lowered& lowered, const glsl::GlslInfo& info,
                     const clip_table::ClipTable& table) {
-  const ir::Program& program = lowered.program;
+  const Program& program = lowered.program;
   Json json = {{"version", 1},
                {"entry", table.entry},
                {"profile", table.profile},
                {"target", lowered.target.name()}};
-  json["inputs"] = Inputs(program, info.inputs);
-  json["outputs"] = Outputs(program, info.outputs);
+  json["inputs"] = Signature(program, program.inputs, info.inputs, true);
+  json["outputs"] = Signature(program, program.outputs, info.outputs, false);
   json["cbuffers"] = Json::array();
   for (ir::CbufferId id : program.cbuffers.ids())
     json["cbuffers"].push_back(Cbuffer(program, id, info));

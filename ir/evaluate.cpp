@@ -83,17 +83,14 @@ void Machine::Unpack(const std::vector<std::uint8_t>& bytes, std::uint64_t offse
     return;
   }
   if (type.kind == TypeKind::kObject) return void(++to);
-  const std::uint32_t size =
-      PackedExtent(program_.types, id, row_major).size / std::max(type.Components(), 1u);
-  for (std::uint32_t i = 0; i < type.Components(); ++i) {
-    *to++ = UnpackComponent(bytes, offset + std::uint64_t{i} * size, type.scalar);
-  }
+  const std::uint64_t size = ByteSize(type.scalar);
+  for (std::uint32_t i = 0; i < type.Components(); ++i)
+    *to++ = UnpackComponent(bytes, offset + i * size, type.scalar);
 }
 
 void Machine::UnpackMatrix(const std::vector<std::uint8_t>& bytes, std::uint64_t offset,
                            const Type& type, bool row_major, Word*& to) {
-  const std::uint32_t size =
-      type.scalar == Scalar::kDouble || BaseOf(type.scalar) >= Scalar::kInt64 ? 8 : 4;
+  const std::uint32_t size = ByteSize(type.scalar);
   const std::uint32_t length = row_major ? type.columns : type.rows;
   const std::uint32_t stride = (length * size + 15) / 16 * 16;
   for (std::uint32_t row = 0; row < type.rows; ++row) {
@@ -107,14 +104,11 @@ void Machine::UnpackMatrix(const std::vector<std::uint8_t>& bytes, std::uint64_t
 
 Word Machine::UnpackComponent(const std::vector<std::uint8_t>& bytes, std::uint64_t offset,
                               Scalar kind) const {
-  const Scalar base = BaseOf(kind);
-  const std::uint64_t size =
-      base == Scalar::kDouble || base == Scalar::kInt64 || base == Scalar::kUint64 ? 8 : 4;
   Word bits = 0;
-  for (std::uint64_t i = 0; i < size; ++i) {
+  for (std::uint64_t i = 0; i < ByteSize(kind); ++i) {
     if (offset + i < bytes.size()) bits |= Word{bytes[offset + i]} << (8 * i);
   }
-  if (base == Scalar::kBool) return bits != 0 ? 1 : 0;
+  if (kind == Scalar::kBool) return bits != 0 ? 1 : 0;
   return FromBits(bits, kind);
 }
 
@@ -155,13 +149,7 @@ void Machine::InitialiseGlobals() {
 }
 
 void Machine::Initialise(VarId var) {
-  const ExprId init = program_.vars[var].init;
-  if (!init) return;
-  const std::size_t base = stack_.size();
-  Eval(init);
-  std::copy(stack_.begin() + static_cast<std::ptrdiff_t>(base), stack_.end(),
-            memory_.begin() + address_[var.index]);
-  stack_.resize(base);
+  if (const ExprId init = program_.vars[var].init) EvalInto(init, address_[var.index]);
 }
 
 // ---- how values lie in words

@@ -8,7 +8,7 @@
 
 namespace clipc::ir {
 
-void Machine::EvalCall(const Call& node) {
+void Machine::EvalNode(ExprId, const Call& node) {
   const Function& function = program_.functions[node.function];
   const std::size_t base = stack_.size();
   std::vector<std::pair<VarId, Place>> written;
@@ -33,8 +33,7 @@ void Machine::EvalCall(const Call& node) {
   std::size_t from = base;
   for (VarId parameter : function.parameters) {
     const std::uint32_t words = WordsOf(program_.vars[parameter].type);
-    std::copy_n(stack_.begin() + static_cast<std::ptrdiff_t>(from), words,
-                memory_.begin() + address_[parameter.index]);
+    Store({.address = address_[parameter.index]}, words, stack_.data() + from);
     from += words;
   }
   stack_.resize(base);
@@ -45,7 +44,7 @@ void Machine::EvalCall(const Call& node) {
   }
 }
 
-void Machine::EvalIntrinsic(ExprId expr, const IntrinsicCall& node) {
+void Machine::EvalNode(ExprId expr, const IntrinsicCall& node) {
   if (node.arguments.size > 1 && WritesArgument(node.op, 1)) return EvalWriting(node);
   const IntrinsicCategory category = CategoryOf(node.op);
   if (category == IntrinsicCategory::kBits) return EvalBits(expr, node);
@@ -148,7 +147,7 @@ void Machine::EvalWriting(const IntrinsicCall& node) {
   if (!has_value) stack_.resize(base);
 }
 
-void Machine::EvalObjectCall(ExprId expr, const ObjectCall& node) {
+void Machine::EvalNode(ExprId expr, const ObjectCall& node) {
   const std::uint32_t words = WordsOf(expr);
   const std::size_t base = stack_.size();
   ObjectRequest request{.op = node.op, .object = {}, .sampler = {}, .arguments = {}};

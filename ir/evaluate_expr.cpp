@@ -8,40 +8,50 @@
 namespace clipc::ir {
 
 void Machine::EvalNode(ExprId expr) {
-  std::visit(
-      Overloaded{
-          [&](const Literal& n) { stack_.push_back(FromBits(n.bits, TypeOf(expr).scalar)); },
-          [&](const Zero&) { PushZeros(WordsOf(expr)); },
-          [&](const VarRef& n) { EvalVarRef(n); },
-          [&](const FieldRef&) { EvalPart(expr); },
-          [&](const Index&) { EvalPart(expr); },
-          [&](const Swizzle& n) { EvalSwizzle(n); },
-          [&](const MatrixSwizzle& n) { EvalMatrixSwizzle(n); },
-          [&](const Unary& n) { EvalUnary(n); },
-          [&](const Binary& n) { EvalBinary(n); },
-          [&](const Assign& n) { EvalAssign(n); },
-          [&](const Conditional& n) { Eval(Test(n.condition) ? n.when_true : n.when_false); },
-          [&](const Select& n) { EvalSelect(n); },
-          [&](const Convert& n) { EvalConvert(expr, n); },
-          [&](const Splat& n) {
-            Eval(n.operand);
-            stack_.resize(stack_.size() + WordsOf(expr) - 1, stack_.back());
-          },
-          [&](const Construct& n) {
-            for (ExprId argument : program_.expr_lists[n.arguments]) Eval(argument);
-          },
-          [&](const MatrixTruncate& n) { EvalTruncate(expr, n); },
-          [&](const Call& n) { EvalCall(n); },
-          [&](const IntrinsicCall& n) { EvalIntrinsic(expr, n); },
-          [&](const ObjectCall& n) { EvalObjectCall(expr, n); },
-          [&](const Comma& n) {
-            const std::size_t base = stack_.size();
-            Eval(n.first);
-            stack_.resize(base);
-            Eval(n.second);
-          },
-      },
-      program_.exprs[expr].node);
+  std::visit([&](const auto& node) { EvalNode(expr, node); }, program_.exprs[expr].node);
+}
+
+void Machine::EvalNode(ExprId expr, const Literal& node) {
+  stack_.push_back(FromBits(node.bits, TypeOf(expr).scalar));
+}
+
+void Machine::EvalNode(ExprId, const Conditional& node) {
+  Eval(Test(node.condition) ? node.when_true : node.when_false);
+}
+
+void Machine::EvalNode(ExprId expr, const Splat& node) {
+  Eval(node.operand);
+  stack_.resize(stack_.size() + WordsOf(expr) - 1, stack_.back());
+}
+
+void Machine::EvalNode(ExprId, const Construct& node) {
+  for (ExprId argument : program_.expr_lists[node.arguments]) Eval(argument);
+}
+
+void Machine::EvalNode(ExprId, const Comma& node) {
+  EvalAndDrop(node.first);
+  Eval(node.second);
+}
+
+void Machine::EvalAndDrop(ExprId expr) {
+  const std::size_t base = stack_.size();
+  Eval(expr);
+  stack_.resize(base);
+}
+
+Word Machine::EvalScalar(ExprId expr) {
+  Eval(expr);
+  const Word word = stack_.back();
+  stack_.pop_back();
+  return word;
+}
+
+void Machine::EvalInto(ExprId expr, std::uint32_t address) {
+  const std::size_t base = stack_.size();
+  Eval(expr);
+  Store({.address = address}, static_cast<std::uint32_t>(stack_.size() - base),
+        stack_.data() + base);
+  stack_.resize(base);
 }
 
 void Machine::Keep(std::size_t base, std::size_t from, std::uint32_t words) {
@@ -50,9 +60,16 @@ void Machine::Keep(std::size_t base, std::size_t from, std::uint32_t words) {
   stack_.resize(base + words);
 }
 
+void Machine::Keep(std::size_t base, int count, const std::array<std::size_t, 4>& places) {
+  std::array<Word, 4> kept{};
+  for (int i = 0; i < count; ++i) kept[i] = stack_[base + places[i]];
+  stack_.resize(base);
+  stack_.insert(stack_.end(), kept.begin(), kept.begin() + count);
+}
+
 // ---- variables and their parts
 
-void Machine::EvalVarRef(const VarRef& node) {
+void Machine::EvalNode(ExprId, const VarRef& node) {
   if (only_constants_) return EvalConstantVar(node.var);
   PushFrom({.address = address_[node.var.index]}, program_.vars[node.var].type);
 }
@@ -85,10 +102,7 @@ void Machine::EvalPart(ExprId expr) {
 }
 
 std::optional<std::uint32_t> Machine::IndexInto(const Type& base, ExprId index) {
-  Eval(index);
-  const Scalar rep = RepOf(index);
-  const Word word = ConvertBits(stack_.back(), rep, Scalar::kInt64);
-  stack_.pop_back();
+  const Word word = ConvertBits(EvalScalar(index), RepOf(index), Scalar::kInt64);
   const std::uint32_t count = base.kind == TypeKind::kArray    ? base.count
                               : base.kind == TypeKind::kMatrix ? base.rows
                                                                : base.columns;
@@ -144,29 +158,26 @@ void Machine::Store(const Place& place, std::uint32_t words, const Word* from) {
   }
 }
 
-void Machine::EvalSwizzle(const Swizzle& node) {
+void Machine::EvalNode(ExprId, const Swizzle& node) {
   const std::size_t base = stack_.size();
   Eval(node.base);
-  std::array<Word, 4> words{};
-  for (int i = 0; i < node.count; ++i) words[i] = stack_[base + node.components[i]];
-  stack_.resize(base);
-  stack_.insert(stack_.end(), words.begin(), words.begin() + node.count);
+  std::array<std::size_t, 4> places{};
+  for (int i = 0; i < node.count; ++i) places[i] = node.components[i];
+  Keep(base, node.count, places);
 }
 
-void Machine::EvalMatrixSwizzle(const MatrixSwizzle& node) {
+void Machine::EvalNode(ExprId, const MatrixSwizzle& node) {
   const std::size_t base = stack_.size();
   Eval(node.base);
   const std::size_t columns = TypeOf(node.base).columns;
-  std::array<Word, 4> words{};
-  for (int i = 0; i < node.count; ++i)
-    words[i] = stack_[base + node.rows[i] * columns + node.columns[i]];
-  stack_.resize(base);
-  stack_.insert(stack_.end(), words.begin(), words.begin() + node.count);
+  std::array<std::size_t, 4> places{};
+  for (int i = 0; i < node.count; ++i) places[i] = node.rows[i] * columns + node.columns[i];
+  Keep(base, node.count, places);
 }
 
 // ---- operators
 
-void Machine::EvalUnary(const Unary& node) {
+void Machine::EvalNode(ExprId, const Unary& node) {
   const Scalar rep = RepOf(node.operand);
   const std::uint32_t words = WordsOf(node.operand);
   const std::size_t base = stack_.size();
@@ -187,7 +198,7 @@ void Machine::EvalUnary(const Unary& node) {
   Keep(base, is_post ? base : base + words, words);
 }
 
-void Machine::EvalBinary(const Binary& node) {
+void Machine::EvalNode(ExprId, const Binary& node) {
   // Both sides of a constant are constant, and so may be evaluated.
   if (IsShortCircuit(node.op) && !only_constants_) return EvalShortCircuit(node);
   const Scalar rep = RepOf(node.left);
@@ -210,7 +221,7 @@ void Machine::EvalShortCircuit(const Binary& node) {
   stack_.push_back(left ? 1 : 0);
 }
 
-void Machine::EvalAssign(const Assign& node) {
+void Machine::EvalNode(ExprId, const Assign& node) {
   const Scalar rep = RepOf(node.target);
   const std::uint32_t words = WordsOf(node.target);
   const std::size_t base = stack_.size();
@@ -226,7 +237,7 @@ void Machine::EvalAssign(const Assign& node) {
   Store(place, words, stack_.data() + base);
 }
 
-void Machine::EvalSelect(const Select& node) {
+void Machine::EvalNode(ExprId, const Select& node) {
   const std::uint32_t words = WordsOf(node.condition);
   const std::size_t base = stack_.size();
   Eval(node.condition);
@@ -238,7 +249,7 @@ void Machine::EvalSelect(const Select& node) {
   stack_.resize(base + words);
 }
 
-void Machine::EvalConvert(ExprId expr, const Convert& node) {
+void Machine::EvalNode(ExprId expr, const Convert& node) {
   const std::size_t base = stack_.size();
   Eval(node.operand);
   const Scalar from = RepOf(node.operand);
@@ -246,7 +257,7 @@ void Machine::EvalConvert(ExprId expr, const Convert& node) {
   for (std::size_t i = base; i < stack_.size(); ++i) stack_[i] = ConvertBits(stack_[i], from, to);
 }
 
-void Machine::EvalTruncate(ExprId expr, const MatrixTruncate& node) {
+void Machine::EvalNode(ExprId expr, const MatrixTruncate& node) {
   const std::size_t base = stack_.size();
   Eval(node.operand);
   const std::size_t from_columns = TypeOf(node.operand).columns;

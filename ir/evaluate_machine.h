@@ -71,10 +71,17 @@ class Machine {
   bool Step();  // false: the limit is reached
   Flow Exec(StmtId stmt);
   Flow ExecList(List<StmtId> list);
-  Flow ExecDeclare(const Declare& node);
-  Flow ExecFor(const For& node);
-  Flow ExecDoWhile(const DoWhile& node);
-  Flow ExecSwitch(const Switch& node);
+  Flow Exec(const Block& node) { return ExecList(node.body); }
+  Flow Exec(const Declare& node);
+  Flow Exec(const Evaluate& node);
+  Flow Exec(const If& node);
+  Flow Exec(const For& node);
+  Flow Exec(const While& node) { return Loop(node.condition, {}, node.body); }
+  Flow Exec(const DoWhile& node);
+  Flow Exec(const Switch& node);
+  Flow Exec(const Return& node);
+  Flow Exec(const Break&) { return Flow::kBreak; }
+  Flow Exec(const Continue&) { return Flow::kContinue; }
   Flow Loop(ExprId condition, ExprId step, StmtId body);
   bool Test(ExprId condition);
   void CallFunction(FunctionId function, std::size_t base);
@@ -82,17 +89,28 @@ class Machine {
   // evaluate_expr.cpp: each pushes the value of the node
   void Eval(ExprId expr) { only_constants_ ? EvalConstant(expr) : EvalNode(expr); }
   void EvalNode(ExprId expr);
-  void EvalVarRef(const VarRef& node);
-  void EvalPart(ExprId expr);  // FieldRef, Index
-  void EvalSwizzle(const Swizzle& node);
-  void EvalMatrixSwizzle(const MatrixSwizzle& node);
-  void EvalUnary(const Unary& node);
-  void EvalBinary(const Binary& node);
+  void EvalNode(ExprId expr, const Literal& node);
+  void EvalNode(ExprId expr, const Zero&) { PushZeros(WordsOf(expr)); }
+  void EvalNode(ExprId expr, const VarRef& node);
+  void EvalNode(ExprId expr, const FieldRef&) { EvalPart(expr); }
+  void EvalNode(ExprId expr, const Index&) { EvalPart(expr); }
+  void EvalNode(ExprId expr, const Swizzle& node);
+  void EvalNode(ExprId expr, const MatrixSwizzle& node);
+  void EvalNode(ExprId expr, const Unary& node);
+  void EvalNode(ExprId expr, const Binary& node);
+  void EvalNode(ExprId expr, const Assign& node);
+  void EvalNode(ExprId expr, const Conditional& node);
+  void EvalNode(ExprId expr, const Select& node);
+  void EvalNode(ExprId expr, const Convert& node);
+  void EvalNode(ExprId expr, const Splat& node);
+  void EvalNode(ExprId expr, const Construct& node);
+  void EvalNode(ExprId expr, const MatrixTruncate& node);
+  void EvalNode(ExprId expr, const Comma& node);
+  void EvalAndDrop(ExprId expr);  // pushes nothing
+  Word EvalScalar(ExprId expr);   // gives the word and pushes nothing
+  void EvalInto(ExprId expr, std::uint32_t address);
+  void EvalPart(ExprId expr);
   void EvalShortCircuit(const Binary& node);
-  void EvalAssign(const Assign& node);
-  void EvalSelect(const Select& node);
-  void EvalConvert(ExprId expr, const Convert& node);
-  void EvalTruncate(ExprId expr, const MatrixTruncate& node);
   bool IsPath(ExprId expr) const;
   Place Locate(ExprId expr);
   // Evaluates the index; none when it is out of bounds.
@@ -103,13 +121,15 @@ class Machine {
   void PushUndefined(TypeId type);
   // Keeps `words` words at `from` of those after `base`.
   void Keep(std::size_t base, std::size_t from, std::uint32_t words);
+  // Keeps `count` of those after `base`, at the given places.
+  void Keep(std::size_t base, int count, const std::array<std::size_t, 4>& places);
 
   // evaluate_call.cpp
-  void EvalCall(const Call& node);
-  void EvalIntrinsic(ExprId expr, const IntrinsicCall& node);
+  void EvalNode(ExprId expr, const Call& node);
+  void EvalNode(ExprId expr, const IntrinsicCall& node);
+  void EvalNode(ExprId expr, const ObjectCall& node);
   void EvalBits(ExprId expr, const IntrinsicCall& node);
   void EvalWriting(const IntrinsicCall& node);
-  void EvalObjectCall(ExprId expr, const ObjectCall& node);
 
   // evaluate_constant.cpp
   void EvalConstant(ExprId expr);

@@ -18,12 +18,13 @@ Word Truth(bool value) { return value ? 1 : 0; }
 
 template <typename T>
 Word Comparison(BinaryOp op, T left, T right) {
+  using enum BinaryOp;
   switch (op) {
-    case BinaryOp::kLess: return Truth(left < right);
-    case BinaryOp::kGreater: return Truth(left > right);
-    case BinaryOp::kLessEqual: return Truth(left <= right);
-    case BinaryOp::kGreaterEqual: return Truth(left >= right);
-    case BinaryOp::kEqual: return Truth(left == right);
+    case kLess: return Truth(left < right);
+    case kGreater: return Truth(left > right);
+    case kLessEqual: return Truth(left <= right);
+    case kGreaterEqual: return Truth(left >= right);
+    case kEqual: return Truth(left == right);
     default: return Truth(left != right);
   }
 }
@@ -40,13 +41,14 @@ T TruncatedRemainder(T x, T y) {
 
 template <typename T>
 Word FloatBinary(BinaryOp op, T left, T right) {
+  using enum BinaryOp;
   if (IsComparison(op)) return Comparison(op, left, right);
   switch (op) {
-    case BinaryOp::kMul: return BitsOf(left * right);
-    case BinaryOp::kDiv: return BitsOf(left / right);
-    case BinaryOp::kMod: return BitsOf(TruncatedRemainder(left, right));
-    case BinaryOp::kAdd: return BitsOf(left + right);
-    default: CLIPC_CHECK(op == BinaryOp::kSub); return BitsOf(left - right);
+    case kMul: return BitsOf(left * right);
+    case kDiv: return BitsOf(left / right);
+    case kMod: return BitsOf(TruncatedRemainder(left, right));
+    case kAdd: return BitsOf(left + right);
+    default: CLIPC_CHECK(op == kSub); return BitsOf(left - right);
   }
 }
 
@@ -71,22 +73,23 @@ Unsigned SignedDivide(Unsigned left, Unsigned right, bool remainder) {
 
 template <typename Unsigned>
 Unsigned IntegerBinary(BinaryOp op, Unsigned left, Unsigned right, bool is_signed) {
+  using enum BinaryOp;
   using Signed = std::make_signed_t<Unsigned>;
   const Unsigned count = right & (std::numeric_limits<Unsigned>::digits - 1);
   switch (op) {
-    case BinaryOp::kMul: return left * right;
-    case BinaryOp::kDiv:
-    case BinaryOp::kMod:
-      return is_signed ? SignedDivide(left, right, op == BinaryOp::kMod)
-                       : UnsignedDivide(left, right, op == BinaryOp::kMod);
-    case BinaryOp::kAdd: return left + right;
-    case BinaryOp::kSub: return left - right;
-    case BinaryOp::kShiftLeft: return left << count;
-    case BinaryOp::kShiftRight:
+    case kMul: return left * right;
+    case kDiv:
+    case kMod:
+      return is_signed ? SignedDivide(left, right, op == kMod)
+                       : UnsignedDivide(left, right, op == kMod);
+    case kAdd: return left + right;
+    case kSub: return left - right;
+    case kShiftLeft: return left << count;
+    case kShiftRight:
       return is_signed ? static_cast<Unsigned>(static_cast<Signed>(left) >> count) : left >> count;
-    case BinaryOp::kBitAnd: return left & right;
-    case BinaryOp::kBitXor: return left ^ right;
-    default: CLIPC_CHECK(op == BinaryOp::kBitOr); return left | right;
+    case kBitAnd: return left & right;
+    case kBitXor: return left ^ right;
+    default: CLIPC_CHECK(op == kBitOr); return left | right;
   }
 }
 
@@ -103,49 +106,44 @@ Word BoolBinary(BinaryOp op, Word left, Word right) {
 
 // ---- component-wise intrinsics
 
-// Through double: the result is rounded once, the same on every host.
-template <typename T, typename F>
-T Rounded(F function, T x) {
-  return static_cast<T>(function(static_cast<double>(x)));
-}
-
-template <typename T>
-T Transcendental(Intrinsic op, T value) {
-  const double x = value;
+// Through double: the caller rounds the result once, the same on every host.
+double Transcendental(Intrinsic op, double x) {
+  using enum Intrinsic;
   switch (op) {
-    case Intrinsic::kAcos: return static_cast<T>(std::acos(x));
-    case Intrinsic::kAsin: return static_cast<T>(std::asin(x));
-    case Intrinsic::kAtan: return static_cast<T>(std::atan(x));
-    case Intrinsic::kCos: return static_cast<T>(std::cos(x));
-    case Intrinsic::kCosh: return static_cast<T>(std::cosh(x));
-    case Intrinsic::kExp: return static_cast<T>(std::exp(x));
-    case Intrinsic::kExp2: return static_cast<T>(std::exp2(x));
-    case Intrinsic::kLog: return static_cast<T>(std::log(x));
-    case Intrinsic::kLog10: return static_cast<T>(std::log10(x));
-    case Intrinsic::kLog2: return static_cast<T>(std::log2(x));
-    case Intrinsic::kRsqrt: return static_cast<T>(1 / std::sqrt(x));
-    case Intrinsic::kSin: return static_cast<T>(std::sin(x));
-    case Intrinsic::kSinh: return static_cast<T>(std::sinh(x));
-    case Intrinsic::kTan: return static_cast<T>(std::tan(x));
-    default: CLIPC_CHECK(op == Intrinsic::kTanh); return static_cast<T>(std::tanh(x));
+    case kAcos: return std::acos(x);
+    case kAsin: return std::asin(x);
+    case kAtan: return std::atan(x);
+    case kCos: return std::cos(x);
+    case kCosh: return std::cosh(x);
+    case kExp: return std::exp(x);
+    case kExp2: return std::exp2(x);
+    case kLog: return std::log(x);
+    case kLog10: return std::log10(x);
+    case kLog2: return std::log2(x);
+    case kRsqrt: return 1 / std::sqrt(x);
+    case kSin: return std::sin(x);
+    case kSinh: return std::sinh(x);
+    case kTan: return std::tan(x);
+    default: CLIPC_CHECK(op == kTanh); return std::tanh(x);
   }
 }
 
 template <typename T>
 T FloatUnary(Intrinsic op, T x) {
+  using enum Intrinsic;
   switch (op) {
-    case Intrinsic::kAbs: return std::fabs(x);
-    case Intrinsic::kCeil: return std::ceil(x);
-    case Intrinsic::kDegrees: return x * static_cast<T>(57.295779513082320877);
-    case Intrinsic::kFloor: return std::floor(x);
-    case Intrinsic::kFrac: return x - std::floor(x);
-    case Intrinsic::kRadians: return x * static_cast<T>(0.017453292519943295769);
-    case Intrinsic::kRcp: return 1 / x;
-    case Intrinsic::kRound: return std::nearbyint(x);  // half to even in the default rounding mode
-    case Intrinsic::kSaturate: return std::fmin(std::fmax(x, T{0}), T{1});  // fmax drops a NaN
-    case Intrinsic::kSqrt: return std::sqrt(x);
-    case Intrinsic::kTrunc: return std::trunc(x);
-    default: return Transcendental(op, x);
+    case kAbs: return std::fabs(x);
+    case kCeil: return std::ceil(x);
+    case kDegrees: return x * static_cast<T>(57.295779513082320877);
+    case kFloor: return std::floor(x);
+    case kFrac: return x - std::floor(x);
+    case kRadians: return x * static_cast<T>(0.017453292519943295769);
+    case kRcp: return 1 / x;
+    case kRound: return std::nearbyint(x);  // half to even in the default rounding mode
+    case kSaturate: return std::fmin(std::fmax(x, T{0}), T{1});  // fmax drops a NaN
+    case kSqrt: return std::sqrt(x);
+    case kTrunc: return std::trunc(x);
+    default: return static_cast<T>(Transcendental(op, x));
   }
 }
 
@@ -158,26 +156,26 @@ T SmoothstepOf(T low, T high, T x) {
 
 template <typename T>
 T FloatFunction(Intrinsic op, T x, T y, T z) {
+  using enum Intrinsic;
   switch (op) {
-    case Intrinsic::kAtan2:
-      return static_cast<T>(std::atan2(static_cast<double>(x), static_cast<double>(y)));
-    case Intrinsic::kFmod: return TruncatedRemainder(x, y);
-    case Intrinsic::kLdexp: return x * Rounded<T>([](double e) { return std::exp2(e); }, y);
-    case Intrinsic::kMax: return std::fmax(x, y);  // of a number and NaN, the number
-    case Intrinsic::kMin: return std::fmin(x, y);
-    case Intrinsic::kPow: return PowOf(x, y);
-    case Intrinsic::kStep: return y >= x ? T{1} : T{0};
-    case Intrinsic::kClamp: return std::fmin(std::fmax(x, y), z);
-    case Intrinsic::kFma: return std::fma(x, y, z);
-    case Intrinsic::kLerp: {
+    case kAtan2: return static_cast<T>(std::atan2(static_cast<double>(x), static_cast<double>(y)));
+    case kFmod: return TruncatedRemainder(x, y);
+    case kLdexp: return x * static_cast<T>(std::exp2(static_cast<double>(y)));
+    case kMax: return std::fmax(x, y);  // of a number and NaN, the number
+    case kMin: return std::fmin(x, y);
+    case kPow: return PowOf(x, y);
+    case kStep: return y >= x ? T{1} : T{0};
+    case kClamp: return std::fmin(std::fmax(x, y), z);
+    case kFma: return std::fma(x, y, z);
+    case kLerp: {
       const T product = z * (y - x);
       return x + product;
     }
-    case Intrinsic::kMad: {
+    case kMad: {
       const T product = x * y;
       return product + z;
     }
-    case Intrinsic::kSmoothstep: return SmoothstepOf(x, y, z);
+    case kSmoothstep: return SmoothstepOf(x, y, z);
     default: return FloatUnary(op, x);
   }
 }
@@ -201,32 +199,30 @@ std::uint32_t Reversed(std::uint32_t bits) {
 
 template <typename Unsigned>
 Word IntegerComponent(Intrinsic op, Unsigned x, Unsigned y, Unsigned z, bool is_signed) {
+  using enum Intrinsic;
   using Signed = std::make_signed_t<Unsigned>;
   constexpr int digits = std::numeric_limits<Unsigned>::digits;
   const auto less = [&](Unsigned a, Unsigned b) {
     return is_signed ? static_cast<Signed>(a) < static_cast<Signed>(b) : a < b;
   };
   switch (op) {
-    case Intrinsic::kAbs:
-      return is_signed && static_cast<Signed>(x) < 0 ? static_cast<Unsigned>(0 - x) : x;
-    case Intrinsic::kSign: return BitsOf(std::int32_t{less(0, x)} - std::int32_t{less(x, 0)});
-    case Intrinsic::kMax: return less(x, y) ? y : x;
-    case Intrinsic::kMin: return less(y, x) ? y : x;
-    case Intrinsic::kClamp: {
+    case kAbs: return is_signed && static_cast<Signed>(x) < 0 ? static_cast<Unsigned>(0 - x) : x;
+    case kSign: return BitsOf(std::int32_t{less(0, x)} - std::int32_t{less(x, 0)});
+    case kMax: return less(x, y) ? y : x;
+    case kMin: return less(y, x) ? y : x;
+    case kClamp: {
       const Unsigned raised = less(x, y) ? y : x;
       return less(z, raised) ? z : raised;
     }
-    case Intrinsic::kMad: return static_cast<Unsigned>(x * y + z);
-    case Intrinsic::kCountBits: return static_cast<Word>(std::popcount(x));
-    case Intrinsic::kFirstBitHigh: {
+    case kMad: return static_cast<Unsigned>(x * y + z);
+    case kCountBits: return static_cast<Word>(std::popcount(x));
+    case kFirstBitHigh: {
       // The place from bit 0 of the first bit that differs from the sign; none: all ones.
       const Unsigned bits = is_signed && static_cast<Signed>(x) < 0 ? static_cast<Unsigned>(~x) : x;
       return BitsOf(bits == 0 ? -1 : digits - 1 - std::countl_zero(bits));
     }
-    case Intrinsic::kFirstBitLow: return BitsOf(x == 0 ? -1 : std::countr_zero(x));
-    default:
-      CLIPC_CHECK(op == Intrinsic::kReverseBits);
-      return Reversed(static_cast<std::uint32_t>(x));
+    case kFirstBitLow: return BitsOf(x == 0 ? -1 : std::countr_zero(x));
+    default: CLIPC_CHECK(op == kReverseBits); return Reversed(static_cast<std::uint32_t>(x));
   }
 }
 
@@ -244,20 +240,21 @@ template float PowOf(float, float);
 template double PowOf(double, double);
 
 Word BinaryComponent(BinaryOp op, Scalar rep, Word left, Word right) {
+  using enum Scalar;
   switch (rep) {
-    case Scalar::kFloat: return FloatBinary(op, FloatOf(left), FloatOf(right));
-    case Scalar::kDouble: return FloatBinary(op, DoubleOf(left), DoubleOf(right));
-    case Scalar::kInt:
+    case kFloat: return FloatBinary(op, FloatOf(left), FloatOf(right));
+    case kDouble: return FloatBinary(op, DoubleOf(left), DoubleOf(right));
+    case kInt:
       if (IsComparison(op)) return Comparison(op, IntOf(left), IntOf(right));
       return IntegerBinary(op, UintOf(left), UintOf(right), true);
-    case Scalar::kUint:
+    case kUint:
       if (IsComparison(op)) return Comparison(op, UintOf(left), UintOf(right));
       return IntegerBinary(op, UintOf(left), UintOf(right), false);
-    case Scalar::kInt64:
+    case kInt64:
       if (IsComparison(op))
         return Comparison(op, static_cast<std::int64_t>(left), static_cast<std::int64_t>(right));
       return IntegerBinary(op, left, right, true);
-    case Scalar::kUint64:
+    case kUint64:
       if (IsComparison(op)) return Comparison(op, left, right);
       return IntegerBinary(op, left, right, false);
     default: return BoolBinary(op, left, right);
@@ -265,29 +262,31 @@ Word BinaryComponent(BinaryOp op, Scalar rep, Word left, Word right) {
 }
 
 Word UnaryComponent(UnaryOp op, Scalar rep, Word operand) {
-  const bool is_32_bits = rep == Scalar::kInt || rep == Scalar::kUint;
+  using enum UnaryOp;
+  using enum Scalar;
+  const bool is_32_bits = rep == kInt || rep == kUint;
   switch (op) {
-    case UnaryOp::kNot: return operand ^ 1;
-    case UnaryOp::kComplement: return is_32_bits ? UintOf(~operand) : ~operand;
-    case UnaryOp::kNegate:
-      if (rep == Scalar::kFloat) return BitsOf(-FloatOf(operand));
-      if (rep == Scalar::kDouble) return BitsOf(-DoubleOf(operand));
+    case kNot: return operand ^ 1;
+    case kComplement: return is_32_bits ? UintOf(~operand) : ~operand;
+    case kNegate:
+      if (rep == kFloat) return BitsOf(-FloatOf(operand));
+      if (rep == kDouble) return BitsOf(-DoubleOf(operand));
       return is_32_bits ? UintOf(0 - operand) : 0 - operand;
-    case UnaryOp::kPreIncrement:
-    case UnaryOp::kPostIncrement:
-      return BinaryComponent(BinaryOp::kAdd, rep, operand, ConvertBits(1, Scalar::kInt, rep));
-    default:
-      return BinaryComponent(BinaryOp::kSub, rep, operand, ConvertBits(1, Scalar::kInt, rep));
+    case kPreIncrement:
+    case kPostIncrement:
+      return BinaryComponent(BinaryOp::kAdd, rep, operand, ConvertBits(1, kInt, rep));
+    default: return BinaryComponent(BinaryOp::kSub, rep, operand, ConvertBits(1, kInt, rep));
   }
 }
 
 Word ComponentFunction(Intrinsic op, Scalar rep, Word x, Word y, Word z) {
+  using enum Scalar;
   switch (rep) {
-    case Scalar::kFloat: return FloatComponent(op, FloatOf(x), FloatOf(y), FloatOf(z));
-    case Scalar::kDouble: return FloatComponent(op, DoubleOf(x), DoubleOf(y), DoubleOf(z));
-    case Scalar::kInt: return IntegerComponent(op, UintOf(x), UintOf(y), UintOf(z), true);
-    case Scalar::kUint: return IntegerComponent(op, UintOf(x), UintOf(y), UintOf(z), false);
-    case Scalar::kInt64: return IntegerComponent(op, x, y, z, true);
+    case kFloat: return FloatComponent(op, FloatOf(x), FloatOf(y), FloatOf(z));
+    case kDouble: return FloatComponent(op, DoubleOf(x), DoubleOf(y), DoubleOf(z));
+    case kInt: return IntegerComponent(op, UintOf(x), UintOf(y), UintOf(z), true);
+    case kUint: return IntegerComponent(op, UintOf(x), UintOf(y), UintOf(z), false);
+    case kInt64: return IntegerComponent(op, x, y, z, true);
     default: return IntegerComponent(op, x, y, z, false);
   }
 }

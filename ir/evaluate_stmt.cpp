@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <algorithm>
 
-#include "base/overloaded.h"
 #include "ir/evaluate_machine.h"
 
 namespace clipc::ir {
@@ -18,12 +17,7 @@ bool Machine::Step() {
   return false;
 }
 
-bool Machine::Test(ExprId condition) {
-  Eval(condition);
-  const bool holds = stack_.back() != 0;
-  stack_.pop_back();
-  return holds;
-}
+bool Machine::Test(ExprId condition) { return EvalScalar(condition) != 0; }
 
 // The arguments are in the parameters' memory. Leaves the result after `base`.
 void Machine::CallFunction(FunctionId id, std::size_t base) {
@@ -49,42 +43,28 @@ Machine::Flow Machine::ExecList(List<StmtId> list) {
 
 Machine::Flow Machine::Exec(StmtId id) {
   if (!Step()) return Flow::kStop;
-  return std::visit(Overloaded{
-                        [&](const Block& n) { return ExecList(n.body); },
-                        [&](const Declare& n) { return ExecDeclare(n); },
-                        [&](const Evaluate& n) {
-                          const std::size_t base = stack_.size();
-                          Eval(n.expr);
-                          stack_.resize(base);
-                          return Flow::kNext;
-                        },
-                        [&](const If& n) {
-                          if (Test(n.condition)) return Exec(n.then);
-                          return n.otherwise ? Exec(n.otherwise) : Flow::kNext;
-                        },
-                        [&](const For& n) { return ExecFor(n); },
-                        [&](const While& n) { return Loop(n.condition, {}, n.body); },
-                        [&](const DoWhile& n) { return ExecDoWhile(n); },
-                        [&](const Switch& n) { return ExecSwitch(n); },
-                        [&](const Return& n) {
-                          if (n.value) Eval(n.value);
-                          return Flow::kReturn;
-                        },
-                        [](const Break&) { return Flow::kBreak; },
-                        [](const Continue&) { return Flow::kContinue; },
-                    },
-                    program_.stmts[id].node);
+  return std::visit([&](const auto& node) { return Exec(node); }, program_.stmts[id].node);
 }
 
-Machine::Flow Machine::ExecDeclare(const Declare& node) {
-  const Var& var = program_.vars[node.var];
-  const auto to = memory_.begin() + address_[node.var.index];
+Machine::Flow Machine::Exec(const Evaluate& node) {
+  EvalAndDrop(node.expr);
+  return Flow::kNext;
+}
+
+Machine::Flow Machine::Exec(const If& node) {
+  if (Test(node.condition)) return Exec(node.then);
+  return node.otherwise ? Exec(node.otherwise) : Flow::kNext;
+}
+
+Machine::Flow Machine::Exec(const Return& node) {
+  if (node.value) Eval(node.value);
+  return Flow::kReturn;
+}
+
+Machine::Flow Machine::Exec(const Declare& node) {
   if (node.init) {
-    const std::size_t base = stack_.size();
-    Eval(node.init);
-    std::copy(stack_.begin() + static_cast<std::ptrdiff_t>(base), stack_.end(), to);
-    stack_.resize(base);
-  } else if (!var.init) {
+    EvalInto(node.init, address_[node.var.index]);
+  } else if (!program_.vars[node.var].init) {
     SetUndefined(node.var);
   }
   return Flow::kNext;
@@ -96,21 +76,17 @@ Machine::Flow Machine::Loop(ExprId condition, ExprId step, StmtId body) {
     const Flow flow = Exec(body);
     if (flow == Flow::kBreak) return Flow::kNext;
     if (flow == Flow::kReturn || flow == Flow::kStop) return flow;
-    if (step) {
-      const std::size_t base = stack_.size();
-      Eval(step);
-      stack_.resize(base);
-    }
+    if (step) EvalAndDrop(step);
   }
   return Flow::kNext;
 }
 
-Machine::Flow Machine::ExecFor(const For& node) {
+Machine::Flow Machine::Exec(const For& node) {
   if (const Flow flow = ExecList(node.init); flow != Flow::kNext) return flow;
   return Loop(node.condition, node.step, node.body);
 }
 
-Machine::Flow Machine::ExecDoWhile(const DoWhile& node) {
+Machine::Flow Machine::Exec(const DoWhile& node) {
   do {
     if (!Step()) return Flow::kStop;
     const Flow flow = Exec(node.body);
@@ -120,10 +96,8 @@ Machine::Flow Machine::ExecDoWhile(const DoWhile& node) {
   return Flow::kNext;
 }
 
-Machine::Flow Machine::ExecSwitch(const Switch& node) {
-  Eval(node.value);
-  const Word value = stack_.back();
-  stack_.pop_back();
+Machine::Flow Machine::Exec(const Switch& node) {
+  const Word value = EvalScalar(node.value);
   const auto cases = program_.switch_cases[node.cases];
   std::size_t start = cases.size();
   for (std::size_t i = 0; i < cases.size(); ++i) {

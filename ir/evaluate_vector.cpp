@@ -70,18 +70,19 @@ class Vectors {
   explicit Vectors(std::span<const EvalArgument> arguments) : arguments_(arguments) {}
 
   void Run(Intrinsic op, Word* result) const {
+    using enum Intrinsic;
     switch (op) {
-      case Intrinsic::kCross: return Cross(result);
-      case Intrinsic::kD3dColorToUbyte4: return ColorToBytes(result);
-      case Intrinsic::kDeterminant: return Put(result, 0, Determinant());
-      case Intrinsic::kDistance: return Put(result, 0, Distance());
-      case Intrinsic::kDst: return Dst(result);
-      case Intrinsic::kFaceforward: return Faceforward(result);
-      case Intrinsic::kLength: return Put(result, 0, std::sqrt(DotOf(0, 0)));
-      case Intrinsic::kLit: return Lit(result);
-      case Intrinsic::kNormalize: return Normalize(result);
-      case Intrinsic::kReflect: return Reflect(result);
-      default: CLIPC_CHECK(op == Intrinsic::kRefract); return Refract(result);
+      case kCross: return Cross(result);
+      case kD3dColorToUbyte4: return ColorToBytes(result);
+      case kDeterminant: return Put(result, 0, Determinant());
+      case kDistance: return Put(result, 0, Distance());
+      case kDst: return Dst(result);
+      case kFaceforward: return Faceforward(result);
+      case kLength: return Put(result, 0, std::sqrt(DotOf(0, 0)));
+      case kLit: return Lit(result);
+      case kNormalize: return Normalize(result);
+      case kReflect: return Reflect(result);
+      default: CLIPC_CHECK(op == kRefract); return Refract(result);
     }
   }
 
@@ -213,6 +214,7 @@ class Vectors {
 
 void VectorFunction(Intrinsic op, Scalar rep, std::span<const EvalArgument> arguments,
                     Word* result) {
+  using enum Intrinsic;
   const EvalArgument& first = arguments[0];
   const std::size_t count = first.type->Components();
   const auto is_true = [&](std::size_t i) {
@@ -220,21 +222,18 @@ void VectorFunction(Intrinsic op, Scalar rep, std::span<const EvalArgument> argu
                            ConvertBits(0, Scalar::kInt, rep)) != 0;
   };
   switch (op) {
-    case Intrinsic::kAll:
+    case kAll:
       result[0] = 1;
       for (std::size_t i = 0; i < count; ++i) result[0] &= is_true(i) ? 1 : 0;
       return;
-    case Intrinsic::kAny:
+    case kAny:
       result[0] = 0;
       for (std::size_t i = 0; i < count; ++i) result[0] |= is_true(i) ? 1 : 0;
       return;
-    case Intrinsic::kDot:
-      result[0] = Dot(rep, first.words, 1, arguments[1].words, 1, count);
-      return;
-    case Intrinsic::kMsad4:
-      return MaskedSums(first.words, arguments[1].words, arguments[2].words, result);
-    case Intrinsic::kMul: return Multiply(rep, first, arguments[1], result);
-    case Intrinsic::kTranspose:
+    case kDot: result[0] = Dot(rep, first.words, 1, arguments[1].words, 1, count); return;
+    case kMsad4: return MaskedSums(first.words, arguments[1].words, arguments[2].words, result);
+    case kMul: return Multiply(rep, first, arguments[1], result);
+    case kTranspose:
       for (std::size_t r = 0; r < first.type->rows; ++r) {
         for (std::size_t c = 0; c < first.type->columns; ++c) {
           result[c * first.type->rows + r] = first.words[r * first.type->columns + c];

@@ -190,14 +190,15 @@ enum class ObjectOp : std::uint8_t {
 };
 // Whether arguments[1] is a sampler.
 constexpr bool TakesSampler(ObjectOp op) {
+  using enum ObjectOp;
   switch (op) {
-    case ObjectOp::kSampleLevel:
-    case ObjectOp::kSampleGrad:
-    case ObjectOp::kSampleCmpLevelZero:
-    case ObjectOp::kGather:
-    case ObjectOp::kGatherGreen:
-    case ObjectOp::kGatherBlue:
-    case ObjectOp::kGatherAlpha: return true;
+    case kSampleLevel:
+    case kSampleGrad:
+    case kSampleCmpLevelZero:
+    case kGather:
+    case kGatherGreen:
+    case kGatherBlue:
+    case kGatherAlpha: return true;
     default: return false;
   }
 }

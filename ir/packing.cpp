@@ -20,15 +20,6 @@ std::uint64_t RoundUp(std::uint64_t value, std::uint64_t multiple) {
   return (value + multiple - 1) / multiple * multiple;
 }
 
-std::uint32_t ScalarSize(Scalar kind) {
-  switch (BaseOf(kind)) {
-    case Scalar::kDouble:
-    case Scalar::kInt64:
-    case Scalar::kUint64: return 8;
-    default: return 4;
-  }
-}
-
 // Registers of `length` components: the columns of a column-major matrix, the rows of a row-major
 // one.
 Extent MatrixExtent(std::uint32_t scalar_size, std::uint32_t registers, std::uint32_t length) {
@@ -92,27 +83,28 @@ std::uint32_t PlaceOutside(const std::vector<Range>& taken, Extent extent, std::
 }  // namespace
 
 Extent PackedExtent(const TypeTable& types, TypeId id, bool row_major) {
+  using enum TypeKind;
   const Type& type = types[id];
-  const std::uint32_t scalar_size = ScalarSize(type.scalar);
+  const std::uint32_t scalar_size = ByteSize(type.scalar);
   switch (type.kind) {
-    case TypeKind::kScalar: return {scalar_size, scalar_size};
-    case TypeKind::kVector: return {scalar_size * type.columns, scalar_size};
-    case TypeKind::kMatrix:
+    case kScalar: return {scalar_size, scalar_size};
+    case kVector: return {scalar_size * type.columns, scalar_size};
+    case kMatrix:
       return row_major ? MatrixExtent(scalar_size, type.rows, type.columns)
                        : MatrixExtent(scalar_size, type.columns, type.rows);
-    case TypeKind::kArray: {
+    case kArray: {
       if (type.count == 0) return {0, static_cast<std::uint32_t>(kRow)};
       const std::uint64_t size = PackedExtent(types, type.element, row_major).size;
       return {Clamped(RoundUp(size, kRow) * (type.count - 1) + size),
               static_cast<std::uint32_t>(kRow)};
     }
-    case TypeKind::kStruct:
+    case kStruct:
       return {Walk(types, types.StructOf(id), types.StructOf(id).fields.size()),
               static_cast<std::uint32_t>(kRow)};
-    case TypeKind::kObject:
-    case TypeKind::kError:
-    case TypeKind::kVoid:
-    case TypeKind::kString: return {0, 4};
+    case kObject:
+    case kError:
+    case kVoid:
+    case kString: return {0, 4};
   }
   return {};
 }

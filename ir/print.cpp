@@ -2,72 +2,39 @@
 #include "ir/print.h"
 
 #include <string_view>
+#include <utility>
 
-#include "base/overloaded.h"
+#include <fmt/format.h>
+
+#include "clip-table/vocabulary.h"
 #include "ir/printer.h"
 
 namespace clipc::ir {
 namespace {
 
-const char* NameOf(Builtin builtin) {
-  switch (builtin) {
-    case Builtin::kNone: return "none";
-    case Builtin::kPosition: return "position";
-    case Builtin::kClipVertex: return "clip_vertex";
-    case Builtin::kClipDistance: return "clip_distance";
-    case Builtin::kCullDistance: return "cull_distance";
-    case Builtin::kPointSize: return "point_size";
-    case Builtin::kVertexId: return "vertex_id";
-    case Builtin::kInstanceId: return "instance_id";
-    case Builtin::kBaseVertex: return "base_vertex";
-    case Builtin::kBaseInstance: return "base_instance";
-    case Builtin::kDrawIndex: return "draw_index";
-    case Builtin::kViewId: return "view_id";
-    case Builtin::kVertexIndex: return "vertex_index";
-    case Builtin::kInstanceIndex: return "instance_index";
-    case Builtin::kShadingRate: return "shading_rate";
-    case Builtin::kLayer: return "layer";
-    case Builtin::kViewportIndex: return "viewport_index";
-  }
-  return "?";
-}
+// Names in the order of the enumerators.
+constexpr const char* kBuiltins[] = {
+    "none",       "position",      "clip_vertex",  "clip_distance",  "cull_distance",
+    "point_size", "vertex_id",     "instance_id",  "base_vertex",    "base_instance",
+    "draw_index", "view_id",       "vertex_index", "instance_index", "shading_rate",
+    "layer",      "viewport_index"};
+constexpr const char* kForms[] = {"typed", "no-clip-planes", "target-clip-space", "inlined",
+                                  "legalized"};
+constexpr const char* kCbufferKinds[] = {"cbuffer", "tbuffer", "globals", "params",
+                                         "constant_buffer"};
+constexpr const char* kInterpolations[] = {"", " linear", " nointerpolation", " noperspective"};
 
-const char* NameOf(Form form) {
-  switch (form) {
-    case Form::kTyped: return "typed";
-    case Form::kNoClipPlanes: return "no-clip-planes";
-    case Form::kTargetClipSpace: return "target-clip-space";
-    case Form::kInlined: return "inlined";
-    case Form::kLegalized: return "legalized";
-  }
-  return "?";
-}
-
-const char* NameOf(CbufferKind kind) {
-  switch (kind) {
-    case CbufferKind::kCbuffer: return "cbuffer";
-    case CbufferKind::kTbuffer: return "tbuffer";
-    case CbufferKind::kGlobals: return "globals";
-    case CbufferKind::kParams: return "params";
-    case CbufferKind::kConstantBuffer: return "constant_buffer";
-  }
-  return "?";
-}
-
-const char* NameOf(Interpolation interpolation) {
-  switch (interpolation) {
-    case Interpolation::kDefault: return "";
-    case Interpolation::kLinear: return " linear";
-    case Interpolation::kNoInterpolation: return " nointerpolation";
-    case Interpolation::kNoPerspective: return " noperspective";
-  }
-  return "";
+// " linear centroid sample", as far as a field or an input or output has them.
+template <typename Interpolated>
+std::string InterpolationText(const Interpolated& value) {
+  return std::string(NameIn(kInterpolations, value.interpolation)) +
+         (value.centroid ? " centroid" : "") + (value.sample ? " sample" : "");
 }
 
 std::string PrintedRegister(const Register& reg) {
-  std::string text = " : " + std::string(1, reg.letter) + std::to_string(reg.number);
-  if (reg.space != 0) text += ", space" + std::to_string(reg.space);
-  return text + (reg.is_explicit ? " explicit" : "");
+  return fmt::format(" : {}{}{}{}", reg.letter, reg.number,
+                     reg.space != 0 ? fmt::format(", space{}", reg.space) : "",
+                     reg.is_explicit ? " explicit" : "");
 }
 
 // The parts of a program around its functions.
@@ -76,82 +43,76 @@ class ProgramPrinter {
   explicit ProgramPrinter(const Program& program) : program_(program), printer_(program) {}
 
   std::string Print() {
-    Line("program " + program_.profile.name + " form " + NameOf(program_.form));
+    Line("program {} form {}", program_.profile.name, NameIn(kForms, program_.form));
     for (Id<Struct> id : program_.types.structs().ids()) PrintStruct(program_.types[id]);
     for (CbufferId id : program_.cbuffers.ids()) PrintCbuffer(program_.cbuffers[id]);
     for (const Resource& resource : program_.resources) {
-      Line("resource " + printer_.Declaration(resource.var) + PrintedRegister(resource.reg));
+      Line("resource {}{}", printer_.Declaration(resource.var), PrintedRegister(resource.reg));
     }
     for (const IoVar& input : program_.inputs) PrintIo("input ", input);
     for (const IoVar& output : program_.outputs) PrintIo("output ", output);
     for (std::size_t i = 0; i < program_.clip_planes.size(); ++i) PrintClipPlane(i);
-    for (VarId global : program_.globals) PrintGlobal(global);
+    for (VarId var : program_.globals)
+      printer_.Line(printer_.Declaration(var, program_.vars[var].init));
     for (FunctionId id : program_.functions.ids()) {
       const bool is_helper = program_.functions[id].is_helper;
-      std::string_view role = id == program_.main    ? "main "
-                              : id == program_.entry ? "entry "
-                              : is_helper            ? "helper "
-                                                     : "";
+      const std::string_view role = id == program_.main    ? "main "
+                                    : id == program_.entry ? "entry "
+                                    : is_helper            ? "helper "
+                                                           : "";
       printer_.PrintFunction(id, role);
     }
     return printer_.Take();
   }
 
  private:
-  void Line(const std::string& text) { printer_.Line(text); }
+  template <typename... Parts>
+  void Line(fmt::format_string<Parts...> form, Parts&&... parts) {
+    printer_.Line(fmt::format(form, std::forward<Parts>(parts)...));
+  }
 
   void PrintStruct(const Struct& structure) {
-    Line("struct " + (structure.name.empty() ? "<unnamed struct>" : structure.name) + " {");
+    Line("struct {} {{", structure.name.empty() ? "<unnamed struct>" : structure.name);
     for (const Field& field : structure.fields) {
-      std::string line = "  ";
-      if (field.row_major) line += "row_major ";
-      if (field.precise) line += "precise ";
-      line += printer_.Declarator(field.type, field.name);
-      if (!field.semantic.empty()) line += " : " + field.semantic;
-      Line(line + NameOf(field.interpolation) + (field.centroid ? " centroid" : "") +
-           (field.sample ? " sample" : ""));
+      Line("  {}{}{}{}{}{}", field.row_major ? "row_major " : "", field.precise ? "precise " : "",
+           printer_.Declarator(field.type, field.name), field.semantic.empty() ? "" : " : ",
+           field.semantic, InterpolationText(field));
     }
-    Line("}");
+    Line("}}");
   }
 
   void PrintCbuffer(const Cbuffer& buffer) {
-    std::string line =
-        std::string(NameOf(buffer.kind)) + " " + buffer.name + PrintedRegister(buffer.reg);
-    line += ", " + std::to_string(buffer.size) + " bytes";
-    if (buffer.count != 1) line += " x " + std::to_string(buffer.count);
-    Line(line + " {");
+    Line("{} {}{}, {} bytes{} {{", NameIn(kCbufferKinds, buffer.kind), buffer.name,
+         PrintedRegister(buffer.reg), buffer.size,
+         buffer.count != 1 ? fmt::format(" x {}", buffer.count) : "");
     for (const CbufferMember& member : buffer.members) {
-      Line("  " + printer_.Declaration(member.var) + " at " + std::to_string(member.offset) + ", " +
-           std::to_string(member.size) + " bytes" + (member.has_packoffset ? " explicit" : ""));
+      Line("  {} at {}, {} bytes{}", printer_.Declaration(member.var), member.offset, member.size,
+           member.has_packoffset ? " explicit" : "");
     }
-    Line("}");
+    Line("}}");
   }
 
   void PrintIo(const char* direction, const IoVar& io) {
-    std::string line = direction + printer_.Declaration(io.var);
-    if (!io.semantic.empty()) line += " : " + io.semantic + std::to_string(io.index);
-    line += io.builtin == Builtin::kNone ? " location " + std::to_string(io.location)
-                                         : std::string(" builtin ") + NameOf(io.builtin);
-    Line(line + NameOf(io.interpolation) + (io.centroid ? " centroid" : "") +
-         (io.sample ? " sample" : ""));
+    const std::string semantic =
+        io.semantic.empty() ? "" : fmt::format(" : {}{}", io.semantic, io.index);
+    const std::string place = io.builtin == Builtin::kNone
+                                  ? fmt::format("location {}", io.location)
+                                  : fmt::format("builtin {}", NameIn(kBuiltins, io.builtin));
+    Line("{}{}{} {}{}", direction, printer_.Declaration(io.var), semantic, place,
+         InterpolationText(io));
   }
 
   void PrintClipPlane(std::size_t index) {
     const ClipPlane& plane = program_.clip_planes[index];
-    std::string line = "clip_plane " + std::to_string(index) + " `" + plane.text + "`";
+    std::string line = fmt::format("clip_plane {} `{}`", index, plane.text);
     if (plane.value) line += " = " + printer_.ExprText(plane.value);
     if (plane.whole_register && plane.cbuffer) {
-      line += " at " + program_.cbuffers[plane.cbuffer].name;
-      if (program_.cbuffers[plane.cbuffer].count != 1)
-        line += "[" + std::to_string(plane.element) + "]";
-      line += "+" + std::to_string(plane.offset);
+      const Cbuffer& buffer = program_.cbuffers[plane.cbuffer];
+      line += " at " + buffer.name;
+      if (buffer.count != 1) line += fmt::format("[{}]", plane.element);
+      line += fmt::format("+{}", plane.offset);
     }
-    Line(line);
-  }
-
-  void PrintGlobal(VarId var) {
-    const ExprId init = program_.vars[var].init;
-    Line(printer_.Declaration(var) + (init ? " = " + printer_.ExprText(init) : ""));
+    printer_.Line(line);
   }
 
   const Program& program_;
@@ -163,8 +124,7 @@ class ProgramPrinter {
 std::string Print(const Program& program) { return ProgramPrinter(program).Print(); }
 
 std::string PrintExpr(const Program& program, ExprId expr) {
-  Printer printer(program);
-  return printer.ExprText(expr);
+  return Printer(program).ExprText(expr);
 }
 
 }  // namespace clipc::ir

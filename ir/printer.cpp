@@ -5,9 +5,12 @@
 #include <charconv>
 #include <cmath>
 #include <unordered_map>
+#include <utility>
 
 #include "base/overloaded.h"
+#include "clip-table/vocabulary.h"
 #include "ir/scalar.h"
+#include "ir/walk.h"
 
 namespace clipc::ir {
 namespace {
@@ -16,7 +19,7 @@ const char* TextOf(BinaryOp op) {
   static constexpr const char* kTexts[] = {"*", "/", "%",  "+",  "-",        "<<",     ">>",
                                            "<", ">", "<=", ">=", "==",       "!=",     "&",
                                            "^", "|", "&&", "||", "and_then", "or_else"};
-  return kTexts[static_cast<std::size_t>(op)];
+  return NameIn(kTexts, op);
 }
 
 const char* TextOf(ObjectOp op) {
@@ -39,7 +42,7 @@ const char* TextOf(ObjectOp op) {
                                            "d3d9_sample",
                                            "image_load",
                                            "store"};
-  return kTexts[static_cast<std::size_t>(op)];
+  return NameIn(kTexts, op);
 }
 
 const char* StorageText(Storage storage) {
@@ -80,9 +83,12 @@ std::string Suffixed(const std::string& name, std::uint32_t suffix) {
 }
 
 bool NeedsParentheses(const Expr& expr) {
-  return std::holds_alternative<Binary>(expr.node) || std::holds_alternative<Unary>(expr.node) ||
-         std::holds_alternative<Assign>(expr.node) ||
-         std::holds_alternative<Conditional>(expr.node) || std::holds_alternative<Comma>(expr.node);
+  return Visit(
+      Overloaded{
+          [](const OneOf<Binary, Unary, Assign, Conditional, Comma> auto&) { return true; },
+          [](const auto&) { return false; },
+      },
+      expr.node);
 }
 
 }  // namespace
@@ -108,15 +114,15 @@ std::string Printer::NameOf(FunctionId function) const {
 }
 
 void Printer::Line(std::string_view text) {
-  StartLine();
-  Put(text);
-  Put("\n");
+  text_.append(static_cast<std::size_t>(indent_) * 2, ' ');
+  Put(text, "\n");
 }
 
-std::string Printer::Declaration(VarId id) const {
+std::string Printer::Declaration(VarId id, ExprId init) {
   const Var& var = program_.vars[id];
   return std::string(StorageText(var.storage)) + (var.row_major ? "row_major " : "") +
-         (var.precise ? "precise " : "") + Declarator(var.type, NameOf(id));
+         (var.precise ? "precise " : "") + Declarator(var.type, NameOf(id)) +
+         (init ? " = " + ExprText(init) : "");
 }
 
 std::string Printer::Declarator(TypeId type, const std::string& name) const {
@@ -126,11 +132,9 @@ std::string Printer::Declarator(TypeId type, const std::string& name) const {
 }
 
 std::string Printer::ExprText(ExprId expr) {
-  std::string outer;
-  outer.swap(text_);
-  PutExpr(expr);
-  outer.swap(text_);
-  return outer;
+  std::string outer = std::exchange(text_, {});
+  Put(expr);
+  return std::exchange(text_, std::move(outer));
 }
 
 void Printer::PrintFunction(FunctionId id, std::string_view role) {
@@ -148,119 +152,96 @@ void Printer::PrintFunction(FunctionId id, std::string_view role) {
 
 // ---- expressions
 
-void Printer::PutList(List<ExprId> list) {
-  for (std::uint32_t i = 0; i < list.size; ++i) {
-    if (i != 0) Put(", ");
-    PutExpr(program_.expr_lists[list][i]);
-  }
-}
-
-void Printer::PutCall(std::string_view name, List<ExprId> arguments) {
-  Put(name);
-  Put("(");
-  PutList(arguments);
-  Put(")");
+void Printer::Put(List<ExprId> list) {
+  for (std::uint32_t i = 0; i < list.size; ++i)
+    Put(i == 0 ? "" : ", ", program_.expr_lists[list][i]);
 }
 
 void Printer::PutLiteral(const Type& type, std::uint64_t bits) {
+  using enum Scalar;
   const Scalar base = BaseOf(type.scalar);
   switch (base) {
-    case Scalar::kBool: return Put(bits != 0 ? "true" : "false");
-    case Scalar::kInt: Put(std::to_string(IntOf(bits))); break;
-    case Scalar::kUint: Put(std::to_string(UintOf(bits))); break;
-    case Scalar::kInt64: return Put(std::to_string(static_cast<std::int64_t>(bits)) + "LL");
-    case Scalar::kUint64: return Put(std::to_string(bits) + "ULL");
-    case Scalar::kDouble: return Put(NumberText(DoubleOf(bits), bits) + "L");
+    case kBool: return Put(bits != 0 ? "true" : "false");
+    case kInt: Put(std::to_string(IntOf(bits))); break;
+    case kUint: Put(std::to_string(UintOf(bits))); break;
+    case kInt64: return Put(std::to_string(static_cast<std::int64_t>(bits)), "LL");
+    case kUint64: return Put(std::to_string(bits), "ULL");
+    case kDouble: return Put(NumberText(DoubleOf(bits), bits), "L");
     default: Put(NumberText(FloatOf(bits), bits));
   }
-  if (type.scalar == Scalar::kUint) Put("u");
-  if (type.scalar == Scalar::kHalf) Put("h");
-  if (type.scalar != base && type.scalar != Scalar::kHalf)
-    Put(std::string(":") + ir::NameOf(type.scalar));
+  if (type.scalar == kUint) Put("u");
+  if (type.scalar == kHalf) return Put("h");
+  if (type.scalar != base) Put(":", ir::NameOf(type.scalar));
 }
 
-void Printer::PutOperand(ExprId id) {
-  if (!NeedsParentheses(program_.exprs[id])) return PutExpr(id);
-  Put("(");
-  PutExpr(id);
-  Put(")");
-}
-
-void Printer::PutConstruct(TypeId type, List<ExprId> arguments) {
-  const bool braces = !program_.types[type].IsNumeric();
-  Put(program_.types.Name(type));
-  Put(braces ? "{" : "(");
-  PutList(arguments);
-  Put(braces ? "}" : ")");
+void Printer::Put(Operand operand) {
+  if (NeedsParentheses(program_.exprs[operand.expr])) return Put("(", operand.expr, ")");
+  Put(operand.expr);
 }
 
 void Printer::PutUnary(const Unary& node) {
   static constexpr const char* kTexts[] = {"-", "!", "~", "++", "--", "++", "--"};
-  const char* text = kTexts[static_cast<std::size_t>(node.op)];
+  const char* text = NameIn(kTexts, node.op);
   const bool is_post = node.op == UnaryOp::kPostIncrement || node.op == UnaryOp::kPostDecrement;
-  if (!is_post) Put(text);
-  PutOperand(node.operand);
-  if (is_post) Put(text);
+  Put(is_post ? "" : text, Operand{node.operand}, is_post ? text : "");
 }
 
-void Printer::PutExpr(ExprId id) {
+void Printer::PutField(const FieldRef& node) {
+  const Type& base = program_.types[program_.exprs[node.base].type];
+  const bool has_field =
+      base.kind == TypeKind::kStruct && node.field < program_.types[base.structure].fields.size();
+  Put(Operand{node.base}, ".",
+      has_field ? program_.types[base.structure].fields[node.field].name : "<no field>");
+}
+
+void Printer::Put(ExprId id) {
   if (!id || id.index >= program_.exprs.size()) return Put("<no expression>");
-  PutNode(program_.exprs[id].type, program_.exprs[id].node);
-}
-
-void Printer::PutNode(TypeId type, const decltype(Expr::node)& node) {
+  const Expr& expr = program_.exprs[id];
+  const Type& type = program_.types[expr.type];
+  const std::string type_name = program_.types.Name(expr.type);
   const auto typed = [&](const char* what, ExprId operand) {
-    Put(what + ("<" + program_.types.Name(type)) + ">(");
-    PutExpr(operand);
-    Put(")");
+    Put(what, "<", type_name, ">(", operand, ")");
   };
-  std::visit(Overloaded{
-                 [&](const Literal& n) { PutLiteral(program_.types[type], n.bits); },
-                 [&](const Zero&) { Put("zero<" + program_.types.Name(type) + ">"); },
-                 [&](const VarRef& n) { Put(NameOf(n.var)); },
-                 [&](const FieldRef& n) {
-                   PutOperand(n.base);
-                   const Type& base = program_.types[program_.exprs[n.base].type];
-                   if (base.kind != TypeKind::kStruct) return Put(".<no field>");
-                   const auto& fields = program_.types[base.structure].fields;
-                   Put("." + (n.field < fields.size() ? fields[n.field].name : "<no field>"));
-                 },
-                 [&](const Index& n) { PutOperand(n.base), Put("["), PutExpr(n.index), Put("]"); },
-                 [&](const Swizzle& n) {
-                   PutOperand(n.base), Put(".");
-                   for (int i = 0; i < n.count; ++i) text_ += "xyzw"[n.components[i] & 3];
-                 },
-                 [&](const MatrixSwizzle& n) {
-                   PutOperand(n.base), Put(".");
-                   for (int i = 0; i < n.count; ++i)
-                     Put("_m" + std::to_string(n.rows[i]) + std::to_string(n.columns[i]));
-                 },
-                 [&](const Unary& n) { PutUnary(n); },
-                 [&](const Binary& n) {
-                   PutOperand(n.left), Put(" "), Put(TextOf(n.op)), Put(" "), PutOperand(n.right);
-                 },
-                 [&](const Assign& n) {
-                   PutOperand(n.target), Put(" "), Put(n.op ? TextOf(*n.op) : ""), Put("= "),
-                       PutExpr(n.value);
-                 },
-                 [&](const Conditional& n) {
-                   PutOperand(n.condition), Put(" ? "), PutOperand(n.when_true), Put(" : "),
-                       PutOperand(n.when_false);
-                 },
-                 [&](const Select& n) {
-                   Put("select("), PutExpr(n.condition), Put(", "), PutExpr(n.when_true), Put(", ");
-                   PutExpr(n.when_false), Put(")");
-                 },
-                 [&](const Convert& n) { typed("convert", n.operand); },
-                 [&](const Splat& n) { typed("splat", n.operand); },
-                 [&](const Construct& n) { PutConstruct(type, n.arguments); },
-                 [&](const MatrixTruncate& n) { typed("truncate", n.operand); },
-                 [&](const Call& n) { PutCall(NameOf(n.function), n.arguments); },
-                 [&](const IntrinsicCall& n) { PutCall(ir::NameOf(n.op), n.arguments); },
-                 [&](const ObjectCall& n) { PutCall(TextOf(n.op), n.arguments); },
-                 [&](const Comma& n) { PutOperand(n.first), Put(", "), PutOperand(n.second); },
-             },
-             node);
+  std::visit(
+      Overloaded{
+          [&](const Literal& n) { PutLiteral(type, n.bits); },
+          [&](const Zero&) { Put("zero<", type_name, ">"); },
+          [&](const VarRef& n) { Put(NameOf(n.var)); },
+          [&](const FieldRef& n) { PutField(n); },
+          [&](const Index& n) { Put(Operand{n.base}, "[", n.index, "]"); },
+          [&](const Swizzle& n) {
+            Put(Operand{n.base}, ".");
+            for (int i = 0; i < n.count; ++i) text_ += "xyzw"[n.components[i] & 3];
+          },
+          [&](const MatrixSwizzle& n) {
+            Put(Operand{n.base}, ".");
+            for (int i = 0; i < n.count; ++i)
+              Put("_m", std::to_string(n.rows[i]), std::to_string(n.columns[i]));
+          },
+          [&](const Unary& n) { PutUnary(n); },
+          [&](const Binary& n) { Put(Operand{n.left}, " ", TextOf(n.op), " ", Operand{n.right}); },
+          [&](const Assign& n) {
+            Put(Operand{n.target}, " ", n.op ? TextOf(*n.op) : "", "= ", n.value);
+          },
+          [&](const Conditional& n) {
+            Put(Operand{n.condition}, " ? ", Operand{n.when_true}, " : ", Operand{n.when_false});
+          },
+          [&](const Select& n) {
+            Put("select(", n.condition, ", ", n.when_true, ", ", n.when_false, ")");
+          },
+          [&](const Convert& n) { typed("convert", n.operand); },
+          [&](const Splat& n) { typed("splat", n.operand); },
+          [&](const Construct& n) {
+            const bool braces = !type.IsNumeric();
+            Put(type_name, braces ? "{" : "(", n.arguments, braces ? "}" : ")");
+          },
+          [&](const MatrixTruncate& n) { typed("truncate", n.operand); },
+          [&](const Call& n) { Put(NameOf(n.function), "(", n.arguments, ")"); },
+          [&](const IntrinsicCall& n) { Put(ir::NameOf(n.op), "(", n.arguments, ")"); },
+          [&](const ObjectCall& n) { Put(TextOf(n.op), "(", n.arguments, ")"); },
+          [&](const Comma& n) { Put(Operand{n.first}, ", ", Operand{n.second}); },
+      },
+      expr.node);
 }
 
 // ---- statements
@@ -281,9 +262,8 @@ void Printer::PutFor(const For& node) {
     const auto& init = program_.stmts[program_.stmt_lists[node.init][i]].node;
     if (i != 0) line += ", ";
     if (const Evaluate* evaluate = std::get_if<Evaluate>(&init)) line += ExprText(evaluate->expr);
-    if (const Declare* declare = std::get_if<Declare>(&init)) {
-      line += Declaration(declare->var) + (declare->init ? " = " + ExprText(declare->init) : "");
-    }
+    if (const Declare* declare = std::get_if<Declare>(&init))
+      line += Declaration(declare->var, declare->init);
   }
   line += "; " + (node.condition ? ExprText(node.condition) : "") + "; " +
           (node.step ? ExprText(node.step) : "");
@@ -307,9 +287,7 @@ void Printer::PutSwitch(const Switch& node) {
 void Printer::PutStmt(StmtId id) {
   std::visit(Overloaded{
                  [&](const Block&) { Line("{"), PutBody(id), Line("}"); },
-                 [&](const Declare& n) {
-                   Line(Declaration(n.var) + (n.init ? " = " + ExprText(n.init) : ""));
-                 },
+                 [&](const Declare& n) { Line(Declaration(n.var, n.init)); },
                  [&](const Evaluate& n) { Line(ExprText(n.expr)); },
                  [&](const If& n) {
                    Line("if (" + ExprText(n.condition) + ") {");

@@ -19,28 +19,36 @@ class Printer {
 
   std::string Take() { return std::move(text_); }
   void Line(std::string_view text);  // at the present indentation
-  // "static const float3 name": storage where it says something, type and name.
-  std::string Declaration(VarId var) const;
+  // "static const float3 name = init": storage where it says something, type, name, and the
+  // initialiser if there is one.
+  std::string Declaration(VarId var, ExprId init = {});
   std::string Declarator(TypeId type, const std::string& name) const;  // "float4 planes[2]"
   std::string ExprText(ExprId expr);
   void PrintFunction(FunctionId id, std::string_view role);
 
  private:
+  // An expression that stands in parentheses where it is an operator's.
+  struct Operand {
+    ExprId expr;
+  };
+
+  template <typename... Parts>
+    requires(sizeof...(Parts) > 1)
+  void Put(const Parts&... parts) {
+    (Put(parts), ...);
+  }
   void Put(std::string_view text) { text_ += text; }
-  void PutList(List<ExprId> list);
-  void PutCall(std::string_view name, List<ExprId> arguments);
+  void Put(ExprId expr);
+  void Put(Operand operand);
+  void Put(List<ExprId> list);  // with commas between
   void PutLiteral(const Type& type, std::uint64_t bits);
-  void PutOperand(ExprId expr);  // in parentheses where it is an operator's expression
-  void PutExpr(ExprId expr);
-  void PutConstruct(TypeId type, List<ExprId> arguments);
   void PutUnary(const Unary& node);
-  void PutNode(TypeId type, const decltype(Expr::node)& node);
+  void PutField(const FieldRef& node);
 
   void PutStmt(StmtId stmt);
   void PutBody(StmtId stmt);  // the statements of a block without its braces, one step further in
   void PutFor(const For& node);
   void PutSwitch(const Switch& node);
-  void StartLine() { text_.append(static_cast<std::size_t>(indent_) * 2, ' '); }
 
   std::string NameOf(VarId var) const;
   std::string NameOf(FunctionId function) const;

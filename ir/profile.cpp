@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/spelling.h"
+
 namespace clipc::ir {
 namespace {
 
@@ -74,14 +76,6 @@ constexpr Stage kStages6[] = {{"vs", 0}, {"ps", 0}, {"gs", 0}, {"hs", 0}, {"ds",
                               {"cs", 0}, {"ms", 5}, {"as", 5}, {"lib", 1}};
 constexpr int kLastMinor6 = 9;
 
-std::string LowerCase(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return lower;
-}
-
 bool IsKnown(const std::string& lower) {
   if (std::ranges::find(kNames, lower) != std::end(kNames)) return true;
   for (const Stage& stage : kStages6) {
@@ -107,7 +101,7 @@ Level9 Level9Of(const std::string& lower) {
 }  // namespace
 
 std::optional<Profile> ParseProfile(std::string_view name) {
-  const std::string lower = LowerCase(name);
+  const std::string lower = ToLower(name);
   if (!IsKnown(lower)) return std::nullopt;
   const std::size_t stage = lower.find('_');
   return Profile{.name = lower,

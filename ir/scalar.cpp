@@ -44,26 +44,27 @@ double NumberOf(std::uint64_t bits, Scalar kind) {
 }
 
 std::uint64_t ConvertBits(std::uint64_t bits, Scalar from, Scalar to) {
+  using enum Scalar;
   const Scalar source = BaseOf(from);
   const Scalar target = BaseOf(to);
   if (source == target) return bits;
-  if (target == Scalar::kBool) return NumberOf(bits, source) != 0 ? 1 : 0;
+  if (target == kBool) return NumberOf(bits, source) != 0 ? 1 : 0;
   if (!IsFloat(source)) {
     const std::uint64_t wide = Widened(bits, source);
-    if (target == Scalar::kInt || target == Scalar::kUint) return UintOf(wide);
-    if (target == Scalar::kInt64 || target == Scalar::kUint64) return wide;
-    if (target == Scalar::kDouble) return BitsOf(NumberOf(bits, source));
+    if (target == kInt || target == kUint) return UintOf(wide);
+    if (target == kInt64 || target == kUint64) return wide;
+    if (target == kDouble) return BitsOf(NumberOf(bits, source));
     // From the integer at once: by way of a double a 64-bit value would round twice.
     return BitsOf(IsSigned(source) ? static_cast<float>(static_cast<std::int64_t>(wide))
                                    : static_cast<float>(wide));
   }
   const double value = NumberOf(bits, source);
   switch (target) {
-    case Scalar::kInt: return BitsOf(ToInt(value));
-    case Scalar::kUint: return ToUint(value);
-    case Scalar::kInt64: return static_cast<std::uint64_t>(ToInt64(value));
-    case Scalar::kUint64: return ToUint64(value);
-    case Scalar::kFloat: return BitsOf(static_cast<float>(value));
+    case kInt: return BitsOf(ToInt(value));
+    case kUint: return ToUint(value);
+    case kInt64: return static_cast<std::uint64_t>(ToInt64(value));
+    case kUint64: return ToUint64(value);
+    case kFloat: return BitsOf(static_cast<float>(value));
     default: return BitsOf(value);
   }
 }

@@ -31,20 +31,20 @@ const char* NameOf(Scalar kind) {
 }
 
 constexpr std::array<Type, TypeTable::kCommonCount> TypeTable::MakeCommon() {
+  using enum TypeKind;
   std::array<Type, kCommonCount> types{};
-  types[1].kind = TypeKind::kVoid;
-  types[2].kind = TypeKind::kString;
+  types[1].kind = kVoid;
+  types[2].kind = kString;
   std::size_t next = kFirstNumeric;
   for (std::uint32_t scalar = 0; scalar < kScalarKinds; ++scalar) {
     const Scalar kind = static_cast<Scalar>(scalar);
-    types[next++] = {.kind = TypeKind::kScalar, .scalar = kind};
+    types[next++] = {.kind = kScalar, .scalar = kind};
     for (std::uint8_t columns = 1; columns <= 4; ++columns) {
-      types[next++] = {.kind = TypeKind::kVector, .scalar = kind, .columns = columns};
+      types[next++] = {.kind = kVector, .scalar = kind, .columns = columns};
     }
     for (std::uint8_t rows = 1; rows <= 4; ++rows) {
       for (std::uint8_t columns = 1; columns <= 4; ++columns) {
-        types[next++] = {
-            .kind = TypeKind::kMatrix, .scalar = kind, .rows = rows, .columns = columns};
+        types[next++] = {.kind = kMatrix, .scalar = kind, .rows = rows, .columns = columns};
       }
     }
   }
@@ -78,32 +78,33 @@ TypeId TypeTable::Intern(const Type& type) {
 }
 
 std::string TypeTable::Name(TypeId id) const {
+  using enum TypeKind;
   if (!id) return "<none>";
   std::string dimensions;
   const Type* type = &(*this)[id];
-  for (; type->kind == TypeKind::kArray; type = &(*this)[type->element]) {
+  for (; type->kind == kArray; type = &(*this)[type->element]) {
     dimensions += type->count == 0 ? "[]" : "[" + std::to_string(type->count) + "]";
   }
   std::string name;
   switch (type->kind) {
-    case TypeKind::kError: name = "<error>"; break;
-    case TypeKind::kVoid: name = "void"; break;
-    case TypeKind::kString: name = "string"; break;
-    case TypeKind::kScalar: name = NameOf(type->scalar); break;
-    case TypeKind::kVector: name = NameOf(type->scalar) + std::to_string(type->columns); break;
-    case TypeKind::kMatrix:
+    case kError: name = "<error>"; break;
+    case kVoid: name = "void"; break;
+    case kString: name = "string"; break;
+    case kScalar: name = NameOf(type->scalar); break;
+    case kVector: name = NameOf(type->scalar) + std::to_string(type->columns); break;
+    case kMatrix:
       name =
           NameOf(type->scalar) + std::to_string(type->rows) + "x" + std::to_string(type->columns);
       break;
-    case TypeKind::kStruct:
+    case kStruct:
       name = structs_[type->structure].name;
       if (name.empty()) name = "<unnamed struct>";
       break;
-    case TypeKind::kObject:
+    case kObject:
       name = InfoOf(type->object).name;
       if (type->element) name += "<" + Name(type->element) + ">";
       break;
-    case TypeKind::kArray: break;
+    case kArray: break;
   }
   return name + dimensions;
 }

@@ -23,13 +23,14 @@ enum class Scalar : std::uint8_t {
 // One of kBool, kInt, kUint, kFloat, kDouble, kInt64, kUint64: what a value of the kind is at run
 // time.
 constexpr Scalar BaseOf(Scalar kind) {
+  using enum Scalar;
   switch (kind) {
-    case Scalar::kHalf:
-    case Scalar::kMin10Float:
-    case Scalar::kMin16Float: return Scalar::kFloat;
-    case Scalar::kMin12Int:
-    case Scalar::kMin16Int: return Scalar::kInt;
-    case Scalar::kMin16Uint: return Scalar::kUint;
+    case kHalf:
+    case kMin10Float:
+    case kMin16Float: return kFloat;
+    case kMin12Int:
+    case kMin16Int: return kInt;
+    case kMin16Uint: return kUint;
     default: return kind;
   }
 }
@@ -41,6 +42,10 @@ constexpr bool IsFloat(Scalar kind) {
 constexpr bool IsInteger(Scalar kind) { return !IsFloat(kind) && kind != Scalar::kBool; }
 constexpr bool IsUnsigned(Scalar kind) {
   return BaseOf(kind) == Scalar::kUint || BaseOf(kind) == Scalar::kUint64;
+}
+// The bytes of a component in a buffer.
+constexpr std::uint32_t ByteSize(Scalar kind) {
+  return kind == Scalar::kDouble || kind == Scalar::kInt64 || kind == Scalar::kUint64 ? 8 : 4;
 }
 const char* NameOf(Scalar kind);  // HLSL's spelling
 

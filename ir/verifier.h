@@ -46,31 +46,40 @@ class ExprVerifier {
   std::vector<FunctionId> calls;
 
  private:
-  bool Require(bool holds, ExprId expr, std::string_view rule);
+  bool Require(bool holds, std::string_view rule);  // of `expr_`
   const Type& TypeOf(ExprId expr) const { return program_.types[program_.exprs[expr].type]; }
   TypeId IdOf(ExprId expr) const { return program_.exprs[expr].type; }
+  const Type& Checked() const { return TypeOf(expr_); }
   bool HasShapeOf(ExprId a, ExprId b) const;
   bool IsTarget(ExprId expr) const;
   std::vector<TypeId> TypesOf(List<ExprId> list) const;
+  void RequireComponents(const Type& base, std::uint8_t count);
+  void RequireSides(ExprId when_true, ExprId when_false);
 
-  void CheckNode(ExprId expr);
-  void RequireComponents(ExprId expr, const Type& base, std::uint8_t count);
-  void CheckVarRef(ExprId expr, const VarRef& node);
-  void CheckField(ExprId expr, const FieldRef& node);
-  void CheckIndex(ExprId expr, const Index& node);
-  void CheckSwizzle(ExprId expr, const Swizzle& node);
-  void CheckMatrixSwizzle(ExprId expr, const MatrixSwizzle& node);
-  void CheckUnary(ExprId expr, const Unary& node);
-  void CheckBinary(ExprId expr, const Binary& node);
-  void CheckAssign(ExprId expr, const Assign& node);
-  void CheckChoice(ExprId expr, ExprId condition, ExprId when_true, ExprId when_false,
-                   bool component_wise);
-  void CheckConstruct(ExprId expr, const Construct& node);
-  void CheckCall(ExprId expr, const Call& node);
-  void CheckIntrinsicCall(ExprId expr, const IntrinsicCall& node);
-  void CheckObjectCall(ExprId expr, const ObjectCall& node);
+  // The node of `expr_`, whose operands were checked.
+  void Check(const Literal& node);
+  void Check(const Zero& node);
+  void Check(const VarRef& node);
+  void Check(const FieldRef& node);
+  void Check(const Index& node);
+  void Check(const Swizzle& node);
+  void Check(const MatrixSwizzle& node);
+  void Check(const Unary& node);
+  void Check(const Binary& node);
+  void Check(const Assign& node);
+  void Check(const Conditional& node);
+  void Check(const Select& node);
+  void Check(const Convert& node);
+  void Check(const Splat& node);
+  void Check(const Construct& node);
+  void Check(const MatrixTruncate& node);
+  void Check(const Call& node);
+  void Check(const IntrinsicCall& node);
+  void Check(const ObjectCall& node);
+  void Check(const Comma& node);
 
   const Program& program_;
+  ExprId expr_;
   std::vector<bool> has_parent_;
   std::optional<std::string> problem_;
 };

@@ -95,26 +95,26 @@ class InterfaceVerifier {
   }
 
   bool FitsBuiltin(Builtin builtin, TypeId id, Storage storage) const {
+    using enum Storage;
+    using enum Builtin;
     const Type& type = program_.types[id];
     const bool is_scalar = type.kind == TypeKind::kScalar;
     const Scalar base = BaseOf(type.scalar);
     switch (builtin) {
-      case Builtin::kNone: return true;
-      case Builtin::kPosition:
-      case Builtin::kClipVertex:
-        return storage == Storage::kOutput && type.kind == TypeKind::kVector && type.columns == 4 &&
+      case kNone: return true;
+      case kPosition:
+      case kClipVertex:
+        return storage == kOutput && type.kind == TypeKind::kVector && type.columns == 4 &&
                base == Scalar::kFloat;
-      case Builtin::kClipDistance:
-      case Builtin::kCullDistance:
-        return storage == Storage::kOutput && type.kind == TypeKind::kArray && type.count >= 1 &&
+      case kClipDistance:
+      case kCullDistance:
+        return storage == kOutput && type.kind == TypeKind::kArray && type.count >= 1 &&
                type.count <= kMaxClipDistances && program_.types.Name(type.element) == "float";
-      case Builtin::kPointSize:
-        return storage == Storage::kOutput && is_scalar && base == Scalar::kFloat;
-      case Builtin::kLayer:
-      case Builtin::kViewportIndex:
-      case Builtin::kShadingRate:
-        return storage == Storage::kOutput && is_scalar && IsInteger(base);
-      default: return storage == Storage::kInput && is_scalar && IsInteger(base);
+      case kPointSize: return storage == kOutput && is_scalar && base == Scalar::kFloat;
+      case kLayer:
+      case kViewportIndex:
+      case kShadingRate: return storage == kOutput && is_scalar && IsInteger(base);
+      default: return storage == kInput && is_scalar && IsInteger(base);
     }
   }
 

@@ -21,15 +21,16 @@ bool FitsKind(char letter, Scalar kind) {
 }
 
 bool FitsShape(char shape, const Type& type) {
+  using enum TypeKind;
   switch (shape) {
     case 'g': return type.IsNumeric();
-    case 'v': return type.kind == TypeKind::kVector || type.kind == TypeKind::kScalar;
+    case 'v': return type.kind == kVector || type.kind == kScalar;
     case '2':
     case '3':
-    case '4': return type.kind == TypeKind::kVector && type.columns == shape - '0';
-    case 's': return type.kind == TypeKind::kScalar;
-    case 'q': return type.kind == TypeKind::kMatrix && type.rows == type.columns;
-    default: return type.kind == TypeKind::kMatrix;  // m, t
+    case '4': return type.kind == kVector && type.columns == shape - '0';
+    case 's': return type.kind == kScalar;
+    case 'q': return type.kind == kMatrix && type.rows == type.columns;
+    default: return type.kind == kMatrix;  // m, t
   }
 }
 
@@ -80,29 +81,28 @@ bool MatchesSignature(const TypeTable& types, const IntrinsicSignature& signatur
 
 // mul(): scalars, vectors and matrices in all nine combinations, of one kind.
 bool MatchesMul(const Type& result, const Type& left, const Type& right) {
+  using enum TypeKind;
   if (!left.IsNumeric() || !right.IsNumeric()) return false;
   if (left.scalar != right.scalar || left.scalar != result.scalar) return false;
-  const bool left_vector = left.kind == TypeKind::kVector;
-  const bool right_vector = right.kind == TypeKind::kVector;
-  if (left.kind == TypeKind::kScalar) return SameShape(result, right);
-  if (right.kind == TypeKind::kScalar) return SameShape(result, left);
-  if (left_vector && right_vector)
-    return left.columns == right.columns && result.kind == TypeKind::kScalar;
+  const bool left_vector = left.kind == kVector;
+  const bool right_vector = right.kind == kVector;
+  if (left.kind == kScalar) return SameShape(result, right);
+  if (right.kind == kScalar) return SameShape(result, left);
+  if (left_vector && right_vector) return left.columns == right.columns && result.kind == kScalar;
   if (left_vector) {
-    return left.columns == right.rows && result.kind == TypeKind::kVector &&
-           result.columns == right.columns;
+    return left.columns == right.rows && result.kind == kVector && result.columns == right.columns;
   }
   if (right_vector) {
-    return left.columns == right.columns && result.kind == TypeKind::kVector &&
-           result.columns == left.rows;
+    return left.columns == right.columns && result.kind == kVector && result.columns == left.rows;
   }
-  return left.columns == right.rows && result.kind == TypeKind::kMatrix &&
-         result.rows == left.rows && result.columns == right.columns;
+  return left.columns == right.rows && result.kind == kMatrix && result.rows == left.rows &&
+         result.columns == right.columns;
 }
 
 // mul, asfloat, asint, asuint.
 bool MatchesSpecial(const TypeTable& types, Intrinsic op, TypeId result_id,
                     const std::vector<TypeId>& arguments) {
+  using enum Scalar;
   const Type& result = types[result_id];
   if (arguments.empty()) return false;
   const Type& first = types[arguments[0]];
@@ -110,16 +110,14 @@ bool MatchesSpecial(const TypeTable& types, Intrinsic op, TypeId result_id,
     return arguments.size() == 2 && MatchesMul(result, first, types[arguments[1]]);
   const Scalar from = BaseOf(first.scalar);
   if (arguments.size() == 3) {
-    return op == Intrinsic::kAsUint && result.kind == TypeKind::kVoid && from == Scalar::kDouble &&
-           SameShape(first, types[arguments[1]]) && types[arguments[1]].scalar == Scalar::kUint &&
+    return op == Intrinsic::kAsUint && result.kind == TypeKind::kVoid && from == kDouble &&
+           SameShape(first, types[arguments[1]]) && types[arguments[1]].scalar == kUint &&
            arguments[1] == arguments[2];
   }
-  const Scalar to = op == Intrinsic::kAsFloat ? Scalar::kFloat
-                    : op == Intrinsic::kAsInt ? Scalar::kInt
-                                              : Scalar::kUint;
-  const bool is_from_integer = from == Scalar::kInt || from == Scalar::kUint;
+  const Scalar to = op == Intrinsic::kAsFloat ? kFloat : op == Intrinsic::kAsInt ? kInt : kUint;
+  const bool is_from_integer = from == kInt || from == kUint;
   return arguments.size() == 1 && SameShape(result, first) && BaseOf(result.scalar) == to &&
-         (to == Scalar::kFloat ? is_from_integer : from == Scalar::kFloat);
+         (to == kFloat ? is_from_integer : from == kFloat);
 }
 
 }  // namespace

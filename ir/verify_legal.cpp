@@ -24,33 +24,34 @@ bool IsBounded(const Program& program, ExprId count) {
 bool IsShift(BinaryOp op) { return op == BinaryOp::kShiftLeft || op == BinaryOp::kShiftRight; }
 
 std::string_view BrokenBy(const Program& program, BinaryOp op, const Type& type, ExprId right) {
-  const bool is_linear =
-      op == BinaryOp::kMul || op == BinaryOp::kDiv || op == BinaryOp::kAdd || op == BinaryOp::kSub;
+  using enum BinaryOp;
+  const bool is_linear = op == kMul || op == kDiv || op == kAdd || op == kSub;
   if (IsMatrix(type) && !(is_linear && IsFloat(type.scalar))) {
     return "only + - * / take matrices, of floats";
   }
-  if (op == BinaryOp::kLogicalAnd || op == BinaryOp::kLogicalOr) {
+  if (op == kLogicalAnd || op == kLogicalOr) {
     return "logical operators evaluate one side first";
   }
-  if (op == BinaryOp::kMod && !IsUnsigned(type.scalar)) return "% is of unsigned integers";
+  if (op == kMod && !IsUnsigned(type.scalar)) return "% is of unsigned integers";
   if (IsShift(op) && !IsBounded(program, right)) return "a shift count is below the number of bits";
   return {};
 }
 
 std::string_view BrokenBy(const Program& program, const IntrinsicCall& call) {
+  using enum Intrinsic;
   const Type& type = program.types[program.exprs[program.expr_lists[call.arguments][0]].type];
   switch (call.op) {
-    case Intrinsic::kMul:
-    case Intrinsic::kTranspose:
+    case kMul:
+    case kTranspose:
       if (!IsMatrix(type) || IsFloat(type.scalar)) return {};
       break;
-    case Intrinsic::kDeterminant: return {};
-    case Intrinsic::kMad:
-    case Intrinsic::kRcp:
-    case Intrinsic::kLog10:
-    case Intrinsic::kLdexp:
-    case Intrinsic::kFmod:
-    case Intrinsic::kSincos: return "the function is short for others";
+    case kDeterminant: return {};
+    case kMad:
+    case kRcp:
+    case kLog10:
+    case kLdexp:
+    case kFmod:
+    case kSincos: return "the function is short for others";
     default: break;
   }
   return IsMatrix(type) ? "the function takes no matrix" : std::string_view{};

@@ -169,12 +169,7 @@ ir::ExprId CheckSizeof(Context& context, const ast::SizeofExpr& expr, Span span)
     return context.Fail(span, diag::SizeUnknown, context.TypeName(type));
   }
   std::uint32_t size = 0;
-  for (ir::Scalar leaf : *leaves) {
-    const ir::Scalar base = ir::BaseOf(leaf);
-    const bool is_wide =
-        base == ir::Scalar::kDouble || base == ir::Scalar::kInt64 || base == ir::Scalar::kUint64;
-    size += is_wide ? 8 : 4;
-  }
+  for (ir::Scalar leaf : *leaves) size += ir::ByteSize(leaf);
   return context.At(span).Uint(size);
 }
 

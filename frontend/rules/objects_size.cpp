@@ -24,9 +24,7 @@ std::uint32_t StrideOf(const ir::TypeTable& types, TypeId id) {
       bytes += StrideOf(types, field.type);
     return bytes;
   }
-  const bool is_wide = type.scalar == Scalar::kDouble || type.scalar == Scalar::kInt64 ||
-                       type.scalar == Scalar::kUint64;
-  return type.Components() * (is_wide ? 8 : 4);
+  return type.Components() * ByteSize(type.scalar);
 }
 
 class SizeCheck {
