@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "ir/evaluate_math.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -71,22 +72,24 @@ Unsigned SignedDivide(Unsigned left, Unsigned right, bool remainder) {
   return negate ? 0 - magnitude : magnitude;
 }
 
-template <typename Unsigned>
-Unsigned IntegerBinary(BinaryOp op, Unsigned left, Unsigned right, bool is_signed) {
+// Computed without sign, which is defined where the result does not fit.
+template <typename T>
+Word IntegerBinary(BinaryOp op, T left_value, T right_value) {
   using enum BinaryOp;
-  using Signed = std::make_signed_t<Unsigned>;
+  using Unsigned = std::make_unsigned_t<T>;
+  if (IsComparison(op)) return Comparison(op, left_value, right_value);
+  const auto left = static_cast<Unsigned>(left_value), right = static_cast<Unsigned>(right_value);
   const Unsigned count = right & (std::numeric_limits<Unsigned>::digits - 1);
   switch (op) {
-    case kMul: return left * right;
+    case kMul: return Unsigned{left * right};
     case kDiv:
     case kMod:
-      return is_signed ? SignedDivide(left, right, op == kMod)
-                       : UnsignedDivide(left, right, op == kMod);
-    case kAdd: return left + right;
-    case kSub: return left - right;
-    case kShiftLeft: return left << count;
-    case kShiftRight:
-      return is_signed ? static_cast<Unsigned>(static_cast<Signed>(left) >> count) : left >> count;
+      return std::is_signed_v<T> ? SignedDivide(left, right, op == kMod)
+                                 : UnsignedDivide(left, right, op == kMod);
+    case kAdd: return Unsigned{left + right};
+    case kSub: return Unsigned{left - right};
+    case kShiftLeft: return Unsigned{left << count};
+    case kShiftRight: return static_cast<Unsigned>(left_value >> count);
     case kBitAnd: return left & right;
     case kBitXor: return left ^ right;
     default: CLIPC_CHECK(op == kBitOr); return left | right;
@@ -197,31 +200,25 @@ std::uint32_t Reversed(std::uint32_t bits) {
   return result;
 }
 
-template <typename Unsigned>
-Word IntegerComponent(Intrinsic op, Unsigned x, Unsigned y, Unsigned z, bool is_signed) {
+template <typename T>
+Word IntegerComponent(Intrinsic op, T x, T y, T z) {
   using enum Intrinsic;
-  using Signed = std::make_signed_t<Unsigned>;
-  constexpr int digits = std::numeric_limits<Unsigned>::digits;
-  const auto less = [&](Unsigned a, Unsigned b) {
-    return is_signed ? static_cast<Signed>(a) < static_cast<Signed>(b) : a < b;
-  };
+  using Unsigned = std::make_unsigned_t<T>;
+  const auto bits = static_cast<Unsigned>(x);
   switch (op) {
-    case kAbs: return is_signed && static_cast<Signed>(x) < 0 ? static_cast<Unsigned>(0 - x) : x;
-    case kSign: return BitsOf(std::int32_t{less(0, x)} - std::int32_t{less(x, 0)});
-    case kMax: return less(x, y) ? y : x;
-    case kMin: return less(y, x) ? y : x;
-    case kClamp: {
-      const Unsigned raised = less(x, y) ? y : x;
-      return less(z, raised) ? z : raised;
-    }
-    case kMad: return static_cast<Unsigned>(x * y + z);
-    case kCountBits: return static_cast<Word>(std::popcount(x));
+    case kAbs: return x < 0 ? Unsigned{0 - bits} : bits;
+    case kSign: return BitsOf(std::int32_t{x > 0} - std::int32_t{x < 0});
+    case kMax: return BitsOf(std::max(x, y));
+    case kMin: return BitsOf(std::min(x, y));
+    case kClamp: return BitsOf(std::min(std::max(x, y), z));
+    case kMad: return Unsigned{bits * static_cast<Unsigned>(y) + static_cast<Unsigned>(z)};
+    case kCountBits: return static_cast<Word>(std::popcount(bits));
     case kFirstBitHigh: {
       // The place from bit 0 of the first bit that differs from the sign; none: all ones.
-      const Unsigned bits = is_signed && static_cast<Signed>(x) < 0 ? static_cast<Unsigned>(~x) : x;
-      return BitsOf(bits == 0 ? -1 : digits - 1 - std::countl_zero(bits));
+      const Unsigned differing = x < 0 ? Unsigned{~bits} : bits;
+      return BitsOf(static_cast<std::int32_t>(std::bit_width(differing)) - 1);
     }
-    case kFirstBitLow: return BitsOf(x == 0 ? -1 : std::countr_zero(x));
+    case kFirstBitLow: return BitsOf(x == 0 ? -1 : std::countr_zero(bits));
     default: CLIPC_CHECK(op == kReverseBits); return Reversed(static_cast<std::uint32_t>(x));
   }
 }
@@ -244,19 +241,10 @@ Word BinaryComponent(BinaryOp op, Scalar rep, Word left, Word right) {
   switch (rep) {
     case kFloat: return FloatBinary(op, FloatOf(left), FloatOf(right));
     case kDouble: return FloatBinary(op, DoubleOf(left), DoubleOf(right));
-    case kInt:
-      if (IsComparison(op)) return Comparison(op, IntOf(left), IntOf(right));
-      return IntegerBinary(op, UintOf(left), UintOf(right), true);
-    case kUint:
-      if (IsComparison(op)) return Comparison(op, UintOf(left), UintOf(right));
-      return IntegerBinary(op, UintOf(left), UintOf(right), false);
-    case kInt64:
-      if (IsComparison(op))
-        return Comparison(op, static_cast<std::int64_t>(left), static_cast<std::int64_t>(right));
-      return IntegerBinary(op, left, right, true);
-    case kUint64:
-      if (IsComparison(op)) return Comparison(op, left, right);
-      return IntegerBinary(op, left, right, false);
+    case kInt: return IntegerBinary(op, IntOf(left), IntOf(right));
+    case kUint: return IntegerBinary(op, UintOf(left), UintOf(right));
+    case kInt64: return IntegerBinary(op, Int64Of(left), Int64Of(right));
+    case kUint64: return IntegerBinary(op, left, right);
     default: return BoolBinary(op, left, right);
   }
 }
@@ -284,10 +272,10 @@ Word ComponentFunction(Intrinsic op, Scalar rep, Word x, Word y, Word z) {
   switch (rep) {
     case kFloat: return FloatComponent(op, FloatOf(x), FloatOf(y), FloatOf(z));
     case kDouble: return FloatComponent(op, DoubleOf(x), DoubleOf(y), DoubleOf(z));
-    case kInt: return IntegerComponent(op, UintOf(x), UintOf(y), UintOf(z), true);
-    case kUint: return IntegerComponent(op, UintOf(x), UintOf(y), UintOf(z), false);
-    case kInt64: return IntegerComponent(op, x, y, z, true);
-    default: return IntegerComponent(op, x, y, z, false);
+    case kInt: return IntegerComponent(op, IntOf(x), IntOf(y), IntOf(z));
+    case kUint: return IntegerComponent(op, UintOf(x), UintOf(y), UintOf(z));
+    case kInt64: return IntegerComponent(op, Int64Of(x), Int64Of(y), Int64Of(z));
+    default: return IntegerComponent(op, x, y, z);
   }
 }
 

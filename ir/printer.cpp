@@ -164,7 +164,7 @@ void Printer::PutLiteral(const Type& type, std::uint64_t bits) {
     case kBool: return Put(bits != 0 ? "true" : "false");
     case kInt: Put(std::to_string(IntOf(bits))); break;
     case kUint: Put(std::to_string(UintOf(bits))); break;
-    case kInt64: return Put(std::to_string(static_cast<std::int64_t>(bits)), "LL");
+    case kInt64: return Put(std::to_string(Int64Of(bits)), "LL");
     case kUint64: return Put(std::to_string(bits), "ULL");
     case kDouble: return Put(NumberText(DoubleOf(bits), bits), "L");
     default: Put(NumberText(FloatOf(bits), bits));

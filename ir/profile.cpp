@@ -2,86 +2,49 @@
 #include "ir/profile.h"
 
 #include <algorithm>
+#include <ranges>
 
 #include "base/spelling.h"
 
 namespace clipc::ir {
 namespace {
 
-// fxc's and dxc's documented targets before shader model 6.
-constexpr std::string_view kNames[] = {
-    "vs_1_1",
-    "vs_2_0",
-    "vs_2_a",
-    "vs_2_sw",
-    "vs_3_0",
-    "vs_3_sw",
-    "vs_4_0",
-    "vs_4_0_level_9_0",
-    "vs_4_0_level_9_1",
-    "vs_4_0_level_9_3",
-    "vs_4_1",
-    "vs_5_0",
-    "vs_5_1",
-    "ps_1_1",
-    "ps_1_2",
-    "ps_1_3",
-    "ps_1_4",
-    "ps_2_0",
-    "ps_2_a",
-    "ps_2_b",
-    "ps_2_sw",
-    "ps_3_0",
-    "ps_3_sw",
-    "ps_4_0",
-    "ps_4_0_level_9_0",
-    "ps_4_0_level_9_1",
-    "ps_4_0_level_9_3",
-    "ps_4_1",
-    "ps_5_0",
-    "ps_5_1",
-    "gs_4_0",
-    "gs_4_1",
-    "gs_5_0",
-    "gs_5_1",
-    "hs_5_0",
-    "hs_5_1",
-    "ds_5_0",
-    "ds_5_1",
-    "cs_4_0",
-    "cs_4_1",
-    "cs_5_0",
-    "cs_5_1",
-    "lib_4_0",
-    "lib_4_1",
-    "lib_4_0_level_9_1",
-    "lib_4_0_level_9_3",
-    "lib_5_0",
-    "lib_6_x",
-    "fx_2_0",
-    "fx_4_0",
-    "fx_4_1",
-    "fx_5_0",
-    "tx_1_0",
-    "rootsig_1_0",
-    "rootsig_1_1",
-    "rootsig_1_2",
-};
-// Shader model 6.minor: the first minor of each stage, and the last that a dxc release takes.
+// fxc's and dxc's documented targets: a stage's versions before shader model 6, and its first minor
+// version of that model, if dxc has it there.
 struct Stage {
-  std::string_view stage;
-  int first_minor;
-};
-constexpr Stage kStages6[] = {{"vs", 0}, {"ps", 0}, {"gs", 0}, {"hs", 0}, {"ds", 0},
-                              {"cs", 0}, {"ms", 5}, {"as", 5}, {"lib", 1}};
-constexpr int kLastMinor6 = 9;
+  std::string_view name;
+  std::string_view versions;
+  int first_minor6 = kLastMinor6 + 1;
 
-bool IsKnown(const std::string& lower) {
-  if (std::ranges::find(kNames, lower) != std::end(kNames)) return true;
-  for (const Stage& stage : kStages6) {
-    for (int minor = stage.first_minor; minor <= kLastMinor6; ++minor) {
-      if (lower == std::string(stage.stage) + "_6_" + std::to_string(minor)) return true;
-    }
+  static constexpr int kLastMinor6 = 9;  // the last that a dxc release takes
+};
+constexpr Stage kStages[] = {
+    {"vs", "1_1 2_0 2_a 2_sw 3_0 3_sw 4_0 4_0_level_9_0 4_0_level_9_1 4_0_level_9_3 4_1 5_0 5_1",
+     0},
+    {"ps",
+     "1_1 1_2 1_3 1_4 2_0 2_a 2_b 2_sw 3_0 3_sw 4_0 4_0_level_9_0 4_0_level_9_1 4_0_level_9_3 4_1 "
+     "5_0 5_1",
+     0},
+    {"gs", "4_0 4_1 5_0 5_1", 0},
+    {"hs", "5_0 5_1", 0},
+    {"ds", "5_0 5_1", 0},
+    {"cs", "4_0 4_1 5_0 5_1", 0},
+    {"ms", "", 5},
+    {"as", "", 5},
+    {"lib", "4_0 4_1 4_0_level_9_1 4_0_level_9_3 5_0 6_x", 1},
+    {"fx", "2_0 4_0 4_1 5_0"},
+    {"tx", "1_0"},
+    {"rootsig", "1_0 1_1 1_2"},
+};
+
+bool IsKnown(std::string_view name, std::string_view version) {
+  const auto stage = std::ranges::find(kStages, name, &Stage::name);
+  if (stage == std::end(kStages)) return false;
+  for (int minor = stage->first_minor6; minor <= Stage::kLastMinor6; ++minor) {
+    if (version == "6_" + std::to_string(minor)) return true;
+  }
+  for (const auto known : std::views::split(stage->versions, ' ')) {
+    if (version == std::string_view(known.begin(), known.end())) return true;
   }
   return false;
 }
@@ -102,8 +65,9 @@ Level9 Level9Of(const std::string& lower) {
 
 std::optional<Profile> ParseProfile(std::string_view name) {
   const std::string lower = ToLower(name);
-  if (!IsKnown(lower)) return std::nullopt;
-  const std::size_t stage = lower.find('_');
+  const std::size_t stage = std::min(lower.find('_'), lower.size() - 1);
+  if (lower.empty() || !IsKnown(lower.substr(0, stage), lower.substr(stage + 1)))
+    return std::nullopt;
   return Profile{.name = lower,
                  .stage = lower.substr(0, stage),
                  .major = lower[stage + 1] - '0',

@@ -38,7 +38,7 @@ double NumberOf(std::uint64_t bits, Scalar kind) {
     case Scalar::kFloat: return FloatOf(bits);
     case Scalar::kDouble: return DoubleOf(bits);
     case Scalar::kInt: return IntOf(bits);
-    case Scalar::kInt64: return static_cast<double>(static_cast<std::int64_t>(bits));
+    case Scalar::kInt64: return static_cast<double>(Int64Of(bits));
     default: return static_cast<double>(bits);
   }
 }
@@ -55,8 +55,7 @@ std::uint64_t ConvertBits(std::uint64_t bits, Scalar from, Scalar to) {
     if (target == kInt64 || target == kUint64) return wide;
     if (target == kDouble) return BitsOf(NumberOf(bits, source));
     // From the integer at once: by way of a double a 64-bit value would round twice.
-    return BitsOf(IsSigned(source) ? static_cast<float>(static_cast<std::int64_t>(wide))
-                                   : static_cast<float>(wide));
+    return BitsOf(IsSigned(source) ? static_cast<float>(Int64Of(wide)) : static_cast<float>(wide));
   }
   const double value = NumberOf(bits, source);
   switch (target) {

@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <type_traits>
 
 #include "ir/type.h"
 
@@ -11,10 +12,16 @@
 // double.
 namespace clipc::ir {
 
-inline std::uint64_t BitsOf(float value) { return std::bit_cast<std::uint32_t>(value); }
-inline std::uint64_t BitsOf(double value) { return std::bit_cast<std::uint64_t>(value); }
-inline std::uint64_t BitsOf(std::int32_t value) { return static_cast<std::uint32_t>(value); }
-inline std::uint64_t BitsOf(std::uint32_t value) { return value; }
+template <typename T>
+std::uint64_t BitsOf(T value) {
+  if constexpr (std::is_same_v<T, float>) {
+    return std::bit_cast<std::uint32_t>(value);
+  } else if constexpr (std::is_same_v<T, double>) {
+    return std::bit_cast<std::uint64_t>(value);
+  } else {
+    return std::make_unsigned_t<T>(value);
+  }
+}
 inline float FloatOf(std::uint64_t bits) {
   return std::bit_cast<float>(static_cast<std::uint32_t>(bits));
 }
@@ -23,6 +30,7 @@ inline std::int32_t IntOf(std::uint64_t bits) {
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(bits));
 }
 inline std::uint32_t UintOf(std::uint64_t bits) { return static_cast<std::uint32_t>(bits); }
+inline std::int64_t Int64Of(std::uint64_t bits) { return static_cast<std::int64_t>(bits); }
 
 // Each truncates. NaN gives 0, and a value that does not fit gives the nearest one that does: ftoi
 // and ftou of the Direct3D 11.3 functional specification.
