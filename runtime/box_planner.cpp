@@ -44,7 +44,8 @@ struct Block {
 };
 
 CLIPC_BLOCK_FUNCTION float Magnitude(float number) { return number < 0 ? -number : number; }
-CLIPC_BLOCK_FUNCTION float Larger(float a, float b) { return a > b ? a : b; }
+// Of a number and a NaN `b`, the number.
+CLIPC_BLOCK_FUNCTION float Larger(float a, float b) { return a < b ? b : a; }
 
 CLIPC_BLOCK_FUNCTION bool IsZero(const Float4& plane) {
   return plane.x == 0 && plane.y == 0 && plane.z == 0 && plane.w == 0;

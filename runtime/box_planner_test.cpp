@@ -171,6 +171,17 @@ TEST(PlanBoxTest, WhatCannotBeJudgedNeedsThePlane) {
       << "the shader may flush it to 0, which keeps, or not";
 }
 
+TEST(PlanBoxesTest, APlaneThatIsNanDoesNotHideTheErrorOfAnother) {
+  const Box box = {{-9, -12, -18}, {-8, -8, -16}};
+  const Float4 planes[] = {{-3e38f, -1, 0, 0}, {kNan, 1, 1, 1}, {-1, 0, -1, -7}};
+  const BoxArrays boxes = {
+      {&box.low[0], &box.low[1], &box.low[2]}, {&box.high[0], &box.high[1], &box.high[2]}, 1};
+  BoxPlan plan = 0;
+  PlanBoxes(boxes, planes, 3, &plan);
+  EXPECT_EQ(plan, 0b011);
+  EXPECT_EQ(PlanBox(box, planes, 3), 0b011);
+}
+
 class ManyBoxes {
  public:
   ManyBoxes(std::size_t count, std::uint32_t seed) : random_(seed) {
