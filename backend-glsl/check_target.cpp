@@ -167,7 +167,7 @@ class TargetCheck {
   void Bindings() {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::string> taken;
     const auto take = [&](const Register& reg, const std::string& name, Span span) {
-      const std::uint32_t binding = VulkanBinding(reg);
+      const std::uint32_t binding = VulkanBinding(reg, target_);
       const auto [found, is_free] = taken.try_emplace({reg.space, binding}, name);
       if (!is_free)
         diagnostics_.Report(span, diag::TargetBindingsCollide, found->second, name, binding,

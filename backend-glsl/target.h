@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 // The dialects of GLSL that clipc writes, and what each of them can say.
 namespace clipc::glsl {
@@ -78,6 +79,13 @@ struct Support {
   std::string_view extension = "";
 };
 
+// The binding of register n of a letter is n + shift: in one register space, or in all.
+struct BindingShift {
+  char letter = 'b';
+  std::uint32_t shift = 0;
+  std::optional<std::uint32_t> space;
+};
+
 class Target {
  public:
   // The target called "glsl450", "essl300", "vulkan"; none when no target has the name.
@@ -94,6 +102,9 @@ class Target {
   Support Of(Feature feature) const;
   bool Has(Feature feature) const { return Of(feature).has; }
   bool HasInCore(Feature feature) const { return Has(feature) && Of(feature).extension.empty(); }
+
+  // Vulkan's, in place of the usual ones (write.h); a later one wins.
+  std::vector<BindingShift> binding_shifts;
 
  private:
   Target(std::string_view name, Api api, int version) : name_(name), api_(api), version_(version) {}

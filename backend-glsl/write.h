@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,6 +19,9 @@ struct WriteOptions {
   // For program pipelines of separate stages (glUseProgramStages): gl_PerVertex is redeclared, as
   // section 7.1.1 asks.
   bool separable = false;
+  // What is written as a comment before a statement that is from another line than the one before
+  // it; empty: no comment. Without the function there are none.
+  std::function<std::string(Span)> comment_of = {};
 };
 
 // What the host must know of the written shader: the names, places and layouts that were chosen.
@@ -79,11 +83,12 @@ std::string WriteGlsl(const ir::Program& program, Reached reached, const Target&
 
 // ---- where the objects of a Vulkan shader are bound
 // Direct3D numbers constant buffers, textures and samplers apart; a Vulkan set has one row of
-// bindings. Register n becomes binding n + the shift of its letter; the space becomes the set.
+// bindings. Register n becomes binding n + the shift of its letter, one of these unless the target
+// has others; the space becomes the set.
 inline constexpr std::uint32_t kVulkanShiftB = 0;
 inline constexpr std::uint32_t kVulkanShiftS = 16;   // b0 to b15 come before: Direct3D 11 has 14
 inline constexpr std::uint32_t kVulkanShiftT = 32;   // s0 to s15
 inline constexpr std::uint32_t kVulkanShiftU = 160;  // t0 to t127
-std::uint32_t VulkanBinding(const ir::Register& reg);
+std::uint32_t VulkanBinding(const ir::Register& reg, const Target& target);
 
 }  // namespace clipc::glsl

@@ -146,6 +146,7 @@ class Writer {
   std::uint32_t StrideOf(const Memory& memory, ir::TypeId array, bool row_major) const;
 
   // ---- writer_stmt.cpp
+  void Comment(Span span);
   void Statement(ir::StmtId id);
   void Statements(std::span<const ir::StmtId> list);
   void Body(ir::StmtId id);  // of a compound statement, in braces
@@ -281,6 +282,7 @@ class Writer {
       late_globals_;  // name and value: ES initialises them in main
 
   std::set<std::string> extensions_;
+  std::string comment_;  // the last of Comment
   std::string structs_, blocks_, objects_, inputs_, outputs_, helpers_, globals_, functions_;
   std::string* out_ = nullptr;  // where Line writes
   int indent_ = 0;

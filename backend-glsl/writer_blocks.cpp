@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // Constant buffers and the reading of their members.
 #include <algorithm>
+#include <ranges>
 #include <variant>
 
 #include "backend-glsl/writer.h"
@@ -20,7 +21,11 @@ std::string RegisterText(const Register& reg) {
 
 }  // namespace
 
-std::uint32_t VulkanBinding(const Register& reg) {
+std::uint32_t VulkanBinding(const Register& reg, const Target& target) {
+  for (const BindingShift& given : target.binding_shifts | std::views::reverse) {
+    if (given.letter == reg.letter && given.space.value_or(reg.space) == reg.space)
+      return reg.number + given.shift;
+  }
   switch (reg.letter) {
     case 'b': return reg.number + kVulkanShiftB;
     case 's': return reg.number + kVulkanShiftS;
@@ -62,7 +67,7 @@ std::string Writer::BlockQualifiers(const Cbuffer& cbuffer, const BlockLayout& l
   std::string text = "std140";
   if (target_.IsVulkan()) {
     info.set = cbuffer.reg.space;
-    info.binding = VulkanBinding(cbuffer.reg);
+    info.binding = VulkanBinding(cbuffer.reg, target_);
     text += ", set = " + std::to_string(*info.set);
   } else if (target_.Has(Feature::kBindings)) {
     info.binding = FreeBinding(uniform_bindings_, cbuffer.reg.number, cbuffer.count);

@@ -199,7 +199,7 @@ void Writer::SeparateObject(const Resource& resource) {
   (is_sampler ? info.sampler : info.texture) = resource.var;
   info.name = var_names_[resource.var.index];
   info.set = resource.reg.space;
-  info.binding = VulkanBinding(resource.reg);
+  info.binding = VulkanBinding(resource.reg, target_);
   objects_ += "layout(set = " + std::to_string(*info.set) +
               ", binding = " + std::to_string(*info.binding) + ") uniform " +
               ObjectTypeName(resource.var) + " " + info.name + Dimensions(resource.var) + ";  // " +
@@ -215,7 +215,7 @@ void Writer::BufferObject(const Resource& resource) {
   std::string qualifiers = "std430";
   if (target_.IsVulkan()) {
     info.set = resource.reg.space;
-    info.binding = VulkanBinding(resource.reg);
+    info.binding = VulkanBinding(resource.reg, target_);
     qualifiers += ", set = " + std::to_string(*info.set);
   } else {
     info.binding = FreeBinding(storage_bindings_, resource.reg.number, 1);
@@ -246,7 +246,7 @@ void Writer::ImageObject(const Resource& resource) {
   std::string qualifiers;
   if (target_.IsVulkan()) {
     info.set = resource.reg.space;
-    info.binding = VulkanBinding(resource.reg);
+    info.binding = VulkanBinding(resource.reg, target_);
     qualifiers = "set = " + std::to_string(*info.set) + ", ";
   } else {
     info.binding =

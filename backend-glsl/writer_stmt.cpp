@@ -26,7 +26,16 @@ void Writer::Body(StmtId id) {
   --indent_;
 }
 
+void Writer::Comment(Span span) {
+  if (!options_.comment_of) return;
+  std::string comment = options_.comment_of(span);
+  if (comment.empty() || comment == comment_) return;
+  comment_ = std::move(comment);
+  Line("// ", comment_);
+}
+
 void Writer::Statement(StmtId id) {
+  if (!std::holds_alternative<ir::Block>(program_.stmts[id].node)) Comment(program_.stmts[id].span);
   Visit(Overloaded{
             [&](const ir::Block&) {
               Line("{");

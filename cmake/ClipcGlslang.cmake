@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# `glslang_slice`: glslang's GLSL parser, for --validate. It makes no SPIR-V, so neither libSPIRV nor SPIRV-Tools is linked.
+# `glslang_slice`: glslang's GLSL parser, for --validate.
 
 find_path(GLSLANG_INCLUDE glslang/Public/ShaderLang.h)
 add_library(glslang_slice INTERFACE)
@@ -17,7 +17,7 @@ if(NOT GLSLANG_INCLUDE OR NOT GLSLANG_glslang)
 endif()
 target_link_libraries(glslang_slice INTERFACE Threads::Threads)
 
-# `glslang_spirv`: what makes SPIR-V of it, for tests and benchmarks only; not there where these archives are not.
+# `glslang_spirv`: what makes SPIR-V of it; not there where these archives are not.
 find_library(GLSLANG_SPIRV libSPIRV.a)
 find_library(SPIRV_TOOLS_OPT libSPIRV-Tools-opt.a)
 find_library(SPIRV_TOOLS libSPIRV-Tools.a)

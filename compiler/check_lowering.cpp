@@ -33,6 +33,15 @@ ir::VarId CheckLowering(const ir::Program& program, const LoweringRequest& reque
   return CheckPositionInput(program, semantic.empty() ? "POSITION0" : semantic, diagnostics);
 }
 
+void CheckPlanesAreKept(const ir::Program& program, const LoweringRequest& request,
+                        const glsl::Target& target, Diagnostics& diagnostics) {
+  const auto& planes = program.clip_planes;
+  const bool is_kept = request.lowering != Lowering::kLevel9 || planes.empty() ||
+                       target.Has(glsl::Feature::kClipVertex);
+  if (is_kept) return;
+  diagnostics.Report(Cover(planes.front().span, planes.back().span), diag::ClipPlanesOnlyInTable);
+}
+
 ClipDistances ClipDistancesOf(const ir::Program& program) {
   const ir::VarId output = passes::FindOutput(program, ir::Builtin::kClipDistance);
   if (!output) return {};

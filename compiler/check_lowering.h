@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "backend-glsl/target.h"
 #include "base/diagnostics.h"
 #include "clip-table/vocabulary.h"
 #include "ir/profile.h"
@@ -33,6 +34,10 @@ void CheckRequest(const LoweringRequest& request, Diagnostics& diagnostics);
 // after an error. Requires Form::kTyped.
 ir::VarId CheckLowering(const ir::Program& program, const LoweringRequest& request,
                         Diagnostics& diagnostics);
+
+// Reports clip planes that only the clip table has: the device clips with them, not the GLSL.
+void CheckPlanesAreKept(const ir::Program& program, const LoweringRequest& request,
+                        const glsl::Target& target, Diagnostics& diagnostics);
 
 // The output that carries the clip distances, and the number of its elements; none and 0 for a
 // program without it.

@@ -22,6 +22,22 @@
 namespace clipc {
 namespace {
 
+// The comment in the GLSL for a statement: "water.hlsl:12: float4 p = mul(v, m);". What GLSL's
+// comments may not hold is replaced: older versions take ASCII only, and a backslash at the end
+// would join the next line to the comment.
+std::string SourceLine(const Source& source, Span span) {
+  const Place place = source.Resolve(span);
+  if (place.file.empty()) return {};
+  const std::size_t start = place.file.starts_with("./") ? 2 : 0;
+  std::string line =
+      fmt::format("{}:{}: {}", place.file.substr(start), place.line, source.LineOf(span));
+  for (char& c : line) {
+    if (c < ' ' || c > '~') c = c == '\t' ? ' ' : '?';
+  }
+  while (line.ends_with('\\')) line.pop_back();
+  return line;
+}
+
 // One request on its way through the stages.
 class Compilation {
  public:
@@ -35,14 +51,19 @@ class Compilation {
   SourceInput InputOf() const;
   void RunStages(Source& source);
   void Dump(Source& source);
-  void RunBackEnd(ir::Program program);
+  void RunBackEnd(ir::Program program, const Source& source);
   LowerSettings SettingsFor(ir::VarId position_input);
   Shaders Finish(const Lowered& lowered, Written written);
   void WriteVariants(const ir::Program& typed, LowerSettings settings);
+  void TranslateToSpirv();
   void ValidateVertex(const Lowered& lowered, const Written& written);
   void CloseResult(const Source& source);
 
   bool IsDump(DumpStage stage) const { return request_.debug.dump == stage; }
+  bool IsDebugged() const {
+    const DebugOptions& debug = request_.debug;
+    return debug.dump || !debug.dump_after.empty() || !debug.stop_after.empty();
+  }
 
   const CompileRequest& request_;
   Diagnostics diagnostics_;
@@ -51,6 +72,7 @@ class Compilation {
   CheckOptions front_;
   std::optional<glsl::Target> target_;
   LoweringRequest lowering_;
+  glsl::WriteOptions options_;
 
   bool is_unjudged_ = false;  // glslang cannot judge one of the shaders
   CompileResult result_;
@@ -64,6 +86,7 @@ CompileResult Compilation::Run() {
   } else {
     RunStages(source);
     result_.dependencies = source.Dependencies();
+    result_.includes = source.Includes();
     if (!source.main_file_read()) result_.status = Status::kBadRequest;
   }
   CloseResult(source);
@@ -82,6 +105,7 @@ void Compilation::ReadNames() {
     diagnostics_.Report({}, diag::UnknownTarget, request_.target,
                         Suggest(request_.target, glsl::Target::Names()));
   }
+  if (target_) target_->binding_shifts = request_.binding_shifts;
   const std::vector<std::string_view> passes = LowerPasses();
   const auto check_pass = [&](const std::string& name) {
     if (std::find(passes.begin(), passes.end(), name) != passes.end()) return;
@@ -99,18 +123,29 @@ void Compilation::ReadNames() {
 }
 
 SourceInput Compilation::InputOf() const {
-  return {request_.path,    request_.text,        request_.include_dirs,
-          request_.defines, front_.profile.major, front_.profile.minor};
+  return {.path = request_.path,
+          .text = request_.text,
+          .include_dirs = request_.include_dirs,
+          .defines = request_.defines,
+          .forced_includes = request_.forced_includes,
+          .read_include = request_.read_include,
+          .shader_model_major = front_.profile.major,
+          .shader_model_minor = front_.profile.minor,
+          .language = request_.language};
 }
 
 void Compilation::RunStages(Source& source) {
+  if (request_.preprocess) {
+    result_.preprocessed = Preprocess(source, diagnostics_);
+    return;
+  }
   if (IsDump(DumpStage::kTokens) || IsDump(DumpStage::kAst)) return Dump(source);
   ir::Program program = Front(source, front_, diagnostics_);
   if (diagnostics_.has_errors()) return;
   if (IsDump(DumpStage::kIr)) {
     result_.dump = ir::Print(program);
   } else {
-    RunBackEnd(std::move(program));
+    RunBackEnd(std::move(program), source);
   }
 }
 
@@ -123,8 +158,10 @@ void Compilation::Dump(Source& source) {
   result_.dump = PrintAst(ReadFile(source, diagnostics_));
 }
 
-void Compilation::RunBackEnd(ir::Program typed) {
+void Compilation::RunBackEnd(ir::Program typed, const Source& source) {
   const LowerSettings settings = SettingsFor(CheckLowering(typed, lowering_, diagnostics_));
+  if (!request_.gives_planes_to_device && !IsDebugged())
+    CheckPlanesAreKept(typed, lowering_, *target_, diagnostics_);
   if (diagnostics_.has_errors()) return;
   const ClipDistances distances = ClipDistancesOf(typed);
   Lowered lowered = Lower(request_.variants ? typed : std::move(typed), settings);
@@ -139,10 +176,15 @@ void Compilation::RunBackEnd(ir::Program typed) {
     return;
   }
 
-  Written written = Write(lowered, {request_.separable});
+  const glsl::WriteOptions with_lines{request_.separable,
+                                      [&](Span span) { return SourceLine(source, span); }};
+  if (request_.list) result_.listing = Write(lowered, with_lines).glsl;
+  options_ = request_.source_lines ? with_lines : glsl::WriteOptions{request_.separable, {}};
+  Written written = Write(lowered, options_);
   result_.table = MakeClipTable(lowered, written.info);
   if (request_.reflect) result_.reflection = Reflect(lowered, written.info, *result_.table);
   result_.shaders = Finish(lowered, std::move(written));
+  if (request_.spirv) TranslateToSpirv();
   if (request_.variants) WriteVariants(typed, settings);
   if (is_unjudged_) {
     diagnostics_.Report(
@@ -205,8 +247,14 @@ void Compilation::WriteVariants(const ir::Program& typed, LowerSettings settings
     program.clip_planes.resize(count);
     Lowered lowered = Lower(std::move(program), settings);
     Legalize(lowered, settings.passes);
-    result_.variants.push_back(Finish(lowered, Write(lowered, {request_.separable})));
+    result_.variants.push_back(Finish(lowered, Write(lowered, options_)));
   }
+}
+
+void Compilation::TranslateToSpirv() {
+  Spirv spirv = MakeSpirv(result_.shaders.vertex, *target_, *request_.spirv);
+  for (const std::string& problem : spirv.problems) diagnostics_.Report({}, diag::NoSpirv, problem);
+  result_.spirv = std::move(spirv.words);
 }
 
 void Compilation::ValidateVertex(const Lowered& lowered, const Written& written) {
@@ -232,6 +280,8 @@ void Compilation::CloseResult(const Source& source) {
   result_.variants.clear();
   result_.table.reset();
   result_.reflection.clear();
+  result_.spirv.clear();
+  result_.listing.clear();
 }
 
 CompileResult Failure(const char* what) {
@@ -251,7 +301,9 @@ Compiler::~Compiler() = default;
 
 CompileResult Compiler::Compile(const CompileRequest& request) {
   try {
-    return Compilation(context_, request).Run();
+    if (!request.read_include) return Compilation(context_, request).Run();
+    FrontendContext without_files(FrontendContext::Files::kNone);
+    return Compilation(without_files, request).Run();
   } catch (const std::bad_alloc&) {
     return Failure("out of memory");
   } catch (const std::exception& problem) {

@@ -2,14 +2,17 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "backend-glsl/target.h"
 #include "base/diagnostics.h"
 #include "clip-table/clip_table.h"
 #include "compiler/message.h"
+#include "compiler/validate.h"
 #include "frontend/check/check.h"
 #include "passes/adjust_clip_space.h"
 
@@ -37,14 +40,19 @@ struct CompileRequest {
   std::string path;
   std::optional<std::string> text;
   std::vector<std::string> include_dirs;
-  std::vector<std::string> defines;  // "NAME" or "NAME=VALUE"
+  std::vector<std::string> defines;          // "NAME" or "NAME=VALUE"
+  std::vector<std::string> forced_includes;  // files, included before the first line
+  // Includes come from here, and no file is read for them: SourceInput::read_include.
+  std::function<std::optional<std::string>(const std::string& path)> read_include;
+  LanguageVersion language = LanguageVersion::k2018;
 
   std::string profile = "vs_5_0";
   std::string entry = "main";
   MatrixPacking packing = MatrixPacking::kColumnMajor;
 
   std::string target = "glsl450";
-  std::optional<Lowering> lowering;  // none: DefaultLowering of the profile
+  std::vector<glsl::BindingShift> binding_shifts;  // of target "vulkan"
+  std::optional<Lowering> lowering;                // none: DefaultLowering of the profile
   PlaneSpace plane_space = PlaneSpace::kClip;
   // The semantic of the vertex's position, for plane space kObject; empty: POSITION0.
   std::string position_input;
@@ -57,10 +65,17 @@ struct CompileRequest {
   std::size_t variant_planes = SIZE_MAX;  // the most planes of a variant
 
   WarningOptions warnings;
-  bool validate = false;  // give the GLSL to glslang before returning it
-  bool reflect = false;   // fill CompileResult::reflection
-  bool draw_text = true;  // fill CompileResult::text
-  bool colour = false;    // with the escape sequences of a terminal
+  bool validate = false;              // give the GLSL to glslang before returning it
+  bool source_lines = false;          // with the lines of the HLSL as comments in the GLSL
+  bool list = false;                  // fill CompileResult::listing
+  bool reflect = false;               // fill CompileResult::reflection
+  std::optional<SpirvRequest> spirv;  // fill CompileResult::spirv
+  bool preprocess = false;            // fill CompileResult::preprocessed, and stop
+  bool draw_text = true;              // fill CompileResult::text
+  bool colour = false;                // with the escape sequences of a terminal
+  // The caller reads the planes of lowering kLevel9 from the table or the reflection and gives them
+  // to the device. Without that, clip planes that the GLSL does not have are an error.
+  bool gives_planes_to_device = false;
 
   DebugOptions debug;
 };
@@ -83,10 +98,14 @@ struct CompileResult {
   std::vector<Shaders> variants;  // on request: variants[k] has the first k planes
   std::optional<clip_table::ClipTable> table;  // with `shaders`
   std::string reflection;                      // JSON, with `shaders`, on request
+  std::vector<std::uint32_t> spirv;            // of `shaders.vertex`, on request
+  std::string listing;                         // with `shaders`, on request: see source_lines
+  std::string preprocessed;                    // HLSL, on request
   std::string dump;
   std::vector<Message> messages;  // in the order of discovery
   std::string text;               // the messages with their source lines, as a terminal shows them
   std::vector<std::string> dependencies;  // files read, each once, in the order first entered
+  std::vector<Include> includes;          // every entry into an include file, in order
 
   bool ok() const { return status == Status::kOk; }
 };

@@ -19,6 +19,8 @@
 #include "compiler/depfile.h"
 #include "compiler/options.h"
 #include "compiler/output_files.h"
+#include "compiler/place_outputs.h"
+#include "frontend/lex/source.h"
 #include "frontend/lex/source_text.h"
 
 namespace clipc {
@@ -36,69 +38,6 @@ bool TerminalHasColour() {
          !std::getenv("NO_COLOR");
 }
 
-std::string WithoutExtension(const std::string& path) {
-  const std::size_t name = path.rfind('/') + 1;  // npos + 1 is 0
-  const std::size_t dot = path.rfind('.');
-  return dot == std::string::npos || dot <= name ? path : path.substr(0, dot);
-}
-
-std::string FileName(const std::string& path) { return path.substr(path.rfind('/') + 1); }
-
-// Where everything about one input goes. Empty: it was not asked for. "-": standard output.
-struct Outputs {
-  std::string glsl, fragment, table, reflection, dependencies;
-
-  std::vector<std::string> Named() const {
-    std::vector<std::string> named;
-    for (const std::string& path : {glsl, fragment, table, reflection, dependencies}) {
-      if (!path.empty() && path != "-") named.push_back(path);
-    }
-    return named;
-  }
-};
-
-// "water.2.vert": the shader with two planes.
-std::string VariantName(const std::string& path, std::size_t planes) {
-  const std::string stem = WithoutExtension(path);
-  return fmt::format("{}.{}{}", stem, planes, path.substr(stem.size()));
-}
-
-// A value that is only an extension, ".json", names the file after the GLSL.
-std::string NameAfter(const std::string& value, const std::string& glsl) {
-  const bool is_extension =
-      value.size() > 1 && value[0] == '.' && value.find('/') == std::string::npos;
-  return is_extension ? WithoutExtension(glsl) + value : value;
-}
-
-Outputs PlaceOutputs(const CommandLine& command, const std::string& input) {
-  const bool is_folder =
-      command.output.ends_with('/') || (command.output != "-" && IsDirectory(command.output));
-  Outputs outputs;
-  outputs.glsl = command.output.empty() ? "-" : command.output;
-  if (is_folder) {
-    const std::string stem = input == "-" ? "stdin" : WithoutExtension(FileName(input));
-    outputs.glsl =
-        fmt::format("{}{}{}.vert", command.output, command.output.ends_with('/') ? "" : "/", stem);
-  }
-  // What is named after the GLSL is named after the input when that goes to standard output.
-  const std::string name = outputs.glsl != "-" ? outputs.glsl : input == "-" ? "stdin" : input;
-  outputs.table = NameAfter(command.table, name);
-  outputs.reflection = NameAfter(command.reflection, name);
-  if (command.request.lowering == Lowering::kDiscard) {
-    outputs.fragment =
-        WithoutExtension(name) + (command.fragment.empty() ? ".discard.glsl" : ".frag");
-  }
-  if (command.write_dependencies) {
-    outputs.dependencies =
-        NameAfter(command.dependency_file.empty() ? ".d" : command.dependency_file, name);
-  }
-  // The program or a dump takes standard output; the GLSL is then written only where -o says.
-  const DebugOptions& debug = command.request.debug;
-  const bool is_dump = debug.dump || !debug.dump_after.empty() || !debug.stop_after.empty();
-  if (is_dump && command.output.empty()) outputs.glsl.clear();
-  return outputs;
-}
-
 class Driver {
  public:
   explicit Driver(CommandLine command) : command_(std::move(command)) {}
@@ -112,6 +51,8 @@ class Driver {
   void AddShaders(const CompileResult& result, const Outputs& outputs, OutputFiles& files) const;
   std::string Write(const CompileResult& result, const Outputs& outputs);
   void Show(const CompileResult& result);
+  void ShowNotices();
+  std::string VariableOf(const CompileResult& result) const;
 
   CommandLine command_;
   std::vector<Message> messages_;  // of all inputs, for the formats that are one document
@@ -125,12 +66,18 @@ std::string Driver::CheckUsage() {
     return fmt::format("`{}` names no clip table; it ends in .json, .bin or .h", command_.table);
   }
   const bool is_dump = command_.request.debug.dump || !command_.request.debug.stop_after.empty();
-  if (inputs.size() > 1 && !is_dump && !IsDirectory(command_.output)) {
+  const bool writes_glsl = !is_dump && !command_.only_dependencies && !command_.syntax_only &&
+                           command_.preprocessed.empty();
+  if (inputs.size() > 1 && writes_glsl && !IsDirectory(command_.output)) {
     return "several input files need a folder to write to; give an existing one with -o";
   }
   if (command_.request.variants && (command_.output.empty() || command_.output == "-")) {
     return "--variants writes several files, named after the one that -o gives";
   }
+  if (command_.request.variants && (!command_.header.empty() || command_.request.spirv))
+    return "-Fh and -spirv write one shader; with --variants there are several";
+  if (!command_.variable.empty() && command_.header.empty())
+    return "-Vn names what -Fh writes; give that option too";
   if (!command_.fragment.empty() && command_.request.lowering != Lowering::kDiscard) {
     return "--fragment is for --lower=discard; with the other lowerings the fragment shader stays "
            "as it is";
@@ -162,8 +109,13 @@ int Driver::Run() {
       return Fail(fmt::format("cannot read `{}`: {}", command_.fragment, problem));
   }
   request.reflect = !command_.reflection.empty();
+  request.list = !command_.listing.empty();
+  request.preprocess = !command_.preprocessed.empty() || command_.only_dependencies;
+  request.gives_planes_to_device = !command_.table.empty() || request.reflect;
   request.draw_text = command_.format == MessageFormat::kText;
-  request.colour = request.draw_text && TerminalHasColour();
+  request.colour = request.draw_text && command_.colour.value_or(TerminalHasColour());
+  ShowNotices();
+  if (command_.notices.has_errors()) return kExitUsage;
   const int exit_code = CompileAll();
   if (command_.format == MessageFormat::kJson || command_.format == MessageFormat::kSarif) {
     const std::string document =
@@ -199,6 +151,7 @@ int Driver::CompileAll() {
   }
   Compiler compiler;
   int exit_code = kExitOk;
+  std::size_t failed = 0;
   for (std::size_t index = 0; index < count; ++index) {
     CompileResult result;
     if (threads.empty()) {
@@ -210,12 +163,22 @@ int Driver::CompileAll() {
       result = std::move(*results[index]);
       results[index].reset();
     }
-    exit_code = std::max(exit_code, Finish(result, PlaceOutputs(command_, command_.inputs[index])));
+    const int code = Finish(result, PlaceOutputs(command_, command_.inputs[index]));
+    exit_code = std::max(exit_code, code);
+    failed += code == kExitOk ? 0 : 1;
   }
+  const bool is_text =
+      command_.format == MessageFormat::kText || command_.format == MessageFormat::kMsvc;
+  if (count > 1 && failed > 0 && is_text)
+    fmt::print(stderr, "clipc: {} of {} failed\n", failed, count);
   return exit_code;
 }
 
 int Driver::Finish(const CompileResult& result, const Outputs& outputs) {
+  for (const Include& include : result.includes) {
+    if (command_.show_includes)
+      fmt::print(stderr, "{} {}\n", std::string(include.depth, '.'), include.file);
+  }
   Show(result);
   if (result.status == Status::kBadRequest) return kExitUsage;
   if (const std::string problem = Write(result, outputs); !problem.empty()) return Fail(problem);
@@ -239,10 +202,37 @@ void Driver::Show(const CompileResult& result) {
   }
 }
 
+// What is to be said of the options, and of the names of the outputs.
+void Driver::ShowNotices() {
+  Diagnostics& notices = command_.notices;
+  for (const std::string& input : command_.inputs) {
+    const Outputs outputs = PlaceOutputs(command_, input);
+    if (!command_.request.spirv && SaysOtherThanGlsl(outputs.glsl))
+      notices.Report({}, diag::OutputNotGlsl, outputs.glsl);
+  }
+  if (notices.all().empty()) return;
+  FrontendContext context;
+  const Source nowhere(context, {});
+  CompileResult result;
+  result.text = nowhere.RenderText(notices, command_.request.colour);
+  for (const Diagnostic& notice : notices.all())
+    result.messages.push_back(ToMessage(notice, nowhere));
+  Show(result);
+}
+
+std::string Driver::VariableOf(const CompileResult& result) const {
+  if (!command_.variable.empty()) return command_.variable;
+  std::string name = "g_" + result.table->entry;
+  std::ranges::replace(name, ':', '_');
+  return name;
+}
+
 void Driver::AddShaders(const CompileResult& result, const Outputs& outputs,
                         OutputFiles& files) const {
   if (!command_.request.variants) {
-    files.Add(outputs.glsl, result.shaders.vertex);
+    const auto* const words = reinterpret_cast<const char*>(result.spirv.data());
+    files.Add(outputs.glsl, command_.request.spirv ? std::string(words, 4 * result.spirv.size())
+                                                   : result.shaders.vertex);
     if (!outputs.fragment.empty()) files.Add(outputs.fragment, result.shaders.fragment);
   }
   for (std::size_t planes = 0; planes < result.variants.size(); ++planes) {
@@ -265,8 +255,16 @@ std::string Driver::Write(const CompileResult& result, const Outputs& outputs) {
   }
   OutputFiles files;
   if (!result.dump.empty()) files.Add("-", result.dump);
+  if (result.ok() && !outputs.preprocessed.empty())
+    files.Add(outputs.preprocessed, result.preprocessed);
   const bool is_complete = result.table.has_value() && !command_.request.debug.dump;
   if (is_complete && !outputs.glsl.empty()) AddShaders(result, outputs, files);
+  if (is_complete && !outputs.header.empty()) {
+    const std::string variable = VariableOf(result);
+    files.Add(outputs.header, command_.request.spirv ? HeaderWith(result.spirv, variable)
+                                                     : HeaderWith(result.shaders.vertex, variable));
+  }
+  if (is_complete && !outputs.listing.empty()) files.Add(outputs.listing, result.listing);
   if (is_complete && !outputs.table.empty()) {
     const auto format = clip_table::FormatOf(outputs.table);
     auto text = clip_table::Write(*result.table, *format, outputs.table);
@@ -274,10 +272,9 @@ std::string Driver::Write(const CompileResult& result, const Outputs& outputs) {
     files.Add(outputs.table, std::move(*text));
   }
   if (is_complete && !outputs.reflection.empty()) files.Add(outputs.reflection, result.reflection);
-  if (is_complete && !outputs.dependencies.empty()) {
-    const std::string& target =
-        !command_.dependency_target.empty() ? command_.dependency_target : outputs.glsl;
-    files.Add(outputs.dependencies, DependencyRule(target, result.dependencies));
+  if ((is_complete || command_.request.preprocess) && result.ok() &&
+      !outputs.dependencies.empty()) {
+    files.Add(outputs.dependencies, DependencyRule(outputs.dependency_target, result.dependencies));
   }
   return files.Commit();
 }

@@ -19,13 +19,23 @@ struct CommandLine {
   Action action = Action::kCompile;
   std::vector<std::string> inputs;
   CompileRequest request;  // without path and text
-  std::string output;      // empty: standard output
+  // What is written; empty: not asked for. A value that is only an extension, ".json", names the
+  // file after the GLSL.
+  std::string output;  // the GLSL: empty is standard output, unless the options ask for others
   std::string table, reflection;
-  std::string fragment;  // a file: the fragment shader for --lower=discard
+  std::string header, variable;  // -Fh, -Vn
+  std::string listing;           // -Fc
+  std::string preprocessed;      // -P
+  std::string fragment;          // a file: the fragment shader for --lower=discard
   bool write_dependencies = false;
+  bool only_dependencies = false;  // -M
   std::string dependency_file, dependency_target;
+  bool show_includes = false;
+  bool syntax_only = false;
   MessageFormat format = MessageFormat::kText;
-  unsigned jobs = 1;  // the number of inputs that are compiled at once
+  std::optional<bool> colour;  // none: if standard error is a terminal
+  unsigned jobs = 1;           // the number of inputs that are compiled at once
+  Diagnostics notices;         // what is to be said of the options
 };
 
 struct ParsedCommandLine {
@@ -35,7 +45,7 @@ struct ParsedCommandLine {
 
 // Reads a command line. `arguments` do not include the name of the program. fxc's spelling with a
 // slash (/T vs_5_0) is an option when the argument is not a file; an existing file, or a name in an
-// existing folder, is an input.
+// existing folder, is an input. @FILE stands for the words of that file.
 ParsedCommandLine ParseCommandLine(std::span<const char* const> arguments);
 
 // The text of --help.

@@ -15,13 +15,14 @@ ast::File ReadFile(Source& source, Diagnostics& diagnostics) {
 }
 
 ir::Program Front(Source& source, const CheckOptions& options, Diagnostics& diagnostics) {
-  const ast::File file = ReadFile(source, diagnostics);
+  Tokens tokens = Lex(source, diagnostics);
   if (diagnostics.has_errors()) return {};
-  ir::Program program = Check(file, options, diagnostics);
-  if (!diagnostics.has_errors() && !options.profile.IsVertex()) {
+  // Said first: what follows may be about another stage's shader.
+  if (!options.profile.IsVertex())
     diagnostics.Report({}, diag::NotVertexProfile, options.profile.name);
-  }
-  return program;
+  const int errors = diagnostics.error_count();
+  const ast::File file = Parse(std::move(tokens), diagnostics);
+  return diagnostics.error_count() > errors ? ir::Program() : Check(file, options, diagnostics);
 }
 
 Lowered Lower(ir::Program program, const LowerSettings& settings) {

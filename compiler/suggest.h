@@ -8,7 +8,7 @@
 namespace clipc {
 
 // "; did you mean `vs_5_0` or `vs_5_1`?" for a `name` that is not one of `names`. Lists all `names`
-// when there are few of them and none is near; empty when there is nothing to offer.
+// when there are not many and none is near; empty when there is nothing to offer.
 std::string Suggest(std::string_view name, std::span<const std::string_view> names);
 
 // The profiles for which clipc compiles.

@@ -7,6 +7,9 @@
 #include <fmt/format.h>
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
+#if CLIPC_HAS_SPIRV
+#include <glslang/SPIRV/GlslangToSpv.h>
+#endif
 #include <glslang/build_info.h>
 
 namespace clipc {
@@ -41,30 +44,76 @@ std::vector<std::string> Problems(std::string_view log) {
   return problems;
 }
 
+// A shader that glslang compiles and links.
+class Linked {
+ public:
+  Linked(const std::string& glsl, const glsl::Target& target, ShaderStage stage,
+         const SpirvRequest* spirv)
+      : language_(stage == ShaderStage::kVertex ? EShLangVertex : EShLangFragment),
+        shader_(language_) {
+    auto messages = EShMsgDefault;
+    if (target.IsVulkan() || spirv) messages = SetEnvironment(target.IsVulkan(), spirv);
+    const char* text = glsl.data();
+    const int length = static_cast<int>(glsl.size());
+    shader_.setStringsWithLengths(&text, &length, 1);
+    if (!shader_.parse(GetDefaultResources(), target.version(), false, messages)) {
+      problems_ = Problems(shader_.getInfoLog());
+      return;
+    }
+    program_.addShader(&shader_);
+    if (!program_.link(messages) || (spirv && !program_.mapIO()))
+      problems_ = Problems(program_.getInfoLog());
+  }
+
+  const std::vector<std::string>& problems() const { return problems_; }
+  const glslang::TIntermediate& program() const { return *program_.getIntermediate(language_); }
+
+ private:
+  EShMessages SetEnvironment(bool is_vulkan, const SpirvRequest* spirv) {
+    using namespace glslang;
+    constexpr EShTargetClientVersion kVulkan[] = {EShTargetVulkan_1_0, EShTargetVulkan_1_1,
+                                                  EShTargetVulkan_1_2, EShTargetVulkan_1_3};
+    constexpr EShTargetLanguageVersion kSpirv[] = {EShTargetSpv_1_0, EShTargetSpv_1_3,
+                                                   EShTargetSpv_1_5, EShTargetSpv_1_6};
+    const auto version = static_cast<std::size_t>((spirv ? *spirv : SpirvRequest{}).vulkan);
+    const EShClient client = is_vulkan ? EShClientVulkan : EShClientOpenGL;
+    shader_.setEnvInput(EShSourceGlsl, language_, client, 100);
+    shader_.setEnvClient(client, is_vulkan ? kVulkan[version] : EShTargetOpenGL_450);
+    shader_.setEnvTarget(EShTargetSpv, is_vulkan ? kSpirv[version] : EShTargetSpv_1_0);
+    return static_cast<EShMessages>(is_vulkan ? EShMsgSpvRules | EShMsgVulkanRules
+                                              : EShMsgSpvRules);
+  }
+
+  EShLanguage language_;
+  glslang::TShader shader_;
+  glslang::TProgram program_;
+  std::vector<std::string> problems_;
+};
+
 }  // namespace
 
 std::vector<std::string> Validate(const std::string& glsl, const glsl::Target& target,
                                   ShaderStage stage) {
   InitializeOnce();
-  const EShLanguage language = stage == ShaderStage::kVertex ? EShLangVertex : EShLangFragment;
-  auto messages = EShMsgDefault;
-  glslang::TShader shader(language);
-  if (target.IsVulkan()) {
-    messages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules);
-    shader.setEnvInput(glslang::EShSourceGlsl, language, glslang::EShClientVulkan, 100);
-    shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_1);
-    shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_3);
-  }
-  const char* text = glsl.data();
-  const int length = static_cast<int>(glsl.size());
-  shader.setStringsWithLengths(&text, &length, 1);
-  if (!shader.parse(GetDefaultResources(), target.version(), false, messages)) {
-    return Problems(shader.getInfoLog());
-  }
-  glslang::TProgram program;
-  program.addShader(&shader);
-  if (!program.link(messages)) return Problems(program.getInfoLog());
-  return {};
+  return Linked(glsl, target, stage, nullptr).problems();
+}
+
+Spirv MakeSpirv(const std::string& glsl, const glsl::Target& target, const SpirvRequest& request) {
+  InitializeOnce();
+  const Linked linked(glsl, target, ShaderStage::kVertex, &request);
+  Spirv made;
+  made.problems = linked.problems();
+  if (!made.problems.empty()) return made;
+#if CLIPC_HAS_SPIRV
+  glslang::SpvOptions options;
+  options.generateDebugInfo = request.debug_info;
+  spv::SpvBuildLogger logger;
+  glslang::GlslangToSpv(linked.program(), made.words, &logger, &options);
+  if (made.words.empty()) made.problems.push_back(logger.getAllMessages());
+#else
+  made.problems.emplace_back("this clipc was built without glslang's SPIR-V");
+#endif
+  return made;
 }
 
 std::string ValidatorName() {

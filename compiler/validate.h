@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,22 @@ enum class ShaderStage { kVertex, kFragment };
 // stay for the life of the process. Thread-safe.
 std::vector<std::string> Validate(const std::string& glsl, const glsl::Target& target,
                                   ShaderStage stage);
+
+// What SPIR-V is for. The environment of Vulkan says which version of SPIR-V it is: 1.0, 1.3, 1.5
+// or 1.6.
+enum class VulkanVersion : std::uint8_t { k1_0, k1_1, k1_2, k1_3 };
+struct SpirvRequest {
+  VulkanVersion vulkan = VulkanVersion::k1_1;
+  bool debug_info = false;
+};
+struct Spirv {
+  std::vector<std::uint32_t> words;
+  std::vector<std::string> problems;  // as of Validate; not empty exactly when there are no words
+};
+
+// Translates the GLSL of a vertex shader by glslang: for Vulkan, or for OpenGL 4.5 when `target` is
+// one of OpenGL's.
+Spirv MakeSpirv(const std::string& glsl, const glsl::Target& target, const SpirvRequest& request);
 
 // "glslang 12.0.0".
 std::string ValidatorName();

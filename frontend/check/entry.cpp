@@ -52,16 +52,27 @@ std::string ScopedName(const Context& context, SymbolId id) {
   return text;
 }
 
+// Whether the function's own signature has a semantic or clip planes, which helpers have not.
+bool IsLikelyEntry(const Context& context, const ast::FunctionDecl& decl) {
+  return decl.body && (decl.return_semantic.name || !decl.attributes.empty() ||
+                       std::ranges::any_of(context[decl.parameters], [&](ast::DeclId id) {
+                         return bool{std::get<ast::VarDecl>(context[id].node).semantic.name};
+                       }));
+}
+
 void ReportNoEntry(Context& context) {
-  std::vector<std::string> names;
+  std::vector<std::string> names, likely;
   std::vector<Span> places;
   for (SymbolId id : context.names.symbol_ids()) {
     if (context[id].kind != SymbolKind::kFunction) continue;
     names.push_back(ScopedName(context, id));
     places.push_back(DeclOf(context, id).name_span);
+    if (IsLikelyEntry(context, DeclOf(context, id))) likely.push_back(names.back());
   }
   const std::vector<std::string_view> candidates(names.begin(), names.end());
   std::vector<std::string_view> near = NearNames(context.options.entry, candidates);
+  if (near.empty() && likely.size() == 1) near = {likely.front()};
+  if (near.empty() && candidates.size() == 1) near = candidates;
   const bool has_hints = near.empty() && !context.file.technique_vertex_shaders.empty();
   constexpr std::size_t kMaxHints = 5;
   for (std::size_t i = 0;

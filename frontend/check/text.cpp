@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "base/overloaded.h"
+#include "frontend/parse/operators.h"
 
 namespace clipc::check {
 
@@ -37,6 +38,25 @@ std::string TextOf(const Context& context, ast::ExprId id) {
           },
           [&](const ast::MemberExpr& e) {
             return fmt::format("{}.{}", TextOf(context, e.base), context[e.name]);
+          },
+          [&](const ast::UnaryExpr& e) {
+            constexpr std::string_view kTexts[] = {"+", "-", "!", "~", "++", "--", "++", "--"};
+            const std::string_view text = kTexts[static_cast<std::size_t>(e.op)];
+            return e.op >= ast::UnaryOp::kPostIncrement
+                       ? fmt::format("{}{}", TextOf(context, e.operand), text)
+                       : fmt::format("{}{}", text, TextOf(context, e.operand));
+          },
+          [&](const ast::BinaryExpr& e) {
+            return fmt::format("{} {} {}", TextOf(context, e.left), ast::OperatorOf(e.op).text,
+                               TextOf(context, e.right));
+          },
+          [&](const ast::ConditionalExpr& e) {
+            return fmt::format("{} ? {} : {}", TextOf(context, e.condition),
+                               TextOf(context, e.when_true), TextOf(context, e.when_false));
+          },
+          [&](const ast::CastExpr& e) {
+            return fmt::format("({}){}", QualifiedText(context, context[e.type].name),
+                               TextOf(context, e.operand));
           },
           [](const auto&) -> std::string { return "..."; },
       },

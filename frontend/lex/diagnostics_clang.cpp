@@ -169,6 +169,15 @@ Place Resolve(const ClangText& text, Span span) {
   return {begin.getFilename(), begin.getLine(), begin.getColumn(), end.getLine(), end.getColumn()};
 }
 
+std::string LineOf(const ClangText& text, Span span) {
+  if (!span) return {};
+  const auto [file, offset] =
+      text.sources.getDecomposedLoc(FileEnd(text.sources, Location(span.begin), true));
+  const llvm::StringRef all = text.sources.getBufferData(file);
+  const std::size_t start = all.rfind('\n', offset) + 1;  // npos + 1 is 0
+  return all.slice(start, all.find_first_of("\r\n", offset)).trim().str();
+}
+
 std::string RenderText(const ClangText& text, const Diagnostics& diagnostics, bool colour) {
   std::string rendered;
   llvm::raw_string_ostream out(rendered);

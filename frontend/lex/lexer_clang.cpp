@@ -18,6 +18,7 @@
 #include <clang/Lex/ModuleLoader.h>
 #include <clang/Lex/Preprocessor.h>
 #include <clang/Lex/PreprocessorOptions.h>
+#include <fmt/format.h>
 #include <llvm/ADT/StringSet.h>
 #include <llvm/Support/MemoryBuffer.h>
 #include <llvm/Support/VirtualFileSystem.h>
@@ -96,8 +97,7 @@ class RegularFiles : public llvm::vfs::ProxyFileSystem {
 }  // namespace
 
 struct FrontendContext::State {
-  llvm::IntrusiveRefCntPtr<clang::FileManager> files{new clang::FileManager(
-      clang::FileSystemOptions(), llvm::IntrusiveRefCntPtr<RegularFiles>(new RegularFiles))};
+  llvm::IntrusiveRefCntPtr<clang::FileManager> files;
   llvm::IntrusiveRefCntPtr<clang::DiagnosticIDs> ids{new clang::DiagnosticIDs};
 #if CLANG_VERSION_MAJOR >= 21
   clang::DiagnosticOptions options;
@@ -113,7 +113,10 @@ struct FrontendContext::State {
   std::shared_ptr<clang::PreprocessorOptions> preprocessor_options =
       std::make_shared<clang::PreprocessorOptions>();
 
-  State() {
+  explicit State(Files on_disk) {
+    llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem> system(new RegularFiles);
+    if (on_disk == Files::kNone) system = new llvm::vfs::InMemoryFileSystem;
+    files = new clang::FileManager(clang::FileSystemOptions(), system);
     language.HLSL = 1;
     language.C99 = 1;
     language.LineComment = 1;
@@ -137,6 +140,7 @@ struct Source::State {
   clang::SourceManager sources;
   std::vector<EnteredFile> include_stack;
   std::vector<std::string> dependencies;
+  std::vector<Include> includes;
 
   State(FrontendContext::State& context, SourceInput what)
       : shared(context),
@@ -176,7 +180,12 @@ class Callbacks : public clang::PPCallbacks {
     const std::vector<std::string> folders =
         IncludeFolders(source_.include_stack, source_.input.include_dirs);
     const Span span = SpanAt(where.getBegin());
-    auto found = FindIncludeLikeWindows(folders, name.str());
+    if (source_.input.read_include) {
+      if (const auto entry = FromMemory(folders, name.str()))
+        return Enter(*entry, where.getBegin());
+    }
+    auto found =
+        source_.input.read_include ? std::nullopt : FindIncludeLikeWindows(folders, name.str());
     auto entry = found ? source_.shared.files->getOptionalFileRef(found->path) : std::nullopt;
     if (!entry) {
       ReportMissingInclude(span, name.str(), folders, *source_.diagnostics);
@@ -195,6 +204,8 @@ class Callbacks : public clang::PPCallbacks {
     if (reason == LexedFileChangeReason::EnterFile) {
       const EnteredFile& entered = stack.emplace_back(source_.Describe(file));
       if (stack.size() > 1 || source_.MainFileIsOnDisk()) AddDependency(entered.name);
+      if (stack.size() > 1 && !entered.name.empty())
+        source_.includes.push_back({entered.name, stack.size() - 1});
       source_.guard.CountInclude(where.getRawEncoding(), source_.sources.getFileIDSize(file));
     } else {
       while (!stack.empty() && stack.back().id != file.getHashValue()) stack.pop_back();
@@ -220,6 +231,23 @@ class Callbacks : public clang::PPCallbacks {
     }
     const clang::FileID id = source_.sources.createFileID(file, where, clang::SrcMgr::C_User);
     preprocessor_.EnterSourceFile(id, nullptr, where, is_first);
+  }
+
+  clang::OptionalFileEntryRef FromMemory(const std::vector<std::string>& folders,
+                                         std::string name) {
+    std::replace(name.begin(), name.end(), '\\', '/');
+    for (const std::string& folder : folders) {
+      const std::string path = folder.empty() || name.starts_with('/') ? name : folder + '/' + name;
+      if (const auto known = source_.shared.files->getOptionalFileRef(path)) return known;
+      const auto text = source_.input.read_include(path);
+      if (!text || text->size() > kMaxSourceBytes) continue;
+      const auto entry =
+          source_.shared.files->getVirtualFileRef(path, static_cast<off_t>(text->size()), 0);
+      source_.sources.overrideFileContents(entry,
+                                           llvm::MemoryBuffer::getMemBufferCopy(*text, path));
+      return entry;
+    }
+    return std::nullopt;
   }
 
   void SkipRestOfFile(clang::FileID file) {
@@ -326,14 +354,16 @@ EnteredFile Source::State::Describe(clang::FileID file) const {
   return described;
 }
 
-Tokens Lex(Source& source, Diagnostics& diagnostics) {
-  Source::State& state = source.state();
+namespace {
+
+// Enters the main file and calls on_token(token, preprocessor) for each token up to the end, which
+// it returns. Returns an end token without a place if the file cannot be read.
+template <typename OnToken>
+clang::Token RunPreprocessor(Source::State& state, Diagnostics& diagnostics, OnToken&& on_token) {
   state.diagnostics = &diagnostics;
-  Tokens tokens;
-  if (!state.EnterMainFile()) {
-    tokens.list.emplace_back();
-    return tokens;
-  }
+  clang::Token token;
+  token.startToken();
+  if (!state.EnterMainFile()) return token;
   FrontendContext::State& shared = state.shared;
   clang::HeaderSearch search(ForClang(shared.search_options), state.sources, state.engine,
                              shared.language, &shared.target);
@@ -359,20 +389,66 @@ Tokens Lex(Source& source, Diagnostics& diagnostics) {
 
   state.guard.SetStackBase(static_cast<const char*>(__builtin_frame_address(0)));
   GuardScope scope(state.guard);
-  tokens.list.reserve(state.main_text.size() / 3 + 64);  // untouched pages cost nothing
-  TokenWriter writer(tokens, diagnostics);
   preprocessor.EnterMainSourceFile();
-  clang::Token token;
   for (preprocessor.Lex(token); token.isNot(tok::eof); preprocessor.Lex(token)) {
     if (state.guard.stopped() || diagnostics.TooManyErrors()) break;
-    AddToken(token, preprocessor, tokens.names, writer);
+    on_token(token, preprocessor);
   }
-  writer.AddEnd(token.getLocation().getRawEncoding());
+  return token;
+}
+
+}  // namespace
+
+Tokens Lex(Source& source, Diagnostics& diagnostics) {
+  Source::State& state = source.state();
+  Tokens tokens;
+  TokenWriter writer(tokens, diagnostics);
+  const clang::Token end = RunPreprocessor(
+      state, diagnostics, [&](const clang::Token& token, const clang::Preprocessor& preprocessor) {
+        if (tokens.list.empty())  // untouched pages cost nothing
+          tokens.list.reserve(state.main_text.size() / 3 + 64);
+        AddToken(token, preprocessor, tokens.names, writer);
+      });
+  writer.AddEnd(end.getLocation().getRawEncoding());
   state.guard.Report(diagnostics);
   return tokens;
 }
 
-FrontendContext::FrontendContext() : state_(std::make_unique<State>()) {}
+std::string Preprocess(Source& source, Diagnostics& diagnostics) {
+  Source::State& state = source.state();
+  std::string text, file;
+  unsigned line = 0;
+  llvm::SmallString<64> buffer;
+  RunPreprocessor(
+      state, diagnostics, [&](const clang::Token& token, const clang::Preprocessor& preprocessor) {
+        constexpr unsigned kFewLines = 8;
+        const clang::PresumedLoc place = state.sources.getPresumedLoc(token.getLocation());
+        const bool is_elsewhere =
+            place.isValid() && (place.getFilename() != file || place.getLine() < line ||
+                                place.getLine() > line + kFewLines);
+        if (is_elsewhere) {
+          file = place.getFilename();
+          line = place.getLine();
+          text += fmt::format("{}#line {} \"{}\"\n", text.empty() ? "" : "\n", line, file);
+        }
+        for (; place.isValid() && line < place.getLine(); ++line) text += '\n';
+        if (token.isAnnotation()) {
+          text += fmt::format("#pragma pack_matrix({}_major)\n",
+                              token.getAnnotationValue() ? "row" : "column");
+          ++line;
+          return;
+        }
+        // A space also where a macro has brought two tokens together that must stay two.
+        if (!text.empty() && text.back() != '\n') text += ' ';
+        if (!token.hasLeadingSpace() && text.ends_with(' ') && !token.getLocation().isMacroID())
+          text.pop_back();
+        text += preprocessor.getSpelling(token, buffer).str();
+      });
+  state.guard.Report(diagnostics);
+  return text.empty() ? text : text + '\n';
+}
+
+FrontendContext::FrontendContext(Files files) : state_(std::make_unique<State>(files)) {}
 FrontendContext::~FrontendContext() = default;
 
 Source::Source(FrontendContext& context, SourceInput input)
@@ -384,6 +460,8 @@ std::string Source::RenderText(const Diagnostics& diagnostics, bool colour) cons
   return clipc::RenderText(state_->Text(), diagnostics, colour);
 }
 std::vector<std::string> Source::Dependencies() const { return state_->dependencies; }
+std::vector<Include> Source::Includes() const { return state_->includes; }
+std::string Source::LineOf(Span span) const { return clipc::LineOf(state_->Text(), span); }
 bool Source::main_file_read() const { return state_->main_file_read; }
 
 }  // namespace clipc

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,7 +23,9 @@ namespace clipc {
 // life of a context (look-ups are remembered); their contents may change.
 class FrontendContext {
  public:
-  FrontendContext();
+  // With kNone, no file is looked up: for sources whose includes come from memory.
+  enum class Files : std::uint8_t { kOnDisk, kNone };
+  explicit FrontendContext(Files files = Files::kOnDisk);
   ~FrontendContext();
   FrontendContext(const FrontendContext&) = delete;
   FrontendContext& operator=(const FrontendContext&) = delete;
@@ -34,6 +37,9 @@ class FrontendContext {
   std::unique_ptr<State> state_;
 };
 
+// The versions of HLSL, which a shader sees as __HLSL_VERSION from shader model 6 on.
+enum class LanguageVersion : std::uint8_t { k2016, k2017, k2018, k2021 };
+
 // A main file and how to preprocess it.
 struct SourceInput {
   // A file, or "-" for standard input. With `text`, the name of that text in messages.
@@ -41,9 +47,20 @@ struct SourceInput {
   // Compiled instead of the file at `path`; its includes are looked up beside `path`.
   std::optional<std::string> text;
   std::vector<std::string> include_dirs;
-  std::vector<std::string> defines;  // "NAME" (defined as 1) or "NAME=VALUE"
-  int shader_model_major = 5;        // from 6 on, DXC's predefined macros are visible too
+  std::vector<std::string> defines;               // "NAME" (defined as 1) or "NAME=VALUE"
+  std::vector<std::string> forced_includes = {};  // files, included before the first line
+  // Gives the text of an include file, or none if there is none of that path, which is a folder, a
+  // slash and the name as written. Only in a context without files.
+  std::function<std::optional<std::string>(const std::string& path)> read_include = {};
+  int shader_model_major = 5;  // from 6 on, DXC's predefined macros are visible too
   int shader_model_minor = 0;
+  LanguageVersion language = LanguageVersion::k2018;
+};
+
+// An include file that was entered, and the number of files that are open around it.
+struct Include {
+  std::string file;
+  std::size_t depth = 0;
 };
 
 // A place for people and tools. File and line are as #line says; lines and columns count from 1,
@@ -76,6 +93,10 @@ class Source {
   // The files read, each once, in the order in which they were first entered. The main file is one
   // of them unless it is in memory or "-".
   std::vector<std::string> Dependencies() const;
+  // Every entry into an include file, in order.
+  std::vector<Include> Includes() const;
+  // The line of text that holds the beginning of `span`, without white space at its ends.
+  std::string LineOf(Span span) const;
   // False if the main file could not be read, which Lex has reported.
   bool main_file_read() const;
 
@@ -90,5 +111,9 @@ class Source {
 // the text read, and bounded: include cycles, macros that grow without end and deep nesting inside
 // directives are errors. After an error the sequence may be cut short and is not worth parsing.
 Tokens Lex(Source& source, Diagnostics& diagnostics);
+
+// The text after preprocessing, for people and other compilers: with the lines where they were, and
+// #line where a file begins or many lines are left out. Instead of Lex, with the same limits.
+std::string Preprocess(Source& source, Diagnostics& diagnostics);
 
 }  // namespace clipc

@@ -42,12 +42,45 @@ std::string ReadAll(int file, std::string& text) {
   return {};
 }
 
+void AppendUtf8(std::uint32_t code, std::string& text) {
+  if (code < 0x80) {
+    text += static_cast<char>(code);
+    return;
+  }
+  const int more = code < 0x800 ? 1 : code < 0x10000 ? 2 : 3;
+  constexpr std::uint32_t kFirst[] = {0, 0xc0, 0xe0, 0xf0};
+  text += static_cast<char>(kFirst[more] | code >> 6 * more);
+  for (int i = more - 1; i >= 0; --i) text += static_cast<char>(0x80 | (code >> 6 * i & 0x3f));
+}
+
+// UTF-16 after its byte order mark; a surrogate without its other half becomes U+FFFD.
+std::string FromUtf16(std::string_view bytes, bool is_big_endian) {
+  const auto unit = [&](std::size_t i) -> std::uint32_t {
+    const auto first = static_cast<unsigned char>(bytes[i]);
+    const auto second = static_cast<unsigned char>(bytes[i + 1]);
+    return is_big_endian ? first << 8 | second : second << 8 | first;
+  };
+  std::string text;
+  for (std::size_t i = 2; i + 1 < bytes.size(); i += 2) {
+    std::uint32_t code = unit(i);
+    if (code >= 0xd800 && code < 0xe000) {
+      const std::uint32_t low = code < 0xdc00 && i + 3 < bytes.size() ? unit(i + 2) : 0;
+      const bool is_pair = low >= 0xdc00 && low < 0xe000;
+      code = is_pair ? 0x10000 + ((code - 0xd800) << 10) + (low - 0xdc00) : 0xfffd;
+      if (is_pair) i += 2;
+    }
+    AppendUtf8(code, text);
+  }
+  return text;
+}
+
 // DXC's predefined macros, as it documents them. fxc, which the older shader models belong to, has
 // none.
 void DefineTarget(const SourceInput& input, std::string& out) {
+  constexpr int kYears[] = {2016, 2017, 2018, 2021};
   out += fmt::format(
       "#define __hlsl_dx_compiler 1\n"
-      "#define __HLSL_VERSION 2018\n"
+      "#define __HLSL_VERSION {}\n"
       "#define __SHADER_TARGET_STAGE 1\n"
       "#define __SHADER_TARGET_MAJOR {}\n"
       "#define __SHADER_TARGET_MINOR {}\n"
@@ -60,24 +93,27 @@ void DefineTarget(const SourceInput& input, std::string& out) {
       "#define __SHADER_STAGE_LIBRARY 6\n"
       "#define __SHADER_STAGE_MESH 13\n"
       "#define __SHADER_STAGE_AMPLIFICATION 14\n",
-      input.shader_model_major, input.shader_model_minor);
+      kYears[static_cast<std::size_t>(input.language)], input.shader_model_major,
+      input.shader_model_minor);
 }
 
 }  // namespace
 
 std::string ReadText(const std::string& path, std::string& text) {
-  if (path == "-") return ReadAll(STDIN_FILENO, text);
-  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool is_stdin = path == "-";
+  const int file = is_stdin ? STDIN_FILENO : open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0) return Reason(errno);
   std::string problem = ReadAll(file, text);
-  close(file);
+  if (!is_stdin) close(file);
+  if (text.starts_with("\xff\xfe")) text = FromUtf16(text, false);
+  if (text.starts_with("\xfe\xff")) text = FromUtf16(text, true);
   return problem;
 }
 
 std::string Predefines(const SourceInput& input) {
   std::string out = "#define __CLIPC__ 1\n";
   if (input.shader_model_major >= 6) DefineTarget(input, out);
-  if (input.defines.empty()) return out;
+  if (input.defines.empty() && input.forced_includes.empty()) return out;
   out += "# 1 \"<command line>\" 1\n";
   for (const std::string& define : input.defines) {
     const std::string line = define.substr(0, define.find_first_of("\r\n"));
@@ -85,6 +121,10 @@ std::string Predefines(const SourceInput& input) {
     out += equals == std::string::npos
                ? fmt::format("#define {} 1\n", line)
                : fmt::format("#define {} {}\n", line.substr(0, equals), line.substr(equals + 1));
+  }
+  for (const std::string& file : input.forced_includes) {
+    const std::string name = file.substr(0, file.find_first_of("\"\r\n"));
+    out += fmt::format("#include \"{}\"\n", name);
   }
   return out + "# 1 \"<built-in>\" 2\n";
 }

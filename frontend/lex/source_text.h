@@ -12,8 +12,9 @@ namespace clipc {
 // macro expansions in them.
 inline constexpr std::size_t kMaxSourceBytes = std::size_t{256} << 20;
 
-// Reads a whole file, pipe or device; "-" is standard input. Returns an empty string on success,
-// otherwise the reason of the failure, which starts with a small letter.
+// Reads a whole file, pipe or device as UTF-8; "-" is standard input. UTF-16 with a byte order mark
+// is converted. Returns an empty string on success, otherwise the reason of the failure, which
+// starts with a small letter.
 std::string ReadText(const std::string& path, std::string& text);
 
 // The text that defines the macros that exist before the first line: clipc's own, those of the

@@ -1,7 +1,7 @@
 // Level 9 on targets that have it: gl_ClipVertex is the position as HLSL wrote it, before any depth range.
 // RUN: %clipc -T vs_4_0_level_9_1 --target=glsl120 --depth-range=negative-one-to-one --validate %s -o - | FileCheck %s
 // RUN: %clipc -T vs_4_0_level_9_1 --target=glsl130 --validate %s -o %t
-// RUN: %clipc -T vs_4_0_level_9_1 --target=glsl140 --validate %s -o - | FileCheck %s --check-prefix=NONE
+// RUN: %clipc -T vs_4_0_level_9_1 --target=glsl140 --validate %s -o - --table=%t.json | FileCheck %s --check-prefix=NONE
 // AUTOUPDATE
 float4 water;
 [clipplanes(water)]

@@ -13,12 +13,12 @@ namespace {
 struct Reading {
   explicit Reading(const BuildOptions& options)
       : profile(Known(ir::ParseProfile(options.profile), "profile", options.profile)),
-        source(context, {options.path,
-                         {},
-                         options.include_dirs,
-                         options.defines,
-                         profile.major,
-                         profile.minor}) {}
+        source(context, {.path = options.path,
+                         .text = {},
+                         .include_dirs = options.include_dirs,
+                         .defines = options.defines,
+                         .shader_model_major = profile.major,
+                         .shader_model_minor = profile.minor}) {}
 
   template <typename Error>
   void StopAtErrors(const std::string& what) const {

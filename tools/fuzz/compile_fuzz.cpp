@@ -33,6 +33,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   clipc::CompileRequest request;
   request.path = "fuzz.hlsl";
   request.text = std::string(text);
+  request.gives_planes_to_device = true;
   request.profile = kProfiles[Choose(text, 2, kProfiles.size())];
   request.target = kTargets[Choose(text, 3, kTargets.size())];
   const std::size_t lowering = Choose(text, 4, std::size(clipc::kLoweringNames) + 1);

@@ -7,6 +7,12 @@
 // RUN: not %clipc -T vs_5_0 -E main "-DPLANE=p+q" %s 2>&1 | FileCheck %s --check-prefix=MEMBER
 // RUN: not %clipc -T vs_5_0 -E main "-DPLANE=-p" %s 2>&1 | FileCheck %s --check-prefix=MEMBER
 // RUN: not %clipc -T vs_5_0 -E main "-DPLANE=(float4)f3" %s 2>&1 | FileCheck %s --check-prefix=MEMBER
+// RUN: not %clipc -T vs_5_0 -E main "-DPLANE=-p" %s 2>&1 | FileCheck %s --check-prefix=NEGATED
+// NEGATED: `-p` is not a clip plane;
+// RUN: not %clipc -T vs_5_0 -E main "-DPLANE=flag?p:q+p" %s 2>&1 | FileCheck %s --check-prefix=CHOICE
+// CHOICE: `flag ? p : q + p` is not a clip plane;
+// RUN: not %clipc -T vs_5_0 -E main "-DPLANE=(float4)f3" %s 2>&1 | FileCheck %s --check-prefix=CAST
+// CAST: `(float4)f3` is not a clip plane;
 // MEMBER: is not a clip plane; a clip plane must be a member of a constant buffer, without literals or arithmetic [clip-plane-not-constant-buffer-member, X3084]
 
 // RUN: not %clipc -T vs_5_0 -E main "-DPLANE=planes[index]" %s 2>&1 | FileCheck %s --check-prefix=INDEX

@@ -1,0 +1,431 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "compiler/option_table.h"
+
+#include <charconv>
+#include <iterator>
+#include <tuple>
+#include <type_traits>
+
+#include <fmt/format.h>
+
+#include "base/spelling.h"
+#include "compiler/suggest.h"
+
+namespace clipc {
+namespace {
+
+// ---- what an option does with its value
+
+// For what another compiler does with its code, and GLSL has no use for.
+void Ignore(Reading&, const std::string&) {}
+
+void HasNoEffect(Reading& reading, const std::string&) {
+  reading.without_effect.push_back({reading.option, reading.advice});
+}
+
+void Refuse(Reading& reading, const std::string&) {
+  reading.error = fmt::format("unknown option `{}`; {}", reading.option, reading.advice);
+}
+
+template <typename Owner, typename Value>
+Value& MemberOf(CommandLine& command, Value Owner::* member) {
+  CompileRequest& request = command.request;
+  return std::get<Owner&>(
+             std::tie(command, request, request.clip_space, request.warnings, request.debug)).*
+         member;
+}
+
+// A flag becomes true, a list gets one more, a text is replaced.
+template <auto kMember>
+void Set(Reading& reading, const std::string& value) {
+  auto& member = MemberOf(reading.command, kMember);
+  if constexpr (std::is_same_v<decltype(member), bool&>) {
+    member = true;
+  } else if constexpr (requires { member.push_back(value); }) {
+    member.push_back(value);
+  } else {
+    member = value;
+  }
+}
+
+template <auto kMember, auto kValue>
+void SetTo(Reading& reading, const std::string&) {
+  MemberOf(reading.command, kMember) = kValue;
+}
+
+template <bool kOn>
+void SetValidate(Reading& reading, const std::string&) {
+  reading.validate = kOn;
+}
+
+// One of a few words, which stand in the order of the enumerators.
+template <typename Enum, auto kMember, const auto& kNames>
+void Choose(Reading& reading, const std::string& value) {
+  if (const auto choice = EnumeratorOf<Enum>(value, kNames)) {
+    MemberOf(reading.command, kMember) = *choice;
+    return;
+  }
+  const std::vector<std::string_view> names(std::begin(kNames), std::end(kNames));
+  reading.error =
+      fmt::format("unknown value `{}` of {}{}", value, reading.option, Suggest(value, names));
+}
+
+// A number from kLeast to kMost.
+template <auto kMember, unsigned kLeast, unsigned kMost>
+void SetNumber(Reading& reading, const std::string& value) {
+  auto& to = MemberOf(reading.command, kMember);
+  const char* const end = value.data() + value.size();
+  const auto [after, problem] = std::from_chars(value.data(), end, to);
+  if (problem == std::errc() && after == end && to >= kLeast && to <= kMost) return;
+  reading.error = fmt::format("`{}{}`: it must be a number from {} to {}", reading.option, value,
+                              kLeast, kMost);
+}
+
+void SetVariants(Reading& reading, const std::string& value) {
+  reading.command.request.variants = true;
+  SetNumber<&CompileRequest::variant_planes, 0, kMaxClipPlanes>(reading, value);
+}
+
+void SetDependencyFile(Reading& reading, const std::string& value) {
+  reading.command.write_dependencies = true;
+  reading.command.dependency_file = value;
+}
+
+void SetPreprocess(Reading& reading, const std::string& value) {
+  reading.preprocess = true;
+  reading.preprocess_name = value;
+}
+
+void SetPreprocessOutput(Reading& reading, const std::string& value) {
+  reading.preprocess_output = value;
+}
+
+template <bool kForVulkan>
+void SetSpirv(Reading& reading, const std::string&) {
+  reading.writes_spirv = true;
+  reading.spirv_for_vulkan = kForVulkan;
+}
+
+void ChooseVulkan(Reading& reading, const std::string& value) {
+  constexpr const char* kNames[] = {"vulkan1.0", "vulkan1.1", "vulkan1.2", "vulkan1.3"};
+  if (const auto choice = EnumeratorOf<VulkanVersion>(value, kNames)) {
+    reading.spirv.vulkan = *choice;
+    return;
+  }
+  const std::vector<std::string_view> names(std::begin(kNames), std::end(kNames));
+  reading.error =
+      fmt::format("unknown value `{}` of {}{}", value, reading.option, Suggest(value, names));
+}
+
+// "N SPACE", where the space may be `all` and may be left out.
+template <char kLetter>
+void AddShift(Reading& reading, const std::string& value) {
+  const std::size_t blank = std::min(value.find(' '), value.size());
+  const std::string_view number = std::string_view(value).substr(0, blank);
+  const std::string_view space = std::string_view(value).substr(std::min(blank + 1, value.size()));
+  const auto read = [](std::string_view text, std::uint32_t& to) {
+    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), to);
+    return problem == std::errc() && end == text.data() + text.size() && to < 1u << 20;
+  };
+  glsl::BindingShift shift{kLetter, 0, std::nullopt};
+  const bool is_all = space.empty() || space == "all";
+  if (read(number, shift.shift) && (is_all || read(space, shift.space.emplace()))) {
+    reading.command.request.binding_shifts.push_back(shift);
+  } else {
+    reading.error =
+        fmt::format("`{} {}`: it takes two numbers, or a number and `all`", reading.option, value);
+  }
+}
+
+void SetOldSemantics(Reading& reading, const std::string&) { reading.keeps_old_semantics = true; }
+
+void AddStandardInput(Reading& reading, const std::string&) {
+  reading.command.inputs.emplace_back("-");
+}
+
+void Undefine(Reading& reading, const std::string& value) {
+  std::erase_if(reading.command.request.defines, [&](const std::string& define) {
+    return define.substr(0, define.find('=')) == value;
+  });
+}
+
+// -O, -O0 to -O4, -Od, -Op, -Os and -Oz: how hard another compiler works on its code.
+void SetOptimisation(Reading& reading, const std::string& value) {
+  if (value.empty() ||
+      (value.size() == 1 && std::string_view("01234dpsz").find(value[0]) != std::string_view::npos))
+    return;
+  reading.error = fmt::format("unknown option `-O{}`", value);
+}
+
+// A value that another compiler knows and that is all that clipc has.
+template <const auto& kValue>
+void RequireValue(Reading& reading, const std::string& value) {
+  if (value != kValue)
+    reading.error = fmt::format("`{} {}`: clipc has `{}` only", reading.option, value, kValue);
+}
+
+// -Wno-clip-plane-twice, -Werror, -Werror=..., -Wno-error=...
+void SetWarning(Reading& reading, const std::string& value) {
+  WarningOptions& warnings = reading.command.request.warnings;
+  std::string_view name = value;
+  if (name == "all" || name == "extra") return;  // every warning is on anyway
+  const auto take = [&](std::string_view prefix) {
+    const bool has = name.starts_with(prefix);
+    if (has) name.remove_prefix(prefix.size());
+    return has;
+  };
+  const bool is_on = !take("no-");
+  if (name == "error") {
+    warnings.warnings_are_errors = is_on;
+    return;
+  }
+  const bool is_error = take("error=");
+  const std::optional<DiagId> id = DiagIdOf(name);
+  if (id && InfoOf(*id).severity == Severity::kWarning) {
+    const auto index = static_cast<std::size_t>(*id);
+    is_error ? warnings.as_error[index] = is_on : warnings.off[index] = !is_on;
+    return;
+  }
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < kDiagCount; ++i) {
+    const auto other = static_cast<DiagId>(i);
+    if (InfoOf(other).severity == Severity::kWarning) names.push_back(PrintedName(other));
+  }
+  const std::vector<std::string_view> views(names.begin(), names.end());
+  if (NearNames(name, views).empty()) {
+    reading.foreign_warnings.push_back("-W" + value);
+  } else {
+    reading.error = fmt::format("unknown warning `{}`{}", name, Suggest(name, views));
+  }
+}
+
+// ---- the table
+
+constexpr const char* kDepthRanges[] = {"zero-to-one", "negative-one-to-one"};
+constexpr const char* kFormats[] = {"text", "msvc", "json", "sarif"};
+constexpr const char* kClangFormats[] = {"clang", "msvc", "json", "sarif"};  // the same formats
+constexpr const char* kStages[] = {"tokens", "ast", "ir", "glsl", "table"};
+constexpr const char* kLanguages[] = {"2016", "2017", "2018", "2021"};
+constexpr std::string_view kHlsl = "hlsl", kVert = "vert", kVertex = "vertex";
+
+using enum Option::Form;
+using Action = CommandLine::Action;
+using Request = CompileRequest;
+
+// Those of --help, in its order; then other spellings and other compilers' options.
+constexpr Option kOptions[] = {
+    {"-T", kJoinedOrSeparate, Set<&Request::profile>, "<PROFILE>",
+     "vs_2_0 .. vs_6_8 (vs_5_0), vs_4_0_level_9_0, _9_1, _9_3"},
+    {"-E", kJoinedOrSeparate, Set<&Request::entry>, "<NAME>", "entry function (main)"},
+    {"-D", kJoinedOrSeparate, Set<&Request::defines>, "<NAME[=VALUE]>", "define a macro"},
+    {"-I", kJoinedOrSeparate, Set<&Request::include_dirs>, "<DIR>", "look for includes here too"},
+    {"-include", kSeparate, Set<&Request::forced_includes>, "<FILE>", "include FILE first"},
+    {"-HV", kJoinedOrSeparate, Choose<LanguageVersion, &Request::language, kLanguages>, "<YEAR>",
+     "2016, 2017, 2018 or 2021: __HLSL_VERSION (2018)"},
+    {"-Zpc", kFlag, SetTo<&Request::packing, MatrixPacking::kColumnMajor>, "",
+     "matrices are column-major in memory (the default)"},
+    {"-Zpr", kFlag, SetTo<&Request::packing, MatrixPacking::kRowMajor>, "",
+     "matrices are row-major in memory"},
+    {"-o", kJoinedOrSeparate, Set<&CommandLine::output>, "<FILE>",
+     "the GLSL: a file, standard output (-, the default), or a folder for several files"},
+    {"--target", kEquals, Set<&Request::target>, "<GLSL>",
+     "glsl120 .. glsl460 (glsl450), vulkan, essl300, essl310, essl320"},
+    {"--lower", kEquals, Choose<Lowering, &Request::lowering, kLoweringNames>, "<HOW>",
+     "clip planes: clip-distance, level9 (the default of level_9_x), near-plane, discard or none"},
+    {"--plane-space", kEquals, Choose<PlaneSpace, &Request::plane_space, kPlaneSpaceNames>,
+     "<SPACE>",
+     "the planes' space: clip (the default, fxc's), xyw1 or object, which lose fewer digits"},
+    {"--position-input", kEquals, Set<&Request::position_input>, "<SEMANTIC>",
+     "the input that --plane-space=object clips by (POSITION0)"},
+    {"--fragment", kEquals, Set<&CommandLine::fragment>, "<FILE>",
+     "with --lower=discard: add the discard to this GLSL; written as .frag"},
+    {"--variants", kFlag, Set<&Request::variants>, "",
+     "one shader for each number of clip planes: x.0.vert, x.1.vert .."},
+    {"--variants=", kJoined, SetVariants, "<N>", "the same, up to N planes"},
+    {"--depth-range", kEquals,
+     Choose<bool, &passes::ClipSpaceOptions::negative_one_to_one, kDepthRanges>, "<RANGE>",
+     "zero-to-one (as the HLSL writes it, the default) or negative-one-to-one"},
+    {"--flip-y", kFlag, Set<&passes::ClipSpaceOptions::flip_y>, "",
+     "negate gl_Position.y, after the clip planes"},
+    {"--separable", kFlag, Set<&Request::separable>, "",
+     "redeclare gl_PerVertex, for glUseProgramStages"},
+    {"-Zi", kFlag, Set<&Request::source_lines>, "",
+     "with the lines of the HLSL as comments in the GLSL"},
+    {"-Fc", kJoinedOrSeparate, Set<&CommandLine::listing>, "<FILE>",
+     "write the GLSL with these comments to FILE"},
+    {"-Fh", kJoinedOrSeparate, Set<&CommandLine::header>, "<FILE>",
+     "write the GLSL as a C string to FILE"},
+    {"-Vn", kJoinedOrSeparate, Set<&CommandLine::variable>, "<NAME>",
+     "the name of that string (g_ and the entry's name)"},
+    {"-spirv", kFlag, SetSpirv<true>, "",
+     "write SPIR-V instead of GLSL, for Vulkan; so does a .spv file"},
+    {"-G", kFlag, SetSpirv<false>, "", "write SPIR-V for OpenGL 4.5"},
+    {"-fspv-target-env", kEquals, ChooseVulkan, "<VERSION>", "vulkan1.0 .. vulkan1.3 (vulkan1.1)"},
+    {"--table", kEquals, Set<&CommandLine::table>, "<FILE>",
+     "write the clip table: .json, .bin (Direct3D's record) or .h"},
+    {"--reflect", kEquals, Set<&CommandLine::reflection>, "<FILE>",
+     "write inputs, outputs, buffers and planes as JSON"},
+    {"-MD", kFlag, Set<&CommandLine::write_dependencies>, "",
+     "write a make rule with the files read, beside the output"},
+    {"-MF", kJoinedOrSeparate, SetDependencyFile, "<FILE>", "write that rule to FILE"},
+    {"-MT", kJoinedOrSeparate, Set<&CommandLine::dependency_target>, "<NAME>",
+     "the target of that rule (the output file)"},
+    {"-M", kFlag, Set<&CommandLine::only_dependencies>, "",
+     "write only that rule, to standard output or to -MF's file"},
+    {"-H", kFlag, Set<&CommandLine::show_includes>, "", "print the files that are included"},
+    {"-P", kOptional, SetPreprocess, "<FILE>", "write the preprocessed HLSL to FILE, and stop"},
+    {"-fsyntax-only", kFlag, Set<&CommandLine::syntax_only>, "", "write no file"},
+    {"--validate", kFlag, SetValidate<true>, "",
+     "compile the GLSL with glslang before writing it (the default for several files)"},
+    {"--no-validate", kFlag, SetValidate<false>, "",
+     "do not run glslang (the default for a single file)"},
+    {"-j", kJoinedOrSeparate, SetNumber<&CommandLine::jobs, 1, 256>, "<N>",
+     "compile N of several files at once"},
+    {"--diagnostics", kEquals, Choose<MessageFormat, &CommandLine::format, kFormats>, "<FORM>",
+     "text, msvc, json or sarif; on standard error"},
+    {"-W", kJoined, SetWarning, "<NAME>",
+     "-Wno-<NAME> and -W<NAME>: a warning off and on; -Werror: warnings are errors"},
+    {"-w", kFlag, Set<&WarningOptions::no_warnings>, "", "print no warnings"},
+    {"--dump", kEquals, Choose<DumpStage, &DebugOptions::dump, kStages>, "<STAGE>",
+     "print tokens, ast, ir, glsl or table and stop there"},
+    {"--dump-after", kEquals, Set<&DebugOptions::dump_after>, "<PASS>",
+     "print the program after a pass"},
+    {"--stop-after", kEquals, Set<&DebugOptions::stop_after>, "<PASS>",
+     "stop after a pass and print the program"},
+    {"--help", kFlag, SetTo<&CommandLine::action, Action::kHelp>, "", "print this"},
+    {"--version", kFlag, SetTo<&CommandLine::action, Action::kVersion>, "", "print the version"},
+
+    // Other spellings.
+    {"-fvk-b-shift", kTwo, AddShift<'b'>},
+    {"-fvk-s-shift", kTwo, AddShift<'s'>},
+    {"-fvk-t-shift", kTwo, AddShift<'t'>},
+    {"-fvk-u-shift", kTwo, AddShift<'u'>},
+    {"--shift-ubo-binding", kEquals, AddShift<'b'>},
+    {"--shift-cbuffer-binding", kEquals, AddShift<'b'>},
+    {"--shift-sampler-binding", kEquals, AddShift<'s'>},
+    {"--shift-texture-binding", kEquals, AddShift<'t'>},
+    {"--shift-UAV-binding", kEquals, AddShift<'u'>},
+    {"-V", kFlag, SetSpirv<true>},
+    {"-Fo", kJoinedOrSeparate, Set<&CommandLine::output>},
+    {"-e", kSeparate, Set<&Request::entry>},
+    {"-fentry-point", kEquals, Set<&Request::entry>},
+    {"-isystem", kSeparate, Set<&Request::include_dirs>},
+    {"-iquote", kSeparate, Set<&Request::include_dirs>},
+    {"-U", kJoinedOrSeparate, Undefine},
+    {"-std=hlsl", kJoined, Choose<LanguageVersion, &Request::language, kLanguages>},
+    {"--invert-y", kFlag, Set<&passes::ClipSpaceOptions::flip_y>},
+    {"-fvk-invert-y", kFlag, Set<&passes::ClipSpaceOptions::flip_y>},
+    {"-g", kFlag, Set<&Request::source_lines>},
+    {"--vn", kSeparate, Set<&CommandLine::variable>},
+    {"-MMD", kFlag, Set<&CommandLine::write_dependencies>},
+    {"-MM", kFlag, Set<&CommandLine::only_dependencies>},
+    {"-MQ", kJoinedOrSeparate, Set<&CommandLine::dependency_target>},
+    {"--depfile", kEquals, SetDependencyFile},
+    {"-MP", kFlag, Ignore},
+    {"-Vi", kFlag, Set<&CommandLine::show_includes>},
+    {"-Fi", kJoinedOrSeparate, SetPreprocessOutput},
+    {"-Vd", kFlag, SetValidate<false>},
+    {"-WX", kFlag, Set<&WarningOptions::warnings_are_errors>},
+    {"-no-warnings", kFlag, Set<&WarningOptions::no_warnings>},
+    {"-h", kFlag, SetTo<&CommandLine::action, Action::kHelp>},
+    {"-?", kFlag, SetTo<&CommandLine::action, Action::kHelp>},
+    {"-help", kFlag, SetTo<&CommandLine::action, Action::kHelp>},
+    {"--stdin", kFlag, AddStandardInput},
+    {"-fdiagnostics-format", kEquals, Choose<MessageFormat, &CommandLine::format, kClangFormats>},
+    {"-fcolor-diagnostics", kFlag, SetTo<&CommandLine::colour, true>},
+    {"-fno-color-diagnostics", kFlag, SetTo<&CommandLine::colour, false>},
+    {"-x", kSeparate, RequireValue<kHlsl>},
+    {"-S", kSeparate, RequireValue<kVert>},
+    {"-fshader-stage", kEquals, RequireValue<kVertex>},
+    {"--verify", kFlag, Set<&DebugOptions::verify>},
+
+    // What another compiler does to its code, its listing or its effort.
+    {"-nologo", kFlag, Ignore},
+    {"-Zss", kFlag, Ignore},
+    {"-Zsb", kFlag, Ignore},
+    {"-Zs", kFlag, Ignore},
+    {"-Cc", kFlag, Ignore},
+    {"-c", kFlag, Ignore},
+    {"-Ges", kFlag, Ignore},
+    {"-Gfa", kFlag, Ignore},
+    {"-Gfp", kFlag, Ignore},
+    {"-Gpp", kFlag, Ignore},
+    {"-all_resources_bound", kFlag, Ignore},
+    {"-all-resources-bound", kFlag, Ignore},
+    {"-enable_unbounded_descriptor_tables", kFlag, Ignore},
+    {"-res_may_alias", kFlag, Ignore},
+    {"-res-may-alias", kFlag, Ignore},
+    {"-Qembed_debug", kFlag, Ignore},
+    {"-Qsource_in_debug_module", kFlag, Ignore},
+    {"-Qstrip_", kJoined, Ignore},
+    {"-O", kJoined, SetOptimisation},
+
+    // A meaning that is lost.
+    {"-Gec", kFlag, SetOldSemantics},
+    {"-Gis", kFlag, HasNoEffect, nullptr, "only what the shader declares `precise` is"},
+    {"-Fd", kJoinedOrSeparate, HasNoEffect, nullptr,
+     "GLSL has no debug database; -Zi keeps the lines of the HLSL"},
+    {"-Ni", kFlag, HasNoEffect, nullptr, "the listing is GLSL"},
+    {"-No", kFlag, HasNoEffect, nullptr, "the listing is GLSL"},
+    {"-Lx", kFlag, HasNoEffect, nullptr, "the listing is GLSL"},
+
+    // A meaning that clipc does not have.
+    {"-Entry", kJoined, Refuse, nullptr, "did you mean `-E`?"},
+    {"-entry", kJoined, Refuse, nullptr, "did you mean `-E`?"},
+    {"-Define", kJoined, Refuse, nullptr, "did you mean `-D`?"},
+    {"-define", kJoined, Refuse, nullptr, "did you mean `-D`?"},
+    {"-Target", kJoined, Refuse, nullptr, "did you mean `-T` or `--target`?"},
+    {"-target", kJoined, Refuse, nullptr, "did you mean `-T` or `--target`?"},
+    {"-profile", kJoined, Refuse, nullptr, "did you mean `-T` or `--target`?"},
+    {"-Profile", kJoined, Refuse, nullptr, "did you mean `-T` or `--target`?"},
+    {"-Include", kJoined, Refuse, nullptr, "did you mean `-I` or `-include`?"},
+    {"-opt-", kJoined, Refuse, nullptr, "clipc leaves optimisation to the driver"},
+    {"-output", kJoined, Refuse, nullptr, "did you mean `-o`?"},
+    {"-Output", kJoined, Refuse, nullptr, "did you mean `-o`?"},
+    {"-fspv-", kJoined, Refuse, nullptr, "the SPIR-V is what glslang makes of the GLSL"},
+    {"-fvk-", kJoined, Refuse, nullptr, "bindings follow the registers; `--reflect` tells them"},
+    {"--shift-", kJoined, Refuse, nullptr, "bindings follow the registers; `--reflect` tells them"},
+    {"--auto-map-", kJoined, Refuse, nullptr,
+     "bindings follow the registers; `--reflect` tells them"},
+    {"-auto-binding-space", kJoined, Refuse, nullptr,
+     "bindings follow the registers; `--reflect` tells them"},
+    {"-enable-16bit-types", kFlag, Refuse, nullptr,
+     "`half` and `min16float` are computed and stored at 32 bits"},
+    {"-Fe", kJoinedOrSeparate, Refuse, nullptr, "messages go to standard error"},
+    {"-Fre", kJoinedOrSeparate, Refuse, nullptr, "`--reflect` writes the reflection as JSON"},
+    {"-Frs", kJoined, Refuse, nullptr, "it is for compiled shaders of Direct3D"},
+    {"-Fsh", kJoined, Refuse, nullptr, "it is for compiled shaders of Direct3D"},
+    {"-setrootsignature", kJoined, Refuse, nullptr, "it is for compiled shaders of Direct3D"},
+    {"-extractrootsignature", kJoined, Refuse, nullptr, "it is for compiled shaders of Direct3D"},
+    {"-verifyrootsignature", kJoined, Refuse, nullptr, "it is for compiled shaders of Direct3D"},
+    {"-getprivate", kJoined, Refuse, nullptr, "it is for compiled shaders of Direct3D"},
+    {"-setprivate", kJoined, Refuse, nullptr, "it is for compiled shaders of Direct3D"},
+    {"-dumpbin", kJoined, Refuse, nullptr, "it is for compiled shaders of Direct3D"},
+    {"-compress", kJoined, Refuse, nullptr, "it is for compiled shaders of Direct3D"},
+    {"-decompress", kJoined, Refuse, nullptr, "it is for compiled shaders of Direct3D"},
+    {"-Gch", kJoined, Refuse, nullptr,
+     "it is for effects and libraries; clipc compiles one shader"},
+    {"-Gdp", kJoined, Refuse, nullptr,
+     "it is for effects and libraries; clipc compiles one shader"},
+    {"-LD", kJoined, Refuse, nullptr, "it is for effects and libraries; clipc compiles one shader"},
+    {"-Fx", kJoined, Refuse, nullptr, "it is for effects and libraries; clipc compiles one shader"},
+    {"-Fl", kJoined, Refuse, nullptr, "it is for effects and libraries; clipc compiles one shader"},
+};
+
+}  // namespace
+
+std::span<const Option> Options() { return kOptions; }
+
+const Option* FindOption(std::string_view argument) {
+  const Option* found = nullptr;
+  for (const Option& option : kOptions) {
+    if (!argument.starts_with(option.name)) continue;
+    const std::string_view rest = argument.substr(option.name.size());
+    const bool fits = rest.empty() || option.form == kJoined || option.form == kJoinedOrSeparate ||
+                      option.form == kOptional || (option.form == kEquals && rest.starts_with('='));
+    if (fits && (!found || option.name.size() > found->name.size())) found = &option;
+  }
+  return found;
+}
+
+}  // namespace clipc

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compiler/options.h"
+
+// Every spelling of every option, and what it does.
+namespace clipc {
+
+// What the arguments so far say.
+struct Reading {
+  CommandLine command;
+  std::string option;  // the one that is being read
+  std::string advice;  // its Option::help
+  std::string error;
+
+  std::optional<bool> validate;      // what the user asks for
+  bool keeps_old_semantics = false;  // -Gec
+  bool writes_spirv = false, spirv_for_vulkan = true;
+  SpirvRequest spirv;
+  bool preprocess = false;                         // -P
+  std::string preprocess_name, preprocess_output;  // what follows it; -Fi
+  struct Ignored {
+    std::string option, why;
+  };
+  std::vector<Ignored> without_effect;  // options of other compilers
+  std::vector<std::string> foreign_warnings;
+};
+
+struct Option {
+  enum class Form : std::uint8_t {
+    kFlag,
+    kJoined,            // -Wno-x
+    kSeparate,          // -e main
+    kJoinedOrSeparate,  // -Dx or -D x
+    kOptional,          // -P or -P x
+    kEquals,            // --target=x or --target x
+    kTwo,               // -fvk-b-shift 2 0: the value is "2 0"
+  };
+
+  std::string_view name;
+  Form form;
+  void (*read)(Reading& reading, const std::string& value);
+  // For --help; null: it does not list this option.
+  const char* metavar = nullptr;
+  // For --help; of an option that it does not list, the advice that goes with its message.
+  const char* help = "";
+};
+
+std::span<const Option> Options();
+
+// The option that `argument` is, or begins with: the one with the longest such name. Null: none.
+const Option* FindOption(std::string_view argument);
+
+}  // namespace clipc

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "compiler/place_outputs.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "base/spelling.h"
+#include "compiler/output_files.h"
+
+namespace clipc {
+namespace {
+
+std::string FileName(const std::string& path) { return path.substr(path.rfind('/') + 1); }
+
+// A value that is only an extension, ".json", names the file after another.
+bool IsExtension(const std::string& value) {
+  return value.size() > 1 && value[0] == '.' && value.find('/') == std::string::npos;
+}
+
+std::string NameAfter(const std::string& value, const std::string& name) {
+  return IsExtension(value) ? WithoutExtension(name) + value : value;
+}
+
+// The GLSL goes to standard output unless something else is asked for: the program or a dump takes
+// standard output, and whoever names a header or a listing wants that.
+std::string PlaceGlsl(const CommandLine& command, const std::string& input) {
+  const std::string& output = command.output;
+  const DebugOptions& debug = command.request.debug;
+  const bool wants_other = debug.dump || !debug.dump_after.empty() || !debug.stop_after.empty() ||
+                           !command.header.empty() || !command.listing.empty();
+  if (output.empty()) return wants_other ? "" : "-";
+  if (!output.ends_with('/') && (output == "-" || !IsDirectory(output))) return output;
+  const std::string stem = input == "-" ? "stdin" : WithoutExtension(FileName(input));
+  return fmt::format("{}{}{}.{}", output, output.ends_with('/') ? "" : "/", stem,
+                     command.request.spirv ? "spv" : "vert");
+}
+
+}  // namespace
+
+std::vector<std::string> Outputs::Named() const {
+  std::vector<std::string> named;
+  for (const std::string& path :
+       {glsl, fragment, table, reflection, dependencies, header, listing, preprocessed}) {
+    if (!path.empty() && path != "-") named.push_back(path);
+  }
+  return named;
+}
+
+std::string WithoutExtension(const std::string& path) {
+  const std::size_t name = path.rfind('/') + 1;  // npos + 1 is 0
+  const std::size_t dot = path.rfind('.');
+  return dot == std::string::npos || dot <= name ? path : path.substr(0, dot);
+}
+
+std::string VariantName(const std::string& path, std::size_t planes) {
+  const std::string stem = WithoutExtension(path);
+  return fmt::format("{}.{}{}", stem, planes, path.substr(stem.size()));
+}
+
+Outputs PlaceOutputs(const CommandLine& command, const std::string& input) {
+  Outputs outputs;
+  if (command.syntax_only) return outputs;
+  const std::string glsl = PlaceGlsl(command, input);
+  // What is named after the GLSL is named after the first other file when that goes to standard
+  // output, and else after the input.
+  std::string name = input == "-" ? "stdin" : input;
+  for (const std::string& file : {command.listing, command.header, glsl}) {
+    if (!file.empty() && file != "-" && !IsExtension(file)) name = file;
+  }
+  const bool is_written = name != input && input != "-";
+  outputs.dependency_target = !command.dependency_target.empty() ? command.dependency_target
+                              : is_written                       ? name
+                                                                 : WithoutExtension(name) + ".vert";
+  const std::string rule = command.dependency_file.empty() ? ".d" : command.dependency_file;
+  if (command.only_dependencies) {
+    outputs.dependencies = command.dependency_file.empty() ? "-" : NameAfter(rule, name);
+    return outputs;
+  }
+  if (command.write_dependencies) outputs.dependencies = NameAfter(rule, name);
+  outputs.preprocessed = NameAfter(command.preprocessed, name);
+  if (!outputs.preprocessed.empty()) return outputs;
+  outputs.glsl = glsl;
+  outputs.header = NameAfter(command.header, name);
+  outputs.listing = NameAfter(command.listing, name);
+  outputs.table = NameAfter(command.table, name);
+  outputs.reflection = NameAfter(command.reflection, name);
+  if (command.request.lowering == Lowering::kDiscard) {
+    outputs.fragment =
+        WithoutExtension(name) + (command.fragment.empty() ? ".discard.glsl" : ".frag");
+  }
+  return outputs;
+}
+
+bool SaysOtherThanGlsl(std::string_view path) {
+  constexpr std::string_view kCompiled[] = {".cso", ".dxbc", ".dxil", ".fxo", ".vso"};
+  return std::ranges::any_of(
+      kCompiled, [&](std::string_view extension) { return ToLower(path).ends_with(extension); });
+}
+
+std::string HeaderWith(std::span<const std::uint32_t> words, std::string_view variable) {
+  std::string text = fmt::format(
+      "// Written by clipc.\n#include <stdint.h>\nstatic const uint32_t {}[] = {{", variable);
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += fmt::format("{}0x{:08x},", i % 8 == 0 ? "\n    " : " ", words[i]);
+  return text + "\n};\n";
+}
+
+std::string HeaderWith(std::string_view glsl, std::string_view variable) {
+  std::string text = fmt::format("// Written by clipc.\nstatic const char {}[] =", variable);
+  while (!glsl.empty()) {
+    const std::size_t end = std::min(glsl.find('\n'), glsl.size() - 1) + 1;
+    text += "\n    \"";
+    for (const char c : glsl.substr(0, end)) {
+      if (c == '"' || c == '\\') text += '\\';
+      text += c == '\n' ? "\\n" : std::string(1, c);
+    }
+    text += '"';
+    glsl.remove_prefix(end);
+  }
+  return text + ";\n";
+}
+
+}  // namespace clipc

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compiler/options.h"
+
+namespace clipc {
+
+// Where everything about one input goes. Empty: it was not asked for. "-": standard output.
+struct Outputs {
+  std::string glsl, fragment, table, reflection, dependencies, header, listing, preprocessed;
+  std::string dependency_target;  // of the make rule
+
+  // The files among them.
+  std::vector<std::string> Named() const;
+};
+
+Outputs PlaceOutputs(const CommandLine& command, const std::string& input);
+
+// "water.vert" => "water"; a dot at the start of a file's name begins no extension.
+std::string WithoutExtension(const std::string& path);
+
+// "water.2.vert": the shader with two planes.
+std::string VariantName(const std::string& path, std::size_t planes);
+
+// Whether the extension of a file's name is that of compiled shaders.
+bool SaysOtherThanGlsl(std::string_view path);
+
+// The text of a C header with `glsl` as the string `variable`, for -Fh.
+std::string HeaderWith(std::string_view glsl, std::string_view variable);
+// The same for the words of SPIR-V.
+std::string HeaderWith(std::span<const std::uint32_t> words, std::string_view variable);
+
+}  // namespace clipc
