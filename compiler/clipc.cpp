@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "compiler/clipc.h"
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <new>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "clip-table/write.h"
+#include "compiler/compile.h"
+#include "compiler/options.h"
+
+// NOLINTBEGIN(readability-identifier-naming): names of the C interface.
+struct clipc_compiler {
+  clipc::Compiler compiler;
+};
+
+struct clipc_result {
+  std::array<std::string, CLIPC_PART_TABLE_HEADER + 1> parts;
+};
+
+namespace {
+
+using clipc::clip_table::Format;
+
+static_assert(CLIPC_COMPILED == static_cast<int>(clipc::Status::kOk));
+static_assert(CLIPC_HAS_ERRORS == static_cast<int>(clipc::Status::kErrors));
+static_assert(CLIPC_BAD_REQUEST == static_cast<int>(clipc::Status::kBadRequest));
+
+// The request with the members that this library knows; those that the caller does not are zero.
+clipc_request Known(const clipc_request& request) {
+  clipc_request known{};
+  std::copy_n(reinterpret_cast<const char*>(&request), std::min(request.size, sizeof known),
+              reinterpret_cast<char*>(&known));
+  return known;
+}
+
+bool NamesFiles(const clipc::CommandLine& command) {
+  return !command.inputs.empty() || !command.output.empty() || !command.table.empty() ||
+         !command.reflection.empty() || !command.header.empty() || !command.listing.empty() ||
+         !command.preprocessed.empty() || !command.fragment.empty() || command.write_dependencies ||
+         command.only_dependencies || command.action != clipc::CommandLine::Action::kCompile;
+}
+
+// What is wrong with the options; empty if nothing.
+std::string ReadRequest(const clipc_request& from, clipc::CompileRequest& to) {
+  clipc::ParsedCommandLine parsed = clipc::ParseCommandLine({from.options, from.option_count});
+  if (!parsed.error.empty()) return parsed.error;
+  if (NamesFiles(parsed.command)) return "the options name inputs or outputs";
+  to = std::move(parsed.command.request);
+  to.path = from.path ? from.path : "";
+  if (from.text) to.text.emplace(from.text, from.text_size);
+  if (!from.text && !from.path) return "there is no shader";
+  to.reflect = true;
+  to.gives_planes_to_device = true;
+  if (from.read_include) {
+    to.read_include = [=](const std::string& path) -> std::optional<std::string> {
+      clipc_bytes bytes{};
+      if (!from.read_include(from.read_include_context, path.c_str(), &bytes)) return std::nullopt;
+      return std::string(bytes.data, bytes.size);
+    };
+  }
+  return {};
+}
+
+void Fill(clipc::CompileResult compiled, clipc_result& to) {
+  to.parts[CLIPC_PART_MESSAGES] = std::move(compiled.text);
+  to.parts[CLIPC_PART_MESSAGES_JSON] = clipc::RenderJson(compiled.messages);
+  for (const std::string& file : compiled.dependencies)
+    to.parts[CLIPC_PART_DEPENDENCIES] += file + '\n';
+  to.parts[CLIPC_PART_GLSL] = std::move(compiled.shaders.vertex);
+  to.parts[CLIPC_PART_DISCARD] = std::move(compiled.shaders.fragment);
+  to.parts[CLIPC_PART_SPIRV].assign(reinterpret_cast<const char*>(compiled.spirv.data()),
+                                    4 * compiled.spirv.size());
+  to.parts[CLIPC_PART_REFLECTION] = std::move(compiled.reflection);
+  if (!compiled.table) return;
+  const std::pair<int, Format> forms[] = {{CLIPC_PART_TABLE_JSON, Format::kJson},
+                                          {CLIPC_PART_TABLE_BINARY, Format::kBinary},
+                                          {CLIPC_PART_TABLE_HEADER, Format::kHeader}};
+  for (const auto& [part, form] : forms) {
+    if (auto text = clipc::clip_table::Write(*compiled.table, form, "")) to.parts[part] = *text;
+  }
+}
+
+clipc_status Compile(clipc::Compiler& compiler, const clipc_request& from, clipc_result& to) {
+  clipc::CompileRequest request;
+  if (const std::string problem = ReadRequest(from, request); !problem.empty()) {
+    to.parts[CLIPC_PART_MESSAGES] = "clipc: error: " + problem + "\n";
+    return CLIPC_BAD_REQUEST;
+  }
+  clipc::CompileResult compiled = compiler.Compile(request);
+  const auto status = static_cast<clipc_status>(compiled.status);
+  Fill(std::move(compiled), to);
+  return status;
+}
+
+}  // namespace
+
+extern "C" {
+
+uint32_t clipc_abi(void) { return CLIPC_ABI; }
+const char* clipc_version(void) { return CLIPC_VERSION; }
+
+clipc_compiler* clipc_compiler_create(void) {
+  try {
+    return new clipc_compiler;
+  } catch (const std::exception&) {
+    return nullptr;
+  }
+}
+
+void clipc_compiler_free(clipc_compiler* compiler) { delete compiler; }
+
+clipc_status clipc_compile(clipc_compiler* compiler, const clipc_request* request,
+                           clipc_result** result) {
+  *result = new (std::nothrow) clipc_result;
+  if (!*result) return CLIPC_NO_MEMORY;
+  try {
+    return Compile(compiler->compiler, Known(*request), **result);
+  } catch (const std::exception&) {
+    delete std::exchange(*result, nullptr);
+    return CLIPC_NO_MEMORY;
+  }
+}
+
+void clipc_result_free(clipc_result* result) { delete result; }
+
+clipc_bytes clipc_result_get(const clipc_result* result, clipc_part part) {
+  const auto index = static_cast<std::size_t>(part);
+  if (index >= result->parts.size()) return {"", 0};
+  return {result->parts[index].data(), result->parts[index].size()};
+}
+
+}  // extern "C"
+// NOLINTEND(readability-identifier-naming)

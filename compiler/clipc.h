@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception */
+#ifndef CLIPC_H
+#define CLIPC_H 1
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* clipc as a library for C99 and for other languages: one HLSL vertex shader in; GLSL, SPIR-V, the
+ * clip table and the reflection out, all of it in memory. compiler/compile.h is the same for C++.
+ *
+ * ABI: what this header declares is never changed or removed while CLIPC_ABI stays. New members of
+ * clipc_request come at its end, and `size` says which of them the caller knows; new parts get new
+ * numbers.
+ * Errors: no function throws, exits, prints or changes the state of the process.
+ * Threads: a clipc_compiler serves one thread at a time; several may work at once. */
+
+/* NOLINTBEGIN(readability-identifier-naming,modernize-*): names and types as usual in C. */
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define CLIPC_ABI 1
+/* CLIPC_ABI of the library; the caller compares it with its own. */
+uint32_t clipc_abi(void);
+/* "0.1.0" */
+const char* clipc_version(void);
+
+/* Compiles many shaders and keeps what they share. NULL: no memory. */
+typedef struct clipc_compiler clipc_compiler;
+clipc_compiler* clipc_compiler_create(void);
+void clipc_compiler_free(clipc_compiler* compiler); /* NULL is allowed */
+
+/* Bytes, and a zero after them that `size` does not count. */
+typedef struct clipc_bytes {
+  const char* data;
+  size_t size;
+} clipc_bytes;
+
+/* The text of the include file at `path`, which is a folder of -I or of the including file, a
+ * slash, and the name as the shader has it. Returns 0 if there is no such file. The bytes are
+ * copied before the next call. */
+typedef int (*clipc_read_include)(void* context, const char* path, clipc_bytes* text);
+
+typedef struct clipc_request {
+  size_t size; /* sizeof(clipc_request) */
+  /* The name of the shader in messages, and where its includes are looked up. UTF-8, like all
+   * texts. */
+  const char* path;
+  /* The shader; NULL: the file at `path`. */
+  const char* text;
+  size_t text_size;
+  /* What to compile and how, as on the command line: {"-T", "vs_5_0", "--target=vulkan"}. Options
+   * that name outputs or inputs are errors. */
+  const char* const* options;
+  size_t option_count;
+  /* Not NULL: includes come from here, and no file is read for them. */
+  clipc_read_include read_include;
+  void* read_include_context;
+} clipc_request;
+
+typedef enum clipc_status {
+  CLIPC_COMPILED = 0,
+  CLIPC_HAS_ERRORS,  /* the shader has errors */
+  CLIPC_BAD_REQUEST, /* an option is wrong, or the shader cannot be read */
+  CLIPC_NO_MEMORY    /* *result is NULL */
+} clipc_status;
+
+/* What a result has. All but the messages and the dependencies are empty after an error. */
+typedef enum clipc_part {
+  CLIPC_PART_MESSAGES = 0,  /* as a terminal shows them, with the lines of the source */
+  CLIPC_PART_MESSAGES_JSON, /* {"version": 1, "diagnostics": [...]} */
+  CLIPC_PART_DEPENDENCIES,  /* the files that were read, each followed by a newline */
+  CLIPC_PART_GLSL,          /* of the vertex shader */
+  CLIPC_PART_DISCARD,       /* with --lower=discard: GLSL that discards, for the fragment shader */
+  CLIPC_PART_SPIRV,         /* with -spirv: 32-bit words in the machine's order */
+  CLIPC_PART_REFLECTION,    /* JSON: docs/reflection.md */
+  CLIPC_PART_TABLE_JSON,
+  CLIPC_PART_TABLE_BINARY, /* Direct3D's record; empty for planes that it cannot say */
+  CLIPC_PART_TABLE_HEADER  /* a C++ header with `clip_table` */
+} clipc_part;
+
+/* Compiles a shader. Always sets *result, which the caller frees, except after CLIPC_NO_MEMORY. The
+ * same request gives the same bytes. */
+typedef struct clipc_result clipc_result;
+clipc_status clipc_compile(clipc_compiler* compiler, const clipc_request* request,
+                           clipc_result** result);
+void clipc_result_free(clipc_result* result); /* NULL is allowed */
+/* Lives as long as the result. Empty, not NULL, where there is nothing. */
+clipc_bytes clipc_result_get(const clipc_result* result, clipc_part part);
+
+#ifdef __cplusplus
+}
+#endif
+/* NOLINTEND(readability-identifier-naming,modernize-*) */
+
+#endif

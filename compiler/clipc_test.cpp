@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "compiler/clipc.h"
+
+#include <cstring>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+constexpr const char* kShader =
+    "#include \"planes.hlsli\"\n"
+    "[clipplanes(water)]\n"
+    "float4 main(float4 p : POSITION) : SV_Position { return p + SHIFT; }\n";
+
+class CInterface : public testing::Test {
+ protected:
+  clipc_status Compile(std::vector<const char*> options, const char* text = kShader) {
+    clipc_request request{};
+    request.size = sizeof request;
+    request.path = "shaders/water.hlsl";
+    request.text = text;
+    request.text_size = std::strlen(text);
+    request.options = options.data();
+    request.option_count = options.size();
+    request.read_include = ReadInclude;
+    request.read_include_context = this;
+    return Run(request);
+  }
+
+  clipc_status Run(const clipc_request& request) {
+    clipc_result* made = nullptr;
+    const clipc_status status = clipc_compile(compiler_.get(), &request, &made);
+    result_.reset(made);
+    return status;
+  }
+
+  std::string_view Get(clipc_part part) const {
+    const clipc_bytes bytes = clipc_result_get(result_.get(), part);
+    EXPECT_NE(bytes.data, nullptr);
+    EXPECT_EQ(bytes.data[bytes.size], '\0');
+    return {bytes.data, bytes.size};
+  }
+
+  static int ReadInclude(void* context, const char* path, clipc_bytes* text) {
+    auto& self = *static_cast<CInterface*>(context);
+    self.asked_.emplace_back(path);
+    const auto found = self.includes_.find(path);
+    if (found == self.includes_.end()) return 0;
+    *text = {found->second.data(), found->second.size()};
+    return 1;
+  }
+
+  std::map<std::string, std::string> includes_ = {
+      {"shaders/planes.hlsli",
+       "#pragma once\n#include \"common/shift.hlsli\"\n"
+       "#include \"planes.hlsli\"\ncbuffer Clip { float4 water; };\n"},
+      {"lib/common/shift.hlsli", "#define SHIFT 2\n"}};
+  std::vector<std::string> asked_;
+  std::unique_ptr<clipc_compiler, decltype(&clipc_compiler_free)> compiler_{clipc_compiler_create(),
+                                                                            &clipc_compiler_free};
+  std::unique_ptr<clipc_result, decltype(&clipc_result_free)> result_{nullptr, &clipc_result_free};
+};
+
+TEST_F(CInterface, CompilesFromMemory) {
+  ASSERT_EQ(Compile({"-T", "vs_5_0", "-Ilib", "--target=vulkan", "-spirv"}), CLIPC_COMPILED)
+      << Get(CLIPC_PART_MESSAGES);
+  EXPECT_THAT(Get(CLIPC_PART_MESSAGES), IsEmpty());
+  EXPECT_THAT(Get(CLIPC_PART_GLSL), StartsWith("#version 460"));
+  EXPECT_THAT(Get(CLIPC_PART_GLSL), HasSubstr("gl_ClipDistance"));
+  EXPECT_THAT(Get(CLIPC_PART_SPIRV), StartsWith("\x03\x02\x23\x07"));
+  EXPECT_THAT(Get(CLIPC_PART_REFLECTION), HasSubstr("\"clipPlanes\""));
+  EXPECT_THAT(Get(CLIPC_PART_TABLE_JSON), HasSubstr("\"clipc.clip-table\""));
+  EXPECT_THAT(Get(CLIPC_PART_TABLE_HEADER), HasSubstr("StaticClipTable"));
+  EXPECT_EQ(Get(CLIPC_PART_TABLE_BINARY).size(), 20u);
+  EXPECT_EQ(Get(CLIPC_PART_DEPENDENCIES), "shaders/planes.hlsli\nlib/common/shift.hlsli\n");
+  EXPECT_THAT(Get(CLIPC_PART_DISCARD), IsEmpty());
+  EXPECT_THAT(Get(static_cast<clipc_part>(99)), IsEmpty());
+  EXPECT_EQ(asked_, (std::vector<std::string>{"shaders/planes.hlsli", "shaders/common/shift.hlsli",
+                                              "lib/common/shift.hlsli"}));
+}
+
+TEST_F(CInterface, ReadsNoFileWhereIncludesComeFromMemory) {
+  EXPECT_EQ(Compile({"-I/usr/include"}, "#include <stdio.h>\n"), CLIPC_HAS_ERRORS);
+  EXPECT_THAT(Get(CLIPC_PART_MESSAGES), HasSubstr("[missing-include, X1507]"));
+  EXPECT_EQ(Compile({}, "#include \"/etc/hostname\"\n"), CLIPC_HAS_ERRORS);
+  EXPECT_THAT(Get(CLIPC_PART_DEPENDENCIES), IsEmpty());
+}
+
+TEST_F(CInterface, ReportsErrors) {
+  includes_["shaders/planes.hlsli"] = "cbuffer Clip { float3 water; };\n#define SHIFT 0\n";
+  EXPECT_EQ(Compile({}), CLIPC_HAS_ERRORS);
+  EXPECT_THAT(Get(CLIPC_PART_MESSAGES),
+              StartsWith("shaders/water.hlsl:2:13: error: clip plane `water` has type `float3`"));
+  EXPECT_THAT(Get(CLIPC_PART_MESSAGES_JSON), HasSubstr("\"clip-plane-not-float4\""));
+  EXPECT_THAT(Get(CLIPC_PART_GLSL), IsEmpty());
+  EXPECT_THAT(Get(CLIPC_PART_TABLE_JSON), IsEmpty());
+}
+
+TEST_F(CInterface, RefusesOptionsThatItDoesNotKnowOrThatNameFiles) {
+  EXPECT_EQ(Compile({"--tabel=x"}), CLIPC_BAD_REQUEST);
+  EXPECT_EQ(Get(CLIPC_PART_MESSAGES),
+            "clipc: error: unknown option `--tabel=x`; did you mean `--table=x`?\n");
+  for (const char* option : {"x.hlsl", "-ox.vert", "--table=x.json", "-MD", "--help", "-Px.i"}) {
+    EXPECT_EQ(Compile({option}), CLIPC_BAD_REQUEST) << option;
+    EXPECT_EQ(Get(CLIPC_PART_MESSAGES), "clipc: error: the options name inputs or outputs\n");
+  }
+  EXPECT_EQ(Compile({"--target=450"}), CLIPC_BAD_REQUEST);
+}
+
+TEST_F(CInterface, TakesTheRequestOfAnOlderCaller) {
+  const std::string file = std::string(testing::TempDir()) + "clipc_no_such_file.hlsl";
+  clipc_request request;
+  std::memset(&request, 0xff, sizeof request);
+  request.size = offsetof(clipc_request, options);
+  request.path = file.c_str();
+  request.text = "float4 main(float4 p : POSITION) : SV_Position { return p; }";
+  request.text_size = std::strlen(request.text);
+  EXPECT_EQ(Run(request), CLIPC_COMPILED) << Get(CLIPC_PART_MESSAGES);
+  request.text = nullptr;
+  EXPECT_EQ(Run(request), CLIPC_BAD_REQUEST);
+  EXPECT_THAT(Get(CLIPC_PART_MESSAGES), HasSubstr("cannot read"));
+}
+
+TEST(CInterfaceVersion, IsThatOfTheHeader) {
+  EXPECT_EQ(clipc_abi(), std::uint32_t{CLIPC_ABI});
+  EXPECT_EQ(std::string_view(clipc_version()), CLIPC_VERSION);
+}
+
+}  // namespace
