@@ -8,22 +8,31 @@
 #     [TARGET glsl450]           # the GLSL to write
 #     [FRAGMENT water.frag]      # with LOWER discard: the fragment shader that gets the discard
 #     [TABLE .h|.json|.bin]      # the clip table, beside the header below; .h without this
+#     [REFLECT]                  # NAME.reflect.json too
 #     [VARIANTS n]               # one shader for each number of planes from 0 to n, which is no more than the shader has
 #     [DEFINES A B=1] [OPTIONS --flip-y ...])
 #
 # compiles the shader with clipc whenever it or a file that it includes has changed. The target gets an include folder with
-# NAME.shader.h (constexpr const char NAME_vert[], with VARIANTS NAME_vert[n + 1][], and NAME_frag[] with FRAGMENT; characters
-# that \ stands for are none of GLSL's) and NAME.clip.h (constexpr clipc::StaticClipTable NAME_clip_table); the target property
+# NAME.shader.h (constexpr const char NAME_vert[], with VARIANTS const char* NAME_vert[n + 1], and likewise NAME_frag with
+# FRAGMENT; characters that \ stands for are none of GLSL's) and NAME.clip.h (constexpr clipc::StaticClipTable NAME_clip_table); the target property
 # CLIPC_SHADER_FOLDER names that folder, where NAME.vert and the table in other forms lie too.
+
+# The compiler is CLIPC_EXECUTABLE if that is set, as when cross-compiling; else that of this build or of the installed package.
+
+if(CMAKE_VERSION VERSION_LESS 3.20)
+  message(FATAL_ERROR "clipc_add_shader needs CMake 3.20 or later")
+endif()
 
 set(CLIPC_EMBED_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/embed_shaders.cmake)
 
 function(clipc_add_shader target)
-  cmake_parse_arguments(PARSE_ARGV 1 shader "" "SHADER;NAME;ENTRY;PROFILE;LOWER;TARGET;FRAGMENT;TABLE;VARIANTS" "DEFINES;OPTIONS")
+  cmake_parse_arguments(PARSE_ARGV 1 shader "REFLECT" "SHADER;NAME;ENTRY;PROFILE;LOWER;TARGET;FRAGMENT;TABLE;VARIANTS" "DEFINES;OPTIONS")
   if(shader_UNPARSED_ARGUMENTS OR NOT shader_SHADER)
     message(FATAL_ERROR "clipc_add_shader(${target} SHADER file ...): what is `${shader_UNPARSED_ARGUMENTS}`?")
   endif()
-  if(TARGET clipc)
+  if(CLIPC_EXECUTABLE)
+    set(compiler ${CLIPC_EXECUTABLE})
+  elseif(TARGET clipc)
     set(compiler $<TARGET_FILE:clipc>)
   elseif(TARGET clipc::clipc)
     set(compiler $<TARGET_FILE:clipc::clipc>)
@@ -36,6 +45,16 @@ function(clipc_add_shader target)
   if(NOT shader_NAME)
     cmake_path(GET shader_SHADER STEM shader_NAME)
   endif()
+  if(NOT shader_NAME MATCHES "^[A-Za-z_][A-Za-z0-9_]*$")
+    message(FATAL_ERROR "clipc_add_shader(${target} SHADER ${shader_SHADER}): `${shader_NAME}` cannot name a C++ constant; "
+      "give another NAME")
+  endif()
+  get_target_property(names ${target} CLIPC_SHADER_NAMES)
+  if(shader_NAME IN_LIST names)
+    message(FATAL_ERROR "clipc_add_shader(${target} SHADER ${shader_SHADER}): the target has a shader `${shader_NAME}` already; "
+      "give another NAME")
+  endif()
+  set_property(TARGET ${target} APPEND PROPERTY CLIPC_SHADER_NAMES ${shader_NAME})
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}_shaders)
   file(MAKE_DIRECTORY ${folder})
   set(glsl ${folder}/${shader_NAME}.vert)
@@ -51,36 +70,47 @@ function(clipc_add_shader target)
   foreach(define IN LISTS shader_DEFINES)
     list(APPEND arguments -D ${define})
   endforeach()
-  set(written ${glsl})
+  set(stems ${folder}/${shader_NAME})
   if(DEFINED shader_VARIANTS)
     list(APPEND arguments --variants=${shader_VARIANTS})
-    set(written)
+    set(stems)
     foreach(count RANGE ${shader_VARIANTS})
-      list(APPEND written ${folder}/${shader_NAME}.${count}.vert)
+      list(APPEND stems ${folder}/${shader_NAME}.${count})
     endforeach()
   endif()
+  list(TRANSFORM stems APPEND .vert OUTPUT_VARIABLE written)
   set(fragment)
   if(shader_FRAGMENT)
     cmake_path(ABSOLUTE_PATH shader_FRAGMENT)
     list(APPEND arguments --fragment=${shader_FRAGMENT})
-    set(fragment ${folder}/${shader_NAME}.frag)
+    list(TRANSFORM stems APPEND .frag OUTPUT_VARIABLE fragment)
+  endif()
+  set(reflection)
+  if(shader_REFLECT)
+    set(reflection ${folder}/${shader_NAME}.reflect.json)
+    list(APPEND arguments --reflect=${reflection})
   endif()
 
-  # clipc writes one form of the table at a time.
+  # clipc writes one form of the table at a time; it warns the first time.
   set(compile ${compiler} ${source} -o ${glsl} ${arguments} ${shader_OPTIONS})
   set(tables ${folder}/${shader_NAME}.clip.h)
+  if(shader_TABLE AND NOT shader_TABLE MATCHES "^[.]")
+    set(shader_TABLE .${shader_TABLE})
+  endif()
   if(shader_TABLE AND NOT shader_TABLE STREQUAL ".h")
     list(APPEND tables ${folder}/${shader_NAME}.clip${shader_TABLE})
   endif()
   set(commands)
   foreach(table IN LISTS tables)
     list(APPEND commands COMMAND ${compile} --table=${table} -MD -MF ${header}.d -MT ${header})
+    list(APPEND compile -w)
   endforeach()
   string(JOIN "|" vertex_list ${written})
+  string(JOIN "|" fragment_list ${fragment})
   add_custom_command(OUTPUT ${header}
-    BYPRODUCTS ${written} ${fragment} ${tables}
+    BYPRODUCTS ${written} ${fragment} ${tables} ${reflection}
     ${commands}
-    COMMAND ${CMAKE_COMMAND} "-DNAME=${shader_NAME}" "-DVERTEX=${vertex_list}" "-DFRAGMENT=${fragment}"
+    COMMAND ${CMAKE_COMMAND} "-DNAME=${shader_NAME}" "-DVERTEX=${vertex_list}" "-DFRAGMENT=${fragment_list}"
       "-DVARIANTS=${shader_VARIANTS}" "-DHEADER=${header}" -P ${CLIPC_EMBED_SCRIPT}
     DEPENDS ${source} ${shader_FRAGMENT} ${compiler} ${CLIPC_EMBED_SCRIPT}
     DEPFILE ${header}.d

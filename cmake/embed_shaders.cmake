@@ -1,28 +1,31 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 # Writes HEADER with GLSL as C++ constants; clipc_add_shader() runs it at build time.
-#   cmake -DNAME= -DVERTEX=file|file -DFRAGMENT=file -DVARIANTS= -DHEADER= -P embed_shaders.cmake
+#   cmake -DNAME= -DVERTEX=file|file -DFRAGMENT=file|file -DVARIANTS= -DHEADER= -P embed_shaders.cmake
 
-# literal(VARIABLE FILE): the file as a raw string literal.
-function(literal variable file)
-  file(READ ${file} text)
-  set(${variable} "R\"clipc(${text})clipc\"" PARENT_SCOPE)
+set(out "// Written by clipc_add_shader(); changes are lost.\n#pragma once\n")
+
+# The files as a raw string literal NAME, or with VARIANTS as an array of them by the number of clip planes.
+function(add_constant name files)
+  string(REPLACE "|" ";" files "${files}")
+  set(literals)
+  foreach(file IN LISTS files)
+    if(NOT EXISTS ${file})
+      message(FATAL_ERROR "VARIANTS ${VARIANTS}: the shader has fewer clip planes")
+    endif()
+    file(READ ${file} text)
+    string(APPEND literals "R\"clipc(${text})clipc\",\n")
+  endforeach()
+  if(VARIANTS STREQUAL "")
+    string(REGEX REPLACE ",\n$" ";\n" literals "${literals}")
+    string(APPEND out "\ninline constexpr char ${name}[] = ${literals}")
+  else()
+    string(APPEND out "\n// ${name}[n] is for n clip planes.\ninline constexpr const char* ${name}[] = {\n${literals}};\n")
+  endif()
+  set(out "${out}" PARENT_SCOPE)
 endfunction()
 
-set(out "// Written by clipc_add_shader(); changes are lost.\n#pragma once\n\n")
-string(REPLACE "|" ";" VERTEX "${VERTEX}")
-if(VARIANTS STREQUAL "")
-  literal(text ${VERTEX})
-  string(APPEND out "inline constexpr char ${NAME}_vert[] = ${text};\n")
-else()
-  string(APPEND out "// ${NAME}_vert[n] is the shader with n clip planes.\ninline constexpr const char* ${NAME}_vert[] = {\n")
-  foreach(file IN LISTS VERTEX)
-    literal(text ${file})
-    string(APPEND out "${text},\n")
-  endforeach()
-  string(APPEND out "};\n")
-endif()
+add_constant(${NAME}_vert "${VERTEX}")
 if(FRAGMENT)
-  literal(text ${FRAGMENT})
-  string(APPEND out "\ninline constexpr char ${NAME}_frag[] = ${text};\n")
+  add_constant(${NAME}_frag "${FRAGMENT}")
 endif()
 file(WRITE ${HEADER} "${out}")

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <string>
 
+#include "cut.shader.h"
 #include "level9.clip.h"
 #include "level9.shader.h"
 #include "runtime/level9_binder.h"
@@ -25,6 +26,13 @@ int main() {
     if (count > 0 && std::strstr(variants_vert[count], last.c_str()) == nullptr) return 1;
     if (std::strstr(variants_vert[count], next.c_str()) != nullptr) return 1;
   }
+  // The discard too is for each number of planes.
+  for (int count = 0; count <= 2; ++count) {
+    if ((std::strstr(cut_frag[count], "discard") != nullptr) != (count > 0)) return 1;
+  }
+  if (!std::ifstream(SHADER_FOLDER "/cut.clip.json") ||
+      !std::ifstream(SHADER_FOLDER "/cut.reflect.json"))
+    return 1;
   std::printf("second plane: byte %u of b%u\n", table.value.planes[1].byte_offset,
               table.value.planes[1].register_number);
   return 0;
