@@ -16,10 +16,6 @@ namespace {
 // Beyond this no device takes a buffer; the sums below stay far from wrapping round.
 constexpr std::uint64_t kLargest = 1u << 30;
 
-std::uint64_t RoundUp(std::uint64_t value, std::uint64_t multiple) {
-  return (value + multiple - 1) / multiple * multiple;
-}
-
 Std140Extent VectorExtent(std::uint32_t scalar_size, std::uint32_t components) {
   return {scalar_size * components, scalar_size * (components == 3 ? 4 : components)};
 }
@@ -145,8 +141,7 @@ std::vector<BlockMember> MembersOf(const Program& program, const Cbuffer& cbuffe
     return members;
   }
   const VarId var = cbuffer.members.front().var;
-  TypeId type = program.vars[var].type;
-  while (program.types[type].kind == TypeKind::kArray) type = program.types[type].element;
+  const TypeId type = program.types.Innermost(program.vars[var].type);
   std::uint32_t end = 0;
   const auto& fields = program.types.StructOf(type).fields;
   for (std::size_t i = 0; i < fields.size(); ++i) {

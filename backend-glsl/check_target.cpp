@@ -57,8 +57,7 @@ class TargetCheck {
   std::string_view target_name() const { return target_.name(); }
   const ir::Type& TypeOf(ExprId expr) const { return program_.types[program_.exprs[expr].type]; }
   const ir::Type& Innermost(TypeId id) const {
-    while (program_.types[id].kind == TypeKind::kArray) id = program_.types[id].element;
-    return program_.types[id];
+    return program_.types[program_.types.Innermost(id)];
   }
 
   // Reports what the target lacks.

@@ -12,9 +12,8 @@
 namespace clipc::glsl {
 namespace {
 
-Text Number(std::string text) {
-  const Binding binding = text.starts_with('-') ? Binding::kUnary : Binding::kPostfix;
-  return {std::move(text), binding};
+Text Number(std::string text, bool is_negative) {
+  return {std::move(text), is_negative ? Binding::kMinus : Binding::kPostfix};
 }
 
 template <typename Float>
@@ -28,7 +27,7 @@ std::string Decimal(Float value) {
 
 Text FloatText(std::uint64_t bits, const Target& target) {
   const float value = ir::FloatOf(bits);
-  if (std::isfinite(value)) return Number(Decimal(value));
+  if (std::isfinite(value)) return Number(Decimal(value), std::signbit(value));
   if (target.Has(Feature::kBitCasts) && target.Of(Feature::kBitCasts).extension.empty()) {
     char hex[16];
     const auto result = std::to_chars(hex, hex + sizeof hex, static_cast<std::uint32_t>(bits), 16);
@@ -40,7 +39,7 @@ Text FloatText(std::uint64_t bits, const Target& target) {
 
 Text DoubleText(std::uint64_t bits) {
   const double value = ir::DoubleOf(bits);
-  if (std::isfinite(value)) return Number(Decimal(value) + "lf");
+  if (std::isfinite(value)) return Number(Decimal(value) + "lf", std::signbit(value));
   const char* text = std::isnan(value) ? "0.0lf / 0.0lf"
                      : value > 0       ? "1.0lf / 0.0lf"
                                        : "-1.0lf / 0.0lf";
@@ -48,7 +47,8 @@ Text DoubleText(std::uint64_t bits) {
 }
 
 Text IntText(std::int32_t value, const Target& target) {
-  if (value != std::numeric_limits<std::int32_t>::min()) return Number(std::to_string(value));
+  if (value != std::numeric_limits<std::int32_t>::min())
+    return Number(std::to_string(value), value < 0);
   // GLSL reads -2147483648 as the negation of a number that is not an int.
   if (target.Has(Feature::kUnsigned)) return {"int(0x80000000u)"};
   return {"-2147483647 - 1", Binding::kSum};
@@ -63,7 +63,10 @@ Text LiteralText(std::uint64_t bits, ir::Scalar kind, const Target& target) {
     case ir::Scalar::kUint:
       if (!target.Has(Feature::kUnsigned)) return IntText(ir::IntOf(bits), target);
       return {std::to_string(ir::UintOf(bits)) + "u"};
-    case ir::Scalar::kInt64: return Number(std::to_string(static_cast<std::int64_t>(bits)) + "l");
+    case ir::Scalar::kInt64: {
+      const auto value = static_cast<std::int64_t>(bits);
+      return Number(std::to_string(value) + "l", value < 0);
+    }
     case ir::Scalar::kUint64: return {std::to_string(bits) + "ul"};
     case ir::Scalar::kDouble: return DoubleText(bits);
     default: return FloatText(bits, target);

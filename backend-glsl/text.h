@@ -2,8 +2,12 @@
 #pragma once
 
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <initializer_list>
+#include <ranges>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -26,6 +30,7 @@ enum class Binding : std::uint8_t {
   kShift,
   kSum,
   kProduct,
+  kMinus,  // a unary operator that begins with `-`: after another `-` it would be a decrement
   kUnary,
   kPostfix
 };
@@ -46,6 +51,18 @@ std::string Concat(const Parts&... parts) {
   std::string text;
   Append(text, parts...);
   return text;
+}
+
+// text(part) of each part of a range, or text(i) of each number below `parts`: "a, b, c".
+template <typename Parts, typename Each>
+std::string ListOf(const Parts& parts, Each&& text) {
+  if constexpr (std::integral<Parts>) {
+    return ListOf(std::views::iota(Parts{0}, parts), text);
+  } else {
+    std::string list;
+    for (const auto& part : parts) Append(list, list.empty() ? "" : ", ", text(part));
+    return list;
+  }
 }
 
 // A written expression.
@@ -71,5 +88,10 @@ inline Text Infix(Text left, std::string_view op, Text right, Binding binding) {
 
 // An argument of a call: everything but a comma may stand without parentheses.
 inline std::string Argument(Text text) { return std::move(text).At(Binding::kAssignment); }
+
+// function(a, b, c)
+inline Text Called(std::string_view function, std::initializer_list<std::string_view> arguments) {
+  return {Concat(function, "(", ListOf(arguments, std::identity()), ")")};
+}
 
 }  // namespace clipc::glsl

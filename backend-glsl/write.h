@@ -47,20 +47,22 @@ struct GlslInfo {
     // buffer.
     bool transpose = false;
   };
-  struct Block {
+  // Where the host binds a block or an object; none: it is found by name.
+  struct Place {
+    std::optional<std::uint32_t> set, binding;
+  };
+  struct Block : Place {
     ir::CbufferId cbuffer;
     BlockForm form = BlockForm::kStd140;
     std::string name;      // of the block; empty when form is kUniforms
     std::string instance;  // empty: members are global names
     std::string rows;      // kRows: the array of rows
-    std::optional<std::uint32_t> set, binding;
     std::vector<Member> members;
   };
   // A texture, a sampler, a texture with a sampler, or a buffer.
-  struct Object {
+  struct Object : Place {
     ir::VarId texture, sampler;  // of the HLSL shader; either may be none
     std::string name;
-    std::optional<std::uint32_t> set, binding;
   };
 
   std::vector<Variable> inputs, outputs;  // beside program.inputs and program.outputs, one for one

@@ -55,7 +55,7 @@ Json Signature(const Program& program, const std::vector<IoVar>& signature,
 
 Json Field(const Program& program, ir::TypeId type, int index) {
   const ir::TypeTable& types = program.types;
-  while (types[type].kind == ir::TypeKind::kArray) type = types[type].element;
+  type = types.Innermost(type);
   const auto number = static_cast<std::uint32_t>(index);
   const ir::Field& field = types.StructOf(type).fields[number];
   Json json = {{"name", field.name},

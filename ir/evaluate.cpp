@@ -54,10 +54,8 @@ void Machine::LoadCbuffer(CbufferId id) {
   for (const CbufferMember& member : buffer.members) {
     const Var& var = program_.vars[member.var];
     Word* to = memory_.data() + address_[member.var.index];
-    TypeId type = var.type;
-    if (buffer.kind == CbufferKind::kConstantBuffer) {
-      while (program_.types[type].kind == TypeKind::kArray) type = program_.types[type].element;
-    }
+    const bool is_constant_buffer = buffer.kind == CbufferKind::kConstantBuffer;
+    const TypeId type = is_constant_buffer ? program_.types.Innermost(var.type) : var.type;
     for (std::uint32_t element = 0; element < buffer.count; ++element) {
       Unpack(bytes, std::uint64_t{element} * buffer.size + member.offset, type, var.row_major, to);
     }

@@ -16,10 +16,6 @@ std::uint32_t Clamped(std::uint64_t bytes) {
   return static_cast<std::uint32_t>(std::min(bytes, kLargest));
 }
 
-std::uint64_t RoundUp(std::uint64_t value, std::uint64_t multiple) {
-  return (value + multiple - 1) / multiple * multiple;
-}
-
 // Registers of `length` components: the columns of a column-major matrix, the rows of a row-major
 // one.
 Extent MatrixExtent(std::uint32_t scalar_size, std::uint32_t registers, std::uint32_t length) {
@@ -49,14 +45,9 @@ std::uint32_t Walk(const TypeTable& types, const Struct& structure, std::size_t 
   return end;
 }
 
-// ConstantBuffer<T> b[2][3] is six buffers of a T.
-TypeId OneBuffer(const TypeTable& types, TypeId type) {
-  while (types[type].kind == TypeKind::kArray) type = types[type].element;
-  return type;
-}
-
 Extent MemberExtent(const TypeTable& types, const Var& var, CbufferKind kind) {
-  const TypeId type = kind == CbufferKind::kConstantBuffer ? OneBuffer(types, var.type) : var.type;
+  // ConstantBuffer<T> b[2][3] is six buffers of a T.
+  const TypeId type = kind == CbufferKind::kConstantBuffer ? types.Innermost(var.type) : var.type;
   return PackedExtent(types, type, var.row_major);
 }
 

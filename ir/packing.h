@@ -17,6 +17,10 @@
 // holds of array strides only; fxc's and DXC's listings agree. A size past 2^32 - 16 is 2^32 - 16.
 namespace clipc::ir {
 
+constexpr std::uint64_t RoundUp(std::uint64_t value, std::uint64_t multiple) {
+  return (value + multiple - 1) / multiple * multiple;
+}
+
 struct Extent {
   std::uint32_t size = 0;       // bytes, without padding after the last component
   std::uint32_t alignment = 4;  // 16: must start a row; 4 or 8: may share one

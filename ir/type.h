@@ -144,6 +144,11 @@ class TypeTable {
   const Struct& operator[](StructId id) const { return structs_[id]; }
   Struct& operator[](StructId id) { return structs_[id]; }
   const Struct& StructOf(TypeId id) const { return structs_[(*this)[id].structure]; }
+  // T of T[2][3]; the type itself when it is not an array.
+  TypeId Innermost(TypeId id) const {
+    while ((*this)[id].kind == TypeKind::kArray) id = (*this)[id].element;
+    return id;
+  }
   const Arena<Struct>& structs() const { return structs_; }
 
   // HLSL's spelling: "float4x3", "Light[3]", "Texture2D<float4>".

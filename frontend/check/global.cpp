@@ -47,8 +47,7 @@ bool ResolveVar(Context& context, SymbolId id) {
 }
 
 bool HoldsObjects(const Context& context, ir::TypeId type) {
-  while (context[type].kind == ir::TypeKind::kArray) type = context[type].element;
-  return context[type].kind == ir::TypeKind::kObject;
+  return context[context.types.Innermost(type)].kind == ir::TypeKind::kObject;
 }
 
 ir::VarId AddVar(Context& context, Name name, ir::TypeId type, ir::Storage storage, Span span) {
@@ -100,8 +99,7 @@ void ResolveObject(Context& context, SymbolId id, const ast::VarDecl& var, ir::T
   MarkConst(context, result);
   context[id].value = result.index;
   context.globals.resources.push_back({OrderOf(context, id), result});
-  ir::TypeId element = type;
-  while (context[element].kind == ir::TypeKind::kArray) element = context[element].element;
+  const ir::TypeId element = context.types.Innermost(type);
   const char letter = ir::RegisterLetter(context[element].object);
   context.globals.registers.emplace(result.index, RegisterOf(context, var.registers, letter,
                                                              letter == 's'   ? "s"

@@ -48,8 +48,7 @@ bool StartsWith(const SlotPath& path, const SlotPath& prefix) {
 }
 
 bool IsObjectType(const ir::TypeTable& types, ir::TypeId type) {
-  while (types[type].kind == ir::TypeKind::kArray) type = types[type].element;
-  return types[type].kind == ir::TypeKind::kObject;
+  return types[types.Innermost(type)].kind == ir::TypeKind::kObject;
 }
 
 ir::VarId BodyCloner::CloneVar(ir::VarId var) {

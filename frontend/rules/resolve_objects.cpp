@@ -98,9 +98,9 @@ void ObjectResolver::AddResources(ir::TypeId type, const std::string& name, Span
     var.storage = ir::Storage::kResource;
     var.span = span;
     const ir::VarId resource = program_.vars.Add(std::move(var));
-    while (program_.types[type].kind == ir::TypeKind::kArray) type = program_.types[type].element;
+    const ir::TypeId element = program_.types.Innermost(type);
     ir::Register reg;
-    reg.letter = ir::RegisterLetter(program_.types[type].object);
+    reg.letter = ir::RegisterLetter(program_.types[element].object);
     program_.resources.push_back({resource, reg});
     slots[path] = {resource, {}};
     return;

@@ -345,9 +345,7 @@ Shape::Kind KindOfTexels(ir::Scalar kind) {
 }
 
 const ir::Type& ObjectTypeOf(const ir::Program& program, ir::VarId var) {
-  ir::TypeId id = program.vars[var].type;
-  while (program.types[id].kind == ir::TypeKind::kArray) id = program.types[id].element;
-  return program.types[id];
+  return program.types[program.types.Innermost(program.vars[var].type)];
 }
 
 std::vector<std::string> ElementIndices(const ir::Program& program, ir::VarId var) {

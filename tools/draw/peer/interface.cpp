@@ -39,9 +39,10 @@ glsl::GlslInfo InfoOf(const ir::Program& program, const vulkan::Reads& reads,
     if (!binding) continue;
     const bool is_read =
         random.textures.contains(resource.var.index) || random.buffers.contains(resource.var.index);
-    info.objects.push_back({is_read ? resource.var : ir::VarId{},
-                            is_read ? ir::VarId{} : resource.var, name, binding->set,
-                            binding->binding});
+    info.objects.push_back({{binding->set, binding->binding},
+                            is_read ? resource.var : ir::VarId{},
+                            is_read ? ir::VarId{} : resource.var,
+                            name});
   }
   return info;
 }

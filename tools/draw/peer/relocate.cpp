@@ -60,8 +60,7 @@ std::vector<Member> MembersOf(const ir::Program& program, const ir::Cbuffer& cbu
     }
     return members;
   }
-  ir::TypeId type = program.vars[cbuffer.members.at(0).var].type;
-  while (program.types[type].kind == ir::TypeKind::kArray) type = program.types[type].element;
+  const ir::TypeId type = program.types.Innermost(program.vars[cbuffer.members.at(0).var].type);
   const ir::StructId structure = program.types[type].structure;
   const auto& fields = program.types[structure].fields;
   for (std::uint32_t i = 0; i < fields.size(); ++i) {

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "backend-glsl/write.h"
+
+#include <utility>
+
+#include "backend-glsl/writer/blocks.h"
+#include "backend-glsl/writer/code.h"
+#include "backend-glsl/writer/expr.h"
+#include "backend-glsl/writer/interface.h"
+#include "backend-glsl/writer/naming.h"
+#include "backend-glsl/writer/objects.h"
+#include "backend-glsl/writer/stmt.h"
+#include "backend-glsl/writer/types.h"
+
+namespace clipc::glsl {
+
+using namespace ir;
+
+namespace {
+
+void WriteGlobals(Code& code) {
+  for (const VarId id : code.reached.globals) {
+    const Var& var = code[id];
+    code.is_constant = true;
+    // HLSL's static variables start as zero.
+    std::string value = var.init ? Argument(code, var.init) : ZeroText(code, var.type);
+    const bool is_const = var.storage == Storage::kConstant && code.is_constant;
+    const bool is_precise = var.precise && code.Has(Feature::kPrecise);
+    const bool is_late = !code.is_constant && !code.Has(Feature::kGlobalInitializers);
+    Append(code.sections.globals,
+           is_const     ? "const "
+           : is_precise ? "precise "
+                        : "",
+           Declaration(code, var.type, code.NameOf(id)), is_late ? "" : " = ", is_late ? "" : value,
+           ";\n");
+    if (is_late) code.late_globals.emplace_back(code.NameOf(id), std::move(value));
+    if (!is_const) code.mutable_globals.insert(id);
+  }
+}
+
+std::string Header(const Context& context) {
+  std::string text = context.target.VersionLine() + "\n";
+  for (const std::string& extension : context.extensions)
+    Append(text, "#extension ", extension, " : require\n");
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string WriteGlsl(const Program& program, Reached reached, const Target& target,
+                      const WriteOptions& options, GlslInfo* info) {
+  GlslInfo unwanted;
+  GlslInfo& chosen = info ? *info : unwanted;
+  chosen = {};
+  Code code(program, target, options, chosen, std::move(reached));
+  NameEverything(code);
+  FindTextureUses(code);
+  WriteBlocks(code);
+  WriteObjects(code);
+  WriteInputs(code);
+  WriteOutputs(code);
+  WriteGlobals(code);
+  WriteFunctions(code);
+
+  Sections& parts = code.sections;
+  for (std::string* part : {&parts.objects, &parts.inputs, &parts.outputs, &parts.globals}) {
+    if (!part->empty()) *part += "\n";
+  }
+  return Concat(Header(code), parts.structs, parts.blocks, parts.objects, parts.inputs,
+                parts.outputs, parts.helpers, parts.globals, parts.functions);
+}
+
+}  // namespace clipc::glsl

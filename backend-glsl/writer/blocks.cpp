@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "backend-glsl/writer/blocks.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "backend-glsl/text.h"
+#include "backend-glsl/writer/bindings.h"
+#include "backend-glsl/writer/helper.h"
+#include "backend-glsl/writer/memory.h"
+#include "backend-glsl/writer/types.h"
+#include "ir/packing.h"
+
+namespace clipc::glsl {
+
+using namespace ir;
+
+namespace {
+
+class BlockWriter {
+ public:
+  BlockWriter(Context& context, CbufferId id, Bindings& bindings)
+      : context_(context),
+        bindings_(bindings),
+        cbuffer_(context[id]),
+        layout_(context.layouts[id.index]),
+        info_(context.info.blocks.emplace_back()),
+        text_(context.sections.blocks) {
+    info_.cbuffer = id;
+    info_.form = layout_.form;
+    register_ = RegisterText(cbuffer_.reg);
+    if (cbuffer_.reg.space != 0) Append(register_, ", space", std::to_string(cbuffer_.reg.space));
+  }
+
+  void Write() {
+    if (layout_.form == BlockForm::kUniforms) return PlainUniforms();
+    info_.name = context_.block_names[info_.cbuffer.index];
+    const bool is_rows = layout_.form == BlockForm::kRows;
+    const bool turned = layout_.matrices == MatrixLayout::kRowMajor && !is_rows;
+    const std::string place = Bind(context_, info_, cbuffer_.reg, bindings_, cbuffer_.count);
+    Append(text_, LayoutText({"std140", place, turned ? "row_major" : ""}), "uniform ", info_.name,
+           " {  // ", register_, "\n");
+    is_rows ? Rows() : Members();
+  }
+
+ private:
+  void PlainUniforms() {
+    Append(text_, "// ", cbuffer_.name, ", ", register_, "\n");
+    for (const BlockMember& member : layout_.members) {
+      if (!context_.reached.Has(member.var)) continue;
+      const std::string& name = context_.NameOf(member.var);
+      Append(text_, "uniform ", Declaration(context_, member.type, name), ";\n");
+      // Memory that is row-major in HLSL is what GLSL's columns are.
+      info_.members.push_back({member.var, -1, name, !member.row_major});
+    }
+    text_ += "\n";
+  }
+
+  void Members() {
+    info_.members.reserve(layout_.members.size());
+    for (const BlockMember& member : layout_.members) Member(member);
+    text_ += "}";
+    if (layout_.fields_as_members) {
+      const VarId var = layout_.members.front().var;
+      info_.instance = context_.NameOf(var);
+      Append(text_, " ", info_.instance, Dimensions(context_, var));
+    }
+    text_ += ";\n\n";
+  }
+
+  void Member(const BlockMember& member) {
+    // Single floats up to a row, rows, and single floats again: none of them is moved by std140.
+    for (std::uint32_t end = member.offset - member.padding; end < member.offset;) {
+      const std::uint32_t rows = end % kRow == 0 ? (member.offset - end) / kRow : 0;
+      std::string name = "padding_" + std::to_string(end);
+      if (!layout_.fields_as_members) name = context_.namer.Global(name);
+      Append(text_, rows > 0 ? "    vec4 " : "    float ", name,
+             rows > 1 ? fmt::format("[{}]", rows) : "", ";\n");
+      end += rows > 0 ? rows * kRow : 4;
+    }
+    const bool is_field = member.field >= 0;
+    std::string name = context_.NameOf(member.var);
+    if (is_field) {
+      const Type& type = context_[context_.types.Innermost(context_[member.var].type)];
+      name = context_.field_names[type.structure.index][static_cast<std::size_t>(member.field)];
+    }
+    const bool turned =
+        layout_.matrices == MatrixLayout::kNone && member.matrices == MatrixLayout::kRowMajor;
+    Append(text_, "    ",
+           LayoutText({member.explicit_offset ? fmt::format("offset = {}", member.offset) : "",
+                       turned ? "row_major" : ""}),
+           Declaration(context_, member.type, name), ";\n");
+    info_.members.push_back({member.var, member.field, is_field ? info_.name + "." + name : name});
+  }
+
+  // A buffer that neither std140 nor offsets can say: rows of 16 bytes, and a function for each
+  // member that is read.
+  void Rows() {
+    info_.rows = context_.rows_names[info_.cbuffer.index];
+    text_ += fmt::format("    {} {}[{}];\n}}", layout_.float_rows ? "vec4" : "uvec4", info_.rows,
+                         std::max(cbuffer_.size / kRow, 1u));
+    Memory memory{info_.rows, true, layout_.float_rows};
+    const std::string dimensions = cbuffer_.kind == CbufferKind::kConstantBuffer
+                                       ? Dimensions(context_, cbuffer_.members[0].var)
+                                       : "";
+    if (!dimensions.empty()) {
+      info_.instance = context_.namer.Global(cbuffer_.name + "_buffers");
+      Append(text_, " ", info_.instance, dimensions);
+      memory.array = fmt::format("{}[{}].{}", info_.instance, Fresh(context_, "i"), info_.rows);
+    }
+    text_ += ";\n\n";
+    for (const CbufferMember& member : cbuffer_.members) {
+      if (context_.reached.Has(member.var)) Accessor(member, memory, !dimensions.empty());
+      info_.members.push_back({member.var, -1, context_.NameOf(member.var)});
+    }
+  }
+
+  // The function that reads the member, or one element of an array.
+  void Accessor(const CbufferMember& member, const Memory& memory, bool is_buffer_array) {
+    const Var& var = context_[member.var];
+    const Type& type = context_[var.type];
+    const bool is_array = type.kind == TypeKind::kArray;
+    const TypeId result = is_array ? type.element : var.type;
+    Address address{"", member.offset};
+    const std::string index = Fresh(context_, "i");
+    if (is_array && !is_buffer_array) {
+      address.dynamic = Scaled(ArrayStride(context_.types, var.type, var.row_major) / kRow, index);
+    }
+    const std::string value = Load(context_, memory, result, var.row_major, address);
+    context_.sections.helpers += fmt::format(
+        "{} {}({}) {{  // offset {}\n    return {};\n}}\n\n", TypeName(context_, result),
+        context_.NameOf(member.var), is_array ? "int " + index : "", member.offset, value);
+  }
+
+  Context& context_;
+  Bindings& bindings_;
+  const Cbuffer& cbuffer_;
+  const BlockLayout& layout_;
+  GlslInfo::Block& info_;
+  std::string& text_;
+  std::string register_;
+};
+
+}  // namespace
+
+void WriteBlocks(Context& context) {
+  Bindings bindings;
+  for (const CbufferId id : context.program.cbuffers.ids()) {
+    if (context.reached.Has(id)) BlockWriter(context, id, bindings).Write();
+  }
+}
+
+}  // namespace clipc::glsl

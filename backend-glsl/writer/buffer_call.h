@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "backend-glsl/text.h"
+#include "backend-glsl/writer/code.h"
+
+// Reads and writes of structured and of byte address buffers.
+namespace clipc::glsl {
+
+Text StructuredLoad(Code& code, const ir::ObjectCall& node);
+Text ByteLoad(Code& code, ir::TypeId type, const ir::ObjectCall& node);
+Text BufferStore(Code& code, const ir::ObjectCall& node);
+// The number of elements, or of bytes.
+Text BufferSize(Code& code, ir::VarId buffer);
+
+}  // namespace clipc::glsl

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "backend-glsl/block_layout.h"
+#include "backend-glsl/names.h"
+#include "backend-glsl/reach.h"
+#include "backend-glsl/shape.h"
+#include "backend-glsl/target.h"
+#include "backend-glsl/write.h"
+#include "ir/access.h"
+#include "ir/program.h"
+
+namespace clipc::glsl {
+
+// A texture and the sampler it is read with; none for reads without one.
+struct TextureUse {
+  ir::VarId texture, sampler;
+  std::string name;  // of the one variable that stands for both; empty for Vulkan
+};
+
+// The parts of the file, in their order in it.
+struct Sections {
+  std::string structs, blocks, objects, inputs, outputs, helpers, globals, functions;
+};
+
+// What all subjects of the writer share. A subject is a header of free functions over it, or over
+// Code (code.h), which has what expressions and statements need beside.
+struct Context {
+  Context(const ir::Program& program, const Target& target, const WriteOptions& options,
+          GlslInfo& info, Reached reached);
+
+  const ir::Program& program;
+  const ir::TypeTable& types;  // of the program
+  const Target& target;
+  const WriteOptions& options;
+  GlslInfo& info;
+  const Reached reached;
+  std::vector<BlockLayout> layouts;      // by CbufferId, of the reached ones
+  std::vector<TextureUse> texture_uses;  // of global objects
+
+  Namer namer;
+  // What stands for a variable: its name, or a built-in variable of GLSL, converted.
+  std::vector<std::string> var_names;                 // by VarId
+  std::vector<std::string> function_names;            // by FunctionId
+  std::vector<std::string> struct_names;              // by StructId
+  std::vector<std::vector<std::string>> field_names;  // by StructId
+  std::vector<std::string> block_names;               // by CbufferId
+  std::vector<std::string> rows_names;                // by CbufferId
+
+  Sections sections;
+  std::set<std::string> extensions;
+  std::vector<bool> used_structs;                             // by StructId
+  std::unordered_map<std::string, std::string> wrappers;      // types.h: by the wrapped type
+  std::unordered_map<std::string, std::string> helper_names;  // helper.h: by the wanted name
+  std::set<std::string> helper_keys;                          // the definitions that are written
+  // Whether all that was written since somebody set this is a constant expression.
+  bool is_constant = true;
+
+  const ir::Expr& operator[](ir::ExprId id) const { return program.exprs[id]; }
+  const ir::Var& operator[](ir::VarId id) const { return program.vars[id]; }
+  const ir::Function& operator[](ir::FunctionId id) const { return program.functions[id]; }
+  const ir::Cbuffer& operator[](ir::CbufferId id) const { return program.cbuffers[id]; }
+  const ir::Type& operator[](ir::TypeId id) const { return types[id]; }
+  std::span<const ir::ExprId> operator[](List<ir::ExprId> list) const {
+    return program.expr_lists[list];
+  }
+  std::span<const ir::StmtId> operator[](List<ir::StmtId> list) const {
+    return program.stmt_lists[list];
+  }
+  // The node that an id stands for, when it is a `Node`; else null.
+  template <typename Node>
+  const Node* As(auto id) const {
+    return ir::As<Node>(program, id);
+  }
+
+  const ir::Type& TypeOf(ir::ExprId id) const { return types[program.exprs[id].type]; }
+  const ir::Type& TypeOf(ir::VarId id) const { return types[program.vars[id].type]; }
+  Shape ShapeAt(auto id) const { return ShapeOf(TypeOf(id)); }
+  const BlockLayout& LayoutOf(ir::VarId member) const {
+    return layouts[program.vars[member].cbuffer.index];
+  }
+  const std::string& NameOf(ir::VarId id) const { return var_names[id.index]; }
+
+  bool Has(Feature feature) const { return target.Has(feature); }
+  // Names the extension that the target has the feature through.
+  void Require(Feature feature) { Require(target.Of(feature).extension); }
+  void Require(std::string_view extension) {
+    if (!extension.empty()) extensions.emplace(extension);
+  }
+  // Names the extension that makes a `double` or a 64-bit integer known.
+  void RequireType(const ir::Type& type);
+};
+
+}  // namespace clipc::glsl

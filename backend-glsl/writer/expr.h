@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <string>
+
+#include "backend-glsl/text.h"
+#include "backend-glsl/writer/code.h"
+
+// Expressions.
+namespace clipc::glsl {
+
+Text ExprText(Code& code, ir::ExprId id);
+// The expression as an argument of a call.
+std::string Argument(Code& code, ir::ExprId id);
+// The expression between the brackets of an index; a literal is an int.
+std::string IndexValue(Code& code, ir::ExprId index);
+// The same where only an int will do.
+std::string IntIndex(Code& code, ir::ExprId index);
+
+// "[i][2]" of textures[i][2].
+std::string IndexPath(Code& code, ir::ExprId element);
+
+}  // namespace clipc::glsl

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "backend-glsl/writer/helper.h"
+
+#include "backend-glsl/reserved_words.h"
+#include "backend-glsl/snippets.h"
+#include "backend-glsl/text.h"
+#include "backend-glsl/writer/types.h"
+#include "base/invariant.h"
+
+namespace clipc::glsl {
+
+std::string Fresh(Context& context, std::string_view wanted) {
+  context.namer.OpenScope();
+  std::string name = context.namer.Local(wanted);
+  context.namer.CloseScope();
+  return name;
+}
+
+std::string Helper(Context& context, std::string_view name, const std::string& key,
+                   const DefineHelper& define) {
+  context.is_constant = false;
+  const auto [found, is_new] = context.helper_names.try_emplace(std::string(name));
+  if (is_new) found->second = context.namer.Global(name, "helper");
+  std::string glsl_name = found->second;
+  if (context.helper_keys.insert(Concat(name, "|", key)).second) {
+    // What the definition itself needs is appended first.
+    const std::string definition = define(glsl_name);
+    Append(context.sections.helpers, definition, "\n");
+  }
+  return glsl_name;
+}
+
+std::string SnippetName(Context& context, std::string_view name, const Shape& shape) {
+  const SnippetText* snippet = FindSnippet(name, shape);
+  CLIPC_CHECK(snippet != nullptr);
+  return Helper(context, name, TypeName(context, shape), [&](const std::string& function) {
+    return Expand(
+        *snippet, function, shape, context.Has(Feature::kUnsigned), [&](std::string_view other) {
+          const bool is_builtin = context.Has(Feature::kRounding) && IsBuiltinFunction(other);
+          return is_builtin ? std::string(other) : SnippetName(context, other, shape);
+        });
+  });
+}
+
+}  // namespace clipc::glsl

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "backend-glsl/writer/context.h"
+
+// Functions that GLSL or the target lacks, written where they are first needed.
+namespace clipc::glsl {
+
+// A name for a parameter or local of a function that is being defined, unlike everything it may
+// mention.
+std::string Fresh(Context& context, std::string_view wanted);
+
+// The GLSL name of helper `name`; defines it by define(GLSL name) when `key` is new for that name.
+using DefineHelper = std::function<std::string(const std::string& function)>;
+std::string Helper(Context& context, std::string_view name, const std::string& key,
+                   const DefineHelper& define);
+
+// The GLSL name of the snippet `name` (snippets.h) for a first argument of this shape.
+std::string SnippetName(Context& context, std::string_view name, const Shape& shape);
+
+}  // namespace clipc::glsl

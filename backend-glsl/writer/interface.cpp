@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "backend-glsl/writer/interface.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "backend-glsl/needs.h"
+#include "backend-glsl/text.h"
+#include "backend-glsl/writer/bindings.h"
+#include "backend-glsl/writer/types.h"
+#include "base/invariant.h"
+#include "ir/scalar.h"
+
+namespace clipc::glsl {
+
+using namespace ir;
+
+namespace {
+
+// A headset's: OVR_multiview wants the number in the shader.
+constexpr int kViews = 2;
+
+// "  // TEXCOORD0" and the end of the line.
+std::string SemanticComment(const IoVar& io) {
+  return Concat("  // ", io.semantic, std::to_string(io.index), "\n");
+}
+
+std::string LocationText(std::uint32_t location) {
+  return LayoutText({Concat("location = ", std::to_string(location))});
+}
+
+// The value of an input that is a built-in variable of GLSL.
+std::string BuiltinInput(Context& context, const IoVar& input, GlslInfo::Variable& info) {
+  context.Require(NeedOf(input.builtin)->feature);
+  const bool is_vulkan = context.target.IsVulkan();
+  const bool is_core = context.target.Of(Feature::kDrawParameters).extension.empty();
+  const std::string suffix = is_core ? "" : "ARB";
+  switch (input.builtin) {
+    case Builtin::kVertexId:
+      if (is_vulkan) return "gl_VertexIndex - gl_BaseVertex";
+      if (!context.Has(Feature::kBaseVertexDraws)) return "gl_VertexID";
+      info.needs_base_vertex_zero = !context.Has(Feature::kDrawParameters);
+      if (info.needs_base_vertex_zero) return "gl_VertexID";
+      context.Require(Feature::kDrawParameters);
+      return "gl_VertexID - gl_BaseVertex" + suffix;
+    case Builtin::kInstanceId:
+      if (is_vulkan) return "gl_InstanceIndex - gl_BaseInstance";
+      return context.target.HasInCore(Feature::kInstanceId) ? "gl_InstanceID" : "gl_InstanceIDARB";
+    case Builtin::kBaseVertex: return "gl_BaseVertex" + suffix;
+    case Builtin::kBaseInstance: return "gl_BaseInstance" + suffix;
+    case Builtin::kDrawIndex: return "gl_DrawID" + suffix;
+    case Builtin::kViewId:
+      if (is_vulkan) return "gl_ViewIndex";
+      context.sections.inputs +=
+          fmt::format("layout(num_views = {}) in;{}", kViews, SemanticComment(input));
+      return "gl_ViewID_OVR";
+    case Builtin::kVertexIndex: return is_vulkan ? "gl_VertexIndex" : "gl_VertexID";
+    case Builtin::kInstanceIndex:
+      return is_vulkan ? "gl_InstanceIndex" : "gl_InstanceID + gl_BaseInstance" + suffix;
+    default: break;
+  }
+  CLIPC_CHECK(!"a built-in input");
+  return "";
+}
+
+void WriteInput(Context& context, const IoVar& input) {
+  GlslInfo::Variable& info = context.info.inputs.emplace_back();
+  info.is_used = context.reached.Has(input.var);
+  std::string& name = context.var_names[input.var.index];
+  Shape shape = context.ShapeAt(input.var);
+  const std::string type = TypeName(context, shape);
+  if (input.builtin != Builtin::kNone) {
+    name = info.is_used ? Called(type, {BuiltinInput(context, input, info)}).text : "";
+    info.name = name;
+    return;
+  }
+  info.name = name;
+  const bool has_location = context.Has(Feature::kInputLocations);
+  if (has_location) info.location = input.location;
+  if (!info.is_used) return;
+  const bool has_in = context.Has(Feature::kInAndOut);
+  if (!has_in && !shape.IsFloating()) {
+    // Attributes are floats in GLSL 1.20; whole numbers up to 2^24 come through exactly.
+    info.integer_as_float = true;
+    shape = shape.With(Scalar::kFloat);
+    name = Called(type, {info.name}).text;
+  }
+  Append(context.sections.inputs, has_location ? LocationText(input.location) : "",
+         has_in ? "in " : "attribute ", Declaration(context, shape, info.name), ";",
+         SemanticComment(input));
+}
+
+std::string_view BuiltinOutput(Builtin builtin) {
+  switch (builtin) {
+    case Builtin::kPosition: return "gl_Position";
+    case Builtin::kClipVertex: return "gl_ClipVertex";
+    case Builtin::kClipDistance: return "gl_ClipDistance";
+    case Builtin::kCullDistance: return "gl_CullDistance";
+    case Builtin::kPointSize: return "gl_PointSize";
+    case Builtin::kLayer: return "gl_Layer";
+    case Builtin::kViewportIndex: return "gl_ViewportIndex";
+    case Builtin::kShadingRate: return "gl_PrimitiveShadingRateEXT";
+    default: return "";
+  }
+}
+
+// Declares an output that is not built in at its location, or at `location` when that is taken.
+// Returns the location after it.
+std::uint32_t WriteVarying(Context& context, const IoVar& output, GlslInfo::Variable& info,
+                           std::uint32_t location) {
+  const Shape shape = context.ShapeAt(output.var);
+  const bool has_out = context.Has(Feature::kInAndOut);
+  location = std::max(location, output.location);
+  const bool has_location = context.Has(Feature::kOutputLocations);
+  if (has_location) info.location = location;
+  const bool is_double = shape.scalar == Scalar::kDouble;
+  const bool is_flat =
+      !shape.IsFloating() || is_double || output.interpolation == Interpolation::kNoInterpolation;
+  const bool is_linear = !is_flat && output.interpolation == Interpolation::kNoPerspective;
+  if (output.sample) context.Require(Feature::kPerSample);
+  Append(context.sections.outputs, has_location ? LocationText(location) : "",
+         is_flat && has_out ? "flat " : "", is_linear ? "noperspective " : "",
+         output.centroid ? "centroid " : "", output.sample ? "sample " : "",
+         has_out ? "out " : "varying ", Declaration(context, shape, info.name), ";",
+         SemanticComment(output));
+  return location + (is_double && shape.size > 2 ? 2 : 1);
+}
+
+// Which elements of an output array `main` assigns; all when it assigns the whole, or an element
+// that is not constant.
+std::uint32_t WrittenElements(const Context& context, VarId array) {
+  const std::uint32_t count = context.TypeOf(array).count;
+  const std::uint32_t all = count >= 32 ? ~0u : (1u << count) - 1;
+  std::uint32_t mask = 0, references = 0, elements = 0;
+  const auto is_array = [&](ExprId expr) {
+    const auto* ref = context.As<VarRef>(expr);
+    return ref && ref->var == array;
+  };
+  ForEachExpr(context.program, context[context.program.main].body, [&](ExprId id) {
+    references += is_array(id) ? 1 : 0;
+    const auto* assign = context.As<Assign>(id);
+    const auto* index = assign ? context.As<Index>(assign->target) : nullptr;
+    const auto* element = index ? context.As<Literal>(index->index) : nullptr;
+    if (!element || !is_array(index->base)) return;
+    ++elements;
+    mask |= 1u << (UintOf(element->bits) & 31);
+  });
+  return references == elements ? mask & all : all;
+}
+
+// Clip and cull distances have no size of their own and are declared anew: as a member of
+// gl_PerVertex where the interface between separate stages is built from it, else as the array
+// alone.
+void WritePerVertex(Context& context) {
+  const bool is_vulkan = context.target.IsVulkan(), is_es = context.target.IsEs();
+  const bool has_block = is_vulkan || (!is_es && context.target.version() >= 410);
+  const bool in_block = has_block && (is_vulkan || context.options.separable);
+  std::string comments, arrays;
+  const auto declare = [&](Builtin builtin, const char* what, std::uint32_t& mask) {
+    const auto output = std::ranges::find(context.program.outputs, builtin, &IoVar::builtin);
+    if (output == context.program.outputs.end()) return;
+    mask = WrittenElements(context, output->var);
+    comments += fmt::format("// {} distances written: 0x{:x}\n", what, mask);
+    Append(arrays,
+           in_block ? "    "
+           : is_es  ? "out highp "
+                    : "out ",
+           "float ", BuiltinOutput(builtin), Dimensions(context, output->var), ";\n");
+  };
+  declare(Builtin::kClipDistance, "clip", context.info.clip_distance_mask);
+  declare(Builtin::kCullDistance, "cull", context.info.cull_distance_mask);
+  const bool is_asked = in_block && (context.options.separable || !arrays.empty());
+  Append(context.sections.outputs, comments,
+         is_asked ? "out gl_PerVertex {\n    vec4 gl_Position;\n    float gl_PointSize;\n" : "",
+         arrays, is_asked ? "};\n" : "");
+}
+
+}  // namespace
+
+bool IsIntOutput(Builtin builtin) {
+  return builtin == Builtin::kShadingRate || builtin == Builtin::kLayer ||
+         builtin == Builtin::kViewportIndex;
+}
+
+void WriteInputs(Context& context) {
+  context.info.inputs.reserve(context.program.inputs.size());
+  for (const IoVar& input : context.program.inputs) WriteInput(context, input);
+}
+
+void WriteOutputs(Context& context) {
+  context.info.outputs.reserve(context.program.outputs.size());
+  std::uint32_t location = 0;
+  for (const IoVar& output : context.program.outputs) {
+    GlslInfo::Variable& info = context.info.outputs.emplace_back();
+    std::string& name = context.var_names[output.var.index];
+    if (output.builtin != Builtin::kNone) name = BuiltinOutput(output.builtin);
+    info.name = name;
+    if (const Need* need = NeedOf(output.builtin)) context.Require(need->feature);
+    if (output.builtin == Builtin::kNone) location = WriteVarying(context, output, info, location);
+  }
+  WritePerVertex(context);
+}
+
+}  // namespace clipc::glsl

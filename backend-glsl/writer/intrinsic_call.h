@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "backend-glsl/text.h"
+#include "backend-glsl/writer/code.h"
+
+namespace clipc::glsl {
+
+// A call of one of HLSL's functions, as far as the legalising passes left it, that gives a `type`.
+Text IntrinsicText(Code& code, ir::TypeId type, const ir::IntrinsicCall& node);
+
+}  // namespace clipc::glsl

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "backend-glsl/writer/context.h"
+
+// Values out of arrays of words: constant buffers in rows, structured buffers in single words.
+namespace clipc::glsl {
+
+struct Memory {
+  std::string array;      // "Light_rows", "vertices_words"
+  bool is_rows = true;    // rows of four words; else single words
+  bool is_float = false;  // the words are floats; else uints
+};
+// Where a value lies in it.
+struct Address {
+  std::string dynamic;       // added to the constant part, in the array's units; may be empty
+  std::uint32_t offset = 0;  // bytes
+};
+
+// The value of this type at the address.
+std::string Load(Context& context, const Memory& memory, ir::TypeId type, bool row_major,
+                 const Address& address);
+
+// "2 * i": element `index` of an array whose elements are `stride` units apart.
+std::string Scaled(std::uint32_t stride, const std::string& index);
+
+}  // namespace clipc::glsl

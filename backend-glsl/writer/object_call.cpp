@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "backend-glsl/writer/object_call.h"
+
+#include <fmt/format.h>
+
+#include "backend-glsl/literal.h"
+#include "backend-glsl/writer/buffer_call.h"
+#include "backend-glsl/writer/expr.h"
+#include "backend-glsl/writer/objects.h"
+#include "backend-glsl/writer/types.h"
+
+namespace clipc::glsl {
+
+using namespace ir;
+
+namespace {
+
+// One call of an object's function.
+class ObjectCaller {
+ public:
+  ObjectCaller(Code& code, TypeId type, const ObjectCall& node)
+      : code_(code),
+        type_(type),
+        node_(node),
+        arguments_(code[node.arguments]),
+        object_(RootOf(code.program, arguments_[0])),
+        kind_(ObjectTypeOf(code, object_).object) {}
+
+  Text Write() {
+    switch (node_.op) {
+      case ObjectOp::kSampleLevel:
+      case ObjectOp::kSampleGrad:
+      case ObjectOp::kD3d9SampleLevel:
+      case ObjectOp::kD3d9Sample: return Sample();
+      case ObjectOp::kSampleCmpLevelZero: return Compare();
+      case ObjectOp::kGather:
+      case ObjectOp::kGatherGreen:
+      case ObjectOp::kGatherBlue:
+      case ObjectOp::kGatherAlpha: return Gather();
+      case ObjectOp::kTextureLoad: return Texel();
+      case ObjectOp::kBufferLoad:
+        if (IsImage(kind_)) return Rest("imageLoad", 1);
+        RequireSamplerless();
+        return Rest("texelFetch", 1);
+      case ObjectOp::kStructuredLoad: return StructuredLoad(code_, node_);
+      case ObjectOp::kByteLoad: return ByteLoad(code_, type_, node_);
+      case ObjectOp::kImageLoad: return Rest("imageLoad", 1);
+      case ObjectOp::kStore: return IsImage(kind_) ? ImageStore() : BufferStore(code_, node_);
+      case ObjectOp::kTextureSize:
+      case ObjectOp::kTextureLevels:
+      case ObjectOp::kTextureSamples:
+      case ObjectOp::kBufferSize: return Query();
+    }
+    return {};
+  }
+
+ private:
+  std::string ArgumentAt(std::size_t i) { return Argument(code_, arguments_[i]); }
+
+  // function(object, the arguments from `first` on and `more`). GLSL reads four components,
+  // whatever the texture's element type is.
+  Text Rest(std::string_view function, std::size_t first, ExprId sampler = {},
+            std::string_view more = "") {
+    std::string text = Concat(function, "(", ObjectName(code_, arguments_[0], sampler));
+    for (const ExprId argument : arguments_.subspan(first)) {
+      Append(text, ", ", Argument(code_, argument));
+    }
+    Append(text, more, ")");
+    return Narrow(std::move(text));
+  }
+
+  Text Narrow(std::string four) {
+    const std::size_t count = ShapeOf(code_[type_]).size;
+    if (count < 4) Append(four, ".", std::string_view("xyzw").substr(0, count));
+    return {std::move(four)};
+  }
+
+  Text Sample() {
+    const bool is_d3d9 =
+        node_.op == ObjectOp::kD3d9Sample || node_.op == ObjectOp::kD3d9SampleLevel;
+    const bool has_level = node_.op != ObjectOp::kD3d9Sample;
+    const bool is_modern = code_.Has(Feature::kTextureFunctions);
+    const bool is_gradient = node_.op == ObjectOp::kSampleGrad;
+    const std::size_t first = is_d3d9 ? 1 : 2;
+    const bool has_offset = arguments_.size() > first + (is_gradient ? 3u : has_level ? 2u : 1u);
+    std::string function = is_modern ? "texture" : TextureType(code_, object_, "texture");
+    Append(function,
+           is_gradient              ? "Grad"
+           : has_level || is_modern ? "Lod"
+                                    : "",
+           has_offset ? "Offset" : "");
+    return Rest(function, first, is_d3d9 ? ExprId{} : arguments_[1],
+                !has_level && is_modern ? ", 0.0" : "");
+  }
+
+  // Level zero is what texture() reads in a vertex shader; textureLod does not exist for arrays and
+  // cubes.
+  Text Compare() {
+    const std::string object = ObjectName(code_, arguments_[0], arguments_[1]);
+    const std::string coordinate = ArgumentAt(2), reference = ArgumentAt(3);
+    if (kind_ == ObjectKind::kTextureCubeArray) {
+      return Called("texture", {object, coordinate, reference});
+    }
+    // A one-dimensional shadow lookup has an unused second component.
+    const int components = code_.ShapeAt(arguments_[2]).size;
+    const std::string place =
+        components == 1 ? fmt::format("vec3({}, 0.0, {})", coordinate, reference)
+                        : fmt::format("vec{}({}, {})", components + 1, coordinate, reference);
+    const bool has_level = kind_ == ObjectKind::kTexture1D || kind_ == ObjectKind::kTexture2D ||
+                           kind_ == ObjectKind::kTexture1DArray;
+    const bool has_offset = arguments_.size() > 4;
+    if (!has_level && !has_offset) return Called("texture", {object, place});
+    if (!has_offset) return Called("textureLod", {object, place, "0.0"});
+    const std::string offset = ArgumentAt(4);
+    if (has_level) return Called("textureLodOffset", {object, place, "0.0", offset});
+    return Called("textureGradOffset", {object, place, "vec2(0.0)", "vec2(0.0)", offset});
+  }
+
+  Text Gather() {
+    const int component = static_cast<int>(node_.op) - static_cast<int>(ObjectOp::kGather);
+    const std::string last = component > 0 ? fmt::format(", {}", component) : "";
+    if (arguments_.size() != 7) {
+      return Rest(arguments_.size() > 3 ? "textureGatherOffset" : "textureGather", 2, arguments_[1],
+                  last);
+    }
+    code_.Require(Feature::kGatherOffsets);
+    const std::string object = ObjectName(code_, arguments_[0], arguments_[1]);
+    const std::string coordinate = ArgumentAt(2);
+    return Narrow(fmt::format(
+        "textureGatherOffsets({}, {}, ivec2[4]({}){})", object, coordinate,
+        ListOf(arguments_.subspan(3), [&](ExprId offset) { return Argument(code_, offset); }),
+        last));
+  }
+
+  Text Texel() {
+    RequireSamplerless();
+    return Rest(arguments_.size() > 3 ? "texelFetchOffset" : "texelFetch", 1);
+  }
+
+  Text Query() {
+    if (IsByteAddress(kind_) || IsStructured(kind_)) return BufferSize(code_, object_);
+    if (IsImage(kind_)) return Called("imageSize", {ObjectName(code_, arguments_[0])});
+    RequireSamplerless();
+    const std::string object = ObjectName(code_, arguments_[0]);
+    if (node_.op == ObjectOp::kTextureLevels) return Called("textureQueryLevels", {object});
+    if (node_.op == ObjectOp::kTextureSamples) return Called("textureSamples", {object});
+    const bool has_level = kind_ != ObjectKind::kBuffer && !InfoOf(kind_).is_multisampled;
+    if (!has_level) return Called("textureSize", {object});
+    return Called("textureSize", {object, IntIndex(code_, arguments_[1])});
+  }
+
+  // An image is written four components at a time; those that its format lacks are dropped.
+  Text ImageStore() {
+    const std::string image = ObjectName(code_, arguments_[0]);
+    std::string value = ArgumentAt(2);
+    const Shape shape = code_.ShapeAt(arguments_[2]);
+    if (shape.size < 4) {
+      const std::string zero = LiteralText(0, shape.scalar, code_.target).text;
+      for (int i = shape.size; i < 4; ++i) Append(value, ", ", zero);
+      value = Called(TypeName(code_, ShapeOf(shape.scalar, 1, 4)), {value}).text;
+    }
+    return Called("imageStore", {image, ArgumentAt(1), value});
+  }
+
+  // Vulkan's textures have no sampler of their own.
+  void RequireSamplerless() {
+    if (code_.target.IsVulkan()) code_.Require("GL_EXT_samplerless_texture_functions");
+  }
+
+  Code& code_;
+  TypeId type_;
+  const ObjectCall& node_;
+  std::span<const ExprId> arguments_;
+  VarId object_;
+  ObjectKind kind_;
+};
+
+}  // namespace
+
+Text ObjectText(Code& code, TypeId type, const ObjectCall& node) {
+  return ObjectCaller(code, type, node).Write();
+}
+
+std::string ObjectName(Code& code, ExprId object, ExprId sampler) {
+  const VarId var = RootOf(code.program, object);
+  const VarId sampler_var = sampler ? RootOf(code.program, sampler) : VarId{};
+  const std::string indices = IndexPath(code, object);
+  if (!code.target.IsVulkan() && !ir::IsWritable(ObjectTypeOf(code, var).object)) {
+    return CombinedName(code, var, sampler_var) + indices;
+  }
+  const std::string name = code.NameOf(var) + indices;
+  if (!sampler) return name;
+  const std::string type = TextureType(code, var, "sampler");
+  return Called(type + (IsShadow(code, sampler_var) ? "Shadow" : ""),
+                {name, ObjectName(code, sampler)})
+      .text;
+}
+
+}  // namespace clipc::glsl

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "backend-glsl/writer/objects.h"
+
+#include <algorithm>
+#include <optional>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "backend-glsl/needs.h"
+#include "backend-glsl/text.h"
+#include "backend-glsl/writer/bindings.h"
+#include "backend-glsl/writer/types.h"
+#include "base/invariant.h"
+
+namespace clipc::glsl {
+
+using namespace ir;
+
+namespace {
+
+// "2DMSArray", the end of a sampler's or an image's type.
+std::string Dimension(ObjectKind kind) {
+  const ObjectInfo& info = InfoOf(kind);
+  if (info.category == ObjectCategory::kTypedBuffer) return "Buffer";
+  const int axes = info.axes == 0 ? 2 : info.axes;  // `sampler` of Direct3D 9 is one of 2D textures
+  return Concat(info.is_cube ? "Cube" : std::to_string(axes) + "D",
+                info.is_multisampled ? "MS" : "", info.is_array ? "Array" : "");
+}
+
+// "i" of isampler2D.
+std::string_view PrefixOf(const Context& context, const Type& object) {
+  const Scalar kind = object.element ? BaseOf(context[object.element].scalar) : Scalar::kFloat;
+  return kind == Scalar::kInt ? "i" : kind == Scalar::kUint ? "u" : "";
+}
+
+std::uint32_t CountOf(const Context& context, VarId var) {
+  std::uint64_t count = 1;
+  for (const Type* type = &context.TypeOf(var); type->kind == TypeKind::kArray;
+       type = &context[type->element]) {
+    count = std::min<std::uint64_t>(count * type->count, 1u << 16);
+  }
+  return static_cast<std::uint32_t>(count);
+}
+
+class ObjectWriter {
+ public:
+  explicit ObjectWriter(Context& context) : context_(context), text_(context.sections.objects) {}
+
+  void Write() {
+    const bool is_vulkan = context_.target.IsVulkan();
+    for (const Resource& resource : context_.program.resources) {
+      if (!context_.reached.Has(resource.var)) continue;
+      const ObjectKind kind = ObjectTypeOf(context_, resource.var).object;
+      if (IsStorageBuffer(kind)) {
+        Buffer(resource);
+      } else if (IsImage(kind)) {
+        Image(resource);
+      } else if (is_vulkan) {
+        Separate(resource);
+      }
+    }
+    if (is_vulkan) return;
+    for (const TextureUse& use : context_.texture_uses) Combined(use);
+  }
+
+ private:
+  void Combined(const TextureUse& use) {
+    const auto& resources = context_.program.resources;
+    const auto resource = std::ranges::find(resources, use.texture, &Resource::var);
+    CLIPC_CHECK(resource != resources.end());
+    GlslInfo::Object info{{}, use.texture, use.sampler, use.name};
+    const std::string place =
+        Bind(context_, info, resource->reg, textures_, CountOf(context_, use.texture));
+    if (const Need* need = NeedOf(ObjectTypeOf(context_, use.texture).object))
+      context_.Require(need->feature);
+    Append(text_, LayoutText({place}), context_.target.IsEs() ? "uniform highp " : "uniform ",
+           TextureType(context_, use.texture, "sampler"),
+           IsShadow(context_, use.sampler) ? "Shadow " : " ", use.name,
+           Dimensions(context_, use.texture), ";");
+    if (use.sampler) {
+      Append(text_, "  // ", context_[use.texture].name, " with ", context_[use.sampler].name);
+    }
+    text_ += "\n";
+    context_.info.objects.push_back(std::move(info));
+  }
+
+  // A texture or a sampler of Vulkan.
+  void Separate(const Resource& resource) {
+    const ObjectKind kind = ObjectTypeOf(context_, resource.var).object;
+    GlslInfo::Object& info = Add(resource);
+    if (InfoOf(kind).category == ObjectCategory::kSampler) std::swap(info.texture, info.sampler);
+    const std::string type =
+        kind == ObjectKind::kSampler ? "sampler"
+        : kind == ObjectKind::kSamplerComparison
+            ? "samplerShadow"
+            : TextureType(context_, resource.var, IsCombinedSampler(kind) ? "sampler" : "texture");
+    const std::string place = Bind(context_, info, resource.reg, textures_, 1);
+    Append(text_, LayoutText({place}), "uniform ", type, " ", info.name,
+           Dimensions(context_, resource.var), ";  // ", RegisterText(resource.reg), "\n");
+  }
+
+  void Buffer(const Resource& resource) {
+    const Var& var = context_[resource.var];
+    const Type& type = ObjectTypeOf(context_, resource.var);
+    GlslInfo::Object& info = Add(resource);
+    const std::string place = Bind(context_, info, resource.reg, buffers_, 1);
+    std::string element = "uint";
+    bool is_turned = false;
+    if (IsStructured(type.object)) {
+      if (const auto extent = Std430(context_.types, type.element, var.row_major)) {
+        element = TypeName(context_, type.element);
+        is_turned = extent->matrices == MatrixLayout::kRowMajor;
+      }
+    }
+    text_ += fmt::format("{}{}buffer {} {{  // {}\n    {} {}[];\n}};\n",
+                         LayoutText({"std430", place, is_turned ? "row_major" : ""}),
+                         ir::IsWritable(type.object) ? "" : "readonly ",
+                         context_.namer.Global(var.name + "_block"), RegisterText(resource.reg),
+                         element, info.name);
+  }
+
+  // GLSL wants the format of an image that is read; HLSL tells the components and their kind: 32
+  // bits each.
+  void Image(const Resource& resource) {
+    const Type& type = ObjectTypeOf(context_, resource.var);
+    GlslInfo::Object& info = Add(resource);
+    const std::string place =
+        Bind(context_, info, resource.reg, images_, CountOf(context_, resource.var));
+    const std::string_view prefix = PrefixOf(context_, type);
+    const int size = type.element ? ShapeOf(context_[type.element]).size : 4;
+    const std::string format = Concat(
+        std::string_view("rgba").substr(0, size == 3 ? 4 : static_cast<std::size_t>(size)), "32",
+        prefix == "u"   ? "ui"
+        : prefix == "i" ? "i"
+                        : "f");
+    Append(text_, LayoutText({place, format}), "uniform ", prefix, "image", Dimension(type.object),
+           " ", info.name, Dimensions(context_, resource.var), ";  // ", RegisterText(resource.reg),
+           "\n");
+  }
+
+  GlslInfo::Object& Add(const Resource& resource) {
+    return context_.info.objects.emplace_back(
+        GlslInfo::Object{{}, resource.var, {}, context_.NameOf(resource.var)});
+  }
+
+  Context& context_;
+  std::string& text_;
+  Bindings textures_, buffers_, images_;
+};
+
+}  // namespace
+
+const Type& ObjectTypeOf(const Context& context, VarId object) {
+  return context[context.types.Innermost(context[object].type)];
+}
+
+bool IsShadow(const Context& context, VarId sampler) {
+  return sampler && ObjectTypeOf(context, sampler).object == ObjectKind::kSamplerComparison;
+}
+
+std::string TextureType(const Context& context, VarId texture, std::string_view stem) {
+  const Type& type = ObjectTypeOf(context, texture);
+  return Concat(PrefixOf(context, type), stem, Dimension(type.object));
+}
+
+void FindTextureUses(Context& context) {
+  std::vector<TextureUse>& uses = context.texture_uses;
+  if (context.program.resources.empty() || context.target.IsVulkan()) return;
+  for (const FunctionId function : context.reached.functions) {
+    ForEachExpr(context.program, context[function].body, [&](ExprId id) {
+      const auto* call = context.As<ObjectCall>(id);
+      if (!call) return;
+      const auto arguments = context[call->arguments];
+      TextureUse use{RootOf(context.program, arguments[0]), {}, {}};
+      if (TakesSampler(call->op)) use.sampler = RootOf(context.program, arguments[1]);
+      const ObjectKind kind = ObjectTypeOf(context, use.texture).object;
+      if (!IsStorageBuffer(kind) && !IsImage(kind)) uses.push_back(std::move(use));
+    });
+  }
+  const auto key = [](const TextureUse& use) { return std::tie(use.texture, use.sampler); };
+  std::ranges::sort(uses, {}, key);
+  uses.erase(std::ranges::unique(uses, {}, key).begin(), uses.end());
+  // A read without a sampler goes through any pair of the texture that does not compare.
+  std::erase_if(uses, [&](const TextureUse& use) {
+    return !use.sampler && std::ranges::any_of(uses, [&](const TextureUse& other) {
+      return other.texture == use.texture && other.sampler && !IsShadow(context, other.sampler);
+    });
+  });
+  // A texture that goes with one sampler keeps its name.
+  for (TextureUse& use : uses) {
+    const std::string& name = context.NameOf(use.texture);
+    const bool is_only = std::ranges::count(uses, use.texture, &TextureUse::texture) == 1;
+    use.name = is_only || !use.sampler ? name
+                                       : context.namer.Global(Concat(context[use.texture].name, "_",
+                                                                     context[use.sampler].name));
+  }
+}
+
+void WriteObjects(Context& context) { ObjectWriter(context).Write(); }
+
+const std::string& CombinedName(const Context& context, VarId texture, VarId sampler) {
+  const TextureUse* found = nullptr;
+  for (const TextureUse& use : context.texture_uses) {
+    if (use.texture != texture) continue;
+    if (use.sampler == sampler) return use.name;
+    if (!found && !IsShadow(context, use.sampler)) found = &use;
+  }
+  CLIPC_CHECK(found != nullptr);
+  return found->name;
+}
+
+}  // namespace clipc::glsl

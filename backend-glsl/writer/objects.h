@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "backend-glsl/writer/context.h"
+
+// Declarations of textures, samplers and buffers. OpenGL knows a texture only together with its
+// sampler: each pair that is used becomes one sampler variable.
+namespace clipc::glsl {
+
+// Finds the textures that are read and the samplers they are read with, and names the pairs.
+void FindTextureUses(Context& context);
+void WriteObjects(Context& context);
+
+// The type of an object, or of the objects in an array.
+const ir::Type& ObjectTypeOf(const Context& context, ir::VarId object);
+bool IsShadow(const Context& context, ir::VarId sampler);
+
+// "isampler2DArray" for a texture and the stem "sampler".
+std::string TextureType(const Context& context, ir::VarId texture, std::string_view stem);
+// The name of the variable that stands for a texture and a sampler, or for a texture alone.
+const std::string& CombinedName(const Context& context, ir::VarId texture, ir::VarId sampler);
+
+}  // namespace clipc::glsl

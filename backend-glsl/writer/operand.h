@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "backend-glsl/operators.h"
+#include "backend-glsl/shape.h"
+#include "backend-glsl/text.h"
+#include "backend-glsl/writer/code.h"
+
+// Operators and calls on operands that are written.
+namespace clipc::glsl {
+
+// An operand: its text, or the scalar that stands in each of its components.
+struct Operand {
+  Text text;  // empty when `scalar` is given
+  Shape shape;
+  std::optional<Text> scalar;
+  std::optional<Constant> constant;  // the number that every component is, where it is known
+  bool repeatable = false;           // short and without effects: may be written twice
+};
+
+// The scalar that fills the operand, or the whole operand.
+inline Text ScalarOr(Operand operand) {
+  return operand.scalar ? std::move(*operand.scalar) : std::move(operand.text);
+}
+
+Operand OperandOf(Code& code, ir::ExprId id);
+std::vector<Operand> OperandsOf(Code& code, List<ir::ExprId> list);
+
+// The operand in its whole shape.
+Text Full(Code& code, const Operand& operand);
+// `scalar` in every component of the shape; `is_zero`: it is known to be 0.
+Text SplatText(Code& code, const Text& scalar, const Shape& shape, bool repeatable,
+               bool is_zero = false);
+
+Text UnaryOn(Code& code, ir::UnaryOp op, const Operand& operand);
+Text BinaryOn(Code& code, ir::BinaryOp op, Operand left, Operand right);
+Text ConvertOn(Code& code, ir::Scalar kind, const Operand& operand);
+
+// function(operands). Bit i of `scalars`: argument i may be a scalar beside vectors; all such
+// arguments must be.
+Text CallOn(Code& code, std::string_view function, std::span<const Operand> operands,
+            unsigned scalars = 0);
+// A call of the snippet `name` (snippets.h) for the first operand's shape.
+Text SnippetCall(Code& code, std::string_view name, std::span<const Operand> operands);
+
+}  // namespace clipc::glsl

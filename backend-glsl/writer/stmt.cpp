@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "backend-glsl/writer/stmt.h"
+
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "backend-glsl/writer/expr.h"
+#include "backend-glsl/writer/helper.h"
+#include "backend-glsl/writer/interface.h"
+#include "backend-glsl/writer/types.h"
+#include "base/overloaded.h"
+
+namespace clipc::glsl {
+
+using namespace ir;
+
+namespace {
+
+void WriteStmt(Code& code, StmtId id);
+
+void WriteStmts(Code& code, std::span<const StmtId> list) {
+  for (const StmtId id : list) WriteStmt(code, id);
+}
+
+// The statements of a block, or the one statement; the caller wrote the brace before it.
+void WriteBody(Code& code, StmtId id) {
+  ++code.indent;
+  code.namer.OpenScope();
+  if (const auto* block = code.As<Block>(id)) {
+    WriteStmts(code, code[block->body]);
+  } else {
+    WriteStmt(code, id);
+  }
+  code.namer.CloseScope();
+  --code.indent;
+}
+
+// Declares a local variable; without the type when others stand before it: `int i = 0, j = 1`.
+std::string DeclareText(Code& code, const Declare& node, bool is_first = true) {
+  const Var& var = code[node.var];
+  const ExprId init = node.init ? node.init : var.init;
+  // The variable is in scope after its initialiser only, in GLSL as in HLSL.
+  code.is_constant = true;
+  const std::string value = init ? " = " + Argument(code, init) : "";
+  const bool is_const = var.storage == Storage::kConstant && init && code.is_constant;
+  code.NameLocal(node.var, "value");
+  const std::string& name = code.NameOf(node.var);
+  if (!is_first) return Declarator(code, var.type, name) + value;
+  const bool is_precise = var.precise && code.Has(Feature::kPrecise);
+  return Concat(is_const ? "const " : "", is_precise ? "precise " : "",
+                Declaration(code, var.type, name), value);
+}
+
+void WriteIf(Code& code, const If& node, std::string_view lead) {
+  code.Line(lead, "if (", ExprText(code, node.condition).text, ") {");
+  WriteBody(code, node.then);
+  if (!node.otherwise) return code.Line("}");
+  if (const auto* next = code.As<If>(node.otherwise)) return WriteIf(code, *next, "} else ");
+  code.Line("} else {");
+  WriteBody(code, node.otherwise);
+  code.Line("}");
+}
+
+void WriteFor(Code& code, const For& node) {
+  code.namer.OpenScope();
+  std::string head = "for (";
+  bool is_first = true;
+  for (const StmtId id : code[node.init]) {
+    const auto* declare = code.As<Declare>(id);
+    Append(head, is_first ? "" : ", ",
+           declare ? DeclareText(code, *declare, is_first)
+                   : ExprText(code, code.As<Evaluate>(id)->expr).text);
+    is_first = false;
+  }
+  head += ";";
+  if (node.condition) Append(head, " ", ExprText(code, node.condition).text);
+  head += ";";
+  if (node.step) Append(head, " ", ExprText(code, node.step).text);
+  code.Line(head, ") {");
+  WriteBody(code, node.body);
+  code.Line("}");
+  code.namer.CloseScope();
+}
+
+void WriteSwitch(Code& code, const Switch& node) {
+  code.Line("switch (", ExprText(code, node.value).text, ") {");
+  code.namer.OpenScope();
+  const auto cases = code.program.switch_cases[node.cases];
+  for (const SwitchCase& arm : cases) {
+    for (const ExprId label : code[arm.labels]) code.Line("case ", ExprText(code, label).text, ":");
+    if (arm.is_default) code.Line("default:");
+    ++code.indent;
+    WriteStmts(code, code[arm.body]);
+    // GLSL wants a statement after the last label.
+    if (arm.body.empty() && &arm == &cases.back()) code.Line("break;");
+    --code.indent;
+  }
+  code.namer.CloseScope();
+  code.Line("}");
+}
+
+// Writes what the options say of a statement's place in the source, where that is another line than
+// the last.
+void WriteComment(Code& code, Span span) {
+  if (!code.options.comment_of) return;
+  std::string comment = code.options.comment_of(span);
+  if (comment.empty() || comment == code.comment) return;
+  code.comment = std::move(comment);
+  code.Line("// ", code.comment);
+}
+
+void WriteStmt(Code& code, StmtId id) {
+  if (!code.As<Block>(id)) WriteComment(code, code.program.stmts[id].span);
+  Visit(Overloaded{
+            [&](const Block&) {
+              code.Line("{");
+              WriteBody(code, id);
+              code.Line("}");
+            },
+            [&](const Declare& node) { code.Line(DeclareText(code, node), ";"); },
+            [&](const Evaluate& node) { code.Line(ExprText(code, node.expr).text, ";"); },
+            [&](const If& node) { WriteIf(code, node, ""); },
+            [&](const For& node) { WriteFor(code, node); },
+            [&](const While& node) {
+              code.Line("while (", ExprText(code, node.condition).text, ") {");
+              WriteBody(code, node.body);
+              code.Line("}");
+            },
+            [&](const DoWhile& node) {
+              code.Line("do {");
+              WriteBody(code, node.body);
+              code.Line("} while (", ExprText(code, node.condition).text, ");");
+            },
+            [&](const Switch& node) { WriteSwitch(code, node); },
+            [&](const Return& node) {
+              code.Line("return", node.value ? " " + ExprText(code, node.value).text : "", ";");
+            },
+            [&](const Break&) { code.Line("break;"); },
+            [&](const Continue&) { code.Line("continue;"); },
+        },
+        code.program.stmts[id].node);
+}
+
+std::string Signature(Code& code, FunctionId id) {
+  const Function& function = code[id];
+  const std::string parameters = ListOf(function.parameters, [&](VarId parameter) {
+    const Storage storage = code[parameter].storage;
+    code.NameLocal(parameter, "unused");
+    return Concat(storage == Storage::kOut     ? "out "
+                  : storage == Storage::kInOut ? "inout "
+                                               : "",
+                  Declaration(code, code[parameter].type, code.NameOf(parameter)));
+  });
+  return Concat(TypeName(code, function.return_type), " ", code.function_names[id.index], "(",
+                parameters, ") {");
+}
+
+void WriteFunction(Code& code, FunctionId id) {
+  code.namer.OpenScope();
+  code.Line(Signature(code, id));
+  ++code.indent;
+  WriteStmts(code, BodyOf(code.program, id));
+  --code.indent;
+  code.Line("}");
+  code.namer.CloseScope();
+}
+
+void WriteMain(Code& code) {
+  code.namer.OpenScope();
+  code.Line("void main() {");
+  ++code.indent;
+  for (const auto& [name, value] : code.late_globals) code.Line(name, " = ", value, ";");
+  // uint in HLSL, int in GLSL: the shader's own variable first, converted at the end.
+  std::vector<std::pair<std::string, VarId>> conversions;
+  for (const IoVar& output : code.program.outputs) {
+    if (!IsIntOutput(output.builtin)) continue;
+    conversions.emplace_back(code.NameOf(output.var), output.var);
+    code.var_names[output.var.index] = code.namer.Local(code[output.var].name);
+    code.Line(Declaration(code, code[output.var].type, code.NameOf(output.var)), ";");
+  }
+  WriteStmts(code, MainBody(code.program));
+  for (const auto& [builtin, var] : conversions) {
+    code.Line(builtin, " = int(", code.NameOf(var), ");");
+  }
+  --code.indent;
+  code.Line("}");
+  code.namer.CloseScope();
+}
+
+}  // namespace
+
+void WriteFunctions(Code& code) {
+  code.out = &code.sections.functions;
+  for (const FunctionId id : code.reached.functions) {
+    if (id == code.program.main) {
+      WriteMain(code);
+    } else {
+      WriteFunction(code, id);
+      *code.out += '\n';
+    }
+  }
+}
+
+// Types that differ in HLSL, as half and float, are the same here: the first such function is it.
+std::string HelperFunction(Code& code, FunctionId id) {
+  return Helper(code, code[id].name, ParameterTypes(code, id), [&](const std::string& name) {
+    code.function_names[id.index] = name;
+    std::string text;
+    std::string* const out = std::exchange(code.out, &text);
+    const std::size_t indent = std::exchange(code.indent, 0);
+    const bool is_constant = code.is_constant;
+    code.in_helper = true;
+    WriteFunction(code, id);
+    code.in_helper = false;
+    code.is_constant = is_constant;
+    code.indent = indent;
+    code.out = out;
+    return text;
+  });
+}
+
+}  // namespace clipc::glsl

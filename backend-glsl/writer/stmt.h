@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <string>
+
+#include "backend-glsl/writer/code.h"
+
+// Functions and their statements.
+namespace clipc::glsl {
+
+// All functions, `main` last.
+void WriteFunctions(Code& code);
+// The GLSL name of a helper function of the program; writes the function when it is new.
+std::string HelperFunction(Code& code, ir::FunctionId id);
+
+}  // namespace clipc::glsl

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "backend-glsl/writer/uniform.h"
+
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "backend-glsl/writer/expr.h"
+#include "backend-glsl/writer/helper.h"
+#include "backend-glsl/writer/types.h"
+
+namespace clipc::glsl {
+
+using namespace ir;
+
+namespace {
+
+// The ConstantBuffer<T> that is written with an instance name and that `expr` is, or is an element
+// of; none for other expressions.
+VarId InstanceOf(const Code& code, ExprId expr) {
+  if (code.TypeOf(expr).kind != TypeKind::kStruct) return {};
+  for (; const auto* index = code.As<Index>(expr); expr = index->base) {
+    if (code.TypeOf(index->base).kind != TypeKind::kArray) return {};
+  }
+  const auto* ref = code.As<VarRef>(expr);
+  const bool is_uniform = ref && code[ref->var].storage == Storage::kUniform;
+  return is_uniform && code.LayoutOf(ref->var).fields_as_members ? ref->var : VarId{};
+}
+
+}  // namespace
+
+Text UniformText(Code& code, VarId member) {
+  code.is_constant = false;
+  const std::string& name = code.NameOf(member);
+  if (code.LayoutOf(member).form != BlockForm::kRows) return {name};
+  const TypeId type = code[member].type;
+  if (code[type].kind != TypeKind::kArray) return {name + "()"};
+  const std::string all = Helper(code, name + "_all", "", [&](const std::string& function) {
+    const auto element = [&](const std::string& index) {
+      return ElementText(code, code[type].element, Called(name, {index}));
+    };
+    const std::string type_name = TypeName(code, type);
+    return fmt::format("{} {}() {{\n{}}}\n", type_name, function, FilledArray(code, type, element));
+  });
+  return {all + "()"};
+}
+
+Text UniformElement(Code& code, VarId member, ExprId index) {
+  code.is_constant = false;
+  const std::string& name = code.NameOf(member);
+  if (code.LayoutOf(member).form == BlockForm::kRows) return Called(name, {IntIndex(code, index)});
+  return {Concat(name, "[", IndexValue(code, index), "]",
+                 IsWrapped(code, code.TypeOf(member).element) ? ".e" : "")};
+}
+
+bool IsInstance(const Code& code, ExprId expr) { return bool(InstanceOf(code, expr)); }
+
+std::string InstancePath(Code& code, ExprId expr) {
+  code.is_constant = false;
+  return code.NameOf(InstanceOf(code, expr)) + IndexPath(code, expr);
+}
+
+Text InstanceValue(Code& code, ExprId expr) {
+  code.is_constant = false;
+  const TypeId type = code[expr].type;
+  const std::string type_name = TypeName(code, type);
+  const auto value = [&](const std::string& block) {
+    const auto field = [&](const std::string& name) { return Concat(block, ".", name); };
+    return Called(type_name, {ListOf(code.field_names[code[type].structure.index], field)});
+  };
+  std::vector<ExprId> indices;  // outermost first
+  for (ExprId part = expr; const auto* index = code.As<Index>(part); part = index->base) {
+    indices.insert(indices.begin(), index->index);
+  }
+  if (!indices.empty() && HasLiteralIndices(code.program, expr)) {
+    return value(InstancePath(code, expr));
+  }
+
+  const std::string& name = code.NameOf(InstanceOf(code, expr));
+  std::string parameters, arguments, block = name;
+  for (const ExprId& index : indices) {
+    const char letter = static_cast<char>('i' + (&index - indices.data()));
+    const std::string parameter = Fresh(code, {&letter, 1});
+    const char* separator = parameters.empty() ? "" : ", ";
+    Append(parameters, separator, "int ", parameter);
+    Append(arguments, separator, "int(", IndexValue(code, index), ")");
+    Append(block, "[", parameter, "]");
+  }
+  const std::string helper = Helper(code, name + "_value", "", [&](const std::string& function) {
+    return fmt::format("{} {}({}) {{\n    return {};\n}}\n", type_name, function, parameters,
+                       value(block).text);
+  });
+  return Called(helper, {arguments});
+}
+
+}  // namespace clipc::glsl

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "ir/evaluate.h"
+#include "tools/draw/build.h"
+#include "tools/draw/random_inputs.h"
+
+// What the writer prints means what the passes before the legalising ones left: the evaluator runs
+// both, and every output has the same bits.
+namespace clipc::draw {
+namespace {
+
+std::vector<ir::IoBits> Outputs(const ir::Program& program, const RandomInputs& inputs,
+                                std::size_t vertex) {
+  const auto read = [&](const ir::ObjectRequest& request, std::span<std::uint64_t> result) {
+    inputs.ReadObject(program, request, 0, result);
+  };
+  const ir::EvalResult result =
+      ir::RunMain(program, {inputs.vertices[vertex], inputs.cbuffers, read});
+  EXPECT_TRUE(result) << result.error;
+  return result.outputs.values;
+}
+
+// Returns whether the target can say the shader, and a test can draw with it.
+bool ExpectSame(const std::string& path, const std::string& target) {
+  BuildOptions options;
+  options.path = path;
+  options.target = target;
+  options.include_dirs = {"testdata/draw/inputs"};
+  Shader shader;
+  RandomInputs inputs;
+  try {
+    shader = Build(options);
+    inputs = MakeRandomInputs(shader.typed, {});
+  } catch (const DrawError&) {
+    return false;
+  }
+  EXPECT_EQ(shader.lowered.form, ir::Form::kLegalized);
+  ir::Program plain = shader.typed;
+  passes::PipelineOptions passes;
+  passes.clip_planes.write_clip_vertex = false;
+  passes::RunPipeline(plain, passes);
+  for (std::size_t vertex = 0; vertex < inputs.vertices.size(); ++vertex) {
+    EXPECT_EQ(Outputs(plain, inputs, vertex), Outputs(shader.lowered, inputs, vertex))
+        << path << " for " << target << ", vertex " << vertex;
+  }
+  return true;
+}
+
+TEST(Legalize, KeepsWhatShadersMean) {
+  int compared = 0;
+  for (const char* folder : {"testdata/draw", "testdata/glsl"}) {
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+      if (entry.path().extension() != ".hlsl") continue;
+      for (const char* target : {"glsl120", "glsl450", "essl300"}) {
+        compared += ExpectSame(entry.path().string(), target) ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(compared, 100);
+}
+
+}  // namespace
+}  // namespace clipc::draw
