@@ -226,10 +226,14 @@ class TargetCheck {
   void Expression(ExprId id) {
     const ir::Expr& expr = program_.exprs[id];
     Type(expr.type, expr.span);
-    if (const auto* call = std::get_if<IntrinsicCall>(&expr.node)) IntrinsicUse(*call, expr.span);
-    if (const auto* call = std::get_if<ObjectCall>(&expr.node)) ObjectUse(*call, expr.span);
-    if (const auto* index = std::get_if<Index>(&expr.node)) BufferIndex(*index, expr.span);
-    if (!target_.Has(Feature::kUnsigned)) SmallIntegers(id, expr);
+    Visit(Overloaded{
+              [&](const IntrinsicCall& call) { IntrinsicUse(call, expr.span); },
+              [&](const ObjectCall& call) { ObjectUse(call, expr.span); },
+              [&](const Index& index) { BufferIndex(index, expr.span); },
+              [](const auto&) {},
+          },
+          expr.node);
+    if (!has_unsigned_) SmallIntegers(id, expr);
   }
 
   // GLSL 1.20 has int, and only the four arithmetic operators for it.
@@ -331,6 +335,7 @@ class TargetCheck {
   const Target& target_;
   Diagnostics& diagnostics_;
   const Reached& reached_;
+  const bool has_unsigned_ = target_.Has(Feature::kUnsigned);
   std::vector<char> seen_types_;  // by TypeId
   bool reported_[2] = {};         // that there is no double, no 64-bit integer
   bool uint_reported_ = false;

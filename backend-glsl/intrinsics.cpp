@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "backend-glsl/intrinsics.h"
 
-#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <iterator>
 
 #include "backend-glsl/snippets.h"
@@ -57,17 +59,28 @@ constexpr BuiltinFunction kBuiltins[] = {
     {Intrinsic::kTrunc, "trunc", 0, true},
 };
 
+// The rows by Intrinsic: which row a function has, from 1; 0: none.
+constexpr auto kRowOf = [] {
+  std::array<std::uint8_t, kIntrinsicCount> rows{};
+  for (std::size_t i = 0; i < std::size(kBuiltins); ++i) {
+    rows[static_cast<std::size_t>(kBuiltins[i].op)] = static_cast<std::uint8_t>(i + 1);
+  }
+  return rows;
+}();
+
 }  // namespace
 
 const BuiltinFunction* BuiltinOf(Intrinsic op, const Shape& shape, const Target& target) {
-  const auto* found = std::ranges::find(kBuiltins, op, &BuiltinFunction::op);
-  if (found == std::end(kBuiltins)) return nullptr;
+  const std::uint8_t row = kRowOf[static_cast<std::size_t>(op)];
+  if (row == 0) return nullptr;
+  const BuiltinFunction* found = &kBuiltins[row - 1];
   if (found->is_rounding && !target.Has(Feature::kRounding)) return nullptr;
   return shape.IsFloating() || target.Has(Feature::kUnsigned) ? found : nullptr;
 }
 
 bool IsOfScalars(Intrinsic op, const Shape& shape, const Target& target) {
-  if (!shape.IsVector() || BuiltinOf(op, shape, target)) return false;
+  const bool is_combining = CategoryOf(op) == IntrinsicCategory::kVectors;
+  if (is_combining || !shape.IsVector() || BuiltinOf(op, shape, target)) return false;
   switch (op) {
     case Intrinsic::kAsDouble: return true;
     case Intrinsic::kF16ToF32:

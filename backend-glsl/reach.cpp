@@ -54,8 +54,11 @@ class Walker {
     Visit visit{id, {}};
     ForEachExpr(program_, program_.functions[id].body, [&](ExprId expr) {
       const auto& node = program_.exprs[expr].node;
-      if (const auto* ref = std::get_if<VarRef>(&node)) Variable(ref->var);
-      if (const auto* call = std::get_if<Call>(&node)) visit.callees.push_back(call->function);
+      if (const auto* ref = std::get_if<VarRef>(&node)) {
+        Variable(ref->var);
+      } else if (const auto* call = std::get_if<Call>(&node)) {
+        visit.callees.push_back(call->function);
+      }
     });
     return visit;
   }

@@ -98,12 +98,15 @@ bool Effects::IsPure(FunctionId function) {
   return !is_impure;
 }
 
-bool MayAssign(const Program& program, StmtId stmt, VarId var) {
-  return AnyExpr(program, stmt, [&](ExprId part) {
-    bool assigns = false;
-    ForEachWrite(program, part, [&](ExprId target) { assigns |= RootOf(program, target) == var; });
-    return assigns;
-  });
+std::vector<bool> AssignedIn(const Program& program, std::span<const StmtId> stmts) {
+  std::vector<bool> assigned(program.vars.size());
+  const auto on_target = [&](ExprId target) {
+    if (const VarId root = RootOf(program, target)) assigned[root.index] = true;
+  };
+  for (const StmtId stmt : stmts) {
+    ForEachExpr(program, stmt, [&](ExprId part) { ForEachWrite(program, part, on_target); });
+  }
+  return assigned;
 }
 
 std::span<const StmtId> BodyOf(const Program& program, FunctionId function) {

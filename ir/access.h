@@ -42,6 +42,14 @@ bool HasLiteralIndices(const Program& program, ExprId path);
 
 // ---- effects
 
+// Whether nodes of this kind may write an operand: WritesOperand need not be asked of others.
+inline bool IsOfWritingKind(const Expr& expr) {
+  return Visit(Overloaded{
+                   [](const OneOf<Assign, Unary, Call, IntrinsicCall> auto&) { return true; },
+                   [](const auto&) { return false; },
+               },
+               expr.node);
+}
 // Whether the node of `expr` writes its operand number `operand`, counted from 0 in the order of
 // evaluation: assignments, increments, and the out and inout arguments of calls.
 bool WritesOperand(const Program& program, ExprId expr, std::size_t operand);
@@ -50,10 +58,23 @@ bool WritesOperand(const Program& program, ExprId expr, std::size_t operand);
 // are not among them.
 template <typename OnTarget>
 void ForEachWrite(const Program& program, ExprId expr, OnTarget&& on_target) {
-  std::size_t number = 0;
-  ForEachOperand(program, expr, [&](ExprId operand) {
-    if (WritesOperand(program, expr, number++)) on_target(operand);
-  });
+  const auto of_call = [&](List<ExprId> arguments) {
+    for (std::uint32_t i = 0; i < arguments.size; ++i) {
+      if (WritesOperand(program, expr, i)) on_target(program.expr_lists[arguments][i]);
+    }
+  };
+  Visit(Overloaded{
+            [&](const Assign& node) { on_target(node.target); },
+            [&](const Unary& node) {
+              if (ChangesOperand(node.op)) on_target(node.operand);
+            },
+            [&](const Call& node) { of_call(node.arguments); },
+            [&](const IntrinsicCall& node) {
+              if (WritesArguments(node.op)) of_call(node.arguments);
+            },
+            [](const auto&) {},
+        },
+        program.exprs[expr].node);
 }
 
 // Whether the expression changes nothing, so that it may be evaluated twice or not at all: it has
@@ -78,8 +99,8 @@ class Effects {
   std::vector<Answer> functions_;  // by FunctionId
 };
 
-// Whether the statement may change the variable or a part of it.
-bool MayAssign(const Program& program, StmtId stmt, VarId var);
+// Which variables the statements may change, wholly or in part: by VarId.
+std::vector<bool> AssignedIn(const Program& program, std::span<const StmtId> stmts);
 
 // ---- functions
 

@@ -97,9 +97,12 @@ TEST_F(Access, EffectsLookIntoFunctions) {
 TEST_F(Access, StatementsThatMayAssign) {
   const StmtId in_a_branch =
       build.Stmt(If{build.Bool(true), build.Eval(build.AssignTo(Counter(), build.Float(1))), {}});
-  EXPECT_TRUE(MayAssign(shader, in_a_branch, shader.counter));
-  EXPECT_FALSE(MayAssign(shader, in_a_branch, shader.scale));
-  EXPECT_FALSE(MayAssign(shader, build.Eval(Twice(Counter())), shader.counter));
+  const auto assigns = [&](StmtId stmt, VarId var) {
+    return AssignedIn(shader, {&stmt, 1})[var.index];
+  };
+  EXPECT_TRUE(assigns(in_a_branch, shader.counter));
+  EXPECT_FALSE(assigns(in_a_branch, shader.scale));
+  EXPECT_FALSE(assigns(build.Eval(Twice(Counter())), shader.counter));
 }
 
 TEST_F(Access, MainCallsTheEntry) {

@@ -20,7 +20,9 @@ constexpr IntrinsicSignature ParseSignature(std::string_view text) {
   if (!signature.is_special && !text.starts_with("void")) signature.result = ParseSlot(text, start);
   while (text[at] != ')') {
     ++at;  // the parenthesis or the comma
-    signature.arguments[signature.count++] = ParseSlot(text, at);
+    const IntrinsicSlot slot = ParseSlot(text, at);
+    signature.arguments[signature.count++] = slot;
+    signature.writes |= slot.is_out;
   }
   return signature;
 }

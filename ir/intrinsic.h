@@ -14,6 +14,11 @@ enum class Intrinsic : std::uint8_t {
 #include "ir/intrinsics.def"
 };
 
+inline constexpr std::size_t kIntrinsicCount = 0
+#define INTRINSIC(...) +1
+#include "ir/intrinsics.def"
+    ;
+
 // One argument, or the result.
 struct IntrinsicSlot {
   char shape = 0;  // 0: void
@@ -25,6 +30,7 @@ struct IntrinsicSignature {
   IntrinsicSlot result;
   std::array<IntrinsicSlot, kMaxArguments> arguments = {};
   std::uint8_t count = 0;   // of `arguments`
+  bool writes = false;      // one of them at least
   bool is_special = false;  // the letters say nothing: the types follow rules of their own
 };
 
@@ -53,5 +59,7 @@ inline IntrinsicCategory CategoryOf(Intrinsic op) { return InfoOf(op).category; 
 // Whether a call writes argument number `argument`, which is an lvalue then: modf(x, whole),
 // sincos(x, sine, cosine), asuint(double, low, high).
 bool WritesArgument(Intrinsic op, std::size_t argument);
+// Whether a call writes any of its arguments.
+inline bool WritesArguments(Intrinsic op) { return InfoOf(op).signature.writes; }
 
 }  // namespace clipc::ir

@@ -15,54 +15,60 @@ namespace clipc::ir {
 template <typename Node, typename... Kinds>
 concept OneOf = (std::same_as<std::remove_const_t<Node>, Kinds> || ...);
 
-// Calls own(operand) for each operand that `expr` holds itself, a reference to an ExprId that is as
-// const as `expr`, or list(List<ExprId>) for a list of them, in the order of evaluation.
-template <OneOf<Expr> MaybeConst, typename Own, typename Listed>
-void ForEachSlot(MaybeConst& expr, Own&& own, Listed&& list) {
-  Visit(Overloaded{
-            [](OneOf<Literal, Zero, VarRef> auto&) {},
-            [&](OneOf<FieldRef, Swizzle, MatrixSwizzle> auto& node) { own(node.base); },
-            [&](OneOf<Index> auto& node) { own(node.base), own(node.index); },
-            [&](OneOf<Unary, Convert, Splat, MatrixTruncate> auto& node) { own(node.operand); },
-            [&](OneOf<Binary> auto& node) { own(node.left), own(node.right); },
-            [&](OneOf<Assign> auto& node) { own(node.target), own(node.value); },
-            [&](OneOf<Conditional, Select> auto& node) {
-              own(node.condition), own(node.when_true), own(node.when_false);
-            },
-            [&](OneOf<Construct, Call, IntrinsicCall, ObjectCall> auto& node) {
-              list(node.arguments);
-            },
-            [&](OneOf<Comma> auto& node) { own(node.first), own(node.second); },
-        },
-        expr.node);
+// Calls own(operand) for each operand that a node, an alternative of Expr::node, holds itself, a
+// reference to an ExprId that is as const as the node, or list(List<ExprId>) for a list of them, in
+// the order of evaluation.
+template <typename Node, typename Own, typename Listed>
+void ForEachSlot(Node& node, Own&& own, Listed&& list) {
+  Overloaded{
+      [](OneOf<Literal, Zero, VarRef> auto&) {},
+      [&](OneOf<FieldRef, Swizzle, MatrixSwizzle> auto& of) { own(of.base); },
+      [&](OneOf<Index> auto& of) { own(of.base), own(of.index); },
+      [&](OneOf<Unary, Convert, Splat, MatrixTruncate> auto& of) { own(of.operand); },
+      [&](OneOf<Binary> auto& of) { own(of.left), own(of.right); },
+      [&](OneOf<Assign> auto& of) { own(of.target), own(of.value); },
+      [&](OneOf<Conditional, Select> auto& of) {
+        own(of.condition), own(of.when_true), own(of.when_false);
+      },
+      [&](OneOf<Construct, Call, IntrinsicCall, ObjectCall> auto& of) { list(of.arguments); },
+      [&](OneOf<Comma> auto& of) { own(of.first), own(of.second); },
+  }(node);
 }
 
 // Calls visit(ExprId) for the direct operands of `expr` in the order of evaluation. `visit` may add
-// nodes; MapOperands replaces operands.
+// nodes, which moves those that are there: the node is copied. MapOperands replaces operands.
 template <typename OnOperand>
 void ForEachOperand(const Program& program, ExprId expr, OnOperand&& visit) {
-  const Expr walked = program.exprs[expr];
-  ForEachSlot(
-      walked, [&](ExprId operand) { visit(operand); },
-      [&](List<ExprId> list) {
-        for (std::uint32_t i = 0; i < list.size; ++i) visit(program.expr_lists[list][i]);
-      });
+  Visit(
+      [&](const auto& found) {
+        const auto node = found;
+        ForEachSlot(
+            node, [&](ExprId operand) { visit(operand); },
+            [&](List<ExprId> list) {
+              for (std::uint32_t i = 0; i < list.size; ++i) visit(program.expr_lists[list][i]);
+            });
+      },
+      program.exprs[expr].node);
 }
 
 // Replaces each direct operand of `expr` by map(operand), in the order of evaluation. `map` may add
 // expressions, which moves those that are there; so a copy is changed and put back.
 template <typename Map>
 void MapOperands(Program& program, ExprId expr, Map&& map) {
-  Expr changed = program.exprs[expr];
-  ForEachSlot(
-      changed, [&](ExprId& operand) { operand = map(operand); },
-      [&](List<ExprId> list) {
-        for (std::uint32_t i = 0; i < list.size; ++i) {
-          const ExprId mapped = map(program.expr_lists[list][i]);
-          program.expr_lists[list][i] = mapped;
-        }
-      });
-  program.exprs[expr].node = changed.node;
+  auto changed = program.exprs[expr].node;
+  Visit(
+      [&](auto& node) {
+        ForEachSlot(
+            node, [&](ExprId& operand) { operand = map(operand); },
+            [&](List<ExprId> list) {
+              for (std::uint32_t i = 0; i < list.size; ++i) {
+                const ExprId mapped = map(program.expr_lists[list][i]);
+                program.expr_lists[list][i] = mapped;
+              }
+            });
+      },
+      changed);
+  program.exprs[expr].node = changed;
 }
 
 // Calls on_expr(ExprId) for the expressions and on_stmt(StmtId) for the statements directly in

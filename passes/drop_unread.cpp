@@ -32,7 +32,7 @@ class Dropper {
   }
 
  private:
-  // A statement that gives a local variable, or a part of it, a value and does nothing else.
+  // A statement that gives a local variable, or a part of it, a value.
   struct Definition {
     VarId var;
     ExprId value;  // none: a declaration without
@@ -54,11 +54,21 @@ class Dropper {
     while (!unread_.empty()) {
       const std::uint32_t var = unread_.back();
       unread_.pop_back();
+      if (!HasPureLines(var)) continue;
       for (std::uint32_t line = lines_of_[var]; line != 0; line = lines_[line - 1].previous) {
         lines_[line - 1].stmt = {};
         Count(lines_[line - 1].value, VarId{var}, -1);
       }
     }
+  }
+
+  // Whether the lines of a variable do nothing but give it a value.
+  bool HasPureLines(std::uint32_t var) const {
+    for (std::uint32_t line = lines_of_[var]; line != 0; line = lines_[line - 1].previous) {
+      const ExprId value = lines_[line - 1].value;
+      if (value && !IsPure(program_, value)) return false;
+    }
+    return true;
   }
 
   void AddLine(StmtId id) {
@@ -83,8 +93,7 @@ class Dropper {
     }
     const bool is_local =
         definition.var && program_.vars[definition.var].storage == Storage::kLocal;
-    const bool is_pure = !definition.value || IsPure(program_, definition.value);
-    return is_local && is_pure ? definition : Definition{};
+    return is_local ? definition : Definition{};
   }
 
   // Adds `by` to the reads of each variable in `root`, an expression or a statement, but `own`:

@@ -2,7 +2,6 @@
 #include "passes/inline_entry.h"
 
 #include <algorithm>
-#include <map>
 #include <vector>
 
 #include "base/invariant.h"
@@ -19,7 +18,9 @@ namespace {
 class Inliner {
  public:
   explicit Inliner(Program& program)
-      : program_(program), builder_(program, program.functions[program.main].span) {}
+      : program_(program),
+        builder_(program, program.functions[program.main].span),
+        renamed_(program.vars.size()) {}
 
   void Run() {
     const auto body = MainBody(program_);
@@ -52,6 +53,7 @@ class Inliner {
   // assigned to; any other becomes a local variable that starts as the argument.
   void Parameters(const Function& entry, std::vector<StmtId>& body) {
     const List<ExprId> arguments = std::get<Call>(program_.exprs[call_].node).arguments;
+    const std::vector<bool> assigned = AssignedIn(program_, {&entry.body, 1});
     for (std::uint32_t i = 0; i < arguments.size; ++i) {
       const VarId parameter = entry.parameters[i];
       const ExprId argument = program_.expr_lists[arguments][i];
@@ -59,9 +61,9 @@ class Inliner {
       const bool is_local = ref && program_.vars[ref->var].storage == Storage::kLocal;
       const bool is_precise = program_.vars[parameter].precise;
       const bool is_unchanged =
-          ref && !is_precise && IsPlain(ref->var) && !MayAssign(program_, entry.body, parameter);
+          ref && !is_precise && IsPlain(ref->var) && !assigned[parameter.index];
       if (is_local || is_unchanged) {
-        renamed_[parameter] = ref->var;
+        renamed_[parameter.index] = ref->var;
         program_.vars[ref->var].precise |= is_precise;
         continue;
       }
@@ -98,7 +100,7 @@ class Inliner {
       const auto* ref = As<VarRef>(program_, returned_);
       if (ref && !program_.vars[declare->var].precise &&
           MayStandFor(ref->var, declare->var, parts.after)) {
-        renamed_[declare->var] = ref->var;
+        renamed_[declare->var.index] = ref->var;
         return;
       }
       declare->init = returned_;
@@ -112,20 +114,17 @@ class Inliner {
 
   // Passes may have added assignments to the result; an input or a uniform takes none.
   bool MayStandFor(VarId returned, VarId result, const std::vector<StmtId>& after) const {
-    const auto known = renamed_.find(returned);
-    const VarId var = known == renamed_.end() ? returned : known->second;
+    const VarId name = renamed_[returned.index];
+    const VarId var = name ? name : returned;
     return program_.vars[var].storage == Storage::kLocal ||
-           std::ranges::none_of(after, [&](StmtId id) { return MayAssign(program_, id, result); });
+           !AssignedIn(program_, after)[result.index];
   }
 
   void Rename(StmtId stmt) {
     ForEachExpr(program_, stmt, [&](ExprId id) {
       auto* ref = std::get_if<VarRef>(&program_.exprs[id].node);
       if (!ref) return;
-      for (auto known = renamed_.find(ref->var); known != renamed_.end();
-           known = renamed_.find(ref->var)) {
-        ref->var = known->second;
-      }
+      while (const VarId name = renamed_[ref->var.index]) ref->var = name;
     });
   }
 
@@ -141,7 +140,7 @@ class Inliner {
   Builder builder_;
   ExprId call_, returned_;
   bool has_return_ = false;
-  std::map<VarId, VarId> renamed_;
+  std::vector<VarId> renamed_;  // by VarId
 };
 
 }  // namespace

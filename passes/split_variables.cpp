@@ -20,11 +20,13 @@ template <typename OnPlace>
 void ForEachPlace(const Program& program, ExprId id, bool writes, OnPlace&& on_place) {
   const auto* field = As<FieldRef>(program, id);
   if (As<VarRef>(program, field ? field->base : id)) return on_place(id, writes);
-  const ExprId whole = WholeOf(program, id);
+  const bool may_write = IsOfWritingKind(program.exprs[id]);
+  const ExprId whole = may_write ? ExprId{} : WholeOf(program, id);
   std::size_t number = 0;
   ForEachOperand(program, id, [&](ExprId operand) {
-    const bool is_written = WritesOperand(program, id, number++);
-    ForEachPlace(program, operand, operand == whole ? writes : is_written, on_place);
+    const bool is_written =
+        may_write ? WritesOperand(program, id, number++) : writes && operand == whole;
+    ForEachPlace(program, operand, is_written, on_place);
   });
 }
 

@@ -4,17 +4,48 @@
 #include <utility>
 #include <variant>
 
+#include "backend-glsl/operators.h"
 #include "ir/walk.h"
 
 namespace clipc::glsl {
 
 using namespace ir;
 
+namespace {
+
+bool IsMatrix(const Program& program, TypeId type) {
+  return program.types[type].kind == TypeKind::kMatrix;
+}
+
+// Whether a pass may change the node: most of a program are names, literals and operators of
+// numbers and vectors, which GLSL has too. Visiting the others alone makes the passes cheap.
+bool MayChange(const Program& program, const Expr& expr) {
+  return Visit(Overloaded{
+                   [&](const Binary& node) {
+                     return !IsLinear(node.op) || IsMatrix(program, program.exprs[node.left].type);
+                   },
+                   [](const Assign& node) { return node.op.has_value(); },
+                   [&](const OneOf<Unary, Convert> auto&) { return IsMatrix(program, expr.type); },
+                   [](const OneOf<Select, MatrixTruncate, IntrinsicCall> auto&) { return true; },
+                   [](const auto&) { return false; },
+               },
+               expr.node);
+}
+
+}  // namespace
+
 HelperBody::HelperBody(Program& program, std::span<const Parameter> wanted) : b(program) {
   for (const Parameter& parameter : wanted) {
     const VarId var = b.Local(std::string(parameter.name), parameter.type);
     program.vars[var].storage = parameter.storage;
     parameters.push_back(var);
+  }
+}
+
+Legalizer::Legalizer(Program& program, const Target& target)
+    : program(program), target(target), first_new_(program.exprs.size()) {
+  for (const ExprId expr : program.exprs.ids()) {
+    if (MayChange(program, program.exprs[expr])) operations_.push_back(expr);
   }
 }
 

@@ -45,7 +45,7 @@ class HelperBody {
 // for what GLSL lacks.
 class Legalizer {
  public:
-  Legalizer(ir::Program& program, const Target& target) : program(program), target(target) {}
+  Legalizer(ir::Program& program, const Target& target);
 
   ir::Program& program;
   const Target& target;
@@ -86,11 +86,12 @@ class Legalizer {
     ByParts(expr, name, node, false);
   }
 
-  // Calls visit(ExprId) for every expression of the program, and for those that are added
-  // meanwhile.
+  // Calls visit(ExprId) for every expression of the program that a pass may change, and for those
+  // that are added meanwhile.
   template <typename OnExpr>
   void ForEach(OnExpr&& visit) {
-    for (std::uint32_t i = 0; i < program.exprs.size(); ++i) visit(ir::ExprId{i});
+    for (const ir::ExprId expr : operations_) visit(expr);
+    for (std::uint32_t i = first_new_; i < program.exprs.size(); ++i) visit(ir::ExprId{i});
   }
 
  private:
@@ -98,6 +99,8 @@ class Legalizer {
   ir::ExprId PartOf(ir::Builder b, const Node& node, ir::TypeId type, HelperBody& body, int part,
                     bool rows);
 
+  std::vector<ir::ExprId> operations_;  // of the program as it came, that a pass may change
+  std::uint32_t first_new_;             // the first expression that a pass added
   std::map<std::string, ir::FunctionId> helpers_;  // by name and types of parameters
   std::optional<ir::Effects> effects_;
   std::uint32_t effects_functions_ = 0;  // how many functions effects_ was made for
