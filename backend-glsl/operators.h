@@ -19,11 +19,6 @@ struct Operator {
 };
 const Operator& OperatorOf(ir::BinaryOp op);
 
-inline bool IsLogical(ir::BinaryOp op) { return op >= ir::BinaryOp::kLogicalAnd; }
-inline bool IsComparison(ir::BinaryOp op) { return GivesBool(op) && !IsLogical(op); }
-inline bool IsShift(ir::BinaryOp op) {
-  return op == ir::BinaryOp::kShiftLeft || op == ir::BinaryOp::kShiftRight;
-}
 inline bool IsLinear(ir::BinaryOp op) {
   return op == ir::BinaryOp::kMul || op == ir::BinaryOp::kDiv || op == ir::BinaryOp::kAdd ||
          op == ir::BinaryOp::kSub;

@@ -41,7 +41,9 @@ std::string PrintedName(DiagId id);
 std::optional<DiagId> DiagIdOf(std::string_view printed_name);
 
 namespace diag {
-using Text = std::string_view;  // for the rows of the catalogue
+// For the rows of the catalogue.
+using Text = std::string_view;
+using std::int64_t, std::size_t, std::uint32_t, std::uint64_t;
 
 // A kind of diagnostic with the types of its arguments: a wrong number or type of arguments does
 // not compile.

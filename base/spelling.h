@@ -8,8 +8,12 @@
 
 namespace clipc {
 
-// `text` with its ASCII letters in lower case.
+// ASCII letters in another case; other characters stay.
+constexpr char ToLower(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
 std::string ToLower(std::string_view text);
+std::string ToUpper(std::string_view text);
 bool EqualIgnoringCase(std::string_view a, std::string_view b);
 
 // The number of letters to insert, delete, replace or swap with their neighbour that turn one name

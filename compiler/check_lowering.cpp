@@ -30,7 +30,7 @@ ir::VarId CheckLowering(const ir::Program& program, const LoweringRequest& reque
   }
   if (request.plane_space != PlaneSpace::kObject) return {};
   const std::string& semantic = request.position_input;
-  return CheckPositionInput(program, semantic.empty() ? "POSITION0" : semantic, diagnostics);
+  return rules::CheckPositionInput(program, semantic.empty() ? "POSITION0" : semantic, diagnostics);
 }
 
 void CheckPlanesAreKept(const ir::Program& program, const LoweringRequest& request,

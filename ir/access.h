@@ -25,6 +25,11 @@ const Node* As(const Program& program, StmtId stmt) {
   return stmt ? std::get_if<Node>(&program.stmts[stmt].node) : nullptr;
 }
 
+inline TypeId TypeIdOf(const Program& program, ExprId expr) { return program.exprs[expr].type; }
+inline const Type& TypeOf(const Program& program, ExprId expr) {
+  return program.types[program.exprs[expr].type];
+}
+
 // A statement `target = value;`; null for every other statement, `target += value;` included.
 const Assign* AsAssignment(const Program& program, StmtId stmt);
 

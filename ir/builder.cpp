@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "ir/builder.h"
 
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -47,6 +48,16 @@ ExprId Builder::At(ExprId base, ExprId index) {
   if (type.kind == TypeKind::kMatrix) element = program_.types.Vector(type.scalar, type.columns);
   CLIPC_CHECK(element);
   return Add(element, Index{base, index});
+}
+
+ExprId Builder::Part(ExprId whole, std::uint32_t part) {
+  const bool is_struct = program_.types[TypeOf(whole)].kind == TypeKind::kStruct;
+  return is_struct ? Field(whole, part) : At(whole, part);
+}
+
+ExprId Builder::SwizzledRun(ExprId base, std::size_t first, std::size_t count) {
+  constexpr std::array<std::uint8_t, 4> kInOrder = {0, 1, 2, 3};
+  return Swizzled(base, std::span(kInOrder).subspan(first, count));
 }
 
 ExprId Builder::Swizzled(ExprId base, std::span<const std::uint8_t> components) {
@@ -115,11 +126,7 @@ StmtId Builder::BlockOf(std::span<const StmtId> body) {
 }
 
 VarId Builder::Local(std::string name, TypeId type) {
-  Var var;
-  var.name = std::move(name);
-  var.type = type;
-  var.span = span_;
-  return program_.vars.Add(std::move(var));
+  return program_.vars.Add({.name = std::move(name), .type = type, .span = span_});
 }
 
 ExprId Clone(Program& program, ExprId expr) {

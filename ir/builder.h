@@ -26,8 +26,11 @@ class Builder {
   ExprId Field(ExprId base, std::uint32_t field);
   ExprId At(ExprId base, ExprId index);
   ExprId At(ExprId base, std::uint32_t index) { return At(base, Uint(index)); }
+  ExprId Part(ExprId whole, std::uint32_t part);  // as TypeTable::PartType counts them
   ExprId Swizzled(ExprId base, std::initializer_list<int> components);
   ExprId Swizzled(ExprId base, std::span<const std::uint8_t> components);
+  // `count` components in a row, from the component `first` on.
+  ExprId SwizzledRun(ExprId base, std::size_t first, std::size_t count);
   ExprId UnaryOf(UnaryOp op, ExprId operand);
   ExprId BinaryOf(BinaryOp op, ExprId left, ExprId right);
   ExprId AssignTo(ExprId target, ExprId value, std::optional<BinaryOp> op = std::nullopt);

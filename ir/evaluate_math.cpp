@@ -30,8 +30,6 @@ Word Comparison(BinaryOp op, T left, T right) {
   }
 }
 
-bool IsComparison(BinaryOp op) { return op >= BinaryOp::kLess && op <= BinaryOp::kNotEqual; }
-
 // One rounding for each operator: a product is stored before it is used.
 template <typename T>
 T TruncatedRemainder(T x, T y) {

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "base/arena.h"
+#include "base/operators.h"
 #include "base/span.h"
 #include "ir/ids.h"
 #include "ir/intrinsic.h"
@@ -49,17 +50,9 @@ struct MatrixSwizzle {
   std::array<std::uint8_t, 4> rows{}, columns{};
   std::uint8_t count = 0;
 };
-enum class UnaryOp : std::uint8_t {
-  kNegate,
-  kNot,  // of bool shapes
-  kComplement,
-  // These change their operand, an lvalue of an int, uint or float shape.
-  kPreIncrement,
-  kPreDecrement,
-  kPostIncrement,
-  kPostDecrement,
-};
-constexpr bool ChangesOperand(UnaryOp op) { return op >= UnaryOp::kPreIncrement; }
+// kNot is of bool shapes. The operators that change their operand take an lvalue of an int, uint or
+// float shape.
+using clipc::UnaryOp;
 struct Unary {
   UnaryOp op = UnaryOp::kNegate;
   ExprId operand;
@@ -68,34 +61,7 @@ struct Unary {
 // Comparisons and logical operators give bool of that shape. kMod of floats is fmod: the result has
 // the sign of the dividend. Shift counts are taken modulo 32. The logical operators evaluate both
 // sides, as HLSL before 2021 does; the short-circuit forms are for scalars (HLSL 2021).
-enum class BinaryOp : std::uint8_t {
-  kMul,
-  kDiv,
-  kMod,
-  kAdd,
-  kSub,
-  kShiftLeft,
-  kShiftRight,
-  kLess,
-  kGreater,
-  kLessEqual,
-  kGreaterEqual,
-  kEqual,
-  kNotEqual,
-  kBitAnd,
-  kBitXor,
-  kBitOr,
-  kLogicalAnd,
-  kLogicalOr,
-  kShortCircuitAnd,
-  kShortCircuitOr,
-};
-// Whether the operator is a comparison or a logical one.
-constexpr bool GivesBool(BinaryOp op) {
-  return (op >= BinaryOp::kLess && op <= BinaryOp::kNotEqual) || op >= BinaryOp::kLogicalAnd;
-}
-// Whether the right side is evaluated only when the left one does not decide.
-constexpr bool IsShortCircuit(BinaryOp op) { return op >= BinaryOp::kShortCircuitAnd; }
+using clipc::BinaryOp;
 struct Binary {
   BinaryOp op = BinaryOp::kMul;
   ExprId left, right;

@@ -15,11 +15,9 @@
 namespace clipc::ir {
 namespace {
 
-const char* TextOf(BinaryOp op) {
-  static constexpr const char* kTexts[] = {"*", "/", "%",  "+",  "-",        "<<",     ">>",
-                                           "<", ">", "<=", ">=", "==",       "!=",     "&",
-                                           "^", "|", "&&", "||", "and_then", "or_else"};
-  return NameIn(kTexts, op);
+std::string_view TextOf(BinaryOp op) {
+  if (!IsShortCircuit(op)) return SpellingOf(op);
+  return op == BinaryOp::kShortCircuitAnd ? "and_then" : "or_else";
 }
 
 const char* TextOf(ObjectOp op) {
@@ -180,9 +178,8 @@ void Printer::Put(Operand operand) {
 }
 
 void Printer::PutUnary(const Unary& node) {
-  static constexpr const char* kTexts[] = {"-", "!", "~", "++", "--", "++", "--"};
-  const char* text = NameIn(kTexts, node.op);
-  const bool is_post = node.op == UnaryOp::kPostIncrement || node.op == UnaryOp::kPostDecrement;
+  const std::string_view text = SpellingOf(node.op);
+  const bool is_post = IsPostfix(node.op);
   Put(is_post ? "" : text, Operand{node.operand}, is_post ? text : "");
 }
 

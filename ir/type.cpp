@@ -77,6 +77,22 @@ TypeId TypeTable::Intern(const Type& type) {
   return entry->second;
 }
 
+std::uint32_t TypeTable::PartCount(TypeId id) const {
+  const Type& type = (*this)[id];
+  switch (type.kind) {
+    case TypeKind::kMatrix: return type.rows;
+    case TypeKind::kArray: return type.count;
+    case TypeKind::kStruct: return static_cast<std::uint32_t>(StructOf(id).fields.size());
+    default: return 0;
+  }
+}
+
+TypeId TypeTable::PartType(TypeId id, std::uint32_t part) {
+  const Type type = (*this)[id];
+  if (type.kind == TypeKind::kMatrix) return Vector(type.scalar, type.columns);
+  return type.kind == TypeKind::kStruct ? StructOf(id).fields[part].type : type.element;
+}
+
 std::string TypeTable::Name(TypeId id) const {
   using enum TypeKind;
   if (!id) return "<none>";

@@ -43,10 +43,12 @@ constexpr bool IsInteger(Scalar kind) { return !IsFloat(kind) && kind != Scalar:
 constexpr bool IsUnsigned(Scalar kind) {
   return BaseOf(kind) == Scalar::kUint || BaseOf(kind) == Scalar::kUint64;
 }
-// The bytes of a component in a buffer.
-constexpr std::uint32_t ByteSize(Scalar kind) {
-  return kind == Scalar::kDouble || kind == Scalar::kInt64 || kind == Scalar::kUint64 ? 8 : 4;
+// 64 bits rather than 32.
+constexpr bool IsWide(Scalar kind) {
+  return kind == Scalar::kDouble || kind == Scalar::kInt64 || kind == Scalar::kUint64;
 }
+// The bytes of a component in a buffer.
+constexpr std::uint32_t ByteSize(Scalar kind) { return IsWide(kind) ? 8 : 4; }
 const char* NameOf(Scalar kind);  // HLSL's spelling
 
 enum class TypeKind : std::uint8_t {
@@ -81,6 +83,7 @@ struct Type {
   bool IsNumeric() const {
     return kind == TypeKind::kScalar || kind == TypeKind::kVector || kind == TypeKind::kMatrix;
   }
+  bool IsScalarOrVector() const { return kind == TypeKind::kScalar || kind == TypeKind::kVector; }
   std::uint32_t Components() const { return IsNumeric() ? std::uint32_t{rows} * columns : 0; }
   friend bool operator==(const Type&, const Type&) = default;
 };
@@ -149,6 +152,10 @@ class TypeTable {
     while ((*this)[id].kind == TypeKind::kArray) id = (*this)[id].element;
     return id;
   }
+  // The parts of a value are the rows of a matrix, the elements of an array or the fields of a
+  // struct; a scalar, a vector and an object have none.
+  std::uint32_t PartCount(TypeId id) const;
+  TypeId PartType(TypeId id, std::uint32_t part);
   const Arena<Struct>& structs() const { return structs_; }
 
   // HLSL's spelling: "float4x3", "Light[3]", "Texture2D<float4>".

@@ -27,11 +27,11 @@ enum class Storage : std::uint8_t {
 
 struct Var {
   std::string name;  // as written; the back end makes it legal and unique
-  TypeId type;
+  TypeId type = {};
   Storage storage = Storage::kLocal;
-  Span span;
-  ExprId init;        // of kStatic and kConstant
-  CbufferId cbuffer;  // of kUniform
+  Span span = {};
+  ExprId init = {};        // of kStatic and kConstant
+  CbufferId cbuffer = {};  // of kUniform
   bool row_major = false;
   bool precise = false;
 };

@@ -21,8 +21,6 @@ bool IsBounded(const Program& program, ExprId count) {
   return mask && mask->op == BinaryOp::kBitAnd && IsBounded(program, mask->right);
 }
 
-bool IsShift(BinaryOp op) { return op == BinaryOp::kShiftLeft || op == BinaryOp::kShiftRight; }
-
 std::string_view BrokenBy(const Program& program, BinaryOp op, const Type& type, ExprId right) {
   using enum BinaryOp;
   const bool is_linear = op == kMul || op == kDiv || op == kAdd || op == kSub;

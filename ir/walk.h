@@ -71,47 +71,54 @@ void MapOperands(Program& program, ExprId expr, Map&& map) {
   program.exprs[expr].node = changed;
 }
 
-// Calls on_expr(ExprId) for the expressions and on_stmt(StmtId) for the statements directly in
-// `stmt`, in the order of the text. Absent ones (an If without else, a For without step) are not
-// visited.
-template <typename OnExpr, typename OnStmt>
-void ForEachPart(const Program& program, StmtId stmt, OnExpr&& on_expr, OnStmt&& on_stmt) {
-  const auto expr = [&](ExprId id) {
+// Calls expr(ExprId) and part(StmtId) for the expressions and statements that `stmt` holds itself,
+// references that are as const as `stmt`, list(List<StmtId>) for its lists of statements and
+// cases(List<SwitchCase>) for those of a Switch, in the order of the text. Absent expressions and
+// statements (an If without else, a For without step) are not visited.
+template <OneOf<Stmt> MaybeConst, typename OnExpr, typename OnPart, typename OnList,
+          typename OnCases>
+void ForEachPartSlot(MaybeConst& stmt, OnExpr&& on_expr, OnPart&& on_part, OnList&& list,
+                     OnCases&& cases) {
+  const auto expr = [&](auto& id) {
     if (id) on_expr(id);
   };
+  const auto part = [&](auto& id) {
+    if (id) on_part(id);
+  };
+  Visit(Overloaded{
+            [&](OneOf<Block> auto& node) { list(node.body); },
+            [&](OneOf<Declare> auto& node) { expr(node.init); },
+            [&](OneOf<Evaluate> auto& node) { expr(node.expr); },
+            [&](OneOf<If> auto& node) {
+              expr(node.condition), part(node.then), part(node.otherwise);
+            },
+            [&](OneOf<For> auto& node) {
+              list(node.init), expr(node.condition), expr(node.step), part(node.body);
+            },
+            [&](OneOf<While> auto& node) { expr(node.condition), part(node.body); },
+            [&](OneOf<DoWhile> auto& node) { part(node.body), expr(node.condition); },
+            [&](OneOf<Switch> auto& node) { expr(node.value), cases(node.cases); },
+            [&](OneOf<Return> auto& node) { expr(node.value); },
+            [](OneOf<Break, Continue> auto&) {},
+        },
+        stmt.node);
+}
+
+// Calls on_expr(ExprId) for the expressions and on_stmt(StmtId) for the statements directly in
+// `stmt`, in the order of the text. Absent ones are not visited.
+template <typename OnExpr, typename OnStmt>
+void ForEachPart(const Program& program, StmtId stmt, OnExpr&& on_expr, OnStmt&& on_stmt) {
   const auto list = [&](List<StmtId> stmts) {
     for (std::uint32_t i = 0; i < stmts.size; ++i) on_stmt(program.stmt_lists[stmts][i]);
   };
-  Visit(Overloaded{
-            [&](const Block& node) { list(node.body); },
-            [&](const Declare& node) { expr(node.init); },
-            [&](const Evaluate& node) { expr(node.expr); },
-            [&](const If& node) {
-              expr(node.condition);
-              on_stmt(node.then);
-              if (node.otherwise) on_stmt(node.otherwise);
-            },
-            [&](const For& node) {
-              list(node.init);
-              expr(node.condition), expr(node.step);
-              on_stmt(node.body);
-            },
-            [&](const While& node) { expr(node.condition), on_stmt(node.body); },
-            [&](const DoWhile& node) { on_stmt(node.body), expr(node.condition); },
-            [&](const Switch& node) {
-              expr(node.value);
-              for (std::uint32_t i = 0; i < node.cases.size; ++i) {
-                const SwitchCase arm = program.switch_cases[node.cases][i];
-                for (std::uint32_t l = 0; l < arm.labels.size; ++l)
-                  expr(program.expr_lists[arm.labels][l]);
-                list(arm.body);
-              }
-            },
-            [&](const Return& node) { expr(node.value); },
-            [](const Break&) {},
-            [](const Continue&) {},
-        },
-        program.stmts[stmt].node);
+  ForEachPartSlot(program.stmts[stmt], on_expr, on_stmt, list, [&](List<SwitchCase> cases) {
+    for (std::uint32_t i = 0; i < cases.size; ++i) {
+      const SwitchCase arm = program.switch_cases[cases][i];
+      for (std::uint32_t l = 0; l < arm.labels.size; ++l)
+        on_expr(program.expr_lists[arm.labels][l]);
+      list(arm.body);
+    }
+  });
 }
 
 // Calls visit(StmtId) for `stmt` and every statement in it, outer ones first.

@@ -63,12 +63,9 @@ static std::uint32_t FreeLocation(const Program& program) {
 }
 
 VarId AddOutput(Program& program, Builtin builtin, std::string name, TypeId type) {
-  Var var;
-  var.name = std::move(name);
-  var.type = type;
-  var.storage = Storage::kOutput;
   IoVar output;
-  output.var = program.vars.Add(std::move(var));
+  output.var =
+      program.vars.Add({.name = std::move(name), .type = type, .storage = Storage::kOutput});
   output.builtin = builtin;
   if (builtin == Builtin::kClipDistance) output.semantic = "SV_ClipDistance";
   if (builtin == Builtin::kNone) output.location = FreeLocation(program);

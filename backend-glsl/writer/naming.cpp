@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "backend-glsl/writer/naming.h"
 
-#include <algorithm>
 #include <map>
 #include <set>
 #include <string_view>
 
 #include "backend-glsl/text.h"
 #include "backend-glsl/writer/types.h"
+#include "base/spelling.h"
 
 namespace clipc::glsl {
 
@@ -15,23 +15,16 @@ using namespace ir;
 
 namespace {
 
-// Semantics compare without case, and stages meet by name: one spelling for all.
-std::string UpperCase(std::string text) {
-  std::ranges::transform(text, text.begin(), [](char c) {
-    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-  });
-  return text;
-}
-
 void NameGlobal(Context& context, VarId var) {
   context.var_names[var.index] = context.namer.Global(context[var].name);
 }
 
+// Semantics compare without case, and stages meet by name: one spelling for all.
 void NameInterface(Context& context, const std::vector<IoVar>& variables, const char* prefix) {
   for (const IoVar& io : variables) {
     if (io.builtin != Builtin::kNone) continue;
     context.var_names[io.var.index] =
-        context.namer.Global(prefix + UpperCase(io.semantic) + std::to_string(io.index));
+        context.namer.Global(prefix + ToUpper(io.semantic) + std::to_string(io.index));
   }
 }
 

@@ -9,26 +9,25 @@
 namespace clipc::check {
 
 // Makes the variable one that cannot be assigned to.
-void MarkConst(Context& context, ir::VarId var);
-bool IsConstVar(const Context& context, ir::VarId var);
+void MarkConst(Context& context, VarId var);
+bool IsConstVar(const Context& context, VarId var);
 // Whether the expression can be assigned to. Reports why it cannot.
-bool CheckTarget(Context& context, ir::ExprId target);
+bool CheckTarget(Context& context, ExprId target);
 // The read of a writable object that a path of fields, indices and swizzles starts at, `buffer[i]`
 // in `buffer[i].x`; none for other expressions.
-ir::ExprId ElementIn(const Context& context, ir::ExprId expr);
+ExprId ElementIn(const Context& context, ExprId expr);
 // Turns such a read into a variable that holds what was read, so that its parts can be changed in
 // place. Returns the store of the variable into the object. `prologue` must come before.
-ir::ExprId ChangeElement(Context& context, ir::ExprId element, Exprs& prologue);
+ExprId ChangeElement(Context& context, ExprId element, Exprs& prologue);
 // The path with every index that has side effects replaced by a temporary, so that the path can be
 // cloned.
-ir::ExprId Stabilize(Context& context, ir::ExprId path, Exprs& prologue);
+ExprId Stabilize(Context& context, ExprId path, Exprs& prologue);
 // Every assignment `left op= right`.
-ir::ExprId CheckAssign(Context& context, const ast::AssignExpr& expr, Span span);
+ExprId CheckNode(Context& context, const ast::AssignExpr& expr, Span span);
 // target op= value. Where the operator works on another type than the target's, this is target =
 // (T)(target op value).
-ir::ExprId AssignCompound(Context& context, ast::BinaryOp op, ir::ExprId target, ir::ExprId value,
-                          Span span);
+ExprId AssignCompound(Context& context, BinaryOp op, ExprId target, ExprId value, Span span);
 // target = value; both have the same type.
-ir::ExprId StoreTo(Context& context, ir::ExprId target, ir::ExprId value, Span span);
+ExprId StoreTo(Context& context, ExprId target, ExprId value, Span span);
 
 }  // namespace clipc::check

@@ -16,8 +16,8 @@ namespace {
 void CheckBody(Context& context, FunctionInfoId id) {
   const FunctionInfo info = context[id];
   const ast::FunctionDecl& decl = DeclOf(context, info);
-  const ir::Function& function = context[info.function];
-  const std::vector<ir::VarId> vars = function.parameters;
+  const Function& function = context[info.function];
+  const std::vector<VarId> vars = function.parameters;
   Body body;
   body.function = info.function;
   body.return_type = info.return_type;
@@ -42,10 +42,10 @@ void CheckBody(Context& context, FunctionInfoId id) {
     const ScopeTable::LocalScope body_scope(context.names);
     CheckStmts(context, context.Get<ast::BlockStmt>(decl.body).body);
   }
-  std::vector<ir::StmtId> stmts = std::move(body.hoisted);
-  const std::vector<ir::StmtId> checked = TakeStmts(context, mark);
+  std::vector<StmtId> stmts = std::move(body.hoisted);
+  const std::vector<StmtId> checked = TakeStmts(context, mark);
   stmts.insert(stmts.end(), checked.begin(), checked.end());
-  const ir::StmtId block = context.At(context[decl.body].span).BlockOf(stmts);
+  const StmtId block = context.At(context[decl.body].span).BlockOf(stmts);
   context[info.function].body = block;
   const bool is_whole = context.diagnostics.error_count() == errors_before;
   if (is_whole && info.return_type != context.types.Void() && FallsThrough(context, block)) {
@@ -56,32 +56,28 @@ void CheckBody(Context& context, FunctionInfoId id) {
 
 }  // namespace
 
-ir::FunctionId Reach(Context& context, FunctionInfoId id) {
+FunctionId Reach(Context& context, FunctionInfoId id) {
   FunctionInfo& info = context[id];
   if (info.function) return info.function;
   const ast::FunctionDecl& decl = DeclOf(context, info);
-  ir::Function function;
+  Function function;
   function.name = context[decl.name];
   function.return_type = info.return_type;
   function.span = decl.name_span;
   if (info.self) {
-    const ir::Storage storage = info.changes_self ? ir::Storage::kInOut : ir::Storage::kIn;
-    ir::Var self;
-    self.name = "self";
-    self.type = info.self;
-    self.storage = storage;
-    self.span = decl.name_span;
-    function.parameters.push_back(context.program.vars.Add(std::move(self)));
+    const Storage storage = info.changes_self ? Storage::kInOut : Storage::kIn;
+    function.parameters.push_back(context.program.vars.Add(
+        {.name = "self", .type = info.self, .storage = storage, .span = decl.name_span}));
     if (!info.changes_self) MarkConst(context, function.parameters.back());
   }
   for (const Parameter& parameter : context[info.parameters]) {
     const auto& var = context.Get<ast::VarDecl>(parameter.decl);
     const Span span = var.name ? var.name_span : context[parameter.decl].span;
-    const ir::VarId added =
+    const VarId added =
         AddVar(context, var.name ? var.name : Name{}, parameter.type, parameter.storage, span);
     if (!var.name) context[added].name = "unused";
     context[added].precise = (var.qualifiers & ast::kPrecise) != 0;
-    if ((var.qualifiers & ast::kConst) && parameter.storage == ir::Storage::kIn)
+    if ((var.qualifiers & ast::kConst) && parameter.storage == Storage::kIn)
       MarkConst(context, added);
     function.parameters.push_back(added);
   }
@@ -121,7 +117,7 @@ void CheckRecursion(Context& context) {
       }
       const Overloads::CallEdge& edge = calls[step.function][step.next++];
       if (state[edge.callee.index] == kOpen) {
-        const ir::Function& callee = context[edge.callee];
+        const Function& callee = context[edge.callee];
         context.Report(edge.span, diag::Recursion, callee.name)
             .Note(callee.span, diag::DeclaredHere, callee.name);
       } else if (state[edge.callee.index] == kNew) {

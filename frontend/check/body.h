@@ -6,7 +6,7 @@
 namespace clipc::check {
 
 // The function of the program. Its body waits to be checked after the first call.
-ir::FunctionId Reach(Context& context, FunctionInfoId id);
+FunctionId Reach(Context& context, FunctionInfoId id);
 // Checks the bodies that wait, and those that they reach in turn.
 void CheckBodies(Context& context);
 // Reports functions that call themselves, directly or through others.

@@ -13,26 +13,26 @@ namespace {
 void ResolveMember(Context& context, Buffer& buffer, SymbolId id) {
   Symbol& symbol = context[id];
   const auto& var = context.Get<ast::VarDecl>(symbol.decl);
-  if (buffer.kind == ir::CbufferKind::kGlobals &&
+  if (buffer.kind == CbufferKind::kGlobals &&
       (symbol.resolution == Resolution::kDone || IsConstantBuffer(context, var)))
     return;
-  const ir::TypeId type = ResolveVarType(context, var);
+  const TypeId type = ResolveVarType(context, var);
   if (context.IsError(type) || type == context.types.String()) return;
   if (HoldsObjects(context, type)) {
-    if (buffer.kind == ir::CbufferKind::kGlobals) return;
+    if (buffer.kind == CbufferKind::kGlobals) return;
     return ResolveObject(context, id, var, type);
   }
   const ast::Qualifiers qualifiers = QualifiersOf(context, var);
-  const ir::VarId result = AddVar(context, var.name, type, ir::Storage::kUniform, symbol.span);
+  const VarId result = AddVar(context, var.name, type, Storage::kUniform, symbol.span);
   context[result].row_major = IsRowMajor(context, qualifiers);
   MarkConst(context, result);
   symbol.owner =
-      (buffer.kind == ir::CbufferKind::kGlobals ? context.globals.buffer.index : symbol.owner);
+      (buffer.kind == CbufferKind::kGlobals ? context.globals.buffer.index : symbol.owner);
   symbol.is_const = (qualifiers & ast::kConst) != 0;
   symbol.Resolve(result.index);
 }
 
-void FinishMember(Context& context, const ast::VarDecl& var, ir::CbufferMember& member) {
+void FinishMember(Context& context, const ast::VarDecl& var, CbufferMember& member) {
   constexpr std::uint32_t kRow = 16, kMaxRow = 65536;
   if (var.packoffset && var.packoffset->reg < kMaxRow) {
     member.offset = var.packoffset->reg * kRow + var.packoffset->component * 4;
@@ -46,21 +46,21 @@ void FinishMember(Context& context, const ast::VarDecl& var, ir::CbufferMember& 
 }
 
 // The number of elements of an array: 6 for T[2][3], 1 for T.
-std::uint32_t CountOfArray(const Context& context, ir::TypeId type) {
+std::uint32_t CountOfArray(const Context& context, TypeId type) {
   std::uint32_t count = 1;
-  for (; context[type].kind == ir::TypeKind::kArray; type = context[type].element) {
+  for (; context[type].kind == TypeKind::kArray; type = context[type].element) {
     count *= context[type].count;
   }
   return count;
 }
 
 void FinishBuffer(Context& context, const Buffer& buffer) {
-  ir::Cbuffer result;
+  Cbuffer result;
   result.kind = buffer.kind;
   List<ast::RegisterBinding> registers;
-  if (buffer.kind == ir::CbufferKind::kGlobals) {
+  if (buffer.kind == CbufferKind::kGlobals) {
     result.name = "$Globals";
-  } else if (buffer.kind == ir::CbufferKind::kParams) {
+  } else if (buffer.kind == CbufferKind::kParams) {
     result.name = "$Params";
   } else if (const auto* decl = context.GetIf<ast::BufferDecl>(buffer.decl)) {
     result.name = context[decl->name];
@@ -72,24 +72,24 @@ void FinishBuffer(Context& context, const Buffer& buffer) {
     result.span = var.name_span;
     registers = var.registers;
   }
-  const bool is_texture = buffer.kind == ir::CbufferKind::kTbuffer;
+  const bool is_texture = buffer.kind == CbufferKind::kTbuffer;
   result.reg = is_texture ? RegisterOf(context, registers, 't', "t")
                           : RegisterOf(context, registers, 'b', "b");
-  const ir::CbufferId id{context.program.cbuffers.size()};
+  const CbufferId id{context.program.cbuffers.size()};
   result.members.reserve(buffer.members.size());
   for (SymbolId symbol : buffer.members) {
     const bool is_member =
         context[symbol].value != ~0u && context[symbol].kind == SymbolKind::kVariable;
-    const ir::VarId var{context[symbol].value};
-    if (!is_member || context[var].storage != ir::Storage::kUniform) continue;
-    if (buffer.kind == ir::CbufferKind::kGlobals &&
+    const VarId var{context[symbol].value};
+    if (!is_member || context[var].storage != Storage::kUniform) continue;
+    if (buffer.kind == CbufferKind::kGlobals &&
         context[symbol].owner != context.globals.buffer.index)
       continue;
-    ir::CbufferMember member;
+    CbufferMember member;
     member.var = var;
     FinishMember(context, context.Get<ast::VarDecl>(context[symbol].decl), member);
     context[var].cbuffer = id;
-    if (buffer.kind == ir::CbufferKind::kConstantBuffer) {
+    if (buffer.kind == CbufferKind::kConstantBuffer) {
       result.count = CountOfArray(context, context[var].type);
       member.has_packoffset = false;
     }
@@ -112,8 +112,8 @@ void ResolveConstantBuffer(Context& context, SymbolId id, const ast::VarDecl& va
   Buffer buffer;
   buffer.decl = context[id].decl;
   buffer.kind = context[context[var.type].name.name] == "ConstantBuffer"
-                    ? ir::CbufferKind::kConstantBuffer
-                    : ir::CbufferKind::kTbuffer;
+                    ? CbufferKind::kConstantBuffer
+                    : CbufferKind::kTbuffer;
   buffer.scope = context[id].scope;
   buffer.order = OrderOf(context, id);
   buffer.members.push_back(id);
@@ -129,7 +129,7 @@ void ReachBuffer(Context& context, BufferId id) {
   for (std::size_t i = 0; i < buffer.members.size(); ++i) {
     const SymbolId member = buffer.members[i];
     View view = ViewOf(context, member);
-    if (buffer.kind == ir::CbufferKind::kCbuffer || buffer.kind == ir::CbufferKind::kTbuffer)
+    if (buffer.kind == CbufferKind::kCbuffer || buffer.kind == CbufferKind::kTbuffer)
       view.order = buffer.order;
     const ViewSwitch in(context, view);
     ResolveMember(context, buffer, member);

@@ -34,7 +34,7 @@ SymbolId FindFunction(Context& context, const ast::QualifiedName& name) {
 
 // The functions of a name, and those instances of templates of that name that the arguments
 // determine.
-std::vector<FunctionInfoId> CandidatesOf(Context& context, SymbolId symbol, ir::TypeId self,
+std::vector<FunctionInfoId> CandidatesOf(Context& context, SymbolId symbol, TypeId self,
                                          List<ast::ExprId> explicit_arguments, ExprSpan arguments) {
   std::vector<FunctionInfoId> candidates;
   if (explicit_arguments.empty()) candidates = OverloadsOf(context, symbol, self);
@@ -48,8 +48,8 @@ std::vector<FunctionInfoId> CandidatesOf(Context& context, SymbolId symbol, ir::
   return candidates;
 }
 
-ir::ExprId CallNamed(Context& context, const ast::NameExpr& name, Span name_span,
-                     const ast::CallExpr& expr, Span span) {
+ExprId CallNamed(Context& context, const ast::NameExpr& name, Span name_span,
+                 const ast::CallExpr& expr, Span span) {
   const bool is_plain = name.name.scopes.empty() && !name.name.from_global;
   const bool is_intrinsic = is_plain && IsIntrinsicName(context[name.name.name]);
   SymbolId symbol = Find(context, name.name);
@@ -75,10 +75,10 @@ ir::ExprId CallNamed(Context& context, const ast::NameExpr& name, Span name_span
   }
   if (!ok) return context.ErrorExpr(span);
   if (!symbol) return call_intrinsic();
-  const ir::VarId self = context.view.body ? context.view.body->self : ir::VarId{};
+  const VarId self = context.view.body ? context.view.body->self : VarId{};
   const bool is_method = context[context[symbol].scope].kind == ScopeKind::kStruct;
   const std::vector<FunctionInfoId> overloads =
-      CandidatesOf(context, symbol, is_method && self ? context[self].type : ir::TypeId{},
+      CandidatesOf(context, symbol, is_method && self ? context[self].type : TypeId{},
                    name.arguments, arguments);
   const Choice choice = ChooseOverload(context, overloads, arguments, name.name.name, name_span);
   if (choice.reported) return context.ErrorExpr(span);
@@ -89,7 +89,7 @@ ir::ExprId CallNamed(Context& context, const ast::NameExpr& name, Span name_span
     ReportNoOverload(context, overloads, arguments, name.name.name, name_span);
     return context.ErrorExpr(span);
   }
-  ir::ExprId object;
+  ExprId object;
   if (context[choice.function].self) {
     if (!self) return context.Fail(name_span, diag::FieldWithoutObject, context[name.name.name]);
     object = context.At(name_span).Ref(self);
@@ -98,15 +98,14 @@ ir::ExprId CallNamed(Context& context, const ast::NameExpr& name, Span name_span
 }
 
 // buffer.Load<float3>(address) of HLSL 6.2: the bits, taken for that type.
-ir::ExprId CallTemplatedLoad(Context& context, const ast::MemberExpr& member, ir::ExprId object,
-                             ExprSpan arguments, Span span) {
-  const ir::TypeId type_id = TypeArgument(context, context[member.arguments][0]);
-  const ir::Type type = context[type_id];
+ExprId CallTemplatedLoad(Context& context, const ast::MemberExpr& member, ExprId object,
+                         ExprSpan arguments, Span span) {
+  const TypeId type_id = TypeArgument(context, context[member.arguments][0]);
+  const Type type = context[type_id];
   if (context.IsError(type_id)) return context.ErrorExpr(span);
-  const ir::Scalar base = ir::BaseOf(type.scalar);
-  const bool is_word =
-      base == ir::Scalar::kFloat || base == ir::Scalar::kInt || base == ir::Scalar::kUint;
-  const bool fits = type.IsNumeric() && type.kind != ir::TypeKind::kMatrix && is_word &&
+  const Scalar base = BaseOf(type.scalar);
+  const bool is_word = base == Scalar::kFloat || base == Scalar::kInt || base == Scalar::kUint;
+  const bool fits = type.IsNumeric() && type.kind != TypeKind::kMatrix && is_word &&
                     context[member.name] == "Load";
   if (!fits) {
     return context.Fail(member.name_span, diag::Unsupported,
@@ -114,25 +113,25 @@ ir::ExprId CallTemplatedLoad(Context& context, const ast::MemberExpr& member, ir
                                     context.TypeName(type_id)));
   }
   constexpr std::string_view kMethods[] = {"Load", "Load2", "Load3", "Load4"};
-  const ir::ExprId words =
+  const ExprId words =
       CheckMethodCall(context.program, object, kMethods[type.columns - 1], member.name_span,
                       arguments, span, context, context.diagnostics);
-  if (context.IsError(words) || base == ir::Scalar::kUint) return words;
-  const ir::ExprId operand[] = {words};
-  const std::string_view cast = base == ir::Scalar::kFloat ? "asfloat" : "asint";
-  const ir::ExprId value = CheckIntrinsicCall(context.program, cast, member.name_span, operand,
-                                              span, context, context.diagnostics);
+  if (context.IsError(words) || base == Scalar::kUint) return words;
+  const ExprId operand[] = {words};
+  const std::string_view cast = base == Scalar::kFloat ? "asfloat" : "asint";
+  const ExprId value = CheckIntrinsicCall(context.program, cast, member.name_span, operand, span,
+                                          context, context.diagnostics);
   return Implicit(context, value, type_id);
 }
 
-ir::ExprId CallMember(Context& context, const ast::MemberExpr& member, const ast::CallExpr& expr,
-                      Span span) {
-  const ir::ExprId object = CheckExpr(context, member.base);
+ExprId CallMember(Context& context, const ast::MemberExpr& member, const ast::CallExpr& expr,
+                  Span span) {
+  const ExprId object = CheckExpr(context, member.base);
   Exprs arguments;
   const bool ok = CheckArguments(context, expr.arguments, arguments);
   if (context.IsError(object) || !ok) return context.ErrorExpr(span);
-  const ir::TypeId type = context.TypeIdOf(object);
-  if (context[type].kind == ir::TypeKind::kObject) {
+  const TypeId type = context.TypeIdOf(object);
+  if (context[type].kind == TypeKind::kObject) {
     if (!member.arguments.empty())
       return CallTemplatedLoad(context, member, object, arguments, span);
     return CheckMethodCall(context.program, object, context[member.name], member.name_span,
@@ -155,37 +154,36 @@ ir::ExprId CallMember(Context& context, const ast::MemberExpr& member, const ast
     ReportNoOverload(context, overloads, arguments, member.name, member.name_span);
     return context.ErrorExpr(span);
   }
-  const ir::ExprId self = context[choice.function].self ? object : ir::ExprId{};
+  const ExprId self = context[choice.function].self ? object : ExprId{};
   return CallFunction(context, choice.function, self, std::move(arguments), member.name_span, span);
 }
 
-bool IsInterface(const Context& context, ir::TypeId type) {
+bool IsInterface(const Context& context, TypeId type) {
   const StructInfo* info = InfoOf(context, type);
   return info && context.Get<ast::StructDecl>(info->decl).kind == ast::StructKind::kInterface;
 }
 
 // A temporary that is written before it is read.
-ir::VarId MakeEmpty(Context& context, ir::TypeId type, Span span) {
-  const ir::VarId var = context.At(span).Local("temporary", type);
+VarId MakeEmpty(Context& context, TypeId type, Span span) {
+  const VarId var = context.At(span).Local("temporary", type);
   if (context.view.body) context.view.body->temporaries.push_back(var);
   return var;
 }
 
-ir::ExprId BindArgument(Context& context, const Parameter& parameter, ir::ExprId argument,
-                        Exprs& before, Exprs& after) {
-  if (parameter.storage == ir::Storage::kIn) return Implicit(context, argument, parameter.type);
+ExprId BindArgument(Context& context, const Parameter& parameter, ExprId argument, Exprs& before,
+                    Exprs& after) {
+  if (parameter.storage == Storage::kIn) return Implicit(context, argument, parameter.type);
   const Span span = context[argument].span;
   if (!CheckTarget(context, argument)) return context.ErrorExpr(span);
-  const bool is_swizzle = context.Is<ir::MatrixSwizzle>(argument);
+  const bool is_swizzle = context.Is<MatrixSwizzle>(argument);
   if (context.TypeIdOf(argument) == parameter.type && !is_swizzle) return argument;
   // f(x) => (t = (P)x, f(t), x = (X)t)
-  ir::Builder at = context.At(span);
+  Builder at = context.At(span);
   argument = Stabilize(context, argument, before);
-  const ir::ExprId initial =
-      parameter.storage == ir::Storage::kInOut
-          ? Implicit(context, ir::Clone(context.program, argument), parameter.type)
-          : ir::ExprId{};
-  ir::VarId copy;
+  const ExprId initial = parameter.storage == Storage::kInOut
+                             ? Implicit(context, Clone(context.program, argument), parameter.type)
+                             : ExprId{};
+  VarId copy;
   if (initial) {
     if (context.IsError(initial)) return initial;
     const TemporaryMaker::Temporary temporary = context.Make(initial);
@@ -194,7 +192,7 @@ ir::ExprId BindArgument(Context& context, const Parameter& parameter, ir::ExprId
   } else {
     copy = MakeEmpty(context, parameter.type, span);
   }
-  const ir::ExprId result = Implicit(context, at.Ref(copy), context.TypeIdOf(argument));
+  const ExprId result = Implicit(context, at.Ref(copy), context.TypeIdOf(argument));
   if (context.IsError(result)) return result;
   after.push_back(StoreTo(context, argument, result, span));
   return at.Ref(copy);
@@ -202,16 +200,15 @@ ir::ExprId BindArgument(Context& context, const Parameter& parameter, ir::ExprId
 
 // The object that a method is called on. When the method may change it and nothing can be assigned
 // to it, a copy.
-ir::ExprId BindSelf(Context& context, const FunctionInfo& function, ir::ExprId self,
-                    Exprs& before) {
+ExprId BindSelf(Context& context, const FunctionInfo& function, ExprId self, Exprs& before) {
   if (!function.changes_self) return self;
-  const ir::VarId root = ir::RootOf(context.program, self);
+  const VarId root = RootOf(context.program, self);
   const bool is_changeable =
-      root && !IsConstVar(context, root) && context[root].storage != ir::Storage::kUniform;
+      root && !IsConstVar(context, root) && context[root].storage != Storage::kUniform;
   return is_changeable ? self : Hoist(context, self, before);
 }
 
-ir::ExprId DefaultArgument(Context& context, const FunctionInfo& function, std::uint32_t index) {
+ExprId DefaultArgument(Context& context, const FunctionInfo& function, std::uint32_t index) {
   const Parameter parameter = context[function.parameters][index];
   const auto& var = context.Get<ast::VarDecl>(parameter.with_default);
   const ViewSwitch in(context, {.scope = function.scope,
@@ -221,24 +218,24 @@ ir::ExprId DefaultArgument(Context& context, const FunctionInfo& function, std::
   return CheckInit(context, var.init, parameter.type);
 }
 
-ir::ExprId FinishCall(Context& context, ir::ExprId call, ExprSpan before, ExprSpan after) {
+ExprId FinishCall(Context& context, ExprId call, ExprSpan before, ExprSpan after) {
   Exprs steps(before.begin(), before.end());
   if (after.empty()) return WithPrologue(context, steps, call);
   if (context.TypeIdOf(call) == context.types.Void()) {
     steps.push_back(call);
     steps.insert(steps.end(), after.begin(), after.end());
-    const ir::ExprId last = steps.back();
+    const ExprId last = steps.back();
     steps.pop_back();
     return WithPrologue(context, steps, last);
   }
-  const ir::ExprId result = Hoist(context, call, steps);
+  const ExprId result = Hoist(context, call, steps);
   steps.insert(steps.end(), after.begin(), after.end());
   return WithPrologue(context, steps, result);
 }
 
 }  // namespace
 
-ir::ExprId CheckCall(Context& context, const ast::CallExpr& expr, Span span) {
+ExprId CheckNode(Context& context, const ast::CallExpr& expr, Span span) {
   const ast::Expr& callee = context[expr.callee];
   if (const auto* type = std::get_if<ast::TypeExpr>(&callee.node)) {
     return CheckConstructor(context, ResolveType(context, type->type), expr.arguments, span);
@@ -247,7 +244,7 @@ ir::ExprId CheckCall(Context& context, const ast::CallExpr& expr, Span span) {
     return CallNamed(context, *name, callee.span, expr, span);
   if (const auto* member = std::get_if<ast::MemberExpr>(&callee.node))
     return CallMember(context, *member, expr, span);
-  const ir::ExprId value = CheckExpr(context, expr.callee);
+  const ExprId value = CheckExpr(context, expr.callee);
   return context.IsError(value)
              ? value
              : context.Fail(callee.span, diag::NotCallable, TextOf(context, expr.callee));
@@ -263,9 +260,9 @@ bool CheckArguments(Context& context, List<ast::ExprId> list, Exprs& arguments) 
   return ok;
 }
 
-ir::ExprId CallFunction(Context& context, FunctionInfoId id, ir::ExprId self, Exprs arguments,
-                        Span name_span, Span span) {
-  const ir::FunctionId function = Reach(context, id);
+ExprId CallFunction(Context& context, FunctionInfoId id, ExprId self, Exprs arguments,
+                    Span name_span, Span span) {
+  const FunctionId function = Reach(context, id);
   FunctionInfo& info = context[id];
   if (info.is_broken) return context.ErrorExpr(span);
   const ScopeId owner = info.self ? info.scope : ScopeId{};
@@ -287,9 +284,8 @@ ir::ExprId CallFunction(Context& context, FunctionInfoId id, ir::ExprId self, Ex
   for (std::uint32_t i = 0; i < info.parameters.size; ++i) {
     const Parameter parameter = context[info.parameters][i];
     const bool is_given = i < arguments.size();
-    const ir::ExprId argument = is_given
-                                    ? BindArgument(context, parameter, arguments[i], before, after)
-                                    : DefaultArgument(context, info, i);
+    const ExprId argument = is_given ? BindArgument(context, parameter, arguments[i], before, after)
+                                     : DefaultArgument(context, info, i);
     if (context.IsError(argument)) return context.ErrorExpr(span);
     bound.push_back(argument);
   }

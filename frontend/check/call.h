@@ -8,12 +8,12 @@
 // Calls of functions, methods and built-in functions.
 namespace clipc::check {
 
-ir::ExprId CheckCall(Context& context, const ast::CallExpr& expr, Span span);
+ExprId CheckNode(Context& context, const ast::CallExpr& expr, Span span);
 // Appends the checked arguments. False when one of them has an error.
 bool CheckArguments(Context& context, List<ast::ExprId> list, Exprs& arguments);
 // A call of the function with its object (`self`, of a method) and arguments: the arguments are
 // converted, and arguments of `out` parameters copied back where needed.
-ir::ExprId CallFunction(Context& context, FunctionInfoId id, ir::ExprId self, Exprs arguments,
-                        Span name_span, Span span);
+ExprId CallFunction(Context& context, FunctionInfoId id, ExprId self, Exprs arguments,
+                    Span name_span, Span span);
 
 }  // namespace clipc::check

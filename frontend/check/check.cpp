@@ -22,7 +22,7 @@ void Run(Context& context) {
   DeclareAll(context, context.file.top_level, context.names.global());
   const FunctionInfoId entry = FindEntry(context);
   if (!entry || context[entry].is_broken) return;
-  ir::Program& program = context.program;
+  Program& program = context.program;
   program.entry = Reach(context, entry);
   const EntrySignature signature = SignatureOf(context, entry);
   const AttributeLists attributes = AttributesOf(context, entry);
@@ -30,8 +30,8 @@ void Run(Context& context) {
   CheckBodies(context);
   CheckRecursion(context);
   FinishBuffers(context);
-  for (ir::CbufferId id : program.cbuffers.ids())
-    ir::LayOut(program.types, program.vars, program.cbuffers[id]);
+  for (CbufferId id : program.cbuffers.ids())
+    LayOut(program.types, program.vars, program.cbuffers[id]);
   BuildMain(program, signature, context.diagnostics);
   CheckClipPlanes(context, entry, attributes);
   FinishGlobals(context);

@@ -23,7 +23,7 @@ constexpr std::string_view kAttribute = "clipplanes";
 // The place of one float of a plane: a byte of a cbuffer, or of one element of an array of
 // ConstantBuffers.
 struct Address {
-  ir::CbufferId cbuffer;
+  CbufferId cbuffer;
   std::uint32_t element = 0;
   std::uint32_t byte = 0;
   friend bool operator==(const Address&, const Address&) = default;
@@ -51,17 +51,17 @@ class Operand {
   Operand(Context& context, std::string_view text) : context_(context), text_(text) {}
 
   // Nothing after an error, which was reported.
-  std::optional<Addresses> Components(ir::ExprId id) {
-    if (const auto* swizzle = context_.GetIf<ir::Swizzle>(id)) {
+  std::optional<Addresses> Components(ExprId id) {
+    if (const auto* swizzle = context_.GetIf<Swizzle>(id)) {
       const auto base = Components(swizzle->base);
       if (!base) return std::nullopt;
       Addresses chosen;
       for (int i = 0; i < swizzle->count; ++i) chosen.push_back((*base)[swizzle->components[i]]);
       return chosen;
     }
-    if (const auto* construct = context_.GetIf<ir::Construct>(id)) {
+    if (const auto* construct = context_.GetIf<Construct>(id)) {
       Addresses all;
-      for (ir::ExprId argument : context_[construct->arguments]) {
+      for (ExprId argument : context_[construct->arguments]) {
         const auto part = Components(argument);
         if (!part) return std::nullopt;
         all.insert(all.end(), part->begin(), part->end());
@@ -69,11 +69,11 @@ class Operand {
       return all;
     }
     const std::uint32_t columns = std::max<std::uint32_t>(context_.TypeOf(id).columns, 1);
-    if (const auto* splat = context_.GetIf<ir::Splat>(id)) {
+    if (const auto* splat = context_.GetIf<Splat>(id)) {
       const auto one = Components(splat->operand);
       return one ? std::optional(Addresses(columns, one->front())) : std::nullopt;
     }
-    const auto* matrix = context_.GetIf<ir::MatrixSwizzle>(id);
+    const auto* matrix = context_.GetIf<MatrixSwizzle>(id);
     const auto path = Follow(matrix ? matrix->base : id);
     if (!path) return std::nullopt;
     Addresses all;
@@ -92,12 +92,12 @@ class Operand {
     return std::nullopt;
   }
 
-  std::optional<Path> Follow(ir::ExprId id) {
-    const ir::Expr& expr = context_[id];
+  std::optional<Path> Follow(ExprId id) {
+    const Expr& expr = context_[id];
     return Visit(Overloaded{
-                     [&](const ir::VarRef& ref) { return OfVariable(ref.var, expr.span); },
-                     [&](const ir::FieldRef& field) { return OfField(field); },
-                     [&](const ir::Index& index) { return OfIndex(index); },
+                     [&](const VarRef& ref) { return OfVariable(ref.var, expr.span); },
+                     [&](const FieldRef& field) { return OfField(field); },
+                     [&](const Index& index) { return OfIndex(index); },
                      [&](const auto&) -> std::optional<Path> {
                        return Refuse(expr.span, diag::ClipPlaneNotConstantBufferMember, text_);
                      },
@@ -105,15 +105,15 @@ class Operand {
                  expr.node);
   }
 
-  std::optional<Path> OfVariable(ir::VarId id, Span span) {
-    const ir::Var& var = context_[id];
-    if (var.storage == ir::Storage::kConstant)
+  std::optional<Path> OfVariable(VarId id, Span span) {
+    const Var& var = context_[id];
+    if (var.storage == Storage::kConstant)
       return Refuse(span, diag::ClipPlaneNotConstantBufferMember, text_);
     std::string_view reason = "is not a member of a cbuffer";
-    if (var.storage == ir::Storage::kUniform) {
-      const ir::Cbuffer& buffer = context_[var.cbuffer];
-      const auto member = std::ranges::find(buffer.members, id, &ir::CbufferMember::var);
-      if (buffer.kind == ir::CbufferKind::kTbuffer)
+    if (var.storage == Storage::kUniform) {
+      const Cbuffer& buffer = context_[var.cbuffer];
+      const auto member = std::ranges::find(buffer.members, id, &CbufferMember::var);
+      if (buffer.kind == CbufferKind::kTbuffer)
         reason = "is a member of a tbuffer";
       else if (member != buffer.members.end())
         return Path{{var.cbuffer, 0, member->offset}, var.row_major, buffer.count > 1};
@@ -123,32 +123,32 @@ class Operand {
     return std::nullopt;
   }
 
-  std::optional<Path> OfField(const ir::FieldRef& field) {
+  std::optional<Path> OfField(const FieldRef& field) {
     auto path = Follow(field.base);
     if (!path) return std::nullopt;
-    const ir::StructId structure = context_.TypeOf(field.base).structure;
-    path->at.byte += ir::FieldOffset(context_.program.types, structure, field.field);
+    const StructId structure = context_.TypeOf(field.base).structure;
+    path->at.byte += FieldOffset(context_.program.types, structure, field.field);
     path->row_major = context_[structure].fields[field.field].row_major;
     return path;
   }
 
   // In bounds: CheckExpr saw to it (X3504).
-  std::optional<Path> OfIndex(const ir::Index& index) {
+  std::optional<Path> OfIndex(const Index& index) {
     auto path = Follow(index.base);
     if (!path) return std::nullopt;
-    const ir::TypeId base_type = context_.TypeIdOf(index.base);
+    const TypeId base_type = context_.TypeIdOf(index.base);
     const auto value = EvaluateInteger(context_.program, index.index);
     if (!value) return Refuse(context_[index.index].span, diag::ClipPlaneIndexNotConstant, text_);
     const auto position = static_cast<std::uint32_t>(*value);
     switch (context_[base_type].kind) {
-      case ir::TypeKind::kArray:
+      case TypeKind::kArray:
         if (std::exchange(path->of_constant_buffer_array, false))
           path->at.element = position;
         else
           path->at.byte +=
-              position * ir::ArrayStride(context_.program.types, base_type, path->row_major);
+              position * ArrayStride(context_.program.types, base_type, path->row_major);
         break;
-      case ir::TypeKind::kMatrix:
+      case TypeKind::kMatrix:
         path->at = path->Component(position, 0);
         path->column_step = path->row_major ? 4 : 16;
         break;
@@ -236,7 +236,7 @@ const ast::Attr* TheAttribute(Context& context, const AttributeLists& lists) {
 
 // What the rest of the shader must be like for any clip plane to make sense.
 bool CheckSurroundings(Context& context, const ast::Attr& attribute) {
-  const ir::Program& program = context.program;
+  const Program& program = context.program;
   const std::span<const ast::ExprId> operands = context[attribute.arguments];
   if (!program.profile.IsVertex() || program.profile.IsDirect3D9()) {
     context.Report(attribute.span, diag::ClipPlanesProfile, program.profile.name);
@@ -248,9 +248,9 @@ bool CheckSurroundings(Context& context, const ast::Attr& attribute) {
     return false;
   }
   bool has_position = false;
-  for (const ir::IoVar& output : program.outputs) {
-    if (output.builtin == ir::Builtin::kPosition) has_position = true;
-    if (output.builtin != ir::Builtin::kClipDistance) continue;
+  for (const IoVar& output : program.outputs) {
+    if (output.builtin == Builtin::kPosition) has_position = true;
+    if (output.builtin != Builtin::kClipDistance) continue;
     context.Report(attribute.span, diag::ClipPlanesWithClipDistance)
         .Note(context[output.var].span, diag::ClipDistanceWrittenHere);
     return false;
@@ -288,28 +288,28 @@ bool IsAllowedForm(Context& context, ast::ExprId id) {
 
 void CheckOperand(Context& context, ast::ExprId operand, std::vector<Addresses>& seen) {
   if (!IsAllowedForm(context, operand)) return;
-  const ir::ExprId value = CheckExpr(context, operand);
+  const ExprId value = CheckExpr(context, operand);
   if (context.IsError(value)) return;
-  ir::Program& program = context.program;
+  Program& program = context.program;
   const Span span = context[operand].span;
   const std::string text = TextOf(context, operand);
-  if (context.TypeIdOf(value) != program.types.Vector(ir::Scalar::kFloat, 4)) {
+  if (context.TypeIdOf(value) != program.types.Vector(Scalar::kFloat, 4)) {
     context.Report(span, diag::ClipPlaneNotFloat4, text, context.TypeName(value));
     return;
   }
   const auto components = Operand(context, text).Components(value);
   if (!components) return;
-  ir::ClipPlane plane{value, span, text, {}, 0, 0, IsWholeRegister(*components)};
+  ClipPlane plane{value, span, text, {}, 0, 0, IsWholeRegister(*components)};
   if (plane.whole_register) {
     plane.cbuffer = components->front().cbuffer;
     plane.offset = components->front().byte;
     plane.element = components->front().element;
-  } else if (context.options.whole_register_planes || program.profile.level9 != ir::Level9::kNone) {
+  } else if (context.options.whole_register_planes || program.profile.level9 != Level9::kNone) {
     context.Report(span, diag::ClipPlaneNotWholeRegister, text);
     return;
   }
   if (const auto same = std::ranges::find(seen, *components); same != seen.end()) {
-    const ir::ClipPlane& first = program.clip_planes[static_cast<std::size_t>(same - seen.begin())];
+    const ClipPlane& first = program.clip_planes[static_cast<std::size_t>(same - seen.begin())];
     context.Report(span, diag::ClipPlaneRepeated, text).Note(first.span, diag::FirstGivenHere);
   }
   seen.push_back(*components);

@@ -11,7 +11,7 @@ namespace clipc::check {
 namespace {
 
 // S(a, b) is an initialiser list in another spelling (HLSL 2021 has it for casts of one value).
-ir::ExprId ConstructStruct(Context& context, ir::TypeId type, ExprSpan arguments, Span span) {
+ExprId ConstructStruct(Context& context, TypeId type, ExprSpan arguments, Span span) {
   if (arguments.size() == 1) {
     if (context.TypeIdOf(arguments[0]) == type) return arguments[0];
     if (IsExplicitlyConvertible(context.types, context.TypeIdOf(arguments[0]), type)) {
@@ -22,11 +22,11 @@ ir::ExprId ConstructStruct(Context& context, ir::TypeId type, ExprSpan arguments
 }
 
 // From scalars and vectors whose components add up; matrices among them are taken apart.
-ir::ExprId ConstructVector(Context& context, ir::TypeId type, ExprSpan arguments, Span span) {
+ExprId ConstructVector(Context& context, TypeId type, ExprSpan arguments, Span span) {
   if (arguments.size() == 1 && context.TypeIdOf(arguments[0]) == type) return arguments[0];
   Exprs parts, prologue;
-  for (ir::ExprId argument : arguments) {
-    if (context.TypeOf(argument).kind == ir::TypeKind::kMatrix)
+  for (ExprId argument : arguments) {
+    if (context.TypeOf(argument).kind == TypeKind::kMatrix)
       TakeApart(context, argument, parts, prologue);
     else
       parts.push_back(argument);
@@ -35,19 +35,19 @@ ir::ExprId ConstructVector(Context& context, ir::TypeId type, ExprSpan arguments
 }
 
 // From rows, where the arguments make up rows; else from scalars.
-ir::ExprId ConstructMatrix(Context& context, ir::TypeId type_id, ExprSpan arguments, Span span) {
-  const ir::Type type = context[type_id];
-  const auto is_scalar = [&](ir::ExprId argument) {
-    return context.TypeOf(argument).kind == ir::TypeKind::kScalar;
+ExprId ConstructMatrix(Context& context, TypeId type_id, ExprSpan arguments, Span span) {
+  const Type type = context[type_id];
+  const auto is_scalar = [&](ExprId argument) {
+    return context.TypeOf(argument).kind == TypeKind::kScalar;
   };
   if (std::ranges::all_of(arguments, is_scalar))
     return context.At(span).ConstructOf(type_id, arguments);
-  const ir::TypeId row_type = context.types.Vector(type.scalar, type.columns);
+  const TypeId row_type = context.types.Vector(type.scalar, type.columns);
   Exprs rows, row;
   std::uint32_t filled = 0;
   bool fits = true;
-  for (ir::ExprId argument : arguments) {
-    fits = fits && context.TypeOf(argument).kind != ir::TypeKind::kMatrix;
+  for (ExprId argument : arguments) {
+    fits = fits && context.TypeOf(argument).kind != TypeKind::kMatrix;
     row.push_back(argument);
     filled += context.TypeOf(argument).Components();
     if (filled < type.columns) continue;
@@ -59,23 +59,23 @@ ir::ExprId ConstructMatrix(Context& context, ir::TypeId type_id, ExprSpan argume
   }
   if (fits) return context.At(span).ConstructOf(type_id, rows);
   Exprs scalars, prologue;
-  for (ir::ExprId argument : arguments) TakeApart(context, argument, scalars, prologue);
+  for (ExprId argument : arguments) TakeApart(context, argument, scalars, prologue);
   return WithPrologue(context, prologue, context.At(span).ConstructOf(type_id, scalars));
 }
 
 }  // namespace
 
-ir::ExprId CheckConstructor(Context& context, ir::TypeId type, List<ast::ExprId> list, Span span) {
+ExprId CheckConstructor(Context& context, TypeId type, List<ast::ExprId> list, Span span) {
   Exprs arguments;
   const bool ok = CheckArguments(context, list, arguments);
   if (!ok || context.IsError(type)) return context.ErrorExpr(span);
-  const ir::Type& wanted = context[type];
-  if (wanted.kind == ir::TypeKind::kStruct) return ConstructStruct(context, type, arguments, span);
+  const Type& wanted = context[type];
+  if (wanted.kind == TypeKind::kStruct) return ConstructStruct(context, type, arguments, span);
   if (!wanted.IsNumeric()) {
     return context.Fail(span, diag::NotConstructible, context.TypeName(type));
   }
   std::uint32_t given = 0;
-  for (ir::ExprId argument : arguments) {
+  for (ExprId argument : arguments) {
     if (!context.TypeOf(argument).IsNumeric()) {
       // float3x3(s) is what (float3x3)s is.
       if (arguments.size() == 1 &&
@@ -98,35 +98,35 @@ ir::ExprId CheckConstructor(Context& context, ir::TypeId type, List<ast::ExprId>
   if (given != needed) {
     return context.Fail(span, diag::WrongComponentCount, context.TypeName(type), needed, given);
   }
-  for (ir::ExprId& argument : arguments) {
+  for (ExprId& argument : arguments) {
     argument = Implicit(context, argument,
                         context.types.WithScalar(context.TypeIdOf(argument), wanted.scalar));
   }
-  return wanted.kind == ir::TypeKind::kMatrix ? ConstructMatrix(context, type, arguments, span)
-                                              : ConstructVector(context, type, arguments, span);
+  return wanted.kind == TypeKind::kMatrix ? ConstructMatrix(context, type, arguments, span)
+                                          : ConstructVector(context, type, arguments, span);
 }
 
-ir::ExprId Component(Context& context, ir::ExprId vector, std::uint8_t component) {
-  ir::Builder at = context.At(context[vector].span);
-  if (const auto* swizzle = context.GetIf<ir::Swizzle>(vector)) {
+ExprId Component(Context& context, ExprId vector, std::uint8_t component) {
+  Builder at = context.At(context[vector].span);
+  if (const auto* swizzle = context.GetIf<Swizzle>(vector)) {
     component = swizzle->components[component];
     vector = swizzle->base;
   }
   return at.Swizzled(vector, {component});
 }
 
-void TakeApart(Context& context, ir::ExprId value, Exprs& scalars, Exprs& prologue) {
-  const ir::Type type = context.TypeOf(value);
-  if (type.kind == ir::TypeKind::kScalar) {
+void TakeApart(Context& context, ExprId value, Exprs& scalars, Exprs& prologue) {
+  const Type type = context.TypeOf(value);
+  if (type.kind == TypeKind::kScalar) {
     scalars.push_back(value);
     return;
   }
-  ir::Builder at = context.At(context[value].span);
+  Builder at = context.At(context[value].span);
   Reread source(context.program, value, &context);
   for (std::uint32_t row = 0; row < type.rows; ++row) {
     for (int column = 0; column < type.columns; ++column) {
-      ir::ExprId vector = source.Read();
-      if (type.kind == ir::TypeKind::kMatrix) vector = at.At(vector, row);
+      ExprId vector = source.Read();
+      if (type.kind == TypeKind::kMatrix) vector = at.At(vector, row);
       scalars.push_back(Component(context, vector, static_cast<std::uint8_t>(column)));
     }
   }

@@ -8,11 +8,11 @@
 // Constructors: float4(a, b), float3x3(x, y, z), S(s).
 namespace clipc::check {
 
-ir::ExprId CheckConstructor(Context& context, ir::TypeId type, List<ast::ExprId> list, Span span);
+ExprId CheckConstructor(Context& context, TypeId type, List<ast::ExprId> list, Span span);
 // vector.x for component 0. A component of a swizzle is read from the vector itself.
-ir::ExprId Component(Context& context, ir::ExprId vector, std::uint8_t component);
+ExprId Component(Context& context, ExprId vector, std::uint8_t component);
 // Appends the components of the value to `scalars`, row by row. The value is evaluated once, in
 // `prologue` if need be.
-void TakeApart(Context& context, ir::ExprId value, Exprs& scalars, Exprs& prologue);
+void TakeApart(Context& context, ExprId value, Exprs& scalars, Exprs& prologue);
 
 }  // namespace clipc::check

@@ -20,16 +20,16 @@ Context::Context(const ast::File& file, const CheckOptions& options, Diagnostics
       numeric_types(file.names.size()) {
   program.profile = options.profile;
   view.scope = names.global();
-  globals.buffer = globals.buffers.Add({.kind = ir::CbufferKind::kGlobals, .scope = view.scope});
+  globals.buffer = globals.buffers.Add({.kind = CbufferKind::kGlobals, .scope = view.scope});
 }
 
-TemporaryMaker::Temporary Context::Make(ir::ExprId value) {
-  ir::Builder at = At(program.exprs[value].span);
-  const ir::VarId var = at.Local("temporary", TypeIdOf(value));
+TemporaryMaker::Temporary Context::Make(ExprId value) {
+  Builder at = At(program.exprs[value].span);
+  const VarId var = at.Local("temporary", TypeIdOf(value));
   if (view.body) {
     view.body->temporaries.push_back(var);
   } else {
-    program.vars[var].storage = ir::Storage::kStatic;
+    program.vars[var].storage = Storage::kStatic;
     globals.reached.push_back({view.order, var});
   }
   return {var, at.AssignTo(at.Ref(var), value)};

@@ -26,16 +26,16 @@ namespace clipc::check {
 
 // The function body that is being checked.
 struct Body {
-  ir::FunctionId function;
-  ir::TypeId return_type;
+  FunctionId function;
+  TypeId return_type;
   // The variable that `this` names; none outside of methods.
-  ir::VarId self;
+  VarId self;
   int loops = 0;
   int switches = 0;
   // Temporaries that the current statement needs and that are not declared yet.
-  std::vector<ir::VarId> temporaries;
+  std::vector<VarId> temporaries;
   // Declarations that go before the first statement.
-  std::vector<ir::StmtId> hoisted;
+  std::vector<StmtId> hoisted;
 };
 
 // Structs and enums.
@@ -51,19 +51,19 @@ struct Structs {
 struct Globals {
   struct Ordered {
     std::uint32_t order;  // of the declaration, as OrderOf gives it
-    ir::VarId var;
+    VarId var;
   };
   Arena<Buffer> buffers;
   BufferId buffer;         // the one for $Globals
   BufferId params_buffer;  // the one for $Params; none before the first `uniform` parameter
   // The static variables and the resources that something reached uses.
   std::vector<Ordered> reached, resources;
-  std::unordered_map<std::uint32_t, ir::Register> registers;  // by a resource's VarId
-  std::vector<bool> const_vars;                               // by VarId
+  std::unordered_map<std::uint32_t, Register> registers;  // by a resource's VarId
+  std::vector<bool> const_vars;                           // by VarId
 };
 
-using Exprs = std::vector<ir::ExprId>;
-using ExprSpan = std::span<const ir::ExprId>;
+using Exprs = std::vector<ExprId>;
+using ExprSpan = std::span<const ExprId>;
 
 // What all subjects of the checker share. A subject is a header of free functions over it.
 //
@@ -76,16 +76,16 @@ struct Context final : TemporaryMaker {
   const ast::File& file;
   const CheckOptions& options;
   Diagnostics& diagnostics;
-  ir::Program program;
-  ir::TypeTable& types;  // of the program
+  Program program;
+  TypeTable& types;  // of the program
   View view;
   ScopeTable names;
   Overloads functions;
   Structs structs;
   Globals globals;
-  std::vector<ir::TypeId> numeric_types;  // by Name: float4x3 and the like, once looked up
-  std::vector<ir::StmtId> stmts;          // the statements of the blocks in progress
-  int depth = 0;                          // of Depth
+  std::vector<TypeId> numeric_types;  // by Name: float4x3 and the like, once looked up
+  std::vector<StmtId> stmts;          // the statements of the blocks in progress
+  int depth = 0;                      // of Depth
 
   // The row that an id or a list stands for, in the table that has ids of this kind: a node of the
   // syntax tree, a node or variable of the program, a symbol, the text of a name.
@@ -126,32 +126,39 @@ struct Context final : TemporaryMaker {
   }
   // Reports and returns an expression of the error type, which silences what follows from it.
   template <typename... Args>
-  ir::ExprId Fail(Span where, const diag::Kind<Args...>& kind,
-                  const std::type_identity_t<Args>&... args) {
+  ExprId Fail(Span where, const diag::Kind<Args...>& kind,
+              const std::type_identity_t<Args>&... args) {
     diagnostics.Report(where, kind, args...);
     return ErrorExpr(where);
   }
-  ir::ExprId ErrorExpr(Span span) { return At(span).ZeroOf(types.Error()); }
+  // Reports and returns the error type.
+  template <typename... Args>
+  TypeId FailType(Span where, const diag::Kind<Args...>& kind,
+                  const std::type_identity_t<Args>&... args) {
+    diagnostics.Report(where, kind, args...);
+    return types.Error();
+  }
+  ExprId ErrorExpr(Span span) { return At(span).ZeroOf(types.Error()); }
   // Whether one of the types or expressions comes from an error, which was reported.
   bool IsError(auto first, auto... others) const {
-    if constexpr (std::is_same_v<decltype(first), ir::ExprId>) {
+    if constexpr (std::is_same_v<decltype(first), ExprId>) {
       return IsError(TypeIdOf(first), others...);
     } else {
       return first == types.Error() || (... || IsError(others));
     }
   }
 
-  ir::TypeId TypeIdOf(ir::ExprId expr) const { return program.exprs[expr].type; }
-  const ir::Type& TypeOf(ir::ExprId expr) const { return types[TypeIdOf(expr)]; }
-  std::string TypeName(ir::TypeId type) const { return types.Name(type); }
-  std::string TypeName(ir::ExprId expr) const { return TypeName(TypeIdOf(expr)); }
+  TypeId TypeIdOf(ExprId expr) const { return program.exprs[expr].type; }
+  const Type& TypeOf(ExprId expr) const { return types[TypeIdOf(expr)]; }
+  std::string TypeName(TypeId type) const { return types.Name(type); }
+  std::string TypeName(ExprId expr) const { return TypeName(TypeIdOf(expr)); }
   // What is seen from a scope, outside of function bodies.
   View ViewFrom(ScopeId scope, std::uint32_t order) const {
     return {.scope = scope, .order = order, .local_floor = names.size()};
   }
-  ir::Builder At(Span span) { return ir::Builder(program, span); }
+  Builder At(Span span) { return Builder(program, span); }
   // A local variable of the body in progress; a static one outside of functions.
-  Temporary Make(ir::ExprId value) override;
+  Temporary Make(ExprId value) override;
 
  private:
   template <typename Key>

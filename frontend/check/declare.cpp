@@ -25,8 +25,8 @@ void DeclareVar(Context& context, ast::DeclId id, const ast::VarDecl& var, Scope
 void DeclareBuffer(Context& context, ast::DeclId id, const ast::BufferDecl& buffer, ScopeId scope) {
   Buffer entry;
   entry.decl = id;
-  entry.kind = buffer.kind == ast::BufferKind::kCbuffer ? ir::CbufferKind::kCbuffer
-                                                        : ir::CbufferKind::kTbuffer;
+  entry.kind =
+      buffer.kind == ast::BufferKind::kCbuffer ? CbufferKind::kCbuffer : CbufferKind::kTbuffer;
   entry.scope = scope;
   const BufferId buffer_id = context.globals.buffers.Add(entry);
   std::vector<SymbolId> members;

@@ -9,16 +9,16 @@
 namespace clipc::check {
 
 // Adds the statement, with the temporaries that it needs declared before it.
-void Emit(Context& context, Span span, decltype(ir::Stmt::node) node);
+void Emit(Context& context, Span span, decltype(Stmt::node) node);
 // Declares the temporaries of the expressions that were checked since the last statement.
 void DeclareTemporaries(Context& context);
 // Removes the statements after the first `mark` of context.stmts, and returns them.
-std::vector<ir::StmtId> TakeStmts(Context& context, std::size_t mark);
+std::vector<StmtId> TakeStmts(Context& context, std::size_t mark);
 // Adds statements that evaluate the expression for its effects. The steps of a Comma are statements
 // of their own, and the assignment that makes a temporary is its declaration.
-void EmitValue(Context& context, ir::ExprId value);
+void EmitValue(Context& context, ExprId value);
 // Adds the steps of a Comma as statements and returns its last value. The value must be evaluated
 // once and before the rest of its statement.
-ir::ExprId Unwrap(Context& context, ir::ExprId value);
+ExprId Unwrap(Context& context, ExprId value);
 
 }  // namespace clipc::check

@@ -12,23 +12,21 @@ namespace clipc::check {
 namespace {
 
 // A `uniform` parameter of the entry point is a member of $Params, or a resource.
-ir::VarId AddUniformParameter(Context& context, const ast::VarDecl& var,
-                              const Parameter& parameter) {
+VarId AddUniformParameter(Context& context, const ast::VarDecl& var, const Parameter& parameter) {
   const SymbolId symbol = context.names.Declare(SymbolKind::kVariable, context.names.global(), {},
                                                 parameter.decl, var.name_span);
   context[symbol].resolution = Resolution::kDone;
   if (HoldsObjects(context, parameter.type)) {
     ResolveObject(context, symbol, var, parameter.type);
-    return ir::VarId{context[symbol].value};
+    return VarId{context[symbol].value};
   }
-  const ir::VarId added =
-      AddVar(context, var.name, parameter.type, ir::Storage::kUniform, var.name_span);
+  const VarId added = AddVar(context, var.name, parameter.type, Storage::kUniform, var.name_span);
   context[added].row_major = IsRowMajor(context, QualifiersOf(context, var));
   MarkConst(context, added);
   context[symbol].value = added.index;
   if (!context.globals.params_buffer) {
     context.globals.params_buffer =
-        context.globals.buffers.Add({.kind = ir::CbufferKind::kParams,
+        context.globals.buffers.Add({.kind = CbufferKind::kParams,
                                      .scope = context.names.global(),
                                      .order = std::numeric_limits<std::uint32_t>::max(),
                                      .resolution = Resolution::kDone});

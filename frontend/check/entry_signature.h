@@ -10,9 +10,9 @@ namespace clipc::check {
 EntrySignature SignatureOf(Context& context, FunctionInfoId entry);
 // Sets how a value is interpolated, in an EntryParameter or an ir::Field.
 void ReadInterpolation(ast::Qualifiers qualifiers, auto& into) {
-  if (qualifiers & ast::kLinear) into.interpolation = ir::Interpolation::kLinear;
-  if (qualifiers & ast::kNoPerspective) into.interpolation = ir::Interpolation::kNoPerspective;
-  if (qualifiers & ast::kNoInterpolation) into.interpolation = ir::Interpolation::kNoInterpolation;
+  if (qualifiers & ast::kLinear) into.interpolation = Interpolation::kLinear;
+  if (qualifiers & ast::kNoPerspective) into.interpolation = Interpolation::kNoPerspective;
+  if (qualifiers & ast::kNoInterpolation) into.interpolation = Interpolation::kNoInterpolation;
   into.centroid = (qualifiers & ast::kCentroid) != 0;
   into.sample = (qualifiers & ast::kSample) != 0;
 }

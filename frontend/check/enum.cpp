@@ -31,17 +31,16 @@ SymbolId DeclareEnum(Context& context, ast::DeclId id, const ast::EnumDecl& decl
   return symbol;
 }
 
-ir::TypeId EnumType(Context& context, const ast::EnumDecl& decl) {
-  if (!decl.underlying) return context.types.Make(ir::Scalar::kInt);
-  const ir::TypeId type = ResolveType(context, decl.underlying);
-  const ir::Type& underlying = context[type];
-  const bool is_integer =
-      ir::IsInteger(underlying.scalar) || underlying.scalar == ir::Scalar::kBool;
-  if (underlying.kind == ir::TypeKind::kScalar && is_integer) return type;
+TypeId EnumType(Context& context, const ast::EnumDecl& decl) {
+  if (!decl.underlying) return context.types.Make(Scalar::kInt);
+  const TypeId type = ResolveType(context, decl.underlying);
+  const Type& underlying = context[type];
+  const bool is_integer = IsInteger(underlying.scalar) || underlying.scalar == Scalar::kBool;
+  if (underlying.kind == TypeKind::kScalar && is_integer) return type;
   if (!context.IsError(type)) {
     context.Report(context[decl.underlying].span, diag::EnumNotInteger, context.TypeName(type));
   }
-  return context.types.Make(ir::Scalar::kInt);
+  return context.types.Make(Scalar::kInt);
 }
 
 void ResolveEnum(Context& context, SymbolId id, const ast::EnumDecl& decl) {

@@ -8,7 +8,7 @@ namespace clipc::check {
 // Enters an enum and its enumerators. Without a scope they are locals.
 SymbolId DeclareEnum(Context& context, ast::DeclId id, const ast::EnumDecl& decl, ScopeId scope);
 // The type that the values of the enum have.
-ir::TypeId EnumType(Context& context, const ast::EnumDecl& decl);
+TypeId EnumType(Context& context, const ast::EnumDecl& decl);
 // Works out all values of the enum `id`, in order. A value may use those before it.
 void ResolveEnum(Context& context, SymbolId id, const ast::EnumDecl& decl);
 

@@ -25,8 +25,8 @@
 namespace clipc::check {
 namespace {
 
-ir::ExprId CheckLiteral(Context& context, const ast::Literal& literal, Span span) {
-  ir::Builder at = context.At(span);
+ExprId CheckNode(Context& context, const ast::Literal& literal, Span span) {
+  Builder at = context.At(span);
   const double number = std::bit_cast<double>(literal.bits);
   constexpr std::uint64_t kMaxInt = std::numeric_limits<std::int32_t>::max();
   constexpr std::uint64_t kMaxUint = std::numeric_limits<std::uint32_t>::max();
@@ -43,18 +43,18 @@ ir::ExprId CheckLiteral(Context& context, const ast::Literal& literal, Span span
         return at.Uint(static_cast<std::uint32_t>(literal.bits));
       return at.Int(static_cast<std::int32_t>(literal.bits));
     case LiteralKind::kInt64:
-      return at.Add(context.types.Make(ir::Scalar::kInt64), ir::Literal{literal.bits});
+      return at.Add(context.types.Make(Scalar::kInt64), Literal{literal.bits});
     case LiteralKind::kUint64:
-      return at.Add(context.types.Make(ir::Scalar::kUint64), ir::Literal{literal.bits});
-    case LiteralKind::kHalf: return at.LiteralOf(ir::Scalar::kHalf, number);
+      return at.Add(context.types.Make(Scalar::kUint64), Literal{literal.bits});
+    case LiteralKind::kHalf: return at.LiteralOf(Scalar::kHalf, number);
     case LiteralKind::kFloat: return at.Float(static_cast<float>(number));
-    case LiteralKind::kDouble: return at.LiteralOf(ir::Scalar::kDouble, number);
+    case LiteralKind::kDouble: return at.LiteralOf(Scalar::kDouble, number);
     case LiteralKind::kString: break;
   }
   return at.ZeroOf(context.types.String());
 }
 
-ir::ExprId CheckName(Context& context, const ast::NameExpr& name, Span span) {
+ExprId CheckNode(Context& context, const ast::NameExpr& name, Span span) {
   if (const SymbolId symbol = Find(context, name.name)) return UseSymbol(context, symbol, span);
   const bool is_plain = name.name.scopes.empty();
   const std::string_view text = context[name.name.name];
@@ -68,12 +68,12 @@ ir::ExprId CheckName(Context& context, const ast::NameExpr& name, Span span) {
   return context.ErrorExpr(span);
 }
 
-ir::ExprId UseVariable(Context& context, SymbolId id, Span span) {
+ExprId UseVariable(Context& context, SymbolId id, Span span) {
   Symbol& symbol = context[id];
   if (!symbol.scope) {
     if (symbol.is_leaked) HoistLoopVariable(context, id);
     return symbol.value == ~0u ? context.ErrorExpr(span)
-                               : context.At(span).Ref(ir::VarId{symbol.value});
+                               : context.At(span).Ref(VarId{symbol.value});
   }
   const auto& var = context.Get<ast::VarDecl>(symbol.decl);
   const bool is_uniform = !(var.qualifiers & ast::kStatic);
@@ -82,7 +82,7 @@ ir::ExprId UseVariable(Context& context, SymbolId id, Span span) {
     View view = ViewOf(context, id);
     view.wants_constant = true;
     const ViewSwitch in(context, view);
-    const ir::TypeId type = ResolveVarType(context, var);
+    const TypeId type = ResolveVarType(context, var);
     return context.IsError(type) ? context.ErrorExpr(span) : CheckInit(context, var.init, type);
   }
   if (!ResolveVar(context, id)) return context.ErrorExpr(span);
@@ -90,13 +90,13 @@ ir::ExprId UseVariable(Context& context, SymbolId id, Span span) {
     context.Report(symbol.span, diag::ConstGlobalIsUniform, context[symbol.name]);
     symbol.is_const = false;
   }
-  return context.At(span).Ref(ir::VarId{symbol.value});
+  return context.At(span).Ref(VarId{symbol.value});
 }
 
-ir::ExprId CheckConditional(Context& context, const ast::ConditionalExpr& expr, Span span) {
-  ir::ExprId condition = CheckExpr(context, expr.condition);
-  ir::ExprId when_true = CheckExpr(context, expr.when_true);
-  ir::ExprId when_false = CheckExpr(context, expr.when_false);
+ExprId CheckNode(Context& context, const ast::ConditionalExpr& expr, Span span) {
+  ExprId condition = CheckExpr(context, expr.condition);
+  ExprId when_true = CheckExpr(context, expr.when_true);
+  ExprId when_false = CheckExpr(context, expr.when_false);
   if (context.IsError(condition, when_true, when_false)) return context.ErrorExpr(span);
   const Span condition_span = context[expr.condition].span;
   if (!context.TypeOf(condition).IsNumeric()) {
@@ -104,7 +104,7 @@ ir::ExprId CheckConditional(Context& context, const ast::ConditionalExpr& expr, 
                         "?:", context.TypeName(condition));
   }
   const bool is_scalar = context.TypeOf(condition).Components() == 1;
-  std::optional<ir::TypeId> type =
+  std::optional<TypeId> type =
       CommonType(context.types, context.TypeIdOf(when_true), context.TypeIdOf(when_false));
   if (type && !is_scalar) {
     type = CommonType(context.types,
@@ -117,31 +117,30 @@ ir::ExprId CheckConditional(Context& context, const ast::ConditionalExpr& expr, 
   }
   when_true = Implicit(context, when_true, *type);
   when_false = Implicit(context, when_false, *type);
-  const ir::TypeId boolean = context.types.Make(ir::Scalar::kBool);
-  condition =
-      is_scalar ? ConvertSilently(context, condition, boolean)
-                : Implicit(context, condition, context.types.WithScalar(*type, ir::Scalar::kBool));
-  if (!is_scalar) return context.At(span).Add(*type, ir::Select{condition, when_true, when_false});
+  const TypeId boolean = context.types.Make(Scalar::kBool);
+  condition = is_scalar
+                  ? ConvertSilently(context, condition, boolean)
+                  : Implicit(context, condition, context.types.WithScalar(*type, Scalar::kBool));
+  if (!is_scalar) return context.At(span).Add(*type, Select{condition, when_true, when_false});
   // Before HLSL 2021 both sides are evaluated.
   Exprs prologue;
   const bool evaluates_both = !context.options.profile.IsAtLeast(6, 0);
   if (evaluates_both &&
-      !(ir::IsPure(context.program, when_true) && ir::IsPure(context.program, when_false))) {
+      !(IsPure(context.program, when_true) && IsPure(context.program, when_false))) {
     condition = Hoist(context, condition, prologue);
-    const bool is_literal = context.Is<ir::Literal>(when_true);
+    const bool is_literal = context.Is<Literal>(when_true);
     if (!is_literal) when_true = Hoist(context, when_true, prologue);
     // Last in order: nothing comes between it and the choice.
-    if (!ir::IsPure(context.program, when_false)) when_false = Hoist(context, when_false, prologue);
+    if (!IsPure(context.program, when_false)) when_false = Hoist(context, when_false, prologue);
   }
-  return WithPrologue(
-      context, prologue,
-      context.At(span).Add(*type, ir::Conditional{condition, when_true, when_false}));
+  return WithPrologue(context, prologue,
+                      context.At(span).Add(*type, Conditional{condition, when_true, when_false}));
 }
 
-ir::ExprId CheckCast(Context& context, const ast::CastExpr& expr, Span span) {
-  const ir::TypeId type =
+ExprId CheckNode(Context& context, const ast::CastExpr& expr, Span span) {
+  const TypeId type =
       ArrayOf(context, ResolveType(context, expr.type), expr.dimensions, context[expr.type].span);
-  const ir::ExprId value = CheckExpr(context, expr.operand);
+  const ExprId value = CheckExpr(context, expr.operand);
   if (context.IsError(value, type)) return context.ErrorExpr(span);
   if (context.TypeIdOf(value) == type) return value;
   if (IsExplicitlyConvertible(context.types, context.TypeIdOf(value), type)) {
@@ -151,10 +150,29 @@ ir::ExprId CheckCast(Context& context, const ast::CastExpr& expr, Span span) {
   return context.Fail(span, diag::CannotCast, context.TypeName(value), context.TypeName(type));
 }
 
+ExprId CheckNode(Context& context, const ast::TypeExpr& expr, Span span) {
+  return context.Fail(span, diag::TypeAsValue, QualifiedText(context, context[expr.type].name));
+}
+
+ExprId CheckNode(Context& context, const ast::CommaExpr& expr, Span span) {
+  const ExprId left = CheckExpr(context, expr.left);
+  const ExprId right = CheckExpr(context, expr.right);
+  return context.IsError(left, right) ? context.ErrorExpr(span)
+                                      : context.At(span).CommaOf(left, right);
+}
+
+ExprId CheckNode(Context& context, const ast::InitListExpr&, Span span) {
+  return context.Fail(span, diag::InitListAsValue);
+}
+
+ExprId CheckNode(Context& context, const ast::ErrorExpr&, Span span) {
+  return context.ErrorExpr(span);
+}
+
 // As DXC has it: the bytes of the components, without padding.
-ir::ExprId CheckSizeof(Context& context, const ast::SizeofExpr& expr, Span span) {
+ExprId CheckNode(Context& context, const ast::SizeofExpr& expr, Span span) {
   const ast::Expr& operand = context[expr.operand];
-  ir::TypeId type;
+  TypeId type;
   if (const auto* written = std::get_if<ast::TypeExpr>(&operand.node)) {
     type = ResolveType(context, written->type);
   } else if (const auto* name = std::get_if<ast::NameExpr>(&operand.node);
@@ -169,45 +187,25 @@ ir::ExprId CheckSizeof(Context& context, const ast::SizeofExpr& expr, Span span)
     return context.Fail(span, diag::SizeUnknown, context.TypeName(type));
   }
   std::uint32_t size = 0;
-  for (ir::Scalar leaf : *leaves) size += ir::ByteSize(leaf);
+  for (Scalar leaf : *leaves) size += ByteSize(leaf);
   return context.At(span).Uint(size);
 }
 
 }  // namespace
 
-ir::ExprId CheckExpr(Context& context, ast::ExprId id) {
+ExprId CheckExpr(Context& context, ast::ExprId id) {
   const ast::Expr& expr = context[id];
   const Depth depth(context, expr.span);
   if (!depth.ok()) return context.ErrorExpr(expr.span);
-  const Span span = expr.span;
-  return Visit(
-      Overloaded{
-          [&](const ast::Literal& e) { return CheckLiteral(context, e, span); },
-          [&](const ast::NameExpr& e) { return CheckName(context, e, span); },
-          [&](const ast::TypeExpr&) {
-            return context.Fail(span, diag::TypeAsValue, TextOf(context, id));
-          },
-          [&](const ast::UnaryExpr& e) { return CheckUnary(context, e, span); },
-          [&](const ast::BinaryExpr& e) { return CheckBinary(context, e, span); },
-          [&](const ast::AssignExpr& e) { return CheckAssign(context, e, span); },
-          [&](const ast::ConditionalExpr& e) { return CheckConditional(context, e, span); },
-          [&](const ast::CallExpr& e) { return CheckCall(context, e, span); },
-          [&](const ast::CastExpr& e) { return CheckCast(context, e, span); },
-          [&](const ast::IndexExpr& e) { return CheckIndex(context, e, span); },
-          [&](const ast::MemberExpr& e) { return CheckMember(context, e, span); },
-          [&](const ast::InitListExpr&) { return context.Fail(span, diag::InitListAsValue); },
-          [&](const ast::SizeofExpr& e) { return CheckSizeof(context, e, span); },
-          [&](const ast::ErrorExpr&) { return context.ErrorExpr(span); },
-      },
-      expr.node);
+  return Visit([&](const auto& node) { return CheckNode(context, node, expr.span); }, expr.node);
 }
 
-ir::ExprId UseSymbol(Context& context, SymbolId id, Span span) {
+ExprId UseSymbol(Context& context, SymbolId id, Span span) {
   const Symbol& symbol = context[id];
   switch (symbol.kind) {
     case SymbolKind::kVariable: return UseVariable(context, id, span);
     case SymbolKind::kField: {
-      const ir::VarId self = context.view.body ? context.view.body->self : ir::VarId{};
+      const VarId self = context.view.body ? context.view.body->self : VarId{};
       const auto field = self ? FindField(context, context[self].type, symbol.name) : std::nullopt;
       if (field) return context.At(span).Field(context.At(span).Ref(self), *field);
       context.Report(span, diag::FieldWithoutObject, context[symbol.name])
@@ -220,11 +218,11 @@ ir::ExprId UseSymbol(Context& context, SymbolId id, Span span) {
       const auto& values = context.structs.enum_values[owner.index];
       if (symbol.value < values.size())
         return context.At(span).Add(ResolveTypeSymbol(context, owner),
-                                    ir::Literal{values[symbol.value]});
+                                    Literal{values[symbol.value]});
       return context.Fail(span, diag::InitialisedByItself, context[symbol.name]);
     }
     case SymbolKind::kTemplateValue:
-      return context.At(span).Add(ir::TypeId{symbol.owner}, ir::Literal{symbol.value});
+      return context.At(span).Add(TypeId{symbol.owner}, Literal{symbol.value});
     case SymbolKind::kFunction:
       context.Report(span, diag::FunctionAsValue, context[symbol.name]);
       break;

@@ -7,8 +7,8 @@
 // has the error type, which silences what follows from it.
 namespace clipc::check {
 
-ir::ExprId CheckExpr(Context& context, ast::ExprId id);
+ExprId CheckExpr(Context& context, ast::ExprId id);
 // The value that a name stands for.
-ir::ExprId UseSymbol(Context& context, SymbolId id, Span span);
+ExprId UseSymbol(Context& context, SymbolId id, Span span);
 
 }  // namespace clipc::check

@@ -10,16 +10,16 @@ namespace {
 
 // Whether a `break` in it leaves the loop or switch whose body it is (a `continue` of a do-while
 // may leave it, too).
-bool Breaks(const Context& context, ir::StmtId id) {
+bool Breaks(const Context& context, StmtId id) {
   if (!id) return false;
   return Visit(
       Overloaded{
-          [&](const ir::Block& s) {
+          [&](const Block& s) {
             return std::ranges::any_of(context[s.body],
-                                       [&](ir::StmtId stmt) { return Breaks(context, stmt); });
+                                       [&](StmtId stmt) { return Breaks(context, stmt); });
           },
-          [&](const ir::If& s) { return Breaks(context, s.then) || Breaks(context, s.otherwise); },
-          [](const ir::Break&) { return true; },
+          [&](const If& s) { return Breaks(context, s.then) || Breaks(context, s.otherwise); },
+          [](const Break&) { return true; },
           [](const auto&) { return false; },
       },
       context[id].node);
@@ -27,46 +27,45 @@ bool Breaks(const Context& context, ir::StmtId id) {
 
 }  // namespace
 
-bool FallsThrough(const Context& context, ir::StmtId id) {
-  const auto always = [&](ir::ExprId condition) {
+bool FallsThrough(const Context& context, StmtId id) {
+  const auto always = [&](ExprId condition) {
     if (!condition) return true;
-    const auto* literal = context.GetIf<ir::Literal>(condition);
+    const auto* literal = context.GetIf<Literal>(condition);
     return literal && literal->bits != 0;
   };
-  return Visit(
-      Overloaded{
-          [&](const ir::Block& s) {
-            return std::ranges::all_of(
-                context[s.body], [&](ir::StmtId stmt) { return FallsThrough(context, stmt); });
-          },
-          [&](const ir::If& s) {
-            return !s.otherwise || FallsThrough(context, s.then) ||
-                   FallsThrough(context, s.otherwise);
-          },
-          [&](const ir::For& s) { return !always(s.condition) || Breaks(context, s.body); },
-          [&](const ir::While& s) { return !always(s.condition) || Breaks(context, s.body); },
-          [&](const ir::DoWhile& s) {
-            return (!always(s.condition) && FallsThrough(context, s.body)) ||
-                   Breaks(context, s.body);
-          },
-          [&](const ir::Switch& s) {
-            bool falls = true, has_default = false, breaks = false;
-            for (const ir::SwitchCase& arm : context[s.cases]) {
-              falls = true;
-              has_default = has_default || arm.is_default;
-              for (ir::StmtId stmt : context[arm.body]) {
-                falls = falls && FallsThrough(context, stmt);
-                breaks = breaks || Breaks(context, stmt);
-              }
-            }
-            return falls || !has_default || breaks;
-          },
-          [](const ir::Return&) { return false; },
-          [](const ir::Break&) { return false; },
-          [](const ir::Continue&) { return false; },
-          [](const auto&) { return true; },
-      },
-      context[id].node);
+  return Visit(Overloaded{
+                   [&](const Block& s) {
+                     return std::ranges::all_of(
+                         context[s.body], [&](StmtId stmt) { return FallsThrough(context, stmt); });
+                   },
+                   [&](const If& s) {
+                     return !s.otherwise || FallsThrough(context, s.then) ||
+                            FallsThrough(context, s.otherwise);
+                   },
+                   [&](const For& s) { return !always(s.condition) || Breaks(context, s.body); },
+                   [&](const While& s) { return !always(s.condition) || Breaks(context, s.body); },
+                   [&](const DoWhile& s) {
+                     return (!always(s.condition) && FallsThrough(context, s.body)) ||
+                            Breaks(context, s.body);
+                   },
+                   [&](const Switch& s) {
+                     bool falls = true, has_default = false, breaks = false;
+                     for (const SwitchCase& arm : context[s.cases]) {
+                       falls = true;
+                       has_default = has_default || arm.is_default;
+                       for (StmtId stmt : context[arm.body]) {
+                         falls = falls && FallsThrough(context, stmt);
+                         breaks = breaks || Breaks(context, stmt);
+                       }
+                     }
+                     return falls || !has_default || breaks;
+                   },
+                   [](const Return&) { return false; },
+                   [](const Break&) { return false; },
+                   [](const Continue&) { return false; },
+                   [](const auto&) { return true; },
+               },
+               context[id].node);
 }
 
 }  // namespace clipc::check

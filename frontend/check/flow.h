@@ -6,6 +6,6 @@
 namespace clipc::check {
 
 // Whether control can reach the end of the statement.
-bool FallsThrough(const Context& context, ir::StmtId id);
+bool FallsThrough(const Context& context, StmtId id);
 
 }  // namespace clipc::check

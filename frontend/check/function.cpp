@@ -11,7 +11,7 @@ namespace clipc::check {
 namespace {
 
 // A function, or a method for objects of type `self`.
-FunctionInfoId InfoOfFunction(Context& context, SymbolId id, ir::TypeId self) {
+FunctionInfoId InfoOfFunction(Context& context, SymbolId id, TypeId self) {
   // A static method is the same one for all that derive from its struct.
   if (DeclOf(context, id).qualifiers & ast::kStatic) self = {};
   FunctionInfoId& known = context.functions.of_symbol[Overloads::KeyOf(id, self)];
@@ -26,7 +26,7 @@ void AddParameter(Context& context, const ast::VarDecl& var, ast::DeclId id, Fun
   parameter.type = ResolveVarType(context, var);
   const bool out = (var.qualifiers & ast::kOut) != 0;
   const bool in = (var.qualifiers & ast::kIn) != 0;
-  parameter.storage = !out ? ir::Storage::kIn : in ? ir::Storage::kInOut : ir::Storage::kOut;
+  parameter.storage = !out ? Storage::kIn : in ? Storage::kInOut : Storage::kOut;
   if (context.IsError(parameter.type)) info.is_broken = true;
   if (var.init) {
     parameter.with_default = id;
@@ -110,7 +110,7 @@ const ast::FunctionDecl& DeclOf(const Context& context, SymbolId function) {
   return context.Get<ast::FunctionDecl>(context[function].decl);
 }
 
-FunctionInfoId AddFunction(Context& context, SymbolId id, ir::TypeId self, ScopeId instance) {
+FunctionInfoId AddFunction(Context& context, SymbolId id, TypeId self, ScopeId instance) {
   const Symbol& symbol = context[id];
   const Scope& scope = context[symbol.scope];
   const bool is_method = scope.kind == ScopeKind::kStruct;
@@ -151,7 +151,7 @@ bool SameParameters(const Context& context, const FunctionInfo& a, const Functio
                             });
 }
 
-std::vector<FunctionInfoId> OverloadsOf(Context& context, SymbolId first, ir::TypeId self) {
+std::vector<FunctionInfoId> OverloadsOf(Context& context, SymbolId first, TypeId self) {
   const Symbol& symbol = context[first];
   const SymbolId newest = context.names.NewestIn(symbol.scope, symbol.name);
   const std::uint64_t key = Overloads::KeyOf(newest, self);
@@ -192,8 +192,8 @@ std::string SignatureText(const Context& context, const FunctionInfo& info) {
   for (const Parameter& parameter : context[info.parameters]) {
     if (!first) text += ", ";
     first = false;
-    if (parameter.storage == ir::Storage::kOut) text += "out ";
-    if (parameter.storage == ir::Storage::kInOut) text += "inout ";
+    if (parameter.storage == Storage::kOut) text += "out ";
+    if (parameter.storage == Storage::kInOut) text += "inout ";
     text += context.TypeName(parameter.type);
   }
   return text + ')';

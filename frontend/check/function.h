@@ -13,14 +13,14 @@ const ast::FunctionDecl& DeclOf(const Context& context, const FunctionInfo& info
 const ast::FunctionDecl& DeclOf(const Context& context, SymbolId function);
 // A new function that the symbol declares, for objects of type `self` when it is a method.
 // `instance` is the scope that holds the arguments of a template.
-FunctionInfoId AddFunction(Context& context, SymbolId id, ir::TypeId self, ScopeId instance = {});
+FunctionInfoId AddFunction(Context& context, SymbolId id, TypeId self, ScopeId instance = {});
 // Resolves the types of the parameters and of the result, once.
 void ResolveSignature(Context& context, FunctionInfoId id);
 // Whether the parameters have the same types and directions.
 bool SameParameters(const Context& context, const FunctionInfo& a, const FunctionInfo& b);
 // All functions that have the name and scope of `first`, declared so far or later, except
 // templates. A prototype and its definition are one function.
-std::vector<FunctionInfoId> OverloadsOf(Context& context, SymbolId first, ir::TypeId self);
+std::vector<FunctionInfoId> OverloadsOf(Context& context, SymbolId first, TypeId self);
 // "f(float, out int)"
 std::string SignatureText(const Context& context, const FunctionInfo& info);
 

@@ -19,7 +19,7 @@ void ResolveGlobal(Context& context, SymbolId id, const ast::VarDecl& var) {
   const ViewSwitch in(context, ViewOf(context, id));
   if (IsConstantBuffer(context, var)) return ResolveConstantBuffer(context, id, var);
   if (var.qualifiers & (ast::kStatic | ast::kGroupShared)) return ResolveStatic(context, id, var);
-  const ir::TypeId type = ResolveVarType(context, var);
+  const TypeId type = ResolveVarType(context, var);
   if (context.IsError(type)) return;
   if (type == context.types.String()) {
     context.Report(context[id].span, diag::StringUsed, context[var.name]);
@@ -46,17 +46,13 @@ bool ResolveVar(Context& context, SymbolId id) {
   return symbol.value != ~0u;
 }
 
-bool HoldsObjects(const Context& context, ir::TypeId type) {
-  return context[context.types.Innermost(type)].kind == ir::TypeKind::kObject;
+bool HoldsObjects(const Context& context, TypeId type) {
+  return context[context.types.Innermost(type)].kind == TypeKind::kObject;
 }
 
-ir::VarId AddVar(Context& context, Name name, ir::TypeId type, ir::Storage storage, Span span) {
-  ir::Var var;
-  var.name = context[name];
-  var.type = type;
-  var.storage = storage;
-  var.span = span;
-  return context.program.vars.Add(std::move(var));
+VarId AddVar(Context& context, Name name, TypeId type, Storage storage, Span span) {
+  return context.program.vars.Add(
+      {.name = std::string(context[name]), .type = type, .storage = storage, .span = span});
 }
 
 std::uint32_t OrderOf(const Context& context, SymbolId id) {
@@ -66,13 +62,13 @@ std::uint32_t OrderOf(const Context& context, SymbolId id) {
 }
 
 void ResolveStatic(Context& context, SymbolId id, const ast::VarDecl& var) {
-  const ir::TypeId type = ResolveVarType(context, var);
+  const TypeId type = ResolveVarType(context, var);
   if (context.IsError(type)) return;
-  const ir::ExprId init = var.init ? CheckInit(context, var.init, type) : ir::ExprId{};
+  const ExprId init = var.init ? CheckInit(context, var.init, type) : ExprId{};
   if (init && context.IsError(init)) return;
   if (HoldsObjects(context, type)) {
     // An alias of the object it is initialised with.
-    const auto* ref = init ? context.GetIf<ir::VarRef>(init) : nullptr;
+    const auto* ref = init ? context.GetIf<VarRef>(init) : nullptr;
     if (ref)
       context[id].value = ref->var.index;
     else
@@ -83,8 +79,8 @@ void ResolveStatic(Context& context, SymbolId id, const ast::VarDecl& var) {
   const ast::Qualifiers qualifiers = QualifiersOf(context, var);
   const bool is_const = (qualifiers & ast::kConst) != 0;
   const bool is_constant = is_const && init && IsConstantExpr(context, init);
-  const ir::VarId result =
-      AddVar(context, var.name, type, is_constant ? ir::Storage::kConstant : ir::Storage::kStatic,
+  const VarId result =
+      AddVar(context, var.name, type, is_constant ? Storage::kConstant : Storage::kStatic,
              context[id].span);
   context[result].init = init;
   context[result].row_major = IsRowMajor(context, qualifiers);
@@ -93,14 +89,13 @@ void ResolveStatic(Context& context, SymbolId id, const ast::VarDecl& var) {
   context.globals.reached.push_back({OrderOf(context, id), result});
 }
 
-void ResolveObject(Context& context, SymbolId id, const ast::VarDecl& var, ir::TypeId type) {
-  const ir::VarId result =
-      AddVar(context, var.name, type, ir::Storage::kResource, context[id].span);
+void ResolveObject(Context& context, SymbolId id, const ast::VarDecl& var, TypeId type) {
+  const VarId result = AddVar(context, var.name, type, Storage::kResource, context[id].span);
   MarkConst(context, result);
   context[id].value = result.index;
   context.globals.resources.push_back({OrderOf(context, id), result});
-  const ir::TypeId element = context.types.Innermost(type);
-  const char letter = ir::RegisterLetter(context[element].object);
+  const TypeId element = context.types.Innermost(type);
+  const char letter = RegisterLetter(context[element].object);
   context.globals.registers.emplace(result.index, RegisterOf(context, var.registers, letter,
                                                              letter == 's'   ? "s"
                                                              : letter == 'u' ? "u"
@@ -123,9 +118,9 @@ const ast::RegisterBinding* BindingOf(const Context& context, List<ast::Register
   return best;
 }
 
-ir::Register RegisterOf(const Context& context, List<ast::RegisterBinding> bindings, char letter,
-                        std::string_view letters) {
-  ir::Register reg;
+Register RegisterOf(const Context& context, List<ast::RegisterBinding> bindings, char letter,
+                    std::string_view letters) {
+  Register reg;
   reg.letter = letter;
   if (const ast::RegisterBinding* binding = BindingOf(context, bindings, letters)) {
     reg.number = binding->number;

@@ -11,16 +11,16 @@ namespace clipc::check {
 // Works out what the variable is, once. False after an error, which was reported.
 bool ResolveVar(Context& context, SymbolId id);
 // Whether the type is a texture, sampler or buffer, or an array of them.
-bool HoldsObjects(const Context& context, ir::TypeId type);
-ir::VarId AddVar(Context& context, Name name, ir::TypeId type, ir::Storage storage, Span span);
+bool HoldsObjects(const Context& context, TypeId type);
+VarId AddVar(Context& context, Name name, TypeId type, Storage storage, Span span);
 // The place of the declaration among those of namespaces.
 std::uint32_t OrderOf(const Context& context, SymbolId id);
 void ResolveStatic(Context& context, SymbolId id, const ast::VarDecl& var);
-void ResolveObject(Context& context, SymbolId id, const ast::VarDecl& var, ir::TypeId type);
+void ResolveObject(Context& context, SymbolId id, const ast::VarDecl& var, TypeId type);
 // The register of a resource or buffer: that of the binding that counts, if there is one. `letters`
 // are the kinds of register that fit.
-ir::Register RegisterOf(const Context& context, List<ast::RegisterBinding> bindings, char letter,
-                        std::string_view letters);
+Register RegisterOf(const Context& context, List<ast::RegisterBinding> bindings, char letter,
+                    std::string_view letters);
 // The binding that counts under this profile; null without one.
 const ast::RegisterBinding* BindingOf(const Context& context, List<ast::RegisterBinding> bindings,
                                       std::string_view letters);

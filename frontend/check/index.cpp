@@ -13,39 +13,39 @@ namespace clipc::check {
 namespace {
 
 // texture.mips[level][position]; none when the expression is something else.
-ir::ExprId CheckMips(Context& context, const ast::IndexExpr& expr, Span span) {
+ExprId CheckMips(Context& context, const ast::IndexExpr& expr, Span span) {
   const auto* inner = context.GetIf<ast::IndexExpr>(expr.base);
   const auto* member = inner ? context.GetIf<ast::MemberExpr>(inner->base) : nullptr;
   if (!member || context[member->name] != "mips") return {};
-  const ir::ExprId object = CheckExpr(context, member->base);
-  if (context.TypeOf(object).kind != ir::TypeKind::kObject) {
+  const ExprId object = CheckExpr(context, member->base);
+  if (context.TypeOf(object).kind != TypeKind::kObject) {
     if (!context.IsError(object))
       ReportNoMember(context, context.TypeIdOf(object), member->name, member->name_span);
     return context.ErrorExpr(span);
   }
-  const ir::ExprId level = CheckExpr(context, inner->index);
-  const ir::ExprId index = CheckExpr(context, expr.index);
+  const ExprId level = CheckExpr(context, inner->index);
+  const ExprId index = CheckExpr(context, expr.index);
   if (context.IsError(level, index)) return context.ErrorExpr(span);
   return CheckObjectIndex(context.program, object, index, level, span, context.diagnostics);
 }
 
 // The index as a scalar int or uint.
-ir::ExprId ConvertIndex(Context& context, ir::ExprId index) {
-  const ir::Type& type = context.TypeOf(index);
+ExprId ConvertIndex(Context& context, ExprId index) {
+  const Type& type = context.TypeOf(index);
   const Span span = context[index].span;
   if (!type.IsNumeric() || type.Components() != 1) {
     return context.Fail(span, diag::IndexNotScalar, context.TypeName(index));
   }
-  const bool is_unsigned = ir::IsUnsigned(type.scalar) || type.scalar == ir::Scalar::kBool;
+  const bool is_unsigned = IsUnsigned(type.scalar) || type.scalar == Scalar::kBool;
   return ConvertSilently(context, index,
-                         context.types.Make(is_unsigned ? ir::Scalar::kUint : ir::Scalar::kInt));
+                         context.types.Make(is_unsigned ? Scalar::kUint : Scalar::kInt));
 }
 
-bool CheckBounds(Context& context, ir::ExprId base, ir::ExprId index) {
-  const ir::Type& type = context.TypeOf(base);
-  const std::uint32_t bound = type.kind == ir::TypeKind::kArray    ? type.count
-                              : type.kind == ir::TypeKind::kMatrix ? type.rows
-                                                                   : type.columns;
+bool CheckBounds(Context& context, ExprId base, ExprId index) {
+  const Type& type = context.TypeOf(base);
+  const std::uint32_t bound = type.kind == TypeKind::kArray    ? type.count
+                              : type.kind == TypeKind::kMatrix ? type.rows
+                                                               : type.columns;
   const auto value = EvaluateInteger(context.program, index);
   if (!value || (*value >= 0 && *value < bound)) return true;
   context.Report(context[index].span, diag::IndexOutOfBounds, *value, context.TypeName(base),
@@ -55,21 +55,21 @@ bool CheckBounds(Context& context, ir::ExprId base, ir::ExprId index) {
 
 }  // namespace
 
-ir::ExprId CheckIndex(Context& context, const ast::IndexExpr& expr, Span span) {
-  if (const ir::ExprId mips = CheckMips(context, expr, span)) return mips;
-  const ir::ExprId base = CheckExpr(context, expr.base);
-  ir::ExprId index = CheckExpr(context, expr.index);
+ExprId CheckNode(Context& context, const ast::IndexExpr& expr, Span span) {
+  if (const ExprId mips = CheckMips(context, expr, span)) return mips;
+  const ExprId base = CheckExpr(context, expr.base);
+  ExprId index = CheckExpr(context, expr.index);
   if (context.IsError(base, index)) return context.ErrorExpr(span);
-  const ir::Type type = context.TypeOf(base);
+  const Type type = context.TypeOf(base);
   switch (type.kind) {
-    case ir::TypeKind::kObject:
+    case TypeKind::kObject:
       return CheckObjectIndex(context.program, base, index, std::nullopt, span,
                               context.diagnostics);
-    case ir::TypeKind::kArray:
-    case ir::TypeKind::kVector:
-    case ir::TypeKind::kMatrix: break;
-    case ir::TypeKind::kStruct: {
-      const ir::ExprId operands[] = {base, index};
+    case TypeKind::kArray:
+    case TypeKind::kVector:
+    case TypeKind::kMatrix: break;
+    case TypeKind::kStruct: {
+      const ExprId operands[] = {base, index};
       if (const auto call = CallOperator(context, "[]", operands, span, span)) return *call;
       [[fallthrough]];
     }
@@ -77,9 +77,9 @@ ir::ExprId CheckIndex(Context& context, const ast::IndexExpr& expr, Span span) {
   }
   index = ConvertIndex(context, index);
   if (context.IsError(index)) return index;
-  const auto* literal = context.GetIf<ir::Literal>(index);
+  const auto* literal = context.GetIf<Literal>(index);
   if (!CheckBounds(context, base, index)) return context.ErrorExpr(span);
-  if (literal && context.Is<ir::Swizzle>(base)) {
+  if (literal && context.Is<Swizzle>(base)) {
     return Component(context, base, static_cast<std::uint8_t>(literal->bits));
   }
   return context.At(span).At(base, index);

@@ -5,6 +5,6 @@
 // Indices: array[i], vector[i], matrix[i], texture[i], texture.mips[level][i].
 namespace clipc::check {
 
-ir::ExprId CheckIndex(Context& context, const ast::IndexExpr& expr, Span span);
+ExprId CheckNode(Context& context, const ast::IndexExpr& expr, Span span);
 
 }  // namespace clipc::check

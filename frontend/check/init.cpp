@@ -17,8 +17,8 @@ class ListReader {
  public:
   ListReader(Context& context, ast::ExprId list) : context_(context) { Collect(list); }
 
-  ir::ExprId Read(ir::TypeId type, Span span) {
-    const ir::ExprId value = Take(type);
+  ExprId Read(TypeId type, Span span) {
+    const ExprId value = Take(type);
     if (failed_) return context_.ErrorExpr(span);
     if (ran_out_ || next_ < sources_.size() || next_scalar_ < scalars_.size() || current_) {
       return context_.Fail(span, diag::InitialiserCount, ran_out_ ? "too few" : "too many",
@@ -48,7 +48,7 @@ class ListReader {
 
   // Has current_ dealt out component by component.
   void Open() {
-    const ir::ExprId value = std::exchange(current_, {});
+    const ExprId value = std::exchange(current_, {});
     scalars_.clear();
     next_scalar_ = 0;
     if (context_.TypeOf(value).IsNumeric()) return TakeApart(context_, value, scalars_, prologue_);
@@ -58,42 +58,41 @@ class ListReader {
     failed_ = true;
   }
 
-  void OpenPart(ir::ExprId value) {
-    ir::Builder at = context_.At(context_[value].span);
-    const ir::Type type = context_.TypeOf(value);
+  void OpenPart(ExprId value) {
+    Builder at = context_.At(context_[value].span);
+    const Type type = context_.TypeOf(value);
     const std::size_t count =
-        type.kind == ir::TypeKind::kStruct ? context_[type.structure].fields.size() : type.count;
-    if (type.kind != ir::TypeKind::kStruct && type.kind != ir::TypeKind::kArray)
+        type.kind == TypeKind::kStruct ? context_[type.structure].fields.size() : type.count;
+    if (type.kind != TypeKind::kStruct && type.kind != TypeKind::kArray)
       return TakeApart(context_, value, scalars_, prologue_);
     for (std::uint32_t i = 0; i < count; ++i) {
-      const ir::ExprId whole = ir::Clone(context_.program, value);
-      OpenPart(type.kind == ir::TypeKind::kStruct ? at.Field(whole, i) : at.At(whole, i));
+      const ExprId whole = Clone(context_.program, value);
+      OpenPart(type.kind == TypeKind::kStruct ? at.Field(whole, i) : at.At(whole, i));
     }
   }
 
-  ir::ExprId TakeScalar(ir::Scalar kind) {
+  ExprId TakeScalar(Scalar kind) {
     if (Peek()) Open();
     ran_out_ = next_scalar_ >= scalars_.size();
     if (ran_out_) return context_.ErrorExpr({});
     return Implicit(context_, scalars_[next_scalar_++], context_.types.Make(kind));
   }
 
-  ir::ExprId Construct(ir::TypeId type, ExprSpan parts) {
+  ExprId Construct(TypeId type, ExprSpan parts) {
     const Span span = parts.empty() ? Span{} : context_[parts.front()].span;
     return Stopped() ? context_.ErrorExpr(span) : context_.At(span).ConstructOf(type, parts);
   }
 
-  ir::ExprId TakeVector(ir::TypeId type_id) {
-    const ir::Type type = context_[type_id];
+  ExprId TakeVector(TypeId type_id) {
+    const Type type = context_[type_id];
     Exprs parts;
     std::uint32_t filled = 0;
     while (filled < type.columns && !Stopped()) {
       const bool has_current = Peek();
-      const ir::Type given = has_current ? context_.TypeOf(current_) : ir::Type{};
-      const bool is_simple =
-          given.kind == ir::TypeKind::kScalar || given.kind == ir::TypeKind::kVector;
+      const Type given = has_current ? context_.TypeOf(current_) : Type{};
+      const bool is_simple = given.kind == TypeKind::kScalar || given.kind == TypeKind::kVector;
       if (has_current && is_simple && filled + given.columns <= type.columns) {
-        const ir::ExprId value = std::exchange(current_, {});
+        const ExprId value = std::exchange(current_, {});
         parts.push_back(Implicit(context_, value,
                                  context_.types.WithScalar(context_.TypeIdOf(value), type.scalar)));
         filled += given.columns;
@@ -106,10 +105,10 @@ class ListReader {
   }
 
   // The rows of a matrix, the fields of a struct, the elements of an array.
-  ir::ExprId TakeParts(ir::TypeId type_id) {
-    const ir::Type type = context_[type_id];
-    const bool is_struct = type.kind == ir::TypeKind::kStruct;
-    const bool is_matrix = type.kind == ir::TypeKind::kMatrix;
+  ExprId TakeParts(TypeId type_id) {
+    const Type type = context_[type_id];
+    const bool is_struct = type.kind == TypeKind::kStruct;
+    const bool is_matrix = type.kind == TypeKind::kMatrix;
     const std::size_t count = is_struct   ? context_[type.structure].fields.size()
                               : is_matrix ? type.rows
                                           : type.count;
@@ -122,23 +121,23 @@ class ListReader {
     return Construct(type_id, parts);
   }
 
-  ir::ExprId Take(ir::TypeId type_id) {
+  ExprId Take(TypeId type_id) {
     if (Stopped()) return context_.ErrorExpr({});
-    const ir::Type type = context_[type_id];
+    const Type type = context_[type_id];
     if (Peek()) {
       // An element that is just what is wanted here stays whole.
-      const ir::Type& given = context_.TypeOf(current_);
+      const Type& given = context_.TypeOf(current_);
       const bool same_shape = type.IsNumeric() && given.IsNumeric() && given.rows == type.rows &&
                               given.columns == type.columns;
       if (context_.TypeIdOf(current_) == type_id || same_shape)
         return Implicit(context_, std::exchange(current_, {}), type_id);
     }
     switch (type.kind) {
-      case ir::TypeKind::kScalar: return TakeScalar(type.scalar);
-      case ir::TypeKind::kVector: return TakeVector(type_id);
-      case ir::TypeKind::kMatrix:
-      case ir::TypeKind::kStruct:
-      case ir::TypeKind::kArray: return TakeParts(type_id);
+      case TypeKind::kScalar: return TakeScalar(type.scalar);
+      case TypeKind::kVector: return TakeVector(type_id);
+      case TypeKind::kMatrix:
+      case TypeKind::kStruct:
+      case TypeKind::kArray: return TakeParts(type_id);
       default: break;
     }
     if (!std::exchange(failed_, true)) {
@@ -151,8 +150,8 @@ class ListReader {
   Context& context_;
   std::vector<ast::ExprId> sources_;
   std::size_t next_ = 0;
-  ir::ExprId current_;  // checked, not used yet
-  Exprs scalars_;       // of an element that is dealt out one by one
+  ExprId current_;  // checked, not used yet
+  Exprs scalars_;   // of an element that is dealt out one by one
   std::size_t next_scalar_ = 0;
   Exprs prologue_;
   bool ran_out_ = false;
@@ -176,7 +175,7 @@ std::optional<std::uint64_t> CountComponents(Context& context, ast::ExprId init)
     return CountComponents(context, unary->operand);
   const auto* call = std::get_if<ast::CallExpr>(&node);
   const auto* callee = call ? context.GetIf<ast::TypeExpr>(call->callee) : nullptr;
-  const ir::TypeId type =
+  const TypeId type =
       callee ? ResolveType(context, callee->type) : context.TypeIdOf(CheckExpr(context, init));
   if (context.IsError(type)) return std::nullopt;
   return ComponentsOf(context, type);
@@ -184,17 +183,17 @@ std::optional<std::uint64_t> CountComponents(Context& context, ast::ExprId init)
 
 }  // namespace
 
-ir::ExprId CheckInit(Context& context, ast::ExprId init, ir::TypeId type) {
+ExprId CheckInit(Context& context, ast::ExprId init, TypeId type) {
   if (context.Is<ast::InitListExpr>(init)) {
     const Span span = context[init].span;
     return context.IsError(type) ? context.ErrorExpr(span)
                                  : ListReader(context, init).Read(type, span);
   }
-  const ir::ExprId value = CheckExpr(context, init);
+  const ExprId value = CheckExpr(context, init);
   return context.IsError(value) ? value : Implicit(context, value, type);
 }
 
-std::optional<std::uint32_t> ImpliedCount(Context& context, ast::ExprId init, ir::TypeId element) {
+std::optional<std::uint32_t> ImpliedCount(Context& context, ast::ExprId init, TypeId element) {
   const auto total = CountComponents(context, init);
   if (!total) return std::nullopt;
   const std::uint64_t each = std::max<std::uint64_t>(ComponentsOf(context, element), 1);

@@ -10,9 +10,9 @@
 namespace clipc::check {
 
 // The initialiser as a value of the type.
-ir::ExprId CheckInit(Context& context, ast::ExprId init, ir::TypeId type);
+ExprId CheckInit(Context& context, ast::ExprId init, TypeId type);
 // The size of the array in `T x[] = init`; `element` is T. Nothing after an error, which was
 // reported.
-std::optional<std::uint32_t> ImpliedCount(Context& context, ast::ExprId init, ir::TypeId element);
+std::optional<std::uint32_t> ImpliedCount(Context& context, ast::ExprId init, TypeId element);
 
 }  // namespace clipc::check

@@ -11,44 +11,43 @@
 namespace clipc::check {
 namespace {
 
-ir::StmtId CheckLoopBody(Context& context, ast::StmtId body) {
+StmtId CheckLoopBody(Context& context, ast::StmtId body) {
   ++context.view.body->loops;
-  const ir::StmtId block = CheckBlock(context, body);
+  const StmtId block = CheckBlock(context, body);
   --context.view.body->loops;
   return block;
 }
 
-void CheckForInit(Context& context, ast::StmtId init, ir::For& loop) {
+void CheckForInit(Context& context, ast::StmtId init, For& loop) {
   const std::size_t mark = context.stmts.size();
   if (const auto* stmt = context.GetIf<ast::ExprStmt>(init)) {
-    const ir::ExprId value = CheckExpr(context, stmt->expr);
+    const ExprId value = CheckExpr(context, stmt->expr);
     if (context.IsError(value)) return;
     DeclareTemporaries(context);
     loop.init = context.program.stmt_lists.Add({context.At(context[init].span).Eval(value)});
     return;
   }
   CheckStmt(context, init);
-  const std::span<const ir::StmtId> emitted =
-      std::span<const ir::StmtId>(context.stmts).subspan(mark);
+  const std::span<const StmtId> emitted = std::span<const StmtId>(context.stmts).subspan(mark);
   if (emitted.empty()) return;
-  const auto type_of = [&](ir::StmtId id) {
-    const auto* declare = context.GetIf<ir::Declare>(id);
-    return declare ? context[declare->var].type : ir::TypeId{};
+  const auto type_of = [&](StmtId id) {
+    const auto* declare = context.GetIf<Declare>(id);
+    return declare ? context[declare->var].type : TypeId{};
   };
-  const ir::TypeId type = type_of(emitted.front());
+  const TypeId type = type_of(emitted.front());
   const bool one_type =
-      type && std::ranges::all_of(emitted, [&](ir::StmtId id) { return type_of(id) == type; });
+      type && std::ranges::all_of(emitted, [&](StmtId id) { return type_of(id) == type; });
   // Other statements stay before the loop.
   if (!one_type) return;
-  const std::vector<ir::StmtId> stmts = TakeStmts(context, mark);
-  loop.init = context.program.stmt_lists.Add(std::span<const ir::StmtId>(stmts));
+  const std::vector<StmtId> stmts = TakeStmts(context, mark);
+  loop.init = context.program.stmt_lists.Add(std::span<const StmtId>(stmts));
 }
 
 }  // namespace
 
-void CheckFor(Context& context, const ast::ForStmt& stmt, Span span) {
+void CheckNode(Context& context, const ast::ForStmt& stmt, Span span) {
   std::vector<SymbolId> variables;
-  ir::For loop;
+  For loop;
   {
     const ScopeTable::LocalScope scope(context.names);
     const std::size_t mark = context.names.locals().size();
@@ -77,19 +76,19 @@ void CheckFor(Context& context, const ast::ForStmt& stmt, Span span) {
 void HoistLoopVariable(Context& context, SymbolId id) {
   Symbol& symbol = context[id];
   if (symbol.owner == ~0u) return;
-  auto& loop = context.Get<ir::For>(ir::StmtId{symbol.owner});
+  auto& loop = context.Get<For>(StmtId{symbol.owner});
   symbol.owner = ~0u;
-  ir::ExprId assignments;
-  const std::vector<ir::StmtId> init(context[loop.init].begin(), context[loop.init].end());
-  for (ir::StmtId stmt : init) {
-    const auto* declare = context.GetIf<ir::Declare>(stmt);
+  ExprId assignments;
+  const std::vector<StmtId> init(context[loop.init].begin(), context[loop.init].end());
+  for (StmtId stmt : init) {
+    const auto* declare = context.GetIf<Declare>(stmt);
     if (!declare) return;
-    const ir::VarId var = declare->var;
-    const ir::ExprId value = declare->init;
-    ir::Builder at = context.At(context[var].span);
-    context.view.body->hoisted.push_back(at.Stmt(ir::Declare{var, {}}));
+    const VarId var = declare->var;
+    const ExprId value = declare->init;
+    Builder at = context.At(context[var].span);
+    context.view.body->hoisted.push_back(at.Stmt(Declare{var, {}}));
     if (!value) continue;
-    const ir::ExprId assignment = at.AssignTo(at.Ref(var), value);
+    const ExprId assignment = at.AssignTo(at.Ref(var), value);
     assignments = assignments ? at.CommaOf(assignments, assignment) : assignment;
   }
   loop.init = {};
@@ -98,17 +97,17 @@ void HoistLoopVariable(Context& context, SymbolId id) {
         context.program.stmt_lists.Add({context.At(context[assignments].span).Eval(assignments)});
 }
 
-void CheckWhile(Context& context, const ast::WhileStmt& stmt, Span span) {
-  const ir::ExprId condition = CheckCondition(context, stmt.condition, "while");
+void CheckNode(Context& context, const ast::WhileStmt& stmt, Span span) {
+  const ExprId condition = CheckCondition(context, stmt.condition, "while");
   DeclareTemporaries(context);
-  const ir::StmtId body = CheckLoopBody(context, stmt.body);
-  Emit(context, span, ir::While{condition, body});
+  const StmtId body = CheckLoopBody(context, stmt.body);
+  Emit(context, span, While{condition, body});
 }
 
-void CheckDo(Context& context, const ast::DoStmt& stmt, Span span) {
-  const ir::StmtId body = CheckLoopBody(context, stmt.body);
-  const ir::ExprId condition = CheckCondition(context, stmt.condition, "while");
-  Emit(context, span, ir::DoWhile{body, condition});
+void CheckNode(Context& context, const ast::DoStmt& stmt, Span span) {
+  const StmtId body = CheckLoopBody(context, stmt.body);
+  const ExprId condition = CheckCondition(context, stmt.condition, "while");
+  Emit(context, span, DoWhile{body, condition});
 }
 
 }  // namespace clipc::check

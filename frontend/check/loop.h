@@ -6,11 +6,11 @@
 // Loops.
 namespace clipc::check {
 
-void CheckFor(Context& context, const ast::ForStmt& stmt, Span span);
+void CheckNode(Context& context, const ast::ForStmt& stmt, Span span);
 // Declares the variable of a finished `for` at the top of the function, because it is used after
 // the loop.
 void HoistLoopVariable(Context& context, SymbolId id);
-void CheckWhile(Context& context, const ast::WhileStmt& stmt, Span span);
-void CheckDo(Context& context, const ast::DoStmt& stmt, Span span);
+void CheckNode(Context& context, const ast::WhileStmt& stmt, Span span);
+void CheckNode(Context& context, const ast::DoStmt& stmt, Span span);
 
 }  // namespace clipc::check

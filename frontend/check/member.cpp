@@ -13,9 +13,9 @@ namespace clipc::check {
 namespace {
 
 // .xyz, .rgb
-ir::ExprId CheckSwizzle(Context& context, ir::ExprId base, std::string_view text, Span name_span,
-                        Span span) {
-  const ir::Type type = context.TypeOf(base);
+ExprId CheckSwizzle(Context& context, ExprId base, std::string_view text, Span name_span,
+                    Span span) {
+  const Type type = context.TypeOf(base);
   std::array<std::uint8_t, 4> components{};
   const std::string_view set =
       text.find_first_of("xyzw") != std::string_view::npos ? "xyzw" : "rgba";
@@ -29,12 +29,12 @@ ir::ExprId CheckSwizzle(Context& context, ir::ExprId base, std::string_view text
     return context.Fail(name_span, diag::BadSwizzle, text, context.TypeName(base));
   }
   const int count = static_cast<int>(text.size());
-  if (type.kind == ir::TypeKind::kScalar) {
+  if (type.kind == TypeKind::kScalar) {
     return count == 1 ? base
                       : context.At(span).SplatTo(context.types.Vector(type.scalar, count), base);
   }
   // A swizzle of a swizzle is one.
-  if (const auto* inner = context.GetIf<ir::Swizzle>(base)) {
+  if (const auto* inner = context.GetIf<Swizzle>(base)) {
     for (int i = 0; i < count; ++i) components[i] = inner->components[components[i]];
     base = inner->base;
   }
@@ -43,13 +43,13 @@ ir::ExprId CheckSwizzle(Context& context, ir::ExprId base, std::string_view text
 }
 
 // ._m00_m11, ._11_22
-ir::ExprId CheckMatrixSwizzle(Context& context, ir::ExprId base, std::string_view text,
-                              Span name_span, Span span) {
-  const ir::Type type = context.TypeOf(base);
+ExprId CheckMatrixSwizzle(Context& context, ExprId base, std::string_view text, Span name_span,
+                          Span span) {
+  const Type type = context.TypeOf(base);
   const bool from_zero = text.starts_with("_m");
   const std::size_t step = from_zero ? 4 : 3;
   const char first = from_zero ? '0' : '1';
-  ir::MatrixSwizzle node{.base = base, .rows = {}, .columns = {}, .count = 0};
+  MatrixSwizzle node{.base = base, .rows = {}, .columns = {}, .count = 0};
   bool valid = !text.empty() && text.size() % step == 0 && text.size() / step <= 4;
   for (std::size_t i = 0; valid && i < text.size(); i += step) {
     const int row = text[i + step - 2] - first, column = text[i + step - 1] - first;
@@ -61,10 +61,10 @@ ir::ExprId CheckMatrixSwizzle(Context& context, ir::ExprId base, std::string_vie
   if (!valid) {
     return context.Fail(name_span, diag::BadSwizzle, text, context.TypeName(base));
   }
-  ir::Builder at = context.At(span);
+  Builder at = context.At(span);
   const auto same_row = [&](std::uint8_t row) { return row == node.rows[0]; };
   if (std::all_of(node.rows.begin(), node.rows.begin() + node.count, same_row)) {
-    const ir::ExprId row = at.At(base, std::uint32_t{node.rows[0]});
+    const ExprId row = at.At(base, std::uint32_t{node.rows[0]});
     if (node.count == 1) return at.At(row, std::uint32_t{node.columns[0]});
     return at.Swizzled(row, std::span<const std::uint8_t>(node.columns.data(), node.count));
   }
@@ -76,15 +76,15 @@ ir::ExprId CheckMatrixSwizzle(Context& context, ir::ExprId base, std::string_vie
 
 }  // namespace
 
-ir::ExprId CheckMember(Context& context, const ast::MemberExpr& expr, Span span) {
-  const ir::ExprId base = CheckExpr(context, expr.base);
+ExprId CheckNode(Context& context, const ast::MemberExpr& expr, Span span) {
+  const ExprId base = CheckExpr(context, expr.base);
   if (context.IsError(base)) return base;
-  const ir::TypeId type = context.TypeIdOf(base);
+  const TypeId type = context.TypeIdOf(base);
   switch (context[type].kind) {
-    case ir::TypeKind::kScalar:
-    case ir::TypeKind::kVector:
+    case TypeKind::kScalar:
+    case TypeKind::kVector:
       return CheckSwizzle(context, base, context[expr.name], expr.name_span, span);
-    case ir::TypeKind::kMatrix:
+    case TypeKind::kMatrix:
       return CheckMatrixSwizzle(context, base, context[expr.name], expr.name_span, span);
     default: break;
   }
@@ -98,7 +98,7 @@ ir::ExprId CheckMember(Context& context, const ast::MemberExpr& expr, Span span)
   return UseSymbol(context, member, span);
 }
 
-void ReportNoMember(Context& context, ir::TypeId type, Name name, Span span) {
+void ReportNoMember(Context& context, TypeId type, Name name, Span span) {
   std::vector<std::string_view> candidates;
   if (const StructInfo* info = InfoOf(context, type)) {
     for (SymbolId id : context.names.symbol_ids()) {

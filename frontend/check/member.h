@@ -6,8 +6,8 @@
 // Members: fields, static members, swizzles of vectors and matrices.
 namespace clipc::check {
 
-ir::ExprId CheckMember(Context& context, const ast::MemberExpr& expr, Span span);
+ExprId CheckNode(Context& context, const ast::MemberExpr& expr, Span span);
 // Reports that the type does not have a member of that name.
-void ReportNoMember(Context& context, ir::TypeId type, Name name, Span span);
+void ReportNoMember(Context& context, TypeId type, Name name, Span span);
 
 }  // namespace clipc::check

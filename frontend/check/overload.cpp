@@ -9,7 +9,7 @@
 namespace clipc::check {
 namespace {
 
-std::optional<ConversionRank> Rank(const Context& context, ir::TypeId from, ir::TypeId to) {
+std::optional<ConversionRank> Rank(const Context& context, TypeId from, TypeId to) {
   if (from == to) return ConversionRank{};
   if (const auto rank = RankImplicit(context.types, from, to)) return rank;
   if (DerivesFrom(context, from, to)) return ConversionRank{.form = 1};
@@ -24,16 +24,16 @@ bool RankArguments(const Context& context, const FunctionInfo& info, ExprSpan ar
   changes_shape = false;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const Parameter& parameter = context[info.parameters][i];
-    const ir::TypeId given = context.TypeIdOf(arguments[i]);
+    const TypeId given = context.TypeIdOf(arguments[i]);
     const auto add = [&](std::optional<ConversionRank> rank) {
       if (!rank) return false;
       cost += CostOf(*rank);
       changes_shape = changes_shape || rank->truncation > 0 || rank->splat > 0;
       return true;
     };
-    if (parameter.storage != ir::Storage::kOut && !add(Rank(context, given, parameter.type)))
+    if (parameter.storage != Storage::kOut && !add(Rank(context, given, parameter.type)))
       return false;
-    if (parameter.storage != ir::Storage::kIn && !add(Rank(context, parameter.type, given)))
+    if (parameter.storage != Storage::kIn && !add(Rank(context, parameter.type, given)))
       return false;
   }
   return true;
@@ -41,7 +41,7 @@ bool RankArguments(const Context& context, const FunctionInfo& info, ExprSpan ar
 
 std::string ArgumentTypes(const Context& context, ExprSpan arguments) {
   std::string text = "(";
-  for (ir::ExprId argument : arguments) {
+  for (ExprId argument : arguments) {
     if (text.size() > 1) text += ", ";
     text += context.TypeName(argument);
   }

@@ -26,11 +26,11 @@ struct Overloads {
   }
   // The function of a symbol, for objects of type `self` when it is a method; none before its
   // overload set was asked for.
-  FunctionInfoId Known(SymbolId symbol, ir::TypeId self) const {
+  FunctionInfoId Known(SymbolId symbol, TypeId self) const {
     const auto found = of_symbol.find(KeyOf(symbol, self));
     return found == of_symbol.end() ? FunctionInfoId{} : found->second;
   }
-  static std::uint64_t KeyOf(SymbolId symbol, ir::TypeId self) {
+  static std::uint64_t KeyOf(SymbolId symbol, TypeId self) {
     return std::uint64_t{symbol.index} << 32 | self.index;
   }
   FunctionInfo& operator[](FunctionInfoId id) { return infos[id.index]; }
@@ -55,7 +55,7 @@ struct Overloads {
   // The functions that are reached, in the order in which their bodies are checked.
   std::vector<FunctionInfoId> waiting;
   struct CallEdge {
-    ir::FunctionId caller, callee;
+    FunctionId caller, callee;
     Span span;
   };
   std::vector<CallEdge> calls;

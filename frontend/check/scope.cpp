@@ -59,7 +59,7 @@ ScopeId ScopeOf(Context& context, SymbolId id) {
   switch (context[id].kind) {
     case SymbolKind::kNamespace: return ScopeId{context[id].value};
     case SymbolKind::kType: {
-      const ir::TypeId type = ResolveTypeSymbol(context, id);
+      const TypeId type = ResolveTypeSymbol(context, id);
       if (context[id].owner != ~0u) return ScopeId{context[id].owner};
       const StructInfo* info = InfoOf(context, type);
       return info ? info->scope : ScopeId{};

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/overloaded.h"
+#include "frontend/parse/ast_walk.h"
 #include "frontend/rules/intrinsics.h"
 
 namespace clipc::check {
@@ -39,48 +40,48 @@ bool IsPartOfSelf(const Context& context, ast::ExprId id, ScopeId scope) {
   return found && context[found].kind == SymbolKind::kField;
 }
 
+// Whether the call itself may change the object or a part of it; its operands may, too.
+bool CallChangesSelf(Context& context, const ast::CallExpr& call, ScopeId scope) {
+  const auto part = [&](ast::ExprId e) { return IsPartOfSelf(context, e, scope); };
+  // A method of a part of the object, a method of the object.
+  if (const auto* member = context.GetIf<ast::MemberExpr>(call.callee)) return part(member->base);
+  const auto* name = context.GetIf<ast::NameExpr>(call.callee);
+  if (!name) return false;
+  const SymbolId found = context.names.FindNested(scope, name->name.name);
+  if (found && context[found].kind == SymbolKind::kFunction &&
+      CallChangesSelf(context, found, scope))
+    return true;
+  const std::string_view text = context[name->name.name];
+  const bool writes_nothing =
+      IsIntrinsicName(text) && text != "sincos" && text != "modf" && text != "frexp";
+  if (writes_nothing && name->name.scopes.empty()) return false;
+  // It may have an `out` parameter.
+  return std::ranges::any_of(context[call.arguments], part);
+}
+
 bool ExprChangesSelf(Context& context, ast::ExprId id, ScopeId scope) {
   if (!id) return false;
   const auto expr = [&](ast::ExprId e) { return ExprChangesSelf(context, e, scope); };
   const auto part = [&](ast::ExprId e) { return IsPartOfSelf(context, e, scope); };
-  return std::visit(
-      Overloaded{
-          [&](const ast::UnaryExpr& e) {
-            return (e.op >= ast::UnaryOp::kPreIncrement && part(e.operand)) || expr(e.operand);
-          },
-          [&](const ast::BinaryExpr& e) { return expr(e.left) || expr(e.right); },
-          [&](const ast::AssignExpr& e) { return part(e.left) || expr(e.left) || expr(e.right); },
-          [&](const ast::ConditionalExpr& e) {
-            return expr(e.condition) || expr(e.when_true) || expr(e.when_false);
-          },
-          [&](const ast::CallExpr& e) {
-            const ast::Expr& callee = context[e.callee];
-            const auto* name = std::get_if<ast::NameExpr>(&callee.node);
-            const auto* member = std::get_if<ast::MemberExpr>(&callee.node);
-            if (std::ranges::any_of(context[e.arguments], expr)) return true;
-            // A method of the same object, a method of a part of it.
-            if (member) return part(member->base);
-            if (!name) return false;
-            const SymbolId found = context.names.FindNested(scope, name->name.name);
-            if (found && context[found].kind == SymbolKind::kFunction &&
-                CallChangesSelf(context, found, scope))
-              return true;
-            const std::string_view text = context[name->name.name];
-            const bool writes_nothing =
-                IsIntrinsicName(text) && text != "sincos" && text != "modf" && text != "frexp";
-            if (writes_nothing && name->name.scopes.empty()) return false;
-            // It may have an `out` parameter.
-            return std::ranges::any_of(context[e.arguments], part);
-          },
-          [&](const ast::CastExpr& e) { return expr(e.operand); },
-          [&](const ast::IndexExpr& e) { return expr(e.base) || expr(e.index); },
-          [&](const ast::MemberExpr& e) { return expr(e.base); },
-          [&](const ast::InitListExpr& e) {
-            return std::ranges::any_of(context[e.elements], expr);
-          },
-          [](const auto&) { return false; },
-      },
-      context[id].node);
+  bool changes = false;
+  ast::ForEachChild(context[id].node,
+                    Overloaded{
+                        [&](ast::ExprId child) { changes = changes || expr(child); },
+                        [&](List<ast::ExprId> children) {
+                          changes = changes || std::ranges::any_of(context[children], expr);
+                        },
+                        [](ast::TypeId) {},
+                    });
+  return changes ||
+         Visit(Overloaded{
+                   [&](const ast::UnaryExpr& e) {
+                     return e.op && ChangesOperand(*e.op) && part(e.operand);
+                   },
+                   [&](const ast::AssignExpr& e) { return part(e.left); },
+                   [&](const ast::CallExpr& e) { return CallChangesSelf(context, e, scope); },
+                   [](const auto&) { return false; },
+               },
+               context[id].node);
 }
 
 bool StmtChangesSelf(Context& context, ast::StmtId id, ScopeId scope) {

@@ -34,16 +34,16 @@ void CheckLocal(Context& context, ast::DeclId id, const ast::VarDecl& var) {
     context.Report(var.name_span, diag::LocalStorage, context[var.name],
                    var.qualifiers & ast::kUniform ? "uniform" : "groupshared");
   }
-  const ir::TypeId type = ResolveVarType(context, var);
-  ir::ExprId init;
+  const TypeId type = ResolveVarType(context, var);
+  ExprId init;
   if (var.init && !context.IsError(type)) init = CheckInit(context, var.init, type);
   const SymbolId symbol = DeclareLocal(context, SymbolKind::kVariable, var.name, id, var.name_span);
   context[symbol].resolution = Resolution::kDone;
   if (context.IsError(type)) return;
   if (init && context.IsError(init)) init = {};
   const ast::Qualifiers qualifiers = QualifiersOf(context, var);
-  const ir::VarId result = AddVar(context, var.name, type, ir::Storage::kLocal, var.name_span);
-  ir::Var& local = context[result];
+  const VarId result = AddVar(context, var.name, type, Storage::kLocal, var.name_span);
+  Var& local = context[result];
   local.precise = (qualifiers & ast::kPrecise) != 0;
   local.row_major = IsRowMajor(context, qualifiers);
   context[symbol].value = result.index;
@@ -51,16 +51,16 @@ void CheckLocal(Context& context, ast::DeclId id, const ast::VarDecl& var) {
     MarkConst(context, result);
     if (!var.init) context.Report(var.name_span, diag::ConstWithoutValue, context[var.name]);
     // Only arrays' sizes and case labels look through the variable, so scalars are enough.
-    if (init && IsConstantExpr(context, init) && context[type].kind == ir::TypeKind::kScalar) {
-      local.storage = ir::Storage::kConstant;
-      local.init = ir::Clone(context.program, init);
+    if (init && IsConstantExpr(context, init) && context[type].kind == TypeKind::kScalar) {
+      local.storage = Storage::kConstant;
+      local.init = Clone(context.program, init);
     }
   }
   if (init) init = Unwrap(context, init);
-  Emit(context, var.name_span, ir::Declare{result, init});
+  Emit(context, var.name_span, Declare{result, init});
 }
 
-void CheckDeclStmt(Context& context, const ast::DeclStmt& stmt) {
+void CheckNode(Context& context, const ast::DeclStmt& stmt, Span) {
   for (ast::DeclId id : context[stmt.decls]) {
     const ast::Decl& decl = context[id];
     if (const auto* var = std::get_if<ast::VarDecl>(&decl.node)) {
@@ -73,48 +73,82 @@ void CheckDeclStmt(Context& context, const ast::DeclStmt& stmt) {
   }
 }
 
-void CheckIf(Context& context, const ast::IfStmt& stmt, Span span) {
-  const ir::ExprId condition = Unwrap(context, CheckCondition(context, stmt.condition, "if"));
+void CheckNode(Context& context, const ast::IfStmt& stmt, Span span) {
+  const ExprId condition = Unwrap(context, CheckCondition(context, stmt.condition, "if"));
   DeclareTemporaries(context);
-  const ir::StmtId then = CheckBlock(context, stmt.then);
-  ir::StmtId otherwise;
+  const StmtId then = CheckBlock(context, stmt.then);
+  StmtId otherwise;
   if (stmt.otherwise) {
     // `else if` keeps its shape when nothing has to be declared before the second `if`.
     const std::size_t mark = context.stmts.size();
     if (context.Is<ast::IfStmt>(stmt.otherwise)) {
       CheckStmt(context, stmt.otherwise);
-      const std::vector<ir::StmtId> checked = TakeStmts(context, mark);
+      const std::vector<StmtId> checked = TakeStmts(context, mark);
       otherwise = checked.size() == 1 ? checked.front()
                                       : context.At(context[stmt.otherwise].span).BlockOf(checked);
     } else {
       otherwise = CheckBlock(context, stmt.otherwise);
     }
   }
-  Emit(context, span, ir::If{condition, then, otherwise});
+  Emit(context, span, If{condition, then, otherwise});
 }
 
-void CheckReturn(Context& context, const ast::ReturnStmt& stmt, Span span) {
-  const ir::TypeId wanted = context.view.body->return_type;
+void CheckNode(Context& context, const ast::ReturnStmt& stmt, Span span) {
+  const TypeId wanted = context.view.body->return_type;
   const std::string_view function = context[context.view.body->function].name;
   if (!stmt.value) {
     if (wanted != context.types.Void() && !context.IsError(wanted)) {
       context.Report(span, diag::ReturnWithoutValue, function, context.TypeName(wanted));
     }
-    return Emit(context, span, ir::Return{});
+    return Emit(context, span, Return{});
   }
   if (wanted == context.types.Void()) {
-    const ir::ExprId value = CheckExpr(context, stmt.value);
+    const ExprId value = CheckExpr(context, stmt.value);
     if (context.IsError(value)) return;
     if (context.TypeIdOf(value) != wanted) {
       context.Report(context[stmt.value].span, diag::ReturnFromVoid, function);
       return;
     }
     EmitValue(context, value);
-    return Emit(context, span, ir::Return{});
+    return Emit(context, span, Return{});
   }
-  const ir::ExprId value = Unwrap(context, CheckInit(context, stmt.value, wanted));
-  if (!context.IsError(value)) Emit(context, span, ir::Return{value});
+  const ExprId value = Unwrap(context, CheckInit(context, stmt.value, wanted));
+  if (!context.IsError(value)) Emit(context, span, Return{value});
 }
+
+void CheckNode(Context& context, const ast::BlockStmt& stmt, Span) {
+  CheckStmts(context, stmt.body);
+}
+
+void CheckNode(Context& context, const ast::ExprStmt& stmt, Span) {
+  const ExprId value = CheckExpr(context, stmt.expr);
+  if (!context.IsError(value)) EmitValue(context, value);
+}
+
+void CheckNode(Context& context, const ast::BreakStmt&, Span span) {
+  if (context.view.body->loops + context.view.body->switches == 0)
+    context.Report(span, diag::BreakOutsideLoop);
+  else
+    Emit(context, span, Break{});
+}
+
+void CheckNode(Context& context, const ast::ContinueStmt&, Span span) {
+  if (context.view.body->loops == 0)
+    context.Report(span, diag::ContinueOutsideLoop);
+  else
+    Emit(context, span, Continue{});
+}
+
+void CheckNode(Context& context, const ast::CaseStmt&, Span span) {
+  context.Report(span, diag::CaseOutsideSwitch);
+}
+
+void CheckNode(Context& context, const ast::DiscardStmt&, Span span) {
+  context.Report(span, diag::DiscardInVertexShader);
+}
+
+void CheckNode(Context&, const ast::EmptyStmt&, Span) {}
+void CheckNode(Context&, const ast::ErrorStmt&, Span) {}
 
 }  // namespace
 
@@ -122,7 +156,7 @@ void CheckStmts(Context& context, List<ast::StmtId> stmts) {
   for (ast::StmtId stmt : context[stmts]) CheckStmt(context, stmt);
 }
 
-ir::StmtId CheckBlock(Context& context, ast::StmtId id) {
+StmtId CheckBlock(Context& context, ast::StmtId id) {
   const std::size_t mark = context.stmts.size();
   const ScopeTable::LocalScope scope(context.names);
   if (const auto* block = context.GetIf<ast::BlockStmt>(id))
@@ -137,54 +171,24 @@ void CheckStmt(Context& context, ast::StmtId id) {
   const Span span = stmt.span;
   const Depth depth(context, span);
   if (!depth.ok() || context.diagnostics.TooManyErrors()) return;
-  Body& body = *context.view.body;
-  Visit(Overloaded{
-            [&](const ast::BlockStmt&) { context.stmts.push_back(CheckBlock(context, id)); },
-            [&](const ast::DeclStmt& s) { CheckDeclStmt(context, s); },
-            [&](const ast::ExprStmt& s) {
-              const ir::ExprId value = CheckExpr(context, s.expr);
-              if (!context.IsError(value)) EmitValue(context, value);
-            },
-            [&](const ast::IfStmt& s) { CheckIf(context, s, span); },
-            [&](const ast::ForStmt& s) { CheckFor(context, s, span); },
-            [&](const ast::WhileStmt& s) { CheckWhile(context, s, span); },
-            [&](const ast::DoStmt& s) { CheckDo(context, s, span); },
-            [&](const ast::SwitchStmt& s) { CheckSwitch(context, s, span); },
-            [&](const ast::CaseStmt&) { context.Report(span, diag::CaseOutsideSwitch); },
-            [&](const ast::ReturnStmt& s) { CheckReturn(context, s, span); },
-            [&](const ast::BreakStmt&) {
-              if (body.loops + body.switches == 0)
-                context.Report(span, diag::BreakOutsideLoop);
-              else
-                Emit(context, span, ir::Break{});
-            },
-            [&](const ast::ContinueStmt&) {
-              if (body.loops == 0)
-                context.Report(span, diag::ContinueOutsideLoop);
-              else
-                Emit(context, span, ir::Continue{});
-            },
-            [&](const ast::DiscardStmt&) { context.Report(span, diag::DiscardInVertexShader); },
-            [](const ast::EmptyStmt&) {},
-            [](const ast::ErrorStmt&) {},
-        },
-        stmt.node);
+  if (context.Is<ast::BlockStmt>(id)) return context.stmts.push_back(CheckBlock(context, id));
+  Visit([&](const auto& node) { CheckNode(context, node, span); }, stmt.node);
 }
 
-ir::ExprId CheckScalar(Context& context, ast::ExprId id, std::string_view statement) {
-  const ir::ExprId value = CheckExpr(context, id);
+ExprId CheckScalar(Context& context, ast::ExprId id, std::string_view statement) {
+  const ExprId value = CheckExpr(context, id);
   if (context.IsError(value)) return value;
-  const ir::Type& type = context.TypeOf(value);
+  const Type& type = context.TypeOf(value);
   if (type.IsNumeric() && type.Components() == 1) return value;
   return context.Fail(context[id].span, diag::ConditionNotScalar, statement,
                       context.TypeName(value));
 }
 
-ir::ExprId CheckCondition(Context& context, ast::ExprId id, std::string_view statement) {
-  const ir::ExprId value = CheckScalar(context, id, statement);
+ExprId CheckCondition(Context& context, ast::ExprId id, std::string_view statement) {
+  const ExprId value = CheckScalar(context, id, statement);
   return context.IsError(value)
              ? value
-             : ConvertSilently(context, value, context.types.Make(ir::Scalar::kBool));
+             : ConvertSilently(context, value, context.types.Make(Scalar::kBool));
 }
 
 }  // namespace clipc::check

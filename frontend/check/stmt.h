@@ -10,11 +10,11 @@ namespace clipc::check {
 
 void CheckStmts(Context& context, List<ast::StmtId> stmts);
 // The statement as a Block with a scope of its own: the body of another statement.
-ir::StmtId CheckBlock(Context& context, ast::StmtId id);
+StmtId CheckBlock(Context& context, ast::StmtId id);
 void CheckStmt(Context& context, ast::StmtId id);
 // A number that a statement takes; `statement` is its name in messages.
-ir::ExprId CheckScalar(Context& context, ast::ExprId id, std::string_view statement);
+ExprId CheckScalar(Context& context, ast::ExprId id, std::string_view statement);
 // A condition as a bool; `statement` is its name in messages.
-ir::ExprId CheckCondition(Context& context, ast::ExprId id, std::string_view statement);
+ExprId CheckCondition(Context& context, ast::ExprId id, std::string_view statement);
 
 }  // namespace clipc::check

@@ -13,17 +13,17 @@ namespace clipc::check {
 namespace {
 
 // Adds a field to the struct. Its symbol is declared already.
-void AddField(Context& context, ir::StructId structure, SymbolId symbol, ir::Field field) {
+void AddField(Context& context, StructId structure, SymbolId symbol, Field field) {
   auto& fields = context[structure].fields;
   context[symbol].Resolve(static_cast<std::uint32_t>(fields.size()));
   context.structs.infos[structure.index].fields.push_back(context[symbol].name);
   fields.push_back(std::move(field));
 }
 
-void AddBases(Context& context, const ast::StructDecl& decl, ir::TypeId type) {
-  const ir::StructId structure = context[type].structure;
+void AddBases(Context& context, const ast::StructDecl& decl, TypeId type) {
+  const StructId structure = context[type].structure;
   for (ast::TypeId written : context[decl.bases]) {
-    const ir::TypeId base = ResolveType(context, written);
+    const TypeId base = ResolveType(context, written);
     const StructInfo* info = InfoOf(context, base);
     if (!info) {
       if (!context.IsError(base)) {
@@ -34,7 +34,7 @@ void AddBases(Context& context, const ast::StructDecl& decl, ir::TypeId type) {
     context.structs.infos[structure.index].bases.push_back(base);
     const ScopeId scope = context.structs.infos[structure.index].scope;
     context[scope].nested.push_back(info->scope);
-    const ir::Struct& base_struct = context.types.StructOf(base);
+    const Struct& base_struct = context.types.StructOf(base);
     for (std::size_t f = 0; f < base_struct.fields.size(); ++f) {
       const SymbolId symbol = context.names.Declare(SymbolKind::kField, scope, info->fields[f], {},
                                                     base_struct.fields[f].span);
@@ -43,9 +43,9 @@ void AddBases(Context& context, const ast::StructDecl& decl, ir::TypeId type) {
   }
 }
 
-ir::Field MakeField(Context& context, const ast::VarDecl& var) {
+Field MakeField(Context& context, const ast::VarDecl& var) {
   const ast::Qualifiers qualifiers = QualifiersOf(context, var);
-  ir::Field field;
+  Field field;
   field.name = context[var.name];
   field.type = ResolveVarType(context, var);
   field.span = var.name_span;
@@ -58,7 +58,7 @@ ir::Field MakeField(Context& context, const ast::VarDecl& var) {
   return field;
 }
 
-void AddMember(Context& context, ast::DeclId id, ir::TypeId type) {
+void AddMember(Context& context, ast::DeclId id, TypeId type) {
   const ScopeId scope = context.structs.infos[context[type].structure.index].scope;
   const ast::Decl& decl = context[id];
   if (const auto* var = std::get_if<ast::VarDecl>(&decl.node)) {
@@ -79,9 +79,9 @@ void AddMember(Context& context, ast::DeclId id, ir::TypeId type) {
   DeclareOne(context, id, scope);
 }
 
-void MeasureStruct(Context& context, ir::TypeId type, Span span) {
+void MeasureStruct(Context& context, TypeId type, Span span) {
   StructInfo& info = context.structs.infos[context[type].structure.index];
-  for (const ir::Field& field : context.types.StructOf(type).fields) {
+  for (const Field& field : context.types.StructOf(type).fields) {
     info.components += ComponentsOf(context, field.type);
     info.depth = std::max(info.depth, DepthOf(context, field.type) + 1);
   }
@@ -95,13 +95,12 @@ void MeasureStruct(Context& context, ir::TypeId type, Span span) {
 
 }  // namespace
 
-ir::TypeId ResolveStruct(Context& context, ast::DeclId id, SymbolId symbol, ScopeId scope,
-                         std::uint32_t order) {
+TypeId ResolveStruct(Context& context, ast::DeclId id, SymbolId symbol, ScopeId scope,
+                     std::uint32_t order) {
   const auto& decl = context.Get<ast::StructDecl>(id);
   const Span span = decl.name ? decl.name_span : context[id].span;
-  const ir::StructId structure =
-      context.types.AddStruct({std::string(context[decl.name]), {}, span});
-  const ir::TypeId type = context.types.Of(structure);
+  const StructId structure = context.types.AddStruct({std::string(context[decl.name]), {}, span});
+  const TypeId type = context.types.Of(structure);
   StructInfo info;
   info.decl = id;
   info.scope = context.names.AddScope(ScopeKind::kStruct, scope, decl.name, order);
@@ -122,17 +121,17 @@ ir::TypeId ResolveStruct(Context& context, ast::DeclId id, SymbolId symbol, Scop
   return type;
 }
 
-const StructInfo* InfoOf(const Context& context, ir::TypeId type) {
-  if (context[type].kind != ir::TypeKind::kStruct) return nullptr;
+const StructInfo* InfoOf(const Context& context, TypeId type) {
+  if (context[type].kind != TypeKind::kStruct) return nullptr;
   return &context.structs.infos[context[type].structure.index];
 }
 
-SymbolId FindMember(const Context& context, ir::TypeId type, Name name) {
+SymbolId FindMember(const Context& context, TypeId type, Name name) {
   const StructInfo* info = InfoOf(context, type);
   return info ? context.names.FindNested(info->scope, name) : SymbolId{};
 }
 
-std::optional<std::uint32_t> FindField(const Context& context, ir::TypeId type, Name name) {
+std::optional<std::uint32_t> FindField(const Context& context, TypeId type, Name name) {
   const StructInfo* info = InfoOf(context, type);
   const SymbolId id = info ? context.names.FindIn(info->scope, name) : SymbolId{};
   if (!id || context[id].kind != SymbolKind::kField) return std::nullopt;
@@ -141,10 +140,10 @@ std::optional<std::uint32_t> FindField(const Context& context, ir::TypeId type, 
   return field;
 }
 
-bool DerivesFrom(const Context& context, ir::TypeId derived, ir::TypeId base) {
+bool DerivesFrom(const Context& context, TypeId derived, TypeId base) {
   const StructInfo* info = InfoOf(context, derived);
   if (!info) return false;
-  for (ir::TypeId parent : info->bases) {
+  for (TypeId parent : info->bases) {
     if (parent == base || DerivesFrom(context, parent, base)) return true;
   }
   return false;

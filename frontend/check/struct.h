@@ -10,15 +10,15 @@ namespace clipc::check {
 
 // Makes a type of the struct declaration. `symbol` is its name, `scope` and `order` tell what its
 // members see.
-ir::TypeId ResolveStruct(Context& context, ast::DeclId id, SymbolId symbol, ScopeId scope,
-                         std::uint32_t order);
+TypeId ResolveStruct(Context& context, ast::DeclId id, SymbolId symbol, ScopeId scope,
+                     std::uint32_t order);
 // What the checker knows about a struct type; null for other types.
-const StructInfo* InfoOf(const Context& context, ir::TypeId type);
+const StructInfo* InfoOf(const Context& context, TypeId type);
 // The member of a struct or of its bases; none without one, and for other types.
-SymbolId FindMember(const Context& context, ir::TypeId type, Name name);
+SymbolId FindMember(const Context& context, TypeId type, Name name);
 // The number of the field in the struct; nothing when the struct does not have such a field.
-std::optional<std::uint32_t> FindField(const Context& context, ir::TypeId type, Name name);
-bool DerivesFrom(const Context& context, ir::TypeId derived, ir::TypeId base);
+std::optional<std::uint32_t> FindField(const Context& context, TypeId type, Name name);
+bool DerivesFrom(const Context& context, TypeId derived, TypeId base);
 // Declares a struct, typedef or enum inside a function.
 void DeclareLocalType(Context& context, ast::DeclId id);
 

@@ -26,14 +26,14 @@ std::optional<std::int64_t> CheckCaseLabel(Context& context, const ast::CaseStmt
 
 }  // namespace
 
-void CheckSwitch(Context& context, const ast::SwitchStmt& stmt, Span span) {
-  ir::ExprId value = CheckScalar(context, stmt.value, "switch");
+void CheckNode(Context& context, const ast::SwitchStmt& stmt, Span span) {
+  ExprId value = CheckScalar(context, stmt.value, "switch");
   if (!context.IsError(value)) {
-    const bool is_unsigned = ir::IsUnsigned(context.TypeOf(value).scalar);
+    const bool is_unsigned = IsUnsigned(context.TypeOf(value).scalar);
     value = ConvertSilently(context, value,
-                            context.types.Make(is_unsigned ? ir::Scalar::kUint : ir::Scalar::kInt));
+                            context.types.Make(is_unsigned ? Scalar::kUint : Scalar::kInt));
   }
-  const ir::TypeId type = context.TypeIdOf(value);
+  const TypeId type = context.TypeIdOf(value);
   DeclareTemporaries(context);
   const auto* block = context.GetIf<ast::BlockStmt>(stmt.body);
   if (!block) {
@@ -42,14 +42,14 @@ void CheckSwitch(Context& context, const ast::SwitchStmt& stmt, Span span) {
   }
   ++context.view.body->switches;
   const ScopeTable::LocalScope scope(context.names);
-  std::vector<ir::SwitchCase> arms;
+  std::vector<SwitchCase> arms;
   Exprs labels;
   std::unordered_set<std::int64_t> seen;
   const std::size_t mark = context.stmts.size();
   const auto finish = [&] {
-    const std::vector<ir::StmtId> body = TakeStmts(context, mark);
+    const std::vector<StmtId> body = TakeStmts(context, mark);
     if (!arms.empty()) {
-      arms.back().body = context.program.stmt_lists.Add(std::span<const ir::StmtId>(body));
+      arms.back().body = context.program.stmt_lists.Add(std::span<const StmtId>(body));
       arms.back().labels = context.program.expr_lists.Add(ExprSpan(labels));
     }
     labels.clear();
@@ -64,7 +64,7 @@ void CheckSwitch(Context& context, const ast::SwitchStmt& stmt, Span span) {
       }
       if (const auto value = CheckCaseLabel(context, *label, child.span, seen)) {
         labels.push_back(
-            context.At(child.span).Add(type, ir::Literal{static_cast<std::uint32_t>(*value)}));
+            context.At(child.span).Add(type, Literal{static_cast<std::uint32_t>(*value)}));
       } else {
         arms.back().is_default = arms.back().is_default || !label->value;
       }
@@ -77,7 +77,7 @@ void CheckSwitch(Context& context, const ast::SwitchStmt& stmt, Span span) {
   finish();
   --context.view.body->switches;
   Emit(context, span,
-       ir::Switch{value, context.program.switch_cases.Add(std::span<const ir::SwitchCase>(arms))});
+       Switch{value, context.program.switch_cases.Add(std::span<const SwitchCase>(arms))});
 }
 
 }  // namespace clipc::check

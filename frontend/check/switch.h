@@ -5,6 +5,6 @@
 // Switch statements.
 namespace clipc::check {
 
-void CheckSwitch(Context& context, const ast::SwitchStmt& stmt, Span span);
+void CheckNode(Context& context, const ast::SwitchStmt& stmt, Span span);
 
 }  // namespace clipc::check

@@ -8,10 +8,14 @@
 #include "base/id.h"
 #include "base/span.h"
 #include "frontend/parse/ast.h"
-#include "ir/program.h"
+#include "frontend/rules/rules.h"
 
-// What the checker knows about each declaration.
+// What the checker knows about each declaration. In this room the program's types and functions,
+// and the rules about them, go by their plain names; those of the syntax tree begin with `ast::`.
 namespace clipc::check {
+
+using namespace ir;
+using namespace rules;
 
 struct Symbol;
 struct Scope;
@@ -65,14 +69,14 @@ struct Scope {
   // The members see the symbols of namespaces before this one. Those of a namespace do not use it:
   // each sees the symbols before itself.
   std::uint32_t order = ~0u;
-  ir::TypeId self;              // the type of a struct
+  TypeId self;                  // the type of a struct
   std::vector<ScopeId> nested;  // namespaces that `using` names, scopes of base structs
 };
 
 // A cbuffer, or what becomes one: $Globals, $Params, a ConstantBuffer<T>.
 struct Buffer {
   ast::DeclId decl = {};  // none for $Globals and $Params
-  ir::CbufferKind kind = ir::CbufferKind::kCbuffer;
+  CbufferKind kind = CbufferKind::kCbuffer;
   ScopeId scope;
   std::uint32_t order = 0;
   std::vector<SymbolId> members = {};
@@ -82,15 +86,15 @@ struct Buffer {
 struct Parameter {
   ast::DeclId decl;
   ast::DeclId with_default;  // the declaration with the default argument, or none
-  ir::TypeId type;
-  ir::Storage storage = ir::Storage::kIn;
+  TypeId type;
+  Storage storage = Storage::kIn;
 };
 
 // What the checker knows about a struct besides its ir::Struct.
 struct StructInfo {
   ast::DeclId decl;
   ScopeId scope;
-  std::vector<ir::TypeId> bases;
+  std::vector<TypeId> bases;
   std::vector<Name> fields;      // in the order of ir::Struct::fields
   std::uint64_t components = 0;  // of a value of this type
   int depth = 1;                 // how deep structs and arrays nest in it
@@ -107,10 +111,10 @@ struct FunctionInfo {
   bool is_instance = false;    // of a template
   bool changes_self = false;   // the method may change its object
   std::uint32_t required = 0;  // the number of parameters without a default
-  ir::TypeId return_type;
+  TypeId return_type;
   List<Parameter> parameters;
-  ir::TypeId self;          // the struct of a method; none for functions and static methods
-  ir::FunctionId function;  // none until the function is reached
+  TypeId self;          // the struct of a method; none for functions and static methods
+  FunctionId function;  // none until the function is reached
 };
 
 }  // namespace clipc::check

@@ -21,7 +21,7 @@ constexpr std::uint32_t kUnderWay =
 std::optional<std::uint32_t> ReadArgument(Context& context, const ast::TemplateParameter& parameter,
                                           ast::ExprId argument) {
   if (parameter.is_type) {
-    const ir::TypeId type = TypeArgument(context, argument);
+    const TypeId type = TypeArgument(context, argument);
     return context.IsError(type) ? std::nullopt : std::optional(type.index);
   }
   const auto value = ConstantInteger(context, argument);
@@ -61,7 +61,7 @@ ScopeId BindTemplate(Context& context, List<ast::TemplateParameter> parameters, 
   return scope;
 }
 
-std::string InstanceKey(ast::DeclId decl, ScopeId scope, ir::TypeId self,
+std::string InstanceKey(ast::DeclId decl, ScopeId scope, TypeId self,
                         const std::vector<std::uint64_t>& found) {
   std::string key = fmt::format("{},{},{}", decl.index, scope.index, self.index);
   for (std::uint64_t argument : found) key += fmt::format(",{}", argument);
@@ -70,10 +70,10 @@ std::string InstanceKey(ast::DeclId decl, ScopeId scope, ir::TypeId self,
 
 // Adds to `found` the arguments of the template that follow from passing a value of `type` to a
 // parameter whose type is written as `pattern`.
-void Deduce(Context& context, ast::TypeId pattern_id, ir::TypeId type,
-            const ast::FunctionDecl& decl, std::vector<std::uint64_t>& found) {
+void Deduce(Context& context, ast::TypeId pattern_id, TypeId type, const ast::FunctionDecl& decl,
+            std::vector<std::uint64_t>& found) {
   const ast::Type& pattern = context[pattern_id];
-  const ir::Type given = context[type];
+  const Type given = context[type];
   const auto parameter_of = [&](Name name) -> std::optional<std::uint32_t> {
     for (std::uint32_t i = 0; i < decl.template_parameters.size; ++i) {
       if (context[decl.template_parameters][i].name == name) return i;
@@ -102,7 +102,7 @@ void Deduce(Context& context, ast::TypeId pattern_id, ir::TypeId type,
 
 }  // namespace
 
-std::optional<ir::TypeId> InstantiateStruct(Context& context, SymbolId id, const ast::Type& type) {
+std::optional<TypeId> InstantiateStruct(Context& context, SymbolId id, const ast::Type& type) {
   const Symbol symbol = context[id];
   const auto* decl = symbol.decl ? context.GetIf<ast::StructDecl>(symbol.decl) : nullptr;
   if (!decl || !decl->is_template) return std::nullopt;
@@ -121,9 +121,8 @@ std::optional<ir::TypeId> InstantiateStruct(Context& context, SymbolId id, const
       !ReadTemplateArguments(context, decl->template_parameters, type.arguments, found))
     return context.types.Error();
   if (type.arguments.size > decl->template_parameters.size) {
-    context.Report(type.span, diag::TooManyTypeArguments, context[decl->name],
-                   decl->template_parameters.size);
-    return context.types.Error();
+    return context.FailType(type.span, diag::TooManyTypeArguments, context[decl->name],
+                            decl->template_parameters.size);
   }
   // The struct's own name is known inside it.
   const bool is_in_namespace = symbol.scope && context[symbol.scope].kind == ScopeKind::kNamespace;
@@ -131,29 +130,26 @@ std::optional<ir::TypeId> InstantiateStruct(Context& context, SymbolId id, const
   const ScopeId scope =
       BindTemplate(context, decl->template_parameters, symbol.scope, order, found);
   if (!scope) {
-    context.Report(type.span, diag::MissingTypeArgument, context[decl->name]);
-    return context.types.Error();
+    return context.FailType(type.span, diag::MissingTypeArgument, context[decl->name]);
   }
   const auto [slot, is_new] = context.functions.instances.try_emplace(
       InstanceKey(symbol.decl, symbol.scope, {}, found), kUnderWay);
   if (!is_new && slot->second == kUnderWay) {
-    context.Report(type.span, diag::TypeContainsItself, context[decl->name]);
-    return context.types.Error();
+    return context.FailType(type.span, diag::TypeContainsItself, context[decl->name]);
   }
-  if (!is_new) return ir::TypeId{slot->second};
+  if (!is_new) return TypeId{slot->second};
   if (context.functions.instances.size() > kMaxInstances) {
-    context.Report(type.span, diag::TooManyInstances, kMaxInstances);
-    return context.types.Error();
+    return context.FailType(type.span, diag::TooManyInstances, kMaxInstances);
   }
   std::uint32_t& result = slot->second;
   const SymbolId instance =
       context.names.Declare(SymbolKind::kType, scope, {}, symbol.decl, decl->name_span);
-  const ir::TypeId made = ResolveStruct(context, symbol.decl, instance, scope, order);
+  const TypeId made = ResolveStruct(context, symbol.decl, instance, scope, order);
   result = made.index;
   return made;
 }
 
-FunctionInfoId InstantiateFunction(Context& context, SymbolId id, ir::TypeId self,
+FunctionInfoId InstantiateFunction(Context& context, SymbolId id, TypeId self,
                                    List<ast::ExprId> explicit_arguments, ExprSpan arguments) {
   const Symbol symbol = context[id];
   const ast::FunctionDecl& decl = DeclOf(context, id);

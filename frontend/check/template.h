@@ -12,10 +12,10 @@
 namespace clipc::check {
 
 // S<float>; nothing when the symbol is not a template.
-std::optional<ir::TypeId> InstantiateStruct(Context& context, SymbolId id, const ast::Type& type);
+std::optional<TypeId> InstantiateStruct(Context& context, SymbolId id, const ast::Type& type);
 // The instance of a function template that a call asks for; none when its arguments do not
 // determine the template's.
-FunctionInfoId InstantiateFunction(Context& context, SymbolId id, ir::TypeId self,
+FunctionInfoId InstantiateFunction(Context& context, SymbolId id, TypeId self,
                                    List<ast::ExprId> explicit_arguments, ExprSpan arguments);
 
 }  // namespace clipc::check

@@ -30,7 +30,7 @@ std::optional<std::uint32_t> ArraySize(Context& context, ast::ExprId dimension) 
 
 }  // namespace
 
-ir::TypeId ResolveType(Context& context, ast::TypeId id) {
+TypeId ResolveType(Context& context, ast::TypeId id) {
   if (!id) return context.types.Error();
   const ast::Type& type = context[id];
   if (!type.struct_definition) return ResolveNamedType(context, type);
@@ -41,7 +41,7 @@ ir::TypeId ResolveType(Context& context, ast::TypeId id) {
   return ResolveTypeSymbol(context, context.structs.symbols.at(type.struct_definition.index));
 }
 
-ir::TypeId ResolveNamedType(Context& context, const ast::Type& type) {
+TypeId ResolveNamedType(Context& context, const ast::Type& type) {
   const bool is_plain = type.name.scopes.empty() && !type.name.from_global;
   if (!type.name.name) return context.types.Error();
   if (is_plain && !type.has_arguments) {
@@ -60,9 +60,9 @@ ir::TypeId ResolveNamedType(Context& context, const ast::Type& type) {
   return context.types.Error();
 }
 
-ir::TypeId ResolveTypeSymbol(Context& context, SymbolId id) {
+TypeId ResolveTypeSymbol(Context& context, SymbolId id) {
   Symbol& symbol = context[id];
-  if (symbol.resolution == Resolution::kDone) return ir::TypeId{symbol.value};
+  if (symbol.resolution == Resolution::kDone) return TypeId{symbol.value};
   const Depth depth(context, symbol.span, Depth::kDeclaration);
   if (symbol.resolution == Resolution::kUnderWay || !depth.ok()) {
     if (depth.ok()) context.Report(symbol.span, diag::TypeContainsItself, context[symbol.name]);
@@ -72,7 +72,7 @@ ir::TypeId ResolveTypeSymbol(Context& context, SymbolId id) {
   symbol.resolution = Resolution::kUnderWay;
   const View view = ViewOf(context, id);
   const ast::Decl& decl = context[symbol.decl];
-  ir::TypeId type = context.types.Error();
+  TypeId type = context.types.Error();
   if (const auto* structure = std::get_if<ast::StructDecl>(&decl.node)) {
     if (structure->is_definition) {
       type = ResolveStruct(context, symbol.decl, id, view.scope, view.order);
@@ -101,23 +101,23 @@ View ViewOf(const Context& context, SymbolId id) {
   return view;
 }
 
-std::uint64_t ComponentsOf(const Context& context, ir::TypeId id) {
-  const ir::Type& type = context[id];
+std::uint64_t ComponentsOf(const Context& context, TypeId id) {
+  const Type& type = context[id];
   switch (type.kind) {
-    case ir::TypeKind::kArray:
+    case TypeKind::kArray:
       return std::min(type.count * ComponentsOf(context, type.element), kMaxComponents + 1);
-    case ir::TypeKind::kStruct: return context.structs.infos[type.structure.index].components;
+    case TypeKind::kStruct: return context.structs.infos[type.structure.index].components;
     default: return type.IsNumeric() ? type.Components() : 1;
   }
 }
 
-int DepthOf(const Context& context, ir::TypeId id) {
-  const ir::Type& type = context[id];
-  if (type.kind == ir::TypeKind::kArray) return DepthOf(context, type.element) + 1;
-  return type.kind == ir::TypeKind::kStruct ? context.structs.infos[type.structure.index].depth : 0;
+int DepthOf(const Context& context, TypeId id) {
+  const Type& type = context[id];
+  if (type.kind == TypeKind::kArray) return DepthOf(context, type.element) + 1;
+  return type.kind == TypeKind::kStruct ? context.structs.infos[type.structure.index].depth : 0;
 }
 
-bool IsTooLarge(Context& context, ir::TypeId type, Span span) {
+bool IsTooLarge(Context& context, TypeId type, Span span) {
   if (ComponentsOf(context, type) > kMaxComponents) {
     context.Report(span, diag::TypeTooLarge, kMaxComponents);
     return true;
@@ -129,14 +129,13 @@ bool IsTooLarge(Context& context, ir::TypeId type, Span span) {
   return false;
 }
 
-ir::TypeId ArrayOf(Context& context, ir::TypeId element, List<ast::ExprId> dimensions, Span span,
-                   std::optional<std::uint32_t> implied) {
+TypeId ArrayOf(Context& context, TypeId element, List<ast::ExprId> dimensions, Span span,
+               std::optional<std::uint32_t> implied) {
   if (dimensions.empty()) return element;
   if (element == context.types.Void()) {
-    context.Report(span, diag::VoidValue, "an array of `void`");
-    return context.types.Error();
+    return context.FailType(span, diag::VoidValue, "an array of `void`");
   }
-  ir::TypeId type = element;
+  TypeId type = element;
   bool is_broken = context.IsError(element);
   for (std::uint32_t i = dimensions.size; i-- > 0;) {
     const ast::ExprId dimension = context[dimensions][i];
@@ -156,12 +155,12 @@ ir::TypeId ArrayOf(Context& context, ir::TypeId element, List<ast::ExprId> dimen
   return is_broken ? context.types.Error() : type;
 }
 
-ir::TypeId ResolveVarType(Context& context, const ast::VarDecl& var) {
-  const ir::TypeId element = ResolveType(context, var.type);
+TypeId ResolveVarType(Context& context, const ast::VarDecl& var) {
+  const TypeId element = ResolveType(context, var.type);
   const Span span = var.name ? var.name_span : context[var.type].span;
   if (element == context.types.Void()) {
-    context.Report(span, diag::VoidValue, fmt::format("`{}` of type `void`", context[var.name]));
-    return context.types.Error();
+    return context.FailType(span, diag::VoidValue,
+                            fmt::format("`{}` of type `void`", context[var.name]));
   }
   const bool is_implied = !var.dimensions.empty() && !context[var.dimensions][0];
   std::optional<std::uint32_t> implied;
@@ -169,7 +168,7 @@ ir::TypeId ResolveVarType(Context& context, const ast::VarDecl& var) {
     List<ast::ExprId> inner = var.dimensions;
     ++inner.begin;
     --inner.size;
-    const ir::TypeId row = ArrayOf(context, element, inner, span);
+    const TypeId row = ArrayOf(context, element, inner, span);
     if (context.IsError(row)) return row;
     implied = ImpliedCount(context, var.init, row);
     if (!implied) return context.types.Error();

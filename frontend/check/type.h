@@ -8,23 +8,23 @@
 // Types as they are written, resolved to types of the program.
 namespace clipc::check {
 
-ir::TypeId ResolveType(Context& context, ast::TypeId id);
-ir::TypeId ResolveNamedType(Context& context, const ast::Type& type);
+TypeId ResolveType(Context& context, ast::TypeId id);
+TypeId ResolveNamedType(Context& context, const ast::Type& type);
 // The type that a symbol of kind kType names.
-ir::TypeId ResolveTypeSymbol(Context& context, SymbolId id);
+TypeId ResolveTypeSymbol(Context& context, SymbolId id);
 // What the declaration of the symbol sees: its scope, the declarations before it, and itself.
 View ViewOf(const Context& context, SymbolId id);
 // The number of components of a value of the type, at most one more than is allowed.
-std::uint64_t ComponentsOf(const Context& context, ir::TypeId id);
+std::uint64_t ComponentsOf(const Context& context, TypeId id);
 // How deep structs and arrays nest in the type.
-int DepthOf(const Context& context, ir::TypeId id);
+int DepthOf(const Context& context, TypeId id);
 // Whether the type has too many components or nests too deep, which is reported.
-bool IsTooLarge(Context& context, ir::TypeId type, Span span);
+bool IsTooLarge(Context& context, TypeId type, Span span);
 // element[d0][d1]. `implied` is the size for an empty first `[]`.
-ir::TypeId ArrayOf(Context& context, ir::TypeId element, List<ast::ExprId> dimensions, Span span,
-                   std::optional<std::uint32_t> implied = {});
+TypeId ArrayOf(Context& context, TypeId element, List<ast::ExprId> dimensions, Span span,
+               std::optional<std::uint32_t> implied = {});
 // The type of the variable, with its dimensions.
-ir::TypeId ResolveVarType(Context& context, const ast::VarDecl& var);
+TypeId ResolveVarType(Context& context, const ast::VarDecl& var);
 // Whether matrices lie row by row in memory.
 bool IsRowMajor(const Context& context, ast::Qualifiers qualifiers);
 // The qualifiers of the variable and of the typedef that names its type.

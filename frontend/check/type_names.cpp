@@ -15,18 +15,18 @@ struct BuiltinName {
   Kind kind;
 };
 
-constexpr BuiltinName<ir::Scalar> kScalarNames[] = {
-#define SCALAR(Enumerator, Spelling) {Spelling, ir::Scalar::k##Enumerator},
-#define SCALAR_ALIAS(Enumerator, Spelling) {Spelling, ir::Scalar::k##Enumerator},
+constexpr BuiltinName<Scalar> kScalarNames[] = {
+#define SCALAR(Enumerator, Spelling) {Spelling, Scalar::k##Enumerator},
+#define SCALAR_ALIAS(Enumerator, Spelling) {Spelling, Scalar::k##Enumerator},
 #include "base/builtin_types.def"
 };
 
 // fxc accepts their names in upper and lower case.
-constexpr BuiltinName<ir::ObjectKind> kObjectNames[] = {
-#define OBJECT(Enumerator, Spelling, ...) {Spelling, ir::ObjectKind::k##Enumerator},
-#define OBJECT_ALIAS(Enumerator, Spelling, ...) {Spelling, ir::ObjectKind::k##Enumerator},
-#define UNUSABLE(Spelling, ...) {Spelling, ir::ObjectKind::kOther},
-#define UNUSABLE_SHADER(Spelling) {Spelling, ir::ObjectKind::kOther},
+constexpr BuiltinName<ObjectKind> kObjectNames[] = {
+#define OBJECT(Enumerator, Spelling, ...) {Spelling, ObjectKind::k##Enumerator},
+#define OBJECT_ALIAS(Enumerator, Spelling, ...) {Spelling, ObjectKind::k##Enumerator},
+#define UNUSABLE(Spelling, ...) {Spelling, ObjectKind::kOther},
+#define UNUSABLE_SHADER(Spelling) {Spelling, ObjectKind::kOther},
 #include "base/builtin_types.def"
 };
 
@@ -34,8 +34,8 @@ bool IsSize(char c) { return c >= '1' && c <= '4'; }
 
 }  // namespace
 
-std::optional<ir::TypeId> NumericType(Context& context, Name name) {
-  ir::TypeId& known = context.numeric_types[name.index];
+std::optional<TypeId> NumericType(Context& context, Name name) {
+  TypeId& known = context.numeric_types[name.index];
   if (known) return context.IsError(known) ? std::nullopt : std::optional(known);
   known = context.types.Error();
   const std::string_view text = context[name];
@@ -54,7 +54,7 @@ std::optional<ir::TypeId> NumericType(Context& context, Name name) {
   return std::nullopt;
 }
 
-ir::TypeId TypeArgument(Context& context, ast::ExprId id) {
+TypeId TypeArgument(Context& context, ast::ExprId id) {
   const ast::Expr& expr = context[id];
   if (const auto* type = std::get_if<ast::TypeExpr>(&expr.node))
     return ResolveType(context, type->type);
@@ -72,26 +72,24 @@ ir::TypeId TypeArgument(Context& context, ast::ExprId id) {
   return context.types.Error();
 }
 
-std::optional<ir::TypeId> GenericNumericType(Context& context, const ast::Type& type,
-                                             std::string_view text) {
+std::optional<TypeId> GenericNumericType(Context& context, const ast::Type& type,
+                                         std::string_view text) {
   const bool is_vector = EqualIgnoringCase(text, "vector");
   if (!is_vector && !EqualIgnoringCase(text, "matrix")) return std::nullopt;
-  ir::Scalar kind = ir::Scalar::kFloat;
+  Scalar kind = Scalar::kFloat;
   int sizes[2] = {4, 4};
   const std::uint32_t most = is_vector ? 2 : 3;
   if (type.arguments.size > most) {
-    context.Report(type.span, diag::TooManyTypeArguments, text, most);
-    return context.types.Error();
+    return context.FailType(type.span, diag::TooManyTypeArguments, text, most);
   }
   for (std::uint32_t i = 0; i < type.arguments.size; ++i) {
     const ast::ExprId argument = context[type.arguments][i];
     if (i == 0) {
-      const ir::TypeId component = TypeArgument(context, argument);
+      const TypeId component = TypeArgument(context, argument);
       if (context.IsError(component)) return component;
-      if (context[component].kind != ir::TypeKind::kScalar) {
-        context.Report(context[argument].span, diag::ComponentNotScalar,
-                       context.TypeName(component), text);
-        return context.types.Error();
+      if (context[component].kind != TypeKind::kScalar) {
+        return context.FailType(context[argument].span, diag::ComponentNotScalar,
+                                context.TypeName(component), text);
       }
       kind = context[component].scalar;
       continue;
@@ -99,8 +97,7 @@ std::optional<ir::TypeId> GenericNumericType(Context& context, const ast::Type& 
     const auto size = ConstantInteger(context, argument);
     if (!size) return context.types.Error();
     if (*size < 1 || *size > 4) {
-      context.Report(context[argument].span, diag::BadVectorSize, *size, text);
-      return context.types.Error();
+      return context.FailType(context[argument].span, diag::BadVectorSize, *size, text);
     }
     sizes[i - 1] = static_cast<int>(*size);
   }
@@ -108,18 +105,16 @@ std::optional<ir::TypeId> GenericNumericType(Context& context, const ast::Type& 
                    : context.types.Matrix(kind, sizes[0], sizes[1]);
 }
 
-std::optional<ir::TypeId> ObjectType(Context& context, const ast::Type& type,
-                                     std::string_view text) {
+std::optional<TypeId> ObjectType(Context& context, const ast::Type& type, std::string_view text) {
   // Where the declaration is not a global, the type is a plain T.
   if (text == "ConstantBuffer" || text == "TextureBuffer") {
     if (type.arguments.size == 1) return TypeArgument(context, context[type.arguments][0]);
-    context.Report(type.span, diag::MissingTypeArgument, text);
-    return context.types.Error();
+    return context.FailType(type.span, diag::MissingTypeArgument, text);
   }
   for (const auto& object : kObjectNames) {
     if (!EqualIgnoringCase(object.text, text)) continue;
-    if (!ir::HasElement(object.kind)) return context.types.Object(object.kind);
-    ir::TypeId element = context.types.Vector(ir::Scalar::kFloat, 4);
+    if (!HasElement(object.kind)) return context.types.Object(object.kind);
+    TypeId element = context.types.Vector(Scalar::kFloat, 4);
     if (!type.arguments.empty()) element = TypeArgument(context, context[type.arguments][0]);
     if (context.IsError(element)) return element;
     return context.types.Object(object.kind, element);

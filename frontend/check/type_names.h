@@ -10,14 +10,13 @@
 namespace clipc::check {
 
 // void, string, float, float3, float3x4, for every scalar type.
-std::optional<ir::TypeId> NumericType(Context& context, Name name);
+std::optional<TypeId> NumericType(Context& context, Name name);
 // A template argument as a type. Names are expressions in the syntax tree.
-ir::TypeId TypeArgument(Context& context, ast::ExprId id);
+TypeId TypeArgument(Context& context, ast::ExprId id);
 // vector, vector<float, 3>, matrix, matrix<float, 3, 4>
-std::optional<ir::TypeId> GenericNumericType(Context& context, const ast::Type& type,
-                                             std::string_view text);
+std::optional<TypeId> GenericNumericType(Context& context, const ast::Type& type,
+                                         std::string_view text);
 // Textures, samplers, buffers; ConstantBuffer<T> inside a function is T.
-std::optional<ir::TypeId> ObjectType(Context& context, const ast::Type& type,
-                                     std::string_view text);
+std::optional<TypeId> ObjectType(Context& context, const ast::Type& type, std::string_view text);
 
 }  // namespace clipc::check

@@ -10,27 +10,27 @@
 
 namespace clipc::check {
 
-ir::ExprId Hoist(Context& context, ir::ExprId value, Exprs& prologue) {
+ExprId Hoist(Context& context, ExprId value, Exprs& prologue) {
   const Span span = context[value].span;
   const TemporaryMaker::Temporary temporary = context.Make(value);
   prologue.push_back(temporary.prologue);
   return context.At(span).Ref(temporary.var);
 }
 
-ir::ExprId Repeatable(Context& context, ir::ExprId value, Exprs& prologue) {
-  const bool is_path = ir::RootOf(context.program, value) && ir::IsPure(context.program, value);
+ExprId Repeatable(Context& context, ExprId value, Exprs& prologue) {
+  const bool is_path = RootOf(context.program, value) && IsPure(context.program, value);
   return is_path ? value : Hoist(context, value, prologue);
 }
 
-ir::ExprId WithPrologue(Context& context, ExprSpan prologue, ir::ExprId value) {
+ExprId WithPrologue(Context& context, ExprSpan prologue, ExprId value) {
   for (std::size_t i = prologue.size(); i-- > 0;) {
     value = context.At(context[value].span).CommaOf(prologue[i], value);
   }
   return value;
 }
 
-ir::ExprId Implicit(Context& context, ir::ExprId value, ir::TypeId to) {
-  const ir::TypeId from = context.TypeIdOf(value);
+ExprId Implicit(Context& context, ExprId value, TypeId to) {
+  const TypeId from = context.TypeIdOf(value);
   const Span span = context[value].span;
   if (from == to) return value;
   if (context.IsError(from, to)) return context.ErrorExpr(span);
@@ -39,31 +39,31 @@ ir::ExprId Implicit(Context& context, ir::ExprId value, ir::TypeId to) {
   if (DerivesFrom(context, from, to)) {
     // The fields of the first base come first.
     Exprs prologue, fields;
-    const ir::ExprId object = Repeatable(context, value, prologue);
-    const ir::Struct& base = context.types.StructOf(to);
+    const ExprId object = Repeatable(context, value, prologue);
+    const Struct& base = context.types.StructOf(to);
     const StructInfo& info = *InfoOf(context, to);
     for (std::size_t i = 0; i < base.fields.size(); ++i) {
       const auto field = FindField(context, from, info.fields[i]);
-      fields.push_back(context.At(span).Field(ir::Clone(context.program, object), *field));
+      fields.push_back(context.At(span).Field(Clone(context.program, object), *field));
     }
     return WithPrologue(context, prologue, context.At(span).ConstructOf(to, fields));
   }
   return context.Fail(span, diag::CannotConvert, context.TypeName(from), context.TypeName(to));
 }
 
-ir::ExprId ConvertSilently(Context& context, ir::ExprId value, ir::TypeId to) {
+ExprId ConvertSilently(Context& context, ExprId value, TypeId to) {
   if (context.TypeIdOf(value) == to) return value;
   return ConvertExplicit(context.program, value, to, context);
 }
 
-bool IsConstantExpr(const Context& context, ir::ExprId expr) {
-  const ir::Program& program = context.program;
-  const bool reads_more = ir::AnyExpr(program, expr, [&](ir::ExprId part) {
-    const auto* ref = context.GetIf<ir::VarRef>(part);
-    return (ref && context[ref->var].storage != ir::Storage::kConstant) ||
-           context.Is<ir::ObjectCall>(part) || context.Is<ir::Comma>(part);
+bool IsConstantExpr(const Context& context, ExprId expr) {
+  const Program& program = context.program;
+  const bool reads_more = AnyExpr(program, expr, [&](ExprId part) {
+    const auto* ref = context.GetIf<VarRef>(part);
+    return (ref && context[ref->var].storage != Storage::kConstant) ||
+           context.Is<ObjectCall>(part) || context.Is<Comma>(part);
   });
-  return !reads_more && ir::IsPure(program, expr);
+  return !reads_more && IsPure(program, expr);
 }
 
 std::optional<std::int64_t> ConstantInteger(Context& context, ast::ExprId id) {
@@ -75,7 +75,7 @@ std::optional<std::int64_t> ConstantInteger(Context& context, ast::ExprId id) {
   View view = context.view;
   view.wants_constant = true;
   const ViewSwitch in(context, view);
-  const ir::ExprId value = CheckExpr(context, id);
+  const ExprId value = CheckExpr(context, id);
   if (context.IsError(value)) return std::nullopt;
   if (const auto number = EvaluateInteger(context.program, value)) return number;
   // A float with a whole value will do, as in fxc.

@@ -10,19 +10,19 @@
 namespace clipc::check {
 
 // A reference to a new temporary. The assignment of the value to it is added to `prologue`.
-ir::ExprId Hoist(Context& context, ir::ExprId value, Exprs& prologue);
+ExprId Hoist(Context& context, ExprId value, Exprs& prologue);
 // The value itself when it is a path that may be cloned, else a reference to a temporary.
-ir::ExprId Repeatable(Context& context, ir::ExprId value, Exprs& prologue);
+ExprId Repeatable(Context& context, ExprId value, Exprs& prologue);
 // The value, with the steps of the prologue evaluated before it.
-ir::ExprId WithPrologue(Context& context, ExprSpan prologue, ir::ExprId value);
+ExprId WithPrologue(Context& context, ExprSpan prologue, ExprId value);
 // The value converted to `to` as HLSL does without a cast. Reports when there is no such
 // conversion.
-ir::ExprId Implicit(Context& context, ir::ExprId value, ir::TypeId to);
+ExprId Implicit(Context& context, ExprId value, TypeId to);
 // The value cast to `to`, without the warnings of an implicit conversion.
-ir::ExprId ConvertSilently(Context& context, ir::ExprId value, ir::TypeId to);
+ExprId ConvertSilently(Context& context, ExprId value, TypeId to);
 // Whether the expression is a constant for GLSL as well: it consists of literals and constants
 // under operators without side effects.
-bool IsConstantExpr(const Context& context, ir::ExprId expr);
+bool IsConstantExpr(const Context& context, ExprId expr);
 // An integer that the text determines. Nothing after an error, which was reported.
 std::optional<std::int64_t> ConstantInteger(Context& context, ast::ExprId id);
 

@@ -8,14 +8,15 @@
 #include <limits>
 #include <system_error>
 
+#include "base/spelling.h"
+
 namespace clipc {
 namespace {
 
 bool IsDigit(char c) { return c >= '0' && c <= '9'; }
-char Lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; }
-bool IsHexDigit(char c) { return IsDigit(c) || (Lower(c) >= 'a' && Lower(c) <= 'f'); }
+bool IsHexDigit(char c) { return IsDigit(c) || (ToLower(c) >= 'a' && ToLower(c) <= 'f'); }
 bool IsWordChar(char c) {
-  return IsDigit(c) || (Lower(c) >= 'a' && Lower(c) <= 'z') || c == '_' ||
+  return IsDigit(c) || (ToLower(c) >= 'a' && ToLower(c) <= 'z') || c == '_' ||
          static_cast<unsigned char>(c) >= 0x80;
 }
 
@@ -26,10 +27,10 @@ bool ReadIntegerSuffix(std::string_view text, Number& number) {
   bool is_unsigned = false;
   int longs = 0;
   for (; IsWordChar(At(text, number.length)); ++number.length) {
-    const char c = Lower(text[number.length]);
+    const char c = ToLower(text[number.length]);
     if (c == 'u' && !is_unsigned) {
       is_unsigned = true;
-    } else if (c == 'l' && longs < 2 && (longs == 0 || Lower(text[number.length - 1]) == 'l')) {
+    } else if (c == 'l' && longs < 2 && (longs == 0 || ToLower(text[number.length - 1]) == 'l')) {
       ++longs;
     } else {
       return false;
@@ -65,7 +66,7 @@ Number ReadInteger(std::string_view text, std::size_t digits_begin, std::size_t 
 
 bool ReadFloatSuffix(std::string_view text, Number& number) {
   number.kind = LiteralKind::kFloat;
-  switch (Lower(At(text, number.length))) {
+  switch (ToLower(At(text, number.length))) {
     case 'f': break;
     case 'h': number.kind = LiteralKind::kHalf; break;
     case 'l': number.kind = LiteralKind::kDouble; break;
@@ -81,7 +82,7 @@ Number ReadFloat(std::string_view text, std::size_t begin, std::size_t end,
                  std::chars_format format) {
   Number number;
   number.length = end;
-  const bool has_suffix = Lower(At(text, end)) == 'f';
+  const bool has_suffix = ToLower(At(text, end)) == 'f';
   if (!ReadFloatSuffix(text, number)) number.problem = NumberProblem::kNotANumber;
   double value = 0;
   auto result = std::from_chars(text.data() + begin, text.data() + end, value, format);
@@ -111,7 +112,7 @@ std::size_t SkipDigits(std::string_view text, std::size_t i, bool (*is_digit)(ch
 
 // The end of the exponent that starts at `i` with `mark`, or `i` if there is none.
 std::size_t SkipExponent(std::string_view text, std::size_t i, char mark) {
-  if (Lower(At(text, i)) != mark) return i;
+  if (ToLower(At(text, i)) != mark) return i;
   std::size_t digits = i + 1;
   if (At(text, digits) == '+' || At(text, digits) == '-') ++digits;
   const std::size_t end = SkipDigits(text, digits, IsDigit);
@@ -132,7 +133,7 @@ Number ReadHexadecimal(std::string_view text) {
 Number ReadNumber(std::string_view text) {
   if (text.size() == 1)
     return {LiteralKind::kInt, static_cast<std::uint64_t>(text[0] - '0'), 1, NumberProblem::kNone};
-  if (text[0] == '0' && Lower(text[1]) == 'x') return ReadHexadecimal(text);
+  if (text[0] == '0' && ToLower(text[1]) == 'x') return ReadHexadecimal(text);
   const std::size_t integer_end = SkipDigits(text, 0, IsDigit);
   std::size_t end = integer_end;
   if (At(text, end) == '.') end = SkipDigits(text, end + 1, IsDigit);
@@ -142,7 +143,7 @@ Number ReadNumber(std::string_view text) {
   if (end == integer_end + 1 && end > 1 &&
       kSwizzleStarts.find(At(text, end)) != std::string_view::npos)
     end = integer_end;
-  const char suffix = Lower(At(text, end));
+  const char suffix = ToLower(At(text, end));
   if (end > integer_end || suffix == 'f' || suffix == 'h')
     return ReadFloat(text, 0, end, std::chars_format::general);
   return ReadInteger(text, 0, end, text[0] == '0' ? 8 : 10);

@@ -8,6 +8,7 @@
 #include "base/arena.h"
 #include "base/id.h"
 #include "base/name.h"
+#include "base/operators.h"
 #include "base/span.h"
 #include "frontend/lex/token.h"
 
@@ -62,45 +63,17 @@ struct NameExpr {
 struct TypeExpr {
   TypeId type;
 };
-enum class UnaryOp : std::uint8_t {
-  kPlus,
-  kMinus,
-  kNot,
-  kComplement,
-  kPreIncrement,
-  kPreDecrement,
-  kPostIncrement,
-  kPostDecrement
-};
 struct UnaryExpr {
-  UnaryOp op;
+  std::optional<UnaryOp> op;  // none: `+`
   ExprId operand;
-};
-enum class BinaryOp : std::uint8_t {
-  kMul,
-  kDiv,
-  kMod,
-  kAdd,
-  kSub,
-  kShiftLeft,
-  kShiftRight,
-  kLess,
-  kGreater,
-  kLessEqual,
-  kGreaterEqual,
-  kEqual,
-  kNotEqual,
-  kBitAnd,
-  kBitXor,
-  kBitOr,
-  kLogicalAnd,
-  kLogicalOr,
-  kComma
 };
 struct BinaryExpr {
   BinaryOp op;
   ExprId left, right;
   Span op_span;
+};
+struct CommaExpr {
+  ExprId left, right;
 };
 // `left = right`, or `left op= right`.
 struct AssignExpr {
@@ -145,8 +118,9 @@ struct ErrorExpr {};
 // Parentheses are not kept: they widen the span of what they enclose.
 struct Expr {
   Span span;
-  std::variant<Literal, NameExpr, TypeExpr, UnaryExpr, BinaryExpr, AssignExpr, ConditionalExpr,
-               CallExpr, CastExpr, IndexExpr, MemberExpr, InitListExpr, SizeofExpr, ErrorExpr>
+  std::variant<Literal, NameExpr, TypeExpr, UnaryExpr, BinaryExpr, CommaExpr, AssignExpr,
+               ConditionalExpr, CallExpr, CastExpr, IndexExpr, MemberExpr, InitListExpr, SizeofExpr,
+               ErrorExpr>
       node;
 };
 

@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "base/overloaded.h"
-#include "frontend/parse/operators.h"
 
 namespace clipc::ast {
 namespace {
@@ -177,17 +176,16 @@ void Printer::PutPart(ExprId id) {
                  [this](const NameExpr& e) { Put(e.name, Arguments{e.arguments}); },
                  [this](const TypeExpr& e) { Put(e.type); },
                  [this](const UnaryExpr& e) {
-                   constexpr std::string_view kOps[] = {"+", "-", "!", "~", "++", "--", "++", "--"};
-                   const std::string_view op = kOps[static_cast<int>(e.op)];
-                   const bool post =
-                       e.op == UnaryOp::kPostIncrement || e.op == UnaryOp::kPostDecrement;
+                   const std::string_view op = e.op ? SpellingOf(*e.op) : "+";
+                   const bool post = e.op && IsPostfix(*e.op);
                    Put("(", If(!post, op), e.operand, If(post, op), ")");
                  },
                  [this](const BinaryExpr& e) {
-                   Put("(", e.left, " ", OperatorOf(e.op).text, " ", e.right, ")");
+                   Put("(", e.left, " ", SpellingOf(e.op), " ", e.right, ")");
                  },
+                 [this](const CommaExpr& e) { Put("(", e.left, " , ", e.right, ")"); },
                  [this](const AssignExpr& e) {
-                   Put("(", e.left, " ", e.op ? OperatorOf(*e.op).text : "", "= ", e.right, ")");
+                   Put("(", e.left, " ", e.op ? SpellingOf(*e.op) : "", "= ", e.right, ")");
                  },
                  [this](const ConditionalExpr& e) {
                    Put("(", e.condition, " ? ", e.when_true, " : ", e.when_false, ")");

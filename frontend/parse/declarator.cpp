@@ -3,14 +3,12 @@
 
 #include <fmt/format.h>
 
-#include "frontend/parse/operators.h"
+#include "base/spelling.h"
 #include "frontend/parse/parser.h"
 
 // What follows a type: name, dimensions, semantic, register, packoffset, annotation, initialiser.
 namespace clipc::ast {
 namespace {
-
-char Lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 // The number that `digits` is, from the first to the last character.
 std::optional<std::uint32_t> ParseNumber(std::string_view digits) {
@@ -99,7 +97,7 @@ void Parser::ParseColonPart(VarDecl& var, Collector<RegisterBinding>& registers)
     default: break;
   }
   if (At(kIntLiteral)) {
-    var.bit_width = ParseBinary(OperatorOf(BinaryOp::kAdd).precedence);
+    var.bit_width = ParseBinary(TraitsOf(BinaryOp::kAdd).precedence);
   } else if (At(kIdentifier) && At(kLeftParen, 1)) {
     Next();  // read(caller) and write(miss), of ray payloads
     SkipBalanced();
@@ -174,8 +172,8 @@ bool Parser::ParseRegisterOperand(RegisterBinding& binding) {
       Error(Here(), diag::BadSpace, Describe());
     }
   } else if (const auto number = NumberAfterLetter(text);
-             number && kLetters.find(Lower(text[0])) != kLetters.npos) {
-    binding.letter = Lower(text[0]);
+             number && kLetters.find(ToLower(text[0])) != kLetters.npos) {
+    binding.letter = ToLower(text[0]);
     binding.number = *number;
     Next();
     const std::size_t open = pos_;
@@ -209,7 +207,7 @@ std::optional<PackOffset> Parser::ParsePackOffset() {
 bool Parser::ParsePackOffsetOperand(PackOffset& offset) {
   const std::string_view text = TextAt();
   const auto number = NumberAfterLetter(text);
-  if (!number || Lower(text[0]) != 'c') return false;
+  if (!number || ToLower(text[0]) != 'c') return false;
   offset.reg = *number;
   Next();
   if (At(kLeftBracket) && At(kIntLiteral, 1) && At(kRightBracket, 2)) {

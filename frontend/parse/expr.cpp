@@ -1,30 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <array>
+#include <optional>
 
-#include "frontend/parse/operators.h"
 #include "frontend/parse/parser.h"
 
 // Expressions, by precedence climbing.
 namespace clipc::ast {
 namespace {
 
-// By TokenKind: the binary operator that the token is, or that an assignment such as `+=` contains;
-// kComma for all other tokens.
+// By TokenKind: the binary operator that the token is, or that an assignment such as `+=` contains.
 constexpr auto kOperatorOfToken = [] {
-  std::array<BinaryOp, static_cast<std::size_t>(TokenKind::kUnknown) + 1> operators;
-  operators.fill(BinaryOp::kComma);
+  std::array<std::optional<BinaryOp>, static_cast<std::size_t>(TokenKind::kUnknown) + 1> operators;
   for (std::size_t i = 0; i < operators.size(); ++i) {
     const auto kind = static_cast<TokenKind>(i);
     std::string_view text = SpellingOf(kind);
     if (IsAssignment(kind)) text.remove_suffix(1);
-    for (std::size_t op = 0; op < std::size(kBinaryOperators); ++op) {
-      if (kBinaryOperators[op].text == text) operators[i] = static_cast<BinaryOp>(op);
+    for (int op = 0; op <= static_cast<int>(BinaryOp::kLogicalOr); ++op) {
+      if (SpellingOf(static_cast<BinaryOp>(op)) == text) operators[i] = static_cast<BinaryOp>(op);
     }
   }
   return operators;
 }();
 
-constexpr BinaryOp OperatorOfToken(TokenKind kind) {
+constexpr std::optional<BinaryOp> OperatorOfToken(TokenKind kind) {
   return kOperatorOfToken[static_cast<std::size_t>(kind)];
 }
 
@@ -36,9 +34,9 @@ ExprId Parser::ParseExpression() {
   const std::size_t start = pos_;
   ExprId left = ParseAssignment();
   while (At(kComma) && !panic_) {
-    const Span op_span = Next().span();
+    Next();
     const ExprId right = ParseAssignment();
-    left = AddExpr(start, BinaryExpr{BinaryOp::kComma, left, right, op_span});
+    left = AddExpr(start, CommaExpr{left, right});
   }
   return left;
 }
@@ -72,21 +70,20 @@ ExprId Parser::ParseBinary(int min_precedence) {
   const std::size_t start = pos_;
   ExprId left = ParseUnary();
   while (!panic_) {
-    const BinaryOp op = OperatorOfToken(Peek().kind);
-    const int precedence = OperatorOf(op).precedence;
-    if (precedence < min_precedence || IsAssignment(Peek().kind)) break;
+    const std::optional<BinaryOp> op = OperatorOfToken(Peek().kind);
+    if (!op || TraitsOf(*op).precedence < min_precedence || IsAssignment(Peek().kind)) break;
     if (greater_ends_ && (At(kGreater) || At(kGreaterGreater))) break;
     const Span op_span = Next().span();
-    const ExprId right = ParseBinary(precedence + 1);
-    left = AddExpr(start, BinaryExpr{op, left, right, op_span});
+    const ExprId right = ParseBinary(TraitsOf(*op).precedence + 1);
+    left = AddExpr(start, BinaryExpr{*op, left, right, op_span});
   }
   return left;
 }
 
 ExprId Parser::ParseUnary() {
   switch (Peek().kind) {
-    case kPlus: return ParsePrefix(UnaryOp::kPlus);
-    case kMinus: return ParsePrefix(UnaryOp::kMinus);
+    case kPlus: return ParsePrefix({});
+    case kMinus: return ParsePrefix(UnaryOp::kNegate);
     case kExclaim: return ParsePrefix(UnaryOp::kNot);
     case kTilde: return ParsePrefix(UnaryOp::kComplement);
     case kPlusPlus: return ParsePrefix(UnaryOp::kPreIncrement);
@@ -104,7 +101,7 @@ ExprId Parser::ParseUnary() {
   return ParsePostfix(ParsePrimary(), start);
 }
 
-ExprId Parser::ParsePrefix(UnaryOp op) {
+ExprId Parser::ParsePrefix(std::optional<UnaryOp> op) {
   const std::size_t start = pos_;
   Nesting nesting(*this, 0);
   if (!nesting.ok()) return ErrorExprHere();

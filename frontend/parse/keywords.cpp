@@ -25,86 +25,92 @@ constexpr Entry Object(std::string_view text, bool is_exact = true) {
   return {text, {Word::kObjectType}, is_exact};
 }
 
-constexpr auto kWords = std::to_array<Entry>({
-    Plain("if", Word::kIf),
-    Plain("else", Word::kElse),
-    Plain("for", Word::kFor),
-    Plain("while", Word::kWhile),
-    Plain("do", Word::kDo),
-    Plain("switch", Word::kSwitch),
-    Plain("case", Word::kCase),
-    Plain("default", Word::kDefault),
-    Plain("return", Word::kReturn),
-    Plain("break", Word::kBreak),
-    Plain("continue", Word::kContinue),
-    Plain("discard", Word::kDiscard),
-    Plain("struct", Word::kStruct),
-    Plain("class", Word::kClass),
-    Plain("interface", Word::kInterface),
-    Plain("typedef", Word::kTypedef),
-    Plain("using", Word::kUsing),
-    Plain("namespace", Word::kNamespace),
-    Plain("enum", Word::kEnum),
-    Plain("template", Word::kTemplate),
-    Plain("typename", Word::kTypename),
-    Plain("cbuffer", Word::kCbuffer),
-    Plain("tbuffer", Word::kTbuffer),
-    Plain("operator", Word::kOperator),
-    Plain("_Static_assert", Word::kStaticAssert),
-    Plain("static_assert", Word::kStaticAssert),
-    Plain("true", Word::kTrue),
-    Plain("false", Word::kFalse),
-    Plain("sizeof", Word::kSizeof),
-    Plain("unsigned", Word::kUnsigned),
-    Plain("void", Word::kNumericType),
-    Plain("DWORD", Word::kNumericType),
-#define QUALIFIER(bit, spelling, word) {spelling, {Word::word, false, ast::bit}},
+constexpr auto kWords = [] {
+  using enum Word;
+  return std::to_array<Entry>({
+      Plain("if", kIf),
+      Plain("else", kElse),
+      Plain("for", kFor),
+      Plain("while", kWhile),
+      Plain("do", kDo),
+      Plain("switch", kSwitch),
+      Plain("case", kCase),
+      Plain("default", kDefault),
+      Plain("return", kReturn),
+      Plain("break", kBreak),
+      Plain("continue", kContinue),
+      Plain("discard", kDiscard),
+      Plain("struct", kStruct),
+      Plain("class", kClass),
+      Plain("interface", kInterface),
+      Plain("typedef", kTypedef),
+      Plain("using", kUsing),
+      Plain("namespace", kNamespace),
+      Plain("enum", kEnum),
+      Plain("template", kTemplate),
+      Plain("typename", kTypename),
+      Plain("cbuffer", kCbuffer),
+      Plain("tbuffer", kTbuffer),
+      Plain("operator", kOperator),
+      Plain("_Static_assert", kStaticAssert),
+      Plain("static_assert", kStaticAssert),
+      Plain("true", kTrue),
+      Plain("false", kFalse),
+      Plain("sizeof", kSizeof),
+      Plain("unsigned", kUnsigned),
+      Plain("void", kNumericType),
+      Plain("DWORD", kNumericType),
+#define QUALIFIER(bit, spelling, word) {spelling, {word, false, ast::bit}},
 #include "frontend/parse/qualifiers.def"
-    {"inout", {Word::kQualifier, false, ast::kIn | ast::kOut}},
-    // Qualifiers without a meaning for a vertex shader.
-    MayQualify("reordercoherent"),
-    MayQualify("center"),
-    MayQualify("noinline"),
-    MayQualify("varying"),  // Cg
-    // Geometry and mesh shaders.
-    MayQualify("point"),
-    MayQualify("line"),
-    MayQualify("triangle"),
-    MayQualify("lineadj"),
-    MayQualify("triangleadj"),
-    MayQualify("vertices"),
-    MayQualify("indices"),
-    MayQualify("primitives"),
-    MayQualify("payload"),
-    Object("vector"),
-    Object("matrix"),
-    Object("ConstantBuffer"),
-    Object("TextureBuffer"),
-    Object("string"),
-    Plain("register", Word::kRegister),
-    Plain("layout", Word::kLayout),
-    Plain("packoffset", Word::kPackOffset),
-    Plain("CompileShader", Word::kCompileShader),
-});
+      {"inout", {kQualifier, false, ast::kIn | ast::kOut}},
+      // Qualifiers without a meaning for a vertex shader.
+      MayQualify("reordercoherent"),
+      MayQualify("center"),
+      MayQualify("noinline"),
+      MayQualify("varying"),  // Cg
+      // Geometry and mesh shaders.
+      MayQualify("point"),
+      MayQualify("line"),
+      MayQualify("triangle"),
+      MayQualify("lineadj"),
+      MayQualify("triangleadj"),
+      MayQualify("vertices"),
+      MayQualify("indices"),
+      MayQualify("primitives"),
+      MayQualify("payload"),
+      Object("vector"),
+      Object("matrix"),
+      Object("ConstantBuffer"),
+      Object("TextureBuffer"),
+      Object("string"),
+      Plain("register", kRegister),
+      Plain("layout", kLayout),
+      Plain("packoffset", kPackOffset),
+      Plain("CompileShader", kCompileShader),
+  });
+}();
 
 // Found without regard to case.
-constexpr auto kFolded = std::to_array<Entry>({
-    Plain("technique", Word::kTechnique),
-    Plain("technique10", Word::kTechnique),
-    Plain("technique11", Word::kTechnique),
-    Plain("fxgroup", Word::kTechnique),
-    Plain("compile", Word::kCompile),
-    Plain("compile_fragment", Word::kCompile),
-    Plain("sampler_state", Word::kSamplerState),
-    Plain("stateblock_state", Word::kSamplerState),
-    Plain("asm", Word::kAsm),
-    Plain("asm_fragment", Word::kAsm),
+constexpr auto kFolded = [] {
+  using enum Word;
+  return std::to_array<Entry>({
+      Plain("technique", kTechnique),
+      Plain("technique10", kTechnique),
+      Plain("technique11", kTechnique),
+      Plain("fxgroup", kTechnique),
+      Plain("compile", kCompile),
+      Plain("compile_fragment", kCompile),
+      Plain("sampler_state", kSamplerState),
+      Plain("stateblock_state", kSamplerState),
+      Plain("asm", kAsm),
+      Plain("asm_fragment", kAsm),
 #define OBJECT(Enumerator, Spelling, Case, ...) Object(Spelling, Case),
 #define OBJECT_ALIAS(Enumerator, Spelling, Case) Object(Spelling, Case),
 #define UNUSABLE(Spelling, Case) Object(Spelling, Case),
-#define UNUSABLE_SHADER(Spelling) {Spelling, {Word::kObjectType, true}},
+#define UNUSABLE_SHADER(Spelling) {Spelling, {kObjectType, true}},
 #include "base/builtin_types.def"
-});
+  });
+}();
 
 // Numeric types, alone or with a size: `float`, `float3`, `float3x4`.
 constexpr auto kScalars = std::to_array<std::string_view>({
@@ -120,8 +126,7 @@ constexpr auto kLowerCase = [] {
   std::array<char, kFolded.size() * kLongestFolded> letters{};
   for (std::size_t i = 0; i < kFolded.size(); ++i) {
     std::size_t at = i * kLongestFolded;
-    for (const char c : kFolded[i].text)
-      letters[at++] = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    for (const char c : kFolded[i].text) letters[at++] = ToLower(c);
   }
   return letters;
 }();

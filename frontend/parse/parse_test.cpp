@@ -64,6 +64,10 @@ class Depth {
               Visit(e.left, depth + 1);
               Visit(e.right, depth + 1);
             },
+            [&](const ast::CommaExpr& e) {
+              Visit(e.left, depth + 1);
+              Visit(e.right, depth + 1);
+            },
             [&](const ast::AssignExpr& e) {
               Visit(e.left, depth + 1);
               Visit(e.right, depth + 1);

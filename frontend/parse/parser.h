@@ -169,7 +169,7 @@ class Parser : private TreeBuilder {
   // Operators that bind at least as tightly as `min_precedence`.
   ExprId ParseBinary(int min_precedence);
   ExprId ParseUnary();
-  ExprId ParsePrefix(UnaryOp op);
+  ExprId ParsePrefix(std::optional<UnaryOp> op);
   ExprId ParseCast();
   ExprId ParseSizeof();
   ExprId ParsePostfix(ExprId base, std::size_t start);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/parse/tree_builder.h"
 
-#include "base/overloaded.h"
+#include <algorithm>
+
+#include "frontend/parse/ast_walk.h"
 
 namespace clipc::ast {
 namespace {
@@ -47,25 +49,9 @@ std::uint32_t TreeBuilder::HeightOf(List<ExprId> list) const {
 }
 
 std::uint32_t TreeBuilder::HeightOfChildren(const decltype(Expr::node)& node) const {
-  return Visit(Overloaded{
-                   [](const Literal&) { return 0u; },
-                   [this](const NameExpr& e) { return Tallest(e.arguments); },
-                   [this](const TypeExpr& e) { return Tallest(e.type); },
-                   [this](const UnaryExpr& e) { return Tallest(e.operand); },
-                   [this](const BinaryExpr& e) { return Tallest(e.left, e.right); },
-                   [this](const AssignExpr& e) { return Tallest(e.left, e.right); },
-                   [this](const ConditionalExpr& e) {
-                     return Tallest(e.condition, e.when_true, e.when_false);
-                   },
-                   [this](const CallExpr& e) { return Tallest(e.callee, e.arguments); },
-                   [this](const CastExpr& e) { return Tallest(e.type, e.dimensions, e.operand); },
-                   [this](const IndexExpr& e) { return Tallest(e.base, e.index); },
-                   [this](const MemberExpr& e) { return Tallest(e.base, e.arguments); },
-                   [this](const InitListExpr& e) { return Tallest(e.elements); },
-                   [this](const SizeofExpr& e) { return Tallest(e.operand); },
-                   [](const ErrorExpr&) { return 0u; },
-               },
-               node);
+  std::uint32_t height = 0;
+  ForEachChild(node, [&](auto child) { height = std::max(height, HeightOf(child)); });
+  return height;
 }
 
 bool TreeBuilder::CheckHeight(std::uint32_t height, Span span) {
@@ -88,7 +74,8 @@ ExprId TreeBuilder::AddExpr(std::size_t start, decltype(Expr::node) node) {
 }
 
 TypeId TreeBuilder::AddType(Type type, std::uint32_t height_of_definition) {
-  std::uint32_t height = 1 + std::max(Tallest(type.arguments, type.outer), height_of_definition);
+  std::uint32_t height =
+      1 + std::max({HeightOf(type.arguments), HeightOf(type.outer), height_of_definition});
   if (!CheckHeight(height, type.span)) {
     type = {};
     height = 1;

@@ -123,10 +123,6 @@ class TreeBuilder : protected Lookahead {
   std::uint32_t HeightOf(ExprId id) const { return id ? heights_[id.index] : 0; }
   std::uint32_t HeightOf(TypeId id) const { return id ? type_heights_[id.index] : 0; }
   std::uint32_t HeightOf(List<ExprId> list) const;
-  template <typename... Children>
-  std::uint32_t Tallest(const Children&... children) const {
-    return std::max({0u, HeightOf(children)...});
-  }
   std::uint32_t HeightOfChildren(const decltype(Expr::node)& node) const;
 
   int nesting_ = 0;

@@ -4,12 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "base/diagnostics.h"
-#include "ir/program.h"
+#include "frontend/rules/rules.h"
 
 // The function `main`, which connects the shader's inputs and outputs with the user's entry
 // function.
-namespace clipc {
+namespace clipc::rules {
 
 // A semantic as written, taken apart: "TEXCOORD12" is {"TEXCOORD", 12}. Names compare without case.
 struct SemanticName {
@@ -23,11 +22,11 @@ SemanticName SplitSemantic(std::string_view written);
 struct EntryParameter {
   std::string semantic;  // as written; empty: none
   Span semantic_span;
-  ir::Interpolation interpolation = ir::Interpolation::kDefault;
+  Interpolation interpolation = Interpolation::kDefault;
   bool centroid = false;
   bool sample = false;
   bool is_uniform = false;
-  ir::VarId uniform_var;  // the member of $Params that a `uniform` parameter became
+  VarId uniform_var;  // the member of $Params that a `uniform` parameter became
 };
 struct EntrySignature {
   std::vector<EntryParameter> parameters;  // one per parameter of program.entry
@@ -43,6 +42,6 @@ struct EntrySignature {
 // piece the next index. Under vs_1_1..vs_3_0 the output POSITION is the position (and PSIZE the
 // point size, FOG, COLOR plain outputs). SV_ClipDistance and SV_CullDistance in any shape become
 // one float array each, packed by register as fxc does. An SV_Position input is a plain input.
-void BuildMain(ir::Program& program, const EntrySignature& signature, Diagnostics& diagnostics);
+void BuildMain(Program& program, const EntrySignature& signature, Diagnostics& diagnostics);
 
-}  // namespace clipc
+}  // namespace clipc::rules

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "base/diagnostics.h"
-#include "ir/program.h"
+#include "frontend/rules/rules.h"
 
-namespace clipc {
+namespace clipc::rules {
 
 // What the vs_4_0_level_9_x profiles lack, each with its message (fxc X4583 and its family; "Shader
 // Model 2" limits of the 10Level9 documentation). Does nothing under other profiles. Requires a
 // program without errors.
-void CheckLevel9(const ir::Program& program, Diagnostics& diagnostics);
+void CheckLevel9(const Program& program, Diagnostics& diagnostics);
 
-}  // namespace clipc
+}  // namespace clipc::rules

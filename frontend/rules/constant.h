@@ -5,20 +5,20 @@
 #include <optional>
 #include <vector>
 
-#include "ir/program.h"
+#include "frontend/rules/rules.h"
 
-namespace clipc {
+namespace clipc::rules {
 
 // The value of a constant expression, as ir::ConstantBits finds it: component by component in the
 // order of the type, bool and integers as themselves, floats as doubles of their float32 values.
 // The kind of a struct or array is that of its first component.
 struct Constant {
-  ir::Scalar kind;
+  Scalar kind;
   std::vector<double> components;
 };
 // Nothing for an expression that is not constant.
-std::optional<Constant> EvaluateConstant(const ir::Program& program, ir::ExprId expr);
+std::optional<Constant> EvaluateConstant(const Program& program, ExprId expr);
 // The value of a constant integer or bool scalar, exactly; nothing for any other expression.
-std::optional<std::int64_t> EvaluateInteger(const ir::Program& program, ir::ExprId expr);
+std::optional<std::int64_t> EvaluateInteger(const Program& program, ExprId expr);
 
-}  // namespace clipc
+}  // namespace clipc::rules

@@ -9,7 +9,7 @@
 
 #include "frontend/rules/program_for_test.h"
 
-namespace clipc {
+namespace clipc::rules {
 namespace {
 
 using ir::BinaryOp;
@@ -175,4 +175,4 @@ TEST_F(ConstantTest, LongChainsAndLargeTablesEnd) {
 }
 
 }  // namespace
-}  // namespace clipc
+}  // namespace clipc::rules

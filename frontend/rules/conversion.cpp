@@ -5,14 +5,8 @@
 #include <tuple>
 #include <utility>
 
-namespace clipc {
+namespace clipc::rules {
 namespace {
-
-using ir::Scalar;
-using ir::Type;
-using ir::TypeId;
-using ir::TypeKind;
-using ir::TypeTable;
 
 bool IsSingle(const Type& type) { return type.Components() == 1; }
 bool IsRowOrColumn(const Type& type) { return type.rows == 1 || type.columns == 1; }
@@ -93,7 +87,7 @@ class LeafCollector {
         }
         return true;
       case TypeKind::kStruct:
-        for (const ir::Field& field : types_[type.structure].fields) {
+        for (const Field& field : types_[type.structure].fields) {
           if (!Add(field.type, depth + 1)) return false;
         }
         return true;
@@ -116,7 +110,7 @@ bool IsNumericThroughout(const TypeTable& types, TypeId id, int& budget) {
   if (type.kind == TypeKind::kArray) return IsNumericThroughout(types, type.element, budget);
   if (type.kind != TypeKind::kStruct) return false;
   const auto& fields = types[type.structure].fields;
-  return std::all_of(fields.begin(), fields.end(), [&](const ir::Field& field) {
+  return std::all_of(fields.begin(), fields.end(), [&](const Field& field) {
     return IsNumericThroughout(types, field.type, budget);
   });
 }
@@ -133,15 +127,13 @@ bool IsBaseOf(const TypeTable& types, const Type& base, const Type& derived) {
   return !want.empty() && want.size() < have.size() &&
          std::equal(
              want.begin(), want.end(), have.begin(),
-             [](const ir::Field& a, const ir::Field& b) {
-               return a.name == b.name && a.type == b.type;
-             });
+             [](const Field& a, const Field& b) { return a.name == b.name && a.type == b.type; });
 }
 
 // Direct3D 9's `sampler` stands for a sampler of any dimension: a parameter `sampler2D s` takes it.
 bool FitsObject(const Type& from, const Type& to) {
   return from.kind == TypeKind::kObject && to.kind == TypeKind::kObject &&
-         from.object == ir::ObjectKind::kSampler && ir::IsCombinedSampler(to.object);
+         from.object == ObjectKind::kSampler && IsCombinedSampler(to.object);
 }
 
 }  // namespace
@@ -236,4 +228,4 @@ std::optional<TypeId> CommonType(TypeTable& types, TypeId left_id, TypeId right_
   return std::nullopt;
 }
 
-}  // namespace clipc
+}  // namespace clipc::rules

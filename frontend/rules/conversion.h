@@ -7,13 +7,12 @@
 #include <optional>
 #include <vector>
 
-#include "base/diagnostics.h"
+#include "frontend/rules/rules.h"
 #include "ir/builder.h"
-#include "ir/program.h"
 
 // HLSL's conversions. Source: Microsoft's "Casting and conversion" and the X3017, X3020, X3206
 // error pages; DXC's overload ranking where fxc's is not documented.
-namespace clipc {
+namespace clipc::rules {
 
 // How well an argument of one type fits a parameter of another; smaller is better, compared member
 // by member. The order of the members and of the kinds is DXC's (HLSLExternalSource::ScoreCast),
@@ -47,20 +46,19 @@ constexpr std::uint64_t CostOf(const ConversionRank& rank) {
 }
 
 // How well a value of `from` converts to `to` without a cast; nothing when it does not convert.
-std::optional<ConversionRank> RankImplicit(const ir::TypeTable& types, ir::TypeId from,
-                                           ir::TypeId to);
+std::optional<ConversionRank> RankImplicit(const TypeTable& types, TypeId from, TypeId to);
 // Whether a cast (to)e is allowed.
-bool IsExplicitlyConvertible(const ir::TypeTable& types, ir::TypeId from, ir::TypeId to);
+bool IsExplicitlyConvertible(const TypeTable& types, TypeId from, TypeId to);
 
 // Makes local variables for values that must be read several times.
 class TemporaryMaker {
  public:
   struct Temporary {
-    ir::VarId var;        // each use is a new VarRef to it
-    ir::ExprId prologue;  // `var = value`, to be evaluated before any use
+    VarId var;        // each use is a new VarRef to it
+    ExprId prologue;  // `var = value`, to be evaluated before any use
   };
   // A new local variable that holds `value`, evaluated once.
-  virtual Temporary Make(ir::ExprId value) = 0;
+  virtual Temporary Make(ExprId value) = 0;
 
  protected:
   ~TemporaryMaker() = default;
@@ -71,30 +69,29 @@ class TemporaryMaker {
 // times: one struct to another with the same leaves, float4 to float2x2. Such a value goes through
 // `temporaries`; without them it must be a plain path (reread.h), and anything else is reported as
 // an error.
-ir::ExprId ConvertImplicit(ir::Program& program, ir::ExprId value, ir::TypeId to,
-                           Diagnostics& diagnostics, TemporaryMaker* temporaries = nullptr);
+ExprId ConvertImplicit(Program& program, ExprId value, TypeId to, Diagnostics& diagnostics,
+                       TemporaryMaker* temporaries = nullptr);
 // The value cast to `to`. A cast does what ConvertImplicit does, fills a struct or an array with a
 // scalar, and makes a struct or an array of the first leaves of a vector, a struct or an array.
 // Requires IsExplicitlyConvertible.
-ir::ExprId ConvertExplicit(ir::Program& program, ir::ExprId value, ir::TypeId to,
-                           TemporaryMaker& temporaries);
+ExprId ConvertExplicit(Program& program, ExprId value, TypeId to, TemporaryMaker& temporaries);
 
 // Gives the variable that `object` names, and this use of it, the kind of sampler that the use
 // needs: the first use of a Direct3D 9 `sampler` decides its dimension. A sampler that has a kind
 // keeps it.
-void SetSamplerKind(ir::Program& program, ir::ExprId object, ir::ObjectKind kind);
+void SetSamplerKind(Program& program, ExprId object, ObjectKind kind);
 
 // The kind that two operands compute in.
-ir::Scalar CommonKind(ir::Scalar left, ir::Scalar right);
+Scalar CommonKind(Scalar left, Scalar right);
 // The common type of two operands of a component-wise operator: the larger vector is truncated, a
 // scalar is splatted, kinds promote bool < int < uint < half < float < double. Two bools stay bool:
 // arithmetic operators make them int. Nothing for operands without a common type: different
 // structs, objects, a matrix and a vector that do not fit.
-std::optional<ir::TypeId> CommonType(ir::TypeTable& types, ir::TypeId left, ir::TypeId right);
+std::optional<TypeId> CommonType(TypeTable& types, TypeId left, TypeId right);
 
 inline constexpr std::size_t kMaxLeaves = 4096;
 // The kinds of the scalars that a type is made of, in order, for casts, initialisers and the
 // equality of structures. Nothing for a type that holds objects or has more than kMaxLeaves.
-std::optional<std::vector<ir::Scalar>> Flatten(const ir::TypeTable& types, ir::TypeId type);
+std::optional<std::vector<Scalar>> Flatten(const TypeTable& types, TypeId type);
 
-}  // namespace clipc
+}  // namespace clipc::rules

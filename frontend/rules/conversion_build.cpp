@@ -9,64 +9,52 @@
 #include "base/invariant.h"
 #include "frontend/rules/conversion.h"
 #include "frontend/rules/reread.h"
+#include "ir/access.h"
 #include "ir/scalar.h"
 
-namespace clipc {
+namespace clipc::rules {
 namespace {
-
-using ir::Builder;
-using ir::ExprId;
-using ir::Scalar;
-using ir::Type;
-using ir::TypeId;
-using ir::TypeKind;
-
-const ir::Literal* LiteralOf(const ir::Program& program, ExprId expr) {
-  return std::get_if<ir::Literal>(&program.exprs[expr].node);
-}
 
 // Literals convert here rather than at run time, so that `float x = 1` reads as `1.0` in the
 // output.
-ExprId ConvertKind(ir::Program& program, ExprId value, Scalar kind);
+ExprId ConvertKind(Program& program, ExprId value, Scalar kind);
 
-bool IsLiteralList(const ir::Program& program, ExprId value) {
-  const auto* construct = std::get_if<ir::Construct>(&program.exprs[value].node);
-  if (construct == nullptr) return false;
-  for (const ExprId argument : program.expr_lists[construct->arguments]) {
-    if (LiteralOf(program, argument) == nullptr) return false;
-  }
-  return true;
+bool IsLiteralList(const Program& program, ExprId value) {
+  const auto* construct = As<Construct>(program, value);
+  return construct &&
+         std::ranges::all_of(program.expr_lists[construct->arguments], [&](ExprId argument) {
+           return As<Literal>(program, argument) != nullptr;
+         });
 }
 
 // The value of `-1`, a negated literal, in a kind of float; none when the conversion would not be
 // exact on both sides, as for -0 and the least int.
-ExprId ConvertNegatedLiteral(ir::Program& program, ExprId value, Scalar kind) {
-  const auto* unary = std::get_if<ir::Unary>(&program.exprs[value].node);
-  if (unary == nullptr || unary->op != ir::UnaryOp::kNegate || !ir::IsFloat(kind)) return {};
+ExprId ConvertNegatedLiteral(Program& program, ExprId value, Scalar kind) {
+  const auto* unary = As<Unary>(program, value);
+  if (unary == nullptr || unary->op != UnaryOp::kNegate || !IsFloat(kind)) return {};
   const ExprId operand = unary->operand;
-  const ir::Literal* literal = LiteralOf(program, operand);
-  if (literal == nullptr || program.types[program.exprs[operand].type].scalar != Scalar::kInt)
-    return {};
-  if (ir::IntOf(literal->bits) <= 0) return {};
+  const auto* literal = As<Literal>(program, operand);
+  if (literal == nullptr || TypeOf(program, operand).scalar != Scalar::kInt) return {};
+  if (IntOf(literal->bits) <= 0) return {};
   Builder builder(program, program.exprs[value].span);
-  return builder.UnaryOf(ir::UnaryOp::kNegate, ConvertKind(program, operand, kind));
+  return builder.UnaryOf(UnaryOp::kNegate, ConvertKind(program, operand, kind));
 }
 
-ExprId ConvertKind(ir::Program& program, ExprId value, Scalar kind) {
-  const TypeId from = program.exprs[value].type;
+ExprId ConvertKind(Program& program, ExprId value, Scalar kind) {
+  const TypeId from = TypeIdOf(program, value);
   const TypeId to = program.types.WithScalar(from, kind);
   if (from == to) return value;
   const Scalar old_kind = program.types[from].scalar;
   Builder builder(program, program.exprs[value].span);
-  if (const ir::Literal* literal = LiteralOf(program, value)) {
-    return builder.Add(to, ir::Literal{ir::ConvertBits(literal->bits, old_kind, kind)});
+  if (const auto* literal = As<Literal>(program, value)) {
+    return builder.Add(to, Literal{ConvertBits(literal->bits, old_kind, kind)});
   }
-  if (std::holds_alternative<ir::Zero>(program.exprs[value].node)) return builder.ZeroOf(to);
-  if (const auto* splat = std::get_if<ir::Splat>(&program.exprs[value].node)) {
+  if (As<Zero>(program, value)) return builder.ZeroOf(to);
+  if (const auto* splat = As<Splat>(program, value)) {
     return builder.SplatTo(to, ConvertKind(program, splat->operand, kind));
   }
   if (IsLiteralList(program, value)) {
-    const auto list = std::get<ir::Construct>(program.exprs[value].node).arguments;
+    const auto list = As<Construct>(program, value)->arguments;
     std::vector<ExprId> arguments;
     arguments.reserve(list.size);
     for (std::uint32_t i = 0; i < list.size; ++i) {
@@ -78,18 +66,14 @@ ExprId ConvertKind(ir::Program& program, ExprId value, Scalar kind) {
   return builder.ConvertTo(kind, value);
 }
 
-bool IsZeroLiteral(const ir::Program& program, ExprId value) {
-  const ir::Literal* literal = LiteralOf(program, value);
+bool IsZeroLiteral(const Program& program, ExprId value) {
+  const auto* literal = As<Literal>(program, value);
   return literal != nullptr && literal->bits == 0;
 }
 
-struct Step {
-  bool is_field;
-  std::uint32_t number;
-};
 // A scalar or vector inside the source.
 struct Piece {
-  std::vector<Step> path;
+  std::vector<std::uint32_t> path;  // the numbers of the parts on the way to it
   std::uint8_t size;
   bool is_vector;
 };
@@ -97,7 +81,7 @@ struct Piece {
 // Writes a value of one type as a value of another with no more leaves, leaf by leaf in order.
 class Reshaper {
  public:
-  Reshaper(ir::Program& program, Reread& source, Span span)
+  Reshaper(Program& program, Reread& source, Span span)
       : program_(program), source_(source), builder_(program, span) {}
 
   // Whether both types are the same tree of structs and arrays over the same shapes. Their values
@@ -125,22 +109,18 @@ class Reshaper {
     return true;
   }
 
-  ExprId BuildParallel(TypeId from_id, TypeId to_id) {
-    if (from_id == to_id) return ReadAt(path_);
-    const Type to = program_.types[to_id];
-    if (to.IsNumeric()) return ConvertKind(program_, ReadAt(path_), to.scalar);
-    const Type from = program_.types[from_id];
-    const bool is_field = to.kind == TypeKind::kStruct;
-    const std::size_t count = is_field ? program_.types[to.structure].fields.size() : to.count;
+  ExprId BuildParallel(TypeId from, TypeId to) {
+    if (from == to) return ReadAt(path_);
+    const Type type = program_.types[to];
+    if (type.IsNumeric()) return ConvertKind(program_, ReadAt(path_), type.scalar);
     std::vector<ExprId> parts;
-    for (std::uint32_t i = 0; i < count; ++i) {
-      path_.push_back({is_field, i});
-      parts.push_back(is_field ? BuildParallel(program_.types[from.structure].fields[i].type,
-                                               program_.types[to.structure].fields[i].type)
-                               : BuildParallel(from.element, to.element));
+    for (std::uint32_t i = 0; i < program_.types.PartCount(to); ++i) {
+      path_.push_back(i);
+      parts.push_back(
+          BuildParallel(program_.types.PartType(from, i), program_.types.PartType(to, i)));
       path_.pop_back();
     }
-    return builder_.ConstructOf(to_id, parts);
+    return builder_.ConstructOf(to, parts);
   }
 
   ExprId BuildLeaves(TypeId from, TypeId to) {
@@ -151,39 +131,18 @@ class Reshaper {
  private:
   void Collect(TypeId id) {
     const Type type = program_.types[id];
-    const auto each = [&](bool is_field, std::uint32_t count, auto&& type_of) {
-      for (std::uint32_t i = 0; i < count; ++i) {
-        path_.push_back({is_field, i});
-        Collect(type_of(i));
-        path_.pop_back();
-      }
-    };
-    switch (type.kind) {
-      case TypeKind::kScalar: pieces_.push_back({path_, 1, false}); break;
-      case TypeKind::kVector: pieces_.push_back({path_, type.columns, true}); break;
-      case TypeKind::kMatrix: {
-        const TypeId row = program_.types.Vector(type.scalar, type.columns);
-        each(false, type.rows, [row](std::uint32_t) { return row; });
-        break;
-      }
-      case TypeKind::kArray:
-        each(false, type.count, [&](std::uint32_t) { return type.element; });
-        break;
-      case TypeKind::kStruct: {
-        const auto& fields = program_.types[type.structure].fields;
-        each(true, static_cast<std::uint32_t>(fields.size()),
-             [&](std::uint32_t i) { return fields[i].type; });
-        break;
-      }
-      default: CLIPC_CHECK(false);
+    if (type.IsScalarOrVector())
+      pieces_.push_back({path_, type.columns, type.kind == TypeKind::kVector});
+    for (std::uint32_t i = 0; i < program_.types.PartCount(id); ++i) {
+      path_.push_back(i);
+      Collect(program_.types.PartType(id, i));
+      path_.pop_back();
     }
   }
 
-  ExprId ReadAt(const std::vector<Step>& path) {
+  ExprId ReadAt(const std::vector<std::uint32_t>& path) {
     ExprId expr = source_.Read();
-    for (const Step step : path) {
-      expr = step.is_field ? builder_.Field(expr, step.number) : builder_.At(expr, step.number);
-    }
+    for (const std::uint32_t part : path) expr = builder_.Part(expr, part);
     return expr;
   }
 
@@ -193,10 +152,8 @@ class Reshaper {
     const Piece& piece = pieces_[next_];
     taken = std::min<std::uint8_t>(count, static_cast<std::uint8_t>(piece.size - offset_));
     ExprId part = ReadAt(piece.path);
-    if (piece.is_vector && (taken != piece.size || piece.size == 1)) {
-      constexpr std::array<std::uint8_t, 4> kInOrder = {0, 1, 2, 3};
-      part = builder_.Swizzled(part, std::span(kInOrder).subspan(offset_, taken));
-    }
+    if (piece.is_vector && (taken != piece.size || piece.size == 1))
+      part = builder_.SwizzledRun(part, offset_, taken);
     offset_ = static_cast<std::uint8_t>(offset_ + taken);
     if (offset_ == piece.size) {
       offset_ = 0;
@@ -217,39 +174,25 @@ class Reshaper {
 
   ExprId Build(TypeId id) {
     const Type type = program_.types[id];
+    if (type.kind == TypeKind::kScalar) return TakeParts(1, type.scalar).front();
     std::vector<ExprId> parts;
-    switch (type.kind) {
-      case TypeKind::kScalar: return TakeParts(1, type.scalar).front();
-      case TypeKind::kVector:
-        parts = TakeParts(type.columns, type.scalar);
-        if (type.columns == 1) return builder_.SplatTo(id, parts.front());
-        if (parts.size() == 1) return parts.front();
-        break;
-      case TypeKind::kMatrix:
-        for (int row = 0; row < type.rows; ++row) {
-          parts.push_back(type.columns == 1
-                              ? Build(program_.types.Make(type.scalar))
-                              : Build(program_.types.Vector(type.scalar, type.columns)));
-        }
-        break;
-      case TypeKind::kArray:
-        for (std::uint32_t i = 0; i < type.count; ++i) parts.push_back(Build(type.element));
-        break;
-      case TypeKind::kStruct: {
-        const std::size_t count = program_.types[type.structure].fields.size();
-        for (std::size_t i = 0; i < count; ++i)
-          parts.push_back(Build(program_.types[type.structure].fields[i].type));
-        break;
-      }
-      default: CLIPC_CHECK(false);
+    if (type.kind == TypeKind::kVector) {
+      parts = TakeParts(type.columns, type.scalar);
+      if (type.columns == 1) return builder_.SplatTo(id, parts.front());
+      if (parts.size() == 1) return parts.front();
+    }
+    const bool is_column = type.kind == TypeKind::kMatrix && type.columns == 1;
+    for (std::uint32_t i = 0; i < program_.types.PartCount(id); ++i) {
+      parts.push_back(
+          Build(is_column ? program_.types.Make(type.scalar) : program_.types.PartType(id, i)));
     }
     return builder_.ConstructOf(id, parts);
   }
 
-  ir::Program& program_;
+  Program& program_;
   Reread& source_;
   Builder builder_;
-  std::vector<Step> path_;
+  std::vector<std::uint32_t> path_;
   std::vector<Piece> pieces_;
   std::size_t next_ = 0;
   std::uint8_t offset_ = 0;
@@ -257,54 +200,44 @@ class Reshaper {
 
 // (S)x: the scalar in every leaf. An array's element that is not a number is made once and
 // repeated.
-ExprId FillAggregate(ir::Program& program, Reread& scalar, TypeId id, Span span,
+ExprId FillAggregate(Program& program, Reread& scalar, TypeId id, Span span,
                      TemporaryMaker& temporaries) {
   const Type type = program.types[id];
   Builder builder(program, span);
   if (type.IsNumeric())
     return builder.SplatTo(id, ConvertKind(program, scalar.Read(), type.scalar));
   std::vector<ExprId> parts;
-  if (type.kind == TypeKind::kStruct) {
-    const std::size_t count = program.types[type.structure].fields.size();
-    for (std::size_t i = 0; i < count; ++i) {
-      parts.push_back(FillAggregate(program, scalar, program.types[type.structure].fields[i].type,
-                                    span, temporaries));
-    }
-    return builder.ConstructOf(id, parts);
+  if (type.kind == TypeKind::kArray && type.count > 1 && !program.types[type.element].IsNumeric()) {
+    Reread element(program, FillAggregate(program, scalar, type.element, span, temporaries),
+                   &temporaries);
+    for (std::uint32_t i = 0; i < type.count; ++i) parts.push_back(element.Read());
+    return element.Finish(builder.ConstructOf(id, parts));
   }
-  if (program.types[type.element].IsNumeric() || type.count <= 1) {
-    for (std::uint32_t i = 0; i < type.count; ++i) {
-      parts.push_back(FillAggregate(program, scalar, type.element, span, temporaries));
-    }
-    return builder.ConstructOf(id, parts);
+  for (std::uint32_t i = 0; i < program.types.PartCount(id); ++i) {
+    parts.push_back(
+        FillAggregate(program, scalar, program.types.PartType(id, i), span, temporaries));
   }
-  Reread element(program, FillAggregate(program, scalar, type.element, span, temporaries),
-                 &temporaries);
-  for (std::uint32_t i = 0; i < type.count; ++i) parts.push_back(element.Read());
-  return element.Finish(builder.ConstructOf(id, parts));
+  return builder.ConstructOf(id, parts);
 }
 
 // The first component as a scalar.
-ExprId FirstComponent(ir::Program& program, ExprId value) {
-  const Type type = program.types[program.exprs[value].type];
+ExprId FirstComponent(Program& program, ExprId value) {
+  const Type type = TypeOf(program, value);
   Builder builder(program, program.exprs[value].span);
   if (type.kind == TypeKind::kScalar) return value;
   if (type.kind == TypeKind::kMatrix) value = builder.At(value, 0u);
   return builder.Swizzled(value, {0});
 }
 
-ExprId FirstComponents(ir::Program& program, ExprId vector, std::uint8_t count) {
-  if (program.types[program.exprs[vector].type].columns == count) return vector;
-  constexpr std::array<std::uint8_t, 4> kInOrder = {0, 1, 2, 3};
-  return Builder(program, program.exprs[vector].span)
-      .Swizzled(vector, std::span(kInOrder).first(count));
+ExprId FirstComponents(Program& program, ExprId vector, std::uint8_t count) {
+  if (TypeOf(program, vector).columns == count) return vector;
+  return Builder(program, program.exprs[vector].span).SwizzledRun(vector, 0, count);
 }
 
 // The value in another numeric shape, as RankImplicit allows; none when `value` would have to be
 // read several times and `temporaries` is null.
-ExprId ConvertNumeric(ir::Program& program, ExprId value, TypeId to_id,
-                      TemporaryMaker* temporaries) {
-  const Type from = program.types[program.exprs[value].type];
+ExprId ConvertNumeric(Program& program, ExprId value, TypeId to_id, TemporaryMaker* temporaries) {
+  const Type from = TypeOf(program, value);
   const Type to = program.types[to_id];
   const Span span = program.exprs[value].span;
   Builder builder(program, span);
@@ -318,7 +251,7 @@ ExprId ConvertNumeric(ir::Program& program, ExprId value, TypeId to_id,
   }
   if (from_matrix && to_matrix) {
     const TypeId smaller = program.types.WithScalar(to_id, from.scalar);
-    return ConvertKind(program, builder.Add(smaller, ir::MatrixTruncate{value}), to.scalar);
+    return ConvertKind(program, builder.Add(smaller, MatrixTruncate{value}), to.scalar);
   }
   if (!from_matrix && !to_matrix)
     return ConvertKind(program, FirstComponents(program, value, to.columns), to.scalar);
@@ -336,8 +269,7 @@ ExprId ConvertNumeric(ir::Program& program, ExprId value, TypeId to_id,
   return source.Finish(reshaper.BuildLeaves(source.type(), to_id));
 }
 
-ExprId ConvertAggregate(ir::Program& program, ExprId value, TypeId to,
-                        TemporaryMaker* temporaries) {
+ExprId ConvertAggregate(Program& program, ExprId value, TypeId to, TemporaryMaker* temporaries) {
   const Span span = program.exprs[value].span;
   Reread source(program, value, temporaries);
   if (!source.usable()) return {};
@@ -347,19 +279,16 @@ ExprId ConvertAggregate(ir::Program& program, ExprId value, TypeId to,
                                                      : reshaper.BuildLeaves(from, to));
 }
 
-void WarnOfLoss(ir::Program& program, ExprId value, TypeId to_id, Diagnostics& diagnostics) {
-  const ir::Expr& expr = program.exprs[value];
+void WarnOfLoss(Program& program, ExprId value, TypeId to_id, Diagnostics& diagnostics) {
+  const Expr& expr = program.exprs[value];
   const Type& from = program.types[expr.type];
   const Type& to = program.types[to_id];
   if (to.Components() < from.Components()) {
     diagnostics.Report(expr.span, diag::ImplicitTruncation, program.types.Name(expr.type),
                        program.types.Name(to_id));
   }
-  const auto is_wide = [](Scalar kind) {
-    return kind == Scalar::kDouble || kind == Scalar::kInt64 || kind == Scalar::kUint64;
-  };
-  if (is_wide(from.scalar) && !is_wide(to.scalar) && to.scalar != Scalar::kBool &&
-      LiteralOf(program, value) == nullptr) {
+  if (IsWide(from.scalar) && !IsWide(to.scalar) && to.scalar != Scalar::kBool &&
+      As<Literal>(program, value) == nullptr) {
     diagnostics.Report(expr.span, diag::ImplicitNarrowing, program.types.Name(expr.type),
                        program.types.Name(to_id));
   }
@@ -367,9 +296,9 @@ void WarnOfLoss(ir::Program& program, ExprId value, TypeId to_id, Diagnostics& d
 
 }  // namespace
 
-void SetSamplerKind(ir::Program& program, ExprId object, ir::ObjectKind kind) {
+void SetSamplerKind(Program& program, ExprId object, ObjectKind kind) {
   auto& expr = program.exprs[object];
-  if (const auto* index = std::get_if<ir::Index>(&expr.node)) {
+  if (const auto* index = std::get_if<Index>(&expr.node)) {
     SetSamplerKind(program, index->base, kind);
     expr.type = program.types.Object(kind);
     return;
@@ -378,20 +307,20 @@ void SetSamplerKind(ir::Program& program, ExprId object, ir::ObjectKind kind) {
     const Type type = program.types[id];
     if (type.kind == TypeKind::kArray)
       return program.types.Array(self(self, type.element), type.count);
-    return type.kind == TypeKind::kObject && type.object == ir::ObjectKind::kSampler
+    return type.kind == TypeKind::kObject && type.object == ObjectKind::kSampler
                ? program.types.Object(kind)
                : id;
   };
-  if (const auto* ref = std::get_if<ir::VarRef>(&expr.node)) {
-    ir::Var& var = program.vars[ref->var];
+  if (const auto* ref = std::get_if<VarRef>(&expr.node)) {
+    Var& var = program.vars[ref->var];
     var.type = retype(retype, var.type);
     expr.type = var.type;
   }
 }
 
-ExprId ConvertImplicit(ir::Program& program, ExprId value, TypeId to, Diagnostics& diagnostics,
+ExprId ConvertImplicit(Program& program, ExprId value, TypeId to, Diagnostics& diagnostics,
                        TemporaryMaker* temporaries) {
-  const TypeId from = program.exprs[value].type;
+  const TypeId from = TypeIdOf(program, value);
   if (from == to || from == program.types.Error() || to == program.types.Error()) return value;
   const Type target = program.types[to];
   if (target.kind == TypeKind::kObject) {
@@ -412,8 +341,8 @@ ExprId ConvertImplicit(ir::Program& program, ExprId value, TypeId to, Diagnostic
   return Builder(program, span).ZeroOf(program.types.Error());
 }
 
-ExprId ConvertExplicit(ir::Program& program, ExprId value, TypeId to, TemporaryMaker& temporaries) {
-  const TypeId from = program.exprs[value].type;
+ExprId ConvertExplicit(Program& program, ExprId value, TypeId to, TemporaryMaker& temporaries) {
+  const TypeId from = TypeIdOf(program, value);
   if (from == to || from == program.types.Error() || to == program.types.Error() ||
       to == program.types.Void())
     return value;
@@ -435,4 +364,4 @@ ExprId ConvertExplicit(ir::Program& program, ExprId value, TypeId to, TemporaryM
   return ConvertAggregate(program, value, to, &temporaries);
 }
 
-}  // namespace clipc
+}  // namespace clipc::rules

@@ -8,7 +8,7 @@
 
 #include "frontend/rules/program_for_test.h"
 
-namespace clipc {
+namespace clipc::rules {
 namespace {
 
 std::string Implicit(std::string_view from, std::string_view to) {
@@ -287,4 +287,4 @@ TEST(ConversionTest, ASamplerLearnsItsKind) {
 }
 
 }  // namespace
-}  // namespace clipc
+}  // namespace clipc::rules

@@ -9,12 +9,8 @@
 #include "frontend/rules/reread.h"
 #include "ir/access.h"
 
-namespace clipc {
+namespace clipc::rules {
 namespace {
-
-using ir::ExprId;
-using ir::Scalar;
-using ir::TypeId;
 
 std::string CountText(std::size_t least, std::size_t most) {
   if (least == most) return std::to_string(least);
@@ -23,21 +19,21 @@ std::string CountText(std::size_t least, std::size_t most) {
 
 // The variable at the root of a path that may be assigned to, or none: no component may be named
 // twice, and those of a matrix are assigned one by one.
-ir::VarId TargetRoot(const ir::Program& program, ExprId path) {
-  for (ExprId part = path; part; part = ir::WholeOf(program, part)) {
-    if (ir::As<ir::MatrixSwizzle>(program, part)) return {};
-    const auto* swizzle = ir::As<ir::Swizzle>(program, part);
+VarId TargetRoot(const Program& program, ExprId path) {
+  for (ExprId part = path; part; part = WholeOf(program, part)) {
+    if (As<MatrixSwizzle>(program, part)) return {};
+    const auto* swizzle = As<Swizzle>(program, part);
     unsigned seen = 0;
     for (std::size_t i = 0; swizzle && i < swizzle->count; ++i)
       seen |= 1u << swizzle->components[i];
     if (swizzle && std::popcount(seen) != swizzle->count) return {};
   }
-  return ir::RootOf(program, path);
+  return RootOf(program, path);
 }
 
 // The arguments of a vector's constructor that make its components [begin, end), or nothing when
 // some argument reaches across an end.
-std::optional<std::vector<ExprId>> Cut(const ir::Program& program, List<ExprId> list,
+std::optional<std::vector<ExprId>> Cut(const Program& program, List<ExprId> list,
                                        std::uint32_t begin, std::uint32_t end) {
   std::vector<ExprId> found;
   std::uint32_t at = 0;
@@ -62,9 +58,8 @@ bool IntrinsicCheck::HasCount(std::size_t least, std::size_t most) const {
 }
 
 ExprId IntrinsicCheck::BadArgument(std::size_t i, std::string_view expected) const {
-  diagnostics.Report(SpanOf(arguments[i]), diag::IntrinsicArgumentType, i + 1, name,
-                     program.types.Name(TypeIdOf(arguments[i])), expected);
-  return Error();
+  return Fail(SpanOf(arguments[i]), diag::IntrinsicArgumentType, i + 1, name,
+              program.types.Name(TypeIdOf(arguments[i])), expected);
 }
 
 std::optional<ExprId> IntrinsicCheck::Converted(std::size_t i, TypeId type) const {
@@ -74,14 +69,14 @@ std::optional<ExprId> IntrinsicCheck::Converted(std::size_t i, TypeId type) cons
 }
 
 bool IntrinsicCheck::IsTarget(std::size_t i) const {
-  const ir::VarId root = TargetRoot(program, arguments[i]);
+  const VarId root = TargetRoot(program, arguments[i]);
   if (root) {
     switch (program.vars[root].storage) {
-      case ir::Storage::kLocal:
-      case ir::Storage::kIn:
-      case ir::Storage::kOut:
-      case ir::Storage::kInOut:
-      case ir::Storage::kStatic: return true;
+      case Storage::kLocal:
+      case Storage::kIn:
+      case Storage::kOut:
+      case Storage::kInOut:
+      case Storage::kStatic: return true;
       default: break;
     }
   }
@@ -92,12 +87,11 @@ bool IntrinsicCheck::IsTarget(std::size_t i) const {
 IntrinsicCheck::Parts IntrinsicCheck::Split(ExprId vector, int count, int last) const {
   const Scalar kind = TypeOf(vector).scalar;
   const TypeId leading_type = VectorOf(kind, count);
-  ir::Builder builder(program, SpanOf(vector));
+  Builder builder(program, SpanOf(vector));
   // float4(uv, 0, level) needs no temporary: its parts are there.
-  ExprId inner = vector;
-  if (const auto* convert = std::get_if<ir::Convert>(&program.exprs[vector].node))
-    inner = convert->operand;
-  if (const auto* construct = std::get_if<ir::Construct>(&program.exprs[inner].node)) {
+  const auto* convert = As<ir::Convert>(program, vector);
+  const ExprId inner = convert ? convert->operand : vector;
+  if (const auto* construct = As<Construct>(program, inner)) {
     const auto list = construct->arguments;
     const auto leading = Cut(program, list, 0, static_cast<std::uint32_t>(count));
     const auto level =
@@ -110,9 +104,7 @@ IntrinsicCheck::Parts IntrinsicCheck::Split(ExprId vector, int count, int last) 
     }
   }
   Reread source(program, inner, &temporaries);
-  constexpr std::array<std::uint8_t, 4> kInOrder = {0, 1, 2, 3};
-  const ExprId leading =
-      builder.Swizzled(source.Read(), std::span(kInOrder).first(static_cast<std::size_t>(count)));
+  const ExprId leading = builder.SwizzledRun(source.Read(), 0, static_cast<std::size_t>(count));
   const ExprId lone = builder.Swizzled(source.Read(), {last});
   return {Convert(leading, leading_type), Convert(lone, program.types.Make(kind)),
           source.prologue()};
@@ -125,4 +117,4 @@ ExprId After(const IntrinsicCheck& call, std::span<const ExprId> steps, ExprId v
   return value;
 }
 
-}  // namespace clipc
+}  // namespace clipc::rules

@@ -14,10 +14,8 @@
 #include "frontend/rules/intrinsic_call.h"
 #include "frontend/rules/reread.h"
 
-namespace clipc {
+namespace clipc::rules {
 namespace {
-
-using ir::ExprId;
 
 // What becomes of a call by name.
 enum class Rule : std::uint8_t {
@@ -35,7 +33,7 @@ using Refusal = diag::Kind<std::string_view>;
 struct Entry {
   std::string_view name;
   Rule rule = Rule::kRefused;
-  ir::Intrinsic intrinsic = {};      // kCall
+  Intrinsic intrinsic = {};          // kCall
   const Refusal* refusal = nullptr;  // kRefused
 };
 
@@ -57,7 +55,7 @@ constexpr auto kEntries = [] {
     }
   };
 #define INTRINSIC(Enumerator, Name, ...) \
-  add({{}, Rule::kCall, ir::Intrinsic::k##Enumerator, nullptr}, {Name});
+  add({{}, Rule::kCall, Intrinsic::k##Enumerator, nullptr}, {Name});
 #define BY_RULE(Name, ...) add({{}, Rule::k##Name, {}, nullptr}, {__VA_ARGS__});
 #define REFUSED(Family, ...) add({{}, Rule::kRefused, {}, &diag::Intrinsic##Family}, {__VA_ARGS__});
 #include "ir/intrinsics.def"
@@ -79,36 +77,33 @@ const Entry* FindEntry(std::string_view name) {
 ExprId RefuseImplicitLevel(const IntrinsicCheck& call) {
   // tex2Dbias -> tex2Dlod, texCUBE -> texCUBElod
   const std::string_view dimension = call.name.substr(0, call.name.find_first_of("DE") + 1);
-  call.diagnostics.Report(call.name_span, diag::IntrinsicImplicitLevel, call.name,
-                          std::string(dimension) + "lod");
-  return call.Error();
+  return call.Fail(call.name_span, diag::IntrinsicImplicitLevel, call.name,
+                   std::string(dimension) + "lod");
 }
 
-ExprId CheckIr(const IntrinsicCheck& call, ir::Intrinsic op) {
-  const ir::IntrinsicInfo& info = ir::InfoOf(op);
+ExprId CheckIr(const IntrinsicCheck& call, Intrinsic op) {
+  const IntrinsicInfo& info = InfoOf(op);
   if (!call.program.profile.IsAtLeast(info.first_model, 0)) {
     const std::string needed = "vs_" + std::to_string(info.first_model) + "_0";
-    call.diagnostics.Report(call.name_span, diag::IntrinsicProfile, call.name, needed,
-                            call.program.profile.name);
-    return call.Error();
+    return call.Fail(call.name_span, diag::IntrinsicProfile, call.name, needed,
+                     call.program.profile.name);
   }
   if (!info.signature.is_special) return CheckBySignature(call, op);
-  return op == ir::Intrinsic::kMul ? CheckMul(call) : CheckBitCast(call, op);
+  return op == Intrinsic::kMul ? CheckMul(call) : CheckBitCast(call, op);
 }
 
 }  // namespace
 
 bool IsIntrinsicName(std::string_view name) { return FindEntry(name) != nullptr; }
 
-ExprId CheckIntrinsicCall(ir::Program& program, std::string_view name, Span name_span,
+ExprId CheckIntrinsicCall(Program& program, std::string_view name, Span name_span,
                           std::span<const ExprId> arguments, Span call_span,
                           TemporaryMaker& temporaries, Diagnostics& diagnostics) {
   const IntrinsicCheck call(program, name, name_span, arguments, call_span, temporaries,
                             diagnostics);
   const Entry* entry = FindEntry(name);
   if (entry == nullptr) {
-    diagnostics.Report(name_span, diag::IntrinsicUnsupported, name);
-    return call.Error();
+    return call.Fail(name_span, diag::IntrinsicUnsupported, name);
   }
   for (const ExprId argument : arguments) {
     if (call.TypeIdOf(argument) == program.types.Error()) return call.Error();
@@ -116,8 +111,8 @@ ExprId CheckIntrinsicCall(ir::Program& program, std::string_view name, Span name
   switch (entry->rule) {
     case Rule::kCall: return CheckIr(call, entry->intrinsic);
     case Rule::kSelect: return CheckSelect(call);
-    case Rule::kAnd: return CheckLogical(call, ir::BinaryOp::kLogicalAnd);
-    case Rule::kOr: return CheckLogical(call, ir::BinaryOp::kLogicalOr);
+    case Rule::kAnd: return CheckLogical(call, BinaryOp::kLogicalAnd);
+    case Rule::kOr: return CheckLogical(call, BinaryOp::kLogicalOr);
     case Rule::kIdentity: return call.HasCount(1, 1) ? arguments[0] : call.Error();
     case Rule::kTexLod: return CheckTexLod(call);
     case Rule::kImplicitLevel: return RefuseImplicitLevel(call);
@@ -139,4 +134,4 @@ std::vector<std::string_view> NearIntrinsics(std::string_view name) {
   return NearNames(name, names);
 }
 
-}  // namespace clipc
+}  // namespace clipc::rules

@@ -4,13 +4,11 @@
 #include <span>
 #include <string_view>
 
-#include "base/diagnostics.h"
 #include "frontend/rules/conversion.h"
-#include "ir/program.h"
 
 // The functions that HLSL has built in: which there are, what they take, and what a call means in
 // IR. Their rows are in ir/intrinsics.def.
-namespace clipc {
+namespace clipc::rules {
 
 // Whether `name` is a function that HLSL has built in for any stage: "ddx" too.
 bool IsIntrinsicName(std::string_view name);
@@ -20,12 +18,12 @@ bool IsIntrinsicName(std::string_view name);
 // tex2D without a level, ...), and one that the profile does not have; the result then has the
 // error type. Many functions become other nodes than an IntrinsicCall: select, and, or, tex2Dlod,
 // mul with a scalar, asint of integers.
-ir::ExprId CheckIntrinsicCall(ir::Program& program, std::string_view name, Span name_span,
-                              std::span<const ir::ExprId> arguments, Span call_span,
-                              TemporaryMaker& temporaries, Diagnostics& diagnostics);
+ExprId CheckIntrinsicCall(Program& program, std::string_view name, Span name_span,
+                          std::span<const ExprId> arguments, Span call_span,
+                          TemporaryMaker& temporaries, Diagnostics& diagnostics);
 
 // The names like `name` among the functions that a vertex shader may call, nearest first, for "did
 // you mean".
 std::vector<std::string_view> NearIntrinsics(std::string_view name);
 
-}  // namespace clipc
+}  // namespace clipc::rules

@@ -11,14 +11,8 @@
 // Checks calls against the signatures of ir/intrinsics.def. Arguments unify as DXC's MatchArguments
 // does: the smallest vector wins, scalars are splatted, kinds combine, and a kind that the
 // intrinsic lacks becomes float.
-namespace clipc {
+namespace clipc::rules {
 namespace {
-
-using ir::ExprId;
-using ir::Scalar;
-using ir::Type;
-using ir::TypeId;
-using ir::TypeKind;
 
 constexpr const char* ShapeText(char shape) {
   switch (shape) {
@@ -34,10 +28,10 @@ constexpr const char* ShapeText(char shape) {
 }
 
 // The kinds and the shape that the arguments of one call agree on.
-class Unifier {
+class Unifier : IntrinsicCheck {
  public:
-  Unifier(const IntrinsicCheck& call, const ir::IntrinsicSignature& signature)
-      : call_(call), signature_(signature) {}
+  Unifier(const IntrinsicCheck& call, const IntrinsicSignature& signature)
+      : IntrinsicCheck(call), signature_(signature) {}
 
   // False after reporting what does not fit.
   bool Run() {
@@ -46,19 +40,19 @@ class Unifier {
     }
     for (std::size_t i = 0; i < signature_.count; ++i) {
       if (signature_.arguments[i].kind == 'd' && kind_ != Scalar::kDouble) {
-        call_.BadArgument(i, "a double, or a vector or matrix of doubles");
+        BadArgument(i, "a double, or a vector or matrix of doubles");
         return false;
       }
     }
     return true;
   }
 
-  TypeId TypeOf(ir::IntrinsicSlot slot) const {
-    ir::TypeTable& types = call_.program.types;
+  TypeId TypeOf(IntrinsicSlot slot) const {
+    TypeTable& types = program.types;
     const Scalar kind = KindOf(slot.kind);
     switch (slot.shape) {
       case 'g': return types.WithScalar(common_, kind);
-      case 'v': return call_.VectorOf(kind, vector_size_);
+      case 'v': return VectorOf(kind, vector_size_);
       case 's': return types.Make(kind);
       case '2':
       case '3':
@@ -72,10 +66,10 @@ class Unifier {
 
  private:
   bool Take(std::size_t i) {
-    const ir::IntrinsicSlot slot = signature_.arguments[i];
-    const Type& type = call_.ArgumentType(i);
+    const IntrinsicSlot slot = signature_.arguments[i];
+    const Type& type = ArgumentType(i);
     if (!type.IsNumeric() || !TakeShape(i, slot.shape, type)) {
-      call_.BadArgument(i, ShapeText(slot.shape));
+      BadArgument(i, ShapeText(slot.shape));
       return false;
     }
     if (std::string_view("fnawd").find(slot.kind) != std::string_view::npos) {
@@ -88,8 +82,8 @@ class Unifier {
     const bool is_single = type.Components() == 1;
     switch (shape) {
       case 'g': {
-        const TypeId id = call_.TypeIdOf(call_.arguments[i]);
-        const auto common = common_ ? CommonType(call_.program.types, common_, id) : id;
+        const TypeId id = TypeIdOf(arguments[i]);
+        const auto common = common_ ? CommonType(program.types, common_, id) : id;
         if (common) common_ = *common;
         return common.has_value();
       }
@@ -113,10 +107,10 @@ class Unifier {
   Scalar KindOf(char letter) const {
     const Scalar kind = kind_.value_or(Scalar::kFloat);
     switch (letter) {
-      case 'f': return ir::IsFloat(kind) && kind != Scalar::kDouble ? kind : Scalar::kFloat;
+      case 'f': return IsFloat(kind) && kind != Scalar::kDouble ? kind : Scalar::kFloat;
       case 'n': return kind == Scalar::kBool ? Scalar::kFloat : kind;
       case 'b': return Scalar::kBool;
-      case 'w': return ir::IsUnsigned(kind) ? Scalar::kUint : Scalar::kInt;
+      case 'w': return IsUnsigned(kind) ? Scalar::kUint : Scalar::kInt;
       case 'i': return Scalar::kInt;
       case 'u': return Scalar::kUint;
       case 'd': return Scalar::kDouble;
@@ -124,8 +118,7 @@ class Unifier {
     }
   }
 
-  const IntrinsicCheck& call_;
-  const ir::IntrinsicSignature& signature_;
+  const IntrinsicSignature& signature_;
   std::optional<Scalar> kind_;
   TypeId common_;
   int vector_size_ = 1;
@@ -135,8 +128,8 @@ class Unifier {
 
 }  // namespace
 
-ExprId CheckBySignature(const IntrinsicCheck& call, ir::Intrinsic op) {
-  const ir::IntrinsicSignature& signature = ir::InfoOf(op).signature;
+ExprId CheckBySignature(const IntrinsicCheck& call, Intrinsic op) {
+  const IntrinsicSignature& signature = InfoOf(op).signature;
   if (!call.HasCount(signature.count, signature.count)) return call.Error();
   Unifier unifier(call, signature);
   if (!unifier.Run()) return call.Error();
@@ -145,7 +138,7 @@ ExprId CheckBySignature(const IntrinsicCheck& call, ir::Intrinsic op) {
   ins.reserve(signature.count);
   std::vector<OutArgument> outs;
   for (std::size_t i = 0; i < signature.count; ++i) {
-    const ir::IntrinsicSlot slot = signature.arguments[i];
+    const IntrinsicSlot slot = signature.arguments[i];
     const TypeId type = unifier.TypeOf(slot);
     if (!slot.is_out) {
       ins.push_back(call.Convert(call.arguments[i], type));
@@ -160,11 +153,10 @@ ExprId CheckBySignature(const IntrinsicCheck& call, ir::Intrinsic op) {
   return CallWithOuts(call, op, unifier.TypeOf(signature.result), ins, outs);
 }
 
-ExprId CallWithOuts(const IntrinsicCheck& call, ir::Intrinsic op, TypeId result,
+ExprId CallWithOuts(const IntrinsicCheck& call, Intrinsic op, TypeId result,
                     std::span<const ExprId> ins, std::span<const OutArgument> outs) {
-  ir::Builder builder = call.Make();
-  if (outs.empty())
-    return builder.Add(result, ir::IntrinsicCall{op, call.program.expr_lists.Add(ins)});
+  Builder builder = call.Make();
+  if (outs.empty()) return builder.Add(result, IntrinsicCall{op, call.program.expr_lists.Add(ins)});
   std::vector<ExprId> arguments(ins.begin(), ins.end());
   std::vector<ExprId> before;
   std::vector<ExprId> after;
@@ -177,12 +169,12 @@ ExprId CallWithOuts(const IntrinsicCheck& call, ir::Intrinsic op, TypeId result,
     const auto temporary = call.temporaries.Make(builder.ZeroOf(out.type));
     before.push_back(temporary.prologue);
     arguments.push_back(builder.Ref(temporary.var));
-    const ir::Builder at_target(call.program, call.SpanOf(out.target));
-    const ExprId value = call.Convert(ir::Builder(at_target).Ref(temporary.var), target_type);
+    const Builder at_target(call.program, call.SpanOf(out.target));
+    const ExprId value = call.Convert(Builder(at_target).Ref(temporary.var), target_type);
     after.push_back(builder.AssignTo(out.target, value));
   }
   const auto list = call.program.expr_lists.Add(arguments);
-  ExprId value = builder.Add(result, ir::IntrinsicCall{op, list});
+  ExprId value = builder.Add(result, IntrinsicCall{op, list});
   if (!after.empty() && result != call.program.types.Void()) {
     const auto held = call.temporaries.Make(value);
     after.insert(after.begin(), held.prologue);
@@ -193,4 +185,4 @@ ExprId CallWithOuts(const IntrinsicCheck& call, ir::Intrinsic op, TypeId result,
   return After(call, before, value);
 }
 
-}  // namespace clipc
+}  // namespace clipc::rules

@@ -8,21 +8,15 @@
 #include "frontend/rules/reread.h"
 #include "ir/access.h"
 
-namespace clipc {
+namespace clipc::rules {
 namespace {
-
-using ir::ExprId;
-using ir::Scalar;
-using ir::Type;
-using ir::TypeId;
-using ir::TypeKind;
 
 // ---- mul
 
 ExprId MulScalar(const IntrinsicCheck& call, TypeId type) {
   const ExprId left = call.Convert(call.arguments[0], type);
   const ExprId right = call.Convert(call.arguments[1], type);
-  return call.Make().BinaryOf(ir::BinaryOp::kMul, left, right);
+  return call.Make().BinaryOf(BinaryOp::kMul, left, right);
 }
 
 // A vector of one times a matrix, or the other way round: its one component times the first row or
@@ -38,11 +32,11 @@ ExprId MulSingle(const IntrinsicCheck& call, bool vector_first, Scalar kind) {
                         type);
   };
   const ExprId left = convert(0, !vector_first);
-  return call.Make().BinaryOf(ir::BinaryOp::kMul, left, convert(1, vector_first));
+  return call.Make().BinaryOf(BinaryOp::kMul, left, convert(1, vector_first));
 }
 
 ExprId MulTensors(const IntrinsicCheck& call, Scalar kind) {
-  ir::TypeTable& types = call.program.types;
+  TypeTable& types = call.program.types;
   const Type a = call.ArgumentType(0);
   const Type b = call.ArgumentType(1);
   const bool a_is_vector = a.kind == TypeKind::kVector;
@@ -56,8 +50,8 @@ ExprId MulTensors(const IntrinsicCheck& call, Scalar kind) {
     const TypeId type = call.VectorOf(kind, inner);
     const ExprId left = call.Convert(call.arguments[0], type);
     const ExprId right = call.Convert(call.arguments[1], type);
-    if (inner == 1) return call.Make().BinaryOf(ir::BinaryOp::kMul, left, right);
-    return call.Make().IntrinsicOf(ir::Intrinsic::kDot, types.Make(kind), {left, right});
+    if (inner == 1) return call.Make().BinaryOf(BinaryOp::kMul, left, right);
+    return call.Make().IntrinsicOf(Intrinsic::kDot, types.Make(kind), {left, right});
   }
   const TypeId left_type =
       a_is_vector ? types.Vector(kind, inner) : types.Matrix(kind, a.rows, inner);
@@ -68,20 +62,16 @@ ExprId MulTensors(const IntrinsicCheck& call, Scalar kind) {
                                       : types.Matrix(kind, a.rows, b.columns);
   const ExprId left = call.Convert(call.arguments[0], left_type);
   const ExprId right = call.Convert(call.arguments[1], right_type);
-  return call.Make().IntrinsicOf(ir::Intrinsic::kMul, result, {left, right});
+  return call.Make().IntrinsicOf(Intrinsic::kMul, result, {left, right});
 }
 
 // ---- bits
-
-bool IsWide(Scalar kind) {
-  return kind == Scalar::kDouble || kind == Scalar::kInt64 || kind == Scalar::kUint64;
-}
 
 // asuint(double, out low, out high)
 ExprId SplitDouble(const IntrinsicCheck& call) {
   const Type& type = call.ArgumentType(0);
   if (!type.IsNumeric()) return call.BadArgument(0, "a double");
-  ir::TypeTable& types = call.program.types;
+  TypeTable& types = call.program.types;
   const TypeId whole = types.WithScalar(call.TypeIdOf(call.arguments[0]), Scalar::kDouble);
   const TypeId half = types.WithScalar(whole, Scalar::kUint);
   for (const std::size_t i : {1u, 2u}) {
@@ -92,7 +82,7 @@ ExprId SplitDouble(const IntrinsicCheck& call) {
   const std::array<ExprId, 1> ins = {call.Convert(call.arguments[0], whole)};
   const std::array<OutArgument, 2> outs = {OutArgument{call.arguments[1], half},
                                            OutArgument{call.arguments[2], half}};
-  return CallWithOuts(call, ir::Intrinsic::kAsUint, types.Void(), ins, outs);
+  return CallWithOuts(call, Intrinsic::kAsUint, types.Void(), ins, outs);
 }
 
 }  // namespace
@@ -113,8 +103,8 @@ ExprId CheckMul(const IntrinsicCheck& call) {
   return MulTensors(call, kind);
 }
 
-ExprId CheckBitCast(const IntrinsicCheck& call, ir::Intrinsic op) {
-  const bool to_uint = op == ir::Intrinsic::kAsUint;
+ExprId CheckBitCast(const IntrinsicCheck& call, Intrinsic op) {
+  const bool to_uint = op == Intrinsic::kAsUint;
   if (!call.HasCount(1, to_uint && call.arguments.size() > 1 ? 3 : 1)) return call.Error();
   if (call.arguments.size() == 3) return SplitDouble(call);
   if (call.arguments.size() == 2) return call.HasCount(3, 3), call.Error();
@@ -122,11 +112,11 @@ ExprId CheckBitCast(const IntrinsicCheck& call, ir::Intrinsic op) {
   if (!type.IsNumeric() || IsWide(type.scalar) || type.scalar == Scalar::kBool) {
     return call.BadArgument(0, "a float, int or uint, or a vector or matrix of them");
   }
-  ir::TypeTable& types = call.program.types;
-  const Scalar base = ir::BaseOf(type.scalar);
-  const Scalar target = to_uint                       ? Scalar::kUint
-                        : op == ir::Intrinsic::kAsInt ? Scalar::kInt
-                                                      : Scalar::kFloat;
+  TypeTable& types = call.program.types;
+  const Scalar base = BaseOf(type.scalar);
+  const Scalar target = to_uint                   ? Scalar::kUint
+                        : op == Intrinsic::kAsInt ? Scalar::kInt
+                                                  : Scalar::kFloat;
   const ExprId value =
       call.Convert(call.arguments[0], types.WithScalar(call.TypeIdOf(call.arguments[0]), base));
   const TypeId result = types.WithScalar(call.TypeIdOf(value), target);
@@ -136,9 +126,9 @@ ExprId CheckBitCast(const IntrinsicCheck& call, ir::Intrinsic op) {
   return call.Make().IntrinsicOf(op, result, {value});
 }
 
-ExprId CheckLogical(const IntrinsicCheck& call, ir::BinaryOp op) {
+ExprId CheckLogical(const IntrinsicCheck& call, BinaryOp op) {
   if (!call.HasCount(2, 2)) return call.Error();
-  ir::TypeTable& types = call.program.types;
+  TypeTable& types = call.program.types;
   const auto common =
       CommonType(types, call.TypeIdOf(call.arguments[0]), call.TypeIdOf(call.arguments[1]));
   if (!common || !types[*common].IsNumeric())
@@ -151,14 +141,14 @@ ExprId CheckLogical(const IntrinsicCheck& call, ir::BinaryOp op) {
 // select(condition, a, b): both are evaluated, and each component chosen by the condition's.
 ExprId CheckSelect(const IntrinsicCheck& call) {
   if (!call.HasCount(3, 3)) return call.Error();
-  ir::TypeTable& types = call.program.types;
+  TypeTable& types = call.program.types;
   if (!call.ArgumentType(0).IsNumeric())
     return call.BadArgument(0, "a bool, or a vector or matrix of them");
   const TypeId condition_type = types.WithScalar(call.TypeIdOf(call.arguments[0]), Scalar::kBool);
   const auto common =
       CommonType(types, call.TypeIdOf(call.arguments[1]), call.TypeIdOf(call.arguments[2]));
   if (!common) return call.BadArgument(2, "of the type of the second");
-  ir::Builder builder = call.Make();
+  Builder builder = call.Make();
   if (types[condition_type].Components() > 1) {
     const auto shape = CommonType(types, condition_type, types.WithScalar(*common, Scalar::kBool));
     if (!types[*common].IsNumeric() || !shape)
@@ -166,8 +156,7 @@ ExprId CheckSelect(const IntrinsicCheck& call) {
     const TypeId type = types.WithScalar(*shape, types[*common].scalar);
     const ExprId condition = call.Convert(call.arguments[0], *shape);
     const ExprId when_true = call.Convert(call.arguments[1], type);
-    return builder.Add(type,
-                       ir::Select{condition, when_true, call.Convert(call.arguments[2], type)});
+    return builder.Add(type, Select{condition, when_true, call.Convert(call.arguments[2], type)});
   }
   ExprId condition = call.Convert(call.arguments[0], types.Make(Scalar::kBool));
   ExprId when_true = call.Convert(call.arguments[1], *common);
@@ -180,20 +169,18 @@ ExprId CheckSelect(const IntrinsicCheck& call) {
       *each = builder.Ref(temporary.var);
     }
   }
-  return After(call, before,
-               builder.Add(*common, ir::Conditional{condition, when_true, when_false}));
+  return After(call, before, builder.Add(*common, Conditional{condition, when_true, when_false}));
 }
 
 // texCUBElod(sampler, float4(coordinate, level)); the digit or C in the name tells the sampler.
 ExprId CheckTexLod(const IntrinsicCheck& call) {
-  using ir::ObjectKind;
   const char letter = call.name[3];
   const ObjectKind sampler = letter == '1'   ? ObjectKind::kSampler1D
                              : letter == '2' ? ObjectKind::kSampler2D
                              : letter == '3' ? ObjectKind::kSampler3D
                                              : ObjectKind::kSamplerCube;
   if (!call.HasCount(2, 2)) return call.Error();
-  ir::TypeTable& types = call.program.types;
+  TypeTable& types = call.program.types;
   const TypeId wanted = types.Object(sampler);
   if (!RankImplicit(types, call.TypeIdOf(call.arguments[0]), wanted)) {
     return call.BadArgument(0, "a `" + types.Name(wanted) + "`");
@@ -202,13 +189,13 @@ ExprId CheckTexLod(const IntrinsicCheck& call) {
   const TypeId float4 = types.Vector(Scalar::kFloat, 4);
   const auto location = call.Converted(1, float4);
   if (!location) return call.Error();
-  const ir::ObjectInfo& info = ir::InfoOf(sampler);
+  const ObjectInfo& info = InfoOf(sampler);
   const int dimensions = info.is_cube ? 3 : info.axes;
   const auto parts = call.Split(*location, dimensions, 3);
   const std::array<ExprId, 3> arguments = {object, parts.leading, parts.last};
   return After(
       call, {&parts.prologue, 1},
-      MakeObjectCall(call.Make(), call.program, float4, ir::ObjectOp::kD3d9SampleLevel, arguments));
+      MakeObjectCall(call.Make(), call.program, float4, ObjectOp::kD3d9SampleLevel, arguments));
 }
 
-}  // namespace clipc
+}  // namespace clipc::rules

@@ -9,7 +9,7 @@
 
 #include "frontend/rules/program_for_test.h"
 
-namespace clipc {
+namespace clipc::rules {
 namespace {
 
 // A call with variables a, b, c of these types: "type: expression !codes", or what was said.
@@ -315,4 +315,4 @@ TEST(IntrinsicsTest, Names) {
 }
 
 }  // namespace
-}  // namespace clipc
+}  // namespace clipc::rules

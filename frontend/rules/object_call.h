@@ -6,7 +6,7 @@
 #include "frontend/rules/intrinsic_call.h"
 
 // The files that implement CheckMethodCall and CheckObjectIndex share these.
-namespace clipc {
+namespace clipc::rules {
 
 // How many components the operands of a texture's operations have; 0: there is no such operation.
 struct TextureTraits {
@@ -19,14 +19,14 @@ struct TextureTraits {
   bool can_gather = false;
 };
 // Zeros for an object that is not a texture.
-TextureTraits TraitsOf(ir::ObjectKind kind);
+TextureTraits TraitsOf(ObjectKind kind);
 // What a read of the object gives: its element type, float4 when none was written.
-ir::TypeId ElementOf(ir::TypeTable& types, const ir::Type& object);
+TypeId ElementOf(TypeTable& types, const Type& object);
 
-ir::ExprId MakeObjectCall(ir::Builder builder, ir::Program& program, ir::TypeId type,
-                          ir::ObjectOp op, std::span<const ir::ExprId> arguments);
+ExprId MakeObjectCall(Builder builder, Program& program, TypeId type, ObjectOp op,
+                      std::span<const ExprId> arguments);
 
 // objects_size.cpp
-ir::ExprId CheckGetDimensions(const IntrinsicCheck& call, ir::ExprId object);
+ExprId CheckGetDimensions(const IntrinsicCheck& call, ExprId object);
 
-}  // namespace clipc
+}  // namespace clipc::rules

@@ -5,23 +5,23 @@
 #include <map>
 #include <vector>
 
-#include "ir/program.h"
+#include "frontend/rules/rules.h"
 
 // The objects that a value holds, as ResolveObjects follows them.
-namespace clipc {
+namespace clipc::rules {
 
 // An index into an array of objects: a literal, a variable, or (until it is bound) an expression.
 struct ObjectIndex {
   std::uint32_t literal = 0;
-  ir::VarId var;
-  ir::ExprId expr;
+  VarId var;
+  ExprId expr;
   bool IsLiteral() const { return !var && !expr; }
   friend bool operator==(const ObjectIndex&, const ObjectIndex&) = default;
 };
 
 // resource[i][j]
 struct ObjectPath {
-  ir::VarId resource;
+  VarId resource;
   std::vector<ObjectIndex> indices;
   bool IsKnown() const {
     for (const ObjectIndex& index : indices) {
@@ -46,22 +46,22 @@ Slots InsideAny(const Slots& slots, std::uint32_t count);
 bool StartsWith(const SlotPath& path, const SlotPath& prefix);
 
 // Whether the type is an object or an array of objects.
-bool IsObjectType(const ir::TypeTable& types, ir::TypeId type);
+bool IsObjectType(const TypeTable& types, TypeId type);
 
 // Copies statements with everything in them; the copies have variables of their own.
 class BodyCloner {
  public:
-  explicit BodyCloner(ir::Program& program) : program_(program) {}
-  ir::VarId CloneVar(ir::VarId var);
-  ir::StmtId Clone(ir::StmtId stmt);
+  explicit BodyCloner(Program& program) : program_(program) {}
+  VarId CloneVar(VarId var);
+  StmtId Clone(StmtId stmt);
 
  private:
-  ir::ExprId Clone(ir::ExprId expr);
-  List<ir::StmtId> Clone(List<ir::StmtId> list);
-  void Rename(ir::ExprId expr);
+  ExprId Clone(ExprId expr);
+  List<StmtId> Clone(List<StmtId> list);
+  void Rename(ExprId expr);
 
-  ir::Program& program_;
-  std::map<ir::VarId, ir::VarId> vars_;
+  Program& program_;
+  std::map<VarId, VarId> vars_;
 };
 
-}  // namespace clipc
+}  // namespace clipc::rules

@@ -9,7 +9,7 @@
 #include "frontend/rules/intrinsics.h"
 #include "frontend/rules/program_for_test.h"
 
-namespace clipc {
+namespace clipc::rules {
 namespace {
 
 using ir::ObjectKind;
@@ -267,4 +267,4 @@ TEST_F(ObjectsTest, WhatIsMadeIsWellTyped) {
 }
 
 }  // namespace
-}  // namespace clipc
+}  // namespace clipc::rules

@@ -12,10 +12,8 @@
 #include "frontend/rules/position_trial.h"
 #include "ir/access.h"
 
-namespace clipc {
+namespace clipc::rules {
 namespace {
-
-using namespace ir;
 
 // A variable or a part of one: the fields and elements on the way down. Vectors are not taken
 // apart.
@@ -133,4 +131,4 @@ VarId CheckPositionInput(const Program& program, std::string_view semantic,
   return input->var;
 }
 
-}  // namespace clipc
+}  // namespace clipc::rules

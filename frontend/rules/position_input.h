@@ -3,10 +3,9 @@
 
 #include <string_view>
 
-#include "base/diagnostics.h"
-#include "ir/program.h"
+#include "frontend/rules/rules.h"
 
-namespace clipc {
+namespace clipc::rules {
 
 // The input that carries `semantic`, for clip planes in the object's own space. Letters compare
 // without case, and a semantic without an index has index 0: "POSITION0" is "position". None after
@@ -19,7 +18,7 @@ namespace clipc {
 //
 // Warns where the position is more than the input times matrices (position_trial.h).
 // Requires a checked program (Form::kTyped).
-ir::VarId CheckPositionInput(const ir::Program& program, std::string_view semantic,
-                             Diagnostics& diagnostics);
+VarId CheckPositionInput(const Program& program, std::string_view semantic,
+                         Diagnostics& diagnostics);
 
-}  // namespace clipc
+}  // namespace clipc::rules

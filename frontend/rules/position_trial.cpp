@@ -13,10 +13,8 @@
 #include "ir/evaluate.h"
 #include "ir/scalar.h"
 
-namespace clipc {
+namespace clipc::rules {
 namespace {
-
-using namespace ir;
 
 using Position = std::array<double, 4>;
 
@@ -154,4 +152,4 @@ std::string WhyNotTimesMatrices(const Program& program, VarId input) {
   return Trial(program, input).Run();
 }
 
-}  // namespace clipc
+}  // namespace clipc::rules

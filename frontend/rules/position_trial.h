@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "ir/program.h"
+#include "frontend/rules/rules.h"
 
-namespace clipc {
+namespace clipc::rules {
 
 // Tries out, on the reference evaluator and with made-up constants, whether SV_Position is the
 // input times matrices: whether it depends on no other input, and whether the middle of two
@@ -14,6 +14,6 @@ namespace clipc {
 // and waves. It cannot find a change that moves all vertices alike, as a matrix might too.
 //
 // Requires Form::kTyped and that `input` is a float3 or float4 input.
-std::string WhyNotTimesMatrices(const ir::Program& program, ir::VarId input);
+std::string WhyNotTimesMatrices(const Program& program, VarId input);
 
-}  // namespace clipc
+}  // namespace clipc::rules

@@ -15,7 +15,7 @@
 #include "ir/program.h"
 #include "ir/verify.h"
 
-namespace clipc {
+namespace clipc::rules {
 
 // For tests: a program with a few variables, and what was said while expressions were made of them.
 class ProgramForTest final : public TemporaryMaker {
@@ -120,4 +120,4 @@ class ProgramForTest final : public TemporaryMaker {
   int temporaries_ = 0;
 };
 
-}  // namespace clipc
+}  // namespace clipc::rules

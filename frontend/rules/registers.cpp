@@ -6,26 +6,26 @@
 #include <tuple>
 #include <vector>
 
-namespace clipc {
+namespace clipc::rules {
 namespace {
 
 // One thing that takes registers: `count` in a row.
 struct Taker {
-  ir::Register* reg;
+  Register* reg;
   std::uint32_t count;
   std::string_view name;
   Span span;
 };
 
 // The number of the last register in Direct3D 11; shader model 5.1 lifts the limits.
-std::uint32_t HighestRegister(char letter, const ir::Profile& profile) {
+std::uint32_t HighestRegister(char letter, const Profile& profile) {
   if (profile.IsAtLeast(5, 1) || profile.IsDirect3D9()) return 0xfffffffeu;
   return letter == 'b' ? 13 : letter == 's' ? 15 : 127;
 }
 
 class Allocator {
  public:
-  Allocator(const ir::Profile& profile, Diagnostics& diagnostics)
+  Allocator(const Profile& profile, Diagnostics& diagnostics)
       : profile_(profile), diagnostics_(diagnostics) {}
 
   void Run(std::vector<Taker>& takers) {
@@ -40,7 +40,7 @@ class Allocator {
  private:
   using Key = std::tuple<char, std::uint32_t, std::uint32_t>;  // letter, space, first register
 
-  static std::string Written(const ir::Register& reg) {
+  static std::string Written(const Register& reg) {
     std::string text = fmt::format("{}{}", reg.letter, reg.number);
     if (reg.space != 0) text += fmt::format(", space{}", reg.space);
     return text;
@@ -60,7 +60,7 @@ class Allocator {
   }
 
   void Occupy(const Taker& taker) {
-    const ir::Register& reg = *taker.reg;
+    const Register& reg = *taker.reg;
     const std::uint32_t highest = HighestRegister(reg.letter, profile_);
     const std::uint64_t last = std::uint64_t{reg.number} + taker.count - 1;
     if (last > highest) {
@@ -76,7 +76,7 @@ class Allocator {
   }
 
   void Choose(Taker& taker) {
-    ir::Register& reg = *taker.reg;
+    Register& reg = *taker.reg;
     reg.number = 0;
     while (const Taker* other = Overlap(reg.letter, reg.space, reg.number, taker.count)) {
       reg.number = other->reg->number + other->count;
@@ -84,41 +84,41 @@ class Allocator {
     Occupy(taker);
   }
 
-  const ir::Profile& profile_;
+  const Profile& profile_;
   Diagnostics& diagnostics_;
   std::map<Key, Taker> taken_;
 };
 
-std::uint32_t CountOf(const ir::TypeTable& types, ir::TypeId type) {
+std::uint32_t CountOf(const TypeTable& types, TypeId type) {
   std::uint32_t count = 1;
-  for (; types[type].kind == ir::TypeKind::kArray; type = types[type].element)
+  for (; types[type].kind == TypeKind::kArray; type = types[type].element)
     count *= std::max<std::uint32_t>(types[type].count, 1);
   return count;
 }
 
 }  // namespace
 
-void AssignRegisters(ir::Program& program, Diagnostics& diagnostics) {
+void AssignRegisters(Program& program, Diagnostics& diagnostics) {
   // fxc's order, as far as it is known: $Globals, the others as declared, $Params.
-  const auto rank = [](ir::CbufferKind kind) {
-    return kind == ir::CbufferKind::kGlobals ? 0 : kind == ir::CbufferKind::kParams ? 2 : 1;
+  const auto rank = [](CbufferKind kind) {
+    return kind == CbufferKind::kGlobals ? 0 : kind == CbufferKind::kParams ? 2 : 1;
   };
-  std::vector<ir::CbufferId> order;
-  for (ir::CbufferId id : program.cbuffers.ids()) order.push_back(id);
-  std::stable_sort(order.begin(), order.end(), [&](ir::CbufferId a, ir::CbufferId b) {
+  std::vector<CbufferId> order;
+  for (CbufferId id : program.cbuffers.ids()) order.push_back(id);
+  std::stable_sort(order.begin(), order.end(), [&](CbufferId a, CbufferId b) {
     return rank(program.cbuffers[a].kind) < rank(program.cbuffers[b].kind);
   });
   std::vector<Taker> takers;
-  for (ir::CbufferId id : order) {
-    ir::Cbuffer& buffer = program.cbuffers[id];
-    if (buffer.kind == ir::CbufferKind::kTbuffer) buffer.reg.letter = 't';
+  for (CbufferId id : order) {
+    Cbuffer& buffer = program.cbuffers[id];
+    if (buffer.kind == CbufferKind::kTbuffer) buffer.reg.letter = 't';
     takers.push_back({&buffer.reg, buffer.count, buffer.name, buffer.span});
   }
-  for (ir::Resource& resource : program.resources) {
-    const ir::Var& var = program.vars[resource.var];
+  for (Resource& resource : program.resources) {
+    const Var& var = program.vars[resource.var];
     takers.push_back({&resource.reg, CountOf(program.types, var.type), var.name, var.span});
   }
   Allocator(program.profile, diagnostics).Run(takers);
 }
 
-}  // namespace clipc
+}  // namespace clipc::rules

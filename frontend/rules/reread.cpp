@@ -1,39 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/rules/reread.h"
 
-#include <variant>
+#include "ir/access.h"
 
-namespace clipc {
+namespace clipc::rules {
 namespace {
 
-bool IsPlainPath(const ir::Program& program, ir::ExprId expr, int depth) {
+bool IsSimple(const Program& program, ExprId expr) {
+  return As<VarRef>(program, expr) || As<Literal>(program, expr);
+}
+
+bool IsPlainPath(const Program& program, ExprId expr, int depth) {
   constexpr int kMaxDepth = 8;
   if (depth > kMaxDepth) return false;
-  const auto& node = program.exprs[expr].node;
-  if (std::holds_alternative<ir::VarRef>(node) || std::holds_alternative<ir::Literal>(node))
-    return true;
-  if (const auto* field = std::get_if<ir::FieldRef>(&node))
-    return IsPlainPath(program, field->base, depth + 1);
-  if (const auto* swizzle = std::get_if<ir::Swizzle>(&node))
-    return IsPlainPath(program, swizzle->base, depth + 1);
-  if (const auto* index = std::get_if<ir::Index>(&node)) {
-    const auto& inner = program.exprs[index->index].node;
-    const bool is_simple =
-        std::holds_alternative<ir::VarRef>(inner) || std::holds_alternative<ir::Literal>(inner);
-    return is_simple && IsPlainPath(program, index->base, depth + 1);
-  }
-  return false;
+  if (IsSimple(program, expr)) return true;
+  if (As<MatrixSwizzle>(program, expr)) return false;
+  const auto* index = As<Index>(program, expr);
+  const ExprId whole = WholeOf(program, expr);
+  return whole && (!index || IsSimple(program, index->index)) &&
+         IsPlainPath(program, whole, depth + 1);
 }
 
 }  // namespace
 
-bool IsPlainPath(const ir::Program& program, ir::ExprId expr) {
-  return IsPlainPath(program, expr, 0);
-}
+bool IsPlainPath(const Program& program, ExprId expr) { return IsPlainPath(program, expr, 0); }
 
-Reread::Reread(ir::Program& program, ir::ExprId value, TemporaryMaker* temporaries)
+Reread::Reread(Program& program, ExprId value, TemporaryMaker* temporaries)
     : program_(program), builder_(program, program.exprs[value].span), value_(value) {
-  if (clipc::IsPlainPath(program, value)) return;
+  if (rules::IsPlainPath(program, value)) return;
   if (temporaries == nullptr) {
     usable_ = false;
     return;
@@ -43,12 +37,10 @@ Reread::Reread(ir::Program& program, ir::ExprId value, TemporaryMaker* temporari
   prologue_ = temporary.prologue;
 }
 
-ir::ExprId Reread::Read() {
-  return temporary_ ? builder_.Ref(temporary_) : Clone(program_, value_);
-}
+ExprId Reread::Read() { return temporary_ ? builder_.Ref(temporary_) : Clone(program_, value_); }
 
-ir::ExprId Reread::Finish(ir::ExprId result) {
+ExprId Reread::Finish(ExprId result) {
   return prologue_ ? builder_.CommaOf(prologue_, result) : result;
 }
 
-}  // namespace clipc
+}  // namespace clipc::rules

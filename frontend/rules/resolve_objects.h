@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "base/diagnostics.h"
-#include "ir/program.h"
+#include "frontend/rules/rules.h"
 
-namespace clipc {
+namespace clipc::rules {
 
 // Textures, samplers and buffers are global variables for GLSL, while HLSL passes them to
 // functions, keeps them in local variables and structs, and returns them. Follows every object to
@@ -24,6 +23,6 @@ namespace clipc {
 // Objects inside a uniform struct become resources. Where the object is not the same on all paths
 // it reports ObjectNotGlobal, as fxc (X3031) and DXC do. Afterwards an object occurs in an
 // ObjectCall only, as the path of a resource.
-void ResolveObjects(ir::Program& program, Diagnostics& diagnostics);
+void ResolveObjects(Program& program, Diagnostics& diagnostics);
 
-}  // namespace clipc
+}  // namespace clipc::rules

@@ -4,26 +4,24 @@
 #include "frontend/rules/object_resolver.h"
 #include "ir/access.h"
 
-namespace clipc {
+namespace clipc::rules {
 
 // The variable and the part of it that a path names, where its indices are known.
-std::optional<std::pair<ir::VarId, SlotPath>> ObjectResolver::PlaceOf(ir::ExprId expr) const {
+std::optional<std::pair<VarId, SlotPath>> ObjectResolver::PlaceOf(ExprId expr) const {
   SlotPath path;
   while (true) {
-    const auto& node = program_.exprs[expr].node;
-    if (const auto* ref = std::get_if<ir::VarRef>(&node)) {
+    if (const auto* ref = As<VarRef>(program_, expr)) {
       if (!frame_->slots.contains(ref->var)) return std::nullopt;
       std::ranges::reverse(path);
       return std::pair{ref->var, path};
     }
-    if (const auto* field = std::get_if<ir::FieldRef>(&node)) {
+    if (const auto* field = As<FieldRef>(program_, expr)) {
       path.push_back(field->field);
       expr = field->base;
       continue;
     }
-    const auto* index = std::get_if<ir::Index>(&node);
-    const auto* literal =
-        index ? std::get_if<ir::Literal>(&program_.exprs[index->index].node) : nullptr;
+    const auto* index = As<Index>(program_, expr);
+    const auto* literal = index ? As<Literal>(program_, index->index) : nullptr;
     if (!literal) return std::nullopt;
     path.push_back(static_cast<std::uint32_t>(literal->bits));
     expr = index->base;
@@ -32,7 +30,7 @@ std::optional<std::pair<ir::VarId, SlotPath>> ObjectResolver::PlaceOf(ir::ExprId
 
 // From here on the part of the variable holds these objects. Where that is not so on all paths, it
 // is an error, unless they are the ones it holds anyway.
-void ObjectResolver::Bind(ir::VarId var, const SlotPath& place, Slots slots, Span span) {
+void ObjectResolver::Bind(VarId var, const SlotPath& place, Slots slots, Span span) {
   Slots& held = frame_->slots[var];
   Slots added;
   for (auto& [path, object] : slots) {
@@ -55,18 +53,18 @@ void ObjectResolver::Bind(ir::VarId var, const SlotPath& place, Slots slots, Spa
 }
 
 // Indices known at run time are stored beside the object.
-void ObjectResolver::Keep(ir::VarId var, const SlotPath& path, ObjectPath& object, Span span) {
+void ObjectResolver::Keep(VarId var, const SlotPath& path, ObjectPath& object, Span span) {
   for (std::size_t i = 0; i < object.indices.size(); ++i) {
     ObjectIndex& index = object.indices[i];
     if (index.IsLiteral()) continue;
-    const ir::TypeId type = program_.types.Make(TypeOf(index));
-    ir::Builder at(program_, span);
-    ir::VarId& companion = frame_->companions[{var, path, i}];
+    const TypeId type = program_.types.Make(TypeOf(index));
+    Builder at(program_, span);
+    VarId& companion = frame_->companions[{var, path, i}];
     if (!companion) {
       companion = at.Local(program_.vars[var].name + "_index", type);
-      frame_->declarations.push_back(at.Stmt(ir::Declare{companion, {}}));
+      frame_->declarations.push_back(at.Stmt(Declare{companion, {}}));
     }
-    const ir::ExprId value = index.expr ? index.expr : at.Ref(index.var);
+    const ExprId value = index.expr ? index.expr : at.Ref(index.var);
     Before(at.AssignTo(at.Ref(companion),
                        at.ConvertTo(program_.types[program_.vars[companion].type].scalar, value)),
            span);
@@ -75,31 +73,30 @@ void ObjectResolver::Keep(ir::VarId var, const SlotPath& path, ObjectPath& objec
 }
 
 // Runs the expression before the current statement.
-void ObjectResolver::Before(ir::ExprId expr, Span span) {
-  if (ir::IsPure(program_, expr)) return;
+void ObjectResolver::Before(ExprId expr, Span span) {
+  if (IsPure(program_, expr)) return;
   if (frame_ == nullptr || !frame_->may_emit) {
     diagnostics_.Report(span, diag::Unsupported, "choosing an object in the condition of a loop");
     return;
   }
-  frame_->before.push_back(ir::Builder(program_, span).Eval(expr));
+  frame_->before.push_back(Builder(program_, span).Eval(expr));
 }
 
-std::string ObjectResolver::NameOf(ir::ExprId expr) const {
+std::string ObjectResolver::NameOf(ExprId expr) const {
   while (true) {
-    const auto& node = program_.exprs[expr].node;
-    if (const auto* ref = std::get_if<ir::VarRef>(&node)) return program_.vars[ref->var].name;
-    if (const auto* field = std::get_if<ir::FieldRef>(&node)) {
+    if (const auto* ref = As<VarRef>(program_, expr)) return program_.vars[ref->var].name;
+    if (const auto* field = As<FieldRef>(program_, expr)) {
       return NameOf(field->base) + "." +
              program_.types.StructOf(program_.exprs[field->base].type).fields[field->field].name;
     }
-    const auto* index = std::get_if<ir::Index>(&node);
+    const auto* index = As<Index>(program_, expr);
     if (!index) return "this";
     expr = index->base;
   }
 }
 
-void ObjectResolver::ReportChoice(const std::string& name, ir::TypeId type, Span span) {
+void ObjectResolver::ReportChoice(const std::string& name, TypeId type, Span span) {
   diagnostics_.Report(span, diag::ObjectNotGlobal, name, program_.types.Name(type));
 }
 
-}  // namespace clipc
+}  // namespace clipc::rules

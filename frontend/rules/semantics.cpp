@@ -3,11 +3,10 @@
 
 #include "base/spelling.h"
 
-namespace clipc {
+namespace clipc::rules {
 namespace {
 
 using Use = SystemValue::Use;
-using ir::Builtin;
 
 struct Row {
   std::string_view name;  // lower case
@@ -44,7 +43,7 @@ constexpr Row kRows[] = {
 }  // namespace
 
 SystemValue LookUpSemantic(std::string_view name, std::uint32_t index, Direction direction,
-                           const ir::Profile& profile) {
+                           const Profile& profile) {
   const std::string lower = ToLower(name);
   for (const Row& row : kRows) {
     if (row.name == lower) return direction == Direction::kInput ? row.input : row.output;
@@ -58,4 +57,4 @@ SystemValue LookUpSemantic(std::string_view name, std::uint32_t index, Direction
   return lower.starts_with("sv_") ? kRefused : kPlain;
 }
 
-}  // namespace clipc
+}  // namespace clipc::rules

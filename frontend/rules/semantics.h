@@ -5,13 +5,13 @@
 #include <string>
 #include <string_view>
 
+#include "frontend/rules/rules.h"
 #include "ir/profile.h"
-#include "ir/program.h"
 
 // The semantics of a vertex shader's inputs and outputs. Sources: the Direct3D 11.3 functional
 // specification, sections 8 and 9 (system generated and interpreted values); DXC's signature table
 // for the vertex stage; the Direct3D 9 reference on vertex shader outputs.
-namespace clipc {
+namespace clipc::rules {
 
 enum class Direction : std::uint8_t { kInput, kOutput };
 
@@ -22,12 +22,12 @@ struct SystemValue {
     kRefused,  // a system value of another stage
   };
   Use use = Use::kPlain;
-  ir::Builtin builtin = ir::Builtin::kNone;
+  Builtin builtin = Builtin::kNone;
   int major = 0, minor = 0;  // the first profile that has the system value
 };
 
 // The meaning of a semantic on one side of a vertex shader. `name` is without the index.
 SystemValue LookUpSemantic(std::string_view name, std::uint32_t index, Direction direction,
-                           const ir::Profile& profile);
+                           const Profile& profile);
 
-}  // namespace clipc
+}  // namespace clipc::rules

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <concepts>
+
+#include "base/overloaded.h"
+#include "frontend/parse/ast_expr.h"
+
+// The children of an expression of the syntax tree, each kind of node once.
+namespace clipc::ast {
+
+template <typename Node, typename... Kinds>
+concept OneOf = (std::same_as<Node, Kinds> || ...);
+
+// Calls child(id) for each child of the node, an ExprId or a TypeId that may be none, and
+// child(list) for each List<ExprId>, in the order of the text.
+template <typename OnChild>
+void ForEachChild(const decltype(Expr::node)& node, OnChild&& child) {
+  Visit(Overloaded{
+            [](const OneOf<Literal, ErrorExpr> auto&) {},
+            [&](const NameExpr& e) { child(e.arguments); },
+            [&](const TypeExpr& e) { child(e.type); },
+            [&](const OneOf<UnaryExpr, SizeofExpr> auto& e) { child(e.operand); },
+            [&](const OneOf<BinaryExpr, CommaExpr, AssignExpr> auto& e) {
+              child(e.left), child(e.right);
+            },
+            [&](const ConditionalExpr& e) {
+              child(e.condition), child(e.when_true), child(e.when_false);
+            },
+            [&](const CallExpr& e) { child(e.callee), child(e.arguments); },
+            [&](const CastExpr& e) { child(e.type), child(e.dimensions), child(e.operand); },
+            [&](const IndexExpr& e) { child(e.base), child(e.index); },
+            [&](const MemberExpr& e) { child(e.base), child(e.arguments); },
+            [&](const InitListExpr& e) { child(e.elements); },
+        },
+        node);
+}
+
+}  // namespace clipc::ast
