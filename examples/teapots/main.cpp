@@ -49,7 +49,7 @@ Picture DrawTeapots() {
   program.Set("world", Floats(world));
   program.Set("world_view_projection", Floats(Multiply(Multiply(world, view), projection)));
   for (int i = 0; i < count; ++i) {
-    const std::vector<runtime::Plane>& planes = cases[static_cast<std::size_t>(i)];
+    const std::vector<runtime::Plane>& planes = cases[i];
     runtime::Float4 constants[2];
     for (std::size_t k = 0; k < planes.size(); ++k) {
       constants[k] = Check(runtime::ClipPlaneFromWorld(planes[k], view, projection)).constant;

@@ -21,7 +21,7 @@ VERDICTS = {0: "equal", 1: "different"}
 def compare(arguments, line):
     path, entry, profile, includes, defines = (line.rstrip("\n").split("\t") + [""] * 5)[:5]
     command = [arguments.draw, "compare", path, "-T", profile, "-E", entry, "--target", arguments.target,
-               "--lower", "clip-distance", "--depth-range", "zero-to-one", "--flip-y", "no"]
+               "--lower", "clip-distance", "--direct3d"]
     if arguments.peer:
         command += ["--peer", arguments.peer]
     for flag, values in (("-I", includes), ("-D", defines)):

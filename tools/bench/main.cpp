@@ -2,7 +2,6 @@
 // Speed and memory as ratios against named peers, all taken in one run, each beside its limit.
 //   clipc-bench CLIPC HELLO GLSLANG_VALIDATOR [SCRATCH_FOLDER]
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <fstream>
 #include <string>
@@ -14,29 +13,14 @@
 #include "tools/bench/generate.h"
 #include "tools/bench/peers.h"
 #include "tools/bench/process.h"
+#include "tools/bench/report.h"
 #include "tools/harness/timing.h"
 
 namespace clipc::bench {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-int g_missed = 0;
-
-void Report(const char* what, double value, const char* unit, double limit) {
-  const bool holds = value <= limit;
-  g_missed += !holds;
-  std::printf("| %s | %.3g %s | at most %.3g %s | %s |\n", what, value, unit, limit, unit,
-              holds ? "holds" : "**missed**");
-  std::fflush(stdout);
-}
-
 void Write(const std::string& path, const std::string& text) {
   std::ofstream(path, std::ios::binary) << text;
-}
-
-double Milliseconds(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
 // Cold starts of whole processes.
@@ -104,24 +88,16 @@ void BenchBatchValidation() {
     CompileRequest request;
     request.path = "shader.hlsl";
     request.text = SixtyLineShader(i);
-    auto start = Clock::now();
-    if (!compiler.Compile(request).ok()) std::exit(1);
-    if (i > 0) plain.push_back(Milliseconds(start));
-    request.validate = true;
-    start = Clock::now();
-    if (!compiler.Compile(request).ok()) std::exit(1);
-    if (i > 0)
-      validated.push_back(Milliseconds(start));  // the first one builds glslang's symbol tables
+    for (std::vector<double>* times : {&plain, &validated}) {
+      request.validate = times == &validated;
+      const double start = harness::ProcessSeconds();
+      if (!compiler.Compile(request).ok()) std::exit(1);
+      // The first one builds glslang's symbol tables.
+      if (i > 0) times->push_back(1e3 * (harness::ProcessSeconds() - start));
+    }
   }
   Report("validation of one shader in a batch", harness::Median(validated) - harness::Median(plain),
          "ms", 2);
-}
-
-// Gives the size of the text back, and its memory.
-std::size_t WriteLarge(const std::string& path, std::size_t bytes) {
-  const std::string text = LargeShader(bytes);
-  Write(path, text);
-  return text.size();
 }
 
 // Text that makes the parser look far ahead: what decides is at the end of each statement.
@@ -151,7 +127,9 @@ void BenchScaling(const std::string& clipc, const std::string& folder) {
   double worst_memory = 0;
   for (std::size_t size : sizes) {
     const std::string hlsl = folder + "/large.hlsl";
-    const double bytes = static_cast<double>(WriteLarge(hlsl, size));
+    const std::string text = LargeShader(size);
+    Write(hlsl, text);
+    const auto bytes = static_cast<double>(text.size());
     const auto runs = RunInTurn({{clipc, "-T", "vs_5_0", hlsl, "-o", folder + "/large.vert"}},
                                 size > 5'000'000 ? 3 : 9)[0];
     const double peak = 1024.0 * static_cast<double>(runs[0].peak_kib);

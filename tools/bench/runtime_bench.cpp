@@ -12,6 +12,7 @@
 
 #include "runtime/box_planner.h"
 #include "runtime/level9_binder.h"
+#include "tools/bench/report.h"
 #include "tools/harness/timing.h"
 
 namespace clipc::bench {
@@ -20,14 +21,6 @@ namespace {
 using runtime::Float4;
 
 volatile std::uint32_t g_sink;
-int g_missed = 0;
-
-void Report(const char* what, double ratio, double limit) {
-  const bool holds = ratio <= limit;
-  g_missed += !holds;
-  std::printf("| %s | %.2f x | at most %.2f x | %s |\n", what, ratio, limit,
-              holds ? "holds" : "**missed**");
-}
 
 double Nanoseconds() { return 1e9 * harness::ProcessSeconds(); }
 
@@ -112,7 +105,7 @@ void BenchPlanner() {
       cold / 1e3, cold_read / 1e3, warm / 1e3, warm_read / 1e3);
   std::printf("| %.2f ns a box and plane | | | |\n", warm / (kObjects * kPlanes));
   Report("planning 100,000 boxes against 6 planes, to reading the boxes from memory",
-         cold / cold_read, 4);
+         cold / cold_read, "x", 4);
 }
 
 // A device as a program sees it: a pointer to a table of functions. These copy the plane, which is

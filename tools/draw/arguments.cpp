@@ -7,6 +7,8 @@
 #include <cstring>
 #include <utility>
 
+#include "tools/harness/options.h"
+
 namespace clipc::draw {
 namespace {
 
@@ -21,9 +23,9 @@ std::uint32_t ParseWord(const std::string& text) {
   char* end = nullptr;
   std::uint32_t word = 0;
   if (text.starts_with("0x")) {
-    word = static_cast<std::uint32_t>(std::strtoul(text.c_str(), &end, 16));
+    word = std::strtoul(text.c_str(), &end, 16);
   } else if (text.ends_with('i') || text.ends_with('u')) {
-    word = static_cast<std::uint32_t>(std::strtoll(text.c_str(), &end, 10));
+    word = std::strtoll(text.c_str(), &end, 10);
     ++end;
   } else {
     word = std::bit_cast<std::uint32_t>(std::strtof(text.c_str(), &end));
@@ -45,28 +47,20 @@ std::vector<std::string> Split(const std::string& text, char separator) {
   return parts;
 }
 
-std::vector<std::uint32_t> ParseWords(const std::string& text) {
+Words ParseWords(const std::string& text) {
   if (text == "identity") return ParseWords("1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1");
-  std::vector<std::uint32_t> words;
+  Words words;
   for (const std::string& part : Split(text, ',')) words.push_back(ParseWord(part));
   return words;
 }
 
 std::array<double, 4> ParsePlane(const std::string& text) {
-  const std::vector<std::uint32_t> words = ParseWords(text);
+  const Words words = ParseWords(text);
   if (words.size() != 4) throw DrawError("a plane is four numbers, not `" + text + "`");
   std::array<double, 4> plane{};
-  std::transform(words.begin(), words.end(), plane.begin(),
-                 [](std::uint32_t word) { return std::bit_cast<float>(word); });
+  std::ranges::transform(words, plane.begin(),
+                         [](std::uint32_t word) { return std::bit_cast<float>(word); });
   return plane;
-}
-
-std::uint32_t ParseNumber(const std::string& text) {
-  char* end = nullptr;
-  const unsigned long value = std::strtoul(text.c_str(), &end, 0);
-  if (text.empty() || *end != '\0' || value > 0xffffffff)
-    throw DrawError("`" + text + "` is no whole number");
-  return static_cast<std::uint32_t>(value);
 }
 
 void AddAttribute(const std::string& text, Inputs& inputs) {
@@ -78,25 +72,20 @@ void AddAttribute(const std::string& text, Inputs& inputs) {
   inputs.vertices = static_cast<int>(vertices.size());
   Inputs::Attribute& attribute = inputs.attributes.emplace_back(Inputs::Attribute{name, {}});
   for (const std::string& vertex : vertices) {
-    const std::vector<std::uint32_t> words = ParseWords(vertex);
+    const Words words = ParseWords(vertex);
     attribute.words.insert(attribute.words.end(), words.begin(), words.end());
   }
-}
-
-void AddUniform(const std::string& text, Inputs& inputs) {
-  const auto [name, values] = Halves(text, '=');
-  inputs.uniforms.push_back({name, ParseWords(values)});
 }
 
 void AddBlock(const std::string& text, Inputs& inputs) {
   const auto [place, values] = Halves(text, '=');
   const auto [name, offset_text] = Halves(place, '@');
-  const std::uint32_t offset = ParseNumber(offset_text);
-  auto block = std::find_if(
-      inputs.blocks.begin(), inputs.blocks.end(),
+  const std::uint32_t offset = harness::options::ParseNumber(offset_text);
+  auto block = std::ranges::find_if(
+      inputs.blocks,
       [&, name = name](const Inputs::UniformBlock& known) { return known.name == name; });
   if (block == inputs.blocks.end()) block = inputs.blocks.insert(block, {name, {}});
-  const std::vector<std::uint32_t> words = ParseWords(values);
+  const Words words = ParseWords(values);
   block->bytes.resize(std::max<std::size_t>(block->bytes.size(), offset + 4 * words.size()));
   std::memcpy(block->bytes.data() + offset, words.data(), 4 * words.size());
 }

@@ -15,20 +15,14 @@ namespace clipc::draw {
 std::vector<std::string> Split(const std::string& text, char separator);
 
 // "1,-0.5,3i,7u,0x7fc00000": floats, ints, uints, raw bits; "identity" is a float4x4.
-std::vector<std::uint32_t> ParseWords(const std::string& text);
+Words ParseWords(const std::string& text);
 
 // "1,0,0,-0.5"
 std::array<double, 4> ParsePlane(const std::string& text);
 
-// "0x3", "3"
-std::uint32_t ParseNumber(const std::string& text);
-
 // "in_POSITION0=1,2,3/4,5,6": the vertices' values, separated by slashes. All attributes have the
 // same number of vertices.
 void AddAttribute(const std::string& text, Inputs& inputs);
-
-// "planes=1,0,0,0,0,1,0,0"
-void AddUniform(const std::string& text, Inputs& inputs);
 
 // "Transform@64=1,0,0,0": bytes from there on. The same block may be written several times.
 void AddBlock(const std::string& text, Inputs& inputs);

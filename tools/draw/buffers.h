@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <span>
 #include <vector>
@@ -13,12 +12,11 @@
 #include "tools/draw/inputs.h"
 #include "tools/draw/random_values.h"
 
-// Buffers with random elements: Buffer<T>, StructuredBuffer<T> and ByteAddressBuffer. Their layout
-// follows HLSL's rules and shares nothing with the GLSL writer.
+// Buffers with random elements: Buffer<T>, StructuredBuffer<T> and ByteAddressBuffer.
 namespace clipc::draw {
 
 // The bytes that the application uploads. A Buffer<T> has four words for each element.
-using Buffer = std::vector<std::uint8_t>;
+using Buffer = Bytes;
 // By VarId; the elements of an array of buffers, or the only one.
 using Buffers = std::map<std::uint32_t, std::vector<Buffer>>;
 
@@ -33,21 +31,7 @@ void ReadBuffer(const ir::Program& program, const Buffers& buffers,
                 std::span<std::uint64_t> result);
 
 // Adds the buffers to `inputs`, under the names that the written shader gives them.
-void GiveBuffers(const ir::Program& program, const glsl::GlslInfo& info, const Buffers& buffers,
+void GiveBuffers(const ir::Program& program, const GlslInfo& info, const Buffers& buffers,
                  Inputs& inputs);
-
-// The layout of an element of a StructuredBuffer: components follow each other at multiples of
-// their own size; a struct begins at a multiple of its largest component's size, and its size is
-// one; the registers of a matrix (rows if row_major, else columns) and the elements of an array
-// follow each other without gaps.
-struct StructuredSize {
-  std::uint32_t size = 0, alignment = 1;
-};
-StructuredSize StructuredSizeOf(const ir::TypeTable& types, ir::TypeId type);
-// Calls visit(kind, byte) for every component of a value that starts at `offset`, in the order of
-// the value.
-void ForEachStructured(const ir::TypeTable& types, ir::TypeId type, bool row_major,
-                       std::uint32_t offset,
-                       const std::function<void(ir::Scalar kind, std::uint32_t byte)>& visit);
 
 }  // namespace clipc::draw

@@ -32,7 +32,7 @@ struct Shader {
   ir::Program typed;    // as checked: what the user means
   ir::Program lowered;  // after the passes
   std::string glsl;
-  glsl::GlslInfo info;  // beside `lowered`
+  GlslInfo info;  // beside `lowered`
 };
 
 // Runs the compiler's stages (compiler/stages.h). Throws DrawError with the diagnostics, and

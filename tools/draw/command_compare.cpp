@@ -9,30 +9,27 @@
 #include "tools/draw/commands.h"
 #include "tools/draw/opengl/compare.h"
 #include "tools/draw/opengl/program.h"
-#include "tools/draw/options.h"
 #include "tools/draw/peer/compare.h"
 #include "tools/draw/vulkan/compare.h"
+#include "tools/harness/options.h"
 
 namespace clipc::draw {
 namespace {
+
+using namespace ir;
+using namespace harness::options;
 
 struct CompareOptions {
   BuildOptions build;
   std::vector<std::string> targets = {"glsl450", "glsl330", "glsl130", "essl300", "vulkan"};
   std::vector<std::string> lowerings = {"clip-distance", "level9", "none"};
-  std::vector<bool> negative_one_to_one = {false, true}, flip_y = {false, true};
   RandomOptions random;
   Tolerance tolerance;
   std::string peer;          // compared instead of what clipc writes
   bool all_targets = false;  // leave out those that cannot say the shader
   bool verbose = false;
+  bool direct3d = false;  // only Direct3D's depth range, and not flipped
 };
-
-bool OneOf(const std::string& value, const char* no, const char* yes) {
-  if (value != no && value != yes)
-    throw DrawError("`" + value + "` is neither " + no + " nor " + yes);
-  return value == yes;
-}
 
 void SetInts(const std::string& text, RandomOptions& random) {
   if (std::sscanf(text.c_str(), "%d..%d", &random.least_int, &random.greatest_int) != 2 ||
@@ -41,7 +38,7 @@ void SetInts(const std::string& text, RandomOptions& random) {
   }
 }
 
-std::map<std::string, Flag> FlagsOf(CompareOptions& options) {
+Flags FlagsOf(CompareOptions& options) {
   return {
       {"T", Text(options.build.profile)},
       {"E", Text(options.build.entry)},
@@ -55,10 +52,6 @@ std::map<std::string, Flag> FlagsOf(CompareOptions& options) {
          options.build.plane_space = Known(ParsePlaneSpace(value), "plane space", value);
        })},
       {"position-input", Text(options.build.position_input)},
-      {"depth-range", With([&](auto& value) {
-         options.negative_one_to_one = {OneOf(value, "zero-to-one", "negative-one-to-one")};
-       })},
-      {"flip-y", With([&](auto& value) { options.flip_y = {OneOf(value, "no", "yes")}; })},
       {"random", Number(options.random.vertices)},
       {"seed", Number(options.random.seed)},
       {"ints", With([&](auto& value) { SetInts(value, options.random); })},
@@ -66,23 +59,23 @@ std::map<std::string, Flag> FlagsOf(CompareOptions& options) {
        With([&](auto& value) { options.tolerance.ulps = std::strtod(value.c_str(), nullptr); })},
       {"exact", {false, [&](const std::string&) { options.tolerance.ulps = -1; }}},
       {"peer", Text(options.peer)},
-      {"verbose", Switch(options.verbose)},
+      {"verbose", On(options.verbose)},
+      {"direct3d", On(options.direct3d)},
   };
 }
 
-bool Reads(const ir::Program& program, ir::Builtin builtin) {
-  return std::any_of(program.inputs.begin(), program.inputs.end(),
-                     [&](const ir::IoVar& io) { return io.builtin == builtin; });
+bool Reads(const Program& program, Builtin builtin) {
+  return std::ranges::any_of(program.inputs,
+                             [&](const IoVar& io) { return io.builtin == builtin; });
 }
 
 // A draw call in the middle of its vertices and instances, where the shader is said to stand that.
 void ChooseDraw(const Shader& shader, bool is_es, RandomOptions& draw) {
-  if (Reads(shader.typed, ir::Builtin::kInstanceId)) draw.instances = 3;
+  if (Reads(shader.typed, Builtin::kInstanceId)) draw.instances = 3;
   const auto& inputs = shader.info.inputs;
-  const bool from_zero =
-      is_es || std::any_of(inputs.begin(), inputs.end(), [](const glsl::GlslInfo::Variable& input) {
-        return input.needs_base_vertex_zero;
-      });
+  const bool from_zero = is_es || std::ranges::any_of(inputs, [](const GlslInfo::Variable& input) {
+                           return input.needs_base_vertex_zero;
+                         });
   if (from_zero) return;
   draw.first_vertex = 5;
   draw.base_instance = 2;
@@ -99,7 +92,7 @@ class Runner {
     build.lowering = Lowering::kNone;
     const Shader shader = Build(build);
     RandomOptions random = options_.random;
-    if (Reads(shader.typed, ir::Builtin::kInstanceId)) random.instances = 3;
+    if (Reads(shader.typed, Builtin::kInstanceId)) random.instances = 3;
     const peer::PeerComparison found =
         peer::CompareWithGlslang(vulkan::Runner(), shader, build, random, options_.tolerance);
     const Comparison& values = found.values;
@@ -134,8 +127,9 @@ class Runner {
     BuildOptions build = options_.build;
     build.target = target;
     build.lowering = Known(ParseLowering(lowering), "lowering", lowering);
-    for (const bool negative_one_to_one : options_.negative_one_to_one) {
-      for (const bool flip_y : options_.flip_y) {
+    for (const bool negative_one_to_one : {false, true}) {
+      for (const bool flip_y : {false, true}) {
+        if (options_.direct3d && (negative_one_to_one || flip_y)) continue;
         build.clip_space = {negative_one_to_one, flip_y};
         try {
           RunOne(build, target + " " + lowering +
@@ -207,9 +201,9 @@ class Runner {
 
 }  // namespace
 
-int RunCompare(int argc, char** argv) {
+int RunCompare(const Arguments& arguments) {
   CompareOptions options;
-  options.build.path = OnlyPath(ParseOptions(argc, argv, FlagsOf(options)));
+  options.build.path = ParseOnlyPath(arguments, FlagsOf(options));
   options.all_targets = options.targets == std::vector<std::string>{"all"};
   if (options.all_targets) {
     const auto names = glsl::Target::Names();

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <string>
+#include <vector>
+
 namespace clipc::draw {
 
 inline constexpr char kUsage[] =
@@ -10,11 +13,9 @@ inline constexpr char kUsage[] =
                             gl_ClipDistance when the shader writes it
 
 clipc-draw pixels SHADER.vert [options]
-  Draws a mesh that covers the target: the attribute --position gets x, y in [-1, 1], depth rising
+  Draws a mesh that covers the target: the attribute in_POSITION0 gets x, y in [-1, 1], depth rising
   from 1/4 on the left to 3/4 on the right, and w from 1 to 2. Fails unless exactly the expected
   pixels are drawn, with Direct3D's depth.
-    --position NAME         the attribute, default in_POSITION0; with three components w is 1
-    --constant NAME=1,2     an attribute that is the same for all vertices
     --enable MASK           the enabled clip distances
     --clip-plane I=1,0,0,0  glClipPlane
     --zero-to-one           glClipControl
@@ -23,16 +24,16 @@ clipc-draw pixels SHADER.vert [options]
                             holds for all planes
     --expect-flipped        the picture is upside down
     --expect-any-depth      the depth is not compared
-    --size N                pixels in each direction, default 64
     --png FILE              writes the picture, to look at
 
-For both commands: --uniform NAME=1,2,3,4   --block NAME@OFFSET=1,2,3,4
+For both commands: --block NAME@OFFSET=1,2,3,4
 Numbers: 1.5 float, 3i int, 3u uint, 0x7fc00000 bits; `identity` is a 4x4 matrix.
 
 clipc-draw compare SHADER.hlsl [options]
   Compiles the shader and compares the outputs of the GLSL, run by Mesa, with those of the reference
-  evaluator, on random vertices and constants: for every target, lowering, depth range and flip
-  chosen below. The target vulkan runs on Mesa's software Vulkan, the others on its OpenGL.
+  evaluator, on random vertices and constants: for every target and lowering chosen below, both
+  depth ranges, flipped and not. The target vulkan runs on Mesa's software Vulkan, the others on its
+  OpenGL.
     --peer glslang          compares the outputs of the same HLSL compiled by glslang instead. Known
                             bugs of glslang are listed by name (docs/peers.md)
     -T PROFILE -E ENTRY -D NAME=VALUE -I FOLDER --row-major   as for clipc
@@ -41,8 +42,7 @@ clipc-draw compare SHADER.hlsl [options]
     --lower a,b             default clip-distance,level9,none
     --plane-space S         clip, xyw1 or object; default clip
     --position-input SEMANTIC   default POSITION0
-    --depth-range R         zero-to-one or negative-one-to-one; default both
-    --flip-y yes|no         default both
+    --direct3d              only Direct3D's depth range, and not flipped
     --random N              the number of random vertices, default 64. Vertices and instances do not
                             start at 0 where the shader allows that
     --seed S                default 1
@@ -51,15 +51,22 @@ clipc-draw compare SHADER.hlsl [options]
     --exact                 floats must be equal to the bit
     --verbose               prints a line for each comparison, and the GLSL of those that fail
 
+clipc-draw machine-code SHADER.spv ...
+  Prints for each vertex shader the instructions that Vulkan's driver makes of it, and the cycles
+  that a multiprocessor needs for one wave. Exits with 77 where no driver tells that. With
+  RADV_FORCE_FAMILY in the environment, Mesa plays an AMD processor.
+
 clipc-draw devices
   Prints the names of the software OpenGL and Vulkan that the other commands use.
 Exit: 0 as expected, 1 not as expected, 2 cannot draw.
 )";
 
-// argv[0] is the command's name. Return the exit code. Throw DrawError where they cannot draw.
-int RunCapture(int argc, char** argv);
-int RunPixels(int argc, char** argv);
-int RunCompare(int argc, char** argv);
+// arguments[0] is the command's name. Return the exit code. Throw DrawError where they cannot draw.
+using Arguments = std::vector<std::string>;
+int RunCapture(const Arguments& arguments);
+int RunPixels(const Arguments& arguments);
+int RunCompare(const Arguments& arguments);
+int RunMachineCode(const Arguments& arguments);
 int RunDevices();
 
 }  // namespace clipc::draw

@@ -12,6 +12,8 @@
 namespace clipc::draw {
 namespace {
 
+using namespace ir;
+
 constexpr std::size_t kMistakesKept = 4;
 
 double LargestOf(const Expected& expected) {
@@ -24,10 +26,10 @@ double LargestOf(const Expected& expected) {
 
 std::string Describe(const Expected& expected, std::size_t index, std::uint32_t got,
                      const char* why) {
-  const std::size_t components = static_cast<std::size_t>(expected.components);
-  const bool is_float = expected.kind == ir::Scalar::kFloat;
+  const std::size_t components = expected.components;
+  const bool is_float = expected.kind == Scalar::kFloat;
   const auto number = [&](std::uint32_t word) {
-    return ir::NumberOf(word, is_float ? ir::Scalar::kFloat : expected.kind);
+    return NumberOf(word, is_float ? Scalar::kFloat : expected.kind);
   };
   char text[256];
   std::snprintf(text, sizeof text, "vertex %zu, %s[%zu]: %.9g, expected %.9g (%.17g in double)%s",
@@ -55,9 +57,9 @@ class Comparer {
       ++result_.values;
       if (expected.open[i]) {
         ++result_.undefined;
-      } else if (expected.kind == ir::Scalar::kFloat) {
+      } else if (expected.kind == Scalar::kFloat) {
         CompareFloat(expected, i, captured.words[i], largest);
-      } else if (captured.words[i] == (shape.kind == Shape::Kind::kFloat
+      } else if (captured.words[i] == (shape.kind == WordKind::kFloat
                                            ? AsFloat(expected.words[i], expected.kind)
                                            : expected.words[i])) {
         ++result_.equal;
@@ -94,7 +96,7 @@ class Comparer {
   // How far the evaluator's own float32 result is from the double one, at worst in the vector that
   // `index` belongs to.
   static double RoundingOf(const Expected& expected, std::size_t index) {
-    const auto size = static_cast<std::size_t>(expected.components);
+    const std::size_t size = expected.components;
     const std::size_t first = index / size * size;
     double worst = 0;
     for (std::size_t i = first; i < first + size; ++i) {

@@ -306,7 +306,7 @@ TEST(RandomInputs, DependOnTheSeedOnly) {
 TEST(Memory, ComponentsInTheOrderOfTheValue) {
   ir::TypeTable types;
   const auto bytes_of = [&](ir::TypeId type, bool row_major) {
-    std::vector<std::uint32_t> bytes;
+    Words bytes;
     ForEachComponent(types, type, row_major, 32,
                      [&](ir::Scalar, std::uint32_t byte) { bytes.push_back(byte); });
     return bytes;
@@ -339,9 +339,10 @@ TEST(Buffers, StructuredElementsLieTight) {
   add(types.Matrix(ir::Scalar::kFloat, 1, 2), true);
   add(types.Array(types.Make(ir::Scalar::kUint), 2));
   const ir::TypeId type = types.Of(types.AddStruct(item));
-  std::vector<std::uint32_t> bytes;
-  ForEachStructured(types, type, false, 0,
-                    [&](ir::Scalar, std::uint32_t byte) { bytes.push_back(byte); });
+  Words bytes;
+  ForEachComponent(
+      types, type, false, 0, [&](ir::Scalar, std::uint32_t byte) { bytes.push_back(byte); },
+      Packing::kStructured);
   EXPECT_THAT(bytes, ::testing::ElementsAre(0, 4, 8, 12, 20, 28, 16, 24, 32, 36, 40, 44, 48));
   EXPECT_EQ(StructuredSizeOf(types, type).size, 52u);
 }
@@ -354,9 +355,10 @@ TEST(Buffers, DoublesAreAligned) {
     item.fields.emplace_back().type = types.Make(kind);
   }
   const ir::TypeId type = types.Of(types.AddStruct(item));
-  std::vector<std::uint32_t> bytes;
-  ForEachStructured(types, type, false, 0,
-                    [&](ir::Scalar, std::uint32_t byte) { bytes.push_back(byte); });
+  Words bytes;
+  ForEachComponent(
+      types, type, false, 0, [&](ir::Scalar, std::uint32_t byte) { bytes.push_back(byte); },
+      Packing::kStructured);
   EXPECT_THAT(bytes, ::testing::ElementsAre(0, 8, 16));
   EXPECT_EQ(StructuredSizeOf(types, type).size, 24u);
 }

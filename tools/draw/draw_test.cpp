@@ -22,8 +22,8 @@ void UseContextFor(const std::string& shader) {
   opengl.Use(VersionOf(shader).api);
 }
 
-std::vector<std::uint32_t> Words(std::initializer_list<float> values) {
-  std::vector<std::uint32_t> words;
+Words WordsOf(std::initializer_list<float> values) {
+  Words words;
   for (const float value : values) words.push_back(std::bit_cast<std::uint32_t>(value));
   return words;
 }
@@ -34,9 +34,9 @@ std::vector<float> Floats(const Captured& captured) {
   return values;
 }
 
-std::vector<std::uint8_t> Bytes(std::initializer_list<float> values) {
-  std::vector<std::uint8_t> bytes;
-  for (const std::uint32_t word : Words(values)) {
+Bytes BytesOf(std::initializer_list<float> values) {
+  Bytes bytes;
+  for (const std::uint32_t word : WordsOf(values)) {
     for (int i = 0; i < 4; ++i) bytes.push_back(static_cast<std::uint8_t>(word >> 8 * i));
   }
   return bytes;
@@ -55,9 +55,9 @@ std::string CaptureShader(const std::string& head, const std::string& out) {
 Inputs TwoVertices() {
   Inputs inputs;
   inputs.vertices = 2;
-  inputs.attributes = {{"p", Words({1, 2, 3, 4, 5, 6, 7, 8})}, {"n", {1, 2, 0xffffffff, 4}}};
-  inputs.uniforms = {{"scale", Words({0, 0, 0, 0, 2, 2, 2, 0.5})}};
-  inputs.blocks = {{"Planes", Bytes({0, 0, 1, -1})}};
+  inputs.attributes = {{"p", WordsOf({1, 2, 3, 4, 5, 6, 7, 8})}, {"n", {1, 2, 0xffffffff, 4}}};
+  inputs.uniforms = {{"scale", WordsOf({0, 0, 0, 0, 2, 2, 2, 0.5})}};
+  inputs.blocks = {{"Planes", BytesOf({0, 0, 1, -1})}};
   return inputs;
 }
 

@@ -9,17 +9,19 @@
 namespace clipc::draw {
 namespace {
 
-void GiveAttributes(const ir::Program& program, const glsl::GlslInfo& info,
-                    const RandomInputs& random, Inputs& inputs) {
+using namespace ir;
+
+void GiveAttributes(const Program& program, const GlslInfo& info, const RandomInputs& random,
+                    Inputs& inputs) {
   for (std::size_t i = 0; i < program.inputs.size(); ++i) {
-    if (program.inputs[i].builtin != ir::Builtin::kNone) continue;
-    const glsl::GlslInfo::Variable& written = info.inputs.at(i);
-    const ir::Type& type = program.types[program.vars[program.inputs[i].var].type];
-    const ir::Scalar kind = ir::BaseOf(type.scalar);
+    if (program.inputs[i].builtin != Builtin::kNone) continue;
+    const GlslInfo::Variable& written = info.inputs.at(i);
+    const Type& type = program.types[program.vars[program.inputs[i].var].type];
+    const Scalar kind = BaseOf(type.scalar);
     Inputs::Attribute attribute{written.name, {}};
     for (int vertex = 0; vertex < inputs.vertices; ++vertex) {
       for (std::uint32_t k = 0; k < type.Components(); ++k) {
-        const auto word = static_cast<std::uint32_t>(random.vertices[vertex][i][k]);
+        const std::uint32_t word = random.vertices[vertex][i][k];
         attribute.words.push_back(written.integer_as_float ? AsFloat(word, kind) : word);
       }
     }
@@ -29,14 +31,14 @@ void GiveAttributes(const ir::Program& program, const glsl::GlslInfo& info,
 
 }  // namespace
 
-std::uint32_t AsFloat(std::uint32_t word, ir::Scalar kind) {
+std::uint32_t AsFloat(std::uint32_t word, Scalar kind) {
   const double number =
-      kind == ir::Scalar::kInt ? static_cast<std::int32_t>(word) : static_cast<double>(word);
+      kind == Scalar::kInt ? static_cast<std::int32_t>(word) : static_cast<double>(word);
   return std::bit_cast<std::uint32_t>(static_cast<float>(number));
 }
 
-Inputs MakeInputs(const ir::Program& program, const glsl::GlslInfo& info,
-                  const RandomInputs& random, const RandomOptions& draw) {
+Inputs MakeInputs(const Program& program, const GlslInfo& info, const RandomInputs& random,
+                  const RandomOptions& draw) {
   Inputs inputs;
   inputs.instances = draw.instances;
   inputs.vertices = draw.vertices;

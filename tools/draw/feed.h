@@ -14,7 +14,7 @@ std::uint32_t AsFloat(std::uint32_t word, ir::Scalar kind);
 
 // The inputs that `random` holds, under the names that the written shader gives them. They refer to
 // the arguments.
-Inputs MakeInputs(const ir::Program& program, const glsl::GlslInfo& info,
-                  const RandomInputs& random, const RandomOptions& draw);
+Inputs MakeInputs(const ir::Program& program, const GlslInfo& info, const RandomInputs& random,
+                  const RandomOptions& draw);
 
 }  // namespace clipc::draw

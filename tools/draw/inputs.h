@@ -9,17 +9,23 @@
 
 #include <epoxy/gl.h>
 
+#include "backend-glsl/write.h"
 #include "tools/harness/offscreen.h"
 
-// What a vertex shader reads and writes, on OpenGL as on Vulkan. Words are the bits of floats, ints
-// or uints.
+// What a vertex shader reads and writes, on OpenGL as on Vulkan.
 namespace clipc::draw {
 
+using glsl::GlslInfo;
 using harness::DrawError;
+
+using Words = std::vector<std::uint32_t>;  // the bits of floats, ints or uints
+using Bytes = std::vector<std::uint8_t>;
+
+enum class WordKind { kFloat, kInt, kUint };
 
 // The words of a GLSL type.
 struct Shape {
-  enum class Kind { kFloat, kInt, kUint } kind = Kind::kFloat;
+  WordKind kind = WordKind::kFloat;
   int columns = 1;  // of a matrix; 1 for every other type
   int rows = 1;     // components of a vector or of a matrix's column
   int Words() const { return columns * rows; }
@@ -30,32 +36,32 @@ struct Shape {
 struct Inputs {
   struct Attribute {
     std::string name;
-    std::vector<std::uint32_t> words;  // of vertex 0, then of vertex 1, ...
+    Words words;  // of vertex 0, then of vertex 1, ...
   };
   struct UniformBlock {
-    std::string name;                 // "B[1]" for an element of an array of blocks
-    std::vector<std::uint8_t> bytes;  // as the block lies in memory; zeros follow them
+    std::string name;  // "B[1]" for an element of an array of blocks
+    Bytes bytes;       // as the block lies in memory; zeros follow them
   };
   struct Uniform {
-    std::string name;                  // "planes[0]" for an array
-    std::vector<std::uint32_t> words;  // matrices column by column
+    std::string name;  // "planes[0]" for an array
+    Words words;       // matrices column by column
   };
   struct Texture {
     struct Level {
       // As glTexImage3D takes it: six layers for each cube of an array.
       std::array<std::uint32_t, 3> size{1, 1, 1};
-      std::vector<std::uint32_t> words;  // four for each texel, one where `compares` is set
+      Words words;  // four for each texel, one where `compares` is set
     };
     std::string name;   // of the sampler variable; "maps[1]" for an element of an array
     GLenum target = 0;  // GL_TEXTURE_BUFFER: the words of the only level are the buffer
-    Shape::Kind kind = Shape::Kind::kFloat;
+    WordKind kind = WordKind::kFloat;
     bool compares = false;  // a depth texture: a reference passes that is less or equal
     std::vector<Level> levels;
   };
   struct Storage {
     std::string name;  // of the buffer; "items[1]" for an element of an array
     std::uint32_t binding;
-    std::vector<std::uint8_t> bytes;
+    Bytes bytes;
   };
   int vertices = 0;
   int instances = 1;
@@ -68,15 +74,15 @@ struct Inputs {
   std::vector<Storage> storage;  // the storage blocks
   // Called with OpenGL's name of each uniform that the linked shader reads; returns its words, or
   // nothing where `uniforms` has it. OpenGL leaves out the uniforms that no output depends on.
-  std::function<std::vector<std::uint32_t>(const std::string& name)> find_uniform;
+  std::function<Words(const std::string& name)> find_uniform;
 };
 
 // What transform feedback captured of one output.
 struct Captured {
   std::string name;
-  Shape shape;                       // of one element
-  int count = 1;                     // elements of an array
-  std::vector<std::uint32_t> words;  // of vertex 0, then of vertex 1, ...; instance by instance
+  Shape shape;    // of one element
+  int count = 1;  // elements of an array
+  Words words;    // of vertex 0, then of vertex 1, ...; instance by instance
 };
 
 }  // namespace clipc::draw

@@ -6,14 +6,18 @@
 
 #include "tools/draw/commands.h"
 
+using namespace clipc::draw;
+
 int main(int argc, char** argv) {
-  const std::string command = argc > 1 ? argv[1] : "";
+  const Arguments arguments(argv + 1, argv + argc);
+  const std::string command = arguments.empty() ? "" : arguments[0];
   try {
-    if (command == "capture") return clipc::draw::RunCapture(argc - 1, argv + 1);
-    if (command == "pixels") return clipc::draw::RunPixels(argc - 1, argv + 1);
-    if (command == "compare") return clipc::draw::RunCompare(argc - 1, argv + 1);
-    if (command == "devices") return clipc::draw::RunDevices();
-    std::fputs(clipc::draw::kUsage, stderr);
+    if (command == "capture") return RunCapture(arguments);
+    if (command == "pixels") return RunPixels(arguments);
+    if (command == "compare") return RunCompare(arguments);
+    if (command == "machine-code") return RunMachineCode(arguments);
+    if (command == "devices") return RunDevices();
+    std::fputs(kUsage, stderr);
     return 2;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "clipc-draw: %s\n", error.what());

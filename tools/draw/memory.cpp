@@ -11,40 +11,60 @@
 namespace clipc::draw {
 namespace {
 
+using namespace ir;
+
 // A part of a constant buffer.
 struct Part {
-  ir::TypeId type;
+  TypeId type;
   std::uint32_t offset = 0;
   bool row_major = false;
 };
 
-Part FieldOf(const ir::TypeTable& types, const Part& part, std::uint32_t field) {
-  const ir::StructId structure = types[part.type].structure;
-  const ir::Field& declared = types[structure].fields[field];
-  return {declared.type, part.offset + ir::FieldOffset(types, structure, field),
-          declared.row_major};
+std::uint32_t RoundUp(std::uint32_t value, std::uint32_t multiple) {
+  return (value + multiple - 1) / multiple * multiple;
 }
 
-Part ElementOf(const ir::TypeTable& types, const Part& part, std::uint32_t index) {
-  const std::uint32_t stride = ir::ArrayStride(types, part.type, part.row_major);
-  return {types[part.type].element, part.offset + index * stride, part.row_major};
+std::uint32_t StructuredOffset(const TypeTable& types, StructId structure, std::uint32_t field) {
+  std::uint32_t offset = 0;
+  for (std::uint32_t i = 0;; ++i) {
+    const StructuredSize place = StructuredSizeOf(types, types[structure].fields[i].type);
+    offset = RoundUp(offset, place.alignment);
+    if (i == field) return offset;
+    offset += place.size;
+  }
+}
+
+Part FieldOf(const TypeTable& types, const Part& part, std::uint32_t field, Packing packing) {
+  const StructId structure = types[part.type].structure;
+  const Field& declared = types[structure].fields[field];
+  const std::uint32_t offset = packing == Packing::kConstants
+                                   ? FieldOffset(types, structure, field)
+                                   : StructuredOffset(types, structure, field);
+  return {declared.type, part.offset + offset, declared.row_major};
+}
+
+Part ElementOf(const TypeTable& types, const Part& part, std::uint32_t index, Packing packing) {
+  const TypeId element = types[part.type].element;
+  const std::uint32_t stride = packing == Packing::kConstants
+                                   ? ArrayStride(types, part.type, part.row_major)
+                                   : StructuredSizeOf(types, element).size;
+  return {element, part.offset + index * stride, part.row_major};
 }
 
 // Follows ".field" and "[index]" of a name that OpenGL gives a uniform.
-std::optional<Part> Follow(const ir::TypeTable& types, Part part, std::string_view path) {
+std::optional<Part> Follow(const TypeTable& types, Part part, std::string_view path) {
   while (!path.empty()) {
-    const ir::Type& type = types[part.type];
+    const Type& type = types[part.type];
     const std::size_t end = std::min(path.find_first_of(".[", 1), path.size());
     const std::string step(path.substr(1, end - 1));
-    if (path[0] == '[' && type.kind == ir::TypeKind::kArray) {
-      part = ElementOf(types, part, static_cast<std::uint32_t>(std::stoul(step)));
-    } else if (path[0] == '.' && type.kind == ir::TypeKind::kStruct) {
+    if (path[0] == '[' && type.kind == TypeKind::kArray) {
+      part = ElementOf(types, part, std::stoul(step), Packing::kConstants);
+    } else if (path[0] == '.' && type.kind == TypeKind::kStruct) {
       const auto& fields = types[type.structure].fields;
-      const auto found = std::find_if(fields.begin(), fields.end(), [&](const ir::Field& field) {
-        return glsl::LegalFieldName(field.name) == step;
-      });
+      const auto found = std::ranges::find_if(
+          fields, [&](const Field& field) { return glsl::LegalFieldName(field.name) == step; });
       if (found == fields.end()) return std::nullopt;
-      part = FieldOf(types, part, static_cast<std::uint32_t>(found - fields.begin()));
+      part = FieldOf(types, part, found - fields.begin(), Packing::kConstants);
     } else {
       return std::nullopt;
     }
@@ -53,39 +73,37 @@ std::optional<Part> Follow(const ir::TypeTable& types, Part part, std::string_vi
   return part;
 }
 
-void AppendWords(const ir::TypeTable& types, const Part& part,
-                 const std::vector<std::uint8_t>& bytes, std::vector<std::uint32_t>& words) {
+void AppendWords(const TypeTable& types, const Part& part, const Bytes& bytes, Words& words) {
   ForEachComponent(types, part.type, part.row_major, part.offset,
-                   [&](ir::Scalar kind, std::uint32_t byte) {
+                   [&](Scalar kind, std::uint32_t byte) {
                      std::uint32_t word = 0;
                      std::memcpy(&word, &bytes.at(byte), 4);
-                     words.push_back(kind == ir::Scalar::kBool ? word != 0 : word);
+                     words.push_back(kind == Scalar::kBool ? word != 0 : word);
                    });
 }
 
 // The words of an active uniform; empty when it is not a part of that member.
-std::vector<std::uint32_t> WordsOf(const ir::Program& program, const ir::CbufferMember& member,
-                                   std::string_view path, const std::vector<std::uint8_t>& bytes) {
-  const ir::Var& var = program.vars[member.var];
+Words WordsOf(const Program& program, const CbufferMember& member, std::string_view path,
+              const Bytes& bytes) {
+  const Var& var = program.vars[member.var];
   const bool is_array = path.ends_with("[0]");
   if (is_array) path.remove_suffix(3);
   const std::optional<Part> part =
       Follow(program.types, {var.type, member.offset, var.row_major}, path);
-  std::vector<std::uint32_t> words;
+  Words words;
   if (part) AppendWords(program.types, *part, bytes, words);
   return words;
 }
 
 // The words of the uniform that OpenGL calls `name`; empty when it is not a part of the block's
 // members.
-std::vector<std::uint32_t> UniformOf(const ir::Program& program, const glsl::GlslInfo::Block& block,
-                                     const std::vector<std::uint8_t>& bytes,
-                                     const std::string& name) {
-  for (const glsl::GlslInfo::Member& member : block.members) {
+Words UniformOf(const Program& program, const GlslInfo::Block& block, const Bytes& bytes,
+                const std::string& name) {
+  for (const GlslInfo::Member& member : block.members) {
     if (!name.starts_with(member.name)) continue;
     const std::string_view path = std::string_view(name).substr(member.name.size());
     if (!path.empty() && path[0] != '.' && path[0] != '[') continue;
-    for (const ir::CbufferMember& declared : program.cbuffers[block.cbuffer].members) {
+    for (const CbufferMember& declared : program.cbuffers[block.cbuffer].members) {
       if (declared.var == member.var) return WordsOf(program, declared, path, bytes);
     }
   }
@@ -94,41 +112,62 @@ std::vector<std::uint32_t> UniformOf(const ir::Program& program, const glsl::Gls
 
 }  // namespace
 
-void ForEachComponent(const ir::TypeTable& types, ir::TypeId type_id, bool row_major,
-                      std::uint32_t offset,
-                      const std::function<void(ir::Scalar kind, std::uint32_t byte)>& visit) {
-  const ir::Type type = types[type_id];
-  if (type.kind == ir::TypeKind::kArray) {
-    for (std::uint32_t i = 0; i < type.count; ++i) {
-      const Part element = ElementOf(types, {type_id, offset, row_major}, i);
-      ForEachComponent(types, element.type, row_major, element.offset, visit);
-    }
+StructuredSize StructuredSizeOf(const TypeTable& types, TypeId id) {
+  const Type& type = types[id];
+  if (type.kind == TypeKind::kArray) {
+    const StructuredSize element = StructuredSizeOf(types, type.element);
+    return {element.size * type.count, element.alignment};
+  }
+  if (type.kind != TypeKind::kStruct) {
+    const std::uint32_t size = ByteSize(type.scalar);
+    return {size * type.Components(), size};
+  }
+  StructuredSize all;
+  const auto& fields = types[type.structure].fields;
+  for (std::uint32_t i = 0; i < fields.size(); ++i) {
+    const StructuredSize place = StructuredSizeOf(types, fields[i].type);
+    all.size = StructuredOffset(types, type.structure, i) + place.size;
+    all.alignment = std::max(all.alignment, place.alignment);
+  }
+  all.size = RoundUp(all.size, all.alignment);
+  return all;
+}
+
+void ForEachComponent(const TypeTable& types, TypeId type_id, bool row_major, std::uint32_t offset,
+                      const std::function<void(Scalar kind, std::uint32_t byte)>& visit,
+                      Packing packing) {
+  const Type type = types[type_id];
+  const auto go_on = [&](const Part& part) {
+    ForEachComponent(types, part.type, part.row_major, part.offset, visit, packing);
+  };
+  const Part whole = {type_id, offset, row_major};
+  if (type.kind == TypeKind::kArray) {
+    for (std::uint32_t i = 0; i < type.count; ++i) go_on(ElementOf(types, whole, i, packing));
     return;
   }
-  if (type.kind == ir::TypeKind::kStruct) {
-    for (std::uint32_t i = 0; i < types[type.structure].fields.size(); ++i) {
-      const Part field = FieldOf(types, {type_id, offset, row_major}, i);
-      ForEachComponent(types, field.type, field.row_major, field.offset, visit);
-    }
+  if (type.kind == TypeKind::kStruct) {
+    for (std::uint32_t i = 0; i < types[type.structure].fields.size(); ++i)
+      go_on(FieldOf(types, whole, i, packing));
     return;
   }
-  const ir::Scalar kind = ir::BaseOf(type.scalar);
-  if (kind == ir::Scalar::kDouble || kind == ir::Scalar::kInt64 || kind == ir::Scalar::kUint64) {
-    throw DrawError("64-bit constants, which no test draws with");
-  }
+  const bool is_constant = packing == Packing::kConstants;
+  const std::uint32_t size = ByteSize(type.scalar);
+  if (is_constant && size == 8) throw DrawError("64-bit constants, which no test draws with");
+  const bool by_row = type.kind != TypeKind::kMatrix || row_major;
+  const std::uint32_t stride = is_constant ? 16 : size * (by_row ? type.columns : type.rows);
   for (std::uint32_t row = 0; row < type.rows; ++row) {
     for (std::uint32_t column = 0; column < type.columns; ++column) {
-      const bool by_row = type.kind != ir::TypeKind::kMatrix || row_major;
-      visit(kind, offset + (by_row ? 16 * row + 4 * column : 16 * column + 4 * row));
+      visit(BaseOf(type.scalar),
+            offset + (by_row ? row * stride + size * column : column * stride + size * row));
     }
   }
 }
 
-void GiveConstants(const ir::Program& program, const glsl::GlslInfo& info,
-                   const std::vector<std::vector<std::uint8_t>>& cbuffers, Inputs& inputs) {
-  for (const glsl::GlslInfo::Block& block : info.blocks) {
-    const ir::Cbuffer& declared = program.cbuffers[block.cbuffer];
-    const std::vector<std::uint8_t>& bytes = cbuffers[block.cbuffer.index];
+void GiveConstants(const Program& program, const GlslInfo& info, const std::vector<Bytes>& cbuffers,
+                   Inputs& inputs) {
+  for (const GlslInfo::Block& block : info.blocks) {
+    const Cbuffer& declared = program.cbuffers[block.cbuffer];
+    const Bytes& bytes = cbuffers[block.cbuffer.index];
     if (block.form == glsl::BlockForm::kUniforms) continue;
     if (declared.count == 1) inputs.blocks.push_back({block.name, bytes});
     for (std::uint32_t i = 0; declared.count > 1 && i < declared.count; ++i) {
@@ -138,8 +177,8 @@ void GiveConstants(const ir::Program& program, const glsl::GlslInfo& info,
     }
   }
   inputs.find_uniform = [&](const std::string& name) {
-    std::vector<std::uint32_t> words;
-    for (const glsl::GlslInfo::Block& block : info.blocks) {
+    Words words;
+    for (const GlslInfo::Block& block : info.blocks) {
       if (block.form != glsl::BlockForm::kUniforms || !words.empty()) continue;
       words = UniformOf(program, block, cbuffers[block.cbuffer.index], name);
     }

@@ -11,21 +11,33 @@
 #include "ir/program.h"
 #include "tools/draw/inputs.h"
 
-// The layout of values in constant buffers, by HLSL's rules; it shares nothing with the GLSL
-// writer.
+// The layout of values in constant buffers and structured buffers, by HLSL's rules; it shares
+// nothing with the GLSL writer.
 namespace clipc::draw {
+
+// kStructured, of a StructuredBuffer's element: components follow each other at multiples of their
+// own size; a struct begins at a multiple of its largest component's size, and its size is one; the
+// registers of a matrix (rows if row_major, else columns) and the elements of an array follow each
+// other without gaps.
+enum class Packing { kConstants, kStructured };
+
+struct StructuredSize {
+  std::uint32_t size = 0, alignment = 1;
+};
+StructuredSize StructuredSizeOf(const ir::TypeTable& types, ir::TypeId type);
 
 // Calls visit(kind, byte) for every component of a value of `type` that starts at `offset`, in the
 // order of the value: elements, fields, and of a matrix row after row. Throws DrawError for 64-bit
-// components.
+// constants.
 void ForEachComponent(const ir::TypeTable& types, ir::TypeId type, bool row_major,
                       std::uint32_t offset,
-                      const std::function<void(ir::Scalar kind, std::uint32_t byte)>& visit);
+                      const std::function<void(ir::Scalar kind, std::uint32_t byte)>& visit,
+                      Packing packing = Packing::kConstants);
 
 // Adds the cbuffers, whose bytes are given by CbufferId, to `inputs` as the blocks and uniforms of
 // the written shader. The value of a plain uniform is found by its name: `light.color`,
 // `planes[1]`. `inputs` refers to the other arguments from then on.
-void GiveConstants(const ir::Program& program, const glsl::GlslInfo& info,
-                   const std::vector<std::vector<std::uint8_t>>& cbuffers, Inputs& inputs);
+void GiveConstants(const ir::Program& program, const GlslInfo& info,
+                   const std::vector<Bytes>& cbuffers, Inputs& inputs);
 
 }  // namespace clipc::draw

@@ -14,8 +14,8 @@ namespace clipc::draw {
 
 // Random values for all that a shader reads.
 struct RandomInputs {
-  std::vector<std::vector<ir::IoBits>> vertices;    // by vertex, then by index into Program::inputs
-  std::vector<std::vector<std::uint8_t>> cbuffers;  // by CbufferId
+  std::vector<std::vector<ir::IoBits>> vertices;  // by vertex, then by index into Program::inputs
+  std::vector<Bytes> cbuffers;                    // by CbufferId
   Textures textures;
   Buffers buffers;
 

@@ -22,7 +22,7 @@ std::uint64_t RandomValues::Next(ir::Scalar kind) {
 
 int RandomValues::Int(int least) {
   const std::int64_t count = std::int64_t{options_.greatest_int} - least + 1;
-  return static_cast<int>(least + std::int64_t{Below(static_cast<std::uint32_t>(count))});
+  return static_cast<int>(least + std::int64_t{Below(count)});
 }
 
 float RandomValues::Float() {

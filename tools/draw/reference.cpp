@@ -12,6 +12,8 @@
 namespace clipc::draw {
 namespace {
 
+using namespace ir;
+
 template <typename Number>
 using Float4 = std::array<Number, 4>;
 
@@ -21,19 +23,19 @@ struct EvaluatorStops : DrawError {
 
 // The outputs of all vertices, once in float and once in double.
 struct Runs {
-  std::vector<ir::EvalOutputs> in_float, in_double;
+  std::vector<EvalOutputs> in_float, in_double;
 };
 
-Runs RunAll(const ir::Program& program, const RandomInputs& inputs, double undefined) {
+Runs RunAll(const Program& program, const RandomInputs& inputs, double undefined) {
   Runs runs;
-  for (const std::vector<ir::IoBits>& vertex : inputs.vertices) {
-    const auto read = [&](const ir::ObjectRequest& request, std::span<std::uint64_t> result) {
+  for (const std::vector<IoBits>& vertex : inputs.vertices) {
+    const auto read = [&](const ObjectRequest& request, std::span<std::uint64_t> result) {
       inputs.ReadObject(program, request, undefined, result);
     };
-    const ir::EvalInputs values{vertex, inputs.cbuffers, read};
+    const EvalInputs values{vertex, inputs.cbuffers, read};
     for (const bool in_double : {false, true}) {
-      ir::EvalResult result =
-          ir::RunMain(program, values, {.in_double = in_double, .undefined = undefined});
+      EvalResult result =
+          RunMain(program, values, {.in_double = in_double, .undefined = undefined});
       if (!result) throw EvaluatorStops("the reference evaluator stops: " + result.error);
       (in_double ? runs.in_double : runs.in_float).push_back(std::move(result.outputs));
     }
@@ -42,7 +44,7 @@ Runs RunAll(const ir::Program& program, const RandomInputs& inputs, double undef
 }
 
 void Append(Expected& expected, float value, double number) {
-  expected.words.push_back(static_cast<std::uint32_t>(ir::BitsOf(value)));
+  expected.words.push_back(BitsOf(value));
   expected.numbers.push_back(number);
 }
 
@@ -75,11 +77,11 @@ class Reference {
     std::vector<Expected> all;
     for (std::size_t i = 0; i < outputs.size(); ++i) {
       Expected expected = Empty(i);
-      if (outputs[i].builtin == ir::Builtin::kPosition) {
+      if (outputs[i].builtin == Builtin::kPosition) {
         FillPosition(expected, true);
       } else if (const std::optional<std::size_t> own = OwnOutput(outputs[i].var)) {
         Fill(expected, *own, typed_);
-      } else if (outputs[i].builtin == ir::Builtin::kClipVertex) {
+      } else if (outputs[i].builtin == Builtin::kClipVertex) {
         FillPosition(expected, false);
       } else {
         FillDistances(expected, i);
@@ -96,40 +98,37 @@ class Reference {
  private:
   // The index of that output among those of the HLSL shader, none for an output that a pass added.
   // Passes may have removed clip distances from the end of the list.
-  std::optional<std::size_t> OwnOutput(ir::VarId var) const {
+  std::optional<std::size_t> OwnOutput(VarId var) const {
     const auto& list = shader_.typed.outputs;
-    const auto found = std::ranges::find(list, var, &ir::IoVar::var);
+    const auto found = std::ranges::find(list, var, &IoVar::var);
     return found == list.end() ? std::nullopt : std::optional<std::size_t>(found - list.begin());
   }
 
   Expected Empty(std::size_t index) const {
-    const ir::Program& program = shader_.lowered;
-    const ir::Type* type = &program.types[program.vars[program.outputs[index].var].type];
-    const bool is_array = type->kind == ir::TypeKind::kArray;
+    const Program& program = shader_.lowered;
+    const Type* type = &program.types[program.vars[program.outputs[index].var].type];
+    const bool is_array = type->kind == TypeKind::kArray;
     const auto count = static_cast<int>(is_array ? type->count : type->Components());
     if (is_array) type = &program.types[type->element];
-    const ir::Scalar kind = ir::BaseOf(type->scalar);
-    if (kind == ir::Scalar::kDouble)
-      throw DrawError("an output of doubles, which no test draws with");
+    const Scalar kind = BaseOf(type->scalar);
+    if (kind == Scalar::kDouble) throw DrawError("an output of doubles, which no test draws with");
     return {shader_.info.outputs.at(index).name, kind, count, {}, {}, {}};
   }
 
   void Fill(Expected& expected, std::size_t index, const Runs& runs) const {
     for (std::size_t vertex = 0; vertex < runs.in_float.size(); ++vertex) {
       for (int i = 0; i < expected.components; ++i) {
-        expected.words.push_back(
-            static_cast<std::uint32_t>(runs.in_float[vertex].values[index][i]));
+        expected.words.push_back(runs.in_float[vertex].values[index][i]);
         expected.numbers.push_back(runs.in_double[vertex].numbers[index][i]);
       }
     }
   }
 
   template <typename Number>
-  Float4<Number> PositionOf(const ir::EvalOutputs& outputs) const {
+  Float4<Number> PositionOf(const EvalOutputs& outputs) const {
     const auto& list = shader_.typed.outputs;
-    const auto found = std::find_if(list.begin(), list.end(), [](const ir::IoVar& io) {
-      return io.builtin == ir::Builtin::kPosition;
-    });
+    const auto found = std::ranges::find_if(
+        list, [](const IoVar& io) { return io.builtin == Builtin::kPosition; });
     if (found == list.end()) throw DrawError("planes without a position");
     Float4<Number> position;
     for (int i = 0; i < 4; ++i)
@@ -139,17 +138,17 @@ class Reference {
 
   // The vector that the planes are dotted with, by the definition of the plane space.
   template <typename Number>
-  Float4<Number> VertexOf(std::size_t vertex, const ir::EvalOutputs& outputs) const {
+  Float4<Number> VertexOf(std::size_t vertex, const EvalOutputs& outputs) const {
     if (options_.plane_space != PlaneSpace::kObject) {
       const Float4<Number> p = PositionOf<Number>(outputs);
       return options_.plane_space == PlaneSpace::kClip ? p : Float4<Number>{p[0], p[1], p[3], 1};
     }
     const auto& list = shader_.typed.inputs;
-    const auto found = std::find_if(list.begin(), list.end(), [&](const ir::IoVar& io) {
+    const auto found = std::ranges::find_if(list, [&](const IoVar& io) {
       return io.semantic + std::to_string(io.index) == options_.position_input;
     });
     if (found == list.end()) throw DrawError("no input " + options_.position_input);
-    const ir::Type& type = shader_.typed.types[shader_.typed.vars[found->var].type];
+    const Type& type = shader_.typed.types[shader_.typed.vars[found->var].type];
     Float4<Number> raw{0, 0, 0, 1};
     for (std::uint32_t i = 0; i < type.Components(); ++i) {
       float value;
@@ -175,12 +174,11 @@ class Reference {
   // the application uploads.
   void FillDistances(Expected& expected, std::size_t index) const {
     const auto& planes = shader_.typed.clip_planes;
-    if (!std::all_of(planes.begin(), planes.end(),
-                     [](const ir::ClipPlane& plane) { return plane.whole_register; })) {
+    if (!std::ranges::all_of(planes, [](const ClipPlane& plane) { return plane.whole_register; })) {
       return Fill(expected, index, RunAll(shader_.lowered, inputs_, undefined_));
     }
     for (std::size_t vertex = 0; vertex < typed_.in_float.size(); ++vertex) {
-      for (const ir::ClipPlane& plane : planes) {
+      for (const ClipPlane& plane : planes) {
         const Float4<float> value = PlaneOf(plane);
         Append(expected, Dot(VertexOf<float>(vertex, typed_.in_float[vertex]), value),
                Dot(VertexOf<double>(vertex, typed_.in_double[vertex]), value));
@@ -188,7 +186,7 @@ class Reference {
     }
   }
 
-  Float4<float> PlaneOf(const ir::ClipPlane& plane) const {
+  Float4<float> PlaneOf(const ClipPlane& plane) const {
     const std::uint32_t at =
         plane.element * shader_.typed.cbuffers[plane.cbuffer].size + plane.offset;
     Float4<float> value;
@@ -226,7 +224,7 @@ std::vector<Expected> MakeExpected(const Shader& shader, const BuildOptions& opt
   std::vector<Expected> all = zero.Make();
   for (Expected& output : all) {
     for (std::size_t k = 0; k < output.words.size(); ++k) {
-      output.open.push_back(zero.WroteOutOfBounds(k / static_cast<std::size_t>(output.components)));
+      output.open.push_back(zero.WroteOutOfBounds(k / output.components));
     }
   }
   const auto try_value = [&](double undefined) {

@@ -11,10 +11,10 @@ namespace clipc::draw {
 
 // The values that one output of the written shader must have.
 struct Expected {
-  std::string name;                  // in the GLSL
-  ir::Scalar kind;                   // kFloat, kInt or kUint
-  int components;                    // of a vector, or elements of an array
-  std::vector<std::uint32_t> words;  // of vertex 0, then of vertex 1, ...
+  std::string name;  // in the GLSL
+  ir::Scalar kind;   // kFloat, kInt or kUint
+  int components;    // of a vector, or elements of an array
+  Words words;       // of vertex 0, then of vertex 1, ...
   std::vector<double>
       numbers;             // beside `words`: computed in double, to tell how far rounding may go
   std::vector<bool> open;  // beside `words`: HLSL leaves the value undefined; any is right

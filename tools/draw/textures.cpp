@@ -8,53 +8,32 @@
 #include <utility>
 #include <variant>
 
+#include "ir/access.h"
 #include "ir/scalar.h"
 
 namespace clipc::draw {
 namespace {
 
-using ir::ObjectKind;
-using ir::ObjectOp;
+using namespace ir;
+
 using Size = std::array<std::uint32_t, 3>;
 
-struct Form {
-  int axes;  // that become half with every level
-  bool is_array = false, is_cube = false;
-  GLenum target;
-
-  int Sizes() const { return axes + is_array; }
-};
-
-std::optional<Form> FormOf(ObjectKind kind) {
-  switch (kind) {
-    case ObjectKind::kTexture1D:
-    case ObjectKind::kSampler1D: return Form{.axes = 1, .target = GL_TEXTURE_1D};
-    case ObjectKind::kTexture1DArray:
-      return Form{.axes = 1, .is_array = true, .target = GL_TEXTURE_1D_ARRAY};
-    case ObjectKind::kTexture2D:
-    case ObjectKind::kSampler2D: return Form{.axes = 2, .target = GL_TEXTURE_2D};
-    case ObjectKind::kTexture2DArray:
-      return Form{.axes = 2, .is_array = true, .target = GL_TEXTURE_2D_ARRAY};
-    case ObjectKind::kTexture3D:
-    case ObjectKind::kSampler3D: return Form{.axes = 3, .target = GL_TEXTURE_3D};
-    case ObjectKind::kTextureCube:
-    case ObjectKind::kSamplerCube:
-      return Form{.axes = 2, .is_cube = true, .target = GL_TEXTURE_CUBE_MAP};
-    case ObjectKind::kTextureCubeArray:
-      return Form{
-          .axes = 2, .is_array = true, .is_cube = true, .target = GL_TEXTURE_CUBE_MAP_ARRAY};
-    default: return std::nullopt;
-  }
+const ObjectInfo& FormOf(ObjectKind kind) {
+  return InfoOf(kind == ObjectKind::kSampler ? ObjectKind::kTexture2D : kind);
 }
 
-Size SizeOf(const Form& form, Size size, std::size_t level) {
+GLenum TargetOf(const ObjectInfo& form) {
+  constexpr GLenum kTargets[][2] = {{GL_TEXTURE_1D, GL_TEXTURE_1D_ARRAY},
+                                    {GL_TEXTURE_2D, GL_TEXTURE_2D_ARRAY},
+                                    {GL_TEXTURE_3D, GL_NONE},
+                                    {GL_TEXTURE_CUBE_MAP, GL_TEXTURE_CUBE_MAP_ARRAY}};
+  return kTargets[form.is_cube ? 3 : form.axes - 1][form.is_array];
+}
+
+// The axes become half with every level; the elements of an array do not.
+Size SizeOf(const ObjectInfo& form, Size size, std::size_t level) {
   for (int i = 0; i < form.axes; ++i) size[i] = std::max(size[i] >> level, 1u);
   return size;
-}
-
-ir::Scalar KindOf(const ir::Program& program, ir::VarId var) {
-  const ir::TypeId element = ObjectTypeOf(program, var).element;
-  return element ? ir::BaseOf(program.types[element].scalar) : ir::Scalar::kFloat;
 }
 
 // How the shader reads a texture, wherever the call is.
@@ -62,21 +41,17 @@ struct Uses {
   bool sampled = false, compared = false, constant = false;
 };
 
-std::map<std::uint32_t, Uses> FindUses(const ir::Program& program) {
+std::map<std::uint32_t, Uses> FindUses(const Program& program) {
   std::map<std::uint32_t, Uses> uses;
-  for (const ir::ExprId id : program.exprs.ids()) {
-    const auto* call = std::get_if<ir::ObjectCall>(&program.exprs[id].node);
+  for (const ExprId id : program.exprs.ids()) {
+    const auto* call = std::get_if<ObjectCall>(&program.exprs[id].node);
     if (!call) continue;
     const auto var = [&](std::uint32_t argument) {
-      ir::ExprId object = program.expr_lists[call->arguments][argument];
-      while (const auto* index = std::get_if<ir::Index>(&program.exprs[object].node))
-        object = index->base;
-      const auto* ref = std::get_if<ir::VarRef>(&program.exprs[object].node);
-      return ref ? ref->var : ir::VarId{};
+      return RootOf(program, program.expr_lists[call->arguments][argument]);
     };
     if (!var(0)) continue;
     Uses& found = uses[var(0).index];
-    const bool has_sampler = ir::TakesSampler(call->op) && var(1);
+    const bool has_sampler = TakesSampler(call->op) && var(1);
     if (has_sampler || call->op == ObjectOp::kD3d9Sample || call->op == ObjectOp::kD3d9SampleLevel)
       found.sampled = true;
     if (call->op == ObjectOp::kSampleGrad) found.constant = true;
@@ -95,7 +70,7 @@ std::uint32_t Representative(std::uint32_t at, std::uint32_t size) {
 
 class Maker {
  public:
-  Maker(const Form& form, const Uses& uses, ir::Scalar kind, RandomValues& values)
+  Maker(const ObjectInfo& form, const Uses& uses, Scalar kind, RandomValues& values)
       : form_(form), uses_(uses), kind_(kind), values_(values) {}
 
   Texture Make() {
@@ -112,15 +87,15 @@ class Maker {
         *std::max_element(texture.size.begin(), texture.size.begin() + form_.axes);
     for (std::size_t level = 0; largest >> level != 0; ++level) {
       const Size size = SizeOf(form_, texture.size, level);
-      std::vector<Texel4> texels(std::size_t{size[0]} * size[1] * size[2]);
+      const std::size_t face = std::size_t{size[0]} * size[1];
+      std::vector<Texel4> texels(face * size[2]);
       for (std::size_t i = 0; i < texels.size(); ++i) {
         const std::size_t first = uses_.sampled ? FirstLike(i, size) : i;
         texels[i] = uses_.constant ? constant : first < i ? texels[first] : Texel();
       }
-      auto& words = texture.levels.emplace_back();
+      Words& words = texture.levels.emplace_back();
       for (std::size_t i = 0; i < texels.size() * (form_.is_cube ? 6 : 1); ++i) {
-        const Texel4& texel =
-            texels[form_.is_cube ? i / (6 * size[0] * size[1]) * size[0] * size[1] : i];
+        const Texel4& texel = texels[form_.is_cube ? i / (6 * face) * face : i];
         words.insert(words.end(), texel.begin(), texel.end());
       }
     }
@@ -132,7 +107,7 @@ class Maker {
   std::size_t FirstLike(std::size_t index, const Size& size) const {
     std::size_t first = 0, stride = 1;
     for (int i = 0; i < 3; ++i) {
-      const auto at = static_cast<std::uint32_t>(index / stride % size[i]);
+      const std::uint32_t at = index / stride % size[i];
       first += stride * (i < form_.axes ? Representative(at, size[i]) : at);
       stride *= size[i];
     }
@@ -141,31 +116,30 @@ class Maker {
 
   Texel4 Texel() {
     Texel4 texel;
-    for (std::uint32_t& word : texel)
-      word = static_cast<std::uint32_t>(uses_.compared ? Depth() : values_.Next(kind_));
+    for (std::uint32_t& word : texel) word = uses_.compared ? Depth() : values_.Next(kind_);
     return texel;
   }
   // Inside of ]0, 1[: then it does not matter whether reference values are clamped to [0, 1] first.
   std::uint64_t Depth() {
-    return ir::BitsOf((static_cast<float>(values_.Below(1u << 20)) + 0.5f) * 0x1p-20f);
+    return BitsOf((static_cast<float>(values_.Below(1u << 20)) + 0.5f) * 0x1p-20f);
   }
 
-  Form form_;
+  const ObjectInfo& form_;
   Uses uses_;
-  ir::Scalar kind_;
+  Scalar kind_;
   RandomValues& values_;
 };
 
 class Reader {
  public:
-  Reader(const Form& form, const Texture& texture, const ir::ObjectRequest& request)
+  Reader(const ObjectInfo& form, const Texture& texture, const ObjectRequest& request)
       : form_(form), texture_(texture), request_(request) {}
 
   // Returns false where the texture does not have what the shader asks for, or it is open.
   bool Read(std::span<std::uint64_t> result) const {
     switch (request_.op) {
       case ObjectOp::kSampleLevel:
-      case ObjectOp::kD3d9SampleLevel: return Sample(LevelAt(Argument(Coordinates())), 1, result);
+      case ObjectOp::kD3d9SampleLevel: return Sample(LevelAt(Argument(coordinates_)), 1, result);
       case ObjectOp::kSampleGrad:
       case ObjectOp::kD3d9Sample: return Sample(0, 0, result);
       case ObjectOp::kSampleCmpLevelZero: return Compare(result);
@@ -187,25 +161,24 @@ class Reader {
   static constexpr double kMargin = 1.0 / 64, kFar = 500;
 
   static bool Copy(const std::uint32_t* texel, std::span<std::uint64_t> result) {
-    std::copy_n(texel, result.size(), result.begin());
-    return true;
+    if (texel) std::copy_n(texel, result.size(), result.begin());
+    return texel != nullptr;
   }
 
-  std::size_t Coordinates() const {
-    return static_cast<std::size_t>(form_.Sizes() + form_.is_cube);
-  }
-  double Argument(std::size_t i) const { return ir::FloatOf(request_.arguments[i]); }
+  double Argument(std::size_t i) const { return FloatOf(request_.arguments[i]); }
   // Component `axis` of the offset that begins at argument `first`; 0 where there is none.
-  int Offset(std::size_t first, int axis) const {
-    const std::size_t at = first + static_cast<std::size_t>(axis);
-    return at < request_.arguments.size() ? ir::IntOf(request_.arguments[at]) : 0;
+  int Offset(std::size_t first, std::size_t axis) const {
+    const std::size_t at = first + axis;
+    return at < request_.arguments.size() ? IntOf(request_.arguments[at]) : 0;
   }
 
-  // The whole number below `value`, if a value that is a little off has the same.
-  static std::optional<std::int64_t> Below(double value) {
-    if (!(std::abs(value) < kFar)) return std::nullopt;
-    const double low = std::floor(value - kMargin), high = std::floor(value + kMargin);
-    return low == high ? std::optional(static_cast<std::int64_t>(low)) : std::nullopt;
+  // The number from 0 to `last` that is nearest to `value`, if a value that is a little off has the
+  // same.
+  static std::optional<std::size_t> Nearest(double value, std::size_t last) {
+    const double end = static_cast<double>(last), within = std::clamp(value, 0.0, end) + 0.5;
+    const double low = std::floor(within - kMargin), high = std::floor(within + kMargin);
+    if (low != high) return std::nullopt;  // NaN too
+    return static_cast<std::size_t>(low);
   }
 
   // The texel of an axis that repeats, where its neighbour across a near border is not another.
@@ -214,44 +187,36 @@ class Reader {
     const auto texel = [&](double at) {
       const auto whole = static_cast<std::int64_t>(std::floor(at)) + offset,
                  count = std::int64_t{size};
-      return Representative(static_cast<std::uint32_t>((whole % count + count) % count), size);
+      return Representative((whole % count + count) % count, size);
     };
     const std::uint32_t low = texel(place - kMargin), high = texel(place + kMargin);
     return low == high ? std::optional(low) : std::nullopt;
   }
 
   std::optional<std::size_t> LevelAt(double lod) const {
-    if (texture_.levels.size() == 1 || texture_.is_constant) return 0;
-    const auto last = static_cast<double>(texture_.levels.size() - 1);
-    const auto level = Below(std::clamp(lod, -1.0, last + 1) + 0.5);  // NaN stays
-    if (!level) return std::nullopt;
-    return static_cast<std::size_t>(std::clamp(static_cast<double>(*level), 0.0, last));
+    return texture_.is_constant ? 0 : Nearest(lod, texture_.levels.size() - 1);
   }
 
   // The texel around the coordinate, `shift` texels further, with the offset at argument
   // `first_offset`.
-  const std::uint32_t* TexelAt(std::size_t level, double shift, std::array<int, 2> step,
+  const std::uint32_t* TexelAt(std::size_t level, double shift, std::array<int, 3> step,
                                std::size_t first_offset) const {
     if (texture_.is_constant) return texture_.levels[0].data();
     const Size size = SizeOf(form_, texture_.size, level);
     std::size_t index = 0, stride = 1;
-    for (int i = 0; i < form_.axes; ++i) {
+    for (std::size_t i = 0; i < form_.axes; ++i) {
       if (!form_.is_cube) {
-        const int offset =
-            Offset(first_offset, i) + (i < 2 ? step[static_cast<std::size_t>(i)] : 0);
         const auto at =
-            Repeated(Argument(static_cast<std::size_t>(i)) * size[i] + shift, offset, size[i]);
+            Repeated(Argument(i) * size[i] + shift, Offset(first_offset, i) + step[i], size[i]);
         if (!at) return nullptr;
         index += *at * stride;
       }
       stride *= size[i];
     }
     if (form_.is_array) {
-      const auto last = static_cast<double>(size[form_.axes] - 1);
-      const auto element = Below(std::clamp(Argument(Coordinates() - 1), -1.0, last + 1) + 0.5);
+      const auto element = Nearest(Argument(coordinates_ - 1), size[form_.axes] - 1);
       if (!element) return nullptr;
-      index += static_cast<std::size_t>(std::clamp(static_cast<double>(*element), 0.0, last)) *
-               stride * (form_.is_cube ? 6 : 1);
+      index += *element * stride * (form_.is_cube ? 6 : 1);
     }
     return &texture_.levels[level][4 * index];
   }
@@ -259,21 +224,18 @@ class Reader {
   // `between`: the number of arguments between the coordinate and the offset.
   bool Sample(std::optional<std::size_t> level, std::size_t between,
               std::span<std::uint64_t> result) const {
-    const std::uint32_t* texel = level ? TexelAt(*level, 0, {}, Coordinates() + between) : nullptr;
-    return texel && Copy(texel, result);
+    return level && Copy(TexelAt(*level, 0, {}, coordinates_ + between), result);
   }
 
   // The four texels that a linear filter would mix, counterclockwise from the lower left. With an
   // offset for each, of each footprint the upper left one.
   bool Gather(std::span<std::uint64_t> result) const {
-    static constexpr std::array<std::array<int, 2>, 4> kSteps{{{0, 1}, {1, 1}, {1, 0}, {0, 0}}};
-    const auto component =
-        static_cast<std::size_t>(request_.op) - static_cast<std::size_t>(ObjectOp::kGather);
-    const bool has_four = request_.arguments.size() == Coordinates() + 8;
+    static constexpr std::array<int, 3> kSteps[] = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
+    const int component = static_cast<int>(request_.op) - static_cast<int>(ObjectOp::kGather);
+    const bool has_four = request_.arguments.size() == coordinates_ + 8;
     for (std::size_t i = 0; i < 4; ++i) {
-      const std::size_t first_offset = Coordinates() + (has_four ? 2 * i : 0);
       const std::uint32_t* texel =
-          TexelAt(0, -0.5, has_four ? std::array{0, 0} : kSteps[i], first_offset);
+          TexelAt(0, -0.5, kSteps[has_four ? 3 : i], coordinates_ + (has_four ? 2 * i : 0));
       if (!texel) return false;
       result[i] = texel[component];
     }
@@ -281,28 +243,25 @@ class Reader {
   }
 
   bool Compare(std::span<std::uint64_t> result) const {
-    const std::uint32_t* texel = TexelAt(0, 0, {}, Coordinates() + 1);
-    if (!texel) return false;
-    result[0] = ir::BitsOf(Argument(Coordinates()) <= ir::FloatOf(*texel) ? 1.0f : 0.0f);
-    return true;
+    const std::uint32_t* texel = TexelAt(0, 0, {}, coordinates_ + 1);
+    if (texel) result[0] = BitsOf(Argument(coordinates_) <= FloatOf(*texel) ? 1.0f : 0.0f);
+    return texel != nullptr;
   }
 
   bool Load(std::span<std::uint64_t> result) const {
-    const auto sizes = static_cast<std::size_t>(form_.Sizes());
-    const auto level = static_cast<std::size_t>(request_.arguments[sizes]);
+    const std::size_t axes = form_.axes, sizes = axes + form_.is_array;
+    const std::uint64_t level = request_.arguments[sizes];
     if (level >= texture_.levels.size()) return false;
     const Size size = SizeOf(form_, texture_.size, level);
-    std::uint32_t index = 0, stride = 1;
+    std::size_t index = 0, stride = 1;
     for (std::size_t i = 0; i < sizes; ++i) {
-      std::uint32_t at = ir::UintOf(request_.arguments[i]);
-      const bool has_offset =
-          request_.arguments.size() > sizes + 1 && i < static_cast<std::size_t>(form_.axes);
-      if (has_offset) at += ir::UintOf(request_.arguments[sizes + 1 + i]);
+      std::uint32_t at = UintOf(request_.arguments[i]);
+      if (i < axes) at += Offset(sizes + 1, i);
       if (at >= size[i]) return false;  // a negative one is large
       index += at * stride;
       stride *= size[i];
     }
-    return Copy(&texture_.levels[level][4 * std::size_t{index}], result);
+    return Copy(&texture_.levels[level][4 * index], result);
   }
 
   bool Sizes(std::span<std::uint64_t> result) const {
@@ -313,20 +272,21 @@ class Reader {
     return true;
   }
 
-  const Form& form_;
+  const ObjectInfo& form_;
   const Texture& texture_;
-  const ir::ObjectRequest& request_;
+  const ObjectRequest& request_;
+  // The components of a coordinate: of a cube a direction, of an array its element too.
+  const std::size_t coordinates_ = std::size_t{form_.axes} + form_.is_array + form_.is_cube;
 };
 
-Inputs::Texture Uploaded(const Form& form, const Texture& texture, ir::Scalar kind, bool compares) {
+Inputs::Texture Uploaded(const ObjectInfo& form, const Texture& texture, Scalar kind,
+                         bool compares) {
   Inputs::Texture upload;
-  upload.target = form.target;
-  upload.compares = compares;
-  upload.kind = KindOfTexels(kind);
+  upload.target = TargetOf(form), upload.kind = KindOfTexels(kind), upload.compares = compares;
   for (std::size_t level = 0; level < texture.levels.size(); ++level) {
     Size size = SizeOf(form, texture.size, level);
     if (form.is_cube && form.is_array) size[2] *= 6;
-    std::vector<std::uint32_t> words = texture.levels[level];
+    Words words = texture.levels[level];
     if (compares) {  // one word for each texel
       for (std::size_t i = 0; 4 * i < words.size(); ++i) words[i] = words[4 * i];
       words.resize(words.size() / 4);
@@ -338,19 +298,24 @@ Inputs::Texture Uploaded(const Form& form, const Texture& texture, ir::Scalar ki
 
 }  // namespace
 
-Shape::Kind KindOfTexels(ir::Scalar kind) {
-  return kind == ir::Scalar::kInt    ? Shape::Kind::kInt
-         : kind == ir::Scalar::kUint ? Shape::Kind::kUint
-                                     : Shape::Kind::kFloat;
+WordKind KindOfTexels(Scalar kind) {
+  return kind == Scalar::kInt    ? WordKind::kInt
+         : kind == Scalar::kUint ? WordKind::kUint
+                                 : WordKind::kFloat;
 }
 
-const ir::Type& ObjectTypeOf(const ir::Program& program, ir::VarId var) {
+Scalar ElementKind(const Program& program, VarId var) {
+  const TypeId element = ObjectTypeOf(program, var).element;
+  return element ? BaseOf(program.types[element].scalar) : Scalar::kFloat;
+}
+
+const Type& ObjectTypeOf(const Program& program, VarId var) {
   return program.types[program.types.Innermost(program.vars[var].type)];
 }
 
-std::vector<std::string> ElementIndices(const ir::Program& program, ir::VarId var) {
+std::vector<std::string> ElementIndices(const Program& program, VarId var) {
   std::vector<std::string> all{""};
-  for (ir::TypeId id = program.vars[var].type; program.types[id].kind == ir::TypeKind::kArray;
+  for (TypeId id = program.vars[var].type; program.types[id].kind == TypeKind::kArray;
        id = program.types[id].element) {
     if (all.size() * program.types[id].count > 256)
       throw DrawError("a large array of objects, which no test draws with");
@@ -364,61 +329,53 @@ std::vector<std::string> ElementIndices(const ir::Program& program, ir::VarId va
   return all;
 }
 
-Textures MakeTextures(const ir::Program& program, const RandomOptions& options,
-                      RandomValues& values) {
+Textures MakeTextures(const Program& program, const RandomOptions& options, RandomValues& values) {
   std::map<std::uint32_t, Uses> uses = FindUses(program);
   Textures textures;
-  for (const ir::Resource& resource : program.resources) {
+  for (const Resource& resource : program.resources) {
     const ObjectKind kind = ObjectTypeOf(program, resource.var).object;
-    if (kind == ObjectKind::kTexture2DMS || kind == ObjectKind::kTexture2DMSArray) {
+    if (InfoOf(kind).is_multisampled)
       throw DrawError("the shader reads a multisampled texture, which no test draws with");
-    }
     Uses& found = uses[resource.var.index];
     found.constant = found.constant || (found.sampled && options.constant_textures);
-    const std::optional<Form> form =
-        FormOf(kind == ObjectKind::kSampler && found.sampled ? ObjectKind::kSampler2D : kind);
-    if (!form) continue;
-    Maker maker(*form, found, KindOf(program, resource.var), values);
-    for (std::size_t i = 0; i < ElementIndices(program, resource.var).size(); ++i) {
+    if (!IsTexture(kind) && !IsCombinedSampler(kind) &&
+        !(kind == ObjectKind::kSampler && found.sampled))
+      continue;
+    Maker maker(FormOf(kind), found, ElementKind(program, resource.var), values);
+    for (std::size_t i = 0; i < ElementIndices(program, resource.var).size(); ++i)
       textures[resource.var.index].push_back(maker.Make());
-    }
   }
   return textures;
 }
 
-void ReadTexture(const ir::Program& program, const Textures& textures,
-                 const ir::ObjectRequest& request, double undefined,
-                 std::span<std::uint64_t> result) {
+void ReadTexture(const Program& program, const Textures& textures, const ObjectRequest& request,
+                 double undefined, std::span<std::uint64_t> result) {
   const std::vector<Texture>& elements = textures.at(request.object.index);
-  const ObjectKind kind = ObjectTypeOf(program, request.object).object;
-  const Form form = FormOf(kind).value_or(Form{.axes = 2, .target = GL_TEXTURE_2D});
-  const ir::Scalar component = KindOf(program, request.object);
+  const ObjectInfo& form = FormOf(ObjectTypeOf(program, request.object).object);
   if (request.object_element < elements.size() &&
       Reader(form, elements[request.object_element], request).Read(result)) {
     return;
   }
   const bool is_query =
       request.op == ObjectOp::kTextureSize || request.op == ObjectOp::kTextureLevels;
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    result[i] = UndefinedBits(request, undefined, is_query ? ir::Scalar::kInt : component, i);
-  }
+  const Scalar kind = is_query ? Scalar::kInt : ElementKind(program, request.object);
+  for (std::size_t i = 0; i < result.size(); ++i)
+    result[i] = UndefinedBits(request, undefined, kind, i);
 }
 
-void GiveTextures(const ir::Program& program, const glsl::GlslInfo& info, const Textures& textures,
+void GiveTextures(const Program& program, const GlslInfo& info, const Textures& textures,
                   Inputs& inputs) {
-  for (const glsl::GlslInfo::Object& object : info.objects) {
+  for (const GlslInfo::Object& object : info.objects) {
     const auto found = object.texture ? textures.find(object.texture.index) : textures.end();
     if (found == textures.end()) continue;
-    const ObjectKind kind = ObjectTypeOf(program, object.texture).object;
-    const Form form = FormOf(kind).value_or(Form{.axes = 2, .target = GL_TEXTURE_2D});
     const bool compares = object.sampler && ObjectTypeOf(program, object.sampler).object ==
                                                 ObjectKind::kSamplerComparison;
     const std::vector<std::string> indices = ElementIndices(program, object.texture);
     for (std::size_t i = 0; i < indices.size(); ++i) {
-      Inputs::Texture upload =
-          Uploaded(form, found->second[i], KindOf(program, object.texture), compares);
+      Inputs::Texture& upload = inputs.textures.emplace_back(
+          Uploaded(FormOf(ObjectTypeOf(program, object.texture).object), found->second[i],
+                   ElementKind(program, object.texture), compares));
       upload.name = object.name + indices[i];
-      inputs.textures.push_back(std::move(upload));
     }
   }
 }

@@ -26,7 +26,7 @@ namespace clipc::draw {
 struct Texture {
   // The size of level 0 as GetDimensions returns it, elements of an array last.
   std::array<std::uint32_t, 3> size{1, 1, 1};
-  std::vector<std::vector<std::uint32_t>> levels;  // four words a texel; along x, then y, then z
+  std::vector<Words> levels;  // four words a texel; along x, then y, then z
   bool is_constant = false;
 };
 using Textures = std::map<std::uint32_t, std::vector<Texture>>;  // by VarId
@@ -44,15 +44,17 @@ void ReadTexture(const ir::Program& program, const Textures& textures,
                  std::span<std::uint64_t> result);
 
 // Adds a texture for every sampler variable of the written shader to `inputs`.
-void GiveTextures(const ir::Program& program, const glsl::GlslInfo& info, const Textures& textures,
+void GiveTextures(const ir::Program& program, const GlslInfo& info, const Textures& textures,
                   Inputs& inputs);
 
 // ---- Objects of every kind
 
 // The type of the object, or of the elements of an array of them.
 const ir::Type& ObjectTypeOf(const ir::Program& program, ir::VarId var);
+// The kind of the components of its elements; a float where it has none.
+ir::Scalar ElementKind(const ir::Program& program, ir::VarId var);
 // The kind of the words that texels of that type have.
-Shape::Kind KindOfTexels(ir::Scalar kind);
+WordKind KindOfTexels(ir::Scalar kind);
 // "[1][0]" for each element of an array of objects, in the order of the evaluator's numbers; "" for
 // a single object.
 std::vector<std::string> ElementIndices(const ir::Program& program, ir::VarId var);

@@ -35,6 +35,14 @@ GLuint LinkProgram(const std::string& vertex, const std::string& fragment,
   return program;
 }
 
+GLuint NewBuffer(GLenum target, const void* data, std::size_t bytes) {
+  GLuint buffer = 0;
+  glGenBuffers(1, &buffer);
+  glBindBuffer(target, buffer);
+  glBufferData(target, static_cast<GLsizeiptr>(bytes), data, GL_STATIC_DRAW);
+  return buffer;
+}
+
 Program::Program(const std::string& vertex, const std::string& fragment,
                  std::initializer_list<const char*> inputs)
     : program_(LinkProgram(vertex, fragment, [&](GLuint program) {
@@ -51,16 +59,11 @@ void Program::Set(const std::string& name, float x, float y, float z, float w) c
 }
 
 MeshBuffers::MeshBuffers(const Mesh& mesh) : count_(static_cast<GLsizei>(mesh.indices.size())) {
-  const auto upload = [](GLenum target, GLuint& buffer, const auto& list) {
-    glGenBuffers(1, &buffer);
-    glBindBuffer(target, buffer);
-    glBufferData(target, static_cast<GLsizeiptr>(list.size() * sizeof list[0]), list.data(),
-                 GL_STATIC_DRAW);
-  };
   glGenVertexArrays(1, &array_);
   glBindVertexArray(array_);
-  upload(GL_ARRAY_BUFFER, vertices_, mesh.vertices);
-  upload(GL_ELEMENT_ARRAY_BUFFER, indices_, mesh.indices);
+  vertices_ =
+      NewBuffer(GL_ARRAY_BUFFER, mesh.vertices.data(), mesh.vertices.size() * sizeof(Vertex));
+  indices_ = NewBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh.indices.data(), 4 * mesh.indices.size());
   glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), nullptr);
   glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex),
                         reinterpret_cast<void*>(offsetof(Vertex, normal)));

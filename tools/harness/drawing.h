@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <initializer_list>
 #include <string>
@@ -18,6 +19,9 @@ namespace clipc::harness {
 // DrawError with OpenGL's log and the shader.
 GLuint LinkProgram(const std::string& vertex, const std::string& fragment,
                    const std::function<void(GLuint program)>& before_linking = {});
+
+// A new buffer of these bytes, or of so many when `data` is null. It is bound to `target`.
+GLuint NewBuffer(GLenum target, const void* data, std::size_t bytes);
 
 // A vertex shader from clipc and a fragment shader. The named inputs get the attributes 0, 1 and so
 // on; the standard ones are as MeshBuffers has them.

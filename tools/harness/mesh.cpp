@@ -17,7 +17,7 @@ using std::numbers::pi;
 template <typename Point>
 void AddSurface(Mesh& mesh, int u_steps, int v_steps, Point point) {
   constexpr double kStep = 1e-4;
-  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  const std::uint32_t first = mesh.vertices.size();
   for (int i = 0; i <= u_steps; ++i) {
     for (int j = 0; j <= v_steps; ++j) {
       const double u = static_cast<double>(i) / u_steps, v = static_cast<double>(j) / v_steps;
@@ -29,9 +29,9 @@ void AddSurface(Mesh& mesh, int u_steps, int v_steps, Point point) {
            {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)}});
     }
   }
-  const auto row = static_cast<std::uint32_t>(v_steps + 1);
-  for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(u_steps); ++i) {
-    for (std::uint32_t j = 0; j < static_cast<std::uint32_t>(v_steps); ++j) {
+  const std::uint32_t row = v_steps + 1;
+  for (int i = 0; i < u_steps; ++i) {
+    for (int j = 0; j < v_steps; ++j) {
       const std::uint32_t a = first + i * row + j, b = a + row;
       for (const std::uint32_t corner : {a, b, a + 1, a + 1, b, b + 1})
         mesh.indices.push_back(corner);

@@ -10,7 +10,7 @@ namespace clipc::harness {
 Picture Half(const Picture& picture) {
   Picture half{picture.width / 2, picture.height / 2, {}};
   const auto at = [&](int x, int y, int channel) {
-    return picture.rgba[static_cast<std::size_t>(4 * (y * picture.width + x) + channel)];
+    return picture.rgba[4 * (y * picture.width + x) + channel];
   };
   for (int y = 0; y < half.height; ++y) {
     for (int x = 0; x < half.width; ++x) {

@@ -17,6 +17,7 @@
 #include <d3d9.h>
 #include <windows.h>
 
+#include "runtime/clip_plane.h"
 #include "runtime/d3d9/clip_plane_device.h"
 #include "runtime/level9_binder.h"
 #include "runtime/table.h"
@@ -156,10 +157,8 @@ void DrawFixedFunction(IDirect3DDevice9& device, const std::string& path) {
   Check(device.Clear(0, nullptr, D3DCLEAR_TARGET | D3DCLEAR_ZBUFFER, kClearColor, 1, 0), "Clear");
   Check(device.BeginScene(), "BeginScene");
   for (DWORD i = 0; i < 3; ++i) {
-    const runtime::Plane& plane = scene.planes[i];
-    const float floats[4] = {static_cast<float>(plane.x), static_cast<float>(plane.y),
-                             static_cast<float>(plane.z), static_cast<float>(plane.w)};
-    Check(device.SetClipPlane(i, floats), "SetClipPlane");
+    const runtime::Float4 plane = runtime::RoundPlane(scene.planes[i]).value;
+    Check(device.SetClipPlane(i, &plane.x), "SetClipPlane");
   }
   Check(device.SetRenderState(D3DRS_CLIPPLANEENABLE, 7), "CLIPPLANEENABLE");
   for (const Object& object : scene.objects) {

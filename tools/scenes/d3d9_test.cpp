@@ -24,7 +24,7 @@ class Direct3D9 : public ::testing::Test {
     EXPECT_EQ(picture.size(), std::size_t{4} * kSize * kSize) << path;
     const Scene scene = MakeScene(plane_count);
     const Comparison comparison =
-        Compare(DrawScene(Way::kClipDistance, scene).rgba, picture, DrawCuts(scene).rgba);
+        Compare(DrawScene(Lowering::kClipDistance, scene).rgba, picture, DrawCuts(scene).rgba);
     std::printf("Direct3D 9, %s: %d pixels at cuts, of which %d differ; %d differ elsewhere\n",
                 name.c_str(), comparison.cut_pixels, comparison.differ_at_cut,
                 comparison.differ_elsewhere);

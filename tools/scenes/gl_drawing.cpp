@@ -103,20 +103,22 @@ struct Shader {
   const StaticClipTable* table;
 };
 
-Shader ShaderOf(Way way, std::size_t plane_count) {
+Shader ShaderOf(Lowering lowering, std::size_t plane_count) {
   const bool one = plane_count == 1;
-  switch (way) {
-    case Way::kClipDistance:
+  switch (lowering) {
+    case Lowering::kClipDistance:
       return one ? Shader{scene_clip_distance_1_vert, kFragment, &scene_clip_distance_1_clip_table}
                  : Shader{scene_clip_distance_3_vert, kFragment, &scene_clip_distance_3_clip_table};
-    case Way::kLevel9:
+    case Lowering::kLevel9:
       return one ? Shader{scene_level9_1_vert, kFragment, &scene_level9_1_clip_table}
                  : Shader{scene_level9_3_vert, kFragment, &scene_level9_3_clip_table};
-    case Way::kDiscard:
+    case Lowering::kDiscard:
       return one ? Shader{scene_discard_1_vert, scene_discard_1_frag, &scene_discard_1_clip_table}
                  : Shader{scene_discard_3_vert, scene_discard_3_frag, &scene_discard_3_clip_table};
-    case Way::kNearPlane:
+    case Lowering::kNearPlane:
       if (one) return {scene_near_plane_1_vert, kFragment, &scene_near_plane_1_clip_table};
+      break;
+    case Lowering::kNone: break;
   }
   throw std::runtime_error("no such shader");
 }
@@ -141,11 +143,8 @@ class ObjectBuffers {
       : count_(static_cast<GLsizei>(object.vertices.size())) {
     glGenVertexArrays(1, &array_);
     glBindVertexArray(array_);
-    glGenBuffers(1, &buffer_);
-    glBindBuffer(GL_ARRAY_BUFFER, buffer_);
-    glBufferData(GL_ARRAY_BUFFER,
-                 static_cast<GLsizeiptr>(object.vertices.size() * sizeof(SceneVertex)),
-                 object.vertices.data(), GL_STATIC_DRAW);
+    buffer_ = harness::NewBuffer(GL_ARRAY_BUFFER, object.vertices.data(),
+                                 object.vertices.size() * sizeof(SceneVertex));
     glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(SceneVertex), nullptr);
     // A D3DCOLOR is blue, green, red, alpha.
     glVertexAttribPointer(1, GL_BGRA, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(SceneVertex),
@@ -180,10 +179,9 @@ void DrawObjects(const Program& program, const Scene& scene) {
 void DrawInWorld(const Program& program, const Scene& scene, const Plane& missing) {
   program.Set("view_projection", Floats(Multiply(scene.view, MovedProjection(scene))));
   for (std::size_t i = 0; i < 3; ++i) {
-    const Plane plane = i < scene.planes.size() ? scene.planes[i] : missing;
-    program.Set("plane" + std::to_string(i), static_cast<float>(plane.x),
-                static_cast<float>(plane.y), static_cast<float>(plane.z),
-                static_cast<float>(plane.w));
+    const auto [x, y, z, w] =
+        runtime::RoundPlane(i < scene.planes.size() ? scene.planes[i] : missing).value;
+    program.Set("plane" + std::to_string(i), x, y, z, w);
   }
   for (const Object& object : scene.objects) {
     program.Set("world", Floats(object.world));
@@ -205,28 +203,18 @@ double NearPlaneScaleOf(const Scene& scene) {
 
 }  // namespace
 
-const char* NameOf(Way way) {
-  switch (way) {
-    case Way::kClipDistance: return "clip-distance";
-    case Way::kLevel9: return "level9";
-    case Way::kDiscard: return "discard";
-    case Way::kNearPlane: return "near-plane";
-  }
-  return "";
-}
-
-Picture DrawScene(Way way, const Scene& scene, Mistake mistake) {
+Picture DrawScene(Lowering lowering, const Scene& scene, Mistake mistake) {
   const runtime::gl::Functions gl = Check(runtime::gl::LoadFunctions(harness::OpenGl::Load));
-  const Shader shader = ShaderOf(way, scene.planes.size());
+  const Shader shader = ShaderOf(lowering, scene.planes.size());
   const runtime::Table table = MistakenTable(Check(runtime::ReadTable(*shader.table)), mistake);
-  const double scale = way == Way::kNearPlane ? NearPlaneScaleOf(scene) : 1;
+  const double scale = lowering == Lowering::kNearPlane ? NearPlaneScaleOf(scene) : 1;
   const auto planes = PlaneConstants(scene, MovedProjection(scene), scale, mistake);
 
   const Canvas canvas(kSize, kSize);
   Clear();
   const Program program(shader.vertex, shader.fragment, {"in_POSITION0", "in_COLOR0"});
   program.Use();
-  if (table.lowering == runtime::Lowering::kLevel9) {
+  if (table.lowering == Lowering::kLevel9) {
     runtime::gl::ClipPlaneDevice device(gl);
     runtime::Level9Binder binder(device, device.max_planes());
     const runtime::BoundBuffer buffer{1, 0, planes.data(), sizeof planes};
@@ -236,8 +224,8 @@ Picture DrawScene(Way way, const Scene& scene, Mistake mistake) {
     runtime::gl::ClipSwitches switches(gl);
     Check(switches.Bind(table));
     for (std::size_t i = 0; i < planes.size(); ++i) {
-      program.Set("planes[" + std::to_string(i) + "]", planes[i].x, planes[i].y, planes[i].z,
-                  planes[i].w);
+      const auto [x, y, z, w] = planes[i];
+      program.Set("planes[" + std::to_string(i) + "]", x, y, z, w);
     }
     DrawObjects(program, scene);
   }

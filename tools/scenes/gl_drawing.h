@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "clip-table/vocabulary.h"
 #include "runtime/table.h"
 #include "tools/harness/picture.h"
 #include "tools/scenes/scene.h"
@@ -9,11 +10,9 @@
 // compatibility profile must be current. All functions throw std::runtime_error where they fail.
 namespace clipc::scenes {
 
-enum class Way { kClipDistance, kLevel9, kDiscard, kNearPlane };
-const char* NameOf(Way way);
-
-// kNearPlane only with one plane. The mistake is made by PlaneConstants and MistakenTable.
-harness::Picture DrawScene(Way way, const Scene& scene, Mistake mistake = Mistake::kNone);
+// kNone is not drawn; kNearPlane only with one plane. The mistake is made by PlaneConstants and
+// MistakenTable.
+harness::Picture DrawScene(Lowering lowering, const Scene& scene, Mistake mistake = Mistake::kNone);
 
 // The picture when a point is kept that is on the kept side of all planes, or of any of them.
 // Decided pixel by pixel in world space, without anything of clipc's.

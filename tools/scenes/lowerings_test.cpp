@@ -16,7 +16,7 @@ namespace {
 class Lowerings : public ::testing::Test {
  protected:
   // Against clip distances without a mistake.
-  static Comparison CompareWithClipDistances(Way way, int plane_count, Mistake mistake) {
+  static Comparison CompareWithClipDistances(Lowering way, int plane_count, Mistake mistake) {
     const Scene scene = MakeScene(plane_count);
     const harness::Picture picture = DrawScene(way, scene, mistake), cuts = DrawCuts(scene);
     if (const char* folder = std::getenv("CLIPC_PICTURES"); folder != nullptr) {  // to look at them
@@ -25,7 +25,7 @@ class Lowerings : public ::testing::Test {
       WritePng(planes + "-cuts.png", cuts);
     }
     const Comparison comparison =
-        Compare(DrawScene(Way::kClipDistance, scene).rgba, picture.rgba, cuts.rgba);
+        Compare(DrawScene(Lowering::kClipDistance, scene).rgba, picture.rgba, cuts.rgba);
     std::printf(
         "%s, %d planes, mistake %s: %d pixels at cuts, of which %d differ; %d differ elsewhere\n",
         NameOf(way), plane_count, NameOf(mistake), comparison.cut_pixels, comparison.differ_at_cut,
@@ -40,7 +40,7 @@ class Lowerings : public ::testing::Test {
 TEST_F(Lowerings, TheCutsAreASmallPartOfThePicture) {
   for (const int plane_count : {1, 3}) {
     const Comparison comparison =
-        CompareWithClipDistances(Way::kClipDistance, plane_count, Mistake::kNone);
+        CompareWithClipDistances(Lowering::kClipDistance, plane_count, Mistake::kNone);
     EXPECT_GT(comparison.cut_pixels, 100);
     EXPECT_LT(comparison.cut_pixels, kSize * kSize / 10);
     EXPECT_EQ(comparison.differ_at_cut + comparison.differ_elsewhere, 0) << "the same draw twice";
@@ -48,14 +48,14 @@ TEST_F(Lowerings, TheCutsAreASmallPartOfThePicture) {
 }
 
 TEST_F(Lowerings, OnePlaneCutsTheSameEveryWay) {
-  for (const Way way : {Way::kLevel9, Way::kDiscard, Way::kNearPlane}) {
+  for (const Lowering way : {Lowering::kLevel9, Lowering::kDiscard, Lowering::kNearPlane}) {
     EXPECT_TRUE(Agree(CompareWithClipDistances(way, 1, Mistake::kNone), CutError(MakeScene(1))))
         << NameOf(way);
   }
 }
 
 TEST_F(Lowerings, ThreePlanesCutTheSameEveryWay) {
-  for (const Way way : {Way::kLevel9, Way::kDiscard}) {
+  for (const Lowering way : {Lowering::kLevel9, Lowering::kDiscard}) {
     EXPECT_TRUE(Agree(CompareWithClipDistances(way, 3, Mistake::kNone), CutError(MakeScene(3))))
         << NameOf(way);
   }
@@ -63,10 +63,10 @@ TEST_F(Lowerings, ThreePlanesCutTheSameEveryWay) {
 
 // The comparison is worth something only if it sees what may go wrong.
 TEST_F(Lowerings, EveryMistakeIsSeenWithThreePlanes) {
-  for (const Way way : {Way::kClipDistance, Way::kLevel9, Way::kDiscard}) {
+  for (const Lowering way : {Lowering::kClipDistance, Lowering::kLevel9, Lowering::kDiscard}) {
     for (const Mistake mistake : kMistakes) {
-      if (mistake == Mistake::kMask && way == Way::kDiscard) continue;  // its mask is always 0
-      if (mistake == Mistake::kOffset && way != Way::kLevel9)
+      if (mistake == Mistake::kMask && way == Lowering::kDiscard) continue;  // its mask is always 0
+      if (mistake == Mistake::kOffset && way != Lowering::kLevel9)
         continue;  // the shader has its planes by name
       EXPECT_FALSE(Agree(CompareWithClipDistances(way, 3, mistake), CutError(MakeScene(3))))
           << NameOf(way) << ' ' << NameOf(mistake);
@@ -75,7 +75,8 @@ TEST_F(Lowerings, EveryMistakeIsSeenWithThreePlanes) {
 }
 
 TEST_F(Lowerings, EveryMistakeIsSeenWithOnePlane) {
-  for (const Way way : {Way::kClipDistance, Way::kLevel9, Way::kDiscard, Way::kNearPlane}) {
+  for (const Lowering way :
+       {Lowering::kClipDistance, Lowering::kLevel9, Lowering::kDiscard, Lowering::kNearPlane}) {
     for (const Mistake mistake : {Mistake::kSign, Mistake::kSpace, Mistake::kIndex}) {
       EXPECT_FALSE(Agree(CompareWithClipDistances(way, 1, mistake), CutError(MakeScene(1))))
           << NameOf(way) << ' ' << NameOf(mistake);

@@ -20,7 +20,8 @@ namespace {
 
 using runtime::Plane;
 
-constexpr Way kWaysOfManyPlanes[] = {Way::kClipDistance, Way::kLevel9, Way::kDiscard};
+constexpr Lowering kWaysOfManyPlanes[] = {Lowering::kClipDistance, Lowering::kLevel9,
+                                          Lowering::kDiscard};
 
 // Before an eye above it and to its left.
 Scene SceneOf(const harness::Mesh& mesh, std::vector<Plane> planes) {
@@ -51,7 +52,7 @@ class SeedDrawing : public ::testing::Test {
   // Drawn every way, the scene shows what both sides say that it shows.
   static void ExpectKept(const Scene& scene, Kept kept) {
     const harness::Picture expected = DrawKept(scene, kept), cuts = DrawCuts(scene);
-    for (const Way way : kWaysOfManyPlanes) {
+    for (const Lowering way : kWaysOfManyPlanes) {
       const Comparison comparison = Compare(expected.rgba, DrawScene(way, scene).rgba, cuts.rgba);
       EXPECT_TRUE(Agree(comparison, CutError(scene)))
           << NameOf(way) << ": " << comparison.differ_at_cut << " pixels differ at cuts, elsewhere "
@@ -79,7 +80,7 @@ TEST_F(Seed000Background, NoPixelBehindAnyPlaneIsDrawn) {
 TEST_F(Seed000SyntaxNote, PlanesOfZerosChangeNoPixel) {
   const Scene scene = TeapotScene({{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}});
   const harness::Picture expected = DrawKept(TeapotScene({}), Kept::kByAll);
-  for (const Way way : kWaysOfManyPlanes)
+  for (const Lowering way : kWaysOfManyPlanes)
     EXPECT_EQ(DrawScene(way, scene).rgba, expected.rgba) << NameOf(way);
 }
 
@@ -97,7 +98,7 @@ TEST_F(Seed001Remarks, PointsOnThePlaneAreDrawn) {
     scene.planes[0] = {0, 0, side, 0};
     const int expected = WhitePixels(DrawKept(scene, Kept::kByAll));
     EXPECT_GT(expected, 1000);
-    for (const Way way : kWaysOfManyPlanes)
+    for (const Lowering way : kWaysOfManyPlanes)
       EXPECT_EQ(WhitePixels(DrawScene(way, scene)), expected) << NameOf(way);
   }
 }
@@ -105,13 +106,13 @@ TEST_F(Seed001Remarks, PointsOnThePlaneAreDrawn) {
 TEST_F(Seed001Remarks, APlaneThatIsSetAndNotEnabledClipsNothing) {
   // Clip plane 0, which is the shader's third constant, keeps nothing; kMask leaves it out.
   const Scene scene = TeapotScene({{1, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, -1}});
-  EXPECT_EQ(WhitePixels(DrawScene(Way::kLevel9, scene)), 0) << "enabled";
-  const int expected = WhitePixels(DrawScene(Way::kLevel9, scene, Mistake::kMask));
+  EXPECT_EQ(WhitePixels(DrawScene(Lowering::kLevel9, scene)), 0) << "enabled";
+  const int expected = WhitePixels(DrawScene(Lowering::kLevel9, scene, Mistake::kMask));
   EXPECT_GT(expected, 1000) << "neither set nor enabled";
   runtime::gl::ClipPlaneDevice device(runtime::gl::LoadFunctions(harness::OpenGl::Load).value);
   const float nothing[4] = {0, 0, 0, -1};
   ASSERT_TRUE(device.SetClipPlane(0, nothing));
-  EXPECT_EQ(WhitePixels(DrawScene(Way::kLevel9, scene, Mistake::kMask)), expected)
+  EXPECT_EQ(WhitePixels(DrawScene(Lowering::kLevel9, scene, Mistake::kMask)), expected)
       << "set and not enabled";
 }
 
@@ -131,7 +132,7 @@ TEST_F(Seed003TwoPlanes, TheDrawnAreaIsTheIntersection) {
             either = WhitePixels(DrawKept(scene, Kept::kByAny));
   EXPECT_LT(2 * both, either);
   const auto to_union = Compare(DrawKept(scene, Kept::kByAny).rgba,
-                                DrawScene(Way::kLevel9, scene).rgba, DrawCuts(scene).rgba);
+                                DrawScene(Lowering::kLevel9, scene).rgba, DrawCuts(scene).rgba);
   EXPECT_GT(to_union.differ_elsewhere, 1000);
 }
 

@@ -22,7 +22,7 @@ struct Means {
 // One draw to give advice on.
 struct DrawFacts {
   Camera camera;
-  runtime::Plane view_plane;  // the plane that is hardest to clip by, in the camera's space
+  Plane view_plane;  // the plane that is hardest to clip by, in the camera's space
   int planes = 1;
   double depth = 10;             // view-space depth of the cut
   double world_offset = 0;       // distance of the object from the world's origin
@@ -38,7 +38,7 @@ struct DrawFacts {
 // the CPU in double.
 inline double LengthFactor(double extent) { return 1 + extent / 8; }
 
-// The measured cost of a way (tools/study/program/way.h) with a number of planes, relative to
+// The measured cost of a way (tools/study/way.h) with a number of planes, relative to
 // drawing without planes.
 using CostTable = std::map<std::pair<std::string, int>, double>;
 

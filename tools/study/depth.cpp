@@ -16,11 +16,11 @@ struct Candidate {
   bool reversed = false, fixed_point = true;
 };
 
-Candidate Sheared(const char* name, const Camera& camera, const runtime::Plane& plane,
+Candidate Sheared(const char* name, const Camera& camera, const Plane& plane,
                   runtime::NearPlaneScale scale) {
   Candidate candidate;
   candidate.result.method = name;
-  const auto sheared = runtime::ShearNearPlane(plane, camera.Projection(), camera.Range(), scale);
+  const auto sheared = ShearNearPlane(plane, camera.Projection(), camera.Range(), scale);
   candidate.result.refused = !sheared.ok();
   if (sheared.ok()) {
     candidate.projection = ConvertTo<float>(sheared.value.projection);
@@ -29,7 +29,7 @@ Candidate Sheared(const char* name, const Camera& camera, const runtime::Plane& 
   }
   // The projection that it would make: the same column, with the scale that Lengyel's formula
   // gives.
-  const runtime::Matrix p = camera.Projection();
+  const Matrix p = camera.Projection();
   double a = 0;
   for (const double x : {-1.0, 1.0}) {
     for (const double y : {-1.0, 1.0}) {
@@ -38,14 +38,14 @@ Candidate Sheared(const char* name, const Camera& camera, const runtime::Plane& 
     }
   }
   a = scale == runtime::NearPlaneScale::kAsGiven || a <= 0 ? 1 : 1 / a;
-  runtime::Matrix column = p;
-  runtime::SetDepthColumn(column, plane, a, camera.Range());
+  Matrix column = p;
+  SetDepthColumn(column, plane, a, camera.Range());
   candidate.projection = ConvertTo<float>(column);
   candidate.result.effective_near = a * std::fabs(plane.w);
   return candidate;
 }
 
-std::vector<Candidate> Candidates(const Camera& camera, const runtime::Plane& plane) {
+std::vector<Candidate> Candidates(const Camera& camera, const Plane& plane) {
   Candidate standard, reversed;
   standard.result.method = "standard", standard.result.effective_near = camera.near;
   standard.projection = ConvertTo<float>(camera.Projection());
@@ -68,9 +68,9 @@ float DepthOf(const Candidate& candidate, const Vec4<float>& clip) {
 
 }  // namespace
 
-std::vector<DepthLeft> MeasureDepth(const Camera& camera, const runtime::Plane& plane, long pairs,
+std::vector<DepthLeft> MeasureDepth(const Camera& camera, const Plane& plane, long pairs,
                                     std::uint64_t seed) {
-  const runtime::Matrix p = camera.Projection();
+  const Matrix p = camera.Projection();
   std::vector<DepthLeft> results;
   for (Candidate& candidate : Candidates(camera, plane)) {
     Random random(seed);

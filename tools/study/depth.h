@@ -21,7 +21,7 @@ struct DepthLeft {
 
 // Measures each method with random pairs of points. `plane` is in the camera's space; its w is the
 // eye's signed distance. Depth has 24 bits in fixed point; that of "reversed" is a float.
-std::vector<DepthLeft> MeasureDepth(const Camera& camera, const runtime::Plane& plane, long pairs,
+std::vector<DepthLeft> MeasureDepth(const Camera& camera, const Plane& plane, long pairs,
                                     std::uint64_t seed);
 
 }  // namespace clipc::study

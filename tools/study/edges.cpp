@@ -8,8 +8,6 @@
 namespace clipc::study {
 namespace {
 
-using harness::Vector;
-
 struct Edge {
   Vec4<float> ends[2];        // object space
   Wide distances[2];          // the truth, of different signs
@@ -70,7 +68,7 @@ class EdgeMaker {
   // A point of the frustum, moved to the plane along the normal, that is still in the picture.
   std::optional<Vector> PointOnPlane() {
     const Camera& camera = config_.camera;
-    const runtime::Matrix& p = setup_.projection;
+    const Matrix& p = setup_.projection;
     const double z = random_.Magnitude(config_.nearest, config_.farthest),
                  w = camera.orthographic ? 1 : z;
     const double x = random_.Between(-1, 1), y = random_.Between(-1, 1);
@@ -142,14 +140,14 @@ EdgeErrors Summary(const std::string& method, std::vector<double> pixels) {
   errors.applies = true;
   errors.edges = static_cast<long>(pixels.size());
   if (pixels.empty()) return errors;
-  std::sort(pixels.begin(), pixels.end());
+  std::ranges::sort(pixels);
   const auto at = [&](double share) {
     return pixels[std::min(pixels.size() - 1,
                            static_cast<std::size_t>(share * static_cast<double>(pixels.size())))];
   };
   errors.median = at(0.5), errors.p99 = at(0.99), errors.largest = pixels.back();
-  errors.not_finite = static_cast<long>(std::count(pixels.begin(), pixels.end(), INFINITY));
-  const auto over = pixels.end() - std::upper_bound(pixels.begin(), pixels.end(), 0.5);
+  errors.not_finite = static_cast<long>(std::ranges::count(pixels, INFINITY));
+  const auto over = pixels.end() - std::ranges::upper_bound(pixels, 0.5);
   errors.over_half = static_cast<double>(over) / static_cast<double>(pixels.size());
   return errors;
 }
@@ -176,7 +174,7 @@ std::vector<EdgeErrors> MeasureEdges(const Config& config, const std::vector<Met
   std::vector<EdgeErrors> errors;
   for (std::size_t i = 0; i < methods.size(); ++i) {
     errors.push_back(distances[i] ? Summary(methods[i].name, std::move(pixels[i]))
-                                  : EdgeErrors{methods[i].name, false, 0, 0, 0, 0, 0, 0});
+                                  : EdgeErrors{.method = methods[i].name});
   }
   return errors;
 }

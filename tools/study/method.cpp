@@ -7,20 +7,9 @@
 namespace clipc::study {
 namespace {
 
-using runtime::KnownIn;
-using runtime::PlaneSpace;
-
-// The product's constant for that space, from the world-space plane.
-std::optional<Vec4<float>> ConstantOf(const Setup& setup, PlaneSpace space) {
-  const runtime::DrawMatrices draw = {setup.world, setup.view, setup.projection};
-  const auto constant = runtime::PlaneConstantFor(space, setup.world_plane, KnownIn::kWorld, draw);
-  if (!constant.ok()) return std::nullopt;
-  return VectorOf(constant.value.plane.constant);
-}
-
 // dot(v * matrix, plane), where `pick` chooses what of the position is dotted.
 template <typename Pick>
-Distance AfterTransform(const runtime::Matrix& matrix, const Vec4<float>& plane, Pick pick) {
+Distance AfterTransform(const Matrix& matrix, const Vec4<float>& plane, Pick pick) {
   return [m = ConvertTo<float>(matrix), plane, pick](const Vec4<float>& v) {
     return static_cast<double>(Dot(pick(Transform(v, m)), plane));
   };
@@ -28,33 +17,30 @@ Distance AfterTransform(const runtime::Matrix& matrix, const Vec4<float>& plane,
 
 constexpr auto kWhole = [](const Vec4<float>& p) { return p; };
 
+// With the product's constant for that space, from the world-space plane.
+template <typename Pick>
+Method BySpace(const char* name, PlaneSpace space, Pick pick) {
+  return {name, [space, pick](const Setup& setup) -> std::optional<Distance> {
+            const runtime::DrawMatrices draw = {setup.world, setup.view, setup.projection};
+            const auto constant =
+                PlaneConstantFor(space, setup.world_plane, runtime::KnownIn::kWorld, draw);
+            if (!constant.ok()) return std::nullopt;
+            return AfterTransform(
+                space == PlaneSpace::kObject ? Matrix() : setup.world_view_projection,
+                VectorOf(constant.value.plane.constant), pick);
+          }};
+}
+
 }  // namespace
 
-Method ClipSpace() {
-  return {"clip", [](const Setup& setup) -> std::optional<Distance> {
-            const auto plane = ConstantOf(setup, PlaneSpace::kClip);
-            if (!plane) return std::nullopt;
-            return AfterTransform(setup.world_view_projection, *plane, kWhole);
-          }};
-}
+Method ClipSpace() { return BySpace("clip", PlaneSpace::kClip, kWhole); }
 
 Method Xyw1Space() {
-  return {"xyw1", [](const Setup& setup) -> std::optional<Distance> {
-            const auto plane = ConstantOf(setup, PlaneSpace::kXyw1);
-            if (!plane) return std::nullopt;
-            return AfterTransform(setup.world_view_projection, *plane, [](const Vec4<float>& p) {
-              return Vec4<float>{{p[0], p[1], p[3], 1}};
-            });
-          }};
+  return BySpace("xyw1", PlaneSpace::kXyw1,
+                 [](const Vec4<float>& p) { return Vec4<float>{{p[0], p[1], p[3], 1}}; });
 }
 
-Method ObjectSpace() {
-  return {"object", [](const Setup& setup) -> std::optional<Distance> {
-            const auto plane = ConstantOf(setup, PlaneSpace::kObject);
-            if (!plane) return std::nullopt;
-            return [plane](const Vec4<float>& v) { return static_cast<double>(Dot(v, *plane)); };
-          }};
-}
+Method ObjectSpace() { return BySpace("object", PlaneSpace::kObject, kWhole); }
 
 Method WorldSpace() {
   return {"world", [](const Setup& setup) -> std::optional<Distance> {
@@ -92,11 +78,11 @@ Method FloatInverse() {
 Method NearPlane() {
   return {"near-plane", [](const Setup& setup) -> std::optional<Distance> {
             const runtime::DepthRange range = setup.config.camera.Range();
-            const auto sheared = runtime::ShearNearPlane(setup.view_plane, setup.projection, range,
-                                                         runtime::NearPlaneScale::kKeepFar);
+            const auto sheared = ShearNearPlane(setup.view_plane, setup.projection, range,
+                                                runtime::NearPlaneScale::kKeepFar);
             if (!sheared.ok()) return std::nullopt;
-            runtime::Matrix to_clip = setup.world_view_projection;
-            runtime::SetDepthColumn(to_clip, setup.object_plane, sheared.value.scale, range);
+            Matrix to_clip = setup.world_view_projection;
+            SetDepthColumn(to_clip, setup.object_plane, sheared.value.scale, range);
             return
                 [m = ConvertTo<float>(to_clip), reversed = range.reversed](const Vec4<float>& v) {
                   const Vec4<float> p = Transform(v, m);
@@ -105,19 +91,21 @@ Method NearPlane() {
           }};
 }
 
+Mat4<float> FloatNearPlane(const Setup& setup, const Plane& world_plane) {
+  const Mat4<float> view = ConvertTo<float>(setup.view),
+                    projection = ConvertTo<float>(setup.projection);
+  const auto plane =
+      PlaneThrough(InverseOf(Multiply(view, projection)), ConvertTo<float>(world_plane));
+  Mat4<float> shear = ConvertTo<float>(Matrix{});
+  for (int i = 0; i < 4; ++i) shear.m[i][2] = plane[i];
+  return Multiply(Multiply(ConvertTo<float>(setup.world), view), Multiply(projection, shear));
+}
+
 Method NearPlaneFloat() {
   return {"near-plane-f32", [](const Setup& setup) -> std::optional<Distance> {
             if (setup.config.camera.reversed)
               return std::nullopt;  // this form is for z = 0 at the near plane
-            const Mat4<float> view = ConvertTo<float>(setup.view),
-                              projection = ConvertTo<float>(setup.projection);
-            const auto plane = PlaneThrough(InverseOf(Multiply(view, projection)),
-                                            ConvertTo<float>(setup.world_plane));
-            Mat4<float> shear = ConvertTo<float>(runtime::Matrix{});
-            for (int i = 0; i < 4; ++i) shear.m[i][2] = plane[i];
-            const Mat4<float> to_clip = Multiply(Multiply(ConvertTo<float>(setup.world), view),
-                                                 Multiply(projection, shear));
-            return [to_clip](const Vec4<float>& v) {
+            return [to_clip = FloatNearPlane(setup, setup.world_plane)](const Vec4<float>& v) {
               return static_cast<double>(Transform(v, to_clip)[2]);
             };
           }};

@@ -38,7 +38,9 @@ Method FloatInverse();
 // The near plane sheared with Lengyel's scale: runtime::SetDepthColumn in double, rounded once.
 Method NearPlane();
 Method NearPlaneFloat();  // the same by a product of float32 matrices
-Method CpuDouble();       // vertices clipped by the application in double
+// That product: from object to clip space.
+Mat4<float> FloatNearPlane(const Setup& setup, const Plane& world_plane);
+Method CpuDouble();  // vertices clipped by the application in double
 
 // All of these, in this order.
 std::vector<Method> AllMethods();

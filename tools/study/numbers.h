@@ -12,6 +12,9 @@ namespace clipc::study {
 
 using harness::Camera;
 using harness::Random;
+using harness::Vector;
+using runtime::Matrix;
+using runtime::Plane;
 
 // The precision that counts as exact.
 #if defined(__SIZEOF_FLOAT128__)
@@ -40,7 +43,7 @@ Vec4<To> ConvertTo(const Vec4<From>& from) {
 }
 
 template <typename To>
-Mat4<To> ConvertTo(const runtime::Matrix& from) {
+Mat4<To> ConvertTo(const Matrix& from) {
   Mat4<To> to;
   for (int i = 0; i < 4; ++i) {
     for (int j = 0; j < 4; ++j) to.m[i][j] = static_cast<To>(from.m[i][j]);
@@ -49,7 +52,7 @@ Mat4<To> ConvertTo(const runtime::Matrix& from) {
 }
 
 template <typename To>
-Vec4<To> ConvertTo(const runtime::Plane& from) {
+Vec4<To> ConvertTo(const Plane& from) {
   return {{static_cast<To>(from.x), static_cast<To>(from.y), static_cast<To>(from.z),
            static_cast<To>(from.w)}};
 }

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "tools/study/edges.h"
+#include "tools/study/way.h"
 
 namespace clipc::study {
 namespace {
@@ -28,7 +29,7 @@ RandomDraw OneDraw(Random& random) {
   const double depth =
       camera.near * random.Magnitude(4, std::min(1e5, camera.far / camera.near / 4));
   camera.half_height = depth;
-  harness::Vector n = random.Direction();
+  Vector n = random.Direction();
   if (n.z < 0 && random.Below(3) != 0) n.z = -n.z;  // mostly with the eye on the clipped side
   config.view_plane = PlaneThroughPoint(n, {0, 0, depth});
   config.nearest = depth / 2, config.farthest = 2 * depth;
@@ -47,15 +48,6 @@ RandomDraw OneDraw(Random& random) {
   return draw;
 }
 
-Method MethodOf(const std::string& way) {
-  if (way == "xyw1") return Xyw1Space();
-  if (way == "object" || way == "discard-object") return ObjectSpace();
-  if (way == "world" || way == "discard-world") return WorldSpace();
-  if (way == "near-plane") return NearPlane();
-  if (way == "cpu") return CpuDouble();
-  return ClipSpace();  // clip, level9, discard
-}
-
 }  // namespace
 
 std::vector<RandomDraw> RandomDraws(int count, std::uint64_t seed) {
@@ -67,7 +59,8 @@ std::vector<RandomDraw> RandomDraws(int count, std::uint64_t seed) {
 
 MeasuredWay MeasureWay(const RandomDraw& draw, const std::string& way, long edges,
                        std::uint64_t seed) {
-  const EdgeErrors errors = MeasureEdges(draw.config, {MethodOf(way)}, edges, seed).front();
+  const EdgeErrors errors =
+      MeasureEdges(draw.config, {WayNamed(way).method()}, edges, seed).front();
   return {errors.applies && errors.edges == edges, errors.p99};
 }
 

@@ -12,36 +12,34 @@
 namespace clipc::study {
 namespace {
 
-template <typename T>
-Vec4<T> Xyw1(const Vec4<T>& position) {
-  return {{position[0], position[1], position[3], 1}};
-}
+enum class Position { kShader, kRoundedOnce, kExact };
 
-struct Parts {
-  Mat4<float> to_clip;
-  Mat4<Wide> exact_to_clip;
-  Vec4<float> constant;
-  Vec4<Wide> exact_constant;
-};
-
-using Formula = double (*)(const Parts&, const Vec4<float>& vertex);
-
-Method With(const char* name, Formula formula) {
-  return {name, [formula](const Setup& setup) -> std::optional<Distance> {
-            const auto made = runtime::Xyw1PlaneFromView(setup.view_plane, setup.projection);
+// The arithmetic of `xyw1` with these roundings.
+Method With(const char* name, Position rounded, bool dot_is_exact, bool constant_is_exact) {
+  return {name, [=](const Setup& setup) -> std::optional<Distance> {
+            const auto made = Xyw1PlaneFromView(setup.view_plane, setup.projection);
             if (!made.ok()) return std::nullopt;
-            Parts parts;
-            parts.to_clip = ConvertTo<float>(setup.world_view_projection);
-            parts.exact_to_clip = ConvertTo<Wide>(setup.world_view_projection);
-            parts.constant = VectorOf(made.value.constant);
-            parts.exact_constant = ConvertTo<Wide>(made.value.plane);
-            return [parts, formula](const Vec4<float>& vertex) { return formula(parts, vertex); };
+            const auto to_clip = ConvertTo<float>(setup.world_view_projection);
+            const auto exact_to_clip = ConvertTo<Wide>(setup.world_view_projection);
+            const Vec4<float> constant = VectorOf(made.value.constant);
+            const auto exact_constant =
+                constant_is_exact ? ConvertTo<Wide>(made.value.plane) : ConvertTo<Wide>(constant);
+            return [=](const Vec4<float>& vertex) {
+              Vec4<Wide> position = rounded == Position::kShader
+                                        ? ConvertTo<Wide>(Transform(vertex, to_clip))
+                                        : Transform(ConvertTo<Wide>(vertex), exact_to_clip);
+              if (rounded == Position::kRoundedOnce)
+                position = ConvertTo<Wide>(ConvertTo<float>(position));
+              position = {{position[0], position[1], position[3], 1}};
+              return dot_is_exact ? static_cast<double>(Dot(position, exact_constant))
+                                  : static_cast<double>(Dot(ConvertTo<float>(position), constant));
+            };
           }};
 }
 
 // A draw that nobody chose, at that field of view.
 Config DrawAt(double fov, Random& random) {
-  const harness::Vector normal = random.Direction();
+  const Vector normal = random.Direction();
   const double depth = random.Magnitude(0.3, 3000);
   const double x = random.Between(-0.05, 0.05) * depth;
   const double y = random.Between(-0.05, 0.05) * depth;
@@ -58,34 +56,11 @@ Config DrawAt(double fov, Random& random) {
 }  // namespace
 
 std::vector<Method> Xyw1Roundings() {
-  return {
-      With("all",
-           [](const Parts& parts, const Vec4<float>& vertex) {
-             return static_cast<double>(
-                 Dot(Xyw1(Transform(vertex, parts.to_clip)), parts.constant));
-           }),
-      With("without the dot product's",
-           [](const Parts& parts, const Vec4<float>& vertex) {
-             const Vec4<Wide> position = ConvertTo<Wide>(Xyw1(Transform(vertex, parts.to_clip)));
-             return static_cast<double>(Dot(position, ConvertTo<Wide>(parts.constant)));
-           }),
-      With("nor the constant's",
-           [](const Parts& parts, const Vec4<float>& vertex) {
-             const Vec4<Wide> position = ConvertTo<Wide>(Xyw1(Transform(vertex, parts.to_clip)));
-             return static_cast<double>(Dot(position, parts.exact_constant));
-           }),
-      With("the position's alone, once",
-           [](const Parts& parts, const Vec4<float>& vertex) {
-             const Vec4<float> position =
-                 ConvertTo<float>(Transform(ConvertTo<Wide>(vertex), parts.exact_to_clip));
-             return static_cast<double>(Dot(ConvertTo<Wide>(Xyw1(position)), parts.exact_constant));
-           }),
-      With("none",
-           [](const Parts& parts, const Vec4<float>& vertex) {
-             const Vec4<Wide> position = Transform(ConvertTo<Wide>(vertex), parts.exact_to_clip);
-             return static_cast<double>(Dot(Xyw1(position), parts.exact_constant));
-           }),
-  };
+  return {With("all", Position::kShader, false, false),
+          With("without the dot product's", Position::kShader, true, false),
+          With("nor the constant's", Position::kShader, true, true),
+          With("the position's alone, once", Position::kRoundedOnce, true, true),
+          With("none", Position::kExact, true, true)};
 }
 
 std::vector<RoundingCost> MeasureRoundings(double fov, int draws, long edges, std::uint64_t seed) {

@@ -12,9 +12,6 @@
 namespace clipc::study {
 namespace {
 
-using runtime::Matrix;
-using runtime::Plane;
-
 constexpr int kObjects = 1000;
 
 // Where an object stands and how large it is.
@@ -38,8 +35,7 @@ Scene Filled(const char* name, std::uint64_t seed, const Camera& camera,
                  yaw = random.Between(0, 6);
     SceneObject& object = scene.objects.emplace_back();
     object.box = {{-1.7f, -1.7f, -0.7f}, {1.7f, 1.7f, 0.7f}};
-    object.world =
-        runtime::Multiply(harness::Scaling(spot.size), harness::Rotation(yaw, pitch, roll));
+    object.world = Multiply(harness::Scaling(spot.size), harness::Rotation(yaw, pitch, roll));
     const double place[3] = {spot.x, spot.y, spot.z};
     std::copy(place, place + 3, object.world.m[3]);
   }
@@ -103,12 +99,11 @@ Scene Cascade() {
 // A plane of clip space lies in the object's own space at the whole matrix times the plane. It is
 // rounded to float and pushed outwards by as much as the rounding may have moved it.
 bool IsOutsideFrustum(const SceneObject& object, const Camera& camera) {
-  const Matrix m =
-      runtime::Multiply(runtime::Multiply(object.world, camera.View()), camera.Projection());
+  const Matrix m = Multiply(Multiply(object.world, camera.View()), camera.Projection());
   const Plane sides[] = {{1, 0, 0, 1},  {-1, 0, 0, 1}, {0, 1, 0, 1},
                          {0, -1, 0, 1}, {0, 0, 1, 0},  {0, 0, -1, 1}};
   for (const Plane& side : sides) {
-    const Plane plane = runtime::PlaneBefore(m, side);
+    const Plane plane = PlaneBefore(m, side);
     double reach = std::fabs(plane.w);
     const double c[3] = {plane.x, plane.y, plane.z};
     for (int i = 0; i < 3; ++i) {
@@ -118,7 +113,7 @@ bool IsOutsideFrustum(const SceneObject& object, const Camera& camera) {
     const runtime::Float4 outwards = {static_cast<float>(plane.x), static_cast<float>(plane.y),
                                       static_cast<float>(plane.z),
                                       static_cast<float>(plane.w + 1e-6 * reach)};
-    if (runtime::PlanBox(object.box, &outwards, 1) == runtime::kCulled) return true;
+    if (PlanBox(object.box, &outwards, 1) == runtime::kCulled) return true;
   }
   return false;
 }
@@ -137,10 +132,10 @@ ObjectPlan PlanObject(const SceneObject& object, const Camera& camera,
   plan.outside_frustum = IsOutsideFrustum(object, camera);
   std::vector<runtime::Float4> constants;
   for (const NamedPlane& plane : planes) {
-    const auto constant = runtime::ObjectPlaneFromWorld(plane.plane, object.world);
+    const auto constant = ObjectPlaneFromWorld(plane.plane, object.world);
     constants.push_back(constant.ok() ? constant.value.constant : runtime::Float4{});
   }
-  const runtime::BoxPlan needed = runtime::PlanBox(object.box, constants.data(), constants.size());
+  const runtime::BoxPlan needed = PlanBox(object.box, constants.data(), constants.size());
   plan.culled = needed == runtime::kCulled;
   plan.needed = plan.culled ? 0 : needed;
   return plan;
@@ -178,8 +173,8 @@ DrawFacts FactsOf(const SceneObject& object, const Camera& camera, const Scene& 
   double worst = -1;
   for (std::size_t i = 0; i < scene.planes.size(); ++i) {
     if ((needed >> i & 1) == 0) continue;
-    const auto plane = runtime::ViewPlaneFromWorld(scene.planes[i].plane, view);
-    const double length = runtime::NormalLength(plane.value.plane);
+    const auto plane = ViewPlaneFromWorld(scene.planes[i].plane, view);
+    const double length = NormalLength(plane.value.plane);
     if (!plane.ok() || !(length > 0) || std::fabs(plane.value.plane.w) / length <= worst) continue;
     worst = std::fabs(plane.value.plane.w) / length;
     facts.view_plane = plane.value.plane;

@@ -13,7 +13,7 @@ namespace clipc::study {
 struct SceneObject {
   std::string name;
   runtime::Box box;  // of its own space
-  runtime::Matrix world;
+  Matrix world;
   bool rigid = true;  // Means::rigid
 };
 
@@ -24,7 +24,7 @@ struct NamedCamera {
 
 struct NamedPlane {
   std::string name;
-  runtime::Plane plane;  // in world space; a point on the negative side of any plane is clipped
+  Plane plane;  // in world space; a point on the negative side of any plane is clipped
 };
 
 // A scene for the study; it has at most 6 planes.

@@ -7,11 +7,8 @@
 
 namespace clipc::study {
 
-using runtime::Matrix;
-using runtime::Plane;
-
-Plane PlaneThroughPoint(harness::Vector direction, harness::Vector point) {
-  const harness::Vector n = Unit(direction);
+Plane PlaneThroughPoint(Vector direction, Vector point) {
+  const Vector n = Unit(direction);
   return {n.x, n.y, n.z, -Dot(n, point)};
 }
 
@@ -31,19 +28,19 @@ Setup Prepare(const Config& config) {
   const double depth = std::sqrt(config.nearest * config.farthest);
   for (int j = 0; j < 3; ++j)
     setup.world.m[3][j] = depth * view_to_world.m[2][j] + view_to_world.m[3][j];
-  setup.world_view = runtime::Multiply(setup.world, setup.view);
-  setup.world_view_projection = runtime::Multiply(setup.world_view, setup.projection);
+  setup.world_view = Multiply(setup.world, setup.view);
+  setup.world_view_projection = Multiply(setup.world_view, setup.projection);
   const Mat4<double> inverse = InverseOf(ConvertTo<double>(setup.world_view));
   for (int i = 0; i < 4; ++i) {
     for (int j = 0; j < 4; ++j) setup.to_object.m[i][j] = inverse.m[i][j];
   }
 
   // The world-space plane is the truth; the other two follow from it.
-  const Plane unit = runtime::PlaneBefore(setup.view, config.view_plane);
+  const Plane unit = PlaneBefore(setup.view, config.view_plane);
   const double s = config.plane_scale;
   setup.world_plane = {unit.x * s, unit.y * s, unit.z * s, unit.w * s};
-  setup.view_plane = runtime::PlaneBefore(view_to_world, setup.world_plane);
-  setup.object_plane = runtime::PlaneBefore(setup.world, setup.world_plane);
+  setup.view_plane = PlaneBefore(view_to_world, setup.world_plane);
+  setup.object_plane = PlaneBefore(setup.world, setup.world_plane);
   return setup;
 }
 

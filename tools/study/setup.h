@@ -11,7 +11,7 @@ inline constexpr double kPictureWidth = 1920, kPictureHeight = 1080;
 // One case to measure: a camera, a plane, and the place of the surfaces that it cuts.
 struct Config {
   Camera camera;
-  runtime::Plane view_plane;          // unit normal; in the camera's space
+  Plane view_plane;                   // unit normal; in the camera's space
   double nearest = 1, farthest = 10;  // view-space depth of the surfaces
   // The distance of the camera, and of everything with it, from the world's origin.
   double world_offset = 0;
@@ -27,10 +27,10 @@ struct Config {
 // projection and the world-space plane are exact doubles: methods are compared with their results.
 struct Setup {
   Config config;
-  runtime::Matrix world, view, projection;
-  runtime::Matrix world_view, world_view_projection;     // multiplied in double
-  runtime::Matrix to_object;                             // from view space, only to make vertices
-  runtime::Plane world_plane, view_plane, object_plane;  // in double
+  Matrix world, view, projection;
+  Matrix world_view, world_view_projection;     // multiplied in double
+  Matrix to_object;                             // from view space, only to make vertices
+  Plane world_plane, view_plane, object_plane;  // in double
 };
 
 // Makes the matrices and planes. Turns the camera a little, so that no element of a matrix is 0 or
@@ -38,6 +38,6 @@ struct Setup {
 Setup Prepare(const Config& config);
 
 // The plane through that point whose unit normal has that direction.
-runtime::Plane PlaneThroughPoint(harness::Vector direction, harness::Vector point);
+Plane PlaneThroughPoint(Vector direction, Vector point);
 
 }  // namespace clipc::study

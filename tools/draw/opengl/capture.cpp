@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "tools/draw/opengl/program.h"
+#include "tools/harness/drawing.h"
 #include "tools/harness/framebuffer.h"
 
 namespace clipc::draw {
@@ -26,8 +27,8 @@ std::vector<Captured> CapturedOf(GLuint program, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     char name[512] = "";
     Active active;
-    glGetTransformFeedbackVarying(program, static_cast<GLuint>(i), sizeof name, nullptr,
-                                  &active.count, &active.type, name);
+    glGetTransformFeedbackVarying(program, i, sizeof name, nullptr, &active.count, &active.type,
+                                  name);
     active.name = name;
     all[i] = {name, ShapeOf(active), active.count, {}};
   }
@@ -51,23 +52,20 @@ void Draw(const Inputs& inputs) {
   if (inputs.first_vertex == 0 && inputs.base_instance == 0) {
     return glDrawArraysInstanced(GL_POINTS, 0, inputs.vertices, inputs.instances);
   }
-  std::vector<GLuint> indices(static_cast<std::size_t>(inputs.vertices));
+  std::vector<GLuint> indices(inputs.vertices);
   std::iota(indices.begin(), indices.end(), 0u);
-  GLuint buffer = 0;
-  glGenBuffers(1, &buffer);
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer);
-  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(GLuint)),
-               indices.data(), GL_STREAM_DRAW);
+  const GLuint buffer =
+      harness::NewBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.data(), indices.size() * sizeof(GLuint));
   glDrawElementsInstancedBaseVertexBaseInstance(GL_POINTS, inputs.vertices, GL_UNSIGNED_INT,
                                                 nullptr, inputs.instances, inputs.first_vertex,
-                                                static_cast<GLuint>(inputs.base_instance));
+                                                inputs.base_instance);
   glDeleteBuffers(1, &buffer);
 }
 
 std::vector<Captured> CaptureAtOnce(const std::string& vertex, std::span<const std::string> names,
                                     const Inputs& inputs) {
   const harness::Framebuffer framebuffer(1, 1);
-  Program program(vertex, EmptyFragmentFor(VersionOf(vertex)), names);
+  GlProgram program(vertex, EmptyFragmentFor(VersionOf(vertex)), names);
   program.Bind(inputs);
   std::vector<Captured> outputs = CapturedOf(program.id(), names.size());
   std::size_t words = 0;
@@ -76,11 +74,8 @@ std::vector<Captured> CaptureAtOnce(const std::string& vertex, std::span<const s
   const int vertices = inputs.vertices * inputs.instances;
   const std::size_t bytes = 4 * words * vertices;
 
-  GLuint buffer = 0;
-  glGenBuffers(1, &buffer);
+  const GLuint buffer = harness::NewBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, nullptr, bytes);
   glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer);
-  glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr,
-               GL_STREAM_READ);
   glEnable(GL_RASTERIZER_DISCARD);
   glBeginTransformFeedback(GL_POINTS);
   Draw(inputs);

@@ -33,7 +33,7 @@ void SetClipping(const PictureOptions& options, harness::Api api) {
 }  // namespace
 
 Picture Draw(const std::string& vertex, const Inputs& inputs, const PictureOptions& options) {
-  Program program(
+  GlProgram program(
       vertex, options.fragment.empty() ? StandardFragmentFor(VersionOf(vertex)) : options.fragment,
       {});
   const harness::Framebuffer framebuffer(options.size, options.size, {GL_RGBA32F});

@@ -32,7 +32,7 @@ struct Pixel {
 struct Picture {
   int size = 0;
   std::vector<Pixel> pixels;  // the bottom row first
-  const Pixel& At(int x, int y) const { return pixels[static_cast<std::size_t>(y) * size + x]; }
+  const Pixel& At(int x, int y) const { return pixels[y * size + x]; }
 };
 
 // Draws the inputs' vertices as triangles, on the current context.

@@ -22,24 +22,40 @@ const Value& Find(const std::vector<Value>& values, const std::string& name, con
                   "`, which has no value");
 }
 
+// Those that have a location: gl_VertexID and the members of blocks have none.
+std::vector<Active> List(GLuint program, GLenum count_of, decltype(glGetActiveUniform) describe,
+                         decltype(glGetUniformLocation) locate) {
+  GLint count = 0;
+  glGetProgramiv(program, count_of, &count);
+  std::vector<Active> all;
+  for (GLint i = 0; i < count; ++i) {
+    char name[512] = "";
+    Active active;
+    describe(program, i, sizeof name, nullptr, &active.count, &active.type, name);
+    active.name = name;
+    active.location = locate(program, name);
+    if (active.location >= 0) all.push_back(active);
+  }
+  return all;
+}
+
 void SetUniform(const Active& active, const Shape& shape, const std::uint32_t* words) {
   const int at = active.location, n = active.count;
   const auto* f = reinterpret_cast<const GLfloat*>(words);
   const auto* i = reinterpret_cast<const GLint*>(words);
+  const int size = shape.rows - 1;
   if (shape.columns > 1) {
     const std::array set{glUniformMatrix2fv,   glUniformMatrix2x3fv, glUniformMatrix2x4fv,
                          glUniformMatrix3x2fv, glUniformMatrix3fv,   glUniformMatrix3x4fv,
                          glUniformMatrix4x2fv, glUniformMatrix4x3fv, glUniformMatrix4fv};
-    return set[static_cast<std::size_t>(3 * (shape.columns - 2) + shape.rows - 2)](at, n, GL_FALSE,
-                                                                                   f);
+    return set[3 * (shape.columns - 2) + size - 1](at, n, GL_FALSE, f);
   }
-  const auto size = static_cast<std::size_t>(shape.rows - 1);
   switch (shape.kind) {
-    case Shape::Kind::kFloat:
+    case WordKind::kFloat:
       return std::array{glUniform1fv, glUniform2fv, glUniform3fv, glUniform4fv}[size](at, n, f);
-    case Shape::Kind::kInt:
+    case WordKind::kInt:
       return std::array{glUniform1iv, glUniform2iv, glUniform3iv, glUniform4iv}[size](at, n, i);
-    case Shape::Kind::kUint:
+    case WordKind::kUint:
       return std::array{glUniform1uiv, glUniform2uiv, glUniform3uiv, glUniform4uiv}[size](at, n,
                                                                                           words);
   }
@@ -65,35 +81,28 @@ Version VersionOf(const std::string& glsl) {
 }
 
 std::optional<Shape> FindShape(GLenum type) {
-  using enum Shape::Kind;
-  switch (type) {
-    case GL_FLOAT: return Shape{kFloat, 1, 1};
-    case GL_FLOAT_VEC2: return Shape{kFloat, 1, 2};
-    case GL_FLOAT_VEC3: return Shape{kFloat, 1, 3};
-    case GL_FLOAT_VEC4: return Shape{kFloat, 1, 4};
-    case GL_INT: return Shape{kInt, 1, 1};
-    case GL_INT_VEC2: return Shape{kInt, 1, 2};
-    case GL_INT_VEC3: return Shape{kInt, 1, 3};
-    case GL_INT_VEC4: return Shape{kInt, 1, 4};
-    case GL_BOOL:
-    case GL_UNSIGNED_INT: return Shape{kUint, 1, 1};
-    case GL_BOOL_VEC2:
-    case GL_UNSIGNED_INT_VEC2: return Shape{kUint, 1, 2};
-    case GL_BOOL_VEC3:
-    case GL_UNSIGNED_INT_VEC3: return Shape{kUint, 1, 3};
-    case GL_BOOL_VEC4:
-    case GL_UNSIGNED_INT_VEC4: return Shape{kUint, 1, 4};
-    case GL_FLOAT_MAT2: return Shape{kFloat, 2, 2};
-    case GL_FLOAT_MAT2x3: return Shape{kFloat, 2, 3};
-    case GL_FLOAT_MAT2x4: return Shape{kFloat, 2, 4};
-    case GL_FLOAT_MAT3x2: return Shape{kFloat, 3, 2};
-    case GL_FLOAT_MAT3: return Shape{kFloat, 3, 3};
-    case GL_FLOAT_MAT3x4: return Shape{kFloat, 3, 4};
-    case GL_FLOAT_MAT4x2: return Shape{kFloat, 4, 2};
-    case GL_FLOAT_MAT4x3: return Shape{kFloat, 4, 3};
-    case GL_FLOAT_MAT4: return Shape{kFloat, 4, 4};
-    default: return std::nullopt;
+  // By kind, then by components; a bool counts as a uint.
+  constexpr GLenum kVectors[][4] = {
+      {GL_FLOAT, GL_FLOAT_VEC2, GL_FLOAT_VEC3, GL_FLOAT_VEC4},
+      {GL_INT, GL_INT_VEC2, GL_INT_VEC3, GL_INT_VEC4},
+      {GL_UNSIGNED_INT, GL_UNSIGNED_INT_VEC2, GL_UNSIGNED_INT_VEC3, GL_UNSIGNED_INT_VEC4},
+      {GL_BOOL, GL_BOOL_VEC2, GL_BOOL_VEC3, GL_BOOL_VEC4}};
+  // By columns from 2, then by rows from 2.
+  constexpr GLenum kMatrices[][3] = {{GL_FLOAT_MAT2, GL_FLOAT_MAT2x3, GL_FLOAT_MAT2x4},
+                                     {GL_FLOAT_MAT3x2, GL_FLOAT_MAT3, GL_FLOAT_MAT3x4},
+                                     {GL_FLOAT_MAT4x2, GL_FLOAT_MAT4x3, GL_FLOAT_MAT4}};
+  for (int kind = 0; kind < 4; ++kind) {
+    for (int i = 0; i < 4; ++i) {
+      if (type == kVectors[kind][i])
+        return Shape{static_cast<WordKind>(std::min(kind, 2)), 1, i + 1};
+    }
   }
+  for (int column = 0; column < 3; ++column) {
+    for (int row = 0; row < 3; ++row) {
+      if (type == kMatrices[column][row]) return Shape{WordKind::kFloat, column + 2, row + 2};
+    }
+  }
+  return std::nullopt;
 }
 
 Shape ShapeOf(const Active& active) {
@@ -101,8 +110,8 @@ Shape ShapeOf(const Active& active) {
   throw DrawError("`" + active.name + "` has a type of OpenGL that no test draws with");
 }
 
-Program::Program(const std::string& vertex, const std::string& fragment,
-                 std::span<const std::string> captured)
+GlProgram::GlProgram(const std::string& vertex, const std::string& fragment,
+                     std::span<const std::string> captured)
     : program_(harness::LinkProgram(vertex, fragment, [&](GLuint program) {
         std::vector<const char*> names;
         for (const std::string& name : captured) names.push_back(name.c_str());
@@ -113,7 +122,7 @@ Program::Program(const std::string& vertex, const std::string& fragment,
   glGenVertexArrays(1, &vertex_array_);
 }
 
-Program::~Program() {
+GlProgram::~GlProgram() {
   glUseProgram(0);
   glBindVertexArray(0);
   glDeleteVertexArrays(1, &vertex_array_);
@@ -122,37 +131,15 @@ Program::~Program() {
   glDeleteProgram(program_);
 }
 
-std::vector<Active> Program::Attributes() const {
-  GLint count = 0;
-  glGetProgramiv(program_, GL_ACTIVE_ATTRIBUTES, &count);
-  std::vector<Active> all;
-  for (GLint i = 0; i < count; ++i) {
-    char name[512] = "";
-    Active active;
-    glGetActiveAttrib(program_, i, sizeof name, nullptr, &active.count, &active.type, name);
-    active.name = name;
-    active.location = glGetAttribLocation(program_, name);
-    if (active.location >= 0) all.push_back(active);  // gl_VertexID and its like have none
-  }
-  return all;
+std::vector<Active> GlProgram::Attributes() const {
+  return List(program_, GL_ACTIVE_ATTRIBUTES, glGetActiveAttrib, glGetAttribLocation);
 }
 
-std::vector<Active> Program::Uniforms() const {
-  GLint count = 0;
-  glGetProgramiv(program_, GL_ACTIVE_UNIFORMS, &count);
-  std::vector<Active> all;
-  for (GLint i = 0; i < count; ++i) {
-    char name[512] = "";
-    Active active;
-    glGetActiveUniform(program_, i, sizeof name, nullptr, &active.count, &active.type, name);
-    active.name = name;
-    active.location = glGetUniformLocation(program_, name);
-    all.push_back(active);
-  }
-  return all;
+std::vector<Active> GlProgram::Uniforms() const {
+  return List(program_, GL_ACTIVE_UNIFORMS, glGetActiveUniform, glGetUniformLocation);
 }
 
-std::vector<ActiveBlock> Program::Blocks() const {
+std::vector<ActiveBlock> GlProgram::Blocks() const {
   GLint count = 0;
   glGetProgramiv(program_, GL_ACTIVE_UNIFORM_BLOCKS, &count);
   std::vector<ActiveBlock> all;
@@ -167,16 +154,11 @@ std::vector<ActiveBlock> Program::Blocks() const {
   return all;
 }
 
-GLuint Program::NewBuffer(GLenum target, const void* data, std::size_t size) {
-  GLuint buffer = 0;
-  glGenBuffers(1, &buffer);
-  glBindBuffer(target, buffer);
-  glBufferData(target, static_cast<GLsizeiptr>(size), data, GL_STATIC_DRAW);
-  buffers_.push_back(buffer);
-  return buffer;
+GLuint GlProgram::NewBuffer(GLenum target, const void* data, std::size_t size) {
+  return buffers_.emplace_back(harness::NewBuffer(target, data, size));
 }
 
-void Program::BindAttribute(const Active& active, const Inputs& inputs) {
+void GlProgram::BindAttribute(const Active& active, const Inputs& inputs) {
   const auto& value = Find(inputs.attributes, active.name, "attribute");
   const Shape shape = ShapeOf(active);
   if (shape.columns != 1 || active.count != 1)
@@ -186,22 +168,22 @@ void Program::BindAttribute(const Active& active, const Inputs& inputs) {
                     " components; " + std::to_string(value.words.size()) + " words for " +
                     std::to_string(inputs.vertices) + " vertices");
   }
-  std::vector<std::uint32_t> words(static_cast<std::size_t>(shape.rows) * inputs.first_vertex);
+  Words words(static_cast<std::size_t>(shape.rows) * inputs.first_vertex);
   words.insert(words.end(), value.words.begin(), value.words.end());
   NewBuffer(GL_ARRAY_BUFFER, words.data(), 4 * words.size());
-  const auto index = static_cast<GLuint>(active.location);
-  if (shape.kind == Shape::Kind::kFloat) {
+  const GLuint index = active.location;
+  if (shape.kind == WordKind::kFloat) {
     glVertexAttribPointer(index, shape.rows, GL_FLOAT, GL_FALSE, 0, nullptr);
   } else {
-    const GLenum type = shape.kind == Shape::Kind::kInt ? GL_INT : GL_UNSIGNED_INT;
+    const GLenum type = shape.kind == WordKind::kInt ? GL_INT : GL_UNSIGNED_INT;
     glVertexAttribIPointer(index, shape.rows, type, 0, nullptr);
   }
   glEnableVertexAttribArray(index);
 }
 
-void Program::BindUniform(const Active& active, const Inputs& inputs) {
+void GlProgram::BindUniform(const Active& active, const Inputs& inputs) {
   const Shape shape = ShapeOf(active);
-  std::vector<std::uint32_t> words;
+  Words words;
   if (inputs.find_uniform) words = inputs.find_uniform(active.name);
   if (words.empty()) words = Find(inputs.uniforms, active.name, "uniform").words;
   words.resize(static_cast<std::size_t>(shape.Words()) *
@@ -209,33 +191,32 @@ void Program::BindUniform(const Active& active, const Inputs& inputs) {
   SetUniform(active, shape, words.data());
 }
 
-void Program::BindSampler(const Active& active, const Inputs& inputs) {
+void GlProgram::BindSampler(const Active& active, const Inputs& inputs) {
   const bool is_array = active.name.ends_with("[0]");
   const std::string name = active.name.substr(0, active.name.size() - (is_array ? 3 : 0));
   for (int i = 0; i < active.count; ++i) {
     const auto unit = static_cast<GLint>(textures_.size());
     const Inputs::Texture& texture =
         Find(inputs.textures, is_array ? name + "[" + std::to_string(i) + "]" : name, "texture");
-    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    textures_.push_back(UploadTexture(texture, [&](const std::vector<std::uint32_t>& words) {
+    glActiveTexture(GL_TEXTURE0 + unit);
+    textures_.push_back(UploadTexture(texture, [&](const Words& words) {
       return NewBuffer(GL_TEXTURE_BUFFER, words.data(), 4 * words.size());
     }));
     glUniform1iv(active.location + i, 1, &unit);
   }
 }
 
-void Program::Bind(const Inputs& inputs) {
+void GlProgram::Bind(const Inputs& inputs) {
   glUseProgram(program_);
   glBindVertexArray(vertex_array_);
   for (const Active& attribute : Attributes()) BindAttribute(attribute, inputs);
   for (const Active& uniform : Uniforms()) {
-    if (uniform.location < 0) continue;
     FindShape(uniform.type) ? BindUniform(uniform, inputs) : BindSampler(uniform, inputs);
   }
   GLuint index = 0;
   for (const ActiveBlock& block : Blocks()) {
-    std::vector<std::uint8_t> bytes = Find(inputs.blocks, block.name, "uniform block").bytes;
-    bytes.resize(std::max(bytes.size(), static_cast<std::size_t>(block.size)));
+    Bytes bytes = Find(inputs.blocks, block.name, "uniform block").bytes;
+    bytes.resize(std::max<std::size_t>(bytes.size(), block.size));
     const GLuint buffer = NewBuffer(GL_UNIFORM_BUFFER, bytes.data(), bytes.size());
     glUniformBlockBinding(program_, index, index);
     glBindBufferBase(GL_UNIFORM_BUFFER, index, buffer);

@@ -24,8 +24,8 @@ Version VersionOf(const std::string& glsl);
 struct Active {
   std::string name;  // "planes[0]" for an array
   GLenum type = 0;
-  int count = 1;      // elements of an array
-  int location = -1;  // -1: in a block
+  int count = 1;  // elements of an array
+  int location = -1;
 };
 // The shape of an OpenGL type; that of a bool is that of a uint. Doubles and samplers have none.
 std::optional<Shape> FindShape(GLenum type);
@@ -38,15 +38,15 @@ struct ActiveBlock {
 };
 
 // A linked program with buffers for its inputs, in the context that was current when it was made.
-class Program {
+class GlProgram {
  public:
   // `fragment` is empty for none, where the API allows that. `captured` are the outputs for
   // transform feedback.
-  Program(const std::string& vertex, const std::string& fragment,
-          std::span<const std::string> captured);
-  ~Program();
-  Program(const Program&) = delete;
-  Program& operator=(const Program&) = delete;
+  GlProgram(const std::string& vertex, const std::string& fragment,
+            std::span<const std::string> captured);
+  ~GlProgram();
+  GlProgram(const GlProgram&) = delete;
+  GlProgram& operator=(const GlProgram&) = delete;
 
   GLuint id() const { return program_; }
   std::vector<Active> Attributes() const;

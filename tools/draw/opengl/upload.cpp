@@ -11,9 +11,9 @@ struct Format {
 Format FormatOf(const Inputs::Texture& texture) {
   if (texture.compares) return {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT};
   switch (texture.kind) {
-    case Shape::Kind::kInt: return {GL_RGBA32I, GL_RGBA_INTEGER, GL_INT};
-    case Shape::Kind::kUint: return {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT};
-    case Shape::Kind::kFloat: break;
+    case WordKind::kInt: return {GL_RGBA32I, GL_RGBA_INTEGER, GL_INT};
+    case WordKind::kUint: return {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT};
+    case WordKind::kFloat: break;
   }
   return {GL_RGBA32F, GL_RGBA, GL_FLOAT};
 }
@@ -21,24 +21,21 @@ Format FormatOf(const Inputs::Texture& texture) {
 void UploadLevel(GLenum target, const Format& format, GLint number,
                  const Inputs::Texture::Level& level) {
   const auto internal = static_cast<GLint>(format.internal);
-  const auto width = static_cast<GLsizei>(level.size[0]),
-             height = static_cast<GLsizei>(level.size[1]),
-             depth = static_cast<GLsizei>(level.size[2]);
-  const void* words = level.words.data();
+  const auto [width, height, depth] = level.size;
+  const std::uint32_t* words = level.words.data();
+  const auto plane = [&](GLenum part, std::size_t first) {
+    glTexImage2D(part, number, internal, width, height, 0, format.components, format.type,
+                 words + first);
+  };
   switch (target) {
     case GL_TEXTURE_1D:
       return glTexImage1D(target, number, internal, width, 0, format.components, format.type,
                           words);
     case GL_TEXTURE_1D_ARRAY:
-    case GL_TEXTURE_2D:
-      return glTexImage2D(target, number, internal, width, height, 0, format.components,
-                          format.type, words);
+    case GL_TEXTURE_2D: return plane(target, 0);
     case GL_TEXTURE_CUBE_MAP:
-      for (GLenum face = 0; face < 6; ++face) {
-        const std::size_t first = level.words.size() / 6 * face;
-        glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, number, internal, width, height, 0,
-                     format.components, format.type, level.words.data() + first);
-      }
+      for (GLenum face = 0; face < 6; ++face)
+        plane(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, level.words.size() / 6 * face);
       return;
     default:
       return glTexImage3D(target, number, internal, width, height, depth, 0, format.components,
@@ -48,9 +45,8 @@ void UploadLevel(GLenum target, const Format& format, GLint number,
 
 }  // namespace
 
-GLuint UploadTexture(
-    const Inputs::Texture& texture,
-    const std::function<GLuint(const std::vector<std::uint32_t>& words)>& new_buffer) {
+GLuint UploadTexture(const Inputs::Texture& texture,
+                     const std::function<GLuint(const Words& words)>& new_buffer) {
   GLuint id = 0;
   glGenTextures(1, &id);
   glBindTexture(texture.target, id);

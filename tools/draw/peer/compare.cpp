@@ -5,12 +5,12 @@
 #include <regex>
 
 #include "tools/draw/feed.h"
-#include "tools/draw/options.h"
 #include "tools/draw/peer/interface.h"
 #include "tools/draw/peer/known_bugs.h"
 #include "tools/draw/peer/plain_text.h"
 #include "tools/draw/vulkan/bind.h"
 #include "tools/draw/vulkan/glslang.h"
+#include "tools/harness/options.h"
 
 namespace clipc::draw::peer {
 namespace {
@@ -22,7 +22,7 @@ std::string WithoutVulkanAttributes(const std::string& hlsl) {
 
 Module Compile(const BuildOptions& options) {
   Module module;
-  module.hlsl = WithoutVulkanAttributes(ReadFile(options.path));
+  module.hlsl = WithoutVulkanAttributes(harness::ReadFile(options.path));
   vulkan::HlslSource source{options.path, module.hlsl, options.entry, options.defines,
                             options.include_dirs};
   source.row_major = options.packing == MatrixPacking::kRowMajor;
@@ -43,16 +43,15 @@ Module Compile(const BuildOptions& options) {
 
 // The shader's outputs as the peer's shader writes them, beside `expected`; without words what it
 // does not write.
-std::vector<Captured> Run(const vulkan::Runner& runner, const Module& module,
-                          const ir::Program& program, const RandomInputs& random,
-                          const RandomOptions& draw) {
-  const std::vector<vulkan::Output> outputs = vulkan::OutputsOf(module.run);
+std::vector<Captured> Run(const Runner& runner, const Module& module, const ir::Program& program,
+                          const RandomInputs& random, const RandomOptions& draw) {
+  const std::vector<Output> outputs = vulkan::OutputsOf(module.run);
   const auto writes = [&](const char* name) {
-    return std::ranges::find(outputs, name, &vulkan::Output::name) != outputs.end();
+    return std::ranges::find(outputs, name, &Output::name) != outputs.end();
   };
   if (writes("gl_ClipDistance") && writes("gl_CullDistance"))
     throw DrawError("clip and cull distances at once, which lavapipe does not capture");
-  const vulkan::DrawCall call = MakeDrawCall(program, module, random, draw);
+  const DrawCall call = MakeDrawCall(program, module, random, draw);
   return PickOutputs(program, module, outputs, runner.Capture(module.run, outputs, call));
 }
 
@@ -61,8 +60,7 @@ Comparison Compare(const Shader& shader, const BuildOptions& options, const Rand
   const std::vector<Expected> expected = MakeExpected(shader, options, random);
   const std::vector<const Expected*> defined = Defined(expected);
   std::vector<Captured> matching;
-  for (const Expected* output : defined)
-    matching.push_back(captured[static_cast<std::size_t>(output - expected.data())]);
+  for (const Expected* output : defined) matching.push_back(captured[output - expected.data()]);
   return CompareOutputs(defined, matching, tolerance);
 }
 
@@ -77,7 +75,7 @@ std::set<std::string> BugsInText(const std::string& hlsl, const Comparison& foun
 // Two members of a block share bytes: no values can be right.
 bool HasOverlap(const std::vector<PeerBlock>& blocks) {
   for (const PeerBlock& block : blocks) {
-    std::vector<std::uint32_t> bytes;
+    Offsets bytes;
     for (const auto& [name, places] : block.members)
       bytes.insert(bytes.end(), places.begin(), places.end());
     std::ranges::sort(bytes);
@@ -96,7 +94,7 @@ bool TakesSystemValues(const std::vector<ir::IoVar>& list, const std::vector<Vec
 
 }  // namespace
 
-PeerComparison CompareWithGlslang(const vulkan::Runner& runner, const Shader& shader,
+PeerComparison CompareWithGlslang(const Runner& runner, const Shader& shader,
                                   const BuildOptions& options, const RandomOptions& draw,
                                   const Tolerance& tolerance) {
   const Module module = Compile(options);

@@ -10,52 +10,54 @@
 namespace clipc::draw::peer {
 namespace {
 
-const vulkan::Reads::Binding* FindBinding(const vulkan::Reads& reads, const std::string& name) {
-  const auto found = std::ranges::find(reads.bindings, name, &vulkan::Reads::Binding::name);
+using namespace ir;
+
+const Reads::Binding* FindBinding(const Reads& reads, const std::string& name) {
+  const auto found = std::ranges::find(reads.bindings, name, &Reads::Binding::name);
   return found == reads.bindings.end() ? nullptr : &*found;
 }
 
 // The program with what the peer takes for ordinary inputs as ordinary inputs.
-ir::Program WithPeerInputs(const ir::Program& program, const std::vector<const Vector*>& vectors) {
-  ir::Program changed = program;
+Program WithPeerInputs(const Program& program, const std::vector<const Vector*>& vectors) {
+  Program changed = program;
   for (std::size_t i = 0; i < vectors.size(); ++i) {
-    if (vectors[i]) changed.inputs[i].builtin = ir::Builtin::kNone;
+    if (vectors[i]) changed.inputs[i].builtin = Builtin::kNone;
   }
   return changed;
 }
 
 // Where the peer's shader reads what clipc's does, under the names of the HLSL.
-glsl::GlslInfo InfoOf(const ir::Program& program, const vulkan::Reads& reads,
-                      const std::vector<const Vector*>& vectors, const RandomInputs& random) {
-  glsl::GlslInfo info;
+GlslInfo InfoOf(const Program& program, const Reads& reads,
+                const std::vector<const Vector*>& vectors, const RandomInputs& random) {
+  GlslInfo info;
   for (std::size_t i = 0; i < vectors.size(); ++i) {
-    glsl::GlslInfo::Variable& variable = info.inputs.emplace_back();
+    GlslInfo::Variable& variable = info.inputs.emplace_back();
     variable.name = "input" + std::to_string(i);
     if (vectors[i]) variable.location = vectors[i]->location;
   }
-  for (const ir::Resource& resource : program.resources) {
+  for (const Resource& resource : program.resources) {
     const std::string& name = program.vars[resource.var].name;
-    const vulkan::Reads::Binding* binding = FindBinding(reads, name);
+    const Reads::Binding* binding = FindBinding(reads, name);
     if (!binding) continue;
     const bool is_read =
         random.textures.contains(resource.var.index) || random.buffers.contains(resource.var.index);
     info.objects.push_back({{binding->set, binding->binding},
-                            is_read ? resource.var : ir::VarId{},
-                            is_read ? ir::VarId{} : resource.var,
+                            is_read ? resource.var : VarId{},
+                            is_read ? VarId{} : resource.var,
                             name});
   }
   return info;
 }
 
 // Where a block of the peer holds several cbuffers, each puts its members there.
-void GiveBlocks(const ir::Program& program, const Module& module, const vulkan::Reads& reads,
-                const RandomInputs& random, vulkan::DrawCall& call) {
+void GiveBlocks(const Program& program, const Module& module, const Reads& reads,
+                const RandomInputs& random, DrawCall& call) {
   for (const PeerBlock& block : module.blocks) {
-    const vulkan::Reads::Binding* binding = FindBinding(reads, block.name);
+    const Reads::Binding* binding = FindBinding(reads, block.name);
     if (!binding) continue;
-    std::vector<std::vector<std::uint8_t>> elements(1, std::vector<std::uint8_t>(block.size));
-    for (const ir::CbufferId id : program.cbuffers.ids()) {
-      const ir::Cbuffer& cbuffer = program.cbuffers[id];
+    std::vector<Bytes> elements(1, Bytes(block.size));
+    for (const CbufferId id : program.cbuffers.ids()) {
+      const Cbuffer& cbuffer = program.cbuffers[id];
       if (Find(module.blocks, cbuffer) != &block) continue;
       elements.resize(cbuffer.count, elements[0]);
       for (std::uint32_t i = 0; i < cbuffer.count; ++i) {
@@ -63,7 +65,7 @@ void GiveBlocks(const ir::Program& program, const Module& module, const vulkan::
                  random.cbuffers[id.index].data() + std::size_t{i} * cbuffer.size, elements[i]);
       }
     }
-    using enum vulkan::DrawCall::Kind;
+    using enum DescriptorKind;
     for (std::uint32_t i = 0; i < elements.size(); ++i) {
       call.descriptors.push_back({binding->set, binding->binding, i,
                                   block.is_storage ? kStorage : kUniforms, std::move(elements[i])});
@@ -72,7 +74,7 @@ void GiveBlocks(const ir::Program& program, const Module& module, const vulkan::
 }
 
 // All distances are one array.
-std::string KeyOfBuiltin(const vulkan::Output& output) {
+std::string KeyOfBuiltin(const Output& output) {
   if (output.name == "gl_ClipDistance") return "SV_CLIPDISTANCE0";
   if (output.name == "gl_CullDistance") return "SV_CULLDISTANCE0";
   const std::size_t digits = output.semantic.find_last_not_of("0123456789") + 1;
@@ -80,20 +82,18 @@ std::string KeyOfBuiltin(const vulkan::Output& output) {
 }
 
 // The vector at that location.
-Captured PartAt(const std::vector<vulkan::Output>& outputs, const std::vector<Captured>& captured,
+Captured PartAt(const std::vector<Output>& outputs, const std::vector<Captured>& captured,
                 std::uint32_t location) {
   Captured part;
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     if (!outputs[i].location || location < *outputs[i].location) continue;
-    const auto size = static_cast<std::size_t>(outputs[i].shape.rows),
-               whole = static_cast<std::size_t>(outputs[i].Words());
+    const std::size_t size = outputs[i].shape.rows, whole = outputs[i].Words();
     const std::size_t first = (location - *outputs[i].location) * size;
     if (first >= whole) continue;
     part.shape = outputs[i].shape;
     part.shape.columns = 1;
     for (std::size_t at = first; at < captured[i].words.size(); at += whole) {
-      const auto begin = captured[i].words.begin() + static_cast<std::ptrdiff_t>(at);
-      part.words.insert(part.words.end(), begin, begin + static_cast<std::ptrdiff_t>(size));
+      for (std::size_t k = 0; k < size; ++k) part.words.push_back(captured[i].words[at + k]);
     }
   }
   return part;
@@ -101,7 +101,7 @@ Captured PartAt(const std::vector<vulkan::Output>& outputs, const std::vector<Ca
 
 }  // namespace
 
-std::vector<const Vector*> Match(const std::vector<ir::IoVar>& list,
+std::vector<const Vector*> Match(const std::vector<IoVar>& list,
                                  const std::vector<Vector>& vectors) {
   std::vector<const Vector*> matches(list.size());
   std::vector<bool> taken(vectors.size());
@@ -114,7 +114,7 @@ std::vector<const Vector*> Match(const std::vector<ir::IoVar>& list,
   }
   std::vector<std::size_t> left;
   for (std::size_t i = 0; i < list.size(); ++i) {
-    if (!matches[i] && list[i].builtin == ir::Builtin::kNone) left.push_back(i);
+    if (!matches[i] && list[i].builtin == Builtin::kNone) left.push_back(i);
   }
   if (static_cast<std::ptrdiff_t>(left.size()) !=
       std::ranges::count(vectors, std::string(), &Vector::key))
@@ -126,30 +126,29 @@ std::vector<const Vector*> Match(const std::vector<ir::IoVar>& list,
   return matches;
 }
 
-vulkan::DrawCall MakeDrawCall(const ir::Program& program, const Module& module,
-                              const RandomInputs& random, const RandomOptions& draw) {
-  const vulkan::Reads reads = vulkan::ReadsOf(module.run);
+DrawCall MakeDrawCall(const Program& program, const Module& module, const RandomInputs& random,
+                      const RandomOptions& draw) {
+  const Reads reads = vulkan::ReadsOf(module.run);
   const std::vector<const Vector*> vectors = Match(program.inputs, module.inputs);
-  const ir::Program changed = WithPeerInputs(program, vectors);
-  const glsl::GlslInfo info = InfoOf(changed, reads, vectors, random);
+  const Program changed = WithPeerInputs(program, vectors);
+  const GlslInfo info = InfoOf(changed, reads, vectors, random);
   RandomInputs relocated = random;
-  for (const ir::Resource& resource : program.resources) {
+  for (const Resource& resource : program.resources) {
     const auto elements =
         std::ranges::find(module.elements, program.vars[resource.var].name, &PeerElements::name);
     if (elements == module.elements.end() ||
-        !ir::IsStructured(ObjectTypeOf(program, resource.var).object))
+        !IsStructured(ObjectTypeOf(program, resource.var).object))
       continue;
     for (Buffer& buffer : relocated.buffers[resource.var.index])
       buffer = Relocated(program, resource.var, *elements, buffer);
   }
-  vulkan::DrawCall call =
-      vulkan::MakeDrawCall(changed, info, MakeInputs(changed, info, relocated, draw));
+  DrawCall call = vulkan::MakeDrawCall(changed, info, MakeInputs(changed, info, relocated, draw));
   GiveBlocks(program, module, reads, random, call);
   return call;
 }
 
-std::vector<Captured> PickOutputs(const ir::Program& program, const Module& module,
-                                  const std::vector<vulkan::Output>& outputs,
+std::vector<Captured> PickOutputs(const Program& program, const Module& module,
+                                  const std::vector<Output>& outputs,
                                   const std::vector<Captured>& captured) {
   const std::vector<const Vector*> vectors = Match(program.outputs, module.outputs);
   std::vector<Captured> picked;

@@ -13,8 +13,8 @@ namespace clipc::draw::peer {
 
 struct Module {
   std::string hlsl;
-  vulkan::Spirv declared;  // with all that the shader declares
-  vulkan::Spirv run;       // without what it does not use
+  Spirv declared;  // with all that the shader declares
+  Spirv run;       // without what it does not use
   std::vector<PeerBlock> blocks;
   std::vector<PeerElements> elements;
   std::vector<Vector> inputs, outputs;
@@ -27,13 +27,13 @@ std::vector<const Vector*> Match(const std::vector<ir::IoVar>& list,
                                  const std::vector<Vector>& vectors);
 
 // A draw call with the values of `random` in the places where the peer's shader reads them.
-vulkan::DrawCall MakeDrawCall(const ir::Program& program, const Module& module,
-                              const RandomInputs& random, const RandomOptions& draw);
+DrawCall MakeDrawCall(const ir::Program& program, const Module& module, const RandomInputs& random,
+                      const RandomOptions& draw);
 
 // What was captured of the peer's outputs, in the order of program.outputs. An output that the peer
 // does not write has no words.
 std::vector<Captured> PickOutputs(const ir::Program& program, const Module& module,
-                                  const std::vector<vulkan::Output>& outputs,
+                                  const std::vector<Output>& outputs,
                                   const std::vector<Captured>& captured);
 
 }  // namespace clipc::draw::peer

@@ -1,25 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "tools/draw/peer/known_bugs.h"
 
-#include <array>
 #include <cstdlib>
 #include <cstring>
 #include <regex>
 #include <variant>
 
+#include "ir/builder.h"
 #include "ir/scalar.h"
 
 namespace clipc::draw::peer {
 namespace {
 
-using ir::BinaryOp;
-using ir::ExprId;
-using ir::Intrinsic;
+using namespace ir;
 
 // An expression that stands in two places is evaluated twice: the result is for the evaluator only.
 class Rewriter {
  public:
-  explicit Rewriter(ir::Program& program) : program_(program) {}
+  explicit Rewriter(Program& program) : program_(program) {}
 
   std::set<std::string> Run() {
     std::vector<ExprId> all;
@@ -30,78 +28,65 @@ class Rewriter {
 
  private:
   void Rewrite(ExprId id) {
-    const ir::Expr expr = program_.exprs[id];
-    if (const auto* binary = std::get_if<ir::Binary>(&expr.node)) {
-      const ir::Type& type = program_.types[expr.type];
-      const bool is_float = ir::BaseOf(type.scalar) == ir::Scalar::kFloat;
-      if (binary->op == BinaryOp::kMod && is_float)
-        Replace(id, "float-remainder", Remainder(expr, binary->left, binary->right));
-      if (binary->op == BinaryOp::kMul && type.kind == ir::TypeKind::kMatrix) {
+    const Expr expr = program_.exprs[id];
+    Builder make(program_, expr.span);
+    if (const auto* binary = std::get_if<Binary>(&expr.node)) {
+      const Type& type = program_.types[expr.type];
+      if (binary->op == BinaryOp::kMod && BaseOf(type.scalar) == Scalar::kFloat)
+        Replace(id, "float-remainder", Remainder(make, expr.type, binary->left, binary->right));
+      if (binary->op == BinaryOp::kMul && type.kind == TypeKind::kMatrix) {
         // The peer's matrices are the transposed ones.
         Replace(id, "matrix-product",
-                ir::IntrinsicCall{Intrinsic::kMul,
-                                  program_.expr_lists.Add({binary->right, binary->left})});
+                make.IntrinsicOf(Intrinsic::kMul, expr.type, {binary->right, binary->left}));
       }
-    } else if (const auto* call = std::get_if<ir::IntrinsicCall>(&expr.node)) {
+    } else if (const auto* call = std::get_if<IntrinsicCall>(&expr.node)) {
       const auto argument = [&](std::size_t i) { return program_.expr_lists[call->arguments][i]; };
       if (call->op == Intrinsic::kFmod)
-        Replace(id, "float-remainder", Remainder(expr, argument(0), argument(1)));
+        Replace(id, "float-remainder", Remainder(make, expr.type, argument(0), argument(1)));
       if (call->op == Intrinsic::kLit)
-        Replace(id, "lit", Lit(expr, {argument(0), argument(1), argument(2)}));
+        Replace(id, "lit", Lit(make, expr.type, argument(0), argument(1), argument(2)));
     }
   }
 
-  using Node = decltype(ir::Expr::node);
-
-  void Replace(ExprId id, const char* name, Node node) {
-    program_.exprs[id].node = std::move(node);
+  void Replace(ExprId id, const char* name, ExprId by) {
+    program_.exprs[id].node = program_.exprs[by].node;
     names_.insert(name);
   }
 
-  ExprId Add(const ir::Expr& like, Node node) {
-    return program_.exprs.Add({like.type, like.span, std::move(node)});
-  }
-  ExprId Call(const ir::Expr& like, Intrinsic op, std::initializer_list<ExprId> arguments) {
-    return Add(like, ir::IntrinsicCall{op, program_.expr_lists.Add(arguments)});
-  }
-
   // Rounds the quotient down and not towards zero.
-  Node Remainder(const ir::Expr& expr, ExprId left, ExprId right) {
+  static ExprId Remainder(Builder& make, TypeId type, ExprId left, ExprId right) {
     const ExprId quotient =
-        Call(expr, Intrinsic::kFloor, {Add(expr, ir::Binary{BinaryOp::kDiv, left, right})});
-    return ir::Binary{BinaryOp::kSub, left, Add(expr, ir::Binary{BinaryOp::kMul, right, quotient})};
+        make.IntrinsicOf(Intrinsic::kFloor, type, {make.BinaryOf(BinaryOp::kDiv, left, right)});
+    return make.BinaryOf(BinaryOp::kSub, left, make.BinaryOf(BinaryOp::kMul, right, quotient));
   }
 
   // Multiplies by the exponent.
-  Node Lit(const ir::Expr& expr, const std::array<ExprId, 3>& arguments) {
-    const ir::Expr scalar{program_.types.Make(ir::Scalar::kFloat), expr.span, {}};
-    const ExprId zero = Add(scalar, ir::Literal{ir::BitsOf(0.0f)}),
-                 one = Add(scalar, ir::Literal{ir::BitsOf(1.0f)});
-    const auto product = [&](ExprId left, ExprId right) {
-      return Add(scalar, ir::Binary{BinaryOp::kMul, left, right});
+  static ExprId Lit(Builder& make, TypeId type, ExprId diffuse, ExprId shine, ExprId exponent) {
+    const TypeId scalar = make.TypeOf(diffuse);
+    const ExprId zero = make.Float(0), one = make.Float(1);
+    const auto step = [&](ExprId x) {
+      return make.IntrinsicOf(Intrinsic::kStep, scalar, {zero, x});
     };
-    const ExprId is_lit = product(Call(scalar, Intrinsic::kStep, {zero, arguments[0]}),
-                                  Call(scalar, Intrinsic::kStep, {zero, arguments[1]}));
-    const ExprId specular = product(is_lit, product(arguments[1], arguments[2]));
-    return ir::Construct{program_.expr_lists.Add(
-        {one, Call(scalar, Intrinsic::kMax, {arguments[0], zero}), specular, one})};
+    const ExprId is_lit = make.BinaryOf(BinaryOp::kMul, step(diffuse), step(shine)),
+                 specular = make.BinaryOf(BinaryOp::kMul, shine, exponent);
+    return make.ConstructOf(type, {one, make.IntrinsicOf(Intrinsic::kMax, scalar, {diffuse, zero}),
+                                   make.BinaryOf(BinaryOp::kMul, is_lit, specular), one});
   }
 
-  ir::Program& program_;
+  Program& program_;
   std::set<std::string> names_;
 };
 
 }  // namespace
 
-bool GiveInitialValues(const ir::Program& program, const std::vector<PeerBlock>& blocks,
+bool GiveInitialValues(const Program& program, const std::vector<PeerBlock>& blocks,
                        const std::string& hlsl, RandomInputs& random) {
   bool any = false;
-  for (const ir::CbufferId id : program.cbuffers.ids()) {
-    const ir::Cbuffer& cbuffer = program.cbuffers[id];
+  for (const CbufferId id : program.cbuffers.ids()) {
+    const Cbuffer& cbuffer = program.cbuffers[id];
     const PeerBlock* block = Find(blocks, cbuffer);
     for (const Member& member : MembersOf(program, cbuffer)) {
-      if (cbuffer.kind != ir::CbufferKind::kGlobals ||
-          (block && block->members.contains(member.name)))
+      if (cbuffer.kind != CbufferKind::kGlobals || (block && block->members.contains(member.name)))
         continue;
       std::smatch found;
       if (!std::regex_search(
@@ -109,9 +94,9 @@ bool GiveInitialValues(const ir::Program& program, const std::vector<PeerBlock>&
               std::regex("\\bconst\\s+\\w+\\s+" + member.name + "\\s*=\\s*([-+.\\w]+)\\s*;")))
         continue;
       const double number = std::strtod(found[1].str().c_str(), nullptr);
-      const ir::Scalar kind = program.types[member.type].scalar;
-      const auto word = static_cast<std::uint32_t>(
-          ir::ConvertBits(ir::BitsOf(number), ir::Scalar::kDouble, ir::BaseOf(kind)));
+      const Scalar kind = program.types[member.type].scalar;
+      const auto word =
+          static_cast<std::uint32_t>(ConvertBits(BitsOf(number), Scalar::kDouble, BaseOf(kind)));
       std::memcpy(&random.cbuffers[id.index].at(member.offset + 3) - 3, &word, 4);
       any = true;
     }
@@ -119,6 +104,6 @@ bool GiveInitialValues(const ir::Program& program, const std::vector<PeerBlock>&
   return any;
 }
 
-std::set<std::string> ApplyValueBugs(ir::Program& program) { return Rewriter(program).Run(); }
+std::set<std::string> ApplyValueBugs(Program& program) { return Rewriter(program).Run(); }
 
 }  // namespace clipc::draw::peer

@@ -11,21 +11,23 @@
 namespace clipc::draw::peer {
 namespace {
 
+using spirv_cross::Compiler;
+using spirv_cross::Resource;
 using spirv_cross::SPIRType;
 
 // Collects the bytes of a value's components.
 class Walker {
  public:
-  explicit Walker(const spirv_cross::Compiler& compiler) : compiler_(compiler) {}
+  explicit Walker(const Compiler& compiler) : compiler_(compiler) {}
 
-  std::vector<std::uint32_t> Walk(const SPIRType& structure, std::uint32_t member) {
+  Offsets Walk(const SPIRType& structure, std::uint32_t member) {
     bytes_.clear();
     Member(structure, member, 0);
     return bytes_;
   }
 
   // Of the array that is the structure's first member.
-  std::vector<std::uint32_t> WalkElement(const SPIRType& structure) {
+  Offsets WalkElement(const SPIRType& structure) {
     bytes_.clear();
     Value(compiler_.get_type(structure.member_types[0]).parent_type, MatrixOf(structure, 0), 0);
     return bytes_;
@@ -69,12 +71,11 @@ class Walker {
     }
   }
 
-  const spirv_cross::Compiler& compiler_;
-  std::vector<std::uint32_t> bytes_;
+  const Compiler& compiler_;
+  Offsets bytes_;
 };
 
-PeerBlock BlockOf(const spirv_cross::Compiler& compiler, const spirv_cross::Resource& resource,
-                  bool is_storage) {
+PeerBlock BlockOf(const Compiler& compiler, const Resource& resource, bool is_storage) {
   const SPIRType& type = compiler.get_type(resource.base_type_id);
   PeerBlock block;
   const std::string variable = compiler.get_name(resource.id);
@@ -82,7 +83,7 @@ PeerBlock BlockOf(const spirv_cross::Compiler& compiler, const spirv_cross::Reso
   block.is_storage = is_storage;
   Walker walker(compiler);
   for (std::uint32_t i = 0; i < type.member_types.size(); ++i) {
-    std::vector<std::uint32_t>& bytes = block.members[compiler.get_member_name(type.self, i)];
+    Offsets& bytes = block.members[compiler.get_member_name(type.self, i)];
     bytes = walker.Walk(type, i);
     for (const std::uint32_t byte : bytes)
       block.size = std::max(block.size, (byte + 4 + 15) / 16 * 16);
@@ -91,7 +92,7 @@ PeerBlock BlockOf(const spirv_cross::Compiler& compiler, const spirv_cross::Reso
 }
 
 // Structured buffers hold one array of that name; tbuffers have the names of their members.
-bool IsStructured(const spirv_cross::Compiler& compiler, const spirv_cross::Resource& resource) {
+bool IsStructured(const Compiler& compiler, const Resource& resource) {
   const SPIRType& type = compiler.get_type(resource.base_type_id);
   return !type.member_types.empty() && compiler.get_member_name(type.self, 0).starts_with('@');
 }
@@ -119,9 +120,7 @@ std::vector<Vector> Count(const std::vector<Variable>& variables) {
   std::vector<Vector> all;
   for (const auto& [path, semantic, location, locations] : variables) {
     const std::size_t digits = semantic.find_last_not_of("0123456789") + 1;
-    const std::uint32_t first =
-        digits < semantic.size() ? static_cast<std::uint32_t>(std::stoul(semantic.substr(digits)))
-                                 : 0;
+    const std::uint32_t first = digits < semantic.size() ? std::stoul(semantic.substr(digits)) : 0;
     std::uint32_t& next = used[WithoutIndices(path)];
     for (std::uint32_t i = 0; i < locations; ++i) {
       all.push_back({semantic.empty() ? "" : KeyOf(semantic.substr(0, digits), first + next++),
@@ -140,23 +139,23 @@ std::string KeyOf(const std::string& semantic, std::uint32_t index) {
   return key;
 }
 
-std::vector<PeerBlock> BlocksOf(const vulkan::Spirv& spirv) {
-  return vulkan::Reflected(spirv, [](const spirv_cross::Compiler& compiler) {
+std::vector<PeerBlock> BlocksOf(const Spirv& spirv) {
+  return vulkan::Reflected(spirv, [](const Compiler& compiler) {
     const spirv_cross::ShaderResources resources = compiler.get_shader_resources();
     std::vector<PeerBlock> blocks;
-    for (const spirv_cross::Resource& resource : resources.uniform_buffers)
+    for (const Resource& resource : resources.uniform_buffers)
       blocks.push_back(BlockOf(compiler, resource, false));
-    for (const spirv_cross::Resource& resource : resources.storage_buffers) {
+    for (const Resource& resource : resources.storage_buffers) {
       if (!IsStructured(compiler, resource)) blocks.push_back(BlockOf(compiler, resource, true));
     }
     return blocks;
   });
 }
 
-std::vector<PeerElements> ElementsOf(const vulkan::Spirv& spirv) {
-  return vulkan::Reflected(spirv, [](const spirv_cross::Compiler& compiler) {
+std::vector<PeerElements> ElementsOf(const Spirv& spirv) {
+  return vulkan::Reflected(spirv, [](const Compiler& compiler) {
     std::vector<PeerElements> all;
-    for (const spirv_cross::Resource& resource : compiler.get_shader_resources().storage_buffers) {
+    for (const Resource& resource : compiler.get_shader_resources().storage_buffers) {
       if (!IsStructured(compiler, resource)) continue;
       const SPIRType& type = compiler.get_type(resource.base_type_id);
       const spirv_cross::TypeID array = type.member_types[0];
@@ -168,17 +167,17 @@ std::vector<PeerElements> ElementsOf(const vulkan::Spirv& spirv) {
   });
 }
 
-std::vector<Vector> InputsOf(const vulkan::Spirv& declared) {
+std::vector<Vector> InputsOf(const Spirv& declared) {
   std::vector<Variable> variables;
-  for (const vulkan::Reads::Attribute& read : vulkan::ReadsOf(declared).attributes) {
+  for (const Reads::Attribute& read : vulkan::ReadsOf(declared).attributes) {
     variables.push_back({read.name, read.semantic, read.location, read.locations});
   }
   return Count(variables);
 }
 
-std::vector<Vector> OutputsOf(const vulkan::Spirv& declared) {
+std::vector<Vector> OutputsOf(const Spirv& declared) {
   std::vector<Variable> variables;
-  for (const vulkan::Output& output : vulkan::OutputsOf(declared)) {
+  for (const Output& output : vulkan::OutputsOf(declared)) {
     if (!output.location) continue;
     variables.push_back({output.name, output.semantic, *output.location,
                          static_cast<std::uint32_t>(output.count * output.shape.columns)});

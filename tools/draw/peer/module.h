@@ -6,11 +6,21 @@
 #include <string>
 #include <vector>
 
+#include "tools/draw/vulkan/run.h"
 #include "tools/draw/vulkan/spirv.h"
 
 // What another compiler made of a shader, in terms of the HLSL: semantics, names of buffers, names
 // of members.
 namespace clipc::draw::peer {
+
+using vulkan::DescriptorKind;
+using vulkan::DrawCall;
+using vulkan::Output;
+using vulkan::Reads;
+using vulkan::Runner;
+using vulkan::Spirv;
+
+using Offsets = std::vector<std::uint32_t>;  // in bytes, of the components of a value
 
 // A cbuffer, tbuffer or ConstantBuffer.
 struct PeerBlock {
@@ -19,17 +29,17 @@ struct PeerBlock {
   bool is_storage = false;  // a tbuffer
   // By the member's name, the byte of each of its components, in the order of the value: elements,
   // fields, and of a matrix row after row of the HLSL matrix.
-  std::map<std::string, std::vector<std::uint32_t>> members;
+  std::map<std::string, Offsets> members;
 };
-std::vector<PeerBlock> BlocksOf(const vulkan::Spirv& spirv);
+std::vector<PeerBlock> BlocksOf(const Spirv& spirv);
 
 // A StructuredBuffer.
 struct PeerElements {
   std::string name;
   std::uint32_t stride = 0;
-  std::vector<std::uint32_t> bytes;  // of an element's components, in the order of the value
+  Offsets bytes;  // of an element's components, in the order of the value
 };
-std::vector<PeerElements> ElementsOf(const vulkan::Spirv& spirv);
+std::vector<PeerElements> ElementsOf(const Spirv& spirv);
 
 // A vector that the shader reads or writes. An array counts as one vector for each element, a
 // matrix as one for each row.
@@ -41,7 +51,7 @@ struct Vector {
 std::string KeyOf(const std::string& semantic, std::uint32_t index);
 // The inputs and outputs of a module with all that the shader declares: where no variable was left
 // out, elements of arrays can be counted.
-std::vector<Vector> InputsOf(const vulkan::Spirv& declared);
-std::vector<Vector> OutputsOf(const vulkan::Spirv& declared);
+std::vector<Vector> InputsOf(const Spirv& declared);
+std::vector<Vector> OutputsOf(const Spirv& declared);
 
 }  // namespace clipc::draw::peer

@@ -11,31 +11,30 @@
 namespace clipc::draw::peer {
 namespace {
 
-std::vector<std::uint32_t> BytesOf(const ir::Program& program, const Member& member) {
-  std::vector<std::uint32_t> bytes;
+using namespace ir;
+
+Offsets BytesOf(const Program& program, const Member& member) {
+  Offsets bytes;
   ForEachComponent(program.types, member.type, member.row_major, member.offset,
-                   [&](ir::Scalar, std::uint32_t byte) { bytes.push_back(byte); });
+                   [&](Scalar, std::uint32_t byte) { bytes.push_back(byte); });
   return bytes;
 }
 
 // Of an element of a structured buffer.
-std::vector<std::uint32_t> BytesOf(const ir::Program& program, ir::VarId var) {
-  std::vector<std::uint32_t> bytes;
-  ForEachStructured(
+Offsets BytesOf(const Program& program, VarId var) {
+  Offsets bytes;
+  ForEachComponent(
       program.types, ObjectTypeOf(program, var).element, program.vars[var].row_major, 0,
-      [&](ir::Scalar kind, std::uint32_t byte) {
-        const ir::Scalar base = ir::BaseOf(kind);
-        if (base == ir::Scalar::kDouble || base == ir::Scalar::kInt64 ||
-            base == ir::Scalar::kUint64) {
+      [&](Scalar kind, std::uint32_t byte) {
+        if (ByteSize(kind) == 8)
           throw DrawError("64-bit parts of a structured buffer, which no test lets a peer read");
-        }
         bytes.push_back(byte);
-      });
+      },
+      Packing::kStructured);
   return bytes;
 }
 
-const std::vector<std::uint32_t>& PeerBytes(const PeerBlock& block, const Member& member,
-                                            std::size_t count) {
+const Offsets& PeerBytes(const PeerBlock& block, const Member& member, std::size_t count) {
   const auto found = block.members.find(member.name);
   if (found == block.members.end())
     throw DrawError("the peer's " + block.name + " has no `" + member.name + "`");
@@ -45,34 +44,34 @@ const std::vector<std::uint32_t>& PeerBytes(const PeerBlock& block, const Member
 }
 
 // Whether the peer made a global constant of the member, and not a uniform.
-bool IsCompiledIn(const ir::Cbuffer& cbuffer, const PeerBlock& block, const Member& member) {
-  return cbuffer.kind == ir::CbufferKind::kGlobals && !block.members.contains(member.name);
+bool IsCompiledIn(const Cbuffer& cbuffer, const PeerBlock& block, const Member& member) {
+  return cbuffer.kind == CbufferKind::kGlobals && !block.members.contains(member.name);
 }
 
 }  // namespace
 
-std::vector<Member> MembersOf(const ir::Program& program, const ir::Cbuffer& cbuffer) {
+std::vector<Member> MembersOf(const Program& program, const Cbuffer& cbuffer) {
   std::vector<Member> members;
-  if (cbuffer.kind != ir::CbufferKind::kConstantBuffer) {
-    for (const ir::CbufferMember& member : cbuffer.members) {
-      const ir::Var& var = program.vars[member.var];
+  if (cbuffer.kind != CbufferKind::kConstantBuffer) {
+    for (const CbufferMember& member : cbuffer.members) {
+      const Var& var = program.vars[member.var];
       members.push_back({var.name, var.type, var.row_major, member.offset});
     }
     return members;
   }
-  const ir::TypeId type = program.types.Innermost(program.vars[cbuffer.members.at(0).var].type);
-  const ir::StructId structure = program.types[type].structure;
+  const TypeId type = program.types.Innermost(program.vars[cbuffer.members.at(0).var].type);
+  const StructId structure = program.types[type].structure;
   const auto& fields = program.types[structure].fields;
   for (std::uint32_t i = 0; i < fields.size(); ++i) {
     members.push_back({fields[i].name, fields[i].type, fields[i].row_major,
-                       ir::FieldOffset(program.types, structure, i)});
+                       FieldOffset(program.types, structure, i)});
   }
   return members;
 }
 
-const PeerBlock* Find(const std::vector<PeerBlock>& blocks, const ir::Cbuffer& cbuffer) {
+const PeerBlock* Find(const std::vector<PeerBlock>& blocks, const Cbuffer& cbuffer) {
   const bool is_loose =
-      cbuffer.kind == ir::CbufferKind::kGlobals || cbuffer.kind == ir::CbufferKind::kParams;
+      cbuffer.kind == CbufferKind::kGlobals || cbuffer.kind == CbufferKind::kParams;
   // glslang cuts this one name short.
   const std::string name = is_loose                           ? "$Global"
                            : cbuffer.name == "ConstantBuffer" ? "C"
@@ -81,20 +80,20 @@ const PeerBlock* Find(const std::vector<PeerBlock>& blocks, const ir::Cbuffer& c
   return found == blocks.end() ? nullptr : &*found;
 }
 
-void Relocate(const ir::Program& program, const ir::Cbuffer& cbuffer, const PeerBlock& block,
-              const std::uint8_t* from, std::vector<std::uint8_t>& to) {
+void Relocate(const Program& program, const Cbuffer& cbuffer, const PeerBlock& block,
+              const std::uint8_t* from, Bytes& to) {
   for (const Member& member : MembersOf(program, cbuffer)) {
     if (IsCompiledIn(cbuffer, block, member)) continue;
-    const std::vector<std::uint32_t> ours = BytesOf(program, member);
-    const std::vector<std::uint32_t>& theirs = PeerBytes(block, member, ours.size());
+    const Offsets ours = BytesOf(program, member);
+    const Offsets& theirs = PeerBytes(block, member, ours.size());
     for (std::size_t i = 0; i < ours.size(); ++i)
       std::memcpy(&to.at(theirs[i] + 3) - 3, from + ours[i], 4);
   }
 }
 
-Buffer Relocated(const ir::Program& program, ir::VarId var, const PeerElements& elements,
+Buffer Relocated(const Program& program, VarId var, const PeerElements& elements,
                  const Buffer& buffer) {
-  const std::vector<std::uint32_t> ours = BytesOf(program, var);
+  const Offsets ours = BytesOf(program, var);
   if (ours.size() != elements.bytes.size())
     throw DrawError("the peer's `" + elements.name + "` has other elements");
   const std::size_t stride =

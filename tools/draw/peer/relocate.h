@@ -29,7 +29,7 @@ const PeerBlock* Find(const std::vector<PeerBlock>& blocks, const ir::Cbuffer& c
 // Copies the members of the cbuffer, whose bytes are `from`, to where the peer reads them. Throws
 // DrawError when the two disagree on what the members are.
 void Relocate(const ir::Program& program, const ir::Cbuffer& cbuffer, const PeerBlock& block,
-              const std::uint8_t* from, std::vector<std::uint8_t>& to);
+              const std::uint8_t* from, Bytes& to);
 // The elements of a structured buffer, laid out as the peer reads them.
 Buffer Relocated(const ir::Program& program, ir::VarId var, const PeerElements& elements,
                  const Buffer& buffer);

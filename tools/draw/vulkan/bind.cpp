@@ -10,7 +10,7 @@
 namespace clipc::draw::vulkan {
 namespace {
 
-using ir::ObjectKind;
+using namespace ir;
 
 template <typename Value>
 const Value& Find(const std::vector<Value>& values, const std::string& name) {
@@ -26,31 +26,31 @@ std::uint32_t Require(const std::optional<std::uint32_t>& number, const std::str
 
 class Binder {
  public:
-  Binder(const ir::Program& program, const Inputs& inputs, DrawCall& call)
+  Binder(const Program& program, const Inputs& inputs, DrawCall& call)
       : program_(program), inputs_(inputs), call_(call) {}
 
-  void Bind(const glsl::GlslInfo::Block& block) {
+  void Bind(const GlslInfo::Block& block) {
     const std::uint32_t count = program_.cbuffers[block.cbuffer].count;
     for (std::uint32_t i = 0; i < count; ++i) {
       const std::string name = count == 1 ? block.name : block.name + "[" + std::to_string(i) + "]";
-      Add(block, i, DrawCall::Kind::kUniforms).bytes = Find(inputs_.blocks, name).bytes;
+      Add(block, i, DescriptorKind::kUniforms).bytes = Find(inputs_.blocks, name).bytes;
     }
   }
 
-  void Bind(const glsl::GlslInfo::Object& object) {
-    const ir::VarId var = object.texture ? object.texture : object.sampler;
+  void Bind(const GlslInfo::Object& object) {
+    const VarId var = object.texture ? object.texture : object.sampler;
     const ObjectKind kind = ObjectTypeOf(program_, var).object;
     const std::vector<std::string> indices = ElementIndices(program_, var);
     for (std::uint32_t i = 0; i < indices.size(); ++i) {
       const std::string name = object.name + indices[i];
       if (!object.texture) {
-        Add(object, i, DrawCall::Kind::kSampler).compares = kind == ObjectKind::kSamplerComparison;
-      } else if (ir::IsStorageBuffer(kind)) {
-        Add(object, i, DrawCall::Kind::kStorage).bytes = Find(inputs_.storage, name).bytes;
+        Add(object, i, DescriptorKind::kSampler).compares = kind == ObjectKind::kSamplerComparison;
+      } else if (IsStorageBuffer(kind)) {
+        Add(object, i, DescriptorKind::kStorage).bytes = Find(inputs_.storage, name).bytes;
       } else {
-        const DrawCall::Kind how = kind == ObjectKind::kBuffer ? DrawCall::Kind::kTexels
-                                   : ir::IsSampler(kind)       ? DrawCall::Kind::kTextureWithSampler
-                                                               : DrawCall::Kind::kTexture;
+        const DescriptorKind how = kind == ObjectKind::kBuffer ? DescriptorKind::kTexels
+                                   : IsSampler(kind)           ? DescriptorKind::kTextureWithSampler
+                                                               : DescriptorKind::kTexture;
         Add(object, i, how).texture = Find(inputs_.textures, name);
       }
     }
@@ -58,20 +58,19 @@ class Binder {
 
  private:
   template <typename Written>
-  DrawCall::Descriptor& Add(const Written& written, std::uint32_t element, DrawCall::Kind kind) {
+  DrawCall::Descriptor& Add(const Written& written, std::uint32_t element, DescriptorKind kind) {
     return call_.descriptors.emplace_back(DrawCall::Descriptor{
         Require(written.set, written.name), Require(written.binding, written.name), element, kind});
   }
 
-  const ir::Program& program_;
+  const Program& program_;
   const Inputs& inputs_;
   DrawCall& call_;
 };
 
 }  // namespace
 
-DrawCall MakeDrawCall(const ir::Program& program, const glsl::GlslInfo& info,
-                      const Inputs& inputs) {
+DrawCall MakeDrawCall(const Program& program, const GlslInfo& info, const Inputs& inputs) {
   RefuseDriverBugs(program);
   DrawCall call;
   call.vertices = inputs.vertices;
@@ -79,19 +78,18 @@ DrawCall MakeDrawCall(const ir::Program& program, const glsl::GlslInfo& info,
   call.first_vertex = inputs.first_vertex;
   call.base_instance = inputs.base_instance;
   for (std::size_t i = 0; i < program.inputs.size(); ++i) {
-    if (program.inputs[i].builtin != ir::Builtin::kNone) continue;
-    const glsl::GlslInfo::Variable& written = info.inputs.at(i);
-    const ir::Scalar kind =
-        ir::BaseOf(program.types[program.vars[program.inputs[i].var].type].scalar);
-    if (kind == ir::Scalar::kDouble)
+    if (program.inputs[i].builtin != Builtin::kNone) continue;
+    const GlslInfo::Variable& written = info.inputs.at(i);
+    const Scalar kind = BaseOf(program.types[program.vars[program.inputs[i].var].type].scalar);
+    if (kind == Scalar::kDouble)
       throw DrawError("an attribute of doubles, which no test draws with");
-    const Shape::Kind words = kind == ir::Scalar::kBool ? Shape::Kind::kUint : KindOfTexels(kind);
+    const WordKind words = kind == Scalar::kBool ? WordKind::kUint : KindOfTexels(kind);
     call.attributes.push_back({Require(written.location, written.name), words,
                                Find(inputs.attributes, written.name).words});
   }
   Binder binder(program, inputs, call);
-  for (const glsl::GlslInfo::Block& block : info.blocks) binder.Bind(block);
-  for (const glsl::GlslInfo::Object& object : info.objects) binder.Bind(object);
+  for (const GlslInfo::Block& block : info.blocks) binder.Bind(block);
+  for (const GlslInfo::Object& object : info.objects) binder.Bind(object);
   return call;
 }
 

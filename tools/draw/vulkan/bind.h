@@ -8,6 +8,6 @@
 namespace clipc::draw::vulkan {
 
 // A draw call with `inputs` at the locations, sets and bindings that `info` has.
-DrawCall MakeDrawCall(const ir::Program& program, const glsl::GlslInfo& info, const Inputs& inputs);
+DrawCall MakeDrawCall(const ir::Program& program, const GlslInfo& info, const Inputs& inputs);
 
 }  // namespace clipc::draw::vulkan

@@ -7,14 +7,14 @@
 namespace clipc::draw::vulkan {
 namespace {
 
-vk::DescriptorType TypeOf(DrawCall::Kind kind) {
+vk::DescriptorType TypeOf(DescriptorKind kind) {
   switch (kind) {
-    case DrawCall::Kind::kUniforms: return vk::DescriptorType::eUniformBuffer;
-    case DrawCall::Kind::kStorage: return vk::DescriptorType::eStorageBuffer;
-    case DrawCall::Kind::kTexture: return vk::DescriptorType::eSampledImage;
-    case DrawCall::Kind::kSampler: return vk::DescriptorType::eSampler;
-    case DrawCall::Kind::kTextureWithSampler: return vk::DescriptorType::eCombinedImageSampler;
-    case DrawCall::Kind::kTexels: return vk::DescriptorType::eUniformTexelBuffer;
+    case DescriptorKind::kUniforms: return vk::DescriptorType::eUniformBuffer;
+    case DescriptorKind::kStorage: return vk::DescriptorType::eStorageBuffer;
+    case DescriptorKind::kTexture: return vk::DescriptorType::eSampledImage;
+    case DescriptorKind::kSampler: return vk::DescriptorType::eSampler;
+    case DescriptorKind::kTextureWithSampler: return vk::DescriptorType::eCombinedImageSampler;
+    case DescriptorKind::kTexels: return vk::DescriptorType::eUniformTexelBuffer;
   }
   return {};
 }
@@ -49,9 +49,8 @@ void Descriptors::MakeSets(const DrawCall& call) {
   for (const DrawCall::Descriptor& descriptor : call.descriptors) ++counts[TypeOf(descriptor.kind)];
   std::vector<vk::DescriptorPoolSize> sizes;
   for (const auto& [type, count] : counts) sizes.emplace_back(type, count);
-  pool_ = vk::raii::DescriptorPool(
-      device_.get(),
-      vk::DescriptorPoolCreateInfo({}, static_cast<std::uint32_t>(layouts_.size()), sizes));
+  pool_ = vk::raii::DescriptorPool(device_.get(),
+                                   vk::DescriptorPoolCreateInfo({}, layouts_.size(), sizes));
   const std::vector<vk::DescriptorSetLayout> layouts = Layouts();
   for (vk::raii::DescriptorSet& set :
        vk::raii::DescriptorSets(device_.get(), vk::DescriptorSetAllocateInfo(*pool_, layouts))) {
@@ -66,16 +65,16 @@ void Descriptors::Write(const DrawCall::Descriptor& given) {
   vk::DescriptorImageInfo image({}, {}, vk::ImageLayout::eShaderReadOnlyOptimal);
   vk::BufferView texels;
   switch (given.kind) {
-    case DrawCall::Kind::kUniforms:
-    case DrawCall::Kind::kStorage: {
-      const auto usage = given.kind == DrawCall::Kind::kUniforms
+    case DescriptorKind::kUniforms:
+    case DescriptorKind::kStorage: {
+      const auto usage = given.kind == DescriptorKind::kUniforms
                              ? vk::BufferUsageFlagBits::eUniformBuffer
                              : vk::BufferUsageFlagBits::eStorageBuffer;
       buffer.buffer = *buffers_.emplace_back(device_.NewBuffer(usage, given.bytes)).buffer;
       break;
     }
-    case DrawCall::Kind::kTexels: {
-      const std::vector<std::uint32_t>& words = given.texture.levels.at(0).words;
+    case DescriptorKind::kTexels: {
+      const Words& words = given.texture.levels.at(0).words;
       const auto* bytes = reinterpret_cast<const std::uint8_t*>(words.data());
       const Buffer& made = buffers_.emplace_back(device_.NewBuffer(
           vk::BufferUsageFlagBits::eUniformTexelBuffer, {bytes, 4 * words.size()}));
@@ -85,15 +84,13 @@ void Descriptors::Write(const DrawCall::Descriptor& given) {
       texels = *texels_.back();
       break;
     }
-    case DrawCall::Kind::kTexture:
-      image.imageView = *images_.emplace_back(UploadImage(device_, given.texture)).view;
-      break;
-    case DrawCall::Kind::kSampler:
-      image.sampler = *samplers_.emplace_back(MakeSampler(device_, given.compares));
-      break;
-    case DrawCall::Kind::kTextureWithSampler:
-      image.imageView = *images_.emplace_back(UploadImage(device_, given.texture)).view;
-      image.sampler = *samplers_.emplace_back(MakeSampler(device_, false));
+    case DescriptorKind::kTexture:
+    case DescriptorKind::kSampler:
+    case DescriptorKind::kTextureWithSampler:
+      if (given.kind != DescriptorKind::kSampler)
+        image.imageView = *images_.emplace_back(UploadImage(device_, given.texture)).view;
+      if (given.kind != DescriptorKind::kTexture)
+        image.sampler = *samplers_.emplace_back(MakeSampler(device_, given.compares));
       break;
   }
   write.pBufferInfo = &buffer;

@@ -4,12 +4,8 @@
 #include <algorithm>
 #include <cstring>
 
-#include "tools/harness/offscreen.h"
-
 namespace clipc::draw::vulkan {
 namespace {
-
-constexpr char kFeedback[] = VK_EXT_TRANSFORM_FEEDBACK_EXTENSION_NAME;
 
 // Never destroyed: that would unload the driver with memory that it does not free, and
 // LeakSanitizer, which could have followed its pointers, reports that.
@@ -22,84 +18,57 @@ const vk::raii::Instance& TheInstance() {
   return *instance;
 }
 
-bool HasFeedback(const vk::raii::PhysicalDevice& device) {
-  const auto extensions = device.enumerateDeviceExtensionProperties();
-  return std::any_of(extensions.begin(), extensions.end(),
-                     [](const vk::ExtensionProperties& extension) {
-                       return std::strcmp(extension.extensionName, kFeedback) == 0;
-                     });
-}
-
-vk::raii::PhysicalDevice Choose() {
+vk::raii::PhysicalDevice Choose(const char* extension, bool is_processor) {
   for (vk::raii::PhysicalDevice& device : vk::raii::PhysicalDevices(TheInstance())) {
+    const auto extensions = device.enumerateDeviceExtensionProperties();
+    const bool has_extension = std::ranges::any_of(extensions, [&](const auto& known) {
+      return std::strcmp(known.extensionName, extension) == 0;
+    });
     const vk::PhysicalDeviceProperties properties = device.getProperties();
-    const bool is_processor = properties.deviceType == vk::PhysicalDeviceType::eCpu;
-    if (is_processor && properties.apiVersion >= VK_API_VERSION_1_3 && HasFeedback(device))
+    if (has_extension && properties.apiVersion >= VK_API_VERSION_1_3 &&
+        (properties.deviceType == vk::PhysicalDeviceType::eCpu) == is_processor)
       return std::move(device);
   }
-  throw harness::DrawError(
-      "no Vulkan 1.3 on the processor; on Debian: apt-get install mesa-vulkan-drivers");
+  throw DrawError(std::string("no device has ") + extension);
 }
 
 std::uint32_t GraphicsFamily(const vk::raii::PhysicalDevice& device) {
   const auto families = device.getQueueFamilyProperties();
-  const auto found =
-      std::find_if(families.begin(), families.end(), [](const vk::QueueFamilyProperties& family) {
-        return static_cast<bool>(family.queueFlags & vk::QueueFlagBits::eGraphics);
-      });
-  return static_cast<std::uint32_t>(found - families.begin());
+  const auto found = std::ranges::find_if(families, [](const vk::QueueFamilyProperties& family) {
+    return static_cast<bool>(family.queueFlags & vk::QueueFlagBits::eGraphics);
+  });
+  return found - families.begin();
 }
 
 // With every feature that it has.
-vk::raii::Device Create(const vk::raii::PhysicalDevice& physical, std::uint32_t family) {
+vk::raii::Device Create(const vk::raii::PhysicalDevice& physical, std::uint32_t family,
+                        const char* extension) {
   const auto features =
       physical.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan11Features,
                             vk::PhysicalDeviceVulkan12Features, vk::PhysicalDeviceVulkan13Features,
-                            vk::PhysicalDeviceTransformFeedbackFeaturesEXT>();
+                            vk::PhysicalDeviceTransformFeedbackFeaturesEXT,
+                            vk::PhysicalDevicePipelineExecutablePropertiesFeaturesKHR>();
   const float priority = 1;
   const vk::DeviceQueueCreateInfo queue({}, family, 1, &priority);
-  const char* extensions[] = {kFeedback};
-  return {physical, vk::DeviceCreateInfo({}, queue, {}, extensions, nullptr,
+  return {physical, vk::DeviceCreateInfo({}, queue, {}, extension, nullptr,
                                          &features.get<vk::PhysicalDeviceFeatures2>())};
-}
-
-template <typename Make>
-auto Guarded(Make&& make) {
-  try {
-    return make();
-  } catch (const harness::DrawError&) {
-    throw;
-  } catch (const std::exception& error) {
-    throw harness::DrawError(std::string("no Vulkan: ") + error.what() +
-                             "; on Debian: apt-get install mesa-vulkan-drivers");
-  }
 }
 
 }  // namespace
 
-Device::Device() {
-  Guarded([&] {
-    physical_ = Choose();
-    family_ = GraphicsFamily(physical_);
-    device_ = Create(physical_, family_);
-    queue_ = device_.getQueue(family_, 0);
-  });
+Device::Device(const char* extension, bool is_processor) try {
+  physical_ = Choose(extension, is_processor);
+  family_ = GraphicsFamily(physical_);
+  device_ = Create(physical_, family_, extension);
+  queue_ = device_.getQueue(family_, 0);
+} catch (const std::exception& error) {
+  throw NoDevice(std::string("no Vulkan 1.3: ") + error.what() +
+                 "; on Debian: apt-get install mesa-vulkan-drivers");
 }
 
-std::uint32_t Device::MostFeedbackStride() const {
-  const auto properties =
-      physical_.getProperties2<vk::PhysicalDeviceProperties2,
-                               vk::PhysicalDeviceTransformFeedbackPropertiesEXT>();
-  return properties.get<vk::PhysicalDeviceTransformFeedbackPropertiesEXT>()
-      .maxTransformFeedbackBufferDataStride;
-}
-
-std::uint32_t Device::MostFeedbackBuffers() const {
-  const auto properties =
-      physical_.getProperties2<vk::PhysicalDeviceProperties2,
-                               vk::PhysicalDeviceTransformFeedbackPropertiesEXT>();
-  return properties.get<vk::PhysicalDeviceTransformFeedbackPropertiesEXT>()
-      .maxTransformFeedbackBuffers;
+vk::PhysicalDeviceTransformFeedbackPropertiesEXT Device::FeedbackLimits() const {
+  using Limits = vk::PhysicalDeviceTransformFeedbackPropertiesEXT;
+  return physical_.getProperties2<vk::PhysicalDeviceProperties2, Limits>().get<Limits>();
 }
 
 vk::raii::DeviceMemory Device::Allocate(const vk::MemoryRequirements& requirements) const {
@@ -111,7 +80,7 @@ vk::raii::DeviceMemory Device::Allocate(const vk::MemoryRequirements& requiremen
     if (fits && (memory.memoryTypes[i].propertyFlags & kWanted) == kWanted)
       return {device_, vk::MemoryAllocateInfo(requirements.size, i)};
   }
-  throw harness::DrawError("Vulkan has no memory that the host can write");
+  throw DrawError("Vulkan has no memory that the host can write");
 }
 
 Buffer Device::NewBuffer(vk::BufferUsageFlags usage, std::span<const std::uint8_t> bytes) const {
@@ -122,13 +91,13 @@ Buffer Device::NewBuffer(vk::BufferUsageFlags usage, std::span<const std::uint8_
   made.buffer.bindMemory(*made.memory, 0);
   auto* mapped = static_cast<std::uint8_t*>(made.memory.mapMemory(0, VK_WHOLE_SIZE));
   std::memset(mapped, 0, made.size);
-  std::copy(bytes.begin(), bytes.end(), mapped);
+  std::ranges::copy(bytes, mapped);
   made.memory.unmapMemory();
   return made;
 }
 
-std::vector<std::uint32_t> Device::Read(const Buffer& buffer) const {
-  std::vector<std::uint32_t> words(buffer.size / 4);
+Words Device::Read(const Buffer& buffer) const {
+  Words words(buffer.size / 4);
   std::memcpy(words.data(), buffer.memory.mapMemory(0, VK_WHOLE_SIZE), 4 * words.size());
   buffer.memory.unmapMemory();
   return words;

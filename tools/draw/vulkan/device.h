@@ -8,6 +8,8 @@
 
 #include <vulkan/vulkan_raii.hpp>
 
+#include "tools/draw/vulkan/run.h"
+
 // Only files of this folder include this header: compiling vulkan_raii.hpp takes seconds.
 namespace clipc::draw::vulkan {
 
@@ -18,19 +20,21 @@ struct Buffer {
   std::size_t size = 0;
 };
 
-// A Vulkan device that is a processor and has transform feedback: Mesa's lavapipe.
+// A Vulkan 1.3 device.
 class Device {
  public:
-  Device();  // throws DrawError when there is none
+  // The first that has that extension. Throws NoDevice when there is none.
+  Device(const char* extension, bool is_processor);
+  // A processor with transform feedback: Mesa's lavapipe.
+  Device() : Device(VK_EXT_TRANSFORM_FEEDBACK_EXTENSION_NAME, true) {}
 
   const vk::raii::Device& get() const { return device_; }
   std::string name() const { return physical_.getProperties().deviceName; }
-  std::uint32_t MostFeedbackStride() const;
-  std::uint32_t MostFeedbackBuffers() const;
+  vk::PhysicalDeviceTransformFeedbackPropertiesEXT FeedbackLimits() const;
 
   // Makes a buffer of these bytes, and of 16 at least, so that an empty one can be bound.
   Buffer NewBuffer(vk::BufferUsageFlags usage, std::span<const std::uint8_t> bytes) const;
-  std::vector<std::uint32_t> Read(const Buffer& buffer) const;
+  Words Read(const Buffer& buffer) const;
   vk::raii::DeviceMemory Allocate(const vk::MemoryRequirements& requirements) const;
 
   // Records commands, runs them and waits.

@@ -9,39 +9,39 @@
 namespace clipc::draw::vulkan {
 namespace {
 
-using ir::TypeKind;
+using namespace ir;
 
-bool IsArrayOfArrays(const ir::TypeTable& types, ir::TypeId id) {
+bool IsArrayOfArrays(const TypeTable& types, TypeId id) {
   return types[id].kind == TypeKind::kArray && types[types[id].element].kind == TypeKind::kArray;
 }
 
 // A gather's (texture, sampler, coordinate, and four offsets): no other call has seven arguments.
-bool HasFourOffsets(const ir::Program& program, const ir::ObjectCall& call) {
-  return ir::TakesSampler(call.op) && program.expr_lists[call.arguments].size() == 7;
+bool HasFourOffsets(const Program& program, const ObjectCall& call) {
+  return TakesSampler(call.op) && program.expr_lists[call.arguments].size() == 7;
 }
 
 // Whether it is an element of an array, or another texture has a lower register.
-bool MayNotBeTheFirst(const ir::Program& program, ir::ExprId object) {
-  const auto* ref = std::get_if<ir::VarRef>(&program.exprs[object].node);
+bool MayNotBeTheFirst(const Program& program, ExprId object) {
+  const auto* ref = std::get_if<VarRef>(&program.exprs[object].node);
   if (!ref) return true;
-  const auto register_of = [](const ir::Resource& resource) {
+  const auto register_of = [](const Resource& resource) {
     return std::pair(resource.reg.space, resource.reg.number);
   };
-  const auto self = std::ranges::find(program.resources, ref->var, &ir::Resource::var);
-  return std::ranges::any_of(program.resources, [&](const ir::Resource& other) {
+  const auto self = std::ranges::find(program.resources, ref->var, &Resource::var);
+  return std::ranges::any_of(program.resources, [&](const Resource& other) {
     return other.reg.letter == 't' && register_of(other) < register_of(*self);
   });
 }
 
 }  // namespace
 
-void RefuseDriverBugs(const ir::Program& program) {
-  for (const ir::Resource& resource : program.resources) {
+void RefuseDriverBugs(const Program& program) {
+  for (const Resource& resource : program.resources) {
     if (!IsArrayOfArrays(program.types, program.vars[resource.var].type)) continue;
     throw harness::DrawError("an array of arrays of textures, which lavapipe does not read");
   }
-  for (const ir::ExprId id : program.exprs.ids()) {
-    const auto* call = std::get_if<ir::ObjectCall>(&program.exprs[id].node);
+  for (const ExprId id : program.exprs.ids()) {
+    const auto* call = std::get_if<ObjectCall>(&program.exprs[id].node);
     if (!call || !HasFourOffsets(program, *call) ||
         !MayNotBeTheFirst(program, program.expr_lists[call->arguments][0]))
       continue;

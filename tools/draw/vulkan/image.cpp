@@ -34,7 +34,7 @@ vk::Extent3D ExtentOf(const Form& form, const Inputs::Texture::Level& level) {
 }
 
 std::uint32_t LayersOf(const Form& form, const Inputs::Texture::Level& level) {
-  return form.axes < 3 ? form.faces * level.size[static_cast<std::size_t>(form.axes)] : 1;
+  return form.axes < 3 ? form.faces * level.size[form.axes] : 1;
 }
 
 void Transition(const vk::raii::CommandBuffer& commands, const Image& image,
@@ -51,16 +51,16 @@ void Transition(const vk::raii::CommandBuffer& commands, const Image& image,
 
 vk::Format FormatOf(const Inputs::Texture& texture) {
   switch (texture.kind) {
-    case Shape::Kind::kInt: return vk::Format::eR32G32B32A32Sint;
-    case Shape::Kind::kUint: return vk::Format::eR32G32B32A32Uint;
-    case Shape::Kind::kFloat: break;
+    case WordKind::kInt: return vk::Format::eR32G32B32A32Sint;
+    case WordKind::kUint: return vk::Format::eR32G32B32A32Uint;
+    case WordKind::kFloat: break;
   }
   return vk::Format::eR32G32B32A32Sfloat;
 }
 
 Image UploadImage(const Device& device, const Inputs::Texture& texture) {
   const Form form = FormOf(texture.target);
-  const auto levels = static_cast<std::uint32_t>(texture.levels.size());
+  const std::uint32_t levels = texture.levels.size();
   const std::uint32_t layers = LayersOf(form, texture.levels.at(0));
   const bool is_cube =
       form.view == vk::ImageViewType::eCube || form.view == vk::ImageViewType::eCubeArray;
@@ -74,7 +74,7 @@ Image UploadImage(const Device& device, const Inputs::Texture& texture) {
   made.memory = device.Allocate(made.image.getMemoryRequirements());
   made.image.bindMemory(*made.memory, 0);
 
-  std::vector<std::uint8_t> bytes;
+  Bytes bytes;
   std::vector<vk::BufferImageCopy> copies;
   for (std::uint32_t i = 0; i < levels; ++i) {
     const Inputs::Texture::Level& level = texture.levels[i];

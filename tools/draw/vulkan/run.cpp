@@ -6,28 +6,29 @@
 
 #include "tools/draw/vulkan/descriptors.h"
 #include "tools/draw/vulkan/device.h"
-#include "tools/harness/offscreen.h"
 
 namespace clipc::draw::vulkan {
 namespace {
 
 // Outputs one after another in as many buffers as they take.
 struct Layout {
-  std::vector<FeedbackSlot> places;    // beside the outputs
-  std::vector<std::uint32_t> strides;  // of each buffer
+  std::vector<FeedbackSlot> places;  // beside the outputs
+  Words strides;                     // of each buffer
 };
 
 Layout LayOut(const Device& device, std::span<const Output> outputs) {
   Layout layout;
-  const std::uint32_t most = device.MostFeedbackStride();
+  const vk::PhysicalDeviceTransformFeedbackPropertiesEXT limits = device.FeedbackLimits();
   for (const Output& output : outputs) {
-    const auto bytes = 4 * static_cast<std::uint32_t>(output.Words());
-    if (layout.strides.empty() || layout.strides.back() + bytes > most) layout.strides.push_back(0);
+    const std::uint32_t bytes = 4 * output.Words();
+    if (layout.strides.empty() ||
+        layout.strides.back() + bytes > limits.maxTransformFeedbackBufferDataStride)
+      layout.strides.push_back(0);
     layout.places.push_back(
         {static_cast<std::uint32_t>(layout.strides.size() - 1), layout.strides.back()});
     layout.strides.back() += bytes;
   }
-  if (layout.strides.size() > device.MostFeedbackBuffers())
+  if (layout.strides.size() > limits.maxTransformFeedbackBuffers)
     throw DrawError("more outputs than transform feedback writes");
   return layout;
 }
@@ -39,7 +40,7 @@ struct Attributes {
   std::vector<Buffer> buffers;
 };
 
-vk::Format FormatOf(Shape::Kind kind, std::size_t components) {
+vk::Format FormatOf(WordKind kind, std::size_t components) {
   using enum vk::Format;
   constexpr vk::Format kFormats[3][4] = {
       {eR32Sfloat, eR32G32Sfloat, eR32G32B32Sfloat, eR32G32B32A32Sfloat},
@@ -52,11 +53,11 @@ vk::Format FormatOf(Shape::Kind kind, std::size_t components) {
 Attributes Upload(const Device& device, const DrawCall& call) {
   Attributes made;
   for (const DrawCall::Attribute& attribute : call.attributes) {
-    const std::size_t components = attribute.words.size() / static_cast<std::size_t>(call.vertices);
-    std::vector<std::uint32_t> words(components * static_cast<std::size_t>(call.first_vertex));
+    const std::size_t components = attribute.words.size() / call.vertices;
+    Words words(components * call.first_vertex);
     words.insert(words.end(), attribute.words.begin(), attribute.words.end());
-    const auto binding = static_cast<std::uint32_t>(made.bindings.size());
-    made.bindings.emplace_back(binding, static_cast<std::uint32_t>(4 * components));
+    const std::uint32_t binding = made.bindings.size();
+    made.bindings.emplace_back(binding, 4 * components);
     made.places.emplace_back(attribute.location, binding, FormatOf(attribute.kind, components), 0);
     const auto* bytes = reinterpret_cast<const std::uint8_t*>(words.data());
     made.buffers.push_back(
@@ -65,37 +66,45 @@ Attributes Upload(const Device& device, const DrawCall& call) {
   return made;
 }
 
+// `rasterizes`: keeps what the outputs are for, without a fragment shader; with statistics.
 vk::raii::Pipeline MakePipeline(const vk::raii::Device& device, const Spirv& vertex,
                                 const Attributes& attributes,
-                                const vk::raii::PipelineLayout& layout) {
+                                const vk::raii::PipelineLayout& layout, bool rasterizes) {
   const vk::raii::ShaderModule module(device, vk::ShaderModuleCreateInfo({}, vertex));
   const std::string entry = EntryPointOf(vertex);
   const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eVertex, *module,
                                                 entry.c_str());
   const vk::PipelineVertexInputStateCreateInfo input({}, attributes.bindings, attributes.places);
-  const vk::PipelineInputAssemblyStateCreateInfo assembly({}, vk::PrimitiveTopology::ePointList);
+  const vk::PipelineInputAssemblyStateCreateInfo assembly(
+      {}, rasterizes ? vk::PrimitiveTopology::eTriangleList : vk::PrimitiveTopology::ePointList);
+  const vk::Viewport size(0, 0, 64, 64);
+  const vk::Rect2D scissor({0, 0}, {64, 64});
+  const vk::PipelineViewportStateCreateInfo viewport({}, size, scissor);
   vk::PipelineRasterizationStateCreateInfo rasterization;
-  rasterization.rasterizerDiscardEnable = true;
+  rasterization.rasterizerDiscardEnable = !rasterizes;
   rasterization.lineWidth = 1;
+  const vk::PipelineMultisampleStateCreateInfo samples;
   const vk::PipelineRenderingCreateInfo rendering;  // no attachments
   vk::GraphicsPipelineCreateInfo info;
   info.pNext = &rendering;
   info.setStages(stage);
   info.pVertexInputState = &input;
   info.pInputAssemblyState = &assembly;
+  info.pViewportState = &viewport;
   info.pRasterizationState = &rasterization;
+  info.pMultisampleState = &samples;
   info.layout = *layout;
+  if (rasterizes) info.flags = vk::PipelineCreateFlagBits::eCaptureStatisticsKHR;
   return {device, nullptr, info};
 }
 
 std::vector<Buffer> FeedbackBuffers(const Device& device, const Layout& layout,
                                     const DrawCall& call) {
   std::vector<Buffer> buffers;
-  const std::size_t runs =
-      static_cast<std::size_t>(call.vertices) * static_cast<std::size_t>(call.instances);
+  const std::size_t runs = static_cast<std::size_t>(call.vertices) * call.instances;
   for (const std::uint32_t stride : layout.strides) {
     // A value that is not written stays a NaN.
-    const std::vector<std::uint8_t> bytes(stride * runs, 0xff);
+    const Bytes bytes(stride * runs, 0xff);
     buffers.push_back(
         device.NewBuffer(vk::BufferUsageFlagBits::eTransformFeedbackBufferEXT, bytes));
   }
@@ -111,10 +120,7 @@ void Draw(const vk::raii::CommandBuffer& commands, const std::vector<Buffer>& fe
   }
   commands.beginRendering(vk::RenderingInfo({}, vk::Rect2D({0, 0}, {1, 1}), 1));
   commands.beginTransformFeedbackEXT(0, {}, {});
-  commands.draw(static_cast<std::uint32_t>(call.vertices),
-                static_cast<std::uint32_t>(call.instances),
-                static_cast<std::uint32_t>(call.first_vertex),
-                static_cast<std::uint32_t>(call.base_instance));
+  commands.draw(call.vertices, call.instances, call.first_vertex, call.base_instance);
   commands.endTransformFeedbackEXT(0, {}, {});
   commands.endRendering();
 }
@@ -122,7 +128,7 @@ void Draw(const vk::raii::CommandBuffer& commands, const std::vector<Buffer>& fe
 std::vector<Captured> Gather(const Device& device, const Layout& layout,
                              const std::vector<Buffer>& feedback, std::span<const Output> outputs,
                              const DrawCall& call) {
-  std::vector<std::vector<std::uint32_t>> words;
+  std::vector<Words> words;
   for (const Buffer& buffer : feedback) words.push_back(device.Read(buffer));
   std::vector<Captured> all;
   for (std::size_t i = 0; i < outputs.size(); ++i) {
@@ -191,7 +197,7 @@ std::vector<Captured> Runner::Capture(const Spirv& vertex, std::span<const Outpu
                                                    vk::PipelineLayoutCreateInfo({}, set_layouts));
     const Spirv capturing = WithTransformFeedback(vertex, outputs, layout.places, layout.strides);
     const vk::raii::Pipeline pipeline =
-        MakePipeline(device, capturing, attributes, pipeline_layout);
+        MakePipeline(device, capturing, attributes, pipeline_layout, false);
     const std::vector<Buffer> feedback = FeedbackBuffers(*device_, layout, call);
     device_->Submit([&](const vk::raii::CommandBuffer& commands) {
       commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline);
@@ -202,6 +208,31 @@ std::vector<Captured> Runner::Capture(const Spirv& vertex, std::span<const Outpu
   } catch (const vk::Error& error) {
     throw DrawError(std::string("Vulkan refuses the shader or its inputs: ") + error.what());
   }
+}
+
+MachineCode MachineCodeOf(const Spirv& vertex) {
+  const Device device(VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME, false);
+  const vk::DescriptorSetLayoutBinding uniforms(0, vk::DescriptorType::eUniformBuffer, 1,
+                                                vk::ShaderStageFlagBits::eVertex);
+  const vk::raii::DescriptorSetLayout set(device.get(),
+                                          vk::DescriptorSetLayoutCreateInfo({}, uniforms));
+  const vk::raii::PipelineLayout layout(device.get(), vk::PipelineLayoutCreateInfo({}, *set));
+  const Attributes attributes{
+      {{0, 28}},
+      {{0, 0, vk::Format::eR32G32B32A32Sfloat, 0}, {1, 0, vk::Format::eR32G32B32Sfloat, 16}},
+      {}};
+  const vk::raii::Pipeline pipeline = MakePipeline(device.get(), vertex, attributes, layout, true);
+  // The first executable is the vertex shader.
+  const auto all =
+      device.get().getPipelineExecutableStatisticsKHR(vk::PipelineExecutableInfoKHR(*pipeline, 0));
+  const auto number = [&](std::string_view name) {
+    const auto found = std::ranges::find_if(all, [&](const auto& statistic) {
+      return name == static_cast<const char*>(statistic.name);
+    });
+    if (found == all.end()) throw DrawError("the Vulkan device counts no instructions");
+    return found->value.u64;
+  };
+  return {number("Instructions"), number("Inverse Throughput")};
 }
 
 }  // namespace clipc::draw::vulkan

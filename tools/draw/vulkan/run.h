@@ -8,20 +8,21 @@
 
 namespace clipc::draw::vulkan {
 
+enum class DescriptorKind { kUniforms, kStorage, kTexture, kSampler, kTextureWithSampler, kTexels };
+
 // The data that an application gives a vertex shader.
 struct DrawCall {
   struct Attribute {
     std::uint32_t location;
-    Shape::Kind kind;
-    std::vector<std::uint32_t> words;  // of vertex 0, then of vertex 1, ...
+    WordKind kind;
+    Words words;  // of vertex 0, then of vertex 1, ...
   };
-  enum class Kind { kUniforms, kStorage, kTexture, kSampler, kTextureWithSampler, kTexels };
   struct Descriptor {
     std::uint32_t set, binding, element;  // the element of an array
-    Kind kind;
-    std::vector<std::uint8_t> bytes = {};  // of kUniforms and kStorage
-    Inputs::Texture texture = {};          // of kTexture, kTextureWithSampler and kTexels
-    bool compares = false;                 // of kSampler
+    DescriptorKind kind;
+    Bytes bytes = {};              // of kUniforms and kStorage
+    Inputs::Texture texture = {};  // of kTexture, kTextureWithSampler and kTexels
+    bool compares = false;         // of kSampler
   };
   int vertices = 0, instances = 1;
   int first_vertex = 0, base_instance = 0;
@@ -30,6 +31,12 @@ struct DrawCall {
 };
 
 class Device;
+
+// The machine does not have a Vulkan that can do what is asked for.
+class NoDevice : public DrawError {
+ public:
+  using DrawError::DrawError;
+};
 
 // Vulkan without a display: Mesa's software driver, which the loader finds without an environment
 // variable. All functions throw DrawError.
@@ -52,5 +59,13 @@ class Runner {
  private:
   std::unique_ptr<Device> device_;
 };
+
+// The size of the machine code that the first Vulkan device which tells of it makes of a vertex
+// shader that reads two attributes (vec4, vec3) and the uniform buffer 0. Throws NoDevice.
+struct MachineCode {
+  std::uintmax_t instructions;
+  std::uintmax_t cycles;  // that a multiprocessor needs for one wave: the inverse throughput
+};
+MachineCode MachineCodeOf(const Spirv& vertex);
 
 }  // namespace clipc::draw::vulkan

@@ -8,21 +8,25 @@
 namespace clipc::draw::vulkan {
 namespace {
 
+using spirv_cross::Compiler;
+using spirv_cross::Resource;
+using spirv_cross::SPIRType;
+
 constexpr std::size_t kHeaderWords = 5;
 
-Shape ShapeOf(const spirv_cross::SPIRType& type, const std::string& name) {
-  using enum Shape::Kind;
+Shape ShapeOf(const SPIRType& type, const std::string& name) {
+  using enum WordKind;
   const auto columns = static_cast<int>(type.columns), rows = static_cast<int>(type.vecsize);
   switch (type.basetype) {
-    case spirv_cross::SPIRType::Float: return {kFloat, columns, rows};
-    case spirv_cross::SPIRType::Int: return {kInt, columns, rows};
-    case spirv_cross::SPIRType::Boolean:
-    case spirv_cross::SPIRType::UInt: return {kUint, columns, rows};
+    case SPIRType::Float: return {kFloat, columns, rows};
+    case SPIRType::Int: return {kInt, columns, rows};
+    case SPIRType::Boolean:
+    case SPIRType::UInt: return {kUint, columns, rows};
     default: throw DrawError("the output `" + name + "` has a type that no test draws with");
   }
 }
 
-int CountOf(const spirv_cross::SPIRType& type) {
+int CountOf(const SPIRType& type) {
   int count = 1;
   for (const std::uint32_t size : type.array) count *= static_cast<int>(size);
   return count;
@@ -40,9 +44,9 @@ const char* NameOf(spv::BuiltIn builtin) {
   }
 }
 
-Output Make(const spirv_cross::Compiler& compiler, const spirv_cross::Resource& resource,
-            spirv_cross::TypeID type_id, std::string name) {
-  const spirv_cross::SPIRType& type = compiler.get_type(type_id);
+Output Make(const Compiler& compiler, const Resource& resource, spirv_cross::TypeID type_id,
+            std::string name) {
+  const SPIRType& type = compiler.get_type(type_id);
   Output output;
   output.shape = ShapeOf(type, name);
   output.count = CountOf(type);
@@ -53,10 +57,10 @@ Output Make(const spirv_cross::Compiler& compiler, const spirv_cross::Resource& 
 }
 
 // The member of gl_PerVertex with that built-in; none where it is a variable of its own.
-std::optional<std::uint32_t> MemberOf(const spirv_cross::Compiler& compiler,
+std::optional<std::uint32_t> MemberOf(const Compiler& compiler,
                                       const spirv_cross::BuiltInResource& found) {
-  const spirv_cross::SPIRType& type = compiler.get_type(found.resource.base_type_id);
-  if (type.basetype != spirv_cross::SPIRType::Struct) return std::nullopt;
+  const SPIRType& type = compiler.get_type(found.resource.base_type_id);
+  if (type.basetype != SPIRType::Struct) return std::nullopt;
   for (std::uint32_t i = 0; i < type.member_types.size(); ++i) {
     if (compiler.has_member_decoration(type.self, i, spv::DecorationBuiltIn) &&
         compiler.get_member_decoration(type.self, i, spv::DecorationBuiltIn) ==
@@ -67,10 +71,10 @@ std::optional<std::uint32_t> MemberOf(const spirv_cross::Compiler& compiler,
   return std::nullopt;
 }
 
-std::vector<Output> ReflectOutputs(const spirv_cross::Compiler& compiler) {
+std::vector<Output> ReflectOutputs(const Compiler& compiler) {
   const spirv_cross::ShaderResources resources = compiler.get_shader_resources();
   std::vector<Output> outputs;
-  for (const spirv_cross::Resource& resource : resources.stage_outputs) {
+  for (const Resource& resource : resources.stage_outputs) {
     Output& output =
         outputs.emplace_back(Make(compiler, resource, resource.type_id, resource.name));
     output.location = compiler.get_decoration(resource.id, spv::DecorationLocation);
@@ -87,13 +91,13 @@ std::vector<Output> ReflectOutputs(const spirv_cross::Compiler& compiler) {
   return outputs;
 }
 
-Reads ReflectReads(const spirv_cross::Compiler& compiler) {
+Reads ReflectReads(const Compiler& compiler) {
   const spirv_cross::ShaderResources resources = compiler.get_shader_resources();
   Reads reads;
   for (const auto* list :
        {&resources.uniform_buffers, &resources.storage_buffers, &resources.sampled_images,
         &resources.separate_images, &resources.separate_samplers, &resources.storage_images}) {
-    for (const spirv_cross::Resource& resource : *list) {
+    for (const Resource& resource : *list) {
       const std::string variable = compiler.get_name(resource.id);
       reads.bindings.push_back(
           {variable.empty() ? compiler.get_name(resource.base_type_id) : variable,
@@ -101,8 +105,8 @@ Reads ReflectReads(const spirv_cross::Compiler& compiler) {
            compiler.get_decoration(resource.id, spv::DecorationBinding)});
     }
   }
-  for (const spirv_cross::Resource& resource : resources.stage_inputs) {
-    const spirv_cross::SPIRType& type = compiler.get_type(resource.type_id);
+  for (const Resource& resource : resources.stage_inputs) {
+    const SPIRType& type = compiler.get_type(resource.type_id);
     reads.attributes.push_back(
         {resource.name,
          compiler.get_decoration_string(resource.id, spv::DecorationHlslSemanticGOOGLE),
@@ -122,8 +126,7 @@ std::size_t Walk(const Spirv& spirv, Visit&& visit) {
 }
 
 void Append(Spirv& spirv, spv::Op op, std::initializer_list<std::uint32_t> operands) {
-  spirv.push_back(static_cast<std::uint32_t>(operands.size() + 1) << 16 |
-                  static_cast<std::uint32_t>(op));
+  spirv.push_back((operands.size() + 1) << 16 | op);
   spirv.insert(spirv.end(), operands);
 }
 
@@ -181,15 +184,18 @@ Spirv WithTransformFeedback(const Spirv& spirv, std::span<const Output> outputs,
   const std::size_t entry = Walk(spirv, [](spv::Op op) { return op != spv::OpEntryPoint; });
   const std::size_t modes = entry + (spirv.at(entry) >> 16);
   const std::size_t body = Walk(spirv, IsPreamble);
-  Spirv result(spirv.begin(), spirv.begin() + kHeaderWords);
+  Spirv result;
+  const auto copy = [&](std::size_t from, std::size_t to) {
+    for (const std::uint32_t word : std::span(spirv).subspan(from, to - from))
+      result.push_back(word);
+  };
+  copy(0, kHeaderWords);
   Append(result, spv::OpCapability, {spv::CapabilityTransformFeedback});
-  result.insert(result.end(), spirv.begin() + kHeaderWords,
-                spirv.begin() + static_cast<std::ptrdiff_t>(modes));
+  copy(kHeaderWords, modes);
   Append(result, spv::OpExecutionMode, {spirv[entry + 2], spv::ExecutionModeXfb});
-  result.insert(result.end(), spirv.begin() + static_cast<std::ptrdiff_t>(modes),
-                spirv.begin() + static_cast<std::ptrdiff_t>(body));
+  copy(modes, body);
   result.insert(result.end(), decorations.begin(), decorations.end());
-  result.insert(result.end(), spirv.begin() + static_cast<std::ptrdiff_t>(body), spirv.end());
+  copy(body, spirv.size());
   return result;
 }
 

@@ -12,7 +12,7 @@
 // Vertex shaders in SPIR-V. All functions throw DrawError where SPIRV-Cross cannot read the shader.
 namespace clipc::draw::vulkan {
 
-using Spirv = std::vector<std::uint32_t>;
+using Spirv = Words;
 
 // A variable that a vertex shader writes, or a member of its gl_PerVertex.
 struct Output {

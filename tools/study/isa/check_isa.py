@@ -3,7 +3,7 @@
 """Counts the machine instructions of clipc's vertex shaders on the AMD processor that RADV_FORCE_FAMILY names: the plane
 spaces xyw1 and object take no more of them, and no more time, than clip; nothing takes more than a shader written by hand.
 
-usage: check_isa.py CLIPC CLIPC-ISA REPOSITORY_ROOT"""
+usage: check_isa.py CLIPC CLIPC-DRAW REPOSITORY_ROOT"""
 import pathlib
 import re
 import subprocess
@@ -12,7 +12,7 @@ import tempfile
 
 
 def main():
-    clipc, isa, root = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3])
+    clipc, draw, root = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3])
     shaders = {}
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
@@ -32,7 +32,7 @@ def main():
         hands = {"clip": "clip-1", "xyw1": "xyw1-3", "object": "object-6", "none": "clip-0"}
         for hand in hands:
             add(f"hand-{hand}", root / f"tools/study/hand/{hand}.vert")
-        ran = subprocess.run([isa, *shaders], capture_output=True, text=True, check=False)
+        ran = subprocess.run([draw, "machine-code", *shaders], capture_output=True, text=True, check=False)
     if ran.returncode:
         print(ran.stderr)
         return ran.returncode

@@ -7,29 +7,32 @@
 #include <sstream>
 
 #include "tools/harness/offscreen.h"
+#include "tools/harness/options.h"
 #include "tools/study/program/commands.h"
 #include "tools/study/program/csv.h"
 #include "tools/study/program/scene_file.h"
 #include "tools/study/program/speed.h"
+#include "tools/study/way.h"
 
 namespace clipc::study {
 namespace {
 
+using harness::DrawError;
+using namespace harness::options;
 // speed.csv as clipc-study wrote it.
 CostTable ReadCosts(const std::string& path) {
   std::ifstream file(path);
   std::string line;
   if (!std::getline(file, line) ||
       line != "setting,way,planes,median_ms,least_ms,ratio,paired_ratio") {
-    throw harness::DrawError("`" + path + "` is no speed.csv of clipc-study");
+    throw DrawError("`" + path + "` is no speed.csv of clipc-study");
   }
   std::vector<Cost> costs;
   while (std::getline(file, line)) {
     std::istringstream row(line);
     std::vector<std::string> cells;
     for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
-    if (cells.size() != 7)
-      throw harness::DrawError("`" + path + "` has a row that is not of seven cells");
+    if (cells.size() != 7) throw DrawError("`" + path + "` has a row that is not of seven cells");
     Cost& cost = costs.emplace_back();
     cost.setting = cells[0], cost.way = cells[1], cost.planes = std::atoi(cells[2].c_str());
     cost.paired_ratio = std::strtod(cells[6].c_str(), nullptr);
@@ -41,20 +44,6 @@ CostTable MeasuredCosts() {
   const harness::OpenGl opengl(harness::Api::kCompatibility);
   Progress progress("cost");
   return TableOf(MeasureSpeed(5, 40, std::ref(progress)));
-}
-
-// How clipc is told to compile for a way; nothing for ways that it does not make.
-struct CompileOptions {
-  std::string lower, plane_space;
-};
-CompileOptions OptionsFor(const std::string& way) {
-  static const std::map<std::string, CompileOptions> options = {
-      {"clip", {"clip-distance", "clip"}},      {"xyw1", {"clip-distance", "xyw1"}},
-      {"object", {"clip-distance", "object"}},  {"level9", {"level9", "clip"}},
-      {"near-plane", {"near-plane", "object"}}, {"discard", {"discard", "clip"}},
-      {"discard-object", {"discard", "object"}}};
-  const auto found = options.find(way);
-  return found == options.end() ? CompileOptions{} : found->second;
 }
 
 // A method with the most planes that an object drawn with it needs.
@@ -88,7 +77,7 @@ void Report(const Scene& scene, const NamedCamera& camera, const CostTable& cost
     }
     const DrawFacts facts = FactsOf(object, camera.camera, scene, plan.needed);
     const Advice best = Advise(facts, costs, scene.tolerance).front();
-    if (!best.possible) throw harness::DrawError("no method can clip `" + object.name + "`");
+    if (!best.possible) throw DrawError("no method can clip `" + object.name + "`");
     std::printf("%-20s %-12s %-28s %-16s %12.2g %8.3f\n", object.name.c_str(), drawn,
                 MaskText(plan.needed, scene).c_str(), best.way.c_str(), best.bound, best.cost);
     int& most = variants[best.way];
@@ -101,12 +90,12 @@ std::string VariantList(const Scene& scene, const Variants& variants) {
                      ". For each method: clipc_add_shader(... LOWER VARIANTS OPTIONS).\n";
   std::string names;
   for (const auto& [way, planes] : variants) {
-    const CompileOptions options = OptionsFor(way);
-    if (options.lower.empty()) continue;
+    const Way& known = WayNamed(way);
+    if (!known.lowering) continue;
     names += (names.empty() ? "" : ";") + way;
-    text += "set(CLIPC_SCENE_" + way + "_LOWER " + options.lower + ")\n";
+    text += "set(CLIPC_SCENE_" + way + "_LOWER " + NameOf(*known.lowering) + ")\n";
     text += "set(CLIPC_SCENE_" + way + "_VARIANTS " + std::to_string(planes) + ")\n";
-    text += "set(CLIPC_SCENE_" + way + "_OPTIONS --plane-space=" + options.plane_space + ")\n";
+    text += "set(CLIPC_SCENE_" + way + "_OPTIONS --plane-space=" + NameOf(*known.space) + ")\n";
   }
   return text + "set(CLIPC_SCENE_METHODS \"" + names + "\")\n";
 }
@@ -114,19 +103,9 @@ std::string VariantList(const Scene& scene, const Variants& variants) {
 }  // namespace
 
 int RunScene(const std::vector<std::string>& arguments) {
-  std::string path, costs_path, variants_path;
-  for (std::size_t i = 1; i < arguments.size(); ++i) {
-    if (arguments[i] == "--costs" && i + 1 < arguments.size()) {
-      costs_path = arguments[++i];
-    } else if (arguments[i] == "--variants" && i + 1 < arguments.size()) {
-      variants_path = arguments[++i];
-    } else if (path.empty() && !arguments[i].starts_with("--")) {
-      path = arguments[i];
-    } else {
-      throw harness::DrawError("`" + arguments[i] + "` is not understood\n" + kUsage);
-    }
-  }
-  if (path.empty()) throw harness::DrawError(std::string("no scene\n") + kUsage);
+  std::string costs_path, variants_path;
+  const std::string path =
+      ParseOnlyPath(arguments, {{"costs", Text(costs_path)}, {"variants", Text(variants_path)}});
   const Scene scene = ReadScene(path);
   const CostTable costs = costs_path.empty() ? MeasuredCosts() : ReadCosts(costs_path);
   Variants variants;
@@ -137,7 +116,7 @@ int RunScene(const std::vector<std::string>& arguments) {
   if (!variants_path.empty()) {
     std::ofstream file(variants_path);
     file << VariantList(scene, variants);
-    if (!file.flush()) throw harness::DrawError("cannot write `" + variants_path + "`");
+    if (!file.flush()) throw DrawError("cannot write `" + variants_path + "`");
   }
   return 0;
 }

@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "tools/harness/offscreen.h"
+#include "tools/harness/options.h"
 #include "tools/study/depth.h"
 #include "tools/study/edges.h"
 #include "tools/study/program/commands.h"
@@ -26,26 +27,12 @@
 namespace clipc::study {
 namespace {
 
+using namespace harness::options;
+
 struct StudyOptions {
-  bool quick = false, report = true;
+  bool quick = false;
   std::string out = "study-report";
 };
-
-StudyOptions OptionsOf(const std::vector<std::string>& arguments) {
-  StudyOptions options;
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    if (arguments[i] == "--quick") {
-      options.quick = true;
-    } else if (arguments[i] == "--no-report") {
-      options.report = false;
-    } else if (arguments[i] == "--out" && i + 1 < arguments.size()) {
-      options.out = arguments[++i];
-    } else {
-      throw harness::DrawError("`" + arguments[i] + "` is not understood\n" + kUsage);
-    }
-  }
-  return options;
-}
 
 class Study {
  public:
@@ -98,7 +85,7 @@ class Study {
     Csv csv(Path("depth.csv"),
             {"eye", "method", "refused", "effective_near", "ordered", "tied", "inverted", "lost"});
     for (const double eye : {-100.0, -10.0, -1.0, -0.1, -0.01, -0.001, 0.0, 0.01, 1.0, 10.0}) {
-      const runtime::Plane plane = {0, 1, 0, eye};
+      const Plane plane = {0, 1, 0, eye};
       for (const DepthLeft& left :
            MeasureDepth(Camera{}, plane, options_.quick ? 4000 : 40000, 5)) {
         csv.Row(eye, left.method, left.refused, left.effective_near, left.ordered, left.tied,
@@ -130,7 +117,7 @@ class Study {
   // One cut near enough for the default to be right, one where it is visibly not.
   void Pictures() {
     const Config far = ObliqueAt(3e4, 0.1, 1e6);
-    for (const Way& way : AllWays()) {
+    for (const Way& way : kWays) {
       if (const auto picture = DrawOnce(far, way.kind, KnotDetail(), 480, 270))
         harness::WritePng(Path("picture-" + std::string(way.name) + ".png"), *picture);
     }
@@ -178,9 +165,8 @@ class Study {
         ++chosen[best.way];
         if (best.bound > worst[best.way].bound) worst[best.way] = best;
       }
-      const auto most =
-          std::max_element(chosen.begin(), chosen.end(),
-                           [](const auto& a, const auto& b) { return a.second < b.second; });
+      const auto most = std::ranges::max_element(
+          chosen, [](const auto& a, const auto& b) { return a.second < b.second; });
       const Advice& advice = worst[most->first];
       csv.Row(scene.name, scene.planes.size(), scene.objects.size(), outside, culled, need[0],
               need[1], need[2], need[3], advice.way, advice.predicted, advice.bound, advice.cost,
@@ -255,9 +241,13 @@ void MakeReport(const std::string& folder) {
 }  // namespace
 
 int RunStudy(const std::vector<std::string>& arguments) {
-  const StudyOptions options = OptionsOf(arguments);
+  StudyOptions options;
+  bool no_report = false;
+  const Flags flags = {
+      {"quick", On(options.quick)}, {"no-report", On(no_report)}, {"out", Text(options.out)}};
+  if (!Parse(arguments, flags).empty()) throw harness::DrawError(kUsage);
   Study(options).Run();
-  if (options.report) MakeReport(options.out);
+  if (!no_report) MakeReport(options.out);
   return 0;
 }
 

@@ -20,7 +20,8 @@ clipc-study scene FILE [--costs speed.csv] [--variants FILE]
 Exit: 0 done, 2 failed.
 )";
 
-// Return the exit code. Throw DrawError with the reason where they fail.
+// arguments[0] is the name of the program or command. Return the exit code. Throw DrawError with
+// the reason where they fail.
 int RunStudy(const std::vector<std::string>& arguments);
 int RunScene(const std::vector<std::string>& arguments);
 

@@ -17,14 +17,17 @@
 namespace clipc::study {
 namespace {
 
-using harness::Vector;
-using runtime::Matrix;
+using harness::DrawError;
 
 constexpr int kDeepestJson = 64;
 constexpr std::size_t kMostObjects = 1'000'000;
 
 [[noreturn]] void Fail(const std::string& where, const std::string& what) {
-  throw harness::DrawError("`" + where + "` " + what);
+  throw DrawError("`" + where + "` " + what);
+}
+
+void Require(bool holds, const std::string& where, const std::string& what) {
+  if (!holds) Fail(where, what);
 }
 
 std::string At(const char* list, std::size_t index) {
@@ -37,17 +40,16 @@ const T& ElementOf(const std::vector<T>& list, int index, const std::string& whe
   if (index < 0 || static_cast<std::size_t>(index) >= list.size()) {
     Fail(where, "is " + std::to_string(index) + ", of " + std::to_string(list.size()));
   }
-  return list[static_cast<std::size_t>(index)];
+  return list[index];
 }
 
 // The JSON of a .glb file is its first chunk, after twenty bytes.
 std::string_view JsonOf(const std::string& bytes, bool is_binary) {
   if (!is_binary) return bytes;
-  if (bytes.size() < 20) throw harness::DrawError("the file ends within the header of a .glb");
+  if (bytes.size() < 20) throw DrawError("the file ends within the header of a .glb");
   std::uint32_t length = 0;
   for (int i = 3; i >= 0; --i) length = length << 8 | static_cast<unsigned char>(bytes[12 + i]);
-  if (length > bytes.size() - 20)
-    throw harness::DrawError("the file ends within the JSON of a .glb");
+  if (length > bytes.size() - 20) throw DrawError("the file ends within the JSON of a .glb");
   return std::string_view(bytes).substr(20, length);
 }
 
@@ -60,9 +62,9 @@ void CheckDepth(std::string_view json) {
     return !is_deep;
   };
   if (nlohmann::json::parse(json, visit, false).is_discarded() && !is_deep) {
-    throw harness::DrawError("the file is no JSON");
+    throw DrawError("the file is no JSON");
   }
-  if (is_deep) throw harness::DrawError("the JSON is nested deeper than 64 levels");
+  if (is_deep) throw DrawError("the JSON is nested deeper than 64 levels");
 }
 
 tinygltf::Model Load(const std::string& bytes, const std::string& folder) {
@@ -86,7 +88,7 @@ tinygltf::Model Load(const std::string& bytes, const std::string& folder) {
   } catch (const std::exception& problem) {
     error = problem.what();
   }
-  if (!ok) throw harness::DrawError("no glTF: " + error.substr(0, error.find('\n')));
+  if (!ok) throw DrawError("no glTF: " + error.substr(0, error.find('\n')));
   return model;
 }
 
@@ -104,14 +106,14 @@ class Converter {
     Settings(root.extras);
     PlaceNodes(root);
     for (std::size_t i : placed_) Take(i);
-    if (scene_.cameras.empty()) throw harness::DrawError("the scene has no camera");
+    if (scene_.cameras.empty()) throw DrawError("the scene has no camera");
     if (scene_.planes.empty()) {
-      throw harness::DrawError(
+      throw DrawError(
           "no node of the scene has `extras` with `clip_plane`: there is no plane to clip by");
     }
     if (scene_.planes.size() > 6)
-      throw harness::DrawError("more than 6 nodes have `extras` with `clip_plane`");
-    if (scene_.objects.empty()) throw harness::DrawError("the scene has no mesh");
+      throw DrawError("more than 6 nodes have `extras` with `clip_plane`");
+    if (scene_.objects.empty()) throw DrawError("the scene has no mesh");
     return std::move(scene_);
   }
 
@@ -121,14 +123,14 @@ class Converter {
   static bool Flag(const tinygltf::Value& extras, const char* key, bool standard,
                    const std::string& where) {
     if (!extras.IsObject() || !extras.Has(key)) return standard;
-    if (!extras.Get(key).IsBool()) Fail(where + ".extras." + key, "is neither true nor false");
+    Require(extras.Get(key).IsBool(), where + ".extras." + key, "is neither true nor false");
     return extras.Get(key).Get<bool>();
   }
   static double Positive(const tinygltf::Value& extras, const char* key, double standard) {
     if (!extras.IsObject() || !extras.Has(key)) return standard;
     const tinygltf::Value& value = extras.Get(key);
     const double number = value.IsNumber() ? value.GetNumberAsDouble() : 0;
-    if (!(number > 0)) Fail(std::string("scene.extras.") + key, "is no positive number");
+    Require(number > 0, std::string("scene.extras.") + key, "is no positive number");
     return number;
   }
 
@@ -162,10 +164,10 @@ class Converter {
       const Visit step = std::move(steps.back());
       steps.pop_back();
       const tinygltf::Node& node = ElementOf(model_.nodes, step.node, step.where);
-      const auto index = static_cast<std::size_t>(step.node);
+      const std::size_t index = step.node;
       const std::string name = At("nodes", index);
-      if (to_world_[index]) Fail(name, "is reached twice; the nodes of a scene are trees");
-      const Matrix world = runtime::Multiply(LocalOf(node, name), step.parent);
+      Require(!to_world_[index], name, "is reached twice; the nodes of a scene are trees");
+      const Matrix world = Multiply(LocalOf(node, name), step.parent);
       for (const auto& row : world.m) {
         for (const double x : row) {
           if (!std::isfinite(x)) Fail(name, "is moved beyond all numbers");
@@ -179,7 +181,7 @@ class Converter {
 
   static void CheckSize(const std::vector<double>& list, std::size_t size,
                         const std::string& where) {
-    if (list.size() != size) Fail(where, "is no array of " + std::to_string(size) + " numbers");
+    Require(list.size() == size, where, "is no array of " + std::to_string(size) + " numbers");
   }
 
   // For row vectors, as everything here.
@@ -187,7 +189,7 @@ class Converter {
     if (!node.matrix.empty()) {
       CheckSize(node.matrix, 16, name + ".matrix");
       double elements[16];
-      std::copy(node.matrix.begin(), node.matrix.end(), elements);
+      std::ranges::copy(node.matrix, elements);
       return runtime::RowVectorMatrix(elements);
     }
     Matrix local;
@@ -195,7 +197,7 @@ class Converter {
       CheckSize(node.rotation, 4, name + ".rotation");
       const double length = std::hypot(std::hypot(node.rotation[0], node.rotation[1]),
                                        std::hypot(node.rotation[2], node.rotation[3]));
-      if (!(std::fabs(length - 1) < 1e-2)) Fail(name + ".rotation", "is no unit quaternion");
+      Require(std::fabs(length - 1) < 1e-2, name + ".rotation", "is no unit quaternion");
       const double x = node.rotation[0] / length, y = node.rotation[1] / length;
       const double z = node.rotation[2] / length, w = node.rotation[3] / length;
       local = {{{1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w), 0},
@@ -211,7 +213,7 @@ class Converter {
     }
     if (!node.translation.empty()) {
       CheckSize(node.translation, 3, name + ".translation");
-      std::copy(node.translation.begin(), node.translation.end(), local.m[3]);
+      std::ranges::copy(node.translation, local.m[3]);
     }
     return local;
   }
@@ -255,7 +257,7 @@ class Converter {
   void TakePlane(const tinygltf::Node& node, const Matrix& world, const std::string& where) {
     const Matrix axes = Mirrored(world);
     Vector normal = Cross(RowOf(axes, 2), RowOf(axes, 0));
-    if (!Normalize(normal)) Fail(where, "has no plane: its scale is 0");
+    Require(Normalize(normal), where, "has no plane: its scale is 0");
     if (Dot(normal, RowOf(axes, 1)) < 0) normal = -1 * normal;
     scene_.planes.push_back({NameOf(node.name, "", where),
                              {normal.x, normal.y, normal.z, -Dot(normal, RowOf(axes, 3))}});
@@ -264,7 +266,7 @@ class Converter {
   // A camera's own scale does not count.
   void TakeCamera(const tinygltf::Node& node, const Matrix& world, const std::string& where) {
     const tinygltf::Camera& from = ElementOf(model_.cameras, node.camera, where + ".camera");
-    const std::string place = At("cameras", static_cast<std::size_t>(node.camera));
+    const std::string place = At("cameras", node.camera);
     Camera camera;
     if (from.type == "orthographic") {
       Lens(from.orthographic, place + ".orthographic", camera);
@@ -274,7 +276,7 @@ class Converter {
     // It looks along -z in its own space, which is mirrored as the world is.
     const Matrix to_world = Mirrored(world);
     Vector x = RowOf(to_world, 0), y = RowOf(to_world, 1), z = -1 * RowOf(to_world, 2);
-    if (!Normalize(x) || !Normalize(y) || !Normalize(z)) Fail(where, "is a camera of scale 0");
+    Require(Normalize(x) && Normalize(y) && Normalize(z), where, "is a camera of scale 0");
     if (std::fabs(Dot(x, y)) > 1e-6 || std::fabs(Dot(Cross(y, z), x) - 1) > 1e-6) {
       Fail(where, "is a camera whose space is skewed or mirrored");
     }
@@ -289,10 +291,10 @@ class Converter {
   }
 
   static void Lens(const tinygltf::PerspectiveCamera& from, const std::string& where, Camera& to) {
-    if (!(from.yfov > 0 && from.yfov < std::numbers::pi))
-      Fail(where + ".yfov", "is not between 0 and pi");
-    if (!(from.znear > 0)) Fail(where + ".znear", "is not positive");
-    if (from.aspectRatio < 0) Fail(where + ".aspectRatio", "is not positive");
+    Require(from.yfov > 0 && from.yfov < std::numbers::pi, where + ".yfov",
+            "is not between 0 and pi");
+    Require(from.znear > 0, where + ".znear", "is not positive");
+    Require(from.aspectRatio >= 0, where + ".aspectRatio", "is not positive");
     to.infinite = from.zfar == 0;  // absent
     if (!to.infinite && !(from.zfar > from.znear))
       Fail(where + ".zfar", "is no farther than `znear`");
@@ -303,10 +305,10 @@ class Converter {
   }
 
   static void Lens(const tinygltf::OrthographicCamera& from, const std::string& where, Camera& to) {
-    if (!(from.xmag > 0)) Fail(where + ".xmag", "is not positive");
-    if (!(from.ymag > 0)) Fail(where + ".ymag", "is not positive");
-    if (!(from.znear >= 0)) Fail(where + ".znear", "is negative");
-    if (!(from.zfar > from.znear)) Fail(where + ".zfar", "is no farther than `znear`");
+    Require(from.xmag > 0, where + ".xmag", "is not positive");
+    Require(from.ymag > 0, where + ".ymag", "is not positive");
+    Require(from.znear >= 0, where + ".znear", "is negative");
+    Require(from.zfar > from.znear, where + ".zfar", "is no farther than `znear`");
     to.orthographic = true;
     to.half_height = from.ymag, to.aspect = from.xmag / from.ymag;
     to.near = from.znear, to.far = from.zfar;
@@ -326,10 +328,10 @@ class Converter {
 
   void TakeMesh(const tinygltf::Node& node, const Matrix& world, const std::string& where) {
     const tinygltf::Mesh& mesh = ElementOf(model_.meshes, node.mesh, where + ".mesh");
-    const std::string place = At("meshes", static_cast<std::size_t>(node.mesh));
+    const std::string place = At("meshes", node.mesh);
     for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
       if (scene_.objects.size() >= kMostObjects)
-        throw harness::DrawError("the scene draws more than a million objects");
+        throw DrawError("the scene draws more than a million objects");
       const tinygltf::Primitive& primitive = mesh.primitives[i];
       const std::string part = place + "." + At("primitives", i);
       SceneObject object;
@@ -366,7 +368,7 @@ class Converter {
     if (found == attributes.end()) Fail(where, "has no POSITION");
     const tinygltf::Accessor& accessor =
         ElementOf(model_.accessors, found->second, where + ".POSITION");
-    const std::string place = At("accessors", static_cast<std::size_t>(found->second));
+    const std::string place = At("accessors", found->second);
     if (accessor.type != TINYGLTF_TYPE_VEC3 ||
         accessor.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT) {
       Fail(place, "holds positions and is not of float VEC3");
@@ -378,8 +380,7 @@ class Converter {
       bounds.Add({(*list)[0], (*list)[1], (*list)[2]});
     }
     for (std::size_t i = 0; i < 3; ++i) {
-      if (!(accessor.minValues[i] <= accessor.maxValues[i]))
-        Fail(place + ".min", "lies above `max`");
+      Require(accessor.minValues[i] <= accessor.maxValues[i], place + ".min", "lies above `max`");
     }
     return bounds;
   }
@@ -388,15 +389,15 @@ class Converter {
   // of all of these.
   Bounds SkinnedBounds(int index, const Bounds& box, const std::string& where) const {
     const tinygltf::Skin& skin = ElementOf(model_.skins, index, where);
-    const std::string place = At("skins", static_cast<std::size_t>(index));
-    if (skin.joints.empty()) Fail(place + ".joints", "is empty");
+    const std::string place = At("skins", index);
+    Require(!skin.joints.empty(), place + ".joints", "is empty");
     Bounds bounds = kNothing;
     for (std::size_t j = 0; j < skin.joints.size(); ++j) {
       const std::string joint = place + "." + At("joints", j);
       const auto& to_world = ElementOf(to_world_, skin.joints[j], joint);
-      if (!to_world) Fail(joint, "is no node of the scene");
+      Require(to_world.has_value(), joint, "is no node of the scene");
       const Matrix bind = skin.inverseBindMatrices < 0 ? Matrix() : BindMatrix(skin, j, place);
-      const Matrix m = runtime::Multiply(bind, *to_world);
+      const Matrix m = Multiply(bind, *to_world);
       for (int corner = 0; corner < 8; ++corner) {
         double point[3];
         for (int c = 0; c < 3; ++c) {
@@ -434,7 +435,7 @@ class Converter {
         within(view.byteOffset, view.byteLength, data.size()) &&
         within(accessor.byteOffset, number * stride, view.byteLength) &&
         within(accessor.byteOffset + number * stride, sizeof matrix, view.byteLength);
-    if (!has_room) Fail(where, "ends before the matrix of joint " + std::to_string(number));
+    Require(has_room, where, "ends before the matrix of joint " + std::to_string(number));
     std::memcpy(matrix, data.data() + view.byteOffset + accessor.byteOffset + number * stride,
                 sizeof matrix);
     return runtime::RowVectorMatrix(matrix);

@@ -7,10 +7,10 @@
 #include "tools/study/program/commands.h"
 
 int main(int argc, char** argv) {
-  const std::vector<std::string> arguments(argv + 1, argv + argc);
   try {
-    if (!arguments.empty() && arguments[0] == "scene") return clipc::study::RunScene(arguments);
-    return clipc::study::RunStudy(arguments);
+    if (argc > 1 && std::string(argv[1]) == "scene")
+      return clipc::study::RunScene({argv + 1, argv + argc});
+    return clipc::study::RunStudy({argv, argv + argc});
   } catch (const std::exception& error) {
     std::fprintf(stderr, "clipc-study: %s\n", error.what());
     return 2;

@@ -7,8 +7,6 @@
 namespace clipc::study {
 namespace {
 
-using harness::Vector;
-
 Vector Knot(double t) {
   const double r = 1 + 0.4 * std::cos(3 * t);
   return {r * std::cos(2 * t), r * std::sin(2 * t), 0.4 * std::sin(3 * t)};
@@ -104,7 +102,7 @@ Mesh ClipMesh(const Mesh& mesh, const std::vector<Vec4<double>>& planes) {
       if (((a | b | c) >> p & 1) != 0) ClipPolygon(polygon, planes[p], scratch);
     }
     if (polygon.size() < 3) continue;
-    const auto first = static_cast<std::uint32_t>(clipped.vertices.size());
+    const std::uint32_t first = clipped.vertices.size();
     for (const Corner& corner_of : polygon) {
       clipped.vertices.push_back(ConvertTo<float>(corner_of.place));
       for (const double x : corner_of.normal) clipped.normals.push_back(static_cast<float>(x));

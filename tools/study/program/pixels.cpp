@@ -37,7 +37,7 @@ Mesh ExactlyClipped(const Mesh& mesh, const Setup& setup) {
       for (int c = 0; c < 4; ++c) cut[c] = clip[kept][c] + t * (clip[dropped][c] - clip[kept][c]);
       polygon.push_back(ConvertTo<float>(cut));
     }
-    const auto first = static_cast<std::uint32_t>(exact.vertices.size());
+    const std::uint32_t first = exact.vertices.size();
     exact.vertices.insert(exact.vertices.end(), polygon.begin(), polygon.end());
     for (std::uint32_t k = 2; k < polygon.size(); ++k) {
       for (const std::uint32_t index : {first, first + k - 1, first + k})
@@ -61,21 +61,21 @@ Mesh MeshFor(const Setup& setup, int detail) {
 
 PixelMeter::PixelMeter(int width, int height, int detail)
     : studio_(width, height, true), detail_(detail) {
-  for (const Way& way : AllWays()) calls_.push_back(MakeCall(way.kind, 1, true));
+  for (const Way& way : kWays) calls_.push_back(MakeCall(way.kind, 1, true));
 }
 
 std::vector<PixelErrors> PixelMeter::Measure(const Config& config) {
   const Setup setup = Prepare(config);
   const Mesh mesh = MeshFor(setup, detail_), exact = ExactlyClipped(mesh, setup);
-  const Mat4<float> identity = ConvertTo<float>(runtime::Matrix{});
+  const Mat4<float> identity = ConvertTo<float>(Matrix{});
   studio_.Begin();
   calls_[0]->SetMesh(exact);
   calls_[0]->SetConstants({identity, identity, {}});
   calls_[0]->Draw();
   const std::vector<float> reference = studio_.Counts();
   std::vector<PixelErrors> all;
-  for (std::size_t i = 1; i < AllWays().size(); ++i) {
-    const Way& way = AllWays()[i];
+  for (std::size_t i = 1; i < std::size(kWays); ++i) {
+    const Way& way = kWays[i];
     PixelErrors& errors = all.emplace_back();
     errors.way = way.name;
     const auto constants = ConstantsOf(way.kind, setup, {setup.world_plane});

@@ -28,7 +28,7 @@ class PixelMeter {
  private:
   Studio studio_;
   int detail_;
-  std::vector<std::unique_ptr<DrawCall>> calls_;  // as AllWays
+  std::vector<std::unique_ptr<DrawCall>> calls_;  // as kWays
 };
 
 // The knot of that detail drawn once with one way, over white; none where the way cannot be used.

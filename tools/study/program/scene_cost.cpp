@@ -40,7 +40,7 @@ SceneDrawer::Drawn SceneDrawer::Draw(const Scene& scene, Planes planes) {
   glFinish();
   const double start = harness::ProcessSeconds();
   const Camera& camera = scene.cameras.front().camera;
-  const runtime::Matrix view_projection = runtime::Multiply(camera.View(), camera.Projection());
+  const Matrix view_projection = Multiply(camera.View(), camera.Projection());
   const std::vector<runtime::BoxPlan> plans = PlansOf(scene, planes);
   std::vector<std::uint32_t> order(plans.size());
   std::size_t first[8];
@@ -49,13 +49,13 @@ SceneDrawer::Drawn SceneDrawer::Draw(const Scene& scene, Planes planes) {
   for (std::size_t i = 0; i < first[7]; ++i) {
     const SceneObject& object = scene.objects[order[i]];
     const runtime::ShaderVariant variant = runtime::VariantOf(plans[order[i]]);
-    WayConstants constants = {ConvertTo<float>(runtime::Multiply(object.world, view_projection)),
+    WayConstants constants = {ConvertTo<float>(Multiply(object.world, view_projection)),
                               ConvertTo<float>(object.world),
                               {}};
     for (int slot = 0; slot < variant.plane_count; ++slot) {
-      const runtime::Plane& plane = scene.planes[variant.planes[slot]].plane;
+      const Plane& plane = scene.planes[variant.planes[slot]].plane;
       constants.planes.push_back(
-          VectorOf(runtime::ObjectPlaneFromWorld(plane, object.world).value.constant));
+          VectorOf(ObjectPlaneFromWorld(plane, object.world).value.constant));
     }
     DrawCall& call = *variants_[variant.plane_count];
     call.SetConstants(constants);

@@ -3,18 +3,18 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <set>
-#include <sstream>
 
 #include <nlohmann/json.hpp>
 
 #include "tools/harness/offscreen.h"
+#include "tools/harness/options.h"
 #include "tools/study/program/gltf_scene.h"
 
 namespace clipc::study {
 namespace {
 
+using harness::DrawError;
 using Json = nlohmann::json;
 
 // One JSON object; every key must be asked for, so that a misspelt one is an error.
@@ -72,7 +72,7 @@ class Reader {
     }
   }
   [[noreturn]] void Fail(const std::string& key, const std::string& what) const {
-    throw harness::DrawError("`" + where_ + key + "` " + what);
+    throw DrawError("`" + where_ + key + "` " + what);
   }
 
  private:
@@ -169,18 +169,15 @@ std::string FolderOf(const std::string& path) {
 }  // namespace
 
 Scene ReadScene(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (!file || !(text << file.rdbuf())) throw harness::DrawError("cannot read `" + path + "`");
-  const std::string bytes = text.str();
+  const std::string bytes = harness::ReadFile(path);
   try {
     if (bytes.starts_with("glTF")) return GltfScene(bytes, FolderOf(path));
     const Json json = Json::parse(bytes, nullptr, false);
-    if (json.is_discarded()) throw harness::DrawError("the file is no JSON");
+    if (json.is_discarded()) throw DrawError("the file is no JSON");
     if (json.is_object() && json.contains("asset")) return GltfScene(bytes, FolderOf(path));
     return SceneFrom(json);
-  } catch (const harness::DrawError& error) {
-    throw harness::DrawError(path + ": " + error.what());
+  } catch (const DrawError& error) {
+    throw DrawError(path + ": " + error.what());
   }
 }
 

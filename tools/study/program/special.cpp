@@ -15,7 +15,7 @@ constexpr int kWidth = 320, kHeight = 180;
 class Specials {
  public:
   std::vector<SpecialResult> Run() {
-    for (const Way& way : AllWays()) {
+    for (const Way& way : kWays) {
       // These two ways take no plane as it is: one makes matrices of it, one clips in the
       // application.
       if (way.most_planes == 0 || way.kind == WayKind::kNearPlaneFloat || way.kind == WayKind::kCpu)
@@ -76,9 +76,9 @@ class Specials {
 
   // A knot around the eye: what a plane keeps and what its opposite keeps is all there is.
   void ThroughTheEye() {
-    const runtime::Plane& p = setup_.world_plane;
+    const Plane& p = setup_.world_plane;
     const auto kept = ConstantsOf(way_->kind, setup_, {p});
-    const auto opposite = ConstantsOf(way_->kind, setup_, {runtime::Plane{-p.x, -p.y, -p.z, -p.w}});
+    const auto opposite = ConstantsOf(way_->kind, setup_, {Plane{-p.x, -p.y, -p.z, -p.w}});
     if (!kept || !opposite) return;
     const double all = Fragments(WayKind::kNone, around_, *kept);
     const double one = Fragments(way_->kind, around_, *kept);
@@ -94,11 +94,11 @@ class Specials {
     square.normals.resize(12);
     square.indices = {0, 1, 2, 0, 2, 3};
     Setup setup = setup_;
-    setup.world = setup.view = runtime::Matrix{};
+    setup.world = setup.view = Matrix{};
     setup.world.m[3][2] = 1;
     setup.world_view = setup.world;
-    setup.world_view_projection = runtime::Multiply(setup.world, setup.projection);
-    const auto constants = ConstantsOf(way_->kind, setup, {runtime::Plane{1, 1, 0, -0.013}});
+    setup.world_view_projection = Multiply(setup.world, setup.projection);
+    const auto constants = ConstantsOf(way_->kind, setup, {Plane{1, 1, 0, -0.013}});
     if (!constants) return;
     Studio smooth(kWidth, kHeight, true, 4);
     const std::vector<float> counts = Draw(smooth, way_->kind, square, *constants);
@@ -106,7 +106,7 @@ class Specials {
     for (int y = 0; y < kHeight; ++y) {
       bool is_smooth = false;
       for (int x = 0; x < kWidth; ++x) {
-        const float count = counts[static_cast<std::size_t>(y * kWidth + x)];
+        const float count = counts[y * kWidth + x];
         is_smooth = is_smooth || (count > 0 && count < 1);
       }
       rows += is_smooth;

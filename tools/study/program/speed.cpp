@@ -21,20 +21,20 @@ constexpr Setting kSettings[] = {
     {"picture", 1280, 720, false}, {"vertices", 64, 64, false}, {"cut", 1280, 720, true}};
 
 // Six sides of a box around the object, in world space; far outside it, or through it.
-std::vector<runtime::Plane> Sides(const Setup& setup, int count, bool cuts) {
-  std::vector<runtime::Plane> planes;
+std::vector<Plane> Sides(const Setup& setup, int count, bool cuts) {
+  std::vector<Plane> planes;
   // The first looks along the view and lies behind every part of the object as the eye sees it, so
   // that the near plane can be sheared.
-  const harness::Vector normals[6] = {{0.1, 0.2, 0.97}, {-1, 0, 0.1}, {1, 0, 0.1},
-                                      {0, -1, 0.1},     {0, 1, 0.1},  {0.3, 0, 1}};
+  const Vector normals[6] = {{0.1, 0.2, 0.97}, {-1, 0, 0.1}, {1, 0, 0.1},
+                             {0, -1, 0.1},     {0, 1, 0.1},  {0.3, 0, 1}};
   const double depth = std::sqrt(setup.config.nearest * setup.config.farthest),
                radius = 0.3 * depth;
   for (int i = 0; i < count; ++i) {
-    const harness::Vector n = normals[i];
+    const Vector n = normals[i];
     // From the object's middle, against the normal.
-    const harness::Vector away = (cuts ? 0 : -2 * radius) * n / std::sqrt(Dot(n, n));
-    const runtime::Plane view = PlaneThroughPoint(n, harness::Vector{0, 0, depth} + away);
-    planes.push_back(runtime::PlaneBefore(setup.view, view));
+    const Vector away = (cuts ? 0 : -2 * radius) * n / std::sqrt(Dot(n, n));
+    const Plane view = PlaneThroughPoint(n, Vector{0, 0, depth} + away);
+    planes.push_back(PlaneBefore(setup.view, view));
   }
   return planes;
 }
@@ -50,11 +50,10 @@ struct Entry {
 
 std::vector<Entry> EntriesFor(const Setting& setting, const Setup& setup, const Mesh& mesh) {
   std::vector<Entry> entries;
-  for (const Way& way : AllWays()) {
+  for (const Way& way : kWays) {
     for (const int planes : {0, 1, 3, 6}) {
-      if ((planes == 0) != (way.kind == WayKind::kNone) || planes > std::max(way.most_planes, 0))
-        continue;
-      const std::vector<runtime::Plane> world = Sides(setup, planes, setting.cuts);
+      if ((planes == 0) != (way.kind == WayKind::kNone) || planes > way.most_planes) continue;
+      const std::vector<Plane> world = Sides(setup, planes, setting.cuts);
       const auto constants = ConstantsOf(way.kind, setup, world);
       if (!constants) continue;
       Entry entry;
@@ -63,8 +62,8 @@ std::vector<Entry> EntriesFor(const Setting& setting, const Setup& setup, const 
       entry.call = MakeCall(way.kind, planes, false);
       entry.call->SetMesh(mesh);
       entry.call->SetConstants(*constants);
-      for (const runtime::Plane& plane : world) {
-        entry.object_planes.push_back(ConvertTo<double>(runtime::PlaneBefore(setup.world, plane)));
+      for (const Plane& plane : world) {
+        entry.object_planes.push_back(ConvertTo<double>(PlaneBefore(setup.world, plane)));
       }
       entries.push_back(std::move(entry));
     }
@@ -89,7 +88,7 @@ void Round(Studio& studio, const Mesh& mesh, std::vector<Entry>& entries, Random
            bool counts) {
   std::vector<std::size_t> order(entries.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const std::size_t other = random.Below(static_cast<std::uint32_t>(i + 1));
+    const std::size_t other = random.Below(i + 1);
     order[i] = order[other], order[other] = i;
   }
   double before = TimeOf(studio, entries.front(), mesh);
@@ -128,7 +127,7 @@ std::vector<Cost> MeasureSpeed(int rounds, int detail,
     ++done;
     for (Entry& entry : entries) {
       entry.cost.median_ms = harness::Median(entry.times);
-      entry.cost.least_ms = *std::min_element(entry.times.begin(), entry.times.end());
+      entry.cost.least_ms = *std::ranges::min_element(entry.times);
       entry.cost.paired_ratio = harness::Median(entry.shares);
     }
     const Cost none = entries.front().cost;

@@ -80,7 +80,7 @@ void DrawCall::SetMesh(const Mesh& mesh) {
     } else {
       glBufferData(GL_ARRAY_BUFFER, bytes(mesh.vertices), mesh.vertices.data(), GL_STATIC_DRAW);
     }
-    const auto index = static_cast<GLuint>(attribute.location);
+    const GLuint index = attribute.location;
     glVertexAttribPointer(index, is_normal ? 3 : 4, GL_FLOAT, GL_FALSE, 0, nullptr);
     glEnableVertexAttribArray(index);
   }
@@ -125,9 +125,8 @@ void DrawCall::Draw() {
 }
 
 std::unique_ptr<DrawCall> MakeCall(WayKind kind, int planes, bool coverage) {
-  const bool distances = kind == WayKind::kClip || kind == WayKind::kXyw1 ||
-                         kind == WayKind::kObject || kind == WayKind::kLevel9 ||
-                         kind == WayKind::kWorld;
+  const Needs needs = WayOf(kind).needs;
+  const bool distances = needs == Needs::kDistances || needs == Needs::kUserPlanes;
   return std::make_unique<DrawCall>(SourceOf(kind, planes, coverage), planes, distances);
 }
 

@@ -10,7 +10,7 @@
 #include "tools/harness/framebuffer.h"
 #include "tools/harness/offscreen.h"
 #include "tools/study/program/mesh.h"
-#include "tools/study/program/way.h"
+#include "tools/study/program/source.h"
 
 namespace clipc::study {
 
@@ -46,7 +46,7 @@ class DrawCall {
   void Draw();  // into the studio that is current
 
  private:
-  draw::Program program_;
+  draw::GlProgram program_;
   int planes_;
   bool fixed_planes_;  // the planes are set by glClipPlane
   bool distances_;     // glClipPlane's planes or the shader's clip distances are enabled

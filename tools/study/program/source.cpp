@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "tools/study/program/way.h"
+#include "tools/study/program/source.h"
 
 #include "compiler/compile.h"
 #include "runtime/near_plane.h"
@@ -8,26 +8,6 @@
 
 namespace clipc::study {
 namespace {
-
-PlaneSpace SpaceOf(WayKind kind) {
-  switch (kind) {
-    case WayKind::kXyw1: return PlaneSpace::kXyw1;
-    case WayKind::kObject:
-    case WayKind::kNearPlane:
-    case WayKind::kDiscardObject: return PlaneSpace::kObject;
-    default: return PlaneSpace::kClip;
-  }
-}
-
-Lowering LoweringOf(WayKind kind) {
-  switch (kind) {
-    case WayKind::kLevel9: return Lowering::kLevel9;
-    case WayKind::kNearPlane: return Lowering::kNearPlane;
-    case WayKind::kDiscard:
-    case WayKind::kDiscardObject: return Lowering::kDiscard;
-    default: return Lowering::kClipDistance;
-  }
-}
 
 std::string FragmentOf(WayKind kind, int planes, bool coverage) {
   const bool is_old = kind == WayKind::kLevel9;
@@ -55,22 +35,6 @@ std::string FragmentOf(WayKind kind, int planes, bool coverage) {
 
 }  // namespace
 
-const std::vector<Way>& AllWays() {
-  static const std::vector<Way> ways = {{WayKind::kNone, "none", 0},
-                                        {WayKind::kClip, "clip", 6},
-                                        {WayKind::kXyw1, "xyw1", 6},
-                                        {WayKind::kObject, "object", 6},
-                                        {WayKind::kLevel9, "level9", 6},
-                                        {WayKind::kWorld, "world", 6},
-                                        {WayKind::kNearPlane, "near-plane", 1},
-                                        {WayKind::kNearPlaneFloat, "near-plane-f32", 1},
-                                        {WayKind::kDiscard, "discard", 6},
-                                        {WayKind::kDiscardObject, "discard-object", 6},
-                                        {WayKind::kDiscardRecomputed, "discard-world", 6},
-                                        {WayKind::kCpu, "cpu", 6}};
-  return ways;
-}
-
 WaySource SourceOf(WayKind kind, int planes, bool coverage) {
   CompileRequest request;
   request.path = CLIPC_STUDY_SHADER;
@@ -80,8 +44,9 @@ WaySource SourceOf(WayKind kind, int planes, bool coverage) {
   if (kind == WayKind::kWorld) request.defines.push_back("BY_HAND");
   if (kind == WayKind::kDiscardRecomputed) request.defines.push_back("RECOMPUTED");
   if (kind == WayKind::kLevel9) request.profile = "vs_4_0_level_9_1", request.target = "glsl120";
-  request.lowering = LoweringOf(kind);
-  request.plane_space = SpaceOf(kind);
+  const Way& way = WayOf(kind);
+  request.lowering = way.lowering.value_or(Lowering::kClipDistance);
+  if (way.lowering) request.plane_space = *way.space;
   WaySource source;
   source.fragment = FragmentOf(kind, planes, coverage);
   if (request.lowering == Lowering::kDiscard) request.fragment = source.fragment;
@@ -93,43 +58,36 @@ WaySource SourceOf(WayKind kind, int planes, bool coverage) {
 }
 
 std::optional<WayConstants> ConstantsOf(WayKind kind, const Setup& setup,
-                                        const std::vector<runtime::Plane>& world_planes) {
+                                        const std::vector<Plane>& world_planes) {
   WayConstants constants = {
       ConvertTo<float>(setup.world_view_projection), ConvertTo<float>(setup.world), {}};
   const runtime::DrawMatrices draw = {setup.world, setup.view, setup.projection};
-  for (const runtime::Plane& plane : world_planes) {
-    if (kind == WayKind::kWorld || kind == WayKind::kDiscardRecomputed) {
+  for (const Plane& plane : world_planes) {
+    const std::optional<PlaneSpace> space = WayOf(kind).space;
+    if (!space) {
       constants.planes.push_back(ConvertTo<float>(plane));
       continue;
     }
-    const auto constant =
-        runtime::PlaneConstantFor(SpaceOf(kind), plane, runtime::KnownIn::kWorld, draw);
+    const auto constant = PlaneConstantFor(*space, plane, runtime::KnownIn::kWorld, draw);
     if (!constant.ok()) return std::nullopt;
     constants.planes.push_back(VectorOf(constant.value.plane.constant));
   }
   const runtime::DepthRange range = setup.config.camera.Range();
   if (kind == WayKind::kNearPlane) {
-    const auto view = runtime::ViewPlaneFromWorld(world_planes.front(), setup.view);
-    const auto sheared = runtime::ShearNearPlane(view.value.plane, setup.projection, range,
-                                                 runtime::NearPlaneScale::kKeepFar);
+    const auto view = ViewPlaneFromWorld(world_planes.front(), setup.view);
+    const auto sheared = ShearNearPlane(view.value.plane, setup.projection, range,
+                                        runtime::NearPlaneScale::kKeepFar);
     if (!sheared.ok() || range.reversed)
       return std::nullopt;  // the lowering writes z = d, which is for z = 0 at the near plane
-    const auto object = runtime::ObjectPlaneFromWorld(world_planes.front(), setup.world);
-    const runtime::Plane& p = object.value.plane;
+    const auto object = ObjectPlaneFromWorld(world_planes.front(), setup.world);
+    const Plane& p = object.value.plane;
     const double a = sheared.value.scale;
-    constants.planes.front() = ConvertTo<float>(runtime::Plane{p.x * a, p.y * a, p.z * a, p.w * a});
+    constants.planes.front() = ConvertTo<float>(Plane{p.x * a, p.y * a, p.z * a, p.w * a});
   }
   if (kind == WayKind::kNearPlaneFloat) {
-    const auto view_plane = runtime::ViewPlaneFromWorld(world_planes.front(), setup.view);
+    const auto view_plane = ViewPlaneFromWorld(world_planes.front(), setup.view);
     if (range.reversed || view_plane.value.plane.w >= 0) return std::nullopt;
-    const Mat4<float> view = ConvertTo<float>(setup.view),
-                      projection = ConvertTo<float>(setup.projection);
-    const auto plane =
-        PlaneThrough(InverseOf(Multiply(view, projection)), ConvertTo<float>(world_planes.front()));
-    Mat4<float> shear = ConvertTo<float>(runtime::Matrix{});
-    for (int i = 0; i < 4; ++i) shear.m[i][2] = plane[i];
-    constants.world_view_projection =
-        Multiply(Multiply(ConvertTo<float>(setup.world), view), Multiply(projection, shear));
+    constants.world_view_projection = FloatNearPlane(setup, world_planes.front());
   }
   return constants;
 }

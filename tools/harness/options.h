@@ -1,21 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "tools/draw/arguments.h"
+// The command lines of the tools.
+namespace clipc::harness::options {
 
-namespace clipc::draw {
-
-// A long option.
+// An option: "--name value", "--name=value" or, without a value, "--name"; one dash does too.
 struct Flag {
   bool takes_value;
   std::function<void(const std::string& value)> handle;
 };
+using Flags = std::map<std::string, Flag>;  // by name, without dashes
+
+// "0x3", "3". Throws DrawError for anything else.
+std::uint32_t ParseNumber(const std::string& text);
 
 // Flags that set a variable: to their value, with their value at its end, to their value as a
 // number, or, without a value, to true.
@@ -29,7 +33,7 @@ template <typename Integer>
 Flag Number(Integer& to) {
   return {true, [&to](const std::string& value) { to = static_cast<Integer>(ParseNumber(value)); }};
 }
-inline Flag Switch(bool& to) {
+inline Flag On(bool& to) {
   return {false, [&to](const std::string&) { to = true; }};
 }
 // A flag whose value `handle` takes.
@@ -38,13 +42,16 @@ inline Flag With(std::function<void(const std::string& value)> handle) {
 }
 
 // Calls the handlers of the options in the order of the arguments, and returns the arguments that
-// are not options. Throws DrawError.
-std::vector<std::string> ParseOptions(int argc, char** argv,
-                                      const std::map<std::string, Flag>& flags);
+// are not options. arguments[0] is the command's name, which is left out. Throws DrawError.
+std::vector<std::string> Parse(const std::vector<std::string>& arguments, const Flags& flags);
+// The same where exactly one argument is not an option.
+std::string ParseOnlyPath(const std::vector<std::string>& arguments, const Flags& flags);
 
-// The only one of `paths`. Throws DrawError when there are none or several.
-std::string OnlyPath(const std::vector<std::string>& paths);
+}  // namespace clipc::harness::options
+
+namespace clipc::harness {
+
 // The bytes of a file. Throws DrawError when it cannot be read.
 std::string ReadFile(const std::string& path);
 
-}  // namespace clipc::draw
+}  // namespace clipc::harness

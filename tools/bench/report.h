@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdio>
+
+namespace clipc::bench {
+
+inline int g_missed = 0;  // limits
+
+// Prints a row of the table: what was measured, beside its limit.
+inline void Report(const char* what, double value, const char* unit, double limit) {
+  const bool holds = value <= limit;
+  g_missed += !holds;
+  std::printf("| %s | %.3g %s | at most %.3g %s | %s |\n", what, value, unit, limit, unit,
+              holds ? "holds" : "**missed**");
+  std::fflush(stdout);
+}
+
+}  // namespace clipc::bench
