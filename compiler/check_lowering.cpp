@@ -5,6 +5,21 @@
 #include "passes/outputs.h"
 
 namespace clipc {
+namespace {
+
+// Planes that become clip distances share the eight distances with the shader's own cull distances.
+void CheckDistanceCount(const ir::Program& program, Diagnostics& diagnostics) {
+  constexpr std::uint32_t kMaxDistances = 8;
+  const ir::VarId culls = passes::FindOutput(program, ir::Builtin::kCullDistance);
+  if (!culls) return;
+  const auto planes = static_cast<std::uint32_t>(program.clip_planes.size());
+  const std::uint32_t count = planes + program.types[program.vars[culls].type].count;
+  if (count <= kMaxDistances) return;
+  diagnostics.Report(program.clip_planes.front().span, diag::TooManyClipDistances, count)
+      .Note(program.vars[culls].span, diag::CullDistanceWrittenHere);
+}
+
+}  // namespace
 
 Lowering DefaultLowering(const ir::Profile& profile) {
   return profile.level9 == ir::Level9::kNone ? Lowering::kClipDistance : Lowering::kLevel9;
@@ -28,6 +43,7 @@ ir::VarId CheckLowering(const ir::Program& program, const LoweringRequest& reque
     diagnostics.Report(planes[1].span, diag::ClipPlanesForNearPlane, planes.size());
     return {};
   }
+  if (request.lowering == Lowering::kClipDistance) CheckDistanceCount(program, diagnostics);
   if (request.plane_space != PlaneSpace::kObject) return {};
   const std::string& semantic = request.position_input;
   return rules::CheckPositionInput(program, semantic.empty() ? "POSITION0" : semantic, diagnostics);

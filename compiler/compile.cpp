@@ -119,6 +119,7 @@ void Compilation::ReadNames() {
   CheckRequest(lowering_, diagnostics_);
   front_.entry = request_.entry;
   front_.packing = request_.packing;
+  front_.position_name = request_.position_name;
   front_.whole_register_planes = lowering_.lowering == Lowering::kLevel9;
 }
 

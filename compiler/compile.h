@@ -49,6 +49,7 @@ struct CompileRequest {
   std::string profile = "vs_5_0";
   std::string entry = "main";
   MatrixPacking packing = MatrixPacking::kColumnMajor;
+  rules::PositionName position_name = rules::PositionName::kSystemValue;
 
   std::string target = "glsl450";
   std::vector<glsl::BindingShift> binding_shifts;  // of target "vulkan"

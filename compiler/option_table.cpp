@@ -14,6 +14,8 @@
 namespace clipc {
 namespace {
 
+using rules::PositionName;
+
 // ---- what an option does with its value
 
 // For what another compiler does with its code, and GLSL has no use for.
@@ -137,7 +139,14 @@ void AddShift(Reading& reading, const std::string& value) {
   }
 }
 
-void SetOldSemantics(Reading& reading, const std::string&) { reading.keeps_old_semantics = true; }
+// -Gec and -Ges exclude each other, as in fxc.
+template <PositionName kName>
+void SetPositionName(Reading& reading, const std::string&) {
+  PositionName& name = reading.command.request.position_name;
+  if (name != PositionName::kSystemValue && name != kName)
+    reading.error = "-Gec and -Ges contradict each other";
+  name = kName;
+}
 
 void AddStandardInput(Reading& reading, const std::string&) {
   reading.command.inputs.emplace_back("-");
@@ -346,7 +355,6 @@ constexpr Option kOptions[] = {
     {"-Zs", kFlag, Ignore},
     {"-Cc", kFlag, Ignore},
     {"-c", kFlag, Ignore},
-    {"-Ges", kFlag, Ignore},
     {"-Gfa", kFlag, Ignore},
     {"-Gfp", kFlag, Ignore},
     {"-Gpp", kFlag, Ignore},
@@ -360,8 +368,10 @@ constexpr Option kOptions[] = {
     {"-Qstrip_", kJoined, Ignore},
     {"-O", kJoined, SetOptimisation},
 
+    {"-Gec", kFlag, SetPositionName<PositionName::kBoth>},
+    {"-Ges", kFlag, SetPositionName<PositionName::kStrict>},
+
     // A meaning that is lost.
-    {"-Gec", kFlag, SetOldSemantics},
     {"-Gis", kFlag, HasNoEffect, nullptr, "only what the shader declares `precise` is"},
     {"-Fd", kJoinedOrSeparate, HasNoEffect, nullptr,
      "GLSL has no debug database; -Zi keeps the lines of the HLSL"},

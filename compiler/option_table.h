@@ -20,8 +20,7 @@ struct Reading {
   std::string advice;  // its Option::help
   std::string error;
 
-  std::optional<bool> validate;      // what the user asks for
-  bool keeps_old_semantics = false;  // -Gec
+  std::optional<bool> validate;  // what the user asks for
   bool writes_spirv = false, spirv_for_vulkan = true;
   SpirvRequest spirv;
   bool preprocess = false;                         // -P

@@ -155,13 +155,6 @@ void FinishSpirv(Reading& reading) {
 
 void ReportWithoutEffect(Reading& reading) {
   CommandLine& command = reading.command;
-  const auto profile = ir::ParseProfile(command.request.profile);
-  if (reading.keeps_old_semantics && profile && profile->major >= 4) {
-    reading.without_effect.push_back(
-        {"-Gec",
-         fmt::format("under `{}` a position is SV_Position, and POSITION a name like others",
-                     profile->name)});
-  }
   for (const Reading::Ignored& ignored : reading.without_effect)
     command.notices.Report({}, diag::OptionWithoutEffect, ignored.option, ignored.why);
   if (!reading.foreign_warnings.empty()) {

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "clip-table/vocabulary.h"
+#include "ir/packing.h"
 
 namespace clipc::ir {
 namespace {
@@ -134,6 +135,9 @@ class InterfaceVerifier {
       if (var.storage != Storage::kUniform || var.cbuffer != id)
         Fail(what + " has a member that is not its own");
       if (member.offset % 4 != 0) Fail(what + " has a member between two components: " + var.name);
+      if (buffer.kind != CbufferKind::kConstantBuffer &&
+          PackedOffset(program_.types, var.type, var.row_major, member.offset) != member.offset)
+        Fail(what + " has a member across registers: " + var.name);
       if (std::uint64_t{member.offset} + member.size > buffer.size)
         Fail(what + " ends before its member " + var.name);
     }

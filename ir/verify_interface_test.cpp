@@ -106,6 +106,10 @@ TEST_F(InterfaceRules, MembersInside) {
   shader.cbuffers[shader.camera].size = 96;
   ExpectProblem("ends before its member scale");
 }
+TEST_F(InterfaceRules, MembersLieWithinRegisters) {
+  shader.cbuffers[shader.camera].members[0].offset = 4;
+  ExpectProblem("a member across registers");
+}
 TEST_F(InterfaceRules, MembersAreTheBuffersOwn) {
   shader.cbuffers[shader.camera].members[0].var = shader.counter;
   ExpectProblem("a member that is not its own");

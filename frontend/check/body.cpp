@@ -2,7 +2,6 @@
 #include "frontend/check/body.h"
 
 #include "frontend/check/assign.h"
-#include "frontend/check/clip_planes.h"
 #include "frontend/check/emit.h"
 #include "frontend/check/flow.h"
 #include "frontend/check/function.h"
@@ -26,7 +25,6 @@ void CheckBody(Context& context, FunctionInfoId id) {
                                 .local_floor = context.names.size(),
                                 .body = &body});
   const int errors_before = context.diagnostics.error_count();
-  if (info.function != context.program.entry) CheckUnusedClipPlanes(context, decl);
   const ScopeTable::LocalScope parameter_scope(context.names);
   std::size_t next = 0;
   if (info.self) body.self = vars[next++];

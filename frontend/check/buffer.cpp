@@ -6,6 +6,7 @@
 #include "frontend/check/assign.h"
 #include "frontend/check/global.h"
 #include "frontend/check/type.h"
+#include "ir/packing.h"
 
 namespace clipc::check {
 namespace {
@@ -34,9 +35,14 @@ void ResolveMember(Context& context, Buffer& buffer, SymbolId id) {
 
 void FinishMember(Context& context, const ast::VarDecl& var, CbufferMember& member) {
   constexpr std::uint32_t kRow = 16, kMaxRow = 65536;
-  if (var.packoffset && var.packoffset->reg < kMaxRow) {
-    member.offset = var.packoffset->reg * kRow + var.packoffset->component * 4;
+  if (const auto& place = var.packoffset; place && place->reg < kMaxRow) {
+    member.offset = place->reg * kRow + place->component * 4;
     member.has_packoffset = true;
+    const Var& made = context[member.var];
+    if (PackedOffset(context.types, made.type, made.row_major, member.offset) != member.offset) {
+      context.Report(place->span, diag::PackOffsetMisfit, made.name, context.TypeName(made.type),
+                     fmt::format("`c{}.{}`", place->reg, "xyzw"[place->component]));
+    }
   } else if (const ast::RegisterBinding* binding = BindingOf(context, var.registers, "c");
              binding && binding->letter == 'c') {
     if (binding->number >= kMaxRow) return;

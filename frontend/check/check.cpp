@@ -32,8 +32,9 @@ void Run(Context& context) {
   FinishBuffers(context);
   for (CbufferId id : program.cbuffers.ids())
     LayOut(program.types, program.vars, program.cbuffers[id]);
-  BuildMain(program, signature, context.diagnostics);
+  BuildMain(program, signature, context.options.position_name, context.diagnostics);
   CheckClipPlanes(context, entry, attributes);
+  CheckUnusedClipPlanes(context, attributes);
   FinishGlobals(context);
   if (!context.diagnostics.has_errors()) ResolveObjects(program, context.diagnostics);
   AssignRegisters(program, context.diagnostics);

@@ -6,6 +6,7 @@
 
 #include "base/diagnostics.h"
 #include "frontend/parse/ast.h"
+#include "frontend/rules/semantics.h"
 #include "ir/profile.h"
 #include "ir/program.h"
 
@@ -22,6 +23,7 @@ struct CheckOptions {
   // Whether clip planes go to SetClipPlane (the level9 lowering), which takes whole registers only:
   // anything less is reported (X4594).
   bool whole_register_planes = false;
+  rules::PositionName position_name = rules::PositionName::kSystemValue;
 };
 
 // Resolves the names, types and overloads of everything that the entry point reaches. Returns what

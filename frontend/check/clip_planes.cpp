@@ -5,20 +5,19 @@
 #include <optional>
 
 #include "base/overloaded.h"
-#include "base/spelling.h"
 #include "clip-table/vocabulary.h"
 #include "frontend/check/expr.h"
 #include "frontend/check/function.h"
 #include "frontend/check/global.h"
 #include "frontend/check/scope.h"
 #include "frontend/check/text.h"
+#include "frontend/parse/attributes.h"
+#include "frontend/rules/build_main.h"
 #include "frontend/rules/constant.h"
 #include "ir/packing.h"
 
 namespace clipc::check {
 namespace {
-
-constexpr std::string_view kAttribute = "clipplanes";
 
 // The place of one float of a plane: a byte of a cbuffer, or of one element of an array of
 // ConstantBuffers.
@@ -171,23 +170,15 @@ bool IsWholeRegister(const Addresses& components) {
   return true;
 }
 
-enum class Spelling { kNo, kExact, kMisspelt };
-
-// Whether an attribute's name is, or was meant to be, `clipplanes` (case does not matter).
-Spelling SpellsClipPlanes(std::string_view name) {
-  if (EqualIgnoringCase(name, kAttribute)) return Spelling::kExact;
-  std::string bare(name);
-  std::erase(bare, '_');
-  return EditDistance(bare, kAttribute, 2) <= 2 ? Spelling::kMisspelt : Spelling::kNo;
-}
-
 bool IsClipPlanes(const Context& context, const ast::Attr& attr) {
-  return SpellsClipPlanes(context[attr.name]) == Spelling::kExact;
+  return MeaningOfAttribute(context[attr.name]) == AttributeMeaning::kClipPlanes;
 }
 
-void ReportMisspelling(Context& context, const ast::Attr& attr) {
+bool ReportIfMisspelt(Context& context, const ast::Attr& attr) {
+  if (MeaningOfAttribute(context[attr.name]) != AttributeMeaning::kLikeClipPlanes) return false;
   context.Report(attr.name_span, diag::ClipPlanesMisspelt, context[attr.name])
-      .Fix(attr.name_span, std::string(kAttribute));
+      .Fix(attr.name_span, std::string(kClipPlanesAttribute));
+  return true;
 }
 
 void ReachNames(Context& context, ast::ExprId id) {
@@ -255,8 +246,13 @@ bool CheckSurroundings(Context& context, const ast::Attr& attribute) {
         .Note(context[output.var].span, diag::ClipDistanceWrittenHere);
     return false;
   }
-  if (!has_position) context.Report(attribute.span, diag::ClipPlanesWithoutPosition);
-  return has_position;
+  if (has_position) return true;
+  Diagnostic& report = context.Report(attribute.span, diag::ClipPlanesWithoutPosition);
+  if (const IoVar* position = FindPlainPosition(program)) {
+    const Span span = context[position->var].span;
+    report.Note(span, diag::PositionWrittenHere, position->semantic).Fix(span, "SV_Position");
+  }
+  return false;
 }
 
 // Forms that no cbuffer could make right get their message from the text, before names are looked
@@ -344,10 +340,7 @@ void ReachClipPlanes(Context& context, FunctionInfoId entry, const AttributeList
 void CheckClipPlanes(Context& context, FunctionInfoId entry, const AttributeLists& attributes) {
   const ViewSwitch in(context, {.scope = context[entry].scope, .order = context[entry].order});
   for (std::span<const ast::Attr> list : attributes) {
-    for (const ast::Attr& attr : list) {
-      if (SpellsClipPlanes(context[attr.name]) == Spelling::kMisspelt)
-        ReportMisspelling(context, attr);
-    }
+    for (const ast::Attr& attr : list) ReportIfMisspelt(context, attr);
   }
   const ast::Attr* attribute = TheAttribute(context, attributes);
   if (!attribute || !CheckSurroundings(context, *attribute)) return;
@@ -355,14 +348,18 @@ void CheckClipPlanes(Context& context, FunctionInfoId entry, const AttributeList
   for (ast::ExprId operand : context[attribute->arguments]) CheckOperand(context, operand, seen);
 }
 
-void CheckUnusedClipPlanes(Context& context, const ast::FunctionDecl& function) {
-  for (const ast::Attr& attr : context[function.attributes]) {
-    switch (SpellsClipPlanes(context[attr.name])) {
-      case Spelling::kNo: break;
-      case Spelling::kMisspelt: ReportMisspelling(context, attr); break;
-      case Spelling::kExact:
-        context.Report(attr.span, diag::ClipPlanesNotOnEntry, context[function.name]);
-        break;
+void CheckUnusedClipPlanes(Context& context, const AttributeLists& of_entry) {
+  for (const ast::DeclId id : context.file.decls.ids()) {
+    const auto* function = context.GetIf<ast::FunctionDecl>(id);
+    if (!function || function->attributes.empty()) continue;
+    const std::span<const ast::Attr> attributes = context[function->attributes];
+    const bool is_entry = std::ranges::any_of(of_entry, [&](std::span<const ast::Attr> list) {
+      return !list.empty() && list.data() == attributes.data();
+    });
+    if (is_entry) continue;
+    for (const ast::Attr& attr : attributes) {
+      if (!ReportIfMisspelt(context, attr) && IsClipPlanes(context, attr))
+        context.Report(attr.span, diag::ClipPlanesNotOnEntry, context[function->name]);
     }
   }
 }

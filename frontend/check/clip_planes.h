@@ -21,8 +21,8 @@ void ReachClipPlanes(Context& context, FunctionInfoId entry, const AttributeList
 // program.outputs (BuildMain ran) and laid out cbuffers.
 void CheckClipPlanes(Context& context, FunctionInfoId entry, const AttributeLists& attributes);
 
-// For a function that is not the entry point: warns of a clip plane attribute (X3588), which has no
-// effect there, and reports a misspelt one.
-void CheckUnusedClipPlanes(Context& context, const ast::FunctionDecl& function);
+// Warns of clip planes on functions other than the entry point (X3588), where they have no effect,
+// and reports attributes there that are nearly spelled like theirs.
+void CheckUnusedClipPlanes(Context& context, const AttributeLists& of_entry);
 
 }  // namespace clipc::check

@@ -129,6 +129,7 @@ void Parser::ParseSpecified(Decls& decls, Scope scope, const TemplateHeader& hea
   const Specifiers specifiers = ParseSpecifiers("a declaration");
   if (panic_) return;
   if (!specifiers.type) {  // [[attribute]] typedef ...; [[attribute]] cbuffer ...
+    RefuseClipPlanes(specifiers.attributes, fmt::format("a `{}`", TextAt()));
     if (!ParseKeywordDeclaration(decls, scope)) ParseBuffer(decls, specifiers);
   } else if (ParseTypeOnly(decls, specifiers)) {
     return;
@@ -144,6 +145,7 @@ bool Parser::ParseTypeOnly(Decls& decls, const Specifiers& specifiers) {
   const DeclId definition = file_.types[specifiers.type].struct_definition;
   if (!definition || (!At(kSemicolon) && !StructEndsHere())) return false;
   ParseEndOfType(definition);
+  RefuseClipPlanes(specifiers.attributes, "the definition of a type");
   auto* structure = std::get_if<StructDecl>(&file_.decls[definition].node);
   if (structure && structure->attributes.empty()) structure->attributes = specifiers.attributes;
   decls.Add(definition);
@@ -173,6 +175,9 @@ void Parser::ParseVariables(Decls& decls, Scope scope, const Specifiers& specifi
     // `Texture2D t <annotation> {...}` may do without.
     ExpectSemicolon(fmt::format("the declaration of `{}`", Text(var.name)));
   }
+  // A function that is cut off looks like a variable.
+  if (!panic_)
+    RefuseClipPlanes(specifiers.attributes, scope == Scope::kStruct ? "a field" : "a variable");
 }
 
 // cbuffer Name : register(b0) {...}
@@ -242,7 +247,7 @@ void Parser::ParseUsing(Decls& decls) {
     TypedefDecl decl{};
     decl.name_span = Here();
     decl.name = Next().name();
-    ParseAttributes();
+    RefuseClipPlanes(ParseAttributes(), "the definition of a type");
     Expect(kEqual, "`=`");
     Specifiers specifiers;
     if (!ParseTypedSpecifiers(specifiers, "a type")) return;

@@ -205,6 +205,7 @@ List<DeclId> Parser::ParseParameters() {
 void Parser::ParseParameter(Decls& decls) {
   Specifiers specifiers;
   if (!ParseTypedSpecifiers(specifiers, "a parameter")) return;
+  RefuseClipPlanes(specifiers.attributes, "a parameter");
   VarDecl var = MakeVar(specifiers);
   if (At(kIdentifier) && !ParseDeclaratorName(var.name, var.name_span, "parameter")) return;
   Declare(var.name, Meaning::kValue);

@@ -68,6 +68,10 @@ class Parser : private TreeBuilder {
   ExprId ParseTypeOperand();
   Qualifiers ParseQualifiers(Collector<Attr>* attributes);
   List<Attr> ParseAttributes();
+  // Warns, once for each name, of an attribute that does nothing.
+  void NoteAttribute(const Attr& attribute);
+  // Reports clip planes among the attributes of `owner`, which is not a function.
+  void RefuseClipPlanes(List<Attr> attributes, std::string_view owner);
   void ParseAttributes(Collector<Attr>& attributes);
   void ParseAttributeList(Collector<Attr>& attributes);
   bool ParseAttribute(Collector<Attr>& attributes, std::size_t start);
@@ -188,7 +192,8 @@ class Parser : private TreeBuilder {
   // The definition of a function was found inside a function: a `}` is missing, and all blocks end
   // here.
   bool leaving_function_ = false;
-  std::vector<bool> technique_names_;  // by Name: is in File::technique_vertex_shaders
+  std::vector<bool> noted_attributes_;  // by Name
+  std::vector<bool> technique_names_;   // by Name: is in File::technique_vertex_shaders
 };
 
 }  // namespace clipc::ast

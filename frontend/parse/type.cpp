@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <fmt/format.h>
 
+#include "frontend/parse/attributes.h"
 #include "frontend/parse/parser.h"
 
 // Types, qualifiers and attributes.
@@ -232,7 +233,28 @@ bool Parser::ParseAttribute(Collector<Attr>& attributes, std::size_t start) {
   attribute.span =
       At(kRightBracket) ? Cover(tokens_[start].span(), Peek(last).span()) : SpanFrom(start);
   attributes.Add(attribute);
+  NoteAttribute(attribute);
   return !panic_;
+}
+
+void Parser::NoteAttribute(const Attr& attribute) {
+  const AttributeMeaning meaning = MeaningOfAttribute(Text(attribute.name));
+  const bool is_unknown = meaning == AttributeMeaning::kUnknown;
+  if (!is_unknown && meaning != AttributeMeaning::kWithoutEffect) return;
+  if (noted_attributes_.size() <= attribute.name.index) noted_attributes_.resize(names_.size());
+  if (noted_attributes_[attribute.name.index]) return;
+  noted_attributes_[attribute.name.index] = true;
+  diagnostics_.Report(attribute.name_span,
+                      is_unknown ? diag::AttributeUnknown : diag::AttributeWithoutEffect,
+                      Text(attribute.name));
+}
+
+void Parser::RefuseClipPlanes(List<Attr> attributes, std::string_view owner) {
+  for (const Attr& attribute : file_.attrs[attributes]) {
+    const AttributeMeaning meaning = MeaningOfAttribute(Text(attribute.name));
+    if (meaning == AttributeMeaning::kClipPlanes || meaning == AttributeMeaning::kLikeClipPlanes)
+      diagnostics_.Report(attribute.span, diag::ClipPlanesMisplaced, Text(attribute.name), owner);
+  }
 }
 
 // Any number of `[n]`, `[]`.

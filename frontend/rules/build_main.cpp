@@ -35,7 +35,7 @@ struct Cursor {
 };
 
 // A parameter, the result or something inside of one: where it is, and which semantic it has.
-struct Piece {
+struct Carrier {
   PartNumber part = kNoPart;
   TypeId type;
   std::string name;  // for messages: "input.position"
@@ -52,9 +52,11 @@ Cursor CursorOf(const Declared& declared) {
 
 class MainBuilder {
  public:
-  MainBuilder(Program& program, const EntrySignature& signature, Diagnostics& diagnostics)
+  MainBuilder(Program& program, const EntrySignature& signature, PositionName position,
+              Diagnostics& diagnostics)
       : program_(program),
         signature_(signature),
+        position_(position),
         diagnostics_(diagnostics),
         builder_(program, program.functions[program.entry].span) {}
 
@@ -63,12 +65,13 @@ class MainBuilder {
     for (std::size_t i = 0; i < entry.parameters.size(); ++i)
       PrepareParameter(entry.parameters[i], signature_.parameters[i]);
     CallEntry();
-    for (const Piece& output : pending_outputs_) {
-      for (const Piece& leaf : LeavesOf(output)) Output(leaf);
+    for (const Carrier& output : pending_outputs_) {
+      for (const Carrier& leaf : LeavesOf(output)) Output(leaf);
     }
     WriteDistances(Builtin::kClipDistance, "clip_distance");
     WriteDistances(Builtin::kCullDistance, "cull_distance");
     CheckDistanceCount();
+    CheckPosition();
     const StmtId body = builder_.BlockOf(body_);
     program_.main = program_.functions.Add({"main", program_.types.Void(), {}, body, entry.span});
   }
@@ -93,9 +96,9 @@ class MainBuilder {
     }
     const bool reads = var.storage != Storage::kOut;
     const bool writes = var.storage != Storage::kIn;
-    Piece whole{kNoPart, var.type, var.name, var.span, CursorOf(parameter)};
+    Carrier whole{kNoPart, var.type, var.name, var.span, CursorOf(parameter)};
     if (!writes && program_.types[var.type].IsScalarOrVector()) {
-      const std::vector<Piece> leaves = LeavesOf(whole);
+      const std::vector<Carrier> leaves = LeavesOf(whole);
       if (!leaves.empty()) arguments_.push_back(Input(leaves.front()));
       return;
     }
@@ -103,7 +106,7 @@ class MainBuilder {
     whole.part = Whole(local);
     body_.push_back(builder_.Stmt(Declare{local, {}}));
     if (reads) {
-      for (const Piece& leaf : LeavesOf(whole)) {
+      for (const Carrier& leaf : LeavesOf(whole)) {
         const ExprId value = Input(leaf);
         if (value) body_.push_back(builder_.Eval(builder_.AssignTo(ValueOf(leaf.part), value)));
       }
@@ -128,8 +131,8 @@ class MainBuilder {
 
   // ---- taking types apart
 
-  std::vector<Piece> LeavesOf(const Piece& whole) {
-    std::vector<Piece> leaves;
+  std::vector<Carrier> LeavesOf(const Carrier& whole) {
+    std::vector<Carrier> leaves;
     leaves.reserve(16);
     Cursor cursor = whole.cursor;
     Collect(whole, cursor, leaves);
@@ -137,7 +140,7 @@ class MainBuilder {
   }
 
   // The leaves of the piece, with the semantics that `cursor`, which moves on, gives them.
-  void Collect(const Piece& piece, Cursor& cursor, std::vector<Piece>& leaves) {
+  void Collect(const Carrier& piece, Cursor& cursor, std::vector<Carrier>& leaves) {
     const Type type = program_.types[piece.type];
     switch (type.kind) {
       case TypeKind::kError: return;
@@ -153,7 +156,7 @@ class MainBuilder {
     }
     for (std::uint32_t i = 0; i < program_.types.PartCount(piece.type); ++i) {
       if (leaves.size() >= kMaxLeaves) return;
-      Piece inner = piece;
+      Carrier inner = piece;
       inner.type = program_.types.PartType(piece.type, i);
       inner.part = Inside(piece.part, i);
       if (type.kind == TypeKind::kStruct)
@@ -178,7 +181,8 @@ class MainBuilder {
                          : builder_.Part(ValueOf(part.whole), part.number);
   }
 
-  void CollectField(Piece& piece, const Field& field, Cursor& cursor, std::vector<Piece>& leaves) {
+  void CollectField(Carrier& piece, const Field& field, Cursor& cursor,
+                    std::vector<Carrier>& leaves) {
     piece.name += "." + field.name;
     piece.span = field.span;
     // A semantic on the struct as a whole overrides those of its fields (DXC: "semantic override").
@@ -190,7 +194,7 @@ class MainBuilder {
     Collect(piece, own, leaves);
   }
 
-  void CollectLeaf(const Piece& piece, Cursor& cursor, std::vector<Piece>& leaves) {
+  void CollectLeaf(const Carrier& piece, Cursor& cursor, std::vector<Carrier>& leaves) {
     // fxc refuses (X3502); Slang names such an input or output after itself, and nothing wrong can
     // come of it.
     if (!cursor.given) {
@@ -199,7 +203,7 @@ class MainBuilder {
       diagnostics_.Report(piece.span, diag::SemanticMissing, piece.name,
                           fmt::format("{}{}", cursor.semantic.name, cursor.semantic.index));
     }
-    Piece& leaf = leaves.emplace_back(piece);
+    Carrier& leaf = leaves.emplace_back(piece);
     leaf.cursor = cursor;
     if (cursor.span) leaf.span = cursor.span;
     ++cursor.semantic.index;
@@ -208,9 +212,9 @@ class MainBuilder {
   // ---- inputs
 
   // The input's value in the leaf's own type; none after an error.
-  ExprId Input(const Piece& leaf) {
+  ExprId Input(const Carrier& leaf) {
     const SystemValue value = LookUp(leaf, Direction::kInput);
-    if (value.use == SystemValue::Use::kRefused || !MayAdd(leaf, Direction::kInput, value.use))
+    if (value.use == SystemValue::Use::kRefused || !MayAdd(leaf, Direction::kInput, value))
       return {};
     const Scalar kind = BaseOf(program_.types[leaf.type].scalar);
     if (value.use == SystemValue::Use::kBuiltin) {
@@ -245,10 +249,9 @@ class MainBuilder {
 
   // ---- outputs
 
-  void Output(const Piece& leaf) {
+  void Output(const Carrier& leaf) {
     const SystemValue value = LookUp(leaf, Direction::kOutput);
-    if (value.use == SystemValue::Use::kRefused || !MayAdd(leaf, Direction::kOutput, value.use))
-      return;
+    if (value.use == SystemValue::Use::kRefused || !MayAdd(leaf, Direction::kOutput, value)) return;
     switch (value.builtin) {
       case Builtin::kNone: WriteOutput(leaf, StoredType(leaf.type), value.builtin); return;
       case Builtin::kPosition: WriteFloats(leaf, 4, "a `float4`", value.builtin); return;
@@ -259,7 +262,7 @@ class MainBuilder {
     }
   }
 
-  void WriteFloats(const Piece& leaf, std::uint32_t components, std::string_view wanted,
+  void WriteFloats(const Carrier& leaf, std::uint32_t components, std::string_view wanted,
                    Builtin builtin) {
     const Type type = program_.types[leaf.type];
     if (type.Components() != components || BaseOf(type.scalar) != Scalar::kFloat)
@@ -269,19 +272,19 @@ class MainBuilder {
     WriteOutput(leaf, stored, builtin);
   }
 
-  void WriteIndex(const Piece& leaf, Builtin builtin) {
+  void WriteIndex(const Carrier& leaf, Builtin builtin) {
     const Type type = program_.types[leaf.type];
     if (type.Components() != 1 || !IsInteger(type.scalar)) return Refuse(leaf, "a `uint`");
     WriteOutput(leaf, program_.types.Make(Scalar::kUint), builtin);
   }
 
-  void WriteOutput(const Piece& leaf, TypeId stored, Builtin builtin) {
+  void WriteOutput(const Carrier& leaf, TypeId stored, Builtin builtin) {
     const VarId output = AddIo(program_.outputs, leaf, stored, builtin);
     body_.push_back(
         builder_.Eval(builder_.AssignTo(builder_.Ref(output), Fit(ValueOf(leaf.part), stored))));
   }
 
-  VarId AddIo(std::vector<IoVar>& list, const Piece& leaf, TypeId type, Builtin builtin) {
+  VarId AddIo(std::vector<IoVar>& list, const Carrier& leaf, TypeId type, Builtin builtin) {
     const bool is_input = &list == &program_.inputs;
     const VarId id =
         program_.vars.Add({.name = (is_input ? "in_" : "vs_") + ToUpper(leaf.cursor.semantic.name) +
@@ -298,7 +301,7 @@ class MainBuilder {
 
   // ---- clip and cull distances by hand
 
-  void AddDistance(const Piece& leaf, Builtin builtin) {
+  void AddDistance(const Carrier& leaf, Builtin builtin) {
     const Type type = program_.types[leaf.type];
     if (BaseOf(type.scalar) != Scalar::kFloat) return Refuse(leaf, "a `float` scalar or vector");
     auto& list = builtin == Builtin::kClipDistance ? clip_ : cull_;
@@ -327,7 +330,7 @@ class MainBuilder {
     distance_count_ += static_cast<std::uint32_t>(values.size());
     const TypeId type = program_.types.Array(program_.types.Make(Scalar::kFloat),
                                              static_cast<std::uint32_t>(values.size()));
-    Piece leaf;
+    Carrier leaf;
     leaf.type = type;
     leaf.name = name;
     leaf.cursor.semantic.name =
@@ -347,11 +350,26 @@ class MainBuilder {
                         diag::TooManyClipDistances, distance_count_);
   }
 
+  // An output POSITION from 4.0 on is meant to be the position, most likely.
+  void CheckPosition() {
+    const IoVar* plain = FindPlainPosition(program_);
+    if (!plain) return;
+    const bool has_position = std::ranges::find(program_.outputs, Builtin::kPosition,
+                                                &IoVar::builtin) != program_.outputs.end();
+    const Span span = program_.vars[plain->var].span;
+    if (position_ == PositionName::kStrict) {
+      diagnostics_.Report(span, diag::PositionRefused, plain->semantic).Fix(span, "SV_Position");
+    } else if (!has_position) {
+      diagnostics_.Report(span, diag::PositionIsPlain, plain->semantic, program_.profile.name)
+          .Fix(span, "SV_Position");
+    }
+  }
+
   // ---- rules
 
-  SystemValue LookUp(const Piece& leaf, Direction direction) {
+  SystemValue LookUp(const Carrier& leaf, Direction direction) {
     SystemValue value = LookUpSemantic(leaf.cursor.semantic.name, leaf.cursor.semantic.index,
-                                       direction, program_.profile);
+                                       direction, program_.profile, position_);
     const bool is_input = direction == Direction::kInput;
     if (value.use == SystemValue::Use::kRefused) {
       diagnostics_.Report(leaf.span, diag::SemanticNotForStage, leaf.cursor.semantic.name,
@@ -363,23 +381,25 @@ class MainBuilder {
     return value;
   }
 
-  bool MayAdd(const Piece& leaf, Direction direction, SystemValue::Use use) {
-    const std::string key =
-        ToUpper(leaf.cursor.semantic.name) + std::to_string(leaf.cursor.semantic.index);
+  bool MayAdd(const Carrier& leaf, Direction direction, const SystemValue& value) {
+    // The position has two names where Direct3D 9's counts.
+    const std::string name =
+        value.builtin == Builtin::kPosition ? "SV_POSITION" : ToUpper(leaf.cursor.semantic.name);
+    const std::string key = name + std::to_string(leaf.cursor.semantic.index);
     auto& seen = direction == Direction::kInput ? seen_inputs_ : seen_outputs_;
     const auto [found, is_new] = seen.try_emplace(key, leaf.span);
     if (is_new) return true;
     // Plain data can do no harm: each use becomes a variable of its own, as in glslang and in DXC's
     // SPIR-V. An output that the pipeline reads cannot have two values.
     const std::string_view side = direction == Direction::kInput ? "inputs" : "outputs";
-    const bool can_share = direction == Direction::kInput || use == SystemValue::Use::kPlain;
+    const bool can_share = direction == Direction::kInput || value.use == SystemValue::Use::kPlain;
     (can_share ? diagnostics_.Report(leaf.span, diag::SemanticShared, key, side)
                : diagnostics_.Report(leaf.span, diag::SemanticTwice, key, side))
         .Note(found->second, diag::SemanticFirstUsed);
     return can_share;
   }
 
-  void Refuse(const Piece& leaf, std::string_view wanted) {
+  void Refuse(const Carrier& leaf, std::string_view wanted) {
     diagnostics_.Report(leaf.span, diag::SemanticType, leaf.cursor.semantic.name,
                         program_.types.Name(leaf.type), wanted);
   }
@@ -389,12 +409,13 @@ class MainBuilder {
 
   Program& program_;
   const EntrySignature& signature_;
+  PositionName position_;
   Diagnostics& diagnostics_;
   Builder builder_;
   std::vector<StmtId> body_;
   std::vector<ExprId> arguments_;
   std::vector<Part> parts_;
-  std::vector<Piece> pending_outputs_;
+  std::vector<Carrier> pending_outputs_;
   std::vector<Distance> clip_, cull_;
   std::map<std::string, Span> seen_inputs_, seen_outputs_;
   std::uint32_t next_input_ = 0, next_output_ = 0;
@@ -412,8 +433,17 @@ SemanticName SplitSemantic(std::string_view written) {
   return {std::string(written.substr(0, end)), index};
 }
 
-void BuildMain(Program& program, const EntrySignature& signature, Diagnostics& diagnostics) {
-  MainBuilder(program, signature, diagnostics).Run();
+void BuildMain(Program& program, const EntrySignature& signature, PositionName position,
+               Diagnostics& diagnostics) {
+  MainBuilder(program, signature, position, diagnostics).Run();
+}
+
+const IoVar* FindPlainPosition(const Program& program) {
+  const auto found = std::ranges::find_if(program.outputs, [](const IoVar& output) {
+    return output.builtin == Builtin::kNone && output.index == 0 &&
+           EqualIgnoringCase(output.semantic, "POSITION");
+  });
+  return found == program.outputs.end() ? nullptr : &*found;
 }
 
 }  // namespace clipc::rules

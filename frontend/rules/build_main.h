@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "frontend/rules/rules.h"
+#include "frontend/rules/semantics.h"
 
 // The function `main`, which connects the shader's inputs and outputs with the user's entry
 // function.
@@ -42,6 +43,10 @@ struct EntrySignature {
 // piece the next index. Under vs_1_1..vs_3_0 the output POSITION is the position (and PSIZE the
 // point size, FOG, COLOR plain outputs). SV_ClipDistance and SV_CullDistance in any shape become
 // one float array each, packed by register as fxc does. An SV_Position input is a plain input.
-void BuildMain(Program& program, const EntrySignature& signature, Diagnostics& diagnostics);
+void BuildMain(Program& program, const EntrySignature& signature, PositionName position,
+               Diagnostics& diagnostics);
+
+// The output POSITION that is not the position, or null.
+const IoVar* FindPlainPosition(const Program& program);
 
 }  // namespace clipc::rules

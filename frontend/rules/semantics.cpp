@@ -43,16 +43,17 @@ constexpr Row kRows[] = {
 }  // namespace
 
 SystemValue LookUpSemantic(std::string_view name, std::uint32_t index, Direction direction,
-                           const Profile& profile) {
+                           const Profile& profile, PositionName position) {
   const std::string lower = ToLower(name);
   for (const Row& row : kRows) {
     if (row.name == lower) return direction == Direction::kInput ? row.input : row.output;
   }
-  // Direct3D 9's vertex shaders name their position POSITION; from 4.0 on it is a name like any
-  // other.
-  if (profile.IsDirect3D9() && direction == Direction::kOutput && index == 0) {
-    if (lower == "position") return Is(Builtin::kPosition, 0);
-    if (lower == "psize") return Is(Builtin::kPointSize, 0);
+  // Direct3D 9's names of the position and of the point size.
+  if (direction == Direction::kOutput && index == 0) {
+    const bool is_old = profile.IsDirect3D9();
+    if (lower == "position" && (is_old || position == PositionName::kBoth))
+      return Is(Builtin::kPosition, 0);
+    if (lower == "psize" && is_old) return Is(Builtin::kPointSize, 0);
   }
   return lower.starts_with("sv_") ? kRefused : kPlain;
 }

@@ -15,6 +15,13 @@ namespace clipc::rules {
 
 enum class Direction : std::uint8_t { kInput, kOutput };
 
+// What names the position among the outputs from profile 4.0 on; before, POSITION does.
+enum class PositionName : std::uint8_t {
+  kSystemValue,  // SV_Position; POSITION is a name like any other
+  kBoth,         // fxc's -Gec: POSITION as well
+  kStrict,       // fxc's -Ges: an output POSITION is an error
+};
+
 struct SystemValue {
   enum class Use : std::uint8_t {
     kPlain,    // an ordinary input or output of that name
@@ -28,6 +35,7 @@ struct SystemValue {
 
 // The meaning of a semantic on one side of a vertex shader. `name` is without the index.
 SystemValue LookUpSemantic(std::string_view name, std::uint32_t index, Direction direction,
-                           const Profile& profile);
+                           const Profile& profile,
+                           PositionName position = PositionName::kSystemValue);
 
 }  // namespace clipc::rules

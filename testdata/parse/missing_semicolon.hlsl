@@ -13,7 +13,7 @@ cbuffer Buffer { struct { float a; } }
 // CHECK: [[#@LINE-1]]:36: warning: missing `;` after the definition of a struct
 struct Third { float4 a; }
 // CHECK: [[#@LINE-1]]:26: warning: missing `;` after the definition of struct `Third`
-[attribute]
+[noinline]
 static const float4 constant = 1;
 cbuffer NeedsNone { float4 b; }
 DepthStencilState nor_this { DepthEnable = false; }
