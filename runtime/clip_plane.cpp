@@ -203,8 +203,12 @@ Result<double> ClipSpaceEdgeError(const Plane& view_plane, const Matrix& project
   if (!(length > 0) || (s.is_perspective() ? s.b : s.a) == 0)
     return Status::Failure(Error::kSingular,
                            "the plane has no normal, or the projection no inverse");
-  const double amplified = s.is_perspective() ? view_plane.w * s.a / s.b : view_plane.z * s.b / s.a;
-  return 20 * kFloatRoundoff * std::fabs(amplified * s.py) * picture_height / (2 * length);
+  // An orthographic z is as large as the depth, and the plane's w as the eye is far: both are
+  // rounded before they cancel.
+  const double amplified =
+      s.is_perspective() ? std::fabs(view_plane.w * s.a / s.b)
+                         : std::fmax(std::fabs(view_plane.w), std::fabs(view_plane.z * s.b / s.a));
+  return 20 * kFloatRoundoff * amplified * std::fabs(s.py) * picture_height / (2 * length);
 }
 
 }  // namespace clipc::runtime

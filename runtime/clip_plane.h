@@ -74,7 +74,7 @@ Result<PlaneConstant> ObjectPlaneFromWorld(const Plane& world_plane, const Matri
 // surfaces of every direction (kAnySurface). With u = 2^-24 and a picture of H rows:
 //
 //   perspective     20 u |Cw| |A/B| Py H / (2 |N|)
-//   orthographic    20 u Py |Nz| |B/A| H / (2 |N|)
+//   orthographic    20 u Py max(|Cw|, |Nz| |B/A|) H / (2 |N|)
 //
 // |A/B| is 1/n for standard depth, 0 or 1/f for reversed; |B/A| is n for standard depth, f for
 // reversed.

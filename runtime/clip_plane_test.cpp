@@ -374,7 +374,7 @@ TEST(ClipSpaceEdge, FollowsItsLaw) {
   EXPECT_NEAR(error(PerspectiveCamera(0.01, 1e6), 30) / error(standard, 30), 10, 1e-3);
   EXPECT_LT(error(PerspectiveCamera(0.1, 1e6, {false, true}), 30), 1e-4);
   EXPECT_EQ(error(PerspectiveCamera(0.1, INFINITY, {false, true}), 30), 0);
-  EXPECT_LT(error(OrthographicCamera(0.1, 100), 30), 1e-4);
+  EXPECT_NEAR(error(OrthographicCamera(0.1, 100), 30), 20 * 0x1p-24 * 0.1 * 30 * 540, 1e-9);
   EXPECT_NEAR(error(OrthographicCamera(0.1, 100, {false, true}), 30),
               20 * 0x1p-24 * 0.1 * 100 * 540, 1e-9);
   EXPECT_NEAR(ClipSpaceEdgeError({0, 0, 5, -150}, standard.projection, 1080).value,

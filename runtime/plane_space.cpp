@@ -48,7 +48,14 @@ Result<PlaneConstant> ConstantOf(PlaneSpace space, const Plane& plane, KnownIn k
 }  // namespace
 
 Result<double> PredictEdgeError(PlaneSpace space, const Plane& view_plane, const Matrix& projection,
-                                double picture_height, double sine) noexcept {
+                                double picture_height, double sine, double reach) noexcept {
+  const double unit = 2 * 0x1p-24 * picture_height / 2 / sine;
+  const Plane& c = view_plane;
+  if (!(picture_height > 0 && sine > 0 && reach >= 0) ||
+      !std::isfinite(unit + reach + c.x + c.y + c.z + c.w))
+    return Status::Failure(Error::kNotFinite,
+                           "the plane, the picture's height, the sine or the reach is not a number "
+                           "that an error can be told for");
   const ProjectionShape s = ShapeOf(projection);
   const double length = NormalLength(view_plane);
   const bool wrong = !s.holds || (space == PlaneSpace::kXyw1 && !s.is_perspective());
@@ -58,12 +65,14 @@ Result<double> PredictEdgeError(PlaneSpace space, const Plane& view_plane, const
   if (!(length > 0) || (s.is_perspective() ? s.b : s.a) == 0)
     return Status::Failure(Error::kSingular,
                            "the plane has no normal, or the projection no inverse");
-  const double unit = 2 * 0x1p-24 * picture_height / 2 / sine, py = std::fabs(s.py);
-  if (space == PlaneSpace::kObject) return unit;
-  if (space == PlaneSpace::kXyw1) return unit * py;
+  const double py = s.is_perspective() ? std::fabs(s.py) : 1;
+  if (space == PlaneSpace::kObject) return unit * (1 + reach);
+  const double floor = unit * (py + reach);
+  if (space == PlaneSpace::kXyw1) return floor;
   const double price =
       ClipSpaceEdgeError(view_plane, projection, picture_height).value * kAnySurface / sine;
-  return unit * (s.is_perspective() ? py : 1) + price;
+  // A perspective divides what the position loses by what is left of z.
+  return floor + price * (s.is_perspective() ? 1 + reach / py : 1);
 }
 
 Result<SpaceConstant> PlaneConstantFor(PlaneSpace space, const Plane& plane, KnownIn known_in,
@@ -82,11 +91,14 @@ Result<SpaceConstant> PlaneConstantFor(PlaneSpace space, const Plane& plane, Kno
   if (!error.ok()) return result;
   result.edge_error = error.value;
   if (error.value > picture.most_pixels) {
-    result.warning = Status::Failure(
-        Error::kIllConditioned,
-        "plane space %s displaces the cut by about %.2g pixels of %g rows%s", NameOf(space),
-        error.value, picture.height,
-        space == PlaneSpace::kClip ? "; use --plane-space=xyw1 or object, or reversed depth" : "");
+    result.warning =
+        Status::Failure(Error::kIllConditioned,
+                        "plane space %s displaces the cut by about %.2g pixels of %g rows%s",
+                        NameOf(space), error.value, picture.height,
+                        space != PlaneSpace::kClip ? ""
+                        : ShapeOf(draw.projection).is_perspective()
+                            ? "; use --plane-space=xyw1 or object, or reversed depth"
+                            : "; use --plane-space=object");
   }
   return result;
 }

@@ -53,22 +53,30 @@ inline constexpr double kAnySurface = 0.1;
 // The 99th percentile of the distance, in pixels, by which float arithmetic in the vertex shader
 // displaces the edge that the plane cuts into a surface. `sine` is the sine of the angle between
 // surface and plane, 1 if they are perpendicular. With u = 2^-24, H = picture_height rows, the
-// plane (N, Cw) and the elements of ProjectionShape:
+// plane (N, Cw), the elements of ProjectionShape and reach R:
 //
-//   clip, perspective     2 u Py H/2 (1 + |Cw| |A/B| / |N|) / sine
-//   clip, orthographic    2 u H/2 (1 + Py |Nz| |B/A| / |N|) / sine
-//   xyw1                  2 u Py H/2 / sine
-//   object                2 u H/2 / sine
+//   clip, perspective     2 u (Py + R) H/2 (1 + |Cw| |A/B| / |N|) / sine
+//   clip, orthographic    2 u H/2 (1 + R + Py max(|Cw|, |Nz| |B/A|) / |N|) / sine
+//   xyw1                  2 u (Py + R) H/2 / sine
+//   object                2 u (1 + R) H/2 / sine
 //
-// |A/B| is 1/n for standard depth, 0 or 1/f for reversed; |B/A| is n for standard depth, f for
-// reversed.
+// |A/B| is 1/n for standard depth from 0 to 1, 1/2n where z goes from -1 to 1, reversed or not, and
+// 0 or 1/f for reversed depth from 1 to 0; |B/A| is n for standard depth, f for reversed.
+//
+// `reach` is how far the vertices are from the origin of a space in which the shader has them in
+// float, in heights of the picture at the cut's depth; the farthest of these spaces counts. One is
+// the object's own: a level or a terrain whose vertices are in world coordinates has a large reach.
+// For `clip` and `xyw1` another is the world, where the shader multiplies by the world matrix first
+// and by others then. With one matrix, and vertices around their own origin, reach is 0.
 //
 // Tests in tools/study/ compare these laws with __float128: measured values are between 0.1 and 2
 // times the law up to some tens of pixels, where the error saturates. The laws hold for objects
 // about as large as the picture or smaller; the error of larger objects grows in proportion.
 // Errors: kWrongProjection unless ShapeOf holds, and for xyw1 without a perspective; kSingular if
-// the plane has no normal or the projection has no inverse.
+// the plane has no normal or the projection has no inverse; kNotFinite unless height and sine are
+// positive, reach is not negative, and the plane is finite.
 Result<double> PredictEdgeError(PlaneSpace space, const Plane& view_plane, const Matrix& projection,
-                                double picture_height, double sine = kAnySurface) noexcept;
+                                double picture_height, double sine = kAnySurface,
+                                double reach = 0) noexcept;
 
 }  // namespace clipc::runtime

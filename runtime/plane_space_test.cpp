@@ -159,15 +159,42 @@ TEST(PlaneConstantFor, LawOfTheFieldOfViewAndTheAngle) {
                             OrthographicCamera(0.1, 100, {false, reversed}).projection, 1080)
         .value;
   };
-  // Reversed, z is near 1 for all that is near: as bad as the far plane is far.
+  // As bad as the eye is far from the plane. Reversed, z is near 1 for all that is near: as bad as
+  // the far plane is far, too.
   const double floor = 20 * 0x1p-24 * 540;
-  EXPECT_NEAR(orthographic(false, PlaneSpace::kClip), floor * (1 + 0.1 * 0.8 * 0.1), 1e-9);
+  EXPECT_NEAR(orthographic(false, PlaneSpace::kClip), floor * (1 + 0.1 * 30), 1e-9);
   EXPECT_NEAR(orthographic(true, PlaneSpace::kClip), floor * (1 + 0.1 * 0.8 * 100), 1e-9);
   EXPECT_NEAR(orthographic(true, PlaneSpace::kObject), floor, 1e-9);
   EXPECT_EQ(
       PredictEdgeError(PlaneSpace::kXyw1, tilted, OrthographicCamera(0.1, 100).projection, 1080)
           .status.error(),
       Error::kWrongProjection);
+}
+
+TEST(PredictEdgeError, GrowsWithTheReachOfTheVertices) {
+  const Camera camera = PerspectiveCamera(0.1, 1e6);
+  const auto error = [&](PlaneSpace space, double reach) {
+    return PredictEdgeError(space, {0, 0, 1, -30}, camera.projection, 1080, kAnySurface, reach)
+        .value;
+  };
+  const double py = camera.projection.m[1][1];
+  for (const PlaneSpace space : {PlaneSpace::kClip, PlaneSpace::kXyw1})
+    EXPECT_NEAR(error(space, 1000) / error(space, 0), (py + 1000) / py, 1e-9);
+  EXPECT_NEAR(error(PlaneSpace::kObject, 1000) / error(PlaneSpace::kObject, 0), 1001, 1e-9);
+}
+
+TEST(PredictEdgeError, RefusesWhatIsNoNumber) {
+  const Matrix projection = PerspectiveCamera(0.1, 100).projection;
+  const auto error = [&](double w, double height, double sine, double reach) {
+    return PredictEdgeError(PlaneSpace::kXyw1, {0, 0, 1, w}, projection, height, sine, reach)
+        .status.error();
+  };
+  EXPECT_EQ(error(NAN, 1080, 1, 0), Error::kNotFinite);
+  EXPECT_EQ(error(-1, -1080, 1, 0), Error::kNotFinite);
+  EXPECT_EQ(error(-1, 1080, 0, 0), Error::kNotFinite);
+  EXPECT_EQ(error(-1, 1080, 1, -1), Error::kNotFinite);
+  EXPECT_EQ(error(-1, 1080, 1, NAN), Error::kNotFinite);
+  EXPECT_TRUE(PredictEdgeError(PlaneSpace::kXyw1, {0, 0, 1, -1}, projection, 1080).ok());
 }
 
 TEST(PlaneConstantFor, WorldOffsetsCostNothingInDouble) {

@@ -16,7 +16,8 @@ Matrix Rotation(double yaw, double pitch, double roll) {
 }
 
 Matrix Camera::Projection() const {
-  const double at_near = reversed ? 1 : 0, at_far = 1 - at_near;
+  const double low = negative_one_to_one ? -1 : 0;
+  const double at_near = reversed ? 1 : low, at_far = reversed ? low : 1;
   if (orthographic) {
     const double a = (at_far - at_near) / (far - near);
     return {{{1 / (aspect * half_height), 0, 0, 0},
@@ -45,6 +46,10 @@ Matrix Camera::View() const {
     for (int i = 0; i < 3; ++i) view.m[3][j] -= eye[i] * view.m[i][j];
   }
   return view;
+}
+
+double Camera::HalfHeightAt(double depth) const {
+  return orthographic ? half_height : depth * std::tan(fov * std::numbers::pi / 360);
 }
 
 Matrix Perspective(double field_of_view, double aspect, double near, double far) {

@@ -8,11 +8,12 @@
 namespace clipc::harness {
 
 // A camera that looks along +z of its own space, with w = z for a perspective, and depth from 0 to
-// w. For row vectors; lengths are in units of the world.
+// w or from -w to w. For row vectors; lengths are in units of the world.
 struct Camera {
   bool orthographic = false;
-  bool reversed = false;  // z/w is 1 at the near plane
-  bool infinite = false;  // there is no far plane
+  bool reversed = false;             // z/w is 1 at the near plane
+  bool infinite = false;             // there is no far plane
+  bool negative_one_to_one = false;  // z/w begins at -1, as OpenGL has it
   double near = 0.1, far = 1000;
   double fov = 60;          // degrees from bottom to top
   double half_height = 10;  // of an orthographic picture
@@ -22,9 +23,10 @@ struct Camera {
   double yaw = 0, pitch = 0, roll = 0;  // radians
 
   Matrix Projection() const;
-  Matrix View() const;         // world to view
-  Matrix ViewToWorld() const;  // its inverse, computed without inverting
-  runtime::DepthRange Range() const { return {false, reversed}; }
+  Matrix View() const;                      // world to view
+  Matrix ViewToWorld() const;               // its inverse, computed without inverting
+  double HalfHeightAt(double depth) const;  // of the picture, in the world
+  runtime::DepthRange Range() const { return {negative_one_to_one, reversed}; }
 };
 
 // A rotation: yaw about y, pitch about x, roll about z. Rows are the rotated axes.

@@ -15,18 +15,21 @@ namespace {
 
 using enum PlaneSpace;
 
-double LawOf(std::optional<PlaneSpace> space, const DrawFacts& facts) {
-  const Matrix projection = facts.camera.Projection();
-  const auto law = [&](PlaneSpace of) {
-    return runtime::PredictEdgeError(of, facts.view_plane, projection, facts.picture_height,
-                                     facts.sine)
-        .value;
-  };
-  if (space) return law(*space);
-  const double floor = law(facts.camera.orthographic ? kObject : kXyw1);
-  // World coordinates carry the offset's rounding: as many units as it is larger than what is seen.
-  const double size = facts.camera.orthographic ? facts.camera.half_height : facts.depth;
-  return floor * (1 + facts.world_offset / size);
+double LawOf(const Way& way, const DrawFacts& facts) {
+  const Camera& camera = facts.camera;
+  const double height = 2 * camera.HalfHeightAt(facts.depth);
+  double reach = facts.mesh_offset / height;
+  // The cut becomes a float vertex, and what is lost is its rounding.
+  if (way.kind == WayKind::kCpu)
+    return 2 * 0x1p-24 * facts.picture_height / 2 * (1 + reach + facts.extent / 2);
+  PlaneSpace space = camera.orthographic ? kObject : kXyw1;  // of the world, but for its reach
+  if (way.space) space = *way.space;
+  const bool is_in_world = !way.space || (space != kObject && !facts.means.one_matrix);
+  if (is_in_world) reach = std::max(reach, facts.world_offset / height);
+  const auto law = PredictEdgeError(space, facts.view_plane, camera.Projection(),
+                                    facts.picture_height, facts.sine, reach);
+  return law.ok() ? law.value * LengthFactor(facts.extent)
+                  : std::numeric_limits<double>::infinity();
 }
 
 bool IsPossible(const Way& way, const DrawFacts& facts) {
@@ -38,6 +41,7 @@ bool IsPossible(const Way& way, const DrawFacts& facts) {
   if (way.space == kObject && !means.rigid) return false;
   if (way.space == kXyw1 && facts.camera.orthographic) return false;
   if (way.kind != WayKind::kNearPlane) return true;
+  if (!means.whole_pass) return false;
   // The lowering writes z = d, which is the near plane where z = 0 is near.
   return !facts.camera.reversed &&
          ShearNearPlane(facts.view_plane, facts.camera.Projection(), facts.camera.Range(),
@@ -63,28 +67,44 @@ std::vector<Advice> Advise(const DrawFacts& facts, const CostTable& costs, doubl
     Advice& advice = all.emplace_back();
     advice.way = way.name;
     advice.possible = IsPossible(way, facts);
-    advice.predicted = LawOf(way.space, facts) * LengthFactor(facts.extent);
+    advice.predicted = LawOf(way, facts);
     advice.bound = kBoundFactor * advice.predicted;
     advice.cost = CostOf(way.name, facts.planes, costs);
+    advice.meets = advice.possible && advice.bound <= tolerance && std::isfinite(advice.cost);
   }
-  const auto admissible = [&](const Advice& a) {
-    return a.possible && a.bound <= tolerance && std::isfinite(a.cost);
-  };
   double least = std::numeric_limits<double>::infinity();
   for (const Advice& a : all) {
-    if (admissible(a)) least = std::min(least, a.cost);
+    if (a.meets) least = std::min(least, a.cost);
   }
   const auto rank = [&](const Advice& a) {
     if (!a.possible) return 3;
-    if (!admissible(a)) return 2;
+    if (!a.meets) return 2;
     return a.cost <= least * (1 + kSameCost) ? 0 : 1;
   };
+  // The order of the ways decides between equals.
   std::ranges::stable_sort(all, [&](const Advice& a, const Advice& b) {
     if (rank(a) != rank(b)) return rank(a) < rank(b);
     if (rank(a) == 1) return a.cost < b.cost;
-    return a.bound != b.bound ? a.bound < b.bound : a.cost < b.cost;
+    const double least_seen = rank(a) == 0 ? kInvisible : 0;
+    return std::max(a.bound, least_seen) < std::max(b.bound, least_seen);
   });
   return all;
+}
+
+std::string CureFor(const DrawFacts& facts, const CostTable& costs, double tolerance) {
+  const auto helps = [&](auto change) {
+    DrawFacts changed = facts;
+    change(changed);
+    return Advise(changed, costs, tolerance).front().meets;
+  };
+  if (helps([](DrawFacts& f) { f.mesh_offset = 0; }))
+    return "its vertices are far from their own origin: give the mesh one of its own";
+  if (helps([](DrawFacts& f) { f.means.one_matrix = true; }))
+    return "far from the world's origin: multiply its matrices in double, or let the world begin "
+           "at "
+           "the camera";
+  if (helps([](DrawFacts& f) { f.camera.reversed = true; })) return "reverse the depth";
+  return "";
 }
 
 }  // namespace clipc::study

@@ -17,6 +17,12 @@ struct Means {
   bool user_planes = false;    // Direct3D 9's SetClipPlane, OpenGL 2's glClipPlane
   bool can_discard = true;     // the fragment shader is ours to change
   bool rigid = true;  // the position is the vertex times matrices: no skinning, instances or waves
+  // The shader gets world * view * projection as one matrix, multiplied in double. Otherwise it
+  // multiplies the vertex by the world matrix first, in float.
+  bool one_matrix = true;
+  // Every object that the pass draws is cut by the same one plane, so that `near-plane` may replace
+  // the depth of them all. Next to ordinary depth it hides and shows what it should not.
+  bool whole_pass = false;
 };
 
 // One draw to give advice on.
@@ -26,6 +32,7 @@ struct DrawFacts {
   int planes = 1;
   double depth = 10;             // view-space depth of the cut
   double world_offset = 0;       // distance of the object from the world's origin
+  double mesh_offset = 0;        // distance of its vertices from their own origin
   double picture_height = 1080;  // pixels
   // The sine of the angle between surface and plane; 0.1 stands for surfaces of every direction.
   double sine = 0.1;
@@ -47,18 +54,27 @@ struct Advice {
   bool possible = false;  // by the means, the projection and where the eye stands
   double predicted = 0;   // pixels: the law for the 99th percentile of displaced edges
   double bound = 0;       // pixels: the 99th percentile stays under it; kBoundFactor times the law
+  bool meets = false;     // possible, with a cost, and the bound is within the tolerance
   double cost = 0;        // from the table; infinity where the table does not have the way
 };
 
 // A single plane or matrix may round unluckily: among all possible ways of 120 random draws (seed
 // 2024) the worst error was 3.0 times its law. The tests take other draws.
 inline constexpr double kBoundFactor = 4;
-// Costs closer than this share count as equal: the more accurate way wins.
-inline constexpr double kSameCost = 0.03;
+// Costs closer than this share to the least count as equal: the more accurate way wins. Two tables
+// of one run differ by up to a tenth for one way.
+inline constexpr double kSameCost = 0.15;
+// The step of rasterisers, in pixels, below which no picture changes: bounds under it count as
+// equal, and the way that comes first in kWays wins.
+inline constexpr double kInvisible = 1.0 / 256;
 
-// All ways, the recommended one first: the cheapest of the possible ways whose bound is within
-// `tolerance` pixels, and the most accurate of equally cheap ones. Where no bound is within the
-// tolerance, the most accurate way comes first. Impossible ways come last.
+// All ways, the recommended one first: the cheapest of those that meet `tolerance`, and the most
+// accurate of equally cheap ones. Where none meets it, the most accurate way that is possible comes
+// first. Impossible ways come last.
 std::vector<Advice> Advise(const DrawFacts& facts, const CostTable& costs, double tolerance = 0.5);
+
+// What the application can change so that a way meets a tolerance that none meets; empty where
+// nothing is known.
+std::string CureFor(const DrawFacts& facts, const CostTable& costs, double tolerance);
 
 }  // namespace clipc::study

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "tools/study/advice.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gmock/gmock.h>
@@ -73,9 +74,97 @@ TEST(Advice, DearWaysLoseAgainstCheapOnesThatAreGoodEnough) {
   DrawFacts facts;
   facts.view_plane = {0, 0, 1, -3};  // 0.03 pixels in clip space
   CostTable costs = SomeCosts();
-  for (const char* way : {"object", "xyw1", "near-plane", "world"}) costs[{way, 1}] = 1.1;
+  for (const char* way : {"object", "xyw1", "near-plane", "world", "discard-object", "cpu"})
+    costs[{way, 1}] = 1.3;
   EXPECT_EQ(Advise(facts, costs).front().way, "clip");
   EXPECT_NE(Advise(facts, costs, 0.01).front().way, "clip");
+}
+
+// What no picture shows does not decide: the way that comes first is taken.
+TEST(Advice, DigitsThatNobodySeesDoNotCount) {
+  DrawFacts facts;
+  facts.camera.far = 1e5;
+  facts.view_plane = {0, 0, 1, -300};
+  facts.depth = 300;
+  const std::vector<Advice> all = Advise(facts, SomeCosts());
+  const auto of = [&](const char* way) { return *std::ranges::find(all, way, &Advice::way); };
+  EXPECT_LT(of("cpu").bound, of("object").bound / 2);
+  EXPECT_EQ(all.front().way, "object");
+}
+
+TEST(Advice, CountsTheDistancesThatFloatsCarry) {
+  DrawFacts facts;
+  facts.camera.far = 1e5;
+  facts.view_plane = {0, 0, 1, -10};
+  const auto bound = [&](const char* way) {
+    for (const Advice& advice : Advise(facts, SomeCosts())) {
+      if (advice.way == way) return advice.bound;
+    }
+    return -1.0;
+  };
+  const double object = bound("object"), xyw1 = bound("xyw1"), cpu = bound("cpu");
+  facts.world_offset = 1e5;  // one matrix: that costs nothing but in `world`
+  EXPECT_EQ(bound("object"), object);
+  EXPECT_EQ(bound("xyw1"), xyw1);
+  EXPECT_GT(bound("world"), 1);
+  facts.means.one_matrix = false;
+  EXPECT_EQ(bound("object"), object);
+  EXPECT_GT(bound("xyw1"), 100 * xyw1);
+  EXPECT_EQ(bound("cpu"), cpu);
+  facts.means.one_matrix = true, facts.mesh_offset = 1e5;
+  for (const auto& [way, before] :
+       {std::pair{"object", object}, std::pair{"xyw1", xyw1}, std::pair{"cpu", cpu}})
+    EXPECT_GT(bound(way), 100 * before) << way;
+}
+
+// A scene of small cubes at these heights over the plane y >= 0, before the camera.
+Scene Cubes(std::initializer_list<double> heights) {
+  Scene scene;
+  Camera camera;
+  camera.eye[1] = -5;
+  scene.cameras = {{"main", camera}};
+  scene.planes = {{"water", {0, 1, 0, 0}}};
+  for (const double height : heights) {
+    SceneObject& object = scene.objects.emplace_back();
+    object.box = {{-1, -1, -1}, {1, 1, 1}};
+    object.world.m[3][1] = height, object.world.m[3][2] = 40;
+  }
+  scene.means.clip_distances = scene.means.can_discard = false;
+  return scene;
+}
+
+std::vector<std::string> WaysOf(const Scene& scene) {
+  CostTable costs = SomeCosts();
+  for (const int planes : {1, 3, 6}) costs[{"cpu", planes}] = 2;
+  std::vector<std::string> ways;
+  for (const ObjectAdvice& advice : AdviseScene(scene, scene.cameras.front().camera, costs))
+    ways.push_back(advice.best ? advice.best->way : "");
+  return ways;
+}
+
+// Next to ordinary depth, a depth that begins at the plane hides what is nearer.
+TEST(Scenes, TheNearPlaneIsForWholePasses) {
+  using ::testing::ElementsAre;
+  EXPECT_THAT(WaysOf(Cubes({0, 0.5})), ElementsAre("near-plane", "near-plane"));
+  EXPECT_THAT(WaysOf(Cubes({0, 3})), ElementsAre("cpu", ""));  // the second is drawn as it is
+  Scene moved = Cubes({0, 0.5});
+  moved.objects[1].rigid = false;  // cannot be drawn so
+  EXPECT_EQ(WaysOf(moved)[0], "cpu");
+  Scene two = Cubes({0, 0.5});
+  two.planes.push_back({"side", {1, 0, 0, 0}});
+  EXPECT_THAT(WaysOf(two), ElementsAre("cpu", "cpu"));
+  for (const Scene& scene : BuiltInScenes()) {
+    for (const std::string& way : WaysOf(scene)) EXPECT_NE(way, "near-plane") << scene.name;
+  }
+}
+
+TEST(Scenes, RefusedPlanesAreNamed) {
+  Scene scene = Cubes({0});
+  scene.planes[0].plane = {0, 1e-31, 0, 0};
+  const ObjectAdvice advice = AdviseScene(scene, scene.cameras.front().camera, SomeCosts()).front();
+  EXPECT_THAT(advice.plan.refused, ::testing::HasSubstr("water: "));
+  EXPECT_TRUE(advice.fails());
+  EXPECT_FALSE(advice.best);
 }
 
 TEST(Scenes, MostObjectsNeedNoPlane) {

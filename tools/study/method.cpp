@@ -7,50 +7,66 @@
 namespace clipc::study {
 namespace {
 
-// dot(v * matrix, plane), where `pick` chooses what of the position is dotted.
-template <typename Pick>
-Distance AfterTransform(const Matrix& matrix, const Vec4<float>& plane, Pick pick) {
-  return [m = ConvertTo<float>(matrix), plane, pick](const Vec4<float>& v) {
-    return static_cast<double>(Dot(pick(Transform(v, m)), plane));
+// dot(v * matrix, plane)
+Distance AfterTransform(const Matrix& matrix, const Vec4<float>& plane) {
+  return [m = ConvertTo<float>(matrix), plane](const Vec4<float>& v) {
+    return static_cast<double>(Dot(Transform(v, m), plane));
   };
 }
 
 constexpr auto kWhole = [](const Vec4<float>& p) { return p; };
+constexpr auto kXyw1Position = [](const Vec4<float>& p) {
+  return Vec4<float>{{p[0], p[1], p[3], 1}};
+};
+
+// The vertex times one matrix, times two, and as it is.
+constexpr auto kOnce = [](const Setup& setup) {
+  return [m = ConvertTo<float>(setup.world_view_projection)](const Vec4<float>& v) {
+    return Transform(v, m);
+  };
+};
+constexpr auto kInSteps = [](const Setup& setup) {
+  return [world = ConvertTo<float>(setup.world),
+          rest = ConvertTo<float>(Multiply(setup.view, setup.projection))](const Vec4<float>& v) {
+    return Transform(Transform(v, world), rest);
+  };
+};
+constexpr auto kAsItIs = [](const Setup&) { return kWhole; };
 
 // With the product's constant for that space, from the world-space plane.
-template <typename Pick>
-Method BySpace(const char* name, PlaneSpace space, Pick pick) {
-  return {name, [space, pick](const Setup& setup) -> std::optional<Distance> {
+template <typename Pick, typename Positions>
+Method BySpace(const char* name, PlaneSpace space, Pick pick, Positions positions) {
+  return {name, [=](const Setup& setup) -> std::optional<Distance> {
             const runtime::DrawMatrices draw = {setup.world, setup.view, setup.projection};
             const auto constant =
                 PlaneConstantFor(space, setup.world_plane, runtime::KnownIn::kWorld, draw);
             if (!constant.ok()) return std::nullopt;
-            return AfterTransform(
-                space == PlaneSpace::kObject ? Matrix() : setup.world_view_projection,
-                VectorOf(constant.value.plane.constant), pick);
+            return [position = positions(setup), plane = VectorOf(constant.value.plane.constant),
+                    pick](const Vec4<float>& v) {
+              return static_cast<double>(Dot(pick(position(v)), plane));
+            };
           }};
 }
 
 }  // namespace
 
-Method ClipSpace() { return BySpace("clip", PlaneSpace::kClip, kWhole); }
-
-Method Xyw1Space() {
-  return BySpace("xyw1", PlaneSpace::kXyw1,
-                 [](const Vec4<float>& p) { return Vec4<float>{{p[0], p[1], p[3], 1}}; });
+Method ClipSpace() { return BySpace("clip", PlaneSpace::kClip, kWhole, kOnce); }
+Method ClipSpaceInSteps() { return BySpace("clip-steps", PlaneSpace::kClip, kWhole, kInSteps); }
+Method Xyw1Space() { return BySpace("xyw1", PlaneSpace::kXyw1, kXyw1Position, kOnce); }
+Method Xyw1SpaceInSteps() {
+  return BySpace("xyw1-steps", PlaneSpace::kXyw1, kXyw1Position, kInSteps);
 }
-
-Method ObjectSpace() { return BySpace("object", PlaneSpace::kObject, kWhole); }
+Method ObjectSpace() { return BySpace("object", PlaneSpace::kObject, kWhole, kAsItIs); }
 
 Method WorldSpace() {
   return {"world", [](const Setup& setup) -> std::optional<Distance> {
-            return AfterTransform(setup.world, ConvertTo<float>(setup.world_plane), kWhole);
+            return AfterTransform(setup.world, ConvertTo<float>(setup.world_plane));
           }};
 }
 
 Method ViewSpace() {
   return {"view", [](const Setup& setup) -> std::optional<Distance> {
-            return AfterTransform(setup.world_view, ConvertTo<float>(setup.view_plane), kWhole);
+            return AfterTransform(setup.world_view, ConvertTo<float>(setup.view_plane));
           }};
 }
 
@@ -61,7 +77,7 @@ Method DocumentFormula() {
             const float b = p.m[3][2];
             const Vec4<float> plane = {
                 {c[0] / p.m[0][0], c[1] / p.m[1][1], c[3] / b, c[2] - c[3] * p.m[2][2] / b}};
-            return AfterTransform(setup.world_view_projection, plane, kWhole);
+            return AfterTransform(setup.world_view_projection, plane);
           }};
 }
 
@@ -71,7 +87,7 @@ Method FloatInverse() {
                 Multiply(ConvertTo<float>(setup.view), ConvertTo<float>(setup.projection));
             const auto plane =
                 PlaneThrough(InverseOf(view_projection), ConvertTo<float>(setup.world_plane));
-            return AfterTransform(setup.world_view_projection, plane, kWhole);
+            return AfterTransform(setup.world_view_projection, plane);
           }};
 }
 
@@ -121,8 +137,9 @@ Method CpuDouble() {
 }
 
 std::vector<Method> AllMethods() {
-  return {ClipSpace(),       Xyw1Space(),    ObjectSpace(), WorldSpace(),     ViewSpace(),
-          DocumentFormula(), FloatInverse(), NearPlane(),   NearPlaneFloat(), CpuDouble()};
+  return {ClipSpace(),    ClipSpaceInSteps(), Xyw1Space(),      Xyw1SpaceInSteps(),
+          ObjectSpace(),  WorldSpace(),       ViewSpace(),      DocumentFormula(),
+          FloatInverse(), NearPlane(),        NearPlaneFloat(), CpuDouble()};
 }
 
 }  // namespace clipc::study

@@ -28,8 +28,12 @@ struct Method {
 Method ClipSpace();    // [clipplanes] as fxc compiles it: dot(SV_Position, C_P); also SetClipPlane
 Method Xyw1Space();    // --plane-space=xyw1
 Method ObjectSpace();  // --plane-space=object
-Method WorldSpace();   // SV_ClipDistance from a float world-space vertex
-Method ViewSpace();    // SV_ClipDistance from a float view-space vertex
+// The same two where the shader multiplies by the world matrix and then by view * projection:
+// mul(mul(v, world), view_projection).
+Method ClipSpaceInSteps();
+Method Xyw1SpaceInSteps();
+Method WorldSpace();  // SV_ClipDistance from a float world-space vertex
+Method ViewSpace();   // SV_ClipDistance from a float view-space vertex
 // C_P by its published closed form, C_P = (Cx/Px, Cy/Py, Cw/B, Cz - Cw A/B), each operation in
 // float32.
 Method DocumentFormula();

@@ -45,6 +45,7 @@ RandomDraw OneDraw(Random& random) {
   facts.means.user_planes = machine == 3;
   facts.means.can_discard = machine != 3 || random.Below(2) == 0;
   facts.means.rigid = random.Below(4) != 0;
+  facts.means.whole_pass = true;  // the draw is alone
   return draw;
 }
 

@@ -133,8 +133,11 @@ ObjectPlan PlanObject(const SceneObject& object, const Camera& camera,
   std::vector<runtime::Float4> constants;
   for (const NamedPlane& plane : planes) {
     const auto constant = ObjectPlaneFromWorld(plane.plane, object.world);
-    constants.push_back(constant.ok() ? constant.value.constant : runtime::Float4{});
+    if (!constant.ok() && plan.refused.empty())
+      plan.refused = plane.name + ": " + constant.status.message();
+    constants.push_back(constant.value.constant);
   }
+  if (!plan.refused.empty()) return plan;
   const runtime::BoxPlan needed = PlanBox(object.box, constants.data(), constants.size());
   plan.culled = needed == runtime::kCulled;
   plan.needed = plan.culled ? 0 : needed;
@@ -157,19 +160,24 @@ DrawFacts FactsOf(const SceneObject& object, const Camera& camera, const Scene& 
   facts.world_offset =
       std::sqrt(in_world[0] * in_world[0] + in_world[1] * in_world[1] + in_world[2] * in_world[2]);
   facts.depth = std::max(in_view[2], camera.near);
-  double diagonal = 0;
+  double diagonal = 0, farthest = 0, scale = 0;
   for (int j = 0; j < 3; ++j) {
-    double side = 0;
+    double side = 0, row = 0;
     for (int i = 0; i < 3; ++i) {
       side += (static_cast<double>(object.box.high[i]) - static_cast<double>(object.box.low[i])) *
               std::fabs(object.world.m[i][j]);
+      row += object.world.m[j][i] * object.world.m[j][i];
     }
     diagonal += side * side;
+    scale = std::max(scale, std::sqrt(row));
+    const double end = std::max(std::fabs(static_cast<double>(object.box.low[j])),
+                                std::fabs(static_cast<double>(object.box.high[j])));
+    farthest += end * end;
   }
-  facts.extent =
-      std::sqrt(diagonal) / (camera.orthographic
-                                 ? camera.half_height
-                                 : facts.depth * std::tan(camera.fov * std::numbers::pi / 360));
+  const double size = std::sqrt(diagonal);
+  facts.extent = size / camera.HalfHeightAt(facts.depth);
+  // Around its own origin an object has the errors that the laws are made for.
+  facts.mesh_offset = std::max(0.0, scale * std::sqrt(farthest) - size);
   double worst = -1;
   for (std::size_t i = 0; i < scene.planes.size(); ++i) {
     if ((needed >> i & 1) == 0) continue;
@@ -180,6 +188,34 @@ DrawFacts FactsOf(const SceneObject& object, const Camera& camera, const Scene& 
     facts.view_plane = plane.value.plane;
   }
   return facts;
+}
+
+std::vector<ObjectAdvice> AdviseScene(const Scene& scene, const Camera& camera,
+                                      const CostTable& costs) {
+  std::vector<ObjectAdvice> all;
+  std::uint8_t needed_by_all = 0xff, needed_by_any = 0;
+  for (const SceneObject& object : scene.objects) {
+    const ObjectPlan& plan =
+        all.emplace_back(ObjectAdvice{PlanObject(object, camera, scene.planes), {}, {}}).plan;
+    if (!plan.drawn()) continue;
+    needed_by_all &= plan.needed, needed_by_any |= plan.needed;
+  }
+  const bool is_one = needed_by_all == needed_by_any && std::has_single_bit(needed_by_any);
+  for (const bool whole_pass : {true, false}) {
+    if (whole_pass && !is_one) continue;
+    bool is_shared = true;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const ObjectPlan& plan = all[i].plan;
+      if (!plan.drawn() || plan.needed == 0) continue;
+      DrawFacts facts = FactsOf(scene.objects[i], camera, scene, plan.needed);
+      facts.means.whole_pass = whole_pass;
+      all[i].best = Advise(facts, costs, scene.tolerance).front();
+      if (!all[i].best->meets) all[i].cure = CureFor(facts, costs, scene.tolerance);
+      is_shared = is_shared && all[i].best->way == "near-plane";
+    }
+    if (whole_pass && is_shared) break;
+  }
+  return all;
 }
 
 }  // namespace clipc::study

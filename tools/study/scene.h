@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,12 +47,34 @@ struct ObjectPlan {
   bool outside_frustum = false;  // the object is not drawn
   bool culled = false;           // the object is not drawn: one plane takes away all of it
   std::uint8_t needed = 0;       // bit i: plane i may cut it
+  // A plane that the runtime refuses for the object, and why: nothing is planned then. Else empty.
+  std::string refused;
+
+  bool drawn() const { return !outside_frustum && !culled; }
 };
 
 // Plans one object; leaving out what the plan leaves out changes no pixel, as with
 // runtime::PlanBox. Box and planes are compared in the object's own space.
 ObjectPlan PlanObject(const SceneObject& object, const Camera& camera,
                       const std::vector<NamedPlane>& planes);
+
+// The way to draw one object of a picture.
+struct ObjectAdvice {
+  ObjectPlan plan;
+  // The recommended way: none for an object that is not drawn, needs no plane, or has a plane that
+  // is refused.
+  std::optional<Advice> best;
+  std::string cure;  // CureFor, where `best` is not good enough
+
+  // What is asked for is not to be had: a plane is refused, no way is possible, or none keeps the
+  // tolerance.
+  bool fails() const { return !plan.refused.empty() || (best && !best->meets); }
+};
+
+// Advice on every object that a camera sees, beside scene.objects. `near-plane` is recommended for
+// all that is drawn or for nothing: where each drawn object is cut by the same one plane.
+std::vector<ObjectAdvice> AdviseScene(const Scene& scene, const Camera& camera,
+                                      const CostTable& costs);
 
 // The facts that Advise needs about drawing that object with the planes `needed`, a bit for each.
 // The plane farthest from the eye decides.

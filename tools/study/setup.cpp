@@ -27,7 +27,8 @@ Setup Prepare(const Config& config) {
   const Matrix view_to_world = camera.ViewToWorld();
   const double depth = std::sqrt(config.nearest * config.farthest);
   for (int j = 0; j < 3; ++j)
-    setup.world.m[3][j] = depth * view_to_world.m[2][j] + view_to_world.m[3][j];
+    setup.world.m[3][j] =
+        depth * view_to_world.m[2][j] + view_to_world.m[3][j] + config.mesh_offset * away[j];
   setup.world_view = Multiply(setup.world, setup.view);
   setup.world_view_projection = Multiply(setup.world_view, setup.projection);
   const Mat4<double> inverse = InverseOf(ConvertTo<double>(setup.world_view));

@@ -15,6 +15,9 @@ struct Config {
   double nearest = 1, farthest = 10;  // view-space depth of the surfaces
   // The distance of the camera, and of everything with it, from the world's origin.
   double world_offset = 0;
+  // The distance of the surfaces from their own mesh's origin: a level or a terrain whose vertices
+  // are in world coordinates has a large one.
+  double mesh_offset = 0;
   // The angle between surface and plane in radians. Negative: any whose sine is least_sine or more.
   double surface_angle = -1;
   double least_sine = 0.05;  // 3 degrees

@@ -4,6 +4,7 @@
 // by, and measured values stand beside them.
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -36,9 +37,11 @@ Config Oblique(double depth, double near = 0.1, double far = 1e6) {
   return config;
 }
 
-double Predicted(const Config& config, runtime::PlaneSpace space) {
+double Predicted(const Config& config, runtime::PlaneSpace space, double distance = 0) {
+  const double depth = std::sqrt(config.nearest * config.farthest);
   return runtime::PredictEdgeError(space, config.view_plane, config.camera.Projection(),
-                                   kPictureHeight)
+                                   kPictureHeight, runtime::kAnySurface,
+                                   distance / (2 * config.camera.HalfHeightAt(depth)))
       .value;
 }
 
@@ -215,6 +218,91 @@ TEST(Stability, ANarrowViewCostsXyw1ButNotObject) {
   EXPECT_NEAR(P99(narrow, Xyw1Space()) / P99(wide, Xyw1Space()) / law, 1, 0.5);
   EXPECT_LT(P99(narrow, ObjectSpace()) / P99(wide, ObjectSpace()),
             3);  // the other space does not follow that law
+}
+
+// ---- where users are
+
+TEST(Stability, VerticesFarFromTheirOwnOriginLoseInEverySpace) {
+  for (const double times : {10.0, 100.0, 1000.0, 1e4}) {
+    Config config = Oblique(10);
+    config.mesh_offset = 10 * times;
+    for (const auto& [method, space] : {std::pair{ObjectSpace(), runtime::PlaneSpace::kObject},
+                                        std::pair{Xyw1Space(), runtime::PlaneSpace::kXyw1},
+                                        std::pair{NearPlane(), runtime::PlaneSpace::kObject},
+                                        std::pair{ClipSpace(), runtime::PlaneSpace::kClip}}) {
+      const double law = Predicted(config, space, config.mesh_offset);
+      if (law > 20) continue;  // past some tens of pixels the law saturates
+      const double share = P99(config, method) / law;
+      EXPECT_GT(share, 0.2) << method.name << ' ' << times;
+      EXPECT_LT(share, 3) << method.name << ' ' << times;
+      // Mutation: without its term the law does not see that.
+      if (times > 50) {
+        EXPECT_GT(P99(config, method) / Predicted(config, space), 3) << method.name;
+      }
+    }
+  }
+  Config config = Oblique(10);
+  config.mesh_offset = 1e5;
+  EXPECT_GT(P99(config, ObjectSpace()), 1);  // no space is safe there
+  EXPECT_GT(P99(config, Xyw1Space()), 1);
+  config.mesh_offset = 0, config.world_offset = 1e5;  // mutation: the world's offset costs nothing
+  EXPECT_LT(P99(config, ObjectSpace()), 0.002);
+}
+
+TEST(Stability, MatricesMultipliedInTheShaderLoseFarFromTheWorldsOrigin) {
+  for (const double offset : {100.0, 1000.0, 1e4}) {
+    Config config = Oblique(10);
+    config.world_offset = offset;
+    for (const auto& [method, once, space] :
+         {std::tuple{Xyw1SpaceInSteps(), Xyw1Space(), runtime::PlaneSpace::kXyw1},
+          std::tuple{ClipSpaceInSteps(), ClipSpace(), runtime::PlaneSpace::kClip}}) {
+      const double law = Predicted(config, space, offset);
+      const double share = P99(config, method) / law;
+      EXPECT_GT(share, 0.2) << method.name << ' ' << offset;
+      EXPECT_LT(share, 3) << method.name << ' ' << offset;
+      // The cure: one matrix, which the application multiplies in double.
+      EXPECT_LT(P99(config, once) / Predicted(config, space), 3) << method.name << ' ' << offset;
+    }
+  }
+  Config far = Oblique(10);
+  far.world_offset = 1e4;
+  EXPECT_GT(P99(far, Xyw1SpaceInSteps()), 0.5);
+  EXPECT_GT(P99(far, ClipSpaceInSteps()), 10);
+  // Mutation: the other cure, a world that begins at the camera.
+  EXPECT_LT(P99(Oblique(10), Xyw1SpaceInSteps()), 0.002);
+}
+
+TEST(Stability, OrthographicClipSpaceLosesWithTheDistance) {
+  const auto at = [](double depth) {
+    Config config = Oblique(depth, depth / 100, 4 * depth);
+    config.camera.orthographic = true, config.camera.half_height = 1;
+    return config;
+  };
+  for (const double depth : {3.0, 30.0, 300.0}) {
+    const double share =
+        P99(at(depth), ClipSpace()) / Predicted(at(depth), runtime::PlaneSpace::kClip);
+    EXPECT_GT(share, 0.2) << depth;
+    EXPECT_LT(share, 3) << depth;
+    EXPECT_LT(P99(at(depth), ObjectSpace()), 0.001) << depth;  // the cure
+  }
+  // Mutation: the distance of the plane counts, not the near plane's.
+  EXPECT_GT(P99(at(300), ClipSpace()) / P99(at(3), ClipSpace()), 30);
+  EXPECT_GT(P99(at(300), ClipSpace()), 0.05);
+}
+
+TEST(Stability, ReversedDepthFromMinusOneToOneGainsNothing) {
+  for (const double depth : {3.0, 30.0, 300.0}) {
+    Config config = Oblique(depth);
+    config.camera.negative_one_to_one = true;
+    const double standard = P99(config, ClipSpace());
+    config.camera.reversed = true;
+    EXPECT_GT(P99(config, ClipSpace()) / standard, 0.5) << depth;
+    const double share = P99(config, ClipSpace()) / Predicted(config, runtime::PlaneSpace::kClip);
+    EXPECT_GT(share, 0.2) << depth;
+    EXPECT_LT(share, 3) << depth;
+    config.camera.negative_one_to_one = false;  // mutation: from 1 to 0 it does
+    EXPECT_LT(P99(config, ClipSpace()), 0.002) << depth;
+  }
 }
 
 // ---- what peers do

@@ -108,6 +108,16 @@ class Sweeps {
   }
 
   void Offsets() {
+    for (const double offset : Some({1, 10, 100, 1e3, 1e4})) {
+      Config config = ObliqueAt(10);
+      config.mesh_offset = 10 * offset;
+      Add("mesh offset / depth", offset, config);
+    }
+    for (const double depth : Some({3, 30, 300, 3000})) {
+      Config config = ObliqueAt(depth, depth / 100, 4 * depth);
+      config.camera.orthographic = true, config.camera.half_height = 1;
+      Add("orthographic, depth / half height", depth, config);
+    }
     for (const double offset : Some({1, 10, 100, 1e3, 1e4, 1e5, 1e6, 1e7})) {
       Config config = ObliqueAt(10);
       config.world_offset = offset;

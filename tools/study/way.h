@@ -22,10 +22,10 @@ enum class WayKind {
   // --lower=near-plane --plane-space=object, scaled as runtime::ShearNearPlane says (Lengyel).
   kNearPlane,
   kNearPlaneFloat,     // the near plane by a product of float32 matrices
+  kCpu,                // the application clips in double
   kDiscard,            // --lower=discard
   kDiscardObject,      // --lower=discard --plane-space=object
   kDiscardRecomputed,  // world position to the fragment shader, dot product there (three.js)
-  kCpu,                // the application clips in double
 };
 
 // What the machine must have.
@@ -42,7 +42,8 @@ struct Way {
   Method (*method)();  // its arithmetic; null for kNone
 };
 
-// All of them, in the order of the enumerators.
+// All of them, in the order of the enumerators. Of ways that are as good and as cheap the first one
+// is advised; those that discard come last, as multisampling does not smooth their cuts.
 inline constexpr Way kWays[] = {
     {WayKind::kNone, "none", 0, Needs::kNothing, {}, {}, nullptr},
     {WayKind::kClip, "clip", 6, Needs::kDistances, PlaneSpace::kClip, Lowering::kClipDistance,
@@ -57,12 +58,12 @@ inline constexpr Way kWays[] = {
     {WayKind::kNearPlane, "near-plane", 1, Needs::kNothing, PlaneSpace::kObject,
      Lowering::kNearPlane, NearPlane},
     {WayKind::kNearPlaneFloat, "near-plane-f32", 1, Needs::kNothing, {}, {}, NearPlaneFloat},
+    {WayKind::kCpu, "cpu", 6, Needs::kNothing, PlaneSpace::kObject, {}, CpuDouble},
     {WayKind::kDiscard, "discard", 6, Needs::kDiscard, PlaneSpace::kClip, Lowering::kDiscard,
      ClipSpace},
     {WayKind::kDiscardObject, "discard-object", 6, Needs::kDiscard, PlaneSpace::kObject,
      Lowering::kDiscard, ObjectSpace},
-    {WayKind::kDiscardRecomputed, "discard-world", 6, Needs::kDiscard, {}, {}, WorldSpace},
-    {WayKind::kCpu, "cpu", 6, Needs::kNothing, PlaneSpace::kObject, {}, CpuDouble}};
+    {WayKind::kDiscardRecomputed, "discard-world", 6, Needs::kDiscard, {}, {}, WorldSpace}};
 
 constexpr const Way& WayOf(WayKind kind) { return kWays[static_cast<int>(kind)]; }
 // The way of that name, which exists.

@@ -4,7 +4,8 @@
 #include <cstdio>
 #include <fstream>
 #include <map>
-#include <sstream>
+
+#include <nlohmann/json.hpp>
 
 #include "tools/harness/offscreen.h"
 #include "tools/harness/options.h"
@@ -18,28 +19,8 @@ namespace clipc::study {
 namespace {
 
 using harness::DrawError;
+using Json = nlohmann::ordered_json;
 using namespace harness::options;
-// speed.csv as clipc-study wrote it.
-CostTable ReadCosts(const std::string& path) {
-  std::ifstream file(path);
-  std::string line;
-  if (!std::getline(file, line) ||
-      line != "setting,way,planes,median_ms,least_ms,ratio,paired_ratio") {
-    throw DrawError("`" + path + "` is no speed.csv of clipc-study");
-  }
-  std::vector<Cost> costs;
-  while (std::getline(file, line)) {
-    std::istringstream row(line);
-    std::vector<std::string> cells;
-    for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
-    if (cells.size() != 7) throw DrawError("`" + path + "` has a row that is not of seven cells");
-    Cost& cost = costs.emplace_back();
-    cost.setting = cells[0], cost.way = cells[1], cost.planes = std::atoi(cells[2].c_str());
-    cost.paired_ratio = std::strtod(cells[6].c_str(), nullptr);
-  }
-  return TableOf(costs);
-}
-
 CostTable MeasuredCosts() {
   const harness::OpenGl opengl(harness::Api::kCompatibility);
   Progress progress("cost");
@@ -49,40 +30,76 @@ CostTable MeasuredCosts() {
 // A method with the most planes that an object drawn with it needs.
 using Variants = std::map<std::string, int>;
 
-std::string MaskText(std::uint8_t needed, const Scene& scene) {
-  std::string text;
+Json NamesOf(std::uint8_t needed, const Scene& scene) {
+  Json names = Json::array();
   for (std::size_t i = 0; i < scene.planes.size(); ++i) {
-    if ((needed >> i & 1) != 0) text += (text.empty() ? "" : "+") + scene.planes[i].name;
+    if ((needed >> i & 1) != 0) names.push_back(scene.planes[i].name);
   }
-  return text.empty() ? "none" : text;
+  return names;
 }
 
-void Report(const Scene& scene, const NamedCamera& camera, const CostTable& costs,
-            Variants& variants) {
-  std::printf("%s, camera %s: %zu planes, %zu objects\n", scene.name.c_str(), camera.name.c_str(),
-              scene.planes.size(), scene.objects.size());
-  std::printf("%-20s %-12s %-28s %-16s %12s %8s\n", "object", "drawn", "planes needed", "method",
-              "pixels off", "cost");
-  for (const SceneObject& object : scene.objects) {
-    const ObjectPlan plan = PlanObject(object, camera.camera, scene.planes);
-    const char* drawn = plan.outside_frustum ? "not in view" : plan.culled ? "clipped away" : "yes";
-    if (plan.outside_frustum || plan.culled) {
-      std::printf("%-20s %-12s\n", object.name.c_str(), drawn);
-      continue;
-    }
-    if (plan.needed == 0) {
-      std::printf("%-20s %-12s %-28s %-16s %12s %8.3f\n", object.name.c_str(), drawn, "none",
-                  "any, 0 planes", "0", 1.0);
-      continue;
-    }
-    const DrawFacts facts = FactsOf(object, camera.camera, scene, plan.needed);
-    const Advice best = Advise(facts, costs, scene.tolerance).front();
-    if (!best.possible) throw DrawError("no method can clip `" + object.name + "`");
-    std::printf("%-20s %-12s %-28s %-16s %12.2g %8.3f\n", object.name.c_str(), drawn,
-                MaskText(plan.needed, scene).c_str(), best.way.c_str(), best.bound, best.cost);
-    int& most = variants[best.way];
-    most = std::max(most, std::popcount(plan.needed));
+// What is advised for an object, as docs/study.md says.
+Json JsonOf(const SceneObject& object, const ObjectAdvice& advice, const Scene& scene) {
+  const ObjectPlan& plan = advice.plan;
+  Json json = {{"object", object.name},
+               {"drawn", plan.outside_frustum ? "not in view"
+                         : plan.culled        ? "clipped away"
+                                              : "yes"},
+               {"meets", !advice.fails()}};
+  if (!plan.refused.empty()) json["refused"] = plan.refused;
+  if (!advice.cure.empty()) json["cure"] = advice.cure;
+  if (!plan.drawn() || !plan.refused.empty()) return json;
+  json["planes"] = NamesOf(plan.needed, scene);
+  if (advice.best && !advice.best->possible) {
+    json["method"] = nullptr;
+    return json;
   }
+  json["method"] = advice.best ? advice.best->way : "any";
+  json["pixels_off"] = advice.best ? advice.best->bound : 0;
+  json["cost"] = advice.best ? advice.best->cost : 1;
+  return json;
+}
+
+// A name that has a space stands in quotation marks, so that columns stay columns.
+std::string Cell(const Json& value) {
+  std::string text;
+  if (value.is_array()) {
+    for (const Json& name : value) text += (text.empty() ? "" : "+") + name.get<std::string>();
+    if (text.empty()) text = "none";
+  } else {
+    text = value.get<std::string>();
+  }
+  return text.find(' ') == text.npos ? text : "\"" + text + "\"";
+}
+
+void Print(const Json& picture) {
+  std::printf("%s, camera %s: %d planes, %zu objects, tolerance %g pixels\n",
+              Cell(picture["scene"]).c_str(), Cell(picture["camera"]).c_str(),
+              picture["planes"].get<int>(), picture["objects"].size(),
+              picture["tolerance"].get<double>());
+  std::printf("%-20s %-14s %-28s %-16s %12s %6s %8s\n", "object", "drawn", "planes needed",
+              "method", "pixels off", "meets", "cost");
+  for (const Json& object : picture["objects"]) {
+    std::printf("%-20s %-14s", Cell(object["object"]).c_str(),
+                object["drawn"].get<std::string>().c_str());
+    if (object.contains("refused")) {
+      std::printf(" refused: %s", object["refused"].get<std::string>().c_str());
+    } else if (object.contains("planes") && object["method"].is_null()) {
+      std::printf(" %-28s %-16s %12s %6s", Cell(object["planes"]).c_str(), "none", "-", "no");
+    } else if (object.contains("planes")) {
+      std::printf(" %-28s %-16s %12.2g %6s %8.3f", Cell(object["planes"]).c_str(),
+                  Cell(object["method"]).c_str(), object["pixels_off"].get<double>(),
+                  object["meets"] ? "yes" : "no", object["cost"].get<double>());
+    }
+    if (object.contains("cure")) std::printf("\n  %s", object["cure"].get<std::string>().c_str());
+    std::printf("\n");
+  }
+}
+
+void WriteFile(const std::string& path, const std::string& text) {
+  std::ofstream file(path);
+  file << text;
+  if (!file.flush()) throw DrawError("cannot write `" + path + "`");
 }
 
 std::string VariantList(const Scene& scene, const Variants& variants) {
@@ -103,22 +120,46 @@ std::string VariantList(const Scene& scene, const Variants& variants) {
 }  // namespace
 
 int RunScene(const std::vector<std::string>& arguments) {
-  std::string costs_path, variants_path;
-  const std::string path =
-      ParseOnlyPath(arguments, {{"costs", Text(costs_path)}, {"variants", Text(variants_path)}});
-  const Scene scene = ReadScene(path);
+  std::string costs_path, variants_path, json_path;
+  bool help = false;
+  const std::vector<std::string> paths = Parse(arguments, {{"costs", Text(costs_path)},
+                                                           {"variants", Text(variants_path)},
+                                                           {"json", Text(json_path)},
+                                                           {"help", On(help)}});
+  if (help) return std::fputs(kUsage, stdout) < 0;
+  if (paths.size() != 1) throw DrawError(std::string("one scene is expected\n") + kUsage);
+  const Scene scene = ReadScene(paths[0]);
   const CostTable costs = costs_path.empty() ? MeasuredCosts() : ReadCosts(costs_path);
   Variants variants;
-  for (const NamedCamera& camera : scene.cameras) Report(scene, camera, costs, variants);
+  Json pictures = Json::array();
+  int failures = 0;
+  for (const NamedCamera& camera : scene.cameras) {
+    Json objects = Json::array();
+    const std::vector<ObjectAdvice> advice = AdviseScene(scene, camera.camera, costs);
+    for (std::size_t i = 0; i < advice.size(); ++i) {
+      objects.push_back(JsonOf(scene.objects[i], advice[i], scene));
+      failures += advice[i].fails();
+      if (!advice[i].best || !advice[i].best->possible) continue;
+      int& most = variants[advice[i].best->way];
+      most = std::max(most, std::popcount(advice[i].plan.needed));
+    }
+    pictures.push_back({{"scene", scene.name},
+                        {"camera", camera.name},
+                        {"planes", scene.planes.size()},
+                        {"tolerance", scene.tolerance},
+                        {"objects", std::move(objects)}});
+    Print(pictures.back());
+  }
   for (const auto& [way, planes] : variants) {
     std::printf("build: %s with 0 to %d planes\n", way.c_str(), planes);
   }
-  if (!variants_path.empty()) {
-    std::ofstream file(variants_path);
-    file << VariantList(scene, variants);
-    if (!file.flush()) throw DrawError("cannot write `" + variants_path + "`");
+  if (failures > 0) {
+    std::printf("the tolerance is not met %d times: see `meets`, `refused` and method `none`\n",
+                failures);
   }
-  return 0;
+  if (!variants_path.empty()) WriteFile(variants_path, VariantList(scene, variants));
+  if (!json_path.empty()) WriteFile(json_path, pictures.dump(2) + "\n");
+  return failures > 0 ? 1 : 0;
 }
 
 }  // namespace clipc::study

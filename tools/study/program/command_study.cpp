@@ -101,10 +101,11 @@ class Study {
     PixelMeter meter(options_.quick ? 960 : 1920, options_.quick ? 540 : 1080, KnotDetail());
     const std::vector<SweepPoint> points = AllSweeps(options_.quick);
     for (std::size_t i = 0; i < points.size(); ++i) {
-      // The knot does not have such an angle or such triangles.
-      if (points[i].config.surface_angle < 0 &&
-          points[i].config.edge_length == Config{}.edge_length) {
-        for (const PixelErrors& errors : meter.Measure(points[i].config)) {
+      // The knot does not have such an angle or such triangles, and stands at its own origin.
+      const Config& config = points[i].config;
+      if (config.surface_angle < 0 && config.edge_length == Config{}.edge_length &&
+          config.mesh_offset == 0) {
+        for (const PixelErrors& errors : meter.Measure(config)) {
           csv.Row(points[i].sweep, points[i].parameter, errors.way, errors.applies,
                   errors.reference, errors.extra, errors.lost, errors.extra + errors.lost);
         }
@@ -152,16 +153,14 @@ class Study {
       int outside = 0, culled = 0, need[4] = {};
       std::map<std::string, int> chosen;
       std::map<std::string, Advice> worst;
-      for (const SceneObject& object : scene.objects) {
-        const Camera& camera = scene.cameras.front().camera;
-        const ObjectPlan plan = PlanObject(object, camera, scene.planes);
+      for (const ObjectAdvice& object :
+           AdviseScene(scene, scene.cameras.front().camera, rule_costs_)) {
+        const ObjectPlan& plan = object.plan;
         outside += plan.outside_frustum, culled += !plan.outside_frustum && plan.culled;
-        if (plan.outside_frustum || plan.culled) continue;
+        if (!plan.drawn()) continue;
         ++need[std::min(std::popcount(plan.needed), 3)];
-        if (plan.needed == 0) continue;
-        const Advice best =
-            Advise(FactsOf(object, camera, scene, plan.needed), rule_costs_, scene.tolerance)
-                .front();
+        if (!object.best) continue;
+        const Advice& best = *object.best;
         ++chosen[best.way];
         if (best.bound > worst[best.way].bound) worst[best.way] = best;
       }
@@ -209,8 +208,7 @@ class Study {
       const auto cost_of = [&](const Advice& advice) { return second.at({advice.way, 1}); };
       const Advice* cheapest = &best;
       for (const Advice& other : all) {
-        if (other.possible && other.bound <= 0.5 && cost_of(other) < cost_of(*cheapest))
-          cheapest = &other;
+        if (other.meets && cost_of(other) < cost_of(*cheapest)) cheapest = &other;
       }
       const MeasuredWay measured = MeasureWay(draws[i], best.way, options_.quick ? 500 : 3000, 9);
       csv.Row(i, facts.camera.orthographic, facts.camera.reversed, facts.means.rigid,
@@ -242,10 +240,14 @@ void MakeReport(const std::string& folder) {
 
 int RunStudy(const std::vector<std::string>& arguments) {
   StudyOptions options;
-  bool no_report = false;
-  const Flags flags = {
-      {"quick", On(options.quick)}, {"no-report", On(no_report)}, {"out", Text(options.out)}};
-  if (!Parse(arguments, flags).empty()) throw harness::DrawError(kUsage);
+  bool no_report = false, help = false;
+  const Flags flags = {{"quick", On(options.quick)},
+                       {"no-report", On(no_report)},
+                       {"out", Text(options.out)},
+                       {"help", On(help)}};
+  const bool has_paths = !Parse(arguments, flags).empty();
+  if (help) return std::fputs(kUsage, stdout) < 0;
+  if (has_paths) throw harness::DrawError(kUsage);
   Study(options).Run();
   if (!no_report) MakeReport(options.out);
   return 0;

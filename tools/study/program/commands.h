@@ -13,11 +13,12 @@ inline constexpr char kUsage[] =
     --quick                 takes fewer points, edges and rounds
     --no-report             writes no report, which needs Python
 
-clipc-study scene FILE [--costs speed.csv] [--variants FILE]
+clipc-study scene FILE [--costs speed.csv] [--variants FILE] [--json FILE]
   Prints what a scene needs: for each object whether a plane takes it away, the planes that may cut
-  it, the best method with its error and its cost; and the shader variants to build. FILE is JSON or
-  glTF 2.0: see docs/study.md.
-Exit: 0 done, 2 failed.
+  it, the best method with its error, whether that is within the tolerance, and its cost; and the
+  shader variants to build. --json writes the same for programs. FILE is JSON or glTF 2.0: see
+  docs/study.md.
+Exit: 0 done, 1 the tolerance is not met for some object, 2 failed.
 )";
 
 // arguments[0] is the name of the program or command. Return the exit code. Throw DrawError with

@@ -141,6 +141,7 @@ class Converter {
     means.clip_distances = Flag(extras, "clip_distances", means.clip_distances, "scene");
     means.user_planes = Flag(extras, "user_planes", means.user_planes, "scene");
     means.can_discard = Flag(extras, "can_discard", means.can_discard, "scene");
+    means.one_matrix = Flag(extras, "one_matrix", means.one_matrix, "scene");
   }
 
   // ---- where the nodes are

@@ -51,10 +51,8 @@ Mesh ExactlyClipped(const Mesh& mesh, const Setup& setup) {
 Mesh MeshFor(const Setup& setup, int detail) {
   const Camera& camera = setup.config.camera;
   const double depth = std::sqrt(setup.config.nearest * setup.config.farthest);
-  const double half = camera.orthographic ? camera.half_height
-                                          : depth * std::tan(camera.fov * std::numbers::pi / 360);
   // No deeper than the eye, whatever the field of view.
-  return TorusKnot(10 * detail, detail, std::min(half, depth) / 1.75);
+  return TorusKnot(10 * detail, detail, std::min(camera.HalfHeightAt(depth), depth) / 1.75);
 }
 
 }  // namespace

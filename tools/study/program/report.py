@@ -26,6 +26,7 @@ plt.rcParams.update({"svg.fonttype": "none", "font.size": 9, "axes.grid": True, 
 COLORS = {
     "clip": "#c0392b", "level9": "#e67e22", "xyw1": "#2980b9", "object": "#16a085", "world": "#8e44ad", "view": "#7f8c8d",
     "document-f32": "#d35400", "inverse-f32": "#b7950b", "near-plane": "#27ae60", "near-plane-f32": "#6e2c00",
+    "clip-steps": "#e57373", "xyw1-steps": "#7fb3d5",
     "discard": "#e84393", "discard-object": "#fd79a8", "discard-world": "#6c5ce7", "cpu": "#2c3e50", "none": "#aaaaaa"}
 # Which arithmetic (edges.csv) a way (speed.csv, pixels.csv) has.
 ARITHMETIC = {"clip": "clip", "level9": "clip", "xyw1": "xyw1", "object": "object", "world": "world", "near-plane": "near-plane",
@@ -36,6 +37,7 @@ HOW = {
     "near-plane": "--lower=near-plane --plane-space=object, Lengyel's scale", "near-plane-f32": "near plane by float matrix products (the paper)",
     "discard": "--lower=discard", "discard-object": "--lower=discard --plane-space=object",
     "discard-world": "dot product in each fragment (three.js)", "cpu": "the application clips in double",
+    "clip-steps": "clip, where the shader multiplies by world and then by view * projection", "xyw1-steps": "xyw1, likewise",
     "view": "SV_ClipDistance of the view-space vertex", "document-f32": "the published closed form in float",
     "inverse-f32": "float inverse of view * projection"}
 LEAST = 1e-5  # pixels: what is smaller is drawn there
@@ -301,9 +303,9 @@ def main():
     charts = Charts(folder)
     main_chart(charts, edges, speed)
     kept = sum(number(r["measured_px"]) <= number(r["bound_px"]) for r in advice)
-    cheap = sum(number(r["cost"]) <= 1.05 * number(r["best_cost"]) for r in advice)
+    cheap = sum(number(r["cost"]) <= 1.15 * number(r["best_cost"]) for r in advice)
     charts.text("<h2>Which method for which scene</h2>" + which_table(scenes, advice) +
-                f"<p>On {len(advice)} random draws: error under its bound in {kept}, cost, measured a second time, within 5 % of the best admissible method in {cheap}.</p>")
+                f"<p>On {len(advice)} random draws: error under its bound in {kept}, cost, measured a second time, within 15 % of the best admissible method in {cheap}.</p>")
     advice_chart(charts, advice)
     charts.text("<h2>Where each method fails</h2>" + failure_table(edges) + '<div class="sweeps">')
     sweep_charts(charts, edges)

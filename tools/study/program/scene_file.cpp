@@ -138,6 +138,7 @@ Scene SceneFrom(const Json& json) {
   scene.means.clip_distances = reader.Flag("clip_distances", true);
   scene.means.user_planes = reader.Flag("user_planes", false);
   scene.means.can_discard = reader.Flag("can_discard", true);
+  scene.means.one_matrix = reader.Flag("one_matrix", true);
   reader.List("cameras", [&](const Json& element, const std::string& where) {
     Reader camera(element, where);
     scene.cameras.push_back({camera.Text("name", "camera " + std::to_string(scene.cameras.size())),

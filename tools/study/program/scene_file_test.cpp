@@ -7,9 +7,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "tools/harness/offscreen.h"
 #include "tools/study/program/commands.h"
+#include "tools/study/program/speed.h"
+#include "tools/study/random_draws.h"
 
 namespace clipc::study {
 namespace {
@@ -87,6 +90,111 @@ TEST(SceneCommand, SaysWhatEachObjectNeeds) {
   EXPECT_THAT(variants, HasSubstr("set(CLIPC_SCENE_object_VARIANTS 1)"));
   EXPECT_THAT(variants, HasSubstr("set(CLIPC_SCENE_METHODS \"object;xyw1\")"));
   EXPECT_THAT(variants, Not(HasSubstr("discard")));
+}
+
+// A scene of one plane and these objects, as JSON; RunScene's exit code and what it prints.
+struct Said {
+  int exit_code;
+  std::string text;
+  nlohmann::json pictures;
+};
+Said SayFor(const std::string& settings, const std::string& plane, const std::string& objects,
+            const std::string& eye = "[0, 0, 0]") {
+  // Tests run side by side.
+  const std::string path = ::testing::TempDir() + "clipc_" +
+                           ::testing::UnitTest::GetInstance()->current_test_info()->name(),
+                    scene = path + ".scene.json", json = path + ".advice.json";
+  std::ofstream(scene) << R"({"schema": "clipc.study-scene", "version": 1, )" << settings
+                       << R"("cameras": [{"near": 0.1, "far": 10000, "eye": )" << eye
+                       << R"(}], "planes": [{"name": "the cut", "plane": )" << plane
+                       << R"(}], "objects": [)" << objects << "]}";
+  ::testing::internal::CaptureStdout();
+  Said said;
+  said.exit_code =
+      RunScene({"scene", scene, "--costs", "tools/study/scenes/speed.csv", "--json", json});
+  said.text = ::testing::internal::GetCapturedStdout();
+  said.pictures = nlohmann::json::parse(TextOf(json));
+  return said;
+}
+constexpr char kBox[] = R"({"name": "old ship", "low": [-3, -3, -3], "high": [3, 3, 3],
+  "world": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 100, 1]})";
+constexpr char kMoved[] = R"({"name": "flag", "rigid": false, "low": [-3, -3, -3],
+  "high": [3, 3, 3], "world": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 100, 1]})";
+constexpr char kCut[] = "[0.6, 0, 0.8, -80]";
+
+TEST(SceneCommand, SaysWhatMeetsTheTolerance) {
+  const Said said = SayFor("", kCut, kBox);
+  EXPECT_EQ(said.exit_code, 0);
+  EXPECT_THAT(said.text, HasSubstr("tolerance 0.5 pixels"));
+  EXPECT_THAT(said.text, ContainsRegex("\"old ship\" +yes +\"the cut\" +object +0\\.[0-9]+ +yes"));
+  const auto& object = said.pictures[0]["objects"][0];
+  EXPECT_EQ(object["object"], "old ship");
+  EXPECT_EQ(object["planes"][0], "the cut");
+  EXPECT_EQ(object["method"], "object");
+  EXPECT_EQ(object["meets"], true);
+  EXPECT_LT(object["pixels_off"], 0.5);
+}
+
+TEST(SceneCommand, SaysThatNothingMeetsTheTolerance) {
+  const Said said = SayFor(R"("tolerance": 0.001, "can_discard": false, )", kCut, kMoved);
+  EXPECT_EQ(said.exit_code, 1);
+  EXPECT_THAT(said.text, ContainsRegex("flag +yes +\"the cut\" +xyw1 +0\\.[0-9]+ +no"));
+  EXPECT_THAT(said.text, HasSubstr("the tolerance is not met 1 times"));
+  EXPECT_EQ(said.pictures[0]["objects"][0]["meets"], false);
+}
+
+TEST(SceneCommand, NamesTheCure) {
+  const std::string baked = R"({"name": "level", "low": [49997, 49997, 49997],
+    "high": [50003, 50003, 50003],
+    "world": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -50000, -50000, -49900, 1]})";
+  EXPECT_THAT(SayFor(R"("tolerance": 0.1, )", kCut, baked).text,
+              HasSubstr("give the mesh one of its own"));
+  const std::string far_away = R"("can_discard": false, "one_matrix": false, )";
+  const std::string moved = R"({"name": "flag", "rigid": false, "low": [-3, -3, -3],
+    "high": [3, 3, 3], "world": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 8e5, 0, 100, 1]})";
+  const Said said = SayFor(far_away, "[0.6, 0, 0.8, -480080]", moved, "[8e5, 0, 0]");
+  EXPECT_EQ(said.exit_code, 1);
+  EXPECT_THAT(said.text, HasSubstr("multiply its matrices in double"));
+  EXPECT_EQ(SayFor("", kCut, kBox).pictures[0]["objects"][0].contains("cure"), false);
+}
+
+TEST(SceneCommand, GoesOnAfterAnImpossibleObject) {
+  const Said said = SayFor(R"("clip_distances": false, "can_discard": false, )", kCut,
+                           std::string(kBox) + "," + kMoved + "," + kBox);
+  EXPECT_EQ(said.exit_code, 1);
+  const auto& objects = said.pictures[0]["objects"];
+  EXPECT_EQ(objects[0]["method"], "cpu");
+  EXPECT_TRUE(objects[1]["method"].is_null());
+  EXPECT_EQ(objects[2]["method"], "cpu");
+  EXPECT_THAT(said.text, ContainsRegex("flag +yes +\"the cut\" +none +- +no"));
+}
+
+TEST(SceneCommand, SaysThatAPlaneIsRefused) {
+  const Said said = SayFor("", "[6e-32, 0, 8e-32, -8e-30]", kBox);
+  EXPECT_EQ(said.exit_code, 1);
+  EXPECT_THAT(said.text, HasSubstr("refused: the cut: "));
+  EXPECT_THAT(said.text, Not(HasSubstr("any")));
+}
+
+TEST(SceneCommand, Helps) {
+  ::testing::internal::CaptureStdout();
+  EXPECT_EQ(RunScene({"scene", "--help"}), 0);
+  EXPECT_THAT(::testing::internal::GetCapturedStdout(), HasSubstr("clipc-study scene FILE"));
+}
+
+// Two tables of one run differ by chance; the advice does not.
+TEST(SceneCommand, RecommendationsAreThoseOfTheSecondTable) {
+  const CostTable first = ReadCosts("tools/study/scenes/speed.csv"),
+                  second = ReadCosts("tools/study/scenes/speed-again.csv");
+  int differs = 0;
+  for (RandomDraw& draw : RandomDraws(500, 77)) {
+    for (const int planes : {1, 3, 6}) {
+      draw.facts.planes = planes;
+      const std::string way = Advise(draw.facts, first).front().way;
+      differs += way != Advise(draw.facts, second).front().way;
+    }
+  }
+  EXPECT_EQ(differs, 0);
 }
 
 TEST(SceneCommand, RefusesWhatItDoesNotKnow) {

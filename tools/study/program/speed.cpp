@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <fstream>
 #include <memory>
+#include <sstream>
 
+#include "tools/harness/offscreen.h"
 #include "tools/harness/timing.h"
 #include "tools/study/program/studio.h"
 #include "tools/study/sweeps.h"
@@ -147,6 +151,27 @@ CostTable TableOf(const std::vector<Cost>& costs) {
       table[{cost.way, cost.planes}] = cost.paired_ratio;
   }
   return table;
+}
+
+CostTable ReadCosts(const std::string& path) {
+  std::ifstream file(path);
+  std::string line;
+  if (!std::getline(file, line) ||
+      line != "setting,way,planes,median_ms,least_ms,ratio,paired_ratio") {
+    throw harness::DrawError("`" + path + "` is no speed.csv of clipc-study");
+  }
+  std::vector<Cost> costs;
+  while (std::getline(file, line)) {
+    std::istringstream row(line);
+    std::vector<std::string> cells;
+    for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
+    if (cells.size() != 7)
+      throw harness::DrawError("`" + path + "` has a row that is not of seven cells");
+    Cost& cost = costs.emplace_back();
+    cost.setting = cells[0], cost.way = cells[1], cost.planes = std::atoi(cells[2].c_str());
+    cost.paired_ratio = std::strtod(cells[6].c_str(), nullptr);
+  }
+  return TableOf(costs);
 }
 
 }  // namespace clipc::study
