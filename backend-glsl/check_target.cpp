@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "backend-glsl/check_target.h"
 
-#include <algorithm>
 #include <map>
 #include <string>
 #include <utility>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <limits>
-#include <span>
 
 #include "clip-table/read.h"
 #include "clip-table/write.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "clip-table/json.h"
 
-#include <initializer_list>
 #include <limits>
 #include <set>
 #include <vector>

@@ -7,7 +7,6 @@
 #include <new>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "clip-table/write.h"
 #include "compiler/compile.h"

@@ -12,7 +12,6 @@
 #include "compiler/option_table.h"
 #include "compiler/output_files.h"
 #include "frontend/lex/source_text.h"
-#include "ir/profile.h"
 
 namespace clipc {
 namespace {

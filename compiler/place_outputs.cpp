@@ -2,7 +2,6 @@
 #include "compiler/place_outputs.h"
 
 #include <algorithm>
-#include <iterator>
 
 #include <fmt/format.h>
 

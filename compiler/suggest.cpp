@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/suggest.h"
 
-#include <vector>
-
 #include <fmt/format.h>
 
 #include "base/spelling.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/validate.h"
 
-#include <cstdlib>
 #include <string_view>
 
 #include <fmt/format.h>

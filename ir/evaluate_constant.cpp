@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include <algorithm>
 
 #include "ir/access.h"
 #include "ir/evaluate_machine.h"

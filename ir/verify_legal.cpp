@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // What Form::kLegalized promises of each node: C-like shading languages have it as it is.
-#include <variant>
 
 #include "base/overloaded.h"
 #include "ir/access.h"

@@ -72,36 +72,28 @@ clipc_error Give(const Result<PlaneConstant>& result, float* to, char* message) 
 }  // namespace
 }  // namespace clipc::runtime
 
-using clipc::runtime::CallbackDevice;
-using clipc::runtime::Error;
-using clipc::runtime::Give;
-using clipc::runtime::IsMissing;
-using clipc::runtime::MatrixFrom;
-using clipc::runtime::PlaneFrom;
-using clipc::runtime::Report;
-using clipc::runtime::Status;
-namespace runtime = clipc::runtime;
+using namespace clipc::runtime;
 
 // NOLINTBEGIN(readability-identifier-naming): names of the C interface.
 struct clipc_table {
-  runtime::Table table;
+  Table table;
 };
 
 struct clipc_binder {
   clipc_binder(const clipc_device& callbacks, std::uint32_t max_planes)
       : device(callbacks), binder(device, max_planes) {}
   CallbackDevice device;
-  runtime::Level9Binder binder;
+  Level9Binder binder;
 };
 
 extern "C" {
 
-int32_t clipc_hresult(clipc_error error) { return runtime::HresultOf(static_cast<Error>(error)); }
+int32_t clipc_hresult(clipc_error error) { return HresultOf(static_cast<Error>(error)); }
 
 clipc_error clipc_table_read(const void* bytes, size_t size, clipc_table** table, char* message) {
   if (IsMissing({table}, message)) return CLIPC_INVALID_ARGUMENT;
   *table = nullptr;
-  runtime::Result<runtime::Table> result = runtime::ReadTable(bytes, size);
+  Result<Table> result = ReadTable(bytes, size);
   if (!result.ok()) return Report(result.status, message);
   *table = new (std::nothrow) clipc_table{std::move(result.value)};
   if (*table == nullptr) {
@@ -145,7 +137,7 @@ clipc_error clipc_binder_bind(clipc_binder* binder, const clipc_table* table,
                                   static_cast<unsigned long long>(buffer_count), CLIPC_MAX_BUFFERS),
                   message);
   }
-  runtime::BoundBuffer bound[CLIPC_MAX_BUFFERS];
+  BoundBuffer bound[CLIPC_MAX_BUFFERS];
   for (size_t i = 0; i < buffer_count; ++i) {
     bound[i] = {buffers[i].register_number, buffers[i].register_space, buffers[i].bytes,
                 buffers[i].size};
@@ -165,57 +157,55 @@ void clipc_binder_invalidate(clipc_binder* binder) {
 clipc_error clipc_clip_plane(const float plane[4], const float* view_or_null,
                              const float projection[16], float clip_plane[4], char* message) {
   if (IsMissing({plane, projection, clip_plane}, message)) return CLIPC_INVALID_ARGUMENT;
-  const runtime::Plane from = PlaneFrom(plane);
-  const runtime::Matrix to_clip = MatrixFrom(projection);
-  return Give(view_or_null == nullptr
-                  ? runtime::ClipPlaneFromView(from, to_clip)
-                  : runtime::ClipPlaneFromWorld(from, MatrixFrom(view_or_null), to_clip),
+  const Plane from = PlaneFrom(plane);
+  const Matrix to_clip = MatrixFrom(projection);
+  return Give(view_or_null == nullptr ? ClipPlaneFromView(from, to_clip)
+                                      : ClipPlaneFromWorld(from, MatrixFrom(view_or_null), to_clip),
               clip_plane, message);
 }
 
 clipc_error clipc_xyw1_plane(const float view_plane[4], const float projection[16],
                              float constant[4], char* message) {
   if (IsMissing({view_plane, projection, constant}, message)) return CLIPC_INVALID_ARGUMENT;
-  return Give(runtime::Xyw1PlaneFromView(PlaneFrom(view_plane), MatrixFrom(projection)), constant,
-              message);
+  return Give(Xyw1PlaneFromView(PlaneFrom(view_plane), MatrixFrom(projection)), constant, message);
 }
 
 clipc_error clipc_object_plane(const float world_plane[4], const float world[16],
                                float object_plane[4], char* message) {
   if (IsMissing({world_plane, world, object_plane}, message)) return CLIPC_INVALID_ARGUMENT;
-  return Give(runtime::ObjectPlaneFromWorld(PlaneFrom(world_plane), MatrixFrom(world)),
-              object_plane, message);
+  return Give(ObjectPlaneFromWorld(PlaneFrom(world_plane), MatrixFrom(world)), object_plane,
+              message);
 }
 
 double clipc_edge_error(clipc_plane_space space, const float view_plane[4],
                         const float projection[16], double rows) {
   if (view_plane == nullptr || projection == nullptr) return -1;
-  const runtime::Result<double> error = runtime::PredictEdgeError(
-      static_cast<runtime::PlaneSpace>(space), PlaneFrom(view_plane), MatrixFrom(projection), rows);
+  const Result<double> error = PredictEdgeError(
+      static_cast<PlaneSpace>(space), PlaneFrom(view_plane), MatrixFrom(projection), rows);
   return error.ok() ? error.value : -1;
 }
 
 void clipc_update_clip_status(clipc_clip_status* status, const float* positions, size_t count,
                               const float* planes, uint32_t enable_mask, int clipping) {
-  runtime::UserClipPlanes user;
+  UserClipPlanes user;
   if (planes != nullptr) {
     std::memcpy(user.planes, planes, sizeof user.planes);
     user.enable_mask = enable_mask;
   }
-  runtime::ClipStatus updated = {status->clip_union, status->clip_intersection};
-  runtime::UpdateClipStatus(updated, positions, count, user, clipping != 0);
+  ClipStatus updated = {status->clip_union, status->clip_intersection};
+  UpdateClipStatus(updated, positions, count, user, clipping != 0);
   *status = {updated.clip_union, updated.clip_intersection};
 }
 
 void clipc_plan_boxes(const float* const bounds[6], size_t count, const float* planes,
                       size_t plane_count, uint8_t* plans) {
-  runtime::Float4 copies[6];
+  Float4 copies[6];
   plane_count = std::min<size_t>(plane_count, 6);
   if (plane_count != 0)
-    std::memcpy(static_cast<void*>(copies), planes, plane_count * sizeof(runtime::Float4));
-  const runtime::BoxArrays boxes = {
+    std::memcpy(static_cast<void*>(copies), planes, plane_count * sizeof(Float4));
+  const BoxArrays boxes = {
       {bounds[0], bounds[1], bounds[2]}, {bounds[3], bounds[4], bounds[5]}, count};
-  runtime::PlanBoxes(boxes, copies, plane_count, plans);
+  PlanBoxes(boxes, copies, plane_count, plans);
 }
 
 }  // extern "C"

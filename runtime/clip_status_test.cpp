@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "runtime/clip_status.h"
 
-#include <cmath>
 #include <cstring>
 #include <limits>
 #include <random>
-#include <set>
-#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>

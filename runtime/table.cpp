@@ -2,7 +2,6 @@
 #include "runtime/table.h"
 
 #include <exception>
-#include <utility>
 
 #include "clip-table/read.h"
 

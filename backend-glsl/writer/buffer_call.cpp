@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "backend-glsl/writer/buffer_call.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "backend-glsl/block_layout.h"

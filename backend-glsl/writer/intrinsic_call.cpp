@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "backend-glsl/writer/intrinsic_call.h"
 
-#include <array>
-#include <optional>
-#include <span>
 #include <utility>
 
 #include "backend-glsl/intrinsics.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "backend-glsl/writer/naming.h"
 
-#include <map>
 #include <set>
 #include <string_view>
 

@@ -2,7 +2,6 @@
 #include "backend-glsl/writer/objects.h"
 
 #include <algorithm>
-#include <optional>
 #include <tuple>
 
 #include <fmt/format.h>

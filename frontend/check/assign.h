@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include <vector>
-
 #include "frontend/check/context.h"
 
 // Assignment: which expressions can be assigned to, and how each kind of target is written.

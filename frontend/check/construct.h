@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include <vector>
-
 #include "frontend/check/context.h"
 
 // Constructors: float4(a, b), float3x3(x, y, z), S(s).

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
-#include <vector>
 
 #include "frontend/check/context.h"
 // Values: temporaries that hold them, conversions, and constants.

@@ -6,7 +6,6 @@
 #include <charconv>
 #include <cstdlib>
 #include <limits>
-#include <system_error>
 
 #include "base/spelling.h"
 

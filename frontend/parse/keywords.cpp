@@ -2,8 +2,6 @@
 #include "frontend/parse/keywords.h"
 
 #include <array>
-#include <cstdint>
-#include <string>
 
 #include "base/spelling.h"
 #include "base/word_index.h"

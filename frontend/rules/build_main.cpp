@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <optional>
 
 #include "base/spelling.h"
 #include "frontend/rules/semantics.h"

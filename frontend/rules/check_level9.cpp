@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/rules/check_level9.h"
 
-#include <optional>
 #include <string_view>
-#include <vector>
 
 #include "frontend/rules/constant.h"
 #include "ir/access.h"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <algorithm>
-#include <array>
 #include <cstdint>
-#include <span>
 #include <variant>
 #include <vector>
 

@@ -3,7 +3,6 @@
 
 #include <bit>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "frontend/rules/reread.h"

@@ -5,8 +5,6 @@
 #include <array>
 #include <initializer_list>
 #include <string>
-#include <utility>
-#include <variant>
 #include <vector>
 
 #include "base/spelling.h"

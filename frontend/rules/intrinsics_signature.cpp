@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <algorithm>
-#include <array>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "base/invariant.h"

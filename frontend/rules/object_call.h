@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include <cstdint>
-
 #include "frontend/rules/intrinsic_call.h"
 
 // The files that implement CheckMethodCall and CheckObjectIndex share these.

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <array>
-#include <string>
-#include <variant>
-#include <vector>
 
 #include "frontend/rules/object_call.h"
 #include "frontend/rules/objects.h"

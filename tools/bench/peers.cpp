@@ -2,7 +2,6 @@
 #include "tools/bench/peers.h"
 
 #include <fstream>
-#include <iterator>
 #include <vector>
 
 #include <glslang/Public/ResourceLimits.h>

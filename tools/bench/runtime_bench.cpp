@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // The runtime's cost as ratios taken in one run, each beside its limit.
 //   clipc-runtime-bench
-#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>

@@ -5,7 +5,6 @@
 #include <bit>
 #include <cstdio>
 #include <cstring>
-#include <map>
 
 #include "tools/draw/arguments.h"
 #include "tools/draw/opengl/picture.h"

@@ -10,9 +10,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 #include <string>
-#include <vector>
 
 #include <d3d9.h>
 #include <windows.h>
@@ -29,7 +27,7 @@
 namespace {
 
 using namespace clipc::scenes;
-namespace runtime = clipc::runtime;
+using namespace clipc::runtime;
 
 constexpr D3DCOLOR kClearColor = 0xFF203040;
 
@@ -40,8 +38,8 @@ constexpr D3DCOLOR kClearColor = 0xFF203040;
 void Check(HRESULT result, const char* what) {
   if (FAILED(result)) Fail(what, result);
 }
-void Check(const runtime::Status& status) {
-  if (!status.ok()) Fail(status.message(), runtime::HresultOf(status.error()));
+void Check(const Status& status) {
+  if (!status.ok()) Fail(status.message(), HresultOf(status.error()));
 }
 
 // What fxc makes of scene.hlsl, without the pixel offset, which Direct3D 9's rasteriser has by
@@ -94,8 +92,8 @@ IDirect3DDevice9* MakeDevice() {
 void DrawObjects(IDirect3DDevice9& device, const Scene& scene) {
   for (const Object& object : scene.objects) {
     // Four constant registers, a row each: what c0 to c3 in the shader are.
-    const auto matrix = clipc::harness::Floats(
-        runtime::Multiply(runtime::Multiply(object.world, scene.view), scene.projection));
+    const auto matrix =
+        clipc::harness::Floats(Multiply(Multiply(object.world, scene.view), scene.projection));
     Check(device.SetVertexShaderConstantF(0, matrix.data(), 4), "SetVertexShaderConstantF");
     Check(device.DrawPrimitiveUP(D3DPT_TRIANGLELIST, static_cast<UINT>(object.vertices.size() / 3),
                                  object.vertices.data(), sizeof(SceneVertex)),
@@ -128,13 +126,13 @@ void WritePicture(IDirect3DDevice9& device, const std::string& path) {
   if (!file.flush()) Fail(path.c_str(), 0);
 }
 
-void Draw(IDirect3DDevice9& device, runtime::Level9Binder& binder, const runtime::Table& table,
-          int plane_count, Mistake mistake, const std::string& folder) {
+void Draw(IDirect3DDevice9& device, Level9Binder& binder, const Table& table, int plane_count,
+          Mistake mistake, const std::string& folder) {
   const Scene scene = MakeScene(plane_count);
   const auto planes = PlaneConstants(scene, scene.projection, 1, mistake);
   Check(device.Clear(0, nullptr, D3DCLEAR_TARGET | D3DCLEAR_ZBUFFER, kClearColor, 1, 0), "Clear");
   Check(device.BeginScene(), "BeginScene");
-  const runtime::BoundBuffer buffer{1, 0, planes.data(), sizeof planes};
+  const BoundBuffer buffer{1, 0, planes.data(), sizeof planes};
   Check(binder.Bind(MistakenTable(table, mistake), &buffer, 1));
   DrawObjects(device, scene);
   Check(device.EndScene(), "EndScene");
@@ -145,7 +143,7 @@ void Draw(IDirect3DDevice9& device, runtime::Level9Binder& binder, const runtime
 // Without a vertex shader, the planes as they are in world space. "SetClipPlane", Remarks.
 void DrawFixedFunction(IDirect3DDevice9& device, const std::string& path) {
   const Scene scene = MakeScene(3);
-  const auto set = [&](D3DTRANSFORMSTATETYPE state, const runtime::Matrix& matrix) {
+  const auto set = [&](D3DTRANSFORMSTATETYPE state, const Matrix& matrix) {
     const auto floats = clipc::harness::Floats(matrix);
     D3DMATRIX elements;
     std::memcpy(&elements, floats.data(), sizeof elements);
@@ -157,7 +155,7 @@ void DrawFixedFunction(IDirect3DDevice9& device, const std::string& path) {
   Check(device.Clear(0, nullptr, D3DCLEAR_TARGET | D3DCLEAR_ZBUFFER, kClearColor, 1, 0), "Clear");
   Check(device.BeginScene(), "BeginScene");
   for (DWORD i = 0; i < 3; ++i) {
-    const runtime::Float4 plane = runtime::RoundPlane(scene.planes[i]).value;
+    const Float4 plane = RoundPlane(scene.planes[i]).value;
     Check(device.SetClipPlane(i, &plane.x), "SetClipPlane");
   }
   Check(device.SetRenderState(D3DRS_CLIPPLANEENABLE, 7), "CLIPPLANEENABLE");
@@ -179,11 +177,10 @@ double Nanoseconds() {
 }
 
 // Beside a loop that sets them blindly.
-void TimeUnchangedDraws(IDirect3DDevice9& device, runtime::Level9Binder& binder,
-                        const runtime::Table& table) {
+void TimeUnchangedDraws(IDirect3DDevice9& device, Level9Binder& binder, const Table& table) {
   constexpr int kDraws = 20'000;
   const auto planes = PlaneConstants(MakeScene(3), MakeScene(3).projection, 1, Mistake::kNone);
-  const runtime::BoundBuffer buffer{1, 0, planes.data(), sizeof planes};
+  const BoundBuffer buffer{1, 0, planes.data(), sizeof planes};
   Check(binder.Bind(table, &buffer, 1));
   double bound = 1e30, blind = 1e30;
   for (int round = 0; round < 9; ++round) {
@@ -202,10 +199,10 @@ void TimeUnchangedDraws(IDirect3DDevice9& device, runtime::Level9Binder& binder,
 }
 
 // Direct3D's own record, as `clipc --table x.bin` wrote it.
-runtime::Table ReadBinaryTable(const std::string& path) {
+Table ReadBinaryTable(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  const auto table = runtime::ReadTable(bytes.data(), bytes.size());
+  const auto table = ReadTable(bytes.data(), bytes.size());
   Check(table.status);
   return table.value;
 }
@@ -215,17 +212,17 @@ runtime::Table ReadBinaryTable(const std::string& path) {
 int main(int argc, char** argv) {
   if (argc != 3) Fail("usage: d3d9_scenes FOLDER TABLE.bin", argc);
   IDirect3DDevice9& device = *MakeDevice();
-  runtime::d3d9::ClipPlaneDevice clip_device(device);
+  d3d9::ClipPlaneDevice clip_device(device);
   std::printf("MaxUserClipPlanes %u\n", static_cast<unsigned>(clip_device.max_planes()));
   const float plane[4] = {1, 0, 0, 0};
   if (clip_device.SetClipPlane(clip_device.max_planes(), plane))
     Fail("a plane too many was taken", 0);
-  runtime::Level9Binder binder(clip_device, clip_device.max_planes());
-  const auto one = runtime::ReadTable(scene_level9_1_clip_table);
+  Level9Binder binder(clip_device, clip_device.max_planes());
+  const auto one = ReadTable(scene_level9_1_clip_table);
   Check(one.status);
   Draw(device, binder, one.value, 1, Mistake::kNone, argv[1]);
   Draw(device, binder, ReadBinaryTable(argv[2]), 3, Mistake::kNone, argv[1]);
-  const auto three = runtime::ReadTable(scene_level9_3_clip_table);
+  const auto three = ReadTable(scene_level9_3_clip_table);
   Check(three.status);
   for (const Mistake mistake : kMistakes) Draw(device, binder, three.value, 3, mistake, argv[1]);
   TimeUnchangedDraws(device, binder, three.value);

@@ -2,7 +2,6 @@
 // The pictures that d3d9_main.cpp drew on a real IDirect3DDevice9, against OpenGL's clip distances.
 #include <cstdio>
 #include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 

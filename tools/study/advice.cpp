@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "runtime/near_plane.h"
 #include "runtime/plane_space.h"

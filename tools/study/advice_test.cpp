@@ -2,7 +2,6 @@
 #include "tools/study/advice.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

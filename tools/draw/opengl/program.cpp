@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
 #include "tools/draw/opengl/upload.h"
 #include "tools/harness/drawing.h"

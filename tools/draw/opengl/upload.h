@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include <cstdint>
 #include <functional>
-#include <vector>
 
 #include "tools/draw/inputs.h"
 

@@ -2,7 +2,6 @@
 #include "tools/draw/vulkan/descriptors.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace clipc::draw::vulkan {
 namespace {

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "tools/study/program/gltf_scene.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <numbers>
-#include <sstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

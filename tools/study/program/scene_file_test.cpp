@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "tools/study/program/scene_file.h"
 
-#include <cstdio>
 #include <fstream>
 #include <sstream>
 
