@@ -3,8 +3,8 @@
 
 #include <bit>
 
+#include "base/operators.h"
 #include "base/overloaded.h"
-#include "frontend/parse/operators.h"
 
 namespace clipc::check {
 
@@ -40,14 +40,13 @@ std::string TextOf(const Context& context, ast::ExprId id) {
             return fmt::format("{}.{}", TextOf(context, e.base), context[e.name]);
           },
           [&](const ast::UnaryExpr& e) {
-            constexpr std::string_view kTexts[] = {"+", "-", "!", "~", "++", "--", "++", "--"};
-            const std::string_view text = kTexts[static_cast<std::size_t>(e.op)];
-            return e.op >= ast::UnaryOp::kPostIncrement
+            const std::string_view text = e.op ? SpellingOf(*e.op) : "+";
+            return e.op && IsPostfix(*e.op)
                        ? fmt::format("{}{}", TextOf(context, e.operand), text)
                        : fmt::format("{}{}", text, TextOf(context, e.operand));
           },
           [&](const ast::BinaryExpr& e) {
-            return fmt::format("{} {} {}", TextOf(context, e.left), ast::OperatorOf(e.op).text,
+            return fmt::format("{} {} {}", TextOf(context, e.left), SpellingOf(e.op),
                                TextOf(context, e.right));
           },
           [&](const ast::ConditionalExpr& e) {
