@@ -97,7 +97,7 @@ TEST_F(Access, EffectsLookIntoFunctions) {
 TEST_F(Access, StatementsThatMayAssign) {
   const StmtId in_a_branch =
       build.Stmt(If{build.Bool(true), build.Eval(build.AssignTo(Counter(), build.Float(1))), {}});
-  const auto assigns = [&](StmtId stmt, VarId var) {
+  const auto assigns = [&](StmtId stmt, VarId var) -> bool {
     return AssignedIn(shader, {&stmt, 1})[var.index];
   };
   EXPECT_TRUE(assigns(in_a_branch, shader.counter));

@@ -6,6 +6,7 @@
 
 #include "base/overloaded.h"
 #include "clip-table/vocabulary.h"
+#include "frontend/check/entry.h"
 #include "frontend/check/expr.h"
 #include "frontend/check/function.h"
 #include "frontend/check/global.h"
@@ -348,6 +349,16 @@ void CheckClipPlanes(Context& context, FunctionInfoId entry, const AttributeList
   for (ast::ExprId operand : context[attribute->arguments]) CheckOperand(context, operand, seen);
 }
 
+namespace {
+
+bool IsReached(const Context& context, ast::DeclId definition) {
+  return std::ranges::any_of(context.functions.infos, [&](const FunctionInfo& info) {
+    return info.decl == definition && info.function;
+  });
+}
+
+}  // namespace
+
 void CheckUnusedClipPlanes(Context& context, const AttributeLists& of_entry) {
   for (const ast::DeclId id : context.file.decls.ids()) {
     const auto* function = context.GetIf<ast::FunctionDecl>(id);
@@ -357,8 +368,9 @@ void CheckUnusedClipPlanes(Context& context, const AttributeLists& of_entry) {
       return !list.empty() && list.data() == attributes.data();
     });
     if (is_entry) continue;
+    const bool has_own_shader = !IsReached(context, id) && MayBeEntry(context, *function);
     for (const ast::Attr& attr : attributes) {
-      if (!ReportIfMisspelt(context, attr) && IsClipPlanes(context, attr))
+      if (!ReportIfMisspelt(context, attr) && !has_own_shader && IsClipPlanes(context, attr))
         context.Report(attr.span, diag::ClipPlanesNotOnEntry, context[function->name]);
     }
   }

@@ -22,7 +22,8 @@ void ReachClipPlanes(Context& context, FunctionInfoId entry, const AttributeList
 void CheckClipPlanes(Context& context, FunctionInfoId entry, const AttributeLists& attributes);
 
 // Warns of clip planes on functions other than the entry point (X3588), where they have no effect,
-// and reports attributes there that are nearly spelled like theirs.
+// and reports attributes there that are nearly spelled like theirs. A function that may be the
+// entry point of another shader in the file is not warned of, unless this shader calls it.
 void CheckUnusedClipPlanes(Context& context, const AttributeLists& of_entry);
 
 }  // namespace clipc::check

@@ -52,12 +52,24 @@ std::string ScopedName(const Context& context, SymbolId id) {
   return text;
 }
 
-// Whether the function's own signature has a semantic or clip planes, which helpers have not.
+// Whether a struct of that name, in any scope, has a field with a semantic.
+bool HasSemantics(const Context& context, ast::TypeId type) {
+  const auto has_semantic = [&](ast::DeclId member) {
+    const auto* field = context.GetIf<ast::VarDecl>(member);
+    return field && field->semantic.name;
+  };
+  const Name name = context[type].name.name;
+  for (const ast::DeclId id : context.file.decls.ids()) {
+    const auto* structure = context.GetIf<ast::StructDecl>(id);
+    if (structure && structure->name == name &&
+        std::ranges::any_of(context[structure->members], has_semantic))
+      return true;
+  }
+  return false;
+}
+
 bool IsLikelyEntry(const Context& context, const ast::FunctionDecl& decl) {
-  return decl.body && (decl.return_semantic.name || !decl.attributes.empty() ||
-                       std::ranges::any_of(context[decl.parameters], [&](ast::DeclId id) {
-                         return bool{std::get<ast::VarDecl>(context[id].node).semantic.name};
-                       }));
+  return decl.body && (!decl.attributes.empty() || MayBeEntry(context, decl));
 }
 
 void ReportNoEntry(Context& context) {
@@ -95,6 +107,15 @@ void ReportNoEntry(Context& context) {
 }
 
 }  // namespace
+
+bool MayBeEntry(const Context& context, const ast::FunctionDecl& decl) {
+  const auto has_semantics = [&](ast::DeclId id) {
+    const auto& parameter = std::get<ast::VarDecl>(context[id].node);
+    return parameter.semantic.name || HasSemantics(context, parameter.type);
+  };
+  return decl.return_semantic.name || HasSemantics(context, decl.return_type) ||
+         std::ranges::any_of(context[decl.parameters], has_semantics);
+}
 
 FunctionInfoId FindEntry(Context& context) {
   std::vector<std::string_view> parts = SplitQualified(context.options.entry);

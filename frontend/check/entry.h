@@ -11,4 +11,8 @@ namespace clipc::check {
 // do not count. None after an error, which was reported.
 FunctionInfoId FindEntry(Context& context);
 
+// Whether the function may be the entry point of another shader in the same file: its parameters or
+// its result have semantics, their own or those of a struct's fields.
+bool MayBeEntry(const Context& context, const ast::FunctionDecl& decl);
+
 }  // namespace clipc::check

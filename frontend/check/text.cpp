@@ -41,9 +41,8 @@ std::string TextOf(const Context& context, ast::ExprId id) {
           },
           [&](const ast::UnaryExpr& e) {
             const std::string_view text = e.op ? SpellingOf(*e.op) : "+";
-            return e.op && IsPostfix(*e.op)
-                       ? fmt::format("{}{}", TextOf(context, e.operand), text)
-                       : fmt::format("{}{}", text, TextOf(context, e.operand));
+            return e.op && IsPostfix(*e.op) ? fmt::format("{}{}", TextOf(context, e.operand), text)
+                                            : fmt::format("{}{}", text, TextOf(context, e.operand));
           },
           [&](const ast::BinaryExpr& e) {
             return fmt::format("{} {} {}", TextOf(context, e.left), SpellingOf(e.op),

@@ -1,9 +1,9 @@
 // What names the position: SV_Position; POSITION before 4.0 and, with -Gec, after it.
+// RUN: not %clipc -T vs_5_0 -E main -Ges %s -o - 2>&1 | FileCheck %s --check-prefix=STRICT
 // RUN: %clipc -T vs_5_0 -E main %s -o - 2>&1 | FileCheck %s --check-prefix=PLAIN
 // RUN: %clipc -T vs_4_0_level_9_1 -E main %s -o - 2>&1 | FileCheck %s --check-prefix=PLAIN
 // RUN: %clipc -T vs_5_0 -E main -Gec %s -o - 2>&1 | FileCheck %s --check-prefix=BOTH
 // RUN: %clipc -T vs_3_0 -E main %s -o - 2>&1 | FileCheck %s --check-prefix=BOTH
-// RUN: not %clipc -T vs_5_0 -E main -Ges %s -o - 2>&1 | FileCheck %s --check-prefix=STRICT
 // RUN: %clipc -T vs_5_0 -E both %s -o - 2>&1 | FileCheck %s --check-prefix=TWO
 // RUN: not %clipc -T vs_5_0 -E both -Gec %s -o - 2>&1 | FileCheck %s --check-prefix=TWICE
 // RUN: not %clipc -T vs_5_0 -E planes %s -o - 2>&1 | FileCheck %s --check-prefix=PLANES
@@ -12,7 +12,7 @@
 // RUN: %draw compare %s -T vs_3_0 -E main
 cbuffer Planes { float4 p; };
 
-// PLAIN: position_name.hlsl:[[#@LINE+4]]:36: warning: `POSITION` is an output like any other under `vs_{{[^`]*}}`, and nothing is the position; write `SV_Position`, or use `-Gec`, which takes Direct3D 9's names [-Wposition-is-plain]
+// PLAIN: fail_position_name.hlsl:[[#@LINE+4]]:36: warning: `POSITION` is an output like any other under `vs_{{[^`]*}}`, and nothing is the position; write `SV_Position`, or use `-Gec`, which takes Direct3D 9's names [-Wposition-is-plain]
 // PLAIN: vs_POSITION0 =
 // BOTH-NOT: warning:
 // STRICT: :[[#@LINE+1]]:36: error: `POSITION` is Direct3D 9's name of the position; `-Ges` takes only `SV_Position` [position-refused]
