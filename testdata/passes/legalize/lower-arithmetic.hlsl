@@ -9,3 +9,24 @@ float4 main(float4 p : POSITION, int2 n : COUNT, uint2 u : BITS) : SV_Position {
   int remainder = n.x % n.y;
   return mad(p, rcp(p), ldexp(p, 2)) + p % 3 + fmod(p, 4) + shifted + rest + remainder;
 }
+
+// CHECK: program vs_5_0 form inlined
+// CHECK-NEXT: input float4 in_POSITION0 : POSITION0 location 0
+// CHECK-NEXT: input int2 in_COUNT0 : COUNT0 location 1
+// CHECK-NEXT: input uint2 in_BITS0 : BITS0 location 2
+// CHECK-NEXT: output float4 vs_SV_POSITION0 : SV_Position0 builtin position
+// CHECK-NEXT: entry void main() {
+// CHECK-NEXT: }
+// CHECK-NEXT: main void main.1() {
+// CHECK-NEXT:   int shifted = in_COUNT0.x << (in_COUNT0.y & 31)
+// CHECK-NEXT:   shifted >>= 1
+// CHECK-NEXT:   uint rest = in_BITS0.x % in_BITS0.y
+// CHECK-NEXT:   int remainder = imod(in_COUNT0.x, in_COUNT0.y)
+// CHECK-NEXT:   vs_SV_POSITION0 = ((((((in_POSITION0 * (splat<float4>(1.0) / in_POSITION0)) + (in_POSITION0 * exp2(splat<float4>(2.0)))) + fmod(in_POSITION0, splat<float4>(3.0))) + fmod(in_POSITION0, splat<float4>(4.0))) + splat<float4>(convert<float>(shifted))) + splat<float4>(convert<float>(rest))) + splat<float4>(convert<float>(remainder))
+// CHECK-NEXT: }
+// CHECK-NEXT: helper int imod(int x, int y) {
+// CHECK-NEXT:   return x - (y * (x / y))
+// CHECK-NEXT: }
+// CHECK-NEXT: helper float4 fmod(float4 x.1, float4 y.1) {
+// CHECK-NEXT:   return x.1 - (y.1 * trunc(x.1 / y.1))
+// CHECK-NEXT: }
