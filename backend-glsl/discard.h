@@ -21,7 +21,7 @@ struct DiscardCode {
 // For a program after LowerClipPlanes with Lowering::kDiscard, as WriteGlsl wrote it with `info`.
 // Empty code when it has no clip planes. No name in `taken` is declared.
 DiscardCode WriteDiscard(const ir::Program& program, const Target& target, const GlslInfo& info,
-                         const std::vector<std::string>& taken = {});
+                         const std::vector<std::string_view>& taken = {});
 
 struct Insertion {
   std::string text;   // the whole fragment shader; empty when there is a problem
