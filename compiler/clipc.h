@@ -58,11 +58,14 @@ typedef struct clipc_request {
   void* read_include_context;
 } clipc_request;
 
+/* The last member of each enumeration fixes its size, and makes every number a value of it: that of
+ * a newer or older header is well defined. */
 typedef enum clipc_status {
   CLIPC_COMPILED = 0,
   CLIPC_HAS_ERRORS,  /* the shader has errors */
   CLIPC_BAD_REQUEST, /* an option is wrong, or the shader cannot be read */
-  CLIPC_NO_MEMORY    /* *result is NULL */
+  CLIPC_NO_MEMORY,   /* *result is NULL */
+  CLIPC_STATUS_MAX = 0x7fffffff
 } clipc_status;
 
 /* What a result has. All but the messages and the dependencies are empty after an error. */
@@ -76,7 +79,8 @@ typedef enum clipc_part {
   CLIPC_PART_REFLECTION,    /* JSON: docs/reflection.md */
   CLIPC_PART_TABLE_JSON,
   CLIPC_PART_TABLE_BINARY, /* Direct3D's record; empty for planes that it cannot say */
-  CLIPC_PART_TABLE_HEADER  /* a C++ header with `clip_table` */
+  CLIPC_PART_TABLE_HEADER, /* a C++ header with `clip_table` */
+  CLIPC_PART_MAX = 0x7fffffff
 } clipc_part;
 
 /* Compiles a shader. Always sets *result, which the caller frees, except after CLIPC_NO_MEMORY. The

@@ -179,7 +179,7 @@ clipc_error clipc_object_plane(const float world_plane[4], const float world[16]
 
 double clipc_edge_error(clipc_plane_space space, const float view_plane[4],
                         const float projection[16], double rows) {
-  if (view_plane == nullptr || projection == nullptr) return -1;
+  if (space > CLIPC_SPACE_OBJECT || view_plane == nullptr || projection == nullptr) return -1;
   const Result<double> error = PredictEdgeError(
       static_cast<PlaneSpace>(space), PlaneFrom(view_plane), MatrixFrom(projection), rows);
   return error.ok() ? error.value : -1;

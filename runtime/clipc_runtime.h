@@ -24,7 +24,8 @@ extern "C" {
 
 #define CLIPC_MESSAGE_SIZE 200
 
-/* status.h: clipc::runtime::Error. */
+/* status.h: clipc::runtime::Error. The last member of each enumeration fixes its size, and makes
+ * every number a value of it: that of a newer or older header is well defined. */
 typedef enum clipc_error {
   CLIPC_OK = 0,
   CLIPC_OUT_OF_MEMORY,
@@ -41,7 +42,8 @@ typedef enum clipc_error {
   CLIPC_NOT_REPRESENTABLE,
   CLIPC_WRONG_PROJECTION,
   CLIPC_EYE_NOT_CLIPPED,
-  CLIPC_NO_DEPTH_LEFT
+  CLIPC_NO_DEPTH_LEFT,
+  CLIPC_ERROR_MAX = 0x7fffffff
 } clipc_error;
 
 /* The HRESULT that an IDirect3DDevice9 returns in the same situation: D3DERR_INVALIDCALL for every
@@ -61,7 +63,8 @@ uint32_t clipc_table_enable_mask(const clipc_table* table);
 typedef enum clipc_plane_space {
   CLIPC_SPACE_CLIP = 0,
   CLIPC_SPACE_XYW1,
-  CLIPC_SPACE_OBJECT
+  CLIPC_SPACE_OBJECT,
+  CLIPC_SPACE_MAX = 0x7fffffff
 } clipc_plane_space;
 clipc_plane_space clipc_table_plane_space(const clipc_table* table);
 
