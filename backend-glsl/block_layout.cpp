@@ -220,9 +220,12 @@ StructuredExtent Structured(const TypeTable& types, TypeId id) {
   }
 }
 
-BlockLayout LayOutBlock(const Program& program, const Cbuffer& cbuffer, const Target& target) {
-  if (!target.Has(Feature::kUniformBlocks)) return AsUniforms(program, cbuffer);
+BlockLayout LayOutBlock(const Program& program, const Cbuffer& cbuffer, const Target& target,
+                        BlockStyle style) {
+  const bool is_flat = style == BlockStyle::kFlat;
+  if (is_flat || !target.Has(Feature::kUniformBlocks)) return AsUniforms(program, cbuffer);
   BlockLayout layout;
+  const bool is_plain = style == BlockStyle::kPlain;
   const bool is_constant_buffer = cbuffer.kind == CbufferKind::kConstantBuffer;
   layout.fields_as_members = is_constant_buffer && target.Has(Feature::kBlockInstances);
   layout.members = MembersOf(program, cbuffer, layout.fields_as_members);
@@ -240,9 +243,13 @@ BlockLayout LayOutBlock(const Program& program, const Cbuffer& cbuffer, const Ta
     layout.members = MembersOf(program, cbuffer, false);
     return layout;
   }
+  layout.has_instance = target.Has(Feature::kBlockInstances) && (is_constant_buffer || !is_plain);
+  layout.has_uints = layout.has_instance && !is_plain && !layout.fields_as_members;
   MatrixLayout whole = MatrixLayout::kNone;
-  const bool agree = std::ranges::all_of(
-      layout.members, [&](const BlockMember& member) { return Agree(whole, member.matrices); });
+  const bool agree =
+      is_plain && std::ranges::all_of(layout.members, [&](const BlockMember& member) {
+        return Agree(whole, member.matrices);
+      });
   if (agree) layout.matrices = whole;
   return layout;
 }

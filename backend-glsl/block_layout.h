@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "backend-glsl/style.h"
 #include "backend-glsl/target.h"
 #include "ir/program.h"
 
@@ -40,15 +41,18 @@ struct BlockMember {
 
 struct BlockLayout {
   BlockForm form = BlockForm::kStd140;
-  MatrixLayout matrices = MatrixLayout::kNone;  // of the whole block, when its members agree
-  bool float_rows = true;  // kRows: `vec4`, since every member is of floats; else `uvec4`
+  // Of the whole block, when its members agree and the style is kPlain; else each member has one.
+  MatrixLayout matrices = MatrixLayout::kNone;
+  bool has_instance = false;  // kStd140: members are read as `instance.member`
+  bool has_uints = false;     // bools and their vectors are uints, as SPIR-V has them in blocks
+  bool float_rows = true;     // kRows: `vec4`, since every member is of floats; else `uvec4`
   bool fields_as_members =
       false;  // a ConstantBuffer<T> written with an instance name: `buffer.field`
   std::vector<BlockMember> members;  // in order of offset (kUniforms: of declaration)
 };
 
 BlockLayout LayOutBlock(const ir::Program& program, const ir::Cbuffer& cbuffer,
-                        const Target& target);
+                        const Target& target, BlockStyle style);
 
 // What std140 gives a type.
 struct Std140Extent {

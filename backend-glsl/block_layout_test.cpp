@@ -44,7 +44,8 @@ class BlockLayoutTest : public testing::Test {
                      std::string_view target = "glsl450",
                      ir::CbufferKind kind = ir::CbufferKind::kCbuffer) {
     const auto id = shader_.AddCbuffer("Buffer", members, kind);
-    return LayOutBlock(shader_.program, shader_.program.cbuffers[id], *Target::Parse(target));
+    return LayOutBlock(shader_.program, shader_.program.cbuffers[id], *Target::Parse(target),
+                       BlockStyle::kPlain);
   }
   BlockForm Form(const std::vector<ShaderForTest::Member>& members,
                  std::string_view target = "glsl450") {
@@ -274,15 +275,16 @@ TEST_P(GlslangLayoutTest, OffsetsAreDirect3ds) {
         const std::string name = "m" + std::to_string(i) + "_" + std::to_string(m);
         members.push_back({name, random.Type(shader, 2), random.Below(2) == 0});
       }
-      const auto id = shader.AddCbuffer("Buffer" + std::to_string(i), members);
-      const BlockLayout layout =
-          LayOutBlock(shader.program, shader.program.cbuffers[id], *Target::Parse(GetParam()));
+      const std::string buffer = "Buffer" + std::to_string(i);
+      const auto id = shader.AddCbuffer(buffer, members);
+      const BlockLayout layout = LayOutBlock(shader.program, shader.program.cbuffers[id],
+                                             *Target::Parse(GetParam()), BlockStyle::kNamed);
       (layout.form == BlockForm::kStd140 ? std140 : rows) += 1;
       for (const ir::CbufferMember& member : shader.program.cbuffers[id].members) {
         std::vector<Leaf> found;
         const ir::Var& var = shader.program.vars[member.var];
-        UseLeaves(shader, shader.Make().Ref(member.var), var.row_major, var.name, member.offset,
-                  found);
+        UseLeaves(shader, shader.Make().Ref(member.var), var.row_major, buffer + "." + var.name,
+                  member.offset, found);
         if (layout.form == BlockForm::kStd140)
           leaves.insert(leaves.end(), found.begin(), found.end());
       }

@@ -4,7 +4,6 @@
 #include <map>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "backend-glsl/block_layout.h"
@@ -13,7 +12,7 @@
 #include "backend-glsl/reach.h"
 #include "backend-glsl/shape.h"
 #include "backend-glsl/write.h"
-#include "base/overloaded.h"
+#include "ir/access.h"
 #include "ir/scalar.h"
 #include "ir/walk.h"
 
@@ -26,9 +25,11 @@ namespace {
 class TargetCheck {
  public:
   TargetCheck(const Program& program, const Reached& reached, const Target& target,
-              Diagnostics& diagnostics)
+              BlockStyle blocks, Diagnostics& diagnostics)
       : program_(program),
         target_(target),
+        blocks_(blocks),
+        has_blocks_(target.Has(Feature::kUniformBlocks) && blocks != BlockStyle::kFlat),
         diagnostics_(diagnostics),
         reached_(reached),
         seen_types_(program.types.size()) {}
@@ -53,10 +54,20 @@ class TargetCheck {
   }
 
  private:
-  std::string_view target_name() const { return target_.name(); }
   const ir::Type& TypeOf(ExprId expr) const { return program_.types[program_.exprs[expr].type]; }
+  const ir::Type& TypeOf(VarId var) const { return program_.types[program_.vars[var].type]; }
   const ir::Type& Innermost(TypeId id) const {
     return program_.types[program_.types.Innermost(id)];
+  }
+  bool IsArray(TypeId type) const { return program_.types[type].kind == TypeKind::kArray; }
+  template <typename Node>
+  const Node* As(auto id) const {
+    return ir::As<Node>(program_, id);
+  }
+
+  // Every message ends with the target's name.
+  void Report(Span span, const auto& kind, const auto&... arguments) {
+    diagnostics_.Report(span, kind, arguments..., target_.name());
   }
 
   // Reports what the target lacks.
@@ -64,14 +75,11 @@ class TargetCheck {
     if (need && !target_.Has(need->feature)) Lack(*need, span, name);
   }
   void Check(Feature feature, const Need::Named& message, Span span, std::string_view name) {
-    if (!target_.Has(feature)) diagnostics_.Report(span, message, name, target_name());
+    if (!target_.Has(feature)) Report(span, message, name);
   }
   void Lack(const Need& need, Span span, std::string_view name) {
-    if (need.plain) {
-      diagnostics_.Report(span, *need.plain, target_name());
-    } else {
-      diagnostics_.Report(span, *need.named, need.what.empty() ? name : need.what, target_name());
-    }
+    if (need.plain) return Report(span, *need.plain);
+    Report(span, *need.named, need.what.empty() ? name : need.what);
   }
 
   // ---- inputs and outputs
@@ -119,31 +127,29 @@ class TargetCheck {
 
   // ---- buffers and textures
   void Cbuffer(const ir::Cbuffer& cbuffer) {
+    if (target_.IsVulkan() && !has_blocks_) {
+      Report(cbuffer.span, diag::TargetFlatUniforms, cbuffer.name);
+    }
     for (const CbufferMember& member : cbuffer.members) {
       const Var& var = program_.vars[member.var];
-      if (reached_.Has(member.var) || target_.Has(Feature::kUniformBlocks))
-        Type(var.type, var.span);
+      if (reached_.Has(member.var) || has_blocks_) Type(var.type, var.span);
     }
-    const bool is_array =
-        cbuffer.kind == CbufferKind::kConstantBuffer &&
-        program_.types[program_.vars[cbuffer.members[0].var].type].kind == TypeKind::kArray;
-    if (!is_array || !target_.Has(Feature::kUniformBlocks)) return;
-    const Var& var = program_.vars[cbuffer.members[0].var];
-    const bool is_nested =
-        program_.types[program_.types[var.type].element].kind == TypeKind::kArray;
-    const bool in_rows = LayOutBlock(program_, cbuffer, target_).form == BlockForm::kRows;
+    if (cbuffer.kind != CbufferKind::kConstantBuffer || !has_blocks_) return;
+    const ir::Type& type = TypeOf(cbuffer.members[0].var);
+    if (type.kind != TypeKind::kArray) return;
+    const bool is_nested = IsArray(type.element);
+    const bool in_rows = LayOutBlock(program_, cbuffer, target_, blocks_).form == BlockForm::kRows;
     const bool fits = in_rows ? target_.Has(Feature::kDynamicBlockIndex) && !is_nested
                               : !is_nested || target_.Has(Feature::kArraysOfArrays);
     if (!fits || !target_.Has(Feature::kBlockInstances)) {
-      diagnostics_.Report(cbuffer.span, diag::TargetConstantBufferArray, cbuffer.name,
-                          target_name());
+      Report(cbuffer.span, diag::TargetConstantBufferArray, cbuffer.name);
     }
   }
 
   void Object(const Var& var) {
     const ir::Type& type = Innermost(var.type);
-    const bool is_array = program_.types[var.type].kind == TypeKind::kArray;
-    if (is_array && program_.types[program_.types[var.type].element].kind == TypeKind::kArray) {
+    const bool is_array = IsArray(var.type);
+    if (is_array && IsArray(program_.types[var.type].element)) {
       Check(Feature::kArraysOfArrays, diag::TargetObjectArrays, var.span, var.name);
     }
     if (type.object == ObjectKind::kTexture1DArray) {
@@ -151,7 +157,7 @@ class TargetCheck {
     }
     Check(NeedOf(type.object), var.span, var.name);
     if (is_array && IsStorageBuffer(type.object)) {
-      diagnostics_.Report(var.span, diag::TargetArrayOfBuffers, var.name, target_name());
+      Report(var.span, diag::TargetArrayOfBuffers, var.name);
     }
     if (!type.element) return;
     if (program_.types[type.element].IsNumeric() &&
@@ -210,10 +216,10 @@ class TargetCheck {
 
   void Statement(StmtId id) {
     const ir::Stmt& stmt = program_.stmts[id];
-    if (std::holds_alternative<Switch>(stmt.node) && !target_.Has(Feature::kSwitch)) {
-      diagnostics_.Report(stmt.span, diag::TargetSwitch, target_name());
+    if (As<Switch>(id) && !target_.Has(Feature::kSwitch)) {
+      Report(stmt.span, diag::TargetSwitch);
     }
-    if (const auto* declare = std::get_if<Declare>(&stmt.node)) {
+    if (const auto* declare = As<Declare>(id)) {
       Type(program_.vars[declare->var].type, stmt.span);
     }
     ForEachPart(
@@ -237,22 +243,19 @@ class TargetCheck {
 
   // GLSL 1.20 has int, and only the four arithmetic operators for it.
   void SmallIntegers(ExprId id, const ir::Expr& expr) {
-    const auto* binary = std::get_if<Binary>(&expr.node);
-    const auto* assign = std::get_if<Assign>(&expr.node);
-    const auto* unary = std::get_if<Unary>(&expr.node);
+    const auto* binary = As<Binary>(id);
+    const auto* assign = As<Assign>(id);
+    const auto* unary = As<Unary>(id);
     if (binary) BitOperator(binary->op, TypeOf(binary->left), expr.span);
     if (assign && assign->op) BitOperator(*assign->op, TypeOf(assign->target), expr.span);
-    if (unary && unary->op == UnaryOp::kComplement)
-      diagnostics_.Report(expr.span, diag::TargetBitOperator, "~", target_name());
+    if (unary && unary->op == UnaryOp::kComplement) Report(expr.span, diag::TargetBitOperator, "~");
 
-    const auto* literal = std::get_if<Literal>(&expr.node);
+    const auto* literal = As<Literal>(id);
     const bool is_uint = TypeOf(id).IsNumeric() && BaseOf(TypeOf(id).scalar) == Scalar::kUint;
     if (literal && is_uint && UintOf(literal->bits) > 0x7fffffffu) {
-      diagnostics_.Report(expr.span, diag::TargetUintTooLarge, UintOf(literal->bits),
-                          target_name());
+      Report(expr.span, diag::TargetUintTooLarge, UintOf(literal->bits));
     }
-    if (const auto* convert = std::get_if<Convert>(&expr.node))
-      UintOperand(TypeOf(convert->operand), expr.span);
+    if (const auto* convert = As<Convert>(id)) UintOperand(TypeOf(convert->operand), expr.span);
   }
 
   void BitOperator(BinaryOp op, const ir::Type& type, Span span) {
@@ -261,9 +264,7 @@ class TargetCheck {
       case BinaryOp::kShiftRight:
       case BinaryOp::kBitAnd:
       case BinaryOp::kBitXor:
-      case BinaryOp::kBitOr:
-        diagnostics_.Report(span, diag::TargetBitOperator, OperatorOf(op).spelling, target_name());
-        return;
+      case BinaryOp::kBitOr: Report(span, diag::TargetBitOperator, OperatorOf(op).spelling); return;
       case BinaryOp::kEqual:
       case BinaryOp::kNotEqual:
       case BinaryOp::kAdd:
@@ -275,8 +276,7 @@ class TargetCheck {
 
   void UintOperand(const ir::Type& type, Span span) {
     const bool is_uint = type.IsNumeric() && BaseOf(type.scalar) == Scalar::kUint;
-    if (is_uint && !std::exchange(uint_reported_, true))
-      diagnostics_.Report(span, diag::TargetUintAsInt, target_name());
+    if (is_uint && !std::exchange(uint_reported_, true)) Report(span, diag::TargetUintAsInt);
   }
 
   void IntrinsicUse(const IntrinsicCall& call, Span span) {
@@ -297,41 +297,38 @@ class TargetCheck {
   // Elements that lie tighter than std430 says are read as words, and not written.
   void StoreUse(ExprId object, Span span) {
     const ir::Type& type = Innermost(program_.exprs[object].type);
-    const auto* ref = std::get_if<VarRef>(&program_.exprs[object].node);
+    const auto* ref = As<VarRef>(object);
     const bool row_major = ref && program_.vars[ref->var].row_major;
     if (type.object == ObjectKind::kRWStructuredBuffer &&
         !Std430(program_.types, type.element, row_major)) {
-      diagnostics_.Report(span, diag::TargetStructuredStore, program_.types.Name(type.element),
-                          target_name());
+      Report(span, diag::TargetStructuredStore, program_.types.Name(type.element));
     }
   }
 
   // Samplers and textures in arrays.
   void ObjectArgument(ExprId object) {
-    const auto* index = std::get_if<Index>(&program_.exprs[object].node);
+    const auto* index = As<Index>(object);
     const bool is_sampler = InfoOf(TypeOf(object).object).category == ObjectCategory::kSampler;
     if (!index || !is_sampler || target_.IsVulkan()) return;
-    const auto* var = std::get_if<VarRef>(&program_.exprs[index->base].node);
-    diagnostics_.Report(program_.exprs[object].span, diag::TargetSamplerArray,
-                        var ? program_.vars[var->var].name : "sampler", target_name());
+    const auto* var = As<VarRef>(index->base);
+    Report(program_.exprs[object].span, diag::TargetSamplerArray,
+           var ? program_.vars[var->var].name : "sampler");
   }
 
   void BufferIndex(const Index& index, Span span) {
-    const auto* ref = std::get_if<VarRef>(&program_.exprs[index.base].node);
-    if (!ref || std::holds_alternative<Literal>(program_.exprs[index.index].node) ||
-        target_.Has(Feature::kDynamicBlockIndex))
-      return;
+    const auto* ref = As<VarRef>(index.base);
+    if (!ref || As<Literal>(index.index) || target_.Has(Feature::kDynamicBlockIndex)) return;
     const Var& var = program_.vars[ref->var];
     const bool is_object = Innermost(var.type).kind == TypeKind::kObject;
-    const bool is_buffer = var.storage == Storage::kUniform &&
-                           target_.Has(Feature::kUniformBlocks) &&
+    const bool is_buffer = var.storage == Storage::kUniform && has_blocks_ &&
                            program_.cbuffers[var.cbuffer].kind == CbufferKind::kConstantBuffer;
-    if (is_object || is_buffer)
-      diagnostics_.Report(span, diag::TargetBufferIndexNotConstant, var.name, target_name());
+    if (is_object || is_buffer) Report(span, diag::TargetBufferIndexNotConstant, var.name);
   }
 
   const Program& program_;
   const Target& target_;
+  const BlockStyle blocks_;
+  const bool has_blocks_;  // constant buffers become uniform blocks
   Diagnostics& diagnostics_;
   const Reached& reached_;
   const bool has_unsigned_ = target_.Has(Feature::kUnsigned);
@@ -343,8 +340,8 @@ class TargetCheck {
 }  // namespace
 
 void CheckTarget(const Program& program, const Reached& reached, const Target& target,
-                 Diagnostics& diagnostics) {
-  TargetCheck(program, reached, target, diagnostics).Run();
+                 BlockStyle blocks, Diagnostics& diagnostics) {
+  TargetCheck(program, reached, target, blocks, diagnostics).Run();
 }
 
 }  // namespace clipc::glsl

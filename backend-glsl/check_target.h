@@ -2,6 +2,7 @@
 #pragma once
 
 #include "backend-glsl/reach.h"
+#include "backend-glsl/style.h"
 #include "backend-glsl/target.h"
 #include "base/diagnostics.h"
 #include "ir/program.h"
@@ -12,6 +13,6 @@ namespace clipc::glsl {
 // succeeds. Requires that the clip planes are lowered: which of them become clip distances is
 // decided there. `reached` is Reach(program).
 void CheckTarget(const ir::Program& program, const Reached& reached, const Target& target,
-                 Diagnostics& diagnostics);
+                 BlockStyle blocks, Diagnostics& diagnostics);
 
 }  // namespace clipc::glsl

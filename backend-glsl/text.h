@@ -5,7 +5,6 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <initializer_list>
 #include <ranges>
 #include <string>
@@ -89,9 +88,13 @@ inline Text Infix(Text left, std::string_view op, Text right, Binding binding) {
 // An argument of a call: everything but a comma may stand without parentheses.
 inline std::string Argument(Text text) { return std::move(text).At(Binding::kAssignment); }
 
-// function(a, b, c)
+// function(a, b, c); one argument at least.
 inline Text Called(std::string_view function, std::initializer_list<std::string_view> arguments) {
-  return {Concat(function, "(", ListOf(arguments, std::identity()), ")")};
+  std::string text = Concat(function, "(");
+  for (const std::string_view& argument : arguments) {
+    Append(text, argument, &argument + 1 == arguments.end() ? ")" : ", ");
+  }
+  return {std::move(text)};
 }
 
 }  // namespace clipc::glsl

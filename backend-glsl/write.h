@@ -10,6 +10,7 @@
 
 #include "backend-glsl/block_layout.h"
 #include "backend-glsl/reach.h"
+#include "backend-glsl/style.h"
 #include "backend-glsl/target.h"
 #include "ir/program.h"
 
@@ -22,6 +23,8 @@ struct WriteOptions {
   // What is written as a comment before a statement that is from another line than the one before
   // it; empty: no comment. Without the function there are none.
   std::function<std::string(Span)> comment_of = {};
+  BlockStyle blocks = BlockStyle::kNamed;
+  NameStyle names = {};
 };
 
 // What the host must know of the written shader: the names, places and layouts that were chosen.
@@ -41,8 +44,10 @@ struct GlslInfo {
   };
   struct Member {
     ir::VarId var;
-    int field = -1;    // of a ConstantBuffer<T> with an instance name: the field of T
-    std::string name;  // as the host asks for it: "world", "Camera.view"; kRows: the accessor
+    int field = -1;  // of a ConstantBuffer<T> with an instance name: the field of T
+    // As the host asks for it: "world"; "Camera.view" of a block `Camera` with an instance name;
+    // kRows: the accessor.
+    std::string name;
     // kUniforms: what glUniformMatrix wants as `transpose` when it is handed the bytes of the HLSL
     // buffer.
     bool transpose = false;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <exception>
 #include <new>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -106,6 +107,14 @@ void Compilation::ReadNames() {
                         Suggest(request_.target, glsl::Target::Names()));
   }
   if (target_) target_->binding_shifts = request_.binding_shifts;
+  auto names = glsl::NameStyle::Parse(request_.names);
+  if (!names) {
+    diagnostics_.Report({}, diag::UnknownNames, request_.names,
+                        Suggest(request_.names, glsl::NameStyle::Names()));
+    names.emplace();
+  }
+  options_ = {
+      .separable = request_.separable, .blocks = request_.blocks, .names = std::move(*names)};
   const std::vector<std::string_view> passes = LowerPasses();
   const auto check_pass = [&](const std::string& name) {
     if (std::find(passes.begin(), passes.end(), name) != passes.end()) return;
@@ -168,7 +177,7 @@ void Compilation::RunBackEnd(ir::Program typed, const Source& source) {
   Lowered lowered = Lower(request_.variants ? typed : std::move(typed), settings);
   if (lowered.is_complete) {
     ReportLeftOut(distances, lowered.program, diagnostics_);
-    CheckTarget(lowered, diagnostics_);
+    CheckTarget(lowered, request_.blocks, diagnostics_);
     if (diagnostics_.has_errors()) return;
     Legalize(lowered, settings.passes);
   }
@@ -177,10 +186,10 @@ void Compilation::RunBackEnd(ir::Program typed, const Source& source) {
     return;
   }
 
-  const glsl::WriteOptions with_lines{request_.separable,
-                                      [&](Span span) { return SourceLine(source, span); }};
+  glsl::WriteOptions with_lines = options_;
+  with_lines.comment_of = [&](Span span) { return SourceLine(source, span); };
   if (request_.list) result_.listing = Write(lowered, with_lines).glsl;
-  options_ = request_.source_lines ? with_lines : glsl::WriteOptions{request_.separable, {}};
+  if (request_.source_lines) options_ = std::move(with_lines);
   Written written = Write(lowered, options_);
   result_.table = MakeClipTable(lowered, written.info);
   if (request_.reflect) result_.reflection = Reflect(lowered, written.info, *result_.table);

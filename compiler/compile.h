@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "backend-glsl/style.h"
 #include "backend-glsl/target.h"
 #include "base/diagnostics.h"
 #include "clip-table/clip_table.h"
@@ -58,6 +59,9 @@ struct CompileRequest {
   std::string position_input;
   passes::ClipSpaceOptions clip_space;
   bool separable = false;  // for program pipelines: gl_PerVertex is redeclared
+  // How the shader meets the next stage's: see backend-glsl/style.h.
+  glsl::BlockStyle blocks = glsl::BlockStyle::kNamed;
+  std::string names = "hlslcc";  // "hlslcc", "dxc", "spirv-cross" or a pattern for outputs
   // The GLSL of a fragment shader, to which lowering kDiscard adds the discard. Without it the
   // discard is an include of its own.
   std::optional<std::string> fragment;

@@ -44,8 +44,8 @@ void Legalize(Lowered& lowered, const ir::PassOptions& options) {
   lowered.is_complete = glsl::Legalize(lowered.program, lowered.target, options);
 }
 
-void CheckTarget(const Lowered& lowered, Diagnostics& diagnostics) {
-  glsl::CheckTarget(lowered.program, lowered.reached, lowered.target, diagnostics);
+void CheckTarget(const Lowered& lowered, glsl::BlockStyle blocks, Diagnostics& diagnostics) {
+  glsl::CheckTarget(lowered.program, lowered.reached, lowered.target, blocks, diagnostics);
 }
 
 Written Write(const Lowered& lowered, const glsl::WriteOptions& options) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "backend-glsl/reach.h"
+#include "backend-glsl/style.h"
 #include "backend-glsl/target.h"
 #include "backend-glsl/write.h"
 #include "base/diagnostics.h"
@@ -58,7 +59,7 @@ std::vector<std::string_view> LowerPasses();
 
 // Reports what the target cannot say. Without errors, Write succeeds, also for the same shader with
 // fewer clip planes: LowerClipPlanes only adds to the shader.
-void CheckTarget(const Lowered& lowered, Diagnostics& diagnostics);
+void CheckTarget(const Lowered& lowered, glsl::BlockStyle blocks, Diagnostics& diagnostics);
 
 // Runs the passes that take apart what the target's GLSL cannot say. Requires that CheckTarget
 // reports no error. Afterwards `lowered` is complete unless `options` stopped it.

@@ -93,6 +93,8 @@ struct IoVar {
   Interpolation interpolation = Interpolation::kDefault;
   bool centroid = false;
   bool sample = false;
+  bool has_index = false;  // the index is written: TEXCOORD0, not TEXCOORD
+  std::string name = {};   // of the field, parameter or function that has the semantic: "uv"
 };
 
 // The semantic of the outputs that carry distances to clip planes to a fragment shader that

@@ -61,37 +61,51 @@ class BlockWriter {
     info_.members.reserve(layout_.members.size());
     for (const BlockMember& member : layout_.members) Member(member);
     text_ += "}";
-    if (layout_.fields_as_members) {
+    if (layout_.has_instance) {
       const VarId var = layout_.members.front().var;
-      info_.instance = context_.NameOf(var);
-      Append(text_, " ", info_.instance, Dimensions(context_, var));
+      const bool is_variable = layout_.fields_as_members;
+      info_.instance =
+          is_variable ? context_.NameOf(var) : context_.instance_names[info_.cbuffer.index];
+      Append(text_, " ", info_.instance, is_variable ? Dimensions(context_, var) : "");
     }
     text_ += ";\n\n";
+  }
+
+  std::string NameOf(const BlockMember& member) const {
+    if (member.field < 0) return context_.NameOf(member.var);
+    const Type& type = context_[context_.types.Innermost(context_[member.var].type)];
+    return context_.field_names[type.structure.index][static_cast<std::size_t>(member.field)];
+  }
+
+  // A name that nothing else in the block has.
+  std::string PaddingName(std::uint32_t offset) {
+    std::string name = fmt::format("padding_{}", offset);
+    if (!layout_.has_instance) return context_.namer.Global(name);
+    const auto is_taken = [&](const BlockMember& other) { return NameOf(other) == name; };
+    while (std::ranges::any_of(layout_.members, is_taken)) name += "_2";
+    return name;
   }
 
   void Member(const BlockMember& member) {
     // Single floats up to a row, rows, and single floats again: none of them is moved by std140.
     for (std::uint32_t end = member.offset - member.padding; end < member.offset;) {
       const std::uint32_t rows = end % kRow == 0 ? (member.offset - end) / kRow : 0;
-      std::string name = "padding_" + std::to_string(end);
-      if (!layout_.fields_as_members) name = context_.namer.Global(name);
-      Append(text_, rows > 0 ? "    vec4 " : "    float ", name,
+      Append(text_, rows > 0 ? "    vec4 " : "    float ", PaddingName(end),
              rows > 1 ? fmt::format("[{}]", rows) : "", ";\n");
       end += rows > 0 ? rows * kRow : 4;
     }
-    const bool is_field = member.field >= 0;
-    std::string name = context_.NameOf(member.var);
-    if (is_field) {
-      const Type& type = context_[context_.types.Innermost(context_[member.var].type)];
-      name = context_.field_names[type.structure.index][static_cast<std::size_t>(member.field)];
-    }
+    const std::string name = NameOf(member);
     const bool turned =
         layout_.matrices == MatrixLayout::kNone && member.matrices == MatrixLayout::kRowMajor;
     Append(text_, "    ",
            LayoutText({member.explicit_offset ? fmt::format("offset = {}", member.offset) : "",
                        turned ? "row_major" : ""}),
-           Declaration(context_, member.type, name), ";\n");
-    info_.members.push_back({member.var, member.field, is_field ? info_.name + "." + name : name});
+           context_.IsWrittenAsUint(member.var)
+               ? Declaration(context_, ShapeOf(context_[member.type]).With(Scalar::kUint), name)
+               : Declaration(context_, member.type, name),
+           ";\n");
+    info_.members.push_back(
+        {member.var, member.field, layout_.has_instance ? info_.name + "." + name : name});
   }
 
   // A buffer that neither std140 nor offsets can say: rows of 16 bytes, and a function for each

@@ -21,7 +21,8 @@ Context::Context(const ir::Program& program, const Target& target, const WriteOp
                             &sections.outputs, &sections.functions})
     part->reserve(1024);
   for (const ir::CbufferId id : program.cbuffers.ids()) {
-    if (this->reached.Has(id)) layouts[id.index] = LayOutBlock(program, (*this)[id], target);
+    if (this->reached.Has(id))
+      layouts[id.index] = LayOutBlock(program, (*this)[id], target, options.blocks);
   }
 }
 

@@ -52,6 +52,7 @@ struct Context {
   std::vector<std::string> struct_names;              // by StructId
   std::vector<std::vector<std::string>> field_names;  // by StructId
   std::vector<std::string> block_names;               // by CbufferId
+  std::vector<std::string> instance_names;            // by CbufferId; empty: members are global
   std::vector<std::string> rows_names;                // by CbufferId
 
   Sections sections;
@@ -85,6 +86,12 @@ struct Context {
   Shape ShapeAt(auto id) const { return ShapeOf(TypeOf(id)); }
   const BlockLayout& LayoutOf(ir::VarId member) const {
     return layouts[program.vars[member].cbuffer.index];
+  }
+  // Whether a member of a block is a bool, or a vector of them, that is written as a uint.
+  bool IsWrittenAsUint(ir::VarId member) const {
+    const ir::Type& type = TypeOf(member);
+    return LayoutOf(member).has_uints && type.IsNumeric() && type.scalar == ir::Scalar::kBool &&
+           type.kind != ir::TypeKind::kMatrix;
   }
   const std::string& NameOf(ir::VarId id) const { return var_names[id.index]; }
 

@@ -18,55 +18,110 @@ void NameGlobal(Context& context, VarId var) {
   context.var_names[var.index] = context.namer.Global(context[var].name);
 }
 
-// Semantics compare without case, and stages meet by name: one spelling for all.
-void NameInterface(Context& context, const std::vector<IoVar>& variables, const char* prefix) {
-  for (const IoVar& io : variables) {
-    if (io.builtin != Builtin::kNone) continue;
-    context.var_names[io.var.index] =
-        context.namer.Global(prefix + ToUpper(io.semantic) + std::to_string(io.index));
+void NameInputs(Context& context) {
+  for (const IoVar& input : context.program.inputs) {
+    if (input.builtin != Builtin::kNone) continue;
+    context.var_names[input.var.index] =
+        context.namer.Global(Concat("in_", ToUpper(input.semantic), std::to_string(input.index)));
   }
 }
 
-void NameUniforms(Context& context) {
-  const Program& program = context.program;
-  for (const CbufferId id : program.cbuffers.ids()) {
-    if (!context.reached.Has(id)) continue;
-    const bool are_uniforms = context.layouts[id.index].form == BlockForm::kUniforms;
-    for (const CbufferMember& member : context[id].members) {
-      if (!are_uniforms || context.reached.Has(member.var)) NameGlobal(context, member.var);
+void NameOutputs(Context& context) {
+  for (const IoVar& output : context.program.outputs) {
+    if (output.builtin != Builtin::kNone) continue;
+    const std::string index = std::to_string(output.index), semantic = ToUpper(output.semantic);
+    const std::string written =
+        output.semantic + (output.has_index || output.index > 0 ? index : "");
+    const std::string_view name = output.name.empty() ? written : output.name;
+    context.var_names[output.var.index] = context.namer.Global(FillPattern(
+        context.options.names.output,
+        {{"semantic", semantic}, {"index", index}, {"written", written}, {"name", name}}));
+  }
+}
+
+// The names of the members of a struct or a block: they need only differ from each other.
+std::vector<std::string> FieldNames(const std::vector<std::string_view>& wanted) {
+  std::vector<std::string> names;
+  bool is_changed = false;
+  for (const std::string_view name : wanted) {
+    is_changed |= names.emplace_back(LegalFieldName(name)) != name;
+  }
+  if (!is_changed) return names;  // so they differ, as they do in HLSL
+  std::set<std::string> taken;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    for (int suffix = 2; !taken.insert(names[i]).second; ++suffix) {
+      names[i] = LegalFieldName(Concat(wanted[i], "_", std::to_string(suffix)));
     }
   }
-  for (const CbufferId id : program.cbuffers.ids()) {
-    const Cbuffer& cbuffer = context[id];
-    const BlockForm form = context.layouts[id.index].form;
-    if (!context.reached.Has(id) || form == BlockForm::kUniforms) continue;
-    // A ConstantBuffer<T> is called as its variable, which has the name already.
-    const bool is_constant_buffer = cbuffer.kind == CbufferKind::kConstantBuffer;
-    context.block_names[id.index] =
-        context.namer.Global(cbuffer.name + (is_constant_buffer ? "_block" : ""), "block");
-    if (form == BlockForm::kRows)
-      context.rows_names[id.index] = context.namer.Global(cbuffer.name + "_rows");
+  return names;
+}
+
+void NameMembers(Context& context, CbufferId id) {
+  const Cbuffer& cbuffer = context[id];
+  const BlockLayout& layout = context.layouts[id.index];
+  if (layout.fields_as_members) return;
+  std::vector<std::string_view> names;
+  for (const CbufferMember& member : cbuffer.members) {
+    const bool is_declared = layout.form != BlockForm::kUniforms || context.reached.Has(member.var);
+    if (layout.has_instance) {
+      names.push_back(context[member.var].name);
+    } else if (is_declared) {
+      NameGlobal(context, member.var);
+    }
   }
-  for (const Resource& resource : program.resources) {
+  if (!layout.has_instance) return;
+  const std::vector<std::string> fields = FieldNames(names);
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    context.var_names[cbuffer.members[i].var.index] = fields[i];
+  }
+}
+
+void NameBlock(Context& context, CbufferId id) {
+  const Cbuffer& cbuffer = context[id];
+  const BlockLayout& layout = context.layouts[id.index];
+  const NameStyle& style = context.options.names;
+  std::string& name = context.block_names[id.index];
+  if (cbuffer.kind == CbufferKind::kConstantBuffer) {
+    const TypeId type = context.types.Innermost(context[cbuffer.members[0].var].type);
+    name = FillPattern(style.constant_buffer,
+                       {{"name", cbuffer.name}, {"type", context.types.StructOf(type).name}});
+  } else if (cbuffer.kind == CbufferKind::kGlobals) {
+    name = style.globals;
+  } else {
+    name = FillPattern(style.block, {{"name", cbuffer.name}});
+  }
+  name = context.namer.Global(name, "block");
+  if (layout.form == BlockForm::kRows)
+    context.rows_names[id.index] = context.namer.Global(cbuffer.name + "_rows");
+}
+
+void NameUniforms(Context& context) {
+  std::vector<CbufferId> blocks;
+  for (const CbufferId id : context.program.cbuffers.ids()) {
+    if (!context.reached.Has(id)) continue;
+    NameMembers(context, id);
+    if (context.layouts[id.index].form != BlockForm::kUniforms) blocks.push_back(id);
+  }
+  for (const CbufferId id : blocks) NameBlock(context, id);
+  for (const Resource& resource : context.program.resources) {
     if (context.reached.Has(resource.var)) NameGlobal(context, resource.var);
+  }
+  // The host does not see the names of instances. A ConstantBuffer<T> is called as its variable.
+  for (const CbufferId id : blocks) {
+    const BlockLayout& layout = context.layouts[id.index];
+    if (layout.fields_as_members) NameGlobal(context, context[id].members[0].var);
+    if (!layout.has_instance || layout.fields_as_members) continue;
+    context.instance_names[id.index] =
+        context.namer.Global(InstanceName(LegalName(context[id].name, "block")));
   }
 }
 
 void NameStruct(Context& context, StructId id) {
   const Struct& structure = context.types[id];
   context.struct_names[id.index] = context.namer.Global(structure.name, "Unnamed");
-  std::vector<std::string>& names = context.field_names[id.index];
-  bool is_changed = false;
-  for (const Field& field : structure.fields) {
-    is_changed |= names.emplace_back(LegalFieldName(field.name)) != field.name;
-  }
-  if (!is_changed) return;  // so they differ, as they do in HLSL
-  std::set<std::string> taken;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    for (int suffix = 2; !taken.insert(names[i]).second; ++suffix) {
-      names[i] = LegalFieldName(Concat(structure.fields[i].name, "_", std::to_string(suffix)));
-    }
-  }
+  std::vector<std::string_view> names;
+  for (const Field& field : structure.fields) names.push_back(field.name);
+  context.field_names[id.index] = FieldNames(names);
 }
 
 // Overloads share a name as long as GLSL can tell them apart: half and float are the same there.
@@ -105,8 +160,9 @@ void NameEverything(Context& context) {
   context.field_names.resize(context.types.structs().size());
   context.block_names.resize(program.cbuffers.size());
   context.rows_names.resize(program.cbuffers.size());
-  NameInterface(context, program.inputs, "in_");
-  NameInterface(context, program.outputs, "vs_");
+  context.instance_names.resize(program.cbuffers.size());
+  NameInputs(context);
+  NameOutputs(context);
   NameUniforms(context);
   for (const StructId id : context.types.structs().ids()) NameStruct(context, id);
   for (const VarId global : context.reached.globals) NameGlobal(context, global);

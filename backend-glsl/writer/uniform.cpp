@@ -27,13 +27,20 @@ VarId InstanceOf(const Code& code, ExprId expr) {
   return is_uniform && code.LayoutOf(ref->var).fields_as_members ? ref->var : VarId{};
 }
 
+// "frame.world", "world" of a block without an instance name; the accessor of a member in rows.
+std::string PathOf(const Code& code, VarId member) {
+  const std::string& instance = code.instance_names[code[member].cbuffer.index];
+  return Concat(instance, instance.empty() ? "" : ".", code.NameOf(member));
+}
+
 }  // namespace
 
 Text UniformText(Code& code, VarId member) {
   code.is_constant = false;
-  const std::string& name = code.NameOf(member);
-  if (code.LayoutOf(member).form != BlockForm::kRows) return {name};
+  const std::string name = PathOf(code, member);
   const TypeId type = code[member].type;
+  if (code.IsWrittenAsUint(member)) return Called(TypeName(code, type), {name});
+  if (code.LayoutOf(member).form != BlockForm::kRows) return {name};
   if (code[type].kind != TypeKind::kArray) return {name + "()"};
   const std::string all = Helper(code, name + "_all", "", [&](const std::string& function) {
     const auto element = [&](const std::string& index) {
@@ -47,7 +54,7 @@ Text UniformText(Code& code, VarId member) {
 
 Text UniformElement(Code& code, VarId member, ExprId index) {
   code.is_constant = false;
-  const std::string& name = code.NameOf(member);
+  const std::string name = PathOf(code, member);
   if (code.LayoutOf(member).form == BlockForm::kRows) return Called(name, {IntIndex(code, index)});
   return {Concat(name, "[", IndexValue(code, index), "]",
                  IsWrapped(code, code.TypeOf(member).element) ? ".e" : "")};

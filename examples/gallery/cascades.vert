@@ -9,7 +9,7 @@ struct Cascade {
 layout(std140, binding = 3) uniform Shadows {  // b3
     Cascade cascades[4];
     vec4 split;
-};
+} shadows;
 
 layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 layout(location = 1) in vec4 in_INSTANCE0;  // INSTANCE0
@@ -21,7 +21,7 @@ layout(location = 0) flat out uint vs_SLICE0;  // SLICE0
 
 void main() {
     vs_SLICE0 = min(in_CASCADE0, 3u);
-    Cascade c = cascades[vs_SLICE0];
+    Cascade c = shadows.cascades[vs_SLICE0];
     vec3 world = vec3(dot(in_INSTANCE0, in_POSITION0), dot(in_INSTANCE1, in_POSITION0), dot(in_INSTANCE2, in_POSITION0));
     gl_Position = c.view_projection * vec4(world, 1.0);
     gl_Position.xy *= c.scale;

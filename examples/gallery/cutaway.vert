@@ -1,12 +1,12 @@
 #version 450
 
-layout(std140, binding = 0, row_major) uniform Box {  // b0
-    mat4 view_projection;
+layout(std140, binding = 0) uniform Box {  // b0
+    layout(row_major) mat4 view_projection;
     vec3 low;
-    bool enabled;
+    uint enabled;
     vec3 high;
     float fade_radius;
-};
+} box;
 
 layout(location = 0) in vec3 in_POSITION0;  // POSITION0
 
@@ -16,10 +16,10 @@ out float gl_ClipDistance[7];
 out float gl_CullDistance[1];
 
 void main() {
-    gl_Position = view_projection * vec4(in_POSITION0, 1.0);
-    vec3 below = enabled ? in_POSITION0 - low : vec3(1.0);
-    vec3 above = enabled ? high - in_POSITION0 : vec3(1.0);
-    float culled = fade_radius - length(in_POSITION0);
+    gl_Position = box.view_projection * vec4(in_POSITION0, 1.0);
+    vec3 below = bool(box.enabled) ? in_POSITION0 - box.low : vec3(1.0);
+    vec3 above = bool(box.enabled) ? box.high - in_POSITION0 : vec3(1.0);
+    float culled = box.fade_radius - length(in_POSITION0);
     gl_ClipDistance[0] = below.x;
     gl_ClipDistance[1] = below.y;
     gl_ClipDistance[2] = below.z;

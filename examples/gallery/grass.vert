@@ -5,11 +5,11 @@ layout(std140, binding = 0) uniform Wind {  // b0
     vec2 direction;
     float strength;
     float time;
-};
+} wind;
 
-layout(std140, binding = 1, row_major) uniform Camera {  // b1
-    mat4 view_projection;
-};
+layout(std140, binding = 1) uniform Camera {  // b1
+    layout(row_major) mat4 view_projection;
+} camera;
 
 layout(location = 0) in vec3 in_ROOT0;  // ROOT0
 
@@ -33,10 +33,10 @@ void main() {
     uint blade = uint(gl_InstanceID);
     vec2 offset = kCorners[corner & 3u];
     float height = mix(0.4, 1.0, Random(blade));
-    float bend = offset.y * offset.y * strength * sin(time + 6.2831855 * Random(blade + 17u));
+    float bend = offset.y * offset.y * wind.strength * sin(wind.time + 6.2831855 * Random(blade + 17u));
     vec3 position = in_ROOT0 + vec3(offset.x * 0.02, offset.y * height, 0.0);
-    position.xz += direction * bend;
+    position.xz += wind.direction * bend;
     float shade = 0.5 + 0.5 * offset.y;
-    gl_Position = view_projection * vec4(position, 1.0);
+    gl_Position = camera.view_projection * vec4(position, 1.0);
     vs_SHADE0 = shade;
 }

@@ -1,11 +1,11 @@
 #version 450
 
-layout(std140, binding = 0, row_major) uniform Globals {  // b0
-    mat4 WorldViewProjection;
+layout(std140, binding = 0) uniform Globals {  // b0
+    layout(row_major) mat4 WorldViewProjection;
     vec4 LightDirection;
     vec4 Ambient;
     vec4 Diffuse;
-};
+} globals;
 
 layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 layout(location = 1) in vec3 in_NORMAL0;  // NORMAL0
@@ -19,7 +19,7 @@ float saturate(float x) {
 }
 
 void main() {
-    gl_Position = WorldViewProjection * in_POSITION0;
-    vs_COLOR0 = Ambient + Diffuse * saturate(dot(in_NORMAL0, -LightDirection.xyz));
+    gl_Position = globals.WorldViewProjection * in_POSITION0;
+    vs_COLOR0 = globals.Ambient + globals.Diffuse * saturate(dot(in_NORMAL0, -globals.LightDirection.xyz));
     vs_TEXCOORD0 = in_TEXCOORD0;
 }

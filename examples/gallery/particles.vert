@@ -7,10 +7,10 @@ struct Particle {
     vec4 color;
 };
 
-layout(std140, binding = 0, row_major) uniform Camera {  // b0
-    mat4 view;
-    mat4 projection;
-};
+layout(std140, binding = 0) uniform Camera {  // b0
+    layout(row_major) mat4 view;
+    layout(row_major) mat4 projection;
+} camera;
 
 layout(std430, binding = 0) readonly buffer particles_block {  // t0
     Particle particles[];
@@ -24,9 +24,9 @@ void main() {
     Particle p = particles[id / 6u];
     uint corner = id % 6u;
     vec2 uv = vec2(float(corner == 1u || corner == 2u || corner == 4u), float(corner == 2u || corner >= 4u));
-    vec4 view_position = view * vec4(p.position, 1.0);
+    vec4 view_position = camera.view * vec4(p.position, 1.0);
     view_position.xy += (uv * 2.0 - 1.0) * p.size;
-    gl_Position = projection * view_position;
+    gl_Position = camera.projection * view_position;
     vs_COLOR0 = p.color;
     vs_TEXCOORD0 = uv;
 }

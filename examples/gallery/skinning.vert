@@ -7,13 +7,13 @@ struct Vertex {
     vec4 weights;
 };
 
-layout(std140, binding = 0, row_major) uniform Skeleton {  // b0
-    mat4x3 bones[64];
-};
+layout(std140, binding = 0) uniform Skeleton {  // b0
+    layout(row_major) mat4x3 bones[64];
+} skeleton;
 
-layout(std140, binding = 1, row_major) uniform Camera {  // b1
-    mat4 view_projection;
-};
+layout(std140, binding = 1) uniform Camera {  // b1
+    layout(row_major) mat4 view_projection;
+} camera;
 
 layout(location = 0) in vec3 in_POSITION0;  // POSITION0
 layout(location = 1) in vec3 in_NORMAL0;  // NORMAL0
@@ -26,7 +26,7 @@ void Skin(Vertex v, out vec3 position, out vec3 normal) {
     position = vec3(0.0);
     normal = vec3(0.0);
     for (int i = 0; i < 4; ++i) {
-        mat4x3 bone = bones[v.bones[i]];
+        mat4x3 bone = skeleton.bones[v.bones[i]];
         position += v.weights[i] * (bone * vec4(v.position, 1.0));
         normal += v.weights[i] * (mat3(bone) * v.normal);
     }
@@ -36,6 +36,6 @@ void main() {
     Vertex v = Vertex(in_POSITION0, in_NORMAL0, in_BLENDINDICES0, in_BLENDWEIGHT0);
     vec3 skinned;
     Skin(v, skinned, vs_NORMAL0);
-    gl_Position = view_projection * vec4(skinned, 1.0);
+    gl_Position = camera.view_projection * vec4(skinned, 1.0);
     vs_NORMAL0 = normalize(vs_NORMAL0);
 }

@@ -1,9 +1,9 @@
 #version 450
 
-layout(std140, binding = 0, row_major) uniform Camera {  // b0
-    mat4 view;
-    mat4 projection;
-};
+layout(std140, binding = 0) uniform Camera {  // b0
+    layout(row_major) mat4 view;
+    layout(row_major) mat4 projection;
+} camera;
 
 layout(location = 0) in vec3 in_POSITION0;  // POSITION0
 
@@ -11,6 +11,6 @@ layout(location = 0) out vec3 vs_TEXCOORD0;  // TEXCOORD0
 
 void main() {
     vs_TEXCOORD0 = in_POSITION0;
-    vec3 turned = mat3(view) * in_POSITION0;
-    gl_Position = (projection * vec4(turned, 1.0)).xyww;
+    vec3 turned = mat3(camera.view) * in_POSITION0;
+    gl_Position = (camera.projection * vec4(turned, 1.0)).xyww;
 }

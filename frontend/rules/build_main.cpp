@@ -294,7 +294,8 @@ class MainBuilder {
     std::uint32_t& next = is_input ? next_input_ : next_output_;
     const std::uint32_t location = builtin == Builtin::kNone ? next++ : 0;
     list.push_back({id, leaf.cursor.semantic.name, leaf.cursor.semantic.index, builtin, location,
-                    leaf.cursor.interpolation, leaf.cursor.centroid, leaf.cursor.sample});
+                    leaf.cursor.interpolation, leaf.cursor.centroid, leaf.cursor.sample,
+                    leaf.cursor.semantic.has_index, leaf.name.substr(leaf.name.rfind('.') + 1)});
     return id;
   }
 
@@ -429,7 +430,7 @@ SemanticName SplitSemantic(std::string_view written) {
     --end;
   std::uint32_t index = 0;
   for (char c : written.substr(end)) index = index * 10 + static_cast<std::uint32_t>(c - '0');
-  return {std::string(written.substr(0, end)), index};
+  return {std::string(written.substr(0, end)), index, end < written.size()};
 }
 
 void BuildMain(Program& program, const EntrySignature& signature, PositionName position,

@@ -15,6 +15,7 @@ namespace clipc::rules {
 struct SemanticName {
   std::string name;
   std::uint32_t index = 0;
+  bool has_index = false;
 };
 SemanticName SplitSemantic(std::string_view written);
 

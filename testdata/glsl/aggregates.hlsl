@@ -58,7 +58,7 @@ float4 main(float4 p : POSITION, int i : INDEX) : SV_Position {
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(std140, binding = 0) uniform Globals {  // b0
 // CHECK-NEXT:     float uniforms[2][3];
-// CHECK-NEXT: };
+// CHECK-NEXT: } globals;
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // CHECK-NEXT: layout(location = 1) in int in_INDEX0;  // INDEX0
@@ -97,7 +97,7 @@ float4 main(float4 p : POSITION, int i : INDEX) : SV_Position {
 // CHECK-NEXT:     Take(empty);
 // CHECK-NEXT:     vec2 grid[2][2];
 // CHECK-NEXT:     grid[1][in_INDEX0] = in_POSITION0.xy;
-// CHECK-NEXT:     gl_Position = in_POSITION0 * kWeights[in_INDEX0] + kTable[1][in_INDEX0] + uniforms[1][in_INDEX0] + outer.inner.a[in_INDEX0].xyxy + row[2] + other.table[1][in_INDEX0] + zeros[in_INDEX0] + grid[1][0].x;
+// CHECK-NEXT:     gl_Position = in_POSITION0 * kWeights[in_INDEX0] + kTable[1][in_INDEX0] + globals.uniforms[1][in_INDEX0] + outer.inner.a[in_INDEX0].xyxy + row[2] + other.table[1][in_INDEX0] + zeros[in_INDEX0] + grid[1][0].x;
 // CHECK-NEXT: }
 
 // WRAPPED: #version 330
@@ -130,7 +130,7 @@ float4 main(float4 p : POSITION, int i : INDEX) : SV_Position {
 // WRAPPED-EMPTY:
 // WRAPPED-NEXT: layout(std140) uniform Globals {  // b0
 // WRAPPED-NEXT:     float_array3 uniforms[2];
-// WRAPPED-NEXT: };
+// WRAPPED-NEXT: } globals;
 // WRAPPED-EMPTY:
 // WRAPPED-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // WRAPPED-NEXT: layout(location = 1) in int in_INDEX0;  // INDEX0
@@ -169,5 +169,5 @@ float4 main(float4 p : POSITION, int i : INDEX) : SV_Position {
 // WRAPPED-NEXT:     Take(empty);
 // WRAPPED-NEXT:     vec2_array2 grid[2];
 // WRAPPED-NEXT:     grid[1].e[in_INDEX0] = in_POSITION0.xy;
-// WRAPPED-NEXT:     gl_Position = in_POSITION0 * kWeights[in_INDEX0] + kTable[1].e[in_INDEX0] + uniforms[1].e[in_INDEX0] + outer.inner.a[in_INDEX0].xyxy + row[2] + other.table[1].e[in_INDEX0] + zeros[in_INDEX0] + grid[1].e[0].x;
+// WRAPPED-NEXT:     gl_Position = in_POSITION0 * kWeights[in_INDEX0] + kTable[1].e[in_INDEX0] + globals.uniforms[1].e[in_INDEX0] + outer.inner.a[in_INDEX0].xyxy + row[2] + other.table[1].e[in_INDEX0] + zeros[in_INDEX0] + grid[1].e[0].x;
 // WRAPPED-NEXT: }

@@ -34,7 +34,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     ivec3 i;
 // CHECK-NEXT:     uvec3 u;
 // CHECK-NEXT:     int n;
-// CHECK-NEXT: };
+// CHECK-NEXT: } globals;
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // CHECK-EMPTY:
@@ -56,18 +56,18 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: void main() {
-// CHECK-NEXT:     vec3 r = fmod(f, vec3(2.0)) + fmod(f, in_POSITION0.xyz);
-// CHECK-NEXT:     r = fmod(r, f);
-// CHECK-NEXT:     ivec3 a = i / 3 + i / n + imod(i, ivec3(3)) + (ivec3(3) << (i & 31)) + (i >> 5) + (i >> 5) + (i << (n & 31)) + (i & 3 | ~i ^ 5);
+// CHECK-NEXT:     vec3 r = fmod(globals.f, vec3(2.0)) + fmod(globals.f, in_POSITION0.xyz);
+// CHECK-NEXT:     r = fmod(r, globals.f);
+// CHECK-NEXT:     ivec3 a = globals.i / 3 + globals.i / globals.n + imod(globals.i, ivec3(3)) + (ivec3(3) << (globals.i & 31)) + (globals.i >> 5) + (globals.i >> 5) + (globals.i << (globals.n & 31)) + (globals.i & 3 | ~globals.i ^ 5);
 // CHECK-NEXT:     a = imod(a, ivec3(4));
-// CHECK-NEXT:     a /= n;
+// CHECK-NEXT:     a /= globals.n;
 // CHECK-NEXT:     a <<= 2;
-// CHECK-NEXT:     a >>= i & 31;
+// CHECK-NEXT:     a >>= globals.i & 31;
 // CHECK-NEXT:     a |= 1;
-// CHECK-NEXT:     int k = n;
+// CHECK-NEXT:     int k = globals.n;
 // CHECK-NEXT:     assign_modulo(a[k++ & 1], 3);
-// CHECK-NEXT:     uvec3 b = u / 3u + u % 3u + u % 4u + (u << (u & 31u)) + (u >> 1);
-// CHECK-NEXT:     b %= u;
+// CHECK-NEXT:     uvec3 b = globals.u / 3u + globals.u % 3u + globals.u % 4u + (globals.u << (globals.u & 31u)) + (globals.u >> 1);
+// CHECK-NEXT:     b %= globals.u;
 // CHECK-NEXT:     a = -a - -a + a;
 // CHECK-NEXT:     a++;
 // CHECK-NEXT:     --b.x;

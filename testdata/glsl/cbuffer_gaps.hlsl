@@ -17,12 +17,12 @@ float4 main(float4 p : POSITION) : SV_Position { return p * late + high.xyxy + e
 // OFFSET-NEXT:     layout(offset = 4) float early;
 // OFFSET-NEXT:     layout(offset = 56) vec2 high;
 // OFFSET-NEXT:     layout(offset = 80) vec4 late;
-// OFFSET-NEXT: };
+// OFFSET-NEXT: } old;
 // OFFSET-EMPTY:
 // OFFSET-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // OFFSET-EMPTY:
 // OFFSET-NEXT: void main() {
-// OFFSET-NEXT:     gl_Position = in_POSITION0 * late + high.xyxy + early;
+// OFFSET-NEXT:     gl_Position = in_POSITION0 * old.late + old.high.xyxy + old.early;
 // OFFSET-NEXT: }
 
 // PADDING: #version 430
@@ -38,10 +38,10 @@ float4 main(float4 p : POSITION) : SV_Position { return p * late + high.xyxy + e
 // PADDING-NEXT:     vec2 high;
 // PADDING-NEXT:     vec4 padding_64;
 // PADDING-NEXT:     vec4 late;
-// PADDING-NEXT: };
+// PADDING-NEXT: } old;
 // PADDING-EMPTY:
 // PADDING-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // PADDING-EMPTY:
 // PADDING-NEXT: void main() {
-// PADDING-NEXT:     gl_Position = in_POSITION0 * late + high.xyxy + early;
+// PADDING-NEXT:     gl_Position = in_POSITION0 * old.late + old.high.xyxy + old.early;
 // PADDING-NEXT: }

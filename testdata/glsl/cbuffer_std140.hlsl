@@ -41,26 +41,26 @@ float4 main(float4 p : POSITION, uint i : INDEX) : SV_Position {
 // CHECK-NEXT:     vec3 eye;
 // CHECK-NEXT:     float time;
 // CHECK-NEXT:     vec2 size;
-// CHECK-NEXT:     bool fog;
+// CHECK-NEXT:     uint fog;
 // CHECK-NEXT:     uint count;
 // CHECK-NEXT:     layout(row_major) mat4 world;
 // CHECK-NEXT:     mat4x3 skin[3];
 // CHECK-NEXT:     layout(row_major) Light lights[2];
 // CHECK-NEXT:     ivec4 offsets[4];
-// CHECK-NEXT: };
+// CHECK-NEXT: } frame;
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(std140, binding = 0, row_major) uniform AllColumnMajor {  // b0
-// CHECK-NEXT:     mat4 m;
-// CHECK-NEXT: };
+// CHECK-NEXT: layout(std140, binding = 0) uniform AllColumnMajor {  // b0
+// CHECK-NEXT:     layout(row_major) mat4 m;
+// CHECK-NEXT: } allColumnMajor;
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // CHECK-NEXT: layout(location = 1) in uint in_INDEX0;  // INDEX0
 // CHECK-EMPTY:
 // CHECK-NEXT: void main() {
-// CHECK-NEXT:     vec4 r = vec4(eye, time) + size.xyxy + float(count);
-// CHECK-NEXT:     r += world * in_POSITION0 + m * in_POSITION0;
-// CHECK-NEXT:     r.xyz += skin[in_INDEX0] * in_POSITION0;
-// CHECK-NEXT:     r.xyz += lights[in_INDEX0].color * lights[1].intensity;
-// CHECK-NEXT:     r += in_POSITION0 * lights[in_INDEX0].shadow + vec4(offsets[in_INDEX0 & 3u]);
-// CHECK-NEXT:     gl_Position = fog ? r : -r;
+// CHECK-NEXT:     vec4 r = vec4(frame.eye, frame.time) + frame.size.xyxy + float(frame.count);
+// CHECK-NEXT:     r += frame.world * in_POSITION0 + allColumnMajor.m * in_POSITION0;
+// CHECK-NEXT:     r.xyz += frame.skin[in_INDEX0] * in_POSITION0;
+// CHECK-NEXT:     r.xyz += frame.lights[in_INDEX0].color * frame.lights[1].intensity;
+// CHECK-NEXT:     r += in_POSITION0 * frame.lights[in_INDEX0].shadow + vec4(frame.offsets[in_INDEX0 & 3u]);
+// CHECK-NEXT:     gl_Position = bool(frame.fog) ? r : -r;
 // CHECK-NEXT: }

@@ -31,7 +31,7 @@ float4 main(float4 p : POSITION) : SV_Position { return p; }
 // GL450-NEXT: layout(std140, binding = 0) uniform Globals {  // b0
 // GL450-NEXT:     vec4 water;
 // GL450-NEXT:     vec4 portal;
-// GL450-NEXT: };
+// GL450-NEXT: } globals;
 // GL450-EMPTY:
 // GL450-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // GL450-EMPTY:
@@ -40,8 +40,8 @@ float4 main(float4 p : POSITION) : SV_Position { return p; }
 // GL450-EMPTY:
 // GL450-NEXT: void main() {
 // GL450-NEXT:     gl_Position = in_POSITION0;
-// GL450-NEXT:     gl_ClipDistance[0] = dot(in_POSITION0, water);
-// GL450-NEXT:     gl_ClipDistance[1] = dot(in_POSITION0, portal);
+// GL450-NEXT:     gl_ClipDistance[0] = dot(in_POSITION0, globals.water);
+// GL450-NEXT:     gl_ClipDistance[1] = dot(in_POSITION0, globals.portal);
 // GL450-NEXT: }
 
 // SEPARABLE: #version 450
@@ -49,7 +49,7 @@ float4 main(float4 p : POSITION) : SV_Position { return p; }
 // SEPARABLE-NEXT: layout(std140, binding = 0) uniform Globals {  // b0
 // SEPARABLE-NEXT:     vec4 water;
 // SEPARABLE-NEXT:     vec4 portal;
-// SEPARABLE-NEXT: };
+// SEPARABLE-NEXT: } globals;
 // SEPARABLE-EMPTY:
 // SEPARABLE-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // SEPARABLE-EMPTY:
@@ -62,8 +62,8 @@ float4 main(float4 p : POSITION) : SV_Position { return p; }
 // SEPARABLE-EMPTY:
 // SEPARABLE-NEXT: void main() {
 // SEPARABLE-NEXT:     gl_Position = in_POSITION0;
-// SEPARABLE-NEXT:     gl_ClipDistance[0] = dot(in_POSITION0, water);
-// SEPARABLE-NEXT:     gl_ClipDistance[1] = dot(in_POSITION0, portal);
+// SEPARABLE-NEXT:     gl_ClipDistance[0] = dot(in_POSITION0, globals.water);
+// SEPARABLE-NEXT:     gl_ClipDistance[1] = dot(in_POSITION0, globals.portal);
 // SEPARABLE-NEXT: }
 
 // VULKAN: #version 460
@@ -71,7 +71,7 @@ float4 main(float4 p : POSITION) : SV_Position { return p; }
 // VULKAN-NEXT: layout(std140, set = 0, binding = 0) uniform Globals {  // b0
 // VULKAN-NEXT:     vec4 water;
 // VULKAN-NEXT:     vec4 portal;
-// VULKAN-NEXT: };
+// VULKAN-NEXT: } globals;
 // VULKAN-EMPTY:
 // VULKAN-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // VULKAN-EMPTY:
@@ -84,8 +84,8 @@ float4 main(float4 p : POSITION) : SV_Position { return p; }
 // VULKAN-EMPTY:
 // VULKAN-NEXT: void main() {
 // VULKAN-NEXT:     gl_Position = in_POSITION0;
-// VULKAN-NEXT:     gl_ClipDistance[0] = dot(in_POSITION0, water);
-// VULKAN-NEXT:     gl_ClipDistance[1] = dot(in_POSITION0, portal);
+// VULKAN-NEXT:     gl_ClipDistance[0] = dot(in_POSITION0, globals.water);
+// VULKAN-NEXT:     gl_ClipDistance[1] = dot(in_POSITION0, globals.portal);
 // VULKAN-NEXT: }
 
 // ES: #version 300 es
@@ -94,7 +94,7 @@ float4 main(float4 p : POSITION) : SV_Position { return p; }
 // ES-NEXT: layout(std140) uniform Globals {  // b0
 // ES-NEXT:     vec4 water;
 // ES-NEXT:     vec4 portal;
-// ES-NEXT: };
+// ES-NEXT: } globals;
 // ES-EMPTY:
 // ES-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // ES-EMPTY:
@@ -103,6 +103,6 @@ float4 main(float4 p : POSITION) : SV_Position { return p; }
 // ES-EMPTY:
 // ES-NEXT: void main() {
 // ES-NEXT:     gl_Position = in_POSITION0;
-// ES-NEXT:     gl_ClipDistance[0] = dot(in_POSITION0, water);
-// ES-NEXT:     gl_ClipDistance[1] = dot(in_POSITION0, portal);
+// ES-NEXT:     gl_ClipDistance[0] = dot(in_POSITION0, globals.water);
+// ES-NEXT:     gl_ClipDistance[1] = dot(in_POSITION0, globals.portal);
 // ES-NEXT: }

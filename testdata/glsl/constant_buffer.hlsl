@@ -29,13 +29,13 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     vec4 color;
 // CHECK-NEXT: };
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(std140, binding = 1, row_major) uniform object_block {  // b1
-// CHECK-NEXT:     mat4 world;
+// CHECK-NEXT: layout(std140, binding = 1) uniform object_block {  // b1
+// CHECK-NEXT:     layout(row_major) mat4 world;
 // CHECK-NEXT:     vec4 color;
 // CHECK-NEXT: } object;
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(std140, binding = 2, row_major) uniform objects_block {  // b2
-// CHECK-NEXT:     mat4 world;
+// CHECK-NEXT: layout(std140, binding = 2) uniform objects_block {  // b2
+// CHECK-NEXT:     layout(row_major) mat4 world;
 // CHECK-NEXT:     vec4 color;
 // CHECK-NEXT: } objects[3];
 // CHECK-EMPTY:
@@ -61,8 +61,8 @@ float4 main(float4 p : POSITION) : SV_Position {
 // OLD-NEXT:     vec4 color;
 // OLD-NEXT: };
 // OLD-EMPTY:
-// OLD-NEXT: layout(std140, row_major) uniform object_block {  // b1
-// OLD-NEXT:     Object object;
+// OLD-NEXT: layout(std140) uniform object_block {  // b1
+// OLD-NEXT:     layout(row_major) Object object;
 // OLD-NEXT: };
 // OLD-EMPTY:
 // OLD-NEXT: in vec4 in_POSITION0;  // POSITION0

@@ -39,9 +39,9 @@ Output main(Vertex v, float2 uv : TEXCOORD) {
 
 // CHECK: #version 450
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(std140, binding = 0, row_major) uniform Used {  // b0
+// CHECK-NEXT: layout(std140, binding = 0) uniform Used {  // b0
 // CHECK-NEXT:     mat4 view_projection;
-// CHECK-NEXT: };
+// CHECK-NEXT: } used;
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // CHECK-EMPTY:
@@ -49,7 +49,7 @@ Output main(Vertex v, float2 uv : TEXCOORD) {
 // CHECK-NEXT: out float gl_ClipDistance[1];
 // CHECK-EMPTY:
 // CHECK-NEXT: void main() {
-// CHECK-NEXT:     gl_Position = view_projection * in_POSITION0;
+// CHECK-NEXT:     gl_Position = used.view_projection * in_POSITION0;
 // CHECK-NEXT:     vec2 distances = vec2(gl_Position.x, 1.0);
 // CHECK-NEXT:     gl_ClipDistance[0] = distances.x;
 // CHECK-NEXT: }

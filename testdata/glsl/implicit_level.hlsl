@@ -17,8 +17,6 @@ float4 main(float2 uv : TEXCOORD) : SV_Position {
   // WARN: [[#@LINE+1]]:12: warning: `SampleCmp` takes the level
   r += map.SampleCmp(nearer, uv, 0.5);
   // An offset for each of the four texels: OpenGL ES 3.1 knows it as an extension only.
-  // ES: #extension GL_EXT_gpu_shader5 : require
-  // ES32-NOT: #extension
   return r + map.GatherGreen(smooth, uv, int2(0, 0), int2(0, 1), int2(1, 0), int2(-8, 7));
 }
 
@@ -35,3 +33,32 @@ float4 main(float2 uv : TEXCOORD) : SV_Position {
 // CHECK-NEXT:     r += textureLod(map_nearer, vec3(in_TEXCOORD0, 0.5), 0.0);
 // CHECK-NEXT:     gl_Position = r + textureGatherOffsets(map_smooth, in_TEXCOORD0, ivec2[4](ivec2(0), ivec2(0, 1), ivec2(1, 0), ivec2(-8, 7)), 1);
 // CHECK-NEXT: }
+
+// ES: #version 310 es
+// ES-NEXT: #extension GL_EXT_gpu_shader5 : require
+// ES-EMPTY:
+// ES-NEXT: layout(binding = 0) uniform highp sampler2D map_smooth;  // map with smooth
+// ES-NEXT: layout(binding = 1) uniform highp sampler2DShadow map_nearer;  // map with nearer
+// ES-EMPTY:
+// ES-NEXT: layout(location = 0) in vec2 in_TEXCOORD0;  // TEXCOORD0
+// ES-EMPTY:
+// ES-NEXT: void main() {
+// ES-NEXT:     vec4 r = textureLod(map_smooth, in_TEXCOORD0, 0.0);
+// ES-NEXT:     r += textureLodOffset(map_smooth, in_TEXCOORD0, 1.5, ivec2(1, -1));
+// ES-NEXT:     r += textureLod(map_nearer, vec3(in_TEXCOORD0, 0.5), 0.0);
+// ES-NEXT:     gl_Position = r + textureGatherOffsets(map_smooth, in_TEXCOORD0, ivec2[4](ivec2(0), ivec2(0, 1), ivec2(1, 0), ivec2(-8, 7)), 1);
+// ES-NEXT: }
+
+// ES32: #version 320 es
+// ES32-EMPTY:
+// ES32-NEXT: layout(binding = 0) uniform highp sampler2D map_smooth;  // map with smooth
+// ES32-NEXT: layout(binding = 1) uniform highp sampler2DShadow map_nearer;  // map with nearer
+// ES32-EMPTY:
+// ES32-NEXT: layout(location = 0) in vec2 in_TEXCOORD0;  // TEXCOORD0
+// ES32-EMPTY:
+// ES32-NEXT: void main() {
+// ES32-NEXT:     vec4 r = textureLod(map_smooth, in_TEXCOORD0, 0.0);
+// ES32-NEXT:     r += textureLodOffset(map_smooth, in_TEXCOORD0, 1.5, ivec2(1, -1));
+// ES32-NEXT:     r += textureLod(map_nearer, vec3(in_TEXCOORD0, 0.5), 0.0);
+// ES32-NEXT:     gl_Position = r + textureGatherOffsets(map_smooth, in_TEXCOORD0, ivec2[4](ivec2(0), ivec2(0, 1), ivec2(1, 0), ivec2(-8, 7)), 1);
+// ES32-NEXT: }

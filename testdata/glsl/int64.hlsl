@@ -14,12 +14,12 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT: layout(std140, binding = 0) uniform Globals {  // b0
 // CHECK-NEXT:     int64_t i;
 // CHECK-NEXT:     u64vec2 u;
-// CHECK-NEXT: };
+// CHECK-NEXT: } globals;
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // CHECK-EMPTY:
 // CHECK-NEXT: void main() {
-// CHECK-NEXT:     int64_t a = i * 3l + 5l;
-// CHECK-NEXT:     u64vec2 b = (u << 3) + (u >> (a & 63l)) + 7ul;
+// CHECK-NEXT:     int64_t a = globals.i * 3l + 5l;
+// CHECK-NEXT:     u64vec2 b = (globals.u << 3) + (globals.u >> (a & 63l)) + 7ul;
 // CHECK-NEXT:     gl_Position = in_POSITION0 + float(a) + float(b.x) + float(b.y);
 // CHECK-NEXT: }

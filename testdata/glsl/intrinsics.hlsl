@@ -40,7 +40,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     float s;
 // CHECK-NEXT:     float t;
 // CHECK-NEXT:     ivec4 i;
-// CHECK-NEXT: };
+// CHECK-NEXT: } globals;
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // CHECK-EMPTY:
@@ -99,28 +99,28 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: void main() {
-// CHECK-NEXT:     gl_Position = abs(a) + acos(a) + asin(a) + atan(a) + atan(a, b) + ceil(a) + clamp(a, 0.0, 1.0) + clamp(a, b, c);
-// CHECK-NEXT:     gl_Position += cos(a) + cosh(a) + degrees(a) + exp(a) + exp2(a) + floor(a) + fract(a) + a * exp2(b) + mix(a, b, c) + mix(a, b, s);
-// CHECK-NEXT:     gl_Position += log(a) + log2(a) * 0.30103 + log2(a) + (a * b + c) * 2.0 + max(a, 0.0) + min(a, b) + pow(a, vec4(2.2)) + radians(a) + 1.0 / a + roundEven(a);
-// CHECK-NEXT:     gl_Position += inversesqrt(a) + saturate(a) + sin(a) + sinh(a) + sqrt(a) + step(0.5, a) + tan(a) + tanh(a) + trunc(a) + saturate(s);
-// CHECK-NEXT:     gl_Position += smoothstep(0.0, 1.0, a) + smoothstep_(vec4(1.0), vec4(0.0), a) + smoothstep_(a, b, c);
-// CHECK-NEXT:     gl_Position.xyz += cross(a.xyz, b.xyz) + faceforward(a.xyz, b.xyz, c.xyz) + normalize(in_POSITION0.xyz) + reflect(a.xyz, b.xyz) + refract(a.xyz, b.xyz, 1.5);
-// CHECK-NEXT:     gl_Position.x += distance(a, b) + dot(a, b) + length(a) + s * t + float(dot_(i, i));
-// CHECK-NEXT:     gl_Position += lit(s, t, 8.0) + dst(a, b) + vec4(ivec4(a.zyxw * 255.00195));
-// CHECK-NEXT:     gl_Position += vec4(ivec4(sign(a)) * 2 + sign(i) + abs(i) + max(i, 3) + clamp(i, 0, 9) + int(sign(s)));
+// CHECK-NEXT:     gl_Position = abs(globals.a) + acos(globals.a) + asin(globals.a) + atan(globals.a) + atan(globals.a, globals.b) + ceil(globals.a) + clamp(globals.a, 0.0, 1.0) + clamp(globals.a, globals.b, globals.c);
+// CHECK-NEXT:     gl_Position += cos(globals.a) + cosh(globals.a) + degrees(globals.a) + exp(globals.a) + exp2(globals.a) + floor(globals.a) + fract(globals.a) + globals.a * exp2(globals.b) + mix(globals.a, globals.b, globals.c) + mix(globals.a, globals.b, globals.s);
+// CHECK-NEXT:     gl_Position += log(globals.a) + log2(globals.a) * 0.30103 + log2(globals.a) + (globals.a * globals.b + globals.c) * 2.0 + max(globals.a, 0.0) + min(globals.a, globals.b) + pow(globals.a, vec4(2.2)) + radians(globals.a) + 1.0 / globals.a + roundEven(globals.a);
+// CHECK-NEXT:     gl_Position += inversesqrt(globals.a) + saturate(globals.a) + sin(globals.a) + sinh(globals.a) + sqrt(globals.a) + step(0.5, globals.a) + tan(globals.a) + tanh(globals.a) + trunc(globals.a) + saturate(globals.s);
+// CHECK-NEXT:     gl_Position += smoothstep(0.0, 1.0, globals.a) + smoothstep_(vec4(1.0), vec4(0.0), globals.a) + smoothstep_(globals.a, globals.b, globals.c);
+// CHECK-NEXT:     gl_Position.xyz += cross(globals.a.xyz, globals.b.xyz) + faceforward(globals.a.xyz, globals.b.xyz, globals.c.xyz) + normalize(in_POSITION0.xyz) + reflect(globals.a.xyz, globals.b.xyz) + refract(globals.a.xyz, globals.b.xyz, 1.5);
+// CHECK-NEXT:     gl_Position.x += distance(globals.a, globals.b) + dot(globals.a, globals.b) + length(globals.a) + globals.s * globals.t + float(dot_(globals.i, globals.i));
+// CHECK-NEXT:     gl_Position += lit(globals.s, globals.t, 8.0) + dst(globals.a, globals.b) + vec4(ivec4(globals.a.zyxw * 255.00195));
+// CHECK-NEXT:     gl_Position += vec4(ivec4(sign(globals.a)) * 2 + sign(globals.i) + abs(globals.i) + max(globals.i, 3) + clamp(globals.i, 0, 9) + int(sign(globals.s)));
 // CHECK-NEXT:     vec4 sine;
 // CHECK-NEXT:     vec4 cosine;
-// CHECK-NEXT:     sincos(a, sine, cosine);
+// CHECK-NEXT:     sincos(globals.a, sine, cosine);
 // CHECK-NEXT:     gl_Position += sine + cosine;
 // CHECK-NEXT:     vec4 whole;
-// CHECK-NEXT:     gl_Position += modf(a, whole) + whole;
+// CHECK-NEXT:     gl_Position += modf(globals.a, whole) + whole;
 // CHECK-NEXT:     ivec4 whole_int;
-// CHECK-NEXT:     gl_Position += vec4(modf_(i, whole_int) + whole_int);
+// CHECK-NEXT:     gl_Position += vec4(modf_(globals.i, whole_int) + whole_int);
 // CHECK-NEXT:     float exponent;
-// CHECK-NEXT:     gl_Position.x += frexp_(s, exponent) + exponent;
+// CHECK-NEXT:     gl_Position.x += frexp_(globals.s, exponent) + exponent;
 // CHECK-NEXT:     vec2 exponents;
-// CHECK-NEXT:     gl_Position.xy += frexp_(a.xy, exponents) + exponents;
-// CHECK-NEXT:     if (isnan(s) || isinf(s) || !isfinite(s) || any(isnan(a)) || all(isfinite(a))) {
+// CHECK-NEXT:     gl_Position.xy += frexp_(globals.a.xy, exponents) + exponents;
+// CHECK-NEXT:     if (isnan(globals.s) || isinf(globals.s) || !isfinite(globals.s) || any(isnan(globals.a)) || all(isfinite(globals.a))) {
 // CHECK-NEXT:         gl_Position = vec4(0.0);
 // CHECK-NEXT:     }
 // CHECK-NEXT: }

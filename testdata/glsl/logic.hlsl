@@ -30,8 +30,8 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT: layout(std140, binding = 0) uniform Globals {  // b0
 // CHECK-NEXT:     vec4 a;
 // CHECK-NEXT:     vec4 b;
-// CHECK-NEXT:     bvec4 flags;
-// CHECK-NEXT: };
+// CHECK-NEXT:     uvec4 flags;
+// CHECK-NEXT: } globals;
 // CHECK-EMPTY:
 // CHECK-NEXT: bvec4 logical_and(bvec4 a, bvec4 b) {
 // CHECK-NEXT:     return bvec4(a.x && b.x, a.y && b.y, a.z && b.z, a.w && b.w);
@@ -54,20 +54,20 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: void main() {
-// CHECK-NEXT:     bool r = a.x > 0.0 && b.x > 0.0 || !flags.x;
-// CHECK-NEXT:     r = r && Pure(a.x);
-// CHECK-NEXT:     r = all(bvec2(r, Impure(a.x)));
-// CHECK-NEXT:     r = Impure(a.x) || r;
-// CHECK-NEXT:     r = any(bvec2(r, Impure(a.x)));
-// CHECK-NEXT:     r = (r || flags.x) && (flags.y || flags.z);
-// CHECK-NEXT:     bvec4 v = logical_or(logical_and(lessThan(a, b), flags), not(flags));
-// CHECK-NEXT:     bvec4 w = notEqual(equal(a, b), flags);
-// CHECK-NEXT:     vec4 s = mix(b, a, v);
-// CHECK-NEXT:     s = mix(b, vec4(1.0), greaterThan(a, vec4(0.0)));
-// CHECK-NEXT:     s += r ? a : b;
-// CHECK-NEXT:     ivec4 i = mix(ivec4(a), ivec4(1), w);
-// CHECK-NEXT:     bvec4 c = mix(w, v, flags);
-// CHECK-NEXT:     gl_Position = s + vec4(i) + vec4(c) + float(r ? 1 : 2) + float(any(v)) + float(all(notEqual(a, vec4(0.0)))) + float(bool(a.x)) + float(calls) + float(r = !r);
+// CHECK-NEXT:     bool r = globals.a.x > 0.0 && globals.b.x > 0.0 || !bvec4(globals.flags).x;
+// CHECK-NEXT:     r = r && Pure(globals.a.x);
+// CHECK-NEXT:     r = all(bvec2(r, Impure(globals.a.x)));
+// CHECK-NEXT:     r = Impure(globals.a.x) || r;
+// CHECK-NEXT:     r = any(bvec2(r, Impure(globals.a.x)));
+// CHECK-NEXT:     r = (r || bvec4(globals.flags).x) && (bvec4(globals.flags).y || bvec4(globals.flags).z);
+// CHECK-NEXT:     bvec4 v = logical_or(logical_and(lessThan(globals.a, globals.b), bvec4(globals.flags)), not(bvec4(globals.flags)));
+// CHECK-NEXT:     bvec4 w = notEqual(equal(globals.a, globals.b), bvec4(globals.flags));
+// CHECK-NEXT:     vec4 s = mix(globals.b, globals.a, v);
+// CHECK-NEXT:     s = mix(globals.b, vec4(1.0), greaterThan(globals.a, vec4(0.0)));
+// CHECK-NEXT:     s += r ? globals.a : globals.b;
+// CHECK-NEXT:     ivec4 i = mix(ivec4(globals.a), ivec4(1), w);
+// CHECK-NEXT:     bvec4 c = mix(w, v, bvec4(globals.flags));
+// CHECK-NEXT:     gl_Position = s + vec4(i) + vec4(c) + float(r ? 1 : 2) + float(any(v)) + float(all(notEqual(globals.a, vec4(0.0)))) + float(bool(globals.a.x)) + float(calls) + float(r = !r);
 // CHECK-NEXT: }
 
 // GL120: #version 120

@@ -45,43 +45,43 @@ float4 main(float4 p : POSITION, float3 n : NORMAL, float2 t : TEXCOORD) : SV_Po
 
 // CHECK: #version 450
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(std140, binding = 0, row_major) uniform Camera {  // b0
-// CHECK-NEXT:     mat4 view;
-// CHECK-NEXT:     mat4 projection;
-// CHECK-NEXT:     mat3x4 bone;
-// CHECK-NEXT:     mat4x3 frame;
-// CHECK-NEXT:     mat2x3 uv;
-// CHECK-NEXT: };
+// CHECK-NEXT: layout(std140, binding = 0) uniform Camera {  // b0
+// CHECK-NEXT:     layout(row_major) mat4 view;
+// CHECK-NEXT:     layout(row_major) mat4 projection;
+// CHECK-NEXT:     layout(row_major) mat3x4 bone;
+// CHECK-NEXT:     layout(row_major) mat4x3 frame;
+// CHECK-NEXT:     layout(row_major) mat2x3 uv;
+// CHECK-NEXT: } camera;
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // CHECK-NEXT: layout(location = 1) in vec3 in_NORMAL0;  // NORMAL0
 // CHECK-NEXT: layout(location = 2) in vec2 in_TEXCOORD0;  // TEXCOORD0
 // CHECK-EMPTY:
 // CHECK-NEXT: void main() {
-// CHECK-NEXT:     gl_Position = projection * (view * in_POSITION0);
-// CHECK-NEXT:     gl_Position += in_POSITION0 * view;
-// CHECK-NEXT:     gl_Position += bone * in_NORMAL0;
-// CHECK-NEXT:     gl_Position.xyz += in_POSITION0 * bone;
-// CHECK-NEXT:     gl_Position.xyz += frame * in_POSITION0;
-// CHECK-NEXT:     gl_Position += in_NORMAL0 * frame;
-// CHECK-NEXT:     gl_Position.xyz += uv * in_TEXCOORD0;
-// CHECK-NEXT:     gl_Position += (projection * view)[1];
-// CHECK-NEXT:     gl_Position.xyz += (bone * uv)[0].xyz;
-// CHECK-NEXT:     gl_Position += view[2];
-// CHECK-NEXT:     gl_Position.x += view[2][1] + view[2][1] + view[2][1];
-// CHECK-NEXT:     gl_Position += vec4(view[0][0], view[1][1], view[2][2], view[3][3]) + view[1].xyzw;
-// CHECK-NEXT:     gl_Position += transpose(view)[0];
-// CHECK-NEXT:     gl_Position.xyz += transpose(bone)[3].xyz;
-// CHECK-NEXT:     mat4 m = matrixCompMult(view, projection);
-// CHECK-NEXT:     m = matrixCompMult(m, view);
-// CHECK-NEXT:     m += projection;
+// CHECK-NEXT:     gl_Position = camera.projection * (camera.view * in_POSITION0);
+// CHECK-NEXT:     gl_Position += in_POSITION0 * camera.view;
+// CHECK-NEXT:     gl_Position += camera.bone * in_NORMAL0;
+// CHECK-NEXT:     gl_Position.xyz += in_POSITION0 * camera.bone;
+// CHECK-NEXT:     gl_Position.xyz += camera.frame * in_POSITION0;
+// CHECK-NEXT:     gl_Position += in_NORMAL0 * camera.frame;
+// CHECK-NEXT:     gl_Position.xyz += camera.uv * in_TEXCOORD0;
+// CHECK-NEXT:     gl_Position += (camera.projection * camera.view)[1];
+// CHECK-NEXT:     gl_Position.xyz += (camera.bone * camera.uv)[0].xyz;
+// CHECK-NEXT:     gl_Position += camera.view[2];
+// CHECK-NEXT:     gl_Position.x += camera.view[2][1] + camera.view[2][1] + camera.view[2][1];
+// CHECK-NEXT:     gl_Position += vec4(camera.view[0][0], camera.view[1][1], camera.view[2][2], camera.view[3][3]) + camera.view[1].xyzw;
+// CHECK-NEXT:     gl_Position += transpose(camera.view)[0];
+// CHECK-NEXT:     gl_Position.xyz += transpose(camera.bone)[3].xyz;
+// CHECK-NEXT:     mat4 m = matrixCompMult(camera.view, camera.projection);
+// CHECK-NEXT:     m = matrixCompMult(m, camera.view);
+// CHECK-NEXT:     m += camera.projection;
 // CHECK-NEXT:     m = m * 2.0 - 1.0;
 // CHECK-NEXT:     m[0] = in_POSITION0;
 // CHECK-NEXT:     m[1].xy = in_TEXCOORD0;
 // CHECK-NEXT:     m[2][3] = 3.0;
 // CHECK-NEXT:     gl_Position += m[3];
-// CHECK-NEXT:     gl_Position.xyz += mat3(view) * in_NORMAL0;
-// CHECK-NEXT:     gl_Position.xyz += view[0].xyz + mat3x2(view)[0].xyx;
+// CHECK-NEXT:     gl_Position.xyz += mat3(camera.view) * in_NORMAL0;
+// CHECK-NEXT:     gl_Position.xyz += camera.view[0].xyz + mat3x2(camera.view)[0].xyx;
 // CHECK-NEXT:     gl_Position += mat4(in_POSITION0, in_POSITION0, gl_Position, gl_Position)[1] + mat4(1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0, 16.0)[2];
-// CHECK-NEXT:     gl_Position.x += determinant(view) + determinant(mat2(view));
+// CHECK-NEXT:     gl_Position.x += determinant(camera.view) + determinant(mat2(camera.view));
 // CHECK-NEXT: }

@@ -24,11 +24,11 @@ float4 main(float4 p : POSITION) : SV_Position {
 
 // CHECK: #version 450
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(std140, binding = 0, row_major) uniform Globals {  // b0
-// CHECK-NEXT:     mat4 a;
-// CHECK-NEXT:     mat4 b;
+// CHECK-NEXT: layout(std140, binding = 0) uniform Globals {  // b0
+// CHECK-NEXT:     layout(row_major) mat4 a;
+// CHECK-NEXT:     layout(row_major) mat4 b;
 // CHECK-NEXT:     ivec3 i[3];
-// CHECK-NEXT: };
+// CHECK-NEXT: } globals;
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // CHECK-EMPTY:
@@ -157,18 +157,18 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: void main() {
-// CHECK-NEXT:     gl_Position = abs_(a)[0] + max_(a, b)[1] + saturate(a)[2] + lerp(a, b, mat4(vec4(0.5), vec4(0.5), vec4(0.5), vec4(0.5)))[3] + modulo(a, b)[0] + vec4(sign_(a)[1]);
-// CHECK-NEXT:     if (all_(equal_rows(a, b)) || any_(less(a, b))) {
+// CHECK-NEXT:     gl_Position = abs_(globals.a)[0] + max_(globals.a, globals.b)[1] + saturate(globals.a)[2] + lerp(globals.a, globals.b, mat4(vec4(0.5), vec4(0.5), vec4(0.5), vec4(0.5)))[3] + modulo(globals.a, globals.b)[0] + vec4(sign_(globals.a)[1]);
+// CHECK-NEXT:     if (all_(equal_rows(globals.a, globals.b)) || any_(less(globals.a, globals.b))) {
 // CHECK-NEXT:         gl_Position += 1.0;
 // CHECK-NEXT:     }
-// CHECK-NEXT:     gl_Position += select(greater(a, b), a, b)[2];
-// CHECK-NEXT:     bvec4 both[4] = logical_and(greater(a, mat4(0.0)), logical_not(less(b, mat4(vec4(1.0), vec4(1.0), vec4(1.0), vec4(1.0)))));
+// CHECK-NEXT:     gl_Position += select(greater(globals.a, globals.b), globals.a, globals.b)[2];
+// CHECK-NEXT:     bvec4 both[4] = logical_and(greater(globals.a, mat4(0.0)), logical_not(less(globals.b, mat4(vec4(1.0), vec4(1.0), vec4(1.0), vec4(1.0)))));
 // CHECK-NEXT:     gl_Position.x += float(both[1][2]);
-// CHECK-NEXT:     ivec3 j[3] = add(multiply(i, ivec3[3](ivec3(2), ivec3(2), ivec3(2))), divide(i, ivec3[3](ivec3(3), ivec3(3), ivec3(3))));
+// CHECK-NEXT:     ivec3 j[3] = add(multiply(globals.i, ivec3[3](ivec3(2), ivec3(2), ivec3(2))), divide(globals.i, ivec3[3](ivec3(3), ivec3(3), ivec3(3))));
 // CHECK-NEXT:     j[1].x = 5;
 // CHECK-NEXT:     j = negate(j);
 // CHECK-NEXT:     post_increment(j);
-// CHECK-NEXT:     gl_Position.xyz += vec3(j[2] + mul(j, i)[0] + mul(j, ivec3(1, 2, 3)) + mul(ivec3(1, 2, 3), j) + transpose_(j)[1]);
-// CHECK-NEXT:     gl_Position.xyz += vec3(to_int(mat3(a))[0]) + to_float(j)[1];
+// CHECK-NEXT:     gl_Position.xyz += vec3(j[2] + mul(j, globals.i)[0] + mul(j, ivec3(1, 2, 3)) + mul(ivec3(1, 2, 3), j) + transpose_(j)[1]);
+// CHECK-NEXT:     gl_Position.xyz += vec3(to_int(mat3(globals.a))[0]) + to_float(j)[1];
 // CHECK-NEXT:     gl_Position += mat4(vec4(in_POSITION0.x), vec4(in_POSITION0.x), vec4(in_POSITION0.x), vec4(in_POSITION0.x))[0] + splat_mat4(in_POSITION0.x * in_POSITION0.y)[1] + mat4(0.0)[2];
 // CHECK-NEXT: }

@@ -29,19 +29,19 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     vec4 row;
 // CHECK-NEXT:     vec4 column;
 // CHECK-NEXT:     float one;
-// CHECK-NEXT: };
+// CHECK-NEXT: } values;
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // CHECK-EMPTY:
 // CHECK-NEXT: void main() {
-// CHECK-NEXT:     gl_Position = outerProduct(row, column)[2];
-// CHECK-NEXT:     gl_Position.x += dot(row, column) + dot(row, in_POSITION0) + dot(in_POSITION0, column);
-// CHECK-NEXT:     gl_Position += one * row;
-// CHECK-NEXT:     gl_Position.x += row[3] + column[3] + column[2] + one;
-// CHECK-NEXT:     gl_Position.xy += row.yz;
-// CHECK-NEXT:     gl_Position.x += column[3] + one;
-// CHECK-NEXT:     gl_Position += row + column;
-// CHECK-NEXT:     vec3 c = column.xyz;
+// CHECK-NEXT:     gl_Position = outerProduct(values.row, values.column)[2];
+// CHECK-NEXT:     gl_Position.x += dot(values.row, values.column) + dot(values.row, in_POSITION0) + dot(in_POSITION0, values.column);
+// CHECK-NEXT:     gl_Position += values.one * values.row;
+// CHECK-NEXT:     gl_Position.x += values.row[3] + values.column[3] + values.column[2] + values.one;
+// CHECK-NEXT:     gl_Position.xy += values.row.yz;
+// CHECK-NEXT:     gl_Position.x += values.column[3] + values.one;
+// CHECK-NEXT:     gl_Position += values.row + values.column;
+// CHECK-NEXT:     vec3 c = values.column.xyz;
 // CHECK-NEXT:     gl_Position.xyz += c.xyz;
 // CHECK-NEXT:     float f = gl_Position.x;
 // CHECK-NEXT:     f += 1.0;

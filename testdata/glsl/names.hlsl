@@ -46,9 +46,9 @@ float4 main(float4 output : POSITION) : SV_Position {
 // CHECK-NEXT: layout(std140, binding = 0) uniform patch_ {  // b0
 // CHECK-NEXT:     vec4 _gl_color;
 // CHECK-NEXT:     vec4 a_b;
-// CHECK-NEXT:     vec4 distance_;
-// CHECK-NEXT:     vec4 in_POSITION0_2;
-// CHECK-NEXT: };
+// CHECK-NEXT:     vec4 distance;
+// CHECK-NEXT:     vec4 in_POSITION0;
+// CHECK-NEXT: } patch_data;
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // CHECK-EMPTY:
@@ -81,7 +81,7 @@ float4 main(float4 output : POSITION) : SV_Position {
 // CHECK-EMPTY:
 // CHECK-NEXT: void main() {
 // CHECK-NEXT:     flat_ f = flat_(vec4(0.0), vec4(0.0), vec4(0.0));
-// CHECK-NEXT:     f.input_ = _gl_color + a_b + distance_ + in_POSITION0_2;
+// CHECK-NEXT:     f.input_ = patch_data._gl_color + patch_data.a_b + patch_data.distance + patch_data.in_POSITION0;
 // CHECK-NEXT:     float length_ = 1.0;
 // CHECK-NEXT:     {
 // CHECK-NEXT:         float length_2 = 2.0;

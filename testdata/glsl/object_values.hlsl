@@ -79,7 +79,7 @@ float4 main(float2 uv : TEXCOORD, uint id : SV_VertexID) : SV_Position {
 // CHECK-NEXT: layout(std140, binding = 0) uniform Globals {  // b0
 // CHECK-NEXT:     Material material;
 // CHECK-NEXT:     int which;
-// CHECK-NEXT: };
+// CHECK-NEXT: } globals;
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(std430, binding = 6) readonly buffer offsets_block {  // t6
 // CHECK-NEXT:     vec4 offsets[];
@@ -159,13 +159,13 @@ float4 main(float2 uv : TEXCOORD, uint id : SV_VertexID) : SV_Position {
 // CHECK-NEXT:     pair.maps[0] = filled;
 // CHECK-NEXT:     pair.maps[1] = copy;
 // CHECK-NEXT:     pair.weight = 2.0;
-// CHECK-NEXT:     chosen_index = which;
+// CHECK-NEXT:     chosen_index = globals.which;
 // CHECK-NEXT:     vec4 r = Read(in_TEXCOORD0);
 // CHECK-NEXT:     r += Read_2(in_TEXCOORD0) + Twice(in_TEXCOORD0) + Twice_2(in_TEXCOORD0) + Twice(in_TEXCOORD0, id);
 // CHECK-NEXT:     Maps temporary;
 // CHECK-NEXT:     r += Get(filled, in_TEXCOORD0) + Get_2(copy, in_TEXCOORD0) + Get_2(pair.maps[1], in_TEXCOORD0) * pair.weight + (temporary = Make(), Get_3(temporary, in_TEXCOORD0));
 // CHECK-NEXT:     r += Read(in_TEXCOORD0, chosen_index) + textureLod(stone, in_TEXCOORD0, 0.0) + Offset(id);
-// CHECK-NEXT:     gl_Position = r + textureLod(material_map, in_TEXCOORD0, 0.0) * material.scale;
+// CHECK-NEXT:     gl_Position = r + textureLod(material_map, in_TEXCOORD0, 0.0) * globals.material.scale;
 // CHECK-NEXT: }
 
 // VULKAN: #version 460
@@ -186,7 +186,7 @@ float4 main(float2 uv : TEXCOORD, uint id : SV_VertexID) : SV_Position {
 // VULKAN-NEXT: layout(std140, set = 0, binding = 0) uniform Globals {  // b0
 // VULKAN-NEXT:     Material material;
 // VULKAN-NEXT:     int which;
-// VULKAN-NEXT: };
+// VULKAN-NEXT: } globals;
 // VULKAN-EMPTY:
 // VULKAN-NEXT: layout(set = 0, binding = 32) uniform texture2D wood;  // t0
 // VULKAN-NEXT: layout(set = 0, binding = 33) uniform texture2D stone;  // t1
@@ -267,11 +267,11 @@ float4 main(float2 uv : TEXCOORD, uint id : SV_VertexID) : SV_Position {
 // VULKAN-NEXT:     pair.maps[0] = filled;
 // VULKAN-NEXT:     pair.maps[1] = copy;
 // VULKAN-NEXT:     pair.weight = 2.0;
-// VULKAN-NEXT:     chosen_index = which;
+// VULKAN-NEXT:     chosen_index = globals.which;
 // VULKAN-NEXT:     vec4 r = Read(in_TEXCOORD0);
 // VULKAN-NEXT:     r += Read_2(in_TEXCOORD0) + Twice(in_TEXCOORD0) + Twice_2(in_TEXCOORD0) + Twice(in_TEXCOORD0, id);
 // VULKAN-NEXT:     Maps temporary;
 // VULKAN-NEXT:     r += Get(filled, in_TEXCOORD0) + Get_2(copy, in_TEXCOORD0) + Get_2(pair.maps[1], in_TEXCOORD0) * pair.weight + (temporary = Make(), Get_3(temporary, in_TEXCOORD0));
 // VULKAN-NEXT:     r += Read(in_TEXCOORD0, chosen_index) + textureLod(sampler2D(stone, smooth_), in_TEXCOORD0, 0.0) + Offset(id);
-// VULKAN-NEXT:     gl_Position = r + textureLod(sampler2D(material_map, smooth_), in_TEXCOORD0, 0.0) * material.scale;
+// VULKAN-NEXT:     gl_Position = r + textureLod(sampler2D(material_map, smooth_), in_TEXCOORD0, 0.0) * globals.material.scale;
 // VULKAN-NEXT: }

@@ -12,12 +12,12 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(std140, binding = 0) uniform Globals {  // b0
 // CHECK-NEXT:     vec4 a;
-// CHECK-NEXT: };
+// CHECK-NEXT: } globals;
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // CHECK-EMPTY:
 // CHECK-NEXT: void main() {
-// CHECK-NEXT:     precise vec4 r = in_POSITION0 * a + 1.0;
+// CHECK-NEXT:     precise vec4 r = in_POSITION0 * globals.a + 1.0;
 // CHECK-NEXT:     gl_Position = r;
 // CHECK-NEXT: }
 
@@ -25,11 +25,11 @@ float4 main(float4 p : POSITION) : SV_Position {
 // OLD-EMPTY:
 // OLD-NEXT: layout(std140) uniform Globals {  // b0
 // OLD-NEXT:     vec4 a;
-// OLD-NEXT: };
+// OLD-NEXT: } globals;
 // OLD-EMPTY:
 // OLD-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // OLD-EMPTY:
 // OLD-NEXT: void main() {
-// OLD-NEXT:     vec4 r = in_POSITION0 * a + 1.0;
+// OLD-NEXT:     vec4 r = in_POSITION0 * globals.a + 1.0;
 // OLD-NEXT:     gl_Position = r;
 // OLD-NEXT: }

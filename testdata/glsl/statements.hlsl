@@ -31,7 +31,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(std140, binding = 0) uniform Globals {  // b0
 // CHECK-NEXT:     int n;
-// CHECK-NEXT: };
+// CHECK-NEXT: } globals;
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // CHECK-EMPTY:
@@ -61,7 +61,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     } else {
 // CHECK-NEXT:         return r;
 // CHECK-NEXT:     }
-// CHECK-NEXT:     switch (n) {
+// CHECK-NEXT:     switch (globals.n) {
 // CHECK-NEXT:     case 0:
 // CHECK-NEXT:     case 1:
 // CHECK-NEXT:         r.x += 1.0;

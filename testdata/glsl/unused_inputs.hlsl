@@ -32,7 +32,7 @@ void main(Vertex v, float2 unread : UNREAD, Rest rest, float fog : FOG, out floa
   color = shade(v.uv) * fog;
 }
 
-// CHECK: };
+// CHECK: } globals;
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // CHECK-NEXT: layout(location = 2) in vec2 in_TEXCOORD0;  // TEXCOORD0
@@ -73,7 +73,7 @@ void main(Vertex v, float2 unread : UNREAD, Rest rest, float fog : FOG, out floa
 
 // NONE-NOT: in_REST0
 // ONE: layout(location = 4) in vec4 in_REST0;  // REST0
-// ONE: gl_ClipDistance[0] = dot(in_REST0, plane);
+// ONE: gl_ClipDistance[0] = dot(in_REST0, globals.plane);
 
 // VULKAN: layout(location = 2) in vec2 in_TEXCOORD0;
 // VULKAN-NEXT: layout(location = 6) in float in_FOG0;

@@ -13,9 +13,9 @@ float4 main(float4 p : POSITION, uint i : INDEX) : SV_Position {
 
 // CHECK: #version 460
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(std140, set = 1, binding = 3, row_major) uniform Scene {  // b3, space1
-// CHECK-NEXT:     mat4 view;
-// CHECK-NEXT: };
+// CHECK-NEXT: layout(std140, set = 1, binding = 3) uniform Scene {  // b3, space1
+// CHECK-NEXT:     layout(row_major) mat4 view;
+// CHECK-NEXT: } scene;
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(set = 0, binding = 34) uniform texture2D heights;  // t2
 // CHECK-NEXT: layout(set = 0, binding = 17) uniform sampler linear_clamp;  // s1
@@ -29,5 +29,5 @@ float4 main(float4 p : POSITION, uint i : INDEX) : SV_Position {
 // CHECK-NEXT: void main() {
 // CHECK-NEXT:     vec4 p = in_POSITION0;
 // CHECK-NEXT:     p.y += textureLod(sampler2D(heights, linear_clamp), p.xz, 0.0).x;
-// CHECK-NEXT:     gl_Position = view * (p + points[in_INDEX0]);
+// CHECK-NEXT:     gl_Position = scene.view * (p + points[in_INDEX0]);
 // CHECK-NEXT: }

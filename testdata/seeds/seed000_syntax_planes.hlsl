@@ -13,13 +13,13 @@ cbuffer Clip : register(b3) {
 // CHECK: void main() {
 // CHECK-NOT: near_water
 // CHECK: gl_Position =
-// CHECK-NEXT: gl_ClipDistance[0] = dot(in_POSITION0, near_water);
-// CHECK-NEXT: gl_ClipDistance[1] = dot(in_POSITION0, behind_portal);
+// CHECK-NEXT: gl_ClipDistance[0] = dot(in_POSITION0, clip.near_water);
+// CHECK-NEXT: gl_ClipDistance[1] = dot(in_POSITION0, clip.behind_portal);
 // CHECK-NOT: gl_ClipDistance
 [clipplanes(near_water, behind_portal)]
 float4 main(float4 position : POSITION) : SV_Position { return position; }
 
-// SIX: gl_ClipDistance[0] = dot(in_POSITION0, more[3]);
-// SIX: gl_ClipDistance[5] = dot(in_POSITION0, near_water);
+// SIX: gl_ClipDistance[0] = dot(in_POSITION0, clip.more[3]);
+// SIX: gl_ClipDistance[5] = dot(in_POSITION0, clip.near_water);
 [clipplanes(more[3], more[2], more[1], more[0], behind_portal, near_water)]
 float4 six(float4 position : POSITION) : SV_Position { return position; }

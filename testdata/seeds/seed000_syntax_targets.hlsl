@@ -15,7 +15,7 @@
 
 cbuffer Clip { float4 plane; };
 
-// DISTANCE: gl_ClipDistance[0] = dot(in_POSITION0, plane);
+// DISTANCE: gl_ClipDistance[0] = dot(in_POSITION0, clip.plane);
 // TABLE: "lowering": "level9"
 // TABLE: "text": "plane"
 [clipplanes(plane)]

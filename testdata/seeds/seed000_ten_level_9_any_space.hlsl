@@ -15,7 +15,7 @@ struct Output {
 };
 
 // CHECK: in_world = {{.*}}world *
-// CHECK: dot(in_world, plane);
+// CHECK: dot(in_world, {{.*}}plane);
 // CHECK: gl_ClipDistance[0] =
 Output in_world_space(float4 position : POSITION) {
   Output output;
@@ -25,6 +25,6 @@ Output in_world_space(float4 position : POSITION) {
   return output;
 }
 
-// CLIP: gl_ClipDistance[0] = dot(result, plane);
+// CLIP: gl_ClipDistance[0] = dot(result, scene.plane);
 [clipplanes(plane)]
 float4 in_clip_space(float4 position : POSITION) : SV_Position { return mul(mul(position, world), view_projection); }

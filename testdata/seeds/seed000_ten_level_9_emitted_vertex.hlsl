@@ -9,7 +9,7 @@ cbuffer Scene {
   float4 plane;
 };
 
-// CHECK: gl_ClipDistance[0] = dot(result, plane);
+// CHECK: gl_ClipDistance[0] = dot(result, scene.plane);
 // CHECK: gl_Position.{{[yz]}} =
 // CHECK-NOT: gl_ClipDistance
 // LEVEL9: gl_ClipVertex = gl_Position;

@@ -15,6 +15,6 @@ float4 main(float4 position : POSITION) : SV_Position { return position; }
 // CHECK: "cbuffer": "Planes",
 // CHECK: "byte_offset": 16,
 // CHECK: "glsl_block": "Planes",
-// CHECK: "glsl_member": "planes[1]"
+// CHECK: "glsl_member": "Planes.planes[1]"
 // CHECK: "index": 1,
 // CHECK: "constant": null

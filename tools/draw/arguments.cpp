@@ -90,4 +90,9 @@ void AddBlock(const std::string& text, Inputs& inputs) {
   std::memcpy(block->bytes.data() + offset, words.data(), 4 * words.size());
 }
 
+void AddUniform(const std::string& text, Inputs& inputs) {
+  const auto [name, values] = Halves(text, '=');
+  inputs.uniforms.push_back({name, ParseWords(values)});
+}
+
 }  // namespace clipc::draw

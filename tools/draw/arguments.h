@@ -26,4 +26,7 @@ void AddAttribute(const std::string& text, Inputs& inputs);
 // "Transform@64=1,0,0,0": bytes from there on. The same block may be written several times.
 void AddBlock(const std::string& text, Inputs& inputs);
 
+// "tint=1,0,0,0": a uniform outside blocks; matrices column by column.
+void AddUniform(const std::string& text, Inputs& inputs);
+
 }  // namespace clipc::draw

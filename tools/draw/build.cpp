@@ -57,7 +57,7 @@ Shader Build(const BuildOptions& options) {
   settings.passes.clip_space = options.clip_space;
   settings.passes.verify = true;
   Lowered lowered = Lower(shader.typed, settings);
-  CheckTarget(lowered, reading.diagnostics);
+  CheckTarget(lowered, {}, reading.diagnostics);
   reading.StopAtErrors<NotForTarget>("not for this target");
   Legalize(lowered, settings.passes);
   Written written = Write(lowered, {});

@@ -63,6 +63,7 @@ struct PixelsOptions {
 Flags PixelsFlags(PixelsOptions& options, Inputs& inputs) {
   return {
       {"block", BlockFlag(inputs)},
+      {"uniform", With([&](auto& value) { AddUniform(value, inputs); })},
       {"enable", Number(options.picture.enable_mask)},
       {"clip-plane", With([&](auto& value) {
          if (value.size() < 3 || value[0] < '0' || value[0] > '7' || value[1] != '=') {

@@ -11,8 +11,8 @@ namespace NS {
               topPlane)]
   void main(float4 v : POSITION, out float4 position : SV_Position) { position = v; }
 }
-// CHECK: gl_ClipDistance[0] = dot(position, leftPlane);
-// CHECK: gl_ClipDistance[1] = dot(position, topPlane);
+// CHECK: gl_ClipDistance[0] = dot(position, clip.leftPlane);
+// CHECK: gl_ClipDistance[1] = dot(position, clip.topPlane);
 
 [loop] PLANES float4 viaMacro(float4 v : POSITION) : SV_Position { return v; }
 // MACRO: gl_ClipDistance[1] = dot(in_POSITION0, state.plane1);

@@ -6,4 +6,4 @@ cbuffer Planes { float4 p; };
 float4 main(float4 v : POSITION) : SV_Position { return v; }
 [clipplanes(p)] float4 both(float4 v : POSITION) : SV_Position;
 [clipplanes( p )] float4 both(float4 v : POSITION) : SV_Position { return v; }
-// CHECK: gl_ClipDistance[0] = dot(in_POSITION0, p);
+// CHECK: gl_ClipDistance[0] = dot(in_POSITION0, planes.p);

@@ -5,4 +5,4 @@ cbuffer Planes { float4 p; float4 q[2]; };
 // CHECK: repeated.hlsl:[[#@LINE+1]]:13: note: first given here
 [clipplanes(p, q[1], p.xyzw)]
 float4 main(float4 v : POSITION) : SV_Position { return v; }
-// CHECK: gl_ClipDistance[2] = dot(in_POSITION0, p.xyzw);
+// CHECK: gl_ClipDistance[2] = dot(in_POSITION0, planes.p.xyzw);

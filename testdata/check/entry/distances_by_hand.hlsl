@@ -19,7 +19,7 @@ Two two_float3(float4 v : POSITION) { Two o; o.position = v; o.a = p.xyz; o.b = 
 struct Mixed { float4 position : SV_Position; float3 a : SV_ClipDistance0; float b : SV_ClipDistance1; float2 c : SV_CullDistance; };
 Mixed mixed(float4 v : POSITION) { Mixed o; o.position = v; o.a = p.xyz; o.b = q.x; o.c = q.yz; return o; }
 // MIXED-DAG: gl_ClipDistance[3] = b;
-// MIXED-DAG: gl_CullDistance[1] = c.y;
+// MIXED-DAG: gl_CullDistance[1] = c_2.y;
 
 float4 several(float4 v : POSITION, out float2 b : SV_ClipDistance1, out float4 d[1] : SV_ClipDistance0) : SV_Position {
   b = q.xy;

@@ -86,7 +86,7 @@ struct Scalars {
 // What only a removed distance was computed from is removed later.
 // SCALARS: warning: clip distances from 1 on
 // SCALARS: gl_Position = in_POSITION0;
-// SCALARS-NEXT: float first = dot(in_POSITION0, plane);
+// SCALARS-NEXT: float first = dot(in_POSITION0, globals.plane);
 // SCALARS-NEXT: gl_ClipDistance[0] = first;
 // SCALARS-NEXT: }
 Scalars scalars(float4 p : POSITION) {

@@ -39,10 +39,10 @@ float4 changed(Vertex v) : SV_Position {
 // CHECK-NEXT:     vec2 uv;
 // CHECK-NEXT: };
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(std140, binding = 0, row_major) uniform Globals {  // b0
-// CHECK-NEXT:     mat4 view_projection;
-// CHECK-NEXT:     bool is_on;
-// CHECK-NEXT: };
+// CHECK-NEXT: layout(std140, binding = 0) uniform Globals {  // b0
+// CHECK-NEXT:     layout(row_major) mat4 view_projection;
+// CHECK-NEXT:     uint is_on;
+// CHECK-NEXT: } globals;
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // CHECK-NEXT: layout(location = 2) in vec2 in_TEXCOORD0;  // TEXCOORD0
@@ -52,10 +52,10 @@ float4 changed(Vertex v) : SV_Position {
 // CHECK-EMPTY:
 // CHECK-NEXT: vec4 shader_main(Vertex v, vec4 unread, vec2 read, out vec4 color) {
 // CHECK-NEXT:     color = v.uv.xyxy;
-// CHECK-NEXT:     if (is_on) {
+// CHECK-NEXT:     if (bool(globals.is_on)) {
 // CHECK-NEXT:         return v.position;
 // CHECK-NEXT:     }
-// CHECK-NEXT:     return view_projection * v.position + read.xyxy;
+// CHECK-NEXT:     return globals.view_projection * v.position + read.xyxy;
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: void main() {
@@ -71,10 +71,10 @@ float4 changed(Vertex v) : SV_Position {
 // WHOLE-NEXT:     vec2 uv;
 // WHOLE-NEXT: };
 // WHOLE-EMPTY:
-// WHOLE-NEXT: layout(std140, binding = 0, row_major) uniform Globals {  // b0
-// WHOLE-NEXT:     mat4 view_projection;
-// WHOLE-NEXT:     bool is_on;
-// WHOLE-NEXT: };
+// WHOLE-NEXT: layout(std140, binding = 0) uniform Globals {  // b0
+// WHOLE-NEXT:     layout(row_major) mat4 view_projection;
+// WHOLE-NEXT:     uint is_on;
+// WHOLE-NEXT: } globals;
 // WHOLE-EMPTY:
 // WHOLE-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // WHOLE-NEXT: layout(location = 1) in vec3 in_NORMAL0;  // NORMAL0
@@ -85,7 +85,7 @@ float4 changed(Vertex v) : SV_Position {
 // WHOLE-NEXT: }
 // WHOLE-EMPTY:
 // WHOLE-NEXT: vec4 whole(Vertex v, vec4 unread) {
-// WHOLE-NEXT:     if (is_on) {
+// WHOLE-NEXT:     if (bool(globals.is_on)) {
 // WHOLE-NEXT:         return vec4(1.0);
 // WHOLE-NEXT:     }
 // WHOLE-NEXT:     return place(v);

@@ -27,8 +27,8 @@ float4 main(float4 position : POSITION, out float4 color : COLOR) : SV_Position 
 // VERT-NEXT: layout(location = 1) out vec4 vs_SV_CLIPPLANEDISTANCE0;
 // VERT-NEXT: layout(location = 2) out float vs_SV_CLIPPLANEDISTANCE1;
 // VERT: gl_Position = in_POSITION0;
-// VERT-NEXT: vs_SV_CLIPPLANEDISTANCE0 = vec4(dot(in_POSITION0, water), dot(in_POSITION0, portals[0]), dot(in_POSITION0, portals[1]), dot(in_POSITION0, portals[2]));
-// VERT-NEXT: vs_SV_CLIPPLANEDISTANCE1 = dot(in_POSITION0, portals[3]);
+// VERT-NEXT: vs_SV_CLIPPLANEDISTANCE0 = vec4(dot(in_POSITION0, globals.water), dot(in_POSITION0, globals.portals[0]), dot(in_POSITION0, globals.portals[1]), dot(in_POSITION0, globals.portals[2]));
+// VERT-NEXT: vs_SV_CLIPPLANEDISTANCE1 = dot(in_POSITION0, globals.portals[3]);
 
 // INCLUDE: layout(location = 1) in vec4 vs_SV_CLIPPLANEDISTANCE0;
 // INCLUDE-NEXT: layout(location = 2) in float vs_SV_CLIPPLANEDISTANCE1;

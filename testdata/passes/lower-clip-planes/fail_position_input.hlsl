@@ -29,7 +29,7 @@ float4 main(float4 p[4] : POSITION, uniform int which) : SV_Position {
   p[2].y = 0;  // ELEMENT: fail_position_input.hlsl:[[#@LINE]]:3: error: the input `POSITION2` is changed here; {{.*}} so change a copy instead
   return p[3] + p[2];
 }
-// THIRD: gl_ClipDistance[0] = dot(in_POSITION3, plane);
+// THIRD: gl_ClipDistance[0] = dot(in_POSITION3, globals.plane);
 #elif defined INOUT
 void main(inout float4 p : POSITION, out float4 q : SV_Position) {
   q = p;

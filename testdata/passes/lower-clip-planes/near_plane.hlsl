@@ -8,7 +8,7 @@ float4 main(float4 position : POSITION) : SV_Position { return position; }
 
 // CHECK-NOT: gl_ClipDistance
 // CHECK: vec4 result = in_POSITION0;
-// CHECK-NEXT: result.z = dot(result, water);
+// CHECK-NEXT: result.z = dot(result, globals.water);
 // CHECK-NEXT: gl_Position = result;
 // CHECK-NEXT: gl_Position.y = -gl_Position.y;
 // CHECK-NEXT: gl_Position.z = 2.0 * gl_Position.z - gl_Position.w;

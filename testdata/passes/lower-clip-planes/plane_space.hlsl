@@ -36,19 +36,19 @@ Output main(Input input) {
   return output;
 }
 
-// CLIP: gl_ClipDistance[0] = dot(position, water);
-// CLIP-NEXT: gl_ClipDistance[1] = dot(position, portal);
+// CLIP: gl_ClipDistance[0] = dot(position, frame.water);
+// CLIP-NEXT: gl_ClipDistance[1] = dot(position, frame.portal);
 // XYW1: vec4 xyw1 = position.xyww;
 // XYW1-NEXT: xyw1.w = 1.0;
-// XYW1-NEXT: gl_ClipDistance[0] = dot(xyw1, water);
-// XYW1-NEXT: gl_ClipDistance[1] = dot(xyw1, portal);
+// XYW1-NEXT: gl_ClipDistance[0] = dot(xyw1, frame.water);
+// XYW1-NEXT: gl_ClipDistance[1] = dot(xyw1, frame.portal);
 // XYW1-NEXT: gl_Position.y = -gl_Position.y;
-// OBJECT: gl_ClipDistance[0] = dot(vec4(in_POSITION0, 1.0), water);
-// OBJECT-NEXT: gl_ClipDistance[1] = dot(vec4(in_POSITION0, 1.0), portal);
-// OTHER: gl_ClipDistance[0] = dot(in_BASE1, water);
+// OBJECT: gl_ClipDistance[0] = dot(vec4(in_POSITION0, 1.0), frame.water);
+// OBJECT-NEXT: gl_ClipDistance[1] = dot(vec4(in_POSITION0, 1.0), frame.portal);
+// OTHER: gl_ClipDistance[0] = dot(in_BASE1, frame.water);
 // DISCARD: xyw1.w = 1.0;
-// DISCARD-NEXT: vs_SV_CLIPPLANEDISTANCE0 = vec2(dot(xyw1, water), dot(xyw1, portal));
-// NEAR: position.z = dot(vec4(in_POSITION0, 1.0), portal);
+// DISCARD-NEXT: vs_SV_CLIPPLANEDISTANCE0 = vec2(dot(xyw1, frame.water), dot(xyw1, frame.portal));
+// NEAR: position.z = dot(vec4(in_POSITION0, 1.0), frame.portal);
 // NEAR-NEXT: gl_Position = position;
-// ONLY: gl_ClipDistance[0] = dot(vec4(in_POSITION0, 1.0), water);
+// ONLY: gl_ClipDistance[0] = dot(vec4(in_POSITION0, 1.0), frame.water);
 // ONLY-NOT: gl_ClipDistance[1]

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+// How constant buffers and outputs are written, so that the next stage's shader, which another tool
+// wrote, links with this one. GLSL compares blocks of two stages by name and by members with their
+// matrix layouts, and in both the block has an instance name or in none; outputs that have no
+// location meet inputs by name.
+namespace clipc::glsl {
+
+// How a constant buffer is said where the target has uniform blocks.
+enum class BlockStyle : std::uint8_t {
+  kNamed,  // a block with an instance name; matrix layouts stand at the members
+  kPlain,  // a block whose members are global names; a matrix layout stands at the block
+  kFlat,   // uniform variables outside blocks
+};
+// In the order of the enumerators.
+inline constexpr const char* kBlockStyleNames[] = {"named", "plain", "flat"};
+
+// What names are made of. A pattern has places for parts of a name:
+//   of outputs: {semantic}, in capitals; {index} of the semantic; {written}: the semantic as it is
+//   written, with its index if that is written; {name} of the field or parameter;
+//   of blocks: {name} of the buffer; {type}: T of ConstantBuffer<T>.
+struct NameStyle {
+  std::string output = "vs_{semantic}{index}";
+  std::string block = "{name}";
+  std::string globals = "Globals";  // the block of $Globals
+  std::string constant_buffer = "{name}_block";
+
+  // The style called "hlslcc" (HLSLcc's and clipc's own), "dxc" (DXC to SPIR-V, then SPIRV-Cross)
+  // or "spirv-cross" (glslang to SPIR-V, then SPIRV-Cross), or clipc's own with this pattern for
+  // outputs, which needs a place for the semantic or the name. None for other texts.
+  static std::optional<NameStyle> Parse(std::string_view text);
+  static std::span<const std::string_view> Names();
+};
+
+// The pattern with its places filled; a place that `values` lacks stays.
+std::string FillPattern(
+    std::string_view pattern,
+    std::initializer_list<std::pair<std::string_view, std::string_view>> values);
+
+// A name for an instance of the block that differs from the block's: "PerFrame" is called
+// "perFrame", "cbScene" "scene", "UBOScene" "uboScene", and "light" "light_data".
+std::string InstanceName(std::string_view block);
+
+}  // namespace clipc::glsl
