@@ -39,6 +39,20 @@ ExprId WholeOf(const Program& program, ExprId expr) {
       program.exprs[expr].node);
 }
 
+bool RepeatsComponents(const Program& program, ExprId expr) {
+  const auto* vector = As<Swizzle>(program, expr);
+  const auto* matrix = As<MatrixSwizzle>(program, expr);
+  const int count = vector ? vector->count : matrix ? matrix->count : 0;
+  std::uint32_t seen = 0;
+  for (int i = 0; i < count; ++i) {
+    const std::uint32_t bit =
+        1u << (vector ? vector->components[i] : 4 * matrix->rows[i] + matrix->columns[i]);
+    if (seen & bit) return true;
+    seen |= bit;
+  }
+  return false;
+}
+
 VarId RootOf(const Program& program, ExprId path) {
   while (const ExprId whole = WholeOf(program, path)) path = whole;
   const auto* ref = As<VarRef>(program, path);

@@ -42,6 +42,10 @@ ExprId WholeOf(const Program& program, ExprId expr);
 // is not such a path.
 VarId RootOf(const Program& program, ExprId path);
 
+// Whether the expression is a swizzle that names a component twice, which nothing can be assigned
+// to.
+bool RepeatsComponents(const Program& program, ExprId expr);
+
 // Whether every index in the path is a literal, so that naming the place reads no other variable.
 bool HasLiteralIndices(const Program& program, ExprId path);
 

@@ -88,19 +88,13 @@ bool CheckTarget(Context& context, ExprId target) {
         .Note(var.span, diag::DeclaredHere, var.name);
     return false;
   }
-  const auto& node = context[target].node;
-  if (const auto* swizzle = std::get_if<Swizzle>(&node)) {
-    for (int i = 0; i < swizzle->count; ++i) {
-      for (int j = 0; j < i; ++j) {
-        if (swizzle->components[i] != swizzle->components[j]) continue;
-        context.Report(span, diag::SwizzleRepeats);
-        return false;
-      }
-    }
+  if (RepeatsComponents(context.program, target)) {
+    context.Report(span, diag::SwizzleRepeats);
+    return false;
   }
   // v.yx[i], with an i known only at run time
-  const auto* index = std::get_if<Index>(&node);
-  if (index && context.Is<Swizzle>(index->base)) {
+  const auto* index = context.GetIf<Index>(target);
+  if (index && (context.Is<Swizzle>(index->base) || context.Is<MatrixSwizzle>(index->base))) {
     context.Report(span, diag::Unsupported,
                    "assigning to a component of a swizzle chosen at run time");
     return false;

@@ -108,6 +108,11 @@ ExprId CheckConstructor(Context& context, TypeId type, List<ast::ExprId> list, S
 
 ExprId Component(Context& context, ExprId vector, std::uint8_t component) {
   Builder at = context.At(context[vector].span);
+  if (const auto* matrix = context.GetIf<MatrixSwizzle>(vector)) {
+    const MatrixSwizzle node = *matrix;
+    return at.At(at.At(node.base, std::uint32_t{node.rows[component]}),
+                 std::uint32_t{node.columns[component]});
+  }
   if (const auto* swizzle = context.GetIf<Swizzle>(vector)) {
     component = swizzle->components[component];
     vector = swizzle->base;

@@ -79,7 +79,7 @@ ExprId CheckNode(Context& context, const ast::IndexExpr& expr, Span span) {
   if (context.IsError(index)) return index;
   const auto* literal = context.GetIf<Literal>(index);
   if (!CheckBounds(context, base, index)) return context.ErrorExpr(span);
-  if (literal && context.Is<Swizzle>(base)) {
+  if (literal && (context.Is<Swizzle>(base) || context.Is<MatrixSwizzle>(base))) {
     return Component(context, base, static_cast<std::uint8_t>(literal->bits));
   }
   return context.At(span).At(base, index);

@@ -12,6 +12,21 @@
 namespace clipc::check {
 namespace {
 
+// Components of a matrix: part of a row where they lie in one, a MatrixSwizzle where they do not.
+ExprId MatrixComponents(Context& context, MatrixSwizzle node, Span span) {
+  Builder at = context.At(span);
+  const auto same_row = [&](std::uint8_t row) { return row == node.rows[0]; };
+  if (std::all_of(node.rows.begin(), node.rows.begin() + node.count, same_row)) {
+    const ExprId row = at.At(node.base, std::uint32_t{node.rows[0]});
+    if (node.count == 1) return at.At(row, std::uint32_t{node.columns[0]});
+    return at.Swizzled(row, std::span<const std::uint8_t>(node.columns.data(), node.count));
+  }
+  Exprs prologue;
+  const Scalar kind = context.TypeOf(node.base).scalar;
+  node.base = Repeatable(context, node.base, prologue);
+  return WithPrologue(context, prologue, at.Add(context.types.Vector(kind, node.count), node));
+}
+
 // .xyz, .rgb
 ExprId CheckSwizzle(Context& context, ExprId base, std::string_view text, Span name_span,
                     Span span) {
@@ -38,6 +53,15 @@ ExprId CheckSwizzle(Context& context, ExprId base, std::string_view text, Span n
     for (int i = 0; i < count; ++i) components[i] = inner->components[components[i]];
     base = inner->base;
   }
+  if (const auto* inner = context.GetIf<MatrixSwizzle>(base)) {
+    MatrixSwizzle node{
+        .base = inner->base, .rows = {}, .columns = {}, .count = static_cast<std::uint8_t>(count)};
+    for (int i = 0; i < count; ++i) {
+      node.rows[i] = inner->rows[components[i]];
+      node.columns[i] = inner->columns[components[i]];
+    }
+    return MatrixComponents(context, node, span);
+  }
   return context.At(span).Swizzled(base,
                                    std::span<const std::uint8_t>(components.data(), text.size()));
 }
@@ -61,17 +85,7 @@ ExprId CheckMatrixSwizzle(Context& context, ExprId base, std::string_view text, 
   if (!valid) {
     return context.Fail(name_span, diag::BadSwizzle, text, context.TypeName(base));
   }
-  Builder at = context.At(span);
-  const auto same_row = [&](std::uint8_t row) { return row == node.rows[0]; };
-  if (std::all_of(node.rows.begin(), node.rows.begin() + node.count, same_row)) {
-    const ExprId row = at.At(base, std::uint32_t{node.rows[0]});
-    if (node.count == 1) return at.At(row, std::uint32_t{node.columns[0]});
-    return at.Swizzled(row, std::span<const std::uint8_t>(node.columns.data(), node.count));
-  }
-  Exprs prologue;
-  node.base = Repeatable(context, base, prologue);
-  return WithPrologue(context, prologue,
-                      at.Add(context.types.Vector(type.scalar, node.count), node));
+  return MatrixComponents(context, node, span);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/rules/intrinsic_call.h"
 
-#include <bit>
 #include <string>
 #include <vector>
 
@@ -17,15 +16,10 @@ std::string CountText(std::size_t least, std::size_t most) {
 }
 
 // The variable at the root of a path that may be assigned to, or none: no component may be named
-// twice, and those of a matrix are assigned one by one.
+// twice.
 VarId TargetRoot(const Program& program, ExprId path) {
   for (ExprId part = path; part; part = WholeOf(program, part)) {
-    if (As<MatrixSwizzle>(program, part)) return {};
-    const auto* swizzle = As<Swizzle>(program, part);
-    unsigned seen = 0;
-    for (std::size_t i = 0; swizzle && i < swizzle->count; ++i)
-      seen |= 1u << swizzle->components[i];
-    if (swizzle && std::popcount(seen) != swizzle->count) return {};
+    if (RepeatsComponents(program, part)) return {};
   }
   return RootOf(program, path);
 }

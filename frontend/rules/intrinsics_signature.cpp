@@ -160,16 +160,29 @@ ExprId CallWithOuts(const IntrinsicCheck& call, Intrinsic op, TypeId result,
   std::vector<ExprId> after;
   for (const OutArgument& out : outs) {
     const TypeId target_type = call.TypeIdOf(out.target);
-    if (target_type == out.type) {
+    const auto* matrix = As<MatrixSwizzle>(call.program, out.target);
+    if (target_type == out.type && !matrix) {
       arguments.push_back(out.target);
       continue;
     }
     const auto temporary = call.temporaries.Make(builder.ZeroOf(out.type));
     before.push_back(temporary.prologue);
     arguments.push_back(builder.Ref(temporary.var));
-    const Builder at_target(call.program, call.SpanOf(out.target));
-    const ExprId value = call.Convert(Builder(at_target).Ref(temporary.var), target_type);
-    after.push_back(builder.AssignTo(out.target, value));
+    Builder at_target(call.program, call.SpanOf(out.target));
+    if (!matrix) {
+      const ExprId value = call.Convert(at_target.Ref(temporary.var), target_type);
+      after.push_back(builder.AssignTo(out.target, value));
+      continue;
+    }
+    // m._m00_m11 is written component by component.
+    const MatrixSwizzle places = *matrix;
+    const TypeId component = call.program.types.Make(call.TypeOf(out.target).scalar);
+    for (int i = 0; i < places.count; ++i) {
+      const ExprId row = builder.At(Clone(call.program, places.base), places.rows[i]);
+      const ExprId value = at_target.Swizzled(at_target.Ref(temporary.var), {i});
+      after.push_back(builder.AssignTo(builder.At(row, places.columns[i]),
+                                       call.Convert(value, component)));
+    }
   }
   const auto list = call.program.expr_lists.Add(arguments);
   ExprId value = builder.Add(result, IntrinsicCall{op, list});
