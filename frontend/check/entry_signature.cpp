@@ -48,6 +48,7 @@ EntrySignature SignatureOf(Context& context, FunctionInfoId entry) {
     entry_parameter.semantic = context[var.semantic.name];
     entry_parameter.semantic_span = var.semantic.span;
     ReadInterpolation(var.qualifiers, entry_parameter);
+    entry_parameter.row_major = IsRowMajor(context, QualifiersOf(context, var));
     if (var.qualifiers & ast::kUniform) {
       entry_parameter.is_uniform = true;
       entry_parameter.uniform_var = AddUniformParameter(context, var, parameter);
@@ -57,6 +58,7 @@ EntrySignature SignatureOf(Context& context, FunctionInfoId entry) {
   signature.result.semantic = context[decl.return_semantic.name];
   signature.result.semantic_span = decl.return_semantic.span;
   ReadInterpolation(decl.qualifiers, signature.result);
+  signature.result.row_major = IsRowMajor(context, decl.qualifiers);
   return signature;
 }
 

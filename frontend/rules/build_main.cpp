@@ -17,9 +17,10 @@ namespace {
 using PartNumber = std::size_t;
 constexpr PartNumber kNoPart = ~PartNumber{0};
 struct Part {
-  std::uint32_t number = 0;    // of the field or element
+  std::uint32_t number = 0;    // of the field, element or column
   PartNumber whole = kNoPart;  // that it is in
   VarId variable = {};         // none for a part
+  std::uint8_t columns = 0;    // of the matrix that this is a column of; 0 for other parts
 };
 
 // The semantic in force for a part of a parameter. Indices count on through arrays, matrices and
@@ -40,6 +41,7 @@ struct Carrier {
   std::string name;  // for messages: "input.position"
   Span span;         // of a leaf: where its semantic is written
   Cursor cursor;
+  bool row_major = false;  // how the matrices in it are taken apart
 };
 
 // Of a parameter, the result or a field, which say the same in the same words.
@@ -95,7 +97,7 @@ class MainBuilder {
     }
     const bool reads = var.storage != Storage::kOut;
     const bool writes = var.storage != Storage::kIn;
-    Carrier whole{kNoPart, var.type, var.name, var.span, CursorOf(parameter)};
+    Carrier whole{kNoPart, var.type, var.name, var.span, CursorOf(parameter), parameter.row_major};
     if (!writes && program_.types[var.type].IsScalarOrVector()) {
       const std::vector<Carrier> leaves = LeavesOf(whole);
       if (!leaves.empty()) arguments_.push_back(Input(leaves.front()));
@@ -104,14 +106,36 @@ class MainBuilder {
     const VarId local = builder_.Local(var.name, var.type);
     whole.part = Whole(local);
     body_.push_back(builder_.Stmt(Declare{local, {}}));
-    if (reads) {
-      for (const Carrier& leaf : LeavesOf(whole)) {
-        const ExprId value = Input(leaf);
-        if (value) body_.push_back(builder_.Eval(builder_.AssignTo(ValueOf(leaf.part), value)));
-      }
-    }
+    if (reads) ReadInto(whole);
     arguments_.push_back(builder_.Ref(local));
     if (writes) pending_outputs_.push_back(std::move(whole));
+  }
+
+  // Assigns the inputs to the piece, a matrix from all its columns at once.
+  void ReadInto(const Carrier& whole) {
+    std::vector<ExprId> columns;
+    for (const Carrier& leaf : LeavesOf(whole)) {
+      ExprId value = Input(leaf);
+      if (!value) continue;
+      PartNumber target = leaf.part;
+      if (const Part part = parts_[target]; part.columns > 0) {
+        if (part.number == 0) columns.clear();
+        columns.push_back(value);
+        if (columns.size() < part.columns) continue;
+        target = part.whole;
+        const Type type = program_.types[leaf.type];
+        value = Transposed(builder_.ConstructOf(
+            program_.types.Matrix(type.scalar, part.columns, type.columns), columns));
+      }
+      body_.push_back(builder_.Eval(builder_.AssignTo(ValueOf(target), value)));
+    }
+  }
+
+  ExprId Transposed(ExprId matrix) {
+    const Type type = program_.types[builder_.TypeOf(matrix)];
+    return builder_.IntrinsicOf(Intrinsic::kTranspose,
+                                program_.types.Matrix(type.scalar, type.columns, type.rows),
+                                {matrix});
   }
 
   void CallEntry() {
@@ -124,8 +148,8 @@ class MainBuilder {
     }
     const VarId result = builder_.Local("result", entry.return_type);
     body_.push_back(builder_.Stmt(Declare{result, call}));
-    pending_outputs_.push_back(
-        {Whole(result), entry.return_type, entry.name, entry.span, CursorOf(signature_.result)});
+    pending_outputs_.push_back({Whole(result), entry.return_type, entry.name, entry.span,
+                                CursorOf(signature_.result), signature_.result.row_major});
   }
 
   // ---- taking types apart
@@ -153,11 +177,15 @@ class MainBuilder {
                             program_.types.Name(piece.type));
         return;
     }
-    for (std::uint32_t i = 0; i < program_.types.PartCount(piece.type); ++i) {
-      if (leaves.size() >= kMaxLeaves) return;
+    // A matrix takes a register for each column, and one for each row where it is `row_major`: fxc,
+    // as vkd3d's test of matrix semantics has it, which passes on Microsoft's compiler.
+    const bool by_column = type.kind == TypeKind::kMatrix && !piece.row_major;
+    const std::uint32_t count = by_column ? type.columns : program_.types.PartCount(piece.type);
+    for (std::uint32_t i = 0; i < count && leaves.size() < kMaxLeaves; ++i) {
       Carrier inner = piece;
-      inner.type = program_.types.PartType(piece.type, i);
-      inner.part = Inside(piece.part, i);
+      inner.type = by_column ? program_.types.Vector(type.scalar, type.rows)
+                             : program_.types.PartType(piece.type, i);
+      inner.part = Inside(piece.part, i, by_column ? type.columns : std::uint8_t{0});
       if (type.kind == TypeKind::kStruct)
         CollectField(inner, program_.types[type.structure].fields[i], cursor, leaves);
       else
@@ -169,21 +197,24 @@ class MainBuilder {
     parts_.push_back({0, kNoPart, variable});
     return parts_.size() - 1;
   }
-  PartNumber Inside(PartNumber whole, std::uint32_t number) {
-    parts_.push_back({number, whole});
+  PartNumber Inside(PartNumber whole, std::uint32_t number, std::uint8_t columns) {
+    parts_.push_back({number, whole, {}, columns});
     return parts_.size() - 1;
   }
   // A fresh expression each call.
   ExprId ValueOf(PartNumber number) {
     const Part part = parts_[number];
-    return part.variable ? builder_.Ref(part.variable)
-                         : builder_.Part(ValueOf(part.whole), part.number);
+    if (part.variable) return builder_.Ref(part.variable);
+    const ExprId whole = ValueOf(part.whole);
+    return part.columns > 0 ? builder_.At(Transposed(whole), part.number)
+                            : builder_.Part(whole, part.number);
   }
 
   void CollectField(Carrier& piece, const Field& field, Cursor& cursor,
                     std::vector<Carrier>& leaves) {
     piece.name += "." + field.name;
     piece.span = field.span;
+    piece.row_major = field.row_major;
     // A semantic on the struct as a whole overrides those of its fields (DXC: "semantic override").
     if (cursor.given) return Collect(piece, cursor, leaves);
     Cursor own = CursorOf(field);

@@ -27,6 +27,7 @@ struct EntryParameter {
   Interpolation interpolation = Interpolation::kDefault;
   bool centroid = false;
   bool sample = false;
+  bool row_major = false;  // of the matrices in it
   bool is_uniform = false;
   VarId uniform_var;  // the member of $Params that a `uniform` parameter became
 };
@@ -40,10 +41,11 @@ struct EntrySignature {
 // value that a vertex shader cannot take or write, or one of a wrong type. A semantic on a
 // parameter overrides those inside its struct; its index counts on through the fields.
 //
-// Inputs and outputs are taken apart: structs by field, arrays by element, matrices by row, each
-// piece the next index. Under vs_1_1..vs_3_0 the output POSITION is the position (and PSIZE the
-// point size, FOG, COLOR plain outputs). SV_ClipDistance and SV_CullDistance in any shape become
-// one float array each, packed by register as fxc does. An SV_Position input is a plain input.
+// Inputs and outputs are taken apart: structs by field, arrays by element, matrices by column (by
+// row where they are `row_major`), each piece the next index. Under vs_1_1..vs_3_0 the output
+// POSITION is the position (and PSIZE the point size, FOG, COLOR plain outputs). SV_ClipDistance
+// and SV_CullDistance in any shape become one float array each, packed by register as fxc does. An
+// SV_Position input is a plain input.
 void BuildMain(Program& program, const EntrySignature& signature, PositionName position,
                Diagnostics& diagnostics);
 

@@ -5,6 +5,7 @@
 
 #include "base/invariant.h"
 #include "frontend/rules/intrinsic_call.h"
+#include "ir/access.h"
 
 // Checks calls against the signatures of ir/intrinsics.def. Arguments unify as DXC's MatchArguments
 // does: the smallest vector wins, scalars are splatted, kinds combine, and a kind that the
@@ -180,8 +181,8 @@ ExprId CallWithOuts(const IntrinsicCheck& call, Intrinsic op, TypeId result,
     for (int i = 0; i < places.count; ++i) {
       const ExprId row = builder.At(Clone(call.program, places.base), places.rows[i]);
       const ExprId value = at_target.Swizzled(at_target.Ref(temporary.var), {i});
-      after.push_back(builder.AssignTo(builder.At(row, places.columns[i]),
-                                       call.Convert(value, component)));
+      after.push_back(
+          builder.AssignTo(builder.At(row, places.columns[i]), call.Convert(value, component)));
     }
   }
   const auto list = call.program.expr_lists.Add(arguments);

@@ -1,4 +1,4 @@
-// Inputs and outputs are taken apart: structs by field, arrays by element, matrices by row; names come from semantics.
+// Inputs and outputs are taken apart: structs by field, arrays by element, matrices by column; names come from semantics.
 // RUN: %clipc -T vs_5_0 -E main --validate %s -o - | FileCheck %s
 // RUN: %clipc -T vs_3_0 -E old --validate %s -o - | FileCheck %s --check-prefix=OLD
 // RUN: %clipc -T vs_5_0 -E old --validate %s -o - | FileCheck %s --check-prefix=NEW
@@ -15,9 +15,9 @@ void main(Input i, uint id : SV_VertexID, out Output o, inout float4 color : COL
 // CHECK-DAG: layout(location = 0) in vec4 in_SV_POSITION0;
 // CHECK-DAG: layout(location = 2) in vec2 in_TEXCOORD4;
 // CHECK-DAG: layout(location = 3) in uint in_FLAG0;
-// CHECK-DAG: layout(location = 4) in vec2 in_MATRIX0;
-// CHECK-DAG: layout(location = 6) in vec2 in_MATRIX2;
-// CHECK-DAG: layout(location = 7) in vec4 in_COLOR0;
+// CHECK-DAG: layout(location = 4) in vec3 in_MATRIX0;
+// CHECK-DAG: layout(location = 5) in vec3 in_MATRIX1;
+// CHECK-DAG: layout(location = 6) in vec4 in_COLOR0;
 // CHECK-DAG: layout(location = 0) flat out int vs_NUMBER0;
 // CHECK-DAG: layout(location = 1) noperspective out vec2 vs_TEXCOORD7;
 // CHECK-DAG: layout(location = 2) out vec4 vs_COLOR0;
