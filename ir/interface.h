@@ -82,7 +82,7 @@ enum class Builtin : std::uint8_t {
 
 // One input or output of the shader: a scalar or vector of float, int, uint or double (a bool
 // arrives as uint), or the array of kClipDistance or kCullDistance. Structs, arrays and matrices in
-// the signature were taken apart, matrices by rows.
+// the signature were taken apart, matrices by columns (`row_major` ones by rows).
 struct IoVar {
   VarId var;
   std::string semantic;  // as written, without its index: "TEXCOORD"

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/rules/check_level9.h"
 
+#include <optional>
 #include <string_view>
 
 #include "frontend/rules/constant.h"
+#include "frontend/rules/known_values.h"
 #include "ir/access.h"
 #include "ir/walk.h"
 
@@ -135,7 +137,7 @@ class Level9Checker {
   }
 
   // Only constants can be indexed by a value of run time: there is one address register, and it
-  // counts constants.
+  // counts constants. fxc unrolls the loops whose counters index anything else.
   void CheckIndex(const Index& index, Span span) {
     if (EvaluateInteger(program_, index.index)) return;
     ExprId base = index.base;
@@ -145,12 +147,14 @@ class Level9Checker {
     if (ref && (program_.vars[ref->var].storage == Storage::kUniform ||
                 program_.vars[ref->var].storage == Storage::kConstant))
       return;
-    diagnostics_.Report(span, diag::Level9DynamicIndex, Target());
+    if (!known_) known_.emplace(program_);
+    if (!known_->Has(index.index)) diagnostics_.Report(span, diag::Level9DynamicIndex, Target());
   }
 
   const Program& program_;
   Diagnostics& diagnostics_;
-  std::uint32_t instructions_ = 0;  // a lower bound: no loop is counted twice, no addition at all
+  std::optional<KnownValues> known_;  // from the first index on that depends on it
+  std::uint32_t instructions_ = 0;    // a lower bound: no loop is counted twice, no addition at all
 };
 
 }  // namespace
