@@ -63,6 +63,7 @@ Text TruncateText(Code& code, TypeId id, ExprId matrix) {
   }
   // The first row, or GLSL's first row: HLSL's first column.
   const bool is_row = type.rows == 1;
+  if (from.HasRows() && !is_row) code.is_constant = false;  // transpose() never is
   std::string text = from.HasRows() && !is_row
                          ? Called("transpose", {Argument(std::move(operand))}).text
                          : std::move(operand).At(Binding::kPostfix);

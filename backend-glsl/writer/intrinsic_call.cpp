@@ -78,6 +78,22 @@ std::string_view BitFunction(Intrinsic op) {
   }
 }
 
+// Whether glslang takes a call with constant arguments for a constant, which an initialiser of a
+// `const` needs. No such call of the others is one, in any target.
+bool MayBeConstant(Intrinsic op) {
+  switch (op) {
+    case Intrinsic::kCosh:
+    case Intrinsic::kSinh:
+    case Intrinsic::kTanh:
+    case Intrinsic::kDeterminant:
+    case Intrinsic::kTranspose: return false;
+    default: break;
+  }
+  const IntrinsicInfo& info = InfoOf(op);
+  return info.category != IntrinsicCategory::kBits && info.gate == TargetGate::kNone &&
+         !WritesArguments(op);
+}
+
 }  // namespace
 
 Text IntrinsicText(Code& code, TypeId type, const IntrinsicCall& node) {
@@ -86,7 +102,7 @@ Text IntrinsicText(Code& code, TypeId type, const IntrinsicCall& node) {
     const auto arguments = code[node.arguments];
     return MulText(code, arguments[0], arguments[1], ShapeOf(code[type]));
   }
-  if (WritesArgument(node.op, 1)) code.is_constant = false;
+  if (!MayBeConstant(node.op)) code.is_constant = false;
   const std::vector<Operand> operands = OperandsOf(code, node.arguments);
   const Operand& x = operands[0];
   const Shape& shape = x.shape;

@@ -54,9 +54,9 @@ void EmitValue(Context& context, ExprId value) {
   const auto found = ref ? std::ranges::find(temporaries, ref->var) : temporaries.end();
   if (found != temporaries.end()) {
     const VarId var = *found;
-    const ExprId init = Unwrap(context, assign->value);
-    // The value may use temporaries that were made before this one.
+    // The value may use temporaries that were made before this one, and its steps declare them.
     const std::vector<VarId> later = TakeAfter(context, var);
+    const ExprId init = Unwrap(context, assign->value);
     DeclareTemporaries(context);
     temporaries = later;
     context.stmts.push_back(context.At(span).Stmt(Declare{var, init}));

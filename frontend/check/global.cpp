@@ -9,6 +9,8 @@
 #include "frontend/check/init.h"
 #include "frontend/check/type.h"
 #include "frontend/check/value.h"
+#include "ir/access.h"
+#include "ir/walk.h"
 
 namespace clipc::check {
 namespace {
@@ -28,6 +30,34 @@ void ResolveGlobal(Context& context, SymbolId id, const ast::VarDecl& var) {
   } else {
     ReachBuffer(context, context.globals.buffer);
   }
+}
+
+// An initialiser outside a function has no effect: one that calls a function or takes several steps
+// is done at the beginning of `main`, and so is one that reads such a variable.
+void InitialiseInMain(Program& program) {
+  std::vector<bool> is_moved(program.vars.size());
+  std::vector<StmtId> body;
+  for (const VarId global : program.globals) {
+    ExprId value = program.vars[global].init;
+    const auto is_late = [&](ExprId part) {
+      const auto* ref = As<VarRef>(program, part);
+      return ref && is_moved[ref->var.index];
+    };
+    if (!value || (IsPure(program, value) && !AnyExpr(program, value, is_late))) continue;
+    is_moved[global.index] = true;
+    Builder at(program, program.exprs[value].span);
+    while (const auto* comma = As<Comma>(program, value)) {
+      const auto [first, second] = *comma;
+      body.push_back(at.Eval(first));
+      value = second;
+    }
+    body.push_back(at.Eval(at.AssignTo(at.Ref(global), value)));
+    program.vars[global].init = {};
+  }
+  if (body.empty()) return;
+  const std::span<const StmtId> old = MainBody(program);
+  body.insert(body.end(), old.begin(), old.end());
+  SetMainBody(program, body);
 }
 
 }  // namespace
@@ -142,6 +172,7 @@ void FinishGlobals(Context& context) {
     context.program.resources.push_back(
         {resource.var, context.globals.registers.at(resource.var.index)});
   }
+  if (!context.diagnostics.has_errors()) InitialiseInMain(context.program);
 }
 
 }  // namespace clipc::check

@@ -14,6 +14,8 @@
 // UNSIZED: {{^}}known bug of the peer: unsized-initializer
 // RUN: %draw compare %s -E pasted --peer glslang | FileCheck %s --check-prefix=PASTED
 // PASTED: {{^}}known bug of the peer: token-paste
+// RUN: %draw compare %s -E columns --peer glslang | FileCheck %s --check-prefix=COLUMNS
+// COLUMNS: {{^}}known bug of the peer: matrix-signature
 // RUN: %draw compare %s -E clipped --peer glslang | FileCheck %s --check-prefix=CLIPPED
 // CLIPPED: {{^}}known bug of the peer: clip-planes
 // RUN: %draw compare %s -E elements --peer glslang | FileCheck %s --check-prefix=MOVED
@@ -73,6 +75,8 @@ float4 packed(float4 p : P) : SV_Position { return p * after; }
 float number;
 float3 beside;
 float4 globals(float4 p : P) : SV_Position { return p * number + beside.xyzz; }
+
+float4 columns(float4 p : P, float4x4 world : WORLD) : SV_Position { return mul(p, world); }
 
 [clipplanes(plane)]
 float4 clipped(float4 p : P) : SV_Position { return p; }

@@ -72,6 +72,23 @@ std::set<std::string> BugsInText(const std::string& hlsl, const Comparison& foun
   return {};
 }
 
+// Whether a signature has a matrix that is taken apart by column.
+bool HasColumns(const ir::TypeTable& types, ir::TypeId id, bool row_major) {
+  const ir::TypeId inner = types.Innermost(id);
+  if (types[inner].kind == ir::TypeKind::kMatrix) return !row_major;
+  return types[inner].kind == ir::TypeKind::kStruct &&
+         std::ranges::any_of(types.StructOf(inner).fields, [&](const ir::Field& field) {
+           return HasColumns(types, field.type, field.row_major);
+         });
+}
+bool EntryHasColumns(const ir::Program& program, bool row_major) {
+  const ir::Function& entry = program.functions[program.entry];
+  return HasColumns(program.types, entry.return_type, row_major) ||
+         std::ranges::any_of(entry.parameters, [&](ir::VarId parameter) {
+           return HasColumns(program.types, program.vars[parameter].type, row_major);
+         });
+}
+
 // Two members of a block share bytes: no values can be right.
 bool HasOverlap(const std::vector<PeerBlock>& blocks) {
   for (const PeerBlock& block : blocks) {
@@ -113,8 +130,10 @@ PeerComparison CompareWithGlslang(const Runner& runner, const Shader& shader,
     if (again.wrong == 0) {
       result.values = again;
     } else {
-      bugs = HasOverlap(module.blocks) ? std::set<std::string>{"register-c"}
-                                       : BugsInText(module.hlsl, again);
+      const bool row_major = options.packing == MatrixPacking::kRowMajor;
+      bugs = HasOverlap(module.blocks)                  ? std::set<std::string>{"register-c"}
+             : EntryHasColumns(shader.typed, row_major) ? std::set<std::string>{"matrix-signature"}
+                                                        : BugsInText(module.hlsl, again);
       if (!bugs.empty()) result.values.wrong = 0;
     }
     result.known_bugs.merge(bugs);

@@ -20,7 +20,7 @@ struct Item { float4 size; float weight; };
 StructuredBuffer<Item> items;
 Texture2D map;
 SamplerState smooth;
-struct Output { float4 position : SV_Position; float2 uv[2] : TEXCOORD3; float3x2 frame : FRAME; int kind : KIND; };
+struct Output { float4 position : SV_Position; float2 uv[2] : TEXCOORD3; row_major float3x2 frame : FRAME; int kind : KIND; };
 Output main(float4 p : POSITION, float2 uv[2] : TEXCOORD1, uint id : SV_VertexID, int kind : KIND) {
   Output result;
   result.position = float4(mul(world, p), 1) * items[id].weight + map.SampleLevel(smooth, p.xy, 0);
