@@ -69,11 +69,8 @@ constexpr Row<ObjectOp> kObjectOps[] = {
      {Feature::kTextureSamples, nullptr, &diag::TargetTextureQuery, "number of samples"}},
 };
 
-constexpr Row<Scalar> kScalars[] = {
-    {Scalar::kDouble, {Feature::kDoubles, &diag::TargetDouble}},
-    {Scalar::kInt64, {Feature::kInt64, &diag::TargetInt64}},
-    {Scalar::kUint64, {Feature::kInt64, &diag::TargetInt64}},
-};
+constexpr Need kDouble = {Feature::kDoubles, &diag::TargetDouble};
+constexpr Need kInt64 = {Feature::kInt64, &diag::TargetInt64};
 
 template <typename Part, std::size_t N>
 const Need* Find(const Row<Part> (&rows)[N], Part part) {
@@ -92,6 +89,13 @@ const Need* NeedOf(ObjectKind kind) {
 
 const Need* NeedOf(ObjectOp op) { return Find(kObjectOps, op); }
 
-const Need* NeedOf(Scalar kind) { return Find(kScalars, kind); }
+const Need* NeedOf(Scalar kind) {
+  switch (kind) {
+    case Scalar::kDouble: return &kDouble;
+    case Scalar::kInt64:
+    case Scalar::kUint64: return &kInt64;
+    default: return nullptr;
+  }
+}
 
 }  // namespace clipc::glsl

@@ -41,9 +41,11 @@ constexpr Binding Tighter(Binding binding) {
 // Appends the parts to `text`, or joins them. Memory is asked for once.
 template <typename... Parts>
 void Append(std::string& text, const Parts&... parts) {
-  const std::size_t size = text.size() + (std::string_view(parts).size() + ...);
+  const std::string_view views[] = {parts...};
+  std::size_t size = text.size();
+  for (const std::string_view view : views) size += view.size();
   if (size > text.capacity()) text.reserve(std::max(size, 2 * text.capacity()));
-  (text.append(std::string_view(parts)), ...);
+  for (const std::string_view view : views) text.append(view);
 }
 template <typename... Parts>
 std::string Concat(const Parts&... parts) {
@@ -59,7 +61,11 @@ std::string ListOf(const Parts& parts, Each&& text) {
     return ListOf(std::views::iota(Parts{0}, parts), text);
   } else {
     std::string list;
-    for (const auto& part : parts) Append(list, list.empty() ? "" : ", ", text(part));
+    std::string_view separator;
+    for (const auto& part : parts) {
+      Append(list, separator, text(part));
+      separator = ", ";
+    }
     return list;
   }
 }
@@ -78,7 +84,7 @@ struct Text {
 
 // `left op right`; the operators of GLSL associate to the left. Takes left's buffer, so that long
 // chains stay linear.
-inline Text Infix(Text left, std::string_view op, Text right, Binding binding) {
+inline Text Infix(Text left, std::string_view op, const Text& right, Binding binding) {
   std::string text = std::move(left).At(binding);
   const bool is_loose = right.binding < Tighter(binding);
   Append(text, " ", op, is_loose ? " (" : " ", right.text, is_loose ? ")" : "");
@@ -88,13 +94,10 @@ inline Text Infix(Text left, std::string_view op, Text right, Binding binding) {
 // An argument of a call: everything but a comma may stand without parentheses.
 inline std::string Argument(Text text) { return std::move(text).At(Binding::kAssignment); }
 
-// function(a, b, c); one argument at least.
+// function(a, b, c); one argument may be the whole list.
 inline Text Called(std::string_view function, std::initializer_list<std::string_view> arguments) {
-  std::string text = Concat(function, "(");
-  for (const std::string_view& argument : arguments) {
-    Append(text, argument, &argument + 1 == arguments.end() ? ")" : ", ");
-  }
-  return {std::move(text)};
+  if (arguments.size() == 1) return {Concat(function, "(", *arguments.begin(), ")")};
+  return {Concat(function, "(", ListOf(arguments, std::identity()), ")")};
 }
 
 }  // namespace clipc::glsl

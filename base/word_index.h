@@ -26,9 +26,13 @@ class WordIndex {
     }
   }
 
+  // False for most words that are not in the set, and for none that is, in whatever case.
+  constexpr bool MayHave(std::string_view word) const {
+    return (lengths_[FirstLetter(word)] & LengthBit(word)) != 0;
+  }
   // The position of `word` in the array, or kNone.
   constexpr std::size_t Find(std::string_view word) const {
-    if ((lengths_[FirstLetter(word)] & LengthBit(word)) == 0) return kNone;
+    if (!MayHave(word)) return kNone;
     std::size_t slot = FirstSlot(word);
     while (slots_[slot] != kNone && words_[slots_[slot]] != word) slot = NextSlot(slot);
     return slots_[slot];
@@ -37,6 +41,7 @@ class WordIndex {
 
  private:
   static constexpr std::size_t kSlots = std::bit_ceil(4 * N);
+  static constexpr std::size_t kLetters = 32;  // a letter and its capital differ by 32
 
   // A hash of the length and four letters, which rarely collides for words of a language.
   static constexpr std::size_t FirstSlot(std::string_view word) {
@@ -49,16 +54,15 @@ class WordIndex {
     return (hash ^ hash >> 15) % kSlots;
   }
   static constexpr std::size_t FirstLetter(std::string_view word) {
-    return word.empty() ? 0 : static_cast<unsigned char>(word[0]) % 64;
+    return word.empty() ? 0 : static_cast<unsigned char>(word[0]) % kLetters;
   }
   static constexpr std::uint32_t LengthBit(std::string_view word) { return 1u << word.size() % 32; }
   static constexpr std::size_t NextSlot(std::size_t slot) { return (slot + 1) % kSlots; }
 
   std::array<std::string_view, N> words_;
   std::array<std::uint16_t, kSlots> slots_{};
-  // For each first letter, the lengths of the words that begin with it, one bit each: most words
-  // that are not in the set are refused by this alone.
-  std::array<std::uint32_t, 64> lengths_{};
+  // By first letter: the lengths of the words that begin with it, one bit each.
+  std::array<std::uint32_t, kLetters> lengths_{};
 };
 
 }  // namespace clipc

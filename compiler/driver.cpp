@@ -40,21 +40,22 @@ bool TerminalHasColour() {
 
 class Driver {
  public:
-  explicit Driver(CommandLine command) : command_(std::move(command)) {}
+  explicit Driver(CommandLine&& command) : command_(std::move(command)) {}
 
   int Run();
 
  private:
   std::string CheckUsage();
   int CompileAll();
-  int Finish(const CompileResult& result, const Outputs& outputs);
-  void AddShaders(const CompileResult& result, const Outputs& outputs, OutputFiles& files) const;
-  std::string Write(const CompileResult& result, const Outputs& outputs);
+  int Finish(CompileResult result, const Outputs& outputs);
+  void AddShaders(CompileResult& result, const Outputs& outputs, OutputFiles& files) const;
+  std::string Write(CompileResult& result, const Outputs& outputs);
   void Show(const CompileResult& result);
   void ShowNotices();
   std::string VariableOf(const CompileResult& result) const;
 
   CommandLine command_;
+  std::vector<Outputs> outputs_;   // by input
   std::vector<Message> messages_;  // of all inputs, for the formats that are one document
 };
 
@@ -91,7 +92,7 @@ std::string Driver::CheckUsage() {
   for (const std::string& input : inputs) sources.Add(input);
   if (!command_.fragment.empty()) sources.Add(command_.fragment);
   for (const std::string& input : inputs) {
-    for (const std::string& path : PlaceOutputs(command_, input).Named()) {
+    for (const std::string& path : outputs_.emplace_back(PlaceOutputs(command_, input)).Named()) {
       if (named.Has(path)) return fmt::format("two outputs would go to `{}`", path);
       if (sources.Has(path)) return fmt::format("the output `{}` would overwrite its input", path);
       named.Add(path);
@@ -163,7 +164,7 @@ int Driver::CompileAll() {
       result = std::move(*results[index]);
       results[index].reset();
     }
-    const int code = Finish(result, PlaceOutputs(command_, command_.inputs[index]));
+    const int code = Finish(std::move(result), outputs_[index]);
     exit_code = std::max(exit_code, code);
     failed += code == kExitOk ? 0 : 1;
   }
@@ -174,7 +175,7 @@ int Driver::CompileAll() {
   return exit_code;
 }
 
-int Driver::Finish(const CompileResult& result, const Outputs& outputs) {
+int Driver::Finish(CompileResult result, const Outputs& outputs) {
   for (const Include& include : result.includes) {
     if (command_.show_includes)
       fmt::print(stderr, "{} {}\n", std::string(include.depth, '.'), include.file);
@@ -205,8 +206,7 @@ void Driver::Show(const CompileResult& result) {
 // What is to be said of the options, and of the names of the outputs.
 void Driver::ShowNotices() {
   Diagnostics& notices = command_.notices;
-  for (const std::string& input : command_.inputs) {
-    const Outputs outputs = PlaceOutputs(command_, input);
+  for (const Outputs& outputs : outputs_) {
     if (!command_.request.spirv && SaysOtherThanGlsl(outputs.glsl))
       notices.Report({}, diag::OutputNotGlsl, outputs.glsl);
   }
@@ -227,26 +227,25 @@ std::string Driver::VariableOf(const CompileResult& result) const {
   return name;
 }
 
-void Driver::AddShaders(const CompileResult& result, const Outputs& outputs,
-                        OutputFiles& files) const {
+void Driver::AddShaders(CompileResult& result, const Outputs& outputs, OutputFiles& files) const {
   if (!command_.request.variants) {
     const auto* const words = reinterpret_cast<const char*>(result.spirv.data());
     files.Add(outputs.glsl, command_.request.spirv ? std::string(words, 4 * result.spirv.size())
-                                                   : result.shaders.vertex);
-    if (!outputs.fragment.empty()) files.Add(outputs.fragment, result.shaders.fragment);
+                                                   : std::move(result.shaders.vertex));
+    if (!outputs.fragment.empty()) files.Add(outputs.fragment, std::move(result.shaders.fragment));
   }
   for (std::size_t planes = 0; planes < result.variants.size(); ++planes) {
     const std::string path = VariantName(outputs.glsl, planes);
-    files.Add(path, result.variants[planes].vertex);
+    files.Add(path, std::move(result.variants[planes].vertex));
     if (outputs.fragment.empty()) continue;
     const std::string ending = outputs.fragment.substr(WithoutExtension(outputs.glsl).size());
-    files.Add(WithoutExtension(path) + ending, result.variants[planes].fragment);
+    files.Add(WithoutExtension(path) + ending, std::move(result.variants[planes].fragment));
   }
 }
 
 // Empty on success. A failed compile has no files, but perhaps a dump of a stage before the
-// failure.
-std::string Driver::Write(const CompileResult& result, const Outputs& outputs) {
+// failure. Takes the texts out of the result.
+std::string Driver::Write(CompileResult& result, const Outputs& outputs) {
   FileSet sources;
   for (const std::string& source : result.dependencies) sources.Add(source);
   for (const std::string& path : outputs.Named()) {
@@ -258,12 +257,14 @@ std::string Driver::Write(const CompileResult& result, const Outputs& outputs) {
   if (result.ok() && !outputs.preprocessed.empty())
     files.Add(outputs.preprocessed, result.preprocessed);
   const bool is_complete = result.table.has_value() && !command_.request.debug.dump;
-  if (is_complete && !outputs.glsl.empty()) AddShaders(result, outputs, files);
+  std::string header;
   if (is_complete && !outputs.header.empty()) {
     const std::string variable = VariableOf(result);
-    files.Add(outputs.header, command_.request.spirv ? HeaderWith(result.spirv, variable)
-                                                     : HeaderWith(result.shaders.vertex, variable));
+    header = command_.request.spirv ? HeaderWith(result.spirv, variable)
+                                    : HeaderWith(result.shaders.vertex, variable);
   }
+  if (is_complete && !outputs.glsl.empty()) AddShaders(result, outputs, files);
+  if (!header.empty()) files.Add(outputs.header, std::move(header));
   if (is_complete && !outputs.listing.empty()) files.Add(outputs.listing, result.listing);
   if (is_complete && !outputs.table.empty()) {
     const auto format = clip_table::FormatOf(outputs.table);

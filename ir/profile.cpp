@@ -40,8 +40,9 @@ constexpr Stage kStages[] = {
 bool IsKnown(std::string_view name, std::string_view version) {
   const auto stage = std::ranges::find(kStages, name, &Stage::name);
   if (stage == std::end(kStages)) return false;
-  for (int minor = stage->first_minor6; minor <= Stage::kLastMinor6; ++minor) {
-    if (version == "6_" + std::to_string(minor)) return true;
+  if (version.size() == 3 && version.starts_with("6_")) {
+    const int minor = version[2] - '0';
+    if (minor >= stage->first_minor6 && minor <= Stage::kLastMinor6) return true;
   }
   for (const auto known : std::views::split(stage->versions, ' ')) {
     if (version == std::string_view(known.begin(), known.end())) return true;

@@ -2,6 +2,8 @@
 #include "passes/split_variables.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <memory_resource>
 #include <utility>
 
@@ -43,6 +45,7 @@ class Splitter {
       : program_(program),
         before_end_(parts.before.size()),
         after_begin_(before_end_ + parts.body.size()) {
+    stmts_.reserve(after_begin_ + parts.after.size());
     for (const std::vector<StmtId>* part : {&parts.before, &parts.body, &parts.after}) {
       stmts_.insert(stmts_.end(), part->begin(), part->end());
     }
@@ -57,6 +60,7 @@ class Splitter {
     for (Candidate& candidate : candidates_)
       candidate.is_whole ? FillAtOnce(candidate) : Split(candidate);
     std::vector<StmtId> result;
+    result.reserve(2 * stmts_.size());
     for (std::size_t i = 0; i < stmts_.size(); ++i) {
       result.insert(result.end(), replaced_[i].begin(), replaced_[i].end());
       if (!is_replaced_[i]) result.push_back(stmts_[i]);
@@ -280,7 +284,7 @@ class Splitter {
     for (std::size_t i = 0; i < candidate.parts.size(); ++i) {
       const Part& part = candidate.parts[i];
       Builder b(program_, program_.stmts[stmts_[definition.stmt]].span);
-      std::vector<StmtId>& out = replaced_[definition.stmt];
+      auto& out = replaced_[definition.stmt];
       ExprId value = !candidate.is_struct ? definition.value
                      : construct          ? program_.expr_lists[values][i]
                                           : ExprId{};
@@ -308,13 +312,15 @@ class Splitter {
 
   Program& program_;
   const std::size_t before_end_, after_begin_;
-  std::vector<StmtId> stmts_;
-  std::vector<std::vector<StmtId>> replaced_;  // what stands in front of a statement, or for it
+  std::array<std::byte, 8192> buffer_;
+  std::pmr::monotonic_buffer_resource memory_{buffer_.data(), buffer_.size()};
+  std::pmr::vector<StmtId> stmts_{&memory_};
+  // What stands in front of a statement, or for it.
+  std::pmr::vector<std::pmr::vector<StmtId>> replaced_{&memory_};
   std::vector<bool> is_replaced_;
   std::size_t now_ = 0;
-  std::pmr::monotonic_buffer_resource memory_{4096};
-  std::vector<Candidate> candidates_;
-  std::vector<std::uint32_t> numbers_;  // of candidates, by VarId; 0: none
+  std::pmr::vector<Candidate> candidates_{&memory_};
+  std::pmr::vector<std::uint32_t> numbers_{&memory_};  // of candidates, by VarId; 0: none
 };
 
 }  // namespace

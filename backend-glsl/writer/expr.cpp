@@ -99,7 +99,7 @@ Text UnaryText(Code& code, const Unary& node) {
 Text AssignText(Code& code, const Assign& node) {
   code.is_constant = false;
   // The value of a compound assignment may be a scalar beside a vector.
-  Text value = node.op ? ScalarOr(OperandOf(code, node.value)) : Text{};
+  Text value = node.op ? OperandOf(code, node.value).text : Text{};
   std::string text = ExprText(code, node.target).At(Binding::kUnary);
   if (!node.op) value = ExprText(code, node.value);
   Append(text, " ", node.op ? OperatorOf(*node.op).spelling : "", "= ", Argument(std::move(value)));
@@ -162,8 +162,8 @@ Text ExprText(Code& code, ExprId id) {
           [&](const MatrixSwizzle& node) { return MatrixSwizzleText(code, expr, node); },
           [&](const Unary& node) { return UnaryText(code, node); },
           [&](const Binary& node) {
-            Operand left = OperandOf(code, node.left), right = OperandOf(code, node.right);
-            return BinaryOn(code, node.op, std::move(left), std::move(right));
+            Operand left = OperandOf(code, node.left);
+            return BinaryOn(code, node.op, std::move(left), OperandOf(code, node.right));
           },
           [&](const Assign& node) { return AssignText(code, node); },
           [&](const Conditional& node) {

@@ -39,9 +39,10 @@ Text ReduceOn(Code& code, const char* function, const Operand& operand) {
   const Shape& shape = operand.shape;
   if (shape.IsScalar()) return ConvertOn(code, Scalar::kBool, operand);
   if (shape.scalar == Scalar::kBool) return CallOn(code, function, {&operand, 1});
-  const Operand zero{
-      {}, shape, Text{ZeroText(code, shape.Component())}, Constant{0, shape.scalar}, true};
-  return Called(function, {BinaryOn(code, BinaryOp::kNotEqual, operand, zero).text});
+  const Text zero{ZeroText(code, shape.Component())};
+  return Called(function, {BinaryOn(code, BinaryOp::kNotEqual, operand,
+                                    {zero, shape, true, Constant{0, shape.scalar}, true})
+                               .text});
 }
 
 // mul(). GLSL's matrices are the transposes of HLSL's, so products turn round: mul(v, M) is M * v.
@@ -51,7 +52,7 @@ Text MulText(Code& code, ExprId left, ExprId right, const Shape& result) {
     // Of a scalar with anything, or of float1x1 with a row: the scalar stands for all components.
     Operand& scalar = a.shape.IsScalar() ? a : b;
     if (!result.IsScalar() && !(a.shape.IsScalar() && b.shape.IsScalar())) {
-      scalar.scalar = Full(code, scalar);
+      scalar.is_scalar = true;
       scalar.shape = result;
     }
     return BinaryOn(code, BinaryOp::kMul, std::move(a), std::move(b));

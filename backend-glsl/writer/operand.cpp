@@ -25,22 +25,13 @@ bool IsRepeatable(const Program& program, ExprId id) {
 }  // namespace
 
 Operand OperandOf(Code& code, ExprId id) {
-  Operand operand{{}, code.ShapeAt(id), {}, ConstantOf(code.program, id)};
+  const Shape shape = code.ShapeAt(id);
+  const std::optional<Constant> constant = ConstantOf(code.program, id);
+  if (code.As<Zero>(id)) return {{ZeroText(code, shape.Component())}, shape, true, constant, true};
   const auto* splat = code.As<Splat>(id);
-  if (code.As<Zero>(id)) {
-    operand.repeatable = true;
-    operand.scalar = Text{ZeroText(code, operand.shape.Component())};
-    return operand;
-  }
   const ExprId written = splat ? splat->operand : id;
-  operand.repeatable = IsRepeatable(code.program, written);
-  Text text = ExprText(code, written);
-  if (splat || code.As<Literal>(id)) {
-    operand.scalar = std::move(text);
-  } else {
-    operand.text = std::move(text);
-  }
-  return operand;
+  return {ExprText(code, written), shape, splat || code.As<Literal>(id), constant,
+          IsRepeatable(code.program, written)};
 }
 
 std::vector<Operand> OperandsOf(Code& code, List<ExprId> list) {
@@ -50,9 +41,9 @@ std::vector<Operand> OperandsOf(Code& code, List<ExprId> list) {
   return operands;
 }
 
-Text Full(Code& code, const Operand& operand) {
-  if (!operand.scalar) return operand.text;
-  return SplatText(code, *operand.scalar, operand.shape, operand.repeatable,
+Text Full(Code& code, Operand operand) {
+  if (!operand.is_scalar) return std::move(operand.text);
+  return SplatText(code, operand.text, operand.shape, operand.repeatable,
                    operand.constant && operand.constant->bits == 0);
 }
 
@@ -89,36 +80,35 @@ Text BinaryOn(Code& code, BinaryOp op, Operand left, Operand right) {
   const Operator& glsl = OperatorOf(op);
   const bool is_product = shape.kind == Shape::kMatrix && op == BinaryOp::kMul;
   const bool is_vector_comparison = IsComparison(op) && shape.IsVector();
-  if (is_vector_comparison || (is_product && !left.scalar && !right.scalar)) {
+  if (is_vector_comparison || (is_product && !left.is_scalar && !right.is_scalar)) {
     const Operand operands[] = {std::move(left), std::move(right)};
     return CallOn(code, is_product ? "matrixCompMult" : glsl.vector_function, operands);
   }
-  const bool is_full = left.scalar && !shape.IsScalar() && (right.scalar || IsShift(op));
-  Text first = is_full ? Full(code, left) : ScalarOr(std::move(left));
-  return Infix(std::move(first), glsl.spelling, ScalarOr(std::move(right)), glsl.binding);
+  const bool is_full = left.is_scalar && !shape.IsScalar() && (right.is_scalar || IsShift(op));
+  return Infix(is_full ? Full(code, std::move(left)) : std::move(left.text), glsl.spelling,
+               std::move(right.text), glsl.binding);
 }
 
 Text ConvertOn(Code& code, Scalar kind, const Operand& operand) {
   const Shape& from = operand.shape;
   const std::string type = TypeName(code, from.With(kind));
   if (type == TypeName(code, from)) return Full(code, operand);
-  const bool is_scalar = operand.scalar && !from.HasRows();
-  return Called(type, {Argument(is_scalar ? *operand.scalar : Full(code, operand))});
+  const bool is_scalar = operand.is_scalar && !from.HasRows();
+  return Called(type, {Argument(is_scalar ? operand.text : Full(code, operand))});
 }
 
 Text CallOn(Code& code, std::string_view function, std::span<const Operand> operands,
             unsigned scalars) {
   bool all_scalar = scalars != 0;
   for (std::size_t i = 0; i < operands.size(); ++i) {
-    if (operands[i].scalar.has_value() != ((scalars >> i & 1) != 0)) all_scalar = false;
+    if (operands[i].is_scalar != ((scalars >> i & 1) != 0)) all_scalar = false;
   }
   std::string text;
   text.reserve(64);
   Append(text, function, "(");
   for (std::size_t i = 0; i < operands.size(); ++i) {
     const Operand& operand = operands[i];
-    Append(text, i > 0 ? ", " : "",
-           Argument(all_scalar && operand.scalar ? *operand.scalar : Full(code, operand)));
+    Append(text, i > 0 ? ", " : "", Argument(all_scalar ? operand.text : Full(code, operand)));
   }
   text += ')';
   return {std::move(text)};

@@ -4,7 +4,6 @@
 #include <optional>
 #include <span>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "backend-glsl/operators.h"
@@ -17,23 +16,18 @@ namespace clipc::glsl {
 
 // An operand: its text, or the scalar that stands in each of its components.
 struct Operand {
-  Text text;  // empty when `scalar` is given
+  Text text;
   Shape shape;
-  std::optional<Text> scalar;
+  bool is_scalar = false;            // `text` is the scalar
   std::optional<Constant> constant;  // the number that every component is, where it is known
   bool repeatable = false;           // short and without effects: may be written twice
 };
-
-// The scalar that fills the operand, or the whole operand.
-inline Text ScalarOr(Operand operand) {
-  return operand.scalar ? std::move(*operand.scalar) : std::move(operand.text);
-}
 
 Operand OperandOf(Code& code, ir::ExprId id);
 std::vector<Operand> OperandsOf(Code& code, List<ir::ExprId> list);
 
 // The operand in its whole shape.
-Text Full(Code& code, const Operand& operand);
+Text Full(Code& code, Operand operand);
 // `scalar` in every component of the shape; `is_zero`: it is known to be 0.
 Text SplatText(Code& code, const Text& scalar, const Shape& shape, bool repeatable,
                bool is_zero = false);

@@ -42,14 +42,15 @@ std::string DeclareText(Code& code, const Declare& node, bool is_first = true) {
   const ExprId init = node.init ? node.init : var.init;
   // The variable is in scope after its initialiser only, in GLSL as in HLSL.
   code.is_constant = true;
-  const std::string value = init ? " = " + Argument(code, init) : "";
+  const std::string value = init ? Argument(code, init) : "";
   const bool is_const = var.storage == Storage::kConstant && init && code.is_constant;
   code.NameLocal(node.var, "value");
   const std::string& name = code.NameOf(node.var);
-  if (!is_first) return Declarator(code, var.type, name) + value;
+  const std::string_view equals = init ? " = " : "";
+  if (!is_first) return Concat(Declarator(code, var.type, name), equals, value);
   const bool is_precise = var.precise && code.Has(Feature::kPrecise);
   return Concat(is_const ? "const " : "", is_precise ? "precise " : "",
-                Declaration(code, var.type, name), value);
+                Declaration(code, var.type, name), equals, value);
 }
 
 void WriteIf(Code& code, const If& node, std::string_view lead) {
@@ -134,7 +135,8 @@ void WriteStmt(Code& code, StmtId id) {
             },
             [&](const Switch& node) { WriteSwitch(code, node); },
             [&](const Return& node) {
-              code.Line("return", node.value ? " " + ExprText(code, node.value).text : "", ";");
+              if (!node.value) return code.Line("return;");
+              code.Line("return ", ExprText(code, node.value).text, ";");
             },
             [&](const Break&) { code.Line("break;"); },
             [&](const Continue&) { code.Line("continue;"); },

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/check/body.h"
 
+#include <algorithm>
+#include <span>
+
 #include "frontend/check/assign.h"
 #include "frontend/check/emit.h"
 #include "frontend/check/flow.h"
@@ -15,8 +18,7 @@ namespace {
 void CheckBody(Context& context, FunctionInfoId id) {
   const FunctionInfo info = context[id];
   const ast::FunctionDecl& decl = DeclOf(context, info);
-  const Function& function = context[info.function];
-  const std::vector<VarId> vars = function.parameters;
+  const std::vector<VarId>& vars = context[info.function].parameters;
   Body body;
   body.function = info.function;
   body.return_type = info.return_type;
@@ -28,8 +30,7 @@ void CheckBody(Context& context, FunctionInfoId id) {
   const ScopeTable::LocalScope parameter_scope(context.names);
   std::size_t next = 0;
   if (info.self) body.self = vars[next++];
-  for (const Parameter& parameter :
-       std::vector<Parameter>(context[info.parameters].begin(), context[info.parameters].end())) {
+  for (const Parameter& parameter : context[info.parameters]) {
     const auto& var = context.Get<ast::VarDecl>(parameter.decl);
     const SymbolId symbol =
         DeclareLocal(context, SymbolKind::kVariable, var.name, parameter.decl, var.name_span);
@@ -40,10 +41,9 @@ void CheckBody(Context& context, FunctionInfoId id) {
     const ScopeTable::LocalScope body_scope(context.names);
     CheckStmts(context, context.Get<ast::BlockStmt>(decl.body).body);
   }
-  std::vector<StmtId> stmts = std::move(body.hoisted);
-  const std::vector<StmtId> checked = TakeStmts(context, mark);
-  stmts.insert(stmts.end(), checked.begin(), checked.end());
-  const StmtId block = context.At(context[decl.body].span).BlockOf(stmts);
+  context.stmts.insert(context.stmts.begin() + static_cast<std::ptrdiff_t>(mark),
+                       body.hoisted.begin(), body.hoisted.end());
+  const StmtId block = context.At(context[decl.body].span).Stmt(Block{TakeStmts(context, mark)});
   context[info.function].body = block;
   const bool is_whole = context.diagnostics.error_count() == errors_before;
   if (is_whole && info.return_type != context.types.Void() && FallsThrough(context, block)) {
@@ -62,6 +62,7 @@ FunctionId Reach(Context& context, FunctionInfoId id) {
   function.name = context[decl.name];
   function.return_type = info.return_type;
   function.span = decl.name_span;
+  function.parameters.reserve(info.parameters.size + 1u);
   if (info.self) {
     const Storage storage = info.changes_self ? Storage::kInOut : Storage::kIn;
     function.parameters.push_back(context.program.vars.Add(
@@ -92,35 +93,37 @@ void CheckBodies(Context& context) {
 }
 
 void CheckRecursion(Context& context) {
-  std::vector<std::vector<Overloads::CallEdge>> calls(context.program.functions.size());
-  for (const Overloads::CallEdge& edge : context.functions.calls)
-    calls[edge.caller.index].push_back(edge);
+  using Edge = Overloads::CallEdge;
+  std::vector<Edge>& calls = context.functions.calls;
+  std::ranges::stable_sort(calls, {}, &Edge::caller);
   enum : std::uint8_t { kNew, kOpen, kDone };
   std::vector<std::uint8_t> state(context.program.functions.size(), kNew);
   struct Step {
-    std::uint32_t function;
-    std::size_t next;
+    FunctionId function;
+    std::span<const Edge> calls;  // that are left
   };
   std::vector<Step> path;
-  for (std::uint32_t start = 0; start < calls.size(); ++start) {
-    if (state[start] != kNew) continue;
-    path.push_back({start, 0});
-    state[start] = kOpen;
+  const auto enter = [&](FunctionId function) {
+    state[function.index] = kOpen;
+    path.push_back({function, std::ranges::equal_range(calls, function, {}, &Edge::caller)});
+  };
+  for (const Edge& first : calls) {
+    if (state[first.caller.index] == kNew) enter(first.caller);
     while (!path.empty()) {
       Step& step = path.back();
-      if (step.next == calls[step.function].size()) {
-        state[step.function] = kDone;
+      if (step.calls.empty()) {
+        state[step.function.index] = kDone;
         path.pop_back();
         continue;
       }
-      const Overloads::CallEdge& edge = calls[step.function][step.next++];
+      const Edge& edge = step.calls.front();
+      step.calls = step.calls.subspan(1);
       if (state[edge.callee.index] == kOpen) {
         const Function& callee = context[edge.callee];
         context.Report(edge.span, diag::Recursion, callee.name)
             .Note(callee.span, diag::DeclaredHere, callee.name);
       } else if (state[edge.callee.index] == kNew) {
-        state[edge.callee.index] = kOpen;
-        path.push_back({edge.callee.index, 0});
+        enter(edge.callee);
       }
     }
   }

@@ -37,7 +37,10 @@ SymbolId FindFunction(Context& context, const ast::QualifiedName& name) {
 std::vector<FunctionInfoId> CandidatesOf(Context& context, SymbolId symbol, TypeId self,
                                          List<ast::ExprId> explicit_arguments, ExprSpan arguments) {
   std::vector<FunctionInfoId> candidates;
-  if (explicit_arguments.empty()) candidates = OverloadsOf(context, symbol, self);
+  if (explicit_arguments.empty()) {
+    const auto overloads = OverloadsOf(context, symbol, self);
+    candidates.assign(overloads.begin(), overloads.end());
+  }
   for (SymbolId id = symbol; id; id = context[id].older) {
     if (context[id].kind != SymbolKind::kFunction) continue;
     if (!DeclOf(context, id).is_template) continue;

@@ -24,9 +24,14 @@ ExprId ConstructStruct(Context& context, TypeId type, ExprSpan arguments, Span s
 // From scalars and vectors whose components add up; matrices among them are taken apart.
 ExprId ConstructVector(Context& context, TypeId type, ExprSpan arguments, Span span) {
   if (arguments.size() == 1 && context.TypeIdOf(arguments[0]) == type) return arguments[0];
+  const auto is_matrix = [&](ExprId argument) {
+    return context.TypeOf(argument).kind == TypeKind::kMatrix;
+  };
+  if (std::ranges::none_of(arguments, is_matrix))
+    return context.At(span).ConstructOf(type, arguments);
   Exprs parts, prologue;
   for (ExprId argument : arguments) {
-    if (context.TypeOf(argument).kind == TypeKind::kMatrix)
+    if (is_matrix(argument))
       TakeApart(context, argument, parts, prologue);
     else
       parts.push_back(argument);

@@ -23,11 +23,11 @@ void Emit(Context& context, Span span, decltype(Stmt::node) node) {
   context.stmts.push_back(context.At(span).Stmt(std::move(node)));
 }
 
-std::vector<StmtId> TakeStmts(Context& context, std::size_t mark) {
-  const std::vector<StmtId> taken(context.stmts.begin() + static_cast<std::ptrdiff_t>(mark),
-                                  context.stmts.end());
+List<StmtId> TakeStmts(Context& context, std::size_t mark) {
+  const auto taken = std::span<const StmtId>(context.stmts).subspan(mark);
+  const List<StmtId> list = context.program.stmt_lists.Add(taken);
   context.stmts.resize(mark);
-  return taken;
+  return list;
 }
 
 void DeclareTemporaries(Context& context) {

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
 
 #include "frontend/check/context.h"
+
 // Writing statements to the end of context.stmts.
 namespace clipc::check {
 
@@ -12,8 +12,8 @@ namespace clipc::check {
 void Emit(Context& context, Span span, decltype(Stmt::node) node);
 // Declares the temporaries of the expressions that were checked since the last statement.
 void DeclareTemporaries(Context& context);
-// Removes the statements after the first `mark` of context.stmts, and returns them.
-std::vector<StmtId> TakeStmts(Context& context, std::size_t mark);
+// Moves the statements after the first `mark` of context.stmts into a list of the program.
+List<StmtId> TakeStmts(Context& context, std::size_t mark);
 // Adds statements that evaluate the expression for its effects. The steps of a Comma are statements
 // of their own, and the assignment that makes a temporary is its declaration.
 void EmitValue(Context& context, ExprId value);

@@ -136,6 +136,7 @@ void ResolveSignature(Context& context, FunctionInfoId id) {
                              decl.return_dimensions, decl.name_span);
   if (context.IsError(info.return_type)) info.is_broken = true;
   std::vector<Parameter> parameters;
+  parameters.reserve(decl.parameters.size);
   for (ast::DeclId parameter : context[decl.parameters]) {
     AddParameter(context, context.Get<ast::VarDecl>(parameter), parameter, info, parameters);
   }
@@ -151,7 +152,7 @@ bool SameParameters(const Context& context, const FunctionInfo& a, const Functio
                             });
 }
 
-std::vector<FunctionInfoId> OverloadsOf(Context& context, SymbolId first, TypeId self) {
+std::span<const FunctionInfoId> OverloadsOf(Context& context, SymbolId first, TypeId self) {
   const Symbol& symbol = context[first];
   const SymbolId newest = context.names.NewestIn(symbol.scope, symbol.name);
   const std::uint64_t key = Overloads::KeyOf(newest, self);
@@ -181,8 +182,7 @@ std::vector<FunctionInfoId> OverloadsOf(Context& context, SymbolId first, TypeId
     else
       overloads[slot->second] = MergeOverloads(context, overloads[slot->second], added);
   }
-  context.functions.overloads.emplace(key, overloads);
-  return overloads;
+  return context.functions.overloads.emplace(key, std::move(overloads)).first->second;
 }
 
 std::string SignatureText(const Context& context, const FunctionInfo& info) {

@@ -39,8 +39,7 @@ void CheckForInit(Context& context, ast::StmtId init, For& loop) {
       type && std::ranges::all_of(emitted, [&](StmtId id) { return type_of(id) == type; });
   // Other statements stay before the loop.
   if (!one_type) return;
-  const std::vector<StmtId> stmts = TakeStmts(context, mark);
-  loop.init = context.program.stmt_lists.Add(std::span<const StmtId>(stmts));
+  loop.init = TakeStmts(context, mark);
 }
 
 }  // namespace

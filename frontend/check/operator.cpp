@@ -149,10 +149,10 @@ std::optional<ExprId> CallOperator(Context& context, std::string_view op, ExprSp
   if (found == context.functions.operators.end()) return std::nullopt;
   const Name name = found->second;
   if (const SymbolId member = FindMember(context, context.TypeIdOf(operands[0]), name)) {
-    const std::vector<FunctionInfoId> overloads =
-        OverloadsOf(context, member, context.TypeIdOf(operands[0]));
     const Exprs arguments(operands.begin() + 1, operands.end());
-    const Choice choice = ChooseOverload(context, overloads, arguments, name, op_span);
+    const Choice choice =
+        ChooseOverload(context, OverloadsOf(context, member, context.TypeIdOf(operands[0])),
+                       arguments, name, op_span);
     if (choice.function)
       return CallFunction(context, choice.function, operands[0], arguments, op_span, span);
     if (choice.reported) return context.ErrorExpr(span);

@@ -83,9 +83,9 @@ void CheckNode(Context& context, const ast::IfStmt& stmt, Span span) {
     const std::size_t mark = context.stmts.size();
     if (context.Is<ast::IfStmt>(stmt.otherwise)) {
       CheckStmt(context, stmt.otherwise);
-      const std::vector<StmtId> checked = TakeStmts(context, mark);
-      otherwise = checked.size() == 1 ? checked.front()
-                                      : context.At(context[stmt.otherwise].span).BlockOf(checked);
+      const List<StmtId> checked = TakeStmts(context, mark);
+      otherwise = checked.size == 1 ? context[checked].front()
+                                    : context.At(context[stmt.otherwise].span).Stmt(Block{checked});
     } else {
       otherwise = CheckBlock(context, stmt.otherwise);
     }
@@ -163,7 +163,7 @@ StmtId CheckBlock(Context& context, ast::StmtId id) {
     CheckStmts(context, block->body);
   else
     CheckStmt(context, id);
-  return context.At(context[id].span).BlockOf(TakeStmts(context, mark));
+  return context.At(context[id].span).Stmt(Block{TakeStmts(context, mark)});
 }
 
 void CheckStmt(Context& context, ast::StmtId id) {

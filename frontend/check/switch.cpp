@@ -47,9 +47,9 @@ void CheckNode(Context& context, const ast::SwitchStmt& stmt, Span span) {
   std::unordered_set<std::int64_t> seen;
   const std::size_t mark = context.stmts.size();
   const auto finish = [&] {
-    const std::vector<StmtId> body = TakeStmts(context, mark);
+    const List<StmtId> body = TakeStmts(context, mark);
     if (!arms.empty()) {
-      arms.back().body = context.program.stmt_lists.Add(std::span<const StmtId>(body));
+      arms.back().body = body;
       arms.back().labels = context.program.expr_lists.Add(ExprSpan(labels));
     }
     labels.clear();

@@ -159,6 +159,7 @@ bool IsNumericType(std::string_view text) {
 WordInfo ClassifyWord(std::string_view text) {
   if (const std::size_t i = kWordIndex.Find(text); i != kWordIndex.kNone) return kWords[i].info;
   if (IsNumericType(text)) return {Word::kNumericType};
+  if (!kFoldedIndex.MayHave(text)) return {};
   const std::size_t i = kFoldedIndex.Find(ToLower(text));
   if (i == kFoldedIndex.kNone || (kFolded[i].is_exact && kFolded[i].text != text)) return {};
   return kFolded[i].info;

@@ -16,7 +16,7 @@ int StepWithoutBraces(TokenKind kind) {
 
 // ---- names
 
-Lookahead::Lookahead(Tokens tokens, Diagnostics& diagnostics)
+Lookahead::Lookahead(Tokens&& tokens, Diagnostics& diagnostics)
     : TokenCursor(std::move(tokens), diagnostics),
       meanings_(names_.size()),
       outside_(names_.size()) {

@@ -41,7 +41,7 @@ class Lookahead : protected TokenCursor {
     std::size_t mark_;
   };
 
-  Lookahead(Tokens tokens, Diagnostics& diagnostics);
+  Lookahead(Tokens&& tokens, Diagnostics& diagnostics);
 
   // A name that is none is allowed, and ignored.
   void Declare(Name name, Meaning meaning);

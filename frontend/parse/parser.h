@@ -20,7 +20,7 @@ namespace clipc::ast {
 
 class Parser : private TreeBuilder {
  public:
-  Parser(Tokens tokens, Diagnostics& diagnostics) : TreeBuilder(std::move(tokens), diagnostics) {}
+  Parser(Tokens&& tokens, Diagnostics& diagnostics) : TreeBuilder(std::move(tokens), diagnostics) {}
   File Run();
 
  private:

@@ -7,7 +7,7 @@
 
 namespace clipc::ast {
 
-TokenCursor::TokenCursor(Tokens tokens, Diagnostics& diagnostics)
+TokenCursor::TokenCursor(Tokens&& tokens, Diagnostics& diagnostics)
     : tokens_(std::move(tokens.list)), names_(std::move(tokens.names)), diagnostics_(diagnostics) {
   if (tokens_.empty() || tokens_.back().kind != kEnd) tokens_.push_back(Token{});
   words_.reserve(names_.size());

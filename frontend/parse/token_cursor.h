@@ -26,7 +26,7 @@ class TokenCursor {
  protected:
   using enum TokenKind;
 
-  TokenCursor(Tokens tokens, Diagnostics& diagnostics);
+  TokenCursor(Tokens&& tokens, Diagnostics& diagnostics);
 
   // ---- tokens
   const Token& Peek() const { return tokens_[pos_]; }

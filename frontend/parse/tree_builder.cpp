@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "frontend/parse/ast_walk.h"
-
 namespace clipc::ast {
 namespace {
 
@@ -35,7 +33,7 @@ TreeBuilder::Nesting::~Nesting() {
   builder_.depth_ -= weight_;
 }
 
-TreeBuilder::TreeBuilder(Tokens tokens, Diagnostics& diagnostics)
+TreeBuilder::TreeBuilder(Tokens&& tokens, Diagnostics& diagnostics)
     : Lookahead(std::move(tokens), diagnostics) {
   heights_.reserve(tokens_.size() / 2);  // seldom too small
   type_heights_.reserve(64);
@@ -48,12 +46,6 @@ std::uint32_t TreeBuilder::HeightOf(List<ExprId> list) const {
   return height;
 }
 
-std::uint32_t TreeBuilder::HeightOfChildren(const decltype(Expr::node)& node) const {
-  std::uint32_t height = 0;
-  ForEachChild(node, [&](auto child) { height = std::max(height, HeightOf(child)); });
-  return height;
-}
-
 bool TreeBuilder::CheckHeight(std::uint32_t height, Span span) {
   if (height <= kMaxHeight) return true;
   Error(span, diag::ExpressionTooLong, static_cast<int>(kMaxHeight));
@@ -61,9 +53,8 @@ bool TreeBuilder::CheckHeight(std::uint32_t height, Span span) {
   return false;
 }
 
-ExprId TreeBuilder::AddExpr(std::size_t start, decltype(Expr::node) node) {
+ExprId TreeBuilder::AddExpr(std::size_t start, decltype(Expr::node) node, std::uint32_t height) {
   const Span span = SpanFrom(start);
-  std::uint32_t height = 1 + HeightOfChildren(node);
   if (!CheckHeight(height, span)) {
     node = ErrorExpr{};
     height = 1;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "frontend/parse/ast.h"
+#include "frontend/parse/ast_walk.h"
 #include "frontend/parse/lookahead.h"
 
 namespace clipc::ast {
@@ -77,10 +78,15 @@ class TreeBuilder : protected Lookahead {
     bool finished_ = false;
   };
 
-  TreeBuilder(Tokens tokens, Diagnostics& diagnostics);
+  TreeBuilder(Tokens&& tokens, Diagnostics& diagnostics);
 
   // `start` is the position of a node's first token; its last one is the last token taken.
-  ExprId AddExpr(std::size_t start, decltype(Expr::node) node);
+  template <typename Node>
+  ExprId AddExpr(std::size_t start, Node node) {
+    std::uint32_t height = 0;
+    ForEachChild(node, [&](auto child) { height = std::max(height, HeightOf(child)); });
+    return AddExpr(start, std::move(node), 1 + height);
+  }
   ExprId ErrorExprHere() { return AddExpr(pos_, ErrorExpr{}); }
   StmtId AddStmt(std::size_t start, decltype(Stmt::node) node) {
     return file_.stmts.Add(Stmt{SpanFrom(start), {}, std::move(node)});
@@ -117,13 +123,13 @@ class TreeBuilder : protected Lookahead {
   int depth_ = 0;  // the weights of the Nestings that are open
 
  private:
+  ExprId AddExpr(std::size_t start, decltype(Expr::node) node, std::uint32_t height);
   // True if a node of that height may be made; otherwise reports, and ends the parse.
   bool CheckHeight(std::uint32_t height, Span span);
   // The number of nodes on the longest path from a child.
   std::uint32_t HeightOf(ExprId id) const { return id ? heights_[id.index] : 0; }
   std::uint32_t HeightOf(TypeId id) const { return id ? type_heights_[id.index] : 0; }
   std::uint32_t HeightOf(List<ExprId> list) const;
-  std::uint32_t HeightOfChildren(const decltype(Expr::node)& node) const;
 
   int nesting_ = 0;
   int deepest_ = 0;                          // the largest depth_ of the definition being parsed

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <span>
 
 #include "base/spelling.h"
 #include "frontend/rules/semantics.h"
@@ -62,6 +63,7 @@ class MainBuilder {
         builder_(program, program.functions[program.entry].span) {}
 
   void Run() {
+    leaves_.reserve(16);
     const Function& entry = program_.functions[program_.entry];
     for (std::size_t i = 0; i < entry.parameters.size(); ++i)
       PrepareParameter(entry.parameters[i], signature_.parameters[i]);
@@ -99,7 +101,7 @@ class MainBuilder {
     const bool writes = var.storage != Storage::kIn;
     Carrier whole{kNoPart, var.type, var.name, var.span, CursorOf(parameter), parameter.row_major};
     if (!writes && program_.types[var.type].IsScalarOrVector()) {
-      const std::vector<Carrier> leaves = LeavesOf(whole);
+      const std::span<const Carrier> leaves = LeavesOf(whole);
       if (!leaves.empty()) arguments_.push_back(Input(leaves.front()));
       return;
     }
@@ -154,21 +156,21 @@ class MainBuilder {
 
   // ---- taking types apart
 
-  std::vector<Carrier> LeavesOf(const Carrier& whole) {
-    std::vector<Carrier> leaves;
-    leaves.reserve(16);
+  // The span is valid until the next call.
+  std::span<const Carrier> LeavesOf(const Carrier& whole) {
+    leaves_.clear();
     Cursor cursor = whole.cursor;
-    Collect(whole, cursor, leaves);
-    return leaves;
+    Collect(whole, cursor);
+    return leaves_;
   }
 
   // The leaves of the piece, with the semantics that `cursor`, which moves on, gives them.
-  void Collect(const Carrier& piece, Cursor& cursor, std::vector<Carrier>& leaves) {
+  void Collect(const Carrier& piece, Cursor& cursor) {
     const Type type = program_.types[piece.type];
     switch (type.kind) {
       case TypeKind::kError: return;
       case TypeKind::kScalar:
-      case TypeKind::kVector: CollectLeaf(piece, cursor, leaves); return;
+      case TypeKind::kVector: CollectLeaf(piece, cursor); return;
       case TypeKind::kMatrix:
       case TypeKind::kArray:
       case TypeKind::kStruct: break;
@@ -181,15 +183,15 @@ class MainBuilder {
     // as vkd3d's test of matrix semantics has it, which passes on Microsoft's compiler.
     const bool by_column = type.kind == TypeKind::kMatrix && !piece.row_major;
     const std::uint32_t count = by_column ? type.columns : program_.types.PartCount(piece.type);
-    for (std::uint32_t i = 0; i < count && leaves.size() < kMaxLeaves; ++i) {
+    for (std::uint32_t i = 0; i < count && leaves_.size() < kMaxLeaves; ++i) {
       Carrier inner = piece;
       inner.type = by_column ? program_.types.Vector(type.scalar, type.rows)
                              : program_.types.PartType(piece.type, i);
       inner.part = Inside(piece.part, i, by_column ? type.columns : std::uint8_t{0});
       if (type.kind == TypeKind::kStruct)
-        CollectField(inner, program_.types[type.structure].fields[i], cursor, leaves);
+        CollectField(inner, program_.types[type.structure].fields[i], cursor);
       else
-        Collect(inner, cursor, leaves);
+        Collect(inner, cursor);
     }
   }
 
@@ -210,21 +212,20 @@ class MainBuilder {
                             : builder_.Part(whole, part.number);
   }
 
-  void CollectField(Carrier& piece, const Field& field, Cursor& cursor,
-                    std::vector<Carrier>& leaves) {
+  void CollectField(Carrier& piece, const Field& field, Cursor& cursor) {
     piece.name += "." + field.name;
     piece.span = field.span;
     piece.row_major = field.row_major;
     // A semantic on the struct as a whole overrides those of its fields (DXC: "semantic override").
-    if (cursor.given) return Collect(piece, cursor, leaves);
+    if (cursor.given) return Collect(piece, cursor);
     Cursor own = CursorOf(field);
     if (own.interpolation == Interpolation::kDefault) own.interpolation = cursor.interpolation;
     own.centroid = own.centroid || cursor.centroid;
     own.sample = own.sample || cursor.sample;
-    Collect(piece, own, leaves);
+    Collect(piece, own);
   }
 
-  void CollectLeaf(const Carrier& piece, Cursor& cursor, std::vector<Carrier>& leaves) {
+  void CollectLeaf(const Carrier& piece, Cursor& cursor) {
     // fxc refuses (X3502); Slang names such an input or output after itself, and nothing wrong can
     // come of it.
     if (!cursor.given) {
@@ -233,7 +234,7 @@ class MainBuilder {
       diagnostics_.Report(piece.span, diag::SemanticMissing, piece.name,
                           fmt::format("{}{}", cursor.semantic.name, cursor.semantic.index));
     }
-    Carrier& leaf = leaves.emplace_back(piece);
+    Carrier& leaf = leaves_.emplace_back(piece);
     leaf.cursor = cursor;
     if (cursor.span) leaf.span = cursor.span;
     ++cursor.semantic.index;
@@ -446,6 +447,7 @@ class MainBuilder {
   std::vector<StmtId> body_;
   std::vector<ExprId> arguments_;
   std::vector<Part> parts_;
+  std::vector<Carrier> leaves_;  // of LeavesOf
   std::vector<Carrier> pending_outputs_;
   std::vector<Distance> clip_, cull_;
   std::map<std::string, Span> seen_inputs_, seen_outputs_;
