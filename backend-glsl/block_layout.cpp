@@ -61,7 +61,7 @@ class Comparer {
     const Std140Extent vector = VectorExtent(scalar_size, length);
     const auto alignment = std::max(vector.alignment, row_);
     const auto stride = static_cast<std::uint32_t>(RoundUp(vector.size, alignment));
-    if (stride != RoundUp(scalar_size * length, row_)) return std::nullopt;
+    if (stride != RoundUp(std::uint64_t{scalar_size} * length, row_)) return std::nullopt;
     const MatrixLayout layout = row_major ? MatrixLayout::kColumnMajor : MatrixLayout::kRowMajor;
     return Std140Extent{stride * registers, alignment,
                         shape.kind == Shape::kMatrix ? layout : MatrixLayout::kNone};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <span>
 
@@ -98,7 +99,8 @@ DiscardCode WriteDiscard(const ir::Program& program, const Target& target, const
   for (std::size_t i = 0; i < program.outputs.size(); ++i) {
     if (program.outputs[i].semantic != ir::kClipPlaneDistance) continue;
     const GlslInfo::Variable& variable = info.outputs[i];
-    const int count = program.types[program.vars[program.outputs[i].var].type].Components();
+    const std::uint32_t count =
+        program.types[program.vars[program.outputs[i].var].type].Components();
     const std::string type = count == 1 ? "float" : fmt::format("vec{}", count);
     if (variable.location)
       code.declarations += fmt::format("layout(location = {}) ", *variable.location);

@@ -20,7 +20,7 @@ struct Need {
   // variable, semantic or `what` and the target's.
   const Plain* plain = nullptr;
   const Named* named = nullptr;
-  std::string_view what = "";
+  std::string_view what = {};
 };
 
 // Null when every target has it.

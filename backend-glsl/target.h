@@ -76,7 +76,7 @@ enum class Feature : std::uint8_t {
 // the shader must name.
 struct Support {
   bool has = false;
-  std::string_view extension = "";
+  std::string_view extension = {};
 };
 
 // The binding of register n of a letter is n + shift: in one register space, or in all.

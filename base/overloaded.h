@@ -22,9 +22,9 @@ template <typename Visitor, typename Variant>
 constexpr decltype(auto) Visit(Visitor&& visitor, Variant& variant) {
   constexpr std::size_t kSize = std::variant_size_v<std::remove_const_t<Variant>>;
   static_assert(kSize <= 20);
-#define CLIPC_CASE(N)                                                   \
-  case N:                                                               \
-    if constexpr (N < kSize) return visitor(*std::get_if<N>(&variant)); \
+#define CLIPC_CASE(N)                                                       \
+  case N:                                                                   \
+    if constexpr ((N) < kSize) return visitor(*std::get_if<(N)>(&variant)); \
     [[fallthrough]];
   // clang-format off
   switch (variant.index()) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 
 // The functions that HLSL has built in and the IR keeps as calls: one row of ir/intrinsics.def
 // each, where the columns are explained.
@@ -14,10 +15,12 @@ enum class Intrinsic : std::uint8_t {
 #include "ir/intrinsics.def"
 };
 
-inline constexpr std::size_t kIntrinsicCount = 0
-#define INTRINSIC(...) +1
+inline constexpr std::size_t kIntrinsicCount =
+    std::initializer_list<Intrinsic>{
+#define INTRINSIC(Enumerator, ...) Intrinsic::k##Enumerator,
 #include "ir/intrinsics.def"
-    ;
+    }
+        .size();
 
 // One argument, or the result.
 struct IntrinsicSlot {

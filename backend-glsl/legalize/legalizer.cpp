@@ -92,6 +92,7 @@ void Legalizer::BecomeCall(ExprId expr, std::string_view name, std::span<const E
                            const Define& define) {
   static constexpr std::string_view kNames[] = {"a", "b", "c", "d"};
   std::vector<Parameter> parameters;
+  parameters.reserve(arguments.size());
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     parameters.push_back({kNames[i], program.exprs[arguments[i]].type});
   }
