@@ -41,7 +41,7 @@ constexpr Need kStorageBuffer = {Feature::kStorageBuffers, nullptr, &diag::Targe
 constexpr Row<ObjectKind> kObjects[] = {
     {ObjectKind::kTexture1D, {Feature::kTexture1D, nullptr, &diag::TargetTexture1D}},
     {ObjectKind::kSampler1D, {Feature::kTexture1D, nullptr, &diag::TargetTexture1D}},
-    // And what kTexture1D needs.
+    // A Texture1DArray needs what a Texture1D needs, too.
     {ObjectKind::kTexture1DArray, {Feature::kTextureArrays, nullptr, &diag::TargetTextureArray}},
     {ObjectKind::kTexture2DArray, {Feature::kTextureArrays, nullptr, &diag::TargetTextureArray}},
     {ObjectKind::kTextureCubeArray, {Feature::kCubeArrays, nullptr, &diag::TargetCubeArray}},

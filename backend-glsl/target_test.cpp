@@ -25,7 +25,6 @@ TEST(TargetTest, VersionLines) {
   EXPECT_EQ(Of("vulkan").VersionLine(), "#version 460");
 }
 
-// design/glsl.md, "Version gates".
 TEST(TargetTest, VersionGates) {
   EXPECT_FALSE(Of("glsl150").Has(Feature::kInputLocations));
   EXPECT_TRUE(Of("glsl330").Has(Feature::kInputLocations));

@@ -20,7 +20,7 @@ TEST(Catalogue, PrintedNamesAreUniqueAndReadBack) {
   EXPECT_EQ(DiagIdOf("no-such-thing"), std::nullopt);
 }
 
-// No full stop at the end; codes look like X3084.
+// A text does not end in a full stop; a code looks like X3084.
 TEST(Catalogue, WordingAndCodes) {
   for (std::size_t i = 0; i < kDiagCount; ++i) {
     const DiagInfo& info = InfoOf(static_cast<DiagId>(i));

@@ -91,7 +91,7 @@ class ObjectReader {
     return &*found;
   }
 
-  // Call when every known key was read.
+  // Reports a key that is not known. Call it after every known key was read.
   void NothingElse() {
     if (error_.empty() && known_ != json_.size())
       Fail("", "has a key that this clipc does not know");

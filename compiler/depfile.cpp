@@ -4,7 +4,7 @@
 namespace clipc {
 namespace {
 
-// GNU make's rules, as GCC writes them.
+// Escapes a path for GNU make, as GCC does.
 std::string Escaped(const std::string& path) {
   std::string out;
   for (std::size_t i = 0; i < path.size(); ++i) {

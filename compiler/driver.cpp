@@ -126,8 +126,8 @@ int Driver::Run() {
   return exit_code;
 }
 
-// On as many threads as were asked for; what is said and written comes in the order of the inputs
-// all the same.
+// Compiles on as many threads as were asked for. Messages and files come in the order of the
+// inputs.
 int Driver::CompileAll() {
   const std::size_t count = command_.inputs.size();
   std::vector<std::optional<CompileResult>> results(count);
@@ -203,7 +203,7 @@ void Driver::Show(const CompileResult& result) {
   }
 }
 
-// What is to be said of the options, and of the names of the outputs.
+// Shows the warnings about the options and the names of the outputs.
 void Driver::ShowNotices() {
   Diagnostics& notices = command_.notices;
   for (const Outputs& outputs : outputs_) {
@@ -243,8 +243,8 @@ void Driver::AddShaders(CompileResult& result, const Outputs& outputs, OutputFil
   }
 }
 
-// Empty on success. A failed compile has no files, but perhaps a dump of a stage before the
-// failure. Takes the texts out of the result.
+// Returns an empty text on success. A failed compile has no files, but perhaps a dump of a stage
+// before the failure. The texts are moved out of the result.
 std::string Driver::Write(CompileResult& result, const Outputs& outputs) {
   FileSet sources;
   for (const std::string& source : result.dependencies) sources.Add(source);

@@ -11,7 +11,7 @@
 namespace clipc {
 namespace {
 
-// In the order of the enumerators.
+// The names of the kinds, in the order of the enumerators.
 constexpr const char* kLiteralKinds[] = {"bool", "int",   "uint",   "int64", "uint64",
                                          "half", "float", "double", "string"};
 

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Text of the user's may be anything; a JSON document is UTF-8.
+// The user's text may be any bytes; a JSON document is UTF-8.
 std::string Dump(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -37,7 +37,7 @@ void AppendMsvcLine(const Message& message, std::string& out) {
   } else {
     fmt::format_to(end, "{}({},{})", place.file, place.line, place.column);
   }
-  // Readers of build logs look for a severity and a code before the text.
+  // Programs that read build logs look for a severity and a code before the text.
   if (message.severity == Severity::kNote) {
     fmt::format_to(end, ": note: {}\n", message.text);
   } else if (message.code.empty()) {

@@ -77,7 +77,7 @@ std::string OutputFiles::Prepare(File& file) {
       return Problem(file.path);
     }
     if (!S_ISREG(status.st_mode)) return {};
-    // Renaming needs no leave to write the file itself; whoever took that leave away meant it.
+    // Renaming needs no permission to write the file itself; a file without it is not replaced.
     if (access(file.path.c_str(), W_OK) != 0) return Problem(file.path);
     file.path = BehindLinks(file.path);
     mode = status.st_mode & 07777;
@@ -94,7 +94,7 @@ std::string OutputFiles::Commit() {
   for (File& file : files_) {
     if (std::string problem = Prepare(file); !problem.empty()) return problem;
   }
-  // What may fail goes before what hardly can.
+  // Writing, which may fail, comes before renaming, which hardly can.
   for (const File& file : files_) {
     if (!file.temporary.empty()) continue;
     const bool is_stdout = file.path == "-";

@@ -170,8 +170,9 @@ Word Machine::UndefinedOf(Scalar kind, std::size_t component, bool negated) cons
   return ConvertBits(BitsOf(value), Scalar::kDouble, RepOf(kind));
 }
 
-// A bit of a hash of EvalOptions::undefined and of how many were read: the product of two such
-// values then has no sign of its own. The first is not negated.
+// The sign of an undefined value is a bit of a hash of EvalOptions::undefined and of the number of
+// such values read before, so that the sign of a product of two is not fixed. The first keeps its
+// sign.
 bool Machine::NextUndefinedIsNegated() {
   const std::uint64_t hash =
       (BitsOf(options_.undefined) ^ 0x9e3779b97f4a7c15u * undefined_reads_) * 0xbf58476d1ce4e5b9u;

@@ -27,8 +27,8 @@ void Machine::EvalNode(ExprId, const Call& node) {
       PushUndefined(program_.exprs[argument].type);
     }
   }
-  // All arguments are evaluated before the first parameter gets its value: one may call the same
-  // function.
+  // All arguments are evaluated before the first parameter gets its value, because an argument may
+  // call the same function.
   std::size_t from = base;
   for (VarId parameter : function.parameters) {
     const std::uint32_t words = WordsOf(program_.vars[parameter].type);

@@ -37,7 +37,7 @@ std::optional<std::vector<Word>> Machine::Constant(ExprId expr) {
   return std::move(stack_);
 }
 
-// Of any type.
+// Evaluates a constant of any type.
 void Machine::EvalConstantWhole(ExprId expr) {
   if (TypeOf(expr).IsNumeric()) return Eval(expr);
   const ExprId source = SourceOf(expr);
@@ -49,7 +49,7 @@ void Machine::EvalConstantWhole(ExprId expr) {
   }
 }
 
-// Of a scalar, vector or matrix.
+// Evaluates a constant scalar, vector or matrix.
 void Machine::EvalConstant(ExprId expr) {
   is_constant_ =
       is_constant_ && !IsTooMuch() && TypeOf(expr).IsNumeric() && MayBeConstant(program_, expr);
@@ -59,7 +59,7 @@ void Machine::EvalConstant(ExprId expr) {
   --depth_;
 }
 
-// As many words as an operator may read of an operand.
+// Pushes as many words as an operator may read of an operand.
 void Machine::PushNoConstant() {
   is_constant_ = false;
   PushZeros(16);

@@ -79,8 +79,8 @@ bool Machine::IsPath(ExprId expr) const {
   return As<VarRef>(program_, expr) != nullptr;
 }
 
-// Part of a variable where it lies, so that an index into a large array copies one element; else
-// part of a value.
+// Evaluates a field or an element. A part of a variable is read in place, so that an index into a
+// large array copies one element.
 void Machine::EvalPart(ExprId expr) {
   const std::uint32_t words = WordsOf(expr);
   if (only_constants_) {

@@ -107,7 +107,7 @@ Word BoolBinary(BinaryOp op, Word left, Word right) {
 
 // ---- component-wise intrinsics
 
-// Through double: the caller rounds the result once, the same on every host.
+// The result is computed in double; the caller rounds it once, the same on every host.
 double Transcendental(Intrinsic op, double x) {
   using enum Intrinsic;
   switch (op) {

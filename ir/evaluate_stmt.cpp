@@ -25,7 +25,7 @@ void Machine::CallFunction(FunctionId id, std::size_t base) {
   if (++depth_ > kMaxCallDepth && error_.empty()) error_ = "calls are nested too deeply";
   if (Step()) Exec(function.body);
   --depth_;
-  // What a function that ends without return gives is undefined.
+  // The result of a function that ends without `return` is undefined.
   if (words != 0 && stack_.size() < base + words && error_.empty()) {
     stack_.resize(base);
     PushUndefined(function.return_type);

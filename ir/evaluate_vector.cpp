@@ -132,7 +132,7 @@ class Vectors {
     std::array<std::size_t, 4> columns{0, 1, 2, 3};
     return Minor(0, columns, size);
   }
-  // Of the rows from `row` on and the first `size` of `columns`.
+  // The determinant of the rows from `row` on and the first `size` of `columns`.
   T Minor(std::size_t row, const std::array<std::size_t, 4>& columns, std::size_t size) const {
     const std::size_t width = arguments_[0].type->columns;
     if (size == 1) return At(0, row * width + columns[0]);

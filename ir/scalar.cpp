@@ -54,7 +54,7 @@ std::uint64_t ConvertBits(std::uint64_t bits, Scalar from, Scalar to) {
     if (target == kInt || target == kUint) return UintOf(wide);
     if (target == kInt64 || target == kUint64) return wide;
     if (target == kDouble) return BitsOf(NumberOf(bits, source));
-    // From the integer at once: by way of a double a 64-bit value would round twice.
+    // The integer is converted directly: by way of a double, a 64-bit value is rounded twice.
     return BitsOf(IsSigned(source) ? static_cast<float>(Int64Of(wide)) : static_cast<float>(wide));
   }
   const double value = NumberOf(bits, source);

@@ -52,7 +52,7 @@ constexpr std::array<Type, TypeTable::kCommonCount> TypeTable::MakeCommon() {
 }
 constexpr std::array<Type, TypeTable::kCommonCount> TypeTable::kCommon = MakeCommon();
 
-// In the order of MakeCommon.
+// The position of a numeric type in kCommon.
 std::uint32_t TypeTable::NumericIndex(const Type& type) {
   std::uint32_t shape = 0;
   if (type.kind == TypeKind::kVector) shape = type.columns;

@@ -54,7 +54,7 @@ class ProgramVerifier {
   void CheckGlobals() {
     for (VarId var : program_.globals) {
       if (exprs_.failed()) return;
-      if (!Require(var.index < program_.vars.size(), "a global is no variable of this program"))
+      if (!Require(var.index < program_.vars.size(), "a global is not a variable of this program"))
         return;
       const Var& global = program_.vars[var];
       exprs_.where = "global " + global.name;
@@ -119,7 +119,7 @@ class ProgramVerifier {
 
   void CheckParameter(VarId parameter) {
     if (!Require(parameter.index < program_.vars.size(),
-                 "a parameter is no variable of this program"))
+                 "a parameter is not a variable of this program"))
       return;
     const Storage storage = program_.vars[parameter].storage;
     Require(storage == Storage::kIn || storage == Storage::kOut || storage == Storage::kInOut,

@@ -82,7 +82,7 @@ void ExprVerifier::CheckTree(ExprId expr) {
   if (expr.index >= program_.exprs.size())
     return Fail("an operand is missing or not of this program");
   if (has_parent_[expr.index]) {
-    // Not printed: the tree may contain itself.
+    // The expression is not printed, because the tree may contain itself.
     return Fail(fmt::format("expression {} has two parents", expr.index));
   }
   has_parent_[expr.index] = true;
@@ -110,8 +110,7 @@ void ExprVerifier::Check(const Zero&) {
 }
 
 void ExprVerifier::Check(const VarRef& node) {
-  if (node.var.index >= program_.vars.size())
-    return Fail("a reference to no variable of this program");
+  if (node.var.index >= program_.vars.size()) return Fail("the variable is not of this program");
   const Var& var = program_.vars[node.var];
   if (!Require(var.type == IdOf(expr_), "a reference has the variable's type")) return;
   if (scope[node.var.index] == Scope::kVisible) return;
@@ -302,7 +301,7 @@ void ExprVerifier::Check(const Construct& node) {
 
 void ExprVerifier::Check(const Call& node) {
   if (node.function.index >= program_.functions.size())
-    return Fail("a call of no function of this program");
+    return Fail("the called function is not of this program");
   calls.push_back(node.function);
   const Function& function = program_.functions[node.function];
   Require(function.return_type == IdOf(expr_), "a call has the function's return type");

@@ -38,7 +38,7 @@ class InterfaceVerifier {
   }
   bool Known(VarId var, const std::string& what) {
     if (var.index < program_.vars.size()) return true;
-    Fail(what + " is no variable of this program");
+    Fail(what + " is not a variable of this program");
     return false;
   }
 
@@ -57,7 +57,7 @@ class InterfaceVerifier {
       if (!var.type || program_.types[var.type].kind == TypeKind::kError)
         Fail("variable " + var.name + " has no type");
       if (var.storage == Storage::kUniform && var.cbuffer.index >= program_.cbuffers.size()) {
-        Fail("uniform " + var.name + " is in no cbuffer");
+        Fail("uniform " + var.name + " is not in a cbuffer");
       }
     }
   }
@@ -86,7 +86,7 @@ class InterfaceVerifier {
       if (builtins[bit]) Fail(what + " gives its builtin a second time");
       builtins[bit] = true;
       if (!FitsBuiltin(io.builtin, var.type, storage))
-        Fail(what + " has not its builtin's direction and type");
+        Fail(what + " does not have the direction and type of its builtin");
     }
   }
 
@@ -124,10 +124,10 @@ class InterfaceVerifier {
   void CheckCbuffer(CbufferId id) {
     const Cbuffer& buffer = program_.cbuffers[id];
     const std::string what = "cbuffer " + buffer.name;
-    if (buffer.size % 16 != 0) Fail(what + " has a size that is no multiple of 16");
-    if (buffer.count == 0) Fail(what + " is an array of nothing");
+    if (buffer.size % 16 != 0) Fail(what + " has a size that is not a multiple of 16");
+    if (buffer.count == 0) Fail(what + " is an array without elements");
     if (buffer.kind == CbufferKind::kConstantBuffer && buffer.members.size() != 1) {
-      Fail(what + " is a ConstantBuffer and has not one member");
+      Fail(what + " is a ConstantBuffer without exactly one member");
     }
     for (const CbufferMember& member : buffer.members) {
       if (!Known(member.var, "a member of " + what)) return;
@@ -155,12 +155,12 @@ class InterfaceVerifier {
         Fail(what + " has a value after its lowering");
       if (!plane.whole_register) continue;
       if (plane.cbuffer.index >= program_.cbuffers.size()) {
-        Fail(what + " is a whole register of no cbuffer");
+        Fail(what + " is a whole register without a cbuffer");
         continue;
       }
       const Cbuffer& buffer = program_.cbuffers[plane.cbuffer];
       if (plane.offset % 16 != 0 || std::uint64_t{plane.offset} + 16 > buffer.size) {
-        Fail(what + " is no register of its cbuffer");
+        Fail(what + " is not a register of its cbuffer");
       }
       if (plane.element >= buffer.count) Fail(what + " is in a buffer past the end of the array");
     }

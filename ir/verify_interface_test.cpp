@@ -87,7 +87,7 @@ TEST_F(InterfaceRules, OnePosition) {
 }
 TEST_F(InterfaceRules, ClipDistanceIsASmallFloatArray) {
   AddOutput(shader.types.Array(F(), 9), Builtin::kClipDistance);
-  ExpectProblem("not its builtin's direction and type");
+  ExpectProblem("the direction and type of its builtin");
 }
 TEST_F(InterfaceRules, ClipDistance) {
   AddOutput(shader.types.Array(F(), 8), Builtin::kClipDistance);
@@ -95,12 +95,12 @@ TEST_F(InterfaceRules, ClipDistance) {
 }
 TEST_F(InterfaceRules, VertexIdIsNoOutput) {
   AddOutput(shader.types.Make(Scalar::kUint), Builtin::kVertexId);
-  ExpectProblem("not its builtin's direction and type");
+  ExpectProblem("the direction and type of its builtin");
 }
 
 TEST_F(InterfaceRules, CbufferSize) {
   shader.cbuffers[shader.camera].size = 100;
-  ExpectProblem("no multiple of 16");
+  ExpectProblem("not a multiple of 16");
 }
 TEST_F(InterfaceRules, MembersInside) {
   shader.cbuffers[shader.camera].size = 96;
@@ -116,7 +116,7 @@ TEST_F(InterfaceRules, MembersAreTheBuffersOwn) {
 }
 TEST_F(InterfaceRules, UniformInABuffer) {
   shader.AddVar("stray", F(), Storage::kUniform);
-  ExpectProblem("is in no cbuffer");
+  ExpectProblem("is not in a cbuffer");
 }
 TEST_F(InterfaceRules, MemberOffset) {
   shader.cbuffers[shader.camera].members[2].offset = 98;
@@ -124,7 +124,7 @@ TEST_F(InterfaceRules, MemberOffset) {
 }
 TEST_F(InterfaceRules, ConstantBufferHasOneMember) {
   shader.cbuffers[shader.camera].kind = CbufferKind::kConstantBuffer;
-  ExpectProblem("has not one member");
+  ExpectProblem("without exactly one member");
 }
 TEST_F(InterfaceRules, ResourceStorage) {
   shader.resources.push_back({shader.counter, {}});
@@ -155,11 +155,11 @@ TEST_F(InterfaceRules, ClipPlaneHasNoEffect) {
 }
 TEST_F(InterfaceRules, ClipPlaneRegister) {
   AddPlane(Plane()).offset = 72;
-  ExpectProblem("no register of its cbuffer");
+  ExpectProblem("not a register of its cbuffer");
 }
 TEST_F(InterfaceRules, ClipPlaneRegisterInside) {
   AddPlane(Plane()).offset = 112;
-  ExpectProblem("no register of its cbuffer");
+  ExpectProblem("not a register of its cbuffer");
 }
 TEST_F(InterfaceRules, ClipPlaneElement) {
   AddPlane(Plane()).element = 1;
@@ -167,7 +167,7 @@ TEST_F(InterfaceRules, ClipPlaneElement) {
 }
 TEST_F(InterfaceRules, ClipPlaneBuffer) {
   AddPlane(Plane()).cbuffer = {};
-  ExpectProblem("a whole register of no cbuffer");
+  ExpectProblem("a whole register without a cbuffer");
 }
 TEST_F(InterfaceRules, SixClipPlanes) {
   for (int i = 0; i < 7; ++i) AddPlane(Plane());

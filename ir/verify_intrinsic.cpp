@@ -99,7 +99,7 @@ bool MatchesMul(const Type& result, const Type& left, const Type& right) {
          result.columns == right.columns;
 }
 
-// mul, asfloat, asint, asuint.
+// The functions that no signature describes: mul, asfloat, asint and asuint.
 bool MatchesSpecial(const TypeTable& types, Intrinsic op, TypeId result_id,
                     const std::vector<TypeId>& arguments) {
   using enum Scalar;

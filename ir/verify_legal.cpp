@@ -48,7 +48,7 @@ std::string_view BrokenBy(const Program& program, const IntrinsicCall& call) {
     case kLog10:
     case kLdexp:
     case kFmod:
-    case kSincos: return "the function is short for others";
+    case kSincos: return "the function stands for others, which a pass writes in its place";
     default: break;
   }
   return IsMatrix(type) ? "the function takes no matrix" : std::string_view{};

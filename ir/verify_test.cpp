@@ -90,7 +90,7 @@ TEST_F(Verifier, RefHasVariableType) {
   ExpectProblemIn(build.Add(F(3), VarRef{shader.parameter}), "the variable's type");
 }
 TEST_F(Verifier, RefToNothing) {
-  ExpectProblemIn(build.Add(F(3), VarRef{VarId{9999}}), "no variable of this program");
+  ExpectProblemIn(build.Add(F(3), VarRef{VarId{9999}}), "the variable is not of this program");
 }
 TEST_F(Verifier, FieldOfStruct) {
   ExpectProblemIn(build.Add(F(), FieldRef{V(), 0}), "a field is of a struct");
@@ -307,7 +307,8 @@ TEST_F(Verifier, CallType) {
   ExpectProblemIn(build.Add(I(), Call{f, {}}), "the function's return type");
 }
 TEST_F(Verifier, CallOfNothing) {
-  ExpectProblemIn(build.Add(F(), Call{FunctionId{99}, {}}), "no function of this program");
+  ExpectProblemIn(build.Add(F(), Call{FunctionId{99}, {}}),
+                  "the called function is not of this program");
 }
 TEST_F(Verifier, NoRecursion) {
   const FunctionId f = shader.AddFunction("f", F(), {}, {});

@@ -12,13 +12,13 @@
 namespace clipc::passes {
 namespace {
 
-// The program on its way, and what was asked for.
+// The program, and the options of its run.
 struct Run {
   ir::Program& program;
   const PipelineOptions& options;
 };
 
-// The order is the design. Each line says why it stands where it stands.
+// The order is the design. The comment on a pass says why it stands where it stands.
 constexpr ir::Pass<Run> kPipeline[] = {
     // Planes are given in Direct3D clip space, so before the depth range changes.
     {"lower-clip-planes", [](Run& run) { LowerClipPlanes(run.program, run.options.clip_planes); },

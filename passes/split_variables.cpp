@@ -153,7 +153,7 @@ class Splitter {
     }
   }
 
-  // Only from a zero or from one value for each part, which does not read the variable itself.
+  // The value must be a zero, or one value for each part, and must not read the variable itself.
   void Define(Candidate& candidate, ExprId value, bool is_declaration) {
     std::size_t uses = 0;
     for (const Part& part : candidate.parts) uses += part.uses.size();
@@ -201,7 +201,7 @@ class Splitter {
       part.becomes = OutputOf(part);
       is_interface |= part.becomes.operator bool();
     }
-    if (!is_interface) return;  // the shader's own business
+    if (!is_interface) return;  // neither an input nor an output is involved
     for (Part& part : candidate.parts) {
       if (part.becomes) {
         is_replaced_[part.uses.back().stmt] = true;
@@ -229,7 +229,7 @@ class Splitter {
     }
   }
 
-  // An input that the shader does not look at.
+  // Whether the part is an input that the shader never reads.
   bool IsNeverRead(const Part& part) const {
     if (part.uses.size() != 1 || part.uses.front().stmt >= before_end_) return false;
     const Assign* assign = AssignmentAt(part.uses.front().stmt);
@@ -315,7 +315,7 @@ class Splitter {
   std::array<std::byte, 8192> buffer_;
   std::pmr::monotonic_buffer_resource memory_{buffer_.data(), buffer_.size()};
   std::pmr::vector<StmtId> stmts_{&memory_};
-  // What stands in front of a statement, or for it.
+  // The statements that stand in front of a statement, or for it.
   std::pmr::vector<std::pmr::vector<StmtId>> replaced_{&memory_};
   std::vector<bool> is_replaced_;
   std::size_t now_ = 0;

@@ -44,7 +44,7 @@ struct Block {
 };
 
 CLIPC_BLOCK_FUNCTION float Magnitude(float number) { return number < 0 ? -number : number; }
-// Of a number and a NaN `b`, the number.
+// The larger of two numbers; of a number and a NaN `b`, the number.
 CLIPC_BLOCK_FUNCTION float Larger(float a, float b) { return a < b ? b : a; }
 
 CLIPC_BLOCK_FUNCTION bool IsZero(const Float4& plane) {

@@ -14,7 +14,7 @@ struct Block {
   std::uint32_t code[kBlock];
 };
 
-// `bit` unless `inside`. Written so that NaN, for which every comparison is false, is outside.
+// Returns `bit` unless `inside`. NaN, for which every comparison is false, is outside.
 std::uint32_t Unless(bool inside, std::uint32_t bit) { return inside ? 0 : bit; }
 
 std::uint32_t FrustumCode(float x, float y, float z, float w) {

@@ -64,7 +64,7 @@ Status Level9Binder::Bind(const Table& table, const BoundBuffer* buffers, std::s
   }
   const std::uint32_t mask = table.enable_mask & needed;
 
-  // What must change. Nothing is told to the device until everything is known to be good.
+  // The planes that must change. The device is told nothing until all of them are known to be good.
   float changed[kMaxClipPlanes][4];
   std::uint32_t changed_planes = 0;
   for (std::uint32_t i = 0; mask >> i != 0; ++i) {

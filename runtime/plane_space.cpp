@@ -20,7 +20,8 @@ Result<PlaneConstant> ObjectConstant(const Plane& plane, KnownIn known_in,
     case KnownIn::kObject: return ObjectPlaneFromWorld(plane, Matrix{});
     case KnownIn::kWorld: return ObjectPlaneFromWorld(plane, draw.world);
     default: {
-      // Step by step: a product of the matrices would lose digits far from the origin.
+      // The plane goes through one matrix after the other: their product would lose digits far from
+      // the origin.
       const Result<PlaneConstant> in_world = ObjectPlaneFromWorld(plane, draw.view);
       return in_world.ok() ? ObjectPlaneFromWorld(in_world.value.plane, draw.world) : in_world;
     }

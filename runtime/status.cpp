@@ -8,7 +8,7 @@
 namespace clipc::runtime {
 namespace {
 
-// In the order of the enumerators.
+// The names of the errors, in the order of the enumerators.
 constexpr const char* kErrorNames[] = {
     "none",          "out of memory",   "invalid argument",  "damaged table",    "wrong lowering",
     "invalid call",  "missing buffer",  "short buffer",      "not finite",       "device failed",

@@ -74,7 +74,7 @@ void LowerBinary(Legalizer& legalizer, ExprId expr, Binary node) {
   }
 }
 
-// What the call is short for; none for other calls.
+// The expression that the call stands for; none for other calls.
 ExprId Meaning(Legalizer& legalizer, ExprId expr, Intrinsic op,
                const std::array<ExprId, 3>& argument) {
   Builder b = legalizer.At(expr);

@@ -48,7 +48,8 @@ void LowerConvert(Legalizer& legalizer, ExprId expr, const Convert& node) {
   legalizer.ByRows(expr, "to_" + GlslName(to.scalar));
 }
 
-// What is not done for each component: LowerMatrixFunctions and LowerWrittenArguments have these.
+// Functions that do not work component by component: LowerMatrixFunctions and
+// LowerWrittenArguments have these.
 bool IsOfWholeMatrix(const Program& program, const IntrinsicCall& call) {
   if (CategoryOf(call.op) == IntrinsicCategory::kVectors) return true;
   for (std::size_t i = 0; i < program.expr_lists[call.arguments].size(); ++i) {

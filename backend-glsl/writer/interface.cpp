@@ -18,7 +18,7 @@ using namespace ir;
 
 namespace {
 
-// A headset's: OVR_multiview wants the number in the shader.
+// Two views, as for a headset: OVR_multiview requires the number in the shader.
 constexpr int kViews = 2;
 
 // "  // TEXCOORD0" and the end of the line.

@@ -14,7 +14,7 @@ using namespace ir;
 
 namespace {
 
-// Whether the program says of both numbers what they are, and the first is the smaller one.
+// Whether both numbers are known constants, and the first is the smaller one.
 bool AreInOrder(const Operand& low, const Operand& high) {
   const auto number = [](const Constant& constant) {
     return NumberOf(constant.bits, constant.kind);
@@ -49,7 +49,7 @@ Text ReduceOn(Code& code, const char* function, const Operand& operand) {
 Text MulText(Code& code, ExprId left, ExprId right, const Shape& result) {
   Operand a = OperandOf(code, left), b = OperandOf(code, right);
   if (a.shape.IsScalar() || b.shape.IsScalar()) {
-    // Of a scalar with anything, or of float1x1 with a row: the scalar stands for all components.
+    // A product of a scalar with anything, or of float1x1 with a row: the scalar stands for all.
     Operand& scalar = a.shape.IsScalar() ? a : b;
     if (!result.IsScalar() && !(a.shape.IsScalar() && b.shape.IsScalar())) {
       scalar.is_scalar = true;

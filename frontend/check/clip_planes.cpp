@@ -50,7 +50,7 @@ class Operand {
  public:
   Operand(Context& context, std::string_view text) : context_(context), text_(text) {}
 
-  // Nothing after an error, which was reported.
+  // Returns nothing after an error, which was reported.
   std::optional<Addresses> Components(ExprId id) {
     if (const auto* swizzle = context_.GetIf<Swizzle>(id)) {
       const auto base = Components(swizzle->base);
@@ -132,7 +132,7 @@ class Operand {
     return path;
   }
 
-  // In bounds: CheckExpr saw to it (X3504).
+  // The index is in bounds: CheckExpr reports others (X3504).
   std::optional<Path> OfIndex(const Index& index) {
     auto path = Follow(index.base);
     if (!path) return std::nullopt;
@@ -226,7 +226,7 @@ const ast::Attr* TheAttribute(Context& context, const AttributeLists& lists) {
   return first;
 }
 
-// What the rest of the shader must be like for any clip plane to make sense.
+// Checks what the rest of the shader must be like if it has clip planes.
 bool CheckSurroundings(Context& context, const ast::Attr& attribute) {
   const Program& program = context.program;
   const std::span<const ast::ExprId> operands = context[attribute.arguments];

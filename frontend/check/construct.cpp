@@ -21,7 +21,7 @@ ExprId ConstructStruct(Context& context, TypeId type, ExprSpan arguments, Span s
   return context.Fail(span, diag::NotConstructible, context.TypeName(type));
 }
 
-// From scalars and vectors whose components add up; matrices among them are taken apart.
+// A vector of scalars and vectors whose components add up; matrices among them are taken apart.
 ExprId ConstructVector(Context& context, TypeId type, ExprSpan arguments, Span span) {
   if (arguments.size() == 1 && context.TypeIdOf(arguments[0]) == type) return arguments[0];
   const auto is_matrix = [&](ExprId argument) {
@@ -39,7 +39,7 @@ ExprId ConstructVector(Context& context, TypeId type, ExprSpan arguments, Span s
   return WithPrologue(context, prologue, context.At(span).ConstructOf(type, parts));
 }
 
-// From rows, where the arguments make up rows; else from scalars.
+// A matrix of rows, where the arguments make up rows; otherwise of scalars.
 ExprId ConstructMatrix(Context& context, TypeId type_id, ExprSpan arguments, Span span) {
   const Type type = context[type_id];
   const auto is_scalar = [&](ExprId argument) {

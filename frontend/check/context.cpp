@@ -4,8 +4,8 @@
 namespace clipc::check {
 namespace {
 
-// Of expressions, statements and declarations inside each other. Frames of the checker are small
-// enough for a stack of 8 MiB, sanitizers included.
+// The levels of expressions, statements and declarations inside each other. The checker's frames
+// are small enough for a stack of 8 MiB, with sanitizers too.
 constexpr int kMaxCheckDepth = 2500;
 
 }  // namespace

@@ -130,7 +130,7 @@ ExprId CheckNode(Context& context, const ast::ConditionalExpr& expr, Span span) 
     condition = Hoist(context, condition, prologue);
     const bool is_literal = context.Is<Literal>(when_true);
     if (!is_literal) when_true = Hoist(context, when_true, prologue);
-    // Last in order: nothing comes between it and the choice.
+    // The last value is evaluated directly before the choice.
     if (!IsPure(context.program, when_false)) when_false = Hoist(context, when_false, prologue);
   }
   return WithPrologue(context, prologue,

@@ -12,7 +12,7 @@ namespace {
 
 // A function, or a method for objects of type `self`.
 FunctionInfoId InfoOfFunction(Context& context, SymbolId id, TypeId self) {
-  // A static method is the same one for all that derive from its struct.
+  // A static method is one function for all structs that derive from its own.
   if (DeclOf(context, id).qualifiers & ast::kStatic) self = {};
   FunctionInfoId& known = context.functions.of_symbol[Overloads::KeyOf(id, self)];
   if (!known) known = AddFunction(context, id, self);

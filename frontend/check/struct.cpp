@@ -86,7 +86,7 @@ void MeasureStruct(Context& context, TypeId type, Span span) {
     info.depth = std::max(info.depth, DepthOf(context, field.type) + 1);
   }
   if (!IsTooLarge(context, type, span)) return;
-  // What is too large to walk is left without fields.
+  // A struct that is too large to walk is left without fields.
   info.components = 0;
   info.depth = 1;
   info.fields.clear();

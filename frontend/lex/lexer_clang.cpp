@@ -169,7 +169,7 @@ class Callbacks : public clang::PPCallbacks {
   Callbacks(Source::State& source, clang::Preprocessor& preprocessor, clang::HeaderSearch& search)
       : source_(source), preprocessor_(preprocessor), search_(search) {}
 
-  // True: go on. InclusionDirective, which is called next, has the place for a message.
+  // `true` lets Clang go on; InclusionDirective, which it calls next, has the place for a message.
   bool FileNotFound(llvm::StringRef) override { return true; }
 
   void InclusionDirective(SourceLocation, const clang::Token&, llvm::StringRef name, bool,

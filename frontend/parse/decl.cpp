@@ -24,7 +24,7 @@ File Parser::Run() {
   return std::move(file_);
 }
 
-// At what can only be a statement, though no function is open.
+// Whether the current token can only begin a statement, though no function is open.
 bool Parser::AtOutsideStatement() const {
   if (IsStatementWord(WordAt())) return true;
   if (!AtName()) return false;
@@ -53,7 +53,7 @@ void Parser::ParseOutsideStatements() {
   Accept(kRightBrace);
 }
 
-// Up to the `}` that closes the `{` at `open`.
+// Reads declarations up to the `}` that closes the `{` at `open`.
 void Parser::ParseMembers(Decls& decls, Scope scope, std::size_t open) {
   while (!At(kRightBrace) && !AtEnd()) ParseOrSkipDeclaration(decls, scope);
   ExpectClose(kRightBrace, open);
@@ -73,7 +73,7 @@ void Parser::ParseDeclaration(Decls& decls, Scope scope) {
   if (nesting.ok() && !ParseKeywordDeclaration(decls, scope)) ParseSpecified(decls, scope, {});
 }
 
-// A declaration that starts with a word of its own. False: there is none.
+// Reads a declaration that starts with a word of its own; returns false if there is none.
 bool Parser::ParseKeywordDeclaration(Decls& decls, Scope scope) {
   switch (WordAt()) {
     case Word::kTypedef: ParseTypedef(decls); return true;
@@ -118,7 +118,7 @@ Parser::Specifiers Parser::ParseSpecifiers(std::string_view expected) {
   return specifiers;
 }
 
-// The same, where there must be a type. False: an error was reported.
+// The same where a type must follow; returns false after an error, which was reported.
 bool Parser::ParseTypedSpecifiers(Specifiers& specifiers, std::string_view expected) {
   specifiers = ParseSpecifiers(expected);
   if (!specifiers.type) Unexpected(expected);
@@ -140,7 +140,7 @@ void Parser::ParseSpecified(Decls& decls, Scope scope, const TemplateHeader& hea
   }
 }
 
-// `struct S {...};`: a definition without declarators. False: there are declarators.
+// `struct S {...};`, a definition without declarators; returns false if there are some.
 bool Parser::ParseTypeOnly(Decls& decls, const Specifiers& specifiers) {
   const DeclId definition = file_.types[specifiers.type].struct_definition;
   if (!definition || (!At(kSemicolon) && !StructEndsHere())) return false;

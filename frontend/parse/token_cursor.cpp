@@ -17,7 +17,7 @@ TokenCursor::TokenCursor(Tokens&& tokens, Diagnostics& diagnostics)
   RemovePragmas();
 }
 
-// Keeps their places, so that looking ahead sees only the language.
+// Moves the pragmas to a list of their own, so that looking ahead sees only the language.
 void TokenCursor::RemovePragmas() {
   const auto is_pragma = [](const Token& token) { return token.kind == kPragmaPackMatrix; };
   const auto first = std::find_if(tokens_.begin(), tokens_.end(), is_pragma);

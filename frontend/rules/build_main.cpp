@@ -45,7 +45,7 @@ struct Carrier {
   bool row_major = false;  // how the matrices in it are taken apart
 };
 
-// Of a parameter, the result or a field, which say the same in the same words.
+// The cursor of a parameter, the result or a field, whose members have the same names.
 template <typename Declared>
 Cursor CursorOf(const Declared& declared) {
   return {SplitSemantic(declared.semantic), !declared.semantic.empty(), declared.semantic_span,
@@ -203,7 +203,7 @@ class MainBuilder {
     parts_.push_back({number, whole, {}, columns});
     return parts_.size() - 1;
   }
-  // A fresh expression each call.
+  // A new expression in each call.
   ExprId ValueOf(PartNumber number) {
     const Part part = parts_[number];
     if (part.variable) return builder_.Ref(part.variable);

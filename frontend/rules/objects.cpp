@@ -115,7 +115,7 @@ class MethodCheck : IntrinsicCheck {
 
   ExprId GetDimensions(int) { return CheckGetDimensions(*this, object_); }
 
-  // What asks for the level of detail of neighbouring pixels.
+  // Refuses a method that takes its level of detail from neighbouring pixels.
   ExprId ImplicitLevel(int) { return Fail(name_span, diag::MethodImplicitLevel, name); }
   ExprId Unsupported(int) { return Fail(name_span, diag::MethodUnsupported, name, ObjectName()); }
   ExprId Unknown() { return Fail(name_span, diag::MethodUnknown, ObjectName(), name); }

@@ -24,7 +24,7 @@ class Trial {
     vertex_ = IndexOf(program.inputs, &IoVar::var, input);
     position_ = IndexOf(program.outputs, &IoVar::builtin, Builtin::kPosition);
     inputs_.read_object = [](const ObjectRequest& request, std::span<std::uint64_t> result) {
-      // Some function of where it reads: a texture is seldom the same everywhere.
+      // The result is a hash of the place, since a texture is seldom the same everywhere.
       std::uint64_t hash = 14695981039346656037u;
       for (const std::uint64_t argument : request.arguments)
         hash = (hash ^ argument) * 1099511628211u;
