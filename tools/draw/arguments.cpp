@@ -31,7 +31,7 @@ std::uint32_t ParseWord(const std::string& text) {
     word = std::bit_cast<std::uint32_t>(std::strtof(text.c_str(), &end));
   }
   if (text.empty() || end != text.c_str() + text.size())
-    throw DrawError("`" + text + "` is no number");
+    throw DrawError("`" + text + "` is not a number");
   return word;
 }
 

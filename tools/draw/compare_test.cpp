@@ -243,7 +243,7 @@ TEST_F(Compare, WrongPlacesOnVulkanAreSeen) {
       ::testing::ThrowsMessage<DrawError>(::testing::HasSubstr("location 5, has no value")));
 }
 
-// Behind the end of a texture or buffer anything is right.
+// After the end of a texture or buffer every value is right.
 TEST_F(Compare, WhatLiesOutsideIsOpen) {
   const BuildOptions options = Objects();
   const Shader shader = Build(options);

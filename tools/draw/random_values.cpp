@@ -38,7 +38,7 @@ std::uint64_t UndefinedBits(const ir::ObjectRequest& request, double undefined, 
   };
   mix(request.object.index), mix(request.object_element), mix(component);
   for (const std::uint64_t argument : request.arguments) mix(argument);
-  // From -8 to 8, and never 0.
+  // The value is from -8 to 8, and never 0.
   const double value = undefined * (static_cast<double>(hash >> 54) - 511.5) / 64;
   return ir::ConvertBits(ir::BitsOf(value), ir::Scalar::kDouble, ir::BaseOf(kind));
 }

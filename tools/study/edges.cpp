@@ -58,7 +58,7 @@ class EdgeMaker {
     return edge;
   }
 
-  // Without rounding.
+  // The position in clip space, without rounding.
   Vec4<long double> ToClip(const Vec4<float>& vertex) const {
     return ConvertTo<long double>(
         Transform(Transform(Transform(ConvertTo<Wide>(vertex), world_), view_), projection_));

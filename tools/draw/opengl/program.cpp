@@ -21,7 +21,7 @@ const Value& Find(const std::vector<Value>& values, const std::string& name, con
                   "`, which has no value");
 }
 
-// Those that have a location: gl_VertexID and the members of blocks have none.
+// The variables that have a location: gl_VertexID and the members of blocks do not have one.
 std::vector<Active> List(GLuint program, GLenum count_of, decltype(glGetActiveUniform) describe,
                          decltype(glGetUniformLocation) locate) {
   GLint count = 0;
@@ -80,13 +80,13 @@ Version VersionOf(const std::string& glsl) {
 }
 
 std::optional<Shape> FindShape(GLenum type) {
-  // By kind, then by components; a bool counts as a uint.
+  // The types of vectors, by kind and then by components; a bool counts as a uint.
   constexpr GLenum kVectors[][4] = {
       {GL_FLOAT, GL_FLOAT_VEC2, GL_FLOAT_VEC3, GL_FLOAT_VEC4},
       {GL_INT, GL_INT_VEC2, GL_INT_VEC3, GL_INT_VEC4},
       {GL_UNSIGNED_INT, GL_UNSIGNED_INT_VEC2, GL_UNSIGNED_INT_VEC3, GL_UNSIGNED_INT_VEC4},
       {GL_BOOL, GL_BOOL_VEC2, GL_BOOL_VEC3, GL_BOOL_VEC4}};
-  // By columns from 2, then by rows from 2.
+  // The types of matrices, by columns from 2 and then by rows from 2.
   constexpr GLenum kMatrices[][3] = {{GL_FLOAT_MAT2, GL_FLOAT_MAT2x3, GL_FLOAT_MAT2x4},
                                      {GL_FLOAT_MAT3x2, GL_FLOAT_MAT3, GL_FLOAT_MAT3x4},
                                      {GL_FLOAT_MAT4x2, GL_FLOAT_MAT4x3, GL_FLOAT_MAT4}};

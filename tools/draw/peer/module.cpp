@@ -26,7 +26,7 @@ class Walker {
     return bytes_;
   }
 
-  // Of the array that is the structure's first member.
+  // The offsets of an element of the array that is the structure's first member.
   Offsets WalkElement(const SPIRType& structure) {
     bytes_.clear();
     Value(compiler_.get_type(structure.member_types[0]).parent_type, MatrixOf(structure, 0), 0);

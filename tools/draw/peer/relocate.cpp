@@ -20,7 +20,7 @@ Offsets BytesOf(const Program& program, const Member& member) {
   return bytes;
 }
 
-// Of an element of a structured buffer.
+// The offsets in an element of a structured buffer.
 Offsets BytesOf(const Program& program, VarId var) {
   Offsets bytes;
   ForEachComponent(

@@ -62,7 +62,7 @@ void CheckDepth(std::string_view json) {
     return !is_deep;
   };
   if (nlohmann::json::parse(json, visit, false).is_discarded() && !is_deep) {
-    throw DrawError("the file is no JSON");
+    throw DrawError("the file is not JSON");
   }
   if (is_deep) throw DrawError("the JSON is nested deeper than 64 levels");
 }
@@ -71,7 +71,7 @@ tinygltf::Model Load(const std::string& bytes, const std::string& folder) {
   const bool is_binary = bytes.starts_with("glTF");
   CheckDepth(JsonOf(bytes, is_binary));
   tinygltf::TinyGLTF loader;
-  // Pictures are not looked at.
+  // Pictures are not decoded.
   loader.SetImageLoader([](tinygltf::Image*, const int, std::string*, std::string*, int, int,
                            const unsigned char*, int, void*) { return true; },
                         nullptr);
@@ -130,7 +130,7 @@ class Converter {
     if (!extras.IsObject() || !extras.Has(key)) return standard;
     const tinygltf::Value& value = extras.Get(key);
     const double number = value.IsNumber() ? value.GetNumberAsDouble() : 0;
-    Require(number > 0, std::string("scene.extras.") + key, "is no positive number");
+    Require(number > 0, std::string("scene.extras.") + key, "is not a positive number");
     return number;
   }
 
@@ -182,10 +182,10 @@ class Converter {
 
   static void CheckSize(const std::vector<double>& list, std::size_t size,
                         const std::string& where) {
-    Require(list.size() == size, where, "is no array of " + std::to_string(size) + " numbers");
+    Require(list.size() == size, where, "is not an array of " + std::to_string(size) + " numbers");
   }
 
-  // For row vectors, as everything here.
+  // The matrix is for row vectors, as all matrices here.
   static Matrix LocalOf(const tinygltf::Node& node, const std::string& name) {
     if (!node.matrix.empty()) {
       CheckSize(node.matrix, 16, name + ".matrix");
@@ -198,7 +198,7 @@ class Converter {
       CheckSize(node.rotation, 4, name + ".rotation");
       const double length = std::hypot(std::hypot(node.rotation[0], node.rotation[1]),
                                        std::hypot(node.rotation[2], node.rotation[3]));
-      Require(std::fabs(length - 1) < 1e-2, name + ".rotation", "is no unit quaternion");
+      Require(std::fabs(length - 1) < 1e-2, name + ".rotation", "is not a unit quaternion");
       const double x = node.rotation[0] / length, y = node.rotation[1] / length;
       const double z = node.rotation[2] / length, w = node.rotation[3] / length;
       local = {{{1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w), 0},
@@ -298,7 +298,7 @@ class Converter {
     Require(from.aspectRatio >= 0, where + ".aspectRatio", "is not positive");
     to.infinite = from.zfar == 0;  // absent
     if (!to.infinite && !(from.zfar > from.znear))
-      Fail(where + ".zfar", "is no farther than `znear`");
+      Fail(where + ".zfar", "is not farther than `znear`");
     to.fov = from.yfov * 180 / std::numbers::pi;
     if (from.aspectRatio > 0) to.aspect = from.aspectRatio;
     to.near = from.znear;
@@ -309,7 +309,7 @@ class Converter {
     Require(from.xmag > 0, where + ".xmag", "is not positive");
     Require(from.ymag > 0, where + ".ymag", "is not positive");
     Require(from.znear >= 0, where + ".znear", "is negative");
-    Require(from.zfar > from.znear, where + ".zfar", "is no farther than `znear`");
+    Require(from.zfar > from.znear, where + ".zfar", "is not farther than `znear`");
     to.orthographic = true;
     to.half_height = from.ymag, to.aspect = from.xmag / from.ymag;
     to.near = from.znear, to.far = from.zfar;
@@ -396,7 +396,7 @@ class Converter {
     for (std::size_t j = 0; j < skin.joints.size(); ++j) {
       const std::string joint = place + "." + At("joints", j);
       const auto& to_world = ElementOf(to_world_, skin.joints[j], joint);
-      Require(to_world.has_value(), joint, "is no node of the scene");
+      Require(to_world.has_value(), joint, "is not a node of the scene");
       const Matrix bind = skin.inverseBindMatrices < 0 ? Matrix() : BindMatrix(skin, j, place);
       const Matrix m = Multiply(bind, *to_world);
       for (int corner = 0; corner < 8; ++corner) {

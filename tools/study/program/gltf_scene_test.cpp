@@ -197,7 +197,7 @@ TEST(GltfScene, MistakesAreNamed) {
   EXPECT_THAT(ErrorWith("/nodes/0/camera", 7), HasSubstr("`nodes[0].camera` is 7, of 1"));
   EXPECT_THAT(ErrorWith("/nodes/2/mesh", 9), HasSubstr("`nodes[2].mesh` is 9, of 4"));
   EXPECT_THAT(ErrorWith("/nodes/0/rotation", {0, 0, 0, 0}),
-              HasSubstr("`nodes[0].rotation` is no unit quaternion"));
+              HasSubstr("`nodes[0].rotation` is not a unit quaternion"));
   EXPECT_THAT(ErrorWith("/nodes/0/scale", {1, -1, 1}),
               HasSubstr("`nodes[0]` is a camera whose space is skewed or mirrored"));
   EXPECT_THAT(ErrorWith("/nodes/1/scale", {0, 1, 1}),
@@ -206,14 +206,14 @@ TEST(GltfScene, MistakesAreNamed) {
               HasSubstr("`nodes[1].extras.clip_plane` is neither true nor false"));
   EXPECT_THAT(ErrorWith("/nodes/1/extras", nullptr), HasSubstr("there is no plane to clip by"));
   EXPECT_THAT(ErrorWith("/nodes/6/matrix", {1, 2}),
-              HasSubstr("`nodes[6].matrix` is no array of 16 numbers"));
+              HasSubstr("`nodes[6].matrix` is not an array of 16 numbers"));
   EXPECT_THAT(ErrorWith("/nodes/4/scale", {1e308, 1e308, 1e308}),
               HasSubstr("is moved beyond all numbers"));
   EXPECT_THAT(ErrorWith("/nodes/2/skin", 0), HasSubstr("`nodes[2].skin` is 0, of 0"));
   EXPECT_THAT(ErrorWith("/nodes/2/extensions", {{"EXT_mesh_gpu_instancing", Json::object()}}),
               HasSubstr("draws the mesh in places"));
   EXPECT_THAT(ErrorWith("/accessors/0/min", nullptr),
-              HasSubstr("`accessors[0].min` is no array of 3 numbers"));
+              HasSubstr("`accessors[0].min` is not an array of 3 numbers"));
   EXPECT_THAT(ErrorWith("/accessors/0/min", {0, 99, 0}),
               HasSubstr("`accessors[0].min` lies above `max`"));
   EXPECT_THAT(ErrorWith("/accessors/0/type", "VEC2"),
@@ -223,9 +223,9 @@ TEST(GltfScene, MistakesAreNamed) {
   EXPECT_THAT(ErrorWith("/cameras/0/perspective/yfov", 4),
               HasSubstr("`cameras[0].perspective.yfov` is not between 0 and pi"));
   EXPECT_THAT(ErrorWith("/cameras/0/perspective/zfar", 0.01),
-              HasSubstr("`cameras[0].perspective.zfar` is no farther than `znear`"));
+              HasSubstr("`cameras[0].perspective.zfar` is not farther than `znear`"));
   EXPECT_THAT(ErrorWith("/scenes/0/extras/tolerance", 0),
-              HasSubstr("`scene.extras.tolerance` is no positive number"));
+              HasSubstr("`scene.extras.tolerance` is not a positive number"));
   EXPECT_THAT(ErrorWith("/buffers", {{{"byteLength", 4}, {"uri", "none.bin"}}}),
               HasSubstr("no glTF: "));
   EXPECT_THAT(ErrorOf("{"), HasSubstr("no JSON"));

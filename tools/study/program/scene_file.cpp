@@ -21,13 +21,13 @@ using Json = nlohmann::json;
 class Reader {
  public:
   Reader(const Json& json, std::string where) : json_(json), where_(std::move(where)) {
-    if (!json_.is_object()) Fail("", "is no object");
+    if (!json_.is_object()) Fail("", "is not an object");
   }
 
   double Number(const char* key, double standard) {
     const Json* value = Find(key);
     if (!value) return standard;
-    if (!value->is_number() || !std::isfinite(value->get<double>())) Fail(key, "is no number");
+    if (!value->is_number() || !std::isfinite(value->get<double>())) Fail(key, "is not a number");
     return value->get<double>();
   }
   double Positive(const char* key, double standard) {
@@ -42,7 +42,7 @@ class Reader {
   }
   std::string Text(const char* key, const std::string& standard) {
     const Json* value = Find(key);
-    if (value && !value->is_string()) Fail(key, "is no string");
+    if (value && !value->is_string()) Fail(key, "is not a string");
     return value ? value->get<std::string>() : standard;
   }
   template <std::size_t N>
@@ -51,9 +51,10 @@ class Reader {
     if (!value && !required) return;
     if (!value) Fail(key, "is missing");
     if (!value->is_array() || value->size() != N)
-      Fail(key, "is no array of " + std::to_string(N) + " numbers");
+      Fail(key, "is not an array of " + std::to_string(N) + " numbers");
     for (std::size_t i = 0; i < N; ++i) {
-      if (!(*value)[i].is_number()) Fail(key, "is no array of " + std::to_string(N) + " numbers");
+      if (!(*value)[i].is_number())
+        Fail(key, "is not an array of " + std::to_string(N) + " numbers");
       to[i] = (*value)[i].get<double>();
     }
   }
@@ -61,8 +62,7 @@ class Reader {
   template <typename Read>
   void List(const char* key, Read read) {
     const Json* value = Find(key);
-    if (!value || !value->is_array() || value->empty())
-      Fail(key, "is no array with something in it");
+    if (!value || !value->is_array() || value->empty()) Fail(key, "is not an array with elements");
     for (std::size_t i = 0; i < value->size(); ++i)
       read((*value)[i], where_ + key + "[" + std::to_string(i) + "].");
   }
@@ -105,7 +105,7 @@ Camera CameraFrom(Reader& reader) {
   camera.roll = reader.Number("roll", 0);
   if (camera.fov >= 180) reader.Fail("fov", "is 180 degrees or more");
   if (!camera.infinite && camera.far <= camera.near)
-    reader.Fail("far", "is no farther than `near`");
+    reader.Fail("far", "is not farther than `near`");
   if (camera.infinite && camera.orthographic) reader.Fail("infinite", "is for perspectives");
   return camera;
 }
@@ -174,7 +174,7 @@ Scene ReadScene(const std::string& path) {
   try {
     if (bytes.starts_with("glTF")) return GltfScene(bytes, FolderOf(path));
     const Json json = Json::parse(bytes, nullptr, false);
-    if (json.is_discarded()) throw DrawError("the file is no JSON");
+    if (json.is_discarded()) throw DrawError("the file is not JSON");
     if (json.is_object() && json.contains("asset")) return GltfScene(bytes, FolderOf(path));
     return SceneFrom(json);
   } catch (const DrawError& error) {

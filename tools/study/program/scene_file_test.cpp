@@ -58,16 +58,16 @@ TEST(SceneFile, Reads) {
 
 TEST(SceneFile, MistakesAreNamed) {
   EXPECT_THAT(ErrorWith("\"version\": 1", "\"version\": 2"), HasSubstr("`version` is not 1"));
-  EXPECT_THAT(ErrorWith("\"planes\"", "\"plains\""), HasSubstr("`planes` is no array"));
+  EXPECT_THAT(ErrorWith("\"planes\"", "\"plains\""), HasSubstr("`planes` is not an array"));
   EXPECT_THAT(ErrorWith("\"tolerance\"", "\"tolerence\""),
               HasSubstr("`tolerence` is not known here"));
   EXPECT_THAT(ErrorWith("\"far\": 5000", "\"far\": 0.01"),
-              HasSubstr("`cameras[0].far` is no farther than `near`"));
+              HasSubstr("`cameras[0].far` is not farther than `near`"));
   EXPECT_THAT(ErrorWith("[0, 1, 0, 0]", "[0, 1, 0]"),
-              HasSubstr("`planes[0].plane` is no array of 4 numbers"));
+              HasSubstr("`planes[0].plane` is not an array of 4 numbers"));
   EXPECT_THAT(ErrorWith("[-5, -2, -20]", "[-5, 20, -20]"),
               HasSubstr("`objects[0].low` lies above `high`"));
-  EXPECT_THAT(ErrorWith("{", "("), HasSubstr("is no JSON"));
+  EXPECT_THAT(ErrorWith("{", "("), HasSubstr("is not JSON"));
   EXPECT_THROW(ReadScene("tools/study/scenes/none.json"), harness::DrawError);
 }
 

@@ -158,7 +158,7 @@ CostTable ReadCosts(const std::string& path) {
   std::string line;
   if (!std::getline(file, line) ||
       line != "setting,way,planes,median_ms,least_ms,ratio,paired_ratio") {
-    throw harness::DrawError("`" + path + "` is no speed.csv of clipc-study");
+    throw harness::DrawError("`" + path + "` is not a speed.csv of clipc-study");
   }
   std::vector<Cost> costs;
   while (std::getline(file, line)) {
