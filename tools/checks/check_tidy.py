@@ -1,19 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-"""Runs clang-tidy-19, with the repository's .clang-tidy, over the C++ that changed and a share of the rest.
+"""Runs clang-tidy-19, with the repository's .clang-tidy, over the C++ that changed.
 
     check_tidy.py [--build FOLDER] [--since REVISION] [--limit N] [--all] [FILE...]
 
-Checks N files (24), about ten seconds each on one core. First what changed: the .cpp files that differ from REVISION,
-committed or not, and for each changed header one .cpp file that includes it. REVISION is by default where this branch
-left origin/main or, if it is there, eight commits before HEAD. Then others, which the hash of HEAD chooses: the same
-for the same commit, and all in the course of time. A message counts what changed and is left out. --all checks every
+What changed: the .cpp files that differ from REVISION, committed or not, and for each changed header one .cpp file that
+includes it. REVISION is by default where this branch left origin/main or, if it is there, the commit before HEAD. At
+most N files (24) are checked, about ten seconds each on one core; a message counts those left out. --all checks every
 file; FILEs are checked instead. FOLDER, build/release by default, has the compile_commands.json of a configured and
 built tree.
 """
 import argparse
 import concurrent.futures
-import hashlib
 import json
 import os
 import pathlib
@@ -32,7 +30,7 @@ def git(*arguments):
 
 def base_revision():
     head, fork = git("rev-parse", "HEAD"), git("merge-base", "HEAD", "origin/main")
-    return fork if fork and fork != head else "HEAD~8"
+    return fork if fork and fork != head else "HEAD~1"
 
 
 def changed_files(revision):
@@ -73,12 +71,11 @@ def main():
     changed = given.files or changed_files(given.since or base_revision())
     wanted = [includer(name, sources) if name.endswith(".h") else name for name in changed]
     wanted = [name for name in dict.fromkeys(wanted) if name in sources]
-    if not given.files:
-        if len(wanted) > given.limit and not given.all:
-            print(f"clang-tidy: {len(wanted) - given.limit} of {len(wanted)} changed files are left out")
-        head = git("rev-parse", "HEAD") or ""
-        rest = sorted(sources - set(wanted), key=lambda name: hashlib.sha256((head + name).encode()).digest())
-        wanted = (wanted + rest)[:None if given.all else given.limit]
+    if given.all:
+        wanted = sorted(sources)
+    elif not given.files and len(wanted) > given.limit:
+        print(f"clang-tidy: {len(wanted) - given.limit} of {len(wanted)} changed files are left out")
+        wanted = wanted[:given.limit]
     failed = 0
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         for status, output in pool.map(lambda name: tidy(name, given.build.resolve()), wanted):
