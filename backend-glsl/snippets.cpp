@@ -52,7 +52,7 @@ constexpr SnippetText kSnippets[] = {
      R"($T $N($T x, out $T exponent) {
     uint bits = floatBitsToUint(x);
     exponent = x == 0.0 ? 0.0 : float(int((bits >> 23) & 255u) - 126);
-    return x == 0.0 ? 0.0 : uintBitsToFloat((bits & 0x807FFFFFu) | 0x3F000000u);
+    return x == 0.0 ? 0.0 : uintBitsToFloat((bits & 0x007FFFFFu) | 0x3F000000u);
 }
 )"},
     {"asuint64", SnippetText::kFloat, true,

@@ -12,8 +12,8 @@ namespace clipc {
 namespace {
 
 // The names of the kinds, in the order of the enumerators.
-constexpr const char* kLiteralKinds[] = {"bool", "int",   "uint",   "int64", "uint64",
-                                         "half", "float", "double", "string"};
+constexpr const char* kLiteralKinds[] = {"bool",   "int",  "hexadecimal", "uint",   "int64",
+                                         "uint64", "half", "float",       "double", "string"};
 
 std::string Describe(const Token& token, const Names& names) {
   using enum TokenKind;

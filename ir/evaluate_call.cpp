@@ -107,7 +107,8 @@ Parts FloatParts(Intrinsic op, T x) {
   }
   if (op == Intrinsic::kFrexp) {
     int exponent = 0;
-    const T mantissa = std::frexp(x, &exponent);
+    // Positive, as fxc and DXC have it: they mask the sign away.
+    const T mantissa = std::fabs(std::frexp(x, &exponent));
     return {BitsOf(mantissa), BitsOf(std::isfinite(x) ? static_cast<T>(exponent) : T{0}), 0};
   }
   const double angle = x;

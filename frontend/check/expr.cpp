@@ -25,6 +25,13 @@
 namespace clipc::check {
 namespace {
 
+// fxc takes 0x3 for a uint, and DXC, whose shader models begin with 6, for an int. Direct3D 9
+// counts in floats, where it makes no difference.
+bool IsHexadecimalUnsigned(const Context& context) {
+  const Profile& profile = context.program.profile;
+  return !profile.IsDirect3D9() && !profile.IsAtLeast(6, 0);
+}
+
 ExprId CheckNode(Context& context, const ast::Literal& literal, Span span) {
   Builder at = context.At(span);
   const double number = std::bit_cast<double>(literal.bits);
@@ -38,8 +45,10 @@ ExprId CheckNode(Context& context, const ast::Literal& literal, Span span) {
     case LiteralKind::kBool: return at.Bool(literal.bits != 0);
     case LiteralKind::kInt:
     case LiteralKind::kUint:
+    case LiteralKind::kHexadecimal:
       if (literal.bits > kMaxUint) context.Report(span, diag::IntegerTooLarge, literal.bits);
-      if (literal.kind == LiteralKind::kUint || literal.bits > kMaxInt)
+      if (literal.kind == LiteralKind::kUint || literal.bits > kMaxInt ||
+          (literal.kind == LiteralKind::kHexadecimal && IsHexadecimalUnsigned(context)))
         return at.Uint(static_cast<std::uint32_t>(literal.bits));
       return at.Int(static_cast<std::int32_t>(literal.bits));
     case LiteralKind::kInt64:

@@ -124,7 +124,10 @@ Number ReadHexadecimal(std::string_view text) {
   if (At(text, i) == '.') i = SkipDigits(text, i + 1, IsHexDigit);
   const std::size_t end = SkipExponent(text, i, 'p');
   if (end > i) return ReadFloat(text, 2, end, std::chars_format::hex);
-  return ReadInteger(text, 2, integer_end, 16);
+  Number number = ReadInteger(text, 2, integer_end, 16);
+  const bool has_suffix = number.length > integer_end;
+  if (number.kind == LiteralKind::kInt && !has_suffix) number.kind = LiteralKind::kHexadecimal;
+  return number;
 }
 
 }  // namespace

@@ -29,8 +29,8 @@ struct Number {
 // Reads the number at the start of `text`, which begins with a digit, or with `.` and a digit, and
 // has no line continuations in it. Decimal, octal (0..), hexadecimal; suffixes u l ul ll ull, f h l
 // in either case. Without a suffix an integer that needs the 32nd bit is a uint (fxc: 0xFFFFFFFF is
-// 4294967295), a longer one an int64; a floating-point number is a float whose value keeps the
-// precision of a double until it is used.
+// 4294967295), a longer one an int64, a hexadecimal one below that is kHexadecimal; a
+// floating-point number is a float whose value keeps the precision of a double until it is used.
 //
 // A number ends where a swizzle starts (`1.0.yyy`), and at an operator that C's lexer makes part of
 // a number (`0x1e+2`).

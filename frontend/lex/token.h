@@ -55,6 +55,7 @@ constexpr int BracketStep(TokenKind kind) {
 enum class LiteralKind : std::uint8_t {
   kBool,
   kInt,
+  kHexadecimal,  // 0x3: an int or a uint, as the shader model has it
   kUint,
   kInt64,
   kUint64,

@@ -83,7 +83,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT: float frexp_(float x, out float exponent) {
 // CHECK-NEXT:     uint bits = floatBitsToUint(x);
 // CHECK-NEXT:     exponent = x == 0.0 ? 0.0 : float(int((bits >> 23) & 255u) - 126);
-// CHECK-NEXT:     return x == 0.0 ? 0.0 : uintBitsToFloat((bits & 0x807FFFFFu) | 0x3F000000u);
+// CHECK-NEXT:     return x == 0.0 ? 0.0 : uintBitsToFloat((bits & 0x007FFFFFu) | 0x3F000000u);
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: vec2 frexp_(vec2 a, out vec2 b) {

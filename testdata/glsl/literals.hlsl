@@ -19,9 +19,9 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT: void main() {
 // CHECK-NEXT:     float r = 0.5 + 1.0 + 1e+20 + 1e-07 + 0.1 + 3.1415927 + 16777216.0 - 2.0;
 // CHECK-NEXT:     r += -1.5 - -2.5;
-// CHECK-NEXT:     r *= intBitsToFloat(2143289345);
+// CHECK-NEXT:     r *= uintBitsToFloat(2143289345u);
 // CHECK-NEXT:     int i = -2147483647 - 1;
-// CHECK-NEXT:     i += 2147483647;
+// CHECK-NEXT:     i = int(uint(i) + 2147483647u);
 // CHECK-NEXT:     uint u = 4294967295u + 7u;
 // CHECK-NEXT:     bool b = true;
 // CHECK-NEXT:     gl_Position = in_POSITION0 * r + float(i) + float(u) + float(b) + vec4(0.0) + vec4(1.0, 2.0, 3.0, 4.0);

@@ -228,7 +228,7 @@ TEST(GltfScene, MistakesAreNamed) {
               HasSubstr("`scene.extras.tolerance` is not a positive number"));
   EXPECT_THAT(ErrorWith("/buffers", {{{"byteLength", 4}, {"uri", "none.bin"}}}),
               HasSubstr("no glTF: "));
-  EXPECT_THAT(ErrorOf("{"), HasSubstr("no JSON"));
+  EXPECT_THAT(ErrorOf("{"), HasSubstr("is not JSON"));
   EXPECT_THAT(ErrorOf("glTF"), HasSubstr("within the header"));
 }
 
