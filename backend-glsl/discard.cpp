@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
-#include <cstdint>
 #include <iterator>
 #include <span>
 
@@ -99,8 +98,7 @@ DiscardCode WriteDiscard(const ir::Program& program, const Target& target, const
   for (std::size_t i = 0; i < program.outputs.size(); ++i) {
     if (program.outputs[i].semantic != ir::kClipPlaneDistance) continue;
     const GlslInfo::Variable& variable = info.outputs[i];
-    const std::uint32_t count =
-        program.types[program.vars[program.outputs[i].var].type].Components();
+    const auto count = program.types[program.vars[program.outputs[i].var].type].Components();
     const std::string type = count == 1 ? "float" : fmt::format("vec{}", count);
     if (variable.location)
       code.declarations += fmt::format("layout(location = {}) ", *variable.location);

@@ -59,9 +59,9 @@ constexpr BuiltinFunction kBuiltins[] = {
     {Intrinsic::kTrunc, "trunc", 0, true},
 };
 
-// The rows by Intrinsic: which row a function has, from 1; 0: none.
+// By Intrinsic, which is one byte: the row of the function, from 1; 0: none.
 constexpr auto kRowOf = [] {
-  std::array<std::uint8_t, kIntrinsicCount> rows{};
+  std::array<std::uint8_t, 256> rows{};
   for (std::size_t i = 0; i < std::size(kBuiltins); ++i) {
     rows[static_cast<std::size_t>(kBuiltins[i].op)] = static_cast<std::uint8_t>(i + 1);
   }

@@ -19,7 +19,7 @@ using Name = Id<std::string>;
 class Names {
  public:
   Name Intern(std::string_view text) {
-    if (2 * texts_.size() >= slots_.size()) Grow();
+    if (texts_.size() >= slots_.size() / 2) Grow();
     const std::size_t slot = SlotOf(text);
     if (!slots_[slot]) slots_[slot] = texts_.Add(std::string(text));
     return slots_[slot];

@@ -41,7 +41,6 @@ class WordIndex {
 
  private:
   static constexpr std::size_t kSlots = std::bit_ceil(4 * N);
-  static constexpr std::size_t kLetters = 32;  // a letter and its capital differ by 32
 
   // A hash of the length and four letters, which rarely collides for words of a language.
   static constexpr std::size_t FirstSlot(std::string_view word) {
@@ -54,15 +53,15 @@ class WordIndex {
     return (hash ^ hash >> 15) % kSlots;
   }
   static constexpr std::size_t FirstLetter(std::string_view word) {
-    return word.empty() ? 0 : static_cast<unsigned char>(word[0]) % kLetters;
+    return word.empty() ? 0 : static_cast<unsigned char>(word[0]) % 32;
   }
   static constexpr std::uint32_t LengthBit(std::string_view word) { return 1u << word.size() % 32; }
   static constexpr std::size_t NextSlot(std::size_t slot) { return (slot + 1) % kSlots; }
 
   std::array<std::string_view, N> words_;
   std::array<std::uint16_t, kSlots> slots_{};
-  // By first letter: the lengths of the words that begin with it, one bit each.
-  std::array<std::uint32_t, kLetters> lengths_{};
+  // By first letter, in either case: the lengths of the words that begin with it, one bit each.
+  std::array<std::uint32_t, 32> lengths_{};
 };
 
 }  // namespace clipc

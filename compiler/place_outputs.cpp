@@ -94,10 +94,9 @@ Outputs PlaceOutputs(const CommandLine& command, const std::string& input) {
 
 bool SaysOtherThanGlsl(std::string_view path) {
   constexpr std::string_view kCompiled[] = {".cso", ".dxbc", ".dxil", ".fxo", ".vso"};
-  return std::ranges::any_of(kCompiled, [&](std::string_view extension) {
-    return path.size() >= extension.size() &&
-           EqualIgnoringCase(path.substr(path.size() - extension.size()), extension);
-  });
+  const std::string lower = ToLower(path);
+  return std::ranges::any_of(
+      kCompiled, [&](std::string_view extension) { return lower.ends_with(extension); });
 }
 
 std::string HeaderWith(std::span<const std::uint32_t> words, std::string_view variable) {

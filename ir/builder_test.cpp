@@ -88,11 +88,11 @@ TEST_F(BuilderTest, ListsOfThePoolMayBePassedBack) {
 
 // The parser stops at a nesting of some thousands; every recursion over the tree must stand that.
 TEST_F(BuilderTest, DeepTrees) {
-  constexpr int depth = 3000;
+  constexpr int kDepth = 3000;
   ExprId deep = build.Ref(shader.parameter);
-  for (int i = 0; i < depth; ++i) deep = build.UnaryOf(UnaryOp::kNegate, deep);
+  for (int i = 0; i < kDepth; ++i) deep = build.UnaryOf(UnaryOp::kNegate, deep);
   StmtId nested = shader.Return(deep);
-  for (int i = 0; i < depth; ++i) nested = build.BlockOf(std::vector<StmtId>{nested});
+  for (int i = 0; i < kDepth; ++i) nested = build.BlockOf(std::vector<StmtId>{nested});
   shader.Append({build.Eval(Clone(shader, deep)), nested});
   EXPECT_TRUE(IsPure(shader, deep));
   EXPECT_EQ(Verify(shader, Form::kTyped), std::nullopt);

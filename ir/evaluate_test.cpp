@@ -129,15 +129,15 @@ TEST_F(Evaluator, IntOperators) {
   const auto i = [&](BinaryOp op, std::int32_t a, std::int32_t b) {
     return IntOf((ValueOf(shader, build.BinaryOf(op, build.Int(a), build.Int(b))))[0]);
   };
-  constexpr std::int32_t min = std::numeric_limits<std::int32_t>::min();
+  constexpr std::int32_t kMin = std::numeric_limits<std::int32_t>::min();
   EXPECT_EQ(i(BinaryOp::kDiv, -7, 2), -3);
   EXPECT_EQ(i(BinaryOp::kMod, -7, 2), -1);
   EXPECT_EQ(i(BinaryOp::kMod, 7, -2), 1);
   EXPECT_EQ(i(BinaryOp::kDiv, 5, 0), -1);
   EXPECT_EQ(i(BinaryOp::kDiv, -5, 0), 1);
-  EXPECT_EQ(i(BinaryOp::kDiv, min, -1), min);
-  EXPECT_EQ(i(BinaryOp::kMod, min, -1), 0);
-  EXPECT_EQ(i(BinaryOp::kAdd, 2147483647, 1), min);
+  EXPECT_EQ(i(BinaryOp::kDiv, kMin, -1), kMin);
+  EXPECT_EQ(i(BinaryOp::kMod, kMin, -1), 0);
+  EXPECT_EQ(i(BinaryOp::kAdd, 2147483647, 1), kMin);
   EXPECT_EQ(i(BinaryOp::kMul, 65536, 65536), 0);
   EXPECT_EQ(i(BinaryOp::kShiftLeft, 1, 33), 2);
   EXPECT_EQ(i(BinaryOp::kShiftRight, -8, 1), -4);

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <initializer_list>
 
 // The functions that HLSL has built in and the IR keeps as calls: one row of ir/intrinsics.def
 // each, where the columns are explained.
@@ -14,13 +13,6 @@ enum class Intrinsic : std::uint8_t {
 #define INTRINSIC(Enumerator, ...) k##Enumerator,
 #include "ir/intrinsics.def"
 };
-
-inline constexpr std::size_t kIntrinsicCount =
-    std::initializer_list<Intrinsic>{
-#define INTRINSIC(Enumerator, ...) Intrinsic::k##Enumerator,
-#include "ir/intrinsics.def"
-    }
-        .size();
 
 // One argument, or the result.
 struct IntrinsicSlot {

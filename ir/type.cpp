@@ -9,11 +9,11 @@ namespace {
 std::uint64_t Key(const Type& type) {
   // 4 bits of kind, 28 of element, structure or object, 32 of count: enough for the ids of any real
   // program.
-  constexpr std::uint32_t no_element = (1u << 28) - 1;
+  constexpr std::uint32_t kNoElement = (1u << 28) - 1;
   const std::uint32_t inner = type.kind == TypeKind::kStruct ? type.structure.index
                               : type.element                 ? type.element.index
-                                                             : no_element;
-  CLIPC_CHECK(inner <= no_element);
+                                                             : kNoElement;
+  CLIPC_CHECK(inner <= kNoElement);
   const std::uint32_t count =
       type.kind == TypeKind::kObject ? static_cast<std::uint32_t>(type.object) : type.count;
   return std::uint64_t{static_cast<std::uint8_t>(type.kind)} << 60 | std::uint64_t{inner} << 32 |

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "passes/pipeline.h"
 
-#include <iterator>
-
 #include "base/invariant.h"
 #include "passes/drop_idle_clip_distances.h"
 #include "passes/drop_unread.h"
@@ -50,7 +48,6 @@ bool RunPipeline(ir::Program& program, const PipelineOptions& options) {
 
 std::vector<std::string_view> PassNames() {
   std::vector<std::string_view> names;
-  names.reserve(std::size(kPipeline));
   for (const auto& pass : kPipeline) names.push_back(pass.name);
   return names;
 }

@@ -2,8 +2,6 @@
 #include "passes/split_variables.h"
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
 #include <memory_resource>
 #include <utility>
 
@@ -45,7 +43,6 @@ class Splitter {
       : program_(program),
         before_end_(parts.before.size()),
         after_begin_(before_end_ + parts.body.size()) {
-    stmts_.reserve(after_begin_ + parts.after.size());
     for (const std::vector<StmtId>* part : {&parts.before, &parts.body, &parts.after}) {
       stmts_.insert(stmts_.end(), part->begin(), part->end());
     }
@@ -312,8 +309,7 @@ class Splitter {
 
   Program& program_;
   const std::size_t before_end_, after_begin_;
-  std::array<std::byte, 8192> buffer_;
-  std::pmr::monotonic_buffer_resource memory_{buffer_.data(), buffer_.size()};
+  std::pmr::monotonic_buffer_resource memory_{8192};
   std::pmr::vector<StmtId> stmts_{&memory_};
   // The statements that stand in front of a statement, or for it.
   std::pmr::vector<std::pmr::vector<StmtId>> replaced_{&memory_};

@@ -37,10 +37,7 @@ SymbolId FindFunction(Context& context, const ast::QualifiedName& name) {
 std::vector<FunctionInfoId> CandidatesOf(Context& context, SymbolId symbol, TypeId self,
                                          List<ast::ExprId> explicit_arguments, ExprSpan arguments) {
   std::vector<FunctionInfoId> candidates;
-  if (explicit_arguments.empty()) {
-    const auto overloads = OverloadsOf(context, symbol, self);
-    candidates.assign(overloads.begin(), overloads.end());
-  }
+  if (explicit_arguments.empty()) candidates = OverloadsOf(context, symbol, self);
   for (SymbolId id = symbol; id; id = context[id].older) {
     if (context[id].kind != SymbolKind::kFunction) continue;
     if (!DeclOf(context, id).is_template) continue;
@@ -266,7 +263,7 @@ bool CheckArguments(Context& context, List<ast::ExprId> list, Exprs& arguments) 
 ExprId CallFunction(Context& context, FunctionInfoId id, ExprId self, Exprs arguments,
                     Span name_span, Span span) {
   const FunctionId function = Reach(context, id);
-  FunctionInfo& info = context[id];
+  const FunctionInfo& info = context[id];
   if (info.is_broken) return context.ErrorExpr(span);
   const ScopeId owner = info.self ? info.scope : ScopeId{};
   if (owner && context[owner].kind == ScopeKind::kStruct &&

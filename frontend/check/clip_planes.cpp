@@ -352,9 +352,10 @@ void CheckClipPlanes(Context& context, FunctionInfoId entry, const AttributeList
 namespace {
 
 bool IsReached(const Context& context, ast::DeclId definition) {
-  return std::ranges::any_of(context.functions.infos, [&](const FunctionInfo& info) {
-    return info.decl == definition && info.function;
-  });
+  for (const FunctionInfoId id : context.functions.infos.ids()) {
+    if (context[id].decl == definition && context[id].function) return true;
+  }
+  return false;
 }
 
 }  // namespace

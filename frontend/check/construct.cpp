@@ -24,14 +24,10 @@ ExprId ConstructStruct(Context& context, TypeId type, ExprSpan arguments, Span s
 // A vector of scalars and vectors whose components add up; matrices among them are taken apart.
 ExprId ConstructVector(Context& context, TypeId type, ExprSpan arguments, Span span) {
   if (arguments.size() == 1 && context.TypeIdOf(arguments[0]) == type) return arguments[0];
-  const auto is_matrix = [&](ExprId argument) {
-    return context.TypeOf(argument).kind == TypeKind::kMatrix;
-  };
-  if (std::ranges::none_of(arguments, is_matrix))
-    return context.At(span).ConstructOf(type, arguments);
   Exprs parts, prologue;
+  parts.reserve(arguments.size());
   for (ExprId argument : arguments) {
-    if (is_matrix(argument))
+    if (context.TypeOf(argument).kind == TypeKind::kMatrix)
       TakeApart(context, argument, parts, prologue);
     else
       parts.push_back(argument);

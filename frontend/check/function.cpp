@@ -122,8 +122,7 @@ FunctionInfoId AddFunction(Context& context, SymbolId id, TypeId self, ScopeId i
   info.is_instance = static_cast<bool>(instance);
   if (is_method && !(DeclOf(context, id).qualifiers & ast::kStatic))
     info.self = self ? self : scope.self;
-  context.functions.infos.push_back(info);
-  return FunctionInfoId{static_cast<std::uint32_t>(context.functions.infos.size()) - 1};
+  return context.functions.infos.Add(info);
 }
 
 void ResolveSignature(Context& context, FunctionInfoId id) {
@@ -152,7 +151,7 @@ bool SameParameters(const Context& context, const FunctionInfo& a, const Functio
                             });
 }
 
-std::span<const FunctionInfoId> OverloadsOf(Context& context, SymbolId first, TypeId self) {
+const std::vector<FunctionInfoId>& OverloadsOf(Context& context, SymbolId first, TypeId self) {
   const Symbol& symbol = context[first];
   const SymbolId newest = context.names.NewestIn(symbol.scope, symbol.name);
   const std::uint64_t key = Overloads::KeyOf(newest, self);

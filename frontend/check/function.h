@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include <span>
 #include <string>
+#include <vector>
 
 #include "frontend/check/context.h"
 
@@ -20,7 +20,7 @@ void ResolveSignature(Context& context, FunctionInfoId id);
 bool SameParameters(const Context& context, const FunctionInfo& a, const FunctionInfo& b);
 // All functions that have the name and scope of `first`, declared so far or later, except
 // templates. A prototype and its definition are one function.
-std::span<const FunctionInfoId> OverloadsOf(Context& context, SymbolId first, TypeId self);
+const std::vector<FunctionInfoId>& OverloadsOf(Context& context, SymbolId first, TypeId self);
 // "f(float, out int)"
 std::string SignatureText(const Context& context, const FunctionInfo& info);
 

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
 
+#include "base/arena.h"
 #include "base/name.h"
 #include "frontend/check/symbols.h"
 
@@ -33,14 +33,14 @@ struct Overloads {
   static std::uint64_t KeyOf(SymbolId symbol, TypeId self) {
     return std::uint64_t{symbol.index} << 32 | self.index;
   }
-  FunctionInfo& operator[](FunctionInfoId id) { return infos[id.index]; }
-  const FunctionInfo& operator[](FunctionInfoId id) const { return infos[id.index]; }
+  FunctionInfo& operator[](FunctionInfoId id) { return infos[id]; }
+  const FunctionInfo& operator[](FunctionInfoId id) const { return infos[id]; }
   std::span<Parameter> operator[](List<Parameter> list) { return parameters[list]; }
   std::span<const Parameter> operator[](List<Parameter> list) const { return parameters[list]; }
 
   // The names of the operators that the file declares: "operator+" by "+".
   std::unordered_map<std::string_view, Name> operators;
-  std::deque<FunctionInfo> infos;  // by FunctionInfoId
+  Arena<FunctionInfo> infos;
   Pool<Parameter> parameters;
   // The functions of symbols, by KeyOf.
   std::unordered_map<std::uint64_t, FunctionInfoId> of_symbol;

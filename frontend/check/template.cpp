@@ -166,8 +166,7 @@ FunctionInfoId InstantiateFunction(Context& context, SymbolId id, TypeId self,
       BindTemplate(context, decl.template_parameters, symbol.scope, OrderOf(context, id), found);
   if (!scope) return {};
   const auto [slot, is_new] = context.functions.instances.try_emplace(
-      InstanceKey(symbol.decl, symbol.scope, self, found),
-      static_cast<std::uint32_t>(context.functions.infos.size()));
+      InstanceKey(symbol.decl, symbol.scope, self, found), context.functions.infos.size());
   if (!is_new) return FunctionInfoId{slot->second};
   if (context.functions.instances.size() > kMaxInstances) {
     context.Report(decl.name_span, diag::TooManyInstances, kMaxInstances);

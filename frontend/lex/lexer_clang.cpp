@@ -237,7 +237,8 @@ class Callbacks : public clang::PPCallbacks {
                                          std::string name) {
     std::replace(name.begin(), name.end(), '\\', '/');
     for (const std::string& folder : folders) {
-      const std::string path = folder.empty() || name.starts_with('/') ? name : folder + '/' + name;
+      const std::string path =
+          folder.empty() || name.starts_with('/') ? name : fmt::format("{}/{}", folder, name);
       if (const auto known = source_.shared.files->getOptionalFileRef(path)) return known;
       const auto text = source_.input.read_include(path);
       if (!text || text->size() > kMaxSourceBytes) continue;
@@ -286,6 +287,7 @@ Name NameOf(clang::IdentifierInfo& identifier, std::string_view text, Names& nam
   auto known = reinterpret_cast<std::uintptr_t>(identifier.getFETokenInfo());
   if (known == 0) {
     known = std::uintptr_t{names.Intern(text).index} + 1;
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): Clang keeps the pointer and does not follow it.
     identifier.setFETokenInfo(reinterpret_cast<void*>(known));
   }
   return Name{static_cast<std::uint32_t>(known - 1)};

@@ -234,13 +234,13 @@ struct Method {
 constexpr auto kTextureMethods = [] {
   using enum Needs;
   using enum ObjectOp;
-  constexpr auto gather = [](std::string_view name, ObjectOp op) {
+  const auto gather = [](std::string_view name, ObjectOp op) {
     return Method{name, kGathering, &MethodCheck::Gather, static_cast<int>(op)};
   };
-  constexpr auto implicit = [](std::string_view name) {
+  const auto implicit = [](std::string_view name) {
     return Method{name, kSampling, &MethodCheck::ImplicitLevel};
   };
-  constexpr auto unsupported = [](std::string_view name) {
+  const auto unsupported = [](std::string_view name) {
     return Method{name, kReading, &MethodCheck::Unsupported};
   };
   return std::to_array<Method>({
