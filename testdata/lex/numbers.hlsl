@@ -32,7 +32,7 @@
 // CHECK-NEXT: float 1
 // CHECK-NEXT: ~.
 // CHECK-NEXT: ~identifier xxxx
-// CHECK-NEXT: int 30
+// CHECK-NEXT: hexadecimal 30
 // CHECK-NEXT: ~+
 // CHECK-NEXT: ~int 2
 "two " "halves" 'a'
