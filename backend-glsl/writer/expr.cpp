@@ -2,6 +2,7 @@
 #include "backend-glsl/writer/expr.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -106,11 +107,17 @@ Text AssignText(Code& code, const Assign& node) {
   return {std::move(text), Binding::kAssignment};
 }
 
+// An infinity or a NaN is a call of uintBitsToFloat, which glslang does not take for a constant.
+Text NumberText(Code& code, std::uint64_t bits, Scalar kind) {
+  if (BaseOf(kind) == Scalar::kFloat && !std::isfinite(FloatOf(bits))) code.is_constant = false;
+  return LiteralText(bits, kind, code.target);
+}
+
 Text ConvertText(Code& code, const Expr& expr, const Convert& node) {
   const Scalar kind = code[expr.type].scalar;
   if (const auto* literal = code.As<Literal>(node.operand)) {
     const Scalar from = code.TypeOf(node.operand).scalar;
-    return LiteralText(ConvertBits(literal->bits, from, kind), kind, code.target);
+    return NumberText(code, ConvertBits(literal->bits, from, kind), kind);
   }
   // sign() gives an int in HLSL and a float in GLSL, which is mostly what is wanted of it.
   const auto* call = code.As<IntrinsicCall>(node.operand);
@@ -141,9 +148,7 @@ Text ExprText(Code& code, ExprId id) {
   code.RequireType(code[expr.type]);
   return Visit(
       Overloaded{
-          [&](const Literal& node) {
-            return LiteralText(node.bits, code.TypeOf(id).scalar, code.target);
-          },
+          [&](const Literal& node) { return NumberText(code, node.bits, code.TypeOf(id).scalar); },
           [&](const Zero&) { return Text{ZeroText(code, expr.type)}; },
           [&](const VarRef& node) {
             return IsInstance(code, id) ? InstanceValue(code, id) : VarText(code, node.var);

@@ -6,6 +6,7 @@
 // RUN: %draw compare %s -T vs_5_0 -E main --target=essl300
 // RUN: %clipc -T vs_5_0 -E constants --validate %s -o - | FileCheck %s --check-prefix=CONST
 // RUN: %draw compare %s -T vs_5_0 -E constants --target=vulkan
+// RUN: %clipc -T vs_5_0 -E constants --target=essl300 --validate %s -o %t
 float4 u;
 float2x2 n;
 
@@ -22,6 +23,8 @@ static float after_it = called + 1;
 static float2 cut[2] = {u * 2};
 // CONST: float infinity_ = uintBitsToFloat(2139095040u);
 static const float infinity_ = asfloat(0x7f800000u);
+// CONST-NEXT: float huge_ = uintBitsToFloat(0x7f800000u);
+static const float huge_ = 1.#INF;
 // CONST-NEXT: mat2 turned = transpose(mat2(1.0, 2.0, 3.0, 4.0));
 static const float2x2 turned = transpose(float2x2(1, 2, 3, 4));
 // CONST-NEXT: const float square = length(vec2(3.0, 4.0));
@@ -34,4 +37,4 @@ static const float square = length(float2(3, 4));
 // CHECK-NEXT: cut = vec2[2](vec2(temporary.x, temporary.y), vec2(temporary.z, temporary.w));
 float4 main(float4 p : POSITION) : SV_Position { return float4(cut[0], cut[1]) * called + after_it + three_times(p.x); }
 
-float4 constants(float4 p : POSITION) : SV_Position { return p.x < infinity_ ? turned[0].xyxy * p * square : p; }
+float4 constants(float4 p : POSITION) : SV_Position { return p.x < infinity_ && p.y < huge_ ? turned[0].xyxy * p * square : p; }
