@@ -176,6 +176,13 @@ bool PlaceMembers(const TypeTable& types, std::span<BlockMember> members, std::u
   return RoundUp(end, kRow) <= size;
 }
 
+// A buffer that another stage declares has the style that it has there.
+BlockStyle StyleOf(const Cbuffer& cbuffer, BlockStyle style) {
+  if (!cbuffer.declared) return style;
+  if (cbuffer.declared->is_loose) return BlockStyle::kFlat;
+  return cbuffer.declared->has_instance ? BlockStyle::kNamed : BlockStyle::kPlain;
+}
+
 BlockLayout AsUniforms(const Program& program, const Cbuffer& cbuffer) {
   BlockLayout layout;
   layout.form = BlockForm::kUniforms;
@@ -222,6 +229,7 @@ StructuredExtent Structured(const TypeTable& types, TypeId id) {
 
 BlockLayout LayOutBlock(const Program& program, const Cbuffer& cbuffer, const Target& target,
                         BlockStyle style) {
+  style = StyleOf(cbuffer, style);
   const bool is_flat = style == BlockStyle::kFlat;
   if (is_flat || !target.Has(Feature::kUniformBlocks)) return AsUniforms(program, cbuffer);
   BlockLayout layout;
@@ -246,8 +254,9 @@ BlockLayout LayOutBlock(const Program& program, const Cbuffer& cbuffer, const Ta
   layout.has_instance = target.Has(Feature::kBlockInstances) && (is_constant_buffer || !is_plain);
   layout.has_uints = layout.has_instance && !is_plain && !layout.fields_as_members;
   MatrixLayout whole = MatrixLayout::kNone;
+  const bool is_whole = cbuffer.declared ? cbuffer.declared->rows_on_block : is_plain;
   const bool agree =
-      is_plain && std::ranges::all_of(layout.members, [&](const BlockMember& member) {
+      is_whole && std::ranges::all_of(layout.members, [&](const BlockMember& member) {
         return Agree(whole, member.matrices);
       });
   if (agree) layout.matrices = whole;

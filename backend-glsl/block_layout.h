@@ -41,7 +41,8 @@ struct BlockMember {
 
 struct BlockLayout {
   BlockForm form = BlockForm::kStd140;
-  // Of the whole block, when its members agree and the style is kPlain; else each member has one.
+  // Of the whole block, when its members agree and it is plain, or another stage says it so; else
+  // each member has one.
   MatrixLayout matrices = MatrixLayout::kNone;
   bool has_instance = false;  // kStd140: members are read as `instance.member`
   bool has_uints = false;     // bools and their vectors are uints, as SPIR-V has them in blocks

@@ -7,6 +7,7 @@
 #     [LOWER clip-distance|level9|near-plane|discard|none]
 #     [TARGET glsl450]           # the GLSL to write
 #     [FRAGMENT water.frag]      # with LOWER discard: the fragment shader that gets the discard
+#     [PIXEL_SHADER water.ps.hlsl [PIXEL_ENTRY main]]  # the pixel shader that it must fit
 #     [TABLE .h|.json|.bin]      # the clip table, beside the header below; .h without this
 #     [REFLECT]                  # NAME.reflect.json too
 #     [VARIANTS n]               # one shader for each number of planes from 0 to n, which is no more than the shader has
@@ -26,7 +27,7 @@ endif()
 set(CLIPC_EMBED_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/embed_shaders.cmake)
 
 function(clipc_add_shader target)
-  cmake_parse_arguments(PARSE_ARGV 1 shader "REFLECT" "SHADER;NAME;ENTRY;PROFILE;LOWER;TARGET;FRAGMENT;TABLE;VARIANTS" "DEFINES;OPTIONS")
+  cmake_parse_arguments(PARSE_ARGV 1 shader "REFLECT" "SHADER;NAME;ENTRY;PROFILE;LOWER;TARGET;FRAGMENT;PIXEL_SHADER;PIXEL_ENTRY;TABLE;VARIANTS" "DEFINES;OPTIONS")
   if(shader_UNPARSED_ARGUMENTS OR NOT shader_SHADER)
     message(FATAL_ERROR "clipc_add_shader(${target} SHADER file ...): what is `${shader_UNPARSED_ARGUMENTS}`?")
   endif()
@@ -61,7 +62,7 @@ function(clipc_add_shader target)
   set(header ${folder}/${shader_NAME}.shader.h)
 
   set(arguments)
-  foreach(option ENTRY=-E PROFILE=-T LOWER=--lower TARGET=--target)
+  foreach(option ENTRY=-E PROFILE=-T LOWER=--lower TARGET=--target PIXEL_ENTRY=--pixel-entry)
     string(REGEX MATCH "^(.*)=(.*)$" unused ${option})
     if(shader_${CMAKE_MATCH_1})
       list(APPEND arguments ${CMAKE_MATCH_2} ${shader_${CMAKE_MATCH_1}})
@@ -91,6 +92,11 @@ function(clipc_add_shader target)
     list(APPEND arguments --reflect=${reflection})
   endif()
 
+  if(shader_PIXEL_SHADER)
+    cmake_path(ABSOLUTE_PATH shader_PIXEL_SHADER)
+    list(APPEND arguments --pixel-shader=${shader_PIXEL_SHADER})
+  endif()
+
   # clipc writes one form of the table at a time; it warns the first time.
   set(compile ${compiler} ${source} -o ${glsl} ${arguments} ${shader_OPTIONS})
   set(tables ${folder}/${shader_NAME}.clip.h)
@@ -112,7 +118,7 @@ function(clipc_add_shader target)
     ${commands}
     COMMAND ${CMAKE_COMMAND} "-DNAME=${shader_NAME}" "-DVERTEX=${vertex_list}" "-DFRAGMENT=${fragment_list}"
       "-DVARIANTS=${shader_VARIANTS}" "-DHEADER=${header}" -P ${CLIPC_EMBED_SCRIPT}
-    DEPENDS ${source} ${shader_FRAGMENT} ${compiler} ${CLIPC_EMBED_SCRIPT}
+    DEPENDS ${source} ${shader_FRAGMENT} ${shader_PIXEL_SHADER} ${compiler} ${CLIPC_EMBED_SCRIPT}
     DEPFILE ${header}.d
     COMMENT "Compiling shader ${shader_NAME}"
     VERBATIM)

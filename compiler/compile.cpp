@@ -13,6 +13,7 @@
 #include "compiler/check_lowering.h"
 #include "compiler/dump_tokens.h"
 #include "compiler/make_clip_table.h"
+#include "compiler/pixel_half.h"
 #include "compiler/reflect.h"
 #include "compiler/stages.h"
 #include "compiler/suggest.h"
@@ -86,8 +87,13 @@ CompileResult Compilation::Run() {
     result_.status = Status::kBadRequest;
   } else {
     RunStages(source);
+    std::vector<std::string> others = std::move(result_.dependencies);
     result_.dependencies = source.Dependencies();
     result_.includes = source.Includes();
+    for (std::string& path : others) {
+      if (std::ranges::find(result_.dependencies, path) == result_.dependencies.end())
+        result_.dependencies.push_back(std::move(path));
+    }
     if (!source.main_file_read()) result_.status = Status::kBadRequest;
   }
   CloseResult(source);
@@ -107,7 +113,7 @@ void Compilation::ReadNames() {
                         Suggest(request_.target, glsl::Target::Names()));
   }
   if (target_) target_->binding_shifts = request_.binding_shifts;
-  auto names = glsl::NameStyle::Parse(request_.names);
+  auto names = glsl::NameStyle::Parse(request_.names.empty() ? "hlslcc" : request_.names);
   if (!names) {
     diagnostics_.Report({}, diag::UnknownNames, request_.names,
                         Suggest(request_.names, glsl::NameStyle::Names()));
@@ -129,6 +135,7 @@ void Compilation::ReadNames() {
   front_.entry = request_.entry;
   front_.packing = request_.packing;
   front_.position_name = request_.position_name;
+  front_.stages_meet_by_row = !request_.pixel_shader.path.empty();
   front_.whole_register_planes = lowering_.lowering == Lowering::kLevel9;
 }
 
@@ -169,6 +176,10 @@ void Compilation::Dump(Source& source) {
 }
 
 void Compilation::RunBackEnd(ir::Program typed, const Source& source) {
+  if (!request_.pixel_shader.path.empty()) {
+    MeetPixelShader(request_, *target_, typed, result_.dependencies, diagnostics_);
+    if (diagnostics_.has_errors()) return;
+  }
   const LowerSettings settings = SettingsFor(CheckLowering(typed, lowering_, diagnostics_));
   if (!request_.gives_planes_to_device && !IsDebugged())
     CheckPlanesAreKept(typed, lowering_, *target_, diagnostics_);

@@ -34,6 +34,15 @@ struct DebugOptions {
   bool verify = false;
 };
 
+// The other half of the program.
+struct PixelShader {
+  // A file with HLSL, GLSL or SPIR-V. When `text` is given, it is read instead, and `path` is the
+  // label in messages. Empty: the pixel shader is not known.
+  std::string path;
+  std::optional<std::string> text;
+  std::string entry;  // of HLSL and SPIR-V; empty: `main` of HLSL, the only one of SPIR-V
+};
+
 struct CompileRequest {
   // A file, or "-" for standard input. When `text` is given, it is compiled instead, and `path` is
   // the label in messages and says in which folder includes are looked up.
@@ -61,10 +70,16 @@ struct CompileRequest {
   bool separable = false;  // for program pipelines: gl_PerVertex is redeclared
   // How the shader meets the next stage's: see backend-glsl/style.h.
   glsl::BlockStyle blocks = glsl::BlockStyle::kNamed;
-  std::string names = "hlslcc";  // "hlslcc", "dxc", "spirv-cross" or a pattern for outputs
+  // "hlslcc", "dxc", "spirv-cross" or a pattern for outputs. Empty: what the pixel shader has, and
+  // "hlslcc" where it is not known.
+  std::string names;
   // The GLSL of a fragment shader, to which lowering kDiscard adds the discard. Without it the
   // discard is an include of its own.
   std::optional<std::string> fragment;
+  // The shader is written to fit this pixel shader: its outputs, and the constant buffers that both
+  // use. HLSL is read with the include folders, macros and packing of this request.
+  PixelShader pixel_shader;
+  bool keep_outputs = false;              // also those that the pixel shader does not read
   bool variants = false;                  // fill CompileResult::variants
   std::size_t variant_planes = SIZE_MAX;  // the most planes of a variant
 

@@ -88,9 +88,13 @@ std::string Driver::CheckUsage() {
     return "--position-input is for --plane-space=object; other spaces take the position that the "
            "shader computes";
   }
+  if (request.pixel_shader.path.empty() && request.keep_outputs) {
+    return "--keep-outputs is for --pixel-shader; without it every output is kept";
+  }
   FileSet named, sources;
   for (const std::string& input : inputs) sources.Add(input);
   if (!command_.fragment.empty()) sources.Add(command_.fragment);
+  if (!request.pixel_shader.path.empty()) sources.Add(request.pixel_shader.path);
   for (const std::string& input : inputs) {
     for (const std::string& path : outputs_.emplace_back(PlaceOutputs(command_, input)).Named()) {
       if (named.Has(path)) return fmt::format("two outputs would go to `{}`", path);

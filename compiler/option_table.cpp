@@ -32,8 +32,8 @@ void Refuse(Reading& reading, const std::string&) {
 template <typename Owner, typename Value>
 Value& MemberOf(CommandLine& command, Value Owner::* member) {
   CompileRequest& request = command.request;
-  return std::get<Owner&>(
-             std::tie(command, request, request.clip_space, request.warnings, request.debug)).*
+  return std::get<Owner&>(std::tie(command, request, request.clip_space, request.pixel_shader,
+                                   request.warnings, request.debug)).*
          member;
 }
 
@@ -262,6 +262,11 @@ constexpr Option kOptions[] = {
      "<FORM>", "cbuffers: named (with an instance name, the default), plain or flat uniforms"},
     {"--names", kEquals, Set<&Request::names>, "<STYLE>",
      "of outputs and blocks: hlslcc (the default), dxc, spirv-cross, or vs_{semantic}{index}"},
+    {"--pixel-shader", kEquals, Set<&PixelShader::path>, "<FILE>",
+     "fit this pixel shader: HLSL, GLSL or SPIR-V"},
+    {"--pixel-entry", kEquals, Set<&PixelShader::entry>, "<NAME>",
+     "its entry function (main; of SPIR-V the only one)"},
+    {"--keep-outputs", kFlag, Set<&Request::keep_outputs>, "", "also those that it does not read"},
     {"-Zi", kFlag, Set<&Request::source_lines>, "",
      "with the lines of the HLSL as comments in the GLSL"},
     {"-Fc", kJoinedOrSeparate, Set<&CommandLine::listing>, "<FILE>",

@@ -39,6 +39,12 @@ Json InputOrOutput(const Program& program, const IoVar& io, const GlslInfo::Vari
     json["interpolation"] = NameIn(kInterpolations, io.interpolation);
   if (io.centroid) json["centroid"] = true;
   if (io.sample) json["sample"] = true;
+  if (io.reader) {
+    const ir::Reader& reader = *io.reader;
+    Json& input = json["pixelInput"];
+    input["name"] = reader.name.empty() ? io.semantic + std::to_string(io.index) : reader.name;
+    if (!reader.IsWhole()) input["element"] = reader.element;
+  }
   return json;
 }
 
@@ -106,6 +112,7 @@ Json Cbuffer(const Program& program, ir::CbufferId id, const GlslInfo& info) {
     if (!block->instance.empty()) glsl["instance"] = block->instance;
     if (!block->rows.empty()) glsl["rows"] = block->rows;
     AddBinding(block->set, block->binding, glsl);
+    if (cbuffer.declared) glsl["sharedWithPixelShader"] = true;
   }
   json["members"] = Json::array();
   for (const ir::CbufferMember& member : cbuffer.members)

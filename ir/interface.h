@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,6 +39,21 @@ enum class CbufferKind : std::uint8_t {
   // each element
   kConstantBuffer,
 };
+// How the GLSL of another stage declares a constant buffer that both stages use. Two stages of a
+// program declare a block alike.
+struct BlockDeclaration {
+  std::string name;
+  bool has_instance = false;  // members are reached through `instance`
+  bool is_loose = false;      // uniform variables outside blocks; the rest says nothing then
+  std::string instance;
+  bool rows_on_block = false;  // row_major is said of the block; else of the members
+  std::optional<std::uint32_t> set, binding;
+  struct Member {
+    std::string name;
+    bool is_uint = false;  // a bool, which most compilers declare as the uint that it is in memory
+  };
+  std::vector<Member> members;  // in the order of Cbuffer::members, or of the fields of their T
+};
 struct Cbuffer {
   std::string name;
   CbufferKind kind = CbufferKind::kCbuffer;
@@ -46,6 +62,7 @@ struct Cbuffer {
   std::uint32_t size = 0;   // bytes, a multiple of 16 as HLSL binds it
   std::uint32_t count = 1;  // the number of buffers: 4 of ConstantBuffer<T> cb[4]
   Span span;
+  std::optional<BlockDeclaration> declared;  // none: as the target likes
 };
 
 struct Resource {
@@ -80,6 +97,18 @@ enum class Builtin : std::uint8_t {
   kViewportIndex,  // uint
 };
 
+// The input of the next stage that an output meets, whose form the output takes.
+struct Reader {
+  std::string name;          // empty: named after its semantic, as every output
+  bool has_location = true;  // else the stages meet by name
+  // Of a matrix or an array, whose one column or element the output is.
+  std::uint32_t columns = 1;
+  std::vector<std::uint32_t> dimensions;
+  std::uint32_t element = 0;
+
+  bool IsWhole() const { return columns == 1 && dimensions.empty(); }
+};
+
 // One input or output of the shader: a scalar or vector of float, int, uint or double (a bool
 // arrives as uint), or the array of kClipDistance or kCullDistance. Structs, arrays and matrices in
 // the signature were taken apart, matrices by columns (`row_major` ones by rows).
@@ -95,6 +124,10 @@ struct IoVar {
   bool sample = false;
   bool has_index = false;  // the index is written: TEXCOORD0, not TEXCOORD
   std::string name = {};   // of the field, parameter or function that has the semantic: "uv"
+  // Where it is in the signature, from the name of the parameter or function on: "input.uv[1]". The
+  // rows of a matrix have the matrix's path.
+  std::string path = {};
+  std::optional<Reader> reader = {};  // of an output, where the next stage is known
 };
 
 // The semantic of the outputs that carry distances to clip planes to a fragment shader that

@@ -12,8 +12,8 @@ namespace clipc::ir {
 // NOLINTNEXTLINE(readability-identifier-naming)
 enum class Level9 : std::uint8_t { kNone, k9_0, k9_1, k9_3 };
 
-// A compilation target of fxc or dxc. Only the profiles of vertex shaders compile; a message names
-// the others.
+// A compilation target of fxc or dxc. Only the profiles of vertex shaders compile; those of pixel
+// shaders are read for what a vertex shader must fit, and a message names the others.
 struct Profile {
   std::string name = "vs_5_0";  // as written, lower case
   std::string stage = "vs";
@@ -22,6 +22,7 @@ struct Profile {
   Level9 level9 = Level9::kNone;
 
   bool IsVertex() const { return stage == "vs"; }
+  bool IsPixel() const { return stage == "ps"; }
   // vs_1_1, vs_2_0, vs_2_a or vs_3_0: the older dialect.
   bool IsDirect3D9() const { return major < 4; }
   bool IsAtLeast(int want_major, int want_minor) const {

@@ -48,6 +48,16 @@ std::string RegisterText(const ir::Register& reg) {
   return reg.letter + std::to_string(reg.number);
 }
 
+std::string Bind(const Context& context, GlslInfo::Place& place,
+                 const ir::BlockDeclaration& declared) {
+  if (context.target.IsVulkan()) place.set = declared.set;
+  if (context.target.IsVulkan() || context.Has(Feature::kBindings))
+    place.binding = declared.binding;
+  const std::string set =
+      place.set ? Concat("set = ", std::to_string(*place.set), place.binding ? ", " : "") : "";
+  return place.binding ? Concat(set, "binding = ", std::to_string(*place.binding)) : set;
+}
+
 std::string Bind(const Context& context, GlslInfo::Place& place, const ir::Register& reg,
                  Bindings& taken, std::uint32_t count) {
   std::string set;

@@ -27,4 +27,8 @@ using Bindings = std::set<std::uint32_t>;
 std::string Bind(const Context& context, GlslInfo::Place& place, const ir::Register& reg,
                  Bindings& taken, std::uint32_t count);
 
+// The same where another stage says it.
+std::string Bind(const Context& context, GlslInfo::Place& place,
+                 const ir::BlockDeclaration& declared);
+
 }  // namespace clipc::glsl

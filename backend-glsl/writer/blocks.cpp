@@ -38,7 +38,9 @@ class BlockWriter {
     info_.name = context_.block_names[info_.cbuffer.index];
     const bool is_rows = layout_.form == BlockForm::kRows;
     const bool turned = layout_.matrices == MatrixLayout::kRowMajor && !is_rows;
-    const std::string place = Bind(context_, info_, cbuffer_.reg, bindings_, cbuffer_.count);
+    const std::string place = cbuffer_.declared
+                                  ? Bind(context_, info_, *cbuffer_.declared)
+                                  : Bind(context_, info_, cbuffer_.reg, bindings_, cbuffer_.count);
     Append(text_, LayoutText({"std140", place, turned ? "row_major" : ""}), "uniform ", info_.name,
            " {  // ", register_, "\n");
     is_rows ? Rows() : Members();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "backend-glsl/writer/context.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "backend-glsl/needs.h"
@@ -24,6 +25,18 @@ Context::Context(const ir::Program& program, const Target& target, const WriteOp
     if (this->reached.Has(id))
       layouts[id.index] = LayOutBlock(program, (*this)[id], target, options.blocks);
   }
+}
+
+bool Context::IsWrittenAsUint(ir::VarId member) const {
+  const ir::Type& type = TypeOf(member);
+  if (!type.IsNumeric() || type.scalar != ir::Scalar::kBool || type.kind == ir::TypeKind::kMatrix)
+    return false;
+  const ir::Cbuffer& cbuffer = (*this)[(*this)[member].cbuffer];
+  const auto at = std::ranges::find(cbuffer.members, member, &ir::CbufferMember::var);
+  const auto index = static_cast<std::size_t>(at - cbuffer.members.begin());
+  return cbuffer.declared && index < cbuffer.declared->members.size()
+             ? cbuffer.declared->members[index].is_uint
+             : LayoutOf(member).has_uints;
 }
 
 void Context::RequireType(const ir::Type& type) {

@@ -88,11 +88,7 @@ struct Context {
     return layouts[program.vars[member].cbuffer.index];
   }
   // Whether a member of a block is a bool, or a vector of them, that is written as a uint.
-  bool IsWrittenAsUint(ir::VarId member) const {
-    const ir::Type& type = TypeOf(member);
-    return LayoutOf(member).has_uints && type.IsNumeric() && type.scalar == ir::Scalar::kBool &&
-           type.kind != ir::TypeKind::kMatrix;
-  }
+  bool IsWrittenAsUint(ir::VarId member) const;
   const std::string& NameOf(ir::VarId id) const { return var_names[id.index]; }
 
   bool Has(Feature feature) const { return target.Has(feature); }

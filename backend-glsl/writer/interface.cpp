@@ -105,6 +105,20 @@ std::string_view BuiltinOutput(Builtin builtin) {
   }
 }
 
+// "mat3 tangents", whose first column the output is; "vec2 uv", which the output is.
+std::string OutputDeclaration(Context& context, const IoVar& output, Shape shape,
+                              std::string_view name) {
+  if (!output.reader || output.reader->IsWhole()) return Declaration(context, shape, name);
+  if (output.reader->columns > 1) {
+    shape.kind = Shape::kMatrix;
+    shape.rows = static_cast<std::uint8_t>(output.reader->columns);
+  }
+  std::string text = Declaration(context, shape, name.substr(0, name.find('[')));
+  for (const std::uint32_t dimension : output.reader->dimensions)
+    Append(text, "[", std::to_string(dimension), "]");
+  return text;
+}
+
 // Declares an output that is not built in at its location, or at `location` when that is taken.
 // Returns the location after it.
 std::uint32_t WriteVarying(Context& context, const IoVar& output, GlslInfo::Variable& info,
@@ -112,8 +126,11 @@ std::uint32_t WriteVarying(Context& context, const IoVar& output, GlslInfo::Vari
   const Shape shape = context.ShapeAt(output.var);
   const bool has_out = context.Has(Feature::kInAndOut);
   location = std::max(location, output.location);
-  const bool has_location = context.Has(Feature::kOutputLocations);
+  const auto& reader = output.reader;
+  const bool has_location =
+      context.Has(Feature::kOutputLocations) && (!reader || reader->has_location);
   if (has_location) info.location = location;
+  if (reader && reader->element > 0) return location + 1;  // declared with its first element
   const bool is_double = shape.scalar == Scalar::kDouble;
   const bool is_flat =
       !shape.IsFloating() || is_double || output.interpolation == Interpolation::kNoInterpolation;
@@ -122,7 +139,7 @@ std::uint32_t WriteVarying(Context& context, const IoVar& output, GlslInfo::Vari
   Append(context.sections.outputs, has_location ? LocationText(location) : "",
          is_flat && has_out ? "flat " : "", is_linear ? "noperspective " : "",
          output.centroid ? "centroid " : "", output.sample ? "sample " : "",
-         has_out ? "out " : "varying ", Declaration(context, shape, info.name), ";",
+         has_out ? "out " : "varying ", OutputDeclaration(context, output, shape, info.name), ";",
          SemanticComment(output));
   return location + (is_double && shape.size > 2 ? 2 : 1);
 }

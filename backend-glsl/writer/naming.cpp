@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "backend-glsl/writer/naming.h"
 
+#include <map>
 #include <set>
 #include <string_view>
 
@@ -26,16 +27,41 @@ void NameInputs(Context& context) {
   }
 }
 
-void NameOutputs(Context& context) {
+// "[1][2]" of column 2 of element 1.
+std::string ElementOf(const Reader& reader) {
+  std::string text;
+  std::uint32_t element = reader.element;
+  const auto lead = [&](std::uint32_t count) {
+    text.insert(0, Concat("[", std::to_string(element % count), "]"));
+    element /= count;
+  };
+  if (reader.columns > 1) lead(reader.columns);
+  for (auto i = reader.dimensions.rbegin(); i != reader.dimensions.rend(); ++i) lead(*i);
+  return text;
+}
+
+// The name that the style gives an output.
+std::string StyledName(const Context& context, const IoVar& output) {
+  const std::string index = std::to_string(output.index), semantic = ToUpper(output.semantic);
+  const std::string written = output.semantic + (output.has_index || output.index > 0 ? index : "");
+  const std::string_view name = output.name.empty() ? written : output.name;
+  return FillPattern(
+      context.options.names.output,
+      {{"semantic", semantic}, {"index", index}, {"written", written}, {"name", name}});
+}
+
+// The outputs that meet the next stage, or the others.
+void NameOutputs(Context& context, bool are_met) {
+  std::map<std::uint32_t, std::string> names;  // by location, of an array or a matrix the first
   for (const IoVar& output : context.program.outputs) {
-    if (output.builtin != Builtin::kNone) continue;
-    const std::string index = std::to_string(output.index), semantic = ToUpper(output.semantic);
-    const std::string written =
-        output.semantic + (output.has_index || output.index > 0 ? index : "");
-    const std::string_view name = output.name.empty() ? written : output.name;
-    context.var_names[output.var.index] = context.namer.Global(FillPattern(
-        context.options.names.output,
-        {{"semantic", semantic}, {"index", index}, {"written", written}, {"name", name}}));
+    const auto& reader = output.reader;
+    if (output.builtin != Builtin::kNone || reader.has_value() != are_met) continue;
+    std::string& name = names[output.location - (reader ? reader->element : 0)];
+    if (name.empty()) {
+      const bool has_name = reader && !reader->name.empty();
+      name = context.namer.Global(has_name ? reader->name : StyledName(context, output));
+    }
+    context.var_names[output.var.index] = reader ? name + ElementOf(*reader) : name;
   }
 }
 
@@ -61,6 +87,13 @@ void NameMembers(Context& context, CbufferId id) {
   const BlockLayout& layout = context.layouts[id.index];
   if (layout.fields_as_members) return;
   std::vector<std::string_view> names;
+  const auto& declared = cbuffer.declared;
+  for (std::size_t i = 0; declared && i < declared->members.size(); ++i) {
+    std::string& name = context.var_names[cbuffer.members[i].var.index];
+    name = declared->members[i].name;
+    if (!layout.has_instance) name = context.namer.Global(name);
+  }
+  if (declared && !declared->is_loose) return;
   for (const CbufferMember& member : cbuffer.members) {
     const bool is_declared = layout.form != BlockForm::kUniforms || context.reached.Has(member.var);
     if (layout.has_instance) {
@@ -81,6 +114,11 @@ void NameBlock(Context& context, CbufferId id) {
   const BlockLayout& layout = context.layouts[id.index];
   const NameStyle& style = context.options.names;
   std::string& name = context.block_names[id.index];
+  if (cbuffer.declared && !cbuffer.declared->name.empty()) {
+    name = cbuffer.declared->name;
+    context.namer.Global(name);
+    return;
+  }
   if (cbuffer.kind == CbufferKind::kConstantBuffer) {
     const TypeId type = context.types.Innermost(context[cbuffer.members[0].var].type);
     name = FillPattern(style.constant_buffer,
@@ -111,8 +149,9 @@ void NameUniforms(Context& context) {
     const BlockLayout& layout = context.layouts[id.index];
     if (layout.fields_as_members) NameGlobal(context, context[id].members[0].var);
     if (!layout.has_instance || layout.fields_as_members) continue;
-    context.instance_names[id.index] =
-        context.namer.Global(InstanceName(LegalName(context[id].name, "block")));
+    const auto& declared = context[id].declared;
+    context.instance_names[id.index] = context.namer.Global(
+        declared ? declared->instance : InstanceName(LegalName(context[id].name, "block")));
   }
 }
 
@@ -161,8 +200,9 @@ void NameEverything(Context& context) {
   context.block_names.resize(program.cbuffers.size());
   context.rows_names.resize(program.cbuffers.size());
   context.instance_names.resize(program.cbuffers.size());
+  NameOutputs(context, true);  // first, since the next stage may know them by name only
   NameInputs(context);
-  NameOutputs(context);
+  NameOutputs(context, false);
   NameUniforms(context);
   for (const StructId id : context.types.structs().ids()) NameStruct(context, id);
   for (const VarId global : context.reached.globals) NameGlobal(context, global);

@@ -24,6 +24,7 @@ struct CheckOptions {
   // anything less is reported (X4594).
   bool whole_register_planes = false;
   rules::PositionName position_name = rules::PositionName::kSystemValue;
+  bool stages_meet_by_row = false;  // rules::EntrySignature's
 };
 
 // Resolves the names, types and overloads of everything that the entry point reaches. Returns what

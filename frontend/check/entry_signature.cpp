@@ -59,6 +59,7 @@ EntrySignature SignatureOf(Context& context, FunctionInfoId entry) {
   signature.result.semantic_span = decl.return_semantic.span;
   ReadInterpolation(decl.qualifiers, signature.result);
   signature.result.row_major = IsRowMajor(context, decl.qualifiers);
+  signature.stages_meet_by_row = context.options.stages_meet_by_row;
   return signature;
 }
 

@@ -144,7 +144,8 @@ void CheckNode(Context& context, const ast::CaseStmt&, Span span) {
 }
 
 void CheckNode(Context& context, const ast::DiscardStmt&, Span span) {
-  context.Report(span, diag::DiscardInVertexShader);
+  // A pixel shader is read for what it reads; where it ends does not matter.
+  if (!context.program.profile.IsPixel()) context.Report(span, diag::DiscardInVertexShader);
 }
 
 void CheckNode(Context&, const ast::EmptyStmt&, Span) {}

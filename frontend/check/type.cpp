@@ -144,6 +144,9 @@ TypeId ArrayOf(Context& context, TypeId element, List<ast::ExprId> dimensions, S
       size = ArraySize(context, dimension);
     } else if (i == 0 && implied) {
       size = implied;
+    } else if (i == 0 && context.program.profile.IsPixel() &&
+               context.types[element].kind == TypeKind::kObject) {
+      size = 1;  // any number of textures; how many does not matter to what the shader reads
     } else {
       context.Report(span, diag::ArrayWithoutSize);
     }

@@ -42,7 +42,8 @@ struct Carrier {
   std::string name;  // for messages: "input.position"
   Span span;         // of a leaf: where its semantic is written
   Cursor cursor;
-  bool row_major = false;  // how the matrices in it are taken apart
+  bool row_major = false;     // how the matrices in it are taken apart
+  std::string elements = {};  // "[1][2]" where arrays were taken apart
 };
 
 // The cursor of a parameter, the result or a field, whose members have the same names.
@@ -65,9 +66,11 @@ class MainBuilder {
   void Run() {
     leaves_.reserve(16);
     const Function& entry = program_.functions[program_.entry];
+    by_row_ = signature_.stages_meet_by_row && program_.profile.IsPixel();
     for (std::size_t i = 0; i < entry.parameters.size(); ++i)
       PrepareParameter(entry.parameters[i], signature_.parameters[i]);
     CallEntry();
+    by_row_ = signature_.stages_meet_by_row;
     for (const Carrier& output : pending_outputs_) {
       for (const Carrier& leaf : LeavesOf(output)) Output(leaf);
     }
@@ -181,13 +184,14 @@ class MainBuilder {
     }
     // A matrix takes a register for each column, and one for each row where it is `row_major`: fxc,
     // as vkd3d's test of matrix semantics has it, which passes on Microsoft's compiler.
-    const bool by_column = type.kind == TypeKind::kMatrix && !piece.row_major;
+    const bool by_column = type.kind == TypeKind::kMatrix && !piece.row_major && !by_row_;
     const std::uint32_t count = by_column ? type.columns : program_.types.PartCount(piece.type);
     for (std::uint32_t i = 0; i < count && leaves_.size() < kMaxLeaves; ++i) {
       Carrier inner = piece;
       inner.type = by_column ? program_.types.Vector(type.scalar, type.rows)
                              : program_.types.PartType(piece.type, i);
       inner.part = Inside(piece.part, i, by_column ? type.columns : std::uint8_t{0});
+      if (type.kind == TypeKind::kArray) inner.elements += fmt::format("[{}]", i);
       if (type.kind == TypeKind::kStruct)
         CollectField(inner, program_.types[type.structure].fields[i], cursor);
       else
@@ -245,6 +249,7 @@ class MainBuilder {
   // The input's value in the leaf's own type; none after an error.
   ExprId Input(const Carrier& leaf) {
     const SystemValue value = LookUp(leaf, Direction::kInput);
+    if (value.use == SystemValue::Use::kIgnored) return builder_.ZeroOf(leaf.type);
     if (value.use == SystemValue::Use::kRefused || !MayAdd(leaf, Direction::kInput, value))
       return {};
     const Scalar kind = BaseOf(program_.types[leaf.type].scalar);
@@ -327,7 +332,8 @@ class MainBuilder {
     const std::uint32_t location = builtin == Builtin::kNone ? next++ : 0;
     list.push_back({id, leaf.cursor.semantic.name, leaf.cursor.semantic.index, builtin, location,
                     leaf.cursor.interpolation, leaf.cursor.centroid, leaf.cursor.sample,
-                    leaf.cursor.semantic.has_index, leaf.name.substr(leaf.name.rfind('.') + 1)});
+                    leaf.cursor.semantic.has_index, leaf.name.substr(leaf.name.rfind('.') + 1),
+                    leaf.name + leaf.elements});
     return id;
   }
 
@@ -453,6 +459,7 @@ class MainBuilder {
   std::map<std::string, Span> seen_inputs_, seen_outputs_;
   std::uint32_t next_input_ = 0, next_output_ = 0;
   std::uint32_t distance_count_ = 0;
+  bool by_row_ = false;  // matrices are taken apart by row, whatever they are
 };
 
 }  // namespace

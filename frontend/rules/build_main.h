@@ -34,6 +34,8 @@ struct EntryParameter {
 struct EntrySignature {
   std::vector<EntryParameter> parameters;  // one per parameter of program.entry
   EntryParameter result;
+  // Matrices between a vertex and a pixel shader are taken apart by row, as DXC and glslang do.
+  bool stages_meet_by_row = false;
 };
 
 // Makes program.main, program.inputs and program.outputs for program.entry, and reports what is

@@ -92,6 +92,9 @@ ExprId CheckMul(const IntrinsicCheck& call);
 ExprId CheckBitCast(const IntrinsicCheck& call, Intrinsic op);
 ExprId CheckSelect(const IntrinsicCheck& call);
 ExprId CheckLogical(const IntrinsicCheck& call, BinaryOp op);
+// pixel_call.cpp: a value that stands for a call which only a pixel shader may make; none in
+// another stage, and for a function that it may not call either.
+ExprId CheckPixelCall(const IntrinsicCheck& call);
 // tex2Dlod and its family.
 ExprId CheckTexLod(const IntrinsicCheck& call);
 

@@ -106,6 +106,9 @@ ExprId CheckIntrinsicCall(Program& program, std::string_view name, Span name_spa
   for (const ExprId argument : arguments) {
     if (call.TypeIdOf(argument) == program.types.Error()) return call.Error();
   }
+  if (entry->rule == Rule::kRefused || entry->rule == Rule::kImplicitLevel) {
+    if (const ExprId value = CheckPixelCall(call)) return value;
+  }
   switch (entry->rule) {
     case Rule::kCall: return CheckIr(call, entry->intrinsic);
     case Rule::kSelect: return CheckSelect(call);

@@ -116,8 +116,14 @@ class MethodCheck : IntrinsicCheck {
   ExprId GetDimensions(int) { return CheckGetDimensions(*this, object_); }
 
   // Refuses a method that takes its level of detail from neighbouring pixels.
-  ExprId ImplicitLevel(int) { return Fail(name_span, diag::MethodImplicitLevel, name); }
-  ExprId Unsupported(int) { return Fail(name_span, diag::MethodUnsupported, name, ObjectName()); }
+  ExprId ImplicitLevel(int) {
+    const ExprId value = CheckPixelCall(*this);
+    return value ? value : Fail(name_span, diag::MethodImplicitLevel, name);
+  }
+  ExprId Unsupported(int) {
+    const ExprId value = CheckPixelCall(*this);
+    return value ? value : Fail(name_span, diag::MethodUnsupported, name, ObjectName());
+  }
   ExprId Unknown() { return Fail(name_span, diag::MethodUnknown, ObjectName(), name); }
 
  private:
@@ -171,6 +177,7 @@ class MethodCheck : IntrinsicCheck {
     if (i >= arguments.size()) return true;
     const auto value = Converted(i, VectorOf(Scalar::kInt, traits_.offset));
     if (!value) return false;
+    if (program.profile.IsPixel()) return true;  // where it reads does not matter
     const auto constant = EvaluateConstant(program, *value);
     if (!constant) {
       diagnostics.Report(SpanOf(arguments[i]), diag::TextureOffsetNotConstant, name);
@@ -341,7 +348,8 @@ ExprId CheckMethodCall(Program& program, ExprId object, std::string_view method,
                      method);
   }
   if (type.object == ObjectKind::kOther) {
-    return call.Fail(method_span, diag::ObjectUnusable, method);
+    const ExprId value = CheckPixelCall(call);
+    return value ? value : call.Fail(method_span, diag::ObjectUnusable, method);
   }
   MethodCheck check(call, object, type.object);
   const std::span<const Method> methods = MethodsOf(type.object);

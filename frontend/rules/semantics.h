@@ -7,7 +7,8 @@
 #include "frontend/rules/rules.h"
 #include "ir/profile.h"
 
-// The semantics of a vertex shader's inputs and outputs. Sources: the Direct3D 11.3 functional
+// The semantics of a vertex shader's inputs and outputs, and which inputs of a pixel shader come
+// from a vertex shader. Sources: the Direct3D 11.3 functional
 // specification, sections 8 and 9 (system generated and interpreted values); DXC's signature table
 // for the vertex stage; the Direct3D 9 reference on vertex shader outputs.
 namespace clipc::rules {
@@ -26,6 +27,7 @@ struct SystemValue {
     kPlain,    // an ordinary input or output of that name
     kBuiltin,  // `builtin`
     kRefused,  // a system value of another stage
+    kIgnored,  // an input that the rasterizer makes, and no vertex shader writes
   };
   Use use = Use::kPlain;
   Builtin builtin = Builtin::kNone;

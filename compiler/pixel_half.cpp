@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "compiler/pixel_half.h"
+
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "compiler/stages.h"
+#include "frontend/lex/source_text.h"
+#include "pixel/meet.h"
+#include "pixel/read.h"
+
+namespace clipc {
+namespace {
+
+// The pixel profile beside the vertex profile: ps_5_0 for vs_5_0. Limits of the hardware are not
+// asked here, so ps_3_0 and ps_4_0 stand for the lower ones.
+ir::Profile PixelProfile(const CompileRequest& request) {
+  const ir::Profile vertex = *ir::ParseProfile(request.profile);
+  const std::string name =
+      vertex.IsDirect3D9() ? "ps_3_0" : fmt::format("ps_{}_{}", vertex.major, vertex.minor);
+  return *ir::ParseProfile(name);
+}
+
+// The program that is left of a typed pixel shader when the passes have removed what it does not
+// need: what it then mentions is what it reads.
+ir::Program Cleared(ir::Program program) {
+  passes::PipelineOptions options;
+  options.clip_planes.lowering = Lowering::kNone;
+  passes::RunPipeline(program, options);
+  return program;
+}
+
+pixel::ReadResult ReadHlsl(const CompileRequest& request, std::string text,
+                           std::vector<std::string>& dependencies) {
+  pixel::ReadResult result;
+  FrontendContext context;
+  const std::string& entry = request.pixel_shader.entry;
+  CheckOptions options;
+  options.profile = PixelProfile(request);
+  if (!entry.empty()) options.entry = entry;
+  options.packing = request.packing;
+  options.stages_meet_by_row = true;
+  Source source(context, {.path = request.pixel_shader.path,
+                          .text = std::move(text),
+                          .include_dirs = request.include_dirs,
+                          .defines = request.defines,
+                          .forced_includes = request.forced_includes,
+                          .read_include = request.read_include,
+                          .shader_model_major = options.profile.major,
+                          .shader_model_minor = options.profile.minor,
+                          .language = request.language});
+  const auto place_of = [&](Span span) {
+    const Place place = source.Resolve(span);
+    return place.file.empty() ? request.pixel_shader.path
+                              : fmt::format("{}:{}:{}", place.file, place.line, place.column);
+  };
+  Diagnostics diagnostics;
+  const ast::File file = ReadFile(source, diagnostics);
+  ir::Program program;
+  if (!diagnostics.has_errors()) program = Check(file, options, diagnostics);
+  for (std::string& path : source.Dependencies()) dependencies.push_back(std::move(path));
+  for (const Diagnostic& diagnostic : diagnostics.all()) {
+    if (diagnostic.severity == Severity::kError)
+      result.problems.push_back(place_of(diagnostic.span) + ": " + diagnostic.message);
+  }
+  if (result.problems.empty())
+    result.interface = pixel::ReadProgram(Cleared(std::move(program)), place_of);
+  return result;
+}
+
+// Forgets names that the request knows better: those of HLSL and SPIR-V depend on what is made of
+// them.
+void ForgetNames(pixel::Interface& half, bool is_glsl) {
+  for (pixel::Input& input : half.inputs) {
+    if (input.location || !is_glsl) input.name.clear();
+  }
+  for (pixel::Block& block : half.blocks) {
+    if (!is_glsl) block.name.clear();
+  }
+}
+
+pixel::ReadResult Read(const CompileRequest& request, const glsl::Target& target,
+                       std::vector<std::string>& dependencies) {
+  const PixelShader& half = request.pixel_shader;
+  std::string bytes;
+  if (half.text) {
+    bytes = *half.text;
+  } else {
+    dependencies.push_back(half.path);
+    if (const std::string problem = ReadText(half.path, bytes); !problem.empty())
+      return {.problems = {fmt::format("{}: {}", half.path, problem)}};
+  }
+  const pixel::Language language = pixel::LanguageOf(bytes);
+  if (language == pixel::Language::kSpirv) return pixel::ReadSpirv(bytes, half.path, half.entry);
+  if (language == pixel::Language::kHlsl) return ReadHlsl(request, std::move(bytes), dependencies);
+  pixel::ReadResult result = pixel::ReadGlsl(bytes, half.path);
+  for (const pixel::Input& input : result.interface.inputs) {
+    if (input.location && !target.Has(glsl::Feature::kOutputLocations))
+      result.problems.push_back(
+          fmt::format("{}: `{}` has a location; outputs of target `{}` have none", input.where,
+                      input.name, target.name()));
+  }
+  return result;
+}
+
+}  // namespace
+
+void MeetPixelShader(const CompileRequest& request, const glsl::Target& target,
+                     ir::Program& program, std::vector<std::string>& dependencies,
+                     Diagnostics& diagnostics) {
+  pixel::ReadResult half = Read(request, target, dependencies);
+  if (const std::string problem = pixel::Problem(half.interface); !problem.empty())
+    half.problems.push_back(problem);
+  if (!half.problems.empty()) {
+    Diagnostic& report = diagnostics.Report({}, diag::PixelShader, half.problems.front());
+    for (std::size_t i = 1; i < half.problems.size(); ++i)
+      report.Note({}, diag::PlainNote, half.problems[i]);
+    return;
+  }
+  const pixel::MeetOptions options{request.keep_outputs, target.IsVulkan()};
+  const pixel::Meeting meeting = pixel::Meet(program, half.interface, options, diagnostics);
+  if (diagnostics.has_errors()) return;
+  if (!request.names.empty()) ForgetNames(half.interface, half.is_glsl);
+  pixel::Apply(program, half.interface, meeting, options);
+}
+
+}  // namespace clipc

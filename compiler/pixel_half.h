@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "backend-glsl/target.h"
+#include "base/diagnostics.h"
+#include "compiler/compile.h"
+#include "ir/program.h"
+
+namespace clipc {
+
+// Reads the request's pixel shader and lets the vertex shader `program` meet it (pixel/meet.h).
+// Appends the files that were read to `dependencies`. Requires Form::kTyped; after errors the
+// program is as it was.
+void MeetPixelShader(const CompileRequest& request, const glsl::Target& target,
+                     ir::Program& program, std::vector<std::string>& dependencies,
+                     Diagnostics& diagnostics);
+
+}  // namespace clipc

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// Functions and methods that a pixel shader may call and a vertex shader may not. Of a pixel shader
+// clipc asks only what it reads, so a call is its arguments, and a zero of its type.
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "frontend/rules/intrinsic_call.h"
+
+namespace clipc::rules {
+namespace {
+
+enum class Result : std::uint8_t {
+  kFirst,       // the type of the first argument
+  kFloatFirst,  // that in float
+  kVoid,        // an int that nobody uses
+  kBool,
+  kUint,
+  kUint4,
+  kFloat,
+  kFloat2,
+  kFloat4,
+};
+struct Row {
+  std::string_view prefix;  // of the names
+  Result result;
+};
+// The first row that fits counts.
+constexpr auto kRows = std::to_array<Row>({
+    {"ddx", Result::kFloatFirst},
+    {"ddy", Result::kFloatFirst},
+    {"fwidth", Result::kFloatFirst},
+    {"clip", Result::kVoid},
+    {"tex", Result::kFloat4},
+    {"SubpassLoad", Result::kFloat4},
+    {"CalculateLevelOfDetail", Result::kFloat},
+    {"SampleCmp", Result::kFloat},
+    {"GatherCmp", Result::kFloat4},
+    {"GetSamplePosition", Result::kFloat2},
+    {"EvaluateAttribute", Result::kFirst},
+    {"GetAttributeAtVertex", Result::kFirst},
+    {"GetRenderTargetSampleCount", Result::kUint},
+    {"GetRenderTargetSamplePosition", Result::kFloat2},
+    {"IsHelperLane", Result::kBool},
+    {"CheckAccessFullyMapped", Result::kBool},
+    {"Interlocked", Result::kVoid},
+    {"DeviceMemoryBarrier", Result::kVoid},
+    {"AllMemoryBarrier", Result::kVoid},
+    {"WaveActiveAll", Result::kBool},
+    {"WaveActiveAny", Result::kBool},
+    {"WaveIsFirstLane", Result::kBool},
+    {"WaveActiveBallot", Result::kUint4},
+    {"WaveActiveCountBits", Result::kUint},
+    {"WavePrefixCountBits", Result::kUint},
+    {"WaveGetLane", Result::kUint},
+    {"Wave", Result::kFirst},
+    {"Quad", Result::kFirst},
+});
+
+TypeId TypeOf(const IntrinsicCheck& call, Result result) {
+  TypeTable& types = call.program.types;
+  switch (result) {
+    case Result::kFirst:
+    case Result::kFloatFirst: {
+      if (call.arguments.empty()) return types.Error();
+      const TypeId first = call.TypeIdOf(call.arguments[0]);
+      const bool is_float = IsFloat(types[first].scalar);
+      return result == Result::kFirst || is_float ? first : types.WithScalar(first, Scalar::kFloat);
+    }
+    case Result::kVoid: return types.Make(Scalar::kInt);
+    case Result::kBool: return types.Make(Scalar::kBool);
+    case Result::kUint: return types.Make(Scalar::kUint);
+    case Result::kUint4: return types.Vector(Scalar::kUint, 4);
+    case Result::kFloat: return types.Make(Scalar::kFloat);
+    case Result::kFloat2: return types.Vector(Scalar::kFloat, 2);
+    case Result::kFloat4: return types.Vector(Scalar::kFloat, 4);
+  }
+  return types.Error();
+}
+
+}  // namespace
+
+ExprId CheckPixelCall(const IntrinsicCheck& call) {
+  if (!call.program.profile.IsPixel()) return {};
+  const auto* row = std::ranges::find_if(
+      kRows, [&](const Row& each) { return call.name.starts_with(each.prefix); });
+  if (row == kRows.end()) return {};
+  std::vector<ExprId> values;
+  for (const ExprId argument : call.arguments) {
+    if (call.TypeOf(argument).IsNumeric()) values.push_back(argument);
+  }
+  return After(call, values, call.Make().ZeroOf(TypeOf(call, row->result)));
+}
+
+}  // namespace clipc::rules

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// The interface of a fragment shader in GLSL, from glslang's tree.
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+#include <glslang/Include/intermediate.h>
+#include <glslang/MachineIndependent/localintermediate.h>
+#include <glslang/Public/ResourceLimits.h>
+#include <glslang/Public/ShaderLang.h>
+
+#include "pixel/names.h"
+#include "pixel/read.h"
+
+namespace clipc::pixel {
+namespace {
+
+// glslang's tables of the process. Never freed: a reader may run on any thread until the end.
+void InitializeOnce() {
+  static const bool initialized = glslang::InitializeProcess();
+  (void)initialized;
+}
+
+// glslang walks its tree by recursion, and `a + a + ...` makes a tree as deep as it is long.
+bool HasLongStatement(std::string_view text) {
+  constexpr std::string_view kOperators = "+-*/%<>=&|^~!?:.([,";
+  constexpr int kMost = 4096;
+  int operators = 0;
+  for (const char c : text) {
+    if (c == ';' || c == '{' || c == '}') operators = 0;
+    if (kOperators.find(c) != std::string_view::npos && ++operators > kMost) return true;
+  }
+  return false;
+}
+
+// "ERROR: 0:12: 'x' : message" per line => "water.frag:12: 'x' : message". The last line is a
+// summary.
+std::vector<std::string> Problems(std::string_view log, const std::string& path) {
+  constexpr std::string_view kError = "ERROR: ";
+  std::vector<std::string> problems;
+  while (!log.empty()) {
+    const std::size_t end = std::min(log.find('\n'), log.size());
+    std::string_view line = log.substr(0, end);
+    log.remove_prefix(std::min(end + 1, log.size()));
+    if (!line.starts_with(kError) || line.find("compilation errors") != line.npos) continue;
+    line.remove_prefix(kError.size());
+    const bool has_line = line.starts_with("0:");
+    problems.push_back(
+        fmt::format("{}:{}{}", path, has_line ? "" : " ", line.substr(has_line ? 2 : 0)));
+  }
+  if (problems.empty()) problems.push_back(path + ": glslang gives no reason");
+  return problems;
+}
+
+// The line where the name stands first, which is its declaration.
+std::size_t LineOf(std::string_view text, std::string_view name) {
+  for (std::size_t at = text.find(name); at != text.npos; at = text.find(name, at + 1)) {
+    const std::size_t end = at + name.size();
+    const bool is_word = (at == 0 || !IsWordCharacter(text[at - 1])) &&
+                         (end == text.size() || !IsWordCharacter(text[end]));
+    if (is_word) return 1 + static_cast<std::size_t>(std::ranges::count(text.substr(0, at), '\n'));
+  }
+  return 1;
+}
+
+// ---- glslang's types
+
+std::vector<std::uint32_t> DimensionsOf(const glslang::TType& type) {
+  std::vector<std::uint32_t> dimensions;
+  if (!type.isArray()) return dimensions;
+  for (int i = 0; i < type.getArraySizes()->getNumDims(); ++i)
+    dimensions.push_back(static_cast<std::uint32_t>(type.getArraySizes()->getDimSize(i)));
+  return dimensions;
+}
+
+std::optional<Shape> ShapeOfType(const glslang::TType& type) {
+  Shape shape;
+  switch (type.getBasicType()) {
+    case glslang::EbtFloat: break;
+    case glslang::EbtDouble: shape.scalar = ir::Scalar::kDouble; break;
+    case glslang::EbtInt: shape.scalar = ir::Scalar::kInt; break;
+    case glslang::EbtUint: shape.scalar = ir::Scalar::kUint; break;
+    case glslang::EbtBool: shape.scalar = ir::Scalar::kBool; break;
+    default: return std::nullopt;
+  }
+  shape.components =
+      static_cast<std::uint8_t>(type.isMatrix() ? type.getMatrixRows() : type.getVectorSize());
+  shape.columns = static_cast<std::uint8_t>(type.isMatrix() ? type.getMatrixCols() : 1);
+  shape.dimensions = DimensionsOf(type);
+  return shape;
+}
+
+MatrixLayout LayoutOf(const glslang::TQualifier& qualifier) {
+  if (qualifier.layoutMatrix == glslang::ElmRowMajor) return MatrixLayout::kRowMajor;
+  return qualifier.layoutMatrix == glslang::ElmColumnMajor ? MatrixLayout::kColumnMajor
+                                                           : MatrixLayout::kNone;
+}
+
+std::vector<Member> MembersIn(const glslang::TType& type) {
+  std::vector<Member> members;
+  for (const glslang::TTypeLoc& field : *type.getStruct()) {
+    Member& member = members.emplace_back();
+    member.name = field.type->getFieldName().c_str();
+    member.shape = ShapeOfType(*field.type);
+    member.matrices = LayoutOf(field.type->getQualifier());
+    if (field.type->getQualifier().hasOffset())
+      member.offset = static_cast<std::uint32_t>(field.type->getQualifier().layoutOffset);
+    if (!field.type->isStruct()) continue;
+    member.struct_dimensions = DimensionsOf(*field.type);
+    member.fields = MembersIn(*field.type);
+  }
+  return members;
+}
+
+// ---- what the shader reads
+
+// The components of each global variable that any statement mentions, by name.
+class ReadFinder : public glslang::TIntermTraverser {
+ public:
+  void visitSymbol(glslang::TIntermSymbol* symbol) override { Add(*symbol, 0xF); }
+  bool visitBinary(glslang::TVisit, glslang::TIntermBinary* node) override {
+    const glslang::TIntermSymbol* symbol = node->getLeft()->getAsSymbolNode();
+    if (!symbol || !symbol->getType().isVector()) return true;
+    std::uint32_t mask = 0;
+    const auto add = [&](const TIntermNode* index) {
+      const auto* constant = index->getAsConstantUnion();
+      mask |= constant ? 1u << (constant->getConstArray()[0].getIConst() & 3) : 0xF;
+    };
+    if (node->getOp() == glslang::EOpIndexDirect) {
+      add(node->getRight());
+    } else if (node->getOp() == glslang::EOpVectorSwizzle && node->getRight()->getAsAggregate()) {
+      for (const TIntermNode* index : node->getRight()->getAsAggregate()->getSequence()) add(index);
+    } else {
+      return true;
+    }
+    Add(*symbol, mask);
+    return false;
+  }
+  // The list of all globals is no read.
+  bool visitAggregate(glslang::TVisit, glslang::TIntermAggregate* node) override {
+    return node->getOp() != glslang::EOpLinkerObjects;
+  }
+
+  // 0: not read.
+  std::uint32_t Of(const glslang::TIntermSymbol& symbol) const {
+    const auto found = masks_.find(symbol.getId());
+    return found == masks_.end() ? 0 : found->second;
+  }
+
+ private:
+  void Add(const glslang::TIntermSymbol& symbol, std::uint32_t mask) {
+    masks_[symbol.getId()] |= mask;
+  }
+
+  std::map<long long, std::uint32_t> masks_;
+};
+
+enum class Rules : std::uint8_t {
+  kOpenGl,
+  kVulkan,   // separate textures and samplers
+  kLenient,  // of the newest version: drivers take more than the version that a shader names
+};
+
+bool Parse(glslang::TShader& shader, Rules rules, bool is_es) {
+  auto messages = EShMsgDefault;
+  int version = 110;
+  EProfile profile = ENoProfile;
+  if (rules == Rules::kVulkan) {
+    messages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules);
+    shader.setEnvInput(glslang::EShSourceGlsl, EShLangFragment, glslang::EShClientVulkan, 100);
+    shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_1);
+    shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_3);
+  } else if (rules == Rules::kLenient) {
+    version = is_es ? 320 : 460;
+    profile = is_es ? EEsProfile : ECompatibilityProfile;
+  }
+  return shader.parse(GetDefaultResources(), version, profile, rules == Rules::kLenient, false,
+                      messages);
+}
+
+// The text without its demands for extensions that glslang may not know.
+std::string Lenient(std::string_view text) {
+  constexpr std::string_view kRequire = "require";
+  std::string lenient(text);
+  for (std::size_t at = 0; (at = lenient.find("#extension", at)) != lenient.npos; ++at) {
+    const std::size_t word = lenient.find(kRequire, at);
+    if (word < lenient.find('\n', at)) lenient.replace(word, kRequire.size(), "enable ");
+  }
+  return lenient;
+}
+
+class GlslReader {
+ public:
+  GlslReader(const glslang::TIntermediate& tree, std::string_view text, const std::string& path)
+      : text_(text), path_(path) {
+    tree.getTreeRoot()->traverse(&reads_);
+    const glslang::TIntermAggregate* objects = tree.findLinkerObjects();
+    for (TIntermNode* object : objects ? objects->getSequence() : glslang::TIntermSequence()) {
+      if (const glslang::TIntermSymbol* symbol = object->getAsSymbolNode()) Symbol(*symbol);
+    }
+  }
+
+  ReadResult Take() { return std::move(result_); }
+
+ private:
+  void Symbol(const glslang::TIntermSymbol& symbol) {
+    const glslang::TQualifier& qualifier = symbol.getType().getQualifier();
+    if (qualifier.builtIn != glslang::EbvNone) return;
+    if (qualifier.storage == glslang::EvqVaryingIn) return AddInput(symbol, qualifier);
+    if (qualifier.storage != glslang::EvqUniform) return;
+    if (symbol.getBasicType() == glslang::EbtBlock) return AddBlock(symbol, qualifier);
+    Member uniform;
+    uniform.name = symbol.getName().c_str();
+    uniform.shape = ShapeOfType(symbol.getType());
+    if (uniform.shape || symbol.getType().isStruct()) result_.interface.uniforms.push_back(uniform);
+  }
+
+  void AddInput(const glslang::TIntermSymbol& symbol, const glslang::TQualifier& qualifier) {
+    Input input;
+    input.name = symbol.getName().c_str();
+    const std::optional<Shape> shape = ShapeOfType(symbol.getType());
+    const glslang::TType& type = symbol.getType();
+    const std::string shown =
+        type.getBasicType() == glslang::EbtBlock ? type.getTypeName().c_str() : input.name;
+    input.where = Where(shown);
+    if (!shape) {
+      result_.problems.push_back(fmt::format(
+          "{}: `{}` is a struct or a block; only numbers and arrays of them can meet outputs",
+          input.where, shown));
+      return;
+    }
+    input.shape = *shape;
+    if (qualifier.hasLocation()) input.location = qualifier.layoutLocation;
+    if (qualifier.flat) input.interpolation = ir::Interpolation::kNoInterpolation;
+    if (qualifier.nopersp) input.interpolation = ir::Interpolation::kNoPerspective;
+    input.centroid = qualifier.centroid;
+    input.sample = qualifier.sample;
+    const std::uint32_t components = reads_.Of(symbol);
+    input.is_read = components != 0;
+    if (input.is_read) input.components_read = components;
+    result_.interface.inputs.push_back(std::move(input));
+  }
+
+  void AddBlock(const glslang::TIntermSymbol& symbol, const glslang::TQualifier& qualifier) {
+    Block block;
+    block.name = symbol.getType().getTypeName().c_str();
+    block.has_instance = !glslang::IsAnonymous(symbol.getName());
+    if (block.has_instance) block.instance = symbol.getName().c_str();
+    block.rows_on_block = LayoutOf(qualifier) == MatrixLayout::kRowMajor;
+    block.members = MembersIn(symbol.getType());
+    if (qualifier.hasSet()) block.set = qualifier.layoutSet;
+    if (qualifier.hasBinding()) block.binding = qualifier.layoutBinding;
+    block.where = Where(block.name);
+    result_.interface.blocks.push_back(std::move(block));
+  }
+
+  std::string Where(std::string_view name) const {
+    return fmt::format("{}:{}", path_, LineOf(text_, name));
+  }
+
+  std::string_view text_;
+  const std::string& path_;
+  ReadFinder reads_;
+  ReadResult result_{.is_glsl = true};
+};
+
+}  // namespace
+
+ReadResult ReadGlsl(std::string_view text, const std::string& path) {
+  ReadResult result{.is_glsl = true};
+  if (HasLongStatement(text)) {
+    result.problems.push_back(path + ": a statement has more than 4096 operators");
+    return result;
+  }
+  InitializeOnce();
+  bool is_es = false;
+  for (const Rules rules : {Rules::kOpenGl, Rules::kVulkan, Rules::kLenient}) {
+    const std::string given = rules == Rules::kLenient ? Lenient(text) : std::string(text);
+    const char* start = given.c_str();
+    glslang::TShader shader(EShLangFragment);
+    shader.setStrings(&start, 1);
+    if (Parse(shader, rules, is_es))
+      return GlslReader(*shader.getIntermediate(), text, path).Take();
+    is_es = shader.getIntermediate()->isEsProfile();
+    if (rules == Rules::kOpenGl) result.problems = Problems(shader.getInfoLog(), path);
+  }
+  return result;
+}
+
+}  // namespace clipc::pixel

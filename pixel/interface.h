@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ir/type.h"
+
+// The other half of a program: what a pixel shader takes from a vertex shader and shares with it.
+// The readers of this room make it of SPIR-V, GLSL and HLSL, and meet.h compares it with the vertex
+// shader.
+namespace clipc::pixel {
+
+// An array of more vectors than this has no place between two stages.
+inline constexpr std::uint32_t kMaxElements = 256;
+
+// A numeric type, or an array of one, in GLSL's words: HLSL's float3x4 has three columns of four
+// components.
+struct Shape {
+  ir::Scalar scalar = ir::Scalar::kFloat;  // one of BaseOf's
+  std::uint8_t components = 1;             // of a vector, or of a matrix's column
+  std::uint8_t columns = 1;                // of a matrix; else 1
+  std::vector<std::uint32_t> dimensions;   // of an array, outermost first
+
+  // The vectors in it: each takes one location, and is one output of an HLSL vertex shader.
+  // At most kMaxElements + 1.
+  std::uint32_t Elements() const;
+  friend bool operator==(const Shape&, const Shape&) = default;
+};
+// GLSL's spelling: "mat3x4[2]".
+std::string NameOf(const Shape& shape);
+// The shape of a numeric type, or of arrays of one; nothing for any other type.
+std::optional<Shape> ShapeOf(const ir::TypeTable& types, ir::TypeId type);
+
+struct Input {
+  std::string name;      // in GLSL, also when GLSL is still to be made of it; empty: unknown
+  std::string semantic;  // without its index; empty: unknown
+  std::uint32_t index = 0;
+  std::optional<std::uint32_t> location;
+  Shape shape;
+  ir::Interpolation interpolation = ir::Interpolation::kDefault;
+  bool centroid = false;
+  bool sample = false;
+  bool is_read = false;
+  std::uint32_t components_read = 0xF;  // bit i: component i of some element, when it is read
+  std::string where;                    // for messages: "water.frag:12"
+};
+
+enum class MatrixLayout : std::uint8_t { kNone, kRowMajor, kColumnMajor };
+
+struct Member {
+  std::string name;
+  std::optional<Shape> shape;  // none: a struct or an array of structs
+  std::vector<Member> fields;  // of that struct
+  std::vector<std::uint32_t> struct_dimensions;
+  std::optional<std::uint32_t> offset;  // bytes, where it is known
+  MatrixLayout matrices = MatrixLayout::kNone;
+};
+
+struct Block {
+  std::string name;
+  // Members are reached through the name of an instance, which GLSL lets differ between stages; in
+  // both it must be there or not.
+  bool has_instance = false;
+  std::string instance;        // empty: unknown
+  bool rows_on_block = false;  // `row_major` is said of the block, and not of its members
+  std::vector<Member> members;
+  std::optional<std::uint32_t> set, binding;
+  std::string where;
+};
+
+struct Interface {
+  std::vector<Input> inputs;  // those that are not built in, in order of declaration
+  std::vector<Block> blocks;
+  std::vector<Member> uniforms;  // outside blocks
+};
+
+}  // namespace clipc::pixel

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "pixel/meet.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/invariant.h"
+#include "ir/access.h"
+#include "ir/builder.h"
+#include "pixel/meet_inputs.h"
+#include "pixel/members.h"
+#include "pixel/names.h"
+
+namespace clipc::pixel {
+namespace {
+
+using namespace ir;
+
+class Applier {
+ public:
+  Applier(Program& program, const Interface& pixel, const Meeting& meeting,
+          const MeetOptions& options)
+      : program_(program), pixel_(pixel), meeting_(meeting), options_(options) {}
+
+  void Run() {
+    std::vector<IoVar> outputs;
+    std::uint32_t end = 0;  // after the last location that the pixel shader has
+    for (std::size_t i = 0; i < meeting_.outputs.size(); ++i) {
+      IoVar output = program_.outputs[i];
+      if (const auto input = meeting_.outputs[i].input) {
+        Output(output, pixel_.inputs[*input], *input, meeting_.outputs[i].element);
+        end = std::max(end, output.location + 1);
+      } else if (output.builtin == Builtin::kNone && !options_.keep_outputs) {
+        RemoveWrites(output.var);
+        continue;
+      }
+      outputs.push_back(std::move(output));
+    }
+    for (IoVar& output : outputs) {
+      if (output.builtin == Builtin::kNone && !output.reader) output.location = end++;
+    }
+    std::ranges::stable_sort(outputs, {}, [](const IoVar& output) {
+      return output.builtin == Builtin::kNone ? std::int64_t{output.location} : -1;
+    });
+    program_.outputs = std::move(outputs);
+    for (const CbufferId id : program_.cbuffers.ids()) {
+      const Meeting::Buffer& met = meeting_.buffers[id.index];
+      if (met.block) Buffer(program_.cbuffers[id], pixel_.blocks[*met.block]);
+      if (met.is_loose) program_.cbuffers[id].declared.emplace().is_loose = true;
+    }
+  }
+
+ private:
+  void Output(IoVar& output, const Input& input, std::size_t number, std::uint32_t element) {
+    Reader& reader = output.reader.emplace();
+    reader.name = input.name;
+    reader.has_location = input.location.has_value();
+    reader.columns = input.shape.columns;
+    reader.dimensions = input.shape.dimensions;
+    reader.element = element;
+    output.location = input.location.value_or(PlaceOf(number)) + element;
+    output.interpolation = input.interpolation;
+    output.centroid = input.centroid;
+    output.sample = input.sample;
+    Reshape(output.var, input.shape);
+  }
+
+  // The locations that inputs without one would have.
+  std::uint32_t PlaceOf(std::size_t number) const {
+    std::uint32_t place = 0;
+    for (std::size_t i = 0; i < number; ++i) place += pixel_.inputs[i].shape.Elements();
+    return place;
+  }
+
+  // Gives the output the type of one element of the input, and makes its value fit.
+  void Reshape(VarId var, const Shape& shape) {
+    const Scalar kind = shape.scalar == Scalar::kBool ? Scalar::kUint : shape.scalar;
+    const TypeId type = shape.components == 1 ? program_.types.Make(kind)
+                                              : program_.types.Vector(kind, shape.components);
+    if (program_.vars[var].type == type) return;
+    program_.vars[var].type = type;
+    for (const StmtId id : MainBody(program_)) {
+      const ExprId evaluated = WriteOf(id, var);
+      if (!evaluated) continue;
+      Assign assign = *As<Assign>(program_, evaluated);
+      program_.exprs[assign.target].type = type;
+      assign.value = Fitted(assign.value, type, kind, shape.components);
+      program_.exprs[evaluated].node = assign;
+      program_.exprs[evaluated].type = type;
+    }
+  }
+
+  ExprId Fitted(ExprId value, TypeId type, Scalar kind, std::uint32_t components) {
+    Builder builder(program_, program_.exprs[value].span);
+    value = builder.ConvertTo(kind, value);
+    const Type from = program_.types[builder.TypeOf(value)];
+    const std::uint32_t size = from.Components();
+    if (size > components) {
+      constexpr std::uint8_t kAll[] = {0, 1, 2, 3};
+      return builder.Swizzled(value, std::span(kAll).first(components));
+    }
+    if (size == components && from.kind == program_.types[type].kind) return value;
+    std::vector<ExprId> parts{value};
+    for (std::uint32_t i = size; i < components; ++i) parts.push_back(builder.LiteralOf(kind, 0));
+    return builder.ConstructOf(type, parts);
+  }
+
+  // The assignment of the statement, when it writes the output.
+  ExprId WriteOf(StmtId id, VarId output) const {
+    const auto* evaluate = As<Evaluate>(program_, id);
+    const auto* assign = evaluate ? As<Assign>(program_, evaluate->expr) : nullptr;
+    const auto* target = assign ? As<VarRef>(program_, assign->target) : nullptr;
+    return target && target->var == output ? evaluate->expr : ExprId{};
+  }
+
+  void RemoveWrites(VarId output) {
+    std::vector<StmtId> body;
+    for (const StmtId id : MainBody(program_)) {
+      if (!WriteOf(id, output)) body.push_back(id);
+    }
+    SetMainBody(program_, body);
+  }
+
+  void Buffer(Cbuffer& cbuffer, const Block& block) const {
+    BlockDeclaration& declared = cbuffer.declared.emplace();
+    declared.name = block.name;
+    declared.has_instance = block.has_instance;
+    // Instances of two stages have names of their own; `_45` is no name to read.
+    const bool is_readable = !block.instance.empty() && !block.instance.starts_with('_');
+    declared.instance = is_readable ? block.instance : GlslNameOf(cbuffer.name);
+    if (declared.instance == declared.name) {
+      char& first = declared.instance[0];
+      if (first >= 'A' && first <= 'Z') first = static_cast<char>(first - 'A' + 'a');
+    }
+    declared.rows_on_block = block.rows_on_block;
+    declared.set = block.set;
+    declared.binding = block.binding;
+    const std::vector<Member> ours = MembersOf(program_, cbuffer);
+    for (std::size_t i = 0; i < ours.size(); ++i) {
+      const Member& member = block.members[i];
+      const bool is_bool = ours[i].shape && ours[i].shape->scalar == Scalar::kBool;
+      declared.members.push_back({member.name, is_bool && member.shape != ours[i].shape});
+    }
+  }
+
+  Program& program_;
+  const Interface& pixel_;
+  const Meeting& meeting_;
+  const MeetOptions& options_;
+};
+
+}  // namespace
+
+Meeting Meet(const Program& program, const Interface& pixel, const MeetOptions& options,
+             Diagnostics& diagnostics) {
+  return {MeetInputs(program, pixel, options, diagnostics),
+          MeetBlocks(program, pixel, options, diagnostics)};
+}
+
+void Apply(Program& program, const Interface& pixel, const Meeting& meeting,
+           const MeetOptions& options) {
+  CLIPC_CHECK(program.form == Form::kTyped);
+  Applier(program, pixel, meeting, options).Run();
+}
+
+}  // namespace clipc::pixel

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "pixel/meet_inputs.h"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/spelling.h"
+#include "pixel/names.h"
+
+namespace clipc::pixel {
+namespace {
+
+using Output = Meeting::Output;
+
+// An output by the names that tools know it by, in GLSL's spelling.
+struct OutputNames {
+  std::string semantic;  // "TEXCOORD0"
+  std::string bare;      // "TEXCOORD" when the index is 0, which tools may leave out
+  std::string member;    // "weights_1_" of "result.weights[1]"
+  std::string array;     // "weights" of "result.weights[0]", and of a matrix's first row
+  bool is_row = false;   // of a matrix
+};
+
+bool IsUpper(char c) { return c >= 'A' && c <= 'Z'; }
+
+// Twice the letters of `name` when `text` is it or ends with it where a word begins: "i_uv" and
+// "fragUV" end with "uv"; one more in the same case. Otherwise 0.
+std::size_t Ending(std::string_view text, std::string_view name) {
+  if (name.empty() || name.size() > text.size()) return 0;
+  const std::size_t start = text.size() - name.size();
+  const std::string_view ending = text.substr(start);
+  const bool is_word =
+      start == 0 || text[start - 1] == '_' || (IsUpper(ending[0]) && !IsUpper(text[start - 1]));
+  if (!is_word || !EqualIgnoringCase(ending, name)) return 0;
+  return 2 * name.size() + (ending == name ? 1 : 0);
+}
+
+// Each rule says how much of an input's name speaks for the output, as Ending does; 0: nothing.
+
+// Names that a tool makes of the semantic and of nothing else: DXC's, also after SPIRV-Cross, and
+// HLSLcc's, which are clipc's own.
+std::size_t ByToolName(const Input& input, const OutputNames& output) {
+  for (const std::string_view prefix : {"in_var_", "vs_", "out_var_"}) {
+    std::string_view name = input.name;
+    // HLSLcc has the columns of a matrix, and the outputs are its rows.
+    if (!name.starts_with(prefix) || (output.is_row && input.shape.columns == 1)) continue;
+    name.remove_prefix(prefix.size());
+    if (EqualIgnoringCase(name, output.semantic) || EqualIgnoringCase(name, output.bare))
+      return 2 * input.name.size();
+  }
+  return 0;
+}
+std::size_t ByMemberName(const Input& input, const OutputNames& output) {
+  const std::size_t member = Ending(input.name, output.member);
+  return member > 0 || input.shape.Elements() == 1 ? member : Ending(input.name, output.array);
+}
+std::size_t BySemanticName(const Input& input, const OutputNames& output) {
+  return std::max(Ending(input.name, output.semantic), Ending(input.name, output.bare));
+}
+
+class InputMeeter {
+ public:
+  InputMeeter(const ir::Program& program, const Interface& pixel, const MeetOptions& options,
+              Diagnostics& diagnostics)
+      : program_(program),
+        pixel_(pixel),
+        options_(options),
+        diagnostics_(diagnostics),
+        outputs_(program.outputs.size()),
+        met_(pixel.inputs.size()) {
+    for (std::size_t i = 0; i < program.outputs.size(); ++i) names_.push_back(NamesOf(i));
+  }
+
+  std::vector<Output> Run() {
+    for (std::size_t i = 0; i < pixel_.inputs.size(); ++i) BySemantic(i);
+    for (const auto rule : {ByToolName, ByMemberName, BySemanticName}) ByName(rule);
+    for (std::size_t i = 0; i < pixel_.inputs.size(); ++i) ByLocation(i);
+    ByOrder();
+    for (std::size_t i = 0; i < pixel_.inputs.size(); ++i) Check(i);
+    return std::move(outputs_);
+  }
+
+ private:
+  OutputNames NamesOf(std::size_t number) const {
+    const ir::IoVar& output = program_.outputs[number];
+    OutputNames names;
+    if (output.builtin != ir::Builtin::kNone) return names;
+    names.semantic = output.semantic + std::to_string(output.index);
+    if (output.index == 0) names.bare = output.semantic;
+    // After the parameter or the function; a parameter that is not a struct is its own name.
+    const std::string path = output.path.substr(output.path.find('.') + 1);
+    const auto first = std::ranges::find(program_.outputs, output.path, &ir::IoVar::path);
+    const bool is_matrix = std::ranges::count(program_.outputs, output.path, &ir::IoVar::path) > 1;
+    names.is_row = is_matrix;
+    if (!is_matrix) names.member = GlslNameOf(path);
+    if (is_matrix && &*first == &output) names.array = GlslNameOf(path);
+    constexpr std::string_view kFirst = "[0]";
+    if (path.ends_with(kFirst))
+      names.array = GlslNameOf(path.substr(0, path.size() - kFirst.size()));
+    return names;
+  }
+
+  // ---- the rules
+
+  void BySemantic(std::size_t number) {
+    const Input& input = pixel_.inputs[number];
+    if (input.semantic.empty()) return;
+    // Indices count on through a matrix, so another variable may begin with one of its indices.
+    for (const bool begins : {true, false}) {
+      for (std::size_t i = 0; i < program_.outputs.size(); ++i) {
+        const ir::IoVar& output = program_.outputs[i];
+        const bool is_same = EqualIgnoringCase(output.semantic, input.semantic) &&
+                             output.index == input.index &&
+                             begins == (i == 0 || VariableOf(i) != VariableOf(i - 1));
+        if (is_same && TryMeet(number, i)) return;
+      }
+    }
+  }
+
+  // "i_light_uv" is of `light_uv` rather than of `uv`, and `uv` is in "i_uv" rather than there.
+  void ByName(std::size_t (*rule)(const Input&, const OutputNames&)) {
+    struct Candidate {
+      std::size_t score, letters, input, output;
+    };
+    std::vector<Candidate> candidates;
+    for (std::size_t i = 0; i < met_.size(); ++i) {
+      const Input& input = pixel_.inputs[i];
+      if (met_[i] || !input.semantic.empty()) continue;
+      for (std::size_t k = 0; k < outputs_.size(); ++k) {
+        const std::size_t score = IsFree(k) ? rule(input, names_[k]) : 0;
+        if (score > 0) candidates.push_back({score, input.name.size(), i, k});
+      }
+    }
+    std::ranges::stable_sort(candidates, [](const Candidate& a, const Candidate& b) {
+      return std::pair(b.score, a.letters) < std::pair(a.score, b.letters);
+    });
+    for (const Candidate& candidate : candidates) {
+      if (!met_[candidate.input]) TryMeet(candidate.input, candidate.output);
+    }
+  }
+
+  void ByLocation(std::size_t number) {
+    const Input& input = pixel_.inputs[number];
+    if (met_[number] || !input.semantic.empty() || !input.location) return;
+    for (std::size_t i = 0; i < outputs_.size(); ++i) {
+      // A place proves little where the types differ.
+      const bool is_there = IsFree(i) && program_.outputs[i].location == *input.location &&
+                            ShapeAt(i) == ElementShape(input);
+      if (is_there && TryMeet(number, i)) return;
+    }
+  }
+
+  // Where names and places say nothing, the inputs and outputs that are left are in one order, if
+  // they are as many and of the same types.
+  void ByOrder() {
+    std::vector<std::size_t> inputs, outputs;
+    for (std::size_t i = 0; i < met_.size(); ++i) {
+      const Input& input = pixel_.inputs[i];
+      if (!met_[i] && input.semantic.empty() && !input.location) inputs.push_back(i);
+    }
+    for (std::size_t i = 0; i < outputs_.size(); ++i) {
+      if (IsFree(i)) outputs.push_back(i);
+    }
+    const bool fit =
+        std::ranges::equal(inputs, outputs, [&](std::size_t input, std::size_t output) {
+          return pixel_.inputs[input].shape == ShapeAt(output);
+        });
+    for (std::size_t i = 0; fit && i < inputs.size(); ++i) TryMeet(inputs[i], outputs[i]);
+  }
+
+  // ---- meeting
+
+  bool IsFree(std::size_t output) const {
+    return program_.outputs[output].builtin == ir::Builtin::kNone && !outputs_[output].input;
+  }
+  Shape ShapeAt(std::size_t output) const {
+    return pixel::ShapeOf(program_.types, program_.vars[program_.outputs[output].var].type)
+        .value_or(Shape{});
+  }
+
+  static Shape ElementShape(const Input& input) {
+    Shape shape = input.shape;
+    shape.columns = 1;
+    shape.dimensions.clear();
+    return shape;
+  }
+
+  // The output that is so many elements after the first in one matrix or array; if there is none,
+  // that of the same semantic whose index is so much higher.
+  std::optional<std::size_t> ElementAfter(std::size_t first, std::uint32_t element) const {
+    const ir::IoVar& start = program_.outputs[first];
+    const std::size_t next = first + element;
+    if (next < outputs_.size() && IsFree(next) && VariableOf(next) == VariableOf(first))
+      return next;
+    for (std::size_t i = 0; i < outputs_.size(); ++i) {
+      const ir::IoVar& output = program_.outputs[i];
+      if (IsFree(i) && output.index == start.index + element &&
+          EqualIgnoringCase(output.semantic, start.semantic)) {
+        return i;
+      }
+    }
+    return std::nullopt;
+  }
+
+  // "o.uv" of "o.uv[1]".
+  std::string_view VariableOf(std::size_t output) const {
+    const std::string_view path = program_.outputs[output].path;
+    return path.substr(0, path.find('['));
+  }
+
+  // An array or a matrix meets as many outputs; where one is missing, nothing is met.
+  bool TryMeet(std::size_t number, std::size_t first) {
+    if (!IsFree(first)) return false;
+    std::vector<std::size_t> met{first};
+    for (std::uint32_t i = 1; i < pixel_.inputs[number].shape.Elements(); ++i) {
+      const auto next = ElementAfter(first, i);
+      if (!next) return false;
+      met.push_back(*next);
+    }
+    for (std::uint32_t i = 0; i < met.size(); ++i) outputs_[met[i]] = {number, i};
+    met_[number] = true;
+    return true;
+  }
+
+  // ---- what cannot fit
+
+  void Check(std::size_t number) {
+    const Input& input = pixel_.inputs[number];
+    const bool is_needed = input.is_read || options_.is_vulkan;
+    if (!met_[number]) {
+      if (!is_needed) return;
+      Diagnostic& report =
+          diagnostics_.Report(EntrySpan(), diag::PixelInputUnwritten, NameOf(input));
+      report.Note({}, diag::PixelInputHere, input.where, NameOf(input), NameOf(input.shape));
+      return;
+    }
+    for (std::size_t i = 0; i < outputs_.size(); ++i) {
+      if (outputs_[i].input != number) continue;
+      is_needed ? CheckType(input, i) : void(outputs_[i].input.reset());
+    }
+  }
+
+  void CheckType(const Input& input, std::size_t number) {
+    const ir::IoVar& output = program_.outputs[number];
+    const Span span = program_.vars[output.var].span;
+    const Shape shape = ShapeAt(number);
+    const bool is_float = shape.scalar == ir::Scalar::kFloat || shape.scalar == ir::Scalar::kDouble;
+    const bool fits =
+        is_float ? shape.scalar == input.shape.scalar : ir::IsInteger(input.shape.scalar);
+    if (!fits) {
+      diagnostics_
+          .Report(span, diag::PixelInputType, names_[number].semantic, NameOf(shape),
+                  NameOf(input.shape))
+          .Note({}, diag::PixelInputHere, input.where, NameOf(input), NameOf(input.shape));
+    } else if (input.is_read &&
+               (input.components_read & ((1u << input.shape.components) - 1)) >> shape.components) {
+      diagnostics_
+          .Report(span, diag::PixelComponentsUnwritten, names_[number].semantic, NameOf(shape),
+                  NameOf(input.shape))
+          .Note({}, diag::PixelInputHere, input.where, NameOf(input), NameOf(input.shape));
+    }
+  }
+
+  Span EntrySpan() const { return program_.functions[program_.entry].span; }
+  static std::string NameOf(const Input& input) {
+    return input.semantic.empty() ? input.name : input.semantic + std::to_string(input.index);
+  }
+  static std::string NameOf(const Shape& shape) { return pixel::NameOf(shape); }
+
+  const ir::Program& program_;
+  const Interface& pixel_;
+  const MeetOptions& options_;
+  Diagnostics& diagnostics_;
+  std::vector<OutputNames> names_;  // beside program.outputs
+  std::vector<Output> outputs_;
+  std::vector<bool> met_;  // beside pixel.inputs
+};
+
+}  // namespace
+
+std::vector<Output> MeetInputs(const ir::Program& program, const Interface& pixel,
+                               const MeetOptions& options, Diagnostics& diagnostics) {
+  return InputMeeter(program, pixel, options, diagnostics).Run();
+}
+
+}  // namespace clipc::pixel

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "pixel/members.h"
+
+#include "ir/packing.h"
+
+namespace clipc::pixel {
+namespace {
+
+Member MemberOf(const ir::TypeTable& types, std::string name, ir::TypeId type, bool row_major,
+                std::uint32_t offset);
+
+std::vector<Member> FieldsOf(const ir::TypeTable& types, ir::StructId id) {
+  std::vector<Member> fields;
+  for (std::uint32_t i = 0; i < types[id].fields.size(); ++i) {
+    const ir::Field& field = types[id].fields[i];
+    fields.push_back(
+        MemberOf(types, field.name, field.type, field.row_major, ir::FieldOffset(types, id, i)));
+  }
+  return fields;
+}
+
+Member MemberOf(const ir::TypeTable& types, std::string name, ir::TypeId type, bool row_major,
+                std::uint32_t offset) {
+  Member member;
+  member.name = std::move(name);
+  member.offset = offset;
+  member.shape = ShapeOf(types, type);
+  if (member.shape) {
+    if (member.shape->columns > 1)
+      member.matrices = row_major ? MatrixLayout::kColumnMajor : MatrixLayout::kRowMajor;
+    return member;
+  }
+  for (; types[type].kind == ir::TypeKind::kArray; type = types[type].element)
+    member.struct_dimensions.push_back(types[type].count);
+  if (types[type].kind == ir::TypeKind::kStruct)
+    member.fields = FieldsOf(types, types[type].structure);
+  return member;
+}
+
+}  // namespace
+
+std::vector<Member> MembersOf(const ir::Program& program, const ir::Cbuffer& cbuffer) {
+  std::vector<Member> members;
+  if (cbuffer.kind == ir::CbufferKind::kConstantBuffer) {
+    ir::TypeId type = program.vars[cbuffer.members.front().var].type;
+    while (program.types[type].kind == ir::TypeKind::kArray) type = program.types[type].element;
+    return FieldsOf(program.types, program.types[type].structure);
+  }
+  for (const ir::CbufferMember& member : cbuffer.members) {
+    const ir::Var& var = program.vars[member.var];
+    members.push_back(MemberOf(program.types, var.name, var.type, var.row_major, member.offset));
+  }
+  return members;
+}
+
+}  // namespace clipc::pixel

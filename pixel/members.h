@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <vector>
+
+#include "ir/program.h"
+#include "pixel/interface.h"
+
+namespace clipc::pixel {
+
+// The members of a constant buffer as GLSL has them: a ConstantBuffer<T> has those of T, and HLSL's
+// row_major is column_major.
+std::vector<Member> MembersOf(const ir::Program& program, const ir::Cbuffer& cbuffer);
+
+}  // namespace clipc::pixel

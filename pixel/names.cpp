@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "pixel/names.h"
+
+namespace clipc::pixel {
+namespace {
+
+bool IsDigit(char c) { return c >= '0' && c <= '9'; }
+
+}  // namespace
+
+bool IsWordCharacter(char c) {
+  return c == '_' || IsDigit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+std::string GlslNameOf(std::string_view name) {
+  std::string text;
+  for (const char c : name) {
+    const char spelled = IsWordCharacter(c) ? c : '_';
+    if (spelled != '_' || !text.ends_with('_')) text += spelled;
+  }
+  if (!text.empty() && IsDigit(text[0])) text.insert(0, "_");
+  return text;
+}
+
+}  // namespace clipc::pixel

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace clipc::pixel {
+
+bool IsWordCharacter(char c);
+
+// `name` as SPIRV-Cross spells it in GLSL: letters, digits and single underscores; "i.a[1]" is
+// "i_a_1_".
+std::string GlslNameOf(std::string_view name);
+
+}  // namespace clipc::pixel

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// The interface of a pixel shader in HLSL, as clipc's own front end understood it.
+#include <algorithm>
+#include <vector>
+
+#include "ir/access.h"
+#include "pixel/members.h"
+#include "pixel/names.h"
+#include "pixel/read.h"
+
+namespace clipc::pixel {
+namespace {
+
+using namespace ir;
+
+// By VarId: the components that any function reads.
+std::vector<std::uint32_t> ComponentsRead(const Program& program) {
+  std::vector<std::uint32_t> masks(program.vars.size());
+  for (const FunctionId function : program.functions.ids()) {
+    std::vector<bool> is_swizzled(program.exprs.size());
+    ForEachExpr(program, program.functions[function].body, [&](ExprId id) {
+      if (const auto* swizzle = As<Swizzle>(program, id)) {
+        const auto* base = As<VarRef>(program, swizzle->base);
+        if (!base) return;
+        is_swizzled[swizzle->base.index] = true;
+        const Type& type = program.types[program.exprs[id].type];
+        for (std::uint32_t i = 0; i < type.Components(); ++i)
+          masks[base->var.index] |= 1u << swizzle->components[i];
+      }
+      const auto* ref = As<VarRef>(program, id);
+      if (ref && !is_swizzled[id.index]) masks[ref->var.index] = 0xF;
+    });
+  }
+  return masks;
+}
+
+}  // namespace
+
+// Names are those that glslang and SPIRV-Cross give: of the parameter and its member, and of the
+// constant buffer.
+Interface ReadProgram(const Program& program, const std::function<std::string(Span)>& place) {
+  Interface interface;
+  const std::vector<std::uint32_t> masks = ComponentsRead(program);
+  const std::string* path = nullptr;  // of the input before
+  for (const IoVar& io : program.inputs) {
+    if (io.builtin != Builtin::kNone) continue;
+    const Var& var = program.vars[io.var];
+    const std::uint32_t mask = masks[io.var.index];
+    // The rows of one matrix.
+    if (path && *path == io.path) {
+      Input& whole = interface.inputs.back();
+      ++whole.shape.columns;
+      whole.is_read = whole.is_read || mask != 0;
+      continue;
+    }
+    path = &io.path;
+    interface.inputs.push_back({.name = GlslNameOf(io.path),
+                                .semantic = io.semantic,
+                                .index = io.index,
+                                .location = io.location,
+                                .shape = ShapeOf(program.types, var.type).value_or(Shape{}),
+                                .interpolation = io.interpolation,
+                                .centroid = io.centroid,
+                                .sample = io.sample,
+                                .is_read = mask != 0,
+                                .components_read = mask,
+                                .where = place(var.span)});
+  }
+  std::vector<bool> is_used(program.cbuffers.size());
+  for (const VarId id : program.vars.ids()) {
+    if (masks[id.index] != 0 && program.vars[id].cbuffer)
+      is_used[program.vars[id].cbuffer.index] = true;
+  }
+  for (const CbufferId id : program.cbuffers.ids()) {
+    const Cbuffer& cbuffer = program.cbuffers[id];
+    if (!is_used[id.index]) continue;
+    std::vector<Member> members = MembersOf(program, cbuffer);
+    for (Member& member : members) {
+      if (member.shape && member.shape->scalar == Scalar::kBool)
+        member.shape->scalar = Scalar::kUint;
+    }
+    const bool is_globals = cbuffer.kind == CbufferKind::kGlobals;
+    interface.blocks.push_back({.name = is_globals ? "_Global" : GlslNameOf(cbuffer.name),
+                                .has_instance = true,
+                                .instance = {},
+                                .members = std::move(members),
+                                .set = cbuffer.reg.space,
+                                .binding = cbuffer.reg.number,
+                                .where = place(cbuffer.span)});
+  }
+  return interface;
+}
+
+}  // namespace clipc::pixel

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "pixel/read.h"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "pixel/names.h"
+
+namespace clipc::pixel {
+namespace {
+
+// The words of a text, comments left out.
+std::set<std::string_view> WordsOf(std::string_view text) {
+  std::set<std::string_view> words;
+  for (std::size_t at = 0; at < text.size();) {
+    if (text.substr(at, 2) == "//") {
+      at = std::min(text.find('\n', at), text.size());
+    } else if (text.substr(at, 2) == "/*") {
+      at = std::min(text.find("*/", at), text.size());
+    } else if (IsWordCharacter(text[at])) {
+      const std::size_t start = at;
+      while (at < text.size() && IsWordCharacter(text[at])) ++at;
+      words.insert(text.substr(start, at - start));
+      continue;
+    }
+    ++at;
+  }
+  return words;
+}
+
+}  // namespace
+
+Language LanguageOf(std::string_view bytes) {
+  for (const std::string_view magic : {"\x03\x02\x23\x07", "\x07\x23\x02\x03"}) {
+    if (bytes.starts_with(magic)) return Language::kSpirv;
+  }
+  const std::set<std::string_view> words = WordsOf(bytes);
+  const auto has_one_of = [&](auto... names) { return (words.contains(names) || ...); };
+  if (has_one_of("version") && bytes.find("#version") != bytes.npos) return Language::kGlsl;
+  const bool is_hlsl = has_one_of("float2", "float3", "float4", "half4", "cbuffer", "SV_Target");
+  const bool is_glsl = has_one_of("vec2", "vec3", "vec4", "gl_FragColor", "gl_FragCoord");
+  return is_glsl && !is_hlsl ? Language::kGlsl : Language::kHlsl;
+}
+
+std::string Problem(const Interface& interface) {
+  constexpr std::uint32_t kMaxLocation = 1024;
+  std::set<std::uint32_t> taken;
+  for (const Input& input : interface.inputs) {
+    const std::uint32_t elements = input.shape.Elements();
+    if (elements == 0 || elements > kMaxElements)
+      return fmt::format("{}: an input is an array of 1 to {} vectors", input.where, kMaxElements);
+    if (input.location && *input.location > kMaxLocation)
+      return fmt::format("{}: location {} is greater than {}", input.where, *input.location,
+                         kMaxLocation);
+    for (std::uint32_t i = 0; input.location && i < elements; ++i) {
+      if (!taken.insert(*input.location + i).second)
+        return fmt::format("{}: location {} is taken", input.where, *input.location + i);
+    }
+  }
+  const auto is_numbered = [](const Input& input) { return input.location.has_value(); };
+  if (!std::ranges::all_of(interface.inputs, is_numbered) &&
+      std::ranges::any_of(interface.inputs, is_numbered))
+    return "some inputs have a location and some have none";
+  return {};
+}
+
+}  // namespace clipc::pixel

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/span.h"
+#include "ir/program.h"
+#include "pixel/interface.h"
+
+// Readers of pixel shaders. Each takes a whole file and reads nothing else. Whatever the bytes are,
+// a reader returns: with an interface, or with what is wrong.
+namespace clipc::pixel {
+
+enum class Language : std::uint8_t { kSpirv, kGlsl, kHlsl };
+
+// By content: SPIR-V has its magic number, in either order of bytes; GLSL has #version, or names of
+// GLSL's vectors and variables and none of HLSL's. The rest is HLSL.
+Language LanguageOf(std::string_view bytes);
+
+struct ReadResult {
+  Interface interface = {};
+  bool is_glsl = false;  // its names are those that the driver sees
+  // "water.frag:12: ..."; empty when the interface is right.
+  std::vector<std::string> problems = {};
+};
+
+// SPIR-V 1.0 to 1.6. `entry` names a fragment entry point; empty: the only one.
+ReadResult ReadSpirv(std::string_view bytes, std::string_view path, std::string_view entry);
+
+// GLSL and GLSL ES of any version, for OpenGL or for Vulkan, in glslang's judgement.
+ReadResult ReadGlsl(std::string_view text, const std::string& path);
+
+// What is wrong with an interface that a reader made: two inputs in one place, or an input that is
+// too large. Empty: nothing.
+std::string Problem(const Interface& interface);
+
+// What Check returned for a pixel profile.
+// `place` says where a span is, for messages.
+Interface ReadProgram(const ir::Program& program, const std::function<std::string(Span)>& place);
+
+}  // namespace clipc::pixel

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "pixel/interface.h"
+
+namespace clipc::pixel {
+
+std::uint32_t Shape::Elements() const {
+  std::uint64_t count = columns;
+  for (const std::uint32_t dimension : dimensions)
+    count = std::min<std::uint64_t>(count * dimension, kMaxElements + 1);
+  return static_cast<std::uint32_t>(count);
+}
+
+std::string NameOf(const Shape& shape) {
+  const ir::Scalar kind = shape.scalar;
+  std::string name;
+  if (shape.columns > 1) {
+    name = fmt::format("{}mat{}x{}", kind == ir::Scalar::kDouble ? "d" : "", shape.columns,
+                       shape.components);
+    if (shape.columns == shape.components) name.resize(name.size() - 2);
+  } else if (shape.components > 1) {
+    const std::string_view letter = kind == ir::Scalar::kFloat ? "" : ir::NameOf(kind);
+    name = fmt::format("{}vec{}", letter.substr(0, 1), shape.components);
+  } else {
+    name = ir::NameOf(kind);
+  }
+  for (const std::uint32_t dimension : shape.dimensions) name += fmt::format("[{}]", dimension);
+  return name;
+}
+
+std::optional<Shape> ShapeOf(const ir::TypeTable& types, ir::TypeId id) {
+  Shape shape;
+  for (; types[id].kind == ir::TypeKind::kArray; id = types[id].element)
+    shape.dimensions.push_back(types[id].count);
+  const ir::Type& type = types[id];
+  if (!type.IsNumeric()) return std::nullopt;
+  shape.scalar = ir::BaseOf(type.scalar);
+  // A matrix of one row or one column is a vector in GLSL.
+  const bool is_vector = type.rows == 1 || type.columns == 1;
+  shape.components = is_vector ? static_cast<std::uint8_t>(type.rows * type.columns) : type.columns;
+  shape.columns = is_vector ? std::uint8_t{1} : type.rows;
+  return shape;
+}
+
+}  // namespace clipc::pixel

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// The interface of a fragment shader in SPIR-V. The words are untrusted, so ids and nesting are
+// checked here, which SPIRV-Cross leaves to its callers.
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "frontend/rules/build_main.h"
+#include "pixel/names.h"
+#include "pixel/read.h"
+#include "pixel/spirv_module.h"
+
+namespace clipc::pixel {
+namespace {
+
+constexpr int kMaxDepth = 16;  // of arrays and structs in each other
+
+// What the functions that the entry point reaches do with the module's variables.
+class Reads {
+ public:
+  Reads(const SpirvModule& module, SpirvId entry) : module_(module) {
+    std::vector<SpirvId> waiting{entry};
+    std::set<SpirvId> seen;
+    while (!waiting.empty()) {
+      const SpirvId id = waiting.back();
+      waiting.pop_back();
+      const auto function = module.functions.find(id);
+      if (function == module.functions.end() || !seen.insert(id).second) continue;
+      for (const Instruction& instruction : function->second) {
+        if (instruction.opcode == spv::kFunctionCall && instruction.words.size() > 2)
+          waiting.push_back(instruction.words[2]);
+        Visit(instruction);
+      }
+    }
+  }
+
+  // The components that are read, all for anything but a vector; nothing for a variable that is not
+  // read at all.
+  std::optional<std::uint32_t> Of(SpirvId variable) const {
+    const auto found = masks_.find(variable);
+    return found == masks_.end() ? std::nullopt : std::optional(found->second);
+  }
+
+ private:
+  static constexpr std::uint32_t kAll = 0xF;
+
+  void Visit(const Instruction& instruction) {
+    const auto words = instruction.words;
+    switch (instruction.opcode) {
+      case spv::kLoad:
+        if (words.size() > 2) loaded_[words[1]] = words[2], masks_.try_emplace(words[2], 0);
+        return;
+      case spv::kAccessChain:
+      case spv::kInBoundsAccessChain: return AccessChain(words);
+      case spv::kCompositeExtract:
+        if (words.size() == 4) return Read(words[2], 1u << (words[3] & 31));
+        break;
+      case spv::kVectorShuffle:
+        if (words.size() > 4) return Shuffle(words);
+        break;
+      default: break;
+    }
+    // Any word may be an operand; a literal that looks like one makes an input read at worst.
+    const bool takes_pointers = instruction.opcode == spv::kFunctionCall ||
+                                instruction.opcode == spv::kCopyMemory ||
+                                instruction.opcode == spv::kExtInst;  // interpolateAt..
+    for (const std::uint32_t word : words) {
+      Read(word, kAll);
+      if (takes_pointers) masks_[word] = kAll;
+    }
+  }
+
+  void AccessChain(std::span<const std::uint32_t> words) {
+    if (words.size() < 3) return;
+    const auto index =
+        words.size() == 4 ? module_.constants.find(words[3]) : module_.constants.end();
+    masks_[words[2]] |= index == module_.constants.end() ? kAll : 1u << (index->second & 31);
+  }
+
+  void Shuffle(std::span<const std::uint32_t> words) {
+    for (const std::uint32_t component : words.subspan(4)) {
+      if (component < 4)
+        Read(words[2], 1u << component);
+      else
+        Read(words[2], kAll), Read(words[3], kAll);
+    }
+  }
+
+  void Read(SpirvId value, std::uint32_t mask) {
+    const auto found = loaded_.find(value);
+    if (found != loaded_.end()) masks_[found->second] |= mask;
+  }
+
+  const SpirvModule& module_;
+  std::map<SpirvId, SpirvId> loaded_;  // the variable by the value that was loaded from it
+  std::map<SpirvId, std::uint32_t> masks_;
+};
+
+class SpirvReader {
+ public:
+  SpirvReader(const SpirvModule& module, const EntryPoint& entry, std::string_view path)
+      : module_(module), entry_(entry), reads_(module, entry.function), path_(path) {}
+
+  Interface Run() {
+    for (const SpirvVariable& variable : module_.variables) {
+      const SpirvType* pointer = module_.TypeOf(variable.type);
+      const SpirvType* type = pointer ? module_.TypeOf(pointer->element) : nullptr;
+      if (!type) continue;
+      if (variable.storage == spv::kInput) Variable(variable, pointer->element, *type);
+      if (variable.storage == spv::kUniform && type->kind == SpirvKind::kStruct &&
+          module_.Decoration({pointer->element}, spv::kBlock)) {
+        UniformBlock(variable, pointer->element);
+      }
+    }
+    return std::move(interface_);
+  }
+
+ private:
+  std::string Where(std::string_view name) const { return fmt::format("{}: `{}`", path_, name); }
+
+  // ---- inputs
+
+  void Variable(const SpirvVariable& variable, SpirvId type_id, const SpirvType& type) {
+    const bool is_listed =
+        std::ranges::find(entry_.interface, variable.id) != entry_.interface.end();
+    if (!is_listed || module_.Decoration({variable.id}, spv::kBuiltIn)) return;
+    const auto location = module_.Decoration({variable.id}, spv::kLocation);
+    if (type.kind != SpirvKind::kStruct)
+      return AddInput({variable.id}, variable.id, type_id, location);
+    std::uint32_t next = location.value_or(0);
+    for (std::uint32_t i = 0; i < type.members.size(); ++i) {
+      const SpirvPlace member{type_id, i};
+      if (module_.Decoration(member, spv::kBuiltIn)) continue;
+      AddInput(member, variable.id, type.members[i],
+               module_.Decoration(member, spv::kLocation).value_or(next));
+      const Input& added = interface_.inputs.back();
+      next = *added.location + added.shape.Elements();
+    }
+  }
+
+  void AddInput(SpirvPlace place, SpirvId variable, SpirvId type,
+                std::optional<std::uint32_t> location) {
+    const auto has = [&](std::uint32_t which) {
+      return module_.Decoration(place, which).has_value();
+    };
+    Input& input = interface_.inputs.emplace_back();
+    input.name = GlslNameOf(module_.NameOf(place));
+    input.location = location;
+    if (const auto found = module_.semantics.find(place); found != module_.semantics.end()) {
+      const rules::SemanticName semantic = rules::SplitSemantic(found->second);
+      input.semantic = semantic.name;
+      input.index = semantic.index;
+    }
+    input.shape = ShapeAt(type).value_or(Shape{});
+    if (has(spv::kFlat)) input.interpolation = ir::Interpolation::kNoInterpolation;
+    if (has(spv::kNoPerspective)) input.interpolation = ir::Interpolation::kNoPerspective;
+    input.centroid = has(spv::kCentroid);
+    input.sample = has(spv::kSample);
+    const std::optional<std::uint32_t> components = reads_.Of(variable);
+    input.is_read = components.has_value();
+    const SpirvType* shape = module_.TypeOf(type);
+    if (shape && shape->kind == SpirvKind::kVector)
+      input.components_read = components.value_or(0xF);
+    input.where = Where(module_.NameOf(place));
+  }
+
+  // ---- types
+
+  std::optional<Shape> ShapeAt(SpirvId id) const {
+    Shape shape;
+    const SpirvType* type = module_.TypeOf(id);
+    for (int i = 0; type && type->kind == SpirvKind::kArray; ++i) {
+      if (i == kMaxDepth) return std::nullopt;
+      shape.dimensions.push_back(type->count);
+      type = module_.TypeOf(type->element);
+    }
+    if (type && type->kind == SpirvKind::kMatrix) {
+      shape.columns = static_cast<std::uint8_t>(std::clamp(type->count, 2u, 4u));
+      type = module_.TypeOf(type->element);
+    }
+    if (type && type->kind == SpirvKind::kVector) {
+      shape.components = static_cast<std::uint8_t>(std::clamp(type->count, 2u, 4u));
+      type = module_.TypeOf(type->element);
+    }
+    if (!type) return std::nullopt;
+    switch (type->kind) {
+      case SpirvKind::kBool: shape.scalar = ir::Scalar::kBool; break;
+      case SpirvKind::kInt: shape.scalar = ir::Scalar::kInt; break;
+      case SpirvKind::kUint: shape.scalar = ir::Scalar::kUint; break;
+      case SpirvKind::kFloat:
+        shape.scalar = type->count == 64 ? ir::Scalar::kDouble : ir::Scalar::kFloat;
+        break;
+      default: return std::nullopt;
+    }
+    return shape;
+  }
+
+  // ---- uniform blocks
+
+  void UniformBlock(const SpirvVariable& variable, SpirvId type) {
+    Block block;
+    block.name = GlslNameOf(module_.NameOf({type}));
+    block.has_instance = true;  // as SPIRV-Cross writes every block
+    block.instance = GlslNameOf(module_.NameOf({variable.id}));
+    block.members = Members(type, 0);
+    block.set = module_.Decoration({variable.id}, spv::kDescriptorSet);
+    block.binding = module_.Decoration({variable.id}, spv::kBinding);
+    block.where = Where(block.name);
+    interface_.blocks.push_back(std::move(block));
+  }
+
+  std::vector<Member> Members(SpirvId type, int depth) const {
+    std::vector<Member> members;
+    const SpirvType* structure = module_.TypeOf(type);
+    if (!structure || depth == kMaxDepth) return members;
+    for (std::uint32_t i = 0; i < structure->members.size(); ++i) {
+      const SpirvPlace place{type, i};
+      Member member;
+      member.name = GlslNameOf(module_.NameOf(place));
+      member.offset = module_.Decoration(place, spv::kOffset);
+      if (module_.Decoration(place, spv::kRowMajor)) member.matrices = MatrixLayout::kRowMajor;
+      if (module_.Decoration(place, spv::kColMajor)) member.matrices = MatrixLayout::kColumnMajor;
+      member.shape = ShapeAt(structure->members[i]);
+      if (!member.shape) Fields(structure->members[i], depth, member);
+      members.push_back(std::move(member));
+    }
+    return members;
+  }
+
+  void Fields(SpirvId id, int depth, Member& member) const {
+    const SpirvType* type = module_.TypeOf(id);
+    for (int i = 0; type && type->kind == SpirvKind::kArray && i < kMaxDepth; ++i) {
+      member.struct_dimensions.push_back(type->count);
+      id = type->element;
+      type = module_.TypeOf(id);
+    }
+    if (type && type->kind == SpirvKind::kStruct) member.fields = Members(id, depth + 1);
+  }
+
+  const SpirvModule& module_;
+  const EntryPoint& entry_;
+  const Reads reads_;
+  std::string_view path_;
+  Interface interface_;
+};
+
+}  // namespace
+
+ReadResult ReadSpirv(std::string_view bytes, std::string_view path, std::string_view entry) {
+  ReadResult result;
+  std::string problem;
+  const SpirvModule module = ReadModule(bytes, problem);
+  const auto fail = [&](std::string text) {
+    result.problems.push_back(fmt::format("{}: {}", path, text));
+    return std::move(result);
+  };
+  if (!problem.empty()) return fail(problem);
+  const EntryPoint* chosen = nullptr;
+  std::string others;
+  for (const EntryPoint& point : module.entry_points) {
+    if (point.model != spv::kFragment) continue;
+    others += fmt::format("{}`{}`", others.empty() ? "" : ", ", point.name);
+    if (entry.empty() || point.name == entry) chosen = chosen ? chosen : &point;
+  }
+  if (others.empty()) return fail("the SPIR-V has no fragment shader");
+  if (!chosen)
+    return fail(fmt::format("there is no fragment shader `{}`; there is {}", entry, others));
+  result.interface = SpirvReader(module, *chosen, path).Run();
+  return result;
+}
+
+}  // namespace clipc::pixel

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// The declarations of a SPIR-V module, by id. Source: the SPIR-V specification 1.6, sections 2.3
+// (the words of a module) and 3.52 (the instructions).
+namespace clipc::pixel {
+
+using SpirvId = std::uint32_t;
+// What has a name and decorations: an id, or a member of the struct type of that id.
+inline constexpr std::uint32_t kWhole = ~0u;
+struct SpirvPlace {
+  SpirvId id = 0;
+  std::uint32_t member = kWhole;
+  auto operator<=>(const SpirvPlace&) const = default;
+};
+
+enum class SpirvKind : std::uint8_t {
+  kOther,
+  kBool,
+  kInt,
+  kUint,
+  kFloat,
+  kVector,
+  kMatrix,
+  kArray,
+  kStruct,
+  kPointer
+};
+struct SpirvType {
+  SpirvKind kind = SpirvKind::kOther;
+  std::uint32_t count = 0;       // bits of a number; components, columns or elements
+  SpirvId element = 0;           // also what a pointer points to
+  std::uint32_t storage = 0;     // of a pointer
+  std::vector<SpirvId> members;  // of a struct
+};
+// What OpDecorate says: the decoration's number, and its first operand, or 0.
+using Decorations = std::map<std::uint32_t, std::uint32_t>;
+struct SpirvVariable {
+  SpirvId id = 0, type = 0;  // the type is a pointer
+  std::uint32_t storage = 0;
+};
+struct EntryPoint {
+  std::uint32_t model = 0;
+  SpirvId function = 0;
+  std::string name;
+  std::vector<SpirvId> interface;
+};
+// One instruction of a function: its opcode, and its words after the first.
+struct Instruction {
+  std::uint32_t opcode = 0;
+  std::span<const std::uint32_t> words;
+};
+
+struct SpirvModule {
+  std::vector<std::uint32_t> words;  // in this machine's order
+  std::map<SpirvId, SpirvType> types;
+  std::map<SpirvId, std::uint32_t> constants;  // of 32 bits
+  std::map<SpirvPlace, std::string> names;
+  std::map<SpirvPlace, std::string> semantics;  // UserSemantic
+  std::map<SpirvPlace, Decorations> decorations;
+  std::vector<SpirvVariable> variables;  // outside functions, in the order of the module
+  std::vector<EntryPoint> entry_points;
+  std::map<SpirvId, std::vector<Instruction>> functions;
+
+  const SpirvType* TypeOf(SpirvId id) const {
+    const auto found = types.find(id);
+    return found == types.end() ? nullptr : &found->second;
+  }
+  // Empty when the place has none.
+  std::string_view NameOf(SpirvPlace place) const {
+    const auto found = names.find(place);
+    return found == names.end() ? std::string_view() : found->second;
+  }
+  std::optional<std::uint32_t> Decoration(SpirvPlace place, std::uint32_t which) const {
+    const auto found = decorations.find(place);
+    if (found == decorations.end() || !found->second.contains(which)) return std::nullopt;
+    return found->second.at(which);
+  }
+};
+
+// The decorations, opcodes and storage classes that the reader asks for, by the names of section 3.
+namespace spv {
+enum Decoration : std::uint32_t {
+  kBlock = 2,
+  kRowMajor = 4,
+  kColMajor = 5,
+  kBuiltIn = 11,
+  kNoPerspective = 13,
+  kFlat = 14,
+  kCentroid = 16,
+  kSample = 17,
+  kLocation = 30,
+  kBinding = 33,
+  kDescriptorSet = 34,
+  kOffset = 35,
+  kUserSemantic = 5635,
+};
+enum Storage : std::uint32_t { kInput = 1, kUniform = 2 };
+enum Opcode : std::uint32_t {
+  kExtInst = 12,
+  kFunctionCall = 57,
+  kLoad = 61,
+  kCopyMemory = 63,
+  kAccessChain = 65,
+  kInBoundsAccessChain = 66,
+  kVectorShuffle = 79,
+  kCompositeExtract = 81,
+};
+inline constexpr std::uint32_t kMagic = 0x07230203;
+inline constexpr std::uint32_t kFragment = 4;  // the execution model
+}  // namespace spv
+
+// Sets `problem` and returns what was read so far when the words are not a module.
+SpirvModule ReadModule(std::string_view bytes, std::string& problem);
+
+}  // namespace clipc::pixel
