@@ -35,8 +35,8 @@ void ForEachSlot(Node& node, Own&& own, Listed&& list) {
   }(node);
 }
 
-// Calls visit(ExprId) for the direct operands of `expr` in the order of evaluation. `visit` may add
-// nodes, which moves those that are there: the node is copied. MapOperands replaces operands.
+// Calls visit(ExprId) for the direct operands of `expr` in the order of evaluation. `visit` may
+// change the node: a copy of it is walked. MapOperands replaces operands.
 template <typename OnOperand>
 void ForEachOperand(const Program& program, ExprId expr, OnOperand&& visit) {
   Visit(
@@ -51,8 +51,8 @@ void ForEachOperand(const Program& program, ExprId expr, OnOperand&& visit) {
       program.exprs[expr].node);
 }
 
-// Replaces each direct operand of `expr` by map(operand), in the order of evaluation. `map` may add
-// expressions, which moves those that are there; so a copy is changed and put back.
+// Replaces each direct operand of `expr` by map(operand), in the order of evaluation. `map` may
+// change the node: a copy of it is changed and put back.
 template <typename Map>
 void MapOperands(Program& program, ExprId expr, Map&& map) {
   auto changed = program.exprs[expr].node;

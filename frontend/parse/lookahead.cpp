@@ -169,7 +169,7 @@ bool Lookahead::IsCast() const {
   if (!At(kRightParen, after)) return false;
   if (is_type) return true;
   if (templated || MeaningOf(last.name()) != Meaning::kUnknown) return false;
-  // A name nobody declared: it is a type if an operand follows.
+  // A name without a declaration: it is a type if an operand follows.
   switch (Peek(after + 1).kind) {
     case kIdentifier:
     case kIntLiteral:

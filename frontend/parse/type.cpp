@@ -136,7 +136,7 @@ ExprId Parser::ParseTemplateArgument() {
   return ParseConditional();
 }
 
-// Whether a template argument is a type. Of names that nobody declared, those with arguments of
+// Whether a template argument is a type. Of names without a declaration, those with arguments of
 // their own are.
 bool Parser::AtTypeArgument() const {
   const std::size_t after = SkipTypeName(0);
