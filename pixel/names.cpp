@@ -13,12 +13,11 @@ bool IsWordCharacter(char c) {
 }
 
 std::string GlslNameOf(std::string_view name) {
-  std::string text;
+  std::string text = !name.empty() && IsDigit(name[0]) ? "_" : "";
   for (const char c : name) {
     const char spelled = IsWordCharacter(c) ? c : '_';
     if (spelled != '_' || !text.ends_with('_')) text += spelled;
   }
-  if (!text.empty() && IsDigit(text[0])) text.insert(0, "_");
   return text;
 }
 
