@@ -117,12 +117,12 @@ class Reader {
 
 SpirvModule ReadModule(std::string_view bytes, std::string& problem) {
   SpirvModule module;
-  module.words.resize(bytes.size() / 4);
-  std::memcpy(module.words.data(), bytes.data(), module.words.size() * 4);
-  if (module.words.size() < kHeaderWords) {
+  if (bytes.size() / 4 < kHeaderWords) {
     problem = "the SPIR-V ends within its header";
     return module;
   }
+  module.words.resize(bytes.size() / 4);
+  std::memcpy(module.words.data(), bytes.data(), module.words.size() * 4);
   if (module.words[0] == kSwappedMagic)
     std::ranges::transform(module.words, module.words.begin(), Swapped);
   Reader reader(module);
