@@ -9,6 +9,7 @@
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
 
+#include "pixel/glsl_limits.h"
 #include "pixel/names.h"
 #include "pixel/read.h"
 
@@ -19,18 +20,6 @@ namespace {
 void InitializeOnce() {
   static const bool initialized = glslang::InitializeProcess();
   (void)initialized;
-}
-
-// glslang walks its tree by recursion, and `a + a + ...` makes a tree as deep as it is long.
-bool HasLongStatement(std::string_view text) {
-  constexpr std::string_view kOperators = "+-*/%<>=&|^~!?:.([,";
-  constexpr int kMost = 4096;
-  int operators = 0;
-  for (const char c : text) {
-    if (c == ';' || c == '{' || c == '}') operators = 0;
-    if (kOperators.find(c) != std::string_view::npos && ++operators > kMost) return true;
-  }
-  return false;
 }
 
 // "ERROR: 0:12: 'x' : message" per line => "water.frag:12: 'x' : message". The last line is a
@@ -268,8 +257,8 @@ class GlslReader {
 
 ReadResult ReadGlsl(std::string_view text, const std::string& path) {
   ReadResult result{.is_glsl = true};
-  if (HasLongStatement(text)) {
-    result.problems.push_back(path + ": a statement has more than 4096 operators");
+  if (const std::string limit = GlslLimit(text); !limit.empty()) {
+    result.problems.push_back(fmt::format("{}: {}", path, limit));
     return result;
   }
   InitializeOnce();

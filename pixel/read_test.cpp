@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "pixel/read.h"
 
+#include <cstring>
 #include <random>
+#include <vector>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -115,6 +118,25 @@ TEST(Spirv, SaysWhatIsWrong) {
               ElementsAre("a.spv: the SPIR-V ends within its header"));
 }
 
+// Struct 20 has 16 members of struct 20.
+TEST(Spirv, CountsMembersOfStructsThatNameThemselves) {
+  std::vector<std::uint32_t> words = {0x07230203, 0x10000, 0, 100, 0};
+  const auto add = [&](std::uint32_t opcode, const std::vector<std::uint32_t>& operands) {
+    words.push_back(static_cast<std::uint32_t>(operands.size() + 1) << 16 | opcode);
+    words.insert(words.end(), operands.begin(), operands.end());
+  };
+  std::vector<std::uint32_t> structure(17, 20);
+  add(15, {4, 4, 0x73, 21});  // the entry point "s"
+  add(71, {20, 2});           // a Block
+  add(30, structure);
+  add(32, {22, 2, 20});
+  add(59, {22, 21, 2});
+  std::string bytes(words.size() * 4, 0);
+  std::memcpy(bytes.data(), words.data(), bytes.size());
+  EXPECT_THAT(ReadSpirv(bytes, "a.spv", "").problems,
+              ElementsAre("a.spv: the uniform blocks have more than 65536 members"));
+}
+
 // No beginning of a module and no change of a byte does harm.
 TEST(Spirv, SurvivesAnyBytes) {
   const std::string bytes = SmallModule();
@@ -197,6 +219,15 @@ TEST(Glsl, IsReadLeniently) {
                        "layout(early_fragment_tests) in; void main() { c = uv.xyxy; }",
                        "a")
                   .problems.empty());
+}
+
+TEST(Glsl, RefusesStructsThatDouble) {
+  std::string text = "#version 450\nstruct S0 { vec4 a; };\n";
+  for (int i = 1; i < 40; ++i)
+    text += fmt::format("struct /* doubled */ S{0} {{ S{1} a; highp S{1} b; }};\n", i, i - 1);
+  text += "uniform C { S39 s; } c;\nvoid main() {}\n";
+  EXPECT_THAT(ReadGlsl(text, "a.frag").problems,
+              ElementsAre("a.frag: a struct has more than 65536 members"));
 }
 
 TEST(Glsl, RefusesStatementsThatGlslangCannotWalk) {

@@ -15,6 +15,9 @@ namespace clipc::pixel {
 namespace {
 
 constexpr int kMaxDepth = 16;  // of arrays and structs in each other
+// The members of all blocks, those of a struct counted wherever it stands. A struct may name itself
+// as often as it likes.
+constexpr std::size_t kMaxMembers = 1u << 16;
 
 // What the functions that the entry point reaches do with the module's variables.
 class Reads {
@@ -115,6 +118,7 @@ class SpirvReader {
     }
     return std::move(interface_);
   }
+  bool HasTooManyMembers() const { return member_count_ > kMaxMembers; }
 
  private:
   std::string Where(std::string_view name) const { return fmt::format("{}: `{}`", path_, name); }
@@ -210,11 +214,12 @@ class SpirvReader {
     interface_.blocks.push_back(std::move(block));
   }
 
-  std::vector<Member> Members(SpirvId type, int depth) const {
+  std::vector<Member> Members(SpirvId type, int depth) {
     std::vector<Member> members;
     const SpirvType* structure = module_.TypeOf(type);
     if (!structure || depth == kMaxDepth) return members;
     for (std::uint32_t i = 0; i < structure->members.size(); ++i) {
+      if (member_count_++ >= kMaxMembers) return members;
       const SpirvPlace place{type, i};
       Member member;
       member.name = GlslNameOf(module_.NameOf(place));
@@ -228,7 +233,7 @@ class SpirvReader {
     return members;
   }
 
-  void Fields(SpirvId id, int depth, Member& member) const {
+  void Fields(SpirvId id, int depth, Member& member) {
     const SpirvType* type = module_.TypeOf(id);
     for (int i = 0; type && type->kind == SpirvKind::kArray && i < kMaxDepth; ++i) {
       member.struct_dimensions.push_back(type->count);
@@ -242,6 +247,7 @@ class SpirvReader {
   const EntryPoint& entry_;
   const Reads reads_;
   std::string_view path_;
+  std::size_t member_count_ = 0;
   Interface interface_;
 };
 
@@ -266,7 +272,10 @@ ReadResult ReadSpirv(std::string_view bytes, std::string_view path, std::string_
   if (others.empty()) return fail("the SPIR-V has no fragment shader");
   if (!chosen)
     return fail(fmt::format("there is no fragment shader `{}`; there is {}", entry, others));
-  result.interface = SpirvReader(module, *chosen, path).Run();
+  SpirvReader reader(module, *chosen, path);
+  result.interface = reader.Run();
+  if (reader.HasTooManyMembers())
+    return fail(fmt::format("the uniform blocks have more than {} members", kMaxMembers));
   return result;
 }
 

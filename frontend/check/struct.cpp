@@ -82,7 +82,8 @@ void AddMember(Context& context, ast::DeclId id, TypeId type) {
 void MeasureStruct(Context& context, TypeId type, Span span) {
   StructInfo& info = context.structs.infos[context[type].structure.index];
   for (const Field& field : context.types.StructOf(type).fields) {
-    info.components += ComponentsOf(context, field.type);
+    // A field of an empty struct counts too: it takes time to walk, if no room.
+    info.components += std::max<std::uint64_t>(ComponentsOf(context, field.type), 1);
     info.depth = std::max(info.depth, DepthOf(context, field.type) + 1);
   }
   if (!IsTooLarge(context, type, span)) return;
