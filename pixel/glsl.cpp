@@ -18,8 +18,8 @@ namespace {
 
 // glslang's tables of the process. Never freed: a reader may run on any thread until the end.
 void InitializeOnce() {
-  static const bool initialized = glslang::InitializeProcess();
-  (void)initialized;
+  static const bool kIsInitialized = glslang::InitializeProcess();
+  (void)kIsInitialized;
 }
 
 // "ERROR: 0:12: 'x' : message" per line => "water.frag:12: 'x' : message". The last line is a
@@ -89,7 +89,7 @@ std::vector<Member> MembersIn(const glslang::TType& type) {
   std::vector<Member> members;
   for (const glslang::TTypeLoc& field : *type.getStruct()) {
     Member& member = members.emplace_back();
-    member.name = field.type->getFieldName().c_str();
+    member.name = field.type->getFieldName();
     member.shape = ShapeOfType(*field.type);
     member.matrices = LayoutOf(field.type->getQualifier());
     if (field.type->getQualifier().hasOffset())
@@ -150,21 +150,42 @@ enum class Rules : std::uint8_t {
   kLenient,  // of the newest version: drivers take more than the version that a shader names
 };
 
-bool Parse(glslang::TShader& shader, Rules rules, bool is_es) {
-  auto messages = EShMsgDefault;
+// How glslang is asked to read a text.
+struct Reading {
   int version = 110;
   EProfile profile = ENoProfile;
+  bool forces_version = false;
+};
+
+Reading Prepare(glslang::TShader& shader, Rules rules, bool is_es) {
+  Reading reading;
   if (rules == Rules::kVulkan) {
-    messages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules);
     shader.setEnvInput(glslang::EShSourceGlsl, EShLangFragment, glslang::EShClientVulkan, 100);
     shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_1);
     shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_3);
   } else if (rules == Rules::kLenient) {
-    version = is_es ? 320 : 460;
-    profile = is_es ? EEsProfile : ECompatibilityProfile;
+    reading = {is_es ? 320 : 460, is_es ? EEsProfile : ECompatibilityProfile, true};
   }
-  return shader.parse(GetDefaultResources(), version, profile, rules == Rules::kLenient, false,
-                      messages);
+  return reading;
+}
+
+bool Parse(const char* text, glslang::TShader& shader, Rules rules, bool is_es) {
+  shader.setStrings(&text, 1);
+  const Reading reading = Prepare(shader, rules, is_es);
+  return shader.parse(GetDefaultResources(), reading.version, reading.profile,
+                      reading.forces_version, false, EShMsgDefault);
+}
+
+// Says what is too large in the text once its macros are expanded under these rules; empty: nothing.
+std::string LimitOfExpanded(const char* text, Rules rules, bool is_es) {
+  glslang::TShader shader(EShLangFragment);
+  shader.setStrings(&text, 1);
+  const Reading reading = Prepare(shader, rules, is_es);
+  glslang::TShader::ForbidIncluder no_includes;
+  std::string expanded;
+  shader.preprocess(GetDefaultResources(), reading.version, reading.profile, reading.forces_version,
+                    false, EShMsgDefault, &expanded, no_includes);
+  return GlslLimit(expanded);
 }
 
 // The text without its demands for extensions that glslang may not know.
@@ -199,18 +220,18 @@ class GlslReader {
     if (qualifier.storage != glslang::EvqUniform) return;
     if (symbol.getBasicType() == glslang::EbtBlock) return AddBlock(symbol, qualifier);
     Member uniform;
-    uniform.name = symbol.getName().c_str();
+    uniform.name = symbol.getName();
     uniform.shape = ShapeOfType(symbol.getType());
     if (uniform.shape || symbol.getType().isStruct()) result_.interface.uniforms.push_back(uniform);
   }
 
   void AddInput(const glslang::TIntermSymbol& symbol, const glslang::TQualifier& qualifier) {
     Input input;
-    input.name = symbol.getName().c_str();
+    input.name = symbol.getName();
     const std::optional<Shape> shape = ShapeOfType(symbol.getType());
     const glslang::TType& type = symbol.getType();
-    const std::string shown =
-        type.getBasicType() == glslang::EbtBlock ? type.getTypeName().c_str() : input.name;
+    const std::string shown(type.getBasicType() == glslang::EbtBlock ? type.getTypeName()
+                                                                     : symbol.getName());
     input.where = Where(shown);
     if (!shape) {
       result_.problems.push_back(fmt::format(
@@ -232,9 +253,9 @@ class GlslReader {
 
   void AddBlock(const glslang::TIntermSymbol& symbol, const glslang::TQualifier& qualifier) {
     Block block;
-    block.name = symbol.getType().getTypeName().c_str();
+    block.name = symbol.getType().getTypeName();
     block.has_instance = !glslang::IsAnonymous(symbol.getName());
-    if (block.has_instance) block.instance = symbol.getName().c_str();
+    if (block.has_instance) block.instance = symbol.getName();
     block.rows_on_block = LayoutOf(qualifier) == MatrixLayout::kRowMajor;
     block.members = MembersIn(symbol.getType());
     if (qualifier.hasSet()) block.set = qualifier.layoutSet;
@@ -265,10 +286,12 @@ ReadResult ReadGlsl(std::string_view text, const std::string& path) {
   bool is_es = false;
   for (const Rules rules : {Rules::kOpenGl, Rules::kVulkan, Rules::kLenient}) {
     const std::string given = rules == Rules::kLenient ? Lenient(text) : std::string(text);
-    const char* start = given.c_str();
+    if (const std::string limit = LimitOfExpanded(given.c_str(), rules, is_es); !limit.empty()) {
+      result.problems = {fmt::format("{}: {}", path, limit)};
+      return result;
+    }
     glslang::TShader shader(EShLangFragment);
-    shader.setStrings(&start, 1);
-    if (Parse(shader, rules, is_es))
+    if (Parse(given.c_str(), shader, rules, is_es))
       return GlslReader(*shader.getIntermediate(), text, path).Take();
     is_es = shader.getIntermediate()->isEsProfile();
     if (rules == Rules::kOpenGl) result.problems = Problems(shader.getInfoLog(), path);

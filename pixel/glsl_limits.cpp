@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -14,6 +15,8 @@ namespace {
 
 constexpr int kMaxOperators = 4096;
 constexpr std::uint64_t kMaxMembers = 1u << 16;
+constexpr std::uint64_t kMaxExpanded = 1u << 20;  // words and signs
+constexpr int kMaxMacroDepth = 200;               // of macros that name each other
 
 std::string WithoutComments(std::string_view text) {
   std::string code;
@@ -32,6 +35,94 @@ std::string WithoutComments(std::string_view text) {
   }
   return code;
 }
+
+// How many words and signs a text may have when its macros are expanded, at most: an upper bound,
+// since a macro is taken to repeat each of its arguments as often as it has words. Saturates.
+class ExpansionBound {
+ public:
+  explicit ExpansionBound(std::string_view code) {
+    constexpr std::string_view kDefine = "define";
+    for (std::size_t at = code.find('#'); at != code.npos; at = code.find('#', at + 1)) {
+      if (code.substr(at, 2) == "##") pastes_ = true;
+      std::size_t name = SkipSpace(code, at + 1);
+      if (code.substr(name, kDefine.size()) != kDefine) continue;
+      name = SkipSpace(code, name + kDefine.size());
+      std::size_t body = name;
+      while (body < code.size() && IsWordCharacter(code[body])) ++body;
+      std::size_t end = body;
+      while (end < code.size() && (code[end] != '\n' || code[end - 1] == '\\')) ++end;
+      Macro& macro = macros_[code.substr(name, body - name)];
+      macro.body += ' ';  // of all definitions, for any of them may hold
+      macro.body += code.substr(body, end - body);
+    }
+  }
+
+  // A word that is pasted together may be the name of any macro.
+  std::uint64_t OfAll(std::string_view code) {
+    std::uint64_t heaviest = 1;
+    for (const auto& [name, macro] : macros_) {
+      if (pastes_) heaviest = std::max(heaviest, Weight(name, 0));
+    }
+    return Limited(Of(code, 0) * heaviest);
+  }
+
+ private:
+  std::uint64_t Of(std::string_view text, int depth) {
+    std::uint64_t total = 0, weight = 1, factor = 1;
+    std::vector<std::uint64_t> outside;  // the factors around the open parentheses
+    for (std::size_t at = 0; at < text.size();) {
+      const std::size_t start = at;
+      while (at < text.size() && IsWordCharacter(text[at])) ++at;
+      if (at > start) {
+        weight = Weight(text.substr(start, at - start), depth);
+        total = Limited(total + Limited(factor * weight));
+        continue;
+      }
+      const char c = text[at++];
+      if (c == ' ' || c == '\t' || c == '\n' || c == '\r') continue;
+      total = Limited(total + factor);
+      if (c == '(') {
+        outside.push_back(factor);
+        factor = Limited(factor * weight);
+      } else if (c == ')' && !outside.empty()) {
+        factor = outside.back();
+        outside.pop_back();
+      }
+      weight = 1;
+    }
+    return total;
+  }
+
+  struct Macro {
+    std::string body;
+    std::uint64_t weight = 0;  // 0: not known yet
+    bool is_under_way = false;
+  };
+
+  static std::uint64_t Limited(std::uint64_t count) { return std::min(count, kMaxExpanded + 1); }
+  static std::size_t SkipSpace(std::string_view code, std::size_t at) {
+    while (at < code.size() && (code[at] == ' ' || code[at] == '\t')) ++at;
+    return at;
+  }
+
+  // Macros that name each other in a circle, and pasted names, may be anything.
+  std::uint64_t Weight(std::string_view word, int depth) {
+    const auto found = macros_.find(word);
+    if (found == macros_.end()) return 1;
+    Macro& macro = found->second;
+    if (macro.is_under_way || depth > kMaxMacroDepth || (pastes_ && depth > 0))
+      return kMaxExpanded + 1;
+    if (macro.weight == 0) {
+      macro.is_under_way = true;
+      macro.weight = std::max<std::uint64_t>(Of(macro.body, depth + 1), 1);
+      macro.is_under_way = false;
+    }
+    return macro.weight;
+  }
+
+  std::map<std::string_view, Macro> macros_;
+  bool pastes_ = false;
+};
 
 // glslang walks its tree by recursion, and `a + a + ...` makes a tree as deep as it is long.
 bool HasLongStatement(std::string_view code) {
@@ -77,6 +168,8 @@ bool HasLargeStruct(std::string_view code) {
 
 std::string GlslLimit(std::string_view text) {
   const std::string code = WithoutComments(text);
+  if (ExpansionBound(code).OfAll(code) > kMaxExpanded)
+    return fmt::format("its macros may make more than {} words of it", kMaxExpanded);
   if (HasLongStatement(code))
     return fmt::format("a statement has more than {} operators", kMaxOperators);
   if (HasLargeStruct(code)) return fmt::format("a struct has more than {} members", kMaxMembers);

@@ -7,8 +7,9 @@
 // GLSL that glslang would take too much stack or time for, told before glslang reads it.
 namespace clipc::pixel {
 
-// What is too large in the text, "a statement has more than 4096 operators"; empty: nothing.
-// Macros are not expanded.
+// Says what is too large in the text, "a statement has more than 4096 operators"; empty: nothing.
+// Macros are not expanded, but what they may grow to is limited too; so ask for the preprocessed
+// text again.
 std::string GlslLimit(std::string_view text);
 
 }  // namespace clipc::pixel

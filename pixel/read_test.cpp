@@ -230,6 +230,29 @@ TEST(Glsl, RefusesStructsThatDouble) {
               ElementsAre("a.frag: a struct has more than 65536 members"));
 }
 
+TEST(Glsl, LooksIntoMacros) {
+  const auto doubled = [](int count) {
+    std::string text = "#version 450\n#define A0 c\n";
+    for (int i = 1; i < count; ++i) text += fmt::format("#define A{0} A{1} + A{1}\n", i, i - 1);
+    return text + fmt::format("layout(location = 0) out float c;\nvoid main() {{ c = A{}; }}\n",
+                              count - 1);
+  };
+  EXPECT_THAT(ReadGlsl(doubled(8), "a.frag").problems, testing::IsEmpty());
+  EXPECT_THAT(ReadGlsl(doubled(16), "a.frag").problems,
+              ElementsAre("a.frag: a statement has more than 4096 operators"));
+  EXPECT_THAT(ReadGlsl(doubled(60), "a.frag").problems,
+              ElementsAre("a.frag: its macros may make more than 1048576 words of it"));
+  std::string pasted = doubled(60);
+  pasted.replace(pasted.find("A59;"), 4, "PASTE(A, 59);");
+  EXPECT_THAT(ReadGlsl("#version 450\n#define PASTE(a, b) a##b\n" + pasted, "a.frag").problems,
+              ElementsAre(HasSubstr("its macros may make")));
+  const std::string nested = "#version 450\n#define F(x) x + x\nout float c;\nvoid main() { c = ";
+  std::string calls = "c";
+  for (int i = 0; i < 40; ++i) calls = "F(" + calls + ")";
+  EXPECT_THAT(ReadGlsl(nested + calls + "; }\n", "a.frag").problems,
+              ElementsAre(HasSubstr("its macros may make")));
+}
+
 TEST(Glsl, RefusesStatementsThatGlslangCannotWalk) {
   std::string sum = "#version 450\nlayout(location = 0) out float c;\nvoid main() { c = 1.0";
   for (int i = 0; i < 200000; ++i) sum += "+c";
