@@ -41,8 +41,8 @@ struct BlockMember {
 
 struct BlockLayout {
   BlockForm form = BlockForm::kStd140;
-  // Of the whole block, when its members agree and it is plain, or another stage says it so; else
-  // each member has one.
+  // The layout of the whole block, if it is plain and its members agree, or if another stage
+  // declares it so; else each member has its own.
   MatrixLayout matrices = MatrixLayout::kNone;
   bool has_instance = false;  // kStd140: members are read as `instance.member`
   bool has_uints = false;     // bools and their vectors are uints, as SPIR-V has them in blocks

@@ -53,7 +53,7 @@ std::string_view After(std::string_view text, std::string_view part) {
   return text.substr(static_cast<std::size_t>(part.data() + part.size() - text.data()));
 }
 
-// What follows #version and every #extension that stands before the first declaration, outside of
+// The text after #version and every #extension that stands before the first declaration, outside of
 // #if.
 std::string_view AfterDirectives(std::string_view text,
                                  const std::vector<std::string_view>& tokens) {
@@ -70,7 +70,7 @@ std::string_view AfterDirectives(std::string_view text,
   return rest;
 }
 
-// What follows the `{` of each `void main() {`.
+// The text after the `{` of each `void main() {`.
 std::vector<std::string_view> AfterMains(std::string_view text,
                                          const std::vector<std::string_view>& tokens) {
   static constexpr std::string_view kShort[] = {"void", "main", "(", ")", "{"};

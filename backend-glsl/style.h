@@ -24,7 +24,7 @@ enum class BlockStyle : std::uint8_t {
 // In the order of the enumerators.
 inline constexpr const char* kBlockStyleNames[] = {"named", "plain", "flat"};
 
-// What names are made of. A pattern has places for parts of a name:
+// Patterns that names are made from. A pattern has places for parts of a name:
 //   of outputs: {semantic}, in capitals; {index} of the semantic; {written}: the semantic as it is
 //   written, with its index if that is written; {name} of the field or parameter;
 //   of blocks: {name} of the buffer; {type}: T of ConstantBuffer<T>.

@@ -177,7 +177,7 @@ void Compilation::Dump(Source& source) {
 
 void Compilation::RunBackEnd(ir::Program typed, const Source& source) {
   if (!request_.pixel_shader.path.empty()) {
-    MeetPixelShader(request_, *target_, typed, result_.dependencies, diagnostics_);
+    MeetPixelShader(request_, InputOf(), *target_, typed, result_.dependencies, diagnostics_);
     if (diagnostics_.has_errors()) return;
   }
   const LowerSettings settings = SettingsFor(CheckLowering(typed, lowering_, diagnostics_));
@@ -185,7 +185,8 @@ void Compilation::RunBackEnd(ir::Program typed, const Source& source) {
     CheckPlanesAreKept(typed, lowering_, *target_, diagnostics_);
   if (diagnostics_.has_errors()) return;
   const ClipDistances distances = ClipDistancesOf(typed);
-  Lowered lowered = Lower(request_.variants ? typed : std::move(typed), settings);
+  const ir::Program kept = request_.variants ? typed : ir::Program();
+  Lowered lowered = Lower(std::move(typed), settings);
   if (lowered.is_complete) {
     ReportLeftOut(distances, lowered.program, diagnostics_);
     CheckTarget(lowered, request_.blocks, diagnostics_);
@@ -206,7 +207,7 @@ void Compilation::RunBackEnd(ir::Program typed, const Source& source) {
   if (request_.reflect) result_.reflection = Reflect(lowered, written.info, *result_.table);
   result_.shaders = Finish(lowered, std::move(written));
   if (request_.spirv) TranslateToSpirv();
-  if (request_.variants) WriteVariants(typed, settings);
+  if (request_.variants) WriteVariants(kept, settings);
   if (is_unjudged_) {
     diagnostics_.Report(
         {}, diag::NotValidated,

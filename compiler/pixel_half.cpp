@@ -32,7 +32,7 @@ ir::Program Cleared(ir::Program program) {
   return program;
 }
 
-pixel::ReadResult ReadHlsl(const CompileRequest& request, std::string text,
+pixel::ReadResult ReadHlsl(const CompileRequest& request, SourceInput input,
                            std::vector<std::string>& dependencies) {
   pixel::ReadResult result;
   FrontendContext context;
@@ -42,15 +42,9 @@ pixel::ReadResult ReadHlsl(const CompileRequest& request, std::string text,
   if (!entry.empty()) options.entry = entry;
   options.packing = request.packing;
   options.stages_meet_by_row = true;
-  Source source(context, {.path = request.pixel_shader.path,
-                          .text = std::move(text),
-                          .include_dirs = request.include_dirs,
-                          .defines = request.defines,
-                          .forced_includes = request.forced_includes,
-                          .read_include = request.read_include,
-                          .shader_model_major = options.profile.major,
-                          .shader_model_minor = options.profile.minor,
-                          .language = request.language});
+  input.shader_model_major = options.profile.major;
+  input.shader_model_minor = options.profile.minor;
+  Source source(context, std::move(input));
   const auto place_of = [&](Span span) {
     const Place place = source.Resolve(span);
     return place.file.empty() ? request.pixel_shader.path
@@ -81,7 +75,7 @@ void ForgetNames(pixel::Interface& half, bool is_glsl) {
   }
 }
 
-pixel::ReadResult Read(const CompileRequest& request, const glsl::Target& target,
+pixel::ReadResult Read(const CompileRequest& request, SourceInput input, const glsl::Target& target,
                        std::vector<std::string>& dependencies) {
   const PixelShader& half = request.pixel_shader;
   std::string bytes;
@@ -94,7 +88,11 @@ pixel::ReadResult Read(const CompileRequest& request, const glsl::Target& target
   }
   const pixel::Language language = pixel::LanguageOf(bytes);
   if (language == pixel::Language::kSpirv) return pixel::ReadSpirv(bytes, half.path, half.entry);
-  if (language == pixel::Language::kHlsl) return ReadHlsl(request, std::move(bytes), dependencies);
+  if (language == pixel::Language::kHlsl) {
+    input.path = half.path;
+    input.text = std::move(bytes);
+    return ReadHlsl(request, std::move(input), dependencies);
+  }
   pixel::ReadResult result = pixel::ReadGlsl(bytes, half.path);
   for (const pixel::Input& input : result.interface.inputs) {
     if (input.location && !target.Has(glsl::Feature::kOutputLocations))
@@ -107,10 +105,10 @@ pixel::ReadResult Read(const CompileRequest& request, const glsl::Target& target
 
 }  // namespace
 
-void MeetPixelShader(const CompileRequest& request, const glsl::Target& target,
+void MeetPixelShader(const CompileRequest& request, SourceInput input, const glsl::Target& target,
                      ir::Program& program, std::vector<std::string>& dependencies,
                      Diagnostics& diagnostics) {
-  pixel::ReadResult half = Read(request, target, dependencies);
+  pixel::ReadResult half = Read(request, std::move(input), target, dependencies);
   if (const std::string problem = pixel::Problem(half.interface); !problem.empty())
     half.problems.push_back(problem);
   if (!half.problems.empty()) {

@@ -7,14 +7,16 @@
 #include "backend-glsl/target.h"
 #include "base/diagnostics.h"
 #include "compiler/compile.h"
+#include "frontend/lex/source.h"
 #include "ir/program.h"
 
 namespace clipc {
 
 // Reads the request's pixel shader and lets the vertex shader `program` meet it (pixel/meet.h).
+// `input` is the vertex shader's: a pixel shader in HLSL has the same include folders and macros.
 // Appends the files that were read to `dependencies`. Requires Form::kTyped; after errors the
 // program is as it was.
-void MeetPixelShader(const CompileRequest& request, const glsl::Target& target,
+void MeetPixelShader(const CompileRequest& request, SourceInput input, const glsl::Target& target,
                      ir::Program& program, std::vector<std::string>& dependencies,
                      Diagnostics& diagnostics);
 

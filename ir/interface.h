@@ -101,7 +101,7 @@ enum class Builtin : std::uint8_t {
 struct Reader {
   std::string name;          // empty: named after its semantic, as every output
   bool has_location = true;  // else the stages meet by name
-  // Of a matrix or an array, whose one column or element the output is.
+  // The whole input is a matrix or an array; the output is this element (or column) of it.
   std::uint32_t columns = 1;
   std::vector<std::uint32_t> dimensions;
   std::uint32_t element = 0;

@@ -176,7 +176,7 @@ bool Parse(const char* text, glslang::TShader& shader, Rules rules, bool is_es) 
                       reading.forces_version, false, EShMsgDefault);
 }
 
-// Says what is too large in the text once its macros are expanded under these rules; empty: nothing.
+// Says what is too large in the text once its macros are expanded; empty: nothing.
 std::string LimitOfExpanded(const char* text, Rules rules, bool is_es) {
   glslang::TShader shader(EShLangFragment);
   shader.setStrings(&text, 1);

@@ -36,7 +36,7 @@ bool IsSameShape(const Member& ours, const Member& theirs) {
   return theirs.shape == as_uint;
 }
 
-// What differs; empty when the lists are one.
+// Names the first member that differs; empty when both lists are the same.
 std::string Difference(const std::vector<Member>& ours, const std::vector<Member>& theirs) {
   for (std::size_t i = 0; i < std::max(ours.size(), theirs.size()); ++i) {
     if (i >= theirs.size()) return ours[i].name;

@@ -115,7 +115,6 @@ enum Opcode : std::uint32_t {
   kVectorShuffle = 79,
   kCompositeExtract = 81,
 };
-inline constexpr std::uint32_t kMagic = 0x07230203;
 inline constexpr std::uint32_t kFragment = 4;  // the execution model
 }  // namespace spv
 

@@ -27,7 +27,7 @@ using Bindings = std::set<std::uint32_t>;
 std::string Bind(const Context& context, GlslInfo::Place& place, const ir::Register& reg,
                  Bindings& taken, std::uint32_t count);
 
-// The same where another stage says it.
+// Binds a block where another stage declares it; returns the qualifiers that say so.
 std::string Bind(const Context& context, GlslInfo::Place& place,
                  const ir::BlockDeclaration& declared);
 

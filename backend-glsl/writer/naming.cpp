@@ -159,6 +159,7 @@ void NameStruct(Context& context, StructId id) {
   const Struct& structure = context.types[id];
   context.struct_names[id.index] = context.namer.Global(structure.name, "Unnamed");
   std::vector<std::string_view> names;
+  names.reserve(structure.fields.size());
   for (const Field& field : structure.fields) names.push_back(field.name);
   context.field_names[id.index] = FieldNames(names);
 }

@@ -118,7 +118,7 @@ Parser::Specifiers Parser::ParseSpecifiers(std::string_view expected) {
   return specifiers;
 }
 
-// The same where a type must follow; returns false after an error, which was reported.
+// Parses specifiers of which one must be a type; returns false after an error, which is reported.
 bool Parser::ParseTypedSpecifiers(Specifiers& specifiers, std::string_view expected) {
   specifiers = ParseSpecifiers(expected);
   if (!specifiers.type) Unexpected(expected);

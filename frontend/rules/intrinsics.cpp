@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <initializer_list>
+#include <iterator>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -35,16 +37,17 @@ struct Entry {
   const Refusal* refusal = nullptr;  // kRefused
 };
 
-constexpr std::size_t kCount = 0
-#define INTRINSIC(...) +1
-#define BY_RULE(Rule, ...) +std::initializer_list<const char*>{__VA_ARGS__}.size()
-#define REFUSED(Family, ...) +std::initializer_list<const char*>{__VA_ARGS__}.size()
+constexpr std::size_t kCounts[] = {
+#define INTRINSIC(...) 1,
+#define BY_RULE(Rule, ...) std::initializer_list<const char*>{__VA_ARGS__}.size(),
+#define REFUSED(Family, ...) std::initializer_list<const char*>{__VA_ARGS__}.size(),
 #include "ir/intrinsics.def"
-    ;
+};
 
 // All functions of ir/intrinsics.def in the order of their names.
 constexpr auto kEntries = [] {
-  std::array<Entry, kCount> entries{};
+  std::array<Entry, std::accumulate(std::begin(kCounts), std::end(kCounts), std::size_t{})>
+      entries{};
   std::size_t at = 0;
   const auto add = [&](Entry entry, std::initializer_list<const char*> names) {
     for (const char* name : names) {

@@ -20,7 +20,12 @@ struct Item { float4 size; float weight; };
 StructuredBuffer<Item> items;
 Texture2D map;
 SamplerState smooth;
-struct Output { float4 position : SV_Position; float2 uv[2] : TEXCOORD3; row_major float3x2 frame : FRAME; int kind : KIND; };
+struct Output {
+  float4 position : SV_Position;
+  float2 uv[2] : TEXCOORD3;
+  row_major float3x2 frame : FRAME;
+  int kind : KIND;
+};
 Output main(float4 p : POSITION, float2 uv[2] : TEXCOORD1, uint id : SV_VertexID, int kind : KIND) {
   Output result;
   result.position = float4(mul(world, p), 1) * items[id].weight + map.SampleLevel(smooth, p.xy, 0);
@@ -90,7 +95,7 @@ TEST_F(Peer, OtherValuesAreSeen) {
 }
 
 TEST_F(Peer, OtherSemanticsAreSeen) {
-  EXPECT_GT(Run("KIND; };", "SORT; };").values.wrong, 0) << "an output";
+  EXPECT_GT(Run("KIND;\n}", "SORT;\n}").values.wrong, 0) << "an output";
   EXPECT_GT(Run("TEXCOORD3", "TEXCOORD5").values.wrong, 0) << "its number";
   EXPECT_THROW(Run(" uv[2] : TEXCOORD1,", " uv[2] : TEXCOORD2,"), DrawError) << "an input";
 }
