@@ -69,8 +69,7 @@ VarId AddOutput(Program& program, Builtin builtin, std::string name, TypeId type
   output.builtin = builtin;
   if (builtin == Builtin::kClipDistance) output.semantic = "SV_ClipDistance";
   if (builtin == Builtin::kNone) output.location = FreeLocation(program);
-  program.outputs.push_back(output);
-  return output.var;
+  return program.outputs.emplace_back(std::move(output)).var;
 }
 
 }  // namespace clipc::passes

@@ -11,7 +11,7 @@
 #include "ir/builder.h"
 #include "ir/evaluate.h"
 #include "ir/print.h"
-#include "ir/verify.h"
+#include "ir/test_program.h"
 
 namespace clipc::passes {
 namespace {
@@ -21,50 +21,18 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-VarId AddVar(Program& program, const char* name, TypeId type, Storage storage) {
-  Var var;
-  var.name = name;
-  var.type = type;
-  var.storage = storage;
-  return program.vars.Add(var);
-}
+constexpr std::uint32_t kPlanesOffset = 64;  // in TestProgram's buffer, after its matrix
 
-// cbuffer Planes { float4 planes[2]; };
-// [clipplanes(planes[0], planes[1])] float4 vs(float4 p) : SV_Position { return p; }
+// [clipplanes(planes[0], planes[1])] float4 entry(float4 p) : SV_Position { return p; }
 Program TwoPlanes() {
-  Program program;
-  const TypeId float4 = program.types.Vector(Scalar::kFloat, 4);
-  Builder b(program);
-
-  const VarId parameter = AddVar(program, "p", float4, Storage::kIn);
-  program.entry = program.functions.Add(
-      {"vs", float4, {parameter}, b.BlockOf(std::array{b.Stmt(Return{b.Ref(parameter)})}), {}});
-
-  const VarId input = AddVar(program, "in_POSITION0", float4, Storage::kInput);
-  const VarId position = AddVar(program, "position", float4, Storage::kOutput);
-  const ExprId call = b.CallOf(program.entry, std::array{b.Ref(input)});
-  program.main =
-      program.functions.Add({"main",
-                             program.types.Void(),
-                             {},
-                             b.BlockOf(std::array{b.Eval(b.AssignTo(b.Ref(position), call))}),
-                             {}});
-  program.inputs.push_back({.var = input, .semantic = "POSITION"});
-  program.outputs.push_back(
-      {.var = position, .semantic = "SV_Position", .builtin = Builtin::kPosition});
-
-  const VarId planes = AddVar(program, "planes", program.types.Array(float4, 2), Storage::kUniform);
-  Cbuffer buffer;
-  buffer.name = "Planes";
-  buffer.members = {{planes, 0, 32}};
-  buffer.size = 32;
-  program.vars[planes].cbuffer = program.cbuffers.Add(buffer);
+  TestProgram program;
+  program.Append({program.Return(program.build.Ref(program.parameter))});
   for (std::uint32_t i = 0; i < 2; ++i) {
-    program.clip_planes.push_back({.value = b.At(b.Ref(planes), i),
+    program.clip_planes.push_back({.value = program.build.At(program.build.Ref(program.planes), i),
                                    .span = {},
                                    .text = "planes[" + std::to_string(i) + "]",
-                                   .cbuffer = program.vars[planes].cbuffer,
-                                   .offset = 16 * i,
+                                   .cbuffer = program.camera,
+                                   .offset = kPlanesOffset + 16 * i,
                                    .whole_register = true});
   }
   return program;
@@ -86,7 +54,7 @@ std::vector<std::vector<float>> OutputsOf(const Program& program, std::array<flo
   EvalInputs inputs;
   inputs.values.resize(1);
   for (int i = 0; i < 4; ++i) inputs.values[0][i] = std::bit_cast<std::uint32_t>(vertex[i]);
-  std::vector<std::uint8_t>& bytes = inputs.cbuffers.emplace_back();
+  std::vector<std::uint8_t>& bytes = inputs.cbuffers.emplace_back(kPlanesOffset);
   for (const float value : {1.0f, 0.0f, 0.0f, -0.5f, 0.0f, 2.0f, -1.0f, 0.25f}) {
     for (int i = 0; i < 4; ++i)
       bytes.push_back(static_cast<std::uint8_t>(std::bit_cast<std::uint32_t>(value) >> 8 * i));

@@ -37,11 +37,12 @@ std::uint32_t VulkanBinding(const ir::Register& reg, const Target& target) {
 }
 
 std::string LayoutText(std::initializer_list<std::string_view> qualifiers) {
-  std::string list;
+  std::string text;
   for (const std::string_view qualifier : qualifiers) {
-    if (!qualifier.empty()) Append(list, list.empty() ? "" : ", ", qualifier);
+    if (!qualifier.empty()) Append(text, text.empty() ? "layout(" : ", ", qualifier);
   }
-  return list.empty() ? list : Concat("layout(", list, ") ");
+  if (!text.empty()) text += ") ";
+  return text;
 }
 
 std::string RegisterText(const ir::Register& reg) {
