@@ -45,6 +45,9 @@ class TargetCheck {
     }
     if (target_.IsVulkan()) Bindings();
     for (VarId global : reached_.globals) {
+      const Var& constant = program_.vars[global];
+      if (constant.constant_id && !target_.IsVulkan())
+        Report(constant.span, diag::TargetConstantId, constant.name);
       Type(program_.vars[global].type, program_.vars[global].span);
       if (program_.vars[global].init) {
         ForEachExpr(program_, program_.vars[global].init, [&](ExprId expr) { Expression(expr); });
@@ -171,15 +174,16 @@ class TargetCheck {
   void Bindings() {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::string> taken;
     const auto take = [&](const Register& reg, const std::string& name, Span span) {
-      const std::uint32_t binding = VulkanBinding(reg, target_);
-      const auto [found, is_free] = taken.try_emplace({reg.space, binding}, name);
+      const Descriptor at = VulkanDescriptor(reg, target_);
+      const auto [found, is_free] = taken.try_emplace({at.set, at.binding}, name);
       if (!is_free)
-        diagnostics_.Report(span, diag::TargetBindingsCollide, found->second, name, binding,
-                            reg.space);
+        diagnostics_.Report(span, diag::TargetBindingsCollide, found->second, name, at.binding,
+                            at.set);
     };
     for (CbufferId id : program_.cbuffers.ids()) {
       const ir::Cbuffer& cbuffer = program_.cbuffers[id];
-      if (reached_.Has(id)) take(cbuffer.reg, cbuffer.name, cbuffer.span);
+      if (reached_.Has(id) && !cbuffer.is_push_constant)
+        take(cbuffer.reg, cbuffer.name, cbuffer.span);
     }
     for (const Resource& resource : program_.resources) {
       const Var& var = program_.vars[resource.var];

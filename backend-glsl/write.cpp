@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "backend-glsl/writer/bindings.h"
 #include "backend-glsl/writer/blocks.h"
 #include "backend-glsl/writer/code.h"
 #include "backend-glsl/writer/expr.h"
@@ -24,9 +25,14 @@ void WriteGlobals(Code& code) {
     code.is_constant = true;
     // HLSL's static variables start as zero.
     std::string value = var.init ? Argument(code, var.init) : ZeroText(code, var.type);
-    const bool is_const = var.storage == Storage::kConstant && code.is_constant;
+    const bool is_specialized = var.constant_id && code.target.IsVulkan();
+    const bool is_const = is_specialized || (var.storage == Storage::kConstant && code.is_constant);
     const bool is_precise = var.precise && code.Has(Feature::kPrecise);
     const bool is_late = !code.is_constant && !code.Has(Feature::kGlobalInitializers);
+    if (is_specialized) {
+      code.sections.globals +=
+          LayoutText({Concat("constant_id = ", std::to_string(*var.constant_id))});
+    }
     Append(code.sections.globals,
            is_const     ? "const "
            : is_precise ? "precise "

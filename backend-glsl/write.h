@@ -59,9 +59,10 @@ struct GlslInfo {
   struct Block : Place {
     ir::CbufferId cbuffer;
     BlockForm form = BlockForm::kStd140;
-    std::string name;      // of the block; empty when form is kUniforms
-    std::string instance;  // empty: members are global names
-    std::string rows;      // kRows: the array of rows
+    std::string name;               // of the block; empty when form is kUniforms
+    std::string instance;           // empty: members are global names
+    std::string rows;               // kRows: the array of rows
+    bool is_push_constant = false;  // of Vulkan: no buffer is bound
     std::vector<Member> members;
   };
   // A texture, a sampler, a texture with a sampler, or a buffer.
@@ -91,11 +92,11 @@ std::string WriteGlsl(const ir::Program& program, Reached reached, const Target&
 // ---- where the objects of a Vulkan shader are bound
 // Direct3D numbers constant buffers, textures and samplers apart; a Vulkan set has one row of
 // bindings. Register n becomes binding n + the shift of its letter, one of these unless the target
-// has others; the space becomes the set.
+// has others; the space becomes the set. [[vk::binding]] comes before all of that.
 inline constexpr std::uint32_t kVulkanShiftB = 0;
 inline constexpr std::uint32_t kVulkanShiftS = 16;   // b0 to b15 come before: Direct3D 11 has 14
 inline constexpr std::uint32_t kVulkanShiftT = 32;   // s0 to s15
 inline constexpr std::uint32_t kVulkanShiftU = 160;  // t0 to t127
-std::uint32_t VulkanBinding(const ir::Register& reg, const Target& target);
+ir::Descriptor VulkanDescriptor(const ir::Register& reg, const Target& target);
 
 }  // namespace clipc::glsl

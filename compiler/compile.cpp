@@ -121,8 +121,8 @@ void Compilation::ReadNames() {
   }
   options_ = {
       .separable = request_.separable, .blocks = request_.blocks, .names = std::move(*names)};
-  const std::vector<std::string_view> passes = LowerPasses();
   const auto check_pass = [&](const std::string& name) {
+    const std::vector<std::string_view> passes = LowerPasses();
     if (std::find(passes.begin(), passes.end(), name) != passes.end()) return;
     diagnostics_.Report({}, diag::UnknownPass, name, Suggest(name, passes));
   };

@@ -112,6 +112,7 @@ Json Cbuffer(const Program& program, ir::CbufferId id, const GlslInfo& info) {
     if (!block->instance.empty()) glsl["instance"] = block->instance;
     if (!block->rows.empty()) glsl["rows"] = block->rows;
     AddBinding(block->set, block->binding, glsl);
+    if (block->is_push_constant) glsl["pushConstant"] = true;
     if (cbuffer.declared) glsl["sharedWithPixelShader"] = true;
   }
   json["members"] = Json::array();

@@ -15,12 +15,18 @@
 // outputs and clip planes.
 namespace clipc::ir {
 
+// [[vk::binding(3, 1)]]
+struct Descriptor {
+  std::uint32_t binding = 0, set = 0;
+};
+
 // register(b3, space1): letter b, number 3, space 1.
 struct Register {
   char letter = 'b';
   std::uint32_t number = 0;
   std::uint32_t space = 0;
   bool is_explicit = false;  // written in the source; clipc chose the number otherwise
+  std::optional<Descriptor> descriptor = {};  // where Vulkan and OpenGL bind it, if written
 };
 
 struct CbufferMember {
@@ -59,15 +65,17 @@ struct Cbuffer {
   CbufferKind kind = CbufferKind::kCbuffer;
   Register reg;
   std::vector<CbufferMember> members;
-  std::uint32_t size = 0;   // bytes, a multiple of 16 as HLSL binds it
-  std::uint32_t count = 1;  // the number of buffers: 4 of ConstantBuffer<T> cb[4]
+  std::uint32_t size = 0;         // bytes, a multiple of 16 as HLSL binds it
+  std::uint32_t count = 1;        // the number of buffers: 4 of ConstantBuffer<T> cb[4]
+  bool is_push_constant = false;  // [[vk::push_constant]]: Vulkan binds no buffer to it
   Span span;
   std::optional<BlockDeclaration> declared;  // none: as the target likes
 };
 
 struct Resource {
   VarId var;
-  Register reg;  // its letter is t, s or u
+  Register reg;             // its letter is t, s or u
+  std::string format = {};  // [[vk::image_format("rgba8")]] in GLSL's spelling; empty: none
 };
 
 // What an input or output means to the pipeline.
@@ -129,6 +137,13 @@ struct IoVar {
   std::string path = {};
   std::optional<Reader> reader = {};  // of an output, where the next stage is known
 };
+
+// The locations that an input or output of this scalar or vector type takes: two for three or four
+// components of 64 bits.
+std::uint32_t LocationCount(const Type& type);
+// Puts those that are not built in into the order of their locations, after the others; a list
+// where they have that order stays as it is.
+void SortByLocation(std::vector<IoVar>& list);
 
 // The semantic of the outputs that carry distances to clip planes to a fragment shader that
 // discards. A shader cannot name it: the names that begin with SV_ are Direct3D's.

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -101,6 +102,8 @@ struct Field {
   bool centroid = false;
   bool sample = false;
   bool precise = false;
+  std::optional<std::uint32_t> location = {};  // [[vk::location(..)]]
+  std::optional<std::uint32_t> offset = {};    // [[vk::offset(..)]], in bytes
 };
 // Fields of base structs come first.
 struct Struct {

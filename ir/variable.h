@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,9 @@ struct Var {
   Span span = {};
   ExprId init = {};        // of kStatic and kConstant
   CbufferId cbuffer = {};  // of kUniform
+  // Of a kStatic one that nothing assigns: [[vk::constant_id(..)]]. Vulkan may give it another
+  // value than `init` when it makes a pipeline.
+  std::optional<std::uint32_t> constant_id = {};
   bool row_major = false;
   bool precise = false;
 };

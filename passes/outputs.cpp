@@ -50,14 +50,13 @@ void RemoveWrite(Program& program, VarId output) {
   SetMainBody(program, body);
 }
 
-// The first location after those of all outputs; a double of more than two components takes two.
+// The first location after those of all outputs.
 static std::uint32_t FreeLocation(const Program& program) {
   std::uint32_t next = 0;
   for (const IoVar& output : program.outputs) {
     if (output.builtin != Builtin::kNone) continue;
     const Type& type = program.types[program.vars[output.var].type];
-    next = std::max(
-        next, output.location + (type.scalar == Scalar::kDouble && type.Components() > 2 ? 2 : 1));
+    next = std::max(next, output.location + LocationCount(type));
   }
   return next;
 }

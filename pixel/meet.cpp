@@ -39,9 +39,7 @@ class Applier {
     for (IoVar& output : outputs) {
       if (output.builtin == Builtin::kNone && !output.reader) output.location = end++;
     }
-    std::ranges::stable_sort(outputs, {}, [](const IoVar& output) {
-      return output.builtin == Builtin::kNone ? std::int64_t{output.location} : -1;
-    });
+    SortByLocation(outputs);
     program_.outputs = std::move(outputs);
     for (const CbufferId id : program_.cbuffers.ids()) {
       const Meeting::Buffer& met = meeting_.buffers[id.index];

@@ -9,30 +9,41 @@ namespace clipc::glsl {
 
 namespace {
 
-std::uint32_t FreeBinding(Bindings& taken, std::uint32_t wanted, std::uint32_t count) {
-  const auto is_free = [&](std::uint32_t first) {
-    const auto next = taken.lower_bound(first);
-    return next == taken.end() || *next - first >= count;
+std::uint32_t FreeBinding(Bindings& bindings, const ir::Register& reg, std::uint32_t count) {
+  const auto is_free_of = [&](const std::set<std::uint32_t>& some, std::uint32_t first) {
+    const auto next = some.lower_bound(first);
+    return next == some.end() || *next - first >= count;
   };
-  if (!is_free(wanted)) {
-    for (wanted = 0; !is_free(wanted);) ++wanted;
+  const auto is_free = [&](std::uint32_t first) {
+    return is_free_of(bindings.taken, first) && is_free_of(bindings.reserved, first);
+  };
+  std::uint32_t first = reg.descriptor ? reg.descriptor->binding : reg.number;
+  const bool is_its_own = reg.descriptor && is_free_of(bindings.taken, first);
+  if (!is_its_own && !is_free(first)) {
+    for (first = 0; !is_free(first);) ++first;
   }
-  for (std::uint32_t i = 0; i < count; ++i) taken.insert(wanted + i);
-  return wanted;
+  for (std::uint32_t i = 0; i < count; ++i) bindings.taken.insert(first + i);
+  return first;
 }
 
 }  // namespace
 
-std::uint32_t VulkanBinding(const ir::Register& reg, const Target& target) {
+void Bindings::Reserve(const ir::Register& reg, std::uint32_t count) {
+  for (std::uint32_t i = 0; reg.descriptor && i < count; ++i)
+    reserved.insert(reg.descriptor->binding + i);
+}
+
+ir::Descriptor VulkanDescriptor(const ir::Register& reg, const Target& target) {
+  if (reg.descriptor) return *reg.descriptor;
   for (const BindingShift& given : target.binding_shifts | std::views::reverse) {
     if (given.letter == reg.letter && given.space.value_or(reg.space) == reg.space)
-      return reg.number + given.shift;
+      return {reg.number + given.shift, reg.space};
   }
   switch (reg.letter) {
-    case 'b': return reg.number + kVulkanShiftB;
-    case 's': return reg.number + kVulkanShiftS;
-    case 'u': return reg.number + kVulkanShiftU;
-    default: return reg.number + kVulkanShiftT;
+    case 'b': return {reg.number + kVulkanShiftB, reg.space};
+    case 's': return {reg.number + kVulkanShiftS, reg.space};
+    case 'u': return {reg.number + kVulkanShiftU, reg.space};
+    default: return {reg.number + kVulkanShiftT, reg.space};
   }
 }
 
@@ -63,11 +74,12 @@ std::string Bind(const Context& context, GlslInfo::Place& place, const ir::Regis
                  Bindings& taken, std::uint32_t count) {
   std::string set;
   if (context.target.IsVulkan()) {
-    place.set = reg.space;
-    place.binding = VulkanBinding(reg, context.target);
-    set = Concat("set = ", std::to_string(reg.space), ", ");
+    const ir::Descriptor descriptor = VulkanDescriptor(reg, context.target);
+    place.set = descriptor.set;
+    place.binding = descriptor.binding;
+    set = Concat("set = ", std::to_string(descriptor.set), ", ");
   } else if (context.Has(Feature::kBindings)) {
-    place.binding = FreeBinding(taken, reg.number, count);
+    place.binding = FreeBinding(taken, reg, count);
   } else {
     return "";
   }

@@ -18,12 +18,17 @@ std::string LayoutText(std::initializer_list<std::string_view> qualifiers);
 // "b2": where Direct3D finds it.
 std::string RegisterText(const ir::Register& reg);
 
-// The bindings of one kind that are taken.
-using Bindings = std::set<std::uint32_t>;
+// The bindings of one kind in OpenGL.
+struct Bindings {
+  std::set<std::uint32_t> taken;
+  std::set<std::uint32_t> reserved;  // for those that have a [[vk::binding]]
+  void Reserve(const ir::Register& reg, std::uint32_t count);
+};
 
-// Decides where `count` blocks or objects of this register are bound: for Vulkan at the register's
-// set and binding, else at the register's number or, where that is taken, at the first free one.
-// Returns the qualifiers that say so, none where the target cannot say it.
+// Decides where `count` blocks or objects of this register are bound: for Vulkan at the set and
+// binding that are written or else follow from the register; for OpenGL at the written binding or
+// else the register's number or, where that is taken, at the first free one. Returns the qualifiers
+// that say so, none where the target cannot say it.
 std::string Bind(const Context& context, GlslInfo::Place& place, const ir::Register& reg,
                  Bindings& taken, std::uint32_t count);
 

@@ -38,11 +38,14 @@ class BlockWriter {
     info_.name = context_.block_names[info_.cbuffer.index];
     const bool is_rows = layout_.form == BlockForm::kRows;
     const bool turned = layout_.matrices == MatrixLayout::kRowMajor && !is_rows;
-    const std::string place = cbuffer_.declared
+    const bool is_pushed = cbuffer_.is_push_constant && context_.target.IsVulkan();
+    info_.is_push_constant = is_pushed;
+    const std::string place = is_pushed ? "push_constant"
+                              : cbuffer_.declared
                                   ? Bind(context_, info_, *cbuffer_.declared)
                                   : Bind(context_, info_, cbuffer_.reg, bindings_, cbuffer_.count);
     Append(text_, LayoutText({"std140", place, turned ? "row_major" : ""}), "uniform ", info_.name,
-           " {  // ", register_, "\n");
+           is_pushed ? " {\n" : Concat(" {  // ", register_, "\n"));
     is_rows ? Rows() : Members();
   }
 
@@ -162,6 +165,9 @@ class BlockWriter {
 
 void WriteBlocks(Context& context) {
   Bindings bindings;
+  for (const CbufferId id : context.program.cbuffers.ids()) {
+    if (context.reached.Has(id)) bindings.Reserve(context[id].reg, context[id].count);
+  }
   for (const CbufferId id : context.program.cbuffers.ids()) {
     if (context.reached.Has(id)) BlockWriter(context, id, bindings).Write();
   }

@@ -141,7 +141,7 @@ std::uint32_t WriteVarying(Context& context, const IoVar& output, GlslInfo::Vari
          output.centroid ? "centroid " : "", output.sample ? "sample " : "",
          has_out ? "out " : "varying ", OutputDeclaration(context, output, shape, info.name), ";",
          SemanticComment(output));
-  return location + (is_double && shape.size > 2 ? 2 : 1);
+  return location + LocationCount(context.TypeOf(output.var));
 }
 
 // Which elements of an output array `main` assigns; all when it assigns the whole, or an element

@@ -68,6 +68,7 @@ void NameOutputs(Context& context, bool are_met) {
 // The names of the members of a struct or a block: they need only differ from each other.
 std::vector<std::string> FieldNames(const std::vector<std::string_view>& wanted) {
   std::vector<std::string> names;
+  names.reserve(wanted.size());
   bool is_changed = false;
   for (const std::string_view name : wanted) {
     is_changed |= names.emplace_back(LegalFieldName(name)) != name;

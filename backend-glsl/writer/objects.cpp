@@ -49,6 +49,10 @@ class ObjectWriter {
   void Write() {
     const bool is_vulkan = context_.target.IsVulkan();
     for (const Resource& resource : context_.program.resources) {
+      if (context_.reached.Has(resource.var))
+        BindingsOf(resource).Reserve(resource.reg, CountOf(context_, resource.var));
+    }
+    for (const Resource& resource : context_.program.resources) {
       if (!context_.reached.Has(resource.var)) continue;
       const ObjectKind kind = ObjectTypeOf(context_, resource.var).object;
       if (IsStorageBuffer(kind)) {
@@ -64,6 +68,11 @@ class ObjectWriter {
   }
 
  private:
+  Bindings& BindingsOf(const Resource& resource) {
+    const ObjectKind kind = ObjectTypeOf(context_, resource.var).object;
+    return IsStorageBuffer(kind) ? buffers_ : IsImage(kind) ? images_ : textures_;
+  }
+
   void Combined(const TextureUse& use) {
     const auto& resources = context_.program.resources;
     const auto resource = std::ranges::find(resources, use.texture, &Resource::var);
@@ -119,8 +128,8 @@ class ObjectWriter {
                          element, info.name);
   }
 
-  // GLSL wants the format of an image that is read; HLSL tells the components and their kind: 32
-  // bits each.
+  // GLSL wants the format of an image that is read; HLSL tells the components and their kind, which
+  // are 32 bits each unless [[vk::image_format]] says more.
   void Image(const Resource& resource) {
     const Type& type = ObjectTypeOf(context_, resource.var);
     GlslInfo::Object& info = Add(resource);
@@ -133,9 +142,9 @@ class ObjectWriter {
         prefix == "u"   ? "ui"
         : prefix == "i" ? "i"
                         : "f");
-    Append(text_, LayoutText({place, format}), "uniform ", prefix, "image", Dimension(type.object),
-           " ", info.name, Dimensions(context_, resource.var), ";  // ", RegisterText(resource.reg),
-           "\n");
+    Append(text_, LayoutText({place, resource.format.empty() ? format : resource.format}),
+           "uniform ", prefix, "image", Dimension(type.object), " ", info.name,
+           Dimensions(context_, resource.var), ";  // ", RegisterText(resource.reg), "\n");
   }
 
   GlslInfo::Object& Add(const Resource& resource) {

@@ -6,6 +6,7 @@
 #include "frontend/check/assign.h"
 #include "frontend/check/global.h"
 #include "frontend/check/type.h"
+#include "frontend/check/vulkan.h"
 #include "ir/packing.h"
 
 namespace clipc::check {
@@ -15,7 +16,8 @@ void ResolveMember(Context& context, Buffer& buffer, SymbolId id) {
   Symbol& symbol = context[id];
   const auto& var = context.Get<ast::VarDecl>(symbol.decl);
   if (buffer.kind == CbufferKind::kGlobals &&
-      (symbol.resolution == Resolution::kDone || IsConstantBuffer(context, var)))
+      (symbol.resolution == Resolution::kDone || IsBuffer(context, var) ||
+       HasConstantId(context, var.attributes)))
     return;
   const TypeId type = ResolveVarType(context, var);
   if (context.IsError(type) || type == context.types.String()) return;
@@ -64,6 +66,7 @@ void FinishBuffer(Context& context, const Buffer& buffer) {
   Cbuffer result;
   result.kind = buffer.kind;
   List<ast::RegisterBinding> registers;
+  List<ast::Attr> attributes;
   if (buffer.kind == CbufferKind::kGlobals) {
     result.name = "$Globals";
   } else if (buffer.kind == CbufferKind::kParams) {
@@ -72,15 +75,18 @@ void FinishBuffer(Context& context, const Buffer& buffer) {
     result.name = context[decl->name];
     result.span = decl->name ? decl->name_span : context[buffer.decl].span;
     registers = decl->registers;
+    attributes = decl->attributes;
   } else {
     const auto& var = context.Get<ast::VarDecl>(buffer.decl);
     result.name = context[var.name];
     result.span = var.name_span;
     registers = var.registers;
+    attributes = var.attributes;
   }
   const bool is_texture = buffer.kind == CbufferKind::kTbuffer;
-  result.reg = is_texture ? RegisterOf(context, registers, 't', "t")
-                          : RegisterOf(context, registers, 'b', "b");
+  result.is_push_constant = IsPushConstant(context, attributes);
+  result.reg = is_texture ? RegisterOf(context, registers, attributes, 't', "t")
+                          : RegisterOf(context, registers, attributes, 'b', "b");
   const CbufferId id{context.program.cbuffers.size()};
   result.members.reserve(buffer.members.size());
   for (SymbolId symbol : buffer.members) {
@@ -106,7 +112,8 @@ void FinishBuffer(Context& context, const Buffer& buffer) {
 
 }  // namespace
 
-bool IsConstantBuffer(const Context& context, const ast::VarDecl& var) {
+bool IsBuffer(const Context& context, const ast::VarDecl& var) {
+  if (IsPushConstant(context, var.attributes)) return true;
   const ast::Type& type = context[var.type];
   if (!type.has_arguments || !type.name.scopes.empty()) return false;
   const std::string_view text = context[type.name.name];
@@ -114,12 +121,12 @@ bool IsConstantBuffer(const Context& context, const ast::VarDecl& var) {
          !context.names.FindUnqualified(type.name.name, true);
 }
 
-void ResolveConstantBuffer(Context& context, SymbolId id, const ast::VarDecl& var) {
+void ResolveBuffer(Context& context, SymbolId id, const ast::VarDecl& var) {
   Buffer buffer;
   buffer.decl = context[id].decl;
-  buffer.kind = context[context[var.type].name.name] == "ConstantBuffer"
-                    ? CbufferKind::kConstantBuffer
-                    : CbufferKind::kTbuffer;
+  buffer.kind = context[context[var.type].name.name] == "TextureBuffer"
+                    ? CbufferKind::kTbuffer
+                    : CbufferKind::kConstantBuffer;
   buffer.scope = context[id].scope;
   buffer.order = OrderOf(context, id);
   buffer.members.push_back(id);

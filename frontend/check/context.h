@@ -58,8 +58,9 @@ struct Globals {
   BufferId params_buffer;  // the one for $Params; none before the first `uniform` parameter
   // The static variables and the resources that something reached uses.
   std::vector<Ordered> reached, resources;
-  std::unordered_map<std::uint32_t, Register> registers;  // by a resource's VarId
-  std::vector<bool> const_vars;                           // by VarId
+  std::unordered_map<std::uint32_t, Register> registers;   // by a resource's VarId
+  std::unordered_map<std::uint32_t, std::string> formats;  // of images that have one
+  std::vector<bool> const_vars;                            // by VarId
 };
 
 using Exprs = std::vector<ExprId>;

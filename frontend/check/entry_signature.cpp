@@ -7,6 +7,7 @@
 #include "frontend/check/function.h"
 #include "frontend/check/global.h"
 #include "frontend/check/type.h"
+#include "frontend/check/vulkan.h"
 
 namespace clipc::check {
 namespace {
@@ -48,6 +49,7 @@ EntrySignature SignatureOf(Context& context, FunctionInfoId entry) {
     entry_parameter.semantic = context[var.semantic.name];
     entry_parameter.semantic_span = var.semantic.span;
     ReadInterpolation(var.qualifiers, entry_parameter);
+    ReadVulkan(context, var.attributes, entry_parameter);
     entry_parameter.row_major = IsRowMajor(context, QualifiersOf(context, var));
     if (var.qualifiers & ast::kUniform) {
       entry_parameter.is_uniform = true;
@@ -58,6 +60,7 @@ EntrySignature SignatureOf(Context& context, FunctionInfoId entry) {
   signature.result.semantic = context[decl.return_semantic.name];
   signature.result.semantic_span = decl.return_semantic.span;
   ReadInterpolation(decl.qualifiers, signature.result);
+  ReadVulkan(context, decl.attributes, signature.result);
   signature.result.row_major = IsRowMajor(context, decl.qualifiers);
   signature.stages_meet_by_row = context.options.stages_meet_by_row;
   return signature;

@@ -9,6 +9,7 @@
 #include "frontend/check/init.h"
 #include "frontend/check/type.h"
 #include "frontend/check/value.h"
+#include "frontend/check/vulkan.h"
 #include "ir/access.h"
 #include "ir/walk.h"
 
@@ -19,8 +20,10 @@ void ResolveGlobal(Context& context, SymbolId id, const ast::VarDecl& var) {
   const std::uint32_t buffer = context[id].owner;
   if (buffer != ~0u) return ReachBuffer(context, BufferId{buffer});
   const ViewSwitch in(context, ViewOf(context, id));
-  if (IsConstantBuffer(context, var)) return ResolveConstantBuffer(context, id, var);
-  if (var.qualifiers & (ast::kStatic | ast::kGroupShared)) return ResolveStatic(context, id, var);
+  if (IsBuffer(context, var)) return ResolveBuffer(context, id, var);
+  if ((var.qualifiers & (ast::kStatic | ast::kGroupShared)) ||
+      HasConstantId(context, var.attributes))
+    return ResolveStatic(context, id, var);
   const TypeId type = ResolveVarType(context, var);
   if (context.IsError(type)) return;
   if (type == context.types.String()) {
@@ -108,13 +111,18 @@ void ResolveStatic(Context& context, SymbolId id, const ast::VarDecl& var) {
   }
   const ast::Qualifiers qualifiers = QualifiersOf(context, var);
   const bool is_const = (qualifiers & ast::kConst) != 0;
-  const bool is_constant = is_const && init && IsConstantExpr(context, init);
+  const auto constant_id = ConstantIdOf(context, var.attributes);
+  const bool is_known = init && IsConstantExpr(context, init);
+  if (constant_id && (!is_known || context[type].kind != TypeKind::kScalar))
+    context.Report(context[id].span, diag::ConstantIdNotScalar, context[var.name]);
+  const bool is_constant = is_const && is_known && !constant_id;
   const VarId result =
       AddVar(context, var.name, type, is_constant ? Storage::kConstant : Storage::kStatic,
              context[id].span);
   context[result].init = init;
   context[result].row_major = IsRowMajor(context, qualifiers);
-  if (is_const) MarkConst(context, result);
+  context[result].constant_id = constant_id;
+  if (is_const || constant_id) MarkConst(context, result);
   context[id].value = result.index;
   context.globals.reached.push_back({OrderOf(context, id), result});
 }
@@ -126,10 +134,13 @@ void ResolveObject(Context& context, SymbolId id, const ast::VarDecl& var, TypeI
   context.globals.resources.push_back({OrderOf(context, id), result});
   const TypeId element = context.types.Innermost(type);
   const char letter = RegisterLetter(context[element].object);
-  context.globals.registers.emplace(result.index, RegisterOf(context, var.registers, letter,
-                                                             letter == 's'   ? "s"
-                                                             : letter == 'u' ? "u"
-                                                                             : "tu"));
+  const std::string_view letters = letter == 's' ? "s" : letter == 'u' ? "u" : "tu";
+  context.globals.registers.emplace(
+      result.index, RegisterOf(context, var.registers, var.attributes, letter, letters));
+  const TypeId texel = context[element].element;
+  const Scalar components = texel ? BaseOf(context[texel].scalar) : Scalar::kFloat;
+  std::string format = ImageFormatOf(context, var.attributes, components);
+  if (!format.empty()) context.globals.formats.emplace(result.index, std::move(format));
 }
 
 const ast::RegisterBinding* BindingOf(const Context& context, List<ast::RegisterBinding> bindings,
@@ -148,10 +159,11 @@ const ast::RegisterBinding* BindingOf(const Context& context, List<ast::Register
   return best;
 }
 
-Register RegisterOf(const Context& context, List<ast::RegisterBinding> bindings, char letter,
-                    std::string_view letters) {
+Register RegisterOf(Context& context, List<ast::RegisterBinding> bindings,
+                    List<ast::Attr> attributes, char letter, std::string_view letters) {
   Register reg;
   reg.letter = letter;
+  reg.descriptor = DescriptorOf(context, attributes);
   if (const ast::RegisterBinding* binding = BindingOf(context, bindings, letters)) {
     reg.number = binding->number;
     reg.space = binding->space;
@@ -169,8 +181,10 @@ void FinishGlobals(Context& context) {
     context.program.globals.push_back(global.var);
   std::stable_sort(context.globals.resources.begin(), context.globals.resources.end(), before);
   for (const Globals::Ordered& resource : context.globals.resources) {
+    const auto format = context.globals.formats.find(resource.var.index);
     context.program.resources.push_back(
-        {resource.var, context.globals.registers.at(resource.var.index)});
+        {resource.var, context.globals.registers.at(resource.var.index),
+         format == context.globals.formats.end() ? "" : format->second});
   }
   if (!context.diagnostics.has_errors()) InitialiseInMain(context.program);
 }

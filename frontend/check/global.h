@@ -17,10 +17,10 @@ VarId AddVar(Context& context, Name name, TypeId type, Storage storage, Span spa
 std::uint32_t OrderOf(const Context& context, SymbolId id);
 void ResolveStatic(Context& context, SymbolId id, const ast::VarDecl& var);
 void ResolveObject(Context& context, SymbolId id, const ast::VarDecl& var, TypeId type);
-// The register of a resource or buffer: that of the binding that counts, if there is one. `letters`
-// are the kinds of register that fit.
-Register RegisterOf(const Context& context, List<ast::RegisterBinding> bindings, char letter,
-                    std::string_view letters);
+// The register of a resource or buffer: that of the binding that counts, if there is one, and
+// [[vk::binding]] among the attributes. `letters` are the kinds of register that fit.
+Register RegisterOf(Context& context, List<ast::RegisterBinding> bindings,
+                    List<ast::Attr> attributes, char letter, std::string_view letters);
 // The binding that counts under this profile; null without one.
 const ast::RegisterBinding* BindingOf(const Context& context, List<ast::RegisterBinding> bindings,
                                       std::string_view letters);

@@ -8,6 +8,7 @@
 #include "frontend/check/enum.h"
 #include "frontend/check/scope.h"
 #include "frontend/check/type.h"
+#include "frontend/check/vulkan.h"
 
 namespace clipc::check {
 namespace {
@@ -54,6 +55,8 @@ Field MakeField(Context& context, const ast::VarDecl& var) {
   field.semantic_span = var.semantic.span;
   field.precise = (qualifiers & ast::kPrecise) != 0;
   ReadInterpolation(qualifiers, field);
+  ReadVulkan(context, var.attributes, field);
+  field.offset = OffsetOf(context, var.attributes);
   if (var.bit_width) context.Report(context[var.bit_width].span, diag::Unsupported, "a bit-field");
   return field;
 }

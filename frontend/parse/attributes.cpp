@@ -2,6 +2,7 @@
 #include "frontend/parse/attributes.h"
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 
 #include "base/spelling.h"
@@ -57,13 +58,40 @@ constexpr std::string_view kKnown[] = {
     "unboundedsparsenodes",
 };
 
+// In the order of the enumerators.
+constexpr std::string_view kVulkanNames[] = {"vk::location",      "vk::builtin", "vk::binding",
+                                             "vk::push_constant", "vk::offset",  "vk::constant_id",
+                                             "vk::image_format"};
+
 }  // namespace
+
+std::optional<VulkanAttribute> VulkanAttributeOf(std::string_view name) {
+  const auto* found = std::ranges::find(kVulkanNames, ToLower(name));
+  if (found == std::end(kVulkanNames)) return std::nullopt;
+  return static_cast<VulkanAttribute>(found - std::begin(kVulkanNames));
+}
+
+bool MayStandAt(VulkanAttribute attribute, AttributeOwner owner) {
+  using enum AttributeOwner;
+  switch (attribute) {
+    case VulkanAttribute::kLocation:
+    case VulkanAttribute::kBuiltin:
+      return owner == kFunction || owner == kParameter || owner == kField;
+    case VulkanAttribute::kBinding:
+    case VulkanAttribute::kPushConstant: return owner == kVariable || owner == kBuffer;
+    case VulkanAttribute::kOffset: return owner == kField;
+    case VulkanAttribute::kConstantId:
+    case VulkanAttribute::kImageFormat: return owner == kVariable;
+  }
+  return false;
+}
 
 AttributeMeaning MeaningOfAttribute(std::string_view name) {
   const std::string lower = ToLower(name);
   if (lower == kClipPlanesAttribute) return AttributeMeaning::kClipPlanes;
   if (std::ranges::find(kKnown, lower) != std::end(kKnown)) return AttributeMeaning::kKnown;
-  // Vulkan's, in the spelling of DXC and in that of glslang; Direct3D 12's root signature.
+  if (VulkanAttributeOf(name)) return AttributeMeaning::kVulkan;
+  // Others of Vulkan, in the spelling of DXC and in that of glslang; Direct3D 12's root signature.
   if (lower.starts_with("vk::") || lower == "layout" || lower == "rootsignature")
     return AttributeMeaning::kWithoutEffect;
   std::string bare = lower;

@@ -129,7 +129,10 @@ void Parser::ParseSpecified(Decls& decls, Scope scope, const TemplateHeader& hea
   const Specifiers specifiers = ParseSpecifiers("a declaration");
   if (panic_) return;
   if (!specifiers.type) {  // [[attribute]] typedef ...; [[attribute]] cbuffer ...
-    RefuseClipPlanes(specifiers.attributes, fmt::format("a `{}`", TextAt()));
+    const bool is_buffer = kBufferWords.Has(WordAt());
+    CheckAttributes(specifiers.attributes,
+                    is_buffer ? AttributeOwner::kBuffer : AttributeOwner::kOther,
+                    fmt::format("a `{}`", TextAt()));
     if (!ParseKeywordDeclaration(decls, scope)) ParseBuffer(decls, specifiers);
   } else if (ParseTypeOnly(decls, specifiers)) {
     return;
@@ -145,7 +148,7 @@ bool Parser::ParseTypeOnly(Decls& decls, const Specifiers& specifiers) {
   const DeclId definition = file_.types[specifiers.type].struct_definition;
   if (!definition || (!At(kSemicolon) && !StructEndsHere())) return false;
   ParseEndOfType(definition);
-  RefuseClipPlanes(specifiers.attributes, "the definition of a type");
+  CheckAttributes(specifiers.attributes, AttributeOwner::kOther, "the definition of a type");
   auto* structure = std::get_if<StructDecl>(&file_.decls[definition].node);
   if (structure && structure->attributes.empty()) structure->attributes = specifiers.attributes;
   decls.Add(definition);
@@ -176,8 +179,14 @@ void Parser::ParseVariables(Decls& decls, Scope scope, const Specifiers& specifi
     ExpectSemicolon(fmt::format("the declaration of `{}`", Text(var.name)));
   }
   // A function that is cut off looks like a variable.
-  if (!panic_)
-    RefuseClipPlanes(specifiers.attributes, scope == Scope::kStruct ? "a field" : "a variable");
+  if (!panic_) {
+    const bool is_field = scope == Scope::kStruct;
+    CheckAttributes(specifiers.attributes,
+                    is_field                  ? AttributeOwner::kField
+                    : scope == Scope::kGlobal ? AttributeOwner::kVariable
+                                              : AttributeOwner::kOther,
+                    is_field ? "a field" : "a variable");
+  }
 }
 
 // cbuffer Name : register(b0) {...}
@@ -247,7 +256,7 @@ void Parser::ParseUsing(Decls& decls) {
     TypedefDecl decl{};
     decl.name_span = Here();
     decl.name = Next().name();
-    RefuseClipPlanes(ParseAttributes(), "the definition of a type");
+    CheckAttributes(ParseAttributes(), AttributeOwner::kOther, "the definition of a type");
     Expect(kEqual, "`=`");
     Specifiers specifiers;
     if (!ParseTypedSpecifiers(specifiers, "a type")) return;

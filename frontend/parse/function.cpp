@@ -98,6 +98,7 @@ void Parser::ParseFunction(Decls& decls, Scope scope, const Specifiers& specifie
   function.return_type = specifiers.type;
   function.qualifiers = specifiers.qualifiers;
   function.attributes = specifiers.attributes;
+  CheckAttributes(function.attributes, AttributeOwner::kFunction, "a function");
   function.template_parameters = header.parameters;
   function.is_template = header.present;
   if (scope == Scope::kLocal && !ParseLocalFunction(specifiers)) return;
@@ -205,7 +206,7 @@ List<DeclId> Parser::ParseParameters() {
 void Parser::ParseParameter(Decls& decls) {
   Specifiers specifiers;
   if (!ParseTypedSpecifiers(specifiers, "a parameter")) return;
-  RefuseClipPlanes(specifiers.attributes, "a parameter");
+  CheckAttributes(specifiers.attributes, AttributeOwner::kParameter, "a parameter");
   VarDecl var = MakeVar(specifiers);
   if (At(kIdentifier) && !ParseDeclaratorName(var.name, var.name_span, "parameter")) return;
   Declare(var.name, Meaning::kValue);

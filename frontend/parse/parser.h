@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "frontend/parse/attributes.h"
 #include "frontend/parse/tree_builder.h"
 
 // The recursive-descent parser of Parse(). Its grammar functions call each other across all
@@ -69,8 +70,9 @@ class Parser : private TreeBuilder {
   List<Attr> ParseAttributes();
   // Warns, once for each name, of an attribute that does nothing.
   void NoteAttribute(const Attr& attribute);
-  // Reports clip planes among the attributes of `owner`, which is not a function.
-  void RefuseClipPlanes(List<Attr> attributes, std::string_view owner);
+  // Reports clip planes among the attributes of what is not a function, and Vulkan's attributes
+  // that have no effect on it. `what` names it: "a field".
+  void CheckAttributes(List<Attr> attributes, AttributeOwner owner, std::string_view what);
   void ParseAttributes(Collector<Attr>& attributes);
   void ParseAttributeList(Collector<Attr>& attributes);
   bool ParseAttribute(Collector<Attr>& attributes, std::size_t start);

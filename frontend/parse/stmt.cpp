@@ -12,7 +12,7 @@ StmtId Parser::ParseStatement() {
   Nesting nesting(*this);
   if (!nesting.ok()) return AddStmt(start, ErrorStmt{});
   const List<Attr> attributes = ParseAttributes();
-  RefuseClipPlanes(attributes, "a statement");
+  CheckAttributes(attributes, AttributeOwner::kOther, "a statement");
   const StmtId stmt = ParseUnattributed(start);
   if (!attributes.empty()) file_.stmts[stmt].attributes = attributes;
   if (panic_ && !leaving_function_) SkipStatement();
@@ -101,7 +101,7 @@ StmtId Parser::ParseIf(std::size_t start) {
     Next();
     start = pos_;
     attributes = ParseAttributes();
-    RefuseClipPlanes(attributes, "a statement");
+    CheckAttributes(attributes, AttributeOwner::kOther, "a statement");
     if (!AtWord(Word::kIf)) {
       otherwise = ParseBody("else");
       if (!attributes.empty()) file_.stmts[otherwise].attributes = attributes;

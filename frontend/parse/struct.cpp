@@ -18,7 +18,7 @@ DeclId Parser::ParseStruct(const TemplateHeader& header) {
   }
   Next();
   decl.attributes = ParseAttributes();
-  RefuseClipPlanes(decl.attributes, "the definition of a type");
+  CheckAttributes(decl.attributes, AttributeOwner::kOther, "the definition of a type");
   if (AtName()) {
     TakeName(decl, Meaning::kType);
     if (header.present && At(kLess)) decl.template_arguments = ParseTemplateArguments();

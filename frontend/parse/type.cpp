@@ -249,11 +249,17 @@ void Parser::NoteAttribute(const Attr& attribute) {
                       Text(attribute.name));
 }
 
-void Parser::RefuseClipPlanes(List<Attr> attributes, std::string_view owner) {
+void Parser::CheckAttributes(List<Attr> attributes, AttributeOwner owner, std::string_view what) {
   for (const Attr& attribute : file_.attrs[attributes]) {
-    const AttributeMeaning meaning = MeaningOfAttribute(Text(attribute.name));
-    if (meaning == AttributeMeaning::kClipPlanes || meaning == AttributeMeaning::kLikeClipPlanes)
-      diagnostics_.Report(attribute.span, diag::ClipPlanesMisplaced, Text(attribute.name), owner);
+    const std::string_view name = Text(attribute.name);
+    const AttributeMeaning meaning = MeaningOfAttribute(name);
+    const bool is_plane =
+        meaning == AttributeMeaning::kClipPlanes || meaning == AttributeMeaning::kLikeClipPlanes;
+    if (is_plane && owner != AttributeOwner::kFunction)
+      diagnostics_.Report(attribute.span, diag::ClipPlanesMisplaced, name, what);
+    const auto vulkan = VulkanAttributeOf(name);
+    if (vulkan && !MayStandAt(*vulkan, owner))
+      diagnostics_.Report(attribute.name_span, diag::AttributeMisplaced, name, what);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "base/spelling.h"
+#include "frontend/rules/locations.h"
 #include "frontend/rules/semantics.h"
 #include "ir/builder.h"
 
@@ -33,6 +34,7 @@ struct Cursor {
   Interpolation interpolation = Interpolation::kDefault;
   bool centroid = false;
   bool sample = false;
+  std::optional<std::uint32_t> location;
 };
 
 // A parameter, the result or something inside of one: where it is, and which semantic it has.
@@ -49,8 +51,13 @@ struct Carrier {
 // The cursor of a parameter, the result or a field, whose members have the same names.
 template <typename Declared>
 Cursor CursorOf(const Declared& declared) {
-  return {SplitSemantic(declared.semantic), !declared.semantic.empty(), declared.semantic_span,
-          declared.interpolation,           declared.centroid,          declared.sample};
+  return {SplitSemantic(declared.semantic),
+          !declared.semantic.empty(),
+          declared.semantic_span,
+          declared.interpolation,
+          declared.centroid,
+          declared.sample,
+          declared.location};
 }
 
 class MainBuilder {
@@ -78,6 +85,8 @@ class MainBuilder {
     WriteDistances(Builtin::kCullDistance, "cull_distance");
     CheckDistanceCount();
     CheckPosition();
+    SortByLocation(program_.inputs);
+    SortByLocation(program_.outputs);
     const StmtId body = builder_.BlockOf(body_);
     program_.main = program_.functions.Add({"main", program_.types.Void(), {}, body, entry.span});
   }
@@ -242,6 +251,7 @@ class MainBuilder {
     leaf.cursor = cursor;
     if (cursor.span) leaf.span = cursor.span;
     ++cursor.semantic.index;
+    if (cursor.location) ++*cursor.location;
   }
 
   // ---- inputs
@@ -328,8 +338,12 @@ class MainBuilder {
                            .type = type,
                            .storage = is_input ? Storage::kInput : Storage::kOutput,
                            .span = leaf.span});
-    std::uint32_t& next = is_input ? next_input_ : next_output_;
-    const std::uint32_t location = builtin == Builtin::kNone ? next++ : 0;
+    Locations& locations = is_input ? input_locations_ : output_locations_;
+    const std::uint32_t location =
+        builtin == Builtin::kNone
+            ? locations.Next(leaf.cursor.location, LocationCount(program_.types[type]),
+                             leaf.name + leaf.elements, leaf.span)
+            : 0;
     list.push_back({id, leaf.cursor.semantic.name, leaf.cursor.semantic.index, builtin, location,
                     leaf.cursor.interpolation, leaf.cursor.centroid, leaf.cursor.sample,
                     leaf.cursor.semantic.has_index, leaf.name.substr(leaf.name.rfind('.') + 1),
@@ -457,7 +471,7 @@ class MainBuilder {
   std::vector<Carrier> pending_outputs_;
   std::vector<Distance> clip_, cull_;
   std::map<std::string, Span> seen_inputs_, seen_outputs_;
-  std::uint32_t next_input_ = 0, next_output_ = 0;
+  Locations input_locations_{"inputs", diagnostics_}, output_locations_{"outputs", diagnostics_};
   std::uint32_t distance_count_ = 0;
   bool by_row_ = false;  // matrices are taken apart by row, whatever they are
 };

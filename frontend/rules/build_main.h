@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,7 +29,8 @@ struct EntryParameter {
   Interpolation interpolation = Interpolation::kDefault;
   bool centroid = false;
   bool sample = false;
-  bool row_major = false;  // of the matrices in it
+  bool row_major = false;                 // of the matrices in it
+  std::optional<std::uint32_t> location;  // [[vk::location(..)]]
   bool is_uniform = false;
   VarId uniform_var;  // the member of $Params that a `uniform` parameter became
 };

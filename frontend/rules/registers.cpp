@@ -100,13 +100,17 @@ std::uint32_t CountOf(const TypeTable& types, TypeId type) {
 
 void AssignRegisters(Program& program, Diagnostics& diagnostics) {
   // fxc's order, as far as it is known: $Globals, the others as declared, $Params.
-  const auto rank = [](CbufferKind kind) {
-    return kind == CbufferKind::kGlobals ? 0 : kind == CbufferKind::kParams ? 2 : 1;
+  // Push constants need a register only where they become a buffer.
+  const auto rank = [](const Cbuffer& buffer) {
+    return buffer.is_push_constant                ? 3
+           : buffer.kind == CbufferKind::kGlobals ? 0
+           : buffer.kind == CbufferKind::kParams  ? 2
+                                                  : 1;
   };
   std::vector<CbufferId> order;
   for (CbufferId id : program.cbuffers.ids()) order.push_back(id);
   std::stable_sort(order.begin(), order.end(), [&](CbufferId a, CbufferId b) {
-    return rank(program.cbuffers[a].kind) < rank(program.cbuffers[b].kind);
+    return rank(program.cbuffers[a]) < rank(program.cbuffers[b]);
   });
   std::vector<Taker> takers;
   for (CbufferId id : order) {

@@ -38,6 +38,11 @@ constexpr Row kRows[] = {
     {"sv_primitiveid", kRefused, kPlain},
     // Slang's and SDL's name for Direct3D 9's PSIZE.
     {"sv_pointsize", kRefused, Is(Builtin::kPointSize, 0)},
+    // [[vk::builtin("PointSize")]]
+    {"vk::pointsize", kRefused, Is(Builtin::kPointSize, 0)},
+    {"vk::basevertex", Is(Builtin::kBaseVertex, 0), kRefused},
+    {"vk::baseinstance", Is(Builtin::kBaseInstance, 0), kRefused},
+    {"vk::drawindex", Is(Builtin::kDrawIndex, 0), kRefused},
 };
 
 }  // namespace
@@ -60,7 +65,7 @@ SystemValue LookUpSemantic(std::string_view name, std::uint32_t index, Direction
       return Is(Builtin::kPosition, 0);
     if (lower == "psize" && is_old) return Is(Builtin::kPointSize, 0);
   }
-  return lower.starts_with("sv_") ? kRefused : kPlain;
+  return lower.starts_with("sv_") || lower.starts_with("vk::") ? kRefused : kPlain;
 }
 
 }  // namespace clipc::rules

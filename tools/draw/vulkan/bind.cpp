@@ -30,6 +30,10 @@ class Binder {
       : program_(program), inputs_(inputs), call_(call) {}
 
   void Bind(const GlslInfo::Block& block) {
+    if (block.is_push_constant) {
+      call_.push_constants = Find(inputs_.blocks, block.name).bytes;
+      return;
+    }
     const std::uint32_t count = program_.cbuffers[block.cbuffer].count;
     for (std::uint32_t i = 0; i < count; ++i) {
       const std::string name = count == 1 ? block.name : block.name + "[" + std::to_string(i) + "]";

@@ -193,8 +193,11 @@ std::vector<Captured> Runner::Capture(const Spirv& vertex, std::span<const Outpu
     const Descriptors descriptors(*device_, call);
     const vk::raii::Device& device = device_->get();
     const std::vector<vk::DescriptorSetLayout> set_layouts = descriptors.Layouts();
-    const vk::raii::PipelineLayout pipeline_layout(device,
-                                                   vk::PipelineLayoutCreateInfo({}, set_layouts));
+    const auto pushed = static_cast<std::uint32_t>(call.push_constants.size());
+    const vk::PushConstantRange range(vk::ShaderStageFlagBits::eVertex, 0, pushed);
+    vk::PipelineLayoutCreateInfo layout_info({}, set_layouts);
+    if (pushed > 0) layout_info.setPushConstantRanges(range);
+    const vk::raii::PipelineLayout pipeline_layout(device, layout_info);
     const Spirv capturing = WithTransformFeedback(vertex, outputs, layout.places, layout.strides);
     const vk::raii::Pipeline pipeline =
         MakePipeline(device, capturing, attributes, pipeline_layout, false);
@@ -202,6 +205,10 @@ std::vector<Captured> Runner::Capture(const Spirv& vertex, std::span<const Outpu
     device_->Submit([&](const vk::raii::CommandBuffer& commands) {
       commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline);
       descriptors.Bind(commands, pipeline_layout);
+      if (pushed > 0) {
+        commands.pushConstants<std::uint8_t>(*pipeline_layout, vk::ShaderStageFlagBits::eVertex, 0,
+                                             call.push_constants);
+      }
       Draw(commands, feedback, attributes, call);
     });
     return Gather(*device_, layout, feedback, outputs, call);

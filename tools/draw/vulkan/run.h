@@ -28,6 +28,7 @@ struct DrawCall {
   int first_vertex = 0, base_instance = 0;
   std::vector<Attribute> attributes;
   std::vector<Descriptor> descriptors;
+  Bytes push_constants;
 };
 
 class Device;

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/rules/locations.h"
+
+namespace clipc::rules {
+
+std::uint32_t Locations::Next(std::optional<std::uint32_t> given, std::uint32_t count,
+                              std::string_view name, Span span) {
+  if (count_ == 0) are_given_ = given.has_value();
+  if (given.has_value() != are_given_) {
+    diagnostics_.Report(span, diag::LocationPartial, name,
+                        given ? "has a location" : "has no location", which_);
+  }
+  ++count_;
+  if (!given) return count_ - 1;
+  for (std::uint32_t i = *given; i < *given + count; ++i) {
+    const auto [other, is_free] = given_.emplace(i, name);
+    if (!is_free) diagnostics_.Report(span, diag::LocationTwice, i, name, other->second);
+  }
+  return *given;
+}
+
+}  // namespace clipc::rules

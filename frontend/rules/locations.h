@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "frontend/rules/rules.h"
+
+namespace clipc::rules {
+
+// The locations of a shader's inputs, or of its outputs.
+class Locations {
+ public:
+  // `which` is for messages: "inputs".
+  Locations(std::string_view which, Diagnostics& diagnostics)
+      : which_(which), diagnostics_(diagnostics) {}
+
+  // The location of the next one: what its [[vk::location]] says, else the next number. Reports a
+  // location that is given twice. All of them have an attribute or none has, as in DXC, which calls
+  // anything else "partial explicit stage input location assignment" and refuses it.
+  // A given location takes `count` places.
+  std::uint32_t Next(std::optional<std::uint32_t> given, std::uint32_t count, std::string_view name,
+                     Span span);
+
+ private:
+  std::string_view which_;
+  Diagnostics& diagnostics_;
+  std::uint32_t count_ = 0;
+  bool are_given_ = false;
+  std::map<std::uint32_t, std::string> given_;  // with the name of who has it
+};
+
+}  // namespace clipc::rules
