@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "backend-glsl/block_layout.h"
+#include "backend-glsl/descriptors.h"
 #include "backend-glsl/needs.h"
 #include "backend-glsl/operators.h"
 #include "backend-glsl/reach.h"
@@ -172,9 +173,10 @@ class TargetCheck {
 
   // Registers of all kinds share the bindings of a set.
   void Bindings() {
+    const Descriptors descriptors(program_, reached_, target_);
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::string> taken;
     const auto take = [&](const Register& reg, const std::string& name, Span span) {
-      const Descriptor at = VulkanDescriptor(reg, target_);
+      const Descriptor at = descriptors.Of(reg);
       const auto [found, is_free] = taken.try_emplace({at.set, at.binding}, name);
       if (!is_free)
         diagnostics_.Report(span, diag::TargetBindingsCollide, found->second, name, at.binding,

@@ -89,14 +89,4 @@ struct GlslInfo {
 std::string WriteGlsl(const ir::Program& program, Reached reached, const Target& target,
                       const WriteOptions& options = {}, GlslInfo* info = nullptr);
 
-// ---- where the objects of a Vulkan shader are bound
-// Direct3D numbers constant buffers, textures and samplers apart; a Vulkan set has one row of
-// bindings. Register n becomes binding n + the shift of its letter, one of these unless the target
-// has others; the space becomes the set. [[vk::binding]] comes before all of that.
-inline constexpr std::uint32_t kVulkanShiftB = 0;
-inline constexpr std::uint32_t kVulkanShiftS = 16;   // b0 to b15 come before: Direct3D 11 has 14
-inline constexpr std::uint32_t kVulkanShiftT = 32;   // s0 to s15
-inline constexpr std::uint32_t kVulkanShiftU = 160;  // t0 to t127
-ir::Descriptor VulkanDescriptor(const ir::Register& reg, const Target& target);
-
 }  // namespace clipc::glsl

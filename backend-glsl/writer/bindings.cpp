@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "backend-glsl/writer/bindings.h"
 
-#include <ranges>
-
 #include "backend-glsl/text.h"
 
 namespace clipc::glsl {
@@ -33,20 +31,6 @@ void Bindings::Reserve(const ir::Register& reg, std::uint32_t count) {
     reserved.insert(reg.descriptor->binding + i);
 }
 
-ir::Descriptor VulkanDescriptor(const ir::Register& reg, const Target& target) {
-  if (reg.descriptor) return *reg.descriptor;
-  for (const BindingShift& given : target.binding_shifts | std::views::reverse) {
-    if (given.letter == reg.letter && given.space.value_or(reg.space) == reg.space)
-      return {reg.number + given.shift, reg.space};
-  }
-  switch (reg.letter) {
-    case 'b': return {reg.number + kVulkanShiftB, reg.space};
-    case 's': return {reg.number + kVulkanShiftS, reg.space};
-    case 'u': return {reg.number + kVulkanShiftU, reg.space};
-    default: return {reg.number + kVulkanShiftT, reg.space};
-  }
-}
-
 std::string LayoutText(std::initializer_list<std::string_view> qualifiers) {
   std::string text;
   for (const std::string_view qualifier : qualifiers) {
@@ -74,7 +58,7 @@ std::string Bind(const Context& context, GlslInfo::Place& place, const ir::Regis
                  Bindings& taken, std::uint32_t count) {
   std::string set;
   if (context.target.IsVulkan()) {
-    const ir::Descriptor descriptor = VulkanDescriptor(reg, context.target);
+    const ir::Descriptor descriptor = context.descriptors.Of(reg);
     place.set = descriptor.set;
     place.binding = descriptor.binding;
     set = Concat("set = ", std::to_string(descriptor.set), ", ");

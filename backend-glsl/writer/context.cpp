@@ -16,6 +16,7 @@ Context::Context(const ir::Program& program, const Target& target, const WriteOp
       options(options),
       info(info),
       reached(std::move(reached)),
+      descriptors(program, this->reached, target),
       layouts(program.cbuffers.size()),
       used_structs(types.structs().size()) {
   for (std::string* part : {&sections.structs, &sections.blocks, &sections.inputs,

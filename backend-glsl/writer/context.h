@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "backend-glsl/block_layout.h"
+#include "backend-glsl/descriptors.h"
 #include "backend-glsl/names.h"
 #include "backend-glsl/reach.h"
 #include "backend-glsl/shape.h"
@@ -42,6 +43,7 @@ struct Context {
   const WriteOptions& options;
   GlslInfo& info;
   const Reached reached;
+  const Descriptors descriptors;         // of Vulkan
   std::vector<BlockLayout> layouts;      // by CbufferId, of the reached ones
   std::vector<TextureUse> texture_uses;  // of global objects
 

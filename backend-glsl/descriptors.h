@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+#include <map>
+
+#include "backend-glsl/reach.h"
+#include "backend-glsl/target.h"
+#include "ir/program.h"
+
+// Where the buffers and objects of a Vulkan shader are bound. Direct3D numbers constant buffers,
+// textures and samplers apart; a Vulkan set has one row of bindings. Register n becomes binding n +
+// the shift of its letter, one of these unless the target has others; the space becomes the set.
+// [[vk::binding]] comes before all of that, and what has neither it nor a written register gives
+// way to it, as in DXC.
+namespace clipc::glsl {
+
+inline constexpr std::uint32_t kVulkanShiftB = 0;
+inline constexpr std::uint32_t kVulkanShiftS = 16;   // b0 to b15 come before: Direct3D 11 has 14
+inline constexpr std::uint32_t kVulkanShiftT = 32;   // s0 to s15
+inline constexpr std::uint32_t kVulkanShiftU = 160;  // t0 to t127
+
+class Descriptors {
+ public:
+  // Keeps references to the program and the target.
+  Descriptors(const ir::Program& program, const Reached& reached, const Target& target);
+
+  // Of the register of a buffer or a resource in the program.
+  ir::Descriptor Of(const ir::Register& reg) const;
+
+ private:
+  ir::Descriptor Plain(const ir::Register& reg) const;
+
+  const Target& target_;
+  std::map<const ir::Register*, ir::Descriptor> moved_;
+};
+
+}  // namespace clipc::glsl
