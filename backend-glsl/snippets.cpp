@@ -266,6 +266,7 @@ std::string Expand(const SnippetText& snippet, std::string_view function, const 
       case 'I': out += type(Scalar::kInt); break;
       case 'U': out += type(Scalar::kUint); break;
       case 'F': out += type(Scalar::kFloat); break;
+      default: break;
     }
   }
   return out;

@@ -40,7 +40,7 @@ constexpr int kNever = 10000;
 struct Since {
   int core = kNever;
   int extended = kNever;
-  std::string_view extension = "";
+  std::string_view extension = {};
 };
 struct FeatureRow {
   Feature feature;

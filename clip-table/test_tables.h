@@ -61,7 +61,7 @@ inline std::string Damaged(std::string bytes, RandomTable& random) {
         case 1: bytes.resize(at); break;
         case 2: bytes.insert(at, bytes.substr(at, 1 + random.Below(40))); break;
         case 3: bytes.erase(at, 1 + random.Below(40)); break;
-        case 4: bytes[at] = static_cast<char>(random.Below(256)); break;
+        default: bytes[at] = static_cast<char>(random.Below(256)); break;
       }
     }
     if (bytes.empty()) break;

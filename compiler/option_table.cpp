@@ -63,8 +63,9 @@ void SetValidate(Reading& reading, const std::string&) {
 // One of a few words, which stand in the order of the enumerators.
 template <typename Enum, auto kMember, const auto& kNames>
 void Choose(Reading& reading, const std::string& value) {
-  if (const auto choice = EnumeratorOf<Enum>(value, kNames)) {
-    MemberOf(reading.command, kMember) = *choice;
+  if (const std::optional<Enum> choice = EnumeratorOf<Enum>(value, kNames)) {
+    const Enum chosen = *choice;
+    MemberOf(reading.command, kMember) = chosen;
     return;
   }
   const std::vector<std::string_view> names(std::begin(kNames), std::end(kNames));

@@ -11,35 +11,15 @@
 #endif
 #include <glslang/build_info.h>
 
+#include "pixel/glslang_process.h"
+
 namespace clipc {
 namespace {
 
-// glslang's process-wide tables. Never freed: validation may run on any thread until the end.
-void InitializeOnce() {
-  static const bool initialized = glslang::InitializeProcess();
-  (void)initialized;
-}
-
-// "ERROR: 0:12: 'x' : message" per line => "line 12: 'x' : message". glslang closes with a summary
-// of its own.
 std::vector<std::string> Problems(std::string_view log) {
   std::vector<std::string> problems;
-  while (!log.empty()) {
-    const std::size_t end = std::min(log.find('\n'), log.size());
-    std::string_view line = log.substr(0, end);
-    log.remove_prefix(std::min(end + 1, log.size()));
-    constexpr std::string_view kError = "ERROR: ";
-    if (!line.starts_with(kError) || line.find("compilation errors") != std::string_view::npos)
-      continue;
-    line.remove_prefix(kError.size());
-    const std::size_t colon = line.find(':', 2);
-    if (line.starts_with("0:") && colon != std::string_view::npos) {
-      problems.push_back(fmt::format("line {}{}", line.substr(2, colon - 2), line.substr(colon)));
-    } else {
-      problems.emplace_back(line);
-    }
-  }
-  if (problems.empty()) problems.emplace_back("no reason given");
+  for (const auto& [line, text] : pixel::GlslangErrors(log))
+    problems.push_back(line.empty() ? std::string(text) : fmt::format("line {}: {}", line, text));
   return problems;
 }
 
@@ -93,12 +73,12 @@ class Linked {
 
 std::vector<std::string> Validate(const std::string& glsl, const glsl::Target& target,
                                   ShaderStage stage) {
-  InitializeOnce();
+  pixel::InitializeGlslang();
   return Linked(glsl, target, stage, nullptr).problems();
 }
 
 Spirv MakeSpirv(const std::string& glsl, const glsl::Target& target, const SpirvRequest& request) {
-  InitializeOnce();
+  pixel::InitializeGlslang();
   const Linked linked(glsl, target, ShaderStage::kVertex, &request);
   Spirv made;
   made.problems = linked.problems();

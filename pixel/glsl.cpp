@@ -10,34 +10,17 @@
 #include <glslang/Public/ShaderLang.h>
 
 #include "pixel/glsl_limits.h"
+#include "pixel/glslang_process.h"
 #include "pixel/names.h"
 #include "pixel/read.h"
 
 namespace clipc::pixel {
 namespace {
 
-// glslang's tables of the process. Never freed: a reader may run on any thread until the end.
-void InitializeOnce() {
-  static const bool kIsInitialized = glslang::InitializeProcess();
-  (void)kIsInitialized;
-}
-
-// "ERROR: 0:12: 'x' : message" per line => "water.frag:12: 'x' : message". The last line is a
-// summary.
 std::vector<std::string> Problems(std::string_view log, const std::string& path) {
-  constexpr std::string_view kError = "ERROR: ";
   std::vector<std::string> problems;
-  while (!log.empty()) {
-    const std::size_t end = std::min(log.find('\n'), log.size());
-    std::string_view line = log.substr(0, end);
-    log.remove_prefix(std::min(end + 1, log.size()));
-    if (!line.starts_with(kError) || line.find("compilation errors") != line.npos) continue;
-    line.remove_prefix(kError.size());
-    const bool has_line = line.starts_with("0:");
-    problems.push_back(
-        fmt::format("{}:{}{}", path, has_line ? "" : " ", line.substr(has_line ? 2 : 0)));
-  }
-  if (problems.empty()) problems.push_back(path + ": glslang gives no reason");
+  for (const auto& [line, text] : GlslangErrors(log))
+    problems.push_back(fmt::format("{}:{}{} {}", path, line, line.empty() ? "" : ":", text));
   return problems;
 }
 
@@ -282,7 +265,7 @@ ReadResult ReadGlsl(std::string_view text, const std::string& path) {
     result.problems.push_back(fmt::format("{}: {}", path, limit));
     return result;
   }
-  InitializeOnce();
+  InitializeGlslang();
   bool is_es = false;
   for (const Rules rules : {Rules::kOpenGl, Rules::kVulkan, Rules::kLenient}) {
     const std::string given = rules == Rules::kLenient ? Lenient(text) : std::string(text);

@@ -83,7 +83,7 @@ class Loader {
     const std::uint32_t size = ByteSize(kind);
     if (size == kWord) return FromWords(kind, components, Words(address, components));
     const std::string list = ListOf(components, [&](std::uint32_t i) {
-      const std::string words = Words(Plus(address, i * size), 2);
+      const std::string words = Words(Plus(address, std::uint64_t{i} * size), 2);
       switch (BaseOf(kind)) {
         case Scalar::kDouble: return fmt::format("packDouble2x32({})", words);
         case Scalar::kInt64: return fmt::format("packInt2x32(ivec2({}))", words);
@@ -115,7 +115,8 @@ class Loader {
     }
     const auto row = [&](std::uint32_t r) {
       return Of(type.scalar, type.columns, ListOf(registers, [&](std::uint32_t c) {
-                  return Vector(type.scalar, 1, Plus(address, c * stride + r * component));
+                  return Vector(type.scalar, 1,
+                                Plus(address, c * stride + std::uint64_t{r} * component));
                 }));
     };
     return Called(name, {ListOf(std::uint32_t{type.rows}, row)}).text;
@@ -130,7 +131,9 @@ class Loader {
       return ElementText(context_, type.element, {Load(type.element, row_major, place)});
     };
     if (type.count < kLongArray) {
-      const auto at = [&](std::uint32_t i) { return element(Plus(address, i * stride)); };
+      const auto at = [&](std::uint32_t i) {
+        return element(Plus(address, std::uint64_t{i} * stride));
+      };
       return Called(name, {ListOf(type.count, at)}).text;
     }
     const std::uint32_t unit = memory_.is_rows ? kRow : kWord;

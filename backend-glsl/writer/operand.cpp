@@ -86,7 +86,7 @@ Text BinaryOn(Code& code, BinaryOp op, Operand left, Operand right) {
   }
   const bool is_full = left.is_scalar && !shape.IsScalar() && (right.is_scalar || IsShift(op));
   return Infix(is_full ? Full(code, std::move(left)) : std::move(left.text), glsl.spelling,
-               std::move(right.text), glsl.binding);
+               right.text, glsl.binding);
 }
 
 Text ConvertOn(Code& code, Scalar kind, const Operand& operand) {

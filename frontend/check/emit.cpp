@@ -20,7 +20,7 @@ std::vector<VarId> TakeAfter(Context& context, VarId var) {
 
 void Emit(Context& context, Span span, decltype(Stmt::node) node) {
   DeclareTemporaries(context);
-  context.stmts.push_back(context.At(span).Stmt(std::move(node)));
+  context.stmts.push_back(context.At(span).Stmt(node));
 }
 
 List<StmtId> TakeStmts(Context& context, std::size_t mark) {

@@ -35,6 +35,7 @@ bool MayRead(PreprocessGuard& guard, const clang::Preprocessor& preprocessor) {
 GuardScope::GuardScope(PreprocessGuard& guard) : outer_(std::exchange(current_guard, &guard)) {}
 GuardScope::~GuardScope() { current_guard = outer_; }
 
+// NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming): the linker's names.
 extern "C" {
 void __real__ZN5clang12Preprocessor3LexERNS_5TokenE(clang::Preprocessor*, clang::Token&)
     __attribute__((weak));
@@ -80,6 +81,7 @@ void __real__ZN5clang12Preprocessor21RegisterBuiltinMacrosEv(clang::Preprocessor
     __attribute__((weak));
 void __wrap__ZN5clang12Preprocessor21RegisterBuiltinMacrosEv(clang::Preprocessor*) {}
 }
+// NOLINTEND(bugprone-reserved-identifier,readability-identifier-naming)
 
 namespace {
 
