@@ -21,7 +21,7 @@ static_assert(CLIPC_OK == static_cast<int>(Error::kNone));
 static_assert(CLIPC_INVALID_CALL == static_cast<int>(Error::kInvalidCall));
 static_assert(CLIPC_NOT_FINITE == static_cast<int>(Error::kNotFinite));
 static_assert(CLIPC_SINGULAR == static_cast<int>(Error::kSingular));
-static_assert(CLIPC_NO_DEPTH_LEFT == static_cast<int>(Error::kNoDepthLeft));
+static_assert(CLIPC_LOOKS_TRANSPOSED == static_cast<int>(Error::kLooksTransposed));
 static_assert(CLIPC_CULLED == kCulled);
 static_assert(CLIPC_SPACE_CLIP == static_cast<int>(PlaneSpace::kClip));
 static_assert(CLIPC_SPACE_OBJECT == static_cast<int>(PlaneSpace::kObject));

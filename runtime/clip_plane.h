@@ -8,8 +8,9 @@
 // constants that a vertex shader dots with its position. Computed in double, rounded to float once.
 // Pure functions: any thread, no allocation.
 //
-// Every function reports kNotFinite if an argument contains NaN or infinity. The zero plane gives
-// the zero constant.
+// Every function reports kNotFinite if an argument contains NaN or infinity, and kLooksTransposed
+// for a matrix whose last row and column say that it is for column vectors: see LooksTransposed and
+// CheckProjection in projection_shape.h. The zero plane gives the zero constant.
 namespace clipc::runtime {
 
 // A plane in another space.
@@ -39,8 +40,8 @@ Result<Float4> RoundPlane(const Plane& plane) noexcept;
 // elimination. Errors: kSingular, kIllConditioned, kNotRepresentable.
 Result<PlaneConstant> ClipPlaneFromView(const Plane& view_plane, const Matrix& projection) noexcept;
 
-// The same for a plane in world space. Solves for view and projection one after the other: their
-// product would lose digits to the translation.
+// The same for a plane in world space. Solves for view and projection one after the other, and
+// rounds nothing to double in between: no translation is too long.
 Result<PlaneConstant> ClipPlaneFromWorld(const Plane& world_plane, const Matrix& view,
                                          const Matrix& projection) noexcept;
 

@@ -28,8 +28,14 @@ double Difference(const Plane& a, const Plane& b) {
   return Largest({a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w}) / Largest(b);
 }
 
+struct WidePlane {
+  Wide c[4];
+};
+
+WidePlane Widened(const Plane& plane) { return {{plane.x, plane.y, plane.z, plane.w}}; }
+
 // M^-1 c by cofactors in Wide: slow, simple, and not how the product does it.
-Plane ExactAfter(const Matrix& matrix, const Plane& plane) {
+WidePlane WideAfter(const Matrix& matrix, const WidePlane& plane) {
   const auto& m = matrix.m;
   const auto minor = [&](int row, int column) {
     Wide d[3][3];
@@ -45,15 +51,23 @@ Plane ExactAfter(const Matrix& matrix, const Plane& plane) {
                        d[0][2] * (d[1][0] * d[2][1] - d[1][1] * d[2][0]);
     return (row + column) % 2 == 0 ? minor : -minor;
   };
-  Wide determinant = 0, x[4] = {};
-  const double c[4] = {plane.x, plane.y, plane.z, plane.w};
+  Wide determinant = 0;
+  WidePlane x = {};
   for (int j = 0; j < 4; ++j) determinant += m[0][j] * minor(0, j);
   for (int j = 0; j < 4; ++j) {
-    for (int i = 0; i < 4; ++i) x[j] += c[i] * minor(i, j);
-    x[j] /= determinant;
+    for (int i = 0; i < 4; ++i) x.c[j] += plane.c[i] * minor(i, j);
+    x.c[j] /= determinant;
   }
-  return {static_cast<double>(x[0]), static_cast<double>(x[1]), static_cast<double>(x[2]),
-          static_cast<double>(x[3])};
+  return x;
+}
+
+Plane Narrowed(const WidePlane& plane) {
+  return {static_cast<double>(plane.c[0]), static_cast<double>(plane.c[1]),
+          static_cast<double>(plane.c[2]), static_cast<double>(plane.c[3])};
+}
+
+Plane ExactAfter(const Matrix& matrix, const Plane& plane) {
+  return Narrowed(WideAfter(matrix, Widened(plane)));
 }
 
 TEST(ClipPlane, EveryProjectionMatchesTheExactSolution) {
@@ -125,17 +139,20 @@ TEST(ClipPlane, WorldAndObjectSpaceGoThroughTheViewMatrix) {
       const Matrix view = random.Rigid(10);
       const Plane in_view = random.PlaneAt(random.Between(-20, 20));
       const Plane in_world = PlaneBefore(view, in_view), in_object = PlaneBefore(world, in_world);
-      const Plane expected = ClipPlaneFromView(in_view, camera.projection).value.plane;
+      const auto after_world = [&](const WidePlane& plane) {
+        return Narrowed(WideAfter(camera.projection, WideAfter(view, plane)));
+      };
       const Result<PlaneConstant> from_world =
           ClipPlaneFromWorld(in_world, view, camera.projection);
       const Result<PlaneConstant> from_object =
           ClipPlaneFromObject(in_object, world, view, camera.projection);
       ASSERT_TRUE(from_world.ok() && from_object.ok());
-      EXPECT_LE(Difference(from_world.value.plane, expected),
+      EXPECT_LE(Difference(from_world.value.plane, after_world(Widened(in_world))),
                 8 * from_world.value.condition * 0x1p-53)
           << camera.name;
-      EXPECT_LE(Difference(from_object.value.plane, expected),
-                8 * from_object.value.condition * 0x1p-53)
+      EXPECT_LE(
+          Difference(from_object.value.plane, after_world(WideAfter(world, Widened(in_object)))),
+          8 * from_object.value.condition * 0x1p-53)
           << camera.name;
     }
   }
@@ -210,23 +227,50 @@ TEST(ClipPlane, ResultsThatCannotBeTrusted) {
   const Result<PlaneConstant> result = ClipPlaneFromView({1, 2, 3, 4}, nearly);
   EXPECT_EQ(result.status.error(), Error::kIllConditioned);
   EXPECT_THAT(result.status.message(), HasSubstr("condition"));
+}
 
-  // A world so far away that the view matrix leaves no digits for the distance to the near plane.
+// Earth-centred coordinates and much farther ones: as right as at the origin.
+TEST(ClipPlane, NoOffsetCostsDigits) {
   Random random(7);
-  Matrix view = random.Rigid(0);
   const Camera camera = PerspectiveCamera(0.001, 1000);
-  const auto at = [&](double distance) {
-    view.m[3][0] = view.m[3][1] = view.m[3][2] = distance;
-    const Plane in_view = {0.6, 0, 0.8, -5};
-    return std::pair(ClipPlaneFromWorld(PlaneBefore(view, in_view), view, camera.projection),
-                     ClipPlaneFromView(in_view, camera.projection).value.plane);
-  };
-  for (const double distance : {0.0, 1e3, 1e6}) {
-    const auto [plane, expected] = at(distance);
-    ASSERT_TRUE(plane.ok()) << distance;
-    EXPECT_LT(Difference(plane.value.plane, expected), 0x1p-25) << distance;
+  for (const double distance : {0.0, 1e3, 6.4e6, 1e8, 1e12, 1e16}) {
+    for (int i = 0; i < 100; ++i) {
+      const Matrix view = random.Rigid(distance);
+      const Plane in_world = random.PlaneAt(random.Between(-1, 1) * distance);
+      const auto plane = ClipPlaneFromWorld(in_world, view, camera.projection);
+      ASSERT_TRUE(plane.ok()) << distance << ": " << plane.status.message();
+      const Plane exact =
+          Narrowed(WideAfter(camera.projection, WideAfter(view, Widened(in_world))));
+      EXPECT_LT(Difference(plane.value.plane, exact), 0x1p-48) << distance;
+      EXPECT_LT(plane.value.condition, 0x1p10) << distance;
+    }
   }
-  EXPECT_EQ(at(1e12).first.status.error(), Error::kIllConditioned);
+}
+
+TEST(ClipPlane, TransposedMatricesAreNamed) {
+  Random random(12);
+  const Camera camera = PerspectiveCamera(0.1, 100, {}, 1, 0.2, -0.1);
+  const Matrix view = random.Rigid(10), transposed = Transpose(view);
+  const Plane plane = {0.6, 0, 0.8, -5};
+  const auto error = [](const auto& result) { return result.status.error(); };
+  EXPECT_EQ(error(ClipPlaneFromWorld(plane, transposed, camera.projection)),
+            Error::kLooksTransposed);
+  EXPECT_THAT(ClipPlaneFromWorld(plane, transposed, camera.projection).status.message(),
+              HasSubstr("view matrix looks transposed"));
+  EXPECT_EQ(error(ClipPlaneFromObject(plane, transposed, view, camera.projection)),
+            Error::kLooksTransposed);
+  EXPECT_EQ(error(ObjectPlaneFromWorld(plane, transposed)), Error::kLooksTransposed);
+  EXPECT_EQ(error(ViewPlaneFromWorld(plane, transposed)), Error::kLooksTransposed);
+  for (const Camera& each : AllCameras()) {
+    EXPECT_TRUE(CheckProjection(each.projection).ok()) << each.name;
+    const Matrix swapped = Transpose(each.projection);
+    // A near plane at 1 and no far plane: its transpose is another projection.
+    if (each.perspective && std::fabs(each.projection.m[3][2]) == 1) continue;
+    EXPECT_EQ(error(ClipPlaneFromView(plane, swapped)), Error::kLooksTransposed) << each.name;
+    EXPECT_EQ(error(Xyw1PlaneFromView(plane, swapped)), Error::kLooksTransposed) << each.name;
+    EXPECT_EQ(error(ClipSpaceEdgeError(plane, swapped, 1080)), Error::kLooksTransposed)
+        << each.name;
+  }
 }
 
 // Whenever the answer is a plane, it is right to float precision, however bad the matrices are.

@@ -43,6 +43,7 @@ typedef enum clipc_error {
   CLIPC_WRONG_PROJECTION,
   CLIPC_EYE_NOT_CLIPPED,
   CLIPC_NO_DEPTH_LEFT,
+  CLIPC_LOOKS_TRANSPOSED,
   CLIPC_ERROR_MAX = 0x7fffffff
 } clipc_error;
 

@@ -2,30 +2,57 @@
 #include "runtime/linear_solve.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <utility>
 
 namespace clipc::runtime {
 namespace {
 
-// P D A = L U in place; L has ones on its diagonal.
+// Elimination may lose this share of x before refinement is not trusted, in units of 2^-53.
+constexpr double kMostLost = 0x1p46;
+// More steps than the worst system that is trusted needs.
+constexpr int kSteps = 8;
+// What is left of a sum of five DoubleDoubles' rounding, in units of 2^-53.
+constexpr double kRoundingLeft = 0x1p-48;
+
+// The equations scaled: scaled[i][j] = a[i][j] 2^(row[i] + column[j]).
+struct Scaled {
+  double a[4][4];
+  int row[4], column[4];
+};
+
+int ExponentOf(double number) { return number == 0 ? 0 : std::ilogb(number); }
+
+Scaled Scale(const double (&a)[4][4]) {
+  Scaled scaled;
+  for (int j = 0; j < 4; ++j) {
+    double largest = 0;
+    for (const auto& row : a) largest = std::max(largest, std::fabs(row[j]));
+    scaled.column[j] = -ExponentOf(largest);
+    for (int i = 0; i < 4; ++i) scaled.a[i][j] = std::scalbn(a[i][j], scaled.column[j]);
+  }
+  for (int i = 0; i < 4; ++i) {
+    double largest = 0;
+    for (const double element : scaled.a[i]) largest = std::max(largest, std::fabs(element));
+    scaled.row[i] = -ExponentOf(largest);
+    // From a itself: what the first scaling made denormal keeps its digits.
+    for (int j = 0; j < 4; ++j)
+      scaled.a[i][j] = std::scalbn(a[i][j], scaled.column[j] + scaled.row[i]);
+  }
+  return scaled;
+}
+
+// P A = L U in place; L has ones on its diagonal.
 struct Factors {
   double lu[4][4];
-  double row_scale[4];
   int row_of[4] = {0, 1, 2, 3};
   bool singular = false;
 };
 
 Factors Factorise(const double (&a)[4][4]) {
   Factors factors;
-  for (int row = 0; row < 4; ++row) {
-    double largest = 0;
-    for (const double element : a[row]) largest = std::max(largest, std::fabs(element));
-    // A power of two, so that scaling rounds nothing.
-    factors.row_scale[row] = largest > 0 ? std::exp2(-std::ilogb(largest)) : 0;
-    for (int column = 0; column < 4; ++column)
-      factors.lu[row][column] = a[row][column] * factors.row_scale[row];
-  }
+  for (int row = 0; row < 4; ++row) std::copy(a[row], a[row] + 4, factors.lu[row]);
   for (int k = 0; k < 4; ++k) {
     int pivot = k;
     for (int row = k + 1; row < 4; ++row) {
@@ -48,8 +75,7 @@ Factors Factorise(const double (&a)[4][4]) {
 
 void Substitute(const Factors& factors, const double (&b)[4], double (&x)[4]) {
   for (int row = 0; row < 4; ++row) {
-    const int from = factors.row_of[row];
-    x[row] = b[from] * factors.row_scale[from];
+    x[row] = b[factors.row_of[row]];
     for (int k = 0; k < row; ++k) x[row] -= factors.lu[row][k] * x[k];
   }
   for (int row = 3; row >= 0; --row) {
@@ -58,30 +84,126 @@ void Substitute(const Factors& factors, const double (&b)[4], double (&x)[4]) {
   }
 }
 
-}  // namespace
-
-Solution SolveLinear(const double (&a)[4][4], const double (&b)[4],
-                     const double (&b_error)[4]) noexcept {
-  Solution solution;
-  const Factors factors = Factorise(a);
-  solution.singular = factors.singular;
-  if (factors.singular) return solution;
-  Substitute(factors, b, solution.x);
-  double upper[4];  // |U| |x|
+// |A^-1| residual, component by component.
+void Reach(const Factors& factors, const double (&residual)[4], double (&error)[4]) {
+  std::fill(error, error + 4, 0);
   for (int i = 0; i < 4; ++i) {
-    upper[i] = 0;
-    for (int j = i; j < 4; ++j) upper[i] += std::fabs(factors.lu[i][j] * solution.x[j]);
-  }
-  for (int i = 0; i < 4; ++i) {
-    const int from = factors.row_of[i];
-    double residual = upper[i];  // |L| |U| |x|
-    for (int k = 0; k < i; ++k) residual += std::fabs(factors.lu[i][k]) * upper[k];
-    residual = residual / factors.row_scale[from] + b_error[from];
     // A column of the inverse says how far an error in its equation reaches.
     double unit[4] = {}, column[4];
-    unit[from] = 1;
+    unit[i] = 1;
     Substitute(factors, unit, column);
-    for (int j = 0; j < 4; ++j) solution.error[j] += std::fabs(column[j]) * residual;
+    for (int j = 0; j < 4; ++j) error[j] += std::fabs(column[j]) * residual[i];
+  }
+}
+
+double LargestOf(const double (&x)[4]) {
+  return std::max({std::fabs(x[0]), std::fabs(x[1]), std::fabs(x[2]), std::fabs(x[3])});
+}
+
+// The scaled system with its factors, and what solves it.
+class Refinement {
+ public:
+  Refinement(const Scaled& scaled, const Factors& factors, const DoubleDouble (&b)[4])
+      : a_(scaled.a), factors_(factors), b_(b) {
+    SetResidual();
+    for (int step = 0; step < kSteps; ++step) {
+      double right[4], by[4];
+      for (int i = 0; i < 4; ++i) right[i] = residual_[i].high;
+      Substitute(factors_, right, by);
+      double size[4];
+      for (int i = 0; i < 4; ++i) {
+        y[i] = Add(y[i], {by[i], 0});
+        size[i] = y[i].high;
+      }
+      SetResidual();
+      if (!(LargestOf(by) > 0x1p-70 * LargestOf(size))) break;
+    }
+  }
+
+  // |L| |U| |y|, equation by equation.
+  void BoundOfElimination(double (&bound)[4]) const {
+    double upper[4];
+    for (int i = 0; i < 4; ++i) {
+      upper[i] = 0;
+      for (int j = i; j < 4; ++j) upper[i] += std::fabs(factors_.lu[i][j] * y[j].high);
+    }
+    for (int i = 0; i < 4; ++i) {
+      double& sum = bound[factors_.row_of[i]] = upper[i];
+      for (int k = 0; k < i; ++k) sum += std::fabs(factors_.lu[i][k]) * upper[k];
+    }
+  }
+
+  // What the residual is at most, equation by equation, in units of 2^-53.
+  void BoundOfResidual(double (&bound)[4]) const {
+    for (int i = 0; i < 4; ++i) {
+      double size = std::fabs(b_[i].high);
+      for (int j = 0; j < 4; ++j) size += std::fabs(a_[i][j] * y[j].high);
+      bound[i] = std::fabs(residual_[i].high) * 0x1p53 + kRoundingLeft * size;
+    }
+  }
+
+  DoubleDouble y[4] = {};
+
+ private:
+  void SetResidual() {
+    for (int i = 0; i < 4; ++i) {
+      residual_[i] = b_[i];
+      for (int j = 0; j < 4; ++j) residual_[i] = Add(residual_[i], Multiply(-a_[i][j], y[j]));
+    }
+  }
+
+  const double (&a_)[4][4];
+  const Factors& factors_;
+  const DoubleDouble (&b_)[4];
+  DoubleDouble residual_[4];
+};
+
+// 2^exponent times the number; what would become 0 stays the least normal number, so that it is
+// seen not to be representable.
+double ScaledBack(double number, int exponent) {
+  const double result = std::scalbn(number, exponent);
+  return result == 0 && number != 0 ? std::copysign(DBL_MIN, number) : result;
+}
+
+}  // namespace
+
+Solution SolveLinear(const double (&a)[4][4], const DoubleDouble (&b)[4],
+                     const double (&b_error)[4]) noexcept {
+  Solution solution;
+  const Scaled scaled = Scale(a);
+  const Factors factors = Factorise(scaled.a);
+  solution.singular = factors.singular;
+  if (factors.singular) return solution;
+  // The right side is scaled as a whole, too, to a largest component of about 1.
+  bool is_zero = true;
+  int most = 0;
+  for (int i = 0; i < 4; ++i) {
+    if (b[i].high == 0) continue;
+    const int exponent = std::ilogb(b[i].high) + scaled.row[i];
+    most = is_zero ? exponent : std::max(most, exponent);
+    is_zero = false;
+  }
+  DoubleDouble right[4];
+  double right_error[4];
+  for (int i = 0; i < 4; ++i) {
+    const int exponent = scaled.row[i] - most;
+    right[i] = {std::scalbn(b[i].high, exponent), std::scalbn(b[i].low, exponent)};
+    right_error[i] = std::scalbn(b_error[i], exponent);
+  }
+  const Refinement refined(scaled, factors, right);
+  double residual[4], eliminated[4], error[4], size[4];
+  refined.BoundOfElimination(residual);
+  Reach(factors, residual, eliminated);
+  for (int i = 0; i < 4; ++i) size[i] = refined.y[i].high;
+  const bool is_trusted = LargestOf(eliminated) <= kMostLost * LargestOf(size);
+  if (is_trusted) refined.BoundOfResidual(residual);
+  for (int i = 0; i < 4; ++i) residual[i] += right_error[i];
+  Reach(factors, residual, error);
+  for (int j = 0; j < 4; ++j) {
+    const int exponent = scaled.column[j] + most;
+    solution.x[j] = {ScaledBack(refined.y[j].high, exponent),
+                     std::scalbn(refined.y[j].low, exponent)};
+    solution.error[j] = std::scalbn(error[j], exponent);
   }
   return solution;
 }

@@ -1,23 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include "runtime/double_double.h"
+
 // A linear solver for four unknowns. Not part of the public interface.
 namespace clipc::runtime {
 
-// The x with A x = b, and a bound of its rounding error.
+// The x with A x = b, and a bound of its error.
 struct Solution {
   bool singular = false;  // a pivot is zero: there is no x
-  double x[4] = {};
-  // The error of x[i] is about error[i] * 2^-53: |A^-1| (|L| |U| |x| + b_error), component by
-  // component (Higham, "Accuracy and Stability of Numerical Algorithms", theorem 9.4). |A| instead
-  // of |L| |U| would leave out the elements that elimination fills in. Scaling a row of A and b
-  // does not change it.
+  DoubleDouble x[4] = {};
+  // The error of x[i] is about error[i] * 2^-53, component by component: |A^-1| (|b - A x| +
+  // b_error), with the residual as it was computed and what its own rounding may hide.
   double error[4] = {};
 };
 
-// Gaussian elimination in double with partial pivoting, after scaling each row by a power of two to
-// a largest element of about 1. The error of b[i] is b_error[i] * 2^-53.
-Solution SolveLinear(const double (&a)[4][4], const double (&b)[4],
+// Gaussian elimination in double with partial pivoting, then steps of refinement with a residual of
+// twice double's digits (Higham, "Accuracy and Stability of Numerical Algorithms", chapter 12).
+// Columns and then rows are scaled by powers of two to a largest element of about 1, so that a
+// translation of any length is as good as none. Where elimination alone may have lost 46 bits or
+// more, refinement is not trusted, and `error` is the bound of elimination, |A^-1| |L| |U| |x|
+// (theorem 9.4 there). The error of b[i] is b_error[i] * 2^-53.
+Solution SolveLinear(const double (&a)[4][4], const DoubleDouble (&b)[4],
                      const double (&b_error)[4]) noexcept;
 
 }  // namespace clipc::runtime

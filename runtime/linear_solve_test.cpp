@@ -10,6 +10,8 @@
 namespace clipc::runtime {
 namespace {
 
+constexpr DoubleDouble kOnes[4] = {{1, 0}, {1, 0}, {1, 0}, {1, 0}};
+
 TEST(SolveLinear, SolvesAndBoundsItsError) {
   Random random(1);
   for (int i = 0; i < 2000; ++i) {
@@ -26,29 +28,62 @@ TEST(SolveLinear, SolvesAndBoundsItsError) {
       for (double& element : a[row]) element *= scale;
       b[row] *= scale;
     }
-    const Solution solution = SolveLinear(a, b, {0, 0, 0, 0});
+    const DoubleDouble right[4] = {{b[0], 0}, {b[1], 0}, {b[2], 0}, {b[3], 0}};
+    const Solution solution = SolveLinear(a, right, {0, 0, 0, 0});
     ASSERT_FALSE(solution.singular);
-    for (int k = 0; k < 4; ++k)
-      EXPECT_LE(std::fabs(solution.x[k] - x[k]), 8 * solution.error[k] * 0x1p-53);
+    for (int k = 0; k < 4; ++k) {
+      EXPECT_LE(std::fabs((solution.x[k].high - x[k]) + solution.x[k].low),
+                8 * solution.error[k] * 0x1p-53);
+      EXPECT_LT(solution.error[k], 1) << "refined beyond double";
+    }
   }
 }
 
 TEST(SolveLinear, ErrorsOfTheRightSideReachTheSolution) {
   const double a[4][4] = {{2, 0, 0, 0}, {0, 4, 0, 0}, {0, 0, 1, 0}, {0, 0, 1, 1}};
-  const Solution solution = SolveLinear(a, {0, 0, 0, 0}, {1, 1, 1, 0});
+  const Solution solution = SolveLinear(a, {}, {1, 1, 1, 0});
   EXPECT_EQ(solution.error[0], 0.5);
   EXPECT_EQ(solution.error[1], 0.25);
   EXPECT_EQ(solution.error[2], 1);
   EXPECT_EQ(solution.error[3], 1);
 }
 
+// A translation cancels what another one added, whatever its length.
+TEST(SolveLinear, NoTranslationIsTooLong) {
+  Random random(2);
+  for (const double offset : {0.0, 1e7, 1e13, 1e20, 1e28}) {
+    const Matrix there = random.Rigid(offset);
+    const DoubleDouble plane[4] = {{0.6, 0}, {0, 0}, {0.8, 0}, {-5, 0x1p-60}};
+    DoubleDouble before[4];
+    for (int i = 0; i < 4; ++i) {
+      for (int j = 0; j < 4; ++j) before[i] = Add(before[i], Multiply(there.m[i][j], plane[j]));
+    }
+    const Solution solution = SolveLinear(there.m, before, {0, 0, 0, 0});
+    for (int i = 0; i < 4; ++i) {
+      // What twice double's digits leave of the offset.
+      const double left = 0x1p-100 * (1 + offset);
+      EXPECT_NEAR(solution.x[i].high, plane[i].high, left + 1e-30) << offset;
+      EXPECT_LE(std::fabs(solution.x[i].high - plane[i].high), solution.error[i] * 0x1p-53 + 1e-30)
+          << offset;
+    }
+  }
+}
+
+// Elimination that has lost nearly everything is not refined into a false answer.
+TEST(SolveLinear, WhatIsAlmostSingularIsNotTrusted) {
+  const double nearly[4][4] = {{1, 1, 0, 0}, {1, 1 + 0x1p-51, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
+  const Solution solution = SolveLinear(nearly, kOnes, {0, 0, 0, 0});
+  ASSERT_FALSE(solution.singular);
+  EXPECT_GT(solution.error[0], 0x1p40);
+}
+
 TEST(SolveLinear, Singular) {
-  EXPECT_TRUE(SolveLinear({{0, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}, {1, 1, 1, 1},
-                          {0, 0, 0, 0})
-                  .singular);
-  EXPECT_TRUE(SolveLinear({{1, 2, 0, 0}, {2, 4, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}, {1, 1, 1, 1},
-                          {0, 0, 0, 0})
-                  .singular);
+  EXPECT_TRUE(
+      SolveLinear({{0, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}, kOnes, {0, 0, 0, 0})
+          .singular);
+  EXPECT_TRUE(
+      SolveLinear({{1, 2, 0, 0}, {2, 4, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}, kOnes, {0, 0, 0, 0})
+          .singular);
 }
 
 }  // namespace

@@ -15,7 +15,8 @@ namespace clipc::runtime {
 // clipped by the water's plane: ClipPlaneFromWorld(water, view_mirrored, projection) keeps what is
 // above the water.
 //
-// Errors: kSingular if the plane has no normal; kNotFinite.
+// Errors: kSingular if the plane has no normal; kNotFinite; kNotRepresentable if the mirror is so
+// far from the origin that the translation overflows.
 Result<Matrix> MirrorMatrix(const Plane& plane) noexcept;
 
 }  // namespace clipc::runtime

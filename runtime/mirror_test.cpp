@@ -70,6 +70,17 @@ TEST(MirrorMatrixTest, TheMirroredViewKeepsWhatIsAboveTheWater) {
   }
 }
 
+TEST(MirrorMatrixTest, AnyLengthOfTheNormalWillDo) {
+  for (const double scale : {1e-300, 1e-310, 1e308}) {
+    const Matrix mirror = MirrorMatrix({scale, scale, 0, scale}).value;
+    EXPECT_NEAR(mirror.m[0][1], -1, 1e-12) << scale;
+    EXPECT_NEAR(mirror.m[3][0], -1, 1e-12) << scale;
+  }
+  EXPECT_NEAR(MirrorMatrix({1e308, 1e308, 0, 1}).value.m[0][1], -1, 1e-15);
+  // The plane x = -1e310.
+  EXPECT_EQ(MirrorMatrix({1e-300, 0, 0, 1e10}).status.error(), Error::kNotRepresentable);
+}
+
 TEST(MirrorMatrixTest, PlanesThatCannotMirror) {
   EXPECT_EQ(MirrorMatrix({0, 0, 0, 1}).status.error(), Error::kSingular);
   EXPECT_EQ(MirrorMatrix({1, 0, 0, std::numeric_limits<double>::infinity()}).status.error(),

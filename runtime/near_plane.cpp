@@ -53,6 +53,7 @@ Status CheckDepth(const ProjectionShape& shape, DepthRange range,
 
 Result<ShearedProjection> ShearNearPlane(const Plane& view_plane, const Matrix& projection,
                                          DepthRange range, NearPlaneScale scale) noexcept {
+  if (Status status = CheckProjection(projection); !status.ok()) return status;
   const ProjectionShape shape = ShapeOf(projection);
   if (!shape.holds) {
     return Status::Failure(Error::kWrongProjection,

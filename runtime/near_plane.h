@@ -51,7 +51,8 @@ inline constexpr double kMinOrthographicDepthRatio = 0x1p-8;
 //                      the clipped side; also for the zero plane, which gives every point one depth
 //   kNoDepthLeft       unless a|Cw| is at least the projection's near distance (orthographic:
 //                      unless depth_ratio is at least kMinOrthographicDepthRatio)
-//   kSingular, kNotFinite, kIllConditioned, kNotRepresentable    as ClipPlaneFromView
+//   kSingular, kNotFinite, kLooksTransposed, kIllConditioned, kNotRepresentable
+//                      as ClipPlaneFromView
 Result<ShearedProjection> ShearNearPlane(const Plane& view_plane, const Matrix& projection,
                                          DepthRange range, NearPlaneScale scale) noexcept;
 

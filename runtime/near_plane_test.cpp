@@ -236,7 +236,7 @@ TEST(NearPlane, ProjectionsThatContradictTheirDepthRange) {
   broken.projection.m[3][2] = 0;
   EXPECT_EQ(error(broken, {}), Error::kSingular);
   broken.projection.m[3][2] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(error(broken, {}), Error::kWrongProjection);
+  EXPECT_EQ(error(broken, {}), Error::kNotFinite);
   EXPECT_EQ(ShearNearPlane({0, 0, NAN, 1}, PerspectiveCamera(0.1, 100).projection, {},
                            NearPlaneScale::kKeepFar)
                 .status.error(),

@@ -3,46 +3,37 @@
 
 #include <cmath>
 
+#include "runtime/plane_chain.h"
 #include "runtime/projection_shape.h"
 
 namespace clipc::runtime {
 namespace {
 
-Result<PlaneConstant> InView(const Plane& plane, KnownIn known_in, const DrawMatrices& draw) {
-  if (known_in == KnownIn::kView) return PlaneConstant{{}, plane, 0};
-  const Matrix to_view = known_in == KnownIn::kWorld ? draw.view : Multiply(draw.world, draw.view);
-  return ViewPlaneFromWorld(plane, to_view);
-}
-
-Result<PlaneConstant> ObjectConstant(const Plane& plane, KnownIn known_in,
-                                     const DrawMatrices& draw) {
+// The plane in view space.
+Step InView(const Plane& plane, KnownIn known_in, const DrawMatrices& draw) {
+  const Step begin = Begin(plane);
   switch (known_in) {
-    case KnownIn::kObject: return ObjectPlaneFromWorld(plane, Matrix{});
-    case KnownIn::kWorld: return ObjectPlaneFromWorld(plane, draw.world);
-    default: {
-      // The plane goes through one matrix after the other: their product would lose digits far from
-      // the origin.
-      const Result<PlaneConstant> in_world = ObjectPlaneFromWorld(plane, draw.view);
-      return in_world.ok() ? ObjectPlaneFromWorld(in_world.value.plane, draw.world) : in_world;
-    }
+    case KnownIn::kObject: return Through(Through(begin, draw.world, "world"), draw.view, "view");
+    case KnownIn::kWorld: return Through(begin, draw.view, "view");
+    default: return begin;
   }
 }
 
-Result<PlaneConstant> ClipConstant(const Plane& plane, KnownIn known_in, const DrawMatrices& draw) {
+Step InObject(const Plane& plane, KnownIn known_in, const DrawMatrices& draw) {
+  const Step begin = Begin(plane);
   switch (known_in) {
-    case KnownIn::kObject:
-      return ClipPlaneFromObject(plane, draw.world, draw.view, draw.projection);
-    case KnownIn::kWorld: return ClipPlaneFromWorld(plane, draw.view, draw.projection);
-    default: return ClipPlaneFromView(plane, draw.projection);
+    case KnownIn::kObject: return begin;
+    case KnownIn::kWorld: return Before(begin, draw.world, "world");
+    default: return Before(Before(begin, draw.view, "view"), draw.world, "world");
   }
 }
 
-Result<PlaneConstant> ConstantOf(PlaneSpace space, const Plane& plane, KnownIn known_in,
-                                 const DrawMatrices& draw, const Plane& in_view) {
+Step ConstantOf(PlaneSpace space, const Plane& plane, KnownIn known_in, const DrawMatrices& draw,
+                const Step& in_view) {
   switch (space) {
-    case PlaneSpace::kXyw1: return Xyw1PlaneFromView(in_view, draw.projection);
-    case PlaneSpace::kObject: return ObjectConstant(plane, known_in, draw);
-    default: return ClipConstant(plane, known_in, draw);
+    case PlaneSpace::kXyw1: return ToXyw1(in_view, draw.projection);
+    case PlaneSpace::kObject: return InObject(plane, known_in, draw);
+    default: return ThroughProjection(in_view, draw.projection);
   }
 }
 
@@ -57,6 +48,7 @@ Result<double> PredictEdgeError(PlaneSpace space, const Plane& view_plane, const
     return Status::Failure(Error::kNotFinite,
                            "the plane, the picture's height, the sine or the reach is not a number "
                            "that an error can be told for");
+  if (const Status status = CheckProjection(projection); !status.ok()) return status;
   const ProjectionShape s = ShapeOf(projection);
   const double length = NormalLength(view_plane);
   const bool wrong = !s.holds || (space == PlaneSpace::kXyw1 && !s.is_perspective());
@@ -79,16 +71,14 @@ Result<double> PredictEdgeError(PlaneSpace space, const Plane& view_plane, const
 Result<SpaceConstant> PlaneConstantFor(PlaneSpace space, const Plane& plane, KnownIn known_in,
                                        const DrawMatrices& draw, const Picture& picture) noexcept {
   // Space `object` does not need the view, but the prediction does.
-  const Result<PlaneConstant> in_view = InView(plane, known_in, draw);
-  if (space == PlaneSpace::kXyw1 && !in_view.ok()) return in_view.status;
-  const Result<PlaneConstant> constant =
-      ConstantOf(space, plane, known_in, draw, in_view.value.plane);
+  const Step in_view = InView(plane, known_in, draw);
+  const Result<PlaneConstant> constant = Finish(ConstantOf(space, plane, known_in, draw, in_view));
   if (!constant.ok()) return constant.status;
   SpaceConstant result;
   result.plane = constant.value;
-  if (!in_view.ok() || !(NormalLength(in_view.value.plane) > 0)) return result;
-  const Result<double> error =
-      PredictEdgeError(space, in_view.value.plane, draw.projection, picture.height);
+  if (!in_view.ok()) return result;
+  const Plane seen = Rounded(in_view.value);
+  const Result<double> error = PredictEdgeError(space, seen, draw.projection, picture.height);
   if (!error.ok()) return result;
   result.edge_error = error.value;
   if (error.value > picture.most_pixels) {

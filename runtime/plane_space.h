@@ -37,7 +37,9 @@ struct SpaceConstant {
 };
 
 // The constant for plane space `space`: every float4 position p of that space (see PlaneSpace) has
-// dot(p, constant) equal to the plane's value at the vertex. Computed in double and rounded once.
+// dot(p, constant) equal to the plane's value at the vertex. Computed in double, with twice its
+// digits from one matrix to the next, and rounded once: right at any distance from the world's
+// origin.
 // Errors: those of ClipPlaneFromWorld, Xyw1PlaneFromView and ObjectPlaneFromWorld; in particular
 // kWrongProjection for xyw1 under a projection that is not a perspective: w is constant there, so
 // (x, y, w, 1) does not contain the depth of a vertex. Compile such draws with --plane-space=clip,
@@ -72,7 +74,8 @@ inline constexpr double kAnySurface = 0.1;
 // Tests in tools/study/ compare these laws with __float128: measured values are between 0.1 and 2
 // times the law up to some tens of pixels, where the error saturates. The laws hold for objects
 // about as large as the picture or smaller; the error of larger objects grows in proportion.
-// Errors: kWrongProjection unless ShapeOf holds, and for xyw1 without a perspective; kSingular if
+// Errors: kLooksTransposed, kWrongProjection unless ShapeOf holds, and for xyw1 without a
+// perspective; kSingular if
 // the plane has no normal or the projection has no inverse; kNotFinite unless height and sine are
 // positive, reach is not negative, and the plane is finite.
 Result<double> PredictEdgeError(PlaneSpace space, const Plane& view_plane, const Matrix& projection,

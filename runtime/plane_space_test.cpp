@@ -197,6 +197,18 @@ TEST(PredictEdgeError, RefusesWhatIsNoNumber) {
   EXPECT_TRUE(PredictEdgeError(PlaneSpace::kXyw1, {0, 0, 1, -1}, projection, 1080).ok());
 }
 
+TEST(PredictEdgeError, NamesWhatIsWrongWithAProjection) {
+  Matrix projection = PerspectiveCamera(0.1, 100).projection;
+  const Matrix transposed = Transpose(projection);
+  projection.m[1][1] = NAN;
+  for (const PlaneSpace space : kSpaces) {
+    EXPECT_EQ(PredictEdgeError(space, {0, 0, 1, -1}, projection, 1080).status.error(),
+              Error::kNotFinite);
+    EXPECT_EQ(PredictEdgeError(space, {0, 0, 1, -1}, transposed, 1080).status.error(),
+              Error::kLooksTransposed);
+  }
+}
+
 TEST(PlaneConstantFor, WorldOffsetsCostNothingInDouble) {
   // The object sits at 1e7 and the plane one unit from its origin: a float product of the matrices
   // would lose the unit.

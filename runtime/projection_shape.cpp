@@ -22,6 +22,30 @@ ProjectionShape ShapeOf(const Matrix& projection) noexcept {
   return shape;
 }
 
+bool LooksTransposed(const Matrix& affine) noexcept {
+  const auto& m = affine.m;
+  return m[3][0] == 0 && m[3][1] == 0 && m[3][2] == 0 && m[3][3] == 1 &&
+         (m[0][3] != 0 || m[1][3] != 0 || m[2][3] != 0);
+}
+
+Status CheckProjection(const Matrix& projection) noexcept {
+  const auto& m = projection.m;
+  for (const auto& row : m) {
+    for (const double element : row) {
+      if (!std::isfinite(element))
+        return Status::Failure(Error::kNotFinite,
+                               "the projection matrix has an element that is not finite");
+    }
+  }
+  const bool ends_in_w = m[3][0] == 0 && m[3][1] == 0 && std::fabs(m[3][2]) == 1 && m[3][3] == 0;
+  if (LooksTransposed(projection) || (ends_in_w && std::fabs(m[2][3]) != 1)) {
+    return Status::Failure(Error::kLooksTransposed,
+                           "the projection matrix looks transposed: its last row is what the last "
+                           "column of one for row vectors is; see ColumnVectorMatrix");
+  }
+  return {};
+}
+
 double NearW(const ProjectionShape& shape, DepthRange range) noexcept {
   // z = a s + b and w = e s meet the near plane z = near * w where (a - near * e) s = -b.
   const double near = range.reversed ? 1 : range.negative_one_to_one ? -1 : 0;

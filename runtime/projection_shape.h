@@ -2,6 +2,7 @@
 #pragma once
 
 #include "runtime/matrix.h"
+#include "runtime/status.h"
 
 namespace clipc::runtime {
 
@@ -33,6 +34,15 @@ struct ProjectionShape {
 };
 
 ProjectionShape ShapeOf(const Matrix& projection) noexcept;
+
+// True for an affine matrix whose translation is in its last column instead of its last row, where
+// row vectors have it: the last row is (0, 0, 0, 1), and the last column is not.
+bool LooksTransposed(const Matrix& affine) noexcept;
+
+// Says what no projection is: kNotFinite for NaN and infinity; kLooksTransposed where
+// LooksTransposed, and for a perspective whose last row is (0, 0, 1, 0) or (0, 0, -1, 0), which is
+// the last column of one for row vectors, and whose own last column is not that.
+Status CheckProjection(const Matrix& projection) noexcept;
 
 // The clip-space w of the near plane of the perspective `shape`; if e is 1 or -1, the near
 // distance.

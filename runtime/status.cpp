@@ -10,10 +10,10 @@ namespace {
 
 // The names of the errors, in the order of the enumerators.
 constexpr const char* kErrorNames[] = {
-    "none",          "out of memory",   "invalid argument",  "damaged table",    "wrong lowering",
-    "invalid call",  "missing buffer",  "short buffer",      "not finite",       "device failed",
-    "singular",      "ill conditioned", "not representable", "wrong projection", "eye not clipped",
-    "no depth left",
+    "none",          "out of memory",    "invalid argument",  "damaged table",    "wrong lowering",
+    "invalid call",  "missing buffer",   "short buffer",      "not finite",       "device failed",
+    "singular",      "ill conditioned",  "not representable", "wrong projection", "eye not clipped",
+    "no depth left", "looks transposed",
 };
 
 }  // namespace

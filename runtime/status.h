@@ -25,6 +25,7 @@ enum class Error : std::int32_t {
   kWrongProjection,   // the projection does not have the shape that the function needs
   kEyeNotClipped,     // near-plane shearing needs the eye strictly on the clipped side
   kNoDepthLeft,       // near-plane shearing would leave too little depth precision
+  kLooksTransposed,   // a matrix for column vectors where one for row vectors is meant
 };
 
 // The HRESULTs of Direct3D 9 (d3d9.h) that HresultOf returns.

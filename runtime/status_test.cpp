@@ -32,9 +32,9 @@ TEST(Status, LongMessagesAreCut) {
 
 TEST(Status, EveryErrorHasANameOfItsOwn) {
   std::set<std::string> names;
-  for (int i = 0; i <= static_cast<int>(Error::kNoDepthLeft); ++i)
+  for (int i = 0; i <= static_cast<int>(Error::kLooksTransposed); ++i)
     names.insert(NameOf(static_cast<Error>(i)));
-  EXPECT_EQ(names.size(), static_cast<std::size_t>(Error::kNoDepthLeft) + 1);
+  EXPECT_EQ(names.size(), static_cast<std::size_t>(Error::kLooksTransposed) + 1);
   EXPECT_EQ(names.count("unknown error"), 0u);
 }
 
