@@ -13,6 +13,8 @@ namespace {
 constexpr float kUnitRoundoff = 0x1p-24f;
 constexpr float kErrorFactor = 10 * kUnitRoundoff;
 constexpr float kUnderflow = 0x1p-120f;
+// Devices may flush smaller numbers to 0.
+constexpr float kLeastNormal = 0x1p-126f;
 // Sums below this do not overflow, and leave room for the shader's.
 constexpr float kLargestSum = 0x1p120f;
 constexpr float kLargestBound = kErrorFactor * kLargestSum;
@@ -36,7 +38,8 @@ template <std::size_t kSize>
 struct Block {
   const float* low[3];
   const float* high[3];
-  float largest[3][kSize];        // max(|low|, |high|)
+  float largest[3][kSize];  // max(|low|, |high|)
+  float flushed[kSize];  // what a distance may lose where the plane's coefficients are flushed to 0
   std::uint32_t in_order[kSize];  // 1 where low <= high on every axis: not so if one is NaN
   float coarse_error[kSize];      // at least E of every plane
   std::uint32_t needed[kSize];    // bits of planes
@@ -61,18 +64,26 @@ CLIPC_BLOCK_FUNCTION void MeasureBlock(Block<kSize>& block) {
       block.in_order[i] &= static_cast<std::uint32_t>(low[i] <= high[i]);
     }
   }
+  for (std::size_t i = 0; i < kSize; ++i) {
+    block.flushed[i] =
+        kLeastNormal * (block.largest[0][i] + block.largest[1][i] + block.largest[2][i]);
+  }
 }
 
 // E for a plane whose coefficients have the magnitudes `size`: monotonic in each of them, roundings
-// included. NaN, to which no distance compares, where sums are too large.
+// included. NaN, to which no distance compares, where sums are too large. `is_zero`: of the zero
+// plane alone, which nothing rounds.
 template <std::size_t kSize>
-CLIPC_BLOCK_FUNCTION void SetError(const Block<kSize>& block, const Float4& size, float underflow,
+CLIPC_BLOCK_FUNCTION void SetError(const Block<kSize>& block, const Float4& size, bool is_zero,
                                    float (&error)[kSize]) {
   const float x = size.x, y = size.y, z = size.z, w = size.w;
+  // Bounds that are flushed to 0 lose this; the coefficients' own loss is in the block.
+  const float underflow = is_zero ? 0 : kUnderflow + kLeastNormal * (x + y + z);
+  const float share = is_zero ? 0.0f : 1.0f;
   for (std::size_t i = 0; i < kSize; ++i) {
     const float sum =
         x * block.largest[0][i] + y * block.largest[1][i] + z * block.largest[2][i] + w;
-    const float bound = kErrorFactor * sum + underflow;
+    const float bound = kErrorFactor * sum + (underflow + share * block.flushed[i]);
     error[i] = bound < kLargestBound ? bound : kUndecided;
   }
 }
@@ -87,7 +98,7 @@ CLIPC_BLOCK_FUNCTION void SetCoarseError(Block<kSize>& block, const Float4* plan
     size.z = Larger(size.z, Magnitude(planes[i].z)),
     size.w = Larger(size.w, Magnitude(planes[i].w));
   }
-  SetError(block, size, kUnderflow, block.coarse_error);
+  SetError(block, size, false, block.coarse_error);
 }
 
 // One plane against a block of boxes, with `error` for E. Whether a distance is nearer to 0 than
@@ -135,8 +146,8 @@ CLIPC_BLOCK_FUNCTION void PlanFullBlock(Block<kSize>& block, const Float4* plane
     for (std::size_t i = 0; i < plane_count; ++i) {
       float error[kSize];
       const Float4& p = planes[i];
-      SetError(block, {Magnitude(p.x), Magnitude(p.y), Magnitude(p.z), Magnitude(p.w)},
-               IsZero(p) ? 0 : kUnderflow, error);
+      SetError(block, {Magnitude(p.x), Magnitude(p.y), Magnitude(p.z), Magnitude(p.w)}, IsZero(p),
+               error);
       PlanBlock(block, p, 1u << i, error);
     }
   }
@@ -181,39 +192,52 @@ bool IsBox(const Box& box) {
   return true;
 }
 
-// |v| |M_0| |M_1| ... for the corner of largest |v|, with what underflow may add; false where float
-// might overflow.
+// |v| |M_0| |M_1| ... for the corner of largest |v|, with what underflow may add, and what numbers
+// flushed to 0 may take away; false where float might overflow.
 bool LargestPosition(const Box& box, const Matrix* matrices, std::size_t matrix_count,
-                     double (&position)[4]) {
+                     double (&position)[4], double (&flushed)[4]) {
+  constexpr auto kLeast = static_cast<double>(kLeastNormal);
   for (int axis = 0; axis < 3; ++axis) {
     position[axis] = std::max(std::fabs(static_cast<double>(box.low[axis])),
                               std::fabs(static_cast<double>(box.high[axis])));
+    flushed[axis] = kLeast;
   }
-  position[3] = 1;
+  position[3] = 1, flushed[3] = 0;
   for (std::size_t k = 0; k < matrix_count; ++k) {
-    double next[4];
+    double next[4], next_flushed[4];
     for (int column = 0; column < 4; ++column) {
       next[column] = 0x1p-100;
-      for (int row = 0; row < 4; ++row)
-        next[column] += position[row] * std::fabs(matrices[k].m[row][column]);
+      next_flushed[column] = 8 * kLeast;
+      for (int row = 0; row < 4; ++row) {
+        const double element = std::fabs(matrices[k].m[row][column]);
+        next[column] += position[row] * element;
+        next_flushed[column] += flushed[row] * element + kLeast * position[row];
+      }
       if (!(next[column] < static_cast<double>(kLargestSum))) return false;
     }
     std::copy(next, next + 4, position);
+    std::copy(next_flushed, next_flushed + 4, flushed);
   }
   return true;
 }
 
 // The plane's part of a plan: 0, its bit, or kCulled.
 std::uint32_t PlanTransformed(const Box& box, const Matrix* matrices, std::size_t matrix_count,
-                              const double (&largest)[4], const Float4& plane, std::uint32_t bit) {
+                              const double (&largest)[4], const double (&flushed)[4],
+                              const Float4& plane, std::uint32_t bit) {
   Plane before = {plane.x, plane.y, plane.z, plane.w};
   const double sum = largest[0] * std::fabs(before.x) + largest[1] * std::fabs(before.y) +
                      largest[2] * std::fabs(before.z) + largest[3] * std::fabs(before.w);
   if (!(sum < static_cast<double>(kLargestSum))) return bit;
   const bool is_zero = before.x == 0 && before.y == 0 && before.z == 0 && before.w == 0;
   const double steps = static_cast<double>(matrix_count + 1);
-  const double error = 5 * steps * static_cast<double>(kUnitRoundoff) * sum +
-                       (is_zero ? 0 : static_cast<double>(kUnderflow));
+  double underflow = static_cast<double>(kUnderflow);
+  const double sizes[4] = {std::fabs(before.x), std::fabs(before.y), std::fabs(before.z),
+                           std::fabs(before.w)};
+  for (int i = 0; i < 4; ++i)
+    underflow += flushed[i] * sizes[i] + static_cast<double>(kLeastNormal) * largest[i];
+  const double error =
+      5 * steps * static_cast<double>(kUnitRoundoff) * sum + (is_zero ? 0 : underflow);
   for (std::size_t k = matrix_count; k-- > 0;) before = PlaneBefore(matrices[k], before);
   const double n[3] = {before.x, before.y, before.z};
   double nearest = before.w, farthest = before.w;
@@ -267,11 +291,12 @@ BoxPlan PlanTransformedBox(const Box& box, const Matrix* matrices, std::size_t m
                            const Float4* planes, std::size_t plane_count) noexcept {
   plane_count = std::min<std::size_t>(plane_count, kMaxClipPlanes);
   const auto all = static_cast<BoxPlan>((1u << plane_count) - 1);
-  double largest[4];
-  if (!IsBox(box) || !LargestPosition(box, matrices, matrix_count, largest)) return all;
+  double largest[4], flushed[4];
+  if (!IsBox(box) || !LargestPosition(box, matrices, matrix_count, largest, flushed)) return all;
   std::uint32_t plan = 0;
   for (std::size_t i = 0; i < plane_count; ++i) {
-    plan |= PlanTransformed(box, matrices, matrix_count, largest, planes[i], std::uint32_t{1} << i);
+    plan |= PlanTransformed(box, matrices, matrix_count, largest, flushed, planes[i],
+                            std::uint32_t{1} << i);
   }
   return (plan & kCulled) != 0 ? kCulled : static_cast<BoxPlan>(plan);
 }

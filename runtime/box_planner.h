@@ -39,11 +39,12 @@ struct BoxArrays {
 // planes are in one space. Planes after the sixth are ignored.
 //
 // A plane is not needed if d >= E at the box's nearest corner, and culls if d < -E at the farthest,
-// in float; otherwise it is needed. E = 10 u S + 2^-120 with u = 2^-24 and
-// S = sum |n_i| max(|low_i|, |high_i|) + |D|. Proof: each d has four products and three sums, an
-// error of at most 4u S / (1 - 4u); the shader's dot product has an error of the same size, in any
-// order, fused or not; S is computed at most 5u too small; everything that underflows is below
-// 2^-120 in total.
+// in float; otherwise it is needed. E = 10 u S + 2^-120 + 2^-126 F with u = 2^-24, the sum
+// S = sum |n_i| max(|low_i|, |high_i|) + |D|, and F = sum |n_i| + max(|low_i|, |high_i|). Proof:
+// each d has four products and three sums, an error of at most 4u S / (1 - 4u); the shader's dot
+// product has an error of the same size, in any order, fused or not; S is computed at most 5u too
+// small; products and sums that underflow are below 2^-120 in total; coefficients and coordinates
+// below 2^-126, which a device may flush to 0, lose the last term.
 BoxPlan PlanBox(const Box& box, const Float4* planes, std::size_t plane_count) noexcept;
 
 // The same for many boxes: exactly PlanBox of each.
@@ -56,9 +57,10 @@ void PlanBoxes(const BoxArrays& boxes, const Float4* planes, std::size_t plane_c
 // that the shader multiplies by, in order (one matrix if the application multiplies them itself),
 // with the float values that the shader receives.
 //
-// The rule is that of PlanBox with E = 5 steps u S + 2^-120, where steps = matrix_count + 1 and
-// S = |v| |M_0| |M_1| ... |plane|, and with the corners in double. If depth is not reversed, S is
-// hundreds of times larger than in object space, and more planes are needed.
+// The rule is that of PlanBox with E = 5 steps u S + 2^-120 and what flushing loses, where
+// steps = matrix_count + 1 and S = |v| |M_0| |M_1| ... |plane|, and with the corners in double. If
+// depth is not reversed, S is hundreds of times larger than in object space, and more planes are
+// needed.
 BoxPlan PlanTransformedBox(const Box& box, const Matrix* matrices, std::size_t matrix_count,
                            const Float4* planes, std::size_t plane_count) noexcept;
 

@@ -103,6 +103,53 @@ TEST(PlanBoxTest, IsSafeForBoxesThatTouchAPlane) {
   EXPECT_GT(decided, 5000) << "the boxes must not all be too close to say";
 }
 
+// A device that flushes what is denormal to 0, before and after each operation.
+float Flushed(float number) { return std::fabs(number) < 0x1p-126f ? 0.0f : number; }
+
+float FlushedDot4(const float (&v)[4], const Float4& plane) {
+  const float n[4] = {plane.x, plane.y, plane.z, plane.w};
+  float sum = 0;
+  for (int i = 0; i < 4; ++i) sum = Flushed(sum + Flushed(Flushed(v[i]) * Flushed(n[i])));
+  return sum;
+}
+
+// Planes with coefficients at the end of float's range, and boxes so far away that these decide.
+TEST(PlanBoxTest, IsSafeWhereDenormalsAreFlushed) {
+  Random random(3);
+  int decided = 0, flushed = 0;
+  for (int i = 0; i < 100000; ++i) {
+    Box box;
+    float n[3];
+    for (int axis = 0; axis < 3; ++axis) {
+      const double sign = random.Below(2) == 0 ? 1 : -1;
+      const bool is_tiny = random.Below(3) != 0;
+      n[axis] = static_cast<float>(
+          sign * (is_tiny ? random.Magnitude(1e-44, 1e-37) : random.Magnitude(1e-31, 1e-20)));
+      const double at = random.Between(-1, 1) *
+                        (is_tiny ? random.Magnitude(1e6, 1e36) : random.Magnitude(1e-44, 1));
+      box.low[axis] = static_cast<float>(at - std::fabs(at) * 1e-3);
+      box.high[axis] = std::max(box.low[axis], static_cast<float>(at + std::fabs(at) * 1e-3));
+    }
+    const Float4 plane = {n[0], n[1], n[2], static_cast<float>(random.Magnitude(1e-44, 1e-25))};
+    const BoxPlan plan = PlanBox(box, &plane, 1);
+    if (plan == 1) continue;
+    ++decided;
+    for (int corner = 0; corner < 8; ++corner) {
+      const float v[4] = {(corner & 1 ? box.high : box.low)[0],
+                          (corner & 2 ? box.high : box.low)[1],
+                          (corner & 4 ? box.high : box.low)[2], 1};
+      const float d = FlushedDot4(v, plane);
+      EXPECT_TRUE(plan == 0 ? d >= 0 : d < 0) << i;
+      flushed += d != v[0] * n[0] + v[1] * n[1] + v[2] * n[2] + plane.w;
+    }
+    const Matrix identity;
+    const BoxPlan transformed = PlanTransformedBox(box, &identity, 1, &plane, 1);
+    EXPECT_TRUE(transformed == 1 || transformed == plan);
+  }
+  EXPECT_GT(decided, 5000);
+  EXPECT_GT(flushed, 1000) << "flushing must change distances";
+}
+
 TEST(PlanBoxTest, HardlyEverNeedsAPlaneInVain) {
   Random random(2);
   int in_vain = 0, decidable = 0;
