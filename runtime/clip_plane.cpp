@@ -10,8 +10,6 @@
 namespace clipc::runtime {
 namespace {
 
-constexpr double kFloatRoundoff = 0x1p-24;
-
 double LargestOf(const Plane& p) {
   return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z), std::fabs(p.w)});
 }
@@ -80,25 +78,6 @@ Result<PlaneConstant> Xyw1PlaneFromView(const Plane& view_plane,
 
 Result<PlaneConstant> ObjectPlaneFromWorld(const Plane& world_plane, const Matrix& world) noexcept {
   return Finish(Before(Begin(world_plane), world, "world"));
-}
-
-Result<double> ClipSpaceEdgeError(const Plane& view_plane, const Matrix& projection,
-                                  double picture_height) noexcept {
-  if (const Status status = CheckProjection(projection); !status.ok()) return status;
-  const ProjectionShape s = ShapeOf(projection);
-  const double length = NormalLength(view_plane);
-  if (!s.holds)
-    return Status::Failure(Error::kWrongProjection,
-                           "the projection is neither a perspective nor orthographic");
-  if (!(length > 0) || (s.is_perspective() ? s.b : s.a) == 0)
-    return Status::Failure(Error::kSingular,
-                           "the plane has no normal, or the projection no inverse");
-  // An orthographic z is as large as the depth, and the plane's w as the eye is far: both are
-  // rounded before they cancel.
-  const double amplified =
-      s.is_perspective() ? std::fabs(view_plane.w * s.a / s.b)
-                         : std::fmax(std::fabs(view_plane.w), std::fabs(view_plane.z * s.b / s.a));
-  return 20 * kFloatRoundoff * amplified * std::fabs(s.py) * picture_height / (2 * length);
 }
 
 }  // namespace clipc::runtime

@@ -71,18 +71,4 @@ Result<PlaneConstant> Xyw1PlaneFromView(const Plane& view_plane, const Matrix& p
 // invertible. For a view-space plane, pass world * view.
 Result<PlaneConstant> ObjectPlaneFromWorld(const Plane& world_plane, const Matrix& world) noexcept;
 
-// The part of PredictEdgeError (plane_space.h) that only plane space `clip` has, in pixels, for
-// surfaces of every direction (kAnySurface). With u = 2^-24 and a picture of H rows:
-//
-//   perspective     20 u |Cw| |A/B| Py H / (2 |N|)
-//   orthographic    20 u Py max(|Cw|, |Nz| |B/A|) H / (2 |N|)
-//
-// |A/B| is 1/n for standard depth, 0 or 1/f for reversed; |B/A| is n for standard depth, f for
-// reversed.
-//
-// Errors: kWrongProjection unless ShapeOf holds; kSingular if the plane has no normal or the
-// projection has no inverse.
-Result<double> ClipSpaceEdgeError(const Plane& view_plane, const Matrix& projection,
-                                  double picture_height) noexcept;
-
 }  // namespace clipc::runtime

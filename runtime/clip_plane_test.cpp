@@ -268,8 +268,6 @@ TEST(ClipPlane, TransposedMatricesAreNamed) {
     if (each.perspective && std::fabs(each.projection.m[3][2]) == 1) continue;
     EXPECT_EQ(error(ClipPlaneFromView(plane, swapped)), Error::kLooksTransposed) << each.name;
     EXPECT_EQ(error(Xyw1PlaneFromView(plane, swapped)), Error::kLooksTransposed) << each.name;
-    EXPECT_EQ(error(ClipSpaceEdgeError(plane, swapped, 1080)), Error::kLooksTransposed)
-        << each.name;
   }
 }
 
@@ -405,30 +403,6 @@ TEST(ObjectPlane, SameDistanceWhateverTheOffset) {
           << offset;
     }
   }
-}
-
-TEST(ClipSpaceEdge, FollowsItsLaw) {
-  const auto error = [](const Camera& camera, double distance) {
-    return ClipSpaceEdgeError({0, 0, 1, -distance}, camera.projection, 1080).value;
-  };
-  // 0.0012 px * |Cw|/n at 60 degrees and 1080 rows.
-  const Camera standard = PerspectiveCamera(0.1, 1e6);
-  EXPECT_NEAR(error(standard, 30), 0.0012 * 300, 0.03);
-  EXPECT_NEAR(error(standard, 60) / error(standard, 30), 2, 1e-9);
-  EXPECT_NEAR(error(PerspectiveCamera(0.01, 1e6), 30) / error(standard, 30), 10, 1e-3);
-  EXPECT_LT(error(PerspectiveCamera(0.1, 1e6, {false, true}), 30), 1e-4);
-  EXPECT_EQ(error(PerspectiveCamera(0.1, INFINITY, {false, true}), 30), 0);
-  EXPECT_NEAR(error(OrthographicCamera(0.1, 100), 30), 20 * 0x1p-24 * 0.1 * 30 * 540, 1e-9);
-  EXPECT_NEAR(error(OrthographicCamera(0.1, 100, {false, true}), 30),
-              20 * 0x1p-24 * 0.1 * 100 * 540, 1e-9);
-  EXPECT_NEAR(ClipSpaceEdgeError({0, 0, 5, -150}, standard.projection, 1080).value,
-              error(standard, 30), 1e-12);
-  EXPECT_EQ(ClipSpaceEdgeError({0, 0, 0, 1}, standard.projection, 1080).status.error(),
-            Error::kSingular);
-  Matrix general;
-  general.m[0][1] = 1;
-  EXPECT_EQ(ClipSpaceEdgeError({0, 0, 1, 1}, general, 1080).status.error(),
-            Error::kWrongProjection);
 }
 
 }  // namespace

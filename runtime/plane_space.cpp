@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "runtime/plane_space.h"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "runtime/plane_chain.h"
 #include "runtime/projection_shape.h"
@@ -37,35 +39,69 @@ Step ConstantOf(PlaneSpace space, const Plane& plane, KnownIn known_in, const Dr
   }
 }
 
+// The plane with a unit normal, of which no length overflows; none for a plane without one.
+std::optional<Plane> Unit(const Plane& plane) {
+  const double largest = std::max({std::fabs(plane.x), std::fabs(plane.y), std::fabs(plane.z)});
+  if (!(largest > 0)) return std::nullopt;
+  const int exponent = -std::ilogb(largest);
+  const Plane scaled = {std::scalbn(plane.x, exponent), std::scalbn(plane.y, exponent),
+                        std::scalbn(plane.z, exponent), std::scalbn(plane.w, exponent)};
+  const double length = NormalLength(scaled);
+  return Plane{scaled.x / length, scaled.y / length, scaled.z / length, scaled.w / length};
+}
+
+// The factors of e in the header's table.
+double PerspectiveLaw(PlaneSpace space, const Plane& n, const ProjectionShape& s, double reach) {
+  const double py = std::fabs(s.py), off_centre = std::hypot(s.ox / s.e, s.oy / s.e);
+  const double k = std::fabs(n.z - (s.ox * n.x / s.px + s.oy * n.y / s.py));
+  const double law = 1 + 2 * off_centre + k * py + 2 * reach;
+  if (space == PlaneSpace::kXyw1) return law;
+  return law + 1.4 * std::fabs(n.w * s.a / s.b) * (py + 2 * reach);
+}
+
+double OrthographicLaw(const Plane& n, const ProjectionShape& s, double reach) {
+  // z is as large as the depth, and the plane's w as the eye is far: both are rounded before they
+  // cancel.
+  const double depth = std::max(std::fabs(n.w), std::fabs(n.z * s.b / s.a));
+  return 1 + 2 * std::hypot(s.tx, s.ty) + 2 * reach + std::fabs(s.py) * depth;
+}
+
+// The reach of the world's origin for an object where the world matrix puts it; 0 where it is not
+// before the eye.
+double ReachOfWorld(const DrawMatrices& draw) {
+  const ProjectionShape s = ShapeOf(draw.projection);
+  if (!s.holds) return 0;
+  const double(&at)[4] = draw.world.m[3];
+  double z = 0;
+  for (int i = 0; i < 4; ++i) z += at[i] * draw.view.m[i][2];
+  const double w = s.is_perspective() ? s.e * z : s.g;
+  return w > 0 ? std::hypot(at[0], at[1], at[2]) * std::fabs(s.py) / (2 * w) : 0;
+}
+
 }  // namespace
 
 Result<double> PredictEdgeError(PlaneSpace space, const Plane& view_plane, const Matrix& projection,
                                 double picture_height, double sine, double reach) noexcept {
-  const double unit = 2 * 0x1p-24 * picture_height / 2 / sine;
+  const double unit = 0x1p-24 * picture_height / 2 / sine;
   const Plane& c = view_plane;
-  if (!(picture_height > 0 && sine > 0 && reach >= 0) ||
-      !std::isfinite(unit + reach + c.x + c.y + c.z + c.w))
+  const bool is_finite = std::isfinite(unit) && std::isfinite(reach) && std::isfinite(c.x) &&
+                         std::isfinite(c.y) && std::isfinite(c.z) && std::isfinite(c.w);
+  if (!(picture_height > 0 && sine > 0 && reach >= 0) || !is_finite)
     return Status::Failure(Error::kNotFinite,
                            "the plane, the picture's height, the sine or the reach is not a number "
                            "that an error can be told for");
   if (const Status status = CheckProjection(projection); !status.ok()) return status;
   const ProjectionShape s = ShapeOf(projection);
-  const double length = NormalLength(view_plane);
-  const bool wrong = !s.holds || (space == PlaneSpace::kXyw1 && !s.is_perspective());
-  if (wrong)
+  if (!s.holds || (space == PlaneSpace::kXyw1 && !s.is_perspective()))
     return Status::Failure(Error::kWrongProjection,
                            "the projection does not have the shape that the space needs");
-  if (!(length > 0) || (s.is_perspective() ? s.b : s.a) == 0)
+  const std::optional<Plane> plane = Unit(view_plane);
+  if (!plane || (s.is_perspective() ? s.b : s.a) == 0)
     return Status::Failure(Error::kSingular,
                            "the plane has no normal, or the projection no inverse");
-  const double py = s.is_perspective() ? std::fabs(s.py) : 1;
-  if (space == PlaneSpace::kObject) return unit * (1 + reach);
-  const double floor = unit * (py + reach);
-  if (space == PlaneSpace::kXyw1) return floor;
-  const double price =
-      ClipSpaceEdgeError(view_plane, projection, picture_height).value * kAnySurface / sine;
-  // A perspective divides what the position loses by what is left of z.
-  return floor + price * (s.is_perspective() ? 1 + reach / py : 1);
+  if (space == PlaneSpace::kObject) return unit * 1.5 * std::max(reach, 0.1);
+  return unit * (s.is_perspective() ? PerspectiveLaw(space, *plane, s, reach)
+                                    : OrthographicLaw(*plane, s, reach));
 }
 
 Result<SpaceConstant> PlaneConstantFor(PlaneSpace space, const Plane& plane, KnownIn known_in,
@@ -78,18 +114,25 @@ Result<SpaceConstant> PlaneConstantFor(PlaneSpace space, const Plane& plane, Kno
   result.plane = constant.value;
   if (!in_view.ok()) return result;
   const Plane seen = Rounded(in_view.value);
-  const Result<double> error = PredictEdgeError(space, seen, draw.projection, picture.height);
+  const double of_world = space != PlaneSpace::kObject && draw.steps > 1 ? ReachOfWorld(draw) : 0;
+  const Result<double> error = PredictEdgeError(space, seen, draw.projection, picture.height,
+                                                kAnySurface, std::max(kAroundOrigin, of_world));
   if (!error.ok()) return result;
   result.edge_error = error.value;
   if (error.value > picture.most_pixels) {
+    const Result<double> of_one_step =
+        PredictEdgeError(space, seen, draw.projection, picture.height);
+    const char* const cure =
+        of_one_step.value < error.value / 2
+            ? "; multiply its matrices in double, or let the world begin at the camera"
+        : space != PlaneSpace::kClip ? ""
+        : ShapeOf(draw.projection).is_perspective()
+            ? "; use --plane-space=xyw1 or object, or reversed depth"
+            : "; use --plane-space=object";
     result.warning =
         Status::Failure(Error::kIllConditioned,
                         "plane space %s displaces the cut by about %.2g pixels of %g rows%s",
-                        NameOf(space), error.value, picture.height,
-                        space != PlaneSpace::kClip ? ""
-                        : ShapeOf(draw.projection).is_perspective()
-                            ? "; use --plane-space=xyw1 or object, or reversed depth"
-                            : "; use --plane-space=object");
+                        NameOf(space), error.value, picture.height, cure);
   }
   return result;
 }

@@ -99,13 +99,13 @@ TEST(PlaneConstantFor, WarnsWhereTheDefaultLosesPixels) {
   const Plane plane = {0, 0, -1, 300};
   const auto clip = PlaneConstantFor(PlaneSpace::kClip, plane, KnownIn::kView, draw);
   ASSERT_TRUE(clip.ok());
-  // 20 * 2^-24 * 3001 * 1080 / (2 tan 30).
-  EXPECT_NEAR(clip.value.edge_error, 3.346, 0.001);
+  // 10 * 2^-24 * 540 * (1 + 2.73 + 1.4 * 3000 * 2.73).
+  EXPECT_NEAR(clip.value.edge_error, 3.694, 0.001);
   EXPECT_EQ(clip.value.warning.error(), Error::kIllConditioned);
   EXPECT_THAT(clip.value.warning.message(),
-              HasSubstr("plane space clip displaces the cut by about 3.3 pixels of 1080 rows"));
+              HasSubstr("plane space clip displaces the cut by about 3.7 pixels of 1080 rows"));
   EXPECT_THAT(clip.value.warning.message(), HasSubstr("--plane-space=xyw1"));
-  EXPECT_TRUE(PlaneConstantFor(PlaneSpace::kClip, plane, KnownIn::kView, draw, {1080, 3.4})
+  EXPECT_TRUE(PlaneConstantFor(PlaneSpace::kClip, plane, KnownIn::kView, draw, {1080, 3.8})
                   .value.warning.ok());
   for (const PlaneSpace space : {PlaneSpace::kXyw1, PlaneSpace::kObject}) {
     const auto other = PlaneConstantFor(space, plane, KnownIn::kView, draw);
@@ -124,7 +124,7 @@ TEST(PredictEdgeError, GrowsWithTheDistanceOverNear) {
   };
   // 0.0012 px * |Cw|/n at 60 degrees and 1080 rows.
   const Camera standard = PerspectiveCamera(0.1, 1e6);
-  EXPECT_NEAR(error(standard, 30), 0.0012 * 300, 0.03);
+  EXPECT_NEAR(error(standard, 30), 0.0012 * 300, 0.015);
   EXPECT_NEAR(error(standard, 60) / error(standard, 30), 2, 0.01);
   EXPECT_NEAR(error(PerspectiveCamera(0.01, 1e6), 30) / error(standard, 30), 10, 0.1);
   const double floor =
@@ -143,28 +143,41 @@ TEST(PredictEdgeError, GrowsWithTheDistanceOverNear) {
             Error::kWrongProjection);
 }
 
-TEST(PlaneConstantFor, LawOfTheFieldOfViewAndTheAngle) {
-  const Plane plane = {0, 0, -1, 30};
-  const auto error = [&](double fov, double sine) {
-    return PredictEdgeError(PlaneSpace::kXyw1, plane,
-                            PerspectiveCamera(0.1, 100, {}, 1, 0, 0, fov).projection, 1080, sine)
-        .value;
+// The laws of the header's table, in units of 2^-24 H/2 / sine.
+double LawOf(PlaneSpace space, const Plane& plane, const Matrix& projection,
+             double reach = kAroundOrigin) {
+  return PredictEdgeError(space, plane, projection, 1080, 0.5, reach).value / (0x1p-24 * 540 / 0.5);
+}
+
+TEST(PredictEdgeError, GrowsAsTheViewNarrowsAndOffTheAxis) {
+  const Plane facing = {0, 0, -1, 30}, tilted = {0, 0.6, -0.8, 30};
+  const auto at = [](double fov, double off) {
+    return PerspectiveCamera(0.1, 100, {}, 1, off, 0, fov).projection;
   };
-  EXPECT_NEAR(error(1, 1) / error(60, 1),
-              std::tan(3.14159265358979 / 6) / std::tan(3.14159265358979 / 360), 1e-9);
-  EXPECT_NEAR(error(60, 0.01) / error(60, 1), 100, 1e-9);
+  for (const double fov : {1.0, 60.0}) {
+    const double py = at(fov, 0).m[1][1];
+    EXPECT_NEAR(LawOf(PlaneSpace::kXyw1, facing, at(fov, 0)), 2 + py, 1e-9);
+    EXPECT_NEAR(LawOf(PlaneSpace::kXyw1, tilted, at(fov, 0)), 2 + 0.8 * py, 1e-9);
+    EXPECT_NEAR(LawOf(PlaneSpace::kObject, tilted, at(fov, 0)), 0.75, 1e-9);
+  }
+  EXPECT_NEAR(LawOf(PlaneSpace::kXyw1, facing, at(60, 3)), 2 + 6 + at(60, 0).m[1][1], 1e-9);
+  // A plane that leans to the side of the tile has more of w in its constant.
+  const Plane sideways = {0.6, 0, 0.8, -30};
+  const Matrix tile = at(60, -3);
+  EXPECT_NEAR(LawOf(PlaneSpace::kXyw1, sideways, tile),
+              2 + 6 + (0.8 + 3 * 0.6 / tile.m[0][0]) * tile.m[1][1], 1e-9);
+}
+
+TEST(PredictEdgeError, GrowsWithTheDistanceOfAnOrthographicEye) {
   const Plane tilted = {0, 0.6, -0.8, 30};
-  const auto orthographic = [&](bool reversed, PlaneSpace space) {
-    return PredictEdgeError(space, tilted,
-                            OrthographicCamera(0.1, 100, {false, reversed}).projection, 1080)
-        .value;
+  const auto law = [&](bool reversed, PlaneSpace space) {
+    return LawOf(space, tilted, OrthographicCamera(0.1, 100, {false, reversed}).projection);
   };
   // As bad as the eye is far from the plane. Reversed, z is near 1 for all that is near: as bad as
   // the far plane is far, too.
-  const double floor = 20 * 0x1p-24 * 540;
-  EXPECT_NEAR(orthographic(false, PlaneSpace::kClip), floor * (1 + 0.1 * 30), 1e-9);
-  EXPECT_NEAR(orthographic(true, PlaneSpace::kClip), floor * (1 + 0.1 * 0.8 * 100), 1e-9);
-  EXPECT_NEAR(orthographic(true, PlaneSpace::kObject), floor, 1e-9);
+  EXPECT_NEAR(law(false, PlaneSpace::kClip), 2 + 0.1 * 30, 1e-9);
+  EXPECT_NEAR(law(true, PlaneSpace::kClip), 2 + 0.1 * 0.8 * 100, 1e-9);
+  EXPECT_NEAR(law(true, PlaneSpace::kObject), 0.75, 1e-9);
   EXPECT_EQ(
       PredictEdgeError(PlaneSpace::kXyw1, tilted, OrthographicCamera(0.1, 100).projection, 1080)
           .status.error(),
@@ -172,15 +185,41 @@ TEST(PlaneConstantFor, LawOfTheFieldOfViewAndTheAngle) {
 }
 
 TEST(PredictEdgeError, GrowsWithTheReachOfTheVertices) {
-  const Camera camera = PerspectiveCamera(0.1, 1e6);
-  const auto error = [&](PlaneSpace space, double reach) {
-    return PredictEdgeError(space, {0, 0, 1, -30}, camera.projection, 1080, kAnySurface, reach)
-        .value;
+  const Matrix projection = PerspectiveCamera(0.1, 1e6).projection;
+  const Plane plane = {0, 0, 1, -30};
+  const double py = projection.m[1][1];
+  const auto law = [&](PlaneSpace space, double reach) {
+    return LawOf(space, plane, projection, reach);
   };
-  const double py = camera.projection.m[1][1];
-  for (const PlaneSpace space : {PlaneSpace::kClip, PlaneSpace::kXyw1})
-    EXPECT_NEAR(error(space, 1000) / error(space, 0), (py + 1000) / py, 1e-9);
-  EXPECT_NEAR(error(PlaneSpace::kObject, 1000) / error(PlaneSpace::kObject, 0), 1001, 1e-9);
+  EXPECT_NEAR(law(PlaneSpace::kXyw1, 1000), 1 + py + 2000, 1e-6);
+  EXPECT_NEAR(law(PlaneSpace::kClip, 1000) / (1 + py + 2000 + 1.4 * 300 * (py + 2000)), 1, 1e-6);
+  EXPECT_NEAR(law(PlaneSpace::kObject, 1000), 1500, 1e-6);
+  EXPECT_NEAR(law(PlaneSpace::kObject, 0), 0.15, 1e-9);
+}
+
+// The runtime knows the matrices: it counts how far the world's origin is where the shader has the
+// vertex in its coordinates.
+TEST(PlaneConstantFor, WarnsOfMatricesThatTheShaderMultiplies) {
+  DrawMatrices draw = {{}, {}, PerspectiveCamera(0.1, 1000).projection};
+  draw.world.m[3][0] = 1e4, draw.world.m[3][2] = 10;
+  draw.view.m[3][0] = -1e4;
+  const Plane plane = {0.6, 0, 0.8, -8 - 6e3};
+  for (const PlaneSpace space : kSpaces) {
+    draw.steps = 1;
+    const auto one = PlaneConstantFor(space, plane, KnownIn::kWorld, draw);
+    ASSERT_TRUE(one.ok());
+    EXPECT_TRUE(one.value.warning.ok()) << one.value.warning.message();
+    draw.steps = 2;
+    const auto two = PlaneConstantFor(space, plane, KnownIn::kWorld, draw);
+    EXPECT_EQ(two.value.warning.ok(), space == PlaneSpace::kObject);
+    if (space == PlaneSpace::kObject) continue;
+    EXPECT_GT(two.value.edge_error, 100 * one.value.edge_error);
+    EXPECT_THAT(two.value.warning.message(), HasSubstr("let the world begin at the camera"));
+  }
+  // The cure.
+  draw.world.m[3][0] = 0, draw.view.m[3][0] = 0;
+  EXPECT_TRUE(PlaneConstantFor(PlaneSpace::kXyw1, {0.6, 0, 0.8, -8}, KnownIn::kWorld, draw)
+                  .value.warning.ok());
 }
 
 TEST(PredictEdgeError, RefusesWhatIsNoNumber) {

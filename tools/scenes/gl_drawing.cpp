@@ -11,6 +11,7 @@
 #include "runtime/gl/clip_switches.h"
 #include "runtime/level9_binder.h"
 #include "runtime/near_plane.h"
+#include "runtime/plane_space.h"
 #include "scene_clip_distance_1.clip.h"
 #include "scene_clip_distance_1.shader.h"
 #include "scene_clip_distance_3.clip.h"
@@ -261,7 +262,8 @@ double CutError(const Scene& scene) {
   double worst = 0;
   for (const Plane& plane : scene.planes) {
     const Plane in_view = Check(runtime::ViewPlaneFromWorld(plane, scene.view)).plane;
-    worst = std::max(worst, Check(runtime::ClipSpaceEdgeError(in_view, scene.projection, kSize)));
+    worst = std::max(worst, Check(runtime::PredictEdgeError(PlaneSpace::kClip, in_view,
+                                                            scene.projection, kSize)));
   }
   return worst;
 }

@@ -25,7 +25,7 @@ harness::Picture DrawKept(const Scene& scene, Kept kept);
 harness::Picture DrawCuts(const Scene& scene);
 
 // The distance in pixels by which float arithmetic moves a cut of this scene when planes are in
-// clip space, at most for 99 % of the cuts: the largest ClipSpaceEdgeError.
+// clip space, at most for 99 % of the cuts: the largest PredictEdgeError of plane space `clip`.
 double CutError(const Scene& scene);
 
 }  // namespace clipc::scenes

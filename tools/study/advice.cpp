@@ -14,20 +14,23 @@ namespace {
 
 using enum PlaneSpace;
 
+// One plane's error is below this multiple of the law, whatever its luck: a way whose law is so
+// far below the tolerance need not be measured. How far the error is below the law has no such
+// limit, as a corner of the cut may be much nearer than the rest.
+constexpr double kMostOfLaw = 12;
+
 double LawOf(const Way& way, const DrawFacts& facts) {
-  const Camera& camera = facts.camera;
-  const double height = 2 * camera.HalfHeightAt(facts.depth);
-  double reach = facts.mesh_offset / height;
   // The cut becomes a float vertex, and what is lost is its rounding.
   if (way.kind == WayKind::kCpu)
-    return 2 * 0x1p-24 * facts.picture_height / 2 * (1 + reach + facts.extent / 2);
-  PlaneSpace space = camera.orthographic ? kObject : kXyw1;  // of the world, but for its reach
-  if (way.space) space = *way.space;
+    return 2 * 0x1p-24 * facts.picture_height / 2 * (0.5 + facts.reach + facts.extent / 2);
+  // Distances by hand are as good as in object space, and twice rounded: the world-space vertex is,
+  // and its dot product with the plane.
+  const PlaneSpace space = way.space.value_or(kObject);
   const bool is_in_world = !way.space || (space != kObject && !facts.means.one_matrix);
-  if (is_in_world) reach = std::max(reach, facts.world_offset / height);
-  const auto law = PredictEdgeError(space, facts.view_plane, camera.Projection(),
+  const double reach = is_in_world ? std::max(facts.reach, facts.world_reach) : facts.reach;
+  const auto law = PredictEdgeError(space, facts.view_plane, facts.camera.Projection(),
                                     facts.picture_height, facts.sine, reach);
-  return law.ok() ? law.value * LengthFactor(facts.extent)
+  return law.ok() ? law.value * (way.space ? 1 : 2) * LengthFactor(facts.extent)
                   : std::numeric_limits<double>::infinity();
 }
 
@@ -59,7 +62,8 @@ double CostOf(const std::string& way, int planes, const CostTable& costs) {
 
 }  // namespace
 
-std::vector<Advice> Advise(const DrawFacts& facts, const CostTable& costs, double tolerance) {
+std::vector<Advice> Advise(const DrawFacts& facts, const CostTable& costs, double tolerance,
+                           const Measure& measure) {
   std::vector<Advice> all;
   for (const Way& way : kWays) {
     if (way.kind == WayKind::kNone || way.kind == WayKind::kNearPlaneFloat) continue;
@@ -68,6 +72,11 @@ std::vector<Advice> Advise(const DrawFacts& facts, const CostTable& costs, doubl
     advice.possible = IsPossible(way, facts);
     advice.predicted = LawOf(way, facts);
     advice.bound = kBoundFactor * advice.predicted;
+    const bool is_open = advice.possible && kMostOfLaw * advice.predicted > tolerance;
+    if (const auto measured = is_open && measure ? measure(way) : std::nullopt) {
+      advice.predicted = *measured;
+      advice.bound = kMeasuredFactor * *measured;
+    }
     advice.cost = CostOf(way.name, facts.planes, costs);
     advice.meets = advice.possible && advice.bound <= tolerance && std::isfinite(advice.cost);
   }
@@ -85,7 +94,7 @@ std::vector<Advice> Advise(const DrawFacts& facts, const CostTable& costs, doubl
     if (rank(a) != rank(b)) return rank(a) < rank(b);
     if (rank(a) == 1) return a.cost < b.cost;
     const double least_seen = rank(a) == 0 ? kInvisible : 0;
-    return std::max(a.bound, least_seen) < std::max(b.bound, least_seen);
+    return std::max(a.predicted, least_seen) < std::max(b.predicted, least_seen);
   });
   return all;
 }
@@ -96,7 +105,7 @@ std::string CureFor(const DrawFacts& facts, const CostTable& costs, double toler
     change(changed);
     return Advise(changed, costs, tolerance).front().meets;
   };
-  if (helps([](DrawFacts& f) { f.mesh_offset = 0; }))
+  if (helps([](DrawFacts& f) { f.reach = std::min(f.reach, runtime::kAroundOrigin); }))
     return "its vertices are far from their own origin: give the mesh one of its own";
   if (helps([](DrawFacts& f) { f.means.one_matrix = true; }))
     return "far from the world's origin: multiply its matrices in double, or let the world begin "

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "runtime/matrix.h"
+#include "runtime/plane_space.h"
 #include "tools/study/numbers.h"
 
 namespace clipc::study {
+
+struct Way;
 
 // The means that the machine and the object offer.
 struct Means {
@@ -30,13 +35,13 @@ struct DrawFacts {
   Camera camera;
   Plane view_plane;  // the plane that is hardest to clip by, in the camera's space
   int planes = 1;
-  double depth = 10;             // view-space depth of the cut
-  double world_offset = 0;       // distance of the object from the world's origin
-  double mesh_offset = 0;        // distance of its vertices from their own origin
+  // The reach of PredictEdgeError: how far the cut is from the object's own origin and from the
+  // world's.
+  double reach = runtime::kAroundOrigin, world_reach = runtime::kAroundOrigin;
   double picture_height = 1080;  // pixels
   // The sine of the angle between surface and plane; 0.1 stands for surfaces of every direction.
   double sine = 0.1;
-  // The longest edge of a triangle, or the object's size, in half pictures at `depth`.
+  // The longest edge of a triangle, or the object's size, in half pictures.
   double extent = 0;
   Means means;
 };
@@ -64,14 +69,23 @@ inline constexpr double kBoundFactor = 4;
 // Costs closer than this share to the least count as equal: the more accurate way wins. Two tables
 // of one run differ by up to a tenth for one way.
 inline constexpr double kSameCost = 0.15;
-// The step of rasterisers, in pixels, below which no picture changes: bounds under it count as
+// The step of rasterisers, in pixels, below which no picture changes: predictions under it count as
 // equal, and the way that comes first in kWays wins.
 inline constexpr double kInvisible = 1.0 / 256;
 
+// Measures what a way loses in the draw: pixels, the 99th percentile. None where it cannot.
+using Measure = std::function<std::optional<double>(const Way&)>;
+
+// A measured error is of these planes and matrices alone, and of some of the edges: other edges
+// stay under this multiple of it.
+inline constexpr double kMeasuredFactor = 1.5;
+
 // All ways, the recommended one first: the cheapest of those that meet `tolerance`, and the most
 // accurate of equally cheap ones. Where none meets it, the most accurate way that is possible comes
-// first. Impossible ways come last.
-std::vector<Advice> Advise(const DrawFacts& facts, const CostTable& costs, double tolerance = 0.5);
+// first. Impossible ways come last. Where the law leaves open whether a way meets the tolerance,
+// `measure` decides, if it is given: then `predicted` is what it measured.
+std::vector<Advice> Advise(const DrawFacts& facts, const CostTable& costs, double tolerance = 0.5,
+                           const Measure& measure = {});
 
 // What the application can change so that a way meets a tolerance that none meets; empty where
 // nothing is known.

@@ -37,7 +37,7 @@ TEST(Advice, MeasuredErrorsStayUnderTheirBoundsOnRandomDraws) {
       const MeasuredWay measured = MeasureWay(draw, way.way, 1000, 7);
       if (!measured.applies) continue;
       EXPECT_LE(measured.p99, way.bound) << way.way << " draw " << draws << " depth "
-                                         << draw.facts.depth << " n " << draw.facts.camera.near;
+                                         << draw.config.nearest << " n " << draw.facts.camera.near;
       would_break_tighter += measured.p99 > way.bound / 10;
       if (first) ++recommended, ++chosen[way.way];
       first = false;
@@ -53,7 +53,6 @@ TEST(Advice, FollowsMeansAndNumbers) {
   DrawFacts facts;
   facts.camera.far = 1e5;
   facts.view_plane = {0, 0, 1, -300};
-  facts.depth = 300;
   const auto best = [&] { return Advise(facts, SomeCosts()).front().way; };
   EXPECT_EQ(best(), "object");
   facts.means.rigid = false;
@@ -84,11 +83,12 @@ TEST(Advice, DigitsThatNobodySeesDoNotCount) {
   DrawFacts facts;
   facts.camera.far = 1e5;
   facts.view_plane = {0, 0, 1, -300};
-  facts.depth = 300;
   const std::vector<Advice> all = Advise(facts, SomeCosts());
   const auto of = [&](const char* way) { return *std::ranges::find(all, way, &Advice::way); };
-  EXPECT_LT(of("cpu").bound, of("object").bound / 2);
+  EXPECT_LT(of("cpu").bound, of("xyw1").bound);
   EXPECT_EQ(all.front().way, "object");
+  facts.means.rigid = false;
+  EXPECT_EQ(Advise(facts, SomeCosts()).front().way, "xyw1");
 }
 
 TEST(Advice, CountsTheDistancesThatFloatsCarry) {
@@ -102,7 +102,7 @@ TEST(Advice, CountsTheDistancesThatFloatsCarry) {
     return -1.0;
   };
   const double object = bound("object"), xyw1 = bound("xyw1"), cpu = bound("cpu");
-  facts.world_offset = 1e5;  // one matrix: that costs nothing but in `world`
+  facts.world_reach = 1e4;  // one matrix: that costs nothing but in `world`
   EXPECT_EQ(bound("object"), object);
   EXPECT_EQ(bound("xyw1"), xyw1);
   EXPECT_GT(bound("world"), 1);
@@ -110,7 +110,7 @@ TEST(Advice, CountsTheDistancesThatFloatsCarry) {
   EXPECT_EQ(bound("object"), object);
   EXPECT_GT(bound("xyw1"), 100 * xyw1);
   EXPECT_EQ(bound("cpu"), cpu);
-  facts.means.one_matrix = true, facts.mesh_offset = 1e5;
+  facts.means.one_matrix = true, facts.reach = 1e4;
   for (const auto& [way, before] :
        {std::pair{"object", object}, std::pair{"xyw1", xyw1}, std::pair{"cpu", cpu}})
     EXPECT_GT(bound(way), 100 * before) << way;

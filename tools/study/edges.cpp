@@ -5,133 +5,25 @@
 #include <cmath>
 #include <optional>
 
+#include "tools/study/edge_maker.h"
+
 namespace clipc::study {
 namespace {
 
-struct Edge {
-  Vec4<float> ends[2];        // object space
-  Wide distances[2];          // the truth, of different signs
-  Vec4<long double> clip[2];  // positions, without float's rounding
-};
-
-struct Point {
-  long double x, y;  // pixels
-};
-
-Point PixelOf(const Vec4<long double>& p) {
-  return {p[0] / p[3] * (kPictureWidth / 2), p[1] / p[3] * (kPictureHeight / 2)};
-}
-
-Point PointAt(const Edge& edge, long double t) {
-  Vec4<long double> p;
-  for (int i = 0; i < 4; ++i) p[i] = edge.clip[0][i] + t * (edge.clip[1][i] - edge.clip[0][i]);
-  return PixelOf(p);
-}
-
-double Between(const Point& a, const Point& b) {
-  return static_cast<double>(std::hypot(a.x - b.x, a.y - b.y));
-}
-
-class EdgeMaker {
- public:
-  EdgeMaker(const Setup& setup, std::uint64_t seed)
-      : setup_(setup), config_(setup.config), random_(seed) {}
-
-  // An edge that crosses the plane; none if the random numbers do not give one.
-  std::optional<Edge> Next() {
-    const std::optional<Vector> point = PointOnPlane();
-    if (!point) return std::nullopt;
-    const Vector direction = ChooseDirection();
-    const double size = config_.camera.orthographic ? config_.camera.half_height : point->z;
-    const double length = config_.edge_length * size, before = random_.Between(0.2, 0.8);
-    Edge edge;
-    const Mat4<double> to_object = ConvertTo<double>(setup_.to_object);
-    for (int end = 0; end < 2; ++end) {
-      const Vector place = *point + (end == 0 ? -before : 1 - before) * length * direction;
-      edge.ends[end] =
-          ConvertTo<float>(Transform(Vec4<double>{{place.x, place.y, place.z, 1}}, to_object));
-      edge.ends[end][3] = 1;
-      edge.distances[end] = Dot(Transform(ConvertTo<Wide>(edge.ends[end]), world_), plane_);
-      edge.clip[end] = ToClip(edge.ends[end]);
-    }
-    if ((edge.distances[0] >= 0) == (edge.distances[1] >= 0)) return std::nullopt;
-    return edge;
-  }
-
-  // The position in clip space, without rounding.
-  Vec4<long double> ToClip(const Vec4<float>& vertex) const {
-    return ConvertTo<long double>(
-        Transform(Transform(Transform(ConvertTo<Wide>(vertex), world_), view_), projection_));
-  }
-
- private:
-  // A point of the frustum, moved to the plane along the normal, that is still in the picture.
-  std::optional<Vector> PointOnPlane() {
-    const Camera& camera = config_.camera;
-    const Matrix& p = setup_.projection;
-    const double z = random_.Magnitude(config_.nearest, config_.farthest),
-                 w = camera.orthographic ? 1 : z;
-    const double x = random_.Between(-1, 1), y = random_.Between(-1, 1);
-    const Vector at{(x - camera.offset_x) / p.m[0][0] * w, (y - camera.offset_y) / p.m[1][1] * w,
-                    z};
-    const Vector point = at - (Dot(normal_, at) + config_.view_plane.w) * normal_;
-    if (point.z < config_.nearest / 2 || point.z > config_.farthest * 2 || point.z < camera.near)
-      return std::nullopt;
-    const double now_w = camera.orthographic ? 1 : point.z;
-    const double to_x = point.x * p.m[0][0] + camera.offset_x * now_w;
-    const double to_y = point.y * p.m[1][1] + camera.offset_y * now_w;
-    if (std::fabs(to_x) > now_w || std::fabs(to_y) > now_w) return std::nullopt;
-    return point;
-  }
-
-  Vector ChooseDirection() {
-    Vector direction;
-    do direction = random_.Direction();
-    while (std::fabs(Dot(direction, normal_)) <= config_.least_sine);
-    if (config_.surface_angle < 0) return direction;
-    Vector along;  // the direction's part in the plane
-    do {
-      direction = random_.Direction();
-      along = direction - Dot(direction, normal_) * normal_;
-    } while (Dot(along, along) < 0.01);
-    return std::cos(config_.surface_angle) * along / std::sqrt(Dot(along, along)) +
-           std::sin(config_.surface_angle) * normal_;
-  }
-
-  const Setup& setup_;
-  const Config& config_;
-  const Vector normal_{config_.view_plane.x, config_.view_plane.y, config_.view_plane.z};
-  Random random_;
-  Mat4<Wide> world_ = ConvertTo<Wide>(setup_.world), view_ = ConvertTo<Wide>(setup_.view);
-  Mat4<Wide> projection_ = ConvertTo<Wide>(setup_.projection);
-  Vec4<Wide> plane_ = ConvertTo<Wide>(setup_.world_plane);
-};
-
 // Pixels between the true cut and the method's; infinity where a distance is not a number.
-double Displacement(const Edge& edge, const Distance& distance, bool makes_vertices,
-                    const EdgeMaker& maker) {
+double Displacement(const Setup& setup, const Edge& edge, const SeenEdge& seen, Point right,
+                    const Distance& distance, bool makes_vertices) {
   const double d[2] = {distance(edge.ends[0]), distance(edge.ends[1])};
   if (!std::isfinite(d[0]) || !std::isfinite(d[1])) return INFINITY;
-  const Point right = PointAt(
-      edge, static_cast<long double>(edge.distances[0] / (edge.distances[0] - edge.distances[1])));
-  const bool kept[2] = {d[0] >= 0, d[1] >= 0};
-  if (kept[0] != kept[1]) {
-    const long double first = d[0], second = d[1];
-    if (makes_vertices) {
-      Vec4<float> cut = edge.ends[0];
-      for (int i = 0; i < 3; ++i) {
-        const double from = static_cast<double>(edge.ends[0][i]),
-                     to = static_cast<double>(edge.ends[1][i]);
-        cut[i] = static_cast<float>(from + d[0] / (d[0] - d[1]) * (to - from));
-      }
-      return Between(PixelOf(maker.ToClip(cut)), right);
-    }
-    return Between(PointAt(edge, first / (first - second)), right);
+  if (!makes_vertices || (d[0] >= 0) == (d[1] >= 0))
+    return Between(seen.At(CutShare(edge, d)), right);
+  Vec4<float> cut = edge.ends[0];
+  for (int i = 0; i < 3; ++i) {
+    const double from = static_cast<double>(edge.ends[0][i]),
+                 to = static_cast<double>(edge.ends[1][i]);
+    cut[i] = static_cast<float>(from + d[0] / (d[0] - d[1]) * (to - from));
   }
-  // Kept whole: the cut moved to the end that should have been dropped; dropped whole: to the one
-  // to be kept.
-  const bool first_is_kept = edge.distances[0] >= 0;
-  return Between(PointAt(edge, first_is_kept == kept[0] ? 1 : 0), right);
+  return Between(PointOf(setup, cut), right);
 }
 
 EdgeErrors Summary(const std::string& method, std::vector<double> pixels) {
@@ -152,31 +44,110 @@ EdgeErrors Summary(const std::string& method, std::vector<double> pixels) {
   return errors;
 }
 
-}  // namespace
-
-std::vector<EdgeErrors> MeasureEdges(const Config& config, const std::vector<Method>& methods,
-                                     long count, std::uint64_t seed) {
-  const Setup setup = Prepare(config);
+// The displacements of `count` edges for each method that applies.
+std::vector<std::optional<std::vector<double>>> PixelsOf(const Setup& setup,
+                                                         const std::vector<Method>& methods,
+                                                         long count, std::uint64_t seed) {
   std::vector<std::optional<Distance>> distances;
-  for (const Method& method : methods) distances.push_back(method.prepare(setup));
-  std::vector<std::vector<double>> pixels(methods.size());
+  std::vector<std::optional<std::vector<double>>> pixels;
+  for (const Method& method : methods) {
+    distances.push_back(method.prepare(setup));
+    if (distances.back()) {
+      pixels.emplace_back().emplace();
+    } else {
+      pixels.emplace_back();
+    }
+  }
   EdgeMaker maker(setup, seed);
   long made = 0;
   for (long tries = 0; made < count && tries < 400 * count; ++tries) {
     const std::optional<Edge> edge = maker.Next();
     if (!edge) continue;
     ++made;
+    const SeenEdge seen(setup, *edge);
+    const Point right = seen.At(TrueShare(*edge));
     for (std::size_t i = 0; i < methods.size(); ++i) {
       if (distances[i])
-        pixels[i].push_back(Displacement(*edge, *distances[i], methods[i].makes_vertices, maker));
+        pixels[i]->push_back(
+            Displacement(setup, *edge, seen, right, *distances[i], methods[i].makes_vertices));
     }
   }
+  return pixels;
+}
+
+// A config whose numbers differ in most of their digits, and by a hundredth at most; its plane goes
+// through a visible point of the other.
+Config Nearby(const Config& config, Random& random) {
+  const Setup setup = Prepare(config);
+  std::optional<Vector> point;
+  for (int tries = 0; !point && tries < 1000; ++tries) point = RandomCut(setup, random);
+  if (!point) return config;
+  Config near = config;
+  const Vector normal = {config.view_plane.x, config.view_plane.y, config.view_plane.z};
+  near.view_plane = PlaneThroughPoint(normal + 1e-3 * random.Direction(), *point);
+  near.camera.yaw += random.Between(-0.01, 0.01);
+  near.camera.pitch += random.Between(-0.01, 0.01);
+  near.world_offset *= random.Between(0.99, 1.01);
+  near.mesh_offset *= random.Between(0.99, 1.01);
+  return near;
+}
+
+}  // namespace
+
+std::vector<EdgeErrors> MeasureEdges(const Config& config, const std::vector<Method>& methods,
+                                     long count, std::uint64_t seed) {
+  return MeasureEdges(Prepare(config), methods, count, seed);
+}
+
+std::vector<EdgeErrors> MeasureEdges(const Setup& setup, const std::vector<Method>& methods,
+                                     long count, std::uint64_t seed) {
+  auto pixels = PixelsOf(setup, methods, count, seed);
   std::vector<EdgeErrors> errors;
   for (std::size_t i = 0; i < methods.size(); ++i) {
-    errors.push_back(distances[i] ? Summary(methods[i].name, std::move(pixels[i]))
-                                  : EdgeErrors{.method = methods[i].name});
+    errors.push_back(pixels[i] ? Summary(methods[i].name, std::move(*pixels[i]))
+                               : EdgeErrors{.method = methods[i].name});
   }
   return errors;
+}
+
+std::vector<double> DisplacementsOverPlanes(const Config& config, const Method& method, int planes,
+                                            long count, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<double> all;
+  for (int i = 0; i < planes; ++i) {
+    const auto pixels =
+        PixelsOf(Prepare(Nearby(config, random)), {method}, count, seed + 1 + i).front();
+    if (!pixels) return {};
+    all.insert(all.end(), pixels->begin(), pixels->end());
+  }
+  return all;
+}
+
+EdgeErrors MeasureOverPlanes(const Config& config, const Method& method, int planes, long count,
+                             std::uint64_t seed) {
+  std::vector<double> all = DisplacementsOverPlanes(config, method, planes, count, seed);
+  return all.empty() ? EdgeErrors{.method = method.name} : Summary(method.name, std::move(all));
+}
+
+EdgeErrors MeasureDirections(double ratio, const Method& method, int planes, long count,
+                             std::uint64_t seed) {
+  Random random(seed);
+  std::vector<double> all;
+  for (int i = 0; i < planes; ++i) {
+    Config config;
+    config.camera.far = 1e7;
+    Vector normal = random.Direction();
+    // The eye on the clipped side, and the plane before it.
+    normal.z = std::max(std::fabs(normal.z), 0.2);
+    normal = Unit(normal);
+    const double depth = ratio * config.camera.near / normal.z;
+    config.view_plane = PlaneThroughPoint(normal, {0, 0, depth});
+    config.nearest = depth / 2, config.farthest = 2 * depth;
+    config.camera.yaw = random.Between(-3, 3), config.camera.pitch = random.Between(-1, 1);
+    const auto pixels = PixelsOf(Prepare(config), {method}, count, seed + 1 + i).front();
+    if (pixels) all.insert(all.end(), pixels->begin(), pixels->end());
+  }
+  return all.empty() ? EdgeErrors{.method = method.name} : Summary(method.name, std::move(all));
 }
 
 }  // namespace clipc::study

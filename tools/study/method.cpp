@@ -19,7 +19,7 @@ constexpr auto kXyw1Position = [](const Vec4<float>& p) {
   return Vec4<float>{{p[0], p[1], p[3], 1}};
 };
 
-// The vertex times one matrix, times two, and as it is.
+// The vertex times one matrix, times one that was multiplied in float, times two, and as it is.
 constexpr auto kOnce = [](const Setup& setup) {
   return [m = ConvertTo<float>(setup.world_view_projection)](const Vec4<float>& v) {
     return Transform(v, m);
@@ -30,6 +30,12 @@ constexpr auto kInSteps = [](const Setup& setup) {
           rest = ConvertTo<float>(Multiply(setup.view, setup.projection))](const Vec4<float>& v) {
     return Transform(Transform(v, world), rest);
   };
+};
+constexpr auto kByFloatProduct = [](const Setup& setup) {
+  const auto product =
+      Multiply(Multiply(ConvertTo<float>(setup.world), ConvertTo<float>(setup.view)),
+               ConvertTo<float>(setup.projection));
+  return [product](const Vec4<float>& v) { return Transform(v, product); };
 };
 constexpr auto kAsItIs = [](const Setup&) { return kWhole; };
 
@@ -55,6 +61,12 @@ Method ClipSpaceInSteps() { return BySpace("clip-steps", PlaneSpace::kClip, kWho
 Method Xyw1Space() { return BySpace("xyw1", PlaneSpace::kXyw1, kXyw1Position, kOnce); }
 Method Xyw1SpaceInSteps() {
   return BySpace("xyw1-steps", PlaneSpace::kXyw1, kXyw1Position, kInSteps);
+}
+Method ClipSpaceOfFloatProduct() {
+  return BySpace("clip-product", PlaneSpace::kClip, kWhole, kByFloatProduct);
+}
+Method Xyw1SpaceOfFloatProduct() {
+  return BySpace("xyw1-product", PlaneSpace::kXyw1, kXyw1Position, kByFloatProduct);
 }
 Method ObjectSpace() { return BySpace("object", PlaneSpace::kObject, kWhole, kAsItIs); }
 
@@ -137,9 +149,11 @@ Method CpuDouble() {
 }
 
 std::vector<Method> AllMethods() {
-  return {ClipSpace(),    ClipSpaceInSteps(), Xyw1Space(),      Xyw1SpaceInSteps(),
-          ObjectSpace(),  WorldSpace(),       ViewSpace(),      DocumentFormula(),
-          FloatInverse(), NearPlane(),        NearPlaneFloat(), CpuDouble()};
+  return {ClipSpace(),       ClipSpaceInSteps(), ClipSpaceOfFloatProduct(),
+          Xyw1Space(),       Xyw1SpaceInSteps(), Xyw1SpaceOfFloatProduct(),
+          ObjectSpace(),     WorldSpace(),       ViewSpace(),
+          DocumentFormula(), FloatInverse(),     NearPlane(),
+          NearPlaneFloat(),  CpuDouble()};
 }
 
 }  // namespace clipc::study

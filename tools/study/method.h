@@ -32,6 +32,9 @@ Method ObjectSpace();  // --plane-space=object
 // mul(mul(v, world), view_projection).
 Method ClipSpaceInSteps();
 Method Xyw1SpaceInSteps();
+// The same two with one matrix that the application multiplied in float.
+Method ClipSpaceOfFloatProduct();
+Method Xyw1SpaceOfFloatProduct();
 Method WorldSpace();  // SV_ClipDistance from a float world-space vertex
 Method ViewSpace();   // SV_ClipDistance from a float view-space vertex
 // C_P by its published closed form, C_P = (Cx/Px, Cy/Py, Cw/B, Cz - Cw A/B), each operation in

@@ -37,9 +37,10 @@ RandomDraw OneDraw(Random& random) {
 
   DrawFacts& facts = draw.facts;
   facts.camera = camera, facts.view_plane = config.view_plane;
-  facts.depth = depth, facts.picture_height = kPictureHeight,
-  facts.sine = std::sin(config.surface_angle);
-  facts.world_offset = config.world_offset + depth;
+  facts.picture_height = kPictureHeight, facts.sine = std::sin(config.surface_angle);
+  const Setup setup = Prepare(config);
+  facts.reach = ReachOf(setup, OriginInView(setup.world_view));
+  facts.world_reach = ReachOf(setup, OriginInView(setup.view));
   const std::uint32_t machine = random.Below(5);
   facts.means.clip_distances = machine < 3;
   facts.means.user_planes = machine == 3;

@@ -8,11 +8,15 @@
 
 #include "runtime/clip_plane.h"
 #include "tools/study/numbers.h"
+#include "tools/study/scene_measure.h"
+#include "tools/study/setup.h"
+#include "tools/study/visible_cut.h"
 
 namespace clipc::study {
 namespace {
 
 constexpr int kObjects = 1000;
+constexpr long kEdges = 2000;  // to measure by
 
 // Where an object stands and how large it is.
 struct Spot {
@@ -118,6 +122,16 @@ bool IsOutsideFrustum(const SceneObject& object, const Camera& camera) {
   return false;
 }
 
+// The largest distance of these places from an origin, in heights of the picture at their depth.
+double FarthestReach(const Camera& camera, const std::vector<Vector>& cut, Vector origin) {
+  double reach = 0;
+  for (const Vector& place : cut) {
+    const Vector away = place - origin;
+    reach = std::max(reach, std::sqrt(Dot(away, away)) / (2 * camera.HalfHeightAt(place.z)));
+  }
+  return reach;
+}
+
 double Middle(const runtime::Box& box, int axis) {
   return (static_cast<double>(box.low[axis]) + static_cast<double>(box.high[axis])) / 2;
 }
@@ -157,27 +171,18 @@ DrawFacts FactsOf(const SceneObject& object, const Camera& camera, const Scene& 
       {Middle(object.box, 0), Middle(object.box, 1), Middle(object.box, 2), 1}};
   const Vec4<double> in_world = Transform(middle, ConvertTo<double>(object.world));
   const Vec4<double> in_view = Transform(in_world, ConvertTo<double>(view));
-  facts.world_offset =
-      std::sqrt(in_world[0] * in_world[0] + in_world[1] * in_world[1] + in_world[2] * in_world[2]);
-  facts.depth = std::max(in_view[2], camera.near);
-  double diagonal = 0, farthest = 0, scale = 0;
+  const double depth = std::max(in_view[2], camera.near);
+  double diagonal = 0;
   for (int j = 0; j < 3; ++j) {
-    double side = 0, row = 0;
+    double side = 0;
     for (int i = 0; i < 3; ++i) {
       side += (static_cast<double>(object.box.high[i]) - static_cast<double>(object.box.low[i])) *
               std::fabs(object.world.m[i][j]);
-      row += object.world.m[j][i] * object.world.m[j][i];
     }
     diagonal += side * side;
-    scale = std::max(scale, std::sqrt(row));
-    const double end = std::max(std::fabs(static_cast<double>(object.box.low[j])),
-                                std::fabs(static_cast<double>(object.box.high[j])));
-    farthest += end * end;
   }
   const double size = std::sqrt(diagonal);
-  facts.extent = size / camera.HalfHeightAt(facts.depth);
-  // Around its own origin an object has the errors that the laws are made for.
-  facts.mesh_offset = std::max(0.0, scale * std::sqrt(farthest) - size);
+  facts.extent = size / camera.HalfHeightAt(depth);
   double worst = -1;
   for (std::size_t i = 0; i < scene.planes.size(); ++i) {
     if ((needed >> i & 1) == 0) continue;
@@ -187,6 +192,16 @@ DrawFacts FactsOf(const SceneObject& object, const Camera& camera, const Scene& 
     worst = std::fabs(plane.value.plane.w) / length;
     facts.view_plane = plane.value.plane;
   }
+  if (worst < 0) return facts;
+  // What is seen of the cut inside the object's box; the object's middle where nothing is.
+  const Matrix world_view = Multiply(object.world, view);
+  const double farthest = camera.infinite ? depth + size : std::min(camera.far, depth + size);
+  std::vector<Vector> cut = CutOfBox(
+      VisibleCut(camera, facts.view_plane, camera.near, std::max(farthest, 2 * camera.near)),
+      object.box, world_view);
+  if (cut.empty()) cut.push_back({in_view[0], in_view[1], depth});
+  facts.reach = FarthestReach(camera, cut, OriginInView(world_view));
+  facts.world_reach = FarthestReach(camera, cut, OriginInView(view));
   return facts;
 }
 
@@ -209,7 +224,10 @@ std::vector<ObjectAdvice> AdviseScene(const Scene& scene, const Camera& camera,
       if (!plan.drawn() || plan.needed == 0) continue;
       DrawFacts facts = FactsOf(scene.objects[i], camera, scene, plan.needed);
       facts.means.whole_pass = whole_pass;
-      all[i].best = Advise(facts, costs, scene.tolerance).front();
+      const Measure measure = [&](const Way& way) {
+        return MeasureObject(scene, camera, scene.objects[i], plan.needed, way, kEdges, 1);
+      };
+      all[i].best = Advise(facts, costs, scene.tolerance, measure).front();
       if (!all[i].best->meets) all[i].cure = CureFor(facts, costs, scene.tolerance);
       is_shared = is_shared && all[i].best->way == "near-plane";
     }

@@ -72,7 +72,8 @@ struct ObjectAdvice {
 };
 
 // Advice on every object that a camera sees, beside scene.objects. `near-plane` is recommended for
-// all that is drawn or for nothing: where each drawn object is cut by the same one plane.
+// all that is drawn or for nothing: where each drawn object is cut by the same one plane. What the
+// laws leave open is measured with the scene's own matrices and planes.
 std::vector<ObjectAdvice> AdviseScene(const Scene& scene, const Camera& camera,
                                       const CostTable& costs);
 

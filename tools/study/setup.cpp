@@ -1,15 +1,57 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "tools/study/setup.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "runtime/clip_plane.h"
+#include "runtime/mirror.h"
+#include "tools/study/visible_cut.h"
 
 namespace clipc::study {
 
 Plane PlaneThroughPoint(Vector direction, Vector point) {
   const Vector n = Unit(direction);
   return {n.x, n.y, n.z, -Dot(n, point)};
+}
+
+Vector OriginInView(const Matrix& to_view) {
+  return {to_view.m[3][0], to_view.m[3][1], to_view.m[3][2]};
+}
+
+std::optional<Vector> RandomCut(const Setup& setup, Random& random) {
+  if (!setup.cut.empty()) return RandomPlace(setup.cut, setup.config.camera, random);
+  const Config& config = setup.config;
+  const Camera& camera = config.camera;
+  const Matrix& p = setup.projection;
+  const Vector normal = {config.view_plane.x, config.view_plane.y, config.view_plane.z};
+  const double z = random.Magnitude(config.nearest, config.farthest),
+               w = camera.orthographic ? 1 : z;
+  const double x = random.Between(-1, 1), y = random.Between(-1, 1);
+  const Vector at{(x - camera.offset_x) / p.m[0][0] * w, (y - camera.offset_y) / p.m[1][1] * w, z};
+  const Vector point = at - (Dot(normal, at) + config.view_plane.w) * normal;
+  if (point.z < config.nearest / 2 || point.z > config.farthest * 2 || point.z < camera.near)
+    return std::nullopt;
+  const double now_w = camera.orthographic ? 1 : point.z;
+  const double to_x = point.x * p.m[0][0] + camera.offset_x * now_w;
+  const double to_y = point.y * p.m[1][1] + camera.offset_y * now_w;
+  if (std::fabs(to_x) > now_w || std::fabs(to_y) > now_w) return std::nullopt;
+  return point;
+}
+
+double ReachOf(const Setup& setup, Vector origin_in_view) {
+  Random random(1);
+  double sum = 0;
+  int count = 0;
+  for (int tries = 0; count < 200 && tries < 80000; ++tries) {
+    const std::optional<Vector> cut = RandomCut(setup, random);
+    if (!cut) continue;
+    ++count;
+    const Vector away = *cut - origin_in_view;
+    const double height = 2 * setup.config.camera.HalfHeightAt(cut->z);
+    sum += Dot(away, away) / (height * height);
+  }
+  return std::sqrt(sum / std::max(count, 1));
 }
 
 Setup Prepare(const Config& config) {
@@ -20,11 +62,22 @@ Setup Prepare(const Config& config) {
   const double away[3] = {0.8, -0.5, 0.33};
   for (int i = 0; i < 3; ++i) camera.eye[i] += away[i] * config.world_offset;
   setup.view = camera.View();
+  Matrix view_to_world = camera.ViewToWorld();
+  if (config.mirrored) {
+    // A mirror at the eye, so that offsets stay what they are.
+    const Plane mirror =
+        PlaneThroughPoint({0.3, 0.9, -0.2}, {camera.eye[0], camera.eye[1], camera.eye[2]});
+    const Matrix mirrored = runtime::MirrorMatrix(mirror).value;
+    setup.view = Multiply(mirrored, setup.view);
+    view_to_world = Multiply(view_to_world, mirrored);
+  }
   setup.projection = camera.Projection();
 
   // The object stands where the surfaces are, turned in a way of its own.
   setup.world = harness::Rotation(1.1, 0.4, -0.7);
-  const Matrix view_to_world = camera.ViewToWorld();
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) setup.world.m[i][j] *= config.scale[i];
+  }
   const double depth = std::sqrt(config.nearest * config.farthest);
   for (int j = 0; j < 3; ++j)
     setup.world.m[3][j] =

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "runtime/matrix.h"
 #include "tools/study/numbers.h"
 
 namespace clipc::study {
 
-inline constexpr double kPictureWidth = 1920, kPictureHeight = 1080;
+// Rows of the picture that errors are told for; it has as many columns as the aspect says.
+inline constexpr double kPictureHeight = 1080;
 
 // One case to measure: a camera, a plane, and the place of the surfaces that it cuts.
 struct Config {
@@ -20,8 +24,10 @@ struct Config {
   double mesh_offset = 0;
   // The angle between surface and plane in radians. Negative: any whose sine is least_sine or more.
   double surface_angle = -1;
-  double least_sine = 0.05;  // 3 degrees
-  double plane_scale = 1;    // the length of the world-space plane's normal
+  double least_sine = 0.05;     // 3 degrees
+  double plane_scale = 1;       // the length of the world-space plane's normal
+  bool mirrored = false;        // the view contains a mirror, as for a reflection
+  double scale[3] = {1, 1, 1};  // of the object's axes
   // The length of the triangle edges, as a multiple of the depth (orthographic: of half_height).
   double edge_length = 0.05;
 };
@@ -34,11 +40,25 @@ struct Setup {
   Matrix world_view, world_view_projection;     // multiplied in double
   Matrix to_object;                             // from view space, only to make vertices
   Plane world_plane, view_plane, object_plane;  // in double
+  // The part of the cut to take, as VisibleCut has it; where this is empty, `config` says.
+  std::vector<Vector> cut;
 };
 
 // Makes the matrices and planes. Turns the camera a little, so that no element of a matrix is 0 or
 // 1 by accident.
 Setup Prepare(const Config& config);
+
+// A place of the visible cut in view space: of `setup.cut`, evenly over the picture; or a point of
+// the frustum, at a depth of the surfaces, moved to the plane along its normal; none where that is
+// not in the picture any more.
+std::optional<Vector> RandomCut(const Setup& setup, Random& random);
+
+// The distance of the visible cut from a space's origin, which has this place in view space, in
+// heights of the picture at the cut's depth, as a root of the mean square: the `reach` of
+// PredictEdgeError.
+double ReachOf(const Setup& setup, Vector origin_in_view);
+// The place in view space of the origin of the space that `to_view` begins in.
+Vector OriginInView(const Matrix& to_view);
 
 // The plane through that point whose unit normal has that direction.
 Plane PlaneThroughPoint(Vector direction, Vector point);

@@ -2,6 +2,7 @@
 // Where each method fails, as laws on the displacement of cut edges (tools/study/edges.h), each
 // with a mutation that breaks it. Seeds are fixed; the factors are what a law's constant may be off
 // by, and measured values stand beside them.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <tuple>
@@ -39,9 +40,10 @@ Config Oblique(double depth, double near = 0.1, double far = 1e6) {
 
 double Predicted(const Config& config, runtime::PlaneSpace space, double distance = 0) {
   const double depth = std::sqrt(config.nearest * config.farthest);
-  return runtime::PredictEdgeError(space, config.view_plane, config.camera.Projection(),
-                                   kPictureHeight, runtime::kAnySurface,
-                                   distance / (2 * config.camera.HalfHeightAt(depth)))
+  return runtime::PredictEdgeError(
+             space, config.view_plane, config.camera.Projection(), kPictureHeight,
+             runtime::kAnySurface,
+             std::max(runtime::kAroundOrigin, distance / (2 * config.camera.HalfHeightAt(depth))))
       .value;
 }
 
@@ -193,12 +195,16 @@ bool FollowsAngleLaw(const Method& method, runtime::PlaneSpace space) {
   for (const double degrees : {90.0, 10.0, 1.0, 0.1, 0.03}) {
     Config config = Oblique(4, 0.1, 1000);
     config.surface_angle = degrees * std::numbers::pi / 180;
+    const Setup setup = Prepare(config);
+    const double reach = ReachOf(setup, OriginInView(setup.world_view));
     const double law =
         runtime::PredictEdgeError(space, config.view_plane, config.camera.Projection(),
-                                  kPictureHeight, std::sin(config.surface_angle))
+                                  kPictureHeight, std::sin(config.surface_angle), reach)
             .value;
-    const double share = P99(config, method) / std::min(law, 40.0);  // an edge is hardly longer
-    follows = follows && share > 0.2 && share < 2;
+    // Over several planes: one of them may round luckily.
+    const double p99 = MeasureOverPlanes(config, method, 8, 400, 12345).p99;
+    const double share = p99 / std::min(law, 40.0);  // an edge is hardly longer
+    follows = follows && share > 0.2 && share < 3;
   }
   return follows;
 }

@@ -14,9 +14,9 @@ namespace clipc::study {
 // program/method.hlsl, and its constants.
 enum class WayKind {
   kNone,    // no clipping: costs are compared with it
-  kClip,    // [clipplanes], plane space clip: fxc, DXC, wined3d
-  kXyw1,    // --plane-space=xyw1
   kObject,  // --plane-space=object
+  kXyw1,    // --plane-space=xyw1
+  kClip,    // [clipplanes], plane space clip: fxc, DXC, wined3d
   kLevel9,  // a level_9_1 shader and glClipPlane: SetClipPlane, Mesa's lowering of it
   kWorld,   // SV_ClipDistance from world space, by hand
   // --lower=near-plane --plane-space=object, scaled as runtime::ShearNearPlane says (Lengyel).
@@ -43,15 +43,16 @@ struct Way {
 };
 
 // All of them, in the order of the enumerators. Of ways that are as good and as cheap the first one
-// is advised; those that discard come last, as multisampling does not smooth their cuts.
+// is advised: that which does not flicker before those that do, and those that discard last, as
+// multisampling does not smooth their cuts.
 inline constexpr Way kWays[] = {
     {WayKind::kNone, "none", 0, Needs::kNothing, {}, {}, nullptr},
-    {WayKind::kClip, "clip", 6, Needs::kDistances, PlaneSpace::kClip, Lowering::kClipDistance,
-     ClipSpace},
-    {WayKind::kXyw1, "xyw1", 6, Needs::kDistances, PlaneSpace::kXyw1, Lowering::kClipDistance,
-     Xyw1Space},
     {WayKind::kObject, "object", 6, Needs::kDistances, PlaneSpace::kObject, Lowering::kClipDistance,
      ObjectSpace},
+    {WayKind::kXyw1, "xyw1", 6, Needs::kDistances, PlaneSpace::kXyw1, Lowering::kClipDistance,
+     Xyw1Space},
+    {WayKind::kClip, "clip", 6, Needs::kDistances, PlaneSpace::kClip, Lowering::kClipDistance,
+     ClipSpace},
     {WayKind::kLevel9, "level9", 6, Needs::kUserPlanes, PlaneSpace::kClip, Lowering::kLevel9,
      ClipSpace},
     {WayKind::kWorld, "world", 6, Needs::kDistances, {}, {}, WorldSpace},

@@ -12,6 +12,7 @@
 #include "tools/harness/options.h"
 #include "tools/study/depth.h"
 #include "tools/study/edges.h"
+#include "tools/study/flicker.h"
 #include "tools/study/program/commands.h"
 #include "tools/study/program/csv.h"
 #include "tools/study/program/pixels.h"
@@ -19,6 +20,8 @@
 #include "tools/study/program/special.h"
 #include "tools/study/program/speed.h"
 #include "tools/study/random_draws.h"
+#include "tools/study/random_scenes.h"
+#include "tools/study/regimes.h"
 #include "tools/study/roundings.h"
 #include "tools/study/scene.h"
 #include "tools/study/sweeps.h"
@@ -41,6 +44,9 @@ class Study {
 
   void Run() {
     Edges();
+    Directions();
+    Laws();
+    Flickers();
     Roundings();
     Depth();
     Pixels();
@@ -48,7 +54,8 @@ class Study {
     rule_costs_ = Speed("speed.csv", "cost");
     Scenes();
     SceneCosts();
-    RandomScenes();
+    RandomAdvice();
+    AdviceOnScenes();
   }
 
  private:
@@ -68,6 +75,53 @@ class Study {
       }
       progress(static_cast<double>(i + 1) / static_cast<double>(points.size()));
     }
+  }
+
+  // Plane directions that nobody chose, at some distances from the eye: each way's error over all
+  // of them.
+  void Directions() {
+    Csv csv(Path("directions.csv"),
+            {"eye_to_plane", "method", "planes", "median_px", "p99_px", "largest_px"});
+    const int planes = options_.quick ? 8 : 60;
+    for (const double ratio : {10.0, 400.0, 10000.0}) {
+      for (const Method& method : AllMethods()) {
+        const EdgeErrors errors = MeasureDirections(ratio, method, planes, 400, 12);
+        if (errors.applies)
+          csv.Row(ratio, method.name, planes, errors.median, errors.p99, errors.largest);
+      }
+    }
+  }
+
+  // The laws of PredictEdgeError in the regimes that users are in.
+  void Laws() {
+    Csv csv(Path("laws.csv"),
+            {"regime", "draws", "low", "high", "least", "median", "most", "pooled_p99"});
+    for (const RegimeHeld& held : HoldLaw(options_.quick ? 1100 : 10000, 40, 424242, LawOf)) {
+      csv.Row(NameOf(held.regime), held.draws, held.low, held.high, held.least, held.median,
+              held.most, held.pooled);
+    }
+  }
+
+  // A camera that pans by a sixth of a degree a frame.
+  void Flickers() {
+    Csv csv(Path("flicker.csv"), {"eye_to_plane", "method", "median_px", "p99_px", "largest_px"});
+    for (const double ratio : {10.0, 30.0, 100.0, 400.0, 1000.0, 3000.0}) {
+      const Config config = ObliqueAt(0.1 * ratio / 0.77, 0.1, 1e6);
+      for (const Flicker& flicker :
+           MeasureFlicker(config, AllMethods(), options_.quick ? 6 : 20, 0.003, 500, 5)) {
+        if (flicker.applies)
+          csv.Row(ratio, flicker.method, flicker.median, flicker.p99, flicker.largest);
+      }
+    }
+  }
+
+  // The advice on scenes that nobody chose, held against their own edges.
+  void AdviceOnScenes() {
+    Csv csv(Path("advice-scenes.csv"),
+            {"scenes", "advised", "meets", "misses", "overlooked", "dearer"});
+    const int scenes = options_.quick ? 40 : 500;
+    const ScenesHeld held = HoldScenes(RandomScenes(scenes, 2026), 600);
+    csv.Row(scenes, held.advised, held.meets, held.misses, held.overlooked, held.dearer);
   }
 
   void Roundings() {
@@ -132,14 +186,14 @@ class Study {
 
   // The costs of the setting "picture".
   CostTable Speed(const std::string& name, const char* what) {
-    Csv csv(Path(name),
-            {"setting", "way", "planes", "median_ms", "least_ms", "ratio", "paired_ratio"});
+    Csv csv(Path(name), {"setting", "way", "planes", "median_ms", "least_ms", "ratio",
+                         "paired_ratio", "paired_low", "paired_high"});
     Progress progress(what);
     const std::vector<Cost> costs =
         MeasureSpeed(options_.quick ? 3 : 25, options_.quick ? 40 : 100, std::ref(progress));
     for (const Cost& cost : costs) {
       csv.Row(cost.setting, cost.way, cost.planes, cost.median_ms, cost.least_ms, cost.ratio,
-              cost.paired_ratio);
+              cost.paired_ratio, cost.paired_low, cost.paired_high);
     }
     return TableOf(costs);
   }
@@ -193,7 +247,7 @@ class Study {
 
   // The advice on draws that nobody chose: is the error under its bound, and the cost, measured a
   // second time, near the best?
-  void RandomScenes() {
+  void RandomAdvice() {
     const CostTable second = Speed("speed-again.csv", "cost, again");
     Csv csv(Path("advice.csv"),
             {"draw", "orthographic", "reversed", "rigid", "clip_distances", "user_planes", "way",

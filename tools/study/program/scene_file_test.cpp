@@ -135,7 +135,7 @@ TEST(SceneCommand, SaysWhatMeetsTheTolerance) {
 }
 
 TEST(SceneCommand, SaysThatNothingMeetsTheTolerance) {
-  const Said said = SayFor(R"("tolerance": 0.001, "can_discard": false, )", kCut, kMoved);
+  const Said said = SayFor(R"("tolerance": 0.0001, "can_discard": false, )", kCut, kMoved);
   EXPECT_EQ(said.exit_code, 1);
   EXPECT_THAT(said.text, ContainsRegex("flag +yes +\"the cut\" +xyw1 +0\\.[0-9]+ +no"));
   EXPECT_THAT(said.text, HasSubstr("the tolerance is not met 1 times"));
@@ -144,10 +144,10 @@ TEST(SceneCommand, SaysThatNothingMeetsTheTolerance) {
 
 TEST(SceneCommand, NamesTheCure) {
   const std::string baked = R"({"name": "level", "low": [49997, 49997, 49997],
-    "high": [50003, 50003, 50003],
-    "world": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -50000, -50000, -49900, 1]})";
-  EXPECT_THAT(SayFor(R"("tolerance": 0.1, )", kCut, baked).text,
-              HasSubstr("give the mesh one of its own"));
+    "high": [50003, 50003, 50003]})";
+  EXPECT_THAT(
+      SayFor(R"("tolerance": 0.1, )", "[0.6, 0, 0.8, -70000]", baked, "[50000, 50000, 49990]").text,
+      HasSubstr("give the mesh one of its own"));
   const std::string far_away = R"("can_discard": false, "one_matrix": false, )";
   const std::string moved = R"({"name": "flag", "rigid": false, "low": [-3, -3, -3],
     "high": [3, 3, 3], "world": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 8e5, 0, 100, 1]})";

@@ -133,11 +133,17 @@ std::vector<Cost> MeasureSpeed(int rounds, int detail,
       entry.cost.median_ms = harness::Median(entry.times);
       entry.cost.least_ms = *std::ranges::min_element(entry.times);
       entry.cost.paired_ratio = harness::Median(entry.shares);
+      std::ranges::sort(entry.shares);
+      const std::size_t tenth = entry.shares.size() / 10;
+      entry.cost.paired_low = entry.shares[tenth];
+      entry.cost.paired_high = entry.shares[entry.shares.size() - 1 - tenth];
     }
     const Cost none = entries.front().cost;
     for (Entry& entry : entries) {
       entry.cost.ratio = entry.cost.median_ms / none.median_ms;
-      entry.cost.paired_ratio /= none.paired_ratio;  // noise lifts them alike
+      // Noise lifts them alike.
+      entry.cost.paired_ratio /= none.paired_ratio;
+      entry.cost.paired_low /= none.paired_ratio, entry.cost.paired_high /= none.paired_ratio;
       costs.push_back(entry.cost);
     }
   }
@@ -157,7 +163,7 @@ CostTable ReadCosts(const std::string& path) {
   std::ifstream file(path);
   std::string line;
   if (!std::getline(file, line) ||
-      line != "setting,way,planes,median_ms,least_ms,ratio,paired_ratio") {
+      !line.starts_with("setting,way,planes,median_ms,least_ms,ratio,paired_ratio")) {
     throw harness::DrawError("`" + path + "` is not a speed.csv of clipc-study");
   }
   std::vector<Cost> costs;
@@ -165,8 +171,8 @@ CostTable ReadCosts(const std::string& path) {
     std::istringstream row(line);
     std::vector<std::string> cells;
     for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
-    if (cells.size() != 7)
-      throw harness::DrawError("`" + path + "` has a row that is not of seven cells");
+    if (cells.size() < 7)
+      throw harness::DrawError("`" + path + "` has a row of less than seven cells");
     Cost& cost = costs.emplace_back();
     cost.setting = cells[0], cost.way = cells[1], cost.planes = std::atoi(cells[2].c_str());
     cost.paired_ratio = std::strtod(cells[6].c_str(), nullptr);

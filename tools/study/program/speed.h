@@ -22,6 +22,7 @@ struct Cost {
   // The median of the ratios to the frames without planes just before and after, which other work
   // of the machine slows down as much.
   double paired_ratio = 1;
+  double paired_low = 1, paired_high = 1;  // a tenth of the repeats is below, and one above
 };
 
 // Measures all ways. Each round draws each way once, in an order of its own, so that no way always

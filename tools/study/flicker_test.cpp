@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// What flickers while the camera pans, and what does not.
+#include "tools/study/flicker.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "runtime/plane_space.h"
+#include "tools/study/sweeps.h"
+
+namespace clipc::study {
+namespace {
+
+// A sixth of a degree a frame: ten degrees a second.
+constexpr double kStep = 0.003;
+
+Flicker Of(const Config& config, const Method& method) {
+  const Flicker flicker = MeasureFlicker(config, {method}, 12, kStep, 300, 5).front();
+  EXPECT_TRUE(flicker.applies) << method.name;
+  return flicker;
+}
+
+double Law(const Config& config, PlaneSpace space) {
+  return PredictEdgeError(space, config.view_plane, config.camera.Projection(), kPictureHeight)
+      .value;
+}
+
+// Each frame's constant and matrix round in a way of their own, so that what a frame is off by is
+// what the cut moves by.
+TEST(Flicker, IsTheDisplacementOfAFrameForWhatFollowsTheCamera) {
+  for (const double ratio : {10.0, 100.0, 400.0, 1000.0}) {
+    const Config config = ObliqueAt(0.1 * ratio / 0.77, 0.1, 1e6);
+    for (const auto& [method, space] :
+         {std::pair{ClipSpace(), PlaneSpace::kClip}, std::pair{Xyw1Space(), PlaneSpace::kXyw1}}) {
+      const double share = Of(config, method).p99 / Law(config, space);
+      EXPECT_GT(share, 0.2) << method.name << ' ' << ratio;
+      EXPECT_LT(share, 3) << method.name << ' ' << ratio;
+    }
+    EXPECT_LT(Of(config, NearPlane()).p99, 0.002);
+  }
+  EXPECT_GT(Of(ObliqueAt(400 * 0.1 / 0.77, 0.1, 1e6), ClipSpace()).p99, 0.2);
+}
+
+// Neither the object's constant nor its vertices know of the camera.
+TEST(Flicker, IsExactlyNoneInObjectSpace) {
+  for (const double ratio : {10.0, 1000.0, 1e5}) {
+    const Config config = ObliqueAt(0.1 * ratio / 0.77, 0.1, 1e6);
+    EXPECT_EQ(Of(config, ObjectSpace()).largest, 0) << ratio;
+    EXPECT_EQ(Of(config, WorldSpace()).largest, 0) << ratio;
+    EXPECT_EQ(Of(config, CpuDouble()).largest, 0) << ratio;
+    // Mutation: a view-space vertex does know.
+    EXPECT_GT(Of(config, ViewSpace()).largest, 0) << ratio;
+  }
+}
+
+TEST(Flicker, ReversedDepthCuresIt) {
+  Config config = ObliqueAt(100, 0.1, 1e6);
+  config.camera.reversed = true;
+  EXPECT_LT(Of(config, ClipSpace()).p99, 0.005);
+}
+
+}  // namespace
+}  // namespace clipc::study
