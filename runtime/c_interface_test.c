@@ -31,3 +31,36 @@ clipc_error BindFromC(const void* bytes, size_t size, const float* constants, si
   clipc_table_free(table);
   return error;
 }
+
+/* Draws with clip distances from a table, as a C program does it: where each plane of the table
+ * lies, and the constant for it. `buffer` is the constant buffer that plane 0 names. */
+clipc_error FillFromC(const void* bytes, size_t size, const float world_plane[4],
+                      const float view[16], const float projection[16], unsigned char* buffer,
+                      size_t buffer_size, char* message) {
+  clipc_table* table = NULL;
+  clipc_error error = clipc_table_read(bytes, size, &table, message);
+  uint32_t i;
+  for (i = 0; error == CLIPC_OK && i < clipc_table_plane_count(table); ++i) {
+    clipc_plane_place place;
+    clipc_space_constant constant;
+    clipc_draw_matrices draw = {NULL, NULL, NULL};
+    draw.view = view;
+    draw.projection = projection;
+    error = clipc_table_get_plane(table, i, &place, message);
+    if (error == CLIPC_OK) {
+      error = clipc_plane_constant(clipc_table_plane_space(table), world_plane,
+                                   CLIPC_KNOWN_IN_WORLD, &draw, 1080, 0.5, &constant, message);
+    }
+    if (error == CLIPC_OK && place.in_register && place.byte_offset + 16 <= buffer_size)
+      memcpy(buffer + place.byte_offset, constant.constant, 16);
+  }
+  clipc_table_free(table);
+  return error;
+}
+
+/* The variant for a plan, and the planes that it takes. */
+clipc_shader_variant CompactFromC(uint8_t plan, const float* from, float* to) {
+  const clipc_shader_variant variant = clipc_variant_of(plan);
+  clipc_compact_planes(&variant, from, to);
+  return variant;
+}

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <algorithm>
 #include <cstring>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,11 +11,17 @@
 #include "runtime/clip_plane.h"
 #include "runtime/clip_status.h"
 #include "runtime/clipc_runtime.h"
+#include "runtime/mirror.h"
+#include "runtime/near_plane.h"
 #include "runtime/plane_space.h"
 #include "runtime/test_cameras.h"
 
 extern "C" clipc_error BindFromC(const void* bytes, size_t size, const float* constants,
                                  size_t constants_size, float* device, char* message);
+extern "C" clipc_error FillFromC(const void* bytes, size_t size, const float* world_plane,
+                                 const float* view, const float* projection, unsigned char* buffer,
+                                 std::size_t buffer_size, char* message);
+extern "C" clipc_shader_variant CompactFromC(std::uint8_t plan, const float* from, float* to);
 
 namespace clipc::runtime {
 namespace {
@@ -106,6 +115,124 @@ TEST(CInterface, PlanesAreThoseOfTheCppInterface) {
   projection[14] = 0;
   EXPECT_EQ(clipc_clip_plane(plane, nullptr, projection, got, nullptr), CLIPC_SINGULAR);
   EXPECT_LT(clipc_edge_error(CLIPC_SPACE_CLIP, plane, projection, 720), 0);
+}
+
+struct CMatrices {
+  float view[16], projection[16];
+  Matrix View() const { return RowVectorMatrix(view); }
+  Matrix Projection() const { return RowVectorMatrix(projection); }
+};
+
+CMatrices MatricesOf(const Camera& camera) {
+  CMatrices made;
+  Random random(1);
+  const Matrix rigid = random.Rigid(5);
+  for (int i = 0; i < 16; ++i) {
+    made.view[i] = static_cast<float>(rigid.m[i / 4][i % 4]);
+    made.projection[i] = static_cast<float>(camera.projection.m[i / 4][i % 4]);
+  }
+  return made;
+}
+
+// Two planes in b3, the second at byte 32, of a shader that writes clip distances.
+constexpr char kJson[] = R"({"schema": "clipc.clip-table", "version": 1, "entry": "main",
+  "profile": "vs_5_0", "lowering": "clip-distance", "position_space": "xyw1",
+  "plane_scale": "any", "enable_mask": 3, "planes": [
+    {"index": 0, "text": "first", "constant": {"cbuffer": "Clip", "cbuffer_element": 0,
+      "register": 3, "space": 0, "float4_register": 0, "byte_offset": 0,
+      "glsl_block": "Clip", "glsl_member": "Clip.first"}},
+    {"index": 1, "text": "second", "constant": {"cbuffer": "Clip", "cbuffer_element": 0,
+      "register": 3, "space": 0, "float4_register": 2, "byte_offset": 32,
+      "glsl_block": "Clip", "glsl_member": "Clip.second"}}]})";
+
+TEST(CInterface, TablesSayWhereEachPlaneLies) {
+  clipc_table* table = nullptr;
+  char message[CLIPC_MESSAGE_SIZE];
+  ASSERT_EQ(clipc_table_read(kJson, sizeof kJson - 1, &table, message), CLIPC_OK) << message;
+  EXPECT_EQ(clipc_table_lowering(table), CLIPC_LOWERING_CLIP_DISTANCE);
+  EXPECT_EQ(clipc_table_plane_space(table), CLIPC_SPACE_XYW1);
+  clipc_plane_place place;
+  ASSERT_EQ(clipc_table_get_plane(table, 1, &place, message), CLIPC_OK) << message;
+  EXPECT_EQ(place.in_register, 1);
+  EXPECT_EQ(place.register_number, 3u);
+  EXPECT_EQ(place.byte_offset, 32u);
+  EXPECT_STREQ(place.text, "second");
+  EXPECT_STREQ(place.cbuffer, "Clip");
+  EXPECT_STREQ(place.glsl_member, "Clip.second");
+  EXPECT_EQ(clipc_table_get_plane(table, 2, &place, message), CLIPC_INVALID_ARGUMENT);
+  EXPECT_STREQ(message, "plane 2 of a table with 2");
+  clipc_table_free(table);
+}
+
+TEST(CInterface, ConstantsAreThoseOfTheCppInterface) {
+  const CMatrices c = MatricesOf(PerspectiveCamera(0.1, 100));
+  const float plane[4] = {0.6F, 0, 0.8F, -3};
+  const Plane p = {static_cast<double>(plane[0]), 0, static_cast<double>(plane[2]), -3};
+  unsigned char buffer[48] = {};
+  char message[CLIPC_MESSAGE_SIZE];
+  ASSERT_EQ(FillFromC(kJson, sizeof kJson - 1, plane, c.view, c.projection, buffer, sizeof buffer,
+                      message),
+            CLIPC_OK)
+      << message;
+  const auto expected =
+      PlaneConstantFor(PlaneSpace::kXyw1, p, KnownIn::kWorld, {Matrix(), c.View(), c.Projection()});
+  EXPECT_EQ(std::memcmp(buffer, &expected.value.plane.constant, 16), 0);
+  EXPECT_EQ(std::memcmp(buffer + 32, &expected.value.plane.constant, 16), 0);
+
+  // A plane far away, in clip space: a warning and its sentence.
+  const float far_plane[4] = {1, 0, 0, -5000};
+  const clipc_draw_matrices draw = {nullptr, nullptr, c.projection};
+  clipc_space_constant made;
+  ASSERT_EQ(clipc_plane_constant(CLIPC_SPACE_CLIP, far_plane, CLIPC_KNOWN_IN_VIEW, &draw, 1080, 0.5,
+                                 &made, message),
+            CLIPC_OK);
+  EXPECT_EQ(made.warning, CLIPC_ILL_CONDITIONED);
+  EXPECT_THAT(made.warning_message, HasSubstr("pixels"));
+  EXPECT_GT(made.edge_error, 10);
+  EXPECT_EQ(clipc_plane_constant(CLIPC_SPACE_MAX, plane, CLIPC_KNOWN_IN_VIEW, &draw, 1080, 0.5,
+                                 &made, message),
+            CLIPC_INVALID_ARGUMENT);
+}
+
+TEST(CInterface, MirrorsAndNearPlanes) {
+  const CMatrices c = MatricesOf(PerspectiveCamera(0.1, 100));
+  const float plane[4] = {0, 0.6F, 0.8F, -3};
+  const Plane p = {0, static_cast<double>(plane[1]), static_cast<double>(plane[2]), -3};
+  float got[16];
+  ASSERT_EQ(clipc_mirror_matrix(plane, got, nullptr), CLIPC_OK);
+  const Matrix mirror = MirrorMatrix(p).value;
+  for (int i = 0; i < 16; ++i) EXPECT_EQ(got[i], static_cast<float>(mirror.m[i / 4][i % 4])) << i;
+  const float none[4] = {0, 0, 0, 1};
+  EXPECT_EQ(clipc_mirror_matrix(none, got, nullptr), CLIPC_SINGULAR);
+
+  clipc_sheared_projection sheared;
+  char message[CLIPC_MESSAGE_SIZE];
+  ASSERT_EQ(clipc_shear_near_plane(plane, c.projection, 0, 1, &sheared, message), CLIPC_OK)
+      << message;
+  const ShearedProjection expected =
+      ShearNearPlane(p, c.Projection(), {}, NearPlaneScale::kKeepFar).value;
+  EXPECT_EQ(sheared.scale, expected.scale);
+  EXPECT_EQ(sheared.projection[10], static_cast<float>(expected.projection.m[2][2]));
+  EXPECT_EQ(sheared.keeps_far, 1);
+  // The column of the projection is the one that the function writes into any matrix.
+  std::copy_n(c.projection, 16, got);
+  clipc_set_depth_column(got, plane, sheared.scale, 0);
+  EXPECT_EQ(std::memcmp(got, sheared.projection, sizeof got), 0);
+  EXPECT_EQ(clipc_shear_near_plane(plane, c.projection, CLIPC_DEPTH_REVERSED, 1, &sheared, message),
+            CLIPC_WRONG_PROJECTION);
+}
+
+TEST(CInterface, Variants) {
+  const float from[24] = {1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
+  float to[8] = {};
+  const clipc_shader_variant variant = CompactFromC(0b101, from, to);
+  EXPECT_EQ(variant.plane_count, 2);
+  EXPECT_THAT(to, ElementsAre(1, 1, 1, 1, 3, 3, 3, 3));
+  const std::uint8_t plans[4] = {3, CLIPC_CULLED, 0, 1};
+  std::uint32_t order[4];
+  std::size_t first[8];
+  clipc_order_by_plane_count(plans, 4, order, first);
+  EXPECT_THAT(std::vector<std::uint32_t>(order, order + first[7]), ElementsAre(2, 3, 0));
 }
 
 TEST(CInterface, ClipStatusAndPlans) {

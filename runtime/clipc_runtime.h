@@ -69,6 +69,32 @@ typedef enum clipc_plane_space {
 } clipc_plane_space;
 clipc_plane_space clipc_table_plane_space(const clipc_table* table);
 
+/* table.h: clipc::runtime::Lowering, what the shader does with its planes. */
+typedef enum clipc_lowering {
+  CLIPC_LOWERING_CLIP_DISTANCE = 0,
+  CLIPC_LOWERING_LEVEL9,
+  CLIPC_LOWERING_NONE,
+  CLIPC_LOWERING_NEAR_PLANE,
+  CLIPC_LOWERING_DISCARD,
+  CLIPC_LOWERING_MAX = 0x7fffffff
+} clipc_lowering;
+clipc_lowering clipc_table_lowering(const clipc_table* table);
+
+/* table.h: TablePlane, the place of one plane among the constants. Texts live as long as the table,
+ * and are empty, not NULL, where there is nothing. `index` is below clipc_table_plane_count. */
+typedef struct clipc_plane_place {
+  int in_register;          /* 0: composed of several constants; the members below are empty */
+  uint32_t register_number; /* n of b<n> */
+  uint32_t register_space;
+  uint32_t byte_offset; /* of the four floats in that buffer */
+  const char* text;     /* the operand of [clipplanes] */
+  const char* cbuffer;
+  const char* glsl_block;  /* empty for a plain uniform */
+  const char* glsl_member; /* the member or uniform; empty if the shader does not read it */
+} clipc_plane_place;
+clipc_error clipc_table_get_plane(const clipc_table* table, uint32_t index,
+                                  clipc_plane_place* place, char* message);
+
 /* clip_device.h. Both functions receive `context` and return 0 if the device refuses the call. */
 typedef struct clipc_device {
   void* context;
@@ -105,6 +131,49 @@ clipc_error clipc_xyw1_plane(const float view_plane[4], const float projection[1
 clipc_error clipc_object_plane(const float world_plane[4], const float world[16],
                                float object_plane[4], char* message);
 
+/* plane_space.h: PlaneConstantFor, the constant of a plane for the table's plane space. A matrix
+ * that is NULL is the identity. Warning: none, or CLIPC_ILL_CONDITIONED with a sentence where the
+ * edge moves by more than `most_pixels` in a picture of `rows` rows. */
+typedef enum clipc_known_in {
+  CLIPC_KNOWN_IN_OBJECT = 0,
+  CLIPC_KNOWN_IN_WORLD,
+  CLIPC_KNOWN_IN_VIEW,
+  CLIPC_KNOWN_IN_MAX = 0x7fffffff
+} clipc_known_in;
+typedef struct clipc_draw_matrices {
+  const float *world, *view, *projection;
+} clipc_draw_matrices;
+typedef struct clipc_space_constant {
+  float constant[4];
+  double edge_error; /* in pixels; 0 if there is no prediction */
+  clipc_error warning;
+  char warning_message[CLIPC_MESSAGE_SIZE];
+} clipc_space_constant;
+clipc_error clipc_plane_constant(clipc_plane_space space, const float plane[4],
+                                 clipc_known_in known_in, const clipc_draw_matrices* draw,
+                                 double rows, double most_pixels, clipc_space_constant* constant,
+                                 char* message);
+
+/* mirror.h: MirrorMatrix, for planar reflections. The draw swaps its cull mode. */
+clipc_error clipc_mirror_matrix(const float plane[4], float matrix[16], char* message);
+
+/* near_plane.h: one plane without hardware. The flags of a depth range: OpenGL's -w <= z <= w, and
+ * reverse-Z. */
+enum { CLIPC_DEPTH_NEGATIVE_ONE_TO_ONE = 1, CLIPC_DEPTH_REVERSED = 2 };
+typedef struct clipc_sheared_projection {
+  float projection[16];
+  double scale;
+  double effective_near;
+  double depth_ratio;
+  int keeps_far;
+} clipc_sheared_projection;
+/* `keep_far`: NearPlaneScale::kKeepFar, else kAsGiven. */
+clipc_error clipc_shear_near_plane(const float view_plane[4], const float projection[16],
+                                   uint32_t depth_range, int keep_far,
+                                   clipc_sheared_projection* sheared, char* message);
+void clipc_set_depth_column(float to_clip[16], const float plane[4], double scale,
+                            uint32_t depth_range);
+
 /* plane_space.h: PredictEdgeError, the displacement of the cut in pixels of a picture of `rows`
  * rows, at the 99th percentile. Negative if there is no prediction for plane and projection. */
 double clipc_edge_error(clipc_plane_space space, const float view_plane[4],
@@ -125,6 +194,20 @@ void clipc_update_clip_status(clipc_clip_status* status, const float* positions,
 #define CLIPC_CULLED 0x80
 void clipc_plan_boxes(const float* const bounds[6], size_t count, const float* planes,
                       size_t plane_count, uint8_t* plans);
+
+/* shader_variant.h: the shader of `clipc --variants` that has just the planes of a plan, and the
+ * object's plane for each of its planes. */
+typedef struct clipc_shader_variant {
+  uint8_t plane_count;
+  uint8_t planes[6];
+} clipc_shader_variant;
+clipc_shader_variant clipc_variant_of(uint8_t plan);
+/* Both are arrays of 4 floats for each plane; `to` has room for variant->plane_count planes. */
+void clipc_compact_planes(const clipc_shader_variant* variant, const float* from, float* to);
+/* `order` has room for `count` indices; objects with k planes are order[first[k]] up to
+ * order[first[k + 1] - 1]. */
+void clipc_order_by_plane_count(const uint8_t* plans, size_t count, uint32_t* order,
+                                size_t first[8]);
 
 #ifdef __cplusplus
 }

@@ -12,7 +12,13 @@
 
 #include "runtime/gl/clip_plane_device.h"
 #include "runtime/gl/clip_switches.h"
+#include "runtime/gl/clipc_runtime_gl.h"
 #include "runtime/level9_binder.h"
+
+extern "C" clipc_error SwitchFromC(clipc_gl_loader loader, const void* bytes, std::size_t size,
+                                   char* message);
+extern "C" clipc_error ClipFromC(clipc_gl_loader loader, const void* bytes, std::size_t size,
+                                 const float* constants, std::size_t constants_size, char* message);
 
 namespace clipc::runtime::gl {
 namespace {
@@ -200,6 +206,46 @@ TEST(ClipPlaneDevice, RestoresPlanesAndSwitches) {
   }
   EXPECT_THAT(fake.planes[kClipDistance0], ElementsAre(9, 8, 7, 6));
   EXPECT_THAT(fake.enabled, ElementsAre(kClipDistance0 + 3));
+}
+
+TEST(CInterface, SwitchesAndRestores) {
+  fake = {};
+  constexpr char kTable[] = R"({"schema": "clipc.clip-table", "version": 1, "entry": "main",
+  "profile": "vs_5_0", "lowering": "clip-distance", "position_space": "direct3d-clip",
+  "plane_scale": "any", "enable_mask": 3, "planes": [
+    {"index": 0, "text": "a", "constant": {"cbuffer": "C", "cbuffer_element": 0,
+      "register": 1, "space": 0, "float4_register": 0, "byte_offset": 0,
+      "glsl_block": "C", "glsl_member": "C.a"}},
+    {"index": 1, "text": "b", "constant": {"cbuffer": "C", "cbuffer_element": 0,
+      "register": 1, "space": 0, "float4_register": 1, "byte_offset": 16,
+      "glsl_block": "C", "glsl_member": "C.b"}}]})";
+  char message[CLIPC_MESSAGE_SIZE];
+  ASSERT_EQ(SwitchFromC(Load, kTable, sizeof kTable - 1, message), CLIPC_OK) << message;
+  EXPECT_THAT(TakeCalls(), ElementsAre("+0", "+1", "-1", "-0"));
+  EXPECT_EQ(SwitchFromC(nullptr, kTable, sizeof kTable - 1, message), CLIPC_INVALID_ARGUMENT);
+  const clipc_shader_variant many = {99, {}};
+  clipc_gl_switches* switches = nullptr;
+  ASSERT_EQ(clipc_gl_switches_create(Load, &switches, message), CLIPC_OK);
+  EXPECT_EQ(clipc_gl_switches_bind_variant(switches, &many, message), CLIPC_INVALID_ARGUMENT);
+  EXPECT_EQ(clipc_gl_switches_max_planes(switches), 8u);
+  EXPECT_EQ(clipc_gl_switches_enable(switches, 1U << 7, message), CLIPC_INVALID_CALL);
+  clipc_gl_switches_free(switches);
+}
+
+TEST(CInterface, GivesPlanesToOpenGl) {
+  fake = {};
+  // One plane in b1, register 2.
+  constexpr unsigned char kTable[] = {0x35, 0x28, 0, 0, 5, 0, 0, 0, 1, 0,
+                                      0,    0,    1, 0, 2, 0, 1, 0, 0, 0};
+  const float constants[12] = {0, 0, 0, 0, 0, 0, 0, 0, 1, 2, 3, 4};
+  char message[CLIPC_MESSAGE_SIZE];
+  ASSERT_EQ(ClipFromC(Load, kTable, sizeof kTable, constants, sizeof constants, message), CLIPC_OK)
+      << message;
+  EXPECT_THAT(TakeCalls(), ElementsAre("=0", "+0", "=0", "-0"));
+  fake.compatibility = false;
+  EXPECT_EQ(ClipFromC(Load, kTable, sizeof kTable, constants, sizeof constants, message),
+            CLIPC_DEVICE_FAILED);
+  EXPECT_THAT(message, ::testing::HasSubstr("glClipPlane"));
 }
 
 TEST(ClipPlaneDevice, RefusesWithoutClipPlanes) {

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <initializer_list>
+
+#include "runtime/clipc_runtime.h"
+#include "runtime/status.h"
+#include "runtime/table.h"
+
+// What the files behind the C headers share. Not installed.
+
+// NOLINTNEXTLINE(readability-identifier-naming): a name of the C interface.
+struct clipc_table {
+  clipc::runtime::Table table;
+};
+
+namespace clipc::runtime {
+
+// The status as C has it; its words go to `message`, which may be null.
+clipc_error Report(const Status& status, char* message) noexcept;
+
+// Whether one of the arguments is a null pointer, which is then reported.
+bool IsMissing(std::initializer_list<const void*> arguments, char* message) noexcept;
+
+}  // namespace clipc::runtime
