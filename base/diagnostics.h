@@ -3,6 +3,7 @@
 
 #include <bitset>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -102,6 +103,25 @@ struct WarningOptions {
   std::bitset<kDiagCount> as_error;
 };
 
+// Ends a compile early. The stages ask it wherever they ask for TooManyErrors.
+class Watch {
+ public:
+  explicit Watch(std::function<bool()> must_stop) : must_stop_(std::move(must_stop)) {}
+
+  // Whether the compile must end. Asks the owner now and then only; from the first yes on the
+  // answer stays.
+  bool MustStop() { return stopped_ || (++calls_ % kEvery == 0 && AskNow()); }
+  bool AskNow() { return stopped_ = stopped_ || must_stop_(); }
+  bool stopped() const { return stopped_; }
+
+ private:
+  static constexpr unsigned kEvery = 256;
+
+  std::function<bool()> must_stop_;
+  unsigned calls_ = 0;
+  bool stopped_ = false;
+};
+
 // The messages of one compile, in the order of their discovery. Errors past kMaxErrors and warnings
 // past kMaxWarnings are dropped, so that hostile input cannot make the list large.
 class Diagnostics {
@@ -123,9 +143,15 @@ class Diagnostics {
   enum class WarningState : std::uint8_t { kOn, kOff, kError };
   void SetWarning(std::string_view fxc_code, WarningState state);
 
-  bool has_errors() const { return error_count_ > 0; }
+  // `watch`, which may be null, must outlive the compile. When it stops, the stages stop as they do
+  // after errors, without a message.
+  void SetWatch(Watch* watch) { watch_ = watch; }
+
+  bool has_errors() const { return error_count_ > 0 || (watch_ && watch_->stopped()); }
   int error_count() const { return error_count_; }
-  bool TooManyErrors() const { return error_count_ >= kMaxErrors; }
+  bool TooManyErrors() const {
+    return error_count_ >= kMaxErrors || (watch_ && watch_->MustStop());
+  }
   const std::vector<Diagnostic>& all() const { return list_; }
 
  private:
@@ -136,6 +162,7 @@ class Diagnostics {
   std::bitset<kDiagCount> pragma_error_;
   std::vector<Diagnostic> list_;
   Diagnostic dropped_{};
+  Watch* watch_ = nullptr;
   int error_count_ = 0;
   int warning_count_ = 0;
 };

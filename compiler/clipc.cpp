@@ -25,9 +25,15 @@ namespace {
 
 using clipc::clip_table::Format;
 
-static_assert(CLIPC_COMPILED == static_cast<int>(clipc::Status::kOk));
-static_assert(CLIPC_HAS_ERRORS == static_cast<int>(clipc::Status::kErrors));
-static_assert(CLIPC_BAD_REQUEST == static_cast<int>(clipc::Status::kBadRequest));
+clipc_status StatusOf(clipc::Status status) {
+  switch (status) {
+    case clipc::Status::kOk: return CLIPC_COMPILED;
+    case clipc::Status::kErrors: return CLIPC_HAS_ERRORS;
+    case clipc::Status::kBadRequest: return CLIPC_BAD_REQUEST;
+    case clipc::Status::kCancelled: return CLIPC_CANCELLED;
+  }
+  return CLIPC_HAS_ERRORS;
+}
 
 // The request with the members that this library knows; those that the caller does not are zero.
 clipc_request Known(const clipc_request& request) {
@@ -62,6 +68,8 @@ std::string ReadRequest(const clipc_request& from, clipc::CompileRequest& to) {
       return std::string(bytes.data, bytes.size);
     };
   }
+  if (from.is_cancelled)
+    to.is_cancelled = [=] { return from.is_cancelled(from.is_cancelled_context) != 0; };
   return {};
 }
 
@@ -91,7 +99,7 @@ clipc_status Compile(clipc::Compiler& compiler, const clipc_request& from, clipc
     return CLIPC_BAD_REQUEST;
   }
   clipc::CompileResult compiled = compiler.Compile(request);
-  const auto status = static_cast<clipc_status>(compiled.status);
+  const clipc_status status = StatusOf(compiled.status);
   Fill(std::move(compiled), to);
   return status;
 }

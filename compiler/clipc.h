@@ -6,13 +6,22 @@
 #include <stdint.h>
 
 /* clipc as a library for C99 and for other languages: one HLSL vertex shader in; GLSL, SPIR-V, the
- * clip table and the reflection out, all of it in memory. compiler/compile.h is the same for C++.
+ * clip table and the reflection out, all of it in memory. compiler/clipc.hpp is the same for C++.
  *
  * ABI: what this header declares is never changed or removed while CLIPC_ABI stays. New members of
  * clipc_request come at its end, and `size` says which of them the caller knows; new parts get new
  * numbers.
  * Errors: no function throws, exits, prints or changes the state of the process.
+ * Limits: the options --max-seconds, --max-bytes and --max-tokens; --sandbox-includes says where
+ * includes may lie.
  * Threads: a clipc_compiler serves one thread at a time; several may work at once. */
+
+/* What the shared library exports. */
+#if defined(__GNUC__)
+#define CLIPC_API __attribute__((visibility("default")))
+#else
+#define CLIPC_API
+#endif
 
 /* NOLINTBEGIN(readability-identifier-naming,modernize-*): names and types as usual in C. */
 #ifdef __cplusplus
@@ -21,14 +30,14 @@ extern "C" {
 
 #define CLIPC_ABI 1
 /* CLIPC_ABI of the library; the caller compares it with its own. */
-uint32_t clipc_abi(void);
+CLIPC_API uint32_t clipc_abi(void);
 /* "0.1.0" */
-const char* clipc_version(void);
+CLIPC_API const char* clipc_version(void);
 
 /* Compiles many shaders and keeps what they share. NULL: no memory. */
 typedef struct clipc_compiler clipc_compiler;
-clipc_compiler* clipc_compiler_create(void);
-void clipc_compiler_free(clipc_compiler* compiler); /* NULL is allowed */
+CLIPC_API clipc_compiler* clipc_compiler_create(void);
+CLIPC_API void clipc_compiler_free(clipc_compiler* compiler); /* NULL is allowed */
 
 /* Bytes, and a zero after them that `size` does not count. */
 typedef struct clipc_bytes {
@@ -56,6 +65,10 @@ typedef struct clipc_request {
   /* Not NULL: includes come from here, and no file is read for them. */
   clipc_read_include read_include;
   void* read_include_context;
+  /* Not NULL: asked on the thread that compiles, often except while glslang works; the compile
+   * ends when it returns other than 0. */
+  int (*is_cancelled)(void* context);
+  void* is_cancelled_context;
 } clipc_request;
 
 /* The last member of each enumeration fixes its size, and makes every number a value of it: that of
@@ -65,6 +78,7 @@ typedef enum clipc_status {
   CLIPC_HAS_ERRORS,  /* the shader has errors */
   CLIPC_BAD_REQUEST, /* an option is wrong, or the shader cannot be read */
   CLIPC_NO_MEMORY,   /* *result is NULL */
+  CLIPC_CANCELLED,   /* clipc_request::is_cancelled */
   CLIPC_STATUS_MAX = 0x7fffffff
 } clipc_status;
 
@@ -86,11 +100,11 @@ typedef enum clipc_part {
 /* Compiles a shader. Always sets *result, which the caller frees, except after CLIPC_NO_MEMORY. The
  * same request gives the same bytes. */
 typedef struct clipc_result clipc_result;
-clipc_status clipc_compile(clipc_compiler* compiler, const clipc_request* request,
-                           clipc_result** result);
-void clipc_result_free(clipc_result* result); /* NULL is allowed */
+CLIPC_API clipc_status clipc_compile(clipc_compiler* compiler, const clipc_request* request,
+                                     clipc_result** result);
+CLIPC_API void clipc_result_free(clipc_result* result); /* NULL is allowed */
 /* Lives as long as the result. Empty, not NULL, where there is nothing. */
-clipc_bytes clipc_result_get(const clipc_result* result, clipc_part part);
+CLIPC_API clipc_bytes clipc_result_get(const clipc_result* result, clipc_part part);
 
 #ifdef __cplusplus
 }

@@ -13,6 +13,7 @@
 
 namespace {
 
+using testing::Eq;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
@@ -115,6 +116,49 @@ TEST_F(CInterface, RefusesOptionsThatItDoesNotKnowOrThatNameFiles) {
     EXPECT_EQ(Get(CLIPC_PART_MESSAGES), "clipc: error: the options name inputs or outputs\n");
   }
   EXPECT_EQ(Compile({"--target=450"}), CLIPC_BAD_REQUEST);
+}
+
+TEST_F(CInterface, EndsWhenTheCallerCancels) {
+  std::string long_shader = kShader;
+  for (int i = 0; i < 3000; ++i)
+    long_shader += "float f" + std::to_string(i) + "(float x) { return x + SHIFT; }\n";
+  struct Budget {
+    int calls = 0, allowed = 0;
+  } budget;
+  clipc_request request{};
+  request.size = sizeof request;
+  request.path = "shaders/water.hlsl";
+  request.text = long_shader.data();
+  request.text_size = long_shader.size();
+  const char* const options[] = {"-Ilib"};
+  request.options = options;
+  request.option_count = 1;
+  request.read_include = ReadInclude;
+  request.read_include_context = this;
+  request.is_cancelled = [](void* context) {
+    auto& left = *static_cast<Budget*>(context);
+    return ++left.calls > left.allowed ? 1 : 0;
+  };
+  request.is_cancelled_context = &budget;
+  // At every point where it is asked: while the text is read, and between the passes.
+  int most = 0;
+  for (; budget.allowed = most, budget.calls = 0, Run(request) != CLIPC_COMPILED; ++most) {
+    ASSERT_LT(most, 1000);
+    EXPECT_THAT(Get(CLIPC_PART_MESSAGES),
+                Eq("clipc: error: the caller cancelled the compile [cancelled]\n"));
+    EXPECT_THAT(Get(CLIPC_PART_MESSAGES_JSON), HasSubstr("\"cancelled\""));
+    EXPECT_THAT(Get(CLIPC_PART_GLSL), IsEmpty());
+    EXPECT_EQ(budget.calls, most + 1) << "asked again after the answer";
+  }
+  EXPECT_GT(most, 50);
+}
+
+TEST_F(CInterface, HasLimits) {
+  EXPECT_EQ(Compile({"-Ilib", "--max-bytes=1000", "--max-tokens=1000", "--max-seconds=60"}),
+            CLIPC_COMPILED)
+      << Get(CLIPC_PART_MESSAGES);
+  EXPECT_EQ(Compile({"-Ilib", "--max-bytes=100"}), CLIPC_HAS_ERRORS);
+  EXPECT_THAT(Get(CLIPC_PART_MESSAGES), HasSubstr("more than 100 bytes of text"));
 }
 
 TEST_F(CInterface, TakesTheRequestOfAnOlderCaller) {

@@ -2,6 +2,7 @@
 #include "compiler/compile.h"
 
 #include <algorithm>
+#include <chrono>
 #include <exception>
 #include <new>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "compiler/check_lowering.h"
 #include "compiler/dump_tokens.h"
 #include "compiler/make_clip_table.h"
+#include "compiler/output_files.h"
 #include "compiler/pixel_half.h"
 #include "compiler/reflect.h"
 #include "compiler/stages.h"
@@ -44,12 +46,22 @@ std::string SourceLine(const Source& source, Span span) {
 class Compilation {
  public:
   Compilation(FrontendContext& context, const CompileRequest& request)
-      : request_(request), diagnostics_(request.warnings), context_(context) {}
+      : request_(request), diagnostics_(request.warnings), context_(context) {
+    const bool has_deadline = request.limits.seconds != Limits().seconds;
+    if (has_deadline) deadline_ = Clock::now() + std::chrono::seconds(request.limits.seconds);
+    if (has_deadline || request.is_cancelled) diagnostics_.SetWatch(&watch_);
+  }
 
   CompileResult Run();
 
  private:
+  using Clock = std::chrono::steady_clock;
+  // Leaves the passes when the watch has stopped; caught in Run.
+  struct Stopped {};
+
   void ReadNames();
+  bool MustStop();
+  void ReportStop();
   SourceInput InputOf() const;
   void RunStages(Source& source);
   void Dump(Source& source);
@@ -76,6 +88,9 @@ class Compilation {
   LoweringRequest lowering_;
   glsl::WriteOptions options_;
 
+  Clock::time_point deadline_ = Clock::time_point::max();
+  bool is_cancelled_ = false;
+  Watch watch_{[this] { return MustStop(); }};
   bool is_unjudged_ = false;  // glslang cannot judge one of the shaders
   CompileResult result_;
 };
@@ -86,7 +101,13 @@ CompileResult Compilation::Run() {
   if (diagnostics_.has_errors()) {
     result_.status = Status::kBadRequest;
   } else {
-    RunStages(source);
+    try {
+      RunStages(source);
+    } catch (const Stopped&) {
+      result_.dump.clear();
+    }
+    ReportStop();
+    if (request_.record_macros) result_.macros_used = source.MacrosUsed();
     std::vector<std::string> others = std::move(result_.dependencies);
     result_.dependencies = source.Dependencies();
     result_.includes = source.Includes();
@@ -98,6 +119,21 @@ CompileResult Compilation::Run() {
   }
   CloseResult(source);
   return std::move(result_);
+}
+
+bool Compilation::MustStop() {
+  is_cancelled_ = request_.is_cancelled && request_.is_cancelled();
+  return is_cancelled_ || (deadline_ != Clock::time_point::max() && Clock::now() >= deadline_);
+}
+
+void Compilation::ReportStop() {
+  if (!watch_.stopped()) return;
+  if (is_cancelled_) {
+    diagnostics_.Report({}, diag::Cancelled);
+    result_.status = Status::kCancelled;
+  } else {
+    diagnostics_.Report({}, diag::TimeLimit, request_.limits.seconds);
+  }
 }
 
 void Compilation::ReadNames() {
@@ -132,6 +168,8 @@ void Compilation::ReadNames() {
   lowering_ = {request_.lowering.value_or(DefaultLowering(front_.profile)), request_.plane_space,
                request_.position_input};
   CheckRequest(lowering_, diagnostics_);
+  if (!request_.sandbox.empty() && !IsDirectory(request_.sandbox))
+    diagnostics_.Report({}, diag::NoSandbox, request_.sandbox);
   front_.entry = request_.entry;
   front_.packing = request_.packing;
   front_.position_name = request_.position_name;
@@ -148,7 +186,10 @@ SourceInput Compilation::InputOf() const {
           .read_include = request_.read_include,
           .shader_model_major = front_.profile.major,
           .shader_model_minor = front_.profile.minor,
-          .language = request_.language};
+          .language = request_.language,
+          .max_bytes = request_.limits.bytes,
+          .max_tokens = request_.limits.tokens,
+          .record_macros = request_.record_macros};
 }
 
 void Compilation::RunStages(Source& source) {
@@ -226,6 +267,7 @@ LowerSettings Compilation::SettingsFor(ir::VarId position_input) {
   settings.passes.stop_after = request_.debug.stop_after;
   settings.passes.verify = request_.debug.verify;
   settings.passes.after_pass = [&](std::string_view pass, const ir::Program& after) {
+    if (watch_.AskNow()) throw Stopped();
     const auto& wanted = request_.debug.dump_after;
     if (std::find(wanted.begin(), wanted.end(), pass) == wanted.end()) return;
     if (wanted.size() > 1) result_.dump += fmt::format("// after {}\n", pass);
@@ -321,9 +363,19 @@ CompileResult Failure(const char* what) {
 Compiler::Compiler() = default;
 Compiler::~Compiler() = default;
 
+FrontendContext& Compiler::ContextFor(const CompileRequest& request) {
+  if (request.sandbox.empty()) return context_;
+  if (!sandboxed_ || sandbox_ != request.sandbox) {
+    sandboxed_ =
+        std::make_unique<FrontendContext>(FrontendContext::Files::kOnDisk, request.sandbox);
+    sandbox_ = request.sandbox;
+  }
+  return *sandboxed_;
+}
+
 CompileResult Compiler::Compile(const CompileRequest& request) {
   try {
-    if (!request.read_include) return Compilation(context_, request).Run();
+    if (!request.read_include) return Compilation(ContextFor(request), request).Run();
     FrontendContext without_files(FrontendContext::Files::kNone);
     return Compilation(without_files, request).Run();
   } catch (const std::bad_alloc&) {

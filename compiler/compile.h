@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,6 +44,14 @@ struct PixelShader {
   std::string entry;  // of HLSL and SPIR-V; empty: `main` of HLSL, the only one of SPIR-V
 };
 
+// What one compile may take; past a limit there is an error. Memory follows from the first two: it
+// stays below 8 MiB + 40 bytes for each byte of text + 200 for each token of macros.
+struct Limits {
+  std::size_t bytes = SIZE_MAX;  // of the shader and its includes, each time that one is entered
+  std::size_t tokens = std::size_t{4} << 20;  // that macros add to those of the text
+  std::uint32_t seconds = UINT32_MAX;
+};
+
 struct CompileRequest {
   // A file, or "-" for standard input. When `text` is given, it is compiled instead, and `path` is
   // the label in messages and says in which folder includes are looked up.
@@ -53,6 +62,9 @@ struct CompileRequest {
   std::vector<std::string> forced_includes;  // files, included before the first line
   // Includes come from here, and no file is read for them: SourceInput::read_include.
   std::function<std::optional<std::string>(const std::string& path)> read_include;
+  // Not empty: include files are read only from this folder, wherever a path or a link to them
+  // lies.
+  std::string sandbox;
   LanguageVersion language = LanguageVersion::k2018;
 
   std::string profile = "vs_5_0";
@@ -96,6 +108,12 @@ struct CompileRequest {
   // to the device. Without that, clip planes that the GLSL does not have are an error.
   bool gives_planes_to_device = false;
 
+  Limits limits;
+  // When it returns true, the compile ends with Status::kCancelled. It is asked on the thread that
+  // compiles, often except while glslang works.
+  std::function<bool()> is_cancelled;
+  bool record_macros = false;  // fill CompileResult::macros_used
+
   DebugOptions debug;
 };
 
@@ -103,6 +121,7 @@ enum class Status : std::uint8_t {
   kOk,
   kErrors,      // the shader has errors
   kBadRequest,  // an unknown profile, target or pass, or a main file that cannot be read
+  kCancelled,   // CompileRequest::is_cancelled
 };
 
 struct Shaders {
@@ -125,6 +144,7 @@ struct CompileResult {
   std::string text;               // the messages with their source lines, as a terminal shows them
   std::vector<std::string> dependencies;  // files read, each once, in the order first entered
   std::vector<Include> includes;          // every entry into an include file, in order
+  std::vector<std::string> macros_used;   // on request: Source::MacrosUsed
 
   bool ok() const { return status == Status::kOk; }
 };
@@ -141,7 +161,11 @@ class Compiler {
   CompileResult Compile(const CompileRequest& request);
 
  private:
+  FrontendContext& ContextFor(const CompileRequest& request);
+
   FrontendContext context_;
+  std::unique_ptr<FrontendContext> sandboxed_;  // for requests with `sandbox_`
+  std::string sandbox_;
 };
 
 // One shader. May be called on several threads at once.

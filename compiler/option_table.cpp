@@ -33,7 +33,7 @@ template <typename Owner, typename Value>
 Value& MemberOf(CommandLine& command, Value Owner::* member) {
   CompileRequest& request = command.request;
   return std::get<Owner&>(std::tie(command, request, request.clip_space, request.pixel_shader,
-                                   request.warnings, request.debug)).*
+                                   request.warnings, request.debug, request.limits)).*
          member;
 }
 
@@ -294,6 +294,8 @@ constexpr Option kOptions[] = {
     {"-H", kFlag, Set<&CommandLine::show_includes>, "", "print the files that are included"},
     {"-P", kOptional, SetPreprocess, "<FILE>", "write the preprocessed HLSL to FILE, and stop"},
     {"-fsyntax-only", kFlag, Set<&CommandLine::syntax_only>, "", "write no file"},
+    {"--sandbox-includes", kEquals, Set<&Request::sandbox>, "<DIR>",
+     "read includes from this folder only"},
     {"--validate", kFlag, SetValidate<true>, "",
      "compile the GLSL with glslang before writing it (the default for several files)"},
     {"--no-validate", kFlag, SetValidate<false>, "",
@@ -307,14 +309,16 @@ constexpr Option kOptions[] = {
     {"-w", kFlag, Set<&WarningOptions::no_warnings>, "", "print no warnings"},
     {"--dump", kEquals, Choose<DumpStage, &DebugOptions::dump, kStages>, "<STAGE>",
      "print tokens, ast, ir, glsl or table and stop there"},
-    {"--dump-after", kEquals, Set<&DebugOptions::dump_after>, "<PASS>",
-     "print the program after a pass"},
-    {"--stop-after", kEquals, Set<&DebugOptions::stop_after>, "<PASS>",
-     "stop after a pass and print the program"},
     {"--help", kFlag, SetTo<&CommandLine::action, Action::kHelp>, "", "print this"},
     {"--version", kFlag, SetTo<&CommandLine::action, Action::kVersion>, "", "print the version"},
 
-    // Other spellings.
+    // For untrusted shaders, for people who work on clipc, and other spellings.
+    {"--max-seconds", kEquals, SetNumber<&Limits::seconds, 1, 1u << 20>},
+    {"--max-bytes", kEquals, SetNumber<&Limits::bytes, 1, 1u << 31>},
+    {"--max-tokens", kEquals, SetNumber<&Limits::tokens, 1, 1u << 31>},
+    {"--dump-after", kEquals, Set<&DebugOptions::dump_after>},
+    {"--stop-after", kEquals, Set<&DebugOptions::stop_after>},
+    {"--verify", kFlag, Set<&DebugOptions::verify>},
     {"-fvk-b-shift", kTwo, AddShift<'b'>},
     {"-fvk-s-shift", kTwo, AddShift<'s'>},
     {"-fvk-t-shift", kTwo, AddShift<'t'>},
@@ -356,7 +360,6 @@ constexpr Option kOptions[] = {
     {"-x", kSeparate, RequireValue<kHlsl>},
     {"-S", kSeparate, RequireValue<kVert>},
     {"-fshader-stage", kEquals, RequireValue<kVertex>},
-    {"--verify", kFlag, Set<&DebugOptions::verify>},
 
     // What another compiler does to its code, its listing or its effort.
     {"-nologo", kFlag, Ignore},

@@ -35,7 +35,8 @@ ir::Program Cleared(ir::Program program) {
 pixel::ReadResult ReadHlsl(const CompileRequest& request, SourceInput input,
                            std::vector<std::string>& dependencies) {
   pixel::ReadResult result;
-  FrontendContext context;
+  using Files = FrontendContext::Files;
+  FrontendContext context(request.read_include ? Files::kNone : Files::kOnDisk, request.sandbox);
   const std::string& entry = request.pixel_shader.entry;
   CheckOptions options;
   options.profile = PixelProfile(request);

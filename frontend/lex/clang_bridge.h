@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <set>
 #include <string>
 
 #include "base/diagnostics.h"
@@ -17,6 +18,7 @@ class DiagnosticConsumer;
 class DiagnosticOptions;
 class LangOptions;
 class IdentifierInfoLookup;
+class PPCallbacks;
 class Preprocessor;
 class SourceLocation;
 class SourceManager;
@@ -49,6 +51,11 @@ void AddPragmas(clang::Preprocessor& preprocessor, Diagnostics& diagnostics);
 // of a shader that may need them. It does nothing while `preprocessor` is null.
 std::unique_ptr<clang::IdentifierInfoLookup> AddMacrosAndPragmasOnFirstUse(
     clang::Preprocessor* const& preprocessor, Diagnostics& diagnostics);
+
+// Callbacks that put the names of the macros that a text asks for into `used`: expanded, tested,
+// defined or undefined. The definitions before the first line do not count.
+std::unique_ptr<clang::PPCallbacks> RecordMacros(const clang::SourceManager& sources,
+                                                 std::set<std::string>& used);
 
 // During its life, `guard` counts every token that a preprocessor of this thread reads.
 class GuardScope {

@@ -82,14 +82,19 @@ std::optional<FoundInclude> FindIncludeLikeWindows(const std::vector<std::string
 }
 
 void ReportMissingInclude(Span where, const std::string& name,
-                          const std::vector<std::string>& folders, Diagnostics& diagnostics) {
+                          const std::vector<std::string>& folders, const std::string& sandbox,
+                          Diagnostics& diagnostics) {
   const auto& all = diagnostics.all();
   if (!all.empty() && all.back().severity == Severity::kError && all.back().span == where) return;
   std::string list;
   for (const std::string& folder : folders) {
     list += fmt::format("{}`{}`", list.empty() ? "" : ", ", folder.empty() ? "." : folder);
   }
-  diagnostics.Report(where, diag::MissingInclude, name, list);
+  if (sandbox.empty()) {
+    diagnostics.Report(where, diag::MissingInclude, name, list);
+  } else {
+    diagnostics.Report(where, diag::IncludeNotInSandbox, name, sandbox, list);
+  }
 }
 
 void ReportIncludeTooDeep(std::span<const EnteredFile> stack, Diagnostics& diagnostics) {

@@ -37,9 +37,11 @@ struct FoundInclude {
 std::optional<FoundInclude> FindIncludeLikeWindows(const std::vector<std::string>& folders,
                                                    std::string_view name);
 
-// Reports an include file that does not exist, unless the last error is one at the same place.
+// Reports an include file that does not exist, unless the last error is one at the same place. With
+// a `sandbox`, whether there is such a file outside of it is not said.
 void ReportMissingInclude(Span where, const std::string& name,
-                          const std::vector<std::string>& folders, Diagnostics& diagnostics);
+                          const std::vector<std::string>& folders, const std::string& sandbox,
+                          Diagnostics& diagnostics);
 
 // Reports that includes are nested too deeply. If a file includes itself, the message names the
 // cycle and stands at the #include that closes it.

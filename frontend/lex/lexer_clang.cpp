@@ -3,6 +3,7 @@
 // into one of ours.
 #include <algorithm>
 #include <array>
+#include <set>
 #include <utility>
 
 #include <clang/Basic/Diagnostic.h>
@@ -24,6 +25,7 @@
 #include <llvm/Support/VirtualFileSystem.h>
 
 #include "frontend/lex/clang_bridge.h"
+#include "frontend/lex/files_clang.h"
 #include "frontend/lex/include_search.h"
 #include "frontend/lex/preprocess_guard.h"
 #include "frontend/lex/source.h"
@@ -78,22 +80,6 @@ class VertexTarget : public clang::TargetInfo {
   clang::ArrayRef<TargetInfo::GCCRegAlias> getGCCRegAliases() const override { return {}; }
 };
 
-// The file system, with regular files only: `#include "/dev/zero"` finds no file.
-class RegularFiles : public llvm::vfs::ProxyFileSystem {
- public:
-  RegularFiles() : ProxyFileSystem(llvm::vfs::getRealFileSystem()) {}
-  llvm::ErrorOr<llvm::vfs::Status> status(const llvm::Twine& path) override {
-    auto found = ProxyFileSystem::status(path);
-    if (!found || found->isDirectory() || found->isRegularFile()) return found;
-    return std::make_error_code(std::errc::no_such_file_or_directory);
-  }
-  llvm::ErrorOr<std::unique_ptr<llvm::vfs::File>> openFileForRead(
-      const llvm::Twine& path) override {
-    if (auto found = status(path); !found) return found.getError();
-    return ProxyFileSystem::openFileForRead(path);
-  }
-};
-
 }  // namespace
 
 struct FrontendContext::State {
@@ -113,9 +99,15 @@ struct FrontendContext::State {
   std::shared_ptr<clang::PreprocessorOptions> preprocessor_options =
       std::make_shared<clang::PreprocessorOptions>();
 
-  explicit State(Files on_disk) {
-    llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem> system(new RegularFiles);
-    if (on_disk == Files::kNone) system = new llvm::vfs::InMemoryFileSystem;
+  std::string sandbox;
+
+  State(Files on_disk, std::string only_folder) : sandbox(std::move(only_folder)) {
+    llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem> system;
+    if (on_disk == Files::kNone) {
+      system = new llvm::vfs::InMemoryFileSystem;
+    } else {
+      system = RegularFilesIn(sandbox);
+    }
     files = new clang::FileManager(clang::FileSystemOptions(), system);
     language.HLSL = 1;
     language.C99 = 1;
@@ -141,6 +133,7 @@ struct Source::State {
   std::vector<EnteredFile> include_stack;
   std::vector<std::string> dependencies;
   std::vector<Include> includes;
+  std::set<std::string> macros_used;
 
   State(FrontendContext::State& context, SourceInput what)
       : shared(context),
@@ -188,7 +181,7 @@ class Callbacks : public clang::PPCallbacks {
         source_.input.read_include ? std::nullopt : FindIncludeLikeWindows(folders, name.str());
     auto entry = found ? source_.shared.files->getOptionalFileRef(found->path) : std::nullopt;
     if (!entry) {
-      ReportMissingInclude(span, name.str(), folders, *source_.diagnostics);
+      ReportMissingInclude(span, name.str(), folders, source_.shared.sandbox, *source_.diagnostics);
       return source_.guard.Stop(Limit::kReported, span.begin);
     }
     if (found->spelling != name && warned_.insert(name).second) {
@@ -389,6 +382,10 @@ clang::Token RunPreprocessor(Source::State& state, Diagnostics& diagnostics, OnT
   preprocessor.setPredefines(Predefines(state.input));
   preprocessor.addPPCallbacks(std::make_unique<Callbacks>(state, preprocessor, search));
 
+  if (state.input.record_macros)
+    preprocessor.addPPCallbacks(RecordMacros(state.sources, state.macros_used));
+
+  state.guard.SetLimits(state.input.max_bytes, state.input.max_tokens);
   state.guard.SetStackBase(static_cast<const char*>(__builtin_frame_address(0)));
   GuardScope scope(state.guard);
   preprocessor.EnterMainSourceFile();
@@ -450,7 +447,8 @@ std::string Preprocess(Source& source, Diagnostics& diagnostics) {
   return text.empty() ? text : text + '\n';
 }
 
-FrontendContext::FrontendContext(Files files) : state_(std::make_unique<State>(files)) {}
+FrontendContext::FrontendContext(Files files, const std::string& sandbox)
+    : state_(std::make_unique<State>(files, sandbox)) {}
 FrontendContext::~FrontendContext() = default;
 
 Source::Source(FrontendContext& context, SourceInput input)
@@ -463,6 +461,9 @@ std::string Source::RenderText(const Diagnostics& diagnostics, bool colour) cons
 }
 std::vector<std::string> Source::Dependencies() const { return state_->dependencies; }
 std::vector<Include> Source::Includes() const { return state_->includes; }
+std::vector<std::string> Source::MacrosUsed() const {
+  return {state_->macros_used.begin(), state_->macros_used.end()};
+}
 std::string Source::LineOf(Span span) const { return clipc::LineOf(state_->Text(), span); }
 bool Source::main_file_read() const { return state_->main_file_read; }
 

@@ -24,6 +24,9 @@ void PreprocessGuard::Report(Diagnostics& diagnostics) const {
     case Limit::kIncludes:
       diagnostics.Report(where, diag::TooMuchToPreprocess, std::size_t{kMaxIncludes}, "includes");
       return;
+    case Limit::kBytes:
+      diagnostics.Report(where, diag::TooMuchToPreprocess, max_bytes_, "bytes of text");
+      return;
   }
 }
 

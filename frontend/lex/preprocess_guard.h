@@ -14,13 +14,27 @@ namespace clipc {
 // Stop on, the preprocessor reads the end of all files.
 class PreprocessGuard {
  public:
-  enum class Limit : std::uint8_t { kNone, kStack, kTokens, kExpansions, kIncludes, kReported };
+  enum class Limit : std::uint8_t {
+    kNone,
+    kStack,
+    kTokens,
+    kExpansions,
+    kIncludes,
+    kBytes,
+    kReported
+  };
 
   bool stopped() const { return limit_ != Limit::kNone; }
   // `limit` is kReported if a diagnostic has given the reason.
   void Stop(Limit limit, std::uint32_t location);
   // Reports the limit that was passed, unless it is kReported.
   void Report(Diagnostics& diagnostics) const;
+
+  // The bytes of all files, each time that one is entered, and the tokens that macros may add.
+  void SetLimits(std::size_t bytes, std::size_t growth) {
+    max_bytes_ = bytes;
+    max_tokens_ = growth;
+  }
 
   // A token may be read at most kMaxStack deeper in the stack than `base`.
   void SetStackBase(const char* base) { stack_base_ = base; }
@@ -39,17 +53,17 @@ class PreprocessGuard {
   // Counts a file of `bytes` bytes, which has at most as many tokens.
   void CountInclude(std::uint32_t location, std::size_t bytes) {
     max_tokens_ += bytes;
+    if ((bytes_ += bytes) > max_bytes_) Stop(Limit::kBytes, location);
     if (++includes_ > kMaxIncludes) Stop(Limit::kIncludes, location);
   }
 
  private:
   static constexpr std::size_t kMaxStack = std::size_t{2} << 20;
-  // The tokens that macros may add to what is written.
-  static constexpr std::size_t kMaxGrowth = std::size_t{4} << 20;
   static constexpr unsigned kMaxIncludes = 1u << 16;
 
   const char* stack_base_ = nullptr;
-  std::size_t max_tokens_ = kMaxGrowth;
+  std::size_t max_bytes_ = SIZE_MAX, bytes_ = 0;
+  std::size_t max_tokens_ = 0;
   std::size_t tokens_ = 0;
   std::size_t expansions_ = 0;
   unsigned includes_ = 0;

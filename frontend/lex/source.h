@@ -24,7 +24,9 @@ class FrontendContext {
  public:
   // With kNone, no file is looked up: for sources whose includes come from memory.
   enum class Files : std::uint8_t { kOnDisk, kNone };
-  explicit FrontendContext(Files files = Files::kOnDisk);
+  // When `sandbox` is not empty, only files in that folder are found, wherever a path or a link to
+  // them lies.
+  explicit FrontendContext(Files files = Files::kOnDisk, const std::string& sandbox = {});
   ~FrontendContext();
   FrontendContext(const FrontendContext&) = delete;
   FrontendContext& operator=(const FrontendContext&) = delete;
@@ -54,6 +56,11 @@ struct SourceInput {
   int shader_model_major = 5;  // from 6 on, DXC's predefined macros are visible too
   int shader_model_minor = 0;
   LanguageVersion language = LanguageVersion::k2018;
+  // Limits, past which there is an error: the bytes of all files, each time that one is entered,
+  // and the tokens that macros add to those of the files.
+  std::size_t max_bytes = SIZE_MAX;
+  std::size_t max_tokens = std::size_t{4} << 20;
+  bool record_macros = false;  // fill Source::MacrosUsed
 };
 
 // An include file that was entered, and the number of files that are open around it.
@@ -96,6 +103,9 @@ class Source {
   std::vector<Include> Includes() const;
   // The line of text that holds the beginning of `span`, without white space at its ends.
   std::string LineOf(Span span) const;
+  // On request, the macros that the text asked for in any way, sorted. Of a macro that was defined
+  // before the first line and is not among them, the value had no part in the tokens and messages.
+  std::vector<std::string> MacrosUsed() const;
   // False if the main file could not be read, which Lex has reported.
   bool main_file_read() const;
 

@@ -12,8 +12,10 @@ import tempfile
 # A room is a folder, with the folders below it that are not rooms themselves, or a single file. A room may include itself and
 # these. From the bottom to the top, as in the top-level CMakeLists.txt.
 VOCABULARY = "clip-table/vocabulary.h"
+LIBRARY = "compiler/clipc.hpp"  # what an application sees of the compiler
 ROOMS = {
     VOCABULARY: set(),
+    LIBRARY: {"compiler"},
     "base": set(),
     "ir": {"base", VOCABULARY},
     "frontend/lex": {"base"},
@@ -38,12 +40,12 @@ ROOMS = {
     "tools/scenes": {"clip-table", "runtime", "tools/harness", "tools/study", VOCABULARY},
     "tools/bench": {"compiler", "runtime", "tools/harness"},
     "tools/fuzz": {"clip-table", "compiler", "runtime"},
-    "examples": {"runtime", "tools/harness"},
+    "examples": {"runtime", "tools/harness", LIBRARY},
 }
 
 # A library's headers, and the files that may include them.
 LIBRARIES = {
-    r"(clang|llvm)/": r"frontend/lex/\w+_clang\.cpp",
+    r"(clang|llvm)/": r"frontend/lex/\w+_clang\.(cpp|h)",
     r"glslang/": r"compiler/.*\.cpp|pixel/.*\.cpp|tools/harness/glslang_includer\.h|tools/draw/vulkan/glslang\.cpp|tools/bench/peers\.cpp",
     r"epoxy/": r"tools/(harness|draw|study/program|scenes)/.*|examples/.*\.cpp",
     r"png\.h": r"tools/harness/picture\.cpp",
