@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <new>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "compiler/clipc.h"
+
+// compiler/clipc.h for C++17: a few inline functions over the C functions, so an application and
+// the library need not be built by the same compiler.
+namespace clipc::library {
+
+struct Request {
+  // The name of the shader in messages, and where its includes are looked up.
+  std::string path;
+  std::optional<std::string> text;   // none: the file at `path`
+  std::vector<std::string> options;  // as on the command line, without inputs and outputs
+  // Not empty: includes come from here, and no file is read for them. The path is a folder of -I or
+  // of the including file, a slash, and the name as the shader has it. Must not throw.
+  std::function<std::optional<std::string>(const std::string& path)> read_include;
+  // Not empty: the compile ends soon after it returns true. Must not throw.
+  std::function<bool()> is_cancelled;
+};
+
+// What came out of a compile. Views live as long as the result.
+class Result {
+ public:
+  clipc_status status() const { return status_; }
+  bool ok() const { return status_ == CLIPC_COMPILED; }
+  // Empty where there is nothing.
+  std::string_view Get(clipc_part part) const {
+    if (!result_) return {};
+    const clipc_bytes bytes = clipc_result_get(result_.get(), part);
+    return {bytes.data, bytes.size};
+  }
+  std::string_view messages() const { return Get(CLIPC_PART_MESSAGES); }
+  std::string_view glsl() const { return Get(CLIPC_PART_GLSL); }
+
+ private:
+  friend class Compiler;
+  struct Free {
+    void operator()(clipc_result* result) const { clipc_result_free(result); }
+  };
+
+  clipc_status status_ = CLIPC_NO_MEMORY;
+  std::unique_ptr<clipc_result, Free> result_;  // null after CLIPC_NO_MEMORY
+};
+
+// Compiles many shaders and keeps what they share. Use one on each thread.
+class Compiler {
+ public:
+  // Throws std::bad_alloc.
+  Compiler() : compiler_(clipc_compiler_create()) {
+    if (!compiler_) throw std::bad_alloc();
+  }
+
+  Result Compile(const Request& request) {
+    std::vector<const char*> options;
+    options.reserve(request.options.size());
+    for (const std::string& option : request.options) options.push_back(option.c_str());
+    Callbacks callbacks{request, {}};
+    clipc_request plain{};
+    plain.size = sizeof plain;
+    plain.path = request.path.c_str();
+    if (request.text) {
+      plain.text = request.text->data();
+      plain.text_size = request.text->size();
+    }
+    plain.options = options.data();
+    plain.option_count = options.size();
+    if (request.read_include) {
+      plain.read_include = ReadInclude;
+      plain.read_include_context = &callbacks;
+    }
+    if (request.is_cancelled) {
+      plain.is_cancelled = IsCancelled;
+      plain.is_cancelled_context = &callbacks;
+    }
+    Result result;
+    clipc_result* made = nullptr;
+    result.status_ = clipc_compile(compiler_.get(), &plain, &made);
+    result.result_.reset(made);
+    return result;
+  }
+
+ private:
+  struct Callbacks {
+    const Request& request;
+    std::string text;  // of the last include
+  };
+  static int ReadInclude(void* context, const char* path, clipc_bytes* text) {
+    auto& callbacks = *static_cast<Callbacks*>(context);
+    auto found = callbacks.request.read_include(path);
+    if (!found) return 0;
+    callbacks.text = std::move(*found);
+    *text = {callbacks.text.data(), callbacks.text.size()};
+    return 1;
+  }
+  static int IsCancelled(void* context) {
+    return static_cast<Callbacks*>(context)->request.is_cancelled() ? 1 : 0;
+  }
+  struct Free {
+    void operator()(clipc_compiler* compiler) const { clipc_compiler_free(compiler); }
+  };
+
+  std::unique_ptr<clipc_compiler, Free> compiler_;
+};
+
+}  // namespace clipc::library
