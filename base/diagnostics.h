@@ -142,6 +142,8 @@ class Diagnostics {
   // reports that follow. A warning that the command line switches off stays off.
   enum class WarningState : std::uint8_t { kOn, kOff, kError };
   void SetWarning(std::string_view fxc_code, WarningState state);
+  // Whether a pragma has changed what a report does.
+  bool has_pragmas() const { return pragma_off_.any() || pragma_error_.any(); }
 
   // `watch`, which may be null, must outlive the compile. When it stops, the stages stop as they do
   // after errors, without a message.

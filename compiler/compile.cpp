@@ -198,8 +198,18 @@ void Compilation::RunStages(Source& source) {
     return;
   }
   if (IsDump(DumpStage::kTokens) || IsDump(DumpStage::kAst)) return Dump(source);
-  ir::Program program = Front(source, front_, diagnostics_);
-  if (diagnostics_.has_errors()) return;
+  const auto is_new = [&](const Tokens& tokens) {
+    // Not where lines of the source, or words of the preprocessor, are a part of what comes out.
+    if (!request_.is_known || request_.source_lines || request_.list ||
+        !request_.pixel_shader.path.empty() || diagnostics_.has_pragmas() ||
+        !diagnostics_.all().empty())
+      return true;
+    result_.digest = DigestOf(tokens);
+    result_.is_repeated = request_.is_known(*result_.digest);
+    return !result_.is_repeated;
+  };
+  ir::Program program = Front(source, front_, diagnostics_, is_new);
+  if (diagnostics_.has_errors() || result_.is_repeated) return;
   if (IsDump(DumpStage::kIr)) {
     result_.dump = ir::Print(program);
   } else {

@@ -13,6 +13,7 @@
 #include "base/diagnostics.h"
 #include "clip-table/clip_table.h"
 #include "compiler/message.h"
+#include "compiler/token_digest.h"
 #include "compiler/validate.h"
 #include "frontend/check/check.h"
 #include "passes/adjust_clip_space.h"
@@ -113,6 +114,9 @@ struct CompileRequest {
   // compiles, often except while glslang works.
   std::function<bool()> is_cancelled;
   bool record_macros = false;  // fill CompileResult::macros_used
+  // Asked about the text after preprocessing, where nothing else decides what comes out; when it
+  // returns true, the compile ends there, with CompileResult::is_repeated.
+  std::function<bool(const TokenDigest& digest)> is_known;
 
   DebugOptions debug;
 };
@@ -145,6 +149,8 @@ struct CompileResult {
   std::vector<std::string> dependencies;  // files read, each once, in the order first entered
   std::vector<Include> includes;          // every entry into an include file, in order
   std::vector<std::string> macros_used;   // on request: Source::MacrosUsed
+  std::optional<TokenDigest> digest;      // what CompileRequest::is_known was asked about
+  bool is_repeated = false;
 
   bool ok() const { return status == Status::kOk; }
 };

@@ -89,6 +89,20 @@ void SetVariants(Reading& reading, const std::string& value) {
   SetNumber<&CompileRequest::variant_planes, 0, kMaxClipPlanes>(reading, value);
 }
 
+// "2/4".
+void SetShard(Reading& reading, const std::string& value) {
+  CommandLine& command = reading.command;
+  const char* const end = value.data() + value.size();
+  auto [slash, problem] = std::from_chars(value.data(), end, command.shard);
+  if (problem == std::errc() && slash != end && *slash == '/') {
+    const auto [after, other] = std::from_chars(slash + 1, end, command.shards);
+    const bool is_read = other == std::errc() && after == end;
+    if (is_read && command.shard >= 1 && command.shard <= command.shards) return;
+  }
+  reading.error = fmt::format("`{} {}`: it takes a part and the number of parts, as `2/4`",
+                              reading.option, value);
+}
+
 void SetDependencyFile(Reading& reading, const std::string& value) {
   reading.command.write_dependencies = true;
   reading.command.dependency_file = value;
@@ -302,6 +316,8 @@ constexpr Option kOptions[] = {
      "do not run glslang (the default for a single file)"},
     {"-j", kJoinedOrSeparate, SetNumber<&CommandLine::jobs, 1, 256>, "<N>",
      "compile N of several files at once"},
+    {"--batch", kEquals, Set<&CommandLine::batch>, "<FILE>",
+     "compile the shaders of a JSON manifest; as -D 'A={0,1}', it writes an index of the outputs"},
     {"--diagnostics", kEquals, Choose<MessageFormat, &CommandLine::format, kFormats>, "<FORM>",
      "text, msvc, json or sarif; on standard error"},
     {"-W", kJoined, SetWarning, "<NAME>",
@@ -312,7 +328,10 @@ constexpr Option kOptions[] = {
     {"--help", kFlag, SetTo<&CommandLine::action, Action::kHelp>, "", "print this"},
     {"--version", kFlag, SetTo<&CommandLine::action, Action::kVersion>, "", "print the version"},
 
-    // For untrusted shaders, for people who work on clipc, and other spellings.
+    // For permutations, for untrusted shaders, for people who work on clipc, and other spellings.
+    {"--index", kEquals, Set<&CommandLine::index>},
+    {"-k", kFlag, Set<&CommandLine::keep_going>},
+    {"--shard", kEquals, SetShard},
     {"--max-seconds", kEquals, SetNumber<&Limits::seconds, 1, 1u << 20>},
     {"--max-bytes", kEquals, SetNumber<&Limits::bytes, 1, 1u << 31>},
     {"--max-tokens", kEquals, SetNumber<&Limits::tokens, 1, 1u << 31>},

@@ -131,7 +131,7 @@ void FinishPreprocess(Reading& reading) {
   CommandLine& command = reading.command;
   if (!reading.preprocess) return;
   command.preprocessed = reading.preprocess_name;
-  if (command.inputs.empty() && !command.preprocessed.empty())
+  if (command.inputs.empty() && command.batch.empty() && !command.preprocessed.empty())
     command.inputs.push_back(std::exchange(command.preprocessed, {}));
   if (!reading.preprocess_output.empty()) command.preprocessed = reading.preprocess_output;
   if (command.preprocessed.empty()) command.preprocessed = ".i";
@@ -182,6 +182,7 @@ ParsedCommandLine ParseCommandLine(std::span<const char* const> arguments) {
   command.notices = Diagnostics(warnings);
   ReportWithoutEffect(reading);
   // glslang's tables cost tens of milliseconds once: much for one shader, little for many.
+  command.asks_to_validate = reading.validate;
   command.request.validate = reading.validate.value_or(command.inputs.size() > 1);
   return {std::move(command), std::move(reading.error)};
 }

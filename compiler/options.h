@@ -33,9 +33,14 @@ struct CommandLine {
   bool show_includes = false;
   bool syntax_only = false;
   MessageFormat format = MessageFormat::kText;
-  std::optional<bool> colour;  // none: if standard error is a terminal
-  unsigned jobs = 1;           // the number of inputs that are compiled at once
-  Diagnostics notices;         // what is to be said of the options
+  std::optional<bool> colour;      // none: if standard error is a terminal
+  unsigned jobs = 1;               // the number of inputs that are compiled at once
+  std::string batch;               // a manifest
+  std::string index;               // what is written of permutations: see docs/permutations.md
+  bool keep_going = false;         // also after a permutation with errors
+  unsigned shard = 1, shards = 1;  // only each `shards`-th permutation, from number `shard` on
+  std::optional<bool> asks_to_validate;  // --validate, --no-validate
+  Diagnostics notices;                   // what is to be said of the options
 };
 
 struct ParsedCommandLine {

@@ -14,9 +14,10 @@ ast::File ReadFile(Source& source, Diagnostics& diagnostics) {
   return diagnostics.has_errors() ? ast::File() : Parse(std::move(tokens), diagnostics);
 }
 
-ir::Program Front(Source& source, const CheckOptions& options, Diagnostics& diagnostics) {
+ir::Program Front(Source& source, const CheckOptions& options, Diagnostics& diagnostics,
+                  const std::function<bool(const Tokens&)>& wants) {
   Tokens tokens = Lex(source, diagnostics);
-  if (diagnostics.has_errors()) return {};
+  if (diagnostics.has_errors() || (wants && !wants(tokens))) return {};
   // Said first: what follows may be about another stage's shader.
   if (!options.profile.IsVertex())
     diagnostics.Report({}, diag::NotVertexProfile, options.profile.name);

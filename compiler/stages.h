@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "clip-table/vocabulary.h"
 #include "frontend/check/check.h"
 #include "frontend/lex/source.h"
+#include "frontend/lex/token.h"
 #include "frontend/parse/ast.h"
 #include "ir/program.h"
 #include "passes/pipeline.h"
@@ -32,7 +34,9 @@ ast::File ReadFile(Source& source, Diagnostics& diagnostics);
 
 // What the shader means, in Form::kTyped. The program is only meaningful when `diagnostics` has no
 // errors afterwards. Every error about the shader alone is reported here.
-ir::Program Front(Source& source, const CheckOptions& options, Diagnostics& diagnostics);
+// `wants`, if given, sees the tokens; when it returns false, nothing more is done with them.
+ir::Program Front(Source& source, const CheckOptions& options, Diagnostics& diagnostics,
+                  const std::function<bool(const Tokens&)>& wants = {});
 
 struct LowerSettings {
   glsl::Target target;

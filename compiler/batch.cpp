@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "compiler/batch.h"
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "compiler/batch_index.h"
+#include "compiler/collect_outputs.h"
+#include "compiler/depfile.h"
+#include "compiler/driver.h"
+#include "compiler/in_order.h"
+#include "compiler/macro_memo.h"
+#include "compiler/manifest.h"
+#include "compiler/output_files.h"
+#include "compiler/place_outputs.h"
+#include "compiler/show_messages.h"
+#include "compiler/usage.h"
+
+namespace clipc {
+namespace {
+
+// What is known of the settings of one group.
+struct GroupMemory {
+  // By which of the axes' macros are defined: "101".
+  std::map<std::string, MacroMemo> by_macros;
+  std::map<TokenDigest, std::size_t> by_digest;
+};
+
+class Batch {
+ public:
+  explicit Batch(CommandLine command)
+      : command_(std::move(command)),
+        printer_(command_.format),
+        progress_(command_.format == MessageFormat::kText) {}
+
+  int Run(std::vector<ShaderGroup> groups);
+
+ private:
+  struct Job {
+    std::size_t group = 0, number = 0;
+  };
+
+  std::string CheckUsage() const;
+  std::string Plan();
+  CompileResult Work(std::size_t at, Compiler& compiler);
+  bool Finish(std::size_t at, CompileResult result);
+  std::string WriteFiles(std::size_t at, CompileResult& result);
+  std::string WriteIndex();
+  std::string IndexPath() const;
+  void Summarise() const;
+
+  MacroMemo& MemoOf(const Job& job, std::vector<std::string_view>& values);
+  std::optional<std::size_t> FindAlike(std::size_t at, const CompileResult* result);
+  void Remember(std::size_t at, const CompileResult& result, std::size_t alike);
+
+  const ShaderGroup& GroupOf(const Job& job) const { return groups_[job.group]; }
+
+  CommandLine command_;
+  std::vector<ShaderGroup> groups_;
+  std::vector<Job> jobs_;
+  std::vector<BatchEntry> entries_;  // by job
+  std::size_t all_jobs_ = 0;         // with those of the other shards
+  std::size_t finished_ = 0, failed_ = 0;
+  int exit_code_ = kExitOk;
+
+  std::mutex mutex_;  // of memories_
+  std::vector<GroupMemory> memories_;
+
+  // The file that has these contents, by its extension and them.
+  std::unordered_map<std::string, std::string> files_by_contents_;
+  std::size_t kept_bytes_ = 0;
+  std::vector<std::string> dependencies_;
+  std::unordered_set<std::string> dependency_set_;
+  MessagePrinter printer_;
+  Progress progress_;
+};
+
+bool IsOnlyExtension(const std::string& value) {
+  return value.empty() || (value.starts_with('.') && value.find('/') == std::string::npos);
+}
+
+std::string Batch::CheckUsage() const {
+  if (!IsDirectory(command_.output)) {
+    return "permutations write several files and an index of them; give an existing folder with "
+           "-o";
+  }
+  for (const ShaderGroup& group : groups_) {
+    const CommandLine& command = group.command;
+    if (const std::string problem = CheckCommand(command); !problem.empty()) return problem;
+    const DebugOptions& debug = command.request.debug;
+    if (debug.dump || !debug.dump_after.empty() || !debug.stop_after.empty() ||
+        command.only_dependencies)
+      return "--dump, --stop-after and -M are for one setting of a shader, and there are several";
+    const std::pair<const char*, const std::string&> files[] = {{"--table", command.table},
+                                                                {"--reflect", command.reflection},
+                                                                {"-Fh", command.header},
+                                                                {"-Fc", command.listing},
+                                                                {"-P", command.preprocessed}};
+    for (const auto& [option, value] : files) {
+      if (!IsOnlyExtension(value)) {
+        return fmt::format(
+            "there are several shaders, each with files of its own; {} takes an "
+            "extension, such as `{}`",
+            option, value.substr(std::min(value.rfind('.'), value.size())));
+      }
+    }
+  }
+  return {};
+}
+
+// Names the files of every setting, those of the other shards too, and chooses this one's.
+std::string Batch::Plan() {
+  for (const ShaderGroup& group : groups_) {
+    const std::size_t count = group.Count();
+    if (count > kMaxPermutations || all_jobs_ + count > kMaxPermutations)
+      return fmt::format("more than {} permutations", kMaxPermutations);
+    all_jobs_ += count;
+  }
+  std::unordered_map<std::string, int> uses;
+  std::size_t position = 0;
+  for (std::size_t group = 0; group < groups_.size(); ++group) {
+    for (std::size_t number = 0; number < groups_[group].Count(); ++number) {
+      std::string name = FileNameOf(groups_[group], number);
+      for (int use = uses[name]++; use > 0; use = uses[name]++) name += fmt::format("-{}", use + 1);
+      if (position++ % command_.shards + 1 != command_.shard) continue;
+      jobs_.push_back({group, number});
+      BatchEntry& entry = entries_.emplace_back();
+      entry.name = std::move(name);
+    }
+  }
+  memories_.resize(groups_.size());
+  return {};
+}
+
+// ---- settings that are like others
+
+MacroMemo& Batch::MemoOf(const Job& job, std::vector<std::string_view>& values) {
+  const ShaderGroup& group = GroupOf(job);
+  const std::vector<std::size_t> choices = ChoicesOf(group, job.number);
+  std::string defined;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    const auto& value = group.axes[i].values[choices[i]];
+    defined += value ? '1' : '0';
+    if (!value) continue;
+    names.push_back(group.axes[i].macro);
+    values.push_back(*value);
+  }
+  return memories_[job.group].by_macros.try_emplace(defined, std::move(names)).first->second;
+}
+
+// An earlier job with the same result: by its macros, or by the text after preprocessing that
+// `result`, if given, has a digest of.
+std::optional<std::size_t> Batch::FindAlike(std::size_t at, const CompileResult* result) {
+  const Job& job = jobs_[at];
+  // The other half reads the macros too.
+  if (!GroupOf(job).command.request.pixel_shader.path.empty()) return std::nullopt;
+  const std::lock_guard lock(mutex_);
+  std::vector<std::string_view> values;
+  if (const auto alike = MemoOf(job, values).Find(values)) return alike;
+  if (!result || !result->digest) return std::nullopt;
+  const auto& by_digest = memories_[job.group].by_digest;
+  const auto found = by_digest.find(*result->digest);
+  return found == by_digest.end() ? std::nullopt : std::optional(found->second);
+}
+
+void Batch::Remember(std::size_t at, const CompileResult& result, std::size_t alike) {
+  const std::lock_guard lock(mutex_);
+  std::vector<std::string_view> values;
+  MemoOf(jobs_[at], values).Add(values, result.macros_used, alike);
+  if (result.digest) memories_[jobs_[at].group].by_digest.emplace(*result.digest, alike);
+}
+
+// ---- one job
+
+// On any thread. A result without anything in it is for a job that is like another.
+CompileResult Batch::Work(std::size_t at, Compiler& compiler) {
+  if (FindAlike(at, nullptr)) return {};
+  const Job& job = jobs_[at];
+  const ShaderGroup& group = GroupOf(job);
+  CompileRequest request = group.command.request;
+  request.path = group.source;
+  for (std::string& define : DefinesOf(group, job.number))
+    request.defines.push_back(std::move(define));
+  request.record_macros = true;
+  request.is_known = [&](const TokenDigest& digest) {
+    const std::lock_guard lock(mutex_);
+    return memories_[job.group].by_digest.contains(digest);
+  };
+  return compiler.Compile(request);
+}
+
+// In the order of the jobs, so that what is written and said does not depend on the threads.
+bool Batch::Finish(std::size_t at, CompileResult result) {
+  BatchEntry& entry = entries_[at];
+  const std::string title = TitleOf(GroupOf(jobs_[at]), jobs_[at].number);
+  progress_.Say(++finished_, jobs_.size(), title);
+  int code = kExitOk;
+  if (const auto alike = FindAlike(at, &result)) {
+    entry.status = entries_[*alike].status;
+    entry.files = entries_[*alike].files;
+    entry.exit_code = code = entries_[*alike].exit_code;
+    if (!result.macros_used.empty() || result.digest) Remember(at, result, *alike);
+  } else {
+    Remember(at, result, at);
+    if (!result.messages.empty()) {
+      progress_.Clear();
+      printer_.Say(title);
+      printer_.Show(result);
+    }
+    for (const std::string& file : result.dependencies) {
+      if (dependency_set_.insert(file).second) dependencies_.push_back(file);
+    }
+    code = result.ok() ? kExitOk : result.status == Status::kErrors ? kExitErrors : kExitUsage;
+    if (const std::string problem = WriteFiles(at, result); !problem.empty()) {
+      progress_.Clear();
+      exit_code_ = Fail(problem);
+      return false;
+    }
+    entry.status = result.ok() ? BatchStatus::kCompiled : BatchStatus::kFailed;
+    entry.exit_code = code;
+  }
+  failed_ += code == kExitOk ? 0 : 1;
+  exit_code_ = std::max(exit_code_, code);
+  return code == kExitOk || command_.keep_going;
+}
+
+// Contents that an earlier file has are not written again. As many contents are compared as a
+// bound on memory allows.
+std::string Batch::WriteFiles(std::size_t at, CompileResult& result) {
+  constexpr std::size_t kMostKept = std::size_t{256} << 20;
+  BatchEntry& entry = entries_[at];
+  CommandLine command = GroupOf(jobs_[at]).command;
+  const char* slash = command_.output.ends_with('/') ? "" : "/";
+  command.output = fmt::format("{}{}{}.{}", command_.output, slash, entry.name,
+                               command.request.spirv ? "spv" : "vert");
+  command.write_dependencies = false;
+  const Outputs outputs = PlaceOutputs(command, GroupOf(jobs_[at]).source);
+  std::vector<OutputPiece> pieces;
+  if (std::string problem = CollectOutputs(command, outputs, result, pieces); !problem.empty())
+    return problem;
+  OutputFiles files;
+  std::unordered_set<std::string> paths;
+  for (OutputPiece& piece : pieces) {
+    if (!paths.insert(piece.path).second)
+      return fmt::format("two outputs would go to `{}`", piece.path);
+    std::string file = piece.path.substr(piece.path.rfind('/') + 1);
+    std::string key = file.substr(std::min(file.rfind('.'), file.size())) + '\n' + piece.contents;
+    const auto known = files_by_contents_.find(key);
+    entry.files.push_back({piece.kind, known == files_by_contents_.end() ? file : known->second});
+    if (known != files_by_contents_.end()) continue;
+    if (kept_bytes_ + key.size() <= kMostKept) {
+      kept_bytes_ += key.size();
+      files_by_contents_.emplace(std::move(key), std::move(file));
+    }
+    files.Add(std::move(piece.path), std::move(piece.contents));
+  }
+  return files.Commit();
+}
+
+// ---- the end
+
+std::string Batch::IndexPath() const {
+  if (!command_.index.empty()) return command_.index;
+  const char* slash = command_.output.ends_with('/') ? "" : "/";
+  const std::string shard = command_.shards == 1
+                                ? std::string()
+                                : fmt::format(".{}-of-{}", command_.shard, command_.shards);
+  return fmt::format("{}{}index{}.json", command_.output, slash, shard);
+}
+
+std::string Batch::WriteIndex() {
+  const std::string path = IndexPath();
+  for (std::size_t at = 0; at < jobs_.size(); ++at)
+    Describe(GroupOf(jobs_[at]), jobs_[at].number, entries_[at]);
+  OutputFiles files;
+  files.Add(path, RenderIndex(entries_));
+  if (command_.write_dependencies) {
+    const std::string rule =
+        command_.dependency_file.empty() ? WithoutExtension(path) + ".d" : command_.dependency_file;
+    if (!command_.batch.empty()) dependencies_.insert(dependencies_.begin(), command_.batch);
+    files.Add(rule,
+              DependencyRule(command_.dependency_target.empty() ? path : command_.dependency_target,
+                             dependencies_));
+  }
+  return files.Commit();
+}
+
+void Batch::Summarise() const {
+  const std::size_t left = jobs_.size() - finished_;
+  if (failed_ == 0) return;
+  printer_.Say(
+      fmt::format("{} of {} failed{}", failed_, jobs_.size(),
+                  left == 0 ? "" : fmt::format("; {} were not compiled, -k goes on", left)));
+}
+
+int Batch::Run(std::vector<ShaderGroup> groups) {
+  groups_ = std::move(groups);
+  if (const std::string problem = CheckUsage(); !problem.empty()) return Fail(problem);
+  for (ShaderGroup& group : groups_) {
+    if (const std::string problem = PrepareRequest(group.command); !problem.empty())
+      return Fail(problem);
+    group.command.request.validate = group.command.asks_to_validate.value_or(true);
+  }
+  if (const std::string problem = Plan(); !problem.empty()) return Fail(problem);
+  CompileInOrder(
+      jobs_.size(), command_.jobs,
+      [this](std::size_t at, Compiler& compiler) { return Work(at, compiler); },
+      [this](std::size_t at, CompileResult result) { return Finish(at, std::move(result)); });
+  progress_.Clear();
+  if (exit_code_ != kExitUsage || failed_ > 0) {
+    if (const std::string problem = WriteIndex(); !problem.empty()) exit_code_ = Fail(problem);
+  }
+  printer_.End();
+  Summarise();
+  return exit_code_;
+}
+
+}  // namespace
+
+bool WantsBatch(const CommandLine& command) {
+  std::vector<std::string> defines = command.request.defines;
+  return !command.batch.empty() || !TakeAxes(defines).empty();
+}
+
+int RunBatch(std::span<const char* const> arguments, CommandLine command) {
+  Manifest manifest;
+  if (!command.batch.empty()) {
+    if (!command.inputs.empty())
+      return Fail("the manifest of --batch names the shaders; give no others");
+    manifest = ReadManifest(command.batch, arguments);
+    if (!manifest.error.empty()) return Fail(manifest.error);
+  } else if (command.inputs.empty()) {
+    return Fail("no input file; `clipc --help` lists the options");
+  }
+  for (const std::string& input : command.inputs) {
+    ShaderGroup group;
+    group.command = command;
+    group.axes = TakeAxes(group.command.request.defines);
+    group.source = input;
+    group.name = input == "-" ? "stdin" : WithoutExtension(input.substr(input.rfind('/') + 1));
+    manifest.groups.push_back(std::move(group));
+  }
+  return Batch(std::move(command)).Run(std::move(manifest.groups));
+}
+
+}  // namespace clipc

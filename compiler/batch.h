@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "compiler/options.h"
+#include "compiler/permutations.h"
+
+// Many settings of a few shaders in one run: docs/permutations.md.
+namespace clipc {
+
+// Whether the command line asks for that, by a manifest or a macro with several values.
+bool WantsBatch(const CommandLine& command);
+
+// `arguments` are those that `command` was read from. Returns the exit code.
+int RunBatch(std::span<const char* const> arguments, CommandLine command);
+
+}  // namespace clipc

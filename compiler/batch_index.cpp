@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "compiler/batch_index.h"
+
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+namespace clipc {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string_view NameOf(BatchStatus status) {
+  switch (status) {
+    case BatchStatus::kNotCompiled: return "not-compiled";
+    case BatchStatus::kCompiled: return "compiled";
+    case BatchStatus::kFailed: return "failed";
+  }
+  return "";
+}
+
+}  // namespace
+
+void Describe(const ShaderGroup& group, std::size_t number, BatchEntry& entry) {
+  const CompileRequest& request = group.command.request;
+  entry.source = group.source;
+  entry.entry = request.entry;
+  entry.profile = request.profile;
+  entry.target = request.target;
+  const std::vector<std::size_t> choices = ChoicesOf(group, number);
+  for (std::size_t i = 0; i < choices.size(); ++i)
+    entry.defines.emplace_back(group.axes[i].macro, group.axes[i].values[choices[i]]);
+}
+
+std::string RenderIndex(const std::vector<BatchEntry>& entries) {
+  // A line for each setting.
+  std::string text = "{\"version\": 1, \"shaders\": [";
+  const char* separator = "\n";
+  for (const BatchEntry& entry : entries) {
+    Json json = {{"name", entry.name},
+                 {"source", entry.source},
+                 {"entry", entry.entry},
+                 {"profile", entry.profile},
+                 {"target", entry.target},
+                 {"defines", Json::object()},
+                 {"status", NameOf(entry.status)},
+                 {"files", Json::object()}};
+    for (const auto& [macro, value] : entry.defines)
+      json["defines"][macro] = value ? Json(*value) : Json();
+    for (const auto& [kind, file] : entry.files) json["files"][kind] = file;
+    text += separator + json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    separator = ",\n";
+  }
+  return text + "\n]}\n";
+}
+
+}  // namespace clipc

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "compiler/collect_outputs.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "clip-table/write.h"
+#include "compiler/depfile.h"
+#include "compiler/output_files.h"
+
+namespace clipc {
+namespace {
+
+std::string VariableOf(const CommandLine& command, const CompileResult& result) {
+  if (!command.variable.empty()) return command.variable;
+  std::string name = "g_" + result.table->entry;
+  std::ranges::replace(name, ':', '_');
+  return name;
+}
+
+void AddShaders(const CommandLine& command, const Outputs& outputs, CompileResult& result,
+                std::vector<OutputPiece>& pieces) {
+  if (!command.request.variants) {
+    const auto* const words = reinterpret_cast<const char*>(result.spirv.data());
+    if (command.request.spirv) {
+      pieces.push_back({"spirv", outputs.glsl, std::string(words, 4 * result.spirv.size())});
+    } else {
+      pieces.push_back({"glsl", outputs.glsl, std::move(result.shaders.vertex)});
+    }
+    if (!outputs.fragment.empty())
+      pieces.push_back({"fragment", outputs.fragment, std::move(result.shaders.fragment)});
+  }
+  for (std::size_t planes = 0; planes < result.variants.size(); ++planes) {
+    const std::string path = VariantName(outputs.glsl, planes);
+    pieces.push_back(
+        {fmt::format("glsl.{}", planes), path, std::move(result.variants[planes].vertex)});
+    if (outputs.fragment.empty()) continue;
+    const std::string ending = outputs.fragment.substr(WithoutExtension(outputs.glsl).size());
+    pieces.push_back({fmt::format("fragment.{}", planes), WithoutExtension(path) + ending,
+                      std::move(result.variants[planes].fragment)});
+  }
+}
+
+}  // namespace
+
+std::string CollectOutputs(const CommandLine& command, const Outputs& outputs,
+                           CompileResult& result, std::vector<OutputPiece>& pieces) {
+  FileSet sources;
+  for (const std::string& source : result.dependencies) sources.Add(source);
+  for (const std::string& path : outputs.Named()) {
+    if (sources.Has(path))
+      return fmt::format("the output `{}` would overwrite an included file", path);
+  }
+  const CompileRequest& request = command.request;
+  if (!result.dump.empty()) pieces.push_back({"dump", "-", result.dump});
+  if (result.ok() && !outputs.preprocessed.empty())
+    pieces.push_back({"preprocessed", outputs.preprocessed, result.preprocessed});
+  const bool is_complete = result.table.has_value() && !request.debug.dump;
+  std::string header;
+  if (is_complete && !outputs.header.empty()) {
+    const std::string variable = VariableOf(command, result);
+    header = request.spirv ? HeaderWith(result.spirv, variable)
+                           : HeaderWith(result.shaders.vertex, variable);
+  }
+  if (is_complete && !outputs.glsl.empty()) AddShaders(command, outputs, result, pieces);
+  if (!header.empty()) pieces.push_back({"header", outputs.header, std::move(header)});
+  if (is_complete && !outputs.listing.empty())
+    pieces.push_back({"listing", outputs.listing, result.listing});
+  if (is_complete && !outputs.table.empty()) {
+    const auto format = clip_table::FormatOf(outputs.table);
+    auto text = clip_table::Write(*result.table, *format, outputs.table);
+    if (!text) return fmt::format("cannot write `{}`: {}", outputs.table, text.error);
+    pieces.push_back({"table", outputs.table, std::move(*text)});
+  }
+  if (is_complete && !outputs.reflection.empty())
+    pieces.push_back({"reflection", outputs.reflection, result.reflection});
+  if ((is_complete || request.preprocess) && result.ok() && !outputs.dependencies.empty()) {
+    pieces.push_back({"dependencies", outputs.dependencies,
+                      DependencyRule(outputs.dependency_target, result.dependencies)});
+  }
+  return {};
+}
+
+}  // namespace clipc

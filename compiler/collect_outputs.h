@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "compiler/compile.h"
+#include "compiler/options.h"
+#include "compiler/place_outputs.h"
+
+namespace clipc {
+
+// A file that a compile makes.
+struct OutputPiece {
+  std::string kind;  // "glsl", "fragment", "table" and so on: see collect_outputs.cpp
+  std::string path;  // "-": standard output
+  std::string contents;
+};
+
+// Adds what is to be written of a result to `pieces`, in the order in which it is written. The
+// texts are moved out of the result. A failed compile has no files, but perhaps a dump of a stage
+// before the failure. Returns what is wrong; empty if nothing.
+std::string CollectOutputs(const CommandLine& command, const Outputs& outputs,
+                           CompileResult& result, std::vector<OutputPiece>& pieces);
+
+}  // namespace clipc

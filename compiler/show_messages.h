@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "compiler/compile.h"
+#include "compiler/message.h"
+#include "compiler/options.h"
+
+// What a run says on standard error.
+namespace clipc {
+
+// Prints `clipc: error: what`. Returns the exit code for wrong usage.
+int Fail(std::string_view what);
+
+bool TerminalHasColour();
+
+class MessagePrinter {
+ public:
+  explicit MessagePrinter(MessageFormat format) : format_(format) {}
+
+  void Show(const CompileResult& result);
+  // A line of the run itself, where the format has a place for it.
+  void Say(std::string_view line) const;
+  // Writes the formats that are one document.
+  void End() const;
+
+ private:
+  bool IsLines() const {
+    return format_ == MessageFormat::kText || format_ == MessageFormat::kMsvc;
+  }
+
+  MessageFormat format_;
+  std::vector<Message> messages_;
+};
+
+// "[12/200] water A=0": one line that is written over while a terminal watches.
+class Progress {
+ public:
+  explicit Progress(bool is_wanted);
+  ~Progress() { Clear(); }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void Say(std::size_t done, std::size_t count, std::string_view name);
+  void Clear();  // before anything else is printed
+
+ private:
+  bool is_on_;
+  bool is_shown_ = false;
+  std::int64_t last_ = 0;  // in milliseconds
+};
+
+}  // namespace clipc

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <string>
+
+#include "compiler/options.h"
+
+namespace clipc {
+
+// What is wrong with the options, whatever the inputs are; empty if nothing.
+std::string CheckCommand(const CommandLine& command);
+
+// Reads what the request needs besides the shader, and sets what follows from the outputs that are
+// wanted. Returns what is wrong.
+std::string PrepareRequest(CommandLine& command);
+
+}  // namespace clipc
