@@ -48,6 +48,7 @@ class Batch {
   };
 
   std::string CheckUsage() const;
+  std::string Prepare();
   std::string Plan();
   CompileResult Work(std::size_t at, Compiler& compiler);
   bool Finish(std::size_t at, CompileResult result);
@@ -247,7 +248,7 @@ std::string Batch::WriteFiles(std::size_t at, CompileResult& result) {
   if (std::string problem = CollectOutputs(command, outputs, result, pieces); !problem.empty())
     return problem;
   OutputFiles files;
-  std::unordered_set<std::string> paths;
+  std::unordered_set<std::string> paths = {IndexPath()};
   for (OutputPiece& piece : pieces) {
     if (!paths.insert(piece.path).second)
       return fmt::format("two outputs would go to `{}`", piece.path);
@@ -301,14 +302,23 @@ void Batch::Summarise() const {
                   left == 0 ? "" : fmt::format("; {} were not compiled, -k goes on", left)));
 }
 
+// Sets every group's request up, and says once what is to be said of the options.
+std::string Batch::Prepare() {
+  std::unordered_set<std::string> said;
+  for (ShaderGroup& group : groups_) {
+    if (std::string problem = PrepareRequest(group.command); !problem.empty()) return problem;
+    group.command.request.validate = group.command.asks_to_validate.value_or(true);
+    const CompileResult notices = NoticesOf(group.command);
+    if (!notices.messages.empty() && said.insert(notices.messages.front().text).second)
+      printer_.Show(notices);
+  }
+  return {};
+}
+
 int Batch::Run(std::vector<ShaderGroup> groups) {
   groups_ = std::move(groups);
   if (const std::string problem = CheckUsage(); !problem.empty()) return Fail(problem);
-  for (ShaderGroup& group : groups_) {
-    if (const std::string problem = PrepareRequest(group.command); !problem.empty())
-      return Fail(problem);
-    group.command.request.validate = group.command.asks_to_validate.value_or(true);
-  }
+  if (const std::string problem = Prepare(); !problem.empty()) return Fail(problem);
   if (const std::string problem = Plan(); !problem.empty()) return Fail(problem);
   CompileInOrder(
       jobs_.size(), command_.jobs,

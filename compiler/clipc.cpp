@@ -47,6 +47,7 @@ bool NamesFiles(const clipc::CommandLine& command) {
   return !command.inputs.empty() || !command.output.empty() || !command.table.empty() ||
          !command.reflection.empty() || !command.header.empty() || !command.listing.empty() ||
          !command.preprocessed.empty() || !command.fragment.empty() || command.write_dependencies ||
+         !command.batch.empty() || !command.index.empty() || command.shards != 1 ||
          command.only_dependencies || command.action != clipc::CommandLine::Action::kCompile;
 }
 

@@ -120,14 +120,7 @@ void Driver::ShowNotices() {
     if (!command_.request.spirv && SaysOtherThanGlsl(outputs.glsl))
       notices.Report({}, diag::OutputNotGlsl, outputs.glsl);
   }
-  if (notices.all().empty()) return;
-  FrontendContext context;
-  const Source nowhere(context, {});
-  CompileResult result;
-  result.text = nowhere.RenderText(notices, command_.request.colour);
-  for (const Diagnostic& notice : notices.all())
-    result.messages.push_back(ToMessage(notice, nowhere));
-  printer_.Show(result);
+  if (!notices.all().empty()) printer_.Show(NoticesOf(command_));
 }
 
 // Returns an empty text on success.

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <optional>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -94,7 +95,8 @@ Texts VariantsIn(const Json& shader, const std::string& where) {
 class Reader {
  public:
   explicit Reader(std::span<const char* const> arguments)
-      : arguments_(arguments.begin(), arguments.end()) {}
+      : arguments_(arguments.begin(), arguments.end()),
+        whole_(ParseCommandLine(arguments).command) {}
 
   std::vector<ShaderGroup> Read(const Json& manifest) {
     constexpr std::string_view kMembers[] = {"version", "options", "shaders"};
@@ -161,6 +163,8 @@ class Reader {
     for (const std::string& word : all) pointers.push_back(word.c_str());
     ParsedCommandLine parsed = ParseCommandLine(pointers);
     if (!parsed.error.empty()) Refuse(where, parsed.error);
+    if (!IsOfOneShader(parsed.command))
+      Refuse(where, "an option is about the whole run; it stands on the command line");
     if (!parsed.command.inputs.empty())
       Refuse(where, fmt::format("`{}` is not an option; the manifest names the shaders",
                                 parsed.command.inputs[0]));
@@ -170,7 +174,17 @@ class Reader {
     groups_.push_back(std::move(group));
   }
 
+  // Whether what holds for the whole run is as on the command line.
+  bool IsOfOneShader(const CommandLine& command) const {
+    const auto run = [](const CommandLine& c) {
+      return std::tie(c.action, c.output, c.batch, c.index, c.shard, c.shards, c.jobs, c.keep_going,
+                      c.format, c.write_dependencies, c.dependency_file, c.dependency_target);
+    };
+    return run(command) == run(whole_);
+  }
+
   Texts arguments_;
+  CommandLine whole_;
   std::vector<ShaderGroup> groups_;
 };
 

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include "clip-table/write.h"
+#include "compiler/message.h"
 #include "compiler/show_messages.h"
+#include "frontend/lex/source.h"
 #include "frontend/lex/source_text.h"
 
 namespace clipc {
@@ -30,6 +32,17 @@ std::string CheckCommand(const CommandLine& command) {
     return "--keep-outputs is for --pixel-shader; without it every output is kept";
   }
   return {};
+}
+
+CompileResult NoticesOf(const CommandLine& command) {
+  CompileResult result;
+  if (command.notices.all().empty()) return result;
+  FrontendContext context;
+  const Source nowhere(context, {});
+  result.text = nowhere.RenderText(command.notices, command.request.colour);
+  for (const Diagnostic& notice : command.notices.all())
+    result.messages.push_back(ToMessage(notice, nowhere));
+  return result;
 }
 
 std::string PrepareRequest(CommandLine& command) {

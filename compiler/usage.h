@@ -3,12 +3,16 @@
 
 #include <string>
 
+#include "compiler/compile.h"
 #include "compiler/options.h"
 
 namespace clipc {
 
 // What is wrong with the options, whatever the inputs are; empty if nothing.
 std::string CheckCommand(const CommandLine& command);
+
+// What is to be said of the options, as the result of a compile.
+CompileResult NoticesOf(const CommandLine& command);
 
 // Reads what the request needs besides the shader, and sets what follows from the outputs that are
 // wanted. Returns what is wrong.

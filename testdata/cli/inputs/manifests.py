@@ -29,6 +29,7 @@ MISTAKES = {
     "macro": shaders(source="a.hlsl", defines={"A=1": 1}),
     "option": shaders(source="a.hlsl", options=["--flipy"]),
     "input": shaders(source="a.hlsl", options=["b.hlsl"]),
+    "run": shaders(source="a.hlsl", options=["-o", "elsewhere"]),
     "text": shaders(source="a.hlsl", options=[1]),
     "variants": shaders(source="a.hlsl", variants=-1),
     "deep": "[" * 1000000,

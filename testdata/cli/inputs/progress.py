@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+"""On a terminal a line shows the progress, and is gone at the end.
+
+usage: progress.py CLIPC
+"""
+
+import os
+import pty
+import subprocess
+import sys
+
+master, slave = pty.openpty()
+words = [sys.argv[1], "-D", "A={1,2,3}", "bad.hlsl", "-o", "out"]
+subprocess.run(words, stderr=slave, check=True, env={**os.environ, "TERM": "xterm"})
+os.close(slave)
+shown = os.read(master, 1 << 16)
+assert b"[1/3] bad.hlsl A=1" in shown and shown.endswith(b"\r\x1b[K"), shown
