@@ -127,7 +127,8 @@ class Reader {
     Texts words = TextsIn(shader, "options", where, {});
     for (std::string& word : VariantsIn(shader, where)) words.push_back(std::move(word));
     for (const std::string& source : sources) {
-      if (source.empty() || source == "-") Refuse(where + ".source", "is not the name of a file");
+      if (source.empty() || source == "-" || source.ends_with('/'))
+        Refuse(where + ".source", "is not the name of a file");
       ShaderGroup group;
       group.source = source;
       group.name =
@@ -194,6 +195,11 @@ Manifest ReadManifest(const std::string& path, std::span<const char* const> argu
   std::string text;
   if (const std::string problem = ReadText(path, text); !problem.empty())
     return {{}, fmt::format("cannot read the manifest `{}`: {}", path, problem)};
+  return ParseManifest(path, text, arguments);
+}
+
+Manifest ParseManifest(const std::string& path, const std::string& text,
+                       std::span<const char* const> arguments) {
   try {
     return {Reader(arguments).Read(Json::parse(text)), {}};
   } catch (const Json::parse_error& problem) {

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// Reads any text as a manifest: either there is an error with a message, or groups whose settings
+// have names of files in one folder.
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+#include "compiler/manifest.h"
+#include "compiler/permutations.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  // A response file would be read.
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  if (text.find('@') != std::string_view::npos) return 0;
+  const char* const arguments[] = {"--batch=fuzz.json", "-o", "out", "-DA={0,1}"};
+  const clipc::Manifest manifest = clipc::ParseManifest("fuzz.json", std::string(text), arguments);
+  if (manifest.error.empty() == manifest.groups.empty()) std::abort();
+  for (const clipc::ShaderGroup& group : manifest.groups) {
+    const std::size_t count = std::min<std::size_t>(group.Count(), 20);
+    for (std::size_t number = 0; number < count; ++number) {
+      const std::string name = clipc::FileNameOf(group, number);
+      if (name.empty() || name.find('/') != std::string::npos) std::abort();
+      if (clipc::TitleOf(group, number).empty()) std::abort();
+    }
+  }
+  return 0;
+}
