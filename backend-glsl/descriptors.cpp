@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "backend-glsl/descriptors.h"
 
-#include <algorithm>
 #include <ranges>
 #include <set>
 #include <utility>
@@ -16,14 +15,16 @@ Descriptors::Descriptors(const ir::Program& program, const Reached& reached, con
   for (const ir::CbufferId id : program.cbuffers.ids()) {
     const ir::Cbuffer& cbuffer = program.cbuffers[id];
     if (reached.Has(id) && !cbuffer.is_push_constant) all.push_back(&cbuffer.reg);
+    if (cbuffer.kind == ir::CbufferKind::kGlobals) globals_ = &cbuffer.reg;
   }
   for (const ir::Resource& resource : program.resources) {
     if (reached.Has(resource.var)) all.push_back(&resource.reg);
   }
-  const auto has_own = [](const ir::Register* reg) { return reg->descriptor.has_value(); };
-  if (std::ranges::none_of(all, has_own)) return;
+  const bool bound_by_option = target.bindings.globals.has_value();
+  const auto stays = [&](const ir::Register* reg) {
+    return reg->descriptor || reg->is_explicit || (reg == globals_ && bound_by_option);
+  };
   std::set<std::pair<std::uint32_t, std::uint32_t>> taken;
-  const auto stays = [&](const ir::Register* reg) { return has_own(reg) || reg->is_explicit; };
   for (const ir::Register* reg : all | std::views::filter(stays)) {
     const ir::Descriptor at = Plain(*reg);
     taken.emplace(at.set, at.binding);
@@ -43,15 +44,20 @@ ir::Descriptor Descriptors::Of(const ir::Register& reg) const {
 
 ir::Descriptor Descriptors::Plain(const ir::Register& reg) const {
   if (reg.descriptor) return *reg.descriptor;
-  for (const BindingShift& given : target_.binding_shifts | std::views::reverse) {
-    if (given.letter == reg.letter && given.space.value_or(reg.space) == reg.space)
-      return {reg.number + given.shift, reg.space};
+  const BindingRules& rules = target_.bindings;
+  if (&reg == globals_ && rules.globals) return *rules.globals;
+  const std::uint32_t space = reg.is_explicit ? reg.space : rules.unplaced_set.value_or(reg.space);
+  for (const BindingRule& rule : rules.rules | std::views::reverse) {
+    if (rule.letter != reg.letter || rule.number.value_or(reg.number) != reg.number ||
+        rule.space.value_or(reg.space) != reg.space)
+      continue;
+    return {rule.binding + (rule.number ? 0 : reg.number), rule.set.value_or(space)};
   }
   switch (reg.letter) {
-    case 'b': return {reg.number + kVulkanShiftB, reg.space};
-    case 's': return {reg.number + kVulkanShiftS, reg.space};
-    case 'u': return {reg.number + kVulkanShiftU, reg.space};
-    default: return {reg.number + kVulkanShiftT, reg.space};
+    case 'b': return {reg.number + kVulkanShiftB, space};
+    case 's': return {reg.number + kVulkanShiftS, space};
+    case 'u': return {reg.number + kVulkanShiftU, space};
+    default: return {reg.number + kVulkanShiftT, space};
   }
 }
 

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "ir/interface.h"
+
 // The dialects of GLSL that clipc writes, and what each of them can say.
 namespace clipc::glsl {
 
@@ -79,11 +81,18 @@ struct Support {
   std::string_view extension = {};
 };
 
-// The binding of register n of a letter is n + shift: in one register space, or in all.
-struct BindingShift {
+// Where registers of one letter are bound in Vulkan: all, those of one space, or one of them.
+struct BindingRule {
   char letter = 'b';
-  std::uint32_t shift = 0;
-  std::optional<std::uint32_t> space;
+  std::optional<std::uint32_t> number = {};  // this register only
+  std::optional<std::uint32_t> space = {};   // in this space only
+  std::uint32_t binding = 0;                 // of the register that is meant, or else of register 0
+  std::optional<std::uint32_t> set = {};     // none: the space
+};
+struct BindingRules {
+  std::vector<BindingRule> rules;  // in place of the usual ones (descriptors.h); a later one wins
+  std::optional<ir::Descriptor> globals;      // of $Globals
+  std::optional<std::uint32_t> unplaced_set;  // of what has no register
 };
 
 class Target {
@@ -103,8 +112,7 @@ class Target {
   bool Has(Feature feature) const { return Of(feature).has; }
   bool HasInCore(Feature feature) const { return Has(feature) && Of(feature).extension.empty(); }
 
-  // Vulkan's, in place of the usual ones (write.h); a later one wins.
-  std::vector<BindingShift> binding_shifts;
+  BindingRules bindings;  // Vulkan's
 
  private:
   Target(std::string_view name, Api api, int version) : name_(name), api_(api), version_(version) {}

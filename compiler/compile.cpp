@@ -148,7 +148,7 @@ void Compilation::ReadNames() {
     diagnostics_.Report({}, diag::UnknownTarget, request_.target,
                         Suggest(request_.target, glsl::Target::Names()));
   }
-  if (target_) target_->binding_shifts = request_.binding_shifts;
+  if (target_) target_->bindings = request_.bindings;
   auto names = glsl::NameStyle::Parse(request_.names.empty() ? "hlslcc" : request_.names);
   if (!names) {
     diagnostics_.Report({}, diag::UnknownNames, request_.names,

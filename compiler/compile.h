@@ -74,8 +74,8 @@ struct CompileRequest {
   rules::PositionName position_name = rules::PositionName::kSystemValue;
 
   std::string target = "glsl450";
-  std::vector<glsl::BindingShift> binding_shifts;  // of target "vulkan"
-  std::optional<Lowering> lowering;                // none: DefaultLowering of the profile
+  glsl::BindingRules bindings;       // of target "vulkan"
+  std::optional<Lowering> lowering;  // none: DefaultLowering of the profile
   PlaneSpace plane_space = PlaneSpace::kClip;
   // The semantic of the vertex's position, for plane space kObject; empty: POSITION0.
   std::string position_input;

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/spelling.h"
+#include "compiler/binding_options.h"
 #include "compiler/suggest.h"
 
 namespace clipc {
@@ -134,24 +135,11 @@ void ChooseVulkan(Reading& reading, const std::string& value) {
       fmt::format("unknown value `{}` of {}{}", value, reading.option, Suggest(value, names));
 }
 
-// "N SPACE", where the space may be `all` and may be left out.
-template <char kLetter>
-void AddShift(Reading& reading, const std::string& value) {
-  const std::size_t blank = std::min(value.find(' '), value.size());
-  const std::string_view number = std::string_view(value).substr(0, blank);
-  const std::string_view space = std::string_view(value).substr(std::min(blank + 1, value.size()));
-  const auto read = [](std::string_view text, std::uint32_t& to) {
-    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), to);
-    return problem == std::errc() && end == text.data() + text.size() && to < 1u << 20;
-  };
-  glsl::BindingShift shift{kLetter, 0, std::nullopt};
-  const bool is_all = space.empty() || space == "all";
-  if (read(number, shift.shift) && (is_all || read(space, shift.space.emplace()))) {
-    reading.command.request.binding_shifts.push_back(shift);
-  } else {
-    reading.error =
-        fmt::format("`{} {}`: it takes two numbers, or a number and `all`", reading.option, value);
-  }
+// The advice of the option says what it takes.
+template <bool (*kRead)(glsl::BindingRules&, std::string_view)>
+void Bind(Reading& reading, const std::string& value) {
+  if (!kRead(reading.command.request.bindings, value))
+    reading.error = fmt::format("`{} {}`: it takes {}", reading.option, value, reading.advice);
 }
 
 // -Gec and -Ges exclude each other, as in fxc.
@@ -229,6 +217,7 @@ constexpr const char* kDepthRanges[] = {"zero-to-one", "negative-one-to-one"};
 constexpr const char* kFormats[] = {"text", "msvc", "json", "sarif"};
 constexpr const char* kClangFormats[] = {"clang", "msvc", "json", "sarif"};  // the same formats
 constexpr const char* kStages[] = {"tokens", "ast", "ir", "glsl", "table"};
+constexpr char kShift[] = "two numbers, or a number and `all`";
 constexpr const char* kLanguages[] = {"2016", "2017", "2018", "2021"};
 constexpr std::string_view kHlsl = "hlsl", kVert = "vert", kVertex = "vertex";
 
@@ -275,6 +264,8 @@ constexpr Option kOptions[] = {
      "redeclare gl_PerVertex, for glUseProgramStages"},
     {"--blocks", kEquals, Choose<glsl::BlockStyle, &Request::blocks, glsl::kBlockStyleNames>,
      "<FORM>", "cbuffers: named (with an instance name, the default), plain or flat uniforms"},
+    {"--bindings", kEquals, Bind<AddPreset>, "<NAME>",
+     "the bindings of dxc, nvrhi or sdl, with target vulkan"},
     {"--names", kEquals, Set<&Request::names>, "<STYLE>",
      "of outputs and blocks: hlslcc (the default), dxc, spirv-cross, or vs_{semantic}{index}"},
     {"--pixel-shader", kEquals, Set<&PixelShader::path>, "<FILE>",
@@ -287,9 +278,8 @@ constexpr Option kOptions[] = {
     {"-Fc", kJoinedOrSeparate, Set<&CommandLine::listing>, "<FILE>",
      "write the GLSL with these comments to FILE"},
     {"-Fh", kJoinedOrSeparate, Set<&CommandLine::header>, "<FILE>",
-     "write the GLSL as a C string to FILE"},
-    {"-Vn", kJoinedOrSeparate, Set<&CommandLine::variable>, "<NAME>",
-     "the name of that string (g_ and the entry's name)"},
+     "write the GLSL as a C string to FILE; -Vn NAME names it (g_ and the entry's name)"},
+    {"-Vn", kJoinedOrSeparate, Set<&CommandLine::variable>},
     {"-spirv", kFlag, SetSpirv<true>, "",
      "write SPIR-V instead of GLSL, for Vulkan; so does a .spv file"},
     {"-G", kFlag, SetSpirv<false>, "", "write SPIR-V for OpenGL 4.5"},
@@ -338,15 +328,19 @@ constexpr Option kOptions[] = {
     {"--dump-after", kEquals, Set<&DebugOptions::dump_after>},
     {"--stop-after", kEquals, Set<&DebugOptions::stop_after>},
     {"--verify", kFlag, Set<&DebugOptions::verify>},
-    {"-fvk-b-shift", kTwo, AddShift<'b'>},
-    {"-fvk-s-shift", kTwo, AddShift<'s'>},
-    {"-fvk-t-shift", kTwo, AddShift<'t'>},
-    {"-fvk-u-shift", kTwo, AddShift<'u'>},
-    {"--shift-ubo-binding", kEquals, AddShift<'b'>},
-    {"--shift-cbuffer-binding", kEquals, AddShift<'b'>},
-    {"--shift-sampler-binding", kEquals, AddShift<'s'>},
-    {"--shift-texture-binding", kEquals, AddShift<'t'>},
-    {"--shift-UAV-binding", kEquals, AddShift<'u'>},
+    {"-fvk-bind-register", kFour, Bind<AddRegister>, nullptr,
+     "a register such as b0, its space, a binding and a set"},
+    {"-fvk-bind-globals", kTwo, Bind<SetGlobals>, nullptr, "a binding and a set"},
+    {"-auto-binding-space", kSeparate, Bind<SetUnplaced>, nullptr, "a set"},
+    {"-fvk-b-shift", kTwo, Bind<AddShift<'b'>>, nullptr, kShift},
+    {"-fvk-s-shift", kTwo, Bind<AddShift<'s'>>, nullptr, kShift},
+    {"-fvk-t-shift", kTwo, Bind<AddShift<'t'>>, nullptr, kShift},
+    {"-fvk-u-shift", kTwo, Bind<AddShift<'u'>>, nullptr, kShift},
+    {"--shift-ubo-binding", kEquals, Bind<AddShift<'b'>>, nullptr, kShift},
+    {"--shift-cbuffer-binding", kEquals, Bind<AddShift<'b'>>, nullptr, kShift},
+    {"--shift-sampler-binding", kEquals, Bind<AddShift<'s'>>, nullptr, kShift},
+    {"--shift-texture-binding", kEquals, Bind<AddShift<'t'>>, nullptr, kShift},
+    {"--shift-UAV-binding", kEquals, Bind<AddShift<'u'>>, nullptr, kShift},
     {"-V", kFlag, SetSpirv<true>},
     {"-Fo", kJoinedOrSeparate, Set<&CommandLine::output>},
     {"-e", kSeparate, Set<&Request::entry>},
@@ -428,8 +422,6 @@ constexpr Option kOptions[] = {
     {"-fvk-", kJoined, Refuse, nullptr, "bindings follow the registers; `--reflect` tells them"},
     {"--shift-", kJoined, Refuse, nullptr, "bindings follow the registers; `--reflect` tells them"},
     {"--auto-map-", kJoined, Refuse, nullptr,
-     "bindings follow the registers; `--reflect` tells them"},
-    {"-auto-binding-space", kJoined, Refuse, nullptr,
      "bindings follow the registers; `--reflect` tells them"},
     {"-enable-16bit-types", kFlag, Refuse, nullptr,
      "`half` and `min16float` are computed and stored at 32 bits"},

@@ -41,6 +41,7 @@ struct Option {
     kOptional,          // -P or -P x
     kEquals,            // --target=x or --target x
     kTwo,               // -fvk-b-shift 2 0: the value is "2 0"
+    kFour,              // -fvk-bind-register b0 0 1 0
   };
 
   std::string_view name;

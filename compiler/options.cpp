@@ -106,7 +106,7 @@ void ReadArgument(std::span<const std::string> arguments, std::size_t& at, Readi
   std::string value = spelling.substr(option->name.size());
   const auto takes_next = [&](Option::Form form) {
     return form == kEquals || form == kJoinedOrSeparate || form == kSeparate || form == kOptional ||
-           form == kTwo;
+           form == kTwo || form == kFour;
   };
   if (option->form == kEquals && !value.empty()) {
     value.erase(0, 1);
@@ -120,7 +120,8 @@ void ReadArgument(std::span<const std::string> arguments, std::size_t& at, Readi
       return;
     }
   }
-  if (option->form == kTwo && at < arguments.size()) value += " " + arguments[at++];
+  const int more = option->form == kTwo ? 1 : option->form == kFour ? 3 : 0;
+  for (int i = 0; i < more && at < arguments.size(); ++i) value += " " + arguments[at++];
   option->read(reading, value);
 }
 

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "compiler/binding_options.h"
+
+#include <algorithm>
+#include <charconv>
+#include <iterator>
+#include <span>
+#include <vector>
+
+namespace clipc {
+namespace {
+
+using glsl::BindingRule;
+
+constexpr std::uint32_t kMost = 1u << 20;
+
+std::vector<std::string_view> Words(std::string_view text) {
+  std::vector<std::string_view> words;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    words.push_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return words;
+}
+
+bool Read(std::string_view text, std::uint32_t& to) {
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), to);
+  return problem == std::errc() && end == text.data() + text.size() && to < kMost;
+}
+
+// dxc and glslang: without options, binding n of set m is register n of space m, of any kind.
+constexpr BindingRule kDxc[] = {
+    {'b', {}, {}, 0, {}}, {'s', {}, {}, 0, {}}, {'t', {}, {}, 0, {}}, {'u', {}, {}, 0, {}}};
+// VulkanBindingOffsets of nvrhi.h, which ShaderMake and Slang's users of nvrhi give their compiler.
+constexpr BindingRule kNvrhi[] = {
+    {'t', {}, {}, 0, {}}, {'s', {}, {}, 128, {}}, {'b', {}, {}, 256, {}}, {'u', {}, {}, 384, {}}};
+// SDL_CreateGPUShader: of a vertex shader, textures and storage buffers are in set 0 and uniform
+// buffers in set 1.
+constexpr BindingRule kSdl[] = {{'t', {}, {}, 0, 0}, {'s', {}, {}, 0, 0}, {'b', {}, {}, 0, 1}};
+
+struct Preset {
+  std::string_view name;
+  std::span<const BindingRule> rules;
+};
+constexpr Preset kPresets[] = {{"dxc", kDxc}, {"nvrhi", kNvrhi}, {"sdl", kSdl}};
+
+}  // namespace
+
+bool AddShift(char letter, glsl::BindingRules& rules, std::string_view value) {
+  const std::vector<std::string_view> words = Words(value);
+  BindingRule rule{.letter = letter};
+  if (words.empty() || words.size() > 2 || !Read(words[0], rule.binding)) return false;
+  if (words.size() == 2 && words[1] != "all" && !Read(words[1], rule.space.emplace())) return false;
+  rules.rules.push_back(rule);
+  return true;
+}
+
+bool AddRegister(glsl::BindingRules& rules, std::string_view value) {
+  const std::vector<std::string_view> words = Words(value);
+  constexpr std::string_view kLetters = "bstu";
+  if (words.size() != 4 || words[0].empty() || kLetters.find(words[0][0]) == kLetters.npos)
+    return false;
+  BindingRule rule{.letter = words[0][0]};
+  const bool is_read = Read(words[0].substr(1), rule.number.emplace()) &&
+                       Read(words[1], rule.space.emplace()) && Read(words[2], rule.binding) &&
+                       Read(words[3], rule.set.emplace());
+  if (is_read) rules.rules.push_back(rule);
+  return is_read;
+}
+
+bool SetGlobals(glsl::BindingRules& rules, std::string_view value) {
+  const std::vector<std::string_view> words = Words(value);
+  ir::Descriptor& at = rules.globals.emplace();
+  return words.size() == 2 && Read(words[0], at.binding) && Read(words[1], at.set);
+}
+
+bool SetUnplaced(glsl::BindingRules& rules, std::string_view value) {
+  return Read(value, rules.unplaced_set.emplace());
+}
+
+bool AddPreset(glsl::BindingRules& rules, std::string_view value) {
+  const auto* found = std::ranges::find(kPresets, value, &Preset::name);
+  if (found == std::end(kPresets)) return false;
+  rules.rules.insert(rules.rules.end(), found->rules.begin(), found->rules.end());
+  return true;
+}
+
+}  // namespace clipc

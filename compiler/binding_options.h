@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <string_view>
+
+#include "backend-glsl/target.h"
+
+// The options that say where a Vulkan shader's buffers and objects are bound. Their values are
+// words apart by one blank; false is returned for a value that they cannot take.
+namespace clipc {
+
+// -fvk-b-shift: "2 0" or "2 all" or "2".
+bool AddShift(char letter, glsl::BindingRules& rules, std::string_view value);
+template <char kLetter>
+bool AddShift(glsl::BindingRules& rules, std::string_view value) {
+  return AddShift(kLetter, rules, value);
+}
+// -fvk-bind-register: "b3 0 7 1", the register, its space, the binding and the set.
+bool AddRegister(glsl::BindingRules& rules, std::string_view value);
+// -fvk-bind-globals: "7 1", the binding and the set.
+bool SetGlobals(glsl::BindingRules& rules, std::string_view value);
+// -auto-binding-space: "2", the set of what has no register.
+bool SetUnplaced(glsl::BindingRules& rules, std::string_view value);
+// --bindings: the name of a compiler or an engine.
+bool AddPreset(glsl::BindingRules& rules, std::string_view value);
+
+}  // namespace clipc
