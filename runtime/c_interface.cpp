@@ -72,7 +72,7 @@ extern "C" {
 int32_t clipc_hresult(clipc_error error) { return HresultOf(static_cast<Error>(error)); }
 
 clipc_error clipc_table_read(const void* bytes, size_t size, clipc_table** table, char* message) {
-  if (IsMissing({table}, message)) return CLIPC_INVALID_ARGUMENT;
+  if (IsMissing({static_cast<const void*>(table)}, message)) return CLIPC_INVALID_ARGUMENT;
   *table = nullptr;
   Result<Table> result = ReadTable(bytes, size);
   if (!result.ok()) return Report(result.status, message);

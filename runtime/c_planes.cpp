@@ -178,8 +178,11 @@ clipc_shader_variant clipc_variant_of(uint8_t plan) {
 }
 
 void clipc_compact_planes(const clipc_shader_variant* variant, const float* from, float* to) {
-  for (int i = 0; i < std::min<int>(variant->plane_count, 6); ++i)
-    std::memmove(to + 4 * i, from + 4 * std::min<int>(variant->planes[i], 5), sizeof(Float4));
+  const std::size_t count = std::min<std::size_t>(variant->plane_count, 6);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t plane = std::min<std::size_t>(variant->planes[i], 5);
+    std::memmove(to + 4 * i, from + 4 * plane, sizeof(Float4));
+  }
 }
 
 void clipc_order_by_plane_count(const uint8_t* plans, size_t count, uint32_t* order,

@@ -48,7 +48,7 @@ extern "C" {
 
 clipc_error clipc_gl_switches_create(clipc_gl_loader loader, clipc_gl_switches** switches,
                                      char* message) {
-  if (IsMissing({switches}, message)) return CLIPC_INVALID_ARGUMENT;
+  if (IsMissing({static_cast<const void*>(switches)}, message)) return CLIPC_INVALID_ARGUMENT;
   *switches = nullptr;
   return Create(gl::LoadFunctions(loader), switches, message);
 }
@@ -88,7 +88,7 @@ void clipc_gl_switches_restore(clipc_gl_switches* switches) { switches->switches
 
 clipc_error clipc_gl_device_create(clipc_gl_loader loader, clipc_gl_device** device,
                                    char* message) {
-  if (IsMissing({device}, message)) return CLIPC_INVALID_ARGUMENT;
+  if (IsMissing({static_cast<const void*>(device)}, message)) return CLIPC_INVALID_ARGUMENT;
   *device = nullptr;
   const Result<gl::Functions> functions = gl::LoadFunctions(loader);
   if (functions.ok() && !functions.value.has_clip_planes()) {
