@@ -45,8 +45,8 @@ struct PixelShader {
   std::string entry;  // of HLSL and SPIR-V; empty: `main` of HLSL, the only one of SPIR-V
 };
 
-// What one compile may take; past a limit there is an error. Memory follows from the first two: it
-// stays below 8 MiB + 40 bytes for each byte of text + 200 for each token of macros.
+// What one compile may take; past a limit there is an error. Memory follows from the first two:
+// some 27 bytes for each byte of text and 100 for each token of macros, measured.
 struct Limits {
   std::size_t bytes = SIZE_MAX;  // of the shader and its includes, each time that one is entered
   std::size_t tokens = std::size_t{4} << 20;  // that macros add to those of the text
