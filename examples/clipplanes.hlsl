@@ -2,6 +2,9 @@
 // A mesh cut by two planes: the water's surface and a portal's frame. Direct3D clips every triangle where
 // dot(position, plane) < 0, so both planes are given in clip space.
 
+// Two matrices, one after the other, leave the vertex in the space between them in float. So that no digits are
+// lost far from the world's origin, that space begins at the camera: `world` has the object's place less the
+// eye's, subtracted in double, and `view_projection` turns but does not move.
 cbuffer Transform : register(b0) {
   float4x4 world;
   float4x4 view_projection;

@@ -178,6 +178,9 @@ TEST(PredictEdgeError, GrowsWithTheDistanceOfAnOrthographicEye) {
   EXPECT_NEAR(law(false, PlaneSpace::kClip), 2 + 0.1 * 30, 1e-9);
   EXPECT_NEAR(law(true, PlaneSpace::kClip), 2 + 0.1 * 0.8 * 100, 1e-9);
   EXPECT_NEAR(law(true, PlaneSpace::kObject), 0.75, 1e-9);
+  Matrix tile = OrthographicCamera(0.1, 100).projection;
+  tile.m[3][0] = 3;
+  EXPECT_NEAR(LawOf(PlaneSpace::kClip, tilted, tile), 2 + 6 + 0.1 * 30, 1e-9);
   EXPECT_EQ(
       PredictEdgeError(PlaneSpace::kXyw1, tilted, OrthographicCamera(0.1, 100).projection, 1080)
           .status.error(),

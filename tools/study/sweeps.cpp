@@ -70,6 +70,20 @@ class Sweeps {
       config.camera.offset_x = offset, config.camera.offset_y = 0.7 * offset;
       Add("off centre", offset, config);
     }
+    // Tiles of a picture that is several times as large: the plane goes through the tile's middle.
+    for (const double offset : Some({1, 2, 3, 5})) {
+      Config config = ObliqueAt(30);
+      config.camera.offset_x = offset, config.camera.offset_y = 0.7 * offset;
+      const Matrix p = config.camera.Projection();
+      config.view_plane = PlaneThroughPoint(
+          {0.4, 0.5, 0.77}, {-offset / p.m[0][0] * 30, -0.7 * offset / p.m[1][1] * 30, 30});
+      Add("tile, half pictures off the axis", offset, config);
+    }
+    for (const double ratio : Some({10, 100, 1000, 1e4})) {
+      Config config = ObliqueAt(0.1 * ratio / 0.77, 0.1, 1e6);
+      config.camera.negative_one_to_one = true, config.camera.reversed = true;
+      Add("eye to plane / near, reversed from 1 to -1", ratio, config);
+    }
   }
 
   void Planes() {
@@ -104,6 +118,13 @@ class Sweeps {
       Config config = ObliqueAt(10);
       config.edge_length = length;
       Add("edge length / depth", length, config);
+    }
+    // A floor that is seen from one unit on.
+    for (const double far : Some({3, 30, 300, 1000})) {
+      Config config = ObliqueAt(10);
+      config.view_plane = PlaneThroughPoint({0.05, 1, 0.02}, {0, -1, 0});
+      config.nearest = 1, config.farthest = far;
+      Add("ground, seen from 1 to", far, config);
     }
   }
 

@@ -19,6 +19,7 @@ import matplotlib
 
 matplotlib.use("svg")
 import matplotlib.pyplot as plt  # noqa: E402
+import matplotlib.ticker  # noqa: E402
 
 plt.rcParams.update({"svg.fonttype": "none", "font.size": 9, "axes.grid": True, "grid.color": "#dddddd",
                      "axes.axisbelow": True, "figure.autolayout": True, "font.family": "sans-serif"})
@@ -26,7 +27,7 @@ plt.rcParams.update({"svg.fonttype": "none", "font.size": 9, "axes.grid": True, 
 COLORS = {
     "clip": "#c0392b", "level9": "#e67e22", "xyw1": "#2980b9", "object": "#16a085", "world": "#8e44ad", "view": "#7f8c8d",
     "document-f32": "#d35400", "inverse-f32": "#b7950b", "near-plane": "#27ae60", "near-plane-f32": "#6e2c00",
-    "clip-steps": "#e57373", "xyw1-steps": "#7fb3d5",
+    "clip-steps": "#e57373", "xyw1-steps": "#7fb3d5", "clip-product": "#f1948a", "xyw1-product": "#aed6f1",
     "discard": "#e84393", "discard-object": "#fd79a8", "discard-world": "#6c5ce7", "cpu": "#2c3e50", "none": "#aaaaaa"}
 # Which arithmetic (edges.csv) a way (speed.csv, pixels.csv) has.
 ARITHMETIC = {"clip": "clip", "level9": "clip", "xyw1": "xyw1", "object": "object", "world": "world", "near-plane": "near-plane",
@@ -38,6 +39,7 @@ HOW = {
     "discard": "--lower=discard", "discard-object": "--lower=discard --plane-space=object",
     "discard-world": "dot product in each fragment (three.js)", "cpu": "the application clips in double",
     "clip-steps": "clip, where the shader multiplies by world and then by view * projection", "xyw1-steps": "xyw1, likewise",
+    "clip-product": "clip, with one matrix that was multiplied in float", "xyw1-product": "xyw1, likewise",
     "view": "SV_ClipDistance of the view-space vertex", "document-f32": "the published closed form in float",
     "inverse-f32": "float inverse of view * projection"}
 LEAST = 1e-5  # pixels: what is smaller is drawn there
@@ -85,40 +87,91 @@ def by_sweep(rows, key):
     return sweeps
 
 
-def main_chart(charts, edges, speed):
-    sweep = "eye to plane / near"
-    parameters = sorted({number(r["parameter"]) for r in edges if r["sweep"] == sweep})
-    chosen = [parameters[0], min(parameters, key=lambda p: abs(math.log(p / 300))), parameters[-1]]
-    figure, axes = plt.subplots(1, 3, figsize=(12.5, 4.6), sharey=True)
-    for axis, parameter in zip(axes, chosen):
-        error = {r["method"]: number(r["p99_px"]) for r in edges if r["sweep"] == sweep and number(r["parameter"]) == parameter and r["applies"] == "1"}
-        points = []
-        for way, arithmetic in ARITHMETIC.items():
-            cost = cost_of(speed, way)
-            if cost is not None and arithmetic in error:
-                points.append((max(error[arithmetic], LEAST), cost, way))
-                axis.scatter([cost], [points[-1][0]], color=COLORS[way], s=42, zorder=3)
-        # The names stand in a column on the right, in the order of the points and apart from one another.
-        slot, labels = math.inf, []
-        for y, cost, way in sorted(points, reverse=True):
-            slot = min(math.log10(y), slot - 0.33)
-            labels.append([slot, y, cost, way])
-        lowest = math.log10(LEAST) + 0.2
-        for k, label in enumerate(reversed(labels)):
-            label[0] = max(label[0], lowest + 0.33 * k)
-        right = max(cost for _, cost, _ in points) + 0.06
-        for slot, y, cost, way in labels:
-            axis.plot([cost, right], [y, 10 ** slot], color=COLORS[way], linewidth=0.5, zorder=2)
-            axis.text(right + 0.005, 10 ** slot, way, color=COLORS[way], fontsize=8, va="center")
-        axis.set_xlim(min(cost for _, cost, _ in points) - 0.03, right + 0.24)
-        axis.axhline(0.5, color="#555555", linewidth=0.8, linestyle="--")
-        axis.set_yscale("log")
-        axis.set_title(f"eye to plane = {parameter:g} near distances")
-        axis.set_xlabel("cost: CPU time / that without planes")
-        axis.set_ylim(LEAST, 1e2)
-    axes[0].set_ylabel("99th percentile of displaced edges, pixels")
-    charts.add("speed-accuracy", "Speed against accuracy: one plane, standard depth, 60 degrees, 1920x1080; lower and further left is better; "
-               "dashed: half a pixel", figure, "speed against accuracy of every method")
+STEP = 1 / 256  # pixels: what a rasteriser snaps to; below it no picture changes
+CEILING = 0.05 / math.tan(math.radians(30)) * 540  # pixels: no measured edge is longer, so nothing can lose more
+
+
+def way_rows(axis, ways):
+    axis.set_yticks(range(len(ways)))
+    axis.set_yticklabels(ways)
+    axis.set_ylim(len(ways) - 0.5, -0.5)
+    axis.grid(axis="y", visible=False)
+
+
+def error_panel(axis, directions, ratio):
+    """A row for each arithmetic: from the median over the 99th percentile to the largest."""
+    rows = {r["method"]: r for r in directions if number(r["eye_to_plane"]) == ratio}
+    methods = [m for m in ("cpu", "object", "near-plane", "world", "xyw1", "near-plane-f32", "clip") if m in rows]
+    users = {m: [w for w, a in ARITHMETIC.items() if a == m] for m in methods}
+    for y, method in enumerate(methods):
+        median, p99, largest = (max(number(rows[method][c]), LEAST) for c in ("median_px", "p99_px", "largest_px"))
+        axis.plot([median, largest], [y, y], color=COLORS[method], linewidth=1.4, marker="|", markersize=9)
+        axis.plot([p99], [y], color=COLORS[method], marker="o", markersize=6)
+    axis.set_xscale("log")
+    axis.set_xlim(LEAST, 300)
+    axis.axvline(STEP, color="#555555", linewidth=0.9, linestyle=":")
+    axis.axvline(0.5, color="#555555", linewidth=0.9, linestyle="--")
+    axis.axvspan(CEILING, 300, color="#eeeeee", zorder=0)
+    for x, text in ((STEP, "1/256"), (0.5, "1/2"), (CEILING, "edge")):
+        axis.text(x, -0.42, text, fontsize=7, color="#555555", ha="center", va="bottom", bbox={"color": "white", "pad": 1})
+    way_rows(axis, [", ".join(users[m]) for m in methods])
+    axis.set_ylim(len(methods) - 0.5, -0.8)
+    axis.tick_params(axis="y", labelsize=8)
+    axis.set_title(f"eye to plane = {ratio:g} near distances")
+    axis.set_xlabel("displaced edges, pixels: median, p99 (dot), largest")
+
+
+def cost_panel(axis, speed, planes):
+    """A row for each way: where nothing is cut (dot) and where most is (ring), with a tenth of the repeats beyond each whisker."""
+    found = {(r["setting"], r["way"]): r for r in speed if r["planes"] == str(planes)}
+    ways = [w for w in ARITHMETIC if ("picture", w) in found]
+    for y, way in enumerate(ways):
+        for setting, filled in (("picture", True), ("cut", False)):
+            row = found.get((setting, way))
+            if row is None:
+                continue
+            low, cost, high = (number(row[c]) for c in ("paired_low", "paired_ratio", "paired_high"))
+            axis.plot([low, high], [y, y], color=COLORS[way], linewidth=1.2, marker="|", markersize=7)
+            axis.plot([cost], [y], color=COLORS[way], marker="o", markersize=6, markerfacecolor=COLORS[way] if filled else "white")
+    axis.axvline(1, color="#555555", linewidth=0.8)
+    way_rows(axis, ways)
+    axis.set_xscale("log")
+    axis.xaxis.set_major_formatter(matplotlib.ticker.FormatStrFormatter("%g"))
+    axis.xaxis.set_minor_formatter(matplotlib.ticker.NullFormatter())
+    axis.set_xticks([0.05, 0.1, 0.2, 0.5, 1, 2])
+    count = f"{planes} planes" if planes > 1 else "1 plane"
+    axis.set_title(f"{count}: nothing cut (dot), most cut (ring)")
+    axis.set_xlabel("CPU time / that without planes")
+
+
+def main_chart(charts, directions, speed):
+    figure, axes = plt.subplots(2, 3, figsize=(14, 8.2), height_ratios=[1, 1.25])
+    for axis, ratio in zip(axes[0], sorted({number(r["eye_to_plane"]) for r in directions})):
+        error_panel(axis, directions, ratio)
+    for axis, planes in zip(axes[1], (1, 3, 6)):
+        cost_panel(axis, speed, planes)
+    charts.add("speed-accuracy", "Speed against accuracy: standard depth, 60 degrees, 1920x1080, planes of random directions; further left is better. "
+               "Dotted: 1/256 pixel, a rasteriser's step, below which no picture changes; dashed: half a pixel; grey: no measured edge is longer",
+               figure, "accuracy of every method above, cost of every method below")
+
+
+def flicker_chart(charts, flicker):
+    figure, axis = plt.subplots(figsize=(8.5, 4.2))
+    for method in collections.OrderedDict.fromkeys(r["method"] for r in flicker):
+        if method not in ("object", "world", "cpu", "near-plane", "xyw1", "clip", "near-plane-f32"):
+            continue
+        rows = [r for r in flicker if r["method"] == method]
+        values = [number(r["p99_px"]) for r in rows]
+        label = method + (" (exactly 0)" if not any(values) else "")
+        axis.plot([number(r["eye_to_plane"]) for r in rows], [max(v, LEAST) for v in values], color=COLORS[method], marker="o", markersize=3, label=label)
+    axis.set_xscale("log")
+    axis.set_yscale("log")
+    axis.axhline(STEP, color="#555555", linewidth=0.9, linestyle=":")
+    axis.axhline(0.5, color="#555555", linewidth=0.9, linestyle="--")
+    axis.set_xlabel("eye to plane, near distances")
+    axis.set_ylabel("p99, pixels a frame")
+    axis.legend(fontsize=8, loc="center left", bbox_to_anchor=(1.0, 0.5))
+    charts.add("flicker", "Flicker of a cut that stands still, while the camera pans", figure, "flicker by distance of eye and plane")
 
 
 def sweep_charts(charts, edges):
@@ -134,6 +187,7 @@ def sweep_charts(charts, edges):
         elif min(values) <= 0:
             axis.set_xscale("symlog", linthresh=1e-4)
         axis.axhline(0.5, color="#555555", linewidth=0.8, linestyle="--")
+        axis.axhline(STEP, color="#555555", linewidth=0.8, linestyle=":")
         axis.set_xlabel(sweep)
         axis.set_ylabel("p99, pixels")
         axis.legend(fontsize=7, ncol=2, loc="center left", bbox_to_anchor=(1.0, 0.5))
@@ -275,6 +329,11 @@ def special_table(special):
     return table(["sweep", "what", "right"] + ways, rows)
 
 
+def laws_table(laws):
+    return table(["regime", "draws", "below 0.2", "above 3", "least", "median", "most", "all edges together"],
+                 [[r["regime"], r["draws"], r["low"], r["high"]] + [f'{number(r[c]):.2f}' for c in ("least", "median", "most", "pooled_p99")] for r in laws])
+
+
 def roundings_table(roundings):
     return table(["field of view", "roundings of xyw1", "draws", "p99 on average, px", "at worst", "draws over 0.002"],
                  [[f'{number(r["fov"]):g} degrees', r["rounding"], r["draws"], f'{number(r["mean_px"]):.2g}', f'{number(r["worst_px"]):.2g}', r["over"]]
@@ -301,15 +360,22 @@ def main():
     edges, pixels, speed = read(folder, "edges.csv"), read(folder, "pixels.csv"), read(folder, "speed.csv")
     scenes, advice, depth = read(folder, "scenes.csv"), read(folder, "advice.csv"), read(folder, "depth.csv")
     charts = Charts(folder)
-    main_chart(charts, edges, speed)
+    main_chart(charts, read(folder, "directions.csv"), speed)
+    charts.text("<h2>In motion</h2>")
+    flicker_chart(charts, read(folder, "flicker.csv"))
     kept = sum(number(r["measured_px"]) <= number(r["bound_px"]) for r in advice)
     cheap = sum(number(r["cost"]) <= 1.15 * number(r["best_cost"]) for r in advice)
     charts.text("<h2>Which method for which scene</h2>" + which_table(scenes, advice) +
                 f"<p>On {len(advice)} random draws: error under its bound in {kept}, cost, measured a second time, within 15 % of the best admissible method in {cheap}.</p>")
     advice_chart(charts, advice)
+    held = read(folder, "advice-scenes.csv")[0]
+    charts.text(f'<p>On {held["scenes"]} random scenes with {held["advised"]} objects that a plane cuts, {held["meets"]} are said to meet the tolerance; '
+                f'{held["misses"]} of them miss it. Ways that meet it with a margin of two: {held["overlooked"]} overlooked, {held["dearer"]} cheaper than the advised one.</p>')
     charts.text("<h2>Where each method fails</h2>" + failure_table(edges) + '<div class="sweeps">')
     sweep_charts(charts, edges)
-    charts.text("</div><h2>On a real rasteriser</h2>")
+    charts.text("</div><h2>The laws, on draws that nobody chose</h2><p>Measured 99th percentiles over what PredictEdgeError says.</p>" +
+                laws_table(read(folder, "laws.csv")))
+    charts.text("<h2>On a real rasteriser</h2>")
     pixel_chart(charts, pixels)
     charts.text("<h3>Special values, triangles through w = 0, multisampling</h3><p>Special values: the share of the fragments without a plane "
                 "that are drawn. Through w = 0: the same, and with the opposite plane's added. Multisampling: the share of rows in which the cut "

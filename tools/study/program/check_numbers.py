@@ -1,0 +1,213 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+"""Holds the numbers of the documents against the tables in tools/study/tables.
+
+usage: check_numbers.py [--write] [--take FOLDER]
+
+A document has blocks between `<!-- numbers: NAME -->` and `<!-- end of numbers -->`, which are made of the tables: a block
+that differs is an error, and --write writes it. Numbers in sentences are compared one by one (INLINE). --take copies the
+tables of a whole `./run study` from its folder first."""
+import csv
+import math
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+TABLES = ROOT / "tools/study/tables"
+TAKEN = ("directions", "laws", "flicker", "roundings", "advice-scenes", "speed")
+# The rows of edges.csv that documents speak of.
+SWEEPS = ("world offset", "mesh offset / depth", "orthographic, depth / half height", "tile, half pictures off the axis",
+          "ground, seen from 1 to", "eye to plane / near, reversed from 1 to -1", "field of view")
+METHODS = ("clip", "clip-steps", "clip-product", "xyw1", "xyw1-steps", "xyw1-product", "object", "world", "near-plane")
+
+
+def read(name):
+    with open(TABLES / f"{name}.csv", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def take(folder):
+    TABLES.mkdir(exist_ok=True)
+    for name in TAKEN:
+        (TABLES / f"{name}.csv").write_text((folder / f"{name}.csv").read_text())
+    with open(folder / "edges.csv", newline="") as source, open(TABLES / "edges.csv", "w", newline="") as target:
+        rows = csv.DictReader(source)
+        writer = csv.DictWriter(target, ["sweep", "parameter", "method", "applies", "median_px", "p99_px", "largest_px"],
+                                extrasaction="ignore", lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(r for r in rows if r["sweep"] in SWEEPS and r["method"] in METHODS)
+
+
+def short(number):
+    """Two digits, without an exponent."""
+    if number == 0:
+        return "0"
+    return f"{number:.{max(0, 1 - math.floor(math.log10(abs(number))))}f}"
+
+
+def table(head, rows):
+    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    return "\n".join(lines + ["| " + " | ".join(map(str, row)) + " |" for row in rows])
+
+
+def code(names):
+    return ", ".join(f"`{name}`" for name in names)
+
+
+def errors():
+    rows = read("directions")
+    ratios = list(dict.fromkeys(r["eye_to_plane"] for r in rows))
+    found = {(r["method"], r["eye_to_plane"]): r for r in rows}
+    methods = ("clip", "xyw1", "object", "near-plane", "world", "cpu", "near-plane-f32")
+    cell = lambda r: " / ".join(short(float(r[c])) for c in ("median_px", "p99_px", "largest_px"))
+    return table(["eye to plane, near distances"] + [f"{int(r):,}" for r in ratios],
+                 [[f"`{m}`"] + [cell(found[m, r]) for r in ratios] for m in methods])
+
+
+def regimes():
+    return table(["regime", "draws", "below 0.2", "above 3", "median", "all edges together"],
+                 [[r["regime"], r["draws"], r["low"], r["high"], short(float(r["median"])), short(float(r["pooled_p99"]))] for r in read("laws")])
+
+
+def flicker():
+    rows = read("flicker")
+    ratios = ["10", "100", "400", "1000"]
+    found = {(r["method"], r["eye_to_plane"]): short(float(r["p99_px"])) for r in rows}
+    return table(["eye to plane, near distances"] + [f"{int(r):,}" for r in ratios],
+                 [[f"`{m}`"] + [found[m, r] for r in ratios] for m in ("clip", "xyw1", "near-plane", "object", "world", "cpu")])
+
+
+def roundings():
+    rows = read("roundings")
+    kinds = ("all", "without the dot product's", "nor the constant's", "the position's alone, once")
+    found = {(r["fov"], r["rounding"]): r for r in rows}
+    cell = lambda r: f'{short(1e3 * float(r["mean_px"]))} / {short(1e3 * float(r["worst_px"]))} ({r["over"]})'
+    return table(["field of view", "`xyw1`", "without rounding in the dot product", "nor in the constant", "the position's rounding alone, once"],
+                 [[fov] + [cell(found[fov, kind]) for kind in kinds] for fov in ("60", "20", "10", "5", "1")])
+
+
+def sweep(name, methods, head):
+    rows = [r for r in read("edges") if r["sweep"] == name and r["applies"] == "1"]
+    values = list(dict.fromkeys(r["parameter"] for r in rows))
+    found = {(r["method"], r["parameter"]): short(float(r["p99_px"])) for r in rows}
+    shown = lambda v: f"{float(v):,.0f}" if float(v) >= 1 else v
+    return table([head] + [shown(v) for v in values], [[f"`{m}`"] + [found.get((m, v), "-") for v in values] for m in methods])
+
+
+def chains():
+    return sweep("world offset", ("xyw1", "xyw1-steps", "xyw1-product", "clip", "clip-steps", "clip-product", "world", "object"),
+                 "distance from the world's origin, seen at 10")
+
+
+def meshes():
+    return sweep("mesh offset / depth", ("object", "xyw1", "clip"), "distance from the mesh's origin, in depths")
+
+
+def orthographic():
+    return sweep("orthographic, depth / half height", ("clip", "object"), "distance of the eye, in half heights")
+
+
+def tiles():
+    return sweep("tile, half pictures off the axis", ("clip", "xyw1", "object"), "half pictures off the axis")
+
+
+def grounds():
+    return sweep("ground, seen from 1 to", ("clip", "xyw1", "object"), "a floor, seen from 1 to")
+
+
+def costs():
+    rows = {(r["setting"], r["way"], r["planes"]): r for r in read("speed")}
+    cell = lambda r: "-" if r is None else f'{float(r["paired_ratio"]):.2f} ({float(r["paired_low"]):.2f} to {float(r["paired_high"]):.2f})'
+    ways = list(dict.fromkeys(way for setting, way, _ in rows if way != "none"))
+    columns = [("picture", "1"), ("picture", "3"), ("picture", "6"), ("cut", "1"), ("cut", "6")]
+    head = ["", "1 plane", "3", "6", "1, cutting", "6, cutting"]
+    return table(head, [[f"`{way}`"] + [cell(rows.get((s, way, p))) for s, p in columns] for way in ways])
+
+
+def advice():
+    row = read("advice-scenes")[0]
+    return (f'On {row["scenes"]} random scenes, with {int(row["advised"]):,} objects that a plane cuts, {int(row["meets"]):,} are said to meet the tolerance. '
+            f'{row["misses"]} of\nthem miss it in `__float128`; {row["overlooked"]} ways that meet it with a margin of two are overlooked, '
+            f'and {row["dearer"]} times a cheaper one would have done.')
+
+
+BLOCKS = {f.__name__: f for f in (errors, regimes, flicker, roundings, chains, meshes, orthographic, tiles, grounds, costs, advice)}
+
+U, ROWS, PY = 2.0 ** -24, 1080, 1 / math.tan(math.radians(30))
+ANY = U * ROWS / 2 / 0.1  # the unit of PredictEdgeError for surfaces of every direction
+
+
+def p99(method, ratio="400"):
+    return next(float(r["p99_px"]) for r in read("directions") if (r["method"], r["eye_to_plane"]) == (method, ratio))
+
+
+def outside():
+    rows = read("laws")
+    return 100 - 100 * sum(int(r["low"]) + int(r["high"]) for r in rows) / sum(int(r["draws"]) for r in rows)
+
+
+def pooled(most):
+    return (max if most else min)(float(r["pooled_p99"]) for r in read("laws"))
+
+
+# A document, a pattern with one number in it, and the number.
+INLINE = [
+    ("docs/study.md", r"within that factor in ([\d.]+) of 100", outside),
+    ("docs/study.md", r"together are ([\d.]+) to", lambda: pooled(False)),
+    ("docs/study.md", r"together are [\d.]+ to ([\d.]+) times", lambda: pooled(True)),
+    ("docs/runtime.md", r"nothing \| ([\d.]+) pixels times \(distance of eye and plane / near", lambda: ANY * 1.4 * (PY + 1)),
+    ("docs/runtime.md", r"needs a perspective \| nothing \| ([\d.]+) pixels at 60 degrees", lambda: ANY * (2 + PY)),
+    ("docs/runtime.md", r"a constant for each object \| ([\d.]+) pixels, in any view", lambda: ANY * 0.75),
+    ("docs/runtime.md", r"`clip` loses\n([\d.]+) pixels times \(distance of eye and plane / half the picture's height\)", lambda: ANY),
+    ("docs/runtime.md", r"\*default\* plane space loses about ([\d.]+) pixels times", lambda: ANY * 1.4 * (PY + 1)),
+]
+
+
+def check_blocks(path, write):
+    problems = []
+    text = path.read_text()
+
+    def replace(match):
+        name = match[1]
+        if name not in BLOCKS:
+            problems.append(f"{path.name}: there is no block `{name}`")
+            return match[0]
+        right = f"<!-- numbers: {name} -->\n{BLOCKS[name]()}\n<!-- end of numbers -->"
+        if right != match[0] and not write:
+            problems.append(f"{path.name}: the block `{name}` is not what the tables say; see check_numbers.py --write")
+        return right
+
+    made = re.sub(r"<!-- numbers: (\S+) -->\n.*?<!-- end of numbers -->", replace, text, flags=re.S)
+    if write:
+        path.write_text(made)
+    return problems, len(re.findall("<!-- numbers: ", text))
+
+
+def check_inline():
+    problems = []
+    for name, pattern, value in INLINE:
+        found = re.search(pattern, (ROOT / name).read_text())
+        if not found:
+            problems.append(f"{name}: no sentence like `{pattern}`")
+        elif abs(float(found[1]) - value()) > 0.51 * 10 ** -len(found[1].partition(".")[2]):
+            problems.append(f"{name}: {found[1]} is {value():.4g} by the tables or the law (`{pattern}`)")
+    return problems
+
+
+def main():
+    arguments = sys.argv[1:]
+    if "--take" in arguments:
+        take(pathlib.Path(arguments[arguments.index("--take") + 1]))
+    write = "--write" in arguments
+    problems, blocks = [], 0
+    for name in ("docs/study.md", "docs/runtime.md", "README.md"):
+        found, count = check_blocks(ROOT / name, write)
+        problems += found
+        blocks += count
+    problems += check_inline()
+    print("\n".join(problems) or f"{blocks} blocks and {len(INLINE)} sentences as in the tables")
+    return bool(problems)
+
+
+sys.exit(main())
