@@ -37,6 +37,7 @@ std::optional<std::vector<long double>> SharesOf(const Setup& setup, const Metho
   const std::optional<Distance> distance = method.prepare(setup);
   if (!distance) return std::nullopt;
   std::vector<long double> shares;
+  shares.reserve(edges.size());
   for (const Edge& edge : edges)
     shares.push_back(CutShare(edge, {(*distance)(edge.ends[0]), (*distance)(edge.ends[1])}));
   return shares;

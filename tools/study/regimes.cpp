@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "runtime/plane_space.h"
+#include "tools/study/edges.h"
 
 namespace clipc::study {
 namespace {
@@ -136,6 +137,7 @@ const char* NameOf(Regime regime) { return kNames[static_cast<int>(regime)]; }
 std::vector<RegimeDraw> RegimeDraws(int count, std::uint64_t seed) {
   Random random(seed);
   std::vector<RegimeDraw> draws;
+  draws.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i)
     draws.push_back(OneDraw(static_cast<Regime>(i % kRegimes), random));
   return draws;

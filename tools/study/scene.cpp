@@ -4,19 +4,23 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <optional>
 
 #include "runtime/clip_plane.h"
 #include "tools/study/numbers.h"
 #include "tools/study/scene_measure.h"
 #include "tools/study/setup.h"
 #include "tools/study/visible_cut.h"
+#include "tools/study/way.h"
 
 namespace clipc::study {
 namespace {
 
 constexpr int kObjects = 1000;
-constexpr long kEdges = 2000;  // to measure by
+// Edges to measure by: where few are far from the tolerance, and where they are not.
+constexpr long kFewEdges = 400, kEdges = 2000;
 
 // Where an object stands and how large it is.
 struct Spot {
@@ -122,6 +126,15 @@ bool IsOutsideFrustum(const SceneObject& object, const Camera& camera) {
   return false;
 }
 
+// What the way loses: with as many edges as it takes to hold that against the tolerance.
+std::optional<double> MeasureRoughly(const Scene& scene, const Camera& camera,
+                                     const SceneObject& object, std::uint8_t needed,
+                                     const Way& way) {
+  const auto lost = MeasureObject(scene, camera, object, needed, way, kFewEdges, 1);
+  if (!lost || *lost < scene.tolerance / 6 || *lost > 3 * scene.tolerance) return lost;
+  return MeasureObject(scene, camera, object, needed, way, kEdges, 1);
+}
+
 // The largest distance of these places from an origin, in heights of the picture at their depth.
 double FarthestReach(const Camera& camera, const std::vector<Vector>& cut, Vector origin) {
   double reach = 0;
@@ -224,8 +237,13 @@ std::vector<ObjectAdvice> AdviseScene(const Scene& scene, const Camera& camera,
       if (!plan.drawn() || plan.needed == 0) continue;
       DrawFacts facts = FactsOf(scene.objects[i], camera, scene, plan.needed);
       facts.means.whole_pass = whole_pass;
+      // Ways of the same arithmetic lose the same.
+      std::map<Method (*)(), std::optional<double>> known;
       const Measure measure = [&](const Way& way) {
-        return MeasureObject(scene, camera, scene.objects[i], plan.needed, way, kEdges, 1);
+        const auto [found, is_new] = known.try_emplace(way.method);
+        if (is_new)
+          found->second = MeasureRoughly(scene, camera, scene.objects[i], plan.needed, way);
+        return found->second;
       };
       all[i].best = Advise(facts, costs, scene.tolerance, measure).front();
       if (!all[i].best->meets) all[i].cure = CureFor(facts, costs, scene.tolerance);
