@@ -11,8 +11,8 @@
 // Where the buffers and objects of a Vulkan shader are bound. Direct3D numbers constant buffers,
 // textures and samplers apart; a Vulkan set has one row of bindings. Register n becomes binding n +
 // the shift of its letter, one of these unless the target has other rules; the space becomes the
-// set. [[vk::binding]] comes before all of that, and what has neither it nor a written register gives
-// way to it, as in DXC.
+// set. [[vk::binding]] comes before all of that, and what has neither it nor a written register
+// gives way to it, as in DXC.
 namespace clipc::glsl {
 
 inline constexpr std::uint32_t kVulkanShiftB = 0;
