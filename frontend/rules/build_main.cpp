@@ -85,8 +85,7 @@ class MainBuilder {
     WriteDistances(Builtin::kCullDistance, "cull_distance");
     CheckDistanceCount();
     CheckPosition();
-    SortByLocation(program_.inputs);
-    SortByLocation(program_.outputs);
+    for (auto* list : {&program_.inputs, &program_.outputs}) SortByLocation(*list);
     const StmtId body = builder_.BlockOf(body_);
     program_.main = program_.functions.Add({"main", program_.types.Void(), {}, body, entry.span});
   }
@@ -332,22 +331,20 @@ class MainBuilder {
 
   VarId AddIo(std::vector<IoVar>& list, const Carrier& leaf, TypeId type, Builtin builtin) {
     const bool is_input = &list == &program_.inputs;
+    const auto& [semantic, given, span, interpolation, centroid, sample, location] = leaf.cursor;
     const VarId id =
-        program_.vars.Add({.name = (is_input ? "in_" : "vs_") + ToUpper(leaf.cursor.semantic.name) +
-                                   std::to_string(leaf.cursor.semantic.index),
+        program_.vars.Add({.name = (is_input ? "in_" : "vs_") + ToUpper(semantic.name) +
+                                   std::to_string(semantic.index),
                            .type = type,
                            .storage = is_input ? Storage::kInput : Storage::kOutput,
                            .span = leaf.span});
-    Locations& locations = is_input ? input_locations_ : output_locations_;
-    const std::uint32_t location =
-        builtin == Builtin::kNone
-            ? locations.Next(leaf.cursor.location, LocationCount(program_.types[type]),
-                             leaf.name + leaf.elements, leaf.span)
-            : 0;
-    list.push_back({id, leaf.cursor.semantic.name, leaf.cursor.semantic.index, builtin, location,
-                    leaf.cursor.interpolation, leaf.cursor.centroid, leaf.cursor.sample,
-                    leaf.cursor.semantic.has_index, leaf.name.substr(leaf.name.rfind('.') + 1),
-                    leaf.name + leaf.elements});
+    const std::string path = leaf.name + leaf.elements;
+    Locations& places = is_input ? input_locations_ : output_locations_;
+    const std::uint32_t count = LocationCount(program_.types[type]);
+    const std::uint32_t place =
+        builtin == Builtin::kNone ? places.Next(location, count, path, leaf.span) : 0;
+    list.push_back({id, semantic.name, semantic.index, builtin, place, interpolation, centroid,
+                    sample, semantic.has_index, leaf.name.substr(leaf.name.rfind('.') + 1), path});
     return id;
   }
 
