@@ -13,7 +13,7 @@ namespace clipc::glsl {
 // a `_` in front, and keywords and built-in functions get a `_` at the end. `fallback` stands in
 // for an empty name.
 std::string LegalName(std::string_view wanted, std::string_view fallback = "unnamed");
-// The same for struct fields, which may be called like a function.
+// LegalName for struct fields, which may be called like a function.
 std::string LegalFieldName(std::string_view wanted);
 
 // Hands out names: the wanted one where it is legal and free, else with `_2`, `_3` and so on after

@@ -17,7 +17,7 @@ struct Manifest {
 // Reads the manifest that --batch names: docs/permutations.md. `arguments` are those of the command
 // line, which hold for every shader of it, --batch among them.
 Manifest ReadManifest(const std::string& path, std::span<const char* const> arguments);
-// The same for the text of the manifest.
+// Reads the text of a manifest; `path` is for messages.
 Manifest ParseManifest(const std::string& path, const std::string& text,
                        std::span<const char* const> arguments);
 

@@ -34,7 +34,7 @@ bool SaysOtherThanGlsl(std::string_view path);
 
 // The text of a C header with `glsl` as the string `variable`, for -Fh.
 std::string HeaderWith(std::string_view glsl, std::string_view variable);
-// The same for the words of SPIR-V.
+// The text of a C header with the words of SPIR-V as the array `variable`.
 std::string HeaderWith(std::span<const std::uint32_t> words, std::string_view variable);
 
 }  // namespace clipc

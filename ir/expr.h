@@ -122,7 +122,7 @@ enum class ObjectOp : std::uint8_t {
   kSampleCmpLevelZero,
   // (texture, sampler, coordinate [, offset, or one for each texel of the four]): component 0
   kGather,
-  // The same for components 1, 2 and 3.
+  // (as kGather): components 1, 2 and 3
   kGatherGreen,
   kGatherBlue,
   kGatherAlpha,

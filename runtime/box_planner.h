@@ -47,7 +47,7 @@ struct BoxArrays {
 // below 2^-126, which a device may flush to 0, lose the last term.
 BoxPlan PlanBox(const Box& box, const Float4* planes, std::size_t plane_count) noexcept;
 
-// The same for many boxes: exactly PlanBox of each.
+// Plans many boxes: each plan is exactly PlanBox of its box.
 void PlanBoxes(const BoxArrays& boxes, const Float4* planes, std::size_t plane_count,
                BoxPlan* plans) noexcept;
 

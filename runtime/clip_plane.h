@@ -40,12 +40,12 @@ Result<Float4> RoundPlane(const Plane& plane) noexcept;
 // elimination. Errors: kSingular, kIllConditioned, kNotRepresentable.
 Result<PlaneConstant> ClipPlaneFromView(const Plane& view_plane, const Matrix& projection) noexcept;
 
-// The same for a plane in world space. Solves for view and projection one after the other, and
+// C_P for a plane in world space. Solves for view and projection one after the other, and
 // rounds nothing to double in between: no translation is too long.
 Result<PlaneConstant> ClipPlaneFromWorld(const Plane& world_plane, const Matrix& view,
                                          const Matrix& projection) noexcept;
 
-// The same for a plane in the object's own space.
+// C_P for a plane in the object's own space.
 Result<PlaneConstant> ClipPlaneFromObject(const Plane& object_plane, const Matrix& world,
                                           const Matrix& view, const Matrix& projection) noexcept;
 

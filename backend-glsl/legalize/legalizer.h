@@ -71,7 +71,7 @@ class Legalizer {
   using Define = std::function<void(HelperBody&)>;
   void BecomeCall(ir::ExprId expr, std::string_view name, std::span<const Parameter> parameters,
                   std::span<const ir::ExprId> arguments, const Define& define);
-  // The same for parameters called a, b, c, d of the arguments' types.
+  // Makes it a call with parameters called a, b, c, d of the arguments' types.
   void BecomeCall(ir::ExprId expr, std::string_view name, std::span<const ir::ExprId> arguments,
                   const Define& define);
 

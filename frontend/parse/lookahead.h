@@ -70,7 +70,7 @@ class Lookahead : protected TokenCursor {
   bool IsDeclaration() const;
   // Whether the `<` at `less`, after the name of a function or type, starts template arguments.
   bool IsTemplateUse(Name name, std::size_t less) const;
-  // The same for a name whose declaration is not known: `<`, types, `>` and a call.
+  // Whether the `<` does so after a name without a known declaration: `<`, types, `>` and a call.
   bool IsMemberTemplateUse(std::size_t less) const;
   // After the `}` of a struct: whether its declaration ends there although no `;` follows.
   // `struct S {} f() {}` and `struct S {} s;` go on; `struct S {} float4 f() {}` and

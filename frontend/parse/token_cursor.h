@@ -107,7 +107,7 @@ class TokenCursor {
   // Takes the bracket that closes the one at position `open`, and ends the panic there.
   // `or_else` names what else could stand there.
   bool ExpectClose(TokenKind close, std::size_t open, std::string_view or_else = {});
-  // The same; where the bracket is missing, goes on after the next one that fits.
+  // Takes that bracket; where it is missing, goes on after the next one that fits.
   void Close(TokenKind close, std::size_t open) {
     if (!ExpectClose(close, open)) SkipToClose(close);
   }

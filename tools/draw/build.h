@@ -56,7 +56,7 @@ class NotForTarget : public DrawError {
   using DrawError::DrawError;
 };
 
-// The same shader for Mesa's OpenGL: llvmpipe of Mesa 22.3 stops at version 450, where draw
+// The shader changed for Mesa's OpenGL: llvmpipe of Mesa 22.3 stops at version 450, where draw
 // parameters are an extension.
 std::string ForOpenGl(const std::string& glsl);
 

@@ -35,7 +35,7 @@ class Framebuffer {
   // The colors of the framebuffer that is bound, which must be this one. Throw DrawError when
   // OpenGL has noted an error.
   Picture Read() const;
-  // The same with the bottom row first: of what was drawn upside down.
+  // The colors with the bottom row first, for a picture that was drawn upside down.
   Picture ReadUpsideDown() const;
   // `components`: GL_RED or GL_RGBA. The bottom row first.
   std::vector<float> ReadFloats(GLenum components) const;

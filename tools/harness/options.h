@@ -44,7 +44,7 @@ inline Flag With(std::function<void(const std::string& value)> handle) {
 // Calls the handlers of the options in the order of the arguments, and returns the arguments that
 // are not options. arguments[0] is the command's name, which is left out. Throws DrawError.
 std::vector<std::string> Parse(const std::vector<std::string>& arguments, const Flags& flags);
-// The same where exactly one argument is not an option.
+// Parses arguments of which exactly one is not an option, and returns that one.
 std::string ParseOnlyPath(const std::vector<std::string>& arguments, const Flags& flags);
 
 }  // namespace clipc::harness::options

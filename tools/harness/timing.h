@@ -14,9 +14,9 @@ inline double CpuSeconds(clockid_t clock) {
   clock_gettime(clock, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
-// Of all threads of this process.
+// Processor time of all threads of this process.
 inline double ProcessSeconds() { return CpuSeconds(CLOCK_PROCESS_CPUTIME_ID); }
-// Of this thread.
+// Processor time of this thread.
 inline double ThreadSeconds() { return CpuSeconds(CLOCK_THREAD_CPUTIME_ID); }
 
 inline double Median(std::vector<double> values) {

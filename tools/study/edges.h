@@ -31,7 +31,7 @@ std::vector<EdgeErrors> MeasureEdges(const Config& config, const std::vector<Met
 std::vector<EdgeErrors> MeasureEdges(const Setup& setup, const std::vector<Method>& methods,
                                      long count, std::uint64_t seed);
 
-// The same over `planes` planes, cameras and offsets that differ by a hundredth at most: each
+// Measures over `planes` planes, cameras and offsets that differ by a hundredth at most: each
 // rounds in a way of its own, luckily or not, and together they say what such a draw loses. `count`
 // edges of each.
 EdgeErrors MeasureOverPlanes(const Config& config, const Method& method, int planes, long count,
@@ -40,7 +40,7 @@ EdgeErrors MeasureOverPlanes(const Config& config, const Method& method, int pla
 std::vector<double> DisplacementsOverPlanes(const Config& config, const Method& method, int planes,
                                             long count, std::uint64_t seed);
 
-// The same over planes of random directions, `ratio` near distances from the eye, each with a
+// Measures over planes of random directions, `ratio` near distances from the eye, each with a
 // camera and an object of its own; standard depth, 60 degrees.
 EdgeErrors MeasureDirections(double ratio, const Method& method, int planes, long count,
                              std::uint64_t seed);

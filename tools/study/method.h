@@ -28,11 +28,11 @@ struct Method {
 Method ClipSpace();    // [clipplanes] as fxc compiles it: dot(SV_Position, C_P); also SetClipPlane
 Method Xyw1Space();    // --plane-space=xyw1
 Method ObjectSpace();  // --plane-space=object
-// The same two where the shader multiplies by the world matrix and then by view * projection:
+// `clip` and `xyw1` where the shader multiplies by the world matrix, then by view * projection:
 // mul(mul(v, world), view_projection).
 Method ClipSpaceInSteps();
 Method Xyw1SpaceInSteps();
-// The same two with one matrix that the application multiplied in float.
+// `clip` and `xyw1` with one matrix that the application multiplied in float.
 Method ClipSpaceOfFloatProduct();
 Method Xyw1SpaceOfFloatProduct();
 Method WorldSpace();  // SV_ClipDistance from a float world-space vertex

@@ -32,7 +32,7 @@ std::vector<Cost> MeasureSpeed(int rounds, int detail, const std::function<void(
 
 // The paired ratios of the setting "picture".
 CostTable TableOf(const std::vector<Cost>& costs);
-// The same of a speed.csv that clipc-study wrote. Throws DrawError where it is something else.
+// The paired ratios in a speed.csv that clipc-study wrote. Throws DrawError for another file.
 CostTable ReadCosts(const std::string& path);
 
 }  // namespace clipc::study
