@@ -20,6 +20,9 @@ struct WriteOptions {
   // For program pipelines of separate stages (glUseProgramStages): gl_PerVertex is redeclared, as
   // section 7.1.1 asks.
   bool separable = false;
+  // The application promises draws without a base vertex (first vertex) or a base instance, so that
+  // SV_VertexID and SV_InstanceID need no draw parameters.
+  bool base_vertex_is_zero = false, base_instance_is_zero = false;
   // What is written as a comment before a statement that is from another line than the one before
   // it; empty: no comment. Without the function there are none.
   std::function<std::string(Span)> comment_of = {};
@@ -33,9 +36,9 @@ struct GlslInfo {
     std::string name;  // of the whole path: "gl_Position", "in_POSITION0"
     std::optional<std::uint32_t>
         location;  // as written in the shader; none: linked or bound by name
-    // The value differs from Direct3D's unless the host draws with base vertex 0 (no gl_BaseVertex
-    // to subtract).
-    bool needs_base_vertex_zero = false;
+    // The value differs from Direct3D's unless the host draws with base vertex (base instance) 0:
+    // none is subtracted.
+    bool needs_base_vertex_zero = false, needs_base_instance_zero = false;
     // An integer in HLSL, a float attribute here: GLSL 1.20 has no others.
     bool integer_as_float = false;
     // An input that the shader reads, and so declares. One that is not keeps its location, so that

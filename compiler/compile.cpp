@@ -155,8 +155,11 @@ void Compilation::ReadNames() {
                         Suggest(request_.names, glsl::NameStyle::Names()));
     names.emplace();
   }
-  options_ = {
-      .separable = request_.separable, .blocks = request_.blocks, .names = std::move(*names)};
+  options_ = {.separable = request_.separable,
+              .base_vertex_is_zero = request_.base_vertex_is_zero,
+              .base_instance_is_zero = request_.base_instance_is_zero,
+              .blocks = request_.blocks,
+              .names = std::move(*names)};
   const auto check_pass = [&](const std::string& name) {
     const std::vector<std::string_view> passes = LowerPasses();
     if (std::find(passes.begin(), passes.end(), name) != passes.end()) return;

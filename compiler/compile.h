@@ -81,6 +81,7 @@ struct CompileRequest {
   std::string position_input;
   passes::ClipSpaceOptions clip_space;
   bool separable = false;  // for program pipelines: gl_PerVertex is redeclared
+  bool base_vertex_is_zero = false, base_instance_is_zero = false;  // backend-glsl/write.h
   // How the shader meets the next stage's: see backend-glsl/style.h.
   glsl::BlockStyle blocks = glsl::BlockStyle::kNamed;
   // "hlslcc", "dxc", "spirv-cross" or a pattern for outputs. Empty: what the pixel shader has, and

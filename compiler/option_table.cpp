@@ -135,6 +135,13 @@ void ChooseVulkan(Reading& reading, const std::string& value) {
       fmt::format("unknown value `{}` of {}{}", value, reading.option, Suggest(value, names));
 }
 
+template <auto kMember>
+void SetForZero(Reading& reading, const std::string& value) {
+  MemberOf(reading.command, kMember) = true;
+  if (value != "zero")
+    reading.error = fmt::format("`{}={}`: it takes `zero`", reading.option, value);
+}
+
 // The advice of the option says what it takes.
 template <bool (*kRead)(glsl::BindingRules&, std::string_view)>
 void Bind(Reading& reading, const std::string& value) {
@@ -328,6 +335,8 @@ constexpr Option kOptions[] = {
     {"--dump-after", kEquals, Set<&DebugOptions::dump_after>},
     {"--stop-after", kEquals, Set<&DebugOptions::stop_after>},
     {"--verify", kFlag, Set<&DebugOptions::verify>},
+    {"--base-vertex", kEquals, SetForZero<&Request::base_vertex_is_zero>},
+    {"--base-instance", kEquals, SetForZero<&Request::base_instance_is_zero>},
     {"-fvk-bind-register", kFour, Bind<AddRegister>, nullptr,
      "a register such as b0, its space, a binding and a set"},
     {"-fvk-bind-globals", kTwo, Bind<SetGlobals>, nullptr, "a binding and a set"},

@@ -33,6 +33,7 @@ Json InputOrOutput(const Program& program, const IoVar& io, const GlslInfo::Vari
                {"name", written.name}};
   if (written.location) json["location"] = *written.location;
   if (written.needs_base_vertex_zero) json["needsBaseVertexZero"] = true;
+  if (written.needs_base_instance_zero) json["needsBaseInstanceZero"] = true;
   if (written.integer_as_float) json["integerAsFloat"] = true;
   json["builtin"] = io.builtin != ir::Builtin::kNone;
   if (io.interpolation != ir::Interpolation::kDefault)

@@ -38,13 +38,16 @@ std::string BuiltinInput(Context& context, const IoVar& input, GlslInfo::Variabl
   const std::string suffix = is_core ? "" : "ARB";
   switch (input.builtin) {
     case Builtin::kVertexId:
+      if (!is_vulkan && !context.Has(Feature::kBaseVertexDraws)) return "gl_VertexID";
+      info.needs_base_vertex_zero = context.options.base_vertex_is_zero ||
+                                    (!is_vulkan && !context.Has(Feature::kDrawParameters));
+      if (info.needs_base_vertex_zero) return is_vulkan ? "gl_VertexIndex" : "gl_VertexID";
       if (is_vulkan) return "gl_VertexIndex - gl_BaseVertex";
-      if (!context.Has(Feature::kBaseVertexDraws)) return "gl_VertexID";
-      info.needs_base_vertex_zero = !context.Has(Feature::kDrawParameters);
-      if (info.needs_base_vertex_zero) return "gl_VertexID";
       context.Require(Feature::kDrawParameters);
       return "gl_VertexID - gl_BaseVertex" + suffix;
     case Builtin::kInstanceId:
+      info.needs_base_instance_zero = is_vulkan && context.options.base_instance_is_zero;
+      if (info.needs_base_instance_zero) return "gl_InstanceIndex";
       if (is_vulkan) return "gl_InstanceIndex - gl_BaseInstance";
       return context.target.HasInCore(Feature::kInstanceId) ? "gl_InstanceID" : "gl_InstanceIDARB";
     case Builtin::kBaseVertex: return "gl_BaseVertex" + suffix;
