@@ -66,6 +66,7 @@ constexpr std::string_view kVulkanNames[] = {"vk::location",      "vk::builtin",
 }  // namespace
 
 std::optional<VulkanAttribute> VulkanAttributeOf(std::string_view name) {
+  if (name.find(':') == name.npos) return std::nullopt;
   const auto* found = std::ranges::find(kVulkanNames, ToLower(name));
   if (found == std::end(kVulkanNames)) return std::nullopt;
   return static_cast<VulkanAttribute>(found - std::begin(kVulkanNames));

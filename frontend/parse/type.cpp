@@ -252,11 +252,11 @@ void Parser::NoteAttribute(const Attr& attribute) {
 void Parser::CheckAttributes(List<Attr> attributes, AttributeOwner owner, std::string_view what) {
   for (const Attr& attribute : file_.attrs[attributes]) {
     const std::string_view name = Text(attribute.name);
-    const AttributeMeaning meaning = MeaningOfAttribute(name);
-    const bool is_plane =
-        meaning == AttributeMeaning::kClipPlanes || meaning == AttributeMeaning::kLikeClipPlanes;
-    if (is_plane && owner != AttributeOwner::kFunction)
-      diagnostics_.Report(attribute.span, diag::ClipPlanesMisplaced, name, what);
+    if (owner != AttributeOwner::kFunction) {
+      const AttributeMeaning meaning = MeaningOfAttribute(name);
+      if (meaning == AttributeMeaning::kClipPlanes || meaning == AttributeMeaning::kLikeClipPlanes)
+        diagnostics_.Report(attribute.span, diag::ClipPlanesMisplaced, name, what);
+    }
     const auto vulkan = VulkanAttributeOf(name);
     if (vulkan && !MayStandAt(*vulkan, owner))
       diagnostics_.Report(attribute.name_span, diag::AttributeMisplaced, name, what);

@@ -338,13 +338,13 @@ class MainBuilder {
                            .type = type,
                            .storage = is_input ? Storage::kInput : Storage::kOutput,
                            .span = leaf.span});
-    const std::string path = leaf.name + leaf.elements;
-    Locations& places = is_input ? input_locations_ : output_locations_;
-    const std::uint32_t count = LocationCount(program_.types[type]);
-    const std::uint32_t place =
-        builtin == Builtin::kNone ? places.Next(location, count, path, leaf.span) : 0;
+    std::string path = leaf.name + leaf.elements;
+    std::uint32_t place = 0;
+    if (builtin == Builtin::kNone)
+      place = locations_[is_input].Next(location, program_.types[type], path, leaf.span);
     list.push_back({id, semantic.name, semantic.index, builtin, place, interpolation, centroid,
-                    sample, semantic.has_index, leaf.name.substr(leaf.name.rfind('.') + 1), path});
+                    sample, semantic.has_index, leaf.name.substr(leaf.name.rfind('.') + 1),
+                    std::move(path)});
     return id;
   }
 
@@ -468,7 +468,7 @@ class MainBuilder {
   std::vector<Carrier> pending_outputs_;
   std::vector<Distance> clip_, cull_;
   std::map<std::string, Span> seen_inputs_, seen_outputs_;
-  Locations input_locations_{"inputs", diagnostics_}, output_locations_{"outputs", diagnostics_};
+  Locations locations_[2] = {{"outputs", diagnostics_}, {"inputs", diagnostics_}};
   std::uint32_t distance_count_ = 0;
   bool by_row_ = false;  // matrices are taken apart by row, whatever they are
 };

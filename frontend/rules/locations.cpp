@@ -3,7 +3,7 @@
 
 namespace clipc::rules {
 
-std::uint32_t Locations::Next(std::optional<std::uint32_t> given, std::uint32_t count,
+std::uint32_t Locations::Next(std::optional<std::uint32_t> given, const Type& type,
                               std::string_view name, Span span) {
   if (count_ == 0) are_given_ = given.has_value();
   if (given.has_value() != are_given_) {
@@ -12,7 +12,7 @@ std::uint32_t Locations::Next(std::optional<std::uint32_t> given, std::uint32_t 
   }
   ++count_;
   if (!given) return count_ - 1;
-  for (std::uint32_t i = *given; i < *given + count; ++i) {
+  for (std::uint32_t i = *given; i < *given + LocationCount(type); ++i) {
     const auto [other, is_free] = given_.emplace(i, name);
     if (!is_free) diagnostics_.Report(span, diag::LocationTwice, i, name, other->second);
   }

@@ -21,8 +21,7 @@ class Locations {
   // The location of the next one: what its [[vk::location]] says, else the next number. Reports a
   // location that is given twice. All of them have an attribute or none has, as in DXC, which calls
   // anything else "partial explicit stage input location assignment" and refuses it.
-  // A given location takes `count` places.
-  std::uint32_t Next(std::optional<std::uint32_t> given, std::uint32_t count, std::string_view name,
+  std::uint32_t Next(std::optional<std::uint32_t> given, const Type& type, std::string_view name,
                      Span span);
 
  private:
