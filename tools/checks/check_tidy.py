@@ -18,9 +18,11 @@ import pathlib
 import re
 import subprocess
 import sys
+import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CLANG_TIDY = "clang-tidy-19"
+GCC_ONLY = " -fno-gnu-unique"
 
 
 def git(*arguments):
@@ -77,8 +79,11 @@ def main():
         print(f"clang-tidy: {len(wanted) - given.limit} of {len(wanted)} changed files are left out")
         wanted = wanted[:given.limit]
     failed = 0
-    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        for status, output in pool.map(lambda name: tidy(name, given.build.resolve()), wanted):
+    with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        for entry in commands:
+            entry["command"] = entry["command"].replace(GCC_ONLY, "")
+        (pathlib.Path(folder) / "compile_commands.json").write_text(json.dumps(commands))
+        for status, output in pool.map(lambda name: tidy(name, folder), wanted):
             if status:
                 print(output)
             failed += status != 0
