@@ -129,6 +129,7 @@ void Check(const Program& program, const Cbuffer& buffer, Diagnostics& diagnosti
 }  // namespace
 
 void CheckPushConstants(const Program& program, Diagnostics& diagnostics) {
+  if (program.profile.IsPixel()) return;  // what the pixel shader pushes is its own
   const Cbuffer* first = nullptr;
   for (const CbufferId id : program.cbuffers.ids()) {
     const Cbuffer& buffer = program.cbuffers[id];

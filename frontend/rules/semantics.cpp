@@ -51,7 +51,8 @@ SystemValue LookUpSemantic(std::string_view name, std::uint32_t index, Direction
                            const Profile& profile, PositionName position) {
   const std::string lower = ToLower(name);
   if (profile.IsPixel()) {
-    const bool is_made = lower.starts_with("sv_") || lower == "vpos" || lower == "vface";
+    const bool is_made = lower.starts_with("sv_") || lower.starts_with("vk::") || lower == "vpos" ||
+                         lower == "vface";
     const bool is_input = direction == Direction::kInput;
     return {is_input && is_made ? Use::kIgnored : Use::kPlain, Builtin::kNone, 0, 0};
   }
