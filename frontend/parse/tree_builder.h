@@ -89,7 +89,7 @@ class TreeBuilder : protected Lookahead {
   }
   ExprId ErrorExprHere() { return AddExpr(pos_, ErrorExpr{}); }
   StmtId AddStmt(std::size_t start, decltype(Stmt::node) node) {
-    return file_.stmts.Add(Stmt{SpanFrom(start), {}, std::move(node)});
+    return file_.stmts.Add(Stmt{SpanFrom(start), {}, node});
   }
   template <typename Node>
   DeclId AddDecl(std::size_t start, Node node) {
