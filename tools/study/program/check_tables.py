@@ -103,9 +103,9 @@ if "--costs" in sys.argv:
                 less = paired[setting, peer, "1"] / paired[setting, row["method"], "1"]
                 expect(less > 0.98, f"{peer} is as accurate as {row['method']} at {row['parameter']} and costs {less:.3f} of it, setting {setting}")
 
-costs = {(r["setting"], r["way"], r["planes"]): float(r["ratio"]) for r in speed}
-expect(costs[("cut", "object", "6")] < 0.5, "cutting almost everything away saves less than half")
-expect(costs[("cut", "discard", "6")] > 1, "discarding saves time; it cannot")
+    costs = {(r["setting"], r["way"], r["planes"]): float(r["ratio"]) for r in speed}
+    expect(costs[("cut", "object", "6")] < 0.5, "cutting almost everything away saves less than half")
+    expect(costs[("cut", "discard", "6")] > 1, "discarding saves time; it cannot")
 
 kept = sum(float(r["measured_px"]) <= float(r["bound_px"]) for r in advice)
 cheap = sum(float(r["cost"]) <= 1.15 * float(r["best_cost"]) for r in advice)
