@@ -23,6 +23,10 @@ using namespace ir;
 
 namespace {
 
+// glslang takes no larger ones: layoutBindingEnd, layoutSetEnd.
+constexpr std::uint32_t kHighestBinding = 0xfffe;
+constexpr std::uint32_t kHighestSet = 0x3e;
+
 class TargetCheck {
  public:
   TargetCheck(const Program& program, const Reached& reached, const Target& target,
@@ -42,13 +46,13 @@ class TargetCheck {
       if (reached_.Has(id)) Cbuffer(program_.cbuffers[id]);
     }
     for (const Resource& resource : program_.resources) {
-      if (reached_.Has(resource.var)) Object(program_.vars[resource.var]);
+      if (!reached_.Has(resource.var)) continue;
+      Object(program_.vars[resource.var]);
+      if (!target_.IsVulkan()) TextureUnit(resource);
     }
     if (target_.IsVulkan()) Bindings();
+    ConstantIds();
     for (VarId global : reached_.globals) {
-      const Var& constant = program_.vars[global];
-      if (constant.constant_id && !target_.IsVulkan())
-        Report(constant.span, diag::TargetConstantId, constant.name);
       Type(program_.vars[global].type, program_.vars[global].span);
       if (program_.vars[global].init) {
         ForEachExpr(program_, program_.vars[global].init, [&](ExprId expr) { Expression(expr); });
@@ -171,12 +175,41 @@ class TargetCheck {
     Type(type.element, var.span);
   }
 
+  void ConstantIds() {
+    std::map<std::uint32_t, std::string> taken;
+    for (const VarId global : reached_.globals) {
+      const Var& constant = program_.vars[global];
+      if (!constant.constant_id) continue;
+      const auto [found, is_free] = taken.try_emplace(*constant.constant_id, constant.name);
+      if (!target_.IsVulkan())
+        Report(constant.span, diag::TargetConstantId, constant.name);
+      else if (!is_free)
+        diagnostics_.Report(constant.span, diag::TargetConstantIdTwice, found->second,
+                            constant.name, *constant.constant_id);
+    }
+  }
+
+  // A [[vk::binding]] that OpenGL does not have for a texture.
+  void TextureUnit(const Resource& resource) {
+    const Var& var = program_.vars[resource.var];
+    const ObjectKind kind = Innermost(var.type).object;
+    const bool is_texture = !IsStorageBuffer(kind) && !IsImage(kind) &&
+                            InfoOf(kind).category != ObjectCategory::kSampler;
+    if (is_texture && target_.Has(Feature::kBindings) && resource.reg.descriptor &&
+        resource.reg.descriptor->binding >= target_.TextureUnits())
+      diagnostics_.Report(var.span, diag::TargetTextureUnit, var.name,
+                          resource.reg.descriptor->binding, target_.name(), target_.TextureUnits());
+  }
+
   // Registers of all kinds share the bindings of a set.
   void Bindings() {
     const Descriptors descriptors(program_, reached_, target_);
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::string> taken;
     const auto take = [&](const Register& reg, const std::string& name, Span span) {
       const Descriptor at = descriptors.Of(reg);
+      if (at.binding > kHighestBinding || at.set > kHighestSet)
+        diagnostics_.Report(span, diag::TargetBindingTooHigh, name, at.binding, at.set,
+                            kHighestBinding, kHighestSet);
       const auto [found, is_free] = taken.try_emplace({at.set, at.binding}, name);
       if (!is_free)
         diagnostics_.Report(span, diag::TargetBindingsCollide, found->second, name, at.binding,

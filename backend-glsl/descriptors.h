@@ -25,7 +25,7 @@ class Descriptors {
   // Keeps references to the program and the target.
   Descriptors(const ir::Program& program, const Reached& reached, const Target& target);
 
-  // Of the register of a buffer or a resource in the program.
+  // The place of a buffer or a resource of the program, which has this register.
   ir::Descriptor Of(const ir::Register& reg) const;
 
  private:

@@ -112,6 +112,10 @@ class Target {
   bool Has(Feature feature) const { return Of(feature).has; }
   bool HasInCore(Feature feature) const { return Has(feature) && Of(feature).extension.empty(); }
 
+  // The textures that every OpenGL 4 and OpenGL ES 3.1 can bind at once, the least that their
+  // GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS may be. glslang takes no binding from 80 on.
+  std::uint32_t TextureUnits() const { return IsEs() ? 48 : 80; }
+
   BindingRules bindings;  // Vulkan's
 
  private:

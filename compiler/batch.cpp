@@ -26,9 +26,9 @@
 namespace clipc {
 namespace {
 
-// What is known of the settings of one group.
+// The settings of one group that were compiled, and what came of them.
 struct GroupMemory {
-  // By which of the axes' macros are defined: "101".
+  // The key says which of the axes' macros are defined: "101".
   std::map<std::string, MacroMemo> by_macros;
   std::map<TokenDigest, std::size_t> by_digest;
 };

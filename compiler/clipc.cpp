@@ -51,7 +51,7 @@ bool NamesFiles(const clipc::CommandLine& command) {
          command.only_dependencies || command.action != clipc::CommandLine::Action::kCompile;
 }
 
-// What is wrong with the options; empty if nothing.
+// Returns the first mistake in the options; empty if there is none.
 std::string ReadRequest(const clipc_request& from, clipc::CompileRequest& to) {
   clipc::ParsedCommandLine parsed = clipc::ParseCommandLine({from.options, from.option_count});
   if (!parsed.error.empty()) return parsed.error;

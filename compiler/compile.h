@@ -45,7 +45,7 @@ struct PixelShader {
   std::string entry;  // of HLSL and SPIR-V; empty: `main` of HLSL, the only one of SPIR-V
 };
 
-// What one compile may take; past a limit there is an error. Memory follows from the first two:
+// The limits of one compile; beyond one there is an error. Memory follows from the first two:
 // some 27 bytes for each byte of text and 100 for each token of macros, measured.
 struct Limits {
   std::size_t bytes = SIZE_MAX;  // of the shader and its includes, each time that one is entered

@@ -40,7 +40,7 @@ class Driver {
   MessagePrinter printer_;
 };
 
-// What is wrong before anything is compiled; empty if nothing.
+// Returns the first mistake that shows before anything is compiled; empty if there is none.
 std::string Driver::CheckUsage() {
   const auto& inputs = command_.inputs;
   const CompileRequest& request = command_.request;

@@ -21,7 +21,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Texts = std::vector<std::string>;
 
-// What is wrong with the manifest; leaves the reader at once.
+// Thrown at the first mistake of a manifest, with what it is.
 struct Mistake {
   std::string what;
 };

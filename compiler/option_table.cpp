@@ -145,6 +145,7 @@ void SetForZero(Reading& reading, const std::string& value) {
 // The advice of the option says what it takes.
 template <bool (*kRead)(glsl::BindingRules&, std::string_view)>
 void Bind(Reading& reading, const std::string& value) {
+  reading.binding_option = reading.option;
   if (!kRead(reading.command.request.bindings, value))
     reading.error = fmt::format("`{} {}`: it takes {}", reading.option, value, reading.advice);
 }

@@ -29,6 +29,7 @@ struct Reading {
     std::string option, why;
   };
   std::vector<Ignored> without_effect;  // options of other compilers
+  std::string binding_option;           // the last one of Vulkan's bindings
   std::vector<std::string> foreign_warnings;
 };
 

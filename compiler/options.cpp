@@ -153,6 +153,17 @@ void FinishSpirv(Reading& reading) {
     request.target = "vulkan";
 }
 
+// Each entry of a batch may have a target of its own.
+void FinishBindings(Reading& reading) {
+  const CommandLine& command = reading.command;
+  if (!reading.binding_option.empty() && command.request.target != "vulkan" &&
+      command.batch.empty()) {
+    reading.without_effect.push_back(
+        {reading.binding_option,
+         fmt::format("it is for target `vulkan`, and this is `{}`", command.request.target)});
+  }
+}
+
 void ReportWithoutEffect(Reading& reading) {
   CommandLine& command = reading.command;
   for (const Reading::Ignored& ignored : reading.without_effect)
@@ -177,6 +188,7 @@ ParsedCommandLine ParseCommandLine(std::span<const char* const> arguments) {
   CommandLine& command = reading.command;
   FinishPreprocess(reading);
   FinishSpirv(reading);
+  FinishBindings(reading);
   // What clipc thinks of its options is a warning even where the shader's warnings are errors.
   WarningOptions warnings = command.request.warnings;
   warnings.warnings_are_errors = false;

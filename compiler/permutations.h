@@ -28,7 +28,7 @@ struct ShaderGroup {
   std::size_t Count() const;
 };
 
-// What a run makes at the most.
+// The most settings that one run compiles.
 inline constexpr std::size_t kMaxPermutations = std::size_t{1} << 18;
 
 // Takes the macros with a list of values, "A={0,1,2}", out of `defines`. A value is what stands
@@ -45,8 +45,8 @@ std::vector<std::size_t> ChoicesOf(const ShaderGroup& group, std::size_t number)
 std::vector<std::string> DefinesOf(const ShaderGroup& group, std::size_t number);
 
 // The name of a setting's files, without an extension: "water.A0.B1", where A and B have several
-// values. Characters that are not for
-// names of files become `_`, so that two settings may have one name.
+// values. Characters that are not for names of files become `_`, so that two settings may have one
+// name.
 std::string FileNameOf(const ShaderGroup& group, std::size_t number);
 
 // "water.hlsl A=0 B=1", for people.

@@ -8,7 +8,7 @@
 #include "compiler/message.h"
 #include "compiler/options.h"
 
-// What a run says on standard error.
+// The messages of a run, on standard error.
 namespace clipc {
 
 // Prints `clipc: error: what`. Returns the exit code for wrong usage.

@@ -28,7 +28,8 @@ std::vector<std::string> Corpus() {
   return paths;
 }
 
-// What comes out, as one text. Some go through glslang, whose tables are the process's.
+// The outputs and messages of one compile as one text. Every eighth compile calls glslang, whose
+// tables the threads share.
 std::string Said(Compiler& compiler, const std::string& path, std::size_t number) {
   CompileRequest request;
   request.path = path;

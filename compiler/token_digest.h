@@ -9,7 +9,8 @@
 namespace clipc {
 
 // 128 bits that stand for a text after preprocessing, wherever its words were written. Two texts
-// have the same by chance once in 2^128; a shader that forges that harms only its own permutations.
+// with the same digest are taken for one text: by chance that does not happen, and a shader that
+// forges it harms only its own permutations.
 using TokenDigest = std::array<std::uint64_t, 2>;
 
 TokenDigest DigestOf(const Tokens& tokens);

@@ -8,10 +8,10 @@
 
 namespace clipc {
 
-// What is wrong with the options, whatever the inputs are; empty if nothing.
+// The first mistake in the options, whatever the inputs are; empty if there is none.
 std::string CheckCommand(const CommandLine& command);
 
-// What is to be said of the options, as the result of a compile.
+// The warnings about the options, as the result of a compile.
 CompileResult NoticesOf(const CommandLine& command);
 
 // Reads what the request needs besides the shader, and sets what follows from the outputs that are

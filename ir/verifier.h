@@ -11,8 +11,8 @@
 
 namespace clipc::ir {
 
-// What is wrong with the types of a call of the intrinsic; nothing when they are what its signature
-// promises. half and the minimum-precision kinds count as float, int or uint.
+// Describes the mistake in the types of a call of the intrinsic; empty if they are what its
+// signature promises. half and the minimum-precision kinds count as float, int or uint.
 std::optional<std::string> CheckIntrinsic(const TypeTable& types, Intrinsic op, TypeId result,
                                           const std::vector<TypeId>& arguments);
 

@@ -50,8 +50,9 @@ void MakeZero(Program& program, List<ExprId> list, std::uint32_t i) {
   program.expr_lists[list][i] = zero;
 }
 
-// Of the variable that is made of the inputs for this call alone: `Vertex v =
-// Vertex(in_POSITION0, in_NORMAL0);`
+// The argument is a variable that is made of the inputs for this call alone, `Vertex v =
+// Vertex(in_POSITION0, in_NORMAL0);`: the inputs for fields that the function does not read become
+// zero.
 void MakeFieldsZero(Program& program, ExprId argument, const std::set<std::uint32_t>& read) {
   const auto* ref = As<VarRef>(program, argument);
   if (!ref) return;

@@ -34,8 +34,8 @@ ReadResult ReadSpirv(std::string_view bytes, std::string_view path, std::string_
 // GLSL and GLSL ES of any version, for OpenGL or for Vulkan, in glslang's judgement.
 ReadResult ReadGlsl(std::string_view text, const std::string& path);
 
-// What is wrong with an interface that a reader made: two inputs in one place, or an input that is
-// too large. Empty: nothing.
+// Describes the mistake in an interface that a reader made: two inputs in one place, or an input
+// that is too large. Empty: there is none.
 std::string Problem(const Interface& interface);
 
 // What Check returned for a pixel profile.

@@ -12,8 +12,9 @@ namespace {
 std::atomic<std::size_t> g_allocations = 0;
 }  // namespace
 
-// Of the whole test program, in all forms: a sanitizer brings its own for those left out. No caller
-// may see what is inside, or g++ warns of memory that was malloc'ed and is deleted.
+// The allocation functions of the whole test program, in all forms: a sanitizer brings its own for
+// those left out. No caller may see what is inside, or g++ warns of memory that was malloc'ed and
+// is deleted.
 #define CLIPC_NOINLINE __attribute__((noinline))
 CLIPC_NOINLINE void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   ++g_allocations;

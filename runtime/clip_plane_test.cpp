@@ -276,14 +276,7 @@ TEST(ClipPlane, NeverWrongWithoutSayingSo) {
   Random random(8);
   int trusted = 0, refused = 0;
   for (int i = 0; i < 20000; ++i) {
-    Matrix matrix;
-    for (auto& row : matrix.m) {
-      for (double& element : row) element = random.Between(-1, 1) * random.Magnitude(1e-3, 1e3);
-    }
-    // Make it nearly singular, more or less.
-    const double away = random.Magnitude(1e-16, 1);
-    for (int j = 0; j < 4; ++j)
-      matrix.m[3][j] = matrix.m[0][j] * 2 - matrix.m[1][j] + away * matrix.m[3][j];
+    const Matrix matrix = random.NearlySingular(3, random.Magnitude(1e-16, 1));
     const Plane plane = random.PlaneAt(random.Between(-9, 9));
     const Result<PlaneConstant> result = ClipPlaneFromView(plane, matrix);
     if (result.ok()) {

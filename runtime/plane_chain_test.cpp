@@ -133,13 +133,7 @@ TEST(PlaneChain, ConditionBoundsTheError) {
   Random random(23);
   int kept = 0, refused = 0;
   for (int i = 0; i < 5000; ++i) {
-    Matrix matrix;
-    for (auto& row : matrix.m) {
-      for (double& element : row) element = random.Between(-1, 1) * random.Magnitude(1e-3, 1e3);
-    }
-    const double away = random.Magnitude(1e-17, 1e-10);
-    for (int j = 0; j < 4; ++j)
-      matrix.m[2][j] = matrix.m[0][j] * 2 - matrix.m[1][j] + away * matrix.m[2][j];
+    const Matrix matrix = random.NearlySingular(2, random.Magnitude(1e-17, 1e-10));
     const Plane plane = random.PlaneAt(random.Between(-9, 9));
     const auto after = Finish(Through(Begin(plane), matrix, "view"));
     if (!after.ok()) {

@@ -54,6 +54,17 @@ class Random {
              {t * x * z + s * y, t * y * z - s * x, t * z * z + c, 0},
              {shift(), shift(), shift(), 1}}};
   }
+  // A matrix with elements of all sizes, of which one row is, but for `away` of it, a combination
+  // of the first two.
+  Matrix NearlySingular(int row, double away) {
+    Matrix matrix;
+    for (auto& each : matrix.m) {
+      for (double& element : each) element = Between(-1, 1) * Magnitude(1e-3, 1e3);
+    }
+    for (int j = 0; j < 4; ++j)
+      matrix.m[row][j] = matrix.m[0][j] * 2 - matrix.m[1][j] + away * matrix.m[row][j];
+    return matrix;
+  }
 
  private:
   std::mt19937 bits_;

@@ -1,24 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "backend-glsl/writer/bindings.h"
 
+#include <optional>
+
 #include "backend-glsl/text.h"
 
 namespace clipc::glsl {
 
 namespace {
 
-std::uint32_t FreeBinding(Bindings& bindings, const ir::Register& reg, std::uint32_t count) {
+std::optional<std::uint32_t> FreeBinding(Bindings& bindings, const ir::Register& reg,
+                                         std::uint32_t count) {
   const auto is_free_of = [&](const std::set<std::uint32_t>& some, std::uint32_t first) {
     const auto next = some.lower_bound(first);
     return next == some.end() || *next - first >= count;
   };
+  const auto has_room = [&](std::uint32_t first) {
+    return first < bindings.end && count <= bindings.end - first;
+  };
   const auto is_free = [&](std::uint32_t first) {
-    return is_free_of(bindings.taken, first) && is_free_of(bindings.reserved, first);
+    return has_room(first) && is_free_of(bindings.taken, first) &&
+           is_free_of(bindings.reserved, first);
   };
   std::uint32_t first = reg.descriptor ? reg.descriptor->binding : reg.number;
-  const bool is_its_own = reg.descriptor && is_free_of(bindings.taken, first);
+  const bool is_its_own = reg.descriptor && has_room(first) && is_free_of(bindings.taken, first);
   if (!is_its_own && !is_free(first)) {
-    for (first = 0; !is_free(first);) ++first;
+    for (first = 0; !is_free(first); ++first) {
+      if (!has_room(first)) return {};
+    }
   }
   for (std::uint32_t i = 0; i < count; ++i) bindings.taken.insert(first + i);
   return first;
@@ -64,9 +73,8 @@ std::string Bind(const Context& context, GlslInfo::Place& place, const ir::Regis
     set = Concat("set = ", std::to_string(descriptor.set), ", ");
   } else if (context.Has(Feature::kBindings)) {
     place.binding = FreeBinding(taken, reg, count);
-  } else {
-    return "";
   }
+  if (!place.binding) return "";
   return Concat(set, "binding = ", std::to_string(*place.binding));
 }
 

@@ -20,15 +20,16 @@ std::string RegisterText(const ir::Register& reg);
 
 // The bindings of one kind in OpenGL.
 struct Bindings {
-  std::set<std::uint32_t> taken;
-  std::set<std::uint32_t> reserved;  // for those that have a [[vk::binding]]
+  std::uint32_t end = UINT32_MAX;  // one more than the highest
+  std::set<std::uint32_t> taken = {};
+  std::set<std::uint32_t> reserved = {};  // for those that have a [[vk::binding]]
   void Reserve(const ir::Register& reg, std::uint32_t count);
 };
 
 // Decides where `count` blocks or objects of this register are bound: for Vulkan at the set and
 // binding that are written or else follow from the register; for OpenGL at the written binding or
-// else the register's number or, where that is taken, at the first free one. Returns the qualifiers
-// that say so, none where the target cannot say it.
+// else the register's number or, where that is taken or too high, at the first free one. Returns
+// the qualifiers that say so, none where the target cannot say it or none is free.
 std::string Bind(const Context& context, GlslInfo::Place& place, const ir::Register& reg,
                  Bindings& taken, std::uint32_t count);
 

@@ -49,7 +49,10 @@ class ObjectWriter {
   void Write() {
     const bool is_vulkan = context_.target.IsVulkan();
     for (const Resource& resource : context_.program.resources) {
-      if (context_.reached.Has(resource.var))
+      // OpenGL has no samplers of their own.
+      const bool is_sampler =
+          InfoOf(ObjectTypeOf(context_, resource.var).object).category == ObjectCategory::kSampler;
+      if (context_.reached.Has(resource.var) && !is_sampler)
         BindingsOf(resource).Reserve(resource.reg, CountOf(context_, resource.var));
     }
     for (const Resource& resource : context_.program.resources) {
@@ -154,7 +157,7 @@ class ObjectWriter {
 
   Context& context_;
   std::string& text_;
-  Bindings textures_, buffers_, images_;
+  Bindings textures_{.end = context_.target.TextureUnits()}, buffers_, images_;
 };
 
 }  // namespace

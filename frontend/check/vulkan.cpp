@@ -3,13 +3,14 @@
 
 #include "frontend/check/value.h"
 #include "frontend/parse/attributes.h"
+#include "frontend/rules/locations.h"
 
 namespace clipc::check {
 namespace {
 
-// The largest location that GLSL's compilers take, glslang's layoutLocationEnd among them.
-constexpr std::int64_t kMaxLocation = 4094;
-constexpr std::int64_t kMaxConstantId = 2047;  // layoutSpecConstantIdEnd - 1
+// glslang takes no larger ones: layoutLocationEnd, layoutSpecConstantIdEnd, layoutBindingEnd.
+constexpr std::int64_t kMaxLocation = rules::kLocations - 1;
+constexpr std::int64_t kMaxConstantId = 2046;
 constexpr std::int64_t kMaxBinding = 0xfffe;
 constexpr std::int64_t kMaxOffset = 65536;
 
@@ -93,7 +94,7 @@ bool IsPushConstant(const Context& context, List<ast::Attr> attributes) {
 
 std::optional<std::uint32_t> ConstantIdOf(Context& context, List<ast::Attr> attributes) {
   return Number(context, attributes, VulkanAttribute::kConstantId, kMaxConstantId,
-                "a number from 0 to 2047");
+                "a number from 0 to 2046");
 }
 
 std::optional<std::uint32_t> OffsetOf(Context& context, List<ast::Attr> attributes) {

@@ -340,7 +340,7 @@ class MainBuilder {
                            .span = leaf.span});
     std::string path = leaf.name + leaf.elements;
     std::uint32_t place = 0;
-    if (builtin == Builtin::kNone)
+    if (builtin == Builtin::kNone && (is_input || !program_.profile.IsPixel()))
       place = locations_[is_input].Next(location, program_.types[type], path, leaf.span);
     list.push_back({id, semantic.name, semantic.index, builtin, place, interpolation, centroid,
                     sample, semantic.has_index, leaf.name.substr(leaf.name.rfind('.') + 1),

@@ -12,6 +12,8 @@ std::uint32_t Locations::Next(std::optional<std::uint32_t> given, const Type& ty
   }
   ++count_;
   if (!given) return count_ - 1;
+  if (*given + LocationCount(type) > kLocations)
+    diagnostics_.Report(span, diag::LocationTooHigh, *given, name, kLocations - 1);
   for (std::uint32_t i = *given; i < *given + LocationCount(type); ++i) {
     const auto [other, is_free] = given_.emplace(i, name);
     if (!is_free) diagnostics_.Report(span, diag::LocationTwice, i, name, other->second);

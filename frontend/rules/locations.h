@@ -11,6 +11,9 @@
 
 namespace clipc::rules {
 
+// One more than the highest location that glslang takes (layoutLocationEnd).
+inline constexpr std::uint32_t kLocations = 0xFFF;
+
 // The locations of a shader's inputs, or of its outputs.
 class Locations {
  public:

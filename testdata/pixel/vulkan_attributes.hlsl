@@ -20,4 +20,14 @@ Varyings main(float4 p : POSITION) {
 }
 struct Pushed { [[vk::offset(4)]] uint index; };
 [[vk::push_constant]] Pushed pushed;
-float4 ps(Varyings input) : SV_Target { return input.color * input.uv.x + pushed.index; }
+// A pixel shader's outputs, of which only some have a location, are not looked at.
+struct Targets {
+  [[vk::location(0)]] float4 color : SV_Target0;
+  float depth : SV_Depth;
+};
+Targets ps(Varyings input) {
+  Targets result;
+  result.color = input.color * input.uv.x + pushed.index;
+  result.depth = 0;
+  return result;
+}

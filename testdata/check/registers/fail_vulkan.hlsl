@@ -8,6 +8,10 @@
 // RUN: not %clipc -T vs_5_0 -E two %s 2>&1 | FileCheck %s --check-prefix=TWO
 // RUN: not %clipc -T vs_5_0 -E constant %s 2>&1 | FileCheck %s --check-prefix=CONSTANT
 // RUN: not %clipc -T vs_5_0 -E image %s 2>&1 | FileCheck %s --check-prefix=IMAGE
+// RUN: not %clipc -T vs_5_0 -E high %s 2>&1 | FileCheck %s --check-prefix=HIGH
+// RUN: not %clipc -T vs_5_1 -E far %s --target=vulkan 2>&1 | FileCheck %s --check-prefix=FAR
+// RUN: not %clipc -T vs_5_1 -E same %s --target=vulkan 2>&1 | FileCheck %s --check-prefix=SAME
+// RUN: %clipc -T vs_5_1 -E units %s --validate -o - 2>&1 | FileCheck %s --check-prefix=UNITS
 // RUN: %clipc -T vs_5_0 -E misplaced %s -o /dev/null 2>&1 | FileCheck %s --check-prefix=MISPLACED
 
 // PARTIAL: error: `b` has no location, unlike other inputs; give a location to all of them or to none [location-partial]
@@ -60,4 +64,26 @@ struct Field { [[vk::push_constant]] float4 a; };
 float4 misplaced(float4 p : POSITION) : SV_Position {
   [[vk::binding(1)]] p += placed;
   return p;
+}
+
+// HIGH: error: location 4095 of `a[1]` is too high; the highest is 4094 [location-too-high]
+float4 high([[vk::location(4093)]] float4x2 a[2] : A) : SV_Position { return a[0][0].xyxy + a[1][1].xyxy; }
+
+// FAR: error: `space` becomes binding 3 of set 900; the highest binding is 65534 and the highest set 62 [target-binding-too-high]
+cbuffer space : register(b3, space900) { float4 in_space; };
+float4 far(float4 p : POSITION) : SV_Position { return p * in_space; }
+
+// SAME: error: `first` and `second` both have the `vk::constant_id` 3 [target-constant-id-twice]
+[[vk::constant_id(3)]] const float first = 1;
+[[vk::constant_id(3)]] const float second = 2;
+float4 same(float4 p : POSITION) : SV_Position { return p * first * second; }
+
+// UNITS: warning: `above` is not bound at 120, as its `vk::binding` says; target `glsl450` has 80 texture units for certain; `--reflect` tells the binding [-Wtarget-texture-unit]
+// UNITS: layout(binding = 0) uniform sampler2D high_register;
+// UNITS: layout(binding = 1) uniform sampler2D above;
+Texture2D high_register : register(t100);
+[[vk::binding(120)]] Texture2D above;
+SamplerState point_sampler : register(s0);
+float4 units(float4 p : POSITION) : SV_Position {
+  return high_register.SampleLevel(point_sampler, p.xy, 0) + above.SampleLevel(point_sampler, p.xy, 0);
 }

@@ -64,7 +64,7 @@ Comparison Compare(const Shader& shader, const BuildOptions& options, const Rand
   return CompareOutputs(defined, matching, tolerance);
 }
 
-// Of the bugs that no rewriting shows: those that the shader's text invites.
+// The bugs of a peer that no rewriting shows, as far as the shader's text invites them.
 std::set<std::string> BugsInText(const std::string& hlsl, const Comparison& found) {
   if (found.missing == found.wrong && hlsl.find("##") != hlsl.npos) return {"token-paste"};
   if (found.missing == 0 && std::regex_search(hlsl, std::regex(R"(\[\s*\]\s*=\s*\{)")))

@@ -41,7 +41,7 @@ std::string ErrorOf(const std::string& bytes) {
   return "";
 }
 
-// What is said of harbour.gltf with a value changed.
+// The message about harbour.gltf with a value changed.
 std::string ErrorWith(const char* pointer, const Json& value) {
   Json json = Harbour();
   json[Json::json_pointer(pointer)] = value;
