@@ -52,6 +52,7 @@ class TargetCheck {
     }
     if (target_.IsVulkan()) Bindings();
     ConstantIds();
+    if (!target_.Has(Feature::kPrecise)) Precise();
     for (VarId global : reached_.globals) {
       Type(program_.vars[global].type, program_.vars[global].span);
       if (program_.vars[global].init) {
@@ -173,6 +174,14 @@ class TargetCheck {
       Check(Feature::kTextureFunctions, diag::TargetIntegerTexture, var.span, var.name);
     }
     Type(type.element, var.span);
+  }
+
+  // The first precise variable stands for all.
+  void Precise() {
+    for (const VarId id : program_.vars.ids()) {
+      const Var& var = program_.vars[id];
+      if (var.precise && reached_.Has(id)) return Report(var.span, diag::TargetPrecise);
+    }
   }
 
   void ConstantIds() {

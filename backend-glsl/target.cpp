@@ -84,7 +84,7 @@ constexpr FeatureRow kFeatures[] = {
     {Feature::kSwitch, {130}, {300}},
     {Feature::kArraysOfArrays, {430}, {310}},
     {Feature::kGlobalInitializers, {110}, {}},
-    {Feature::kPrecise, {400}, {320}},
+    {Feature::kPrecise, {400}, {320, 310, "GL_EXT_gpu_shader5"}},
     {Feature::kDoubles, {400, 150, "GL_ARB_gpu_shader_fp64"}, {}},
     {Feature::kInt64, {kNever, 400, "GL_ARB_gpu_shader_int64"}, {}},
     {Feature::kBitCasts, {330, 150, "GL_ARB_shader_bit_encoding"}, {300}},

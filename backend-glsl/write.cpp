@@ -27,16 +27,12 @@ void WriteGlobals(Code& code) {
     std::string value = var.init ? Argument(code, var.init) : ZeroText(code, var.type);
     const bool is_specialized = var.constant_id && code.target.IsVulkan();
     const bool is_const = is_specialized || (var.storage == Storage::kConstant && code.is_constant);
-    const bool is_precise = var.precise && code.Has(Feature::kPrecise);
     const bool is_late = !code.is_constant && !code.Has(Feature::kGlobalInitializers);
     if (is_specialized) {
       code.sections.globals +=
           LayoutText({Concat("constant_id = ", std::to_string(*var.constant_id))});
     }
-    Append(code.sections.globals,
-           is_const     ? "const "
-           : is_precise ? "precise "
-                        : "",
+    Append(code.sections.globals, is_const ? "const " : PreciseText(code, var.precise),
            Declaration(code, var.type, code.NameOf(id)), is_late ? "" : " = ", is_late ? "" : value,
            ";\n");
     if (is_late) code.late_globals.emplace_back(code.NameOf(id), std::move(value));

@@ -23,6 +23,7 @@ struct WriteOptions {
   // The application promises draws without a base vertex (first vertex) or a base instance, so that
   // SV_VertexID and SV_InstanceID need no draw parameters.
   bool base_vertex_is_zero = false, base_instance_is_zero = false;
+  bool invariant = false;  // gl_Position is: passes that compute it alike agree on every depth
   // What is written as a comment before a statement that is from another line than the one before
   // it; empty: no comment. Without the function there are none.
   std::function<std::string(Span)> comment_of = {};

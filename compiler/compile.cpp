@@ -158,6 +158,7 @@ void Compilation::ReadNames() {
   options_ = {.separable = request_.separable,
               .base_vertex_is_zero = request_.base_vertex_is_zero,
               .base_instance_is_zero = request_.base_instance_is_zero,
+              .invariant = request_.invariant,
               .blocks = request_.blocks,
               .names = std::move(*names)};
   const auto check_pass = [&](const std::string& name) {
@@ -277,6 +278,7 @@ LowerSettings Compilation::SettingsFor(ir::VarId position_input) {
   LowerSettings settings{*target_, {}};
   settings.passes.clip_planes = {lowering_.lowering, lowering_.plane_space, position_input};
   settings.passes.clip_space = request_.clip_space;
+  settings.passes.precise_outputs = request_.precise;
   settings.passes.stop_after = request_.debug.stop_after;
   settings.passes.verify = request_.debug.verify;
   settings.passes.after_pass = [&](std::string_view pass, const ir::Program& after) {

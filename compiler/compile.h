@@ -82,6 +82,8 @@ struct CompileRequest {
   passes::ClipSpaceOptions clip_space;
   bool separable = false;  // for program pipelines: gl_PerVertex is redeclared
   bool base_vertex_is_zero = false, base_instance_is_zero = false;  // backend-glsl/write.h
+  bool precise = false;    // -Gis: every output, and what goes into it, is computed as written
+  bool invariant = false;  // gl_Position is: backend-glsl/write.h
   // How the shader meets the next stage's: see backend-glsl/style.h.
   glsl::BlockStyle blocks = glsl::BlockStyle::kNamed;
   // "hlslcc", "dxc", "spirv-cross" or a pattern for outputs. Empty: what the pixel shader has, and

@@ -336,6 +336,8 @@ constexpr Option kOptions[] = {
     {"--dump-after", kEquals, Set<&DebugOptions::dump_after>},
     {"--stop-after", kEquals, Set<&DebugOptions::stop_after>},
     {"--verify", kFlag, Set<&DebugOptions::verify>},
+    {"-Gis", kFlag, Set<&Request::precise>},
+    {"--invariant", kFlag, Set<&Request::invariant>},
     {"--base-vertex", kEquals, SetForZero<&Request::base_vertex_is_zero>},
     {"--base-instance", kEquals, SetForZero<&Request::base_instance_is_zero>},
     {"-fvk-bind-register", kFour, Bind<AddRegister>, nullptr,
@@ -408,7 +410,6 @@ constexpr Option kOptions[] = {
     {"-Ges", kFlag, SetPositionName<PositionName::kStrict>},
 
     // A meaning that is lost.
-    {"-Gis", kFlag, HasNoEffect, nullptr, "only what the shader declares `precise` is"},
     {"-Fd", kJoinedOrSeparate, HasNoEffect, nullptr,
      "GLSL has no debug database; -Zi keeps the lines of the HLSL"},
     {"-Ni", kFlag, HasNoEffect, nullptr, "the listing is GLSL"},

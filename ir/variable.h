@@ -48,6 +48,7 @@ struct Function {
   Span span;
   // A pass made it: it reads and writes nothing but its parameters and its own variables.
   bool is_helper = false;
+  bool precise = false;  // what it returns is; SpreadPrecise makes that a matter of variables
 };
 
 }  // namespace clipc::ir

@@ -6,6 +6,7 @@
 #include "passes/drop_unread.h"
 #include "passes/drop_unread_arguments.h"
 #include "passes/inline_entry.h"
+#include "passes/spread_precise.h"
 
 namespace clipc::passes {
 namespace {
@@ -35,6 +36,9 @@ constexpr ir::Pass<Run> kPipeline[] = {
      ir::Form::kInlined},
     // After everything that removes statements.
     {"drop-unread", [](Run& run) { DropUnread(run.program); }, ir::Form::kInlined},
+    // What is left is written; only calls that are left are looked into.
+    {"spread-precise", [](Run& run) { SpreadPrecise(run.program, run.options.precise_outputs); },
+     ir::Form::kInlined},
 };
 
 }  // namespace

@@ -14,6 +14,7 @@ namespace clipc::passes {
 struct PipelineOptions : ir::PassOptions {
   ClipPlaneOptions clip_planes;
   ClipSpaceOptions clip_space;
+  bool precise_outputs = false;  // -Gis: all of them, and what goes into them
 };
 
 // Takes a program from Form::kTyped to Form::kInlined, unless `stop_after` ends it earlier. Returns

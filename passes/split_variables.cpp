@@ -105,7 +105,6 @@ class Splitter {
         candidate.parts.reserve(program_.types.StructOf(var.type).fields.size());
         for (const Field& field : program_.types.StructOf(var.type).fields) {
           candidate.parts.push_back({field.type, NoUses(), {}});
-          candidate.is_whole |= field.precise;
         }
       } else {
         candidate.parts.push_back({var.type, NoUses(), {}});
@@ -212,8 +211,11 @@ class Splitter {
         is_replaced_[part.uses.front().stmt] = true;
       } else if (!part.uses.empty()) {
         Var var = program_.vars[candidate.var];
-        if (candidate.is_struct)
-          var.name = program_.types.StructOf(var.type).fields[NumberOf(candidate, part)].name;
+        if (candidate.is_struct) {
+          const Field& field = program_.types.StructOf(var.type).fields[NumberOf(candidate, part)];
+          var.name = field.name;
+          var.precise = field.precise;
+        }
         var.type = part.type;
         part.becomes = program_.vars.Add(std::move(var));
         part.is_new = true;

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "frontend/rules/build_main.h"
+#include "frontend/rules/semantics.h"
 #include "pixel/names.h"
 #include "pixel/read.h"
 #include "pixel/spirv_module.h"

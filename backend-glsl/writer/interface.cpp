@@ -140,10 +140,10 @@ std::uint32_t WriteVarying(Context& context, const IoVar& output, GlslInfo::Vari
   const bool is_linear = !is_flat && output.interpolation == Interpolation::kNoPerspective;
   if (output.sample) context.Require(Feature::kPerSample);
   Append(context.sections.outputs, has_location ? LocationText(location) : "",
-         is_flat && has_out ? "flat " : "", is_linear ? "noperspective " : "",
-         output.centroid ? "centroid " : "", output.sample ? "sample " : "",
-         has_out ? "out " : "varying ", OutputDeclaration(context, output, shape, info.name), ";",
-         SemanticComment(output));
+         PreciseText(context, context[output.var].precise), is_flat && has_out ? "flat " : "",
+         is_linear ? "noperspective " : "", output.centroid ? "centroid " : "",
+         output.sample ? "sample " : "", has_out ? "out " : "varying ",
+         OutputDeclaration(context, output, shape, info.name), ";", SemanticComment(output));
   return location + LocationCount(context.TypeOf(output.var));
 }
 
@@ -182,8 +182,8 @@ void WritePerVertex(Context& context) {
     if (output == context.program.outputs.end()) return;
     mask = WrittenElements(context, output->var);
     comments += fmt::format("// {} distances written: 0x{:x}\n", what, mask);
-    Append(arrays,
-           in_block ? "    "
+    Append(arrays, in_block ? "    " : "", PreciseText(context, context[output->var].precise),
+           in_block ? ""
            : is_es  ? "out highp "
                     : "out ",
            "float ", BuiltinOutput(builtin), Dimensions(context, output->var), ";\n");
@@ -194,6 +194,19 @@ void WritePerVertex(Context& context) {
   Append(context.sections.outputs, comments,
          is_asked ? "out gl_PerVertex {\n    vec4 gl_Position;\n    float gl_PointSize;\n" : "",
          arrays, is_asked ? "};\n" : "");
+}
+
+// Qualifiers of built-in outputs that are not declared anew.
+void QualifyBuiltins(Context& context) {
+  for (const IoVar& output : context.program.outputs) {
+    const bool is_position = output.builtin == Builtin::kPosition;
+    if (!is_position && output.builtin != Builtin::kPointSize) continue;
+    const std::string_view name = BuiltinOutput(output.builtin);
+    const std::string_view precise = PreciseText(context, context[output.var].precise);
+    if (!precise.empty()) Append(context.sections.outputs, precise, name, ";\n");
+    if (is_position && context.options.invariant)
+      Append(context.sections.outputs, "invariant ", name, ";\n");
+  }
 }
 
 }  // namespace
@@ -220,6 +233,7 @@ void WriteOutputs(Context& context) {
     if (output.builtin == Builtin::kNone) location = WriteVarying(context, output, info, location);
   }
   WritePerVertex(context);
+  QualifyBuiltins(context);
 }
 
 }  // namespace clipc::glsl

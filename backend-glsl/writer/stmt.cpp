@@ -48,8 +48,7 @@ std::string DeclareText(Code& code, const Declare& node, bool is_first = true) {
   const std::string& name = code.NameOf(node.var);
   const std::string_view equals = init ? " = " : "";
   if (!is_first) return Concat(Declarator(code, var.type, name), equals, value);
-  const bool is_precise = var.precise && code.Has(Feature::kPrecise);
-  return Concat(is_const ? "const " : "", is_precise ? "precise " : "",
+  return Concat(is_const ? "const " : "", PreciseText(code, var.precise),
                 Declaration(code, var.type, name), equals, value);
 }
 
@@ -149,7 +148,8 @@ std::string Signature(Code& code, FunctionId id) {
   const std::string parameters = ListOf(function.parameters, [&](VarId parameter) {
     const Storage storage = code[parameter].storage;
     code.NameLocal(parameter, "unused");
-    return Concat(storage == Storage::kOut     ? "out "
+    return Concat(PreciseText(code, code[parameter].precise),
+                  storage == Storage::kOut     ? "out "
                   : storage == Storage::kInOut ? "inout "
                                                : "",
                   Declaration(code, code[parameter].type, code.NameOf(parameter)));

@@ -104,6 +104,12 @@ std::string Declarator(Context& context, TypeId type, std::string_view name) {
   return Concat(name, PartsOf(context, type).dimensions);
 }
 
+std::string_view PreciseText(Context& context, bool is_precise) {
+  if (!is_precise || !context.Has(Feature::kPrecise)) return "";
+  context.Require(Feature::kPrecise);
+  return "precise ";
+}
+
 std::string ParameterTypes(Context& context, FunctionId function) {
   return ListOf(context[function].parameters,
                 [&](VarId parameter) { return TypeName(context, context[parameter].type); });

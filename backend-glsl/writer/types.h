@@ -23,6 +23,8 @@ std::string Declaration(Context& context, ir::TypeId type, std::string_view name
 std::string Declaration(const Context& context, const Shape& shape, std::string_view name);
 // "name[3]": what stands after the type in a declaration.
 std::string Declarator(Context& context, ir::TypeId type, std::string_view name);
+// "precise " for what is precise, where the target has the word.
+std::string_view PreciseText(Context& context, bool is_precise);
 // What tells overloads apart: "vec3, float".
 std::string ParameterTypes(Context& context, ir::FunctionId function);
 // "[4][2]" of an array of blocks or objects; empty when the variable is not an array.

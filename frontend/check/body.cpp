@@ -62,6 +62,7 @@ FunctionId Reach(Context& context, FunctionInfoId id) {
   function.name = context[decl.name];
   function.return_type = info.return_type;
   function.span = decl.name_span;
+  function.precise = (decl.qualifiers & ast::kPrecise) != 0;
   function.parameters.reserve(info.parameters.size + 1u);
   if (info.self) {
     const Storage storage = info.changes_self ? Storage::kInOut : Storage::kIn;

@@ -50,6 +50,7 @@ EntrySignature SignatureOf(Context& context, FunctionInfoId entry) {
     entry_parameter.semantic_span = var.semantic.span;
     ReadInterpolation(var.qualifiers, entry_parameter);
     ReadVulkan(context, var.attributes, entry_parameter);
+    entry_parameter.precise = (var.qualifiers & ast::kPrecise) != 0;
     entry_parameter.row_major = IsRowMajor(context, QualifiersOf(context, var));
     if (var.qualifiers & ast::kUniform) {
       entry_parameter.is_uniform = true;
@@ -61,6 +62,7 @@ EntrySignature SignatureOf(Context& context, FunctionInfoId entry) {
   signature.result.semantic_span = decl.return_semantic.span;
   ReadInterpolation(decl.qualifiers, signature.result);
   ReadVulkan(context, decl.attributes, signature.result);
+  signature.result.precise = (decl.qualifiers & ast::kPrecise) != 0;
   signature.result.row_major = IsRowMajor(context, decl.qualifiers);
   signature.stages_meet_by_row = context.options.stages_meet_by_row;
   return signature;

@@ -35,6 +35,7 @@ struct Cursor {
   bool centroid = false;
   bool sample = false;
   std::optional<std::uint32_t> location;
+  bool precise = false;
 };
 
 // A parameter, the result or something inside of one: where it is, and which semantic it has.
@@ -57,7 +58,8 @@ Cursor CursorOf(const Declared& declared) {
           declared.interpolation,
           declared.centroid,
           declared.sample,
-          declared.location};
+          declared.location,
+          declared.precise};
 }
 
 class MainBuilder {
@@ -229,8 +231,10 @@ class MainBuilder {
     piece.span = field.span;
     piece.row_major = field.row_major;
     // A semantic on the struct as a whole overrides those of its fields (DXC: "semantic override").
+    cursor.precise |= cursor.given && field.precise;
     if (cursor.given) return Collect(piece, cursor);
     Cursor own = CursorOf(field);
+    own.precise |= cursor.precise;
     if (own.interpolation == Interpolation::kDefault) own.interpolation = cursor.interpolation;
     own.centroid = own.centroid || cursor.centroid;
     own.sample = own.sample || cursor.sample;
@@ -331,13 +335,15 @@ class MainBuilder {
 
   VarId AddIo(std::vector<IoVar>& list, const Carrier& leaf, TypeId type, Builtin builtin) {
     const bool is_input = &list == &program_.inputs;
-    const auto& [semantic, given, span, interpolation, centroid, sample, location] = leaf.cursor;
+    const auto& [semantic, given, span, interpolation, centroid, sample, location, precise] =
+        leaf.cursor;
     const VarId id =
         program_.vars.Add({.name = (is_input ? "in_" : "vs_") + ToUpper(semantic.name) +
                                    std::to_string(semantic.index),
                            .type = type,
                            .storage = is_input ? Storage::kInput : Storage::kOutput,
-                           .span = leaf.span});
+                           .span = leaf.span,
+                           .precise = precise && !is_input});
     std::string path = leaf.name + leaf.elements;
     std::uint32_t place = 0;
     if (builtin == Builtin::kNone && (is_input || !program_.profile.IsPixel()))
@@ -475,26 +481,9 @@ class MainBuilder {
 
 }  // namespace
 
-SemanticName SplitSemantic(std::string_view written) {
-  std::size_t end = written.size();
-  while (end > 0 && written[end - 1] >= '0' && written[end - 1] <= '9' && written.size() - end < 9)
-    --end;
-  std::uint32_t index = 0;
-  for (char c : written.substr(end)) index = index * 10 + static_cast<std::uint32_t>(c - '0');
-  return {std::string(written.substr(0, end)), index, end < written.size()};
-}
-
 void BuildMain(Program& program, const EntrySignature& signature, PositionName position,
                Diagnostics& diagnostics) {
   MainBuilder(program, signature, position, diagnostics).Run();
-}
-
-const IoVar* FindPlainPosition(const Program& program) {
-  const auto found = std::ranges::find_if(program.outputs, [](const IoVar& output) {
-    return output.builtin == Builtin::kNone && output.index == 0 &&
-           EqualIgnoringCase(output.semantic, "POSITION");
-  });
-  return found == program.outputs.end() ? nullptr : &*found;
 }
 
 }  // namespace clipc::rules

@@ -13,14 +13,6 @@
 // function.
 namespace clipc::rules {
 
-// A semantic as written, taken apart: "TEXCOORD12" is {"TEXCOORD", 12}. Names compare without case.
-struct SemanticName {
-  std::string name;
-  std::uint32_t index = 0;
-  bool has_index = false;
-};
-SemanticName SplitSemantic(std::string_view written);
-
 // What is written at a parameter or at the result beside its type. Struct fields carry their own
 // semantics (ir::Field).
 struct EntryParameter {
@@ -29,7 +21,8 @@ struct EntryParameter {
   Interpolation interpolation = Interpolation::kDefault;
   bool centroid = false;
   bool sample = false;
-  bool row_major = false;                 // of the matrices in it
+  bool row_major = false;  // of the matrices in it
+  bool precise = false;
   std::optional<std::uint32_t> location;  // [[vk::location(..)]]
   bool is_uniform = false;
   VarId uniform_var;  // the member of $Params that a `uniform` parameter became
@@ -53,8 +46,5 @@ struct EntrySignature {
 // SV_Position input is a plain input.
 void BuildMain(Program& program, const EntrySignature& signature, PositionName position,
                Diagnostics& diagnostics);
-
-// The output POSITION that is not the position, or null.
-const IoVar* FindPlainPosition(const Program& program);
 
 }  // namespace clipc::rules

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "base/spelling.h"
-#include "frontend/rules/build_main.h"
 #include "frontend/rules/position_trial.h"
+#include "frontend/rules/semantics.h"
 #include "ir/access.h"
 
 namespace clipc::rules {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/rules/semantics.h"
 
+#include <algorithm>
+
 #include "base/spelling.h"
 
 namespace clipc::rules {
@@ -67,6 +69,23 @@ SystemValue LookUpSemantic(std::string_view name, std::uint32_t index, Direction
     if (lower == "psize" && is_old) return Is(Builtin::kPointSize, 0);
   }
   return lower.starts_with("sv_") || lower.starts_with("vk::") ? kRefused : kPlain;
+}
+
+SemanticName SplitSemantic(std::string_view written) {
+  std::size_t end = written.size();
+  while (end > 0 && written[end - 1] >= '0' && written[end - 1] <= '9' && written.size() - end < 9)
+    --end;
+  std::uint32_t index = 0;
+  for (char c : written.substr(end)) index = index * 10 + static_cast<std::uint32_t>(c - '0');
+  return {std::string(written.substr(0, end)), index, end < written.size()};
+}
+
+const IoVar* FindPlainPosition(const Program& program) {
+  const auto found = std::ranges::find_if(program.outputs, [](const IoVar& output) {
+    return output.builtin == Builtin::kNone && output.index == 0 &&
+           EqualIgnoringCase(output.semantic, "POSITION");
+  });
+  return found == program.outputs.end() ? nullptr : &*found;
 }
 
 }  // namespace clipc::rules

@@ -2,15 +2,16 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "frontend/rules/rules.h"
 #include "ir/profile.h"
 
 // The semantics of a vertex shader's inputs and outputs, and which inputs of a pixel shader come
-// from a vertex shader. Sources: the Direct3D 11.3 functional
-// specification, sections 8 and 9 (system generated and interpreted values); DXC's signature table
-// for the vertex stage; the Direct3D 9 reference on vertex shader outputs.
+// from a vertex shader. Sources: the Direct3D 11.3 functional specification, sections 8 and 9
+// (system generated and interpreted values); DXC's signature table for the vertex stage; the
+// Direct3D 9 reference on vertex shader outputs.
 namespace clipc::rules {
 
 enum class Direction : std::uint8_t { kInput, kOutput };
@@ -38,5 +39,16 @@ struct SystemValue {
 SystemValue LookUpSemantic(std::string_view name, std::uint32_t index, Direction direction,
                            const Profile& profile,
                            PositionName position = PositionName::kSystemValue);
+
+// A semantic as written, taken apart: "TEXCOORD12" is {"TEXCOORD", 12}. Names compare without case.
+struct SemanticName {
+  std::string name;
+  std::uint32_t index = 0;
+  bool has_index = false;
+};
+SemanticName SplitSemantic(std::string_view written);
+
+// The output POSITION that is not the position, or null.
+const IoVar* FindPlainPosition(const Program& program);
 
 }  // namespace clipc::rules

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "passes/spread_precise.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "ir/access.h"
+#include "ir/builder.h"
+
+namespace clipc::passes {
+
+using namespace ir;
+
+namespace {
+
+// The types with a precise field in them.
+class PreciseTypes {
+ public:
+  explicit PreciseTypes(const TypeTable& types) : types_(types), answers_(types.size()) {
+    for (std::uint32_t i = 0; i < types.size(); ++i) {
+      const Type& type = types[TypeId{i}];
+      is_any_ |= type.kind == TypeKind::kStruct &&
+                 std::ranges::any_of(types.StructOf(TypeId{i}).fields, &Field::precise);
+    }
+  }
+
+  bool Has(TypeId id) {
+    if (!is_any_) return false;
+    std::optional<bool>& answer = answers_[id.index];
+    if (!answer) answer = LookInto(id);
+    return *answer;
+  }
+
+ private:
+  bool LookInto(TypeId id) {
+    const Type& type = types_[id];
+    if (type.kind == TypeKind::kArray) return Has(type.element);
+    return type.kind == TypeKind::kStruct &&
+           std::ranges::any_of(types_.StructOf(id).fields, [&](const Field& field) {
+             return field.precise || Has(field.type);
+           });
+  }
+
+  const TypeTable& types_;
+  bool is_any_ = false;
+  std::vector<std::optional<bool>> answers_;  // by TypeId
+};
+
+bool IsOfFunctions(Storage storage) {
+  return storage == Storage::kLocal || storage == Storage::kOut || storage == Storage::kInOut ||
+         storage == Storage::kStatic;
+}
+
+// Variables, and functions for their results, each with those that its value is made of.
+class ValueGraph {
+ public:
+  explicit ValueGraph(const Program& program)
+      : program_(program), vars_(program.vars.size()), sources_(vars_ + program.functions.size()) {
+    for (const VarId id : program.vars.ids()) AddSources(NodeOf(id), program.vars[id].init);
+    for (const FunctionId id : program.functions.ids()) AddFunction(id);
+  }
+
+  std::size_t NodeOf(VarId id) const { return id.index; }
+  std::size_t NodeOf(FunctionId id) const { return vars_ + id.index; }
+
+  // Adds to the nodes all that their values are made of.
+  void Spread(std::vector<bool>& nodes) const {
+    std::vector<std::size_t> waiting;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      if (nodes[i]) waiting.push_back(i);
+    }
+    while (!waiting.empty()) {
+      const std::size_t node = waiting.back();
+      waiting.pop_back();
+      for (const std::size_t source : sources_[node]) {
+        if (nodes[source]) continue;
+        nodes[source] = true;
+        waiting.push_back(source);
+      }
+    }
+  }
+
+ private:
+  void AddFunction(FunctionId id) {
+    const StmtId body = program_.functions[id].body;
+    ForEachStmt(program_, body, [&](StmtId stmt) {
+      if (const auto* declare = As<Declare>(program_, stmt))
+        AddSources(NodeOf(declare->var), declare->init);
+      if (const auto* result = As<Return>(program_, stmt)) AddSources(NodeOf(id), result->value);
+    });
+    ForEachExpr(program_, body, [&](ExprId expr) { AddWrites(expr); });
+  }
+
+  void AddWrites(ExprId expr) {
+    if (const auto* assign = As<Assign>(program_, expr))
+      return AddTo(assign->target, assign->value);
+    if (const auto* call = As<Call>(program_, expr)) return AddArguments(*call);
+    if (const auto* call = As<IntrinsicCall>(program_, expr)) {
+      ForEachWrite(program_, expr, [&](ExprId target) {
+        for (const ExprId argument : program_.expr_lists[call->arguments]) AddTo(target, argument);
+      });
+    }
+  }
+
+  void AddArguments(const Call& call) {
+    const std::vector<VarId>& parameters = program_.functions[call.function].parameters;
+    for (std::uint32_t i = 0; i < call.arguments.size; ++i) {
+      const ExprId argument = program_.expr_lists[call.arguments][i];
+      const Storage storage = program_.vars[parameters[i]].storage;
+      const VarId target = storage == Storage::kIn ? VarId{} : RootOf(program_, argument);
+      if (target) sources_[NodeOf(target)].push_back(NodeOf(parameters[i]));
+      if (storage != Storage::kOut) AddSources(NodeOf(parameters[i]), argument);
+    }
+  }
+
+  void AddTo(ExprId target, ExprId value) {
+    if (const VarId root = RootOf(program_, target)) AddSources(NodeOf(root), value);
+  }
+
+  void AddSources(std::size_t node, ExprId value) {
+    if (!value) return;
+    ForEachExpr(program_, value, [&](ExprId id) {
+      if (const auto* ref = As<VarRef>(program_, id)) sources_[node].push_back(NodeOf(ref->var));
+      if (const auto* call = As<Call>(program_, id))
+        sources_[node].push_back(NodeOf(call->function));
+    });
+  }
+
+  const Program& program_;
+  std::size_t vars_;  // when the graph was made
+  std::vector<std::vector<std::size_t>> sources_;
+};
+
+// Makes the results of a function precise. GLSL as Mesa reads it takes no `precise` at a result, so
+// each one becomes a precise variable first.
+class PreciseResults {
+ public:
+  PreciseResults(Program& program, FunctionId function)
+      : program_(program), builder_(program, program.functions[function].span) {
+    std::vector<StmtId> all;
+    ForEachStmt(program, program.functions[function].body, [&](StmtId id) { all.push_back(id); });
+    for (const StmtId id : all) {
+      if (As<Block>(program, id)) InList(id);
+    }
+    for (const StmtId id : all) {
+      if (StmtId declaration = DeclarationFor(id))
+        program.stmts[id].node = Block{
+            program.stmt_lists.Add({declaration, builder_.Stmt(Return(*As<Return>(program, id)))})};
+    }
+  }
+
+ private:
+  void InList(StmtId id) {
+    std::vector<StmtId> stmts;
+    const List<StmtId> old = As<Block>(program_, id)->body;
+    for (std::uint32_t i = 0; i < old.size; ++i) {
+      const StmtId stmt = program_.stmt_lists[old][i];
+      if (const StmtId declaration = DeclarationFor(stmt)) stmts.push_back(declaration);
+      stmts.push_back(stmt);
+    }
+    if (stmts.size() > old.size)
+      program_.stmts[id].node = Block{program_.stmt_lists.Add(std::span<const StmtId>(stmts))};
+  }
+
+  // The declaration of a precise variable that the statement returns from now on; none if
+  // it returns one already, or nothing.
+  StmtId DeclarationFor(StmtId stmt) {
+    const auto* result = As<Return>(program_, stmt);
+    if (!result || !result->value) return {};
+    const auto* ref = As<VarRef>(program_, result->value);
+    if (ref && program_.vars[ref->var].storage == Storage::kLocal) {
+      program_.vars[ref->var].precise = true;
+      return {};
+    }
+    const ExprId value = result->value;
+    const VarId local = builder_.Local("result", TypeIdOf(program_, value));
+    program_.vars[local].precise = true;
+    std::get<Return>(program_.stmts[stmt].node).value = builder_.Ref(local);
+    return builder_.Stmt(Declare{local, value});
+  }
+
+  Program& program_;
+  Builder builder_;
+};
+
+}  // namespace
+
+void SpreadPrecise(Program& program, bool of_all_outputs) {
+  for (const IoVar& output : program.outputs) program.vars[output.var].precise |= of_all_outputs;
+  PreciseTypes types(program.types);
+  bool is_any = false;
+  for (const VarId id : program.vars.ids()) {
+    Var& var = program.vars[id];
+    var.precise |= IsOfFunctions(var.storage) && types.Has(var.type);
+    is_any |= var.precise;
+  }
+  for (const FunctionId id : program.functions.ids()) {
+    Function& function = program.functions[id];
+    function.precise |= types.Has(function.return_type);
+    is_any |= function.precise;
+  }
+  if (!is_any) return;
+
+  const ValueGraph graph(program);
+  std::vector<bool> precise(program.vars.size() + program.functions.size());
+  for (const VarId id : program.vars.ids()) precise[graph.NodeOf(id)] = program.vars[id].precise;
+  for (const FunctionId id : program.functions.ids())
+    precise[graph.NodeOf(id)] = program.functions[id].precise;
+  graph.Spread(precise);
+  for (const FunctionId id : program.functions.ids()) {
+    for (const VarId parameter : program.functions[id].parameters) {
+      Var& var = program.vars[parameter];
+      var.precise = precise[graph.NodeOf(parameter)] && var.storage != Storage::kIn;
+    }
+    if (precise[graph.NodeOf(id)]) PreciseResults(program, id);
+  }
+}
+
+}  // namespace clipc::passes
