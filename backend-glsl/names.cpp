@@ -19,6 +19,8 @@ constexpr auto kLettersAndDigits = [] {
 }();
 bool IsLetterOrDigit(char c) { return kLettersAndDigits[static_cast<unsigned char>(c)]; }
 
+constexpr std::string_view kOfWebGl = "webgl_";
+
 // A name that may stay as it is, and most are.
 bool IsPlain(std::string_view name) {
   if (name.size() < 3 || !IsLetterOrDigit(name[0]) || name[0] <= '9' || name[2] == '_')
@@ -29,10 +31,11 @@ bool IsPlain(std::string_view name) {
     if (is_underscore ? is_after_underscore : !IsLetterOrDigit(c)) return false;
     is_after_underscore = is_underscore;
   }
-  return true;
+  return !name.starts_with(kOfWebGl);
 }
 
-// Letters, digits and single underscores, not a digit first, outside the reserved prefixes.
+// Letters, digits and single underscores, not a digit first, outside the reserved prefixes (GLSL's
+// gl_, and webgl_ and _webgl_ of WebGL).
 std::string Spelling(std::string_view wanted, std::string_view fallback) {
   if (IsPlain(wanted)) return std::string(wanted);
   std::string name;
@@ -46,6 +49,8 @@ std::string Spelling(std::string_view wanted, std::string_view fallback) {
   if (name.empty() || name == "_") name = fallback;
   if (name[0] >= '0' && name[0] <= '9') name.insert(0, "_");
   if (name.starts_with("gl_") || name.starts_with("GL_")) name.insert(0, "_");
+  if (std::string_view(name).substr(name.starts_with('_')).starts_with(kOfWebGl))
+    name.insert(0, name[0] == '_' ? "x" : "x_");
   return name;
 }
 

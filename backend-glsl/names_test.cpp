@@ -26,6 +26,8 @@ TEST(NamesTest, UnderscoresAndPrefixes) {
   EXPECT_EQ(LegalName("a__b___c"), "a_b_c");
   EXPECT_EQ(LegalName("gl_Position"), "_gl_Position");
   EXPECT_EQ(LegalName("GL_ES"), "_GL_ES");
+  EXPECT_EQ(LegalName("webgl_matrix"), "x_webgl_matrix");
+  EXPECT_EQ(LegalName("_webgl_matrix"), "x_webgl_matrix");
   EXPECT_EQ(LegalName("ns::plane"), "ns_plane");
   EXPECT_EQ(LegalName("$Globals"), "Globals");
   EXPECT_EQ(LegalName("2d"), "_2d");

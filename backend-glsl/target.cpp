@@ -24,7 +24,8 @@ constexpr std::array kProfiles = {
     Profile{"glsl430", Api::kOpenGL, 430},   Profile{"glsl440", Api::kOpenGL, 440},
     Profile{"glsl450", Api::kOpenGL, 450},   Profile{"glsl460", Api::kOpenGL, 460},
     Profile{"essl300", Api::kOpenGLES, 300}, Profile{"essl310", Api::kOpenGLES, 310},
-    Profile{"essl320", Api::kOpenGLES, 320}, Profile{"vulkan", Api::kVulkan, 460},
+    Profile{"essl320", Api::kOpenGLES, 320}, Profile{"webgl2", Api::kWebGL, 300},
+    Profile{"vulkan", Api::kVulkan, 460},
 };
 
 constexpr auto kNames = [] {
@@ -136,6 +137,12 @@ std::string Target::VersionLine() const {
 Support Target::Of(Feature feature) const {
   if (feature == Feature::kClipVertex && (version_ > 130 || IsVulkan())) return {};
   if (feature == Feature::kViewIndex && IsVulkan()) return {true, "GL_EXT_multiview"};
+  if (api_ == Api::kWebGL) {
+    // Of the extensions of ES 3.00, browsers have WEBGL_clip_cull_distance and OVR_multiview2.
+    if (feature == Feature::kClipDistance || feature == Feature::kCullDistance)
+      return {true, "GL_ANGLE_clip_cull_distance"};
+    if (feature == Feature::kPerSample) return {};
+  }
   // Vulkan's GLSL has what OpenGL 4.6 has, where both have it.
   const FeatureRow& row = RowOf(feature);
   const Since& since = IsEs() ? row.es : row.desktop;

@@ -13,7 +13,12 @@
 // The dialects of GLSL that clipc writes, and what each of them can say.
 namespace clipc::glsl {
 
-enum class Api : std::uint8_t { kOpenGL, kOpenGLES, kVulkan };
+enum class Api : std::uint8_t {
+  kOpenGL,
+  kOpenGLES,
+  kWebGL,  // the GLSL of OpenGL ES with the extensions that browsers have
+  kVulkan,
+};
 
 // What some versions of GLSL lack. The rows of target.cpp say which versions have it.
 enum class Feature : std::uint8_t {
@@ -97,14 +102,14 @@ struct BindingRules {
 
 class Target {
  public:
-  // The target called "glsl450", "essl300", "vulkan"; none when no target has the name.
+  // The target called "glsl450", "essl300", "webgl2", "vulkan"; none when no target has the name.
   static std::optional<Target> Parse(std::string_view name);
   static std::span<const std::string_view> Names();
 
   std::string_view name() const { return name_; }
   Api api() const { return api_; }
   bool IsVulkan() const { return api_ == Api::kVulkan; }
-  bool IsEs() const { return api_ == Api::kOpenGLES; }
+  bool IsEs() const { return api_ == Api::kOpenGLES || api_ == Api::kWebGL; }
   int version() const { return version_; }  // as in the #version line
   std::string VersionLine() const;          // "#version 300 es"
 

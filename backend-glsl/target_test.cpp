@@ -46,6 +46,8 @@ TEST(TargetTest, VersionGates) {
   EXPECT_FALSE(Of("essl320").Has(Feature::kDrawParameters));
   EXPECT_FALSE(Of("glsl120").Has(Feature::kClipDistance));
   EXPECT_EQ(Of("essl300").Of(Feature::kClipDistance).extension, "GL_EXT_clip_cull_distance");
+  EXPECT_EQ(Of("webgl2").Of(Feature::kClipDistance).extension, "GL_ANGLE_clip_cull_distance");
+  EXPECT_FALSE(Of("webgl2").Has(Feature::kPerSample)) << "no extension of WebGL 2";
   EXPECT_TRUE(Of("glsl130").Has(Feature::kClipVertex));
   EXPECT_FALSE(Of("glsl140").Has(Feature::kClipVertex));
 }
