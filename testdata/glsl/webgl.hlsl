@@ -1,8 +1,7 @@
 // WebGL 2 is OpenGL ES 3.00 with clip distances by the extension that browsers have (WEBGL_clip_cull_distance), and with
-// names of its own. ES has no `sample` without an extension that no browser has.
+// names of its own.
 // RUN: %clipc -T vs_5_0 --target=webgl2 %s -o - | FileCheck %s
 // RUN: %clipc -T vs_5_0 --target=webgl2 --lower=discard --validate %s -o - | FileCheck %s --check-prefix=DISCARD
-// RUN: not %clipc -T vs_5_0 -E per_sample --target=webgl2 %s 2>&1 | FileCheck %s --check-prefix=SAMPLE
 
 // CHECK: #version 300 es
 // CHECK-NEXT: #extension GL_ANGLE_clip_cull_distance : require
@@ -17,9 +16,3 @@ cbuffer C {
   float4 plane;
 };
 [clipplanes(plane)] float4 main(float4 p : POSITION) : SV_Position { return mul(p, _webgl_matrix); }
-
-// SAMPLE: error: {{.*}}target `webgl2`
-void per_sample(float4 p : POSITION, out float4 position : SV_Position, out sample float4 color : COLOR) {
-  position = p;
-  color = p;
-}
