@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "base/diagnostics.h"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 
@@ -66,6 +67,11 @@ Diagnostic& Diagnostics::Add(Span where, DiagId id, std::string message) {
     int& count = severity == Severity::kError ? error_count_ : warning_count_;
     dropped = count >= (severity == Severity::kError ? kMaxErrors : kMaxWarnings);
     if (!dropped) ++count;
+    // What is found on two ways is said once, but counted: callers compare counts.
+    dropped =
+        dropped || (where && std::ranges::any_of(list_, [&](const Diagnostic& other) {
+                      return other.id == id && other.span == where && other.message == message;
+                    }));
   }
   if (dropped) {
     dropped_ = Diagnostic{id, severity, where, {}, {}, {}, {}};

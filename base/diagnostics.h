@@ -122,8 +122,9 @@ class Watch {
   bool stopped_ = false;
 };
 
-// The messages of one compile, in the order of their discovery. Errors past kMaxErrors and warnings
-// past kMaxWarnings are dropped, so that hostile input cannot make the list large.
+// The messages of one compile, in the order of their discovery, each once for a place. Errors
+// past kMaxErrors and warnings past kMaxWarnings are dropped, so that hostile input cannot make the
+// list large.
 class Diagnostics {
  public:
   static constexpr int kMaxErrors = 50;

@@ -228,7 +228,9 @@ TEST(ClipTable, JsonErrorsNameThePlace) {
             "plane 0 is not one whole register; Direct3D 9 takes only whole registers");
   EXPECT_EQ(ReadJson("{}").error, "`schema` is missing");
   EXPECT_EQ(ReadJson("[]").error, "the table is not an object");
-  EXPECT_EQ(ReadJson("{\"schema\": ").error, "no JSON: byte 12 cannot stand there");
+  EXPECT_EQ(ReadJson("{\"schema\": ").error, "the JSON is cut off: it ends after 11 bytes");
+  EXPECT_EQ(ReadJson("").error, "there is no JSON: the text is empty");
+  EXPECT_EQ(ReadJson("{\"schema\" 1").error, "no JSON: byte 11 cannot stand there");
   std::string repeated = *WriteJson(TwoPlanes());
   repeated.insert(1, "\"entry\": \"x\",");
   EXPECT_EQ(ReadJson(repeated).error, "a key occurs twice in one object");

@@ -201,6 +201,10 @@ Result<ClipTable> ReadJson(std::string_view text) {
   try {
     json = Parse(text, repeats_key);
   } catch (const Json::parse_error& error) {
+    if (text.empty()) return Problem{"there is no JSON: the text is empty"};
+    if (error.byte > text.size())
+      return Problem{"the JSON is cut off: it ends after " + std::to_string(text.size()) +
+                     " bytes"};
     return Problem{"no JSON: byte " + std::to_string(error.byte) + " cannot stand there"};
   }
   std::string error;

@@ -204,7 +204,7 @@ std::string HelpText() {
   constexpr std::size_t kColumn = 25;
   std::string text =
       "OVERVIEW: HLSL vertex shaders with [clipplanes] to GLSL and a Direct3D 9 clip table\n\n"
-      "USAGE: clipc [options] FILE...\n\nOPTIONS:\n";
+      "USAGE: clipc [options] FILE...      (- is standard input)\n\nOPTIONS:\n";
   for (const Option& option : Options()) {
     if (!option.metavar) continue;
     const char* separator = option.form == kEquals ? "=" : option.form == kJoined ? "" : " ";

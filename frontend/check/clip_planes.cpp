@@ -261,7 +261,12 @@ bool CheckSurroundings(Context& context, const ast::Attr& attribute) {
 bool IsAllowedForm(Context& context, ast::ExprId id) {
   const Span span = context[id].span;
   return Visit(Overloaded{
-                   [&](const ast::NameExpr&) { return true; },
+                   [&](const ast::NameExpr& e) {
+                     const bool is_known =
+                         e.name.from_global || !e.name.scopes.empty() || Find(context, e.name);
+                     if (!is_known) ReportUndeclared(context, span, e.name, NameUse::kClipPlane);
+                     return is_known;
+                   },
                    [&](const ast::MemberExpr& e) { return IsAllowedForm(context, e.base); },
                    [&](const ast::IndexExpr& e) { return IsAllowedForm(context, e.base); },
                    [&](const ast::ErrorExpr&) { return false; },

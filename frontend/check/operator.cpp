@@ -129,8 +129,12 @@ std::optional<TypeId> OperandType(Context& context, BinaryOp op, ExprId left, Ex
                         ? CommonType(context.types, context.TypeIdOf(left), context.TypeIdOf(right))
                         : std::nullopt;
   if (!type) {
-    context.Report(op_span, diag::OperandsMismatch, SpellingOf(op), context.TypeName(left),
-                   context.TypeName(right));
+    Diagnostic& report = context.Report(op_span, diag::OperandsMismatch, SpellingOf(op),
+                                        context.TypeName(left), context.TypeName(right));
+    const auto is_kind = [&](ExprId id, TypeKind kind) { return context.TypeOf(id).kind == kind; };
+    const bool has_matrix = is_kind(left, TypeKind::kMatrix) || is_kind(right, TypeKind::kMatrix);
+    if (op == BinaryOp::kMul && is_numeric && has_matrix)
+      report.Note(op_span, diag::MulMultipliesMatrices);
     return std::nullopt;
   }
   const Scalar kind = context[*type].scalar;

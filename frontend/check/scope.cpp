@@ -2,6 +2,7 @@
 #include "frontend/check/scope.h"
 
 #include "base/spelling.h"
+#include "frontend/check/glsl_names.h"
 #include "frontend/check/struct.h"
 #include "frontend/check/text.h"
 #include "frontend/check/type.h"
@@ -53,6 +54,14 @@ std::string NearText(const Context& context, Name name, NameUse use) {
   return QuotedList(near);
 }
 
+// What a message about an unknown name ends with where no name is spelt nearly like it.
+std::string_view AdviceFor(std::string_view name, NameUse use) {
+  if (use == NameUse::kClipPlane)
+    return "; a clip plane is a global variable or a member of a constant buffer";
+  return name.starts_with("gl_") ? "; what GLSL calls `gl_...` is a semantic in HLSL, `SV_Position`"
+                                 : "";
+}
+
 }  // namespace
 
 ScopeId ScopeOf(Context& context, SymbolId id) {
@@ -83,10 +92,15 @@ void ReportUndeclared(Context& context, Span span, const ast::QualifiedName& nam
     return;
   }
   const SymbolId later = name.scopes.empty() ? FindLater(context, name.name) : SymbolId{};
-  const std::string near = later ? "" : NearText(context, name.name, use);
-  const std::string tail = later          ? "; a name must be declared before its use"
-                           : near.empty() ? ""
-                                          : fmt::format("; did you mean {}?", near);
+  const std::string_view hlsl = later || !name.scopes.empty() ? "" : HlslNameOf(context[name.name]);
+  const bool is_glsl = context[name.name].starts_with("gl_");
+  const std::string near = later || is_glsl ? ""
+                           : !hlsl.empty()  ? fmt::format("`{}`", hlsl)
+                                            : NearText(context, name.name, use);
+  const std::string tail = later           ? "; a name must be declared before its use"
+                           : !hlsl.empty() ? fmt::format("; in HLSL it is `{}`", hlsl)
+                           : !near.empty() ? fmt::format("; did you mean {}?", near)
+                                           : std::string(AdviceFor(context[name.name], use));
   const std::string text = QualifiedText(context, name);
   Diagnostic& report = use == NameUse::kType ? context.Report(span, diag::UnknownType, text, tail)
                        : use == NameUse::kFunction

@@ -12,7 +12,7 @@ ScopeId ScopeOf(Context& context, SymbolId id);
 // The symbol that a name means; none when there is nothing of that name, which is not reported.
 SymbolId Find(Context& context, const ast::QualifiedName& name, bool types_only = false);
 // What a name was used as.
-enum class NameUse { kValue, kType, kFunction };
+enum class NameUse { kValue, kType, kFunction, kClipPlane };
 // Reports a name that means nothing, with names that are spelt alike.
 void ReportUndeclared(Context& context, Span span, const ast::QualifiedName& name, NameUse use);
 // Declares a local. Reports one of the same name in the same block.

@@ -50,6 +50,8 @@ class Consumer : public clang::DiagnosticConsumer {
       if (last_) last_->Note(where, diag::PreprocessorNote, message.str());
       return;
     }
+    if (info.getID() == clang::diag::err_pp_invalid_directive && IsVersion(info))
+      message += "; `#version` is GLSL's, and clipc reads HLSL";
     last_ = &Report(level, info.getID(), where, message.str());
     for (const CharSourceRange& range : info.getRanges()) {
       if (range.isTokenRange()) last_->also.push_back(ToSpan(range.getBegin(), range.getEnd()));
@@ -58,6 +60,12 @@ class Consumer : public clang::DiagnosticConsumer {
   }
 
  private:
+  // Whether the directive is GLSL's first line.
+  static bool IsVersion(const clang::Diagnostic& info) {
+    const char* const name = info.getSourceManager().getCharacterData(info.getLocation());
+    return llvm::StringRef(name).starts_with("version");
+  }
+
   Diagnostic& Report(clang::DiagnosticsEngine::Level level, unsigned id, Span where,
                      std::string_view message) {
     Diagnostics& to = **diagnostics_;

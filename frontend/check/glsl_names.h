@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <string_view>
+
+// Names of GLSL in a shader that should be HLSL.
+namespace clipc::check {
+
+// What HLSL calls GLSL's type or function `name`: "float4" for "vec4". Empty: nothing by one name.
+std::string_view HlslNameOf(std::string_view name);
+
+}  // namespace clipc::check
