@@ -10,12 +10,13 @@
 #     [PIXEL_SHADER water.ps.hlsl [PIXEL_ENTRY main]]  # the pixel shader that it must fit
 #     [TABLE .h|.json|.bin]      # the clip table, beside the header below; .h without this
 #     [REFLECT]                  # NAME.reflect.json too
+#     [SPIRV]                    # NAME.spv and NAME.spv.h too; the GLSL is Vulkan's unless TARGET is another, then it is SPIR-V for OpenGL
 #     [VARIANTS n]               # one shader for each number of planes from 0 to n, which is no more than the shader has
 #     [DEFINES A B=1] [OPTIONS --flip-y ...])
 #
 # compiles the shader with clipc whenever it or a file that it includes has changed. The target gets an include folder with
 # NAME.shader.h (constexpr const char NAME_vert[], with VARIANTS const char* NAME_vert[n + 1], and likewise NAME_frag with
-# FRAGMENT; characters that \ stands for are none of GLSL's) and NAME.clip.h (constexpr clipc::StaticClipTable NAME_clip_table); the target property
+# FRAGMENT; with SPIRV uint32_t NAME_spv[]) and NAME.clip.h (constexpr clipc::StaticClipTable NAME_clip_table); the target property
 # CLIPC_SHADER_FOLDER names that folder, where NAME.vert and the table in other forms lie too.
 
 # The compiler is CLIPC_EXECUTABLE if that is set, as when cross-compiling; else that of this build or of the installed package.
@@ -27,7 +28,7 @@ endif()
 set(CLIPC_EMBED_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/embed_shaders.cmake)
 
 function(clipc_add_shader target)
-  cmake_parse_arguments(PARSE_ARGV 1 shader "REFLECT" "SHADER;NAME;ENTRY;PROFILE;LOWER;TARGET;FRAGMENT;PIXEL_SHADER;PIXEL_ENTRY;TABLE;VARIANTS" "DEFINES;OPTIONS")
+  cmake_parse_arguments(PARSE_ARGV 1 shader "REFLECT;SPIRV" "SHADER;NAME;ENTRY;PROFILE;LOWER;TARGET;FRAGMENT;PIXEL_SHADER;PIXEL_ENTRY;TABLE;VARIANTS" "DEFINES;OPTIONS")
   if(shader_UNPARSED_ARGUMENTS OR NOT shader_SHADER)
     message(FATAL_ERROR "clipc_add_shader(${target} SHADER file ...): what is `${shader_UNPARSED_ARGUMENTS}`?")
   endif()
@@ -56,6 +57,15 @@ function(clipc_add_shader target)
       "give another NAME")
   endif()
   set_property(TARGET ${target} APPEND PROPERTY CLIPC_SHADER_NAMES ${shader_NAME})
+  if(shader_VARIANTS AND NOT shader_VARIANTS MATCHES "^[0-6]$")
+    message(FATAL_ERROR "clipc_add_shader(${target} SHADER ${shader_SHADER}): VARIANTS ${shader_VARIANTS} is not a number of planes, 0 to 6")
+  endif()
+  if(shader_SPIRV AND DEFINED shader_VARIANTS)
+    message(FATAL_ERROR "clipc_add_shader(${target} SHADER ${shader_SHADER}): SPIRV is of one shader, and VARIANTS makes several")
+  endif()
+  if(shader_SPIRV AND NOT shader_TARGET)
+    set(shader_TARGET vulkan)
+  endif()
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}_shaders)
   file(MAKE_DIRECTORY ${folder})
   set(glsl ${folder}/${shader_NAME}.vert)
@@ -92,9 +102,12 @@ function(clipc_add_shader target)
     list(APPEND arguments --reflect=${reflection})
   endif()
 
+  set(spirv_arguments ${arguments})
+  list(FILTER spirv_arguments EXCLUDE REGEX "^--reflect=|^--fragment=")
   if(shader_PIXEL_SHADER)
     cmake_path(ABSOLUTE_PATH shader_PIXEL_SHADER)
     list(APPEND arguments --pixel-shader=${shader_PIXEL_SHADER})
+    list(APPEND spirv_arguments --pixel-shader=${shader_PIXEL_SHADER})
   endif()
 
   # clipc writes one form of the table at a time; it warns the first time.
@@ -111,13 +124,26 @@ function(clipc_add_shader target)
     list(APPEND commands COMMAND ${compile} --table=${table} -MD -MF ${header}.d -MT ${header})
     list(APPEND compile -w)
   endforeach()
+  set(spirv)
+  if(shader_SPIRV)
+    set(spirv ${folder}/${shader_NAME}.spv.h ${folder}/${shader_NAME}.spv)
+    set(kind -spirv)
+    if(NOT shader_TARGET STREQUAL "vulkan")
+      set(kind -G)
+    endif()
+    list(GET spirv 1 words)
+    list(GET tables 0 table)  # of the same contents; under level9 clipc wants one
+    list(APPEND commands COMMAND ${compiler} ${source} ${kind} -w ${spirv_arguments} ${shader_OPTIONS} --table=${table}
+      -o ${words} -Fh ${words}.h -Vn ${shader_NAME}_spv)
+  endif()
   string(JOIN "|" vertex_list ${written})
   string(JOIN "|" fragment_list ${fragment})
   add_custom_command(OUTPUT ${header}
-    BYPRODUCTS ${written} ${fragment} ${tables} ${reflection}
+    BYPRODUCTS ${written} ${fragment} ${tables} ${reflection} ${spirv}
     ${commands}
     COMMAND ${CMAKE_COMMAND} "-DNAME=${shader_NAME}" "-DVERTEX=${vertex_list}" "-DFRAGMENT=${fragment_list}"
-      "-DVARIANTS=${shader_VARIANTS}" "-DHEADER=${header}" -P ${CLIPC_EMBED_SCRIPT}
+      "-DVARIANTS=${shader_VARIANTS}" "-DTABLE=${folder}/${shader_NAME}.clip.h" "-DSPIRV=${shader_SPIRV}" "-DHEADER=${header}"
+      -P ${CLIPC_EMBED_SCRIPT}
     DEPENDS ${source} ${shader_FRAGMENT} ${shader_PIXEL_SHADER} ${compiler} ${CLIPC_EMBED_SCRIPT}
     DEPFILE ${header}.d
     COMMENT "Compiling shader ${shader_NAME}"

@@ -1,17 +1,24 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 # Writes HEADER with GLSL as C++ constants; clipc_add_shader() runs it at build time.
-#   cmake -DNAME= -DVERTEX=file|file -DFRAGMENT=file|file -DVARIANTS= -DHEADER= -P embed_shaders.cmake
+#   cmake -DNAME= -DVERTEX=file|file -DFRAGMENT=file|file -DVARIANTS= -DTABLE=file.clip.h -DSPIRV= -DHEADER= -P embed_shaders.cmake
 
 set(out "// Written by clipc_add_shader(); changes are lost.\n#pragma once\n")
+
+# Not from the files that are there: some may be left from when the shader had more planes.
+if(NOT VARIANTS STREQUAL "")
+  file(STRINGS ${TABLE} table REGEX "^// clip-table ")
+  string(REGEX REPLACE "^[^{]+" "" table "${table}")
+  string(JSON planes LENGTH "${table}" planes)
+  if(VARIANTS GREATER planes)
+    message(FATAL_ERROR "VARIANTS ${VARIANTS}: shader `${NAME}` has ${planes} clip plane(s); take no more")
+  endif()
+endif()
 
 # The files as a raw string literal NAME, or with VARIANTS as an array of them by the number of clip planes.
 function(add_constant name files)
   string(REPLACE "|" ";" files "${files}")
   set(literals)
   foreach(file IN LISTS files)
-    if(NOT EXISTS ${file})
-      message(FATAL_ERROR "VARIANTS ${VARIANTS}: the shader has fewer clip planes")
-    endif()
     file(READ ${file} text)
     string(APPEND literals "R\"clipc(${text})clipc\",\n")
   endforeach()
@@ -27,5 +34,8 @@ endfunction()
 add_constant(${NAME}_vert "${VERTEX}")
 if(FRAGMENT)
   add_constant(${NAME}_frag "${FRAGMENT}")
+endif()
+if(SPIRV)
+  string(APPEND out "\n#include \"${NAME}.spv.h\"\n")
 endif()
 file(WRITE ${HEADER} "${out}")

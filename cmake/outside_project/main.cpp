@@ -10,6 +10,7 @@
 #include "level9.shader.h"
 #include "runtime/level9_binder.h"
 #include "variants.shader.h"
+#include "vulkan.shader.h"
 
 int main() {
   namespace runtime = clipc::runtime;
@@ -32,6 +33,7 @@ int main() {
   if (!std::ifstream(SHADER_FOLDER "/cut.clip.json") ||
       !std::ifstream(SHADER_FOLDER "/cut.reflect.json"))
     return 1;
+  if (vulkan_spv[0] != 0x07230203 || !std::ifstream(SHADER_FOLDER "/vulkan.spv")) return 1;
   std::printf("second plane: byte %u of b%u\n", table.value.planes[1].byte_offset,
               table.value.planes[1].register_number);
   return 0;

@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+# What clipc_add_shader() says to mistakes: builds cmake/outside_mistakes with each CASE.
+#   cmake -DCLIPC= -DSCRATCH= -DGENERATOR= -DCOMPILER= -P test_outside_mistakes.cmake
+file(REMOVE_RECURSE ${SCRATCH})
+file(COPY ${CMAKE_CURRENT_LIST_DIR}/outside_mistakes/ DESTINATION ${SCRATCH}/project)
+set(project ${SCRATCH}/project)
+set(plane "cbuffer Clip { float4 first, second; };\n")
+set(body "float4 main(float4 position : POSITION) : SV_Position { return position; }\n")
+file(WRITE ${project}/empty.cpp "")
+file(WRITE ${project}/two_planes.hlsl "${plane}[clipplanes(first, second)] ${body}")
+file(WRITE ${project}/warns.hlsl "${plane}[clipplanes(first, first)] ${body}")
+
+# expect(CASE STATUS TEXT): configures and builds; the exit code is zero (STATUS `passes`) or not, and TEXT is said once.
+function(expect case status text)
+  execute_process(COMMAND ${CMAKE_COMMAND} -S ${project} -B ${SCRATCH}/build -G ${GENERATOR} -DCASE=${case}
+    -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_MODULE_PATH=${CMAKE_CURRENT_LIST_DIR} -DCLIPC_EXECUTABLE=${CLIPC}
+    OUTPUT_VARIABLE said ERROR_VARIABLE said RESULT_VARIABLE result)
+  if(result EQUAL 0)
+    execute_process(COMMAND ${CMAKE_COMMAND} --build ${SCRATCH}/build OUTPUT_VARIABLE built ERROR_VARIABLE built RESULT_VARIABLE result)
+    string(APPEND said "${built}")
+  endif()
+  if(result EQUAL 0 AND NOT status STREQUAL "passes" OR NOT result EQUAL 0 AND status STREQUAL "passes")
+    message(FATAL_ERROR "${case}: exit code ${result}, expected that it ${status}\n${said}")
+  endif()
+  string(REGEX REPLACE "[ \n]+" " " line "${said}")
+  string(LENGTH "${text}" length)
+  string(FIND "${line}" "${text}" first)
+  string(FIND "${line}" "${text}" last REVERSE)
+  if(first EQUAL -1 OR NOT first EQUAL last)
+    message(FATAL_ERROR "${case}: expected `${text}` once, got\n${said}")
+  endif()
+endfunction()
+
+expect(old_cmake fails "clipc_add_shader needs CMake 3.20 or later")
+expect(name fails "`my-shader` cannot name a C++ constant; give another NAME")
+expect(one_stem fails "the target has a shader `two_planes` already; give another NAME")
+expect(unknown_argument fails "what is `PROFIL;vs_5_0`?")
+expect(not_a_number fails "VARIANTS many is not a number of planes, 0 to 6")
+expect(spirv_variants fails "SPIRV is of one shader, and VARIANTS makes several")
+expect(warning passes "[-Wclip-plane-repeated]")
+expect(cross passes "Compiling shader two_planes")
+
+# A shader that loses a plane: the variant of before does not count.
+expect(planes passes "Compiling shader two_planes")
+file(WRITE ${project}/two_planes.hlsl "${plane}[clipplanes(first)] ${body}")
+expect(planes_fewer fails "VARIANTS 2: shader `two_planes` has 1 clip plane(s); take no more")
+file(REMOVE_RECURSE ${SCRATCH})
