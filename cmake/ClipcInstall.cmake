@@ -16,15 +16,17 @@ if(TARGET clipc_runtime_d3d9)
   set_target_properties(clipc_runtime_d3d9 PROPERTIES EXPORT_NAME runtime_d3d9)
   list(APPEND targets clipc_runtime_d3d9)
 endif()
-install(TARGETS ${targets} EXPORT clipc)
+install(TARGETS ${targets} EXPORT clipc
+  RUNTIME COMPONENT compiler LIBRARY COMPONENT library NAMELINK_COMPONENT development ARCHIVE COMPONENT development)
 foreach(folder runtime clip-table)
-  install(DIRECTORY ${clipc_SOURCE_DIR}/${folder} DESTINATION include/clipc FILES_MATCHING PATTERN *.h PATTERN c_interface.h EXCLUDE
+  install(DIRECTORY ${clipc_SOURCE_DIR}/${folder} DESTINATION include/clipc COMPONENT development FILES_MATCHING PATTERN *.h PATTERN c_interface.h EXCLUDE
     PATTERN allocation_count.h EXCLUDE PATTERN test_cameras.h EXCLUDE PATTERN test_tables.h EXCLUDE PATTERN json.h EXCLUDE)
 endforeach()
-install(FILES ${clipc_SOURCE_DIR}/compiler/clipc.h ${clipc_SOURCE_DIR}/compiler/clipc.hpp DESTINATION include/clipc/compiler)
+install(FILES ${clipc_SOURCE_DIR}/compiler/clipc.h ${clipc_SOURCE_DIR}/compiler/clipc.hpp DESTINATION include/clipc/compiler
+  COMPONENT development)
 
 set(package lib/cmake/clipc)
-install(EXPORT clipc NAMESPACE clipc:: FILE clipc-targets.cmake DESTINATION ${package})
+install(EXPORT clipc NAMESPACE clipc:: FILE clipc-targets.cmake DESTINATION ${package} COMPONENT development)
 file(CONFIGURE OUTPUT ${clipc_BINARY_DIR}/clipc-config.cmake @ONLY CONTENT
 [[# Written by clipc's build.
 include(CMakeFindDependencyMacro)
@@ -51,7 +53,7 @@ endforeach()
 ]])
 write_basic_package_version_file(${clipc_BINARY_DIR}/clipc-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${clipc_BINARY_DIR}/clipc-config.cmake ${clipc_BINARY_DIR}/clipc-config-version.cmake
-  ${clipc_SOURCE_DIR}/cmake/ClipcShaders.cmake ${clipc_SOURCE_DIR}/cmake/embed_shaders.cmake DESTINATION ${package})
+  ${clipc_SOURCE_DIR}/cmake/ClipcShaders.cmake ${clipc_SOURCE_DIR}/cmake/embed_shaders.cmake DESTINATION ${package} COMPONENT development)
 
 # clipc_pkg_config(NAME DESCRIPTION LIBRARIES): a file for pkg-config, which may be moved with what it names.
 function(clipc_pkg_config name description libraries)
@@ -63,7 +65,7 @@ Version: @clipc_VERSION@
 Cflags: -I${prefix}/include/clipc
 Libs: -L${prefix}/lib @libraries@
 ]])
-  install(FILES ${clipc_BINARY_DIR}/${name}.pc DESTINATION lib/pkgconfig)
+  install(FILES ${clipc_BINARY_DIR}/${name}.pc DESTINATION lib/pkgconfig COMPONENT development)
 endfunction()
 clipc_pkg_config(clipc "HLSL vertex shaders with clip planes to GLSL" "-lclipc")
 clipc_pkg_config(clipc-runtime "what draws with the shaders that clipc compiled" "-lclipc_runtime -lclipc_clip_table -lstdc++ -lm")

@@ -1,0 +1,71 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+# Makes the packages of a release build, has lintian read them, installs them in a clean root and builds examples/first there: what
+# somebody does who meets clipc for the first time. Then the same with the .tar.gz, and with what `dpkg --remove` leaves.
+#   packaging/test_packages.sh BUILD_FOLDER      as root, with debootstrap, lintian, man-db and bash-completion installed
+# CLIPC_CLEAN_ROOT=FOLDER names what debootstrap made before, with the packages below.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+build=$(realpath "$1")
+scratch=$(mktemp -d)
+root=$scratch/root
+trap 'umount -q "$root/proc" 2>/dev/null || true; rm -rf --one-file-system "$scratch"' EXIT
+
+fail() {
+  echo "test_packages: $*" >&2
+  exit 1
+}
+inside() { chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 "$@"; }
+
+echo "-- packages"
+(cd "$build" && cpack -G DEB -B "$scratch" && cpack -G TGZ -B "$scratch") >"$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
+debs=("$scratch"/{clipc,libclipc1,libclipc-dev}_*.deb)
+[ ${#debs[@]} -eq 3 ] || fail "expected three packages, got ${debs[*]}"
+
+echo "-- lintian"
+lintian --allow-root --fail-on error,warning "${debs[@]}"
+
+echo "-- licences of what is linked in"
+dpkg-deb -x "$scratch"/clipc_*.deb "$scratch/program"
+for name in libclang llvm glslang spirv-tools libfmt nlohmann-json3 libstdc++ libc6; do
+  compgen -G "$scratch/program/usr/share/doc/clipc/linked/$name*" >/dev/null || fail "no licence of $name"
+done
+
+echo "-- manual page and completion"
+warnings=$(MANWIDTH=80 LC_ALL=C.UTF-8 man --warnings -E UTF-8 -l "$scratch/program/usr/share/man/man1/clipc.1.gz" 2>&1 >/dev/null)
+[ -z "$warnings" ] || fail "clipc.1: $warnings"
+PATH=$scratch/program/usr/bin:$PATH bash packaging/test_completion.sh "$scratch/program/usr/share/bash-completion/completions/clipc"
+
+echo "-- a clean root"
+if [ -n "${CLIPC_CLEAN_ROOT:-}" ]; then
+  cp -a "$CLIPC_CLEAN_ROOT" "$root"
+else
+  debootstrap --variant=minbase --include=g++,cmake,make,pkg-config,libegl-dev,libgl-dev,libopengl-dev,libegl1,libgl1-mesa-dri \
+    "$(. /etc/os-release && echo "$VERSION_CODENAME")" "$root" >"$scratch/log" 2>&1 || { tail -n 40 "$scratch/log"; exit 1; }
+fi
+mount -t proc proc "$root/proc"
+mkdir "$root/debs" && cp "${debs[@]}" "$scratch"/clipc-*.tar.gz "$root/debs"
+cp -r examples/first cmake/outside_c_project "$root/root"
+
+echo "-- the newcomer's path: install, three lines of CMake, a clipped picture"
+inside sh -c 'dpkg --install /debs/*.deb' >"$scratch/log" || { cat "$scratch/log"; exit 1; }
+inside clipc --version
+newcomer() {
+  inside cmake -S /root/first -B "/root/$1" "${@:2}" >"$scratch/log" 2>&1 && inside cmake --build "/root/$1" >>"$scratch/log" 2>&1 ||
+    { cat "$scratch/log"; exit 1; }
+  inside "/root/$1/first" "/root/$1.ppm"
+  [ "$(stat -c %s "$root/root/$1.ppm")" -eq $((13 + 3 * 64 * 64)) ] || fail "no picture"
+}
+newcomer by_deb
+inside sh -c 'cc -std=c99 /root/outside_c_project/main.c -o /root/embed $(pkg-config --cflags --libs clipc clipc-runtime)'
+inside /root/embed
+
+echo "-- and nothing is left of it"
+inside dpkg --remove libclipc-dev libclipc1 clipc >/dev/null
+left=$(find "$root/usr" "$root/etc" -name '*clipc*')
+[ -z "$left" ] || fail "left behind: $left"
+
+echo "-- the archive"
+mkdir "$root/opt/clipc" && tar -xzf "$scratch"/clipc-*.tar.gz --strip-components=1 -C "$root/opt/clipc"
+newcomer by_archive -DCMAKE_PREFIX_PATH=/opt/clipc
+echo "packages: passed"
