@@ -17,8 +17,8 @@ study_packages=(chromium)
 # no entry `d3d9.*`.
 ci_packages=(clang-tidy-19 g++-mingw-w64-x86-64-win32 wine64 libwine xvfb libgl1 libglx-mesa0)
 
-# What packaging/test_packages.sh takes.
-package_packages=(debootstrap lintian dpkg-dev man-db bash-completion)
+# What packaging/test_packages.sh takes, and what examples/builds are built with.
+package_packages=(debootstrap lintian dpkg-dev man-db bash-completion pkg-config make meson bazel-bootstrap)
 
 # quietly COMMAND...: runs it and shows what it printed only if it fails.
 quietly() {

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+"""Shaders as a part of a build with Bazel.
+
+    clipc_shader(
+        name = "water",
+        src = "water.hlsl",
+        hdrs = ["planes.hlsli"],
+        profile = "vs_5_0",
+    )
+
+writes water.vert, water.shader.h (`static const char water_vert[]`) and water.clip.h (`clipc::StaticClipTable water_clip_table`). An
+include that is not among `hdrs` is not in the sandbox, and the build fails. The action reads its inputs, writes its outputs and knows
+nothing else, so it may run on any machine of the same kind.
+"""
+
+def _clipc_shader_impl(ctx):
+    name = ctx.label.name
+    glsl = ctx.actions.declare_file(name + ".vert")
+    header = ctx.actions.declare_file(name + ".shader.h")
+    table = ctx.actions.declare_file(name + ".clip.h")
+    arguments = ctx.actions.args()
+    arguments.add(ctx.file.src)
+    arguments.add("-o", glsl)
+    arguments.add("-Fh", header)
+    arguments.add("-Vn", name + "_vert")
+    arguments.add(table, format = "--table=%s")
+    arguments.add("-T", ctx.attr.profile)
+    arguments.add("-E", ctx.attr.entry)
+    arguments.add(ctx.attr.target, format = "--target=%s")
+    arguments.add("-I.")
+    arguments.add_all(ctx.attr.defines, before_each = "-D")
+    arguments.add_all(ctx.attr.options)
+    ctx.actions.run(
+        executable = ctx.executable.clipc,
+        inputs = [ctx.file.src] + ctx.files.hdrs,
+        outputs = [glsl, header, table],
+        arguments = [arguments],
+        env = {},
+        mnemonic = "ClipcShader",
+        progress_message = "Compiling shader " + name,
+    )
+    headers = depset([header, table])
+    return [
+        DefaultInfo(files = depset([glsl, header, table])),
+        CcInfo(compilation_context = cc_common.create_compilation_context(
+            headers = headers,
+            includes = depset([header.dirname]),
+        )),
+    ]
+
+clipc_shader = rule(
+    implementation = _clipc_shader_impl,
+    attrs = {
+        "src": attr.label(allow_single_file = True, mandatory = True),
+        "hdrs": attr.label_list(allow_files = True),
+        "profile": attr.string(default = "vs_5_0"),
+        "entry": attr.string(default = "main"),
+        "target": attr.string(default = "glsl450"),
+        "defines": attr.string_list(),
+        "options": attr.string_list(),
+        "clipc": attr.label(default = "@clipc//:clipc", allow_single_file = True, executable = True, cfg = "exec"),
+    },
+)
