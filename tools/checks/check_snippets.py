@@ -1,0 +1,201 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+"""Runs what the pages show: commands, shaders, and pieces of C, C++, CMake and JSON.
+
+usage: check_snippets.py BUILD_FOLDER SCRATCH_FOLDER C_COMPILER CXX_COMPILER
+
+A page is README.md, CONTRIBUTING.md or below docs/. On each,
+
+- a block of `hlsl` is compiled, and a block of `glsl` is what the `hlsl` before it becomes, to the letter;
+- a block of `c`, `cpp` or `cmake`, the N-th block of the page, is put into tools/checks/snippets/PAGE.N.LANGUAGE.in and compiled, or
+  configured with an installed clipc;
+- a block of `json` is JSON; a manifest is compiled;
+- a command, in a block that is indented or in backticks, is run if it calls clipc or glslangValidator; of other commands the program
+  exists, and so do the options and presets that it is given;
+- a row of limits.md that names a constant has its value.
+
+Whatever has no rule is a mistake. tools/checks/snippets/files is the folder in which the commands run.
+"""
+import json
+import os
+import pathlib
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SNIPPETS = ROOT / "tools/checks/snippets"
+FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.M | re.S)
+INDENTED = re.compile(r"^    (\S.*)$", re.M)
+INLINE = re.compile(r"`((?:clipc|clipc-draw|glslangValidator|cmake|ctest|cpack|\./\w+|(?:tools|examples|packaging)/[^\s`]+) [^`\n]+)`")
+# What stands for something else: FILE, [options], and the arguments of functions.
+PLACEHOLDER = re.compile(r"\b[A-Z][A-Z.]{2,}\b|\[|\.\.\.|`|=$|=\?")
+# What a command has that can be run: a file, standard input, or nothing but a question.
+WHOLE = re.compile(r"\w\.\w+$|^-$|^--help$|^--version$")
+# Programs that cannot run here, or that every run of the tests has run.
+ELSEWHERE = {"cmake", "ctest", "ninja", "cpack", "cd", "vcpkg", "conan", "bazel", "meson", "make"}
+
+
+class Run:
+    def __init__(self, build, scratch, compilers):
+        self.build, self.scratch, self.compilers = build, scratch, compilers
+        self.problems, self.count = [], 0
+        shutil.rmtree(scratch, ignore_errors=True)
+        self.installed = scratch / "installed"
+        self.call(["cmake", "--install", build, "--prefix", self.installed], scratch.parent, "installing")
+        self.path = f"{self.installed / 'bin'}:{build / 'tools/draw'}:{os.environ['PATH']}"
+
+    def call(self, command, folder, what):
+        self.count += 1
+        done = subprocess.run([str(word) for word in command], cwd=folder, capture_output=True, text=True, check=False, timeout=120,
+                              env=os.environ | {"PATH": getattr(self, "path", os.environ["PATH"])},
+                              input=(SNIPPETS / "files/water.hlsl").read_text() if "-" in command else "")
+        if done.returncode != 0:
+            self.problems.append(f"{what}: {shlex.join(map(str, command))}: {done.returncode}\n{done.stderr}{done.stdout}")
+        return done
+
+    def folder(self, page):
+        folder = self.scratch / page.stem
+        shutil.copytree(SNIPPETS / "files", folder)
+        for name in ("shaders", "build"):
+            (folder / name).mkdir()
+        self.call(["glslangValidator", "-D", "-V", "-S", "frag", "-e", "ps", "water.hlsl", "-o", "water.spv"], folder, "water.spv")
+        return folder
+
+
+def hoisted(wrapper, snippet):
+    """The wrapper with the snippet in it, whose includes come first."""
+    includes = "".join(line + "\n" for line in snippet.splitlines() if line.startswith("#include"))
+    rest = "".join(line + "\n" for line in snippet.splitlines() if not line.startswith("#include"))
+    return includes + wrapper.replace("@SNIPPET@\n", rest)
+
+
+def check_code(run, page, number, language, text, folder):
+    wrapper = SNIPPETS / f"{page.stem}.{number}.{language}.in"
+    if not wrapper.exists():
+        run.problems.append(f"{page.name}: block {number} has no {wrapper.relative_to(ROOT)}")
+        return
+    wrapped = wrapper.read_text()
+    what = f"{page.name}: block {number}"
+    if language == "cmake":
+        project = folder / f"project{number}"
+        shutil.copytree(SNIPPETS / "files", project)
+        (project / "CMakeLists.txt").write_text(wrapped.replace("@SNIPPET@\n", text))
+        run.call(["cmake", "-S", project, "-B", project / "build", f"-DCMAKE_PREFIX_PATH={run.installed}"], folder, what)
+        return
+    if needs := re.search(r"needs: (\S+)", wrapped):
+        compiler = shutil.which("x86_64-w64-mingw32-g++-win32")
+        if not compiler:
+            print(f"{what}: not compiled, there is no {needs[1]}")
+            return
+    else:
+        compiler = run.compilers[language]
+    for name in ("water",):  # as clipc_add_shader() makes them
+        vert = run.call(["clipc", f"{name}.hlsl"], folder, what).stdout
+        (folder / f"{name}.shader.h").write_text(f'inline constexpr char {name}_vert[] = R"({vert})";\n')
+        run.call(["clipc", f"{name}.hlsl", "-o", os.devnull, f"--table={name}.clip.h"], folder, what)
+    file = folder / f"block{number}.{language}"
+    file.write_text(hoisted(wrapped, text))
+    standard = "-std=c99" if language == "c" else "-std=c++17"
+    run.call([compiler, standard, "-fsyntax-only", "-I", run.installed / "include/clipc", "-I", folder, file], folder, what)
+
+
+def check_json(run, page, text, folder):
+    manifest = json.loads(text)
+    if "files" in text and "status" in text:
+        return  # an index, which clipc writes
+    (folder / "shaders.json").write_text(text)
+    if "shaders" in manifest:
+        run.call(["clipc", "--batch=shaders.json", "-o", "shaders"], folder, page.name)
+
+
+def check_elsewhere(run, page, words):
+    """A command that is not run: its program, presets and options are there."""
+    program = words[0]
+    if program in ELSEWHERE:
+        presets = re.findall(r'"name": "(\w+)"', (ROOT / "CMakePresets.json").read_text())
+        for before, word in zip(words, words[1:]):
+            if before == "--preset" and word not in presets:
+                run.problems.append(f"{page.name}: there is no preset {word}")
+        return
+    if program in ("clipc-study", "clipc-bench", "clipc-runtime-bench", "clipc-draw"):
+        sources = {"clipc-study": "tools/study", "clipc-draw": "tools/draw"}.get(program, "tools/bench")
+    elif program == "./run" and words[1:2] == ["study"]:
+        sources = "tools/study"
+    elif (ROOT / program).exists():
+        sources = program
+    else:
+        run.problems.append(f"{page.name}: there is no {program}")
+        return
+    files = [ROOT / sources] if (ROOT / sources).is_file() else [f for f in (ROOT / sources).rglob("*") if f.suffix in {".cpp", ".h", ".py"}]
+    text = "".join(file.read_text() for file in files)
+    for word in words[1:]:
+        if word.startswith("--") and word.split("=")[0] not in text:
+            run.problems.append(f"{page.name}: {program} has no option {word}")
+
+
+def check_command(run, page, line, folder):
+    for part in re.split(r"\s+&&\s+", re.split(r"\s{2,}|\s# ", line)[0]):
+        try:
+            words = shlex.split(part)
+        except ValueError as error:
+            run.problems.append(f"{page.name}: {part}: {error}")
+            continue
+        is_whole = not PLACEHOLDER.search(part) and any(WHOLE.search(word) for word in words)
+        if words[0] in ("clipc", "glslangValidator") and is_whole:
+            run.call(words, folder, page.name)
+        elif words[0] == "clipc-draw" and is_whole and shutil.which("clipc-draw", path=run.path):
+            run.call(words, folder, page.name)
+        elif words[0] not in ("clipc", "glslangValidator"):
+            check_elsewhere(run, page, words)
+
+
+def check_limits(run, page):
+    for value, file, name in re.findall(r"\| (\d+) \| `(\S+)` `(\w+)` \|", page.read_text()):
+        text = (ROOT / file).read_text()
+        found = re.search(rf"\b{name} = ([^;]+);", text)
+        number = re.sub(r"std::size_t\{(\w+)\}", r"\1", found[1]) if found else "None"
+        number = re.sub(r"(?<=\d)u\b", "", number)
+        if not re.fullmatch(r"[\d <]+", number) or eval(number) != int(value):  # of digits and shifts only
+            run.problems.append(f"{page.name}: {name} is {number} in {file}, not {value}")
+        run.count += 1
+
+
+def check_page(run, page):
+    text = page.read_text()
+    folder = run.folder(page)
+    glsl = ""
+    for number, (language, block) in enumerate(FENCE.findall(text), 1):
+        if language == "hlsl":
+            (folder / "water.hlsl").write_text(block)
+            glsl = run.call(["clipc", "water.hlsl"], folder, page.name).stdout
+        elif language == "glsl":
+            if block != glsl:
+                run.problems.append(f"{page.name}: the GLSL is\n{glsl}")
+        elif language in ("c", "cpp", "cmake"):
+            check_code(run, page, number, language, block, folder)
+        elif language == "json":
+            check_json(run, page, block, folder)
+        elif language != "text":
+            run.problems.append(f"{page.name}: block {number} of `{language}` has no rule")
+    prose = FENCE.sub("", text)
+    for line in INDENTED.findall(prose) + INLINE.findall(prose):
+        check_command(run, page, line, folder)
+    if page.name == "limits.md":
+        check_limits(run, page)
+
+
+def main():
+    build, scratch = (pathlib.Path(word).resolve() for word in sys.argv[1:3])
+    scratch.mkdir(parents=True, exist_ok=True)
+    run = Run(build, scratch / "work", {"c": sys.argv[3], "cpp": sys.argv[4]})
+    for page in [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]:
+        check_page(run, page)
+    print("\n".join(run.problems) or f"{run.count} commands and pieces of code are as the pages say")
+    return bool(run.problems)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
