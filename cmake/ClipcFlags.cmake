@@ -43,7 +43,9 @@ endif()
 
 # Every object may become a part of a shared library, of ours or of an application's plugin, and names stay inside it: only what
 # CLIPC_API marks is seen from outside. With hidden names position-independent code costs nothing in a static program.
-set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+if(NOT CLIPC_WASM)
+  set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+endif()
 set(CMAKE_C_VISIBILITY_PRESET hidden)
 set(CMAKE_CXX_VISIBILITY_PRESET hidden)
 set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)

@@ -4,8 +4,10 @@
 include(CheckLinkerFlag)
 
 # Debian has only the shared libfmt.
-find_package(fmt REQUIRED)
-find_package(nlohmann_json REQUIRED)
+if(NOT CLIPC_WASM)
+  find_package(fmt REQUIRED)
+  find_package(nlohmann_json REQUIRED)
+endif()
 if(BUILD_TESTING)
   find_package(GTest REQUIRED)
   include(GoogleTest)

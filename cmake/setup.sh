@@ -20,6 +20,10 @@ ci_packages=(clang-tidy-19 g++-mingw-w64-x86-64-win32 wine64 libwine xvfb libgl1
 # What packaging/test_packages.sh takes, and what examples/builds are built with.
 package_packages=(debootstrap lintian dpkg-dev man-db bash-completion pkg-config make meson bazel-bootstrap)
 
+# What building clipc for WebAssembly takes, `./run page` and `./test --web` install it. node 20 or newer is installed by nobody:
+# Debian 12 has an older one.
+web_packages=(clang-19 lld-19 llvm-19 wasi-libc libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 dpkg-dev)
+
 # quietly COMMAND...: runs it and shows what it printed only if it fails.
 quietly() {
   local log status=0

@@ -12,6 +12,12 @@
 namespace clipc {
 namespace {
 
+#ifdef __wasm__
+constexpr bool kHasThreads = false;
+#else
+constexpr bool kHasThreads = true;
+#endif
+
 using Work = std::function<CompileResult(std::size_t index, Compiler& compiler)>;
 
 // The threads, and the results that wait.
@@ -68,7 +74,7 @@ class Workers {
 void CompileInOrder(std::size_t count, unsigned jobs, const Work& work,
                     const std::function<bool(std::size_t index, CompileResult result)>& finish) {
   const auto threads = static_cast<unsigned>(std::min<std::size_t>(jobs, count));
-  if (threads <= 1) {
+  if (threads <= 1 || !kHasThreads) {
     Compiler compiler;
     for (std::size_t index = 0; index < count; ++index) {
       if (!finish(index, work(index, compiler))) return;

@@ -64,11 +64,16 @@ void __wrap__ZN5clang15IdentifierTable11AddKeywordsERKNS_11LangOptionsE(clang::I
 
 // StringMapImpl's constructor: the table of identifiers, the one map that Clang makes this large,
 // grows from fewer buckets.
-void __real__ZN4llvm13StringMapImplC2Ejj(llvm::StringMapImpl*, unsigned, unsigned)
+#ifdef __wasm__
+using Constructed = llvm::StringMapImpl*;  // a constructor returns `this` there
+#else
+using Constructed = void;
+#endif
+Constructed __real__ZN4llvm13StringMapImplC2Ejj(llvm::StringMapImpl*, unsigned, unsigned)
     __attribute__((weak));
-void __wrap__ZN4llvm13StringMapImplC2Ejj(llvm::StringMapImpl* map, unsigned buckets,
-                                         unsigned item_size) {
-  __real__ZN4llvm13StringMapImplC2Ejj(map, std::min(buckets, 256u), item_size);
+Constructed __wrap__ZN4llvm13StringMapImplC2Ejj(llvm::StringMapImpl* map, unsigned buckets,
+                                                unsigned item_size) {
+  return __real__ZN4llvm13StringMapImplC2Ejj(map, std::min(buckets, 256u), item_size);
 }
 
 // Preprocessor::RegisterBuiltinPragmas: the thirty pragmas of C++ are left out; AddPragmas adds

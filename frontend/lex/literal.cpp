@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <bit>
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <string>
+#include <system_error>
 
 #include "base/spelling.h"
 
@@ -75,6 +78,27 @@ bool ReadFloatSuffix(std::string_view text, Number& number) {
   return !IsWordChar(At(text, number.length));
 }
 
+#ifdef __cpp_lib_to_chars
+template <typename T>
+std::from_chars_result ReadDigits(std::string_view digits, T& value, std::chars_format format) {
+  return std::from_chars(digits.data(), digits.data() + digits.size(), value, format);
+}
+#else  // libc++ 19 reads no floating-point numbers
+template <typename T>
+std::from_chars_result ReadDigits(std::string_view digits, T& value, std::chars_format format) {
+  const bool is_hex = format == std::chars_format::hex;
+  const std::string text = (is_hex ? "0x" : "") + std::string(digits);
+  const T read = sizeof(T) == sizeof(float) ? std::strtof(text.c_str(), nullptr)
+                                            : static_cast<T>(std::strtod(text.c_str(), nullptr));
+  const std::string_view mantissa = digits.substr(0, digits.find_first_of(is_hex ? "pP" : "eE"));
+  const bool is_zero = mantissa.find_first_not_of("0.") == std::string_view::npos;
+  if (std::isinf(read) || (read == 0 && !is_zero))
+    return {digits.data() + digits.size(), std::errc::result_out_of_range};
+  value = read;
+  return {digits.data() + digits.size(), std::errc()};
+}
+#endif
+
 // Reads a floating-point number whose digits are from `begin` to `end`. With the suffix `f` it is
 // rounded to float at once: by way of double it could be rounded twice.
 Number ReadFloat(std::string_view text, std::size_t begin, std::size_t end,
@@ -84,13 +108,14 @@ Number ReadFloat(std::string_view text, std::size_t begin, std::size_t end,
   const bool has_suffix = ToLower(At(text, end)) == 'f';
   if (!ReadFloatSuffix(text, number)) number.problem = NumberProblem::kNotANumber;
   double value = 0;
-  auto result = std::from_chars(text.data() + begin, text.data() + end, value, format);
+  const std::string_view digits = text.substr(begin, end - begin);
+  auto result = ReadDigits(digits, value, format);
   if (result.ec == std::errc::result_out_of_range) {
     // strtod tells too large from too small.
     value = std::strtod(std::string(text.substr(0, end)).c_str(), nullptr);
   } else if (has_suffix) {
     float rounded = 0;
-    result = std::from_chars(text.data() + begin, text.data() + end, rounded, format);
+    result = ReadDigits(digits, rounded, format);
     value = result.ec == std::errc() ? rounded : static_cast<float>(value);
   }
   const double largest = number.kind == LiteralKind::kDouble

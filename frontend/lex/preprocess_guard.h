@@ -58,7 +58,12 @@ class PreprocessGuard {
   }
 
  private:
+#ifdef __wasm__
+  // Beside the stack that is seen here, calls use one of the host's: about 1 MiB in V8.
+  static constexpr std::size_t kMaxStack = std::size_t{256} << 10;
+#else
   static constexpr std::size_t kMaxStack = std::size_t{2} << 20;
+#endif
   static constexpr unsigned kMaxIncludes = 1u << 16;
 
   const char* stack_base_ = nullptr;

@@ -3,6 +3,7 @@
 // clipc asks only what it reads, so a call is its arguments, and a zero of its type.
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -83,9 +84,10 @@ TypeId TypeOf(const IntrinsicCheck& call, Result result) {
 
 ExprId CheckPixelCall(const IntrinsicCheck& call) {
   if (!call.program.profile.IsPixel()) return {};
-  const auto* row = std::ranges::find_if(
-      kRows, [&](const Row& each) { return call.name.starts_with(each.prefix); });
-  if (row == kRows.end()) return {};
+  const std::span rows(kRows);  // an array's iterators are pointers in some libraries only
+  const auto row = std::ranges::find_if(
+      rows, [&](const Row& each) { return call.name.starts_with(each.prefix); });
+  if (row == rows.end()) return {};
   std::vector<ExprId> values;
   for (const ExprId argument : call.arguments) {
     if (call.TypeOf(argument).IsNumeric()) values.push_back(argument);

@@ -40,13 +40,15 @@ ROOMS = {
     "tools/scenes": {"clip-table", "runtime", "tools/harness", "tools/study", VOCABULARY},
     "tools/bench": {"compiler", "runtime", "tools/harness"},
     "tools/fuzz": {"clip-table", "compiler", "runtime"},
+    "web/module": {"compiler"},
+    "web/wasm": set(),
     "examples": {"runtime", "tools/harness", LIBRARY},
 }
 
 # A library's headers, and the files that may include them.
 LIBRARIES = {
-    r"(clang|llvm)/": r"frontend/lex/\w+_clang\.(cpp|h)",
-    r"glslang/": r"compiler/.*\.cpp|pixel/.*\.cpp|tools/harness/glslang_includer\.h|tools/draw/vulkan/glslang\.cpp|tools/bench/peers\.cpp",
+    r"(clang|llvm)/": r"frontend/lex/\w+_clang\.(cpp|h)|web/wasm/.*",
+    r"glslang/": r"compiler/.*\.cpp|pixel/.*\.cpp|tools/harness/glslang_includer\.h|tools/draw/vulkan/glslang\.cpp|tools/bench/peers\.cpp|web/wasm/.*",
     r"epoxy/": r"tools/(harness|draw|study/program|scenes)/.*|examples/.*\.cpp",
     r"png\.h": r"tools/harness/picture\.cpp",
     r"spirv_cross/": r"tools/draw/(vulkan|peer)/.*|tools/bench/peers\.cpp",

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// What the npm package calls: the functions of compiler/clipc.h with arguments that JavaScript
+// can make, and the program. Strings in a list each end with a zero.
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include <unistd.h>
+
+#include "compiler/clipc.h"
+#include "compiler/driver.h"
+
+#define CLIPC_EXPORT(name) __attribute__((export_name(#name)))
+
+extern "C" {
+
+// Sets `text` to bytes from clipc_module_allocate, which the module frees. Returns 0 if there is no
+// such file.
+__attribute__((import_module("clipc"), import_name("read_include"))) int clipc_module_read_include(
+    const char* path, clipc_bytes* text);
+
+CLIPC_EXPORT(clipc_module_allocate) void* clipc_module_allocate(std::size_t size) {
+  return std::malloc(size);
+}
+CLIPC_EXPORT(clipc_module_free) void clipc_module_free(void* bytes) { std::free(bytes); }
+
+}  // extern "C"
+
+namespace {
+
+std::vector<const char*> Strings(std::string_view list) {
+  std::vector<const char*> strings;
+  while (!list.empty()) {
+    strings.push_back(list.data());
+    list.remove_prefix(list.find('\0') + 1);
+  }
+  return strings;
+}
+
+// The bytes of the last include, until they are copied.
+std::unique_ptr<const char, decltype([](const char* bytes) {
+                  std::free(const_cast<char*>(bytes));  // NOLINT: it was made as char*
+                })>
+    include_bytes;
+
+int ReadInclude(void*, const char* path, clipc_bytes* text) {
+  include_bytes.reset();
+  const int found = clipc_module_read_include(path, text);
+  if (found) include_bytes.reset(text->data);
+  return found;
+}
+
+std::unique_ptr<clipc_result, decltype(&clipc_result_free)> last(nullptr, &clipc_result_free);
+
+}  // namespace
+
+extern "C" {
+
+// `strings`: the name of the shader and the options. Returns a clipc_status; the result is kept
+// until the next call.
+CLIPC_EXPORT(clipc_module_compile)
+int clipc_module_compile(const char* strings, std::size_t size, const char* text,
+                         std::size_t text_size) {
+  static clipc_compiler* const compiler = clipc_compiler_create();
+  const std::vector<const char*> words = Strings({strings, size});
+  clipc_request request{};
+  request.size = sizeof request;
+  request.path = words[0];
+  request.text = text;
+  request.text_size = text_size;
+  request.options = words.data() + 1;
+  request.option_count = words.size() - 1;
+  request.read_include = ReadInclude;
+  last.reset();
+  clipc_result* result = nullptr;
+  const clipc_status status =
+      compiler ? clipc_compile(compiler, &request, &result) : CLIPC_NO_MEMORY;
+  last.reset(result);
+  include_bytes.reset();
+  return status;
+}
+
+// A part of the last result; it lives as long.
+CLIPC_EXPORT(clipc_module_part) const clipc_bytes* clipc_module_part(int part) {
+  static clipc_bytes bytes;
+  bytes = last ? clipc_result_get(last.get(), static_cast<clipc_part>(part)) : clipc_bytes{"", 0};
+  return &bytes;
+}
+
+CLIPC_EXPORT(clipc_module_version) const char* clipc_module_version() { return clipc_version(); }
+
+// The program, with its files: `strings` are the working directory and the arguments. Returns the
+// exit status.
+CLIPC_EXPORT(clipc_module_run) int clipc_module_run(const char* strings, std::size_t size) {
+  const std::vector<const char*> words = Strings({strings, size});
+  if (chdir(words[0]) != 0) std::perror(words[0]);
+  const int status = clipc::RunCommandLine(std::span(words).subspan(1));
+  std::fflush(nullptr);
+  return status;
+}
+
+}  // extern "C"
