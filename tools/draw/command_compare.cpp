@@ -208,6 +208,7 @@ int RunCompare(const Arguments& arguments) {
   if (options.all_targets) {
     const auto names = glsl::Target::Names();
     options.targets.assign(names.begin(), names.end());
+    std::erase(options.targets, "webgl2");  // for browsers; the language is that of essl300
   }
   const bool has_peer = !options.peer.empty();
   if (has_peer && options.peer != "glslang")
