@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "tools/draw/arguments.h"
+#include "tools/draw/opengl/pair.h"
 #include "tools/draw/opengl/picture.h"
 #include "tools/draw/opengl/program.h"
 #include "tools/draw/vulkan/run.h"
@@ -126,6 +127,22 @@ int RunPixels(const Arguments& arguments) {
               difference.drawn, picture.pixels.size(), difference.missing, difference.extra,
               difference.depth_error);
   return right ? 0 : 1;
+}
+
+int RunPair(const Arguments& arguments) {
+  const std::vector<std::string> paths = Parse(arguments, {});
+  if (paths.size() != 4)
+    throw DrawError("pair takes four files: two vertex shaders, each with its fragment shader");
+  const Pair mine{ReadFile(paths[0]), ReadFile(paths[1])};
+  const Pair peer{ReadFile(paths[2]), ReadFile(paths[3])};
+  const harness::OpenGl opengl(VersionOf(mine.vertex).api);
+  const PairDifference found = ComparePictures(mine, peer);
+  std::printf("%d of %d pixels drawn in %d colors, %d different\n", found.drawn, found.pixels,
+              found.colors, found.different);
+  // A picture with less in it would show nothing. An edge may fall to either side of a pixel.
+  const bool shows = 4 * found.drawn > found.pixels && found.colors > 64;
+  if (!shows) std::printf("the picture shows too little\n");
+  return shows && 200 * found.different < found.pixels ? 0 : 1;
 }
 
 int RunMachineCode(const Arguments& arguments) try {

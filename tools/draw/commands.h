@@ -29,6 +29,10 @@ clipc-draw pixels SHADER.vert [options]
 For both commands: --block NAME@OFFSET=1,2,3,4
 Numbers: 1.5 float, 3i int, 3u uint, 0x7fc00000 bits; `identity` is a 4x4 matrix.
 
+clipc-draw pair A.vert A.frag B.vert B.frag
+  Draws with both programs: the same vertices, by location; the same bytes in uniform blocks and the
+  same texels in textures of one name. Fails unless the pictures are equal and show something.
+
 clipc-draw compare SHADER.hlsl [options]
   Compiles the shader and compares the outputs of the GLSL, run by Mesa, with those of the reference
   evaluator, on random vertices and constants: for every target and lowering chosen below, both
@@ -65,6 +69,7 @@ Exit: 0 as expected, 1 not as expected, 2 cannot draw.
 using Arguments = std::vector<std::string>;
 int RunCapture(const Arguments& arguments);
 int RunPixels(const Arguments& arguments);
+int RunPair(const Arguments& arguments);
 int RunCompare(const Arguments& arguments);
 int RunMachineCode(const Arguments& arguments);
 int RunDevices();

@@ -13,6 +13,7 @@ int main(int argc, char** argv) {
   try {
     if (command == "capture") return RunCapture(arguments);
     if (command == "pixels") return RunPixels(arguments);
+    if (command == "pair") return RunPair(arguments);
     if (command == "compare") return RunCompare(arguments);
     if (command == "machine-code") return RunMachineCode(arguments);
     if (command == "devices") return RunDevices();
