@@ -38,6 +38,11 @@ void LowerMatrixFunctions(Legalizer& legalizer);
 //   frexp(v, e)        =>  frexp(v, e) with { return float2(frexp(a[0], b[0]), ...); }
 void LowerWrittenArguments(Legalizer& legalizer);
 
+// Floats that become integers, which GLSL leaves undefined where they do not fit.
+//
+//   (int)x  =>  to_int(x) with abs(x) < 2^31 ? int(x) : x > 0 ? 2^31 - 1 : x < 0 ? -2^31 : 0
+void LowerConversions(Legalizer& legalizer);
+
 // Logical operators and choices: GLSL evaluates the side that it needs.
 //
 //   a && b      =>  a and_then b, or all(bool2(a, b)) when b has effects

@@ -25,7 +25,12 @@ bool MayChange(const Program& program, const Expr& expr) {
                      return !IsLinear(node.op) || IsMatrix(program, program.exprs[node.left].type);
                    },
                    [](const Assign& node) { return node.op.has_value(); },
-                   [&](const OneOf<Unary, Convert> auto&) { return IsMatrix(program, expr.type); },
+                   [&](const Unary&) { return IsMatrix(program, expr.type); },
+                   [&](const Convert& node) {
+                     return IsMatrix(program, expr.type) ||
+                            (!IsFloat(program.types[expr.type].scalar) &&
+                             IsFloat(program.types[program.exprs[node.operand].type].scalar));
+                   },
                    [](const OneOf<Select, MatrixTruncate, IntrinsicCall> auto&) { return true; },
                    [](const auto&) { return false; },
                },

@@ -22,9 +22,13 @@ void main(float4 p : POSITION, out float4 position : SV_Position, out linear flo
 // CHECK-NEXT: layout(location = 6) flat out int vs_G0;  // G0
 // CHECK-NEXT: layout(location = 7) flat out double vs_H0;  // H0
 // CHECK-EMPTY:
+// CHECK-NEXT: int to_int(float x) {
+// CHECK-NEXT:     return abs(x) < 2147483648.0 ? int(x) : x > 0.0 ? 2147483647 : x < 0.0 ? int(0x80000000u) : 0;
+// CHECK-NEXT: }
+// CHECK-EMPTY:
 // CHECK-NEXT: void main() {
 // CHECK-NEXT:     gl_Position = in_POSITION0;
 // CHECK-NEXT:     vs_A0 = vs_B0 = vs_C0 = vs_D0 = vs_E0 = vs_F0 = in_POSITION0.x;
-// CHECK-NEXT:     vs_G0 = int(in_POSITION0.y);
+// CHECK-NEXT:     vs_G0 = to_int(in_POSITION0.y);
 // CHECK-NEXT:     vs_H0 = double(in_POSITION0.z);
 // CHECK-NEXT: }

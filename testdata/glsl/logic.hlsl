@@ -41,6 +41,14 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     return bvec4(a.x || b.x, a.y || b.y, a.z || b.z, a.w || b.w);
 // CHECK-NEXT: }
 // CHECK-EMPTY:
+// CHECK-NEXT: int to_int(float x) {
+// CHECK-NEXT:     return abs(x) < 2147483648.0 ? int(x) : x > 0.0 ? 2147483647 : x < 0.0 ? int(0x80000000u) : 0;
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: ivec4 to_int(vec4 a) {
+// CHECK-NEXT:     return ivec4(to_int(a.x), to_int(a.y), to_int(a.z), to_int(a.w));
+// CHECK-NEXT: }
+// CHECK-EMPTY:
 // CHECK-NEXT: int calls = 0;
 // CHECK-EMPTY:
 // CHECK-NEXT: bool Pure(float x) {
@@ -65,7 +73,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     vec4 s = mix(globals.b, globals.a, v);
 // CHECK-NEXT:     s = mix(globals.b, vec4(1.0), greaterThan(globals.a, vec4(0.0)));
 // CHECK-NEXT:     s += r ? globals.a : globals.b;
-// CHECK-NEXT:     ivec4 i = mix(ivec4(globals.a), ivec4(1), w);
+// CHECK-NEXT:     ivec4 i = mix(to_int(globals.a), ivec4(1), w);
 // CHECK-NEXT:     bvec4 c = mix(w, v, bvec4(globals.flags));
 // CHECK-NEXT:     gl_Position = s + vec4(i) + vec4(c) + float(r ? 1 : 2) + float(any(v)) + float(all(notEqual(globals.a, vec4(0.0)))) + float(bool(globals.a.x)) + float(calls) + float(r = !r);
 // CHECK-NEXT: }
@@ -87,6 +95,14 @@ float4 main(float4 p : POSITION) : SV_Position {
 // GL120-EMPTY:
 // GL120-NEXT: vec4 select(bvec4 a, vec4 b, vec4 c) {
 // GL120-NEXT:     return vec4(a.x ? b.x : c.x, a.y ? b.y : c.y, a.z ? b.z : c.z, a.w ? b.w : c.w);
+// GL120-NEXT: }
+// GL120-EMPTY:
+// GL120-NEXT: int to_int(float x) {
+// GL120-NEXT:     return abs(x) < 2147483648.0 ? int(x) : x > 0.0 ? 2147483647 : x < 0.0 ? -2147483647 - 1 : 0;
+// GL120-NEXT: }
+// GL120-EMPTY:
+// GL120-NEXT: ivec4 to_int(vec4 a) {
+// GL120-NEXT:     return ivec4(to_int(a.x), to_int(a.y), to_int(a.z), to_int(a.w));
 // GL120-NEXT: }
 // GL120-EMPTY:
 // GL120-NEXT: ivec4 select(bvec4 a, ivec4 b, ivec4 c) {
@@ -121,7 +137,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // GL120-NEXT:     vec4 s = select(v, a, b);
 // GL120-NEXT:     s = select(greaterThan(a, vec4(0.0)), vec4(1.0), b);
 // GL120-NEXT:     s += r ? a : b;
-// GL120-NEXT:     ivec4 i = select(w, ivec4(1), ivec4(a));
+// GL120-NEXT:     ivec4 i = select(w, ivec4(1), to_int(a));
 // GL120-NEXT:     bvec4 c = select(flags, v, w);
 // GL120-NEXT:     gl_Position = s + vec4(i) + vec4(c) + float(r ? 1 : 2) + float(any(v)) + float(all(notEqual(a, vec4(0.0)))) + float(bool(a.x)) + float(calls) + float(r = !r);
 // GL120-NEXT: }

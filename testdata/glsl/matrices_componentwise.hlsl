@@ -144,8 +144,16 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     return ivec3[3](ivec3(m[0].x, m[1].x, m[2].x), ivec3(m[0].y, m[1].y, m[2].y), ivec3(m[0].z, m[1].z, m[2].z));
 // CHECK-NEXT: }
 // CHECK-EMPTY:
+// CHECK-NEXT: int to_int(float x) {
+// CHECK-NEXT:     return abs(x) < 2147483648.0 ? int(x) : x > 0.0 ? 2147483647 : x < 0.0 ? int(0x80000000u) : 0;
+// CHECK-NEXT: }
+// CHECK-EMPTY:
+// CHECK-NEXT: ivec3 to_int(vec3 a) {
+// CHECK-NEXT:     return ivec3(to_int(a.x), to_int(a.y), to_int(a.z));
+// CHECK-NEXT: }
+// CHECK-EMPTY:
 // CHECK-NEXT: ivec3[3] to_int(mat3 a) {
-// CHECK-NEXT:     return ivec3[3](ivec3(a[0]), ivec3(a[1]), ivec3(a[2]));
+// CHECK-NEXT:     return ivec3[3](to_int(a[0]), to_int(a[1]), to_int(a[2]));
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: mat3 to_float(ivec3 a[3]) {

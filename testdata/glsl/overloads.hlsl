@@ -20,6 +20,10 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // CHECK-EMPTY:
+// CHECK-NEXT: int to_int(float x) {
+// CHECK-NEXT:     return abs(x) < 2147483648.0 ? int(x) : x > 0.0 ? 2147483647 : x < 0.0 ? int(0x80000000u) : 0;
+// CHECK-NEXT: }
+// CHECK-EMPTY:
 // CHECK-NEXT: float f(float x) {
 // CHECK-NEXT:     return x;
 // CHECK-NEXT: }
@@ -54,5 +58,5 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-EMPTY:
 // CHECK-NEXT: void main() {
 // CHECK-NEXT:     float a[2] = float[2](1.0, 2.0);
-// CHECK-NEXT:     gl_Position = vec4(f(in_POSITION0.x) + f_2(in_POSITION0.x) + f(in_POSITION0.xy) + f(mat2(in_POSITION0.xy, in_POSITION0.zw)) + f(in_POSITION0) + f_3(in_POSITION0) + f(int(in_POSITION0.x)) + f(a));
+// CHECK-NEXT:     gl_Position = vec4(f(in_POSITION0.x) + f_2(in_POSITION0.x) + f(in_POSITION0.xy) + f(mat2(in_POSITION0.xy, in_POSITION0.zw)) + f(in_POSITION0) + f_3(in_POSITION0) + f(to_int(in_POSITION0.x)) + f(a));
 // CHECK-NEXT: }

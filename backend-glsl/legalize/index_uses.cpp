@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "backend-glsl/legalize/index_uses.h"
+
+#include "base/overloaded.h"
+#include "ir/access.h"
+#include "ir/walk.h"
+
+namespace clipc::glsl {
+
+using namespace ir;
+
+namespace {
+
+bool IsOfPlace(ObjectOp op) {
+  return op == ObjectOp::kTextureLoad || op == ObjectOp::kImageLoad ||
+         op == ObjectOp::kBufferLoad || op == ObjectOp::kStructuredLoad;
+}
+
+bool IsInteger(const Program& program, ExprId expr) {
+  const Type& type = TypeOf(program, expr);
+  return type.IsNumeric() && ir::IsInteger(type.scalar);
+}
+
+}  // namespace
+
+IndexUses::IndexUses(const Program& program)
+    : program_(program), is_index_(program.exprs.size()), uses_(program.vars.size()) {
+  for (const ExprId expr : program.exprs.ids()) {
+    if (const auto* ref = As<VarRef>(program, expr)) ++uses_[ref->var.index];
+  }
+  for (const ExprId expr : program.exprs.ids()) {
+    const auto* assign = As<Assign>(program, expr);
+    const auto* target = assign && !assign->op ? As<VarRef>(program, assign->target) : nullptr;
+    if (target) --uses_[target->var.index];
+  }
+  MarkPlaces();
+  // Each round marks the values of the variables that the round before has found to be indices.
+  do {
+    has_changed_ = false;
+    MarkValuesOfIndices();
+  } while (has_changed_);
+}
+
+void IndexUses::MarkPlaces() {
+  for (const ExprId expr : program_.exprs.ids()) {
+    if (const auto* index = As<Index>(program_, expr)) {
+      Mark(index->index);
+    } else if (const auto* call = As<ObjectCall>(program_, expr); call && IsOfPlace(call->op)) {
+      Mark(program_.expr_lists[call->arguments][1]);
+    }
+  }
+}
+
+void IndexUses::Mark(ExprId expr) {
+  if (is_index_[expr.index] || !IsInteger(program_, expr)) return;
+  is_index_[expr.index] = true;
+  has_changed_ = true;
+  Visit(Overloaded{
+            [&](const VarRef& node) { --uses_[node.var.index]; },
+            [&](const OneOf<Index, Swizzle> auto& node) { Mark(node.base); },
+            [&](const OneOf<Convert, Splat> auto& node) { Mark(node.operand); },
+            [&](const Binary& node) { Mark(node.left), Mark(node.right); },
+            [&](const Construct& node) {
+              for (const ExprId part : program_.expr_lists[node.arguments]) Mark(part);
+            },
+            [](const auto&) {},
+        },
+        program_.exprs[expr].node);
+}
+
+void IndexUses::MarkValuesOfIndices() {
+  for (const StmtId stmt : program_.stmts.ids()) {
+    const auto* declare = As<Declare>(program_, stmt);
+    if (declare && declare->init) MarkValue(declare->var, declare->init);
+  }
+  for (const ExprId expr : program_.exprs.ids()) {
+    if (const auto* assign = As<Assign>(program_, expr)) {
+      const auto* target = As<VarRef>(program_, assign->target);
+      if (target && !assign->op) MarkValue(target->var, assign->value);
+    } else if (const auto* call = As<Call>(program_, expr)) {
+      const auto arguments = program_.expr_lists[call->arguments];
+      const auto& parameters = program_.functions[call->function].parameters;
+      for (std::size_t i = 0; i < arguments.size(); ++i) MarkValue(parameters[i], arguments[i]);
+    }
+  }
+}
+
+void IndexUses::MarkValue(VarId var, ExprId value) {
+  const Storage storage = program_.vars[var].storage;
+  const bool is_own = storage == Storage::kLocal || storage == Storage::kIn;
+  if (is_own && uses_[var.index] == 0) Mark(value);
+}
+
+}  // namespace clipc::glsl

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "ir/program.h"
+
+namespace clipc::glsl {
+
+// Which expressions matter as the index of an element or as the place in a texture or buffer only:
+// there, and in the variables, parameters and integer operators on the way there.
+//
+//   int4 i = int4(indices); ... bones[i.x * 3 + 1]   =>  int4(indices)
+class IndexUses {
+ public:
+  // The program must not change while this lives.
+  explicit IndexUses(const ir::Program& program);
+
+  // Whether nothing but an index comes of the expression, one of the program as it was.
+  bool IsIndex(ir::ExprId expr) const {
+    return expr.index < is_index_.size() && is_index_[expr.index];
+  }
+
+ private:
+  void MarkPlaces();
+  void Mark(ir::ExprId expr);
+  void MarkValuesOfIndices();
+  void MarkValue(ir::VarId var, ir::ExprId value);
+
+  const ir::Program& program_;
+  std::vector<bool> is_index_;       // by ExprId
+  std::vector<std::uint32_t> uses_;  // by VarId: references that are neither index nor target
+  bool has_changed_ = false;
+};
+
+}  // namespace clipc::glsl

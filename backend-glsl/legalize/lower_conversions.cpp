@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <vector>
+
+#include "backend-glsl/legalize/index_uses.h"
+#include "backend-glsl/legalize/legalize.h"
+#include "backend-glsl/legalize/ranges.h"
+#include "ir/walk.h"
+
+namespace clipc::glsl {
+
+using namespace ir;
+
+namespace {
+
+constexpr double kTwoTo31 = 0x1p31;
+constexpr double kTwoTo32 = 0x1p32;
+// Less than the limits by more than the roundings of the float operators whose range is known.
+constexpr double kNearly = 0.999;
+
+// Direct3D 10 and 11 saturate, and make 0 of NaN ("Direct3D 11.3 Functional Specification", ftoi and
+// ftou); DXIL's fptosi and fptoui are as undefined as GLSL's conversions, and before 4.0 an int is a
+// float without a fraction.
+bool Saturates(const Profile& profile) {
+  return profile.IsAtLeast(4, 0) && !profile.IsAtLeast(6, 0) && profile.level9 == Level9::kNone;
+}
+
+class ConversionLowering {
+ public:
+  explicit ConversionLowering(Legalizer& legalizer)
+      : legalizer_(legalizer), program_(legalizer.program), uses_(legalizer.program) {
+    for (const VarId var : program_.vars.ids()) NoteConstant(program_.vars[var]);
+  }
+
+  void Run() {
+    legalizer_.ForEach([&](ExprId expr) {
+      const auto* convert = As<Convert>(program_, expr);
+      if (!convert || IsDone(expr)) return;
+      const Scalar to = BaseOf(legalizer_.TypeOf(expr).scalar);
+      const bool is_integer = to == Scalar::kInt || to == Scalar::kUint;
+      if (is_integer && IsFloat(legalizer_.TypeOf(convert->operand).scalar))
+        Lower(expr, to, convert->operand);
+    });
+  }
+
+ private:
+  // GLSL wants constants in the values of constants, and no calls.
+  void NoteConstant(const Var& var) {
+    if (var.storage != Storage::kConstant || !var.init) return;
+    ForEachExpr(program_, var.init, [&](ExprId part) { SetDone(part); });
+  }
+
+  bool IsDone(ExprId expr) const { return expr.index < done_.size() && done_[expr.index]; }
+  void SetDone(ExprId expr) {
+    if (done_.size() <= expr.index) done_.resize(program_.exprs.size());
+    done_[expr.index] = true;
+  }
+
+  void Lower(ExprId expr, Scalar to, ExprId operand) {
+    const bool is_int = to == Scalar::kInt;
+    const Range range = RangeOf(program_, operand);
+    const double limit = kNearly * (is_int ? kTwoTo31 : kTwoTo32);
+    if (range.IsWithin(is_int ? -limit : 0, limit)) return;
+    // An index that does not fit into an int is out of every array. One below 0 is element 0.
+    if (uses_.IsIndex(expr)) {
+      if (is_int) return;
+      program_.exprs[expr].node = Convert{AtLeastZero(legalizer_.At(expr), operand)};
+      return SetDone(expr);
+    }
+    if (TakeApart(expr, to, operand)) return;
+    const char* name = is_int ? "to_int" : "to_uint";
+    if (!legalizer_.ShapeAt(expr).IsScalar())
+      return legalizer_.ByComponents(expr, name, Convert{operand});
+    const TypeId type = program_.exprs[expr].type;
+    const Parameter parameters[] = {{"x", program_.exprs[operand].type}};
+    legalizer_.BecomeCall(expr, name, parameters, {&operand, 1}, [&](HelperBody& body) {
+      body.Return(is_int ? Int(body, type) : Uint(body, type));
+    });
+  }
+
+  // min16int and half are an int and a float, int1 has a scalar in it: one helper function is for
+  // all of them. The conversion that is left in the middle is lowered in its turn.
+  bool TakeApart(ExprId expr, Scalar to, ExprId operand) {
+    Builder b = legalizer_.At(expr);
+    const TypeId type = program_.exprs[expr].type;
+    const Scalar kind = program_.types[type].scalar;
+    const Scalar from = legalizer_.TypeOf(operand).scalar;
+    const bool is_single =
+        legalizer_.ShapeAt(expr).IsScalar() && program_.types[type].kind != TypeKind::kScalar;
+    if (!is_single && kind == to && from == BaseOf(from)) return false;
+    ExprId inner = b.ConvertTo(BaseOf(from), operand);
+    if (is_single) inner = legalizer_.Component(b, inner, 0);
+    inner = b.ConvertTo(kind, b.ConvertTo(to, inner));
+    legalizer_.Become(expr, is_single ? b.ConstructOf(type, {inner}) : inner);
+    return true;
+  }
+
+  // max(0, x), which is 0 for NaN: GLSL's max(a, b) is a unless a < b.
+  ExprId AtLeastZero(Builder b, ExprId x) {
+    const TypeId type = b.TypeOf(x);
+    const ExprId zero = b.SplatTo(type, b.LiteralOf(program_.types[type].scalar, 0));
+    return b.IntrinsicOf(Intrinsic::kMax, type, {zero, x});
+  }
+
+  // x >= 2^32 ? 2^32 - 1 : uint(max(0, x))
+  ExprId Uint(HelperBody& body, TypeId type) {
+    const ExprId whole = Converted(body, type, AtLeastZero(body.b, body[0]));
+    const bool has_uint = legalizer_.target.Has(Feature::kUnsigned);
+    if (!has_uint) return whole;
+    const ExprId is_great = Compare(body, BinaryOp::kGreaterEqual, kTwoTo32);
+    return body.b.Add(type, Conditional{is_great, Number(body, type, kTwoTo32 - 1), whole});
+  }
+
+  // abs(x) < 2^31 ? int(x) : x > 0 ? 2^31 - 1 : x < 0 ? -2^31 : 0
+  ExprId Int(HelperBody& body, TypeId type) {
+    Builder& b = body.b;
+    const ExprId size =
+        b.IntrinsicOf(Intrinsic::kAbs, program_.vars[body.parameters[0]].type, {body[0]});
+    const ExprId limit = Limit(body, kTwoTo31);
+    const ExprId is_small = b.BinaryOf(BinaryOp::kLess, size, limit);
+    const ExprId whole = Converted(body, type, body[0]);
+    const ExprId low = b.Add(type, Conditional{Compare(body, BinaryOp::kLess, 0),
+                                               Number(body, type, -kTwoTo31), b.ZeroOf(type)});
+    const ExprId great = b.Add(type, Conditional{Compare(body, BinaryOp::kGreater, 0),
+                                                 Number(body, type, kTwoTo31 - 1), low});
+    return b.Add(type, Conditional{is_small, whole, great});
+  }
+
+  ExprId Converted(HelperBody& body, TypeId type, ExprId value) {
+    const ExprId convert = body.b.Add(type, Convert{value});
+    SetDone(convert);
+    return convert;
+  }
+  ExprId Number(HelperBody& body, TypeId type, double value) {
+    return body.b.LiteralOf(program_.types[type].scalar, value);
+  }
+  ExprId Limit(HelperBody& body, double value) {
+    const TypeId type = program_.vars[body.parameters[0]].type;
+    return body.b.LiteralOf(program_.types[type].scalar, value);
+  }
+  ExprId Compare(HelperBody& body, BinaryOp op, double limit) {
+    return body.b.BinaryOf(op, body[0], Limit(body, limit));
+  }
+
+  Legalizer& legalizer_;
+  Program& program_;
+  const IndexUses uses_;
+  std::vector<bool> done_;  // by ExprId: conversions that stay
+};
+
+}  // namespace
+
+void LowerConversions(Legalizer& legalizer) {
+  if (Saturates(legalizer.program.profile)) ConversionLowering(legalizer).Run();
+}
+
+}  // namespace clipc::glsl
