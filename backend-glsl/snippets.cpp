@@ -197,6 +197,26 @@ constexpr SnippetText kSnippets[] = {
 }
 )"},
 
+    // ---- GLSL ES, where the functions give a lowp int: of 16 bits, which -1 shows
+    {"count_bits", SnippetText::kAny, false,
+     R"($U $N($T x) {
+    $I count = bitCount(x);
+    return $U(count);
+}
+)"},
+    {"first_bit_high", SnippetText::kAny, false,
+     R"($U $N($T x) {
+    $I bit = findMSB(x);
+    return $U(bit);
+}
+)"},
+    {"first_bit_low", SnippetText::kAny, false,
+     R"($U $N($T x) {
+    $I bit = findLSB(x);
+    return $U(bit);
+}
+)"},
+
     // ---- before GLSL 4.20
     {"f16tof32", SnippetText::kUint, true,
      R"(float $N(uint x) {

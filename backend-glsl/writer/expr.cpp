@@ -42,6 +42,16 @@ Text IndexText(Code& code, const Expr& expr, const Index& node) {
   const bool is_only_row = type.kind == TypeKind::kMatrix && type.rows == 1;
   if (is_only_row || (type.IsNumeric() && ShapeOf(type).IsScalar())) return base;
   std::string text = std::move(base).At(Binding::kPostfix);
+  // Mesa 22.3 reads the wrong component for t[1] after `ivec2 t = a.yw`, but not for t.y. An
+  // element of a matrix is m[1][2].
+  const auto* literal = code.As<Literal>(node.index);
+  const auto* row = code.As<Index>(node.base);
+  const bool is_element =
+      row && code.TypeOf(row->base).IsNumeric() && code.ShapeAt(row->base).HasRows();
+  if (literal && !is_element && type.IsNumeric() && ShapeOf(type).IsVector()) {
+    text += {'.', "xyzw"[UintOf(literal->bits) % 4]};
+    return {std::move(text)};
+  }
   Append(text, "[", IndexValue(code, node.index), "]");
   if (type.kind == TypeKind::kArray && IsWrapped(code, expr.type)) text += ".e";
   return {std::move(text)};

@@ -68,14 +68,19 @@ Text MulText(Code& code, ExprId left, ExprId right, const Shape& result) {
   return Infix(Full(code, b), "*", Full(code, a), Binding::kProduct);
 }
 
-// GLSL's name of countbits and the others; empty for other functions.
-std::string_view BitFunction(Intrinsic op) {
+// GLSL's name of countbits and the others, and of the helper function that makes its value highp;
+// empty for other functions.
+struct BitNames {
+  std::string_view glsl, highp;
+};
+
+BitNames BitFunction(Intrinsic op) {
   switch (op) {
-    case Intrinsic::kCountBits: return "bitCount";
-    case Intrinsic::kFirstBitHigh: return "findMSB";
-    case Intrinsic::kFirstBitLow: return "findLSB";
-    case Intrinsic::kReverseBits: return "bitfieldReverse";
-    default: return "";
+    case Intrinsic::kCountBits: return {"bitCount", "count_bits"};
+    case Intrinsic::kFirstBitHigh: return {"findMSB", "first_bit_high"};
+    case Intrinsic::kFirstBitLow: return {"findLSB", "first_bit_low"};
+    case Intrinsic::kReverseBits: return {"bitfieldReverse", ""};
+    default: return {};
   }
 }
 
@@ -152,11 +157,13 @@ Text IntrinsicText(Code& code, TypeId type, const IntrinsicCall& node) {
       break;
     default: break;
   }
-  const std::string_view bits = BitFunction(node.op);
-  if (bits.empty() || !code.Has(Feature::kBitFunctions)) {
+  const BitNames bits = BitFunction(node.op);
+  if (bits.glsl.empty() || !code.Has(Feature::kBitFunctions)) {
     return SnippetCall(code, NameOf(node.op), operands);
   }
-  return node.op == Intrinsic::kReverseBits ? call(bits) : converted(call(bits));
+  if (bits.highp.empty()) return call(bits.glsl);
+  if (code.target.IsEs()) return SnippetCall(code, bits.highp, operands);
+  return converted(call(bits.glsl));
 }
 
 }  // namespace clipc::glsl

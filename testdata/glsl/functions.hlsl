@@ -52,7 +52,7 @@ float4 entry(float4 p : POSITION) : SV_Position { return main(p); }
 // CHECK-NEXT:     float y;
 // CHECK-NEXT:     Both(p.y, x, y);
 // CHECK-NEXT:     Nothing();
-// CHECK-NEXT:     Both(1.0, p.z, p[3]);
+// CHECK-NEXT:     Both(1.0, p.z, p.w);
 // CHECK-NEXT:     gl_Position = p * x + y;
 // CHECK-NEXT: }
 
@@ -82,7 +82,7 @@ float4 entry(float4 p : POSITION) : SV_Position { return main(p); }
 // ENTRY-NEXT:     float y;
 // ENTRY-NEXT:     Both(p.y, x, y);
 // ENTRY-NEXT:     Nothing();
-// ENTRY-NEXT:     Both(1.0, p.z, p[3]);
+// ENTRY-NEXT:     Both(1.0, p.z, p.w);
 // ENTRY-NEXT:     return p * x + y;
 // ENTRY-NEXT: }
 // ENTRY-EMPTY:

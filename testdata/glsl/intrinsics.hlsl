@@ -87,7 +87,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: vec2 frexp_(vec2 a, out vec2 b) {
-// CHECK-NEXT:     return vec2(frexp_(a[0], b[0]), frexp_(a[1], b[1]));
+// CHECK-NEXT:     return vec2(frexp_(a.x, b.x), frexp_(a.y, b.y));
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: bool isfinite(float x) {

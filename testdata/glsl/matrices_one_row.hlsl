@@ -37,9 +37,9 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     gl_Position = outerProduct(values.row, values.column)[2];
 // CHECK-NEXT:     gl_Position.x += dot(values.row, values.column) + dot(values.row, in_POSITION0) + dot(in_POSITION0, values.column);
 // CHECK-NEXT:     gl_Position += values.one * values.row;
-// CHECK-NEXT:     gl_Position.x += values.row[3] + values.column[3] + values.column[2] + values.one;
+// CHECK-NEXT:     gl_Position.x += values.row.w + values.column.w + values.column.z + values.one;
 // CHECK-NEXT:     gl_Position.xy += values.row.yz;
-// CHECK-NEXT:     gl_Position.x += values.column[3] + values.one;
+// CHECK-NEXT:     gl_Position.x += values.column.w + values.one;
 // CHECK-NEXT:     gl_Position += values.row + values.column;
 // CHECK-NEXT:     vec3 c = values.column.xyz;
 // CHECK-NEXT:     gl_Position.xyz += c.xyz;
