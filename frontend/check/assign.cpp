@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/check/assign.h"
 
+#include <algorithm>
+
 #include "frontend/check/expr.h"
 #include "frontend/check/init.h"
 #include "frontend/check/operator.h"
@@ -56,6 +58,22 @@ ExprId StoreToMatrixSwizzle(Context& context, ExprId target, ExprId value, Span 
     steps.push_back(at.AssignTo(component, at.Swizzled(Clone(context.program, stored), {i})));
   }
   return WithPrologue(context, steps, stored);
+}
+
+// The assignment to what the left side is.
+ExprId AssignTo(Context& context, const ast::AssignExpr& expr, ExprId target, Span span) {
+  const bool is_list = context.Is<ast::InitListExpr>(expr.right);
+  if (is_list && !expr.op && !context.IsError(target)) {
+    const ExprId value = CheckInit(context, expr.right, context.TypeIdOf(target));
+    return !context.IsError(value) && CheckTarget(context, target)
+               ? StoreTo(context, target, value, span)
+               : context.ErrorExpr(span);
+  }
+  const ExprId value = CheckExpr(context, expr.right);
+  if (context.IsError(target, value)) return context.ErrorExpr(span);
+  if (const ExprId element = ElementIn(context, target))
+    return AssignElement(context, expr, target, element, value, span);
+  return Assign(context, expr, target, value, span);
 }
 
 }  // namespace
@@ -145,20 +163,26 @@ ExprId Stabilize(Context& context, ExprId path, Exprs& prologue) {
   return path;
 }
 
-ExprId CheckNode(Context& context, const ast::AssignExpr& expr, Span span) {
-  const ExprId target = CheckExpr(context, expr.left);
-  const bool is_list = context.Is<ast::InitListExpr>(expr.right);
-  if (is_list && !expr.op && !context.IsError(target)) {
-    const ExprId value = CheckInit(context, expr.right, context.TypeIdOf(target));
-    return !context.IsError(value) && CheckTarget(context, target)
-               ? StoreTo(context, target, value, span)
-               : context.ErrorExpr(span);
+ExprId TakeSteps(const Context& context, ExprId target, Exprs& prologue) {
+  ExprId last = target;
+  Exprs steps;
+  while (const auto* comma = context.GetIf<Comma>(last)) {
+    steps.push_back(comma->first);
+    last = comma->second;
   }
-  const ExprId value = CheckExpr(context, expr.right);
-  if (context.IsError(target, value)) return context.ErrorExpr(span);
-  if (const ExprId element = ElementIn(context, target))
-    return AssignElement(context, expr, target, element, value, span);
-  return Assign(context, expr, target, value, span);
+  if (!context.Is<MatrixSwizzle>(last) || !context.view.body) return target;
+  // A swizzle of a value, f()._m00_m11, is one of a temporary, which nothing is assigned to.
+  const std::vector<VarId>& temporaries = context.view.body->temporaries;
+  if (std::ranges::find(temporaries, RootOf(context.program, last)) != temporaries.end())
+    return target;
+  prologue.insert(prologue.end(), steps.begin(), steps.end());
+  return last;
+}
+
+ExprId CheckNode(Context& context, const ast::AssignExpr& expr, Span span) {
+  Exprs steps;
+  const ExprId target = TakeSteps(context, CheckExpr(context, expr.left), steps);
+  return WithPrologue(context, steps, AssignTo(context, expr, target, span));
 }
 
 ExprId AssignCompound(Context& context, BinaryOp op, ExprId target, ExprId value, Span span) {

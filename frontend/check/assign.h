@@ -20,6 +20,9 @@ ExprId ChangeElement(Context& context, ExprId element, Exprs& prologue);
 // The path with every index that has side effects replaced by a temporary, so that the path can be
 // cloned.
 ExprId Stabilize(Context& context, ExprId path, Exprs& prologue);
+// The target without the steps that come before it, which are added to `prologue`: the index of
+// m[f()]._m00_m11 is computed once. Any other expression is returned as it is.
+ExprId TakeSteps(const Context& context, ExprId target, Exprs& prologue);
 // Every assignment `left op= right`.
 ExprId CheckNode(Context& context, const ast::AssignExpr& expr, Span span);
 // target op= value. Where the operator works on another type than the target's, this is target =

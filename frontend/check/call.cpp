@@ -63,8 +63,13 @@ ExprId CallNamed(Context& context, const ast::NameExpr& name, Span name_span,
   Exprs arguments;
   const bool ok = CheckArguments(context, expr.arguments, arguments);
   const auto call_intrinsic = [&] {
-    return CheckIntrinsicCall(context.program, context[name.name.name], name_span, arguments, span,
-                              context, context.diagnostics);
+    Exprs steps;
+    if (IsWritingIntrinsic(context[name.name.name])) {
+      for (ExprId& argument : arguments) argument = TakeSteps(context, argument, steps);
+    }
+    const ExprId value = CheckIntrinsicCall(context.program, context[name.name.name], name_span,
+                                            arguments, span, context, context.diagnostics);
+    return WithPrologue(context, steps, value);
   };
   if (!symbol && !is_intrinsic) {
     if (Find(context, name.name))
@@ -174,6 +179,7 @@ ExprId BindArgument(Context& context, const Parameter& parameter, ExprId argumen
                     Exprs& after) {
   if (parameter.storage == Storage::kIn) return Implicit(context, argument, parameter.type);
   const Span span = context[argument].span;
+  argument = TakeSteps(context, argument, before);
   if (!CheckTarget(context, argument)) return context.ErrorExpr(span);
   const bool is_swizzle = context.Is<MatrixSwizzle>(argument);
   if (context.TypeIdOf(argument) == parameter.type && !is_swizzle) return argument;

@@ -140,7 +140,8 @@ void ResolveSignature(Context& context, FunctionInfoId id) {
     AddParameter(context, context.Get<ast::VarDecl>(parameter), parameter, info, parameters);
   }
   info.parameters = context.functions.parameters.Add(std::span<const Parameter>(parameters));
-  if (info.self && !decl.body) FindOutOfLine(context, info);
+  const bool is_method = context[info.scope].kind == ScopeKind::kStruct;
+  if (is_method && !decl.body) FindOutOfLine(context, info);
   if (info.self) info.changes_self = MayChangeSelf(context, DeclOf(context, info), info.scope);
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "base/spelling.h"
+#include "frontend/check/assign.h"
 #include "frontend/check/expr.h"
 #include "frontend/check/struct.h"
 #include "frontend/check/value.h"
@@ -23,7 +24,8 @@ ExprId MatrixComponents(Context& context, MatrixSwizzle node, Span span) {
   }
   Exprs prologue;
   const Scalar kind = context.TypeOf(node.base).scalar;
-  node.base = Repeatable(context, node.base, prologue);
+  node.base = RootOf(context.program, node.base) ? Stabilize(context, node.base, prologue)
+                                                 : Hoist(context, node.base, prologue);
   return WithPrologue(context, prologue, at.Add(context.types.Vector(kind, node.count), node));
 }
 

@@ -15,12 +15,12 @@ namespace clipc::check {
 namespace {
 
 ExprId CheckIncrement(Context& context, UnaryOp op, ast::ExprId operand, Span span) {
-  const ExprId target = CheckExpr(context, operand);
+  Exprs steps;
+  const ExprId target = TakeSteps(context, CheckExpr(context, operand), steps);
   if (context.IsError(target)) return target;
   const Type& type = context.TypeOf(target);
   if (!type.IsNumeric() || type.scalar == Scalar::kBool)
     return context.Fail(span, diag::BadOperand, SpellingOf(op), context.TypeName(target));
-  Exprs steps;
   if (const ExprId element = ElementIn(context, target)) {
     const ExprId store = ChangeElement(context, element, steps);
     const ExprId result = Hoist(context, context.At(span).UnaryOf(op, target), steps);
@@ -33,7 +33,7 @@ ExprId CheckIncrement(Context& context, UnaryOp op, ast::ExprId operand, Span sp
   const ExprId old = is_post ? Hoist(context, Clone(context.program, target), steps) : ExprId{};
   const ExprId changed = AssignCompound(context, IsIncrement(op) ? BinaryOp::kAdd : BinaryOp::kSub,
                                         target, context.At(span).Int(1), span);
-  if (!is_post) return changed;
+  if (!is_post) return WithPrologue(context, steps, changed);
   steps.push_back(changed);
   return WithPrologue(context, steps, old);
 }

@@ -52,8 +52,7 @@ bool CallChangesSelf(Context& context, const ast::CallExpr& call, ScopeId scope)
       CallChangesSelf(context, found, scope))
     return true;
   const std::string_view text = context[name->name.name];
-  const bool writes_nothing =
-      IsIntrinsicName(text) && text != "sincos" && text != "modf" && text != "frexp";
+  const bool writes_nothing = IsIntrinsicName(text) && !IsWritingIntrinsic(text);
   if (writes_nothing && name->name.scopes.empty()) return false;
   // It may have an `out` parameter.
   return std::ranges::any_of(context[call.arguments], part);

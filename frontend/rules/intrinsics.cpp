@@ -97,6 +97,11 @@ ExprId CheckIr(const IntrinsicCheck& call, Intrinsic op) {
 
 bool IsIntrinsicName(std::string_view name) { return FindEntry(name) != nullptr; }
 
+bool IsWritingIntrinsic(std::string_view name) {
+  const Entry* entry = FindEntry(name);
+  return entry != nullptr && entry->rule == Rule::kCall && WritesArguments(entry->intrinsic);
+}
+
 ExprId CheckIntrinsicCall(Program& program, std::string_view name, Span name_span,
                           std::span<const ExprId> arguments, Span call_span,
                           TemporaryMaker& temporaries, Diagnostics& diagnostics) {

@@ -12,6 +12,8 @@ namespace clipc::rules {
 
 // Whether `name` is a function that HLSL has built in for any stage: "ddx" too.
 bool IsIntrinsicName(std::string_view name);
+// Whether it is one that a vertex shader may call and that writes an argument: modf, sincos.
+bool IsWritingIntrinsic(std::string_view name);
 
 // A call name(arguments) of a built-in function as IR, its arguments converted. Reports a wrong
 // number or type of arguments (X3013, X3014), a function that no vertex shader may call (ddx, clip,
