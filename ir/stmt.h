@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <cstdint>
 #include <variant>
 
 #include "base/arena.h"
@@ -57,10 +58,21 @@ struct Return {
 struct Break {};
 struct Continue {};
 
+// What the shader asks of the optimiser for a loop, or for an `if` or `switch`. No value depends on
+// it.
+enum class Hint : std::uint8_t {
+  kNone,
+  kUnroll,
+  kLoop,  // keep the loop
+  kBranch,
+  kFlatten,  // evaluate both sides
+};
+
 struct Stmt {
   Span span;
   std::variant<Block, Declare, Evaluate, If, For, While, DoWhile, Switch, Return, Break, Continue>
       node;
+  Hint hint = Hint::kNone;
 };
 
 }  // namespace clipc::ir

@@ -52,25 +52,42 @@ std::string DeclareText(Code& code, const Declare& node, bool is_first = true) {
                 Declaration(code, var.type, name), equals, value);
 }
 
-void WriteIf(Code& code, const If& node, std::string_view lead) {
-  code.Line(lead, "if (", ExprText(code, node.condition).text, ") {");
+// The attribute that says to Vulkan's drivers what HLSL's says to Direct3D's, and a space.
+std::string_view HintText(Code& code, StmtId id) {
+  const Hint hint = code.program.stmts[id].hint;
+  if (hint == Hint::kNone || !code.target.IsVulkan()) return "";
+  code.Require("GL_EXT_control_flow_attributes");
+  switch (hint) {
+    case Hint::kNone: break;
+    case Hint::kUnroll: return "[[unroll]] ";
+    case Hint::kLoop: return "[[dont_unroll]] ";
+    case Hint::kBranch: return "[[dont_flatten]] ";
+    case Hint::kFlatten: return "[[flatten]] ";
+  }
+  return "";
+}
+
+void WriteIf(Code& code, StmtId id, const If& node, std::string_view lead) {
+  code.Line(lead, HintText(code, id), "if (", ExprText(code, node.condition).text, ") {");
   WriteBody(code, node.then);
   if (!node.otherwise) return code.Line("}");
-  if (const auto* next = code.As<If>(node.otherwise)) return WriteIf(code, *next, "} else ");
+  if (const auto* next = code.As<If>(node.otherwise))
+    return WriteIf(code, node.otherwise, *next, "} else ");
   code.Line("} else {");
   WriteBody(code, node.otherwise);
   code.Line("}");
 }
 
-void WriteFor(Code& code, const For& node) {
+void WriteFor(Code& code, StmtId id, const For& node) {
   code.namer.OpenScope();
-  std::string head = "for (";
+  std::string head(HintText(code, id));
+  head += "for (";
   bool is_first = true;
-  for (const StmtId id : code[node.init]) {
-    const auto* declare = code.As<Declare>(id);
+  for (const StmtId each : code[node.init]) {
+    const auto* declare = code.As<Declare>(each);
     Append(head, is_first ? "" : ", ",
            declare ? DeclareText(code, *declare, is_first)
-                   : ExprText(code, code.As<Evaluate>(id)->expr).text);
+                   : ExprText(code, code.As<Evaluate>(each)->expr).text);
     is_first = false;
   }
   head += ";";
@@ -83,8 +100,8 @@ void WriteFor(Code& code, const For& node) {
   code.namer.CloseScope();
 }
 
-void WriteSwitch(Code& code, const Switch& node) {
-  code.Line("switch (", ExprText(code, node.value).text, ") {");
+void WriteSwitch(Code& code, StmtId id, const Switch& node) {
+  code.Line(HintText(code, id), "switch (", ExprText(code, node.value).text, ") {");
   code.namer.OpenScope();
   const auto cases = code.program.switch_cases[node.cases];
   for (const SwitchCase& arm : cases) {
@@ -120,19 +137,19 @@ void WriteStmt(Code& code, StmtId id) {
             },
             [&](const Declare& node) { code.Line(DeclareText(code, node), ";"); },
             [&](const Evaluate& node) { code.Line(ExprText(code, node.expr).text, ";"); },
-            [&](const If& node) { WriteIf(code, node, ""); },
-            [&](const For& node) { WriteFor(code, node); },
+            [&](const If& node) { WriteIf(code, id, node, ""); },
+            [&](const For& node) { WriteFor(code, id, node); },
             [&](const While& node) {
-              code.Line("while (", ExprText(code, node.condition).text, ") {");
+              code.Line(HintText(code, id), "while (", ExprText(code, node.condition).text, ") {");
               WriteBody(code, node.body);
               code.Line("}");
             },
             [&](const DoWhile& node) {
-              code.Line("do {");
+              code.Line(HintText(code, id), "do {");
               WriteBody(code, node.body);
               code.Line("} while (", ExprText(code, node.condition).text, ");");
             },
-            [&](const Switch& node) { WriteSwitch(code, node); },
+            [&](const Switch& node) { WriteSwitch(code, id, node); },
             [&](const Return& node) {
               if (!node.value) return code.Line("return;");
               code.Line("return ", ExprText(code, node.value).text, ";");

@@ -2,6 +2,7 @@
 #include "frontend/check/stmt.h"
 
 #include "base/overloaded.h"
+#include "base/spelling.h"
 #include "frontend/check/assign.h"
 #include "frontend/check/declare.h"
 #include "frontend/check/emit.h"
@@ -151,6 +152,25 @@ void CheckNode(Context& context, const ast::DiscardStmt&, Span span) {
 void CheckNode(Context&, const ast::EmptyStmt&, Span) {}
 void CheckNode(Context&, const ast::ErrorStmt&, Span) {}
 
+// Of several attributes the last one counts. Those that stand at another kind of statement than
+// theirs say nothing.
+Hint HintOf(const Context& context, const ast::Stmt& stmt) {
+  const bool is_loop = std::holds_alternative<ast::ForStmt>(stmt.node) ||
+                       std::holds_alternative<ast::WhileStmt>(stmt.node) ||
+                       std::holds_alternative<ast::DoStmt>(stmt.node);
+  const bool is_choice = std::holds_alternative<ast::IfStmt>(stmt.node) ||
+                         std::holds_alternative<ast::SwitchStmt>(stmt.node);
+  Hint hint = Hint::kNone;
+  for (const ast::Attr& attribute : context[stmt.attributes]) {
+    const std::string_view name = context[attribute.name];
+    if (is_loop && EqualIgnoringCase(name, "unroll")) hint = Hint::kUnroll;
+    if (is_loop && EqualIgnoringCase(name, "loop")) hint = Hint::kLoop;
+    if (is_choice && EqualIgnoringCase(name, "branch")) hint = Hint::kBranch;
+    if (is_choice && EqualIgnoringCase(name, "flatten")) hint = Hint::kFlatten;
+  }
+  return hint;
+}
+
 }  // namespace
 
 void CheckStmts(Context& context, List<ast::StmtId> stmts) {
@@ -173,7 +193,10 @@ void CheckStmt(Context& context, ast::StmtId id) {
   const Depth depth(context, span);
   if (!depth.ok() || context.diagnostics.TooManyErrors()) return;
   if (context.Is<ast::BlockStmt>(id)) return context.stmts.push_back(CheckBlock(context, id));
+  const std::size_t mark = context.stmts.size();
   Visit([&](const auto& node) { CheckNode(context, node, span); }, stmt.node);
+  if (!stmt.attributes.empty() && context.stmts.size() > mark)
+    context.program.stmts[context.stmts.back()].hint = HintOf(context, stmt);
 }
 
 ExprId CheckScalar(Context& context, ast::ExprId id, std::string_view statement) {
