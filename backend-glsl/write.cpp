@@ -44,6 +44,8 @@ std::string Header(const Context& context) {
   std::string text = context.target.VersionLine() + "\n";
   for (const std::string& extension : context.extensions)
     Append(text, "#extension ", extension, " : require\n");
+  for (const std::string& extension : context.enabled)
+    Append(text, "#extension ", extension, " : enable\n");
   return text + "\n";
 }
 

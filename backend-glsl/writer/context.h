@@ -58,8 +58,9 @@ struct Context {
   std::vector<std::string> rows_names;                // by CbufferId
 
   Sections sections;
-  std::set<std::string> extensions;
-  std::vector<bool> used_structs;                             // by StructId
+  std::set<std::string> extensions;  // that the shader needs
+  std::set<std::string> enabled;     // that some compilers need for what others have without
+  std::vector<bool> used_structs;    // by StructId
   std::unordered_map<std::string, std::string> wrappers;      // types.h: by the wrapped type
   std::unordered_map<std::string, std::string> helper_names;  // helper.h: by the wanted name
   std::set<std::string> helper_keys;                          // the definitions that are written

@@ -80,6 +80,8 @@ class ObjectCaller {
         node_.op == ObjectOp::kD3d9Sample || node_.op == ObjectOp::kD3d9SampleLevel;
     const bool has_level = node_.op != ObjectOp::kD3d9Sample;
     const bool is_modern = code_.Has(Feature::kTextureFunctions);
+    // Vertex shaders of GLSL 1.20 have texture2DLod (8.7); glslang wants the extension as well.
+    if (!is_modern) code_.enabled.emplace("GL_ARB_shader_texture_lod");
     const bool is_gradient = node_.op == ObjectOp::kSampleGrad;
     const std::size_t first = is_d3d9 ? 1 : 2;
     const bool has_offset = arguments_.size() > first + (is_gradient ? 3u : has_level ? 2u : 1u);
