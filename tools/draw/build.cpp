@@ -7,8 +7,6 @@
 #include "compiler/stages.h"
 
 namespace clipc::draw {
-namespace {
-
 // The text of a shader, and what is said about it.
 struct Reading {
   explicit Reading(const BuildOptions& options)
@@ -31,8 +29,6 @@ struct Reading {
   Diagnostics diagnostics;
 };
 
-}  // namespace
-
 Tokens Preprocess(const BuildOptions& options) {
   Reading reading(options);
   Tokens tokens = Lex(reading.source, reading.diagnostics);
@@ -40,31 +36,57 @@ Tokens Preprocess(const BuildOptions& options) {
   return tokens;
 }
 
-Shader Build(const BuildOptions& options) {
-  Reading reading(options);
-  LowerSettings settings{Known(glsl::Target::Parse(options.target), "target", options.target), {}};
-  Shader shader;
-  shader.typed = Front(
+struct CheckedShader::State {
+  explicit State(const BuildOptions& options_in) : options(options_in), reading(options_in) {}
+
+  BuildOptions options;
+  Reading reading;
+  ir::Program typed;
+  ir::VarId position_input;
+};
+
+CheckedShader::CheckedShader(const BuildOptions& options)
+    : state_(std::make_unique<State>(options)) {
+  Reading& reading = state_->reading;
+  state_->typed = Front(
       reading.source,
       {reading.profile, options.entry, options.packing, options.lowering == Lowering::kLevel9},
       reading.diagnostics);
   reading.StopAtErrors<DrawError>("the shader has errors");
-  settings.passes.clip_planes = {
-      options.lowering, options.plane_space,
-      CheckLowering(shader.typed, {options.lowering, options.plane_space, options.position_input},
-                    reading.diagnostics)};
+  state_->position_input =
+      CheckLowering(state_->typed, {options.lowering, options.plane_space, options.position_input},
+                    reading.diagnostics);
   reading.StopAtErrors<DrawError>("the shader has errors");
+}
+
+CheckedShader::~CheckedShader() = default;
+
+const ir::Program& CheckedShader::typed() const { return state_->typed; }
+
+Shader CheckedShader::BuildFor(const std::string& target) const {
+  const BuildOptions& options = state_->options;
+  LowerSettings settings{Known(glsl::Target::Parse(target), "target", target), {}};
+  settings.passes.clip_planes = {options.lowering, options.plane_space, state_->position_input};
   settings.passes.clip_space = options.clip_space;
   settings.passes.verify = true;
+  Shader shader;
+  shader.typed = state_->typed;
   Lowered lowered = Lower(shader.typed, settings);
-  CheckTarget(lowered, {}, reading.diagnostics);
-  reading.StopAtErrors<NotForTarget>("not for this target");
+  Diagnostics diagnostics;
+  CheckTarget(lowered, {}, diagnostics);
+  if (diagnostics.has_errors())
+    throw NotForTarget("not for this target\n" +
+                       state_->reading.source.RenderText(diagnostics, false));
   Legalize(lowered, settings.passes);
   Written written = Write(lowered, {});
   shader.lowered = std::move(lowered.program);
   shader.glsl = std::move(written.glsl);
   shader.info = std::move(written.info);
   return shader;
+}
+
+Shader Build(const BuildOptions& options) {
+  return CheckedShader(options).BuildFor(options.target);
 }
 
 std::string ForOpenGl(const std::string& glsl) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -35,8 +36,27 @@ struct Shader {
   GlslInfo info;  // beside `lowered`
 };
 
-// Runs the compiler's stages (compiler/stages.h). Throws DrawError with the diagnostics, and
-// NotForTarget when only the target is at fault.
+// A shader that is read and checked once, and then built for one target after another.
+class CheckedShader {
+ public:
+  // `options.target` does not matter. Throws DrawError with the diagnostics.
+  explicit CheckedShader(const BuildOptions& options);
+  ~CheckedShader();
+  CheckedShader(const CheckedShader&) = delete;
+  CheckedShader& operator=(const CheckedShader&) = delete;
+
+  const ir::Program& typed() const;
+
+  // Runs the rest of the compiler's stages (compiler/stages.h). Throws NotForTarget when only the
+  // target is at fault.
+  Shader BuildFor(const std::string& target) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+// The same for one target.
 Shader Build(const BuildOptions& options);
 
 // The shader's tokens after the preprocessor. Throws DrawError with the diagnostics.

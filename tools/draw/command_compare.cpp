@@ -7,8 +7,8 @@
 
 #include "tools/draw/arguments.h"
 #include "tools/draw/commands.h"
+#include "tools/draw/draw_call.h"
 #include "tools/draw/opengl/compare.h"
-#include "tools/draw/opengl/program.h"
 #include "tools/draw/peer/compare.h"
 #include "tools/draw/vulkan/compare.h"
 #include "tools/harness/options.h"
@@ -55,6 +55,7 @@ Flags FlagsOf(CompareOptions& options) {
       {"random", Number(options.random.vertices)},
       {"seed", Number(options.random.seed)},
       {"ints", With([&](auto& value) { SetInts(value, options.random); })},
+      {"quarters", On(options.random.quarters)},
       {"ulps",
        With([&](auto& value) { options.tolerance.ulps = std::strtod(value.c_str(), nullptr); })},
       {"exact", {false, [&](const std::string&) { options.tolerance.ulps = -1; }}},
@@ -62,23 +63,6 @@ Flags FlagsOf(CompareOptions& options) {
       {"verbose", On(options.verbose)},
       {"direct3d", On(options.direct3d)},
   };
-}
-
-bool Reads(const Program& program, Builtin builtin) {
-  return std::ranges::any_of(program.inputs,
-                             [&](const IoVar& io) { return io.builtin == builtin; });
-}
-
-// A draw call in the middle of its vertices and instances, where the shader is said to stand that.
-void ChooseDraw(const Shader& shader, bool is_es, RandomOptions& draw) {
-  if (Reads(shader.typed, Builtin::kInstanceId)) draw.instances = 3;
-  const auto& inputs = shader.info.inputs;
-  const bool from_zero = is_es || std::ranges::any_of(inputs, [](const GlslInfo::Variable& input) {
-                           return input.needs_base_vertex_zero;
-                         });
-  if (from_zero) return;
-  draw.first_vertex = 5;
-  draw.base_instance = 2;
 }
 
 // Adds up the comparisons of one shader.
@@ -92,7 +76,7 @@ class Runner {
     build.lowering = Lowering::kNone;
     const Shader shader = Build(build);
     RandomOptions random = options_.random;
-    if (Reads(shader.typed, Builtin::kInstanceId)) random.instances = 3;
+    ChooseInstances(shader, random);
     const peer::PeerComparison found =
         peer::CompareWithGlslang(vulkan::Runner(), shader, build, random, options_.tolerance);
     const Comparison& values = found.values;
@@ -148,7 +132,7 @@ class Runner {
   void RunOne(const BuildOptions& build, const std::string& name) {
     const Shader shader = Build(build);
     RandomOptions random = options_.random;
-    ChooseDraw(shader, VersionOf(shader.glsl).es, random);
+    ChooseDraw(shader, random);
     Compare(shader, build, random, name);
     random.constant_textures = true;
     if (!shader.typed.resources.empty())

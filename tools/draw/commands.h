@@ -51,6 +51,7 @@ clipc-draw compare SHADER.hlsl [options]
                             start at 0 where the shader allows that
     --seed S                default 1
     --ints LEAST..GREATEST  the range of random ints, default -4..7
+    --quarters              floats are multiples of 1/4 in [-4, 4]
     --ulps U                the error allowed for floats, see tools/draw/compare.h
     --exact                 floats must be equal to the bit
     --verbose               prints a line for each comparison, and the GLSL of those that fail

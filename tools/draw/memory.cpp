@@ -65,7 +65,7 @@ std::optional<Part> Follow(const TypeTable& types, Part part, std::string_view p
           fields, [&](const Field& field) { return glsl::LegalFieldName(field.name) == step; });
       if (found == fields.end()) return std::nullopt;
       part = FieldOf(types, part, found - fields.begin(), Packing::kConstants);
-    } else {
+    } else if (step != "e") {  // a struct around an inner array
       return std::nullopt;
     }
     path.remove_prefix(end);

@@ -26,6 +26,7 @@ int RandomValues::Int(int least) {
 }
 
 float RandomValues::Float() {
+  if (options_.quarters) return static_cast<float>(static_cast<int>(Below(33)) - 16) / 4;
   if (Below(4) == 0) return static_cast<float>(static_cast<int>(Below(5)) - 2);
   return static_cast<float>(Below(1u << 24)) * 0x1p-22f - 2.0f;
 }

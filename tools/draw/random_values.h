@@ -18,6 +18,8 @@ struct RandomOptions {
   int first_vertex = 0, base_instance = 0;  // of the draw call
   bool constant_textures = false;           // all texels of a sampled texture are equal
   int least_int = -4, greatest_int = 7;     // small, as ints are loop counts and array indices
+  // Floats are multiples of 1/4 in [-4, 4], so that short sums and products of them are exact.
+  bool quarters = false;
 };
 
 // Equal seeds give equal values on every machine. Floats lie in [-2, 2], one in four is a whole
