@@ -36,6 +36,9 @@ ROOMS = {
         "base", "ir", "frontend/lex", "frontend/parse", "frontend/rules", "frontend/check", "passes", "backend-glsl", "clip-table",
         "compiler", "runtime", "tools/harness", VOCABULARY,
     },
+    "tools/random": {
+        "ir", "backend-glsl", "compiler", "clip-table", "tools/harness", "tools/draw", VOCABULARY,
+    },
     "tools/study": {"clip-table", "compiler", "runtime", "tools/harness", "tools/draw", VOCABULARY},
     "tools/scenes": {"clip-table", "runtime", "tools/harness", "tools/study", VOCABULARY},
     "tools/bench": {"compiler", "runtime", "tools/harness"},

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <string>
+
+#include "ir/program.h"
+#include "tools/random/program.h"
+
+namespace clipc::random {
+
+// Which constant clipc has elsewhere than layout.h says; empty when there is none.
+std::string LayoutProblem(const Program& program, const ir::Program& checked);
+
+}  // namespace clipc::random

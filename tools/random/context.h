@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tools/random/choices.h"
+#include "tools/random/features.h"
+#include "tools/random/range.h"
+#include "tools/random/type.h"
+
+// What the makers of expressions, statements and declarations share while a program grows.
+namespace clipc::random {
+
+enum class Holds : std::uint8_t { kVariable, kInput, kWild, kCounter };
+
+struct Variable {
+  std::string name;
+  Type type;
+  bool writable = true;
+  Holds holds = Holds::kVariable;
+  double greatest = 0;  // of a kCounter, which counts from 0
+};
+
+enum class Direction : std::uint8_t { kIn, kOut, kInOut };
+struct Parameter {
+  std::string name;
+  Type type;
+  Direction direction = Direction::kIn;
+};
+struct Function {
+  std::string name;
+  Type result;
+  bool is_void = false;
+  std::vector<Parameter> parameters;
+  bool writes = false;          // parameters or static variables
+  bool writes_statics = false;  // or calls what does
+  int cost = 1;                 // the statements that one call runs, about
+};
+
+// The statements that one call of a function may run, about.
+inline constexpr int kMostCost = 2000;
+
+struct Context {
+  Context(Choices& choices_in, const Features& features_in)
+      : choices(choices_in), features(features_in) {}
+
+  Choices& choices;
+  const Features& features;
+  int model = 50;  // the shader model, 51 for 5.1
+
+  Structs structs;
+  std::vector<Function> functions;            // that may be called, in order
+  std::vector<std::vector<Variable>> scopes;  // the outermost first
+  bool effects = true;                        // whether expressions may write
+  bool constant_indices = false;              // of places
+  bool only_literals = false;                 // no expression is anything else
+  const Function* function = nullptr;         // whose body this is
+  int turns = 1, cost = 0;                    // how often a statement here runs; the sum of them
+  int loops = 0;                              // loops around a statement here
+  bool writes_globals = false;                // whether something here may write one
+  std::vector<std::string> taken;             // variables that may not be written a second time
+  // Variables that the expression reads and writes: HLSL does not say which part comes first.
+  std::set<std::string> read, written;
+  int names = 0;
+
+  bool Has(Feature feature) const { return features.Has(feature); }
+  // A name that no other variable has; now and then one that GLSL keeps for itself.
+  std::string FreshName(const char* prefix);
+  void Add(Variable variable) { scopes.back().push_back(std::move(variable)); }
+  // Notes that an expression reads or writes a variable, or all static ones, if that leaves no
+  // doubt about the order.
+  bool MayUse(const Variable& variable, bool writes) const;
+  void Use(const Variable& variable, bool writes);
+  bool MayUseStatics(bool writes) const;
+  void UseStatics(bool writes);
+  void EndExpression() { read.clear(), written.clear(); }
+  // The variables that a name here means, without those that others hide.
+  std::vector<const Variable*> Visible() const;
+};
+
+// What a component of that kind may hold.
+Range RangeOf(const Variable& variable, Kind kind);
+
+// Variables declared in its lifetime are gone after it.
+class ScopeOf {
+ public:
+  explicit ScopeOf(Context& context) : context_(context) { context.scopes.emplace_back(); }
+  ~ScopeOf() { context_.scopes.pop_back(); }
+  ScopeOf(const ScopeOf&) = delete;
+  ScopeOf& operator=(const ScopeOf&) = delete;
+
+ private:
+  Context& context_;
+};
+
+// Sets a variable for its lifetime.
+template <typename T>
+class Temporarily {
+ public:
+  Temporarily(T& variable, T value) : variable_(variable), before_(variable) { variable = value; }
+  ~Temporarily() { variable_ = before_; }
+  Temporarily(const Temporarily&) = delete;
+  Temporarily& operator=(const Temporarily&) = delete;
+
+ private:
+  T& variable_;
+  T before_;
+};
+
+}  // namespace clipc::random

@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "tools/random/expr.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace clipc::random {
+namespace {
+
+Level Above(Level level) { return static_cast<Level>(static_cast<int>(level) + 1); }
+
+// An operator's name and how it binds.
+struct Operator {
+  const char* name;
+  Level level;
+};
+
+Expr Binary(const Expr& left, const Operator& op, const Expr& right, Kind kind, Shape shape,
+            const Range& range) {
+  return {At(left, op.level) + " " + op.name + " " + At(right, Above(op.level)), op.level, kind,
+          shape, range};
+}
+
+Expr MakeLiteral(Context& context, Kind kind, Shape shape) {
+  constexpr double kFloats[] = {0, 1, 0.5, 2, -1, 0.25, 3, -0.5, 1.5, 4, -2, 0.75, -3.25};
+  constexpr double kInts[] = {0, 1, 2, 3, 5, 7, 8, -1, -2, -5, 4};
+  const auto one = [&] {
+    switch (kind) {
+      case Kind::kFloat: return Literal(kind, context.choices.OneOf(kFloats));
+      case Kind::kInt: return Literal(kind, context.choices.OneOf(kInts));
+      case Kind::kUint: return Literal(kind, context.choices.Below(9));
+      case Kind::kBool: return Literal(kind, context.choices.Below(2));
+    }
+    return Expr{};
+  };
+  if (shape.IsScalar()) return one();
+  if (context.choices.Pick({3, 1}) == 1) return Reshape(context, one(), shape);
+  Expr all = one();
+  std::string text = NameOf(kind, shape) + "(" + all.text;
+  for (int i = 1; i < shape.Components(); ++i) {
+    const Expr next = one();
+    text += ", " + next.text;
+    all.range = Union(all.range, next.range);
+  }
+  return {text + ")", Level::kPostfix, kind, shape, all.range};
+}
+
+Expr MakeRead(Context& context, Kind kind, Shape shape, int depth) {
+  Kind from = kind;
+  if (context.choices.Chance(15)) from = context.choices.OneOf(kKinds);
+  const Place place = MakePlace(context, from, false, depth);
+  if (!place.found) return MakeLiteral(context, kind, shape);
+  const Expr value{place.text, Level::kPostfix, place.kind, place.shape, place.range};
+  return Reshape(context, Convert(context, value, kind), shape);
+}
+
+// An operand of an operator whose other operand has that type: a type that converts to it by
+// itself, with no loss.
+Expr MakeOperand(Context& context, Kind kind, Shape shape, int depth) {
+  Kind from = kind;
+  if (context.choices.Chance(12)) {
+    from = static_cast<Kind>(context.choices.Pick({1, 2, 2, 1}));
+    const auto rank = [](Kind of) {
+      return of == Kind::kFloat ? 3 : of == Kind::kUint ? 2 : of == Kind::kInt ? 1 : 0;
+    };
+    if (rank(from) > rank(kind)) from = kind;
+  }
+  const Shape own = context.choices.Chance(15) ? kScalar : shape;
+  Expr value = MakeExpr(context, from, own, depth);
+  if (from == kind) return value;
+  if (!CanConvert(value.range, from, kind)) value = Fit(context, value, VariableRange(from));
+  value.range = Converted(value.range, from, kind);
+  return value;
+}
+
+void MakeSmall(Context& context, Expr& a, Expr& b) {
+  if (a.kind == Kind::kFloat) a = Fit(context, a, kSmallFloats);
+  if (b.kind == Kind::kFloat) b = Fit(context, b, kSmallFloats);
+}
+
+Expr MakeFloatOperation(Context& context, Shape shape, int depth) {
+  const std::size_t choice = context.choices.Pick({4, 3, 4, 1, 1});
+  Expr a = MakeExpr(context, Kind::kFloat, shape, depth - 1);
+  if (choice >= 3) {
+    constexpr double kPowers[] = {2, 4, 0.5, -2};
+    const double by = context.choices.OneOf(kPowers);
+    const Expr divisor = Literal(Kind::kFloat, by);
+    const bool divides = choice == 3;
+    Range range = Product(a.range, {1 / by, 1 / by, by > 1 || by < -1 ? 2 : 0});
+    if (!divides) range = {-std::abs(by), std::abs(by), a.range.fraction};
+    if (!IsExact(range)) return a;
+    return Binary(a, {divides ? "/" : "%", Level::kProduct}, divisor, Kind::kFloat, shape, range);
+  }
+  Expr b = MakeOperand(context, Kind::kFloat, shape, depth - 1);
+  const auto range = [&] {
+    if (choice == 0) return Sum(a.range, b.range);
+    return choice == 1 ? Sum(a.range, Negated(b.range)) : Product(a.range, b.range);
+  };
+  if (!IsExact(range())) MakeSmall(context, a, b);
+  if (!IsExact(range())) b = Fit(context, MakeExpr(context, Kind::kFloat, shape, 0), kSmallFloats);
+  constexpr Operator kOperators[] = {
+      {"+", Level::kSum}, {"-", Level::kSum}, {"*", Level::kProduct}};
+  if (context.choices.Chance(50) && choice != 1) std::swap(a, b);
+  return Binary(a, kOperators[choice], b, Kind::kFloat, shape, range());
+}
+
+Range BitsRange(Kind kind, const Range& a, const Range& b) {
+  if (a.low < 0 || b.low < 0) return Wild(kind);
+  double power = 1;
+  while (power <= std::max(a.high, b.high)) power *= 2;
+  return {0, power - 1};
+}
+
+Expr MakeIntegerOperation(Context& context, Kind kind, Shape shape, int depth) {
+  constexpr Operator kOperators[] = {
+      {"+", Level::kSum},     {"-", Level::kSum},    {"*", Level::kProduct}, {"&", Level::kAnd},
+      {"|", Level::kOr},      {"^", Level::kXor},    {"<<", Level::kShift},  {">>", Level::kShift},
+      {"/", Level::kProduct}, {"%", Level::kProduct}};
+  const std::size_t choice = context.choices.Pick({4, 3, 3, 2, 2, 2, 2, 2, 2, 2});
+  const Operator& op = kOperators[choice];
+  Expr a = MakeExpr(context, kind, shape, depth - 1);
+  if (choice >= 8) {
+    // The divisor is positive; INT_MIN is not divided by -1.
+    Expr b =
+        MakeIn(context, kind, context.choices.Chance(30) ? kScalar : shape, {0, 15}, depth - 1);
+    b = Binary(b, {"+", Level::kSum}, Literal(kind, 1), kind, b.shape, {1, 16});
+    const Range range = choice == 8 ? a.range : a.range.low < 0 ? Range{-15, 15} : Range{0, 15};
+    return Binary(a, op, b, kind, shape, range);
+  }
+  if (choice == 6 || choice == 7) {
+    const Expr b = MakeExpr(context, kind, context.choices.Chance(30) ? kScalar : shape, depth - 1);
+    return Binary(a, op, b, kind, shape,
+                  choice == 6       ? Wild(kind)
+                  : a.range.low < 0 ? a.range
+                                    : Range{0, a.range.high});
+  }
+  Expr b = MakeOperand(context, kind, shape, depth - 1);
+  Range range;
+  switch (choice) {
+    case 0: range = Integers(kind, a.range.low + b.range.low, a.range.high + b.range.high); break;
+    case 1: range = Integers(kind, a.range.low - b.range.high, a.range.high - b.range.low); break;
+    case 2: {
+      const Range product = Product(a.range, b.range);
+      range = Integers(kind, product.low, product.high);
+      break;
+    }
+    default: range = BitsRange(kind, a.range, b.range);
+  }
+  if (choice != 1 && context.choices.Chance(30)) std::swap(a, b);
+  return Binary(a, op, b, kind, shape, range);
+}
+
+Expr MakeBoolOperation(Context& context, Shape shape, int depth) {
+  constexpr Operator kOperators[] = {{"<", Level::kRelation},    {">", Level::kRelation},
+                                     {"<=", Level::kRelation},   {">=", Level::kRelation},
+                                     {"==", Level::kEquality},   {"!=", Level::kEquality},
+                                     {"&&", Level::kLogicalAnd}, {"||", Level::kLogicalOr}};
+  const std::size_t choice = context.choices.Pick({2, 2, 2, 2, 2, 2, 2, 2});
+  if (choice >= 6) {
+    const Expr a = MakeExpr(context, Kind::kBool, shape, depth - 1);
+    const Expr b = MakeExpr(context, Kind::kBool, shape, depth - 1);
+    return Binary(a, kOperators[choice], b, Kind::kBool, shape, {0, 1});
+  }
+  const Kind kind = static_cast<Kind>(context.choices.Pick({4, 3, 2, choice < 4 ? 0u : 1u}));
+  const Expr a = MakeExpr(context, kind, shape, depth - 1);
+  const Expr b = MakeOperand(context, kind, shape, depth - 1);
+  return Binary(a, kOperators[choice], b, Kind::kBool, shape, {0, 1});
+}
+
+Expr MakeOperation(Context& context, Kind kind, Shape shape, int depth) {
+  switch (kind) {
+    case Kind::kFloat: return MakeFloatOperation(context, shape, depth);
+    case Kind::kBool: return MakeBoolOperation(context, shape, depth);
+    default: return MakeIntegerOperation(context, kind, shape, depth);
+  }
+}
+
+Expr MakeUnary(Context& context, Kind kind, Shape shape, int depth) {
+  const Expr a = MakeExpr(context, kind, shape, depth - 1);
+  if (kind == Kind::kBool) return {"!" + At(a, Level::kUnary), Level::kUnary, kind, shape, a.range};
+  const bool inverts = IsInteger(kind) && context.choices.Chance(40);
+  const std::string operand = At(a, Level::kUnary);
+  const bool has_sign = operand[0] == '-';
+  const Range negated = Negated(a.range);
+  Range range = negated;
+  if (kind == Kind::kInt) range = Integers(kind, negated.low - 1, negated.high);
+  if (kind == Kind::kUint) range = Wild(kind);
+  return {(inverts ? "~" : "-") + (has_sign ? "(" + operand + ")" : operand), Level::kUnary, kind,
+          shape, range};
+}
+
+Expr MakeConversion(Context& context, Kind kind, Shape shape, int depth) {
+  const Kind from = context.choices.OneOf(kKinds);
+  return Convert(context, MakeExpr(context, from, shape, depth - 1), kind);
+}
+
+// float4(a, b.xy, c)
+Expr MakeConstructor(Context& context, Kind kind, Shape shape, int depth) {
+  if (shape.IsScalar()) return MakeExpr(context, kind, shape, depth - 1);
+  std::string text;
+  Range range;
+  int left = shape.Components();
+  for (bool first = true; left > 0; first = false) {
+    const int size = context.choices.Between(1, std::min(left, 4));
+    const Expr part = MakeExpr(context, kind, {0, size}, depth - 1);
+    range = first ? part.range : Union(range, part.range);
+    text += (first ? "" : ", ") + Argument(part);
+    left -= size;
+  }
+  return {NameOf(kind, shape) + "(" + text + ")", Level::kPostfix, kind, shape, range};
+}
+
+Expr MakeChoice(Context& context, Kind kind, Shape shape, int depth) {
+  const bool by_component = context.model < 60 && !shape.IsScalar() && context.choices.Chance(40);
+  Expr condition = MakeExpr(context, Kind::kBool, by_component ? shape : kScalar, depth - 1);
+  const Temporarily no_effects(context.effects,
+                               context.effects && context.Has(Feature::kEffectsInChoices));
+  const Expr a = MakeExpr(context, kind, shape, depth - 1);
+  const Expr b = MakeExpr(context, kind, shape, depth - 1);
+  return {At(condition, Level::kLogicalOr) + " ? " + At(a, Level::kChoice) + " : " +
+              At(b, Level::kChoice),
+          Level::kChoice, kind, shape, Union(a.range, b.range)};
+}
+
+// (a = b), a++, (f(), a)
+Expr MakeEffect(Context& context, Kind kind, Shape shape, int depth) {
+  const Place place = MakePlace(context, kind, true, depth - 1);
+  if (!place.found) return MakeExpr(context, kind, shape, depth - 1);
+  const std::size_t choice = context.choices.Pick({3, 1, 1});
+  const bool is_wild = IsInteger(kind) && place.range.IsWithin(Wild(kind).low, Wild(kind).high) &&
+                       place.range.high > 1e6;
+  Expr value{place.text, Level::kPostfix, kind, place.shape, place.range};
+  if (choice == 1 && is_wild) {
+    const bool adds = context.choices.Chance(50), before = context.choices.Chance(50);
+    const std::string sign = adds ? "++" : "--";
+    value.text = before ? sign + place.text : place.text + sign;
+    value.level = before ? Level::kUnary : Level::kPostfix;
+    return Reshape(context, value, shape);
+  }
+  const Expr right = MakeIn(context, kind, place.shape, place.range, depth - 1);
+  value.text = place.text + " = " + At(right, Level::kAssignment);
+  value.level = Level::kAssignment;
+  if (choice == 2) {
+    const Expr last = MakeExpr(context, kind, shape, depth - 1);
+    return {value.text + ", " + At(last, Level::kAssignment), Level::kComma, kind, shape,
+            last.range};
+  }
+  return Reshape(context, value, shape);
+}
+
+Expr MakeCalled(Context& context, Kind kind, Shape shape, int depth) {
+  const Type type{kind, shape};
+  if (!HasCall(context, type)) return MakeIntrinsic(context, kind, shape, depth);
+  return {MakeCall(context, type, depth), Level::kPostfix, kind, shape, VariableRange(kind)};
+}
+
+}  // namespace
+
+std::string At(const Expr& expr, Level level) {
+  return expr.level < level ? "(" + expr.text + ")" : expr.text;
+}
+
+std::string NameOf(Kind kind, Shape shape) { return NameOf({}, Type{kind, shape}); }
+
+Expr Literal(Kind kind, double value) {
+  char text[32];
+  switch (kind) {
+    case Kind::kFloat:
+      std::snprintf(text, sizeof text, value == std::floor(value) ? "%.1f" : "%.9g", value);
+      break;
+    case Kind::kInt: std::snprintf(text, sizeof text, "%.0f", value); break;
+    case Kind::kUint: std::snprintf(text, sizeof text, "%.0fu", value); break;
+    case Kind::kBool: std::snprintf(text, sizeof text, value != 0 ? "true" : "false"); break;
+  }
+  int fraction = 0;
+  for (double scaled = value; scaled != std::floor(scaled); scaled *= 2) ++fraction;
+  return {
+      text, value < 0 ? Level::kUnary : Level::kPostfix, kind, kScalar, {value, value, fraction}};
+}
+
+Expr MakeExpr(Context& context, Kind kind, Shape shape, int depth) {
+  const SpanOf span(context.choices);
+  if (context.only_literals) return MakeLiteral(context, kind, shape);
+  if (depth <= 0 || context.choices.IsSpent()) {
+    return context.choices.Pick({1, 2}) == 0 ? MakeLiteral(context, kind, shape)
+                                             : MakeRead(context, kind, shape, 0);
+  }
+  const bool effects = context.effects && context.Has(Feature::kSideEffects);
+  switch (context.choices.Pick({2, 8, 8, 2, 2, 3, 6, 3, 4, effects ? 1u : 0u})) {
+    case 0: return MakeLiteral(context, kind, shape);
+    case 1: return MakeRead(context, kind, shape, depth - 1);
+    case 2: return MakeOperation(context, kind, shape, depth);
+    case 3: return MakeUnary(context, kind, shape, depth);
+    case 4: return MakeConversion(context, kind, shape, depth);
+    case 5: return MakeConstructor(context, kind, shape, depth);
+    case 6: return MakeIntrinsic(context, kind, shape, depth);
+    case 7: return MakeChoice(context, kind, shape, depth);
+    case 8: return MakeCalled(context, kind, shape, depth);
+    default: return MakeEffect(context, kind, shape, depth);
+  }
+}
+
+Expr MakeIn(Context& context, Kind kind, Shape shape, const Range& range, int depth) {
+  return Fit(context, MakeExpr(context, kind, shape, depth), range);
+}
+
+Expr MakeValue(Context& context, Kind kind, Shape shape, int depth) {
+  return MakeIn(context, kind, shape, VariableRange(kind), depth);
+}
+
+Expr MakeIndex(Context& context, int count, int depth) {
+  if (context.choices.Pick({2, 1}) == 0 || context.constant_indices)
+    return Literal(Kind::kInt, context.choices.Below(static_cast<std::uint32_t>(count)));
+  const Kind kind = context.choices.Chance(40) ? Kind::kUint : Kind::kInt;
+  return MakeIn(context, kind, kScalar, {0, static_cast<double>(count - 1)}, depth);
+}
+
+}  // namespace clipc::random

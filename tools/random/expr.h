@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <string>
+
+#include "tools/random/context.h"
+
+// Expressions of generated programs.
+namespace clipc::random {
+
+// How strongly an expression holds together, as in C.
+enum class Level : std::uint8_t {
+  kComma,
+  kAssignment,
+  kChoice,
+  kLogicalOr,
+  kLogicalAnd,
+  kOr,
+  kXor,
+  kAnd,
+  kEquality,
+  kRelation,
+  kShift,
+  kSum,
+  kProduct,
+  kUnary,
+  kPostfix
+};
+
+struct Expr {
+  std::string text;
+  Level level = Level::kPostfix;
+  Kind kind = Kind::kFloat;
+  Shape shape;
+  Range range;
+};
+
+// The text, in parentheses where something binds as strongly as `level`.
+std::string At(const Expr& expr, Level level);
+inline std::string Argument(const Expr& expr) { return At(expr, Level::kAssignment); }
+
+// `value` as a literal of that kind: "-0.25", "3u", "true".
+Expr Literal(Kind kind, double value);
+std::string NameOf(Kind kind, Shape shape);
+
+// An expression of that type, of at most so many levels. Floats are exact (range.h).
+Expr MakeExpr(Context& context, Kind kind, Shape shape, int depth);
+// The same, with values in `range`.
+Expr MakeIn(Context& context, Kind kind, Shape shape, const Range& range, int depth);
+// The same, in the range of variables.
+Expr MakeValue(Context& context, Kind kind, Shape shape, int depth);
+// An int or uint in [0, count).
+Expr MakeIndex(Context& context, int count, int depth);
+
+// The value, changed where it has to be to lie in `range`.
+Expr Fit(Context& context, Expr value, const Range& range);
+// The same value as another type: a swizzle, a constructor or a cast.
+Expr Reshape(Context& context, Expr value, Shape shape);
+Expr Convert(Context& context, Expr value, Kind kind);
+
+// intrinsic.cpp: a call of a function of HLSL whose result is exact.
+Expr MakeIntrinsic(Context& context, Kind kind, Shape shape, int depth);
+// soft.cpp: a float expression with functions that round.
+std::string MakeSoft(Context& context, int columns, int depth);
+// call.cpp: a call of a function of the program that returns that type, or nothing.
+bool HasCall(const Context& context, const Type& result);
+std::string MakeCall(Context& context, const Type& result, int depth);
+std::string MakeVoidCall(Context& context, int depth);
+
+// place.cpp: a variable or a part of one.
+struct Place {
+  std::string text;
+  Kind kind = Kind::kFloat;
+  Shape shape;
+  Range range;
+  bool found = false;
+};
+// Of that kind, in any shape.
+Place MakePlace(Context& context, Kind kind, bool writes, int depth);
+// Of exactly that type; not found where no variable has it.
+Place MakePlaceOf(Context& context, const Type& type, bool writes);
+
+}  // namespace clipc::random

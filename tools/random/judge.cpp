@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "tools/random/judge.h"
+
+#include <algorithm>
+#include <cctype>
+#include <exception>
+#include <fstream>
+#include <iterator>
+
+#include "backend-glsl/target.h"
+#include "compiler/validate.h"
+#include "tools/draw/build.h"
+#include "tools/draw/compare.h"
+#include "tools/draw/draw_call.h"
+#include "tools/draw/opengl/compare.h"
+#include "tools/draw/peer/compare.h"
+#include "tools/draw/vulkan/compare.h"
+#include "tools/draw/vulkan/glslang.h"
+#include "tools/random/check_layout.h"
+
+namespace clipc::random {
+namespace {
+
+using draw::BuildOptions;
+using draw::Comparison;
+using draw::Shader;
+
+// Ends the judgement with a verdict.
+struct Found {
+  Verdict verdict;
+};
+
+[[noreturn]] void Report(Fault fault, const std::string& target, const std::string& what) {
+  throw Found{{fault, target, what}};
+}
+
+BuildOptions OptionsOf(const Program& program, const std::string& path) {
+  BuildOptions build;
+  build.path = path;
+  build.profile = program.profile;
+  if (program.row_major) build.packing = MatrixPacking::kRowMajor;
+  build.lowering = draw::Known(ParseLowering(program.lowering), "lowering", program.lowering);
+  build.plane_space =
+      draw::Known(ParsePlaneSpace(program.plane_space), "plane space", program.plane_space);
+  build.position_input = program.position_input;
+  build.clip_space = {program.negative_one_to_one, program.flip_y};
+  return build;
+}
+
+draw::Tolerance ToleranceOf(const Program& program) {
+  draw::Tolerance tolerance;
+  tolerance.ulps = program.is_soft ? kSoftUlps : -1;
+  return tolerance;
+}
+
+std::string Words(const Comparison& comparison) {
+  std::string text;
+  for (const std::string& mistake : comparison.mistakes) text += mistake + "\n";
+  return text;
+}
+
+// OpenGL ES of glslang 12 and of Mesa 22.3 does not have clip distances in a vertex shader as clipc
+// writes them: docs/peers.md.
+// Nor does it know the variable of GL_ARB_draw_instanced in GLSL 1.20.
+bool IsKnown(const std::string& target, const std::string& problem) {
+  if (problem.find("gl_InstanceIDARB") != std::string::npos) return true;
+  return target.starts_with("essl") && (problem.find("gl_ClipDistance") != std::string::npos ||
+                                        problem.find("gl_CullDistance") != std::string::npos ||
+                                        problem.find("gl_PerVertex") != std::string::npos ||
+                                        problem.find("clip_cull_distance") != std::string::npos);
+}
+
+}  // namespace
+
+std::string_view NameOf(Fault fault) {
+  constexpr std::string_view kNames[] = {"none",  "refused", "layout", "undefined", "invalid",
+                                         "wrong", "driver",  "peer",   "crash",     "hang"};
+  return kNames[static_cast<std::size_t>(fault)];
+}
+
+std::string Verdict::Key() const {
+  std::string key(NameOf(fault));
+  if (fault == Fault::kWrong || fault == Fault::kPeer || fault == Fault::kHang) return key;
+  // The words of the message, without the names and numbers of the program.
+  key += ": ";
+  bool quoted = false;
+  const std::size_t error = what.find("error: ");
+  const std::size_t begin = error == std::string::npos ? 0 : error + std::size("error: ") - 1;
+  for (const char letter : what.substr(begin, what.find('\n', begin) - begin)) {
+    if (letter == '`' || letter == '\'') quoted = !quoted;
+    if (!quoted && (std::isalpha(static_cast<unsigned char>(letter)) || letter == ' '))
+      key += letter;
+  }
+  return key.substr(0, 90);
+}
+
+struct Judge::State {
+  explicit State(JudgeOptions options_in) : options(std::move(options_in)) {}
+
+  void Step(const std::string& name) const {
+    if (options.before_step) options.before_step(name);
+  }
+
+  bool Looks(Fault fault, const std::string& target) const {
+    return !only || (only->fault == fault && (only->target == target || only->target.empty())) ||
+           only->fault == Fault::kCrash || only->fault == Fault::kHang;
+  }
+
+  void Run(const Program& program);
+  void CheckTarget(const draw::CheckedShader& checked, const std::string& target);
+  void Draw(const Program& program, const draw::CheckedShader& checked, const std::string& target);
+  void DrawSomeOpenGl(const Program& program, const draw::CheckedShader& checked);
+  void AskPeer(const Program& program);
+  Comparison Compare(const Shader& shader, const std::string& target,
+                     const std::vector<draw::Expected>& expected, const draw::RandomInputs& inputs,
+                     const draw::RandomOptions& random, const draw::Tolerance& tolerance);
+
+  JudgeOptions options;
+  std::optional<Verdict> only;
+  bool peer_took_it = false;
+  std::string path;
+  std::optional<harness::OpenGl> opengl;
+  std::optional<draw::vulkan::Runner> vulkan;
+};
+
+void Judge::State::Run(const Program& program) {
+  path = options.scratch + "/program.hlsl";
+  std::ofstream(path) << program.text;
+  const BuildOptions build = OptionsOf(program, path);
+  Step("check");
+  std::optional<draw::CheckedShader> checked;
+  try {
+    checked.emplace(build);
+  } catch (const draw::DrawError& error) {
+    const std::string what = error.what();
+    Report(Fault::kRefused, "", what.substr(what.find('\n') + 1));
+  }
+  if (Looks(Fault::kLayout, "")) {
+    Step("layout");
+    const std::string problem = LayoutProblem(program, checked->typed());
+    if (!problem.empty()) Report(Fault::kLayout, "", problem);
+  }
+  for (const std::string_view name : glsl::Target::Names()) {
+    const std::string target(name);
+    if (Looks(Fault::kInvalid, target)) CheckTarget(*checked, target);
+  }
+  if (!options.draws) return;
+  if (only && !only->target.empty()) return Draw(program, *checked, only->target);
+  Draw(program, *checked, "vulkan");
+  DrawSomeOpenGl(program, *checked);
+  if (options.asks_peer) AskPeer(program);
+}
+
+void Judge::State::CheckTarget(const draw::CheckedShader& checked, const std::string& target) {
+  Step("compile for " + target);
+  try {
+    const Shader shader = checked.BuildFor(target);
+    Step("validate " + target);
+    const std::vector<std::string> problems =
+        Validate(shader.glsl, *glsl::Target::Parse(target), ShaderStage::kVertex);
+    if (!problems.empty() && !IsKnown(target, problems[0]))
+      Report(Fault::kInvalid, target, problems[0] + "\n" + shader.glsl);
+  } catch (const draw::NotForTarget&) {
+  }
+}
+
+void Judge::State::DrawSomeOpenGl(const Program& program, const draw::CheckedShader& checked) {
+  const auto names = glsl::Target::Names();
+  const std::size_t count = names.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string target(names[(program.target + i) % count]);
+    if (target == "vulkan") continue;
+    try {
+      return Draw(program, checked, target);
+    } catch (const draw::NotForTarget&) {
+    }
+  }
+}
+
+void Judge::State::Draw(const Program& program, const draw::CheckedShader& checked,
+                        const std::string& target) {
+  const Shader shader = checked.BuildFor(target);
+  draw::RandomOptions random;
+  random.seed = program.inputs;
+  random.vertices = program.vertices;
+  random.quarters = true;
+  draw::ChooseDraw(shader, random);
+  const draw::Tolerance tolerance = ToleranceOf(program);
+  Step("evaluate for " + target);
+  const draw::RandomInputs inputs = draw::MakeRandomInputs(shader.typed, random);
+  std::vector<draw::Expected> expected;
+  try {
+    expected = draw::MakeExpected(shader, OptionsOf(program, path), inputs);
+  } catch (const draw::DrawError& error) {
+    Report(Fault::kRefused, target, error.what());
+  }
+  for (const draw::Expected& output : expected) {
+    if (std::ranges::find(output.open, true) != output.open.end())
+      Report(Fault::kUndefined, target, "`" + output.name + "` has an undefined value");
+  }
+  Step("draw " + target);
+  try {
+    const Comparison found = Compare(shader, target, expected, inputs, random, tolerance);
+    if (found.wrong > 0) Report(Fault::kWrong, target, Words(found) + shader.glsl);
+  } catch (const draw::DrawError& error) {
+    Report(Fault::kDriver, target, error.what());
+  }
+}
+
+Comparison Judge::State::Compare(const Shader& shader, const std::string& target,
+                                 const std::vector<draw::Expected>& expected,
+                                 const draw::RandomInputs& inputs,
+                                 const draw::RandomOptions& random,
+                                 const draw::Tolerance& tolerance) {
+  if (target == "vulkan") {
+    if (!vulkan) vulkan.emplace();
+    return draw::vulkan::CompareWithVulkan(*vulkan, shader, expected, inputs, random, tolerance);
+  }
+  if (!opengl) opengl.emplace();
+  return draw::CompareWithOpenGl(*opengl, shader, expected, inputs, random, tolerance);
+}
+
+void Judge::State::AskPeer(const Program& program) {
+  Step("peer");
+  BuildOptions build = OptionsOf(program, path);
+  build.target = "vulkan";
+  build.lowering = Lowering::kNone;
+  build.plane_space = PlaneSpace::kClip;
+  build.clip_space = {};
+  draw::RandomOptions random;
+  random.seed = program.inputs;
+  random.vertices = program.vertices;
+  random.quarters = true;
+  const draw::Tolerance tolerance = ToleranceOf(program);
+  try {
+    const Shader shader = draw::Build(build);
+    draw::ChooseInstances(shader, random);
+    if (!vulkan) vulkan.emplace();
+    const draw::peer::PeerComparison found =
+        draw::peer::CompareWithGlslang(*vulkan, shader, build, random, tolerance);
+    peer_took_it = true;
+    if (found.values.wrong > 0) Report(Fault::kPeer, "vulkan", Words(found.values));
+  } catch (const draw::DrawError&) {
+    // The peer does not read the program, or what it makes of it cannot be run.
+  }
+}
+
+Judge::Judge(JudgeOptions options) : state_(std::make_unique<State>(std::move(options))) {}
+Judge::~Judge() = default;
+
+Verdict Judge::operator()(const Program& program, const std::optional<Verdict>& only) {
+  state_->only = only;
+  state_->peer_took_it = false;
+  Verdict verdict;
+  try {
+    state_->Run(program);
+  } catch (Found& found) {
+    verdict = std::move(found.verdict);
+  } catch (const draw::NotForTarget&) {
+  } catch (const std::exception& error) {
+    verdict = {Fault::kDriver, "", error.what()};
+  }
+  verdict.peer_took_it = state_->peer_took_it;
+  return verdict;
+}
+
+}  // namespace clipc::random

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "tools/random/program.h"
+
+#include "tools/random/interface.h"
+#include "tools/random/layout.h"
+
+namespace clipc::random {
+namespace {
+
+// Things of one kind, one after another.
+template <typename Make>
+std::string Some(Context& context, int most, Make&& make) {
+  std::string text;
+  Repeat(context.choices, most, 65, [&](int) { text += make(context); });
+  return text;
+}
+
+void ChooseSettings(Context& context, Program& program) {
+  struct Model {
+    const char* profile;
+    int number;
+  };
+  constexpr Model kModels[] = {{"vs_5_0", 50}, {"vs_5_0", 50}, {"vs_4_0", 40}, {"vs_4_1", 41},
+                               {"vs_5_1", 51}, {"vs_6_0", 60}, {"vs_6_6", 66}};
+  const Model& model = context.choices.OneOf(kModels);
+  program.profile = model.profile;
+  context.model = model.number;
+  program.row_major = context.choices.Chance(20);
+  program.negative_one_to_one = context.choices.Chance(30);
+  program.flip_y = context.choices.Chance(20);
+  constexpr const char* kLowerings[] = {"clip-distance", "clip-distance", "clip-distance", "none"};
+  program.lowering = context.choices.OneOf(kLowerings);
+  constexpr const char* kSpaces[] = {"clip", "clip", "clip", "xyw1", "object"};
+  program.plane_space = context.choices.OneOf(kSpaces);
+  if (program.lowering == "none") program.plane_space = "clip";
+  program.inputs = context.choices.Below(1000);
+  program.target = context.choices.Below(60);
+  program.is_soft = context.Has(Feature::kSoftMath) && context.choices.Chance(33);
+}
+
+std::string MakeEntry(Context& context, Program& program) {
+  const bool distances = context.Has(Feature::kDistances) && context.choices.Chance(10);
+  const std::string planes =
+      context.Has(Feature::kPlanes) && context.choices.Chance(50)
+          ? MakePlanes(context, program.buffers, program.lowering != "none", distances ? 4 : 6)
+          : "";
+  const ScopeOf scope(context);
+  const EntryInputs inputs = MakeInputs(context, program.plane_space == "object");
+  const Kind f = Kind::kFloat;
+  const auto position = [&](int depth) {
+    context.EndExpression();
+    return "  result.position = " + Argument(MakeIn(context, f, {0, 4}, {-64, 64, 2}, depth)) +
+           ";\n";
+  };
+  std::string body = position(1);
+  body += MakeStatements(context, 10, 2, 3);
+  body += position(2);
+  EntryOutputs outputs = MakeOutputs(context, program.is_soft);
+  if (distances) {
+    const bool culls = !planes.empty() || context.choices.Chance(30);
+    context.EndExpression();
+    outputs.fields += std::string("  float2 distances : ") +
+                      (culls ? "SV_CullDistance0" : "SV_ClipDistance0") + ";\n";
+    outputs.statements +=
+        "  result.distances = " + Argument(MakeIn(context, f, {0, 2}, {-64, 64, 2}, 2)) + ";\n";
+  }
+  return inputs.structs + "struct Outputs {\n  float4 position : SV_Position;\n" + outputs.fields +
+         "};\n" + planes + "Outputs main(" + inputs.parameters +
+         ") {\n  Outputs result = (Outputs)0;\n" + body + outputs.statements +
+         "  return result;\n}\n";
+}
+
+}  // namespace
+
+std::string Program::Options() const {
+  std::string text = "-T " + profile + " --lower " + lowering;
+  if (plane_space != "clip") text += " --plane-space " + plane_space;
+  if (row_major) text += " --row-major";
+  text += " --seed " + std::to_string(inputs) + " --random " + std::to_string(vertices);
+  return text + " --quarters " + (is_soft ? "--ulps " + std::to_string(kSoftUlps) : "--exact");
+}
+
+Program MakeProgram(Choices& choices, const Features& features) {
+  Context context(choices, features);
+  context.scopes.emplace_back();
+  Program program;
+  ChooseSettings(context, program);
+  if (features.Has(Feature::kStructs)) program.text += Some(context, 3, MakeStruct);
+  program.text += MakeConstants(context, program.row_major, program.buffers);
+  {
+    const Temporarily no_effects(context.effects, false);
+    program.text += Some(context, 3, MakeStatic);
+  }
+  if (features.Has(Feature::kFunctions)) program.text += Some(context, 4, MakeFunction);
+  context.cost = 0;
+  program.text += MakeEntry(context, program);
+  program.structs = context.structs;
+  WithMajors(program.structs, program.row_major);
+  return program;
+}
+
+}  // namespace clipc::random

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+
+#include "tools/random/type.h"
+
+// What values an expression may have. Generated programs keep every float a multiple of 2^-fraction
+// with at most 24 bits between that and its greatest value: then every sum and product is exact, in
+// any order and with fused operations too, and so a comparison never hinges on rounding.
+namespace clipc::random {
+
+// The components lie in [low, high] and are multiples of 2^-fraction.
+struct Range {
+  double low = 0, high = 0;
+  int fraction = 0;
+
+  double Largest() const { return low < -high ? -low : high < 0 ? -high : high; }
+  bool IsWithin(double least, double greatest) const { return least <= low && high <= greatest; }
+  bool HasZero() const { return low <= 0 && high >= 0; }
+};
+
+// Floats of which products of a few are exact.
+inline constexpr Range kSmallFloats{-16, 16, 2};
+
+// All values of an int or a uint.
+Range Wild(Kind kind);
+// Integers in [low, high], or Wild(kind) where they would wrap around.
+Range Integers(Kind kind, double low, double high);
+
+// Whether floats of that range and the results of adding two of them are exact.
+bool IsExact(const Range& range);
+
+Range Union(const Range& a, const Range& b);
+Range Negated(const Range& a);
+Range Sum(const Range& a, const Range& b);
+Range Product(const Range& a, const Range& b);
+Range Times(const Range& a, int count);  // of a sum of that many
+Range Absolute(const Range& a);
+Range Least(const Range& a, const Range& b);     // min
+Range Greatest(const Range& a, const Range& b);  // max
+Range RoundedDown(const Range& a);               // floor, trunc, ceil, round: within one of a
+
+// Of a value converted from one kind to another. Requires CanConvert.
+Range Converted(const Range& range, Kind from, Kind to);
+// Whether that is defined and exact.
+bool CanConvert(const Range& range, Kind from, Kind to);
+
+// What variables, inputs and constants of a kind hold.
+Range VariableRange(Kind kind);
+Range InputRange(Kind kind);
+
+}  // namespace clipc::random

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "tools/random/choices.h"
+
+namespace clipc::random {
+
+// What a list of choices makes: the choices that were really drawn, and their spans.
+struct Made {
+  std::vector<std::uint32_t> drawn;
+  std::vector<Span> spans;
+};
+
+struct Reduction {
+  std::function<Made(const std::vector<std::uint32_t>&)> make;
+  // Whether the program of these choices still shows the fault.
+  std::function<bool(const std::vector<std::uint32_t>&)> fails;
+  int most_tries = 1500;
+};
+
+// A list for which `fails` holds, shorter than `list` where a shorter one was found, and otherwise
+// of smaller numbers. Spans are cut out, replaced by spans in them, or made of zeros; then runs of
+// numbers; then single numbers become smaller. This is delta debugging on what was drawn: each list
+// is a program without errors.
+std::vector<std::uint32_t> Reduce(const std::vector<std::uint32_t>& list,
+                                  const Reduction& reduction);
+
+}  // namespace clipc::random

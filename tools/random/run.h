@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "tools/random/features.h"
+
+namespace clipc::random {
+
+struct RunOptions {
+  std::uint64_t seed = 1;   // of the first program; the next has the next
+  std::uint64_t count = 0;  // programs; 0: no limit
+  double seconds = 0;       // 0: no limit
+  std::string out = "random-failures";
+  std::string repeat;         // a choices.txt, instead of new programs
+  std::string feature_flags;  // as given, to repeat them
+  Features features;
+  bool draws = true, asks_peer = true, reduces = true, prints = false, stops = false;
+  bool reduces_peers = false;  // differences from the peer too
+};
+
+// Generates programs, judges each, reduces and writes those that fail, and prints a summary.
+// Returns the exit code: 0 where none fails; differences from the peer alone are not failures.
+int RunPrograms(const RunOptions& options);
+
+}  // namespace clipc::random

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "tools/random/statement.h"
+
+#include <algorithm>
+
+namespace clipc::random {
+namespace {
+
+constexpr int kMostTurns = 64;
+constexpr int kDepth = 3;  // of expressions
+
+bool IsWild(const Place& place) { return IsInteger(place.kind) && place.range.high > 1e6; }
+
+std::string Line(int indent, const std::string& text) { return Indent(indent) + text + ";\n"; }
+
+// Components of another kind or shape than the place has: they are converted without a cast.
+Expr MakeConvertible(Context& context, const Place& place) {
+  if (!context.choices.Chance(20)) {
+    return MakeIn(context, place.kind, place.shape, place.range, kDepth);
+  }
+  const Kind kind = context.choices.OneOf(kKinds);
+  Shape shape = place.shape;
+  if (context.choices.Chance(30)) {
+    shape = kScalar;
+  } else if (!shape.IsMatrix() && context.choices.Chance(30)) {
+    shape.columns = context.choices.Between(shape.columns, 4);
+  }
+  Range range =
+      IsWild(place) || place.kind == Kind::kBool ? VariableRange(Kind::kUint) : place.range;
+  if (kind == Kind::kUint) range.low = 0;
+  return MakeIn(context, kind, shape, range, kDepth);
+}
+
+std::string MakeAssignment(Context& context, int indent) {
+  const Kind kind = context.choices.OneOf(kKinds);
+  const Place place = MakePlace(context, kind, true, 2);
+  if (!place.found) return {};
+  return Line(indent, place.text + " = " + Argument(MakeConvertible(context, place)));
+}
+
+// `p op= value`, and then p is put back into its range.
+std::string MakeCompound(Context& context, int indent) {
+  const Kind kind = static_cast<Kind>(context.choices.Pick({4, 3, 2}));
+  const Place place = [&] {
+    const Temporarily constant(context.constant_indices, !context.Has(Feature::kComputedSwizzles) ||
+                                                             !context.Has(Feature::kWildInts) ||
+                                                             kind == Kind::kFloat);
+    return MakePlace(context, kind, true, 2);
+  }();
+  if (!place.found) return {};
+  const Shape shape = context.choices.Chance(25) ? kScalar : place.shape;
+  const auto fit = [&](const Range& range) {
+    if (IsWild(place)) return std::string();
+    Expr now{place.text, Level::kPostfix, kind, place.shape, range};
+    now = Fit(context, now, place.range);
+    return now.text == place.text ? std::string()
+                                  : Line(indent, place.text + " = " + Argument(now));
+  };
+  if (kind == Kind::kFloat) {
+    constexpr const char* kOperators[] = {" += ", " -= ", " *= ", " /= "};
+    const std::size_t choice = context.choices.Pick({3, 2, 3, 1});
+    Expr value = MakeIn(context, kind, shape, {-16, 16, 2}, kDepth);
+    if (choice == 3) value = Literal(kind, context.choices.Chance(50) ? 4 : 0.5);
+    Range range = Sum(place.range, value.range);
+    if (choice == 1) range = Sum(place.range, Negated(value.range));
+    if (choice >= 2) range = Product(place.range, {-16, 16, 2});
+    return Line(indent, place.text + kOperators[choice] + Argument(value)) + fit(range);
+  }
+  constexpr const char* kOperators[] = {
+      " += ", " -= ", " *= ", " &= ", " |= ", " ^= ", " /= ", " %= ", " <<= ", " >>= "};
+  const std::size_t choice = context.choices.Pick({3, 2, 2, 2, 2, 2, 1, 1, 1, 1});
+  const bool divides = choice == 6 || choice == 7;
+  Expr value = divides ? MakeIn(context, kind, shape, {0, 7}, kDepth)
+                       : MakeExpr(context, kind, shape, kDepth);
+  if (divides) {
+    value.text = At(value, Level::kSum) + " + " + Literal(kind, 2).text;
+    value.level = Level::kSum;
+  }
+  return Line(indent, place.text + kOperators[choice] + Argument(value)) + fit(Wild(kind));
+}
+
+std::string MakeIncrement(Context& context, int indent) {
+  const Kind kind = context.choices.Chance(50) ? Kind::kInt : Kind::kUint;
+  const Place place = MakePlace(context, kind, true, 1);
+  if (!place.found || !IsWild(place)) return MakeAssignment(context, indent);
+  const char* sign = context.choices.Chance(50) ? "++" : "--";
+  return Line(indent, context.choices.Chance(50) ? sign + place.text : place.text + sign);
+}
+
+std::string MakeDeclaration(Context& context, int indent) {
+  const Type type = MakeType(context);
+  const bool is_const = context.choices.Chance(10);
+  const bool is_wild = type.structure < 0 && IsInteger(type.kind) &&
+                       context.Has(Feature::kWildInts) && context.choices.Chance(50);
+  const std::string value = MakeInitial(context, type, kDepth);
+  // Names that hide others do so from their own declaration on.
+  std::string name = context.FreshName("v");
+  if (context.Has(Feature::kOddNames) && context.scopes.size() > 2 && context.choices.Chance(15)) {
+    const auto& outer = context.scopes[context.scopes.size() - 2];
+    const auto& here = context.scopes.back();
+    if (!outer.empty()) {
+      const Variable& hidden = context.choices.OneOf(outer);
+      if (hidden.holds != Holds::kCounter && value.find(hidden.name) == std::string::npos &&
+          std::ranges::find(here, hidden.name, &Variable::name) == here.end())
+        name = hidden.name;
+    }
+  }
+  context.Add({name, type, !is_const, is_wild ? Holds::kWild : Holds::kVariable});
+  return Line(indent, (is_const ? "const " : "") + Declaration(context.structs, type, name) +
+                          " = " + value);
+}
+
+std::string MakeBlock(Context& context, int most, int indent, int depth) {
+  const ScopeOf scope(context);
+  return "{\n" + MakeStatements(context, most, indent + 2, depth) + Indent(indent) + "}";
+}
+
+std::string MakeBody(Context& context, int indent, int depth) {
+  return MakeBlock(context, 3, indent, depth - 1);
+}
+
+std::string Condition(Context& context, int depth = kDepth) {
+  return MakeExpr(context, Kind::kBool, kScalar, depth).text;
+}
+
+std::string MakeIf(Context& context, int indent, int depth) {
+  constexpr const char* kAttributes[] = {"", "", "[branch] ", "[flatten] "};
+  std::string text = Indent(indent) + context.choices.OneOf(kAttributes) + "if (" +
+                     Condition(context) + ") " + MakeBody(context, indent, depth);
+  if (context.choices.Chance(40)) text += " else " + MakeBody(context, indent, depth);
+  return text + "\n";
+}
+
+std::string MakeFor(Context& context, int indent, int depth) {
+  const int turns = context.choices.Between(1, 4);
+  constexpr const char* kAttributes[] = {"", "", "[unroll] ", "[loop] "};
+  const std::string attribute = context.choices.OneOf(kAttributes);
+  const Kind kind = context.choices.Chance(30) ? Kind::kUint : Kind::kInt;
+  const ScopeOf scope(context);
+  const std::string name = "i" + std::to_string(context.names++);
+  std::string head = NameOf(kind) + " " + name;
+  const std::string most = Literal(kind, turns).text;
+  switch (context.choices.Pick({3, 1, 1})) {
+    case 0: head += " = 0; " + name + " < " + most + "; ++" + name; break;
+    case 1: head += " = " + most + "; " + name + "-- > 0; "; break;
+    default: {
+      const Temporarily no_effects(context.effects, false);
+      const Expr bound = MakeIn(context, kind, kScalar, {0, static_cast<double>(turns)}, 2);
+      head += " = 0; " + name + " < " + At(bound, Level::kShift) + "; " + name + "++";
+    }
+  }
+  Variable counter{name, {kind, kScalar}, false, Holds::kCounter};
+  counter.greatest = turns - 1;
+  context.Add(counter);
+  const Temporarily inner(context.loops, context.loops + 1);
+  const Temporarily turned(context.turns, context.turns * turns);
+  return Indent(indent) + attribute + "for (" + head + ") " + MakeBody(context, indent, depth) +
+         "\n";
+}
+
+std::string MakeWhile(Context& context, int indent, int depth) {
+  const int turns = context.choices.Between(1, 3);
+  const ScopeOf scope(context);
+  const std::string name = "w" + std::to_string(context.names++);
+  const std::string declared = Line(indent, "int " + name + " = " + std::to_string(turns));
+  const bool is_do = context.choices.Chance(40);
+  std::string condition = is_do ? "--" + name + " > 0" : name + "-- > 0";
+  if (context.choices.Chance(50)) {
+    const Temporarily no_effects(context.effects, false);
+    condition += " && " + At(MakeExpr(context, Kind::kBool, kScalar, 2), Level::kEquality);
+  }
+  const Temporarily inner(context.loops, context.loops + 1);
+  const Temporarily turned(context.turns, context.turns * turns);
+  const std::string body = MakeBody(context, indent, depth);
+  if (is_do) return declared + Indent(indent) + "do " + body + " while (" + condition + ");\n";
+  return declared + Indent(indent) + "while (" + condition + ") " + body + "\n";
+}
+
+std::string MakeSwitch(Context& context, int indent, int depth) {
+  const Kind kind = context.choices.Chance(30) ? Kind::kUint : Kind::kInt;
+  const Expr selector = MakeIn(context, kind, kScalar, {0, 5}, kDepth);
+  std::string text = Indent(indent) + "switch (" + selector.text + ") {\n";
+  const int cases = context.choices.Between(1, 3);
+  const int with_default = context.choices.Between(0, cases);
+  int value = 0;
+  for (int i = 0; i < cases; ++i) {
+    for (int labels = context.choices.Between(1, 2); labels > 0; --labels)
+      text += Indent(indent + 2) + "case " + Literal(kind, value++).text + ":\n";
+    if (i == with_default) text += Indent(indent + 2) + "default:\n";
+    text += Indent(indent + 4) + MakeBody(context, indent + 4, depth) + "\n" +
+            Line(indent + 4, "break");
+  }
+  return text + Indent(indent) + "}\n";
+}
+
+std::string MakeJump(Context& context, int indent) {
+  std::string jump;
+  if (context.loops > 0 && context.choices.Chance(60)) {
+    jump = context.choices.Chance(50) ? "break" : "continue";
+  } else if (!context.function || context.function->is_void) {
+    jump = context.function ? "return" : "return result";
+  } else {
+    const Type& type = context.function->result;
+    jump = "return " + (type.IsNumeric() ? MakeValue(context, type.kind, type.shape, kDepth).text
+                                         : "(" + NameOf(context.structs, type) + ")0");
+  }
+  return Indent(indent) + "if (" + Condition(context) + ") " + jump + ";\n";
+}
+
+std::string MakeCopy(Context& context, int indent) {
+  std::vector<Type> types;
+  for (const Variable* variable : context.Visible()) {
+    if (!variable->type.IsNumeric() && variable->writable) types.push_back(variable->type);
+  }
+  if (types.empty()) return MakeAssignment(context, indent);
+  const Type type = context.choices.OneOf(types);
+  const Place to = MakePlaceOf(context, type, true);
+  if (!to.found) return MakeAssignment(context, indent);
+  if (type.IsStruct() && HasCall(context, type) && context.choices.Chance(50))
+    return Line(indent, to.text + " = " + MakeCall(context, type, kDepth));
+  context.EndExpression();
+  const Place from = MakePlaceOf(context, type, false);
+  return Line(indent, to.text + " = " + from.text);
+}
+
+// modf(x, p), the only function that writes an argument and does not round.
+std::string MakeWriting(Context& context, int indent) {
+  const Shape shape{0, context.choices.Between(1, 4)};
+  const Place to = MakePlaceOf(context, {Kind::kFloat, shape}, true);
+  const Place rest = MakePlaceOf(context, {Kind::kFloat, shape}, true);
+  if (!to.found || !rest.found || to.text == rest.text) return MakeCompound(context, indent);
+  const Expr value = MakeValue(context, Kind::kFloat, shape, kDepth);
+  return Line(indent, to.text + " = modf(" + Argument(value) + ", " + rest.text + ")");
+}
+
+std::string MakeStatement(Context& context, int indent, int depth) {
+  const SpanOf span(context.choices);
+  context.EndExpression();
+  context.cost += context.turns;
+  const bool nests = depth > 0 && context.cost < kMostCost / 2;
+  const bool loops = nests && context.Has(Feature::kLoops) && context.turns * 4 <= kMostTurns;
+  const std::uint32_t nest = nests ? 2 : 0, loop = loops ? 2 : 0;
+  const bool may_jump = nests && context.scopes.size() > 2;
+  switch (context.choices.Pick(
+      {6, 6, 4, nest, loop, loop / 2, nest / 2, 2, may_jump ? 1u : 0u, nest / 2, 1, 1, 1})) {
+    case 0: return MakeAssignment(context, indent);
+    case 1: return MakeDeclaration(context, indent);
+    case 2: return MakeCompound(context, indent);
+    case 3: return MakeIf(context, indent, depth);
+    case 4: return MakeFor(context, indent, depth);
+    case 5: return MakeWhile(context, indent, depth);
+    case 6: return MakeSwitch(context, indent, depth);
+    case 7: {
+      const std::string call = MakeVoidCall(context, kDepth);
+      return call.empty() ? MakeAssignment(context, indent) : Line(indent, call);
+    }
+    case 8: return MakeJump(context, indent);
+    case 9: return Indent(indent) + MakeBody(context, indent, depth) + "\n";
+    case 10: return MakeIncrement(context, indent);
+    case 11: return MakeCopy(context, indent);
+    default: return MakeWriting(context, indent);
+  }
+}
+
+}  // namespace
+
+std::string Indent(int indent) { return std::string(static_cast<std::size_t>(indent), ' '); }
+
+std::string MakeStatements(Context& context, int most, int indent, int depth) {
+  std::string text;
+  Repeat(context.choices, most, 80, [&](int) { text += MakeStatement(context, indent, depth); });
+  return text;
+}
+
+}  // namespace clipc::random
