@@ -17,8 +17,8 @@ study_packages=(chromium)
 # no entry `d3d9.*`.
 ci_packages=(clang-tidy-19 g++-mingw-w64-x86-64-win32 wine64 libwine xvfb libgl1 libglx-mesa0)
 
-# What packaging/test_packages.sh takes, and what examples/builds are built with.
-package_packages=(debootstrap lintian dpkg-dev man-db bash-completion pkg-config make meson bazel-bootstrap)
+# What packaging/test_packages.sh takes, what examples/builds are built with, and what reads the headers' comments.
+package_packages=(doxygen debootstrap lintian dpkg-dev man-db bash-completion pkg-config make meson bazel-bootstrap)
 
 # What building clipc for WebAssembly takes, `./run page` and `./test --web` install it. node 20 or newer is installed by nobody:
 # Debian 12 has an older one.
