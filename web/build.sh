@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+# Builds what runs in a browser and in node: build/web/clipc-VERSION.tgz, with the module that build/wasm makes.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+. cmake/setup.sh
+
+node=$(node --version 2>/dev/null | sed 's/^v\([0-9]*\).*/\1/')
+if [ "${node:-0}" -lt 20 ] || ! command -v npm >/dev/null; then
+  echo "web/build.sh: node 20 or newer and npm are needed" >&2
+  exit 1
+fi
+install_packages "${build_packages[@]}" "${web_packages[@]}"
+web/wasm/fetch_sources.sh
+mkdir -p build/web
+touch build/web/starts # what is written from here on is newer than what is made
+[ -f build/wasm/build.ninja ] || quietly cmake --preset wasm -DCMAKE_UNITY_BUILD_BATCH_SIZE=6
+build_preset wasm --target clipc_module -- --quiet >&2
+
+package=build/web/package
+mkdir -p "$package"
+cp web/npm/* LICENSE build/wasm/bin/clipc.wasm "$package"
+(cd "$package" && quietly npm pack --pack-destination ..)
+mv build/web/starts build/web/made

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// The compiler over an instance of clipc.wasm; web/module/module.cpp is the other side.
+import { emptySystem } from './system.js';
+
+const STATUS = ['compiled', 'errors', 'bad-request', 'no-memory', 'cancelled'];
+const PART = {
+  messages: 0,
+  messagesJson: 1,
+  dependencies: 2,
+  glsl: 3,
+  discard: 4,
+  spirv: 5,
+  reflection: 6,
+  tableJson: 7,
+  tableBinary: 8,
+  tableHeader: 9,
+};
+const STOPPED = 'clipc: error: the shader needs more stack or memory than WebAssembly gives\n';
+
+const encoder = new TextEncoder();
+const decoder = new TextDecoder();
+
+/** Strings as the module takes lists of them: a zero after each. */
+export function listOf(strings) {
+  for (const string of strings) {
+    if (string.includes('\0')) throw new TypeError('clipc: a name or an option contains a zero');
+  }
+  return encoder.encode(strings.map((string) => string + '\0').join(''));
+}
+
+/** An instance of the module, with what JavaScript needs to call it. */
+export class Instance {
+  /** @param {(path: string) => string | Uint8Array | null | undefined} readInclude */
+  constructor(module, system, readInclude) {
+    const imports = { clipc: { read_include: (path, to) => this.#readInclude(path, to) } };
+    imports.wasi_snapshot_preview1 = system ?? emptySystem(module, () => this.exports.memory);
+    this.readInclude = readInclude;
+    this.instance = new WebAssembly.Instance(module, imports);
+    this.exports = this.instance.exports;
+  }
+
+  bytesAt(address, size) {
+    return new Uint8Array(this.exports.memory.buffer, address, size);
+  }
+
+  textAt(address) {
+    const rest = new Uint8Array(this.exports.memory.buffer, address);
+    return decoder.decode(rest.subarray(0, rest.indexOf(0)));
+  }
+
+  /** The address of a copy of `bytes`, which clipc_module_free takes. */
+  copy(bytes) {
+    const address = this.exports.clipc_module_allocate(bytes.length + 1);
+    if (!address) throw new RangeError('clipc: no memory');
+    this.bytesAt(address, bytes.length).set(bytes);
+    return address;
+  }
+
+  /** A copy of a part of the last result. */
+  part(number) {
+    const pair = new Uint32Array(this.exports.memory.buffer, this.exports.clipc_module_part(number), 2);
+    return this.bytesAt(pair[0], pair[1]).slice();
+  }
+
+  #readInclude(path, to) {
+    const text = this.readInclude(this.textAt(path));
+    if (text === undefined || text === null) return 0;
+    const bytes = typeof text === 'string' ? encoder.encode(text) : text;
+    const address = this.copy(bytes);
+    new Uint32Array(this.exports.memory.buffer, to, 2).set([address, bytes.length]);
+    return 1;
+  }
+}
+
+function optionsOf(options) {
+  const list = [];
+  if (options.profile) list.push('-T', options.profile);
+  if (options.entry) list.push('-E', options.entry);
+  if (options.target) list.push(`--target=${options.target}`);
+  if (options.lower) list.push(`--lower=${options.lower}`);
+  for (const [name, value] of Object.entries(options.defines ?? {})) {
+    list.push('-D', value === true ? name : `${name}=${value}`);
+  }
+  return list.concat(options.options ?? []);
+}
+
+const text = (bytes) => decoder.decode(bytes);
+const json = (bytes) => (bytes.length ? JSON.parse(text(bytes)) : null);
+
+/** Compiles shaders one after the other, and keeps what they share. */
+export class Compiler {
+  #module;
+  #instance = null;
+
+  /** @param {WebAssembly.Module} module clipc.wasm, compiled */
+  constructor(module) {
+    this.#module = module;
+  }
+
+  get version() {
+    const instance = this.#started(() => null);
+    return instance.textAt(instance.exports.clipc_module_version());
+  }
+
+  compile(source, options = {}) {
+    const strings = listOf([options.path ?? 'shader.hlsl', ...optionsOf(options)]);
+    const shader = typeof source === 'string' ? encoder.encode(source) : source;
+    let thrown = null;
+    const readInclude = (path) => {
+      try {
+        return options.readInclude?.(path);
+      } catch (error) {
+        thrown ??= error;
+        return null;
+      }
+    };
+    try {
+      const instance = this.#started(readInclude);
+      const result = this.#compile(instance, strings, shader);
+      if (thrown) throw thrown;
+      return result;
+    } catch (error) {
+      if (error === thrown) throw error;
+      // The stack or the memory is at its end, and the instance is not to be called again.
+      this.#instance = null;
+      if (error instanceof RangeError || error instanceof WebAssembly.RuntimeError) return stopped();
+      throw error;
+    }
+  }
+
+  #started(readInclude) {
+    if (!this.#instance) {
+      this.#instance = new Instance(this.#module, null, readInclude);
+      this.#instance.exports._initialize();
+    }
+    this.#instance.readInclude = readInclude;
+    return this.#instance;
+  }
+
+  #compile(instance, strings, shader) {
+    const { clipc_module_compile: run, clipc_module_free: free } = instance.exports;
+    const stringsAt = instance.copy(strings);
+    const shaderAt = instance.copy(shader);
+    const status = STATUS[run(stringsAt, strings.length, shaderAt, shader.length)];
+    free(stringsAt);
+    free(shaderAt);
+    const part = (name) => instance.part(PART[name]);
+    return {
+      ok: status === 'compiled',
+      status,
+      messages: text(part('messages')),
+      diagnostics: json(part('messagesJson'))?.diagnostics ?? [],
+      dependencies: text(part('dependencies')).split('\n').slice(0, -1),
+      glsl: text(part('glsl')),
+      discard: text(part('discard')),
+      spirv: new Uint32Array(part('spirv').buffer),
+      reflection: json(part('reflection')),
+      table: json(part('tableJson')),
+      tableBinary: part('tableBinary'),
+      tableHeader: text(part('tableHeader')),
+    };
+  }
+}
+
+function stopped() {
+  return {
+    ok: false,
+    status: 'no-memory',
+    messages: STOPPED,
+    diagnostics: [],
+    dependencies: [],
+    glsl: '',
+    discard: '',
+    spirv: new Uint32Array(),
+    reflection: null,
+    table: null,
+    tableBinary: new Uint8Array(),
+    tableHeader: '',
+  };
+}

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+
+export interface CompileOptions {
+  /** The name of the shader in messages, and where its includes are looked up. Default: "shader.hlsl". */
+  path?: string;
+  /** `-T`: "vs_5_0", "vs_4_0_level_9_1", ... */
+  profile?: string;
+  /** `-E`. Default: "main". */
+  entry?: string;
+  /** `--target`: "glsl450", "vulkan", "webgl2" */
+  target?: string;
+  /** `--lower`: how clip planes are lowered. */
+  lower?: string;
+  /** `-D`; `true` defines a name without a value, as `-D NAME` does. */
+  defines?: Record<string, string | number | true>;
+  /** Any other options of the program, but none that names inputs or outputs: `["-Zpr", "-spirv"]`. */
+  options?: string[];
+  /**
+   * The text of the include file at `path`: a folder of `-I` or of the including file, a slash, and the name as the shader
+   * has it. Nothing: there is no such file. What it throws, `compile` throws.
+   */
+  readInclude?: (path: string) => string | Uint8Array | null | undefined;
+}
+
+export interface Diagnostic {
+  severity: 'error' | 'warning' | 'note';
+  message: string;
+  [member: string]: unknown;
+}
+
+export interface CompileResult {
+  /** Whether `status` is "compiled". */
+  ok: boolean;
+  /**
+   * "errors": the shader has errors. "bad-request": an option is wrong. "no-memory": the shader needs more memory or stack
+   * than WebAssembly gives.
+   */
+  status: 'compiled' | 'errors' | 'bad-request' | 'no-memory' | 'cancelled';
+  /** As a terminal shows them, with the lines of the source. */
+  messages: string;
+  /** The same for programs. */
+  diagnostics: Diagnostic[];
+  /** The files that were read. */
+  dependencies: string[];
+  /** The vertex shader. This and what follows is empty after an error. */
+  glsl: string;
+  /** With `lower: "discard"`: GLSL that discards, for the fragment shader. */
+  discard: string;
+  /** With the option `-spirv`. */
+  spirv: Uint32Array;
+  /** docs/reflection.md */
+  reflection: any | null;
+  /** The clip table, docs/clip-table.schema.json. */
+  table: any | null;
+  /** The clip table as a record of Direct3D; empty for planes that it cannot say. */
+  tableBinary: Uint8Array;
+  /** The clip table as a C++ header. */
+  tableHeader: string;
+}
+
+/** Compiles shaders one after the other, and keeps what they share. One for each worker. */
+export class Compiler {
+  /** `module` is clipc.wasm, compiled. */
+  constructor(module: WebAssembly.Module);
+  readonly version: string;
+  compile(text: string | Uint8Array, options?: CompileOptions): CompileResult;
+}
+
+/** A compiler of its own. `wasm`: clipc.wasm, compiled; without, it is loaded from the package. */
+export function createCompiler(wasm?: WebAssembly.Module | Promise<WebAssembly.Module>): Promise<Compiler>;
+
+/** Compiles a shader by a compiler that all calls share. It is loaded at the first call. */
+export function compile(text: string | Uint8Array, options?: CompileOptions): Promise<CompileResult>;

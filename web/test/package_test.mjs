@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// Installs the package in an empty folder and uses it as a stranger does; and its bytes are those of the program.
+//   node package_test.mjs PACKAGE.tgz CLIPC FOLDER...     FOLDERs of shaders to compare
+import assert from 'node:assert/strict';
+import { execFileSync, spawnSync } from 'node:child_process';
+import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
+
+const [archive, program, ...folders] = process.argv.slice(2);
+const scratch = mkdtempSync(join(tmpdir(), 'clipc-package-'));
+process.on('exit', () => rmSync(scratch, { recursive: true, force: true }));
+writeFileSync(join(scratch, 'package.json'), '{"private": true, "type": "module"}');
+execFileSync('npm', ['install', '--offline', '--no-audit', '--no-fund', resolve(archive)], { cwd: scratch, stdio: ['ignore', 'pipe', 'inherit'] });
+
+const installed = pathToFileURL(join(scratch, 'node_modules/clipc/node.js'));
+const { compile, createCompiler } = await import(installed);
+const compiler = await createCompiler();
+
+function test(name, run) {
+  run();
+  console.log(`ok ${name}`);
+}
+
+const SHADER = `#include "common.hlsli"
+cbuffer C : register(b0) { float4x4 m; float4 plane; };
+[clipplanes(plane)]
+float4 main(float4 p : POSITION) : SV_Position { return mul(p * SCALE, m); }
+`;
+const readInclude = (path) => (path.endsWith('common.hlsli') ? '#define SCALE 2\n' : null);
+
+writeFileSync(join(scratch, 'use.js'), `import { compile } from 'clipc';
+const { glsl } = await compile('float4 main() : SV_Position { return 1; }', { profile: 'vs_5_0' });
+process.stdout.write(glsl.split('\\n')[0]);`);
+test('an import by its name', () => {
+  assert.equal(execFileSync('node', ['use.js'], { cwd: scratch, encoding: 'utf8' }), '#version 450');
+});
+
+test('every part of a result', () => {
+  const options = { profile: 'vs_5_0', path: 'water.hlsl', readInclude, options: ['-spirv'], target: 'vulkan' };
+  const result = compiler.compile(SHADER, options);
+  assert.equal(result.status, 'compiled', result.messages);
+  assert.match(result.glsl, /gl_ClipDistance\[0\] = dot/);
+  assert.equal(result.spirv[0], 0x07230203);
+  assert.equal(result.table.clipPlanes?.length ?? result.table.planes.length, 1);
+  assert.equal(result.reflection.clipPlanes[0].offset, 64);
+  assert.match(result.tableHeader, /clip_table/);
+  assert.deepEqual(result.dependencies, ['common.hlsli']);
+});
+
+test('messages with their places', () => {
+  const result = compiler.compile('float4 main() : SV_Position { return nothing; }', { profile: 'vs_5_0' });
+  assert.equal(result.status, 'errors');
+  assert.equal(result.glsl, '');
+  assert.equal(result.diagnostics[0].severity, 'error');
+  assert.equal(result.diagnostics[0].line, 1);
+  assert.equal(result.diagnostics[0].column, 38);
+  assert.match(result.messages, /shader\.hlsl:1:38: error/);
+  assert.equal(compiler.compile('', { options: ['--no-such'] }).status, 'bad-request');
+});
+
+test('what an include callback throws', () => {
+  const readInclude = () => {
+    throw new Error('mine');
+  };
+  assert.throws(() => compiler.compile(SHADER, { readInclude }), /mine/);
+  assert.equal(compiler.compile('float4 main() : SV_Position { return 1; }').status, 'compiled');
+});
+
+test('shader bombs end, and the compiler works afterwards', () => {
+  const bombs = {
+    conditions: '#if ' + '('.repeat(200000) + '\n#endif\n',
+    calls: `float4 main() : SV_Position { return ${'sin('.repeat(20000)}1${')'.repeat(20000)}; }`,
+    parentheses: `float4 main() : SV_Position { return ${'('.repeat(100000)}1${')'.repeat(100000)}; }`,
+    sums: `float4 main() : SV_Position { return ${'1+'.repeat(50000)}1; }`,
+    blocks: `float4 main() : SV_Position { ${'{'.repeat(100000)}${'}'.repeat(100000)} return 1; }`,
+    includes: '#include "a.hlsli"\n',
+    macros: '#define A0 1 1\n' + Array.from({ length: 40 }, (_, i) => `#define A${i + 1} A${i} A${i}\n`).join('') + 'A40\n',
+  };
+  for (const [name, text] of Object.entries(bombs)) {
+    const result = compiler.compile(text, { readInclude: () => text });
+    assert.ok(name === 'sums' || !result.ok, name);
+    assert.ok(result.ok || result.messages, name);
+    assert.equal(compiler.compile('float4 main() : SV_Position { return 1; }').status, 'compiled', name);
+    console.log(`   ${name}: ${result.status}: ${result.messages.split('\n')[0].slice(0, 100)}`);
+  }
+});
+
+// ---- the same bytes
+
+const run = (command, args) => {
+  const { status, stdout, stderr } = spawnSync(command, args, { encoding: 'latin1', maxBuffer: 1 << 28 });
+  return { status, stdout, stderr };
+};
+
+function shaders(folder) {
+  return readdirSync(folder, { recursive: true, withFileTypes: true })
+    .filter((entry) => entry.isFile() && /\.(hlsl|fx)$/.test(entry.name))
+    .map((entry) => join(entry.path, entry.name))
+    .sort();
+}
+
+const files = folders.flatMap(shaders);
+let same = 0;
+let milliseconds = 0;
+for (const file of files) {
+  const text = readFileSync(file);
+  const began = performance.now();
+  const result = compiler.compile(text, {
+    path: file,
+    profile: 'vs_5_0',
+    options: ['--diagnostics=text'],
+    readInclude: (path) => {
+      try {
+        return readFileSync(path);
+      } catch {
+        return null;
+      }
+    },
+  });
+  milliseconds += performance.now() - began;
+  const theirs = run(program, [file, '-T', 'vs_5_0']);
+  const ours = Buffer.from(result.messages).toString('latin1');
+  const isSame = result.ok === (theirs.status === 0) && ours === theirs.stderr && (!result.ok || Buffer.from(result.glsl).toString('latin1') === theirs.stdout);
+  if (isSame) ++same;
+  else console.log(`DIFFERS ${file}: ${result.status}\n${ours.slice(0, 300)}\n--- the program: ${theirs.status}\n${theirs.stderr.slice(0, 300)}`);
+}
+console.log(`${same} of ${files.length} shaders have the program's bytes, ${(milliseconds / Math.max(files.length, 1)).toFixed(2)} ms each`);
+if (same !== files.length) process.exitCode = 1;
+
+const bin = join(scratch, 'node_modules/.bin/clipc');
+for (const file of files.filter((_, i) => i % Math.ceil(files.length / 12) === 0)) {
+  const reflected = [join(scratch, 'a.json'), join(scratch, 'b.json')];
+  const [ours, theirs] = [bin, program].map((command, i) => run(command, [file, '-T', 'vs_5_0', '--validate', `--reflect=${reflected[i]}`]));
+  assert.deepEqual(ours, theirs, file);
+  if (ours.status === 0) assert.equal(readFileSync(reflected[0], 'utf8'), readFileSync(reflected[1], 'utf8'));
+}
+test('the program of the package', () => {
+  assert.deepEqual(run(bin, ['--help']), run(program, ['--help']));
+  assert.deepEqual(run(bin, ['--no-such']), run(program, ['--no-such']));
+});
+await compile('');
