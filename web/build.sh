@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# Builds what runs in a browser and in node: build/web/clipc-VERSION.tgz, with the module that build/wasm makes.
+# Builds what runs in a browser and in node.
+#   web/build.sh package      build/web/clipc-VERSION.tgz, with the module that build/wasm makes
+#   web/build.sh page         and the page, in build/page
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . cmake/setup.sh
@@ -21,4 +23,14 @@ package=build/web/package
 mkdir -p "$package"
 cp web/npm/* LICENSE build/wasm/bin/clipc.wasm "$package"
 (cd "$package" && quietly npm pack --pack-destination ..)
-mv build/web/starts build/web/made
+[ "${1:-package}" = page ] || exit 0
+
+mkdir -p build/web/page/gallery
+cp web/page/* web/page/.npmrc build/web/page
+mkdir -p build/page
+cp web/page/{index.html,style.css} build/page
+cp examples/gallery/*.{hlsl,fx} build/web/page/gallery
+cd build/web/page
+[ node_modules -nt package-lock.json ] || quietly npm ci --no-audit --no-fund
+quietly npm run build
+mv ../starts ../made

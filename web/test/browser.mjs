@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// A page in headless Chromium, driven by its protocol over two pipes.
+import { spawn } from 'node:child_process';
+import { createReadStream, existsSync, mkdtempSync, rmSync } from 'node:fs';
+import { createServer } from 'node:http';
+import { tmpdir } from 'node:os';
+import { extname, join, normalize } from 'node:path';
+
+const TYPES = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.wasm': 'application/wasm' };
+
+/** The address of a server of the files in `folder`, on this machine alone. */
+export function serve(folder) {
+  const server = createServer((request, response) => {
+    const path = join(folder, normalize(new URL(request.url, 'http://localhost').pathname));
+    const file = path.endsWith('/') ? join(path, 'index.html') : path;
+    if (!file.startsWith(folder) || !existsSync(file)) return response.writeHead(404).end();
+    response.writeHead(200, { 'content-type': TYPES[extname(file)] ?? 'application/octet-stream' });
+    createReadStream(file).pipe(response);
+  });
+  return new Promise((resolve) => server.listen(0, '127.0.0.1', () => resolve({ server, address: `http://127.0.0.1:${server.address().port}/` })));
+}
+
+export class Page {
+  /** What the page wrote as errors, and what it threw. */
+  errors = [];
+  #next = 1;
+  #waiting = new Map();
+  #rest = '';
+
+  static async open(program, address, { width = 1280, height = 1100 } = {}) {
+    const page = new Page();
+    page.profile = mkdtempSync(join(tmpdir(), 'clipc-browser-'));
+    const options = ['--headless=new', '--no-sandbox', '--remote-debugging-pipe', '--enable-unsafe-swiftshader', '--use-angle=swiftshader',
+      `--user-data-dir=${page.profile}`, `--window-size=${width},${height}`, '--no-first-run', 'about:blank'];
+    page.process = spawn(program, options, { stdio: ['ignore', 'ignore', 'ignore', 'pipe', 'pipe'] });
+    page.process.stdio[4].setEncoding('utf8').on('data', (data) => page.#receive(data));
+    const { targetId } = await page.#send('Target.createTarget', { url: 'about:blank' });
+    ({ sessionId: page.session } = await page.#send('Target.attachToTarget', { targetId, flatten: true }));
+    for (const domain of ['Page', 'Runtime', 'Log']) await page.send(`${domain}.enable`);
+    await page.send('Page.navigate', { url: address });
+    return page;
+  }
+
+  send(method, params = {}) {
+    return this.#send(method, params, this.session);
+  }
+
+  /** The value of an expression, or of what it promises. */
+  async evaluate(expression) {
+    const { result, exceptionDetails } = await this.send('Runtime.evaluate', { expression, awaitPromise: true, returnByValue: true });
+    if (exceptionDetails) throw new Error(exceptionDetails.exception?.description ?? exceptionDetails.text);
+    return result.value;
+  }
+
+  /** Waits until an expression is true. */
+  async until(expression, milliseconds = 60000) {
+    for (const end = Date.now() + milliseconds; Date.now() < end; await new Promise((done) => setTimeout(done, 50))) {
+      if (await this.evaluate(expression)) return;
+    }
+    throw new Error(`still not: ${expression}`);
+  }
+
+  async screenshot() {
+    return Buffer.from((await this.send('Page.captureScreenshot', { format: 'png' })).data, 'base64');
+  }
+
+  async close() {
+    const ended = new Promise((done) => this.process.once('exit', done));
+    this.process.kill();
+    await ended;
+    rmSync(this.profile, { recursive: true, force: true, maxRetries: 5 });
+  }
+
+  #send(method, params = {}, sessionId) {
+    const id = this.#next++;
+    this.process.stdio[3].write(JSON.stringify({ id, method, params, sessionId }) + '\0');
+    return new Promise((resolve, reject) => this.#waiting.set(id, { resolve, reject }));
+  }
+
+  #receive(data) {
+    const messages = (this.#rest + data).split('\0');
+    this.#rest = messages.pop();
+    for (const { id, result, error, method, params } of messages.map((text) => JSON.parse(text))) {
+      if (id) {
+        const { resolve, reject } = this.#waiting.get(id);
+        this.#waiting.delete(id);
+        if (error) reject(new Error(error.message));
+        else resolve(result);
+      } else if (method === 'Runtime.exceptionThrown') {
+        this.errors.push(params.exceptionDetails.exception?.description ?? params.exceptionDetails.text);
+      } else if (method === 'Runtime.consoleAPICalled' && params.type === 'error') {
+        this.errors.push(params.args.map((arg) => arg.value ?? arg.description).join(' '));
+      } else if (method === 'Log.entryAdded' && params.entry.level === 'error') {
+        this.errors.push(params.entry.text);
+      }
+    }
+  }
+}

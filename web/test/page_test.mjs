@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// Uses the page as a person does, in headless Chromium.
+//   node page_test.mjs FOLDER CHROMIUM [PICTURE.png]
+import assert from 'node:assert/strict';
+import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import { join, resolve } from 'node:path';
+import { brotliCompressSync, constants } from 'node:zlib';
+
+import { Page, serve } from './browser.mjs';
+
+const [folder, chromium, picture] = process.argv.slice(2);
+const { server, address } = await serve(resolve(folder));
+const page = await Page.open(chromium, address);
+let failed = 0;
+
+async function test(name, run) {
+  try {
+    await run();
+    assert.deepEqual(page.errors, []);
+    console.log(`ok ${name}`);
+  } catch (error) {
+    ++failed;
+    page.errors.length = 0;
+    console.log(`FAILED ${name}: ${error.message}`);
+  }
+}
+
+const compiles = () => page.evaluate('Number(document.documentElement.dataset.compiled ?? 0)');
+
+/** Does something that makes the page compile, and waits until it has. */
+async function compiled(action) {
+  const before = await compiles();
+  await action();
+  await page.until(`Number(document.documentElement.dataset.compiled ?? 0) > ${before}`);
+}
+
+async function type(text) {
+  await page.evaluate(`document.querySelector('.cm-content').focus(); document.execCommand('selectAll')`);
+  await compiled(() => page.send('Input.insertText', { text }));
+}
+
+const set = (id, value) =>
+  page.evaluate(`(() => { const control = document.getElementById('${id}'); control.value = ${JSON.stringify(value)};
+    control.dispatchEvent(new Event('input')); })()`);
+
+/** The pixels of both pictures after a draw: how many differ from the background, and from each other, of how many. */
+const pixels = () =>
+  page.evaluate(`new Promise((resolve) => {
+    document.getElementById('near').dispatchEvent(new Event('input'));
+    requestAnimationFrame(() => {
+      const [a, b] = ['clipped', 'discarded'].map((id) => {
+        const from = document.getElementById(id);
+        const copy = new OffscreenCanvas(from.width, from.height).getContext('2d');
+        copy.drawImage(from, 0, 0);
+        return copy.getImageData(0, 0, from.width, from.height).data;
+      });
+      const far = (x, y, i) => Math.abs(x[i] - y[i]) + Math.abs(x[i + 1] - y[i + 1]) + Math.abs(x[i + 2] - y[i + 2]) > 24;
+      let [drawn, drawnBeside, different, hash] = [0, 0, 0, 0];
+      for (let i = 0; i < a.length; i += 4) {
+        const isDrawn = (x) => Math.abs(x[i] - 32) + Math.abs(x[i + 1] - 36) + Math.abs(x[i + 2] - 42) > 12;
+        drawn += isDrawn(a);
+        drawnBeside += isDrawn(b);
+        different += far(a, b, i);
+        hash = (Math.imul(hash, 31) + a[i]) | 0;
+      }
+      resolve({ all: a.length / 4, drawn, drawnBeside, different, hash });
+    });
+  })`);
+
+await test('the page is ready with a shader that compiles', async () => {
+  await page.until('location.protocol === "http:" && document.readyState === "complete"');
+  await page.until('document.documentElement.dataset.compiled && !document.getElementById("status").classList.contains("bad")');
+  await page.until('document.getElementById("prediction").textContent.includes("Plane space clip")');
+  assert.match(await page.evaluate('document.getElementById("text").textContent'), /^#version 300 es\n#extension GL_ANGLE_clip_cull_distance/);
+});
+
+const hasPlanes = await page.evaluate('!!document.createElement("canvas").getContext("webgl2")?.getExtension("WEBGL_clip_cull_distance")');
+let first;
+await test(`both pictures show one cut${hasPlanes ? '' : ' (discard only: no WEBGL_clip_cull_distance)'}`, async () => {
+  first = await pixels();
+  assert.ok(first.drawnBeside > first.all / 50, JSON.stringify(first));
+  if (hasPlanes) {
+    assert.ok(first.drawn > first.all / 50, JSON.stringify(first));
+    // Edges of clipped triangles are smoothed, those of discard are not.
+    assert.ok(first.different < first.all / 100, JSON.stringify(first));
+  }
+});
+if (picture) writeFileSync(picture, await page.screenshot());
+
+await test('a plane that moves cuts more', async () => {
+  await set('height', '-0.6');
+  const less = await pixels();
+  assert.ok(less.drawnBeside < first.drawnBeside * 0.8, JSON.stringify([first, less]));
+  await set('height', '0');
+});
+
+await test('plane spaces draw the same cut', async () => {
+  for (const space of ['xyw1', 'object', 'clip']) {
+    await compiled(() => set('space', space));
+    const now = await pixels();
+    assert.ok(Math.abs(now.drawnBeside - first.drawnBeside) < first.all / 500, `${space}: ${JSON.stringify([first, now])}`);
+    assert.match(await page.evaluate('document.getElementById("prediction").textContent'), new RegExp(`Plane space ${space}`));
+  }
+});
+
+await test('a wrong shader shows its message and keeps the last picture', async () => {
+  const before = await pixels();
+  await type('float4 main() : SV_Position { return nothing; }');
+  await page.until('document.querySelector(".cm-lintRange-error")?.textContent === "nothing"');
+  assert.match(await page.evaluate('document.getElementById("status").textContent'), /errors/);
+  assert.deepEqual(await pixels(), before);
+});
+
+await test('a shader bomb ends in a message', async () => {
+  await type(`#if ${'('.repeat(20000)}\n#endif\n`);
+  assert.match(await page.evaluate('document.getElementById("status").textContent'), /errors|took too long/);
+});
+
+await test('every shader of the gallery', async () => {
+  for (const name of await page.evaluate('[...document.getElementById("gallery").options].map((option) => option.value)')) {
+    await compiled(() => set('gallery', name));
+    await pixels();
+    const text = await page.evaluate('document.getElementById("text").textContent');
+    const caption = await page.evaluate('document.getElementById("discarded-caption").textContent');
+    console.log(`   ${name}: ${text.split('\n')[0]}; ${caption}`);
+  }
+  await compiled(() => set('gallery', 'A cut model'));
+});
+
+await test('a link carries the shader', async () => {
+  await type('float4 main() : SV_Position { return 7; }');
+  await page.evaluate('document.getElementById("link").click()');
+  await page.until('location.hash.length > 10');
+  await page.send('Page.reload');
+  await page.until('document.querySelector(".cm-content")?.textContent.includes("return 7")');
+});
+
+await test('it fits a phone', async () => {
+  await page.send('Emulation.setDeviceMetricsOverride', { width: 390, height: 800, deviceScaleFactor: 2, mobile: true });
+  assert.ok((await page.evaluate('document.documentElement.scrollWidth')) <= 390);
+});
+
+await test('the download is under 2 MB', async () => {
+  const options = { params: { [constants.BROTLI_PARAM_QUALITY]: 9 } };
+  const sizes = readdirSync(folder).map((name) => brotliCompressSync(readFileSync(join(folder, name)), options).length);
+  const size = sizes.reduce((sum, x) => sum + x, 0);
+  console.log(`   ${(size / 1e6).toFixed(2)} MB by brotli`);
+  assert.ok(size < 2e6);
+});
+
+await page.close();
+server.close();
+process.exitCode = failed ? 1 : 0;
