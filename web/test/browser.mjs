@@ -60,10 +60,6 @@ export class Page {
     throw new Error(`still not: ${expression}`);
   }
 
-  async screenshot() {
-    return Buffer.from((await this.send('Page.captureScreenshot', { format: 'png' })).data, 'base64');
-  }
-
   async close() {
     const ended = new Promise((done) => this.process.once('exit', done));
     this.process.kill();

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // Uses the page as a person does, in headless Chromium.
-//   node page_test.mjs FOLDER CHROMIUM [PICTURE.png]
+//   node page_test.mjs FOLDER CHROMIUM [AXE.js]      AXE: axe-core, which looks for what a screen reader or a keyboard cannot use
 import assert from 'node:assert/strict';
-import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import { readFileSync, readdirSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { brotliCompressSync, constants } from 'node:zlib';
 
 import { Page, serve } from './browser.mjs';
 
-const [folder, chromium, picture] = process.argv.slice(2);
+const [folder, chromium, axe] = process.argv.slice(2);
 const { server, address } = await serve(resolve(folder));
 const page = await Page.open(chromium, address);
 let failed = 0;
@@ -85,7 +85,6 @@ await test(`both pictures show one cut${hasPlanes ? '' : ' (discard only: no WEB
     assert.ok(first.different < first.all / 100, JSON.stringify(first));
   }
 });
-if (picture) writeFileSync(picture, await page.screenshot());
 
 await test('a plane that moves cuts more', async () => {
   await set('height', '-0.6');
@@ -139,6 +138,16 @@ await test('it fits a phone', async () => {
   await page.send('Emulation.setDeviceMetricsOverride', { width: 390, height: 800, deviceScaleFactor: 2, mobile: true });
   assert.ok((await page.evaluate('document.documentElement.scrollWidth')) <= 390);
 });
+
+for (const scheme of axe ? ['light', 'dark'] : []) {
+  await test(`axe-core finds nothing, ${scheme}`, async () => {
+    await page.send('Emulation.setEmulatedMedia', { features: [{ name: 'prefers-color-scheme', value: scheme }] });
+    await page.evaluate(readFileSync(axe, 'utf8') + '; 0');
+    const { violations } = await page.evaluate('axe.run()');
+    for (const { id, help, nodes } of violations) console.log(`   ${id}: ${help}: ${nodes.map((node) => node.html.slice(0, 120)).join(' | ')}`);
+    assert.deepEqual(violations.map(({ id }) => id), []);
+  });
+}
 
 await test('the download is under 2 MB', async () => {
   const options = { params: { [constants.BROTLI_PARAM_QUALITY]: 9 } };
