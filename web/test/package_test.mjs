@@ -18,8 +18,8 @@ const installed = pathToFileURL(join(scratch, 'node_modules/clipc/node.js'));
 const { compile, createCompiler } = await import(installed);
 const compiler = await createCompiler();
 
-function test(name, run) {
-  run();
+async function test(name, run) {
+  await run();
   console.log(`ok ${name}`);
 }
 
@@ -33,11 +33,11 @@ const readInclude = (path) => (path.endsWith('common.hlsli') ? '#define SCALE 2\
 writeFileSync(join(scratch, 'use.js'), `import { compile } from 'clipc';
 const { glsl } = await compile('float4 main() : SV_Position { return 1; }', { profile: 'vs_5_0' });
 process.stdout.write(glsl.split('\\n')[0]);`);
-test('an import by its name', () => {
+await test('an import by its name', () => {
   assert.equal(execFileSync('node', ['use.js'], { cwd: scratch, encoding: 'utf8' }), '#version 450');
 });
 
-test('every part of a result', () => {
+await test('every part of a result', () => {
   const options = { profile: 'vs_5_0', path: 'water.hlsl', readInclude, options: ['-spirv'], target: 'vulkan' };
   const result = compiler.compile(SHADER, options);
   assert.equal(result.status, 'compiled', result.messages);
@@ -49,7 +49,7 @@ test('every part of a result', () => {
   assert.deepEqual(result.dependencies, ['common.hlsli']);
 });
 
-test('messages with their places', () => {
+await test('messages with their places', () => {
   const result = compiler.compile('float4 main() : SV_Position { return nothing; }', { profile: 'vs_5_0' });
   assert.equal(result.status, 'errors');
   assert.equal(result.glsl, '');
@@ -60,7 +60,7 @@ test('messages with their places', () => {
   assert.equal(compiler.compile('', { options: ['--no-such'] }).status, 'bad-request');
 });
 
-test('what an include callback throws', () => {
+await test('what an include callback throws', () => {
   const readInclude = () => {
     throw new Error('mine');
   };
@@ -68,7 +68,7 @@ test('what an include callback throws', () => {
   assert.equal(compiler.compile('float4 main() : SV_Position { return 1; }').status, 'compiled');
 });
 
-test('shader bombs end, and the compiler works afterwards', () => {
+await test('shader bombs end, and the compiler works afterwards', () => {
   const bombs = {
     conditions: '#if ' + '('.repeat(200000) + '\n#endif\n',
     calls: `float4 main() : SV_Position { return ${'sin('.repeat(20000)}1${')'.repeat(20000)}; }`,
@@ -85,6 +85,40 @@ test('shader bombs end, and the compiler works afterwards', () => {
     assert.equal(compiler.compile('float4 main() : SV_Position { return 1; }').status, 'compiled', name);
     console.log(`   ${name}: ${result.status}: ${result.messages.split('\n')[0].slice(0, 100)}`);
   }
+});
+
+// ---- bundlers
+
+const shader = join(scratch, 'water.hlsl');
+writeFileSync(join(scratch, 'common.hlsli'), '#define SCALE 2\n');
+writeFileSync(shader, SHADER);
+const part = (name) => import(pathToFileURL(join(scratch, 'node_modules/clipc', name)));
+
+await test('the plugin for Vite', async () => {
+  const said = { files: [], errors: [] };
+  const context = { addWatchFile: (file) => said.files.push(file), warn: (text) => said.errors.push(text), error: (error) => { throw error; } };
+  const plugin = (await part('vite.js')).default({ profile: 'vs_5_0' });
+  const { code } = await plugin.load.call(context, `${shader}?lower=discard`);
+  assert.match(code, /export const discard = "[^"]*clip_planes/);
+  assert.deepEqual(said, { files: [join(scratch, 'common.hlsli')], errors: [] });
+  assert.equal(await plugin.load.call(context, join(scratch, 'use.js')), null);
+  writeFileSync(join(scratch, 'wrong.hlsl'), 'float4 main() : SV_Position {\n  return nothing;\n}\n');
+  await assert.rejects(plugin.load.call(context, join(scratch, 'wrong.hlsl')), ({ message, loc }) => /nothing/.test(message) && loc.line === 2 && loc.column === 9);
+});
+
+await test('the loader for webpack', async () => {
+  const { default: loader } = await part('webpack.js');
+  const run = (text) =>
+    new Promise((resolve) => {
+      const files = [];
+      const async = () => (error, code) => resolve({ error, code, files });
+      loader.call({ async, resourcePath: shader, resourceQuery: '', getOptions: () => ({}), addDependency: (file) => files.push(file), emitWarning: () => {} }, text);
+    });
+  const { error, code, files } = await run(SHADER);
+  assert.equal(error, null);
+  assert.match(code, /export const glsl = "#version 300 es/);
+  assert.deepEqual(files, [join(scratch, 'common.hlsli')]);
+  assert.match((await run('float4 main() : SV_Position { return nothing; }')).error.message, /nothing/);
 });
 
 // ---- the same bytes
@@ -136,7 +170,7 @@ for (const file of files.filter((_, i) => i % Math.ceil(files.length / 12) === 0
   assert.deepEqual(ours, theirs, file);
   if (ours.status === 0) assert.equal(readFileSync(reflected[0], 'utf8'), readFileSync(reflected[1], 'utf8'));
 }
-test('the program of the package', () => {
+await test('the program of the package', () => {
   assert.deepEqual(run(bin, ['--help']), run(program, ['--help']));
   assert.deepEqual(run(bin, ['--no-such']), run(program, ['--no-such']));
 });
