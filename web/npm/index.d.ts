@@ -22,10 +22,24 @@ export interface CompileOptions {
   readInclude?: (path: string) => string | Uint8Array | null | undefined;
 }
 
-export interface Diagnostic {
+/** A place in a text: lines and columns from 1, columns in bytes of UTF-8, the end after the last byte. */
+export interface Place {
+  file?: string;
+  line?: number;
+  column?: number;
+  endLine?: number;
+  endColumn?: number;
+}
+
+export interface Diagnostic extends Place {
   severity: 'error' | 'warning' | 'note';
+  /** As in docs/diagnostics.md: "undeclared-name". */
+  name: string;
+  /** fxc's code, where it has one: "X3004". */
+  code?: string;
   message: string;
-  [member: string]: unknown;
+  fixes?: (Place & { text: string })[];
+  notes?: Diagnostic[];
 }
 
 export interface CompileResult {
