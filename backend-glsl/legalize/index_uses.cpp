@@ -24,21 +24,23 @@ bool IsInteger(const Program& program, ExprId expr) {
 }  // namespace
 
 IndexUses::IndexUses(const Program& program)
-    : program_(program), is_index_(program.exprs.size()), uses_(program.vars.size()) {
+    : program_(program),
+      is_index_(program.exprs.size()),
+      uses_(program.vars.size()),
+      values_(program.vars.size()) {
   for (const ExprId expr : program.exprs.ids()) {
     if (const auto* ref = As<VarRef>(program, expr)) ++uses_[ref->var.index];
   }
-  for (const ExprId expr : program.exprs.ids()) {
-    const auto* assign = As<Assign>(program, expr);
-    const auto* target = assign && !assign->op ? As<VarRef>(program, assign->target) : nullptr;
-    if (target) --uses_[target->var.index];
+  FindValues();
+  for (const VarId var : program.vars.ids()) {
+    if (uses_[var.index] == 0) waiting_.push_back(var);
   }
   MarkPlaces();
-  // Each round marks the values of the variables that the round before has found to be indices.
-  do {
-    has_changed_ = false;
-    MarkValuesOfIndices();
-  } while (has_changed_);
+  while (!waiting_.empty()) {
+    const VarId var = waiting_.back();
+    waiting_.pop_back();
+    for (const ExprId value : values_[var.index]) Mark(value);
+  }
 }
 
 void IndexUses::MarkPlaces() {
@@ -54,9 +56,8 @@ void IndexUses::MarkPlaces() {
 void IndexUses::Mark(ExprId expr) {
   if (is_index_[expr.index] || !IsInteger(program_, expr)) return;
   is_index_[expr.index] = true;
-  has_changed_ = true;
   Visit(Overloaded{
-            [&](const VarRef& node) { --uses_[node.var.index]; },
+            [&](const VarRef& node) { Drop(node.var); },
             [&](const OneOf<Index, Swizzle> auto& node) { Mark(node.base); },
             [&](const OneOf<Convert, Splat> auto& node) { Mark(node.operand); },
             [&](const Binary& node) { Mark(node.left), Mark(node.right); },
@@ -68,27 +69,32 @@ void IndexUses::Mark(ExprId expr) {
         program_.exprs[expr].node);
 }
 
-void IndexUses::MarkValuesOfIndices() {
+void IndexUses::FindValues() {
   for (const StmtId stmt : program_.stmts.ids()) {
     const auto* declare = As<Declare>(program_, stmt);
-    if (declare && declare->init) MarkValue(declare->var, declare->init);
+    if (declare && declare->init) AddValue(declare->var, declare->init);
   }
   for (const ExprId expr : program_.exprs.ids()) {
     if (const auto* assign = As<Assign>(program_, expr)) {
       const auto* target = As<VarRef>(program_, assign->target);
-      if (target && !assign->op) MarkValue(target->var, assign->value);
+      if (!target || assign->op) continue;
+      --uses_[target->var.index];
+      AddValue(target->var, assign->value);
     } else if (const auto* call = As<Call>(program_, expr)) {
       const auto arguments = program_.expr_lists[call->arguments];
       const auto& parameters = program_.functions[call->function].parameters;
-      for (std::size_t i = 0; i < arguments.size(); ++i) MarkValue(parameters[i], arguments[i]);
+      for (std::size_t i = 0; i < arguments.size(); ++i) AddValue(parameters[i], arguments[i]);
     }
   }
 }
 
-void IndexUses::MarkValue(VarId var, ExprId value) {
+void IndexUses::AddValue(VarId var, ExprId value) {
   const Storage storage = program_.vars[var].storage;
-  const bool is_own = storage == Storage::kLocal || storage == Storage::kIn;
-  if (is_own && uses_[var.index] == 0) Mark(value);
+  if (storage == Storage::kLocal || storage == Storage::kIn) values_[var.index].push_back(value);
+}
+
+void IndexUses::Drop(VarId var) {
+  if (--uses_[var.index] == 0) waiting_.push_back(var);
 }
 
 }  // namespace clipc::glsl

@@ -23,15 +23,17 @@ class IndexUses {
   }
 
  private:
+  void FindValues();
+  void AddValue(ir::VarId var, ir::ExprId value);
   void MarkPlaces();
   void Mark(ir::ExprId expr);
-  void MarkValuesOfIndices();
-  void MarkValue(ir::VarId var, ir::ExprId value);
+  void Drop(ir::VarId var);
 
   const ir::Program& program_;
   std::vector<bool> is_index_;       // by ExprId
   std::vector<std::uint32_t> uses_;  // by VarId: references that are neither index nor target
-  bool has_changed_ = false;
+  std::vector<std::vector<ir::ExprId>> values_;  // by VarId, of those that a function owns
+  std::vector<ir::VarId> waiting_;               // whose last use was dropped
 };
 
 }  // namespace clipc::glsl

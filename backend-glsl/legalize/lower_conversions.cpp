@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <optional>
 #include <vector>
 
 #include "backend-glsl/legalize/index_uses.h"
@@ -27,7 +28,7 @@ bool Saturates(const Profile& profile) {
 class ConversionLowering {
  public:
   explicit ConversionLowering(Legalizer& legalizer)
-      : legalizer_(legalizer), program_(legalizer.program), uses_(legalizer.program) {
+      : legalizer_(legalizer), program_(legalizer.program) {
     for (const VarId var : program_.vars.ids()) NoteConstant(program_.vars[var]);
   }
 
@@ -61,7 +62,8 @@ class ConversionLowering {
     const double limit = kNearly * (is_int ? kTwoTo31 : kTwoTo32);
     if (range.IsWithin(is_int ? -limit : 0, limit)) return;
     // An index that does not fit into an int is out of every array. One below 0 is element 0.
-    if (uses_.IsIndex(expr)) {
+    if (!uses_) uses_.emplace(program_);
+    if (uses_->IsIndex(expr)) {
       if (is_int) return;
       program_.exprs[expr].node = Convert{AtLeastZero(legalizer_.At(expr), operand)};
       return SetDone(expr);
@@ -143,7 +145,7 @@ class ConversionLowering {
 
   Legalizer& legalizer_;
   Program& program_;
-  const IndexUses uses_;
+  std::optional<IndexUses> uses_;  // made for the first conversion that may not fit
   std::vector<bool> done_;  // by ExprId: conversions that stay
 };
 
