@@ -55,6 +55,8 @@ ExprId CheckSwizzle(Context& context, ExprId base, std::string_view text, Span n
     for (int i = 0; i < count; ++i) components[i] = inner->components[components[i]];
     base = inner->base;
   }
+  Exprs steps;
+  base = TakeSteps(context, base, steps);
   if (const auto* inner = context.GetIf<MatrixSwizzle>(base)) {
     MatrixSwizzle node{
         .base = inner->base, .rows = {}, .columns = {}, .count = static_cast<std::uint8_t>(count)};
@@ -62,7 +64,7 @@ ExprId CheckSwizzle(Context& context, ExprId base, std::string_view text, Span n
       node.rows[i] = inner->rows[components[i]];
       node.columns[i] = inner->columns[components[i]];
     }
-    return MatrixComponents(context, node, span);
+    return WithPrologue(context, steps, MatrixComponents(context, node, span));
   }
   return context.At(span).Swizzled(base,
                                    std::span<const std::uint8_t>(components.data(), text.size()));

@@ -16,6 +16,7 @@ void change(inout float2 x) { x = x * 2 + 1; }
 float4 main(float4 p : POSITION, out float4 d : D) : SV_Position {
   float4x4 m[2] = {{p, p, p, p}, {u, u, u, u}};
   m[next()]._m00_m11 *= 10;
+  m[next()]._11_22.yx = p.xy;
   m[next()]._m10_m01 = m[next()]._m03_m30;
   float2 fraction = modf(p.xy, m[next()]._m01_m12);
   change(m[next()]._m22_m33);
