@@ -18,9 +18,9 @@ constexpr double kTwoTo32 = 0x1p32;
 // Less than the limits by more than the roundings of the float operators whose range is known.
 constexpr double kNearly = 0.999;
 
-// Direct3D 10 and 11 saturate, and make 0 of NaN ("Direct3D 11.3 Functional Specification", ftoi and
-// ftou); DXIL's fptosi and fptoui are as undefined as GLSL's conversions, and before 4.0 an int is a
-// float without a fraction.
+// Direct3D 10 and 11 saturate, and make 0 of NaN ("Direct3D 11.3 Functional Specification", ftoi
+// and ftou); DXIL's fptosi and fptoui are as undefined as GLSL's conversions, and before 4.0 an int
+// is a float without a fraction.
 bool Saturates(const Profile& profile) {
   return profile.IsAtLeast(4, 0) && !profile.IsAtLeast(6, 0) && profile.level9 == Level9::kNone;
 }

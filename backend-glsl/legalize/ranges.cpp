@@ -86,7 +86,8 @@ class RangeFinder {
   }
   // Integers wrap round, so of their sums and products nothing is known.
   Range OfNode(ExprId expr, const Binary& node) {
-    if (!IsFloating(expr)) return Anything(expr);
+    if (!IsFloating(expr))
+      return node.op == BinaryOp::kBitAnd ? OfMask(expr, node) : Anything(expr);
     const Range left = Of(node.left), right = Of(node.right);
     if (!left.IsKnown() || !right.IsKnown()) return {};
     switch (node.op) {
@@ -129,6 +130,11 @@ class RangeFinder {
     }
   }
   Range OfNode(ExprId expr, const auto&) { return Anything(expr); }
+
+  Range OfMask(ExprId expr, const Binary& node) {
+    const Range mask = Of(node.right);
+    return mask.least >= 0 ? Range{0, mask.most} : Anything(expr);
+  }
 
   bool IsFloating(ExprId expr) const { return IsFloat(TypeOf(program_, expr).scalar); }
   Range Anything(ExprId expr) const { return OfKind(TypeOf(program_, expr).scalar); }

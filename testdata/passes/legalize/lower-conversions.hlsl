@@ -34,7 +34,7 @@ float4 main(float4 p : POSITION, float2 i : INDEX, int k : COUNT) : SV_Position 
 // CHECK-NEXT:   uint2 positive = to_uint(in_POSITION0.xy)
 // CHECK-NEXT:   uint byte = convert<uint>((saturate(in_POSITION0.x) * kScale) + 0.5)
 // CHECK-NEXT:   int bounded = convert<int>(min(max(in_POSITION0.y, -8.0), floor(clamp(in_POSITION0.z, 0.0, 3.0))))
-// CHECK-NEXT:   int rounded = to_int(round(convert<float>(in_COUNT0 & 3) - 2.0))
+// CHECK-NEXT:   int rounded = convert<int>(round(convert<float>(in_COUNT0 & 3) - 2.0))
 // CHECK-NEXT:   int4 places = convert<int4>(saturate(in_INDEX0.xyxy) * splat<float4>(4.0))
 // CHECK-NEXT:   uint place = convert<uint>(max(0.0, saturate(in_INDEX0.x) - 0.5))
 // CHECK-NEXT:   float4 sum = bones[places.x + 1] + bones[place]
