@@ -20,11 +20,24 @@ bool IsRowMajor(const std::string& major, bool by_default) {
 
 // A member that is made for planes, one time in three.
 Type MakeMemberType(Context& context) {
-  if (context.choices.Pick({2, 1}) == 0) return MakeType(context);
+  const std::uint32_t structs = context.structs.empty() ? 0 : 1;
+  const std::size_t choice = context.choices.Pick({2, 1, structs});
+  if (choice == 0) return MakeType(context);
   Type type{Kind::kFloat, {0, 4}};
+  if (choice == 2) {
+    const auto count = static_cast<std::uint32_t>(context.structs.size());
+    type.structure = static_cast<int>(context.choices.Below(count));
+    return type;
+  }
   if (context.choices.Chance(40)) type.sizes.push_back(context.choices.Between(1, 3));
   if (context.choices.Chance(20)) type.shape.rows = 4;
   return type;
+}
+
+// A matrix now and then: two in one struct may lie in different ways.
+Type MakeFieldType(Context& context) {
+  if (!context.Has(Feature::kMatrices) || !context.choices.Chance(25)) return MakeType(context);
+  return {Kind::kFloat, {context.choices.Between(2, 4), context.choices.Between(2, 4)}};
 }
 
 std::string PackOffset(int bytes) {
@@ -87,7 +100,7 @@ std::string MakeStruct(Context& context) {
   Struct structure{"S" + std::to_string(context.structs.size()), {}};
   std::string fields;
   const auto add = [&](int) {
-    Field field{context.FreshName("m"), MakeType(context)};
+    Field field{context.FreshName("m"), MakeFieldType(context)};
     const auto same = std::ranges::find(structure.fields, field.name, &Field::name);
     if (same != structure.fields.end()) return;
     field.major = MakeMajor(context, field.type);

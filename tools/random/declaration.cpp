@@ -89,6 +89,8 @@ Type MakeType(Context& context) {
         static_cast<int>(context.choices.Below(static_cast<std::uint32_t>(context.structs.size())));
   const std::size_t dimensions = context.choices.Pick({6, 2, 1});
   for (std::size_t i = 0; i < dimensions; ++i) type.sizes.push_back(context.choices.Between(1, 4));
+  if (type.sizes.size() > 1 && type.shape.IsMatrix() && !context.Has(Feature::kMatrixGrids))
+    type.sizes.pop_back();
   while (ComponentsOf(context.structs, type) > kMostComponents) {
     if (type.IsArray()) {
       type.sizes.erase(type.sizes.begin());

@@ -226,7 +226,7 @@ Expr MakeChoice(Context& context, Kind kind, Shape shape, int depth) {
 Expr MakeEffect(Context& context, Kind kind, Shape shape, int depth) {
   const Place place = MakePlace(context, kind, true, depth - 1);
   if (!place.found) return MakeExpr(context, kind, shape, depth - 1);
-  const std::size_t choice = context.choices.Pick({3, 1, 1});
+  const std::size_t choice = context.choices.Pick({3, 2, 1});
   const bool is_wild = IsInteger(kind) && place.range.IsWithin(Wild(kind).low, Wild(kind).high) &&
                        place.range.high > 1e6;
   Expr value{place.text, Level::kPostfix, kind, place.shape, place.range};
@@ -286,7 +286,7 @@ Expr MakeExpr(Context& context, Kind kind, Shape shape, int depth) {
                                              : MakeRead(context, kind, shape, 0);
   }
   const bool effects = context.effects && context.Has(Feature::kSideEffects);
-  switch (context.choices.Pick({2, 8, 8, 2, 2, 3, 6, 3, 4, effects ? 1u : 0u})) {
+  switch (context.choices.Pick({2, 8, 8, 2, 2, 3, 6, 3, 4, effects ? 3u : 0u})) {
     case 0: return MakeLiteral(context, kind, shape);
     case 1: return MakeRead(context, kind, shape, depth - 1);
     case 2: return MakeOperation(context, kind, shape, depth);

@@ -36,6 +36,15 @@ Expr LeafOf(Context& context, const Variable& variable) {
                                : leaf;
 }
 
+// A field as if it were a variable of its own.
+Variable FieldOf(const Context& context, const Variable& variable, std::size_t index) {
+  const Field& field = context.structs[variable.type.structure].fields[index];
+  Variable part = variable;
+  part.name += "." + field.name;
+  part.type = field.type;
+  return part;
+}
+
 }  // namespace
 
 EntryInputs MakeInputs(Context& context, bool keeps) {
@@ -102,12 +111,18 @@ EntryOutputs MakeOutputs(Context& context, bool soft) {
   if (soft) {
     for (int i = 0; i < 2; ++i) add({Kind::kFloat, {0, 4}}, MakeSoft(context, 4, 2));
   }
-  std::vector<const Variable*> visible = context.Visible();
+  const std::vector<const Variable*> visible = context.Visible();
   for (const Variable* variable : visible) {
-    if (number >= kMostOutputs) break;
-    const Expr leaf = LeafOf(context, *variable);
-    const Type type{leaf.kind == Kind::kBool ? Kind::kInt : leaf.kind, leaf.shape};
-    add(type, Argument(Convert(context, leaf, type.kind)));
+    // What no output depends on may be left out by the compiler.
+    if (context.choices.Chance(15)) continue;
+    const bool has_fields = variable->type.IsStruct();
+    const std::size_t fields =
+        has_fields ? context.structs[variable->type.structure].fields.size() : 1;
+    for (std::size_t i = 0; i < fields && number < kMostOutputs; ++i) {
+      const Expr leaf = LeafOf(context, has_fields ? FieldOf(context, *variable, i) : *variable);
+      const Type type{leaf.kind == Kind::kBool ? Kind::kInt : leaf.kind, leaf.shape};
+      add(type, Argument(Convert(context, leaf, type.kind)));
+    }
   }
   return outputs;
 }

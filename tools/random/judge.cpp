@@ -64,10 +64,11 @@ std::string Words(const Comparison& comparison) {
 // Nor does it know the variable of GL_ARB_draw_instanced in GLSL 1.20.
 bool IsKnown(const std::string& target, const std::string& problem) {
   if (problem.find("gl_InstanceIDARB") != std::string::npos) return true;
-  return target.starts_with("essl") && (problem.find("gl_ClipDistance") != std::string::npos ||
-                                        problem.find("gl_CullDistance") != std::string::npos ||
-                                        problem.find("gl_PerVertex") != std::string::npos ||
-                                        problem.find("clip_cull_distance") != std::string::npos);
+  const bool is_es = target.starts_with("essl") || target == "webgl2";
+  return is_es && (problem.find("gl_ClipDistance") != std::string::npos ||
+                   problem.find("gl_CullDistance") != std::string::npos ||
+                   problem.find("gl_PerVertex") != std::string::npos ||
+                   problem.find("clip_cull_distance") != std::string::npos);
 }
 
 }  // namespace
@@ -169,7 +170,7 @@ void Judge::State::DrawSomeOpenGl(const Program& program, const draw::CheckedSha
   const std::size_t count = names.size();
   for (std::size_t i = 0; i < count; ++i) {
     const std::string target(names[(program.target + i) % count]);
-    if (target == "vulkan") continue;
+    if (target == "vulkan" || target == "webgl2") continue;  // webgl2 is for browsers
     try {
       return Draw(program, checked, target);
     } catch (const draw::NotForTarget&) {

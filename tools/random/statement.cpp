@@ -41,12 +41,15 @@ std::string MakeAssignment(Context& context, int indent) {
 // `p op= value`, and then p is put back into its range.
 std::string MakeCompound(Context& context, int indent) {
   const Kind kind = static_cast<Kind>(context.choices.Pick({4, 3, 2}));
+  // What is put back is written twice: its indices are constants then.
+  const bool computes = kind != Kind::kFloat && context.choices.Chance(50);
   const Place place = [&] {
-    const Temporarily constant(context.constant_indices, !context.Has(Feature::kComputedSwizzles) ||
-                                                             !context.Has(Feature::kWildInts) ||
-                                                             kind == Kind::kFloat);
+    const Temporarily constant(context.constant_indices, !computes);
     return MakePlace(context, kind, true, 2);
   }();
+  const bool is_swizzle = place.text.find("._") != std::string::npos;
+  if (computes && (!IsWild(place) || (is_swizzle && !context.Has(Feature::kComputedSwizzles))))
+    return MakeAssignment(context, indent);
   if (!place.found) return {};
   const Shape shape = context.choices.Chance(25) ? kScalar : place.shape;
   const auto fit = [&](const Range& range) {
