@@ -75,7 +75,8 @@ std::string CollectOutputs(const CommandLine& command, const Outputs& outputs,
     pieces.push_back({"table", outputs.table, std::move(*text)});
   }
   if (is_complete && !outputs.reflection.empty())
-    pieces.push_back({"reflection", outputs.reflection, result.reflection});
+    pieces.push_back(
+        {"reflection", outputs.reflection, request.structs ? result.structs : result.reflection});
   if ((is_complete || request.preprocess) && result.ok() && !outputs.dependencies.empty()) {
     pieces.push_back({"dependencies", outputs.dependencies,
                       DependencyRule(outputs.dependency_target, result.dependencies)});

@@ -18,6 +18,7 @@
 #include "compiler/pixel_half.h"
 #include "compiler/reflect.h"
 #include "compiler/stages.h"
+#include "compiler/structs.h"
 #include "compiler/suggest.h"
 #include "compiler/validate.h"
 #include "frontend/parse/ast_print.h"
@@ -260,6 +261,7 @@ void Compilation::RunBackEnd(ir::Program typed, const Source& source) {
   Written written = Write(lowered, options_);
   result_.table = MakeClipTable(lowered, written.info);
   if (request_.reflect) result_.reflection = Reflect(lowered, written.info, *result_.table);
+  if (request_.structs) result_.structs = WriteStructs(lowered.program);
   result_.shaders = Finish(lowered, std::move(written));
   if (request_.spirv) TranslateToSpirv();
   if (request_.variants) WriteVariants(kept, settings);
@@ -359,6 +361,7 @@ void Compilation::CloseResult(const Source& source) {
   result_.variants.clear();
   result_.table.reset();
   result_.reflection.clear();
+  result_.structs.clear();
   result_.spirv.clear();
   result_.listing.clear();
 }

@@ -104,6 +104,7 @@ struct CompileRequest {
   bool source_lines = false;          // with the lines of the HLSL as comments in the GLSL
   bool list = false;                  // fill CompileResult::listing
   bool reflect = false;               // fill CompileResult::reflection
+  bool structs = false;               // fill CompileResult::structs
   std::optional<SpirvRequest> spirv;  // fill CompileResult::spirv
   bool preprocess = false;            // fill CompileResult::preprocessed, and stop
   bool draw_text = true;              // fill CompileResult::text
@@ -143,6 +144,7 @@ struct CompileResult {
   std::vector<Shaders> variants;  // on request: variants[k] has the first k planes
   std::optional<clip_table::ClipTable> table;  // with `shaders`
   std::string reflection;                      // JSON, with `shaders`, on request
+  std::string structs;                         // a C header: structs.h
   std::vector<std::uint32_t> spirv;            // of `shaders.vertex`, on request
   std::string listing;                         // with `shaders`, on request: see source_lines
   std::string preprocessed;                    // HLSL, on request

@@ -295,7 +295,7 @@ constexpr Option kOptions[] = {
     {"--table", kEquals, Set<&CommandLine::table>, "<FILE>",
      "write the clip table: .json, .bin (Direct3D's record) or .h"},
     {"--reflect", kEquals, Set<&CommandLine::reflection>, "<FILE>",
-     "write inputs, outputs, buffers and planes as JSON"},
+     "write inputs, outputs, buffers and planes as JSON, or with .h buffers as C structs"},
     {"-MD", kFlag, Set<&CommandLine::write_dependencies>, "",
      "write a make rule with the files read, beside the output"},
     {"-MF", kJoinedOrSeparate, SetDependencyFile, "<FILE>", "write that rule to FILE"},

@@ -51,7 +51,8 @@ std::string PrepareRequest(CommandLine& command) {
     const std::string problem = ReadText(command.fragment, request.fragment.emplace());
     if (!problem.empty()) return fmt::format("cannot read `{}`: {}", command.fragment, problem);
   }
-  request.reflect = !command.reflection.empty();
+  request.structs = command.reflection.ends_with(".h");
+  request.reflect = !command.reflection.empty() && !request.structs;
   request.list = !command.listing.empty();
   request.preprocess = !command.preprocessed.empty() || command.only_dependencies;
   request.gives_planes_to_device = !command.table.empty() || request.reflect;

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "compiler/structs.h"
+
+#include <algorithm>
+#include <cctype>
+#include <iterator>
+#include <map>
+#include <set>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "ir/packing.h"
+
+namespace clipc {
+namespace {
+
+using ir::Program;
+using ir::Scalar;
+using ir::Type;
+using ir::TypeId;
+using ir::TypeKind;
+
+constexpr std::uint32_t kRow = 16;
+
+// Of C++20 and C23, but for those that HLSL has too.
+constexpr std::string_view kKeywords[] = {
+    "alignas",
+    "alignof",
+    "and",
+    "and_eq",
+    "asm",
+    "auto",
+    "bitand",
+    "bitor",
+    "catch",
+    "char",
+    "char16_t",
+    "char32_t",
+    "char8_t",
+    "class",
+    "co_await",
+    "co_return",
+    "co_yield",
+    "compl",
+    "concept",
+    "const_cast",
+    "consteval",
+    "constexpr",
+    "constinit",
+    "decltype",
+    "delete",
+    "dynamic_cast",
+    "enum",
+    "explicit",
+    "export",
+    "friend",
+    "goto",
+    "long",
+    "mutable",
+    "namespace",
+    "new",
+    "noexcept",
+    "not",
+    "not_eq",
+    "nullptr",
+    "operator",
+    "or",
+    "or_eq",
+    "private",
+    "protected",
+    "public",
+    "register",
+    "requires",
+    "reinterpret_cast",
+    "restrict",
+    "short",
+    "signed",
+    "sizeof",
+    "static_assert",
+    "static_cast",
+    "template",
+    "this",
+    "thread_local",
+    "throw",
+    "try",
+    "typeid",
+    "typename",
+    "typeof",
+    "union",
+    "unsigned",
+    "using",
+    "virtual",
+    "wchar_t",
+    "xor",
+    "xor_eq",
+};
+
+std::string Identifier(std::string_view name) {
+  std::string identifier;
+  for (const char c : name) {
+    if (c == '$') continue;  // of "$Globals"
+    const bool is_word = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+    identifier += is_word ? c : '_';
+  }
+  const bool is_keyword = std::ranges::find(kKeywords, identifier) != std::end(kKeywords);
+  return is_keyword ? identifier + "_" : identifier;
+}
+
+const char* NameOfScalar(Scalar scalar) {
+  switch (ir::BaseOf(scalar)) {
+    case Scalar::kInt: return "int32_t";
+    case Scalar::kBool:
+    case Scalar::kUint: return "uint32_t";
+    case Scalar::kDouble: return "double";
+    case Scalar::kInt64: return "int64_t";
+    case Scalar::kUint64: return "uint64_t";
+    default: return "float";
+  }
+}
+
+class Header {
+ public:
+  explicit Header(const Program& program) : program_(program), types_(program.types) {}
+
+  std::string Write() {
+    for (const ir::CbufferId id : program_.cbuffers.ids()) AddBuffer(program_.cbuffers[id]);
+    return text_;
+  }
+
+ private:
+  // The members of one struct, with what stands between them.
+  struct Body {
+    std::string name, members, assertions;
+    std::uint32_t end = 0;
+    int gaps = 0;
+  };
+
+  // A struct and a buffer, or structs of two namespaces, may have one name in HLSL.
+  std::string NewName(std::string_view written) {
+    const std::string name = Identifier(written);
+    std::string unique = name.empty() ? "Unnamed" : name;
+    for (int i = 2; !names_.insert(unique).second; ++i) unique = fmt::format("{}_{}", name, i);
+    return unique;
+  }
+
+  void Pad(Body& body, std::uint32_t to) {
+    if (to <= body.end) return;
+    fmt::format_to(std::back_inserter(body.members), "  uint32_t padding{}_[{}];\n", body.gaps++,
+                   (to - body.end) / 4);
+    body.end = to;
+  }
+
+  void AddMember(Body& body, std::string_view written, TypeId type, bool row_major,
+                 std::uint32_t offset) {
+    const std::uint32_t size = ir::PackedExtent(types_, type, row_major).size;
+    if (size == 0) return;  // an object in a struct is no constant
+    Pad(body, offset);
+    const std::string name = Identifier(written);
+    fmt::format_to(std::back_inserter(body.members), "  {};  // {}{}\n",
+                   Declaration(name, type, row_major), row_major ? "row_major " : "",
+                   types_.Name(type));
+    fmt::format_to(std::back_inserter(body.assertions),
+                   "static_assert(offsetof(struct {0}, {1}) == {2}, \"{0}.{1}\");\n", body.name,
+                   name, offset);
+    body.end = offset + size;
+  }
+
+  // "float view[16]"
+  std::string Declaration(const std::string& name, TypeId id, bool row_major) {
+    std::string lengths;
+    TypeId element = id;
+    std::uint32_t size = ir::PackedExtent(types_, id, row_major).size;
+    const auto as_words = [&](const char* word, std::uint32_t bytes) {
+      return fmt::format("{} {}{}[{}]", word, name, lengths, size / bytes);
+    };
+    while (types_[element].kind == TypeKind::kArray) {
+      const Type& array = types_[element];
+      const std::uint32_t stride = ir::ArrayStride(types_, element, row_major);
+      if (ir::PackedExtent(types_, array.element, row_major).size != stride) break;
+      fmt::format_to(std::back_inserter(lengths), "[{}]", array.count);
+      element = array.element;
+      size = stride;
+    }
+    const Type& type = types_[element];
+    if (type.kind == TypeKind::kStruct)
+      return fmt::format("struct {} {}{}", AddStruct(element), name, lengths);
+    const TypeId innermost = types_.Innermost(element);
+    if (!types_[innermost].IsNumeric()) return as_words("uint32_t", 4);
+    const char* const scalar = NameOfScalar(types_[innermost].scalar);
+    if (type.kind == TypeKind::kScalar) return fmt::format("{} {}{}", scalar, name, lengths);
+    const bool is_wide = std::string_view(scalar) == "double" ||
+                         std::string_view(scalar).find("64") != std::string_view::npos;
+    return as_words(scalar, is_wide ? 8 : 4);
+  }
+
+  // Its name. A struct is as long as its last member goes, so that what follows may use the rest of
+  // that row, as in HLSL.
+  std::string AddStruct(TypeId type) {
+    const ir::StructId id = types_[type].structure;
+    if (const auto known = structs_.find(id); known != structs_.end()) return known->second;
+    const ir::Struct& structure = types_.StructOf(type);
+    Body body{NewName(structure.name), {}, {}};
+    structs_.emplace(id, body.name);
+    for (std::uint32_t i = 0; i < structure.fields.size(); ++i) {
+      const ir::Field& field = structure.fields[i];
+      AddMember(body, field.name, field.type, field.row_major, ir::FieldOffset(types_, id, i));
+    }
+    Close(body, fmt::format("struct {}", structure.name));
+    return body.name;
+  }
+
+  void AddBuffer(const ir::Cbuffer& buffer) {
+    Body body{NewName(buffer.name), {}, {}};
+    std::vector<ir::CbufferMember> members = buffer.members;
+    std::ranges::stable_sort(members, {}, &ir::CbufferMember::offset);
+    for (const ir::CbufferMember& member : members) {
+      const ir::Var& var = program_.vars[member.var];
+      TypeId type = var.type;
+      if (buffer.count > 1 && types_[type].kind == TypeKind::kArray) type = types_[type].element;
+      if (member.offset >= body.end) {
+        AddMember(body, var.name, type, var.row_major, member.offset);
+      } else {  // `register(c#)` puts it over another
+        fmt::format_to(std::back_inserter(body.members), "  // {} at byte {}\n",
+                       Identifier(var.name), member.offset);
+      }
+    }
+    Pad(body, static_cast<std::uint32_t>(ir::RoundUp(buffer.size, kRow)));
+    Close(body, fmt::format("{}, b{}, space {}", buffer.name, buffer.reg.number, buffer.reg.space));
+  }
+
+  void Close(const Body& body, std::string_view what) {
+    if (body.members.empty()) return;
+    fmt::format_to(
+        std::back_inserter(text_),
+        "\n// {0}\n#ifndef CLIPC_STRUCT_{1}\n#define CLIPC_STRUCT_{1}\nstruct {1} {{\n{2}}};\n"
+        "#endif\n{3}static_assert(sizeof(struct {1}) == {4}, \"{1}\");\n",
+        what, body.name, body.members, body.assertions, body.end);
+  }
+
+  const Program& program_;
+  const ir::TypeTable& types_;
+  std::set<std::string> names_;
+  std::map<ir::StructId, std::string> structs_;
+  std::string text_;
+};
+
+}  // namespace
+
+std::string WriteStructs(const Program& program) {
+  return "// Written by clipc: constant buffers, byte by byte as Direct3D lays them out. A struct "
+         "that\n"
+         "// two shaders share is taken from the first; the assertions of the second hold for it "
+         "too.\n"
+         "#pragma once\n#include <assert.h>\n#include <stddef.h>\n#include <stdint.h>\n"
+         "#pragma pack(push, 4)\n" +
+         Header(program).Write() + "#pragma pack(pop)\n";
+}
+
+}  // namespace clipc
