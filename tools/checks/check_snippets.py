@@ -6,10 +6,11 @@ usage: check_snippets.py BUILD_FOLDER SCRATCH_FOLDER C_COMPILER CXX_COMPILER
 
 A page is README.md, CONTRIBUTING.md or below docs/. On each,
 
-- a block of `hlsl` is compiled, and a block of `glsl` is what the `hlsl` before it becomes, to the letter;
+- a block of `hlsl` is compiled, or after "where `NAME` is" it is the file of that name, and a block of `glsl` is what the `hlsl` before it becomes, to the letter;
 - a block of `c`, `cpp` or `cmake`, the N-th block of the page, is put into tools/checks/snippets/PAGE.N.LANGUAGE.in and compiled, or
   configured with an installed clipc;
 - a block of `json` is JSON; a manifest is compiled;
+- a block of `js` is JavaScript, where there is node; the tests `web.*` run what it shows;
 - a command, in a block that is indented or in backticks, is run if it calls clipc or glslangValidator; of other commands the program
   exists, and so do the options and presets that it is given;
 - a row of limits.md that names a constant has its value.
@@ -27,6 +28,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SNIPPETS = ROOT / "tools/checks/snippets"
+NAMED = re.compile(r"where `(\S+)` is\n\n```hlsl\n(.*?)^```$", re.M | re.S)
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.M | re.S)
 INDENTED = re.compile(r"^    (\S.*)$", re.M)
 INLINE = re.compile(r"`((?:clipc|clipc-draw|glslangValidator|cmake|ctest|cpack|\./\w+|(?:tools|examples|packaging)/[^\s`]+) [^`\n]+)`")
@@ -166,8 +168,12 @@ def check_limits(run, page):
 def check_page(run, page):
     text = page.read_text()
     folder = run.folder(page)
-    glsl = ""
+    glsl, named = "", {block: name for name, block in NAMED.findall(text)}
+    for name, block in NAMED.findall(text):
+        (folder / name).write_text(block)
     for number, (language, block) in enumerate(FENCE.findall(text), 1):
+        if block in named:
+            continue
         if language == "hlsl":
             (folder / "water.hlsl").write_text(block)
             glsl = run.call(["clipc", "water.hlsl"], folder, page.name).stdout
@@ -178,6 +184,10 @@ def check_page(run, page):
             check_code(run, page, number, language, block, folder)
         elif language == "json":
             check_json(run, page, block, folder)
+        elif language == "js":
+            (folder / f"block{number}.mjs").write_text(block)
+            if shutil.which("node"):
+                run.call(["node", "--check", f"block{number}.mjs"], folder, f"{page.name}: block {number}")
         elif language != "text":
             run.problems.append(f"{page.name}: block {number} of `{language}` has no rule")
     prose = FENCE.sub("", text)

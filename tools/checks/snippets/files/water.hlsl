@@ -23,3 +23,5 @@ float4 main(float3 position : POSITION) : SV_Position { return mul(float4(positi
 
 [clipplanes(water_plane)]
 float4 depth(float3 position : POSITION) : SV_Position { return mul(float4(position, 1), view_projection); }
+
+float4 vert(float3 position : POSITION) : SV_Position { return mul(float4(position, 1), view_projection); }

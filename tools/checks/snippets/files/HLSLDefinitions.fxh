@@ -1,0 +1,1 @@
+#define MATRIX_PRODUCT(m, v) mul(v, m)
