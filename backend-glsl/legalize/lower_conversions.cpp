@@ -146,7 +146,7 @@ class ConversionLowering {
   Legalizer& legalizer_;
   Program& program_;
   std::optional<IndexUses> uses_;  // made for the first conversion that may not fit
-  std::vector<bool> done_;  // by ExprId: conversions that stay
+  std::vector<bool> done_;         // by ExprId: conversions that stay
 };
 
 }  // namespace
