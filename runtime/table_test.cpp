@@ -132,7 +132,7 @@ TEST(ReadTableTest, DamageIsNamed) {
   };
   std::string json = *clip_table::WriteJson(Written());
   expect("", "no JSON");
-  expect(json.substr(0, json.size() / 2), "no JSON");
+  expect(json.substr(0, json.size() / 2), "the JSON is cut off");
   expect(json.replace(json.find("level9"), 6, "level8"), "`lowering` is \"level8\"");
   std::string binary = *clip_table::WriteBinary(Written());
   expect(binary.substr(0, 24), "the file has 6");
