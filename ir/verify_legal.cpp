@@ -78,6 +78,13 @@ std::string_view RuleBrokenBy(const Program& program, ExprId expr) {
                      return IsMatrix(type_of(expr)) ? "a choice takes no matrices" : "";
                    },
                    [&](const IntrinsicCall& node) { return BrokenBy(program, node); },
+                   [&](const Index& node) -> std::string_view {
+                     const Type& type = type_of(node.base);
+                     const bool is_only = type.kind == TypeKind::kMatrix && type.rows == 1;
+                     return is_only && !IsPure(program, node.index)
+                                ? "the index of an only row changes nothing"
+                                : "";
+                   },
                    [](const auto&) { return std::string_view{}; },
                },
                program.exprs[expr].node);

@@ -11,6 +11,13 @@
 // functions (Function::is_helper). One pass a function, before => after:
 namespace clipc::glsl {
 
+// Indices that have effects and that GLSL does without: a matrix of one row is a vector, float1 a
+// scalar.
+//
+//   row[i++] = v;  =>  i++, row[0] = v;
+//   f(row[i++])    =>  f((i++, row[0]))
+void LowerIndices(Legalizer& legalizer);
+
 // `a op= b` where GLSL has no such operator: matrices, and % that is not on uint.
 //
 //   m *= n;       =>  m = m * n;

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "backend-glsl/legalize/legalize.h"
+#include "ir/access.h"
+
+namespace clipc::glsl {
+
+using namespace ir;
+
+namespace {
+
+class IndexLowering {
+ public:
+  explicit IndexLowering(Legalizer& legalizer)
+      : legalizer_(legalizer), program_(legalizer.program) {}
+
+  void Run() {
+    const auto end = static_cast<std::uint32_t>(program_.exprs.size());
+    bool is_any = false;
+    for (std::uint32_t i = 0; i < end && !is_any; ++i) is_any = IsLost(ExprId{i});
+    if (!is_any) return;
+    // Targets first: GLSL assigns to no comma.
+    for (std::uint32_t i = 0; i < end; ++i) {
+      if (IsOfWritingKind(program_.exprs[ExprId{i}])) LowerTargets(ExprId{i});
+    }
+    for (std::uint32_t i = 0; i < end; ++i) {
+      if (IsLost(ExprId{i})) PutBefore(ExprId{i}, {TakeIndex(ExprId{i})});
+    }
+  }
+
+ private:
+  // An index that the only row, or the only component, takes without GLSL's [], and that changes
+  // something.
+  bool IsLost(ExprId expr) {
+    const auto* node = As<Index>(program_, expr);
+    if (!node || !legalizer_.IsNumeric(node->base)) return false;
+    const Type& type = legalizer_.TypeOf(node->base);
+    const bool is_only_row = type.kind == TypeKind::kMatrix && type.rows == 1;
+    return (is_only_row || ShapeOf(type).IsScalar()) && !legalizer_.IsPure(node->index);
+  }
+
+  ExprId TakeIndex(ExprId expr) {
+    const Index node = *As<Index>(program_, expr);
+    program_.exprs[expr].node = Index{node.base, legalizer_.At(expr).Int(0)};
+    return node.index;
+  }
+
+  void LowerTargets(ExprId expr) {
+    std::vector<ExprId> targets;
+    ForEachWrite(program_, expr, [&](ExprId target) { targets.push_back(target); });
+    std::vector<ExprId> indices;
+    for (const ExprId target : targets) {
+      const std::size_t begin = indices.size();
+      for (ExprId part = target; part; part = WholeOf(program_, part)) {
+        if (IsLost(part)) indices.push_back(TakeIndex(part));
+      }
+      std::reverse(indices.begin() + static_cast<std::ptrdiff_t>(begin), indices.end());
+    }
+    PutBefore(expr, indices);
+  }
+
+  void PutBefore(ExprId expr, const std::vector<ExprId>& values) {
+    Builder b = legalizer_.At(expr);
+    const TypeId type = program_.exprs[expr].type;
+    for (auto value = values.rbegin(); value != values.rend(); ++value) {
+      const ExprId rest = b.Add(type, program_.exprs[expr].node);
+      program_.exprs[expr].node = Comma{*value, rest};
+    }
+  }
+
+  Legalizer& legalizer_;
+  Program& program_;
+};
+
+}  // namespace
+
+void LowerIndices(Legalizer& legalizer) { IndexLowering(legalizer).Run(); }
+
+}  // namespace clipc::glsl
