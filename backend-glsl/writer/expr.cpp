@@ -191,6 +191,7 @@ Text ExprText(Code& code, ExprId id) {
             const Operand mixed[] = {OperandOf(code, node.when_false),
                                      OperandOf(code, node.when_true),
                                      OperandOf(code, node.condition)};
+            code.is_constant = false;  // glslang computes no mix() of a bool
             return CallOn(code, "mix", mixed);
           },
           [&](const Convert& node) { return ConvertText(code, expr, node); },

@@ -29,6 +29,8 @@ static const float huge_ = 1.#INF;
 static const float2x2 turned = transpose(float2x2(1, 2, 3, 4));
 // CONST-NEXT: const float square = length(vec2(3.0, 4.0));
 static const float square = length(float2(3, 4));
+// CONST-NEXT: {{^}}uvec2 chosen = mix(uvec2(5u, 8u), uvec2(2u, 7u), bvec2(true));
+static const uint2 chosen = (bool2)true ? uint2(2, 7) : uint2(5, 8);
 
 // CHECK: void main() {
 // CHECK-NEXT: called = three_times(1.0);
@@ -37,4 +39,4 @@ static const float square = length(float2(3, 4));
 // CHECK-NEXT: cut = vec2[2](vec2(temporary.x, temporary.y), vec2(temporary.z, temporary.w));
 float4 main(float4 p : POSITION) : SV_Position { return float4(cut[0], cut[1]) * called + after_it + three_times(p.x); }
 
-float4 constants(float4 p : POSITION) : SV_Position { return p.x < infinity_ && p.y < huge_ ? turned[0].xyxy * p * square : p; }
+float4 constants(float4 p : POSITION) : SV_Position { return p.x < infinity_ && p.y < huge_ ? turned[0].xyxy * p * square + chosen.xyxy : p; }
