@@ -159,4 +159,15 @@ void ForEachExpr(const Program& program, Id<Root> root, OnExpr&& visit) {
   });
 }
 
+// Calls visit(ExprId) for every expression in the bodies of functions and in the values that
+// variables begin with. The arena has others too, which were replaced and may be incomplete.
+template <typename OnExpr>
+void ForEachLiveExpr(const Program& program, OnExpr&& visit) {
+  for (const VarId id : program.vars.ids()) {
+    if (program.vars[id].init) ForEachExpr(program, program.vars[id].init, visit);
+  }
+  for (const FunctionId id : program.functions.ids())
+    ForEachExpr(program, program.functions[id].body, visit);
+}
+
 }  // namespace clipc::ir

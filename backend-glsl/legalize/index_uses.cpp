@@ -28,9 +28,9 @@ IndexUses::IndexUses(const Program& program)
       is_index_(program.exprs.size()),
       uses_(program.vars.size()),
       values_(program.vars.size()) {
-  for (const ExprId expr : program.exprs.ids()) {
+  ForEachLiveExpr(program, [&](ExprId expr) {
     if (const auto* ref = As<VarRef>(program, expr)) ++uses_[ref->var.index];
-  }
+  });
   FindValues();
   for (const VarId var : program.vars.ids()) {
     if (uses_[var.index] == 0) waiting_.push_back(var);
@@ -44,13 +44,13 @@ IndexUses::IndexUses(const Program& program)
 }
 
 void IndexUses::MarkPlaces() {
-  for (const ExprId expr : program_.exprs.ids()) {
+  ForEachLiveExpr(program_, [&](ExprId expr) {
     if (const auto* index = As<Index>(program_, expr)) {
       Mark(index->index);
     } else if (const auto* call = As<ObjectCall>(program_, expr); call && IsOfPlace(call->op)) {
       Mark(program_.expr_lists[call->arguments][1]);
     }
-  }
+  });
 }
 
 void IndexUses::Mark(ExprId expr) {
@@ -70,14 +70,16 @@ void IndexUses::Mark(ExprId expr) {
 }
 
 void IndexUses::FindValues() {
-  for (const StmtId stmt : program_.stmts.ids()) {
-    const auto* declare = As<Declare>(program_, stmt);
-    if (declare && declare->init) AddValue(declare->var, declare->init);
+  for (const FunctionId id : program_.functions.ids()) {
+    ForEachStmt(program_, program_.functions[id].body, [&](StmtId stmt) {
+      const auto* declare = As<Declare>(program_, stmt);
+      if (declare && declare->init) AddValue(declare->var, declare->init);
+    });
   }
-  for (const ExprId expr : program_.exprs.ids()) {
+  ForEachLiveExpr(program_, [&](ExprId expr) {
     if (const auto* assign = As<Assign>(program_, expr)) {
       const auto* target = As<VarRef>(program_, assign->target);
-      if (!target || assign->op) continue;
+      if (!target || assign->op) return;
       --uses_[target->var.index];
       AddValue(target->var, assign->value);
     } else if (const auto* call = As<Call>(program_, expr)) {
@@ -85,7 +87,7 @@ void IndexUses::FindValues() {
       const auto& parameters = program_.functions[call->function].parameters;
       for (std::size_t i = 0; i < arguments.size(); ++i) AddValue(parameters[i], arguments[i]);
     }
-  }
+  });
 }
 
 void IndexUses::AddValue(VarId var, ExprId value) {

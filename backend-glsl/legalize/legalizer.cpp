@@ -27,7 +27,8 @@ bool MayChange(const Program& program, const Expr& expr) {
                    [](const Assign& node) { return node.op.has_value(); },
                    [&](const Unary&) { return IsMatrix(program, expr.type); },
                    [&](const Convert& node) {
-                     return IsMatrix(program, expr.type) ||
+                     // An expression that was replaced may be incomplete.
+                     return IsMatrix(program, expr.type) || !node.operand ||
                             (!IsFloat(program.types[expr.type].scalar) &&
                              IsFloat(program.types[program.exprs[node.operand].type].scalar));
                    },

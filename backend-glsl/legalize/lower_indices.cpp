@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <algorithm>
-#include <cstdint>
+#include <cstddef>
 #include <vector>
 
 #include "backend-glsl/legalize/legalize.h"
 #include "ir/access.h"
+#include "ir/walk.h"
 
 namespace clipc::glsl {
 
@@ -18,16 +19,16 @@ class IndexLowering {
       : legalizer_(legalizer), program_(legalizer.program) {}
 
   void Run() {
-    const auto end = static_cast<std::uint32_t>(program_.exprs.size());
-    bool is_any = false;
-    for (std::uint32_t i = 0; i < end && !is_any; ++i) is_any = IsLost(ExprId{i});
-    if (!is_any) return;
+    std::vector<ExprId> writes, indices;
+    ForEachLiveExpr(program_, [&](ExprId id) {
+      if (IsOfWritingKind(program_.exprs[id])) writes.push_back(id);
+      if (IsLost(id)) indices.push_back(id);
+    });
+    if (indices.empty()) return;
     // Targets first: GLSL assigns to no comma.
-    for (std::uint32_t i = 0; i < end; ++i) {
-      if (IsOfWritingKind(program_.exprs[ExprId{i}])) LowerTargets(ExprId{i});
-    }
-    for (std::uint32_t i = 0; i < end; ++i) {
-      if (IsLost(ExprId{i})) PutBefore(ExprId{i}, {TakeIndex(ExprId{i})});
+    for (const ExprId id : writes) LowerTargets(id);
+    for (const ExprId id : indices) {
+      if (IsLost(id)) PutBefore(id, {TakeIndex(id)});
     }
   }
 
