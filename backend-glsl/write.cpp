@@ -32,9 +32,12 @@ void WriteGlobals(Code& code) {
       code.sections.globals +=
           LayoutText({Concat("constant_id = ", std::to_string(*var.constant_id))});
     }
-    Append(code.sections.globals, is_const ? "const " : PreciseText(code, var.precise),
+    Append(code.sections.globals, is_const ? "const " : "",
            Declaration(code, var.type, code.NameOf(id)), is_late ? "" : " = ", is_late ? "" : value,
            ";\n");
+    // glslang 12 takes `precise vec4 a;` for a variable of `main`.
+    const std::string_view precise = PreciseText(code, var.precise && !is_const);
+    if (!precise.empty()) Append(code.sections.globals, precise, code.NameOf(id), ";\n");
     if (is_late) code.late_globals.emplace_back(code.NameOf(id), std::move(value));
     if (!is_const) code.mutable_globals.insert(id);
   }

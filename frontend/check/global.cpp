@@ -122,6 +122,7 @@ void ResolveStatic(Context& context, SymbolId id, const ast::VarDecl& var) {
   context[result].init = init;
   context[result].row_major = IsRowMajor(context, qualifiers);
   context[result].constant_id = constant_id;
+  context[result].precise = (qualifiers & ast::kPrecise) != 0;
   if (is_const || constant_id) MarkConst(context, result);
   context[id].value = result.index;
   context.globals.reached.push_back({OrderOf(context, id), result});

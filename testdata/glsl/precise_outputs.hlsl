@@ -8,6 +8,9 @@
 // RUN: %clipc -T vs_5_0 -E result --target=glsl330 --invariant --validate %s -o - 2>&1 | FileCheck %s --check-prefix=OLD
 // RUN: %clipc -T vs_5_0 -E planes --target=vulkan -Gis --invariant %s -o %t.spv
 // RUN: spirv-dis %t.spv -o - | FileCheck %s --check-prefix=SPIRV
+// RUN: %clipc -T vs_5_0 -E global -spirv %s -o %t.spv && spirv-val %t.spv
+// RUN: %clipc -T vs_5_0 -E global --validate %s -o - | FileCheck %s --check-prefix=GLOBAL
+// RUN: %draw compare %s -T vs_5_0 -E global --lower none
 cbuffer C {
   float4x4 m;
   float4 plane;
@@ -56,3 +59,9 @@ void parameter(float4 p : POSITION, out precise float4 normal : NORMAL, out floa
 // SPIRV-DAG: OpDecorate [[times:%.*]] NoContraction
 // SPIRV: [[times]] = OpMatrixTimesVector
 [clipplanes(plane)] float4 planes(float4 p : POSITION) : SV_Position { return mul(p, m); }
+
+// GLOBAL: vec4 sum = vec4(0.0);
+// GLOBAL-NEXT: {{^}}precise sum;
+static precise float4 sum;
+float4 Add(float4 p) { return sum += p; }
+float4 global(float4 p : POSITION) : SV_Position { return Add(p) + Add(p.wzyx); }
