@@ -39,7 +39,7 @@ void WriteGlobals(Code& code) {
     const std::string_view precise = PreciseText(code, var.precise && !is_const);
     if (!precise.empty()) Append(code.sections.globals, precise, code.NameOf(id), ";\n");
     if (is_late) code.late_globals.emplace_back(code.NameOf(id), std::move(value));
-    if (!is_const) code.mutable_globals.insert(id);
+    if (!is_const) code.mutable_constants.insert(id);
   }
 }
 

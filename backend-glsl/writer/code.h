@@ -17,7 +17,7 @@ namespace clipc::glsl {
 struct Code : Context {
   using Context::Context;
 
-  std::set<ir::VarId> mutable_globals;  // written without `const`
+  std::set<ir::VarId> mutable_constants;  // written without `const`
   // The names and values of global variables that get their value in `main`, as ES wants it.
   std::vector<std::pair<std::string, std::string>> late_globals;
   std::string* out = nullptr;  // where Line writes

@@ -26,7 +26,8 @@ namespace {
 Text VarText(Code& code, VarId id) {
   const Storage storage = code[id].storage;
   if (storage == Storage::kUniform) return UniformText(code, id);
-  if (storage != Storage::kConstant || code.mutable_globals.contains(id)) code.is_constant = false;
+  if (storage != Storage::kConstant || code.mutable_constants.contains(id))
+    code.is_constant = false;
   return {code.NameOf(id)};
 }
 

@@ -44,6 +44,7 @@ std::string DeclareText(Code& code, const Declare& node, bool is_first = true) {
   code.is_constant = true;
   const std::string value = init ? Argument(code, init) : "";
   const bool is_const = var.storage == Storage::kConstant && init && code.is_constant;
+  if (var.storage == Storage::kConstant && !is_const) code.mutable_constants.insert(node.var);
   code.NameLocal(node.var, "value");
   const std::string& name = code.NameOf(node.var);
   const std::string_view equals = init ? " = " : "";
