@@ -346,8 +346,11 @@ class MainBuilder {
                            .precise = precise && !is_input});
     std::string path = leaf.name + leaf.elements;
     std::uint32_t place = 0;
-    if (builtin == Builtin::kNone && (is_input || !program_.profile.IsPixel()))
-      place = locations_[is_input].Next(location, program_.types[type], path, leaf.span);
+    // A pixel shader's outputs meet no shader's inputs.
+    const bool meets = is_input || !program_.profile.IsPixel();
+    if (builtin == Builtin::kNone)
+      place = locations_[is_input].Next(meets ? location : std::nullopt, program_.types[type], path,
+                                        leaf.span);
     list.push_back({id, semantic.name, semantic.index, builtin, place, interpolation, centroid,
                     sample, semantic.has_index, leaf.name.substr(leaf.name.rfind('.') + 1),
                     std::move(path)});

@@ -273,7 +273,7 @@ Expr Literal(Kind kind, double value) {
     case Kind::kBool: std::snprintf(text, sizeof text, value != 0 ? "true" : "false"); break;
   }
   int fraction = 0;
-  for (double scaled = value; scaled != std::floor(scaled); scaled *= 2) ++fraction;
+  while (std::ldexp(value, fraction) != std::floor(std::ldexp(value, fraction))) ++fraction;
   return {
       text, value < 0 ? Level::kUnary : Level::kPostfix, kind, kScalar, {value, value, fraction}};
 }

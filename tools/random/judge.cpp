@@ -162,6 +162,7 @@ void Judge::State::CheckTarget(const draw::CheckedShader& checked, const std::st
     if (!problems.empty() && !IsKnown(target, problems[0]))
       Report(Fault::kInvalid, target, problems[0] + "\n" + shader.glsl);
   } catch (const draw::NotForTarget&) {
+    return;  // the target lacks something, and clipc said so
   }
 }
 
@@ -174,6 +175,7 @@ void Judge::State::DrawSomeOpenGl(const Program& program, const draw::CheckedSha
     try {
       return Draw(program, checked, target);
     } catch (const draw::NotForTarget&) {
+      continue;
     }
   }
 }
@@ -242,7 +244,7 @@ void Judge::State::AskPeer(const Program& program) {
     peer_took_it = true;
     if (found.values.wrong > 0) Report(Fault::kPeer, "vulkan", Words(found.values));
   } catch (const draw::DrawError&) {
-    // The peer does not read the program, or what it makes of it cannot be run.
+    return;  // the peer does not read the program, or what it makes of it cannot be run
   }
 }
 
@@ -258,6 +260,7 @@ Verdict Judge::operator()(const Program& program, const std::optional<Verdict>& 
   } catch (Found& found) {
     verdict = std::move(found.verdict);
   } catch (const draw::NotForTarget&) {
+    verdict = {};
   } catch (const std::exception& error) {
     verdict = {Fault::kDriver, "", error.what()};
   }

@@ -119,7 +119,7 @@ void Worker::Start() {
     close(answer[0]);
     const int said = open((options_.scratch + "/stderr.txt").c_str(),
                           O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
-    dup2(said, STDERR_FILENO);
+    if (said >= 0) dup2(said, STDERR_FILENO);
     // No shader is drawn twice, and each for a few vertices: compiling it is what takes time.
     setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
     setenv("GALLIVM_PERF", "nopt", 0);

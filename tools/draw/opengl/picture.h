@@ -45,7 +45,7 @@ harness::Picture ColorsOf(const Picture& picture);
 // division by w, depth rising from 1/4 on the left to 3/4 on the right, w from 1 at the bottom to 2
 // at the top. Four floats for each vertex.
 std::vector<std::array<float, 4>> FullTarget();
-inline constexpr float DepthAt(float x) { return 0.5f + 0.25f * x; }
+constexpr float DepthAt(float x) { return 0.5f + 0.25f * x; }
 
 // The pixels that a picture of FullTarget must have.
 struct Expectation {
