@@ -44,12 +44,11 @@ void Parser::ParseOutsideStatements() {
   outside_reported_ = true;
   EndPanic();
   while (AtOutsideStatement()) {
-    if (AtWord(Word::kElse)) {
-      Next();
-    } else {
-      ParseStatement();
-    }
+    const std::size_t before = pos_;
+    if (!AtWord(Word::kElse)) ParseStatement();
+    if (pos_ == before) Next();  // a statement that is left for a function takes nothing
   }
+  leaving_function_ = false;
   Accept(kRightBrace);
 }
 
