@@ -138,7 +138,7 @@ Support Target::Of(Feature feature) const {
   if (feature == Feature::kClipVertex && (version_ > 130 || IsVulkan())) return {};
   if (feature == Feature::kViewIndex && IsVulkan()) return {true, "GL_EXT_multiview"};
   if (api_ == Api::kWebGL) {
-    // Of the extensions of ES 3.00, browsers have WEBGL_clip_cull_distance and OVR_multiview2.
+    // Browsers have two of the extensions of ES 3.00, WEBGL_clip_cull_distance and OVR_multiview2.
     if (feature == Feature::kClipDistance || feature == Feature::kCullDistance)
       return {true, "GL_ANGLE_clip_cull_distance"};
     if (feature == Feature::kPerSample) return {};

@@ -4,7 +4,7 @@
 
 set(out "// Written by clipc_add_shader(); changes are lost.\n#pragma once\n")
 
-# Not from the files that are there: some may be left from when the shader had more planes.
+# The clip table says how many variants there are; files may be left from when the shader had more planes.
 if(NOT VARIANTS STREQUAL "")
   file(STRINGS ${TABLE} table REGEX "^// clip-table ")
   string(REGEX REPLACE "^[^{]+" "" table "${table}")

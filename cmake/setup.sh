@@ -17,10 +17,10 @@ study_packages=(chromium)
 # no entry `d3d9.*`.
 ci_packages=(clang-tidy-19 g++-mingw-w64-x86-64-win32 wine64 libwine xvfb libgl1 libglx-mesa0)
 
-# What packaging/test_packages.sh takes, what examples/builds are built with, and what reads the headers' comments.
+# packaging/test_packages.sh, examples/builds and the reference of the headers take these.
 package_packages=(doxygen debootstrap lintian dpkg-dev man-db bash-completion pkg-config make meson bazel-bootstrap)
 
-# What building clipc for WebAssembly takes, `./run page` and `./test --web` install it. node 20 or newer is installed by nobody:
+# Building clipc for WebAssembly takes these; `./run page` and `./test --web` install them. Neither installs node 20 or newer:
 # Debian 12 has an older one.
 web_packages=(clang-19 lld-19 llvm-19 wasi-libc libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 dpkg-dev)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# What clipc_add_shader() says to mistakes: builds cmake/outside_mistakes with each CASE.
+# The messages of clipc_add_shader() about mistakes: builds cmake/outside_mistakes with each CASE.
 #   cmake -DCLIPC= -DSCRATCH= -DGENERATOR= -DCOMPILER= -P test_outside_mistakes.cmake
 file(REMOVE_RECURSE ${SCRATCH})
 file(COPY ${CMAKE_CURRENT_LIST_DIR}/outside_mistakes/ DESTINATION ${SCRATCH}/project)

@@ -23,7 +23,7 @@ using ir::TypeKind;
 
 constexpr std::uint32_t kRow = 16;
 
-// Of C++20 and C23, but for those that HLSL has too.
+// The keywords of C++20 and C23 that are not keywords of HLSL.
 constexpr std::string_view kKeywords[] = {
     "alignas",
     "alignof",

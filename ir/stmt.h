@@ -58,7 +58,7 @@ struct Return {
 struct Break {};
 struct Continue {};
 
-// What the shader asks of the optimiser for a loop, or for an `if` or `switch`. No value depends on
+// The wish of the shader for the optimiser at a loop, an `if` or a `switch`. No value depends on
 // it.
 enum class Hint : std::uint8_t {
   kNone,

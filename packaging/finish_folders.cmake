@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# What CPack lacks for a Debian package that lintian has nothing against: run on the folders of the components before they are packed.
+# CPack runs this on the folders of the components before it packs them. It adds what lintian wants of a Debian package.
 if(NOT CPACK_GENERATOR STREQUAL "DEB")
   return()
 endif()

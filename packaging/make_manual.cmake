@@ -6,7 +6,7 @@ if(NOT status EQUAL 0)
   message(FATAL_ERROR "${CLIPC} --help: ${status}")
 endif()
 
-# What roff takes for its own: backslashes, hyphens, and a dot or quote at the start of a line.
+# roff takes these for its own: backslashes, hyphens, and a dot or quote at the start of a line.
 string(REPLACE "\\" "\\e" help "${help}")
 string(REPLACE "-" "\\-" help "${help}")
 string(REPLACE ";" "<semicolon>" help "${help}")  # which separates a list's elements

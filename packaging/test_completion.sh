@@ -10,7 +10,7 @@ expect() {
   local line=() answer
   while [ "$1" != -- ]; do line+=("$1") && shift; done
   shift
-  # As readline splits the line: `=` is a word of its own.
+  # readline splits the line so that `=` is a word of its own.
   local text="clipc ${line[*]}"
   read -ra COMP_WORDS <<<"${text//=/ = }"
   [ -n "${line[-1]}" ] || COMP_WORDS+=("")

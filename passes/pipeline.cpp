@@ -36,7 +36,7 @@ constexpr ir::Pass<Run> kPipeline[] = {
      ir::Form::kInlined},
     // After everything that removes statements.
     {"drop-unread", [](Run& run) { DropUnread(run.program); }, ir::Form::kInlined},
-    // What is left is written; only calls that are left are looked into.
+    // Calls that the passes before have removed need not be followed.
     {"spread-precise", [](Run& run) { SpreadPrecise(run.program, run.options.precise_outputs); },
      ir::Form::kInlined},
 };

@@ -8,8 +8,8 @@
 
 namespace clipc::glsl {
 
-// Which expressions matter as the index of an element or as the place in a texture or buffer only:
-// there, and in the variables, parameters and integer operators on the way there.
+// The expressions that matter only as the index of an element or as the place in a texture or
+// buffer: there, and in the variables, parameters and integer operators on the way there.
 //
 //   int4 i = int4(indices); ... bones[i.x * 3 + 1]   =>  int4(indices)
 class IndexUses {

@@ -20,8 +20,8 @@ struct Range {
   static constexpr double kLimit = 1e18;
 };
 
-// What the operators and constants of an expression of numbers say of its values. Inputs, uniforms
-// and variables may be anything.
+// Bounds the values of an expression of numbers by its operators and constants. Inputs, uniforms
+// and variables may have any value.
 Range RangeOf(const ir::Program& program, ir::ExprId expr);
 
 }  // namespace clipc::glsl

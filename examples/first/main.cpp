@@ -22,7 +22,7 @@ namespace {
 namespace runtime = clipc::runtime;
 constexpr int kSize = 64;
 
-// What the HLSL's constant buffers hold, in Direct3D's bytes. Here the camera is the identity.
+// The bytes of the constant buffers, as Direct3D lays them out. Here the camera is the identity.
 constexpr float kFrame[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 constexpr float kSquare[] = {-1, -1, 0, 1, -1, 0, -1, 1, 0, 1, 1, 0};
 

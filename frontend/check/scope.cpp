@@ -54,7 +54,7 @@ std::string NearText(const Context& context, Name name, NameUse use) {
   return QuotedList(near);
 }
 
-// What a message about an unknown name ends with where no name is spelt nearly like it.
+// The end of a message about an unknown name, where no known name is spelt nearly like it.
 std::string_view AdviceFor(std::string_view name, NameUse use) {
   if (use == NameUse::kClipPlane)
     return "; a clip plane is a global variable or a member of a constant buffer";

@@ -152,8 +152,8 @@ void CheckNode(Context& context, const ast::DiscardStmt&, Span span) {
 void CheckNode(Context&, const ast::EmptyStmt&, Span) {}
 void CheckNode(Context&, const ast::ErrorStmt&, Span) {}
 
-// Of several attributes the last one counts. Those that stand at another kind of statement than
-// theirs say nothing.
+// The last attribute of several counts. An attribute at a kind of statement that is not its own
+// gives no hint.
 Hint HintOf(const Context& context, const ast::Stmt& stmt) {
   const bool is_loop = std::holds_alternative<ast::ForStmt>(stmt.node) ||
                        std::holds_alternative<ast::WhileStmt>(stmt.node) ||

@@ -32,9 +32,9 @@ NAMED = re.compile(r"where `(\S+)` is\n\n```hlsl\n(.*?)^```$", re.M | re.S)
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.M | re.S)
 INDENTED = re.compile(r"^    (\S.*)$", re.M)
 INLINE = re.compile(r"`((?:clipc|clipc-draw|glslangValidator|cmake|ctest|cpack|\./\w+|(?:tools|examples|packaging)/[^\s`]+) [^`\n]+)`")
-# What stands for something else: FILE, [options], and the arguments of functions.
+# Placeholders stand for something else: FILE, [options], and the arguments of functions.
 PLACEHOLDER = re.compile(r"\b[A-Z][A-Z.]{2,}\b|\[|\.\.\.|`|=$|=\?")
-# What a command has that can be run: a file, standard input, or nothing but a question.
+# A command that can be run names a file or standard input, or is only a question.
 WHOLE = re.compile(r"\w\.\w+$|^-$|^--help$|^--version$")
 # Programs that cannot run here, or that every run of the tests has run.
 ELSEWHERE = {"cmake", "ctest", "ninja", "cpack", "cd", "vcpkg", "conan", "bazel", "meson", "make"}

@@ -56,7 +56,7 @@ class CheckedShader {
   std::unique_ptr<State> state_;
 };
 
-// The same for one target.
+// Builds the shader of these options for their one target.
 Shader Build(const BuildOptions& options);
 
 // The shader's tokens after the preprocessor. Throws DrawError with the diagnostics.

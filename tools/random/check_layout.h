@@ -8,7 +8,7 @@
 
 namespace clipc::random {
 
-// Which constant clipc has elsewhere than layout.h says; empty when there is none.
+// Names the first constant that clipc has elsewhere than layout.h says; empty if there is none.
 std::string LayoutProblem(const Program& program, const ir::Program& checked);
 
 }  // namespace clipc::random

@@ -15,8 +15,8 @@ struct Span {
   std::size_t begin = 0, end = 0;
 };
 
-// All that is random in a generated program: a list of small numbers, written down as they are
-// drawn. The same list gives the same program, and of every choice 0 is the simplest, so that a
+// A list of small numbers, written down as they are drawn, holds all that is random in a generated
+// program. The same list gives the same program, and of every choice 0 is the simplest, so that a
 // shorter list or one of smaller numbers gives a simpler program: that is how programs are reduced.
 class Choices {
  public:

@@ -10,7 +10,8 @@
 #include "tools/random/range.h"
 #include "tools/random/type.h"
 
-// What the makers of expressions, statements and declarations share while a program grows.
+// The state that the makers of expressions, statements and declarations share while a program
+// grows.
 namespace clipc::random {
 
 enum class Holds : std::uint8_t { kVariable, kInput, kWild, kCounter };
@@ -80,7 +81,7 @@ struct Context {
   std::vector<const Variable*> Visible() const;
 };
 
-// What a component of that kind may hold.
+// The range of a component of that kind in the variable.
 Range RangeOf(const Variable& variable, Kind kind);
 
 // Variables declared in its lifetime are gone after it.

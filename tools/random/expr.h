@@ -8,7 +8,7 @@
 // Expressions of generated programs.
 namespace clipc::random {
 
-// How strongly an expression holds together, as in C.
+// The precedence of an expression, as in C.
 enum class Level : std::uint8_t {
   kComma,
   kAssignment,
@@ -45,16 +45,16 @@ std::string NameOf(Kind kind, Shape shape);
 
 // An expression of that type, of at most so many levels. Floats are exact (range.h).
 Expr MakeExpr(Context& context, Kind kind, Shape shape, int depth);
-// The same, with values in `range`.
+// An expression as MakeExpr makes it, with values in `range`.
 Expr MakeIn(Context& context, Kind kind, Shape shape, const Range& range, int depth);
-// The same, in the range of variables.
+// An expression as MakeExpr makes it, with values that a variable may hold.
 Expr MakeValue(Context& context, Kind kind, Shape shape, int depth);
 // An int or uint in [0, count).
 Expr MakeIndex(Context& context, int count, int depth);
 
 // The value, changed where it has to be to lie in `range`.
 Expr Fit(Context& context, Expr value, const Range& range);
-// The same value as another type: a swizzle, a constructor or a cast.
+// Gives the value another type, by a swizzle, a constructor or a cast.
 Expr Reshape(Context& context, Expr value, Shape shape);
 Expr Convert(Context& context, Expr value, Kind kind);
 
@@ -75,9 +75,9 @@ struct Place {
   Range range;
   bool found = false;
 };
-// Of that kind, in any shape.
+// A place of that kind, in any shape.
 Place MakePlace(Context& context, Kind kind, bool writes, int depth);
-// Of exactly that type; not found where no variable has it.
+// A place of exactly that type; not found where no variable has one.
 Place MakePlaceOf(Context& context, const Type& type, bool writes);
 
 }  // namespace clipc::random

@@ -9,7 +9,7 @@ namespace {
 constexpr int kMostInputs = 10;   // vectors
 constexpr int kMostOutputs = 12;  // vectors
 
-// How many vectors of a signature a value takes.
+// Returns the number of vectors of a signature that a value of the type takes.
 int VectorsOf(const Type& type) {
   int vectors =
       std::max(1, std::max(type.shape.rows, type.shape.IsMatrix() ? type.shape.columns : 1));
@@ -113,7 +113,7 @@ EntryOutputs MakeOutputs(Context& context, bool soft) {
   }
   const std::vector<const Variable*> visible = context.Visible();
   for (const Variable* variable : visible) {
-    // What no output depends on may be left out by the compiler.
+    // The compiler may leave out a variable on which no output depends.
     if (context.choices.Chance(15)) continue;
     const bool has_fields = variable->type.IsStruct();
     const std::size_t fields =

@@ -7,7 +7,7 @@
 #include "tools/random/program.h"
 #include "tools/random/statement.h"
 
-// What a generated shader declares beside its functions.
+// The declarations of a generated shader beside its functions.
 namespace clipc::random {
 
 // A struct, which variables may have as their type from then on.

@@ -10,7 +10,7 @@
 
 #include "tools/random/program.h"
 
-// What is wrong with one program.
+// The judgement of one program.
 namespace clipc::random {
 
 enum class Fault : std::uint8_t {

@@ -6,9 +6,9 @@
 
 #include "tools/random/program.h"
 
-// Where the constants of a buffer lie, worked out a second time, from the text of Direct3D's rules
-// ("Packing rules for constant variables") and without clipc's code: a mistake in ir/packing.cpp
-// would be in the evaluator and in the GLSL alike, so that their values would agree.
+// The places of the constants of a buffer, worked out a second time, from the text of Direct3D's
+// rules ("Packing rules for constant variables") and without clipc's code: a mistake in
+// ir/packing.cpp would be in the evaluator and in the GLSL alike, so that their values would agree.
 namespace clipc::random {
 
 // The structs, each matrix in them with its own `major` spelled out.

@@ -5,9 +5,10 @@
 
 #include "tools/random/type.h"
 
-// What values an expression may have. Generated programs keep every float a multiple of 2^-fraction
-// with at most 24 bits between that and its greatest value: then every sum and product is exact, in
-// any order and with fused operations too, and so a comparison never hinges on rounding.
+// The values that an expression may have. Generated programs keep every float a multiple of
+// 2^-fraction with at most 24 bits between that and its greatest value: then every sum and product
+// is exact, in any order and with fused operations too, and so a comparison never hinges on
+// rounding.
 namespace clipc::random {
 
 // The components lie in [low, high] and are multiples of 2^-fraction.
@@ -23,7 +24,7 @@ struct Range {
 // Floats of which products of a few are exact.
 inline constexpr Range kSmallFloats{-16, 16, 2};
 
-// All values of an int or a uint.
+// The range of all values of an int or a uint.
 Range Wild(Kind kind);
 // Integers in [low, high], or Wild(kind) where they would wrap around.
 Range Integers(Kind kind, double low, double high);
@@ -41,12 +42,12 @@ Range Least(const Range& a, const Range& b);     // min
 Range Greatest(const Range& a, const Range& b);  // max
 Range RoundedDown(const Range& a);               // floor, trunc, ceil, round: within one of a
 
-// Of a value converted from one kind to another. Requires CanConvert.
+// The range of a value that is converted from one kind to another. Requires CanConvert.
 Range Converted(const Range& range, Kind from, Kind to);
 // Whether that is defined and exact.
 bool CanConvert(const Range& range, Kind from, Kind to);
 
-// What variables, inputs and constants of a kind hold.
+// The ranges of variables, inputs and constants of a kind.
 Range VariableRange(Kind kind);
 Range InputRange(Kind kind);
 

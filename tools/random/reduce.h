@@ -9,7 +9,7 @@
 
 namespace clipc::random {
 
-// What a list of choices makes: the choices that were really drawn, and their spans.
+// The choices of a list that a program really draws, and their spans.
 struct Made {
   std::vector<std::uint32_t> drawn;
   std::vector<Span> spans;

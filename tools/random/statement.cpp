@@ -41,7 +41,7 @@ std::string MakeAssignment(Context& context, int indent) {
 // `p op= value`, and then p is put back into its range.
 std::string MakeCompound(Context& context, int indent) {
   const Kind kind = static_cast<Kind>(context.choices.Pick({4, 3, 2}));
-  // What is put back is written twice: its indices are constants then.
+  // A place that is put back is written twice, so its indices are constants.
   const bool computes = kind != Kind::kFloat && context.choices.Chance(50);
   const Place place = [&] {
     const Temporarily constant(context.constant_indices, !computes);

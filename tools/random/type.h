@@ -39,7 +39,7 @@ struct Type {
 struct Field {
   std::string name;
   Type type;
-  // How a matrix of the field lies in memory: "row_major ", "column_major ", or "".
+  // The qualifier of the matrices in the field: "row_major ", "column_major ", or "".
   std::string major = {};
 };
 struct Struct {

@@ -21,7 +21,7 @@ namespace {
 constexpr int kRunsOfProcess = 400;
 constexpr int kPatience = 30'000;  // milliseconds
 
-// What is said between the processes: a length and that many bytes.
+// Messages between the processes are a length and that many bytes.
 void Send(int file, const std::string& bytes) {
   const auto size = static_cast<std::uint32_t>(bytes.size());
   std::string all(reinterpret_cast<const char*>(&size), sizeof size);

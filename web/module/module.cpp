@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// What the npm package calls: the functions of compiler/clipc.h with arguments that JavaScript
-// can make, and the program. Strings in a list each end with a zero.
+// The functions that the npm package calls: those of compiler/clipc.h with arguments that
+// JavaScript can make, and the program. Strings in a list each end with a zero.
 #include <cstdio>
 #include <cstdlib>
 #include <exception>

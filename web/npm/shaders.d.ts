@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// What `import { glsl } from './water.hlsl'` gives: /// <reference types="clipc/shaders" />
+// The exports of a shader, `import { glsl } from './water.hlsl'`: /// <reference types="clipc/shaders" />
 declare module '*.hlsl' {
   export const glsl: string;
   export const discard: string;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// What is in view: a camera that turns about the mesh, and a plane.
+// The scene: a camera that turns about the mesh, and a plane.
 import { lookAt, perspective, translation } from './matrices.js';
 
 const RADIANS = Math.PI / 180;

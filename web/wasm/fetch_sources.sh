@@ -18,7 +18,7 @@ for list in /etc/apt/sources.list.d/debian*.sources; do
   [ ! -f "$list" ] || sed 's/^Types:.*/Types: deb-src/' "$list" >"$places/parts/$(basename "$list")"
 done
 [ ! -f /etc/apt/sources.list ] || sed -n 's/^deb\(-src\)\? /deb-src /p' /etc/apt/sources.list >"$places/parts/main.list"
-# The same place may be named twice.
+# apt's lists may name a place twice.
 options=(-qq -o "Dir::Etc::SourceList=/dev/null" -o "Dir::Etc::SourceParts=$places/parts" -o "Dir::State::Lists=$places/lists"
   -o "APT::Get::Only-Source=true" -o "APT::Sandbox::User=$(id -un)")
 apt-get "${options[@]}" update

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// What glslang asks of a system with threads (glslang/OSDependent/osinclude.h), where there is one
-// thread.
+// glslang's functions for threads (glslang/OSDependent/osinclude.h), on a system with one thread.
 #include <glslang/OSDependent/osinclude.h>
 
 namespace glslang {

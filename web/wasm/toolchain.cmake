@@ -14,7 +14,7 @@ set(CMAKE_CXX_COMPILER_TARGET wasm32-wasi)
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
 set(CMAKE_EXECUTABLE_SUFFIX .wasm)
 
-# What these libraries lack is in include/; see ../../docs/decisions/0010-webassembly.md.
+# include/ has what these libraries lack; see ../../docs/decisions/0010-webassembly.md.
 set(shims ${CMAKE_CURRENT_LIST_DIR}/include)
 set(emulated "-D_WASI_EMULATED_SIGNAL -D_WASI_EMULATED_MMAN -D_WASI_EMULATED_GETPID -D_WASI_EMULATED_PROCESS_CLOCKS")
 set(CMAKE_C_FLAGS_INIT "-isystem ${shims} -include ${shims}/posix.h ${emulated} -fwasm-exceptions")

@@ -1,5 +1,5 @@
-// What a precise value is made of is found through calls, `out` arguments and variables between; what nothing precise
-// needs stays as it is.
+// A precise value is followed through calls, `out` arguments and the variables between; code that no precise value needs
+// stays as it is.
 // RUN: %clipc -T vs_5_0 --dump-after=spread-precise %s --verify | FileCheck %s
 // RUN: %clipc -T vs_5_0 --target=glsl450 --validate %s -o - | FileCheck %s --check-prefix=GLSL
 float4x4 world, projection;

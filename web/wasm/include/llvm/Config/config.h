@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// What LLVM's sources ask of the system, as far as the slice that clipc uses asks: wasi-libc has
+// The features of the system that LLVM's sources ask for, as far as clipc uses them: wasi-libc has
 // files, and no processes, signals or threads.
 #pragma once
 #include <llvm/Config/llvm-config.h>
