@@ -59,9 +59,9 @@ std::string Words(const Comparison& comparison) {
   return text;
 }
 
-// Whether the message is about a known gap of the peers (docs/peers.md). OpenGL ES of glslang 12 and
-// of Mesa 22.3 does not have clip distances in a vertex shader as clipc writes them, and glslang does
-// not know the variable of GL_ARB_draw_instanced in GLSL 1.20.
+// Whether the message is about a known gap of the peers (docs/peers.md). OpenGL ES of glslang 12
+// and of Mesa 22.3 does not have clip distances in a vertex shader as clipc writes them, and
+// glslang does not know the variable of GL_ARB_draw_instanced in GLSL 1.20.
 bool IsKnown(const std::string& target, const std::string& problem) {
   if (problem.find("gl_InstanceIDARB") != std::string::npos) return true;
   const bool is_es = target.starts_with("essl") || target == "webgl2";
