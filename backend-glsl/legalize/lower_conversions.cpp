@@ -28,7 +28,7 @@ bool Saturates(const Profile& profile) {
 class ConversionLowering {
  public:
   explicit ConversionLowering(Legalizer& legalizer)
-      : legalizer_(legalizer), program_(legalizer.program) {
+      : legalizer_(legalizer), program_(legalizer.program), ranges_(legalizer.program) {
     for (const VarId var : program_.vars.ids()) NoteConstant(program_.vars[var]);
   }
 
@@ -58,7 +58,7 @@ class ConversionLowering {
 
   void Lower(ExprId expr, Scalar to, ExprId operand) {
     const bool is_int = to == Scalar::kInt;
-    const Range range = RangeOf(program_, operand);
+    const Range range = ranges_.Of(operand);
     const double limit = kNearly * (is_int ? kTwoTo31 : kTwoTo32);
     if (range.IsWithin(is_int ? -limit : 0, limit)) return;
     // An index that does not fit into an int is out of every array. One below 0 is element 0.
@@ -145,6 +145,7 @@ class ConversionLowering {
 
   Legalizer& legalizer_;
   Program& program_;
+  Ranges ranges_;
   std::optional<IndexUses> uses_;  // made for the first conversion that may not fit
   std::vector<bool> done_;         // by ExprId: conversions that stay
 };

@@ -14,7 +14,7 @@ using namespace ir;
 
 namespace {
 
-constexpr int kMaxConstants = 4;  // constants that are named in the values of constants
+constexpr int kMaxNesting = 4;  // constants named in values of constants: bounds the stack
 
 Range Union(const Range& a, const Range& b) {
   return {std::min(a.least, b.least), std::max(a.most, b.most)};
@@ -35,9 +35,11 @@ Range OfKind(Scalar kind) {
   }
 }
 
+}  // namespace
+
 class RangeFinder {
  public:
-  explicit RangeFinder(const Program& program) : program_(program) {}
+  explicit RangeFinder(Ranges& ranges) : ranges_(ranges), program_(ranges.program_) {}
 
   Range Of(ExprId expr) {
     return std::visit([&](const auto& node) { return OfNode(expr, node); },
@@ -52,11 +54,15 @@ class RangeFinder {
   Range OfNode(ExprId, const Zero&) { return {0, 0}; }
   Range OfNode(ExprId expr, const VarRef& node) {
     const Var& var = program_.vars[node.var];
-    const bool is_constant = var.storage == Storage::kConstant && var.init;
-    if (!is_constant || constants_ >= kMaxConstants) return Anything(expr);
-    ++constants_;
+    if (var.storage != Storage::kConstant || !var.init) return Anything(expr);
+    auto& known = ranges_.of_constants_;
+    if (known.size() <= node.var.index) known.resize(program_.vars.size());
+    if (known[node.var.index]) return *known[node.var.index];
+    if (nesting_ >= kMaxNesting) return Anything(expr);
+    ++nesting_;
     const Range range = Of(var.init);
-    --constants_;
+    --nesting_;
+    known[node.var.index] = range;
     return range;
   }
   Range OfNode(ExprId, const Swizzle& node) { return Of(node.base); }
@@ -139,12 +145,11 @@ class RangeFinder {
   bool IsFloating(ExprId expr) const { return IsFloat(TypeOf(program_, expr).scalar); }
   Range Anything(ExprId expr) const { return OfKind(TypeOf(program_, expr).scalar); }
 
+  Ranges& ranges_;
   const Program& program_;
-  int constants_ = 0;  // how many constants' values are being looked at
+  int nesting_ = 0;  // how many constants' values are being looked at
 };
 
-}  // namespace
-
-Range RangeOf(const Program& program, ExprId expr) { return RangeFinder(program).Of(expr); }
+Range Ranges::Of(ExprId expr) { return RangeFinder(*this).Of(expr); }
 
 }  // namespace clipc::glsl

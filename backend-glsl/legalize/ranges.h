@@ -2,6 +2,8 @@
 #pragma once
 
 #include <limits>
+#include <optional>
+#include <vector>
 
 #include "ir/program.h"
 
@@ -20,8 +22,20 @@ struct Range {
   static constexpr double kLimit = 1e18;
 };
 
-// Bounds the values of an expression of numbers by its operators and constants. Inputs, uniforms
-// and variables may have any value.
-Range RangeOf(const ir::Program& program, ir::ExprId expr);
+// Bounds the values of expressions of numbers by their operators and constants. Inputs, uniforms
+// and variables may have any value. The bounds of a constant are found once, so that constants that
+// name each other cost no more than their text.
+class Ranges {
+ public:
+  // The program may grow while this lives; the values of its constants stay as they are.
+  explicit Ranges(const ir::Program& program) : program_(program) {}
+
+  Range Of(ir::ExprId expr);
+
+ private:
+  friend class RangeFinder;
+  const ir::Program& program_;
+  std::vector<std::optional<Range>> of_constants_;  // by VarId
+};
 
 }  // namespace clipc::glsl
