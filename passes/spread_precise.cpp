@@ -21,11 +21,8 @@ namespace {
 class PreciseTypes {
  public:
   explicit PreciseTypes(const TypeTable& types) : types_(types), answers_(types.size()) {
-    for (std::uint32_t i = 0; i < types.size(); ++i) {
-      const Type& type = types[TypeId{i}];
-      is_any_ |= type.kind == TypeKind::kStruct &&
-                 std::ranges::any_of(types.StructOf(TypeId{i}).fields, &Field::precise);
-    }
+    for (const StructId id : types.structs().ids())
+      is_any_ |= std::ranges::any_of(types.structs()[id].fields, &Field::precise);
   }
 
   bool Has(TypeId id) {

@@ -32,6 +32,7 @@ bool MayChange(const Program& program, const Expr& expr) {
                             (!IsFloat(program.types[expr.type].scalar) &&
                              IsFloat(program.types[program.exprs[node.operand].type].scalar));
                    },
+                   [&](const Index& node) { return node.base && IsOnlyElement(program, node); },
                    [](const OneOf<Select, MatrixTruncate, IntrinsicCall> auto&) { return true; },
                    [](const auto&) { return false; },
                },
@@ -39,6 +40,12 @@ bool MayChange(const Program& program, const Expr& expr) {
 }
 
 }  // namespace
+
+bool IsOnlyElement(const Program& program, const Index& node) {
+  const Type& type = program.types[program.exprs[node.base].type];
+  const bool is_only_row = type.kind == TypeKind::kMatrix && type.rows == 1;
+  return type.IsNumeric() && (is_only_row || ShapeOf(type).IsScalar());
+}
 
 HelperBody::HelperBody(Program& program, std::span<const Parameter> wanted) : b(program) {
   for (const Parameter& parameter : wanted) {

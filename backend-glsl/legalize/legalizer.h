@@ -41,6 +41,9 @@ class HelperBody {
   std::vector<ir::StmtId> statements;
 };
 
+// Whether the only row of a matrix or the only component is indexed, for which GLSL has no [].
+bool IsOnlyElement(const ir::Program& program, const ir::Index& node);
+
 // What the legalising passes share: the program, the target, and the helper functions that stand
 // for what GLSL lacks.
 class Legalizer {

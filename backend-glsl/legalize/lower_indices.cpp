@@ -19,6 +19,9 @@ class IndexLowering {
       : legalizer_(legalizer), program_(legalizer.program) {}
 
   void Run() {
+    bool is_any = false;
+    legalizer_.ForEach([&](ExprId id) { is_any |= As<Index>(program_, id) != nullptr; });
+    if (!is_any) return;
     std::vector<ExprId> writes, indices;
     ForEachLiveExpr(program_, [&](ExprId id) {
       if (IsOfWritingKind(program_.exprs[id])) writes.push_back(id);
@@ -37,10 +40,7 @@ class IndexLowering {
   // something.
   bool IsLost(ExprId expr) {
     const auto* node = As<Index>(program_, expr);
-    if (!node || !legalizer_.IsNumeric(node->base)) return false;
-    const Type& type = legalizer_.TypeOf(node->base);
-    const bool is_only_row = type.kind == TypeKind::kMatrix && type.rows == 1;
-    return (is_only_row || ShapeOf(type).IsScalar()) && !legalizer_.IsPure(node->index);
+    return node && IsOnlyElement(program_, *node) && !legalizer_.IsPure(node->index);
   }
 
   ExprId TakeIndex(ExprId expr) {
