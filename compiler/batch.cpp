@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "base/path.h"
 #include "compiler/batch_index.h"
 #include "compiler/collect_outputs.h"
 #include "compiler/depfile.h"
@@ -84,7 +85,7 @@ class Batch {
 };
 
 bool IsOnlyExtension(const std::string& value) {
-  return value.empty() || (value.starts_with('.') && value.find('/') == std::string::npos);
+  return value.empty() || (value.starts_with('.') && !HasSlash(value));
 }
 
 std::string Batch::CheckUsage() const {
@@ -239,7 +240,7 @@ std::string Batch::WriteFiles(std::size_t at, CompileResult& result) {
   constexpr std::size_t kMostKept = std::size_t{256} << 20;
   BatchEntry& entry = entries_[at];
   CommandLine command = GroupOf(jobs_[at]).command;
-  const char* slash = command_.output.ends_with('/') ? "" : "/";
+  const char* slash = EndsWithSlash(command_.output) ? "" : "/";
   command.output = fmt::format("{}{}{}.{}", command_.output, slash, entry.name,
                                command.request.spirv ? "spv" : "vert");
   command.write_dependencies = false;
@@ -252,7 +253,7 @@ std::string Batch::WriteFiles(std::size_t at, CompileResult& result) {
   for (OutputPiece& piece : pieces) {
     if (!paths.insert(piece.path).second)
       return fmt::format("two outputs would go to `{}`", piece.path);
-    std::string file = piece.path.substr(piece.path.rfind('/') + 1);
+    std::string file = piece.path.substr(NameBegin(piece.path));
     std::string key = file.substr(std::min(file.rfind('.'), file.size())) + '\n' + piece.contents;
     const auto known = files_by_contents_.find(key);
     entry.files.push_back({piece.kind, known == files_by_contents_.end() ? file : known->second});
@@ -270,7 +271,7 @@ std::string Batch::WriteFiles(std::size_t at, CompileResult& result) {
 
 std::string Batch::IndexPath() const {
   if (!command_.index.empty()) return command_.index;
-  const char* slash = command_.output.ends_with('/') ? "" : "/";
+  const char* slash = EndsWithSlash(command_.output) ? "" : "/";
   const std::string shard = command_.shards == 1
                                 ? std::string()
                                 : fmt::format(".{}-of-{}", command_.shard, command_.shards);
@@ -355,7 +356,7 @@ int RunBatch(std::span<const char* const> arguments, CommandLine command) {
     group.command = command;
     group.axes = TakeAxes(group.command.request.defines);
     group.source = input;
-    group.name = input == "-" ? "stdin" : WithoutExtension(input.substr(input.rfind('/') + 1));
+    group.name = input == "-" ? "stdin" : WithoutExtension(input.substr(NameBegin(input)));
     manifest.groups.push_back(std::move(group));
   }
   return Batch(std::move(command)).Run(std::move(manifest.groups));

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/path.h"
 #include "compiler/place_outputs.h"
 #include "compiler/suggest.h"
 #include "frontend/lex/source_text.h"
@@ -122,17 +123,16 @@ class Reader {
     const Texts names = TextsIn(shader, "name", where, {});
     if (names.size() > 1 || (names.size() == 1 && sources.size() > 1))
       Refuse(where + ".name", "is not one text for one source");
-    if (!names.empty() && (names[0].empty() || names[0].find('/') != std::string::npos))
+    if (!names.empty() && (names[0].empty() || HasSlash(names[0])))
       Refuse(where + ".name", "is not the name of a file");
     Texts words = TextsIn(shader, "options", where, {});
     for (std::string& word : VariantsIn(shader, where)) words.push_back(std::move(word));
     for (const std::string& source : sources) {
-      if (source.empty() || source == "-" || source.ends_with('/'))
+      if (source.empty() || source == "-" || EndsWithSlash(source))
         Refuse(where + ".source", "is not the name of a file");
       ShaderGroup group;
       group.source = source;
-      group.name =
-          !names.empty() ? names[0] : WithoutExtension(source.substr(source.rfind('/') + 1));
+      group.name = !names.empty() ? names[0] : WithoutExtension(source.substr(NameBegin(source)));
       group.axes = AxesIn(shader, where);
       Choose(shader, where, words, std::move(group), 0);
     }

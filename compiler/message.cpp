@@ -2,11 +2,14 @@
 #include "compiler/message.h"
 
 #include <cctype>
+#include <cstddef>
 #include <iterator>
 #include <map>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include "base/path.h"
 
 namespace clipc {
 namespace {
@@ -75,10 +78,12 @@ Json ToJson(const Message& message) {
 
 // A file's path as a URI reference.
 std::string Uri(std::string_view path) {
-  std::string uri = path.starts_with('/') ? "file://" : "";
-  for (const char c : path) {
+  std::string uri = HasDrive(path) ? "file:///" : path.starts_with('/') ? "file://" : "";
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const char c = kHasDrives && path[i] == '\\' ? '/' : path[i];
     const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) ||
-                          std::string_view("/._-~+,@").find(c) != std::string_view::npos;
+                          std::string_view("/._-~+,@").find(c) != std::string_view::npos ||
+                          (i == 1 && HasDrive(path));
     uri += is_plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
   }
   return uri;

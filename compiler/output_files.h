@@ -45,7 +45,7 @@ class FileSet {
 
  private:
   std::set<std::string> paths_;
-  std::set<std::pair<std::uint64_t, std::uint64_t>> files_;  // device and inode number
+  std::set<std::pair<std::uint64_t, std::uint64_t>> files_;  // as system::FileStatus has them
 };
 bool IsDirectory(const std::string& path);
 

@@ -5,17 +5,18 @@
 
 #include <fmt/format.h>
 
+#include "base/path.h"
 #include "base/spelling.h"
 #include "compiler/output_files.h"
 
 namespace clipc {
 namespace {
 
-std::string FileName(const std::string& path) { return path.substr(path.rfind('/') + 1); }
+std::string FileName(const std::string& path) { return path.substr(NameBegin(path)); }
 
 // A value that is only an extension, ".json", names the file after another.
 bool IsExtension(const std::string& value) {
-  return value.size() > 1 && value[0] == '.' && value.find('/') == std::string::npos;
+  return value.size() > 1 && value[0] == '.' && !HasSlash(value);
 }
 
 std::string NameAfter(const std::string& value, const std::string& name) {
@@ -30,9 +31,9 @@ std::string PlaceGlsl(const CommandLine& command, const std::string& input) {
   const bool wants_other = debug.dump || !debug.dump_after.empty() || !debug.stop_after.empty() ||
                            !command.header.empty() || !command.listing.empty();
   if (output.empty()) return wants_other ? "" : "-";
-  if (!output.ends_with('/') && (output == "-" || !IsDirectory(output))) return output;
+  if (!EndsWithSlash(output) && (output == "-" || !IsDirectory(output))) return output;
   const std::string stem = input == "-" ? "stdin" : WithoutExtension(FileName(input));
-  return fmt::format("{}{}{}.{}", output, output.ends_with('/') ? "" : "/", stem,
+  return fmt::format("{}{}{}.{}", output, EndsWithSlash(output) ? "" : "/", stem,
                      command.request.spirv ? "spv" : "vert");
 }
 
@@ -48,7 +49,7 @@ std::vector<std::string> Outputs::Named() const {
 }
 
 std::string WithoutExtension(const std::string& path) {
-  const std::size_t name = path.rfind('/') + 1;  // npos + 1 is 0
+  const std::size_t name = NameBegin(path);
   const std::size_t dot = path.rfind('.');
   return dot == std::string::npos || dot <= name ? path : path.substr(0, dot);
 }

@@ -7,19 +7,14 @@
 #include <string>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
+#include "base/system.h"
 #include "compiler/driver.h"
 
 namespace clipc {
 namespace {
 
 void Print(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
-
-bool IsTerminal() {
-  const char* terminal = std::getenv("TERM");
-  return isatty(STDERR_FILENO) && terminal && std::string_view(terminal) != "dumb";
-}
 
 }  // namespace
 
@@ -28,7 +23,7 @@ int Fail(std::string_view what) {
   return kExitUsage;
 }
 
-bool TerminalHasColour() { return IsTerminal() && !std::getenv("NO_COLOR"); }
+bool TerminalHasColour() { return system::ErrorsAreOnTerminal() && !std::getenv("NO_COLOR"); }
 
 void MessagePrinter::Show(const CompileResult& result) {
   switch (format_) {
@@ -50,7 +45,7 @@ void MessagePrinter::End() const {
   Print(format_ == MessageFormat::kJson ? RenderJson(messages_) : RenderSarif(messages_));
 }
 
-Progress::Progress(bool is_wanted) : is_on_(is_wanted && IsTerminal()) {}
+Progress::Progress(bool is_wanted) : is_on_(is_wanted && system::ErrorsAreOnTerminal()) {}
 
 void Progress::Say(std::size_t done, std::size_t count, std::string_view name) {
   if (!is_on_) return;

@@ -8,6 +8,7 @@
 
 #include <llvm/ADT/SmallString.h>
 #include <llvm/Support/FileSystem.h>
+#include <llvm/Support/Path.h>
 
 namespace clipc {
 namespace {
@@ -23,7 +24,7 @@ class RegularFiles : public llvm::vfs::ProxyFileSystem {
       : ProxyFileSystem(llvm::vfs::getRealFileSystem()), has_sandbox_(!sandbox.empty()) {
     llvm::SmallString<256> real;
     if (!has_sandbox_ || llvm::sys::fs::real_path(sandbox, real)) return;
-    root_ = real.str().str();
+    root_ = llvm::sys::path::convert_to_slash(real);
     if (!root_.ends_with('/')) root_ += '/';
   }
 
@@ -48,7 +49,8 @@ class RegularFiles : public llvm::vfs::ProxyFileSystem {
   bool MayRead(const llvm::Twine& path) const {
     if (!has_sandbox_) return true;
     llvm::SmallString<256> real;
-    return !root_.empty() && !llvm::sys::fs::real_path(path, real) && real.str().starts_with(root_);
+    return !root_.empty() && !llvm::sys::fs::real_path(path, real) &&
+           llvm::sys::path::convert_to_slash(real).starts_with(root_);
   }
 
   bool has_sandbox_;

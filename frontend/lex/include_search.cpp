@@ -6,7 +6,8 @@
 #include <system_error>
 
 #include <fmt/format.h>
-#include <strings.h>
+
+#include "base/spelling.h"
 
 namespace clipc {
 namespace {
@@ -22,8 +23,7 @@ std::string MatchEntry(const fs::path& folder, const std::string& name) {
   fs::directory_iterator entry(folder.empty() ? fs::path(".") : folder, error);
   for (const fs::directory_iterator end; !error && entry != end; entry.increment(error)) {
     std::string candidate = entry->path().filename().string();
-    if (strcasecmp(candidate.c_str(), name.c_str()) == 0 && (best.empty() || candidate < best))
-      best = candidate;
+    if (EqualIgnoringCase(candidate, name) && (best.empty() || candidate < best)) best = candidate;
   }
   return best;
 }
@@ -76,7 +76,8 @@ std::optional<FoundInclude> FindIncludeLikeWindows(const std::vector<std::string
   std::replace(portable.begin(), portable.end(), '\\', '/');
   for (const std::string& folder : folders) {
     if (auto matched = MatchPath(folder, portable))
-      return FoundInclude{(fs::path(folder) / *matched).string(), matched->string()};
+      return FoundInclude{(fs::path(folder) / *matched).generic_string(),
+                          matched->generic_string()};
   }
   return std::nullopt;
 }

@@ -24,6 +24,7 @@
 #include <llvm/Support/MemoryBuffer.h>
 #include <llvm/Support/VirtualFileSystem.h>
 
+#include "base/path.h"
 #include "frontend/lex/clang_bridge.h"
 #include "frontend/lex/files_clang.h"
 #include "frontend/lex/include_search.h"
@@ -231,7 +232,7 @@ class Callbacks : public clang::PPCallbacks {
     std::replace(name.begin(), name.end(), '\\', '/');
     for (const std::string& folder : folders) {
       const std::string path =
-          folder.empty() || name.starts_with('/') ? name : fmt::format("{}/{}", folder, name);
+          folder.empty() || IsAbsolute(name) ? name : fmt::format("{}/{}", folder, name);
       if (const auto known = source_.shared.files->getOptionalFileRef(path)) return known;
       const auto text = source_.input.read_include(path);
       if (!text || text->size() > kMaxSourceBytes) continue;

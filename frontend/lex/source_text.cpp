@@ -3,12 +3,13 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
+
+#include "base/system.h"
 
 namespace clipc {
 namespace {
@@ -20,18 +21,18 @@ std::string Reason(int error) {
 }
 
 std::string ReadAll(int file, std::string& text) {
-  struct stat status{};
-  if (fstat(file, &status) != 0) return Reason(errno);
-  if (S_ISDIR(status.st_mode)) return Reason(EISDIR);
+  const auto status = system::StatusOf(file);
+  if (!status) return Reason(errno);
+  if (status->kind == system::FileKind::kFolder) return Reason(EISDIR);
   constexpr std::size_t kStep = 64 << 10;
-  text.reserve(S_ISREG(status.st_mode) ? std::min<std::size_t>(status.st_size, kMaxSourceBytes) + 1
-                                       : kStep);
+  text.reserve(status->kind == system::FileKind::kRegular
+                   ? std::min<std::uint64_t>(status->size, kMaxSourceBytes) + 1
+                   : kStep);
   std::size_t size = 0;
   for (;;) {
     // One byte more than the file has, so that its end is seen without growing.
     text.resize(std::max(text.capacity(), size + 1));
-    const ssize_t got = read(file, text.data() + size, text.size() - size);
-    if (got < 0 && errno == EINTR) continue;
+    const std::ptrdiff_t got = system::Read(file, text.data() + size, text.size() - size);
     if (got < 0) return Reason(errno);
     if (got == 0) break;
     size += static_cast<std::size_t>(got);
@@ -101,10 +102,10 @@ void DefineTarget(const SourceInput& input, std::string& out) {
 
 std::string ReadText(const std::string& path, std::string& text) {
   const bool is_stdin = path == "-";
-  const int file = is_stdin ? STDIN_FILENO : open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const int file = is_stdin ? system::kStandardInput : system::OpenToRead(path);
   if (file < 0) return Reason(errno);
   std::string problem = ReadAll(file, text);
-  if (!is_stdin) close(file);
+  if (!is_stdin) system::Close(file);
   if (text.starts_with("\xff\xfe")) text = FromUtf16(text, false);
   if (text.starts_with("\xfe\xff")) text = FromUtf16(text, true);
   return problem;

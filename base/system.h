@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+
+// What each system does in its own way: files, the standard streams, the terminal.
+// system_posix.cpp and system_windows.cpp have it. Paths are UTF-8; files are descriptors, and
+// their contents bytes. A function that fails sets errno.
+namespace clipc::system {
+
+enum class FileKind : std::uint8_t { kRegular, kFolder, kOther };
+
+struct FileStatus {
+  FileKind kind = FileKind::kOther;
+  std::uint64_t size = 0;  // of a regular file, in bytes
+  unsigned mode = 0;       // its permissions, as OpenNew takes them
+  // Every path to a file gives the same: its volume, and its number there.
+  std::pair<std::uint64_t, std::uint64_t> identity;
+};
+
+// None if there is no such file.
+std::optional<FileStatus> StatusOf(const std::string& path);
+std::optional<FileStatus> StatusOf(int file);
+
+// Whether the permissions of an existing file let this process write it.
+bool MayWrite(const std::string& path);
+
+// The path of what a symbolic link stands for; `path` itself if nothing is there.
+std::string BehindLinks(const std::string& path);
+
+inline constexpr int kStandardInput = 0;
+inline constexpr int kStandardOutput = 1;
+
+// The functions that open return a descriptor, or -1. No other process inherits it.
+int OpenToRead(const std::string& path);
+// An existing file, whose contents are removed.
+int OpenToWrite(const std::string& path);
+// A new file; EEXIST if there is one of that name.
+int OpenNew(const std::string& path, unsigned mode);
+// Gives an open file the permissions of another, whatever new files get.
+void SetMode(int file, unsigned mode);
+
+// The number of bytes, 0 at the end of the file; -1 on failure.
+std::ptrdiff_t Read(int file, char* to, std::size_t size);
+std::ptrdiff_t Write(int file, const char* from, std::size_t size);
+bool Close(int file);
+
+// Gives the file `from` the name `to`, which at any moment has the old contents or the new ones.
+bool Replace(const std::string& from, const std::string& to);
+void Remove(const std::string& path);
+
+// Different from that of any other process that runs now.
+unsigned ProcessNumber();
+
+// Whether standard error is a terminal that obeys escape sequences.
+bool ErrorsAreOnTerminal();
+
+// For main(): makes standard streams carry bytes as they are, and keeps the numbers of closed ones
+// from other files.
+void PrepareStandardStreams();
+
+// For main(): the arguments after the program's name, in UTF-8.
+std::span<const char* const> Arguments(int argc, char** argv);
+
+}  // namespace clipc::system
