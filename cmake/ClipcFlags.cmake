@@ -2,7 +2,11 @@
 # What every target is compiled with: language, warnings, floating point, build types, sanitizers.
 
 option(CLIPC_WERROR "warnings are errors" ON)
-option(CLIPC_STATIC "link the release executable fully static: it starts in less than half the time" ON)
+set(static_by_default ON)
+if(APPLE)
+  set(static_by_default OFF)  # its C library is shared only
+endif()
+option(CLIPC_STATIC "link the release executable fully static: it starts in less than half the time" ${static_by_default})
 set(CLIPC_SANITIZE "" CACHE STRING "sanitizers, as -fsanitize= takes them: address,undefined")
 option(CLIPC_FUZZ "instrument everything for libFuzzer and build tools/fuzz/ (needs Clang)" OFF)
 
@@ -54,7 +58,11 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 endif()
 
 add_compile_options(-ffunction-sections -fdata-sections)
-add_link_options(LINKER:--gc-sections)
+if(APPLE)
+  add_link_options(LINKER:-dead_strip)
+else()
+  add_link_options(LINKER:--gc-sections)
+endif()
 add_compile_definitions($<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS>)
 
 set(sanitizers ${CLIPC_SANITIZE})
