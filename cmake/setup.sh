@@ -7,7 +7,7 @@ llvm=${CLIPC_LLVM:-19}
 build_packages=(g++ cmake ninja-build ccache "libclang-$llvm-dev" "llvm-$llvm-dev" libfmt-dev nlohmann-json3-dev glslang-dev)
 # clang-format-19 is pinned: other versions write other text.
 test_packages=(python3 clang-format-19 "llvm-$llvm-tools" libgtest-dev libgmock-dev glslang-tools spirv-tools spirv-cross
-  libvulkan-dev mesa-vulkan-drivers libspirv-cross-c-shared-dev
+  libvulkan-dev mesa-vulkan-drivers vulkan-validationlayers libspirv-cross-c-shared-dev
   libepoxy-dev libegl1 libopengl0 libgles2 libgl1-mesa-dri libpng-dev libtinygltf-dev python3-matplotlib)
 
 # What checking the study's report takes, `./test --all` installs it: a browser.

@@ -4,13 +4,15 @@
 #include <algorithm>
 #include <bit>
 #include <cstdio>
-#include <cstring>
+#include <utility>
 
 #include "tools/draw/arguments.h"
 #include "tools/draw/opengl/pair.h"
 #include "tools/draw/opengl/picture.h"
 #include "tools/draw/opengl/program.h"
+#include "tools/draw/vulkan/pair.h"
 #include "tools/draw/vulkan/run.h"
+#include "tools/draw/vulkan/spirv.h"
 #include "tools/harness/options.h"
 
 namespace clipc::draw {
@@ -133,24 +135,33 @@ int RunPair(const Arguments& arguments) {
   const std::vector<std::string> paths = Parse(arguments, {});
   if (paths.size() != 4)
     throw DrawError("pair takes four files: two vertex shaders, each with its fragment shader");
-  const Pair mine{ReadFile(paths[0]), ReadFile(paths[1])};
-  const Pair peer{ReadFile(paths[2]), ReadFile(paths[3])};
-  const harness::OpenGl opengl(VersionOf(mine.vertex).api);
-  const PairDifference found = ComparePictures(mine, peer);
+  std::vector<std::string> texts;
+  for (const std::string& path : paths) texts.push_back(ReadFile(path));
+  PairDifference found;
+  std::vector<std::string> messages;
+  if (vulkan::IsSpirv(texts[0])) {
+    std::vector<vulkan::Spirv> spirv;
+    for (const std::string& text : texts) spirv.push_back(vulkan::SpirvOfBytes(text));
+    vulkan::PairResult result = vulkan::ComparePictures({spirv[0], spirv[1]}, {spirv[2], spirv[3]});
+    found = result.difference;
+    messages = std::move(result.messages);
+  } else {
+    const harness::OpenGl opengl(VersionOf(texts[0]).api);
+    found = ComparePictures({texts[0], texts[1]}, {texts[2], texts[3]});
+  }
   std::printf("%d of %d pixels drawn in %d colors, %d different\n", found.drawn, found.pixels,
               found.colors, found.different);
+  for (const std::string& message : messages)
+    std::printf("the validation layers say: %s\n", message.c_str());
   // A picture with less in it would show nothing. An edge may fall to either side of a pixel.
   const bool shows = 4 * found.drawn > found.pixels && found.colors > 64;
   if (!shows) std::printf("the picture shows too little\n");
-  return shows && 200 * found.different < found.pixels ? 0 : 1;
+  return shows && messages.empty() && 200 * found.different < found.pixels ? 0 : 1;
 }
 
 int RunMachineCode(const Arguments& arguments) try {
   for (const std::string& path : Parse(arguments, {})) {
-    const std::string bytes = ReadFile(path);
-    vulkan::Spirv spirv(bytes.size() / 4);
-    std::memcpy(spirv.data(), bytes.data(), 4 * spirv.size());
-    const vulkan::MachineCode code = vulkan::MachineCodeOf(spirv);
+    const vulkan::MachineCode code = vulkan::MachineCodeOf(vulkan::SpirvOfBytes(ReadFile(path)));
     std::printf("%s %ju %ju\n", path.c_str(), code.instructions, code.cycles);
   }
   return 0;
@@ -163,6 +174,7 @@ int RunDevices() {
   const harness::OpenGl opengl(harness::Api::kCore);
   std::printf("OpenGL: %s\n", reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
   std::printf("Vulkan: %s\n", vulkan::Runner().name().c_str());
+  std::printf("Vulkan with validation layers: %s\n", vulkan::PairDeviceName().c_str());
   return 0;
 }
 

@@ -32,6 +32,8 @@ Numbers: 1.5 float, 3i int, 3u uint, 0x7fc00000 bits; `identity` is a 4x4 matrix
 clipc-draw pair A.vert A.frag B.vert B.frag
   Draws with both programs: the same vertices, by location; the same bytes in uniform blocks and the
   same texels in textures of one name. Fails unless the pictures are equal and show something.
+  Files in SPIR-V are drawn on Vulkan, where blocks and textures are the same by set and binding. A
+  message of Vulkan's validation layers about the first program fails too.
 
 clipc-draw compare SHADER.hlsl [options]
   Compiles the shader and compares the outputs of the GLSL, run by Mesa, with those of the reference

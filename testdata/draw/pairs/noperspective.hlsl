@@ -1,5 +1,5 @@
 // Linear on the screen, at the centroid, and neither.
-// RUN: %python %S/../inputs/pair.py --clipc %clipc --draw %draw %s %t --targets glsl450,glsl330
+// RUN: %python %S/../inputs/pair.py --clipc %clipc --draw %draw %s %t --targets glsl450,glsl330,vulkan
 cbuffer Frame { float4 plane; };
 struct Varyings { float4 position : SV_Position; noperspective float2 a : A; centroid float2 b : B; float2 c : C; };
 Varyings vs(float4 p : POSITION, float2 uv : TEXCOORD0) {

@@ -1,5 +1,5 @@
 // Textures in the pixel shader, and one that both sample.
-// RUN: %python %S/../inputs/pair.py --clipc %clipc --draw %draw %s %t --targets glsl450,glsl330
+// RUN: %python %S/../inputs/pair.py --clipc %clipc --draw %draw %s %t --targets glsl450,glsl330,vulkan
 Texture2D heights : register(t0);
 Texture2D colors : register(t1);
 SamplerState point_sampler : register(s0);

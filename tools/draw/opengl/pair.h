@@ -3,18 +3,12 @@
 
 #include <string>
 
-// Pictures of whole programs, a vertex shader with a pixel shader.
+#include "tools/draw/pair.h"
+
 namespace clipc::draw {
 
 struct Pair {
   std::string vertex, fragment;  // GLSL
-};
-
-struct PairDifference {
-  int pixels = 0;
-  int drawn = 0;      // by the second program
-  int colors = 0;     // that differ from each other in the second picture
-  int different = 0;  // pixels whose colors are further apart than 1e-3 of their size
 };
 
 // Draws a mesh over the whole target with both programs, on the current context, and compares the

@@ -32,7 +32,7 @@ void Descriptors::MakeLayouts(const DrawCall& call) {
     vk::DescriptorSetLayoutBinding& binding = sets[descriptor.set][descriptor.binding];
     binding.binding = descriptor.binding;
     binding.descriptorType = TypeOf(descriptor.kind);
-    binding.stageFlags = vk::ShaderStageFlagBits::eVertex;
+    binding.stageFlags = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
     binding.descriptorCount = std::max(binding.descriptorCount, descriptor.element + 1);
   }
   for (std::uint32_t set = 0; !sets.empty() && set <= sets.rbegin()->first; ++set) {

@@ -3,23 +3,59 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 namespace clipc::draw::vulkan {
 namespace {
 
-// Never destroyed: that would unload the driver with memory that it does not free, and
-// LeakSanitizer, which could have followed its pointers, reports that.
-const vk::raii::Instance& TheInstance() {
+const vk::raii::Context& TheContext() {
   static const auto* context = new vk::raii::Context;
-  static const auto* instance = [] {
-    const vk::ApplicationInfo application("clipc-draw", 0, "", 0, VK_API_VERSION_1_3);
-    return new vk::raii::Instance(*context, vk::InstanceCreateInfo({}, &application));
-  }();
+  return *context;
+}
+
+// An instance is never destroyed: that would unload the driver with memory that it does not free,
+// and LeakSanitizer, which could have followed its pointers, reports that.
+const vk::ApplicationInfo kApplication("clipc-draw", 0, "", 0, VK_API_VERSION_1_3);
+
+const vk::raii::Instance& TheInstance() {
+  static const auto* instance =
+      new vk::raii::Instance(TheContext(), vk::InstanceCreateInfo({}, &kApplication));
   return *instance;
 }
 
-vk::raii::PhysicalDevice Choose(const char* extension, bool is_processor) {
-  for (vk::raii::PhysicalDevice& device : vk::raii::PhysicalDevices(TheInstance())) {
+std::vector<std::string>& Messages() {
+  static std::vector<std::string> messages;
+  return messages;
+}
+
+VKAPI_ATTR VkBool32 VKAPI_CALL Note(VkDebugUtilsMessageSeverityFlagBitsEXT,
+                                    VkDebugUtilsMessageTypeFlagsEXT,
+                                    const VkDebugUtilsMessengerCallbackDataEXT* data, void*) {
+  Messages().emplace_back(data->pMessage);
+  return VK_FALSE;
+}
+
+// An instance whose devices the validation layers watch.
+const vk::raii::Instance& TheWatchedInstance() {
+  static const vk::raii::Instance* instance = nullptr;
+  if (instance) return *instance;
+  using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
+  using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
+  const vk::DebugUtilsMessengerCreateInfoEXT messenger(
+      {}, Severity::eError | Severity::eWarning,
+      Type::eGeneral | Type::eValidation | Type::ePerformance, Note);
+  constexpr const char* kLayer = "VK_LAYER_KHRONOS_validation";
+  constexpr const char* kExtension = VK_EXT_DEBUG_UTILS_EXTENSION_NAME;
+  instance = new vk::raii::Instance(TheContext(),
+                                    vk::InstanceCreateInfo({}, &kApplication, kLayer, kExtension));
+  static const auto* listener = new vk::raii::DebugUtilsMessengerEXT(*instance, messenger);
+  (void)listener;
+  return *instance;
+}
+
+vk::raii::PhysicalDevice Choose(const vk::raii::Instance& instance, const char* extension,
+                                bool is_processor) {
+  for (vk::raii::PhysicalDevice& device : vk::raii::PhysicalDevices(instance)) {
     const auto extensions = device.enumerateDeviceExtensionProperties();
     const bool has_extension = std::ranges::any_of(extensions, [&](const auto& known) {
       return std::strcmp(known.extensionName, extension) == 0;
@@ -43,11 +79,15 @@ std::uint32_t GraphicsFamily(const vk::raii::PhysicalDevice& device) {
 // With every feature that it has.
 vk::raii::Device Create(const vk::raii::PhysicalDevice& physical, std::uint32_t family,
                         const char* extension) {
-  const auto features =
+  auto features =
       physical.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan11Features,
                             vk::PhysicalDeviceVulkan12Features, vk::PhysicalDeviceVulkan13Features,
                             vk::PhysicalDeviceTransformFeedbackFeaturesEXT,
                             vk::PhysicalDevicePipelineExecutablePropertiesFeaturesKHR>();
+  if (std::strcmp(extension, VK_EXT_TRANSFORM_FEEDBACK_EXTENSION_NAME) != 0)
+    features.unlink<vk::PhysicalDeviceTransformFeedbackFeaturesEXT>();
+  if (std::strcmp(extension, VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME) != 0)
+    features.unlink<vk::PhysicalDevicePipelineExecutablePropertiesFeaturesKHR>();
   const float priority = 1;
   const vk::DeviceQueueCreateInfo queue({}, family, 1, &priority);
   return {physical, vk::DeviceCreateInfo({}, queue, {}, extension, nullptr,
@@ -56,14 +96,17 @@ vk::raii::Device Create(const vk::raii::PhysicalDevice& physical, std::uint32_t 
 
 }  // namespace
 
-Device::Device(const char* extension, bool is_processor) try {
-  physical_ = Choose(extension, is_processor);
+std::vector<std::string> TakeMessages() { return std::exchange(Messages(), {}); }
+
+Device::Device(const char* extension, bool is_processor, Validation validation) try {
+  physical_ = Choose(validation == Validation::kOn ? TheWatchedInstance() : TheInstance(),
+                     extension, is_processor);
   family_ = GraphicsFamily(physical_);
   device_ = Create(physical_, family_, extension);
   queue_ = device_.getQueue(family_, 0);
 } catch (const std::exception& error) {
   throw NoDevice(std::string("no Vulkan 1.3: ") + error.what() +
-                 "; on Debian: apt-get install mesa-vulkan-drivers");
+                 "; on Debian: apt-get install mesa-vulkan-drivers vulkan-validationlayers");
 }
 
 vk::PhysicalDeviceTransformFeedbackPropertiesEXT Device::FeedbackLimits() const {

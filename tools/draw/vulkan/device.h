@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include <vulkan/vulkan_raii.hpp>
 
@@ -19,13 +21,22 @@ struct Buffer {
   std::size_t size = 0;
 };
 
+// Whether Vulkan's validation layers watch a device.
+enum class Validation : std::uint8_t { kOff, kOn };
+
+// What the validation layers have reported of all devices since the last call.
+std::vector<std::string> TakeMessages();
+
 // A Vulkan 1.3 device.
 class Device {
  public:
-  // The first that has that extension. Throws NoDevice when there is none.
-  Device(const char* extension, bool is_processor);
+  // The first that has that extension. Throws NoDevice when there is none, or no validation layers
+  // where they are asked for.
+  Device(const char* extension, bool is_processor, Validation validation = Validation::kOff);
   // A processor with transform feedback: Mesa's lavapipe.
   Device() : Device(VK_EXT_TRANSFORM_FEEDBACK_EXTENSION_NAME, true) {}
+  explicit Device(Validation validation)
+      : Device(VK_EXT_TRANSFORM_FEEDBACK_EXTENSION_NAME, true, validation) {}
 
   const vk::raii::Device& get() const { return device_; }
   std::string name() const { return physical_.getProperties().deviceName; }

@@ -37,6 +37,8 @@ std::uint32_t LayersOf(const Form& form, const Inputs::Texture::Level& level) {
   return form.axes < 3 ? form.faces * level.size[form.axes] : 1;
 }
 
+}  // namespace
+
 void Transition(const vk::raii::CommandBuffer& commands, const Image& image,
                 const vk::ImageSubresourceRange& all, vk::ImageLayout from, vk::ImageLayout to) {
   const vk::ImageMemoryBarrier barrier(
@@ -46,8 +48,6 @@ void Transition(const vk::raii::CommandBuffer& commands, const Image& image,
   commands.pipelineBarrier(vk::PipelineStageFlagBits::eAllCommands,
                            vk::PipelineStageFlagBits::eAllCommands, {}, {}, {}, barrier);
 }
-
-}  // namespace
 
 vk::Format FormatOf(const Inputs::Texture& texture) {
   switch (texture.kind) {
@@ -96,6 +96,23 @@ Image UploadImage(const Device& device, const Inputs::Texture& texture) {
   made.view = vk::raii::ImageView(
       device.get(),
       vk::ImageViewCreateInfo({}, *made.image, form.view, FormatOf(texture), {}, all));
+  return made;
+}
+
+Image MakeTarget(const Device& device, std::uint32_t size) {
+  constexpr auto kFormat = vk::Format::eR32G32B32A32Sfloat;
+  const vk::ImageSubresourceRange all(vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1);
+  Image made;
+  made.image = vk::raii::Image(
+      device.get(), vk::ImageCreateInfo({}, vk::ImageType::e2D, kFormat, {size, size, 1}, 1, 1,
+                                        vk::SampleCountFlagBits::e1, vk::ImageTiling::eOptimal,
+                                        vk::ImageUsageFlagBits::eColorAttachment |
+                                            vk::ImageUsageFlagBits::eTransferSrc));
+  made.memory = device.Allocate(made.image.getMemoryRequirements());
+  made.image.bindMemory(*made.memory, 0);
+  made.view = vk::raii::ImageView(
+      device.get(),
+      vk::ImageViewCreateInfo({}, *made.image, vk::ImageViewType::e2D, kFormat, {}, all));
   return made;
 }
 

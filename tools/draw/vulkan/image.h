@@ -6,13 +6,20 @@
 
 namespace clipc::draw::vulkan {
 
-// A texture that shaders can read.
+// A texture that shaders can read, or a picture that they draw.
 struct Image {
   vk::raii::DeviceMemory memory{nullptr};
   vk::raii::Image image{nullptr};
   vk::raii::ImageView view{nullptr};
 };
 Image UploadImage(const Device& device, const Inputs::Texture& texture);
+
+// A square that can be drawn to, of four floats for each pixel.
+Image MakeTarget(const Device& device, std::uint32_t size);
+
+// Records a change of layout that everything before it and after it waits for.
+void Transition(const vk::raii::CommandBuffer& commands, const Image& image,
+                const vk::ImageSubresourceRange& all, vk::ImageLayout from, vk::ImageLayout to);
 
 vk::Format FormatOf(const Inputs::Texture& texture);
 

@@ -6,6 +6,7 @@
 
 #include "tools/draw/vulkan/descriptors.h"
 #include "tools/draw/vulkan/device.h"
+#include "tools/draw/vulkan/pipeline.h"
 
 namespace clipc::draw::vulkan {
 namespace {
@@ -33,71 +34,6 @@ Layout LayOut(const Device& device, std::span<const Output> outputs) {
   return layout;
 }
 
-// The buffers of the attributes, with what a pipeline must know of them.
-struct Attributes {
-  std::vector<vk::VertexInputBindingDescription> bindings;
-  std::vector<vk::VertexInputAttributeDescription> places;
-  std::vector<Buffer> buffers;
-};
-
-vk::Format FormatOf(WordKind kind, std::size_t components) {
-  using enum vk::Format;
-  constexpr vk::Format kFormats[3][4] = {
-      {eR32Sfloat, eR32G32Sfloat, eR32G32B32Sfloat, eR32G32B32A32Sfloat},
-      {eR32Sint, eR32G32Sint, eR32G32B32Sint, eR32G32B32A32Sint},
-      {eR32Uint, eR32G32Uint, eR32G32B32Uint, eR32G32B32A32Uint}};
-  if (components < 1 || components > 4) throw DrawError("an attribute is a scalar or a vector");
-  return kFormats[static_cast<int>(kind)][components - 1];
-}
-
-Attributes Upload(const Device& device, const DrawCall& call) {
-  Attributes made;
-  for (const DrawCall::Attribute& attribute : call.attributes) {
-    const std::size_t components = attribute.words.size() / call.vertices;
-    Words words(components * call.first_vertex);
-    words.insert(words.end(), attribute.words.begin(), attribute.words.end());
-    const std::uint32_t binding = made.bindings.size();
-    made.bindings.emplace_back(binding, 4 * components);
-    made.places.emplace_back(attribute.location, binding, FormatOf(attribute.kind, components), 0);
-    const auto* bytes = reinterpret_cast<const std::uint8_t*>(words.data());
-    made.buffers.push_back(
-        device.NewBuffer(vk::BufferUsageFlagBits::eVertexBuffer, {bytes, 4 * words.size()}));
-  }
-  return made;
-}
-
-// `rasterizes`: keeps what the outputs are for, without a fragment shader; with statistics.
-vk::raii::Pipeline MakePipeline(const vk::raii::Device& device, const Spirv& vertex,
-                                const Attributes& attributes,
-                                const vk::raii::PipelineLayout& layout, bool rasterizes) {
-  const vk::raii::ShaderModule module(device, vk::ShaderModuleCreateInfo({}, vertex));
-  const std::string entry = EntryPointOf(vertex);
-  const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eVertex, *module,
-                                                entry.c_str());
-  const vk::PipelineVertexInputStateCreateInfo input({}, attributes.bindings, attributes.places);
-  const vk::PipelineInputAssemblyStateCreateInfo assembly(
-      {}, rasterizes ? vk::PrimitiveTopology::eTriangleList : vk::PrimitiveTopology::ePointList);
-  const vk::Viewport size(0, 0, 64, 64);
-  const vk::Rect2D scissor({0, 0}, {64, 64});
-  const vk::PipelineViewportStateCreateInfo viewport({}, size, scissor);
-  vk::PipelineRasterizationStateCreateInfo rasterization;
-  rasterization.rasterizerDiscardEnable = !rasterizes;
-  rasterization.lineWidth = 1;
-  const vk::PipelineMultisampleStateCreateInfo samples;
-  const vk::PipelineRenderingCreateInfo rendering;  // no attachments
-  vk::GraphicsPipelineCreateInfo info;
-  info.pNext = &rendering;
-  info.setStages(stage);
-  info.pVertexInputState = &input;
-  info.pInputAssemblyState = &assembly;
-  info.pViewportState = &viewport;
-  info.pRasterizationState = &rasterization;
-  info.pMultisampleState = &samples;
-  info.layout = *layout;
-  if (rasterizes) info.flags = vk::PipelineCreateFlagBits::eCaptureStatisticsKHR;
-  return {device, nullptr, info};
-}
-
 std::vector<Buffer> FeedbackBuffers(const Device& device, const Layout& layout,
                                     const DrawCall& call) {
   std::vector<Buffer> buffers;
@@ -113,8 +49,7 @@ std::vector<Buffer> FeedbackBuffers(const Device& device, const Layout& layout,
 
 void Draw(const vk::raii::CommandBuffer& commands, const std::vector<Buffer>& feedback,
           const Attributes& attributes, const DrawCall& call) {
-  for (std::uint32_t i = 0; i < attributes.buffers.size(); ++i)
-    commands.bindVertexBuffers(i, *attributes.buffers[i].buffer, {0});
+  BindAttributes(commands, attributes);
   for (std::uint32_t i = 0; i < feedback.size(); ++i) {
     commands.bindTransformFeedbackBuffersEXT(i, *feedback[i].buffer, {0}, {VK_WHOLE_SIZE});
   }
@@ -189,7 +124,7 @@ std::vector<Captured> Runner::Capture(const Spirv& vertex, std::span<const Outpu
   CheckReads(vertex, call);
   const Layout layout = LayOut(*device_, outputs);
   try {
-    const Attributes attributes = Upload(*device_, call);
+    const Attributes attributes = UploadAttributes(*device_, call);
     const Descriptors descriptors(*device_, call);
     const vk::raii::Device& device = device_->get();
     const std::vector<vk::DescriptorSetLayout> set_layouts = descriptors.Layouts();
@@ -200,7 +135,7 @@ std::vector<Captured> Runner::Capture(const Spirv& vertex, std::span<const Outpu
     const vk::raii::PipelineLayout pipeline_layout(device, layout_info);
     const Spirv capturing = WithTransformFeedback(vertex, outputs, layout.places, layout.strides);
     const vk::raii::Pipeline pipeline =
-        MakePipeline(device, capturing, attributes, pipeline_layout, false);
+        MakePipeline(device, {.vertex = capturing}, attributes, pipeline_layout);
     const std::vector<Buffer> feedback = FeedbackBuffers(*device_, layout, call);
     device_->Submit([&](const vk::raii::CommandBuffer& commands) {
       commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline);
@@ -228,7 +163,8 @@ MachineCode MachineCodeOf(const Spirv& vertex) {
       {{0, 28}},
       {{0, 0, vk::Format::eR32G32B32A32Sfloat, 0}, {1, 0, vk::Format::eR32G32B32Sfloat, 16}},
       {}};
-  const vk::raii::Pipeline pipeline = MakePipeline(device.get(), vertex, attributes, layout, true);
+  const vk::raii::Pipeline pipeline = MakePipeline(
+      device.get(), {.vertex = vertex, .end = PipelineEnd::kStatistics}, attributes, layout);
   // The first executable is the vertex shader.
   const auto all =
       device.get().getPipelineExecutableStatisticsKHR(vk::PipelineExecutableInfoKHR(*pipeline, 0));

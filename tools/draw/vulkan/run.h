@@ -8,9 +8,7 @@
 
 namespace clipc::draw::vulkan {
 
-enum class DescriptorKind { kUniforms, kStorage, kTexture, kSampler, kTextureWithSampler, kTexels };
-
-// The data that an application gives a vertex shader.
+// The data that an application gives a shader.
 struct DrawCall {
   struct Attribute {
     std::uint32_t location;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "tools/draw/vulkan/spirv.h"
 
+#include <algorithm>
+#include <cstring>
 #include <set>
 
 #include "tools/draw/vulkan/reflect.h"
@@ -22,7 +24,7 @@ Shape ShapeOf(const SPIRType& type, const std::string& name) {
     case SPIRType::Int: return {kInt, columns, rows};
     case SPIRType::Boolean:
     case SPIRType::UInt: return {kUint, columns, rows};
-    default: throw DrawError("the output `" + name + "` has a type that no test draws with");
+    default: throw DrawError("`" + name + "` has a type that no test draws with");
   }
 }
 
@@ -94,24 +96,33 @@ std::vector<Output> ReflectOutputs(const Compiler& compiler) {
 Reads ReflectReads(const Compiler& compiler) {
   const spirv_cross::ShaderResources resources = compiler.get_shader_resources();
   Reads reads;
-  for (const auto* list :
-       {&resources.uniform_buffers, &resources.storage_buffers, &resources.sampled_images,
-        &resources.separate_images, &resources.separate_samplers, &resources.storage_images}) {
-    for (const Resource& resource : *list) {
+  const auto add = [&](const auto& list, DescriptorKind kind) {
+    for (const Resource& resource : list) {
       const std::string variable = compiler.get_name(resource.id);
-      reads.bindings.push_back(
-          {variable.empty() ? compiler.get_name(resource.base_type_id) : variable,
-           compiler.get_decoration(resource.id, spv::DecorationDescriptorSet),
-           compiler.get_decoration(resource.id, spv::DecorationBinding)});
+      const SPIRType& type = compiler.get_type(resource.type_id);
+      Reads::Binding& binding = reads.bindings.emplace_back(Reads::Binding{
+          variable.empty() ? compiler.get_name(resource.base_type_id) : variable,
+          compiler.get_decoration(resource.id, spv::DecorationDescriptorSet),
+          compiler.get_decoration(resource.id, spv::DecorationBinding), kind, !type.array.empty()});
+      if (kind == DescriptorKind::kUniforms)
+        binding.bytes = compiler.get_declared_struct_size(compiler.get_type(resource.base_type_id));
+      if (type.basetype != SPIRType::Struct && type.image.dim == spv::DimBuffer)
+        binding.kind = DescriptorKind::kTexels;
     }
-  }
+  };
+  add(resources.uniform_buffers, DescriptorKind::kUniforms);
+  add(resources.storage_buffers, DescriptorKind::kStorage);
+  add(resources.sampled_images, DescriptorKind::kTextureWithSampler);
+  add(resources.separate_images, DescriptorKind::kTexture);
+  add(resources.separate_samplers, DescriptorKind::kSampler);
+  add(resources.storage_images, DescriptorKind::kTexture);
   for (const Resource& resource : resources.stage_inputs) {
     const SPIRType& type = compiler.get_type(resource.type_id);
     reads.attributes.push_back(
         {resource.name,
          compiler.get_decoration_string(resource.id, spv::DecorationHlslSemanticGOOGLE),
          compiler.get_decoration(resource.id, spv::DecorationLocation),
-         static_cast<std::uint32_t>(CountOf(type)) * type.columns});
+         static_cast<std::uint32_t>(CountOf(type)) * type.columns, ShapeOf(type, resource.name)});
   }
   return reads;
 }
@@ -152,6 +163,18 @@ bool IsPreamble(spv::Op op) {
 }
 
 }  // namespace
+
+bool IsSpirv(std::string_view bytes) {
+  std::uint32_t word = 0;
+  if (bytes.size() >= 4) std::memcpy(&word, bytes.data(), 4);
+  return word == spv::MagicNumber;
+}
+
+Spirv SpirvOfBytes(std::string_view bytes) {
+  Spirv spirv(bytes.size() / 4);
+  if (!spirv.empty()) std::memcpy(spirv.data(), bytes.data(), 4 * spirv.size());
+  return spirv;
+}
 
 std::vector<Output> OutputsOf(const Spirv& spirv) { return Reflected(spirv, ReflectOutputs); }
 Reads ReadsOf(const Spirv& spirv) { return Reflected(spirv, ReflectReads); }

@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tools/draw/inputs.h"
 
-// Vertex shaders in SPIR-V. All functions throw DrawError where SPIRV-Cross cannot read the shader.
+// Shaders in SPIR-V. All functions throw DrawError where SPIRV-Cross cannot read the shader.
 namespace clipc::draw::vulkan {
 
 using Spirv = Words;
+
+// Whether a file begins as SPIR-V does, in this machine's order of bytes.
+bool IsSpirv(std::string_view bytes);
+Spirv SpirvOfBytes(std::string_view bytes);
 
 // A variable that a vertex shader writes, or a member of its gl_PerVertex.
 struct Output {
@@ -32,16 +38,22 @@ std::vector<Output> OutputsOf(const Spirv& spirv);
 // The name of its entry point.
 std::string EntryPointOf(const Spirv& spirv);
 
+enum class DescriptorKind { kUniforms, kStorage, kTexture, kSampler, kTextureWithSampler, kTexels };
+
 // The variables that the shader reads.
 struct Reads {
   struct Binding {
     std::string name;  // of the variable, or of a block without an instance
     std::uint32_t set, binding;
+    DescriptorKind kind;
+    bool is_array = false;
+    std::size_t bytes = 0;  // of kUniforms
   };
   struct Attribute {
     std::string name, semantic;  // as those of an output
     std::uint32_t location;
     std::uint32_t locations;  // their number: elements of arrays and columns of matrices
+    Shape shape;              // of one element
   };
   std::vector<Binding> bindings;
   std::vector<Attribute> attributes;

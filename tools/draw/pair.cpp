@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "tools/draw/pair.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <set>
+
+#include "tools/draw/opengl/picture.h"
+#include "tools/harness/random.h"
+
+namespace clipc::draw {
+namespace {
+
+std::uint32_t Bits(double value) { return std::bit_cast<std::uint32_t>(static_cast<float>(value)); }
+
+bool AreAlike(float a, float b) {
+  return a == b || (std::isnan(a) && std::isnan(b)) ||
+         std::fabs(a - b) <= 1e-3 * std::max({0.05f, std::fabs(a), std::fabs(b)});
+}
+
+}  // namespace
+
+std::uint64_t SeedOf(std::string_view name) {
+  std::uint64_t seed = 14695981039346656037u;  // FNV-1a
+  for (const char c : name) seed = (seed ^ static_cast<unsigned char>(c)) * 1099511628211u;
+  return seed;
+}
+
+Words PairAttribute(std::uint32_t location, const Shape& shape) {
+  harness::Random random(SeedOf("attribute") + location);
+  Words words;
+  for (const auto& [x, y, z, w] : FullTarget()) {
+    const double position[] = {x / w, y / w, z / w, 1};
+    for (int i = 0; i < shape.rows; ++i) {
+      const double value = random.Unit();
+      words.push_back(shape.kind != WordKind::kFloat ? static_cast<std::uint32_t>(4 * value)
+                      : location == 0                ? Bits(position[i])
+                                                     : Bits(value));
+    }
+  }
+  return words;
+}
+
+Bytes PairBlock(std::uint64_t seed, std::size_t size) {
+  harness::Random random(seed);
+  Bytes bytes;
+  for (std::size_t word = 0; 4 * word < size; ++word) {
+    const double base = word < 16 && word % 5 == 0 ? 1 : 0;
+    const std::uint32_t bits = Bits(base + random.Between(0.05, 0.25));
+    for (int shift = 0; shift < 32; shift += 8)
+      bytes.push_back(static_cast<std::uint8_t>(bits >> shift));
+  }
+  return bytes;
+}
+
+Inputs::Texture PairTexture(std::uint64_t seed) {
+  harness::Random random(seed);
+  Inputs::Texture texture;
+  texture.target = GL_TEXTURE_2D;
+  Inputs::Texture::Level& level = texture.levels.emplace_back();
+  level.size = {8, 8, 1};
+  for (int i = 0; i < 4 * 8 * 8; ++i) level.words.push_back(Bits(random.Unit()));
+  return texture;
+}
+
+PairDifference CompareColors(std::span<const float> first, std::span<const float> second) {
+  PairDifference found;
+  std::set<std::array<float, 4>> colors;
+  for (std::size_t i = 0; i < first.size(); i += 4) {
+    const std::array<float, 4> color = {second[i], second[i + 1], second[i + 2], second[i + 3]};
+    const bool is_drawn = color != std::array<float, 4>{};
+    ++found.pixels;
+    found.drawn += is_drawn;
+    if (is_drawn) colors.insert(color);
+    found.different += !std::ranges::equal(first.subspan(i, 4), color, AreAlike);
+  }
+  found.colors = static_cast<int>(colors.size());
+  return found;
+}
+
+}  // namespace clipc::draw

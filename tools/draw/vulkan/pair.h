@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tools/draw/pair.h"
+#include "tools/draw/vulkan/spirv.h"
+
+namespace clipc::draw::vulkan {
+
+struct SpirvPair {
+  Spirv vertex, fragment;
+};
+
+struct PairResult {
+  PairDifference difference;
+  std::vector<std::string> messages;  // of the validation layers, about the first program
+};
+
+// Draws a mesh over the whole target with both programs and compares the pictures, while Vulkan's
+// validation layers watch. Both get the same vertices by location, and the same bytes and texels by
+// set and binding. Throws DrawError where a program reads what it cannot be given: arrays of
+// blocks or textures, storage.
+PairResult ComparePictures(const SpirvPair& first, const SpirvPair& second);
+
+// The name of the device that draws pairs. Throws NoDevice where there is none, or no validation
+// layers.
+std::string PairDeviceName();
+
+}  // namespace clipc::draw::vulkan

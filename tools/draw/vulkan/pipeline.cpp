@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "tools/draw/vulkan/pipeline.h"
+
+#include <span>
+#include <string>
+
+#include "tools/draw/pair.h"
+
+namespace clipc::draw::vulkan {
+namespace {
+
+vk::Format FormatOf(WordKind kind, std::size_t components) {
+  using enum vk::Format;
+  constexpr vk::Format kFormats[3][4] = {
+      {eR32Sfloat, eR32G32Sfloat, eR32G32B32Sfloat, eR32G32B32A32Sfloat},
+      {eR32Sint, eR32G32Sint, eR32G32B32Sint, eR32G32B32A32Sint},
+      {eR32Uint, eR32G32Uint, eR32G32B32Uint, eR32G32B32A32Uint}};
+  if (components < 1 || components > 4) throw DrawError("an attribute is a scalar or a vector");
+  return kFormats[static_cast<int>(kind)][components - 1];
+}
+
+}  // namespace
+
+Attributes UploadAttributes(const Device& device, const DrawCall& call) {
+  Attributes made;
+  for (const DrawCall::Attribute& attribute : call.attributes) {
+    const std::size_t components = attribute.words.size() / call.vertices;
+    Words words(components * call.first_vertex);
+    words.insert(words.end(), attribute.words.begin(), attribute.words.end());
+    const std::uint32_t binding = made.bindings.size();
+    made.bindings.emplace_back(binding, 4 * components);
+    made.places.emplace_back(attribute.location, binding, FormatOf(attribute.kind, components), 0);
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(words.data());
+    made.buffers.push_back(
+        device.NewBuffer(vk::BufferUsageFlagBits::eVertexBuffer, {bytes, 4 * words.size()}));
+  }
+  return made;
+}
+
+void BindAttributes(const vk::raii::CommandBuffer& commands, const Attributes& attributes) {
+  for (std::uint32_t i = 0; i < attributes.buffers.size(); ++i)
+    commands.bindVertexBuffers(i, *attributes.buffers[i].buffer, {0});
+}
+
+vk::raii::Pipeline MakePipeline(const vk::raii::Device& device, const PipelineShaders& shaders,
+                                const Attributes& attributes,
+                                const vk::raii::PipelineLayout& layout) {
+  const bool draws = shaders.end != PipelineEnd::kCapture;
+  const bool has_picture = shaders.end == PipelineEnd::kPicture;
+  std::vector<vk::raii::ShaderModule> modules;
+  std::vector<std::string> entries;
+  const auto add = [&](const Spirv& spirv) {
+    modules.emplace_back(device, vk::ShaderModuleCreateInfo({}, spirv));
+    entries.push_back(EntryPointOf(spirv));
+  };
+  add(shaders.vertex);
+  if (has_picture) add(shaders.fragment);
+  std::vector<vk::PipelineShaderStageCreateInfo> stages;
+  constexpr vk::ShaderStageFlagBits kStages[] = {vk::ShaderStageFlagBits::eVertex,
+                                                 vk::ShaderStageFlagBits::eFragment};
+  for (std::size_t i = 0; i < modules.size(); ++i)
+    stages.emplace_back(vk::PipelineShaderStageCreateFlags(), kStages[i], *modules[i],
+                        entries[i].c_str());
+  const vk::PipelineVertexInputStateCreateInfo input({}, attributes.bindings, attributes.places);
+  const vk::PipelineInputAssemblyStateCreateInfo assembly(
+      {}, draws ? vk::PrimitiveTopology::eTriangleList : vk::PrimitiveTopology::ePointList);
+  const vk::Viewport size(0, 0, kPairSize, kPairSize, 0, 1);
+  const vk::Rect2D scissor({0, 0}, {kPairSize, kPairSize});
+  const vk::PipelineViewportStateCreateInfo viewport({}, size, scissor);
+  vk::PipelineRasterizationStateCreateInfo rasterization;
+  rasterization.rasterizerDiscardEnable = !draws;
+  rasterization.lineWidth = 1;
+  const vk::PipelineMultisampleStateCreateInfo samples;
+  vk::PipelineColorBlendAttachmentState colors;
+  colors.colorWriteMask = vk::FlagTraits<vk::ColorComponentFlagBits>::allFlags;
+  const vk::PipelineColorBlendStateCreateInfo blending({}, false, {}, colors);
+  const vk::Format format = vk::Format::eR32G32B32A32Sfloat;
+  vk::PipelineRenderingCreateInfo rendering;
+  if (has_picture) rendering.setColorAttachmentFormats(format);
+  vk::GraphicsPipelineCreateInfo info;
+  info.pNext = &rendering;
+  info.setStages(stages);
+  info.pVertexInputState = &input;
+  info.pInputAssemblyState = &assembly;
+  info.pViewportState = &viewport;
+  info.pRasterizationState = &rasterization;
+  info.pMultisampleState = &samples;
+  if (has_picture) info.pColorBlendState = &blending;
+  info.layout = *layout;
+  if (shaders.end == PipelineEnd::kStatistics)
+    info.flags = vk::PipelineCreateFlagBits::eCaptureStatisticsKHR;
+  return {device, nullptr, info};
+}
+
+}  // namespace clipc::draw::vulkan

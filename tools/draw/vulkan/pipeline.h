@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "tools/draw/vulkan/device.h"
+#include "tools/draw/vulkan/run.h"
+
+namespace clipc::draw::vulkan {
+
+// The buffers of the attributes, with what a pipeline must know of them.
+struct Attributes {
+  std::vector<vk::VertexInputBindingDescription> bindings;
+  std::vector<vk::VertexInputAttributeDescription> places;
+  std::vector<Buffer> buffers;
+};
+Attributes UploadAttributes(const Device& device, const DrawCall& call);
+void BindAttributes(const vk::raii::CommandBuffer& commands, const Attributes& attributes);
+
+// Where a pipeline ends.
+enum class PipelineEnd : std::uint8_t {
+  kCapture,     // points are captured and drawn nowhere
+  kStatistics,  // triangles are drawn without a fragment shader; the driver tells of its code
+  kPicture,     // triangles are drawn into a target of MakeTarget, kPairSize wide
+};
+
+struct PipelineShaders {
+  Spirv vertex;
+  Spirv fragment = {};  // of kPicture
+  PipelineEnd end = PipelineEnd::kCapture;
+};
+vk::raii::Pipeline MakePipeline(const vk::raii::Device& device, const PipelineShaders& shaders,
+                                const Attributes& attributes,
+                                const vk::raii::PipelineLayout& layout);
+
+}  // namespace clipc::draw::vulkan
