@@ -117,6 +117,11 @@ TEST(CInterface, PlanesAreThoseOfTheCppInterface) {
   EXPECT_LT(clipc_edge_error(CLIPC_SPACE_CLIP, plane, projection, 720), 0);
 }
 
+Plane PlaneOf(const float (&plane)[4]) {
+  return {static_cast<double>(plane[0]), static_cast<double>(plane[1]),
+          static_cast<double>(plane[2]), static_cast<double>(plane[3])};
+}
+
 struct CMatrices {
   float view[16], projection[16];
   Matrix View() const { return RowVectorMatrix(view); }
@@ -181,7 +186,7 @@ TEST(CInterface, ConstantsAreThoseOfTheCppInterface) {
 
   // A plane far away, in clip space: a warning and its sentence.
   const float far_plane[4] = {1, 0, 0, -5000};
-  const clipc_draw_matrices draw = {nullptr, nullptr, c.projection};
+  const clipc_draw_matrices draw = {nullptr, nullptr, c.projection, 0, 0};
   clipc_space_constant made;
   ASSERT_EQ(clipc_plane_constant(CLIPC_SPACE_CLIP, far_plane, CLIPC_KNOWN_IN_VIEW, &draw, 1080, 0.5,
                                  &made, message),
@@ -192,6 +197,41 @@ TEST(CInterface, ConstantsAreThoseOfTheCppInterface) {
   EXPECT_EQ(clipc_plane_constant(CLIPC_SPACE_MAX, plane, CLIPC_KNOWN_IN_VIEW, &draw, 1080, 0.5,
                                  &made, message),
             CLIPC_INVALID_ARGUMENT);
+}
+
+// The matrices that the shader multiplies by are counted, and a cut that is known is followed.
+TEST(CInterface, CountsMatricesAndFollowsCuts) {
+  const CMatrices c = MatricesOf(PerspectiveCamera(0.1, 1000));
+  float world[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1e4F, 0, 10, 1};
+  float view[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -1e4F, 0, 0, 1};
+  const float plane[4] = {0.6F, 0, 0.8F, -6008};
+  const DrawMatrices matrices = {RowVectorMatrix(world), RowVectorMatrix(view), c.Projection(), 2,
+                                 false};
+  clipc_draw_matrices draw = {world, view, c.projection, 2, 0};
+  clipc_space_constant made;
+  ASSERT_EQ(clipc_plane_constant(CLIPC_SPACE_XYW1, plane, CLIPC_KNOWN_IN_WORLD, &draw, 1080, 0.5,
+                                 &made, nullptr),
+            CLIPC_OK);
+  EXPECT_EQ(made.warning, CLIPC_ILL_CONDITIONED);
+  EXPECT_THAT(made.warning_message, HasSubstr("let the world begin at the camera"));
+  const double place[3] = {0.5, 0.1, -0.375};
+  const double error =
+      clipc_cut_error(CLIPC_SPACE_XYW1, plane, CLIPC_KNOWN_IN_WORLD, &draw, place, 1, 0.1, 1080);
+  EXPECT_GT(error, 0.1);
+  EXPECT_EQ(error, PredictEdgeError(PlaneSpace::kXyw1, PlaneOf(plane), KnownIn::kWorld, matrices,
+                                    {place, 1, 0.1}, 1080)
+                       .value);
+  draw.steps = 0;
+  EXPECT_LT(
+      clipc_cut_error(CLIPC_SPACE_XYW1, plane, CLIPC_KNOWN_IN_WORLD, &draw, place, 1, 0.1, 1080),
+      error / 100);
+  draw.float_product = 1;
+  EXPECT_GT(
+      clipc_cut_error(CLIPC_SPACE_XYW1, plane, CLIPC_KNOWN_IN_WORLD, &draw, place, 1, 0.1, 1080),
+      error / 10);
+  EXPECT_LT(
+      clipc_cut_error(CLIPC_SPACE_XYW1, plane, CLIPC_KNOWN_IN_WORLD, &draw, nullptr, 0, 0.1, 1080),
+      0);
 }
 
 TEST(CInterface, MirrorsAndNearPlanes) {

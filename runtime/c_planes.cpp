@@ -44,6 +44,11 @@ Matrix MatrixOrIdentity(const float* elements) {
   return elements == nullptr ? Matrix() : MatrixFrom(elements);
 }
 
+DrawMatrices MatricesFrom(const clipc_draw_matrices& draw) {
+  return {MatrixOrIdentity(draw.world), MatrixOrIdentity(draw.view),
+          MatrixOrIdentity(draw.projection), std::max(draw.steps, 1), draw.float_product != 0};
+}
+
 void Put(const Matrix& matrix, float* to) {
   for (int i = 0; i < 16; ++i) to[i] = static_cast<float>(matrix.m[i / 4][i % 4]);
 }
@@ -91,6 +96,18 @@ double clipc_edge_error(clipc_plane_space space, const float view_plane[4],
   return error.ok() ? error.value : -1;
 }
 
+double clipc_cut_error(clipc_plane_space space, const float plane[4], clipc_known_in known_in,
+                       const clipc_draw_matrices* draw, const double* places, size_t count,
+                       double edge, double rows) {
+  if (space > CLIPC_SPACE_OBJECT || known_in > CLIPC_KNOWN_IN_VIEW || plane == nullptr ||
+      draw == nullptr || places == nullptr)
+    return -1;
+  const Result<double> error = PredictEdgeError(static_cast<PlaneSpace>(space), PlaneFrom(plane),
+                                                static_cast<KnownIn>(known_in), MatricesFrom(*draw),
+                                                {places, count, edge}, rows);
+  return error.ok() ? error.value : -1;
+}
+
 void clipc_update_clip_status(clipc_clip_status* status, const float* positions, size_t count,
                               const float* planes, uint32_t enable_mask, int clipping) {
   UserClipPlanes user;
@@ -123,11 +140,9 @@ clipc_error clipc_plane_constant(clipc_plane_space space, const float plane[4],
     return Report(Status::Failure(Error::kInvalidArgument, "the space of the plane is not known"),
                   message);
   }
-  const DrawMatrices matrices = {MatrixOrIdentity(draw->world), MatrixOrIdentity(draw->view),
-                                 MatrixOrIdentity(draw->projection)};
   const Result<SpaceConstant> made =
       PlaneConstantFor(static_cast<PlaneSpace>(space), PlaneFrom(plane),
-                       static_cast<KnownIn>(known_in), matrices, {rows, most_pixels});
+                       static_cast<KnownIn>(known_in), MatricesFrom(*draw), {rows, most_pixels});
   *constant = {};
   if (made.ok()) {
     std::memcpy(constant->constant, &made.value.plane.constant, sizeof(Float4));

@@ -142,6 +142,8 @@ typedef enum clipc_known_in {
 } clipc_known_in;
 typedef struct clipc_draw_matrices {
   const float *world, *view, *projection;
+  int steps;         /* DrawMatrices::steps: `positionMatrices` of the reflection; 0 counts as 1 */
+  int float_product; /* DrawMatrices::float_product */
 } clipc_draw_matrices;
 typedef struct clipc_space_constant {
   float constant[4];
@@ -178,6 +180,11 @@ void clipc_set_depth_column(float to_clip[16], const float plane[4], double scal
  * rows, at the 99th percentile. Negative if there is no prediction for plane and projection. */
 double clipc_edge_error(clipc_plane_space space, const float view_plane[4],
                         const float projection[16], double rows);
+/* The same of a draw whose cut is known: `places` is x, y and z of `count` places of it, in the
+ * object's own space; `edge` is the length of the triangles' edges in half pictures. */
+double clipc_cut_error(clipc_plane_space space, const float plane[4], clipc_known_in known_in,
+                       const clipc_draw_matrices* draw, const double* places, size_t count,
+                       double edge, double rows);
 
 /* clip_status.h: D3DCLIPSTATUS9; its initial value is {0, 0xFFFFFFFF}. `positions` is count * 4
  * floats; `planes` is 6 * 4 floats, or NULL with a mask of 0. */

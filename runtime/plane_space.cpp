@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "runtime/edge_error.h"
 #include "runtime/plane_chain.h"
 #include "runtime/projection_shape.h"
 
@@ -78,6 +79,35 @@ double ReachOfWorld(const DrawMatrices& draw) {
   return w > 0 ? std::hypot(at[0], at[1], at[2]) * std::fabs(s.py) / (2 * w) : 0;
 }
 
+// The matrices that the shader multiplies the vertex by; of a float product those that it is of.
+void AddMatrices(const DrawMatrices& draw, DistanceArithmetic& to) {
+  if (draw.steps > 2 || draw.float_product) {
+    to.count = 3;
+    to.matrices[0] = draw.world, to.matrices[1] = draw.view, to.matrices[2] = draw.projection;
+  } else if (draw.steps == 2) {
+    to.count = 2;
+    to.matrices[0] = draw.world, to.matrices[1] = Multiply(draw.view, draw.projection);
+  } else {
+    to.count = 1;
+    to.matrices[0] = Multiply(Multiply(draw.world, draw.view), draw.projection);
+  }
+}
+
+// PredictEdgeError of a draw whose cut is not known: of an object around its own origin, which
+// stands where the world matrix puts it.
+Result<double> PredictOf(PlaneSpace space, const Plane& view_plane, const DrawMatrices& draw,
+                         double picture_height) {
+  const auto law = [&](PlaneSpace of, double reach) {
+    return PredictEdgeError(of, view_plane, draw.projection, picture_height, kAnySurface, reach);
+  };
+  const Result<double> own = law(space, kAroundOrigin);
+  if (!own.ok() || space == PlaneSpace::kObject) return own;
+  const double world = std::max(kAroundOrigin, ReachOfWorld(draw));
+  if (draw.steps > 1) return law(space, world);
+  if (!draw.float_product || !ShapeOf(draw.projection).is_perspective()) return own;
+  return std::max(own.value, law(PlaneSpace::kXyw1, world).value);
+}
+
 }  // namespace
 
 Result<double> PredictEdgeError(PlaneSpace space, const Plane& view_plane, const Matrix& projection,
@@ -104,6 +134,30 @@ Result<double> PredictEdgeError(PlaneSpace space, const Plane& view_plane, const
                                     : OrthographicLaw(*plane, s, reach));
 }
 
+Result<double> PredictEdgeError(PlaneSpace space, const Plane& plane, KnownIn known_in,
+                                const DrawMatrices& draw, const SeenCut& cut, double picture_height,
+                                double sine) noexcept {
+  const Step in_view = InView(plane, known_in, draw);
+  const Result<PlaneConstant> constant = Finish(ConstantOf(space, plane, known_in, draw, in_view));
+  if (!constant.ok()) return constant.status;
+  if (!in_view.ok()) return in_view.status;
+  const Plane seen = Rounded(in_view.value);
+  if (const auto law = PredictEdgeError(space, seen, draw.projection, picture_height, sine);
+      !law.ok())
+    return law.status;
+  DistanceArithmetic arithmetic;
+  arithmetic.constant = constant.value.plane;
+  arithmetic.is_xyw1 = space == PlaneSpace::kXyw1;
+  arithmetic.float_product = draw.float_product;
+  if (space != PlaneSpace::kObject) AddMatrices(draw, arithmetic);
+  const double pixels = EdgeErrorOf(arithmetic, *Unit(seen), Multiply(draw.world, draw.view),
+                                    draw.projection, cut, picture_height, sine);
+  if (!std::isfinite(pixels) || !(cut.edge > 0))
+    return Status::Failure(Error::kInvalidArgument,
+                           "no place of the cut lies before the eye, or its edges have no length");
+  return pixels;
+}
+
 Result<SpaceConstant> PlaneConstantFor(PlaneSpace space, const Plane& plane, KnownIn known_in,
                                        const DrawMatrices& draw, const Picture& picture) noexcept {
   // Space `object` does not need the view, but the prediction does.
@@ -114,9 +168,7 @@ Result<SpaceConstant> PlaneConstantFor(PlaneSpace space, const Plane& plane, Kno
   result.plane = constant.value;
   if (!in_view.ok()) return result;
   const Plane seen = Rounded(in_view.value);
-  const double of_world = space != PlaneSpace::kObject && draw.steps > 1 ? ReachOfWorld(draw) : 0;
-  const Result<double> error = PredictEdgeError(space, seen, draw.projection, picture.height,
-                                                kAnySurface, std::max(kAroundOrigin, of_world));
+  const Result<double> error = PredictOf(space, seen, draw, picture.height);
   if (!error.ok()) return result;
   result.edge_error = error.value;
   if (error.value > picture.most_pixels) {

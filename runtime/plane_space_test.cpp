@@ -225,6 +225,49 @@ TEST(PlaneConstantFor, WarnsOfMatricesThatTheShaderMultiplies) {
                   .value.warning.ok());
 }
 
+// One matrix, which the application multiplied in float, is no better.
+TEST(PlaneConstantFor, WarnsOfMatricesThatWereMultipliedInFloat) {
+  DrawMatrices draw = {{}, {}, PerspectiveCamera(0.1, 1000).projection};
+  draw.world.m[3][0] = 1e4, draw.world.m[3][2] = 10;
+  draw.view.m[3][0] = -1e4;
+  draw.float_product = true;
+  const Plane plane = {0.6, 0, 0.8, -8 - 6e3};
+  for (const PlaneSpace space : kSpaces) {
+    const auto made = PlaneConstantFor(space, plane, KnownIn::kWorld, draw);
+    EXPECT_EQ(made.value.warning.ok(), space == PlaneSpace::kObject) << NameOf(space);
+    if (space == PlaneSpace::kObject) continue;
+    EXPECT_THAT(made.value.warning.message(), HasSubstr("multiply its matrices in double"));
+  }
+}
+
+// Of a draw whose cut is known: tools/study/regimes_test.cpp holds it against measurements.
+TEST(PredictEdgeError, FollowsTheRoundingsOfADraw) {
+  DrawMatrices draw = {{}, {}, PerspectiveCamera(0.1, 1000).projection};
+  draw.world.m[3][2] = 10;
+  const double places[] = {0.5, 0.1, -0.375, -0.5, 0.2, 0.375};
+  const Plane plane = {0.6, 0, 0.8, -8};
+  const auto error = [&](PlaneSpace space, const SeenCut& cut) {
+    return PredictEdgeError(space, plane, KnownIn::kWorld, draw, cut, 1080);
+  };
+  const SeenCut cut = {places, 2, 0.1};
+  // As accurate as the law for an object around its own origin.
+  EXPECT_NEAR(error(PlaneSpace::kXyw1, cut).value, 0.001, 0.0007);
+  EXPECT_NEAR(error(PlaneSpace::kClip, cut).value, 0.1, 0.07);
+  EXPECT_LT(error(PlaneSpace::kObject, cut).value, 0.0005);
+  EXPECT_GT(error(PlaneSpace::kObject, cut).value, 0);
+  // A plane whose normal is an axis, through the object's origin: each vertex's one coordinate is
+  // its distance.
+  const auto axis = PredictEdgeError(PlaneSpace::kObject, {1, 0, 0, 0}, KnownIn::kObject, draw,
+                                     {places + 3, 1, 1e-6}, 1080);
+  EXPECT_LT(axis.value, 1e-6);
+  const double behind[] = {0, 0, -20};
+  EXPECT_EQ(error(PlaneSpace::kClip, {behind, 1, 0.1}).status.error(), Error::kInvalidArgument);
+  EXPECT_EQ(error(PlaneSpace::kClip, {places, 0, 0.1}).status.error(), Error::kInvalidArgument);
+  EXPECT_EQ(error(PlaneSpace::kClip, {places, 2, 0}).status.error(), Error::kInvalidArgument);
+  draw.projection.m[3][2] = NAN;
+  EXPECT_EQ(error(PlaneSpace::kClip, cut).status.error(), Error::kNotFinite);
+}
+
 TEST(PredictEdgeError, RefusesWhatIsNoNumber) {
   const Matrix projection = PerspectiveCamera(0.1, 100).projection;
   const auto error = [&](double w, double height, double sine, double reach) {

@@ -43,7 +43,7 @@ struct RegimeDraw {
 // Equal seeds give equal draws; all regimes come in turn.
 std::vector<RegimeDraw> RegimeDraws(int count, std::uint64_t seed);
 
-// PredictEdgeError of a draw, with the reach of its vertices; none where it is refused.
+// PredictEdgeError of a draw, from its matrices and its cut; none where it is refused.
 std::optional<double> LawOf(const RegimeDraw& draw);
 
 // How a law holds in a regime.
@@ -56,7 +56,8 @@ struct RegimeHeld {
 };
 
 // Measures `count` draws, with some planes of each (MeasureOverPlanes) and `edges` edges of each
-// plane, and holds them against `law`. Equal arguments give equal results.
+// plane, and holds them against `law`; five times as many planes of a draw that seems to be outside
+// its factor. Equal arguments give equal results.
 std::vector<RegimeHeld> HoldLaw(int count, long edges, std::uint64_t seed,
                                 const std::function<std::optional<double>(const RegimeDraw&)>& law);
 

@@ -3,9 +3,6 @@
 // and objects that nobody chose. `clipc-study` does the same with 10,000 draws (laws.csv).
 #include "tools/study/regimes.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include <gtest/gtest.h>
 
 #include "runtime/plane_space.h"
@@ -15,22 +12,20 @@ namespace {
 
 using Law = std::function<std::optional<double>(const RegimeDraw&)>;
 
-bool Holds(const RegimeHeld& held) {
+// With room for a mutation to break more than a draw's luck.
+bool NearlyHolds(const RegimeHeld& held) {
   return held.pooled > 0.2 && held.pooled < 3 && held.high <= 0.06 * held.draws &&
          held.low <= 0.15 * held.draws;
 }
 
 TEST(Regimes, MeasuredErrorsAreWithinAFactorOfTheirLaw) {
-  int draws = 0, outside = 0;
   for (const RegimeHeld& held : HoldLaw(1100, 40, 31, LawOf)) {
     EXPECT_GT(held.draws, 60) << NameOf(held.regime);
-    EXPECT_TRUE(Holds(held)) << NameOf(held.regime) << ": pooled " << held.pooled << ", "
-                             << held.low << " low, " << held.high << " high of " << held.draws
-                             << ", " << held.least << " to " << held.most;
-    EXPECT_LT(held.most, 12) << NameOf(held.regime);
-    draws += held.draws, outside += held.low + held.high;
+    EXPECT_EQ(held.low + held.high, 0)
+        << NameOf(held.regime) << ": " << held.least << " to " << held.most;
+    EXPECT_NEAR(held.median, 1, 0.3) << NameOf(held.regime);
+    EXPECT_NEAR(held.pooled, 1, 0.4) << NameOf(held.regime);
   }
-  EXPECT_LT(outside, 0.04 * draws);
 }
 
 // A law that leaves out what `change` takes from the draw.
@@ -46,7 +41,7 @@ Law Without(const std::function<void(RegimeDraw&)>& change) {
 TEST(Regimes, EachTermIsNeeded) {
   const auto breaks = [](Regime regime, const std::function<void(RegimeDraw&)>& change) {
     const auto held = HoldLaw(440, 30, 33, Without(change));
-    return !Holds(held[static_cast<std::size_t>(regime)]);
+    return !NearlyHolds(held[static_cast<std::size_t>(regime)]);
   };
   EXPECT_TRUE(breaks(Regime::kMeshOffset, [](RegimeDraw& d) { d.config.mesh_offset = 0; }));
   for (const Regime regime :

@@ -143,8 +143,11 @@ def p99(method, ratio="400"):
 
 
 def outside():
-    rows = read("laws")
-    return 100 - 100 * sum(int(r["low"]) + int(r["high"]) for r in rows) / sum(int(r["draws"]) for r in rows)
+    return sum(int(r["low"]) + int(r["high"]) for r in read("laws"))
+
+
+def drawn():
+    return sum(int(r["draws"]) for r in read("laws"))
 
 
 def pooled(most):
@@ -153,9 +156,12 @@ def pooled(most):
 
 # A document, a pattern with one number in it, and the number.
 INLINE = [
-    ("docs/study.md", r"within that factor in ([\d.]+) of 100", outside),
-    ("docs/study.md", r"together are ([\d.]+) to", lambda: pooled(False)),
-    ("docs/study.md", r"together are [\d.]+ to ([\d.]+) times", lambda: pooled(True)),
+    ("docs/study.md", r"Of ([\d,]+) draws", drawn),
+    ("docs/study.md", r"Of [\d,]+ draws (\d+) are outside", outside),
+    ("docs/study.md", r"single draws are ([\d.]+) to", lambda: min(float(r["least"]) for r in read("laws"))),
+    ("docs/study.md", r"single draws are [\d.]+ to ([\d.]+) times", lambda: max(float(r["most"]) for r in read("laws"))),
+    ("docs/study.md", r"together ([\d.]+) to", lambda: pooled(False)),
+    ("docs/study.md", r"together [\d.]+ to ([\d.]+)\ntimes", lambda: pooled(True)),
     ("docs/runtime.md", r"nothing \| ([\d.]+) pixels times \(distance of eye and plane / near", lambda: ANY * 1.4 * (PY + 1)),
     ("docs/runtime.md", r"needs a perspective \| nothing \| ([\d.]+) pixels at 60 degrees", lambda: ANY * (2 + PY)),
     ("docs/runtime.md", r"a constant for each object \| ([\d.]+) pixels, in any view", lambda: ANY * 0.75),
@@ -190,7 +196,7 @@ def check_inline():
         found = re.search(pattern, (ROOT / name).read_text())
         if not found:
             problems.append(f"{name}: no sentence like `{pattern}`")
-        elif abs(float(found[1]) - value()) > 0.51 * 10 ** -len(found[1].partition(".")[2]):
+        elif abs(float(found[1].replace(",", "")) - value()) > 0.51 * 10 ** -len(found[1].partition(".")[2]):
             problems.append(f"{name}: {found[1]} is {value():.4g} by the tables or the law (`{pattern}`)")
     return problems
 

@@ -1,0 +1,373 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "runtime/edge_error.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace clipc::runtime {
+namespace {
+
+// Up to kFewPlaces each place has all directions; more have a fourth of them each, in turn.
+constexpr std::size_t kFewPlaces = 64, kPlaces = 256;
+constexpr int kDirections = 24, kTurns = 4;
+static_assert(kPlaces / kTurns <= kFewPlaces);
+constexpr double kGoldenAngle = 2.399963229728653;  // of a turn, in radians: fills circles evenly
+constexpr double kLeastSine = 0.05;                 // 3 degrees
+
+// The variance of what rounding a number of this size to float adds, evenly over half a unit in the
+// last place; none for 0.
+double Rounding(double x) {
+  if (x == 0 || !std::isfinite(x)) return 0;
+  const double half_unit = std::scalbn(1.0, std::max(std::ilogb(x), -126) - 24);
+  return half_unit * half_unit / 3;
+}
+// A power of two multiplies without rounding, and is in float what it is.
+bool IsExact(double x) {
+  int exponent = 0;
+  return x == 0 || std::fabs(std::frexp(x, &exponent)) == 0.5;
+}
+// Of a sum of two floats: it is exact where it is no larger than one of them, as after a
+// cancellation.
+double RoundingOfSum(double a, double b) {
+  const double sum = a + b;
+  if (a == 0 || b == 0 || sum == 0) return 0;
+  return std::ilogb(sum) > std::min(std::ilogb(a), std::ilogb(b)) ? Rounding(sum) : 0;
+}
+double RoundingOfConstant(double x) { return IsExact(x) ? 0 : Rounding(x); }
+
+// The variances of the error of a distance: of that which all vertices share, from constants, and
+// of that which each vertex has of its own, from the shader's operations.
+struct Variances {
+  double shared = 0, own = 0;
+};
+
+struct Vector4 {
+  double c[4];
+};
+Vector4 Transform(const Vector4& v, const Matrix& m) {
+  Vector4 to = {};
+  for (int j = 0; j < 4; ++j) {
+    for (int i = 0; i < 4; ++i) to.c[j] += v.c[i] * m.m[i][j];
+  }
+  return to;
+}
+// How much a number after `m` depends on each before, from how much it depends on each after.
+Vector4 Before(const Matrix& m, const Vector4& slopes) {
+  Vector4 before = {};
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) before.c[i] += m.m[i][j] * slopes.c[j];
+  }
+  return before;
+}
+Vector4 RowOf(const Matrix& m, int i) { return {{m.m[i][0], m.m[i][1], m.m[i][2], m.m[i][3]}}; }
+
+bool IsSameInFloat(const Matrix& m, int row) {
+  return static_cast<float>(m.m[row][2]) == static_cast<float>(m.m[row][3]);
+}
+
+// The variance of slopes.c[2] * z + slopes.c[3] * w where z and w are rounded. Two numbers of one
+// binade differ after rounding by one of the two multiples of its unit that are next to what they
+// differ by.
+double OfPair(double z, double w, const Vector4& slopes) {
+  const double of_z = slopes.c[2] * slopes.c[2], of_w = slopes.c[3] * slopes.c[3];
+  if (z == 0 || w == 0 || std::ilogb(z) != std::ilogb(w))
+    return of_z * Rounding(z) + of_w * Rounding(w);
+  const double unit = std::scalbn(1.0, std::ilogb(z) - 23), units = std::fabs(z - w) / unit;
+  const double part = units - std::floor(units), both = slopes.c[2] + slopes.c[3];
+  return both * both * Rounding(w) + std::min(of_z, of_w) * part * (1 - part) * unit * unit;
+}
+
+// What rounding the elements of `m` adds to the variance of a number that depends on v * m by
+// `slopes`. Elements of z and w that are the same, as under an infinite projection, have one error.
+double OfElements(const Vector4& v, const Matrix& m, const Vector4& slopes) {
+  double sum = 0;
+  for (int i = 0; i < 4; ++i) {
+    const bool is_same = IsSameInFloat(m, i);
+    // By what they differ is lost.
+    const double lost = is_same ? v.c[i] * slopes.c[2] * (m.m[i][2] - m.m[i][3]) : 0;
+    sum += lost * lost;
+    for (int j = 0; j < 2; ++j) {
+      const double slope = v.c[i] * slopes.c[j];
+      sum += slope * slope * RoundingOfConstant(m.m[i][j]);
+    }
+    const double z = m.m[i][2], w = m.m[i][3], both = slopes.c[2] + slopes.c[3];
+    const Vector4 of_pair = {{0, 0, IsExact(z) ? 0 : slopes.c[2], IsExact(w) ? 0 : slopes.c[3]}};
+    sum +=
+        v.c[i] * v.c[i] * (is_same ? both * both * RoundingOfConstant(w) : OfPair(z, w, of_pair));
+  }
+  return sum;
+}
+
+// What the operations of v * m add; `m` is in float.
+double OfOperations(const Vector4& v, const Matrix& m, const Vector4& slopes) {
+  double sum = 0;
+  int alike = 0;  // the rows up to which z and w are sums of the same products
+  while (alike < 4 && IsSameInFloat(m, alike)) ++alike;
+  double partial[4] = {};
+  for (int i = 0; i < 4; ++i) {
+    double rounded[4], sums[4];
+    bool is_rounded[4];
+    for (int j = 0; j < 4; ++j) {
+      const double product = v.c[i] * m.m[i][j];
+      rounded[j] = IsExact(v.c[i]) || IsExact(m.m[i][j]) ? 0 : Rounding(product);
+      sums[j] = partial[j] + product;
+      is_rounded[j] = RoundingOfSum(partial[j], product) > 0;
+      partial[j] = sums[j];
+    }
+    for (int j = 0; j < 2; ++j) {
+      const double size = rounded[j] + (is_rounded[j] ? Rounding(sums[j]) : 0);
+      sum += slopes.c[j] * slopes.c[j] * size;
+    }
+    const double both = slopes.c[2] + slopes.c[3];
+    if (i < alike) {
+      sum += both * both * (rounded[3] + (is_rounded[3] ? Rounding(sums[3]) : 0));
+      continue;
+    }
+    sum += slopes.c[2] * slopes.c[2] * rounded[2] + slopes.c[3] * slopes.c[3] * rounded[3];
+    sum += OfPair(is_rounded[2] ? sums[2] : 0, is_rounded[3] ? sums[3] : 0, slopes);
+  }
+  return sum;
+}
+
+// The matrix as the shader or the application has it in float.
+Matrix InFloat(const Matrix& matrix) {
+  Matrix rounded;
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j)
+      rounded.m[i][j] = static_cast<double>(static_cast<float>(matrix.m[i][j]));
+  }
+  return rounded;
+}
+
+class Shader {
+ public:
+  explicit Shader(const DistanceArithmetic& arithmetic) : arithmetic_(arithmetic) {
+    const Plane& c = arithmetic.constant;
+    slopes_[arithmetic.count] =
+        arithmetic.is_xyw1 ? Vector4{{c.x, c.y, 0, c.z}} : Vector4{{c.x, c.y, c.z, c.w}};
+    for (int k = arithmetic.count; k > 0; --k)
+      slopes_[k - 1] = Before(arithmetic.matrices[k - 1], slopes_[k]);
+    for (int k = 0; k < arithmetic.count; ++k) {
+      const Matrix matrix = InFloat(arithmetic.matrices[k]);
+      products_[k] = k == 0 ? matrix : Multiply(products_[k - 1], matrix);
+    }
+  }
+
+  double ValueAt(const double (&place)[3]) const { return ValueOf(Last(place)); }
+  Variances VariancesAt(const double (&place)[3]) const {
+    Variances sum;
+    const int count = arithmetic_.count;
+    const Vector4 vertex = {{place[0], place[1], place[2], 1}};
+    Vector4 v = vertex;
+    for (int k = 0; k < count; ++k) {
+      const Matrix& matrix = arithmetic_.matrices[k];
+      sum.shared += OfElements(v, matrix, slopes_[k + 1]);
+      if (!arithmetic_.float_product) {
+        sum.own += OfOperations(v, InFloat(matrix), slopes_[k + 1]);
+      } else if (k > 0) {
+        sum.shared += OfProduct(vertex, k);
+      }
+      v = Transform(v, matrix);
+    }
+    if (arithmetic_.float_product && count > 0)
+      sum.own += OfOperations(vertex, products_[count - 1], slopes_[count]);
+    AddDot(v, sum);
+    return sum;
+  }
+
+ private:
+  Vector4 Last(const double (&place)[3]) const {
+    Vector4 v = {{place[0], place[1], place[2], 1}};
+    for (int k = 0; k < arithmetic_.count; ++k) v = Transform(v, arithmetic_.matrices[k]);
+    return v;
+  }
+  double ValueOf(const Vector4& v) const {
+    double sum = 0;
+    for (int j = 0; j < 4; ++j) sum += v.c[j] * slopes_[arithmetic_.count].c[j];
+    return arithmetic_.is_xyw1 ? sum + arithmetic_.constant.w : sum;
+  }
+  // Of multiplying the matrices up to number k.
+  double OfProduct(const Vector4& vertex, int k) const {
+    const Matrix matrix = InFloat(arithmetic_.matrices[k]);
+    double sum = 0;
+    for (int i = 0; i < 4; ++i) {
+      Vector4 slopes = slopes_[k + 1];
+      for (double& slope : slopes.c) slope *= vertex.c[i];
+      sum += OfOperations(RowOf(products_[k - 1], i), matrix, slopes);
+    }
+    return sum;
+  }
+  // Of the dot product with the constant.
+  void AddDot(const Vector4& v, Variances& sum) const {
+    const bool is_xyw1 = arithmetic_.is_xyw1;
+    const double operand[4] = {v.c[0], v.c[1], is_xyw1 ? v.c[3] : v.c[2], is_xyw1 ? 1 : v.c[3]};
+    const Plane& c = arithmetic_.constant;
+    const double constant[4] = {c.x, c.y, c.z, c.w};
+    double partial = 0;
+    for (int j = 0; j < 4; ++j) {
+      const double product = operand[j] * constant[j], before = partial;
+      partial += product;
+      sum.shared += operand[j] * operand[j] * RoundingOfConstant(constant[j]);
+      if (!IsExact(operand[j]) && !IsExact(constant[j])) sum.own += Rounding(product);
+      sum.own += RoundingOfSum(before, product);
+    }
+  }
+
+  const DistanceArithmetic& arithmetic_;
+  Vector4 slopes_[4] = {};  // of the distance, by what is before each matrix and after the last
+  Matrix products_[3];      // of the first matrices
+};
+
+struct Vector3 {
+  double c[3];
+};
+double Dot(const Vector3& a, const Vector3& b) {
+  return a.c[0] * b.c[0] + a.c[1] * b.c[1] + a.c[2] * b.c[2];
+}
+Vector3 Cross(const Vector3& a, const Vector3& b) {
+  return {{a.c[1] * b.c[2] - a.c[2] * b.c[1], a.c[2] * b.c[0] - a.c[0] * b.c[2],
+           a.c[0] * b.c[1] - a.c[1] * b.c[0]}};
+}
+Vector3 Row(const Matrix& m, int i) { return {{m.m[i][0], m.m[i][1], m.m[i][2]}}; }
+
+// What a camera shows of view space.
+class View {
+ public:
+  View(const Matrix& world_view, const Matrix& projection, double picture_height)
+      : projection_(projection), half_height_(picture_height / 2) {
+    half_width_ = half_height_ * std::fabs(projection.m[1][1] / projection.m[0][0]);
+    const Vector3 rows[3] = {Row(world_view, 0), Row(world_view, 1), Row(world_view, 2)};
+    const Vector3 across = Cross(rows[1], rows[2]);
+    const double determinant = Dot(rows[0], across);
+    const Vector3 columns[3] = {across, Cross(rows[2], rows[0]), Cross(rows[0], rows[1])};
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) to_object_[i].c[j] = columns[j].c[i] / determinant;
+    }
+  }
+
+  double WAt(const Vector3& place) const {
+    return projection_.m[2][3] * place.c[2] + projection_.m[3][3];
+  }
+  // How many pixels a place moves by when it moves by `direction`.
+  double PixelsOf(const Vector3& place, const Vector3& direction) const {
+    const double w = WAt(place), dw = projection_.m[2][3] * direction.c[2];
+    double moved[2];
+    for (int j = 0; j < 2; ++j) {
+      const double at =
+          place.c[j] * projection_.m[j][j] + place.c[2] * projection_.m[2][j] + projection_.m[3][j];
+      const double by = direction.c[j] * projection_.m[j][j] + direction.c[2] * projection_.m[2][j];
+      moved[j] = (by - at / w * dw) / w;
+    }
+    return std::hypot(moved[0] * half_width_, moved[1] * half_height_);
+  }
+  // The length of a half picture at that place.
+  double HalfPictureAt(const Vector3& place) const {
+    return std::fabs(WAt(place) / projection_.m[1][1]);
+  }
+  // A direction of view space in the object's.
+  Vector3 InObject(const Vector3& direction) const {
+    Vector3 to = {};
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) to.c[j] += direction.c[i] * to_object_[i].c[j];
+    }
+    return to;
+  }
+
+ private:
+  Matrix projection_;
+  double half_height_, half_width_;
+  Vector3 to_object_[3] = {};
+};
+
+// Directions from 0 to kDirections - 1 around a normal, evenly.
+class Directions {
+ public:
+  Directions(const Plane& plane, double sine) : normal_{{plane.x, plane.y, plane.z}}, sine_(sine) {
+    const int least = std::fabs(plane.x) < 0.6 ? 0 : 1;
+    Vector3 other = {};
+    other.c[least] = 1;
+    across_ = Cross(normal_, other);
+    const double length = std::sqrt(Dot(across_, across_));
+    for (double& each : across_.c) each /= length;
+    along_ = Cross(normal_, across_);
+  }
+  double SineOf(int number) const {
+    if (sine_ != kAnySurface) return sine_;
+    return kLeastSine + (1 - kLeastSine) * (number + 0.5) / kDirections;
+  }
+  Vector3 At(int number, double turn) const {
+    const double sine = SineOf(number), cosine = std::sqrt(std::max(0.0, 1 - sine * sine));
+    const double angle = kGoldenAngle * number + turn;
+    Vector3 to;
+    for (int i = 0; i < 3; ++i) {
+      to.c[i] = sine * normal_.c[i] +
+                cosine * (std::cos(angle) * across_.c[i] + std::sin(angle) * along_.c[i]);
+    }
+    return to;
+  }
+
+ private:
+  Vector3 normal_, across_, along_;
+  double sine_;
+};
+
+// The number that one in a hundred is over, of normal numbers with these deviations.
+double Percentile99(const double* deviations, std::size_t count) {
+  if (count == 0) return INFINITY;
+  double low = 0, high = 4 * *std::max_element(deviations, deviations + count);
+  if (!(high > 0) || std::isinf(high)) return high;
+  for (int step = 0; step < 30; ++step) {
+    const double middle = (low + high) / 2;
+    double over = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (deviations[i] > 0) over += std::erfc(middle / (deviations[i] * std::sqrt(2.0)));
+    }
+    (over > 0.01 * static_cast<double>(count) ? low : high) = middle;
+  }
+  return high;
+}
+
+}  // namespace
+
+double EdgeErrorOf(const DistanceArithmetic& arithmetic, const Plane& view_plane,
+                   const Matrix& world_view, const Matrix& projection, const SeenCut& cut,
+                   double picture_height, double sine) noexcept {
+  const Shader shader(arithmetic);
+  const View view(world_view, projection, picture_height);
+  const Directions directions(view_plane, sine);
+  double deviations[kFewPlaces * kDirections];
+  std::size_t count = 0;
+  const std::size_t places = std::min(cut.count, kPlaces);
+  const int stride = places > kFewPlaces ? kTurns : 1;
+  for (std::size_t place = 0; place < places; ++place) {
+    double at[3];
+    std::copy_n(cut.places + 3 * (place * cut.count / places), 3, at);
+    Vector3 seen = {};
+    for (int j = 0; j < 3; ++j) {
+      seen.c[j] = world_view.m[3][j];
+      for (int i = 0; i < 3; ++i) seen.c[j] += at[i] * world_view.m[i][j];
+    }
+    if (!(view.WAt(seen) > 0)) continue;
+    const double length = cut.edge * view.HalfPictureAt(seen);
+    const double shared = shader.VariancesAt(at).shared;
+    for (int number = static_cast<int>(place % static_cast<std::size_t>(stride));
+         number < kDirections; number += stride) {
+      const Vector3 along = directions.At(number, static_cast<double>(place));
+      const Vector3 half_edge = view.InObject(along);
+      double own = 0, values[2];
+      for (int end = 0; end < 2; ++end) {
+        double vertex[3];
+        for (int i = 0; i < 3; ++i) vertex[i] = at[i] + (end - 0.5) * length * half_edge.c[i];
+        own += shader.VariancesAt(vertex).own;
+        values[end] = shader.ValueAt(vertex);
+      }
+      // The cut lies between the ends, where it takes a part of each one's own error.
+      const double variance = shared + 0.28 * own;
+      const double slope = std::fabs(values[1] - values[0]) / length;
+      deviations[count++] = std::sqrt(variance) / slope * view.PixelsOf(seen, along);
+    }
+  }
+  return Percentile99(deviations, count);
+}
+
+}  // namespace clipc::runtime
