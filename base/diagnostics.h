@@ -94,12 +94,16 @@ struct Diagnostic {
 // code, " [clip-plane-not-float4, X3084]". Empty for a note.
 std::string MessageSuffix(const Diagnostic& diagnostic);
 
-// The command line's -Werror, -w, -W<name>, -Werror=<name> and -Wno-<name>. Every warning is on
-// unless it is switched off.
+// The warnings that are off until -W<name> switches them on: remarks on what is right, and may
+// still be better.
+std::bitset<kDiagCount> OffByDefault();
+
+// The command line's -Werror, -w, -W<name>, -Werror=<name> and -Wno-<name>. Every other warning is
+// on unless it is switched off.
 struct WarningOptions {
   bool warnings_are_errors = false;
   bool no_warnings = false;
-  std::bitset<kDiagCount> off;
+  std::bitset<kDiagCount> off = OffByDefault();
   std::bitset<kDiagCount> as_error;
 };
 

@@ -12,6 +12,7 @@
 #include "backend-glsl/discard.h"
 #include "clip-table/write.h"
 #include "compiler/check_lowering.h"
+#include "compiler/count_matrices.h"
 #include "compiler/dump_tokens.h"
 #include "compiler/make_clip_table.h"
 #include "compiler/output_files.h"
@@ -67,6 +68,7 @@ class Compilation {
   void RunStages(Source& source);
   void Dump(Source& source);
   void RunBackEnd(ir::Program program, const Source& source);
+  void CountMatrices(const ir::Program& typed);
   LowerSettings SettingsFor(ir::VarId position_input);
   Shaders Finish(const Lowered& lowered, Written written);
   void WriteVariants(const ir::Program& typed, LowerSettings settings);
@@ -240,6 +242,7 @@ void Compilation::RunBackEnd(ir::Program typed, const Source& source) {
   if (!request_.gives_planes_to_device && !IsDebugged())
     CheckPlanesAreKept(typed, lowering_, *target_, diagnostics_);
   if (diagnostics_.has_errors()) return;
+  CountMatrices(typed);
   const ClipDistances distances = ClipDistancesOf(typed);
   const ir::Program kept = request_.variants ? typed : ir::Program();
   Lowered lowered = Lower(std::move(typed), settings);
@@ -260,7 +263,9 @@ void Compilation::RunBackEnd(ir::Program typed, const Source& source) {
   if (request_.source_lines) options_ = std::move(with_lines);
   Written written = Write(lowered, options_);
   result_.table = MakeClipTable(lowered, written.info);
-  if (request_.reflect) result_.reflection = Reflect(lowered, written.info, *result_.table);
+  if (request_.reflect) {
+    result_.reflection = Reflect(lowered, written.info, *result_.table, result_.position_matrices);
+  }
   if (request_.structs) result_.structs = WriteStructs(lowered.program);
   result_.shaders = Finish(lowered, std::move(written));
   if (request_.spirv) TranslateToSpirv();
@@ -274,6 +279,18 @@ void Compilation::RunBackEnd(ir::Program typed, const Source& source) {
   if (IsDump(DumpStage::kTable)) {
     if (auto json = clip_table::WriteJson(*result_.table)) result_.dump = std::move(*json);
   }
+}
+
+// For the reflection, and for a remark that is off unless somebody asks for it.
+void Compilation::CountMatrices(const ir::Program& typed) {
+  const auto remark = static_cast<std::size_t>(DiagId::kClipPlaneMatrices);
+  const bool may_remark = !request_.warnings.off[remark] && !typed.clip_planes.empty() &&
+                          lowering_.plane_space != PlaneSpace::kObject;
+  if (!request_.reflect && !may_remark) return;
+  const std::optional<int> count = CountPositionMatrices(typed);
+  if (request_.reflect) result_.position_matrices = count;
+  if (may_remark && count && *count > 1)
+    diagnostics_.Report(typed.functions[typed.entry].span, diag::ClipPlaneMatrices, *count);
 }
 
 LowerSettings Compilation::SettingsFor(ir::VarId position_input) {

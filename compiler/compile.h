@@ -144,6 +144,7 @@ struct CompileResult {
   std::vector<Shaders> variants;  // on request: variants[k] has the first k planes
   std::optional<clip_table::ClipTable> table;  // with `shaders`
   std::string reflection;                      // JSON, with `shaders`, on request
+  std::optional<int> position_matrices;        // with `reflection`: CountPositionMatrices
   std::string structs;                         // a C header: structs.h
   std::vector<std::uint32_t> spirv;            // of `shaders.vertex`, on request
   std::string listing;                         // with `shaders`, on request: see source_lines

@@ -162,7 +162,7 @@ Json Planes(const ClipTable& table) {
 }  // namespace
 
 std::string Reflect(const Lowered& lowered, const glsl::GlslInfo& info,
-                    const clip_table::ClipTable& table) {
+                    const clip_table::ClipTable& table, std::optional<int> position_matrices) {
   const Program& program = lowered.program;
   Json json = {{"version", 1},
                {"entry", table.entry},
@@ -176,6 +176,7 @@ std::string Reflect(const Lowered& lowered, const glsl::GlslInfo& info,
   json["resources"] = Objects(program, info);
   json["lowering"] = NameOf(table.lowering);
   json["positionSpace"] = clip_table::TableNameOf(table.plane_space);
+  json["positionMatrices"] = position_matrices ? Json(*position_matrices) : Json(nullptr);
   json["clipPlanes"] = Planes(table);
   json["enableMask"] = table.enable_mask;
   json["clipDistanceMask"] = info.clip_distance_mask;

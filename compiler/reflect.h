@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "clip-table/clip_table.h"
@@ -11,8 +12,8 @@ namespace clipc {
 // The text of --reflect, a JSON document with everything that the host needs to feed the shader:
 // inputs and outputs with semantics, locations and types; constant buffers with members, offsets,
 // registers and their layout in the GLSL; textures and samplers; clip planes and what to enable.
-// docs/reflection.md describes every key.
+// docs/reflection.md describes every key. `position_matrices` is what CountPositionMatrices says.
 std::string Reflect(const Lowered& lowered, const glsl::GlslInfo& info,
-                    const clip_table::ClipTable& table);
+                    const clip_table::ClipTable& table, std::optional<int> position_matrices);
 
 }  // namespace clipc
