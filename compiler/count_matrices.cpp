@@ -19,6 +19,7 @@ using namespace ir;
 constexpr int kMost = 16;                    // more is unknown
 constexpr std::int64_t kMostWork = 2000000;  // nodes, and values copied
 constexpr int kRounds = 4;                   // of a loop, before what still grows is unknown
+constexpr int kMostCalls = 100;              // of a function by another, within each other
 constexpr int kUnknown = kMost + 1;
 
 // A number that may be unknown, the largest.
@@ -95,7 +96,8 @@ class Follower {
 
   static std::size_t IndexOf(VarId id) { return id.index; }
 
-  Value Given(TypeId type) const {
+  Value Given(TypeId type) {
+    if (IsTooMuch(1)) return {};
     const TypeTable& types = program_.types;
     const TypeId innermost = types.Innermost(type);
     if (types[innermost].kind != TypeKind::kStruct)
@@ -212,6 +214,8 @@ class Follower {
     return Given(TypeIdOf(program_, expr));
   }
   Value OfNode(ExprId expr, const Call& node) {
+    if (calls_ == kMostCalls) work_ = kMostWork;
+    if (IsTooMuch(1)) return {};
     const Function& function = program_.functions[node.function];
     std::vector<Value> arguments;
     for (std::uint32_t i = 0; i < node.arguments.size; ++i)
@@ -219,7 +223,9 @@ class Follower {
     for (std::size_t i = 0; i < function.parameters.size() && i < arguments.size(); ++i)
       state_.values[IndexOf(function.parameters[i])] = std::move(arguments[i]);
     Exits exits;
+    ++calls_;
     Follow(function.body, exits);
+    --calls_;
     Join(state_, exits.returned);
     state_.is_reached = true;
     for (std::uint32_t i = 0; i < node.arguments.size; ++i) {
@@ -340,6 +346,7 @@ class Follower {
   const Program& program_;
   State state_;
   std::int64_t work_ = 0;
+  int calls_ = 0;  // that are being followed
 };
 
 }  // namespace

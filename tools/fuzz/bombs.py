@@ -60,6 +60,8 @@ BOMBS = {
     "functions-level9": (levels("float f0(int x) { return p[x].x; }\n",
                                 f"float f{{i}}(int x) {{ return {times('f{b}(x)')}; }}\n")
                          + main("return v * f11(3);"), LEVEL9),
+    "a-chain-of-functions": (levels("float f0(float x) { return x; }\n", "float f{i}(float x) { return f{b}(x); }\n", 20000)
+                             + main("return v * f19999(v.x);"), []),
     "statements": (levels("static float g; void f0() { g += 1; }\n", f"void f{{i}}() {{ {times('f{b}();', '')} }}\n")
                    + main("f11(); return v * g;"), []),
     "templates": (levels("template<typename T> T f0(T x) { return x; }\n",
@@ -81,6 +83,9 @@ BOMBS = {
     "structs": (struct_levels("", SIX) + main("S9 s = (S9)v.x; S9 t = s; return v * t.a.a.a.a.a.a.a.a.a.a;"), []),
     "structs-in-buffer": (struct_levels("", SIX) + "cbuffer D { S9 s; };\n" + main("return v * s.a.a.a.a.a.a.a.a.a.a;"), []),
     "structs-as-output": (struct_levels(" : A", SIX) + main("o = (S9)0; return v;", ", out S9 o : B"), []),
+    "structs-many": (levels("struct S0 { float a; };\n", f"struct S{{i}} {{ S{{b}} {SIX}; }};\n", 7)
+                     + "".join(f"static S6 s{k} = (S6)0;\n" for k in range(300))
+                     + main(f"return v * ({'+'.join(f's{k}.a.a.a.a.a.a.a' for k in range(300))});"), []),
     "arrays-of-structs": (struct_levels("[8]", "a[8]")
                           + main(f"S9 s = (S9)0; s{'.a[w.x]' * 10} = v.x; return v * s{'.a[1]' * 10};"), []),
     "arrays": (levels("typedef float T0[8];\n", "typedef T{b} T{i}[8];\n") + main("T11 t = (T11)0; return v;"), []),
@@ -122,7 +127,7 @@ def mistake(clipc, name, target, folder):
         file.write(BUFFER + text)
     profile = [] if "-T" in options else ["-T", "vs_5_0"]
     options = [option.replace("{folder}", folder) for option in options]
-    command = [clipc, *profile, *options, "-E", "main", f"--target={target}", path, "-o", os.devnull]
+    command = [clipc, *profile, *options, "-E", "main", f"--target={target}", path, "-o", os.devnull, "--reflect", f"{folder}/reflection.json"]
     done = subprocess.run(command, capture_output=True, text=True, errors="replace", preexec_fn=limit, check=False)
     if done.returncode not in (0, 1):
         return f"exit code {done.returncode}\n{done.stderr[-400:]}"
