@@ -26,6 +26,8 @@ enum class Feature : std::uint8_t {
   kInAndOut,         // `in` and `out`; else `attribute` and `varying`
   kInputLocations,   // layout(location = 0) of an input
   kOutputLocations,  // layout(location = 0) of an output
+  kOutputBlocks,     // `out Block { .. } instance;`
+  kBlockLocations,   // layout(location = 0) of such a block and of its members
   kIntegerVaryings,
   kDoubleVaryings,
   kNoPerspective,

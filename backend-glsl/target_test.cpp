@@ -48,6 +48,7 @@ TEST(TargetTest, VersionGates) {
   EXPECT_EQ(Of("essl300").Of(Feature::kClipDistance).extension, "GL_EXT_clip_cull_distance");
   EXPECT_EQ(Of("webgl2").Of(Feature::kClipDistance).extension, "GL_ANGLE_clip_cull_distance");
   EXPECT_FALSE(Of("webgl2").Has(Feature::kPerSample)) << "no extension of WebGL 2";
+  EXPECT_FALSE(Of("webgl2").Has(Feature::kOutputBlocks)) << "nor this";
   EXPECT_TRUE(Of("glsl130").Has(Feature::kClipVertex));
   EXPECT_FALSE(Of("glsl140").Has(Feature::kClipVertex));
 }

@@ -69,7 +69,7 @@ pixel::ReadResult ReadHlsl(const CompileRequest& request, SourceInput input,
 // them.
 void ForgetNames(pixel::Interface& half, bool is_glsl) {
   for (pixel::Input& input : half.inputs) {
-    if (input.location || !is_glsl) input.name.clear();
+    if (!input.group && (input.location || !is_glsl)) input.name.clear();
   }
   for (pixel::Block& block : half.blocks) {
     if (!is_glsl) block.name.clear();
@@ -96,7 +96,9 @@ pixel::ReadResult Read(const CompileRequest& request, SourceInput input, const g
   }
   pixel::ReadResult result = pixel::ReadGlsl(bytes, half.path);
   for (const pixel::Input& input : result.interface.inputs) {
-    if (input.location && !target.Has(glsl::Feature::kOutputLocations))
+    const auto feature =
+        input.group ? glsl::Feature::kBlockLocations : glsl::Feature::kOutputLocations;
+    if (input.location && !target.Has(feature))
       result.problems.push_back(
           fmt::format("{}: `{}` has a location; outputs of target `{}` have none", input.where,
                       input.name, target.name()));
@@ -112,6 +114,15 @@ void MeetPixelShader(const CompileRequest& request, SourceInput input, const gls
   pixel::ReadResult half = Read(request, std::move(input), target, dependencies);
   if (const std::string problem = pixel::Problem(half.interface); !problem.empty())
     half.problems.push_back(problem);
+  for (const pixel::Group& group : half.interface.groups) {
+    const bool is_known =
+        target.Has(group.is_block ? glsl::Feature::kOutputBlocks : glsl::Feature::kInAndOut);
+    if (!is_known) {
+      half.problems.push_back(
+          fmt::format("{}: `{}` is a {}; outputs of target `{}` cannot be in one", group.where,
+                      group.type, group.is_block ? "block" : "struct", target.name()));
+    }
+  }
   if (!half.problems.empty()) {
     Diagnostic& report = diagnostics.Report({}, diag::PixelShader, half.problems.front());
     for (std::size_t i = 1; i < half.problems.size(); ++i)

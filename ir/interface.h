@@ -105,6 +105,28 @@ enum class Builtin : std::uint8_t {
   kViewportIndex,  // uint
 };
 
+// A block that inputs of the next stage are members of, `in Varyings { vec2 uv; } v`, or an input
+// that is a struct. A vertex shader declares it alike, with the members that it does not write.
+struct OutputGroup {
+  struct Member {
+    std::string name;
+    // In GLSL's words: a vector, or a matrix of so many columns, or an array of them.
+    Scalar scalar = Scalar::kFloat;
+    std::uint8_t components = 1;
+    std::uint8_t columns = 1;
+    std::vector<std::uint32_t> dimensions = {};
+    Interpolation interpolation = Interpolation::kDefault;
+    bool centroid = false;
+    bool sample = false;
+    std::optional<std::uint32_t> location = {};  // where it is said of the member
+  };
+  bool is_block = true;                        // else a struct
+  std::string type;                            // the name of the block or the struct
+  std::string instance;                        // empty: the members are global names
+  std::optional<std::uint32_t> location = {};  // where it is said of the whole
+  std::vector<Member> members = {};
+};
+
 // The input of the next stage that an output meets, whose form the output takes.
 struct Reader {
   std::string name;          // empty: named after its semantic, as every output
@@ -113,6 +135,9 @@ struct Reader {
   std::uint32_t columns = 1;
   std::vector<std::uint32_t> dimensions;
   std::uint32_t element = 0;
+  // The input is a member of a block or a struct: its number in Program::output_groups, and there.
+  std::optional<std::size_t> group = {};
+  std::size_t member = 0;
 
   bool IsWhole() const { return columns == 1 && dimensions.empty(); }
 };

@@ -48,6 +48,7 @@ struct Program {
   // once, and writes the outputs.
   FunctionId main;
   std::vector<IoVar> inputs, outputs;
+  std::vector<OutputGroup> output_groups;  // where the next stage is known
   // The kStatic and kConstant variables at global scope that are reached, in order of declaration.
   std::vector<VarId> globals;
   std::vector<Resource> resources;  // those that are reached, in order of declaration

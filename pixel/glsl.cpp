@@ -2,6 +2,7 @@
 // The interface of a fragment shader in GLSL, from glslang's tree.
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include <fmt/format.h>
 #include <glslang/Include/intermediate.h>
@@ -86,13 +87,21 @@ std::vector<Member> MembersIn(const glslang::TType& type) {
 
 // ---- what the shader reads
 
-// The components of each global variable that any statement mentions, by name.
+// The components of each global variable, and of each member of one, that any statement mentions.
 class ReadFinder : public glslang::TIntermTraverser {
  public:
-  void visitSymbol(glslang::TIntermSymbol* symbol) override { Add(*symbol, 0xF); }
+  static constexpr int kWhole = -1;  // in place of a member's number
+
+  void visitSymbol(glslang::TIntermSymbol* symbol) override {
+    masks_[{symbol->getId(), kWhole}] = 0xF;
+  }
   bool visitBinary(glslang::TVisit, glslang::TIntermBinary* node) override {
-    const glslang::TIntermSymbol* symbol = node->getLeft()->getAsSymbolNode();
-    if (!symbol || !symbol->getType().isVector()) return true;
+    if (const auto member = PlaceOf(*node)) {
+      masks_[*member] = 0xF;
+      return false;
+    }
+    const auto place = PlaceOf(*node->getLeft());
+    if (!place || !node->getLeft()->getType().isVector()) return true;
     std::uint32_t mask = 0;
     const auto add = [&](const TIntermNode* index) {
       const auto* constant = index->getAsConstantUnion();
@@ -105,7 +114,7 @@ class ReadFinder : public glslang::TIntermTraverser {
     } else {
       return true;
     }
-    Add(*symbol, mask);
+    masks_[*place] |= mask;
     return false;
   }
   // The list of all globals is no read.
@@ -113,18 +122,30 @@ class ReadFinder : public glslang::TIntermTraverser {
     return node->getOp() != glslang::EOpLinkerObjects;
   }
 
-  // 0: not read.
-  std::uint32_t Of(const glslang::TIntermSymbol& symbol) const {
-    const auto found = masks_.find(symbol.getId());
-    return found == masks_.end() ? 0 : found->second;
+  // 0: not read. What reads the whole reads its members.
+  std::uint32_t Of(const glslang::TIntermSymbol& symbol, int member = kWhole) const {
+    const auto mask_of = [&](int place) {
+      const auto found = masks_.find({symbol.getId(), place});
+      return found == masks_.end() ? 0 : found->second;
+    };
+    return mask_of(kWhole) | mask_of(member);
   }
 
  private:
-  void Add(const glslang::TIntermSymbol& symbol, std::uint32_t mask) {
-    masks_[symbol.getId()] |= mask;
+  using Place = std::pair<long long, int>;  // a symbol's number, and a member's
+
+  // A variable, or a member of one.
+  static std::optional<Place> PlaceOf(glslang::TIntermTyped& node) {
+    if (const auto* symbol = node.getAsSymbolNode()) return Place(symbol->getId(), kWhole);
+    auto* access = node.getAsBinaryNode();
+    if (!access || access->getOp() != glslang::EOpIndexDirectStruct) return std::nullopt;
+    const auto* symbol = access->getLeft()->getAsSymbolNode();
+    const auto* index = access->getRight()->getAsConstantUnion();
+    if (!symbol || !index) return std::nullopt;
+    return Place(symbol->getId(), index->getConstArray()[0].getIConst());
   }
 
-  std::map<long long, std::uint32_t> masks_;
+  std::map<Place, std::uint32_t> masks_;
 };
 
 enum class Rules : std::uint8_t {
@@ -209,29 +230,65 @@ class GlslReader {
   }
 
   void AddInput(const glslang::TIntermSymbol& symbol, const glslang::TQualifier& qualifier) {
+    const glslang::TType& type = symbol.getType();
+    if (type.isStruct() || type.getBasicType() == glslang::EbtBlock) return AddGroup(symbol, type);
     Input input;
     input.name = symbol.getName();
-    const std::optional<Shape> shape = ShapeOfType(symbol.getType());
-    const glslang::TType& type = symbol.getType();
-    const std::string shown(type.getBasicType() == glslang::EbtBlock ? type.getTypeName()
-                                                                     : symbol.getName());
-    input.where = Where(shown);
-    if (!shape) {
-      result_.problems.push_back(fmt::format(
-          "{}: `{}` is a struct or a block; only numbers and arrays of them can meet outputs",
-          input.where, shown));
-      return;
-    }
-    input.shape = *shape;
+    input.where = Where(input.name);
     if (qualifier.hasLocation()) input.location = qualifier.layoutLocation;
+    AddInput(std::move(input), type, qualifier, reads_.Of(symbol));
+  }
+
+  void AddInput(Input input, const glslang::TType& type, const glslang::TQualifier& qualifier,
+                std::uint32_t components) {
+    const std::optional<Shape> shape = ShapeOfType(type);
+    if (!shape) return Refuse(input.where, input.name, "a struct in a struct or block");
+    input.shape = *shape;
     if (qualifier.flat) input.interpolation = ir::Interpolation::kNoInterpolation;
     if (qualifier.nopersp) input.interpolation = ir::Interpolation::kNoPerspective;
     input.centroid = qualifier.centroid;
     input.sample = qualifier.sample;
-    const std::uint32_t components = reads_.Of(symbol);
     input.is_read = components != 0;
     if (input.is_read) input.components_read = components;
     result_.interface.inputs.push_back(std::move(input));
+  }
+
+  // A block or a struct: each member is an input.
+  void AddGroup(const glslang::TIntermSymbol& symbol, const glslang::TType& type) {
+    const glslang::TQualifier& qualifier = type.getQualifier();
+    Group group;
+    group.is_block = type.getBasicType() == glslang::EbtBlock;
+    group.type = type.getTypeName();
+    if (group.type.starts_with("gl_")) return;
+    if (!glslang::IsAnonymous(symbol.getName())) group.instance = symbol.getName();
+    if (qualifier.hasLocation()) group.location = qualifier.layoutLocation;
+    const std::string shown = group.is_block ? group.type : group.instance;
+    group.where = Where(shown);
+    if (type.isArray()) return Refuse(group.where, shown, "an array of structs or blocks");
+    const std::size_t number = result_.interface.groups.size();
+    std::optional<std::uint32_t> next = group.location;
+    int member = 0;
+    for (const glslang::TTypeLoc& field : *type.getStruct()) {
+      const glslang::TQualifier& own = field.type->getQualifier();
+      Input input;
+      input.name = field.type->getFieldName();
+      input.where = group.where;
+      input.group = number;
+      input.has_own_location = own.hasLocation();
+      if (own.hasLocation()) next = own.layoutLocation;
+      input.location = next;
+      AddInput(std::move(input), *field.type, group.is_block ? own : qualifier,
+               reads_.Of(symbol, member++));
+      if (!result_.problems.empty()) return;
+      if (next) *next += result_.interface.inputs.back().shape.Elements();
+    }
+    result_.interface.groups.push_back(std::move(group));
+  }
+
+  void Refuse(std::string_view where, std::string_view name, std::string_view what) {
+    result_.problems.push_back(fmt::format(
+        "{}: `{}` is {}; numbers, arrays of them, and structs and blocks of both can meet outputs",
+        where, name, what));
   }
 
   void AddBlock(const glslang::TIntermSymbol& symbol, const glslang::TQualifier& qualifier) {

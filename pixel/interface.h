@@ -34,8 +34,19 @@ std::string NameOf(const Shape& shape);
 // The shape of a numeric type, or of arrays of one; nothing for any other type.
 std::optional<Shape> ShapeOf(const ir::TypeTable& types, ir::TypeId type);
 
+// A block of inputs, `in Varyings { vec2 uv; } v`, or an input that is a struct.
+struct Group {
+  bool is_block = true;                   // else a struct
+  std::string type;                       // the name of the block or the struct
+  std::string instance;                   // empty: a block's members are global names
+  std::optional<std::uint32_t> location;  // where it is said of the whole
+  std::string where;
+};
+
 struct Input {
-  std::string name;      // in GLSL, also when GLSL is still to be made of it; empty: unknown
+  // In GLSL, also when GLSL is still to be made of it; a member's is without its group's. Empty:
+  // unknown.
+  std::string name;
   std::string semantic;  // without its index; empty: unknown
   std::uint32_t index = 0;
   std::optional<std::uint32_t> location;
@@ -46,6 +57,9 @@ struct Input {
   bool is_read = false;
   std::uint32_t components_read = 0xF;  // bit i: component i of some element, when it is read
   std::string where;                    // for messages: "water.frag:12"
+  // In Interface::groups: the inputs of one group are its members, all of them and in order.
+  std::optional<std::size_t> group = {};
+  bool has_own_location = true;  // a member's location is said of itself, not of the group
 };
 
 enum class MatrixLayout : std::uint8_t { kNone, kRowMajor, kColumnMajor };
@@ -73,6 +87,7 @@ struct Block {
 
 struct Interface {
   std::vector<Input> inputs;  // those that are not built in, in order of declaration
+  std::vector<Group> groups;
   std::vector<Block> blocks;
   std::vector<Member> uniforms;  // outside blocks
 };

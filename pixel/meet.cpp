@@ -29,7 +29,7 @@ class Applier {
       IoVar output = program_.outputs[i];
       if (const auto input = meeting_.outputs[i].input) {
         Output(output, pixel_.inputs[*input], *input, meeting_.outputs[i].element);
-        end = std::max(end, output.location + 1);
+        end = std::max(end, EndOf(pixel_.inputs[*input], output.location));
       } else if (output.builtin == Builtin::kNone && !options_.keep_outputs) {
         RemoveWrites(output.var);
         continue;
@@ -41,6 +41,7 @@ class Applier {
     }
     SortByLocation(outputs);
     program_.outputs = std::move(outputs);
+    Groups();
     for (const CbufferId id : program_.cbuffers.ids()) {
       const Meeting::Buffer& met = meeting_.buffers[id.index];
       if (met.block) Buffer(program_.cbuffers[id], pixel_.blocks[*met.block]);
@@ -51,7 +52,11 @@ class Applier {
  private:
   void Output(IoVar& output, const Input& input, std::size_t number, std::uint32_t element) {
     Reader& reader = output.reader.emplace();
-    reader.name = input.name;
+    reader.name = NameOf(input);
+    reader.group = input.group;
+    reader.member = static_cast<std::size_t>(std::ranges::count(
+        pixel_.inputs.begin(), pixel_.inputs.begin() + static_cast<std::ptrdiff_t>(number),
+        input.group, &Input::group));
     reader.has_location = input.location.has_value();
     reader.columns = input.shape.columns;
     reader.dimensions = input.shape.dimensions;
@@ -61,6 +66,59 @@ class Applier {
     output.centroid = input.centroid;
     output.sample = input.sample;
     Reshape(output.var, input.shape);
+  }
+
+  // The location after the output's, or after the group's that it is in.
+  std::uint32_t EndOf(const Input& met, std::uint32_t location) const {
+    std::uint32_t end = location + 1;
+    for (std::size_t i = 0; i < pixel_.inputs.size(); ++i) {
+      const Input& input = pixel_.inputs[i];
+      if (met.group && input.group == met.group)
+        end = std::max(end, input.location.value_or(PlaceOf(i)) + input.shape.Elements());
+    }
+    return end;
+  }
+
+  // Declares the groups that outputs meet; of Vulkan all, since every input has its output there.
+  void Groups() {
+    std::vector<std::optional<std::size_t>> numbers(pixel_.groups.size());
+    for (std::size_t i = 0; i < pixel_.groups.size(); ++i) {
+      const bool is_met = std::ranges::any_of(
+          meeting_.outputs, [&](const auto& output) { return GroupOf(output.input) == i; });
+      if (!is_met && !options_.is_vulkan) continue;
+      numbers[i] = program_.output_groups.size();
+      const Group& group = pixel_.groups[i];
+      program_.output_groups.push_back(
+          {group.is_block, group.type, group.instance, group.location, MembersOfGroup(i)});
+    }
+    for (IoVar& output : program_.outputs) {
+      if (output.reader && output.reader->group)
+        output.reader->group = numbers[*output.reader->group];
+    }
+  }
+
+  std::optional<std::size_t> GroupOf(std::optional<std::size_t> input) const {
+    return input ? pixel_.inputs[*input].group : std::nullopt;
+  }
+
+  std::vector<OutputGroup::Member> MembersOfGroup(std::size_t group) const {
+    std::vector<OutputGroup::Member> members;
+    for (const Input& input : pixel_.inputs) {
+      if (input.group != group) continue;
+      members.push_back({input.name, input.shape.scalar, input.shape.components,
+                         input.shape.columns, input.shape.dimensions, input.interpolation,
+                         input.centroid, input.sample,
+                         input.has_own_location ? input.location : std::nullopt});
+    }
+    return members;
+  }
+
+  // The name of an input as a linked program tells it.
+  std::string NameOf(const Input& input) const {
+    if (!input.group) return input.name;
+    const Group& group = pixel_.groups[*input.group];
+    if (group.instance.empty()) return input.name;
+    return (group.is_block ? group.type : group.instance) + "." + input.name;
   }
 
   // The locations that inputs without one would have.

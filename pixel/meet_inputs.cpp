@@ -230,7 +230,8 @@ class InputMeeter {
 
   void Check(std::size_t number) {
     const Input& input = pixel_.inputs[number];
-    const bool is_needed = input.is_read || options_.is_vulkan;
+    // A group is declared whole.
+    const bool is_needed = input.is_read || (options_.is_vulkan && !input.group);
     if (!met_[number]) {
       if (!is_needed) return;
       Diagnostic& report =
@@ -266,8 +267,10 @@ class InputMeeter {
   }
 
   Span EntrySpan() const { return program_.functions[program_.entry].span; }
-  static std::string NameOf(const Input& input) {
-    return input.semantic.empty() ? input.name : input.semantic + std::to_string(input.index);
+  std::string NameOf(const Input& input) const {
+    if (!input.semantic.empty()) return input.semantic + std::to_string(input.index);
+    const bool has_instance = input.group && !pixel_.groups[*input.group].instance.empty();
+    return has_instance ? pixel_.groups[*input.group].instance + "." + input.name : input.name;
   }
   static std::string NameOf(const Shape& shape) { return pixel::NameOf(shape); }
 

@@ -134,7 +134,7 @@ TEST(Spirv, CountsMembersOfStructsThatNameThemselves) {
   std::string bytes(words.size() * 4, 0);
   std::memcpy(bytes.data(), words.data(), bytes.size());
   EXPECT_THAT(ReadSpirv(bytes, "a.spv", "").problems,
-              ElementsAre("a.spv: the uniform blocks have more than 65536 members"));
+              ElementsAre("a.spv: the blocks have more than 65536 members"));
 }
 
 // No beginning of a module and no change of a byte does harm.

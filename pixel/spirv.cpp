@@ -15,14 +15,19 @@ namespace clipc::pixel {
 namespace {
 
 constexpr int kMaxDepth = 16;  // of arrays and structs in each other
-// The members of all blocks, those of a struct counted wherever it stands. A struct may name itself
-// as often as it likes.
+// The members of all blocks and inputs, those of a struct counted wherever it stands. A struct may
+// name itself as often as it likes.
 constexpr std::size_t kMaxMembers = 1u << 16;
 
 // What the functions that the entry point reaches do with the module's variables.
 class Reads {
  public:
   Reads(const SpirvModule& module, SpirvId entry) : module_(module) {
+    for (const SpirvVariable& variable : module.variables) {
+      const SpirvType* pointer = module.TypeOf(variable.type);
+      const SpirvType* type = pointer ? module.TypeOf(pointer->element) : nullptr;
+      if (type && type->kind == SpirvKind::kStruct) structs_.insert(variable.id);
+    }
     std::vector<SpirvId> waiting{entry};
     std::set<SpirvId> seen;
     while (!waiting.empty()) {
@@ -38,10 +43,13 @@ class Reads {
     }
   }
 
-  // The components that are read, all for anything but a vector; nothing for a variable that is not
-  // read at all.
-  std::optional<std::uint32_t> Of(SpirvId variable) const {
-    const auto found = masks_.find(variable);
+  // The components that are read of a variable or of a member of one that is a struct, all for
+  // anything but a vector; nothing for what is not read at all. What reads a whole struct reads its
+  // members.
+  std::optional<std::uint32_t> Of(SpirvPlace place) const {
+    const auto whole = masks_.find({place.id});
+    if (place.member != kWhole && whole != masks_.end() && whole->second != 0) return kAll;
+    const auto found = masks_.find(place);
     return found == masks_.end() ? std::nullopt : std::optional(found->second);
   }
 
@@ -52,12 +60,16 @@ class Reads {
     const auto words = instruction.words;
     switch (instruction.opcode) {
       case spv::kLoad:
-        if (words.size() > 2) loaded_[words[1]] = words[2], masks_.try_emplace(words[2], 0);
+        if (words.size() > 2) {
+          const SpirvPlace place = PlaceOf(words[2]);
+          loaded_[words[1]] = place;
+          masks_.try_emplace(place, 0);
+        }
         return;
       case spv::kAccessChain:
       case spv::kInBoundsAccessChain: return AccessChain(words);
       case spv::kCompositeExtract:
-        if (words.size() == 4) return Read(words[2], 1u << (words[3] & 31));
+        if (words.size() >= 4) return Extract(words);
         break;
       case spv::kVectorShuffle:
         if (words.size() > 4) return Shuffle(words);
@@ -70,15 +82,52 @@ class Reads {
                                 instruction.opcode == spv::kExtInst;  // interpolateAt..
     for (const std::uint32_t word : words) {
       Read(word, kAll);
-      if (takes_pointers) masks_[word] = kAll;
+      if (takes_pointers) masks_[PlaceOf(word)] = kAll;
     }
   }
 
   void AccessChain(std::span<const std::uint32_t> words) {
     if (words.size() < 3) return;
+    const SpirvPlace base = PlaceOf(words[2]);
+    auto indices = words.subspan(3);
+    const bool is_member = base.member == kWhole && structs_.contains(base.id) &&
+                           !indices.empty() && module_.constants.contains(indices.front());
+    const SpirvPlace place =
+        is_member ? SpirvPlace{base.id, module_.constants.at(indices.front())} : base;
+    if (is_member) {
+      indices = indices.subspan(1);
+      if (indices.empty()) {
+        pointers_[words[1]] = place;
+        masks_.try_emplace(place, 0);
+        return;
+      }
+    }
     const auto index =
-        words.size() == 4 ? module_.constants.find(words[3]) : module_.constants.end();
-    masks_[words[2]] |= index == module_.constants.end() ? kAll : 1u << (index->second & 31);
+        indices.size() == 1 ? module_.constants.find(indices.front()) : module_.constants.end();
+    masks_[place] |= index == module_.constants.end() ? kAll : 1u << (index->second & 31);
+  }
+
+  void Extract(std::span<const std::uint32_t> words) {
+    auto indices = words.subspan(3);
+    const auto found = loaded_.find(words[2]);
+    if (found != loaded_.end() && found->second.member == kWhole &&
+        structs_.contains(found->second.id)) {
+      const SpirvPlace member{found->second.id, indices.front()};
+      masks_.try_emplace(member, 0);
+      if (indices.size() == 1) {
+        loaded_[words[1]] = member;
+      } else {
+        masks_[member] |= indices.size() == 2 ? 1u << (indices[1] & 31) : kAll;
+      }
+      return;
+    }
+    Read(words[2], indices.size() == 1 ? 1u << (indices.front() & 31) : kAll);
+  }
+
+  // What an id points to: a variable, or a member of one.
+  SpirvPlace PlaceOf(SpirvId pointer) const {
+    const auto found = pointers_.find(pointer);
+    return found == pointers_.end() ? SpirvPlace{pointer} : found->second;
   }
 
   void Shuffle(std::span<const std::uint32_t> words) {
@@ -96,8 +145,10 @@ class Reads {
   }
 
   const SpirvModule& module_;
-  std::map<SpirvId, SpirvId> loaded_;  // the variable by the value that was loaded from it
-  std::map<SpirvId, std::uint32_t> masks_;
+  std::set<SpirvId> structs_;               // variables
+  std::map<SpirvId, SpirvPlace> pointers_;  // by pointer, members of structs
+  std::map<SpirvId, SpirvPlace> loaded_;    // by value, what it was loaded from
+  std::map<SpirvPlace, std::uint32_t> masks_;
 };
 
 class SpirvReader {
@@ -118,6 +169,8 @@ class SpirvReader {
     }
     return std::move(interface_);
   }
+  // What cannot meet an output; empty: nothing.
+  const std::string& problem() const { return problem_; }
   bool HasTooManyMembers() const { return member_count_ > kMaxMembers; }
 
  private:
@@ -131,23 +184,49 @@ class SpirvReader {
     if (!is_listed || module_.Decoration({variable.id}, spv::kBuiltIn)) return;
     const auto location = module_.Decoration({variable.id}, spv::kLocation);
     if (type.kind != SpirvKind::kStruct)
-      return AddInput({variable.id}, variable.id, type_id, location);
-    std::uint32_t next = location.value_or(0);
+      return AddInput({variable.id}, {variable.id}, type_id, location);
     for (std::uint32_t i = 0; i < type.members.size(); ++i) {
-      const SpirvPlace member{type_id, i};
-      if (module_.Decoration(member, spv::kBuiltIn)) continue;
-      AddInput(member, variable.id, type.members[i],
-               module_.Decoration(member, spv::kLocation).value_or(next));
-      const Input& added = interface_.inputs.back();
-      next = *added.location + added.shape.Elements();
+      if (module_.Decoration({type_id, i}, spv::kBuiltIn)) return;
     }
+    if (type.members.empty()) return;
+    AddGroup(variable, type_id, type, location);
   }
 
-  void AddInput(SpirvPlace place, SpirvId variable, SpirvId type,
+  // A block or a struct: each member is an input.
+  void AddGroup(const SpirvVariable& variable, SpirvId type_id, const SpirvType& type,
                 std::optional<std::uint32_t> location) {
-    const auto has = [&](std::uint32_t which) {
-      return module_.Decoration(place, which).has_value();
+    Group group;
+    group.is_block = module_.Decoration({type_id}, spv::kBlock).has_value();
+    const auto named = [](std::string name, std::string otherwise) {
+      return name.empty() ? std::move(otherwise) : std::move(name);
     };
+    const std::string number = std::to_string(interface_.groups.size());
+    group.type = named(GlslNameOf(module_.NameOf({type_id})), "Varyings" + number);
+    // SPIRV-Cross writes an instance of every block.
+    group.instance = named(GlslNameOf(module_.NameOf({variable.id})), "varyings" + number);
+    group.where = Where(group.type);
+    const bool has_own = module_.Decoration({type_id, 0}, spv::kLocation).has_value();
+    if (!has_own) group.location = location;
+    std::uint32_t next = location.value_or(0);
+    for (std::uint32_t i = 0; i < type.members.size(); ++i) {
+      if (member_count_++ >= kMaxMembers) break;
+      const SpirvPlace member{type_id, i};
+      const std::optional<std::uint32_t> own = module_.Decoration(member, spv::kLocation);
+      AddInput(member, {variable.id, i}, type.members[i], own.value_or(next));
+      Input& added = interface_.inputs.back();
+      added.name = named(std::move(added.name), "member_" + std::to_string(i));
+      added.where = Where(group.type + "." + added.name);
+      added.group = interface_.groups.size();
+      added.has_own_location = own.has_value();
+      if (!group.is_block && i == 0) Qualify(added, {variable.id});
+      next = *added.location + added.shape.Elements();
+    }
+    interface_.groups.push_back(std::move(group));
+  }
+
+  // `place` has the name and the decorations; `read` is what instructions read.
+  void AddInput(SpirvPlace place, SpirvPlace read, SpirvId type,
+                std::optional<std::uint32_t> location) {
     Input& input = interface_.inputs.emplace_back();
     input.name = GlslNameOf(module_.NameOf(place));
     input.location = location;
@@ -156,17 +235,30 @@ class SpirvReader {
       input.semantic = semantic.name;
       input.index = semantic.index;
     }
-    input.shape = ShapeAt(type).value_or(Shape{});
-    if (has(spv::kFlat)) input.interpolation = ir::Interpolation::kNoInterpolation;
-    if (has(spv::kNoPerspective)) input.interpolation = ir::Interpolation::kNoPerspective;
-    input.centroid = has(spv::kCentroid);
-    input.sample = has(spv::kSample);
-    const std::optional<std::uint32_t> components = reads_.Of(variable);
+    const std::optional<Shape> known = ShapeAt(type);
+    if (!known && problem_.empty())
+      problem_ = fmt::format(
+          "{} is a struct in a struct or an array of structs; numbers, arrays of "
+          "them, and structs and blocks of both can meet outputs",
+          Where(module_.NameOf(place)));
+    input.shape = known.value_or(Shape{});
+    Qualify(input, place);
+    const std::optional<std::uint32_t> components = reads_.Of(read);
     input.is_read = components.has_value();
     const SpirvType* shape = module_.TypeOf(type);
     if (shape && shape->kind == SpirvKind::kVector)
       input.components_read = components.value_or(0xF);
     input.where = Where(module_.NameOf(place));
+  }
+
+  void Qualify(Input& input, SpirvPlace place) const {
+    const auto has = [&](std::uint32_t which) {
+      return module_.Decoration(place, which).has_value();
+    };
+    if (has(spv::kFlat)) input.interpolation = ir::Interpolation::kNoInterpolation;
+    if (has(spv::kNoPerspective)) input.interpolation = ir::Interpolation::kNoPerspective;
+    input.centroid = has(spv::kCentroid);
+    input.sample = has(spv::kSample);
   }
 
   // ---- types
@@ -248,6 +340,7 @@ class SpirvReader {
   const Reads reads_;
   std::string_view path_;
   std::size_t member_count_ = 0;
+  std::string problem_;
   Interface interface_;
 };
 
@@ -274,8 +367,9 @@ ReadResult ReadSpirv(std::string_view bytes, std::string_view path, std::string_
     return fail(fmt::format("there is no fragment shader `{}`; there is {}", entry, others));
   SpirvReader reader(module, *chosen, path);
   result.interface = reader.Run();
+  if (!reader.problem().empty()) result.problems.push_back(reader.problem());
   if (reader.HasTooManyMembers())
-    return fail(fmt::format("the uniform blocks have more than {} members", kMaxMembers));
+    return fail(fmt::format("the blocks have more than {} members", kMaxMembers));
   return result;
 }
 

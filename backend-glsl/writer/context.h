@@ -55,6 +55,7 @@ struct Context {
   std::vector<std::vector<std::string>> field_names;  // by StructId
   std::vector<std::string> block_names;               // by CbufferId
   std::vector<std::string> instance_names;            // by CbufferId; empty: members are global
+  std::vector<std::string> group_instances;           // by Program::output_groups, likewise
   std::vector<std::string> rows_names;                // by CbufferId
 
   Sections sections;

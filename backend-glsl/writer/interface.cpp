@@ -8,6 +8,7 @@
 #include "backend-glsl/needs.h"
 #include "backend-glsl/text.h"
 #include "backend-glsl/writer/bindings.h"
+#include "backend-glsl/writer/output_groups.h"
 #include "backend-glsl/writer/types.h"
 #include "base/invariant.h"
 #include "ir/scalar.h"
@@ -20,15 +21,6 @@ namespace {
 
 // Two views, as for a headset: OVR_multiview requires the number in the shader.
 constexpr int kViews = 2;
-
-// "  // TEXCOORD0" and the end of the line.
-std::string SemanticComment(const IoVar& io) {
-  return Concat("  // ", io.semantic, std::to_string(io.index), "\n");
-}
-
-std::string LocationText(std::uint32_t location) {
-  return LayoutText({Concat("location = ", std::to_string(location))});
-}
 
 // The value of an input that is a built-in variable of GLSL.
 std::string BuiltinInput(Context& context, const IoVar& input, GlslInfo::Variable& info) {
@@ -133,17 +125,17 @@ std::uint32_t WriteVarying(Context& context, const IoVar& output, GlslInfo::Vari
   const bool has_location =
       context.Has(Feature::kOutputLocations) && (!reader || reader->has_location);
   if (has_location) info.location = location;
+  if (reader && reader->group) {
+    info.name = reader->name;
+    return location + 1;
+  }
   if (reader && reader->element > 0) return location + 1;  // declared with its first element
-  const bool is_double = shape.scalar == Scalar::kDouble;
-  const bool is_flat =
-      !shape.IsFloating() || is_double || output.interpolation == Interpolation::kNoInterpolation;
-  const bool is_linear = !is_flat && output.interpolation == Interpolation::kNoPerspective;
-  if (output.sample) context.Require(Feature::kPerSample);
   Append(context.sections.outputs, has_location ? LocationText(location) : "",
-         PreciseText(context, context[output.var].precise), is_flat && has_out ? "flat " : "",
-         is_linear ? "noperspective " : "", output.centroid ? "centroid " : "",
-         output.sample ? "sample " : "", has_out ? "out " : "varying ",
-         OutputDeclaration(context, output, shape, info.name), ";", SemanticComment(output));
+         PreciseText(context, context[output.var].precise),
+         InterpolationText(context,
+                           {shape.scalar, output.interpolation, output.centroid, output.sample}),
+         has_out ? "out " : "varying ", OutputDeclaration(context, output, shape, info.name), ";",
+         SemanticComment(output));
   return location + LocationCount(context.TypeOf(output.var));
 }
 
@@ -224,6 +216,7 @@ void WriteInputs(Context& context) {
 void WriteOutputs(Context& context) {
   context.info.outputs.reserve(context.program.outputs.size());
   std::uint32_t location = 0;
+  WriteOutputGroups(context);
   for (const IoVar& output : context.program.outputs) {
     GlslInfo::Variable& info = context.info.outputs.emplace_back();
     std::string& name = context.var_names[output.var.index];

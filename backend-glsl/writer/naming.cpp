@@ -40,6 +40,25 @@ std::string ElementOf(const Reader& reader) {
   return text;
 }
 
+// Blocks and structs of outputs are called as in the next stage.
+void NameGroups(Context& context) {
+  for (const OutputGroup& group : context.program.output_groups) {
+    context.namer.Global(group.type);
+    context.group_instances.push_back(
+        group.instance.empty() ? "" : context.namer.Global(group.instance));
+    if (!group.instance.empty()) continue;
+    for (const OutputGroup::Member& member : group.members) context.namer.Global(member.name);
+  }
+}
+
+// "v.uv[1]" of an output that is a member of a group.
+std::string MemberName(const Context& context, const Reader& reader) {
+  const std::string& instance = context.group_instances[*reader.group];
+  const OutputGroup& group = context.program.output_groups[*reader.group];
+  return Concat(instance, instance.empty() ? "" : ".", group.members[reader.member].name,
+                ElementOf(reader));
+}
+
 // The name that the style gives an output.
 std::string StyledName(const Context& context, const IoVar& output) {
   const std::string index = std::to_string(output.index), semantic = ToUpper(output.semantic);
@@ -56,6 +75,10 @@ void NameOutputs(Context& context, bool are_met) {
   for (const IoVar& output : context.program.outputs) {
     const auto& reader = output.reader;
     if (output.builtin != Builtin::kNone || reader.has_value() != are_met) continue;
+    if (reader && reader->group) {
+      context.var_names[output.var.index] = MemberName(context, *reader);
+      continue;
+    }
     std::string& name = names[output.location - (reader ? reader->element : 0)];
     if (name.empty()) {
       const bool has_name = reader && !reader->name.empty();
@@ -202,6 +225,7 @@ void NameEverything(Context& context) {
   context.block_names.resize(program.cbuffers.size());
   context.rows_names.resize(program.cbuffers.size());
   context.instance_names.resize(program.cbuffers.size());
+  NameGroups(context);
   NameOutputs(context, true);  // first, since the next stage may know them by name only
   NameInputs(context);
   NameOutputs(context, false);

@@ -122,7 +122,8 @@ Reads ReflectReads(const Compiler& compiler) {
         {resource.name,
          compiler.get_decoration_string(resource.id, spv::DecorationHlslSemanticGOOGLE),
          compiler.get_decoration(resource.id, spv::DecorationLocation),
-         static_cast<std::uint32_t>(CountOf(type)) * type.columns, ShapeOf(type, resource.name)});
+         static_cast<std::uint32_t>(CountOf(type)) * type.columns,
+         type.basetype == SPIRType::Struct ? Shape{} : ShapeOf(type, resource.name)});
   }
   return reads;
 }

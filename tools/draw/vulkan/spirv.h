@@ -53,7 +53,7 @@ struct Reads {
     std::string name, semantic;  // as those of an output
     std::uint32_t location;
     std::uint32_t locations;  // their number: elements of arrays and columns of matrices
-    Shape shape;              // of one element
+    Shape shape;              // of one element; of a block or a struct, nothing
   };
   std::vector<Binding> bindings;
   std::vector<Attribute> attributes;

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "backend-glsl/writer/context.h"
+
+// What declarations of outputs have in common, and the blocks and structs that outputs are in.
+namespace clipc::glsl {
+
+// "layout(location = 2) "
+std::string LocationText(std::uint32_t location);
+
+// "  // TEXCOORD0" and the end of the line.
+std::string SemanticComment(const ir::IoVar& io);
+
+struct Interpolated {
+  ir::Scalar scalar = ir::Scalar::kFloat;
+  ir::Interpolation interpolation = ir::Interpolation::kDefault;
+  bool centroid = false;
+  bool sample = false;
+};
+// "flat ", "noperspective centroid "; what GLSL cannot interpolate is flat.
+std::string InterpolationText(Context& context, const Interpolated& output);
+
+// Declares Program::output_groups.
+void WriteOutputGroups(Context& context);
+
+}  // namespace clipc::glsl
