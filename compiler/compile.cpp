@@ -24,6 +24,7 @@
 #include "compiler/validate.h"
 #include "frontend/parse/ast_print.h"
 #include "ir/print.h"
+#include "pixel/whole.h"
 
 namespace clipc {
 namespace {
@@ -94,6 +95,8 @@ class Compilation {
   Clock::time_point deadline_ = Clock::time_point::max();
   bool is_cancelled_ = false;
   Watch watch_{[this] { return MustStop(); }};
+  bool has_pixel_shader_ = false;
+  bool keeps_matrices_whole_ = false;
   bool is_unjudged_ = false;  // glslang cannot judge one of the shaders
   CompileResult result_;
 };
@@ -180,7 +183,14 @@ void Compilation::ReadNames() {
   front_.entry = request_.entry;
   front_.packing = request_.packing;
   front_.position_name = request_.position_name;
-  front_.stages_meet_by_row = !request_.pixel_shader.path.empty();
+  // HLSLcc, after fxc, has a variable for each column of a matrix between two stages. Its names
+  // are the usual ones where stages meet by name.
+  const bool is_hlslcc = request_.names.empty()
+                             ? target_ && !target_->Has(glsl::Feature::kOutputLocations)
+                             : request_.names == "hlslcc";
+  has_pixel_shader_ = !request_.pixel_shader.path.empty();
+  keeps_matrices_whole_ = !has_pixel_shader_ && !is_hlslcc;
+  front_.stages_meet_by_row = has_pixel_shader_ || keeps_matrices_whole_;
   front_.whole_register_planes = lowering_.lowering == Lowering::kLevel9;
 }
 
@@ -207,9 +217,8 @@ void Compilation::RunStages(Source& source) {
   if (IsDump(DumpStage::kTokens) || IsDump(DumpStage::kAst)) return Dump(source);
   const auto is_new = [&](const Tokens& tokens) {
     // Not where lines of the source, or words of the preprocessor, are a part of what comes out.
-    if (!request_.is_known || request_.source_lines || request_.list ||
-        !request_.pixel_shader.path.empty() || diagnostics_.has_pragmas() ||
-        !diagnostics_.all().empty())
+    if (!request_.is_known || request_.source_lines || request_.list || has_pixel_shader_ ||
+        diagnostics_.has_pragmas() || !diagnostics_.all().empty())
       return true;
     result_.digest = DigestOf(tokens);
     result_.is_repeated = request_.is_known(*result_.digest);
@@ -234,7 +243,8 @@ void Compilation::Dump(Source& source) {
 }
 
 void Compilation::RunBackEnd(ir::Program typed, const Source& source) {
-  if (!request_.pixel_shader.path.empty()) {
+  if (keeps_matrices_whole_) pixel::KeepMatricesWhole(typed);
+  if (has_pixel_shader_) {
     MeetPixelShader(request_, InputOf(), *target_, typed, result_.dependencies, diagnostics_);
     if (diagnostics_.has_errors()) return;
   }

@@ -40,7 +40,7 @@ Json InputOrOutput(const Program& program, const IoVar& io, const GlslInfo::Vari
     json["interpolation"] = NameIn(kInterpolations, io.interpolation);
   if (io.centroid) json["centroid"] = true;
   if (io.sample) json["sample"] = true;
-  if (io.reader) {
+  if (io.reader && io.reader->is_known) {
     const ir::Reader& reader = *io.reader;
     Json& input = json["pixelInput"];
     input["name"] = reader.name.empty() ? io.semantic + std::to_string(io.index) : reader.name;

@@ -129,6 +129,7 @@ struct OutputGroup {
 
 // The input of the next stage that an output meets, whose form the output takes.
 struct Reader {
+  bool is_known = true;      // else supposed: the next stage is not known
   std::string name;          // empty: named after its semantic, as every output
   bool has_location = true;  // else the stages meet by name
   // The whole input is a matrix or an array; the output is this element (or column) of it.

@@ -1,7 +1,19 @@
 // A matrix in a signature takes a register for each column, and one for each row where it is
-// row_major.
-// RUN: %clipc -T vs_5_0 %s -o - | FileCheck %s
-// RUN: %clipc -T vs_5_0 %s -o - -Zpr | FileCheck %s --check-prefix=ROWS
+// row_major. As an output it is one variable, of its rows, where DXC's and glslang's pixel shaders
+// have one: where outputs have locations, or names that are not HLSLcc's.
+// RUN: %clipc -T vs_5_0 %s -o - --names=hlslcc | FileCheck %s
+// RUN: %clipc -T vs_5_0 %s -o - --names=hlslcc -Zpr | FileCheck %s --check-prefix=ROWS
+// RUN: %clipc -T vs_5_0 %s -o - --target=glsl330 | FileCheck %s
+// RUN: %clipc -T vs_5_0 %s -o - --validate --reflect=%t.json | FileCheck %s --check-prefix=WHOLE
+// RUN: FileCheck %s --input-file=%t.json --check-prefix=JSON
+// RUN: %clipc -T vs_5_0 %s -o - --validate --target=vulkan | FileCheck %s --check-prefix=WHOLE
+// RUN: %clipc -T vs_5_0 %s -o - --validate --target=glsl330 --names=dxc | FileCheck %s --check-prefix=NAMED
+// WHOLE:      layout(location = 0) out mat2x3 vs_MIXED0;
+// WHOLE-NEXT: layout(location = 2) out mat2x3 vs_EVEN0;
+// WHOLE:      vs_MIXED0[1] =
+// NAMED:      out mat2x3 in_var_MIXED;
+// NAMED-NEXT: out mat2x3 in_var_EVEN;
+// JSON-NOT:   pixelInput
 // RUN: %draw compare %s -T vs_5_0
 // RUN: %draw compare %s -T vs_5_0 --target=essl300
 struct In {
