@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "backend-glsl/check_target.h"
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <utility>
@@ -213,25 +214,37 @@ class TargetCheck {
   // Registers of all kinds share the bindings of a set.
   void Bindings() {
     const Descriptors descriptors(program_, reached_, target_);
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::string> taken;
-    const auto take = [&](const Register& reg, const std::string& name, Span span) {
+    struct Taken {
+      std::string name;
+      ObjectCategory category;
+    };
+    std::map<std::pair<std::uint32_t, std::uint32_t>, Taken> taken;
+    const auto take = [&](const Register& reg, const std::string& name, Span span,
+                          ObjectCategory category) {
       const Descriptor at = descriptors.Of(reg);
       if (at.binding > kHighestBinding || at.set > kHighestSet)
         diagnostics_.Report(span, diag::TargetBindingTooHigh, name, at.binding, at.set,
                             kHighestBinding, kHighestSet);
-      const auto [found, is_free] = taken.try_emplace({at.set, at.binding}, name);
-      if (!is_free)
-        diagnostics_.Report(span, diag::TargetBindingsCollide, found->second, name, at.binding,
+      const auto [found, is_free] = taken.try_emplace({at.set, at.binding}, Taken{name, category});
+      Taken& other = found->second;
+      if (!is_free && target_.bindings.combines_samplers &&
+          std::minmax({other.category, category}) ==
+              std::pair(ObjectCategory::kTexture, ObjectCategory::kSampler)) {
+        other.category = ObjectCategory::kCombinedSampler;
+      } else if (!is_free) {
+        diagnostics_.Report(span, diag::TargetBindingsCollide, other.name, name, at.binding,
                             at.set);
+      }
     };
     for (CbufferId id : program_.cbuffers.ids()) {
       const ir::Cbuffer& cbuffer = program_.cbuffers[id];
       if (reached_.Has(id) && !cbuffer.is_push_constant)
-        take(cbuffer.reg, cbuffer.name, cbuffer.span);
+        take(cbuffer.reg, cbuffer.name, cbuffer.span, ObjectCategory::kOther);
     }
     for (const Resource& resource : program_.resources) {
       const Var& var = program_.vars[resource.var];
-      if (reached_.Has(resource.var)) take(resource.reg, var.name, var.span);
+      const ObjectCategory category = InfoOf(Innermost(var.type).object).category;
+      if (reached_.Has(resource.var)) take(resource.reg, var.name, var.span, category);
     }
   }
 

@@ -100,6 +100,8 @@ struct BindingRules {
   std::vector<BindingRule> rules;  // in place of the usual ones (descriptors.h); a later one wins
   std::optional<ir::Descriptor> globals;      // of $Globals
   std::optional<std::uint32_t> unplaced_set;  // of what has no register
+  // A texture and a sampler may have one binding, where the host has a combined image sampler.
+  bool combines_samplers = false;
 };
 
 class Target {

@@ -35,15 +35,17 @@ constexpr BindingRule kDxc[] = {
 // VulkanBindingOffsets of nvrhi.h, which ShaderMake and Slang's users of nvrhi give their compiler.
 constexpr BindingRule kNvrhi[] = {
     {'t', {}, {}, 0, {}}, {'s', {}, {}, 128, {}}, {'b', {}, {}, 256, {}}, {'u', {}, {}, 384, {}}};
-// SDL_CreateGPUShader: of a vertex shader, textures and storage buffers are in set 0 and uniform
-// buffers in set 1.
+// SDL_CreateGPUShader: of a vertex shader, sampled textures, then storage textures, then storage
+// buffers are in set 0, and uniform buffers in set 1. A sampler has the number of its texture: the
+// two are one combined image sampler.
 constexpr BindingRule kSdl[] = {{'t', {}, {}, 0, 0}, {'s', {}, {}, 0, 0}, {'b', {}, {}, 0, 1}};
 
 struct Preset {
   std::string_view name;
   std::span<const BindingRule> rules;
+  bool combines_samplers = false;
 };
-constexpr Preset kPresets[] = {{"dxc", kDxc}, {"nvrhi", kNvrhi}, {"sdl", kSdl}};
+constexpr Preset kPresets[] = {{"dxc", kDxc}, {"nvrhi", kNvrhi}, {"sdl", kSdl, true}};
 
 }  // namespace
 
@@ -83,6 +85,7 @@ bool AddPreset(glsl::BindingRules& rules, std::string_view value) {
   const auto* found = std::ranges::find(kPresets, value, &Preset::name);
   if (found == std::end(kPresets)) return false;
   rules.rules.insert(rules.rules.end(), found->rules.begin(), found->rules.end());
+  rules.combines_samplers = found->combines_samplers;
   return true;
 }
 
