@@ -163,9 +163,32 @@ ExprId CallMember(Context& context, const ast::MemberExpr& member, const ast::Ca
   return CallFunction(context, choice.function, self, std::move(arguments), member.name_span, span);
 }
 
-bool IsInterface(const Context& context, TypeId type) {
-  const StructInfo* info = InfoOf(context, type);
-  return info && context.Get<ast::StructDecl>(info->decl).kind == ast::StructKind::kInterface;
+// The function for arguments whose classes are known where its parameters are interfaces: one
+// for each tuple of classes.
+FunctionInfoId ForClasses(Context& context, FunctionInfoId id, ExprSpan arguments) {
+  const auto declared = context[context[id].parameters];
+  std::vector<Parameter> parameters(declared.begin(), declared.end());
+  std::string key = fmt::format("classes {}", id.index);
+  bool is_same = true;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    Parameter& parameter = parameters[i];
+    const TypeId given = i < arguments.size() ? context.TypeIdOf(arguments[i]) : parameter.type;
+    if (parameter.storage == Storage::kIn && IsInterface(context, parameter.type) &&
+        DerivesFrom(context, given, parameter.type)) {
+      parameter.type = given;
+      is_same = false;
+    }
+    key += fmt::format(" {}", parameter.type.index);
+  }
+  if (is_same) return id;
+  const auto [known, is_new] = context.functions.instances.try_emplace(std::move(key), 0);
+  if (is_new) {
+    FunctionInfo info = context[id];
+    info.parameters = context.functions.parameters.Add(std::span<const Parameter>(parameters));
+    info.function = {};
+    known->second = context.functions.infos.Add(info).index;
+  }
+  return FunctionInfoId{known->second};
 }
 
 // A temporary that is written before it is read.
@@ -268,15 +291,12 @@ bool CheckArguments(Context& context, List<ast::ExprId> list, Exprs& arguments) 
 
 ExprId CallFunction(Context& context, FunctionInfoId id, ExprId self, Exprs arguments,
                     Span name_span, Span span) {
+  id = ForClasses(context, id, arguments);
   const FunctionId function = Reach(context, id);
   const FunctionInfo& info = context[id];
   if (info.is_broken) return context.ErrorExpr(span);
-  const ScopeId owner = info.self ? info.scope : ScopeId{};
-  if (owner && context[owner].kind == ScopeKind::kStruct &&
-      IsInterface(context, context[owner].self)) {
-    return context.Fail(name_span, diag::Unsupported,
-                        "a call through an interface, which the application fills in,");
-  }
+  if (info.self && IsInterface(context, info.self))
+    return context.Fail(name_span, diag::InterfaceUnknown, context.TypeName(info.self));
   if (!DeclOf(context, info).body) {
     context.Report(name_span, diag::FunctionWithoutBody, SignatureText(context, info))
         .Note(DeclOf(context, info).name_span, diag::DeclaredHere,

@@ -35,9 +35,17 @@ void CheckLocal(Context& context, ast::DeclId id, const ast::VarDecl& var) {
     context.Report(var.name_span, diag::LocalStorage, context[var.name],
                    var.qualifiers & ast::kUniform ? "uniform" : "groupshared");
   }
-  const TypeId type = ResolveVarType(context, var);
+  TypeId type = ResolveVarType(context, var);
   ExprId init;
-  if (var.init && !context.IsError(type)) init = CheckInit(context, var.init, type);
+  if (var.init && IsInterface(context, type)) {
+    // Direct3D's interface stands for an instance. The variable has its class, then it is known.
+    init = CheckExpr(context, var.init);
+    const TypeId given = context.TypeIdOf(init);
+    if (DerivesFrom(context, given, type)) type = given;
+    if (!context.IsError(init)) init = Implicit(context, init, type);
+  } else if (var.init && !context.IsError(type)) {
+    init = CheckInit(context, var.init, type);
+  }
   const SymbolId symbol = DeclareLocal(context, SymbolKind::kVariable, var.name, id, var.name_span);
   context[symbol].resolution = Resolution::kDone;
   if (context.IsError(type)) return;

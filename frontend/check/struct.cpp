@@ -144,6 +144,11 @@ std::optional<std::uint32_t> FindField(const Context& context, TypeId type, Name
   return field;
 }
 
+bool IsInterface(const Context& context, TypeId type) {
+  const StructInfo* info = InfoOf(context, type);
+  return info && context.Get<ast::StructDecl>(info->decl).kind == ast::StructKind::kInterface;
+}
+
 bool DerivesFrom(const Context& context, TypeId derived, TypeId base) {
   const StructInfo* info = InfoOf(context, derived);
   if (!info) return false;

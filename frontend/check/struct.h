@@ -18,6 +18,7 @@ const StructInfo* InfoOf(const Context& context, TypeId type);
 SymbolId FindMember(const Context& context, TypeId type, Name name);
 // The number of the field in the struct; nothing when the struct does not have such a field.
 std::optional<std::uint32_t> FindField(const Context& context, TypeId type, Name name);
+bool IsInterface(const Context& context, TypeId type);
 bool DerivesFrom(const Context& context, TypeId derived, TypeId base);
 // Declares a struct, typedef or enum inside a function.
 void DeclareLocalType(Context& context, ast::DeclId id);
