@@ -54,6 +54,8 @@ class BodyCloner {
   explicit BodyCloner(Program& program) : program_(program) {}
   VarId CloneVar(VarId var);
   StmtId Clone(StmtId stmt);
+  // The copies of variables.
+  const std::map<VarId, VarId>& vars() const { return vars_; }
 
  private:
   ExprId Clone(ExprId expr);

@@ -172,7 +172,7 @@ class MethodCheck : IntrinsicCheck {
     return CheckCount(1) && Take(0, place) ? Finish(op, result) : Error();
   }
 
-  // An optional offset in texels, which must be known now.
+  // An optional offset in texels.
   bool TakeOffset(std::size_t i) {
     if (i >= arguments.size()) return true;
     const auto value = Converted(i, VectorOf(Scalar::kInt, traits_.offset));
@@ -180,8 +180,8 @@ class MethodCheck : IntrinsicCheck {
     if (program.profile.IsPixel()) return true;  // where it reads does not matter
     const auto constant = EvaluateConstant(program, *value);
     if (!constant) {
-      diagnostics.Report(SpanOf(arguments[i]), diag::TextureOffsetNotConstant, name);
-      return false;
+      arguments_.push_back(*value);  // KnowOffsets finds out
+      return true;
     }
     Builder builder(program, SpanOf(arguments[i]));
     std::vector<ExprId> texels;

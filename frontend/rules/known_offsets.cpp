@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/rules/known_offsets.h"
+
+#include <map>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "frontend/rules/constant.h"
+#include "frontend/rules/object_slots.h"
+#include "frontend/rules/wanted_values.h"
+#include "ir/access.h"
+#include "ir/builder.h"
+#include "ir/evaluate.h"
+#include "ir/walk.h"
+
+namespace clipc::rules {
+namespace {
+
+constexpr std::size_t kMaxCopies = 4096;            // of functions and of loops' bodies
+constexpr std::uint32_t kMaxExpressions = 1 << 22;  // of the program with its copies
+constexpr std::size_t kMaxWords = 4096;             // of a known value
+constexpr int kMaxCallDepth = 200;
+
+std::string_view MethodOf(ObjectOp op) {
+  switch (op) {
+    case ObjectOp::kSampleLevel: return "SampleLevel";
+    case ObjectOp::kSampleGrad: return "SampleGrad";
+    case ObjectOp::kSampleCmpLevelZero: return "SampleCmpLevelZero";
+    case ObjectOp::kTextureLoad: return "Load";
+    case ObjectOp::kGatherGreen: return "GatherGreen";
+    case ObjectOp::kGatherBlue: return "GatherBlue";
+    case ObjectOp::kGatherAlpha: return "GatherAlpha";
+    default: return "Gather";
+  }
+}
+
+class OffsetFinder {
+ public:
+  OffsetFinder(Program& program, Diagnostics& diagnostics)
+      : program_(program), diagnostics_(diagnostics), wanted_(program) {}
+
+  void Run() {
+    if (wanted_.IsEmpty()) return;
+    program_.main = CopyOf(program_.main, {});
+    program_.entry = entry_;
+    program_.functions = std::move(functions_);
+  }
+
+ private:
+  using Key = std::vector<std::uint64_t>;
+
+  // ---- known values
+  std::optional<std::vector<std::uint64_t>> BitsOf(ExprId expr) {
+    const ExprId copy = Clone(program_, expr);
+    const ExprId closed = Substitute(copy);
+    if (KindsOf(program_.types, TypeIdOf(program_, closed)).size() > kMaxWords) return std::nullopt;
+    return ConstantBits(program_, closed);
+  }
+
+  ExprId Substitute(ExprId expr) {
+    if (const auto* ref = As<VarRef>(program_, expr)) {
+      const auto known = known_.find(ref->var);
+      return known == known_.end() ? expr : Clone(program_, known->second);
+    }
+    MapOperands(program_, expr, [&](ExprId operand) { return Substitute(operand); });
+    return expr;
+  }
+
+  // A value of literals.
+  ExprId Make(TypeId id, const std::vector<std::uint64_t>& bits, std::size_t& next, Span span) {
+    Builder at(program_, span);
+    const Type type = program_.types[id];
+    if (type.kind == TypeKind::kScalar) return at.Add(id, Literal{bits[next++]});
+    std::vector<ExprId> parts;
+    if (type.IsNumeric()) {
+      const TypeId component = program_.types.Make(type.scalar);
+      for (std::uint32_t i = 0; i < type.Components(); ++i)
+        parts.push_back(at.Add(component, Literal{bits[next++]}));
+    } else {
+      for (std::uint32_t i = 0; i < program_.types.PartCount(id); ++i)
+        parts.push_back(Make(program_.types.PartType(id, i), bits, next, span));
+    }
+    return at.ConstructOf(id, parts);
+  }
+
+  bool Know(VarId var, ExprId value) {
+    const auto bits = BitsOf(value);
+    if (!bits) return false;
+    std::size_t next = 0;
+    known_[var] = Make(program_.vars[var].type, *bits, next, program_.vars[var].span);
+    return true;
+  }
+
+  // ---- functions
+  VarId Original(VarId var) const {
+    const auto found = originals_.find(var);
+    return found == originals_.end() ? var : found->second;
+  }
+  bool IsWanted(VarId var) const { return wanted_.Has(Original(var)); }
+  void NoteCopies(const BodyCloner& cloner) {
+    for (const auto& [from, to] : cloner.vars()) originals_[to] = Original(from);
+  }
+
+  bool MayCopy(Span span) {
+    if (++made_ <= kMaxCopies && program_.exprs.size() < kMaxExpressions) return true;
+    if (made_ == kMaxCopies + 1 || !is_reported_)
+      diagnostics_.Report(span, diag::TooManyInstances, kMaxCopies);
+    is_reported_ = true;
+    return false;
+  }
+
+  // The function for arguments that are known, of the parameters that its offsets depend on.
+  FunctionId CopyOf(FunctionId id, const std::map<std::size_t, ExprId>& arguments) {
+    Key key{id.index};
+    for (const auto& [parameter, value] : arguments) {
+      key.push_back(parameter);
+      const auto bits = BitsOf(value);
+      key.insert(key.end(), bits->begin(), bits->end());
+    }
+    if (const auto found = copies_.find(key); found != copies_.end()) return found->second;
+    Function function = program_.functions[id];
+    if (depth_ >= kMaxCallDepth) {
+      diagnostics_.Report(function.span, diag::CheckTooDeep, kMaxCallDepth);
+    } else if (wanted_.Has(id) && MayCopy(function.span)) {
+      BodyCloner cloner(program_);
+      for (VarId& parameter : function.parameters) parameter = cloner.CloneVar(parameter);
+      function.body = cloner.Clone(function.body);
+      NoteCopies(cloner);
+      const auto outer = std::exchange(known_, {});
+      for (const auto& [parameter, value] : arguments)
+        known_[function.parameters[parameter]] = value;
+      ++depth_;
+      Read(function.body);
+      --depth_;
+      known_ = outer;
+    } else {
+      ++depth_;
+      ForEachExpr(program_, function.body, [&](ExprId expr) { ReadCall(expr); });
+      --depth_;
+    }
+    const FunctionId added = functions_.Add(std::move(function));
+    if (id == program_.entry) entry_ = added;
+    return copies_[key] = added;
+  }
+
+  void ReadCall(ExprId expr) {
+    const auto* node = As<Call>(program_, expr);
+    if (!node) return;
+    const Call call = *node;
+    std::map<std::size_t, ExprId> arguments;
+    const std::vector<VarId> parameters = program_.functions[call.function].parameters;
+    for (std::uint32_t i = 0; i < call.arguments.size; ++i) {
+      const VarId parameter = parameters[i];
+      if (!wanted_.IsUnchanged(parameter) || program_.vars[parameter].storage != Storage::kIn)
+        continue;
+      const ExprId argument = program_.expr_lists[call.arguments][i];
+      const auto bits = BitsOf(argument);
+      if (!bits) continue;
+      std::size_t next = 0;
+      arguments[i] =
+          Make(program_.vars[parameter].type, *bits, next, program_.exprs[argument].span);
+    }
+    const FunctionId copy = CopyOf(call.function, arguments);
+    program_.exprs[expr].node = Call{copy, call.arguments};
+  }
+
+  // ---- statements
+  void Read(StmtId stmt) {
+    if (const auto* loop = As<For>(program_, stmt); loop && Unroll(stmt, For(*loop))) return;
+    ForEachPart(
+        program_, stmt,
+        [&](ExprId root) { ForEachExpr(program_, root, [&](ExprId expr) { ReadExpr(expr); }); },
+        [&](StmtId part) { Read(part); });
+    const auto* declare = As<Declare>(program_, stmt);
+    if (declare && declare->init && wanted_.IsUnchanged(Original(declare->var)))
+      Know(declare->var, declare->init);
+  }
+
+  void ReadExpr(ExprId expr) {
+    ReadCall(expr);
+    const auto* call = As<ObjectCall>(program_, expr);
+    if (!call) return;
+    const List<ExprId> arguments = call->arguments;
+    const ObjectOp op = call->op;
+    for (std::uint32_t i = FirstOffset(op); i < arguments.size; ++i) {
+      const ExprId offset = program_.expr_lists[arguments][i];
+      if (!IsLiteralOffset(program_, offset)) program_.expr_lists[arguments][i] = Known(offset, op);
+    }
+  }
+
+  ExprId Known(ExprId offset, ObjectOp op) {
+    const Span span = program_.exprs[offset].span;
+    const auto bits = BitsOf(offset);
+    if (!bits) {
+      diagnostics_.Report(span, diag::TextureOffsetNotConstant, MethodOf(op));
+      return offset;
+    }
+    for (const std::uint64_t word : *bits) {
+      const auto texels = static_cast<std::int32_t>(static_cast<std::uint32_t>(word));
+      if (texels < -8 || texels > 7) {
+        diagnostics_.Report(span, diag::TextureOffsetRange, texels, MethodOf(op));
+        return offset;
+      }
+    }
+    std::size_t next = 0;
+    return Make(TypeIdOf(program_, offset), *bits, next, span);
+  }
+
+  // ---- loops
+  // for (int i = 0; i < 2; ++i) body  =>  { int i = 0; body ++i; body ++i; }
+  bool Unroll(StmtId stmt, const For& loop) {
+    ExprId start;
+    const VarId counter = wanted_.CounterOf(loop, start);
+    if (!counter || !IsWanted(counter) || !loop.condition || !loop.step) return false;
+    if (!wanted_.IsPlain(loop) || AssignedIn(program_, {&loop.body, 1})[counter.index])
+      return false;
+    if (!Know(counter, start)) return false;
+    std::vector<StmtId> stmts;
+    for (std::uint32_t i = 0; i < loop.init.size; ++i)
+      stmts.push_back(program_.stmt_lists[loop.init][i]);
+    Builder at(program_, program_.stmts[stmt].span);
+    bool is_known = true;
+    while (is_known) {
+      const auto goes_on = BitsOf(loop.condition);
+      is_known = goes_on.has_value();
+      if (!is_known || goes_on->front() == 0) break;
+      if (!MayCopy(program_.stmts[stmt].span)) return true;
+      BodyCloner cloner(program_);
+      const StmtId body = cloner.Clone(loop.body);
+      NoteCopies(cloner);
+      Read(body);
+      stmts.push_back(body);
+      stmts.push_back(at.Eval(Clone(program_, loop.step)));
+      const ExprId next = WantedValues::NextOf(program_, loop.step, counter);
+      is_known = next && Know(counter, next);
+    }
+    known_.erase(counter);
+    if (!is_known) return false;
+    const StmtId block = at.BlockOf(stmts);
+    program_.stmts[stmt].node = program_.stmts[block].node;
+    return true;
+  }
+
+  Program& program_;
+  Diagnostics& diagnostics_;
+  WantedValues wanted_;
+  std::map<VarId, ExprId> known_;     // values of literals, in the function that is being copied
+  std::map<VarId, VarId> originals_;  // the variables of copies
+  std::map<Key, FunctionId> copies_;
+  Arena<Function> functions_;  // callees before callers
+  FunctionId entry_;
+  std::size_t made_ = 0;
+  bool is_reported_ = false;
+  int depth_ = 0;
+};
+
+}  // namespace
+
+void KnowOffsets(Program& program, Diagnostics& diagnostics) {
+  OffsetFinder(program, diagnostics).Run();
+}
+
+}  // namespace clipc::rules

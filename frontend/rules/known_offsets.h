@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "frontend/rules/rules.h"
+
+namespace clipc::rules {
+
+// GLSL, as Direct3D, takes the offset of a texture read as a constant. HLSL lets it be computed
+// from all that is known once functions are put in the place of their calls and loops are unrolled:
+//
+//   float4 Tap(float2 uv, int x) {                float4 Tap(float2 uv, int x) {  // for x = -1
+//     return map.Gather(s, uv, int2(x, 0));         return map.Gather(s, uv, int2(-1, 0));
+//   }                                        =>   }
+//   ...                                           ...
+//   Tap(uv, -1);                                  Tap(uv, -1);
+//
+// Makes such offsets literals. A function is made anew for each tuple of known arguments that its
+// offsets depend on, and a `for` loop whose counter they depend on is unrolled. Reports
+// TextureOffsetNotConstant or TextureOffsetRange (fxc: X4566) where that does not help. Requires
+// ResolveObjects.
+void KnowOffsets(Program& program, Diagnostics& diagnostics);
+
+}  // namespace clipc::rules

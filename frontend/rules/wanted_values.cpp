@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/rules/wanted_values.h"
+
+#include <algorithm>
+
+#include "ir/access.h"
+#include "ir/builder.h"
+#include "ir/walk.h"
+
+namespace clipc::rules {
+namespace {
+
+// Whether a `break` or `continue` in the statement ends a loop, or a turn of one, around it.
+bool Leaves(const Program& program, StmtId stmt, bool in_switch) {
+  if (As<Break>(program, stmt)) return !in_switch;
+  if (As<Continue>(program, stmt)) return true;
+  if (As<For>(program, stmt) || As<While>(program, stmt) || As<DoWhile>(program, stmt))
+    return false;
+  bool leaves = false;
+  const bool is_switch = As<Switch>(program, stmt) != nullptr;
+  ForEachPart(
+      program, stmt, [](ExprId) {},
+      [&](StmtId part) { leaves = leaves || Leaves(program, part, in_switch || is_switch); });
+  return leaves;
+}
+
+}  // namespace
+
+std::uint32_t FirstOffset(ObjectOp op) {
+  switch (op) {
+    case ObjectOp::kSampleLevel:
+    case ObjectOp::kSampleCmpLevelZero: return 4;
+    case ObjectOp::kSampleGrad: return 5;
+    case ObjectOp::kGather:
+    case ObjectOp::kGatherGreen:
+    case ObjectOp::kGatherBlue:
+    case ObjectOp::kGatherAlpha:
+    case ObjectOp::kTextureLoad: return 3;
+    default: return ~0u;
+  }
+}
+
+bool IsLiteralOffset(const Program& program, ExprId offset) {
+  if (As<Literal>(program, offset)) return true;
+  const auto* construct = As<Construct>(program, offset);
+  return construct &&
+         std::ranges::all_of(program.expr_lists[construct->arguments],
+                             [&](ExprId part) { return As<Literal>(program, part) != nullptr; });
+}
+
+WantedValues::WantedValues(const Program& program)
+    : program_(program), vars_(program.vars.size()), functions_(program.functions.size()) {
+  FindOffsets();
+  if (is_empty_) return;
+  std::vector<StmtId> bodies;
+  for (const FunctionId id : program.functions.ids()) bodies.push_back(program.functions[id].body);
+  assigned_ = AssignedIn(program, bodies);
+  do {
+    changed_ = false;
+    for (const FunctionId id : program.functions.ids()) {
+      Follow(program.functions[id].body);
+      FollowCalls(id);
+    }
+  } while (changed_);
+}
+
+void WantedValues::FindOffsets() {
+  for (const FunctionId id : program_.functions.ids()) {
+    ForEachExpr(program_, program_.functions[id].body, [&](ExprId expr) {
+      const auto* call = As<ObjectCall>(program_, expr);
+      if (!call) return;
+      const auto arguments = program_.expr_lists[call->arguments];
+      for (std::size_t i = FirstOffset(call->op); i < arguments.size(); ++i) {
+        if (IsLiteralOffset(program_, arguments[i])) continue;
+        is_empty_ = false;
+        functions_[id.index] = true;
+        Want(arguments[i]);
+      }
+    });
+  }
+}
+
+void WantedValues::Want(ExprId expr) {
+  if (!expr) return;
+  ForEachExpr(program_, expr, [&](ExprId part) {
+    const auto* ref = As<VarRef>(program_, part);
+    if (!ref || vars_[ref->var.index]) return;
+    vars_[ref->var.index] = true;
+    changed_ = true;
+  });
+}
+
+void WantedValues::Follow(StmtId body) {
+  ForEachStmt(program_, body, [&](StmtId stmt) {
+    if (const auto* declare = As<Declare>(program_, stmt); declare && Has(declare->var)) {
+      Want(declare->init);
+    } else if (const auto* loop = As<For>(program_, stmt)) {
+      ExprId start;
+      const VarId counter = CounterOf(*loop, start);
+      if (!counter || !Has(counter)) return;
+      Want(start), Want(loop->condition), Want(loop->step);
+    }
+  });
+}
+
+void WantedValues::FollowCalls(FunctionId function) {
+  ForEachExpr(program_, program_.functions[function].body, [&](ExprId expr) {
+    const auto* call = As<Call>(program_, expr);
+    if (!call) return;
+    if (functions_[call->function.index] && !functions_[function.index]) {
+      functions_[function.index] = true;
+      changed_ = true;
+    }
+    const std::vector<VarId>& parameters = program_.functions[call->function].parameters;
+    const auto arguments = program_.expr_lists[call->arguments];
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+      if (Has(parameters[i])) Want(arguments[i]);
+    }
+  });
+}
+
+VarId WantedValues::CounterOf(const For& loop, ExprId& start) const {
+  if (loop.init.size != 1) return {};
+  const StmtId first = program_.stmt_lists[loop.init][0];
+  if (const auto* declared = As<Declare>(program_, first)) {
+    start = declared->init;
+    return start ? declared->var : VarId{};
+  }
+  const Assign* set = AsAssignment(program_, first);
+  const auto* variable = set ? As<VarRef>(program_, set->target) : nullptr;
+  if (!variable || program_.vars[variable->var].storage != Storage::kLocal) return {};
+  start = set->value;
+  return variable->var;
+}
+
+bool WantedValues::IsPlain(const For& loop) const {
+  return IsPure(program_, loop.condition) && !Leaves(program_, loop.body, false);
+}
+
+ExprId WantedValues::NextOf(Program& program, ExprId step, VarId counter) {
+  Builder at(program, program.exprs[step].span);
+  const auto is_counter = [&](ExprId expr) {
+    const auto* ref = As<VarRef>(program, expr);
+    return ref && ref->var == counter;
+  };
+  const TypeId type = program.vars[counter].type;
+  if (const auto* unary = As<Unary>(program, step)) {
+    if (!ChangesOperand(unary->op) || !is_counter(unary->operand)) return {};
+    const bool is_up = unary->op == UnaryOp::kPreIncrement || unary->op == UnaryOp::kPostIncrement;
+    const ExprId one = at.LiteralOf(program.types[type].scalar, 1);
+    return at.BinaryOf(is_up ? BinaryOp::kAdd : BinaryOp::kSub, at.Ref(counter), one);
+  }
+  const auto* assign = As<Assign>(program, step);
+  if (!assign || !is_counter(assign->target) || !IsPure(program, assign->value)) return {};
+  const Assign node = *assign;
+  const ExprId value = Clone(program, node.value);
+  return node.op ? at.BinaryOf(*node.op, at.Ref(counter), value) : value;
+}
+
+}  // namespace clipc::rules

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "frontend/rules/rules.h"
+
+// Which variables the offsets of texture reads depend on, as KnowOffsets asks.
+namespace clipc::rules {
+
+// The number of the first argument that is an offset.
+std::uint32_t FirstOffset(ObjectOp op);
+bool IsLiteralOffset(const Program& program, ExprId offset);
+
+// Answers about a program before KnowOffsets changes it. An offset depends on the variables that it
+// names, on those that their initialisers name, on the bounds of the loops that count them, and on
+// the arguments of parameters among them.
+class WantedValues {
+ public:
+  explicit WantedValues(const Program& program);
+
+  bool IsEmpty() const { return is_empty_; }  // every offset is a literal
+  bool Has(VarId var) const { return var.index < vars_.size() && vars_[var.index]; }
+  // Whether an offset that is not a literal is in the function, or in one that it calls.
+  bool Has(FunctionId function) const { return functions_[function.index]; }
+  // Wanted, and not assigned after its declaration.
+  bool IsUnchanged(VarId var) const { return Has(var) && !assigned_[var.index]; }
+
+  // The variable that a `for` loop counts with, and what it starts from.
+  VarId CounterOf(const For& loop, ExprId& start) const;
+  // Whether the loop ends by its condition only, which changes nothing.
+  bool IsPlain(const For& loop) const;
+  // The counter's value after the step: an expression in the counter; none for a step that does
+  // something else.
+  static ExprId NextOf(Program& program, ExprId step, VarId counter);
+
+ private:
+  void FindOffsets();
+  void Want(ExprId expr);
+  void Follow(StmtId body);
+  void FollowCalls(FunctionId function);
+
+  const Program& program_;
+  std::vector<bool> vars_, functions_, assigned_;  // by VarId, FunctionId, VarId
+  bool is_empty_ = true;
+  bool changed_ = false;
+};
+
+}  // namespace clipc::rules
