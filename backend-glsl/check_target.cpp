@@ -166,8 +166,11 @@ class TargetCheck {
       Check(NeedOf(ObjectKind::kTexture1D), var.span, var.name);
     }
     Check(NeedOf(type.object), var.span, var.name);
-    if (is_array && IsStorageBuffer(type.object)) {
+    if (is_array && IsStorageBuffer(type.object) &&
+        (!target_.IsVulkan() || IsArray(program_.types[var.type].element))) {
       Report(var.span, diag::TargetArrayOfBuffers, var.name);
+    } else if (is_array && program_.types[var.type].count == 0 && !target_.IsVulkan()) {
+      Report(var.span, diag::TargetArrayWithoutSize, var.name);
     }
     if (!type.element) return;
     if (program_.types[type.element].IsNumeric() &&
@@ -344,6 +347,9 @@ class TargetCheck {
     if (InfoOf(call.op).gate == TargetGate::kBitCasts) {
       Check(Feature::kBitCasts, diag::TargetBitCast, span, NameOf(call.op));
     }
+    if (call.op == Intrinsic::kNonUniform && !target_.IsVulkan() &&
+        !std::exchange(non_uniform_reported_, true))
+      Report(span, diag::TargetNonUniform);
   }
 
   void ObjectUse(const ObjectCall& call, Span span) {
@@ -396,6 +402,7 @@ class TargetCheck {
   std::vector<char> seen_types_;  // by TypeId
   bool reported_[2] = {};         // that there is no double, no 64-bit integer
   bool uint_reported_ = false;
+  bool non_uniform_reported_ = false;
 };
 
 }  // namespace

@@ -132,6 +132,8 @@ Json Objects(const Program& program, const GlslInfo& info) {
       if (!var) continue;
       json[key] = {{"name", program.vars[var].name},
                    {"type", program.types.Name(program.vars[var].type)}};
+      const ir::Type& type = program.types[program.vars[var].type];
+      if (type.kind == ir::TypeKind::kArray && type.count == 0) json[key]["unbounded"] = true;
       for (const ir::Resource& resource : program.resources) {
         if (resource.var == var) json[key].update(ToJson(resource.reg));
       }

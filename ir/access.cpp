@@ -7,7 +7,7 @@ namespace {
 // An object is not an lvalue: a store writes none of its operands.
 bool IsStore(const Program& program, ExprId expr) {
   const auto* call = As<ObjectCall>(program, expr);
-  return call && call->op == ObjectOp::kStore;
+  return call && WritesObject(call->op);
 }
 
 // The node alone, without its operands and, for a call, without what the function does.

@@ -83,6 +83,10 @@ bool Machine::IsPath(ExprId expr) const {
 // large array copies one element.
 void Machine::EvalPart(ExprId expr) {
   const std::uint32_t words = WordsOf(expr);
+  if (const auto* index = As<Index>(program_, expr);
+      index && TypeOf(index->base).kind == TypeKind::kArray && TypeOf(index->base).count == 0) {
+    return EvalUnsizedElement(*index);
+  }
   if (only_constants_) {
     if (!TypeOf(WholeOf(program_, expr)).IsNumeric()) return EvalConstantMember(expr);
   } else if (IsPath(expr)) {
@@ -99,6 +103,13 @@ void Machine::EvalPart(ExprId expr) {
   if (element) return Keep(base, base + std::size_t{*element} * words, words);
   stack_.resize(base);
   PushUndefined(program_.exprs[expr].type);
+}
+
+// An object of an array without a size, whose elements have no place in memory.
+void Machine::EvalUnsizedElement(const Index& node) {
+  if (only_constants_) return PushNoConstant();
+  const Word element = UintOf(EvalScalar(node.index));
+  stack_.push_back(Word{RootOf(program_, node.base).index} << 32 | element);
 }
 
 std::optional<std::uint32_t> Machine::IndexInto(const Type& base, ExprId index) {

@@ -110,6 +110,7 @@ class Machine {
   Word EvalScalar(ExprId expr);   // gives the word and pushes nothing
   void EvalInto(ExprId expr, std::uint32_t address);
   void EvalPart(ExprId expr);
+  void EvalUnsizedElement(const Index& node);
   void EvalShortCircuit(const Binary& node);
   bool IsPath(ExprId expr) const;
   Place Locate(ExprId expr);

@@ -210,6 +210,7 @@ Word IntegerComponent(Intrinsic op, T x, T y, T z) {
     case kMin: return BitsOf(std::min(x, y));
     case kClamp: return BitsOf(std::min(std::max(x, y), z));
     case kMad: return Unsigned{bits * static_cast<Unsigned>(y) + static_cast<Unsigned>(z)};
+    case kNonUniform: return bits;
     case kCountBits: return static_cast<Word>(std::popcount(bits));
     case kFirstBitHigh: {
       // The place from bit 0 of the first bit that differs from the sign; none: all ones.

@@ -152,7 +152,22 @@ enum class ObjectOp : std::uint8_t {
   // (a writable object, place as the load of that object has it, value): void; the place in an
   // RWByteAddressBuffer is a byte address, the value uint..uint4
   kStore,
+  // (a writable object of int or uint elements or an RWByteAddressBuffer, place, value): changes
+  // the element in one step, which no other vertex comes between; gives the element before it, of
+  // the value's type
+  kAtomicAdd,
+  kAtomicAnd,
+  kAtomicOr,
+  kAtomicXor,
+  kAtomicMin,
+  kAtomicMax,
+  kAtomicExchange,
+  // (as kAtomicAdd, but place, what the element is compared with, value): writes it where equal
+  kAtomicCompareExchange,
 };
+constexpr bool IsAtomic(ObjectOp op) { return op >= ObjectOp::kAtomicAdd; }
+// Whether it changes what the object holds.
+constexpr bool WritesObject(ObjectOp op) { return op >= ObjectOp::kStore; }
 // Whether arguments[1] is a sampler.
 constexpr bool TakesSampler(ObjectOp op) {
   using enum ObjectOp;

@@ -39,7 +39,15 @@ const char* TextOf(ObjectOp op) {
                                            "d3d9_sample_level",
                                            "d3d9_sample",
                                            "image_load",
-                                           "store"};
+                                           "store",
+                                           "atomic_add",
+                                           "atomic_and",
+                                           "atomic_or",
+                                           "atomic_xor",
+                                           "atomic_min",
+                                           "atomic_max",
+                                           "atomic_exchange",
+                                           "atomic_compare_exchange"};
   return NameIn(kTexts, op);
 }
 

@@ -75,7 +75,8 @@ struct Type {
   Scalar scalar = Scalar::kFloat;  // scalar, vector, matrix
   std::uint8_t rows = 1;           // of a matrix: the first number in float{rows}x{columns}
   std::uint8_t columns = 1;  // of a matrix; the components, 1 to 4, of a vector: float1 has one
-  std::uint32_t count = 0;   // the elements of an array
+  // The elements of an array; 0, of textures, samplers and buffers only: any number of them.
+  std::uint32_t count = 0;
   // Of an array, Buffer<T>, StructuredBuffer<T> or Texture2D<T>; none for an object without <T>.
   TypeId element = {};
   StructId structure = {};

@@ -61,6 +61,9 @@ void IndexUses::Mark(ExprId expr) {
             [&](const OneOf<Index, Swizzle> auto& node) { Mark(node.base); },
             [&](const OneOf<Convert, Splat> auto& node) { Mark(node.operand); },
             [&](const Binary& node) { Mark(node.left), Mark(node.right); },
+            [&](const IntrinsicCall& node) {
+              if (node.op == Intrinsic::kNonUniform) Mark(program_.expr_lists[node.arguments][0]);
+            },
             [&](const Construct& node) {
               for (const ExprId part : program_.expr_lists[node.arguments]) Mark(part);
             },

@@ -31,59 +31,92 @@ std::string NameFor(const std::string& buffer, const char* op, int words) {
   return Concat(buffer, op, words > 1 ? std::to_string(words) : "");
 }
 
+// The elements of a buffer, which may be one of an array of buffers.
+std::string ElementsOf(Code& code, ExprId object) {
+  return Concat(code.NameOf(RootOf(code.program, object)), IndexPath(code, object),
+                code.As<Index>(object) ? ".elements" : "");
+}
+
+// A buffer in a function of its own, which is told the buffer's place in its array.
+struct BufferInHelper {
+  std::string name;                 // that the function's name begins with
+  std::string elements;             // "lists[which].elements"
+  std::string parameter, argument;  // "int which, ", "int(i), "; empty where there is no array
+};
+
+BufferInHelper InHelper(Code& code, ExprId object) {
+  const std::string& name = code.NameOf(RootOf(code.program, object));
+  const auto* element = code.As<Index>(object);
+  if (!element) return {name, name, "", ""};
+  const auto* marked = code.As<IntrinsicCall>(element->index);
+  const std::string which = Fresh(code, "which");
+  BufferInHelper buffer{Concat(name, marked ? "_any" : ""), "", Concat("int ", which, ", "), ""};
+  if (marked) code.Require("GL_EXT_nonuniform_qualifier");
+  buffer.elements =
+      Concat(name, marked ? "[nonuniformEXT(" : "[", which, marked ? ")].elements" : "].elements");
+  buffer.argument =
+      Concat(IntIndex(code, marked ? code[marked->arguments][0] : element->index), ", ");
+  return buffer;
+}
+
 }  // namespace
 
 Text StructuredLoad(Code& code, const ObjectCall& node) {
   const auto arguments = code[node.arguments];
   const VarId buffer = RootOf(code.program, arguments[0]);
-  const std::string& name = code.NameOf(buffer);
   if (HasElements(code, buffer)) {
-    return {Concat(name, "[", IndexValue(code, arguments[1]), "]")};
+    return {Concat(ElementsOf(code, arguments[0]), "[", IndexValue(code, arguments[1]), "]")};
   }
   // The elements lie tighter than std430 can say: they are put together from words.
+  const BufferInHelper named = InHelper(code, arguments[0]);
   const std::string index = IntIndex(code, arguments[1]);
-  const std::string helper = Helper(code, name + "_at", "", [&](const std::string& function) {
+  const std::string helper = Helper(code, named.name + "_at", "", [&](const std::string& function) {
     const TypeId element = ObjectTypeOf(code, buffer).element;
     const std::string i = Fresh(code, "i"), type = TypeName(code, element);
-    return fmt::format("{} {}(int {}) {{\n    return {};\n}}\n", type, function, i,
-                       Load(code, {name, false, false}, element, code[buffer].row_major,
+    return fmt::format("{} {}({}int {}) {{\n    return {};\n}}\n", type, function, named.parameter,
+                       i,
+                       Load(code, {named.elements, false, false}, element, code[buffer].row_major,
                             {Scaled(WordsOf(code, buffer), i)}));
   });
-  return Called(helper, {index});
+  return Called(helper, {named.argument + index});
 }
 
 // Load, Load2, Load3, Load4 of a ByteAddressBuffer.
 Text ByteLoad(Code& code, TypeId type, const ObjectCall& node) {
   const auto arguments = code[node.arguments];
-  const std::string& name = code.NameOf(RootOf(code.program, arguments[0]));
+  const BufferInHelper named = InHelper(code, arguments[0]);
+  const std::string& name = named.elements;
   const Shape shape = ShapeOf(code[type]);
   const std::string helper =
-      Helper(code, NameFor(name, "_load", shape.size), "", [&](const std::string& function) {
+      Helper(code, NameFor(named.name, "_load", shape.size), "", [&](const std::string& function) {
         const std::string address = Fresh(code, "address"), i = Fresh(code, "i");
         const std::string words = ListOf(int{shape.size}, [&](int k) {
           return k == 0 ? fmt::format("{}[{}]", name, i) : fmt::format("{}[{} + {}u]", name, i, k);
         });
         const std::string result = TypeName(code, shape);
-        return fmt::format("{} {}(uint {}) {{\n    uint {} = {} / 4u;\n    return {};\n}}\n",
-                           result, function, address, i, address,
+        return fmt::format("{} {}({}uint {}) {{\n    uint {} = {} / 4u;\n    return {};\n}}\n",
+                           result, function, named.parameter, address, i, address,
                            shape.IsScalar() ? words : Called(result, {words}).text);
       });
-  return Called(helper, {Argument(code, arguments[1])});
+  return Called(helper, {named.argument + Argument(code, arguments[1])});
 }
 
 Text BufferStore(Code& code, const ObjectCall& node) {
   const auto arguments = code[node.arguments];
-  const std::string name = ObjectName(code, arguments[0]);
   const std::string value = Argument(code, arguments[2]);
   if (IsStructured(ObjectTypeOf(code, RootOf(code.program, arguments[0])).object)) {
-    return {Concat(name, "[", IndexValue(code, arguments[1]), "] = ", value), Binding::kAssignment};
+    return {
+        Concat(ElementsOf(code, arguments[0]), "[", IndexValue(code, arguments[1]), "] = ", value),
+        Binding::kAssignment};
   }
+  const BufferInHelper named = InHelper(code, arguments[0]);
+  const std::string& name = named.elements;
   const Shape shape = code.ShapeAt(arguments[2]);
   const std::string helper =
-      Helper(code, NameFor(name, "_store", shape.size), "", [&](const std::string& function) {
+      Helper(code, NameFor(named.name, "_store", shape.size), "", [&](const std::string& function) {
         const std::string address = Fresh(code, "address"), stored = Fresh(code, "value");
-        std::string text = fmt::format("void {}(uint {}, {} {}) {{\n", function, address,
-                                       TypeName(code, shape), stored);
+        std::string text = fmt::format("void {}({}uint {}, {} {}) {{\n", function, named.parameter,
+                                       address, TypeName(code, shape), stored);
         for (std::size_t i = 0; i < shape.size; ++i) {
           text += fmt::format(
               "    {}[{} / 4u{}] = {}{};\n", name, address, i > 0 ? fmt::format(" + {}u", i) : "",
@@ -91,11 +124,22 @@ Text BufferStore(Code& code, const ObjectCall& node) {
         }
         return text + "}\n";
       });
-  return Called(helper, {Argument(code, arguments[1]), value});
+  return Called(helper, {named.argument + Argument(code, arguments[1]), value});
 }
 
-Text BufferSize(Code& code, VarId buffer) {
-  const std::string length = code.NameOf(buffer) + ".length()";
+std::string BufferWord(Code& code, const ObjectCall& node) {
+  const auto arguments = code[node.arguments];
+  const bool is_bytes =
+      IsByteAddress(ObjectTypeOf(code, RootOf(code.program, arguments[0])).object);
+  const std::string index =
+      is_bytes ? Infix(ExprText(code, arguments[1]), "/", Text{"4u"}, Binding::kProduct).text
+               : IndexValue(code, arguments[1]);
+  return Concat(ElementsOf(code, arguments[0]), "[", index, "]");
+}
+
+Text BufferSize(Code& code, ExprId object) {
+  const VarId buffer = RootOf(code.program, object);
+  const std::string length = ElementsOf(code, object) + ".length()";
   if (IsByteAddress(ObjectTypeOf(code, buffer).object)) return {length + " * 4", Binding::kProduct};
   const std::uint32_t words = HasElements(code, buffer) ? 1 : WordsOf(code, buffer);
   if (words <= 1) return {length};

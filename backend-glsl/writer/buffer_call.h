@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <string>
+
 #include "backend-glsl/text.h"
 #include "backend-glsl/writer/code.h"
 
@@ -10,7 +12,9 @@ namespace clipc::glsl {
 Text StructuredLoad(Code& code, const ir::ObjectCall& node);
 Text ByteLoad(Code& code, ir::TypeId type, const ir::ObjectCall& node);
 Text BufferStore(Code& code, const ir::ObjectCall& node);
+// The element that an atomic operation changes, the word at an address.
+std::string BufferWord(Code& code, const ir::ObjectCall& node);
 // The number of elements, or of bytes.
-Text BufferSize(Code& code, ir::VarId buffer);
+Text BufferSize(Code& code, ir::ExprId object);
 
 }  // namespace clipc::glsl

@@ -138,6 +138,10 @@ Text IntrinsicText(Code& code, TypeId type, const IntrinsicCall& node) {
       // spelled out.
       if (!AreInOrder(x, operands[1])) break;
       return CallOn(code, "smoothstep", operands, shape.IsVector() ? 0b011 : 0);
+    case Intrinsic::kNonUniform:
+      if (!code.target.IsVulkan()) return Full(code, x);
+      code.Require("GL_EXT_nonuniform_qualifier");
+      return call("nonuniformEXT");
     case Intrinsic::kFrexp: code.Require(Feature::kBitCasts); break;
     case Intrinsic::kAsFloat: return CastOn(code, Scalar::kFloat, x);
     case Intrinsic::kAsInt: return CastOn(code, Scalar::kInt, x);

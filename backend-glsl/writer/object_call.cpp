@@ -46,6 +46,14 @@ class ObjectCaller {
       case ObjectOp::kByteLoad: return ByteLoad(code_, type_, node_);
       case ObjectOp::kImageLoad: return Rest("imageLoad", 1);
       case ObjectOp::kStore: return IsImage(kind_) ? ImageStore() : BufferStore(code_, node_);
+      case ObjectOp::kAtomicAdd: return Atomic("Add");
+      case ObjectOp::kAtomicAnd: return Atomic("And");
+      case ObjectOp::kAtomicOr: return Atomic("Or");
+      case ObjectOp::kAtomicXor: return Atomic("Xor");
+      case ObjectOp::kAtomicMin: return Atomic("Min");
+      case ObjectOp::kAtomicMax: return Atomic("Max");
+      case ObjectOp::kAtomicExchange: return Atomic("Exchange");
+      case ObjectOp::kAtomicCompareExchange: return Atomic("CompSwap");
       case ObjectOp::kTextureSize:
       case ObjectOp::kTextureLevels:
       case ObjectOp::kTextureSamples:
@@ -140,7 +148,7 @@ class ObjectCaller {
   }
 
   Text Query() {
-    if (IsByteAddress(kind_) || IsStructured(kind_)) return BufferSize(code_, object_);
+    if (IsByteAddress(kind_) || IsStructured(kind_)) return BufferSize(code_, arguments_[0]);
     if (IsImage(kind_)) return Called("imageSize", {ObjectName(code_, arguments_[0])});
     RequireSamplerless();
     const std::string object = ObjectName(code_, arguments_[0]);
@@ -149,6 +157,16 @@ class ObjectCaller {
     const bool has_level = kind_ != ObjectKind::kBuffer && !InfoOf(kind_).is_multisampled;
     if (!has_level) return Called("textureSize", {object});
     return Called("textureSize", {object, IntIndex(code_, arguments_[1])});
+  }
+
+  // imageAtomicAdd(image, place, value) or atomicAdd(buffer[place], value)
+  Text Atomic(std::string_view what) {
+    const bool is_image = IsImage(kind_);
+    std::string text = is_image ? Concat("imageAtomic", what, "(", ObjectName(code_, arguments_[0]),
+                                         ", ", ArgumentAt(1))
+                                : Concat("atomic", what, "(", BufferWord(code_, node_));
+    for (const ExprId value : arguments_.subspan(2)) Append(text, ", ", Argument(code_, value));
+    return {text + ")"};
   }
 
   // An image is written four components at a time; those that its format lacks are dropped.

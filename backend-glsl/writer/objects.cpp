@@ -124,11 +124,13 @@ class ObjectWriter {
         is_turned = extent->matrices == MatrixLayout::kRowMajor;
       }
     }
-    text_ += fmt::format("{}{}buffer {} {{  // {}\n    {} {}[];\n}};\n",
+    const std::string dimensions = Dimensions(context_, resource.var);
+    text_ += fmt::format("{}{}buffer {} {{  // {}\n    {} {}[];\n}}{};\n",
                          LayoutText({"std430", place, is_turned ? "row_major" : ""}),
                          ir::IsWritable(type.object) ? "" : "readonly ",
                          context_.namer.Global(var.name + "_block"), RegisterText(resource.reg),
-                         element, info.name);
+                         element, dimensions.empty() ? info.name : "elements",
+                         dimensions.empty() ? "" : Concat(" ", info.name, dimensions));
   }
 
   // GLSL wants the format of an image that is read; HLSL tells the components and their kind, which
@@ -151,6 +153,9 @@ class ObjectWriter {
   }
 
   GlslInfo::Object& Add(const Resource& resource) {
+    const Type& type = context_.TypeOf(resource.var);
+    if (type.kind == TypeKind::kArray && type.count == 0)
+      context_.Require("GL_EXT_nonuniform_qualifier");
     return context_.info.objects.emplace_back(
         GlslInfo::Object{{}, resource.var, {}, context_.NameOf(resource.var)});
   }

@@ -17,7 +17,9 @@ struct TypeParts {
   std::string base, dimensions;  // "vec4" and "[2][3]"
 };
 
-std::string Dimension(std::uint32_t count) { return Concat("[", std::to_string(count), "]"); }
+std::string Dimension(std::uint32_t count) {
+  return count == 0 ? "[]" : Concat("[", std::to_string(count), "]");
+}
 
 TypeParts PartsOf(const Context& context, const Shape& shape) {
   const bool is_array = shape.kind == Shape::kRows;

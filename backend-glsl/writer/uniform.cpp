@@ -85,18 +85,25 @@ Text InstanceValue(Code& code, ExprId expr) {
 
   const std::string& name = code.NameOf(InstanceOf(code, expr));
   std::string parameters, arguments, block = name;
-  for (const ExprId& index : indices) {
+  bool is_marked = false;  // an index differs from vertex to vertex
+  for (ExprId& index : indices) {
+    const auto* mark = code.target.IsVulkan() ? code.As<IntrinsicCall>(index) : nullptr;
+    const bool is_this = mark && mark->op == Intrinsic::kNonUniform;
+    if (is_this) index = code[mark->arguments][0];
+    is_marked = is_marked || is_this;
     const char letter = static_cast<char>('i' + (&index - indices.data()));
     const std::string parameter = Fresh(code, {&letter, 1});
     const char* separator = parameters.empty() ? "" : ", ";
     Append(parameters, separator, "int ", parameter);
     Append(arguments, separator, "int(", IndexValue(code, index), ")");
-    Append(block, "[", parameter, "]");
+    Append(block, is_this ? "[nonuniformEXT(" : "[", parameter, is_this ? ")]" : "]");
   }
-  const std::string helper = Helper(code, name + "_value", "", [&](const std::string& function) {
-    return fmt::format("{} {}({}) {{\n    return {};\n}}\n", type_name, function, parameters,
-                       value(block).text);
-  });
+  if (is_marked) code.Require("GL_EXT_nonuniform_qualifier");
+  const std::string helper = Helper(
+      code, name + (is_marked ? "_any_value" : "_value"), "", [&](const std::string& function) {
+        return fmt::format("{} {}({}) {{\n    return {};\n}}\n", type_name, function, parameters,
+                           value(block).text);
+      });
   return Called(helper, {arguments});
 }
 

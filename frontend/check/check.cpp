@@ -11,6 +11,7 @@
 #include "frontend/rules/build_main.h"
 #include "frontend/rules/check_level9.h"
 #include "frontend/rules/known_offsets.h"
+#include "frontend/rules/mark_nonuniform.h"
 #include "frontend/rules/push_constants.h"
 #include "frontend/rules/registers.h"
 #include "frontend/rules/resolve_objects.h"
@@ -40,6 +41,7 @@ void Run(Context& context) {
   FinishGlobals(context);
   if (!context.diagnostics.has_errors()) ResolveObjects(program, context.diagnostics);
   if (!context.diagnostics.has_errors()) KnowOffsets(program, context.diagnostics);
+  if (!context.diagnostics.has_errors()) MarkNonUniform(program);
   CheckPushConstants(program, context.diagnostics);
   AssignRegisters(program, context.diagnostics);
   if (!context.diagnostics.has_errors()) CheckLevel9(program, context.diagnostics);

@@ -46,6 +46,7 @@ bool CheckBounds(Context& context, ExprId base, ExprId index) {
   const std::uint32_t bound = type.kind == TypeKind::kArray    ? type.count
                               : type.kind == TypeKind::kMatrix ? type.rows
                                                                : type.columns;
+  if (bound == 0) return true;  // an array without a size
   const auto value = EvaluateInteger(context.program, index);
   if (!value || (*value >= 0 && *value < bound)) return true;
   context.Report(context[index].span, diag::IndexOutOfBounds, *value, context.TypeName(base),

@@ -144,9 +144,9 @@ TypeId ArrayOf(Context& context, TypeId element, List<ast::ExprId> dimensions, S
       size = ArraySize(context, dimension);
     } else if (i == 0 && implied) {
       size = implied;
-    } else if (i == 0 && context.program.profile.IsPixel() &&
-               context.types[element].kind == TypeKind::kObject) {
-      size = 1;  // any number of textures; how many does not matter to what the shader reads
+    } else if (i == 0 && dimensions.size == 1 && context.types[element].kind == TypeKind::kObject) {
+      // Of a pixel shader it does not matter how many there are.
+      size = context.program.profile.IsPixel() ? 1 : 0;
     } else {
       context.Report(span, diag::ArrayWithoutSize);
     }

@@ -95,6 +95,8 @@ ExprId CheckLogical(const IntrinsicCheck& call, BinaryOp op);
 // pixel_call.cpp: a value that stands for a call which only a pixel shader may make; none in
 // another stage, and for a function that it may not call either.
 ExprId CheckPixelCall(const IntrinsicCheck& call);
+// atomic_call.cpp: InterlockedAdd and its kin; of an RWByteAddressBuffer, methods of that name.
+ExprId CheckAtomic(const IntrinsicCheck& call, ExprId object = {});
 // tex2Dlod and its family.
 ExprId CheckTexLod(const IntrinsicCheck& call);
 

@@ -23,7 +23,7 @@ enum class Rule : std::uint8_t {
   kSelect,
   kAnd,
   kOr,
-  kIdentity,  // a hint that GLSL's targets do not need
+  kAtomic,
   kTexLod,
   kImplicitLevel,  // refused: the level of detail comes from neighbouring pixels
   kDebug,          // warned of and dropped
@@ -122,7 +122,10 @@ ExprId CheckIntrinsicCall(Program& program, std::string_view name, Span name_spa
     case Rule::kSelect: return CheckSelect(call);
     case Rule::kAnd: return CheckLogical(call, BinaryOp::kLogicalAnd);
     case Rule::kOr: return CheckLogical(call, BinaryOp::kLogicalOr);
-    case Rule::kIdentity: return call.HasCount(1, 1) ? arguments[0] : call.Error();
+    case Rule::kAtomic: {
+      const ExprId value = CheckPixelCall(call);
+      return value ? value : CheckAtomic(call);
+    }
     case Rule::kTexLod: return CheckTexLod(call);
     case Rule::kImplicitLevel: return RefuseImplicitLevel(call);
     case Rule::kDebug:

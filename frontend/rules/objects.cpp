@@ -113,6 +113,8 @@ class MethodCheck : IntrinsicCheck {
     return Finish(ObjectOp::kStore, program.types.Void());
   }
 
+  ExprId Atomic(int) { return CheckAtomic(*this, object_); }
+
   ExprId GetDimensions(int) { return CheckGetDimensions(*this, object_); }
 
   // Refuses a method that takes its level of detail from neighbouring pixels.
@@ -295,6 +297,15 @@ constexpr Method kByteMethods[] = {
     {"Store2", Needs::kWriting, &MethodCheck::ByteStore, 2},
     {"Store3", Needs::kWriting, &MethodCheck::ByteStore, 3},
     {"Store4", Needs::kWriting, &MethodCheck::ByteStore, 4},
+    {"InterlockedAdd", Needs::kWriting, &MethodCheck::Atomic},
+    {"InterlockedAnd", Needs::kWriting, &MethodCheck::Atomic},
+    {"InterlockedCompareExchange", Needs::kWriting, &MethodCheck::Atomic},
+    {"InterlockedCompareStore", Needs::kWriting, &MethodCheck::Atomic},
+    {"InterlockedExchange", Needs::kWriting, &MethodCheck::Atomic},
+    {"InterlockedMax", Needs::kWriting, &MethodCheck::Atomic},
+    {"InterlockedMin", Needs::kWriting, &MethodCheck::Atomic},
+    {"InterlockedOr", Needs::kWriting, &MethodCheck::Atomic},
+    {"InterlockedXor", Needs::kWriting, &MethodCheck::Atomic},
 };
 
 std::span<const Method> MethodsOf(ObjectKind kind) {

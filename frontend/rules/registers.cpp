@@ -9,7 +9,7 @@
 namespace clipc::rules {
 namespace {
 
-// One thing that takes registers: `count` in a row.
+// One thing that takes registers: `count` in a row, or all from its first on where that is 0.
 struct Taker {
   Register* reg;
   std::uint32_t count;
@@ -29,11 +29,14 @@ class Allocator {
       : profile_(profile), diagnostics_(diagnostics) {}
 
   void Run(std::vector<Taker>& takers) {
-    for (const Taker& taker : takers) {
+    for (Taker& taker : takers) {
       if (taker.reg->is_explicit) Occupy(taker);
     }
     for (Taker& taker : takers) {
-      if (!taker.reg->is_explicit) Choose(taker);
+      if (!taker.reg->is_explicit && taker.count != 0) Choose(taker);
+    }
+    for (Taker& taker : takers) {
+      if (!taker.reg->is_explicit && taker.count == 0) Choose(taker);
     }
   }
 
@@ -59,9 +62,10 @@ class Allocator {
     return shares ? &next->second : nullptr;
   }
 
-  void Occupy(const Taker& taker) {
+  void Occupy(Taker& taker) {
     const Register& reg = *taker.reg;
     const std::uint32_t highest = HighestRegister(reg.letter, profile_);
+    if (taker.count == 0) taker.count = highest - std::min(reg.number, highest) + 1;
     const std::uint64_t last = std::uint64_t{reg.number} + taker.count - 1;
     if (last > highest) {
       diagnostics_.Report(taker.span, diag::RegisterTooHigh, Written(reg), taker.name, highest);
@@ -78,7 +82,8 @@ class Allocator {
   void Choose(Taker& taker) {
     Register& reg = *taker.reg;
     reg.number = 0;
-    while (const Taker* other = Overlap(reg.letter, reg.space, reg.number, taker.count)) {
+    const std::uint32_t least = std::max(taker.count, 1u);
+    while (const Taker* other = Overlap(reg.letter, reg.space, reg.number, least)) {
       reg.number = other->reg->number + other->count;
     }
     Occupy(taker);
@@ -92,7 +97,7 @@ class Allocator {
 std::uint32_t CountOf(const TypeTable& types, TypeId type) {
   std::uint32_t count = 1;
   for (; types[type].kind == TypeKind::kArray; type = types[type].element)
-    count *= std::max<std::uint32_t>(types[type].count, 1);
+    count *= types[type].count;
   return count;
 }
 

@@ -65,7 +65,7 @@ bool IsBuffer(ObjectKind kind) { return kind == ObjectKind::kBuffer || IsStorage
 void RefuseStores(const Program& program) {
   for (const ExprId id : program.exprs.ids()) {
     const auto* call = std::get_if<ObjectCall>(&program.exprs[id].node);
-    if (!call || call->op != ObjectOp::kStore) continue;
+    if (!call || !WritesObject(call->op)) continue;
     throw DrawError("the shader writes to a texture or buffer, which no test draws with");
   }
   for (const Resource& resource : program.resources) {

@@ -314,14 +314,16 @@ const Type& ObjectTypeOf(const Program& program, VarId var) {
 }
 
 std::vector<std::string> ElementIndices(const Program& program, VarId var) {
+  constexpr std::uint32_t kUnsized = 4;  // elements of an array without a size
   std::vector<std::string> all{""};
   for (TypeId id = program.vars[var].type; program.types[id].kind == TypeKind::kArray;
        id = program.types[id].element) {
-    if (all.size() * program.types[id].count > 256)
+    const std::uint32_t count = program.types[id].count == 0 ? kUnsized : program.types[id].count;
+    if (all.size() * count > 256)
       throw DrawError("a large array of objects, which no test draws with");
     std::vector<std::string> longer;
     for (const std::string& indices : all) {
-      for (std::uint32_t i = 0; i < program.types[id].count; ++i)
+      for (std::uint32_t i = 0; i < count; ++i)
         longer.push_back(indices + "[" + std::to_string(i) + "]");
     }
     all = std::move(longer);

@@ -9,10 +9,10 @@ uint shared_value;
 
 float4 main(float4 p : POSITION) : SV_Position {
   uint before;
-// CHECK: fail_other_stages.hlsl:[[#@LINE+3]]:3: error: `InterlockedAdd` is an atomic operation on an unordered access view [intrinsic-atomic, X4532]
-// CHECK-NEXT:    [[#@LINE+2]] |   InterlockedAdd(counters[0], 1, before);
-// CHECK-NEXT:       |   ^~~~~~~~~~~~~~
-  InterlockedAdd(counters[0], 1, before);
+// CHECK: fail_other_stages.hlsl:[[#@LINE+3]]:3: error: `InterlockedCompareStoreFloatBitwise` compares floats by their bits; GLSL has atomic operations of integers only [intrinsic-atomic, X4532]
+// CHECK-NEXT:    [[#@LINE+2]] |   InterlockedCompareStoreFloatBitwise(counters[0], 1, 2);
+// CHECK-NEXT:       |   ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+  InterlockedCompareStoreFloatBitwise(counters[0], 1, 2);
 // CHECK-NEXT: fail_other_stages.hlsl:[[#@LINE+3]]:3: error: `GroupMemoryBarrierWithGroupSync` is a memory barrier; there is nothing to wait for in a vertex shader [intrinsic-barrier, X4532]
 // CHECK-NEXT:    [[#@LINE+2]] |   GroupMemoryBarrierWithGroupSync();
 // CHECK-NEXT:       |   ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
@@ -45,9 +45,9 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:    [[#@LINE+2]] |   p += noise(p.xyz);
 // CHECK-NEXT:       |        ^~~~~
   p += noise(p.xyz);
-// CHECK-NEXT: fail_other_stages.hlsl:[[#@LINE+3]]:3: error: `InterlockedAdd` is an atomic operation on an unordered access view [intrinsic-atomic, X4532]
+// CHECK-NEXT: fail_other_stages.hlsl:[[#@LINE+3]]:18: error: `InterlockedAdd` changes an element of an unordered access view, `buffer[i]`, that is an `int` or `uint`; a member or component of an element is not supported [intrinsic-atomic-target, X3013]
 // CHECK-NEXT:    [[#@LINE+2]] |   InterlockedAdd(shared_value, 1);
-// CHECK-NEXT:       |   ^~~~~~~~~~~~~~
+// CHECK-NEXT:       |                  ^~~~~~~~~~~~
   InterlockedAdd(shared_value, 1);
 // CHECK-NEXT: fail_other_stages.hlsl:[[#@LINE+3]]:3: error: `GetRemainingRecursionLevels` belongs to work graphs; a vertex shader cannot call it [intrinsic-work-graph, X4532]
 // CHECK-NEXT:    [[#@LINE+2]] |   GetRemainingRecursionLevels();

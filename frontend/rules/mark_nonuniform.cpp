@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/rules/mark_nonuniform.h"
+
+#include <cstddef>
+#include <vector>
+
+#include "frontend/rules/constant.h"
+#include "ir/access.h"
+#include "ir/builder.h"
+#include "ir/walk.h"
+
+namespace clipc::rules {
+namespace {
+
+class NonUniformMarker {
+ public:
+  explicit NonUniformMarker(Program& program)
+      : program_(program), vars_(program.vars.size()), functions_(program.functions.size()) {}
+
+  void Run() {
+    std::vector<ExprId> calls, indices;
+    ForEachLiveExpr(program_, [&](ExprId expr) {
+      if (IsCall(expr)) calls.push_back(expr);
+    });
+    if (calls.empty()) return;
+    do {
+      changed_ = false;
+      for (const FunctionId id : program_.functions.ids()) Follow(id);
+    } while (changed_);
+    ForEachLiveExpr(program_, [&](ExprId expr) {
+      const auto* index = As<Index>(program_, expr);
+      if (index && ChoosesResource(index->base) && Differs(index->index)) indices.push_back(expr);
+    });
+    // An inner call is replaced before the outer one takes its place.
+    for (auto call = calls.rbegin(); call != calls.rend(); ++call) Remove(*call);
+    for (const ExprId index : indices) Mark(index);
+  }
+
+ private:
+  bool IsCall(ExprId expr) const {
+    const auto* call = As<IntrinsicCall>(program_, expr);
+    return call && call->op == Intrinsic::kNonUniform;
+  }
+
+  // Whether the elements of the expression are textures, samplers or buffers.
+  bool ChoosesResource(ExprId base) const {
+    const VarId root = RootOf(program_, base);
+    if (!root || TypeOf(program_, base).kind != TypeKind::kArray) return false;
+    const Var& var = program_.vars[root];
+    if (var.storage == Storage::kResource) return true;
+    ExprId whole = base;
+    while (const auto* index = As<Index>(program_, whole)) whole = index->base;
+    return var.storage == Storage::kUniform && As<VarRef>(program_, whole) &&
+           program_.cbuffers[var.cbuffer].kind == CbufferKind::kConstantBuffer;
+  }
+
+  bool Differs(ExprId expr) const {
+    return AnyExpr(program_, expr, [&](ExprId part) {
+      if (const auto* ref = As<VarRef>(program_, part)) return bool(vars_[ref->var.index]);
+      const auto* call = As<Call>(program_, part);
+      if (call) return bool(functions_[call->function.index]);
+      return IsCall(part);
+    });
+  }
+
+  void Note(std::vector<bool>& marks, std::uint32_t index) {
+    if (!marks[index]) changed_ = true;
+    marks[index] = true;
+  }
+
+  void Follow(FunctionId id) {
+    const StmtId body = program_.functions[id].body;
+    ForEachStmt(program_, body, [&](StmtId stmt) {
+      if (const auto* declare = As<Declare>(program_, stmt)) {
+        if (declare->init && Differs(declare->init)) Note(vars_, declare->var.index);
+      } else if (const auto* result = As<Return>(program_, stmt)) {
+        if (result->value && Differs(result->value)) Note(functions_, id.index);
+      }
+    });
+    ForEachExpr(program_, body, [&](ExprId expr) {
+      if (const auto* assign = As<Assign>(program_, expr)) {
+        const VarId root = RootOf(program_, assign->target);
+        if (root && Differs(assign->value)) Note(vars_, root.index);
+      } else if (const auto* call = As<Call>(program_, expr)) {
+        FollowCall(*call);
+      }
+    });
+  }
+
+  void FollowCall(const Call& call) {
+    const std::vector<VarId>& parameters = program_.functions[call.function].parameters;
+    const auto arguments = program_.expr_lists[call.arguments];
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+      const Storage storage = program_.vars[parameters[i]].storage;
+      if (storage != Storage::kOut && Differs(arguments[i])) Note(vars_, parameters[i].index);
+      const VarId root = RootOf(program_, arguments[i]);
+      if (storage != Storage::kIn && root && vars_[parameters[i].index]) Note(vars_, root.index);
+    }
+  }
+
+  void Remove(ExprId expr) {
+    const auto& call = std::get<IntrinsicCall>(program_.exprs[expr].node);
+    const Expr operand = program_.exprs[program_.expr_lists[call.arguments][0]];
+    program_.exprs[expr].node = operand.node;
+  }
+
+  void Mark(ExprId expr) {
+    const Index index = std::get<Index>(program_.exprs[expr].node);
+    if (EvaluateInteger(program_, index.index)) return;
+    Builder at(program_, program_.exprs[index.index].span);
+    const TypeId number = program_.types.Make(Scalar::kUint);
+    const ExprId value = at.ConvertTo(Scalar::kUint, index.index);
+    program_.exprs[expr].node =
+        Index{index.base, at.IntrinsicOf(Intrinsic::kNonUniform, number, {value})};
+  }
+
+  Program& program_;
+  std::vector<bool> vars_;       // by VarId: a value that differs is kept in it
+  std::vector<bool> functions_;  // by FunctionId: the result differs
+  bool changed_ = false;
+};
+
+}  // namespace
+
+void MarkNonUniform(Program& program) { NonUniformMarker(program).Run(); }
+
+}  // namespace clipc::rules

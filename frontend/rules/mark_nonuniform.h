@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "frontend/rules/rules.h"
+
+namespace clipc::rules {
+
+// NonUniformResourceIndex says that an index differs from vertex to vertex. GLSL wants that said
+// where a texture or buffer is chosen, while HLSL's value may be kept in variables first:
+//
+//   uint i = NonUniformResourceIndex(n);     =>   uint i = n;
+//   maps[i].Load(place)                           maps[NonUniformResourceIndex(i)].Load(place)
+//
+// Follows the values through variables, parameters and results. Afterwards the function stands
+// nowhere but as the whole index of an array of textures, samplers or buffers, and there if
+// anything in the index comes from a call of it. Requires ResolveObjects.
+void MarkNonUniform(Program& program);
+
+}  // namespace clipc::rules
