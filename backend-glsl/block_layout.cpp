@@ -49,7 +49,7 @@ class Comparer {
  private:
   std::optional<Std140Extent> Matrix(const Type& type, bool row_major) const {
     const std::uint32_t scalar_size = ByteSize(type.scalar);
-    const Shape shape = ShapeOf(type);
+    const Shape shape = ShapeOf(type.scalar, type.rows, type.columns);
     const std::uint32_t registers = row_major ? type.rows : type.columns;
     const std::uint32_t length = row_major ? type.columns : type.rows;
     if (!shape.HasRows()) {
@@ -114,17 +114,6 @@ class Comparer {
   bool tight_;
 };
 
-bool OnlyFloats(const TypeTable& types, TypeId id) {
-  const Type& type = types[id];
-  switch (type.kind) {
-    case TypeKind::kArray: return OnlyFloats(types, type.element);
-    case TypeKind::kStruct:
-      return std::ranges::all_of(types.StructOf(id).fields,
-                                 [&](const Field& field) { return OnlyFloats(types, field.type); });
-    default: return type.IsNumeric() && BaseOf(type.scalar) == Scalar::kFloat;
-  }
-}
-
 // The members one by one: those of the cbuffer, or the fields of T.
 std::vector<BlockMember> MembersOf(const Program& program, const Cbuffer& cbuffer,
                                    bool fields_as_members) {
@@ -183,6 +172,13 @@ BlockStyle StyleOf(const Cbuffer& cbuffer, BlockStyle style) {
   return cbuffer.declared->has_instance ? BlockStyle::kNamed : BlockStyle::kPlain;
 }
 
+BlockLayout AsRows(const Program& program, const Cbuffer& cbuffer) {
+  BlockLayout layout;
+  layout.form = BlockForm::kRows;
+  layout.members = MembersOf(program, cbuffer, false);
+  return layout;
+}
+
 BlockLayout AsUniforms(const Program& program, const Cbuffer& cbuffer) {
   BlockLayout layout;
   layout.form = BlockForm::kUniforms;
@@ -227,11 +223,26 @@ StructuredExtent Structured(const TypeTable& types, TypeId id) {
   }
 }
 
+bool OnlyFloats(const TypeTable& types, TypeId id) {
+  const Type& type = types[id];
+  switch (type.kind) {
+    case TypeKind::kArray: return OnlyFloats(types, type.element);
+    case TypeKind::kStruct:
+      return std::ranges::all_of(types.StructOf(id).fields,
+                                 [&](const Field& field) { return OnlyFloats(types, field.type); });
+    default: return type.IsNumeric() && BaseOf(type.scalar) == Scalar::kFloat;
+  }
+}
+
 BlockLayout LayOutBlock(const Program& program, const Cbuffer& cbuffer, const Target& target,
                         BlockStyle style) {
   style = StyleOf(cbuffer, style);
   const bool is_flat = style == BlockStyle::kFlat;
-  if (is_flat || !target.Has(Feature::kUniformBlocks)) return AsUniforms(program, cbuffer);
+  if (is_flat || !target.Has(Feature::kUniformBlocks)) {
+    // Where the host cannot have matrices transposed, it gives the bytes of the buffer as they are.
+    const bool as_rows = !is_flat && !target.Has(Feature::kUniformTransposes) && cbuffer.count == 1;
+    return as_rows ? AsRows(program, cbuffer) : AsUniforms(program, cbuffer);
+  }
   BlockLayout layout;
   const bool is_plain = style == BlockStyle::kPlain;
   const bool is_constant_buffer = cbuffer.kind == CbufferKind::kConstantBuffer;
@@ -246,10 +257,9 @@ BlockLayout LayOutBlock(const Program& program, const Cbuffer& cbuffer, const Ta
                     target.Has(Feature::kExplicitOffsets))) {
     if (!layout.float_rows && !target.Has(Feature::kBitCasts))
       return AsUniforms(program, cbuffer);  // nothing reads a float from bits
-    layout.form = BlockForm::kRows;
-    layout.fields_as_members = false;
-    layout.members = MembersOf(program, cbuffer, false);
-    return layout;
+    BlockLayout rows = AsRows(program, cbuffer);
+    rows.float_rows = layout.float_rows;
+    return rows;
   }
   layout.has_instance = target.Has(Feature::kBlockInstances) && (is_constant_buffer || !is_plain);
   layout.has_uints = layout.has_instance && !is_plain && !layout.fields_as_members;

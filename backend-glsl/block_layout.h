@@ -18,8 +18,9 @@ namespace clipc::glsl {
 inline constexpr std::uint32_t kRow = 16;  // bytes of a register of a cbuffer, and of std140's vec4
 
 enum class BlockForm : std::uint8_t {
-  kStd140,    // members as written; some with an explicit offset or padding before them
-  kRows,      // one array of rows of 16 bytes, and accessors
+  kStd140,  // members as written; some with an explicit offset or padding before them
+  kRows,    // one array of rows of 16 bytes, and accessors. Where the target has no blocks, members
+            // that are not of floats are uniform variables beside it
   kUniforms,  // the target has no blocks: uniform variables that the host sets by name
 };
 
@@ -54,6 +55,9 @@ struct BlockLayout {
 
 BlockLayout LayOutBlock(const ir::Program& program, const ir::Cbuffer& cbuffer,
                         const Target& target, BlockStyle style);
+
+// Whether a type has floats only, which are all that rows hold where the target has no blocks.
+bool OnlyFloats(const ir::TypeTable& types, ir::TypeId type);
 
 // What std140 gives a type.
 struct Std140Extent {

@@ -9,6 +9,7 @@
 
 #include "backend-glsl/block_layout.h"
 #include "backend-glsl/descriptors.h"
+#include "backend-glsl/loops.h"
 #include "backend-glsl/needs.h"
 #include "backend-glsl/operators.h"
 #include "backend-glsl/reach.h"
@@ -27,6 +28,8 @@ namespace {
 // glslang takes no larger ones: layoutBindingEnd, layoutSetEnd.
 constexpr std::uint32_t kHighestBinding = 0xfffe;
 constexpr std::uint32_t kHighestSet = 0x3e;
+// Fields of a struct that stands for an array; each is an `if` where the index is not constant.
+constexpr std::uint32_t kMaxElements = 256;
 
 class TargetCheck {
  public:
@@ -56,6 +59,7 @@ class TargetCheck {
     if (!target_.Has(Feature::kPrecise)) Precise();
     for (VarId global : reached_.globals) {
       Type(program_.vars[global].type, program_.vars[global].span);
+      Value(program_.vars[global]);
       if (program_.vars[global].init) {
         ForEachExpr(program_, program_.vars[global].init, [&](ExprId expr) { Expression(expr); });
       }
@@ -83,6 +87,9 @@ class TargetCheck {
   // Reports what the target lacks.
   void Check(const Need* need, Span span, std::string_view name = {}) {
     if (need && !target_.Has(need->feature)) Lack(*need, span, name);
+  }
+  void Check(Feature feature, const Need::Plain& message, Span span) {
+    if (!target_.Has(feature)) Report(span, message);
   }
   void Check(Feature feature, const Need::Named& message, Span span, std::string_view name) {
     if (!target_.Has(feature)) Report(span, message, name);
@@ -115,7 +122,7 @@ class TargetCheck {
   void Varying(const IoVar& output) {
     const Var& var = program_.vars[output.var];
     const std::string name = output.semantic + std::to_string(output.index);
-    const bool is_floating = ShapeOf(program_.types[var.type]).IsFloating();
+    const bool is_floating = ShapeOf(program_.types[var.type], target_).IsFloating();
     const auto check = [&](bool asked, Feature feature, const Need::Named& message) {
       if (asked) Check(feature, message, var.span, name);
     };
@@ -124,6 +131,7 @@ class TargetCheck {
     check(is_flat && is_floating, Feature::kInAndOut, diag::TargetFlat);
     check(output.interpolation == Interpolation::kNoPerspective, Feature::kNoPerspective,
           diag::TargetNoPerspective);
+    check(output.centroid, Feature::kCentroid, diag::TargetCentroid);
     check(output.sample, Feature::kPerSample, diag::TargetPerSample);
     DoubleVarying(var, name);
   }
@@ -174,7 +182,7 @@ class TargetCheck {
     }
     if (!type.element) return;
     if (program_.types[type.element].IsNumeric() &&
-        !ShapeOf(program_.types[type.element]).IsFloating()) {
+        !ShapeOf(program_.types[type.element], target_).IsFloating()) {
       Check(Feature::kTextureFunctions, diag::TargetIntegerTexture, var.span, var.name);
     }
     Type(type.element, var.span);
@@ -270,12 +278,37 @@ class TargetCheck {
     }
   }
 
+  // Arrays that are values, and stand in structs where the target lacks those.
+  void Value(const Var& var) {
+    if (target_.Has(Feature::kArrayValues)) return;
+    if (const std::uint32_t count = LongestArray(var.type); count > kMaxElements)
+      diagnostics_.Report(var.span, diag::TargetLongArray, var.name, count, target_.name(),
+                          kMaxElements);
+  }
+  std::uint32_t LongestArray(TypeId id) const {
+    const ir::Type& type = program_.types[id];
+    if (type.kind == TypeKind::kArray) return std::max(type.count, LongestArray(type.element));
+    std::uint32_t longest = 0;
+    if (type.kind != TypeKind::kStruct) return longest;
+    for (const Field& field : program_.types.StructOf(id).fields)
+      longest = std::max(longest, LongestArray(field.type));
+    return longest;
+  }
+
   // ---- code
   void Function(const ir::Function& function) {
     for (VarId parameter : function.parameters) {
       Type(program_.vars[parameter].type, program_.vars[parameter].span);
+      Value(program_.vars[parameter]);
     }
     Statement(function.body);
+    if (target_.Has(Feature::kFreeLoops)) return;
+    const CountedLoops loops(program_, function.body);
+    ForEachStmt(program_, function.body, [&](StmtId stmt) {
+      CountedLoop loop;
+      const std::string_view why = loops.WhyNot(stmt, loop);
+      if (!why.empty()) Report(program_.stmts[stmt].span, diag::TargetLoop, why);
+    });
   }
 
   void Statement(StmtId id) {
@@ -285,6 +318,7 @@ class TargetCheck {
     }
     if (const auto* declare = As<Declare>(id)) {
       Type(program_.vars[declare->var].type, stmt.span);
+      Value(program_.vars[declare->var]);
     }
     ForEachPart(
         program_, id,
@@ -357,6 +391,8 @@ class TargetCheck {
     const ObjectKind object = Innermost(program_.exprs[arguments[0]].type).object;
     if (TakesSampler(call.op)) ObjectArgument(arguments[1]);
     if (call.op == ObjectOp::kStore) StoreUse(arguments[0], span);
+    if (call.op == ObjectOp::kSampleLevel && arguments.size() > 4)
+      Check(Feature::kTextureFunctions, diag::TargetSampleOffset, span);
     const bool is_length = call.op == ObjectOp::kBufferSize && IsStorageBuffer(object);
     if (!is_length) Check(NeedOf(call.op), span);
   }

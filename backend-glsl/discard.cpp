@@ -39,12 +39,12 @@ std::vector<std::string_view> TokensOf(std::string_view text) {
   return tokens;
 }
 
-// 110 and no profile when there is no #version line.
+// Without a #version line the version is 110, or 100 of GLSL ES.
 bool HasVersion(const std::vector<std::string_view>& tokens, const Target& target) {
   std::vector<std::string_view> words;
   if (!tokens.empty() && tokens[0][0] == '#') words = TokensOf(tokens[0].substr(1));
-  if (words.size() < 2 || words[0] != "version") return false;
-  const bool is_es = words.size() > 2 && words[2] == "es";
+  if (words.size() < 2 || words[0] != "version") return target.version() == 100;
+  const bool is_es = words[1] == "100" || (words.size() > 2 && words[2] == "es");
   return words[1] == std::to_string(target.version()) && is_es == target.IsEs();
 }
 
@@ -102,8 +102,16 @@ DiscardCode WriteDiscard(const ir::Program& program, const Target& target, const
     const std::string type = count == 1 ? "float" : fmt::format("vec{}", count);
     if (variable.location)
       code.declarations += fmt::format("layout(location = {}) ", *variable.location);
-    Append(code.declarations, target.Has(Feature::kInAndOut) ? "in " : "varying ",
-           target.IsEs() ? "highp " : "", type, " ", variable.name, ";\n");
+    if (target.IsEs() && !target.Has(Feature::kInAndOut)) {
+      // Fragment shaders of OpenGL ES 2 need not have highp.
+      code.declarations += fmt::format(
+          "#ifdef GL_FRAGMENT_PRECISION_HIGH\nvarying highp {0} {1};\n#else\nvarying mediump {0} "
+          "{1};\n#endif\n",
+          type, variable.name);
+    } else {
+      Append(code.declarations, target.Has(Feature::kInAndOut) ? "in " : "varying ",
+             target.IsEs() ? "highp " : "", type, " ", variable.name, ";\n");
+    }
     const std::string kept =
         count == 1 ? variable.name + " >= 0.0"
                    : fmt::format("all(greaterThanEqual({}, {}(0.0)))", variable.name, type);

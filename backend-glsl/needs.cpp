@@ -22,7 +22,7 @@ struct Row {
 constexpr Row<Builtin> kBuiltins[] = {
     {Builtin::kVertexId, {Feature::kVertexId, &diag::TargetVertexId}},
     {Builtin::kVertexIndex, {Feature::kVertexId, &diag::TargetVertexId}},
-    {Builtin::kInstanceId, {Feature::kInstanceId}},  // some way on every target
+    {Builtin::kInstanceId, {Feature::kInstanceId, &diag::TargetInstanceId}},
     {Builtin::kInstanceIndex, {Feature::kDrawParameters, nullptr, &diag::TargetDrawParameter}},
     {Builtin::kBaseVertex, {Feature::kDrawParameters, nullptr, &diag::TargetDrawParameter}},
     {Builtin::kBaseInstance, {Feature::kDrawParameters, nullptr, &diag::TargetDrawParameter}},
@@ -43,6 +43,8 @@ constexpr Row<ObjectKind> kObjects[] = {
     {ObjectKind::kSampler1D, {Feature::kTexture1D, nullptr, &diag::TargetTexture1D}},
     // A Texture1DArray needs what a Texture1D needs, too.
     {ObjectKind::kTexture1DArray, {Feature::kTextureArrays, nullptr, &diag::TargetTextureArray}},
+    {ObjectKind::kTexture3D, {Feature::kTexture3D, nullptr, &diag::TargetTexture3D}},
+    {ObjectKind::kSampler3D, {Feature::kTexture3D, nullptr, &diag::TargetTexture3D}},
     {ObjectKind::kTexture2DArray, {Feature::kTextureArrays, nullptr, &diag::TargetTextureArray}},
     {ObjectKind::kTextureCubeArray, {Feature::kCubeArrays, nullptr, &diag::TargetCubeArray}},
     {ObjectKind::kTexture2DMS, {Feature::kMultisample, nullptr, &diag::TargetMultisample}},

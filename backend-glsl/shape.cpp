@@ -37,12 +37,19 @@ Shape ShapeOf(Scalar scalar, int rows, int columns) {
   return shape;
 }
 
-Shape ShapeOf(const ir::Type& type) {
+Shape ShapeOf(const ir::Type& type, const Target& target) {
   CLIPC_CHECK(type.IsNumeric());
-  return ShapeOf(type.scalar, type.rows, type.columns);
+  Shape shape = ShapeOf(type.scalar, type.rows, type.columns);
+  const bool is_oblong = shape.kind == Shape::kMatrix && shape.rows != shape.size;
+  if (is_oblong && !target.Has(Feature::kFullMatrices)) shape.kind = Shape::kRows;
+  return shape;
 }
 
-Shape Shape::With(Scalar kind) const { return ShapeOf(kind, rows, size); }
+Shape Shape::With(Scalar kind) const {
+  Shape shape = ShapeOf(kind, rows, size);
+  if (this->kind == kRows && IsFloating()) shape.kind = kRows;
+  return shape;
+}
 
 std::string GlslName(Scalar scalar, bool has_unsigned) {
   switch (ir::BaseOf(scalar)) {

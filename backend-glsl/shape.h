@@ -4,13 +4,15 @@
 #include <cstdint>
 #include <string>
 
+#include "backend-glsl/target.h"
 #include "ir/type.h"
 
 namespace clipc::glsl {
 
 // What a numeric HLSL type is in GLSL. float1 is a scalar; a matrix of one row or one column is a
 // vector; other float and double matrices are GLSL matrices whose column i is HLSL's row i;
-// matrices of other kinds, which GLSL lacks, are arrays of their rows.
+// matrices of other kinds, which GLSL lacks, are arrays of their rows. So are those that are not
+// square where the target lacks them.
 struct Shape {
   enum Kind : std::uint8_t { kScalar, kVector, kMatrix, kRows };
   Kind kind = kScalar;
@@ -30,7 +32,7 @@ struct Shape {
 };
 
 // `type` must be numeric.
-Shape ShapeOf(const ir::Type& type);
+Shape ShapeOf(const ir::Type& type, const Target& target);
 Shape ShapeOf(ir::Scalar scalar, int rows, int columns);
 
 // GLSL's name: "vec3", "dmat4x3", "bvec4[3]". Where the target has no uint, uint is int.

@@ -23,8 +23,9 @@ constexpr std::array kProfiles = {
     Profile{"glsl410", Api::kOpenGL, 410},   Profile{"glsl420", Api::kOpenGL, 420},
     Profile{"glsl430", Api::kOpenGL, 430},   Profile{"glsl440", Api::kOpenGL, 440},
     Profile{"glsl450", Api::kOpenGL, 450},   Profile{"glsl460", Api::kOpenGL, 460},
-    Profile{"essl300", Api::kOpenGLES, 300}, Profile{"essl310", Api::kOpenGLES, 310},
-    Profile{"essl320", Api::kOpenGLES, 320}, Profile{"webgl2", Api::kWebGL, 300},
+    Profile{"essl100", Api::kOpenGLES, 100}, Profile{"essl300", Api::kOpenGLES, 300},
+    Profile{"essl310", Api::kOpenGLES, 310}, Profile{"essl320", Api::kOpenGLES, 320},
+    Profile{"webgl1", Api::kWebGL, 100},     Profile{"webgl2", Api::kWebGL, 300},
     Profile{"vulkan", Api::kVulkan, 460},
 };
 
@@ -48,7 +49,7 @@ struct FeatureRow {
   Since desktop, es;
 };
 
-// Sources: the GLSL specifications 1.20 to 4.60, GLSL ES 3.00 to 3.20, KHR_vulkan_glsl, and the
+// Sources: the GLSL specifications 1.20 to 4.60, GLSL ES 1.00 to 3.20, KHR_vulkan_glsl, and the
 // extensions named.
 constexpr FeatureRow kFeatures[] = {
     {Feature::kInAndOut, {130}, {300}},
@@ -61,9 +62,11 @@ constexpr FeatureRow kFeatures[] = {
     {Feature::kIntegerVaryings, {130}, {300}},
     {Feature::kDoubleVaryings, {410}, {}},
     {Feature::kNoPerspective, {130}, {}},
+    {Feature::kCentroid, {120}, {300}},
     {Feature::kPerSample, {400}, {320, 300, "GL_OES_shader_multisample_interpolation"}},
     {Feature::kUniformBlocks, {140}, {300}},
     {Feature::kBlockInstances, {150}, {300}},
+    {Feature::kUniformTransposes, {110}, {300}},
     {Feature::kExplicitOffsets, {440}, {}},
     {Feature::kBindings, {420}, {310}},
     // OpenGL ES asks for no vertex shader to have any.
@@ -87,6 +90,9 @@ constexpr FeatureRow kFeatures[] = {
      {kNever, 310, "GL_EXT_fragment_shading_rate"}},
     {Feature::kUnsigned, {130}, {300}},
     {Feature::kSwitch, {130}, {300}},
+    {Feature::kFreeLoops, {110}, {300}},
+    {Feature::kFreeIndices, {110}, {300}},
+    {Feature::kArrayValues, {120}, {300}},
     {Feature::kArraysOfArrays, {430}, {310}},
     {Feature::kGlobalInitializers, {110}, {}},
     {Feature::kPrecise, {400}, {320, 310, "GL_EXT_gpu_shader5"}},
@@ -99,9 +105,11 @@ constexpr FeatureRow kFeatures[] = {
     {Feature::kIntegerMix, {450}, {310}},
     {Feature::kRounding, {130}, {300}},
     {Feature::kDeterminant, {150}, {300}},
+    {Feature::kFullMatrices, {120}, {300}},
     {Feature::kTextureFunctions, {130}, {300}},
     {Feature::kTextureArrays, {130}, {300}},
     {Feature::kTexture1D, {110}, {}},
+    {Feature::kTexture3D, {110}, {300}},
     {Feature::kCubeArrays,
      {400, 130, "GL_ARB_texture_cube_map_array"},
      {320, 310, "GL_EXT_texture_cube_map_array"}},
@@ -135,13 +143,13 @@ std::optional<Target> Target::Parse(std::string_view name) {
 std::span<const std::string_view> Target::Names() { return kNames; }
 
 std::string Target::VersionLine() const {
-  return "#version " + std::to_string(version_) + (IsEs() ? " es" : "");
+  return "#version " + std::to_string(version_) + (IsEs() && version_ >= 300 ? " es" : "");
 }
 
 Support Target::Of(Feature feature) const {
   if (feature == Feature::kClipVertex && (version_ > 130 || IsVulkan())) return {};
   if (feature == Feature::kViewIndex && IsVulkan()) return {true, "GL_EXT_multiview"};
-  if (api_ == Api::kWebGL) {
+  if (api_ == Api::kWebGL && version_ >= 300) {
     // Browsers have two of the extensions of ES 3.00, WEBGL_clip_cull_distance and OVR_multiview2.
     if (feature == Feature::kClipDistance || feature == Feature::kCullDistance)
       return {true, "GL_ANGLE_clip_cull_distance"};

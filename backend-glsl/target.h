@@ -31,10 +31,12 @@ enum class Feature : std::uint8_t {
   kIntegerVaryings,
   kDoubleVaryings,
   kNoPerspective,
+  kCentroid,
   kPerSample,  // `sample out`
   // ---- uniforms
   kUniformBlocks,      // else plain uniforms, set by name
   kBlockInstances,     // `uniform Block { .. } instance;`
+  kUniformTransposes,  // glUniformMatrix can transpose
   kExplicitOffsets,    // layout(offset = 16)
   kBindings,           // layout(binding = 0)
   kImages,             // images that a vertex shader may write
@@ -54,6 +56,9 @@ enum class Feature : std::uint8_t {
   // ---- types and expressions
   kUnsigned,            // uint, % << >> & | ^ ~, and int overloads of functions
   kSwitch,              // `switch`
+  kFreeLoops,           // else loops of constant bounds alone: appendix A of GLSL ES 1.00
+  kFreeIndices,         // else indices that are not constant of uniforms alone: the same appendix
+  kArrayValues,         // arrays are values: constructors, assignments, results of functions
   kArraysOfArrays,      // else the inner array is wrapped in a struct
   kGlobalInitializers,  // of global variables by expressions that are not constant
   kPrecise,             // `precise`
@@ -66,10 +71,12 @@ enum class Feature : std::uint8_t {
   kIntegerMix,    // mix of int, uint and bool
   kRounding,      // roundEven, trunc, modf, isnan, isinf, sinh, cosh, tanh
   kDeterminant,
+  kFullMatrices,  // mat4x3, transpose, outerProduct, matrices made of matrices
   // ---- textures
   kTextureFunctions,  // textureLod, texelFetch, textureSize; integer samplers
   kTextureArrays,
   kTexture1D,
+  kTexture3D,
   kCubeArrays,
   kMultisample,
   kMultisampleArrays,
@@ -106,7 +113,7 @@ struct BindingRules {
 
 class Target {
  public:
-  // The target called "glsl450", "essl300", "webgl2", "vulkan"; none when no target has the name.
+  // The target called "glsl450", "essl300", "webgl1", "vulkan"; none when no target has the name.
   static std::optional<Target> Parse(std::string_view name);
   static std::span<const std::string_view> Names();
 
@@ -115,7 +122,7 @@ class Target {
   bool IsVulkan() const { return api_ == Api::kVulkan; }
   bool IsEs() const { return api_ == Api::kOpenGLES || api_ == Api::kWebGL; }
   int version() const { return version_; }  // as in the #version line
-  std::string VersionLine() const;          // "#version 300 es"
+  std::string VersionLine() const;          // "#version 300 es", "#version 100"
 
   Support Of(Feature feature) const;
   bool Has(Feature feature) const { return Of(feature).has; }

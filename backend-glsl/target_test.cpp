@@ -14,13 +14,14 @@ TEST(TargetTest, EveryNameParsesToItself) {
     EXPECT_EQ(Target::Parse(name)->name(), name);
   }
   EXPECT_FALSE(Target::Parse("glsl110"));
-  EXPECT_FALSE(Target::Parse("essl100"));
+  EXPECT_FALSE(Target::Parse("essl200"));
   EXPECT_FALSE(Target::Parse(""));
   EXPECT_EQ(Of("GLSL450").name(), "glsl450");
 }
 
 TEST(TargetTest, VersionLines) {
   EXPECT_EQ(Of("glsl120").VersionLine(), "#version 120");
+  EXPECT_EQ(Of("essl100").VersionLine(), "#version 100");
   EXPECT_EQ(Of("essl310").VersionLine(), "#version 310 es");
   EXPECT_EQ(Of("vulkan").VersionLine(), "#version 460");
 }
@@ -50,6 +51,15 @@ TEST(TargetTest, VersionGates) {
   EXPECT_FALSE(Of("webgl2").Has(Feature::kPerSample)) << "no extension of WebGL 2";
   EXPECT_FALSE(Of("webgl2").Has(Feature::kOutputBlocks)) << "nor this";
   EXPECT_TRUE(Of("glsl130").Has(Feature::kClipVertex));
+  for (const Feature feature :
+       {Feature::kFreeLoops, Feature::kFreeIndices, Feature::kArrayValues, Feature::kFullMatrices,
+        Feature::kCentroid, Feature::kUniformTransposes, Feature::kTexture3D}) {
+    EXPECT_TRUE(Of("glsl120").Has(feature));
+    EXPECT_TRUE(Of("essl300").Has(feature));
+    EXPECT_FALSE(Of("essl100").Has(feature));
+    EXPECT_FALSE(Of("webgl1").Has(feature));
+  }
+  EXPECT_FALSE(Of("webgl1").Has(Feature::kClipDistance)) << "no extension of WebGL 1";
   EXPECT_FALSE(Of("glsl140").Has(Feature::kClipVertex));
 }
 

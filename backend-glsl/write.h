@@ -40,7 +40,7 @@ struct GlslInfo {
     // The value differs from Direct3D's unless the host draws with base vertex (base instance) 0:
     // none is subtracted.
     bool needs_base_vertex_zero = false, needs_base_instance_zero = false;
-    // An integer in HLSL, a float attribute here: GLSL 1.20 has no others.
+    // An integer in HLSL, a float attribute here: GLSL 1.20 and GLSL ES 1.00 have no others.
     bool integer_as_float = false;
     // An input that the shader reads, and so declares. One that is not keeps its location, so that
     // the same vertex layout fits.
@@ -52,7 +52,8 @@ struct GlslInfo {
     // As the host asks for it: "world"; "Camera.view" of a block `Camera` with an instance name;
     // kRows: the accessor.
     std::string name;
-    // kUniforms: what glUniformMatrix wants as `transpose` when it is handed the bytes of the HLSL
+    bool is_uniform = false;  // it is a uniform variable of its own
+    // Of these: what glUniformMatrix wants as `transpose` when it is handed the bytes of the HLSL
     // buffer.
     bool transpose = false;
   };
@@ -63,7 +64,7 @@ struct GlslInfo {
   struct Block : Place {
     ir::CbufferId cbuffer;
     BlockForm form = BlockForm::kStd140;
-    std::string name;               // of the block; empty when form is kUniforms
+    std::string name;               // of the block; empty where there is none
     std::string instance;           // empty: members are global names
     std::string rows;               // kRows: the array of rows
     bool is_push_constant = false;  // of Vulkan: no buffer is bound

@@ -250,7 +250,7 @@ constexpr Option kOptions[] = {
     {"-o", kJoinedOrSeparate, Set<&CommandLine::output>, "<FILE>",
      "the GLSL: a file, standard output (-, the default), or a folder for several files"},
     {"--target", kEquals, Set<&Request::target>, "<GLSL>",
-     "glsl120 .. glsl460 (glsl450), vulkan, essl300 .. essl320, webgl2"},
+     "glsl120 .. glsl460 (glsl450), vulkan, essl100, essl300 .. essl320, webgl1, webgl2"},
     {"--lower", kEquals, Choose<Lowering, &Request::lowering, kLoweringNames>, "<HOW>",
      "clip planes: clip-distance, level9 (the default of level_9_x), near-plane, discard or none"},
     {"--plane-space", kEquals, Choose<PlaneSpace, &Request::plane_space, kPlaneSpaceNames>,

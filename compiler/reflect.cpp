@@ -87,7 +87,8 @@ Json Member(const Program& program, const ir::CbufferMember& member, const GlslI
     Json& entry =
         named.field < 0 ? json : json["fields"].emplace_back(Field(program, var.type, named.field));
     entry["glsl"] = named.name;
-    if (block->form == glsl::BlockForm::kUniforms) entry["transpose"] = named.transpose;
+    if (named.is_uniform && block->form == glsl::BlockForm::kRows) entry["uniform"] = true;
+    if (named.is_uniform) entry["transpose"] = named.transpose;
   }
   return json;
 }

@@ -28,6 +28,6 @@ compopt() { :; } # there is no line to complete
 expect --plane -- --plane-space=
 expect -Zp -- -Zpc -Zpr
 expect --lower=n -- near-plane none
-expect --target=essl -- essl300 essl310 essl320
+expect --target=essl -- essl100 essl300 essl310 essl320
 expect -T vs_5 -- vs_5_0 vs_5_1
 cd "$(dirname "$0")/../examples/first" && expect wat -- water.hlsl

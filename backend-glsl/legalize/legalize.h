@@ -18,6 +18,20 @@ namespace clipc::glsl {
 //   f(row[i++])    =>  f((i++, row[0]))
 void LowerIndices(Legalizer& legalizer);
 
+// Loops where the target takes those alone that count from constant to constant: the index is
+// declared in the head, and a further condition leaves the loop. CheckTarget refuses the rest.
+//
+//   for (i = 0; i < 4 && more; ++i) ..  =>  for (int i = 0; i < 4; i++) { if (!more) break; .. }
+void LowerLoops(Legalizer& legalizer);
+
+// Elements whose index is not constant, where the target takes such an index of uniforms alone. An
+// index that is too great takes the last element. A vector or matrix takes the index of a loop.
+//
+//   a[i]        =>  element(a, i) with { if (i == 0) return a[0]; ...; return a[3]; }
+//   a[i].x = v  =>  set_element_x(i, v, a) with { if (i == 0) return a[0].x = v; ... }
+//   f(a[i])     =>  index = i, value = a[index], result = f(value), a[index] = value, result
+void LowerElements(Legalizer& legalizer);
+
 // `a op= b` where GLSL has no such operator: matrices, and % that is not on uint.
 //
 //   m *= n;       =>  m = m * n;

@@ -34,7 +34,7 @@ class LegalizeTest : public ::testing::Test {
     shader_.Finish();
     const EvalResult before = RunMain(shader_.program, {});
     ASSERT_TRUE(before) << before.error;
-    for (const char* target : {"glsl120", "glsl330", "glsl450", "essl300"}) {
+    for (const char* target : {"glsl120", "glsl330", "glsl450", "essl100", "essl300"}) {
       Program program = shader_.program;
       program.form = Form::kInlined;
       ASSERT_TRUE(Legalize(program, *Target::Parse(target)));

@@ -54,7 +54,7 @@ class Legalizer {
   const Target& target;
 
   const ir::Type& TypeOf(ir::ExprId expr) const { return program.types[program.exprs[expr].type]; }
-  Shape ShapeAt(ir::ExprId expr) const { return ShapeOf(TypeOf(expr)); }
+  Shape ShapeAt(ir::ExprId expr) const { return ShapeOf(TypeOf(expr), target); }
   bool IsNumeric(ir::ExprId expr) const { return TypeOf(expr).IsNumeric(); }
   // A builder whose nodes have the place of `expr` in the source.
   ir::Builder At(ir::ExprId expr) { return ir::Builder(program, program.exprs[expr].span); }

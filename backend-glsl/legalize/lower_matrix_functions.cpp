@@ -26,7 +26,7 @@ ExprId FirstColumns(Builder b, ExprId row, int count) {
   return b.Swizzled(row, std::span(kColumns).first(static_cast<std::size_t>(count)));
 }
 
-// One call of a function of matrices in rows, or of vectors of integers.
+// One call of a function of matrices in rows, or of vectors of integers, or one that GLSL lacks.
 class MatrixFunctions {
  public:
   MatrixFunctions(Legalizer& legalizer, ExprId expr)
@@ -39,7 +39,7 @@ class MatrixFunctions {
     const Shape shape = legalizer_.ShapeAt(first);
     const bool is_reduction = call.op == Intrinsic::kAll || call.op == Intrinsic::kAny;
     if (is_reduction && shape.HasRows()) return Reduce(call.op, first);
-    if (call.op == Intrinsic::kTranspose && shape.kind == Shape::kRows) return Transpose(first);
+    if (call.op == Intrinsic::kTranspose && IsTakenApart(shape)) return Transpose(first);
     if (call.op == Intrinsic::kDot && shape.IsVector() && !shape.IsFloating())
       return Dot(first, arguments[1]);
     if (call.op == Intrinsic::kMul) Multiply(first, arguments[1]);
@@ -47,7 +47,7 @@ class MatrixFunctions {
 
   void Truncate(ExprId operand) {
     const Shape from = legalizer_.ShapeAt(operand), to = legalizer_.ShapeAt(expr_);
-    if (from.kind != Shape::kRows || from == to) return;
+    if (!IsTakenApart(from) || from == to) return;
     const Type type = legalizer_.program.types[id_];
     if (!to.HasRows() && type.rows == 1) {
       Builder b = legalizer_.At(expr_);
@@ -70,6 +70,12 @@ class MatrixFunctions {
   }
 
  private:
+  // Whether GLSL only takes the rows of such a matrix.
+  bool IsTakenApart(const Shape& shape) const {
+    return shape.kind == Shape::kRows ||
+           (shape.kind == Shape::kMatrix && !legalizer_.target.Has(Feature::kFullMatrices));
+  }
+
   void Reduce(Intrinsic op, ExprId operand) {
     const Parameter parameter{"m", legalizer_.program.exprs[operand].type};
     const std::uint32_t count = legalizer_.TypeOf(operand).rows;
@@ -127,7 +133,11 @@ class MatrixFunctions {
     const Shape l = legalizer_.ShapeAt(left), r = legalizer_.ShapeAt(right);
     const Type& type = legalizer_.TypeOf(left);
     const bool left_is_column = type.kind == TypeKind::kMatrix && type.columns == 1;
-    if (l.IsScalar() || r.IsScalar() || l.IsFloating()) return;
+    if (l.IsScalar() || r.IsScalar()) return;
+    const bool is_outer = left_is_column && l.IsVector() && r.IsVector() &&
+                          !legalizer_.target.Has(Feature::kFullMatrices);
+    const bool has_rows = l.kind == Shape::kRows || r.kind == Shape::kRows || is_outer;
+    if (l.IsFloating() && !has_rows) return;
     if (l.IsVector() && r.IsVector() && !left_is_column) return Dot(left, right);
     const ExprId arguments[] = {left, right};
     legalizer_.BecomeCall(expr_, "mul", arguments, [&](HelperBody& body) {

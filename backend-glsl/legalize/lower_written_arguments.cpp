@@ -16,7 +16,7 @@ void BecomeParts(Legalizer& legalizer, ExprId expr, const IntrinsicCall& call,
                  std::span<const ExprId> arguments) {
   static constexpr std::string_view kNames[] = {"a", "b", "c"};
   const Type type = legalizer.TypeOf(arguments[0]);
-  const Shape shape = ShapeOf(type);
+  const Shape shape = ShapeOf(type, legalizer.target);
   const TypeId result = legalizer.program.exprs[expr].type;
   std::vector<Parameter> parameters;
   for (std::size_t i = 0; i < arguments.size(); ++i) {

@@ -37,6 +37,7 @@ class BlockWriter {
     if (layout_.form == BlockForm::kUniforms) return PlainUniforms();
     info_.name = context_.block_names[info_.cbuffer.index];
     const bool is_rows = layout_.form == BlockForm::kRows;
+    if (is_rows && !context_.Has(Feature::kUniformBlocks)) return RowUniform();
     const bool turned = layout_.matrices == MatrixLayout::kRowMajor && !is_rows;
     const bool is_pushed = cbuffer_.is_push_constant && context_.target.IsVulkan();
     info_.is_push_constant = is_pushed;
@@ -53,13 +54,17 @@ class BlockWriter {
   void PlainUniforms() {
     Append(text_, "// ", cbuffer_.name, ", ", register_, "\n");
     for (const BlockMember& member : layout_.members) {
-      if (!context_.reached.Has(member.var)) continue;
-      const std::string& name = context_.NameOf(member.var);
-      Append(text_, "uniform ", Declaration(context_, member.type, name), ";\n");
-      // Memory that is row-major in HLSL is what GLSL's columns are.
-      info_.members.push_back({member.var, -1, name, !member.row_major});
+      if (context_.reached.Has(member.var)) PlainUniform(text_, member.var);
     }
     text_ += "\n";
+  }
+
+  void PlainUniform(std::string& text, VarId member) {
+    const std::string& name = context_.NameOf(member);
+    const Var& var = context_[member];
+    Append(text, "uniform ", UniformDeclaration(context_, var.type, name), ";\n");
+    // Memory that is row-major in HLSL is what GLSL's columns are.
+    info_.members.push_back({member, -1, name, true, !var.row_major});
   }
 
   void Members() {
@@ -102,13 +107,15 @@ class BlockWriter {
     const std::string name = NameOf(member);
     const bool turned =
         layout_.matrices == MatrixLayout::kNone && member.matrices == MatrixLayout::kRowMajor;
-    Append(text_, "    ",
-           LayoutText({member.explicit_offset ? fmt::format("offset = {}", member.offset) : "",
-                       turned ? "row_major" : ""}),
-           context_.IsWrittenAsUint(member.var)
-               ? Declaration(context_, ShapeOf(context_[member.type]).With(Scalar::kUint), name)
-               : Declaration(context_, member.type, name),
-           ";\n");
+    Append(
+        text_, "    ",
+        LayoutText({member.explicit_offset ? fmt::format("offset = {}", member.offset) : "",
+                    turned ? "row_major" : ""}),
+        context_.IsWrittenAsUint(member.var)
+            ? Declaration(context_,
+                          ShapeOf(context_[member.type], context_.target).With(Scalar::kUint), name)
+            : Declaration(context_, member.type, name),
+        ";\n");
     info_.members.push_back(
         {member.var, member.field, layout_.has_instance ? info_.name + "." + name : name});
   }
@@ -133,6 +140,34 @@ class BlockWriter {
       if (context_.reached.Has(member.var)) Accessor(member, memory, !dimensions.empty());
       info_.members.push_back({member.var, -1, context_.NameOf(member.var)});
     }
+  }
+
+  // A buffer where there are no blocks: an array of rows, up to the last one that is read, which
+  // the host gives the bytes of the buffer.
+  void RowUniform() {
+    info_.rows = context_.rows_names[info_.cbuffer.index];
+    info_.name.clear();
+    const Memory memory{info_.rows, true, true};
+    std::string uniforms;
+    std::uint32_t end = 0;
+    for (const CbufferMember& member : cbuffer_.members) {
+      if (!context_.reached.Has(member.var)) continue;
+      if (!context_.IsInRows(member.var)) {
+        PlainUniform(uniforms, member.var);
+        continue;
+      }
+      end = std::max(end, member.offset + member.size);
+      Accessor(member, memory, false);
+      info_.members.push_back({member.var, -1, context_.NameOf(member.var)});
+    }
+    if (end > 0) {
+      text_ += fmt::format("uniform vec4 {}[{}];  // {}\n", info_.rows, (end + kRow - 1) / kRow,
+                           register_);
+    } else {
+      Append(text_, "// ", cbuffer_.name, ", ", register_, "\n");
+      info_.rows.clear();
+    }
+    Append(text_, uniforms, "\n");
   }
 
   // The function that reads the member, or one element of an array.

@@ -86,7 +86,7 @@ Text ByteLoad(Code& code, TypeId type, const ObjectCall& node) {
   const auto arguments = code[node.arguments];
   const BufferInHelper named = InHelper(code, arguments[0]);
   const std::string& name = named.elements;
-  const Shape shape = ShapeOf(code[type]);
+  const Shape shape = ShapeOf(code[type], code.target);
   const std::string helper =
       Helper(code, NameFor(named.name, "_load", shape.size), "", [&](const std::string& function) {
         const std::string address = Fresh(code, "address"), i = Fresh(code, "i");

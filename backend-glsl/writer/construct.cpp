@@ -41,7 +41,7 @@ Text NumericConstruct(Code& code, const Shape& shape, std::span<const ExprId> ar
 
 Text ConstructText(Code& code, TypeId id, std::span<const ExprId> arguments) {
   const Type& type = code[id];
-  if (type.IsNumeric()) return NumericConstruct(code, ShapeOf(type), arguments);
+  if (type.IsNumeric()) return NumericConstruct(code, ShapeOf(type, code.target), arguments);
   const std::string name = TypeName(code, id);
   const std::string list = ListOf(arguments, [&](ExprId argument) {
     return type.kind == TypeKind::kArray ? ElementText(code, type.element, ExprText(code, argument))
@@ -54,7 +54,7 @@ Text ConstructText(Code& code, TypeId id, std::span<const ExprId> arguments) {
 
 Text TruncateText(Code& code, TypeId id, ExprId matrix) {
   const Type& type = code[id];
-  const Shape from = code.ShapeAt(matrix), to = ShapeOf(type);
+  const Shape from = code.ShapeAt(matrix), to = ShapeOf(type, code.target);
   Text operand = ExprText(code, matrix);
   if (from == to) return operand;
   const std::string_view components = std::string_view(".xyzw").substr(0, to.size + 1u);

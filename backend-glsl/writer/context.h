@@ -87,9 +87,14 @@ struct Context {
 
   const ir::Type& TypeOf(ir::ExprId id) const { return types[program.exprs[id].type]; }
   const ir::Type& TypeOf(ir::VarId id) const { return types[program.vars[id].type]; }
-  Shape ShapeAt(auto id) const { return ShapeOf(TypeOf(id)); }
+  Shape ShapeAt(auto id) const { return ShapeOf(TypeOf(id), target); }
   const BlockLayout& LayoutOf(ir::VarId member) const {
     return layouts[program.vars[member].cbuffer.index];
+  }
+  // Whether a member is read from its buffer's array of rows.
+  bool IsInRows(ir::VarId member) const {
+    return LayoutOf(member).form == BlockForm::kRows &&
+           (Has(Feature::kUniformBlocks) || OnlyFloats(types, program.vars[member].type));
   }
   // Whether a member of a block is a bool, or a vector of them, that is written as a uint.
   bool IsWrittenAsUint(ir::VarId member) const;

@@ -41,7 +41,7 @@ Text IndexText(Code& code, const Expr& expr, const Index& node) {
   }
   Text base = ExprText(code, node.base);
   const bool is_only_row = type.kind == TypeKind::kMatrix && type.rows == 1;
-  if (is_only_row || (type.IsNumeric() && ShapeOf(type).IsScalar())) return base;
+  if (is_only_row || (type.IsNumeric() && ShapeOf(type, code.target).IsScalar())) return base;
   std::string text = std::move(base).At(Binding::kPostfix);
   // Mesa 22.3 reads the wrong component for t[1] after `ivec2 t = a.yw`, but not for t.y. An
   // element of a matrix is m[1][2].
@@ -49,10 +49,11 @@ Text IndexText(Code& code, const Expr& expr, const Index& node) {
   const auto* row = code.As<Index>(node.base);
   const bool is_element =
       row && code.TypeOf(row->base).IsNumeric() && code.ShapeAt(row->base).HasRows();
-  if (literal && !is_element && type.IsNumeric() && ShapeOf(type).IsVector()) {
+  if (literal && !is_element && type.IsNumeric() && ShapeOf(type, code.target).IsVector()) {
     text += {'.', "xyzw"[UintOf(literal->bits) % 4]};
     return {std::move(text)};
   }
+  if (HasFields(code, type)) return {Concat(text, ".e", IndexValue(code, node.index))};
   Append(text, "[", IndexValue(code, node.index), "]");
   if (type.kind == TypeKind::kArray && IsWrapped(code, expr.type)) text += ".e";
   return {std::move(text)};
@@ -81,17 +82,20 @@ Text MatrixSwizzleText(Code& code, const Expr& expr, const MatrixSwizzle& node) 
   const bool is_one_row = std::all_of(node.rows.begin(), node.rows.begin() + node.count,
                                       [&](std::uint8_t row) { return row == node.rows[0]; });
   if (!shape.IsScalar() && (!has_rows || (is_one_row && node.count > 1))) {
-    if (has_rows) base += fmt::format("[{}]", node.rows[0]);
+    if (has_rows) base = RowOf(code, shape, base, node.rows[0]);
     base += '.';
     const auto& components = code.TypeOf(node.base).columns == 1 ? node.rows : node.columns;
     for (int i = 0; i < node.count; ++i) base += "xyzw"[components[i]];
     return {std::move(base)};
   }
   const auto element = [&](int i) {
-    return has_rows ? fmt::format("{}[{}][{}]", base, node.rows[i], node.columns[i]) : base;
+    return has_rows ? Concat(RowOf(code, shape, base, node.rows[i]), "[",
+                             std::to_string(node.columns[i]), "]")
+                    : base;
   };
   if (node.count == 1) return {element(0)};
-  return Called(TypeName(code, ShapeOf(code[expr.type])), {ListOf(int{node.count}, element)});
+  return Called(TypeName(code, ShapeOf(code[expr.type], code.target)),
+                {ListOf(int{node.count}, element)});
 }
 
 Text UnaryText(Code& code, const Unary& node) {

@@ -106,13 +106,13 @@ Text IntrinsicText(Code& code, TypeId type, const IntrinsicCall& node) {
   const bool is_numeric = code[type].IsNumeric();
   if (node.op == Intrinsic::kMul) {
     const auto arguments = code[node.arguments];
-    return MulText(code, arguments[0], arguments[1], ShapeOf(code[type]));
+    return MulText(code, arguments[0], arguments[1], ShapeOf(code[type], code.target));
   }
   if (!MayBeConstant(node.op)) code.is_constant = false;
   const std::vector<Operand> operands = OperandsOf(code, node.arguments);
   const Operand& x = operands[0];
   const Shape& shape = x.shape;
-  const Shape result = is_numeric ? ShapeOf(code[type]) : shape;
+  const Shape result = is_numeric ? ShapeOf(code[type], code.target) : shape;
   const auto call = [&](std::string_view function) { return CallOn(code, function, operands); };
   // Some functions give a uint in HLSL, an int in GLSL, or the other way round.
   const auto converted = [&](Text value) {

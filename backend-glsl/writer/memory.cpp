@@ -94,7 +94,7 @@ class Loader {
   }
 
   std::string Matrix(const Type& type, bool row_major, const Address& address) {
-    const Shape shape = ShapeOf(type);
+    const Shape shape = ShapeOf(type, context_.target);
     const std::uint32_t registers = row_major ? type.rows : type.columns;
     const std::uint32_t length = row_major ? type.columns : type.rows;
     const std::uint32_t component = ByteSize(type.scalar);
@@ -109,7 +109,7 @@ class Loader {
     };
     const std::string name = TypeName(context_, shape);
     if (!shape.HasRows() || row_major) return Called(name, {all()}).text;
-    if (shape.kind == Shape::kMatrix) {
+    if (shape.kind == Shape::kMatrix && context_.Has(Feature::kFullMatrices)) {
       const Shape turned = ShapeOf(type.scalar, type.columns, type.rows);
       return fmt::format("transpose({}({}))", TypeName(context_, turned), all());
     }

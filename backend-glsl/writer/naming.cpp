@@ -153,8 +153,10 @@ void NameBlock(Context& context, CbufferId id) {
     name = FillPattern(style.block, {{"name", cbuffer.name}});
   }
   name = context.namer.Global(name, "block");
-  if (layout.form == BlockForm::kRows)
-    context.rows_names[id.index] = context.namer.Global(cbuffer.name + "_rows");
+  if (layout.form == BlockForm::kRows) {
+    const bool is_block = context.Has(Feature::kUniformBlocks);
+    context.rows_names[id.index] = is_block ? context.namer.Global(cbuffer.name + "_rows") : name;
+  }
 }
 
 void NameUniforms(Context& context) {

@@ -78,7 +78,7 @@ class ObjectCaller {
   }
 
   Text Narrow(std::string four) {
-    const std::size_t count = ShapeOf(code_[type_]).size;
+    const std::size_t count = ShapeOf(code_[type_], code_.target).size;
     if (count < 4) Append(four, ".", std::string_view("xyzw").substr(0, count));
     return {std::move(four)};
   }
@@ -89,7 +89,7 @@ class ObjectCaller {
     const bool has_level = node_.op != ObjectOp::kD3d9Sample;
     const bool is_modern = code_.Has(Feature::kTextureFunctions);
     // Vertex shaders of GLSL 1.20 have texture2DLod (8.7); glslang wants the extension as well.
-    if (!is_modern) code_.enabled.emplace("GL_ARB_shader_texture_lod");
+    if (!is_modern && !code_.target.IsEs()) code_.enabled.emplace("GL_ARB_shader_texture_lod");
     const bool is_gradient = node_.op == ObjectOp::kSampleGrad;
     const std::size_t first = is_d3d9 ? 1 : 2;
     const bool has_offset = arguments_.size() > first + (is_gradient ? 3u : has_level ? 2u : 1u);

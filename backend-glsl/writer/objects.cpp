@@ -141,7 +141,7 @@ class ObjectWriter {
     const std::string place =
         Bind(context_, info, resource.reg, images_, CountOf(context_, resource.var));
     const std::string_view prefix = PrefixOf(context_, type);
-    const int size = type.element ? ShapeOf(context_[type.element]).size : 4;
+    const int size = type.element ? ShapeOf(context_[type.element], context_.target).size : 4;
     const std::string format = Concat(
         std::string_view("rgba").substr(0, size == 3 ? 4 : static_cast<std::size_t>(size)), "32",
         prefix == "u"   ? "ui"

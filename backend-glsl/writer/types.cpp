@@ -21,10 +21,35 @@ std::string Dimension(std::uint32_t count) {
   return count == 0 ? "[]" : Concat("[", std::to_string(count), "]");
 }
 
-TypeParts PartsOf(const Context& context, const Shape& shape) {
+// The struct of this name, or of one like it, that has these fields and stands for an array.
+std::string ArrayStruct(Context& context, const std::string& key, std::string_view name,
+                        std::string_view fields) {
+  auto [found, is_new] = context.wrappers.try_emplace(key);
+  if (is_new) {
+    found->second = context.namer.Global(name);
+    context.sections.structs +=
+        fmt::format("struct {} {{\n    {};\n}};\n\n", found->second, fields);
+  }
+  return found->second;
+}
+
+// The struct vec4_array3 { vec4 e0, e1, e2; } that stands for an array where arrays are no values.
+std::string StructOfFields(Context& context, const std::string& element, std::uint32_t count) {
+  const std::string fields =
+      ListOf(count, [](std::uint32_t i) { return Concat("e", std::to_string(i)); });
+  return ArrayStruct(context, element + Dimension(count),
+                     Concat(element, "_array", std::to_string(count)),
+                     Concat(element, " ", fields));
+}
+
+TypeParts PartsOf(Context& context, const Shape& shape) {
   const bool is_array = shape.kind == Shape::kRows;
-  return {GlslName(is_array ? shape.Row() : shape, context.Has(Feature::kUnsigned)),
-          is_array ? Dimension(shape.rows) : ""};
+  TypeParts parts{GlslName(is_array ? shape.Row() : shape, context.Has(Feature::kUnsigned)), ""};
+  if (!is_array) return parts;
+  if (!context.Has(Feature::kArrayValues))
+    return {StructOfFields(context, parts.base, shape.rows), ""};
+  parts.dimensions = Dimension(shape.rows);
+  return parts;
 }
 
 TypeParts PartsOf(Context& context, TypeId id);
@@ -32,15 +57,11 @@ TypeParts PartsOf(Context& context, TypeId id);
 // The struct float_array3 { float e[3]; } that stands for an array as an element of another.
 std::string WrapperOf(Context& context, TypeId array) {
   const TypeParts parts = PartsOf(context, array);
-  auto [found, is_new] = context.wrappers.try_emplace(parts.base + parts.dimensions);
-  if (is_new) {
-    const Type& type = context[array];
-    const std::uint32_t count = type.kind == TypeKind::kArray ? type.count : type.rows;
-    found->second = context.namer.Global(Concat(parts.base, "_array", std::to_string(count)));
-    context.sections.structs += fmt::format("struct {} {{\n    {} e{};\n}};\n\n", found->second,
-                                            parts.base, parts.dimensions);
-  }
-  return found->second;
+  const Type& type = context[array];
+  const std::uint32_t count = type.kind == TypeKind::kArray ? type.count : type.rows;
+  return ArrayStruct(context, parts.base + parts.dimensions,
+                     Concat(parts.base, "_array", std::to_string(count)),
+                     Concat(parts.base, " e", parts.dimensions));
 }
 
 void UseStruct(Context& context, StructId id) {
@@ -60,10 +81,12 @@ TypeParts PartsOf(Context& context, TypeId id) {
   const Type& type = context[id];
   if (type.IsNumeric()) {
     context.RequireType(type);
-    return PartsOf(context, ShapeOf(type));
+    return PartsOf(context, ShapeOf(type, context.target));
   }
   switch (type.kind) {
     case TypeKind::kArray: {
+      if (!context.Has(Feature::kArrayValues))
+        return {StructOfFields(context, PartsOf(context, type.element).base, type.count), ""};
       const std::string count = Dimension(type.count);
       if (IsWrapped(context, type.element)) return {WrapperOf(context, type.element), count};
       TypeParts element = PartsOf(context, type.element);
@@ -88,8 +111,10 @@ std::string TypeName(Context& context, TypeId type) {
   return std::move(parts.base);
 }
 
-std::string TypeName(const Context& context, const Shape& shape) {
-  return GlslName(shape, context.Has(Feature::kUnsigned));
+std::string TypeName(Context& context, const Shape& shape) {
+  TypeParts parts = PartsOf(context, shape);
+  parts.base += parts.dimensions;
+  return std::move(parts.base);
 }
 
 std::string Declaration(Context& context, TypeId type, std::string_view name) {
@@ -97,9 +122,16 @@ std::string Declaration(Context& context, TypeId type, std::string_view name) {
   return Concat(parts.base, " ", name, parts.dimensions);
 }
 
-std::string Declaration(const Context& context, const Shape& shape, std::string_view name) {
+std::string Declaration(Context& context, const Shape& shape, std::string_view name) {
   const TypeParts parts = PartsOf(context, shape);
   return Concat(parts.base, " ", name, parts.dimensions);
+}
+
+std::string UniformDeclaration(Context& context, TypeId id, std::string_view name) {
+  const Type& type = context[id];
+  if (type.kind != TypeKind::kArray || context.Has(Feature::kArrayValues))
+    return Declaration(context, id, name);
+  return Declaration(context, type.element, name) + Dimension(type.count);
 }
 
 std::string Declarator(Context& context, TypeId type, std::string_view name) {
@@ -126,10 +158,22 @@ std::string Dimensions(const Context& context, VarId var) {
   return dimensions;
 }
 
+bool HasFields(const Context& context, const Type& type) {
+  if (context.Has(Feature::kArrayValues)) return false;
+  return type.kind == TypeKind::kArray ||
+         (type.IsNumeric() && ShapeOf(type, context.target).kind == Shape::kRows);
+}
+
+std::string RowOf(const Context& context, const Shape& matrix, std::string_view text, int row) {
+  const bool has_fields = matrix.kind == Shape::kRows && !context.Has(Feature::kArrayValues);
+  return Concat(text, has_fields ? ".e" : "[", std::to_string(row), has_fields ? "" : "]");
+}
+
 bool IsWrapped(const Context& context, TypeId array_element) {
-  if (context.Has(Feature::kArraysOfArrays)) return false;
+  if (context.Has(Feature::kArraysOfArrays) || !context.Has(Feature::kArrayValues)) return false;
   const Type& type = context[array_element];
-  return type.kind == TypeKind::kArray || (type.IsNumeric() && ShapeOf(type).kind == Shape::kRows);
+  return type.kind == TypeKind::kArray ||
+         (type.IsNumeric() && ShapeOf(type, context.target).kind == Shape::kRows);
 }
 
 std::string ElementText(Context& context, TypeId element, Text text) {
@@ -138,7 +182,7 @@ std::string ElementText(Context& context, TypeId element, Text text) {
   return Called(WrapperOf(context, element), {value}).text;
 }
 
-std::string ZeroText(const Context& context, const Shape& shape) {
+std::string ZeroText(Context& context, const Shape& shape) {
   const std::string zero = LiteralText(0, shape.scalar, context.target).text;
   if (shape.IsScalar()) return zero;
   const bool is_array = shape.kind == Shape::kRows;
@@ -148,7 +192,7 @@ std::string ZeroText(const Context& context, const Shape& shape) {
 
 std::string ZeroText(Context& context, TypeId id) {
   const Type& type = context[id];
-  if (type.IsNumeric()) return ZeroText(context, ShapeOf(type));
+  if (type.IsNumeric()) return ZeroText(context, ShapeOf(type, context.target));
   const std::string name = TypeName(context, id);
   if (type.kind == TypeKind::kStruct) {
     const auto& fields = context.types.StructOf(id).fields;
@@ -170,6 +214,11 @@ std::string ZeroText(Context& context, TypeId id) {
 
 std::string FilledArray(Context& context, TypeId id,
                         const std::function<std::string(const std::string&)>& element) {
+  if (!context.Has(Feature::kArrayValues)) {
+    const auto value = [&](std::uint32_t i) { return element(std::to_string(i)); };
+    return fmt::format("    return {};\n",
+                       Called(TypeName(context, id), {ListOf(context[id].count, value)}).text);
+  }
   const std::string array = Fresh(context, "result"), index = Fresh(context, "i");
   const std::string declaration = Declaration(context, id, array);
   return fmt::format(

@@ -16,11 +16,13 @@ namespace clipc::glsl {
 inline constexpr std::uint32_t kLongArray = 17;
 
 std::string TypeName(Context& context, ir::TypeId type);
-std::string TypeName(const Context& context, const Shape& shape);
+std::string TypeName(Context& context, const Shape& shape);
 
 // "float name[3]"
 std::string Declaration(Context& context, ir::TypeId type, std::string_view name);
-std::string Declaration(const Context& context, const Shape& shape, std::string_view name);
+std::string Declaration(Context& context, const Shape& shape, std::string_view name);
+// "uniform float name[3]": a uniform is an array wherever HLSL has one.
+std::string UniformDeclaration(Context& context, ir::TypeId type, std::string_view name);
 // "name[3]": what stands after the type in a declaration.
 std::string Declarator(Context& context, ir::TypeId type, std::string_view name);
 // "precise " for what is precise, where the target has the word.
@@ -32,7 +34,13 @@ std::string Dimensions(const Context& context, ir::VarId var);
 
 // "vec3(0.0)"
 std::string ZeroText(Context& context, ir::TypeId type);
-std::string ZeroText(const Context& context, const Shape& shape);
+std::string ZeroText(Context& context, const Shape& shape);
+
+// Where arrays are no values, structs with the fields e0, e1 and so on stand for them: for arrays
+// that are not uniforms, and for matrices in rows. Their indices are constant.
+bool HasFields(const Context& context, const ir::Type& type);
+// "m[1]" or "m.e1"
+std::string RowOf(const Context& context, const Shape& matrix, std::string_view text, int row);
 
 // Where GLSL has no arrays of arrays, the element of the outer one is a struct that has the inner
 // one as its field `e`.

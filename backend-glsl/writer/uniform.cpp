@@ -40,11 +40,14 @@ Text UniformText(Code& code, VarId member) {
   const std::string name = PathOf(code, member);
   const TypeId type = code[member].type;
   if (code.IsWrittenAsUint(member)) return Called(TypeName(code, type), {name});
-  if (code.LayoutOf(member).form != BlockForm::kRows) return {name};
+  const bool is_rows = code.IsInRows(member);
+  if (!is_rows && !(code[type].kind == TypeKind::kArray && HasFields(code, code[type])))
+    return {name};
   if (code[type].kind != TypeKind::kArray) return {name + "()"};
   const std::string all = Helper(code, name + "_all", "", [&](const std::string& function) {
     const auto element = [&](const std::string& index) {
-      return ElementText(code, code[type].element, Called(name, {index}));
+      return ElementText(code, code[type].element,
+                         is_rows ? Called(name, {index}) : Text{Concat(name, "[", index, "]")});
     };
     const std::string type_name = TypeName(code, type);
     return fmt::format("{} {}() {{\n{}}}\n", type_name, function, FilledArray(code, type, element));
@@ -55,7 +58,7 @@ Text UniformText(Code& code, VarId member) {
 Text UniformElement(Code& code, VarId member, ExprId index) {
   code.is_constant = false;
   const std::string name = PathOf(code, member);
-  if (code.LayoutOf(member).form == BlockForm::kRows) return Called(name, {IntIndex(code, index)});
+  if (code.IsInRows(member)) return Called(name, {IntIndex(code, index)});
   return {Concat(name, "[", IndexValue(code, index), "]",
                  IsWrapped(code, code.TypeOf(member).element) ? ".e" : "")};
 }

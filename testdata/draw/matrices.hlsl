@@ -1,6 +1,7 @@
 // Every way to write and to store a matrix; additions and products only, so equal to the bit but for the order in a sum.
 // RUN: %draw compare %s -T vs_5_0 -E main --ints 0..3
-// RUN: %draw compare %s -T vs_5_0 -E main --ints 0..3 --lower none --target glsl120
+// RUN: %draw compare %s -T vs_5_0 -E main --ints 0..3 --lower none --target glsl120,essl100
+// RUN: %draw compare %s -T vs_5_0 -E main --ints 0..3 --lower none --target essl100 --row-major
 // RUN: %draw compare %s -T vs_5_0 -E main --ints 0..3 --row-major --target glsl450,glsl330
 
 float4x4 square;

@@ -192,7 +192,9 @@ int RunCompare(const Arguments& arguments) {
   if (options.all_targets) {
     const auto names = glsl::Target::Names();
     options.targets.assign(names.begin(), names.end());
-    std::erase(options.targets, "webgl2");  // for browsers; the language is that of essl300
+    // For browsers; the languages are those of essl100 and essl300.
+    std::erase_if(options.targets,
+                  [](const std::string& target) { return target.starts_with("webgl"); });
   }
   const bool has_peer = !options.peer.empty();
   if (has_peer && options.peer != "glslang")

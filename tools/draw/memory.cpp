@@ -18,6 +18,7 @@ struct Part {
   TypeId type;
   std::uint32_t offset = 0;
   bool row_major = false;
+  int row = -1;  // of a matrix: this row only
 };
 
 std::uint32_t RoundUp(std::uint32_t value, std::uint32_t multiple) {
@@ -65,7 +66,12 @@ std::optional<Part> Follow(const TypeTable& types, Part part, std::string_view p
           fields, [&](const Field& field) { return glsl::LegalFieldName(field.name) == step; });
       if (found == fields.end()) return std::nullopt;
       part = FieldOf(types, part, found - fields.begin(), Packing::kConstants);
-    } else if (step != "e") {  // a struct around an inner array
+    } else if (path[0] == '.' && type.kind == TypeKind::kArray && step.size() > 1) {
+      // `.e2` of a struct that stands for an array
+      part = ElementOf(types, part, std::stoul(step.substr(1)), Packing::kConstants);
+    } else if (path[0] == '.' && type.kind == TypeKind::kMatrix && step.size() > 1) {
+      part.row = std::stoi(step.substr(1));  // the same for the rows of a matrix
+    } else if (step != "e") {                // a struct around an inner array
       return std::nullopt;
     }
     path.remove_prefix(end);
@@ -73,13 +79,18 @@ std::optional<Part> Follow(const TypeTable& types, Part part, std::string_view p
   return part;
 }
 
-void AppendWords(const TypeTable& types, const Part& part, const Bytes& bytes, Words& words) {
+Words ReadWords(const TypeTable& types, const Part& part, const Bytes& bytes) {
+  Words words;
   ForEachComponent(types, part.type, part.row_major, part.offset,
                    [&](Scalar kind, std::uint32_t byte) {
                      std::uint32_t word = 0;
                      std::memcpy(&word, &bytes.at(byte), 4);
                      words.push_back(kind == Scalar::kBool ? word != 0 : word);
                    });
+  if (part.row < 0) return words;
+  const auto columns = types[part.type].columns;
+  const auto first = words.begin() + part.row * columns;
+  return {first, first + columns};
 }
 
 // The words of an active uniform; empty when it is not a part of that member.
@@ -90,8 +101,12 @@ Words WordsOf(const Program& program, const CbufferMember& member, std::string_v
   if (is_array) path.remove_suffix(3);
   const std::optional<Part> part =
       Follow(program.types, {var.type, member.offset, var.row_major}, path);
-  Words words;
-  if (part) AppendWords(program.types, *part, bytes, words);
+  return part ? ReadWords(program.types, *part, bytes) : Words{};
+}
+
+Words AllWords(const Bytes& bytes) {
+  Words words(bytes.size() / 4);
+  if (!words.empty()) std::memcpy(words.data(), bytes.data(), 4 * words.size());
   return words;
 }
 
@@ -168,7 +183,7 @@ void GiveConstants(const Program& program, const GlslInfo& info, const std::vect
   for (const GlslInfo::Block& block : info.blocks) {
     const Cbuffer& declared = program.cbuffers[block.cbuffer];
     const Bytes& bytes = cbuffers[block.cbuffer.index];
-    if (block.form == glsl::BlockForm::kUniforms) continue;
+    if (block.name.empty()) continue;
     if (declared.count == 1) inputs.blocks.push_back({block.name, bytes});
     for (std::uint32_t i = 0; declared.count > 1 && i < declared.count; ++i) {
       const auto begin = bytes.begin() + i * declared.size;
@@ -179,8 +194,10 @@ void GiveConstants(const Program& program, const GlslInfo& info, const std::vect
   inputs.find_uniform = [&](const std::string& name) {
     Words words;
     for (const GlslInfo::Block& block : info.blocks) {
-      if (block.form != glsl::BlockForm::kUniforms || !words.empty()) continue;
-      words = UniformOf(program, block, cbuffers[block.cbuffer.index], name);
+      if (!block.name.empty() || !words.empty()) continue;
+      const Bytes& bytes = cbuffers[block.cbuffer.index];
+      const bool is_rows = !block.rows.empty() && name == block.rows + "[0]";
+      words = is_rows ? AllWords(bytes) : UniformOf(program, block, bytes, name);
     }
     return words;
   };

@@ -64,7 +64,7 @@ std::string Words(const Comparison& comparison) {
 // glslang does not know the variable of GL_ARB_draw_instanced in GLSL 1.20.
 bool IsKnown(const std::string& target, const std::string& problem) {
   if (problem.find("gl_InstanceIDARB") != std::string::npos) return true;
-  const bool is_es = target.starts_with("essl") || target == "webgl2";
+  const bool is_es = target.starts_with("essl") || target.starts_with("webgl");
   return is_es && (problem.find("gl_ClipDistance") != std::string::npos ||
                    problem.find("gl_CullDistance") != std::string::npos ||
                    problem.find("gl_PerVertex") != std::string::npos ||
@@ -171,7 +171,7 @@ void Judge::State::DrawSomeOpenGl(const Program& program, const draw::CheckedSha
   const std::size_t count = names.size();
   for (std::size_t i = 0; i < count; ++i) {
     const std::string target(names[(program.target + i) % count]);
-    if (target == "vulkan" || target == "webgl2") continue;  // webgl2 is for browsers
+    if (target == "vulkan" || target.starts_with("webgl")) continue;  // for browsers
     try {
       return Draw(program, checked, target);
     } catch (const draw::NotForTarget&) {

@@ -10,6 +10,9 @@
 // RUN: FileCheck %s --check-prefix=OLD --input-file %t/old.discard.glsl
 // RUN: %clipc -T vs_5_0 -DONE --lower=discard --target=essl300 --validate %s -o %t/es.vert
 // RUN: FileCheck %s --check-prefix=ES --input-file %t/es.discard.glsl
+// RUN: %clipc -T vs_5_0 -DONE --lower=discard --target=essl100 --validate --fragment=%S/inputs/look_es2.frag %s -o %t/es2.vert
+// RUN: FileCheck %s --check-prefix=ES2 --input-file %t/es2.frag
+// RUN: %validate -S frag %t/es2.frag
 float4 water, portals[4];
 
 #ifdef ONE
@@ -55,3 +58,11 @@ float4 main(float4 position : POSITION, out float4 color : COLOR) : SV_Position 
 // OLD: varying float vs_SV_CLIPPLANEDISTANCE0;
 // OLD: if (!(vs_SV_CLIPPLANEDISTANCE0 >= 0.0)) discard;
 // ES: in highp float vs_SV_CLIPPLANEDISTANCE0;
+
+// ES2: #version 100
+// ES2: #ifdef GL_FRAGMENT_PRECISION_HIGH
+// ES2-NEXT: varying highp float vs_SV_CLIPPLANEDISTANCE0;
+// ES2-NEXT: #else
+// ES2-NEXT: varying mediump float vs_SV_CLIPPLANEDISTANCE0;
+// ES2-NEXT: #endif
+// ES2: clip_planes();

@@ -1,0 +1,389 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <set>
+#include <span>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "backend-glsl/legalize/legalize.h"
+#include "backend-glsl/operators.h"
+#include "ir/walk.h"
+
+namespace clipc::glsl {
+
+using namespace ir;
+
+namespace {
+
+class ElementLowering {
+ public:
+  explicit ElementLowering(Legalizer& legalizer)
+      : legalizer_(legalizer), program_(legalizer.program) {}
+
+  void Run() {
+    for (const FunctionId id : program_.functions.ids()) {
+      ForEachStmt(program_, program_.functions[id].body, [&](StmtId stmt) {
+        const auto* loop = As<For>(program_, stmt);
+        const auto* declare =
+            loop ? As<Declare>(program_, program_.stmt_lists[loop->init][0]) : nullptr;
+        if (declare) loop_indices_.insert(declare->var);
+      });
+    }
+    const std::size_t functions = program_.functions.size();
+    for (std::size_t i = 0; i < functions; ++i)
+      LowerCalls(FunctionId{static_cast<std::uint32_t>(i)});
+    LowerAll();
+  }
+
+ private:
+  void LowerAll() {
+    std::vector<ExprId> all;
+    ForEachLiveExpr(program_, [&](ExprId expr) { all.push_back(expr); });
+    // Helper functions have writes of elements in their turn.
+    for (std::size_t done = 0, function = program_.functions.size(); done < all.size();) {
+      // Writes first: a target is no value.
+      for (std::size_t i = done; i < all.size(); ++i) LowerWrite(all[i]);
+      for (; done < all.size(); ++done) LowerRead(all[done]);
+      for (; function < program_.functions.size(); ++function) {
+        const FunctionId id{static_cast<std::uint32_t>(function)};
+        ForEachExpr(program_, program_.functions[id].body,
+                    [&](ExprId expr) { all.push_back(expr); });
+      }
+    }
+  }
+
+  // The number of elements that an index which is not constant chooses from; 0 where it may stay.
+  std::uint32_t CountOf(ExprId expr) const {
+    const auto* index = As<Index>(program_, expr);
+    if (!index || As<Literal>(program_, index->index)) return 0;
+    const Type& type = TypeOf(program_, index->base);
+    const auto* ref = As<VarRef>(program_, index->base);
+    const bool is_constant = IsOfLoops(index->index);
+    switch (type.kind) {
+      case TypeKind::kArray:
+        return ref && program_.vars[ref->var].storage == Storage::kUniform ? 0 : type.count;
+      case TypeKind::kVector: return type.columns > 1 && !is_constant ? type.columns : 0;
+      case TypeKind::kMatrix: {
+        const bool has_fields = ShapeOf(type, legalizer_.target).kind == Shape::kRows;
+        return type.rows > 1 && (has_fields || !is_constant) ? type.rows : 0;
+      }
+      default: return 0;
+    }
+  }
+
+  // A constant-index-expression: of constants and the indices of loops.
+  bool IsOfLoops(ExprId expr) const {
+    if (As<Literal>(program_, expr)) return true;
+    if (const auto* ref = As<VarRef>(program_, expr)) return loop_indices_.contains(ref->var);
+    if (const auto* convert = As<Convert>(program_, expr))
+      return IsInteger(TypeOf(program_, convert->operand).scalar) && IsOfLoops(convert->operand);
+    const auto* sum = As<Binary>(program_, expr);
+    return sum && (sum->op == BinaryOp::kAdd || sum->op == BinaryOp::kSub) &&
+           IsOfLoops(sum->left) && IsOfLoops(sum->right);
+  }
+
+  bool IsOfObjects(ExprId expr) const {
+    return program_.types[program_.types.Innermost(program_.exprs[expr].type)].kind ==
+           TypeKind::kObject;
+  }
+
+  // a[i]  =>  element(a, i)
+  void LowerRead(ExprId expr) {
+    const std::uint32_t count = CountOf(expr);
+    if (count == 0 || IsOfObjects(expr)) return;
+    const Index node = *As<Index>(program_, expr);
+    const Parameter parameters[] = {{"a", program_.exprs[node.base].type},
+                                    {"i", program_.exprs[node.index].type}};
+    const ExprId arguments[] = {node.base, node.index};
+    legalizer_.BecomeCall(expr, "element", parameters, arguments, [&](HelperBody& body) {
+      for (std::uint32_t k = 0; k < count; ++k) {
+        const StmtId found = body.b.Stmt(Return{body.b.At(body[0], k)});
+        body.Add(k + 1 < count ? body.b.Stmt(If{Is(body, 1, k), found, {}}) : found);
+      }
+    });
+  }
+
+  // Parameter `i` of the helper == k
+  ExprId Is(HelperBody& body, std::size_t i, std::uint32_t k) {
+    const TypeId type = program_.vars[body.parameters[i]].type;
+    return body.b.BinaryOf(BinaryOp::kEqual, body[i],
+                           body.b.LiteralOf(program_.types[type].scalar, k));
+  }
+
+  // ---- calls of the shader's functions
+
+  void LowerCalls(FunctionId function) {
+    std::vector<ExprId> calls;
+    ForEachExpr(program_, program_.functions[function].body, [&](ExprId expr) {
+      if (As<Call>(program_, expr)) calls.push_back(expr);
+    });
+    declares_.clear();
+    for (const ExprId call : calls) LowerCall(call);
+    if (declares_.empty()) return;
+    const auto body = BodyOf(program_, function);
+    declares_.insert(declares_.end(), body.begin(), body.end());
+    program_.functions[function].body = Builder(program_).BlockOf(declares_);
+  }
+
+  // f(a[i])  =>  index = i, value = a[index], result = f(value), a[index] = value, result
+  void LowerCall(ExprId expr) {
+    const Call node = *As<Call>(program_, expr);
+    const auto listed = std::as_const(program_).expr_lists[node.arguments];
+    std::vector<ExprId> arguments(listed.begin(), listed.end()), before, after;
+    Builder b = legalizer_.At(expr);
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+      if (!WritesOperand(program_, expr, i) || PathOf(arguments[i]).parts.empty()) continue;
+      std::vector<VarId> indices;
+      TakeIndices(b, arguments[i], indices, before);
+      const VarId value = NewLocal(b, "value", b.TypeOf(arguments[i]));
+      const VarId parameter = program_.functions[node.function].parameters[i];
+      if (program_.vars[parameter].storage == Storage::kInOut)
+        before.push_back(b.AssignTo(b.Ref(value), Again(b, arguments[i], indices)));
+      after.push_back(b.AssignTo(Again(b, arguments[i], indices), b.Ref(value)));
+      arguments[i] = b.Ref(value);
+    }
+    if (after.empty()) return;
+    const TypeId type = program_.exprs[expr].type;
+    ExprId call = b.Add(
+        type, Call{node.function, program_.expr_lists.Add(std::span<const ExprId>(arguments))});
+    if (program_.types[type].kind != TypeKind::kVoid) {
+      const VarId result = NewLocal(b, "result", type);
+      call = b.AssignTo(b.Ref(result), call);
+      after.push_back(b.Ref(result));
+    }
+    before.push_back(call);
+    before.insert(before.end(), after.begin(), after.end());
+    ExprId chain = before[0];
+    for (std::size_t i = 1; i < before.size(); ++i) chain = b.CommaOf(chain, before[i]);
+    program_.exprs[expr].type = program_.exprs[chain].type;
+    legalizer_.Become(expr, chain);
+  }
+
+  VarId NewLocal(Builder b, const char* name, TypeId type) {
+    const VarId var = b.Local(name, type);
+    declares_.push_back(b.Stmt(Declare{var, {}}));
+    return var;
+  }
+
+  // Puts the indices of a path that are not constant into variables, the one next to the root
+  // first.
+  void TakeIndices(Builder b, ExprId part, std::vector<VarId>& indices,
+                   std::vector<ExprId>& before) {
+    if (!part) return;
+    TakeIndices(b, WholeOf(program_, part), indices, before);
+    const auto* index = As<Index>(program_, part);
+    if (!index || As<Literal>(program_, index->index)) return;
+    const ExprId value = index->index;
+    indices.push_back(NewLocal(b, "index", b.TypeOf(value)));
+    before.push_back(b.AssignTo(b.Ref(indices.back()), value));
+  }
+
+  // The path with these indices.
+  ExprId Again(Builder b, ExprId path, const std::vector<VarId>& indices) {
+    std::vector<ExprId> parts;
+    for (ExprId part = path; part; part = WholeOf(program_, part)) parts.push_back(part);
+    ExprId whole = b.Add(b.TypeOf(parts.back()), program_.exprs[parts.back()].node);
+    std::size_t next = 0;
+    for (std::size_t i = parts.size() - 1; i-- > 0;) {
+      whole = PartAgain(b, parts[i], whole, [&] { return b.Ref(indices[next++]); });
+    }
+    return whole;
+  }
+
+  // The part of another whole; `index` makes the next index that is not constant.
+  ExprId PartAgain(Builder b, ExprId part, ExprId whole, const std::function<ExprId()>& next) {
+    const TypeId type = program_.exprs[part].type;
+    Legalizer::Node node = program_.exprs[part].node;
+    if (auto* index = std::get_if<Index>(&node)) {
+      const auto* literal = As<Literal>(program_, index->index);
+      index->index = literal ? b.Add(b.TypeOf(index->index), Literal(*literal)) : next();
+      index->base = whole;
+    } else if (auto* field = std::get_if<FieldRef>(&node)) {
+      field->base = whole;
+    } else if (auto* swizzle = std::get_if<Swizzle>(&node)) {
+      swizzle->base = whole;
+    }
+    return b.Add(type, node);
+  }
+
+  // ---- operators and functions of HLSL's own that write
+
+  // The path to a target, from the variable on: what a node takes of the one before it.
+  struct Path {
+    std::vector<ExprId> parts;  // from the first index that is not constant on
+    ExprId base;                // what that index is of
+  };
+  Path PathOf(ExprId target) const {
+    Path path;
+    std::vector<ExprId> parts;
+    for (ExprId part = target; part; part = WholeOf(program_, part)) parts.push_back(part);
+    while (!parts.empty() && CountOf(parts.back()) == 0) parts.pop_back();
+    if (parts.empty()) return path;
+    path.parts.assign(parts.rbegin(), parts.rend());
+    path.base = As<Index>(program_, path.parts[0])->base;
+    return path;
+  }
+
+  // a[i].x = v  =>  set_element_x(i, v, a) with { if (i == 0) return a[0].x = v; ... }
+  void LowerWrite(ExprId expr) {
+    while (LowerOneWrite(expr)) {
+    }
+  }
+
+  bool LowerOneWrite(ExprId expr) {
+    if (!IsOfWritingKind(program_.exprs[expr])) return false;
+    std::vector<ExprId> operands;
+    ForEachOperand(program_, expr, [&](ExprId operand) { operands.push_back(operand); });
+    for (std::size_t i = 0; i < operands.size(); ++i) {
+      if (!WritesOperand(program_, expr, i)) continue;
+      const Path path = PathOf(operands[i]);
+      if (path.parts.empty()) continue;
+      BecomeWrite(expr, operands, i, path);
+      return true;
+    }
+    return false;
+  }
+
+  void BecomeWrite(ExprId expr, const std::vector<ExprId>& operands, std::size_t written,
+                   const Path& path) {
+    parameters_.clear();
+    names_.clear();
+    arguments_.clear();
+    std::string name = NameOf(expr);
+    std::vector<std::size_t> indices;  // parameters, of the parts that are an Index
+    const std::uint32_t count = CountOf(path.parts[0]);
+    for (std::size_t i = 0; i < operands.size(); ++i) {
+      if (i != written) {
+        AddParameter("x", operands[i],
+                     WritesOperand(program_, expr, i) ? Storage::kInOut : Storage::kIn);
+        continue;
+      }
+      for (const ExprId part : path.parts) {
+        name += SuffixOf(part);
+        const auto* index = As<Index>(program_, part);
+        if (!index || As<Literal>(program_, index->index)) continue;
+        indices.push_back(arguments_.size());
+        AddParameter("i", index->index, Storage::kIn);
+      }
+    }
+    // The last argument: it is copied after the others are evaluated.
+    const std::size_t base = AddParameter("a", path.base, Storage::kInOut);
+    const Legalizer::Node node = program_.exprs[expr].node;
+    const TypeId type = program_.exprs[expr].type;
+    const bool has_value = program_.types[type].kind != TypeKind::kVoid;
+    legalizer_.BecomeCall(expr, name, parameters_, arguments_, [&](HelperBody& body) {
+      for (std::uint32_t k = 0; k < count; ++k) {
+        const ExprId target = Rebuilt(body, path, indices, base, k);
+        const ExprId copy = Copied(body, node, type, written, indices.size(), target);
+        std::vector<StmtId> found = {has_value ? body.b.Stmt(Return{copy}) : body.b.Eval(copy)};
+        if (k + 1 == count) {
+          body.Add(found[0]);
+          continue;
+        }
+        if (!has_value) found.push_back(body.b.Stmt(Return{}));
+        body.Add(body.b.Stmt(If{Is(body, indices[0], k), body.b.BlockOf(found), {}}));
+      }
+    });
+  }
+
+  std::size_t AddParameter(const char* name, ExprId argument, Storage storage) {
+    const auto same =
+        std::ranges::count(names_, name[0], [](const auto& other) { return other[0]; });
+    names_.push_back(same == 0 ? name : name + std::to_string(same + 1));
+    parameters_.push_back({names_.back(), program_.exprs[argument].type, storage});
+    arguments_.push_back(argument);
+    return arguments_.size() - 1;
+  }
+
+  // The path again, from element `k` of the parameter `base` on.
+  ExprId Rebuilt(HelperBody& body, const Path& path, const std::vector<std::size_t>& indices,
+                 std::size_t base, std::uint32_t k) {
+    ExprId whole = body.b.At(body[base], k);
+    std::size_t next = 1;
+    for (std::size_t i = 1; i < path.parts.size(); ++i) {
+      whole = PartAgain(body.b, path.parts[i], whole, [&] { return body[indices[next++]]; });
+    }
+    return whole;
+  }
+
+  // The node that writes, of the helper's parameters: `target` stands for operand `written`, which
+  // has `indices` parameters.
+  ExprId Copied(HelperBody& body, const Legalizer::Node& node, TypeId type, std::size_t written,
+                std::size_t indices, ExprId target) {
+    const ExprId copy = body.b.Add(type, node);
+    auto own = program_.exprs[copy].node;
+    Visit(
+        [&](auto& of_copy) {
+          if constexpr (requires { of_copy.arguments; }) {
+            const auto listed = std::as_const(program_).expr_lists[of_copy.arguments];
+            const std::vector<ExprId> list(listed.begin(), listed.end());
+            of_copy.arguments = program_.expr_lists.Add(std::span<const ExprId>(list));
+          }
+        },
+        own);
+    program_.exprs[copy].node = own;
+    std::size_t operand = 0, parameter = 0;
+    MapOperands(program_, copy, [&](ExprId) {
+      if (operand++ != written) return body[parameter++];
+      parameter += indices;
+      return target;
+    });
+    return copy;
+  }
+
+  // Names tell helper functions of the same parameters apart.
+  std::string NameOf(ExprId expr) const {
+    return Visit(Overloaded{
+                     [](const Assign& node) {
+                       return node.op ? "assign_" + std::string(OperatorOf(*node.op).name) : "set";
+                     },
+                     [](const Unary& node) {
+                       switch (node.op) {
+                         case UnaryOp::kPreIncrement: return std::string("pre_increment");
+                         case UnaryOp::kPreDecrement: return std::string("pre_decrement");
+                         case UnaryOp::kPostIncrement: return std::string("post_increment");
+                         default: return std::string("post_decrement");
+                       }
+                     },
+                     [&](const Call& node) { return program_.functions[node.function].name; },
+                     [](const IntrinsicCall& node) { return std::string(ir::NameOf(node.op)); },
+                     [](const auto&) { return std::string("write"); },
+                 },
+                 program_.exprs[expr].node);
+  }
+  std::string SuffixOf(ExprId part) const {
+    if (const auto* index = As<Index>(program_, part)) {
+      const auto* literal = As<Literal>(program_, index->index);
+      return literal ? "_" + std::to_string(literal->bits) : "_element";
+    }
+    if (const auto* field = As<FieldRef>(program_, part))
+      return "_field" + std::to_string(field->field);
+    std::string suffix = "_";
+    const auto* swizzle = As<Swizzle>(program_, part);
+    for (int i = 0; swizzle && i < swizzle->count; ++i) suffix += "xyzw"[swizzle->components[i]];
+    return suffix;
+  }
+
+  Legalizer& legalizer_;
+  Program& program_;
+  std::set<VarId> loop_indices_;
+  std::vector<StmtId> declares_;  // at the beginning of the function whose calls are lowered
+  // Of the helper function that is being made.
+  std::vector<Parameter> parameters_;
+  std::deque<std::string> names_;  // whose texts stay where they are
+  std::vector<ExprId> arguments_;
+};
+
+}  // namespace
+
+void LowerElements(Legalizer& legalizer) {
+  if (!legalizer.target.Has(Feature::kFreeIndices)) ElementLowering(legalizer).Run();
+}
+
+}  // namespace clipc::glsl
