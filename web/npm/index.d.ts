@@ -7,7 +7,7 @@ export interface CompileOptions {
   profile?: string;
   /** `-E`. Default: "main". */
   entry?: string;
-  /** `--target`: "glsl450", "vulkan", "webgl2" */
+  /** `--target`: "glsl450", "vulkan", "webgl1", "webgl2" */
   target?: string;
   /** `--lower`: how clip planes are lowered. */
   lower?: string;
