@@ -132,7 +132,17 @@ def advice():
             f'and {row["dearer"]} times a cheaper one would have done.')
 
 
-BLOCKS = {f.__name__: f for f in (errors, regimes, flicker, roundings, chains, meshes, orthographic, tiles, grounds, costs, advice)}
+def planned():
+    """What tools/scenes/planner_test.cpp expects of the built-in scenes and its box, of 1000 objects each."""
+    text = (ROOT / "tools/scenes/planner_test.cpp").read_text()
+    counts = [int(n) for n in re.findall(r"ExpectSavings\((?:study|Box)[^;]*?, (\d+)\);", text)]
+    names = [("reflection in water", 1), ("portal", 5), ("cut-away", 3), ("slice of a shadow cascade", 6), ("section by a box", 6)]
+    return table(["scene", "all planes for all objects", "planned", "times fewer"],
+                 [[f"{name}, {planes} plane{'s' * (planes > 1)}", 1000 * planes, count, short(1000 * planes / count)]
+                  for (name, planes), count in zip(names, counts, strict=True)])
+
+
+BLOCKS = {f.__name__: f for f in (errors, regimes, flicker, roundings, chains, meshes, orthographic, tiles, grounds, costs, advice, planned)}
 
 U, ROWS, PY = 2.0 ** -24, 1080, 1 / math.tan(math.radians(30))
 ANY = U * ROWS / 2 / 0.1  # the unit of PredictEdgeError for surfaces of every direction
@@ -154,6 +164,18 @@ def pooled(most):
     return (max if most else min)(float(r["pooled_p99"]) for r in read("laws"))
 
 
+def constant(path, pattern):
+    """A number that a source file has."""
+    return float(re.search(pattern, (ROOT / path).read_text())[1].replace("'", ""))
+
+
+def roundings_over(fov):
+    return next(int(r["over"]) for r in read("roundings") if (r["fov"], r["rounding"]) == (fov, "all"))
+
+
+# The law of u H / (2 tan(fov/2) sin(angle)).
+ONE_ROUNDING = U * ROWS / (2 * math.tan(math.radians(5)) * math.sin(math.radians(5)))
+
 # A document, a pattern with one number in it, and the number.
 INLINE = [
     ("docs/study.md", r"Of ([\d,]+) draws", drawn),
@@ -162,6 +184,23 @@ INLINE = [
     ("docs/study.md", r"single draws are [\d.]+ to ([\d.]+) times", lambda: max(float(r["most"]) for r in read("laws"))),
     ("docs/study.md", r"together ([\d.]+) to", lambda: pooled(False)),
     ("docs/study.md", r"together [\d.]+ to ([\d.]+)\ntimes", lambda: pooled(True)),
+    ("docs/study.md", r"on ([\d,]+) random draws of eleven", lambda: constant("tools/study/program/command_study.cpp", r"1100 : (\d+), 40")),
+    ("docs/study.md", r"advice on (\d+) random scenes", lambda: float(read("advice-scenes")[0]["scenes"])),
+    ("docs/study.md", r"takes (\d+) others, which", lambda: constant("tools/study/scenes/check_advice.py", r"arguments else (\d+)")),
+    ("docs/study.md", r"method on (\d+) random draws", lambda: constant("tools/study/program/command_study.cpp", r"RandomDraws\((\d+),")),
+    ("docs/study.md", r"four scenes of (\d+) objects", lambda: constant("tools/study/scene.cpp", r"kObjects = (\d+);")),
+    ("docs/study.md", r"pixels of 1920x(\d+)", lambda: constant("tools/study/setup.h", r"kPictureHeight = (\d+);")),
+    ("docs/study.md", r"1/256 of a pixel, ([\d.]+)", lambda: 1 / constant("tools/study/advice.h", r"kInvisible = 1.0 / (\d+);")),
+    ("docs/study.md", r"of one plane each, ([\d.]+) times", lambda: 0.77 / math.hypot(0.4, 0.5, 0.77)),
+    ("docs/study.md", r"holds a study against\n(\d+) %", lambda: 100 * constant("tools/study/program/check_tables.py", r"more <= 1(\.\d+)")),
+    ("docs/study.md", r"less than ([\d.]+) pixels of an object around", lambda: constant("tools/study/roundings.h", r"kXyw1Claim = ([\d.]+);")),
+    ("docs/study.md", r"from (\d+) degrees on; at 10", lambda: constant("tools/study/roundings_test.cpp", r"At\((\d+)\)\[kAll\].over, 0")),
+    ("docs/study.md", r"\n(\d+) random planes, cameras", lambda: max(float(r["draws"]) for r in read("roundings"))),
+    ("docs/study.md", r"pixels: ([\d.]+) at 10 degrees of view and 5", lambda: ONE_ROUNDING),
+    ("docs/study.md", r"Costs closer than (\d+) % count as equal", lambda: 100 * constant("tools/study/advice.h", r"kSameCost = ([\d.]+);")),
+    ("docs/runtime.md", r"half a pixel at ([\d,]+), as in", lambda: 0.5 / ANY),
+    ("docs/runtime.md", r"takes more than (\d+) times what reading", lambda: constant("tools/bench/runtime_bench.cpp", r'cold / cold_read, "x", (\d+)\)')),
+    ("docs/runtime.md", r"of ([\d,]+) boxes and 6 planes", lambda: constant("tools/bench/runtime_bench.cpp", r"kObjects = ([\d']+)")),
     ("docs/runtime.md", r"nothing \| ([\d.]+) pixels times \(distance of eye and plane / near", lambda: ANY * 1.4 * (PY + 1)),
     ("docs/runtime.md", r"needs a perspective \| nothing \| ([\d.]+) pixels at 60 degrees", lambda: ANY * (2 + PY)),
     ("docs/runtime.md", r"a constant for each object \| ([\d.]+) pixels, in any view", lambda: ANY * 0.75),
@@ -201,6 +240,30 @@ def check_inline():
     return problems
 
 
+# Numbers that say what is measured, not what came out: pictures' sizes, factors of the laws and of the checks, defaults of
+# files, specifications.
+GIVEN = {
+    "docs/study.md": {"1920", "0.2", "1280", "1.5", "0.002", "0.5", "1080", "2.0", "400", "256"},
+    "docs/runtime.md": {"1080", "100"},
+}
+
+
+def check_rest():
+    """Every other number with a point or three digits is one of GIVEN."""
+    problems = []
+    for name, given in GIVEN.items():
+        text = (ROOT / name).read_text()
+        held = [found.span(1) for row in INLINE if row[0] == name for found in re.finditer(row[1], text)]
+        for begin, end in held:
+            text = text[:begin] + " " * (end - begin) + text[end:]
+        text = re.sub(r"<!-- numbers: (\S+) -->\n.*?<!-- end of numbers -->|```.*?```|`[^`]*`|\]\([^)]*\)", "", text, flags=re.S)
+        for line in text.splitlines():
+            for number in re.findall(r"(?<![\w.])(?:\d+\.\d+|\d{1,3}(?:,\d{3})+|\d{3,})", line):
+                if number not in given:
+                    problems.append(f"{name}: {number} comes from no table: {line.strip()[:100]}")
+    return problems
+
+
 def main():
     arguments = sys.argv[1:]
     if "--take" in arguments:
@@ -211,7 +274,7 @@ def main():
         found, count = check_blocks(ROOT / name, write)
         problems += found
         blocks += count
-    problems += check_inline()
+    problems += check_inline() + check_rest()
     print("\n".join(problems) or f"{blocks} blocks and {len(INLINE)} sentences as in the tables")
     return bool(problems)
 
