@@ -8,6 +8,7 @@
 
 #include "tools/draw/arguments.h"
 #include "tools/draw/opengl/pair.h"
+#include "tools/draw/opengl/passes.h"
 #include "tools/draw/opengl/picture.h"
 #include "tools/draw/opengl/program.h"
 #include "tools/draw/vulkan/pair.h"
@@ -157,6 +158,16 @@ int RunPair(const Arguments& arguments) {
   const bool shows = 4 * found.drawn > found.pixels && found.colors > 64;
   if (!shows) std::printf("the picture shows too little\n");
   return shows && messages.empty() && 200 * found.different < found.pixels ? 0 : 1;
+}
+
+int RunPasses(const Arguments& arguments) {
+  const std::vector<std::string> paths = Parse(arguments, {});
+  if (paths.size() != 2) throw DrawError("passes takes two vertex shaders");
+  const harness::OpenGl opengl(harness::Api::kCore);
+  const PassesDifference found = ComparePasses(ReadFile(paths[0]), ReadFile(paths[1]));
+  std::printf("%d of %d pixels of the first pass are missing in the second\n", found.missing,
+              found.drawn);
+  return found.drawn > 0 && found.missing == 0 ? 0 : 1;
 }
 
 int RunMachineCode(const Arguments& arguments) try {

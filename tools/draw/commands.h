@@ -35,6 +35,10 @@ clipc-draw pair A.vert A.frag B.vert B.frag
   Files in SPIR-V are drawn on Vulkan, where blocks and textures are the same by set and binding. A
   message of Vulkan's validation layers about the first program fails too.
 
+clipc-draw passes FIRST.vert SECOND.vert
+  Draws with the first, and then with the second where its depth is equal. Fails where a pixel of the
+  first pass is missing in the second.
+
 clipc-draw compare SHADER.hlsl [options]
   Compiles the shader and compares the outputs of the GLSL, run by Mesa, with those of the reference
   evaluator, on random vertices and constants: for every target and lowering chosen below, both
@@ -73,6 +77,7 @@ using Arguments = std::vector<std::string>;
 int RunCapture(const Arguments& arguments);
 int RunPixels(const Arguments& arguments);
 int RunPair(const Arguments& arguments);
+int RunPasses(const Arguments& arguments);
 int RunCompare(const Arguments& arguments);
 int RunMachineCode(const Arguments& arguments);
 int RunDevices();
