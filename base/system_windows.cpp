@@ -10,9 +10,11 @@
 #include <fcntl.h>
 #include <io.h>
 #include <share.h>
-#include <shellapi.h>
 #include <sys/stat.h>
+// clang-format off: the second needs the first
 #include <windows.h>
+#include <shellapi.h>
+// clang-format on
 
 #include "base/system.h"
 
@@ -67,7 +69,7 @@ int ErrnoOf(DWORD error) {
   }
 }
 
-std::optional<FileStatus> StatusOf(HANDLE file) {
+std::optional<FileStatus> StatusOfHandle(HANDLE file) {
   FileStatus result;
   if (GetFileType(file) != FILE_TYPE_DISK) return result;
   BY_HANDLE_FILE_INFORMATION about;
@@ -97,7 +99,7 @@ int Open(const std::string& path, int flags, int mode = 0) {
   const int file = _wsopen(Wide(path).c_str(), flags | _O_BINARY | _O_NOINHERIT, _SH_DENYNO, mode);
   if (file >= 0 || errno != EACCES) return file;
   // Windows refuses to open a folder for want of permission.
-  const auto status = StatusOf(path);
+  const auto status = system::StatusOf(path);
   errno = status && status->kind == FileKind::kFolder ? EISDIR : EACCES;
   return -1;
 }
@@ -107,7 +109,7 @@ int Open(const std::string& path, int flags, int mode = 0) {
 std::optional<FileStatus> StatusOf(const std::string& path) {
   HANDLE file = OpenToAsk(path);
   if (file == INVALID_HANDLE_VALUE) return std::nullopt;
-  const auto status = StatusOf(file);
+  const auto status = StatusOfHandle(file);
   CloseHandle(file);
   return status;
 }
@@ -115,7 +117,7 @@ std::optional<FileStatus> StatusOf(const std::string& path) {
 std::optional<FileStatus> StatusOf(int file) {
   // NOLINTNEXTLINE(performance-no-int-to-ptr): the library's way to say it
   const auto handle = reinterpret_cast<HANDLE>(_get_osfhandle(file));
-  if (handle != INVALID_HANDLE_VALUE) return StatusOf(handle);
+  if (handle != INVALID_HANDLE_VALUE) return StatusOfHandle(handle);
   errno = EBADF;
   return std::nullopt;
 }

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/options.h"
 
-#include <filesystem>
 #include <iterator>
 #include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "base/path.h"
 #include "base/spelling.h"
+#include "base/system.h"
 #include "compiler/option_table.h"
 #include "compiler/output_files.h"
 #include "frontend/lex/source_text.h"
@@ -66,11 +67,10 @@ std::string Expand(std::string argument, int depth, std::vector<std::string>& to
 
 // Whether an argument that starts with a slash is a path: it exists, or something could be made
 // there.
-bool LooksLikePath(const std::filesystem::path& argument) {
-  std::error_code error;
-  return std::filesystem::exists(argument, error) ||
-         (argument.has_parent_path() && argument.parent_path() != argument.root_path() &&
-          std::filesystem::is_directory(argument.parent_path(), error));
+bool LooksLikePath(const std::string& argument) {
+  if (system::StatusOf(argument)) return true;
+  const std::string folder = argument.substr(0, argument.find_last_of(kSlashes));
+  return folder.find_first_not_of(kSlashes) != std::string::npos && IsDirectory(folder);
 }
 
 // "did you mean" for an option that is none.

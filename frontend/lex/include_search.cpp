@@ -14,15 +14,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Names are UTF-8 on every system: a path made of a plain string would not be, on Windows.
+fs::path ToPath(const std::string& text) { return std::u8string(text.begin(), text.end()); }
+
+std::string ToText(const fs::path& path) {
+  const std::u8string text = path.generic_u8string();
+  return {text.begin(), text.end()};
+}
+
 // The entry of `folder` with the name `name` in any case: that with exactly this name, otherwise
 // the first in alphabetical order; empty if there is none.
 std::string MatchEntry(const fs::path& folder, const std::string& name) {
   std::error_code error;
-  if (name == "." || name == ".." || fs::exists(folder / name, error)) return name;
+  if (name == "." || name == ".." || fs::exists(folder / ToPath(name), error)) return name;
   std::string best;
   fs::directory_iterator entry(folder.empty() ? fs::path(".") : folder, error);
   for (const fs::directory_iterator end; !error && entry != end; entry.increment(error)) {
-    std::string candidate = entry->path().filename().string();
+    std::string candidate = ToText(entry->path().filename());
     if (EqualIgnoringCase(candidate, name) && (best.empty() || candidate < best)) best = candidate;
   }
   return best;
@@ -36,9 +44,9 @@ std::optional<fs::path> MatchPath(const fs::path& folder, const fs::path& relati
       matched /= part;
       continue;
     }
-    const std::string entry = MatchEntry(folder / matched, part.string());
+    const std::string entry = MatchEntry(folder / matched, ToText(part));
     if (entry.empty()) return std::nullopt;
-    matched /= entry;
+    matched /= ToPath(entry);
   }
   std::error_code error;
   if (!fs::is_regular_file(folder / matched, error)) return std::nullopt;
@@ -74,10 +82,13 @@ std::optional<FoundInclude> FindIncludeLikeWindows(const std::vector<std::string
   if (name.find('\0') != std::string_view::npos) return std::nullopt;
   std::string portable(name);
   std::replace(portable.begin(), portable.end(), '\\', '/');
-  for (const std::string& folder : folders) {
-    if (auto matched = MatchPath(folder, portable))
-      return FoundInclude{(fs::path(folder) / *matched).generic_string(),
-                          matched->generic_string()};
+  try {
+    for (const std::string& folder : folders) {
+      if (auto matched = MatchPath(ToPath(folder), ToPath(portable)))
+        return FoundInclude{ToText(ToPath(folder) / *matched), ToText(*matched)};
+    }
+  } catch (const fs::filesystem_error&) {
+    return std::nullopt;  // on Windows: the name, or one in that folder, is not Unicode
   }
   return std::nullopt;
 }
