@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 # Packages. In a build folder, `cpack -G DEB` writes clipc (the program), libclipc1 (the shared library) and libclipc-dev (headers,
-# archives, CMake, pkg-config: what an application is built with), and `cpack -G TGZ` one archive of all three.
+# archives, CMake, pkg-config: what an application is built with), and `cpack -G TGZ` one archive of all three. For Windows, `cpack -G ZIP` writes that archive.
 
 set(doc share/doc/clipc)
 set(packaging ${clipc_SOURCE_DIR}/packaging)
@@ -16,15 +16,22 @@ if(TARGET clipc AND NOT CMAKE_CROSSCOMPILING)
   add_custom_target(clipc_manual ALL DEPENDS ${manual})
   install(FILES ${manual} DESTINATION share/man/man1 COMPONENT compiler)
 endif()
-install(FILES ${packaging}/clipc.bash DESTINATION share/bash-completion/completions RENAME clipc COMPONENT compiler)
+if(NOT WIN32)
+  install(FILES ${packaging}/clipc.bash DESTINATION share/bash-completion/completions RENAME clipc COMPONENT compiler)
+endif()
 install(FILES ${clipc_SOURCE_DIR}/README.md ${clipc_SOURCE_DIR}/CHANGELOG.md DESTINATION ${doc} COMPONENT compiler)
 install(FILES ${clipc_SOURCE_DIR}/LICENSE DESTINATION ${doc} COMPONENT compiler)
 install(DIRECTORY ${clipc_SOURCE_DIR}/docs/ DESTINATION ${doc}/docs COMPONENT compiler
   FILES_MATCHING PATTERN *.md PATTERN *.json PATTERN decisions EXCLUDE PATTERN pictures EXCLUDE)
 
 # The licences of what is linked in, where Debian's packages of it have them.
-foreach(name libclang-${CLIPC_LLVM}-dev llvm-${CLIPC_LLVM}-dev glslang-dev spirv-tools libfmt-dev nlohmann-json3-dev
-    libstdc++-${CMAKE_CXX_COMPILER_VERSION} libc6-dev)
+set(linked libclang-${CLIPC_LLVM}-dev llvm-${CLIPC_LLVM}-dev glslang-dev libfmt-dev nlohmann-json3-dev)
+if(WIN32)
+  list(APPEND linked g++-mingw-w64-x86-64-posix mingw-w64-x86-64-dev)
+else()
+  list(APPEND linked spirv-tools libstdc++-${CMAKE_CXX_COMPILER_VERSION} libc6-dev)
+endif()
+foreach(name IN LISTS linked)
   string(REGEX REPLACE "^(libstdc[+][+]-[0-9]+).*" "\\1-dev" name ${name})
   if(EXISTS /usr/share/doc/${name}/copyright)
     install(FILES /usr/share/doc/${name}/copyright DESTINATION ${doc}/linked RENAME ${name} COMPONENT compiler)
@@ -36,6 +43,9 @@ set(CPACK_PACKAGE_VENDOR clipc)
 set(CPACK_PACKAGE_CONTACT "clipc maintainers <clipc@packages.invalid>" CACHE STRING "who answers for the packages")
 set(CPACK_RESOURCE_FILE_LICENSE ${clipc_SOURCE_DIR}/LICENSE)
 set(CPACK_GENERATOR TGZ)
+if(WIN32)
+  set(CPACK_GENERATOR ZIP)
+endif()
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_COMPONENTS_ALL compiler library development)

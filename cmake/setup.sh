@@ -24,6 +24,9 @@ package_packages=(doxygen debootstrap lintian dpkg-dev man-db bash-completion pk
 # Debian 12 has an older one.
 web_packages=(clang-19 lld-19 llvm-19 wasi-libc libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 dpkg-dev)
 
+# Building clipc for Windows and testing it under Wine takes these; `./test --windows` installs them.
+windows_packages=(g++-mingw-w64-x86-64-posix wine64 libwine libclang-19-dev llvm-19-dev googletest dpkg-dev)
+
 # quietly COMMAND...: runs it and shows what it printed only if it fails.
 quietly() {
   local log status=0

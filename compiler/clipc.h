@@ -16,8 +16,8 @@
  * includes may lie.
  * Threads: a clipc_compiler serves one thread at a time; several may work at once. */
 
-/* What the shared library exports. */
-#if defined(__GNUC__)
+/* What the shared library exports; on Windows a list says it. */
+#if defined(__GNUC__) && !defined(_WIN32)
 #define CLIPC_API __attribute__((visibility("default")))
 #else
 #define CLIPC_API

@@ -21,6 +21,11 @@ tool_folders = [os.path.dirname(tool) for tool in (config.file_check, config.not
 config.environment["PATH"] = os.pathsep.join(dict.fromkeys(tool_folders)) + os.pathsep + os.environ["PATH"]
 config.environment["FILECHECK_OPTS"] = "--dump-input-filter=annotation-full --dump-input=fail"
 
+if config.windows:
+    config.available_features.add("windows")
+    # What draws runs on this system with the compiler in it: it says nothing about clipc.exe.
+    config.substitutions.append((r"(not |%python [^&|]*)?%draw .*", "true"))
+
 config.substitutions += [
     ("%clipc", config.clipc),
     ("%draw", config.draw),

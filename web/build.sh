@@ -13,7 +13,7 @@ if [ "${node:-0}" -lt 20 ] || ! command -v npm >/dev/null; then
   exit 1
 fi
 install_packages "${build_packages[@]}" "${web_packages[@]}"
-web/wasm/fetch_sources.sh
+cmake/cross/fetch_sources.sh
 mkdir -p build/web
 touch build/web/starts # what is written from here on is newer than what is made
 [ -f build/wasm/build.ninja ] || quietly cmake --preset wasm -DCMAKE_UNITY_BUILD_BATCH_SIZE=6

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# Puts the sources of Debian's LLVM 19 and glslang, as far as web/wasm/libraries.cmake takes them, into a folder.
-#   web/wasm/fetch_sources.sh [FOLDER]        build/sources
+# Puts the sources of Debian's LLVM 19 and glslang, as far as cmake/cross/libraries.cmake takes them, into a folder.
+#   cmake/cross/fetch_sources.sh [FOLDER]       build/sources
 # They come by apt from where this machine's packages come from; its own lists of packages are left as they are. Nothing is
 # done when they are there.
 set -euo pipefail

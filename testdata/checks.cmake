@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+# Tests of the repository itself, of its pages, and of what is installed.
+add_test(NAME layers COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_layers.py ${clipc_SOURCE_DIR})
+add_test(NAME format COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_format.py)
+add_test(NAME pages COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_pages.py)
+add_test(NAME sources COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_sources.py ${clipc_SOURCE_DIR})
+add_test(NAME fail_names COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/check_fail_names.py ${CMAKE_CURRENT_SOURCE_DIR})
+add_test(NAME diagnostics COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_diagnostics.py --coverage)
+if(NOT CLIPC_SANITIZE AND NOT CLIPC_FUZZ)  # or the outside project would need their libraries
+  add_test(NAME outside_project COMMAND ${CMAKE_COMMAND} -DBUILD=${clipc_BINARY_DIR}
+    -DSCRATCH=${CMAKE_CURRENT_BINARY_DIR}/outside_project -DGENERATOR=${CMAKE_GENERATOR} -DCOMPILER=${CMAKE_CXX_COMPILER}
+    -DC_COMPILER=${CMAKE_C_COMPILER} -DNM=${CMAKE_NM}
+    -P ${clipc_SOURCE_DIR}/cmake/test_outside_project.cmake)
+  set_tests_properties(outside_project PROPERTIES TIMEOUT 300)
+endif()
+if(TARGET clipc)
+  add_test(NAME outside_mistakes COMMAND ${CMAKE_COMMAND} -DCLIPC=$<TARGET_FILE:clipc>
+    -DSCRATCH=${CMAKE_CURRENT_BINARY_DIR}/outside_mistakes -DGENERATOR=${CMAKE_GENERATOR} -DCOMPILER=${CMAKE_CXX_COMPILER}
+    -P ${clipc_SOURCE_DIR}/cmake/test_outside_mistakes.cmake)
+  set_tests_properties(outside_mistakes PROPERTIES TIMEOUT 300)
+  add_test(NAME packaging COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/packaging/check_packaging.py $<TARGET_FILE:clipc>
+    ${CMAKE_CURRENT_BINARY_DIR}/packaging)
+endif()
+if(TARGET clipc AND NOT CLIPC_SANITIZE AND NOT CLIPC_FUZZ)  # nor for these
+  add_test(NAME snippets COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_snippets.py ${clipc_BINARY_DIR}
+    ${CMAKE_CURRENT_BINARY_DIR}/snippets ${CMAKE_C_COMPILER} ${CMAKE_CXX_COMPILER})
+  add_test(NAME examples.builds COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/examples/builds/check_builds.py ${clipc_BINARY_DIR}
+    ${CMAKE_CURRENT_BINARY_DIR}/builds)
+  set_tests_properties(snippets examples.builds PROPERTIES TIMEOUT 600)
+  find_program(DOXYGEN doxygen)
+  if(DOXYGEN)
+    add_test(NAME reference COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_reference.py ${DOXYGEN}
+      ${clipc_BINARY_DIR} ${CMAKE_CURRENT_BINARY_DIR}/reference)
+  endif()
+endif()
+add_test(NAME elsewhere COMMAND ${CMAKE_COMMAND} -DSCRATCH=${CMAKE_CURRENT_BINARY_DIR}/elsewhere -DGENERATOR=${CMAKE_GENERATOR}
+  -DCOMPILER=${CMAKE_CXX_COMPILER} -P ${clipc_SOURCE_DIR}/cmake/test_elsewhere.cmake)
+add_test(NAME update_checks COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/update_checks_test.py ${FILECHECK})
