@@ -200,8 +200,9 @@ class Draw:
                 break
         return made
 
-    def lost(self, way, names):
-        """The 99th percentile of displacements, of the plane where it is largest; none where hardly a cut is seen."""
+    def lost(self, way, names, every_plane=False):
+        """The 99th percentile of displacements, of the plane where it is largest; none where hardly a cut is seen, of any plane or
+        of every plane."""
         worst = None
         for plane in self.scene["planes"]:
             if plane["name"] not in names:
@@ -213,6 +214,8 @@ class Draw:
             exact = [int(x / scale * 2**160) for x in in_object]
             edges = self.edges(view_plane, exact, random.Random(plane["name"]))
             if len(edges) < EDGES // 3:
+                if every_plane:
+                    return None
                 continue
             distance = self.distance_by(way, world_plane, view_plane)
             pixels = sorted(self.displacement(*edge, distance, way == "cpu") for edge in edges)
@@ -261,7 +264,7 @@ def check(study, scene, folder, factor, found):
         if said["drawn"] != "yes" or "refused" in said or not said["planes"]:
             continue
         draw = Draw(scene, thing)
-        by = lambda way: draw.lost(ARITHMETIC.get(way, way), said["planes"])
+        by = lambda way, every_plane=False: draw.lost(ARITHMETIC.get(way, way), said["planes"], every_plane)
         found["advised"] += 1
         if said["meets"]:
             found["meets"] += 1
@@ -273,7 +276,7 @@ def check(study, scene, folder, factor, found):
         for way, cost in COSTS.items():
             if not is_possible(way, scene, thing) or (said["meets"] and cost * 1.15 >= said["cost"]):
                 continue
-            lost = by(way)
+            lost = by(way, every_plane=True)
             if lost is None or lost > tolerance / 2:
                 continue
             if said["meets"]:
