@@ -43,21 +43,21 @@ ROOMS = {
     "tools/scenes": {"clip-table", "runtime", "tools/harness", "tools/study", VOCABULARY},
     "tools/bench": {"compiler", "runtime", "tools/harness"},
     "tools/fuzz": {"clip-table", "compiler", "runtime"},
-    "web/module": {"compiler"},
+    "web/module": {"compiler", "runtime"},
     "web/wasm": set(),
     "examples": {"runtime", "tools/harness", LIBRARY},
 }
 
 # A library's headers, and the files that may include them.
 LIBRARIES = {
-    r"(clang|llvm)/": r"frontend/lex/\w+_clang\.(cpp|h)|web/wasm/.*",
-    r"glslang/": r"compiler/.*\.cpp|pixel/.*\.cpp|tools/harness/glslang_includer\.h|tools/draw/vulkan/glslang\.cpp|tools/bench/peers\.cpp|web/wasm/.*",
+    r"(clang|llvm)/": r"frontend/lex/\w+_clang\.(cpp|h)|web/module/page\.cpp|web/wasm/.*",
+    r"glslang/": r"compiler/.*\.cpp|pixel/.*\.cpp|tools/harness/glslang_includer\.h|tools/draw/vulkan/glslang\.cpp|tools/bench/peers\.cpp|web/module/page\.cpp|web/wasm/.*",
     r"epoxy/": r"tools/(harness|draw|study/program|scenes)/.*|examples/.*\.cpp",
     r"png\.h": r"tools/harness/picture\.cpp",
     r"spirv_cross/": r"tools/draw/(vulkan|peer)/.*|tools/bench/peers\.cpp",
     r"vulkan/": r"tools/draw/vulkan/device\.h",
     r"fmt/": r"(base|ir|frontend|passes|pixel|backend-glsl|compiler|tools/bench)/.*",
-    r"nlohmann/": r"(base|clip-table|compiler|tools/study)/.*\.cpp",
+    r"nlohmann/": r"(base|clip-table|compiler|tools/draw|tools/study)/.*\.cpp",
 }
 
 # What clipc_add_shader() writes into a build folder.

@@ -39,6 +39,11 @@ clipc-draw passes FIRST.vert SECOND.vert
   Draws with the first, and then with the second where its depth is equal. Fails where a pixel of the
   first pass is missing in the second.
 
+clipc-draw picture DRAW.json COLORS
+  Draws what DRAW.json describes: vertex and fragment shader, width and height, vertices, indices,
+  the bits of attributes, blocks, uniforms and textures by name, a mask of clipDistances, clear,
+  reversed, float. Writes four floats for each pixel, the bottom row first.
+
 clipc-draw compare SHADER.hlsl [options]
   Compiles the shader and compares the outputs of the GLSL, run by Mesa, with those of the reference
   evaluator, on random vertices and constants: for every target and lowering chosen below, both
@@ -78,6 +83,7 @@ int RunCapture(const Arguments& arguments);
 int RunPixels(const Arguments& arguments);
 int RunPair(const Arguments& arguments);
 int RunPasses(const Arguments& arguments);
+int RunPicture(const Arguments& arguments);
 int RunCompare(const Arguments& arguments);
 int RunMachineCode(const Arguments& arguments);
 int RunDevices();

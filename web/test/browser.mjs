@@ -27,7 +27,8 @@ export class Page {
   #waiting = new Map();
   #rest = '';
 
-  static async open(program, address, { width = 1280, height = 1100 } = {}) {
+  /** `script` runs in the page before its own. */
+  static async open(program, address, { width = 1280, height = 1100, script = '' } = {}) {
     const page = new Page();
     page.profile = mkdtempSync(join(tmpdir(), 'clipc-browser-'));
     const options = ['--headless=new', '--no-sandbox', '--remote-debugging-pipe', '--enable-unsafe-swiftshader', '--use-angle=swiftshader',
@@ -37,12 +38,19 @@ export class Page {
     const { targetId } = await page.#send('Target.createTarget', { url: 'about:blank' });
     ({ sessionId: page.session } = await page.#send('Target.attachToTarget', { targetId, flatten: true }));
     for (const domain of ['Page', 'Runtime', 'Log']) await page.send(`${domain}.enable`);
+    if (script) await page.send('Page.addScriptToEvaluateOnNewDocument', { source: script });
     await page.send('Page.navigate', { url: address });
     return page;
   }
 
   send(method, params = {}) {
     return this.#send(method, params, this.session);
+  }
+
+  /** The processor time that the page's process has taken, its workers with it: seconds. */
+  async processorTime() {
+    const { processInfo } = await this.#send('SystemInfo.getProcessInfo');
+    return Math.max(0, ...processInfo.filter(({ type }) => type === 'renderer').map(({ cpuTime }) => cpuTime));
   }
 
   /** The value of an expression, or of what it promises. */
