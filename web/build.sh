@@ -25,11 +25,12 @@ cp web/npm/* LICENSE build/wasm/bin/clipc.wasm "$package"
 (cd "$package" && quietly npm pack --pack-destination ..)
 [ "${1:-package}" = page ] || exit 0
 
-mkdir -p build/web/page/gallery
+mkdir -p build/web/page/{gallery,tables}
 cp web/page/* web/page/.npmrc build/web/page
 mkdir -p build/page
 cp web/page/{index.html,style.css} build/page
 cp examples/gallery/*.{hlsl,fx} build/web/page/gallery
+cp tools/study/tables/speed.csv build/web/page/tables
 cd build/web/page
 [ node_modules -nt package-lock.json ] || quietly npm ci --no-audit --no-fund
 quietly npm run build

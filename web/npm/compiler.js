@@ -128,6 +128,18 @@ export class Compiler {
     }
   }
 
+  /** The text of `result.spirv`, for people to read. */
+  disassemble(spirv) {
+    const instance = this.#started(() => null);
+    const { clipc_module_disassemble: run, clipc_module_free: free, memory } = instance.exports;
+    const at = instance.copy(new Uint8Array(spirv.buffer, spirv.byteOffset, spirv.byteLength));
+    const place = run(at, spirv.length);
+    const pair = new Uint32Array(memory.buffer, place, 2); // run may have moved the memory
+    const listing = text(instance.bytesAt(pair[0], pair[1]));
+    free(at);
+    return listing;
+  }
+
   #started(readInclude) {
     if (!this.#instance) {
       this.#instance = new Instance(this.#module, null, readInclude);

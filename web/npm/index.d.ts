@@ -78,6 +78,8 @@ export class Compiler {
   constructor(module: WebAssembly.Module);
   readonly version: string;
   compile(text: string | Uint8Array, options?: CompileOptions): CompileResult;
+  /** The text of `CompileResult.spirv`, as glslang writes it. */
+  disassemble(spirv: Uint32Array): string;
 }
 
 /** A compiler of its own. `wasm`: clipc.wasm, compiled; without, it is loaded from the package. */

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// A WebGL 2 canvas that draws a mesh with the GLSL of one of clipc's results.
+// A WebGL 2 canvas that draws a mesh with the GLSL of one of clipc's results, and lines over it.
+import { Program, uploadMesh } from './program.js';
 
 const COLORS = /COLOR|TINT/;
 
 /** A fragment shader for the outputs of `result`; it shades by the slope of the depth where there are no normals. */
-function fragmentShader(result) {
+export function fragmentShader(result) {
   const outputs = result.reflection.outputs.filter((output) => !output.builtin);
   const find = (test, types) => outputs.find(({ semantic, type }) => test.test(semantic) && types.includes(type));
   const normal = find(/^NORMAL$/, ['float3', 'float4']);
@@ -25,68 +26,62 @@ void main() {
 `;
 }
 
-const ARRAYS = { POSITION: 'positions', NORMAL: 'normals', TEXCOORD: 'uvs' };
+const LINES = {
+  glsl: '#version 300 es\nin vec4 position;\nvoid main() { gl_Position = position; }\n',
+  fragment: '#version 300 es\nout lowp vec4 color;\nvoid main() { color = vec4(1.0, 1.0, 1.0, 1.0); }\n',
+};
 
 export class Canvas {
   #program = null;
-  #result = null;
+  #lines = null;
   #mesh = null;
+  /** What the last draw took. */
+  work = { draws: 0, uploads: 0 };
 
-  constructor(element) {
+  constructor(element, options = {}) {
     this.element = element;
-    this.gl = element.getContext('webgl2', { antialias: true });
+    this.gl = element.getContext('webgl2', { antialias: true, ...options });
     this.clip = this.gl?.getExtension('WEBGL_clip_cull_distance') ?? null;
     element.addEventListener('webglcontextlost', (event) => event.preventDefault());
     element.addEventListener('webglcontextrestored', () => {
+      const { result } = this;
       this.clip = this.gl.getExtension('WEBGL_clip_cull_distance');
+      this.#lines = null;
+      this.#program = null;
       this.mesh = this.#mesh.source;
-      this.use(this.#result);
+      if (result) this.use(result);
     });
   }
 
   set mesh(source) {
     const { gl } = this;
     if (!gl) return;
-    const buffer = (target, data) => {
-      const made = gl.createBuffer();
-      gl.bindBuffer(target, made);
-      gl.bufferData(target, data, gl.STATIC_DRAW);
-      return made;
-    };
     if (this.#mesh) Object.values(this.#mesh.buffers).forEach((made) => gl.deleteBuffer(made));
-    const buffers = {};
-    for (const name of ['positions', 'normals', 'uvs']) buffers[name] = buffer(gl.ARRAY_BUFFER, source[name]);
-    buffers.indices = buffer(gl.ELEMENT_ARRAY_BUFFER, source.indices);
-    this.#mesh = { buffers, source };
+    this.#mesh = { buffers: uploadMesh(gl, source), source };
+  }
+  get mesh() {
+    return this.#mesh?.source;
   }
 
   /** Draws with `result` from now on. Returns what is wrong; the last program stays then. */
   use(result) {
-    const { gl } = this;
-    if (!gl) return 'this browser has no WebGL 2';
-    const program = gl.createProgram();
-    for (const [type, text] of [[gl.VERTEX_SHADER, result.glsl], [gl.FRAGMENT_SHADER, fragmentShader(result)]]) {
-      const shader = gl.createShader(type);
-      gl.shaderSource(shader, text);
-      gl.compileShader(shader);
-      gl.attachShader(program, shader);
-      if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) return gl.getShaderInfoLog(shader);
-      gl.deleteShader(shader);
+    if (!this.gl) return 'this browser has no WebGL 2';
+    try {
+      const program = new Program(this.gl, result, fragmentShader(result));
+      this.#program?.delete();
+      this.#program = program;
+      return '';
+    } catch (error) {
+      return error.message;
     }
-    gl.linkProgram(program);
-    if (!gl.getProgramParameter(program, gl.LINK_STATUS)) return gl.getProgramInfoLog(program);
-    gl.deleteProgram(this.#program);
-    this.#program = program;
-    this.#result = result;
-    return '';
   }
 
   get result() {
-    return this.#result;
+    return this.#program?.result ?? null;
   }
 
-  /** `buffers`: fillConstants(). One draw, and an upload for each constant buffer. */
-  draw(buffers, isReversed) {
+  /** `constants`: fillConstants(). One draw of the mesh, and one of `lines`, pairs of points of the clip space from -w to w. */
+  draw(constants, isReversed, lines = null) {
     const { gl, element } = this;
     if (!gl || !this.#program || gl.isContextLost()) return;
     gl.viewport(0, 0, element.width, element.height);
@@ -95,57 +90,33 @@ export class Canvas {
     gl.enable(gl.DEPTH_TEST);
     gl.depthFunc(isReversed ? gl.GEQUAL : gl.LEQUAL);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    gl.useProgram(this.#program);
-    this.#bindBuffers(buffers);
-    this.#bindInputs();
-    const planes = this.clip ? Math.log2((this.#result.reflection.clipDistanceMask ?? 0) + 1) : 0;
+    const uploads = this.#program.bind(constants, this.#mesh.buffers);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.#mesh.buffers.indices);
+    const { clipDistanceMask = 0 } = this.result.reflection;
+    const planes = this.clip ? Math.log2(clipDistanceMask + 1) : 0;
     for (let i = 0; i < planes; ++i) gl.enable(this.clip.CLIP_DISTANCE0_WEBGL + i);
-    gl.drawElements(gl.TRIANGLES, this.#mesh.source.indices.length, gl.UNSIGNED_SHORT, 0);
+    gl.drawElements(gl.TRIANGLES, this.#mesh.source.indices.length, gl.UNSIGNED_INT, 0);
     for (let i = 0; i < planes; ++i) gl.disable(this.clip.CLIP_DISTANCE0_WEBGL + i);
+    this.work = { draws: 1, uploads };
+    if (lines?.length) this.#drawLines(lines);
   }
 
-  #bindBuffers(buffers) {
+  #drawLines(lines) {
     const { gl } = this;
-    this.uniforms ??= [];
-    this.#result.reflection.cbuffers.forEach(({ name, glsl }, binding) => {
-      const bytes = buffers.get(name);
-      const block = gl.getUniformBlockIndex(this.#program, glsl.block ?? '');
-      if (block === gl.INVALID_INDEX) return;
-      this.uniforms[binding] ??= gl.createBuffer();
-      gl.uniformBlockBinding(this.#program, block, binding);
-      gl.bindBufferBase(gl.UNIFORM_BUFFER, binding, this.uniforms[binding]);
-      gl.bufferData(gl.UNIFORM_BUFFER, bytes, gl.DYNAMIC_DRAW);
-    });
-    for (const { name, members } of this.#result.reflection.cbuffers) {
-      for (const { type, offset, glsl } of members) {
-        const place = glsl && gl.getUniformLocation(this.#program, glsl);
-        if (place === null || place === undefined || place === '') continue;
-        const floats = new Float32Array(buffers.get(name));
-        if (type === 'float4x4') gl.uniformMatrix4fv(place, true, floats.subarray(offset / 4, offset / 4 + 16));
-        else if (/^float[234]?$/.test(type)) {
-          const width = Number(type[5] ?? 1);
-          gl[`uniform${width}fv`](place, floats.subarray(offset / 4, offset / 4 + width));
-        }
-      }
+    if (!this.#lines) {
+      const nothing = { cbuffers: [], inputs: [] };
+      const program = new Program(gl, { glsl: LINES.glsl, reflection: nothing }, LINES.fragment);
+      this.#lines = { program, buffer: gl.createBuffer() };
     }
-  }
-
-  #bindInputs() {
-    const { gl } = this;
-    const { buffers } = this.#mesh;
-    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, buffers.indices);
-    for (const { semantic, index, name, builtin } of this.#result.reflection.inputs) {
-      const location = builtin ? -1 : gl.getAttribLocation(this.#program, name);
-      if (location < 0) continue;
-      const array = index === 0 && ARRAYS[semantic];
-      if (array) {
-        gl.bindBuffer(gl.ARRAY_BUFFER, buffers[array]);
-        gl.enableVertexAttribArray(location);
-        gl.vertexAttribPointer(location, array === 'uvs' ? 2 : 3, gl.FLOAT, false, 0, 0);
-      } else {
-        gl.disableVertexAttribArray(location);
-        gl.vertexAttrib4f(location, 1, 1, 1, 1);
-      }
-    }
+    const { program, buffer } = this.#lines;
+    program.bind(null, {});
+    gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+    gl.bufferData(gl.ARRAY_BUFFER, lines, gl.STREAM_DRAW);
+    const location = gl.getAttribLocation(program.program, 'position');
+    gl.enableVertexAttribArray(location);
+    gl.vertexAttribPointer(location, 4, gl.FLOAT, false, 0, 0);
+    gl.drawArrays(gl.LINES, 0, lines.length / 4);
+    this.work.draws += 1;
+    this.work.uploads += 1;
   }
 }

@@ -1,135 +1,112 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-import { Canvas } from './canvas.js';
+import { Chart } from './chart.js';
 import { Compiles } from './compile.js';
-import { fillConstants } from './constants.js';
+import { planesOf } from './constants.js';
 import { Editor } from './editor.js';
+import { readGltf } from './gltf.js';
 import { readLink, writeLink } from './link.js';
 import { MESHES } from './mesh.js';
+import { Pictures } from './pictures.js';
 import { loadRuntime, SPACES } from './runtime.js';
-import { Scene, steer } from './scene.js';
-import { START } from './start.js';
+import { CHAINS, Scene } from './scene.js';
+import { isStart, startOf } from './start.js';
+import { steer } from './steer.js';
+import { Tabs } from './tabs.js';
 
 const TARGETS = ['webgl2', 'glsl450', 'glsl330', 'glsl120', 'essl300', 'essl320', 'vulkan'];
 const LOWERINGS = ['clip-distance', 'discard', 'near-plane', 'level9', 'none'];
-const TABS = ['GLSL', 'Messages', 'Clip table', 'Reflection', 'Discard'];
+const DRAGS = { camera: 'turns the camera', plane: 'moves the plane', turn: 'turns the plane' };
+const SAVED = ['options', 'target', 'lower', 'space', 'near', 'depth', 'offset', 'chain'];
+const START = 'A cut model';
 const WAIT = 120; // milliseconds after the last key
+const MOST_FILE = 64 << 20;
 
 const files = import.meta.webpackContext('./gallery', { regExp: /\.(hlsl|fx)$/ });
-const gallery = { 'A cut model': START };
-for (const path of files.keys()) gallery[path.slice(2)] = files(path);
+const gallery = Object.fromEntries(files.keys().map((path) => [path.slice(2), files(path)]));
 
+const { dataset } = document.documentElement;
 const element = (id) => document.getElementById(id);
+const count = (name) => (dataset[name] = String(Number(dataset[name] ?? 0) + 1));
 const say = (text, isBad = false) => {
   element('status').textContent = text;
   element('status').classList.toggle('bad', isBad);
 };
-const fill = (id, values) => element(id).append(...values.map((value) => new Option(value)));
+const fill = (id, values) => {
+  const named = Array.isArray(values) ? values.map((value) => [value, value]) : Object.entries(values);
+  element(id).replaceChildren(...named.map(([value, text]) => new Option(text, value)));
+};
 
 const scene = new Scene();
 const views = [
-  { canvas: new Canvas(element('clipped')), caption: element('clipped-caption'), lower: 'clip-distance' },
-  { canvas: new Canvas(element('discarded')), caption: element('discarded-caption'), lower: 'discard' },
+  { element: element('clipped'), caption: element('clipped-caption'), name: 'Clip distances' },
+  { element: element('discarded'), caption: element('discarded-caption'), name: 'Discard' },
 ];
-let planeConstant = null;
-let shown = null;
-let tab = TABS[0];
+const pictures = new Pictures(scene, views, showScene, showNumbers);
+const chart = new Chart(element('chart'), ({ space, lower }) => {
+  element('space').value = space;
+  element('lower').value = lower;
+  compileSoon();
+});
+const tabs = new Tabs(element('tabs'), element('text'), () => tabs.needsSpirv && compileSoon());
+const compiles = new Compiles((version) => (dataset.version = version));
+const editor = new Editor(element('source'), () => compileSoon());
 
-// ---- the outputs
+// ---- what is shown
 
-function showText() {
-  const text = {
-    GLSL: () => shown.glsl,
-    Messages: () => shown.messages,
-    'Clip table': () => (shown.table ? JSON.stringify(shown.table, null, 2) : ''),
-    Reflection: () => (shown.reflection ? JSON.stringify(shown.reflection, null, 2) : ''),
-    Discard: () => shown.discard,
-  }[tab];
-  element('text').textContent = (shown && text()) || (shown ? 'Nothing.' : '');
+/** The controls follow the scene. */
+function showScene() {
+  for (const id of ['height', 'tilt', 'heading']) element(id).value = scene.plane[id];
+  const works = pictures.views.map(({ canvas }) => canvas.work);
+  dataset.draws = String(works.reduce((sum, work) => sum + work.draws, 0));
+  dataset.uploads = String(works.reduce((sum, work) => sum + work.uploads, 0));
 }
 
-function makeTabs() {
-  const select = (name) => {
-    tab = name;
-    for (const button of element('tabs').children) {
-      const isSelected = button.textContent === name;
-      button.setAttribute('aria-selected', String(isSelected));
-      button.tabIndex = isSelected ? 0 : -1;
-    }
-    showText();
-  };
-  for (const name of TABS) {
-    const button = document.createElement('button');
-    button.type = 'button';
-    button.textContent = name;
-    button.setAttribute('role', 'tab');
-    button.setAttribute('aria-controls', 'text');
-    button.addEventListener('click', () => select(name));
-    element('tabs').append(button);
-  }
-  element('tabs').addEventListener('keydown', (event) => {
-    const step = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
-    if (!step) return;
-    const next = (TABS.indexOf(tab) + step + TABS.length) % TABS.length;
-    select(TABS[next]);
-    element('tabs').children[next].focus();
+const short = (pixels) => (pixels === 0 ? '0' : Number(pixels.toPrecision(2)).toString());
+
+function showNumbers(numbers) {
+  const place = element('prediction');
+  place.textContent = numbers ? sentences(numbers) : 'No plane that a constant moves.';
+  const { displacement, flicker } = numbers?.found ?? {};
+  Object.assign(place.dataset, {
+    predicted: numbers?.predicted[numbers.space] ?? '',
+    measured: displacement?.p99 ?? '',
+    median: displacement?.median ?? '',
+    flicker: flicker?.p99 ?? '',
   });
-  select(tab);
-  return select;
+  element('chart-part').hidden = !numbers;
+  if (numbers) chart.show(numbers.planes, numbers.predicted, { space: element('space').value, lower: element('lower').value });
+  count('measured');
+  dataset.shows = dataset.compiled ?? '0'; // the compile whose pictures were measured
 }
 
-// ---- the pictures
-
-function draw() {
-  if (!planeConstant) return;
-  const lines = [];
-  for (const { canvas, caption, lower, problem } of views) {
-    const { element: picture, result } = canvas;
-    const matrices = scene.matrices(picture.width / picture.height);
-    let unknown = [];
-    if (result) {
-      const position = result.table?.position_space;
-      const space = SPACES.includes(position) ? position : 'clip';
-      const constant = planeConstant(space, scene.plane, matrices, picture.height);
-      const filled = fillConstants(result.reflection, result.source, matrices, () => constant.constant);
-      unknown = filled.unknown;
-      canvas.draw(filled.buffers, scene.isReversed);
-      if (lower === 'clip-distance') lines.push(constant.problem ?? predicted(space, constant));
-    }
-    const missing = lower === 'clip-distance' && canvas.gl && !canvas.clip ? ': this browser has no WEBGL_clip_cull_distance' : '';
-    const zeros = unknown.length ? `; zeros for ${unknown.join(', ')}` : '';
-    caption.textContent = (lower === 'discard' ? 'Discard' : 'Clip distances') + (problem ? `: ${problem}` : missing || zeros);
-  }
-  element('prediction').textContent = lines.join(' ');
-}
-
-const predicted = (space, { edgeError, warning }) =>
-  `Plane space ${space}: ${edgeError ? `edges move by up to ${edgeError.toPrecision(2)} pixels (predicted)` : 'no prediction'}.` +
-  (warning ? ` ${warning}` : '');
-
-let isDrawing = false;
-function redraw() {
-  if (isDrawing) return;
-  isDrawing = true;
-  requestAnimationFrame(() => {
-    isDrawing = false;
-    element('height').value = scene.height;
-    draw();
-  });
+function sentences({ space, predicted, found, warning }) {
+  const expected = Number.isFinite(predicted[space]) ? `Predicted displacement of the cut: ${short(predicted[space])} pixels.` : 'No prediction.';
+  const measured = found
+    ? `Measured: ${short(found.displacement.p99)} pixels (99 of 100 of ${found.displacement.count} edges; median ` +
+      `${short(found.displacement.median)}, largest ${short(found.displacement.largest)}). ` +
+      `Flicker while the camera pans: ${short(found.flicker.p99)} pixels a frame (median ${short(found.flicker.median)}).`
+    : 'Nothing to measure: no edge in view is cut, or the shader moves the mesh by itself.';
+  return `Plane space ${space}. ${expected} ${measured} ${warning}`.trim();
 }
 
 // ---- compiling
 
+/** The shown result, both pictures', and SPIR-V where it is looked at. */
 function settings() {
   const space = element('space').value;
+  const lower = element('lower').value;
   const options = element('options').value.split(/\s+/).filter(Boolean);
   if (space !== 'clip') options.push(`--plane-space=${space}`);
-  const drawn = (lower) => ({ target: 'webgl2', lower, options: [...options, '--depth-range=negative-one-to-one'] });
-  const main = { target: element('target').value, lower: element('lower').value, options };
-  return [main, ...views.map(({ canvas, lower }) => (lower === 'clip-distance' && !canvas.clip ? null : drawn(lower)))];
+  const drawn = (how) => ({ target: 'webgl2', lower: how, options: [...options, '--depth-range=negative-one-to-one'] });
+  const left = ['near-plane', 'none'].includes(lower) ? lower : 'clip-distance';
+  pictures.views[0].name = { 'near-plane': 'Near plane', none: 'No planes', 'clip-distance': 'Clip distances' }[left];
+  return [
+    { target: element('target').value, lower, options },
+    left === 'clip-distance' && !pictures.hasClipDistances ? null : drawn(left),
+    drawn('discard'),
+    tabs.needsSpirv ? { target: 'vulkan', lower: 'clip-distance', options: [...options, '-spirv'] } : null,
+  ];
 }
-
-const compiles = new Compiles((version) => (document.documentElement.dataset.version = version));
-const editor = new Editor(element('source'), () => compileSoon());
 
 let timer = 0;
 function compileSoon() {
@@ -140,21 +117,26 @@ function compileSoon() {
 async function compileNow() {
   const source = editor.text;
   const answer = await compiles.compile(source, settings());
-  document.documentElement.dataset.compiled = String(Number(document.documentElement.dataset.compiled ?? 0) + 1);
+  count('compiled');
   if (answer.stopped) return say('The shader took too long; the compile was stopped.', true);
   if (answer.failed) return say(answer.failed, true);
-  [shown] = answer.results;
+  const [shown, left, right, spirv] = answer.results;
   editor.show(shown.diagnostics);
   if (shown.status === 'bad-request' || shown.status === 'no-memory') say(shown.messages, true);
-  else say(shown.ok ? `Compiled three ways in ${answer.milliseconds.toFixed(1)} ms` : 'The shader has errors', !shown.ok);
-  showText();
-  views.forEach((view, i) => {
-    const result = answer.results[i + 1];
-    view.problem = '';
-    if (result?.ok) view.problem = view.canvas.use({ ...result, source });
-    else if (result && shown.ok) view.problem = result.diagnostics[0]?.message ?? result.messages;
-  });
-  redraw();
+  else say(shown.ok ? `Compiled in ${answer.milliseconds.toFixed(1)} ms` : 'The shader has errors', !shown.ok);
+  tabs.show({ shown, spirv });
+  const problems = [left, right].map((result) => (result && !result.ok && shown.ok ? (result.diagnostics[0]?.message ?? result.messages) : ''));
+  if (!left && !pictures.hasClipDistances) problems[0] = 'this browser has no WEBGL_clip_cull_distance';
+  pictures.use([left, right], source, problems);
+  showPlanes();
+}
+
+/** As many planes to choose from as the shader in the picture has. */
+function showPlanes() {
+  const planes = new Set(pictures.result ? planesOf(pictures.result.reflection) : []).size || 1;
+  if (element('plane').options.length !== planes) fill('plane', Array.from({ length: planes }, (_, i) => String(i + 1)));
+  scene.chosen = Number(element('plane').value) - 1;
+  pictures.redraw();
 }
 
 // ---- the controls
@@ -162,18 +144,52 @@ async function compileNow() {
 function bind(id, set) {
   element(id).addEventListener('input', () => {
     set(element(id).value);
-    redraw();
+    pictures.redraw();
   });
 }
 
 function choose(name) {
-  const text = gallery[name];
+  const text = gallery[name] ?? startOf(scene.chain);
   element('options').value = text.match(/^\/\/ clipc (.*)$/m)?.[1] ?? '-T vs_5_0';
   editor.text = text;
 }
 
+async function loadFile(file) {
+  if (!file) return;
+  try {
+    if (file.size > MOST_FILE) throw new Error('the file is larger than 64 MB');
+    pictures.mesh = readGltf(await file.arrayBuffer());
+    if (![...element('mesh').options].some(({ value }) => value === 'file')) element('mesh').append(new Option('', 'file'));
+    element('mesh').options[element('mesh').options.length - 1].text = file.name;
+    element('mesh').value = 'file';
+    say(`${file.name} is loaded`);
+  } catch (error) {
+    say(error.message, true);
+  }
+}
+
+function bindScene() {
+  for (const id of ['height', 'tilt', 'heading']) bind(id, (value) => (scene.plane[id] = Number(value)));
+  bind('plane', (value) => (scene.chosen = Number(value) - 1));
+  bind('near', (value) => (scene.near = Number(value)));
+  bind('offset', (value) => (scene.offset = Number(value)));
+  bind('depth', (value) => (scene.isReversed = value === 'reversed'));
+  bind('chain', (value) => {
+    scene.chain = value;
+    if (isStart(editor.text)) editor.text = startOf(value);
+  });
+  element('reference').addEventListener('input', () => {
+    pictures.showsReference = element('reference').checked;
+    pictures.redraw();
+  });
+  element('mesh').addEventListener('input', () => MESHES[element('mesh').value] && (pictures.mesh = MESHES[element('mesh').value]()));
+  element('file').addEventListener('change', () => loadFile(element('file').files[0]));
+  pictures.mesh = MESHES.Teapot();
+  for (const { element: picture } of views) steer(picture, scene, () => element('drag').value, () => pictures.redraw());
+}
+
 function start() {
-  fill('gallery', Object.keys(gallery));
+  fill('gallery', [START, ...Object.keys(gallery)]);
   fill('target', TARGETS);
   fill('lower', LOWERINGS);
   fill('space', SPACES);
@@ -181,29 +197,22 @@ function start() {
   fill('near', ['0.1', '0.01', '0.001', '0.0001']);
   fill('depth', ['standard', 'reversed']);
   fill('offset', ['0', '1000', '100000']);
-  makeTabs();
+  fill('chain', CHAINS);
+  fill('drag', DRAGS);
+  fill('plane', ['1']);
   for (const id of ['target', 'lower', 'space', 'options']) element(id).addEventListener('input', compileSoon);
   element('gallery').addEventListener('input', () => choose(element('gallery').value));
-  bind('height', (value) => (scene.height = Number(value)));
-  bind('tilt', (value) => (scene.tilt = Number(value)));
-  bind('heading', (value) => (scene.heading = Number(value)));
-  bind('near', (value) => (scene.near = Number(value)));
-  bind('offset', (value) => (scene.offset = Number(value)));
-  bind('depth', (value) => (scene.isReversed = value === 'reversed'));
-  const setMesh = (name) => views.forEach(({ canvas }) => (canvas.mesh = MESHES[name]()));
-  bind('mesh', setMesh);
-  setMesh('Knot');
-  for (const { canvas } of views) steer(canvas.element, scene, redraw);
+  bindScene();
   element('link').addEventListener('click', async () => {
-    const state = Object.fromEntries(['options', 'target', 'lower', 'space'].map((id) => [id, element(id).value]));
+    const state = Object.fromEntries(SAVED.map((id) => [id, element(id).value]));
     location.hash = await writeLink({ ...state, text: editor.text });
     await navigator.clipboard?.writeText(location.href).catch(() => {});
     say('The address of this page now carries the shader');
   });
   loadRuntime().then(
     (loaded) => {
-      planeConstant = loaded;
-      redraw();
+      pictures.runtime = loaded;
+      pictures.redraw();
     },
     (error) => say(String(error), true),
   );
@@ -213,7 +222,9 @@ function start() {
 async function openLink() {
   const state = await readLink(location.hash).catch(() => null);
   if (!state) return choose(element('gallery').value);
-  for (const id of ['options', 'target', 'lower', 'space']) element(id).value = state[id] ?? element(id).value;
+  for (const id of SAVED) element(id).value = state[id] ?? element(id).value;
+  [scene.near, scene.offset] = [Number(element('near').value), Number(element('offset').value)];
+  [scene.chain, scene.isReversed] = [element('chain').value, element('depth').value === 'reversed'];
   editor.text = state.text;
 }
 

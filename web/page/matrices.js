@@ -9,11 +9,9 @@ export const multiply = (a, b) =>
 
 export const transpose = (m) => m.map((_, at) => m[(at % 4) * 4 + (at >> 2)]);
 
-export const identity = () => [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
-
 export const translation = (x, y, z) => [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, y, z, 1];
 
-const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+export const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const normalize = (a) => a.map((x) => x / Math.hypot(...a));
 
@@ -31,4 +29,29 @@ export function perspective(fieldOfView, aspect, near, far, isReversed) {
   const y = 1 / Math.tan(fieldOfView / 2);
   const [a, b] = isReversed ? [near / (far - near), (near * far) / (far - near)] : [far / (near - far), (near * far) / (near - far)];
   return [y / aspect, 0, 0, 0, 0, y, 0, 0, 0, 0, a, -1, 0, 0, b, 0];
+}
+
+/** The turn by `angle` about y. */
+export function rotationY(angle) {
+  const [c, s] = [Math.cos(angle), Math.sin(angle)];
+  return [c, 0, -s, 0, 0, 1, 0, 0, s, 0, c, 0, 0, 0, 0, 1];
+}
+
+/** The product as an application makes it of floats: each operation is rounded. */
+export const multiplyFloats = (a, b) =>
+  a.map((_, at) => {
+    const [row, column] = [at - (at % 4), at % 4];
+    let sum = 0;
+    for (let i = 0; i < 4; ++i) sum = Math.fround(sum + Math.fround(a[row + i] * b[4 * i + column]));
+    return sum;
+  });
+
+/** The plane before `matrix`, given the plane after it. */
+export const planeBefore = (matrix, plane) =>
+  [0, 4, 8, 12].map((row) => plane.reduce((sum, x, i) => sum + matrix[row + i] * x, 0));
+
+/** A plane of the world in the space of a view, which turns and moves only. */
+export function planeInView(plane, view) {
+  const normal = [0, 1, 2].map((i) => plane[0] * view[i] + plane[1] * view[4 + i] + plane[2] * view[8 + i]);
+  return [...normal, plane[3] - normal[0] * view[12] - normal[1] * view[13] - normal[2] * view[14]];
 }

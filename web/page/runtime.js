@@ -1,36 +1,75 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Plane constants by clipc's runtime, which is in the same module as the compiler: runtime/clipc_runtime.h.
+// Plane constants and predictions by clipc's runtime, which is in the same module as the compiler: runtime/clipc_runtime.h and
+// web/module/page.cpp.
 import { Instance } from 'clipc/compiler.js';
+
+import { planeInView } from './matrices.js';
 
 export const SPACES = ['clip', 'xyw1', 'object'];
 const KNOWN_IN_WORLD = 1;
 const MOST_PIXELS = 0.5;
+const KEEP_FAR = 1;
+const REVERSED = 2;
 
 export async function loadRuntime() {
   const response = await fetch(new URL('clipc/clipc.wasm', import.meta.url));
   const module = await WebAssembly.compile(await response.arrayBuffer());
-  const instance = new Instance(module, null, () => null);
-  const { exports } = instance;
-  exports._initialize();
-  const plane = exports.clipc_module_allocate(16);
-  const matrices = [0, 1, 2].map(() => exports.clipc_module_allocate(64));
-  const draw = exports.clipc_module_allocate(20);
-  const result = exports.clipc_module_allocate(232);
-  const message = exports.clipc_module_allocate(200);
-  const floats = (address, values) => new Float32Array(exports.memory.buffer, address, values.length).set(values);
+  return new Runtime(new Instance(module, null, () => null));
+}
 
-  /** {constant, edgeError, warning} for a plane of the world, for a picture of `rows` rows; or {problem}. */
-  return function planeConstant(space, worldPlane, { world, view, projection, steps = 1 }, rows) {
-    floats(plane, worldPlane);
-    [world, view, projection].forEach((matrix, i) => floats(matrices[i], matrix));
-    new Uint32Array(exports.memory.buffer, draw, 5).set([...matrices, steps, 0]);
+class Runtime {
+  #instance;
+  #at;
+
+  constructor(instance) {
+    this.#instance = instance;
+    const { exports } = instance;
+    exports._initialize();
+    const place = (size) => exports.clipc_module_allocate(size);
+    this.#at = { plane: place(16), matrices: [64, 64, 64].map(place), draw: place(20), result: place(232), message: place(200) };
+  }
+
+  #put(address, values) {
+    new Float32Array(this.#instance.exports.memory.buffer, address, values.length).set(values);
+  }
+
+  /** {constant, warning} for a plane of the world; or {problem}. */
+  constant(space, worldPlane, { world, view, projection }, rows) {
+    const { exports } = this.#instance;
+    const { plane, matrices, draw, result, message } = this.#at;
+    this.#put(plane, worldPlane);
+    [world, view, projection].forEach((matrix, i) => this.#put(matrices[i], matrix));
+    new Uint32Array(exports.memory.buffer, draw, 5).set([...matrices, 1, 0]); // steps and float_product: edgeError tells of chains
     const error = exports.clipc_plane_constant(SPACES.indexOf(space), plane, KNOWN_IN_WORLD, draw, rows, MOST_PIXELS, result, message);
-    if (error) return { problem: instance.textAt(message), constant: [0, 0, 0, 1] };
-    const view8 = new DataView(exports.memory.buffer, result);
+    if (error) return { problem: this.#instance.textAt(message), constant: [0, 0, 0, 1] };
+    const bytes = new DataView(exports.memory.buffer, result);
     return {
-      constant: [0, 4, 8, 12].map((at) => view8.getFloat32(at, true)),
-      edgeError: view8.getFloat64(16, true),
-      warning: view8.getUint32(24, true) ? instance.textAt(result + 28) : '',
+      constant: [0, 4, 8, 12].map((at) => bytes.getFloat32(at, true)),
+      warning: bytes.getUint32(24, true) ? this.#instance.textAt(result + 28) : '',
     };
-  };
+  }
+
+  /** The same for the lowering `near-plane`, whose shader writes the constant's value as depth. */
+  nearPlaneConstant(space, worldPlane, scene, rows) {
+    const { exports } = this.#instance;
+    const { plane, matrices, result, message } = this.#at;
+    const { constant, problem } = this.constant(space, worldPlane, scene, rows);
+    if (problem) return { constant, problem };
+    this.#put(plane, planeInView(worldPlane, scene.view));
+    this.#put(matrices[2], scene.projection);
+    const error = exports.clipc_shear_near_plane(plane, matrices[2], scene.isReversed ? REVERSED : 0, KEEP_FAR, result, message);
+    if (error) return { constant, problem: this.#instance.textAt(message) };
+    const scale = new DataView(exports.memory.buffer, result).getFloat64(64, true);
+    return { constant: constant.map((x) => x * scale), problem: scene.isReversed ? 'this shader writes standard depth' : '' };
+  }
+
+  /** The 99th percentile of the displacement in pixels that the study's laws predict; null if they do not. */
+  edgeError(space, worldPlane, { view, projection }, rows, reach) {
+    const { exports } = this.#instance;
+    const { plane, matrices } = this.#at;
+    this.#put(plane, planeInView(worldPlane, view));
+    this.#put(matrices[2], projection);
+    const pixels = exports.clipc_module_edge_error(SPACES.indexOf(space), plane, matrices[2], rows, reach);
+    return pixels >= 0 ? pixels : null;
+  }
 }

@@ -1,85 +1,85 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// The scene: a camera that turns about the mesh, and a plane.
-import { lookAt, perspective, translation } from './matrices.js';
+// The scene: a camera that turns about the mesh, and planes. All that a shader and the reference get of it are floats, so that
+// no way to clip pays for their rounding.
+import { lookAt, multiply, perspective, rotationY, translation } from './matrices.js';
 
 const RADIANS = Math.PI / 180;
-const FIELD_OF_VIEW = 40 * RADIANS;
+const FIELD_OF_VIEW = 60 * RADIANS; // the study's
 const FAR = 100;
+export const MOST_PLANES = 8;
+
+/** How a vertex gets from the mesh to the picture, and what the page says of it. */
+export const CHAINS = {
+  steps: 'world, then view × projection',
+  one: 'one matrix',
+  float: 'one matrix, multiplied in float',
+  relative: 'camera-relative world',
+};
+
+const clamp = (x, low, high) => Math.min(high, Math.max(low, x));
+const floats = (values) => values.map(Math.fround);
 
 export class Scene {
   yaw = 35;
   pitch = 22;
-  distance = 3.4;
-  height = 0;
-  tilt = 20;
-  heading = 30;
+  distance = 2.4;
   near = 0.1;
   offset = 0;
   isReversed = false;
+  chain = 'steps';
+  /** The plane that the controls move. */
+  chosen = 0;
+  /** The first plane cuts through the mesh; the others take little off its sides. */
+  planes = Array.from({ length: MOST_PLANES }, (_, i) => (i ? { height: 0.75, tilt: 90, heading: 72 * i } : { height: 0.25, tilt: 20, heading: 30 }));
 
-  /** The plane in the world: it keeps the points with Ax + By + Cz + D >= 0. */
   get plane() {
-    const [tilt, heading] = [this.tilt * RADIANS, this.heading * RADIANS];
-    const normal = [Math.sin(tilt) * Math.cos(heading), -Math.cos(tilt), Math.sin(tilt) * Math.sin(heading)];
-    const through = [this.offset, this.height, 0];
-    return [...normal, -normal.reduce((sum, x, i) => sum + x * through[i], 0)];
+    return this.planes[this.chosen];
   }
 
-  matrices(aspect) {
+  /** Plane `index` of the world: it keeps the points with Ax + By + Cz + D >= 0. */
+  #plane(index, origin) {
+    const { height, tilt, heading } = this.planes[index];
+    const [t, h] = [tilt * RADIANS, heading * RADIANS];
+    const normal = floats([Math.sin(t) * Math.cos(h), -Math.cos(t), Math.sin(t) * Math.sin(h)]);
+    return [...normal, Math.fround(height - normal[0] * origin[0] - normal[1] * origin[1] - normal[2] * origin[2])];
+  }
+
+  /** What a draw needs; the camera has turned by `pan` radians where it stands. */
+  matrices(aspect, pan = 0) {
     const [yaw, pitch] = [this.yaw * RADIANS, this.pitch * RADIANS];
-    const target = [this.offset, 0, 0];
-    const eye = [
-      this.offset + this.distance * Math.cos(pitch) * Math.sin(yaw),
-      this.distance * Math.sin(pitch),
-      this.distance * Math.cos(pitch) * Math.cos(yaw),
-    ];
+    const center = this.chain === 'relative' ? -this.distance : 0;
+    const [x, y, z] = [Math.cos(pitch) * Math.sin(yaw), Math.sin(pitch), Math.cos(pitch) * Math.cos(yaw)];
+    // The mesh's place: the world begins at the camera where it is relative to it.
+    const mesh = this.chain === 'relative' ? [x * center, y * center, z * center] : [this.offset, 0, 0];
+    const eye = mesh.map((at, i) => at + this.distance * [x, y, z][i]);
+    const view = multiply(lookAt(eye, mesh), rotationY(pan));
     return {
-      world: translation(this.offset, 0, 0),
-      view: lookAt(eye, target),
-      projection: perspective(FIELD_OF_VIEW, aspect, this.near, FAR, this.isReversed),
+      world: floats(translation(...mesh)),
+      view: floats(view),
+      projection: floats(perspective(FIELD_OF_VIEW, aspect, this.near, FAR, this.isReversed)),
+      planes: this.planes.map((_, i) => this.#plane(i, floats(mesh))),
       eye,
       seconds: 0,
+      isFloat: this.chain === 'float',
+      isReversed: this.isReversed,
     };
   }
 
-  turn(right, up) {
+  turnCamera(right, up) {
     this.yaw -= right;
-    this.pitch = Math.min(85, Math.max(-85, this.pitch + up));
+    this.pitch = clamp(this.pitch + up, -85, 85);
   }
-}
 
-/** Drags, the wheel and the arrow keys on a canvas change the scene; `moved` is called after each change. */
-export function steer(canvas, scene, moved) {
-  let last = null;
-  canvas.addEventListener('pointerdown', (event) => {
-    last = event;
-    canvas.setPointerCapture(event.pointerId);
-  });
-  canvas.addEventListener('pointermove', (event) => {
-    if (!last || !event.buttons) return;
-    const [right, down] = [event.clientX - last.clientX, event.clientY - last.clientY];
-    last = event;
-    if (event.shiftKey) scene.height = Math.min(1.2, Math.max(-1.2, scene.height - down / 150));
-    else scene.turn(right / 2, down / 2);
-    moved();
-  });
-  canvas.addEventListener('pointerup', () => (last = null));
-  canvas.addEventListener(
-    'wheel',
-    (event) => {
-      event.preventDefault();
-      scene.distance = Math.min(20, Math.max(1.5, scene.distance * Math.exp(event.deltaY / 1000)));
-      moved();
-    },
-    { passive: false },
-  );
-  const keys = { ArrowLeft: [-5, 0], ArrowRight: [5, 0], ArrowUp: [0, 5], ArrowDown: [0, -5] };
-  canvas.addEventListener('keydown', (event) => {
-    const step = keys[event.key];
-    if (!step) return;
-    event.preventDefault();
-    if (event.shiftKey) scene.height = Math.min(1.2, Math.max(-1.2, scene.height + step[1] / 100));
-    else scene.turn(step[0], step[1]);
-    moved();
-  });
+  movePlane(up) {
+    this.plane.height = clamp(this.plane.height + up, -1.2, 1.2);
+  }
+
+  turnPlane(right, up) {
+    this.plane.heading = ((((this.plane.heading + right + 180) % 360) + 360) % 360) - 180;
+    this.plane.tilt = clamp(this.plane.tilt + up, -180, 180);
+  }
+
+  approach(factor) {
+    this.distance = clamp(this.distance * factor, 1.2, 20);
+  }
 }

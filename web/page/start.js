@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-export const START = `// Turn the plane below, or change something here.
+// The shader that the page begins with, for each matrix chain.
+const shader = (constants, position) => `// Turn the plane below, or change something here.
 // clipc -T vs_5_0
-cbuffer Camera : register(b0) {
-  float4x4 view_projection;
-};
-cbuffer Object : register(b1) {
-  float4x4 world;
+${constants}  float4x4 world;
   float4 plane;
 };
 
@@ -20,10 +17,30 @@ struct Varyings {
 
 [clipplanes(plane)]
 Varyings main(Vertex v) {
-  float4 world_position = mul(float4(v.position, 1), world);
   Varyings o;
-  o.position = mul(world_position, view_projection);
-  o.normal = mul(v.normal, (float3x3)world);
+${position}  o.normal = mul(v.normal, (float3x3)world);
   return o;
 }
 `;
+
+const IN_STEPS = shader(
+  `cbuffer Camera : register(b0) {
+  float4x4 view_projection;
+};
+cbuffer Object : register(b1) {
+`,
+  `  float4 world_position = mul(float4(v.position, 1), world);
+  o.position = mul(world_position, view_projection);
+`,
+);
+const AT_ONCE = shader(
+  `cbuffer Object : register(b0) {
+  float4x4 world_view_projection;
+`,
+  `  o.position = mul(float4(v.position, 1), world_view_projection);
+`,
+);
+
+/** The start of the chain `chain`, a key of CHAINS. */
+export const startOf = (chain) => (chain === 'one' || chain === 'float' ? AT_ONCE : IN_STEPS);
+export const isStart = (text) => text === IN_STEPS || text === AT_ONCE;

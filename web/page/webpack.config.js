@@ -12,7 +12,7 @@ export default {
   module: {
     rules: [
       { test: /\.wasm$/, type: 'asset/resource' },
-      { test: /gallery/, type: 'asset/source' },
+      { test: /gallery|\.csv$/, type: 'asset/source' },
     ],
   },
   performance: { hints: false },

@@ -7,9 +7,15 @@ const ready = createCompiler().then((compiler) => {
   return compiler;
 });
 
+/** A result, with its SPIR-V as text where it has some. */
+function compile(compiler, text, options) {
+  const result = compiler.compile(text, options);
+  return result.spirv.length ? { ...result, text: compiler.disassemble(result.spirv) } : result;
+}
+
 addEventListener('message', async ({ data: { number, text, settings } }) => {
   const compiler = await ready;
   const began = performance.now();
-  const results = settings.map((options) => (options ? compiler.compile(text, options) : null));
+  const results = settings.map((options) => options && compile(compiler, text, options));
   postMessage({ number, results, milliseconds: performance.now() - began });
 });

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// The displacement of a cut in pixels, and how it flickers: distances that the GPU computed against the reference in double. The
+// definitions are those of the study, tools/study/edges.h and flicker.h.
+import { Reference } from './reference.js';
+
+export const FRAMES = 8;
+export const PAN = 0.003; // radians a frame
+
+/** The share of an edge at which distances cut it; the end that is left over where they keep or drop all of it. */
+function cutShare(a, b, isAKept) {
+  if (a >= 0 !== b >= 0) return a / (a - b);
+  return a >= 0 === isAKept ? 1 : 0;
+}
+
+function pixelsBetween(p, q, width, height) {
+  const x = (p[0] / p[3] - q[0] / q[3]) * 0.5 * width;
+  const y = (p[1] / p[3] - q[1] / q[3]) * 0.5 * height;
+  return Math.hypot(x, y);
+}
+
+function summary(pixels) {
+  const sorted = pixels.filter((x) => !Number.isNaN(x)).sort((a, b) => a - b);
+  if (!sorted.length) return null;
+  const at = (share) => sorted[Math.floor(share * (sorted.length - 1))];
+  return { count: sorted.length, median: at(0.5), p99: at(0.99), largest: sorted.at(-1) };
+}
+
+/** The root of the mean square. */
+const mean = (values) => Math.sqrt(values.reduce((sum, x) => sum + x * x, 0) / Math.max(values.length, 1));
+
+/**
+ * Measures one result of the lowering `discard`, whose planes are those of the scene with the indices `cutting`.
+ * `constantsOf(matrices)` fills its constants, `matricesAt(pan)` are the scene's.
+ * @returns {{displacement, flicker, reach, reachOfWorld}} or null where nothing is cut, or the shader moves vertices by itself
+ */
+export function measure(capture, mesh, cutting, matricesAt, constantsOf, { width, height }) {
+  let edges = null;
+  let before = null;
+  const displaced = [];
+  const moved = [];
+  const reaches = [];
+  const reachesOfWorld = [];
+  for (let frame = 0; frame < FRAMES; ++frame) {
+    const matrices = matricesAt(frame * PAN);
+    const reference = new Reference(mesh, matrices, cutting);
+    const captured = capture.run(constantsOf(matrices));
+    if (!edges) {
+      if (captured.planes < cutting.length || !reference.holds(captured)) return null;
+      edges = cutting.map((_, index) => reference.cutEdges(index));
+      if (!edges.some((list) => list.length)) return null;
+    }
+    const now = edges.map((list, index) =>
+      list.map(({ a, b }) => {
+        const distance = (vertex) => captured.values[captured.stride * vertex + 4 + index];
+        return cutShare(distance(a), distance(b), reference.distances[index][a] >= 0);
+      }),
+    );
+    edges.forEach((list, index) =>
+      list.forEach(({ a, b, share }, i) => {
+        const seen = reference.at(a, b, now[index][i]);
+        if (before) moved.push(pixelsBetween(reference.at(a, b, before[index][i]), seen, width, height));
+        else {
+          const point = reference.at(a, b, share);
+          displaced.push(pixelsBetween(point, seen, width, height));
+          reaches.push(reference.reach(point, reference.toView.slice(12, 15)));
+          reachesOfWorld.push(reference.reach(point, matrices.view.slice(12, 15)));
+        }
+      }),
+    );
+    before = now;
+  }
+  const displacement = summary(displaced);
+  return displacement && { displacement, flicker: summary(moved), reach: mean(reaches), reachOfWorld: mean(reachesOfWorld) };
+}

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// The two pictures of the scene, and what is predicted and measured of their cut.
+import { Canvas } from './canvas.js';
+import { Capture } from './capture.js';
+import { fillConstants, planesOf } from './constants.js';
+import { measure } from './measure.js';
+import { Reference } from './reference.js';
+import { SPACES } from './runtime.js';
+
+const ONE_MATRIX = /wvp|world_?view_?proj|model_?view_?proj|mvp/i;
+const AROUND_ORIGIN = 0.5; // the reach of a mesh that nothing is known of
+const WAIT = 250; // milliseconds after the last draw
+
+const spaceOf = (result) => (SPACES.includes(result.table?.position_space) ? result.table.position_space : 'clip');
+
+export class Pictures {
+  runtime = null;
+  showsReference = true;
+  #capture;
+  #captured = null;
+  #isDrawing = false;
+  #timer = 0;
+
+  /** `views`: [{element, caption, name}], by clip distances and by discard. `drawn()` and `measured(numbers)` are called after. */
+  constructor(scene, views, drawn, measured) {
+    this.scene = scene;
+    this.views = views.map((view) => ({ ...view, canvas: new Canvas(view.element), problem: '' }));
+    this.drawn = drawn;
+    this.measured = measured;
+    const { gl } = this.views[1].canvas;
+    this.#capture = gl && new Capture(gl);
+  }
+
+  get hasClipDistances() {
+    return this.views[0].canvas.clip !== null;
+  }
+
+  /** The result that the left picture shows. */
+  get result() {
+    return this.views[0].canvas.result ?? this.views[1].canvas.result;
+  }
+
+  set mesh(mesh) {
+    this.views.forEach(({ canvas }) => (canvas.mesh = mesh));
+    if (this.#capture) this.#capture.mesh = mesh;
+    this.redraw();
+  }
+
+  /** Draws `results` from now on; null leaves a picture as it is. `source` is their text, `problems` what it says in their place. */
+  use(results, source, problems) {
+    this.views.forEach((view, i) => {
+      const result = results[i];
+      view.problem = problems[i];
+      if (result?.ok) view.problem = view.canvas.use({ ...result, source });
+    });
+    const [, discard] = results;
+    if (discard?.ok && !this.views[1].problem) this.#captured = this.#capture?.use({ ...discard, source }) ? { ...discard, source } : null;
+    this.redraw();
+  }
+
+  redraw() {
+    clearTimeout(this.#timer);
+    if (!this.runtime || this.#isDrawing) return;
+    this.#isDrawing = true;
+    requestAnimationFrame(() => {
+      this.#isDrawing = false;
+      this.views.forEach((view) => this.#draw(view));
+      this.drawn();
+      this.#timer = setTimeout(() => this.#measure(), WAIT);
+    });
+  }
+
+  #fill(result, matrices, rows) {
+    const problems = [];
+    const constantOf = (plane) => {
+      const isNear = result.table?.lowering === 'near-plane';
+      const name = isNear ? 'nearPlaneConstant' : 'constant';
+      const { constant, problem } = this.runtime[name](spaceOf(result), matrices.planes[plane], matrices, rows);
+      if (problem) problems.push(problem);
+      return constant;
+    };
+    return { ...fillConstants(result.reflection, result.source, matrices, constantOf), problems };
+  }
+
+  #draw({ canvas, caption, name, problem }) {
+    const { element, result, mesh } = canvas;
+    let said = problem;
+    if (result) {
+      const matrices = this.scene.matrices(element.width / element.height);
+      const { buffers, unknown, problems } = this.#fill(result, matrices, element.height);
+      const planes = this.showsReference ? planesOf(result.reflection) : null;
+      canvas.draw(buffers, matrices.isReversed, planes?.length ? new Reference(mesh, matrices, planes).lines() : null);
+      said ||= problems[0] ?? (unknown.length ? `zeros for ${unknown.join(', ')}` : '');
+    }
+    caption.textContent = said ? `${name}: ${said}` : name;
+  }
+
+  /** The displacement that the study's laws predict for each plane space, the largest of the planes; null without planes. */
+  #predict(result, planes, reach, reachOfWorld) {
+    const { width, height } = this.views[0].element;
+    const matrices = this.scene.matrices(width / height);
+    const isOne = result.reflection.cbuffers.some(({ members }) => members.some(({ name }) => ONE_MATRIX.test(name)));
+    const ofPlane = (space, plane) => {
+      const at = (as, from) => this.runtime.edgeError(as, matrices.planes[plane], matrices, height, from);
+      if (space === 'object') return at(space, reach);
+      const farthest = Math.max(reach, reachOfWorld);
+      if (!isOne) return at(space, farthest);
+      return matrices.isFloat ? Math.max(at(space, reach), at('xyw1', farthest)) : at(space, reach);
+    };
+    return Object.fromEntries(SPACES.map((space) => [space, Math.max(...planes.map((plane) => ofPlane(space, plane)))]));
+  }
+
+  #measure() {
+    const { result } = this;
+    const planes = result && planesOf(result.reflection);
+    if (!planes?.length) return this.measured(null);
+    const { width, height } = this.views[1].element;
+    const captured = this.#captured;
+    const found =
+      captured &&
+      measure(
+        this.#capture,
+        this.views[1].canvas.mesh,
+        planes,
+        (pan) => this.scene.matrices(width / height, pan),
+        (matrices) => this.#fill(captured, matrices, height).buffers,
+        { width, height },
+      );
+    const { reach, reachOfWorld } = found ?? { reach: AROUND_ORIGIN, reachOfWorld: AROUND_ORIGIN };
+    const predicted = this.#predict(result, planes, reach, reachOfWorld);
+    const first = this.runtime.constant(spaceOf(result), this.scene.matrices(1).planes[planes[0]], this.scene.matrices(width / height), height);
+    this.measured({ space: spaceOf(result), planes: planes.length, predicted, found, warning: first.problem ?? first.warning });
+  }
+}
