@@ -44,7 +44,7 @@ bool MayChange(const Program& program, const Expr& expr) {
 bool IsOnlyElement(const Program& program, const Index& node) {
   const Type& type = program.types[program.exprs[node.base].type];
   const bool is_only_row = type.kind == TypeKind::kMatrix && type.rows == 1;
-  return type.IsNumeric() && (is_only_row || ShapeOf(type).IsScalar());
+  return type.IsNumeric() && (is_only_row || type.Components() == 1);
 }
 
 HelperBody::HelperBody(Program& program, std::span<const Parameter> wanted) : b(program) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/rules/known_offsets.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -150,7 +152,7 @@ class OffsetFinder {
     if (!node) return;
     const Call call = *node;
     std::map<std::size_t, ExprId> arguments;
-    const std::vector<VarId> parameters = program_.functions[call.function].parameters;
+    const std::vector<VarId>& parameters = program_.functions[call.function].parameters;
     for (std::uint32_t i = 0; i < call.arguments.size; ++i) {
       const VarId parameter = parameters[i];
       if (!wanted_.IsUnchanged(parameter) || program_.vars[parameter].storage != Storage::kIn)

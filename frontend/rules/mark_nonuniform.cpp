@@ -2,6 +2,7 @@
 #include "frontend/rules/mark_nonuniform.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "frontend/rules/constant.h"

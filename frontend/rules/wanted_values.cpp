@@ -2,6 +2,7 @@
 #include "frontend/rules/wanted_values.h"
 
 #include <algorithm>
+#include <cstddef>
 
 #include "ir/access.h"
 #include "ir/builder.h"

@@ -44,17 +44,17 @@ Output main(float4 p : POSITION, uint instance : SV_InstanceID) {
 // CHECK-NEXT:       |                    ^~~~~~~~
   o.position = p + instance + Sum(many);
 // CHECK-NEXT: fail_essl100.hlsl:[[#@LINE+3]]:3: error: this loop does not end at a constant; target `essl100` has only loops like `for (int i = 0; i < 8; ++i)`, from constant to constant (GLSL ES 1.00, appendix A) [target-loop]
-// CHECK-NEXT:    [[#@LINE+2]] |   for (int i = 0; i < count; i++) o.position.x += i;
+// CHECK-NEXT:    [[#@LINE+2]] |   for (int i = 0; i < (count > 3 ? 7 : 4); i++) o.position.x += i;
 // CHECK-NEXT:       |   ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
-  for (int i = 0; i < count; i++) o.position.x += i;
+  for (int i = 0; i < (count > 3 ? 7 : 4); i++) o.position.x += i;
 // CHECK-NEXT: fail_essl100.hlsl:[[#@LINE+3]]:3: error: this loop does not begin at a constant; target `essl100` has only loops like `for (int i = 0; i < 8; ++i)`, from constant to constant (GLSL ES 1.00, appendix A) [target-loop]
-// CHECK-NEXT:    [[#@LINE+2]] |   for (int j = count; j < 8; j++) o.position.x += j;
+// CHECK-NEXT:    [[#@LINE+2]] |   for (int j = count > 3 ? 7 : 4; j < 8; j++) o.position.x += j;
 // CHECK-NEXT:       |   ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
-  for (int j = count; j < 8; j++) o.position.x += j;
+  for (int j = count > 3 ? 7 : 4; j < 8; j++) o.position.x += j;
 // CHECK-NEXT: fail_essl100.hlsl:[[#@LINE+3]]:3: error: this loop does not step by a constant; target `essl100` has only loops like `for (int i = 0; i < 8; ++i)`, from constant to constant (GLSL ES 1.00, appendix A) [target-loop]
-// CHECK-NEXT:    [[#@LINE+2]] |   for (int k = 0; k < 8; k *= 2) o.position.x += k;
+// CHECK-NEXT:    [[#@LINE+2]] |   for (int k = 1; k < 8; k *= 2) o.position.x += k;
 // CHECK-NEXT:       |   ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
-  for (int k = 0; k < 8; k *= 2) o.position.x += k;
+  for (int k = 1; k < 8; k *= 2) o.position.x += k;
 // CHECK-NEXT: fail_essl100.hlsl:[[#@LINE+3]]:3: error: this loop changes its index; target `essl100` has only loops like `for (int i = 0; i < 8; ++i)`, from constant to constant (GLSL ES 1.00, appendix A) [target-loop]
 // CHECK-NEXT:    [[#@LINE+2]] |   for (int l = 0; l < 8; l++) o.position.x += ++l;
 // CHECK-NEXT:       |   ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
@@ -69,15 +69,15 @@ Output main(float4 p : POSITION, uint instance : SV_InstanceID) {
 // CHECK-NEXT:       |   ^~~~~~~~~~~~~~~
   for (;;) break;
 // CHECK-NEXT: fail_essl100.hlsl:[[#@LINE+3]]:3: error: this loop is a `while`; target `essl100` has only loops like `for (int i = 0; i < 8; ++i)`, from constant to constant (GLSL ES 1.00, appendix A) [target-loop]
-// CHECK-NEXT:    [[#@LINE+2]] |   while (o.position.x < m) o.position.x += 1;
+// CHECK-NEXT:    [[#@LINE+2]] |   while (o.position.x < m) o.position.x = m;
 // CHECK-NEXT:       |   ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
-  while (o.position.x < m) o.position.x += 1;
+  while (o.position.x < m) o.position.x = m;
 // CHECK-NEXT: fail_essl100.hlsl:[[#@LINE+5]]:3: error: this loop is a `do`; target `essl100` has only loops like `for (int i = 0; i < 8; ++i)`, from constant to constant (GLSL ES 1.00, appendix A) [target-loop]
-// CHECK-NEXT:    [[#@LINE+4]] |   do o.position.x += 1;
+// CHECK-NEXT:    [[#@LINE+4]] |   do o.position.x = m;
 // CHECK-NEXT:       |   ^~~~~~~~~~~~~~~~~~~~~
 // CHECK-NEXT:    [[#@LINE+3]] |   while (o.position.x < m);
 // CHECK-NEXT:       |   ~~~~~~~~~~~~~~~~~~~~~~~~~
-  do o.position.x += 1;
+  do o.position.x = m;
   while (o.position.x < m);
   return o;
 }

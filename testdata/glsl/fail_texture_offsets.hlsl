@@ -3,19 +3,22 @@
 // AUTOUPDATE
 Texture2D map; SamplerState s; int k;
 // CHECK: fail_texture_offsets.hlsl:[[#@LINE+6]]:65: error: the offset given to `SampleLevel` is not constant; it must be known at compile time [texture-offset-not-constant, X4566]
-// CHECK-NEXT:     [[#@LINE+5]] | float4 Tap(float2 uv, int x) { return map.SampleLevel(s, uv, 0, int2(x, 0)); }
+// CHECK-NEXT:    [[#@LINE+5]] | float4 Tap(float2 uv, int x) { return map.SampleLevel(s, uv, 0, int2(x, 0)); }
 // CHECK-NEXT:       |                                                                 ^~~~~~~~~~
 // CHECK-NEXT: fail_texture_offsets.hlsl:[[#@LINE+3]]:65: error: offset 9 is given to `SampleLevel`; it must be from -8 to 7 [texture-offset-range, X4566]
-// CHECK-NEXT:     [[#@LINE+2]] | float4 Tap(float2 uv, int x) { return map.SampleLevel(s, uv, 0, int2(x, 0)); }
+// CHECK-NEXT:    [[#@LINE+2]] | float4 Tap(float2 uv, int x) { return map.SampleLevel(s, uv, 0, int2(x, 0)); }
 // CHECK-NEXT:       |                                                                 ^~~~~~~~~~
 float4 Tap(float2 uv, int x) { return map.SampleLevel(s, uv, 0, int2(x, 0)); }
 float4 main(float2 uv : TEXCOORD) : SV_Position {
   float4 r = Tap(uv, k) + Tap(uv, 9);
 // CHECK-NEXT: fail_texture_offsets.hlsl:[[#@LINE+3]]:62: error: the offset given to `SampleLevel` is not constant; it must be known at compile time [texture-offset-not-constant, X4566]
-// CHECK-NEXT:     [[#@LINE+2]] |   for (int i = 0; i < k; ++i) r += map.SampleLevel(s, uv, 0, int2(i, 0));
+// CHECK-NEXT:    [[#@LINE+2]] |   for (int i = 0; i < k; ++i) r += map.SampleLevel(s, uv, 0, int2(i, 0));
 // CHECK-NEXT:       |                                                              ^~~~~~~~~~
   for (int i = 0; i < k; ++i) r += map.SampleLevel(s, uv, 0, int2(i, 0));
   int2 o = int2(k, 1);
+// CHECK-NEXT: fail_texture_offsets.hlsl:[[#@LINE+3]]:55: error: the offset given to `GatherGreen` is not constant; it must be known at compile time [texture-offset-not-constant, X4566]
+// CHECK-NEXT:    [[#@LINE+2]] |   r += map.GatherGreen(s, uv, int2(0, 1), int2(1, 0), o, int2(1, 1));
+// CHECK-NEXT:       |                                                       ^
   r += map.GatherGreen(s, uv, int2(0, 1), int2(1, 0), o, int2(1, 1));
   return r;
 }
