@@ -5,7 +5,7 @@
 #ifdef PLANES
 float4 plane;
 // PLANES: fail_essl100.hlsl:[[#@LINE+3]]:13: error: the shader writes clip distances; target `webgl1` has no `gl_ClipDistance`; `[clipplanes]` does not need it under `--lower=discard` or `--lower=level9` [target-clip-distance]
-// PLANES-NEXT:     [[#@LINE+2]] | [clipplanes(plane)] float4 main(float4 p : POSITION) : SV_Position { return p; }
+// PLANES-NEXT:    [[#@LINE+2]] | [clipplanes(plane)] float4 main(float4 p : POSITION) : SV_Position { return p; }
 // PLANES-NEXT:       |             ^~~~~
 [clipplanes(plane)] float4 main(float4 p : POSITION) : SV_Position { return p; }
 #else
@@ -28,7 +28,7 @@ float4 Sum(float4 values[300]) { return values[0]; }
 // CHECK-NEXT:    [[#@LINE-8]] |   centroid float2 uv : TEXCOORD;
 // CHECK-NEXT:       |                        ^~~~~~~~
 // CHECK-NEXT: fail_essl100.hlsl:[[#@LINE-18]]:19: error: `volume` is a three-dimensional texture; target `essl100` has none [target-texture3-d]
-// CHECK-NEXT:     [[#@LINE-19]] | Texture3D<float4> volume;
+// CHECK-NEXT:    [[#@LINE-19]] | Texture3D<float4> volume;
 // CHECK-NEXT:       |                   ^~~~~~
 // CHECK-NEXT: fail_essl100.hlsl:[[#@LINE-11]]:19: error: `values` has 300 elements; target `essl100` has no arrays of values but structs of at most 256 fields [target-long-array]
 // CHECK-NEXT:    [[#@LINE-12]] | float4 Sum(float4 values[300]) { return values[0]; }
@@ -45,11 +45,11 @@ Output main(float4 p : POSITION, uint instance : SV_InstanceID) {
   o.position = p + instance + Sum(many);
 // CHECK-NEXT: fail_essl100.hlsl:[[#@LINE+3]]:3: error: this loop does not end at a constant; target `essl100` has only loops like `for (int i = 0; i < 8; ++i)`, from constant to constant (GLSL ES 1.00, appendix A) [target-loop]
 // CHECK-NEXT:    [[#@LINE+2]] |   for (int i = 0; i < (count > 3 ? 7 : 4); i++) o.position.x += i;
-// CHECK-NEXT:       |   ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+// CHECK-NEXT:       |   ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
   for (int i = 0; i < (count > 3 ? 7 : 4); i++) o.position.x += i;
 // CHECK-NEXT: fail_essl100.hlsl:[[#@LINE+3]]:3: error: this loop does not begin at a constant; target `essl100` has only loops like `for (int i = 0; i < 8; ++i)`, from constant to constant (GLSL ES 1.00, appendix A) [target-loop]
 // CHECK-NEXT:    [[#@LINE+2]] |   for (int j = count > 3 ? 7 : 4; j < 8; j++) o.position.x += j;
-// CHECK-NEXT:       |   ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+// CHECK-NEXT:       |   ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
   for (int j = count > 3 ? 7 : 4; j < 8; j++) o.position.x += j;
 // CHECK-NEXT: fail_essl100.hlsl:[[#@LINE+3]]:3: error: this loop does not step by a constant; target `essl100` has only loops like `for (int i = 0; i < 8; ++i)`, from constant to constant (GLSL ES 1.00, appendix A) [target-loop]
 // CHECK-NEXT:    [[#@LINE+2]] |   for (int k = 1; k < 8; k *= 2) o.position.x += k;
@@ -70,11 +70,11 @@ Output main(float4 p : POSITION, uint instance : SV_InstanceID) {
   for (;;) break;
 // CHECK-NEXT: fail_essl100.hlsl:[[#@LINE+3]]:3: error: this loop is a `while`; target `essl100` has only loops like `for (int i = 0; i < 8; ++i)`, from constant to constant (GLSL ES 1.00, appendix A) [target-loop]
 // CHECK-NEXT:    [[#@LINE+2]] |   while (o.position.x < m) o.position.x = m;
-// CHECK-NEXT:       |   ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+// CHECK-NEXT:       |   ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
   while (o.position.x < m) o.position.x = m;
 // CHECK-NEXT: fail_essl100.hlsl:[[#@LINE+5]]:3: error: this loop is a `do`; target `essl100` has only loops like `for (int i = 0; i < 8; ++i)`, from constant to constant (GLSL ES 1.00, appendix A) [target-loop]
 // CHECK-NEXT:    [[#@LINE+4]] |   do o.position.x = m;
-// CHECK-NEXT:       |   ^~~~~~~~~~~~~~~~~~~~~
+// CHECK-NEXT:       |   ^~~~~~~~~~~~~~~~~~~~
 // CHECK-NEXT:    [[#@LINE+3]] |   while (o.position.x < m);
 // CHECK-NEXT:       |   ~~~~~~~~~~~~~~~~~~~~~~~~~
   do o.position.x = m;
