@@ -145,6 +145,8 @@ void Compilation::ReportStop() {
 void Compilation::ReadNames() {
   if (auto profile = ir::ParseProfile(request_.profile)) {
     front_.profile = std::move(*profile);
+    front_.short_circuits =
+        front_.profile.IsAtLeast(6, 0) && request_.language == LanguageVersion::k2021;
   } else {
     diagnostics_.Report({}, diag::UnknownProfile, request_.profile,
                         Suggest(request_.profile, ProfileNames()));

@@ -66,7 +66,7 @@ struct CompileRequest {
   // Not empty: include files are read only from this folder, wherever a path or a link to them
   // lies.
   std::string sandbox;
-  LanguageVersion language = LanguageVersion::k2018;
+  LanguageVersion language = LanguageVersion::k2021;
 
   std::string profile = "vs_5_0";
   std::string entry = "main";

@@ -242,7 +242,7 @@ constexpr Option kOptions[] = {
     {"-I", kJoinedOrSeparate, Set<&Request::include_dirs>, "<DIR>", "look for includes here too"},
     {"-include", kSeparate, Set<&Request::forced_includes>, "<FILE>", "include FILE first"},
     {"-HV", kJoinedOrSeparate, Choose<LanguageVersion, &Request::language, kLanguages>, "<YEAR>",
-     "2016, 2017, 2018 or 2021: __HLSL_VERSION (2018)"},
+     "2016, 2017, 2018 or 2021 (2021): from shader model 6 on"},
     {"-Zpc", kFlag, SetTo<&Request::packing, MatrixPacking::kColumnMajor>, "",
      "matrices are column-major in memory (the default)"},
     {"-Zpr", kFlag, SetTo<&Request::packing, MatrixPacking::kRowMajor>, "",

@@ -24,6 +24,9 @@ struct CheckOptions {
   // anything less is reported (X4594).
   bool whole_register_planes = false;
   rules::PositionName position_name = rules::PositionName::kSystemValue;
+  // Whether `&&`, `||` and `?:` of scalars evaluate only what decides the value, as they do in HLSL
+  // 2021 (dxc's "Logical Operation Short Circuiting"). Before it, both sides are evaluated.
+  bool short_circuits = false;
   bool stages_meet_by_row = false;  // rules::EntrySignature's
 };
 

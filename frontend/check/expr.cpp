@@ -131,10 +131,8 @@ ExprId CheckNode(Context& context, const ast::ConditionalExpr& expr, Span span) 
                   ? ConvertSilently(context, condition, boolean)
                   : Implicit(context, condition, context.types.WithScalar(*type, Scalar::kBool));
   if (!is_scalar) return context.At(span).Add(*type, Select{condition, when_true, when_false});
-  // Before HLSL 2021 both sides are evaluated.
   Exprs prologue;
-  const bool evaluates_both = !context.options.profile.IsAtLeast(6, 0);
-  if (evaluates_both &&
+  if (!context.options.short_circuits &&
       !(IsPure(context.program, when_true) && IsPure(context.program, when_false))) {
     condition = Hoist(context, condition, prologue);
     const bool is_literal = context.Is<Literal>(when_true);

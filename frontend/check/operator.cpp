@@ -50,10 +50,9 @@ ExprId Combine(Context& context, BinaryOp op, ExprId left, TypeId left_type, Exp
 ExprId CombineLogical(Context& context, BinaryOp op, ExprId left, ExprId right, TypeId shape,
                       Span span) {
   const TypeId type = context.types.WithScalar(shape, Scalar::kBool);
-  // HLSL 2021 evaluates the right side only if the left one does not decide, which makes a
-  // difference only if the right side has an effect.
+  // It makes a difference only if the right side has an effect.
   BinaryOp wanted = op;
-  if (context.options.profile.IsAtLeast(6, 0) && context[type].kind == TypeKind::kScalar &&
+  if (context.options.short_circuits && context[type].kind == TypeKind::kScalar &&
       !IsPure(context.program, right)) {
     wanted = op == BinaryOp::kLogicalAnd ? BinaryOp::kShortCircuitAnd : BinaryOp::kShortCircuitOr;
   }

@@ -38,7 +38,8 @@ class FrontendContext {
   std::unique_ptr<State> state_;
 };
 
-// The versions of HLSL, which a shader sees as __HLSL_VERSION from shader model 6 on.
+// The versions of HLSL, which a shader sees as __HLSL_VERSION from shader model 6 on. dxc's default
+// is 2021 since its version 1.7.
 enum class LanguageVersion : std::uint8_t { k2016, k2017, k2018, k2021 };
 
 // A main file and how to preprocess it.
@@ -55,7 +56,7 @@ struct SourceInput {
   std::function<std::optional<std::string>(const std::string& path)> read_include = {};
   int shader_model_major = 5;  // from 6 on, DXC's predefined macros are visible too
   int shader_model_minor = 0;
-  LanguageVersion language = LanguageVersion::k2018;
+  LanguageVersion language = LanguageVersion::k2021;
   // Limits, past which there is an error: the bytes of all files, each time that one is entered,
   // and the tokens that macros add to those of the files.
   std::size_t max_bytes = SIZE_MAX;

@@ -48,10 +48,13 @@ struct CheckedShader::State {
 CheckedShader::CheckedShader(const BuildOptions& options)
     : state_(std::make_unique<State>(options)) {
   Reading& reading = state_->reading;
-  state_->typed = Front(
-      reading.source,
-      {reading.profile, options.entry, options.packing, options.lowering == Lowering::kLevel9},
-      reading.diagnostics);
+  state_->typed = Front(reading.source,
+                        {.profile = reading.profile,
+                         .entry = options.entry,
+                         .packing = options.packing,
+                         .whole_register_planes = options.lowering == Lowering::kLevel9,
+                         .short_circuits = reading.profile.IsAtLeast(6, 0)},
+                        reading.diagnostics);
   reading.StopAtErrors<DrawError>("the shader has errors");
   state_->position_input =
       CheckLowering(state_->typed, {options.lowering, options.plane_space, options.position_input},

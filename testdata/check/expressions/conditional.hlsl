@@ -1,5 +1,6 @@
 // Before HLSL 2021 both sides of ?: are evaluated; a vector condition chooses component by component.
 // RUN: %clipc -T vs_5_0 -E main --dump=ir %s | FileCheck %s --check-prefixes=CHECK,BOTH
+// RUN: %clipc -T vs_6_0 -HV 2018 -E main --dump=ir %s | FileCheck %s --check-prefixes=CHECK,BOTH
 // RUN: %clipc -T vs_6_0 -E main --dump=ir %s | FileCheck %s --check-prefixes=CHECK,ONE
 static int calls = 0;
 float count(float x) { calls++; return x; }
