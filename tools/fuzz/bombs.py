@@ -140,7 +140,7 @@ def run(clipc, names):
     failures = 0
     with tempfile.TemporaryDirectory() as folder:
         for name in names or BOMBS:
-            for target in ("glsl450", "essl300"):
+            for target in ("glsl450", "essl100", "essl300"):
                 if what := mistake(clipc, name, target, folder):
                     failures += 1
                     print(f"{name}, {target}: {what}")
