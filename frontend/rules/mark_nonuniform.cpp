@@ -19,11 +19,14 @@ class NonUniformMarker {
       : program_(program), vars_(program.vars.size()), functions_(program.functions.size()) {}
 
   void Run() {
+    // What was replaced is in the arena too, so that a call there may be none of the program.
+    bool is_any = false;
+    for (const ExprId expr : program_.exprs.ids()) is_any |= IsCall(expr);
+    if (!is_any) return;
     std::vector<ExprId> calls, indices;
     ForEachLiveExpr(program_, [&](ExprId expr) {
       if (IsCall(expr)) calls.push_back(expr);
     });
-    if (calls.empty()) return;
     do {
       changed_ = false;
       for (const FunctionId id : program_.functions.ids()) Follow(id);
