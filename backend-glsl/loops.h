@@ -13,7 +13,7 @@
 //   for (int i = constant; i < constant; i += constant)
 namespace clipc::glsl {
 
-// A loop in parts.
+// The parts of a loop that counts.
 struct CountedLoop {
   ir::VarId index;
   ir::ExprId start;         // its first value

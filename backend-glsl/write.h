@@ -53,8 +53,8 @@ struct GlslInfo {
     // kRows: the accessor.
     std::string name;
     bool is_uniform = false;  // it is a uniform variable of its own
-    // Of these: what glUniformMatrix wants as `transpose` when it is handed the bytes of the HLSL
-    // buffer.
+    // The argument `transpose` of glUniformMatrix for such a variable, when the host hands it the
+    // bytes of the HLSL buffer.
     bool transpose = false;
   };
   // Where the host binds a block or an object; none: it is found by name.

@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
-// What each system does in its own way: files, the standard streams, the terminal.
-// system_posix.cpp and system_windows.cpp have it. Paths are UTF-8; files are descriptors, and
+// The functions that each system has in its own way: files, the standard streams, the terminal.
+// system_posix.cpp and system_windows.cpp define them. Paths are UTF-8; files are descriptors, and
 // their contents bytes. A function that fails sets errno.
 namespace clipc::system {
 
@@ -23,7 +23,7 @@ struct FileStatus {
   std::pair<std::uint64_t, std::uint64_t> identity;
 };
 
-// None if there is no such file.
+// The status of a file; nothing if there is no such file.
 std::optional<FileStatus> StatusOf(const std::string& path);
 std::optional<FileStatus> StatusOf(int file);
 
@@ -38,9 +38,9 @@ inline constexpr int kStandardOutput = 1;
 
 // The functions that open return a descriptor, or -1. No other process inherits it.
 int OpenToRead(const std::string& path);
-// An existing file, whose contents are removed.
+// Opens an existing file and removes its contents.
 int OpenToWrite(const std::string& path);
-// A new file; EEXIST if there is one of that name.
+// Makes a new file; EEXIST if there is a file of that name.
 int OpenNew(const std::string& path, unsigned mode);
 // Gives an open file the permissions of another, whatever new files get.
 void SetMode(int file, unsigned mode);
@@ -54,7 +54,7 @@ bool Close(int file);
 bool Replace(const std::string& from, const std::string& to);
 void Remove(const std::string& path);
 
-// Different from that of any other process that runs now.
+// A number that no other process has that runs now.
 unsigned ProcessNumber();
 
 // Whether standard error is a terminal that obeys escape sequences.

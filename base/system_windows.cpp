@@ -194,7 +194,7 @@ std::span<const char* const> Arguments(int argc, char** argv) {
   int count = 0;
   wchar_t** wide = CommandLineToArgvW(GetCommandLineW(), &count);
   if (!wide) return {argv + 1, argv + argc};
-  // They live as long as the program.
+  // The arguments live as long as the program.
   auto& texts = *new std::vector<std::string>;
   auto& arguments = *new std::vector<const char*>;
   for (int i = 1; i < count; ++i) texts.push_back(ToUtf8(wide[i]));

@@ -293,7 +293,7 @@ void Compilation::RunBackEnd(ir::Program typed, const Source& source) {
   }
 }
 
-// For the reflection, and for a remark that is off unless somebody asks for it.
+// Counts the matrices for the reflection, and for a remark that is off unless somebody asks for it.
 void Compilation::CountMatrices(const ir::Program& typed) {
   const auto remark = static_cast<std::size_t>(DiagId::kClipPlaneMatrices);
   const bool may_remark = !request_.warnings.off[remark] && !typed.clip_planes.empty() &&

@@ -25,8 +25,8 @@ constexpr int kUnknown = kMost + 1;
 // A number that may be unknown, the largest.
 int Limited(int count) { return std::min(count, kUnknown); }
 
-// How many matrices a value has been multiplied by; a matrix itself counts one. Of a struct each
-// field has its own; all elements of an array are one.
+// The number of matrices that a value has been multiplied by; a matrix itself counts one. Each
+// field of a struct has its own number; all elements of an array share one.
 struct Value {
   int count = 0;
   std::vector<Value> fields;
@@ -41,7 +41,7 @@ struct Value {
 
 void Join(Value& into, const Value& other) {
   into.count = std::max(into.count, other.count);
-  // One of them may not be taken apart yet.
+  // One of the two values may not have its fields yet.
   if (into.fields.size() < other.fields.size())
     into.fields.resize(other.fields.size(), Value{into.count, {}});
   for (std::size_t i = 0; i < into.fields.size(); ++i)
@@ -88,7 +88,7 @@ class Follower {
   }
 
  private:
-  // Where control leaves a loop, a switch or a function for.
+  // The states with which control leaves a loop, a switch or a function.
   struct Exits {
     State broken{{}, false}, continued{{}, false}, returned{{}, false};
     Value result;
@@ -124,7 +124,7 @@ class Follower {
     if (!expr || IsTooMuch(1)) return {};
     return Visit([&](const auto& node) { return OfNode(expr, node); }, program_.exprs[expr].node);
   }
-  // The largest of the operands' numbers, for what mixes them.
+  // The largest number of the operands, for an operation that mixes them.
   int MostOf(ExprId expr) {
     int most = 0;
     ForEachOperand(program_, expr,
@@ -141,7 +141,7 @@ class Follower {
     if (node.field < base.fields.size()) return std::move(base.fields[node.field]);
     return {base.Most(), {}};
   }
-  // What picks an element does not go into it.
+  // The index does not become a part of the element.
   Value OfNode(ExprId, const Index& node) {
     Of(node.index);
     return {Of(node.base).Most(), {}};
@@ -201,14 +201,14 @@ class Follower {
       case Intrinsic::kMad: return {std::max(Limited(counts[0] + counts[1]), counts[2]), {}};
       case Intrinsic::kDot: {
         const Type& type = TypeOf(program_, program_.expr_lists[node.arguments][0]);
-        // A row of a matrix, by hand.
+        // One of the two may be a row of a matrix, multiplied by hand.
         if (most == 0 && type.columns == 4) return {kUnknown, {}};
         return {Limited(counts[0] + counts[1]), {}};
       }
       default: return {most, {}};
     }
   }
-  // What a texture or buffer holds is a new value, but for the matrices that it may hold.
+  // The value that a texture or buffer holds begins anew; matrices that it holds count.
   Value OfNode(ExprId expr, const ObjectCall&) {
     MostOf(expr);
     return Given(TypeIdOf(program_, expr));

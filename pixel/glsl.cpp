@@ -122,7 +122,7 @@ class ReadFinder : public glslang::TIntermTraverser {
     return node->getOp() != glslang::EOpLinkerObjects;
   }
 
-  // 0: not read. What reads the whole reads its members.
+  // The components that are read; 0 for none. Reading the whole variable reads its members.
   std::uint32_t Of(const glslang::TIntermSymbol& symbol, int member = kWhole) const {
     const auto mask_of = [&](int place) {
       const auto found = masks_.find({symbol.getId(), place});

@@ -44,8 +44,8 @@ struct Group {
 };
 
 struct Input {
-  // In GLSL, also when GLSL is still to be made of it; a member's is without its group's. Empty:
-  // unknown.
+  // The name in GLSL, also when GLSL is still to be made of the shader; a member's name is without
+  // its group's. Empty: unknown.
   std::string name;
   std::string semantic;  // without its index; empty: unknown
   std::uint32_t index = 0;
@@ -57,7 +57,8 @@ struct Input {
   bool is_read = false;
   std::uint32_t components_read = 0xF;  // bit i: component i of some element, when it is read
   std::string where;                    // for messages: "water.frag:12"
-  // In Interface::groups: the inputs of one group are its members, all of them and in order.
+  // The number of its group in Interface::groups. The inputs of a group are its members, all of
+  // them and in order.
   std::optional<std::size_t> group = {};
   bool has_own_location = true;  // a member's location is said of itself, not of the group
 };

@@ -230,7 +230,7 @@ class InputMeeter {
 
   void Check(std::size_t number) {
     const Input& input = pixel_.inputs[number];
-    // A group is declared whole.
+    // The members of a group are all declared, written or not.
     const bool is_needed = input.is_read || (options_.is_vulkan && !input.group);
     if (!met_[number]) {
       if (!is_needed) return;

@@ -44,8 +44,8 @@ class Reads {
   }
 
   // The components that are read of a variable or of a member of one that is a struct, all for
-  // anything but a vector; nothing for what is not read at all. What reads a whole struct reads its
-  // members.
+  // anything but a vector; nothing for a place that is not read at all. Reading a whole struct
+  // reads its members.
   std::optional<std::uint32_t> Of(SpirvPlace place) const {
     const auto whole = masks_.find({place.id});
     if (place.member != kWhole && whole != masks_.end() && whole->second != 0) return kAll;
@@ -124,7 +124,7 @@ class Reads {
     Read(words[2], indices.size() == 1 ? 1u << (indices.front() & 31) : kAll);
   }
 
-  // What an id points to: a variable, or a member of one.
+  // The variable, or the member of one, that an id points to.
   SpirvPlace PlaceOf(SpirvId pointer) const {
     const auto found = pointers_.find(pointer);
     return found == pointers_.end() ? SpirvPlace{pointer} : found->second;
@@ -169,7 +169,7 @@ class SpirvReader {
     }
     return std::move(interface_);
   }
-  // What cannot meet an output; empty: nothing.
+  // The message about an input that cannot meet an output; empty if all can.
   const std::string& problem() const { return problem_; }
   bool HasTooManyMembers() const { return member_count_ > kMaxMembers; }
 

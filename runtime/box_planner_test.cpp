@@ -150,7 +150,7 @@ TEST(PlanBoxTest, IsSafeWhereDenormalsAreFlushed) {
   EXPECT_GT(flushed, 1000) << "flushing must change distances";
 }
 
-// So are bounds: a device that flushes these sees the whole box at 0, which the plane clips.
+// Denormal bounds: a device that flushes them sees the whole box at 0, which the plane clips.
 TEST(PlanBoxTest, IsSafeWhereBoundsAreFlushed) {
   const Box box = {{9e-40F, -1, -1}, {1e-39F, 1, 1}};
   const Float4 plane = {1e30F, 0, 0, -1e-10F};

@@ -21,13 +21,13 @@ double Rounding(double x) {
   const double half_unit = std::scalbn(1.0, std::max(std::ilogb(x), -126) - 24);
   return half_unit * half_unit / 3;
 }
-// A power of two multiplies without rounding, and is in float what it is.
+// Whether `x` is 0 or a power of two, which float holds and multiplies without rounding.
 bool IsExact(double x) {
   int exponent = 0;
   return x == 0 || std::fabs(std::frexp(x, &exponent)) == 0.5;
 }
-// Of a sum of two floats: it is exact where it is no larger than one of them, as after a
-// cancellation.
+// The variance that rounding adds to the sum of two floats, which is exact where it is no larger
+// than one of them, as after a cancellation.
 double RoundingOfSum(double a, double b) {
   const double sum = a + b;
   if (a == 0 || b == 0 || sum == 0) return 0;
@@ -51,7 +51,7 @@ Vector4 Transform(const Vector4& v, const Matrix& m) {
   }
   return to;
 }
-// How much a number after `m` depends on each before, from how much it depends on each after.
+// The slopes of a number by the coordinates before `m`, from its slopes by those after it.
 Vector4 Before(const Matrix& m, const Vector4& slopes) {
   Vector4 before = {};
   for (int i = 0; i < 4; ++i) {
@@ -77,13 +77,13 @@ double OfPair(double z, double w, const Vector4& slopes) {
   return both * both * Rounding(w) + std::min(of_z, of_w) * part * (1 - part) * unit * unit;
 }
 
-// What rounding the elements of `m` adds to the variance of a number that depends on v * m by
+// The variance that rounding the elements of `m` adds to a number that depends on v * m by
 // `slopes`. Elements of z and w that are the same, as under an infinite projection, have one error.
 double OfElements(const Vector4& v, const Matrix& m, const Vector4& slopes) {
   double sum = 0;
   for (int i = 0; i < 4; ++i) {
     const bool is_same = IsSameInFloat(m, i);
-    // By what they differ is lost.
+    // The difference of the two is lost.
     const double lost = is_same ? v.c[i] * slopes.c[2] * (m.m[i][2] - m.m[i][3]) : 0;
     sum += lost * lost;
     for (int j = 0; j < 2; ++j) {
@@ -98,7 +98,7 @@ double OfElements(const Vector4& v, const Matrix& m, const Vector4& slopes) {
   return sum;
 }
 
-// What the operations of v * m add; `m` is in float.
+// The variance that the operations of v * m add; `m` is in float.
 double OfOperations(const Vector4& v, const Matrix& m, const Vector4& slopes) {
   double sum = 0;
   int alike = 0;  // the rows up to which z and w are sums of the same products
@@ -186,7 +186,7 @@ class Shader {
     for (int j = 0; j < 4; ++j) sum += v.c[j] * slopes_[arithmetic_.count].c[j];
     return arithmetic_.is_xyw1 ? sum + arithmetic_.constant.w : sum;
   }
-  // Of multiplying the matrices up to number k.
+  // The variance from multiplying the matrices up to number k.
   double OfProduct(const Vector4& vertex, int k) const {
     const Matrix matrix = InFloat(arithmetic_.matrices[k]);
     double sum = 0;
@@ -197,7 +197,7 @@ class Shader {
     }
     return sum;
   }
-  // Of the dot product with the constant.
+  // The variance from the dot product with the constant.
   void AddDot(const Vector4& v, Variances& sum) const {
     const bool is_xyw1 = arithmetic_.is_xyw1;
     const double operand[4] = {v.c[0], v.c[1], is_xyw1 ? v.c[3] : v.c[2], is_xyw1 ? 1 : v.c[3]};
@@ -230,7 +230,7 @@ Vector3 Cross(const Vector3& a, const Vector3& b) {
 }
 Vector3 Row(const Matrix& m, int i) { return {{m.m[i][0], m.m[i][1], m.m[i][2]}}; }
 
-// What a camera shows of view space.
+// The picture that a camera makes of view space.
 class View {
  public:
   View(const Matrix& world_view, const Matrix& projection, double picture_height)
@@ -248,7 +248,7 @@ class View {
   double WAt(const Vector3& place) const {
     return projection_.m[2][3] * place.c[2] + projection_.m[3][3];
   }
-  // How many pixels a place moves by when it moves by `direction`.
+  // The number of pixels that a place moves by in the picture when it moves by `direction`.
   double PixelsOf(const Vector3& place, const Vector3& direction) const {
     const double w = WAt(place), dw = projection_.m[2][3] * direction.c[2];
     double moved[2];
@@ -311,7 +311,7 @@ class Directions {
   double sine_;
 };
 
-// The number that one in a hundred is over, of normal numbers with these deviations.
+// The number that one in a hundred of normal numbers with these deviations exceeds.
 double Percentile99(const double* deviations, std::size_t count) {
   if (count == 0) return INFINITY;
   double low = 0, high = 4 * *std::max_element(deviations, deviations + count);

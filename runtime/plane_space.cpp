@@ -79,7 +79,7 @@ double ReachOfWorld(const DrawMatrices& draw) {
   return w > 0 ? std::hypot(at[0], at[1], at[2]) * std::fabs(s.py) / (2 * w) : 0;
 }
 
-// The matrices that the shader multiplies the vertex by; of a float product those that it is of.
+// Adds the matrices that the shader multiplies the vertex by, or the factors of a float product.
 void AddMatrices(const DrawMatrices& draw, DistanceArithmetic& to) {
   if (draw.steps > 2 || draw.float_product) {
     to.count = 3;

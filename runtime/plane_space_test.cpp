@@ -240,7 +240,7 @@ TEST(PlaneConstantFor, WarnsOfMatricesThatWereMultipliedInFloat) {
   }
 }
 
-// Of a draw whose cut is known: tools/study/regimes_test.cpp holds it against measurements.
+// The prediction for a draw whose cut is known; tools/study/regimes_test.cpp measures it.
 TEST(PredictEdgeError, FollowsTheRoundingsOfADraw) {
   DrawMatrices draw = {{}, {}, PerspectiveCamera(0.1, 1000).projection};
   draw.world.m[3][2] = 10;
@@ -250,7 +250,7 @@ TEST(PredictEdgeError, FollowsTheRoundingsOfADraw) {
     return PredictEdgeError(space, plane, KnownIn::kWorld, draw, cut, 1080);
   };
   const SeenCut cut = {places, 2, 0.1};
-  // As accurate as the law for an object around its own origin.
+  // The prediction agrees with the law for an object around its own origin.
   EXPECT_NEAR(error(PlaneSpace::kXyw1, cut).value, 0.001, 0.0007);
   EXPECT_NEAR(error(PlaneSpace::kClip, cut).value, 0.1, 0.07);
   EXPECT_LT(error(PlaneSpace::kObject, cut).value, 0.0005);

@@ -374,7 +374,7 @@ class ElementLowering {
   Program& program_;
   std::set<VarId> loop_indices_;
   std::vector<StmtId> declares_;  // at the beginning of the function whose calls are lowered
-  // Of the helper function that is being made.
+  // The parts of the helper function that is being made.
   std::vector<Parameter> parameters_;
   std::deque<std::string> names_;  // whose texts stay where they are
   std::vector<ExprId> arguments_;

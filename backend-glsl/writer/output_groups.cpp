@@ -13,10 +13,10 @@ using namespace ir;
 
 namespace {
 
-// What GLSL cannot interpolate.
+// Whether GLSL cannot interpolate numbers of this kind.
 bool IsFlat(Scalar scalar) { return scalar != Scalar::kFloat; }
 
-// The output that is the member, or its first element; null where no output is.
+// The output that is the member, or its first element; null where the shader writes none.
 const IoVar* OutputOf(const Context& context, std::size_t group, std::size_t member) {
   const auto found = std::ranges::find_if(context.program.outputs, [&](const IoVar& output) {
     return output.reader && output.reader->group == group && output.reader->member == member;

@@ -50,7 +50,7 @@ ExprId Combine(Context& context, BinaryOp op, ExprId left, TypeId left_type, Exp
 ExprId CombineLogical(Context& context, BinaryOp op, ExprId left, ExprId right, TypeId shape,
                       Span span) {
   const TypeId type = context.types.WithScalar(shape, Scalar::kBool);
-  // It makes a difference only if the right side has an effect.
+  // The order of evaluation makes a difference only if the right side has an effect.
   BinaryOp wanted = op;
   if (context.options.short_circuits && context[type].kind == TypeKind::kScalar &&
       !IsPure(context.program, right)) {

@@ -145,7 +145,7 @@ TypeId ArrayOf(Context& context, TypeId element, List<ast::ExprId> dimensions, S
     } else if (i == 0 && implied) {
       size = implied;
     } else if (i == 0 && dimensions.size == 1 && context.types[element].kind == TypeKind::kObject) {
-      // Of a pixel shader it does not matter how many there are.
+      // The number of elements does not matter to a pixel shader.
       size = context.program.profile.IsPixel() ? 1 : 0;
     } else {
       context.Report(span, diag::ArrayWithoutSize);

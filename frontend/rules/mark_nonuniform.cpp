@@ -19,7 +19,7 @@ class NonUniformMarker {
       : program_(program), vars_(program.vars.size()), functions_(program.functions.size()) {}
 
   void Run() {
-    // What was replaced is in the arena too, so that a call there may be none of the program.
+    // The arena has replaced expressions too, so that a call there may be none of the program.
     bool is_any = false;
     for (const ExprId expr : program_.exprs.ids()) is_any |= IsCall(expr);
     if (!is_any) return;

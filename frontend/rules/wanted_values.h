@@ -6,7 +6,7 @@
 
 #include "frontend/rules/rules.h"
 
-// Which variables the offsets of texture reads depend on, as KnowOffsets asks.
+// The variables that offsets of texture reads depend on, for KnowOffsets.
 namespace clipc::rules {
 
 // The number of the first argument that is an offset.
@@ -24,7 +24,7 @@ class WantedValues {
   bool Has(VarId var) const { return var.index < vars_.size() && vars_[var.index]; }
   // Whether an offset that is not a literal is in the function, or in one that it calls.
   bool Has(FunctionId function) const { return functions_[function.index]; }
-  // Wanted, and not assigned after its declaration.
+  // Whether the variable is wanted and not assigned after its declaration.
   bool IsUnchanged(VarId var) const { return Has(var) && !assigned_[var.index]; }
 
   // The variable that a `for` loop counts with, and what it starts from.

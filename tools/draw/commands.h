@@ -36,8 +36,8 @@ clipc-draw pair A.vert A.frag B.vert B.frag
   message of Vulkan's validation layers about the first program fails too.
 
 clipc-draw passes FIRST.vert SECOND.vert
-  Draws with the first, and then with the second where its depth is equal. Fails where a pixel of the
-  first pass is missing in the second.
+  Draws with the first, and then with the second where its depth is equal. Fails where a pixel of
+  the first pass is missing in the second.
 
 clipc-draw picture DRAW.json COLORS
   Draws what DRAW.json describes: vertex and fragment shader, width and height, vertices, indices,

@@ -15,7 +15,7 @@ namespace clipc::draw {
 // A picture has so many pixels in each direction.
 inline constexpr int kPairSize = 64;
 
-// Equal for equal names, on every machine.
+// A number for a name, the same on every machine.
 std::uint64_t SeedOf(std::string_view name);
 
 // The values of an attribute for each vertex of FullTarget(): the position at location 0; random

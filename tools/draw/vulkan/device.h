@@ -30,8 +30,8 @@ std::vector<std::string> TakeMessages();
 // A Vulkan 1.3 device.
 class Device {
  public:
-  // The first that has that extension. Throws NoDevice when there is none, or no validation layers
-  // where they are asked for.
+  // Opens the first device that has that extension. Throws NoDevice when there is none, or no
+  // validation layers where they are asked for.
   Device(const char* extension, bool is_processor, Validation validation = Validation::kOff);
   // A processor with transform feedback: Mesa's lavapipe.
   Device() : Device(VK_EXT_TRANSFORM_FEEDBACK_EXTENSION_NAME, true) {}

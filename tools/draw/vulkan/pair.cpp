@@ -69,7 +69,7 @@ void Record(const vk::raii::CommandBuffer& commands, const Image& target,
              vk::ImageLayout::eTransferSrcOptimal);
 }
 
-// Four floats for each pixel.
+// Draws the pair. Returns four floats for each pixel.
 std::vector<float> Draw(const Device& device, const SpirvPair& pair) try {
   const DrawCall call = CallOf(pair);
   const Attributes attributes = UploadAttributes(device, call);

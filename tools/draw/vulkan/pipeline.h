@@ -18,7 +18,7 @@ struct Attributes {
 Attributes UploadAttributes(const Device& device, const DrawCall& call);
 void BindAttributes(const vk::raii::CommandBuffer& commands, const Attributes& attributes);
 
-// Where a pipeline ends.
+// The stage that a pipeline ends with.
 enum class PipelineEnd : std::uint8_t {
   kCapture,     // points are captured and drawn nowhere
   kStatistics,  // triangles are drawn without a fragment shader; the driver tells of its code
