@@ -31,7 +31,7 @@ std::optional<FileStatus> StatusOf(int file);
 bool MayWrite(const std::string& path);
 
 // The path of what a symbolic link stands for; `path` itself if nothing is there.
-std::string BehindLinks(const std::string& path);
+std::string ResolveLinks(const std::string& path);
 
 inline constexpr int kStandardInput = 0;
 inline constexpr int kStandardOutput = 1;

@@ -39,7 +39,7 @@ std::optional<FileStatus> StatusOf(int file) {
 
 bool MayWrite(const std::string& path) { return access(path.c_str(), W_OK) == 0; }
 
-std::string BehindLinks(const std::string& path) {
+std::string ResolveLinks(const std::string& path) {
   const std::unique_ptr<char, decltype(&std::free)> real(realpath(path.c_str(), nullptr),
                                                          &std::free);
   return real ? real.get() : path;

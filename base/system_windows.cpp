@@ -124,7 +124,7 @@ std::optional<FileStatus> StatusOf(int file) {
 
 bool MayWrite(const std::string& path) { return _waccess(Wide(path).c_str(), 2) == 0; }
 
-std::string BehindLinks(const std::string& path) {
+std::string ResolveLinks(const std::string& path) {
   HANDLE file = OpenToAsk(path);
   if (file == INVALID_HANDLE_VALUE) return path;
   std::wstring wide(GetFinalPathNameByHandleW(file, nullptr, 0, 0), L'\0');

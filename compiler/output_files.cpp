@@ -71,7 +71,7 @@ std::string OutputFiles::Prepare(File& file) {
     // Renaming needs no permission to write the file itself; a file without it is not replaced.
     if (!system::MayWrite(file.path)) return Problem(file.path);
     // Renaming must replace the file that a symbolic link stands for, not the link.
-    file.path = system::BehindLinks(file.path);
+    file.path = system::ResolveLinks(file.path);
     mode = status->mode;
   }
   std::string name;
