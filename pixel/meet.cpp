@@ -20,7 +20,17 @@ class Applier {
  public:
   Applier(Program& program, const Interface& pixel, const Meeting& meeting,
           const MeetOptions& options)
-      : program_(program), pixel_(pixel), meeting_(meeting), options_(options) {}
+      : program_(program), pixel_(pixel), meeting_(meeting), options_(options) {
+    group_ends_.resize(pixel.groups.size());
+    std::uint32_t place = 0;
+    for (const Input& input : pixel.inputs) {
+      places_.push_back(input.location.value_or(place));
+      place += input.shape.Elements();
+      if (!input.group) continue;
+      std::uint32_t& end = group_ends_[*input.group];
+      end = std::max(end, places_.back() + input.shape.Elements());
+    }
+  }
 
   void Run() {
     std::vector<IoVar> outputs;
@@ -61,7 +71,7 @@ class Applier {
     reader.columns = input.shape.columns;
     reader.dimensions = input.shape.dimensions;
     reader.element = element;
-    output.location = input.location.value_or(PlaceOf(number)) + element;
+    output.location = places_[number] + element;
     output.interpolation = input.interpolation;
     output.centroid = input.centroid;
     output.sample = input.sample;
@@ -70,13 +80,7 @@ class Applier {
 
   // The location after the output's, or after the group's that it is in.
   std::uint32_t EndOf(const Input& met, std::uint32_t location) const {
-    std::uint32_t end = location + 1;
-    for (std::size_t i = 0; i < pixel_.inputs.size(); ++i) {
-      const Input& input = pixel_.inputs[i];
-      if (met.group && input.group == met.group)
-        end = std::max(end, input.location.value_or(PlaceOf(i)) + input.shape.Elements());
-    }
-    return end;
+    return std::max(location + 1, met.group ? group_ends_[*met.group] : 0);
   }
 
   // Declares the groups that outputs meet; of Vulkan all, since every input has its output there.
@@ -119,13 +123,6 @@ class Applier {
     const Group& group = pixel_.groups[*input.group];
     if (group.instance.empty()) return input.name;
     return (group.is_block ? group.type : group.instance) + "." + input.name;
-  }
-
-  // The locations that inputs without one would have.
-  std::uint32_t PlaceOf(std::size_t number) const {
-    std::uint32_t place = 0;
-    for (std::size_t i = 0; i < number; ++i) place += pixel_.inputs[i].shape.Elements();
-    return place;
   }
 
   // Gives the output the type of one element of the input, and makes its value fit.
@@ -203,6 +200,9 @@ class Applier {
   const Interface& pixel_;
   const Meeting& meeting_;
   const MeetOptions& options_;
+  // Of each input the location, for one without it that which it would have; of each group the
+  // location after its last member's.
+  std::vector<std::uint32_t> places_, group_ends_;
 };
 
 }  // namespace
