@@ -51,10 +51,14 @@ class OffsetFinder {
   }
 
  private:
+  using Bits = std::vector<std::uint64_t>;
   using Key = std::vector<std::uint64_t>;
 
   // ---- known values
-  std::optional<std::vector<std::uint64_t>> BitsOf(ExprId expr) {
+  // The bits of an expression whose value is known. Each name in it is replaced by a copy of the
+  // value, so that the program grows.
+  std::optional<Bits> BitsOf(ExprId expr) {
+    if (!MayGrow(program_.exprs[expr].span)) return std::nullopt;
     const ExprId copy = Clone(program_, expr);
     const ExprId closed = Substitute(copy);
     if (KindsOf(program_.types, TypeIdOf(program_, closed)).size() > kMaxWords) return std::nullopt;
@@ -71,7 +75,11 @@ class OffsetFinder {
   }
 
   // A value of literals.
-  ExprId Make(TypeId id, const std::vector<std::uint64_t>& bits, std::size_t& next, Span span) {
+  ExprId Make(TypeId id, const Bits& bits, Span span) {
+    std::size_t next = 0;
+    return Make(id, bits, next, span);
+  }
+  ExprId Make(TypeId id, const Bits& bits, std::size_t& next, Span span) {
     Builder at(program_, span);
     const Type type = program_.types[id];
     if (type.kind == TypeKind::kScalar) return at.Add(id, Literal{bits[next++]});
@@ -90,8 +98,7 @@ class OffsetFinder {
   bool Know(VarId var, ExprId value) {
     const auto bits = BitsOf(value);
     if (!bits) return false;
-    std::size_t next = 0;
-    known_[var] = Make(program_.vars[var].type, *bits, next, program_.vars[var].span);
+    known_[var] = Make(program_.vars[var].type, *bits, program_.vars[var].span);
     return true;
   }
 
@@ -105,21 +112,20 @@ class OffsetFinder {
     for (const auto& [from, to] : cloner.vars()) originals_[to] = Original(from);
   }
 
-  bool MayCopy(Span span) {
-    if (++made_ <= kMaxCopies && program_.exprs.size() < kMaxExpressions) return true;
-    if (made_ == kMaxCopies + 1 || !is_reported_)
-      diagnostics_.Report(span, diag::TooManyInstances, kMaxCopies);
+  bool MayCopy(Span span) { return MayGrow(span) && (++made_ <= kMaxCopies || Refuse(span)); }
+  bool MayGrow(Span span) { return program_.exprs.size() < kMaxExpressions || Refuse(span); }
+  bool Refuse(Span span) {
+    if (!is_reported_) diagnostics_.Report(span, diag::TooManyInstances, kMaxCopies);
     is_reported_ = true;
     return false;
   }
 
   // The function for arguments that are known, of the parameters that its offsets depend on.
-  FunctionId CopyOf(FunctionId id, const std::map<std::size_t, ExprId>& arguments) {
+  FunctionId CopyOf(FunctionId id, const std::map<std::size_t, Bits>& arguments) {
     Key key{id.index};
-    for (const auto& [parameter, value] : arguments) {
+    for (const auto& [parameter, bits] : arguments) {
       key.push_back(parameter);
-      const auto bits = BitsOf(value);
-      key.insert(key.end(), bits->begin(), bits->end());
+      key.insert(key.end(), bits.begin(), bits.end());
     }
     if (const auto found = copies_.find(key); found != copies_.end()) return found->second;
     Function function = program_.functions[id];
@@ -131,8 +137,10 @@ class OffsetFinder {
       function.body = cloner.Clone(function.body);
       NoteCopies(cloner);
       const auto outer = std::exchange(known_, {});
-      for (const auto& [parameter, value] : arguments)
-        known_[function.parameters[parameter]] = value;
+      for (const auto& [parameter, bits] : arguments) {
+        const VarId var = function.parameters[parameter];
+        known_[var] = Make(program_.vars[var].type, bits, program_.vars[var].span);
+      }
       ++depth_;
       Read(function.body);
       --depth_;
@@ -151,18 +159,13 @@ class OffsetFinder {
     const auto* node = As<Call>(program_, expr);
     if (!node) return;
     const Call call = *node;
-    std::map<std::size_t, ExprId> arguments;
+    std::map<std::size_t, Bits> arguments;
     const std::vector<VarId>& parameters = program_.functions[call.function].parameters;
     for (std::uint32_t i = 0; i < call.arguments.size; ++i) {
       const VarId parameter = parameters[i];
       if (!wanted_.IsUnchanged(parameter) || program_.vars[parameter].storage != Storage::kIn)
         continue;
-      const ExprId argument = program_.expr_lists[call.arguments][i];
-      const auto bits = BitsOf(argument);
-      if (!bits) continue;
-      std::size_t next = 0;
-      arguments[i] =
-          Make(program_.vars[parameter].type, *bits, next, program_.exprs[argument].span);
+      if (const auto bits = BitsOf(program_.expr_lists[call.arguments][i])) arguments[i] = *bits;
     }
     const FunctionId copy = CopyOf(call.function, arguments);
     program_.exprs[expr].node = Call{copy, call.arguments};
@@ -206,8 +209,7 @@ class OffsetFinder {
         return offset;
       }
     }
-    std::size_t next = 0;
-    return Make(TypeIdOf(program_, offset), *bits, next, span);
+    return Make(TypeIdOf(program_, offset), *bits, span);
   }
 
   // ---- loops
