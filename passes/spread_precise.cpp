@@ -10,6 +10,7 @@
 
 #include "ir/access.h"
 #include "ir/builder.h"
+#include "ir/value_graph.h"
 
 namespace clipc::passes {
 
@@ -51,86 +52,6 @@ bool IsOfFunctions(Storage storage) {
   return storage == Storage::kLocal || storage == Storage::kOut || storage == Storage::kInOut ||
          storage == Storage::kStatic;
 }
-
-// Variables, and functions for their results, each with those that its value is made of.
-class ValueGraph {
- public:
-  explicit ValueGraph(const Program& program)
-      : program_(program), vars_(program.vars.size()), sources_(vars_ + program.functions.size()) {
-    for (const VarId id : program.vars.ids()) AddSources(NodeOf(id), program.vars[id].init);
-    for (const FunctionId id : program.functions.ids()) AddFunction(id);
-  }
-
-  std::size_t NodeOf(VarId id) const { return id.index; }
-  std::size_t NodeOf(FunctionId id) const { return vars_ + id.index; }
-
-  // Adds to the nodes all that their values are made of.
-  void Spread(std::vector<bool>& nodes) const {
-    std::vector<std::size_t> waiting;
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      if (nodes[i]) waiting.push_back(i);
-    }
-    while (!waiting.empty()) {
-      const std::size_t node = waiting.back();
-      waiting.pop_back();
-      for (const std::size_t source : sources_[node]) {
-        if (nodes[source]) continue;
-        nodes[source] = true;
-        waiting.push_back(source);
-      }
-    }
-  }
-
- private:
-  void AddFunction(FunctionId id) {
-    const StmtId body = program_.functions[id].body;
-    ForEachStmt(program_, body, [&](StmtId stmt) {
-      if (const auto* declare = As<Declare>(program_, stmt))
-        AddSources(NodeOf(declare->var), declare->init);
-      if (const auto* result = As<Return>(program_, stmt)) AddSources(NodeOf(id), result->value);
-    });
-    ForEachExpr(program_, body, [&](ExprId expr) { AddWrites(expr); });
-  }
-
-  void AddWrites(ExprId expr) {
-    if (const auto* assign = As<Assign>(program_, expr))
-      return AddTo(assign->target, assign->value);
-    if (const auto* call = As<Call>(program_, expr)) return AddArguments(*call);
-    if (const auto* call = As<IntrinsicCall>(program_, expr)) {
-      ForEachWrite(program_, expr, [&](ExprId target) {
-        for (const ExprId argument : program_.expr_lists[call->arguments]) AddTo(target, argument);
-      });
-    }
-  }
-
-  void AddArguments(const Call& call) {
-    const std::vector<VarId>& parameters = program_.functions[call.function].parameters;
-    for (std::uint32_t i = 0; i < call.arguments.size; ++i) {
-      const ExprId argument = program_.expr_lists[call.arguments][i];
-      const Storage storage = program_.vars[parameters[i]].storage;
-      const VarId target = storage == Storage::kIn ? VarId{} : RootOf(program_, argument);
-      if (target) sources_[NodeOf(target)].push_back(NodeOf(parameters[i]));
-      if (storage != Storage::kOut) AddSources(NodeOf(parameters[i]), argument);
-    }
-  }
-
-  void AddTo(ExprId target, ExprId value) {
-    if (const VarId root = RootOf(program_, target)) AddSources(NodeOf(root), value);
-  }
-
-  void AddSources(std::size_t node, ExprId value) {
-    if (!value) return;
-    ForEachExpr(program_, value, [&](ExprId id) {
-      if (const auto* ref = As<VarRef>(program_, id)) sources_[node].push_back(NodeOf(ref->var));
-      if (const auto* call = As<Call>(program_, id))
-        sources_[node].push_back(NodeOf(call->function));
-    });
-  }
-
-  const Program& program_;
-  std::size_t vars_;  // when the graph was made
-  std::vector<std::vector<std::size_t>> sources_;
-};
 
 // Makes the results of a function precise. GLSL as Mesa reads it takes no `precise` at a result, so
 // each one becomes a precise variable first.
@@ -207,7 +128,7 @@ void SpreadPrecise(Program& program, bool of_all_outputs) {
   for (const VarId id : program.vars.ids()) precise[graph.NodeOf(id)] = program.vars[id].precise;
   for (const FunctionId id : program.functions.ids())
     precise[graph.NodeOf(id)] = program.functions[id].precise;
-  graph.Spread(precise);
+  graph.SpreadToSources(precise);
   for (const FunctionId id : program.functions.ids()) {
     for (const VarId parameter : program.functions[id].parameters) {
       Var& var = program.vars[parameter];

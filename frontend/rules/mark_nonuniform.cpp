@@ -8,6 +8,7 @@
 #include "frontend/rules/constant.h"
 #include "ir/access.h"
 #include "ir/builder.h"
+#include "ir/value_graph.h"
 #include "ir/walk.h"
 
 namespace clipc::rules {
@@ -15,8 +16,7 @@ namespace {
 
 class NonUniformMarker {
  public:
-  explicit NonUniformMarker(Program& program)
-      : program_(program), vars_(program.vars.size()), functions_(program.functions.size()) {}
+  explicit NonUniformMarker(Program& program) : program_(program) {}
 
   void Run() {
     // The arena has replaced expressions too, so that a call there may be none of the program.
@@ -27,10 +27,7 @@ class NonUniformMarker {
     ForEachLiveExpr(program_, [&](ExprId expr) {
       if (IsCall(expr)) calls.push_back(expr);
     });
-    do {
-      changed_ = false;
-      for (const FunctionId id : program_.functions.ids()) Follow(id);
-    } while (changed_);
+    FollowValues();
     ForEachLiveExpr(program_, [&](ExprId expr) {
       const auto* index = As<Index>(program_, expr);
       if (index && ChoosesResource(index->base) && Differs(index->index)) indices.push_back(expr);
@@ -62,44 +59,21 @@ class NonUniformMarker {
     return AnyExpr(program_, expr, [&](ExprId part) {
       if (const auto* ref = As<VarRef>(program_, part)) return bool(vars_[ref->var.index]);
       const auto* call = As<Call>(program_, part);
-      if (call) return bool(functions_[call->function.index]);
-      return IsCall(part);
+      return call ? bool(functions_[call->function.index]) : IsCall(part);
     });
   }
 
-  void Note(std::vector<bool>& marks, std::uint32_t index) {
-    if (!marks[index]) changed_ = true;
-    marks[index] = true;
-  }
-
-  void Follow(FunctionId id) {
-    const StmtId body = program_.functions[id].body;
-    ForEachStmt(program_, body, [&](StmtId stmt) {
-      if (const auto* declare = As<Declare>(program_, stmt)) {
-        if (declare->init && Differs(declare->init)) Note(vars_, declare->var.index);
-      } else if (const auto* result = As<Return>(program_, stmt)) {
-        if (result->value && Differs(result->value)) Note(functions_, id.index);
-      }
-    });
-    ForEachExpr(program_, body, [&](ExprId expr) {
-      if (const auto* assign = As<Assign>(program_, expr)) {
-        const VarId root = RootOf(program_, assign->target);
-        if (root && Differs(assign->value)) Note(vars_, root.index);
-      } else if (const auto* call = As<Call>(program_, expr)) {
-        FollowCall(*call);
-      }
-    });
-  }
-
-  void FollowCall(const Call& call) {
-    const std::vector<VarId>& parameters = program_.functions[call.function].parameters;
-    const auto arguments = program_.expr_lists[call.arguments];
-    for (std::size_t i = 0; i < arguments.size(); ++i) {
-      const Storage storage = program_.vars[parameters[i]].storage;
-      if (storage != Storage::kOut && Differs(arguments[i])) Note(vars_, parameters[i].index);
-      const VarId root = RootOf(program_, arguments[i]);
-      if (storage != Storage::kIn && root && vars_[parameters[i].index]) Note(vars_, root.index);
+  void FollowValues() {
+    const ValueGraph graph(program_);
+    std::vector<bool> differs(graph.size());
+    for (const ValueGraph::Value& value : graph.values()) {
+      if (AnyExpr(program_, value.expr, [&](ExprId part) { return IsCall(part); }))
+        differs[value.node] = true;
     }
+    graph.SpreadToUses(differs);
+    for (const VarId id : program_.vars.ids()) vars_.push_back(differs[graph.NodeOf(id)]);
+    for (const FunctionId id : program_.functions.ids())
+      functions_.push_back(differs[graph.NodeOf(id)]);
   }
 
   void Remove(ExprId expr) {
@@ -121,7 +95,6 @@ class NonUniformMarker {
   Program& program_;
   std::vector<bool> vars_;       // by VarId: a value that differs is kept in it
   std::vector<bool> functions_;  // by FunctionId: the result differs
-  bool changed_ = false;
 };
 
 }  // namespace

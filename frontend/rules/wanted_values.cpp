@@ -56,13 +56,11 @@ WantedValues::WantedValues(const Program& program)
   std::vector<StmtId> bodies;
   for (const FunctionId id : program.functions.ids()) bodies.push_back(program.functions[id].body);
   assigned_ = AssignedIn(program, bodies);
-  do {
-    changed_ = false;
-    for (const FunctionId id : program.functions.ids()) {
-      Follow(program.functions[id].body);
-      FollowCalls(id);
-    }
-  } while (changed_);
+  Flows flows{std::vector<std::vector<ExprId>>(program.vars.size()),
+              std::vector<std::vector<FunctionId>>(program.functions.size())};
+  for (const FunctionId id : program.functions.ids()) Collect(id, flows);
+  FollowVars(flows);
+  FollowFunctions(flows);
 }
 
 void WantedValues::FindOffsets() {
@@ -91,37 +89,56 @@ void WantedValues::Want(ExprId expr) {
     const auto* ref = As<VarRef>(program_, part);
     if (!ref || vars_[ref->var.index]) return;
     vars_[ref->var.index] = true;
-    changed_ = true;
+    waiting_.push_back(ref->var);
   });
 }
 
-void WantedValues::Follow(StmtId body) {
+void WantedValues::Collect(FunctionId function, Flows& flows) const {
+  const StmtId body = program_.functions[function].body;
   ForEachStmt(program_, body, [&](StmtId stmt) {
-    if (const auto* declare = As<Declare>(program_, stmt); declare && Has(declare->var)) {
-      Want(declare->init);
+    if (const auto* declare = As<Declare>(program_, stmt)) {
+      flows.values[declare->var.index].push_back(declare->init);
     } else if (const auto* loop = As<For>(program_, stmt)) {
       ExprId start;
       const VarId counter = CounterOf(*loop, start);
-      if (!counter || !Has(counter)) return;
-      Want(start), Want(loop->condition), Want(loop->step);
+      if (!counter) return;
+      for (const ExprId part : {start, loop->condition, loop->step})
+        flows.values[counter.index].push_back(part);
     }
+  });
+  ForEachExpr(program_, body, [&](ExprId expr) {
+    const auto* call = As<Call>(program_, expr);
+    if (!call) return;
+    flows.callers[call->function.index].push_back(function);
+    const std::vector<VarId>& parameters = program_.functions[call->function].parameters;
+    const auto arguments = program_.expr_lists[call->arguments];
+    for (std::size_t i = 0; i < arguments.size(); ++i)
+      flows.values[parameters[i].index].push_back(arguments[i]);
   });
 }
 
-void WantedValues::FollowCalls(FunctionId function) {
-  ForEachExpr(program_, program_.functions[function].body, [&](ExprId expr) {
-    const auto* call = As<Call>(program_, expr);
-    if (!call) return;
-    if (functions_[call->function.index] && !functions_[function.index]) {
-      functions_[function.index] = true;
-      changed_ = true;
+void WantedValues::FollowVars(const Flows& flows) {
+  while (!waiting_.empty()) {
+    const VarId var = waiting_.back();
+    waiting_.pop_back();
+    for (const ExprId value : flows.values[var.index]) Want(value);
+  }
+}
+
+void WantedValues::FollowFunctions(const Flows& flows) {
+  std::vector<FunctionId> waiting;
+  for (const FunctionId id : program_.functions.ids()) {
+    if (Has(id)) waiting.push_back(id);
+  }
+  while (!waiting.empty()) {
+    const FunctionId callee = waiting.back();
+    waiting.pop_back();
+    for (const FunctionId caller : flows.callers[callee.index]) {
+      if (Has(caller)) continue;
+      functions_[caller.index] = true;
+      waiting.push_back(caller);
     }
-    const std::vector<VarId>& parameters = program_.functions[call->function].parameters;
-    const auto arguments = program_.expr_lists[call->arguments];
-    for (std::size_t i = 0; i < arguments.size(); ++i) {
-      if (Has(parameters[i])) Want(arguments[i]);
-    }
-  });
+  }
 }
 
 VarId WantedValues::CounterOf(const For& loop, ExprId& start) const {

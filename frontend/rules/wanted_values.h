@@ -36,15 +36,23 @@ class WantedValues {
   static ExprId NextOf(Program& program, ExprId step, VarId counter);
 
  private:
+  // The expressions that a variable's value depends on, by VarId, and who calls a function, by
+  // FunctionId.
+  struct Flows {
+    std::vector<std::vector<ExprId>> values;
+    std::vector<std::vector<FunctionId>> callers;
+  };
+
   void FindOffsets();
   void Want(ExprId expr);
-  void Follow(StmtId body);
-  void FollowCalls(FunctionId function);
+  void Collect(FunctionId function, Flows& flows) const;
+  void FollowVars(const Flows& flows);
+  void FollowFunctions(const Flows& flows);
 
   const Program& program_;
   std::vector<bool> vars_, functions_, assigned_;  // by VarId, FunctionId, VarId
+  std::vector<VarId> waiting_;                     // wanted, and not followed yet
   bool is_empty_ = true;
-  bool changed_ = false;
 };
 
 }  // namespace clipc::rules

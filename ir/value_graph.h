@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "ir/program.h"
+
+namespace clipc::ir {
+
+// The variables of a program, and its functions for their results, as nodes; an edge leads from
+// each to those that its value is made of, by whatever expression. The order of statements does not
+// count: a variable is one node wherever it is written.
+class ValueGraph {
+ public:
+  // A value that goes to a node.
+  struct Value {
+    std::size_t node;
+    ExprId expr;
+  };
+
+  explicit ValueGraph(const Program& program);
+
+  std::size_t NodeOf(VarId id) const { return id.index; }
+  std::size_t NodeOf(FunctionId id) const { return vars_ + id.index; }
+  std::size_t size() const { return sources_.size(); }
+  const std::vector<Value>& values() const { return values_; }
+
+  // Adds to the nodes, one bool each, all that their values are made of.
+  void SpreadToSources(std::vector<bool>& nodes) const { Spread(sources_, nodes); }
+  // Adds to the nodes all whose values are made of them.
+  void SpreadToUses(std::vector<bool>& nodes) const;
+
+ private:
+  using Edges = std::vector<std::vector<std::size_t>>;
+
+  static void Spread(const Edges& edges, std::vector<bool>& nodes);
+  void AddFunction(FunctionId id);
+  void AddWrites(ExprId expr);
+  void AddArguments(const Call& call);
+  void AddTo(ExprId target, ExprId value);
+  void AddValue(std::size_t node, ExprId value);
+
+  const Program& program_;
+  std::size_t vars_;  // when the graph was made
+  Edges sources_;
+  std::vector<Value> values_;
+};
+
+}  // namespace clipc::ir
