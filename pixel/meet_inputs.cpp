@@ -241,7 +241,11 @@ class InputMeeter {
     }
     for (std::size_t i = 0; i < outputs_.size(); ++i) {
       if (outputs_[i].input != number) continue;
-      is_needed ? CheckType(input, i) : void(outputs_[i].input.reset());
+      if (is_needed) {
+        CheckType(input, i);
+      } else {
+        outputs_[i].input.reset();
+      }
     }
   }
 

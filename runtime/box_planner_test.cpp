@@ -268,7 +268,8 @@ class ManyBoxes {
         // Touches box 0, so that it makes a difference which error bound is used.
         case 3:
           plane = {1, 0, 0,
-                   Nudge(-arrays_[random_.Below(2) * 3][0], static_cast<int>(random_.Below(40)))};
+                   Nudge(-arrays_[std::size_t{3} * random_.Below(2)][0],
+                         static_cast<int>(random_.Below(40)))};
           break;
         default: break;
       }

@@ -80,8 +80,8 @@ std::vector<float> Draw(const Device& device, const SpirvPair& pair) try {
   const vk::raii::Pipeline pipeline = MakePipeline(
       device.get(), {pair.vertex, pair.fragment, PipelineEnd::kPicture}, attributes, layout);
   const Image target = MakeTarget(device, kPairSize);
-  const Buffer pixels =
-      device.NewBuffer(vk::BufferUsageFlagBits::eTransferDst, Bytes(16 * kPairSize * kPairSize));
+  const Buffer pixels = device.NewBuffer(vk::BufferUsageFlagBits::eTransferDst,
+                                         Bytes(std::size_t{16} * kPairSize * kPairSize));
   device.Submit([&](const vk::raii::CommandBuffer& commands) {
     commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline);
     descriptors.Bind(commands, layout);
