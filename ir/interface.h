@@ -157,6 +157,7 @@ struct IoVar {
   bool centroid = false;
   bool sample = false;
   bool has_index = false;  // the index is written: TEXCOORD0, not TEXCOORD
+  bool is_placed = false;  // [[vk::location]] gives the location
   std::string name = {};   // of the field, parameter or function that has the semantic: "uv"
   // Where it is in the signature, from the name of the parameter or function on: "input.uv[1]". The
   // rows of a matrix have the matrix's path.

@@ -50,6 +50,7 @@ struct Input {
   std::string semantic;  // without its index; empty: unknown
   std::uint32_t index = 0;
   std::optional<std::uint32_t> location;
+  bool is_placed = false;  // of HLSL: [[vk::location]] gives the location
   Shape shape;
   ir::Interpolation interpolation = ir::Interpolation::kDefault;
   bool centroid = false;

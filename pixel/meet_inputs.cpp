@@ -145,10 +145,14 @@ class InputMeeter {
 
   void ByLocation(std::size_t number) {
     const Input& input = pixel_.inputs[number];
-    if (met_[number] || !input.semantic.empty() || !input.location) return;
+    if (met_[number] || !input.location) return;
+    // Semantics say more than locations that are counted.
+    if (!input.semantic.empty() && !input.is_placed) return;
     for (std::size_t i = 0; i < outputs_.size(); ++i) {
+      const ir::IoVar& output = program_.outputs[i];
       // A place proves little where the types differ.
-      const bool is_there = IsFree(i) && program_.outputs[i].location == *input.location &&
+      const bool is_there = IsFree(i) && output.location == *input.location &&
+                            (input.semantic.empty() || output.is_placed) &&
                             ShapeAt(i) == ElementShape(input);
       if (is_there && TryMeet(number, i)) return;
     }

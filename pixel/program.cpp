@@ -58,6 +58,7 @@ Interface ReadProgram(const Program& program, const std::function<std::string(Sp
                                 .semantic = io.semantic,
                                 .index = io.index,
                                 .location = io.location,
+                                .is_placed = io.is_placed,
                                 .shape = ShapeOf(program.types, var.type).value_or(Shape{}),
                                 .interpolation = io.interpolation,
                                 .centroid = io.centroid,

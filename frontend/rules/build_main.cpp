@@ -352,8 +352,8 @@ class MainBuilder {
       place = locations_[is_input].Next(meets ? location : std::nullopt, program_.types[type], path,
                                         leaf.span);
     list.push_back({id, semantic.name, semantic.index, builtin, place, interpolation, centroid,
-                    sample, semantic.has_index, leaf.name.substr(leaf.name.rfind('.') + 1),
-                    std::move(path)});
+                    sample, semantic.has_index, meets && location,
+                    leaf.name.substr(leaf.name.rfind('.') + 1), std::move(path)});
     return id;
   }
 
