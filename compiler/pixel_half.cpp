@@ -129,7 +129,9 @@ void MeetPixelShader(const CompileRequest& request, SourceInput input, const gls
       report.Note({}, diag::PlainNote, half.problems[i]);
     return;
   }
-  const pixel::MeetOptions options{request.keep_outputs, target.IsVulkan()};
+  const pixel::MeetOptions options{request.keep_outputs, target.IsVulkan(),
+                                   !target.IsEs() && target.Has(glsl::Feature::kInAndOut) &&
+                                       !target.Has(glsl::Feature::kOutputLocations)};
   const pixel::Meeting meeting = pixel::Meet(program, half.interface, options, diagnostics);
   if (diagnostics.has_errors()) return;
   if (!request.names.empty()) ForgetNames(half.interface, half.is_glsl);

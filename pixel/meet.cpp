@@ -46,6 +46,7 @@ class Applier {
       }
       outputs.push_back(std::move(output));
     }
+    for (const std::size_t input : meeting_.zeros) AddZeros(pixel_.inputs[input], input, outputs);
     for (IoVar& output : outputs) {
       if (output.builtin == Builtin::kNone && !output.reader) output.location = end++;
     }
@@ -76,6 +77,25 @@ class Applier {
     output.centroid = input.centroid;
     output.sample = input.sample;
     Reshape(output.var, input.shape);
+  }
+
+  // Outputs for an input that nothing writes.
+  void AddZeros(const Input& input, std::size_t number, std::vector<IoVar>& outputs) {
+    const Span span = program_.functions[program_.entry].span;
+    const TypeId type = TypeOfElement(input.shape);
+    Builder builder(program_, span);
+    std::vector<StmtId> body(MainBody(program_).begin(), MainBody(program_).end());
+    for (std::uint32_t i = 0; i < input.shape.Elements(); ++i) {
+      IoVar output;
+      output.var = program_.vars.Add(
+          {.name = input.name, .type = type, .storage = Storage::kOutput, .span = span});
+      output.semantic = input.semantic.empty() ? input.name : input.semantic;
+      output.index = input.index + i;
+      Output(output, input, number, i);
+      body.push_back(builder.Eval(builder.AssignTo(builder.Ref(output.var), builder.ZeroOf(type))));
+      outputs.push_back(std::move(output));
+    }
+    SetMainBody(program_, body);
   }
 
   // The location after the output's, or after the group's that it is in.
@@ -125,11 +145,16 @@ class Applier {
     return (group.is_block ? group.type : group.instance) + "." + input.name;
   }
 
+  TypeId TypeOfElement(const Shape& shape) {
+    const Scalar kind = shape.scalar == Scalar::kBool ? Scalar::kUint : shape.scalar;
+    return shape.components == 1 ? program_.types.Make(kind)
+                                 : program_.types.Vector(kind, shape.components);
+  }
+
   // Gives the output the type of one element of the input, and makes its value fit.
   void Reshape(VarId var, const Shape& shape) {
-    const Scalar kind = shape.scalar == Scalar::kBool ? Scalar::kUint : shape.scalar;
-    const TypeId type = shape.components == 1 ? program_.types.Make(kind)
-                                              : program_.types.Vector(kind, shape.components);
+    const TypeId type = TypeOfElement(shape);
+    const Scalar kind = program_.types[type].scalar;
     if (program_.vars[var].type == type) return;
     program_.vars[var].type = type;
     for (const StmtId id : MainBody(program_)) {
@@ -209,8 +234,9 @@ class Applier {
 
 Meeting Meet(const Program& program, const Interface& pixel, const MeetOptions& options,
              Diagnostics& diagnostics) {
-  return {MeetInputs(program, pixel, options, diagnostics),
-          MeetBlocks(program, pixel, options, diagnostics)};
+  Meeting meeting = MeetInputs(program, pixel, options, diagnostics);
+  meeting.buffers = MeetBlocks(program, pixel, options, diagnostics);
+  return meeting;
 }
 
 void Apply(Program& program, const Interface& pixel, const Meeting& meeting,

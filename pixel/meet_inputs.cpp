@@ -75,13 +75,13 @@ class InputMeeter {
     for (std::size_t i = 0; i < program.outputs.size(); ++i) names_.push_back(NamesOf(i));
   }
 
-  std::vector<Output> Run() {
+  Meeting Run() {
     for (std::size_t i = 0; i < pixel_.inputs.size(); ++i) BySemantic(i);
     for (const auto rule : {ByToolName, ByMemberName, BySemanticName}) ByName(rule);
     for (std::size_t i = 0; i < pixel_.inputs.size(); ++i) ByLocation(i);
     ByOrder();
     for (std::size_t i = 0; i < pixel_.inputs.size(); ++i) Check(i);
-    return std::move(outputs_);
+    return {std::move(outputs_), std::move(zeros_), {}};
   }
 
  private:
@@ -238,8 +238,11 @@ class InputMeeter {
     const bool is_needed = input.is_read || (options_.is_vulkan && !input.group);
     if (!met_[number]) {
       if (!is_needed) return;
-      Diagnostic& report =
-          diagnostics_.Report(EntrySpan(), diag::PixelInputUnwritten, NameOf(input));
+      // A member is declared with its group or not at all.
+      const bool is_zero = options_.links_unwritten && !input.group;
+      if (is_zero) zeros_.push_back(number);
+      const auto& kind = is_zero ? diag::PixelInputIsZero : diag::PixelInputUnwritten;
+      Diagnostic& report = diagnostics_.Report(EntrySpan(), kind, NameOf(input));
       report.Note({}, diag::PixelInputHere, input.where, NameOf(input), NameOf(input.shape));
       return;
     }
@@ -289,12 +292,13 @@ class InputMeeter {
   std::vector<OutputNames> names_;  // beside program.outputs
   std::vector<Output> outputs_;
   std::vector<bool> met_;  // beside pixel.inputs
+  std::vector<std::size_t> zeros_;
 };
 
 }  // namespace
 
-std::vector<Output> MeetInputs(const ir::Program& program, const Interface& pixel,
-                               const MeetOptions& options, Diagnostics& diagnostics) {
+Meeting MeetInputs(const ir::Program& program, const Interface& pixel, const MeetOptions& options,
+                   Diagnostics& diagnostics) {
   return InputMeeter(program, pixel, options, diagnostics).Run();
 }
 

@@ -8,9 +8,9 @@
 
 namespace clipc::pixel {
 
-// The first half of Meet.
-std::vector<Meeting::Output> MeetInputs(const ir::Program& program, const Interface& pixel,
-                                        const MeetOptions& options, Diagnostics& diagnostics);
+// The first half of Meet: its outputs and zeros.
+Meeting MeetInputs(const ir::Program& program, const Interface& pixel, const MeetOptions& options,
+                   Diagnostics& diagnostics);
 
 // The other half.
 std::vector<Meeting::Buffer> MeetBlocks(const ir::Program& program, const Interface& pixel,
