@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // A page in headless Chromium, driven by its protocol over two pipes.
+import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { createReadStream, existsSync, mkdtempSync, rmSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
-import { extname, join, normalize } from 'node:path';
+import { extname, join, normalize, resolve } from 'node:path';
 
-const TYPES = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.wasm': 'application/wasm' };
+const TYPES = { '.html': 'text/html', '.js': 'text/javascript', '.mjs': 'text/javascript', '.css': 'text/css', '.wasm': 'application/wasm' };
 
-/** The address of a server of the files in `folder`, on this machine alone. */
-export function serve(folder) {
+/** A server of the files in `folder`, on this machine alone, and its address. */
+function serve(folder) {
   const server = createServer((request, response) => {
     const path = join(folder, normalize(new URL(request.url, 'http://localhost').pathname));
     const file = path.endsWith('/') ? join(path, 'index.html') : path;
@@ -17,7 +18,7 @@ export function serve(folder) {
     response.writeHead(200, { 'content-type': TYPES[extname(file)] ?? 'application/octet-stream' });
     createReadStream(file).pipe(response);
   });
-  return new Promise((resolve) => server.listen(0, '127.0.0.1', () => resolve({ server, address: `http://127.0.0.1:${server.address().port}/` })));
+  return new Promise((done) => server.listen(0, '127.0.0.1', () => done({ server, address: `http://127.0.0.1:${server.address().port}/` })));
 }
 
 export class Page {
@@ -27,9 +28,11 @@ export class Page {
   #waiting = new Map();
   #rest = '';
 
-  /** `script` runs in the page before its own. */
-  static async open(program, address, { width = 1280, height = 1100, script = '' } = {}) {
+  /** Serves `folder` and opens its file `path`. `script` runs in the page before its own. */
+  static async open(program, folder, { path = '', width = 1280, height = 1100, script = '' } = {}) {
     const page = new Page();
+    const { server, address } = await serve(resolve(folder));
+    page.server = server;
     page.profile = mkdtempSync(join(tmpdir(), 'clipc-browser-'));
     const options = ['--headless=new', '--no-sandbox', '--remote-debugging-pipe', '--enable-unsafe-swiftshader', '--use-angle=swiftshader',
       `--user-data-dir=${page.profile}`, `--window-size=${width},${height}`, '--no-first-run', 'about:blank'];
@@ -39,7 +42,7 @@ export class Page {
     ({ sessionId: page.session } = await page.#send('Target.attachToTarget', { targetId, flatten: true }));
     for (const domain of ['Page', 'Runtime', 'Log']) await page.send(`${domain}.enable`);
     if (script) await page.send('Page.addScriptToEvaluateOnNewDocument', { source: script });
-    await page.send('Page.navigate', { url: address });
+    await page.send('Page.navigate', { url: address + path });
     return page;
   }
 
@@ -68,7 +71,32 @@ export class Page {
     throw new Error(`still not: ${expression}`);
   }
 
+  /** Waits until the page is loaded, and until a condition of its own is true. */
+  loaded(condition = 'true') {
+    return this.until(`location.protocol === "http:" && document.readyState === "complete" && (${condition})`);
+  }
+
+  /** Gives the control `id` a value, as a person does. */
+  set(id, value) {
+    return this.evaluate(`(() => { const control = document.getElementById('${id}'); control.value = ${JSON.stringify(value)};
+      control.dispatchEvent(new Event('input')); })()`);
+  }
+
+  /** Runs a part of a test. Where it throws, or the page writes an error, that is printed, and the program's status is 1. */
+  async test(name, run) {
+    try {
+      await run();
+      assert.deepEqual(this.errors, []);
+      console.log(`ok ${name}`);
+    } catch (error) {
+      process.exitCode = 1;
+      this.errors.length = 0;
+      console.log(`FAILED ${name}: ${error.message}`);
+    }
+  }
+
   async close() {
+    this.server.close();
     const ended = new Promise((done) => this.process.once('exit', done));
     this.process.kill();
     await ended;

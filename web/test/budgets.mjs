@@ -6,7 +6,7 @@ import { readFileSync, readdirSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
-import { Page, serve } from './browser.mjs';
+import { Page } from './browser.mjs';
 
 const READY_SECONDS = 2;
 const COMPILE_MILLISECONDS = 16;
@@ -20,12 +20,10 @@ function row(name, cost, budget, unit) {
   console.log(`${name.padEnd(44)} ${cost.toFixed(2).padStart(6)} of ${budget} ${unit}${cost > budget ? ', too much' : ''}`);
 }
 
-const { server, address } = await serve(resolve(folder));
-const page = await Page.open(chromium, address);
-await page.until('location.protocol === "http:" && document.documentElement?.dataset.compiled && document.documentElement.dataset.draws');
+const page = await Page.open(chromium, folder);
+await page.loaded('document.documentElement.dataset.compiled && document.documentElement.dataset.draws');
 row('page ready', await page.processorTime(), READY_SECONDS, 's');
 await page.close();
-server.close();
 
 // What the page's worker does after a key: the text's result, and those of both pictures.
 const { createCompiler } = await import(pathToFileURL(resolve(packed, 'node.js')));

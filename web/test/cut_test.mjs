@@ -5,33 +5,17 @@
 import assert from 'node:assert/strict';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
-import { join, resolve } from 'node:path';
+import { join } from 'node:path';
 
-import { Page, serve } from './browser.mjs';
+import { Page } from './browser.mjs';
 
 const ROWS = 360; // of the page's pictures; the study's have 1080
 const STUDY_ROWS = 1080;
 
 const [folder, chromium, tables] = process.argv.slice(2);
-const { server, address } = await serve(resolve(folder));
-const page = await Page.open(chromium, address);
-let failed = 0;
-
-async function test(name, run) {
-  try {
-    await run();
-    assert.deepEqual(page.errors, []);
-    console.log(`ok ${name}`);
-  } catch (error) {
-    ++failed;
-    page.errors.length = 0;
-    console.log(`FAILED ${name}: ${error.message}`);
-  }
-}
-
-const set = (id, value) =>
-  page.evaluate(`(() => { const control = document.getElementById('${id}'); control.value = ${JSON.stringify(value)};
-    control.dispatchEvent(new Event('input')); })()`);
+const page = await Page.open(chromium, folder);
+const test = page.test.bind(page);
+const set = page.set.bind(page);
 const value = (id) => page.evaluate(`document.getElementById('${id}').value`);
 const frame = () => page.evaluate('new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))');
 const text = (id) => page.evaluate(`document.getElementById('${id}').textContent`);
@@ -55,7 +39,7 @@ async function compiledAndMeasured(action) {
   return told(`Number(document.documentElement.dataset.shows) > ${before}`);
 }
 
-await page.until('location.protocol === "http:" && document.readyState === "complete" && Number(document.documentElement.dataset.measured) > 0');
+await page.loaded('Number(document.documentElement.dataset.measured) > 0');
 
 /** A column of the study's table directions.csv, by distance of eye and plane in near distances. */
 function studied(method) {
@@ -258,5 +242,3 @@ await test('a frame takes a bounded number of draws and uploads', async () => {
 });
 
 await page.close();
-server.close();
-process.exitCode = failed ? 1 : 0;

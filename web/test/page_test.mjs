@@ -3,27 +3,15 @@
 //   node page_test.mjs FOLDER CHROMIUM [AXE.js]      AXE: axe-core, which looks for what a screen reader or a keyboard cannot use
 import assert from 'node:assert/strict';
 import { readFileSync, readdirSync } from 'node:fs';
-import { join, resolve } from 'node:path';
+import { join } from 'node:path';
 import { brotliCompressSync, constants } from 'node:zlib';
 
-import { Page, serve } from './browser.mjs';
+import { Page } from './browser.mjs';
 
 const [folder, chromium, axe] = process.argv.slice(2);
-const { server, address } = await serve(resolve(folder));
-const page = await Page.open(chromium, address);
-let failed = 0;
-
-async function test(name, run) {
-  try {
-    await run();
-    assert.deepEqual(page.errors, []);
-    console.log(`ok ${name}`);
-  } catch (error) {
-    ++failed;
-    page.errors.length = 0;
-    console.log(`FAILED ${name}: ${error.message}`);
-  }
-}
+const page = await Page.open(chromium, folder);
+const test = page.test.bind(page);
+const set = page.set.bind(page);
 
 const compiles = () => page.evaluate('Number(document.documentElement.dataset.compiled ?? 0)');
 
@@ -38,10 +26,6 @@ async function type(text) {
   await page.evaluate(`document.querySelector('.cm-content').focus(); document.execCommand('selectAll')`);
   await compiled(() => page.send('Input.insertText', { text }));
 }
-
-const set = (id, value) =>
-  page.evaluate(`(() => { const control = document.getElementById('${id}'); control.value = ${JSON.stringify(value)};
-    control.dispatchEvent(new Event('input')); })()`);
 
 /** The pixels of both pictures after a draw: how many differ from the background, and from each other, of how many. */
 const pixels = () =>
@@ -68,7 +52,7 @@ const pixels = () =>
   })`);
 
 await test('the page is ready with a shader that compiles', async () => {
-  await page.until('location.protocol === "http:" && document.readyState === "complete"');
+  await page.loaded();
   await page.until('document.documentElement.dataset.compiled && !document.getElementById("status").classList.contains("bad")');
   await page.until('document.getElementById("prediction").textContent.includes("Plane space clip")');
   await page.until('Number(document.documentElement.dataset.measured) > 0');
@@ -161,5 +145,3 @@ await test('the download is under 2 MB', async () => {
 });
 
 await page.close();
-server.close();
-process.exitCode = failed ? 1 : 0;

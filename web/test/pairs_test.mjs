@@ -6,12 +6,13 @@
 // names by location; and the desktop's OpenGL ES draws the same. A swapped name and a swapped member give another picture.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
-import { Page, serve } from './browser.mjs';
+import { Page } from './browser.mjs';
+import { onDesktop, scratchFolder } from './desktop.mjs';
+import { differing } from './drawing.mjs';
 
 // Rasterisers move vertices to places of their own, 1/16 or 1/256 of a pixel apart, and colors with them.
 const SNAPPED = 0.03;
@@ -19,12 +20,10 @@ const AT_EDGES = 80; // pixels of 4096: a row of them, where the mesh ends
 
 const [clipc, draw, chromium, folder] = process.argv.slice(2);
 const here = fileURLToPath(new URL('.', import.meta.url));
-const scratch = mkdtempSync(join(tmpdir(), 'clipc-pairs-'));
-process.on('exit', () => rmSync(scratch, { recursive: true }));
-const { server, address } = await serve(here);
-const page = await Page.open(chromium, `${address}empty.html`);
-await page.until('location.protocol === "http:" && document.readyState === "complete"');
-await page.evaluate(`${readFileSync(join(here, 'draw_pair.js'), 'utf8')}; 0`);
+const scratch = scratchFolder('pairs');
+const page = await Page.open(chromium, here, { path: 'empty.html' });
+await page.loaded();
+await page.evaluate(`import('/draw_pair.mjs').then(({ drawPair }) => void (window.drawPair = drawPair))`);
 if (!(await page.evaluate(`!!new OffscreenCanvas(1, 1).getContext('webgl2')?.getExtension('EXT_color_buffer_float')`))) {
   console.log('this browser does not draw floats by WebGL 2');
   process.exit(77);
@@ -47,22 +46,6 @@ function peersOf(path, vertexEntry) {
 }
 
 const drawn = (vertex, fragment) => page.evaluate(`drawPair(${JSON.stringify(vertex)}, ${JSON.stringify(fragment)})`);
-
-function onDesktop(description) {
-  const [from, to] = [join(scratch, 'draw.json'), join(scratch, 'colors')];
-  writeFileSync(from, JSON.stringify(description));
-  run(draw, 'picture', from, to);
-  const { buffer, byteOffset, byteLength } = readFileSync(to);
-  return new Float32Array(buffer.slice(byteOffset, byteOffset + byteLength));
-}
-
-/** Pixels whose colors are further apart than `share` of their size. */
-function differing(a, b, share = 1e-3) {
-  const isNear = (x, y) => x === y || String(x) === String(y) || Math.abs(x - y) <= share * Math.max(1, Math.abs(x), Math.abs(y));
-  let count = 0;
-  for (let i = 0; i < a.length; i += 4) count += [0, 1, 2, 3].some((part) => !isNear(a[i + part], b[i + part]));
-  return count;
-}
 
 /** Two names that `pattern` finds with one type, of which one `isGood`; null where there are none. */
 function alike(text, pattern, isGood) {
@@ -108,7 +91,7 @@ for (const name of readdirSync(folder).filter((file) => file.endsWith('.hlsl')).
     const mine = await drawn(vertex, pixels);
     assert.equal(mine.problem, undefined, `${name}\n${vertex}`);
     assert.equal(differing(mine.colors, theirs.colors), 0, `${name}: pixels that differ from the others' own halves`);
-    assert.ok(differing(mine.colors, onDesktop(mine.draw), SNAPPED) < AT_EDGES, `${name}: pixels that differ from the desktop's`);
+    assert.ok(differing(mine.colors, onDesktop(draw, mine.draw, scratch), SNAPPED) < AT_EDGES, `${name}: pixels that differ from the desktop's`);
     ++pairs;
     for (const [kind, spoil] of pixelShader === fragment ? [['name', withSwappedNames], ['member', withSwappedMembers]] : []) {
       const other = spoil(vertex);
@@ -122,4 +105,3 @@ for (const name of readdirSync(folder).filter((file) => file.endsWith('.hlsl')).
 console.log(`${pairs} pairs drawn by WebGL 2; ${noticed.name} with names and ${noticed.member} with members swapped are noticed`);
 assert.ok(pairs >= 20 && noticed.name >= 2 && noticed.member >= 1, 'too few pairs to show anything');
 await page.close();
-server.close();

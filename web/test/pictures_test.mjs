@@ -3,29 +3,22 @@
 // and by Mesa's OpenGL ES with the same texts, vertices and constants.
 //   node pictures_test.mjs FOLDER CHROMIUM CLIPC-DRAW
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join, resolve } from 'node:path';
+import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 
-import { Page, serve } from './browser.mjs';
+import { Page } from './browser.mjs';
+import { onDesktop, scratchFolder } from './desktop.mjs';
 
 const NEAR = 3; // of 255, for each channel
 const LAYERED = ['terrain.hlsl']; // it flattens the mesh, and colors of one depth are any of its layers'
 const MOST_DIFFERENT = 1 / 400; // of the pixels that are drawn: edges that fall to either side of a pixel's middle
 
 const [folder, chromium, draw] = process.argv.slice(2);
-const scratch = mkdtempSync(join(tmpdir(), 'clipc-pictures-'));
-process.on('exit', () => rmSync(scratch, { recursive: true }));
-const { server, address } = await serve(resolve(folder));
+const scratch = scratchFolder('pictures');
 const script = readFileSync(fileURLToPath(new URL('record.js', import.meta.url)), 'utf8');
-const page = await Page.open(chromium, address, { script });
-await page.until('location.protocol === "http:" && document.readyState === "complete" && document.documentElement.dataset.draws');
-
-const set = (id, value) =>
-  page.evaluate(`(() => { const control = document.getElementById('${id}'); control.value = ${JSON.stringify(value)};
-    control.dispatchEvent(new Event('input')); })()`);
+const page = await Page.open(chromium, folder, { script });
+const set = page.set.bind(page);
+await page.loaded('document.documentElement.dataset.draws');
 
 /** Does something after which the page compiles, and waits until that is drawn and measured: then nothing more is drawn. */
 async function compiled(action) {
@@ -43,14 +36,10 @@ const drawnBy = (id) =>
     return { draw: window.draws['${id}']?.(), pixels: Array.from(pixels) };
   })()`);
 
-function onDesktop(description) {
-  const [from, to] = [join(scratch, 'draw.json'), join(scratch, 'colors')];
+function expectedOf(description) {
   // Browsers have one of the two extensions, and OpenGL ES the other.
   const vertex = description.vertex.replace('GL_ANGLE_clip_cull_distance', 'GL_EXT_clip_cull_distance');
-  writeFileSync(from, JSON.stringify({ ...description, vertex }));
-  execFileSync(draw, ['picture', from, to], { stdio: ['ignore', 'inherit', 'inherit'] });
-  const { buffer, byteOffset, byteLength } = readFileSync(to);
-  return Array.from(new Float32Array(buffer.slice(byteOffset, byteOffset + byteLength)), (x) => Math.round(255 * x));
+  return onDesktop(draw, { ...description, vertex }, scratch).map((x) => Math.round(255 * x));
 }
 
 await page.evaluate(`document.getElementById('reference').click()`);
@@ -66,7 +55,7 @@ for (const shader of await page.evaluate('[...document.getElementById("gallery")
     const caption = await page.evaluate(`document.getElementById('${id}-caption').textContent`);
     if (await page.evaluate('document.getElementById("status").classList.contains("bad")')) continue; // not to be had in WebGL 2
     const { draw: description, pixels } = await drawnBy(id);
-    const expected = onDesktop(description);
+    const expected = expectedOf(description);
     const background = [32, 36, 42];
     const isFar = (a, b) => [0, 1, 2].some((part) => Math.abs(a[part] - b[part]) > NEAR);
     let [drawn, different] = [0, 0];
@@ -82,7 +71,6 @@ for (const shader of await page.evaluate('[...document.getElementById("gallery")
   }
 }
 await page.close();
-server.close();
 assert.deepEqual(page.errors, []);
 assert.deepEqual(wrong, []);
 console.log(`${compared} pictures are the desktop's, ${cut} of them with clip distances`);
