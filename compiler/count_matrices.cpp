@@ -16,11 +16,11 @@ namespace {
 
 using namespace ir;
 
-constexpr int kMost = 16;                    // more is unknown
+constexpr int kMostMatrices = 16;            // more is unknown
 constexpr std::int64_t kMostWork = 2000000;  // nodes, and values copied
 constexpr int kRounds = 4;                   // of a loop, before what still grows is unknown
 constexpr int kMostCalls = 100;              // of a function by another, within each other
-constexpr int kUnknown = kMost + 1;
+constexpr int kUnknown = kMostMatrices + 1;
 
 // A number that may be unknown, the largest.
 int Limited(int count) { return std::min(count, kUnknown); }
@@ -82,7 +82,7 @@ class Follower {
     for (const IoVar& output : program_.outputs) {
       if (output.builtin != Builtin::kPosition || work_ > kMostWork) continue;
       const int count = state_.values[IndexOf(output.var)].Most();
-      if (count <= kMost) return count;
+      if (count <= kMostMatrices) return count;
     }
     return std::nullopt;
   }
