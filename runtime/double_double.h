@@ -31,10 +31,31 @@ inline DoubleDouble Add(DoubleDouble a, DoubleDouble b) {
   return ExactSumOfOrdered(sum.high, sum.low + rest.low);
 }
 
+// a * b - product, where product is a * b as rounded: exactly, unless that underflows.
+inline double ProductError(double a, double b, double product) {
+#if defined(__MINGW32__) && !defined(__FMA__)
+  // The fma of mingw-w64 rounds more than once. This is Dekker's product: each factor is the sum of
+  // two halves, whose products are exact. Halving one beyond kLarge would overflow.
+  constexpr double kLarge = 0x1p990, kSmaller = 0x1p-60;
+  if (!std::isfinite(product)) return product - product;
+  if (std::fabs(a) > kLarge) return ProductError(a * kSmaller, b, product * kSmaller) / kSmaller;
+  if (std::fabs(b) > kLarge) return ProductError(a, b * kSmaller, product * kSmaller) / kSmaller;
+  const auto high_half = [](double x) {
+    const double wide = x * 0x1.0000002p27;
+    return wide - (wide - x);
+  };
+  const double a_high = high_half(a), a_low = a - a_high;
+  const double b_high = high_half(b), b_low = b - b_high;
+  return ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low;
+#else
+  return std::fma(a, b, -product);
+#endif
+}
+
 // a * b with a relative error of about 2^-104.
 inline DoubleDouble Multiply(double a, DoubleDouble b) {
   const double product = a * b.high;
-  return ExactSumOfOrdered(product, std::fma(a, b.high, -product) + a * b.low);
+  return ExactSumOfOrdered(product, ProductError(a, b.high, product) + a * b.low);
 }
 
 }  // namespace clipc::runtime

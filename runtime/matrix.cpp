@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "runtime/double_double.h"
+
 namespace clipc::runtime {
 namespace {
 
@@ -15,16 +17,16 @@ Matrix FromElements(const Number (&elements)[16]) {
 }
 
 // a . b as if computed in twice double's precision and rounded once: Dot2 of Ogita, Rump and Oishi,
-// "Accurate Sum and Dot Product", with fma for the error of a product.
+// "Accurate Sum and Dot Product".
 double CompensatedDot(const double (&a)[4], const Plane& plane) {
   const double b[4] = {plane.x, plane.y, plane.z, plane.w};
   double sum = a[0] * b[0];
-  double error = std::fma(a[0], b[0], -sum);
+  double error = ProductError(a[0], b[0], sum);
   for (int i = 1; i < 4; ++i) {
     const double product = a[i] * b[i];
     const double next = sum + product;
     const double part = next - sum;
-    error += std::fma(a[i], b[i], -product) + ((sum - (next - part)) + (product - part));
+    error += ProductError(a[i], b[i], product) + ((sum - (next - part)) + (product - part));
     sum = next;
   }
   // Infinite and NaN sums keep their meaning.
