@@ -3,6 +3,7 @@
 // prefix "\\?\", the limit of 260 characters matters.
 #ifdef _WIN32
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <string_view>
 #include <vector>
@@ -188,6 +189,8 @@ bool ErrorsAreOnTerminal() {
 
 void PrepareStandardStreams() {
   for (const int number : {0, 1, 2}) _setmode(number, _O_BINARY);
+  // The library keeps what goes to a pipe until the end, after all that Write() has written.
+  std::setvbuf(stderr, nullptr, _IONBF, 0);
 }
 
 std::span<const char* const> Arguments(int argc, char** argv) {
