@@ -75,6 +75,20 @@ Varyings main(Vertex input)
                      seed, seed % 7 + 1);
 }
 
+std::string SixtyLinePair(unsigned seed) {
+  return SixtyLineShader(seed) + R"(
+Texture2D picture : register(t0);
+SamplerState filtered : register(s0);
+
+float4 pixel(Varyings input) : SV_Target
+{
+    float4 color = picture.Sample(filtered, input.uv) * input.color;
+    color.rgb = lerp(color.rgb, ambient.rgb, input.fog);
+    return color;
+}
+)";
+}
+
 std::string LargeShader(std::size_t bytes) {
   std::string text =
       "cbuffer C { float4 plane; float4 k[16]; float4x4 m; };\nstruct Pair { float4 a; float3 b; "

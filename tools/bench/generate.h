@@ -11,6 +11,9 @@ namespace clipc::bench {
 // Different seeds give different constants and names.
 std::string SixtyLineShader(unsigned seed);
 
+// The same with a pixel shader, `pixel`, after it.
+std::string SixtyLinePair(unsigned seed);
+
 // A shader of at least `bytes` bytes of functions and statements, all reached from main.
 std::string LargeShader(std::size_t bytes);
 

@@ -80,6 +80,26 @@ void BenchWarm() {
          harness::Median(ours) / harness::Median(theirs), "x", 1.0 / 20);
 }
 
+// A vertex shader that is written to fit a pixel shader of the same file, to it alone.
+void BenchPixelShader() {
+  constexpr unsigned kShaders = 200;
+  std::vector<double> alone, fitted;
+  Compiler compiler;
+  for (unsigned i = 0; i < kShaders; ++i) {
+    CompileRequest request;
+    request.path = "shader.hlsl";
+    request.text = SixtyLinePair(i);
+    for (std::vector<double>* times : {&alone, &fitted}) {
+      if (times == &fitted) request.pixel_shader = {request.path, request.text, "pixel"};
+      const double start = harness::ProcessSeconds();
+      if (!compiler.Compile(request).ok()) std::exit(1);
+      times->push_back(harness::ProcessSeconds() - start);
+    }
+  }
+  Report("with a pixel shader in HLSL, to without",
+         harness::Median(fitted) / harness::Median(alone), "x", 2);
+}
+
 void BenchBatchValidation() {
   constexpr unsigned kShaders = 100;
   std::vector<double> plain, validated;
@@ -165,6 +185,7 @@ int main(int argc, char** argv) {
   clipc::bench::BenchLookahead(argv[1], folder);
   clipc::bench::BenchCold(argv[1], argv[2], argv[3], folder);
   clipc::bench::BenchWarm();
+  clipc::bench::BenchPixelShader();
   clipc::bench::BenchBatchValidation();
   std::printf("\n%d limits missed\n", clipc::bench::g_missed);
   return clipc::bench::g_missed != 0;
