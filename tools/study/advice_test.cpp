@@ -116,6 +116,26 @@ TEST(Advice, CountsTheDistancesThatFloatsCarry) {
     EXPECT_GT(bound(way), 100 * before) << way;
 }
 
+// Its cut is a line of vertices, which are off by their rounding and not by the plane's slant.
+TEST(Advice, TheProcessorsCutIsOffByItsVerticesAlone) {
+  const auto predicted = [](const DrawFacts& facts, const char* way) {
+    const std::vector<Advice> all = Advise(facts, SomeCosts());
+    return std::ranges::find(all, way, &Advice::way)->predicted;
+  };
+  DrawFacts facts;
+  facts.view_plane = {0, 0, 1, -3};
+  DrawFacts slanted = facts;
+  slanted.sine = facts.sine / 100;
+  EXPECT_GT(predicted(slanted, "object"), 10 * predicted(facts, "object"));
+  EXPECT_EQ(predicted(slanted, "cpu"), predicted(facts, "cpu"));
+  DrawFacts tall = facts;
+  tall.picture_height *= 2;
+  EXPECT_DOUBLE_EQ(predicted(tall, "cpu"), 2 * predicted(facts, "cpu"));
+  DrawFacts far = facts;
+  far.reach = 1e4;
+  EXPECT_GT(predicted(far, "cpu"), 100 * predicted(facts, "cpu"));
+}
+
 // A scene of small cubes at these heights over the plane y >= 0, before the camera.
 Scene Cubes(std::initializer_list<double> heights) {
   Scene scene;
