@@ -104,6 +104,12 @@ Expr MakeFloatOperation(Context& context, Shape shape, int depth) {
   return Binary(a, kOperators[choice], b, Kind::kFloat, shape, range());
 }
 
+bool MayHaveEffects(const Context& context) {
+  return context.effects && context.Has(Feature::kSideEffects);
+}
+
+Expr MakeEffect(Context& context, Kind kind, Shape shape, int depth);
+
 Range BitsRange(Kind kind, const Range& a, const Range& b) {
   if (a.low < 0 || b.low < 0) return Wild(kind);
   double power = 1;
@@ -158,7 +164,10 @@ Expr MakeBoolOperation(Context& context, Shape shape, int depth) {
   const std::size_t choice = context.choices.Pick({2, 2, 2, 2, 2, 2, 2, 2});
   if (choice >= 6) {
     const Expr a = MakeExpr(context, Kind::kBool, shape, depth - 1);
-    const Expr b = MakeExpr(context, Kind::kBool, shape, depth - 1);
+    const Expr b =
+        depth > 1 && MayHaveEffects(context) && context.choices.Chance(20)
+            ? Convert(context, MakeEffect(context, Kind::kInt, shape, depth - 1), Kind::kBool)
+            : MakeExpr(context, Kind::kBool, shape, depth - 1);
     return Binary(a, kOperators[choice], b, Kind::kBool, shape, {0, 1});
   }
   const Kind kind = static_cast<Kind>(context.choices.Pick({4, 3, 2, choice < 4 ? 0u : 1u}));
@@ -211,7 +220,7 @@ Expr MakeConstructor(Context& context, Kind kind, Shape shape, int depth) {
 }
 
 Expr MakeChoice(Context& context, Kind kind, Shape shape, int depth) {
-  const bool by_component = context.model < 60 && !shape.IsScalar() && context.choices.Chance(40);
+  const bool by_component = context.model < 60 && !shape.IsScalar() && context.choices.Chance(60);
   Expr condition = MakeExpr(context, Kind::kBool, by_component ? shape : kScalar, depth - 1);
   const Temporarily no_effects(context.effects,
                                context.effects && context.Has(Feature::kEffectsInChoices));
@@ -226,7 +235,7 @@ Expr MakeChoice(Context& context, Kind kind, Shape shape, int depth) {
 Expr MakeEffect(Context& context, Kind kind, Shape shape, int depth) {
   const Place place = MakePlace(context, kind, true, depth - 1);
   if (!place.found) return MakeExpr(context, kind, shape, depth - 1);
-  const std::size_t choice = context.choices.Pick({3, 2, 1});
+  const std::size_t choice = context.choices.Pick({3, 4, 1});
   const bool is_wild = IsInteger(kind) && place.range.IsWithin(Wild(kind).low, Wild(kind).high) &&
                        place.range.high > 1e6;
   Expr value{place.text, Level::kPostfix, kind, place.shape, place.range};
@@ -285,8 +294,7 @@ Expr MakeExpr(Context& context, Kind kind, Shape shape, int depth) {
     return context.choices.Pick({1, 2}) == 0 ? MakeLiteral(context, kind, shape)
                                              : MakeRead(context, kind, shape, 0);
   }
-  const bool effects = context.effects && context.Has(Feature::kSideEffects);
-  switch (context.choices.Pick({2, 8, 8, 2, 2, 3, 6, 3, 4, effects ? 3u : 0u})) {
+  switch (context.choices.Pick({2, 8, 8, 2, 2, 3, 6, 3, 4, MayHaveEffects(context) ? 3u : 0u})) {
     case 0: return MakeLiteral(context, kind, shape);
     case 1: return MakeRead(context, kind, shape, depth - 1);
     case 2: return MakeOperation(context, kind, shape, depth);
@@ -312,7 +320,10 @@ Expr MakeIndex(Context& context, int count, int depth) {
   if (context.choices.Pick({2, 1}) == 0 || context.constant_indices)
     return Literal(Kind::kInt, context.choices.Below(static_cast<std::uint32_t>(count)));
   const Kind kind = context.choices.Chance(40) ? Kind::kUint : Kind::kInt;
-  return MakeIn(context, kind, kScalar, {0, static_cast<double>(count - 1)}, depth);
+  const Range range{0, static_cast<double>(count - 1)};
+  if (depth > 0 && MayHaveEffects(context) && context.choices.Chance(20))
+    return Fit(context, MakeEffect(context, kind, kScalar, depth), range);
+  return MakeIn(context, kind, kScalar, range, depth);
 }
 
 }  // namespace clipc::random

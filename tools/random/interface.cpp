@@ -57,6 +57,8 @@ EntryInputs MakeInputs(Context& context, bool keeps) {
   context.Add({"position", {Kind::kFloat, {0, 4}}, !keeps, Holds::kInput});
   int left = kMostInputs;
   Struct structure{"Inputs" + std::to_string(context.names++), {}};
+  // How likely an input is a field: of many, each may be read or not.
+  const std::uint32_t fields_percent = context.choices.Chance(50) ? 90 : 40;
   Repeat(context.choices, 4, 60, [&](int i) {
     Type type{static_cast<Kind>(context.choices.Pick({4, 3, 2, 1})), {0, 4}};
     type.shape = MakeShape(context);
@@ -66,7 +68,7 @@ EntryInputs MakeInputs(Context& context, bool keeps) {
     const std::string name = "in" + std::to_string(context.names++);
     const std::string text =
         Declaration(context.structs, type, name) + " : " + static_cast<char>('A' + i) + "IN0";
-    if (context.Has(Feature::kStructs) && context.choices.Chance(40)) {
+    if (context.Has(Feature::kStructs) && context.choices.Chance(fields_percent)) {
       fields += "  " + text + ";\n";
       structure.fields.push_back({name, type});
     } else {

@@ -33,8 +33,12 @@ Expr MakeConvertible(Context& context, const Place& place) {
 
 std::string MakeAssignment(Context& context, int indent) {
   const Kind kind = context.choices.OneOf(kKinds);
+  const bool is_pure = context.choices.Chance(30);
+  const Temporarily effects(context.effects, context.effects && !is_pure);
   const Place place = MakePlace(context, kind, true, 2);
   if (!place.found) return {};
+  // A value without effects may read what is assigned: it is read before it is written.
+  if (is_pure) context.EndExpression();
   return Line(indent, place.text + " = " + Argument(MakeConvertible(context, place)));
 }
 
