@@ -96,6 +96,7 @@ struct CompileRequest {
   // use. HLSL is read with the include folders, macros and packing of this request.
   PixelShader pixel_shader;
   bool keep_outputs = false;              // also those that the pixel shader does not read
+  bool zero_unwritten = false;            // what the pixel shader reads and nothing writes is 0
   bool variants = false;                  // fill CompileResult::variants
   std::size_t variant_planes = SIZE_MAX;  // the most planes of a variant
 

@@ -281,6 +281,7 @@ constexpr Option kOptions[] = {
     {"--pixel-entry", kEquals, Set<&PixelShader::entry>, "<NAME>",
      "its entry function (main; of SPIR-V the only one)"},
     {"--keep-outputs", kFlag, Set<&Request::keep_outputs>, "", "also those that it does not read"},
+    {"--zero-unwritten", kFlag, Set<&Request::zero_unwritten>},  // its error names it
     {"-Zi", kFlag, Set<&Request::source_lines>, "",
      "with the lines of the HLSL as comments in the GLSL"},
     {"-Fc", kJoinedOrSeparate, Set<&CommandLine::listing>, "<FILE>",

@@ -129,9 +129,11 @@ void MeetPixelShader(const CompileRequest& request, SourceInput input, const gls
       report.Note({}, diag::PlainNote, half.problems[i]);
     return;
   }
+  // Drivers of desktop OpenGL link a program by name whose pixel shader reads what nothing writes.
+  const bool links_by_name = !target.IsEs() && target.Has(glsl::Feature::kInAndOut) &&
+                             !target.Has(glsl::Feature::kOutputLocations);
   const pixel::MeetOptions options{request.keep_outputs, target.IsVulkan(),
-                                   !target.IsEs() && target.Has(glsl::Feature::kInAndOut) &&
-                                       !target.Has(glsl::Feature::kOutputLocations)};
+                                   request.zero_unwritten || links_by_name};
   const pixel::Meeting meeting = pixel::Meet(program, half.interface, options, diagnostics);
   if (diagnostics.has_errors()) return;
   if (!request.names.empty()) ForgetNames(half.interface, half.is_glsl);

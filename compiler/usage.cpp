@@ -31,6 +31,9 @@ std::string CheckCommand(const CommandLine& command) {
   if (request.pixel_shader.path.empty() && request.keep_outputs) {
     return "--keep-outputs is for --pixel-shader; without it every output is kept";
   }
+  if (request.pixel_shader.path.empty() && request.zero_unwritten) {
+    return "--zero-unwritten is for --pixel-shader, which says what is read";
+  }
   return {};
 }
 

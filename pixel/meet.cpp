@@ -107,9 +107,11 @@ class Applier {
   void Groups() {
     std::vector<std::optional<std::size_t>> numbers(pixel_.groups.size());
     for (std::size_t i = 0; i < pixel_.groups.size(); ++i) {
-      const bool is_met = std::ranges::any_of(
-          meeting_.outputs, [&](const auto& output) { return GroupOf(output.input) == i; });
-      if (!is_met && !options_.is_vulkan) continue;
+      const bool is_written =
+          std::ranges::any_of(meeting_.outputs,
+                              [&](const auto& output) { return GroupOf(output.input) == i; }) ||
+          std::ranges::any_of(meeting_.zeros, [&](auto input) { return GroupOf(input) == i; });
+      if (!is_written && !options_.is_vulkan) continue;
       numbers[i] = program_.output_groups.size();
       const Group& group = pixel_.groups[i];
       program_.output_groups.push_back(

@@ -18,9 +18,7 @@ struct MeetOptions {
   // Vulkan matches every input that is declared, also one that is never read, and lets blocks of
   // one name differ (chapter "Shader Interfaces").
   bool is_vulkan = false;
-  // Drivers link a program whose pixel shader reads what nothing writes: desktop OpenGL, where the
-  // stages meet by name. The input is 0 then.
-  bool links_unwritten = false;
+  bool zero_unwritten = false;  // what the pixel shader reads and nothing writes is 0
 };
 
 // Which input each output meets, and what each constant buffer is there.
@@ -41,7 +39,7 @@ struct Meeting {
 // Inputs with a semantic meet the output of that semantic. Others meet, in this order of belief, an
 // output whose semantic or member of a struct their name was made of by DXC, glslang, SPIRV-Cross
 // or HLSLcc, the output of their location, or the only one that is left of their type. Reports an
-// input that nothing writes (as a warning with MeetOptions::links_unwritten), types that cannot
+// input that nothing writes (as a warning with MeetOptions::zero_unwritten), types that cannot
 // fit, and a constant buffer that both declare with different members. Requires Form::kTyped.
 Meeting Meet(const ir::Program& program, const Interface& pixel, const MeetOptions& options,
              Diagnostics& diagnostics);

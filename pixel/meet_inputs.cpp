@@ -238,10 +238,9 @@ class InputMeeter {
     const bool is_needed = input.is_read || (options_.is_vulkan && !input.group);
     if (!met_[number]) {
       if (!is_needed) return;
-      // A member is declared with its group or not at all.
-      const bool is_zero = options_.links_unwritten && !input.group;
-      if (is_zero) zeros_.push_back(number);
-      const auto& kind = is_zero ? diag::PixelInputIsZero : diag::PixelInputUnwritten;
+      if (options_.zero_unwritten) zeros_.push_back(number);
+      const auto& kind =
+          options_.zero_unwritten ? diag::PixelInputIsZero : diag::PixelInputUnwritten;
       Diagnostic& report = diagnostics_.Report(EntrySpan(), kind, NameOf(input));
       report.Note({}, diag::PixelInputHere, input.where, NameOf(input), NameOf(input.shape));
       return;
