@@ -3,12 +3,15 @@
 // token that the preprocessor reads is counted, and its set-up, which is made for large C++ files
 // and would be a fifth of a small shader's time, is cut down to what a shader needs.
 #include <algorithm>
+#include <cstddef>
+#include <optional>
 #include <utility>
 
 #include <clang/Basic/IdentifierTable.h>
 #include <clang/Lex/Lexer.h>
 #include <clang/Lex/Preprocessor.h>
 #include <llvm/ADT/StringMap.h>
+#include <llvm/Support/Unicode.h>
 
 #include "frontend/lex/clang_bridge.h"
 
@@ -118,3 +121,16 @@ std::unique_ptr<clang::IdentifierInfoLookup> AddMacrosAndPragmasOnFirstUse(
 }
 
 }  // namespace clipc
+
+// Clang's `\N{LATIN SMALL LETTER A}` in a name, which HLSL does not have: no character has a name.
+// These definitions come before those of LLVM's archive, with which the names of all characters
+// would be in the program.
+namespace llvm::sys::unicode {
+
+std::optional<char32_t> nameToCodepointStrict(StringRef) { return std::nullopt; }
+std::optional<LooseMatchingResult> nameToCodepointLooseMatching(StringRef) { return std::nullopt; }
+SmallVector<MatchForCodepointName> nearestMatchesForCodepointName(StringRef, std::size_t) {
+  return {};
+}
+
+}  // namespace llvm::sys::unicode
