@@ -137,10 +137,11 @@ for (const scheme of axe ? ['light', 'dark'] : []) {
 }
 
 await test('the download is under 2 MB', async () => {
-  const options = { params: { [constants.BROTLI_PARAM_QUALITY]: 11, [constants.BROTLI_PARAM_LGWIN]: 24 } };
+  // Files compressed beforehand can have level 11, and are a tenth smaller.
+  const options = { params: { [constants.BROTLI_PARAM_QUALITY]: 9, [constants.BROTLI_PARAM_LGWIN]: 24 } };
   const sizes = readdirSync(folder).map((name) => brotliCompressSync(readFileSync(join(folder, name)), options).length);
   const size = sizes.reduce((sum, x) => sum + x, 0);
-  console.log(`   ${(size / 1e6).toFixed(2)} MB by brotli`);
+  console.log(`   ${(size / 1e6).toFixed(2)} MB by brotli 9`);
   assert.ok(size < 2e6);
 });
 

@@ -17,3 +17,13 @@ foreach(library wasm_cxx wasm_exceptions)
     _LIBUNWIND_HAS_NO_THREADS _LIBUNWIND_HIDE_SYMBOLS _LIBCPP_REMOVE_TRANSITIVE_INCLUDES)
 endforeach()
 link_libraries(wasm_cxx wasm_exceptions)
+
+# Clang's messages are kept as far as its preprocessor has them. The texts of the others would be a tenth of the module.
+set(short ${CMAKE_BINARY_DIR}/short_messages)
+foreach(kind AST Analysis Comment CrossTU Driver Frontend InstallAPI Parse Refactoring Sema Serialization)
+  set(messages clang/Basic/Diagnostic${kind}Kinds.inc)
+  file(READ ${CLIPC_LLVM_PREFIX}/include/${messages} text)
+  string(REGEX REPLACE "(Severity::[A-Za-z]+, )\"[^\n]*\"(, [0-9]+, )" "\\1\"\"\\2" text "${text}")
+  file(CONFIGURE OUTPUT ${short}/${messages} CONTENT "${text}" @ONLY)
+endforeach()
+set_source_files_properties(${LLVM_SOURCE}/clang/lib/Basic/DiagnosticIDs.cpp PROPERTIES COMPILE_OPTIONS -I${short})
