@@ -31,6 +31,18 @@ mkdir -p build/page
 cp web/page/{index.html,style.css} build/page
 cp examples/gallery/*.{hlsl,fx} build/web/page/gallery
 cp tools/study/tables/speed.csv build/web/page/tables
+
+# The examples, installed as a reader does it, and with this package. Their paths are for folders as deep as theirs.
+for example in vite webpack; do
+  mkdir -p "build/examples/$example"
+  cp -r "web/examples/$example/." "build/examples/$example"
+  (
+    cd "build/examples/$example"
+    [ -d node_modules/clipc ] || quietly npm install --no-audit --no-fund
+    cp ../../web/package/* node_modules/clipc
+  )
+done
+
 cd build/web/page
 [ node_modules -nt package-lock.json ] || quietly npm ci --no-audit --no-fund
 quietly npm run build

@@ -28,10 +28,10 @@ export class Page {
   #waiting = new Map();
   #rest = '';
 
-  /** Serves `folder` and opens its file `path`. `script` runs in the page before its own. */
+  /** Serves `folder` and opens its file `path`; a `folder` that is an address is opened. `script` runs in the page before its own. */
   static async open(program, folder, { path = '', width = 1280, height = 1100, script = '' } = {}) {
     const page = new Page();
-    const { server, address } = await serve(resolve(folder));
+    const { server, address } = folder.startsWith('http:') ? { address: folder } : await serve(resolve(folder));
     page.server = server;
     page.profile = mkdtempSync(join(tmpdir(), 'clipc-browser-'));
     const options = ['--headless=new', '--no-sandbox', '--remote-debugging-pipe', '--enable-unsafe-swiftshader', '--use-angle=swiftshader',
@@ -96,7 +96,7 @@ export class Page {
   }
 
   async close() {
-    this.server.close();
+    this.server?.close();
     const ended = new Promise((done) => this.process.once('exit', done));
     this.process.kill();
     await ended;

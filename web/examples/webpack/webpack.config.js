@@ -3,5 +3,5 @@ export default {
   mode: 'development',
   entry: './main.js',
   module: { rules: [{ test: /\.hlsl$/, loader: 'clipc/webpack', options: { target: 'webgl2' } }] },
-  devServer: { static: '.' },
+  devServer: { static: '.', devMiddleware: { publicPath: '/dist/' } }, // where index.html and `npm run build` have it
 };
