@@ -13,7 +13,8 @@ import { isStart, startOf } from './start.js';
 import { steer } from './steer.js';
 import { Tabs } from './tabs.js';
 
-const TARGETS = ['webgl2', 'glsl450', 'glsl330', 'glsl120', 'essl300', 'essl320', 'vulkan'];
+const TARGETS = ['webgl2', 'webgl1', 'essl100', 'essl300', 'essl310', 'essl320', 'glsl120', 'glsl130', 'glsl140', 'glsl150', 'glsl330', 'glsl400',
+  'glsl410', 'glsl420', 'glsl430', 'glsl440', 'glsl450', 'glsl460', 'vulkan'];
 const LOWERINGS = ['clip-distance', 'discard', 'near-plane', 'level9', 'none'];
 const DRAGS = { camera: 'turns the camera', plane: 'moves the plane', turn: 'turns the plane' };
 const SAVED = ['options', 'target', 'lower', 'space', 'near', 'depth', 'offset', 'chain'];

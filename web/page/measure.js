@@ -25,21 +25,18 @@ function summary(pixels) {
   return { count: sorted.length, median: at(0.5), p99: at(0.99), largest: sorted.at(-1) };
 }
 
-/** The root of the mean square. */
-const mean = (values) => Math.sqrt(values.reduce((sum, x) => sum + x * x, 0) / Math.max(values.length, 1));
-
 /**
  * Measures one result of the lowering `discard`, whose planes are those of the scene with the indices `cutting`.
  * `constantsOf(matrices)` fills its constants, `matricesAt(pan)` are the scene's.
- * @returns {{displacement, flicker, reach, reachOfWorld}} or null where nothing is cut, or the shader moves vertices by itself
+ * @returns {{displacement, flicker, cuts}} or null where nothing is cut, or the shader moves vertices by itself; `cuts` as
+ * Reference.seenCut() has them, for each plane
  */
 export function measure(capture, mesh, cutting, matricesAt, constantsOf, { width, height }) {
   let edges = null;
+  let cuts = null;
   let before = null;
   const displaced = [];
   const moved = [];
-  const reaches = [];
-  const reachesOfWorld = [];
   for (let frame = 0; frame < FRAMES; ++frame) {
     const matrices = matricesAt(frame * PAN);
     const reference = new Reference(mesh, matrices, cutting);
@@ -48,6 +45,7 @@ export function measure(capture, mesh, cutting, matricesAt, constantsOf, { width
       if (captured.planes < cutting.length || !reference.holds(captured)) return null;
       edges = cutting.map((_, index) => reference.cutEdges(index));
       if (!edges.some((list) => list.length)) return null;
+      cuts = edges.map((list) => reference.seenCut(list));
     }
     const now = edges.map((list, index) =>
       list.map(({ a, b }) => {
@@ -59,16 +57,11 @@ export function measure(capture, mesh, cutting, matricesAt, constantsOf, { width
       list.forEach(({ a, b, share }, i) => {
         const seen = reference.at(a, b, now[index][i]);
         if (before) moved.push(pixelsBetween(reference.at(a, b, before[index][i]), seen, width, height));
-        else {
-          const point = reference.at(a, b, share);
-          displaced.push(pixelsBetween(point, seen, width, height));
-          reaches.push(reference.reach(point, reference.toView.slice(12, 15)));
-          reachesOfWorld.push(reference.reach(point, matrices.view.slice(12, 15)));
-        }
+        else displaced.push(pixelsBetween(reference.at(a, b, share), seen, width, height));
       }),
     );
     before = now;
   }
   const displacement = summary(displaced);
-  return displacement && { displacement, flicker: summary(moved), reach: mean(reaches), reachOfWorld: mean(reachesOfWorld) };
+  return displacement && { displacement, flicker: summary(moved), cuts };
 }

@@ -7,11 +7,10 @@ import { measure } from './measure.js';
 import { Reference } from './reference.js';
 import { SPACES } from './runtime.js';
 
-const ONE_MATRIX = /wvp|world_?view_?proj|model_?view_?proj|mvp/i;
-const AROUND_ORIGIN = 0.5; // the reach of a mesh that nothing is known of
 const WAIT = 250; // milliseconds after the last draw
 
 const spaceOf = (result) => (SPACES.includes(result.table?.position_space) ? result.table.position_space : 'clip');
+const stepsOf = (result) => result.reflection.positionMatrices || 1;
 
 export class Pictures {
   runtime = null;
@@ -75,7 +74,7 @@ export class Pictures {
     const constantOf = (plane) => {
       const isNear = result.table?.lowering === 'near-plane';
       const name = isNear ? 'nearPlaneConstant' : 'constant';
-      const { constant, problem } = this.runtime[name](spaceOf(result), matrices.planes[plane], matrices, rows);
+      const { constant, problem } = this.runtime[name](spaceOf(result), matrices.planes[plane], matrices, stepsOf(result), rows);
       if (problem) problems.push(problem);
       return constant;
     };
@@ -95,19 +94,13 @@ export class Pictures {
     caption.textContent = said ? `${name}: ${said}` : name;
   }
 
-  /** The displacement that the study's laws predict for each plane space, the largest of the planes; null without planes. */
-  #predict(result, planes, reach, reachOfWorld) {
+  /** The displacement that is predicted for each plane space, the largest of the planes that `cuts` are of. */
+  #predict(result, planes, cuts) {
     const { width, height } = this.views[0].element;
     const matrices = this.scene.matrices(width / height);
-    const isOne = result.reflection.cbuffers.some(({ members }) => members.some(({ name }) => ONE_MATRIX.test(name)));
-    const ofPlane = (space, plane) => {
-      const at = (as, from) => this.runtime.edgeError(as, matrices.planes[plane], matrices, height, from);
-      if (space === 'object') return at(space, reach);
-      const farthest = Math.max(reach, reachOfWorld);
-      if (!isOne) return at(space, farthest);
-      return matrices.isFloat ? Math.max(at(space, reach), at('xyw1', farthest)) : at(space, reach);
-    };
-    return Object.fromEntries(SPACES.map((space) => [space, Math.max(...planes.map((plane) => ofPlane(space, plane)))]));
+    const ofPlane = (space, i) => this.runtime.edgeError(space, matrices.planes[planes[i]], matrices, stepsOf(result), cuts?.[i] ?? null, height);
+    const seen = planes.flatMap((_, i) => (cuts && !cuts[i] ? [] : [i]));
+    return Object.fromEntries(SPACES.map((space) => [space, Math.max(...seen.map((i) => ofPlane(space, i)))]));
   }
 
   #measure() {
@@ -126,9 +119,9 @@ export class Pictures {
         (matrices) => this.#fill(captured, matrices, height).buffers,
         { width, height },
       );
-    const { reach, reachOfWorld } = found ?? { reach: AROUND_ORIGIN, reachOfWorld: AROUND_ORIGIN };
-    const predicted = this.#predict(result, planes, reach, reachOfWorld);
-    const first = this.runtime.constant(spaceOf(result), this.scene.matrices(1).planes[planes[0]], this.scene.matrices(width / height), height);
+    const predicted = this.#predict(result, planes, found?.cuts);
+    const matrices = this.scene.matrices(width / height);
+    const first = this.runtime.constant(spaceOf(result), matrices.planes[planes[0]], matrices, stepsOf(result), height);
     this.measured({ space: spaceOf(result), planes: planes.length, predicted, found, warning: first.problem ?? first.warning });
   }
 }

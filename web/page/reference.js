@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // Where planes cut a mesh, in double: what a shader's float arithmetic is held against.
 import { multiply, planeBefore } from './matrices.js';
+import { MOST_PLACES } from './runtime.js';
 
 const LEAST_SINE = 0.05; // edges nearer to the plane's direction are left out, as in the study
 const NEARER = 0.995; // lines are drawn so much nearer to the eye than the surface
@@ -31,8 +32,7 @@ export class Reference {
   constructor(mesh, scene, cutting) {
     this.mesh = mesh;
     this.scene = scene;
-    this.toView = multiply(scene.world, scene.view);
-    this.toClip = multiply(this.toView, scene.projection);
+    this.toClip = multiply(multiply(scene.world, scene.view), scene.projection);
     const { positions } = mesh;
     const vertices = positions.length / 3;
     this.clip = new Float64Array(4 * vertices);
@@ -81,12 +81,23 @@ export class Reference {
     return true;
   }
 
-  /** The distance of cut `point` of the clip space from a space's origin, in heights of the picture at its depth. */
-  reach(point, origin) {
-    const { projection } = this.scene;
-    // x and y of the view space, and its depth, from a perspective's clip space.
-    const at = [point[0] / projection[0], point[1] / projection[5], -point[3]];
-    return (Math.hypot(...at.map((x, i) => x - origin[i])) * projection[5]) / (2 * point[3]);
+  /**
+   * What of a cut the prediction takes: {places, edge}, with x, y and z of places in the mesh's own space, and the length of the
+   * triangles' edges in half pictures. `cut`: cutEdges(); null where it is empty.
+   */
+  seenCut(cut) {
+    if (!cut.length) return null;
+    const { positions } = this.mesh;
+    const count = Math.min(cut.length, MOST_PLACES);
+    const places = Array.from({ length: count }, (_, i) => cut[Math.floor((i * cut.length) / count)]).flatMap(({ a, b, share }) =>
+      [0, 1, 2].map((c) => positions[3 * a + c] + share * (positions[3 * b + c] - positions[3 * a + c])),
+    );
+    const aspect = this.scene.projection[5] / this.scene.projection[0];
+    const lengths = cut.flatMap(({ a, b }) => {
+      const [[px, py, , pw], [qx, qy, , qw]] = [this.at(a, a, 0), this.at(b, b, 0)];
+      return pw > 0 && qw > 0 ? [Math.hypot(aspect * (px / pw - qx / qw), py / pw - qy / qw)] : [];
+    });
+    return { places, edge: lengths.length ? lengths.reduce((sum, x) => sum + x, 0) / lengths.length : 1 };
   }
 
   /** The cut as lines over the surface: pairs of points of the clip space from -w to w. */

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // Uses the page as a person does, in headless Chromium.
-//   node page_test.mjs FOLDER CHROMIUM [AXE.js]      AXE: axe-core, which looks for what a screen reader or a keyboard cannot use
+//   node page_test.mjs FOLDER CHROMIUM PACKAGE AXE.js     PACKAGE: the npm package's folder; AXE.js: axe-core, which looks for what a
+//                                                         screen reader or a keyboard cannot use
 import assert from 'node:assert/strict';
 import { readFileSync, readdirSync } from 'node:fs';
-import { join } from 'node:path';
+import { join, resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
 import { brotliCompressSync, constants } from 'node:zlib';
 
 import { Page } from './browser.mjs';
 
-const [folder, chromium, axe] = process.argv.slice(2);
+const [folder, chromium, packed, axe] = process.argv.slice(2);
 const page = await Page.open(chromium, folder);
 const test = page.test.bind(page);
 const set = page.set.bind(page);
@@ -113,6 +115,25 @@ await test('every shader of the gallery', async () => {
   await compiled(() => set('gallery', 'A cut model'));
 });
 
+await test('every target and lowering can be chosen, and says its GLSL or why not', async () => {
+  const { compile } = await import(pathToFileURL(resolve(packed, 'node.js')));
+  for (const id of ['target', 'lower']) {
+    const { messages } = await compile('', { profile: 'vs_5_0', [id]: 'none such' });
+    const all = [...messages.slice(messages.indexOf('there is')).matchAll(/`([\w-]+)`/g)].map(([, name]) => name);
+    const offered = await page.evaluate(`[...document.getElementById('${id}').options].map((option) => option.value)`);
+    assert.ok(all.length >= 5, messages);
+    assert.deepEqual(offered.sort(), all.sort());
+    const first = await page.evaluate(`document.getElementById('${id}').value`);
+    for (const name of all) {
+      await compiled(() => set(id, name));
+      const status = await page.evaluate('document.getElementById("status").textContent');
+      const text = await page.evaluate('document.getElementById("text").textContent');
+      assert.ok(/^Compiled/.test(status) ? /^#version \d/.test(text) : /errors/.test(status) && text === 'Nothing.', `${name}: ${status}: ${text}`);
+    }
+    await compiled(() => set(id, first));
+  }
+});
+
 await test('a link carries the shader', async () => {
   await type('float4 main() : SV_Position { return 7; }');
   await page.evaluate('document.getElementById("link").click()');
@@ -126,7 +147,7 @@ await test('it fits a phone', async () => {
   assert.ok((await page.evaluate('document.documentElement.scrollWidth')) <= 390);
 });
 
-for (const scheme of axe ? ['light', 'dark'] : []) {
+for (const scheme of ['light', 'dark']) {
   await test(`axe-core finds nothing, ${scheme}`, async () => {
     await page.send('Emulation.setEmulatedMedia', { features: [{ name: 'prefers-color-scheme', value: scheme }] });
     await page.evaluate(readFileSync(axe, 'utf8') + '; 0');
