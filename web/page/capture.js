@@ -21,6 +21,10 @@ export class Capture {
     this.#mesh = { buffers: uploadMesh(gl, source), count: source.positions.length / 3 };
   }
 
+  get result() {
+    return this.#program?.result ?? null;
+  }
+
   /** Whether `result` has clip distances to capture. */
   use(result) {
     const { gl } = this;

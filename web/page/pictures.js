@@ -53,7 +53,7 @@ export class Pictures {
       if (result?.ok) view.problem = view.canvas.use({ ...result, source });
     });
     const [, discard] = results;
-    if (discard?.ok && !this.views[1].problem) this.#captured = this.#capture?.use({ ...discard, source }) ? { ...discard, source } : null;
+    if (discard?.ok && !this.views[1].problem) this.#captured = this.#capture?.use({ ...discard, source }) ? this.#capture.result : null;
     this.redraw();
   }
 

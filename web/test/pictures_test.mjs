@@ -65,7 +65,7 @@ for (const shader of await page.evaluate('[...document.getElementById("gallery")
       different += LAYERED.includes(shader) ? isFar(ours, background) !== isFar(theirs, background) : isFar(ours, theirs);
     }
     console.log(`   ${shader}, ${lower}: ${drawn} pixels drawn, ${different} differ; ${caption}`);
-    if (different > drawn * MOST_DIFFERENT) wrong.push(`${shader}, ${lower}: ${different} of ${drawn} pixels`);
+    if (!drawn || different > drawn * MOST_DIFFERENT) wrong.push(`${shader}, ${lower}: ${different} of ${drawn} pixels`);
     ++compared;
     cut += description.clipDistances > 0 && drawn > 0;
   }
