@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // Places and messages: the diagnostics of Clang's preprocessor become ours, and Clang's printer
 // draws ours.
+#include <cstring>
 #include <utility>
 
 #include <clang/Basic/Diagnostic.h>
@@ -12,6 +13,8 @@
 #include <clang/Lex/LexDiagnostic.h>
 #include <clang/Lex/Lexer.h>
 #include <llvm/ADT/SmallString.h>
+#include <llvm/ADT/StringSet.h>
+#include <llvm/Support/Path.h>
 #include <llvm/Support/raw_ostream.h>
 
 #include "frontend/lex/clang_bridge.h"
@@ -43,9 +46,10 @@ class Consumer : public clang::DiagnosticConsumer {
     // An include file that is compiled by itself.
     if (info.getID() == clang::diag::pp_pragma_once_in_main_file) return;
     if (info.getID() == clang::diag::err_invalid_utf8 && std::exchange(is_not_text_, true)) return;
+    const Span where = SpanAt(info.getLocation());
+    if (info.getID() == clang::diag::pp_nonportable_path) return ReportSpelling(where, info);
     llvm::SmallString<128> message;
     info.FormatDiagnostic(message);
-    const Span where = SpanAt(info.getLocation());
     if (level == clang::DiagnosticsEngine::Note) {
       if (last_) last_->Note(where, diag::PreprocessorNote, message.str());
       return;
@@ -64,6 +68,17 @@ class Consumer : public clang::DiagnosticConsumer {
   static bool IsVersion(const clang::Diagnostic& info) {
     const char* const name = info.getSourceManager().getCharacterData(info.getLocation());
     return llvm::StringRef(name).starts_with("version");
+  }
+
+  // A file that was found by a name in another case, as Windows finds it: the warning that
+  // other systems give, once for each name.
+  void ReportSpelling(Span where, const clang::Diagnostic& info) {
+    const llvm::StringRef on_disk = llvm::StringRef(info.getArgStdStr(0)).drop_front().drop_back();
+    const char* const quote = info.getSourceManager().getCharacterData(info.getLocation());
+    const llvm::StringRef name(quote + 1, *quote ? strnlen(quote + 1, on_disk.size()) : 0);
+    if (!name.equals_insensitive(on_disk) || !misspelled_.insert(name).second) return;
+    const std::string portable = llvm::sys::path::convert_to_slash(on_disk);
+    last_ = &(**diagnostics_).Report(where, diag::IncludeSpelling, name.str(), portable);
   }
 
   Diagnostic& Report(clang::DiagnosticsEngine::Level level, unsigned id, Span where,
@@ -92,6 +107,7 @@ class Consumer : public clang::DiagnosticConsumer {
 
   Diagnostics* const* diagnostics_;
   const PreprocessGuard& guard_;
+  llvm::StringSet<> misspelled_;
   std::function<void()> on_include_too_deep_;
   bool is_not_text_ = false;
   Diagnostic* last_ = nullptr;  // valid for its notes, which follow it at once
