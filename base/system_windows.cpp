@@ -118,9 +118,12 @@ std::optional<FileStatus> StatusOf(const std::string& path) {
 std::optional<FileStatus> StatusOf(int file) {
   // NOLINTNEXTLINE(performance-no-int-to-ptr): the library's way to say it
   const auto handle = reinterpret_cast<HANDLE>(_get_osfhandle(file));
-  if (handle != INVALID_HANDLE_VALUE) return StatusOfHandle(handle);
-  errno = EBADF;
-  return std::nullopt;
+  if (handle == INVALID_HANDLE_VALUE) {
+    errno = EBADF;
+    return std::nullopt;
+  }
+  // What Wine is given as standard input can be read, but not asked about.
+  return StatusOfHandle(handle).value_or(FileStatus{});
 }
 
 bool MayWrite(const std::string& path) { return _waccess(Wide(path).c_str(), 2) == 0; }
