@@ -49,12 +49,13 @@ def main():
         if "gl_ClipDistance" not in (scratch / "a place/wäsche.vert").read_text():
             sys.exit("the shader has lost its planes")
         # What an application does: compiles a shader by the DLL, and asks the runtime about its table.
-        run(compiler, "-std=c99", ROOT / "cmake/outside_c_project/main.c", "-o", scratch / "use.exe", f"-I{folder / 'include/clipc'}",
-            f"-L{folder / 'lib'}", folder / "lib/libclipc.dll.a", "-lclipc_runtime", "-lclipc_clip_table", "-static", "-lstdc++", "-lm")
-        shutil.copy(folder / "bin/libclipc.dll", scratch)
-        said = under_wine(scratch / "use.exe")
-        if "plane water: byte 16 of b3, lowering 0" not in said:
-            sys.exit(f"the library says {said}")
+        shutil.copy(folder / "bin/clipc.dll", scratch)
+        for import_library in ("libclipc.dll.a", "clipc.lib"):
+            run(compiler, "-std=c99", ROOT / "cmake/outside_c_project/main.c", "-o", scratch / "use.exe", f"-I{folder / 'include/clipc'}",
+                f"-L{folder / 'lib'}", folder / "lib" / import_library, "-lclipc_runtime", "-lclipc_clip_table", "-static", "-lstdc++", "-lm")
+            said = under_wine(scratch / "use.exe")
+            if "plane water: byte 16 of b3, lowering 0" not in said:
+                sys.exit(f"the library says {said}")
         print(f"{archive.name}: {archive.stat().st_size} bytes")
 
 
