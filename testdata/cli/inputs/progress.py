@@ -6,6 +6,7 @@ usage: progress.py CLIPC
 
 import os
 import pty
+import re
 import subprocess
 import sys
 
@@ -14,4 +15,5 @@ words = [sys.argv[1], "-D", "A={1,2,3}", "bad.hlsl", "-o", "out"]
 subprocess.run(words, stderr=slave, check=True, env={**os.environ, "TERM": "xterm"})
 os.close(slave)
 shown = os.read(master, 1 << 16)
+shown = re.sub(rb"\x1b\[\?25[hl]", b"", shown)  # Wine hides the cursor while it writes
 assert b"[1/3] bad.hlsl A=1" in shown and shown.endswith(b"\r\x1b[K"), shown
