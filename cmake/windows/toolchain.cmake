@@ -34,9 +34,10 @@ set(CLIPC_LLVM_CONFIG ${CMAKE_CURRENT_LIST_DIR}/include)
 # Offsets in files have 64 bits, as LLVM's own build has it. An object with templates may have more than 65,000 sections.
 set(CMAKE_C_FLAGS_INIT "-D_FILE_OFFSET_BITS=64 -Wa,-mbig-obj")
 set(CMAKE_CXX_FLAGS_INIT "${CMAKE_C_FLAGS_INIT}")
-# Programs need no other file than Windows' own, and have the stack of Linux: clipc's limits on nesting expect it.
-set(CMAKE_EXE_LINKER_FLAGS_INIT "-static -Wl,--stack,8388608")
-set(CMAKE_SHARED_LINKER_FLAGS_INIT "-static")
+# Programs need no other file than Windows' own, and have the stack of Linux: clipc's limits on nesting expect it. The same
+# sources give the same bytes.
+set(CMAKE_EXE_LINKER_FLAGS_INIT "-static -Wl,--stack,8388608 -Wl,--no-insert-timestamp")
+set(CMAKE_SHARED_LINKER_FLAGS_INIT "-static -Wl,--no-insert-timestamp")
 
 # Tests run under Wine where this system has it.
 set(CMAKE_CROSSCOMPILING_EMULATOR ${CMAKE_CURRENT_LIST_DIR}/wine.sh ${CMAKE_BINARY_DIR}/wine)

@@ -12,4 +12,11 @@ HOME=$WINEPREFIX LC_ALL=C.UTF-8 PATH=$PATH:/usr/lib/wine
 export WINEPREFIX WINEARCH WINEDEBUG WINEDLLOVERRIDES HOME LC_ALL PATH
 unset DISPLAY
 [ -d "$WINEPREFIX" ] || mkdir -p "$WINEPREFIX"
+# Wine's server stays for a while: starting it takes longer than a program runs. One that is there is left as it is.
+for server in wineserver64 wineserver; do
+  if command -v $server >/dev/null; then
+    $server -p20 </dev/null >/dev/null 2>&1 || true
+    break
+  fi
+done
 exec wine64 "$@"
