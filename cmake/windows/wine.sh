@@ -12,11 +12,13 @@ HOME=$WINEPREFIX LC_ALL=C.UTF-8 PATH=$PATH:/usr/lib/wine
 export WINEPREFIX WINEARCH WINEDEBUG WINEDLLOVERRIDES HOME LC_ALL PATH
 unset DISPLAY
 [ -d "$WINEPREFIX" ] || mkdir -p "$WINEPREFIX"
-# Wine's server stays for a while: starting it takes longer than a program runs. One that is there is left as it is.
-for server in wineserver64 wineserver; do
-  if command -v $server >/dev/null; then
-    $server -p20 </dev/null >/dev/null 2>&1 || true
-    break
+# Wine's server stays for a while: starting it takes longer than a program runs. Its services would keep the standard streams of
+# the program that they come with, and so the end of a pipe from who reads it.
+server=$(command -v wineserver64 || command -v wineserver)
+(
+  flock 9
+  if "$server" -p20 9>&-; then # there was none
+    wine64 wineboot 9>&-
   fi
-done
+) 9>"$WINEPREFIX/lock" </dev/null >/dev/null 2>&1
 exec wine64 "$@"
