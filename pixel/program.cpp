@@ -74,7 +74,8 @@ Interface ReadProgram(const Program& program, const std::function<std::string(Sp
   }
   for (const CbufferId id : program.cbuffers.ids()) {
     const Cbuffer& cbuffer = program.cbuffers[id];
-    if (!is_used[id.index]) continue;
+    // Each stage has push constants of its own; in GLSL for OpenGL they are no block.
+    if (!is_used[id.index] || cbuffer.is_push_constant) continue;
     std::vector<Member> members = MembersOf(program, cbuffer);
     for (Member& member : members) {
       if (member.shape && member.shape->scalar == Scalar::kBool)
