@@ -8,6 +8,7 @@ if(APPLE)
 endif()
 option(CLIPC_STATIC "link the release executable fully static: it starts in less than half the time" ${static_by_default})
 set(CLIPC_SANITIZE "" CACHE STRING "sanitizers, as -fsanitize= takes them: address,undefined")
+set(CLIPC_PROFILE "" CACHE STRING "`record`: programs note what they run; `use`: they are compiled by these notes (cmake/build_profiled.sh)")
 option(CLIPC_FUZZ "instrument everything for libFuzzer and build tools/fuzz/ (needs Clang)" OFF)
 
 get_property(multi_config GLOBAL PROPERTY GENERATOR_IS_MULTI_CONFIG)
@@ -77,4 +78,18 @@ if(sanitizers)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     add_compile_options(-Wno-maybe-uninitialized)  # GCC 12 finds one in its own <regex> as soon as it instruments it
   endif()
+endif()
+
+# The notes lie beside the objects, so both builds are of one folder.
+if(CLIPC_PROFILE AND NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  message(FATAL_ERROR "CLIPC_PROFILE is for g++, and this is ${CMAKE_CXX_COMPILER_ID}")
+endif()
+if(CLIPC_PROFILE STREQUAL "record")
+  add_compile_options(-fprofile-generate -fprofile-update=single)
+  add_link_options(-fprofile-generate)
+elseif(CLIPC_PROFILE STREQUAL "use")
+  # What no note is about is compiled for speed like the rest. g++ 12 then warns of what is not there.
+  add_compile_options(-fprofile-use -fprofile-partial-training -Wno-missing-profile -Wno-maybe-uninitialized -Wno-restrict)
+elseif(CLIPC_PROFILE)
+  message(FATAL_ERROR "CLIPC_PROFILE is `record` or `use`, not `${CLIPC_PROFILE}`")
 endif()

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 # Packages. In a build folder, `cpack -G DEB` writes clipc (the program), libclipc1 (the shared library) and libclipc-dev (headers,
-# archives, CMake, pkg-config: what an application is built with), and `cpack -G TGZ` one archive of all three. For Windows, `cpack -G ZIP` writes that archive.
+# archives, CMake, pkg-config: what an application is built with), and `cpack -G TGZ` one archive of all three. For Windows,
+# `cpack -G ZIP` writes that archive.
 
 set(doc share/doc/clipc)
 set(packaging ${clipc_SOURCE_DIR}/packaging)
