@@ -4,17 +4,18 @@
 #   cmake -DSCRATCH= -DGENERATOR= -DCOMPILER= -P test_elsewhere.cmake
 file(REMOVE_RECURSE ${SCRATCH})
 
-# install(NAME VERSION): a folder with the files of LLVM and glslang.
-function(install name version)
+# install(NAME VERSION PREFIX SUFFIX): a folder with the files of LLVM and glslang; an archive's name has the prefix and suffix.
+function(install name version before after)
   set(prefix ${SCRATCH}/${name})
   file(WRITE ${prefix}/include/clang/Basic/Version.inc "#define CLANG_VERSION_MAJOR ${version}\n")
   file(WRITE ${prefix}/include/glslang/Public/ShaderLang.h "")
   foreach(archive clangFrontend clangEdit clangLex clangBasic LLVMTargetParser LLVMSupport LLVMDemangle glslang SPIRV)
-    file(WRITE ${prefix}/lib/lib${archive}.a "")
+    file(WRITE ${prefix}/lib/${before}${archive}${after} "")
   endforeach()
 endfunction()
-install(here 19)
-install(newer 21)
+install(here 19 lib .a)
+install(newer 21 lib .a)
+install(windows 19 "" .lib)
 
 # expect(FOLDER arguments): configured with the arguments, both are found in FOLDER; `nowhere`: Clang is not.
 function(expect folder)
@@ -23,7 +24,9 @@ function(expect folder)
     -DCMAKE_CXX_COMPILER=${COMPILER} ${ARGN} OUTPUT_VARIABLE said ERROR_VARIABLE said RESULT_VARIABLE status)
   set(wanted "clang_slice: ${SCRATCH}/${folder}/include: ${SCRATCH}/${folder}/lib/libclangFrontend.a;"
     "glslang_slice: ${SCRATCH}/${folder}/include: ${SCRATCH}/${folder}/lib/libglslang.a;")
-  if(folder STREQUAL "nowhere")
+  if(folder STREQUAL "windows")
+    string(REGEX REPLACE "/lib([A-Za-z]+)[.]a" "/\\1.lib" wanted "${wanted}")
+  elseif(folder STREQUAL "nowhere")
     set(wanted "no libraries of Clang 19" "CMAKE_PREFIX_PATH says" "apt-get install libclang-19-dev")
   endif()
   string(REGEX REPLACE "\n +" " " line "${said}")
@@ -41,5 +44,9 @@ expect(here -DLLVM_DIR=${here}/lib/cmake/llvm -Dglslang_DIR=${here}/lib/cmake/gl
 expect(here -DClang_DIR=${here}/share/clang -Dglslang_DIR=${here}/share/glslang)  # vcpkg's folders
 expect(here -DCLIPC_LLVM_PREFIX=${here} -DCMAKE_PREFIX_PATH=${here})
 expect(newer -DCLIPC_LLVM=21 -DCMAKE_PREFIX_PATH=${SCRATCH}/newer)
+find_program(mingw NAMES x86_64-w64-mingw32-g++-posix x86_64-w64-mingw32-g++ NO_CACHE)
+if(mingw)
+  expect(windows -DCMAKE_SYSTEM_NAME=Windows -DCMAKE_CXX_COMPILER=${mingw} -DCMAKE_PREFIX_PATH=${SCRATCH}/windows)
+endif()
 expect(nowhere -DCLIPC_LLVM_PREFIX=${SCRATCH}/newer)
 file(REMOVE_RECURSE ${SCRATCH})
