@@ -53,7 +53,8 @@ class PreprocessGuard {
   // Counts a file of `bytes` bytes, which has at most as many tokens.
   void CountInclude(std::uint32_t location, std::size_t bytes) {
     max_tokens_ += bytes;
-    if ((bytes_ += bytes) > max_bytes_) Stop(Limit::kBytes, location);
+    bytes_ += bytes;
+    if (bytes_ > max_bytes_) Stop(Limit::kBytes, location);
     if (++includes_ > kMaxIncludes) Stop(Limit::kIncludes, location);
   }
 
