@@ -4,7 +4,8 @@
 // RUN: %clipc -T vs_5_0 -E parameter --validate %s -o - | FileCheck %s --check-prefix=PARAMETER
 // RUN: %clipc -T vs_5_0 -E planes -Gis --invariant --validate %s -o - | FileCheck %s --check-prefix=ALL
 // RUN: %clipc -T vs_5_0 -E planes -Gis --invariant --separable --validate %s -o - | FileCheck %s --check-prefix=BLOCK
-// RUN: %clipc -T vs_5_0 -E planes -Gis --invariant --target=essl310 --lower=discard %s -o - | FileCheck %s --check-prefix=ES
+// RUN: %clipc -T vs_5_0 -E planes -Gis --invariant --target=essl310 --lower=discard %s -o %t.vert
+// RUN: FileCheck %s --input-file=%t.vert --check-prefix=ES
 // RUN: %clipc -T vs_5_0 -E result --target=glsl330 --invariant --validate %s -o - 2>&1 | FileCheck %s --check-prefix=OLD
 // RUN: %clipc -T vs_5_0 -E planes --target=vulkan -Gis --invariant %s -o %t.spv
 // RUN: spirv-dis %t.spv -o - | FileCheck %s --check-prefix=SPIRV

@@ -1,7 +1,8 @@
 // WebGL 2 is OpenGL ES 3.00 with clip distances by the extension that browsers have (WEBGL_clip_cull_distance), and with
 // names of its own.
 // RUN: %clipc -T vs_5_0 --target=webgl2 %s -o - | FileCheck %s
-// RUN: %clipc -T vs_5_0 --target=webgl2 --lower=discard --validate %s -o - | FileCheck %s --check-prefix=DISCARD
+// RUN: %clipc -T vs_5_0 --target=webgl2 --lower=discard --validate %s -o %t.vert
+// RUN: FileCheck %s --input-file=%t.vert --check-prefix=DISCARD
 
 // CHECK: #version 300 es
 // CHECK-NEXT: #extension GL_ANGLE_clip_cull_distance : require
