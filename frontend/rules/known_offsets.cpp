@@ -20,9 +20,9 @@
 namespace clipc::rules {
 namespace {
 
-constexpr std::size_t kMaxCopies = 4096;            // of functions and of loops' bodies
-constexpr std::uint32_t kMaxExpressions = 1 << 22;  // of the program with its copies
-constexpr std::size_t kMaxWords = 4096;             // of a known value
+constexpr std::size_t kMaxCopies = 4096;          // of functions and of loops' bodies
+constexpr std::size_t kMaxExpressions = 1 << 22;  // of the program with its copies
+constexpr std::size_t kMaxWords = 4096;           // of a known value
 constexpr int kMaxCallDepth = 200;
 
 std::string_view MethodOf(ObjectOp op) {
@@ -112,10 +112,16 @@ class OffsetFinder {
     for (const auto& [from, to] : cloner.vars()) originals_[to] = Original(from);
   }
 
-  bool MayCopy(Span span) { return MayGrow(span) && (++made_ <= kMaxCopies || Refuse(span)); }
-  bool MayGrow(Span span) { return program_.exprs.size() < kMaxExpressions || Refuse(span); }
-  bool Refuse(Span span) {
-    if (!is_reported_) diagnostics_.Report(span, diag::TooManyInstances, kMaxCopies);
+  bool MayCopy(Span span) {
+    return MayGrow(span) &&
+           (++made_ <= kMaxCopies || Refuse(span, kMaxCopies, "copies of functions and loops"));
+  }
+  bool MayGrow(Span span) {
+    if (program_.exprs.size() < kMaxExpressions) return true;
+    return Refuse(span, kMaxExpressions, "expressions");
+  }
+  bool Refuse(Span span, std::size_t limit, std::string_view of) {
+    if (!is_reported_) diagnostics_.Report(span, diag::TooManyCopies, limit, of);
     is_reported_ = true;
     return false;
   }
@@ -129,9 +135,16 @@ class OffsetFinder {
     }
     if (const auto found = copies_.find(key); found != copies_.end()) return found->second;
     Function function = program_.functions[id];
-    if (depth_ >= kMaxCallDepth) {
+    const bool is_too_deep = depth_ >= kMaxCallDepth;
+    const bool is_copied = !is_too_deep && wanted_.Has(id) && MayCopy(function.span);
+    if (!is_copied) {
+      // A body that is not copied is read once: its calls then name functions of `functions_`.
+      key.resize(1);
+      if (const auto found = copies_.find(key); found != copies_.end()) return found->second;
+    }
+    if (is_too_deep) {
       diagnostics_.Report(function.span, diag::CheckTooDeep, kMaxCallDepth);
-    } else if (wanted_.Has(id) && MayCopy(function.span)) {
+    } else if (is_copied) {
       BodyCloner cloner(program_);
       for (VarId& parameter : function.parameters) parameter = cloner.CloneVar(parameter);
       function.body = cloner.Clone(function.body);

@@ -56,7 +56,8 @@ class ObjectResolver {
 
   // ---- variables outside functions
   void SplitUniform(VarId id);
-  void AddResources(TypeId type, const std::string& name, Span span, SlotPath path, Slots& slots);
+  void AddResources(TypeId type, const std::string& name, Span span, const SlotPath& path,
+                    Slots& slots);
   void PrepareGlobal(VarId id);
 
   // ---- functions

@@ -89,8 +89,8 @@ void ObjectResolver::SplitUniform(VarId id) {
                globals_[id]);
 }
 
-void ObjectResolver::AddResources(TypeId type, const std::string& name, Span span, SlotPath path,
-                                  Slots& slots) {
+void ObjectResolver::AddResources(TypeId type, const std::string& name, Span span,
+                                  const SlotPath& path, Slots& slots) {
   if (!Holds(type)) return;
   if (IsObject(type)) {
     const VarId resource = program_.vars.Add(
@@ -105,10 +105,10 @@ void ObjectResolver::AddResources(TypeId type, const std::string& name, Span spa
   for (std::uint32_t i = 0; i < program_.types.PartCount(type); ++i) {
     SlotPath longer = path;
     longer.push_back(i);
-    const std::string suffix =
-        is_struct ? program_.types.StructOf(type).fields[i].name : std::to_string(i);
-    AddResources(program_.types.PartType(type, i), name + "_" + suffix, span, std::move(longer),
-                 slots);
+    std::string part = name;
+    part += '_';
+    part += is_struct ? program_.types.StructOf(type).fields[i].name : std::to_string(i);
+    AddResources(program_.types.PartType(type, i), part, span, longer, slots);
   }
 }
 
@@ -199,7 +199,7 @@ const ObjectResolver::Instance* ObjectResolver::InstanceFor(FunctionId id,
   }
   if (known != instances_.end()) return &known->second;
   if (instances_.size() >= kMaxInstances) {
-    diagnostics_.Report(span, diag::TooManyInstances, kMaxInstances);
+    diagnostics_.Report(span, diag::TooManyCopies, kMaxInstances, "copies of functions");
     return nullptr;
   }
   Instance instance = MakeInstance(id, arguments, extra_parameters);

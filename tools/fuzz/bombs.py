@@ -91,6 +91,20 @@ BOMBS = {
     "arrays": (levels("typedef float T0[8];\n", "typedef T{b} T{i}[8];\n") + main("T11 t = (T11)0; return v;"), []),
     "loops-level9": (main("float4 s = 0; " + "".join(f"[unroll] for (int i{k} = 0; i{k} < 50; ++i{k}) " for k in range(8))
                           + "s += p[i7]; return s;"), LEVEL9),
+    "offsets-of-a-chain": ("Texture2D t; SamplerState s;\n"
+                           + main(levels("const int a0 = 1; ", "const int a{i} = a{b}; ", 60000)
+                                  + "return v * t.SampleLevel(s, v.xy, 0, int2(a59999, 0)).x;"), []),
+    "offsets-of-a-table": ("Texture2D t; SamplerState s;\n"
+                           + main(f"const int a[1024] = {{ {times('1', ',', 1024)} }}; "
+                                  + f"{times('v *= t.SampleLevel(s, v.xy, 0, int2(a[3], a[5])).x;', ' ', 4000)} return v;"), []),
+    "offsets-of-parameters": ("Texture2D t; SamplerState s;\n"
+                              + levels("float f0(int x) { return t.SampleLevel(s, p[0].xy, 0, int2(x & 7, 0)).x; }\n",
+                                       "float f{i}(int x) { return f{b}(2 * x) + f{b}(2 * x + 1); }\n", 20)
+                              + main("return v * f19(1);"), []),
+    "indices-that-differ": ("Texture2D t[8]; SamplerState s;\n"
+                            + main("int a0 = 0; " + "".join(f"int a{k} = 0; " for k in range(1, 60000))
+                                   + "".join(f"a{k} = a{k + 1}; " for k in range(59999)) + "a59999 = NonUniformResourceIndex(w.x); "
+                                   + "return v * t[a0].SampleLevel(s, v.xy, 0).x;"), ["-T", "vs_5_1"]),
     "choices": (main(f"return v * ({nested('v.x > 1 ? v.y : ', '1', '', 200)});"), []),
     "choices-with-steps": (main(f"float s, c; return v * ({nested('v.x > 1 ? (sincos(v.x, s, c), s) + (', '1', ') : 3', 60)});"), []),
     "choices-of-matrices": (main(f"return mul(v, {nested('(m > 1 ? m + 1 : ', 'm', ')')});"), []),
