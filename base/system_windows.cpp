@@ -122,7 +122,7 @@ std::optional<FileStatus> StatusOf(int file) {
     errno = EBADF;
     return std::nullopt;
   }
-  // What Wine is given as standard input can be read, but not asked about.
+  // Standard input under Wine may be a file that can be read but has no status.
   return StatusOfHandle(handle).value_or(FileStatus{});
 }
 

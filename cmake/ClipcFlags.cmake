@@ -80,7 +80,7 @@ if(sanitizers)
   endif()
 endif()
 
-# The notes lie beside the objects, so both builds are of one folder.
+# Notes lie beside the objects, so that both builds must be in one folder.
 if(CLIPC_PROFILE AND NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   message(FATAL_ERROR "CLIPC_PROFILE is for g++, and this is ${CMAKE_CXX_COMPILER_ID}")
 endif()
@@ -88,7 +88,7 @@ if(CLIPC_PROFILE STREQUAL "record")
   add_compile_options(-fprofile-generate -fprofile-update=single)
   add_link_options(-fprofile-generate)
 elseif(CLIPC_PROFILE STREQUAL "use")
-  # What no note is about is compiled for speed like the rest. g++ 12 then warns of what is not there.
+  # Code without notes is compiled for speed like the rest. With notes, g++ 12 gives these two warnings where nothing is wrong.
   add_compile_options(-fprofile-use -fprofile-partial-training -Wno-missing-profile -Wno-maybe-uninitialized -Wno-restrict)
 elseif(CLIPC_PROFILE)
   message(FATAL_ERROR "CLIPC_PROFILE is `record` or `use`, not `${CLIPC_PROFILE}`")

@@ -18,7 +18,7 @@ configure record
 find "$folder" -name '*.gcda' -delete
 build_preset profiled --target clipc -- --quiet >&2
 
-# Shaders as people write them. Those of testdata, which try limits, would count for more than all of these.
+# The gallery has shaders as people write them. The shaders of testdata try limits, and would count for more than all of these.
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 for target in glsl450 glsl330 essl300 vulkan; do

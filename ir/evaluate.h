@@ -28,7 +28,7 @@
 // * x % y and fmod of floats are x - y * trunc(x / y), in three roundings.
 // * pow(x, y) is exp2(y * log2(x)): NaN for x < 0, and for pow(0, 0).
 // * normalize multiplies by rsqrt(dot(x, x)); lerp is x + s * (y - x); determinant expands along
-//   the first row; the mantissa of frexp has the sign of its argument.
+//   the first row; the mantissa of frexp is positive.
 namespace clipc::ir {
 
 // The components of one input or output as Literal holds them; of an array (clip distances) its

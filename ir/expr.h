@@ -165,9 +165,22 @@ enum class ObjectOp : std::uint8_t {
   // (as kAtomicAdd, but place, what the element is compared with, value): writes it where equal
   kAtomicCompareExchange,
 };
-constexpr bool IsAtomic(ObjectOp op) { return op >= ObjectOp::kAtomicAdd; }
+constexpr bool IsAtomic(ObjectOp op) {
+  using enum ObjectOp;
+  switch (op) {
+    case kAtomicAdd:
+    case kAtomicAnd:
+    case kAtomicOr:
+    case kAtomicXor:
+    case kAtomicMin:
+    case kAtomicMax:
+    case kAtomicExchange:
+    case kAtomicCompareExchange: return true;
+    default: return false;
+  }
+}
 // Whether it changes what the object holds.
-constexpr bool WritesObject(ObjectOp op) { return op >= ObjectOp::kStore; }
+constexpr bool WritesObject(ObjectOp op) { return op == ObjectOp::kStore || IsAtomic(op); }
 // Whether arguments[1] is a sampler.
 constexpr bool TakesSampler(ObjectOp op) {
   using enum ObjectOp;

@@ -26,9 +26,9 @@ class ValueGraph {
   std::size_t size() const { return sources_.size(); }
   const std::vector<Value>& values() const { return values_; }
 
-  // Adds to the nodes, one bool each, all that their values are made of.
+  // Marks all nodes that the values of marked nodes are made of. `nodes` has size() marks.
   void SpreadToSources(std::vector<bool>& nodes) const { Spread(sources_, nodes); }
-  // Adds to the nodes all whose values are made of them.
+  // Marks all nodes whose values are made of marked nodes. `nodes` has size() marks.
   void SpreadToUses(std::vector<bool>& nodes) const;
 
  private:
@@ -42,7 +42,7 @@ class ValueGraph {
   void AddValue(std::size_t node, ExprId value);
 
   const Program& program_;
-  std::size_t vars_;  // when the graph was made
+  std::size_t vars_;  // the number of variables when the graph was made
   Edges sources_;
   std::vector<Value> values_;
 };

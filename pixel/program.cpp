@@ -74,7 +74,7 @@ Interface ReadProgram(const Program& program, const std::function<std::string(Sp
   }
   for (const CbufferId id : program.cbuffers.ids()) {
     const Cbuffer& cbuffer = program.cbuffers[id];
-    // Each stage has push constants of its own; in GLSL for OpenGL they are no block.
+    // Push constants belong to one stage, and are not a block in GLSL for OpenGL.
     if (!is_used[id.index] || cbuffer.is_push_constant) continue;
     std::vector<Member> members = MembersOf(program, cbuffer);
     for (Member& member : members) {

@@ -47,7 +47,7 @@ class ElementLowering {
     ForEachLiveExpr(program_, [&](ExprId expr) { all.push_back(expr); });
     // Helper functions have writes of elements in their turn.
     for (std::size_t done = 0, function = program_.functions.size(); done < all.size();) {
-      // Writes first: a target is no value.
+      // Writes first: a target is not a value.
       for (std::size_t i = done; i < all.size(); ++i) LowerWrite(all[i]);
       for (; done < all.size(); ++done) LowerRead(all[done]);
       for (; function < program_.functions.size(); ++function) {

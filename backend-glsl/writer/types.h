@@ -36,7 +36,7 @@ std::string Dimensions(const Context& context, ir::VarId var);
 std::string ZeroText(Context& context, ir::TypeId type);
 std::string ZeroText(Context& context, const Shape& shape);
 
-// Where arrays are no values, structs with the fields e0, e1 and so on stand for them: for arrays
+// Where arrays are not values, structs with the fields e0, e1 and so on stand for them: for arrays
 // that are not uniforms, and for matrices in rows. Their indices are constant.
 bool HasFields(const Context& context, const ir::Type& type);
 // "m[1]" or "m.e1"

@@ -21,7 +21,7 @@ LOWERINGS = ["level9", "near-plane", "discard", "none"]
 
 
 def shader(name, path, options):
-    """What a manifest has for a shader that a command line has with these options."""
+    """The entry of a manifest for a shader that a command line compiles with these options."""
     known = {"name": name, "source": path, "defines": {}, "options": []}
     words = iter(options)
     for word in words:

@@ -122,9 +122,9 @@ std::unique_ptr<clang::IdentifierInfoLookup> AddMacrosAndPragmasOnFirstUse(
 
 }  // namespace clipc
 
-// Clang's `\N{LATIN SMALL LETTER A}` in a name, which HLSL does not have: no character has a name.
-// These definitions come before those of LLVM's archive, with which the names of all characters
-// would be in the program.
+// Named characters, `\N{LATIN SMALL LETTER A}`, which Clang takes in names and HLSL does not: no
+// character has a name here. The linker takes these definitions in place of those in LLVM's
+// archive, which would bring the names of all characters into the program.
 namespace llvm::sys::unicode {
 
 std::optional<char32_t> nameToCodepointStrict(StringRef) { return std::nullopt; }

@@ -34,7 +34,13 @@ constexpr std::string_view SpellingOf(TokenKind kind) {
 
 // True for `=`, `+=` and so on.
 constexpr bool IsAssignment(TokenKind kind) {
-  return kind >= TokenKind::kEqual && kind <= TokenKind::kGreaterGreaterEqual;
+  switch (kind) {
+#define PUNCTUATOR(kind, clang_kind, spelling)
+#define ASSIGNMENT(kind, clang_kind, spelling) case TokenKind::kind:
+#include "frontend/lex/punctuators.def"
+    return true;
+    default: return false;
+  }
 }
 
 // What a token adds to the depth of brackets: 1 for ( [ {, -1 for ) ] }, 0 for the rest.

@@ -11,7 +11,7 @@ namespace clipc::bench {
 // Different seeds give different constants and names.
 std::string SixtyLineShader(unsigned seed);
 
-// The same with a pixel shader, `pixel`, after it.
+// A SixtyLineShader and a pixel shader, `pixel`, that reads what it writes.
 std::string SixtyLinePair(unsigned seed);
 
 // A shader of at least `bytes` bytes of functions and statements, all reached from main.

@@ -43,7 +43,7 @@ class RandomValues {
 };
 
 // The bits of a component that a request reads and that is undefined: 0 where `undefined` is 0,
-// else another value for every request, component and `undefined`. The values are no multiples of
+// else another value for every request, component and `undefined`. The values are not multiples of
 // each other, so that a sum of some is not 0 every time, as if it were known.
 std::uint64_t UndefinedBits(const ir::ObjectRequest& request, double undefined, ir::Scalar kind,
                             std::size_t component);

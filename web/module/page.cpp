@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// What the page asks for on top of module.cpp and runtime/clipc_runtime.h: SPIR-V as text.
+// A function that the page calls beside those of module.cpp and runtime/clipc_runtime.h: it writes
+// SPIR-V as text.
 #include <cstddef>
 #include <sstream>
 #include <string>
