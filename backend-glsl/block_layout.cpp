@@ -102,7 +102,7 @@ class Comparer {
     return Structured(types_, types_[array].element).size;
   }
   std::uint32_t HlslOffset(const Field& field, std::uint32_t end) const {
-    if (!tight_) return PackedOffset(types_, field.type, field.row_major, end);
+    if (!tight_) return FieldPlace(types_, field, end);
     return static_cast<std::uint32_t>(RoundUp(end, Structured(types_, field.type).alignment));
   }
   std::uint32_t HlslSize(TypeId type, bool row_major) const {
@@ -134,8 +134,7 @@ std::vector<BlockMember> MembersOf(const Program& program, const Cbuffer& cbuffe
   std::uint32_t end = 0;
   const auto& fields = program.types.StructOf(type).fields;
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    const std::uint32_t offset =
-        PackedOffset(program.types, fields[i].type, fields[i].row_major, end);
+    const std::uint32_t offset = FieldPlace(program.types, fields[i], end);
     end = offset + PackedExtent(program.types, fields[i].type, fields[i].row_major).size;
     members.push_back({.var = var,
                        .field = static_cast<int>(i),

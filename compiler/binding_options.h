@@ -9,11 +9,18 @@
 // words apart by one blank; false is returned for a value that they cannot take.
 namespace clipc {
 
-// -fvk-b-shift: "2 0" or "2 all" or "2".
+// -fvk-b-shift: "2 0" or "2 all".
 bool AddShift(char letter, glsl::BindingRules& rules, std::string_view value);
 template <char kLetter>
 bool AddShift(glsl::BindingRules& rules, std::string_view value) {
   return AddShift(kLetter, rules, value);
+}
+// --shift-ubo-binding, of glslang: "2", or with sets "2 0 5 1", both perhaps after a stage:
+// "vert 2". Those of other stages have no effect.
+bool AddStageShift(char letter, glsl::BindingRules& rules, std::string_view value);
+template <char kLetter>
+bool AddStageShift(glsl::BindingRules& rules, std::string_view value) {
+  return AddStageShift(kLetter, rules, value);
 }
 // -fvk-bind-register: "b3 0 7 1", the register, its space, the binding and the set.
 bool AddRegister(glsl::BindingRules& rules, std::string_view value);

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "backend-glsl/discard.h"
+#include "base/path.h"
 #include "clip-table/write.h"
 #include "compiler/check_lowering.h"
 #include "compiler/count_matrices.h"
@@ -362,7 +363,9 @@ void Compilation::WriteVariants(const ir::Program& typed, LowerSettings settings
 }
 
 void Compilation::TranslateToSpirv() {
-  Spirv spirv = MakeSpirv(result_.shaders.vertex, *target_, *request_.spirv);
+  // Without the folder, so that it does not matter where a shader is compiled.
+  const std::string name = request_.path.substr(NameBegin(request_.path)) + ".vert";
+  Spirv spirv = MakeSpirv(result_.shaders.vertex, *target_, *request_.spirv, name);
   for (const std::string& problem : spirv.problems) diagnostics_.Report({}, diag::NoSpirv, problem);
   result_.spirv = std::move(spirv.words);
 }

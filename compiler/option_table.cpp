@@ -226,6 +226,9 @@ constexpr const char* kFormats[] = {"text", "msvc", "json", "sarif"};
 constexpr const char* kClangFormats[] = {"clang", "msvc", "json", "sarif"};  // the same formats
 constexpr const char* kStages[] = {"tokens", "ast", "ir", "glsl", "table"};
 constexpr char kShift[] = "two numbers, or a number and `all`";
+constexpr char kStageShift[] = "a number, or numbers each with its set";
+constexpr char kByKind[] =
+    "clipc shifts by register: `--shift-texture-binding` moves t, `--shift-uav-binding` u";
 constexpr const char* kLanguages[] = {"2016", "2017", "2018", "2021"};
 constexpr std::string_view kHlsl = "hlsl", kVert = "vert", kVertex = "vertex";
 
@@ -349,11 +352,18 @@ constexpr Option kOptions[] = {
     {"-fvk-s-shift", kTwo, Bind<AddShift<'s'>>, nullptr, kShift},
     {"-fvk-t-shift", kTwo, Bind<AddShift<'t'>>, nullptr, kShift},
     {"-fvk-u-shift", kTwo, Bind<AddShift<'u'>>, nullptr, kShift},
-    {"--shift-ubo-binding", kEquals, Bind<AddShift<'b'>>, nullptr, kShift},
-    {"--shift-cbuffer-binding", kEquals, Bind<AddShift<'b'>>, nullptr, kShift},
-    {"--shift-sampler-binding", kEquals, Bind<AddShift<'s'>>, nullptr, kShift},
-    {"--shift-texture-binding", kEquals, Bind<AddShift<'t'>>, nullptr, kShift},
-    {"--shift-UAV-binding", kEquals, Bind<AddShift<'u'>>, nullptr, kShift},
+    {"--shift-ubo-binding", kNumbers, Bind<AddStageShift<'b'>>, nullptr, kStageShift},
+    {"--shift-UBO-binding", kNumbers, Bind<AddStageShift<'b'>>, nullptr, kStageShift},
+    {"--sub", kNumbers, Bind<AddStageShift<'b'>>, nullptr, kStageShift},
+    {"--shift-cbuffer-binding", kNumbers, Bind<AddStageShift<'b'>>, nullptr, kStageShift},
+    {"--scb", kNumbers, Bind<AddStageShift<'b'>>, nullptr, kStageShift},
+    {"--shift-sampler-binding", kNumbers, Bind<AddStageShift<'s'>>, nullptr, kStageShift},
+    {"--ssb", kNumbers, Bind<AddStageShift<'s'>>, nullptr, kStageShift},
+    {"--shift-texture-binding", kNumbers, Bind<AddStageShift<'t'>>, nullptr, kStageShift},
+    {"--stb", kNumbers, Bind<AddStageShift<'t'>>, nullptr, kStageShift},
+    {"--shift-uav-binding", kNumbers, Bind<AddStageShift<'u'>>, nullptr, kStageShift},
+    {"--shift-UAV-binding", kNumbers, Bind<AddStageShift<'u'>>, nullptr, kStageShift},
+    {"--suavb", kNumbers, Bind<AddStageShift<'u'>>, nullptr, kStageShift},
     {"-V", kFlag, SetSpirv<true>},
     {"-Fo", kJoinedOrSeparate, Set<&CommandLine::output>},
     {"-e", kSeparate, Set<&Request::entry>},
@@ -389,6 +399,7 @@ constexpr Option kOptions[] = {
 
     // What another compiler does to its code, its listing or its effort.
     {"-nologo", kFlag, Ignore},
+    {"--hlsl-iomap", kFlag, Ignore},  // by register, as clipc counts
     {"-Zss", kFlag, Ignore},
     {"-Zsb", kFlag, Ignore},
     {"-Zs", kFlag, Ignore},
@@ -434,6 +445,10 @@ constexpr Option kOptions[] = {
     {"-Output", kJoined, Refuse, nullptr, "did you mean `-o`?"},
     {"-fspv-", kJoined, Refuse, nullptr, "the SPIR-V is what glslang makes of the GLSL"},
     {"-fvk-", kJoined, Refuse, nullptr, "bindings follow the registers; `--reflect` tells them"},
+    {"--shift-image-binding", kNumbers, Refuse, nullptr, kByKind},
+    {"--sib", kNumbers, Refuse, nullptr, kByKind},
+    {"--shift-ssbo-binding", kNumbers, Refuse, nullptr, kByKind},
+    {"--sbb", kNumbers, Refuse, nullptr, kByKind},
     {"--shift-", kJoined, Refuse, nullptr, "bindings follow the registers; `--reflect` tells them"},
     {"--auto-map-", kJoined, Refuse, nullptr,
      "bindings follow the registers; `--reflect` tells them"},
@@ -469,8 +484,10 @@ const Option* FindOption(std::string_view argument) {
   for (const Option& option : kOptions) {
     if (!argument.starts_with(option.name)) continue;
     const std::string_view rest = argument.substr(option.name.size());
-    const bool fits = rest.empty() || option.form == kJoined || option.form == kJoinedOrSeparate ||
-                      option.form == kOptional || (option.form == kEquals && rest.starts_with('='));
+    const bool fits =
+        rest.empty() || option.form == kJoined || option.form == kJoinedOrSeparate ||
+        option.form == kOptional ||
+        ((option.form == kEquals || option.form == kNumbers) && rest.starts_with('='));
     if (fits && (!found || option.name.size() > found->name.size())) found = &option;
   }
   return found;

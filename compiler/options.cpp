@@ -106,9 +106,9 @@ void ReadArgument(std::span<const std::string> arguments, std::size_t& at, Readi
   std::string value = spelling.substr(option->name.size());
   const auto takes_next = [&](Option::Form form) {
     return form == kEquals || form == kJoinedOrSeparate || form == kSeparate || form == kOptional ||
-           form == kTwo || form == kFour;
+           form == kTwo || form == kFour || form == kNumbers;
   };
-  if (option->form == kEquals && !value.empty()) {
+  if ((option->form == kEquals || option->form == kNumbers) && !value.empty()) {
     value.erase(0, 1);
   } else if (value.empty() && takes_next(option->form)) {
     const bool has_next =
@@ -122,6 +122,11 @@ void ReadArgument(std::span<const std::string> arguments, std::size_t& at, Readi
   }
   const int more = option->form == kTwo ? 1 : option->form == kFour ? 3 : 0;
   for (int i = 0; i < more && at < arguments.size(); ++i) value += " " + arguments[at++];
+  const auto is_number = [](const std::string& word) {
+    return !word.empty() && word.find_first_not_of("0123456789") == std::string::npos;
+  };
+  while (option->form == kNumbers && at < arguments.size() && is_number(arguments[at]))
+    value += " " + arguments[at++];
   option->read(reading, value);
 }
 

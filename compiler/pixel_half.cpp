@@ -94,7 +94,10 @@ pixel::ReadResult Read(const CompileRequest& request, SourceInput input, const g
     input.text = std::move(bytes);
     return ReadHlsl(request, std::move(input), dependencies);
   }
-  pixel::ReadResult result = pixel::ReadGlsl(bytes, half.path);
+  const pixel::Dialect expected = target.IsVulkan() ? pixel::Dialect::kVulkan
+                                  : target.IsEs()   ? pixel::Dialect::kEs
+                                                    : pixel::Dialect::kDesktop;
+  pixel::ReadResult result = pixel::ReadGlsl(bytes, half.path, expected);
   for (const pixel::Input& input : result.interface.inputs) {
     const auto feature =
         input.group ? glsl::Feature::kBlockLocations : glsl::Feature::kOutputLocations;
@@ -133,7 +136,7 @@ void MeetPixelShader(const CompileRequest& request, SourceInput input, const gls
   const bool links_by_name = !target.IsEs() && target.Has(glsl::Feature::kInAndOut) &&
                              !target.Has(glsl::Feature::kOutputLocations);
   const pixel::MeetOptions options{request.keep_outputs, target.IsVulkan(),
-                                   request.zero_unwritten || links_by_name};
+                                   request.zero_unwritten || links_by_name, target.IsEs()};
   const pixel::Meeting meeting = pixel::Meet(program, half.interface, options, diagnostics);
   if (diagnostics.has_errors()) return;
   if (!request.names.empty()) ForgetNames(half.interface, half.is_glsl);

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include <fmt/format.h>
+#include <glslang/MachineIndependent/localintermediate.h>
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
 #if CLIPC_HAS_SPIRV
@@ -45,7 +46,7 @@ class Linked {
   }
 
   const std::vector<std::string>& problems() const { return problems_; }
-  const glslang::TIntermediate& program() const { return *program_.getIntermediate(language_); }
+  glslang::TIntermediate& program() { return *program_.getIntermediate(language_); }
 
  private:
   EShMessages SetEnvironment(bool is_vulkan, const SpirvRequest* spirv) {
@@ -77,15 +78,20 @@ std::vector<std::string> Validate(const std::string& glsl, const glsl::Target& t
   return Linked(glsl, target, stage, nullptr).problems();
 }
 
-Spirv MakeSpirv(const std::string& glsl, const glsl::Target& target, const SpirvRequest& request) {
+Spirv MakeSpirv(const std::string& glsl, const glsl::Target& target, const SpirvRequest& request,
+                [[maybe_unused]] const std::string& name) {
   pixel::InitializeGlslang();
-  const Linked linked(glsl, target, ShaderStage::kVertex, &request);
+  Linked linked(glsl, target, ShaderStage::kVertex, &request);
   Spirv made;
   made.problems = linked.problems();
   if (!made.problems.empty()) return made;
 #if CLIPC_HAS_SPIRV
   glslang::SpvOptions options;
   options.generateDebugInfo = request.debug_info;
+  if (request.debug_info) {
+    linked.program().setSourceFile(name.c_str());
+    linked.program().addSourceText(glsl.data(), glsl.size());
+  }
   spv::SpvBuildLogger logger;
   glslang::GlslangToSpv(linked.program(), made.words, &logger, &options);
   if (made.words.empty()) made.problems.push_back(logger.getAllMessages());

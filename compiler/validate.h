@@ -31,8 +31,9 @@ struct Spirv {
 };
 
 // Translates the GLSL of a vertex shader by glslang: for Vulkan, or for OpenGL 4.5 when `target` is
-// one of OpenGL's.
-Spirv MakeSpirv(const std::string& glsl, const glsl::Target& target, const SpirvRequest& request);
+// one of OpenGL's. Debug information has the GLSL in it, which a debugger shows as the file `name`.
+Spirv MakeSpirv(const std::string& glsl, const glsl::Target& target, const SpirvRequest& request,
+                const std::string& name);
 
 // "glslang 12.0.0".
 std::string ValidatorName();

@@ -45,18 +45,21 @@ enum class CbufferKind : std::uint8_t {
   // each element
   kConstantBuffer,
 };
+// The precision of a uniform in OpenGL ES, on which the stages of a program must agree.
+enum class Precision : std::uint8_t { kHigh, kMedium, kLow };
 // How the GLSL of another stage declares a constant buffer that both stages use. Two stages of a
 // program declare a block alike.
 struct BlockDeclaration {
   std::string name;
   bool has_instance = false;  // members are reached through `instance`
-  bool is_loose = false;      // uniform variables outside blocks; the rest says nothing then
+  bool is_loose = false;      // uniform variables outside blocks; of the rest, precisions count
   std::string instance;
   bool rows_on_block = false;  // row_major is said of the block; else of the members
   std::optional<std::uint32_t> set, binding;
   struct Member {
     std::string name;
     bool is_uint = false;  // a bool, which most compilers declare as the uint that it is in memory
+    Precision precision = Precision::kHigh;
   };
   std::vector<Member> members;  // in the order of Cbuffer::members, or of the fields of their T
 };

@@ -38,7 +38,7 @@ std::uint32_t Walk(const TypeTable& types, const Struct& structure, std::size_t 
   for (std::size_t i = 0; i < structure.fields.size(); ++i) {
     const Field& current = structure.fields[i];
     const Extent extent = PackedExtent(types, current.type, current.row_major);
-    const std::uint32_t offset = Place(extent, end);
+    const std::uint32_t offset = current.offset.value_or(Place(extent, end));
     if (i == field) return offset;
     end = Clamped(std::uint64_t{offset} + extent.size);
   }
@@ -102,6 +102,10 @@ Extent PackedExtent(const TypeTable& types, TypeId id, bool row_major) {
 
 std::uint32_t PackedOffset(const TypeTable& types, TypeId type, bool row_major, std::uint32_t end) {
   return Place(PackedExtent(types, type, row_major), end);
+}
+
+std::uint32_t FieldPlace(const TypeTable& types, const Field& field, std::uint32_t end) {
+  return field.offset.value_or(PackedOffset(types, field.type, field.row_major, end));
 }
 
 std::uint32_t FieldOffset(const TypeTable& types, StructId structure, std::uint32_t field) {

@@ -29,6 +29,9 @@ struct Extent {
 Extent PackedExtent(const TypeTable& types, TypeId type, bool row_major);
 // Where the next member of this type goes when the ones before end at `end`.
 std::uint32_t PackedOffset(const TypeTable& types, TypeId type, bool row_major, std::uint32_t end);
+// Where a field goes when the fields before it end at `end`: where its [[vk::offset]] says, else as
+// PackedOffset.
+std::uint32_t FieldPlace(const TypeTable& types, const Field& field, std::uint32_t end);
 // Bytes from the start of the struct to a field.
 std::uint32_t FieldOffset(const TypeTable& types, StructId structure, std::uint32_t field);
 // Bytes from one array element to the next: the element's size rounded up to a row.

@@ -69,6 +69,14 @@ MatrixLayout LayoutOf(const glslang::TQualifier& qualifier) {
                                                            : MatrixLayout::kNone;
 }
 
+ir::Precision PrecisionOf(const glslang::TType& type) {
+  switch (type.getQualifier().precision) {
+    case glslang::EpqLow: return ir::Precision::kLow;
+    case glslang::EpqMedium: return ir::Precision::kMedium;
+    default: return ir::Precision::kHigh;
+  }
+}
+
 std::vector<Member> MembersIn(const glslang::TType& type) {
   std::vector<Member> members;
   for (const glslang::TTypeLoc& field : *type.getStruct()) {
@@ -76,6 +84,7 @@ std::vector<Member> MembersIn(const glslang::TType& type) {
     member.name = field.type->getFieldName();
     member.shape = ShapeOfType(*field.type);
     member.matrices = LayoutOf(field.type->getQualifier());
+    member.precision = PrecisionOf(*field.type);
     if (field.type->getQualifier().hasOffset())
       member.offset = static_cast<std::uint32_t>(field.type->getQualifier().layoutOffset);
     if (!field.type->isStruct()) continue;
@@ -117,7 +126,7 @@ class ReadFinder : public glslang::TIntermTraverser {
     masks_[*place] |= mask;
     return false;
   }
-  // The list of all globals is no read.
+  // The list of all globals is not a read.
   bool visitAggregate(glslang::TVisit, glslang::TIntermAggregate* node) override {
     return node->getOp() != glslang::EOpLinkerObjects;
   }
@@ -169,6 +178,8 @@ Reading Prepare(glslang::TShader& shader, Rules rules, bool is_es) {
     shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_3);
   } else if (rules == Rules::kLenient) {
     reading = {is_es ? 320 : 460, is_es ? EEsProfile : ECompatibilityProfile, true};
+  } else if (is_es) {
+    reading = {100, EEsProfile, false};
   }
   return reading;
 }
@@ -226,6 +237,7 @@ class GlslReader {
     Member uniform;
     uniform.name = symbol.getName();
     uniform.shape = ShapeOfType(symbol.getType());
+    uniform.precision = PrecisionOf(symbol.getType());
     if (uniform.shape || symbol.getType().isStruct()) result_.interface.uniforms.push_back(uniform);
   }
 
@@ -316,14 +328,14 @@ class GlslReader {
 
 }  // namespace
 
-ReadResult ReadGlsl(std::string_view text, const std::string& path) {
+ReadResult ReadGlsl(std::string_view text, const std::string& path, Dialect expected) {
   ReadResult result{.is_glsl = true};
   if (const std::string limit = GlslLimit(text); !limit.empty()) {
     result.problems.push_back(fmt::format("{}: {}", path, limit));
     return result;
   }
   InitializeGlslang();
-  bool is_es = false;
+  bool is_es = expected == Dialect::kEs;
   for (const Rules rules : {Rules::kOpenGl, Rules::kVulkan, Rules::kLenient}) {
     const std::string given = rules == Rules::kLenient ? Lenient(text) : std::string(text);
     if (const std::string limit = LimitOfExpanded(given.c_str(), rules, is_es); !limit.empty()) {
@@ -334,7 +346,8 @@ ReadResult ReadGlsl(std::string_view text, const std::string& path) {
     if (Parse(given.c_str(), shader, rules, is_es))
       return GlslReader(*shader.getIntermediate(), text, path).Take();
     is_es = shader.getIntermediate()->isEsProfile();
-    if (rules == Rules::kOpenGl) result.problems = Problems(shader.getInfoLog(), path);
+    if (rules == (expected == Dialect::kVulkan ? Rules::kVulkan : Rules::kOpenGl))
+      result.problems = Problems(shader.getInfoLog(), path);
   }
   return result;
 }

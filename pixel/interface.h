@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "ir/interface.h"
 #include "ir/type.h"
 
 // The other half of a program: what a pixel shader takes from a vertex shader and shares with it.
@@ -73,6 +74,7 @@ struct Member {
   std::vector<std::uint32_t> struct_dimensions;
   std::optional<std::uint32_t> offset;  // bytes, where it is known
   MatrixLayout matrices = MatrixLayout::kNone;
+  ir::Precision precision = ir::Precision::kHigh;
 };
 
 struct Block {

@@ -56,7 +56,7 @@ class Applier {
     for (const CbufferId id : program_.cbuffers.ids()) {
       const Meeting::Buffer& met = meeting_.buffers[id.index];
       if (met.block) Buffer(program_.cbuffers[id], pixel_.blocks[*met.block]);
-      if (met.is_loose) program_.cbuffers[id].declared.emplace().is_loose = true;
+      if (met.is_loose) Loose(program_.cbuffers[id], met);
     }
   }
 
@@ -201,11 +201,18 @@ class Applier {
     SetMainBody(program_, body);
   }
 
+  static void Loose(Cbuffer& cbuffer, const Meeting::Buffer& met) {
+    BlockDeclaration& declared = cbuffer.declared.emplace();
+    declared.is_loose = true;
+    for (const Precision precision : met.precisions)
+      declared.members.push_back({.name = {}, .precision = precision});
+  }
+
   void Buffer(Cbuffer& cbuffer, const Block& block) const {
     BlockDeclaration& declared = cbuffer.declared.emplace();
     declared.name = block.name;
     declared.has_instance = block.has_instance;
-    // Instances of two stages have names of their own; `_45` is no name to read.
+    // Instances of two stages have names of their own; `_45` is not a name to read.
     const bool is_readable = !block.instance.empty() && !block.instance.starts_with('_');
     declared.instance = is_readable ? block.instance : GlslNameOf(cbuffer.name);
     if (declared.instance == declared.name) {
@@ -219,7 +226,8 @@ class Applier {
     for (std::size_t i = 0; i < ours.size(); ++i) {
       const Member& member = block.members[i];
       const bool is_bool = ours[i].shape && ours[i].shape->scalar == Scalar::kBool;
-      declared.members.push_back({member.name, is_bool && member.shape != ours[i].shape});
+      declared.members.push_back(
+          {member.name, is_bool && member.shape != ours[i].shape, member.precision});
     }
   }
 
@@ -227,7 +235,7 @@ class Applier {
   const Interface& pixel_;
   const Meeting& meeting_;
   const MeetOptions& options_;
-  // Of each input the location, for one without it that which it would have; of each group the
+  // The location of each input, counted where the pixel shader gives none, and for each group the
   // location after its last member's.
   std::vector<std::uint32_t> places_, group_ends_;
 };

@@ -19,6 +19,7 @@ struct MeetOptions {
   // one name differ (chapter "Shader Interfaces").
   bool is_vulkan = false;
   bool zero_unwritten = false;  // what the pixel shader reads and nothing writes is 0
+  bool is_es = false;           // precisions are a part of declarations
 };
 
 // Which input each output meets, and what each constant buffer is there.
@@ -27,11 +28,14 @@ struct Meeting {
     std::optional<std::size_t> input;  // in Interface::inputs
     std::uint32_t element = 0;         // the column or element of it
   };
-  std::vector<Output> outputs;     // beside program.outputs
-  std::vector<std::size_t> zeros;  // inputs that nothing writes and that are 0 therefore
+  std::vector<Output> outputs;  // beside program.outputs
+  // Inputs that nothing writes and that are 0 therefore; of Vulkan also those that nothing reads.
+  std::vector<std::size_t> zeros;
   struct Buffer {
     std::optional<std::size_t> block;  // in Interface::blocks
     bool is_loose = false;             // its members are in Interface::uniforms
+    // Beside the members, or the fields of a ConstantBuffer<T>.
+    std::vector<ir::Precision> precisions = {};
   };
   std::vector<Buffer> buffers;  // by CbufferId
 };

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "base/spelling.h"
+#include "ir/access.h"
 #include "pixel/meet_inputs.h"
 #include "pixel/members.h"
 #include "pixel/names.h"
@@ -67,18 +68,46 @@ bool IsSame(const ir::Cbuffer& cbuffer, const std::vector<Member>& ours, const B
   return false;
 }
 
-// Whether the pixel shader has members of the buffer as variables, which must have their types.
-bool IsLoose(const ir::Cbuffer& cbuffer, const std::vector<Member>& ours,
-             const std::vector<Member>& uniforms, Diagnostics& diagnostics) {
-  bool is_loose = false;
+// Meets members that the pixel shader has as variables, which must have their types.
+Meeting::Buffer MeetLoose(const ir::Cbuffer& cbuffer, const std::vector<Member>& ours,
+                          const std::vector<Member>& uniforms, Diagnostics& diagnostics) {
+  Meeting::Buffer met;
   for (const Member& member : ours) {
     const auto found = std::ranges::find(uniforms, member.name, &Member::name);
-    if (found == uniforms.end()) continue;
-    is_loose = true;
+    const bool is_loose = found != uniforms.end();
+    met.precisions.push_back(is_loose ? found->precision : ir::Precision::kHigh);
+    if (!is_loose) continue;
+    met.is_loose = true;
     if (found->shape != member.shape)
       diagnostics.Report(cbuffer.span, diag::PixelBlockDiffers, cbuffer.name, member.name);
   }
-  return is_loose;
+  return met;
+}
+
+// By VarId: whether any function mentions it.
+std::vector<bool> Mentioned(const ir::Program& program) {
+  std::vector<bool> is_mentioned(program.vars.size());
+  for (const ir::FunctionId function : program.functions.ids()) {
+    ir::ForEachExpr(program, program.functions[function].body, [&](ir::ExprId id) {
+      if (const auto* ref = ir::As<ir::VarRef>(program, id)) is_mentioned[ref->var.index] = true;
+    });
+  }
+  return is_mentioned;
+}
+
+// In OpenGL ES both stages declare a variable with one precision, and below `highp` a vertex shader
+// may lose digits by it.
+void ReportPrecision(const ir::Cbuffer& cbuffer, const std::vector<Member>& ours,
+                     const std::vector<ir::Precision>& theirs, const std::vector<bool>& is_used,
+                     Diagnostics& diagnostics) {
+  for (std::size_t i = 0; i < ours.size(); ++i) {
+    // A ConstantBuffer<T> is one variable.
+    const ir::VarId var = cbuffer.members[std::min(i, cbuffer.members.size() - 1)].var;
+    if (theirs[i] == ir::Precision::kHigh || !is_used[var.index]) continue;
+    const char* const name = theirs[i] == ir::Precision::kLow ? "lowp" : "mediump";
+    diagnostics.Report(cbuffer.span, diag::PixelPrecision, ours[i].name, cbuffer.name, name);
+    return;
+  }
 }
 
 }  // namespace
@@ -86,17 +115,22 @@ bool IsLoose(const ir::Cbuffer& cbuffer, const std::vector<Member>& ours,
 std::vector<Meeting::Buffer> MeetBlocks(const ir::Program& program, const Interface& pixel,
                                         const MeetOptions& options, Diagnostics& diagnostics) {
   std::vector<Meeting::Buffer> met(program.cbuffers.size());
+  const std::vector<bool> is_used = options.is_es ? Mentioned(program) : std::vector<bool>();
   for (const ir::CbufferId id : program.cbuffers.ids()) {
     const ir::Cbuffer& cbuffer = program.cbuffers[id];
     const std::vector<Member> members = MembersOf(program, cbuffer);
     const std::string key = BlockKey(cbuffer.name);
     const auto block = std::ranges::find_if(
         pixel.blocks, [&](const Block& candidate) { return BlockKey(candidate.name) == key; });
+    Meeting::Buffer& buffer = met[id.index];
     if (block == pixel.blocks.end()) {
-      met[id.index].is_loose = IsLoose(cbuffer, members, pixel.uniforms, diagnostics);
+      buffer = MeetLoose(cbuffer, members, pixel.uniforms, diagnostics);
     } else if (IsSame(cbuffer, members, *block, options, diagnostics)) {
-      met[id.index].block = static_cast<std::size_t>(block - pixel.blocks.begin());
+      buffer.block = static_cast<std::size_t>(block - pixel.blocks.begin());
+      for (const Member& member : block->members) buffer.precisions.push_back(member.precision);
     }
+    if (options.is_es && (buffer.block || buffer.is_loose))
+      ReportPrecision(cbuffer, members, buffer.precisions, is_used, diagnostics);
   }
   return met;
 }

@@ -238,7 +238,8 @@ class InputMeeter {
     const bool is_needed = input.is_read || (options_.is_vulkan && !input.group);
     if (!met_[number]) {
       if (!is_needed) return;
-      if (options_.zero_unwritten) zeros_.push_back(number);
+      if (options_.zero_unwritten || !input.is_read) zeros_.push_back(number);
+      if (!input.is_read) return;
       const auto& kind =
           options_.zero_unwritten ? diag::PixelInputIsZero : diag::PixelInputUnwritten;
       Diagnostic& report = diagnostics_.Report(EntrySpan(), kind, NameOf(input));

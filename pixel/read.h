@@ -31,8 +31,12 @@ struct ReadResult {
 // SPIR-V 1.0 to 1.6. `entry` names a fragment entry point; empty: the only one.
 ReadResult ReadSpirv(std::string_view bytes, std::string_view path, std::string_view entry);
 
-// GLSL and GLSL ES of any version, for OpenGL or for Vulkan, in glslang's judgement.
-ReadResult ReadGlsl(std::string_view text, const std::string& path);
+// GLSL and GLSL ES of any version, for OpenGL or for Vulkan, in glslang's judgement. `expected`
+// says what a text without #version is, GLSL 1.10 or GLSL ES 1.00, and by which rules mistakes are
+// told.
+enum class Dialect : std::uint8_t { kDesktop, kEs, kVulkan };
+ReadResult ReadGlsl(std::string_view text, const std::string& path,
+                    Dialect expected = Dialect::kDesktop);
 
 // Describes the mistake in an interface that a reader made: two inputs in one place, or an input
 // that is too large. Empty: there is none.

@@ -318,6 +318,8 @@ class SpirvReader {
       member.offset = module_.Decoration(place, spv::kOffset);
       if (module_.Decoration(place, spv::kRowMajor)) member.matrices = MatrixLayout::kRowMajor;
       if (module_.Decoration(place, spv::kColMajor)) member.matrices = MatrixLayout::kColumnMajor;
+      if (module_.Decoration(place, spv::kRelaxedPrecision))
+        member.precision = ir::Precision::kMedium;  // as SPIRV-Cross writes it
       member.shape = ShapeAt(structure->members[i]);
       if (!member.shape) Fields(structure->members[i], depth, member);
       members.push_back(std::move(member));

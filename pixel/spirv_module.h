@@ -90,6 +90,7 @@ struct SpirvModule {
 // The decorations, opcodes and storage classes that the reader asks for, by the names of section 3.
 namespace spv {
 enum Decoration : std::uint32_t {
+  kRelaxedPrecision = 0,
   kBlock = 2,
   kRowMajor = 4,
   kColMajor = 5,

@@ -36,6 +36,7 @@ class BlockWriter {
   void Write() {
     if (layout_.form == BlockForm::kUniforms) return PlainUniforms();
     info_.name = context_.block_names[info_.cbuffer.index];
+    if (cbuffer_.count == 0) context_.Require("GL_EXT_nonuniform_qualifier");
     const bool is_rows = layout_.form == BlockForm::kRows;
     if (is_rows && !context_.Has(Feature::kUniformBlocks)) return RowUniform();
     const bool turned = layout_.matrices == MatrixLayout::kRowMajor && !is_rows;
@@ -59,10 +60,23 @@ class BlockWriter {
     text_ += "\n";
   }
 
+  // The qualifier of a member that another stage declares below `highp`, which a vertex shader has
+  // by default; empty for other members.
+  std::string_view PrecisionOf(VarId member, int field = -1) const {
+    const bool is_struct = cbuffer_.kind == CbufferKind::kConstantBuffer && field < 0;
+    if (!cbuffer_.declared || !context_.target.IsEs() || is_struct) return "";
+    const auto at = std::ranges::find(cbuffer_.members, member, &CbufferMember::var);
+    const auto number = static_cast<std::size_t>(field < 0 ? at - cbuffer_.members.begin() : field);
+    const auto& members = cbuffer_.declared->members;
+    if (number >= members.size() || members[number].precision == Precision::kHigh) return "";
+    return members[number].precision == Precision::kLow ? "lowp " : "mediump ";
+  }
+
   void PlainUniform(std::string& text, VarId member) {
     const std::string& name = context_.NameOf(member);
     const Var& var = context_[member];
-    Append(text, "uniform ", UniformDeclaration(context_, var.type, name), ";\n");
+    Append(text, "uniform ", PrecisionOf(member), UniformDeclaration(context_, var.type, name),
+           ";\n");
     // Memory that is row-major in HLSL is what GLSL's columns are.
     info_.members.push_back({member, -1, name, true, !var.row_major});
   }
@@ -111,6 +125,7 @@ class BlockWriter {
         text_, "    ",
         LayoutText({member.explicit_offset ? fmt::format("offset = {}", member.offset) : "",
                     turned ? "row_major" : ""}),
+        PrecisionOf(member.var, member.field),
         context_.IsWrittenAsUint(member.var)
             ? Declaration(context_,
                           ShapeOf(context_[member.type], context_.target).With(Scalar::kUint), name)

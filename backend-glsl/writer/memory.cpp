@@ -160,7 +160,7 @@ class Loader {
     const std::string list = ListOf(fields, [&](const Field& field) {
       std::uint32_t offset = 0;
       if (memory_.is_rows) {
-        offset = PackedOffset(types, field.type, field.row_major, end);
+        offset = FieldPlace(types, field, end);
         end = offset + PackedExtent(types, field.type, field.row_major).size;
       } else {
         const StructuredExtent extent = Structured(types, field.type);

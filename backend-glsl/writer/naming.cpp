@@ -112,12 +112,13 @@ void NameMembers(Context& context, CbufferId id) {
   if (layout.fields_as_members) return;
   std::vector<std::string_view> names;
   const auto& declared = cbuffer.declared;
-  for (std::size_t i = 0; declared && i < declared->members.size(); ++i) {
+  const bool is_named = declared && !declared->is_loose;
+  for (std::size_t i = 0; is_named && i < declared->members.size(); ++i) {
     std::string& name = context.var_names[cbuffer.members[i].var.index];
     name = declared->members[i].name;
     if (!layout.has_instance) name = context.namer.Global(name);
   }
-  if (declared && !declared->is_loose) return;
+  if (is_named) return;
   for (const CbufferMember& member : cbuffer.members) {
     const bool is_declared = layout.form != BlockForm::kUniforms || context.reached.Has(member.var);
     if (layout.has_instance) {

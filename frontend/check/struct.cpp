@@ -9,6 +9,7 @@
 #include "frontend/check/scope.h"
 #include "frontend/check/type.h"
 #include "frontend/check/vulkan.h"
+#include "ir/packing.h"
 
 namespace clipc::check {
 namespace {
@@ -97,6 +98,25 @@ void MeasureStruct(Context& context, TypeId type, Span span) {
   context[context[type].structure].fields.clear();
 }
 
+// Reports each [[vk::offset]] that Direct3D's packing does not allow, and takes it back.
+void CheckOffsets(Context& context, TypeId type) {
+  std::uint32_t end = 0;
+  auto& fields = context[context[type].structure].fields;
+  if (std::ranges::none_of(fields, [](const Field& field) { return field.offset.has_value(); }))
+    return;
+  for (Field& field : fields) {
+    const Extent extent = PackedExtent(context.types, field.type, field.row_major);
+    const std::uint32_t least = std::max(end, field.offset.value_or(end));
+    const std::uint32_t place = PackedOffset(context.types, field.type, field.row_major, least);
+    if (field.offset && place != *field.offset) {
+      context.Report(field.span, diag::OffsetMisfit, field.name, context.TypeName(field.type),
+                     *field.offset);
+      field.offset.reset();
+    }
+    end = place + extent.size;
+  }
+}
+
 }  // namespace
 
 TypeId ResolveStruct(Context& context, ast::DeclId id, SymbolId symbol, ScopeId scope,
@@ -122,6 +142,8 @@ TypeId ResolveStruct(Context& context, ast::DeclId id, SymbolId symbol, ScopeId 
   AddBases(context, decl, type);
   for (ast::DeclId member : context[decl.members]) AddMember(context, member, type);
   MeasureStruct(context, type, span);
+  // A pixel shader has push constants of its own, whose places do not matter here.
+  if (!context.options.profile.IsPixel()) CheckOffsets(context, type);
   return type;
 }
 

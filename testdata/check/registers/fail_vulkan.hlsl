@@ -33,10 +33,11 @@ struct Weights { float4 a; float weights[3]; };
 [[vk::push_constant]] Weights weights;
 float4 misfit(float4 p : POSITION) : SV_Position { return p * weights.weights[1]; }
 
-struct Moved { float a; [[vk::offset(16)]] float b; };
-// MOVED: error: `moved_.b` is 4 bytes on by Direct3D's packing and 16 by Vulkan's
+// MOVED: error: `b` of type `float3` cannot be at byte 8; fields follow each other, a scalar or vector lies within 16 bytes, and everything else starts at a multiple of 16 [offset-misfit]
+// MOVED: error: `c` of type `float` cannot be at byte 4
+struct Moved { float a; [[vk::offset(8)]] float3 b; [[vk::offset(4)]] float c; };
 [[vk::push_constant]] Moved moved_;
-float4 moved(float4 p : POSITION) : SV_Position { return p * moved_.b; }
+float4 moved(float4 p : POSITION) : SV_Position { return p * moved_.b.x; }
 
 // NUMBER: error: push constant `number_` has type `float4`; it must be a struct [push-constant-not-struct]
 [[vk::push_constant]] float4 number_;
