@@ -148,6 +148,8 @@ class TargetCheck {
     if (target_.IsVulkan() && !has_blocks_) {
       Report(cbuffer.span, diag::TargetFlatUniforms, cbuffer.name);
     }
+    if (cbuffer.count == 0 && !target_.IsVulkan())
+      return Report(cbuffer.span, diag::TargetArrayWithoutSize, cbuffer.name);
     for (const CbufferMember& member : cbuffer.members) {
       const Var& var = program_.vars[member.var];
       if (reached_.Has(member.var) || has_blocks_) Type(var.type, var.span);

@@ -19,7 +19,7 @@ constexpr SnippetText kSnippets[] = {
     {"smoothstep", SnippetText::kFloat, false,
      R"($T $N($T a, $T b, $T x) {
     $T t = @saturate((x - a) / (b - a));
-    return t * t * (3.0 - 2.0 * t);
+    return t * t * (t * -2.0 + 3.0);
 }
 )"},
     {"isfinite", SnippetText::kFloat, true,

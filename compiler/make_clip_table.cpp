@@ -47,8 +47,8 @@ std::string PathTo(const TypeTable& types, TypeId id, bool row_major, std::uint3
 std::string BufferIndex(const TypeTable& types, TypeId& type, std::uint32_t element,
                         std::uint32_t count) {
   std::string path;
-  while (types[type].kind == TypeKind::kArray && count > 1) {
-    count /= types[type].count;
+  while (types[type].kind == TypeKind::kArray && count != 1) {
+    count = types[type].count == 0 ? 1 : count / types[type].count;
     path += fmt::format("[{}]", element / count);
     element %= count;
     type = types[type].element;
@@ -89,7 +89,7 @@ void NameInGlsl(const Program& program, const ir::ClipPlane& plane, const glsl::
   if (!block) return;
   const ir::Cbuffer& cbuffer = program.cbuffers[plane.cbuffer];
   constant.glsl_block = block->name;
-  if (cbuffer.count > 1 && !block->name.empty()) {
+  if (cbuffer.count != 1 && !block->name.empty()) {
     TypeId type = program.vars[cbuffer.members.front().var].type;
     constant.glsl_block += BufferIndex(program.types, type, plane.element, cbuffer.count);
   }

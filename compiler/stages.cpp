@@ -29,6 +29,7 @@ ir::Program Front(Source& source, const CheckOptions& options, Diagnostics& diag
 Lowered Lower(ir::Program program, const LowerSettings& settings) {
   passes::PipelineOptions options = settings.passes;
   options.clip_planes.write_clip_vertex = settings.target.Has(glsl::Feature::kClipVertex);
+  options.hoist_loop_bounds = settings.target.Has(glsl::Feature::kFreeLoops);
   const bool is_complete = passes::RunPipeline(program, options);
   glsl::Reached reached = glsl::Reach(program);
   return {std::move(program),        settings.target,    options.clip_planes.lowering,

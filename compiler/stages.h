@@ -40,7 +40,8 @@ ir::Program Front(Source& source, const CheckOptions& options, Diagnostics& diag
 
 struct LowerSettings {
   glsl::Target target;
-  passes::PipelineOptions passes;  // Lower itself decides about clip_planes.write_clip_vertex
+  // Lower itself decides about clip_planes.write_clip_vertex and hoist_loop_bounds, by the target.
+  passes::PipelineOptions passes;
 };
 
 // A program that the target's writer can print.

@@ -154,7 +154,7 @@ class Header {
   void AddMember(Body& body, std::string_view written, TypeId type, bool row_major,
                  std::uint32_t offset) {
     const std::uint32_t size = ir::PackedExtent(types_, type, row_major).size;
-    if (size == 0) return;  // an object in a struct is no constant
+    if (size == 0) return;  // an object in a struct is not a constant
     Pad(body, offset);
     const std::string name = Identifier(written);
     fmt::format_to(std::back_inserter(body.members), "  {};  // {}{}\n",
@@ -217,7 +217,7 @@ class Header {
     for (const ir::CbufferMember& member : members) {
       const ir::Var& var = program_.vars[member.var];
       TypeId type = var.type;
-      if (buffer.count > 1 && types_[type].kind == TypeKind::kArray) type = types_[type].element;
+      if (buffer.count != 1 && types_[type].kind == TypeKind::kArray) type = types_[type].element;
       if (member.offset >= body.end) {
         AddMember(body, var.name, type, var.row_major, member.offset);
       } else {  // `register(c#)` puts it over another

@@ -125,7 +125,8 @@ class InterfaceVerifier {
     const Cbuffer& buffer = program_.cbuffers[id];
     const std::string what = "cbuffer " + buffer.name;
     if (buffer.size % 16 != 0) Fail(what + " has a size that is not a multiple of 16");
-    if (buffer.count == 0) Fail(what + " is an array without elements");
+    if (buffer.count == 0 && buffer.kind != CbufferKind::kConstantBuffer)
+      Fail(what + " is an array without elements");
     if (buffer.kind == CbufferKind::kConstantBuffer && buffer.members.size() != 1) {
       Fail(what + " is a ConstantBuffer without exactly one member");
     }
@@ -162,7 +163,8 @@ class InterfaceVerifier {
       if (plane.offset % 16 != 0 || std::uint64_t{plane.offset} + 16 > buffer.size) {
         Fail(what + " is not a register of its cbuffer");
       }
-      if (plane.element >= buffer.count) Fail(what + " is in a buffer past the end of the array");
+      if (buffer.count != 0 && plane.element >= buffer.count)
+        Fail(what + " is in a buffer past the end of the array");
     }
   }
 

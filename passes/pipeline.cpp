@@ -5,6 +5,7 @@
 #include "passes/drop_idle_clip_distances.h"
 #include "passes/drop_unread.h"
 #include "passes/drop_unread_arguments.h"
+#include "passes/hoist_loop_bounds.h"
 #include "passes/inline_entry.h"
 #include "passes/spread_precise.h"
 
@@ -38,6 +39,12 @@ constexpr ir::Pass<Run> kPipeline[] = {
     {"drop-unread", [](Run& run) { DropUnread(run.program); }, ir::Form::kInlined},
     // Calls that the passes before have removed need not be followed.
     {"spread-precise", [](Run& run) { SpreadPrecise(run.program, run.options.precise_outputs); },
+     ir::Form::kInlined},
+    // Loops that the passes before have removed have no bounds to read.
+    {"hoist-loop-bounds",
+     [](Run& run) {
+       if (run.options.hoist_loop_bounds) HoistLoopBounds(run.program);
+     },
      ir::Form::kInlined},
 };
 

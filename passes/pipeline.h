@@ -14,7 +14,8 @@ namespace clipc::passes {
 struct PipelineOptions : ir::PassOptions {
   ClipPlaneOptions clip_planes;
   ClipSpaceOptions clip_space;
-  bool precise_outputs = false;  // -Gis: all of them, and what goes into them
+  bool precise_outputs = false;    // -Gis: all of them, and what goes into them
+  bool hoist_loop_bounds = false;  // not where loops must count to a constant
 };
 
 // Takes a program from Form::kTyped to Form::kInlined, unless `stop_after` ends it earlier. Returns

@@ -238,7 +238,8 @@ std::string IndexPath(Code& code, ExprId element) {
 
 std::string IntIndex(Code& code, ExprId index) {
   const bool is_int = code.TypeOf(index).scalar == Scalar::kInt || code.As<Literal>(index);
-  const std::string value = IndexValue(code, index);
+  const std::string value =
+      code.As<Literal>(index) ? IndexValue(code, index) : Argument(code, index);
   return is_int ? value : Concat("int(", value, ")");
 }
 

@@ -14,7 +14,7 @@ Text ExprText(Code& code, ir::ExprId id);
 std::string Argument(Code& code, ir::ExprId id);
 // The expression between the brackets of an index; a literal is an int.
 std::string IndexValue(Code& code, ir::ExprId index);
-// The expression between the brackets of an index where only an int will do.
+// The index as an int, which may be an argument of a call.
 std::string IntIndex(Code& code, ir::ExprId index);
 
 // "[i][2]" of textures[i][2].

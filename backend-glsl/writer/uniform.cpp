@@ -98,7 +98,7 @@ Text InstanceValue(Code& code, ExprId expr) {
     const std::string parameter = Fresh(code, {&letter, 1});
     const char* separator = parameters.empty() ? "" : ", ";
     Append(parameters, separator, "int ", parameter);
-    Append(arguments, separator, "int(", IndexValue(code, index), ")");
+    Append(arguments, separator, IntIndex(code, index));
     Append(block, is_this ? "[nonuniformEXT(" : "[", parameter, is_this ? ")]" : "]");
   }
   if (is_marked) code.Require("GL_EXT_nonuniform_qualifier");

@@ -53,7 +53,7 @@ void FinishMember(Context& context, const ast::VarDecl& var, CbufferMember& memb
   }
 }
 
-// The number of elements of an array: 6 for T[2][3], 1 for T.
+// The number of elements of an array: 6 for T[2][3], 1 for T, 0 for T[].
 std::uint32_t CountOfArray(const Context& context, TypeId type) {
   std::uint32_t count = 1;
   for (; context[type].kind == TypeKind::kArray; type = context[type].element) {
@@ -112,13 +112,16 @@ void FinishBuffer(Context& context, const Buffer& buffer) {
 
 }  // namespace
 
-bool IsBuffer(const Context& context, const ast::VarDecl& var) {
-  if (IsPushConstant(context, var.attributes)) return true;
+bool IsBufferObject(const Context& context, const ast::VarDecl& var) {
   const ast::Type& type = context[var.type];
   if (!type.has_arguments || !type.name.scopes.empty()) return false;
   const std::string_view text = context[type.name.name];
   return (text == "ConstantBuffer" || text == "TextureBuffer") &&
          !context.names.FindUnqualified(type.name.name, true);
+}
+
+bool IsBuffer(const Context& context, const ast::VarDecl& var) {
+  return IsPushConstant(context, var.attributes) || IsBufferObject(context, var);
 }
 
 void ResolveBuffer(Context& context, SymbolId id, const ast::VarDecl& var) {

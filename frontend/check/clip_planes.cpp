@@ -116,7 +116,7 @@ class Operand {
       if (buffer.kind == CbufferKind::kTbuffer)
         reason = "is a member of a tbuffer";
       else if (member != buffer.members.end())
-        return Path{{var.cbuffer, 0, member->offset}, var.row_major, buffer.count > 1};
+        return Path{{var.cbuffer, 0, member->offset}, var.row_major, buffer.count != 1};
     }
     context_.Report(span, diag::ClipPlaneNotInCbuffer, var.name, reason)
         .Note(var.span, diag::DeclaredHere, var.name);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "frontend/check/buffer.h"
 #include "frontend/check/enum.h"
 #include "frontend/check/init.h"
 #include "frontend/check/scope.h"
@@ -130,7 +131,7 @@ bool IsTooLarge(Context& context, TypeId type, Span span) {
 }
 
 TypeId ArrayOf(Context& context, TypeId element, List<ast::ExprId> dimensions, Span span,
-               std::optional<std::uint32_t> implied) {
+               std::optional<std::uint32_t> implied, bool is_buffer) {
   if (dimensions.empty()) return element;
   if (element == context.types.Void()) {
     return context.FailType(span, diag::VoidValue, "an array of `void`");
@@ -144,7 +145,8 @@ TypeId ArrayOf(Context& context, TypeId element, List<ast::ExprId> dimensions, S
       size = ArraySize(context, dimension);
     } else if (i == 0 && implied) {
       size = implied;
-    } else if (i == 0 && dimensions.size == 1 && context.types[element].kind == TypeKind::kObject) {
+    } else if (i == 0 && dimensions.size == 1 &&
+               (is_buffer || context.types[element].kind == TypeKind::kObject)) {
       // The number of elements does not matter to a pixel shader.
       size = context.program.profile.IsPixel() ? 1 : 0;
     } else {
@@ -176,7 +178,7 @@ TypeId ResolveVarType(Context& context, const ast::VarDecl& var) {
     implied = ImpliedCount(context, var.init, row);
     if (!implied) return context.types.Error();
   }
-  return ArrayOf(context, element, var.dimensions, span, implied);
+  return ArrayOf(context, element, var.dimensions, span, implied, IsBufferObject(context, var));
 }
 
 bool IsRowMajor(const Context& context, ast::Qualifiers qualifiers) {

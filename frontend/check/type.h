@@ -20,9 +20,9 @@ std::uint64_t ComponentsOf(const Context& context, TypeId id);
 int DepthOf(const Context& context, TypeId id);
 // Whether the type has too many components or nests too deep, which is reported.
 bool IsTooLarge(Context& context, TypeId type, Span span);
-// element[d0][d1]. `implied` is the size for an empty first `[]`.
+// element[d0][d1]. `implied` is the size for an empty first `[]`, which `is_buffer` does not need.
 TypeId ArrayOf(Context& context, TypeId element, List<ast::ExprId> dimensions, Span span,
-               std::optional<std::uint32_t> implied = {});
+               std::optional<std::uint32_t> implied = {}, bool is_buffer = false);
 // The type of the variable, with its dimensions.
 TypeId ResolveVarType(Context& context, const ast::VarDecl& var);
 // Whether matrices lie row by row in memory.

@@ -87,12 +87,12 @@ class Level9Checker {
   void CheckExpr(ExprId id) {
     const Expr& expr = program_.exprs[id];
     std::visit(
-        Overloaded{[&](const Binary& binary) { CheckOperator(binary.op, expr.span); },
+        Overloaded{[&](const Binary& binary) { CheckOperator(binary.op, id); },
                    [&](const Assign& assign) {
-                     if (assign.op) CheckOperator(*assign.op, expr.span);
+                     if (assign.op) CheckOperator(*assign.op, id);
                    },
                    [&](const Unary& unary) {
-                     if (unary.op == UnaryOp::kComplement) ReportBits(expr.span);
+                     if (unary.op == UnaryOp::kComplement) CheckBits(id);
                    },
                    [&](const IntrinsicCall& call) { CheckIntrinsic(call, expr.span); },
                    [&](const ObjectCall&) {
@@ -103,15 +103,24 @@ class Level9Checker {
     ForEachOperand(program_, id, [&](ExprId operand) { CheckExpr(operand); });
   }
 
-  void ReportBits(Span span) { diagnostics_.Report(span, diag::Level9BitOperation, Target()); }
+  // Whether the expression has a known value once loops are unrolled, and so takes no instruction.
+  bool IsKnown(ExprId id) {
+    if (!known_) known_.emplace(program_);
+    return known_->Has(id);
+  }
 
-  void CheckOperator(BinaryOp op, Span span) {
+  void CheckBits(ExprId id) {
+    if (!IsKnown(id))
+      diagnostics_.Report(program_.exprs[id].span, diag::Level9BitOperation, Target());
+  }
+
+  void CheckOperator(BinaryOp op, ExprId id) {
     switch (op) {
       case BinaryOp::kShiftLeft:
       case BinaryOp::kShiftRight:
       case BinaryOp::kBitAnd:
       case BinaryOp::kBitOr:
-      case BinaryOp::kBitXor: ReportBits(span); break;
+      case BinaryOp::kBitXor: CheckBits(id); break;
       case BinaryOp::kMul: ++instructions_; break;  // an addition may be fused with it
       default: break;
     }
@@ -147,13 +156,12 @@ class Level9Checker {
     if (ref && (program_.vars[ref->var].storage == Storage::kUniform ||
                 program_.vars[ref->var].storage == Storage::kConstant))
       return;
-    if (!known_) known_.emplace(program_);
-    if (!known_->Has(index.index)) diagnostics_.Report(span, diag::Level9DynamicIndex, Target());
+    if (!IsKnown(index.index)) diagnostics_.Report(span, diag::Level9DynamicIndex, Target());
   }
 
   const Program& program_;
   Diagnostics& diagnostics_;
-  std::optional<KnownValues> known_;  // from the first index on that depends on it
+  std::optional<KnownValues> known_;  // from the first rule on that depends on it
   std::uint32_t instructions_ = 0;    // a lower bound: no loop is counted twice, no addition at all
 };
 

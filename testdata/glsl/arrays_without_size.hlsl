@@ -4,6 +4,8 @@
 // RUN: %clipc -T vs_5_1 --target=vulkan %s -o %t.spv
 // RUN: FileCheck %s --check-prefix=REFLECT < %t.json
 // RUN: %clipc -T vs_5_1 --target=glsl450 -DUNREAD --validate %s -o %t.vert
+// REFLECT: "name": "views"
+// REFLECT: "unbounded": true
 // REFLECT: "name": "maps"
 // REFLECT: "type": "Texture2D<float4>[]",
 // REFLECT: "unbounded": true
@@ -18,6 +20,10 @@ Buffer<float4> typed[] : register(t0, space6);
 SamplerState states[] : register(s0, space1);
 struct Camera { float4x4 view; float4 plane; };
 ConstantBuffer<Camera> cameras[4] : register(b2);
+ConstantBuffer<Camera> views[] : register(b0, space8);
+struct Tight { float weight; float3 place; float2 size; float3 normal; };
+ConstantBuffer<Tight> tight[] : register(b0, space9);
+ConstantBuffer<Camera> spare[] : register(b0, space10);
 StructuredBuffer<float4> sized[4] : register(t9);
 Texture2D unread[];
 RWStructuredBuffer<float4> written[] : register(u0, space7);
@@ -37,6 +43,8 @@ float4 main(float4 p : POSITION, uint i : SV_VertexID) : SV_Position {
   uint count, stride;
   lists[n].GetDimensions(count, stride);
   r += typed[n][i] + mul(p, cameras[n].view) + camera.plane + sized[n][2] + count;
+  Camera view = views[n];
+  r += view.plane + mul(p, views[2].view) + tight[n].normal.xyzz;
 #ifdef WRITE
   written[n][0] = r;
 #endif
@@ -47,6 +55,13 @@ float4 main(float4 p : POSITION, uint i : SV_VertexID) : SV_Position {
 // CHECK: #version 460
 // CHECK-NEXT: #extension GL_EXT_nonuniform_qualifier : require
 // CHECK-NEXT: #extension GL_EXT_samplerless_texture_functions : require
+// CHECK-EMPTY:
+// CHECK-NEXT: struct Tight {
+// CHECK-NEXT:     float weight;
+// CHECK-NEXT:     vec3 place;
+// CHECK-NEXT:     vec2 size;
+// CHECK-NEXT:     vec3 normal;
+// CHECK-NEXT: };
 // CHECK-EMPTY:
 // CHECK-NEXT: struct Camera {
 // CHECK-NEXT:     mat4 view;
@@ -63,6 +78,15 @@ float4 main(float4 p : POSITION, uint i : SV_VertexID) : SV_Position {
 // CHECK-NEXT:     layout(row_major) mat4 view;
 // CHECK-NEXT:     vec4 plane;
 // CHECK-NEXT: } cameras[4];
+// CHECK-EMPTY:
+// CHECK-NEXT: layout(std140, set = 8, binding = 0) uniform views_block {  // b0, space8
+// CHECK-NEXT:     layout(row_major) mat4 view;
+// CHECK-NEXT:     vec4 plane;
+// CHECK-NEXT: } views[];
+// CHECK-EMPTY:
+// CHECK-NEXT: layout(std140, set = 9, binding = 0) uniform tight_block {  // b0, space9
+// CHECK-NEXT:     vec4 tight_rows[3];
+// CHECK-NEXT: } tight_buffers[];
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(set = 1, binding = 32) uniform texture2D maps[];  // t0
 // CHECK-NEXT: layout(set = 2, binding = 32) uniform utexture2D numbers[];  // t0
@@ -82,6 +106,10 @@ float4 main(float4 p : POSITION, uint i : SV_VertexID) : SV_Position {
 // CHECK-NEXT: } sized[4];
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// CHECK-EMPTY:
+// CHECK-NEXT: Tight tight(int i) {  // offset 0
+// CHECK-NEXT:     return Tight(tight_buffers[i].tight_rows[0].x, tight_buffers[i].tight_rows[0].yzw, tight_buffers[i].tight_rows[1].xy, tight_buffers[i].tight_rows[2].xyz);
+// CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: Camera cameras_any_value(int i_2) {
 // CHECK-NEXT:     return Camera(cameras[nonuniformEXT(i_2)].view, cameras[nonuniformEXT(i_2)].plane);
@@ -105,6 +133,10 @@ float4 main(float4 p : POSITION, uint i : SV_VertexID) : SV_Position {
 // CHECK-NEXT:     return bytes[which].elements[i_2];
 // CHECK-NEXT: }
 // CHECK-EMPTY:
+// CHECK-NEXT: Camera views_any_value(int i_2) {
+// CHECK-NEXT:     return Camera(views[nonuniformEXT(i_2)].view, views[nonuniformEXT(i_2)].plane);
+// CHECK-NEXT: }
+// CHECK-EMPTY:
 // CHECK-NEXT: vec4 Read(vec2 uv, uint maps_index) {
 // CHECK-NEXT:     return textureLod(sampler2D(maps[nonuniformEXT(maps_index)], states[2]), uv, 0.0);
 // CHECK-NEXT: }
@@ -124,4 +156,6 @@ float4 main(float4 p : POSITION, uint i : SV_VertexID) : SV_Position {
 // CHECK-NEXT:     uint count;
 // CHECK-NEXT:     count = uint(lists[nonuniformEXT(n)].elements.length());
 // CHECK-NEXT:     gl_Position += texelFetch(typed[nonuniformEXT(n)], int(i)) + cameras[nonuniformEXT(n)].view * in_POSITION0 + camera.plane + sized[nonuniformEXT(n)].elements[2] + float(count);
+// CHECK-NEXT:     Camera view = views_any_value(int(n));
+// CHECK-NEXT:     gl_Position += view.plane + views[2].view * in_POSITION0 + tight(int(nonuniformEXT(n))).normal.xyzz;
 // CHECK-NEXT: }

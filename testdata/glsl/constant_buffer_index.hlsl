@@ -62,5 +62,5 @@ float4 main(float4 p : POSITION, int i : INDEX) : SV_Position {
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: void main() {
-// CHECK-NEXT:     gl_Position = in_POSITION0 + objects[in_INDEX0].color + Read(objects_value(int(in_INDEX0 + 1))) + packed_(in_INDEX0).y.xyzx + packed_(1).x + single().y.xyzx;
+// CHECK-NEXT:     gl_Position = in_POSITION0 + objects[in_INDEX0].color + Read(objects_value(in_INDEX0 + 1)) + packed_(in_INDEX0).y.xyzx + packed_(1).x + single().y.xyzx;
 // CHECK-NEXT: }

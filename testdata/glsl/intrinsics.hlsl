@@ -54,7 +54,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-EMPTY:
 // CHECK-NEXT: vec4 smoothstep_(vec4 a, vec4 b, vec4 x) {
 // CHECK-NEXT:     vec4 t = saturate((x - a) / (b - a));
-// CHECK-NEXT:     return t * t * (3.0 - 2.0 * t);
+// CHECK-NEXT:     return t * t * (t * -2.0 + 3.0);
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: int dot_(ivec4 a, ivec4 b) {

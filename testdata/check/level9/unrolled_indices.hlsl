@@ -34,6 +34,8 @@ Light ComputeLights(float3 normal, uniform int count) {
 float3 Skin(float4 position, int4 indices, float4 weights, const int count) {
   float3 skinned = 0;
   [unroll] for (int i = 0; i < count; i += 1) {
+    const int bits = ~(i << 1) & 3;
+    skinned *= 1 + 0 * weights[bits];
     skinned += mul(position, bones[indices[i]]) * weights[i];
   }
   return skinned;
