@@ -6,7 +6,7 @@
 // RUN: %draw compare %s -T vs_5_0 -E bytes --target vulkan,glsl450,essl320 --lower none --ints 0..50
 // RUN: %draw compare %s -T vs_5_0 -E doubles --target vulkan,glsl450 --lower none --ints 0..20
 // RUN: not %draw compare %s -T vs_5_0 -E writes --target glsl450 --lower none 2>&1 | FileCheck %s
-// CHECK: the shader writes to a texture or buffer, which no test draws with
+// CHECK: the shader uses the image `results`, which no test draws with
 
 struct Particle {
   float3 position;
@@ -36,7 +36,7 @@ struct Wide {
   double2 e;
 };
 StructuredBuffer<Wide> wide : register(t9);
-RWStructuredBuffer<float4> results : register(u0);
+RWTexture2D<uint4> results : register(u0);
 
 struct Output {
   float4 position : SV_Position;
@@ -100,6 +100,6 @@ Output doubles(uint4 p : POSITION) {
 }
 
 Output writes(uint4 p : POSITION) {
-  results[p.x] = p;
+  results[p.xy] = p;
   return (Output)0;
 }

@@ -62,24 +62,38 @@ Buffer ByteAddress(RandomValues& values) {
 
 bool IsBuffer(ObjectKind kind) { return kind == ObjectKind::kBuffer || IsStorageBuffer(kind); }
 
-void RefuseStores(const Program& program) {
-  for (const ExprId id : program.exprs.ids()) {
-    const auto* call = std::get_if<ObjectCall>(&program.exprs[id].node);
-    if (!call || !WritesObject(call->op)) continue;
-    throw DrawError("the shader writes to a texture or buffer, which no test draws with");
-  }
+void RefuseImages(const Program& program) {
   for (const Resource& resource : program.resources) {
     if (!IsImage(ObjectTypeOf(program, resource.var).object)) continue;
-    throw DrawError("the shader reads the image `" + program.vars[resource.var].name +
+    throw DrawError("the shader uses the image `" + program.vars[resource.var].name +
                     "`, which no test draws with");
   }
 }
 
-// Puts the answer to a request into `result`.
-class Reader {
+// The value of an element after an atomic operation on its old value.
+std::uint32_t Combined(ObjectOp op, Scalar kind, std::uint32_t old,
+                       std::span<const std::uint64_t> values) {
+  const std::uint32_t value = UintOf(values.back());
+  const bool is_less = BaseOf(kind) == Scalar::kInt
+                           ? static_cast<std::int32_t>(value) < static_cast<std::int32_t>(old)
+                           : value < old;
+  switch (op) {
+    case ObjectOp::kAtomicAdd: return old + value;
+    case ObjectOp::kAtomicAnd: return old & value;
+    case ObjectOp::kAtomicOr: return old | value;
+    case ObjectOp::kAtomicXor: return old ^ value;
+    case ObjectOp::kAtomicMin: return is_less ? value : old;
+    case ObjectOp::kAtomicMax: return is_less ? old : value;
+    case ObjectOp::kAtomicCompareExchange: return old == UintOf(values.front()) ? value : old;
+    default: return value;
+  }
+}
+
+// Does what a request says, and puts the answer into `result`.
+class Access {
  public:
-  Reader(const Program& program, const Buffer& buffer, const ObjectRequest& request,
-         double undefined, std::span<std::uint64_t> result)
+  Access(const Program& program, Buffer& buffer, const ObjectRequest& request, double undefined,
+         std::span<std::uint64_t> result)
       : program_(program),
         type_(ObjectTypeOf(program, request.object)),
         buffer_(buffer),
@@ -87,12 +101,14 @@ class Reader {
         undefined_(undefined),
         result_(result) {}
 
-  void Read() {
+  void Do() {
+    if (IsAtomic(request_.op)) return Change();
     switch (request_.op) {
       case ObjectOp::kBufferLoad: return Load();
       case ObjectOp::kStructuredLoad: return LoadStructured();
       case ObjectOp::kByteLoad: return LoadWords();
       case ObjectOp::kBufferSize: result_[0] = buffer_.size() / Stride(); return;
+      case ObjectOp::kStore: return IsByteAddress(type_.object) ? StoreWords() : StoreStructured();
       default: throw DrawError("the evaluator asks a buffer for what it does not have");
     }
   }
@@ -119,16 +135,22 @@ class Reader {
     for (std::size_t i = 0; i < result_.size(); ++i) result_[i] = Component(first + 4 * i, kind, i);
   }
 
-  void LoadStructured() {
+  // Calls on_component(kind, byte in the buffer) for the element that the first argument names.
+  template <typename OnComponent>
+  void ForEachInElement(OnComponent&& on_component) {
     const std::uint64_t first = std::uint64_t{UintOf(request_.arguments[0])} * Stride();
-    std::size_t next = 0;
     ForEachComponent(
         program_.types, type_.element, program_.vars[request_.object].row_major, 0,
-        [&](Scalar kind, std::uint32_t byte) {
-          result_[next] = Component(first + byte, kind, next);
-          ++next;
-        },
+        [&](Scalar kind, std::uint32_t byte) { on_component(kind, first + byte); },
         Packing::kStructured);
+  }
+
+  void LoadStructured() {
+    std::size_t next = 0;
+    ForEachInElement([&](Scalar kind, std::uint64_t byte) {
+      result_[next] = Component(byte, kind, next);
+      ++next;
+    });
   }
 
   void LoadWords() {
@@ -137,9 +159,36 @@ class Reader {
       result_[i] = Component(first + 4 * i, Scalar::kUint, i);
   }
 
+  void Store(std::uint64_t byte, Scalar kind, std::uint64_t bits) {
+    const std::uint32_t size = ByteSize(kind);
+    if (byte % 4 == 0 && byte + size <= buffer_.size())
+      Write(buffer_, static_cast<std::uint32_t>(byte), bits, size);
+  }
+
+  void StoreStructured() {
+    std::size_t next = 1;
+    ForEachInElement(
+        [&](Scalar kind, std::uint64_t byte) { Store(byte, kind, request_.arguments[next++]); });
+  }
+
+  void StoreWords() {
+    const std::uint64_t first = UintOf(request_.arguments[0]);
+    for (std::size_t i = 1; i < request_.arguments.size(); ++i)
+      Store(first + 4 * (i - 1), Scalar::kUint, request_.arguments[i]);
+  }
+
+  void Change() {
+    const Scalar kind =
+        IsByteAddress(type_.object) ? Scalar::kUint : ElementKind(program_, request_.object);
+    const std::uint64_t byte = std::uint64_t{UintOf(request_.arguments[0])} * Stride();
+    const auto old = static_cast<std::uint32_t>(Component(byte, kind, 0));
+    if (!result_.empty()) result_[0] = old;
+    Store(byte, kind, Combined(request_.op, kind, old, request_.arguments.subspan(1)));
+  }
+
   const Program& program_;
   const Type& type_;
-  const Buffer& buffer_;
+  Buffer& buffer_;
   const ObjectRequest& request_;
   const double undefined_;
   std::span<std::uint64_t> result_;
@@ -148,7 +197,7 @@ class Reader {
 }  // namespace
 
 Buffers MakeBuffers(const Program& program, RandomValues& values) {
-  RefuseStores(program);
+  RefuseImages(program);
   Buffers buffers;
   for (const Resource& resource : program.resources) {
     const Type& type = ObjectTypeOf(program, resource.var);
@@ -164,13 +213,13 @@ Buffers MakeBuffers(const Program& program, RandomValues& values) {
   return buffers;
 }
 
-void ReadBuffer(const Program& program, const Buffers& buffers, const ObjectRequest& request,
-                double undefined, std::span<std::uint64_t> result) {
-  const std::vector<Buffer>& elements = buffers.at(request.object.index);
-  static const Buffer kNothing;
+void UseBuffer(const Program& program, Buffers& buffers, const ObjectRequest& request,
+               double undefined, std::span<std::uint64_t> result) {
+  std::vector<Buffer>& elements = buffers.at(request.object.index);
+  Buffer nothing;
   const bool exists = request.object_element < elements.size();
-  Reader(program, exists ? elements[request.object_element] : kNothing, request, undefined, result)
-      .Read();
+  Access(program, exists ? elements[request.object_element] : nothing, request, undefined, result)
+      .Do();
 }
 
 void GiveBuffers(const Program& program, const GlslInfo& info, const Buffers& buffers,

@@ -20,15 +20,13 @@ using Buffer = Bytes;
 // By VarId; the elements of an array of buffers, or the only one.
 using Buffers = std::map<std::uint32_t, std::vector<Buffer>>;
 
-// Makes the buffers that `program` declares. Throws DrawError when the shader writes to one or
-// reads an image.
+// Makes the buffers that `program` declares. Throws DrawError when the shader uses an image.
 Buffers MakeBuffers(const ir::Program& program, RandomValues& values);
 
-// Answers a request for one of `buffers`. The result is `undefined` outside of the buffer and at
-// bytes that do not start a word.
-void ReadBuffer(const ir::Program& program, const Buffers& buffers,
-                const ir::ObjectRequest& request, double undefined,
-                std::span<std::uint64_t> result);
+// Answers a request for one of `buffers`, which a store or an atomic operation changes. Outside of
+// the buffer and at bytes that do not start a word, the result is `undefined` and a store is lost.
+void UseBuffer(const ir::Program& program, Buffers& buffers, const ir::ObjectRequest& request,
+               double undefined, std::span<std::uint64_t> result);
 
 // Adds the buffers to `inputs`, under the names that the written shader gives them.
 void GiveBuffers(const ir::Program& program, const GlslInfo& info, const Buffers& buffers,

@@ -11,6 +11,7 @@
 #include "tools/draw/opengl/passes.h"
 #include "tools/draw/opengl/picture.h"
 #include "tools/draw/opengl/program.h"
+#include "tools/draw/vulkan/machine_code.h"
 #include "tools/draw/vulkan/pair.h"
 #include "tools/draw/vulkan/run.h"
 #include "tools/draw/vulkan/spirv.h"
@@ -171,11 +172,16 @@ int RunPasses(const Arguments& arguments) {
 }
 
 int RunMachineCode(const Arguments& arguments) try {
-  for (const std::string& path : Parse(arguments, {})) {
-    const vulkan::MachineCode code = vulkan::MachineCodeOf(vulkan::SpirvOfBytes(ReadFile(path)));
-    std::printf("%s %ju %ju\n", path.c_str(), code.instructions, code.cycles);
-  }
-  return 0;
+  const vulkan::CodeCounter counter;
+  int status = 0;
+  for (const std::string& path : Parse(arguments, {})) try {
+      const vulkan::MachineCode code = counter.Count(vulkan::SpirvOfBytes(ReadFile(path)));
+      std::printf("%s %ju %ju\n", path.c_str(), code.instructions, code.cycles);
+    } catch (const DrawError& error) {
+      std::fprintf(stderr, "%s: %s\n", path.c_str(), error.what());
+      status = 2;
+    }
+  return status;
 } catch (const vulkan::NoDevice& error) {
   std::fprintf(stderr, "clipc-draw: %s\n", error.what());
   return 77;

@@ -264,7 +264,19 @@ TEST_F(Compare, WhatLiesOutsideIsOpen) {
   EXPECT_LT(open(5000, "vs_COLOR0"), 20) << "only what is near a border between texels";
 }
 
-TEST_F(Compare, StoresAndImagesAreRefused) {
+TEST_F(Compare, MistakesWithAtomicOperationsAreSeen) {
+  std::ofstream(objects_path_) << "RWStructuredBuffer<int> b; float4 main(uint i : SV_VertexID) : "
+                                  "SV_Position { int old; InterlockedMin(b[i], -3, old); "
+                                  "InterlockedAdd(b[i], 5); return float4(old, b[i], 0, 1); }";
+  const BuildOptions options = Objects();
+  ASSERT_EQ(Run(options).wrong, 0);
+  EXPECT_GT(Run(options, "atomicMin/atomicMax").wrong, 0) << "another operation";
+  EXPECT_GT(Run(options, ", 5)/, 6)").wrong, 0) << "another value";
+  EXPECT_GT(Run(options, "old = atomic/old = -3; atomic").wrong, 0) << "the value before it";
+  std::ofstream(objects_path_) << kObjects;
+}
+
+TEST_F(Compare, ImagesAreRefused) {
   const auto refusal = [](const char* text) -> std::string {
     std::ofstream(objects_path_) << text;
     try {
@@ -275,12 +287,9 @@ TEST_F(Compare, StoresAndImagesAreRefused) {
     }
     return "";
   };
-  EXPECT_EQ(refusal("RWByteAddressBuffer b; float4 main(uint i : I) : SV_Position { b.Store(4 * i, "
-                    "i); return i; }"),
-            "the shader writes to a texture or buffer, which no test draws with");
   EXPECT_EQ(
       refusal("RWTexture2D<float4> t; float4 main(uint2 i : I) : SV_Position { return t[i]; }"),
-      "the shader reads the image `t`, which no test draws with");
+      "the shader uses the image `t`, which no test draws with");
   EXPECT_EQ(
       refusal(
           "Texture2DMS<float4> t; float4 main(uint2 i : I) : SV_Position { return t.Load(i, 0); }"),

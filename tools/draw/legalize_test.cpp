@@ -16,11 +16,12 @@ namespace {
 
 std::vector<ir::IoBits> Outputs(const ir::Program& program, const RandomInputs& inputs,
                                 std::size_t vertex) {
-  const auto read = [&](const ir::ObjectRequest& request, std::span<std::uint64_t> result) {
-    inputs.ReadObject(program, request, 0, result);
+  Buffers buffers = inputs.buffers;
+  const auto use = [&](const ir::ObjectRequest& request, std::span<std::uint64_t> result) {
+    inputs.UseObject(program, buffers, request, 0, result);
   };
   const ir::EvalResult result =
-      ir::RunMain(program, {inputs.vertices[vertex], inputs.cbuffers, read});
+      ir::RunMain(program, {inputs.vertices[vertex], inputs.cbuffers, use});
   EXPECT_TRUE(result) << result.error;
   return result.outputs.values;
 }

@@ -72,12 +72,12 @@ RandomInputs MakeRandomInputs(const Program& program, const RandomOptions& optio
   return inputs;
 }
 
-void RandomInputs::ReadObject(const Program& program, const ObjectRequest& request,
-                              double undefined, std::span<std::uint64_t> result) const {
+void RandomInputs::UseObject(const Program& program, Buffers& own, const ObjectRequest& request,
+                             double undefined, std::span<std::uint64_t> result) const {
   if (textures.contains(request.object.index))
     return ReadTexture(program, textures, request, undefined, result);
-  if (buffers.contains(request.object.index))
-    return ReadBuffer(program, buffers, request, undefined, result);
+  if (own.contains(request.object.index))
+    return UseBuffer(program, own, request, undefined, result);
   // After the end of an array of objects.
   for (std::size_t i = 0; i < result.size(); ++i)
     result[i] = UndefinedBits(request, undefined, Scalar::kFloat, i);

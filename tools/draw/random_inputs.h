@@ -19,9 +19,10 @@ struct RandomInputs {
   Textures textures;
   Buffers buffers;
 
-  // Answers the evaluator's read_object for `program`.
-  void ReadObject(const ir::Program& program, const ir::ObjectRequest& request, double undefined,
-                  std::span<std::uint64_t> result) const;
+  // Answers the evaluator's read_object for `program`, and changes `own`, a vertex's copy of the
+  // buffers: what a vertex writes no other may read, for nothing says which of them is first.
+  void UseObject(const ir::Program& program, Buffers& own, const ir::ObjectRequest& request,
+                 double undefined, std::span<std::uint64_t> result) const;
 };
 
 // Makes the inputs of one draw call. RandomInputs::vertices has instance after instance, each with

@@ -29,11 +29,13 @@ struct Runs {
 Runs RunAll(const Program& program, const RandomInputs& inputs, double undefined) {
   Runs runs;
   for (const std::vector<IoBits>& vertex : inputs.vertices) {
-    const auto read = [&](const ObjectRequest& request, std::span<std::uint64_t> result) {
-      inputs.ReadObject(program, request, undefined, result);
+    Buffers buffers;
+    const auto use = [&](const ObjectRequest& request, std::span<std::uint64_t> result) {
+      inputs.UseObject(program, buffers, request, undefined, result);
     };
-    const EvalInputs values{vertex, inputs.cbuffers, read};
+    const EvalInputs values{vertex, inputs.cbuffers, use};
     for (const bool in_double : {false, true}) {
+      buffers = inputs.buffers;
       EvalResult result =
           RunMain(program, values, {.in_double = in_double, .undefined = undefined});
       if (!result) throw EvaluatorStops("the reference evaluator stops: " + result.error);

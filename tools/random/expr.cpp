@@ -28,7 +28,11 @@ Expr MakeLiteral(Context& context, Kind kind, Shape shape) {
     switch (kind) {
       case Kind::kFloat: return Literal(kind, context.choices.OneOf(kFloats));
       case Kind::kInt: return Literal(kind, context.choices.OneOf(kInts));
-      case Kind::kUint: return Literal(kind, context.choices.Below(9));
+      case Kind::kUint: {
+        const bool is_wild = context.Has(Feature::kWildInts) && context.choices.Chance(10);
+        return Literal(kind,
+                       is_wild ? 0xffffffff - context.choices.Below(9) : context.choices.Below(9));
+      }
       case Kind::kBool: return Literal(kind, context.choices.Below(2));
     }
     return Expr{};
@@ -161,11 +165,11 @@ Expr MakeBoolOperation(Context& context, Shape shape, int depth) {
                                      {"<=", Level::kRelation},   {">=", Level::kRelation},
                                      {"==", Level::kEquality},   {"!=", Level::kEquality},
                                      {"&&", Level::kLogicalAnd}, {"||", Level::kLogicalOr}};
-  const std::size_t choice = context.choices.Pick({2, 2, 2, 2, 2, 2, 2, 2});
+  const std::size_t choice = context.choices.Pick({2, 2, 2, 2, 2, 2, 4, 4});
   if (choice >= 6) {
     const Expr a = MakeExpr(context, Kind::kBool, shape, depth - 1);
     const Expr b =
-        depth > 1 && MayHaveEffects(context) && context.choices.Chance(20)
+        depth > 0 && MayHaveEffects(context) && context.choices.Chance(50)
             ? Convert(context, MakeEffect(context, Kind::kInt, shape, depth - 1), Kind::kBool)
             : MakeExpr(context, Kind::kBool, shape, depth - 1);
     return Binary(a, kOperators[choice], b, Kind::kBool, shape, {0, 1});
@@ -185,7 +189,11 @@ Expr MakeOperation(Context& context, Kind kind, Shape shape, int depth) {
 }
 
 Expr MakeUnary(Context& context, Kind kind, Shape shape, int depth) {
-  const Expr a = MakeExpr(context, kind, shape, depth - 1);
+  // The bits of a negative number, which GLSL 1.20 writes as one.
+  const bool is_high =
+      kind == Kind::kUint && context.Has(Feature::kWildInts) && context.choices.Chance(10);
+  const Expr a = is_high ? Reshape(context, Literal(kind, 0xfffffffe), shape)
+                         : MakeExpr(context, kind, shape, depth - 1);
   if (kind == Kind::kBool) return {"!" + At(a, Level::kUnary), Level::kUnary, kind, shape, a.range};
   const bool inverts = IsInteger(kind) && context.choices.Chance(40);
   const std::string operand = At(a, Level::kUnary);
@@ -321,7 +329,7 @@ Expr MakeIndex(Context& context, int count, int depth) {
     return Literal(Kind::kInt, context.choices.Below(static_cast<std::uint32_t>(count)));
   const Kind kind = context.choices.Chance(40) ? Kind::kUint : Kind::kInt;
   const Range range{0, static_cast<double>(count - 1)};
-  if (depth > 0 && MayHaveEffects(context) && context.choices.Chance(20))
+  if (depth > 0 && MayHaveEffects(context) && context.choices.Chance(40))
     return Fit(context, MakeEffect(context, kind, kScalar, depth), range);
   return MakeIn(context, kind, kScalar, range, depth);
 }

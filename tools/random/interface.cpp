@@ -6,7 +6,7 @@
 namespace clipc::random {
 namespace {
 
-constexpr int kMostInputs = 10;   // vectors
+constexpr int kMostInputs = 12;   // vectors
 constexpr int kMostOutputs = 12;  // vectors
 
 // Returns the number of vectors of a signature that a value of the type takes.
@@ -57,9 +57,9 @@ EntryInputs MakeInputs(Context& context, bool keeps) {
   context.Add({"position", {Kind::kFloat, {0, 4}}, !keeps, Holds::kInput});
   int left = kMostInputs;
   Struct structure{"Inputs" + std::to_string(context.names++), {}};
-  // How likely an input is a field: of many, each may be read or not.
+  // The chance of an input to be a field: a struct with many may have some that nothing reads.
   const std::uint32_t fields_percent = context.choices.Chance(50) ? 90 : 40;
-  Repeat(context.choices, 4, 60, [&](int i) {
+  Repeat(context.choices, 5, 70, [&](int i) {
     Type type{static_cast<Kind>(context.choices.Pick({4, 3, 2, 1})), {0, 4}};
     type.shape = MakeShape(context);
     if (context.choices.Chance(15)) type.sizes.push_back(context.choices.Between(1, 3));

@@ -162,8 +162,8 @@ Expr Convert(Context& context, Expr value, Kind kind) {
   const Kind from = value.kind;
   if (from == kind) return value;
   const bool to_integer = kind == Kind::kInt || kind == Kind::kUint;
-  if (from == Kind::kFloat && to_integer && context.Has(Feature::kUndefinedConversions) &&
-      context.choices.Chance(40)) {
+  if (from == Kind::kFloat && to_integer && context.model < 60 &&
+      context.Has(Feature::kWideConversions) && context.choices.Chance(10)) {
     value.text = At(value, Level::kProduct) + " * 1073741824.0";
     value.level = Level::kProduct;
     Expr wild = Cast(context, value, kind, value.shape);

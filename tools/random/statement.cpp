@@ -75,7 +75,7 @@ std::string MakeCompound(Context& context, int indent) {
   }
   constexpr const char* kOperators[] = {
       " += ", " -= ", " *= ", " &= ", " |= ", " ^= ", " /= ", " %= ", " <<= ", " >>= "};
-  const std::size_t choice = context.choices.Pick({3, 2, 2, 2, 2, 2, 1, 1, 1, 1});
+  const std::size_t choice = context.choices.Pick({3, 2, 2, 2, 2, 2, 1, 4, 1, 1});
   const bool divides = choice == 6 || choice == 7;
   Expr value = divides ? MakeIn(context, kind, shape, {0, 7}, kDepth)
                        : MakeExpr(context, kind, shape, kDepth);
@@ -86,12 +86,18 @@ std::string MakeCompound(Context& context, int indent) {
   return Line(indent, place.text + kOperators[choice] + Argument(value)) + fit(Wild(kind));
 }
 
+// An increment, and often a variable for its value.
 std::string MakeIncrement(Context& context, int indent) {
   const Kind kind = context.choices.Chance(50) ? Kind::kInt : Kind::kUint;
   const Place place = MakePlace(context, kind, true, 1);
   if (!place.found || !IsWild(place)) return MakeAssignment(context, indent);
   const char* sign = context.choices.Chance(50) ? "++" : "--";
-  return Line(indent, context.choices.Chance(50) ? sign + place.text : place.text + sign);
+  const std::string text = context.choices.Chance(50) ? sign + place.text : place.text + sign;
+  if (context.choices.Chance(40)) return Line(indent, text);
+  const Type type{kind, place.shape};
+  const std::string name = context.FreshName("v");
+  context.Add({name, type, true, Holds::kWild});
+  return Line(indent, Declaration(context.structs, type, name) + " = " + text);
 }
 
 std::string MakeDeclaration(Context& context, int indent) {
@@ -249,7 +255,7 @@ std::string MakeStatement(Context& context, int indent, int depth) {
   const std::uint32_t nest = nests ? 2 : 0, loop = loops ? 2 : 0;
   const bool may_jump = nests && context.scopes.size() > 2;
   switch (context.choices.Pick(
-      {6, 6, 4, nest, loop, loop / 2, nest / 2, 2, may_jump ? 1u : 0u, nest / 2, 1, 1, 1})) {
+      {6, 6, 4, nest, loop, loop / 2, nest / 2, 2, may_jump ? 1u : 0u, nest / 2, 2, 1, 1})) {
     case 0: return MakeAssignment(context, indent);
     case 1: return MakeDeclaration(context, indent);
     case 2: return MakeCompound(context, indent);

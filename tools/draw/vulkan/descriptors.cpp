@@ -4,8 +4,6 @@
 #include <algorithm>
 
 namespace clipc::draw::vulkan {
-namespace {
-
 vk::DescriptorType TypeOf(DescriptorKind kind) {
   switch (kind) {
     case DescriptorKind::kUniforms: return vk::DescriptorType::eUniformBuffer;
@@ -17,8 +15,6 @@ vk::DescriptorType TypeOf(DescriptorKind kind) {
   }
   return {};
 }
-
-}  // namespace
 
 Descriptors::Descriptors(const Device& device, const DrawCall& call) : device_(device) {
   MakeLayouts(call);

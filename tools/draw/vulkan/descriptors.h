@@ -8,6 +8,8 @@
 
 namespace clipc::draw::vulkan {
 
+vk::DescriptorType TypeOf(DescriptorKind kind);
+
 // The descriptor sets of a draw call and the objects that they point to.
 class Descriptors {
  public:

@@ -37,7 +37,7 @@ Spirv Translate(glslang::TShader& shader, glslang::TShader::Includer& includer,
   options.disableOptimizer = !optimize;
   Spirv spirv;
   spv::SpvBuildLogger logger;
-  glslang::GlslangToSpv(*program.getIntermediate(EShLangVertex), spirv, &logger, &options);
+  glslang::GlslangToSpv(*program.getIntermediate(shader.getStage()), spirv, &logger, &options);
   if (spirv.empty()) throw Error("glslang makes no SPIR-V:\n" + logger.getAllMessages());
   return spirv;
 }
@@ -62,13 +62,14 @@ void Validate(const Spirv& spirv) {
 
 }  // namespace
 
-Spirv SpirvOfGlsl(const std::string& glsl) {
+Spirv SpirvOfGlsl(const std::string& glsl, ShaderStage stage) {
   InitializeOnce();
-  glslang::TShader shader(EShLangVertex);
+  const EShLanguage language = stage == ShaderStage::kVertex ? EShLangVertex : EShLangFragment;
+  glslang::TShader shader(language);
   const char *text = glsl.c_str(), *name = "";
   const int length = static_cast<int>(glsl.size());
   SetText(shader, &text, &length, &name);
-  shader.setEnvInput(glslang::EShSourceGlsl, EShLangVertex, glslang::EShClientVulkan, 100);
+  shader.setEnvInput(glslang::EShSourceGlsl, language, glslang::EShClientVulkan, 100);
   shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_1);
   shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_3);
   glslang::TShader::ForbidIncluder includer;

@@ -4,14 +4,15 @@
 #include <string>
 #include <vector>
 
+#include "compiler/validate.h"
 #include "tools/draw/inputs.h"
 #include "tools/draw/vulkan/spirv.h"
 
-// Vertex shaders to SPIR-V, by glslang.
+// Shaders to SPIR-V, by glslang.
 namespace clipc::draw::vulkan {
 
 // Compiles GLSL for Vulkan. Throws DrawError where glslang refuses it.
-Spirv SpirvOfGlsl(const std::string& glsl);
+Spirv SpirvOfGlsl(const std::string& glsl, ShaderStage stage = ShaderStage::kVertex);
 
 struct HlslSource {
   std::string path, text, entry = "main";

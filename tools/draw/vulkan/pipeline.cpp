@@ -21,6 +21,10 @@ vk::Format FormatOf(WordKind kind, std::size_t components) {
 
 }  // namespace
 
+vk::Format FormatOf(const Shape& shape) {
+  return FormatOf(shape.kind, static_cast<std::size_t>(shape.rows));
+}
+
 Attributes UploadAttributes(const Device& device, const DrawCall& call) {
   Attributes made;
   for (const DrawCall::Attribute& attribute : call.attributes) {
@@ -46,7 +50,6 @@ vk::raii::Pipeline MakePipeline(const vk::raii::Device& device, const PipelineSh
                                 const Attributes& attributes,
                                 const vk::raii::PipelineLayout& layout) {
   const bool draws = shaders.end != PipelineEnd::kCapture;
-  const bool has_picture = shaders.end == PipelineEnd::kPicture;
   std::vector<vk::raii::ShaderModule> modules;
   std::vector<std::string> entries;
   const auto add = [&](const Spirv& spirv) {
@@ -54,7 +57,7 @@ vk::raii::Pipeline MakePipeline(const vk::raii::Device& device, const PipelineSh
     entries.push_back(EntryPointOf(spirv));
   };
   add(shaders.vertex);
-  if (has_picture) add(shaders.fragment);
+  if (draws) add(shaders.fragment);
   std::vector<vk::PipelineShaderStageCreateInfo> stages;
   constexpr vk::ShaderStageFlagBits kStages[] = {vk::ShaderStageFlagBits::eVertex,
                                                  vk::ShaderStageFlagBits::eFragment};
@@ -76,7 +79,7 @@ vk::raii::Pipeline MakePipeline(const vk::raii::Device& device, const PipelineSh
   const vk::PipelineColorBlendStateCreateInfo blending({}, false, {}, colors);
   const vk::Format format = vk::Format::eR32G32B32A32Sfloat;
   vk::PipelineRenderingCreateInfo rendering;
-  if (has_picture) rendering.setColorAttachmentFormats(format);
+  if (draws) rendering.setColorAttachmentFormats(format);
   vk::GraphicsPipelineCreateInfo info;
   info.pNext = &rendering;
   info.setStages(stages);
@@ -85,7 +88,7 @@ vk::raii::Pipeline MakePipeline(const vk::raii::Device& device, const PipelineSh
   info.pViewportState = &viewport;
   info.pRasterizationState = &rasterization;
   info.pMultisampleState = &samples;
-  if (has_picture) info.pColorBlendState = &blending;
+  if (draws) info.pColorBlendState = &blending;
   info.layout = *layout;
   if (shaders.end == PipelineEnd::kStatistics)
     info.flags = vk::PipelineCreateFlagBits::eCaptureStatisticsKHR;

@@ -15,19 +15,21 @@ struct Attributes {
   std::vector<vk::VertexInputAttributeDescription> places;
   std::vector<Buffer> buffers;
 };
+// Of one location.
+vk::Format FormatOf(const Shape& shape);
 Attributes UploadAttributes(const Device& device, const DrawCall& call);
 void BindAttributes(const vk::raii::CommandBuffer& commands, const Attributes& attributes);
 
 // The stage that a pipeline ends with.
 enum class PipelineEnd : std::uint8_t {
   kCapture,     // points are captured and drawn nowhere
-  kStatistics,  // triangles are drawn without a fragment shader; the driver tells of its code
   kPicture,     // triangles are drawn into a target of MakeTarget, kPairSize wide
+  kStatistics,  // the same, and the driver tells of its code
 };
 
 struct PipelineShaders {
   Spirv vertex;
-  Spirv fragment = {};  // of kPicture
+  Spirv fragment = {};  // of all but kCapture
   PipelineEnd end = PipelineEnd::kCapture;
 };
 vk::raii::Pipeline MakePipeline(const vk::raii::Device& device, const PipelineShaders& shaders,

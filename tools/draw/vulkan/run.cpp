@@ -152,30 +152,4 @@ std::vector<Captured> Runner::Capture(const Spirv& vertex, std::span<const Outpu
   }
 }
 
-MachineCode MachineCodeOf(const Spirv& vertex) {
-  const Device device(VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME, false);
-  const vk::DescriptorSetLayoutBinding uniforms(0, vk::DescriptorType::eUniformBuffer, 1,
-                                                vk::ShaderStageFlagBits::eVertex);
-  const vk::raii::DescriptorSetLayout set(device.get(),
-                                          vk::DescriptorSetLayoutCreateInfo({}, uniforms));
-  const vk::raii::PipelineLayout layout(device.get(), vk::PipelineLayoutCreateInfo({}, *set));
-  const Attributes attributes{
-      {{0, 28}},
-      {{0, 0, vk::Format::eR32G32B32A32Sfloat, 0}, {1, 0, vk::Format::eR32G32B32Sfloat, 16}},
-      {}};
-  const vk::raii::Pipeline pipeline = MakePipeline(
-      device.get(), {.vertex = vertex, .end = PipelineEnd::kStatistics}, attributes, layout);
-  // The first executable is the vertex shader.
-  const auto all =
-      device.get().getPipelineExecutableStatisticsKHR(vk::PipelineExecutableInfoKHR(*pipeline, 0));
-  const auto number = [&](std::string_view name) {
-    const auto found = std::ranges::find_if(all, [&](const auto& statistic) {
-      return name == static_cast<const char*>(statistic.name);
-    });
-    if (found == all.end()) throw DrawError("the Vulkan device counts no instructions");
-    return found->value.u64;
-  };
-  return {number("Instructions"), number("Inverse Throughput")};
-}
-
 }  // namespace clipc::draw::vulkan

@@ -59,12 +59,4 @@ class Runner {
   std::unique_ptr<Device> device_;
 };
 
-// The size of the machine code that the first Vulkan device which tells of it makes of a vertex
-// shader that reads two attributes (vec4, vec3) and the uniform buffer 0. Throws NoDevice.
-struct MachineCode {
-  std::uintmax_t instructions;
-  std::uintmax_t cycles;  // that a multiprocessor needs for one wave: the inverse throughput
-};
-MachineCode MachineCodeOf(const Spirv& vertex);
-
 }  // namespace clipc::draw::vulkan

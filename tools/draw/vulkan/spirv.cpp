@@ -100,10 +100,11 @@ Reads ReflectReads(const Compiler& compiler) {
     for (const Resource& resource : list) {
       const std::string variable = compiler.get_name(resource.id);
       const SPIRType& type = compiler.get_type(resource.type_id);
-      Reads::Binding& binding = reads.bindings.emplace_back(Reads::Binding{
-          variable.empty() ? compiler.get_name(resource.base_type_id) : variable,
-          compiler.get_decoration(resource.id, spv::DecorationDescriptorSet),
-          compiler.get_decoration(resource.id, spv::DecorationBinding), kind, !type.array.empty()});
+      Reads::Binding& binding = reads.bindings.emplace_back(
+          Reads::Binding{variable.empty() ? compiler.get_name(resource.base_type_id) : variable,
+                         compiler.get_decoration(resource.id, spv::DecorationDescriptorSet),
+                         compiler.get_decoration(resource.id, spv::DecorationBinding), kind,
+                         !type.array.empty(), static_cast<std::uint32_t>(CountOf(type))});
       if (kind == DescriptorKind::kUniforms)
         binding.bytes = compiler.get_declared_struct_size(compiler.get_type(resource.base_type_id));
       if (type.basetype != SPIRType::Struct && type.image.dim == spv::DimBuffer)

@@ -47,7 +47,8 @@ struct Reads {
     std::uint32_t set, binding;
     DescriptorKind kind;
     bool is_array = false;
-    std::size_t bytes = 0;  // of kUniforms
+    std::uint32_t elements = 1;  // of all dimensions; 0: an array without a size
+    std::size_t bytes = 0;       // of kUniforms
   };
   struct Attribute {
     std::string name, semantic;  // as those of an output

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "tools/draw/vulkan/machine_code.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "tools/draw/vulkan/descriptors.h"
+#include "tools/draw/vulkan/device.h"
+#include "tools/draw/vulkan/glslang.h"
+#include "tools/draw/vulkan/pipeline.h"
+
+namespace clipc::draw::vulkan {
+namespace {
+
+// The number of elements that an array without a size gets.
+constexpr std::uint32_t kManyElements = 16;
+// Every Vulkan has as many bytes of push constants at least.
+constexpr std::uint32_t kPushedBytes = 128;
+
+Attributes AttributesOf(const Reads& reads) {
+  Attributes attributes;
+  std::uint32_t offset = 0;
+  for (const Reads::Attribute& read : reads.attributes) {
+    for (std::uint32_t at = read.location; at < read.location + read.locations; ++at) {
+      attributes.places.emplace_back(at, 0, FormatOf(read.shape), offset);
+      offset += 4 * static_cast<std::uint32_t>(read.shape.rows);
+    }
+  }
+  if (offset > 0) attributes.bindings.emplace_back(0, offset);
+  return attributes;
+}
+
+std::vector<vk::raii::DescriptorSetLayout> LayoutsOf(const Device& device, const Reads& reads) {
+  std::map<std::uint32_t, std::map<std::uint32_t, vk::DescriptorSetLayoutBinding>> sets;
+  for (const Reads::Binding& read : reads.bindings) {
+    sets[read.set].try_emplace(read.binding, read.binding, TypeOf(read.kind),
+                               read.elements > 0 ? read.elements : kManyElements,
+                               vk::ShaderStageFlagBits::eVertex);
+  }
+  std::vector<vk::raii::DescriptorSetLayout> layouts;
+  for (std::uint32_t set = 0; !sets.empty() && set <= sets.rbegin()->first; ++set) {
+    std::vector<vk::DescriptorSetLayoutBinding> bindings;
+    for (const auto& [number, binding] : sets[set]) bindings.push_back(binding);
+    layouts.emplace_back(device.get(), vk::DescriptorSetLayoutCreateInfo({}, bindings));
+  }
+  return layouts;
+}
+
+// The GLSL type of one element, `vec3` or `mat4x3`.
+std::string GlslTypeOf(const Shape& shape) {
+  constexpr const char* kScalars[] = {"float", "int", "uint"};
+  constexpr const char* kVectors[] = {"vec", "ivec", "uvec"};
+  const auto kind = static_cast<int>(shape.kind);
+  if (shape.columns > 1)
+    return "mat" + std::to_string(shape.columns) + "x" + std::to_string(shape.rows);
+  return shape.rows == 1 ? kScalars[kind] : kVectors[kind] + std::to_string(shape.rows);
+}
+
+// A fragment shader that adds up all that the vertex shader gives to it.
+Spirv ReaderOf(const std::vector<Output>& outputs) {
+  std::string inputs, sum;
+  for (const Output& output : outputs) {
+    if (!output.location) continue;
+    const std::string name = "i" + std::to_string(inputs.size());
+    inputs += "layout(location = " + std::to_string(*output.location) + ") ";
+    if (output.shape.kind != WordKind::kFloat) inputs += "flat ";
+    inputs += "in " + GlslTypeOf(output.shape) + " " + name;
+    if (output.count > 1) inputs += "[" + std::to_string(output.count) + "]";
+    inputs += ";\n";
+    for (int i = 0; i < output.count; ++i) {
+      const std::string element = output.count > 1 ? name + "[" + std::to_string(i) + "]" : name;
+      for (int column = 0; column < output.shape.columns; ++column) {
+        const std::string vector =
+            output.shape.columns > 1 ? element + "[" + std::to_string(column) + "]" : element;
+        for (int row = 0; row < output.shape.rows; ++row) {
+          const std::string component =
+              output.shape.rows > 1 ? vector + "[" + std::to_string(row) + "]" : vector;
+          sum += "  color += float(" + component + ");\n";
+        }
+      }
+    }
+  }
+  return SpirvOfGlsl("#version 450\n" + inputs +
+                         "layout(location = 0) out vec4 color;\nvoid main() {\n"
+                         "  color = vec4(0.0);\n" +
+                         sum + "}\n",
+                     ShaderStage::kFragment);
+}
+
+}  // namespace
+
+CodeCounter::CodeCounter()
+    : device_(
+          std::make_unique<Device>(VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME, false)) {}
+CodeCounter::~CodeCounter() = default;
+
+MachineCode CodeCounter::Count(const Spirv& vertex) const try {
+  const vk::raii::Device& device = device_->get();
+  const Reads reads = ReadsOf(vertex);
+  const std::vector<vk::raii::DescriptorSetLayout> sets = LayoutsOf(*device_, reads);
+  std::vector<vk::DescriptorSetLayout> layouts;
+  for (const vk::raii::DescriptorSetLayout& set : sets) layouts.push_back(*set);
+  const vk::PushConstantRange pushed(vk::ShaderStageFlagBits::eVertex, 0, kPushedBytes);
+  const vk::raii::PipelineLayout layout(device, vk::PipelineLayoutCreateInfo({}, layouts, pushed));
+  const vk::raii::Pipeline pipeline =
+      MakePipeline(device, {vertex, ReaderOf(OutputsOf(vertex)), PipelineEnd::kStatistics},
+                   AttributesOf(reads), layout);
+  // The first executable is the vertex shader.
+  const auto all =
+      device.getPipelineExecutableStatisticsKHR(vk::PipelineExecutableInfoKHR(*pipeline, 0));
+  const auto number = [&](std::string_view name) {
+    const auto found = std::ranges::find_if(all, [&](const auto& statistic) {
+      return name == static_cast<const char*>(statistic.name);
+    });
+    if (found == all.end()) throw DrawError("the Vulkan device counts no instructions");
+    return found->value.u64;
+  };
+  return {number("Instructions"), number("Inverse Throughput")};
+} catch (const vk::Error& error) {
+  throw DrawError(std::string("Vulkan refuses the shader: ") + error.what());
+}
+
+}  // namespace clipc::draw::vulkan

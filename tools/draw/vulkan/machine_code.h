@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "tools/draw/vulkan/spirv.h"
+
+namespace clipc::draw::vulkan {
+
+class Device;
+
+// The size and the speed of the code that a Vulkan driver compiles a vertex shader to.
+struct MachineCode {
+  std::uintmax_t instructions;
+  std::uintmax_t cycles;  // that a multiprocessor needs for one wave: the inverse throughput
+};
+
+// Counts the machine code of vertex shaders, by the first Vulkan device that tells of it. The
+// attributes of a shader lie one after another in one buffer, each with the components that the
+// shader declares; a fragment shader reads every output, so that none is left out. Nothing is
+// drawn.
+class CodeCounter {
+ public:
+  // Throws NoDevice.
+  CodeCounter();
+  ~CodeCounter();
+
+  // Throws DrawError where SPIRV-Cross or the driver cannot read the shader.
+  MachineCode Count(const Spirv& vertex) const;
+
+ private:
+  std::unique_ptr<Device> device_;
+};
+
+}  // namespace clipc::draw::vulkan
