@@ -41,19 +41,27 @@ void CheckMembers(const Json& object, const std::string& where,
   }
 }
 
-// A text or a list of texts; `otherwise` where there is no such member.
-Texts TextsIn(const Json& object, const char* name, const std::string& where, Texts otherwise) {
+// A text or a list of texts; empty where there is no such member.
+Texts TextsIn(const Json& object, const char* name, const std::string& where) {
   const auto found = object.find(name);
-  if (found == object.end()) return otherwise;
+  if (found == object.end()) return {};
   const std::string here = fmt::format("{}.{}", where, name);
   if (found->is_string()) return {found->get<std::string>()};
-  if (!found->is_array() || found->empty()) Refuse(here, "is not a text, nor a list of texts");
+  if (!found->is_array()) Refuse(here, "is not a text, nor a list of texts");
   Texts texts;
   for (const Json& element : *found) {
     if (!element.is_string()) Refuse(here, "has an element that is not a text");
     texts.push_back(element.get<std::string>());
   }
   return texts;
+}
+
+// Texts of which one is chosen for each shader.
+Texts ChoicesIn(const Json& object, const char* name, const std::string& where) {
+  Texts choices = TextsIn(object, name, where);
+  if (choices.empty() && object.contains(name))
+    Refuse(fmt::format("{}.{}", where, name), "is a list of nothing to choose from");
+  return choices;
 }
 
 std::optional<std::string> MacroValue(const Json& value, const std::string& where) {
@@ -103,7 +111,7 @@ class Reader {
     constexpr std::string_view kMembers[] = {"version", "options", "shaders"};
     CheckMembers(manifest, "the manifest", kMembers);
     if (manifest.value("version", Json()) != 1) Refuse("version", "is not 1");
-    for (const std::string& option : TextsIn(manifest, "options", "the manifest", {}))
+    for (const std::string& option : TextsIn(manifest, "options", "the manifest"))
       arguments_.push_back(option);
     const auto shaders = manifest.find("shaders");
     if (shaders == manifest.end() || !shaders->is_array() || shaders->empty())
@@ -118,14 +126,14 @@ class Reader {
     constexpr std::string_view kMembers[] = {"source", "name",    "entry",   "profile",
                                              "target", "defines", "options", "variants"};
     CheckMembers(shader, where, kMembers);
-    const Texts sources = TextsIn(shader, "source", where, {});
+    const Texts sources = ChoicesIn(shader, "source", where);
     if (sources.empty()) Refuse(where, "has no `source`");
-    const Texts names = TextsIn(shader, "name", where, {});
+    const Texts names = ChoicesIn(shader, "name", where);
     if (names.size() > 1 || (names.size() == 1 && sources.size() > 1))
       Refuse(where + ".name", "is not one text for one source");
     if (!names.empty() && (names[0].empty() || HasSlash(names[0])))
       Refuse(where + ".name", "is not the name of a file");
-    Texts words = TextsIn(shader, "options", where, {});
+    Texts words = TextsIn(shader, "options", where);
     for (std::string& word : VariantsIn(shader, where)) words.push_back(std::move(word));
     for (const std::string& source : sources) {
       if (source.empty() || source == "-" || EndsWithSlash(source))
@@ -145,7 +153,7 @@ class Reader {
         {"entry", "-E"}, {"profile", "-T"}, {"target", "--target"}};
     if (at == std::size(kChoices)) return Add(where, words, std::move(group));
     const auto& [member, option] = kChoices[at];
-    const Texts values = TextsIn(shader, member, where, {});
+    const Texts values = ChoicesIn(shader, member, where);
     if (values.empty()) return Choose(shader, where, words, std::move(group), at + 1);
     for (const std::string& value : values) {
       Texts more = words;

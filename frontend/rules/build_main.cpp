@@ -430,8 +430,12 @@ class MainBuilder {
                                        direction, program_.profile, position_);
     const bool is_input = direction == Direction::kInput;
     if (value.use == SystemValue::Use::kRefused) {
-      diagnostics_.Report(leaf.span, diag::SemanticNotForStage, leaf.cursor.semantic.name,
-                          is_input ? "input" : "output");
+      const std::string_view near = NearSystemValue(leaf.cursor.semantic.name, direction);
+      Diagnostic& report = diagnostics_.Report(
+          leaf.span, diag::SemanticNotForStage, leaf.cursor.semantic.name,
+          is_input ? "input" : "output",
+          near.empty() ? std::string() : fmt::format("; did you mean `{}`?", near));
+      if (!near.empty()) report.Fix(leaf.span, std::string(near));
     } else if (!program_.profile.IsAtLeast(value.major, value.minor)) {
       diagnostics_.Report(leaf.span, diag::ProfileNeededForSemantic, leaf.cursor.semantic.name,
                           fmt::format("vs_{}_{}", value.major, value.minor), program_.profile.name);

@@ -2,6 +2,7 @@
 #include "frontend/rules/semantics.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "base/spelling.h"
 
@@ -11,8 +12,12 @@ namespace {
 using Use = SystemValue::Use;
 
 struct Row {
-  std::string_view name;  // lower case
+  std::string_view name;
   SystemValue input, output;
+
+  const SystemValue& Of(Direction direction) const {
+    return direction == Direction::kInput ? input : output;
+  }
 };
 
 constexpr SystemValue kPlain{};
@@ -24,27 +29,27 @@ constexpr SystemValue Is(Builtin builtin, int major = 4, int minor = 0) {
 // A position or clip distance that the input assembler reads is data like any other (DXC: "Arb" for
 // the vertex input).
 constexpr Row kRows[] = {
-    {"sv_position", kPlain, Is(Builtin::kPosition, 0)},
-    {"sv_clipdistance", kPlain, Is(Builtin::kClipDistance)},
-    {"sv_culldistance", kPlain, Is(Builtin::kCullDistance)},
-    {"sv_vertexid", Is(Builtin::kVertexId), kPlain},
-    {"sv_instanceid", Is(Builtin::kInstanceId), kPlain},
-    {"sv_startvertexlocation", Is(Builtin::kBaseVertex, 6, 8), kRefused},
-    {"sv_startinstancelocation", Is(Builtin::kBaseInstance, 6, 8), kRefused},
-    {"sv_viewid", Is(Builtin::kViewId, 6, 1), kPlain},
-    {"sv_vulkanvertexid", Is(Builtin::kVertexIndex), kRefused},  // Slang's
-    {"sv_vulkaninstanceid", Is(Builtin::kInstanceIndex), kRefused},
-    {"sv_shadingrate", kPlain, Is(Builtin::kShadingRate, 6, 4)},
-    {"sv_rendertargetarrayindex", kPlain, Is(Builtin::kLayer)},
-    {"sv_viewportarrayindex", kPlain, Is(Builtin::kViewportIndex)},
-    {"sv_primitiveid", kRefused, kPlain},
+    {"SV_Position", kPlain, Is(Builtin::kPosition, 0)},
+    {"SV_ClipDistance", kPlain, Is(Builtin::kClipDistance)},
+    {"SV_CullDistance", kPlain, Is(Builtin::kCullDistance)},
+    {"SV_VertexID", Is(Builtin::kVertexId), kPlain},
+    {"SV_InstanceID", Is(Builtin::kInstanceId), kPlain},
+    {"SV_StartVertexLocation", Is(Builtin::kBaseVertex, 6, 8), kRefused},
+    {"SV_StartInstanceLocation", Is(Builtin::kBaseInstance, 6, 8), kRefused},
+    {"SV_ViewID", Is(Builtin::kViewId, 6, 1), kPlain},
+    {"SV_VulkanVertexID", Is(Builtin::kVertexIndex), kRefused},  // Slang's
+    {"SV_VulkanInstanceID", Is(Builtin::kInstanceIndex), kRefused},
+    {"SV_ShadingRate", kPlain, Is(Builtin::kShadingRate, 6, 4)},
+    {"SV_RenderTargetArrayIndex", kPlain, Is(Builtin::kLayer)},
+    {"SV_ViewportArrayIndex", kPlain, Is(Builtin::kViewportIndex)},
+    {"SV_PrimitiveID", kRefused, kPlain},
     // Slang's and SDL's name for Direct3D 9's PSIZE.
-    {"sv_pointsize", kRefused, Is(Builtin::kPointSize, 0)},
+    {"SV_PointSize", kRefused, Is(Builtin::kPointSize, 0)},
     // [[vk::builtin("PointSize")]]
-    {"vk::pointsize", kRefused, Is(Builtin::kPointSize, 0)},
-    {"vk::basevertex", Is(Builtin::kBaseVertex, 0), kRefused},
-    {"vk::baseinstance", Is(Builtin::kBaseInstance, 0), kRefused},
-    {"vk::drawindex", Is(Builtin::kDrawIndex, 0), kRefused},
+    {"vk::PointSize", kRefused, Is(Builtin::kPointSize, 0)},
+    {"vk::BaseVertex", Is(Builtin::kBaseVertex, 0), kRefused},
+    {"vk::BaseInstance", Is(Builtin::kBaseInstance, 0), kRefused},
+    {"vk::DrawIndex", Is(Builtin::kDrawIndex, 0), kRefused},
 };
 
 }  // namespace
@@ -59,7 +64,7 @@ SystemValue LookUpSemantic(std::string_view name, std::uint32_t index, Direction
     return {is_input && is_made ? Use::kIgnored : Use::kPlain, Builtin::kNone, 0, 0};
   }
   for (const Row& row : kRows) {
-    if (row.name == lower) return direction == Direction::kInput ? row.input : row.output;
+    if (EqualIgnoringCase(row.name, name)) return row.Of(direction);
   }
   // Direct3D 9's names of the position and of the point size.
   if (direction == Direction::kOutput && index == 0) {
@@ -69,6 +74,15 @@ SystemValue LookUpSemantic(std::string_view name, std::uint32_t index, Direction
     if (lower == "psize" && is_old) return Is(Builtin::kPointSize, 0);
   }
   return lower.starts_with("sv_") || lower.starts_with("vk::") ? kRefused : kPlain;
+}
+
+std::string_view NearSystemValue(std::string_view name, Direction direction) {
+  std::vector<std::string_view> names;
+  for (const Row& row : kRows) {
+    if (row.Of(direction).use == Use::kBuiltin) names.push_back(row.name);
+  }
+  const std::vector<std::string_view> near = NearNames(name, names);
+  return near.empty() ? std::string_view() : near.front();
 }
 
 SemanticName SplitSemantic(std::string_view written) {

@@ -40,6 +40,9 @@ SystemValue LookUpSemantic(std::string_view name, std::uint32_t index, Direction
                            const Profile& profile,
                            PositionName position = PositionName::kSystemValue);
 
+// The system value that a user who wrote `name` probably meant; empty when none is near.
+std::string_view NearSystemValue(std::string_view name, Direction direction);
+
 // A semantic as written, taken apart: "TEXCOORD12" is {"TEXCOORD", 12}. Names compare without case.
 struct SemanticName {
   std::string name;

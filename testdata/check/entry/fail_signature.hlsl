@@ -3,6 +3,7 @@
 // RUN: %clipc -T vs_5_0 -E counted %s -o %t 2>&1 | FileCheck %s --check-prefix=COUNTED
 // RUN: not %clipc -T vs_5_0 -E of_pixel_shader %s 2>&1 | FileCheck %s --check-prefix=TARGET
 // RUN: not %clipc -T vs_5_0 -E into_pixel_shader %s 2>&1 | FileCheck %s --check-prefix=FRONT
+// RUN: not %clipc -T vs_5_0 -E misspelt %s 2>&1 | FileCheck %s --check-prefix=MISSPELT
 // RUN: not %clipc -T vs_5_0 -E wrong_id %s 2>&1 | FileCheck %s --check-prefix=ID
 // RUN: not %clipc -T vs_5_0 -E wrong_layer %s 2>&1 | FileCheck %s --check-prefix=LAYER
 // RUN: not %clipc -T vs_5_0 -E nine %s 2>&1 | FileCheck %s --check-prefix=NINE
@@ -17,6 +18,10 @@ float4 counted(float4x4 m : TEXCOORD0, float4 b : TEXCOORD2) : SV_Position { ret
 float4 of_pixel_shader(float4 v : POSITION) : SV_Target { return v; }
 // FRONT: error: `SV_IsFrontFace` is not an input of a vertex shader [semantic-not-for-stage, X4502]
 float4 into_pixel_shader(float4 v : POSITION, bool front : SV_IsFrontFace) : SV_Position { return v; }
+// MISSPELT: error: `SV_VertexIndex` is not an input of a vertex shader; did you mean `SV_VertexID`? [semantic-not-for-stage, X4502]
+// MISSPELT: error: `SV_Postion` is not an output of a vertex shader; did you mean `SV_Position`? [semantic-not-for-stage, X4502]
+// MISSPELT: SV_Position
+float4 misspelt(float4 v : POSITION, uint id : SV_VertexIndex) : SV_Postion { return v * id; }
 // ID: error: `SV_VertexID` has type `float`; it must be a `uint` [semantic-type, X4503]
 float4 wrong_id(float id : SV_VertexID) : SV_Position { return id; }
 // LAYER: error: `SV_RenderTargetArrayIndex` has type `float`; it must be a `uint` [semantic-type, X4503]

@@ -32,6 +32,7 @@ MISTAKES = {
     "run": shaders(source="a.hlsl", options=["-o", "elsewhere"]),
     "text": shaders(source="a.hlsl", options=[1]),
     "variants": shaders(source="a.hlsl", variants=-1),
+    "choice": shaders(source="a.hlsl", target=[]),
     "deep": "[" * 1000000,
 }
 
