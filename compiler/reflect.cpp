@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/reflect.h"
 
+#include <set>
+
 #include <nlohmann/json.hpp>
 
 #include "ir/packing.h"
@@ -93,6 +95,33 @@ Json Member(const Program& program, const ir::CbufferMember& member, const GlslI
   return json;
 }
 
+// The structs that the type has in it, inner before outer, each once.
+void AddStructs(const Program& program, ir::TypeId type, std::set<ir::StructId>& known, Json& to) {
+  const ir::TypeTable& types = program.types;
+  type = types.Innermost(type);
+  if (types[type].kind != ir::TypeKind::kStruct || !known.insert(types[type].structure).second)
+    return;
+  Json json = {{"name", types.Name(type)},
+               {"size", ir::PackedExtent(types, type, false).size},
+               {"fields", Json::array()}};
+  const std::size_t fields = types.StructOf(type).fields.size();
+  for (std::size_t i = 0; i < fields; ++i) {
+    AddStructs(program, types.StructOf(type).fields[i].type, known, to);
+    json["fields"].push_back(Field(program, type, static_cast<int>(i)));
+  }
+  to.push_back(std::move(json));
+}
+
+Json Structs(const Program& program) {
+  Json list = Json::array();
+  std::set<ir::StructId> known;
+  for (const ir::CbufferId id : program.cbuffers.ids()) {
+    for (const ir::CbufferMember& member : program.cbuffers[id].members)
+      AddStructs(program, program.vars[member.var].type, known, list);
+  }
+  return list;
+}
+
 void AddBinding(const std::optional<std::uint32_t>& set,
                 const std::optional<std::uint32_t>& binding, Json& to) {
   if (set) to["set"] = *set;
@@ -105,7 +134,10 @@ Json Cbuffer(const Program& program, ir::CbufferId id, const GlslInfo& info) {
   Json json = {{"name", cbuffer.name}, {"kind", NameIn(kCbufferKinds, cbuffer.kind)}};
   json.update(ToJson(cbuffer.reg));
   json["size"] = cbuffer.size;
-  if (cbuffer.count != 1) json["count"] = cbuffer.count;
+  if (cbuffer.count == 0)
+    json["unbounded"] = true;
+  else if (cbuffer.count != 1)
+    json["count"] = cbuffer.count;
   json["used"] = block != nullptr;
   if (block) {
     Json& glsl = json["glsl"];
@@ -176,6 +208,7 @@ std::string Reflect(const Lowered& lowered, const glsl::GlslInfo& info,
   json["cbuffers"] = Json::array();
   for (ir::CbufferId id : program.cbuffers.ids())
     json["cbuffers"].push_back(Cbuffer(program, id, info));
+  json["structs"] = Structs(program);
   json["resources"] = Objects(program, info);
   json["lowering"] = NameOf(table.lowering);
   json["positionSpace"] = clip_table::TableNameOf(table.plane_space);

@@ -46,14 +46,16 @@ function isTransposed(name, rowMajor, text) {
   return isFirst === rowMajor;
 }
 
-/** The members, and those of structs in their place. */
-const flat = (members, base = 0) =>
+/** The members, and those of structs in their place. Each element of an array begins at a multiple of 16 bytes. */
+const flat = (members, structs, base = 0) =>
   members.flatMap((member) => {
     const at = base + member.offset;
-    if (!member.fields) return [{ ...member, offset: at }];
-    const [, count = 1] = /\[(\d+)\]$/.exec(member.type) ?? [];
+    const [, name, dimensions] = /^([^[]*)(.*)$/.exec(member.type);
+    const fields = member.fields ?? structs.find((struct) => struct.name === name)?.fields;
+    if (!fields) return [{ ...member, offset: at }];
+    const count = [...dimensions.matchAll(/\d+/g)].reduce((product, [number]) => product * Number(number), 1);
     const stride = Math.ceil(member.size / count / 16) * 16;
-    return Array.from({ length: Number(count) }, (_, i) => flat(member.fields, at + i * stride)).flat();
+    return Array.from({ length: count }, (_, i) => flat(fields, structs, at + i * stride)).flat();
   });
 
 /** Writes a member; returns false where its name or type says nothing. */
@@ -104,7 +106,7 @@ export function fillConstants(reflection, text, scene, planeConstant) {
     const bytes = new ArrayBuffer(Math.ceil(size / 16) * 16);
     const view = { floats: new Float32Array(bytes), words: new Uint32Array(bytes) };
     buffers.set(buffer, bytes);
-    for (const member of flat(members)) {
+    for (const member of flat(members, reflection.structs)) {
       const isFilled = fillMember(member, view, text, scene);
       if (!isFilled && !holdsPlane(buffer, member)) unknown.push(member.name);
     }

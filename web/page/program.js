@@ -7,28 +7,6 @@ const DEFAULTS = {
   INSTANCE: (index) => [0, 1, 2, 3].map((part) => Number(part === index)), // a row of the identity
 };
 
-const TYPES = { FLOAT: 'float', FLOAT_VEC2: 'float2', FLOAT_VEC3: 'float3', FLOAT_VEC4: 'float4', FLOAT_MAT4: 'float4x4' };
-
-/** The reflection, with fields for members of constant buffers that are structs, or arrays of structs: WebGL knows them. */
-function withFields(gl, program, reflection) {
-  const uniforms = Array.from({ length: gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS) }, (_, i) => gl.getActiveUniform(program, i));
-  const indices = uniforms.map((_, i) => i);
-  const [offsets, rows] = [gl.UNIFORM_OFFSET, gl.UNIFORM_IS_ROW_MAJOR].map((what) => gl.getActiveUniforms(program, indices, what));
-  const fieldsOf = ({ glsl, offset }) =>
-    uniforms.flatMap(({ name, type }, i) => {
-      const start = [`${glsl}.`, `${glsl}[0].`].find((text) => name.startsWith(text));
-      const shape = Object.keys(TYPES).find((key) => gl[key] === type);
-      // What is row_major in HLSL is not in GLSL, whose matrices are the transposes.
-      return start && shape ? [{ name: name.slice(start.length), type: TYPES[shape], offset: offsets[i] - offset, size: shape === 'FLOAT_MAT4' ? 64 : 16, rowMajor: !rows[i] }] : [];
-    });
-  const isStruct = ({ type, fields, glsl }) => glsl && !fields && !/^(float|int|uint|bool|double|half|min)/.test(type);
-  const cbuffers = reflection.cbuffers.map((cbuffer) => ({
-    ...cbuffer,
-    members: cbuffer.members.map((member) => (isStruct(member) ? { ...member, fields: fieldsOf(member) } : member)),
-  }));
-  return { ...reflection, cbuffers };
-}
-
 export class Program {
   #uniforms = [];
 
@@ -47,7 +25,7 @@ export class Program {
     if (captured.length) gl.transformFeedbackVaryings(this.program, captured, gl.INTERLEAVED_ATTRIBS);
     gl.linkProgram(this.program);
     if (!gl.getProgramParameter(this.program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(this.program));
-    this.result = { ...result, reflection: withFields(gl, this.program, result.reflection) };
+    this.result = result;
   }
 
   delete() {
