@@ -387,6 +387,29 @@ TEST(PlanTransformedBoxTest, IsSafeForPlanesInClipSpace) {
   EXPECT_GT(needed, 100);
 }
 
+// A denormal vertex, element or coefficient beside a large number: a device that flushes it to 0
+// sees the box on the other side.
+TEST(PlanTransformedBoxTest, IsSafeWhereDenormalsAreFlushed) {
+  const auto plan = [](float bound, float element, float coefficient, bool is_flushed) {
+    const Box box = {{bound, -1, -1}, {1.1F * bound, 1, 1}};
+    Matrix matrix;
+    matrix.m[0][0] = static_cast<double>(element);
+    const Float4 plane = {coefficient, 0, 0, -5e-10F};
+    const float v[4] = {bound, 0, 0, 1};
+    const float x = FlushedDot4(v, {element, 0, 0, 0}), moved[4] = {x, 0, 0, 1};
+    EXPECT_EQ(FlushedDot4(moved, plane) < 0, is_flushed);
+    return PlanTransformedBox(box, &matrix, 1, &plane, 1);
+  };
+  constexpr float kLarge = 1e30F, kDenormal = 1e-39F;
+  EXPECT_EQ(plan(kDenormal, kLarge, 1, true), 1);
+  EXPECT_EQ(plan(kDenormal, 1, kLarge, true), 1);
+  EXPECT_EQ(plan(kLarge, kDenormal, 1, true), 1);
+  EXPECT_EQ(plan(1, kDenormal, kLarge, true), 1);
+  EXPECT_EQ(plan(kLarge, 1, kDenormal, true), 1);
+  EXPECT_EQ(plan(1, kLarge, kDenormal, true), 1);
+  EXPECT_EQ(plan(1e-30F, 1e21F, 1, false), 0);
+}
+
 TEST(PlanTransformedBoxTest, WithoutMatricesIsPlanBoxWithHalfTheError) {
   Random random(4);
   for (int i = 0; i < 20000; ++i) {

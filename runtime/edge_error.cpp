@@ -26,13 +26,8 @@ bool IsExact(double x) {
   int exponent = 0;
   return x == 0 || std::fabs(std::frexp(x, &exponent)) == 0.5;
 }
-// The variance that rounding adds to the sum of two floats, which is exact where it is no larger
-// than one of them, as after a cancellation.
-double RoundingOfSum(double a, double b) {
-  const double sum = a + b;
-  if (a == 0 || b == 0 || sum == 0) return 0;
-  return std::ilogb(sum) > std::min(std::ilogb(a), std::ilogb(b)) ? Rounding(sum) : 0;
-}
+// The variance that rounding adds to the sum of two floats; none where one of them is 0.
+double RoundingOfSum(double a, double b) { return a == 0 || b == 0 ? 0 : Rounding(a + b); }
 double RoundingOfConstant(double x) { return IsExact(x) ? 0 : Rounding(x); }
 
 // The variances of the error of a distance: of that which all vertices share, from constants, and

@@ -148,5 +148,23 @@ TEST(PlaneChain, ConditionBoundsTheError) {
   EXPECT_GT(refused, 500);
 }
 
+// The second of two matrices enlarges what the first loses, so the condition counts both.
+TEST(PlaneChain, ConditionCountsEveryMatrix) {
+  Random random(24);
+  int kept = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const double size = random.Magnitude(1e-11, 1e-8);
+    const Matrix first = random.NearlySingular(2, size), second = random.NearlySingular(2, size);
+    const Plane plane = random.PlaneAt(random.Between(-9, 9));
+    const auto after = Finish(Through(Through(Begin(plane), first, "world"), second, "view"));
+    if (!after.ok()) continue;
+    ++kept;
+    const WidePlane exact =
+        WideAfter(second, WideAfter(first, {{plane.x, plane.y, plane.z, plane.w}}));
+    EXPECT_LE(Difference(after.value.plane, exact), 4 * after.value.condition * 0x1p-53);
+  }
+  EXPECT_GT(kept, 100);
+}
+
 }  // namespace
 }  // namespace clipc::runtime

@@ -118,6 +118,18 @@ TEST(PlaneConstantFor, WarnsWhereTheDefaultLosesPixels) {
       PlaneConstantFor(PlaneSpace::kClip, plane, KnownIn::kView, reversed).value.warning.ok());
 }
 
+// A sun's shadow map: neither xyw1 nor reversed depth is a cure there.
+TEST(PlaneConstantFor, NamesTheCureOfAnOrthographicView) {
+  DrawMatrices draw = {{}, {}, OrthographicCamera(100, 60000).projection};
+  const Plane plane = {0, 0.6, -0.8, 20000};
+  const auto clip = PlaneConstantFor(PlaneSpace::kClip, plane, KnownIn::kView, draw);
+  ASSERT_TRUE(clip.ok());
+  EXPECT_EQ(clip.value.warning.error(), Error::kIllConditioned);
+  EXPECT_THAT(clip.value.warning.message(), HasSubstr("; use --plane-space=object"));
+  EXPECT_TRUE(
+      PlaneConstantFor(PlaneSpace::kObject, plane, KnownIn::kView, draw).value.warning.ok());
+}
+
 TEST(PredictEdgeError, GrowsWithTheDistanceOverNear) {
   const auto error = [](const Camera& camera, double distance) {
     return PredictEdgeError(PlaneSpace::kClip, {0, 0, 1, -distance}, camera.projection, 1080).value;
@@ -255,6 +267,10 @@ TEST(PredictEdgeError, FollowsTheRoundingsOfADraw) {
   EXPECT_NEAR(error(PlaneSpace::kClip, cut).value, 0.1, 0.07);
   EXPECT_LT(error(PlaneSpace::kObject, cut).value, 0.0005);
   EXPECT_GT(error(PlaneSpace::kObject, cut).value, 0);
+  // Edges that are much longer than the picture lose in proportion to their length.
+  const double hundred = error(PlaneSpace::kXyw1, {places, 2, 100}).value;
+  EXPECT_GT(hundred, 5 * error(PlaneSpace::kXyw1, cut).value);
+  EXPECT_NEAR(error(PlaneSpace::kXyw1, {places, 2, 200}).value / hundred, 2, 0.3);
   // A plane whose normal is an axis, through the object's origin: each vertex's one coordinate is
   // its distance.
   const auto axis = PredictEdgeError(PlaneSpace::kObject, {1, 0, 0, 0}, KnownIn::kObject, draw,
@@ -266,6 +282,27 @@ TEST(PredictEdgeError, FollowsTheRoundingsOfADraw) {
   EXPECT_EQ(error(PlaneSpace::kClip, {places, 2, 0}).status.error(), Error::kInvalidArgument);
   draw.projection.m[3][2] = NAN;
   EXPECT_EQ(error(PlaneSpace::kClip, cut).status.error(), Error::kNotFinite);
+}
+
+// An edge along the line of sight is seen as one place, wherever on it the plane cuts: what moves a
+// cut in depth moves it in the picture too. Without that the prediction for single draws of
+// tools/study/regimes.h would be a quarter of what it is.
+TEST(PredictEdgeError, CountsWhatIsSeenOfAMoveInDepth) {
+  for (const double off : {0.0, 2.0}) {
+    DrawMatrices draw = {{}, {}, PerspectiveCamera(0.1, 1000, {}, 1, off, 0, 100).projection};
+    draw.world.m[3][2] = 10;
+    const double place[] = {7, 5, -1};
+    const auto error = [&](const Plane& view_plane) {
+      return PredictEdgeError(PlaneSpace::kXyw1, view_plane, KnownIn::kView, draw, {place, 1, 0.1},
+                              1080, 1)
+          .value;
+    };
+    // The edge has the direction of the plane's normal.
+    const double along = error({7, 5, 9, -(7 * 7 + 5 * 5 + 9 * 9)});
+    const double across = error({9, 0, -7, 0}), in_depth = error({0, 0, 1, -9});
+    EXPECT_LT(along, 1e-9 * across) << off;
+    EXPECT_GT(in_depth, 0.1 * across) << off;
+  }
 }
 
 TEST(PredictEdgeError, RefusesWhatIsNoNumber) {

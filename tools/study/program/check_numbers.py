@@ -3,18 +3,23 @@
 """Holds the numbers of the documents against the tables in tools/study/tables.
 
 usage: check_numbers.py [--write] [--take FOLDER]
+       check_numbers.py --chart [--write]
 
 A document has blocks between `<!-- numbers: NAME -->` and `<!-- end of numbers -->`, which are made of the tables: a block
 that differs is an error, and --write writes it. Numbers in sentences are compared one by one (INLINE). --take copies the
-tables of a whole `./run study` from its folder first."""
+tables of a whole `./run study` from its folder first. --chart holds docs/speed-accuracy.svg against the chart that report.py
+makes of the tables; the exit code is 77 where Matplotlib is another than the one that made it, which places text elsewhere."""
 import csv
 import math
 import pathlib
 import re
+import subprocess
 import sys
+import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 TABLES = ROOT / "tools/study/tables"
+CHART, MATPLOTLIB = ROOT / "docs/speed-accuracy.svg", "3.6.3"
 TAKEN = ("directions", "laws", "flicker", "roundings", "advice-scenes", "speed")
 # The rows of edges.csv that documents speak of.
 SWEEPS = ("world offset", "mesh offset / depth", "orthographic, depth / half height", "tile, half pictures off the axis",
@@ -142,7 +147,31 @@ def planned():
                   for (name, planes), count in zip(names, counts, strict=True)])
 
 
-BLOCKS = {f.__name__: f for f in (errors, regimes, flicker, roundings, chains, meshes, orthographic, tiles, grounds, costs, advice, planned)}
+# What README's table says, and what tools/bench/main.cpp reports with a limit.
+SPOKEN = [
+    ('start to exit, to a static "hello world"', "cold, to a static hello world"),
+    ("start to exit, to `glslangValidator -D -V`", "cold, to glslangValidator -D -V"),
+    ("with `--validate`, to `glslangValidator` on the GLSL", "cold with --validate, to glslangValidator on the GLSL"),
+    ("in one process, to glslang (HLSL to SPIR-V, legalised as its programs do) and SPIRV-Cross", "in one process, to glslang + SPIRV-Cross"),
+    ("with a pixel shader in HLSL, to without", "with a pixel shader in HLSL, to without"),
+    ("validation of each in a batch, milliseconds", "validation of one shader in a batch"),
+    ("cost a byte at 10 MB, to that at 100 kB", "cost a byte at 10 MB, to that at 100 kB"),
+    ("cost a byte at 10 MB, to that at 1 MB", "cost a byte at 10 MB, to that at 1 MB"),
+    ("peak memory beyond 8 MiB, bytes for each byte of text", "peak memory beyond 8 MiB"),
+]
+
+
+def limits():
+    text = (ROOT / "tools/bench/main.cpp").read_text()
+
+    def limit(what):
+        found = re.search(rf'Report\("{re.escape(what)}",[^;]*?,\s*"[^"]*",\s*([\d.]+)(?: / (\d+))?\)', text)
+        return f"{float(found[1]) / float(found[2] or 1):g}"
+
+    return table(["a shader of 60 lines", "at most"], [[said, limit(what)] for said, what in SPOKEN])
+
+
+BLOCKS = {f.__name__: f for f in (limits, errors, regimes, flicker, roundings, chains, meshes, orthographic, tiles, grounds, costs, advice, planned)}
 
 U, ROWS, PY = 2.0 ** -24, 1080, 1 / math.tan(math.radians(30))
 ANY = U * ROWS / 2 / 0.1  # the unit of PredictEdgeError for surfaces of every direction
@@ -245,6 +274,7 @@ def check_inline():
 GIVEN = {
     "docs/study.md": {"1920", "0.2", "1280", "1.5", "0.002", "0.5", "1080", "2.0", "400", "256"},
     "docs/runtime.md": {"1080", "100"},
+    "README.md": {"2.0", "4.5", "12.0", "1.3"},
 }
 
 
@@ -264,11 +294,30 @@ def check_rest():
     return problems
 
 
+def chart(write):
+    """The exit code: 77 where this Matplotlib makes other bytes of the same tables."""
+    python = "/usr/bin/python3"  # as clipc-study has it
+    version = subprocess.run([python, "-c", "import matplotlib; print(matplotlib.__version__)"], capture_output=True, text=True, check=False).stdout.strip()
+    if version != MATPLOTLIB:
+        print(f"the chart was made by Matplotlib {MATPLOTLIB}, and here is {version or 'none'}")
+        return 77
+    with tempfile.TemporaryDirectory() as folder:
+        subprocess.run([python, ROOT / "tools/study/program/report.py", "--chart", TABLES, folder], check=True)
+        made = (pathlib.Path(folder) / CHART.name).read_bytes()
+    if write:
+        CHART.write_bytes(made)
+    is_same = made == CHART.read_bytes()
+    print("the chart is that of the tables" if is_same else f"{CHART.name} is not what report.py makes of the tables; see check_numbers.py --chart --write")
+    return not is_same
+
+
 def main():
     arguments = sys.argv[1:]
+    write = "--write" in arguments
+    if "--chart" in arguments:
+        return chart(write)
     if "--take" in arguments:
         take(pathlib.Path(arguments[arguments.index("--take") + 1]))
-    write = "--write" in arguments
     problems, blocks = [], 0
     for name in ("docs/study.md", "docs/runtime.md", "README.md"):
         found, count = check_blocks(ROOT / name, write)

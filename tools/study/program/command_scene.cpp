@@ -19,7 +19,7 @@ namespace clipc::study {
 namespace {
 
 using harness::DrawError;
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 using namespace harness::options;
 CostTable MeasuredCosts() {
   const harness::OpenGl opengl(harness::Api::kCompatibility);
@@ -30,8 +30,8 @@ CostTable MeasuredCosts() {
 // A method with the most planes that an object drawn with it needs.
 using Variants = std::map<std::string, int>;
 
-Json NamesOf(std::uint8_t needed, const Scene& scene) {
-  Json names = Json::array();
+OrderedJson NamesOf(std::uint8_t needed, const Scene& scene) {
+  OrderedJson names = OrderedJson::array();
   for (std::size_t i = 0; i < scene.planes.size(); ++i) {
     if ((needed >> i & 1) != 0) names.push_back(scene.planes[i].name);
   }
@@ -39,13 +39,13 @@ Json NamesOf(std::uint8_t needed, const Scene& scene) {
 }
 
 // What is advised for an object, as docs/study.md says.
-Json JsonOf(const SceneObject& object, const ObjectAdvice& advice, const Scene& scene) {
+OrderedJson JsonOf(const SceneObject& object, const ObjectAdvice& advice, const Scene& scene) {
   const ObjectPlan& plan = advice.plan;
-  Json json = {{"object", object.name},
-               {"drawn", plan.outside_frustum ? "not in view"
-                         : plan.culled        ? "clipped away"
-                                              : "yes"},
-               {"meets", !advice.fails()}};
+  OrderedJson json = {{"object", object.name},
+                      {"drawn", plan.outside_frustum ? "not in view"
+                                : plan.culled        ? "clipped away"
+                                                     : "yes"},
+                      {"meets", !advice.fails()}};
   if (!plan.refused.empty()) json["refused"] = plan.refused;
   if (!advice.cure.empty()) json["cure"] = advice.cure;
   if (!plan.drawn() || !plan.refused.empty()) return json;
@@ -61,10 +61,11 @@ Json JsonOf(const SceneObject& object, const ObjectAdvice& advice, const Scene& 
 }
 
 // A name that has a space stands in quotation marks, so that columns stay columns.
-std::string Cell(const Json& value) {
+std::string Cell(const OrderedJson& value) {
   std::string text;
   if (value.is_array()) {
-    for (const Json& name : value) text += (text.empty() ? "" : "+") + name.get<std::string>();
+    for (const OrderedJson& name : value)
+      text += (text.empty() ? "" : "+") + name.get<std::string>();
     if (text.empty()) text = "none";
   } else {
     text = value.get<std::string>();
@@ -72,14 +73,14 @@ std::string Cell(const Json& value) {
   return text.find(' ') == text.npos ? text : "\"" + text + "\"";
 }
 
-void Print(const Json& picture) {
+void Print(const OrderedJson& picture) {
   std::printf("%s, camera %s: %d planes, %zu objects, tolerance %g pixels\n",
               Cell(picture["scene"]).c_str(), Cell(picture["camera"]).c_str(),
               picture["planes"].get<int>(), picture["objects"].size(),
               picture["tolerance"].get<double>());
   std::printf("%-20s %-14s %-28s %-16s %12s %6s %8s\n", "object", "drawn", "planes needed",
               "method", "pixels off", "meets", "cost");
-  for (const Json& object : picture["objects"]) {
+  for (const OrderedJson& object : picture["objects"]) {
     std::printf("%-20s %-14s", Cell(object["object"]).c_str(),
                 object["drawn"].get<std::string>().c_str());
     if (object.contains("refused")) {
@@ -131,10 +132,10 @@ int RunScene(const std::vector<std::string>& arguments) {
   const Scene scene = ReadScene(paths[0]);
   const CostTable costs = costs_path.empty() ? MeasuredCosts() : ReadCosts(costs_path);
   Variants variants;
-  Json pictures = Json::array();
+  OrderedJson pictures = OrderedJson::array();
   int failures = 0;
   for (const NamedCamera& camera : scene.cameras) {
-    Json objects = Json::array();
+    OrderedJson objects = OrderedJson::array();
     const std::vector<ObjectAdvice> advice = AdviseScene(scene, camera.camera, costs);
     for (std::size_t i = 0; i < advice.size(); ++i) {
       objects.push_back(JsonOf(scene.objects[i], advice[i], scene));

@@ -11,6 +11,7 @@
 #include "tools/harness/offscreen.h"
 #include "tools/harness/timing.h"
 #include "tools/study/program/studio.h"
+#include "tools/study/repeats.h"
 #include "tools/study/sweeps.h"
 
 namespace clipc::study {
@@ -49,7 +50,7 @@ struct Entry {
   std::unique_ptr<DrawCall> call;
   std::vector<Vec4<double>> object_planes;  // kCpu
   std::vector<double> times;
-  std::vector<double> shares;  // of the frames without planes before and after
+  std::vector<double> shares;  // of the mean of the frames without planes before and after
 };
 
 std::vector<Entry> EntriesFor(const Setting& setting, const Setup& setup, const Mesh& mesh) {
@@ -87,26 +88,32 @@ double TimeOf(Studio& studio, Entry& entry, const Mesh& mesh) {
 
 constexpr std::size_t kBetween = 3;  // entries between two frames without planes
 
-// Draws each entry once, in an order of its own.
+// Draws each entry but the first once, in an order of its own, and the first, which has no planes,
+// in between.
 void Round(Studio& studio, const Mesh& mesh, std::vector<Entry>& entries, Random& random,
            bool counts) {
-  std::vector<std::size_t> order(entries.size());
+  std::vector<std::size_t> order(entries.size() - 1);
   for (std::size_t i = 0; i < order.size(); ++i) {
     const std::size_t other = random.Below(i + 1);
-    order[i] = order[other], order[other] = i;
+    order[i] = order[other], order[other] = i + 1;
   }
-  double before = TimeOf(studio, entries.front(), mesh);
+  Entry& none = entries.front();
+  std::vector<double> without = {TimeOf(studio, none, mesh)};
   for (std::size_t first = 0; first < order.size(); first += kBetween) {
     const std::size_t end = std::min(first + kBetween, order.size());
     std::vector<double> times;
     for (std::size_t i = first; i < end; ++i)
       times.push_back(TimeOf(studio, entries[order[i]], mesh));
-    const double after = TimeOf(studio, entries.front(), mesh);
+    const double before = without.back(), after = TimeOf(studio, none, mesh);
     for (std::size_t i = first; counts && i < end; ++i) {
       entries[order[i]].times.push_back(times[i - first]);
       entries[order[i]].shares.push_back(2 * times[i - first] / (before + after));
     }
-    before = after;
+    without.push_back(after);
+  }
+  for (std::size_t i = 1; counts && i + 1 < without.size(); ++i) {
+    none.times.push_back(without[i]);
+    none.shares.push_back(2 * without[i] / (without[i - 1] + without[i + 1]));
   }
 }
 
@@ -132,11 +139,9 @@ std::vector<Cost> MeasureSpeed(int rounds, int detail,
     for (Entry& entry : entries) {
       entry.cost.median_ms = harness::Median(entry.times);
       entry.cost.least_ms = *std::ranges::min_element(entry.times);
-      entry.cost.paired_ratio = harness::Median(entry.shares);
-      std::ranges::sort(entry.shares);
-      const std::size_t tenth = entry.shares.size() / 10;
-      entry.cost.paired_low = entry.shares[tenth];
-      entry.cost.paired_high = entry.shares[entry.shares.size() - 1 - tenth];
+      const Repeated repeated = MedianOf(entry.shares);
+      entry.cost.paired_ratio = repeated.median;
+      entry.cost.paired_low = repeated.low, entry.cost.paired_high = repeated.high;
     }
     const Cost none = entries.front().cost;
     for (Entry& entry : entries) {

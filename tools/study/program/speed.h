@@ -22,7 +22,8 @@ struct Cost {
   // The median of the ratios to the frames without planes just before and after, which other work
   // of the machine slows down as much.
   double paired_ratio = 1;
-  double paired_low = 1, paired_high = 1;  // a tenth of the repeats is below, and one above
+  // Between which that median lies, 19 times of 20 (tools/study/repeats.h).
+  double paired_low = 1, paired_high = 1;
 };
 
 // Measures all ways. Each round draws each way once, in an order of its own, so that no way always
