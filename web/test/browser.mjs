@@ -98,9 +98,17 @@ export class Page {
   async close() {
     this.server?.close();
     const ended = new Promise((done) => this.process.once('exit', done));
-    this.process.kill();
+    this.#send('Browser.close');
     await ended;
-    rmSync(this.profile, { recursive: true, force: true, maxRetries: 5 });
+    // The browser's other processes end after its first one, and write into the profile until then.
+    for (let tries = 100; tries > 0; --tries) {
+      try {
+        return rmSync(this.profile, { recursive: true, force: true });
+      } catch (error) {
+        if (error.code !== 'ENOTEMPTY' || tries === 1) throw error;
+      }
+      await new Promise((done) => setTimeout(done, 100));
+    }
   }
 
   #send(method, params = {}, sessionId) {
