@@ -14,6 +14,11 @@ ValueGraph::ValueGraph(const Program& program)
   for (const FunctionId id : program.functions.ids()) AddFunction(id);
 }
 
+std::size_t ValueGraph::AddNode() {
+  sources_.emplace_back();
+  return sources_.size() - 1;
+}
+
 void ValueGraph::SpreadToUses(std::vector<bool>& nodes) const {
   Edges uses(sources_.size());
   for (std::size_t node = 0; node < sources_.size(); ++node) {

@@ -21,6 +21,13 @@ class ValueGraph {
 
   explicit ValueGraph(const Program& program);
 
+  // A node of the caller's own.
+  std::size_t AddNode();
+  // An edge that the program's values alone do not give.
+  void AddSource(std::size_t node, std::size_t source) { sources_[node].push_back(source); }
+  // Lets the value go to the node. No expression at all adds nothing.
+  void AddValue(std::size_t node, ExprId value);
+
   std::size_t NodeOf(VarId id) const { return id.index; }
   std::size_t NodeOf(FunctionId id) const { return vars_ + id.index; }
   std::size_t size() const { return sources_.size(); }
@@ -39,7 +46,6 @@ class ValueGraph {
   void AddWrites(ExprId expr);
   void AddArguments(const Call& call);
   void AddTo(ExprId target, ExprId value);
-  void AddValue(std::size_t node, ExprId value);
 
   const Program& program_;
   std::size_t vars_;  // the number of variables when the graph was made

@@ -1,106 +1,206 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/rules/known_values.h"
 
-#include <ranges>
+#include <algorithm>
+#include <cstddef>
 
+#include "base/overloaded.h"
 #include "ir/access.h"
 #include "ir/walk.h"
 
 namespace clipc::rules {
 namespace {
 
-// The variable that a `for` loop counts with: the one that its head declares or sets.
-VarId CounterOf(const Program& program, const For& loop, ExprId& start) {
-  if (loop.init.size != 1) return {};
-  const StmtId first = program.stmt_lists[loop.init][0];
-  if (const auto* declared = As<Declare>(program, first)) {
-    start = declared->init;
-    return declared->var;
+// Assignments under more conditions and loops than this are taken for unknown, so that the graph
+// has only so many edges for each.
+constexpr std::size_t kMaxRegions = 64;
+
+// Adds to the graph what assignments hang on. A region is what a condition decides about: the arms
+// of an `if`, the body of a loop. Its node has the condition as its value.
+class RegionReader {
+ public:
+  RegionReader(const Program& program, ValueGraph& graph)
+      : program_(program), graph_(graph), declared_(program.vars.size()) {}
+
+  void Read(FunctionId id) {
+    function_ = graph_.NodeOf(id);
+    Read(program_.functions[id].body);
   }
-  const Assign* set = AsAssignment(program, first);
-  const auto* variable = set ? As<VarRef>(program, set->target) : nullptr;
-  if (!variable || program.vars[variable->var].storage != Storage::kLocal) return {};
-  start = set->value;
-  return variable->var;
+
+  // Nodes that are unknown, whatever their values are.
+  const std::vector<std::size_t>& unknown() const { return unknown_; }
+
+ private:
+  // A loop or a `switch` around the statement.
+  struct Breakable {
+    bool is_loop = false;
+    bool is_bounded = true;  // a loop with a condition
+    std::size_t region = 0;  // its own node
+    std::size_t depth = 0;   // the number of regions around its body
+    std::size_t skip = 0;    // the node of conditions under which its rest is skipped
+    bool may_skip = false;   // from the first of them on
+  };
+
+  void Read(StmtId id) {
+    if (!id) return;
+    Visit(Overloaded{
+              [&](const If& node) {
+                ReadWrites(node.condition);
+                const Region region(*this, node.condition);
+                Read(node.then);
+                Read(node.otherwise);
+              },
+              [&](const For& node) {
+                for (const StmtId stmt : program_.stmt_lists[node.init]) Read(stmt);
+                ReadLoop(node.condition, node.body, node.step);
+              },
+              [&](const While& node) { ReadLoop(node.condition, node.body, {}); },
+              [&](const DoWhile& node) { ReadLoop(node.condition, node.body, {}); },
+              [&](const Switch& node) { ReadSwitch(node); },
+              [&](const Break&) { ReadBreak(); },
+              [&](const Continue&) { ReadContinue(); },
+              [&](const Return& node) {
+                ReadWrites(node.value);
+                AddRegions(function_, 0);
+              },
+              [&](const Declare& node) {
+                declared_[node.var.index] = regions_.size();
+                ReadWrites(node.init);
+              },
+              [&](const auto&) {
+                ForEachPart(
+                    program_, id, [&](ExprId expr) { ReadWrites(expr); },
+                    [&](StmtId part) { Read(part); });
+              },
+          },
+          program_.stmts[id].node);
+  }
+
+  void ReadLoop(ExprId condition, StmtId body, ExprId step) {
+    const Region region(*this, condition);
+    ReadWrites(condition);
+    breakables_.push_back({true, bool(condition), region.node, regions_.size(), graph_.AddNode()});
+    Read(body);
+    breakables_.pop_back();
+    ReadWrites(step);
+  }
+
+  void ReadSwitch(const Switch& node) {
+    ReadWrites(node.value);
+    const Region region(*this, node.value);
+    breakables_.push_back({false, true, region.node, regions_.size(), graph_.AddNode()});
+    for (const SwitchCase& arm : program_.switch_cases[node.cases]) {
+      for (const StmtId stmt : program_.stmt_lists[arm.body]) Read(stmt);
+    }
+    breakables_.pop_back();
+  }
+
+  // A loop without a condition ends by its breaks, which its turns hang on therefore. Others end by
+  // their condition at the latest.
+  void ReadBreak() {
+    Breakable& inner = breakables_.back();
+    if (!inner.is_loop) return Skip(inner);
+    if (!inner.is_bounded) AddRegions(inner.region, inner.depth);
+  }
+
+  void ReadContinue() {
+    const auto loop = std::ranges::find_if(breakables_.rbegin(), breakables_.rend(),
+                                           [](const Breakable& of) { return of.is_loop; });
+    Skip(*loop);
+  }
+
+  void Skip(Breakable& of) {
+    of.may_skip = true;
+    AddRegions(of.skip, of.depth);
+  }
+
+  // Lets the node hang on the regions here, but for the outer `from`.
+  void AddRegions(std::size_t node, std::size_t from) {
+    if (regions_.size() > kMaxRegions) return unknown_.push_back(node);
+    for (std::size_t i = from; i < regions_.size(); ++i) graph_.AddSource(node, regions_[i]);
+  }
+
+  void ReadWrites(ExprId root) {
+    if (!root) return;
+    ForEachExpr(program_, root, [&](ExprId part) {
+      ForEachWrite(program_, part, [&](ExprId target) {
+        if (const VarId var = RootOf(program_, target)) ReadWrite(var, target);
+      });
+    });
+  }
+
+  void ReadWrite(VarId var, ExprId target) {
+    const std::size_t node = graph_.NodeOf(var);
+    // Who calls a function decides about what it assigns to variables outside of it.
+    if (program_.vars[var].storage == Storage::kStatic) unknown_.push_back(node);
+    const std::size_t declared = declared_[var.index];
+    graph_.AddValue(node, target);  // for its indices
+    AddRegions(node, declared);
+    if (regions_.size() > kMaxRegions) return;
+    for (const Breakable& of : breakables_) {
+      if (of.may_skip && declared < of.depth) graph_.AddSource(node, of.skip);
+    }
+  }
+
+  struct Region {
+    Region(RegionReader& of, ExprId condition) : reader(of), node(of.graph_.AddNode()) {
+      reader.graph_.AddValue(node, condition);
+      reader.regions_.push_back(node);
+    }
+    ~Region() { reader.regions_.pop_back(); }
+    Region(const Region&) = delete;
+    Region& operator=(const Region&) = delete;
+
+    RegionReader& reader;
+    std::size_t node;
+  };
+
+  const Program& program_;
+  ValueGraph& graph_;
+  std::size_t function_ = 0;           // the node of the one that is read
+  std::vector<std::size_t> regions_;   // around the statement, the outer ones first
+  std::vector<std::size_t> declared_;  // by VarId: the number of regions around the declaration
+  std::vector<Breakable> breakables_;
+  std::vector<std::size_t> unknown_;
+};
+
+bool IsUnknown(const Var& var) {
+  switch (var.storage) {
+    case Storage::kUniform:
+    case Storage::kResource:
+    case Storage::kInput:
+    case Storage::kOutput: return true;
+    default: return var.constant_id.has_value();
+  }
 }
 
 }  // namespace
 
-KnownValues::KnownValues(const Program& program) : program_(program), known_(program.vars.size()) {
-  std::vector<StmtId> bodies;
-  for (const FunctionId id : program.functions.ids()) bodies.push_back(program.functions[id].body);
-  assigned_ = AssignedIn(program, bodies);
-  for (const FunctionId id : program.functions.ids()) {
-    for (const VarId parameter : program.functions[id].parameters) {
-      known_[parameter.index] = id != program.entry && !assigned_[parameter.index] &&
-                                program.vars[parameter].storage == Storage::kIn;
-    }
+KnownValues::KnownValues(const Program& program) : program_(program), graph_(program) {
+  RegionReader regions(program, graph_);
+  for (const FunctionId id : program.functions.ids()) regions.Read(id);
+  unknown_.resize(graph_.size());
+  for (const std::size_t node : regions.unknown()) unknown_[node] = true;
+  for (const VarId id : program.vars.ids()) {
+    if (IsUnknown(program.vars[id])) unknown_[graph_.NodeOf(id)] = true;
   }
-  // Callers stand after what they call, so one round is enough for most programs.
-  do {
-    changed_ = false;
-    for (auto i = static_cast<std::uint32_t>(bodies.size()); i > 0; --i) Read(bodies[i - 1]);
-  } while (changed_);
+  for (const VarId id : program.functions[program.entry].parameters)
+    unknown_[graph_.NodeOf(id)] = true;
+  for (const ValueGraph::Value& value : graph_.values()) {
+    const auto reads = [&](ExprId part) { return As<ObjectCall>(program, part) != nullptr; };
+    if (AnyExpr(program, value.expr, reads)) unknown_[value.node] = true;
+  }
+  graph_.SpreadToUses(unknown_);
 }
 
 bool KnownValues::Has(ExprId expr) const {
   return expr && !AnyExpr(program_, expr, [&](ExprId part) {
-           const Expr& node = program_.exprs[part];
-           if (const auto* ref = std::get_if<VarRef>(&node.node)) {
-             return !known_[ref->var.index] &&
-                    program_.vars[ref->var].storage != Storage::kConstant;
-           }
-           bool writes = std::holds_alternative<Call>(node.node) ||
-                         std::holds_alternative<ObjectCall>(node.node);
-           ForEachWrite(program_, part, [&](ExprId) { writes = true; });
-           return writes;
+           if (const auto* ref = As<VarRef>(program_, part))
+             return bool(unknown_[graph_.NodeOf(ref->var)]);
+           if (const auto* call = As<Call>(program_, part))
+             return bool(unknown_[graph_.NodeOf(call->function)]);
+           return As<ObjectCall>(program_, part) != nullptr;
          });
-}
-
-void KnownValues::Read(StmtId stmt) {
-  if (const auto* loop = As<For>(program_, stmt)) ReadLoop(*loop);
-  ForEachPart(
-      program_, stmt, [&](ExprId expr) { ReadCalls(expr); }, [&](StmtId part) { Read(part); });
-  if (const auto* declared = As<Declare>(program_, stmt); declared && declared->init) {
-    const std::uint32_t variable = declared->var.index;
-    known_[variable] = (known_[variable] || !assigned_[variable]) && Has(declared->init);
-  }
-}
-
-// Assumes that the counter is known, and takes that back if the head then computes with anything
-// unknown, or the body sets the counter.
-void KnownValues::ReadLoop(const For& loop) {
-  ExprId start;
-  const VarId counter = CounterOf(program_, loop, start);
-  if (!counter || !loop.condition || !loop.step || !Has(start)) return;
-  known_[counter.index] = true;
-  bool is_counted = Has(loop.condition);
-  std::size_t writes = 0;
-  ForEachExpr(program_, loop.step, [&](ExprId part) {
-    ForEachWrite(program_, part, [&](ExprId target) {
-      const auto* ref = As<VarRef>(program_, target);
-      is_counted = is_counted && ref && ref->var == counter;
-      ++writes;
-    });
-    if (const auto* assign = As<Assign>(program_, part)) is_counted &= Has(assign->value);
-  });
-  const StmtId body[] = {loop.body};
-  known_[counter.index] = is_counted && writes == 1 && !AssignedIn(program_, body)[counter.index];
-}
-
-// The parameters of what is called: an argument that is not known makes its parameter unknown.
-void KnownValues::ReadCalls(ExprId expr) {
-  ForEachExpr(program_, expr, [&](ExprId part) {
-    const auto* call = As<Call>(program_, part);
-    if (!call) return;
-    const std::vector<VarId>& parameters = program_.functions[call->function].parameters;
-    for (std::uint32_t i = 0; i < call->arguments.size; ++i) {
-      const std::uint32_t parameter = parameters[i].index;
-      if (!known_[parameter] || Has(program_.expr_lists[call->arguments][i])) continue;
-      known_[parameter] = false;
-      changed_ = true;
-    }
-  });
 }
 
 }  // namespace clipc::rules

@@ -4,13 +4,16 @@
 #include <vector>
 
 #include "frontend/rules/rules.h"
+#include "ir/value_graph.h"
 
 namespace clipc::rules {
 
 // Which values are known before the shader runs to a compiler that unrolls the loops that count
 // with known numbers and puts functions in the place of their calls, as fxc does for level 9. Known
-// are constants, local variables that are set once to a known value, parameters whose arguments are
-// known in every call, the counters of such `for` loops, and what is computed from these.
+// are constants, parameters whose arguments are known in every call, and what is computed from
+// these alone. A variable is known where every value that it gets is, and whether it gets it, too:
+// no assignment to it hangs on a condition that is not known. Counters of loops of every kind are
+// such variables. How often a loop turns is not looked at.
 class KnownValues {
  public:
   explicit KnownValues(const Program& program);
@@ -18,14 +21,9 @@ class KnownValues {
   bool Has(ExprId expr) const;
 
  private:
-  void Read(StmtId stmt);
-  void ReadLoop(const For& loop);
-  void ReadCalls(ExprId expr);
-
   const Program& program_;
-  std::vector<bool> assigned_;  // by VarId: after its declaration
-  std::vector<bool> known_;     // by VarId
-  bool changed_ = false;        // a parameter turned out to be unknown
+  ir::ValueGraph graph_;
+  std::vector<bool> unknown_;  // by node of the graph
 };
 
 }  // namespace clipc::rules

@@ -16,10 +16,6 @@ float Sum(float4 v, int from) {
     sum += v[k];
     k += (int)v.x;
   }
-  int last = 0;
-  for (int l = 0; l < 2; ++l) last += l;
-  // CHECK: :[[#@LINE+1]]:{{[0-9]+}}: error: the index is not constant;
-  sum += v[last];
   // CHECK-NOT: error
   for (int m = 0; m < 2; ++m) {
     for (int n = m; n < 2 * m; n += m + 1) sum += v[n];
@@ -27,5 +23,73 @@ float Sum(float4 v, int from) {
   return sum;
 }
 
+static int counter = 0;
+void Count() { counter++; }
+void Set(out int n) { n = (int)color.x; }
+int Side(float4 v) {
+  if (v.x > 0) return 1;
+  return 2;
+}
+
+// What an assignment hangs on, and where values come from.
+float Hang(float4 v) {
+  float sum = 0;
+  int a = 0;
+  // CHECK: :[[#@LINE+1]]:{{[0-9]+}}: error: the index is not constant;
+  while (a < v.x) sum += v[a++];
+  int b = 0;
+  // CHECK: :[[#@LINE+1]]:{{[0-9]+}}: error: the index is not constant;
+  do sum += v[b]; while (++b < v.y);
+  int c = 0;
+  if (v.x > 0) c = 1;
+  // CHECK: :[[#@LINE+1]]:{{[0-9]+}}: error: the index is not constant;
+  sum += v[c];
+  int d;
+  Set(d);
+  // CHECK: :[[#@LINE+1]]:{{[0-9]+}}: error: the index is not constant;
+  sum += v[d];
+  for (int e = 0, f = 0; e < 3; ++e) {
+    // CHECK-NOT: error
+    sum += v[e];
+    if (v.x > e) continue;
+    f++;
+    // CHECK: :[[#@LINE+1]]:{{[0-9]+}}: error: the index is not constant;
+    sum += v[f];
+  }
+  int g = 0;
+  for (;;) {
+    if (v.x < g) break;
+    // CHECK: :[[#@LINE+1]]:{{[0-9]+}}: error: the index is not constant;
+    sum += v[g];
+    ++g;
+  }
+  // CHECK: :[[#@LINE+1]]:{{[0-9]+}}: error: the index is not constant;
+  sum += v[Side(v)];
+  Count();
+  // CHECK: :[[#@LINE+1]]:{{[0-9]+}}: error: the index is not constant;
+  sum += v[counter];
+  int t[2] = {0, 1};
+  t[a] = 1;
+  // CHECK: :[[#@LINE-1]]:{{[0-9]+}}: error: the index is not constant;
+  // CHECK: :[[#@LINE+1]]:{{[0-9]+}}: error: the index is not constant;
+  sum += v[t[0]];
+  int h = 0;
+  switch ((int)v.x) {
+    case 0: h = 1;
+  }
+  // CHECK: :[[#@LINE+1]]:{{[0-9]+}}: error: the index is not constant;
+  sum += v[h];
+  int i = 0;
+  switch (1) {
+    case 1:
+      if (v.x > 0) break;
+      i = 1;
+  }
+  // CHECK: :[[#@LINE+1]]:{{[0-9]+}}: error: the index is not constant;
+  sum += v[i];
+  // CHECK-NOT: error
+  return sum;
+}
+
 [clipplanes(plane)]
-float4 main(float4 v : POSITION) : SV_Position { return Sum(v, 0) + Sum(v, (int)v.x); }
+float4 main(float4 v : POSITION) : SV_Position { return Sum(v, 0) + Sum(v, (int)v.x) + Hang(v); }
