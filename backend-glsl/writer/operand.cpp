@@ -82,6 +82,7 @@ Text BinaryOn(Code& code, BinaryOp op, Operand left, Operand right) {
   const bool is_vector_comparison = IsComparison(op) && shape.IsVector();
   if (is_vector_comparison || (is_product && !left.is_scalar && !right.is_scalar)) {
     const Operand operands[] = {std::move(left), std::move(right)};
+    if (is_product) code.is_constant = false;  // glslang computes no matrixCompMult
     return CallOn(code, is_product ? "matrixCompMult" : glsl.vector_function, operands);
   }
   const bool is_full = left.is_scalar && !shape.IsScalar() && (right.is_scalar || IsShift(op));

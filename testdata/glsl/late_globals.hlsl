@@ -27,6 +27,8 @@ static const float infinity_ = asfloat(0x7f800000u);
 static const float huge_ = 1.#INF;
 // CONST-NEXT: mat2 turned = transpose(mat2(1.0, 2.0, 3.0, 4.0));
 static const float2x2 turned = transpose(float2x2(1, 2, 3, 4));
+// CONST-NEXT: mat2 product = matrixCompMult(mat2(1.0, 2.0, 3.0, 4.0), mat2(2.0, 2.0, 2.0, 2.0));
+static const float2x2 product = float2x2(1, 2, 3, 4) * float2x2(2, 2, 2, 2);
 // CONST-NEXT: const float square = length(vec2(3.0, 4.0));
 static const float square = length(float2(3, 4));
 // CONST-NEXT: {{^}}uvec2 chosen = mix(uvec2(5u, 8u), uvec2(2u, 7u), bvec2(true));
@@ -39,4 +41,4 @@ static const uint2 chosen = (bool2)true ? uint2(2, 7) : uint2(5, 8);
 // CHECK-NEXT: cut = vec2[2](vec2(temporary.x, temporary.y), vec2(temporary.z, temporary.w));
 float4 main(float4 p : POSITION) : SV_Position { return float4(cut[0], cut[1]) * called + after_it + three_times(p.x); }
 
-float4 constants(float4 p : POSITION) : SV_Position { return p.x < infinity_ && p.y < huge_ ? turned[0].xyxy * p * square + chosen.xyxy : p; }
+float4 constants(float4 p : POSITION) : SV_Position { return p.x < infinity_ && p.y < huge_ ? turned[0].xyxy * product[1].xxyy * p * square + chosen.xyxy : p; }

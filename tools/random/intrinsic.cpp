@@ -128,6 +128,8 @@ Expr MakeGeometry(Context& context, Shape shape, int depth) {
   const Kind f = Kind::kFloat;
   if (shape.IsMatrix()) {
     const Expr m = MakeExpr(context, f, {shape.columns, shape.rows}, depth - 1);
+    // The sum of a float1x1 and a float is a float, which has no transpose.
+    if (shape.rows == 1 && shape.columns == 1) return m;
     return Call("transpose", {&m}, f, shape, m.range);
   }
   if (shape.IsScalar()) {

@@ -178,7 +178,7 @@ std::string MakeWhile(Context& context, int indent, int depth) {
   const std::string declared = Line(indent, "int " + name + " = " + std::to_string(turns));
   const bool is_do = context.choices.Chance(40);
   std::string condition = is_do ? "--" + name + " > 0" : name + "-- > 0";
-  if (context.choices.Chance(50)) {
+  if ((!is_do || context.Has(Feature::kDoExits)) && context.choices.Chance(50)) {
     const Temporarily no_effects(context.effects, false);
     condition += " && " + At(MakeExpr(context, Kind::kBool, kScalar, 2), Level::kEquality);
   }
