@@ -98,7 +98,7 @@ class Compilation {
   Watch watch_{[this] { return MustStop(); }};
   bool has_pixel_shader_ = false;
   bool keeps_matrices_whole_ = false;
-  bool is_unjudged_ = false;  // glslang cannot judge one of the shaders
+  std::string_view unjudged_;  // what glslang does not know of a shader, which it cannot judge
   CompileResult result_;
 };
 
@@ -283,10 +283,9 @@ void Compilation::RunBackEnd(ir::Program typed, const Source& source) {
   result_.shaders = Finish(lowered, std::move(written));
   if (request_.spirv) TranslateToSpirv();
   if (request_.variants) WriteVariants(kept, settings);
-  if (is_unjudged_) {
-    diagnostics_.Report(
-        {}, diag::NotValidated,
-        fmt::format("{} does not support clip distances in OpenGL ES", ValidatorName()));
+  if (!unjudged_.empty()) {
+    diagnostics_.Report({}, diag::NotValidated,
+                        fmt::format("{} does not support {}", ValidatorName(), unjudged_));
   }
   if (IsDump(DumpStage::kGlsl)) result_.dump = result_.shaders.vertex;
   if (IsDump(DumpStage::kTable)) {
@@ -373,8 +372,13 @@ void Compilation::TranslateToSpirv() {
 void Compilation::ValidateVertex(const Lowered& lowered, const Written& written) {
   const auto problems = Validate(written.glsl, lowered.target, ShaderStage::kVertex);
   if (problems.empty()) return;
+  // docs/language.md, "GLSL that glslang refuses".
   if (lowered.target.IsEs() && written.info.clip_distance_mask != 0) {
-    is_unjudged_ = true;
+    unjudged_ = "clip distances in OpenGL ES";
+    return;
+  }
+  if (problems.front().find("gl_InstanceIDARB") != std::string::npos) {
+    unjudged_ = "`gl_InstanceIDARB` of GL_ARB_draw_instanced";
     return;
   }
   Diagnostic& report = diagnostics_.Report({}, diag::InvalidGlsl, problems.front());

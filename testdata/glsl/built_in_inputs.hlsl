@@ -6,6 +6,8 @@
 // RUN: %clipc -T vs_5_0 --target=glsl330 %s -o - | FileCheck %s --check-prefix=GL330
 // RUN: %clipc -T vs_5_0 --target=glsl140 --validate %s -o - | FileCheck %s --check-prefix=GL140
 // RUN: %clipc -T vs_5_0 --target=glsl130 %s -o - | FileCheck %s --check-prefix=GL130
+// RUN: %clipc -T vs_5_0 --target=glsl130 --validate %s -o %t 2>&1 | FileCheck %s --check-prefix=UNJUDGED
+// UNJUDGED: note: not validated: glslang {{[0-9.]+}} does not support `gl_InstanceIDARB` of GL_ARB_draw_instanced
 // RUN: %clipc -T vs_5_0 --target=essl300 --validate %s -o - | FileCheck %s --check-prefix=ES300
 // RUN: %clipc -T vs_5_0 --target=essl320 --validate %s -o - --reflect %t.json | FileCheck %s --check-prefix=ES320
 // RUN: %clipc -T vs_5_0 --target=vulkan --validate %s -o - | FileCheck %s --check-prefix=VULKAN
