@@ -5,6 +5,7 @@
 #include "passes/drop_idle_clip_distances.h"
 #include "passes/drop_unread.h"
 #include "passes/drop_unread_arguments.h"
+#include "passes/drop_unwritten.h"
 #include "passes/hoist_loop_bounds.h"
 #include "passes/inline_entry.h"
 #include "passes/spread_precise.h"
@@ -35,6 +36,7 @@ constexpr ir::Pass<Run> kPipeline[] = {
     // What an entry function that keeps its call does not read, `main` need not read either.
     {"drop-unread-arguments", [](Run& run) { DropUnreadArguments(run.program); },
      ir::Form::kInlined},
+    {"drop-unwritten", [](Run& run) { DropUnwritten(run.program); }, ir::Form::kInlined},
     // After everything that removes statements.
     {"drop-unread", [](Run& run) { DropUnread(run.program); }, ir::Form::kInlined},
     // Calls that the passes before have removed need not be followed.

@@ -87,6 +87,14 @@ await test('shader bombs end, and the compiler works afterwards', () => {
   }
 });
 
+await test('memory ends at 1 GiB, with a message, and the compiler works afterwards', () => {
+  const text = `float4 main() : SV_Position { return 1; }${' '.repeat(5e8)}`;
+  const { status, messages } = compiler.compile(text);
+  assert.equal(status, 'no-memory');
+  assert.match(messages, /needs more stack or memory/);
+  assert.equal(compiler.compile('float4 main() : SV_Position { return 1; }').status, 'compiled');
+});
+
 // ---- bundlers
 
 const shader = join(scratch, 'water.hlsl');

@@ -134,6 +134,38 @@ await test('every target and lowering can be chosen, and says its GLSL or why no
   }
 });
 
+await test('each tab shows its text', async () => {
+  const shows = async (name, matches) => {
+    await page.evaluate(`[...document.querySelectorAll('[role=tab]')].find((tab) => tab.textContent === '${name}').click()`);
+    await page.until(`${matches}.test(document.getElementById('text').textContent)`);
+    assert.equal(await page.evaluate(`document.querySelector('[aria-selected=true]').textContent`), name);
+    return page.evaluate('document.getElementById("text").textContent');
+  };
+  await compiled(() => set('lower', 'discard'));
+  assert.match(await shows('Discard', /clip_planes/), /void clip_planes\(\)/);
+  await compiled(() => set('lower', 'clip-distance'));
+  const table = JSON.parse(await shows('Clip table', /^\{/));
+  const reflection = JSON.parse(await shows('Reflection', /"inputs"/));
+  assert.deepEqual([table.lowering, table.planes.length], ['clip-distance', 1]);
+  assert.equal(reflection.clipPlanes.length, 1);
+  assert.match(await shows('SPIR-V', /OpCapability ClipDistance/), /OpEntryPoint Vertex/);
+  await shows('Messages', /^Nothing|warning|note/);
+  await page.evaluate(`document.querySelector('[aria-selected=true]').focus()`);
+  for (const type of ['keyDown', 'keyUp']) await page.send('Input.dispatchKeyEvent', { type, key: 'ArrowLeft', code: 'ArrowLeft' });
+  await page.until('/^#version/.test(document.getElementById("text").textContent)');
+});
+
+await test('a matrix in a struct of a constant buffer is filled', async () => {
+  const shader = (member, name) => `struct Camera { float4 spare; float4x4 viewProjection; };\ncbuffer Frame { ${member}; float4 plane; };
+[clipplanes(plane)] float4 main(float4 position : POSITION) : SV_Position { return mul(position, ${name}); }`;
+  await type(shader('float4 spare; float4x4 viewProjection', 'viewProjection'));
+  const plain = await pixels();
+  assert.ok(plain.drawnBeside > plain.all / 50, JSON.stringify(plain));
+  await type(shader('Camera cameras[2]', 'cameras[1].viewProjection'));
+  assert.deepEqual(await pixels(), plain);
+  await compiled(() => set('gallery', 'A cut model'));
+});
+
 await test('a link carries the shader', async () => {
   await type('float4 main() : SV_Position { return 7; }');
   await page.evaluate('document.getElementById("link").click()');
