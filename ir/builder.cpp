@@ -100,6 +100,30 @@ ExprId Builder::SplatTo(TypeId type, ExprId scalar) {
   return type == TypeOf(scalar) ? scalar : Add(type, Splat{scalar});
 }
 
+ExprId Builder::ValueOf(TypeId type, std::span<const std::uint64_t> bits) {
+  return NextValue(type, bits);
+}
+
+// Takes the components of the type from the front of `bits`.
+ExprId Builder::NextValue(TypeId id, std::span<const std::uint64_t>& bits) {
+  const Type type = program_.types[id];
+  const auto next = [&](TypeId scalar) {
+    const std::uint64_t first = bits.front();
+    bits = bits.subspan(1);
+    return Add(scalar, Literal{first});
+  };
+  if (type.kind == TypeKind::kScalar) return next(id);
+  std::vector<ExprId> parts;
+  if (type.IsNumeric()) {
+    const TypeId component = program_.types.Make(type.scalar);
+    for (std::uint32_t i = 0; i < type.Components(); ++i) parts.push_back(next(component));
+  } else {
+    for (std::uint32_t i = 0; i < program_.types.PartCount(id); ++i)
+      parts.push_back(NextValue(program_.types.PartType(id, i), bits));
+  }
+  return ConstructOf(id, parts);
+}
+
 ExprId Builder::ConstructOf(TypeId type, std::span<const ExprId> arguments) {
   return Add(type, Construct{program_.expr_lists.Add(arguments)});
 }

@@ -22,6 +22,8 @@ class Builder {
   ExprId Float(float value);
   ExprId LiteralOf(Scalar kind, double value);  // the value is converted as by a Convert
   ExprId ZeroOf(TypeId type);
+  // A value of Literals, from its components as ConstantBits (ir/evaluate.h) gives them.
+  ExprId ValueOf(TypeId type, std::span<const std::uint64_t> bits);
   ExprId Ref(VarId var);
   ExprId Field(ExprId base, std::uint32_t field);
   ExprId At(ExprId base, ExprId index);
@@ -54,6 +56,8 @@ class Builder {
   TypeId TypeOf(ExprId expr) const { return program_.exprs[expr].type; }
 
  private:
+  ExprId NextValue(TypeId type, std::span<const std::uint64_t>& bits);
+
   Program& program_;
   Span span_;
 };

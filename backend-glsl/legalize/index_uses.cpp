@@ -21,6 +21,11 @@ bool IsInteger(const Program& program, ExprId expr) {
   return type.IsNumeric() && ir::IsInteger(type.scalar);
 }
 
+// Whether what is beyond all arrays stays there: no `&`, `%` or shift brings it back.
+bool KeepsSize(BinaryOp op) {
+  return op == BinaryOp::kAdd || op == BinaryOp::kSub || op == BinaryOp::kMul;
+}
+
 }  // namespace
 
 IndexUses::IndexUses(const Program& program)
@@ -60,7 +65,9 @@ void IndexUses::Mark(ExprId expr) {
             [&](const VarRef& node) { Drop(node.var); },
             [&](const OneOf<Index, Swizzle> auto& node) { Mark(node.base); },
             [&](const OneOf<Convert, Splat> auto& node) { Mark(node.operand); },
-            [&](const Binary& node) { Mark(node.left), Mark(node.right); },
+            [&](const Binary& node) {
+              if (KeepsSize(node.op)) Mark(node.left), Mark(node.right);
+            },
             [&](const IntrinsicCall& node) {
               if (node.op == Intrinsic::kNonUniform) Mark(program_.expr_lists[node.arguments][0]);
             },

@@ -9,7 +9,7 @@
 namespace clipc::glsl {
 
 // The expressions that matter only as the index of an element or as the place in a texture or
-// buffer: there, and in the variables, parameters and integer operators on the way there.
+// buffer: there, and in the variables, parameters, sums and products on the way there.
 //
 //   int4 i = int4(indices); ... bones[i.x * 3 + 1]   =>  int4(indices)
 class IndexUses {

@@ -5,6 +5,7 @@
 #include "backend-glsl/legalize/index_uses.h"
 #include "backend-glsl/legalize/legalize.h"
 #include "backend-glsl/legalize/ranges.h"
+#include "ir/evaluate.h"
 #include "ir/walk.h"
 
 namespace clipc::glsl {
@@ -34,12 +35,7 @@ class ConversionLowering {
 
   void Run() {
     legalizer_.ForEach([&](ExprId expr) {
-      const auto* convert = As<Convert>(program_, expr);
-      if (!convert || IsDone(expr)) return;
-      const Scalar to = BaseOf(legalizer_.TypeOf(expr).scalar);
-      const bool is_integer = to == Scalar::kInt || to == Scalar::kUint;
-      if (is_integer && IsFloat(legalizer_.TypeOf(convert->operand).scalar))
-        Lower(expr, to, convert->operand);
+      if (!IsDone(expr) && IsToInteger(expr) && MayNotFit(expr)) Lower(expr);
     });
   }
 
@@ -47,7 +43,30 @@ class ConversionLowering {
   // GLSL wants constants in the values of constants, and no calls.
   void NoteConstant(const Var& var) {
     if (var.storage != Storage::kConstant || !var.init) return;
-    ForEachExpr(program_, var.init, [&](ExprId part) { SetDone(part); });
+    std::vector<ExprId> misfits;
+    ForEachExpr(program_, var.init, [&](ExprId part) {
+      SetDone(part);
+      if (IsToInteger(part) && MayNotFit(part)) misfits.push_back(part);
+    });
+    for (const ExprId part : misfits) {
+      const auto bits = ConstantBits(program_, part);
+      if (bits)
+        legalizer_.Become(part, legalizer_.At(part).ValueOf(TypeIdOf(program_, part), *bits));
+    }
+  }
+
+  bool IsToInteger(ExprId expr) const {
+    const auto* convert = As<Convert>(program_, expr);
+    const Scalar to = convert ? BaseOf(legalizer_.TypeOf(expr).scalar) : Scalar::kFloat;
+    return (to == Scalar::kInt || to == Scalar::kUint) &&
+           IsFloat(legalizer_.TypeOf(convert->operand).scalar);
+  }
+
+  bool MayNotFit(ExprId expr) {
+    const bool is_int = BaseOf(legalizer_.TypeOf(expr).scalar) == Scalar::kInt;
+    const Range range = ranges_.Of(As<Convert>(program_, expr)->operand);
+    const double limit = kNearly * (is_int ? kTwoTo31 : kTwoTo32);
+    return !range.IsWithin(is_int ? -limit : 0, limit);
   }
 
   bool IsDone(ExprId expr) const { return expr.index < done_.size() && done_[expr.index]; }
@@ -56,11 +75,10 @@ class ConversionLowering {
     done_[expr.index] = true;
   }
 
-  void Lower(ExprId expr, Scalar to, ExprId operand) {
+  void Lower(ExprId expr) {
+    const ExprId operand = As<Convert>(program_, expr)->operand;
+    const Scalar to = BaseOf(legalizer_.TypeOf(expr).scalar);
     const bool is_int = to == Scalar::kInt;
-    const Range range = ranges_.Of(operand);
-    const double limit = kNearly * (is_int ? kTwoTo31 : kTwoTo32);
-    if (range.IsWithin(is_int ? -limit : 0, limit)) return;
     // An index that does not fit into an int is out of every array. One below 0 is element 0.
     if (!uses_) uses_.emplace(program_);
     if (uses_->IsIndex(expr)) {

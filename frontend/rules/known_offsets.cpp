@@ -75,24 +75,8 @@ class OffsetFinder {
   }
 
   // A value of literals.
-  ExprId Make(TypeId id, const Bits& bits, Span span) {
-    std::size_t next = 0;
-    return Make(id, bits, next, span);
-  }
-  ExprId Make(TypeId id, const Bits& bits, std::size_t& next, Span span) {
-    Builder at(program_, span);
-    const Type type = program_.types[id];
-    if (type.kind == TypeKind::kScalar) return at.Add(id, Literal{bits[next++]});
-    std::vector<ExprId> parts;
-    if (type.IsNumeric()) {
-      const TypeId component = program_.types.Make(type.scalar);
-      for (std::uint32_t i = 0; i < type.Components(); ++i)
-        parts.push_back(at.Add(component, Literal{bits[next++]}));
-    } else {
-      for (std::uint32_t i = 0; i < program_.types.PartCount(id); ++i)
-        parts.push_back(Make(program_.types.PartType(id, i), bits, next, span));
-    }
-    return at.ConstructOf(id, parts);
+  ExprId Make(TypeId type, const Bits& bits, Span span) {
+    return Builder(program_, span).ValueOf(type, bits);
   }
 
   bool Know(VarId var, ExprId value) {

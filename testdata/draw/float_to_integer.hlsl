@@ -6,6 +6,11 @@
 // RUN: %clipc -T vs_6_0 %s -o - | FileCheck %s --check-prefix=DXIL
 // DXIL-NOT: to_{{u?}}int
 float4 bones[12];
+// Constants get the value itself, since GLSL has no calls there.
+// RUN: %clipc -T vs_5_0 %s --validate -o - | FileCheck %s --check-prefix=CONST
+// CONST: const int beyond[1] = int[1](ivec2(2147483647, int(0x80000000u)).x ^ 1);
+static const float2 far_away[1] = {float2(2, -4)};
+static const int beyond[1] = {((int2)(far_away[0] * 1073741824.0)).x ^ 1};
 
 struct Output {
   float4 position : SV_Position;
@@ -28,8 +33,10 @@ Output main(float4 p : POSITION, uint4 n : NUMBERS) {
   o.uints.x += uint(asfloat(0xffc00000u + (n.y & 7))) + uint(asfloat(0x7f800000u + (n.x & 0)));
   o.uints.y += uint2(saturate(p.xy) * 255.0 + 0.5).y;
   o.small = min16int2(half2(p.xy));
+  o.ints.y ^= beyond[n.x & 0];
   o.one = ((int1)(p.x * 1e10)).x + int(min(max(p.x, -5), 7.0));
   o.skinned = Skin(int4(saturate(p) * 3)) + bones[uint(abs(p.y) * 0 - 1)];
+  o.skinned += bones[(int)(p.x * 1e9) & 3] + bones[(uint)(abs(p.y) * 1e10) >> 30];
   o.power = pow(p.x * 0, float4(-1, -0.5, 0.5, 2));
   return o;
 }
