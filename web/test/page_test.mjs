@@ -148,7 +148,7 @@ await test('each tab shows its text', async () => {
   const reflection = JSON.parse(await shows('Reflection', /"inputs"/));
   assert.deepEqual([table.lowering, table.planes.length], ['clip-distance', 1]);
   assert.equal(reflection.clipPlanes.length, 1);
-  assert.match(await shows('SPIR-V', /OpCapability ClipDistance/), /OpEntryPoint Vertex/);
+  assert.match(await shows('SPIR-V', /Capability ClipDistance/), /EntryPoint Vertex/);
   await shows('Messages', /^Nothing|warning|note/);
   await page.evaluate(`document.querySelector('[aria-selected=true]').focus()`);
   for (const type of ['keyDown', 'keyUp']) await page.send('Input.dispatchKeyEvent', { type, key: 'ArrowLeft', code: 'ArrowLeft' });
