@@ -26,8 +26,8 @@ float Sum(float4 v, int from) {
 static int counter = 0;
 void Count() { counter++; }
 void Set(out int n) { n = (int)color.x; }
-int Side(float4 v) {
-  if (v.x > 0) return 1;
+int Side() {
+  if (color.x > 0) return 1;
   return 2;
 }
 
@@ -64,7 +64,7 @@ float Hang(float4 v) {
     ++g;
   }
   // CHECK: :[[#@LINE+1]]:{{[0-9]+}}: error: the index is not constant;
-  sum += v[Side(v)];
+  sum += v[Side()];
   Count();
   // CHECK: :[[#@LINE+1]]:{{[0-9]+}}: error: the index is not constant;
   sum += v[counter];
