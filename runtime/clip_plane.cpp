@@ -68,7 +68,7 @@ Result<PlaneConstant> DocumentClipPlane(const Plane& view_plane,
         Error::kWrongProjection,
         "the closed form is for [Px 0 0 0; 0 Py 0 0; 0 0 A 1; 0 0 B 0]; use ClipPlaneFromView");
   }
-  return Finish(ThroughShape(begin, s));
+  return Finish(ThroughShape(begin.value, s));
 }
 
 Result<PlaneConstant> Xyw1PlaneFromView(const Plane& view_plane,

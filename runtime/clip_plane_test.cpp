@@ -299,10 +299,13 @@ TEST(ClipPlane, NumbersThatAreNotFinite) {
     for (int i = 0; i < 4; ++i) {
       Plane plane = {1, 2, 3, 4};
       (i == 0 ? plane.x : i == 1 ? plane.y : i == 2 ? plane.z : plane.w) = bad;
-      EXPECT_EQ(ClipPlaneFromView(plane, camera.projection).status.error(), Error::kNotFinite);
-      EXPECT_EQ(Xyw1PlaneFromView(plane, camera.projection).status.error(), Error::kNotFinite);
-      EXPECT_EQ(ObjectPlaneFromWorld(plane, {}).status.error(), Error::kNotFinite);
-      EXPECT_EQ(DocumentClipPlane(plane, camera.projection).status.error(), Error::kNotFinite);
+      for (const auto& result :
+           {ClipPlaneFromView(plane, camera.projection),
+            Xyw1PlaneFromView(plane, camera.projection), ObjectPlaneFromWorld(plane, {}),
+            DocumentClipPlane(plane, camera.projection)}) {
+        EXPECT_EQ(result.status.error(), Error::kNotFinite);
+        EXPECT_THAT(result.status.message(), HasSubstr("has a coefficient that is not finite"));
+      }
     }
     for (int i = 0; i < 16; ++i) {
       Matrix matrix;

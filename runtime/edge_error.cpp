@@ -17,14 +17,14 @@ constexpr double kLeastSine = 0.05;                 // 3 degrees
 // The variance of what rounding a number of this size to float adds, evenly over half a unit in the
 // last place; none for 0.
 double Rounding(double x) {
-  if (x == 0 || !std::isfinite(x)) return 0;
+  if (x == 0) return 0;
   const double half_unit = std::scalbn(1.0, std::max(std::ilogb(x), -126) - 24);
   return half_unit * half_unit / 3;
 }
-// Whether `x` is 0 or a power of two, which float holds and multiplies without rounding.
+// Whether `x` is a power of two, which float holds and multiplies without rounding.
 bool IsExact(double x) {
   int exponent = 0;
-  return x == 0 || std::fabs(std::frexp(x, &exponent)) == 0.5;
+  return std::fabs(std::frexp(x, &exponent)) == 0.5;
 }
 // The variance that rounding adds to the sum of two floats; none where one of them is 0.
 double RoundingOfSum(double a, double b) { return a == 0 || b == 0 ? 0 : Rounding(a + b); }
@@ -148,6 +148,7 @@ class Shader {
     }
   }
 
+  // The distance, but for what is the same at every place.
   double ValueAt(const double (&place)[3]) const { return ValueOf(Last(place)); }
   Variances VariancesAt(const double (&place)[3]) const {
     Variances sum;
@@ -179,7 +180,7 @@ class Shader {
   double ValueOf(const Vector4& v) const {
     double sum = 0;
     for (int j = 0; j < 4; ++j) sum += v.c[j] * slopes_[arithmetic_.count].c[j];
-    return arithmetic_.is_xyw1 ? sum + arithmetic_.constant.w : sum;
+    return sum;
   }
   // The variance from multiplying the matrices up to number k.
   double OfProduct(const Vector4& vertex, int k) const {
@@ -310,13 +311,11 @@ class Directions {
 double Percentile99(const double* deviations, std::size_t count) {
   if (count == 0) return INFINITY;
   double low = 0, high = 4 * *std::max_element(deviations, deviations + count);
-  if (!(high > 0) || std::isinf(high)) return high;
   for (int step = 0; step < 30; ++step) {
     const double middle = (low + high) / 2;
     double over = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      if (deviations[i] > 0) over += std::erfc(middle / (deviations[i] * std::sqrt(2.0)));
-    }
+    for (std::size_t i = 0; i < count; ++i)
+      over += std::erfc(middle / (deviations[i] * std::sqrt(2.0)));
     (over > 0.01 * static_cast<double>(count) ? low : high) = middle;
   }
   return high;

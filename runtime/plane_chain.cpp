@@ -82,10 +82,9 @@ Step Before(const Step& after, const Matrix& matrix, const char* name) noexcept 
   return before;
 }
 
-Step ThroughShape(const Step& before, const ProjectionShape& s) noexcept {
-  if (!before.ok()) return before;
+Bounded ThroughShape(const Bounded& before, const ProjectionShape& s) noexcept {
   double c[4], ce[4], p[4], e[4];
-  Round(before.value, c, ce);
+  Round(before, c, ce);
   p[0] = c[0] / s.px;
   p[1] = c[1] / s.py;
   e[0] = std::fabs(p[0]) + ce[0] / std::fabs(s.px);
@@ -94,9 +93,10 @@ Step ThroughShape(const Step& before, const ProjectionShape& s) noexcept {
   const auto rest = [&](double c_i, double o_x, double o_y) {
     return c_i - o_x * p[0] - o_y * p[1];
   };
+  // Both differences round c_i and the first product.
   const auto rest_error = [&](double c_i, double c_error, double o_x, double o_y) {
-    return std::fabs(c_i) + c_error + std::fabs(o_x) * (std::fabs(p[0]) + e[0]) +
-           std::fabs(o_y) * (std::fabs(p[1]) + e[1]);
+    return 2 * std::fabs(c_i) + c_error + std::fabs(o_x) * (3 * std::fabs(p[0]) + e[0]) +
+           std::fabs(o_y) * (2 * std::fabs(p[1]) + e[1]);
   };
   const double rest2 = rest(c[2], s.ox, s.oy), error2 = rest_error(c[2], ce[2], s.ox, s.oy);
   const double rest3 = rest(c[3], s.tx, s.ty), error3 = rest_error(c[3], ce[3], s.tx, s.ty);
@@ -104,12 +104,14 @@ Step ThroughShape(const Step& before, const ProjectionShape& s) noexcept {
     p[2] = rest3 / s.b;
     e[2] = std::fabs(p[2]) + error3 / std::fabs(s.b);
     p[3] = (rest2 - s.a * p[2]) / s.e;
-    e[3] = std::fabs(p[3]) + (error2 + std::fabs(s.a) * (std::fabs(p[2]) + e[2])) / std::fabs(s.e);
+    e[3] =
+        2 * std::fabs(p[3]) + (error2 + std::fabs(s.a) * (std::fabs(p[2]) + e[2])) / std::fabs(s.e);
   } else {
     p[2] = rest2 / s.a;
     e[2] = std::fabs(p[2]) + error2 / std::fabs(s.a);
     p[3] = (rest3 - s.b * p[2]) / s.g;
-    e[3] = std::fabs(p[3]) + (error3 + std::fabs(s.b) * (std::fabs(p[2]) + e[2])) / std::fabs(s.g);
+    e[3] =
+        2 * std::fabs(p[3]) + (error3 + std::fabs(s.b) * (std::fabs(p[2]) + e[2])) / std::fabs(s.g);
   }
   Bounded after;
   for (int i = 0; i < 4; ++i) after.plane[i].high = p[i], after.error[i] = e[i];
@@ -125,7 +127,7 @@ Step ThroughProjection(const Step& before, const Matrix& projection) noexcept {
     return Status::Failure(Error::kSingular,
                            "the projection matrix has no inverse: its depth does not depend on z");
   }
-  return ThroughShape(before, shape);
+  return ThroughShape(before.value, shape);
 }
 
 Step ToXyw1(const Step& view_plane, const Matrix& projection) noexcept {
@@ -146,10 +148,10 @@ Step ToXyw1(const Step& view_plane, const Matrix& projection) noexcept {
   const double x_error = ce[0] / std::fabs(s.px), y_error = ce[1] / std::fabs(s.py);
   constant.error[0] = std::fabs(x) + x_error;
   constant.error[1] = std::fabs(y) + y_error;
-  constant.error[2] =
-      std::fabs(k[2]) + (std::fabs(c[2]) + ce[2] + std::fabs(s.ox) * (3 * std::fabs(x) + x_error) +
-                         std::fabs(s.oy) * (3 * std::fabs(y) + y_error)) /
-                            std::fabs(s.e);
+  constant.error[2] = std::fabs(k[2]) + (2 * std::fabs(c[2]) + ce[2] +
+                                         std::fabs(s.ox) * (4 * std::fabs(x) + x_error) +
+                                         std::fabs(s.oy) * (3 * std::fabs(y) + y_error)) /
+                                            std::fabs(s.e);
   constant.error[3] = ce[3];
   return constant;
 }

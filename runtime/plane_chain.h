@@ -30,7 +30,7 @@ Step Before(const Step& after, const Matrix& matrix, const char* name) noexcept;
 // The plane after the projection, as ClipPlaneFromView says.
 Step ThroughProjection(const Step& before, const Matrix& projection) noexcept;
 // ThroughProjection by the closed form, for a projection whose shape holds.
-Step ThroughShape(const Step& before, const ProjectionShape& shape) noexcept;
+Bounded ThroughShape(const Bounded& before, const ProjectionShape& shape) noexcept;
 // The constant of plane space `xyw1` for a plane of view space, as Xyw1PlaneFromView says.
 Step ToXyw1(const Step& view_plane, const Matrix& projection) noexcept;
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include <gtest/gtest.h>
 
@@ -164,6 +165,87 @@ TEST(PlaneChain, ConditionCountsEveryMatrix) {
     EXPECT_LE(Difference(after.value.plane, exact), 4 * after.value.condition * 0x1p-53);
   }
   EXPECT_GT(kept, 100);
+}
+
+// A step from a plane that is off by as much as it may be: each component stays within its bound.
+class EachBound {
+ public:
+  explicit EachBound(std::uint32_t seed) : random_(seed) {}
+
+  double Any() {
+    if (random_.Below(4) == 0) return 0;
+    return (random_.Below(2) == 0 ? 1 : -1) * random_.Magnitude(1e-6, 1e6);
+  }
+  double Large() { return random_.Magnitude(1e-3, 1e3); }
+  Bounded AnyPlane() {
+    Bounded plane;
+    for (int i = 0; i < 4; ++i) {
+      const double high = Any(), low = random_.Below(2) == 0 ? 0 : high * 0x1p-54 * Signed();
+      plane.plane[i] = {high, low};
+      plane.error[i] = random_.Below(2) == 0 ? 0 : std::fabs(Any());
+      true_.c[i] = static_cast<Wide>(high) + low +
+                   static_cast<Wide>(plane.error[i]) * (random_.Below(2) == 0 ? 1 : -1) * 0x1p-53;
+    }
+    return plane;
+  }
+  Matrix AnyProjection(bool is_perspective) {
+    Matrix m = {{}};
+    m.m[0][0] = Large(), m.m[1][1] = Large();
+    for (const int j : {0, 1}) m.m[2][j] = Any(), m.m[3][j] = Any();
+    m.m[2][2] = is_perspective ? Any() : Large(), m.m[3][2] = is_perspective ? Large() : Any();
+    m.m[is_perspective ? 2 : 3][3] = Large();
+    return m;
+  }
+  Matrix AnyMatrix() {
+    Matrix m;
+    for (auto& row : m.m) {
+      for (int j = 0; j < 3; ++j) row[j] = Any();
+    }
+    return m;
+  }
+  // `exact` is what the true plane becomes.
+  void Expect(const Bounded& got, const WidePlane& exact, const char* what) const {
+    for (int i = 0; i < 4; ++i) {
+      const Wide value = static_cast<Wide>(got.plane[i].high) + got.plane[i].low;
+      const Wide size = Magnitude(value) + Magnitude(exact.c[i]);
+      EXPECT_LE(static_cast<double>(Magnitude(value - exact.c[i]) - size * 0x1p-108),
+                got.error[i] * 0x1p-53 * (1 + 0x1p-20))
+          << what << ' ' << i;
+    }
+  }
+  const WidePlane& True() const { return true_; }
+
+ private:
+  double Signed() { return random_.Between(-1, 1); }
+
+  Random random_;
+  WidePlane true_ = {};
+};
+
+TEST(PlaneChain, EachStepBoundsEachComponent) {
+  EachBound each(25);
+  for (int i = 0; i < 40000; ++i) {
+    const Bounded plane = each.AnyPlane();
+    for (const bool is_perspective : {true, false}) {
+      Matrix projection = each.AnyProjection(is_perspective);
+      const ProjectionShape s = ShapeOf(projection);
+      WidePlane p = each.True(), xyw1 = p;
+      p.c[0] /= s.px, p.c[1] /= s.py;
+      xyw1 = p;
+      const Wide rest2 = p.c[2] - s.ox * p.c[0] - s.oy * p.c[1],
+                 rest3 = p.c[3] - s.tx * p.c[0] - s.ty * p.c[1];
+      p.c[2] = is_perspective ? rest3 / s.b : rest2 / s.a;
+      p.c[3] = is_perspective ? (rest2 - s.a * p.c[2]) / s.e : (rest3 - s.b * p.c[2]) / s.g;
+      each.Expect(ThroughShape(plane, s), p, is_perspective ? "perspective" : "orthographic");
+      if (!is_perspective) continue;
+      projection.m[3][0] = projection.m[3][1] = 0;
+      xyw1.c[2] = rest2 / s.e;
+      each.Expect(ToXyw1(plane, projection).value, xyw1, "xyw1");
+    }
+    const Matrix matrix = each.AnyMatrix();
+    if (LooksTransposed(matrix)) continue;
+    each.Expect(Before(plane, matrix, "world").value, WideBefore(matrix, each.True()), "before");
+  }
 }
 
 }  // namespace

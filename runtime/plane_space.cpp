@@ -71,7 +71,6 @@ double OrthographicLaw(const Plane& n, const ProjectionShape& s, double reach) {
 // before the eye.
 double ReachOfWorld(const DrawMatrices& draw) {
   const ProjectionShape s = ShapeOf(draw.projection);
-  if (!s.holds) return 0;
   const double(&at)[4] = draw.world.m[3];
   double z = 0;
   for (int i = 0; i < 4; ++i) z += at[i] * draw.view.m[i][2];
@@ -94,18 +93,19 @@ void AddMatrices(const DrawMatrices& draw, DistanceArithmetic& to) {
 }
 
 // PredictEdgeError of a draw whose cut is not known: of an object around its own origin, which
-// stands where the world matrix puts it.
-Result<double> PredictOf(PlaneSpace space, const Plane& view_plane, const DrawMatrices& draw,
-                         double picture_height) {
+// stands where the world matrix puts it; 0 where there is no prediction.
+double PredictOf(PlaneSpace space, const Plane& view_plane, const DrawMatrices& draw,
+                 double picture_height) {
   const auto law = [&](PlaneSpace of, double reach) {
-    return PredictEdgeError(of, view_plane, draw.projection, picture_height, kAnySurface, reach);
+    return PredictEdgeError(of, view_plane, draw.projection, picture_height, kAnySurface, reach)
+        .value;
   };
-  const Result<double> own = law(space, kAroundOrigin);
-  if (!own.ok() || space == PlaneSpace::kObject) return own;
+  const double own = law(space, kAroundOrigin);
+  if (space == PlaneSpace::kObject) return own;
   const double world = std::max(kAroundOrigin, ReachOfWorld(draw));
   if (draw.steps > 1) return law(space, world);
   if (!draw.float_product || !ShapeOf(draw.projection).is_perspective()) return own;
-  return std::max(own.value, law(PlaneSpace::kXyw1, world).value);
+  return std::max(own, law(PlaneSpace::kXyw1, world));
 }
 
 }  // namespace
@@ -160,22 +160,19 @@ Result<double> PredictEdgeError(PlaneSpace space, const Plane& plane, KnownIn kn
 
 Result<SpaceConstant> PlaneConstantFor(PlaneSpace space, const Plane& plane, KnownIn known_in,
                                        const DrawMatrices& draw, const Picture& picture) noexcept {
-  // Space `object` does not need the view, but the prediction does.
+  // Space `object` does not need the view, but the prediction does: without one the plane is zero.
   const Step in_view = InView(plane, known_in, draw);
   const Result<PlaneConstant> constant = Finish(ConstantOf(space, plane, known_in, draw, in_view));
   if (!constant.ok()) return constant.status;
   SpaceConstant result;
   result.plane = constant.value;
-  if (!in_view.ok()) return result;
   const Plane seen = Rounded(in_view.value);
-  const Result<double> error = PredictOf(space, seen, draw, picture.height);
-  if (!error.ok()) return result;
-  result.edge_error = error.value;
-  if (error.value > picture.most_pixels) {
+  result.edge_error = PredictOf(space, seen, draw, picture.height);
+  if (result.edge_error > picture.most_pixels) {
     const Result<double> of_one_step =
         PredictEdgeError(space, seen, draw.projection, picture.height);
     const char* const cure =
-        of_one_step.value < error.value / 2
+        of_one_step.value < result.edge_error / 2
             ? "; multiply its matrices in double, or let the world begin at the camera"
         : space != PlaneSpace::kClip ? ""
         : ShapeOf(draw.projection).is_perspective()
@@ -184,7 +181,7 @@ Result<SpaceConstant> PlaneConstantFor(PlaneSpace space, const Plane& plane, Kno
     result.warning =
         Status::Failure(Error::kIllConditioned,
                         "plane space %s displaces the cut by about %.2g pixels of %g rows%s",
-                        NameOf(space), error.value, picture.height, cure);
+                        NameOf(space), result.edge_error, picture.height, cure);
   }
   return result;
 }

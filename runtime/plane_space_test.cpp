@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "runtime/plane_space.h"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include <gmock/gmock.h>
@@ -107,6 +109,9 @@ TEST(PlaneConstantFor, WarnsWhereTheDefaultLosesPixels) {
   EXPECT_THAT(clip.value.warning.message(), HasSubstr("--plane-space=xyw1"));
   EXPECT_TRUE(PlaneConstantFor(PlaneSpace::kClip, plane, KnownIn::kView, draw, {1080, 3.8})
                   .value.warning.ok());
+  EXPECT_DOUBLE_EQ(PlaneConstantFor(PlaneSpace::kClip, plane, KnownIn::kView, draw, {2160, 3.8})
+                       .value.edge_error,
+                   2 * clip.value.edge_error);
   for (const PlaneSpace space : {PlaneSpace::kXyw1, PlaneSpace::kObject}) {
     const auto other = PlaneConstantFor(space, plane, KnownIn::kView, draw);
     ASSERT_TRUE(other.ok());
@@ -116,6 +121,14 @@ TEST(PlaneConstantFor, WarnsWhereTheDefaultLosesPixels) {
   const DrawMatrices reversed = {{}, {}, PerspectiveCamera(0.1, 1e6, {false, true}).projection};
   EXPECT_TRUE(
       PlaneConstantFor(PlaneSpace::kClip, plane, KnownIn::kView, reversed).value.warning.ok());
+}
+
+// A narrow view has no cure that holds for every draw.
+TEST(PlaneConstantFor, NamesNoCureOfANarrowView) {
+  const DrawMatrices draw = {{}, {}, PerspectiveCamera(0.1, 1e6, {}, 1, 0, 0, 0.05).projection};
+  const auto xyw1 = PlaneConstantFor(PlaneSpace::kXyw1, {0, 0, -1, 300}, KnownIn::kView, draw);
+  EXPECT_EQ(xyw1.value.warning.error(), Error::kIllConditioned);
+  EXPECT_THAT(xyw1.value.warning.message(), ::testing::EndsWith("rows"));
 }
 
 // A sun's shadow map: neither xyw1 nor reversed depth is a cure there.
@@ -146,6 +159,11 @@ TEST(PredictEdgeError, GrowsWithTheDistanceOverNear) {
   // The plane's length does not count.
   EXPECT_NEAR(PredictEdgeError(PlaneSpace::kClip, {0, 0, 5, -150}, standard.projection, 1080).value,
               error(standard, 30), 1e-12);
+  const auto xyw1 = [&](const Plane& plane) {
+    return PredictEdgeError(PlaneSpace::kXyw1, plane, standard.projection, 1080).value;
+  };
+  for (const double length : {0x1p-1074, 0x1.8p1023})
+    EXPECT_NEAR(xyw1({length, length, length, 0}) / xyw1({1, 1, 1, 0}), 1, 1e-12) << length;
   EXPECT_EQ(
       PredictEdgeError(PlaneSpace::kClip, {0, 0, 0, 1}, standard.projection, 1080).status.error(),
       Error::kSingular);
@@ -178,6 +196,12 @@ TEST(PredictEdgeError, GrowsAsTheViewNarrowsAndOffTheAxis) {
   const Matrix tile = at(60, -3);
   EXPECT_NEAR(LawOf(PlaneSpace::kXyw1, sideways, tile),
               2 + 6 + (0.8 + 3 * 0.6 / tile.m[0][0]) * tile.m[1][1], 1e-9);
+  Matrix above = PerspectiveCamera(0.1, 100, {}, 1, 0, -3).projection;
+  EXPECT_NEAR(LawOf(PlaneSpace::kXyw1, {0, 0.6, 0.8, -30}, above),
+              2 + 6 + 0.8 * above.m[1][1] + 3 * 0.6, 1e-9);
+  above.m[1][1] *= -1, above.m[2][1] *= -1;  // y down
+  EXPECT_NEAR(LawOf(PlaneSpace::kXyw1, {0, 0.6, 0.8, -30}, above),
+              2 + 6 + std::fabs(0.8 * above.m[1][1] + 3 * 0.6 * -1), 1e-9);
 }
 
 TEST(PredictEdgeError, GrowsWithTheDistanceOfAnOrthographicEye) {
@@ -193,6 +217,8 @@ TEST(PredictEdgeError, GrowsWithTheDistanceOfAnOrthographicEye) {
   Matrix tile = OrthographicCamera(0.1, 100).projection;
   tile.m[3][0] = 3;
   EXPECT_NEAR(LawOf(PlaneSpace::kClip, tilted, tile), 2 + 6 + 0.1 * 30, 1e-9);
+  tile.m[3][1] = 4;
+  EXPECT_NEAR(LawOf(PlaneSpace::kClip, tilted, tile), 2 + 10 + 0.1 * 30, 1e-9);
   EXPECT_EQ(
       PredictEdgeError(PlaneSpace::kXyw1, tilted, OrthographicCamera(0.1, 100).projection, 1080)
           .status.error(),
@@ -252,6 +278,45 @@ TEST(PlaneConstantFor, WarnsOfMatricesThatWereMultipliedInFloat) {
   }
 }
 
+// That distance is told in pictures at the depth where the world matrix puts the object.
+TEST(PlaneConstantFor, CountsTheWorldsOriginFromTheObject) {
+  const auto is_law = [](DrawMatrices draw, PlaneSpace law, double reach) {
+    const Plane plane = {0.6, 0, 0.8, -8};
+    const auto made = PlaneConstantFor(PlaneSpace::kClip, plane, KnownIn::kView, draw);
+    ASSERT_TRUE(made.ok()) << made.status.message();
+    EXPECT_NEAR(made.value.edge_error /
+                    PredictEdgeError(law, plane, draw.projection, 1080, kAnySurface, reach).value,
+                1, 1e-12);
+  };
+  DrawMatrices draw = {{}, {}, PerspectiveCamera(0.1, 1000).projection};
+  // The camera turns a quarter to the left: the world's -x is its z.
+  draw.view.m[0][2] = -1, draw.view.m[0][0] = 0, draw.view.m[2][0] = 1, draw.view.m[2][2] = 0;
+  draw.world.m[3][0] = -2000, draw.world.m[3][1] = 3000, draw.world.m[3][2] = 6000;
+  draw.view.m[3][2] = -1990;
+  const double at_10 = 7000 * draw.projection.m[1][1] / 20;
+  for (const double forward : {1, -1}) {
+    DrawMatrices steps = draw;
+    steps.steps = 2;
+    steps.projection = PerspectiveCamera(0.1, 1000, {}, forward).projection;
+    for (auto& row : steps.view.m) row[2] *= forward;
+    is_law(steps, PlaneSpace::kClip, at_10);
+    steps.world.m[3][0] = 2000;  // behind the eye
+    is_law(steps, PlaneSpace::kClip, kAroundOrigin);
+    steps.world.m[3][0] = -2000, steps.world.m[3][1] = steps.world.m[3][2] = 0;
+    steps.view.m[3][2] = forward * 1e5;  // so far that the world's origin is near the object
+    is_law(steps, PlaneSpace::kClip, kAroundOrigin);
+  }
+  DrawMatrices product = draw;
+  product.float_product = true;
+  is_law(product, PlaneSpace::kXyw1, at_10);
+  product.world = {};  // the near plane's share is more
+  is_law(product, PlaneSpace::kClip, kAroundOrigin);
+  DrawMatrices orthographic = draw;
+  orthographic.projection = OrthographicCamera(0.1, 100).projection;
+  orthographic.steps = 2;
+  is_law(orthographic, PlaneSpace::kClip, 7000 * orthographic.projection.m[1][1] / 2);
+}
+
 // The prediction for a draw whose cut is known; tools/study/regimes_test.cpp measures it.
 TEST(PredictEdgeError, FollowsTheRoundingsOfADraw) {
   DrawMatrices draw = {{}, {}, PerspectiveCamera(0.1, 1000).projection};
@@ -275,11 +340,30 @@ TEST(PredictEdgeError, FollowsTheRoundingsOfADraw) {
   // its distance.
   const auto axis = PredictEdgeError(PlaneSpace::kObject, {1, 0, 0, 0}, KnownIn::kObject, draw,
                                      {places + 3, 1, 1e-6}, 1080);
-  EXPECT_LT(axis.value, 1e-6);
+  EXPECT_TRUE(axis.ok());
+  EXPECT_EQ(axis.value, 0);
+  // The plane's length does not count.
+  EXPECT_NEAR(
+      PredictEdgeError(PlaneSpace::kXyw1, {2.4, 0, 3.2, -32}, KnownIn::kWorld, draw, cut, 1080)
+              .value /
+          error(PlaneSpace::kXyw1, cut).value,
+      1, 1e-9);
   const double behind[] = {0, 0, -20};
   EXPECT_EQ(error(PlaneSpace::kClip, {behind, 1, 0.1}).status.error(), Error::kInvalidArgument);
   EXPECT_EQ(error(PlaneSpace::kClip, {places, 0, 0.1}).status.error(), Error::kInvalidArgument);
   EXPECT_EQ(error(PlaneSpace::kClip, {places, 2, 0}).status.error(), Error::kInvalidArgument);
+  EXPECT_EQ(error(PlaneSpace::kClip, {places, 2, -1}).status.error(), Error::kInvalidArgument);
+  const auto object_error = [&](double length, double height) {
+    return PredictEdgeError(PlaneSpace::kObject, {0.6 * length, 0, 0.8 * length, -8 * length},
+                            KnownIn::kWorld, draw, cut, height)
+        .status.error();
+  };
+  EXPECT_EQ(object_error(1, 1080), Error::kNone);
+  EXPECT_EQ(object_error(1e-35, 1080), Error::kNotRepresentable);
+  EXPECT_EQ(object_error(1, -1080), Error::kNotFinite);
+  draw.view.m[3][2] = NAN;
+  EXPECT_EQ(object_error(1, 1080), Error::kNotFinite);
+  draw.view = {};
   draw.projection.m[3][2] = NAN;
   EXPECT_EQ(error(PlaneSpace::kClip, cut).status.error(), Error::kNotFinite);
 }
@@ -303,19 +387,41 @@ TEST(PredictEdgeError, CountsWhatIsSeenOfAMoveInDepth) {
     EXPECT_LT(along, 1e-9 * across) << off;
     EXPECT_GT(in_depth, 0.1 * across) << off;
   }
+  // A frustum that is shifted as a whole: its eye is one to the left.
+  DrawMatrices draw = {{}, {}, PerspectiveCamera(0.1, 1000).projection};
+  draw.world.m[3][2] = 10, draw.projection.m[3][0] = draw.projection.m[0][0];
+  const double place[] = {7, 5, -1};
+  const auto error = [&](const Plane& plane) {
+    return PredictEdgeError(PlaneSpace::kClip, plane, KnownIn::kView, draw, {place, 1, 0.1}, 1080,
+                            1)
+        .value;
+  };
+  EXPECT_LT(error({8, 5, 9, -(8 * 7 + 5 * 5 + 9 * 9)}), 1e-9 * error({9, 0, -7, 0}));
 }
 
 TEST(PredictEdgeError, RefusesWhatIsNoNumber) {
   const Matrix projection = PerspectiveCamera(0.1, 100).projection;
-  const auto error = [&](double w, double height, double sine, double reach) {
-    return PredictEdgeError(PlaneSpace::kXyw1, {0, 0, 1, w}, projection, height, sine, reach)
+  const auto of = [&](const Plane& plane, double height, double sine, double reach) {
+    return PredictEdgeError(PlaneSpace::kXyw1, plane, projection, height, sine, reach)
         .status.error();
   };
-  EXPECT_EQ(error(NAN, 1080, 1, 0), Error::kNotFinite);
-  EXPECT_EQ(error(-1, -1080, 1, 0), Error::kNotFinite);
-  EXPECT_EQ(error(-1, 1080, 0, 0), Error::kNotFinite);
-  EXPECT_EQ(error(-1, 1080, 1, -1), Error::kNotFinite);
-  EXPECT_EQ(error(-1, 1080, 1, NAN), Error::kNotFinite);
+  for (int i = 0; i < 4; ++i) {
+    for (const double bad : {static_cast<double>(NAN), static_cast<double>(INFINITY)}) {
+      Plane plane = {0.6, 0, 0.8, -1};
+      *std::array{&plane.x, &plane.y, &plane.z, &plane.w}[static_cast<std::size_t>(i)] = bad;
+      EXPECT_EQ(of(plane, 1080, 1, 0), Error::kNotFinite) << i << ' ' << bad;
+    }
+  }
+  const auto error = [&](double height, double sine, double reach) {
+    return of({0, 0, 1, -1}, height, sine, reach);
+  };
+  EXPECT_EQ(error(-1080, 1, 0), Error::kNotFinite);
+  EXPECT_EQ(error(INFINITY, 1, 0), Error::kNotFinite);
+  EXPECT_EQ(error(1080, 0, 0), Error::kNotFinite);
+  EXPECT_EQ(error(1080, -1, 0), Error::kNotFinite);
+  EXPECT_EQ(error(1080, 1, -1), Error::kNotFinite);
+  EXPECT_EQ(error(1080, 1, NAN), Error::kNotFinite);
+  EXPECT_EQ(error(1080, 1, INFINITY), Error::kNotFinite);
   EXPECT_TRUE(PredictEdgeError(PlaneSpace::kXyw1, {0, 0, 1, -1}, projection, 1080).ok());
 }
 
