@@ -192,8 +192,8 @@ bool IsBox(const Box& box) {
   return true;
 }
 
-// |v| |M_0| |M_1| ... for the corner of largest |v|, with what underflow may add, and what numbers
-// flushed to 0 may take away; false where float might overflow.
+// |v| |M_0| |M_1| ... for the corner of largest |v|, and what numbers flushed to 0 may take away;
+// false where float might overflow.
 bool LargestPosition(const Box& box, const Matrix* matrices, std::size_t matrix_count,
                      double (&position)[4], double (&flushed)[4]) {
   constexpr auto kLeast = static_cast<double>(kLeastNormal);
@@ -206,7 +206,7 @@ bool LargestPosition(const Box& box, const Matrix* matrices, std::size_t matrix_
   for (std::size_t k = 0; k < matrix_count; ++k) {
     double next[4], next_flushed[4];
     for (int column = 0; column < 4; ++column) {
-      next[column] = 0x1p-100;
+      next[column] = 0;
       next_flushed[column] = 8 * kLeast;
       for (int row = 0; row < 4; ++row) {
         const double element = std::fabs(matrices[k].m[row][column]);

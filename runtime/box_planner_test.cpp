@@ -407,7 +407,32 @@ TEST(PlanTransformedBoxTest, IsSafeWhereDenormalsAreFlushed) {
   EXPECT_EQ(plan(1, kDenormal, kLarge, true), 1);
   EXPECT_EQ(plan(kLarge, 1, kDenormal, true), 1);
   EXPECT_EQ(plan(1, kLarge, kDenormal, true), 1);
+  EXPECT_EQ(plan(1e-19F, 1e-20F, kLarge, true), 1);  // a product that is denormal
   EXPECT_EQ(plan(1e-30F, 1e21F, 1, false), 0);
+}
+
+// Three products that are denormal: flushed, they do not outweigh what the plane takes.
+TEST(PlanTransformedBoxTest, IsSafeWhereProductsAreFlushed) {
+  const Box box = {{1.1e-10F, 1.1e-10F, 1.1e-10F}, {1.11e-10F, 1.11e-10F, 1.11e-10F}};
+  const Float4 plane = {1e-28F, 1e-28F, 1e-28F, -2e-38F};
+  const float v[4] = {box.low[0], box.low[1], box.low[2], 1};
+  EXPECT_LT(FlushedDot4(v, plane), 0);
+  const Matrix identity;
+  EXPECT_EQ(PlanTransformedBox(box, &identity, 1, &plane, 1), 1);
+}
+
+// E is 5 steps u S: S is 3 here, and one matrix makes two steps.
+TEST(PlanTransformedBoxTest, EachMatrixIsAStep) {
+  const auto plan = [](float units, std::size_t matrix_count) {
+    const Float4 plane = {1, 0, 0, -(1 - units * 0x1p-24F)};
+    const Matrix identities[2];
+    return PlanTransformedBox({{1, 0, 0}, {2, 0, 0}}, identities, matrix_count, &plane, 1);
+  };
+  for (const std::size_t matrix_count : {0u, 1u, 2u}) {
+    const float limit = 15 * static_cast<float>(matrix_count + 1);
+    EXPECT_EQ(plan(limit - 2, matrix_count), 1) << matrix_count;
+    EXPECT_EQ(plan(limit + 2, matrix_count), 0) << matrix_count;
+  }
 }
 
 TEST(PlanTransformedBoxTest, WithoutMatricesIsPlanBoxWithHalfTheError) {
@@ -432,7 +457,9 @@ TEST(PlanTransformedBoxTest, WhatCannotBeJudgedNeedsThePlane) {
   broken.m[2][2] = static_cast<double>(kNan);
   EXPECT_EQ(PlanTransformedBox({{1, 1, 1}, {2, 2, 2}}, &huge, 1, planes, 2), 3);
   EXPECT_EQ(PlanTransformedBox({{1, 1, 1}, {2, 2, 2}}, &broken, 1, planes, 2), 3);
-  const Float4 nan = {kNan, 0, 0, 0}, zero;
+  EXPECT_EQ(PlanTransformedBox({{2, 1, 1}, {1, 2, 2}}, &identity, 1, planes, 2), 3);
+  const Float4 nan = {kNan, 0, 0, 0}, zero, large = {1e38F, 0, 0, 1e38F};
+  EXPECT_EQ(PlanTransformedBox({{1, 1, 1}, {2, 2, 2}}, &identity, 1, &large, 1), 1);
   EXPECT_EQ(PlanTransformedBox({{1, 1, 1}, {2, 2, 2}}, &identity, 1, &nan, 1), 1);
   EXPECT_EQ(PlanTransformedBox({{1, 1, 1}, {2, 2, 2}}, &identity, 1, &zero, 1), 0);
 }

@@ -111,7 +111,9 @@ TEST(CInterface, PlanesAreThoseOfTheCppInterface) {
             PredictEdgeError(PlaneSpace::kClip, c, p, 720).value);
   EXPECT_LT(clipc_edge_error(CLIPC_SPACE_OBJECT, plane, projection, 720),
             clipc_edge_error(CLIPC_SPACE_CLIP, plane, projection, 720));
-  EXPECT_LT(clipc_edge_error(CLIPC_SPACE_CLIP, nullptr, projection, 720), 0);
+  EXPECT_EQ(clipc_edge_error(CLIPC_SPACE_CLIP, nullptr, projection, 720), -1);
+  EXPECT_EQ(clipc_edge_error(CLIPC_SPACE_CLIP, plane, nullptr, 720), -1);
+  EXPECT_EQ(clipc_edge_error(CLIPC_SPACE_MAX, plane, projection, 720), -1);
   projection[14] = 0;
   EXPECT_EQ(clipc_clip_plane(plane, nullptr, projection, got, nullptr), CLIPC_SINGULAR);
   EXPECT_LT(clipc_edge_error(CLIPC_SPACE_CLIP, plane, projection, 720), 0);
@@ -194,7 +196,16 @@ TEST(CInterface, ConstantsAreThoseOfTheCppInterface) {
   EXPECT_EQ(made.warning, CLIPC_ILL_CONDITIONED);
   EXPECT_THAT(made.warning_message, HasSubstr("pixels"));
   EXPECT_GT(made.edge_error, 10);
+  const double error = made.edge_error;
+  ASSERT_EQ(clipc_plane_constant(CLIPC_SPACE_CLIP, far_plane, CLIPC_KNOWN_IN_VIEW, &draw, 2160,
+                                 3 * error, &made, message),
+            CLIPC_OK);
+  EXPECT_DOUBLE_EQ(made.edge_error, 2 * error);
+  EXPECT_EQ(made.warning, CLIPC_OK);
   EXPECT_EQ(clipc_plane_constant(CLIPC_SPACE_MAX, plane, CLIPC_KNOWN_IN_VIEW, &draw, 1080, 0.5,
+                                 &made, message),
+            CLIPC_INVALID_ARGUMENT);
+  EXPECT_EQ(clipc_plane_constant(CLIPC_SPACE_CLIP, plane, CLIPC_KNOWN_IN_MAX, &draw, 1080, 0.5,
                                  &made, message),
             CLIPC_INVALID_ARGUMENT);
 }
@@ -229,9 +240,20 @@ TEST(CInterface, CountsMatricesAndFollowsCuts) {
   EXPECT_GT(
       clipc_cut_error(CLIPC_SPACE_XYW1, plane, CLIPC_KNOWN_IN_WORLD, &draw, place, 1, 0.1, 1080),
       error / 10);
-  EXPECT_LT(
-      clipc_cut_error(CLIPC_SPACE_XYW1, plane, CLIPC_KNOWN_IN_WORLD, &draw, nullptr, 0, 0.1, 1080),
-      0);
+  const auto refuses = [&](clipc_plane_space space, const float* p, clipc_known_in known_in,
+                           const clipc_draw_matrices* matrices, const double* places,
+                           size_t count) {
+    return clipc_cut_error(space, p, known_in, matrices, places, count, 0.1, 1080) == -1;
+  };
+  constexpr clipc_plane_space kXyw1 = CLIPC_SPACE_XYW1;
+  constexpr clipc_known_in kWorld = CLIPC_KNOWN_IN_WORLD;
+  EXPECT_FALSE(refuses(kXyw1, plane, kWorld, &draw, place, 1));
+  EXPECT_TRUE(refuses(CLIPC_SPACE_MAX, plane, kWorld, &draw, place, 1));
+  EXPECT_TRUE(refuses(kXyw1, nullptr, kWorld, &draw, place, 1));
+  EXPECT_TRUE(refuses(kXyw1, plane, CLIPC_KNOWN_IN_MAX, &draw, place, 1));
+  EXPECT_TRUE(refuses(kXyw1, plane, kWorld, nullptr, place, 1));
+  EXPECT_TRUE(refuses(kXyw1, plane, kWorld, &draw, nullptr, 1));
+  EXPECT_TRUE(refuses(kXyw1, plane, kWorld, &draw, place, 0));
 }
 
 TEST(CInterface, MirrorsAndNearPlanes) {

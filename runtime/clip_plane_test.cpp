@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -268,6 +269,7 @@ TEST(ClipPlane, TransposedMatricesAreNamed) {
     if (each.perspective && std::fabs(each.projection.m[3][2]) == 1) continue;
     EXPECT_EQ(error(ClipPlaneFromView(plane, swapped)), Error::kLooksTransposed) << each.name;
     EXPECT_EQ(error(Xyw1PlaneFromView(plane, swapped)), Error::kLooksTransposed) << each.name;
+    EXPECT_EQ(error(DocumentClipPlane(plane, swapped)), Error::kLooksTransposed) << each.name;
   }
 }
 
@@ -327,6 +329,7 @@ TEST(ClipPlane, PlanesTooLargeOrTooSmallForFloat) {
   EXPECT_EQ(scaled(1e32), Error::kNone);
   EXPECT_EQ(scaled(1e34), Error::kNotRepresentable);
   EXPECT_EQ(scaled(1e300), Error::kNotRepresentable);
+  EXPECT_EQ(scaled(1.7e308), Error::kNotFinite);  // divided by 0.97, of the projection
 }
 
 TEST(ClipPlane, TheZeroPlaneStaysZero) {
@@ -351,6 +354,15 @@ TEST(DocumentClipPlaneTest, OnlyForTheDocumentsMatrix) {
     const Plane formula = {view.x / m[0][0], view.y / m[1][1], view.w / b, view.z - view.w * a / b};
     EXPECT_LT(Difference(plane.value.plane, formula), 1e-15) << camera.name;
   }
+  // Each other element.
+  for (const int i : {1, 2, 3, 4, 6, 7, 8, 9, 12, 13, 15}) {
+    Matrix other = PerspectiveCamera(0.1, 100).projection;
+    other.m[i / 4][i % 4] = 0.5;
+    EXPECT_EQ(DocumentClipPlane({0, 0, 1, -3}, other).status.error(), Error::kWrongProjection) << i;
+  }
+  Matrix flat = PerspectiveCamera(0.1, 100).projection;
+  flat.m[3][2] = 0;
+  EXPECT_EQ(DocumentClipPlane({0, 0, 1, -3}, flat).status.error(), Error::kWrongProjection);
 }
 
 TEST(Xyw1Plane, SameDistanceWithoutZ) {
@@ -375,6 +387,8 @@ TEST(Xyw1Plane, SameDistanceWithoutZ) {
   }
   Matrix shifted = PerspectiveCamera(0.1, 100).projection;
   shifted.m[3][0] = 1;
+  EXPECT_EQ(Xyw1PlaneFromView({1, 0, 0, 0}, shifted).status.error(), Error::kWrongProjection);
+  std::swap(shifted.m[3][0], shifted.m[3][1]);
   EXPECT_EQ(Xyw1PlaneFromView({1, 0, 0, 0}, shifted).status.error(), Error::kWrongProjection);
 }
 

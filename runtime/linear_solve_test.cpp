@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "runtime/linear_solve.h"
 
+#include <algorithm>
+#include <cfloat>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -39,6 +41,46 @@ TEST(SolveLinear, SolvesAndBoundsItsError) {
   }
 }
 
+// Equations and unknowns of any size, and small pivots.
+TEST(SolveLinear, SizesDoNotMatter) {
+  const auto error = [](double(&&a)[4][4]) {
+    double b[4] = {};
+    constexpr double kExact[4] = {3, -5, 1, 0};
+    for (int i = 0; i < 4; ++i) {
+      for (int j = 0; j < 4; ++j) b[i] += a[i][j] * kExact[j];
+    }
+    const Solution solution =
+        SolveLinear(a, {{b[0], 0}, {b[1], 0}, {b[2], 0}, {b[3], 0}}, {0, 0, 0, 0});
+    double most = solution.singular ? INFINITY : 0;
+    for (int j = 0; j < 4; ++j) {
+      EXPECT_LT(solution.error[j], 1) << j;
+      most = std::max(most, std::fabs(solution.x[j].high - kExact[j]));
+    }
+    return most;
+  };
+  constexpr double kLarge = 0x1p1000, kSmall = 0x1p-600, kTiny = 0x1p-72;
+  EXPECT_EQ(error({{kSmall, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}), 0);
+  EXPECT_EQ(error({{kSmall, kSmall, 0, 0}, {1, -1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}), 0);
+  EXPECT_EQ(error({{kLarge, kLarge, 0, 0},
+                   {1.375 * kTiny, 2.75 * kTiny, 0, 0},
+                   {0, 0, 1, 0},
+                   {0, 0, 0, 1}}),
+            0);
+  EXPECT_EQ(error({{0x1p-60, 1, 0, 0}, {1, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}), 0);
+}
+
+// A right side at the end of double's range keeps its digits; a solution beyond it is not 0.
+TEST(SolveLinear, TheEndsOfDoublesRange) {
+  Matrix small;
+  small.m[0][0] = 0x1.8p-61;
+  const Solution solution =
+      SolveLinear(small.m, {{0x1p-1060, 0}, {0, 0}, {0, 0}, {0, 0}}, {0, 0, 0, 0});
+  EXPECT_EQ(std::scalbn(solution.x[0].high, 1000), 4 / 3.0);
+  small.m[0][0] = 0x1p1000;
+  EXPECT_EQ(SolveLinear(small.m, {{0x1p-100, 0}, {0, 0}, {0, 0}, {0, 0}}, {0, 0, 0, 0}).x[0].high,
+            DBL_MIN);
+}
+
 TEST(SolveLinear, ErrorsOfTheRightSideReachTheSolution) {
   const double a[4][4] = {{2, 0, 0, 0}, {0, 4, 0, 0}, {0, 0, 1, 0}, {0, 0, 1, 1}};
   const Solution solution = SolveLinear(a, {}, {1, 1, 1, 0});
@@ -75,6 +117,14 @@ TEST(SolveLinear, WhatIsAlmostSingularIsNotTrusted) {
   const Solution solution = SolveLinear(nearly, kOnes, {0, 0, 0, 0});
   ASSERT_FALSE(solution.singular);
   EXPECT_GT(solution.error[0], 0x1p40);
+  // |A^-1| |L| |U| |x| is 4 / away of x here: 46 bits are the limit.
+  const auto error = [](double away) {
+    const double a[4][4] = {{1, 1, 0, 0}, {1, 1 + away, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
+    const Solution made = SolveLinear(a, {{0, 0}, {1, 0}, {0, 0}, {0, 0}}, {0, 0, 0, 0});
+    return made.error[0] / made.x[0].high;
+  };
+  EXPECT_GT(std::fabs(error(0x1.8p-45)), 0x1p40);
+  EXPECT_LT(std::fabs(error(0x1.1p-44)), 1);
 }
 
 TEST(SolveLinear, Singular) {

@@ -83,10 +83,13 @@ TEST(MirrorMatrixTest, AnyLengthOfTheNormalWillDo) {
 
 TEST(MirrorMatrixTest, PlanesThatCannotMirror) {
   EXPECT_EQ(MirrorMatrix({0, 0, 0, 1}).status.error(), Error::kSingular);
-  EXPECT_EQ(MirrorMatrix({1, 0, 0, std::numeric_limits<double>::infinity()}).status.error(),
-            Error::kNotFinite);
-  EXPECT_EQ(MirrorMatrix({1, std::numeric_limits<double>::quiet_NaN(), 0, 0}).status.error(),
-            Error::kNotFinite);
+  for (const double bad :
+       {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_EQ(MirrorMatrix({bad, 1, 1, 1}).status.error(), Error::kNotFinite);
+    EXPECT_EQ(MirrorMatrix({1, bad, 1, 1}).status.error(), Error::kNotFinite);
+    EXPECT_EQ(MirrorMatrix({1, 1, bad, 1}).status.error(), Error::kNotFinite);
+    EXPECT_EQ(MirrorMatrix({1, 1, 1, bad}).status.error(), Error::kNotFinite);
+  }
 }
 
 }  // namespace

@@ -222,6 +222,22 @@ class EachBound {
   WidePlane true_ = {};
 };
 
+// By hand, of planes whose x and y are 0: z is divided by b, or a; and what it takes from w.
+TEST(PlaneChain, CountsTheRoundingsOfAProjection) {
+  ProjectionShape shape;
+  shape.holds = true, shape.px = shape.py = shape.a = shape.b = 1;
+  shape.e = 1;
+  const Bounded perspective = ThroughShape(Begin({0, 0, 3, 1}).value, shape);
+  shape.e = 0, shape.g = 1;
+  const Bounded orthographic = ThroughShape(Begin({0, 0, 1, 3}).value, shape);
+  for (const Bounded& made : {perspective, orthographic}) {
+    EXPECT_EQ(made.plane[2].high, 1);
+    EXPECT_EQ(made.plane[3].high, 2);
+    EXPECT_EQ(made.error[2], 1 + 2 * 1);                // a quotient, two differences
+    EXPECT_EQ(made.error[3], 2 * 2 + 2 * 3 + 1 + 3.0);  // and a product and what it brings
+  }
+}
+
 TEST(PlaneChain, EachStepBoundsEachComponent) {
   EachBound each(25);
   for (int i = 0; i < 40000; ++i) {

@@ -104,8 +104,9 @@ double PredictOf(PlaneSpace space, const Plane& view_plane, const DrawMatrices& 
   if (space == PlaneSpace::kObject) return own;
   const double world = std::max(kAroundOrigin, ReachOfWorld(draw));
   if (draw.steps > 1) return law(space, world);
-  if (!draw.float_product || !ShapeOf(draw.projection).is_perspective()) return own;
-  return std::max(own, law(PlaneSpace::kXyw1, world));
+  if (!draw.float_product) return own;
+  const bool is_perspective = ShapeOf(draw.projection).is_perspective();
+  return std::max(own, law(is_perspective ? PlaneSpace::kXyw1 : PlaneSpace::kClip, world));
 }
 
 }  // namespace

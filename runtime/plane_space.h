@@ -95,8 +95,8 @@ inline constexpr double kAroundOrigin = 0.5;
 // the object's own: a level or a terrain whose vertices are in world coordinates has a large reach,
 // and so has a part of it that is near the eye. For `clip` and `xyw1` another is the world, where
 // the shader multiplies by the world matrix first and by others then. Where the application
-// multiplies the matrices in float, the law is that of `xyw1` with the world's reach, or that of
-// the space with the object's, whichever is more.
+// multiplies the matrices in float, the law is that of `xyw1` with the world's reach, of `clip`
+// under an orthographic projection, or that of the space with the object's, whichever is more.
 //
 // A law knows neither the object's matrix nor where in the picture the cut is: a plane whose normal
 // is an axis of the object loses less than it says, and a corner of the cut that is much nearer

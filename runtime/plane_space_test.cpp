@@ -300,8 +300,10 @@ TEST(PlaneConstantFor, CountsTheWorldsOriginFromTheObject) {
     steps.projection = PerspectiveCamera(0.1, 1000, {}, forward).projection;
     for (auto& row : steps.view.m) row[2] *= forward;
     is_law(steps, PlaneSpace::kClip, at_10);
-    steps.world.m[3][0] = 2000;  // behind the eye
-    is_law(steps, PlaneSpace::kClip, kAroundOrigin);
+    for (const double behind : {2000, -1990}) {  // the eye, or beside it
+      steps.world.m[3][0] = behind;
+      is_law(steps, PlaneSpace::kClip, kAroundOrigin);
+    }
     steps.world.m[3][0] = -2000, steps.world.m[3][1] = steps.world.m[3][2] = 0;
     steps.view.m[3][2] = forward * 1e5;  // so far that the world's origin is near the object
     is_law(steps, PlaneSpace::kClip, kAroundOrigin);
@@ -315,6 +317,27 @@ TEST(PlaneConstantFor, CountsTheWorldsOriginFromTheObject) {
   orthographic.projection = OrthographicCamera(0.1, 100).projection;
   orthographic.steps = 2;
   is_law(orthographic, PlaneSpace::kClip, 7000 * orthographic.projection.m[1][1] / 2);
+}
+
+// So it is under an orthographic projection, as what follows the cut says too.
+TEST(PlaneConstantFor, WarnsOfAFloatProductUnderAnOrthographicProjection) {
+  DrawMatrices draw = {{}, {}, OrthographicCamera(0.1, 100).projection};
+  draw.float_product = true;
+  const double c = std::cos(0.4), s = std::sin(0.4);
+  draw.view.m[0][0] = c, draw.view.m[0][2] = s, draw.view.m[2][0] = -s, draw.view.m[2][2] = c;
+  for (const double away : {1e4, 1e5, 1e6}) {
+    draw.world.m[3][0] = 0.7 * away, draw.world.m[3][1] = -0.5 * away, draw.world.m[3][2] = away;
+    for (int j = 0; j < 3; ++j) {
+      draw.view.m[3][j] = j == 2 ? 10 : 0;
+      for (int i = 0; i < 3; ++i) draw.view.m[3][j] -= draw.world.m[3][i] * draw.view.m[i][j];
+    }
+    const Plane plane = {0.6, 0, 0.8, -8};
+    const double place[] = {0.5, 0.1, -0.3};
+    const auto made = PlaneConstantFor(PlaneSpace::kClip, plane, KnownIn::kView, draw);
+    const auto followed =
+        PredictEdgeError(PlaneSpace::kClip, plane, KnownIn::kView, draw, {place, 1, 0.1}, 1080);
+    EXPECT_NEAR(made.value.edge_error / followed.value, 1, 0.2) << away;
+  }
 }
 
 // The prediction for a draw whose cut is known; tools/study/regimes_test.cpp measures it.
@@ -364,39 +387,18 @@ TEST(PredictEdgeError, FollowsTheRoundingsOfADraw) {
   draw.view.m[3][2] = NAN;
   EXPECT_EQ(object_error(1, 1080), Error::kNotFinite);
   draw.view = {};
-  draw.projection.m[3][2] = NAN;
-  EXPECT_EQ(error(PlaneSpace::kClip, cut).status.error(), Error::kNotFinite);
-}
-
-// An edge along the line of sight is seen as one place, wherever on it the plane cuts: what moves a
-// cut in depth moves it in the picture too. Without that the prediction for single draws of
-// tools/study/regimes.h would be a quarter of what it is.
-TEST(PredictEdgeError, CountsWhatIsSeenOfAMoveInDepth) {
-  for (const double off : {0.0, 2.0}) {
-    DrawMatrices draw = {{}, {}, PerspectiveCamera(0.1, 1000, {}, 1, off, 0, 100).projection};
-    draw.world.m[3][2] = 10;
-    const double place[] = {7, 5, -1};
-    const auto error = [&](const Plane& view_plane) {
-      return PredictEdgeError(PlaneSpace::kXyw1, view_plane, KnownIn::kView, draw, {place, 1, 0.1},
-                              1080, 1)
-          .value;
-    };
-    // The edge has the direction of the plane's normal.
-    const double along = error({7, 5, 9, -(7 * 7 + 5 * 5 + 9 * 9)});
-    const double across = error({9, 0, -7, 0}), in_depth = error({0, 0, 1, -9});
-    EXPECT_LT(along, 1e-9 * across) << off;
-    EXPECT_GT(in_depth, 0.1 * across) << off;
-  }
-  // A frustum that is shifted as a whole: its eye is one to the left.
-  DrawMatrices draw = {{}, {}, PerspectiveCamera(0.1, 1000).projection};
-  draw.world.m[3][2] = 10, draw.projection.m[3][0] = draw.projection.m[0][0];
-  const double place[] = {7, 5, -1};
-  const auto error = [&](const Plane& plane) {
-    return PredictEdgeError(PlaneSpace::kClip, plane, KnownIn::kView, draw, {place, 1, 0.1}, 1080,
-                            1)
+  const double near = error(PlaneSpace::kXyw1, cut).value;
+  draw.world.m[3][0] = 1e5, draw.view.m[3][0] = -1e5;
+  const auto far_away = [&](int steps) {
+    draw.steps = steps;
+    return PredictEdgeError(PlaneSpace::kXyw1, {0.6, 0, 0.8, -8 - 6e4}, KnownIn::kWorld, draw, cut,
+                            1080)
         .value;
   };
-  EXPECT_LT(error({8, 5, 9, -(8 * 7 + 5 * 5 + 9 * 9)}), 1e-9 * error({9, 0, -7, 0}));
+  EXPECT_NEAR(far_away(1) / near, 1, 0.3);
+  for (const int steps : {2, 3}) EXPECT_GT(far_away(steps), 100 * near) << steps;
+  draw.projection.m[3][2] = NAN;
+  EXPECT_EQ(error(PlaneSpace::kClip, cut).status.error(), Error::kNotFinite);
 }
 
 TEST(PredictEdgeError, RefusesWhatIsNoNumber) {
