@@ -105,13 +105,14 @@ std::string CureFor(const DrawFacts& facts, const CostTable& costs, double toler
     change(changed);
     return Advise(changed, costs, tolerance).front().meets;
   };
-  if (helps([](DrawFacts& f) { f.reach = std::min(f.reach, runtime::kAroundOrigin); }))
+  if (facts.reach > runtime::kAroundOrigin &&
+      helps([](DrawFacts& f) { f.reach = runtime::kAroundOrigin; }))
     return "its vertices are far from their own origin: give the mesh one of its own";
-  if (helps([](DrawFacts& f) { f.means.one_matrix = true; }))
+  if (!facts.means.one_matrix && helps([](DrawFacts& f) { f.means.one_matrix = true; }))
     return "far from the world's origin: multiply its matrices in double, or let the world begin "
-           "at "
-           "the camera";
-  if (helps([](DrawFacts& f) { f.camera.reversed = true; })) return "reverse the depth";
+           "at the camera";
+  if (!facts.camera.reversed && helps([](DrawFacts& f) { f.camera.reversed = true; }))
+    return "reverse the depth";
   return "";
 }
 

@@ -2,12 +2,15 @@
 #include "tools/study/advice.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tools/study/random_draws.h"
 #include "tools/study/scene.h"
+#include "tools/study/way.h"
 
 namespace clipc::study {
 namespace {
@@ -114,6 +117,104 @@ TEST(Advice, CountsTheDistancesThatFloatsCarry) {
   for (const auto& [way, before] :
        {std::pair{"object", object}, std::pair{"xyw1", xyw1}, std::pair{"cpu", cpu}})
     EXPECT_GT(bound(way), 100 * before) << way;
+  facts.world_reach = 0;  // the vertex begins in its own space
+  EXPECT_GT(bound("world"), 100 * object);
+}
+
+const Advice& Of(const std::vector<Advice>& all, const char* way) {
+  return *std::ranges::find(all, way, &Advice::way);
+}
+
+TEST(Advice, PredictsByTheLengthOfEdges) {
+  DrawFacts facts;
+  facts.view_plane = {0, 0, 1, -3}, facts.reach = 2;
+  const std::vector<Advice> points = Advise(facts, SomeCosts());
+  facts.extent = 8;
+  const std::vector<Advice> edges = Advise(facts, SomeCosts());
+  for (const char* way : {"object", "xyw1", "clip", "world", "discard"})
+    EXPECT_DOUBLE_EQ(Of(edges, way).predicted, 2 * Of(points, way).predicted) << way;
+  EXPECT_DOUBLE_EQ(Of(points, "cpu").predicted, 0x1p-24 * 1080 * (0.5 + 2));
+  EXPECT_DOUBLE_EQ(Of(edges, "cpu").predicted, 0x1p-24 * 1080 * (0.5 + 2 + 4));
+}
+
+TEST(Advice, CostsAreThoseOfEnoughPlanes) {
+  DrawFacts facts;
+  facts.camera.far = 1e5, facts.view_plane = {0, 0, 1, -300};
+  facts.means.whole_pass = true;
+  CostTable costs = SomeCosts();
+  for (const int planes : {1, 3, 6}) costs[{"object", planes}] = planes;
+  costs.erase({"xyw1", 1}), costs.erase({"xyw1", 3}), costs.erase({"xyw1", 6});
+  for (const auto& [planes, cost] : {std::pair{1, 1.0}, std::pair{2, 3.0}, std::pair{4, 6.0}}) {
+    facts.planes = planes;
+    const std::vector<Advice> all = Advise(facts, costs);
+    EXPECT_EQ(Of(all, "object").cost, cost);
+    EXPECT_EQ(Of(all, "near-plane").possible, planes == 1);
+    // What nobody measured is not advised.
+    EXPECT_FALSE(Of(all, "xyw1").meets);
+    EXPECT_NE(all.front().way, "xyw1");
+  }
+}
+
+TEST(Advice, OrdersWhatIsNotRecommended) {
+  DrawFacts facts;
+  facts.camera.far = 1e5, facts.view_plane = {0, 0, 1, -300};
+  // A way that does not meet the tolerance says nothing of how cheap the others should be.
+  CostTable costs = SomeCosts();
+  costs[{"clip", 1}] = 0.5, costs[{"object", 1}] = 1.1;
+  std::vector<Advice> all = Advise(facts, costs);
+  EXPECT_EQ(all.front().way, "object");
+  // The dear ones follow, the cheapest first.
+  costs[{"cpu", 1}] = 2, costs[{"world", 1}] = 3, facts.means.can_discard = false;
+  all = Advise(facts, costs);
+  const auto place = [&](const char* way) { return std::ranges::find(all, way, &Advice::way); };
+  EXPECT_TRUE(Of(all, "world").meets);
+  EXPECT_LT(place("cpu"), place("world"));
+  // Where none meets it, digits count that nobody sees.
+  all = Advise(facts, costs, 1e-9);
+  for (const Advice& way : all) {
+    if (!way.possible) continue;
+    EXPECT_GE(way.predicted, all.front().predicted) << way.way;
+  }
+}
+
+TEST(Advice, KnowsCures) {
+  DrawFacts facts;
+  facts.camera.far = 1e5, facts.view_plane = {0, 0, 1, -300};
+  const auto cure = [&](double tolerance = 0.5) { return CureFor(facts, SomeCosts(), tolerance); };
+  facts.means.clip_distances = facts.means.can_discard = facts.means.rigid = false;
+  facts.means.user_planes = true;
+  EXPECT_EQ(cure(), "reverse the depth");
+  EXPECT_EQ(cure(1e-9), "");
+  facts.camera.reversed = true, facts.reach = 1e5;
+  EXPECT_THAT(cure(), ::testing::HasSubstr("give the mesh one of its own"));
+  facts.reach = 0.5, facts.world_reach = 1e5, facts.means.one_matrix = false;
+  EXPECT_THAT(cure(), ::testing::HasSubstr("multiply its matrices in double"));
+}
+
+// What the law leaves open is measured, and nothing else is.
+TEST(Advice, MeasuresWhatIsOpen) {
+  DrawFacts facts;
+  facts.view_plane = {0, 0, 1, -3}, facts.means.can_discard = false;
+  const double law = Of(Advise(facts, SomeCosts()), "object").predicted;
+  std::vector<std::string> measured;
+  const auto object = [&](double tolerance, double loses) {
+    measured.clear();
+    return Of(Advise(facts, SomeCosts(), tolerance,
+                     [&](const Way& way) -> std::optional<double> {
+                       measured.push_back(way.name);
+                       return loses;
+                     }),
+              "object");
+  };
+  EXPECT_TRUE(object(13 * law, 99).meets);
+  EXPECT_THAT(measured, ::testing::Not(::testing::Contains("object")));
+  EXPECT_THAT(measured, ::testing::Contains("clip"));
+  EXPECT_THAT(measured, ::testing::Not(::testing::Contains("discard")));
+  const Advice close = object(6 * law, 5 * law);
+  EXPECT_FALSE(close.meets);
+  EXPECT_DOUBLE_EQ(close.predicted, 5 * law);
+  EXPECT_DOUBLE_EQ(close.bound, 5 * law * kMeasuredFactor);
+  EXPECT_TRUE(object(6 * law, 3 * law).meets);
 }
 
 // Its cut is a line of vertices, which are off by their rounding and not by the plane's slant.
@@ -166,6 +267,13 @@ TEST(Scenes, TheNearPlaneIsForWholePasses) {
   using ::testing::ElementsAre;
   EXPECT_THAT(WaysOf(Cubes({0, 0.5})), ElementsAre("near-plane", "near-plane"));
   EXPECT_THAT(WaysOf(Cubes({0, 3})), ElementsAre("cpu", ""));  // the second is drawn as it is
+  // What is not drawn does not count: below the water, or beside the picture.
+  Scene hidden = Cubes({0, 0.5, -5, 0});
+  hidden.objects[3].world.m[3][0] = 1000;
+  EXPECT_THAT(WaysOf(hidden), ElementsAre("near-plane", "near-plane", "", ""));
+  hidden = Cubes({0, 3, 0});
+  hidden.objects[2].world.m[3][0] = 1000;
+  EXPECT_THAT(WaysOf(hidden), ElementsAre("cpu", "", ""));
   Scene moved = Cubes({0, 0.5});
   moved.objects[1].rigid = false;  // cannot be drawn so
   EXPECT_EQ(WaysOf(moved)[0], "cpu");
@@ -181,9 +289,40 @@ TEST(Scenes, RefusedPlanesAreNamed) {
   Scene scene = Cubes({0});
   scene.planes[0].plane = {0, 1e-31, 0, 0};
   const ObjectAdvice advice = AdviseScene(scene, scene.cameras.front().camera, SomeCosts()).front();
-  EXPECT_THAT(advice.plan.refused, ::testing::HasSubstr("water: "));
+  EXPECT_THAT(advice.plan.refused, ::testing::HasSubstr("water: the plane's largest component"));
   EXPECT_TRUE(advice.fails());
   EXPECT_FALSE(advice.best);
+}
+
+TEST(Scenes, NothingIsPlannedWithARefusedPlane) {
+  Scene scene = Cubes({0});
+  scene.planes.push_back({"first", {0, 1e-31, 0, 0}});
+  scene.planes.push_back({"second", {0, 1e-31, 0, 0}});
+  const ObjectPlan plan = PlanObject(scene.objects[0], scene.cameras.front().camera, scene.planes);
+  EXPECT_THAT(plan.refused, ::testing::StartsWith("first: "));
+  EXPECT_EQ(plan.needed, 0);
+}
+
+TEST(Scenes, FactsAreThoseOfTheObjectAndItsFarthestPlane) {
+  Scene scene = Cubes({0});
+  scene.picture_height = 700;
+  const Camera& camera = scene.cameras.front().camera;
+  SceneObject& object = scene.objects[0];
+  object.world.m[0][0] = object.world.m[1][1] = object.world.m[2][2] = 0.5;
+  // The eye is 5 below the water, 40 before the wall, and nowhere from a plane without a normal.
+  scene.planes.push_back({"wall", {0, 0, 1, -40}});
+  scene.planes.push_back({"none", {0, 0, 0, 1}});
+  const DrawFacts water = FactsOf(object, camera, scene, 0b001),
+                  both = FactsOf(object, camera, scene, 0b111);
+  EXPECT_EQ(water.planes, 1);
+  EXPECT_NEAR(std::abs(water.view_plane.w), 5, 1e-9);
+  EXPECT_EQ(both.planes, 3);
+  EXPECT_NEAR(std::abs(both.view_plane.w), 40, 1e-9);
+  std::swap(scene.planes[0], scene.planes[1]);
+  EXPECT_NEAR(std::abs(FactsOf(object, camera, scene, 0b111).view_plane.w), 40, 1e-9);
+  EXPECT_EQ(both.picture_height, 700);
+  EXPECT_NEAR(both.extent, std::sqrt(3.0) / camera.HalfHeightAt(40), 1e-9);
+  EXPECT_EQ(FactsOf(object, camera, scene, 0).reach, runtime::kAroundOrigin);
 }
 
 TEST(Scenes, MostObjectsNeedNoPlane) {
@@ -224,6 +363,9 @@ TEST(Scenes, PlansAreRight) {
         }
       }
       EXPECT_EQ(plan.culled, some_plane_takes_all) << scene.name << ' ' << i;
+      if (plan.culled) {
+        EXPECT_EQ(plan.needed, 0) << scene.name << ' ' << i;
+      }
     }
   }
 }

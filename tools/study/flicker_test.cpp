@@ -3,6 +3,7 @@
 #include "tools/study/flicker.h"
 
 #include <cmath>
+#include <optional>
 
 #include <gtest/gtest.h>
 
@@ -58,6 +59,33 @@ TEST(Flicker, ReversedDepthCuresIt) {
   Config config = ObliqueAt(100, 0.1, 1e6);
   config.camera.reversed = true;
   EXPECT_LT(Of(config, ClipSpace()).p99, 0.005);
+}
+
+// What turns with the camera, up to that angle; then it does not apply.
+Method Drifting(double last_yaw) {
+  return {"drifting", [last_yaw](const Setup& setup) -> std::optional<Distance> {
+            const double yaw = setup.config.camera.yaw;
+            if (yaw > last_yaw) return std::nullopt;
+            const Plane p = setup.object_plane;
+            return [p, yaw](const Vec4<float>& vertex) {
+              const Vec4<double> v = ConvertTo<double>(vertex);
+              return p.x * v[0] + p.y * v[1] + p.z * v[2] + p.w + 0.1 * yaw;
+            };
+          }};
+}
+
+// The instrument: such a drift is as much in each frame.
+TEST(Flicker, IsMeasuredFromFrameToFrame) {
+  const Config config = ObliqueAt(10, 0.1, 1e6);
+  const auto flicker = [&](int frames, double last_yaw) {
+    return MeasureFlicker(config, {Drifting(last_yaw)}, frames, kStep, 300, 5).front();
+  };
+  const double yaw = Prepare(config).config.camera.yaw;
+  EXPECT_GT(flicker(2, INFINITY).p99, 0.01);
+  EXPECT_LT(flicker(12, INFINITY).p99 / flicker(2, INFINITY).p99, 2);
+  EXPECT_TRUE(flicker(4, yaw + 3.5 * kStep).applies);
+  EXPECT_FALSE(flicker(5, yaw + 3.5 * kStep).applies);
+  EXPECT_LT(Of(config, ViewSpace()).p99, 0.01);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "tools/study/program/scene_file.h"
 
+#include <cstdio>
 #include <fstream>
 #include <sstream>
 
@@ -57,6 +58,29 @@ TEST(SceneFile, Reads) {
   EXPECT_GT(scene.objects[0].box.high[2], 20);
 }
 
+TEST(SceneFile, ReadsEverySetting) {
+  const std::string path = ::testing::TempDir() + "clipc_settings.json";
+  std::ofstream(path) << R"({"schema": "clipc.study-scene", "version": 1, "picture_height": 720,
+    "tolerance": 0.25, "clip_distances": false, "user_planes": true, "can_discard": false,
+    "one_matrix": false, "cameras": [{"reversed": true, "infinite": true, "offset": [2, 3]},
+      {"orthographic": true, "half_height": 7, "aspect": 2, "yaw": 1, "pitch": 2, "roll": 3}],
+    "planes": [{"plane": [1, 2, 3, 4]}], "objects": [{"low": [0, 0, 0], "high": [1, 1, 1]}]})";
+  const Scene scene = ReadScene(path);
+  EXPECT_EQ(scene.picture_height, 720);
+  EXPECT_EQ(scene.tolerance, 0.25);
+  EXPECT_FALSE(scene.means.clip_distances || scene.means.can_discard || scene.means.one_matrix);
+  EXPECT_TRUE(scene.means.user_planes);
+  const Camera &first = scene.cameras[0].camera, &second = scene.cameras[1].camera;
+  EXPECT_TRUE(first.reversed && first.infinite && !first.orthographic);
+  EXPECT_EQ(first.offset_x, 2);
+  EXPECT_EQ(first.offset_y, 3);
+  EXPECT_TRUE(second.orthographic && !second.reversed && !second.infinite);
+  EXPECT_EQ(second.half_height, 7);
+  EXPECT_EQ(second.yaw + 10 * second.pitch + 100 * second.roll, 321);
+  EXPECT_EQ(scene.planes[0].plane.w, 4);
+  EXPECT_TRUE(scene.objects[0].rigid);
+}
+
 TEST(SceneFile, MistakesAreNamed) {
   EXPECT_THAT(ErrorWith("\"version\": 1", "\"version\": 2"), HasSubstr("`version` is not 1"));
   EXPECT_THAT(ErrorWith("\"planes\"", "\"plains\""), HasSubstr("`planes` is not an array"));
@@ -64,6 +88,16 @@ TEST(SceneFile, MistakesAreNamed) {
               HasSubstr("`tolerence` is not known here"));
   EXPECT_THAT(ErrorWith("\"far\": 5000", "\"far\": 0.01"),
               HasSubstr("`cameras[0].far` is not farther than `near`"));
+  EXPECT_THAT(ErrorWith("\"tolerance\": 0.5", "\"tolerance\": 0"),
+              HasSubstr("`tolerance` is not positive"));
+  EXPECT_THAT(ErrorWith("\"fov\": 60", "\"fov\": 180"),
+              HasSubstr("`cameras[0].fov` is 180 degrees or more"));
+  EXPECT_THAT(ErrorWith("\"fov\": 60", "\"orthographic\": true, \"infinite\": true"),
+              HasSubstr("`cameras[0].infinite` is for perspectives"));
+  std::string planes = "[";
+  for (int i = 0; i < 7; ++i) planes += R"({"plane": [0, 1, 0, 0]}, )";
+  EXPECT_THAT(ErrorWith("[{ \"name\": \"water\"", planes + "{ \"name\": \"water\""),
+              HasSubstr("`planes` has more than 6 elements"));
   EXPECT_THAT(ErrorWith("[0, 1, 0, 0]", "[0, 1, 0]"),
               HasSubstr("`planes[0].plane` is not an array of 4 numbers"));
   EXPECT_THAT(ErrorWith("[-5, -2, -20]", "[-5, 20, -20]"),
@@ -73,16 +107,20 @@ TEST(SceneFile, MistakesAreNamed) {
 }
 
 TEST(SceneCommand, SaysWhatEachObjectNeeds) {
-  const std::string list = ::testing::TempDir() + "clipc_variants.cmake";
+  const std::string list = ::testing::TempDir() + "clipc_variants.cmake",
+                    json = ::testing::TempDir() + "clipc_harbour.json";
+  std::remove(list.c_str()), std::remove(json.c_str());
   ::testing::internal::CaptureStdout();
-  EXPECT_EQ(
-      RunScene({"scene", kHarbour, "--costs", "tools/study/scenes/costs.csv", "--variants", list}),
-      0);
+  EXPECT_EQ(RunScene({"scene", kHarbour, "--costs", "tools/study/scenes/costs.csv", "--variants",
+                      list, "--json", json}),
+            0);
   const std::string text = ::testing::internal::GetCapturedStdout();
   EXPECT_THAT(text, ContainsRegex("ship +yes +water +object"));
   EXPECT_THAT(text, ContainsRegex("flag +yes +water +xyw1"));  // the shader moves it
-  EXPECT_THAT(text, ContainsRegex("lighthouse +yes +none"));
-  EXPECT_THAT(text, ContainsRegex("wreck +clipped away"));
+  EXPECT_THAT(text, ContainsRegex("lighthouse +yes +none +any +0 +yes +1.000"));
+  EXPECT_THAT(text, ContainsRegex("wreck +clipped away *\n"));
+  for (const auto& object : nlohmann::json::parse(TextOf(json))[0]["objects"])
+    EXPECT_EQ(object.contains("planes"), object["drawn"] == "yes") << object["object"];
   EXPECT_THAT(text, ContainsRegex("behind +not in view"));
   EXPECT_THAT(text, HasSubstr("build: object with 0 to 1 planes"));
   const std::string variants = TextOf(list);
@@ -95,7 +133,7 @@ TEST(SceneCommand, SaysWhatEachObjectNeeds) {
 // A scene of one plane and these objects, as JSON; RunScene's exit code and what it prints.
 struct Said {
   int exit_code;
-  std::string text;
+  std::string text, variants;
   nlohmann::json pictures;
 };
 Said SayFor(const std::string& settings, const std::string& plane, const std::string& objects,
@@ -103,15 +141,18 @@ Said SayFor(const std::string& settings, const std::string& plane, const std::st
   // Tests run side by side.
   const std::string path = ::testing::TempDir() + "clipc_" +
                            ::testing::UnitTest::GetInstance()->current_test_info()->name(),
-                    scene = path + ".scene.json", json = path + ".advice.json";
+                    scene = path + ".scene.json", json = path + ".advice.json",
+                    list = path + ".variants.cmake";
+  std::remove(json.c_str()), std::remove(list.c_str());
   std::ofstream(scene) << R"({"schema": "clipc.study-scene", "version": 1, )" << settings
                        << R"("cameras": [{"near": 0.1, "far": 10000, "eye": )" << eye
                        << R"(}], "planes": [{"name": "the cut", "plane": )" << plane
                        << R"(}], "objects": [)" << objects << "]}";
   ::testing::internal::CaptureStdout();
   Said said;
-  said.exit_code =
-      RunScene({"scene", scene, "--costs", "tools/study/scenes/speed.csv", "--json", json});
+  said.exit_code = RunScene({"scene", scene, "--costs", "tools/study/scenes/speed.csv", "--json",
+                             json, "--variants", list});
+  said.variants = TextOf(list);
   said.text = ::testing::internal::GetCapturedStdout();
   said.pictures = nlohmann::json::parse(TextOf(json));
   return said;
@@ -131,8 +172,22 @@ TEST(SceneCommand, SaysWhatMeetsTheTolerance) {
   EXPECT_EQ(object["object"], "old ship");
   EXPECT_EQ(object["planes"][0], "the cut");
   EXPECT_EQ(object["method"], "object");
+  EXPECT_EQ(object["cost"], ReadCosts("tools/study/scenes/speed.csv").at({"object", 1}));
   EXPECT_EQ(object["meets"], true);
   EXPECT_LT(object["pixels_off"], 0.5);
+}
+
+// The second plane cuts the first of two objects only; a variant has the most planes of any.
+TEST(SceneCommand, NamesAllPlanesOfAnObject) {
+  const std::string second = std::string(kCut) + R"(}, {"name": "b", "plane": [0, 1, 0, 0])";
+  std::string above = kBox;
+  above.replace(above.find("0, 0, 100"), 9, "0, 9, 100");
+  const Said said = SayFor("", second, std::string(kBox) + "," + above);
+  EXPECT_THAT(said.text, ContainsRegex("\"old ship\" +yes +\"the cut.b\" +object"));
+  EXPECT_EQ(said.pictures[0]["objects"][0]["planes"].size(), 2u);
+  EXPECT_EQ(said.pictures[0]["objects"][1]["planes"].size(), 1u);
+  EXPECT_THAT(said.text, HasSubstr("the cut+b"));
+  EXPECT_THAT(said.text, HasSubstr("build: object with 0 to 2 planes"));
 }
 
 TEST(SceneCommand, SaysThatNothingMeetsTheTolerance) {
@@ -167,6 +222,10 @@ TEST(SceneCommand, GoesOnAfterAnImpossibleObject) {
   EXPECT_TRUE(objects[1]["method"].is_null());
   EXPECT_EQ(objects[2]["method"], "cpu");
   EXPECT_THAT(said.text, ContainsRegex("flag +yes +\"the cut\" +none +- +no"));
+  // Nothing is built for what no method can clip, nor by clipc for the processor.
+  EXPECT_THAT(said.text, HasSubstr("\nbuild: cpu with 0 to 1 planes\nthe tolerance"));
+  EXPECT_THAT(said.text, Not(ContainsRegex("build: [^c]")));
+  EXPECT_THAT(said.variants, HasSubstr("set(CLIPC_SCENE_METHODS \"\")"));
 }
 
 TEST(SceneCommand, SaysThatAPlaneIsRefused) {
@@ -174,6 +233,7 @@ TEST(SceneCommand, SaysThatAPlaneIsRefused) {
   EXPECT_EQ(said.exit_code, 1);
   EXPECT_THAT(said.text, HasSubstr("refused: the cut: "));
   EXPECT_THAT(said.text, Not(HasSubstr("any")));
+  EXPECT_FALSE(said.pictures[0]["objects"][0].contains("planes"));
 }
 
 TEST(SceneCommand, Helps) {
@@ -220,6 +280,11 @@ TEST(SceneCommand, RecommendationsAreThoseOfTheSecondTable) {
 TEST(SceneCommand, RefusesWhatItDoesNotKnow) {
   EXPECT_THROW(RunScene({"scene"}), harness::DrawError);
   EXPECT_THROW(RunScene({"scene", kHarbour, "--cost", "x"}), harness::DrawError);
+  ::testing::internal::CaptureStdout();
+  EXPECT_THROW(RunScene({"scene", kHarbour, "--costs", "tools/study/scenes/costs.csv", "--json",
+                         ::testing::TempDir() + "clipc-none/advice.json"}),
+               harness::DrawError);
+  ::testing::internal::GetCapturedStdout();
   EXPECT_THROW(RunScene({"scene", kHarbour, "--costs", kHarbour}), harness::DrawError);
 }
 
