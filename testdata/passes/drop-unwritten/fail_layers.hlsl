@@ -1,9 +1,9 @@
 // Layers, viewports and shading rates that nothing writes are not outputs, so that targets without them can express the shader.
+// RUN: not %clipc -T vs_6_4 --target=glsl330 %s -E written 2>&1 | FileCheck %s --check-prefix=WRITTEN
 // RUN: %clipc -T vs_6_4 --target=glsl330 --validate %s -o - --reflect=%t.json | FileCheck %s --implicit-check-not=gl_Layer
 // RUN: FileCheck %s --input-file=%t.json --check-prefix=JSON --implicit-check-not=RenderTargetArrayIndex
 // RUN: %clipc -T vs_6_4 --target=vulkan --validate %s -o - | FileCheck %s --implicit-check-not=gl_ --implicit-check-not=extension
 // RUN: %draw compare %s -T vs_6_4
-// RUN: not %clipc -T vs_6_4 --target=glsl330 %s -E written 2>&1 | FileCheck %s --check-prefix=WRITTEN
 // RUN: %clipc -T vs_6_4 --target=glsl450 --validate %s -E written -o - | FileCheck %s --check-prefix=LAYER
 // RUN: %clipc -T vs_6_4 --target=vulkan --validate %s -E zero -o - | FileCheck %s --check-prefix=ZERO
 struct Varyings {
