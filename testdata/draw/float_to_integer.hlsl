@@ -36,7 +36,7 @@ Output main(float4 p : POSITION, uint4 n : NUMBERS) {
   o.ints.y ^= beyond[n.x & 0];
   o.one = ((int1)(p.x * 1e10)).x + int(min(max(p.x, -5), 7.0));
   o.skinned = Skin(int4(saturate(p) * 3)) + bones[uint(abs(p.y) * 0 - 1)];
-  o.skinned += bones[(int)(p.x * 1e9) & 3] + bones[(uint)(abs(p.y) * 1e10) >> 30];
+  o.skinned += bones[(int)(p.x * 1e10) & 3] + bones[(uint)(abs(p.y) * 1e10) >> 30];
   o.power = pow(p.x * 0, float4(-1, -0.5, 0.5, 2));
   return o;
 }
