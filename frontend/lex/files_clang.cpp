@@ -18,10 +18,17 @@ using llvm::vfs::Status;
 
 std::error_code NoSuchFile() { return std::make_error_code(std::errc::no_such_file_or_directory); }
 
+// The files on disk. LLVM makes them once, under a guard that ThreadSanitizer does not see, since
+// LLVM is not compiled with it; this one it sees.
+llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem> RealFiles() {
+  static const auto files = llvm::vfs::getRealFileSystem();
+  return files;
+}
+
 class RegularFiles : public llvm::vfs::ProxyFileSystem {
  public:
   explicit RegularFiles(const std::string& sandbox)
-      : ProxyFileSystem(llvm::vfs::getRealFileSystem()), has_sandbox_(!sandbox.empty()) {
+      : ProxyFileSystem(RealFiles()), has_sandbox_(!sandbox.empty()) {
     llvm::SmallString<256> real;
     if (!has_sandbox_ || llvm::sys::fs::real_path(sandbox, real)) return;
     root_ = llvm::sys::path::convert_to_slash(real);
