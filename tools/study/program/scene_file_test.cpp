@@ -119,7 +119,8 @@ TEST(SceneCommand, SaysWhatEachObjectNeeds) {
   EXPECT_THAT(text, ContainsRegex("flag +yes +water +xyw1"));  // the shader moves it
   EXPECT_THAT(text, ContainsRegex("lighthouse +yes +none +any +0 +yes +1.000"));
   EXPECT_THAT(text, ContainsRegex("wreck +clipped away *\n"));
-  for (const auto& object : nlohmann::json::parse(TextOf(json))[0]["objects"])
+  const nlohmann::json pictures = nlohmann::json::parse(TextOf(json));
+  for (const auto& object : pictures[0]["objects"])
     EXPECT_EQ(object.contains("planes"), object["drawn"] == "yes") << object["object"];
   EXPECT_THAT(text, ContainsRegex("behind +not in view"));
   EXPECT_THAT(text, HasSubstr("build: object with 0 to 1 planes"));
