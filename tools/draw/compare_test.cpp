@@ -74,21 +74,21 @@ Output main(float4 p : POSITION, uint4 index : INDEX) {
 class Compare : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
-    path_ = std::filesystem::temp_directory_path() /
-            ("compare_test." + std::to_string(getpid()) + ".hlsl");
-    std::ofstream(path_) << kShader;
-    objects_path_ = path_ + ".objects.hlsl";
-    std::ofstream(objects_path_) << kObjects;
+    path = std::filesystem::temp_directory_path() /
+           ("compare_test." + std::to_string(getpid()) + ".hlsl");
+    std::ofstream(path) << kShader;
+    objects_path = path + ".objects.hlsl";
+    std::ofstream(objects_path) << kObjects;
   }
   static void TearDownTestSuite() {
-    std::filesystem::remove(path_);
-    std::filesystem::remove(objects_path_);
+    std::filesystem::remove(path);
+    std::filesystem::remove(objects_path);
   }
 
   static BuildOptions Options(const std::string& target, Lowering lowering,
                               passes::ClipSpaceOptions clip_space = {}) {
     BuildOptions options;
-    options.path = path_;
+    options.path = path;
     options.target = target;
     options.lowering = lowering;
     options.clip_space = clip_space;
@@ -108,8 +108,8 @@ class Compare : public ::testing::Test {
     const RandomInputs inputs = MakeRandomInputs(shader.typed, draw);
     const std::vector<Expected> expected = MakeExpected(shader, options, inputs);
     if (options.target == "vulkan") {
-      static const vulkan::Runner runner;
-      return vulkan::CompareWithVulkan(runner, shader, expected, inputs, draw, {});
+      static const vulkan::Runner kRunner;
+      return vulkan::CompareWithVulkan(kRunner, shader, expected, inputs, draw, {});
     }
     static harness::OpenGl opengl;
     return CompareWithOpenGl(opengl, shader, expected, inputs, draw, {});
@@ -117,11 +117,11 @@ class Compare : public ::testing::Test {
 
   static BuildOptions Objects(const std::string& target = "glsl450") {
     BuildOptions options = Options(target, Lowering::kNone);
-    options.path = objects_path_;
+    options.path = objects_path;
     return options;
   }
 
-  static inline std::string path_, objects_path_;
+  static inline std::string path, objects_path;
 };
 
 TEST_F(Compare, RightShadersPass) {
@@ -265,24 +265,24 @@ TEST_F(Compare, WhatLiesOutsideIsOpen) {
 }
 
 TEST_F(Compare, MistakesWithAtomicOperationsAreSeen) {
-  std::ofstream(objects_path_) << "RWStructuredBuffer<int> b; float4 main(uint i : SV_VertexID) : "
-                                  "SV_Position { int old; InterlockedMin(b[i], -3, old); "
-                                  "InterlockedAdd(b[i], 5); return float4(old, b[i], 0, 1); }";
+  std::ofstream(objects_path) << "RWStructuredBuffer<int> b; float4 main(uint i : SV_VertexID) : "
+                                 "SV_Position { int old; InterlockedMin(b[i], -3, old); "
+                                 "InterlockedAdd(b[i], 5); return float4(old, b[i], 0, 1); }";
   const BuildOptions options = Objects();
   ASSERT_EQ(Run(options).wrong, 0);
   EXPECT_GT(Run(options, "atomicMin/atomicMax").wrong, 0) << "another operation";
   EXPECT_GT(Run(options, ", 5)/, 6)").wrong, 0) << "another value";
   EXPECT_GT(Run(options, "old = atomic/old = -3; atomic").wrong, 0) << "the value before it";
-  std::ofstream(objects_path_) << kObjects;
+  std::ofstream(objects_path) << kObjects;
 }
 
 TEST_F(Compare, ImagesAreRefused) {
   const auto refusal = [](const char* text) -> std::string {
-    std::ofstream(objects_path_) << text;
+    std::ofstream(objects_path) << text;
     try {
       MakeRandomInputs(Build(Objects()).typed, {});
     } catch (const DrawError& error) {
-      std::ofstream(objects_path_) << kObjects;
+      std::ofstream(objects_path) << kObjects;
       return error.what();
     }
     return "";

@@ -46,7 +46,7 @@ bool ExpectSame(const std::string& path, const std::string& target) {
   passes.clip_planes.write_clip_vertex = false;
   passes::RunPipeline(plain, passes);
   for (std::size_t vertex = 0; vertex < inputs.vertices.size(); ++vertex) {
-    SCOPED_TRACE(path + " for " + target + ", vertex " + std::to_string(vertex));
+    SCOPED_TRACE(::testing::Message() << path << " for " << target << ", vertex " << vertex);
     EXPECT_EQ(Outputs(plain, inputs, vertex), Outputs(shader.lowered, inputs, vertex));
   }
   return true;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // Functions that round. Each is called where it is far from what it cannot do (poles, the ends of
-// its domain) and where its slope is at most about 30, on exact arguments; results are added and
-// multiplied by small constants only. So the errors that Vulkan allows these functions stay
-// about as large, and one tolerance (kSoftUlps) holds for all programs.
+// its domain) and where its slope is at most about 30, on exact arguments; results are multiplied
+// by small constants, and their sizes are added. So the errors that Vulkan allows these functions
+// stay about as large, and one tolerance (kSoftUlps) holds for all programs.
 #include "tools/random/expr.h"
 
 namespace clipc::random {
@@ -60,7 +60,9 @@ std::string MakeSoft(Context& context, int columns, int depth) {
            Float(context, columns, {-2, 2, 0}, depth) + ")";
   }
   if (context.choices.Chance(40)) text += " * " + Literal(Kind::kFloat, 0.5).text;
-  if (context.choices.Chance(40)) text += " + " + MakeFunction(context, columns, depth);
+  // The sum does not cancel: its error is compared with its size.
+  if (context.choices.Chance(40))
+    text = "abs(" + text + ") + abs(" + MakeFunction(context, columns, depth) + ")";
   return text;
 }
 

@@ -13,8 +13,8 @@ namespace {
 
 // Never freed, as compiler/validate.cpp has it.
 void InitializeOnce() {
-  static const bool initialized = glslang::InitializeProcess();
-  (void)initialized;
+  static const bool kInitialized = glslang::InitializeProcess();
+  (void)kInitialized;
 }
 
 std::string Preamble(const HlslSource& source) {
