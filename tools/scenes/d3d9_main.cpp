@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // A program for Windows: draws the scenes on a real IDirect3DDevice9, where the planes go from
 // clipc's table through Level9Binder to SetClipPlane, and writes the pictures as raw RGBA, rows
-// from top to bottom: FOLDER/<planes>-<mistake>.rgba and, drawn without a vertex shader,
-// FOLDER/fixed-function.rgba. Prints the time that setting unchanged planes takes for each draw,
-// for docs/runtime.md.
+// from top to bottom: FOLDER/<planes>-<mistake>.rgba, FOLDER/skinned.rgba and, drawn without a
+// vertex shader, FOLDER/fixed-function.rgba. Prints the time that setting unchanged planes takes
+// for each draw, for docs/runtime.md.
 //   d3d9_scenes FOLDER TABLE.bin
 #include <algorithm>
 #include <cstdio>
@@ -21,6 +21,7 @@
 #include "runtime/table.h"
 #include "scene_level9_1.clip.h"
 #include "scene_level9_3.clip.h"
+#include "skinned.clip.h"
 #include "tools/harness/transform.h"
 #include "tools/scenes/scene.h"
 
@@ -62,6 +63,69 @@ constexpr DWORD kShader[] = {0xFFFE0101,                                        
                              0x00000001, 0xD00F0000, 0x90E40001,                          //
                              0x0000FFFF};
 
+// skinned.hlsl likewise, its loops unrolled. Constants are in the order of the buffer's members, 4
+// is a row's distance from bone to bone, and an instruction reads one constant register at most.
+//   vs_1_1
+//   def c13, 4, 0, 0, 0
+//   dcl_position v0
+//   dcl_color v1
+//   mov r6, c9               the weights
+//   mov r1, c8
+//   mul r1, r1, c13.x        the bones' first rows
+//   mov a0.x, r1.x
+//   mul r2, c[a0.x], r6.x
+//   mul r3, c[a0.x + 1], r6.x
+//   mul r4, c[a0.x + 2], r6.x
+//   mul r5, c[a0.x + 3], r6.x
+//   mov a0.x, r1.y
+//   mad r2, c[a0.x], r6.y, r2
+//   mad r3, c[a0.x + 1], r6.y, r3
+//   mad r4, c[a0.x + 2], r6.y, r4
+//   mad r5, c[a0.x + 3], r6.y, r5
+//   mul r0, r2, v0.x
+//   mad r0, r3, v0.y, r0
+//   mad r0, r4, v0.z, r0
+//   mad oPos, r5, v0.w, r0
+//   dp3 r7.x, c10, v1
+//   dp3 r7.y, c11, v1
+//   dp3 r7.z, c12, v1
+//   mov r7.w, v1.w
+//   mov oD0, r7
+constexpr DWORD kSkinnedShader[] = {0xFFFE0101,  //
+                                    0x00000051, 0xA00F000D, 0x40800000, 0x00000000, 0x00000000,
+                                    0x00000000,                                                  //
+                                    0x0000001F, 0x80000000, 0x900F0000,                          //
+                                    0x0000001F, 0x8000000A, 0x900F0001,                          //
+                                    0x00000001, 0x800F0006, 0xA0E40009,                          //
+                                    0x00000001, 0x800F0001, 0xA0E40008,                          //
+                                    0x00000005, 0x800F0001, 0x80E40001, 0xA000000D,              //
+                                    0x00000001, 0xB0010000, 0x80000001,                          //
+                                    0x00000005, 0x800F0002, 0xA0E42000, 0x80000006,              //
+                                    0x00000005, 0x800F0003, 0xA0E42001, 0x80000006,              //
+                                    0x00000005, 0x800F0004, 0xA0E42002, 0x80000006,              //
+                                    0x00000005, 0x800F0005, 0xA0E42003, 0x80000006,              //
+                                    0x00000001, 0xB0010000, 0x80550001,                          //
+                                    0x00000004, 0x800F0002, 0xA0E42000, 0x80550006, 0x80E40002,  //
+                                    0x00000004, 0x800F0003, 0xA0E42001, 0x80550006, 0x80E40003,  //
+                                    0x00000004, 0x800F0004, 0xA0E42002, 0x80550006, 0x80E40004,  //
+                                    0x00000004, 0x800F0005, 0xA0E42003, 0x80550006, 0x80E40005,  //
+                                    0x00000005, 0x800F0000, 0x80E40002, 0x90000000,              //
+                                    0x00000004, 0x800F0000, 0x80E40003, 0x90550000, 0x80E40000,  //
+                                    0x00000004, 0x800F0000, 0x80E40004, 0x90AA0000, 0x80E40000,  //
+                                    0x00000004, 0xC00F0000, 0x80E40005, 0x90FF0000, 0x80E40000,  //
+                                    0x00000008, 0x80010007, 0xA0E4000A, 0x90E40001,              //
+                                    0x00000008, 0x80020007, 0xA0E4000B, 0x90E40001,              //
+                                    0x00000008, 0x80040007, 0xA0E4000C, 0x90E40001,              //
+                                    0x00000001, 0x80080007, 0x90FF0001,                          //
+                                    0x00000001, 0xD00F0000, 0x80E40007,                          //
+                                    0x0000FFFF};
+
+void SetShader(IDirect3DDevice9& device, const DWORD* bytecode) {
+  IDirect3DVertexShader9* shader = nullptr;
+  Check(device.CreateVertexShader(bytecode, &shader), "CreateVertexShader");
+  Check(device.SetVertexShader(shader), "SetVertexShader");
+}
+
 IDirect3DDevice9* MakeDevice() {
   IDirect3D9* direct3d = Direct3DCreate9(D3D_SDK_VERSION);
   if (direct3d == nullptr) Fail("Direct3DCreate9", 0);
@@ -80,21 +144,36 @@ IDirect3DDevice9* MakeDevice() {
   Check(direct3d->CreateDevice(0, D3DDEVTYPE_HAL, window, D3DCREATE_HARDWARE_VERTEXPROCESSING,
                                &parameters, &device),
         "CreateDevice");
-  IDirect3DVertexShader9* shader = nullptr;
-  Check(device->CreateVertexShader(kShader, &shader), "CreateVertexShader");
   Check(device->SetFVF(D3DFVF_XYZ | D3DFVF_DIFFUSE), "SetFVF");
-  Check(device->SetVertexShader(shader), "SetVertexShader");
+  SetShader(*device, kShader);
   Check(device->SetRenderState(D3DRS_CULLMODE, D3DCULL_NONE), "CULLMODE");
   Check(device->SetRenderState(D3DRS_LIGHTING, FALSE), "LIGHTING");
   return device;
 }
 
-void DrawObjects(IDirect3DDevice9& device, const Scene& scene) {
+void SetConstants(IDirect3DDevice9& device, UINT first, const float* values, UINT registers) {
+  Check(device.SetVertexShaderConstantF(first, values, registers), "SetVertexShaderConstantF");
+}
+
+using SetMatrix = void(IDirect3DDevice9& device, const Matrix& world_view_projection);
+
+// Four constant registers, a row each: what c0 to c3 in the shader are.
+void SetOneMatrix(IDirect3DDevice9& device, const Matrix& world_view_projection) {
+  SetConstants(device, 0, clipc::harness::Floats(world_view_projection).data(), 4);
+}
+
+void SetSkin(IDirect3DDevice9& device, const Matrix& world_view_projection) {
+  const Skin skin = SkinOf(world_view_projection);
+  for (UINT i = 0; i < skin.bones.size(); ++i)
+    SetConstants(device, 4 * i, clipc::harness::Floats(skin.bones[i]).data(), 4);
+  SetConstants(device, 8, &skin.indices.x, 1);
+  SetConstants(device, 9, &skin.weights.x, 1);
+  SetConstants(device, 10, &skin.lights[0].x, 3);
+}
+
+void DrawObjects(IDirect3DDevice9& device, const Scene& scene, SetMatrix& set_matrix) {
   for (const Object& object : scene.objects) {
-    // Four constant registers, a row each: what c0 to c3 in the shader are.
-    const auto matrix =
-        clipc::harness::Floats(Multiply(Multiply(object.world, scene.view), scene.projection));
-    Check(device.SetVertexShaderConstantF(0, matrix.data(), 4), "SetVertexShaderConstantF");
+    set_matrix(device, Multiply(Multiply(object.world, scene.view), scene.projection));
     Check(device.DrawPrimitiveUP(D3DPT_TRIANGLELIST, static_cast<UINT>(object.vertices.size() / 3),
                                  object.vertices.data(), sizeof(SceneVertex)),
           "DrawPrimitiveUP");
@@ -126,18 +205,30 @@ void WritePicture(IDirect3DDevice9& device, const std::string& path) {
   if (!file.flush()) Fail(path.c_str(), 0);
 }
 
-void Draw(IDirect3DDevice9& device, Level9Binder& binder, const Table& table, int plane_count,
-          Mistake mistake, const std::string& folder) {
-  const Scene scene = MakeScene(plane_count);
+void DrawScene(IDirect3DDevice9& device, Level9Binder& binder, const Table& table,
+               const Scene& scene, Mistake mistake, SetMatrix& set_matrix) {
   const auto planes = PlaneConstants(scene, scene.projection, 1, mistake);
   Check(device.Clear(0, nullptr, D3DCLEAR_TARGET | D3DCLEAR_ZBUFFER, kClearColor, 1, 0), "Clear");
   Check(device.BeginScene(), "BeginScene");
   const BoundBuffer buffer{1, 0, planes.data(), sizeof planes};
   Check(binder.Bind(MistakenTable(table, mistake), &buffer, 1));
-  DrawObjects(device, scene);
+  DrawObjects(device, scene, set_matrix);
   Check(device.EndScene(), "EndScene");
+}
+
+void Draw(IDirect3DDevice9& device, Level9Binder& binder, const Table& table, int plane_count,
+          Mistake mistake, const std::string& folder) {
+  DrawScene(device, binder, table, MakeScene(plane_count), mistake, SetOneMatrix);
   WritePicture(device,
                folder + "/" + std::to_string(plane_count) + "-" + NameOf(mistake) + ".rgba");
+}
+
+void DrawSkinned(IDirect3DDevice9& device, Level9Binder& binder, const std::string& path) {
+  const auto table = ReadTable(skinned_clip_table);
+  Check(table.status);
+  SetShader(device, kSkinnedShader);
+  DrawScene(device, binder, table.value, MakeScene(3), Mistake::kNone, SetSkin);
+  WritePicture(device, path);
 }
 
 // Without a vertex shader, the planes as they are in world space. "SetClipPlane", Remarks.
@@ -226,6 +317,7 @@ int main(int argc, char** argv) {
   Check(three.status);
   for (const Mistake mistake : kMistakes) Draw(device, binder, three.value, 3, mistake, argv[1]);
   TimeUnchangedDraws(device, binder, three.value);
+  DrawSkinned(device, binder, std::string(argv[1]) + "/skinned.rgba");
   DrawFixedFunction(device, std::string(argv[1]) + "/fixed-function.rgba");
   return 0;
 }

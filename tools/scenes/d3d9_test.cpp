@@ -42,6 +42,11 @@ TEST_F(Direct3D9, ThreePlanesCutAsClipDistancesDo) {
   EXPECT_TRUE(Agree(CompareWithClipDistances("3-none", 3), CutError(MakeScene(3))));
 }
 
+// Loops that fxc unrolls under level 9; without an index right, every object lies elsewhere.
+TEST_F(Direct3D9, UnrolledLoopsAreCutAsClipDistancesDo) {
+  EXPECT_TRUE(Agree(CompareWithClipDistances("skinned", 3), CutError(MakeScene(3))));
+}
+
 TEST_F(Direct3D9, EveryMistakeIsSeen) {
   for (const Mistake mistake : kMistakes) {
     const std::string picture = std::string("3-") + NameOf(mistake);

@@ -26,6 +26,8 @@
 #include "scene_level9_3.shader.h"
 #include "scene_near_plane_1.clip.h"
 #include "scene_near_plane_1.shader.h"
+#include "skinned.clip.h"
+#include "skinned.shader.h"
 #include "tools/harness/check.h"
 #include "tools/harness/drawing.h"
 #include "tools/harness/framebuffer.h"
@@ -167,11 +169,29 @@ class ObjectBuffers {
   GLuint array_ = 0, buffer_ = 0;
 };
 
-void DrawObjects(const Program& program, const Scene& scene) {
+using SetMatrix = void(const Program& program, const Matrix& world_view_projection);
+
+void SetOneMatrix(const Program& program, const Matrix& world_view_projection) {
+  program.Set("world_view_projection", Floats(world_view_projection));
+}
+
+void SetSkin(const Program& program, const Matrix& world_view_projection) {
+  const Skin skin = SkinOf(world_view_projection);
+  const auto set = [&](const std::string& name, const runtime::Float4& value) {
+    program.Set(name, value.x, value.y, value.z, value.w);
+  };
+  for (std::size_t i = 0; i < skin.bones.size(); ++i)
+    program.Set("bones[" + std::to_string(i) + "]", Floats(skin.bones[i]));
+  for (std::size_t i = 0; i < skin.lights.size(); ++i)
+    set("lights[" + std::to_string(i) + "]", skin.lights[i]);
+  set("indices", skin.indices);
+  set("weights", skin.weights);
+}
+
+void DrawObjects(const Program& program, const Scene& scene, SetMatrix& set_matrix) {
   program.Set("pixel_offset", static_cast<float>(kOffset), static_cast<float>(-kOffset), 0, 0);
   for (const Object& object : scene.objects) {
-    program.Set("world_view_projection",
-                Floats(Multiply(Multiply(object.world, scene.view), scene.projection)));
+    set_matrix(program, Multiply(Multiply(object.world, scene.view), scene.projection));
     ObjectBuffers(object).Draw();
   }
 }
@@ -202,13 +222,10 @@ double NearPlaneScaleOf(const Scene& scene) {
       .scale;
 }
 
-}  // namespace
-
-Picture DrawScene(Lowering lowering, const Scene& scene, Mistake mistake) {
+Picture DrawWith(const Shader& shader, const Scene& scene, Mistake mistake, SetMatrix& set_matrix) {
   const runtime::gl::Functions gl = Check(runtime::gl::LoadFunctions(harness::OpenGl::Load));
-  const Shader shader = ShaderOf(lowering, scene.planes.size());
   const runtime::Table table = MistakenTable(Check(runtime::ReadTable(*shader.table)), mistake);
-  const double scale = lowering == Lowering::kNearPlane ? NearPlaneScaleOf(scene) : 1;
+  const double scale = table.lowering == Lowering::kNearPlane ? NearPlaneScaleOf(scene) : 1;
   const auto planes = PlaneConstants(scene, MovedProjection(scene), scale, mistake);
 
   const Canvas canvas(kSize, kSize);
@@ -220,7 +237,7 @@ Picture DrawScene(Lowering lowering, const Scene& scene, Mistake mistake) {
     runtime::Level9Binder binder(device, device.max_planes());
     const runtime::BoundBuffer buffer{1, 0, planes.data(), sizeof planes};
     Check(binder.Bind(table, &buffer, 1));
-    DrawObjects(program, scene);
+    DrawObjects(program, scene, set_matrix);
   } else {
     runtime::gl::ClipSwitches switches(gl);
     Check(switches.Bind(table));
@@ -228,9 +245,19 @@ Picture DrawScene(Lowering lowering, const Scene& scene, Mistake mistake) {
       const auto [x, y, z, w] = planes[i];
       program.Set("planes[" + std::to_string(i) + "]", x, y, z, w);
     }
-    DrawObjects(program, scene);
+    DrawObjects(program, scene, set_matrix);
   }
   return canvas.ReadUpsideDown();
+}
+
+}  // namespace
+
+Picture DrawScene(Lowering lowering, const Scene& scene, Mistake mistake) {
+  return DrawWith(ShaderOf(lowering, scene.planes.size()), scene, mistake, SetOneMatrix);
+}
+
+Picture DrawSkinned(const Scene& scene) {
+  return DrawWith({skinned_vert, kFragment, &skinned_clip_table}, scene, Mistake::kNone, SetSkin);
 }
 
 Picture DrawKept(const Scene& scene, Kept kept) {

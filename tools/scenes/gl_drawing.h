@@ -14,6 +14,9 @@ namespace clipc::scenes {
 // MistakenTable.
 harness::Picture DrawScene(Lowering lowering, const Scene& scene, Mistake mistake = Mistake::kNone);
 
+// The scene with three planes under level 9, its objects drawn by skinned.hlsl.
+harness::Picture DrawSkinned(const Scene& scene);
+
 // The picture when a point is kept that is on the kept side of all planes, or of any of them.
 // Decided pixel by pixel in world space, without anything of clipc's.
 enum class Kept { kByAll, kByAny };

@@ -61,6 +61,12 @@ TEST_F(Lowerings, ThreePlanesCutTheSameEveryWay) {
   }
 }
 
+// Loops that fxc unrolls under level 9 stay loops in GLSL.
+TEST_F(Lowerings, LoopsDrawWhatTheirTurnsDraw) {
+  const Scene scene = MakeScene(3);
+  EXPECT_EQ(DrawSkinned(scene).rgba, DrawScene(Lowering::kLevel9, scene).rgba);
+}
+
 // The comparison is worth something only if it sees what may go wrong.
 TEST_F(Lowerings, EveryMistakeIsSeenWithThreePlanes) {
   for (const Lowering way : {Lowering::kClipDistance, Lowering::kLevel9, Lowering::kDiscard}) {

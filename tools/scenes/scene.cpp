@@ -52,6 +52,17 @@ Scene MakeScene(int plane_count) {
   return scene;
 }
 
+Skin SkinOf(const Matrix& matrix) {
+  Skin skin = {{}, {1, 0, 0, 0}, {0.5F, 0.25F, 0, 0}, {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}}};
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      skin.bones[1].m[row][column] = row < 3 ? 2 * matrix.m[row][column] : 0;
+      skin.bones[0].m[row][column] = row < 3 ? 0 : 4 * matrix.m[row][column];
+    }
+  }
+  return skin;
+}
+
 const char* NameOf(Mistake mistake) {
   switch (mistake) {
     case Mistake::kNone: return "none";

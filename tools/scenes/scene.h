@@ -38,6 +38,15 @@ struct Scene {
 // `plane_count` is 1 or 3.
 Scene MakeScene(int plane_count);
 
+// The constants of skinned.hlsl: bones that its indices and weights make into an object's matrix,
+// without rounding, and lights that give each color as it is.
+struct Skin {
+  std::array<runtime::Matrix, 2> bones;
+  runtime::Float4 indices, weights;
+  std::array<runtime::Float4, 3> lights;
+};
+Skin SkinOf(const runtime::Matrix& matrix);
+
 // Mistakes that an application or a binding can make. The picture with one must differ from the
 // right one.
 enum class Mistake {
