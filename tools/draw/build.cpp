@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "tools/draw/build.h"
 
+#include <algorithm>
 #include <regex>
 
 #include "compiler/check_lowering.h"
@@ -80,6 +81,9 @@ Shader CheckedShader::BuildFor(const std::string& target) const {
   if (diagnostics.has_errors())
     throw NotForTarget("not for this target\n" +
                        state_->reading.source.RenderText(diagnostics, false));
+  shader.has_int_for_uint = std::ranges::any_of(diagnostics.all(), [](const Diagnostic& reported) {
+    return reported.id == DiagId::kTargetUintAsInt;
+  });
   Legalize(lowered, settings.passes);
   Written written = Write(lowered, {});
   shader.lowered = std::move(lowered.program);

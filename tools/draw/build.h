@@ -34,6 +34,8 @@ struct Shader {
   ir::Program lowered;  // after the passes
   std::string glsl;
   GlslInfo info;  // beside `lowered`
+  // The target has no uint, and clipc warns that values from 2^31 on are negative there.
+  bool has_int_for_uint = false;
 };
 
 // A shader that is read and checked once, and then built for one target after another.

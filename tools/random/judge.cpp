@@ -183,6 +183,8 @@ void Judge::State::DrawSomeOpenGl(const Program& program, const draw::CheckedSha
 void Judge::State::Draw(const Program& program, const draw::CheckedShader& checked,
                         const std::string& target) {
   const Shader shader = checked.BuildFor(target);
+  // Programs have integers of all 32 bits.
+  if (shader.has_int_for_uint) throw draw::NotForTarget("values from 2^31 on are negative");
   draw::RandomOptions random;
   random.seed = program.inputs;
   random.vertices = program.vertices;
