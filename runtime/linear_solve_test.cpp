@@ -111,6 +111,18 @@ TEST(SolveLinear, NoTranslationIsTooLong) {
   }
 }
 
+// Elimination leaves about ten bits of x here, and each step adds as many.
+TEST(SolveLinear, TakesTheStepsThatTheSystemNeeds) {
+  constexpr double kLarge = 1999993;
+  const double a[4][4] = {
+      {kLarge + 1, kLarge, 0, 0}, {kLarge, kLarge - 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
+  const Solution solution =
+      SolveLinear(a, {{3 - 2 * kLarge, 0}, {5 - 2 * kLarge, 0}, {0, 0}, {0, 0}}, {0, 0, 0, 0});
+  EXPECT_EQ(solution.x[0].high, 3);
+  EXPECT_EQ(solution.x[1].high, -5);
+  EXPECT_LT(solution.error[0], 1);
+}
+
 // Elimination that has lost nearly everything is not refined into a false answer.
 TEST(SolveLinear, WhatIsAlmostSingularIsNotTrusted) {
   const double nearly[4][4] = {{1, 1, 0, 0}, {1, 1 + 0x1p-51, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
