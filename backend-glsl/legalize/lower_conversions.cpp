@@ -76,7 +76,7 @@ class ConversionLowering {
   }
 
   void Lower(ExprId expr) {
-    const ExprId operand = As<Convert>(program_, expr)->operand;
+    ExprId operand = As<Convert>(program_, expr)->operand;
     const Scalar to = BaseOf(legalizer_.TypeOf(expr).scalar);
     const bool is_int = to == Scalar::kInt;
     // An index that does not fit into an int is out of every array. One below 0 is element 0.
@@ -99,15 +99,19 @@ class ConversionLowering {
 
   // min16int and half are an int and a float, int1 has a scalar in it: one helper function is for
   // all of them. The conversion that is left in the middle is lowered in its turn.
-  bool TakeApart(ExprId expr, Scalar to, ExprId operand) {
+  bool TakeApart(ExprId expr, Scalar to, ExprId& operand) {
     Builder b = legalizer_.At(expr);
     const TypeId type = program_.exprs[expr].type;
     const Scalar kind = program_.types[type].scalar;
     const Scalar from = legalizer_.TypeOf(operand).scalar;
     const bool is_single =
         legalizer_.ShapeAt(expr).IsScalar() && program_.types[type].kind != TypeKind::kScalar;
-    if (!is_single && kind == to && from == BaseOf(from)) return false;
     ExprId inner = b.ConvertTo(BaseOf(from), operand);
+    if (!is_single && kind == to) {
+      // What is left is this conversion itself.
+      program_.exprs[expr].node = Convert{operand = inner};
+      return false;
+    }
     if (is_single) inner = legalizer_.Component(b, inner, 0);
     inner = b.ConvertTo(kind, b.ConvertTo(to, inner));
     legalizer_.Become(expr, is_single ? b.ConstructOf(type, {inner}) : inner);

@@ -35,7 +35,8 @@ void ResolveMember(Context& context, Buffer& buffer, SymbolId id) {
   symbol.Resolve(result.index);
 }
 
-void FinishMember(Context& context, const ast::VarDecl& var, CbufferMember& member) {
+void FinishMember(Context& context, const Buffer& buffer, const ast::VarDecl& var,
+                  CbufferMember& member) {
   constexpr std::uint32_t kRow = 16, kMaxRow = 65536;
   if (const auto& place = var.packoffset; place && place->reg < kMaxRow) {
     member.offset = place->reg * kRow + place->component * 4;
@@ -47,8 +48,14 @@ void FinishMember(Context& context, const ast::VarDecl& var, CbufferMember& memb
     }
   } else if (const ast::RegisterBinding* binding = BindingOf(context, var.registers, "c");
              binding && binding->letter == 'c') {
-    if (binding->number >= kMaxRow) return;
-    member.offset = binding->number * kRow;
+    if (buffer.kind != CbufferKind::kGlobals && !context.program.profile.IsDirect3D9()) {
+      context.Report(binding->span, diag::RegisterWithoutEffect,
+                     "a member of another buffer than `$Globals` has its place by `packoffset`");
+      return;
+    }
+    const std::uint32_t number = NumberOf(context, *binding);
+    if (number >= kMaxRow) return;
+    member.offset = number * kRow;
     member.has_packoffset = true;
   }
 }
@@ -99,7 +106,7 @@ void FinishBuffer(Context& context, const Buffer& buffer) {
       continue;
     CbufferMember member;
     member.var = var;
-    FinishMember(context, context.Get<ast::VarDecl>(context[symbol].decl), member);
+    FinishMember(context, buffer, context.Get<ast::VarDecl>(context[symbol].decl), member);
     context[var].cbuffer = id;
     if (buffer.kind == CbufferKind::kConstantBuffer) {
       result.count = CountOfArray(context, context[var].type);

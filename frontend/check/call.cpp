@@ -87,9 +87,10 @@ ExprId CallNamed(Context& context, const ast::NameExpr& name, Span name_span,
                    name.arguments, arguments);
   const Choice choice = ChooseOverload(context, overloads, arguments, name.name.name, name_span);
   if (choice.reported) return context.ErrorExpr(span);
-  if (is_intrinsic && (!choice.function || choice.changes_shape)) {
-    return call_intrinsic();
-  }
+  // fxc calls an intrinsic where no function of the shader's can take the arguments.
+  const bool shadows =
+      choice.function && !(choice.changes_shape && context.program.profile.IsAtLeast(6, 0));
+  if (is_intrinsic && !shadows) return call_intrinsic();
   if (!choice.function) {
     ReportNoOverload(context, overloads, arguments, name.name.name, name_span);
     return context.ErrorExpr(span);

@@ -60,7 +60,9 @@ struct Globals {
   std::vector<Ordered> reached, resources;
   std::unordered_map<std::uint32_t, Register> registers;   // by a resource's VarId
   std::unordered_map<std::uint32_t, std::string> formats;  // of images that have one
-  std::vector<bool> const_vars;                            // by VarId
+  // Definitions of static members outside of their structs, by name.
+  std::unordered_map<std::uint32_t, std::vector<ast::DeclId>> out_of_line;
+  std::vector<bool> const_vars;  // by VarId
 };
 
 using Exprs = std::vector<ExprId>;

@@ -10,6 +10,10 @@ namespace clipc::check {
 namespace {
 
 void DeclareVar(Context& context, ast::DeclId id, const ast::VarDecl& var, ScopeId scope) {
+  if (var.out_of_line_of.name) {
+    context.globals.out_of_line[var.name.index].push_back(id);
+    return;
+  }
   DeclareTypeInside(context, var.type, scope);
   const SymbolId older = context.names.FindIn(scope, var.name);
   const SymbolId symbol =

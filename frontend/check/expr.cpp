@@ -25,17 +25,19 @@
 namespace clipc::check {
 namespace {
 
-// fxc takes 0x3 for a uint, and DXC, whose shader models begin with 6, for an int. Direct3D 9
-// counts in floats, where it makes no difference.
-bool IsHexadecimalUnsigned(const Context& context) {
+// fxc takes 0x3 for a uint and 3000000000 for an int, -1294967296; DXC, whose shader models begin
+// with 6, goes by the size of both. Direct3D 9 counts in floats, where 0x3 makes no difference.
+bool IsUnsigned(const Context& context, const ast::Literal& literal) {
   const Profile& profile = context.program.profile;
-  return !profile.IsDirect3D9() && !profile.IsAtLeast(6, 0);
+  const bool is_large = literal.bits > std::numeric_limits<std::int32_t>::max();
+  if (profile.IsAtLeast(6, 0) || literal.kind == LiteralKind::kUint)
+    return is_large || literal.kind == LiteralKind::kUint;
+  return literal.kind == LiteralKind::kHexadecimal && (is_large || !profile.IsDirect3D9());
 }
 
 ExprId CheckNode(Context& context, const ast::Literal& literal, Span span) {
   Builder at = context.At(span);
   const double number = std::bit_cast<double>(literal.bits);
-  constexpr std::uint64_t kMaxInt = std::numeric_limits<std::int32_t>::max();
   constexpr std::uint64_t kMaxUint = std::numeric_limits<std::uint32_t>::max();
   const bool is_wide = literal.kind == LiteralKind::kInt64 || literal.kind == LiteralKind::kUint64;
   if (is_wide && literal.bits > kMaxUint && !context.program.profile.IsAtLeast(6, 0)) {
@@ -47,9 +49,7 @@ ExprId CheckNode(Context& context, const ast::Literal& literal, Span span) {
     case LiteralKind::kUint:
     case LiteralKind::kHexadecimal:
       if (literal.bits > kMaxUint) context.Report(span, diag::IntegerTooLarge, literal.bits);
-      if (literal.kind == LiteralKind::kUint || literal.bits > kMaxInt ||
-          (literal.kind == LiteralKind::kHexadecimal && IsHexadecimalUnsigned(context)))
-        return at.Uint(static_cast<std::uint32_t>(literal.bits));
+      if (IsUnsigned(context, literal)) return at.Uint(static_cast<std::uint32_t>(literal.bits));
       return at.Int(static_cast<std::int32_t>(literal.bits));
     case LiteralKind::kInt64:
       return at.Add(context.types.Make(Scalar::kInt64), Literal{literal.bits});
@@ -116,9 +116,12 @@ ExprId CheckNode(Context& context, const ast::ConditionalExpr& expr, Span span) 
   std::optional<TypeId> type =
       CommonType(context.types, context.TypeIdOf(when_true), context.TypeIdOf(when_false));
   if (type && !is_scalar) {
+    const TypeId sides = *type;
     type = CommonType(context.types,
-                      context.types.WithScalar(context.TypeIdOf(condition), context[*type].scalar),
-                      *type);
+                      context.types.WithScalar(context.TypeIdOf(condition), context[sides].scalar),
+                      sides);
+    // Of a float4 and a float1x4, the sides say which it is.
+    if (type && context[*type].Components() == context[sides].Components()) type = sides;
   }
   if (!type || *type == context.types.Void()) {
     return context.Fail(span, diag::BranchesDiffer, context.TypeName(when_true),

@@ -23,7 +23,7 @@ void AddParameter(Context& context, const ast::VarDecl& var, ast::DeclId id, Fun
                   std::vector<Parameter>& parameters) {
   Parameter parameter;
   parameter.decl = id;
-  parameter.type = ResolveVarType(context, var);
+  parameter.type = WithoutString(context, ResolveVarType(context, var), var);
   const bool out = (var.qualifiers & ast::kOut) != 0;
   const bool in = (var.qualifiers & ast::kIn) != 0;
   parameter.storage = !out ? Storage::kIn : in ? Storage::kInOut : Storage::kOut;
@@ -133,6 +133,8 @@ void ResolveSignature(Context& context, FunctionInfoId id) {
   const ast::FunctionDecl& decl = DeclOf(context, info);
   info.return_type = ArrayOf(context, ResolveType(context, decl.return_type),
                              decl.return_dimensions, decl.name_span);
+  if (context.types.Innermost(info.return_type) == context.types.String())
+    info.return_type = context.FailType(decl.name_span, diag::StringUsed, context[decl.name]);
   if (context.IsError(info.return_type)) info.is_broken = true;
   std::vector<Parameter> parameters;
   parameters.reserve(decl.parameters.size);

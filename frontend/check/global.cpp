@@ -2,11 +2,14 @@
 #include "frontend/check/global.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 
 #include "base/spelling.h"
 #include "frontend/check/assign.h"
 #include "frontend/check/buffer.h"
 #include "frontend/check/init.h"
+#include "frontend/check/scope.h"
 #include "frontend/check/type.h"
 #include "frontend/check/value.h"
 #include "frontend/check/vulkan.h"
@@ -63,6 +66,28 @@ void InitialiseInMain(Program& program) {
   SetMainBody(program, body);
 }
 
+// `int S::count = 1;` after a struct S with a `static int count`.
+ExprId CheckOutOfLine(Context& context, SymbolId id, const ast::VarDecl& var, TypeId type) {
+  const ScopeId scope = context[id].scope;
+  const auto found = context.globals.out_of_line.find(var.name.index);
+  if (!scope || context[scope].kind != ScopeKind::kStruct ||
+      found == context.globals.out_of_line.end())
+    return {};
+  for (const ast::DeclId definition : found->second) {
+    const auto& decl = context.Get<ast::VarDecl>(definition);
+    const ViewSwitch in(context, {.scope = context.names.global()});
+    const SymbolId owner = Find(context, decl.out_of_line_of, true);
+    if (!decl.init || !owner || ScopeOf(context, owner) != scope) continue;
+    const ViewSwitch in_struct(context, context.ViewFrom(scope, ~0u));
+    return CheckInit(context, decl.init, type);
+  }
+  return {};
+}
+
+ExprId CheckStaticInit(Context& context, SymbolId id, const ast::VarDecl& var, TypeId type) {
+  return var.init ? CheckInit(context, var.init, type) : CheckOutOfLine(context, id, var, type);
+}
+
 }  // namespace
 
 bool ResolveVar(Context& context, SymbolId id) {
@@ -97,7 +122,7 @@ std::uint32_t OrderOf(const Context& context, SymbolId id) {
 void ResolveStatic(Context& context, SymbolId id, const ast::VarDecl& var) {
   const TypeId type = ResolveVarType(context, var);
   if (context.IsError(type)) return;
-  const ExprId init = var.init ? CheckInit(context, var.init, type) : ExprId{};
+  const ExprId init = CheckStaticInit(context, id, var, type);
   if (init && context.IsError(init)) return;
   if (HoldsObjects(context, type)) {
     // An alias of the object it is initialised with.
@@ -160,13 +185,27 @@ const ast::RegisterBinding* BindingOf(const Context& context, List<ast::Register
   return best;
 }
 
+std::uint32_t NumberOf(Context& context, const ast::RegisterBinding& binding) {
+  if (!binding.subcomponent) return binding.number;
+  if (context.program.profile.IsAtLeast(6, 0)) {
+    context.Report(binding.span, diag::RegisterWithoutEffect,
+                   "the number in brackets counts up to shader model 5.1");
+    return binding.number;
+  }
+  const auto offset = ConstantInteger(context, binding.subcomponent);
+  if (!offset) return binding.number;
+  constexpr std::int64_t kMost = std::numeric_limits<std::uint32_t>::max();
+  return static_cast<std::uint32_t>(
+      std::clamp(static_cast<std::int64_t>(binding.number) + *offset, std::int64_t{0}, kMost));
+}
+
 Register RegisterOf(Context& context, List<ast::RegisterBinding> bindings,
                     List<ast::Attr> attributes, char letter, std::string_view letters) {
   Register reg;
   reg.letter = letter;
   reg.descriptor = DescriptorOf(context, attributes);
   if (const ast::RegisterBinding* binding = BindingOf(context, bindings, letters)) {
-    reg.number = binding->number;
+    reg.number = NumberOf(context, *binding);
     reg.space = binding->space;
     reg.is_explicit = binding->letter != 0;
   }

@@ -24,6 +24,8 @@ Register RegisterOf(Context& context, List<ast::RegisterBinding> bindings,
 // The binding that counts under this profile; null without one.
 const ast::RegisterBinding* BindingOf(const Context& context, List<ast::RegisterBinding> bindings,
                                       std::string_view letters);
+// The number of the register: 4 for c3[1].
+std::uint32_t NumberOf(Context& context, const ast::RegisterBinding& binding);
 // Adds the static variables and resources that were reached to the program, in the order of the
 // text.
 void FinishGlobals(Context& context);

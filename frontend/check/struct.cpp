@@ -49,7 +49,7 @@ Field MakeField(Context& context, const ast::VarDecl& var) {
   const ast::Qualifiers qualifiers = QualifiersOf(context, var);
   Field field;
   field.name = context[var.name];
-  field.type = ResolveVarType(context, var);
+  field.type = WithoutString(context, ResolveVarType(context, var), var);
   field.span = var.name_span;
   field.row_major = IsRowMajor(context, qualifiers);
   field.semantic = context[var.semantic.name];

@@ -178,7 +178,15 @@ TypeId ResolveVarType(Context& context, const ast::VarDecl& var) {
     implied = ImpliedCount(context, var.init, row);
     if (!implied) return context.types.Error();
   }
-  return ArrayOf(context, element, var.dimensions, span, implied, IsBufferObject(context, var));
+  const TypeId type =
+      ArrayOf(context, element, var.dimensions, span, implied, IsBufferObject(context, var));
+  return type == element ? type : WithoutString(context, type, var);
+}
+
+TypeId WithoutString(Context& context, TypeId type, const ast::VarDecl& var) {
+  if (context.types.Innermost(type) != context.types.String()) return type;
+  return context.FailType(var.name ? var.name_span : context[var.type].span, diag::StringUsed,
+                          context[var.name]);
 }
 
 bool IsRowMajor(const Context& context, ast::Qualifiers qualifiers) {
@@ -190,16 +198,28 @@ bool IsRowMajor(const Context& context, ast::Qualifiers qualifiers) {
 }
 
 ast::Qualifiers QualifiersOf(Context& context, const ast::VarDecl& var) {
+  constexpr ast::Qualifiers kMajority = ast::kRowMajor | ast::kColumnMajor,
+                            kPragma = ast::kPackRowMajor | ast::kPackColumnMajor;
+  constexpr int kMostAliases = 16;  // a name that hides one in its own typedef has no end
   ast::Qualifiers qualifiers = var.qualifiers;
-  const ast::Type& type = context[var.type];
-  if (!type.name.name || type.struct_definition) return qualifiers;
-  const SymbolId symbol = Find(context, type.name, true);
-  if (!symbol || !context[symbol].decl) return qualifiers;
-  const auto* alias = context.GetIf<ast::TypedefDecl>(context[symbol].decl);
-  if (!alias) return qualifiers;
-  constexpr ast::Qualifiers kPacking = ast::kRowMajor | ast::kColumnMajor;
-  if (!(qualifiers & kPacking)) qualifiers |= alias->qualifiers & kPacking;
-  return qualifiers | (alias->qualifiers & ast::kConst);
+  ast::TypeId of = var.type;
+  for (int i = 0; i < kMostAliases; ++i) {
+    const ast::Type& type = context[of];
+    if (!type.name.name || type.struct_definition) break;
+    const SymbolId symbol = Find(context, type.name, true);
+    if (!symbol || !context[symbol].decl) break;
+    const auto* alias = context.GetIf<ast::TypedefDecl>(context[symbol].decl);
+    if (!alias) break;
+    if (!(qualifiers & kMajority)) qualifiers |= alias->qualifiers & kMajority;
+    // The pragma that a typedef stands under holds for it. Where there is none yet, that of the
+    // variable holds for a matrix, and none for an array (vkd3d's test of the pragma, checked
+    // against native).
+    if ((alias->qualifiers & kPragma) || !alias->dimensions.empty())
+      qualifiers = (qualifiers & ~kPragma) | (alias->qualifiers & kPragma);
+    qualifiers |= alias->qualifiers & ast::kConst;
+    of = alias->type;
+  }
+  return qualifiers;
 }
 
 }  // namespace clipc::check

@@ -25,6 +25,8 @@ TypeId ArrayOf(Context& context, TypeId element, List<ast::ExprId> dimensions, S
                std::optional<std::uint32_t> implied = {}, bool is_buffer = false);
 // The type of the variable, with its dimensions.
 TypeId ResolveVarType(Context& context, const ast::VarDecl& var);
+// The type; an error is reported if it is made of strings.
+TypeId WithoutString(Context& context, TypeId type, const ast::VarDecl& var);
 // Whether matrices lie row by row in memory.
 bool IsRowMajor(const Context& context, ast::Qualifiers qualifiers);
 // The qualifiers of the variable and of the typedef that names its type.

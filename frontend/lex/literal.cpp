@@ -39,12 +39,12 @@ bool ReadIntegerSuffix(std::string_view text, Number& number) {
     }
   }
   const bool is_wide = longs == 2 || number.value > std::numeric_limits<std::uint32_t>::max();
-  const bool needs_top_bit =
-      number.value > (is_wide ? std::uint64_t{1} << 63 : std::uint64_t{1} << 31) - 1;
   if (is_wide) {
+    const bool needs_top_bit = number.value > std::numeric_limits<std::int64_t>::max();
     number.kind = is_unsigned || needs_top_bit ? LiteralKind::kUint64 : LiteralKind::kInt64;
   } else {
-    number.kind = is_unsigned || needs_top_bit ? LiteralKind::kUint : LiteralKind::kInt;
+    // Whether 3000000000 is an int is a question of the shader model.
+    number.kind = is_unsigned ? LiteralKind::kUint : LiteralKind::kInt;
   }
   return true;
 }

@@ -32,8 +32,8 @@ TEST(ReadNumber, Integers) {
       {"5ULL", LiteralKind::kUint64, 5},
       {"5llu", LiteralKind::kUint64, 5},
       {"2147483647", LiteralKind::kInt, 2147483647},
-      {"2147483648", LiteralKind::kUint, 2147483648},
-      {"0xFFFFFFFF", LiteralKind::kUint, 0xFFFFFFFF},
+      {"2147483648", LiteralKind::kInt, 2147483648},
+      {"0xFFFFFFFF", LiteralKind::kHexadecimal, 0xFFFFFFFF},
       {"4294967296", LiteralKind::kInt64, 4294967296},
       {"18446744073709551615", LiteralKind::kUint64, std::numeric_limits<std::uint64_t>::max()},
   };

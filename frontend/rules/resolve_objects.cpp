@@ -2,9 +2,11 @@
 #include "frontend/rules/resolve_objects.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "frontend/rules/object_resolver.h"
 #include "ir/access.h"
+#include "ir/packing.h"
 
 namespace clipc::rules {
 
@@ -77,6 +79,17 @@ void ObjectResolver::NumberFields() {
 
 void ObjectResolver::RemoveFields() {
   for (StructId id : program_.types.structs().ids()) {
+    // An array begins a register, also one of objects, which takes no room (vkd3d's test of
+    // offsets after objects, checked against native). What follows it stays where it is.
+    bool is_after_array = false;
+    for (std::uint32_t i = 0; i < program_.types[id].fields.size(); ++i) {
+      Field& field = program_.types[id].fields[i];
+      if (IsObject(field.type)) {
+        is_after_array = is_after_array || program_.types[field.type].kind == TypeKind::kArray;
+      } else if (std::exchange(is_after_array, false)) {
+        field.offset = FieldOffset(program_.types, id, i);
+      }
+    }
     std::erase_if(program_.types[id].fields,
                   [&](const Field& field) { return IsObject(field.type); });
   }

@@ -18,6 +18,7 @@ struct Output {
   nointerpolation uint4 uints : UINTS;
   nointerpolation min16int2 small : SMALL;
   nointerpolation int one : ONE;
+  nointerpolation uint2 halves : HALVES;
   float4 skinned : SKINNED;
   float4 power : POWER;
 };
@@ -32,6 +33,7 @@ Output main(float4 p : POSITION, uint4 n : NUMBERS) {
   o.ints.x += int(asfloat(0x7fc00000u + (n.x & 7)));  // NaN
   o.uints.x += uint(asfloat(0xffc00000u + (n.y & 7))) + uint(asfloat(0x7f800000u + (n.x & 0)));
   o.uints.y += uint2(saturate(p.xy) * 255.0 + 0.5).y;
+  o.halves = uint2((half2)p.zw * 2000000000) + uint((half)-p.x * 2e9);
   o.small = min16int2(half2(p.xy));
   o.ints.y ^= beyond[n.x & 0];
   o.one = ((int1)(p.x * 1e10)).x + int(min(max(p.x, -5), 7.0));

