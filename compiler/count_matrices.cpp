@@ -70,15 +70,15 @@ class Follower {
     state_.values.resize(program.vars.size());
     for (const VarId id : program.vars.ids()) {
       const Var& var = program.vars[id];
-      const bool is_given = var.storage == Storage::kUniform || var.storage == Storage::kInput;
-      if (is_given || var.init) state_.values[IndexOf(id)] = Given(var.type);
+      // A matrix input is put together from its registers.
+      if (var.storage == Storage::kUniform || var.init)
+        state_.values[IndexOf(id)] = Given(var.type);
     }
   }
 
   std::optional<int> Run() {
     Exits exits;
     Follow(program_.functions[program_.main].body, exits);
-    Join(state_, exits.returned);
     for (const IoVar& output : program_.outputs) {
       if (output.builtin != Builtin::kPosition || work_ > kMostWork) continue;
       const int count = state_.values[IndexOf(output.var)].Most();
@@ -285,13 +285,13 @@ class Follower {
   }
   void FollowNode(const For& node, Exits& exits) {
     FollowAll(node.init, exits);
-    FollowLoop(node.condition, node.body, node.step, false, exits);
+    FollowLoop(node.condition, node.body, node.step, exits);
   }
   void FollowNode(const While& node, Exits& exits) {
-    FollowLoop(node.condition, node.body, {}, false, exits);
+    FollowLoop(node.condition, node.body, {}, exits);
   }
   void FollowNode(const DoWhile& node, Exits& exits) {
-    FollowLoop(node.condition, node.body, {}, true, exits);
+    FollowLoop(node.condition, node.body, {}, exits);
   }
   void FollowNode(const Switch& node, Exits& exits) {
     Of(node.value);
@@ -324,9 +324,10 @@ class Follower {
     Join(exits.result, inner.result);
   }
 
-  void FollowLoop(ExprId condition, StmtId body, ExprId step, bool is_body_first, Exits& exits) {
+  // The condition of a `do` is followed before the first turn too, which only adds what it writes.
+  void FollowLoop(ExprId condition, StmtId body, ExprId step, Exits& exits) {
     Exits inner;
-    if (!is_body_first) Of(condition);
+    Of(condition);
     for (int round = 0;; ++round) {
       const State before = Kept();
       Follow(body, inner);
