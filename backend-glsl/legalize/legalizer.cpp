@@ -32,7 +32,10 @@ bool MayChange(const Program& program, const Expr& expr) {
                             (!IsFloat(program.types[expr.type].scalar) &&
                              IsFloat(program.types[program.exprs[node.operand].type].scalar));
                    },
-                   [&](const Index& node) { return node.base && IsOnlyElement(program, node); },
+                   [&](const Index& node) {
+                     return node.base && (IsOnlyElement(program, node) ||
+                                          As<Swizzle>(program, node.base) != nullptr);
+                   },
                    [](const OneOf<Select, MatrixTruncate, IntrinsicCall> auto&) { return true; },
                    [](const auto&) { return false; },
                },

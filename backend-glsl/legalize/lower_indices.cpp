@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "backend-glsl/legalize/legalize.h"
@@ -20,7 +21,11 @@ class IndexLowering {
 
   void Run() {
     bool is_any = false;
-    legalizer_.ForEach([&](ExprId id) { is_any |= As<Index>(program_, id) != nullptr; });
+    legalizer_.ForEach([&](ExprId id) {
+      if (As<Index>(program_, id) == nullptr) return;
+      is_any = true;
+      LowerSwizzled(id);
+    });
     if (!is_any) return;
     std::vector<ExprId> writes, indices;
     ForEachLiveExpr(program_, [&](ExprId id) {
@@ -36,6 +41,23 @@ class IndexLowering {
   }
 
  private:
+  // v.wyx[i] of a uniform  =>  v[ivec3(3, 1, 0)[i]], since Mesa 22.3's OpenGL reads v[i].
+  void LowerSwizzled(ExprId expr) {
+    const Index node = *As<Index>(program_, expr);
+    const auto* swizzle = As<Swizzle>(program_, node.base);
+    if (!swizzle || swizzle->count < 2 || legalizer_.target.IsVulkan() ||
+        As<Literal>(program_, node.index))
+      return;
+    const VarId root = RootOf(program_, swizzle->base);
+    if (!root || program_.vars[root].storage != Storage::kUniform) return;
+    const ExprId vector = swizzle->base;
+    const std::vector<std::uint64_t> places(swizzle->components.begin(),
+                                            swizzle->components.begin() + swizzle->count);
+    Builder b = legalizer_.At(expr);
+    const ExprId table = b.ValueOf(program_.types.Vector(Scalar::kInt, swizzle->count), places);
+    program_.exprs[expr].node = Index{vector, b.At(table, node.index)};
+  }
+
   // An index that the only row, or the only component, takes without GLSL's [], and that changes
   // something.
   bool IsLost(ExprId expr) {
