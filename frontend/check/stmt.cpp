@@ -14,6 +14,7 @@
 #include "frontend/check/struct.h"
 #include "frontend/check/switch.h"
 #include "frontend/check/type.h"
+#include "frontend/check/unroll.h"
 #include "frontend/check/value.h"
 
 namespace clipc::check {
@@ -203,8 +204,14 @@ void CheckStmt(Context& context, ast::StmtId id) {
   if (context.Is<ast::BlockStmt>(id)) return context.stmts.push_back(CheckBlock(context, id));
   const std::size_t mark = context.stmts.size();
   Visit([&](const auto& node) { CheckNode(context, node, span); }, stmt.node);
-  if (!stmt.attributes.empty() && context.stmts.size() > mark)
-    context.program.stmts[context.stmts.back()].hint = HintOf(context, stmt);
+  if (stmt.attributes.empty() || context.stmts.size() == mark) return;
+  const Hint hint = HintOf(context, stmt);
+  context.program.stmts[context.stmts.back()].hint = hint;
+  if (hint != Hint::kUnroll) return;
+  for (const ast::Attr& attribute : context[stmt.attributes]) {
+    if (attribute.arguments.size == 1 && EqualIgnoringCase(context[attribute.name], "unroll"))
+      LimitTurns(context, attribute);
+  }
 }
 
 ExprId CheckScalar(Context& context, ast::ExprId id, std::string_view statement) {

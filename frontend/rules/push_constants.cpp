@@ -111,7 +111,7 @@ class Comparison {
   bool is_reported_ = false;
 };
 
-void Check(const Program& program, const Cbuffer& buffer, Diagnostics& diagnostics) {
+void CheckPacking(const Program& program, const Cbuffer& buffer, Diagnostics& diagnostics) {
   Comparison comparison(program, diagnostics);
   std::uint64_t end = 0;
   for (const CbufferMember& member : buffer.members) {
@@ -136,7 +136,7 @@ void CheckPushConstants(const Program& program, Diagnostics& diagnostics) {
     if (!buffer.is_push_constant) continue;
     if (first) diagnostics.Report(buffer.span, diag::PushConstantTwice, first->name, buffer.name);
     first = &buffer;
-    Check(program, buffer, diagnostics);
+    CheckPacking(program, buffer, diagnostics);
   }
 }
 

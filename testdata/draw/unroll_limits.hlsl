@@ -1,0 +1,37 @@
+// [unroll(N)] ends a loop after N turns; one that is seen to end by then stays as it is.
+// RUN: %clipc -T vs_5_0 %s --validate | FileCheck %s
+// RUN: %draw compare %s -T vs_5_0 --target=glsl450,essl300,vulkan
+// RUN: %clipc -T vs_5_0 %s -E many --validate | FileCheck %s --check-prefix=MANY
+#define TURNS 4
+int count;
+struct Output {
+  float4 position : SV_Position;
+  nointerpolation int4 counts : COUNTS;
+};
+Output main(float4 p : POSITION) {
+  Output o = (Output)0;
+  o.position = p;
+  // CHECK: for (int i = 0; i < 4; ++i) {
+  [unroll(TURNS)] for (int i = 0; i < TURNS; ++i) ++o.counts.x;
+  // CHECK: int turns = 0;
+  // CHECK-NEXT: for (int j = 0; turns < 4 && j < 8; ++j, ++turns) {
+  [unroll(4)] for (int j = 0; j < 8; ++j) {
+    if (j == 2) continue;
+    ++o.counts.y;
+  }
+  // CHECK: int turns_2 = 0;
+  // CHECK: for (; turns_2 < 3 && {{.*}}; ++turns_2) {
+  int k = 0;
+  [unroll(3)] while (k < (count & 7) + 3) ++k;
+  o.counts.z = k;
+  // CHECK: while (++turns_3 < 2 && {{.*}});
+  [unroll(2)] do { o.counts.w += 5; } while (o.counts.w < (count & 7) + 20);
+  return o;
+}
+// MANY: for (int i = 8; i > 0; i -= 2) {
+// MANY: for (; turns < 5; ++turns) {
+float4 many(float4 p : POSITION) : SV_Position {
+  [unroll(4)] for (int i = 8; i > 0; i -= 2) p += i;
+  [unroll(5)] for (;;) p *= 2;
+  return p;
+}
