@@ -9,7 +9,7 @@
 
 // Checks calls against the signatures of ir/intrinsics.def. Arguments unify as DXC's MatchArguments
 // does: the smallest vector wins, scalars are splatted, kinds combine, and a kind that the
-// intrinsic lacks becomes float.
+// intrinsic lacks becomes float. Matrices unify as fxc's do: the part that all have is what counts.
 namespace clipc::rules {
 namespace {
 
@@ -82,7 +82,7 @@ class Unifier : IntrinsicCheck {
     switch (shape) {
       case 'g': {
         const TypeId id = TypeIdOf(arguments[i]);
-        const auto common = common_ ? CommonType(program.types, common_, id) : id;
+        const auto common = common_ ? CommonShape(common_, id) : id;
         if (common) common_ = *common;
         return common.has_value();
       }
@@ -101,6 +101,16 @@ class Unifier : IntrinsicCheck {
         return type.kind == TypeKind::kMatrix;
       default: return true;  // a scalar: anything truncates to it
     }
+  }
+
+  // What CommonType says, and float2x2 for float2x3 and float3x2, which no operator takes together.
+  std::optional<TypeId> CommonShape(TypeId left_id, TypeId right_id) const {
+    if (const auto common = CommonType(program.types, left_id, right_id)) return common;
+    const Type left = program.types[left_id];
+    const Type right = program.types[right_id];
+    if (left.kind != TypeKind::kMatrix || right.kind != TypeKind::kMatrix) return std::nullopt;
+    return program.types.Matrix(left.scalar, std::min(left.rows, right.rows),
+                                std::min(left.columns, right.columns));
   }
 
   Scalar KindOf(char letter) const {
