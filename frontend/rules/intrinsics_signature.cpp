@@ -21,7 +21,7 @@ constexpr const char* ShapeText(char shape) {
     case '3': return "a vector of three";
     case '4': return "a vector of four";
     case 'm':
-    case 'q': return "a matrix";
+    case 'q': return "a scalar or a matrix";
     default: return "a scalar, vector or matrix";
   }
 }
@@ -98,7 +98,7 @@ class Unifier : IntrinsicCheck {
       case 'q':
         rows_ = type.rows;
         columns_ = type.columns;
-        return type.kind == TypeKind::kMatrix;
+        return type.kind == TypeKind::kMatrix || type.kind == TypeKind::kScalar;
       default: return true;  // a scalar: anything truncates to it
     }
   }

@@ -104,7 +104,7 @@ TEST(IntrinsicsTest, Matrices) {
   EXPECT_EQ(Call("transpose", {"float4x3"}), "float3x4: transpose(a)");
   EXPECT_EQ(Call("transpose", {"bool2x2"}), "bool2x2: transpose(a)");
   EXPECT_EQ(Call("transpose", {"float4"}),
-            "argument 1 of `transpose` has type `float4`; it must be a matrix "
+            "argument 1 of `transpose` has type `float4`; it must be a scalar or a matrix "
             "[intrinsic-argument-type, X3013]");
   EXPECT_EQ(Call("determinant", {"float3x3"}), "float: determinant(a)");
   EXPECT_EQ(Call("determinant", {"float4x3"}),
