@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/overloaded.h"
+#include "frontend/rules/constant.h"
 
 namespace clipc::check {
 namespace {
@@ -28,19 +29,22 @@ bool Breaks(const Context& context, StmtId id) {
 }  // namespace
 
 bool FallsThrough(const Context& context, StmtId id) {
-  const auto always = [&](ExprId condition) {
-    if (!condition) return true;
-    const auto* literal = context.GetIf<Literal>(condition);
-    return literal && literal->bits != 0;
+  const auto is_known = [&](ExprId condition, bool value) {
+    if (!condition) return value;  // for (;;)
+    const auto known = EvaluateInteger(context.program, condition);
+    return known && (*known != 0) == value;
   };
+  const auto always = [&](ExprId condition) { return is_known(condition, true); };
   return Visit(Overloaded{
                    [&](const Block& s) {
                      return std::ranges::all_of(
                          context[s.body], [&](StmtId stmt) { return FallsThrough(context, stmt); });
                    },
                    [&](const If& s) {
-                     return !s.otherwise || FallsThrough(context, s.then) ||
-                            FallsThrough(context, s.otherwise);
+                     if (!is_known(s.condition, false) && FallsThrough(context, s.then))
+                       return true;
+                     return !always(s.condition) &&
+                            (!s.otherwise || FallsThrough(context, s.otherwise));
                    },
                    [&](const For& s) { return !always(s.condition) || Breaks(context, s.body); },
                    [&](const While& s) { return !always(s.condition) || Breaks(context, s.body); },
