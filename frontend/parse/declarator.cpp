@@ -164,7 +164,7 @@ bool Parser::ParseRegisterOperand(RegisterBinding& binding) {
   constexpr std::string_view kSpace = "space";
   constexpr std::string_view kLetters = "bcistu";
   const std::string_view text = TextAt();
-  if (text.starts_with(kSpace)) {
+  if (ToLower(text.substr(0, kSpace.size())) == kSpace) {
     if (const auto number = ParseNumber(text.substr(kSpace.size()))) {
       binding.space = *number;
       Next();

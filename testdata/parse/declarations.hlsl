@@ -36,7 +36,7 @@ StructuredBuffer<Inner> items : register(t4);
 Texture2DMS<unorm float4, 4> samples;
 RWTexture2D<float> image;
 ConstantBuffer<Inner> constants : register(b2);
-ConstantBuffer<Inner> array_of[3] : register(space3);
+ConstantBuffer<Inner> array_of[3] : register(sPaCe3);
 layout(set = 0, binding = 1) Texture2D bound;
 [[vk::binding(3, 1)]] [[vk::counter_binding(4)]] RWStructuredBuffer<float> counted;
 
