@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/check/value.h"
 
-#include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "frontend/check/expr.h"
 #include "frontend/check/struct.h"
@@ -78,13 +79,14 @@ std::optional<std::int64_t> ConstantInteger(Context& context, ast::ExprId id) {
   const ExprId value = CheckExpr(context, id);
   if (context.IsError(value)) return std::nullopt;
   if (const auto number = EvaluateInteger(context.program, value)) return number;
-  // A float with a whole value will do, as in fxc.
+  // fxc truncates a float.
   if (const auto constant = EvaluateConstant(context.program, value);
       constant && constant->components.size() == 1) {
     const double number = constant->components[0];
-    if (number == static_cast<double>(static_cast<std::int32_t>(std::clamp(number, -2e9, 2e9)))) {
+    const bool fits = std::abs(number) <= std::numeric_limits<std::int32_t>::max();
+    const bool truncates = !context.program.profile.IsAtLeast(6, 0);
+    if (fits && (truncates || number == std::trunc(number)))
       return static_cast<std::int64_t>(number);
-    }
   }
   context.Report(expr.span, diag::NotConstantInteger, TextOf(context, id));
   return std::nullopt;
