@@ -71,7 +71,34 @@ class OffsetFinder {
       return known == known_.end() ? expr : Clone(program_, known->second);
     }
     MapOperands(program_, expr, [&](ExprId operand) { return Substitute(operand); });
-    return expr;
+    return Picked(expr);
+  }
+
+  // int4(1, 2, 3, i).xy  =>  int2(1, 2)
+  ExprId Picked(ExprId expr) {
+    const auto* node = As<Swizzle>(program_, expr);
+    if (!node || !As<Construct>(program_, node->base)) return expr;
+    const Swizzle swizzle = *node;
+    std::vector<ExprId> parts;
+    for (std::uint8_t i = 0; i < swizzle.count; ++i)
+      parts.push_back(Component(swizzle.base, swizzle.components[i]));
+    const TypeId type = TypeIdOf(program_, expr);
+    return parts.size() == 1 ? parts[0] : Builder(program_).ConstructOf(type, parts);
+  }
+
+  // A copy of one component of a Construct.
+  ExprId Component(ExprId construct, int component) {
+    const List<ExprId> parts = As<Construct>(program_, construct)->arguments;
+    std::uint32_t i = 0;
+    for (;; ++i) {
+      const int size =
+          static_cast<int>(TypeOf(program_, program_.expr_lists[parts][i]).Components());
+      if (component < size) break;
+      component -= size;
+    }
+    const ExprId part = Clone(program_, program_.expr_lists[parts][i]);
+    if (TypeOf(program_, part).kind == TypeKind::kScalar) return part;
+    return Picked(Builder(program_).Swizzled(part, {component}));
   }
 
   // A value of literals.
@@ -84,6 +111,20 @@ class OffsetFinder {
     if (!bits) return false;
     known_[var] = Make(program_.vars[var].type, *bits, program_.vars[var].span);
     return true;
+  }
+
+  // Lets the components of a vector be known that are, where others are not: int4 a = {1, 2, 3, i}.
+  void KnowComponents(VarId var, ExprId value) {
+    const TypeId type = program_.vars[var].type;
+    if (program_.types[type].kind != TypeKind::kVector) return;
+    Builder at(program_, program_.vars[var].span);
+    std::vector<ExprId> parts;
+    for (int i = 0; i < program_.types[type].columns; ++i) {
+      const auto bits = BitsOf(at.Swizzled(Clone(program_, value), {i}));
+      const ExprId own = at.Swizzled(at.Ref(var), {i});
+      parts.push_back(bits ? Make(TypeIdOf(program_, own), *bits, program_.vars[var].span) : own);
+    }
+    known_[var] = at.ConstructOf(type, parts);
   }
 
   // ---- functions
@@ -176,8 +217,8 @@ class OffsetFinder {
         [&](ExprId root) { ForEachExpr(program_, root, [&](ExprId expr) { ReadExpr(expr); }); },
         [&](StmtId part) { Read(part); });
     const auto* declare = As<Declare>(program_, stmt);
-    if (declare && declare->init && wanted_.IsUnchanged(Original(declare->var)))
-      Know(declare->var, declare->init);
+    if (!declare || !declare->init || !wanted_.IsUnchanged(Original(declare->var))) return;
+    if (!Know(declare->var, declare->init)) KnowComponents(declare->var, declare->init);
   }
 
   void ReadExpr(ExprId expr) {
@@ -195,7 +236,7 @@ class OffsetFinder {
   ExprId Known(ExprId offset, ObjectOp op) {
     const Span span = program_.exprs[offset].span;
     const auto bits = BitsOf(offset);
-    if (!bits) {
+    if (!bits || !IsPure(program_, offset)) {
       diagnostics_.Report(span, diag::TextureOffsetNotConstant, MethodOf(op));
       return offset;
     }

@@ -20,5 +20,10 @@ float4 main(float2 uv : TEXCOORD) : SV_Position {
 // CHECK-NEXT:    [[#@LINE+2]] |   r += map.GatherGreen(s, uv, int2(0, 1), int2(1, 0), o, int2(1, 1));
 // CHECK-NEXT:       |                                                       ^
   r += map.GatherGreen(s, uv, int2(0, 1), int2(1, 0), o, int2(1, 1));
+  // What changes something is not left out with the components that are.
+// CHECK-NEXT: fail_texture_offsets.hlsl:[[#@LINE+3]]:34: error: the offset given to `SampleLevel` is not constant; it must be known at compile time [texture-offset-not-constant, X4566]
+// CHECK-NEXT:    [[#@LINE+2]] |   r += map.SampleLevel(s, uv, 0, int3(1, 2, o.x++).xy);
+// CHECK-NEXT:       |                                  ^~~~~~~~~~~~~~~~~~~~
+  r += map.SampleLevel(s, uv, 0, int3(1, 2, o.x++).xy);
   return r;
 }
