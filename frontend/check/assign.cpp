@@ -7,6 +7,7 @@
 #include "frontend/check/init.h"
 #include "frontend/check/operator.h"
 #include "frontend/check/value.h"
+#include "frontend/rules/swizzle_index.h"
 
 namespace clipc::check {
 namespace {
@@ -106,17 +107,17 @@ bool CheckTarget(Context& context, ExprId target) {
         .Note(var.span, diag::DeclaredHere, var.name);
     return false;
   }
-  if (RepeatsComponents(context.program, target)) {
+  const auto* index = context.GetIf<Index>(target);
+  if (RepeatsComponents(context.program, index ? index->base : target)) {
     context.Report(span, diag::SwizzleRepeats);
     return false;
   }
-  // v.yx[i], with an i known only at run time
-  const auto* index = context.GetIf<Index>(target);
-  if (index && (context.Is<Swizzle>(index->base) || context.Is<MatrixSwizzle>(index->base))) {
+  if (index && context.Is<MatrixSwizzle>(index->base)) {
     context.Report(span, diag::Unsupported,
-                   "assigning to a component of a swizzle chosen at run time");
+                   "assigning to a component chosen at run time among several of a matrix");
     return false;
   }
+  IndexWholeVector(context.program, target);
   return true;
 }
 

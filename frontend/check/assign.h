@@ -9,7 +9,8 @@ namespace clipc::check {
 // Makes the variable one that cannot be assigned to.
 void MarkConst(Context& context, VarId var);
 bool IsConstVar(const Context& context, VarId var);
-// Whether the expression can be assigned to. Reports why it cannot.
+// Whether the expression can be assigned to. Reports why it cannot. An index into a swizzle becomes
+// one into the vector.
 bool CheckTarget(Context& context, ExprId target);
 // The read of a writable object that a path of fields, indices and swizzles starts at, `buffer[i]`
 // in `buffer[i].x`; none for other expressions.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "frontend/rules/reread.h"
+#include "frontend/rules/swizzle_index.h"
 #include "ir/access.h"
 
 namespace clipc::rules {
@@ -16,8 +17,10 @@ std::string CountText(std::size_t least, std::size_t most) {
 }
 
 // The variable at the root of a path that may be assigned to, or none: no component may be named
-// twice.
+// twice, nor be chosen at run time among several of a matrix.
 VarId TargetRoot(const Program& program, ExprId path) {
+  const auto* index = As<Index>(program, path);
+  if (index && As<MatrixSwizzle>(program, index->base)) return {};
   for (ExprId part = path; part; part = WholeOf(program, part)) {
     if (RepeatsComponents(program, part)) return {};
   }
@@ -64,6 +67,7 @@ std::optional<ExprId> IntrinsicCheck::Converted(std::size_t i, TypeId type) cons
 bool IntrinsicCheck::IsTarget(std::size_t i) const {
   const VarId root = TargetRoot(program, arguments[i]);
   if (root) {
+    IndexWholeVector(program, arguments[i]);
     switch (program.vars[root].storage) {
       case Storage::kLocal:
       case Storage::kIn:

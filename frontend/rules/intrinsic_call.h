@@ -61,7 +61,8 @@ class IntrinsicCheck {
     return count == 1 ? program.types.Make(kind) : program.types.Vector(kind, count);
   }
 
-  // Reports unless the argument can be assigned to.
+  // Reports unless the argument can be assigned to. An index into a swizzle becomes one into the
+  // vector.
   bool IsTarget(std::size_t i) const;
 
   // The leading `count` components of a vector and its component `last`, to be evaluated after

@@ -55,7 +55,7 @@ float4 main(float4 v : POSITION, const float fixed : FIXED) : SV_Position {
   name;
   // CHECK: [[#@LINE+1]]:13: error: cannot convert `void` to `float` [cannot-convert, X3017]
   float f = nothing();
-  // CHECK: [[#@LINE+1]]:3: error: assigning to a component of a swizzle chosen at run time is not supported [unsupported]
-  v.xy[int(v.x)] = 1;
+  // CHECK: [[#@LINE+1]]:3: error: components are repeated; each can be assigned only once [swizzle-repeats, X3025]
+  v.xx[int(v.x)] = 1;
   return v;
 }
