@@ -82,7 +82,7 @@ enum class Feature : std::uint8_t {
   kMultisampleArrays,
   kTextureBuffers,
   kGather,
-  kGatherOffsets,   // one offset for each of the four texels
+  kGatherOffsets,   // one offset for each of the four texels, or one that is not constant
   kTextureLevels,   // textureQueryLevels
   kTextureSamples,  // textureSamples
   kCount,

@@ -112,7 +112,8 @@ struct IntrinsicCall {
 };
 // Reads and writes through texture and buffer objects. arguments[0] is the object: a VarRef, or an
 // Index of one for an array of them. The arguments of each operation stand in parentheses; [] marks
-// those that may be left out. An offset is an int{1..3} of literals.
+// those that may be left out. An offset is an int{1..3} of literals; the one for all texels of a
+// kGather may be any int2.
 enum class ObjectOp : std::uint8_t {
   // (texture, sampler, coordinate float{1..4}, lod float [, offset])
   kSampleLevel,

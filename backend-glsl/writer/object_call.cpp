@@ -8,6 +8,7 @@
 #include "backend-glsl/writer/expr.h"
 #include "backend-glsl/writer/objects.h"
 #include "backend-glsl/writer/types.h"
+#include "ir/evaluate.h"
 
 namespace clipc::glsl {
 
@@ -130,8 +131,10 @@ class ObjectCaller {
     const int component = static_cast<int>(node_.op) - static_cast<int>(ObjectOp::kGather);
     const std::string last = component > 0 ? fmt::format(", {}", component) : "";
     if (arguments_.size() != 7) {
-      return Rest(arguments_.size() > 3 ? "textureGatherOffset" : "textureGather", 2, arguments_[1],
-                  last);
+      const bool has_offset = arguments_.size() > 3;
+      if (has_offset && !ConstantBits(code_.program, arguments_[3]))
+        code_.Require(Feature::kGatherOffsets);
+      return Rest(has_offset ? "textureGatherOffset" : "textureGather", 2, arguments_[1], last);
     }
     code_.Require(Feature::kGatherOffsets);
     const std::string object = ObjectName(code_, arguments_[0], arguments_[1]);

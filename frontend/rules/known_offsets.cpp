@@ -229,15 +229,22 @@ class OffsetFinder {
     const ObjectOp op = call->op;
     for (std::uint32_t i = FirstOffset(op); i < arguments.size; ++i) {
       const ExprId offset = program_.expr_lists[arguments][i];
-      if (!IsLiteralOffset(program_, offset)) program_.expr_lists[arguments][i] = Known(offset, op);
+      if (!IsLiteralOffset(program_, offset))
+        program_.expr_lists[arguments][i] = Known(offset, op, MayVary(op, arguments.size));
     }
   }
 
-  ExprId Known(ExprId offset, ObjectOp op) {
+  // Whether Direct3D 11 takes the offset as a number like any other, with gather4_po.
+  bool MayVary(ObjectOp op, std::uint32_t arguments) const {
+    const bool is_gather = op >= ObjectOp::kGather && op <= ObjectOp::kGatherAlpha;
+    return is_gather && arguments == FirstOffset(op) + 1 && program_.profile.IsAtLeast(5, 0);
+  }
+
+  ExprId Known(ExprId offset, ObjectOp op, bool may_vary) {
     const Span span = program_.exprs[offset].span;
     const auto bits = BitsOf(offset);
     if (!bits || !IsPure(program_, offset)) {
-      diagnostics_.Report(span, diag::TextureOffsetNotConstant, MethodOf(op));
+      if (!may_vary) diagnostics_.Report(span, diag::TextureOffsetNotConstant, MethodOf(op));
       return offset;
     }
     for (const std::uint64_t word : *bits) {

@@ -16,8 +16,8 @@ namespace clipc::rules {
 //
 // Makes such offsets literals. A function is made anew for each tuple of known arguments that its
 // offsets depend on, and a `for` loop whose counter they depend on is unrolled. Reports
-// TextureOffsetNotConstant or TextureOffsetRange (fxc: X4566) where that does not help. Requires
-// ResolveObjects.
+// TextureOffsetNotConstant or TextureOffsetRange (fxc: X4566) where that does not help. The one
+// offset of a Gather may stay unknown from shader model 5 on. Requires ResolveObjects.
 void KnowOffsets(Program& program, Diagnostics& diagnostics);
 
 }  // namespace clipc::rules
