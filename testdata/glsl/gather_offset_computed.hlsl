@@ -2,7 +2,6 @@
 // RUN: %clipc -T vs_5_0 --target=glsl450 --verify --validate %s -o - | FileCheck %s
 // RUN: %clipc -T vs_5_0 --target=essl310 --validate %s -o - | FileCheck %s --check-prefix=ES
 // RUN: %clipc -T vs_5_0 --target=essl320 --validate %s -o - | FileCheck %s --check-prefix=CORE
-// RUN: not %clipc -T vs_4_1 %s -o - 2>&1 | FileCheck %s --check-prefix=OLD
 // RUN: %draw compare %s -T vs_5_0 --target glsl400,glsl450,essl310,essl320,vulkan --ints 0..3
 // ES: #extension GL_EXT_gpu_shader5 : require
 // CORE-NOT: #extension
@@ -13,7 +12,6 @@ int2 away;  // one of --ints
 float4 Tap(float2 uv, int2 o) { return map.Gather(s, uv, o); }
 float4 main(float2 uv : TEXCOORD) : SV_Position {
   // CHECK: textureGatherOffset(map, in_TEXCOORD0, globals.away)
-  // OLD: [[#@LINE+1]]:32: error: the offset given to `Gather` is not constant; it must be known at compile time [texture-offset-not-constant, X4566]
   float4 r = map.Gather(s, uv, away);
   // CHECK: textureGatherOffset(map, in_TEXCOORD0, globals.away.yx - 1, 2)
   r += map.GatherBlue(s, uv, away.yx - 1);
