@@ -30,7 +30,7 @@ class Direct3D9 : public ::testing::Test {
     return comparison;
   }
 
-  const harness::OpenGl context{harness::Api::kCompatibility};
+  const harness::OpenGl context_{harness::Api::kCompatibility};
 };
 using Seed001Remarks = Direct3D9;
 

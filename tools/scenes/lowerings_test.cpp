@@ -33,7 +33,7 @@ class Lowerings : public ::testing::Test {
     return comparison;
   }
 
-  const harness::OpenGl context{harness::Api::kCompatibility};
+  const harness::OpenGl context_{harness::Api::kCompatibility};
 };
 
 // Were the cuts everywhere, every picture would agree with every other.

@@ -62,7 +62,7 @@ class SeedDrawing : public ::testing::Test {
         << "something is clipped";
   }
 
-  const harness::OpenGl context{harness::Api::kCompatibility};
+  const harness::OpenGl context_{harness::Api::kCompatibility};
 };
 
 using Seed000Background = SeedDrawing;
