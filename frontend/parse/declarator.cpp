@@ -13,8 +13,9 @@ namespace {
 // The number that `digits` is, from the first to the last character.
 std::optional<std::uint32_t> ParseNumber(std::string_view digits) {
   std::uint32_t number = 0;
-  const char* end = digits.data() + digits.size();
-  auto [stopped, problem] = std::from_chars(digits.data(), end, number);
+  const char* const begin = digits.data();
+  const char* const end = begin + digits.size();
+  const auto [stopped, problem] = std::from_chars(begin, end, number);
   if (digits.empty() || problem != std::errc{} || stopped != end) return std::nullopt;
   return number;
 }
