@@ -151,6 +151,7 @@ class ObjectBuffers {
     glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(SceneVertex), nullptr);
     // A D3DCOLOR is blue, green, red, alpha.
     glVertexAttribPointer(1, GL_BGRA, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(SceneVertex),
+                          // NOLINTNEXTLINE(performance-no-int-to-ptr): OpenGL's way to say it
                           reinterpret_cast<void*>(offsetof(SceneVertex, color)));
     glEnableVertexAttribArray(0);
     glEnableVertexAttribArray(1);
