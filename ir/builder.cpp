@@ -166,4 +166,17 @@ ExprId Clone(Program& program, ExprId expr) {
   return copy;
 }
 
+void IndexWholeVector(Program& program, ExprId expr) {
+  const auto* index = As<Index>(program, expr);
+  const auto* found = index ? As<Swizzle>(program, index->base) : nullptr;
+  if (!found) return;
+  const Swizzle swizzle = *found;
+  const ExprId number = index->index;
+  Builder at(program, program.exprs[number].span);
+  std::vector<ExprId> components;
+  for (int i = 0; i < swizzle.count; ++i) components.push_back(at.Int(swizzle.components[i]));
+  const TypeId type = program.types.Vector(Scalar::kInt, swizzle.count);
+  program.exprs[expr].node = Index{swizzle.base, at.At(at.ConstructOf(type, components), number)};
+}
+
 }  // namespace clipc::ir

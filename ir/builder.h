@@ -65,5 +65,8 @@ class Builder {
 // Copies the tree under `expr`: an expression has one parent, so using a value twice needs two
 // trees.
 ExprId Clone(Program& program, ExprId expr);
+// Makes v.zyx[i], an index into a swizzle, v[int3(2, 1, 0)[i]], which can be assigned to. Any other
+// expression stays as it is.
+void IndexWholeVector(Program& program, ExprId expr);
 
 }  // namespace clipc::ir

@@ -182,19 +182,15 @@ constexpr bool IsAtomic(ObjectOp op) {
 }
 // Whether it changes what the object holds.
 constexpr bool WritesObject(ObjectOp op) { return op == ObjectOp::kStore || IsAtomic(op); }
+// Whether it reads one component of four texels.
+constexpr bool IsGather(ObjectOp op) {
+  using enum ObjectOp;
+  return op == kGather || op == kGatherGreen || op == kGatherBlue || op == kGatherAlpha;
+}
 // Whether arguments[1] is a sampler.
 constexpr bool TakesSampler(ObjectOp op) {
   using enum ObjectOp;
-  switch (op) {
-    case kSampleLevel:
-    case kSampleGrad:
-    case kSampleCmpLevelZero:
-    case kGather:
-    case kGatherGreen:
-    case kGatherBlue:
-    case kGatherAlpha: return true;
-    default: return false;
-  }
+  return op == kSampleLevel || op == kSampleGrad || op == kSampleCmpLevelZero || IsGather(op);
 }
 struct ObjectCall {
   ObjectOp op{};

@@ -108,7 +108,7 @@ class ConversionLowering {
         legalizer_.ShapeAt(expr).IsScalar() && program_.types[type].kind != TypeKind::kScalar;
     ExprId inner = b.ConvertTo(BaseOf(from), operand);
     if (!is_single && kind == to) {
-      // What is left is this conversion itself.
+      // This conversion itself is left.
       program_.exprs[expr].node = Convert{operand = inner};
       return false;
     }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 #include "backend-glsl/legalize/legalize.h"
@@ -50,12 +49,7 @@ class IndexLowering {
       return;
     const VarId root = RootOf(program_, swizzle->base);
     if (!root || program_.vars[root].storage != Storage::kUniform) return;
-    const ExprId vector = swizzle->base;
-    const std::vector<std::uint64_t> places(swizzle->components.begin(),
-                                            swizzle->components.begin() + swizzle->count);
-    Builder b = legalizer_.At(expr);
-    const ExprId table = b.ValueOf(program_.types.Vector(Scalar::kInt, swizzle->count), places);
-    program_.exprs[expr].node = Index{vector, b.At(table, node.index)};
+    IndexWholeVector(program_, expr);
   }
 
   // An index that the only row, or the only component, takes without GLSL's [], and that changes

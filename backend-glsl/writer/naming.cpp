@@ -96,10 +96,12 @@ std::vector<std::string> FieldNames(const std::vector<std::string_view>& wanted)
   for (const std::string_view name : wanted) {
     is_changed |= names.emplace_back(LegalFieldName(name)) != name;
   }
-  // A struct in HLSL may have a field of the name of one of its base's.
-  std::vector<std::string_view> sorted = wanted;
-  std::ranges::sort(sorted);
-  if (!is_changed && std::ranges::adjacent_find(sorted) == sorted.end()) return names;
+  if (!is_changed) {
+    // A struct in HLSL may have a field of the name of one of its base's.
+    std::vector<std::string_view> sorted = wanted;
+    std::ranges::sort(sorted);
+    if (std::ranges::adjacent_find(sorted) == sorted.end()) return names;
+  }
   std::set<std::string> taken;
   for (std::size_t i = 0; i < names.size(); ++i) {
     for (int suffix = 2; !taken.insert(names[i]).second; ++suffix) {

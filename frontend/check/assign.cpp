@@ -7,7 +7,6 @@
 #include "frontend/check/init.h"
 #include "frontend/check/operator.h"
 #include "frontend/check/value.h"
-#include "frontend/rules/swizzle_index.h"
 
 namespace clipc::check {
 namespace {

@@ -120,7 +120,7 @@ ExprId CheckNode(Context& context, const ast::ConditionalExpr& expr, Span span) 
     type = CommonType(context.types,
                       context.types.WithScalar(context.TypeIdOf(condition), context[sides].scalar),
                       sides);
-    // Of a float4 and a float1x4, the sides say which it is.
+    // The sides say whether the result is a float4 or a float1x4.
     if (type && context[*type].Components() == context[sides].Components()) type = sides;
   }
   if (!type || *type == context.types.Void()) {

@@ -16,7 +16,7 @@ VarId VarOf(const Program& program, ExprId expr) {
   return ref ? ref->var : VarId{};
 }
 
-// What a turn adds to the variable; none when it is not a known number.
+// The number that a turn adds to the variable; none when it is not known.
 std::optional<std::int64_t> StepOf(const Program& program, ExprId step, VarId counter) {
   if (const auto* unary = As<Unary>(program, step);
       unary && VarOf(program, unary->operand) == counter) {
@@ -37,9 +37,18 @@ bool Holds(BinaryOp op, std::int64_t left, std::int64_t right) {
     case BinaryOp::kLessEqual: return left <= right;
     case BinaryOp::kGreater: return left > right;
     case BinaryOp::kGreaterEqual: return left >= right;
-    case BinaryOp::kNotEqual: return left != right;
     default: return true;
   }
+}
+
+// Whether `first`, `first + step`, ... leaves the condition within `limit` steps.
+bool Leaves(BinaryOp op, std::int64_t first, std::int64_t step, std::int64_t bound,
+            std::int64_t limit) {
+  if (op == BinaryOp::kNotEqual)
+    return first == bound || (step != 0 && (bound - first) % step == 0 &&
+                              (bound - first) / step > 0 && (bound - first) / step <= limit);
+  // The numbers that the others hold for have no gap.
+  return !Holds(op, first, bound) || !Holds(op, first + limit * step, bound);
 }
 
 // Whether the loop, of the form `for (int i = 0; i < 4; ++i)`, is seen to end within `limit` turns.
@@ -54,10 +63,10 @@ bool EndsWithin(const Program& program, const For& loop, std::int64_t limit) {
   const auto step = StepOf(program, loop.step, declare->var);
   const StmtId body[] = {loop.body};
   if (!first || !bound || !step || AssignedIn(program, body)[declare->var.index]) return false;
-  std::int64_t turns = 0;
-  for (std::int64_t i = *first; turns <= limit && Holds(condition->op, i, *bound); i += *step)
-    ++turns;
-  return turns <= limit;
+  // A uint goes on below 0 as a large number.
+  const bool is_signed =
+      BaseOf(program.types[program.vars[declare->var].type].scalar) == Scalar::kInt;
+  return (is_signed || *step > 0) && Leaves(condition->op, *first, *step, *bound, limit);
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "frontend/rules/reread.h"
-#include "frontend/rules/swizzle_index.h"
 #include "ir/access.h"
 
 namespace clipc::rules {

@@ -103,7 +103,8 @@ class Unifier : IntrinsicCheck {
     }
   }
 
-  // What CommonType says, and float2x2 for float2x3 and float3x2, which no operator takes together.
+  // The type that CommonType gives, and float2x2 for float2x3 and float3x2, which no operator takes
+  // together.
   std::optional<TypeId> CommonShape(TypeId left_id, TypeId right_id) const {
     if (const auto common = CommonType(program.types, left_id, right_id)) return common;
     const Type left = program.types[left_id];

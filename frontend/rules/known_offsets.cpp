@@ -236,8 +236,7 @@ class OffsetFinder {
 
   // Whether Direct3D 11 takes the offset as a number like any other, with gather4_po.
   bool MayVary(ObjectOp op, std::uint32_t arguments) const {
-    const bool is_gather = op >= ObjectOp::kGather && op <= ObjectOp::kGatherAlpha;
-    return is_gather && arguments == FirstOffset(op) + 1 && program_.profile.IsAtLeast(5, 0);
+    return IsGather(op) && arguments == FirstOffset(op) + 1 && program_.profile.IsAtLeast(5, 0);
   }
 
   ExprId Known(ExprId offset, ObjectOp op, bool may_vary) {

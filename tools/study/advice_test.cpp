@@ -149,7 +149,7 @@ TEST(Advice, CostsAreThoseOfEnoughPlanes) {
     const std::vector<Advice> all = Advise(facts, costs);
     EXPECT_EQ(Of(all, "object").cost, cost);
     EXPECT_EQ(Of(all, "near-plane").possible, planes == 1);
-    // What nobody measured is not advised.
+    // A way that nobody measured is not advised.
     EXPECT_FALSE(Of(all, "xyw1").meets);
     EXPECT_NE(all.front().way, "xyw1");
   }
@@ -191,7 +191,7 @@ TEST(Advice, KnowsCures) {
   EXPECT_THAT(cure(), ::testing::HasSubstr("multiply its matrices in double"));
 }
 
-// What the law leaves open is measured, and nothing else is.
+// The errors that the law leaves open are measured, and nothing else is.
 TEST(Advice, MeasuresWhatIsOpen) {
   DrawFacts facts;
   facts.view_plane = {0, 0, 1, -3}, facts.means.can_discard = false;
@@ -267,7 +267,7 @@ TEST(Scenes, TheNearPlaneIsForWholePasses) {
   using ::testing::ElementsAre;
   EXPECT_THAT(WaysOf(Cubes({0, 0.5})), ElementsAre("near-plane", "near-plane"));
   EXPECT_THAT(WaysOf(Cubes({0, 3})), ElementsAre("cpu", ""));  // the second is drawn as it is
-  // What is not drawn does not count: below the water, or beside the picture.
+  // An object that is not drawn does not count: below the water, or beside the picture.
   Scene hidden = Cubes({0, 0.5, -5, 0});
   hidden.objects[3].world.m[3][0] = 1000;
   EXPECT_THAT(WaysOf(hidden), ElementsAre("near-plane", "near-plane", "", ""));

@@ -61,7 +61,7 @@ TEST(Flicker, ReversedDepthCuresIt) {
   EXPECT_LT(Of(config, ClipSpace()).p99, 0.005);
 }
 
-// What turns with the camera, up to that angle; then it does not apply.
+// A method whose cut turns with the camera up to that angle; beyond it, the method does not apply.
 Method Drifting(double last_yaw) {
   return {"drifting", [last_yaw](const Setup& setup) -> std::optional<Distance> {
             const double yaw = setup.config.camera.yaw;
