@@ -9,8 +9,8 @@ float4 low : register(c2[-1]);
 Texture2D colors : register(t1[2]);
 SamplerState smooth : register(s0);
 // CHECK: layout(offset = 16) vec4 low;
-// CHECK-NEXT: float placed;
-// DXIL: float placed;
+// CHECK-NEXT: {{^    }}float placed;
+// DXIL: {{^    }}float placed;
 // DXIL: layout(offset = 32) vec4 low;
 cbuffer Others {
   // CHECK: {{^    }}float other;

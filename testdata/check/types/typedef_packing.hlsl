@@ -9,13 +9,13 @@ typedef Open RowsToo;
 typedef Columns StillColumns;
 #pragma pack_matrix(column_major)
 typedef Rows Again;
-Rows rows;        // CHECK: mat2x3 rows;
-Again again;      // CHECK: mat2x3 again;
-RowsToo too;      // CHECK: mat2x3 too;
-Open open_here;   // CHECK: layout(row_major) mat2x3 open_here;
+Rows rows;        // CHECK: {{^    }}mat2x3 rows;
+Again again;      // CHECK: {{^    }}mat2x3 again;
+RowsToo too;      // CHECK: {{^    }}mat2x3 too;
+Open open_here;   // CHECK: {{^    }}layout(row_major) mat2x3 open_here;
 #pragma pack_matrix(row_major)
-Open rows_here;   // CHECK: mat2x3 rows_here;
-StillColumns a;   // CHECK: layout(row_major) mat2x3 a[2];
+Open rows_here;   // CHECK: {{^    }}mat2x3 rows_here;
+StillColumns a;   // CHECK: {{^    }}layout(row_major) mat2x3 a[2];
 float4 main() : SV_Position {
   return float4(rows[0] + again[0] + too[0] + open_here[0] + rows_here[0] + a[1][0], 1);
 }
