@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/invariant.h"
+#include "ir/access.h"
 #include "ir/scalar.h"
 #include "ir/walk.h"
 
