@@ -3,9 +3,11 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "frontend/rules/constant.h"
 #include "frontend/rules/known_values.h"
+#include "frontend/rules/loop_turns.h"
 #include "ir/access.h"
 #include "ir/walk.h"
 
@@ -19,6 +21,8 @@ constexpr std::size_t kMaxInputs = 16;
 constexpr std::size_t kMaxOutputs = 8;                // texture coordinate registers oT0..oT7
 constexpr std::uint32_t kMaxConstantRegisters = 255;  // c0..c255 less the position offset
 constexpr std::uint32_t kMaxInstructions = 256;
+// fxc's error X3511: "loop does not appear to terminate in a timely manner (1024 iterations)".
+constexpr std::uint32_t kMaxTurns = 1024;
 
 class Level9Checker {
  public:
@@ -106,7 +110,25 @@ class Level9Checker {
   // Whether the expression has a known value once loops are unrolled, and so takes no instruction.
   bool IsKnown(ExprId id) {
     if (!known_) known_.emplace(program_);
-    return known_->Has(id);
+    if (!known_->Has(id)) return false;
+    CheckTurns(id);
+    return true;
+  }
+
+  // The loops that make the value known are unrolled.
+  void CheckTurns(ExprId id) {
+    if (!known_in_short_loops_) {
+      std::vector<VarId> counters;
+      for (const StmtId stmt : program_.stmts.ids()) {
+        const auto* loop = As<For>(program_, stmt);
+        if (loop && EndsWithin(program_, *loop, kMaxTurns) == false)
+          counters.push_back(CounterOf(program_, *loop));
+      }
+      known_in_short_loops_.emplace(program_, counters);
+    }
+    if (!known_in_short_loops_->Has(id)) {
+      diagnostics_.Report(program_.exprs[id].span, diag::Level9LongLoop, kMaxTurns, Target());
+    }
   }
 
   void CheckBits(ExprId id) {
@@ -161,8 +183,10 @@ class Level9Checker {
 
   const Program& program_;
   Diagnostics& diagnostics_;
-  std::optional<KnownValues> known_;  // from the first rule on that depends on it
-  std::uint32_t instructions_ = 0;    // a lower bound: no loop is counted twice, no addition at all
+  // From the first rule on that depends on them:
+  std::optional<KnownValues> known_;
+  std::optional<KnownValues> known_in_short_loops_;  // when no loop beyond kMaxTurns is unrolled
+  std::uint32_t instructions_ = 0;  // a lower bound: no loop is counted twice, no addition at all
 };
 
 }  // namespace

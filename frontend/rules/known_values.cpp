@@ -176,7 +176,8 @@ bool IsUnknown(const Var& var) {
 
 }  // namespace
 
-KnownValues::KnownValues(const Program& program) : program_(program), graph_(program) {
+KnownValues::KnownValues(const Program& program, std::span<const VarId> unknown)
+    : program_(program), graph_(program) {
   RegionReader regions(program, graph_);
   for (const FunctionId id : program.functions.ids()) regions.Read(id);
   unknown_.resize(graph_.size());
@@ -184,6 +185,7 @@ KnownValues::KnownValues(const Program& program) : program_(program), graph_(pro
   for (const VarId id : program.vars.ids()) {
     if (IsUnknown(program.vars[id])) unknown_[graph_.NodeOf(id)] = true;
   }
+  for (const VarId id : unknown) unknown_[graph_.NodeOf(id)] = true;
   for (const VarId id : program.functions[program.entry].parameters)
     unknown_[graph_.NodeOf(id)] = true;
   for (const ValueGraph::Value& value : graph_.values()) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "frontend/rules/rules.h"
@@ -13,10 +14,11 @@ namespace clipc::rules {
 // are constants, parameters whose arguments are known in every call, and what is computed from
 // these alone. A variable is known where every value that it gets is, and whether it gets it, too:
 // no assignment to it hangs on a condition that is not known. Counters of loops of every kind are
-// such variables. How often a loop turns is not looked at.
+// such variables, however often they turn.
 class KnownValues {
  public:
-  explicit KnownValues(const Program& program);
+  // `unknown` are variables that count as unknown whatever their values are.
+  explicit KnownValues(const Program& program, std::span<const VarId> unknown = {});
 
   bool Has(ExprId expr) const;
 
