@@ -13,6 +13,7 @@
 
 #include "base/diagnostics.h"
 #include "frontend/check/check.h"
+#include "frontend/check/out_of_line.h"
 #include "frontend/check/overloads.h"
 #include "frontend/check/scope_table.h"
 #include "frontend/check/symbols.h"
@@ -60,8 +61,7 @@ struct Globals {
   std::vector<Ordered> reached, resources;
   std::unordered_map<std::uint32_t, Register> registers;   // by a resource's VarId
   std::unordered_map<std::uint32_t, std::string> formats;  // of images that have one
-  // Definitions of static members outside of their structs, by name.
-  std::unordered_map<std::uint32_t, std::vector<ast::DeclId>> out_of_line;
+  OutOfLine out_of_line;
   std::vector<bool> const_vars;  // by VarId
 };
 

@@ -11,7 +11,7 @@ namespace {
 
 void DeclareVar(Context& context, ast::DeclId id, const ast::VarDecl& var, ScopeId scope) {
   if (var.out_of_line_of.name) {
-    context.globals.out_of_line[var.name.index].push_back(id);
+    context.globals.out_of_line.Add(var.name, var.out_of_line_of, id);
     return;
   }
   DeclareTypeInside(context, var.type, scope);
@@ -91,7 +91,7 @@ void DeclareFunction(Context& context, ast::DeclId id, const ast::FunctionDecl& 
                      ScopeId scope) {
   DeclareTypeInside(context, decl.return_type, scope);
   if (decl.out_of_line_of.name) {
-    context.functions.out_of_line[decl.name.index].push_back(id);
+    context.functions.out_of_line.Add(decl.name, decl.out_of_line_of, id);
     return;
   }
   context.names.Declare(SymbolKind::kFunction, scope, decl.name, id, decl.name_span);

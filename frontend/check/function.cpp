@@ -38,14 +38,10 @@ void AddParameter(Context& context, const ast::VarDecl& var, ast::DeclId id, Fun
 
 // The definition of a method that its struct only declares: `float S::f() {...}`.
 void FindOutOfLine(Context& context, FunctionInfo& info) {
-  const auto found = context.functions.out_of_line.find(DeclOf(context, info).name.index);
-  if (found == context.functions.out_of_line.end()) return;
-  for (ast::DeclId id : found->second) {
+  const Name name = DeclOf(context, info).name;
+  for (ast::DeclId id : context.functions.out_of_line.Of(context, name, info.scope)) {
     const auto& decl = context.Get<ast::FunctionDecl>(id);
     if (decl.parameters.size != info.parameters.size || !decl.body) continue;
-    const ViewSwitch in(context, {.scope = context.names.global()});
-    const SymbolId owner = Find(context, decl.out_of_line_of, true);
-    if (!owner || ScopeOf(context, owner) != info.scope) continue;
     bool same = true;
     std::vector<Parameter> parameters(context[info.parameters].begin(),
                                       context[info.parameters].end());

@@ -69,15 +69,10 @@ void InitialiseInMain(Program& program) {
 // `int S::count = 1;` after a struct S with a `static int count`.
 ExprId CheckOutOfLine(Context& context, SymbolId id, const ast::VarDecl& var, TypeId type) {
   const ScopeId scope = context[id].scope;
-  const auto found = context.globals.out_of_line.find(var.name.index);
-  if (!scope || context[scope].kind != ScopeKind::kStruct ||
-      found == context.globals.out_of_line.end())
-    return {};
-  for (const ast::DeclId definition : found->second) {
+  if (!scope || context[scope].kind != ScopeKind::kStruct) return {};
+  for (const ast::DeclId definition : context.globals.out_of_line.Of(context, var.name, scope)) {
     const auto& decl = context.Get<ast::VarDecl>(definition);
-    const ViewSwitch in(context, {.scope = context.names.global()});
-    const SymbolId owner = Find(context, decl.out_of_line_of, true);
-    if (!decl.init || !owner || ScopeOf(context, owner) != scope) continue;
+    if (!decl.init) continue;
     const ViewSwitch in_struct(context, context.ViewFrom(scope, ~0u));
     return CheckInit(context, decl.init, type);
   }

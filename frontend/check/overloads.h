@@ -10,6 +10,7 @@
 
 #include "base/arena.h"
 #include "base/name.h"
+#include "frontend/check/out_of_line.h"
 #include "frontend/check/symbols.h"
 
 namespace clipc::check {
@@ -46,8 +47,7 @@ struct Overloads {
   std::unordered_map<std::uint64_t, FunctionInfoId> of_symbol;
   // The overload sets, by KeyOf the newest symbol of the name.
   std::unordered_map<std::uint64_t, std::vector<FunctionInfoId>> overloads;
-  // The definitions of methods outside their structs, by Name.
-  std::unordered_map<std::uint32_t, std::vector<ast::DeclId>> out_of_line;
+  OutOfLine out_of_line;
   // Whether a method changes its object, by DeclId.
   std::unordered_map<std::uint32_t, bool> changes_self;
   // The instances of templates, by declaration, scope and arguments: a TypeId or FunctionInfoId.

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "frontend/check/symbols.h"
+#include "frontend/parse/ast.h"
+
+namespace clipc::check {
+
+struct Context;
+
+// Definitions of members outside of their structs: `int S::count = 1;`, `float S::f() {...}`.
+class OutOfLine {
+ public:
+  void Add(Name member, const ast::QualifiedName& owner, ast::DeclId decl) {
+    members_[member.index].definitions.push_back({owner, decl});
+  }
+  // Those of a member of the struct that has this scope, in the order of the text.
+  std::vector<ast::DeclId> Of(Context& context, Name name, ScopeId scope);
+
+ private:
+  struct Definition {
+    ast::QualifiedName owner;
+    ast::DeclId decl;
+  };
+  struct Member {
+    std::vector<Definition> definitions;
+    std::size_t placed = 0;  // how many of them are in by_scope, the first ones
+    std::unordered_map<std::uint32_t, std::vector<ast::DeclId>> by_scope;
+  };
+  std::unordered_map<std::uint32_t, Member> members_;  // by Name
+};
+
+}  // namespace clipc::check
