@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "backend-glsl/names.h"
 
+#include <algorithm>
 #include <array>
 
 #include "backend-glsl/reserved_words.h"
@@ -91,22 +92,28 @@ std::string Namer::Global(std::string_view wanted, std::string_view fallback) {
 std::string Namer::Local(std::string_view wanted, std::string_view fallback) {
   CLIPC_CHECK(!scopes_.empty());
   std::string name = LegalName(wanted, fallback);
-  Use* use = &uses_[name];
-  if (use->is_global || use->is_visible_local) {
+  Given given{&uses_[name]};
+  if (given.use->is_global || given.use->is_visible_local) {
     const std::string stem = name;
-    for (int suffix = 2; use->is_global || use->is_visible_local; ++suffix) {
-      name = WithSuffix(stem, std::to_string(suffix));
-      use = &uses_[name];
-    }
+    given.stem = given.use;
+    given.suffix = given.stem->next_suffix - 1;
+    do {
+      name = WithSuffix(stem, std::to_string(++given.suffix));
+      given.use = &uses_[name];
+    } while (given.use->is_global || given.use->is_visible_local);
+    given.stem->next_suffix = given.suffix + 1;
   }
-  use->is_visible_local = use->is_local = true;
-  scopes_.back().push_back(use);
+  given.use->is_visible_local = given.use->is_local = true;
+  scopes_.back().push_back(given);
   return name;
 }
 
 void Namer::CloseScope() {
   CLIPC_CHECK(!scopes_.empty());
-  for (Use* use : scopes_.back()) use->is_visible_local = false;
+  for (const Given& given : scopes_.back()) {
+    given.use->is_visible_local = false;
+    if (given.stem) given.stem->next_suffix = std::min(given.stem->next_suffix, given.suffix);
+  }
   scopes_.pop_back();
 }
 

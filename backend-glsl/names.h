@@ -33,10 +33,16 @@ class Namer {
     bool is_visible_local = false;
     bool is_local = false;  // visible or not
     int last_suffix = 1;    // that was given to a global of this stem
+    int next_suffix = 2;    // for a local of this stem: those before it are taken
+  };
+  struct Given {
+    Use* use;
+    Use* stem = nullptr;  // of a name with a suffix
+    int suffix = 0;
   };
   std::pmr::monotonic_buffer_resource memory_{4096};
   std::pmr::unordered_map<std::string, Use> uses_{64, &memory_};  // by name
-  std::vector<std::vector<Use*>> scopes_;                         // their locals
+  std::vector<std::vector<Given>> scopes_;                        // their locals
 };
 
 }  // namespace clipc::glsl

@@ -34,11 +34,10 @@ namespace {
 // comments may not hold is replaced: older versions take ASCII only, and a backslash at the end
 // would join the next line to the comment.
 std::string SourceLine(const Source& source, Span span) {
-  const Place place = source.Resolve(span);
-  if (place.file.empty()) return {};
-  const std::size_t start = place.file.starts_with("./") ? 2 : 0;
-  std::string line =
-      fmt::format("{}:{}: {}", place.file.substr(start), place.line, source.LineOf(span));
+  const TextLine& from = source.LineOf(span);
+  if (from.file.empty()) return {};
+  const std::size_t start = from.file.starts_with("./") ? 2 : 0;
+  std::string line = fmt::format("{}:{}: {}", from.file.substr(start), from.number, from.text);
   for (char& c : line) {
     if (c < ' ' || c > '~') c = c == '\t' ? ' ' : '?';
   }

@@ -2,6 +2,7 @@
 #include "backend-glsl/writer/blocks.h"
 
 #include <algorithm>
+#include <unordered_set>
 
 #include <fmt/format.h>
 
@@ -105,8 +106,10 @@ class BlockWriter {
   std::string PaddingName(std::uint32_t offset) {
     std::string name = fmt::format("padding_{}", offset);
     if (!layout_.has_instance) return context_.namer.Global(name);
-    const auto is_taken = [&](const BlockMember& other) { return NameOf(other) == name; };
-    while (std::ranges::any_of(layout_.members, is_taken)) name += "_2";
+    if (member_names_.empty()) {
+      for (const BlockMember& member : layout_.members) member_names_.insert(NameOf(member));
+    }
+    while (member_names_.contains(name)) name += "_2";
     return name;
   }
 
@@ -209,6 +212,7 @@ class BlockWriter {
   GlslInfo::Block& info_;
   std::string& text_;
   std::string register_;
+  std::unordered_set<std::string> member_names_;  // from the first padding on
 };
 
 }  // namespace

@@ -35,7 +35,8 @@ struct ClangText {
 
 Span SpanAt(const clang::SourceLocation& where);
 Place Resolve(const ClangText& text, Span span);
-std::string LineOf(const ClangText& text, Span span);
+// Makes `line`, the line of an earlier span, that of this one.
+void FindLine(const ClangText& text, Span span, TextLine& line);
 std::string RenderText(const ClangText& text, const Diagnostics& diagnostics, bool colour);
 
 // A consumer that puts what Clang's preprocessor reports into **diagnostics until `guard` stops it.

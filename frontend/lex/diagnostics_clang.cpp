@@ -193,13 +193,20 @@ Place Resolve(const ClangText& text, Span span) {
   return {begin.getFilename(), begin.getLine(), begin.getColumn(), end.getLine(), end.getColumn()};
 }
 
-std::string LineOf(const ClangText& text, Span span) {
-  if (!span) return {};
-  const auto [file, offset] =
-      text.sources.getDecomposedLoc(FileEnd(text.sources, Location(span.begin), true));
+void FindLine(const ClangText& text, Span span, TextLine& line) {
+  const SourceLocation where = FileEnd(text.sources, Location(span.begin), true);
+  if (span && where.getRawEncoding() >= line.begin && where.getRawEncoding() < line.end) return;
+  line = {};
+  const clang::PresumedLoc place = span ? text.sources.getPresumedLoc(where) : clang::PresumedLoc();
+  if (place.isInvalid()) return;
+  const auto [file, offset] = text.sources.getDecomposedLoc(where);
   const llvm::StringRef all = text.sources.getBufferData(file);
   const std::size_t start = all.rfind('\n', offset) + 1;  // npos + 1 is 0
-  return all.slice(start, all.find_first_of("\r\n", offset)).trim().str();
+  const std::size_t end = std::min(all.find_first_of("\r\n", offset), all.size());
+  const std::uint32_t begin = where.getRawEncoding() - (offset - static_cast<unsigned>(start));
+  line = {place.getFilename(), place.getLine(),
+          all.slice(start, end).trim().take_front(TextLine::kLongest).str(), begin,
+          begin + static_cast<std::uint32_t>(end - start)};
 }
 
 std::string RenderText(const ClangText& text, const Diagnostics& diagnostics, bool colour) {

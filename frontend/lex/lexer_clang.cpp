@@ -135,6 +135,7 @@ struct Source::State {
   std::vector<std::string> dependencies;
   std::vector<Include> includes;
   std::set<std::string> macros_used;
+  TextLine line;  // that was asked for last
 
   State(FrontendContext::State& context, SourceInput what)
       : shared(context),
@@ -465,7 +466,10 @@ std::vector<Include> Source::Includes() const { return state_->includes; }
 std::vector<std::string> Source::MacrosUsed() const {
   return {state_->macros_used.begin(), state_->macros_used.end()};
 }
-std::string Source::LineOf(Span span) const { return clipc::LineOf(state_->Text(), span); }
+const TextLine& Source::LineOf(Span span) const {
+  FindLine(state_->Text(), span, state_->line);
+  return state_->line;
+}
 bool Source::main_file_read() const { return state_->main_file_read; }
 
 }  // namespace clipc

@@ -81,6 +81,15 @@ struct Place {
   std::uint32_t end_column = 0;
 };
 
+// A line of text, without white space at its ends; what is after its first letters is cut off.
+struct TextLine {
+  static constexpr std::size_t kLongest = 200;
+  std::string file;  // as in Place; empty: there is no line
+  std::uint32_t number = 0;
+  std::string text;
+  std::uint32_t begin = 0, end = 0;  // the locations of its first byte and of the one after it
+};
+
 // One translation unit: the main file and everything that it includes. The Spans of its tokens have
 // a meaning during its life.
 class Source {
@@ -102,8 +111,9 @@ class Source {
   std::vector<std::string> Dependencies() const;
   // Every entry into an include file, in order.
   std::vector<Include> Includes() const;
-  // The line of text that holds the beginning of `span`, without white space at its ends.
-  std::string LineOf(Span span) const;
+  // The line that holds the beginning of `span`; it is valid until the next call. Asking for the
+  // same line again costs nothing, however long it is.
+  const TextLine& LineOf(Span span) const;
   // On request, the macros that the text asked for in any way, sorted. Of a macro that was defined
   // before the first line and is not among them, the value had no part in the tokens and messages.
   std::vector<std::string> MacrosUsed() const;

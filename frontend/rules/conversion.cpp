@@ -102,6 +102,16 @@ class LeafCollector {
   std::size_t steps_ = 0;
 };
 
+// How many leaves Flatten finds when it finds them all, without a list of them.
+std::uint64_t LeafCount(const TypeTable& types, TypeId id) {
+  const Type& type = types[id];
+  if (type.kind == TypeKind::kArray) return type.count * LeafCount(types, type.element);
+  if (type.kind != TypeKind::kStruct) return type.IsNumeric() ? type.Components() : 1;
+  std::uint64_t count = 0;
+  for (const Field& field : types[type.structure].fields) count += LeafCount(types, field.type);
+  return count;
+}
+
 // Whether a type is made of numbers only, however large it is.
 bool IsNumericThroughout(const TypeTable& types, TypeId id, int& budget) {
   if (--budget < 0) return false;
@@ -183,6 +193,7 @@ std::optional<ConversionRank> RankImplicit(const TypeTable& types, TypeId from_i
   // (X3017).
   if (IsAggregate(from) && IsAggregate(to)) {
     if (IsBaseOf(types, to, from)) return ConversionRank{.kind = 1, .form = 1};
+    if (LeafCount(types, from_id) != LeafCount(types, to_id)) return std::nullopt;
     const auto have = Flatten(types, from_id);
     if (!have || have->empty() || have != Flatten(types, to_id)) return std::nullopt;
     return ConversionRank{.form = 1};

@@ -81,17 +81,20 @@ class Allocator {
 
   void Choose(Taker& taker) {
     Register& reg = *taker.reg;
-    reg.number = 0;
     const std::uint32_t least = std::max(taker.count, 1u);
-    while (const Taker* other = Overlap(reg.letter, reg.space, reg.number, least)) {
-      reg.number = other->reg->number + other->count;
+    std::uint32_t& first = first_free_[Key{reg.letter, reg.space, least}];
+    while (const Taker* other = Overlap(reg.letter, reg.space, first, least)) {
+      first = other->reg->number + other->count;
     }
+    reg.number = first;
     Occupy(taker);
   }
 
   const Profile& profile_;
   Diagnostics& diagnostics_;
   std::map<Key, Taker> taken_;
+  // By letter, space and count: no run of so many registers that begins before it is free.
+  std::map<Key, std::uint32_t> first_free_;
 };
 
 std::uint32_t CountOf(const TypeTable& types, TypeId type) {

@@ -138,6 +138,45 @@ void BenchLookahead(const std::string& clipc, const std::string& folder) {
   }
 }
 
+// Many of one thing, which must not be looked for among all others, as that would make it tenfold:
+// `@` is the number of each.
+void BenchMany(const std::string& clipc, const std::string& folder) {
+  struct Kind {
+    const char *what, *declaration, *statement;
+  };
+  for (const Kind& kind : {
+           Kind{"constant buffers", "cbuffer B@ { float c@; };\n", "a += c@;\n"},
+           Kind{"textures", "Texture2D t@;\n", "a += t@.Load(0).x;\n"},
+           Kind{"padded members", "float c@ : register(c@);\n", "a += c@;\n"},
+           Kind{"methods outside of structs",
+                "struct S@ { float f(float x); };\nfloat S@::f(float x) { return x; }\n",
+                "S@ s@; a = s@.f(a);\n"},
+           Kind{"temporaries", "", "a = Next(a) > 1 && Next(a) > 2 ? a : Next(a);\n"},
+       }) {
+    const auto per_byte = [&](std::size_t bytes) {
+      std::string declarations, statements;
+      for (int i = 0; declarations.size() + statements.size() < bytes; ++i) {
+        const auto add = [&](std::string& to, std::string_view text) {
+          for (const char c : text) c == '@' ? to += std::to_string(i) : to += c;
+        };
+        add(declarations, kind.declaration);
+        add(statements, kind.statement);
+      }
+      Write(folder + "/many.hlsl",
+            "float Next(inout float x) { return x += 1; }\n" + declarations +
+                "float4 main(float4 p : POSITION) : SV_Position {\nfloat a = p.x;\n" + statements +
+                "return p * a;\n}\n");
+      const auto runs = RunInTurn({{clipc, "-T", "vs_5_1", "--target=vulkan", "--no-validate",
+                                    folder + "/many.hlsl", "-o", folder + "/many.vert"}},
+                                  5)[0];
+      return MedianOf(runs, &Run::cpu_ms) / static_cast<double>(bytes);
+    };
+    const double small = per_byte(200'000);
+    const std::string what = std::string("many ") + kind.what + ", a byte at 2 MB to one at 200 kB";
+    Report(what.c_str(), per_byte(2'000'000) / small, "x", 3);
+  }
+}
+
 // 10 kB to 10 MB of the same kind of text: processor time and peak memory of a whole process. To be
 // run first, the small texts before the large ones: Linux starts a process with the peak memory of
 // the one that starts it.
@@ -183,6 +222,7 @@ int main(int argc, char** argv) {
   std::printf("| what | measured | limit | |\n|---|---|---|---|\n");
   clipc::bench::BenchScaling(argv[1], folder);
   clipc::bench::BenchLookahead(argv[1], folder);
+  clipc::bench::BenchMany(argv[1], folder);
   clipc::bench::BenchCold(argv[1], argv[2], argv[3], folder);
   clipc::bench::BenchWarm();
   clipc::bench::BenchPixelShader();
