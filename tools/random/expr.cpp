@@ -189,11 +189,13 @@ Expr MakeOperation(Context& context, Kind kind, Shape shape, int depth) {
 }
 
 Expr MakeUnary(Context& context, Kind kind, Shape shape, int depth) {
-  // The bits of a negative number, which GLSL 1.20 writes as one.
-  const bool is_high =
-      kind == Kind::kUint && context.Has(Feature::kWildInts) && context.choices.Chance(10);
-  const Expr a = is_high ? Reshape(context, Literal(kind, 0xfffffffe), shape)
-                         : MakeExpr(context, kind, shape, depth - 1);
+  // The bits of a negative number, which the compiler makes one: GLSL reads `--2` as a decrement.
+  const bool is_negative =
+      kind == Kind::kInt && context.Has(Feature::kWildInts) && context.choices.Chance(10);
+  const Expr a =
+      is_negative
+          ? Reshape(context, Convert(context, Literal(Kind::kUint, 0xfffffffe), kind), shape)
+          : MakeExpr(context, kind, shape, depth - 1);
   if (kind == Kind::kBool) return {"!" + At(a, Level::kUnary), Level::kUnary, kind, shape, a.range};
   const bool inverts = IsInteger(kind) && context.choices.Chance(40);
   const std::string operand = At(a, Level::kUnary);
