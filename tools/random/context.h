@@ -24,6 +24,9 @@ struct Variable {
   double greatest = 0;  // of a kCounter, which counts from 0
 };
 
+// The indices that a place may have; kWriting has effects wherever expressions may have them.
+enum class Indices : std::uint8_t { kConstant, kAny, kWriting };
+
 enum class Direction : std::uint8_t { kIn, kOut, kInOut };
 struct Parameter {
   std::string name;
@@ -55,7 +58,7 @@ struct Context {
   std::vector<Function> functions;            // that may be called, in order
   std::vector<std::vector<Variable>> scopes;  // the outermost first
   bool effects = true;                        // whether expressions may write
-  bool constant_indices = false;              // of places
+  Indices indices = Indices::kAny;            // of places
   bool only_literals = false;                 // no expression is anything else
   const Function* function = nullptr;         // whose body this is
   int turns = 1, cost = 0;                    // how often a statement here runs; the sum of them

@@ -130,11 +130,9 @@ Expr MakeIntegerOperation(Context& context, Kind kind, Shape shape, int depth) {
   const Operator& op = kOperators[choice];
   Expr a = MakeExpr(context, kind, shape, depth - 1);
   if (choice >= 8) {
-    // The divisor is positive; INT_MIN is not divided by -1.
-    Expr b =
-        MakeIn(context, kind, context.choices.Chance(30) ? kScalar : shape, {0, 15}, depth - 1);
-    b = Binary(b, {"+", Level::kSum}, Literal(kind, 1), kind, b.shape, {1, 16});
-    const Range range = choice == 8 ? a.range : a.range.low < 0 ? Range{-15, 15} : Range{0, 15};
+    const Expr b =
+        MakeDivisor(context, kind, context.choices.Chance(30) ? kScalar : shape, depth - 1);
+    const Range range = choice == 8 ? a.range : a.range.low < 0 ? Range{-16, 16} : Range{0, 16};
     return Binary(a, op, b, kind, shape, range);
   }
   if (choice == 6 || choice == 7) {
@@ -241,11 +239,18 @@ Expr MakeChoice(Context& context, Kind kind, Shape shape, int depth) {
           Level::kChoice, kind, shape, Union(a.range, b.range)};
 }
 
-// (a = b), a++, (f(), a)
+// (a = b), a++, (f(), a), (a /= b), (a = 3 - a)
 Expr MakeEffect(Context& context, Kind kind, Shape shape, int depth) {
-  const Place place = MakePlace(context, kind, true, depth - 1);
+  const std::size_t choice = context.indices == Indices::kWriting
+                                 ? context.choices.Pick({0, 1, 0, 1, 2})
+                                 : context.choices.Pick({3, 4, 1, 1, 1});
+  const bool mirrors = choice == 4 && kind != Kind::kBool;
+  const Place place = [&] {
+    // A place that stands twice has constant indices.
+    const Temporarily indices(context.indices, mirrors ? Indices::kConstant : context.indices);
+    return MakePlace(context, kind, true, depth - 1);
+  }();
   if (!place.found) return MakeExpr(context, kind, shape, depth - 1);
-  const std::size_t choice = context.choices.Pick({3, 4, 1});
   const bool is_wild = IsInteger(kind) && place.range.IsWithin(Wild(kind).low, Wild(kind).high) &&
                        place.range.high > 1e6;
   Expr value{place.text, Level::kPostfix, kind, place.shape, place.range};
@@ -256,8 +261,16 @@ Expr MakeEffect(Context& context, Kind kind, Shape shape, int depth) {
     value.level = before ? Level::kUnary : Level::kPostfix;
     return Reshape(context, value, shape);
   }
-  const Expr right = MakeIn(context, kind, place.shape, place.range, depth - 1);
-  value.text = place.text + " = " + At(right, Level::kAssignment);
+  // A quotient, a remainder and a mirrored number lie where the number did.
+  const bool divides = choice == 3 && IsInteger(kind) && MayCompound(context, place);
+  const Expr right = [&] {
+    if (divides) return MakeDivisor(context, kind, place.shape, depth - 1);
+    if (!mirrors) return MakeIn(context, kind, place.shape, place.range, depth - 1);
+    const Expr ends = Literal(kind, place.range.low + place.range.high);
+    return Binary(ends, {"-", Level::kSum}, value, kind, place.shape, place.range);
+  }();
+  const char* op = !divides ? " = " : context.choices.Chance(50) ? " %= " : " /= ";
+  value.text = place.text + op + At(right, Level::kAssignment);
   value.level = Level::kAssignment;
   if (choice == 2) {
     const Expr last = MakeExpr(context, kind, shape, depth - 1);
@@ -326,12 +339,19 @@ Expr MakeValue(Context& context, Kind kind, Shape shape, int depth) {
   return MakeIn(context, kind, shape, VariableRange(kind), depth);
 }
 
+Expr MakeDivisor(Context& context, Kind kind, Shape shape, int depth) {
+  const Expr value = MakeIn(context, kind, shape, {0, 15}, depth);
+  return Binary(value, {"+", Level::kSum}, Literal(kind, 2), kind, shape, {2, 17});
+}
+
 Expr MakeIndex(Context& context, int count, int depth) {
-  if (context.choices.Pick({2, 1}) == 0 || context.constant_indices)
+  const bool may_write = depth > 0 && MayHaveEffects(context);
+  const bool writes = context.indices == Indices::kWriting && may_write;
+  if ((context.choices.Pick({2, 1}) == 0 && !writes) || context.indices == Indices::kConstant)
     return Literal(Kind::kInt, context.choices.Below(static_cast<std::uint32_t>(count)));
   const Kind kind = context.choices.Chance(40) ? Kind::kUint : Kind::kInt;
   const Range range{0, static_cast<double>(count - 1)};
-  if (depth > 0 && MayHaveEffects(context) && context.choices.Chance(40))
+  if (may_write && (writes || context.choices.Chance(40)))
     return Fit(context, MakeEffect(context, kind, kScalar, depth), range);
   return MakeIn(context, kind, kScalar, range, depth);
 }

@@ -49,6 +49,8 @@ Expr MakeExpr(Context& context, Kind kind, Shape shape, int depth);
 Expr MakeIn(Context& context, Kind kind, Shape shape, const Range& range, int depth);
 // An expression as MakeExpr makes it, with values that a variable may hold.
 Expr MakeValue(Context& context, Kind kind, Shape shape, int depth);
+// An int or uint in [2, 17], which may divide any other.
+Expr MakeDivisor(Context& context, Kind kind, Shape shape, int depth);
 // An int or uint in [0, count).
 Expr MakeIndex(Context& context, int count, int depth);
 
@@ -79,5 +81,7 @@ struct Place {
 Place MakePlace(Context& context, Kind kind, bool writes, int depth);
 // A place of exactly that type; not found where no variable has one.
 Place MakePlaceOf(Context& context, const Type& type, bool writes);
+// Whether `place op= value` is a statement that the program may have.
+bool MayCompound(const Context& context, const Place& place);
 
 }  // namespace clipc::random

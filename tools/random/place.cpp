@@ -44,9 +44,14 @@ std::vector<int> Components(Context& context, int from, int count) {
   return chosen;
 }
 
+// The weight of an index among the parts of a vector or matrix.
+std::uint32_t Often(const Context& context, int depth) {
+  return context.indices == Indices::kWriting && depth > 0 ? 4 : 1;
+}
+
 void TakeComponents(Context& context, Place& place, int depth) {
   if (place.shape.columns == 1) return;
-  switch (context.choices.Pick({3, 2, 1})) {
+  switch (context.choices.Pick({3, 2, Often(context, depth)})) {
     case 0: return;
     case 1: {
       const int count = context.choices.Between(1, place.shape.columns);
@@ -64,7 +69,7 @@ void TakeComponents(Context& context, Place& place, int depth) {
 
 void TakePart(Context& context, Place& place, int depth) {
   if (!place.shape.IsMatrix()) return TakeComponents(context, place, depth);
-  switch (context.choices.Pick({3, 3, 2})) {
+  switch (context.choices.Pick({3, 3 * Often(context, depth), 2})) {
     case 0: return;
     case 1:
       place.text += "[" + MakeIndex(context, place.shape.rows, depth).text + "]";
@@ -151,6 +156,10 @@ Place MakePlaceOf(Context& context, const Type& type, bool writes) {
   place.found = true;
   if (writes) context.writes_globals = true;
   return place;
+}
+
+bool MayCompound(const Context& context, const Place& place) {
+  return context.Has(Feature::kComputedSwizzles) || place.text.find("._") == std::string::npos;
 }
 
 }  // namespace clipc::random

@@ -46,15 +46,15 @@ std::string MakeAssignment(Context& context, int indent) {
 std::string MakeCompound(Context& context, int indent) {
   const Kind kind = static_cast<Kind>(context.choices.Pick({4, 3, 2}));
   // A place that is put back is written twice, so its indices are constants.
-  const bool computes = kind != Kind::kFloat && context.choices.Chance(50);
+  const auto indices = kind == Kind::kFloat ? Indices::kConstant
+                                            : static_cast<Indices>(context.choices.Pick({2, 1, 1}));
+  const bool computes = indices != Indices::kConstant;
   const Place place = [&] {
-    const Temporarily constant(context.constant_indices, !computes);
+    const Temporarily chosen(context.indices, indices);
     return MakePlace(context, kind, true, 2);
   }();
-  const bool is_swizzle = place.text.find("._") != std::string::npos;
-  if (computes && (!IsWild(place) || (is_swizzle && !context.Has(Feature::kComputedSwizzles))))
-    return MakeAssignment(context, indent);
   if (!place.found) return {};
+  if (computes && !MayCompound(context, place)) return MakeAssignment(context, indent);
   const Shape shape = context.choices.Chance(25) ? kScalar : place.shape;
   const auto fit = [&](const Range& range) {
     if (IsWild(place)) return std::string();
@@ -75,15 +75,15 @@ std::string MakeCompound(Context& context, int indent) {
   }
   constexpr const char* kOperators[] = {
       " += ", " -= ", " *= ", " &= ", " |= ", " ^= ", " /= ", " %= ", " <<= ", " >>= "};
-  const std::size_t choice = context.choices.Pick({3, 2, 2, 2, 2, 2, 1, 4, 1, 1});
+  // A quotient and a remainder lie where the number did.
+  const std::uint32_t other = computes && !IsWild(place) ? 0 : 2;
+  const std::size_t choice =
+      context.choices.Pick({other, other, other, other, other, other, 1, 4, other / 2, other / 2});
   const bool divides = choice == 6 || choice == 7;
-  Expr value = divides ? MakeIn(context, kind, shape, {0, 7}, kDepth)
-                       : MakeExpr(context, kind, shape, kDepth);
-  if (divides) {
-    value.text = At(value, Level::kSum) + " + " + Literal(kind, 2).text;
-    value.level = Level::kSum;
-  }
-  return Line(indent, place.text + kOperators[choice] + Argument(value)) + fit(Wild(kind));
+  const Expr value =
+      divides ? MakeDivisor(context, kind, shape, kDepth) : MakeExpr(context, kind, shape, kDepth);
+  return Line(indent, place.text + kOperators[choice] + Argument(value)) +
+         (divides ? "" : fit(Wild(kind)));
 }
 
 // An increment, and often a variable for its value.
