@@ -86,18 +86,30 @@ std::string MakeCompound(Context& context, int indent) {
          (divides ? "" : fit(Wild(kind)));
 }
 
-// An increment, and often a variable for its value.
+// A variable of all 32 bits, whose name `name` becomes.
+std::string MakeWild(Context& context, const Type& type, const std::string& value,
+                     std::string& name, int indent) {
+  name = context.FreshName("v");
+  context.Add({name, type, true, Holds::kWild});
+  return Line(indent, Declaration(context.structs, type, name) + " = " + value);
+}
+
+// An increment, of a new variable where there is none for it, and often a variable for its value.
 std::string MakeIncrement(Context& context, int indent) {
+  if (!context.Has(Feature::kWildInts)) return MakeAssignment(context, indent);
   const Kind kind = context.choices.Chance(50) ? Kind::kInt : Kind::kUint;
-  const Place place = MakePlace(context, kind, true, 1);
-  if (!place.found || !IsWild(place)) return MakeAssignment(context, indent);
+  Place place = MakePlace(context, kind, true, 1);
+  std::string before, name;
+  if (!place.found || !IsWild(place)) {
+    context.EndExpression();
+    place.shape = MakeShape(context);
+    const std::string value = Argument(MakeExpr(context, kind, place.shape, 2));
+    before = MakeWild(context, {kind, place.shape}, value, place.text, indent);
+  }
   const char* sign = context.choices.Chance(50) ? "++" : "--";
   const std::string text = context.choices.Chance(50) ? sign + place.text : place.text + sign;
-  if (context.choices.Chance(40)) return Line(indent, text);
-  const Type type{kind, place.shape};
-  const std::string name = context.FreshName("v");
-  context.Add({name, type, true, Holds::kWild});
-  return Line(indent, Declaration(context.structs, type, name) + " = " + text);
+  if (context.choices.Chance(40)) return before + Line(indent, text);
+  return before + MakeWild(context, {kind, place.shape}, text, name, indent);
 }
 
 std::string MakeDeclaration(Context& context, int indent) {
