@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/check/context.h"
 
+#include <cstddef>
+#include <utility>
+
 namespace clipc::check {
 namespace {
 
 // The levels of expressions, statements and declarations inside each other. The checker's frames
 // are small enough for a stack of 8 MiB, with sanitizers too.
 constexpr int kMaxCheckDepth = 2500;
+
+// A cast of a struct is an expression for each of its leaves, so a short text may make many.
+constexpr std::size_t kMaxCheckedExpressions = std::size_t{1} << 22;
 
 }  // namespace
 
@@ -37,8 +43,12 @@ TemporaryMaker::Temporary Context::Make(ExprId value) {
 
 Depth::Depth(Context& context, Span where, int weight) : context_(context), weight_(weight) {
   context.depth += weight;
-  ok_ = context.depth <= kMaxCheckDepth;
-  if (!ok_) context.Report(where, diag::CheckTooDeep, kMaxCheckDepth);
+  const bool is_deep = context.depth > kMaxCheckDepth;
+  const bool is_large = context.program.exprs.size() > kMaxCheckedExpressions;
+  ok_ = !is_deep && !is_large;
+  if (is_deep) context.Report(where, diag::CheckTooDeep, kMaxCheckDepth);
+  if (is_large && !std::exchange(context.is_too_large, true))
+    context.Report(where, diag::CheckTooLarge, kMaxCheckedExpressions);
 }
 
 }  // namespace clipc::check

@@ -89,6 +89,7 @@ struct Context final : TemporaryMaker {
   std::vector<TypeId> numeric_types;  // by Name: float4x3 and the like, once looked up
   std::vector<StmtId> stmts;          // the statements of the blocks in progress
   int depth = 0;                      // of Depth
+  bool is_too_large = false;          // which Depth has reported
 
   // The row that an id or a list stands for, in the table that has ids of this kind: a node of the
   // syntax tree, a node or variable of the program, a symbol, the text of a name.
@@ -200,7 +201,8 @@ class ViewSwitch {
   View saved_;
 };
 
-// One level of the checker's own recursion. Not ok when there are too many, which it reports.
+// One level of the checker's own recursion. Not ok when there are too many, or when the program has
+// become too large; it reports both.
 class Depth {
  public:
   // The weight of a declaration that is resolved on the way; an expression has 1.
