@@ -64,6 +64,8 @@ std::uint8_t RankKind(Scalar from, Scalar to) {
   return kPromotion;
 }
 
+constexpr int kMaxSteps = 4 * kMaxLeaves;
+
 // Collects the leaves of a type. Gives up at objects, after kMaxLeaves, and on types that are
 // nested too deeply or have too many parts without leaves.
 class LeafCollector {
@@ -72,7 +74,6 @@ class LeafCollector {
 
   bool Add(TypeId id, int depth = 0) {
     constexpr int kMaxDepth = 64;
-    constexpr std::size_t kMaxSteps = 4 * kMaxLeaves;
     if (depth > kMaxDepth || ++steps_ > kMaxSteps) return false;
     const Type type = types_[id];
     switch (type.kind) {
@@ -99,17 +100,27 @@ class LeafCollector {
  private:
   const TypeTable& types_;
   std::vector<Scalar> leaves_;
-  std::size_t steps_ = 0;
+  int steps_ = 0;
 };
 
-// How many leaves Flatten finds when it finds them all, without a list of them.
-std::uint64_t LeafCount(const TypeTable& types, TypeId id) {
+// How many leaves Flatten finds, without a list of them; more than kMaxLeaves where it gives up.
+std::uint64_t LeafCount(const TypeTable& types, TypeId id, int& budget) {
+  if (--budget < 0) return kMaxLeaves + 1;
   const Type& type = types[id];
-  if (type.kind == TypeKind::kArray) return type.count * LeafCount(types, type.element);
+  if (type.kind == TypeKind::kArray) return type.count * LeafCount(types, type.element, budget);
   if (type.kind != TypeKind::kStruct) return type.IsNumeric() ? type.Components() : 1;
   std::uint64_t count = 0;
-  for (const Field& field : types[type.structure].fields) count += LeafCount(types, field.type);
+  for (const Field& field : types[type.structure].fields) {
+    count += LeafCount(types, field.type, budget);
+    if (count > kMaxLeaves) break;
+  }
   return count;
+}
+
+bool MayHaveSameLeaves(const TypeTable& types, TypeId left, TypeId right) {
+  int left_budget = kMaxSteps, right_budget = kMaxSteps;
+  const std::uint64_t count = LeafCount(types, left, left_budget);
+  return count <= kMaxLeaves && count == LeafCount(types, right, right_budget);
 }
 
 // Whether a type is made of numbers only, however large it is.
@@ -193,7 +204,7 @@ std::optional<ConversionRank> RankImplicit(const TypeTable& types, TypeId from_i
   // (X3017).
   if (IsAggregate(from) && IsAggregate(to)) {
     if (IsBaseOf(types, to, from)) return ConversionRank{.kind = 1, .form = 1};
-    if (LeafCount(types, from_id) != LeafCount(types, to_id)) return std::nullopt;
+    if (!MayHaveSameLeaves(types, from_id, to_id)) return std::nullopt;
     const auto have = Flatten(types, from_id);
     if (!have || have->empty() || have != Flatten(types, to_id)) return std::nullopt;
     return ConversionRank{.form = 1};
