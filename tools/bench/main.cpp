@@ -162,10 +162,12 @@ void BenchMany(const std::string& clipc, const std::string& folder) {
         add(declarations, kind.declaration);
         add(statements, kind.statement);
       }
-      Write(folder + "/many.hlsl",
-            "float Next(inout float x) { return x += 1; }\n" + declarations +
-                "float4 main(float4 p : POSITION) : SV_Position {\nfloat a = p.x;\n" + statements +
-                "return p * a;\n}\n");
+      std::string text = "float Next(inout float x) { return x += 1; }\n";
+      text += declarations;
+      text += "float4 main(float4 p : POSITION) : SV_Position {\nfloat a = p.x;\n";
+      text += statements;
+      text += "return p * a;\n}\n";
+      Write(folder + "/many.hlsl", text);
       const auto runs = RunInTurn({{clipc, "-T", "vs_5_1", "--target=vulkan", "--no-validate",
                                     folder + "/many.hlsl", "-o", folder + "/many.vert"}},
                                   5)[0];
