@@ -33,11 +33,12 @@ class Namer {
     bool is_visible_local = false;
     bool is_local = false;  // visible or not
     int last_suffix = 1;    // that was given to a global of this stem
-    int next_suffix = 2;    // for a local of this stem: those before it are taken
+    int next_suffix = 2;    // the smallest one that a local of this stem may get
   };
+  // A name that a local was given.
   struct Given {
     Use* use;
-    Use* stem = nullptr;  // of a name with a suffix
+    Use* stem = nullptr;  // that of the name without its suffix; null where it has none
     int suffix = 0;
   };
   std::pmr::monotonic_buffer_resource memory_{4096};

@@ -212,7 +212,7 @@ class BlockWriter {
   GlslInfo::Block& info_;
   std::string& text_;
   std::string register_;
-  std::unordered_set<std::string> member_names_;  // from the first padding on
+  std::unordered_set<std::string> member_names_;  // filled for the first padding
 };
 
 }  // namespace

@@ -11,7 +11,8 @@ namespace {
 // are small enough for a stack of 8 MiB, with sanitizers too.
 constexpr int kMaxCheckDepth = 2500;
 
-// A cast of a struct is an expression for each of its leaves, so a short text may make many.
+// The expressions of a program. A cast of a struct is an expression for each of its leaves, so a
+// short text may make many.
 constexpr std::size_t kMaxCheckedExpressions = std::size_t{1} << 22;
 
 }  // namespace

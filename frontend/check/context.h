@@ -89,7 +89,7 @@ struct Context final : TemporaryMaker {
   std::vector<TypeId> numeric_types;  // by Name: float4x3 and the like, once looked up
   std::vector<StmtId> stmts;          // the statements of the blocks in progress
   int depth = 0;                      // of Depth
-  bool is_too_large = false;          // which Depth has reported
+  bool is_too_large = false;          // whether Depth has reported that the program is
 
   // The row that an id or a list stands for, in the table that has ids of this kind: a node of the
   // syntax tree, a node or variable of the program, a symbol, the text of a name.

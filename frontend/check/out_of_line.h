@@ -19,7 +19,8 @@ class OutOfLine {
   void Add(Name member, const ast::QualifiedName& owner, ast::DeclId decl) {
     members_[member.index].definitions.push_back({owner, decl});
   }
-  // Those of a member of the struct that has this scope, in the order of the text.
+  // The definitions of the member `name` of the struct that has this scope, in the order of the
+  // text.
   std::vector<ast::DeclId> Of(Context& context, Name name, ScopeId scope);
 
  private:
@@ -29,7 +30,7 @@ class OutOfLine {
   };
   struct Member {
     std::vector<Definition> definitions;
-    std::size_t placed = 0;  // how many of them are in by_scope, the first ones
+    std::size_t placed = 0;  // the number of definitions, from the first on, in by_scope
     std::unordered_map<std::uint32_t, std::vector<ast::DeclId>> by_scope;
   };
   std::unordered_map<std::uint32_t, Member> members_;  // by Name

@@ -135,7 +135,7 @@ struct Source::State {
   std::vector<std::string> dependencies;
   std::vector<Include> includes;
   std::set<std::string> macros_used;
-  TextLine line;  // that was asked for last
+  TextLine line;  // the one that LineOf was asked for last
 
   State(FrontendContext::State& context, SourceInput what)
       : shared(context),

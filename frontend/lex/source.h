@@ -81,7 +81,7 @@ struct Place {
   std::uint32_t end_column = 0;
 };
 
-// A line of text, without white space at its ends; what is after its first letters is cut off.
+// A line of text, without white space at its ends. Letters after the first kLongest are cut off.
 struct TextLine {
   static constexpr std::size_t kLongest = 200;
   std::string file;  // as in Place; empty: there is no line

@@ -115,7 +115,7 @@ class Level9Checker {
     return true;
   }
 
-  // The loops that make the value known are unrolled.
+  // Reports a value that is known only when a loop of more than kMaxTurns turns is unrolled.
   void CheckTurns(ExprId id) {
     if (!known_in_short_loops_) {
       std::vector<VarId> counters;
@@ -183,7 +183,7 @@ class Level9Checker {
 
   const Program& program_;
   Diagnostics& diagnostics_;
-  // From the first rule on that depends on them:
+  // Both are built for the first rule that depends on them.
   std::optional<KnownValues> known_;
   std::optional<KnownValues> known_in_short_loops_;  // when no loop beyond kMaxTurns is unrolled
   std::uint32_t instructions_ = 0;  // a lower bound: no loop is counted twice, no addition at all

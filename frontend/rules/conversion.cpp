@@ -103,7 +103,8 @@ class LeafCollector {
   int steps_ = 0;
 };
 
-// How many leaves Flatten finds, without a list of them; more than kMaxLeaves where it gives up.
+// The number of leaves that Flatten finds, without a list of them; more than kMaxLeaves where
+// Flatten gives up.
 std::uint64_t LeafCount(const TypeTable& types, TypeId id, int& budget) {
   if (--budget < 0) return kMaxLeaves + 1;
   const Type& type = types[id];

@@ -50,7 +50,8 @@ bool Leaves(BinaryOp op, std::int64_t first, std::int64_t step, std::int64_t bou
   return !Holds(op, first, bound) || !Holds(op, first + limit * step, bound);
 }
 
-bool IsOrder(BinaryOp op) {
+// Whether a comparison by the operator may end a count.
+bool MayBound(BinaryOp op) {
   return op == BinaryOp::kLess || op == BinaryOp::kLessEqual || op == BinaryOp::kGreater ||
          op == BinaryOp::kGreaterEqual || op == BinaryOp::kNotEqual;
 }
@@ -70,7 +71,7 @@ VarId CounterOf(const Program& program, const For& loop) {
   if (loop.init.size != 1) return {};
   const auto* declare = As<Declare>(program, program.stmt_lists[loop.init][0]);
   const auto* condition = As<Binary>(program, loop.condition);
-  if (!declare || !declare->init || !condition || !IsOrder(condition->op)) return {};
+  if (!declare || !declare->init || !condition || !MayBound(condition->op)) return {};
   return VarOf(program, condition->left) == declare->var ? declare->var : VarId{};
 }
 

@@ -93,7 +93,7 @@ class Allocator {
   const Profile& profile_;
   Diagnostics& diagnostics_;
   std::map<Key, Taker> taken_;
-  // By letter, space and count: no run of so many registers that begins before it is free.
+  // The register before which no run of so many free ones begins, by letter, space and count.
   std::map<Key, std::uint32_t> first_free_;
 };
 
