@@ -2,7 +2,9 @@
 #include "backend-glsl/writer/objects.h"
 
 #include <algorithm>
+#include <span>
 #include <tuple>
+#include <unordered_map>
 
 #include <fmt/format.h>
 
@@ -42,6 +44,12 @@ std::uint32_t CountOf(const Context& context, VarId var) {
   return static_cast<std::uint32_t>(count);
 }
 
+// The uses of a texture among `uses`, which are sorted by texture.
+std::span<const TextureUse> UsesOf(const std::vector<TextureUse>& uses, VarId texture) {
+  return std::ranges::equal_range(uses, texture.index, {},
+                                  [](const TextureUse& use) { return use.texture.index; });
+}
+
 class ObjectWriter {
  public:
   explicit ObjectWriter(Context& context) : context_(context), text_(context.sections.objects) {}
@@ -67,7 +75,11 @@ class ObjectWriter {
       }
     }
     if (is_vulkan) return;
-    for (const TextureUse& use : context_.texture_uses) Combined(use);
+    std::unordered_map<std::uint32_t, const Resource*> by_var;
+    for (const Resource& resource : context_.program.resources)
+      by_var.emplace(resource.var.index, &resource);
+    for (const TextureUse& use : context_.texture_uses)
+      Combined(use, *by_var.at(use.texture.index));
   }
 
  private:
@@ -76,13 +88,10 @@ class ObjectWriter {
     return IsStorageBuffer(kind) ? buffers_ : IsImage(kind) ? images_ : textures_;
   }
 
-  void Combined(const TextureUse& use) {
-    const auto& resources = context_.program.resources;
-    const auto resource = std::ranges::find(resources, use.texture, &Resource::var);
-    CLIPC_CHECK(resource != resources.end());
+  void Combined(const TextureUse& use, const Resource& resource) {
     GlslInfo::Object info{{}, use.texture, use.sampler, use.name};
     const std::string place =
-        Bind(context_, info, resource->reg, textures_, CountOf(context_, use.texture));
+        Bind(context_, info, resource.reg, textures_, CountOf(context_, use.texture));
     if (const Need* need = NeedOf(ObjectTypeOf(context_, use.texture).object))
       context_.Require(need->feature);
     Append(text_, LayoutText({place}), context_.target.IsEs() ? "uniform highp " : "uniform ",
@@ -198,15 +207,17 @@ void FindTextureUses(Context& context) {
   std::ranges::sort(uses, {}, key);
   uses.erase(std::ranges::unique(uses, {}, key).begin(), uses.end());
   // A read without a sampler goes through any pair of the texture that does not compare.
+  const std::vector<TextureUse> all = uses;
   std::erase_if(uses, [&](const TextureUse& use) {
-    return !use.sampler && std::ranges::any_of(uses, [&](const TextureUse& other) {
-      return other.texture == use.texture && other.sampler && !IsShadow(context, other.sampler);
-    });
+    return !use.sampler &&
+           std::ranges::any_of(UsesOf(all, use.texture), [&](const TextureUse& other) {
+             return other.sampler && !IsShadow(context, other.sampler);
+           });
   });
   // A texture that goes with one sampler keeps its name.
   for (TextureUse& use : uses) {
     const std::string& name = context.NameOf(use.texture);
-    const bool is_only = std::ranges::count(uses, use.texture, &TextureUse::texture) == 1;
+    const bool is_only = UsesOf(uses, use.texture).size() == 1;
     use.name = is_only || !use.sampler ? name
                                        : context.namer.Global(Concat(context[use.texture].name, "_",
                                                                      context[use.sampler].name));
@@ -217,8 +228,7 @@ void WriteObjects(Context& context) { ObjectWriter(context).Write(); }
 
 const std::string& CombinedName(const Context& context, VarId texture, VarId sampler) {
   const TextureUse* found = nullptr;
-  for (const TextureUse& use : context.texture_uses) {
-    if (use.texture != texture) continue;
+  for (const TextureUse& use : UsesOf(context.texture_uses, texture)) {
     if (use.sampler == sampler) return use.name;
     if (!found && !IsShadow(context, use.sampler)) found = &use;
   }
