@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
@@ -20,12 +21,13 @@ namespace clipc {
 template <typename T>
 class Arena {
  public:
-  Id<T> Add(T value) {
-    if (size_ == blocks_.size() * kBlock) {
-      blocks_.emplace_back();
-      blocks_.back().reserve(kBlock);
-    }
-    blocks_.back().push_back(std::move(value));
+  Id<T> Add(T value) { return Make(std::move(value)); }
+
+  // Makes a value of its members, or of what its constructor takes, in its place.
+  template <typename... Parts>
+  Id<T> Make(Parts&&... parts) {
+    if (size_ == blocks_.size() * kBlock) AddBlock();
+    blocks_.back().emplace_back(std::forward<Parts>(parts)...);
     return Id<T>{size_++};
   }
 
@@ -53,7 +55,15 @@ class Arena {
   IdRange ids() const { return {size_}; }
 
  private:
-  static constexpr std::size_t kBlock = 64;  // about the nodes of one kind in a small shader
+  void AddBlock() {
+    blocks_.emplace_back();
+    blocks_.back().reserve(kBlock);
+  }
+
+  // About the nodes of one kind in a small shader: it has many small ones, and a few large ones,
+  // whose blocks stay below the size that allocators keep at hand.
+  static constexpr std::size_t kBlock =
+      sizeof(T) < 48 ? 64 : std::max<std::size_t>(1, std::bit_floor(1024 / sizeof(T)));
   std::vector<std::vector<T>> blocks_;
   std::uint32_t size_ = 0;
 };
@@ -77,7 +87,7 @@ class Pool {
                        static_cast<std::uint32_t>(values.size())};
     std::vector<T> old;
     if (const std::size_t size = values_.size() + values.size(); size > values_.capacity()) {
-      old.reserve(std::max(size, 2 * values_.capacity()));
+      old.reserve(std::max({size, 2 * values_.capacity(), kFirst}));
       old.insert(old.end(), values_.begin(), values_.end());
       old.swap(values_);
     }
@@ -94,6 +104,8 @@ class Pool {
   std::span<T> operator[](List<T> list) { return {values_.data() + list.begin, list.size}; }
 
  private:
+  static constexpr std::size_t kFirst = 16;  // what the first list makes room for
+
   std::vector<T> values_;
 };
 

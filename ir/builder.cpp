@@ -11,9 +11,6 @@
 #include "ir/walk.h"
 
 namespace clipc::ir {
-ExprId Builder::Add(TypeId type, decltype(Expr::node) node) {
-  return program_.exprs.Add({.type = type, .span = span_, .node = node});
-}
 
 ExprId Builder::Bool(bool value) {
   return Add(program_.types.Make(Scalar::kBool), Literal{value ? 1u : 0u});
@@ -140,10 +137,6 @@ ExprId Builder::CallOf(FunctionId function, std::span<const ExprId> arguments) {
 
 ExprId Builder::CommaOf(ExprId first, ExprId second) {
   return Add(TypeOf(second), Comma{first, second});
-}
-
-StmtId Builder::Stmt(decltype(ir::Stmt::node) node) {
-  return program_.stmts.Add({.span = span_, .node = node});
 }
 
 StmtId Builder::BlockOf(std::span<const StmtId> body) {

@@ -45,9 +45,15 @@ class Builder {
   ExprId IntrinsicOf(Intrinsic op, TypeId type, std::initializer_list<ExprId> arguments);
   ExprId CallOf(FunctionId function, std::span<const ExprId> arguments);
   ExprId CommaOf(ExprId first, ExprId second);
-  ExprId Add(TypeId type, decltype(Expr::node) node);
+  template <typename Node>
+  ExprId Add(TypeId type, const Node& node) {
+    return program_.exprs.Make(type, span_, node);
+  }
 
-  StmtId Stmt(decltype(ir::Stmt::node) node);
+  template <typename Node>
+  StmtId Stmt(const Node& node) {
+    return program_.stmts.Make(span_, node);
+  }
   StmtId BlockOf(std::span<const StmtId> body);
   StmtId Eval(ExprId expr) { return Stmt(Evaluate{expr}); }
 

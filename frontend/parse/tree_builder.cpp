@@ -53,15 +53,12 @@ bool TreeBuilder::CheckHeight(std::uint32_t height, Span span) {
   return false;
 }
 
-ExprId TreeBuilder::AddExpr(std::size_t start, decltype(Expr::node) node, std::uint32_t height) {
-  const Span span = SpanFrom(start);
-  if (!CheckHeight(height, span)) {
-    node = ErrorExpr{};
-    height = 1;
-  }
+bool TreeBuilder::AddHeight(std::uint32_t height, Span span) {
+  const bool fits = CheckHeight(height, span);
+  if (!fits) height = 1;
   tallest_ = std::max(tallest_, height);
   heights_.push_back(static_cast<std::uint16_t>(height));
-  return file_.exprs.Add(Expr{span, std::move(node)});
+  return fits;
 }
 
 TypeId TreeBuilder::AddType(Type type, std::uint32_t height_of_definition) {

@@ -82,18 +82,21 @@ class TreeBuilder : protected Lookahead {
 
   // `start` is the position of a node's first token; its last one is the last token taken.
   template <typename Node>
-  ExprId AddExpr(std::size_t start, Node node) {
+  ExprId AddExpr(std::size_t start, const Node& node) {
     std::uint32_t height = 0;
     ForEachChild(node, [&](auto child) { height = std::max(height, HeightOf(child)); });
-    return AddExpr(start, std::move(node), 1 + height);
+    const Span span = SpanFrom(start);
+    return AddHeight(1 + height, span) ? file_.exprs.Make(span, node)
+                                       : file_.exprs.Make(span, ErrorExpr{});
   }
   ExprId ErrorExprHere() { return AddExpr(pos_, ErrorExpr{}); }
-  StmtId AddStmt(std::size_t start, decltype(Stmt::node) node) {
-    return file_.stmts.Add(Stmt{SpanFrom(start), {}, node});
+  template <typename Node>
+  StmtId AddStmt(std::size_t start, const Node& node) {
+    return file_.stmts.Make(SpanFrom(start), List<Attr>{}, node);
   }
   template <typename Node>
-  DeclId AddDecl(std::size_t start, Node node) {
-    return file_.decls.Add(Decl{SpanFrom(start), std::move(node)});
+  DeclId AddDecl(std::size_t start, const Node& node) {
+    return file_.decls.Make(SpanFrom(start), node);
   }
   // `height_of_definition`: the number of nodes on the longest path of a struct defined in place.
   TypeId AddType(Type type, std::uint32_t height_of_definition = 0);
@@ -123,7 +126,9 @@ class TreeBuilder : protected Lookahead {
   int depth_ = 0;  // the weights of the Nestings that are open
 
  private:
-  ExprId AddExpr(std::size_t start, decltype(Expr::node) node, std::uint32_t height);
+  // Notes the height of the next expression; false if no node may be so high: then the next
+  // expression is to be an error.
+  bool AddHeight(std::uint32_t height, Span span);
   // True if a node of that height may be made; otherwise reports, and ends the parse.
   bool CheckHeight(std::uint32_t height, Span span);
   // The number of nodes on the longest path from a child.
