@@ -77,6 +77,7 @@ class Operand {
     const auto path = Follow(matrix ? matrix->base : id);
     if (!path) return std::nullopt;
     Addresses all;
+    all.reserve(columns);
     for (std::uint32_t i = 0; i < columns; ++i) {
       all.push_back(matrix ? path->Component(matrix->rows[i], matrix->columns[i]) : path->at);
       if (!matrix) all.back().byte += i * path->column_step;

@@ -300,10 +300,9 @@ void AddToken(const clang::Token& from, const clang::Preprocessor& preprocessor,
     token.value = NameOf(identifier, text, names).index;
     return writer.AddIdentifier(token, text);
   }
-  if (from.isAnnotation()) {
-    token.value = from.getAnnotationValue() != nullptr;  // of pack_matrix: row_major
-    return writer.AddPunctuator(token);
-  }
+  if (token.kind == TokenKind::kPragmaPackMatrix)
+    token.value = from.getAnnotationValue() != nullptr;  // whether it is row_major
+  if (token.kind != TokenKind::kUnknown) return writer.AddPunctuator(token);
   if (from.is(tok::hash)) return writer.AddHash(token);
   if (!from.isLiteral()) return writer.AddPunctuator(token);
 

@@ -74,6 +74,8 @@ class MainBuilder {
 
   void Run() {
     leaves_.reserve(16);
+    parts_.reserve(16);
+    body_.reserve(16);
     const Function& entry = program_.functions[program_.entry];
     by_row_ = signature_.stages_meet_by_row && program_.profile.IsPixel();
     for (std::size_t i = 0; i < entry.parameters.size(); ++i)
@@ -344,6 +346,7 @@ class MainBuilder {
                            .storage = is_input ? Storage::kInput : Storage::kOutput,
                            .span = leaf.span,
                            .precise = precise && !is_input});
+    if (list.empty()) list.reserve(leaves_.size() + 1);  // and the distances of clip planes
     std::string path = leaf.name + leaf.elements;
     std::uint32_t place = 0;
     // A pixel shader's outputs meet no shader's inputs.

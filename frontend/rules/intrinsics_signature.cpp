@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <algorithm>
+#include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "base/invariant.h"
@@ -144,14 +146,14 @@ ExprId CheckBySignature(const IntrinsicCheck& call, Intrinsic op) {
   Unifier unifier(call, signature);
   if (!unifier.Run()) return call.Error();
 
-  std::vector<ExprId> ins;
-  ins.reserve(signature.count);
+  std::array<ExprId, IntrinsicSignature::kMaxArguments> ins;
+  std::size_t count = 0;
   std::vector<OutArgument> outs;
   for (std::size_t i = 0; i < signature.count; ++i) {
     const IntrinsicSlot slot = signature.arguments[i];
     const TypeId type = unifier.TypeOf(slot);
     if (!slot.is_out) {
-      ins.push_back(call.Convert(call.arguments[i], type));
+      ins[count++] = call.Convert(call.arguments[i], type);
       continue;
     }
     if (!call.IsTarget(i)) return call.Error();
@@ -160,7 +162,8 @@ ExprId CheckBySignature(const IntrinsicCheck& call, Intrinsic op) {
     }
     outs.push_back({call.arguments[i], type});
   }
-  return CallWithOuts(call, op, unifier.TypeOf(signature.result), ins, outs);
+  return CallWithOuts(call, op, unifier.TypeOf(signature.result), std::span(ins).first(count),
+                      outs);
 }
 
 ExprId CallWithOuts(const IntrinsicCheck& call, Intrinsic op, TypeId result,
