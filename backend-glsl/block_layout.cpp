@@ -247,7 +247,8 @@ BlockLayout LayOutBlock(const Program& program, const Cbuffer& cbuffer, const Ta
   const bool is_constant_buffer = cbuffer.kind == CbufferKind::kConstantBuffer;
   layout.fields_as_members = is_constant_buffer && target.Has(Feature::kBlockInstances);
   layout.members = MembersOf(program, cbuffer, layout.fields_as_members);
-  std::ranges::stable_sort(layout.members, {}, &BlockMember::offset);
+  if (!std::ranges::is_sorted(layout.members, {}, &BlockMember::offset))
+    std::ranges::stable_sort(layout.members, {}, &BlockMember::offset);
   layout.float_rows = std::ranges::all_of(layout.members, [&](const BlockMember& member) {
     return OnlyFloats(program.types, member.type);
   });

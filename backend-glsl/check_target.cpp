@@ -324,8 +324,29 @@ class TargetCheck {
     }
     ForEachPart(
         program_, id,
-        [&](ExprId expr) { ForEachExpr(program_, expr, [&](ExprId part) { Expression(part); }); },
+        [&](ExprId expr) {
+          if (looks_at_expressions_)
+            ForEachExpr(program_, expr, [&](ExprId part) { Expression(part); });
+        },
         [&](StmtId part) { Statement(part); });
+  }
+
+  // Whether Expression may report anything. To look at all nodes of the arena, also those that were
+  // replaced, costs less than the walk through the statements.
+  bool MayLackInExpressions() const {
+    const auto lacks = [&](Scalar kind) {
+      const Need* need = NeedOf(kind);
+      return need && !target_.Has(need->feature);
+    };
+    if (!has_unsigned_ || !target_.Has(Feature::kDynamicBlockIndex) ||
+        !target_.Has(Feature::kBitCasts) || lacks(Scalar::kDouble) || lacks(Scalar::kInt64) ||
+        lacks(Scalar::kUint64))
+      return true;
+    for (const ExprId id : program_.exprs.ids()) {
+      const auto* call = As<IntrinsicCall>(id);
+      if (As<ObjectCall>(id) || (call && call->op == Intrinsic::kNonUniform)) return true;
+    }
+    return false;
   }
 
   void Expression(ExprId id) {
@@ -437,6 +458,7 @@ class TargetCheck {
   Diagnostics& diagnostics_;
   const Reached& reached_;
   const bool has_unsigned_ = target_.Has(Feature::kUnsigned);
+  const bool looks_at_expressions_ = MayLackInExpressions();
   std::vector<char> seen_types_;  // by TypeId
   bool reported_[2] = {};         // that there is no double, no 64-bit integer
   bool uint_reported_ = false;

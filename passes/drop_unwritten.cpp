@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "passes/drop_unwritten.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "base/invariant.h"
@@ -17,10 +18,12 @@ static bool HasDefault(Builtin builtin) {
 
 void DropUnwritten(Program& program) {
   CLIPC_CHECK(program.form == Form::kInlined);
+  const auto has_default = [](const IoVar& output) { return HasDefault(output.builtin); };
+  if (std::ranges::none_of(program.outputs, has_default)) return;
   const StmtId body[] = {program.functions[program.main].body};
   const std::vector<bool> assigned = AssignedIn(program, body);
   std::erase_if(program.outputs, [&](const IoVar& output) {
-    return HasDefault(output.builtin) && !assigned[output.var.index];
+    return has_default(output) && !assigned[output.var.index];
   });
 }
 

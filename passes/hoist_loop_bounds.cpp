@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "passes/hoist_loop_bounds.h"
 
+#include <algorithm>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,6 +22,9 @@ class BoundHoisting {
 
   // The statements, and before each loop the variables of its bounds.
   List<StmtId> Hoist(List<StmtId> list) {
+    const auto stmts = program_.stmt_lists[list];
+    if (std::ranges::none_of(stmts, [&](StmtId stmt) { return bool(ConditionOf(stmt)); }))
+      return list;
     std::vector<StmtId> all;
     for (std::uint32_t i = 0; i < list.size; ++i) {
       const StmtId stmt = program_.stmt_lists[list][i];
@@ -97,10 +101,13 @@ bool HasLoops(const Program& program) {
 void HoistLoopBounds(Program& program) {
   if (!HasLoops(program)) return;
   BoundHoisting hoisting(program);
+  std::vector<StmtId> lists;  // the statements that hold lists of others
   for (const FunctionId id : program.functions.ids()) {
-    std::vector<StmtId> all;
-    ForEachStmt(program, program.functions[id].body, [&](StmtId stmt) { all.push_back(stmt); });
-    for (const StmtId stmt : all) {
+    lists.clear();
+    ForEachStmt(program, program.functions[id].body, [&](StmtId stmt) {
+      if (As<Block>(program, stmt) || As<Switch>(program, stmt)) lists.push_back(stmt);
+    });
+    for (const StmtId stmt : lists) {
       if (const auto* block = As<Block>(program, stmt)) {
         const List<StmtId> body = hoisting.Hoist(block->body);
         program.stmts[stmt].node = Block{body};

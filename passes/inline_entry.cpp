@@ -53,7 +53,11 @@ class Inliner {
   // assigned to; any other becomes a local variable that starts as the argument.
   void Parameters(const Function& entry, std::vector<StmtId>& body) {
     const List<ExprId> arguments = std::get<Call>(program_.exprs[call_].node).arguments;
-    const std::vector<bool> assigned = AssignedIn(program_, {&entry.body, 1});
+    std::vector<bool> assigned;  // by VarId; looked for when it is asked
+    const auto is_assigned = [&](VarId var) {
+      if (assigned.empty()) assigned = AssignedIn(program_, {&entry.body, 1});
+      return assigned[var.index];
+    };
     for (std::uint32_t i = 0; i < arguments.size; ++i) {
       const VarId parameter = entry.parameters[i];
       const ExprId argument = program_.expr_lists[arguments][i];
@@ -61,7 +65,7 @@ class Inliner {
       const bool is_local = ref && program_.vars[ref->var].storage == Storage::kLocal;
       const bool is_precise = program_.vars[parameter].precise;
       const bool is_unchanged =
-          ref && !is_precise && IsPlain(ref->var) && !assigned[parameter.index];
+          !is_local && ref && !is_precise && IsPlain(ref->var) && !is_assigned(parameter);
       if (is_local || is_unchanged) {
         renamed_[parameter.index] = ref->var;
         program_.vars[ref->var].precise |= is_precise;
