@@ -38,14 +38,11 @@ constexpr Binding Tighter(Binding binding) {
                                       : static_cast<Binding>(static_cast<int>(binding) + 1);
 }
 
-// Appends the parts to `text`, or joins them. Memory is asked for once.
+// Appends the parts, none of which lies in `text`. Memory is asked for once.
+void AppendAll(std::string& text, std::initializer_list<std::string_view> parts);
 template <typename... Parts>
 void Append(std::string& text, const Parts&... parts) {
-  const std::string_view views[] = {parts...};
-  std::size_t size = text.size();
-  for (const std::string_view view : views) size += view.size();
-  if (size > text.capacity()) text.reserve(std::max(size, 2 * text.capacity()));
-  for (const std::string_view view : views) text.append(view);
+  AppendAll(text, {std::string_view(parts)...});
 }
 template <typename... Parts>
 std::string Concat(const Parts&... parts) {
@@ -80,14 +77,18 @@ struct Text {
     if (binding >= least) return std::move(text);
     return Concat("(", text, ")");
   }
+  // Appends what At gives.
+  void AppendTo(std::string& place, Binding least) const {
+    binding >= least ? Append(place, text) : Append(place, "(", text, ")");
+  }
 };
 
 // `left op right`; the operators of GLSL associate to the left. Takes left's buffer, so that long
 // chains stay linear.
 inline Text Infix(Text left, std::string_view op, const Text& right, Binding binding) {
   std::string text = std::move(left).At(binding);
-  const bool is_loose = right.binding < Tighter(binding);
-  Append(text, " ", op, is_loose ? " (" : " ", right.text, is_loose ? ")" : "");
+  Append(text, " ", op, " ");
+  right.AppendTo(text, Tighter(binding));
   return {std::move(text), binding};
 }
 

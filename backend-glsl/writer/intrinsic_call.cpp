@@ -65,7 +65,7 @@ Text MulText(Code& code, ExprId left, ExprId right, const Shape& result) {
     const Operand sides[] = {std::move(a), std::move(b)};
     return CallOn(code, left_is_column ? "outerProduct" : "dot", sides);
   }
-  return Infix(Full(code, b), "*", Full(code, a), Binding::kProduct);
+  return Infix(Full(code, std::move(b)), "*", Full(code, std::move(a)), Binding::kProduct);
 }
 
 // GLSL's name of countbits and the others, and of the helper function that makes its value highp;

@@ -89,7 +89,7 @@ void NameOutputs(Context& context, bool are_met) {
 }
 
 // The names of the members of a struct or a block: they need only differ from each other.
-std::vector<std::string> FieldNames(const std::vector<std::string_view>& wanted) {
+std::vector<std::string> FieldNames(std::vector<std::string_view> wanted) {
   std::vector<std::string> names;
   names.reserve(wanted.size());
   bool is_changed = false;
@@ -98,14 +98,14 @@ std::vector<std::string> FieldNames(const std::vector<std::string_view>& wanted)
   }
   if (!is_changed) {
     // A struct in HLSL may have a field of the name of one of its base's.
-    std::vector<std::string_view> sorted = wanted;
-    std::ranges::sort(sorted);
-    if (std::ranges::adjacent_find(sorted) == sorted.end()) return names;
+    std::ranges::sort(wanted);
+    if (std::ranges::adjacent_find(wanted) == wanted.end()) return names;
   }
   std::set<std::string> taken;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    for (int suffix = 2; !taken.insert(names[i]).second; ++suffix) {
-      names[i] = LegalFieldName(Concat(wanted[i], "_", std::to_string(suffix)));
+  for (std::string& name : names) {
+    const std::string stem = name;
+    for (int suffix = 2; !taken.insert(name).second; ++suffix) {
+      name = LegalFieldName(Concat(stem, "_", std::to_string(suffix)));
     }
   }
   return names;
@@ -133,9 +133,9 @@ void NameMembers(Context& context, CbufferId id) {
     }
   }
   if (!layout.has_instance) return;
-  const std::vector<std::string> fields = FieldNames(names);
+  std::vector<std::string> fields = FieldNames(std::move(names));
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    context.var_names[cbuffer.members[i].var.index] = fields[i];
+    context.var_names[cbuffer.members[i].var.index] = std::move(fields[i]);
   }
 }
 
@@ -193,7 +193,7 @@ void NameStruct(Context& context, StructId id) {
   std::vector<std::string_view> names;
   names.reserve(structure.fields.size());
   for (const Field& field : structure.fields) names.push_back(field.name);
-  context.field_names[id.index] = FieldNames(names);
+  context.field_names[id.index] = FieldNames(std::move(names));
 }
 
 // Overloads share a name as long as GLSL can tell them apart: half and float are the same there.

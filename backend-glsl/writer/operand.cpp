@@ -30,8 +30,9 @@ Operand OperandOf(Code& code, ExprId id) {
   if (code.As<Zero>(id)) return {{ZeroText(code, shape.Component())}, shape, true, constant, true};
   const auto* splat = code.As<Splat>(id);
   const ExprId written = splat ? splat->operand : id;
-  return {ExprText(code, written), shape, splat || code.As<Literal>(id), constant,
-          IsRepeatable(code.program, written)};
+  const bool is_scalar = splat || code.As<Literal>(id);
+  return {ExprText(code, written), shape, is_scalar, constant,
+          (is_scalar || shape.IsScalar()) && IsRepeatable(code.program, written)};
 }
 
 std::vector<Operand> OperandsOf(Code& code, List<ExprId> list) {
@@ -109,7 +110,11 @@ Text CallOn(Code& code, std::string_view function, std::span<const Operand> oper
   Append(text, function, "(");
   for (std::size_t i = 0; i < operands.size(); ++i) {
     const Operand& operand = operands[i];
-    Append(text, i > 0 ? ", " : "", Argument(all_scalar ? operand.text : Full(code, operand)));
+    if (i > 0) text += ", ";
+    if (all_scalar || !operand.is_scalar)
+      operand.text.AppendTo(text, Binding::kAssignment);
+    else
+      Full(code, operand).AppendTo(text, Binding::kAssignment);
   }
   text += ')';
   return {std::move(text)};

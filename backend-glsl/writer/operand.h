@@ -20,7 +20,7 @@ struct Operand {
   Shape shape;
   bool is_scalar = false;            // `text` is the scalar
   std::optional<Constant> constant;  // the number that every component is, where it is known
-  bool repeatable = false;           // short and without effects: may be written twice
+  bool repeatable = false;           // a scalar, short and without effects: may be written twice
 };
 
 Operand OperandOf(Code& code, ir::ExprId id);

@@ -45,10 +45,10 @@ std::string StructOfFields(Context& context, const std::string& element, std::ui
 TypeParts PartsOf(Context& context, const Shape& shape) {
   const bool is_array = shape.kind == Shape::kRows;
   TypeParts parts{GlslName(is_array ? shape.Row() : shape, context.Has(Feature::kUnsigned)), ""};
-  if (!is_array) return parts;
-  if (!context.Has(Feature::kArrayValues))
-    return {StructOfFields(context, parts.base, shape.rows), ""};
-  parts.dimensions = Dimension(shape.rows);
+  if (is_array && !context.Has(Feature::kArrayValues))
+    parts.base = StructOfFields(context, parts.base, shape.rows);
+  else if (is_array)
+    parts.dimensions = Dimension(shape.rows);
   return parts;
 }
 

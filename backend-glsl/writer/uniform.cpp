@@ -37,12 +37,12 @@ std::string PathOf(const Code& code, VarId member) {
 
 Text UniformText(Code& code, VarId member) {
   code.is_constant = false;
-  const std::string name = PathOf(code, member);
+  std::string name = PathOf(code, member);
   const TypeId type = code[member].type;
   if (code.IsWrittenAsUint(member)) return Called(TypeName(code, type), {name});
   const bool is_rows = code.IsInRows(member);
   if (!is_rows && !(code[type].kind == TypeKind::kArray && HasFields(code, code[type])))
-    return {name};
+    return {std::move(name)};
   if (code[type].kind != TypeKind::kArray) return {name + "()"};
   const std::string all = Helper(code, name + "_all", "", [&](const std::string& function) {
     const auto element = [&](const std::string& index) {
@@ -57,10 +57,11 @@ Text UniformText(Code& code, VarId member) {
 
 Text UniformElement(Code& code, VarId member, ExprId index) {
   code.is_constant = false;
-  const std::string name = PathOf(code, member);
-  if (code.IsInRows(member)) return Called(name, {IntIndex(code, index)});
-  return {Concat(name, "[", IndexValue(code, index), "]",
-                 IsWrapped(code, code.TypeOf(member).element) ? ".e" : "")};
+  std::string text = PathOf(code, member);
+  if (code.IsInRows(member)) return Called(text, {IntIndex(code, index)});
+  Append(text, "[", IndexValue(code, index), "]",
+         IsWrapped(code, code.TypeOf(member).element) ? ".e" : "");
+  return {std::move(text)};
 }
 
 bool IsInstance(const Code& code, ExprId expr) { return bool(InstanceOf(code, expr)); }
