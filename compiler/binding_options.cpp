@@ -14,20 +14,7 @@ using glsl::BindingRule;
 
 constexpr std::uint32_t kMost = 1u << 20;
 
-std::vector<std::string_view> Words(std::string_view text) {
-  std::vector<std::string_view> words;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find(' '), text.size());
-    words.push_back(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return words;
-}
-
-bool Read(std::string_view text, std::uint32_t& to) {
-  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), to);
-  return problem == std::errc() && end == text.data() + text.size() && to < kMost;
-}
+bool Read(std::string_view text, std::uint32_t& to) { return ReadNumber(text, to) && to < kMost; }
 
 // dxc and glslang: without options, binding n of set m is register n of space m, of any kind.
 constexpr BindingRule kDxc[] = {
@@ -49,8 +36,24 @@ constexpr Preset kPresets[] = {{"dxc", kDxc}, {"nvrhi", kNvrhi}, {"sdl", kSdl, t
 
 }  // namespace
 
+std::vector<std::string_view> WordsIn(std::string_view text) {
+  std::vector<std::string_view> words;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    words.push_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return words;
+}
+
+bool ReadNumber(std::string_view text, std::uint32_t& to) {
+  const char* const end = text.data() + text.size();
+  const auto [after, problem] = std::from_chars(text.data(), end, to);
+  return problem == std::errc() && after == end;
+}
+
 bool AddShift(char letter, glsl::BindingRules& rules, std::string_view value) {
-  const std::vector<std::string_view> words = Words(value);
+  const std::vector<std::string_view> words = WordsIn(value);
   BindingRule rule{.letter = letter};
   if (words.size() != 2 || !Read(words[0], rule.binding)) return false;
   if (words[1] != "all" && !Read(words[1], rule.space.emplace())) return false;
@@ -60,7 +63,7 @@ bool AddShift(char letter, glsl::BindingRules& rules, std::string_view value) {
 
 bool AddStageShift(char letter, glsl::BindingRules& rules, std::string_view value) {
   constexpr std::string_view kStages[] = {"vert", "tesc", "tese", "geom", "frag", "comp"};
-  std::vector<std::string_view> words = Words(value);
+  std::vector<std::string_view> words = WordsIn(value);
   const bool has_stage =
       !words.empty() && std::ranges::find(kStages, words[0]) != std::end(kStages);
   const bool is_ours = !has_stage || words[0] == kStages[0];
@@ -76,7 +79,7 @@ bool AddStageShift(char letter, glsl::BindingRules& rules, std::string_view valu
 }
 
 bool AddRegister(glsl::BindingRules& rules, std::string_view value) {
-  const std::vector<std::string_view> words = Words(value);
+  const std::vector<std::string_view> words = WordsIn(value);
   constexpr std::string_view kLetters = "bstu";
   if (words.size() != 4 || words[0].empty() || kLetters.find(words[0][0]) == kLetters.npos)
     return false;
@@ -89,7 +92,7 @@ bool AddRegister(glsl::BindingRules& rules, std::string_view value) {
 }
 
 bool SetGlobals(glsl::BindingRules& rules, std::string_view value) {
-  const std::vector<std::string_view> words = Words(value);
+  const std::vector<std::string_view> words = WordsIn(value);
   ir::Descriptor& at = rules.globals.emplace();
   return words.size() == 2 && Read(words[0], at.binding) && Read(words[1], at.set);
 }

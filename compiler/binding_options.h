@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <cstdint>
 #include <string_view>
+#include <vector>
 
 #include "backend-glsl/target.h"
 
 // The options that say where a Vulkan shader's buffers and objects are bound. Their values are
 // words apart by one blank; false is returned for a value that they cannot take.
 namespace clipc {
+
+// The words of such a value.
+std::vector<std::string_view> WordsIn(std::string_view text);
+
+// Whether a text is a whole number and nothing else; then `to` becomes that.
+bool ReadNumber(std::string_view text, std::uint32_t& to);
 
 // -fvk-b-shift: "2 0" or "2 all".
 bool AddShift(char letter, glsl::BindingRules& rules, std::string_view value);

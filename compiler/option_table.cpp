@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/option_table.h"
 
-#include <charconv>
 #include <iterator>
 #include <tuple>
 #include <type_traits>
@@ -31,17 +30,19 @@ void Refuse(Reading& reading, const std::string&) {
 }
 
 template <typename Owner, typename Value>
-Value& MemberOf(CommandLine& command, Value Owner::* member) {
+Value& MemberOf(Reading& reading, Value Owner::* member) {
+  CommandLine& command = reading.command;
   CompileRequest& request = command.request;
-  return std::get<Owner&>(std::tie(command, request, request.clip_space, request.pixel_shader,
-                                   request.warnings, request.debug, request.limits)).*
+  return std::get<Owner&>(std::tie(reading, reading.spirv, command, request, request.clip_space,
+                                   request.pixel_shader, request.warnings, request.debug,
+                                   request.limits)).*
          member;
 }
 
 // A flag becomes true, a list gets one more, a text is replaced.
 template <auto kMember>
 void Set(Reading& reading, const std::string& value) {
-  auto& member = MemberOf(reading.command, kMember);
+  auto& member = MemberOf(reading, kMember);
   if constexpr (std::is_same_v<decltype(member), bool&>) {
     member = true;
   } else if constexpr (requires { member.push_back(value); }) {
@@ -53,12 +54,7 @@ void Set(Reading& reading, const std::string& value) {
 
 template <auto kMember, auto kValue>
 void SetTo(Reading& reading, const std::string&) {
-  MemberOf(reading.command, kMember) = kValue;
-}
-
-template <bool kOn>
-void SetValidate(Reading& reading, const std::string&) {
-  reading.validate = kOn;
+  MemberOf(reading, kMember) = kValue;
 }
 
 // One of a few words, which stand in the order of the enumerators.
@@ -66,7 +62,7 @@ template <typename Enum, auto kMember, const auto& kNames>
 void Choose(Reading& reading, const std::string& value) {
   if (const std::optional<Enum> choice = EnumeratorOf<Enum>(value, kNames)) {
     const Enum chosen = *choice;
-    MemberOf(reading.command, kMember) = chosen;
+    MemberOf(reading, kMember) = chosen;
     return;
   }
   const std::vector<std::string_view> names(std::begin(kNames), std::end(kNames));
@@ -77,10 +73,11 @@ void Choose(Reading& reading, const std::string& value) {
 // A number from kLeast to kMost.
 template <auto kMember, unsigned kLeast, unsigned kMost>
 void SetNumber(Reading& reading, const std::string& value) {
-  auto& to = MemberOf(reading.command, kMember);
-  const char* const end = value.data() + value.size();
-  const auto [after, problem] = std::from_chars(value.data(), end, to);
-  if (problem == std::errc() && after == end && to >= kLeast && to <= kMost) return;
+  std::uint32_t number = 0;
+  if (ReadNumber(value, number) && number >= kLeast && number <= kMost) {
+    MemberOf(reading, kMember) = number;
+    return;
+  }
   reading.error = fmt::format("`{}{}`: it must be a number from {} to {}", reading.option, value,
                               kLeast, kMost);
 }
@@ -93,13 +90,11 @@ void SetVariants(Reading& reading, const std::string& value) {
 // "2/4".
 void SetShard(Reading& reading, const std::string& value) {
   CommandLine& command = reading.command;
-  const char* const end = value.data() + value.size();
-  auto [slash, problem] = std::from_chars(value.data(), end, command.shard);
-  if (problem == std::errc() && slash != end && *slash == '/') {
-    const auto [after, other] = std::from_chars(slash + 1, end, command.shards);
-    const bool is_read = other == std::errc() && after == end;
-    if (is_read && command.shard >= 1 && command.shard <= command.shards) return;
-  }
+  const std::size_t slash = std::min(value.find('/'), value.size() - 1);
+  if (ReadNumber(value.substr(0, slash), command.shard) &&
+      ReadNumber(value.substr(slash + 1), command.shards) && command.shard >= 1 &&
+      command.shard <= command.shards)
+    return;
   reading.error = fmt::format("`{} {}`: it takes a part and the number of parts, as `2/4`",
                               reading.option, value);
 }
@@ -114,30 +109,15 @@ void SetPreprocess(Reading& reading, const std::string& value) {
   reading.preprocess_name = value;
 }
 
-void SetPreprocessOutput(Reading& reading, const std::string& value) {
-  reading.preprocess_output = value;
-}
-
 template <bool kForVulkan>
 void SetSpirv(Reading& reading, const std::string&) {
   reading.writes_spirv = true;
   reading.spirv_for_vulkan = kForVulkan;
 }
 
-void ChooseVulkan(Reading& reading, const std::string& value) {
-  constexpr const char* kNames[] = {"vulkan1.0", "vulkan1.1", "vulkan1.2", "vulkan1.3"};
-  if (const auto choice = EnumeratorOf<VulkanVersion>(value, kNames)) {
-    reading.spirv.vulkan = *choice;
-    return;
-  }
-  const std::vector<std::string_view> names(std::begin(kNames), std::end(kNames));
-  reading.error =
-      fmt::format("unknown value `{}` of {}{}", value, reading.option, Suggest(value, names));
-}
-
 template <auto kMember>
 void SetForZero(Reading& reading, const std::string& value) {
-  MemberOf(reading.command, kMember) = true;
+  MemberOf(reading, kMember) = true;
   if (value != "zero")
     reading.error = fmt::format("`{}={}`: it takes `zero`", reading.option, value);
 }
@@ -225,10 +205,12 @@ constexpr const char* kDepthRanges[] = {"zero-to-one", "negative-one-to-one"};
 constexpr const char* kFormats[] = {"text", "msvc", "json", "sarif"};
 constexpr const char* kClangFormats[] = {"clang", "msvc", "json", "sarif"};  // the same formats
 constexpr const char* kStages[] = {"tokens", "ast", "ir", "glsl", "table"};
+constexpr const char* kVulkanVersions[] = {"vulkan1.0", "vulkan1.1", "vulkan1.2", "vulkan1.3"};
 constexpr char kShift[] = "two numbers, or a number and `all`";
 constexpr char kStageShift[] = "a number, or numbers each with its set";
 constexpr char kByKind[] =
     "clipc shifts by register: `--shift-texture-binding` moves t, `--shift-uav-binding` u";
+constexpr char kFollowRegisters[] = "bindings follow the registers; `--reflect` tells them";
 constexpr const char* kLanguages[] = {"2016", "2017", "2018", "2021"};
 constexpr std::string_view kHlsl = "hlsl", kVert = "vert", kVertex = "vertex";
 
@@ -295,7 +277,8 @@ constexpr Option kOptions[] = {
     {"-spirv", kFlag, SetSpirv<true>, "",
      "write SPIR-V instead of GLSL, for Vulkan; so does a .spv file"},
     {"-G", kFlag, SetSpirv<false>, "", "write SPIR-V for OpenGL 4.5"},
-    {"-fspv-target-env", kEquals, ChooseVulkan, "<VERSION>", "vulkan1.0 .. vulkan1.3 (vulkan1.1)"},
+    {"-fspv-target-env", kEquals, Choose<VulkanVersion, &SpirvRequest::vulkan, kVulkanVersions>,
+     "<VERSION>", "vulkan1.0 .. vulkan1.3 (vulkan1.1)"},
     {"--table", kEquals, Set<&CommandLine::table>, "<FILE>",
      "write the clip table: .json, .bin (Direct3D's record) or .h"},
     {"--reflect", kEquals, Set<&CommandLine::reflection>, "<FILE>",
@@ -312,9 +295,9 @@ constexpr Option kOptions[] = {
     {"-fsyntax-only", kFlag, Set<&CommandLine::syntax_only>, "", "write no file"},
     {"--sandbox-includes", kEquals, Set<&Request::sandbox>, "<DIR>",
      "read includes from this folder only"},
-    {"--validate", kFlag, SetValidate<true>, "",
+    {"--validate", kFlag, SetTo<&Reading::validate, true>, "",
      "compile the GLSL with glslang before writing it (the default for several files)"},
-    {"--no-validate", kFlag, SetValidate<false>, "",
+    {"--no-validate", kFlag, SetTo<&Reading::validate, false>, "",
      "do not run glslang (the default for a single file)"},
     {"-j", kJoinedOrSeparate, SetNumber<&CommandLine::jobs, 1, 256>, "<N>",
      "compile N of several files at once"},
@@ -352,28 +335,20 @@ constexpr Option kOptions[] = {
     {"-fvk-s-shift", kTwo, Bind<AddShift<'s'>>, nullptr, kShift},
     {"-fvk-t-shift", kTwo, Bind<AddShift<'t'>>, nullptr, kShift},
     {"-fvk-u-shift", kTwo, Bind<AddShift<'u'>>, nullptr, kShift},
-    {"--shift-ubo-binding", kNumbers, Bind<AddStageShift<'b'>>, nullptr, kStageShift},
-    {"--shift-UBO-binding", kNumbers, Bind<AddStageShift<'b'>>, nullptr, kStageShift},
-    {"--sub", kNumbers, Bind<AddStageShift<'b'>>, nullptr, kStageShift},
-    {"--shift-cbuffer-binding", kNumbers, Bind<AddStageShift<'b'>>, nullptr, kStageShift},
-    {"--scb", kNumbers, Bind<AddStageShift<'b'>>, nullptr, kStageShift},
-    {"--shift-sampler-binding", kNumbers, Bind<AddStageShift<'s'>>, nullptr, kStageShift},
-    {"--ssb", kNumbers, Bind<AddStageShift<'s'>>, nullptr, kStageShift},
-    {"--shift-texture-binding", kNumbers, Bind<AddStageShift<'t'>>, nullptr, kStageShift},
-    {"--stb", kNumbers, Bind<AddStageShift<'t'>>, nullptr, kStageShift},
-    {"--shift-uav-binding", kNumbers, Bind<AddStageShift<'u'>>, nullptr, kStageShift},
-    {"--shift-UAV-binding", kNumbers, Bind<AddStageShift<'u'>>, nullptr, kStageShift},
-    {"--suavb", kNumbers, Bind<AddStageShift<'u'>>, nullptr, kStageShift},
+    {"--shift-ubo-binding --shift-UBO-binding --sub --shift-cbuffer-binding --scb", kNumbers,
+     Bind<AddStageShift<'b'>>, nullptr, kStageShift},
+    {"--shift-sampler-binding --ssb", kNumbers, Bind<AddStageShift<'s'>>, nullptr, kStageShift},
+    {"--shift-texture-binding --stb", kNumbers, Bind<AddStageShift<'t'>>, nullptr, kStageShift},
+    {"--shift-uav-binding --shift-UAV-binding --suavb", kNumbers, Bind<AddStageShift<'u'>>, nullptr,
+     kStageShift},
     {"-V", kFlag, SetSpirv<true>},
     {"-Fo", kJoinedOrSeparate, Set<&CommandLine::output>},
     {"-e", kSeparate, Set<&Request::entry>},
     {"-fentry-point", kEquals, Set<&Request::entry>},
-    {"-isystem", kSeparate, Set<&Request::include_dirs>},
-    {"-iquote", kSeparate, Set<&Request::include_dirs>},
+    {"-isystem -iquote", kSeparate, Set<&Request::include_dirs>},
     {"-U", kJoinedOrSeparate, Undefine},
     {"-std=hlsl", kJoined, Choose<LanguageVersion, &Request::language, kLanguages>},
-    {"--invert-y", kFlag, Set<&passes::ClipSpaceOptions::flip_y>},
-    {"-fvk-invert-y", kFlag, Set<&passes::ClipSpaceOptions::flip_y>},
+    {"--invert-y -fvk-invert-y", kFlag, Set<&passes::ClipSpaceOptions::flip_y>},
     {"-g", kFlag, Set<&Request::source_lines>},
     {"--vn", kSeparate, Set<&CommandLine::variable>},
     {"-MMD", kFlag, Set<&CommandLine::write_dependencies>},
@@ -382,13 +357,11 @@ constexpr Option kOptions[] = {
     {"--depfile", kEquals, SetDependencyFile},
     {"-MP", kFlag, Ignore},
     {"-Vi", kFlag, Set<&CommandLine::show_includes>},
-    {"-Fi", kJoinedOrSeparate, SetPreprocessOutput},
-    {"-Vd", kFlag, SetValidate<false>},
+    {"-Fi", kJoinedOrSeparate, Set<&Reading::preprocess_output>},
+    {"-Vd", kFlag, SetTo<&Reading::validate, false>},
     {"-WX", kFlag, Set<&WarningOptions::warnings_are_errors>},
     {"-no-warnings", kFlag, Set<&WarningOptions::no_warnings>},
-    {"-h", kFlag, SetTo<&CommandLine::action, Action::kHelp>},
-    {"-?", kFlag, SetTo<&CommandLine::action, Action::kHelp>},
-    {"-help", kFlag, SetTo<&CommandLine::action, Action::kHelp>},
+    {"-h -? -help", kFlag, SetTo<&CommandLine::action, Action::kHelp>},
     {"--stdin", kFlag, AddStandardInput},
     {"-fdiagnostics-format", kEquals, Choose<MessageFormat, &CommandLine::format, kClangFormats>},
     {"-fcolor-diagnostics", kFlag, SetTo<&CommandLine::colour, true>},
@@ -398,21 +371,11 @@ constexpr Option kOptions[] = {
     {"-fshader-stage", kEquals, RequireValue<kVertex>},
 
     // What another compiler does to its code, its listing or its effort.
-    {"-nologo", kFlag, Ignore},
-    {"--hlsl-iomap", kFlag, Ignore},  // by register, as clipc counts
-    {"-Zss", kFlag, Ignore},
-    {"-Zsb", kFlag, Ignore},
-    {"-Zs", kFlag, Ignore},
-    {"-Cc", kFlag, Ignore},
-    {"-c", kFlag, Ignore},
-    {"-Gpp", kFlag, Ignore},
-    {"-all_resources_bound", kFlag, Ignore},
-    {"-all-resources-bound", kFlag, Ignore},
-    {"-enable_unbounded_descriptor_tables", kFlag, Ignore},
-    {"-res_may_alias", kFlag, Ignore},
-    {"-res-may-alias", kFlag, Ignore},
-    {"-Qembed_debug", kFlag, Ignore},
-    {"-Qsource_in_debug_module", kFlag, Ignore},
+    // --hlsl-iomap: by register, as clipc counts.
+    {"-nologo --hlsl-iomap -Zss -Zsb -Zs -Cc -c -Gpp -all_resources_bound -all-resources-bound "
+     "-enable_unbounded_descriptor_tables -res_may_alias -res-may-alias -Qembed_debug "
+     "-Qsource_in_debug_module",
+     kFlag, Ignore},
     {"-Qstrip_", kJoined, Ignore},
     {"-O", kJoined, SetOptimisation},
 
@@ -426,69 +389,56 @@ constexpr Option kOptions[] = {
      "GLSL has no such mode; `[flatten]` on a statement reaches Vulkan's drivers"},
     {"-Gfp", kFlag, HasNoEffect, nullptr,
      "GLSL has no such mode; `[branch]` on a statement reaches Vulkan's drivers"},
-    {"-Ni", kFlag, HasNoEffect, nullptr, "the listing is GLSL"},
-    {"-No", kFlag, HasNoEffect, nullptr, "the listing is GLSL"},
-    {"-Lx", kFlag, HasNoEffect, nullptr, "the listing is GLSL"},
+    {"-Ni -No -Lx", kFlag, HasNoEffect, nullptr, "the listing is GLSL"},
 
     // A meaning that clipc does not have.
-    {"-Entry", kJoined, Refuse, nullptr, "did you mean `-E`?"},
-    {"-entry", kJoined, Refuse, nullptr, "did you mean `-E`?"},
-    {"-Define", kJoined, Refuse, nullptr, "did you mean `-D`?"},
-    {"-define", kJoined, Refuse, nullptr, "did you mean `-D`?"},
-    {"-Target", kJoined, Refuse, nullptr, "did you mean `-T` or `--target`?"},
-    {"-target", kJoined, Refuse, nullptr, "did you mean `-T` or `--target`?"},
-    {"-profile", kJoined, Refuse, nullptr, "did you mean `-T` or `--target`?"},
-    {"-Profile", kJoined, Refuse, nullptr, "did you mean `-T` or `--target`?"},
+    {"-Entry -entry", kJoined, Refuse, nullptr, "did you mean `-E`?"},
+    {"-Define -define", kJoined, Refuse, nullptr, "did you mean `-D`?"},
+    {"-Target -target -profile -Profile", kJoined, Refuse, nullptr,
+     "did you mean `-T` or `--target`?"},
     {"-Include", kJoined, Refuse, nullptr, "did you mean `-I` or `-include`?"},
     {"-opt-", kJoined, Refuse, nullptr, "clipc leaves optimisation to the driver"},
-    {"-output", kJoined, Refuse, nullptr, "did you mean `-o`?"},
-    {"-Output", kJoined, Refuse, nullptr, "did you mean `-o`?"},
+    {"-output -Output", kJoined, Refuse, nullptr, "did you mean `-o`?"},
     {"-fspv-", kJoined, Refuse, nullptr, "the SPIR-V is what glslang makes of the GLSL"},
-    {"-fvk-", kJoined, Refuse, nullptr, "bindings follow the registers; `--reflect` tells them"},
-    {"--shift-image-binding", kNumbers, Refuse, nullptr, kByKind},
-    {"--sib", kNumbers, Refuse, nullptr, kByKind},
-    {"--shift-ssbo-binding", kNumbers, Refuse, nullptr, kByKind},
-    {"--sbb", kNumbers, Refuse, nullptr, kByKind},
-    {"--shift-", kJoined, Refuse, nullptr, "bindings follow the registers; `--reflect` tells them"},
-    {"--auto-map-", kJoined, Refuse, nullptr,
-     "bindings follow the registers; `--reflect` tells them"},
+    {"-fvk-", kJoined, Refuse, nullptr, kFollowRegisters},
+    {"--shift-image-binding --sib --shift-ssbo-binding --sbb", kNumbers, Refuse, nullptr, kByKind},
+    {"--shift- --auto-map-", kJoined, Refuse, nullptr, kFollowRegisters},
     {"-enable-16bit-types", kFlag, Refuse, nullptr,
      "`half` and `min16float` are computed and stored at 32 bits"},
     {"-Fe", kJoinedOrSeparate, Refuse, nullptr, "messages go to standard error"},
     {"-Fre", kJoinedOrSeparate, Refuse, nullptr, "`--reflect` writes the reflection as JSON"},
-    {"-Frs", kJoined, Refuse, nullptr, "it is for compiled shaders of Direct3D"},
-    {"-Fsh", kJoined, Refuse, nullptr, "it is for compiled shaders of Direct3D"},
-    {"-setrootsignature", kJoined, Refuse, nullptr, "it is for compiled shaders of Direct3D"},
-    {"-extractrootsignature", kJoined, Refuse, nullptr, "it is for compiled shaders of Direct3D"},
-    {"-verifyrootsignature", kJoined, Refuse, nullptr, "it is for compiled shaders of Direct3D"},
-    {"-getprivate", kJoined, Refuse, nullptr, "it is for compiled shaders of Direct3D"},
-    {"-setprivate", kJoined, Refuse, nullptr, "it is for compiled shaders of Direct3D"},
-    {"-dumpbin", kJoined, Refuse, nullptr, "it is for compiled shaders of Direct3D"},
-    {"-compress", kJoined, Refuse, nullptr, "it is for compiled shaders of Direct3D"},
-    {"-decompress", kJoined, Refuse, nullptr, "it is for compiled shaders of Direct3D"},
-    {"-Gch", kJoined, Refuse, nullptr,
+    {"-Frs -Fsh -setrootsignature -extractrootsignature -verifyrootsignature -getprivate "
+     "-setprivate -dumpbin -compress -decompress",
+     kJoined, Refuse, nullptr, "it is for compiled shaders of Direct3D"},
+    {"-Gch -Gdp -LD -Fx -Fl", kJoined, Refuse, nullptr,
      "it is for effects and libraries; clipc compiles one shader"},
-    {"-Gdp", kJoined, Refuse, nullptr,
-     "it is for effects and libraries; clipc compiles one shader"},
-    {"-LD", kJoined, Refuse, nullptr, "it is for effects and libraries; clipc compiles one shader"},
-    {"-Fx", kJoined, Refuse, nullptr, "it is for effects and libraries; clipc compiles one shader"},
-    {"-Fl", kJoined, Refuse, nullptr, "it is for effects and libraries; clipc compiles one shader"},
 };
 
 }  // namespace
 
 std::span<const Option> Options() { return kOptions; }
 
-const Option* FindOption(std::string_view argument) {
-  const Option* found = nullptr;
-  for (const Option& option : kOptions) {
-    if (!argument.starts_with(option.name)) continue;
-    const std::string_view rest = argument.substr(option.name.size());
-    const bool fits =
-        rest.empty() || option.form == kJoined || option.form == kJoinedOrSeparate ||
-        option.form == kOptional ||
-        ((option.form == kEquals || option.form == kNumbers) && rest.starts_with('='));
-    if (fits && (!found || option.name.size() > found->name.size())) found = &option;
+const std::vector<Spelling>& Spellings() {
+  static const std::vector<Spelling> kSpellings = [] {
+    std::vector<Spelling> all;
+    for (const Option& option : kOptions) {
+      for (const std::string_view name : WordsIn(option.names)) all.push_back({name, &option});
+    }
+    return all;
+  }();
+  return kSpellings;
+}
+
+Spelling FindOption(std::string_view argument) {
+  Spelling found;
+  for (const Spelling& spelling : Spellings()) {
+    if (!argument.starts_with(spelling.name)) continue;
+    const std::string_view rest = argument.substr(spelling.name.size());
+    const Option::Form form = spelling.option->form;
+    const bool fits = rest.empty() || form == kJoined || form == kJoinedOrSeparate ||
+                      form == kOptional ||
+                      ((form == kEquals || form == kNumbers) && rest.starts_with('='));
+    if (fits && spelling.name.size() > found.name.size()) found = spelling;
   }
   return found;
 }

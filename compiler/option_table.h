@@ -46,7 +46,7 @@ struct Option {
     kNumbers,           // --sub 5, --sub=5, --sub vert 5 0 7 1: also the numbers that follow
   };
 
-  std::string_view name;
+  std::string_view names;  // its spellings, apart by one blank; one where --help lists the option
   Form form;
   void (*read)(Reading& reading, const std::string& value);
   // For --help; null: it does not list this option.
@@ -57,7 +57,16 @@ struct Option {
 
 std::span<const Option> Options();
 
-// The option that `argument` is, or begins with: the one with the longest such name. Null: none.
-const Option* FindOption(std::string_view argument);
+// One spelling of an option.
+struct Spelling {
+  std::string_view name;
+  const Option* option = nullptr;
+};
+// Those of all options, in their order.
+const std::vector<Spelling>& Spellings();
+
+// The option that `argument` is, or begins with: the one with the longest such name. Without an
+// option: none.
+Spelling FindOption(std::string_view argument);
 
 }  // namespace clipc

@@ -77,7 +77,7 @@ bool LooksLikePath(const std::string& argument) {
 std::string NearOption(std::string_view argument) {
   const std::string_view name = argument.substr(0, argument.find('='));
   std::vector<std::string_view> names;
-  for (const Option& option : Options()) names.push_back(option.name);
+  for (const Spelling& spelling : Spellings()) names.push_back(spelling.name);
   const auto near = NearNames(name, names);
   return near.empty()
              ? ""
@@ -91,7 +91,7 @@ void ReadArgument(std::span<const std::string> arguments, std::size_t& at, Readi
   const bool has_dash = written.size() > 1 && written[0] == '-';
   const bool has_slash = written.size() > 1 && written[0] == '/' && !LooksLikePath(written);
   if (has_slash) spelling[0] = '-';
-  const Option* option = has_dash || has_slash ? FindOption(spelling) : nullptr;
+  const auto [name, option] = has_dash || has_slash ? FindOption(spelling) : Spelling{};
   if (!option) {
     // A path has more slashes than the first one, or an extension.
     if (has_dash || (has_slash && written.find_first_of("/.", 1) == std::string::npos)) {
@@ -101,16 +101,12 @@ void ReadArgument(std::span<const std::string> arguments, std::size_t& at, Readi
     }
     return;
   }
-  reading.option = written.substr(0, option->name.size());
+  reading.option = written.substr(0, name.size());
   reading.advice = option->help;
-  std::string value = spelling.substr(option->name.size());
-  const auto takes_next = [&](Option::Form form) {
-    return form == kEquals || form == kJoinedOrSeparate || form == kSeparate || form == kOptional ||
-           form == kTwo || form == kFour || form == kNumbers;
-  };
+  std::string value = spelling.substr(name.size());
   if ((option->form == kEquals || option->form == kNumbers) && !value.empty()) {
     value.erase(0, 1);
-  } else if (value.empty() && takes_next(option->form)) {
+  } else if (value.empty() && option->form != kFlag && option->form != kJoined) {
     const bool has_next =
         at < arguments.size() && (!arguments[at].starts_with('-') || arguments[at] == "-");
     if (has_next) value = arguments[at++];
@@ -214,7 +210,7 @@ std::string HelpText() {
     if (!option.metavar) continue;
     const char* separator = option.form == kEquals ? "=" : option.form == kJoined ? "" : " ";
     const std::string usage =
-        fmt::format("  {}{}{}", option.name, *option.metavar ? separator : "", option.metavar);
+        fmt::format("  {}{}{}", option.names, *option.metavar ? separator : "", option.metavar);
     fmt::format_to(std::back_inserter(text), "{:<{}}{}{}\n", usage, kColumn,
                    usage.size() < kColumn ? "" : "\n" + std::string(kColumn, ' '), option.help);
   }
