@@ -67,7 +67,7 @@ bool HasCall(const Context& context, const Type& result) {
 std::string MakeCall(Context& context, const Type& result, int depth) {
   const std::vector<const Function*> found = Candidates(context, result, false);
   if (found.empty()) return {};
-  const Function& function = *context.choices.OneOf(found);
+  const Function& function = *context.OneOf(found);
   std::string call = MakeCallOf(context, function, depth);
   if (function.writes) context.writes_globals = true;
   if (!call.empty()) return call;
@@ -77,7 +77,7 @@ std::string MakeCall(Context& context, const Type& result, int depth) {
 std::string MakeVoidCall(Context& context, int depth) {
   const std::vector<const Function*> found = Candidates(context, {}, true);
   if (found.empty()) return {};
-  const Function& function = *context.choices.OneOf(found);
+  const Function& function = *context.OneOf(found);
   if (function.writes) context.writes_globals = true;
   return MakeCallOf(context, function, depth);
 }

@@ -3,11 +3,11 @@
 
 namespace clipc::random {
 
-std::uint32_t Choices::Below(std::uint32_t limit) {
+std::uint32_t Choices::Below(std::size_t limit) {
   if (limit <= 1 || IsSpent()) return 0;
   std::uint32_t choice = 0;
   if (!replays_) {
-    choice = random_.Below(limit);
+    choice = random_.Below(static_cast<std::uint32_t>(limit));
   } else if (drawn_.size() < list_.size()) {
     choice = list_[drawn_.size()] % limit;
   }
@@ -16,7 +16,7 @@ std::uint32_t Choices::Below(std::uint32_t limit) {
 }
 
 int Choices::Between(int least, int greatest) {
-  return least + static_cast<int>(Below(static_cast<std::uint32_t>(greatest - least + 1)));
+  return least + static_cast<int>(Below(static_cast<std::size_t>(greatest - least + 1)));
 }
 
 bool Choices::Chance(std::uint32_t percent) { return Below(100) >= 100 - percent; }

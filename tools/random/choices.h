@@ -27,7 +27,7 @@ class Choices {
       : random_(0), list_(std::move(list)), replays_(true) {}
 
   // In [0, limit), 0 for a limit of 0.
-  std::uint32_t Below(std::uint32_t limit);
+  std::uint32_t Below(std::size_t limit);
   // In [least, greatest].
   int Between(int least, int greatest);
   // False is the simple answer.
@@ -36,7 +36,7 @@ class Choices {
   std::size_t Pick(std::initializer_list<std::uint32_t> weights);
   template <typename List>
   const auto& OneOf(const List& list) {
-    return list[Below(static_cast<std::uint32_t>(std::size(list)))];
+    return list[Below(std::size(list))];
   }
 
   // Whether the list is as long as lists may be: what is still drawn is 0.

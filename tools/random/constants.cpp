@@ -11,7 +11,7 @@ namespace {
 const char* MakeMajor(Context& context, const Type& type) {
   if (!type.shape.IsMatrix() || type.structure >= 0) return "";
   constexpr const char* kMajors[] = {"", "row_major ", "column_major "};
-  return context.choices.OneOf(kMajors);
+  return context.OneOf(kMajors);
 }
 
 bool IsRowMajor(const std::string& major, bool by_default) {
@@ -21,23 +21,23 @@ bool IsRowMajor(const std::string& major, bool by_default) {
 // A member that is made for planes, one time in three.
 Type MakeMemberType(Context& context) {
   const std::uint32_t structs = context.structs.empty() ? 0 : 1;
-  const std::size_t choice = context.choices.Pick({2, 1, structs});
+  const std::size_t choice = context.Pick({2, 1, structs});
   if (choice == 0) return MakeType(context);
   Type type{Kind::kFloat, {0, 4}};
   if (choice == 2) {
     const auto count = static_cast<std::uint32_t>(context.structs.size());
-    type.structure = static_cast<int>(context.choices.Below(count));
+    type.structure = static_cast<int>(context.Below(count));
     return type;
   }
-  if (context.choices.Chance(40)) type.sizes.push_back(context.choices.Between(1, 3));
-  if (context.choices.Chance(20)) type.shape.rows = 4;
+  if (context.Chance(40)) type.sizes.push_back(context.Between(1, 3));
+  if (context.Chance(20)) type.shape.rows = 4;
   return type;
 }
 
 // A matrix now and then: two in one struct may lie in different ways.
 Type MakeFieldType(Context& context) {
-  if (!context.Has(Feature::kMatrices) || !context.choices.Chance(25)) return MakeType(context);
-  return {Kind::kFloat, {context.choices.Between(2, 4), context.choices.Between(2, 4)}};
+  if (!context.Has(Feature::kMatrices) || !context.Chance(25)) return MakeType(context);
+  return {Kind::kFloat, {context.Between(2, 4), context.Between(2, 4)}};
 }
 
 std::string PackOffset(int bytes) {
@@ -51,7 +51,7 @@ void PlaceMembers(Context& context, const Structs& structs, ConstantBuffer& buff
   int end = 0;
   for (Member& member : buffer.members) {
     const Extent extent = ExtentOf(structs, member.type, member.row_major);
-    int at = end + 4 * context.choices.Between(0, 5);
+    int at = end + 4 * context.Between(0, 5);
     if (extent.starts_row || at % 16 + extent.size > 16) at = (at + 15) / 16 * 16;
     member.packoffset = at;
     end = at + extent.size;
@@ -67,7 +67,7 @@ struct Operand {
 void CollectPlanes(Context& context, const std::string& text, const Type& type,
                    std::vector<Operand>& found) {
   if (type.IsArray()) {
-    const int element = context.choices.Between(0, type.sizes[0] - 1);
+    const int element = context.Between(0, type.sizes[0] - 1);
     return CollectPlanes(context, text + "[" + std::to_string(element) + "]", type.Element(),
                          found);
   }
@@ -79,12 +79,12 @@ void CollectPlanes(Context& context, const std::string& text, const Type& type,
   if (type.kind != Kind::kFloat) return;
   if (type.shape == Shape{0, 4}) {
     constexpr const char* kSame[] = {"", "", ".xyzw", ".rgba"};
-    found.push_back({text + context.choices.OneOf(kSame)});
-    if (context.choices.Chance(30)) found.push_back({"(" + text + ")"});
+    found.push_back({text + context.OneOf(kSame)});
+    if (context.Chance(30)) found.push_back({"(" + text + ")"});
     found.push_back({text + ".wzyx", true});
     found.push_back({"float4(" + text + ".xy, " + text + ".zw)", true});
   } else if (type.shape.IsMatrix() && type.shape.columns == 4) {
-    const int row = context.choices.Between(0, type.shape.rows - 1);
+    const int row = context.Between(0, type.shape.rows - 1);
     found.push_back({text + "[" + std::to_string(row) + "]", true});
     if (type.shape.rows == 4) found.push_back({text + "._m00_m10_m20_m30", true});
   } else if (type.shape.IsScalar()) {
@@ -116,7 +116,7 @@ std::string MakeStruct(Context& context) {
 std::string MakeConstants(Context& context, bool row_major, std::vector<ConstantBuffer>& buffers) {
   std::string text;
   Repeat(context.choices, 3, 60, [&](int i) {
-    const bool is_globals = i == 0 && context.choices.Chance(40);
+    const bool is_globals = i == 0 && context.Chance(40);
     ConstantBuffer buffer{is_globals ? "$Globals" : "B" + std::to_string(i), {}};
     std::vector<std::string> majors;
     Repeat(context.choices, 5, 75, [&](int) {
@@ -127,7 +127,7 @@ std::string MakeConstants(Context& context, bool row_major, std::vector<Constant
       buffer.members.push_back(member);
     });
     if (buffer.members.empty()) return;
-    const bool places = !is_globals && context.choices.Chance(25);
+    const bool places = !is_globals && context.Chance(25);
     Structs structs = context.structs;
     if (places) PlaceMembers(context, WithMajors(structs, row_major), buffer);
     if (!is_globals) text += "cbuffer " + buffer.name + " {\n";
@@ -154,7 +154,7 @@ std::string MakePlanes(Context& context, const std::vector<ConstantBuffer>& buff
   if (found.empty()) return {};
   std::string text;
   Repeat(context.choices, most, 75,
-         [&](int) { text += (text.empty() ? "" : ", ") + context.choices.OneOf(found).text; });
+         [&](int) { text += (text.empty() ? "" : ", ") + context.OneOf(found).text; });
   return text.empty() ? text : "[clipplanes(" + text + ")]\n";
 }
 

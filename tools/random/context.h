@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
 #include <set>
 #include <string>
 #include <vector>
@@ -70,6 +73,16 @@ struct Context {
   int names = 0;
 
   bool Has(Feature feature) const { return features.Has(feature); }
+  // What the choices draw.
+  std::uint32_t Below(std::size_t limit) { return choices.Below(limit); }
+  int Between(int least, int greatest) { return choices.Between(least, greatest); }
+  bool Chance(std::uint32_t percent) { return choices.Chance(percent); }
+  bool Chance(Feature feature, std::uint32_t percent) { return Has(feature) && Chance(percent); }
+  std::size_t Pick(std::initializer_list<std::uint32_t> weights) { return choices.Pick(weights); }
+  template <typename List>
+  const auto& OneOf(const List& list) {
+    return choices.OneOf(list);
+  }
   // A name that no other variable has; now and then one that GLSL keeps for itself.
   std::string FreshName(const char* prefix);
   void Add(Variable variable) { scopes.back().push_back(std::move(variable)); }

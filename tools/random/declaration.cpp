@@ -13,7 +13,7 @@ constexpr int kMostComponents = 64;
 // stand for its components.
 std::string Components(Context& context, const Type& type, int depth) {
   if (type.IsNumeric()) {
-    const bool is_whole = !type.shape.IsMatrix() && context.choices.Chance(50);
+    const bool is_whole = !type.shape.IsMatrix() && context.Chance(50);
     if (is_whole) return Argument(MakeValue(context, type.kind, type.shape, depth));
     std::string text;
     for (int i = 0; i < type.shape.Components(); ++i) {
@@ -22,7 +22,7 @@ std::string Components(Context& context, const Type& type, int depth) {
     }
     return text;
   }
-  const bool braces = context.choices.Chance(40);
+  const bool braces = context.Chance(40);
   std::string text = braces ? "{" : "";
   const auto add = [&](const Type& part) {
     text += (text.empty() || text == "{" ? "" : ", ") + Components(context, part, depth);
@@ -65,30 +65,28 @@ std::string MakeBodyOf(Context& context, const Function& function) {
 
 // A type that a parameter or a result may have.
 Type MakePassedType(Context& context) {
-  if (!context.structs.empty() && context.choices.Chance(20)) {
+  if (!context.structs.empty() && context.Chance(20)) {
     Type type;
-    type.structure =
-        static_cast<int>(context.choices.Below(static_cast<std::uint32_t>(context.structs.size())));
+    type.structure = static_cast<int>(context.Below(context.structs.size()));
     return type;
   }
-  return {context.choices.OneOf(kKinds), MakeShape(context)};
+  return {context.OneOf(kKinds), MakeShape(context)};
 }
 
 }  // namespace
 
 Shape MakeShape(Context& context) {
-  if (!context.Has(Feature::kMatrices) || context.choices.Pick({3, 1}) == 0)
-    return {0, context.choices.Between(1, 4)};
-  return {context.choices.Between(1, 4), context.choices.Between(1, 4)};
+  if (!context.Has(Feature::kMatrices) || context.Pick({3, 1}) == 0)
+    return {0, context.Between(1, 4)};
+  return {context.Between(1, 4), context.Between(1, 4)};
 }
 
 Type MakeType(Context& context) {
-  Type type{static_cast<Kind>(context.choices.Pick({4, 3, 2, 1})), MakeShape(context)};
-  if (!context.structs.empty() && context.choices.Chance(20))
-    type.structure =
-        static_cast<int>(context.choices.Below(static_cast<std::uint32_t>(context.structs.size())));
-  const std::size_t dimensions = context.choices.Pick({6, 2, 1});
-  for (std::size_t i = 0; i < dimensions; ++i) type.sizes.push_back(context.choices.Between(1, 4));
+  Type type{static_cast<Kind>(context.Pick({4, 3, 2, 1})), MakeShape(context)};
+  if (!context.structs.empty() && context.Chance(20))
+    type.structure = static_cast<int>(context.Below(context.structs.size()));
+  const std::size_t dimensions = context.Pick({6, 2, 1});
+  for (std::size_t i = 0; i < dimensions; ++i) type.sizes.push_back(context.Between(1, 4));
   if (type.sizes.size() > 1 && type.shape.IsMatrix() && !context.Has(Feature::kMatrixGrids))
     type.sizes.pop_back();
   while (ComponentsOf(context.structs, type) > kMostComponents) {
@@ -102,18 +100,17 @@ Type MakeType(Context& context) {
 }
 
 std::string MakeInitial(Context& context, const Type& type, int depth) {
-  if (type.IsNumeric() && !context.choices.Chance(20)) {
+  if (type.IsNumeric() && !context.Chance(20)) {
     return Argument(MakeValue(context, type.kind, type.shape, depth));
   }
   if (!type.IsNumeric() && !context.only_literals) {
-    if (context.choices.Pick({1, 1}) == 1) {
+    if (context.Pick({1, 1}) == 1) {
       const Place place = MakePlaceOf(context, type, false);
       if (place.found) return place.text;
     }
-    if (type.IsStruct() && HasCall(context, type) && context.choices.Chance(40))
+    if (type.IsStruct() && HasCall(context, type) && context.Chance(40))
       return MakeCall(context, type, depth);
-    if (type.IsStruct() && context.choices.Chance(40))
-      return "(" + NameOf(context.structs, type) + ")0";
+    if (type.IsStruct() && context.Chance(40)) return "(" + NameOf(context.structs, type) + ")0";
   }
   std::string text = Components(context, type, std::min(depth, 2));
   return text.starts_with('{') && text.find('}') == text.size() - 1 ? text : "{" + text + "}";
@@ -122,7 +119,7 @@ std::string MakeInitial(Context& context, const Type& type, int depth) {
 std::string MakeStatic(Context& context) {
   const SpanOf span(context.choices);
   const Type type = MakeType(context);
-  const bool is_const = context.choices.Chance(30);
+  const bool is_const = context.Chance(30);
   const std::string name = context.FreshName("s");
   const Temporarily literals(context.only_literals, !context.Has(Feature::kConstantFunctions));
   const std::string value = MakeInitial(context, type, is_const ? 1 : 2);
@@ -135,18 +132,17 @@ std::string MakeFunction(Context& context) {
   const SpanOf span(context.choices);
   Function function;
   function.name = "f" + std::to_string(context.names++);
-  function.is_void = context.choices.Chance(25);
+  function.is_void = context.Chance(25);
   if (!function.is_void) function.result = MakePassedType(context);
   const ScopeOf scope(context);
   std::string head;
   Repeat(context.choices, 3, 60, [&](int) {
     Parameter parameter{context.FreshName("p"), MakePassedType(context)};
     constexpr const char* kDirections[] = {"", "out ", "inout "};
-    parameter.direction =
-        static_cast<Direction>(context.choices.Pick({3, context.effects ? 1u : 0u, 1}));
+    parameter.direction = static_cast<Direction>(context.Pick({3, context.effects ? 1u : 0u, 1}));
     const auto direction = static_cast<std::size_t>(parameter.direction);
     function.writes |= parameter.direction != Direction::kIn;
-    const char* spelled = parameter.direction == Direction::kIn && context.choices.Chance(20)
+    const char* spelled = parameter.direction == Direction::kIn && context.Chance(20)
                               ? "in "
                               : kDirections[direction];
     head += (head.empty() ? "" : ", ") + std::string(spelled) +

@@ -26,19 +26,18 @@ Expr MakeLiteral(Context& context, Kind kind, Shape shape) {
   constexpr double kInts[] = {0, 1, 2, 3, 5, 7, 8, -1, -2, -5, 4};
   const auto one = [&] {
     switch (kind) {
-      case Kind::kFloat: return Literal(kind, context.choices.OneOf(kFloats));
-      case Kind::kInt: return Literal(kind, context.choices.OneOf(kInts));
+      case Kind::kFloat: return Literal(kind, context.OneOf(kFloats));
+      case Kind::kInt: return Literal(kind, context.OneOf(kInts));
       case Kind::kUint: {
-        const bool is_wild = context.Has(Feature::kWildInts) && context.choices.Chance(10);
-        return Literal(kind,
-                       is_wild ? 0xffffffff - context.choices.Below(9) : context.choices.Below(9));
+        const bool is_wild = context.Chance(Feature::kWildInts, 10);
+        return Literal(kind, is_wild ? 0xffffffff - context.Below(9) : context.Below(9));
       }
-      case Kind::kBool: return Literal(kind, context.choices.Below(2));
+      case Kind::kBool: return Literal(kind, context.Below(2));
     }
     return Expr{};
   };
   if (shape.IsScalar()) return one();
-  if (context.choices.Pick({3, 1}) == 1) return Reshape(context, one(), shape);
+  if (context.Pick({3, 1}) == 1) return Reshape(context, one(), shape);
   Expr all = one();
   std::string text = NameOf(kind, shape) + "(" + all.text;
   for (int i = 1; i < shape.Components(); ++i) {
@@ -51,7 +50,7 @@ Expr MakeLiteral(Context& context, Kind kind, Shape shape) {
 
 Expr MakeRead(Context& context, Kind kind, Shape shape, int depth) {
   Kind from = kind;
-  if (context.choices.Chance(15)) from = context.choices.OneOf(kKinds);
+  if (context.Chance(15)) from = context.OneOf(kKinds);
   const Place place = MakePlace(context, from, false, depth);
   if (!place.found) return MakeLiteral(context, kind, shape);
   const Expr value{place.text, Level::kPostfix, place.kind, place.shape, place.range};
@@ -62,14 +61,14 @@ Expr MakeRead(Context& context, Kind kind, Shape shape, int depth) {
 // itself, with no loss.
 Expr MakeOperand(Context& context, Kind kind, Shape shape, int depth) {
   Kind from = kind;
-  if (context.choices.Chance(12)) {
-    from = static_cast<Kind>(context.choices.Pick({1, 2, 2, 1}));
+  if (context.Chance(12)) {
+    from = static_cast<Kind>(context.Pick({1, 2, 2, 1}));
     const auto rank = [](Kind of) {
       return of == Kind::kFloat ? 3 : of == Kind::kUint ? 2 : of == Kind::kInt ? 1 : 0;
     };
     if (rank(from) > rank(kind)) from = kind;
   }
-  const Shape own = context.choices.Chance(15) ? kScalar : shape;
+  const Shape own = context.Chance(15) ? kScalar : shape;
   Expr value = MakeExpr(context, from, own, depth);
   if (from == kind) return value;
   if (!CanConvert(value.range, from, kind)) value = Fit(context, value, VariableRange(from));
@@ -83,11 +82,11 @@ void MakeSmall(Context& context, Expr& a, Expr& b) {
 }
 
 Expr MakeFloatOperation(Context& context, Shape shape, int depth) {
-  const std::size_t choice = context.choices.Pick({4, 3, 4, 1, 1});
+  const std::size_t choice = context.Pick({4, 3, 4, 1, 1});
   Expr a = MakeExpr(context, Kind::kFloat, shape, depth - 1);
   if (choice >= 3) {
     constexpr double kPowers[] = {2, 4, 0.5, -2};
-    const double by = context.choices.OneOf(kPowers);
+    const double by = context.OneOf(kPowers);
     const Expr divisor = Literal(Kind::kFloat, by);
     const bool divides = choice == 3;
     Range range = Product(a.range, {1 / by, 1 / by, by > 1 || by < -1 ? 2 : 0});
@@ -104,7 +103,7 @@ Expr MakeFloatOperation(Context& context, Shape shape, int depth) {
   if (!IsExact(range())) b = Fit(context, MakeExpr(context, Kind::kFloat, shape, 0), kSmallFloats);
   constexpr Operator kOperators[] = {
       {"+", Level::kSum}, {"-", Level::kSum}, {"*", Level::kProduct}};
-  if (context.choices.Chance(50) && choice != 1) std::swap(a, b);
+  if (context.Chance(50) && choice != 1) std::swap(a, b);
   return Binary(a, kOperators[choice], b, Kind::kFloat, shape, range());
 }
 
@@ -126,17 +125,16 @@ Expr MakeIntegerOperation(Context& context, Kind kind, Shape shape, int depth) {
       {"+", Level::kSum},     {"-", Level::kSum},    {"*", Level::kProduct}, {"&", Level::kAnd},
       {"|", Level::kOr},      {"^", Level::kXor},    {"<<", Level::kShift},  {">>", Level::kShift},
       {"/", Level::kProduct}, {"%", Level::kProduct}};
-  const std::size_t choice = context.choices.Pick({4, 3, 3, 2, 2, 2, 2, 2, 2, 2});
+  const std::size_t choice = context.Pick({4, 3, 3, 2, 2, 2, 2, 2, 2, 2});
   const Operator& op = kOperators[choice];
   Expr a = MakeExpr(context, kind, shape, depth - 1);
   if (choice >= 8) {
-    const Expr b =
-        MakeDivisor(context, kind, context.choices.Chance(30) ? kScalar : shape, depth - 1);
+    const Expr b = MakeDivisor(context, kind, context.Chance(30) ? kScalar : shape, depth - 1);
     const Range range = choice == 8 ? a.range : a.range.low < 0 ? Range{-16, 16} : Range{0, 16};
     return Binary(a, op, b, kind, shape, range);
   }
   if (choice == 6 || choice == 7) {
-    const Expr b = MakeExpr(context, kind, context.choices.Chance(30) ? kScalar : shape, depth - 1);
+    const Expr b = MakeExpr(context, kind, context.Chance(30) ? kScalar : shape, depth - 1);
     return Binary(a, op, b, kind, shape,
                   choice == 6       ? Wild(kind)
                   : a.range.low < 0 ? a.range
@@ -154,7 +152,7 @@ Expr MakeIntegerOperation(Context& context, Kind kind, Shape shape, int depth) {
     }
     default: range = BitsRange(kind, a.range, b.range);
   }
-  if (choice != 1 && context.choices.Chance(30)) std::swap(a, b);
+  if (choice != 1 && context.Chance(30)) std::swap(a, b);
   return Binary(a, op, b, kind, shape, range);
 }
 
@@ -163,16 +161,16 @@ Expr MakeBoolOperation(Context& context, Shape shape, int depth) {
                                      {"<=", Level::kRelation},   {">=", Level::kRelation},
                                      {"==", Level::kEquality},   {"!=", Level::kEquality},
                                      {"&&", Level::kLogicalAnd}, {"||", Level::kLogicalOr}};
-  const std::size_t choice = context.choices.Pick({2, 2, 2, 2, 2, 2, 4, 4});
+  const std::size_t choice = context.Pick({2, 2, 2, 2, 2, 2, 4, 4});
   if (choice >= 6) {
     const Expr a = MakeExpr(context, Kind::kBool, shape, depth - 1);
     const Expr b =
-        depth > 0 && MayHaveEffects(context) && context.choices.Chance(50)
+        depth > 0 && MayHaveEffects(context) && context.Chance(50)
             ? Convert(context, MakeEffect(context, Kind::kInt, shape, depth - 1), Kind::kBool)
             : MakeExpr(context, Kind::kBool, shape, depth - 1);
     return Binary(a, kOperators[choice], b, Kind::kBool, shape, {0, 1});
   }
-  const Kind kind = static_cast<Kind>(context.choices.Pick({4, 3, 2, choice < 4 ? 0u : 1u}));
+  const Kind kind = static_cast<Kind>(context.Pick({4, 3, 2, choice < 4 ? 0u : 1u}));
   const Expr a = MakeExpr(context, kind, shape, depth - 1);
   const Expr b = MakeOperand(context, kind, shape, depth - 1);
   return Binary(a, kOperators[choice], b, Kind::kBool, shape, {0, 1});
@@ -188,14 +186,13 @@ Expr MakeOperation(Context& context, Kind kind, Shape shape, int depth) {
 
 Expr MakeUnary(Context& context, Kind kind, Shape shape, int depth) {
   // The bits of a negative number, which the compiler makes one: GLSL reads `--2` as a decrement.
-  const bool is_negative =
-      kind == Kind::kInt && context.Has(Feature::kWildInts) && context.choices.Chance(10);
+  const bool is_negative = kind == Kind::kInt && context.Chance(Feature::kWildInts, 10);
   const Expr a =
       is_negative
           ? Reshape(context, Convert(context, Literal(Kind::kUint, 0xfffffffe), kind), shape)
           : MakeExpr(context, kind, shape, depth - 1);
   if (kind == Kind::kBool) return {"!" + At(a, Level::kUnary), Level::kUnary, kind, shape, a.range};
-  const bool inverts = IsInteger(kind) && context.choices.Chance(40);
+  const bool inverts = IsInteger(kind) && context.Chance(40);
   const std::string operand = At(a, Level::kUnary);
   const bool has_sign = operand[0] == '-';
   const Range negated = Negated(a.range);
@@ -207,7 +204,7 @@ Expr MakeUnary(Context& context, Kind kind, Shape shape, int depth) {
 }
 
 Expr MakeConversion(Context& context, Kind kind, Shape shape, int depth) {
-  const Kind from = context.choices.OneOf(kKinds);
+  const Kind from = context.OneOf(kKinds);
   return Convert(context, MakeExpr(context, from, shape, depth - 1), kind);
 }
 
@@ -218,7 +215,7 @@ Expr MakeConstructor(Context& context, Kind kind, Shape shape, int depth) {
   Range range;
   int left = shape.Components();
   for (bool first = true; left > 0; first = false) {
-    const int size = context.choices.Between(1, std::min(left, 4));
+    const int size = context.Between(1, std::min(left, 4));
     const Expr part = MakeExpr(context, kind, {0, size}, depth - 1);
     range = first ? part.range : Union(range, part.range);
     text += (first ? "" : ", ") + Argument(part);
@@ -228,7 +225,7 @@ Expr MakeConstructor(Context& context, Kind kind, Shape shape, int depth) {
 }
 
 Expr MakeChoice(Context& context, Kind kind, Shape shape, int depth) {
-  const bool by_component = context.model < 60 && !shape.IsScalar() && context.choices.Chance(60);
+  const bool by_component = context.model < 60 && !shape.IsScalar() && context.Chance(60);
   Expr condition = MakeExpr(context, Kind::kBool, by_component ? shape : kScalar, depth - 1);
   const Temporarily no_effects(context.effects,
                                context.effects && context.Has(Feature::kEffectsInChoices));
@@ -241,9 +238,8 @@ Expr MakeChoice(Context& context, Kind kind, Shape shape, int depth) {
 
 // (a = b), a++, (f(), a), (a /= b), (a = 3 - a)
 Expr MakeEffect(Context& context, Kind kind, Shape shape, int depth) {
-  const std::size_t choice = context.indices == Indices::kWriting
-                                 ? context.choices.Pick({0, 1, 0, 1, 2})
-                                 : context.choices.Pick({3, 4, 1, 1, 1});
+  const std::size_t choice = context.indices == Indices::kWriting ? context.Pick({0, 1, 0, 1, 2})
+                                                                  : context.Pick({3, 4, 1, 1, 1});
   const bool mirrors = choice == 4 && kind != Kind::kBool;
   const Place place = [&] {
     // A place that stands twice has constant indices.
@@ -255,7 +251,7 @@ Expr MakeEffect(Context& context, Kind kind, Shape shape, int depth) {
                        place.range.high > 1e6;
   Expr value{place.text, Level::kPostfix, kind, place.shape, place.range};
   if (choice == 1 && is_wild) {
-    const bool adds = context.choices.Chance(50), before = context.choices.Chance(50);
+    const bool adds = context.Chance(50), before = context.Chance(50);
     const std::string sign = adds ? "++" : "--";
     value.text = before ? sign + place.text : place.text + sign;
     value.level = before ? Level::kUnary : Level::kPostfix;
@@ -269,7 +265,7 @@ Expr MakeEffect(Context& context, Kind kind, Shape shape, int depth) {
     const Expr ends = Literal(kind, place.range.low + place.range.high);
     return Binary(ends, {"-", Level::kSum}, value, kind, place.shape, place.range);
   }();
-  const char* op = !divides ? " = " : context.choices.Chance(50) ? " %= " : " /= ";
+  const char* op = !divides ? " = " : context.Chance(50) ? " %= " : " /= ";
   value.text = place.text + op + At(right, Level::kAssignment);
   value.level = Level::kAssignment;
   if (choice == 2) {
@@ -314,10 +310,10 @@ Expr MakeExpr(Context& context, Kind kind, Shape shape, int depth) {
   const SpanOf span(context.choices);
   if (context.only_literals) return MakeLiteral(context, kind, shape);
   if (depth <= 0 || context.choices.IsSpent()) {
-    return context.choices.Pick({1, 2}) == 0 ? MakeLiteral(context, kind, shape)
-                                             : MakeRead(context, kind, shape, 0);
+    return context.Pick({1, 2}) == 0 ? MakeLiteral(context, kind, shape)
+                                     : MakeRead(context, kind, shape, 0);
   }
-  switch (context.choices.Pick({2, 8, 8, 2, 2, 3, 6, 3, 4, MayHaveEffects(context) ? 3u : 0u})) {
+  switch (context.Pick({2, 8, 8, 2, 2, 3, 6, 3, 4, MayHaveEffects(context) ? 3u : 0u})) {
     case 0: return MakeLiteral(context, kind, shape);
     case 1: return MakeRead(context, kind, shape, depth - 1);
     case 2: return MakeOperation(context, kind, shape, depth);
@@ -347,11 +343,11 @@ Expr MakeDivisor(Context& context, Kind kind, Shape shape, int depth) {
 Expr MakeIndex(Context& context, int count, int depth) {
   const bool may_write = depth > 0 && MayHaveEffects(context);
   const bool writes = context.indices == Indices::kWriting && may_write;
-  if ((context.choices.Pick({2, 1}) == 0 && !writes) || context.indices == Indices::kConstant)
-    return Literal(Kind::kInt, context.choices.Below(static_cast<std::uint32_t>(count)));
-  const Kind kind = context.choices.Chance(40) ? Kind::kUint : Kind::kInt;
+  if ((context.Pick({2, 1}) == 0 && !writes) || context.indices == Indices::kConstant)
+    return Literal(Kind::kInt, context.Below(count));
+  const Kind kind = context.Chance(40) ? Kind::kUint : Kind::kInt;
   const Range range{0, static_cast<double>(count - 1)};
-  if (may_write && (writes || context.choices.Chance(40)))
+  if (may_write && (writes || context.Chance(40)))
     return Fit(context, MakeEffect(context, kind, kScalar, depth), range);
   return MakeIn(context, kind, kScalar, range, depth);
 }

@@ -23,10 +23,10 @@ Expr LeafOf(Context& context, const Variable& variable) {
   std::string text = variable.name;
   while (!type.IsNumeric()) {
     if (type.IsArray()) {
-      text += "[" + std::to_string(context.choices.Between(0, type.sizes[0] - 1)) + "]";
+      text += "[" + std::to_string(context.Between(0, type.sizes[0] - 1)) + "]";
       type = type.Element();
     } else {
-      const Field& field = context.choices.OneOf(context.structs[type.structure].fields);
+      const Field& field = context.OneOf(context.structs[type.structure].fields);
       text += "." + field.name;
       type = field.type;
     }
@@ -58,17 +58,17 @@ EntryInputs MakeInputs(Context& context, bool keeps) {
   int left = kMostInputs;
   Struct structure{"Inputs" + std::to_string(context.names++), {}};
   // The chance of an input to be a field: a struct with many may have some that nothing reads.
-  const std::uint32_t fields_percent = context.choices.Chance(50) ? 90 : 40;
+  const std::uint32_t fields_percent = context.Chance(50) ? 90 : 40;
   Repeat(context.choices, 5, 70, [&](int i) {
-    Type type{static_cast<Kind>(context.choices.Pick({4, 3, 2, 1})), {0, 4}};
+    Type type{static_cast<Kind>(context.Pick({4, 3, 2, 1})), {0, 4}};
     type.shape = MakeShape(context);
-    if (context.choices.Chance(15)) type.sizes.push_back(context.choices.Between(1, 3));
+    if (context.Chance(15)) type.sizes.push_back(context.Between(1, 3));
     if (VectorsOf(type) > left) return;
     left -= VectorsOf(type);
     const std::string name = "in" + std::to_string(context.names++);
     const std::string text =
         Declaration(context.structs, type, name) + " : " + static_cast<char>('A' + i) + "IN0";
-    if (context.Has(Feature::kStructs) && context.choices.Chance(fields_percent)) {
+    if (context.Chance(Feature::kStructs, fields_percent)) {
       fields += "  " + text + ";\n";
       structure.fields.push_back({name, type});
     } else {
@@ -84,13 +84,13 @@ EntryInputs MakeInputs(Context& context, bool keeps) {
     add(structure.name + " inputs");
     context.Add({"inputs", type, true, Holds::kInput});
   }
-  if (context.choices.Chance(20)) {
+  if (context.Chance(20)) {
     add("uint vertex : SV_VertexID");
     Variable counter{"vertex", {Kind::kUint, kScalar}, false, Holds::kCounter};
     counter.greatest = 15;
     context.Add(counter);
   }
-  if (context.choices.Chance(10)) {
+  if (context.Chance(10)) {
     add("uint instance : SV_InstanceID");
     Variable counter{"instance", {Kind::kUint, kScalar}, false, Holds::kCounter};
     counter.greatest = 2;
@@ -116,7 +116,7 @@ EntryOutputs MakeOutputs(Context& context, bool soft) {
   const std::vector<const Variable*> visible = context.Visible();
   for (const Variable* variable : visible) {
     // The compiler may leave out a variable on which no output depends.
-    if (context.choices.Chance(15)) continue;
+    if (context.Chance(15)) continue;
     const bool has_fields = variable->type.IsStruct();
     const std::size_t fields =
         has_fields ? context.structs[variable->type.structure].fields.size() : 1;

@@ -20,7 +20,7 @@ Expr Call(const std::string& name, std::initializer_list<const Expr*> arguments,
 
 Expr MakeRounding(Context& context, Shape shape, int depth) {
   constexpr const char* kNames[] = {"floor", "ceil", "round", "trunc"};
-  const char* name = context.choices.OneOf(kNames);
+  const char* name = context.OneOf(kNames);
   const Expr a = MakeExpr(context, Kind::kFloat, shape, depth - 1);
   return Call(name, {&a}, Kind::kFloat, shape, RoundedDown(a.range));
 }
@@ -28,13 +28,13 @@ Expr MakeRounding(Context& context, Shape shape, int depth) {
 Expr MakeLimited(Context& context, Kind kind, Shape shape, int depth) {
   const Expr a = MakeExpr(context, kind, shape, depth - 1);
   const Expr b = MakeExpr(context, kind, shape, depth - 1);
-  switch (context.choices.Pick({1, 1, 1})) {
+  switch (context.Pick({1, 1, 1})) {
     case 0: return Call("min", {&a, &b}, kind, shape, Least(a.range, b.range));
     case 1: return Call("max", {&a, &b}, kind, shape, Greatest(a.range, b.range));
     default: break;
   }
   // clamp's bounds are in order: which one wins otherwise is nobody's promise.
-  const double low = context.choices.Between(0, 4), size = context.choices.Between(1, 9);
+  const double low = context.Between(0, 4), size = context.Between(1, 9);
   const Expr least = Literal(kind, low), greatest = Literal(kind, low + size);
   return Call("clamp", {&a, &least, &greatest}, kind, shape,
               {std::clamp(a.range.low, low, low + size), std::clamp(a.range.high, low, low + size),
@@ -62,8 +62,8 @@ Expr MakeMad(Context& context, Kind kind, Shape shape, int depth) {
 Expr MakeLerp(Context& context, Shape shape, int depth) {
   const Expr a = MakeIn(context, Kind::kFloat, shape, kSmallFloats, depth - 1);
   const Expr b = MakeIn(context, Kind::kFloat, shape, kSmallFloats, depth - 1);
-  const Expr s = MakeIn(context, Kind::kFloat, context.choices.Chance(40) ? kScalar : shape,
-                        {-2, 2, 2}, depth - 1);
+  const Expr s =
+      MakeIn(context, Kind::kFloat, context.Chance(40) ? kScalar : shape, {-2, 2, 2}, depth - 1);
   const Range range = Sum(a.range, Product(s.range, Sum(b.range, Negated(a.range))));
   return Call("lerp", {&a, &b, &s}, Kind::kFloat, shape, range);
 }
@@ -71,9 +71,9 @@ Expr MakeLerp(Context& context, Shape shape, int depth) {
 Expr MakeStep(Context& context, Shape shape, int depth) {
   const Expr a = MakeExpr(context, Kind::kFloat, shape, depth - 1);
   const Expr b = MakeExpr(context, Kind::kFloat, shape, depth - 1);
-  if (context.choices.Chance(30)) {
-    const Expr low = Literal(Kind::kFloat, context.choices.Between(0, 2));
-    const Expr high = Literal(Kind::kFloat, low.range.low + (context.choices.Chance(50) ? 4 : 2));
+  if (context.Chance(30)) {
+    const Expr low = Literal(Kind::kFloat, context.Between(0, 2));
+    const Expr high = Literal(Kind::kFloat, low.range.low + (context.Chance(50) ? 4 : 2));
     const Expr x = Fit(context, a, kSmallFloats);
     return Call("smoothstep", {&low, &high, &x}, Kind::kFloat, shape, {0, 1, 14});
   }
@@ -82,7 +82,7 @@ Expr MakeStep(Context& context, Shape shape, int depth) {
 
 Expr MakeFraction(Context& context, Shape shape, int depth) {
   const Expr a = MakeExpr(context, Kind::kFloat, shape, depth - 1);
-  if (context.choices.Chance(50))
+  if (context.Chance(50))
     return Call("saturate", {&a}, Kind::kFloat, shape, {0, 1, a.range.fraction});
   return Call("frac", {&a}, Kind::kFloat, shape, {0, 1, a.range.fraction});
 }
@@ -98,14 +98,14 @@ Expr MakeLdexp(Context& context, Shape shape, int depth) {
 
 // dot, and the product of vectors and matrices.
 Expr MakeProduct(Context& context, Kind kind, Shape shape, int depth) {
-  const int inner = context.choices.Between(1, 4);
+  const int inner = context.Between(1, 4);
   Shape left{shape.rows, inner}, right{inner, shape.columns};
   const bool is_dot = shape.IsScalar();
   if (is_dot) {
     left = right = {0, std::max(inner, 2)};
   } else if (!shape.IsMatrix()) {
     left = {0, inner};
-    if (inner == 1 || context.choices.Chance(50)) {
+    if (inner == 1 || context.Chance(50)) {
       left = {shape.columns, std::max(inner, 2)};
       right = {0, std::max(inner, 2)};
     }
@@ -119,7 +119,7 @@ Expr MakeProduct(Context& context, Kind kind, Shape shape, int depth) {
   Range range = Times(Product(a.range, b.range), 4);
   if (kind != Kind::kFloat) range = Integers(kind, range.low, range.high);
   range.low = std::min(range.low, 0.0), range.high = std::max(range.high, 0.0);
-  const char* name = is_dot && context.choices.Chance(60) ? "dot" : "mul";
+  const char* name = is_dot && context.Chance(60) ? "dot" : "mul";
   return Call(name, {&a, &b}, kind, shape, range);
 }
 
@@ -133,16 +133,16 @@ Expr MakeGeometry(Context& context, Shape shape, int depth) {
     return Call("transpose", {&m}, f, shape, m.range);
   }
   if (shape.IsScalar()) {
-    const int size = context.choices.Between(2, 4);
+    const int size = context.Between(2, 4);
     const Expr m = MakeIn(context, f, {size, size}, kUnit, depth - 1);
     // Up to 24 products of four numbers of 2 fractional bits up to 4.
     return Call("determinant", {&m}, f, shape, {-24 * 256, 24 * 256, 2 * size});
   }
   const Expr a = MakeIn(context, f, shape, kUnit, depth - 1);
   const Expr b = MakeIn(context, f, shape, kUnit, depth - 1);
-  if (shape.columns == 3 && context.choices.Chance(40))
+  if (shape.columns == 3 && context.Chance(40))
     return Call("cross", {&a, &b}, f, shape, {-32, 32, 4});
-  if (context.choices.Chance(50)) return Call("reflect", {&a, &b}, f, shape, {-516, 516, 6});
+  if (context.Chance(50)) return Call("reflect", {&a, &b}, f, shape, {-516, 516, 6});
   const Expr c = MakeIn(context, f, shape, kUnit, depth - 1);
   return Call("faceforward", {&a, &b, &c}, f, shape, kUnit);
 }
@@ -158,43 +158,38 @@ Expr MakePositive(Context& context, Shape shape, int depth) {
 // asfloat(asint(x)) of a float without surprises.
 Expr MakeBitsOfFloat(Context& context, Kind kind, Shape shape, int depth) {
   const Expr a = MakePositive(context, shape, depth - 1);
-  const Expr bits =
-      Call(context.choices.Chance(50) ? "asuint" : "asint", {&a}, Kind::kInt, shape, {});
+  const Expr bits = Call(context.Chance(50) ? "asuint" : "asint", {&a}, Kind::kInt, shape, {});
   return Call("asfloat", {&bits}, kind, shape, a.range);
 }
 
 Expr MakeBits(Context& context, Kind kind, Shape shape, int depth) {
-  if (context.choices.Chance(25)) {
+  if (context.Chance(25)) {
     const Expr a = MakePositive(context, shape, depth - 1);
     return Call(kind == Kind::kInt ? "asint" : "asuint", {&a}, kind, shape,
                 {0x1p23 * 120, 0x1p23 * 140});
   }
   const Expr a = MakeExpr(context, kind, shape, depth - 1);
   if (kind == Kind::kInt) return Call("asint", {&a}, kind, shape, a.range);
-  const bool first = context.Has(Feature::kFirstBits) && context.choices.Chance(40);
-  if (first && context.choices.Chance(50))
-    return Call("firstbithigh", {&a}, kind, shape, Wild(kind));
+  const bool first = context.Chance(Feature::kFirstBits, 40);
+  if (first && context.Chance(50)) return Call("firstbithigh", {&a}, kind, shape, Wild(kind));
   if (first) return Call("firstbitlow", {&a}, kind, shape, Wild(kind));
-  if (context.choices.Chance(50)) return Call("reversebits", {&a}, kind, shape, Wild(kind));
+  if (context.Chance(50)) return Call("reversebits", {&a}, kind, shape, Wild(kind));
   return Call("countbits", {&a}, kind, shape, {0, 32});
 }
 
 Expr MakeSign(Context& context, Shape shape, int depth) {
-  const Kind of = context.choices.Chance(50) ? Kind::kFloat : Kind::kInt;
+  const Kind of = context.Chance(50) ? Kind::kFloat : Kind::kInt;
   const Expr a = MakeExpr(context, of, shape, depth - 1);
   return Call("sign", {&a}, Kind::kInt, shape, {-1, 1});
 }
 
 // any and all, of a value of any kind and shape.
 Expr MakeAny(Context& context, Shape shape, int depth) {
-  const Kind of = static_cast<Kind>(context.choices.Pick({2, 2, 1, 4}));
-  const Shape from{context.Has(Feature::kMatrices) && context.choices.Chance(30)
-                       ? context.choices.Between(1, 4)
-                       : 0,
-                   context.choices.Between(1, 4)};
+  const Kind of = static_cast<Kind>(context.Pick({2, 2, 1, 4}));
+  const Shape from{context.Chance(Feature::kMatrices, 30) ? context.Between(1, 4) : 0,
+                   context.Between(1, 4)};
   const Expr a = MakeExpr(context, of, from, depth - 1);
-  const Expr result =
-      Call(context.choices.Chance(50) ? "any" : "all", {&a}, Kind::kBool, kScalar, {0, 1});
+  const Expr result = Call(context.Chance(50) ? "any" : "all", {&a}, Kind::kBool, kScalar, {0, 1});
   return Reshape(context, result, shape);
 }
 
@@ -204,7 +199,7 @@ bool HasBits(const Context& context) {
 
 Expr MakeFloat(Context& context, Shape shape, int depth) {
   constexpr Kind kFloat = Kind::kFloat;
-  switch (context.choices.Pick({3, 3, 3, 2, 2, 2, 2, 1, 4, 3, 1})) {
+  switch (context.Pick({3, 3, 3, 2, 2, 2, 2, 1, 4, 3, 1})) {
     case 0: return MakeAbsolute(context, kFloat, shape, depth);
     case 1: return MakeLimited(context, kFloat, shape, depth);
     case 2: return MakeRounding(context, shape, depth);
@@ -227,7 +222,7 @@ Expr MakeIntrinsic(Context& context, Kind kind, Shape shape, int depth) {
     return IsExact(made.range) ? made : MakeExpr(context, kind, shape, 0);
   }
   if (kind == Kind::kBool) return MakeAny(context, shape, depth);
-  switch (context.choices.Pick({2, 3, 1, 2, 2, HasBits(context) ? 2u : 0u})) {
+  switch (context.Pick({2, 3, 1, 2, 2, HasBits(context) ? 2u : 0u})) {
     case 0:
       return kind == Kind::kInt ? MakeAbsolute(context, kind, shape, depth)
                                 : MakeLimited(context, kind, shape, depth);

@@ -25,7 +25,7 @@ std::string Descend(Context& context, std::string text, Type& type, Kind kind, i
     for (const Field& field : context.structs[type.structure].fields) {
       if (HasKind(context.structs, field.type, kind)) fields.push_back(&field);
     }
-    const Field* field = context.choices.OneOf(fields);
+    const Field* field = context.OneOf(fields);
     text += "." + field->name;
     type = field->type;
   }
@@ -37,7 +37,7 @@ std::vector<int> Components(Context& context, int from, int count) {
   std::vector<int> all, chosen;
   for (int i = 0; i < from; ++i) all.push_back(i);
   for (int i = 0; i < count; ++i) {
-    const std::uint32_t index = context.choices.Below(static_cast<std::uint32_t>(all.size()));
+    const std::uint32_t index = context.Below(all.size());
     chosen.push_back(all[index]);
     all.erase(all.begin() + index);
   }
@@ -51,11 +51,11 @@ std::uint32_t Often(const Context& context, int depth) {
 
 void TakeComponents(Context& context, Place& place, int depth) {
   if (place.shape.columns == 1) return;
-  switch (context.choices.Pick({3, 2, Often(context, depth)})) {
+  switch (context.Pick({3, 2, Often(context, depth)})) {
     case 0: return;
     case 1: {
-      const int count = context.choices.Between(1, place.shape.columns);
-      const char* letters = context.choices.Chance(20) ? "rgba" : "xyzw";
+      const int count = context.Between(1, place.shape.columns);
+      const char* letters = context.Chance(20) ? "rgba" : "xyzw";
       place.text += ".";
       for (const int i : Components(context, place.shape.columns, count)) place.text += letters[i];
       place.shape = {0, count};
@@ -69,7 +69,7 @@ void TakeComponents(Context& context, Place& place, int depth) {
 
 void TakePart(Context& context, Place& place, int depth) {
   if (!place.shape.IsMatrix()) return TakeComponents(context, place, depth);
-  switch (context.choices.Pick({3, 3 * Often(context, depth), 2})) {
+  switch (context.Pick({3, 3 * Often(context, depth), 2})) {
     case 0: return;
     case 1:
       place.text += "[" + MakeIndex(context, place.shape.rows, depth).text + "]";
@@ -77,8 +77,8 @@ void TakePart(Context& context, Place& place, int depth) {
       return TakeComponents(context, place, depth);
     default: {
       const int most = std::min(place.shape.Components(), 4);
-      const int count = context.choices.Between(1, most);
-      const bool from_one = context.choices.Chance(40);
+      const int count = context.Between(1, most);
+      const bool from_one = context.Chance(40);
       place.text += ".";
       for (const int i : Components(context, place.shape.Components(), count)) {
         const int row = i / place.shape.columns, column = i % place.shape.columns;
@@ -95,7 +95,7 @@ void Collect(Context& context, const std::string& text, const Type& type, const 
              std::vector<std::string>& found) {
   if (type == wanted) found.push_back(text);
   if (type.IsArray()) {
-    const int element = context.choices.Between(0, type.sizes[0] - 1);
+    const int element = context.Between(0, type.sizes[0] - 1);
     Collect(context, text + "[" + std::to_string(element) + "]", type.Element(), wanted, found);
   } else if (type.IsStruct()) {
     for (const Field& field : context.structs[type.structure].fields)
@@ -118,7 +118,7 @@ Place MakePlace(Context& context, Kind kind, bool writes, int depth) {
       candidates.push_back(variable);
   }
   if (candidates.empty()) return {};
-  const Variable* variable = context.choices.OneOf(candidates);
+  const Variable* variable = context.OneOf(candidates);
   Type type = variable->type;
   Place place;
   const Range range = RangeOf(*variable, kind);
@@ -146,7 +146,7 @@ Place MakePlaceOf(Context& context, const Type& type, bool writes) {
     owners.resize(found.size(), variable);
   }
   if (found.empty()) return {};
-  const std::uint32_t index = context.choices.Below(static_cast<std::uint32_t>(found.size()));
+  const std::uint32_t index = context.Below(found.size());
   context.Use(*owners[index], writes);
   Place place;
   place.text = found[index];

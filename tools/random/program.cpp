@@ -22,26 +22,26 @@ void ChooseSettings(Context& context, Program& program) {
   };
   constexpr Model kModels[] = {{"vs_5_0", 50}, {"vs_5_0", 50}, {"vs_4_0", 40}, {"vs_4_1", 41},
                                {"vs_5_1", 51}, {"vs_6_0", 60}, {"vs_6_6", 66}};
-  const Model& model = context.choices.OneOf(kModels);
+  const Model& model = context.OneOf(kModels);
   program.profile = model.profile;
   context.model = model.number;
-  program.row_major = context.choices.Chance(20);
-  program.negative_one_to_one = context.choices.Chance(30);
-  program.flip_y = context.choices.Chance(20);
+  program.row_major = context.Chance(20);
+  program.negative_one_to_one = context.Chance(30);
+  program.flip_y = context.Chance(20);
   constexpr const char* kLowerings[] = {"clip-distance", "clip-distance", "clip-distance", "none"};
-  program.lowering = context.choices.OneOf(kLowerings);
+  program.lowering = context.OneOf(kLowerings);
   constexpr const char* kSpaces[] = {"clip", "clip", "clip", "xyw1", "object"};
-  program.plane_space = context.choices.OneOf(kSpaces);
+  program.plane_space = context.OneOf(kSpaces);
   if (program.lowering == "none") program.plane_space = "clip";
-  program.inputs = context.choices.Below(1000);
-  program.target = context.choices.Below(60);
-  program.is_soft = context.Has(Feature::kSoftMath) && context.choices.Chance(33);
+  program.inputs = context.Below(1000);
+  program.target = context.Below(60);
+  program.is_soft = context.Chance(Feature::kSoftMath, 33);
 }
 
 std::string MakeEntry(Context& context, Program& program) {
-  const bool distances = context.Has(Feature::kDistances) && context.choices.Chance(10);
+  const bool distances = context.Chance(Feature::kDistances, 10);
   const std::string planes =
-      context.Has(Feature::kPlanes) && context.choices.Chance(50)
+      context.Chance(Feature::kPlanes, 50)
           ? MakePlanes(context, program.buffers, program.lowering != "none", distances ? 4 : 6)
           : "";
   const ScopeOf scope(context);
@@ -57,7 +57,7 @@ std::string MakeEntry(Context& context, Program& program) {
   body += position(2);
   EntryOutputs outputs = MakeOutputs(context, program.is_soft);
   if (distances) {
-    const bool culls = !planes.empty() || context.choices.Chance(30);
+    const bool culls = !planes.empty() || context.Chance(30);
     context.EndExpression();
     outputs.fields += std::string("  float2 distances : ") +
                       (culls ? "SV_CullDistance0" : "SV_ClipDistance0") + ";\n";

@@ -19,7 +19,7 @@ Expr Clamped(Context& context, const Expr& value, const Range& range) {
   const std::string high = Literal(value.kind, range.high).text;
   Range fits{std::clamp(value.range.low, range.low, range.high),
              std::clamp(value.range.high, range.low, range.high), value.range.fraction};
-  if (context.choices.Chance(30)) {
+  if (context.Chance(30)) {
     const Expr least = Called("max", value, ", " + low, {});
     return Called("min", least, ", " + high, fits);
   }
@@ -29,17 +29,17 @@ Expr Clamped(Context& context, const Expr& value, const Range& range) {
 Expr FitFloat(Context& context, Expr value, const Range& range) {
   if (value.range.fraction > range.fraction) {
     constexpr const char* kRound[] = {"floor", "round", "trunc", "ceil"};
-    value = Called(context.choices.OneOf(kRound), value, "", RoundedDown(value.range));
+    value = Called(context.OneOf(kRound), value, "", RoundedDown(value.range));
     if (value.range.IsWithin(range.low, range.high)) return value;
   }
   const double power = std::exp2(std::floor(std::log2(std::min(-range.low, range.high))));
-  const std::size_t choice = context.choices.Pick({3, 1, 1});
+  const std::size_t choice = context.Pick({3, 1, 1});
   if (choice == 1 && range.low <= 0 && range.high >= 1)
     return Called("frac", value, "", {0, 1, value.range.fraction});
   if (choice == 2 && power >= 1) {
     const std::string divisor = Literal(Kind::kFloat, power).text;
     const Range fits{-power, power, value.range.fraction};
-    if (context.choices.Chance(50)) return Called("fmod", value, ", " + divisor, fits);
+    if (context.Chance(50)) return Called("fmod", value, ", " + divisor, fits);
     return {At(value, Level::kProduct) + " % " + divisor, Level::kProduct, value.kind, value.shape,
             fits};
   }
@@ -47,7 +47,7 @@ Expr FitFloat(Context& context, Expr value, const Range& range) {
 }
 
 Expr FitInteger(Context& context, const Expr& value, const Range& range) {
-  const std::size_t choice = context.choices.Pick({1, 2, 1});
+  const std::size_t choice = context.Pick({1, 2, 1});
   if (choice == 1 && range.low <= 0) {
     double mask = 1;
     while (mask * 2 - 1 <= range.high) mask *= 2;
@@ -68,19 +68,18 @@ Expr FitInteger(Context& context, const Expr& value, const Range& range) {
 }
 
 std::string RandomSwizzle(Context& context, int from, int to) {
-  const char* letters = context.choices.Chance(25) ? "rgba" : "xyzw";
+  const char* letters = context.Chance(25) ? "rgba" : "xyzw";
   std::string text = ".";
-  for (int i = 0; i < to; ++i)
-    text += letters[context.choices.Below(static_cast<std::uint32_t>(from))];
+  for (int i = 0; i < to; ++i) text += letters[context.Below(from)];
   return text;
 }
 
 std::string RandomMatrixSwizzle(Context& context, Shape from, int to) {
-  const bool from_one = context.choices.Chance(40);
+  const bool from_one = context.Chance(40);
   std::string text = ".";
   for (int i = 0; i < to; ++i) {
-    const int row = context.choices.Between(0, from.rows - 1);
-    const int column = context.choices.Between(0, from.columns - 1);
+    const int row = context.Between(0, from.rows - 1);
+    const int column = context.Between(0, from.columns - 1);
     text += from_one ? "_" + std::to_string(row + 1) + std::to_string(column + 1)
                      : "_m" + std::to_string(row) + std::to_string(column);
   }
@@ -90,7 +89,7 @@ std::string RandomMatrixSwizzle(Context& context, Shape from, int to) {
 Expr Cast(Context& context, const Expr& value, Kind kind, Shape shape) {
   const std::string name = NameOf(kind, shape);
   // A constructor takes as many components as it makes.
-  if (value.shape.Components() == shape.Components() && context.choices.Chance(50))
+  if (value.shape.Components() == shape.Components() && context.Chance(50))
     return {name + "(" + Argument(value) + ")", Level::kPostfix, kind, shape, value.range};
   return {"(" + name + ")" + At(value, Level::kUnary), Level::kUnary, kind, shape, value.range};
 }
@@ -116,12 +115,12 @@ Expr ReshapeMatrix(Context& context, const Expr& value, Shape shape) {
     }
     return Reshape(context, Reshape(context, value, kScalar), shape);
   }
-  if (context.choices.Chance(40)) {
+  if (context.Chance(40)) {
     result.text = Swizzled(value, RandomMatrixSwizzle(context, value.shape, shape.columns));
     result.shape = shape;
     return result;
   }
-  const std::string row = std::to_string(context.choices.Between(0, value.shape.rows - 1));
+  const std::string row = std::to_string(context.Between(0, value.shape.rows - 1));
   result.text = Swizzled(value, "[" + row + "]");
   result.shape = {0, value.shape.columns};
   return Reshape(context, result, shape);
@@ -149,9 +148,8 @@ Expr Reshape(Context& context, Expr value, Shape shape) {
     return Reshape(context, Reshape(context, value, kScalar), shape);
   }
   const int columns = value.shape.columns;
-  if (columns == 1 && context.choices.Chance(50)) return Cast(context, value, value.kind, shape);
-  if (shape.columns < columns && context.choices.Chance(25))
-    return Cast(context, value, value.kind, shape);
+  if (columns == 1 && context.Chance(50)) return Cast(context, value, value.kind, shape);
+  if (shape.columns < columns && context.Chance(25)) return Cast(context, value, value.kind, shape);
   value.text = Swizzled(value, RandomSwizzle(context, columns, shape.columns));
   value.level = Level::kPostfix;
   value.shape = shape;
@@ -163,7 +161,7 @@ Expr Convert(Context& context, Expr value, Kind kind) {
   if (from == kind) return value;
   const bool to_integer = kind == Kind::kInt || kind == Kind::kUint;
   if (from == Kind::kFloat && to_integer && context.model < 60 &&
-      context.Has(Feature::kWideConversions) && context.choices.Chance(10)) {
+      context.Chance(Feature::kWideConversions, 10)) {
     value.text = At(value, Level::kProduct) + " * 1073741824.0";
     value.level = Level::kProduct;
     Expr wild = Cast(context, value, kind, value.shape);

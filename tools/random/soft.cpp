@@ -24,24 +24,24 @@ std::string MakeFunction(Context& context, int columns, int depth) {
   constexpr const char* kAny[] = {"sin", "cos", "atan", "tanh", "radians"};
   constexpr const char* kOfSmall[] = {"exp", "exp2", "sinh", "cosh"};
   constexpr const char* kOfPositive[] = {"sqrt", "rsqrt", "log", "log2", "log10", "rcp"};
-  switch (context.choices.Pick({4, 3, 4, 2, 2, 2, 1, 2})) {
-    case 0: return std::string(context.choices.OneOf(kAny)) + "(" + in(-8, 8) + ")";
-    case 1: return std::string(context.choices.OneOf(kOfSmall)) + "(" + in(-3, 3) + ")";
+  switch (context.Pick({4, 3, 4, 2, 2, 2, 1, 2})) {
+    case 0: return std::string(context.OneOf(kAny)) + "(" + in(-8, 8) + ")";
+    case 1: return std::string(context.OneOf(kOfSmall)) + "(" + in(-3, 3) + ")";
     case 2: {
-      std::string name = context.choices.OneOf(kOfPositive);
-      if (context.choices.Chance(10)) name = "sqrt";
+      std::string name = context.OneOf(kOfPositive);
+      if (context.Chance(10)) name = "sqrt";
       return name + "(" + positive() + ")";
     }
     case 3: return "pow(" + positive() + ", " + in(-2, 2) + ")";
     case 4: return "(" + in(-16, 16) + ") / (" + positive() + ")";
     case 5: return "atan2(" + in(-8, 8) + ", " + positive() + ")";
     case 6: {
-      const char* name = context.choices.Chance(50) ? "asin" : "acos";
+      const char* name = context.Chance(50) ? "asin" : "acos";
       return std::string(name) + "(" + in(-16, 16) + " * 0.046875)";
     }
     default: {
       const std::string vector = "float3(" + Float(context, 2, {-8, 8, 2}, depth) + ", 1.5)";
-      const char* name = context.choices.Chance(60) ? "normalize" : "length";
+      const char* name = context.Chance(60) ? "normalize" : "length";
       const std::string call = std::string(name) + "(" + vector + ")";
       if (name[0] == 'l')
         return columns == 1 ? call : "(float" + std::to_string(columns) + ")" + call;
@@ -55,13 +55,13 @@ std::string MakeFunction(Context& context, int columns, int depth) {
 std::string MakeSoft(Context& context, int columns, int depth) {
   const SpanOf span(context.choices);
   std::string text = MakeFunction(context, columns, depth);
-  if (context.Has(Feature::kPowerOfZero) && context.choices.Chance(10)) {
+  if (context.Chance(Feature::kPowerOfZero, 10)) {
     text = "pow(abs(" + Float(context, columns, {-4, 4, 0}, depth) + "), " +
            Float(context, columns, {-2, 2, 0}, depth) + ")";
   }
-  if (context.choices.Chance(40)) text += " * " + Literal(Kind::kFloat, 0.5).text;
+  if (context.Chance(40)) text += " * " + Literal(Kind::kFloat, 0.5).text;
   // The sum does not cancel: its error is compared with its size.
-  if (context.choices.Chance(40))
+  if (context.Chance(40))
     text = "abs(" + text + ") + abs(" + MakeFunction(context, columns, depth) + ")";
   return text;
 }

@@ -15,15 +15,15 @@ std::string Line(int indent, const std::string& text) { return Indent(indent) + 
 
 // Components of another kind or shape than the place has: they are converted without a cast.
 Expr MakeConvertible(Context& context, const Place& place) {
-  if (!context.choices.Chance(20)) {
+  if (!context.Chance(20)) {
     return MakeIn(context, place.kind, place.shape, place.range, kDepth);
   }
-  const Kind kind = context.choices.OneOf(kKinds);
+  const Kind kind = context.OneOf(kKinds);
   Shape shape = place.shape;
-  if (context.choices.Chance(30)) {
+  if (context.Chance(30)) {
     shape = kScalar;
-  } else if (!shape.IsMatrix() && context.choices.Chance(30)) {
-    shape.columns = context.choices.Between(shape.columns, 4);
+  } else if (!shape.IsMatrix() && context.Chance(30)) {
+    shape.columns = context.Between(shape.columns, 4);
   }
   Range range =
       IsWild(place) || place.kind == Kind::kBool ? VariableRange(Kind::kUint) : place.range;
@@ -32,8 +32,8 @@ Expr MakeConvertible(Context& context, const Place& place) {
 }
 
 std::string MakeAssignment(Context& context, int indent) {
-  const Kind kind = context.choices.OneOf(kKinds);
-  const bool is_pure = context.choices.Chance(30);
+  const Kind kind = context.OneOf(kKinds);
+  const bool is_pure = context.Chance(30);
   const Temporarily effects(context.effects, context.effects && !is_pure);
   const Place place = MakePlace(context, kind, true, 2);
   if (!place.found) return {};
@@ -44,10 +44,10 @@ std::string MakeAssignment(Context& context, int indent) {
 
 // `p op= value`, and then p is put back into its range.
 std::string MakeCompound(Context& context, int indent) {
-  const Kind kind = static_cast<Kind>(context.choices.Pick({4, 3, 2}));
+  const Kind kind = static_cast<Kind>(context.Pick({4, 3, 2}));
   // A place that is put back is written twice, so its indices are constants.
-  const auto indices = kind == Kind::kFloat ? Indices::kConstant
-                                            : static_cast<Indices>(context.choices.Pick({2, 1, 1}));
+  const auto indices =
+      kind == Kind::kFloat ? Indices::kConstant : static_cast<Indices>(context.Pick({2, 1, 1}));
   const bool computes = indices != Indices::kConstant;
   const Place place = [&] {
     const Temporarily chosen(context.indices, indices);
@@ -55,7 +55,7 @@ std::string MakeCompound(Context& context, int indent) {
   }();
   if (!place.found) return {};
   if (computes && !MayCompound(context, place)) return MakeAssignment(context, indent);
-  const Shape shape = context.choices.Chance(25) ? kScalar : place.shape;
+  const Shape shape = context.Chance(25) ? kScalar : place.shape;
   const auto fit = [&](const Range& range) {
     if (IsWild(place)) return std::string();
     Expr now{place.text, Level::kPostfix, kind, place.shape, range};
@@ -65,9 +65,9 @@ std::string MakeCompound(Context& context, int indent) {
   };
   if (kind == Kind::kFloat) {
     constexpr const char* kOperators[] = {" += ", " -= ", " *= ", " /= "};
-    const std::size_t choice = context.choices.Pick({3, 2, 3, 1});
+    const std::size_t choice = context.Pick({3, 2, 3, 1});
     Expr value = MakeIn(context, kind, shape, {-16, 16, 2}, kDepth);
-    if (choice == 3) value = Literal(kind, context.choices.Chance(50) ? 4 : 0.5);
+    if (choice == 3) value = Literal(kind, context.Chance(50) ? 4 : 0.5);
     Range range = Sum(place.range, value.range);
     if (choice == 1) range = Sum(place.range, Negated(value.range));
     if (choice >= 2) range = Product(place.range, {-16, 16, 2});
@@ -78,7 +78,7 @@ std::string MakeCompound(Context& context, int indent) {
   // A quotient and a remainder lie where the number did.
   const std::uint32_t other = computes && !IsWild(place) ? 0 : 2;
   const std::size_t choice =
-      context.choices.Pick({other, other, other, other, other, other, 1, 4, other / 2, other / 2});
+      context.Pick({other, other, other, other, other, other, 1, 4, other / 2, other / 2});
   const bool divides = choice == 6 || choice == 7;
   const Expr value =
       divides ? MakeDivisor(context, kind, shape, kDepth) : MakeExpr(context, kind, shape, kDepth);
@@ -97,7 +97,7 @@ std::string MakeWild(Context& context, const Type& type, const std::string& valu
 // An increment, of a new variable where there is none for it, and often a variable for its value.
 std::string MakeIncrement(Context& context, int indent) {
   if (!context.Has(Feature::kWildInts)) return MakeAssignment(context, indent);
-  const Kind kind = context.choices.Chance(50) ? Kind::kInt : Kind::kUint;
+  const Kind kind = context.Chance(50) ? Kind::kInt : Kind::kUint;
   Place place = MakePlace(context, kind, true, 1);
   std::string before, name;
   if (!place.found || !IsWild(place)) {
@@ -106,25 +106,25 @@ std::string MakeIncrement(Context& context, int indent) {
     const std::string value = Argument(MakeExpr(context, kind, place.shape, 2));
     before = MakeWild(context, {kind, place.shape}, value, place.text, indent);
   }
-  const char* sign = context.choices.Chance(50) ? "++" : "--";
-  const std::string text = context.choices.Chance(50) ? sign + place.text : place.text + sign;
-  if (context.choices.Chance(40)) return before + Line(indent, text);
+  const char* sign = context.Chance(50) ? "++" : "--";
+  const std::string text = context.Chance(50) ? sign + place.text : place.text + sign;
+  if (context.Chance(40)) return before + Line(indent, text);
   return before + MakeWild(context, {kind, place.shape}, text, name, indent);
 }
 
 std::string MakeDeclaration(Context& context, int indent) {
   const Type type = MakeType(context);
-  const bool is_const = context.choices.Chance(10);
-  const bool is_wild = type.structure < 0 && IsInteger(type.kind) &&
-                       context.Has(Feature::kWildInts) && context.choices.Chance(50);
+  const bool is_const = context.Chance(10);
+  const bool is_wild =
+      type.structure < 0 && IsInteger(type.kind) && context.Chance(Feature::kWildInts, 50);
   const std::string value = MakeInitial(context, type, kDepth);
   // Names that hide others do so from their own declaration on.
   std::string name = context.FreshName("v");
-  if (context.Has(Feature::kOddNames) && context.scopes.size() > 2 && context.choices.Chance(15)) {
+  if (context.Has(Feature::kOddNames) && context.scopes.size() > 2 && context.Chance(15)) {
     const auto& outer = context.scopes[context.scopes.size() - 2];
     const auto& here = context.scopes.back();
     if (!outer.empty()) {
-      const Variable& hidden = context.choices.OneOf(outer);
+      const Variable& hidden = context.OneOf(outer);
       if (hidden.holds != Holds::kCounter && value.find(hidden.name) == std::string::npos &&
           std::ranges::find(here, hidden.name, &Variable::name) == here.end())
         name = hidden.name;
@@ -150,22 +150,22 @@ std::string Condition(Context& context, int depth = kDepth) {
 
 std::string MakeIf(Context& context, int indent, int depth) {
   constexpr const char* kAttributes[] = {"", "", "[branch] ", "[flatten] "};
-  std::string text = Indent(indent) + context.choices.OneOf(kAttributes) + "if (" +
-                     Condition(context) + ") " + MakeBody(context, indent, depth);
-  if (context.choices.Chance(40)) text += " else " + MakeBody(context, indent, depth);
+  std::string text = Indent(indent) + context.OneOf(kAttributes) + "if (" + Condition(context) +
+                     ") " + MakeBody(context, indent, depth);
+  if (context.Chance(40)) text += " else " + MakeBody(context, indent, depth);
   return text + "\n";
 }
 
 std::string MakeFor(Context& context, int indent, int depth) {
-  const int turns = context.choices.Between(1, 4);
+  const int turns = context.Between(1, 4);
   constexpr const char* kAttributes[] = {"", "", "[unroll] ", "[loop] "};
-  const std::string attribute = context.choices.OneOf(kAttributes);
-  const Kind kind = context.choices.Chance(30) ? Kind::kUint : Kind::kInt;
+  const std::string attribute = context.OneOf(kAttributes);
+  const Kind kind = context.Chance(30) ? Kind::kUint : Kind::kInt;
   const ScopeOf scope(context);
   const std::string name = "i" + std::to_string(context.names++);
   std::string head = NameOf(kind) + " " + name;
   const std::string most = Literal(kind, turns).text;
-  switch (context.choices.Pick({3, 1, 1})) {
+  switch (context.Pick({3, 1, 1})) {
     case 0: head += " = 0; " + name + " < " + most + "; ++" + name; break;
     case 1: head += " = " + most + "; " + name + "-- > 0; "; break;
     default: {
@@ -184,13 +184,13 @@ std::string MakeFor(Context& context, int indent, int depth) {
 }
 
 std::string MakeWhile(Context& context, int indent, int depth) {
-  const int turns = context.choices.Between(1, 3);
+  const int turns = context.Between(1, 3);
   const ScopeOf scope(context);
   const std::string name = "w" + std::to_string(context.names++);
   const std::string declared = Line(indent, "int " + name + " = " + std::to_string(turns));
-  const bool is_do = context.choices.Chance(40);
+  const bool is_do = context.Chance(40);
   std::string condition = is_do ? "--" + name + " > 0" : name + "-- > 0";
-  if ((!is_do || context.Has(Feature::kDoExits)) && context.choices.Chance(50)) {
+  if ((!is_do || context.Has(Feature::kDoExits)) && context.Chance(50)) {
     const Temporarily no_effects(context.effects, false);
     condition += " && " + At(MakeExpr(context, Kind::kBool, kScalar, 2), Level::kEquality);
   }
@@ -202,14 +202,14 @@ std::string MakeWhile(Context& context, int indent, int depth) {
 }
 
 std::string MakeSwitch(Context& context, int indent, int depth) {
-  const Kind kind = context.choices.Chance(30) ? Kind::kUint : Kind::kInt;
+  const Kind kind = context.Chance(30) ? Kind::kUint : Kind::kInt;
   const Expr selector = MakeIn(context, kind, kScalar, {0, 5}, kDepth);
   std::string text = Indent(indent) + "switch (" + selector.text + ") {\n";
-  const int cases = context.choices.Between(1, 3);
-  const int with_default = context.choices.Between(0, cases);
+  const int cases = context.Between(1, 3);
+  const int with_default = context.Between(0, cases);
   int value = 0;
   for (int i = 0; i < cases; ++i) {
-    for (int labels = context.choices.Between(1, 2); labels > 0; --labels)
+    for (int labels = context.Between(1, 2); labels > 0; --labels)
       text += Indent(indent + 2) + "case " + Literal(kind, value++).text + ":\n";
     if (i == with_default) text += Indent(indent + 2) + "default:\n";
     text += Indent(indent + 4) + MakeBody(context, indent + 4, depth) + "\n" +
@@ -220,8 +220,8 @@ std::string MakeSwitch(Context& context, int indent, int depth) {
 
 std::string MakeJump(Context& context, int indent) {
   std::string jump;
-  if (context.loops > 0 && context.choices.Chance(60)) {
-    jump = context.choices.Chance(50) ? "break" : "continue";
+  if (context.loops > 0 && context.Chance(60)) {
+    jump = context.Chance(50) ? "break" : "continue";
   } else if (!context.function || context.function->is_void) {
     jump = context.function ? "return" : "return result";
   } else {
@@ -238,10 +238,10 @@ std::string MakeCopy(Context& context, int indent) {
     if (!variable->type.IsNumeric() && variable->writable) types.push_back(variable->type);
   }
   if (types.empty()) return MakeAssignment(context, indent);
-  const Type type = context.choices.OneOf(types);
+  const Type type = context.OneOf(types);
   const Place to = MakePlaceOf(context, type, true);
   if (!to.found) return MakeAssignment(context, indent);
-  if (type.IsStruct() && HasCall(context, type) && context.choices.Chance(50))
+  if (type.IsStruct() && HasCall(context, type) && context.Chance(50))
     return Line(indent, to.text + " = " + MakeCall(context, type, kDepth));
   context.EndExpression();
   const Place from = MakePlaceOf(context, type, false);
@@ -250,7 +250,7 @@ std::string MakeCopy(Context& context, int indent) {
 
 // modf(x, p), the only function that writes an argument and does not round.
 std::string MakeWriting(Context& context, int indent) {
-  const Shape shape{0, context.choices.Between(1, 4)};
+  const Shape shape{0, context.Between(1, 4)};
   const Place to = MakePlaceOf(context, {Kind::kFloat, shape}, true);
   const Place rest = MakePlaceOf(context, {Kind::kFloat, shape}, true);
   if (!to.found || !rest.found || to.text == rest.text) return MakeCompound(context, indent);
@@ -266,7 +266,7 @@ std::string MakeStatement(Context& context, int indent, int depth) {
   const bool loops = nests && context.Has(Feature::kLoops) && context.turns * 4 <= kMostTurns;
   const std::uint32_t nest = nests ? 2 : 0, loop = loops ? 2 : 0;
   const bool may_jump = nests && context.scopes.size() > 2;
-  switch (context.choices.Pick(
+  switch (context.Pick(
       {6, 6, 4, nest, loop, loop / 2, nest / 2, 2, may_jump ? 1u : 0u, nest / 2, 2, 1, 1})) {
     case 0: return MakeAssignment(context, indent);
     case 1: return MakeDeclaration(context, indent);
