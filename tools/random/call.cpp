@@ -21,8 +21,7 @@ std::string MakeArgument(Context& context, const Parameter& parameter, int depth
     return place.text;
   }
   if (type.IsNumeric()) return Argument(MakeValue(context, type.kind, type.shape, depth));
-  const Place place = MakePlaceOf(context, type, false);
-  return place.found ? place.text : "(" + NameOf(context.structs, type) + ")0";
+  return MakeReadOf(context, type);
 }
 
 // The call, or nothing where an argument cannot be made.
@@ -71,7 +70,7 @@ std::string MakeCall(Context& context, const Type& result, int depth) {
   std::string call = MakeCallOf(context, function, depth);
   if (function.writes) context.writes_globals = true;
   if (!call.empty()) return call;
-  return "(" + NameOf(context.structs, result) + ")0";
+  return Zero(context.structs, result);
 }
 
 std::string MakeVoidCall(Context& context, int depth) {

@@ -18,13 +18,15 @@ struct Span {
 // A list of small numbers, written down as they are drawn, holds all that is random in a generated
 // program. The same list gives the same program, and of every choice 0 is the simplest, so that a
 // shorter list or one of smaller numbers gives a simpler program: that is how programs are reduced.
+using ChoiceList = std::vector<std::uint32_t>;
+
+// Draws such a list, or gives it again.
 class Choices {
  public:
   // Draws new numbers.
   explicit Choices(std::uint64_t seed) : random_(seed) {}
   // Gives those of a list again; after its end every choice is 0.
-  explicit Choices(std::vector<std::uint32_t> list)
-      : random_(0), list_(std::move(list)), replays_(true) {}
+  explicit Choices(ChoiceList list) : random_(0), list_(std::move(list)), replays_(true) {}
 
   // In [0, limit), 0 for a limit of 0.
   std::uint32_t Below(std::size_t limit);
@@ -43,7 +45,7 @@ class Choices {
   bool IsSpent() const { return drawn_.size() >= kMost; }
 
   // The numbers drawn, each below its limit, and the spans, the outer ones after the inner ones.
-  const std::vector<std::uint32_t>& drawn() const { return drawn_; }
+  const ChoiceList& drawn() const { return drawn_; }
   const std::vector<Span>& spans() const { return spans_; }
 
  private:
@@ -51,7 +53,7 @@ class Choices {
   static constexpr std::size_t kMost = 6000;
 
   harness::Random random_;
-  std::vector<std::uint32_t> list_, drawn_;
+  ChoiceList list_, drawn_;
   std::vector<Span> spans_;
   bool replays_ = false;
 };

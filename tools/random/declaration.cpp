@@ -43,7 +43,7 @@ std::string MakeBodyOf(Context& context, const Function& function) {
     context.EndExpression();
     text += "  " + parameter.name + " = " +
             (type.IsNumeric() ? Argument(MakeValue(context, type.kind, type.shape, 2))
-                              : "(" + NameOf(context.structs, type) + ")0") +
+                              : Zero(context.structs, type)) +
             ";\n";
   }
   for (const Parameter& parameter : function.parameters) {
@@ -53,13 +53,8 @@ std::string MakeBodyOf(Context& context, const Function& function) {
   context.EndExpression();
   if (function.is_void) return text;
   const Type& type = function.result;
-  std::string value;
-  if (type.IsNumeric()) {
-    value = MakeValue(context, type.kind, type.shape, 3).text;
-  } else {
-    const Place place = MakePlaceOf(context, type, false);
-    value = place.found ? place.text : "(" + NameOf(context.structs, type) + ")0";
-  }
+  const std::string value = type.IsNumeric() ? MakeValue(context, type.kind, type.shape, 3).text
+                                             : MakeReadOf(context, type);
   return text + "  return " + value + ";\n";
 }
 
@@ -110,7 +105,7 @@ std::string MakeInitial(Context& context, const Type& type, int depth) {
     }
     if (type.IsStruct() && HasCall(context, type) && context.Chance(40))
       return MakeCall(context, type, depth);
-    if (type.IsStruct() && context.Chance(40)) return "(" + NameOf(context.structs, type) + ")0";
+    if (type.IsStruct() && context.Chance(40)) return Zero(context.structs, type);
   }
   std::string text = Components(context, type, std::min(depth, 2));
   return text.starts_with('{') && text.find('}') == text.size() - 1 ? text : "{" + text + "}";

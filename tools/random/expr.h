@@ -81,6 +81,8 @@ struct Place {
 Place MakePlace(Context& context, Kind kind, bool writes, int depth);
 // A place of exactly that type; not found where no variable has one.
 Place MakePlaceOf(Context& context, const Type& type, bool writes);
+// Such a place to be read, or a zero where no variable has one.
+std::string MakeReadOf(Context& context, const Type& type);
 // Whether `place op= value` is a statement that the program may have.
 bool MayCompound(const Context& context, const Place& place);
 

@@ -86,15 +86,11 @@ EntryInputs MakeInputs(Context& context, bool keeps) {
   }
   if (context.Chance(20)) {
     add("uint vertex : SV_VertexID");
-    Variable counter{"vertex", {Kind::kUint, kScalar}, false, Holds::kCounter};
-    counter.greatest = 15;
-    context.Add(counter);
+    context.Add({"vertex", {Kind::kUint, kScalar}, false, Holds::kCounter, 15});
   }
   if (context.Chance(10)) {
     add("uint instance : SV_InstanceID");
-    Variable counter{"instance", {Kind::kUint, kScalar}, false, Holds::kCounter};
-    counter.greatest = 2;
-    context.Add(counter);
+    context.Add({"instance", {Kind::kUint, kScalar}, false, Holds::kCounter, 2});
   }
   return inputs;
 }

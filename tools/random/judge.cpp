@@ -63,12 +63,10 @@ std::string Words(const Comparison& comparison) {
 // and of Mesa 22.3 does not have clip distances in a vertex shader as clipc writes them, and
 // glslang does not know the variable of GL_ARB_draw_instanced in GLSL 1.20.
 bool IsKnown(const std::string& target, const std::string& problem) {
-  if (problem.find("gl_InstanceIDARB") != std::string::npos) return true;
+  const auto has = [&](const char* word) { return problem.find(word) != std::string::npos; };
   const bool is_es = target.starts_with("essl") || target.starts_with("webgl");
-  return is_es && (problem.find("gl_ClipDistance") != std::string::npos ||
-                   problem.find("gl_CullDistance") != std::string::npos ||
-                   problem.find("gl_PerVertex") != std::string::npos ||
-                   problem.find("clip_cull_distance") != std::string::npos);
+  return has("gl_InstanceIDARB") || (is_es && (has("gl_ClipDistance") || has("gl_CullDistance") ||
+                                               has("gl_PerVertex") || has("clip_cull_distance")));
 }
 
 }  // namespace

@@ -158,6 +158,11 @@ Place MakePlaceOf(Context& context, const Type& type, bool writes) {
   return place;
 }
 
+std::string MakeReadOf(Context& context, const Type& type) {
+  const Place place = MakePlaceOf(context, type, false);
+  return place.found ? place.text : Zero(context.structs, type);
+}
+
 bool MayCompound(const Context& context, const Place& place) {
   return context.Has(Feature::kComputedSwizzles) || place.text.find("._") == std::string::npos;
 }

@@ -59,8 +59,7 @@ Range Greatest(const Range& a, const Range& b) {
 Range RoundedDown(const Range& a) { return {std::floor(a.low), std::ceil(a.high), 0}; }
 
 Range Converted(const Range& range, Kind from, Kind to) {
-  if (to == Kind::kBool) return {0, 1};
-  if (from == Kind::kBool) return {0, 1};
+  if (to == Kind::kBool || from == Kind::kBool) return {0, 1};
   if (to == Kind::kFloat) return range;
   const Range whole = from == Kind::kFloat ? Range{std::trunc(range.low), std::trunc(range.high)}
                                            : Range{range.low, range.high};
@@ -74,23 +73,13 @@ bool CanConvert(const Range& range, Kind from, Kind to) {
 }
 
 Range VariableRange(Kind kind) {
-  switch (kind) {
-    case Kind::kFloat: return {-128, 128, 2};
-    case Kind::kInt: return {-128, 128};
-    case Kind::kUint: return {0, 128};
-    case Kind::kBool: return {0, 1};
-  }
-  return {};
+  constexpr Range kRanges[] = {{-128, 128, 2}, {-128, 128}, {0, 128}, {0, 1}};
+  return kRanges[static_cast<int>(kind)];
 }
 
 Range InputRange(Kind kind) {
-  switch (kind) {
-    case Kind::kFloat: return {-4, 4, 2};
-    case Kind::kInt: return {-4, 7};
-    case Kind::kUint: return {0, 7};
-    case Kind::kBool: return {0, 1};
-  }
-  return {};
+  constexpr Range kRanges[] = {{-4, 4, 2}, {-4, 7}, {0, 7}, {0, 1}};
+  return kRanges[static_cast<int>(kind)];
 }
 
 }  // namespace clipc::random

@@ -18,7 +18,6 @@ struct Range {
 
   double Largest() const { return low < -high ? -low : high < 0 ? -high : high; }
   bool IsWithin(double least, double greatest) const { return least <= low && high <= greatest; }
-  bool HasZero() const { return low <= 0 && high >= 0; }
 };
 
 // Floats of which products of a few are exact.

@@ -7,20 +7,18 @@
 namespace clipc::random {
 namespace {
 
-using List = std::vector<std::uint32_t>;
-
-bool IsSimpler(const List& a, const List& b) {
+bool IsSimpler(const ChoiceList& a, const ChoiceList& b) {
   return a.size() != b.size() ? a.size() < b.size() : a < b;
 }
 
 class Reducer {
  public:
-  Reducer(const List& list, const Reduction& reduction)
+  Reducer(const ChoiceList& list, const Reduction& reduction)
       : reduction_(reduction), made_(reduction.make(list)) {}
 
-  List Run() {
+  ChoiceList Run() {
     for (bool shrinks = true; shrinks && !IsOver();) {
-      const List before = made_.drawn;
+      const ChoiceList before = made_.drawn;
       CutSpans();
       for (const std::size_t size : {32, 8, 4, 2, 1}) CutRuns(size);
       Lower();
@@ -33,7 +31,7 @@ class Reducer {
   bool IsOver() const { return tries_ >= reduction_.most_tries; }
 
   // Takes `list` if it is simpler and fails.
-  bool Try(const List& list) {
+  bool Try(const ChoiceList& list) {
     if (IsOver()) return false;
     Made made = reduction_.make(list);
     if (!IsSimpler(made.drawn, made_.drawn) || !seen_.insert(made.drawn).second) return false;
@@ -43,15 +41,15 @@ class Reducer {
     return true;
   }
 
-  List With(const Span& span, const List& instead) const {
-    const List& all = made_.drawn;
-    List list(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(span.begin));
+  ChoiceList With(const Span& span, const ChoiceList& instead) const {
+    const ChoiceList& all = made_.drawn;
+    ChoiceList list(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(span.begin));
     list.insert(list.end(), instead.begin(), instead.end());
     list.insert(list.end(), all.begin() + static_cast<std::ptrdiff_t>(span.end), all.end());
     return list;
   }
 
-  List Part(const Span& span) const {
+  ChoiceList Part(const Span& span) const {
     return {made_.drawn.begin() + static_cast<std::ptrdiff_t>(span.begin),
             made_.drawn.begin() + static_cast<std::ptrdiff_t>(span.end)};
   }
@@ -68,7 +66,7 @@ class Reducer {
 
   bool CutSpan(const Span& span, const std::vector<Span>& spans) {
     if (Try(With(span, {})) || Try(With(span, {0}))) return true;
-    if (Try(With(span, List(span.end - span.begin, 0)))) return true;
+    if (Try(With(span, ChoiceList(span.end - span.begin, 0)))) return true;
     int inner = 0;
     for (const Span& part : spans) {
       const bool is_inside = part.begin >= span.begin && part.end <= span.end &&
@@ -95,12 +93,14 @@ class Reducer {
 
   const Reduction& reduction_;
   Made made_;
-  std::set<List> seen_;
+  std::set<ChoiceList> seen_;
   int tries_ = 0;
 };
 
 }  // namespace
 
-List Reduce(const List& list, const Reduction& reduction) { return Reducer(list, reduction).Run(); }
+ChoiceList Reduce(const ChoiceList& list, const Reduction& reduction) {
+  return Reducer(list, reduction).Run();
+}
 
 }  // namespace clipc::random

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -11,14 +10,14 @@ namespace clipc::random {
 
 // The choices of a list that a program really draws, and their spans.
 struct Made {
-  std::vector<std::uint32_t> drawn;
+  ChoiceList drawn;
   std::vector<Span> spans;
 };
 
 struct Reduction {
-  std::function<Made(const std::vector<std::uint32_t>&)> make;
+  std::function<Made(const ChoiceList&)> make;
   // Whether the program of these choices still shows the fault.
-  std::function<bool(const std::vector<std::uint32_t>&)> fails;
+  std::function<bool(const ChoiceList&)> fails;
   int most_tries = 1500;
 };
 
@@ -26,7 +25,6 @@ struct Reduction {
 // of smaller numbers. Spans are cut out, replaced by spans in them, or made of zeros; then runs of
 // numbers; then single numbers become smaller. This is delta debugging on what was drawn: each list
 // is a program without errors.
-std::vector<std::uint32_t> Reduce(const std::vector<std::uint32_t>& list,
-                                  const Reduction& reduction);
+ChoiceList Reduce(const ChoiceList& list, const Reduction& reduction);
 
 }  // namespace clipc::random

@@ -22,7 +22,7 @@ std::string CommandOf(const Program& program, const Verdict& verdict) {
 
 std::string WriteFailure(const std::string& folder, const std::string& name,
                          const Program& original, const Program& reduced, const Verdict& verdict,
-                         const std::vector<std::uint32_t>& choices, const std::string& features) {
+                         const ChoiceList& choices, const std::string& features) {
   const std::filesystem::path path =
       std::filesystem::path(folder) / (std::string(NameOf(verdict.fault)) + "-" + name);
   std::filesystem::create_directories(path);
@@ -38,9 +38,9 @@ std::string WriteFailure(const std::string& folder, const std::string& name,
   return path.string();
 }
 
-std::vector<std::uint32_t> ReadChoices(const std::string& path) {
+ChoiceList ReadChoices(const std::string& path) {
   std::istringstream text(harness::ReadFile(path));
-  std::vector<std::uint32_t> choices;
+  ChoiceList choices;
   for (std::uint32_t choice = 0; text >> choice;) choices.push_back(choice);
   return choices;
 }

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include <cstdint>
 #include <string>
-#include <vector>
 
 #include "tools/random/judge.h"
 #include "tools/random/program.h"
@@ -14,9 +12,9 @@ namespace clipc::random {
 // report.txt, which has the command that repeats it. Returns that folder.
 std::string WriteFailure(const std::string& folder, const std::string& name,
                          const Program& original, const Program& reduced, const Verdict& verdict,
-                         const std::vector<std::uint32_t>& choices, const std::string& features);
+                         const ChoiceList& choices, const std::string& features);
 
 // The choices in a choices.txt. Throws DrawError.
-std::vector<std::uint32_t> ReadChoices(const std::string& path);
+ChoiceList ReadChoices(const std::string& path);
 
 }  // namespace clipc::random

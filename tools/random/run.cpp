@@ -72,7 +72,7 @@ class Runner {
     return options_.seconds > 0 && passed >= options_.seconds;
   }
 
-  void One(const std::vector<std::uint32_t>& choices, const std::string& name) {
+  void One(const ChoiceList& choices, const std::string& name) {
     ++programs_;
     if (options_.prints) std::fputs(ProgramOf(choices).text.c_str(), stdout);
     const Verdict verdict = worker_.Run(choices);
@@ -82,7 +82,7 @@ class Runner {
     if (is_failure) ++failures_;
     if (++known_[verdict.Key()] > (is_failure ? 1 : 8)) return;
     const bool reduces = is_failure ? options_.reduces : options_.reduces_peers;
-    const std::vector<std::uint32_t> reduced =
+    const ChoiceList reduced =
         reduces && options_.repeat.empty() ? Reduced(choices, verdict) : choices;
     const Verdict last = worker_.Run(reduced, verdict);
     const std::string folder =
@@ -94,20 +94,19 @@ class Runner {
     std::fflush(stdout);
   }
 
-  Program ProgramOf(const std::vector<std::uint32_t>& list) const {
+  Program ProgramOf(const ChoiceList& list) const {
     Choices choices(list);
     return MakeProgram(choices, options_.features);
   }
 
-  std::vector<std::uint32_t> Reduced(const std::vector<std::uint32_t>& list,
-                                     const Verdict& verdict) {
+  ChoiceList Reduced(const ChoiceList& list, const Verdict& verdict) {
     Reduction reduction;
-    reduction.make = [&](const std::vector<std::uint32_t>& some) {
+    reduction.make = [&](const ChoiceList& some) {
       Choices choices(some);
       MakeProgram(choices, options_.features);
       return Made{choices.drawn(), choices.spans()};
     };
-    reduction.fails = [&](const std::vector<std::uint32_t>& some) {
+    reduction.fails = [&](const ChoiceList& some) {
       const Verdict found = worker_.Run(some, verdict);
       return found.fault == verdict.fault && found.Key() == verdict.Key();
     };

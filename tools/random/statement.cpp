@@ -174,9 +174,7 @@ std::string MakeFor(Context& context, int indent, int depth) {
       head += " = 0; " + name + " < " + At(bound, Level::kShift) + "; " + name + "++";
     }
   }
-  Variable counter{name, {kind, kScalar}, false, Holds::kCounter};
-  counter.greatest = turns - 1;
-  context.Add(counter);
+  context.Add({name, {kind, kScalar}, false, Holds::kCounter, turns - 1.0});
   const Temporarily inner(context.loops, context.loops + 1);
   const Temporarily turned(context.turns, context.turns * turns);
   return Indent(indent) + attribute + "for (" + head + ") " + MakeBody(context, indent, depth) +
@@ -227,7 +225,7 @@ std::string MakeJump(Context& context, int indent) {
   } else {
     const Type& type = context.function->result;
     jump = "return " + (type.IsNumeric() ? MakeValue(context, type.kind, type.shape, kDepth).text
-                                         : "(" + NameOf(context.structs, type) + ")0");
+                                         : Zero(context.structs, type));
   }
   return Indent(indent) + "if (" + Condition(context) + ") " + jump + ";\n";
 }

@@ -10,13 +10,8 @@ Type Type::Element() const {
 }
 
 std::string NameOf(Kind kind) {
-  switch (kind) {
-    case Kind::kFloat: return "float";
-    case Kind::kInt: return "int";
-    case Kind::kUint: return "uint";
-    case Kind::kBool: return "bool";
-  }
-  return {};
+  constexpr const char* kNames[] = {"float", "int", "uint", "bool"};
+  return kNames[static_cast<int>(kind)];
 }
 
 std::string NameOf(const Structs& structs, const Type& type) {
@@ -30,6 +25,10 @@ std::string Declaration(const Structs& structs, const Type& type, const std::str
   std::string text = NameOf(structs, type) + " " + name;
   for (const int size : type.sizes) text += "[" + std::to_string(size) + "]";
   return text;
+}
+
+std::string Zero(const Structs& structs, const Type& type) {
+  return "(" + NameOf(structs, type) + ")0";
 }
 
 int ComponentsOf(const Structs& structs, const Type& type) {

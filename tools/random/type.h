@@ -55,6 +55,9 @@ std::string NameOf(const Structs& structs, const Type& type);
 // "float3 name[2]"
 std::string Declaration(const Structs& structs, const Type& type, const std::string& name);
 
+// "(S)0": every component is zero.
+std::string Zero(const Structs& structs, const Type& type);
+
 // The number of components of all elements and fields.
 int ComponentsOf(const Structs& structs, const Type& type);
 

@@ -88,7 +88,7 @@ Verdict VerdictOf(const std::vector<std::string>& parts) {
   std::string buffer, bytes;
   while (Receive(in, buffer, bytes, -1) == Got::kMessage) {
     const std::vector<std::string> parts = Unpack(bytes);
-    std::vector<std::uint32_t> list(parts[0].size() / sizeof(std::uint32_t));
+    ChoiceList list(parts[0].size() / sizeof(std::uint32_t));
     if (!list.empty()) std::memcpy(list.data(), parts[0].data(), parts[0].size());
     std::optional<Verdict> only;
     if (parts.size() > 1) only = VerdictOf({parts.begin() + 1, parts.end()});
@@ -175,7 +175,7 @@ Verdict Worker::Read() {
   }
 }
 
-Verdict Worker::Run(const std::vector<std::uint32_t>& choices, const std::optional<Verdict>& only) {
+Verdict Worker::Run(const ChoiceList& choices, const std::optional<Verdict>& only) {
   if (runs_++ >= kRunsOfProcess) Stop();
   if (process_ < 0) Start();
   std::vector<std::string> parts = {std::string(reinterpret_cast<const char*>(choices.data()),

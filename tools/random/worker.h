@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include <sys/types.h>
 
@@ -23,7 +21,7 @@ class Worker {
   Worker& operator=(const Worker&) = delete;
 
   // Judges the program that the choices make.
-  Verdict Run(const std::vector<std::uint32_t>& choices, const std::optional<Verdict>& only = {});
+  Verdict Run(const ChoiceList& choices, const std::optional<Verdict>& only = {});
 
  private:
   void Start();
