@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "runtime/near_plane.h"
 #include "runtime/plane_space.h"
@@ -30,8 +29,7 @@ double LawOf(const Way& way, const DrawFacts& facts) {
   const double reach = is_in_world ? std::max(facts.reach, facts.world_reach) : facts.reach;
   const auto law = PredictEdgeError(space, facts.view_plane, facts.camera.Projection(),
                                     facts.picture_height, facts.sine, reach);
-  return law.ok() ? law.value * (way.space ? 1 : 2) * LengthFactor(facts.extent)
-                  : std::numeric_limits<double>::infinity();
+  return law.ok() ? law.value * (way.space ? 1 : 2) * LengthFactor(facts.extent) : INFINITY;
 }
 
 bool IsPossible(const Way& way, const DrawFacts& facts) {
@@ -52,7 +50,7 @@ bool IsPossible(const Way& way, const DrawFacts& facts) {
 }
 
 double CostOf(const std::string& way, int planes, const CostTable& costs) {
-  double cost = std::numeric_limits<double>::infinity();
+  double cost = INFINITY;
   for (auto it = costs.begin(); it != costs.end(); ++it) {
     // The table has 1, 3 and 6 planes: the first that is enough.
     if (it->first.first == way && it->first.second >= planes) return it->second;
@@ -80,7 +78,7 @@ std::vector<Advice> Advise(const DrawFacts& facts, const CostTable& costs, doubl
     advice.cost = CostOf(way.name, facts.planes, costs);
     advice.meets = advice.possible && advice.bound <= tolerance && std::isfinite(advice.cost);
   }
-  double least = std::numeric_limits<double>::infinity();
+  double least = INFINITY;
   for (const Advice& a : all) {
     if (a.meets) least = std::min(least, a.cost);
   }

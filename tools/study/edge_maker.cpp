@@ -59,7 +59,7 @@ long double TrueShare(const Edge& edge) {
 EdgeMaker::EdgeMaker(const Setup& setup, std::uint64_t seed)
     : setup_(setup),
       config_(setup.config),
-      normal_{config_.view_plane.x, config_.view_plane.y, config_.view_plane.z},
+      normal_(NormalOf(config_.view_plane)),
       random_(seed),
       world_(ConvertTo<Wide>(setup.world)),
       plane_(ConvertTo<Wide>(setup.world_plane)) {}
@@ -71,11 +71,11 @@ std::optional<Edge> EdgeMaker::Next() {
   const double size = config_.camera.orthographic ? config_.camera.half_height : point->z;
   const double length = config_.edge_length * size, before = random_.Between(0.2, 0.8);
   Edge edge;
-  const Mat4<double> to_object = ConvertTo<double>(setup_.to_object);
+
   for (int end = 0; end < 2; ++end) {
     const Vector place = *point + (end == 0 ? -before : 1 - before) * length * direction;
     edge.ends[end] =
-        ConvertTo<float>(Transform(Vec4<double>{{place.x, place.y, place.z, 1}}, to_object));
+        ConvertTo<float>(Transform(Vec4<double>{{place.x, place.y, place.z, 1}}, setup_.to_object));
     edge.ends[end][3] = 1;
     edge.distances[end] = Dot(Transform(ConvertTo<Wide>(edge.ends[end]), world_), plane_);
   }
@@ -95,6 +95,15 @@ Vector EdgeMaker::ChooseDirection() {
   } while (Dot(along, along) < 0.01);
   return std::cos(config_.surface_angle) * along / std::sqrt(Dot(along, along)) +
          std::sin(config_.surface_angle) * normal_;
+}
+
+std::vector<Edge> MakeEdges(const Setup& setup, long count, std::uint64_t seed) {
+  std::vector<Edge> edges;
+  EdgeMaker maker(setup, seed);
+  for (long tries = 0; std::ssize(edges) < count && tries < 400 * count; ++tries) {
+    if (const std::optional<Edge> edge = maker.Next()) edges.push_back(*edge);
+  }
+  return edges;
 }
 
 }  // namespace clipc::study

@@ -51,25 +51,16 @@ std::vector<std::optional<std::vector<double>>> PixelsOf(const Setup& setup,
   std::vector<std::optional<Distance>> distances;
   std::vector<std::optional<std::vector<double>>> pixels;
   for (const Method& method : methods) {
-    distances.push_back(method.prepare(setup));
-    if (distances.back()) {
-      pixels.emplace_back().emplace();
-    } else {
-      pixels.emplace_back();
-    }
+    pixels.emplace_back();
+    if (distances.emplace_back(method.prepare(setup))) pixels.back().emplace();
   }
-  EdgeMaker maker(setup, seed);
-  long made = 0;
-  for (long tries = 0; made < count && tries < 400 * count; ++tries) {
-    const std::optional<Edge> edge = maker.Next();
-    if (!edge) continue;
-    ++made;
-    const SeenEdge seen(setup, *edge);
-    const Point right = seen.At(TrueShare(*edge));
+  for (const Edge& edge : MakeEdges(setup, count, seed)) {
+    const SeenEdge seen(setup, edge);
+    const Point right = seen.At(TrueShare(edge));
     for (std::size_t i = 0; i < methods.size(); ++i) {
       if (distances[i])
         pixels[i]->push_back(
-            Displacement(setup, *edge, seen, right, *distances[i], methods[i].makes_vertices));
+            Displacement(setup, edge, seen, right, *distances[i], methods[i].makes_vertices));
     }
   }
   return pixels;
@@ -83,8 +74,9 @@ Config Nearby(const Config& config, Random& random) {
   for (int tries = 0; !point && tries < 1000; ++tries) point = RandomCut(setup, random);
   if (!point) return config;
   Config near = config;
-  const Vector normal = {config.view_plane.x, config.view_plane.y, config.view_plane.z};
-  near.view_plane = PlaneThroughPoint(normal + 1e-3 * random.Direction(), *point);
+
+  near.view_plane =
+      PlaneThroughPoint(NormalOf(config.view_plane) + 1e-3 * random.Direction(), *point);
   near.camera.yaw += random.Between(-0.01, 0.01);
   near.camera.pitch += random.Between(-0.01, 0.01);
   near.world_offset *= random.Between(0.99, 1.01);
@@ -141,8 +133,7 @@ EdgeErrors MeasureDirections(double ratio, const Method& method, int planes, lon
     normal.z = std::max(std::fabs(normal.z), 0.2);
     normal = Unit(normal);
     const double depth = ratio * config.camera.near / normal.z;
-    config.view_plane = PlaneThroughPoint(normal, {0, 0, depth});
-    config.nearest = depth / 2, config.farthest = 2 * depth;
+    CutThrough(config, normal, {0, 0, depth});
     config.camera.yaw = random.Between(-3, 3), config.camera.pitch = random.Between(-1, 1);
     const auto pixels = PixelsOf(Prepare(config), {method}, count, seed + 1 + i).front();
     if (pixels) all.insert(all.end(), pixels->begin(), pixels->end());

@@ -16,19 +16,9 @@ Setup Panned(const Setup& first, double yaw) {
   Camera& camera = setup.config.camera;
   camera.yaw += yaw;
   setup.view = camera.View();
-  setup.world_view = Multiply(setup.world, setup.view);
-  setup.world_view_projection = Multiply(setup.world_view, setup.projection);
+  Compose(setup);
   setup.view_plane = PlaneBefore(camera.ViewToWorld(), setup.world_plane);
   return setup;
-}
-
-std::vector<Edge> EdgesOf(const Setup& setup, long count, std::uint64_t seed) {
-  std::vector<Edge> edges;
-  EdgeMaker maker(setup, seed);
-  for (long tries = 0; std::ssize(edges) < count && tries < 400 * count; ++tries) {
-    if (const std::optional<Edge> edge = maker.Next()) edges.push_back(*edge);
-  }
-  return edges;
 }
 
 // Where the method cuts each edge; none where it does not apply.
@@ -56,7 +46,7 @@ Flicker FlickerOf(const std::string& method, std::vector<double> pixels) {
 std::vector<Flicker> MeasureFlicker(const Config& config, const std::vector<Method>& methods,
                                     int frames, double step, long count, std::uint64_t seed) {
   const Setup first = Prepare(config);
-  const std::vector<Edge> edges = EdgesOf(first, count, seed);
+  const std::vector<Edge> edges = MakeEdges(first, count, seed);
   std::vector<Flicker> all;
   for (const Method& method : methods) {
     auto before = SharesOf(first, method, edges);

@@ -35,6 +35,9 @@ struct Mat4 {  // m[row][column], for row vectors
   T m[4][4];
 };
 
+inline Vector NormalOf(const Plane& plane) { return {plane.x, plane.y, plane.z}; }
+inline Vector RowOf(const Matrix& m, int i) { return {m.m[i][0], m.m[i][1], m.m[i][2]}; }
+
 template <typename To, typename From>
 Vec4<To> ConvertTo(const Vec4<From>& from) {
   Vec4<To> to;

@@ -31,8 +31,7 @@ RandomDraw OneDraw(Random& random) {
   camera.half_height = depth;
   Vector n = random.Direction();
   if (n.z < 0 && random.Below(3) != 0) n.z = -n.z;  // mostly with the eye on the clipped side
-  config.view_plane = PlaneThroughPoint(n, {0, 0, depth});
-  config.nearest = depth / 2, config.farthest = 2 * depth;
+  CutThrough(config, n, {0, 0, depth});
   config.surface_angle = random.Magnitude(5, 90) * std::numbers::pi / 180;
 
   DrawFacts& facts = draw.facts;

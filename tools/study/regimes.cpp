@@ -35,8 +35,7 @@ Config Ordinary(Random& random) {
   camera.aspect = random.Between(1, 2.4);
   camera.reversed = random.Below(4) == 0, camera.infinite = random.Below(4) == 0;
   camera.yaw = random.Between(-3, 3), camera.pitch = random.Between(-1, 1);
-  config.view_plane = PlaneThroughPoint(random.Direction(), {0, 0, depth});
-  config.nearest = depth / 2, config.farthest = 2 * depth;
+  CutThrough(config, random.Direction(), {0, 0, depth});
   return config;
 }
 
@@ -134,14 +133,9 @@ RegimeDraw OneDraw(Regime regime, Random& random) {
 // Places of what is seen of the cut, evenly over the picture, in the object's own space: x, y and z
 // of each.
 std::vector<double> CutOf(const Setup& setup) {
-  constexpr std::size_t kPlaces = 256;
-  Random random(1);
   std::vector<double> places;
-  const Mat4<double> to_object = ConvertTo<double>(setup.to_object);
-  for (int tries = 0; places.size() < 3 * kPlaces && tries < 80000; ++tries) {
-    const std::optional<Vector> cut = RandomCut(setup, random);
-    if (!cut) continue;
-    const Vec4<double> place = Transform(Vec4<double>{{cut->x, cut->y, cut->z, 1}}, to_object);
+  for (const Vector& cut : RandomCuts(setup, 256)) {
+    const Vec4<double> place = Transform(Vec4<double>{{cut.x, cut.y, cut.z, 1}}, setup.to_object);
     places.insert(places.end(), place.c, place.c + 3);
   }
   return places;

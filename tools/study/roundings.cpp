@@ -44,8 +44,7 @@ Config DrawAt(double fov, Random& random) {
   const double x = random.Between(-0.05, 0.05) * depth;
   const double y = random.Between(-0.05, 0.05) * depth;
   Config config;
-  config.view_plane = PlaneThroughPoint(normal, {x, y, depth});
-  config.nearest = depth / 2, config.farthest = 2 * depth;
+  CutThrough(config, normal, {x, y, depth});
   config.least_sine = std::sin(5 * std::numbers::pi / 180);
   config.camera.fov = fov;
   config.camera.near = random.Magnitude(1e-3, 1) * depth / 2, config.camera.far = 100 * depth;

@@ -38,12 +38,7 @@ std::optional<Setup> SetupOf(const Camera& camera, const SceneObject& object, co
   Setup setup;
   setup.config.camera = camera;
   setup.world = object.world, setup.view = camera.View(), setup.projection = camera.Projection();
-  setup.world_view = Multiply(setup.world, setup.view);
-  setup.world_view_projection = Multiply(setup.world_view, setup.projection);
-  const Mat4<double> inverse = InverseOf(ConvertTo<double>(setup.world_view));
-  for (int i = 0; i < 4; ++i) {
-    for (int j = 0; j < 4; ++j) setup.to_object.m[i][j] = inverse.m[i][j];
-  }
+  Compose(setup);
   setup.world_plane = plane;
   setup.view_plane = PlaneBefore(camera.ViewToWorld(), plane);
   setup.object_plane = PlaneBefore(setup.world, plane);

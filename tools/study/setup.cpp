@@ -15,16 +15,19 @@ Plane PlaneThroughPoint(Vector direction, Vector point) {
   return {n.x, n.y, n.z, -Dot(n, point)};
 }
 
-Vector OriginInView(const Matrix& to_view) {
-  return {to_view.m[3][0], to_view.m[3][1], to_view.m[3][2]};
+void CutThrough(Config& config, Vector direction, Vector point) {
+  config.view_plane = PlaneThroughPoint(direction, point);
+  config.nearest = point.z / 2, config.farthest = 2 * point.z;
 }
+
+Vector OriginInView(const Matrix& to_view) { return RowOf(to_view, 3); }
 
 std::optional<Vector> RandomCut(const Setup& setup, Random& random) {
   if (!setup.cut.empty()) return RandomPlace(setup.cut, setup.config.camera, random);
   const Config& config = setup.config;
   const Camera& camera = config.camera;
   const Matrix& p = setup.projection;
-  const Vector normal = {config.view_plane.x, config.view_plane.y, config.view_plane.z};
+  const Vector normal = NormalOf(config.view_plane);
   const double z = random.Magnitude(config.nearest, config.farthest),
                w = camera.orthographic ? 1 : z;
   const double x = random.Between(-1, 1), y = random.Between(-1, 1);
@@ -39,19 +42,30 @@ std::optional<Vector> RandomCut(const Setup& setup, Random& random) {
   return point;
 }
 
-double ReachOf(const Setup& setup, Vector origin_in_view) {
+std::vector<Vector> RandomCuts(const Setup& setup, std::size_t count) {
   Random random(1);
+  std::vector<Vector> cuts;
+  for (int tries = 0; cuts.size() < count && tries < 80000; ++tries) {
+    if (const std::optional<Vector> cut = RandomCut(setup, random)) cuts.push_back(*cut);
+  }
+  return cuts;
+}
+
+double ReachOf(const Setup& setup, Vector origin_in_view) {
   double sum = 0;
-  int count = 0;
-  for (int tries = 0; count < 200 && tries < 80000; ++tries) {
-    const std::optional<Vector> cut = RandomCut(setup, random);
-    if (!cut) continue;
-    ++count;
-    const Vector away = *cut - origin_in_view;
-    const double height = 2 * setup.config.camera.HalfHeightAt(cut->z);
+  const std::vector<Vector> cuts = RandomCuts(setup, 200);
+  for (const Vector& cut : cuts) {
+    const Vector away = cut - origin_in_view;
+    const double height = 2 * setup.config.camera.HalfHeightAt(cut.z);
     sum += Dot(away, away) / (height * height);
   }
-  return std::sqrt(sum / std::max(count, 1));
+  return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(cuts.size(), 1)));
+}
+
+void Compose(Setup& setup) {
+  setup.world_view = Multiply(setup.world, setup.view);
+  setup.world_view_projection = Multiply(setup.world_view, setup.projection);
+  setup.to_object = InverseOf(ConvertTo<double>(setup.world_view));
 }
 
 Setup Prepare(const Config& config) {
@@ -82,12 +96,7 @@ Setup Prepare(const Config& config) {
   for (int j = 0; j < 3; ++j)
     setup.world.m[3][j] =
         depth * view_to_world.m[2][j] + view_to_world.m[3][j] + config.mesh_offset * away[j];
-  setup.world_view = Multiply(setup.world, setup.view);
-  setup.world_view_projection = Multiply(setup.world_view, setup.projection);
-  const Mat4<double> inverse = InverseOf(ConvertTo<double>(setup.world_view));
-  for (int i = 0; i < 4; ++i) {
-    for (int j = 0; j < 4; ++j) setup.to_object.m[i][j] = inverse.m[i][j];
-  }
+  Compose(setup);
 
   // The world-space plane is the truth; the other two follow from it.
   const Plane unit = PlaneBefore(setup.view, config.view_plane);

@@ -38,11 +38,14 @@ struct Setup {
   Config config;
   Matrix world, view, projection;
   Matrix world_view, world_view_projection;     // multiplied in double
-  Matrix to_object;                             // from view space, only to make vertices
+  Mat4<double> to_object;                       // from view space, only to make vertices
   Plane world_plane, view_plane, object_plane;  // in double
   // The part of the cut to take, as VisibleCut has it; where this is empty, `config` says.
   std::vector<Vector> cut;
 };
+
+// Sets the matrices that follow from world, view and projection.
+void Compose(Setup& setup);
 
 // Makes the matrices and planes. Turns the camera a little, so that no element of a matrix is 0 or
 // 1 by accident.
@@ -53,6 +56,9 @@ Setup Prepare(const Config& config);
 // not in the picture any more.
 std::optional<Vector> RandomCut(const Setup& setup, Random& random);
 
+// At most `count` such places, the same in every call.
+std::vector<Vector> RandomCuts(const Setup& setup, std::size_t count);
+
 // The distance of the visible cut from a space's origin, which has this place in view space, in
 // heights of the picture at the cut's depth, as a root of the mean square: the `reach` of
 // PredictEdgeError.
@@ -62,5 +68,7 @@ Vector OriginInView(const Matrix& to_view);
 
 // The plane through that point whose unit normal has that direction.
 Plane PlaneThroughPoint(Vector direction, Vector point);
+// Makes that the plane, and lets the surfaces lie from half to twice the point's depth.
+void CutThrough(Config& config, Vector direction, Vector point);
 
 }  // namespace clipc::study

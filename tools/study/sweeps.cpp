@@ -155,8 +155,7 @@ class Sweeps {
 Config ObliqueAt(double depth, double near, double far) {
   Config config;
   config.camera.near = near, config.camera.far = far;
-  config.view_plane = PlaneThroughPoint({0.4, 0.5, 0.77}, {0, 0, depth});
-  config.nearest = depth / 2, config.farthest = 2 * depth;
+  CutThrough(config, {0.4, 0.5, 0.77}, {0, 0, depth});
   return config;
 }
 

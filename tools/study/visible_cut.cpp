@@ -27,7 +27,7 @@ std::vector<Vector> Kept(const std::vector<Vector>& polygon, const Plane& plane)
 
 std::vector<Vector> VisibleCut(const Camera& camera, const Plane& view_plane, double nearest,
                                double farthest) {
-  const Vector normal = {view_plane.x, view_plane.y, view_plane.z};
+  const Vector normal = NormalOf(view_plane);
   const double squared = Dot(normal, normal);
   // A square of the plane that is larger than all that the camera sees.
   const double high = camera.HalfHeightAt(farthest), across = 1 + camera.aspect;

@@ -225,7 +225,6 @@ class Converter {
     return matrix;
   }
 
-  static Vector RowOf(const Matrix& m, int i) { return {m.m[i][0], m.m[i][1], m.m[i][2]}; }
   // Returns false where the vector has no direction.
   static bool Normalize(Vector& v) {
     const double length = std::hypot(v.x, v.y, v.z);
