@@ -96,9 +96,7 @@ std::string Batch::CheckUsage() const {
   for (const ShaderGroup& group : groups_) {
     const CommandLine& command = group.command;
     if (const std::string problem = CheckCommand(command); !problem.empty()) return problem;
-    const DebugOptions& debug = command.request.debug;
-    if (debug.dump || !debug.dump_after.empty() || !debug.stop_after.empty() ||
-        command.only_dependencies)
+    if (command.request.debug.changes_result() || command.only_dependencies)
       return "--dump, --stop-after and -M are for one setting of a shader, and there are several";
     const std::pair<const char*, const std::string&> files[] = {{"--table", command.table},
                                                                 {"--reflect", command.reflection},

@@ -1,23 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/batch_index.h"
 
-#include <string_view>
-
 #include <nlohmann/json.hpp>
+
+#include "clip-table/vocabulary.h"
 
 namespace clipc {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string_view NameOf(BatchStatus status) {
-  switch (status) {
-    case BatchStatus::kNotCompiled: return "not-compiled";
-    case BatchStatus::kCompiled: return "compiled";
-    case BatchStatus::kFailed: return "failed";
-  }
-  return "";
-}
+// In the order of the enumerators.
+constexpr const char* kStatusNames[] = {"not-compiled", "compiled", "failed"};
 
 }  // namespace
 
@@ -43,7 +37,7 @@ std::string RenderIndex(const std::vector<BatchEntry>& entries) {
                  {"profile", entry.profile},
                  {"target", entry.target},
                  {"defines", Json::object()},
-                 {"status", NameOf(entry.status)},
+                 {"status", NameIn(kStatusNames, entry.status)},
                  {"files", Json::object()}};
     for (const auto& [macro, value] : entry.defines)
       json["defines"][macro] = value ? Json(*value) : Json();

@@ -78,10 +78,6 @@ class Compilation {
   void CloseResult(const Source& source);
 
   bool IsDump(DumpStage stage) const { return request_.debug.dump == stage; }
-  bool IsDebugged() const {
-    const DebugOptions& debug = request_.debug;
-    return debug.dump || !debug.dump_after.empty() || !debug.stop_after.empty();
-  }
 
   const CompileRequest& request_;
   Diagnostics diagnostics_;
@@ -143,24 +139,25 @@ void Compilation::ReportStop() {
 }
 
 void Compilation::ReadNames() {
+  const auto unknown = [&](const auto& kind, const std::string& name,
+                           std::span<const std::string_view> names) {
+    diagnostics_.Report({}, kind, name, Suggest(name, names));
+  };
   if (auto profile = ir::ParseProfile(request_.profile)) {
     front_.profile = std::move(*profile);
     front_.short_circuits =
         front_.profile.IsAtLeast(6, 0) && request_.language == LanguageVersion::k2021;
   } else {
-    diagnostics_.Report({}, diag::UnknownProfile, request_.profile,
-                        Suggest(request_.profile, ProfileNames()));
+    unknown(diag::UnknownProfile, request_.profile, ProfileNames());
   }
   target_ = glsl::Target::Parse(request_.target);
   if (!target_) {
-    diagnostics_.Report({}, diag::UnknownTarget, request_.target,
-                        Suggest(request_.target, glsl::Target::Names()));
+    unknown(diag::UnknownTarget, request_.target, glsl::Target::Names());
   }
   if (target_) target_->bindings = request_.bindings;
   auto names = glsl::NameStyle::Parse(request_.names.empty() ? "hlslcc" : request_.names);
   if (!names) {
-    diagnostics_.Report({}, diag::UnknownNames, request_.names,
-                        Suggest(request_.names, glsl::NameStyle::Names()));
+    unknown(diag::UnknownNames, request_.names, glsl::NameStyle::Names());
     names.emplace();
   }
   options_ = {.separable = request_.separable,
@@ -171,8 +168,8 @@ void Compilation::ReadNames() {
               .names = std::move(*names)};
   const auto check_pass = [&](const std::string& name) {
     const std::vector<std::string_view> passes = LowerPasses();
-    if (std::find(passes.begin(), passes.end(), name) != passes.end()) return;
-    diagnostics_.Report({}, diag::UnknownPass, name, Suggest(name, passes));
+    if (std::ranges::find(passes, name) != passes.end()) return;
+    unknown(diag::UnknownPass, name, passes);
   };
   for (const std::string& name : request_.debug.dump_after) check_pass(name);
   if (!request_.debug.stop_after.empty()) check_pass(request_.debug.stop_after);
@@ -251,7 +248,7 @@ void Compilation::RunBackEnd(ir::Program typed, const Source& source) {
     if (diagnostics_.has_errors()) return;
   }
   const LowerSettings settings = SettingsFor(CheckLowering(typed, lowering_, diagnostics_));
-  if (!request_.gives_planes_to_device && !IsDebugged())
+  if (!request_.gives_planes_to_device && !request_.debug.changes_result())
     CheckPlanesAreKept(typed, lowering_, *target_, diagnostics_);
   if (diagnostics_.has_errors()) return;
   CountMatrices(typed);
@@ -314,7 +311,7 @@ LowerSettings Compilation::SettingsFor(ir::VarId position_input) {
   settings.passes.after_pass = [&](std::string_view pass, const ir::Program& after) {
     if (watch_.AskNow()) throw Stopped();
     const auto& wanted = request_.debug.dump_after;
-    if (std::find(wanted.begin(), wanted.end(), pass) == wanted.end()) return;
+    if (std::ranges::find(wanted, pass) == wanted.end()) return;
     if (wanted.size() > 1) result_.dump += fmt::format("// after {}\n", pass);
     result_.dump += ir::Print(after);
   };

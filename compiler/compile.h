@@ -34,6 +34,9 @@ struct DebugOptions {
   std::string stop_after;
   // The typed program is verified between passes, as in debug builds.
   bool verify = false;
+
+  // Whether it asks for more than the result, or for less.
+  bool changes_result() const { return dump || !dump_after.empty() || !stop_after.empty(); }
 };
 
 // The other half of the program.

@@ -71,8 +71,7 @@ class Follower {
     for (const VarId id : program.vars.ids()) {
       const Var& var = program.vars[id];
       // A matrix input is put together from its registers.
-      if (var.storage == Storage::kUniform || var.init)
-        state_.values[IndexOf(id)] = Given(var.type);
+      if (var.storage == Storage::kUniform || var.init) At(id) = Given(var.type);
     }
   }
 
@@ -81,7 +80,7 @@ class Follower {
     Follow(program_.functions[program_.main].body, exits);
     for (const IoVar& output : program_.outputs) {
       if (output.builtin != Builtin::kPosition || work_ > kMostWork) continue;
-      const int count = state_.values[IndexOf(output.var)].Most();
+      const int count = At(output.var).Most();
       if (count <= kMostMatrices) return count;
     }
     return std::nullopt;
@@ -94,7 +93,7 @@ class Follower {
     Value result;
   };
 
-  static std::size_t IndexOf(VarId id) { return id.index; }
+  Value& At(VarId var) { return state_.values[var.index]; }
 
   Value Given(TypeId type) {
     if (IsTooMuch(1)) return {};
@@ -124,6 +123,11 @@ class Follower {
     if (!expr || IsTooMuch(1)) return {};
     return Visit([&](const auto& node) { return OfNode(expr, node); }, program_.exprs[expr].node);
   }
+  std::vector<Value> OfAll(List<ExprId> list) {
+    std::vector<Value> values;
+    for (const ExprId expr : program_.expr_lists[list]) values.push_back(Of(expr));
+    return values;
+  }
   // The largest number of the operands, for an operation that mixes them.
   int MostOf(ExprId expr) {
     int most = 0;
@@ -135,7 +139,7 @@ class Follower {
   Value OfNode(ExprId expr, const Node&) {
     return {MostOf(expr), {}};
   }
-  Value OfNode(ExprId, const VarRef& node) { return state_.values[IndexOf(node.var)]; }
+  Value OfNode(ExprId, const VarRef& node) { return At(node.var); }
   Value OfNode(ExprId, const FieldRef& node) {
     Value base = Of(node.base);
     if (node.field < base.fields.size()) return std::move(base.fields[node.field]);
@@ -181,10 +185,7 @@ class Follower {
     const TypeKind kind = TypeOf(program_, expr).kind;
     if (kind == TypeKind::kMatrix) return {std::max(MostOf(expr), 1), {}};
     if (kind != TypeKind::kStruct) return {MostOf(expr), {}};
-    Value value;
-    for (std::uint32_t i = 0; i < node.arguments.size; ++i)
-      value.fields.push_back(Of(program_.expr_lists[node.arguments][i]));
-    return value;
+    return {0, OfAll(node.arguments)};
   }
   Value OfNode(ExprId, const Comma& node) {
     Of(node.first);
@@ -192,8 +193,7 @@ class Follower {
   }
   Value OfNode(ExprId expr, const IntrinsicCall& node) {
     std::vector<int> counts;
-    for (std::uint32_t i = 0; i < node.arguments.size; ++i)
-      counts.push_back(Of(program_.expr_lists[node.arguments][i]).Most());
+    for (const Value& value : OfAll(node.arguments)) counts.push_back(value.Most());
     const int most = counts.empty() ? 0 : *std::ranges::max_element(counts);
     ForEachWrite(program_, expr, [&](ExprId target) { Write(target, {most, {}}); });
     switch (node.op) {
@@ -217,11 +217,9 @@ class Follower {
     if (calls_ == kMostCalls) work_ = kMostWork;
     if (IsTooMuch(1)) return {};
     const Function& function = program_.functions[node.function];
-    std::vector<Value> arguments;
-    for (std::uint32_t i = 0; i < node.arguments.size; ++i)
-      arguments.push_back(Of(program_.expr_lists[node.arguments][i]));
+    std::vector<Value> arguments = OfAll(node.arguments);
     for (std::size_t i = 0; i < function.parameters.size() && i < arguments.size(); ++i)
-      state_.values[IndexOf(function.parameters[i])] = std::move(arguments[i]);
+      At(function.parameters[i]) = std::move(arguments[i]);
     Exits exits;
     ++calls_;
     Follow(function.body, exits);
@@ -230,8 +228,7 @@ class Follower {
     state_.is_reached = true;
     for (std::uint32_t i = 0; i < node.arguments.size; ++i) {
       if (WritesOperand(program_, expr, i))
-        Write(program_.expr_lists[node.arguments][i],
-              state_.values[IndexOf(function.parameters[i])]);
+        Write(program_.expr_lists[node.arguments][i], At(function.parameters[i]));
     }
     return std::move(exits.result);
   }
@@ -250,7 +247,7 @@ class Follower {
     }
     const VarId root = RootOf(program_, target);
     if (!root) return;
-    Value* place = &state_.values[IndexOf(root)];
+    Value* place = &At(root);
     for (; !path.empty(); path.pop_back()) {
       if (place->fields.size() <= path.back())
         place->fields.resize(path.back() + 1, Value{place->count, {}});
@@ -271,9 +268,9 @@ class Follower {
   }
   void FollowNode(const Block& node, Exits& exits) { FollowAll(node.body, exits); }
   void FollowAll(List<StmtId> list, Exits& exits) {
-    for (std::uint32_t i = 0; i < list.size; ++i) Follow(program_.stmt_lists[list][i], exits);
+    for (const StmtId stmt : program_.stmt_lists[list]) Follow(stmt, exits);
   }
-  void FollowNode(const Declare& node, Exits&) { state_.values[IndexOf(node.var)] = Of(node.init); }
+  void FollowNode(const Declare& node, Exits&) { At(node.var) = Of(node.init); }
   void FollowNode(const Evaluate& node, Exits&) { Of(node.expr); }
   void FollowNode(const If& node, Exits& exits) {
     Of(node.condition);
@@ -298,9 +295,9 @@ class Follower {
     const State before = Kept();
     Exits inner;
     state_.is_reached = false;
-    for (std::uint32_t i = 0; i < node.cases.size; ++i) {
+    for (const SwitchCase& each : program_.switch_cases[node.cases]) {
       Join(state_, before);
-      FollowAll(program_.switch_cases[node.cases][i].body, inner);
+      FollowAll(each.body, inner);
     }
     Join(state_, inner.broken);
     Join(state_, before);

@@ -36,7 +36,7 @@ void CheckMembers(const Json& object, const std::string& where,
                   std::span<const std::string_view> known) {
   if (!object.is_object()) Refuse(where, "is not an object");
   for (const auto& [name, value] : object.items()) {
-    if (std::find(known.begin(), known.end(), name) == known.end())
+    if (std::ranges::find(known, name) == known.end())
       Refuse(where, fmt::format("`{}` is not a member of it{}", name, Suggest(name, known)));
   }
 }

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/path.h"
+#include "clip-table/vocabulary.h"
 
 namespace clipc {
 namespace {
@@ -21,13 +22,9 @@ std::string Dump(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string_view NameOf(Severity severity) {
-  switch (severity) {
-    case Severity::kNote: return "note";
-    case Severity::kWarning: return "warning";
-    case Severity::kError: break;
-  }
-  return "error";
+const char* NameOf(Severity severity) {
+  constexpr const char* kNames[] = {"note", "warning", "error"};
+  return NameIn(kNames, severity);
 }
 
 void AppendMsvcLine(const Message& message, std::string& out) {

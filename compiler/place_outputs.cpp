@@ -27,9 +27,8 @@ std::string NameAfter(const std::string& value, const std::string& name) {
 // standard output, and whoever names a header or a listing wants that.
 std::string PlaceGlsl(const CommandLine& command, const std::string& input) {
   const std::string& output = command.output;
-  const DebugOptions& debug = command.request.debug;
-  const bool wants_other = debug.dump || !debug.dump_after.empty() || !debug.stop_after.empty() ||
-                           !command.header.empty() || !command.listing.empty();
+  const bool wants_other =
+      command.request.debug.changes_result() || !command.header.empty() || !command.listing.empty();
   if (output.empty()) return wants_other ? "" : "-";
   if (!EndsWithSlash(output) && (output == "-" || !IsDirectory(output))) return output;
   const std::string stem = input == "-" ? "stdin" : WithoutExtension(FileName(input));
