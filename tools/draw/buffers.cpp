@@ -5,7 +5,6 @@
 #include <cstring>
 #include <string>
 #include <utility>
-#include <variant>
 
 #include "ir/scalar.h"
 #include "tools/draw/memory.h"
@@ -240,9 +239,7 @@ void GiveBuffers(const Program& program, const GlslInfo& info, const Buffers& bu
       upload.name = object.name + indices[i];
       upload.target = GL_TEXTURE_BUFFER;
       upload.kind = KindOfTexels(ElementKind(program, object.texture));
-      auto& level = upload.levels.emplace_back();
-      level.words.resize(bytes.size() / 4);
-      std::memcpy(level.words.data(), bytes.data(), bytes.size());
+      upload.levels.emplace_back().words = WordsOf(bytes);
       inputs.textures.push_back(std::move(upload));
     }
   }

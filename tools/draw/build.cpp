@@ -19,9 +19,9 @@ struct Reading {
                          .shader_model_major = profile.major,
                          .shader_model_minor = profile.minor}) {}
 
-  template <typename Error>
-  void StopAtErrors(const std::string& what) const {
-    if (diagnostics.has_errors()) throw Error(what + "\n" + source.RenderText(diagnostics, false));
+  void StopAtErrors() const {
+    if (diagnostics.has_errors())
+      throw DrawError("the shader has errors\n" + source.RenderText(diagnostics, false));
   }
 
   ir::Profile profile;
@@ -33,7 +33,7 @@ struct Reading {
 Tokens Preprocess(const BuildOptions& options) {
   Reading reading(options);
   Tokens tokens = Lex(reading.source, reading.diagnostics);
-  reading.StopAtErrors<DrawError>("the shader has errors");
+  reading.StopAtErrors();
   return tokens;
 }
 
@@ -56,11 +56,11 @@ CheckedShader::CheckedShader(const BuildOptions& options)
                          .whole_register_planes = options.lowering == Lowering::kLevel9,
                          .short_circuits = reading.profile.IsAtLeast(6, 0)},
                         reading.diagnostics);
-  reading.StopAtErrors<DrawError>("the shader has errors");
+  reading.StopAtErrors();
   state_->position_input =
       CheckLowering(state_->typed, {options.lowering, options.plane_space, options.position_input},
                     reading.diagnostics);
-  reading.StopAtErrors<DrawError>("the shader has errors");
+  reading.StopAtErrors();
 }
 
 CheckedShader::~CheckedShader() = default;

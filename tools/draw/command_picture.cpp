@@ -28,14 +28,8 @@ Inputs InputsOf(const Json& draw, const GlProgram& program) {
     inputs.attributes.push_back({name, words.get<Words>()});
   for (const auto& [name, words] : draw.at("uniforms").items())
     inputs.uniforms.push_back({name, words.get<Words>()});
-  for (const auto& [name, words] : draw.at("blocks").items()) {
-    Bytes bytes;
-    for (const std::uint32_t word : words.get<Words>()) {
-      for (int shift = 0; shift < 32; shift += 8)
-        bytes.push_back(static_cast<std::uint8_t>(word >> shift));
-    }
-    inputs.blocks.push_back({name, bytes});
-  }
+  for (const auto& [name, words] : draw.at("blocks").items())
+    inputs.blocks.push_back({name, BytesOf(words.get<Words>())});
   const Json textures = draw.value("textures", Json::object());
   for (const Active& uniform : program.Uniforms()) {
     if (FindShape(uniform.type)) continue;

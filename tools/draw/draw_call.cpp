@@ -18,10 +18,8 @@ void ChooseDraw(const Shader& shader, RandomOptions& draw) {
   const auto& inputs = shader.info.inputs;
   // Before GLSL 1.50 there are no draw calls with a base vertex.
   const Version version = VersionOf(shader.glsl);
-  const bool from_zero =
-      version.es || version.number < 150 ||
-      std::ranges::any_of(
-          inputs, [](const GlslInfo::Variable& input) { return input.needs_base_vertex_zero; });
+  const bool from_zero = version.es || version.number < 150 ||
+                         std::ranges::any_of(inputs, &GlslInfo::Variable::needs_base_vertex_zero);
   if (from_zero) return;
   draw.first_vertex = 5;
   draw.base_instance = 2;

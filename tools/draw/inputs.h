@@ -3,7 +3,9 @@
 
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,17 @@ using harness::DrawError;
 
 using Words = std::vector<std::uint32_t>;  // the bits of floats, ints or uints
 using Bytes = std::vector<std::uint8_t>;
+
+// Bytes as words, without a rest of less than four, and words as bytes, as they lie in memory.
+inline Words WordsOf(std::span<const std::uint8_t> bytes) {
+  Words words(bytes.size() / 4);
+  if (!words.empty()) std::memcpy(words.data(), bytes.data(), 4 * words.size());
+  return words;
+}
+inline Bytes BytesOf(std::span<const std::uint32_t> words) {
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(words.data());
+  return {bytes, bytes + 4 * words.size()};
+}
 
 enum class WordKind { kFloat, kInt, kUint };
 

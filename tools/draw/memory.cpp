@@ -104,12 +104,6 @@ Words WordsOf(const Program& program, const CbufferMember& member, std::string_v
   return part ? ReadWords(program.types, *part, bytes) : Words{};
 }
 
-Words AllWords(const Bytes& bytes) {
-  Words words(bytes.size() / 4);
-  if (!words.empty()) std::memcpy(words.data(), bytes.data(), 4 * words.size());
-  return words;
-}
-
 // The words of the uniform that OpenGL calls `name`; empty when it is not a part of the block's
 // members.
 Words UniformOf(const Program& program, const GlslInfo::Block& block, const Bytes& bytes,
@@ -197,7 +191,7 @@ void GiveConstants(const Program& program, const GlslInfo& info, const std::vect
       if (!block.name.empty() || !words.empty()) continue;
       const Bytes& bytes = cbuffers[block.cbuffer.index];
       const bool is_rows = !block.rows.empty() && name == block.rows + "[0]";
-      words = is_rows ? AllWords(bytes) : UniformOf(program, block, bytes, name);
+      words = is_rows ? WordsOf(bytes) : UniformOf(program, block, bytes, name);
     }
     return words;
   };

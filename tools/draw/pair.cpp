@@ -45,14 +45,12 @@ Words PairAttribute(std::uint32_t location, const Shape& shape) {
 
 Bytes PairBlock(std::uint64_t seed, std::size_t size) {
   harness::Random random(seed);
-  Bytes bytes;
+  Words words;
   for (std::size_t word = 0; 4 * word < size; ++word) {
     const double base = word < 16 && word % 5 == 0 ? 1 : 0;
-    const std::uint32_t bits = Bits(base + random.Between(0.05, 0.25));
-    for (int shift = 0; shift < 32; shift += 8)
-      bytes.push_back(static_cast<std::uint8_t>(bits >> shift));
+    words.push_back(Bits(base + random.Between(0.05, 0.25)));
   }
-  return bytes;
+  return BytesOf(words);
 }
 
 Inputs::Texture PairTexture(std::uint64_t seed) {

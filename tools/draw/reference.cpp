@@ -129,8 +129,7 @@ class Reference {
   template <typename Number>
   Float4<Number> PositionOf(const EvalOutputs& outputs) const {
     const auto& list = shader_.typed.outputs;
-    const auto found = std::ranges::find_if(
-        list, [](const IoVar& io) { return io.builtin == Builtin::kPosition; });
+    const auto found = std::ranges::find(list, Builtin::kPosition, &IoVar::builtin);
     if (found == list.end()) throw DrawError("planes without a position");
     Float4<Number> position;
     for (int i = 0; i < 4; ++i)
@@ -176,7 +175,7 @@ class Reference {
   // the application uploads.
   void FillDistances(Expected& expected, std::size_t index) const {
     const auto& planes = shader_.typed.clip_planes;
-    if (!std::ranges::all_of(planes, [](const ClipPlane& plane) { return plane.whole_register; })) {
+    if (!std::ranges::all_of(planes, &ClipPlane::whole_register)) {
       return Fill(expected, index, RunAll(shader_.lowered, inputs_, undefined_));
     }
     for (std::size_t vertex = 0; vertex < typed_.in_float.size(); ++vertex) {

@@ -2,10 +2,10 @@
 #include "tools/draw/peer/module.h"
 
 #include <algorithm>
-#include <cctype>
 
 #include <spirv_cross/spirv_cross.hpp>
 
+#include "base/spelling.h"
 #include "tools/draw/vulkan/reflect.h"
 
 namespace clipc::draw::peer {
@@ -133,10 +133,7 @@ std::vector<Vector> Count(const std::vector<Variable>& variables) {
 }  // namespace
 
 std::string KeyOf(const std::string& semantic, std::uint32_t index) {
-  std::string key = semantic + std::to_string(index);
-  std::ranges::transform(key, key.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return key;
+  return ToUpper(semantic + std::to_string(index));
 }
 
 std::vector<PeerBlock> BlocksOf(const Spirv& spirv) {

@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <bit>
-#include <cctype>
 #include <cstdio>
 #include <set>
 #include <utility>
 #include <vector>
+
+#include "base/spelling.h"
 
 namespace clipc::draw::peer {
 namespace {
@@ -112,11 +113,8 @@ class Writer {
         "RasterizerState", "RenderTargetView", "DepthStencilView", "stateblock",
         "string"};
     const std::string_view first = Text(item.front());
-    std::string lower(first.substr(0, 9));
-    std::ranges::transform(lower, lower.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (lower == "technique" || first.starts_with("texture") || first == "fxgroup" ||
-        kDropped.contains(first))
+    if (ToLower(first.substr(0, 9)) == "technique" || first.starts_with("texture") ||
+        first == "fxgroup" || kDropped.contains(first))
       return item.clear();
     DropState(item);
   }

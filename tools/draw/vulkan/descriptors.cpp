@@ -5,15 +5,28 @@
 
 namespace clipc::draw::vulkan {
 vk::DescriptorType TypeOf(DescriptorKind kind) {
-  switch (kind) {
-    case DescriptorKind::kUniforms: return vk::DescriptorType::eUniformBuffer;
-    case DescriptorKind::kStorage: return vk::DescriptorType::eStorageBuffer;
-    case DescriptorKind::kTexture: return vk::DescriptorType::eSampledImage;
-    case DescriptorKind::kSampler: return vk::DescriptorType::eSampler;
-    case DescriptorKind::kTextureWithSampler: return vk::DescriptorType::eCombinedImageSampler;
-    case DescriptorKind::kTexels: return vk::DescriptorType::eUniformTexelBuffer;
+  using enum vk::DescriptorType;
+  constexpr vk::DescriptorType kTypes[] = {eUniformBuffer,        eStorageBuffer,
+                                           eSampledImage,         eSampler,
+                                           eCombinedImageSampler, eUniformTexelBuffer};
+  return kTypes[static_cast<int>(kind)];
+}
+
+std::vector<vk::raii::DescriptorSetLayout> MakeLayouts(const Device& device, LayoutBindings& sets) {
+  std::vector<vk::raii::DescriptorSetLayout> layouts;
+  for (std::uint32_t set = 0; !sets.empty() && set <= sets.rbegin()->first; ++set) {
+    std::vector<vk::DescriptorSetLayoutBinding> bindings;
+    for (const auto& [number, binding] : sets[set]) bindings.push_back(binding);
+    layouts.emplace_back(device.get(), vk::DescriptorSetLayoutCreateInfo({}, bindings));
   }
-  return {};
+  return layouts;
+}
+
+std::vector<vk::DescriptorSetLayout> HandlesOf(
+    const std::vector<vk::raii::DescriptorSetLayout>& layouts) {
+  std::vector<vk::DescriptorSetLayout> handles;
+  for (const vk::raii::DescriptorSetLayout& layout : layouts) handles.push_back(*layout);
+  return handles;
 }
 
 Descriptors::Descriptors(const Device& device, const DrawCall& call) : device_(device) {
@@ -23,7 +36,7 @@ Descriptors::Descriptors(const Device& device, const DrawCall& call) : device_(d
 }
 
 void Descriptors::MakeLayouts(const DrawCall& call) {
-  std::map<std::uint32_t, std::map<std::uint32_t, vk::DescriptorSetLayoutBinding>> sets;
+  LayoutBindings sets;
   for (const DrawCall::Descriptor& descriptor : call.descriptors) {
     vk::DescriptorSetLayoutBinding& binding = sets[descriptor.set][descriptor.binding];
     binding.binding = descriptor.binding;
@@ -31,11 +44,7 @@ void Descriptors::MakeLayouts(const DrawCall& call) {
     binding.stageFlags = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
     binding.descriptorCount = std::max(binding.descriptorCount, descriptor.element + 1);
   }
-  for (std::uint32_t set = 0; !sets.empty() && set <= sets.rbegin()->first; ++set) {
-    std::vector<vk::DescriptorSetLayoutBinding> bindings;
-    for (const auto& [number, binding] : sets[set]) bindings.push_back(binding);
-    layouts_.emplace_back(device_.get(), vk::DescriptorSetLayoutCreateInfo({}, bindings));
-  }
+  layouts_ = vulkan::MakeLayouts(device_, sets);
 }
 
 void Descriptors::MakeSets(const DrawCall& call) {
@@ -69,10 +78,8 @@ void Descriptors::Write(const DrawCall::Descriptor& given) {
       break;
     }
     case DescriptorKind::kTexels: {
-      const Words& words = given.texture.levels.at(0).words;
-      const auto* bytes = reinterpret_cast<const std::uint8_t*>(words.data());
       const Buffer& made = buffers_.emplace_back(device_.NewBuffer(
-          vk::BufferUsageFlagBits::eUniformTexelBuffer, {bytes, 4 * words.size()}));
+          vk::BufferUsageFlagBits::eUniformTexelBuffer, BytesOf(given.texture.levels.at(0).words)));
       texels_.emplace_back(
           device_.get(),
           vk::BufferViewCreateInfo({}, *made.buffer, FormatOf(given.texture), 0, VK_WHOLE_SIZE));
@@ -92,12 +99,6 @@ void Descriptors::Write(const DrawCall::Descriptor& given) {
   write.pImageInfo = &image;
   write.pTexelBufferView = &texels;
   device_.get().updateDescriptorSets(write, {});
-}
-
-std::vector<vk::DescriptorSetLayout> Descriptors::Layouts() const {
-  std::vector<vk::DescriptorSetLayout> layouts;
-  for (const vk::raii::DescriptorSetLayout& layout : layouts_) layouts.push_back(*layout);
-  return layouts;
 }
 
 void Descriptors::Bind(const vk::raii::CommandBuffer& commands,

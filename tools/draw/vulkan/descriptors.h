@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <vector>
 
 #include "tools/draw/vulkan/image.h"
@@ -10,12 +12,20 @@ namespace clipc::draw::vulkan {
 
 vk::DescriptorType TypeOf(DescriptorKind kind);
 
+// What stands at each binding of each set.
+using LayoutBindings =
+    std::map<std::uint32_t, std::map<std::uint32_t, vk::DescriptorSetLayoutBinding>>;
+// By number of the set; empty ones between those that there are, which it adds.
+std::vector<vk::raii::DescriptorSetLayout> MakeLayouts(const Device& device, LayoutBindings& sets);
+std::vector<vk::DescriptorSetLayout> HandlesOf(
+    const std::vector<vk::raii::DescriptorSetLayout>& layouts);
+
 // The descriptor sets of a draw call and the objects that they point to.
 class Descriptors {
  public:
   Descriptors(const Device& device, const DrawCall& call);
 
-  std::vector<vk::DescriptorSetLayout> Layouts() const;
+  std::vector<vk::DescriptorSetLayout> Layouts() const { return HandlesOf(layouts_); }
   void Bind(const vk::raii::CommandBuffer& commands, const vk::raii::PipelineLayout& layout) const;
 
  private:

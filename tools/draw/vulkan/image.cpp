@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "tools/draw/vulkan/image.h"
 
-#include "tools/harness/offscreen.h"
+#include <algorithm>
+#include <iterator>
 
 namespace clipc::draw::vulkan {
 namespace {
@@ -37,6 +38,19 @@ std::uint32_t LayersOf(const Form& form, const Inputs::Texture::Level& level) {
   return form.axes < 3 ? form.faces * level.size[form.axes] : 1;
 }
 
+// An image in memory of its own, and the view of all of it.
+Image NewImage(const Device& device, const vk::ImageCreateInfo& info, vk::ImageViewType view) {
+  Image made;
+  made.image = vk::raii::Image(device.get(), info);
+  made.memory = device.Allocate(made.image.getMemoryRequirements());
+  made.image.bindMemory(*made.memory, 0);
+  const vk::ImageSubresourceRange all(vk::ImageAspectFlagBits::eColor, 0, info.mipLevels, 0,
+                                      info.arrayLayers);
+  made.view = vk::raii::ImageView(
+      device.get(), vk::ImageViewCreateInfo({}, *made.image, view, info.format, {}, all));
+  return made;
+}
+
 }  // namespace
 
 void Transition(const vk::raii::CommandBuffer& commands, const Image& image,
@@ -50,12 +64,9 @@ void Transition(const vk::raii::CommandBuffer& commands, const Image& image,
 }
 
 vk::Format FormatOf(const Inputs::Texture& texture) {
-  switch (texture.kind) {
-    case WordKind::kInt: return vk::Format::eR32G32B32A32Sint;
-    case WordKind::kUint: return vk::Format::eR32G32B32A32Uint;
-    case WordKind::kFloat: break;
-  }
-  return vk::Format::eR32G32B32A32Sfloat;
+  using enum vk::Format;
+  constexpr vk::Format kFormats[] = {eR32G32B32A32Sfloat, eR32G32B32A32Sint, eR32G32B32A32Uint};
+  return kFormats[static_cast<int>(texture.kind)];
 }
 
 Image UploadImage(const Device& device, const Inputs::Texture& texture) {
@@ -64,15 +75,13 @@ Image UploadImage(const Device& device, const Inputs::Texture& texture) {
   const std::uint32_t layers = LayersOf(form, texture.levels.at(0));
   const bool is_cube =
       form.view == vk::ImageViewType::eCube || form.view == vk::ImageViewType::eCubeArray;
-  Image made;
-  made.image = vk::raii::Image(
-      device.get(), vk::ImageCreateInfo(
-                        is_cube ? vk::ImageCreateFlagBits::eCubeCompatible : vk::ImageCreateFlags(),
-                        form.type, FormatOf(texture), ExtentOf(form, texture.levels[0]), levels,
-                        layers, vk::SampleCountFlagBits::e1, vk::ImageTiling::eOptimal,
-                        vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst));
-  made.memory = device.Allocate(made.image.getMemoryRequirements());
-  made.image.bindMemory(*made.memory, 0);
+  Image made =
+      NewImage(device,
+               {is_cube ? vk::ImageCreateFlagBits::eCubeCompatible : vk::ImageCreateFlags(),
+                form.type, FormatOf(texture), ExtentOf(form, texture.levels[0]), levels, layers,
+                vk::SampleCountFlagBits::e1, vk::ImageTiling::eOptimal,
+                vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst},
+               form.view);
 
   Bytes bytes;
   std::vector<vk::BufferImageCopy> copies;
@@ -80,8 +89,7 @@ Image UploadImage(const Device& device, const Inputs::Texture& texture) {
     const Inputs::Texture::Level& level = texture.levels[i];
     const vk::ImageSubresourceLayers place(vk::ImageAspectFlagBits::eColor, i, 0, layers);
     copies.emplace_back(bytes.size(), 0, 0, place, vk::Offset3D(), ExtentOf(form, level));
-    const auto* begin = reinterpret_cast<const std::uint8_t*>(level.words.data());
-    bytes.insert(bytes.end(), begin, begin + 4 * level.words.size());
+    std::ranges::copy(BytesOf(level.words), std::back_inserter(bytes));
   }
   const Buffer staging = device.NewBuffer(vk::BufferUsageFlagBits::eTransferSrc, bytes);
   const vk::ImageSubresourceRange all(vk::ImageAspectFlagBits::eColor, 0, levels, 0, layers);
@@ -93,27 +101,21 @@ Image UploadImage(const Device& device, const Inputs::Texture& texture) {
     Transition(commands, made, all, vk::ImageLayout::eTransferDstOptimal,
                vk::ImageLayout::eShaderReadOnlyOptimal);
   });
-  made.view = vk::raii::ImageView(
-      device.get(),
-      vk::ImageViewCreateInfo({}, *made.image, form.view, FormatOf(texture), {}, all));
   return made;
 }
 
 Image MakeTarget(const Device& device, std::uint32_t size) {
-  constexpr auto kFormat = vk::Format::eR32G32B32A32Sfloat;
-  const vk::ImageSubresourceRange all(vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1);
-  Image made;
-  made.image = vk::raii::Image(
-      device.get(), vk::ImageCreateInfo({}, vk::ImageType::e2D, kFormat, {size, size, 1}, 1, 1,
-                                        vk::SampleCountFlagBits::e1, vk::ImageTiling::eOptimal,
-                                        vk::ImageUsageFlagBits::eColorAttachment |
-                                            vk::ImageUsageFlagBits::eTransferSrc));
-  made.memory = device.Allocate(made.image.getMemoryRequirements());
-  made.image.bindMemory(*made.memory, 0);
-  made.view = vk::raii::ImageView(
-      device.get(),
-      vk::ImageViewCreateInfo({}, *made.image, vk::ImageViewType::e2D, kFormat, {}, all));
-  return made;
+  return NewImage(device,
+                  {{},
+                   vk::ImageType::e2D,
+                   vk::Format::eR32G32B32A32Sfloat,
+                   {size, size, 1},
+                   1,
+                   1,
+                   vk::SampleCountFlagBits::e1,
+                   vk::ImageTiling::eOptimal,
+                   vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eTransferSrc},
+                  vk::ImageViewType::e2D);
 }
 
 vk::raii::Sampler MakeSampler(const Device& device, bool compares) {

@@ -2,7 +2,6 @@
 #include "tools/draw/vulkan/machine_code.h"
 
 #include <algorithm>
-#include <map>
 #include <string>
 #include <string_view>
 
@@ -33,19 +32,13 @@ Attributes AttributesOf(const Reads& reads) {
 }
 
 std::vector<vk::raii::DescriptorSetLayout> LayoutsOf(const Device& device, const Reads& reads) {
-  std::map<std::uint32_t, std::map<std::uint32_t, vk::DescriptorSetLayoutBinding>> sets;
+  LayoutBindings sets;
   for (const Reads::Binding& read : reads.bindings) {
     sets[read.set].try_emplace(read.binding, read.binding, TypeOf(read.kind),
                                read.elements > 0 ? read.elements : kManyElements,
                                vk::ShaderStageFlagBits::eVertex);
   }
-  std::vector<vk::raii::DescriptorSetLayout> layouts;
-  for (std::uint32_t set = 0; !sets.empty() && set <= sets.rbegin()->first; ++set) {
-    std::vector<vk::DescriptorSetLayoutBinding> bindings;
-    for (const auto& [number, binding] : sets[set]) bindings.push_back(binding);
-    layouts.emplace_back(device.get(), vk::DescriptorSetLayoutCreateInfo({}, bindings));
-  }
-  return layouts;
+  return MakeLayouts(device, sets);
 }
 
 // The GLSL type of one element, `vec3` or `mat4x3`.
@@ -100,8 +93,7 @@ MachineCode CodeCounter::Count(const Spirv& vertex) const try {
   const vk::raii::Device& device = device_->get();
   const Reads reads = ReadsOf(vertex);
   const std::vector<vk::raii::DescriptorSetLayout> sets = LayoutsOf(*device_, reads);
-  std::vector<vk::DescriptorSetLayout> layouts;
-  for (const vk::raii::DescriptorSetLayout& set : sets) layouts.push_back(*set);
+  const std::vector<vk::DescriptorSetLayout> layouts = HandlesOf(sets);
   const vk::PushConstantRange pushed(vk::ShaderStageFlagBits::eVertex, 0, kPushedBytes);
   const vk::raii::PipelineLayout layout(device, vk::PipelineLayoutCreateInfo({}, layouts, pushed));
   const vk::raii::Pipeline pipeline =

@@ -34,9 +34,8 @@ Attributes UploadAttributes(const Device& device, const DrawCall& call) {
     const std::uint32_t binding = made.bindings.size();
     made.bindings.emplace_back(binding, 4 * components);
     made.places.emplace_back(attribute.location, binding, FormatOf(attribute.kind, components), 0);
-    const auto* bytes = reinterpret_cast<const std::uint8_t*>(words.data());
     made.buffers.push_back(
-        device.NewBuffer(vk::BufferUsageFlagBits::eVertexBuffer, {bytes, 4 * words.size()}));
+        device.NewBuffer(vk::BufferUsageFlagBits::eVertexBuffer, BytesOf(words)));
   }
   return made;
 }

@@ -173,9 +173,7 @@ bool IsSpirv(std::string_view bytes) {
 }
 
 Spirv SpirvOfBytes(std::string_view bytes) {
-  Spirv spirv(bytes.size() / 4);
-  if (!spirv.empty()) std::memcpy(spirv.data(), bytes.data(), 4 * spirv.size());
-  return spirv;
+  return WordsOf({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
 }
 
 std::vector<Output> OutputsOf(const Spirv& spirv) { return Reflected(spirv, ReflectOutputs); }
