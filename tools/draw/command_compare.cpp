@@ -143,7 +143,8 @@ class Runner {
                const std::string& name) {
     const RandomInputs inputs = MakeRandomInputs(shader.typed, random);
     const std::vector<Expected> expected = MakeExpected(shader, build, inputs);
-    const Comparison found = Run(shader, build, expected, inputs, random);
+    const Comparison found =
+        Run(build.target, {shader, expected, inputs, random, options_.tolerance});
     if (options_.verbose || found.wrong > 0) {
       std::printf("%s: %ld of %ld values wrong, worst %.1f units\n", name.c_str(), found.wrong,
                   found.values, found.worst);
@@ -153,16 +154,13 @@ class Runner {
     Add(found);
   }
 
-  Comparison Run(const Shader& shader, const BuildOptions& build,
-                 const std::vector<Expected>& expected, const RandomInputs& inputs,
-                 const RandomOptions& random) {
-    if (build.target == "vulkan") {
+  Comparison Run(const std::string& target, const Trial& trial) {
+    if (target == "vulkan") {
       if (!vulkan_) vulkan_.emplace();
-      return vulkan::CompareWithVulkan(*vulkan_, shader, expected, inputs, random,
-                                       options_.tolerance);
+      return vulkan::CompareWithVulkan(*vulkan_, trial);
     }
     if (!opengl_) opengl_.emplace();
-    return CompareWithOpenGl(*opengl_, shader, expected, inputs, random, options_.tolerance);
+    return CompareWithOpenGl(*opengl_, trial);
   }
 
   void Add(const Comparison& found) {

@@ -27,6 +27,15 @@ struct Tolerance {
   double roundings = 8;
 };
 
+// The outputs of a shader on one draw call, and what they must be.
+struct Trial {
+  const Shader& shader;
+  const std::vector<Expected>& expected;
+  const RandomInputs& inputs;
+  const RandomOptions& draw;
+  Tolerance tolerance;
+};
+
 struct Comparison {
   long values = 0;                    // components compared
   long equal = 0;                     // to the bit, or both zero

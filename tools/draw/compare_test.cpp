@@ -109,10 +109,10 @@ class Compare : public ::testing::Test {
     const std::vector<Expected> expected = MakeExpected(shader, options, inputs);
     if (options.target == "vulkan") {
       static const vulkan::Runner kRunner;
-      return vulkan::CompareWithVulkan(kRunner, shader, expected, inputs, draw, {});
+      return vulkan::CompareWithVulkan(kRunner, {shader, expected, inputs, draw, {}});
     }
     static harness::OpenGl opengl;
-    return CompareWithOpenGl(opengl, shader, expected, inputs, draw, {});
+    return CompareWithOpenGl(opengl, {shader, expected, inputs, draw, {}});
   }
 
   static BuildOptions Objects(const std::string& target = "glsl450") {

@@ -15,7 +15,6 @@
 #include "tools/draw/opengl/compare.h"
 #include "tools/draw/peer/compare.h"
 #include "tools/draw/vulkan/compare.h"
-#include "tools/draw/vulkan/glslang.h"
 #include "tools/random/check_layout.h"
 
 namespace clipc::random {
@@ -47,10 +46,12 @@ BuildOptions OptionsOf(const Program& program, const std::string& path) {
   return build;
 }
 
+draw::RandomOptions RandomOptionsOf(const Program& program) {
+  return {.seed = program.inputs, .vertices = program.vertices, .quarters = true};
+}
+
 draw::Tolerance ToleranceOf(const Program& program) {
-  draw::Tolerance tolerance;
-  tolerance.ulps = program.is_soft ? kSoftUlps : -1;
-  return tolerance;
+  return {.ulps = program.is_soft ? double{kSoftUlps} : -1};
 }
 
 std::string Words(const Comparison& comparison) {
@@ -110,9 +111,7 @@ struct Judge::State {
   void Draw(const Program& program, const draw::CheckedShader& checked, const std::string& target);
   void DrawSomeOpenGl(const Program& program, const draw::CheckedShader& checked);
   void AskPeer(const Program& program);
-  Comparison Compare(const Shader& shader, const std::string& target,
-                     const std::vector<draw::Expected>& expected, const draw::RandomInputs& inputs,
-                     const draw::RandomOptions& random, const draw::Tolerance& tolerance);
+  Comparison Compare(const std::string& target, const draw::Trial& trial);
 
   JudgeOptions options;
   std::optional<Verdict> only;
@@ -183,12 +182,8 @@ void Judge::State::Draw(const Program& program, const draw::CheckedShader& check
   const Shader shader = checked.BuildFor(target);
   // Programs have integers of all 32 bits.
   if (shader.has_int_for_uint) throw draw::NotForTarget("values from 2^31 on are negative");
-  draw::RandomOptions random;
-  random.seed = program.inputs;
-  random.vertices = program.vertices;
-  random.quarters = true;
+  draw::RandomOptions random = RandomOptionsOf(program);
   draw::ChooseDraw(shader, random);
-  const draw::Tolerance tolerance = ToleranceOf(program);
   Step("evaluate for " + target);
   const draw::RandomInputs inputs = draw::MakeRandomInputs(shader.typed, random);
   std::vector<draw::Expected> expected;
@@ -203,24 +198,21 @@ void Judge::State::Draw(const Program& program, const draw::CheckedShader& check
   }
   Step("draw " + target);
   try {
-    const Comparison found = Compare(shader, target, expected, inputs, random, tolerance);
+    const Comparison found =
+        Compare(target, {shader, expected, inputs, random, ToleranceOf(program)});
     if (found.wrong > 0) Report(Fault::kWrong, target, Words(found) + shader.glsl);
   } catch (const draw::DrawError& error) {
     Report(Fault::kDriver, target, error.what());
   }
 }
 
-Comparison Judge::State::Compare(const Shader& shader, const std::string& target,
-                                 const std::vector<draw::Expected>& expected,
-                                 const draw::RandomInputs& inputs,
-                                 const draw::RandomOptions& random,
-                                 const draw::Tolerance& tolerance) {
+Comparison Judge::State::Compare(const std::string& target, const draw::Trial& trial) {
   if (target == "vulkan") {
     if (!vulkan) vulkan.emplace();
-    return draw::vulkan::CompareWithVulkan(*vulkan, shader, expected, inputs, random, tolerance);
+    return draw::vulkan::CompareWithVulkan(*vulkan, trial);
   }
   if (!opengl) opengl.emplace();
-  return draw::CompareWithOpenGl(*opengl, shader, expected, inputs, random, tolerance);
+  return draw::CompareWithOpenGl(*opengl, trial);
 }
 
 void Judge::State::AskPeer(const Program& program) {
@@ -230,17 +222,13 @@ void Judge::State::AskPeer(const Program& program) {
   build.lowering = Lowering::kNone;
   build.plane_space = PlaneSpace::kClip;
   build.clip_space = {};
-  draw::RandomOptions random;
-  random.seed = program.inputs;
-  random.vertices = program.vertices;
-  random.quarters = true;
-  const draw::Tolerance tolerance = ToleranceOf(program);
+  draw::RandomOptions random = RandomOptionsOf(program);
   try {
     const Shader shader = draw::Build(build);
     draw::ChooseInstances(shader, random);
     if (!vulkan) vulkan.emplace();
     const draw::peer::PeerComparison found =
-        draw::peer::CompareWithGlslang(*vulkan, shader, build, random, tolerance);
+        draw::peer::CompareWithGlslang(*vulkan, shader, build, random, ToleranceOf(program));
     peer_took_it = true;
     if (found.values.wrong > 0) Report(Fault::kPeer, "vulkan", Words(found.values));
   } catch (const draw::DrawError&) {

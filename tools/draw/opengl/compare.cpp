@@ -18,18 +18,16 @@ std::string Capturable(std::string text) {
 
 }  // namespace
 
-Comparison CompareWithOpenGl(harness::OpenGl& opengl, const Shader& shader,
-                             const std::vector<Expected>& expected, const RandomInputs& random,
-                             const RandomOptions& draw, const Tolerance& tolerance) {
-  const std::string text = Capturable(ForOpenGl(shader.glsl));
+Comparison CompareWithOpenGl(harness::OpenGl& opengl, const Trial& trial) {
+  const std::string text = Capturable(ForOpenGl(trial.shader.glsl));
   opengl.Use(VersionOf(text).api);
-  const std::vector<const Expected*> outputs = Defined(expected);
+  const std::vector<const Expected*> outputs = Defined(trial.expected);
   std::vector<std::string> names;
   for (const Expected* output : outputs) names.push_back(Capturable(output->name));
   if (outputs.empty()) return {};
-  return CompareOutputs(outputs,
-                        Capture(text, names, MakeInputs(shader.lowered, shader.info, random, draw)),
-                        tolerance);
+  const Inputs inputs =
+      MakeInputs(trial.shader.lowered, trial.shader.info, trial.inputs, trial.draw);
+  return CompareOutputs(outputs, Capture(text, names, inputs), trial.tolerance);
 }
 
 }  // namespace clipc::draw

@@ -6,8 +6,6 @@
 namespace clipc::draw {
 
 // Runs the shader on OpenGL and compares its outputs with the expected ones.
-Comparison CompareWithOpenGl(harness::OpenGl& opengl, const Shader& shader,
-                             const std::vector<Expected>& expected, const RandomInputs& random,
-                             const RandomOptions& draw, const Tolerance& tolerance);
+Comparison CompareWithOpenGl(harness::OpenGl& opengl, const Trial& trial);
 
 }  // namespace clipc::draw

@@ -37,16 +37,15 @@ std::vector<Output> FindOutputs(const Spirv& spirv, const std::vector<const Expe
   return found;
 }
 
-Comparison CompareWithVulkan(const Runner& runner, const Shader& shader,
-                             const std::vector<Expected>& expected, const RandomInputs& random,
-                             const RandomOptions& draw, const Tolerance& tolerance) {
-  const std::vector<const Expected*> outputs = Defined(expected);
+Comparison CompareWithVulkan(const Runner& runner, const Trial& trial) {
+  const Shader& shader = trial.shader;
+  const std::vector<const Expected*> outputs = Defined(trial.expected);
   if (outputs.empty()) return {};
   const Spirv spirv = SpirvOfGlsl(Capturable(shader.glsl));
-  const Inputs inputs = MakeInputs(shader.lowered, shader.info, random, draw);
+  const Inputs inputs = MakeInputs(shader.lowered, shader.info, trial.inputs, trial.draw);
   const DrawCall call = MakeDrawCall(shader.lowered, shader.info, inputs);
   return CompareOutputs(outputs, runner.Capture(spirv, FindOutputs(spirv, outputs), call),
-                        tolerance);
+                        trial.tolerance);
 }
 
 }  // namespace clipc::draw::vulkan

@@ -12,8 +12,6 @@ std::vector<Output> FindOutputs(const Spirv& spirv, const std::vector<const Expe
 
 // Compiles clipc's GLSL for Vulkan with glslang, runs it and compares its outputs with the expected
 // ones.
-Comparison CompareWithVulkan(const Runner& runner, const Shader& shader,
-                             const std::vector<Expected>& expected, const RandomInputs& random,
-                             const RandomOptions& draw, const Tolerance& tolerance);
+Comparison CompareWithVulkan(const Runner& runner, const Trial& trial);
 
 }  // namespace clipc::draw::vulkan
