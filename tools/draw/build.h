@@ -13,6 +13,7 @@
 #include "ir/program.h"
 #include "passes/pipeline.h"
 #include "tools/draw/inputs.h"
+#include "tools/harness/not_copied.h"
 
 namespace clipc::draw {
 
@@ -39,13 +40,11 @@ struct Shader {
 };
 
 // A shader that is read and checked once, and then built for one target after another.
-class CheckedShader {
+class CheckedShader : harness::NotCopied {
  public:
   // `options.target` does not matter. Throws DrawError with the diagnostics.
   explicit CheckedShader(const BuildOptions& options);
   ~CheckedShader();
-  CheckedShader(const CheckedShader&) = delete;
-  CheckedShader& operator=(const CheckedShader&) = delete;
 
   const ir::Program& typed() const;
 

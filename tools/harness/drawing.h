@@ -10,6 +10,7 @@
 #include <epoxy/gl.h>
 
 #include "tools/harness/mesh.h"
+#include "tools/harness/not_copied.h"
 
 // Shaders and meshes on the current OpenGL context.
 namespace clipc::harness {
@@ -25,13 +26,11 @@ GLuint NewBuffer(GLenum target, const void* data, std::size_t bytes);
 
 // A vertex shader from clipc and a fragment shader. The named inputs get the attributes 0, 1 and so
 // on; the standard ones are as MeshBuffers has them.
-class Program {
+class Program : NotCopied {
  public:
   Program(const std::string& vertex, const std::string& fragment,
           std::initializer_list<const char*> inputs = {"in_POSITION0", "in_NORMAL0"});
   ~Program() { glDeleteProgram(program_); }
-  Program(const Program&) = delete;
-  Program& operator=(const Program&) = delete;
 
   void Use() const { glUseProgram(program_); }
   // Sets a plain uniform of the program in use. A name that the program does not have is ignored.
@@ -43,12 +42,10 @@ class Program {
 };
 
 // A mesh on the device.
-class MeshBuffers {
+class MeshBuffers : NotCopied {
  public:
   explicit MeshBuffers(const Mesh& mesh);
   ~MeshBuffers();
-  MeshBuffers(const MeshBuffers&) = delete;
-  MeshBuffers& operator=(const MeshBuffers&) = delete;
 
   void Draw() const;
 

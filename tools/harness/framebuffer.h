@@ -5,6 +5,7 @@
 
 #include <epoxy/gl.h>
 
+#include "tools/harness/not_copied.h"
 #include "tools/harness/picture.h"
 
 namespace clipc::harness {
@@ -17,15 +18,10 @@ struct FramebufferFormat {
 
 // A framebuffer stands for the window, which there is none. It is bound, with its viewport set,
 // when it is made. Throws DrawError where the current context does not support the format.
-class Framebuffer {
+class Framebuffer : NotCopied {
  public:
   Framebuffer(int width, int height, const FramebufferFormat& format = {});
   ~Framebuffer();
-  Framebuffer(const Framebuffer&) = delete;
-  Framebuffer& operator=(const Framebuffer&) = delete;
-
-  int width() const { return width_; }
-  int height() const { return height_; }
 
   // Draws into it from then on, over the whole of it.
   void Bind() const;

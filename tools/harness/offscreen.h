@@ -6,6 +6,7 @@
 #include <string>
 
 #include "runtime/gl/functions.h"
+#include "tools/harness/not_copied.h"
 
 // OpenGL without a display, for tests and examples.
 namespace clipc::harness {
@@ -23,13 +24,11 @@ enum class Api { kCore, kCompatibility, kEs };
 // Mesa's software OpenGL through EGL's surfaceless platform, which needs neither an environment
 // variable nor a device file. There is one context for each Api, made at the first Use. Throws
 // DrawError where the machine does not have one.
-class OpenGl {
+class OpenGl : NotCopied {
  public:
   OpenGl();
   explicit OpenGl(Api api) : OpenGl() { Use(api); }
   ~OpenGl();
-  OpenGl(const OpenGl&) = delete;
-  OpenGl& operator=(const OpenGl&) = delete;
 
   // Makes that context current: the functions of <epoxy/gl.h> work on it from then on.
   void Use(Api api);

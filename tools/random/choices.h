@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <vector>
 
+#include "tools/harness/not_copied.h"
 #include "tools/harness/random.h"
 
 namespace clipc::random {
@@ -59,12 +60,10 @@ class Choices {
 };
 
 // Notes what is drawn in its lifetime as one span.
-class SpanOf {
+class SpanOf : harness::NotCopied {
  public:
   explicit SpanOf(Choices& choices) : choices_(choices), begin_(choices.drawn_.size()) {}
   ~SpanOf();
-  SpanOf(const SpanOf&) = delete;
-  SpanOf& operator=(const SpanOf&) = delete;
 
  private:
   Choices& choices_;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/harness/not_copied.h"
 #include "tools/random/choices.h"
 #include "tools/random/features.h"
 #include "tools/random/range.h"
@@ -101,12 +102,10 @@ struct Context {
 Range RangeOf(const Variable& variable, Kind kind);
 
 // Variables declared in its lifetime are gone after it.
-class ScopeOf {
+class ScopeOf : harness::NotCopied {
  public:
   explicit ScopeOf(Context& context) : context_(context) { context.scopes.emplace_back(); }
   ~ScopeOf() { context_.scopes.pop_back(); }
-  ScopeOf(const ScopeOf&) = delete;
-  ScopeOf& operator=(const ScopeOf&) = delete;
 
  private:
   Context& context_;
@@ -114,12 +113,10 @@ class ScopeOf {
 
 // Sets a variable for its lifetime.
 template <typename T>
-class Temporarily {
+class Temporarily : harness::NotCopied {
  public:
   Temporarily(T& variable, T value) : variable_(variable), before_(variable) { variable = value; }
   ~Temporarily() { variable_ = before_; }
-  Temporarily(const Temporarily&) = delete;
-  Temporarily& operator=(const Temporarily&) = delete;
 
  private:
   T& variable_;

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "tools/harness/not_copied.h"
 #include "tools/random/program.h"
 
 // The judgement of one program.
@@ -46,12 +47,10 @@ struct JudgeOptions {
 };
 
 // Compiles and runs programs in this process, which a wrong program may end.
-class Judge {
+class Judge : harness::NotCopied {
  public:
   explicit Judge(JudgeOptions options);
   ~Judge();
-  Judge(const Judge&) = delete;
-  Judge& operator=(const Judge&) = delete;
 
   // With `only`, looks for a fault like that one and no other.
   Verdict operator()(const Program& program, const std::optional<Verdict>& only = {});

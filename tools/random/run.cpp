@@ -8,6 +8,7 @@
 
 #include <unistd.h>
 
+#include "tools/harness/not_copied.h"
 #include "tools/harness/offscreen.h"
 #include "tools/random/reduce.h"
 #include "tools/random/report.h"
@@ -19,7 +20,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 // A folder for the time of the run.
-class Scratch {
+class Scratch : harness::NotCopied {
  public:
   Scratch() {
     std::string name = (std::filesystem::temp_directory_path() / "clipc-random-XXXXXX").string();
@@ -30,8 +31,7 @@ class Scratch {
     std::error_code ignored;
     std::filesystem::remove_all(path_, ignored);
   }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
+
   const std::string& path() const { return path_; }
 
  private:

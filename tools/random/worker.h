@@ -6,6 +6,7 @@
 
 #include <sys/types.h>
 
+#include "tools/harness/not_copied.h"
 #include "tools/random/features.h"
 #include "tools/random/judge.h"
 
@@ -13,12 +14,10 @@ namespace clipc::random {
 
 // A process of its own that judges programs, so that a crash or a hang is one verdict more. It is
 // started again when it has ended, and now and then so that drivers' leaks do not add up.
-class Worker {
+class Worker : harness::NotCopied {
  public:
   Worker(JudgeOptions options, const Features& features);
   ~Worker();
-  Worker(const Worker&) = delete;
-  Worker& operator=(const Worker&) = delete;
 
   // Judges the program that the choices make.
   Verdict Run(const ChoiceList& choices, const std::optional<Verdict>& only = {});

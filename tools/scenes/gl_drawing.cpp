@@ -31,6 +31,7 @@
 #include "tools/harness/check.h"
 #include "tools/harness/drawing.h"
 #include "tools/harness/framebuffer.h"
+#include "tools/harness/not_copied.h"
 #include "tools/harness/offscreen.h"
 #include "tools/harness/transform.h"
 
@@ -140,7 +141,7 @@ Matrix MovedProjection(const Scene& scene) {
 }
 
 // Triangles of one object, drawn once.
-class ObjectBuffers {
+class ObjectBuffers : harness::NotCopied {
  public:
   explicit ObjectBuffers(const Object& object)
       : count_(static_cast<GLsizei>(object.vertices.size())) {
@@ -160,8 +161,6 @@ class ObjectBuffers {
     glDeleteVertexArrays(1, &array_);
     glDeleteBuffers(1, &buffer_);
   }
-  ObjectBuffers(const ObjectBuffers&) = delete;
-  ObjectBuffers& operator=(const ObjectBuffers&) = delete;
 
   void Draw() const { glDrawArrays(GL_TRIANGLES, 0, count_); }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tools/draw/inputs.h"
+#include "tools/harness/not_copied.h"
 
 namespace clipc::draw {
 
@@ -38,15 +39,13 @@ struct ActiveBlock {
 };
 
 // A linked program with buffers for its inputs, in the context that was current when it was made.
-class GlProgram {
+class GlProgram : harness::NotCopied {
  public:
   // `fragment` is empty for none, where the API allows that. `captured` are the outputs for
   // transform feedback.
   GlProgram(const std::string& vertex, const std::string& fragment,
             std::span<const std::string> captured);
   ~GlProgram();
-  GlProgram(const GlProgram&) = delete;
-  GlProgram& operator=(const GlProgram&) = delete;
 
   GLuint id() const { return program_; }
   std::vector<Active> Attributes() const;

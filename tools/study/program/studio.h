@@ -7,6 +7,7 @@
 
 #include "tools/draw/opengl/program.h"
 #include "tools/harness/framebuffer.h"
+#include "tools/harness/not_copied.h"
 #include "tools/harness/offscreen.h"
 #include "tools/study/program/mesh.h"
 #include "tools/study/program/source.h"
@@ -33,12 +34,10 @@ class Studio {
 };
 
 // One mesh with one way of clipping, ready to be drawn again and again.
-class DrawCall {
+class DrawCall : harness::NotCopied {
  public:
   DrawCall(const WaySource& source, int planes, bool uses_clip_planes);
   ~DrawCall();
-  DrawCall(const DrawCall&) = delete;
-  DrawCall& operator=(const DrawCall&) = delete;
 
   void SetMesh(const Mesh& mesh);
   void SetConstants(const WayConstants& constants);
