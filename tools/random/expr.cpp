@@ -15,10 +15,10 @@ struct Operator {
   Level level;
 };
 
-Expr Binary(const Expr& left, const Operator& op, const Expr& right, Kind kind, Shape shape,
+Expr Binary(const Wanted& wanted, const Expr& left, const Operator& op, const Expr& right,
             const Range& range) {
-  return {At(left, op.level) + " " + op.name + " " + At(right, Above(op.level)), op.level, kind,
-          shape, range};
+  return {At(left, op.level) + " " + op.name + " " + At(right, Above(op.level)), op.level,
+          wanted.kind, wanted.shape, range};
 }
 
 Expr MakeLiteral(Context& context, Kind kind, Shape shape) {
@@ -59,7 +59,8 @@ Expr MakeRead(Context& context, Kind kind, Shape shape, int depth) {
 
 // An operand of an operator whose other operand has that type: a type that converts to it by
 // itself, with no loss.
-Expr MakeOperand(Context& context, Kind kind, Shape shape, int depth) {
+Expr MakeOperand(const Wanted& wanted) {
+  const auto& [context, kind, shape, depth] = wanted;
   Kind from = kind;
   if (context.Chance(12)) {
     from = static_cast<Kind>(context.Pick({1, 2, 2, 1}));
@@ -68,8 +69,7 @@ Expr MakeOperand(Context& context, Kind kind, Shape shape, int depth) {
     };
     if (rank(from) > rank(kind)) from = kind;
   }
-  const Shape own = context.Chance(15) ? kScalar : shape;
-  Expr value = MakeExpr(context, from, own, depth);
+  Expr value = wanted.As(from, context.Chance(15) ? kScalar : shape).Operand();
   if (from == kind) return value;
   if (!CanConvert(value.range, from, kind)) value = Fit(context, value, VariableRange(from));
   value.range = Converted(value.range, from, kind);
@@ -81,9 +81,10 @@ void MakeSmall(Context& context, Expr& a, Expr& b) {
   if (b.kind == Kind::kFloat) b = Fit(context, b, kSmallFloats);
 }
 
-Expr MakeFloatOperation(Context& context, Shape shape, int depth) {
+Expr MakeFloatOperation(const Wanted& wanted) {
+  Context& context = wanted.context;
   const std::size_t choice = context.Pick({4, 3, 4, 1, 1});
-  Expr a = MakeExpr(context, Kind::kFloat, shape, depth - 1);
+  Expr a = wanted.Operand();
   if (choice >= 3) {
     constexpr double kPowers[] = {2, 4, 0.5, -2};
     const double by = context.OneOf(kPowers);
@@ -92,26 +93,27 @@ Expr MakeFloatOperation(Context& context, Shape shape, int depth) {
     Range range = Product(a.range, {1 / by, 1 / by, by > 1 || by < -1 ? 2 : 0});
     if (!divides) range = {-std::abs(by), std::abs(by), a.range.fraction};
     if (!IsExact(range)) return a;
-    return Binary(a, {divides ? "/" : "%", Level::kProduct}, divisor, Kind::kFloat, shape, range);
+    return Binary(wanted, a, {divides ? "/" : "%", Level::kProduct}, divisor, range);
   }
-  Expr b = MakeOperand(context, Kind::kFloat, shape, depth - 1);
+  Expr b = MakeOperand(wanted);
   const auto range = [&] {
     if (choice == 0) return Sum(a.range, b.range);
     return choice == 1 ? Sum(a.range, Negated(b.range)) : Product(a.range, b.range);
   };
   if (!IsExact(range())) MakeSmall(context, a, b);
-  if (!IsExact(range())) b = Fit(context, MakeExpr(context, Kind::kFloat, shape, 0), kSmallFloats);
+  if (!IsExact(range()))
+    b = Fit(context, MakeExpr(context, Kind::kFloat, wanted.shape, 0), kSmallFloats);
   constexpr Operator kOperators[] = {
       {"+", Level::kSum}, {"-", Level::kSum}, {"*", Level::kProduct}};
   if (context.Chance(50) && choice != 1) std::swap(a, b);
-  return Binary(a, kOperators[choice], b, Kind::kFloat, shape, range());
+  return Binary(wanted, a, kOperators[choice], b, range());
 }
 
 bool MayHaveEffects(const Context& context) {
   return context.effects && context.Has(Feature::kSideEffects);
 }
 
-Expr MakeEffect(Context& context, Kind kind, Shape shape, int depth);
+Expr MakeEffect(const Wanted& wanted);
 
 Range BitsRange(Kind kind, const Range& a, const Range& b) {
   if (a.low < 0 || b.low < 0) return Wild(kind);
@@ -120,27 +122,28 @@ Range BitsRange(Kind kind, const Range& a, const Range& b) {
   return {0, power - 1};
 }
 
-Expr MakeIntegerOperation(Context& context, Kind kind, Shape shape, int depth) {
+Expr MakeIntegerOperation(const Wanted& wanted) {
+  const auto& [context, kind, shape, depth] = wanted;
   constexpr Operator kOperators[] = {
       {"+", Level::kSum},     {"-", Level::kSum},    {"*", Level::kProduct}, {"&", Level::kAnd},
       {"|", Level::kOr},      {"^", Level::kXor},    {"<<", Level::kShift},  {">>", Level::kShift},
       {"/", Level::kProduct}, {"%", Level::kProduct}};
   const std::size_t choice = context.Pick({4, 3, 3, 2, 2, 2, 2, 2, 2, 2});
   const Operator& op = kOperators[choice];
-  Expr a = MakeExpr(context, kind, shape, depth - 1);
+  Expr a = wanted.Operand();
   if (choice >= 8) {
     const Expr b = MakeDivisor(context, kind, context.Chance(30) ? kScalar : shape, depth - 1);
     const Range range = choice == 8 ? a.range : a.range.low < 0 ? Range{-16, 16} : Range{0, 16};
-    return Binary(a, op, b, kind, shape, range);
+    return Binary(wanted, a, op, b, range);
   }
   if (choice == 6 || choice == 7) {
-    const Expr b = MakeExpr(context, kind, context.Chance(30) ? kScalar : shape, depth - 1);
-    return Binary(a, op, b, kind, shape,
+    const Expr b = wanted.As(kind, context.Chance(30) ? kScalar : shape).Operand();
+    return Binary(wanted, a, op, b,
                   choice == 6       ? Wild(kind)
                   : a.range.low < 0 ? a.range
                                     : Range{0, a.range.high});
   }
-  Expr b = MakeOperand(context, kind, shape, depth - 1);
+  Expr b = MakeOperand(wanted);
   Range range;
   switch (choice) {
     case 0: range = Integers(kind, a.range.low + b.range.low, a.range.high + b.range.high); break;
@@ -153,44 +156,46 @@ Expr MakeIntegerOperation(Context& context, Kind kind, Shape shape, int depth) {
     default: range = BitsRange(kind, a.range, b.range);
   }
   if (choice != 1 && context.Chance(30)) std::swap(a, b);
-  return Binary(a, op, b, kind, shape, range);
+  return Binary(wanted, a, op, b, range);
 }
 
-Expr MakeBoolOperation(Context& context, Shape shape, int depth) {
+Expr MakeBoolOperation(const Wanted& wanted) {
+  const auto& [context, boolean, shape, depth] = wanted;
   constexpr Operator kOperators[] = {{"<", Level::kRelation},    {">", Level::kRelation},
                                      {"<=", Level::kRelation},   {">=", Level::kRelation},
                                      {"==", Level::kEquality},   {"!=", Level::kEquality},
                                      {"&&", Level::kLogicalAnd}, {"||", Level::kLogicalOr}};
   const std::size_t choice = context.Pick({2, 2, 2, 2, 2, 2, 4, 4});
   if (choice >= 6) {
-    const Expr a = MakeExpr(context, Kind::kBool, shape, depth - 1);
+    const Expr a = wanted.Operand();
     const Expr b =
         depth > 0 && MayHaveEffects(context) && context.Chance(50)
-            ? Convert(context, MakeEffect(context, Kind::kInt, shape, depth - 1), Kind::kBool)
-            : MakeExpr(context, Kind::kBool, shape, depth - 1);
-    return Binary(a, kOperators[choice], b, Kind::kBool, shape, {0, 1});
+            ? Convert(context, MakeEffect({context, Kind::kInt, shape, depth - 1}), Kind::kBool)
+            : wanted.Operand();
+    return Binary(wanted, a, kOperators[choice], b, {0, 1});
   }
   const Kind kind = static_cast<Kind>(context.Pick({4, 3, 2, choice < 4 ? 0u : 1u}));
-  const Expr a = MakeExpr(context, kind, shape, depth - 1);
-  const Expr b = MakeOperand(context, kind, shape, depth - 1);
-  return Binary(a, kOperators[choice], b, Kind::kBool, shape, {0, 1});
+  const Wanted compared = wanted.As(kind, shape);
+  const Expr a = compared.Operand(), b = MakeOperand(compared);
+  return Binary(wanted, a, kOperators[choice], b, {0, 1});
 }
 
-Expr MakeOperation(Context& context, Kind kind, Shape shape, int depth) {
-  switch (kind) {
-    case Kind::kFloat: return MakeFloatOperation(context, shape, depth);
-    case Kind::kBool: return MakeBoolOperation(context, shape, depth);
-    default: return MakeIntegerOperation(context, kind, shape, depth);
+Expr MakeOperation(const Wanted& wanted) {
+  switch (wanted.kind) {
+    case Kind::kFloat: return MakeFloatOperation(wanted);
+    case Kind::kBool: return MakeBoolOperation(wanted);
+    default: return MakeIntegerOperation(wanted);
   }
 }
 
-Expr MakeUnary(Context& context, Kind kind, Shape shape, int depth) {
+Expr MakeUnary(const Wanted& wanted) {
+  const auto& [context, kind, shape, depth] = wanted;
   // The bits of a negative number, which the compiler makes one: GLSL reads `--2` as a decrement.
   const bool is_negative = kind == Kind::kInt && context.Chance(Feature::kWildInts, 10);
   const Expr a =
       is_negative
           ? Reshape(context, Convert(context, Literal(Kind::kUint, 0xfffffffe), kind), shape)
-          : MakeExpr(context, kind, shape, depth - 1);
+          : wanted.Operand();
   if (kind == Kind::kBool) return {"!" + At(a, Level::kUnary), Level::kUnary, kind, shape, a.range};
   const bool inverts = IsInteger(kind) && context.Chance(40);
   const std::string operand = At(a, Level::kUnary);
@@ -203,20 +208,21 @@ Expr MakeUnary(Context& context, Kind kind, Shape shape, int depth) {
           shape, range};
 }
 
-Expr MakeConversion(Context& context, Kind kind, Shape shape, int depth) {
-  const Kind from = context.OneOf(kKinds);
-  return Convert(context, MakeExpr(context, from, shape, depth - 1), kind);
+Expr MakeConversion(const Wanted& wanted) {
+  const Kind from = wanted.context.OneOf(kKinds);
+  return Convert(wanted.context, wanted.As(from, wanted.shape).Operand(), wanted.kind);
 }
 
 // float4(a, b.xy, c)
-Expr MakeConstructor(Context& context, Kind kind, Shape shape, int depth) {
-  if (shape.IsScalar()) return MakeExpr(context, kind, shape, depth - 1);
+Expr MakeConstructor(const Wanted& wanted) {
+  const auto& [context, kind, shape, depth] = wanted;
+  if (shape.IsScalar()) return wanted.Operand();
   std::string text;
   Range range;
   int left = shape.Components();
   for (bool first = true; left > 0; first = false) {
     const int size = context.Between(1, std::min(left, 4));
-    const Expr part = MakeExpr(context, kind, {0, size}, depth - 1);
+    const Expr part = wanted.As(kind, {0, size}).Operand();
     range = first ? part.range : Union(range, part.range);
     text += (first ? "" : ", ") + Argument(part);
     left -= size;
@@ -224,20 +230,21 @@ Expr MakeConstructor(Context& context, Kind kind, Shape shape, int depth) {
   return {NameOf(kind, shape) + "(" + text + ")", Level::kPostfix, kind, shape, range};
 }
 
-Expr MakeChoice(Context& context, Kind kind, Shape shape, int depth) {
+Expr MakeChoice(const Wanted& wanted) {
+  const auto& [context, kind, shape, depth] = wanted;
   const bool by_component = context.model < 60 && !shape.IsScalar() && context.Chance(60);
-  Expr condition = MakeExpr(context, Kind::kBool, by_component ? shape : kScalar, depth - 1);
+  const Expr condition = wanted.As(Kind::kBool, by_component ? shape : kScalar).Operand();
   const Temporarily no_effects(context.effects,
                                context.effects && context.Has(Feature::kEffectsInChoices));
-  const Expr a = MakeExpr(context, kind, shape, depth - 1);
-  const Expr b = MakeExpr(context, kind, shape, depth - 1);
+  const Expr a = wanted.Operand(), b = wanted.Operand();
   return {At(condition, Level::kLogicalOr) + " ? " + At(a, Level::kChoice) + " : " +
               At(b, Level::kChoice),
           Level::kChoice, kind, shape, Union(a.range, b.range)};
 }
 
 // (a = b), a++, (f(), a), (a /= b), (a = 3 - a)
-Expr MakeEffect(Context& context, Kind kind, Shape shape, int depth) {
+Expr MakeEffect(const Wanted& wanted) {
+  const auto& [context, kind, shape, depth] = wanted;
   const std::size_t choice = context.indices == Indices::kWriting ? context.Pick({0, 1, 0, 1, 2})
                                                                   : context.Pick({3, 4, 1, 1, 1});
   const bool mirrors = choice == 4 && kind != Kind::kBool;
@@ -246,7 +253,7 @@ Expr MakeEffect(Context& context, Kind kind, Shape shape, int depth) {
     const Temporarily indices(context.indices, mirrors ? Indices::kConstant : context.indices);
     return MakePlace(context, kind, true, depth - 1);
   }();
-  if (!place.found) return MakeExpr(context, kind, shape, depth - 1);
+  if (!place.found) return wanted.Operand();
   const bool is_wild = IsInteger(kind) && place.range.IsWithin(Wild(kind).low, Wild(kind).high) &&
                        place.range.high > 1e6;
   Expr value{place.text, Level::kPostfix, kind, place.shape, place.range};
@@ -261,24 +268,25 @@ Expr MakeEffect(Context& context, Kind kind, Shape shape, int depth) {
   const bool divides = choice == 3 && IsInteger(kind) && MayCompound(context, place);
   const Expr right = [&] {
     if (divides) return MakeDivisor(context, kind, place.shape, depth - 1);
-    if (!mirrors) return MakeIn(context, kind, place.shape, place.range, depth - 1);
+    if (!mirrors) return wanted.As(kind, place.shape).Operand(place.range);
     const Expr ends = Literal(kind, place.range.low + place.range.high);
-    return Binary(ends, {"-", Level::kSum}, value, kind, place.shape, place.range);
+    return Binary(wanted.As(kind, place.shape), ends, {"-", Level::kSum}, value, place.range);
   }();
   const char* op = !divides ? " = " : context.Chance(50) ? " %= " : " /= ";
   value.text = place.text + op + At(right, Level::kAssignment);
   value.level = Level::kAssignment;
   if (choice == 2) {
-    const Expr last = MakeExpr(context, kind, shape, depth - 1);
+    const Expr last = wanted.Operand();
     return {value.text + ", " + At(last, Level::kAssignment), Level::kComma, kind, shape,
             last.range};
   }
   return Reshape(context, value, shape);
 }
 
-Expr MakeCalled(Context& context, Kind kind, Shape shape, int depth) {
+Expr MakeCalled(const Wanted& wanted) {
+  const auto& [context, kind, shape, depth] = wanted;
   const Type type{kind, shape};
-  if (!HasCall(context, type)) return MakeIntrinsic(context, kind, shape, depth);
+  if (!HasCall(context, type)) return MakeIntrinsic(wanted);
   return {MakeCall(context, type, depth), Level::kPostfix, kind, shape, VariableRange(kind)};
 }
 
@@ -313,17 +321,18 @@ Expr MakeExpr(Context& context, Kind kind, Shape shape, int depth) {
     return context.Pick({1, 2}) == 0 ? MakeLiteral(context, kind, shape)
                                      : MakeRead(context, kind, shape, 0);
   }
+  const Wanted wanted{context, kind, shape, depth};
   switch (context.Pick({2, 8, 8, 2, 2, 3, 6, 3, 4, MayHaveEffects(context) ? 3u : 0u})) {
     case 0: return MakeLiteral(context, kind, shape);
     case 1: return MakeRead(context, kind, shape, depth - 1);
-    case 2: return MakeOperation(context, kind, shape, depth);
-    case 3: return MakeUnary(context, kind, shape, depth);
-    case 4: return MakeConversion(context, kind, shape, depth);
-    case 5: return MakeConstructor(context, kind, shape, depth);
-    case 6: return MakeIntrinsic(context, kind, shape, depth);
-    case 7: return MakeChoice(context, kind, shape, depth);
-    case 8: return MakeCalled(context, kind, shape, depth);
-    default: return MakeEffect(context, kind, shape, depth);
+    case 2: return MakeOperation(wanted);
+    case 3: return MakeUnary(wanted);
+    case 4: return MakeConversion(wanted);
+    case 5: return MakeConstructor(wanted);
+    case 6: return MakeIntrinsic(wanted);
+    case 7: return MakeChoice(wanted);
+    case 8: return MakeCalled(wanted);
+    default: return MakeEffect(wanted);
   }
 }
 
@@ -337,7 +346,8 @@ Expr MakeValue(Context& context, Kind kind, Shape shape, int depth) {
 
 Expr MakeDivisor(Context& context, Kind kind, Shape shape, int depth) {
   const Expr value = MakeIn(context, kind, shape, {0, 15}, depth);
-  return Binary(value, {"+", Level::kSum}, Literal(kind, 2), kind, shape, {2, 17});
+  return Binary({context, kind, shape, depth}, value, {"+", Level::kSum}, Literal(kind, 2),
+                {2, 17});
 }
 
 Expr MakeIndex(Context& context, int count, int depth) {
@@ -348,7 +358,7 @@ Expr MakeIndex(Context& context, int count, int depth) {
   const Kind kind = context.Chance(40) ? Kind::kUint : Kind::kInt;
   const Range range{0, static_cast<double>(count - 1)};
   if (may_write && (writes || context.Chance(40)))
-    return Fit(context, MakeEffect(context, kind, kScalar, depth), range);
+    return Fit(context, MakeEffect({context, kind, kScalar, depth}), range);
   return MakeIn(context, kind, kScalar, range, depth);
 }
 

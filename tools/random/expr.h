@@ -60,8 +60,24 @@ Expr Fit(Context& context, Expr value, const Range& range);
 Expr Reshape(Context& context, Expr value, Shape shape);
 Expr Convert(Context& context, Expr value, Kind kind);
 
+// What is asked of a maker of expressions: the type, and at most so many levels.
+struct Wanted {
+  Context& context;
+  Kind kind;
+  Shape shape;
+  int depth;
+
+  Wanted As(Kind other_kind, Shape other_shape) const {
+    return {context, other_kind, other_shape, depth};
+  }
+  // An expression of that type of a level less, with values in that range.
+  Expr Operand() const { return MakeExpr(context, kind, shape, depth - 1); }
+  Expr Operand(const Range& range) const { return MakeIn(context, kind, shape, range, depth - 1); }
+  bool Chance(std::uint32_t percent) const { return context.Chance(percent); }
+};
+
 // intrinsic.cpp: a call of a function of HLSL whose result is exact.
-Expr MakeIntrinsic(Context& context, Kind kind, Shape shape, int depth);
+Expr MakeIntrinsic(const Wanted& wanted);
 // soft.cpp: a float expression with functions that round.
 std::string MakeSoft(Context& context, int columns, int depth);
 // call.cpp: a call of a function of the program that returns that type, or nothing.

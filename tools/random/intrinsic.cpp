@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "tools/random/expr.h"
 
@@ -10,94 +9,88 @@ namespace {
 
 constexpr Range kUnit{-4, 4, 2};
 
-Expr Call(const std::string& name, std::initializer_list<const Expr*> arguments, Kind kind,
-          Shape shape, const Range& range) {
+Expr Call(const Wanted& wanted, const std::string& name,
+          std::initializer_list<const Expr*> arguments, const Range& range) {
   std::string text = name + "(";
   for (const Expr* argument : arguments)
     text += (text.back() == '(' ? "" : ", ") + Argument(*argument);
-  return {text + ")", Level::kPostfix, kind, shape, range};
+  return {text + ")", Level::kPostfix, wanted.kind, wanted.shape, range};
 }
 
-Expr MakeRounding(Context& context, Shape shape, int depth) {
+Expr MakeRounding(const Wanted& wanted) {
   constexpr const char* kNames[] = {"floor", "ceil", "round", "trunc"};
-  const char* name = context.OneOf(kNames);
-  const Expr a = MakeExpr(context, Kind::kFloat, shape, depth - 1);
-  return Call(name, {&a}, Kind::kFloat, shape, RoundedDown(a.range));
+  const char* name = wanted.context.OneOf(kNames);
+  const Expr a = wanted.Operand();
+  return Call(wanted, name, {&a}, RoundedDown(a.range));
 }
 
-Expr MakeLimited(Context& context, Kind kind, Shape shape, int depth) {
-  const Expr a = MakeExpr(context, kind, shape, depth - 1);
-  const Expr b = MakeExpr(context, kind, shape, depth - 1);
+Expr MakeLimited(const Wanted& wanted) {
+  const Expr a = wanted.Operand(), b = wanted.Operand();
+  Context& context = wanted.context;
   switch (context.Pick({1, 1, 1})) {
-    case 0: return Call("min", {&a, &b}, kind, shape, Least(a.range, b.range));
-    case 1: return Call("max", {&a, &b}, kind, shape, Greatest(a.range, b.range));
+    case 0: return Call(wanted, "min", {&a, &b}, Least(a.range, b.range));
+    case 1: return Call(wanted, "max", {&a, &b}, Greatest(a.range, b.range));
     default: break;
   }
   // clamp's bounds are in order: which one wins otherwise is nobody's promise.
   const double low = context.Between(0, 4), size = context.Between(1, 9);
-  const Expr least = Literal(kind, low), greatest = Literal(kind, low + size);
-  return Call("clamp", {&a, &least, &greatest}, kind, shape,
+  const Expr least = Literal(wanted.kind, low), greatest = Literal(wanted.kind, low + size);
+  return Call(wanted, "clamp", {&a, &least, &greatest},
               {std::clamp(a.range.low, low, low + size), std::clamp(a.range.high, low, low + size),
                a.range.fraction});
 }
 
-Expr MakeAbsolute(Context& context, Kind kind, Shape shape, int depth) {
-  const Expr a = MakeExpr(context, kind, shape, depth - 1);
-  if (a.range.low <= -0x1p31) return a;
-  return Call("abs", {&a}, kind, shape, Absolute(a.range));
+Expr MakeAbsolute(const Wanted& wanted) {
+  const Expr a = wanted.Operand();
+  return a.range.low <= -0x1p31 ? a : Call(wanted, "abs", {&a}, Absolute(a.range));
 }
 
-Expr MakeMad(Context& context, Kind kind, Shape shape, int depth) {
+Expr MakeMad(const Wanted& wanted) {
+  const bool is_float = wanted.kind == Kind::kFloat;
   Expr all[3];
   for (Expr& one : all) {
-    one = MakeExpr(context, kind, shape, depth - 1);
-    if (kind == Kind::kFloat) one = Fit(context, one, kSmallFloats);
+    one = wanted.Operand();
+    if (is_float) one = Fit(wanted.context, one, kSmallFloats);
   }
   const Range sum = Sum(Product(all[0].range, all[1].range), all[2].range);
-  return Call("mad", {&all[0], &all[1], &all[2]}, kind, shape,
-              kind == Kind::kFloat ? sum : Integers(kind, sum.low, sum.high));
+  return Call(wanted, "mad", {&all[0], &all[1], &all[2]},
+              is_float ? sum : Integers(wanted.kind, sum.low, sum.high));
 }
 
 // a + s * (b - a): every term is exact, whichever formula it is.
-Expr MakeLerp(Context& context, Shape shape, int depth) {
-  const Expr a = MakeIn(context, Kind::kFloat, shape, kSmallFloats, depth - 1);
-  const Expr b = MakeIn(context, Kind::kFloat, shape, kSmallFloats, depth - 1);
-  const Expr s =
-      MakeIn(context, Kind::kFloat, context.Chance(40) ? kScalar : shape, {-2, 2, 2}, depth - 1);
+Expr MakeLerp(const Wanted& wanted) {
+  const Expr a = wanted.Operand(kSmallFloats), b = wanted.Operand(kSmallFloats);
+  const Shape shape = wanted.Chance(40) ? kScalar : wanted.shape;
+  const Expr s = wanted.As(Kind::kFloat, shape).Operand({-2, 2, 2});
   const Range range = Sum(a.range, Product(s.range, Sum(b.range, Negated(a.range))));
-  return Call("lerp", {&a, &b, &s}, Kind::kFloat, shape, range);
+  return Call(wanted, "lerp", {&a, &b, &s}, range);
 }
 
-Expr MakeStep(Context& context, Shape shape, int depth) {
-  const Expr a = MakeExpr(context, Kind::kFloat, shape, depth - 1);
-  const Expr b = MakeExpr(context, Kind::kFloat, shape, depth - 1);
-  if (context.Chance(30)) {
-    const Expr low = Literal(Kind::kFloat, context.Between(0, 2));
-    const Expr high = Literal(Kind::kFloat, low.range.low + (context.Chance(50) ? 4 : 2));
-    const Expr x = Fit(context, a, kSmallFloats);
-    return Call("smoothstep", {&low, &high, &x}, Kind::kFloat, shape, {0, 1, 14});
-  }
-  return Call("step", {&a, &b}, Kind::kFloat, shape, {0, 1});
+Expr MakeStep(const Wanted& wanted) {
+  const Expr a = wanted.Operand(), b = wanted.Operand();
+  if (!wanted.Chance(30)) return Call(wanted, "step", {&a, &b}, {0, 1});
+  const Expr low = Literal(Kind::kFloat, wanted.context.Between(0, 2));
+  const Expr high = Literal(Kind::kFloat, low.range.low + (wanted.Chance(50) ? 4 : 2));
+  const Expr x = Fit(wanted.context, a, kSmallFloats);
+  return Call(wanted, "smoothstep", {&low, &high, &x}, {0, 1, 14});
 }
 
-Expr MakeFraction(Context& context, Shape shape, int depth) {
-  const Expr a = MakeExpr(context, Kind::kFloat, shape, depth - 1);
-  if (context.Chance(50))
-    return Call("saturate", {&a}, Kind::kFloat, shape, {0, 1, a.range.fraction});
-  return Call("frac", {&a}, Kind::kFloat, shape, {0, 1, a.range.fraction});
+Expr MakeFraction(const Wanted& wanted) {
+  const Expr a = wanted.Operand();
+  return Call(wanted, wanted.Chance(50) ? "saturate" : "frac", {&a}, {0, 1, a.range.fraction});
 }
 
-Expr MakeLdexp(Context& context, Shape shape, int depth) {
-  const Expr a = MakeIn(context, Kind::kFloat, shape, kSmallFloats, depth - 1);
-  const Expr e = MakeIn(context, Kind::kInt, shape, {-3, 3}, depth - 1);
-  Range range{a.range.low * 8, a.range.high * 8, a.range.fraction + 3};
-  if (range.low > 0) range.low = 0;
-  if (range.high < 0) range.high = 0;
-  return Call("ldexp", {&a, &e}, Kind::kFloat, shape, range);
+Expr MakeLdexp(const Wanted& wanted) {
+  const Expr a = wanted.Operand(kSmallFloats);
+  const Expr e = wanted.As(Kind::kInt, wanted.shape).Operand({-3, 3});
+  return Call(
+      wanted, "ldexp", {&a, &e},
+      {std::min(a.range.low * 8, 0.0), std::max(a.range.high * 8, 0.0), a.range.fraction + 3});
 }
 
 // dot, and the product of vectors and matrices.
-Expr MakeProduct(Context& context, Kind kind, Shape shape, int depth) {
+Expr MakeProduct(const Wanted& wanted) {
+  const auto& [context, kind, shape, depth] = wanted;
   const int inner = context.Between(1, 4);
   Shape left{shape.rows, inner}, right{inner, shape.columns};
   const bool is_dot = shape.IsScalar();
@@ -110,8 +103,8 @@ Expr MakeProduct(Context& context, Kind kind, Shape shape, int depth) {
       right = {0, std::max(inner, 2)};
     }
   }
-  Expr a = MakeExpr(context, kind, left, depth - 1);
-  Expr b = MakeExpr(context, kind, right, depth - 1);
+  Expr a = wanted.As(kind, left).Operand();
+  Expr b = wanted.As(kind, right).Operand();
   if (kind == Kind::kFloat) {
     a = Fit(context, a, kSmallFloats);
     b = Fit(context, b, kSmallFloats);
@@ -119,120 +112,117 @@ Expr MakeProduct(Context& context, Kind kind, Shape shape, int depth) {
   Range range = Times(Product(a.range, b.range), 4);
   if (kind != Kind::kFloat) range = Integers(kind, range.low, range.high);
   range.low = std::min(range.low, 0.0), range.high = std::max(range.high, 0.0);
-  const char* name = is_dot && context.Chance(60) ? "dot" : "mul";
-  return Call(name, {&a, &b}, kind, shape, range);
+  return Call(wanted, is_dot && context.Chance(60) ? "dot" : "mul", {&a, &b}, range);
 }
 
 // Functions of whole vectors and matrices.
-Expr MakeGeometry(Context& context, Shape shape, int depth) {
-  const Kind f = Kind::kFloat;
+Expr MakeGeometry(const Wanted& wanted) {
+  const Shape shape = wanted.shape;
   if (shape.IsMatrix()) {
-    const Expr m = MakeExpr(context, f, {shape.columns, shape.rows}, depth - 1);
+    const Expr m = wanted.As(Kind::kFloat, {shape.columns, shape.rows}).Operand();
     // The sum of a float1x1 and a float is a float, which has no transpose.
     if (shape.rows == 1 && shape.columns == 1) return m;
-    return Call("transpose", {&m}, f, shape, m.range);
+    return Call(wanted, "transpose", {&m}, m.range);
   }
   if (shape.IsScalar()) {
-    const int size = context.Between(2, 4);
-    const Expr m = MakeIn(context, f, {size, size}, kUnit, depth - 1);
+    const int size = wanted.context.Between(2, 4);
+    const Expr m = wanted.As(Kind::kFloat, {size, size}).Operand(kUnit);
     // Up to 24 products of four numbers of 2 fractional bits up to 4.
-    return Call("determinant", {&m}, f, shape, {-24 * 256, 24 * 256, 2 * size});
+    return Call(wanted, "determinant", {&m}, {-24 * 256, 24 * 256, 2 * size});
   }
-  const Expr a = MakeIn(context, f, shape, kUnit, depth - 1);
-  const Expr b = MakeIn(context, f, shape, kUnit, depth - 1);
-  if (shape.columns == 3 && context.Chance(40))
-    return Call("cross", {&a, &b}, f, shape, {-32, 32, 4});
-  if (context.Chance(50)) return Call("reflect", {&a, &b}, f, shape, {-516, 516, 6});
-  const Expr c = MakeIn(context, f, shape, kUnit, depth - 1);
-  return Call("faceforward", {&a, &b, &c}, f, shape, kUnit);
+  const Expr a = wanted.Operand(kUnit), b = wanted.Operand(kUnit);
+  if (shape.columns == 3 && wanted.Chance(40)) return Call(wanted, "cross", {&a, &b}, {-32, 32, 4});
+  if (wanted.Chance(50)) return Call(wanted, "reflect", {&a, &b}, {-516, 516, 6});
+  const Expr c = wanted.Operand(kUnit);
+  return Call(wanted, "faceforward", {&a, &b, &c}, kUnit);
 }
 
 // A float that is surely not zero, so that nobody sees the sign of a zero.
-Expr MakePositive(Context& context, Shape shape, int depth) {
-  Expr a = MakeIn(context, Kind::kFloat, shape, kSmallFloats, depth);
-  a = Call("abs", {&a}, Kind::kFloat, shape, Absolute(a.range));
+Expr MakePositive(const Wanted& wanted) {
+  const Wanted positive = wanted.As(Kind::kFloat, wanted.shape);
+  Expr a = positive.Operand(kSmallFloats);
+  a = Call(positive, "abs", {&a}, Absolute(a.range));
   const Expr quarter = Literal(Kind::kFloat, 0.25);
-  return {a.text + " + " + quarter.text, Level::kSum, Kind::kFloat, shape, {0.25, 16.25, 2}};
+  return {a.text + " + " + quarter.text, Level::kSum, Kind::kFloat, wanted.shape, {0.25, 16.25, 2}};
 }
 
 // asfloat(asint(x)) of a float without surprises.
-Expr MakeBitsOfFloat(Context& context, Kind kind, Shape shape, int depth) {
-  const Expr a = MakePositive(context, shape, depth - 1);
-  const Expr bits = Call(context.Chance(50) ? "asuint" : "asint", {&a}, Kind::kInt, shape, {});
-  return Call("asfloat", {&bits}, kind, shape, a.range);
+Expr MakeBitsOfFloat(const Wanted& wanted) {
+  const Expr a = MakePositive(wanted);
+  const Wanted integer = wanted.As(Kind::kInt, wanted.shape);
+  const Expr bits = Call(integer, wanted.Chance(50) ? "asuint" : "asint", {&a}, {});
+  return Call(wanted, "asfloat", {&bits}, a.range);
 }
 
-Expr MakeBits(Context& context, Kind kind, Shape shape, int depth) {
-  if (context.Chance(25)) {
-    const Expr a = MakePositive(context, shape, depth - 1);
-    return Call(kind == Kind::kInt ? "asint" : "asuint", {&a}, kind, shape,
+Expr MakeBits(const Wanted& wanted) {
+  const Range wild = Wild(wanted.kind);
+  if (wanted.Chance(25)) {
+    const Expr a = MakePositive(wanted);
+    return Call(wanted, wanted.kind == Kind::kInt ? "asint" : "asuint", {&a},
                 {0x1p23 * 120, 0x1p23 * 140});
   }
-  const Expr a = MakeExpr(context, kind, shape, depth - 1);
-  if (kind == Kind::kInt) return Call("asint", {&a}, kind, shape, a.range);
-  const bool first = context.Chance(Feature::kFirstBits, 40);
-  if (first && context.Chance(50)) return Call("firstbithigh", {&a}, kind, shape, Wild(kind));
-  if (first) return Call("firstbitlow", {&a}, kind, shape, Wild(kind));
-  if (context.Chance(50)) return Call("reversebits", {&a}, kind, shape, Wild(kind));
-  return Call("countbits", {&a}, kind, shape, {0, 32});
+  const Expr a = wanted.Operand();
+  if (wanted.kind == Kind::kInt) return Call(wanted, "asint", {&a}, a.range);
+  const bool first = wanted.context.Chance(Feature::kFirstBits, 40);
+  if (first) return Call(wanted, wanted.Chance(50) ? "firstbithigh" : "firstbitlow", {&a}, wild);
+  if (wanted.Chance(50)) return Call(wanted, "reversebits", {&a}, wild);
+  return Call(wanted, "countbits", {&a}, {0, 32});
 }
 
-Expr MakeSign(Context& context, Shape shape, int depth) {
-  const Kind of = context.Chance(50) ? Kind::kFloat : Kind::kInt;
-  const Expr a = MakeExpr(context, of, shape, depth - 1);
-  return Call("sign", {&a}, Kind::kInt, shape, {-1, 1});
+Expr MakeSign(const Wanted& wanted) {
+  const Kind of = wanted.Chance(50) ? Kind::kFloat : Kind::kInt;
+  const Expr a = wanted.As(of, wanted.shape).Operand();
+  return Call(wanted, "sign", {&a}, {-1, 1});
 }
 
 // any and all, of a value of any kind and shape.
-Expr MakeAny(Context& context, Shape shape, int depth) {
+Expr MakeAny(const Wanted& wanted) {
+  Context& context = wanted.context;
   const Kind of = static_cast<Kind>(context.Pick({2, 2, 1, 4}));
   const Shape from{context.Chance(Feature::kMatrices, 30) ? context.Between(1, 4) : 0,
                    context.Between(1, 4)};
-  const Expr a = MakeExpr(context, of, from, depth - 1);
-  const Expr result = Call(context.Chance(50) ? "any" : "all", {&a}, Kind::kBool, kScalar, {0, 1});
-  return Reshape(context, result, shape);
+  const Expr a = wanted.As(of, from).Operand();
+  const Wanted one = wanted.As(Kind::kBool, kScalar);
+  return Reshape(context, Call(one, context.Chance(50) ? "any" : "all", {&a}, {0, 1}),
+                 wanted.shape);
 }
 
 bool HasBits(const Context& context) {
   return context.Has(Feature::kWildInts) && context.model >= 50;
 }
 
-Expr MakeFloat(Context& context, Shape shape, int depth) {
-  constexpr Kind kFloat = Kind::kFloat;
-  switch (context.Pick({3, 3, 3, 2, 2, 2, 2, 1, 4, 3, 1})) {
-    case 0: return MakeAbsolute(context, kFloat, shape, depth);
-    case 1: return MakeLimited(context, kFloat, shape, depth);
-    case 2: return MakeRounding(context, shape, depth);
-    case 3: return MakeMad(context, kFloat, shape, depth);
-    case 4: return MakeLerp(context, shape, depth);
-    case 5: return MakeStep(context, shape, depth);
-    case 6: return MakeFraction(context, shape, depth);
-    case 7: return MakeLdexp(context, shape, depth);
-    case 8: return MakeProduct(context, kFloat, shape, depth);
-    case 9: return MakeGeometry(context, shape, depth);
-    default: return MakeBitsOfFloat(context, kFloat, shape, depth);
+Expr MakeFloat(const Wanted& wanted) {
+  switch (wanted.context.Pick({3, 3, 3, 2, 2, 2, 2, 1, 4, 3, 1})) {
+    case 0: return MakeAbsolute(wanted);
+    case 1: return MakeLimited(wanted);
+    case 2: return MakeRounding(wanted);
+    case 3: return MakeMad(wanted);
+    case 4: return MakeLerp(wanted);
+    case 5: return MakeStep(wanted);
+    case 6: return MakeFraction(wanted);
+    case 7: return MakeLdexp(wanted);
+    case 8: return MakeProduct(wanted);
+    case 9: return MakeGeometry(wanted);
+    default: return MakeBitsOfFloat(wanted);
   }
 }
 
 }  // namespace
 
-Expr MakeIntrinsic(Context& context, Kind kind, Shape shape, int depth) {
+Expr MakeIntrinsic(const Wanted& wanted) {
+  const auto& [context, kind, shape, depth] = wanted;
   if (kind == Kind::kFloat) {
-    Expr made = MakeFloat(context, shape, depth);
+    Expr made = MakeFloat(wanted);
     return IsExact(made.range) ? made : MakeExpr(context, kind, shape, 0);
   }
-  if (kind == Kind::kBool) return MakeAny(context, shape, depth);
+  if (kind == Kind::kBool) return MakeAny(wanted);
   switch (context.Pick({2, 3, 1, 2, 2, HasBits(context) ? 2u : 0u})) {
-    case 0:
-      return kind == Kind::kInt ? MakeAbsolute(context, kind, shape, depth)
-                                : MakeLimited(context, kind, shape, depth);
-    case 1: return MakeLimited(context, kind, shape, depth);
-    case 2: return MakeMad(context, kind, shape, depth);
-    case 3:
-      return kind == Kind::kInt ? MakeSign(context, shape, depth)
-                                : MakeLimited(context, kind, shape, depth);
-    case 4: return MakeProduct(context, kind, shape, depth);
-    default: return MakeBits(context, kind, shape, depth);
+    case 0: return kind == Kind::kInt ? MakeAbsolute(wanted) : MakeLimited(wanted);
+    case 1: return MakeLimited(wanted);
+    case 2: return MakeMad(wanted);
+    case 3: return kind == Kind::kInt ? MakeSign(wanted) : MakeLimited(wanted);
+    case 4: return MakeProduct(wanted);
+    default: return MakeBits(wanted);
   }
 }
 
