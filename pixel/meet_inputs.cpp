@@ -242,8 +242,7 @@ class InputMeeter {
       if (!input.is_read) return;
       const auto& kind =
           options_.zero_unwritten ? diag::PixelInputIsZero : diag::PixelInputUnwritten;
-      Diagnostic& report = diagnostics_.Report(EntrySpan(), kind, NameOf(input));
-      report.Note({}, diag::PixelInputHere, input.where, NameOf(input), NameOf(input.shape));
+      NoteHere(diagnostics_.Report(EntrySpan(), kind, NameOf(input)), input);
       return;
     }
     for (std::size_t i = 0; i < outputs_.size(); ++i) {
@@ -263,18 +262,18 @@ class InputMeeter {
     const bool is_float = shape.scalar == ir::Scalar::kFloat || shape.scalar == ir::Scalar::kDouble;
     const bool fits =
         is_float ? shape.scalar == input.shape.scalar : ir::IsInteger(input.shape.scalar);
-    if (!fits) {
-      diagnostics_
-          .Report(span, diag::PixelInputType, names_[number].semantic, NameOf(shape),
-                  NameOf(input.shape))
-          .Note({}, diag::PixelInputHere, input.where, NameOf(input), NameOf(input.shape));
-    } else if (input.is_read &&
-               (input.components_read & ((1u << input.shape.components) - 1)) >> shape.components) {
-      diagnostics_
-          .Report(span, diag::PixelComponentsUnwritten, names_[number].semantic, NameOf(shape),
-                  NameOf(input.shape))
-          .Note({}, diag::PixelInputHere, input.where, NameOf(input), NameOf(input.shape));
-    }
+    const bool lacks_components =
+        input.is_read &&
+        (input.components_read & ((1u << input.shape.components) - 1)) >> shape.components;
+    if (fits && !lacks_components) return;
+    const auto& kind = fits ? diag::PixelComponentsUnwritten : diag::PixelInputType;
+    NoteHere(diagnostics_.Report(span, kind, names_[number].semantic, NameOf(shape),
+                                 NameOf(input.shape)),
+             input);
+  }
+
+  void NoteHere(Diagnostic& report, const Input& input) const {
+    report.Note({}, diag::PixelInputHere, input.where, NameOf(input), NameOf(input.shape));
   }
 
   Span EntrySpan() const { return program_.functions[program_.entry].span; }

@@ -33,9 +33,9 @@ class Reads {
     while (!waiting.empty()) {
       const SpirvId id = waiting.back();
       waiting.pop_back();
-      const auto function = module.functions.find(id);
-      if (function == module.functions.end() || !seen.insert(id).second) continue;
-      for (const Instruction& instruction : function->second) {
+      const std::vector<Instruction>* function = FindIn(module.functions, id);
+      if (!function || !seen.insert(id).second) continue;
+      for (const Instruction& instruction : *function) {
         if (instruction.opcode == spv::kFunctionCall && instruction.words.size() > 2)
           waiting.push_back(instruction.words[2]);
         Visit(instruction);
@@ -47,10 +47,10 @@ class Reads {
   // anything but a vector; nothing for a place that is not read at all. Reading a whole struct
   // reads its members.
   std::optional<std::uint32_t> Of(SpirvPlace place) const {
-    const auto whole = masks_.find({place.id});
-    if (place.member != kWhole && whole != masks_.end() && whole->second != 0) return kAll;
-    const auto found = masks_.find(place);
-    return found == masks_.end() ? std::nullopt : std::optional(found->second);
+    const std::uint32_t* whole = FindIn(masks_, {place.id});
+    if (place.member != kWhole && whole && *whole != 0) return kAll;
+    const std::uint32_t* found = FindIn(masks_, place);
+    return found ? std::optional(*found) : std::nullopt;
   }
 
  private:
@@ -102,17 +102,16 @@ class Reads {
         return;
       }
     }
-    const auto index =
-        indices.size() == 1 ? module_.constants.find(indices.front()) : module_.constants.end();
-    masks_[place] |= index == module_.constants.end() ? kAll : 1u << (index->second & 31);
+    const std::uint32_t* index =
+        indices.size() == 1 ? FindIn(module_.constants, indices.front()) : nullptr;
+    masks_[place] |= index ? 1u << (*index & 31) : kAll;
   }
 
   void Extract(std::span<const std::uint32_t> words) {
     auto indices = words.subspan(3);
-    const auto found = loaded_.find(words[2]);
-    if (found != loaded_.end() && found->second.member == kWhole &&
-        structs_.contains(found->second.id)) {
-      const SpirvPlace member{found->second.id, indices.front()};
+    const SpirvPlace* found = FindIn(loaded_, words[2]);
+    if (found && found->member == kWhole && structs_.contains(found->id)) {
+      const SpirvPlace member{found->id, indices.front()};
       masks_.try_emplace(member, 0);
       if (indices.size() == 1) {
         loaded_[words[1]] = member;
@@ -126,8 +125,8 @@ class Reads {
 
   // The variable, or the member of one, that an id points to.
   SpirvPlace PlaceOf(SpirvId pointer) const {
-    const auto found = pointers_.find(pointer);
-    return found == pointers_.end() ? SpirvPlace{pointer} : found->second;
+    const SpirvPlace* found = FindIn(pointers_, pointer);
+    return found ? *found : SpirvPlace{pointer};
   }
 
   void Shuffle(std::span<const std::uint32_t> words) {
@@ -140,8 +139,7 @@ class Reads {
   }
 
   void Read(SpirvId value, std::uint32_t mask) {
-    const auto found = loaded_.find(value);
-    if (found != loaded_.end()) masks_[found->second] |= mask;
+    if (const SpirvPlace* found = FindIn(loaded_, value)) masks_[*found] |= mask;
   }
 
   const SpirvModule& module_;
@@ -230,8 +228,8 @@ class SpirvReader {
     Input& input = interface_.inputs.emplace_back();
     input.name = GlslNameOf(module_.NameOf(place));
     input.location = location;
-    if (const auto found = module_.semantics.find(place); found != module_.semantics.end()) {
-      const rules::SemanticName semantic = rules::SplitSemantic(found->second);
+    if (const std::string* written = FindIn(module_.semantics, place)) {
+      const rules::SemanticName semantic = rules::SplitSemantic(*written);
       input.semantic = semantic.name;
       input.index = semantic.index;
     }

@@ -2,7 +2,6 @@
 #include "pixel/spirv_module.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstring>
 
 #include <fmt/format.h>
@@ -94,9 +93,8 @@ class Reader {
       case 23: type = {SpirvKind::kVector, word(2), word(1), 0, {}}; break;
       case 24: type = {SpirvKind::kMatrix, word(2), word(1), 0, {}}; break;
       case 28: {
-        const auto length = module_.constants.find(word(2));
-        const std::uint32_t count = length == module_.constants.end() ? 0 : length->second;
-        type = {SpirvKind::kArray, count, word(1), 0, {}};
+        const std::uint32_t* length = FindIn(module_.constants, word(2));
+        type = {SpirvKind::kArray, length ? *length : 0, word(1), 0, {}};
         break;
       }
       case 30:

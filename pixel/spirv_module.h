@@ -14,6 +14,13 @@
 // (the words of a module) and 3.52 (the instructions).
 namespace clipc::pixel {
 
+// The value of a key; null: there is none.
+template <typename Map>
+const typename Map::mapped_type* FindIn(const Map& map, const typename Map::key_type& key) {
+  const auto found = map.find(key);
+  return found == map.end() ? nullptr : &found->second;
+}
+
 using SpirvId = std::uint32_t;
 // What has a name and decorations: an id, or a member of the struct type of that id.
 inline constexpr std::uint32_t kWhole = ~0u;
@@ -71,19 +78,16 @@ struct SpirvModule {
   std::vector<EntryPoint> entry_points;
   std::map<SpirvId, std::vector<Instruction>> functions;
 
-  const SpirvType* TypeOf(SpirvId id) const {
-    const auto found = types.find(id);
-    return found == types.end() ? nullptr : &found->second;
-  }
+  const SpirvType* TypeOf(SpirvId id) const { return FindIn(types, id); }
   // Empty when the place has none.
   std::string_view NameOf(SpirvPlace place) const {
-    const auto found = names.find(place);
-    return found == names.end() ? std::string_view() : found->second;
+    const std::string* name = FindIn(names, place);
+    return name ? *name : std::string_view();
   }
   std::optional<std::uint32_t> Decoration(SpirvPlace place, std::uint32_t which) const {
-    const auto found = decorations.find(place);
-    if (found == decorations.end() || !found->second.contains(which)) return std::nullopt;
-    return found->second.at(which);
+    const Decorations* all = FindIn(decorations, place);
+    const std::uint32_t* operand = all ? FindIn(*all, which) : nullptr;
+    return operand ? std::optional(*operand) : std::nullopt;
   }
 };
 
