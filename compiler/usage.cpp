@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "clip-table/write.h"
 #include "compiler/message.h"
 #include "compiler/show_messages.h"
 #include "frontend/lex/source.h"

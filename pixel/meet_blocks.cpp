@@ -3,7 +3,6 @@
 #include <string>
 #include <string_view>
 
-#include "base/spelling.h"
 #include "ir/access.h"
 #include "pixel/meet_inputs.h"
 #include "pixel/members.h"

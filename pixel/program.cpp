@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // The interface of a pixel shader in HLSL, as clipc's own front end understood it.
-#include <algorithm>
 #include <vector>
 
 #include "ir/access.h"

@@ -3,7 +3,6 @@
 
 #include <cstring>
 
-#include "ir/scalar.h"
 #include "tools/draw/memory.h"
 
 namespace clipc::draw {

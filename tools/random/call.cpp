@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // Calls of the program's own functions.
-#include <algorithm>
 
 #include "tools/random/expr.h"
 

@@ -5,7 +5,6 @@
 #include <fstream>
 #include <sstream>
 
-#include "tools/harness/offscreen.h"
 #include "tools/harness/options.h"
 
 namespace clipc::random {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "runtime/clip_plane.h"
 #include "runtime/mirror.h"
 #include "tools/study/visible_cut.h"
 

@@ -2,7 +2,6 @@
 #include "tools/study/visible_cut.h"
 
 #include <cmath>
-#include <utility>
 
 namespace clipc::study {
 namespace {
