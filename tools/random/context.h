@@ -72,6 +72,7 @@ struct Context {
   // Variables that the expression reads and writes: HLSL does not say which part comes first.
   std::set<std::string> read, written;
   int names = 0;
+  int indent = 2;  // of the lines of a statement here
 
   bool Has(Feature feature) const { return features.Has(feature); }
   // What the choices draw.

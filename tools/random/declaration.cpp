@@ -49,7 +49,7 @@ std::string MakeBodyOf(Context& context, const Function& function) {
   for (const Parameter& parameter : function.parameters) {
     if (parameter.direction == Direction::kOut) context.Add({parameter.name, parameter.type});
   }
-  text += MakeStatements(context, 4, 2, 2);
+  text += MakeStatements(context, 4, 2);
   context.EndExpression();
   if (function.is_void) return text;
   const Type& type = function.result;

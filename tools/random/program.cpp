@@ -53,7 +53,7 @@ std::string MakeEntry(Context& context, Program& program) {
            ";\n";
   };
   std::string body = position(1);
-  body += MakeStatements(context, 10, 2, 3);
+  body += MakeStatements(context, 10, 3);
   body += position(2);
   EntryOutputs outputs = MakeOutputs(context, program.is_soft);
   if (distances) {

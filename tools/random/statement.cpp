@@ -11,7 +11,13 @@ constexpr int kDepth = 3;  // of expressions
 
 bool IsWild(const Place& place) { return IsInteger(place.kind) && place.range.high > 1e6; }
 
-std::string Line(int indent, const std::string& text) { return Indent(indent) + text + ";\n"; }
+std::string Indent(const Context& context) {
+  return std::string(static_cast<std::size_t>(context.indent), ' ');
+}
+
+std::string Line(const Context& context, const std::string& text) {
+  return Indent(context) + text + ";\n";
+}
 
 // Components of another kind or shape than the place has: they are converted without a cast.
 Expr MakeConvertible(Context& context, const Place& place) {
@@ -31,7 +37,7 @@ Expr MakeConvertible(Context& context, const Place& place) {
   return MakeIn(context, kind, shape, range, kDepth);
 }
 
-std::string MakeAssignment(Context& context, int indent) {
+std::string MakeAssignment(Context& context) {
   const Kind kind = context.OneOf(kKinds);
   const bool is_pure = context.Chance(30);
   const Temporarily effects(context.effects, context.effects && !is_pure);
@@ -39,11 +45,11 @@ std::string MakeAssignment(Context& context, int indent) {
   if (!place.found) return {};
   // A value without effects may read what is assigned: it is read before it is written.
   if (is_pure) context.EndExpression();
-  return Line(indent, place.text + " = " + Argument(MakeConvertible(context, place)));
+  return Line(context, place.text + " = " + Argument(MakeConvertible(context, place)));
 }
 
 // `p op= value`, and then p is put back into its range.
-std::string MakeCompound(Context& context, int indent) {
+std::string MakeCompound(Context& context) {
   const Kind kind = static_cast<Kind>(context.Pick({4, 3, 2}));
   // A place that is put back is written twice, so its indices are constants.
   const auto indices =
@@ -54,14 +60,14 @@ std::string MakeCompound(Context& context, int indent) {
     return MakePlace(context, kind, true, 2);
   }();
   if (!place.found) return {};
-  if (computes && !MayCompound(context, place)) return MakeAssignment(context, indent);
+  if (computes && !MayCompound(context, place)) return MakeAssignment(context);
   const Shape shape = context.Chance(25) ? kScalar : place.shape;
   const auto fit = [&](const Range& range) {
     if (IsWild(place)) return std::string();
     Expr now{place.text, Level::kPostfix, kind, place.shape, range};
     now = Fit(context, now, place.range);
     return now.text == place.text ? std::string()
-                                  : Line(indent, place.text + " = " + Argument(now));
+                                  : Line(context, place.text + " = " + Argument(now));
   };
   if (kind == Kind::kFloat) {
     constexpr const char* kOperators[] = {" += ", " -= ", " *= ", " /= "};
@@ -71,7 +77,7 @@ std::string MakeCompound(Context& context, int indent) {
     Range range = Sum(place.range, value.range);
     if (choice == 1) range = Sum(place.range, Negated(value.range));
     if (choice >= 2) range = Product(place.range, {-16, 16, 2});
-    return Line(indent, place.text + kOperators[choice] + Argument(value)) + fit(range);
+    return Line(context, place.text + kOperators[choice] + Argument(value)) + fit(range);
   }
   constexpr const char* kOperators[] = {
       " += ", " -= ", " *= ", " &= ", " |= ", " ^= ", " /= ", " %= ", " <<= ", " >>= "};
@@ -82,21 +88,21 @@ std::string MakeCompound(Context& context, int indent) {
   const bool divides = choice == 6 || choice == 7;
   const Expr value =
       divides ? MakeDivisor(context, kind, shape, kDepth) : MakeExpr(context, kind, shape, kDepth);
-  return Line(indent, place.text + kOperators[choice] + Argument(value)) +
+  return Line(context, place.text + kOperators[choice] + Argument(value)) +
          (divides ? "" : fit(Wild(kind)));
 }
 
 // A variable of all 32 bits, whose name `name` becomes.
 std::string MakeWild(Context& context, const Type& type, const std::string& value,
-                     std::string& name, int indent) {
+                     std::string& name) {
   name = context.FreshName("v");
   context.Add({name, type, true, Holds::kWild});
-  return Line(indent, Declaration(context.structs, type, name) + " = " + value);
+  return Line(context, Declaration(context.structs, type, name) + " = " + value);
 }
 
 // An increment, of a new variable where there is none for it, and often a variable for its value.
-std::string MakeIncrement(Context& context, int indent) {
-  if (!context.Has(Feature::kWildInts)) return MakeAssignment(context, indent);
+std::string MakeIncrement(Context& context) {
+  if (!context.Has(Feature::kWildInts)) return MakeAssignment(context);
   const Kind kind = context.Chance(50) ? Kind::kInt : Kind::kUint;
   Place place = MakePlace(context, kind, true, 1);
   std::string before, name;
@@ -104,15 +110,15 @@ std::string MakeIncrement(Context& context, int indent) {
     context.EndExpression();
     place.shape = MakeShape(context);
     const std::string value = Argument(MakeExpr(context, kind, place.shape, 2));
-    before = MakeWild(context, {kind, place.shape}, value, place.text, indent);
+    before = MakeWild(context, {kind, place.shape}, value, place.text);
   }
   const char* sign = context.Chance(50) ? "++" : "--";
   const std::string text = context.Chance(50) ? sign + place.text : place.text + sign;
-  if (context.Chance(40)) return before + Line(indent, text);
-  return before + MakeWild(context, {kind, place.shape}, text, name, indent);
+  if (context.Chance(40)) return before + Line(context, text);
+  return before + MakeWild(context, {kind, place.shape}, text, name);
 }
 
-std::string MakeDeclaration(Context& context, int indent) {
+std::string MakeDeclaration(Context& context) {
   const Type type = MakeType(context);
   const bool is_const = context.Chance(10);
   const bool is_wild =
@@ -131,32 +137,34 @@ std::string MakeDeclaration(Context& context, int indent) {
     }
   }
   context.Add({name, type, !is_const, is_wild ? Holds::kWild : Holds::kVariable});
-  return Line(indent, (is_const ? "const " : "") + Declaration(context.structs, type, name) +
-                          " = " + value);
+  return Line(context, (is_const ? "const " : "") + Declaration(context.structs, type, name) +
+                           " = " + value);
 }
 
-std::string MakeBlock(Context& context, int most, int indent, int depth) {
+std::string MakeBlock(Context& context, int most, int depth) {
   const ScopeOf scope(context);
-  return "{\n" + MakeStatements(context, most, indent + 2, depth) + Indent(indent) + "}";
+  const std::string statements = [&] {
+    const Temporarily deeper(context.indent, context.indent + 2);
+    return MakeStatements(context, most, depth);
+  }();
+  return "{\n" + statements + Indent(context) + "}";
 }
 
-std::string MakeBody(Context& context, int indent, int depth) {
-  return MakeBlock(context, 3, indent, depth - 1);
-}
+std::string MakeBody(Context& context, int depth) { return MakeBlock(context, 3, depth - 1); }
 
 std::string Condition(Context& context, int depth = kDepth) {
   return MakeExpr(context, Kind::kBool, kScalar, depth).text;
 }
 
-std::string MakeIf(Context& context, int indent, int depth) {
+std::string MakeIf(Context& context, int depth) {
   constexpr const char* kAttributes[] = {"", "", "[branch] ", "[flatten] "};
-  std::string text = Indent(indent) + context.OneOf(kAttributes) + "if (" + Condition(context) +
-                     ") " + MakeBody(context, indent, depth);
-  if (context.Chance(40)) text += " else " + MakeBody(context, indent, depth);
+  std::string text = Indent(context) + context.OneOf(kAttributes) + "if (" + Condition(context) +
+                     ") " + MakeBody(context, depth);
+  if (context.Chance(40)) text += " else " + MakeBody(context, depth);
   return text + "\n";
 }
 
-std::string MakeFor(Context& context, int indent, int depth) {
+std::string MakeFor(Context& context, int depth) {
   const int turns = context.Between(1, 4);
   constexpr const char* kAttributes[] = {"", "", "[unroll] ", "[loop] "};
   const std::string attribute = context.OneOf(kAttributes);
@@ -177,15 +185,14 @@ std::string MakeFor(Context& context, int indent, int depth) {
   context.Add({name, {kind, kScalar}, false, Holds::kCounter, turns - 1.0});
   const Temporarily inner(context.loops, context.loops + 1);
   const Temporarily turned(context.turns, context.turns * turns);
-  return Indent(indent) + attribute + "for (" + head + ") " + MakeBody(context, indent, depth) +
-         "\n";
+  return Indent(context) + attribute + "for (" + head + ") " + MakeBody(context, depth) + "\n";
 }
 
-std::string MakeWhile(Context& context, int indent, int depth) {
+std::string MakeWhile(Context& context, int depth) {
   const int turns = context.Between(1, 3);
   const ScopeOf scope(context);
   const std::string name = "w" + std::to_string(context.names++);
-  const std::string declared = Line(indent, "int " + name + " = " + std::to_string(turns));
+  const std::string declared = Line(context, "int " + name + " = " + std::to_string(turns));
   const bool is_do = context.Chance(40);
   std::string condition = is_do ? "--" + name + " > 0" : name + "-- > 0";
   if ((!is_do || context.Has(Feature::kDoExits)) && context.Chance(50)) {
@@ -194,29 +201,32 @@ std::string MakeWhile(Context& context, int indent, int depth) {
   }
   const Temporarily inner(context.loops, context.loops + 1);
   const Temporarily turned(context.turns, context.turns * turns);
-  const std::string body = MakeBody(context, indent, depth);
-  if (is_do) return declared + Indent(indent) + "do " + body + " while (" + condition + ");\n";
-  return declared + Indent(indent) + "while (" + condition + ") " + body + "\n";
+  const std::string body = MakeBody(context, depth);
+  if (is_do) return declared + Indent(context) + "do " + body + " while (" + condition + ");\n";
+  return declared + Indent(context) + "while (" + condition + ") " + body + "\n";
 }
 
-std::string MakeSwitch(Context& context, int indent, int depth) {
+std::string MakeSwitch(Context& context, int depth) {
   const Kind kind = context.Chance(30) ? Kind::kUint : Kind::kInt;
   const Expr selector = MakeIn(context, kind, kScalar, {0, 5}, kDepth);
-  std::string text = Indent(indent) + "switch (" + selector.text + ") {\n";
+  const std::string head = Indent(context) + "switch (" + selector.text + ") {\n";
+  const std::string end = Indent(context) + "}\n";
+  const Temporarily labelled(context.indent, context.indent + 2);
+  std::string text;
   const int cases = context.Between(1, 3);
   const int with_default = context.Between(0, cases);
   int value = 0;
   for (int i = 0; i < cases; ++i) {
     for (int labels = context.Between(1, 2); labels > 0; --labels)
-      text += Indent(indent + 2) + "case " + Literal(kind, value++).text + ":\n";
-    if (i == with_default) text += Indent(indent + 2) + "default:\n";
-    text += Indent(indent + 4) + MakeBody(context, indent + 4, depth) + "\n" +
-            Line(indent + 4, "break");
+      text += Indent(context) + "case " + Literal(kind, value++).text + ":\n";
+    if (i == with_default) text += Indent(context) + "default:\n";
+    const Temporarily deeper(context.indent, context.indent + 2);
+    text += Indent(context) + MakeBody(context, depth) + "\n" + Line(context, "break");
   }
-  return text + Indent(indent) + "}\n";
+  return head + text + end;
 }
 
-std::string MakeJump(Context& context, int indent) {
+std::string MakeJump(Context& context) {
   std::string jump;
   if (context.loops > 0 && context.Chance(60)) {
     jump = context.Chance(50) ? "break" : "continue";
@@ -227,36 +237,36 @@ std::string MakeJump(Context& context, int indent) {
     jump = "return " + (type.IsNumeric() ? MakeValue(context, type.kind, type.shape, kDepth).text
                                          : Zero(context.structs, type));
   }
-  return Indent(indent) + "if (" + Condition(context) + ") " + jump + ";\n";
+  return Indent(context) + "if (" + Condition(context) + ") " + jump + ";\n";
 }
 
-std::string MakeCopy(Context& context, int indent) {
+std::string MakeCopy(Context& context) {
   std::vector<Type> types;
   for (const Variable* variable : context.Visible()) {
     if (!variable->type.IsNumeric() && variable->writable) types.push_back(variable->type);
   }
-  if (types.empty()) return MakeAssignment(context, indent);
+  if (types.empty()) return MakeAssignment(context);
   const Type type = context.OneOf(types);
   const Place to = MakePlaceOf(context, type, true);
-  if (!to.found) return MakeAssignment(context, indent);
+  if (!to.found) return MakeAssignment(context);
   if (type.IsStruct() && HasCall(context, type) && context.Chance(50))
-    return Line(indent, to.text + " = " + MakeCall(context, type, kDepth));
+    return Line(context, to.text + " = " + MakeCall(context, type, kDepth));
   context.EndExpression();
   const Place from = MakePlaceOf(context, type, false);
-  return Line(indent, to.text + " = " + from.text);
+  return Line(context, to.text + " = " + from.text);
 }
 
 // modf(x, p), the only function that writes an argument and does not round.
-std::string MakeWriting(Context& context, int indent) {
+std::string MakeWriting(Context& context) {
   const Shape shape{0, context.Between(1, 4)};
   const Place to = MakePlaceOf(context, {Kind::kFloat, shape}, true);
   const Place rest = MakePlaceOf(context, {Kind::kFloat, shape}, true);
-  if (!to.found || !rest.found || to.text == rest.text) return MakeCompound(context, indent);
+  if (!to.found || !rest.found || to.text == rest.text) return MakeCompound(context);
   const Expr value = MakeValue(context, Kind::kFloat, shape, kDepth);
-  return Line(indent, to.text + " = modf(" + Argument(value) + ", " + rest.text + ")");
+  return Line(context, to.text + " = modf(" + Argument(value) + ", " + rest.text + ")");
 }
 
-std::string MakeStatement(Context& context, int indent, int depth) {
+std::string MakeStatement(Context& context, int depth) {
   const SpanOf span(context.choices);
   context.EndExpression();
   context.cost += context.turns;
@@ -266,32 +276,30 @@ std::string MakeStatement(Context& context, int indent, int depth) {
   const bool may_jump = nests && context.scopes.size() > 2;
   switch (context.Pick(
       {6, 6, 4, nest, loop, loop / 2, nest / 2, 2, may_jump ? 1u : 0u, nest / 2, 2, 1, 1})) {
-    case 0: return MakeAssignment(context, indent);
-    case 1: return MakeDeclaration(context, indent);
-    case 2: return MakeCompound(context, indent);
-    case 3: return MakeIf(context, indent, depth);
-    case 4: return MakeFor(context, indent, depth);
-    case 5: return MakeWhile(context, indent, depth);
-    case 6: return MakeSwitch(context, indent, depth);
+    case 0: return MakeAssignment(context);
+    case 1: return MakeDeclaration(context);
+    case 2: return MakeCompound(context);
+    case 3: return MakeIf(context, depth);
+    case 4: return MakeFor(context, depth);
+    case 5: return MakeWhile(context, depth);
+    case 6: return MakeSwitch(context, depth);
     case 7: {
       const std::string call = MakeVoidCall(context, kDepth);
-      return call.empty() ? MakeAssignment(context, indent) : Line(indent, call);
+      return call.empty() ? MakeAssignment(context) : Line(context, call);
     }
-    case 8: return MakeJump(context, indent);
-    case 9: return Indent(indent) + MakeBody(context, indent, depth) + "\n";
-    case 10: return MakeIncrement(context, indent);
-    case 11: return MakeCopy(context, indent);
-    default: return MakeWriting(context, indent);
+    case 8: return MakeJump(context);
+    case 9: return Indent(context) + MakeBody(context, depth) + "\n";
+    case 10: return MakeIncrement(context);
+    case 11: return MakeCopy(context);
+    default: return MakeWriting(context);
   }
 }
 
 }  // namespace
 
-std::string Indent(int indent) { return std::string(static_cast<std::size_t>(indent), ' '); }
-
-std::string MakeStatements(Context& context, int most, int indent, int depth) {
+std::string MakeStatements(Context& context, int most, int depth) {
   std::string text;
-  Repeat(context.choices, most, 80, [&](int) { text += MakeStatement(context, indent, depth); });
+  Repeat(context.choices, most, 80, [&](int) { text += MakeStatement(context, depth); });
   return text;
 }
 

@@ -9,7 +9,7 @@
 namespace clipc::random {
 
 // At most `most` statements in the scope that is open, of at most `depth` levels.
-std::string MakeStatements(Context& context, int most, int indent, int depth);
+std::string MakeStatements(Context& context, int most, int depth);
 
 // A type for a variable: a number, a vector, a matrix, an array or a struct.
 Type MakeType(Context& context);
@@ -22,7 +22,5 @@ std::string MakeInitial(Context& context, const Type& type, int depth);
 std::string MakeStatic(Context& context);
 // A function, which may be called from then on.
 std::string MakeFunction(Context& context);
-
-std::string Indent(int indent);
 
 }  // namespace clipc::random
