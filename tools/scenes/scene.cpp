@@ -64,15 +64,8 @@ Skin SkinOf(const Matrix& matrix) {
 }
 
 const char* NameOf(Mistake mistake) {
-  switch (mistake) {
-    case Mistake::kNone: return "none";
-    case Mistake::kIndex: return "index";
-    case Mistake::kSign: return "sign";
-    case Mistake::kSpace: return "space";
-    case Mistake::kMask: return "mask";
-    case Mistake::kOffset: return "offset";
-  }
-  return "";
+  constexpr const char* kNames[] = {"none", "index", "sign", "space", "mask", "offset"};
+  return kNames[static_cast<int>(mistake)];
 }
 
 std::array<runtime::Float4, 3> PlaneConstants(const Scene& scene, const Matrix& projection,
