@@ -1,32 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "runtime/clip_plane.h"
 
-#include <algorithm>
-#include <cmath>
-
+#include "runtime/finite.h"
 #include "runtime/plane_chain.h"
 #include "runtime/projection_shape.h"
 
 namespace clipc::runtime {
-namespace {
-
-double LargestOf(const Plane& p) {
-  return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z), std::fabs(p.w)});
-}
-
-bool IsFinite(const Plane& plane) {
-  return std::isfinite(plane.x) && std::isfinite(plane.y) && std::isfinite(plane.z) &&
-         std::isfinite(plane.w);
-}
-
-}  // namespace
-
 Result<Float4> RoundPlane(const Plane& plane) noexcept {
   if (!IsFinite(plane)) {
     return Status::Failure(Error::kNotFinite, "the plane is (%g, %g, %g, %g)", plane.x, plane.y,
                            plane.z, plane.w);
   }
-  const double largest = LargestOf(plane);
+  const double largest = LargestOf({plane.x, plane.y, plane.z, plane.w});
   if (largest != 0 && (largest < static_cast<double>(kMinPlaneScale) ||
                        largest > static_cast<double>(kMaxPlaneScale))) {
     return Status::Failure(Error::kNotRepresentable,

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "runtime/finite.h"
+
 namespace clipc::runtime {
 namespace {
 
@@ -94,10 +96,6 @@ void Reach(const Factors& factors, const double (&residual)[4], double (&error)[
     Substitute(factors, unit, column);
     for (int j = 0; j < 4; ++j) error[j] += std::fabs(column[j]) * residual[i];
   }
-}
-
-double LargestOf(const double (&x)[4]) {
-  return std::max({std::fabs(x[0]), std::fabs(x[1]), std::fabs(x[2]), std::fabs(x[3])});
 }
 
 // The scaled system with its factors, and what solves it.

@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/finite.h"
+
 namespace clipc::runtime {
 
 Result<Matrix> MirrorMatrix(const Plane& plane) noexcept {
-  if (!std::isfinite(plane.x) || !std::isfinite(plane.y) || !std::isfinite(plane.z) ||
-      !std::isfinite(plane.w)) {
+  if (!IsFinite(plane)) {
     return Status::Failure(Error::kNotFinite,
                            "the mirror's plane has a coefficient that is not finite");
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/finite.h"
 #include "runtime/linear_solve.h"
 
 namespace clipc::runtime {
@@ -12,15 +13,8 @@ namespace {
 // What a sum of four products of DoubleDoubles may lose, in units of 2^-53.
 constexpr double kRoundingLeft = 0x1p-48;
 
-double LargestOf(const double (&numbers)[4]) {
-  return std::max(
-      {std::fabs(numbers[0]), std::fabs(numbers[1]), std::fabs(numbers[2]), std::fabs(numbers[3])});
-}
-
 Status CheckAffine(const Matrix& matrix, const char* name) {
-  const bool is_finite = std::all_of(&matrix.m[0][0], &matrix.m[0][0] + 16,
-                                     [](double element) { return std::isfinite(element); });
-  if (!is_finite) {
+  if (!IsFinite(matrix)) {
     return Status::Failure(Error::kNotFinite, "the %s matrix has an element that is not finite",
                            name);
   }
@@ -49,8 +43,7 @@ Plane Rounded(const Bounded& bounded) noexcept {
 }
 
 Step Begin(const Plane& plane) noexcept {
-  if (!std::isfinite(plane.x) || !std::isfinite(plane.y) || !std::isfinite(plane.z) ||
-      !std::isfinite(plane.w))
+  if (!IsFinite(plane))
     return Status::Failure(Error::kNotFinite, "the plane has a coefficient that is not finite");
   return Bounded{{{plane.x, 0}, {plane.y, 0}, {plane.z, 0}, {plane.w, 0}}, {}};
 }

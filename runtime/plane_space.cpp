@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "runtime/edge_error.h"
+#include "runtime/finite.h"
 #include "runtime/plane_chain.h"
 #include "runtime/projection_shape.h"
 
@@ -114,9 +115,7 @@ double PredictOf(PlaneSpace space, const Plane& view_plane, const DrawMatrices& 
 Result<double> PredictEdgeError(PlaneSpace space, const Plane& view_plane, const Matrix& projection,
                                 double picture_height, double sine, double reach) noexcept {
   const double unit = 0x1p-24 * picture_height / 2 / sine;
-  const Plane& c = view_plane;
-  const bool is_finite = std::isfinite(unit) && std::isfinite(reach) && std::isfinite(c.x) &&
-                         std::isfinite(c.y) && std::isfinite(c.z) && std::isfinite(c.w);
+  const bool is_finite = std::isfinite(unit) && std::isfinite(reach) && IsFinite(view_plane);
   if (!(picture_height > 0 && sine > 0 && reach >= 0) || !is_finite)
     return Status::Failure(Error::kNotFinite,
                            "the plane, the picture's height, the sine or the reach is not a number "

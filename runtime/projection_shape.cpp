@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "runtime/finite.h"
+
 namespace clipc::runtime {
 
 ProjectionShape ShapeOf(const Matrix& projection) noexcept {
@@ -13,11 +15,7 @@ ProjectionShape ShapeOf(const Matrix& projection) noexcept {
   shape.tx = m[3][0], shape.ty = m[3][1], shape.b = m[3][2], shape.g = m[3][3];
   const bool others_are_zero =
       m[0][1] == 0 && m[0][2] == 0 && m[0][3] == 0 && m[1][0] == 0 && m[1][2] == 0 && m[1][3] == 0;
-  bool all_finite = true;
-  for (const auto& row : m) {
-    for (const double element : row) all_finite = all_finite && std::isfinite(element);
-  }
-  shape.holds = all_finite && others_are_zero && shape.px != 0 && shape.py != 0 &&
+  shape.holds = IsFinite(projection) && others_are_zero && shape.px != 0 && shape.py != 0 &&
                 (shape.e == 0) != (shape.g == 0);
   return shape;
 }
@@ -30,12 +28,9 @@ bool LooksTransposed(const Matrix& affine) noexcept {
 
 Status CheckProjection(const Matrix& projection) noexcept {
   const auto& m = projection.m;
-  for (const auto& row : m) {
-    for (const double element : row) {
-      if (!std::isfinite(element))
-        return Status::Failure(Error::kNotFinite,
-                               "the projection matrix has an element that is not finite");
-    }
+  if (!IsFinite(projection)) {
+    return Status::Failure(Error::kNotFinite,
+                           "the projection matrix has an element that is not finite");
   }
   const bool ends_in_w = m[3][0] == 0 && m[3][1] == 0 && std::fabs(m[3][2]) == 1 && m[3][3] == 0;
   if (LooksTransposed(projection) || (ends_in_w && std::fabs(m[2][3]) != 1)) {
