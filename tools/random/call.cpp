@@ -19,7 +19,7 @@ std::string MakeArgument(Context& context, const Parameter& parameter, int depth
     if (place.found) context.taken.push_back(place.text.substr(0, place.text.find_first_of(".[")));
     return place.text;
   }
-  if (type.IsNumeric()) return Argument(MakeValue(context, type.kind, type.shape, depth));
+  if (type.IsNumeric()) return Argument(MakeValue(context, type, depth));
   return MakeReadOf(context, type);
 }
 

@@ -14,11 +14,11 @@ constexpr int kMostComponents = 64;
 std::string Components(Context& context, const Type& type, int depth) {
   if (type.IsNumeric()) {
     const bool is_whole = !type.shape.IsMatrix() && context.Chance(50);
-    if (is_whole) return Argument(MakeValue(context, type.kind, type.shape, depth));
+    if (is_whole) return Argument(MakeValue(context, type, depth));
     std::string text;
     for (int i = 0; i < type.shape.Components(); ++i) {
       text += (i > 0 ? ", " : "") +
-              Argument(MakeValue(context, type.kind, kScalar, std::min(depth, 1)));
+              Argument(MakeValue(context, {type.kind, kScalar}, std::min(depth, 1)));
     }
     return text;
   }
@@ -41,10 +41,10 @@ std::string MakeBodyOf(Context& context, const Function& function) {
     if (parameter.direction != Direction::kOut) continue;
     const Type& type = parameter.type;
     context.EndExpression();
-    text += "  " + parameter.name + " = " +
-            (type.IsNumeric() ? Argument(MakeValue(context, type.kind, type.shape, 2))
-                              : Zero(context.structs, type)) +
-            ";\n";
+    text +=
+        "  " + parameter.name + " = " +
+        (type.IsNumeric() ? Argument(MakeValue(context, type, 2)) : Zero(context.structs, type)) +
+        ";\n";
   }
   for (const Parameter& parameter : function.parameters) {
     if (parameter.direction == Direction::kOut) context.Add({parameter.name, parameter.type});
@@ -53,8 +53,8 @@ std::string MakeBodyOf(Context& context, const Function& function) {
   context.EndExpression();
   if (function.is_void) return text;
   const Type& type = function.result;
-  const std::string value = type.IsNumeric() ? MakeValue(context, type.kind, type.shape, 3).text
-                                             : MakeReadOf(context, type);
+  const std::string value =
+      type.IsNumeric() ? MakeValue(context, type, 3).text : MakeReadOf(context, type);
   return text + "  return " + value + ";\n";
 }
 
@@ -96,7 +96,7 @@ Type MakeType(Context& context) {
 
 std::string MakeInitial(Context& context, const Type& type, int depth) {
   if (type.IsNumeric() && !context.Chance(20)) {
-    return Argument(MakeValue(context, type.kind, type.shape, depth));
+    return Argument(MakeValue(context, type, depth));
   }
   if (!type.IsNumeric() && !context.only_literals) {
     if (context.Pick({1, 1}) == 1) {

@@ -340,8 +340,8 @@ Expr MakeIn(Context& context, Kind kind, Shape shape, const Range& range, int de
   return Fit(context, MakeExpr(context, kind, shape, depth), range);
 }
 
-Expr MakeValue(Context& context, Kind kind, Shape shape, int depth) {
-  return MakeIn(context, kind, shape, VariableRange(kind), depth);
+Expr MakeValue(Context& context, const Type& type, int depth) {
+  return MakeIn(context, type.kind, type.shape, VariableRange(type.kind), depth);
 }
 
 Expr MakeDivisor(Context& context, Kind kind, Shape shape, int depth) {

@@ -48,7 +48,7 @@ Expr MakeExpr(Context& context, Kind kind, Shape shape, int depth);
 // An expression as MakeExpr makes it, with values in `range`.
 Expr MakeIn(Context& context, Kind kind, Shape shape, const Range& range, int depth);
 // An expression as MakeExpr makes it, with values that a variable may hold.
-Expr MakeValue(Context& context, Kind kind, Shape shape, int depth);
+Expr MakeValue(Context& context, const Type& type, int depth);
 // An int or uint in [2, 17], which may divide any other.
 Expr MakeDivisor(Context& context, Kind kind, Shape shape, int depth);
 // An int or uint in [0, count).

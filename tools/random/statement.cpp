@@ -234,8 +234,8 @@ std::string MakeJump(Context& context) {
     jump = context.function ? "return" : "return result";
   } else {
     const Type& type = context.function->result;
-    jump = "return " + (type.IsNumeric() ? MakeValue(context, type.kind, type.shape, kDepth).text
-                                         : Zero(context.structs, type));
+    jump = "return " +
+           (type.IsNumeric() ? MakeValue(context, type, kDepth).text : Zero(context.structs, type));
   }
   return Indent(context) + "if (" + Condition(context) + ") " + jump + ";\n";
 }
@@ -262,7 +262,7 @@ std::string MakeWriting(Context& context) {
   const Place to = MakePlaceOf(context, {Kind::kFloat, shape}, true);
   const Place rest = MakePlaceOf(context, {Kind::kFloat, shape}, true);
   if (!to.found || !rest.found || to.text == rest.text) return MakeCompound(context);
-  const Expr value = MakeValue(context, Kind::kFloat, shape, kDepth);
+  const Expr value = MakeValue(context, {Kind::kFloat, shape}, kDepth);
   return Line(context, to.text + " = modf(" + Argument(value) + ", " + rest.text + ")");
 }
 
