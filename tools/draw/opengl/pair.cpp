@@ -4,19 +4,13 @@
 #include <vector>
 
 #include "tools/draw/opengl/picture.h"
-#include "tools/draw/opengl/program.h"
 #include "tools/harness/framebuffer.h"
 
 namespace clipc::draw {
 namespace {
 
 Inputs InputsOf(const GlProgram& program) {
-  Inputs inputs;
-  inputs.vertices = static_cast<int>(FullTarget().size());
-  for (const Active& attribute : program.Attributes()) {
-    const auto location = static_cast<std::uint32_t>(attribute.location);
-    inputs.attributes.push_back({attribute.name, PairAttribute(location, ShapeOf(attribute))});
-  }
+  Inputs inputs = MeshInputs(program);
   for (const ActiveBlock& block : program.Blocks()) {
     const auto size = static_cast<std::size_t>(block.size);
     inputs.blocks.push_back({block.name, PairBlock(SeedOf(block.name), size)});
@@ -42,6 +36,16 @@ std::vector<float> Draw(const Pair& pair) {
 }
 
 }  // namespace
+
+Inputs MeshInputs(const GlProgram& program) {
+  Inputs inputs;
+  inputs.vertices = static_cast<int>(FullTarget().size());
+  for (const Active& attribute : program.Attributes()) {
+    const auto location = static_cast<std::uint32_t>(attribute.location);
+    inputs.attributes.push_back({attribute.name, PairAttribute(location, ShapeOf(attribute))});
+  }
+  return inputs;
+}
 
 PairDifference ComparePictures(const Pair& first, const Pair& second) {
   const std::vector<float> a = Draw(first), b = Draw(second);

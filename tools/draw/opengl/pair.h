@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "tools/draw/inputs.h"
+#include "tools/draw/opengl/program.h"
 #include "tools/draw/pair.h"
 
 namespace clipc::draw {
@@ -10,6 +12,9 @@ namespace clipc::draw {
 struct Pair {
   std::string vertex, fragment;  // GLSL
 };
+
+// The vertices of FullTarget() for a program: values by location.
+Inputs MeshInputs(const GlProgram& program);
 
 // Draws a mesh over the whole target with both programs, on the current context, and compares the
 // pictures. Both get the same vertices by location, the same bytes in uniform blocks of one name,

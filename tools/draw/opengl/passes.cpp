@@ -2,11 +2,9 @@
 #include "tools/draw/opengl/passes.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <vector>
 
-#include "tools/draw/opengl/picture.h"
-#include "tools/draw/opengl/program.h"
+#include "tools/draw/opengl/pair.h"
 #include "tools/draw/pair.h"
 #include "tools/harness/framebuffer.h"
 
@@ -18,12 +16,7 @@ constexpr char kFragment[] = "#version 450\nout vec4 color;\nvoid main() { color
 // Draws white where the depth test passes.
 void Draw(const std::string& vertex) {
   GlProgram program(vertex, kFragment, {});
-  Inputs inputs;
-  inputs.vertices = static_cast<int>(FullTarget().size());
-  for (const Active& attribute : program.Attributes()) {
-    const auto location = static_cast<std::uint32_t>(attribute.location);
-    inputs.attributes.push_back({attribute.name, PairAttribute(location, ShapeOf(attribute))});
-  }
+  const Inputs inputs = MeshInputs(program);
   program.Bind(inputs);
   glDrawArrays(GL_TRIANGLES, 0, inputs.vertices);
 }
