@@ -47,9 +47,8 @@ std::vector<std::string_view> WordsIn(std::string_view text) {
 }
 
 bool ReadNumber(std::string_view text, std::uint32_t& to) {
-  const char* const end = text.data() + text.size();
-  const auto [after, problem] = std::from_chars(text.data(), end, to);
-  return problem == std::errc() && after == end;
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), to);
+  return problem == std::errc() && end == text.data() + text.size();
 }
 
 bool AddShift(char letter, glsl::BindingRules& rules, std::string_view value) {

@@ -16,7 +16,7 @@ std::uint32_t Choices::Below(std::size_t limit) {
 }
 
 int Choices::Between(int least, int greatest) {
-  return least + static_cast<int>(Below(static_cast<std::size_t>(greatest - least + 1)));
+  return least + static_cast<int>(Below(static_cast<std::uint32_t>(greatest - least + 1)));
 }
 
 bool Choices::Chance(std::uint32_t percent) { return Below(100) >= 100 - percent; }
