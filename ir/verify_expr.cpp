@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <algorithm>
-#include <bit>
 
 #include <fmt/format.h>
 
@@ -17,23 +16,13 @@ bool IsIndexType(const Type& type) { return IsScalar(type) && IsInteger(type.sca
 
 // What an arithmetic, bit, shift, comparison or logical operator takes.
 bool Takes(BinaryOp op, Scalar kind) {
-  using enum BinaryOp;
-  switch (op) {
-    case kMul:
-    case kDiv:
-    case kMod:
-    case kAdd:
-    case kSub: return kind != Scalar::kBool;
-    case kShiftLeft:
-    case kShiftRight: return IsInteger(kind);
-    case kBitAnd:
-    case kBitXor:
-    case kBitOr: return !IsFloat(kind);
-    case kLogicalAnd:
-    case kLogicalOr:
-    case kShortCircuitAnd:
-    case kShortCircuitOr: return kind == Scalar::kBool;
-    default: return true;
+  using enum OperatorKind;
+  switch (TraitsOf(op).kind) {
+    case kArithmetic: return kind != Scalar::kBool;
+    case kShift: return IsInteger(kind);
+    case kComparison: return true;
+    case kBitwise: return !IsFloat(kind);
+    default: return kind == Scalar::kBool;  // && and ||
   }
 }
 
@@ -193,7 +182,7 @@ void ExprVerifier::Check(const Unary& node) {
 void ExprVerifier::Check(const Binary& node) {
   const Type& left = TypeOf(node.left);
   const Type& type = Checked();
-  const bool is_shift = node.op == BinaryOp::kShiftLeft || node.op == BinaryOp::kShiftRight;
+  const bool is_shift = IsShift(node.op);
   Require(is_shift ? HasShapeOf(node.left, node.right)
                    : IdOf(node.left) == IdOf(node.right) && left.IsNumeric(),
           "the operands have the same numeric type (of a shift: the same shape)");
@@ -211,7 +200,7 @@ void ExprVerifier::Check(const Binary& node) {
 void ExprVerifier::Check(const Assign& node) {
   Require(IdOf(expr_) == IdOf(node.target), "an assignment has the target's type");
   Require(IsTarget(node.target), "the left side is not an assignment target");
-  const bool is_shift = node.op == BinaryOp::kShiftLeft || node.op == BinaryOp::kShiftRight;
+  const bool is_shift = node.op && IsShift(*node.op);
   Require(is_shift ? HasShapeOf(node.target, node.value) : IdOf(node.target) == IdOf(node.value),
           "both sides have the same type (of a shift: the same shape)");
   if (!node.op) return;
@@ -353,12 +342,8 @@ void ExprVerifier::Check(const ObjectCall& node) {
 
 // A path of fields and indices to a variable that may be written, with at most one last swizzle.
 bool ExprVerifier::IsTarget(ExprId expr) const {
-  if (const auto* swizzle = As<Swizzle>(program_, expr)) {
-    unsigned seen = 0;
-    for (int i = 0; i < swizzle->count; ++i) seen |= 1u << swizzle->components[i];
-    if (std::popcount(seen) != swizzle->count) return false;
-    expr = swizzle->base;
-  }
+  if (RepeatsComponents(program_, expr)) return false;
+  if (As<Swizzle>(program_, expr)) expr = WholeOf(program_, expr);
   while (As<FieldRef>(program_, expr) || As<Index>(program_, expr)) expr = WholeOf(program_, expr);
   const auto* root = As<VarRef>(program_, expr);
   return root && MayBeWritten(program_.vars[root->var].storage);

@@ -76,7 +76,9 @@ class InterfaceVerifier {
       if (var.storage != storage) Fail(what + " is not of this storage");
       if (!seen.insert(io.var).second) Fail(what + " is listed twice");
       if (io.builtin == Builtin::kNone) {
-        if (!IsPlain(program_.types[var.type])) Fail(what + " is a scalar or vector of numbers");
+        const Type& type = program_.types[var.type];
+        if (!type.IsScalarOrVector() || type.scalar == Scalar::kBool)
+          Fail(what + " is a scalar or vector of numbers");
         if (io.location <= last_location)
           Fail(what + " has a location that is taken or out of order");
         last_location = io.location;
@@ -88,11 +90,6 @@ class InterfaceVerifier {
       if (!FitsBuiltin(io.builtin, var.type, storage))
         Fail(what + " does not have the direction and type of its builtin");
     }
-  }
-
-  static bool IsPlain(const Type& type) {
-    const bool shape = type.kind == TypeKind::kScalar || type.kind == TypeKind::kVector;
-    return shape && type.scalar != Scalar::kBool;
   }
 
   bool FitsBuiltin(Builtin builtin, TypeId id, Storage storage) const {

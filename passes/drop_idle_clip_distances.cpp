@@ -92,7 +92,7 @@ class ClipQuestion {
   std::uint32_t SizeOf(TypeId id) const {
     const Type& type = program_.types[id];
     if (type.kind == TypeKind::kArray) return type.count * SizeOf(type.element);
-    return type.kind == TypeKind::kScalar || type.kind == TypeKind::kVector ? type.Components() : 0;
+    return type.IsScalarOrVector() ? type.Components() : 0;
   }
 
   // The components of a variable that a path names; empty where they are not known.
