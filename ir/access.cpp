@@ -30,6 +30,12 @@ const Assign* AsAssignment(const Program& program, StmtId stmt) {
   return assign && !assign->op ? assign : nullptr;
 }
 
+std::vector<ExprId> OperandsOf(const Program& program, ExprId expr) {
+  std::vector<ExprId> operands;
+  ForEachOperand(program, expr, [&](ExprId operand) { operands.push_back(operand); });
+  return operands;
+}
+
 ExprId WholeOf(const Program& program, ExprId expr) {
   return Visit(
       Overloaded{

@@ -33,6 +33,9 @@ inline const Type& TypeOf(const Program& program, ExprId expr) {
 // A statement `target = value;`; null for every other statement, `target += value;` included.
 const Assign* AsAssignment(const Program& program, StmtId stmt);
 
+// The direct operands, in the order of evaluation.
+std::vector<ExprId> OperandsOf(const Program& program, ExprId expr);
+
 // ---- paths
 
 // The expression that `expr` takes a field, an element or components of; none for an expression of

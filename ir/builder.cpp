@@ -139,6 +139,18 @@ ExprId Builder::CommaOf(ExprId first, ExprId second) {
   return Add(TypeOf(second), Comma{first, second});
 }
 
+ExprId Builder::CopyOf(TypeId type, const decltype(Expr::node)& node) {
+  const ExprId copy = Add(type, node);
+  const auto own = [&](auto& of_copy) {
+    if constexpr (requires { of_copy.arguments; }) {
+      of_copy.arguments =
+          program_.expr_lists.Add(std::as_const(program_).expr_lists[of_copy.arguments]);
+    }
+  };
+  Visit(own, program_.exprs[copy].node);
+  return copy;
+}
+
 StmtId Builder::BlockOf(std::span<const StmtId> body) {
   return Stmt(Block{program_.stmt_lists.Add(body)});
 }
@@ -148,14 +160,8 @@ VarId Builder::Local(std::string name, TypeId type) {
 }
 
 ExprId Clone(Program& program, ExprId expr) {
-  const ExprId copy = program.exprs.Add(Expr(program.exprs[expr]));
-  // A node with a list gets its own list first; then every operand is replaced by its clone.
-  const auto own = [&](auto& node) {
-    if constexpr (requires { node.arguments; }) {
-      node.arguments = program.expr_lists.Add(std::as_const(program).expr_lists[node.arguments]);
-    }
-  };
-  std::visit(own, program.exprs[copy].node);
+  const Expr& original = program.exprs[expr];
+  const ExprId copy = Builder(program, original.span).CopyOf(original.type, original.node);
   MapOperands(program, copy, [&](ExprId operand) { return Clone(program, operand); });
   return copy;
 }

@@ -49,6 +49,8 @@ class Builder {
   ExprId Add(TypeId type, const Node& node) {
     return program_.exprs.Make(type, span_, node);
   }
+  // Adds a copy of the node. A list of operands becomes its own, so that they can be replaced.
+  ExprId CopyOf(TypeId type, const decltype(Expr::node)& node);
 
   template <typename Node>
   StmtId Stmt(const Node& node) {

@@ -43,9 +43,7 @@ class BoundHoisting {
 
   void HoistFrom(ExprId expr, std::vector<StmtId>& before) {
     if (!IsUniform(expr)) {
-      std::vector<ExprId> operands;
-      ForEachOperand(program_, expr, [&](ExprId operand) { operands.push_back(operand); });
-      for (const ExprId operand : operands) HoistFrom(operand, before);
+      for (const ExprId operand : OperandsOf(program_, expr)) HoistFrom(operand, before);
       return;
     }
     const std::string name = NameOf(expr);

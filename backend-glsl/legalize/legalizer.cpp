@@ -116,8 +116,7 @@ void Legalizer::BecomeCall(ExprId expr, std::string_view name, std::span<const E
 }
 
 void Legalizer::ByParts(ExprId expr, std::string_view name, const Node& node, bool rows) {
-  std::vector<ExprId> operands;
-  ForEachOperand(program, expr, [&](ExprId operand) { operands.push_back(operand); });
+  const std::vector<ExprId> operands = OperandsOf(program, expr);
   const TypeId result = program.exprs[expr].type;
   const Type type = program.types[result];
   const TypeId part_type =
@@ -132,15 +131,7 @@ void Legalizer::ByParts(ExprId expr, std::string_view name, const Node& node, bo
 
 ExprId Legalizer::PartOf(Builder b, const Node& node, TypeId type, HelperBody& body, int part,
                          bool rows) {
-  const ExprId copy = b.Add(type, node);
-  std::visit(
-      [&](auto& of_copy) {
-        if constexpr (requires { of_copy.arguments; }) {
-          of_copy.arguments =
-              program.expr_lists.Add(std::as_const(program).expr_lists[of_copy.arguments]);
-        }
-      },
-      program.exprs[copy].node);
+  const ExprId copy = b.CopyOf(type, node);
   std::size_t operand = 0;
   MapOperands(program, copy, [&](ExprId) {
     const ExprId whole = body[operand++];

@@ -238,8 +238,7 @@ class ElementLowering {
 
   bool LowerOneWrite(ExprId expr) {
     if (!IsOfWritingKind(program_.exprs[expr])) return false;
-    std::vector<ExprId> operands;
-    ForEachOperand(program_, expr, [&](ExprId operand) { operands.push_back(operand); });
+    const std::vector<ExprId> operands = OperandsOf(program_, expr);
     for (std::size_t i = 0; i < operands.size(); ++i) {
       if (!WritesOperand(program_, expr, i)) continue;
       const Path path = PathOf(operands[i]);
@@ -316,18 +315,7 @@ class ElementLowering {
   // has `indices` parameters.
   ExprId Copied(HelperBody& body, const Legalizer::Node& node, TypeId type, std::size_t written,
                 std::size_t indices, ExprId target) {
-    const ExprId copy = body.b.Add(type, node);
-    auto own = program_.exprs[copy].node;
-    Visit(
-        [&](auto& of_copy) {
-          if constexpr (requires { of_copy.arguments; }) {
-            const auto listed = std::as_const(program_).expr_lists[of_copy.arguments];
-            const std::vector<ExprId> list(listed.begin(), listed.end());
-            of_copy.arguments = program_.expr_lists.Add(std::span<const ExprId>(list));
-          }
-        },
-        own);
-    program_.exprs[copy].node = own;
+    const ExprId copy = body.b.CopyOf(type, node);
     std::size_t operand = 0, parameter = 0;
     MapOperands(program_, copy, [&](ExprId) {
       if (operand++ != written) return body[parameter++];
