@@ -158,8 +158,7 @@ class ConversionLowering {
     return body.b.LiteralOf(program_.types[type].scalar, value);
   }
   ExprId Limit(HelperBody& body, double value) {
-    const TypeId type = program_.vars[body.parameters[0]].type;
-    return body.b.LiteralOf(program_.types[type].scalar, value);
+    return Number(body, program_.vars[body.parameters[0]].type, value);
   }
   ExprId Compare(HelperBody& body, BinaryOp op, double limit) {
     return body.b.BinaryOf(op, body[0], Limit(body, limit));

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include <array>
 #include <numeric>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -19,11 +17,6 @@ using Parts = std::vector<ExprId>;
 ExprId Chain(Builder b, BinaryOp op, const Parts& parts) {
   return std::accumulate(parts.begin() + 1, parts.end(), parts.front(),
                          [&](ExprId sum, ExprId part) { return b.BinaryOf(op, sum, part); });
-}
-
-ExprId FirstColumns(Builder b, ExprId row, int count) {
-  static constexpr std::array<std::uint8_t, 4> kColumns = {0, 1, 2, 3};
-  return b.Swizzled(row, std::span(kColumns).first(static_cast<std::size_t>(count)));
 }
 
 // One call of a function of matrices in rows, or of vectors of integers, or one that GLSL lacks.
@@ -53,7 +46,7 @@ class MatrixFunctions {
       Builder b = legalizer_.At(expr_);
       const ExprId row = b.At(operand, 0u);
       legalizer_.Become(
-          expr_, b.ConstructOf(id_, {to.size == from.size ? row : FirstColumns(b, row, to.size)}));
+          expr_, b.ConstructOf(id_, {to.size == from.size ? row : b.SwizzledRun(row, 0, to.size)}));
       return;
     }
     const bool has_unsigned = legalizer_.target.Has(Feature::kUnsigned);
@@ -63,7 +56,7 @@ class MatrixFunctions {
         [&](HelperBody& body) {
           Parts rows;
           for (std::uint32_t i = 0; i < type.rows; ++i) {
-            rows.push_back(FirstColumns(body.b, body.b.At(body[0], i), type.columns));
+            rows.push_back(body.b.SwizzledRun(body.b.At(body[0], i), 0, type.columns));
           }
           body.Return(body.b.ConstructOf(id_, rows));
         });
