@@ -12,28 +12,30 @@
 namespace clipc::rules {
 namespace {
 
+using enum ObjectOp;
+
 constexpr struct {
   std::string_view name;
   ObjectOp op;
   bool compares, must_give;  // takes a value to compare with; gives the old one back, always
 } kAtomics[] = {
-    {"InterlockedAdd", ObjectOp::kAtomicAdd, false, false},
-    {"InterlockedAnd", ObjectOp::kAtomicAnd, false, false},
-    {"InterlockedCompareExchange", ObjectOp::kAtomicCompareExchange, true, true},
-    {"InterlockedCompareStore", ObjectOp::kAtomicCompareExchange, true, false},
-    {"InterlockedExchange", ObjectOp::kAtomicExchange, false, true},
-    {"InterlockedMax", ObjectOp::kAtomicMax, false, false},
-    {"InterlockedMin", ObjectOp::kAtomicMin, false, false},
-    {"InterlockedOr", ObjectOp::kAtomicOr, false, false},
-    {"InterlockedXor", ObjectOp::kAtomicXor, false, false},
+    {"InterlockedAdd", kAtomicAdd, false, false},
+    {"InterlockedAnd", kAtomicAnd, false, false},
+    {"InterlockedCompareExchange", kAtomicCompareExchange, true, true},
+    {"InterlockedCompareStore", kAtomicCompareExchange, true, false},
+    {"InterlockedExchange", kAtomicExchange, false, true},
+    {"InterlockedMax", kAtomicMax, false, false},
+    {"InterlockedMin", kAtomicMin, false, false},
+    {"InterlockedOr", kAtomicOr, false, false},
+    {"InterlockedXor", kAtomicXor, false, false},
 };
 
 // An element of a writable object that is one integer; null for anything else.
 const ObjectCall* ElementOf(const IntrinsicCheck& call) {
   const auto* load = As<ObjectCall>(call.program, call.arguments[0]);
   if (!load) return nullptr;
-  const bool is_element = load->op == ObjectOp::kBufferLoad ||
-                          load->op == ObjectOp::kStructuredLoad || load->op == ObjectOp::kImageLoad;
+  const bool is_element =
+      load->op == kBufferLoad || load->op == kStructuredLoad || load->op == kImageLoad;
   const ExprId object = call.program.expr_lists[load->arguments][0];
   const Type& type = call.ArgumentType(0);
   const bool is_integer =

@@ -26,14 +26,15 @@ constexpr std::size_t kMaxWords = 4096;           // of a known value
 constexpr int kMaxCallDepth = 200;
 
 std::string_view MethodOf(ObjectOp op) {
+  using enum ObjectOp;
   switch (op) {
-    case ObjectOp::kSampleLevel: return "SampleLevel";
-    case ObjectOp::kSampleGrad: return "SampleGrad";
-    case ObjectOp::kSampleCmpLevelZero: return "SampleCmpLevelZero";
-    case ObjectOp::kTextureLoad: return "Load";
-    case ObjectOp::kGatherGreen: return "GatherGreen";
-    case ObjectOp::kGatherBlue: return "GatherBlue";
-    case ObjectOp::kGatherAlpha: return "GatherAlpha";
+    case kSampleLevel: return "SampleLevel";
+    case kSampleGrad: return "SampleGrad";
+    case kSampleCmpLevelZero: return "SampleCmpLevelZero";
+    case kTextureLoad: return "Load";
+    case kGatherGreen: return "GatherGreen";
+    case kGatherBlue: return "GatherBlue";
+    case kGatherAlpha: return "GatherAlpha";
     default: return "Gather";
   }
 }

@@ -216,17 +216,18 @@ enum class Needs : std::uint8_t {
   kReading,
   kWriting,
 };
+using enum Needs;
 
 bool Offers(ObjectKind kind, Needs needs) {
   const TextureTraits traits = TraitsOf(kind);
   switch (needs) {
-    case Needs::kNothing: return true;
-    case Needs::kSampling: return traits.coordinates != 0;
-    case Needs::kComparison: return traits.gradient != 0;
-    case Needs::kGathering: return traits.can_gather;
-    case Needs::kTexels: return traits.texel != 0;
-    case Needs::kReading: return !IsWritable(kind);
-    case Needs::kWriting: return IsWritable(kind);
+    case kNothing: return true;
+    case kSampling: return traits.coordinates != 0;
+    case kComparison: return traits.gradient != 0;
+    case kGathering: return traits.can_gather;
+    case kTexels: return traits.texel != 0;
+    case kReading: return !IsWritable(kind);
+    case kWriting: return IsWritable(kind);
   }
   return false;
 }
@@ -241,7 +242,6 @@ struct Method {
 };
 
 constexpr auto kTextureMethods = [] {
-  using enum Needs;
   using enum ObjectOp;
   const auto gather = [](std::string_view name, ObjectOp op) {
     return Method{name, kGathering, &MethodCheck::Gather, static_cast<int>(op)};
@@ -283,29 +283,29 @@ constexpr auto kTextureMethods = [] {
 
 // Of typed and structured buffers.
 constexpr Method kBufferMethods[] = {
-    {"Load", Needs::kNothing, &MethodCheck::BufferLoad},
-    {"GetDimensions", Needs::kNothing, &MethodCheck::GetDimensions},
+    {"Load", kNothing, &MethodCheck::BufferLoad},
+    {"GetDimensions", kNothing, &MethodCheck::GetDimensions},
 };
 
 constexpr Method kByteMethods[] = {
-    {"Load", Needs::kNothing, &MethodCheck::ByteLoad, 1},
-    {"Load2", Needs::kNothing, &MethodCheck::ByteLoad, 2},
-    {"Load3", Needs::kNothing, &MethodCheck::ByteLoad, 3},
-    {"Load4", Needs::kNothing, &MethodCheck::ByteLoad, 4},
-    {"GetDimensions", Needs::kNothing, &MethodCheck::GetDimensions},
-    {"Store", Needs::kWriting, &MethodCheck::ByteStore, 1},
-    {"Store2", Needs::kWriting, &MethodCheck::ByteStore, 2},
-    {"Store3", Needs::kWriting, &MethodCheck::ByteStore, 3},
-    {"Store4", Needs::kWriting, &MethodCheck::ByteStore, 4},
-    {"InterlockedAdd", Needs::kWriting, &MethodCheck::Atomic},
-    {"InterlockedAnd", Needs::kWriting, &MethodCheck::Atomic},
-    {"InterlockedCompareExchange", Needs::kWriting, &MethodCheck::Atomic},
-    {"InterlockedCompareStore", Needs::kWriting, &MethodCheck::Atomic},
-    {"InterlockedExchange", Needs::kWriting, &MethodCheck::Atomic},
-    {"InterlockedMax", Needs::kWriting, &MethodCheck::Atomic},
-    {"InterlockedMin", Needs::kWriting, &MethodCheck::Atomic},
-    {"InterlockedOr", Needs::kWriting, &MethodCheck::Atomic},
-    {"InterlockedXor", Needs::kWriting, &MethodCheck::Atomic},
+    {"Load", kNothing, &MethodCheck::ByteLoad, 1},
+    {"Load2", kNothing, &MethodCheck::ByteLoad, 2},
+    {"Load3", kNothing, &MethodCheck::ByteLoad, 3},
+    {"Load4", kNothing, &MethodCheck::ByteLoad, 4},
+    {"GetDimensions", kNothing, &MethodCheck::GetDimensions},
+    {"Store", kWriting, &MethodCheck::ByteStore, 1},
+    {"Store2", kWriting, &MethodCheck::ByteStore, 2},
+    {"Store3", kWriting, &MethodCheck::ByteStore, 3},
+    {"Store4", kWriting, &MethodCheck::ByteStore, 4},
+    {"InterlockedAdd", kWriting, &MethodCheck::Atomic},
+    {"InterlockedAnd", kWriting, &MethodCheck::Atomic},
+    {"InterlockedCompareExchange", kWriting, &MethodCheck::Atomic},
+    {"InterlockedCompareStore", kWriting, &MethodCheck::Atomic},
+    {"InterlockedExchange", kWriting, &MethodCheck::Atomic},
+    {"InterlockedMax", kWriting, &MethodCheck::Atomic},
+    {"InterlockedMin", kWriting, &MethodCheck::Atomic},
+    {"InterlockedOr", kWriting, &MethodCheck::Atomic},
+    {"InterlockedXor", kWriting, &MethodCheck::Atomic},
 };
 
 std::span<const Method> MethodsOf(ObjectKind kind) {

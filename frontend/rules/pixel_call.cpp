@@ -23,59 +23,60 @@ enum class Result : std::uint8_t {
   kFloat2,
   kFloat4,
 };
+using enum Result;
 struct Row {
   std::string_view prefix;  // of the names
   Result result;
 };
 // The first row that fits counts.
 constexpr auto kRows = std::to_array<Row>({
-    {"ddx", Result::kFloatFirst},
-    {"ddy", Result::kFloatFirst},
-    {"fwidth", Result::kFloatFirst},
-    {"clip", Result::kVoid},
-    {"tex", Result::kFloat4},
-    {"SubpassLoad", Result::kFloat4},
-    {"CalculateLevelOfDetail", Result::kFloat},
-    {"SampleCmp", Result::kFloat},
-    {"GatherCmp", Result::kFloat4},
-    {"GetSamplePosition", Result::kFloat2},
-    {"EvaluateAttribute", Result::kFirst},
-    {"GetAttributeAtVertex", Result::kFirst},
-    {"GetRenderTargetSampleCount", Result::kUint},
-    {"GetRenderTargetSamplePosition", Result::kFloat2},
-    {"IsHelperLane", Result::kBool},
-    {"CheckAccessFullyMapped", Result::kBool},
-    {"Interlocked", Result::kVoid},
-    {"DeviceMemoryBarrier", Result::kVoid},
-    {"AllMemoryBarrier", Result::kVoid},
-    {"WaveActiveAll", Result::kBool},
-    {"WaveActiveAny", Result::kBool},
-    {"WaveIsFirstLane", Result::kBool},
-    {"WaveActiveBallot", Result::kUint4},
-    {"WaveActiveCountBits", Result::kUint},
-    {"WavePrefixCountBits", Result::kUint},
-    {"WaveGetLane", Result::kUint},
-    {"Wave", Result::kFirst},
-    {"Quad", Result::kFirst},
+    {"ddx", kFloatFirst},
+    {"ddy", kFloatFirst},
+    {"fwidth", kFloatFirst},
+    {"clip", kVoid},
+    {"tex", kFloat4},
+    {"SubpassLoad", kFloat4},
+    {"CalculateLevelOfDetail", kFloat},
+    {"SampleCmp", kFloat},
+    {"GatherCmp", kFloat4},
+    {"GetSamplePosition", kFloat2},
+    {"EvaluateAttribute", kFirst},
+    {"GetAttributeAtVertex", kFirst},
+    {"GetRenderTargetSampleCount", kUint},
+    {"GetRenderTargetSamplePosition", kFloat2},
+    {"IsHelperLane", kBool},
+    {"CheckAccessFullyMapped", kBool},
+    {"Interlocked", kVoid},
+    {"DeviceMemoryBarrier", kVoid},
+    {"AllMemoryBarrier", kVoid},
+    {"WaveActiveAll", kBool},
+    {"WaveActiveAny", kBool},
+    {"WaveIsFirstLane", kBool},
+    {"WaveActiveBallot", kUint4},
+    {"WaveActiveCountBits", kUint},
+    {"WavePrefixCountBits", kUint},
+    {"WaveGetLane", kUint},
+    {"Wave", kFirst},
+    {"Quad", kFirst},
 });
 
 TypeId TypeOf(const IntrinsicCheck& call, Result result) {
   TypeTable& types = call.program.types;
   switch (result) {
-    case Result::kFirst:
-    case Result::kFloatFirst: {
+    case kFirst:
+    case kFloatFirst: {
       if (call.arguments.empty()) return types.Error();
       const TypeId first = call.TypeIdOf(call.arguments[0]);
       const bool is_float = IsFloat(types[first].scalar);
-      return result == Result::kFirst || is_float ? first : types.WithScalar(first, Scalar::kFloat);
+      return result == kFirst || is_float ? first : types.WithScalar(first, Scalar::kFloat);
     }
-    case Result::kVoid: return types.Make(Scalar::kInt);
-    case Result::kBool: return types.Make(Scalar::kBool);
-    case Result::kUint: return types.Make(Scalar::kUint);
-    case Result::kUint4: return types.Vector(Scalar::kUint, 4);
-    case Result::kFloat: return types.Make(Scalar::kFloat);
-    case Result::kFloat2: return types.Vector(Scalar::kFloat, 2);
-    case Result::kFloat4: return types.Vector(Scalar::kFloat, 4);
+    case kVoid: return types.Make(Scalar::kInt);
+    case kBool: return types.Make(Scalar::kBool);
+    case kUint: return types.Make(Scalar::kUint);
+    case kUint4: return types.Vector(Scalar::kUint, 4);
+    case kFloat: return types.Make(Scalar::kFloat);
+    case kFloat2: return types.Vector(Scalar::kFloat, 2);
+    case kFloat4: return types.Vector(Scalar::kFloat, 4);
   }
   return types.Error();
 }

@@ -28,16 +28,13 @@ bool Leaves(const Program& program, StmtId stmt, bool in_switch) {
 }  // namespace
 
 std::uint32_t FirstOffset(ObjectOp op) {
+  using enum ObjectOp;
   switch (op) {
-    case ObjectOp::kSampleLevel:
-    case ObjectOp::kSampleCmpLevelZero: return 4;
-    case ObjectOp::kSampleGrad: return 5;
-    case ObjectOp::kGather:
-    case ObjectOp::kGatherGreen:
-    case ObjectOp::kGatherBlue:
-    case ObjectOp::kGatherAlpha:
-    case ObjectOp::kTextureLoad: return 3;
-    default: return ~0u;
+    case kSampleLevel:
+    case kSampleCmpLevelZero: return 4;
+    case kSampleGrad: return 5;
+    case kTextureLoad: return 3;
+    default: return IsGather(op) ? 3 : ~0u;
   }
 }
 
