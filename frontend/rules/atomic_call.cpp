@@ -65,7 +65,7 @@ ExprId CheckAtomic(const IntrinsicCheck& call, ExprId object) {
     }
     const auto place = call.program.expr_lists[load->arguments];
     arguments = {place[0], place[1]};
-    type = call.TypeIdOf(call.arguments[0]);
+    type = call.ArgumentTypeId(0);
   }
   for (std::size_t i = 1; i < least; ++i) {
     const auto value = call.Converted(i, type);

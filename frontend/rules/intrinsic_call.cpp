@@ -33,7 +33,7 @@ std::optional<std::vector<ExprId>> Cut(const Program& program, List<ExprId> list
   std::vector<ExprId> found;
   std::uint32_t at = 0;
   for (const ExprId argument : program.expr_lists[list]) {
-    const std::uint32_t next = at + program.types[program.exprs[argument].type].Components();
+    const std::uint32_t next = at + TypeOf(program, argument).Components();
     if (at < end && next > begin) {
       if (at < begin || next > end) return std::nullopt;
       found.push_back(argument);
@@ -54,11 +54,11 @@ bool IntrinsicCheck::HasCount(std::size_t least, std::size_t most) const {
 
 ExprId IntrinsicCheck::BadArgument(std::size_t i, std::string_view expected) const {
   return Fail(SpanOf(arguments[i]), diag::IntrinsicArgumentType, i + 1, name,
-              program.types.Name(TypeIdOf(arguments[i])), expected);
+              program.types.Name(ArgumentTypeId(i)), expected);
 }
 
 std::optional<ExprId> IntrinsicCheck::Converted(std::size_t i, TypeId type) const {
-  if (RankImplicit(program.types, TypeIdOf(arguments[i]), type)) return Convert(arguments[i], type);
+  if (RankImplicit(program.types, ArgumentTypeId(i), type)) return ConvertArgument(i, type);
   BadArgument(i, "`" + program.types.Name(type) + "`");
   return std::nullopt;
 }
@@ -77,6 +77,13 @@ bool IntrinsicCheck::IsTarget(std::size_t i) const {
     }
   }
   diagnostics.Report(SpanOf(arguments[i]), diag::IntrinsicOutArgument, i + 1, name);
+  return false;
+}
+
+bool IntrinsicCheck::IsTargetOf(std::size_t i, TypeId type) const {
+  if (!IsTarget(i)) return false;
+  if (RankImplicit(program.types, type, ArgumentTypeId(i))) return true;
+  BadArgument(i, "`" + program.types.Name(type) + "`");
   return false;
 }
 

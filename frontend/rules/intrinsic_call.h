@@ -12,19 +12,7 @@
 // One call of a function or method that HLSL has built in, while it is checked.
 namespace clipc::rules {
 
-class IntrinsicCheck {
- public:
-  IntrinsicCheck(Program& program, std::string_view name, Span name_span,
-                 std::span<const ExprId> arguments, Span call_span, TemporaryMaker& temporaries,
-                 Diagnostics& diagnostics)
-      : program(program),
-        name(name),
-        name_span(name_span),
-        arguments(arguments),
-        call_span(call_span),
-        temporaries(temporaries),
-        diagnostics(diagnostics) {}
-
+struct IntrinsicCheck {
   Program& program;
   std::string_view name;
   Span name_span;
@@ -44,6 +32,7 @@ class IntrinsicCheck {
   }
   TypeId TypeIdOf(ExprId expr) const { return program.exprs[expr].type; }
   const Type& TypeOf(ExprId expr) const { return program.types[TypeIdOf(expr)]; }
+  TypeId ArgumentTypeId(std::size_t i) const { return TypeIdOf(arguments[i]); }
   const Type& ArgumentType(std::size_t i) const { return TypeOf(arguments[i]); }
   Span SpanOf(ExprId expr) const { return program.exprs[expr].span; }
 
@@ -56,6 +45,7 @@ class IntrinsicCheck {
   ExprId Convert(ExprId value, TypeId type) const {
     return ConvertImplicit(program, value, type, diagnostics, &temporaries);
   }
+  ExprId ConvertArgument(std::size_t i, TypeId type) const { return Convert(arguments[i], type); }
   // A scalar, not a vector of one, when count is 1.
   TypeId VectorOf(Scalar kind, int count) const {
     return count == 1 ? program.types.Make(kind) : program.types.Vector(kind, count);
@@ -64,6 +54,8 @@ class IntrinsicCheck {
   // Reports unless the argument can be assigned to. An index into a swizzle becomes one into the
   // vector.
   bool IsTarget(std::size_t i) const;
+  // Reports unless the argument can be assigned to and `type` converts to its type.
+  bool IsTargetOf(std::size_t i, TypeId type) const;
 
   // The leading `count` components of a vector and its component `last`, to be evaluated after
   // `prologue`, if there is one.

@@ -105,8 +105,8 @@ bool IsWritingIntrinsic(std::string_view name) {
 ExprId CheckIntrinsicCall(Program& program, std::string_view name, Span name_span,
                           std::span<const ExprId> arguments, Span call_span,
                           TemporaryMaker& temporaries, Diagnostics& diagnostics) {
-  const IntrinsicCheck call(program, name, name_span, arguments, call_span, temporaries,
-                            diagnostics);
+  const IntrinsicCheck call{program,   name,        name_span,  arguments,
+                            call_span, temporaries, diagnostics};
   const Entry* entry = FindEntry(name);
   if (entry == nullptr) {
     return call.Fail(name_span, diag::IntrinsicUnsupported, name);

@@ -83,7 +83,7 @@ class Unifier : IntrinsicCheck {
     const bool is_single = type.Components() == 1;
     switch (shape) {
       case 'g': {
-        const TypeId id = TypeIdOf(arguments[i]);
+        const TypeId id = ArgumentTypeId(i);
         const auto common = common_ ? CommonShape(common_, id) : id;
         if (common) common_ = *common;
         return common.has_value();
@@ -153,13 +153,10 @@ ExprId CheckBySignature(const IntrinsicCheck& call, Intrinsic op) {
     const IntrinsicSlot slot = signature.arguments[i];
     const TypeId type = unifier.TypeOf(slot);
     if (!slot.is_out) {
-      ins[count++] = call.Convert(call.arguments[i], type);
+      ins[count++] = call.ConvertArgument(i, type);
       continue;
     }
-    if (!call.IsTarget(i)) return call.Error();
-    if (!RankImplicit(call.program.types, type, call.TypeIdOf(call.arguments[i]))) {
-      return call.BadArgument(i, "`" + call.program.types.Name(type) + "`");
-    }
+    if (!call.IsTargetOf(i, type)) return call.Error();
     outs.push_back({call.arguments[i], type});
   }
   return CallWithOuts(call, op, unifier.TypeOf(signature.result), std::span(ins).first(count),

@@ -14,8 +14,8 @@ namespace {
 // ---- mul
 
 ExprId MulScalar(const IntrinsicCheck& call, TypeId type) {
-  const ExprId left = call.Convert(call.arguments[0], type);
-  const ExprId right = call.Convert(call.arguments[1], type);
+  const ExprId left = call.ConvertArgument(0, type);
+  const ExprId right = call.ConvertArgument(1, type);
   return call.Make().BinaryOf(BinaryOp::kMul, left, right);
 }
 
@@ -28,8 +28,7 @@ ExprId MulSingle(const IntrinsicCheck& call, bool vector_first, Scalar kind) {
                                    : call.program.types.Matrix(kind, size, 1);
   const TypeId type = call.VectorOf(kind, size);
   const auto convert = [&](std::size_t i, bool is_matrix) {
-    return call.Convert(is_matrix ? call.Convert(call.arguments[i], line) : call.arguments[i],
-                        type);
+    return call.Convert(is_matrix ? call.ConvertArgument(i, line) : call.arguments[i], type);
   };
   const ExprId left = convert(0, !vector_first);
   return call.Make().BinaryOf(BinaryOp::kMul, left, convert(1, vector_first));
@@ -48,8 +47,8 @@ ExprId MulTensors(const IntrinsicCheck& call, Scalar kind) {
     return MulSingle(call, a_is_vector, kind);
   if (a_is_vector && b_is_vector) {
     const TypeId type = call.VectorOf(kind, inner);
-    const ExprId left = call.Convert(call.arguments[0], type);
-    const ExprId right = call.Convert(call.arguments[1], type);
+    const ExprId left = call.ConvertArgument(0, type);
+    const ExprId right = call.ConvertArgument(1, type);
     if (inner == 1) return call.Make().BinaryOf(BinaryOp::kMul, left, right);
     return call.Make().IntrinsicOf(Intrinsic::kDot, types.Make(kind), {left, right});
   }
@@ -60,8 +59,8 @@ ExprId MulTensors(const IntrinsicCheck& call, Scalar kind) {
   const TypeId result = a_is_vector   ? types.Vector(kind, b.columns)
                         : b_is_vector ? types.Vector(kind, a.rows)
                                       : types.Matrix(kind, a.rows, b.columns);
-  const ExprId left = call.Convert(call.arguments[0], left_type);
-  const ExprId right = call.Convert(call.arguments[1], right_type);
+  const ExprId left = call.ConvertArgument(0, left_type);
+  const ExprId right = call.ConvertArgument(1, right_type);
   return call.Make().IntrinsicOf(Intrinsic::kMul, result, {left, right});
 }
 
@@ -72,14 +71,12 @@ ExprId SplitDouble(const IntrinsicCheck& call) {
   const Type& type = call.ArgumentType(0);
   if (!type.IsNumeric()) return call.BadArgument(0, "a double");
   TypeTable& types = call.program.types;
-  const TypeId whole = types.WithScalar(call.TypeIdOf(call.arguments[0]), Scalar::kDouble);
+  const TypeId whole = types.WithScalar(call.ArgumentTypeId(0), Scalar::kDouble);
   const TypeId half = types.WithScalar(whole, Scalar::kUint);
   for (const std::size_t i : {1u, 2u}) {
-    if (!call.IsTarget(i)) return call.Error();
-    if (!RankImplicit(types, half, call.TypeIdOf(call.arguments[i])))
-      return call.BadArgument(i, "`" + types.Name(half) + "`");
+    if (!call.IsTargetOf(i, half)) return call.Error();
   }
-  const std::array<ExprId, 1> ins = {call.Convert(call.arguments[0], whole)};
+  const std::array<ExprId, 1> ins = {call.ConvertArgument(0, whole)};
   const std::array<OutArgument, 2> outs = {OutArgument{call.arguments[1], half},
                                            OutArgument{call.arguments[2], half}};
   return CallWithOuts(call, Intrinsic::kAsUint, types.Void(), ins, outs);
@@ -117,8 +114,7 @@ ExprId CheckBitCast(const IntrinsicCheck& call, Intrinsic op) {
   const Scalar target = to_uint                   ? Scalar::kUint
                         : op == Intrinsic::kAsInt ? Scalar::kInt
                                                   : Scalar::kFloat;
-  const ExprId value =
-      call.Convert(call.arguments[0], types.WithScalar(call.TypeIdOf(call.arguments[0]), base));
+  const ExprId value = call.ConvertArgument(0, types.WithScalar(call.ArgumentTypeId(0), base));
   const TypeId result = types.WithScalar(call.TypeIdOf(value), target);
   // Between int and uint a conversion keeps the bits.
   if (base == target || (base != Scalar::kFloat && target != Scalar::kFloat))
@@ -129,13 +125,12 @@ ExprId CheckBitCast(const IntrinsicCheck& call, Intrinsic op) {
 ExprId CheckLogical(const IntrinsicCheck& call, BinaryOp op) {
   if (!call.HasCount(2, 2)) return call.Error();
   TypeTable& types = call.program.types;
-  const auto common =
-      CommonType(types, call.TypeIdOf(call.arguments[0]), call.TypeIdOf(call.arguments[1]));
+  const auto common = CommonType(types, call.ArgumentTypeId(0), call.ArgumentTypeId(1));
   if (!common || !types[*common].IsNumeric())
     return call.BadArgument(1, "a bool of the shape of the first");
   const TypeId type = types.WithScalar(*common, Scalar::kBool);
-  const ExprId left = call.Convert(call.arguments[0], type);
-  return call.Make().BinaryOf(op, left, call.Convert(call.arguments[1], type));
+  const ExprId left = call.ConvertArgument(0, type);
+  return call.Make().BinaryOf(op, left, call.ConvertArgument(1, type));
 }
 
 // select(condition, a, b): both are evaluated, and each component chosen by the condition's.
@@ -144,9 +139,8 @@ ExprId CheckSelect(const IntrinsicCheck& call) {
   TypeTable& types = call.program.types;
   if (!call.ArgumentType(0).IsNumeric())
     return call.BadArgument(0, "a bool, or a vector or matrix of them");
-  const TypeId condition_type = types.WithScalar(call.TypeIdOf(call.arguments[0]), Scalar::kBool);
-  const auto common =
-      CommonType(types, call.TypeIdOf(call.arguments[1]), call.TypeIdOf(call.arguments[2]));
+  const TypeId condition_type = types.WithScalar(call.ArgumentTypeId(0), Scalar::kBool);
+  const auto common = CommonType(types, call.ArgumentTypeId(1), call.ArgumentTypeId(2));
   if (!common) return call.BadArgument(2, "of the type of the second");
   Builder builder = call.Make();
   if (types[condition_type].Components() > 1) {
@@ -154,13 +148,13 @@ ExprId CheckSelect(const IntrinsicCheck& call) {
     if (!types[*common].IsNumeric() || !shape)
       return call.BadArgument(1, "of the shape of the condition");
     const TypeId type = types.WithScalar(*shape, types[*common].scalar);
-    const ExprId condition = call.Convert(call.arguments[0], *shape);
-    const ExprId when_true = call.Convert(call.arguments[1], type);
-    return builder.Add(type, Select{condition, when_true, call.Convert(call.arguments[2], type)});
+    const ExprId condition = call.ConvertArgument(0, *shape);
+    const ExprId when_true = call.ConvertArgument(1, type);
+    return builder.Add(type, Select{condition, when_true, call.ConvertArgument(2, type)});
   }
-  ExprId condition = call.Convert(call.arguments[0], types.Make(Scalar::kBool));
-  ExprId when_true = call.Convert(call.arguments[1], *common);
-  ExprId when_false = call.Convert(call.arguments[2], *common);
+  ExprId condition = call.ConvertArgument(0, types.Make(Scalar::kBool));
+  ExprId when_true = call.ConvertArgument(1, *common);
+  ExprId when_false = call.ConvertArgument(2, *common);
   std::vector<ExprId> before;
   if (!IsPure(call.program, when_true) || !IsPure(call.program, when_false)) {
     for (ExprId* each : {&condition, &when_true, &when_false}) {
@@ -182,10 +176,10 @@ ExprId CheckTexLod(const IntrinsicCheck& call) {
   if (!call.HasCount(2, 2)) return call.Error();
   TypeTable& types = call.program.types;
   const TypeId wanted = types.Object(sampler);
-  if (!RankImplicit(types, call.TypeIdOf(call.arguments[0]), wanted)) {
+  if (!RankImplicit(types, call.ArgumentTypeId(0), wanted)) {
     return call.BadArgument(0, "a `" + types.Name(wanted) + "`");
   }
-  const ExprId object = call.Convert(call.arguments[0], wanted);
+  const ExprId object = call.ConvertArgument(0, wanted);
   const TypeId float4 = types.Vector(Scalar::kFloat, 4);
   const auto location = call.Converted(1, float4);
   if (!location) return call.Error();

@@ -347,8 +347,8 @@ ExprId MakeObjectCall(Builder builder, Program& program, TypeId type, ObjectOp o
 ExprId CheckMethodCall(Program& program, ExprId object, std::string_view method, Span method_span,
                        std::span<const ExprId> arguments, Span call_span,
                        TemporaryMaker& temporaries, Diagnostics& diagnostics) {
-  const IntrinsicCheck call(program, method, method_span, arguments, call_span, temporaries,
-                            diagnostics);
+  const IntrinsicCheck call{program,   method,      method_span, arguments,
+                            call_span, temporaries, diagnostics};
   const Type type = call.TypeOf(object);
   if (type.kind == TypeKind::kError) return call.Error();
   for (const ExprId argument : arguments) {

@@ -66,7 +66,7 @@ TypeId TypeOf(const IntrinsicCheck& call, Result result) {
     case kFirst:
     case kFloatFirst: {
       if (call.arguments.empty()) return types.Error();
-      const TypeId first = call.TypeIdOf(call.arguments[0]);
+      const TypeId first = call.ArgumentTypeId(0);
       const bool is_float = IsFloat(types[first].scalar);
       return result == kFirst || is_float ? first : types.WithScalar(first, Scalar::kFloat);
     }
