@@ -25,28 +25,18 @@ bool FitsShape(const Type& from, const Type& to) {
   return want <= have;
 }
 
-struct KindTraits {
-  bool is_float;
-  bool is_unsigned;
-  int bits;  // 0: bool
-};
-KindTraits TraitsOf(Scalar kind) {
+// The bits of a kind, for comparing it with others that are floats, or are not, as it is.
+int WidthOf(Scalar kind) {
   switch (kind) {
-    case Scalar::kBool: return {false, false, 0};
-    case Scalar::kInt: return {false, false, 32};
-    case Scalar::kUint: return {false, true, 32};
-    case Scalar::kMin10Float: return {true, false, 10};
-    case Scalar::kMin16Float: return {true, false, 16};
-    case Scalar::kHalf: return {true, false, 17};  // after min16float, before float
-    case Scalar::kFloat: return {true, false, 32};
-    case Scalar::kDouble: return {true, false, 64};
-    case Scalar::kMin12Int: return {false, false, 12};
-    case Scalar::kMin16Int: return {false, false, 16};
-    case Scalar::kMin16Uint: return {false, true, 16};
-    case Scalar::kInt64: return {false, false, 64};
-    case Scalar::kUint64: return {false, true, 64};
+    case Scalar::kBool: return 0;
+    case Scalar::kMin10Float: return 10;
+    case Scalar::kMin12Int: return 12;
+    case Scalar::kMin16Float:
+    case Scalar::kMin16Int:
+    case Scalar::kMin16Uint: return 16;
+    case Scalar::kHalf: return 17;  // after min16float, before float
+    default: return IsWide(kind) ? 64 : 32;
   }
-  return {false, false, 0};
 }
 
 // See ConversionRank::kind.
@@ -54,13 +44,11 @@ std::uint8_t RankKind(Scalar from, Scalar to) {
   constexpr std::uint8_t kSame = 0, kPromotion = 1, kToSigned = 2, kToUnsigned = 3, kLossy = 4,
                          kOther = 5;
   if (from == to) return kSame;
-  const KindTraits source = TraitsOf(from);
-  const KindTraits target = TraitsOf(to);
   if (to == Scalar::kBool) return kLossy;
   if (from == Scalar::kBool) return kOther;
-  if (source.is_float != target.is_float) return source.is_float ? kLossy : kOther;
-  if (target.bits < source.bits) return kLossy;
-  if (source.is_unsigned != target.is_unsigned) return target.is_unsigned ? kToUnsigned : kToSigned;
+  if (IsFloat(from) != IsFloat(to)) return IsFloat(from) ? kLossy : kOther;
+  if (WidthOf(to) < WidthOf(from)) return kLossy;
+  if (IsUnsigned(from) != IsUnsigned(to)) return IsUnsigned(to) ? kToUnsigned : kToSigned;
   return kPromotion;
 }
 
@@ -132,9 +120,8 @@ bool IsNumericThroughout(const TypeTable& types, TypeId id, int& budget) {
   if (type.kind == TypeKind::kArray) return IsNumericThroughout(types, type.element, budget);
   if (type.kind != TypeKind::kStruct) return false;
   const auto& fields = types[type.structure].fields;
-  return std::all_of(fields.begin(), fields.end(), [&](const Field& field) {
-    return IsNumericThroughout(types, field.type, budget);
-  });
+  return std::ranges::all_of(
+      fields, [&](const Field& field) { return IsNumericThroughout(types, field.type, budget); });
 }
 
 bool IsAggregate(const Type& type) {
@@ -162,14 +149,13 @@ bool FitsObject(const Type& from, const Type& to) {
 
 Scalar CommonKind(Scalar left, Scalar right) {
   if (left == right) return left;
-  const KindTraits a = TraitsOf(left);
-  const KindTraits b = TraitsOf(right);
-  if (a.is_float != b.is_float)
-    return a.is_float ? left : right;  // an integer follows the float: min16float + int
-  if (a.bits == 0 || b.bits == 0) return a.bits == 0 ? right : left;
-  const int bits = std::max(a.bits, b.bits);
-  if (a.is_float) return a.bits == bits ? left : right;
-  const bool is_unsigned = a.is_unsigned || b.is_unsigned;
+  if (IsFloat(left) != IsFloat(right))
+    return IsFloat(left) ? left : right;  // an integer follows the float: min16float + int
+  if (left == Scalar::kBool) return right;
+  if (right == Scalar::kBool) return left;
+  const int bits = std::max(WidthOf(left), WidthOf(right));
+  if (IsFloat(left)) return WidthOf(left) == bits ? left : right;
+  const bool is_unsigned = IsUnsigned(left) || IsUnsigned(right);
   switch (bits) {
     case 12: return Scalar::kMin12Int;
     case 16: return is_unsigned ? Scalar::kMin16Uint : Scalar::kMin16Int;
