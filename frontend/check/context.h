@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/diagnostics.h"
+#include "base/not_copied.h"
 #include "frontend/check/check.h"
 #include "frontend/check/out_of_line.h"
 #include "frontend/check/overloads.h"
@@ -188,13 +189,11 @@ struct Context final : TemporaryMaker {
 };
 
 // While it lives, the checker looks from elsewhere.
-class ViewSwitch {
+class ViewSwitch : NotCopied {
  public:
   ViewSwitch(Context& context, const View& view)
       : context_(context), saved_(std::exchange(context.view, view)) {}
   ~ViewSwitch() { context_.view = saved_; }
-  ViewSwitch(const ViewSwitch&) = delete;
-  ViewSwitch& operator=(const ViewSwitch&) = delete;
 
  private:
   Context& context_;
@@ -203,15 +202,13 @@ class ViewSwitch {
 
 // One level of the checker's own recursion. Not ok when there are too many, or when the program has
 // become too large; it reports both.
-class Depth {
+class Depth : NotCopied {
  public:
   // The weight of a declaration that is resolved on the way; an expression has 1.
   static constexpr int kDeclaration = 8;
 
   Depth(Context& context, Span where, int weight = 1);
   ~Depth() { context_.depth -= weight_; }
-  Depth(const Depth&) = delete;
-  Depth& operator=(const Depth&) = delete;
   bool ok() const { return ok_; }
 
  private:

@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "base/not_copied.h"
 #include "frontend/check/symbols.h"
 
 namespace clipc::check {
@@ -69,12 +70,10 @@ class ScopeTable {
   std::span<const SymbolId> locals() const { return locals_; }
 
   // Locals that are declared while it lives are forgotten afterwards.
-  class LocalScope {
+  class LocalScope : NotCopied {
    public:
     explicit LocalScope(ScopeTable& table);
     ~LocalScope();
-    LocalScope(const LocalScope&) = delete;
-    LocalScope& operator=(const LocalScope&) = delete;
 
    private:
     ScopeTable& table_;

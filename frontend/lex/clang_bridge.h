@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/diagnostics.h"
+#include "base/not_copied.h"
 #include "base/span.h"
 #include "frontend/lex/preprocess_guard.h"
 #include "frontend/lex/source.h"
@@ -59,12 +60,10 @@ std::unique_ptr<clang::PPCallbacks> RecordMacros(const clang::SourceManager& sou
                                                  std::set<std::string>& used);
 
 // During its life, `guard` counts every token that a preprocessor of this thread reads.
-class GuardScope {
+class GuardScope : NotCopied {
  public:
   explicit GuardScope(PreprocessGuard& guard);
   ~GuardScope();
-  GuardScope(const GuardScope&) = delete;
-  GuardScope& operator=(const GuardScope&) = delete;
 
  private:
   PreprocessGuard* outer_;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/not_copied.h"
 #include "frontend/parse/token_cursor.h"
 
 namespace clipc::ast {
@@ -29,12 +30,10 @@ class Lookahead : protected TokenCursor {
   };
 
   // The names declared during its life are forgotten at its end.
-  class NameScope {
+  class NameScope : NotCopied {
    public:
     explicit NameScope(Lookahead& names) : names_(names), mark_(names.undo_.size()) {}
     ~NameScope();
-    NameScope(const NameScope&) = delete;
-    NameScope& operator=(const NameScope&) = delete;
 
    private:
     Lookahead& names_;

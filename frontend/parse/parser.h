@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/not_copied.h"
 #include "frontend/parse/attributes.h"
 #include "frontend/parse/tree_builder.h"
 
@@ -42,13 +43,11 @@ class Parser : private TreeBuilder {
   };
 
   // During its life `>` ends template arguments, or is an operator again as inside of brackets.
-  class Bracketed {
+  class Bracketed : NotCopied {
    public:
     explicit Bracketed(Parser& parser, bool greater_ends = false)
         : parser_(parser), outer_(std::exchange(parser.greater_ends_, greater_ends)) {}
     ~Bracketed() { parser_.greater_ends_ = outer_; }
-    Bracketed(const Bracketed&) = delete;
-    Bracketed& operator=(const Bracketed&) = delete;
 
    private:
     Parser& parser_;

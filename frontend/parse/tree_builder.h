@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/not_copied.h"
 #include "frontend/parse/ast.h"
 #include "frontend/parse/ast_walk.h"
 #include "frontend/parse/lookahead.h"
@@ -22,12 +23,10 @@ class TreeBuilder : protected Lookahead {
  protected:
   // One level of recursion of the parser. `weight` is the number of tree nodes that it can put on a
   // path.
-  class Nesting {
+  class Nesting : NotCopied {
    public:
     explicit Nesting(TreeBuilder& builder, int weight = 1);
     ~Nesting();
-    Nesting(const Nesting&) = delete;
-    Nesting& operator=(const Nesting&) = delete;
     // False: a limit was passed, which is reported.
     bool ok() const { return ok_; }
 
@@ -47,14 +46,12 @@ class TreeBuilder : protected Lookahead {
   // Gathers the children of one node. Of the Collectors with the same Lists, the last one made that
   // is not finished is the one to add to.
   template <typename T>
-  class Collector {
+  class Collector : NotCopied {
    public:
     explicit Collector(Lists<T>& lists) : lists_(lists), mark_(std::ssize(lists.stack)) {}
     ~Collector() {
       if (!finished_) Drop();
     }
-    Collector(const Collector&) = delete;
-    Collector& operator=(const Collector&) = delete;
     void Add(T value) { lists_.stack.push_back(std::move(value)); }
     T last() const { return lists_.stack.back(); }
     void RemoveLast() { lists_.stack.pop_back(); }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "base/not_copied.h"
 #include "base/overloaded.h"
 #include "ir/access.h"
 #include "ir/walk.h"
@@ -142,14 +143,12 @@ class RegionReader {
     }
   }
 
-  struct Region {
+  struct Region : NotCopied {
     Region(RegionReader& of, ExprId condition) : reader(of), node(of.graph_.AddNode()) {
       reader.graph_.AddValue(node, condition);
       reader.regions_.push_back(node);
     }
     ~Region() { reader.regions_.pop_back(); }
-    Region(const Region&) = delete;
-    Region& operator=(const Region&) = delete;
 
     RegionReader& reader;
     std::size_t node;
