@@ -112,10 +112,6 @@ struct Context final : TemporaryMaker {
     return std::get<Node>((*this)[id].node);
   }
   template <typename Node, typename Id>
-  auto* GetIf(Id id) {
-    return std::get_if<Node>(&(*this)[id].node);
-  }
-  template <typename Node, typename Id>
   auto* GetIf(Id id) const {
     return std::get_if<Node>(&(*this)[id].node);
   }
