@@ -166,8 +166,7 @@ void FinishBuffers(Context& context) {
     if (context[id].resolution != Resolution::kNone) reached.push_back(id);
   }
   // $Globals was made first, with order 0; $Params has the highest.
-  std::stable_sort(reached.begin(), reached.end(),
-                   [&](BufferId a, BufferId b) { return context[a].order < context[b].order; });
+  std::ranges::stable_sort(reached, {}, [&](BufferId id) { return context[id].order; });
   for (BufferId id : reached) FinishBuffer(context, context[id]);
 }
 

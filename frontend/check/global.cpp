@@ -208,13 +208,10 @@ Register RegisterOf(Context& context, List<ast::RegisterBinding> bindings,
 }
 
 void FinishGlobals(Context& context) {
-  const auto before = [](const Globals::Ordered& a, const Globals::Ordered& b) {
-    return a.order < b.order;
-  };
-  std::stable_sort(context.globals.reached.begin(), context.globals.reached.end(), before);
+  std::ranges::stable_sort(context.globals.reached, {}, &Globals::Ordered::order);
   for (const Globals::Ordered& global : context.globals.reached)
     context.program.globals.push_back(global.var);
-  std::stable_sort(context.globals.resources.begin(), context.globals.resources.end(), before);
+  std::ranges::stable_sort(context.globals.resources, {}, &Globals::Ordered::order);
   for (const Globals::Ordered& resource : context.globals.resources) {
     const auto format = context.globals.formats.find(resource.var.index);
     context.program.resources.push_back(

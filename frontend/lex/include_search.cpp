@@ -68,7 +68,7 @@ std::vector<std::string> IncludeFolders(std::span<const EnteredFile> stack,
   std::vector<std::string> folders;
   const auto add = [&](const std::string& folder) {
     const std::string plain = folder == "." ? "" : folder;
-    if (std::find(folders.begin(), folders.end(), plain) == folders.end()) folders.push_back(plain);
+    if (std::ranges::find(folders, plain) == folders.end()) folders.push_back(plain);
   };
   for (auto file = stack.rbegin(); file != stack.rend(); ++file) {
     if (file->identity) add(file->folder);
@@ -81,7 +81,7 @@ std::optional<FoundInclude> FindIncludeLikeWindows(const std::vector<std::string
                                                    std::string_view name) {
   if (name.find('\0') != std::string_view::npos) return std::nullopt;
   std::string portable(name);
-  std::replace(portable.begin(), portable.end(), '\\', '/');
+  std::ranges::replace(portable, '\\', '/');
   try {
     for (const std::string& folder : folders) {
       if (auto matched = MatchPath(ToPath(folder), ToPath(portable)))

@@ -230,7 +230,7 @@ class Callbacks : public clang::PPCallbacks {
 
   clang::OptionalFileEntryRef FromMemory(const std::vector<std::string>& folders,
                                          std::string name) {
-    std::replace(name.begin(), name.end(), '\\', '/');
+    std::ranges::replace(name, '\\', '/');
     for (const std::string& folder : folders) {
       const std::string path =
           folder.empty() || IsAbsolute(name) ? name : fmt::format("{}/{}", folder, name);
@@ -254,8 +254,7 @@ class Callbacks : public clang::PPCallbacks {
 
   void AddDependency(const std::string& name) {
     auto& list = source_.dependencies;
-    if (!name.empty() && std::find(list.begin(), list.end(), name) == list.end())
-      list.push_back(name);
+    if (!name.empty() && std::ranges::find(list, name) == list.end()) list.push_back(name);
   }
 
   Source::State& source_;

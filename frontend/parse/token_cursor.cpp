@@ -20,7 +20,7 @@ TokenCursor::TokenCursor(Tokens&& tokens, Diagnostics& diagnostics)
 // Moves the pragmas to a list of their own, so that looking ahead sees only the language.
 void TokenCursor::RemovePragmas() {
   const auto is_pragma = [](const Token& token) { return token.kind == kPragmaPackMatrix; };
-  const auto first = std::find_if(tokens_.begin(), tokens_.end(), is_pragma);
+  const auto first = std::ranges::find_if(tokens_, is_pragma);
   auto kept = static_cast<std::size_t>(first - tokens_.begin());
   for (auto next = first; next != tokens_.end(); ++next) {
     const Token token = *next;

@@ -376,8 +376,7 @@ class MainBuilder {
   void WriteDistances(Builtin builtin, std::string name) {
     auto& list = builtin == Builtin::kClipDistance ? clip_ : cull_;
     if (list.empty()) return;
-    std::stable_sort(list.begin(), list.end(),
-                     [](const Distance& a, const Distance& b) { return a.index < b.index; });
+    std::ranges::stable_sort(list, {}, &Distance::index);
     std::vector<ExprId> values;
     for (const Distance& piece : list) {
       while (values.size() % 4 + static_cast<std::size_t>(piece.components) > 4)

@@ -41,7 +41,7 @@ Place PlaceOf(const Program& program, ExprId id) {
   Place place = PlaceOf(program, whole);
   if (const auto* field = As<FieldRef>(program, id)) {
     place.path.push_back(field->field);
-  } else if (program.types[program.exprs[whole].type].kind == TypeKind::kArray) {
+  } else if (TypeOf(program, whole).kind == TypeKind::kArray) {
     const auto* literal = As<Literal>(program, As<Index>(program, id)->index);
     place.path.push_back(literal ? static_cast<std::uint32_t>(literal->bits) : Place::kAnyElement);
   }
@@ -103,11 +103,10 @@ std::string NearInputs(const Program& program, std::string_view semantic) {
 VarId CheckPositionInput(const Program& program, std::string_view semantic,
                          Diagnostics& diagnostics) {
   const SemanticName wanted = SplitSemantic(semantic);
-  const auto input =
-      std::find_if(program.inputs.begin(), program.inputs.end(), [&](const IoVar& io) {
-        return io.builtin == Builtin::kNone && io.index == wanted.index &&
-               EqualIgnoringCase(io.semantic, wanted.name);
-      });
+  const auto input = std::ranges::find_if(program.inputs, [&](const IoVar& io) {
+    return io.builtin == Builtin::kNone && io.index == wanted.index &&
+           EqualIgnoringCase(io.semantic, wanted.name);
+  });
   if (input == program.inputs.end()) {
     diagnostics.Report(program.functions[program.entry].span, diag::PositionInputMissing, semantic,
                        NearInputs(program, semantic));

@@ -109,7 +109,8 @@ std::uint32_t CountOf(const TypeTable& types, TypeId type) {
 void AssignRegisters(Program& program, Diagnostics& diagnostics) {
   // fxc's order, as far as it is known: $Globals, the others as declared, $Params.
   // Push constants need a register only where they become a buffer.
-  const auto rank = [](const Cbuffer& buffer) {
+  const auto rank = [&](CbufferId id) {
+    const Cbuffer& buffer = program.cbuffers[id];
     return buffer.is_push_constant                ? 3
            : buffer.kind == CbufferKind::kGlobals ? 0
            : buffer.kind == CbufferKind::kParams  ? 2
@@ -117,9 +118,7 @@ void AssignRegisters(Program& program, Diagnostics& diagnostics) {
   };
   std::vector<CbufferId> order;
   for (CbufferId id : program.cbuffers.ids()) order.push_back(id);
-  std::stable_sort(order.begin(), order.end(), [&](CbufferId a, CbufferId b) {
-    return rank(program.cbuffers[a]) < rank(program.cbuffers[b]);
-  });
+  std::ranges::stable_sort(order, {}, rank);
   std::vector<Taker> takers;
   for (CbufferId id : order) {
     Cbuffer& buffer = program.cbuffers[id];
