@@ -14,24 +14,32 @@ namespace {
 
 namespace tok = clang::tok;
 
-// Hands the rest of the directive to `handle` as words and punctuators.
+struct Directive {
+  Diagnostics& diagnostics;
+  clang::Preprocessor& preprocessor;
+  const clang::Token& name;
+  std::vector<std::string> words = {};  // and punctuators, that follow the name
+
+  Span span() const { return SpanAt(name.getLocation()); }
+};
+
+// Hands the directive to `handle` with all its words.
 class Pragma : public clang::PragmaHandler {
  public:
-  using Handle = void (*)(Diagnostics&, clang::Preprocessor&, const clang::Token& name,
-                          const std::vector<std::string>& words);
+  using Handle = void (*)(const Directive&);
   Pragma(llvm::StringRef name, Diagnostics& diagnostics, Handle handle)
       : PragmaHandler(name), diagnostics_(diagnostics), handle_(handle) {}
 
   void HandlePragma(clang::Preprocessor& preprocessor, clang::PragmaIntroducer,
                     clang::Token& name) override {
     if (name.isOneOf(tok::eod, tok::eof)) return;  // `#pragma` alone: the line has been read
-    std::vector<std::string> words;
+    Directive directive{diagnostics_, preprocessor, name};
     clang::Token token;
     for (preprocessor.LexUnexpandedToken(token); !token.isOneOf(tok::eod, tok::eof);
          preprocessor.LexUnexpandedToken(token)) {
-      words.push_back(preprocessor.getSpelling(token));
+      directive.words.push_back(preprocessor.getSpelling(token));
     }
-    handle_(diagnostics_, preprocessor, name, words);
+    handle_(directive);
   }
 
  private:
@@ -39,51 +47,46 @@ class Pragma : public clang::PragmaHandler {
   Handle handle_;
 };
 
-void HandleUnknown(Diagnostics& diagnostics, clang::Preprocessor& preprocessor,
-                   const clang::Token& name, const std::vector<std::string>&) {
-  diagnostics.Report(SpanAt(name.getLocation()), diag::UnknownPragma,
-                     preprocessor.getSpelling(name));
+void HandleUnknown(const Directive& of) {
+  of.diagnostics.Report(of.span(), diag::UnknownPragma, of.preprocessor.getSpelling(of.name));
 }
 
-void HandlePackMatrix(Diagnostics& diagnostics, clang::Preprocessor& preprocessor,
-                      const clang::Token& name, const std::vector<std::string>& words) {
-  const bool row_major = words == std::vector<std::string>{"(", "row_major", ")"};
-  if (!row_major && words != std::vector<std::string>{"(", "column_major", ")"}) {
-    diagnostics.Report(SpanAt(name.getLocation()), diag::MalformedPragma, "pack_matrix",
-                       "it takes (row_major) or (column_major)");
+void HandlePackMatrix(const Directive& of) {
+  const bool row_major = of.words == std::vector<std::string>{"(", "row_major", ")"};
+  if (!row_major && of.words != std::vector<std::string>{"(", "column_major", ")"}) {
+    of.diagnostics.Report(of.span(), diag::MalformedPragma, "pack_matrix",
+                          "it takes (row_major) or (column_major)");
     return;
   }
   auto token = std::make_unique<clang::Token[]>(1);
   token[0].startToken();
   token[0].setKind(tok::annot_pragma_pack);
-  token[0].setLocation(name.getLocation());
-  token[0].setAnnotationEndLoc(name.getLocation());
-  token[0].setAnnotationValue(row_major ? &diagnostics : nullptr);
-  preprocessor.EnterTokenStream(std::move(token), 1, /*DisableMacroExpansion=*/true,
-                                /*IsReinject=*/false);
+  token[0].setLocation(of.name.getLocation());
+  token[0].setAnnotationEndLoc(of.name.getLocation());
+  token[0].setAnnotationValue(row_major ? &of.diagnostics : nullptr);
+  of.preprocessor.EnterTokenStream(std::move(token), 1, /*DisableMacroExpansion=*/true,
+                                   /*IsReinject=*/false);
 }
 
 // #pragma warning (disable: 3206 3571; error: 4000), with fxc's numbers. Other words, push and pop
 // among them, have no effect.
-void HandleWarning(Diagnostics& diagnostics, clang::Preprocessor&, const clang::Token&,
-                   const std::vector<std::string>& words) {
+void HandleWarning(const Directive& of) {
   auto state = Diagnostics::WarningState::kOn;
-  for (const std::string& word : words) {
+  for (const std::string& word : of.words) {
     if (word == "disable") state = Diagnostics::WarningState::kOff;
     if (word == "error") state = Diagnostics::WarningState::kError;
     if (word == "default" || word == "once" || word == "enable")
       state = Diagnostics::WarningState::kOn;
-    if (word[0] >= '1' && word[0] <= '9') diagnostics.SetWarning("X" + word, state);
+    if (word[0] >= '1' && word[0] <= '9') of.diagnostics.SetWarning("X" + word, state);
   }
 }
 
-void HandleMessage(Diagnostics& diagnostics, clang::Preprocessor&, const clang::Token& name,
-                   const std::vector<std::string>& words) {
+void HandleMessage(const Directive& of) {
   std::string message;
-  for (const std::string& word : words) {
+  for (const std::string& word : of.words) {
     if (word.size() >= 2 && word.front() == '"') message += word.substr(1, word.size() - 2);
   }
-  diagnostics.Report(SpanAt(name.getLocation()), diag::PragmaMessage, message);
+  of.diagnostics.Report(of.span(), diag::PragmaMessage, message);
 }
 
 // A pragma that Clang handles.
