@@ -151,24 +151,20 @@ std::optional<ExprId> CallOperator(Context& context, std::string_view op, ExprSp
   const auto found = context.functions.operators.find(op);
   if (found == context.functions.operators.end()) return std::nullopt;
   const Name name = found->second;
-  if (const SymbolId member = FindMember(context, context.TypeIdOf(operands[0]), name)) {
-    const Exprs arguments(operands.begin() + 1, operands.end());
+  const auto call = [&](SymbolId symbol, TypeId self, ExprId object,
+                        ExprSpan arguments) -> std::optional<ExprId> {
+    if (!symbol) return std::nullopt;
     const Choice choice =
-        ChooseOverload(context, OverloadsOf(context, member, context.TypeIdOf(operands[0])),
-                       arguments, name, op_span);
-    if (choice.function)
-      return CallFunction(context, choice.function, operands[0], arguments, op_span, span);
-    if (choice.reported) return context.ErrorExpr(span);
-  }
-  if (const SymbolId symbol = context.names.FindUnqualified(name)) {
-    const Choice choice =
-        ChooseOverload(context, OverloadsOf(context, symbol, {}), operands, name, op_span);
-    const Exprs arguments(operands.begin(), operands.end());
-    if (choice.function)
-      return CallFunction(context, choice.function, {}, arguments, op_span, span);
-    if (choice.reported) return context.ErrorExpr(span);
-  }
-  return std::nullopt;
+        ChooseOverload(context, OverloadsOf(context, symbol, self), arguments, name, op_span);
+    if (choice.function) {
+      return CallFunction(context, choice.function, object,
+                          Exprs(arguments.begin(), arguments.end()), op_span, span);
+    }
+    return choice.reported ? std::optional(context.ErrorExpr(span)) : std::nullopt;
+  };
+  const TypeId type = context.TypeIdOf(operands[0]);
+  const auto method = call(FindMember(context, type, name), type, operands[0], operands.subspan(1));
+  return method ? method : call(context.names.FindUnqualified(name), {}, {}, operands);
 }
 
 }  // namespace clipc::check
