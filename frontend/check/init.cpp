@@ -61,14 +61,10 @@ class ListReader {
   void OpenPart(ExprId value) {
     Builder at = context_.At(context_[value].span);
     const Type type = context_.TypeOf(value);
-    const std::size_t count =
-        type.kind == TypeKind::kStruct ? context_[type.structure].fields.size() : type.count;
     if (type.kind != TypeKind::kStruct && type.kind != TypeKind::kArray)
       return TakeApart(context_, value, scalars_, prologue_);
-    for (std::uint32_t i = 0; i < count; ++i) {
-      const ExprId whole = Clone(context_.program, value);
-      OpenPart(type.kind == TypeKind::kStruct ? at.Field(whole, i) : at.At(whole, i));
-    }
+    const std::uint32_t count = context_.types.PartCount(context_.TypeIdOf(value));
+    for (std::uint32_t i = 0; i < count; ++i) OpenPart(at.Part(Clone(context_.program, value), i));
   }
 
   ExprId TakeScalar(Scalar kind) {
@@ -106,18 +102,10 @@ class ListReader {
 
   // The rows of a matrix, the fields of a struct, the elements of an array.
   ExprId TakeParts(TypeId type_id) {
-    const Type type = context_[type_id];
-    const bool is_struct = type.kind == TypeKind::kStruct;
-    const bool is_matrix = type.kind == TypeKind::kMatrix;
-    const std::size_t count = is_struct   ? context_[type.structure].fields.size()
-                              : is_matrix ? type.rows
-                                          : type.count;
+    const std::uint32_t count = context_.types.PartCount(type_id);
     Exprs parts;
-    for (std::size_t i = 0; i < count && !Stopped(); ++i) {
-      parts.push_back(Take(is_struct   ? context_[type.structure].fields[i].type
-                           : is_matrix ? context_.types.Vector(type.scalar, type.columns)
-                                       : type.element));
-    }
+    for (std::uint32_t i = 0; i < count && !Stopped(); ++i)
+      parts.push_back(Take(context_.types.PartType(type_id, i)));
     return Construct(type_id, parts);
   }
 
