@@ -86,10 +86,8 @@ class Operand {
   }
 
  private:
-  template <typename... Args>
-  std::nullopt_t Refuse(Span span, const diag::Kind<Args...>& kind,
-                        const std::type_identity_t<Args>&... args) {
-    context_.Report(span, kind, args...);
+  std::nullopt_t Refuse(Span span, const diag::Kind<std::string_view>& kind) {
+    context_.Report(span, kind, text_);
     return std::nullopt;
   }
 
@@ -100,7 +98,7 @@ class Operand {
                      [&](const FieldRef& field) { return OfField(field); },
                      [&](const Index& index) { return OfIndex(index); },
                      [&](const auto&) -> std::optional<Path> {
-                       return Refuse(expr.span, diag::ClipPlaneNotConstantBufferMember, text_);
+                       return Refuse(expr.span, diag::ClipPlaneNotConstantBufferMember);
                      },
                  },
                  expr.node);
@@ -109,7 +107,7 @@ class Operand {
   std::optional<Path> OfVariable(VarId id, Span span) {
     const Var& var = context_[id];
     if (var.storage == Storage::kConstant)
-      return Refuse(span, diag::ClipPlaneNotConstantBufferMember, text_);
+      return Refuse(span, diag::ClipPlaneNotConstantBufferMember);
     std::string_view reason = "is not a member of a cbuffer";
     if (var.storage == Storage::kUniform) {
       const Cbuffer& buffer = context_[var.cbuffer];
@@ -139,7 +137,7 @@ class Operand {
     if (!path) return std::nullopt;
     const TypeId base_type = context_.TypeIdOf(index.base);
     const auto value = EvaluateInteger(context_.program, index.index);
-    if (!value) return Refuse(context_[index.index].span, diag::ClipPlaneIndexNotConstant, text_);
+    if (!value) return Refuse(context_[index.index].span, diag::ClipPlaneIndexNotConstant);
     const auto position = static_cast<std::uint32_t>(*value);
     switch (context_[base_type].kind) {
       case TypeKind::kArray:

@@ -18,10 +18,9 @@ bool CallChangesSelf(Context& context, SymbolId id, ScopeId scope) {
     if (!decl || (decl->qualifiers & ast::kStatic)) continue;
     const auto [known, is_new] =
         context.functions.changes_self.try_emplace(context[id].decl.index, false);
-    if (is_new)
-      context.functions.changes_self[context[id].decl.index] =
-          !decl->body || MayChangeSelf(context, *decl, scope);
-    if (context.functions.changes_self[context[id].decl.index]) return true;
+    bool& changes = known->second;
+    if (is_new) changes = !decl->body || MayChangeSelf(context, *decl, scope);
+    if (changes) return true;
   }
   return false;
 }

@@ -71,13 +71,11 @@ void AddMember(Context& context, ast::DeclId id, TypeId type) {
     // A field may hide one of a base, which has no declaration here.
     if (older && context[older].decl && context[older].kind != SymbolKind::kType)
       ReportRedefinition(context, older, var->name, var->name_span);
-    if (var->qualifiers & ast::kStatic) {
-      context.names.Declare(SymbolKind::kVariable, scope, var->name, id, var->name_span);
-    } else {
-      const SymbolId symbol =
-          context.names.Declare(SymbolKind::kField, scope, var->name, id, var->name_span);
-      AddField(context, context[type].structure, symbol, MakeField(context, *var));
-    }
+    const bool is_static = (var->qualifiers & ast::kStatic) != 0;
+    const SymbolId symbol =
+        context.names.Declare(is_static ? SymbolKind::kVariable : SymbolKind::kField, scope,
+                              var->name, id, var->name_span);
+    if (!is_static) AddField(context, context[type].structure, symbol, MakeField(context, *var));
     return;
   }
   DeclareOne(context, id, scope);
