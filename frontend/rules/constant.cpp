@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/rules/constant.h"
 
+#include <algorithm>
+
 #include "ir/access.h"
 #include "ir/evaluate.h"
 #include "ir/scalar.h"
@@ -24,6 +26,13 @@ std::optional<std::int64_t> EvaluateInteger(const Program& program, ExprId expr)
   if (!bits) return std::nullopt;
   return BaseOf(type.scalar) == Scalar::kInt ? IntOf(bits->front())
                                              : static_cast<std::int64_t>(bits->front());
+}
+
+bool IsLiteralList(const Program& program, ExprId expr) {
+  const auto* construct = As<Construct>(program, expr);
+  return construct &&
+         std::ranges::all_of(program.expr_lists[construct->arguments],
+                             [&](ExprId part) { return As<Literal>(program, part) != nullptr; });
 }
 
 }  // namespace clipc::rules

@@ -20,5 +20,7 @@ struct Constant {
 std::optional<Constant> EvaluateConstant(const Program& program, ExprId expr);
 // The value of a constant integer or bool scalar, exactly; nothing for any other expression.
 std::optional<std::int64_t> EvaluateInteger(const Program& program, ExprId expr);
+// Whether the expression is made of literals: int2(1, 2).
+bool IsLiteralList(const Program& program, ExprId expr);
 
 }  // namespace clipc::rules

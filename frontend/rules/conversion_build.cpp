@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/invariant.h"
+#include "frontend/rules/constant.h"
 #include "frontend/rules/conversion.h"
 #include "frontend/rules/reread.h"
 #include "ir/access.h"
@@ -16,14 +17,6 @@ namespace {
 // Literals convert here rather than at run time, so that `float x = 1` reads as `1.0` in the
 // output.
 ExprId ConvertKind(Program& program, ExprId value, Scalar kind);
-
-bool IsLiteralList(const Program& program, ExprId value) {
-  const auto* construct = As<Construct>(program, value);
-  return construct &&
-         std::ranges::all_of(program.expr_lists[construct->arguments], [&](ExprId argument) {
-           return As<Literal>(program, argument) != nullptr;
-         });
-}
 
 // The value of `-1`, a negated literal, in a kind of float; none when the conversion would not be
 // exact on both sides, as for -0 and the least int.

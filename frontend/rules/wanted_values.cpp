@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/rules/wanted_values.h"
 
-#include <algorithm>
 #include <cstddef>
 
+#include "frontend/rules/constant.h"
 #include "ir/access.h"
 #include "ir/builder.h"
 #include "ir/walk.h"
@@ -39,11 +39,7 @@ std::uint32_t FirstOffset(ObjectOp op) {
 }
 
 bool IsLiteralOffset(const Program& program, ExprId offset) {
-  if (As<Literal>(program, offset)) return true;
-  const auto* construct = As<Construct>(program, offset);
-  return construct &&
-         std::ranges::all_of(program.expr_lists[construct->arguments],
-                             [&](ExprId part) { return As<Literal>(program, part) != nullptr; });
+  return As<Literal>(program, offset) || IsLiteralList(program, offset);
 }
 
 WantedValues::WantedValues(const Program& program)
