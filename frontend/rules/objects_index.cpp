@@ -36,13 +36,10 @@ ExprId IndexTexture(Program& program, ExprId object, ExprId index, ExprId level,
   const std::array<ExprId, 3> arguments = {object,
                                            ConvertImplicit(program, index, coordinate, diagnostics),
                                            ConvertImplicit(program, level, number, diagnostics)};
-  const TypeId element = ElementOf(program.types, type);
-  if (IsImage(type.object)) {
-    return MakeObjectCall(Builder(program, span), program, element, ObjectOp::kImageLoad,
-                          std::span(arguments).first(2));
-  }
-  return MakeObjectCall(Builder(program, span), program, element, ObjectOp::kTextureLoad,
-                        arguments);
+  const bool is_image = IsImage(type.object);
+  return MakeObjectCall(Builder(program, span), program, ElementOf(program.types, type),
+                        is_image ? ObjectOp::kImageLoad : ObjectOp::kTextureLoad,
+                        std::span(arguments).first(is_image ? 2 : 3));
 }
 
 ExprId IndexBuffer(Program& program, ExprId object, ExprId index, Span span,

@@ -34,7 +34,7 @@ ObjectResolver::Value ObjectResolver::VisitNode(ExprId id, const VarRef& ref) {
 }
 
 ObjectResolver::Value ObjectResolver::VisitNode(ExprId id, const FieldRef& field) {
-  const StructId structure = program_.types[program_.exprs[field.base].type].structure;
+  const StructId structure = ir::TypeOf(program_, field.base).structure;
   const Value base = Visit(field.base);
   const std::uint32_t number = field_numbers_[structure.index][field.field];
   Value value{number == ~0u ? ExprId{} : id, Inside(base.slots, field.field)};
@@ -43,7 +43,7 @@ ObjectResolver::Value ObjectResolver::VisitNode(ExprId id, const FieldRef& field
 }
 
 ObjectResolver::Value ObjectResolver::VisitNode(ExprId id, const Index& node) {
-  const Type array = program_.types[program_.exprs[node.base].type];
+  const Type array = ir::TypeOf(program_, node.base);
   const Value base = Visit(node.base);
   const ExprId index = Visit(node.index).expr;
   const bool is_object = IsObject(program_.exprs[id].type);
