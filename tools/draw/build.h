@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "backend-glsl/write.h"
+#include "base/not_copied.h"
 #include "frontend/check/check.h"
 #include "frontend/lex/token.h"
 #include "ir/program.h"
 #include "passes/pipeline.h"
 #include "tools/draw/inputs.h"
-#include "tools/harness/not_copied.h"
 
 namespace clipc::draw {
 
@@ -40,7 +40,7 @@ struct Shader {
 };
 
 // A shader that is read and checked once, and then built for one target after another.
-class CheckedShader : harness::NotCopied {
+class CheckedShader : NotCopied {
  public:
   // `options.target` does not matter. Throws DrawError with the diagnostics.
   explicit CheckedShader(const BuildOptions& options);

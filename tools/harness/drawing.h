@@ -9,8 +9,8 @@
 
 #include <epoxy/gl.h>
 
+#include "base/not_copied.h"
 #include "tools/harness/mesh.h"
-#include "tools/harness/not_copied.h"
 
 // Shaders and meshes on the current OpenGL context.
 namespace clipc::harness {

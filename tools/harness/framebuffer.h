@@ -5,7 +5,7 @@
 
 #include <epoxy/gl.h>
 
-#include "tools/harness/not_copied.h"
+#include "base/not_copied.h"
 #include "tools/harness/picture.h"
 
 namespace clipc::harness {

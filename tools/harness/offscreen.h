@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/not_copied.h"
 #include "runtime/gl/functions.h"
-#include "tools/harness/not_copied.h"
 
 // OpenGL without a display, for tests and examples.
 namespace clipc::harness {

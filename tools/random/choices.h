@@ -6,7 +6,7 @@
 #include <initializer_list>
 #include <vector>
 
-#include "tools/harness/not_copied.h"
+#include "base/not_copied.h"
 #include "tools/harness/random.h"
 
 namespace clipc::random {
@@ -60,7 +60,7 @@ class Choices {
 };
 
 // Notes what is drawn in its lifetime as one span.
-class SpanOf : harness::NotCopied {
+class SpanOf : NotCopied {
  public:
   explicit SpanOf(Choices& choices) : choices_(choices), begin_(choices.drawn_.size()) {}
   ~SpanOf();

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/harness/not_copied.h"
+#include "base/not_copied.h"
 #include "tools/random/choices.h"
 #include "tools/random/features.h"
 #include "tools/random/range.h"
@@ -75,7 +75,7 @@ struct Context {
   int indent = 2;  // of the lines of a statement here
 
   bool Has(Feature feature) const { return features.Has(feature); }
-  // What the choices draw.
+  // Each of these draws from the choices.
   std::uint32_t Below(std::size_t limit) { return choices.Below(limit); }
   int Between(int least, int greatest) { return choices.Between(least, greatest); }
   bool Chance(std::uint32_t percent) { return choices.Chance(percent); }
@@ -103,7 +103,7 @@ struct Context {
 Range RangeOf(const Variable& variable, Kind kind);
 
 // Variables declared in its lifetime are gone after it.
-class ScopeOf : harness::NotCopied {
+class ScopeOf : NotCopied {
  public:
   explicit ScopeOf(Context& context) : context_(context) { context.scopes.emplace_back(); }
   ~ScopeOf() { context_.scopes.pop_back(); }
@@ -114,7 +114,7 @@ class ScopeOf : harness::NotCopied {
 
 // Sets a variable for its lifetime.
 template <typename T>
-class Temporarily : harness::NotCopied {
+class Temporarily : NotCopied {
  public:
   Temporarily(T& variable, T value) : variable_(variable), before_(variable) { variable = value; }
   ~Temporarily() { variable_ = before_; }

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "tools/harness/not_copied.h"
+#include "base/not_copied.h"
 #include "tools/random/program.h"
 
 // The judgement of one program.
@@ -47,7 +47,7 @@ struct JudgeOptions {
 };
 
 // Compiles and runs programs in this process, which a wrong program may end.
-class Judge : harness::NotCopied {
+class Judge : NotCopied {
  public:
   explicit Judge(JudgeOptions options);
   ~Judge();

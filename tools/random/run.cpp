@@ -8,7 +8,7 @@
 
 #include <unistd.h>
 
-#include "tools/harness/not_copied.h"
+#include "base/not_copied.h"
 #include "tools/harness/offscreen.h"
 #include "tools/random/reduce.h"
 #include "tools/random/report.h"
@@ -20,7 +20,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 // A folder for the time of the run.
-class Scratch : harness::NotCopied {
+class Scratch : NotCopied {
  public:
   Scratch() {
     std::string name = (std::filesystem::temp_directory_path() / "clipc-random-XXXXXX").string();

@@ -6,7 +6,7 @@
 
 #include <sys/types.h>
 
-#include "tools/harness/not_copied.h"
+#include "base/not_copied.h"
 #include "tools/random/features.h"
 #include "tools/random/judge.h"
 
@@ -14,7 +14,7 @@ namespace clipc::random {
 
 // A process of its own that judges programs, so that a crash or a hang is one verdict more. It is
 // started again when it has ended, and now and then so that drivers' leaks do not add up.
-class Worker : harness::NotCopied {
+class Worker : NotCopied {
  public:
   Worker(JudgeOptions options, const Features& features);
   ~Worker();

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/not_copied.h"
 #include "runtime/clip_plane.h"
 #include "runtime/gl/clip_plane_device.h"
 #include "runtime/gl/clip_switches.h"
@@ -31,7 +32,6 @@
 #include "tools/harness/check.h"
 #include "tools/harness/drawing.h"
 #include "tools/harness/framebuffer.h"
-#include "tools/harness/not_copied.h"
 #include "tools/harness/offscreen.h"
 #include "tools/harness/transform.h"
 
@@ -141,7 +141,7 @@ Matrix MovedProjection(const Scene& scene) {
 }
 
 // Triangles of one object, drawn once.
-class ObjectBuffers : harness::NotCopied {
+class ObjectBuffers : NotCopied {
  public:
   explicit ObjectBuffers(const Object& object)
       : count_(static_cast<GLsizei>(object.vertices.size())) {

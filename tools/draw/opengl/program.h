@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "base/not_copied.h"
 #include "tools/draw/inputs.h"
-#include "tools/harness/not_copied.h"
 
 namespace clipc::draw {
 
@@ -39,7 +39,7 @@ struct ActiveBlock {
 };
 
 // A linked program with buffers for its inputs, in the context that was current when it was made.
-class GlProgram : harness::NotCopied {
+class GlProgram : NotCopied {
  public:
   // `fragment` is empty for none, where the API allows that. `captured` are the outputs for
   // transform feedback.

@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "base/not_copied.h"
 #include "tools/draw/opengl/program.h"
 #include "tools/harness/framebuffer.h"
-#include "tools/harness/not_copied.h"
 #include "tools/harness/offscreen.h"
 #include "tools/study/program/mesh.h"
 #include "tools/study/program/source.h"
@@ -34,7 +34,7 @@ class Studio {
 };
 
 // One mesh with one way of clipping, ready to be drawn again and again.
-class DrawCall : harness::NotCopied {
+class DrawCall : NotCopied {
  public:
   DrawCall(const WaySource& source, int planes, bool uses_clip_planes);
   ~DrawCall();
