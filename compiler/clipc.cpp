@@ -26,9 +26,13 @@ namespace {
 using clipc::clip_table::Format;
 
 clipc_status StatusOf(clipc::Status status) {
-  constexpr clipc_status kStatuses[] = {CLIPC_COMPILED, CLIPC_HAS_ERRORS, CLIPC_BAD_REQUEST,
-                                        CLIPC_CANCELLED};
-  return kStatuses[static_cast<std::size_t>(status)];
+  switch (status) {
+    case clipc::Status::kOk: return CLIPC_COMPILED;
+    case clipc::Status::kErrors: return CLIPC_HAS_ERRORS;
+    case clipc::Status::kBadRequest: return CLIPC_BAD_REQUEST;
+    case clipc::Status::kCancelled: return CLIPC_CANCELLED;
+  }
+  return CLIPC_HAS_ERRORS;
 }
 
 // The request with the members that this library knows; those that the caller does not are zero.

@@ -23,15 +23,78 @@ using ir::TypeKind;
 
 constexpr std::uint32_t kRow = 16;
 
-// The keywords of C++20 and C23 that are not keywords of HLSL, each between two spaces.
-constexpr std::string_view kKeywords =
-    " alignas alignof and and_eq asm auto bitand bitor catch char char16_t char32_t "
-    "char8_t class co_await co_return co_yield compl concept const_cast consteval "
-    "constexpr constinit decltype delete dynamic_cast enum explicit export friend goto "
-    "long mutable namespace new noexcept not not_eq nullptr operator or or_eq private "
-    "protected public register requires reinterpret_cast restrict short signed sizeof "
-    "static_assert static_cast template this thread_local throw try typeid typename "
-    "typeof union unsigned using virtual wchar_t xor xor_eq ";
+// The keywords of C++20 and C23 that are not keywords of HLSL.
+constexpr std::string_view kKeywords[] = {
+    "alignas",
+    "alignof",
+    "and",
+    "and_eq",
+    "asm",
+    "auto",
+    "bitand",
+    "bitor",
+    "catch",
+    "char",
+    "char16_t",
+    "char32_t",
+    "char8_t",
+    "class",
+    "co_await",
+    "co_return",
+    "co_yield",
+    "compl",
+    "concept",
+    "const_cast",
+    "consteval",
+    "constexpr",
+    "constinit",
+    "decltype",
+    "delete",
+    "dynamic_cast",
+    "enum",
+    "explicit",
+    "export",
+    "friend",
+    "goto",
+    "long",
+    "mutable",
+    "namespace",
+    "new",
+    "noexcept",
+    "not",
+    "not_eq",
+    "nullptr",
+    "operator",
+    "or",
+    "or_eq",
+    "private",
+    "protected",
+    "public",
+    "register",
+    "requires",
+    "reinterpret_cast",
+    "restrict",
+    "short",
+    "signed",
+    "sizeof",
+    "static_assert",
+    "static_cast",
+    "template",
+    "this",
+    "thread_local",
+    "throw",
+    "try",
+    "typeid",
+    "typename",
+    "typeof",
+    "union",
+    "unsigned",
+    "using",
+    "virtual",
+    "wchar_t",
+    "xor",
+    "xor_eq",
+};
 
 std::string Identifier(std::string_view name) {
   std::string identifier;
@@ -40,7 +103,7 @@ std::string Identifier(std::string_view name) {
     const bool is_word = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
     identifier += is_word ? c : '_';
   }
-  const bool is_keyword = kKeywords.find(" " + identifier + " ") != std::string_view::npos;
+  const bool is_keyword = std::ranges::find(kKeywords, identifier) != std::end(kKeywords);
   return is_keyword ? identifier + "_" : identifier;
 }
 
