@@ -90,8 +90,8 @@ void SetVariants(Reading& reading, const std::string& value) {
 // "2/4".
 void SetShard(Reading& reading, const std::string& value) {
   CommandLine& command = reading.command;
-  const std::size_t slash = std::min(value.find('/'), value.size() - 1);
-  if (ReadNumber(value.substr(0, slash), command.shard) &&
+  const std::size_t slash = value.find('/');
+  if (slash != value.npos && ReadNumber(value.substr(0, slash), command.shard) &&
       ReadNumber(value.substr(slash + 1), command.shards) && command.shard >= 1 &&
       command.shard <= command.shards)
     return;
@@ -371,7 +371,7 @@ constexpr Option kOptions[] = {
     {"-fshader-stage", kEquals, RequireValue<kVertex>},
 
     // What another compiler does to its code, its listing or its effort.
-    // --hlsl-iomap: by register, as clipc counts.
+    // --hlsl-iomap maps by register, as clipc does.
     {"-nologo --hlsl-iomap -Zss -Zsb -Zs -Cc -c -Gpp -all_resources_bound -all-resources-bound "
      "-enable_unbounded_descriptor_tables -res_may_alias -res-may-alias -Qembed_debug "
      "-Qsource_in_debug_module",
