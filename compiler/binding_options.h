@@ -11,7 +11,7 @@
 // words apart by one blank; false is returned for a value that they cannot take.
 namespace clipc {
 
-// The words of such a value.
+// The words of an option's value, which one blank separates.
 std::vector<std::string_view> WordsIn(std::string_view text);
 
 // Whether a text is a whole number and nothing else; then `to` becomes that.

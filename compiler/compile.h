@@ -35,7 +35,7 @@ struct DebugOptions {
   // The typed program is verified between passes, as in debug builds.
   bool verify = false;
 
-  // Whether it asks for more than the result, or for less.
+  // Whether the options ask for a dump, or end the compile before its result.
   bool changes_result() const { return dump || !dump_after.empty() || !stop_after.empty(); }
 };
 

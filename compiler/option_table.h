@@ -62,11 +62,11 @@ struct Spelling {
   std::string_view name;
   const Option* option = nullptr;
 };
-// Those of all options, in their order.
+// The spellings of all options, in the order of the table.
 const std::vector<Spelling>& Spellings();
 
-// The option that `argument` is, or begins with: the one with the longest such name. Without an
-// option: none.
+// The option that `argument` is, or begins with: the one with the longest such name. A
+// Spelling without an option says that there is none.
 Spelling FindOption(std::string_view argument);
 
 }  // namespace clipc

@@ -53,7 +53,7 @@ class Inliner {
   // assigned to; any other becomes a local variable that starts as the argument.
   void Parameters(const Function& entry, std::vector<StmtId>& body) {
     const List<ExprId> arguments = std::get<Call>(program_.exprs[call_].node).arguments;
-    std::vector<bool> assigned;  // by VarId; looked for when it is asked
+    std::vector<bool> assigned;  // by VarId; filled when the first is asked for
     const auto is_assigned = [&](VarId var) {
       if (assigned.empty()) assigned = AssignedIn(program_, {&entry.body, 1});
       return assigned[var.index];

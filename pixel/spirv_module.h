@@ -14,7 +14,7 @@
 // (the words of a module) and 3.52 (the instructions).
 namespace clipc::pixel {
 
-// The value of a key; null: there is none.
+// The value that a map has for a key; null where it has none.
 template <typename Map>
 const typename Map::mapped_type* FindIn(const Map& map, const typename Map::key_type& key) {
   const auto found = map.find(key);

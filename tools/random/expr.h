@@ -60,7 +60,7 @@ Expr Fit(Context& context, Expr value, const Range& range);
 Expr Reshape(Context& context, Expr value, Shape shape);
 Expr Convert(Context& context, Expr value, Kind kind);
 
-// What is asked of a maker of expressions: the type, and at most so many levels.
+// A request for a random expression: its type, and the number of levels that it may have.
 struct Wanted {
   Context& context;
   Kind kind;
@@ -70,7 +70,7 @@ struct Wanted {
   Wanted As(Kind other_kind, Shape other_shape) const {
     return {context, other_kind, other_shape, depth};
   }
-  // An expression of that type of a level less, with values in that range.
+  // An expression of the same type with one level less; `range` bounds its values.
   Expr Operand() const { return MakeExpr(context, kind, shape, depth - 1); }
   Expr Operand(const Range& range) const { return MakeIn(context, kind, shape, range, depth - 1); }
   bool Chance(std::uint32_t percent) const { return context.Chance(percent); }
@@ -97,7 +97,7 @@ struct Place {
 Place MakePlace(Context& context, Kind kind, bool writes, int depth);
 // A place of exactly that type; not found where no variable has one.
 Place MakePlaceOf(Context& context, const Type& type, bool writes);
-// Such a place to be read, or a zero where no variable has one.
+// The text of a place of that type that may be read, or of a zero where no variable has one.
 std::string MakeReadOf(Context& context, const Type& type);
 // Whether `place op= value` is a statement that the program may have.
 bool MayCompound(const Context& context, const Place& place);

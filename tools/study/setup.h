@@ -56,7 +56,7 @@ Setup Prepare(const Config& config);
 // not in the picture any more.
 std::optional<Vector> RandomCut(const Setup& setup, Random& random);
 
-// At most `count` such places, the same in every call.
+// At most `count` random places of the cut, the same in every call.
 std::vector<Vector> RandomCuts(const Setup& setup, std::size_t count);
 
 // The distance of the visible cut from a space's origin, which has this place in view space, in
@@ -68,7 +68,8 @@ Vector OriginInView(const Matrix& to_view);
 
 // The plane through that point whose unit normal has that direction.
 Plane PlaneThroughPoint(Vector direction, Vector point);
-// Makes that the plane, and lets the surfaces lie from half to twice the point's depth.
+// Sets the plane through `point` across `direction`, and the surfaces from half to twice the depth
+// of the point.
 void CutThrough(Config& config, Vector direction, Vector point);
 
 }  // namespace clipc::study

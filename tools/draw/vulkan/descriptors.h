@@ -12,10 +12,11 @@ namespace clipc::draw::vulkan {
 
 vk::DescriptorType TypeOf(DescriptorKind kind);
 
-// What stands at each binding of each set.
+// The bindings of each set, by the numbers of the set and of the binding.
 using LayoutBindings =
     std::map<std::uint32_t, std::map<std::uint32_t, vk::DescriptorSetLayoutBinding>>;
-// By number of the set; empty ones between those that there are, which it adds.
+// A layout for each set up to the last one, by its number. `sets` gets an empty set for each number
+// that it lacks.
 std::vector<vk::raii::DescriptorSetLayout> MakeLayouts(const Device& device, LayoutBindings& sets);
 std::vector<vk::DescriptorSetLayout> HandlesOf(
     const std::vector<vk::raii::DescriptorSetLayout>& layouts);
