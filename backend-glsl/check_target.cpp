@@ -331,22 +331,15 @@ class TargetCheck {
         [&](StmtId part) { Statement(part); });
   }
 
-  // Whether Expression may report anything. To look at all nodes of the arena, also those that were
-  // replaced, costs less than the walk through the statements.
+  // Whether Expression may report anything.
   bool MayLackInExpressions() const {
     const auto lacks = [&](Scalar kind) {
       const Need* need = NeedOf(kind);
       return need && !target_.Has(need->feature);
     };
-    if (!has_unsigned_ || !target_.Has(Feature::kDynamicBlockIndex) ||
-        !target_.Has(Feature::kBitCasts) || lacks(Scalar::kDouble) || lacks(Scalar::kInt64) ||
-        lacks(Scalar::kUint64))
-      return true;
-    for (const ExprId id : program_.exprs.ids()) {
-      const auto* call = As<IntrinsicCall>(id);
-      if (As<ObjectCall>(id) || (call && call->op == Intrinsic::kNonUniform)) return true;
-    }
-    return false;
+    return program_.calls_objects || program_.calls_nonuniform || !has_unsigned_ ||
+           !target_.Has(Feature::kDynamicBlockIndex) || !target_.Has(Feature::kBitCasts) ||
+           lacks(Scalar::kDouble) || lacks(Scalar::kInt64) || lacks(Scalar::kUint64);
   }
 
   void Expression(ExprId id) {

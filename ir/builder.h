@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <span>
 #include <string>
+#include <type_traits>
 
 #include "ir/program.h"
 
@@ -47,6 +48,9 @@ class Builder {
   ExprId CommaOf(ExprId first, ExprId second);
   template <typename Node>
   ExprId Add(TypeId type, const Node& node) {
+    if constexpr (std::is_same_v<Node, ObjectCall>) program_.calls_objects = true;
+    if constexpr (std::is_same_v<Node, IntrinsicCall>)
+      program_.calls_nonuniform |= node.op == Intrinsic::kNonUniform;
     return program_.exprs.Make(type, span_, node);
   }
   // Adds a copy of the node. A list of operands becomes its own, so that they can be replaced.

@@ -50,4 +50,17 @@ bool WritesArgument(Intrinsic op, std::size_t argument) {
   return argument < signature.count && signature.arguments[argument].is_out;
 }
 
+bool IsComposed(Intrinsic op) {
+  switch (op) {
+    case Intrinsic::kD3dColorToUbyte4:
+    case Intrinsic::kFmod:
+    case Intrinsic::kLdexp:
+    case Intrinsic::kLog10:
+    case Intrinsic::kMad:
+    case Intrinsic::kRcp:
+    case Intrinsic::kSincos: return true;
+    default: return false;
+  }
+}
+
 }  // namespace clipc::ir

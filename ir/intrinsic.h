@@ -56,5 +56,8 @@ inline IntrinsicCategory CategoryOf(Intrinsic op) { return InfoOf(op).category; 
 bool WritesArgument(Intrinsic op, std::size_t argument);
 // Whether a call writes any of its arguments.
 inline bool WritesArguments(Intrinsic op) { return InfoOf(op).signature.writes; }
+// Whether a call stands for an expression of other functions and operators, which takes its place
+// before Form::kLegalized.
+bool IsComposed(Intrinsic op);
 
 }  // namespace clipc::ir

@@ -54,6 +54,9 @@ struct Program {
   std::vector<Resource> resources;  // those that are reached, in order of declaration
   std::vector<ClipPlane> clip_planes;
   Form form = Form::kTyped;
+  // Whether a method of an object, and NonUniformResourceIndex, was ever called: what looks for
+  // such calls need not look at the nodes of other programs.
+  bool calls_objects = false, calls_nonuniform = false;
 };
 
 }  // namespace clipc::ir

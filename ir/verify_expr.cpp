@@ -308,6 +308,8 @@ void ExprVerifier::Check(const Call& node) {
 }
 
 void ExprVerifier::Check(const IntrinsicCall& node) {
+  if (node.op == Intrinsic::kNonUniform)
+    Require(program_.calls_nonuniform, "the program says that it calls NonUniformResourceIndex");
   const auto problem =
       CheckIntrinsic(program_.types, node.op, IdOf(expr_), TypesOf(node.arguments));
   if (problem) Require(false, *problem);
@@ -319,6 +321,7 @@ void ExprVerifier::Check(const IntrinsicCall& node) {
 }
 
 void ExprVerifier::Check(const ObjectCall& node) {
+  Require(program_.calls_objects, "the program says that it calls objects");
   if (!Require(!node.arguments.empty(), "an object call needs its object")) return;
   const auto arguments = program_.expr_lists[node.arguments];
   const auto is_object = [&](std::size_t i) {

@@ -36,6 +36,8 @@ std::string_view BrokenBy(const Program& program, BinaryOp op, const Type& type,
 
 std::string_view BrokenBy(const Program& program, const IntrinsicCall& call) {
   using enum Intrinsic;
+  if (IsComposed(call.op))
+    return "the function stands for others, which a pass writes in its place";
   const Type& type = program.types[program.exprs[program.expr_lists[call.arguments][0]].type];
   switch (call.op) {
     case kMul:
@@ -43,12 +45,6 @@ std::string_view BrokenBy(const Program& program, const IntrinsicCall& call) {
       if (!IsMatrix(type) || IsFloat(type.scalar)) return {};
       break;
     case kDeterminant: return {};
-    case kMad:
-    case kRcp:
-    case kLog10:
-    case kLdexp:
-    case kFmod:
-    case kSincos: return "the function stands for others, which a pass writes in its place";
     default: break;
   }
   return IsMatrix(type) ? "the function takes no matrix" : std::string_view{};

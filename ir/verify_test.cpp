@@ -276,6 +276,17 @@ TEST_F(Verifier, ObjectCallTakesObject) {
   ExpectProblemIn(build.Add(F(4), ObjectCall{ObjectOp::kBufferLoad, Args({V(), build.Int(0)})}),
                   "the first argument is an object");
 }
+TEST_F(Verifier, ObjectCallIsNoted) {
+  const ExprId call = build.Add(F(4), ObjectCall{ObjectOp::kBufferLoad, Args({V(), V()})});
+  shader.calls_objects = false;
+  ExpectProblemIn(call, "the program says that it calls objects");
+}
+TEST_F(Verifier, NonUniformIsNoted) {
+  const TypeId uint = shader.types.Make(Scalar::kUint);
+  const ExprId call = build.IntrinsicOf(Intrinsic::kNonUniform, uint, {build.Uint(0)});
+  shader.calls_nonuniform = false;
+  ExpectProblemIn(call, "the program says that it calls NonUniformResourceIndex");
+}
 TEST_F(Verifier, ObjectCallTakesSampler) {
   const VarId texture =
       shader.AddVar("map", shader.types.Object(ObjectKind::kTexture2D, F(4)), Storage::kResource);

@@ -4,7 +4,8 @@
 #include <utility>
 #include <variant>
 
-#include "backend-glsl/operators.h"
+#include "backend-glsl/intrinsics.h"
+#include "base/operators.h"
 #include "ir/walk.h"
 
 namespace clipc::glsl {
@@ -17,29 +18,48 @@ bool IsMatrix(const Program& program, TypeId type) {
   return program.types[type].kind == TypeKind::kMatrix;
 }
 
-// Whether a pass may change the node: most of a program are names, literals and operators of
-// numbers and vectors, which GLSL has too. Visiting the others alone makes the passes cheap.
-bool MayChange(const Program& program, const Expr& expr) {
-  return Visit(Overloaded{
-                   [&](const Binary& node) {
-                     return !IsLinear(node.op) || IsMatrix(program, program.exprs[node.left].type);
-                   },
-                   [](const Assign& node) { return node.op.has_value(); },
-                   [&](const Unary&) { return IsMatrix(program, expr.type); },
-                   [&](const Convert& node) {
-                     // An expression that was replaced may be incomplete.
-                     return IsMatrix(program, expr.type) || !node.operand ||
-                            (!IsFloat(program.types[expr.type].scalar) &&
-                             IsFloat(program.types[program.exprs[node.operand].type].scalar));
-                   },
-                   [&](const Index& node) {
-                     return node.base && (IsOnlyElement(program, node) ||
-                                          As<Swizzle>(program, node.base) != nullptr);
-                   },
-                   [](const OneOf<Select, MatrixTruncate, IntrinsicCall> auto&) { return true; },
-                   [](const auto&) { return false; },
-               },
-               expr.node);
+// Whether `left op right` or `left op= right` may differ from GLSL's, which has other operators of
+// matrices, evaluates one side of a logical operator first, and defines less of % and of shifts.
+bool MayDiffer(const Program& program, BinaryOp op, ExprId left) {
+  return op == BinaryOp::kLogicalAnd || op == BinaryOp::kLogicalOr || op == BinaryOp::kMod ||
+         IsShift(op) || IsMatrix(program, program.exprs[left].type);
+}
+
+// Whether a pass may change a call. None changes products of floats, or functions of scalars and
+// vectors of floats that GLSL, or a snippet, has.
+bool MayDiffer(const Program& program, const Target& target, const IntrinsicCall& call) {
+  const auto arguments = program.expr_lists[call.arguments];
+  const Type& type = program.types[program.exprs[arguments[0]].type];
+  if (!type.IsNumeric() || !IsFloat(type.scalar)) return true;
+  if (call.op == Intrinsic::kMul) return !target.Has(Feature::kFullMatrices);
+  return type.kind == TypeKind::kMatrix || IsComposed(call.op) || WritesArguments(call.op) ||
+         IsOfScalars(call.op, ShapeOf(type, target), target);
+}
+
+// Whether a pass may change the node: most of a program are names, literals, and operators and
+// functions of numbers and vectors, which GLSL has too. Visiting the others alone makes the passes
+// cheap.
+bool MayChange(const Program& program, const Target& target, const Expr& expr) {
+  return Visit(
+      Overloaded{
+          [&](const Binary& node) { return MayDiffer(program, node.op, node.left); },
+          [&](const Assign& node) { return node.op && MayDiffer(program, *node.op, node.target); },
+          [&](const IntrinsicCall& node) { return MayDiffer(program, target, node); },
+          [&](const Unary&) { return IsMatrix(program, expr.type); },
+          [&](const Convert& node) {
+            // An expression that was replaced may be incomplete.
+            return IsMatrix(program, expr.type) || !node.operand ||
+                   (!IsFloat(program.types[expr.type].scalar) &&
+                    IsFloat(program.types[program.exprs[node.operand].type].scalar));
+          },
+          [&](const Index& node) {
+            return node.base &&
+                   (IsOnlyElement(program, node) || As<Swizzle>(program, node.base) != nullptr);
+          },
+          [](const OneOf<Select, MatrixTruncate> auto&) { return true; },
+          [](const auto&) { return false; },
+      },
+      expr.node);
 }
 
 }  // namespace
@@ -61,7 +81,7 @@ HelperBody::HelperBody(Program& program, std::span<const Parameter> wanted) : b(
 Legalizer::Legalizer(Program& program, const Target& target)
     : program(program), target(target), first_new_(program.exprs.size()) {
   for (const ExprId expr : program.exprs.ids()) {
-    if (MayChange(program, program.exprs[expr])) operations_.push_back(expr);
+    if (MayChange(program, target, program.exprs[expr])) operations_.push_back(expr);
   }
 }
 

@@ -19,10 +19,7 @@ class NonUniformMarker {
   explicit NonUniformMarker(Program& program) : program_(program) {}
 
   void Run() {
-    // The arena has replaced expressions too, so that a call there may be none of the program.
-    bool is_any = false;
-    for (const ExprId expr : program_.exprs.ids()) is_any |= IsCall(expr);
-    if (!is_any) return;
+    if (!program_.calls_nonuniform) return;
     std::vector<ExprId> calls, indices;
     ForEachLiveExpr(program_, [&](ExprId expr) {
       if (IsCall(expr)) calls.push_back(expr);

@@ -57,10 +57,7 @@ WantedValues::WantedValues(const Program& program)
 }
 
 void WantedValues::FindOffsets() {
-  bool is_any = false;
-  for (const ExprId expr : program_.exprs.ids())
-    is_any |= As<ObjectCall>(program_, expr) != nullptr;
-  if (!is_any) return;
+  if (!program_.calls_objects) return;
   for (const FunctionId id : program_.functions.ids()) {
     ForEachExpr(program_, program_.functions[id].body, [&](ExprId expr) {
       const auto* call = As<ObjectCall>(program_, expr);
