@@ -10,57 +10,11 @@
 #include "base/spelling.h"
 #include "frontend/rules/locations.h"
 #include "frontend/rules/semantics.h"
+#include "frontend/rules/signature_leaves.h"
 #include "ir/builder.h"
 
 namespace clipc::rules {
 namespace {
-
-// A local variable or a part of one: a field or an element of another.
-using PartNumber = std::size_t;
-constexpr PartNumber kNoPart = ~PartNumber{0};
-struct Part {
-  std::uint32_t number = 0;    // of the field, element or column
-  PartNumber whole = kNoPart;  // that it is in
-  VarId variable = {};         // none for a part
-  std::uint8_t columns = 0;    // of the matrix that this is a column of; 0 for other parts
-};
-
-// The semantic in force for a part of a parameter. Indices count on through arrays, matrices and
-// overridden structs.
-struct Cursor {
-  SemanticName semantic;
-  bool given = false;
-  Span span;
-  Interpolation interpolation = Interpolation::kDefault;
-  bool centroid = false;
-  bool sample = false;
-  std::optional<std::uint32_t> location;
-  bool precise = false;
-};
-
-// A parameter, the result or something inside of one: where it is, and which semantic it has.
-struct Carrier {
-  PartNumber part = kNoPart;
-  TypeId type;
-  std::string name;  // for messages: "input.position"
-  Span span;         // of a leaf: where its semantic is written
-  Cursor cursor;
-  bool row_major = false;     // how the matrices in it are taken apart
-  std::string elements = {};  // "[1][2]" where arrays were taken apart
-};
-
-// The cursor of a parameter, the result or a field, whose members have the same names.
-template <typename Declared>
-Cursor CursorOf(const Declared& declared) {
-  return {SplitSemantic(declared.semantic),
-          !declared.semantic.empty(),
-          declared.semantic_span,
-          declared.interpolation,
-          declared.centroid,
-          declared.sample,
-          declared.location,
-          declared.precise};
-}
 
 class MainBuilder {
  public:
@@ -70,20 +24,19 @@ class MainBuilder {
         signature_(signature),
         position_(position),
         diagnostics_(diagnostics),
-        builder_(program, program.functions[program.entry].span) {}
+        builder_(program, program.functions[program.entry].span),
+        leaves_(program, builder_, diagnostics) {}
 
   void Run() {
-    leaves_.reserve(16);
-    parts_.reserve(16);
     body_.reserve(16);
     const Function& entry = program_.functions[program_.entry];
-    by_row_ = signature_.stages_meet_by_row && program_.profile.IsPixel();
+    leaves_.SetByRow(signature_.stages_meet_by_row && program_.profile.IsPixel());
     for (std::size_t i = 0; i < entry.parameters.size(); ++i)
       PrepareParameter(entry.parameters[i], signature_.parameters[i]);
     CallEntry();
-    by_row_ = signature_.stages_meet_by_row;
+    leaves_.SetByRow(signature_.stages_meet_by_row);
     for (const Carrier& output : pending_outputs_) {
-      for (const Carrier& leaf : LeavesOf(output)) Output(leaf);
+      for (const Carrier& leaf : leaves_.Of(output)) Output(leaf);
     }
     WriteDistances(Builtin::kClipDistance, "clip_distance");
     WriteDistances(Builtin::kCullDistance, "cull_distance");
@@ -116,12 +69,12 @@ class MainBuilder {
     const bool writes = var.storage != Storage::kIn;
     Carrier whole{kNoPart, var.type, var.name, var.span, CursorOf(parameter), parameter.row_major};
     if (!writes && program_.types[var.type].IsScalarOrVector()) {
-      const std::span<const Carrier> leaves = LeavesOf(whole);
+      const std::span<const Carrier> leaves = leaves_.Of(whole);
       if (!leaves.empty()) arguments_.push_back(Input(leaves.front()));
       return;
     }
     const VarId local = builder_.Local(var.name, var.type);
-    whole.part = Whole(local);
+    whole.part = leaves_.Whole(local);
     body_.push_back(builder_.Stmt(Declare{local, {}}));
     if (reads) ReadInto(whole);
     arguments_.push_back(builder_.Ref(local));
@@ -131,28 +84,21 @@ class MainBuilder {
   // Assigns the inputs to the piece, a matrix from all its columns at once.
   void ReadInto(const Carrier& whole) {
     std::vector<ExprId> columns;
-    for (const Carrier& leaf : LeavesOf(whole)) {
+    for (const Carrier& leaf : leaves_.Of(whole)) {
       ExprId value = Input(leaf);
       if (!value) continue;
       PartNumber target = leaf.part;
-      if (const Part part = parts_[target]; part.columns > 0) {
+      if (const Part part = leaves_[target]; part.columns > 0) {
         if (part.number == 0) columns.clear();
         columns.push_back(value);
         if (columns.size() < part.columns) continue;
         target = part.whole;
         const Type type = program_.types[leaf.type];
-        value = Transposed(builder_.ConstructOf(
+        value = leaves_.Transposed(builder_.ConstructOf(
             program_.types.Matrix(type.scalar, part.columns, type.columns), columns));
       }
-      body_.push_back(builder_.Eval(builder_.AssignTo(ValueOf(target), value)));
+      body_.push_back(builder_.Eval(builder_.AssignTo(leaves_.ValueOf(target), value)));
     }
-  }
-
-  ExprId Transposed(ExprId matrix) {
-    const Type type = program_.types[builder_.TypeOf(matrix)];
-    return builder_.IntrinsicOf(Intrinsic::kTranspose,
-                                program_.types.Matrix(type.scalar, type.columns, type.rows),
-                                {matrix});
   }
 
   void CallEntry() {
@@ -165,98 +111,8 @@ class MainBuilder {
     }
     const VarId result = builder_.Local("result", entry.return_type);
     body_.push_back(builder_.Stmt(Declare{result, call}));
-    pending_outputs_.push_back({Whole(result), entry.return_type, entry.name, entry.span,
+    pending_outputs_.push_back({leaves_.Whole(result), entry.return_type, entry.name, entry.span,
                                 CursorOf(signature_.result), signature_.result.row_major});
-  }
-
-  // ---- taking types apart
-
-  // The span is valid until the next call.
-  std::span<const Carrier> LeavesOf(const Carrier& whole) {
-    leaves_.clear();
-    Cursor cursor = whole.cursor;
-    Collect(whole, cursor);
-    return leaves_;
-  }
-
-  // The leaves of the piece, with the semantics that `cursor`, which moves on, gives them.
-  void Collect(const Carrier& piece, Cursor& cursor) {
-    const Type type = program_.types[piece.type];
-    switch (type.kind) {
-      case TypeKind::kError: return;
-      case TypeKind::kScalar:
-      case TypeKind::kVector: CollectLeaf(piece, cursor); return;
-      case TypeKind::kMatrix:
-      case TypeKind::kArray:
-      case TypeKind::kStruct: break;
-      default:
-        diagnostics_.Report(piece.span, diag::SemanticOnObject, piece.name,
-                            program_.types.Name(piece.type));
-        return;
-    }
-    // A matrix takes a register for each column, and one for each row where it is `row_major`: fxc,
-    // as vkd3d's test of matrix semantics has it, which passes on Microsoft's compiler.
-    const bool by_column = type.kind == TypeKind::kMatrix && !piece.row_major && !by_row_;
-    const std::uint32_t count = by_column ? type.columns : program_.types.PartCount(piece.type);
-    for (std::uint32_t i = 0; i < count && leaves_.size() < kMaxLeaves; ++i) {
-      Carrier inner = piece;
-      inner.type = by_column ? program_.types.Vector(type.scalar, type.rows)
-                             : program_.types.PartType(piece.type, i);
-      inner.part = Inside(piece.part, i, by_column ? type.columns : std::uint8_t{0});
-      if (type.kind == TypeKind::kArray) inner.elements += fmt::format("[{}]", i);
-      if (type.kind == TypeKind::kStruct)
-        CollectField(inner, program_.types[type.structure].fields[i], cursor);
-      else
-        Collect(inner, cursor);
-    }
-  }
-
-  PartNumber Whole(VarId variable) {
-    parts_.push_back({0, kNoPart, variable});
-    return parts_.size() - 1;
-  }
-  PartNumber Inside(PartNumber whole, std::uint32_t number, std::uint8_t columns) {
-    parts_.push_back({number, whole, {}, columns});
-    return parts_.size() - 1;
-  }
-  // A new expression in each call.
-  ExprId ValueOf(PartNumber number) {
-    const Part part = parts_[number];
-    if (part.variable) return builder_.Ref(part.variable);
-    const ExprId whole = ValueOf(part.whole);
-    return part.columns > 0 ? builder_.At(Transposed(whole), part.number)
-                            : builder_.Part(whole, part.number);
-  }
-
-  void CollectField(Carrier& piece, const Field& field, Cursor& cursor) {
-    piece.name += "." + field.name;
-    piece.span = field.span;
-    piece.row_major = field.row_major;
-    // A semantic on the struct as a whole overrides those of its fields (DXC: "semantic override").
-    cursor.precise |= cursor.given && field.precise;
-    if (cursor.given) return Collect(piece, cursor);
-    Cursor own = CursorOf(field);
-    own.precise |= cursor.precise;
-    if (own.interpolation == Interpolation::kDefault) own.interpolation = cursor.interpolation;
-    own.centroid = own.centroid || cursor.centroid;
-    own.sample = own.sample || cursor.sample;
-    Collect(piece, own);
-  }
-
-  void CollectLeaf(const Carrier& piece, Cursor& cursor) {
-    // fxc refuses (X3502); Slang names such an input or output after itself, and nothing wrong can
-    // come of it.
-    if (!cursor.given) {
-      cursor.semantic = SplitSemantic(piece.name.substr(piece.name.rfind('.') + 1));
-      cursor.given = true;
-      diagnostics_.Report(piece.span, diag::SemanticMissing, piece.name,
-                          fmt::format("{}{}", cursor.semantic.name, cursor.semantic.index));
-    }
-    Carrier& leaf = leaves_.emplace_back(piece);
-    leaf.cursor = cursor;
-    if (cursor.span) leaf.span = cursor.span;
-    ++cursor.semantic.index;
-    if (cursor.location) ++*cursor.location;
   }
 
   // ---- inputs
@@ -331,8 +187,8 @@ class MainBuilder {
 
   void WriteOutput(const Carrier& leaf, TypeId stored, Builtin builtin) {
     const VarId output = AddIo(program_.outputs, leaf, stored, builtin);
-    body_.push_back(
-        builder_.Eval(builder_.AssignTo(builder_.Ref(output), Fit(ValueOf(leaf.part), stored))));
+    body_.push_back(builder_.Eval(
+        builder_.AssignTo(builder_.Ref(output), Fit(leaves_.ValueOf(leaf.part), stored))));
   }
 
   VarId AddIo(std::vector<IoVar>& list, const Carrier& leaf, TypeId type, Builtin builtin) {
@@ -382,7 +238,7 @@ class MainBuilder {
       while (values.size() % 4 + static_cast<std::size_t>(piece.components) > 4)
         values.push_back(builder_.Float(0));
       for (int i = 0; i < piece.components; ++i) {
-        ExprId value = ValueOf(piece.part);
+        ExprId value = leaves_.ValueOf(piece.part);
         if (!piece.is_scalar) value = builder_.Swizzled(value, {i});
         values.push_back(builder_.ConvertTo(Scalar::kFloat, value));
       }
@@ -468,7 +324,6 @@ class MainBuilder {
                         program_.types.Name(leaf.type), wanted);
   }
 
-  static constexpr std::size_t kMaxLeaves = 256;
   static constexpr std::uint32_t kMaxDistances = 8;
 
   Program& program_;
@@ -478,14 +333,12 @@ class MainBuilder {
   Builder builder_;
   std::vector<StmtId> body_;
   std::vector<ExprId> arguments_;
-  std::vector<Part> parts_;
-  std::vector<Carrier> leaves_;  // of LeavesOf
+  SignatureLeaves leaves_;
   std::vector<Carrier> pending_outputs_;
   std::vector<Distance> clip_, cull_;
   std::map<std::string, Span> seen_inputs_, seen_outputs_;
   Locations locations_[2] = {{"outputs", diagnostics_}, {"inputs", diagnostics_}};
   std::uint32_t distance_count_ = 0;
-  bool by_row_ = false;  // matrices are taken apart by row, whatever they are
 };
 
 }  // namespace

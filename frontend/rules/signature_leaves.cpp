@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/rules/signature_leaves.h"
+
+namespace clipc::rules {
+
+SignatureLeaves::SignatureLeaves(Program& program, Builder& builder, Diagnostics& diagnostics)
+    : program_(program), builder_(builder), diagnostics_(diagnostics) {
+  leaves_.reserve(16);
+  parts_.reserve(16);
+}
+
+std::span<const Carrier> SignatureLeaves::Of(const Carrier& whole) {
+  leaves_.clear();
+  Cursor cursor = whole.cursor;
+  is_too_large_ = false;
+  Collect(whole, cursor);
+  if (is_too_large_)
+    diagnostics_.Report(whole.span, diag::SignatureTooLarge, whole.name, kMaxLeaves);
+  return leaves_;
+}
+
+// The leaves of the piece, with the semantics that `cursor`, which moves on, gives them.
+void SignatureLeaves::Collect(const Carrier& piece, Cursor& cursor) {
+  const Type type = program_.types[piece.type];
+  switch (type.kind) {
+    case TypeKind::kError: return;
+    case TypeKind::kScalar:
+    case TypeKind::kVector: CollectLeaf(piece, cursor); return;
+    case TypeKind::kMatrix:
+    case TypeKind::kArray:
+    case TypeKind::kStruct: break;
+    default:
+      diagnostics_.Report(piece.span, diag::SemanticOnObject, piece.name,
+                          program_.types.Name(piece.type));
+      return;
+  }
+  // A matrix takes a register for each column, and one for each row where it is `row_major`: fxc,
+  // as vkd3d's test of matrix semantics has it, which passes on Microsoft's compiler.
+  const bool by_column = type.kind == TypeKind::kMatrix && !piece.row_major && !by_row_;
+  const std::uint32_t count = by_column ? type.columns : program_.types.PartCount(piece.type);
+  for (std::uint32_t i = 0; i < count && !is_too_large_; ++i) {
+    Carrier inner = piece;
+    inner.type = by_column ? program_.types.Vector(type.scalar, type.rows)
+                           : program_.types.PartType(piece.type, i);
+    inner.part = Inside(piece.part, i, by_column ? type.columns : std::uint8_t{0});
+    if (type.kind == TypeKind::kArray) inner.elements += fmt::format("[{}]", i);
+    if (type.kind == TypeKind::kStruct)
+      CollectField(inner, program_.types[type.structure].fields[i], cursor);
+    else
+      Collect(inner, cursor);
+  }
+}
+
+PartNumber SignatureLeaves::Whole(VarId variable) {
+  parts_.push_back({0, kNoPart, variable});
+  return parts_.size() - 1;
+}
+
+PartNumber SignatureLeaves::Inside(PartNumber whole, std::uint32_t number, std::uint8_t columns) {
+  parts_.push_back({number, whole, {}, columns});
+  return parts_.size() - 1;
+}
+
+ExprId SignatureLeaves::ValueOf(PartNumber number) {
+  const Part part = parts_[number];
+  if (part.variable) return builder_.Ref(part.variable);
+  const ExprId whole = ValueOf(part.whole);
+  return part.columns > 0 ? builder_.At(Transposed(whole), part.number)
+                          : builder_.Part(whole, part.number);
+}
+
+void SignatureLeaves::CollectField(Carrier& piece, const Field& field, Cursor& cursor) {
+  piece.name += "." + field.name;
+  piece.span = field.span;
+  piece.row_major = field.row_major;
+  // A semantic on the struct as a whole overrides those of its fields (DXC: "semantic override").
+  cursor.precise |= cursor.given && field.precise;
+  if (cursor.given) return Collect(piece, cursor);
+  Cursor own = CursorOf(field);
+  own.precise |= cursor.precise;
+  if (own.interpolation == Interpolation::kDefault) own.interpolation = cursor.interpolation;
+  own.centroid = own.centroid || cursor.centroid;
+  own.sample = own.sample || cursor.sample;
+  Collect(piece, own);
+}
+
+void SignatureLeaves::CollectLeaf(const Carrier& piece, Cursor& cursor) {
+  is_too_large_ = leaves_.size() == kMaxLeaves;
+  if (is_too_large_) return;
+  // fxc refuses (X3502); Slang names such an input or output after itself, and nothing wrong can
+  // come of it.
+  if (!cursor.given) {
+    cursor.semantic = SplitSemantic(piece.name.substr(piece.name.rfind('.') + 1));
+    cursor.given = true;
+    diagnostics_.Report(piece.span, diag::SemanticMissing, piece.name,
+                        fmt::format("{}{}", cursor.semantic.name, cursor.semantic.index));
+  }
+  Carrier& leaf = leaves_.emplace_back(piece);
+  leaf.cursor = cursor;
+  if (cursor.span) leaf.span = cursor.span;
+  ++cursor.semantic.index;
+  if (cursor.location) ++*cursor.location;
+}
+
+ExprId SignatureLeaves::Transposed(ExprId matrix) {
+  const Type type = program_.types[builder_.TypeOf(matrix)];
+  return builder_.IntrinsicOf(
+      Intrinsic::kTranspose, program_.types.Matrix(type.scalar, type.columns, type.rows), {matrix});
+}
+
+}  // namespace clipc::rules

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "frontend/rules/rules.h"
+#include "frontend/rules/semantics.h"
+#include "ir/builder.h"
+
+namespace clipc::rules {
+
+// A local variable or a part of one: a field or an element of another.
+using PartNumber = std::size_t;
+constexpr PartNumber kNoPart = ~PartNumber{0};
+struct Part {
+  std::uint32_t number = 0;    // of the field, element or column
+  PartNumber whole = kNoPart;  // that it is in
+  VarId variable = {};         // none for a part
+  std::uint8_t columns = 0;    // of the matrix that this is a column of; 0 for other parts
+};
+
+// The semantic in force for a part of a parameter. Indices count on through arrays, matrices and
+// overridden structs.
+struct Cursor {
+  SemanticName semantic;
+  bool given = false;
+  Span span;
+  Interpolation interpolation = Interpolation::kDefault;
+  bool centroid = false;
+  bool sample = false;
+  std::optional<std::uint32_t> location;
+  bool precise = false;
+};
+
+// The cursor of a parameter, the result or a field, whose members have the same names.
+template <typename Declared>
+Cursor CursorOf(const Declared& declared) {
+  return {SplitSemantic(declared.semantic),
+          !declared.semantic.empty(),
+          declared.semantic_span,
+          declared.interpolation,
+          declared.centroid,
+          declared.sample,
+          declared.location,
+          declared.precise};
+}
+
+// A parameter, the result or something inside of one: where it is, and which semantic it has.
+struct Carrier {
+  PartNumber part = kNoPart;
+  TypeId type;
+  std::string name;  // for messages: "input.position"
+  Span span;         // of a leaf: where its semantic is written
+  Cursor cursor;
+  bool row_major = false;     // how the matrices in it are taken apart
+  std::string elements = {};  // "[1][2]" where arrays were taken apart
+};
+
+// Takes the types of the entry function's parameters and result apart, into the scalars and vectors
+// that have a semantic each.
+class SignatureLeaves {
+ public:
+  SignatureLeaves(Program& program, Builder& builder, Diagnostics& diagnostics);
+
+  // Whether matrices are taken apart by row, whatever they are.
+  void SetByRow(bool by_row) { by_row_ = by_row; }
+
+  // The leaves of a parameter or the result, kMaxLeaves at the most: reports that there are more.
+  // The span is valid until the next call.
+  std::span<const Carrier> Of(const Carrier& whole);
+  std::size_t size() const { return leaves_.size(); }  // of that span
+
+  PartNumber Whole(VarId variable);
+  const Part& operator[](PartNumber number) const { return parts_[number]; }
+  // A new expression in each call.
+  ExprId ValueOf(PartNumber number);
+  ExprId Transposed(ExprId matrix);
+
+ private:
+  PartNumber Inside(PartNumber whole, std::uint32_t number, std::uint8_t columns);
+  void Collect(const Carrier& piece, Cursor& cursor);
+  void CollectField(Carrier& piece, const Field& field, Cursor& cursor);
+  void CollectLeaf(const Carrier& piece, Cursor& cursor);
+
+  static constexpr std::size_t kMaxLeaves = 256;
+
+  Program& program_;
+  Builder& builder_;
+  Diagnostics& diagnostics_;
+  std::vector<Part> parts_;
+  std::vector<Carrier> leaves_;
+  bool by_row_ = false;
+  bool is_too_large_ = false;  // what Of takes apart has more than kMaxLeaves
+};
+
+}  // namespace clipc::rules
