@@ -1,8 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-"""Fails when a lower room includes a higher one, or a room includes a library that is not its business.
-
-usage: check_layers.py REPOSITORY_ROOT
-"""
+"""Fails when a lower room includes a higher one, or a room includes a library that is not its business."""
 
 import pathlib
 import re
@@ -134,7 +131,7 @@ def self_test():
 
 def main():
     self_test()
-    found = list(problems(pathlib.Path(sys.argv[1])))
+    found = list(problems(pathlib.Path(__file__).resolve().parents[2]))
     print("\n".join(found))
     return 1 if found else 0
 

@@ -1,9 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-"""Fails when docs/errata.md names a test that does not exist, or a test of a source document is not named there.
-
-usage: check_sources.py REPOSITORY_ROOT
-"""
+"""Fails when docs/errata.md names a test that does not exist, or a test of a source document is not named there."""
 
 import pathlib
 import re
@@ -22,7 +19,7 @@ def tests(root):
 
 
 def main():
-    root = pathlib.Path(sys.argv[1])
+    root = pathlib.Path(__file__).resolve().parents[2]
     there = tests(root)
     named = set(re.findall(r"`(\w+\.\w+)`", (root / "docs" / "errata.md").read_text()))
     of_documents = {test for test in there if re.match(r"(fail_)?seed\d{3}", test, re.IGNORECASE)}

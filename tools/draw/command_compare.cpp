@@ -31,6 +31,11 @@ struct CompareOptions {
   bool direct3d = false;  // only Direct3D's depth range, and not flipped
 };
 
+std::string NameOf(const std::string& lowering, const passes::ClipSpaceOptions& space) {
+  return lowering + (space.negative_one_to_one ? " negative-one-to-one" : " zero-to-one") +
+         (space.flip_y ? " flip-y" : "");
+}
+
 void SetInts(const std::string& text, RandomOptions& random) {
   if (std::sscanf(text.c_str(), "%d..%d", &random.least_int, &random.greatest_int) != 2 ||
       random.least_int > random.greatest_int) {
@@ -111,19 +116,17 @@ class Runner {
     BuildOptions build = options_.build;
     build.target = target;
     build.lowering = Known(ParseLowering(lowering), "lowering", lowering);
+    const std::string name = target + " " + lowering;
     for (const bool negative_one_to_one : {false, true}) {
       for (const bool flip_y : {false, true}) {
         if (options_.direct3d && (negative_one_to_one || flip_y)) continue;
         build.clip_space = {negative_one_to_one, flip_y};
         try {
-          RunOne(build, target + " " + lowering +
-                            (negative_one_to_one ? " negative-one-to-one" : " zero-to-one") +
-                            (flip_y ? " flip-y" : ""));
+          RunOne(build, NameOf(name, build.clip_space));
         } catch (const NotForTarget& reason) {
           if (!options_.all_targets) throw;
-          left_out_.insert(target + " " + lowering);
-          if (options_.verbose)
-            std::printf("%s %s: %s\n", target.c_str(), lowering.c_str(), reason.what());
+          left_out_.insert(name);
+          if (options_.verbose) std::printf("%s: %s\n", name.c_str(), reason.what());
         }
       }
     }

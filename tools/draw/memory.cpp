@@ -2,6 +2,7 @@
 #include "tools/draw/memory.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
 #include <optional>
 
@@ -88,7 +89,7 @@ Words ReadWords(const TypeTable& types, const Part& part, const Bytes& bytes) {
                      words.push_back(kind == Scalar::kBool ? word != 0 : word);
                    });
   if (part.row < 0) return words;
-  const auto columns = types[part.type].columns;
+  const std::ptrdiff_t columns = types[part.type].columns;
   const auto first = words.begin() + part.row * columns;
   return {first, first + columns};
 }
@@ -180,7 +181,7 @@ void GiveConstants(const Program& program, const GlslInfo& info, const std::vect
     if (block.name.empty()) continue;
     if (declared.count == 1) inputs.blocks.push_back({block.name, bytes});
     for (std::uint32_t i = 0; declared.count > 1 && i < declared.count; ++i) {
-      const auto begin = bytes.begin() + i * declared.size;
+      const auto begin = bytes.begin() + static_cast<std::ptrdiff_t>(i) * declared.size;
       inputs.blocks.push_back(
           {block.name + "[" + std::to_string(i) + "]", {begin, begin + declared.size}});
     }

@@ -209,10 +209,12 @@ void MarkOpen(std::vector<Expected>& all, Run&& run) {
   try {
     others = run();
   } catch (const EvaluatorStops&) {
+    for (Expected& value : all) value.open.assign(value.open.size(), true);
+    return;
   }
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (std::size_t k = 0; k < all[i].words.size(); ++k) {
-      if (others.empty() || all[i].words[k] != others[i].words[k]) all[i].open[k] = true;
+      if (all[i].words[k] != others[i].words[k]) all[i].open[k] = true;
     }
   }
 }

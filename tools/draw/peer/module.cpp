@@ -78,7 +78,7 @@ class Walker {
 PeerBlock BlockOf(const Compiler& compiler, const Resource& resource, bool is_storage) {
   const SPIRType& type = compiler.get_type(resource.base_type_id);
   PeerBlock block;
-  const std::string variable = compiler.get_name(resource.id);
+  const std::string& variable = compiler.get_name(resource.id);
   block.name = variable.empty() ? compiler.get_name(resource.base_type_id) : variable;
   block.is_storage = is_storage;
   Walker walker(compiler);

@@ -14,10 +14,10 @@ namespace {
 // lavapipe of Mesa 22.3 loses an output when clip and cull distances share a vector: there cull
 // distances are an output like any other.
 std::string Capturable(const std::string& glsl) {
-  static const std::regex both(
+  static const std::regex kBoth(
       R"((\n +float gl_ClipDistance\[\d+\];)\n +float gl_CullDistance(\[\d+\];)\n\};)");
   const std::string text =
-      std::regex_replace(glsl, both, "$1\n};\nlayout(location = 24) out float cull_distance$2");
+      std::regex_replace(glsl, kBoth, "$1\n};\nlayout(location = 24) out float cull_distance$2");
   return text == glsl ? glsl
                       : std::regex_replace(text, std::regex("gl_CullDistance"), "cull_distance");
 }

@@ -98,7 +98,7 @@ Reads ReflectReads(const Compiler& compiler) {
   Reads reads;
   const auto add = [&](const auto& list, DescriptorKind kind) {
     for (const Resource& resource : list) {
-      const std::string variable = compiler.get_name(resource.id);
+      const std::string& variable = compiler.get_name(resource.id);
       const SPIRType& type = compiler.get_type(resource.type_id);
       Reads::Binding& binding = reads.bindings.emplace_back(
           Reads::Binding{variable.empty() ? compiler.get_name(resource.base_type_id) : variable,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -323,8 +324,8 @@ class Converter {
         low[i] = std::min(low[i], point[i]), high[i] = std::max(high[i], point[i]);
     }
   };
-  static constexpr Bounds kNothing = {{INFINITY, INFINITY, INFINITY},
-                                      {-INFINITY, -INFINITY, -INFINITY}};
+  static constexpr double kFar = std::numeric_limits<double>::infinity();
+  static constexpr Bounds kNothing = {{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
 
   void TakeMesh(const tinygltf::Node& node, const Matrix& world, const std::string& where) {
     const tinygltf::Mesh& mesh = ElementOf(model_.meshes, node.mesh, where + ".mesh");
