@@ -37,11 +37,19 @@ void ResolveMember(Context& context, Buffer& buffer, SymbolId id) {
 
 void FinishMember(Context& context, const Buffer& buffer, const ast::VarDecl& var,
                   CbufferMember& member) {
-  constexpr std::uint32_t kRow = 16, kMaxRow = 65536;
-  if (const auto& place = var.packoffset; place && place->reg < kMaxRow) {
-    member.offset = place->reg * kRow + place->component * 4;
+  const Var& made = context[member.var];
+  const auto start_at = [&](std::uint32_t row, std::uint32_t component, Span span) {
+    constexpr std::uint32_t kRow = 16, kMaxRows = 65536;
+    if (row >= kMaxRows) {
+      context.Report(span, diag::RegisterTooHigh, fmt::format("c{}", row), made.name, kMaxRows - 1);
+      return;
+    }
+    member.offset = row * kRow + component * 4;
     member.has_packoffset = true;
-    const Var& made = context[member.var];
+  };
+  if (const auto& place = var.packoffset) {
+    start_at(place->reg, place->component, place->span);
+    if (!member.has_packoffset) return;
     if (PackedOffset(context.types, made.type, made.row_major, member.offset) != member.offset) {
       context.Report(place->span, diag::PackOffsetMisfit, made.name, context.TypeName(made.type),
                      fmt::format("`c{}.{}`", place->reg, "xyzw"[place->component]));
@@ -53,10 +61,7 @@ void FinishMember(Context& context, const Buffer& buffer, const ast::VarDecl& va
                      "a member of another buffer than `$Globals` has its place by `packoffset`");
       return;
     }
-    const std::uint32_t number = NumberOf(context, *binding);
-    if (number >= kMaxRow) return;
-    member.offset = number * kRow;
-    member.has_packoffset = true;
+    start_at(NumberOf(context, *binding), 0, binding->span);
   }
 }
 

@@ -189,9 +189,10 @@ std::uint32_t NumberOf(Context& context, const ast::RegisterBinding& binding) {
   }
   const auto offset = ConstantInteger(context, binding.subcomponent);
   if (!offset) return binding.number;
+  // A number below 0 is as wrong as the highest one, which no profile has.
   constexpr std::int64_t kMost = std::numeric_limits<std::uint32_t>::max();
-  return static_cast<std::uint32_t>(
-      std::clamp(static_cast<std::int64_t>(binding.number) + *offset, std::int64_t{0}, kMost));
+  const std::int64_t number = std::int64_t{binding.number} + std::clamp(*offset, -kMost, kMost);
+  return static_cast<std::uint32_t>(number < 0 ? kMost : std::min(number, kMost));
 }
 
 Register RegisterOf(Context& context, List<ast::RegisterBinding> bindings,

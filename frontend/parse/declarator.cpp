@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <algorithm>
 #include <charconv>
+#include <cstdint>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -213,7 +216,9 @@ bool Parser::ParsePackOffsetOperand(PackOffset& offset) {
   Next();
   if (At(kLeftBracket) && At(kIntLiteral, 1) && At(kRightBracket, 2)) {
     Next();
-    offset.reg += static_cast<std::uint32_t>(Next().value);
+    constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
+    offset.reg = static_cast<std::uint32_t>(
+        std::min(kMost, offset.reg + std::min(kMost, std::uint64_t{Next().value})));
     Next();
   }
   if (!Accept(kDot)) return true;

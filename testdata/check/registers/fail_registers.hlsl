@@ -1,4 +1,5 @@
 // RUN: not %clipc -T vs_5_0 -E twice %s 2>&1 | FileCheck %s --check-prefix=TWICE
+// RUN: not %clipc -T vs_5_0 -E rows %s 2>&1 | FileCheck %s --check-prefix=ROWS
 // RUN: not %clipc -T vs_5_0 -E high %s 2>&1 | FileCheck %s --check-prefix=HIGH
 cbuffer A : register(b1) { float4 a; };
 cbuffer B : register(b1) { float4 b; };
@@ -7,4 +8,16 @@ cbuffer B : register(b1) { float4 b; };
 float4 twice(float4 v : POSITION) : SV_Position { return a + b; }
 // HIGH: error: register b14 of `C` is too high; the highest under this profile is 13 [register-too-high, X4567]
 cbuffer C : register(b14) { float4 c; };
-float4 high(float4 v : POSITION) : SV_Position { return c; }
+// HIGH: error: register b4294967295 of `Low` is too high
+cbuffer Low : register(b2[-3]) { float4 low; };
+float4 high(float4 v : POSITION) : SV_Position { return c + low; }
+// ROWS: :[[#@LINE+1]]:16: error: register c65536 of `loose` is too high; the highest under this profile is 65535 [register-too-high, X4567]
+float4 loose : register(c65536);
+cbuffer D {
+  float4 fits : packoffset(c65535);
+  // ROWS: :[[#@LINE+1]]:16: error: register c65536 of `row` is too high
+  float4 row : packoffset(c65536);
+  // ROWS: :[[#@LINE+1]]:16: error: register c4294967295 of `sum` is too high
+  float4 sum : packoffset(c4294967295[18446744073709551615]);
+}
+float4 rows(float4 v : POSITION) : SV_Position { return fits + row + sum + loose; }
