@@ -263,7 +263,7 @@ TEST(PlaneConstantFor, WarnsOfMatricesThatTheShaderMultiplies) {
                   .value.warning.ok());
 }
 
-// One matrix, which the application multiplied in float, is no better.
+// One matrix, which the application multiplied in float, is not better.
 TEST(PlaneConstantFor, WarnsOfMatricesThatWereMultipliedInFloat) {
   DrawMatrices draw = {{}, {}, PerspectiveCamera(0.1, 1000).projection};
   draw.world.m[3][0] = 1e4, draw.world.m[3][2] = 10;

@@ -143,8 +143,8 @@ TEST(Reduce, KeepsWhatMatters) {
 }
 
 TEST(Verdict, KeysForgetNamesAndNumbers) {
-  const Verdict a{Fault::kRefused, "", "x.hlsl:3:1: error: `a` is no type 12"};
-  const Verdict b{Fault::kRefused, "", "y.hlsl:9:1: error: `b` is no type 7"};
+  const Verdict a{Fault::kRefused, "", "x.hlsl:3:1: error: `a` is not a type 12"};
+  const Verdict b{Fault::kRefused, "", "y.hlsl:9:1: error: `b` is not a type 7"};
   EXPECT_EQ(a.Key(), b.Key());
 }
 

@@ -111,7 +111,7 @@ TEST(Stability, NoFormulaForTheClipPlaneIsBetter) {
   EXPECT_GT(best, 1.5);
   EXPECT_LT(P99(config, DocumentFormula()) / best, 2);
   EXPECT_GT(P99(config, DocumentFormula()) / best, 0.5);
-  EXPECT_LT(P99(config, Xyw1Space()) / best, 0.01);  // mutation: another space is no formula
+  EXPECT_LT(P99(config, Xyw1Space()) / best, 0.01);  // mutation: another space is not the formula
 }
 
 TEST(Stability, ReversedDepthCuresClipSpace) {

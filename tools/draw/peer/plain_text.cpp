@@ -93,12 +93,12 @@ class Writer {
   }
 
   // struct S { ... } variable;
-  bool DeclaresVariable(const Item& item, const Token& name, TokenKind behind) const {
+  bool DeclaresVariable(const Item& item, const Token& name, TokenKind next) const {
     const std::string_view first = Text(item.front());
     const bool has_type = first == "struct" || first == "class" || first == "static" ||
                           first == "const" || first == "uniform";
     return has_type && name.kind == kIdentifier &&
-           (behind == kSemicolon || behind == kComma || behind == kEqual || behind == kLeftBracket);
+           (next == kSemicolon || next == kComma || next == kEqual || next == kLeftBracket);
   }
 
   std::string_view Text(const Token& token) const {

@@ -238,7 +238,7 @@ TEST(GltfScene, DeepFilesAreRefused) {
   std::string text = json.dump();
   text.insert(1, "\"extras\": " + deep + ",");
   EXPECT_THAT(ErrorOf(text), HasSubstr("nested deeper than 64 levels"));
-  // A chain of nodes as deep is fine: it is no recursion.
+  // A chain of nodes as deep is fine: there is no recursion in it.
   json["nodes"][4].erase("rotation");
   for (int i = 8; i < 20000; ++i) json["nodes"].push_back({{"children", {i + 1}}});
   json["nodes"].push_back(Json::object());
