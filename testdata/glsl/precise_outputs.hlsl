@@ -1,6 +1,7 @@
 // Results, parameters and members that are precise are precise outputs; -Gis makes all outputs precise.
 // RUN: %clipc -T vs_5_0 -E members --validate %s -o - | FileCheck %s --check-prefix=MEMBERS
 // RUN: %clipc -T vs_5_0 -E result --validate %s -o - | FileCheck %s --check-prefix=RESULT
+// RUN: %clipc -T vs_5_0 -E whole --validate %s -o - | FileCheck %s --check-prefix=WHOLE
 // RUN: %clipc -T vs_5_0 -E parameter --validate %s -o - | FileCheck %s --check-prefix=PARAMETER
 // RUN: %clipc -T vs_5_0 -E planes -Gis --invariant --validate %s -o - | FileCheck %s --check-prefix=ALL
 // RUN: %clipc -T vs_5_0 -E planes -Gis --invariant --separable --validate %s -o - | FileCheck %s --check-prefix=BLOCK
@@ -30,6 +31,20 @@ Members members(float4 p : POSITION) {
   result.position = mul(p, m);
   result.uv = p.xy * p.zw + 1;
   result.color = p * 2 + 1;
+  return result;
+}
+
+// A result that is precise makes the members precise, whose semantics are their own.
+struct Plain {
+  float4 position : SV_Position;
+  struct { float4 color : COLOR; } inner;
+};
+// WHOLE: precise out vec4 vs_COLOR0;
+// WHOLE-NEXT: {{^}}precise gl_Position;
+precise Plain whole(float4 p : POSITION) {
+  Plain result;
+  result.position = mul(p, m);
+  result.inner.color = p * 2 + 1;
   return result;
 }
 
