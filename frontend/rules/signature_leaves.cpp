@@ -1,7 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/rules/signature_leaves.h"
 
+#include <string>
+
+#include <fmt/format.h>
+
+#include "base/spelling.h"
+
 namespace clipc::rules {
+
+namespace {
+
+std::string Spelled(const SemanticName& semantic) {
+  return fmt::format("{}{}", semantic.name, semantic.index);
+}
+
+// How a field of a struct is interpolated: `nointerpolation` on either comes first, as vkd3d's test
+// of it has it, which passes on Microsoft's compiler.
+Interpolation Joined(Interpolation whole, Interpolation field) {
+  for (const auto kind : {Interpolation::kNoInterpolation, Interpolation::kNoPerspective}) {
+    if (whole == kind || field == kind) return kind;
+  }
+  return field == Interpolation::kDefault ? whole : field;
+}
+
+}  // namespace
 
 SignatureLeaves::SignatureLeaves(Program& program, Builder& builder, Diagnostics& diagnostics)
     : program_(program), builder_(builder), diagnostics_(diagnostics) {
@@ -73,15 +96,29 @@ void SignatureLeaves::CollectField(Carrier& piece, const Field& field, Cursor& c
   piece.name += "." + field.name;
   piece.span = field.span;
   piece.row_major = field.row_major;
-  // A semantic on the struct as a whole overrides those of its fields (DXC: "semantic override").
-  cursor.precise |= cursor.given && field.precise;
-  if (cursor.given) return Collect(piece, cursor);
   Cursor own = CursorOf(field);
   own.precise |= cursor.precise;
-  if (own.interpolation == Interpolation::kDefault) own.interpolation = cursor.interpolation;
-  own.centroid = own.centroid || cursor.centroid;
-  own.sample = own.sample || cursor.sample;
+  own.centroid |= cursor.centroid;
+  own.sample |= cursor.sample;
+  own.interpolation = Joined(cursor.interpolation, own.interpolation);
+  if (!own.location) own.location = cursor.location;
+  if (cursor.given) Override(own, cursor, piece.name);
   Collect(piece, own);
+  if (cursor.given) cursor.semantic = own.semantic;
+  if (cursor.location) cursor.location = own.location;
+}
+
+// A semantic on the struct as a whole overrides those of its fields (DXC: "semantic override"), and
+// says nothing of how they are interpolated.
+void SignatureLeaves::Override(Cursor& field, const Cursor& whole, const std::string& name) {
+  const bool differs = !EqualIgnoringCase(field.semantic.name, whole.semantic.name) ||
+                       field.semantic.index != whole.semantic.index;
+  if (field.given && differs)
+    diagnostics_.Report(field.span, diag::SemanticOverridden, name, Spelled(whole.semantic),
+                        Spelled(field.semantic));
+  field.semantic = whole.semantic;
+  field.span = whole.span;
+  field.given = true;
 }
 
 void SignatureLeaves::CollectLeaf(const Carrier& piece, Cursor& cursor) {
@@ -92,8 +129,7 @@ void SignatureLeaves::CollectLeaf(const Carrier& piece, Cursor& cursor) {
   if (!cursor.given) {
     cursor.semantic = SplitSemantic(piece.name.substr(piece.name.rfind('.') + 1));
     cursor.given = true;
-    diagnostics_.Report(piece.span, diag::SemanticMissing, piece.name,
-                        fmt::format("{}{}", cursor.semantic.name, cursor.semantic.index));
+    diagnostics_.Report(piece.span, diag::SemanticMissing, piece.name, Spelled(cursor.semantic));
   }
   Carrier& leaf = leaves_.emplace_back(piece);
   leaf.cursor = cursor;

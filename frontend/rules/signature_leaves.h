@@ -85,6 +85,7 @@ class SignatureLeaves {
   PartNumber Inside(PartNumber whole, std::uint32_t number, std::uint8_t columns);
   void Collect(const Carrier& piece, Cursor& cursor);
   void CollectField(Carrier& piece, const Field& field, Cursor& cursor);
+  void Override(Cursor& field, const Cursor& whole, const std::string& name);
   void CollectLeaf(const Carrier& piece, Cursor& cursor);
 
   static constexpr std::size_t kMaxLeaves = 256;
