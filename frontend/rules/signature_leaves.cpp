@@ -98,9 +98,10 @@ void SignatureLeaves::CollectField(Carrier& piece, const Field& field, Cursor& c
   piece.row_major = field.row_major;
   Cursor own = CursorOf(field);
   own.precise |= cursor.precise;
-  own.centroid |= cursor.centroid;
-  own.sample |= cursor.sample;
   own.interpolation = Joined(cursor.interpolation, own.interpolation);
+  own.sample |= cursor.sample;
+  own.centroid |= cursor.centroid;
+  own.centroid &= !own.sample && own.interpolation != Interpolation::kNoInterpolation;
   if (!own.location) own.location = cursor.location;
   if (cursor.given) Override(own, cursor, piece.name);
   Collect(piece, own);

@@ -24,12 +24,12 @@ float4 main(float4 p : POSITION, out Fields fields : COLOR3) : SV_Position {
   return p;
 }
 
-struct Places { float4 a : A; [[vk::location(5)]] float4 b : B; float4 c : C; };
+struct Places { centroid float4 a : A; [[vk::location(5)]] float4 b : B; float4 c : C; };
 
-// PLACES: layout(location = 2) centroid sample out vec4 vs_A0;
-// PLACES-NEXT: layout(location = 5) centroid sample out vec4 vs_B0;
-// PLACES-NEXT: layout(location = 6) centroid sample out vec4 vs_C0;
-float4 places(float4 p : POSITION, [[vk::location(2)]] out centroid sample Places q) : SV_Position {
+// PLACES: layout(location = 2) sample out vec4 vs_A0;
+// PLACES-NEXT: layout(location = 5) sample out vec4 vs_B0;
+// PLACES-NEXT: layout(location = 6) sample out vec4 vs_C0;
+float4 places(float4 p : POSITION, [[vk::location(2)]] out sample Places q) : SV_Position {
   q = (Places)p.x;
   return p;
 }
@@ -41,7 +41,7 @@ struct Modes {
   noperspective float4 b : B;
 };
 
-// JOINED: layout(location = 0) flat centroid out vec4 vs_A0;
+// JOINED: layout(location = 0) flat out vec4 vs_A0;
 // JOINED-NEXT: layout(location = 1) flat out vec4 vs_B0;
 float4 joined(float4 p : POSITION, out nointerpolation Modes modes) : SV_Position {
   modes = (Modes)p.x;
