@@ -2,7 +2,6 @@
 #include "frontend/check/entry_signature.h"
 
 #include <limits>
-#include <utility>
 
 #include "frontend/check/assign.h"
 #include "frontend/check/function.h"
@@ -39,22 +38,6 @@ VarId AddUniformParameter(Context& context, const ast::VarDecl& var, const Param
 
 }  // namespace
 
-// DXC's varmods-syntax_noerr.hlsl has what fxc says of each pair.
-void CheckInterpolation(Context& context, ast::Qualifiers qualifiers, Span span) {
-  constexpr std::pair<ast::Qualifiers, const char*> kOthers[] = {
-      {ast::kLinear, "linear"},
-      {ast::kNoPerspective, "noperspective"},
-      {ast::kCentroid, "centroid"},
-  };
-  for (const auto& [bit, word] : kOthers) {
-    if (!(qualifiers & ast::kNoInterpolation) || !(qualifiers & bit)) continue;
-    context.Report(span, diag::InterpolationConflict, word);
-    return;
-  }
-  if ((qualifiers & ast::kCentroid) && (qualifiers & ast::kSample))
-    context.Report(span, diag::CentroidOverridden);
-}
-
 EntrySignature SignatureOf(Context& context, FunctionInfoId entry) {
   const FunctionInfo& info = context[entry];
   const ast::FunctionDecl& decl = DeclOf(context, info);
@@ -65,7 +48,7 @@ EntrySignature SignatureOf(Context& context, FunctionInfoId entry) {
     EntryParameter entry_parameter;
     entry_parameter.semantic = context[var.semantic.name];
     entry_parameter.semantic_span = var.semantic.span;
-    ReadInterpolation(context, var.qualifiers, var.name_span, entry_parameter);
+    ReadInterpolation(var.qualifiers, entry_parameter);
     ReadVulkan(context, var.attributes, entry_parameter);
     entry_parameter.precise = (var.qualifiers & ast::kPrecise) != 0;
     entry_parameter.row_major = IsRowMajor(context, QualifiersOf(context, var));
@@ -77,7 +60,7 @@ EntrySignature SignatureOf(Context& context, FunctionInfoId entry) {
   }
   signature.result.semantic = context[decl.return_semantic.name];
   signature.result.semantic_span = decl.return_semantic.span;
-  ReadInterpolation(context, decl.qualifiers, decl.name_span, signature.result);
+  ReadInterpolation(decl.qualifiers, signature.result);
   ReadVulkan(context, decl.attributes, signature.result);
   signature.result.precise = (decl.qualifiers & ast::kPrecise) != 0;
   signature.result.row_major = IsRowMajor(context, decl.qualifiers);

@@ -8,11 +8,8 @@ namespace clipc::check {
 
 // The semantics and modifiers of the entry point. Makes variables of its `uniform` parameters.
 EntrySignature SignatureOf(Context& context, FunctionInfoId entry);
-// Reports modifiers that do not agree.
-void CheckInterpolation(Context& context, ast::Qualifiers qualifiers, Span span);
-// Sets how the value at `span` is interpolated, in an EntryParameter or an ir::Field.
-void ReadInterpolation(Context& context, ast::Qualifiers qualifiers, Span span, auto& into) {
-  CheckInterpolation(context, qualifiers, span);
+// Sets how a value is interpolated, in an EntryParameter or an ir::Field.
+void ReadInterpolation(ast::Qualifiers qualifiers, auto& into) {
   if (qualifiers & ast::kLinear) into.interpolation = Interpolation::kLinear;
   if (qualifiers & ast::kNoPerspective) into.interpolation = Interpolation::kNoPerspective;
   if (qualifiers & ast::kNoInterpolation) into.interpolation = Interpolation::kNoInterpolation;

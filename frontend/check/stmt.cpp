@@ -32,10 +32,6 @@ void CheckStaticLocal(Context& context, ast::DeclId id, const ast::VarDecl& var)
 
 void CheckLocal(Context& context, ast::DeclId id, const ast::VarDecl& var) {
   if (var.qualifiers & ast::kStatic) return CheckStaticLocal(context, id, var);
-  if (var.qualifiers & (ast::kGroupShared | ast::kUniform)) {
-    context.Report(var.name_span, diag::LocalStorage, context[var.name],
-                   var.qualifiers & ast::kUniform ? "uniform" : "groupshared");
-  }
   TypeId type = ResolveVarType(context, var);
   ExprId init;
   if (var.init && IsInterface(context, type)) {

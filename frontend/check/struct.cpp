@@ -55,7 +55,7 @@ Field MakeField(Context& context, const ast::VarDecl& var) {
   field.semantic = context[var.semantic.name];
   field.semantic_span = var.semantic.span;
   field.precise = (qualifiers & ast::kPrecise) != 0;
-  ReadInterpolation(context, qualifiers, var.name_span, field);
+  ReadInterpolation(qualifiers, field);
   ReadVulkan(context, var.attributes, field);
   field.offset = OffsetOf(context, var.attributes);
   if (var.bit_width) context.Report(context[var.bit_width].span, diag::Unsupported, "a bit-field");

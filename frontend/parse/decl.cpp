@@ -166,6 +166,12 @@ void Parser::ParseVariables(Decls& decls, Scope scope, const Specifiers& specifi
     if (!is_unnamed &&
         !ParseDeclaratorName(var.name, var.name_span, is_field ? "field" : "variable"))
       return;
+    if (start == specifiers.start)  // once for all declarators
+      CheckQualifiers(specifiers.qualifiers,
+                      is_field                 ? QualifierOwner::kField
+                      : scope == Scope::kLocal ? QualifierOwner::kLocal
+                                               : QualifierOwner::kGlobal,
+                      var.name_span);
     if (!var.out_of_line_of.name) Declare(var.name, Meaning::kValue);
     ParseDeclaratorTail(var, scope);
     decls.Add(AddDecl(start, var));
@@ -230,7 +236,8 @@ void Parser::ParseNamespace(Decls& decls) {
 
 // typedef float4 A, B[2];
 void Parser::ParseTypedef(Decls& decls) {
-  std::size_t start = pos_;
+  const std::size_t typedef_at = pos_;
+  std::size_t start = typedef_at;
   Next();
   Specifiers specifiers;
   if (!ParseTypedSpecifiers(specifiers, "a type")) return;
@@ -239,6 +246,8 @@ void Parser::ParseTypedef(Decls& decls) {
     decl.type = specifiers.type;
     decl.qualifiers = specifiers.qualifiers;
     if (!ParseDeclaratorName(decl.name, decl.name_span, "type")) return;
+    if (start == typedef_at)
+      CheckQualifiers(specifiers.qualifiers, QualifierOwner::kTypedef, decl.name_span);
     Declare(decl.name, Meaning::kType);
     decl.dimensions = ParseDimensions();
     decls.Add(AddDecl(start, decl));
@@ -261,6 +270,7 @@ void Parser::ParseUsing(Decls& decls) {
     if (!ParseTypedSpecifiers(specifiers, "a type")) return;
     decl.type = specifiers.type;
     decl.qualifiers = specifiers.qualifiers;
+    CheckQualifiers(specifiers.qualifiers, QualifierOwner::kTypedef, decl.name_span);
     decl.dimensions = ParseDimensions();
     Declare(decl.name, Meaning::kType);
     decls.Add(AddDecl(start, decl));

@@ -104,6 +104,11 @@ void Parser::ParseFunction(Decls& decls, Scope scope, const Specifiers& specifie
   if (scope == Scope::kLocal && !ParseLocalFunction(specifiers)) return;
   ParseFunctionName(function);
   if (panic_) return;
+  CheckQualifiers(function.qualifiers,
+                  scope == Scope::kStruct || function.out_of_line_of.name
+                      ? QualifierOwner::kMethod
+                      : QualifierOwner::kFunction,
+                  function.name_span);
   if (!function.out_of_line_of.name) {
     Declare(function.name, header.present ? Meaning::kFunctionTemplate : Meaning::kFunction);
   }
@@ -209,6 +214,8 @@ void Parser::ParseParameter(Decls& decls) {
   CheckAttributes(specifiers.attributes, AttributeOwner::kParameter, "a parameter");
   VarDecl var = MakeVar(specifiers);
   if (At(kIdentifier) && !ParseDeclaratorName(var.name, var.name_span, "parameter")) return;
+  CheckQualifiers(specifiers.qualifiers, QualifierOwner::kParameter,
+                  var.name ? var.name_span : SpanFrom(specifiers.start));
   Declare(var.name, Meaning::kValue);
   ParseDeclaratorTail(var, Scope::kLocal);
   decls.Add(AddDecl(specifiers.start, var));

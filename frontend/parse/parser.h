@@ -10,6 +10,7 @@
 
 #include "base/not_copied.h"
 #include "frontend/parse/attributes.h"
+#include "frontend/parse/qualifiers.h"
 #include "frontend/parse/tree_builder.h"
 
 // The recursive-descent parser of Parse(). Its grammar functions call each other across all
@@ -72,6 +73,7 @@ class Parser : private TreeBuilder {
   // Reports clip planes among the attributes of what is not a function, and Vulkan's attributes
   // that have no effect on it. `what` names it: "a field".
   void CheckAttributes(List<Attr> attributes, AttributeOwner owner, std::string_view what);
+  void CheckQualifiers(Qualifiers qualifiers, QualifierOwner owner, Span span);
   void ParseAttributes(Collector<Attr>& attributes);
   void ParseAttributeList(Collector<Attr>& attributes);
   bool ParseAttribute(Collector<Attr>& attributes, std::size_t start);

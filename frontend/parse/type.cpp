@@ -263,6 +263,21 @@ void Parser::CheckAttributes(List<Attr> attributes, AttributeOwner owner, std::s
   }
 }
 
+// Reports at `span`, the name of what has the qualifiers, those that do not belong there.
+void Parser::CheckQualifiers(Qualifiers qualifiers, QualifierOwner owner, Span span) {
+  if (qualifiers == 0) return;
+  for (const std::string_view word : SpellingsOf(RefusedAt(owner, qualifiers)))
+    diagnostics_.Report(span, diag::QualifierMisplaced, TextOf(owner), word);
+  for (const std::string_view word : SpellingsOf(WithoutEffectAt(owner, qualifiers)))
+    diagnostics_.Report(span, diag::QualifierWithoutEffect, word, TextOf(owner));
+  const auto [first, second] = ConflictIn(qualifiers);
+  if (first != 0)
+    diagnostics_.Report(span, diag::QualifierConflict, SpellingsOf(first)[0],
+                        SpellingsOf(second)[0]);
+  if ((qualifiers & kCentroid) && (qualifiers & kSample))
+    diagnostics_.Report(span, diag::CentroidOverridden);
+}
+
 // Any number of `[n]`, `[]`.
 List<ExprId> Parser::ParseDimensions() {
   Bracketed bracketed(*this);

@@ -21,8 +21,6 @@ float4 main(float4 v : POSITION, int n : N) : SV_Position {
   }
   // CHECK: [[#@LINE+1]]:15: error: `empty` is `const` and has no value; it needs one where it is declared [const-without-value, X3012]
   const float empty;
-  // CHECK: [[#@LINE+1]]:21: error: local variable `shared_here` is declared `groupshared`; only a global variable can be [local-storage, X3006]
-  groupshared float shared_here;
   // CHECK: [[#@LINE+1]]:11: error: the condition of `switch` is a `float4`; it must be a scalar [condition-not-scalar, X3019]
   switch (v) { default: break; }
   return v;
