@@ -13,21 +13,22 @@ using namespace ir;
 
 namespace {
 
-// Beyond this no device takes a buffer; the sums below stay far from wrapping round.
+// The limit on sizes in bytes: no device takes a larger buffer, and sums of such sizes stay far
+// from wrapping round.
 constexpr std::uint64_t kLargest = 1u << 30;
 
 Std140Extent VectorExtent(std::uint32_t scalar_size, std::uint32_t components) {
   return {scalar_size * components, scalar_size * (components == 3 ? 4 : components)};
 }
 
-// Adds what `part` asks of the matrices around it; false when they disagree.
+// Adds the layout of the matrices in a part to that of the whole; returns whether the two agree.
 bool Agree(MatrixLayout& whole, MatrixLayout part) {
   if (part == MatrixLayout::kNone) return true;
   if (whole == MatrixLayout::kNone) whole = part;
   return whole == part;
 }
 
-// The two layouts of section 7.6.2.2 against a given layout of HLSL.
+// A comparison of std140 or std430 (section 7.6.2.2) with HLSL's layout.
 class Comparer {
  public:
   // `tight`: std430 against a StructuredBuffer; else std140 against a cbuffer.
@@ -53,7 +54,8 @@ class Comparer {
     const std::uint32_t registers = row_major ? type.rows : type.columns;
     const std::uint32_t length = row_major ? type.columns : type.rows;
     if (!shape.HasRows()) {
-      // A vector in GLSL; in memory one component a row when it lies across its only direction.
+      // The matrix is a vector in GLSL; in memory it has one component a row if it lies across its
+      // only direction.
       if (registers > 1 && !tight_) return std::nullopt;
       return VectorExtent(scalar_size, shape.size);
     }
@@ -79,7 +81,7 @@ class Comparer {
 
   std::optional<Std140Extent> Struct(const ir::Struct& structure) const {
     if (structure.fields.empty())
-      return std::nullopt;  // takes no room in HLSL, and cannot be said in GLSL
+      return std::nullopt;  // takes no room in HLSL, and cannot be declared in GLSL
     Std140Extent whole{0, row_, MatrixLayout::kNone};
     std::uint32_t hlsl_end = 0;
     std::uint64_t end = 0;
@@ -114,7 +116,7 @@ class Comparer {
   bool tight_;
 };
 
-// The members one by one: those of the cbuffer, or the fields of T.
+// The members of the cbuffer or, with `fields_as_members`, the fields of T.
 std::vector<BlockMember> MembersOf(const Program& program, const Cbuffer& cbuffer,
                                    bool fields_as_members) {
   std::vector<BlockMember> members;
@@ -145,7 +147,8 @@ std::vector<BlockMember> MembersOf(const Program& program, const Cbuffer& cbuffe
   return members;
 }
 
-// Whether the members, in order of offset, fit std140; sets their explicit offsets and paddings.
+// Returns whether the members, in order of offset, fit std140; sets their explicit offsets and
+// paddings.
 bool PlaceMembers(const TypeTable& types, std::span<BlockMember> members, std::uint32_t size,
                   bool explicit_offsets) {
   std::uint64_t end = 0;
@@ -164,7 +167,7 @@ bool PlaceMembers(const TypeTable& types, std::span<BlockMember> members, std::u
   return RoundUp(end, kRow) <= size;
 }
 
-// A buffer that another stage declares has the style that it has there.
+// The style of a buffer; a buffer that another stage declares has the style that it has there.
 BlockStyle StyleOf(const Cbuffer& cbuffer, BlockStyle style) {
   if (!cbuffer.declared) return style;
   if (cbuffer.declared->is_loose) return BlockStyle::kFlat;
@@ -256,7 +259,7 @@ BlockLayout LayOutBlock(const Program& program, const Cbuffer& cbuffer, const Ta
   if (!PlaceMembers(program.types, layout.members, cbuffer.size,
                     target.Has(Feature::kExplicitOffsets))) {
     if (!layout.float_rows && !target.Has(Feature::kBitCasts))
-      return AsUniforms(program, cbuffer);  // nothing reads a float from bits
+      return AsUniforms(program, cbuffer);  // the target reads no float from bits
     BlockLayout rows = AsRows(program, cbuffer);
     rows.float_rows = layout.float_rows;
     return rows;

@@ -9,8 +9,8 @@
 #include "backend-glsl/target.h"
 #include "ir/program.h"
 
-// How a constant buffer, whose offsets Direct3D's rules fixed, is said in GLSL. Offsets are never
-// changed: a buffer that std140 would lay out otherwise is given with explicit offsets, with
+// The layout in GLSL of a constant buffer, whose offsets Direct3D's rules fixed. Offsets are never
+// changed: a buffer that std140 would lay out otherwise is written with explicit offsets, with
 // padding, or as an array of rows that is read by accessors. Sources: HLSL packing as in
 // ir/packing.h; std140 in section 7.6.2.2 of the OpenGL 4.6 specification.
 namespace clipc::glsl {
@@ -24,16 +24,16 @@ enum class BlockForm : std::uint8_t {
   kUniforms,  // the target has no blocks: uniform variables that the host sets by name
 };
 
-// How a matrix lies in memory, in GLSL's words. HLSL's rows are GLSL's columns, so HLSL's row_major
-// is column_major here.
+// The order of a matrix in memory, in GLSL's words. HLSL's rows are GLSL's columns, so HLSL's
+// row_major is column_major here.
 enum class MatrixLayout : std::uint8_t { kNone, kRowMajor, kColumnMajor };
 
-// A member of a buffer; of a ConstantBuffer<T> that is written with an instance name, a field of T.
+// A member of a buffer or, if a ConstantBuffer<T> is written with an instance name, a field of T.
 struct BlockMember {
   ir::VarId var;   // the member; of a ConstantBuffer<T> the whole
   int field = -1;  // of a ConstantBuffer<T>: the field of T
   ir::TypeId type;
-  bool row_major = false;        // HLSL's
+  bool row_major = false;        // as in HLSL
   std::uint32_t offset = 0;      // bytes
   bool explicit_offset = false;  // layout(offset = ..)
   std::uint32_t padding = 0;     // bytes of padding members before it
@@ -42,8 +42,8 @@ struct BlockMember {
 
 struct BlockLayout {
   BlockForm form = BlockForm::kStd140;
-  // The layout of the whole block, if it is plain and its members agree, or if another stage
-  // declares it so; else each member has its own.
+  // The layout of the whole block, if the block is plain or another stage declares it so, and its
+  // members agree; otherwise kNone, and each member has its own.
   MatrixLayout matrices = MatrixLayout::kNone;
   bool has_instance = false;  // kStd140: members are read as `instance.member`
   bool has_uints = false;     // bools and their vectors are uints, as SPIR-V has them in blocks
@@ -59,17 +59,19 @@ BlockLayout LayOutBlock(const ir::Program& program, const ir::Cbuffer& cbuffer,
 // Whether a type has floats only, which are all that rows hold where the target has no blocks.
 bool OnlyFloats(const ir::TypeTable& types, ir::TypeId type);
 
-// What std140 gives a type.
+// The extent that std140 or std430 gives a type, in bytes.
 struct Std140Extent {
   std::uint32_t size = 0;  // with the padding after arrays, structs and matrices
   std::uint32_t alignment = 4;
   MatrixLayout matrices = MatrixLayout::kNone;
 };
-// Nothing when it puts some part of the type elsewhere than HLSL does, or cannot say how its
-// matrices lie.
+// Returns std140's extent of `type`; std::nullopt if std140 puts some part of the type elsewhere
+// than HLSL does in a cbuffer, or GLSL cannot say the order of its matrices or a struct without
+// fields.
 std::optional<Std140Extent> Std140(const ir::TypeTable& types, ir::TypeId type, bool row_major);
 
-// std430's extent of `type`, when it lays an array of them out as a StructuredBuffer<type> does.
+// Returns std430's extent of `type` if it lays an array of them out as a StructuredBuffer<type>
+// does; otherwise std::nullopt.
 std::optional<Std140Extent> Std430(const ir::TypeTable& types, ir::TypeId type, bool row_major);
 
 // HLSL's layout of the elements of a StructuredBuffer: scalars at multiples of their own size,

@@ -164,7 +164,7 @@ TEST_F(BlockLayoutTest, StructuredBuffers) {
       24u);
 }
 
-// ---- against glslang's own reflection: what the written block says is where HLSL has it
+// ---- members' offsets in the written block, by glslang's own reflection, against those of HLSL
 
 struct Leaf {
   std::string path;  // "Buffer7.s.m"
@@ -213,7 +213,7 @@ class RandomCbuffers {
   std::mt19937 random_;
 };
 
-// Uses each leaf under `expr` (elements 0 of arrays) and notes where HLSL has it.
+// Uses each leaf under `expr` and notes its offset in HLSL, of an array that of element 0 only.
 void UseLeaves(ShaderForTest& shader, ir::ExprId expr, bool row_major, const std::string& path,
                std::uint32_t offset, std::vector<Leaf>& leaves) {
   ir::Builder b = shader.Make();

@@ -25,10 +25,11 @@ using namespace ir;
 
 namespace {
 
-// glslang takes no larger ones: layoutBindingEnd, layoutSetEnd.
+// The highest binding and set that glslang takes: layoutBindingEnd, layoutSetEnd.
 constexpr std::uint32_t kHighestBinding = 0xfffe;
 constexpr std::uint32_t kHighestSet = 0x3e;
-// Fields of a struct that stands for an array; each is an `if` where the index is not constant.
+// The most fields of a struct in place of an array; each is an `if` where the index is not
+// constant.
 constexpr std::uint32_t kMaxElements = 256;
 
 class TargetCheck {
@@ -79,12 +80,12 @@ class TargetCheck {
     return ir::As<Node>(program_, id);
   }
 
-  // Every message ends with the target's name.
+  // Reports a message, which ends with the target's name.
   void Report(Span span, const auto& kind, const auto&... arguments) {
     diagnostics_.Report(span, kind, arguments..., target_.name());
   }
 
-  // Reports what the target lacks.
+  // Reports the needed feature if the target lacks it.
   void Check(const Need* need, Span span, std::string_view name = {}) {
     if (need && !target_.Has(need->feature)) Lack(*need, span, name);
   }
@@ -112,7 +113,8 @@ class TargetCheck {
     Check(NeedOf(output.builtin), PlaceOf(output), output.semantic);
   }
 
-  // Lowered outputs have no place of their own: the clip planes, or the entry point.
+  // The place of an output in the source. A lowered output has none of its own: it gets that of the
+  // first clip plane, or of the entry point.
   Span PlaceOf(const IoVar& output) const {
     if (program_.vars[output.var].span) return program_.vars[output.var].span;
     if (!program_.clip_planes.empty()) return program_.clip_planes.front().span;
@@ -190,7 +192,7 @@ class TargetCheck {
     Type(type.element, var.span);
   }
 
-  // The first precise variable stands for all.
+  // Reports the first precise variable, in place of all.
   void Precise() {
     for (const VarId id : program_.vars.ids()) {
       const Var& var = program_.vars[id];
@@ -212,7 +214,7 @@ class TargetCheck {
     }
   }
 
-  // A [[vk::binding]] that OpenGL does not have for a texture.
+  // Reports a [[vk::binding]] that OpenGL does not have for a texture.
   void TextureUnit(const Resource& resource) {
     const Var& var = program_.vars[resource.var];
     const ObjectKind kind = Innermost(var.type).object;
@@ -224,7 +226,8 @@ class TargetCheck {
                           resource.reg.descriptor->binding, target_.name(), target_.TextureUnits());
   }
 
-  // Registers of all kinds share the bindings of a set.
+  // Reports bindings that are too high or taken: registers of all kinds share the bindings of a
+  // set.
   void Bindings() {
     const Descriptors descriptors(program_, reached_, target_);
     struct Taken {
@@ -280,7 +283,8 @@ class TargetCheck {
     }
   }
 
-  // Arrays that are values, and stand in structs where the target lacks those.
+  // Reports an array that is too long for the struct that takes its place where arrays are not
+  // values.
   void Value(const Var& var) {
     if (target_.Has(Feature::kArrayValues)) return;
     if (const std::uint32_t count = LongestArray(var.type); count > kMaxElements)
@@ -355,7 +359,8 @@ class TargetCheck {
     if (!has_unsigned_) SmallIntegers(id, expr);
   }
 
-  // GLSL 1.20 has int, and only the four arithmetic operators for it.
+  // Reports operators and numbers that GLSL 1.20 lacks: it has no uint, and only the four
+  // arithmetic operators for int.
   void SmallIntegers(ExprId id, const ir::Expr& expr) {
     const auto* binary = As<Binary>(id);
     const auto* assign = As<Assign>(id);
@@ -383,7 +388,7 @@ class TargetCheck {
       case BinaryOp::kNotEqual:
       case BinaryOp::kAdd:
       case BinaryOp::kSub:
-      case BinaryOp::kMul: return;  // the same bits for int and uint
+      case BinaryOp::kMul: return;  // these give the same bits for int and uint
       default: return UintOperand(type, span);
     }
   }
@@ -413,7 +418,8 @@ class TargetCheck {
     if (!is_length) Check(NeedOf(call.op), span);
   }
 
-  // Elements that lie tighter than std430 says are read as words, and not written.
+  // Reports a store to elements that lie tighter than std430 says: such elements are read as words,
+  // and not written.
   void StoreUse(ExprId object, Span span) {
     const ir::Type& type = Innermost(program_.exprs[object].type);
     const auto* ref = As<VarRef>(object);
@@ -424,7 +430,7 @@ class TargetCheck {
     }
   }
 
-  // Samplers and textures in arrays.
+  // Reports a sampler in an array, which OpenGL cannot combine with a texture.
   void ObjectArgument(ExprId object) {
     const auto* index = As<Index>(object);
     const bool is_sampler = InfoOf(TypeOf(object).object).category == ObjectCategory::kSampler;
@@ -453,7 +459,7 @@ class TargetCheck {
   const bool has_unsigned_ = target_.Has(Feature::kUnsigned);
   const bool looks_at_expressions_ = MayLackInExpressions();
   std::vector<char> seen_types_;  // by TypeId
-  bool reported_[2] = {};         // that there is no double, no 64-bit integer
+  bool reported_[2] = {};         // the lack of double; of 64-bit integers
   bool uint_reported_ = false;
   bool non_uniform_reported_ = false;
 };

@@ -8,11 +8,11 @@
 #include "backend-glsl/target.h"
 #include "ir/program.h"
 
-// Where the buffers and objects of a Vulkan shader are bound. Direct3D numbers constant buffers,
+// The bindings of the buffers and objects of a Vulkan shader. Direct3D numbers constant buffers,
 // textures and samplers apart; a Vulkan set has one row of bindings. Register n becomes binding n +
-// the shift of its letter, one of these unless the target has other rules; the space becomes the
-// set. [[vk::binding]] comes before all of that, and what has neither it nor a written register
-// gives way to it, as in DXC.
+// the shift of its letter, one of those below unless the target has other rules; the space becomes
+// the set. [[vk::binding]] comes before all of that. An object that has neither it nor a written
+// register moves to the next free binding if its own is taken, as in DXC.
 namespace clipc::glsl {
 
 inline constexpr std::uint32_t kVulkanShiftB = 0;
@@ -25,7 +25,7 @@ class Descriptors {
   // Keeps references to the program and the target.
   Descriptors(const ir::Program& program, const Reached& reached, const Target& target);
 
-  // The place of a buffer or a resource of the program, which has this register.
+  // The set and binding of the buffer or resource of the program that has this register.
   ir::Descriptor Of(const ir::Register& reg) const;
 
  private:

@@ -16,7 +16,7 @@ namespace {
 
 bool IsWordCharacter(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-// Words and single characters of GLSL, without comments and white space, as parts of `text`. A
+// The words and single characters of GLSL, without comments and white space, as parts of `text`. A
 // directive is one token, its line.
 std::vector<std::string_view> TokensOf(std::string_view text) {
   std::vector<std::string_view> tokens;
@@ -39,7 +39,8 @@ std::vector<std::string_view> TokensOf(std::string_view text) {
   return tokens;
 }
 
-// Without a #version line the version is 110, or 100 of GLSL ES.
+// Whether the shader has the target's version. Without a #version line it has 110, or 100 of GLSL
+// ES.
 bool HasVersion(const std::vector<std::string_view>& tokens, const Target& target) {
   std::vector<std::string_view> words;
   if (!tokens.empty() && tokens[0][0] == '#') words = TokensOf(tokens[0].substr(1));
@@ -53,7 +54,7 @@ std::string_view After(std::string_view text, std::string_view part) {
   return text.substr(static_cast<std::size_t>(part.data() + part.size() - text.data()));
 }
 
-// The text after #version and every #extension that stands before the first declaration, outside of
+// The text after #version and every #extension that comes before the first declaration, outside of
 // #if.
 std::string_view AfterDirectives(std::string_view text,
                                  const std::vector<std::string_view>& tokens) {

@@ -15,17 +15,18 @@ namespace clipc::glsl {
 
 struct DiscardCode {
   std::string declarations;  // the inputs, and the function `function`
-  std::string function;      // "clip_planes": to be called first in the fragment shader's main
+  std::string function;      // "clip_planes": the function that the fragment shader calls first
 };
 
-// For a program after LowerClipPlanes with Lowering::kDiscard, as WriteGlsl wrote it with `info`.
-// Empty code when it has no clip planes. No name in `taken` is declared.
+// Writes the code for a program after LowerClipPlanes with Lowering::kDiscard, which WriteGlsl
+// wrote with `info`; returns empty code if the program has no clip planes. The function gets no
+// name in `taken`.
 DiscardCode WriteDiscard(const ir::Program& program, const Target& target, const GlslInfo& info,
                          const std::vector<std::string_view>& taken = {});
 
 struct Insertion {
   std::string text;   // the whole fragment shader; empty when there is a problem
-  std::string error;  // what keeps the code out, in words
+  std::string error;  // the reason why the code cannot be inserted, in words
 };
 
 // Puts the code into a GLSL fragment shader of the same version as the target's: the declarations

@@ -59,7 +59,7 @@ constexpr BuiltinFunction kBuiltins[] = {
     {Intrinsic::kTrunc, "trunc", 0, true},
 };
 
-// By Intrinsic, which is one byte: the row of the function, from 1; 0: none.
+// The row of each function in kBuiltins, counted from 1, by Intrinsic, which is one byte; 0: none.
 constexpr auto kRowOf = [] {
   std::array<std::uint8_t, 256> rows{};
   for (std::size_t i = 0; i < std::size(kBuiltins); ++i) {

@@ -14,13 +14,13 @@ struct BuiltinFunction {
   ir::Intrinsic op;
   std::string_view glsl;
   unsigned scalars = 0;      // bit i: argument i may be a scalar beside vectors
-  bool is_rounding = false;  // Feature::kRounding has it
+  bool is_rounding = false;  // the target needs Feature::kRounding
 };
-// Null where the target has no function for a first argument of this shape.
+// Returns the function that the target has for a first argument of this shape; null if it has none.
 const BuiltinFunction* BuiltinOf(ir::Intrinsic op, const Shape& shape, const Target& target);
 
-// Whether a first argument of this shape, a vector, is too much: what the target has, or the
-// snippet that stands for it, takes scalars only.
+// Whether a first argument of this shape is a vector while the function that the target has, or the
+// snippet in its place, takes scalars only.
 bool IsOfScalars(ir::Intrinsic op, const Shape& shape, const Target& target);
 
 }  // namespace clipc::glsl

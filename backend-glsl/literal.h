@@ -9,9 +9,9 @@
 
 namespace clipc::glsl {
 
-// `bits` as ir::Literal holds them. Floats are the shortest decimals that read back to the same
-// bits; what no decimal says (infinities, NaN) is made of bits where the target can, else of a
-// division.
+// Returns the number that ir::Literal holds as `bits`. Floats are the shortest decimals that read
+// back to the same bits. Infinities and NaN, which have no decimal, are made of bits if they are
+// floats and the target's core can do it, otherwise of a division.
 Text LiteralText(std::uint64_t bits, ir::Scalar kind, const Target& target);
 
 }  // namespace clipc::glsl

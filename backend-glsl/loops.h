@@ -7,8 +7,8 @@
 
 #include "ir/program.h"
 
-// Loops where the target lacks Feature::kFreeLoops. Appendix A of GLSL ES 1.00, section 4, has one
-// form of them, whose index no other statement changes:
+// The loops of a target that lacks Feature::kFreeLoops. Appendix A of GLSL ES 1.00, section 4, has
+// one form of them, whose index no other statement changes:
 //
 //   for (int i = constant; i < constant; i += constant)
 namespace clipc::glsl {
@@ -16,9 +16,9 @@ namespace clipc::glsl {
 // The parts of a loop that counts.
 struct CountedLoop {
   ir::VarId index;
-  ir::ExprId start;         // its first value
-  ir::ExprId bound;         // the comparison with the last one
-  ir::ExprId more;          // or none: a further condition, which a `break` checks
+  ir::ExprId start;         // the first value of the index
+  ir::ExprId bound;         // the comparison of the index with its last value
+  ir::ExprId more;          // a further condition, which a `break` checks, or none
   bool is_declared = true;  // the index is declared in the loop's head
 };
 
@@ -28,8 +28,9 @@ class CountedLoops {
   // The program must not change while this lives.
   CountedLoops(const ir::Program& program, ir::StmtId body);
 
-  // Why the loop is not of that form, nor is made one of it by LowerLoops: words that follow "this
-  // loop". Empty when it is; then `loop` has its parts.
+  // Returns the reason why the loop is not of that form and LowerLoops cannot make it so: words
+  // that follow "this loop". Returns an empty text if it is or can be made so, with its parts in
+  // `loop`, and for a statement that is not a loop.
   std::string_view WhyNot(ir::StmtId stmt, CountedLoop& loop) const;
 
  private:
@@ -40,7 +41,8 @@ class CountedLoops {
   bool IsStep(ir::ExprId step, ir::VarId index) const;
 
   const ir::Program& program_;
-  // By VarId: references in the body, and those of them in loops that give the variable its value.
+  // The number of references to each variable, by VarId: in the body, and in counted loops that
+  // have the variable as their index without declaring it.
   std::vector<std::uint32_t> uses_, uses_in_loops_;
 };
 

@@ -22,7 +22,7 @@ bool IsLetterOrDigit(char c) { return kLettersAndDigits[static_cast<unsigned cha
 
 constexpr std::string_view kOfWebGl = "webgl_";
 
-// A name that may stay as it is, and most are.
+// Whether the name is legal as it is, as most names are; false means that Spelling must look at it.
 bool IsPlain(std::string_view name) {
   if (name.size() < 3 || !IsLetterOrDigit(name[0]) || name[0] <= '9' || name[2] == '_')
     return false;
@@ -35,8 +35,8 @@ bool IsPlain(std::string_view name) {
   return !name.starts_with(kOfWebGl);
 }
 
-// Letters, digits and single underscores, not a digit first, outside the reserved prefixes (GLSL's
-// gl_, and webgl_ and _webgl_ of WebGL).
+// Returns the name in letters, digits and single underscores, not a digit first, outside the
+// reserved prefixes (GLSL's gl_, and webgl_ and _webgl_ of WebGL).
 std::string Spelling(std::string_view wanted, std::string_view fallback) {
   if (IsPlain(wanted)) return std::string(wanted);
   std::string name;

@@ -9,21 +9,22 @@
 
 namespace clipc::glsl {
 
-// What a part of a shader needs of its target. CheckTarget reports what the target lacks; the
-// writer names the extension through which the target has it.
+// The feature that a part of a shader needs of its target. CheckTarget reports a feature that the
+// target lacks; the writer names the extension through which the target has it.
 struct Need {
   using Plain = diag::Kind<std::string_view>;
   using Named = diag::Kind<std::string_view, std::string_view>;
 
   Feature feature;
-  // The error when the target lacks the feature: with the target's name, or with the name of the
-  // variable, semantic or `what` and the target's.
+  // The error if the target lacks the feature: `plain` takes the target's name; `named` takes
+  // `what`, or if it is empty the name of the variable or semantic, and the target's name.
   const Plain* plain = nullptr;
   const Named* named = nullptr;
   std::string_view what = {};
 };
 
-// Null when every target has it.
+// Returns the need of an input or output, an object, an operation or a type; null if every target
+// has it.
 const Need* NeedOf(ir::Builtin builtin);
 const Need* NeedOf(ir::ObjectKind kind);
 const Need* NeedOf(ir::ObjectOp op);

@@ -11,7 +11,7 @@ using namespace ir;
 
 namespace {
 
-// In the order of BinaryOp.
+// The operators in the order of BinaryOp.
 constexpr Operator kOperators[] = {
     {"*", "multiply", "", Binding::kProduct},
     {"/", "divide", "", Binding::kProduct},

@@ -10,11 +10,11 @@
 
 namespace clipc::glsl {
 
-// How GLSL says an operator of HLSL.
+// The GLSL form of a binary operator of HLSL.
 struct Operator {
   std::string_view spelling;         // "+"
   std::string_view name;             // "add": for helper functions
-  std::string_view vector_function;  // "lessThan": what compares vectors
+  std::string_view vector_function;  // "lessThan": the function that compares vectors
   Binding binding;
 };
 const Operator& OperatorOf(ir::BinaryOp op);
@@ -29,8 +29,8 @@ struct Constant {
   std::uint64_t bits;
   ir::Scalar kind;
 };
-// The number in every component of `expr`: of a literal, and of its conversion, negation or splat;
-// of a zero. None for other expressions.
+// Returns the number in every component of `expr`, if it is a zero, a literal, or a conversion, a
+// splat or a negation of floats of such an expression; otherwise none.
 std::optional<Constant> ConstantOf(const ir::Program& program, ir::ExprId expr);
 
 }  // namespace clipc::glsl

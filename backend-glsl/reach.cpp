@@ -28,14 +28,15 @@ class Walker {
   }
 
  private:
-  // One function whose callees are being gone through.
+  // A function whose callees are being visited.
   struct Visit {
     FunctionId function;
     std::vector<FunctionId> callees;
     std::size_t next = 0;
   };
 
-  // Depth first without recursion: generated shaders have call chains of any length.
+  // Visits the functions depth first, without recursion: generated shaders have call chains of any
+  // length.
   void Functions() {
     std::vector<Visit> stack{Start(program_.main)};
     while (!stack.empty()) {

@@ -7,7 +7,7 @@
 
 namespace clipc::glsl {
 
-// What `main` reaches, and so what is written.
+// The parts of a program that `main` reaches. The writer writes no others.
 struct Reached {
   std::vector<ir::FunctionId> functions;  // callees before callers, `main` last
   std::vector<ir::VarId> globals;         // kStatic and kConstant, in order of declaration

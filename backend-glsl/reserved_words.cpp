@@ -8,9 +8,9 @@
 namespace clipc::glsl {
 namespace {
 
-// Section 3.6 of the GLSL 1.20 to 4.60 and GLSL ES 3.00 to 3.20 specifications, KHR_vulkan_glsl,
-// layout qualifiers that older versions reserve, and the types of the explicit-arithmetic-types
-// extensions.
+// The words of section 3.6 of the GLSL 1.20 to 4.60 and GLSL ES 3.00 to 3.20 specifications and of
+// KHR_vulkan_glsl, layout qualifiers that older versions reserve, and the types of the
+// explicit-arithmetic-types extensions.
 constexpr std::string_view kKeywords = R"(
 VULKAN active asm atomic_uint attribute bool break buffer bvec2 bvec3 bvec4 case cast centroid
 class coherent column_major common const continue default defined demote disable discard dmat2
@@ -50,7 +50,7 @@ utexture2DRect utexture3D utextureBuffer utextureCube utextureCubeArray uvec2 uv
 varying vec2 vec3 vec4 void volatile warn while writeonly
 )";
 
-// Chapter 8 of the same, with the functions that were removed again.
+// The functions of chapter 8 of the same specifications, with those that were removed again.
 constexpr std::string_view kFunctions = R"(
 EmitStreamVertex EmitVertex EndPrimitive EndStreamPrimitive abs acos acosh all allInvocations
 allInvocationsEqual any anyInvocation asin asinh atan atanh atomicAdd atomicAnd atomicCompSwap

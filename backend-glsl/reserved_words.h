@@ -5,11 +5,11 @@
 
 namespace clipc::glsl {
 
-// Keywords and reserved words of any GLSL, GLSL ES or Vulkan GLSL version: no identifier may be
-// one.
+// Whether the word is a keyword or a reserved word of any GLSL, GLSL ES or Vulkan GLSL version,
+// which no identifier may be.
 bool IsKeyword(std::string_view word);
-// Functions that some version has built in: a function or variable of that name would hide it, or
-// is an error in ES.
+// Whether some version has a built-in function of that name: a function or variable of the name
+// would hide it, or is an error in ES.
 bool IsBuiltinFunction(std::string_view word);
 
 }  // namespace clipc::glsl

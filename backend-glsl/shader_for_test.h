@@ -23,8 +23,8 @@
 
 namespace clipc::glsl {
 
-// For tests: a shader whose entry adds up expressions and returns the sum, written as GLSL and
-// given to glslangValidator.
+// A shader for tests, whose entry adds up expressions and returns the sum; it is written as GLSL
+// and given to glslangValidator.
 class ShaderForTest {
  public:
   ir::Program program;
@@ -42,13 +42,14 @@ class ShaderForTest {
     return n == 1 ? program.types.Make(kind) : program.types.Vector(kind, n);
   }
 
-  // A new cbuffer b<n> with these members, laid out by HLSL's rules.
+  // A member of a cbuffer that AddCbuffer adds.
   struct Member {
     std::string name;
     ir::TypeId type;
     bool row_major = false;
     std::optional<std::uint32_t> packoffset = {};
   };
+  // Adds a cbuffer b<n> with these members, laid out by HLSL's rules.
   ir::CbufferId AddCbuffer(std::string name, const std::vector<Member>& members,
                            ir::CbufferKind kind = ir::CbufferKind::kCbuffer) {
     ir::Cbuffer cbuffer;
@@ -89,7 +90,7 @@ class ShaderForTest {
     return id;
   }
 
-  // sum += the components of `value`, made floats.
+  // Adds the components of `value`, converted to float, to the sum.
   void Use(ir::ExprId value) {
     ir::Builder b = Make();
     const ir::Type type = program.types[b.TypeOf(value)];
@@ -151,7 +152,7 @@ class ShaderForTest {
   std::vector<ir::StmtId> statements_;
 };
 
-// What `glslangValidator options` prints about the shader; its exit status in `status`.
+// Returns the output of `glslangValidator options` for the shader, and its exit status in `status`.
 inline std::string Glslang(const std::string& glsl, const std::string& options, int& status) {
   const auto folder = std::filesystem::temp_directory_path() /
                       ("clipc_glsl_" + std::to_string(std::random_device{}()));

@@ -9,7 +9,7 @@ using ir::Scalar;
 
 namespace {
 
-// "b" of bvec3, "" of vec3.
+// The prefix of a vector type: "b" of bvec3, "" of vec3.
 const char* VectorPrefix(Scalar scalar, bool has_unsigned) {
   switch (scalar) {
     case Scalar::kBool: return "b";

@@ -9,10 +9,10 @@
 
 namespace clipc::glsl {
 
-// What a numeric HLSL type is in GLSL. float1 is a scalar; a matrix of one row or one column is a
-// vector; other float and double matrices are GLSL matrices whose column i is HLSL's row i;
-// matrices of other kinds, which GLSL lacks, are arrays of their rows. So are those that are not
-// square where the target lacks them.
+// The GLSL counterpart of a numeric HLSL type. float1 is a scalar; a matrix of one row or one
+// column is a vector; other float and double matrices are GLSL matrices whose column i is HLSL's
+// row i; matrices of other kinds, which GLSL lacks, are arrays of their rows, as are matrices that
+// are not square where the target lacks those.
 struct Shape {
   enum Kind : std::uint8_t { kScalar, kVector, kMatrix, kRows };
   Kind kind = kScalar;
@@ -26,16 +26,18 @@ struct Shape {
   bool IsFloating() const { return scalar == ir::Scalar::kFloat || scalar == ir::Scalar::kDouble; }
   Shape Row() const { return {size == 1 ? kScalar : kVector, scalar, 1, size}; }
   Shape Component() const { return {kScalar, scalar, 1, 1}; }
-  // The same shape of another component kind: a comparison of two float4x4 is four rows of bool4.
+  // Returns this shape with the component kind `kind`: a comparison of two float4x4 is four rows of
+  // bool4.
   Shape With(ir::Scalar kind) const;
   friend bool operator==(const Shape&, const Shape&) = default;
 };
 
-// `type` must be numeric.
+// Returns the shape of `type`, which must be numeric.
 Shape ShapeOf(const ir::Type& type, const Target& target);
 Shape ShapeOf(ir::Scalar scalar, int rows, int columns);
 
-// GLSL's name: "vec3", "dmat4x3", "bvec4[3]". Where the target has no uint, uint is int.
+// The GLSL name of a shape or component kind: "vec3", "dmat4x3", "bvec4[3]". Where the target has
+// no uint, uint is int.
 std::string GlslName(const Shape& shape, bool has_unsigned = true);
 std::string GlslName(ir::Scalar scalar, bool has_unsigned = true);
 

@@ -14,7 +14,7 @@ namespace clipc::glsl {
 // of its first argument, $B $I $U $F the bool, int, uint and float types of the same size, $0 its
 // zero, and @name another snippet for the same type.
 struct SnippetText {
-  std::string_view name;  // HLSL's
+  std::string_view name;  // HLSL's name, or clipc's own as in "determinant2"
   enum Kind : char {
     kFloat = 'f',
     kInt = 'i',
@@ -25,7 +25,7 @@ struct SnippetText {
   std::string_view text;
 };
 
-// The one for an argument of this shape; null when there is none.
+// Returns the snippet for a first argument of this shape; null if there is none.
 const SnippetText* FindSnippet(std::string_view name, const Shape& shape);
 std::string Expand(const SnippetText& snippet, std::string_view function, const Shape& shape,
                    bool has_unsigned,

@@ -71,7 +71,7 @@ std::string InstanceName(std::string_view block) {
   if (has_cb && IsUpper(stem[2]) && (stem.size() == 3 || IsLower(stem[3]) || IsLower(stem[0]))) {
     stem.remove_prefix(2);
   }
-  // The capitals that it begins with, but for the one that begins the next word.
+  // The capitals that the stem begins with become small, but for the one that begins the next word.
   std::string name(stem);
   for (std::size_t i = 0; i < name.size() && IsUpper(name[i]); ++i) {
     if (i > 0 && i + 1 < name.size() && IsLower(name[i + 1])) break;

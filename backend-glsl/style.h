@@ -9,19 +9,19 @@
 #include <string_view>
 #include <utility>
 
-// How constant buffers and outputs are written, so that the next stage's shader, which another tool
-// wrote, links with this one. GLSL compares blocks of two stages by name and by members with their
-// matrix layouts, and in both the block has an instance name or in none; outputs that have no
-// location meet inputs by name.
+// The forms and names of constant buffers and outputs, chosen so that the next stage's shader,
+// which another tool wrote, links with this one. GLSL compares blocks of two stages by name and by
+// members with their matrix layouts, and both blocks have an instance name or neither has one;
+// outputs that have no location meet inputs by name.
 namespace clipc::glsl {
 
-// How a constant buffer is said where the target has uniform blocks.
+// The form of a constant buffer where the target has uniform blocks.
 enum class BlockStyle : std::uint8_t {
-  kNamed,  // a block with an instance name; matrix layouts stand at the members
-  kPlain,  // a block whose members are global names; a matrix layout stands at the block
+  kNamed,  // a block with an instance name; its members have the matrix layouts
+  kPlain,  // a block whose members are global names; the block has the matrix layout
   kFlat,   // uniform variables outside blocks
 };
-// In the order of the enumerators.
+// The names of the forms, in the order of BlockStyle.
 inline constexpr const char* kBlockStyleNames[] = {"named", "plain", "flat"};
 
 // Patterns that names are made from. A pattern has places for parts of a name:
@@ -34,14 +34,15 @@ struct NameStyle {
   std::string globals = "Globals";  // the block of $Globals
   std::string constant_buffer = "{name}_block";
 
-  // The style called "hlslcc" (HLSLcc's and clipc's own), "dxc" (DXC to SPIR-V, then SPIRV-Cross)
-  // or "spirv-cross" (glslang to SPIR-V, then SPIRV-Cross), or clipc's own with this pattern for
-  // outputs, which needs a place for the semantic or the name. None for other texts.
+  // Returns the style called "hlslcc" (HLSLcc's and clipc's own), "dxc" (DXC to SPIR-V, then
+  // SPIRV-Cross) or "spirv-cross" (glslang to SPIR-V, then SPIRV-Cross), or clipc's own with the
+  // text as the pattern for outputs, which needs a place for the semantic or the name; none for
+  // other texts.
   static std::optional<NameStyle> Parse(std::string_view text);
   static std::span<const std::string_view> Names();
 };
 
-// The pattern with its places filled; a place that `values` lacks stays.
+// The pattern with its places filled; a place that `values` lacks is kept.
 std::string FillPattern(
     std::string_view pattern,
     std::initializer_list<std::pair<std::string_view, std::string_view>> values);

@@ -69,7 +69,7 @@ constexpr FeatureRow kFeatures[] = {
     {Feature::kUniformTransposes, {110}, {300}},
     {Feature::kExplicitOffsets, {440}, {}},
     {Feature::kBindings, {420}, {310}},
-    // OpenGL ES asks for no vertex shader to have any.
+    // OpenGL ES does not require images in vertex shaders.
     {Feature::kImages, {420}, {}},
     {Feature::kStorageBuffers, {430}, {310}},
     {Feature::kDynamicBlockIndex, {400}, {320}},

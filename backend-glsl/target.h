@@ -20,14 +20,14 @@ enum class Api : std::uint8_t {
   kVulkan,
 };
 
-// What some versions of GLSL lack. The rows of target.cpp say which versions have it.
+// A part of GLSL that some versions lack. The rows of target.cpp say which versions have it.
 enum class Feature : std::uint8_t {
   // ---- the interface
   kInAndOut,         // `in` and `out`; else `attribute` and `varying`
   kInputLocations,   // layout(location = 0) of an input
   kOutputLocations,  // layout(location = 0) of an output
   kOutputBlocks,     // `out Block { .. } instance;`
-  kBlockLocations,   // layout(location = 0) of such a block and of its members
+  kBlockLocations,   // layout(location = 0) of an output block and of its members
   kIntegerVaryings,
   kDoubleVaryings,
   kNoPerspective,
@@ -41,7 +41,7 @@ enum class Feature : std::uint8_t {
   kBindings,           // layout(binding = 0)
   kImages,             // images that a vertex shader may write
   kStorageBuffers,     // `buffer`
-  kDynamicBlockIndex,  // of arrays of blocks and of samplers
+  kDynamicBlockIndex,  // indices, not constant, of arrays of blocks and of samplers
   // ---- built-in variables
   kClipDistance,
   kCullDistance,
@@ -56,11 +56,11 @@ enum class Feature : std::uint8_t {
   // ---- types and expressions
   kUnsigned,            // uint, % << >> & | ^ ~, and int overloads of functions
   kSwitch,              // `switch`
-  kFreeLoops,           // else loops of constant bounds alone: appendix A of GLSL ES 1.00
-  kFreeIndices,         // else indices that are not constant of uniforms alone: the same appendix
+  kFreeLoops,           // any loop; else constant bounds only: appendix A of GLSL ES 1.00
+  kFreeIndices,         // any index; else, if not constant, of uniforms only: the same appendix
   kArrayValues,         // arrays are values: constructors, assignments, results of functions
   kArraysOfArrays,      // else the inner array is wrapped in a struct
-  kGlobalInitializers,  // of global variables by expressions that are not constant
+  kGlobalInitializers,  // values of global variables that are not constant expressions
   kPrecise,             // `precise`
   kDoubles,
   kInt64,
@@ -88,32 +88,34 @@ enum class Feature : std::uint8_t {
   kCount,
 };
 
-// How a target has a feature: not at all, in its core (no extension), or through an extension that
-// the shader must name.
+// The support of a target for a feature: none, in its core (no extension), or through an extension
+// that the shader must name.
 struct Support {
   bool has = false;
   std::string_view extension = {};
 };
 
-// Where registers of one letter are bound in Vulkan: all, those of one space, or one of them.
+// The binding in Vulkan of registers of one letter: of all, of those of one space, or of one
+// register.
 struct BindingRule {
   char letter = 'b';
   std::optional<std::uint32_t> number = {};  // this register only
   std::optional<std::uint32_t> space = {};   // in this space only
-  std::uint32_t binding = 0;                 // of the register that is meant, or else of register 0
-  std::optional<std::uint32_t> set = {};     // none: the space
+  std::uint32_t binding = 0;                 // of register `number`, or without it of register 0
+  std::optional<std::uint32_t> set = {};     // none: the register's space
 };
 struct BindingRules {
   std::vector<BindingRule> rules;  // in place of the usual ones (descriptors.h); a later one wins
-  std::optional<ir::Descriptor> globals;      // of $Globals
-  std::optional<std::uint32_t> unplaced_set;  // of what has no register
+  std::optional<ir::Descriptor> globals;      // the place of $Globals
+  std::optional<std::uint32_t> unplaced_set;  // the set of objects without a register
   // A texture and a sampler may have one binding, where the host has a combined image sampler.
   bool combines_samplers = false;
 };
 
 class Target {
  public:
-  // The target called "glsl450", "essl300", "webgl1", "vulkan"; none when no target has the name.
+  // Returns the target called "glsl450", "essl300", "webgl1", "vulkan"; none if no target has the
+  // name.
   static std::optional<Target> Parse(std::string_view name);
   static std::span<const std::string_view> Names();
 
@@ -128,11 +130,11 @@ class Target {
   bool Has(Feature feature) const { return Of(feature).has; }
   bool HasInCore(Feature feature) const { return Has(feature) && Of(feature).extension.empty(); }
 
-  // The textures that every OpenGL 4 and OpenGL ES 3.1 can bind at once, the least that their
-  // GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS may be. glslang takes no binding from 80 on.
+  // The number of textures that every OpenGL 4 and OpenGL ES 3.1 can bind at once, the least that
+  // their GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS may be. glslang takes no binding from 80 on.
   std::uint32_t TextureUnits() const { return IsEs() ? 48 : 80; }
 
-  BindingRules bindings;  // Vulkan's
+  BindingRules bindings;  // the rules of a Vulkan target
 
  private:
   Target(std::string_view name, Api api, int version) : name_(name), api_(api), version_(version) {}

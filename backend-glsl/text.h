@@ -12,7 +12,8 @@
 
 namespace clipc::glsl {
 
-// How tightly an expression binds, loosest first: section 5.1 of the GLSL specification.
+// The tightness with which an expression binds, loosest first: section 5.1 of the GLSL
+// specification.
 enum class Binding : std::uint8_t {
   kComma,
   kAssignment,
@@ -50,7 +51,8 @@ std::string Concat(const Parts&... parts) {
   return text;
 }
 
-// text(part) of each part of a range, or text(i) of each number below `parts`: "a, b, c".
+// Returns the list "a, b, c" of text(part) for each part of a range, or of text(i) for each number
+// below `parts`.
 template <typename Parts, typename Each>
 std::string ListOf(const Parts& parts, Each&& text) {
   if constexpr (std::integral<Parts>) {
@@ -71,19 +73,19 @@ struct Text {
   std::string text;
   Binding binding = Binding::kPostfix;
 
-  // The text, in parentheses when it binds looser than its place needs.
+  // Returns the text, in parentheses if it binds looser than `least`.
   std::string At(Binding least) && {
     if (binding >= least) return std::move(text);
     return Concat("(", text, ")");
   }
-  // Appends what At gives.
+  // Appends the text as At(least) returns it.
   void AppendTo(std::string& place, Binding least) const {
     binding >= least ? Append(place, text) : Append(place, "(", text, ")");
   }
 };
 
-// `left op right`; the operators of GLSL associate to the left. Takes left's buffer, so that long
-// chains stay linear.
+// Returns `left op right`; the operators of GLSL associate to the left. The result takes over
+// left's buffer, so that long chains stay linear.
 inline Text Infix(Text left, std::string_view op, const Text& right, Binding binding) {
   std::string text = std::move(left).At(binding);
   Append(text, " ", op, " ");
@@ -91,10 +93,10 @@ inline Text Infix(Text left, std::string_view op, const Text& right, Binding bin
   return {std::move(text), binding};
 }
 
-// An argument of a call: everything but a comma may stand without parentheses.
+// Returns the text as an argument of a call: only a comma needs parentheses.
 inline std::string Argument(Text text) { return std::move(text).At(Binding::kAssignment); }
 
-// function(a, b, c); one argument may be the whole list.
+// Returns the call function(a, b, c); one argument may be the whole list.
 inline Text Called(std::string_view function, std::initializer_list<std::string_view> arguments) {
   if (arguments.size() == 1) return {Concat(function, "(", *arguments.begin(), ")")};
   return {Concat(function, "(", ListOf(arguments, std::identity()), ")")};

@@ -17,21 +17,22 @@
 namespace clipc::glsl {
 
 struct WriteOptions {
-  // For program pipelines of separate stages (glUseProgramStages): gl_PerVertex is redeclared, as
-  // section 7.1.1 asks.
+  // The shader is for program pipelines of separate stages (glUseProgramStages): gl_PerVertex is
+  // redeclared, as section 7.1.1 asks.
   bool separable = false;
   // The application promises draws without a base vertex (first vertex) or a base instance, so that
   // SV_VertexID and SV_InstanceID need no draw parameters.
   bool base_vertex_is_zero = false, base_instance_is_zero = false;
-  bool invariant = false;  // gl_Position is: passes that compute it alike agree on every depth
-  // What is written as a comment before a statement that is from another line than the one before
-  // it; empty: no comment. Without the function there are none.
+  bool invariant = false;  // gl_Position is invariant: passes that compute it alike agree on depth
+  // Returns the comment to write before a statement with this span, unless the last comment is the
+  // same; empty: no comment. Without the function there are no comments.
   std::function<std::string(Span)> comment_of = {};
   BlockStyle blocks = BlockStyle::kNamed;
   NameStyle names = {};
 };
 
-// What the host must know of the written shader: the names, places and layouts that were chosen.
+// The facts that the host must know about the written shader: the names, places and layouts that
+// were chosen.
 struct GlslInfo {
   struct Variable {
     std::string name;  // of the whole path: "gl_Position", "in_POSITION0"
@@ -40,24 +41,26 @@ struct GlslInfo {
     // The value differs from Direct3D's unless the host draws with base vertex (base instance) 0:
     // none is subtracted.
     bool needs_base_vertex_zero = false, needs_base_instance_zero = false;
-    // An integer in HLSL, a float attribute here: GLSL 1.20 and GLSL ES 1.00 have no others.
+    // The input is an integer in HLSL and a float attribute here: GLSL 1.20 and GLSL ES 1.00 have
+    // no other attributes.
     bool integer_as_float = false;
-    // An input that the shader reads, and so declares. One that is not keeps its location, so that
-    // the same vertex layout fits.
+    // The shader reads the input, and so declares it. An input that is not read keeps its location,
+    // so that the same vertex layout fits.
     bool is_used = true;
   };
   struct Member {
     ir::VarId var;
     int field = -1;  // of a ConstantBuffer<T> with an instance name: the field of T
-    // As the host asks for it: "world"; "Camera.view" of a block `Camera` with an instance name;
-    // kRows: the accessor.
+    // The name by which the host asks for the member: "world"; "Camera.view" of a block `Camera`
+    // with an instance name; for kRows the accessor.
     std::string name;
     bool is_uniform = false;  // it is a uniform variable of its own
     // The argument `transpose` of glUniformMatrix for such a variable, when the host hands it the
     // bytes of the HLSL buffer.
     bool transpose = false;
   };
-  // Where the host binds a block or an object; none: it is found by name.
+  // The place where the host binds a block or an object; without a binding, the host finds it by
+  // name.
   struct Place {
     std::optional<std::uint32_t> set, binding;
   };
@@ -67,7 +70,7 @@ struct GlslInfo {
     std::string name;               // of the block; empty where there is none
     std::string instance;           // empty: members are global names
     std::string rows;               // kRows: the array of rows
-    bool is_push_constant = false;  // of Vulkan: no buffer is bound
+    bool is_push_constant = false;  // a push constant of Vulkan: no buffer is bound
     std::vector<Member> members;
   };
   // A texture, a sampler, a texture with a sampler, or a buffer.
@@ -82,15 +85,15 @@ struct GlslInfo {
   std::uint32_t clip_distance_mask = 0;  // bit i: gl_ClipDistance[i] is written
   std::uint32_t cull_distance_mask = 0;
 
-  // The block of a cbuffer; null when the shader does not reach it.
+  // The block of a cbuffer; null if the shader does not reach the cbuffer.
   const Block* BlockOf(ir::CbufferId cbuffer) const {
     const auto found = std::ranges::find(blocks, cbuffer, &Block::cbuffer);
     return found == blocks.end() ? nullptr : &*found;
   }
 };
 
-// The whole shader. Requires Form::kLegalized, and that CheckTarget reported no error. The text
-// depends on nothing but the arguments. `reached` is Reach of the program before Legalize.
+// Returns the whole shader. Requires Form::kLegalized, and that CheckTarget reported no error. The
+// text depends on nothing but the arguments. `reached` is Reach of the program before Legalize.
 std::string WriteGlsl(const ir::Program& program, Reached reached, const Target& target,
                       const WriteOptions& options = {}, GlslInfo* info = nullptr);
 

@@ -23,7 +23,7 @@ class Arena {
  public:
   Id<T> Add(T value) { return Make(std::move(value)); }
 
-  // Makes a value of its members, or of what its constructor takes, in its place.
+  // Makes a value in place, from its members or from the arguments of its constructor.
   template <typename... Parts>
   Id<T> Make(Parts&&... parts) {
     if (size_ == blocks_.size() * kBlock) AddBlock();
@@ -37,7 +37,7 @@ class Arena {
   std::uint32_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
 
-  // Iterates over the ids 0..size()-1: `for (Id<T> id : arena.ids())`.
+  // The ids from 0 to size() - 1, as a range: `for (Id<T> id : arena.ids())`.
   struct IdRange {
     struct Iterator {
       std::uint32_t index;
@@ -60,8 +60,9 @@ class Arena {
     blocks_.back().reserve(kBlock);
   }
 
-  // About the nodes of one kind in a small shader: it has many small ones, and a few large ones,
-  // whose blocks stay below the size that allocators keep at hand.
+  // The number of values in a block: about the nodes of one kind in a small shader, which has many
+  // small nodes and a few large ones. A block of large nodes stays below the size that allocators
+  // keep at hand.
   static constexpr std::size_t kBlock =
       sizeof(T) < 48 ? 64 : std::max<std::size_t>(1, std::bit_floor(1024 / sizeof(T)));
   std::vector<std::vector<T>> blocks_;
@@ -104,7 +105,7 @@ class Pool {
   std::span<T> operator[](List<T> list) { return {values_.data() + list.begin, list.size}; }
 
  private:
-  static constexpr std::size_t kFirst = 16;  // what the first list makes room for
+  static constexpr std::size_t kFirst = 16;  // values that the first list makes room for
 
   std::vector<T> values_;
 };

@@ -42,7 +42,7 @@ std::string PrintedName(DiagId id);
 std::optional<DiagId> DiagIdOf(std::string_view printed_name);
 
 namespace diag {
-// For the rows of the catalogue.
+// The types that the rows of the catalogue name.
 using Text = std::string_view;
 using std::int64_t, std::size_t, std::uint32_t, std::uint64_t;
 
@@ -94,8 +94,8 @@ struct Diagnostic {
 // code, " [clip-plane-not-float4, X3084]". Empty for a note.
 std::string MessageSuffix(const Diagnostic& diagnostic);
 
-// The warnings that are off until -W<name> switches them on: remarks on what is right, and may
-// still be better.
+// The warnings that are off until -W<name> switches them on: remarks on shaders that are right but
+// could be better.
 std::bitset<kDiagCount> OffByDefault();
 
 // The command line's -Werror, -w, -W<name>, -Werror=<name> and -Wno-<name>. Every other warning is
@@ -107,13 +107,13 @@ struct WarningOptions {
   std::bitset<kDiagCount> as_error;
 };
 
-// Ends a compile early. The stages ask it wherever they ask for TooManyErrors.
+// A means to end a compile early. The stages ask it wherever they ask for TooManyErrors.
 class Watch {
  public:
   explicit Watch(std::function<bool()> must_stop) : must_stop_(std::move(must_stop)) {}
 
-  // Whether the compile must end. Asks the owner now and then only; from the first yes on the
-  // answer stays.
+  // Whether the compile must end. Asks the owner only at every kEvery-th call; after its first yes
+  // the answer is always yes.
   bool MustStop() { return stopped_ || (++calls_ % kEvery == 0 && AskNow()); }
   bool AskNow() { return stopped_ = stopped_ || must_stop_(); }
   bool stopped() const { return stopped_; }
@@ -136,7 +136,8 @@ class Diagnostics {
 
   explicit Diagnostics(WarningOptions options = {}) : options_(options) {}
 
-  // The returned reference takes notes and fix-its; it is valid until the next Report.
+  // Reports a message about `where`. The returned reference takes notes and fix-its; it is valid
+  // until the next Report.
   template <typename... Args>
   Diagnostic& Report(Span where, const diag::Kind<Args...>& kind,
                      const std::type_identity_t<Args>&... args) {
@@ -147,7 +148,7 @@ class Diagnostics {
   // reports that follow. A warning that the command line switches off stays off.
   enum class WarningState : std::uint8_t { kOn, kOff, kError };
   void SetWarning(std::string_view fxc_code, WarningState state);
-  // Whether a pragma has changed what a report does.
+  // Whether a pragma switches a warning off or makes one an error.
   bool has_pragmas() const { return pragma_off_.any() || pragma_error_.any(); }
 
   // `watch`, which may be null, must outlive the compile. When it stops, the stages stop as they do

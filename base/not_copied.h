@@ -3,7 +3,7 @@
 
 namespace clipc {
 
-// The base of what owns something, and so is not copied.
+// The base of types that own something and so are not copied.
 struct NotCopied {
   NotCopied() = default;
   NotCopied(const NotCopied&) = delete;

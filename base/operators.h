@@ -53,10 +53,10 @@ enum class OperatorKind : std::uint8_t {
 };
 struct BinaryOperator {
   std::string_view spelling;
-  int precedence;  // how tightly it binds; all associate to the left
+  int precedence;  // a larger one binds tighter; all associate to the left
   OperatorKind kind;
 };
-// By BinaryOp.
+// The operators, by BinaryOp.
 inline constexpr auto kBinaryOperators = [] {
   using enum OperatorKind;
   return std::to_array<BinaryOperator>({
@@ -79,7 +79,7 @@ constexpr bool IsComparison(BinaryOp op) { return TraitsOf(op).kind == OperatorK
 constexpr bool IsShortCircuit(BinaryOp op) {
   return TraitsOf(op).kind == OperatorKind::kShortCircuit;
 }
-// && and ||, of either kind.
+// Whether the operator is && or ||, short-circuit or not.
 constexpr bool IsLogical(BinaryOp op) {
   return TraitsOf(op).kind == OperatorKind::kLogical || IsShortCircuit(op);
 }
@@ -91,7 +91,7 @@ constexpr bool IsIncrement(UnaryOp op) {
 constexpr bool IsPostfix(UnaryOp op) {
   return op == UnaryOp::kPostIncrement || op == UnaryOp::kPostDecrement;
 }
-// ++ and --, which need an operand that can be assigned to.
+// Whether the operator is ++ or --, which need an operand that can be assigned to.
 constexpr bool ChangesOperand(UnaryOp op) {
   return IsIncrement(op) || IsPostfix(op) || op == UnaryOp::kPreDecrement;
 }

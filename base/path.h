@@ -31,7 +31,7 @@ constexpr bool IsAbsolute(std::string_view path) {
   return HasDrive(path) || (!path.empty() && HasSlash(path.substr(0, 1)));
 }
 
-// Where the file's name begins: after the last slash, and after the drive.
+// The index at which the file's name begins: after the last slash, or after the drive.
 constexpr std::size_t NameBegin(std::string_view path) {
   const std::size_t after_slash = path.find_last_of(kSlashes) + 1;  // npos + 1 is 0
   return after_slash == 0 && HasDrive(path) ? 2 : after_slash;

@@ -8,7 +8,7 @@
 
 namespace clipc {
 
-// ASCII letters in another case; other characters stay.
+// Changes the case of ASCII letters and keeps other characters.
 constexpr char ToLower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }

@@ -19,18 +19,18 @@ struct FileStatus {
   FileKind kind = FileKind::kOther;
   std::uint64_t size = 0;  // of a regular file, in bytes
   unsigned mode = 0;       // its permissions, as OpenNew takes them
-  // Every path to a file gives the same: its volume, and its number there.
+  // The volume of the file and its number there, which are the same for every path to the file.
   std::pair<std::uint64_t, std::uint64_t> identity;
 };
 
-// The status of a file; nothing if there is no such file.
+// The status of a file; none if there is no such file.
 std::optional<FileStatus> StatusOf(const std::string& path);
 std::optional<FileStatus> StatusOf(int file);
 
 // Whether the permissions of an existing file let this process write it.
 bool MayWrite(const std::string& path);
 
-// The path of what a symbolic link stands for; `path` itself if nothing is there.
+// The path of the file that a symbolic link leads to; `path` itself if there is no such file.
 std::string ResolveLinks(const std::string& path);
 
 inline constexpr int kStandardInput = 0;
@@ -40,12 +40,13 @@ inline constexpr int kStandardOutput = 1;
 int OpenToRead(const std::string& path);
 // Opens an existing file and removes its contents.
 int OpenToWrite(const std::string& path);
-// Makes a new file; EEXIST if there is a file of that name.
+// Makes a new file and opens it; fails with EEXIST if there is a file of that name.
 int OpenNew(const std::string& path, unsigned mode);
-// Gives an open file the permissions of another, whatever new files get.
+// Gives an open file the permissions `mode`, whatever permissions new files get.
 void SetMode(int file, unsigned mode);
 
-// The number of bytes, 0 at the end of the file; -1 on failure.
+// The functions that read and write return the number of bytes, which is 0 at the end of the file,
+// or -1 on failure.
 std::ptrdiff_t Read(int file, char* to, std::size_t size);
 std::ptrdiff_t Write(int file, const char* from, std::size_t size);
 bool Close(int file);
@@ -54,7 +55,7 @@ bool Close(int file);
 bool Replace(const std::string& from, const std::string& to);
 void Remove(const std::string& path);
 
-// A number that no other process has that runs now.
+// A number that no other running process has.
 unsigned ProcessNumber();
 
 // Whether standard error is a terminal that obeys escape sequences.

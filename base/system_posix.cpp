@@ -86,8 +86,9 @@ bool ErrorsAreOnTerminal() {
   return isatty(STDERR_FILENO) != 0 && terminal && std::string_view(terminal) != "dumb";
 }
 
-// A closed standard stream's number would go to the next file that is opened, and messages or GLSL
-// into it. A null device open for the wrong direction keeps the number, and using it is an error.
+// The next file that is opened would get the number of a closed standard stream, and with it
+// messages or GLSL. A null device that is open for the wrong direction keeps the number, and using
+// it is an error.
 void PrepareStandardStreams() {
   for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (fcntl(number, F_GETFD) < 0) open("/dev/null", number == STDIN_FILENO ? O_WRONLY : O_RDONLY);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Names of files go to the functions that take UTF-16, so that neither the code page nor, by the
-// prefix "\\?\", the limit of 260 characters matters.
+// Names of files are passed to the functions that take UTF-16, so that neither the code page nor,
+// by the prefix "\\?\", the limit of 260 characters matters.
 #ifdef _WIN32
 #include <cerrno>
 #include <cstdio>
@@ -41,7 +41,8 @@ std::string ToUtf8(std::wstring_view wide) {
   return text;
 }
 
-// A path for Windows' functions. Makefiles that other systems share write to /dev/null.
+// The path as Windows' functions take it. /dev/null becomes NUL, because makefiles for several
+// systems write to it.
 std::wstring Wide(const std::string& path) {
   if (path == "/dev/null") return L"NUL";
   std::wstring wide = ToUtf16(path);
@@ -87,7 +88,8 @@ std::optional<FileStatus> StatusOfHandle(HANDLE file) {
   return result;
 }
 
-// An open file or folder, to ask about it; INVALID_HANDLE_VALUE and errno on failure.
+// Opens a file or folder to ask for its status. Returns INVALID_HANDLE_VALUE and sets errno on
+// failure.
 HANDLE OpenToAsk(const std::string& path) {
   HANDLE file =
       CreateFileW(Wide(path).c_str(), 0, FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE,
@@ -158,8 +160,8 @@ std::ptrdiff_t Write(int file, const char* from, std::size_t size) {
 
 bool Close(int file) { return _close(file) == 0; }
 
-// A file that another process reads, or that another replaces at this moment, cannot be replaced;
-// that passes.
+// A file cannot be replaced while another process reads or replaces it, so Replace tries again for
+// about a second.
 bool Replace(const std::string& from, const std::string& to) {
   const std::wstring wide_from = Wide(from);
   const std::wstring wide_to = Wide(to);
@@ -192,7 +194,8 @@ bool ErrorsAreOnTerminal() {
 
 void PrepareStandardStreams() {
   for (const int number : {0, 1, 2}) _setmode(number, _O_BINARY);
-  // The library keeps what goes to a pipe until the end, after all that Write() has written.
+  // The C library would hold back messages for a pipe until the end, after everything that Write()
+  // has written.
   std::setvbuf(stderr, nullptr, _IONBF, 0);
 }
 

@@ -26,7 +26,8 @@ class WordIndex {
     }
   }
 
-  // False for most words that are not in the set, and for none that is, in whatever case.
+  // Returns false for most words that are not in the set, and never for one that is, in whatever
+  // case.
   constexpr bool MayHave(std::string_view word) const {
     return (lengths_[FirstLetter(word)] & LengthBit(word)) != 0;
   }
@@ -60,7 +61,7 @@ class WordIndex {
 
   std::array<std::string_view, N> words_;
   std::array<std::uint16_t, kSlots> slots_{};
-  // By first letter, in either case: the lengths of the words that begin with it, one bit each.
+  // The lengths of the words by first letter, in either case: one bit for each length modulo 32.
   std::array<std::uint32_t, 32> lengths_{};
 };
 

@@ -49,7 +49,8 @@ void Put(std::string& bytes, std::uint32_t value, int count) {
   for (int i = 0; i < count; ++i) bytes.push_back(static_cast<char>(value >> 8 * i));
 }
 
-// The block is exactly `block`: its length was checked against what is there.
+// Reads the clip plane block that fills `block`: its length was checked against the bytes that are
+// there.
 Result<ClipTable> ReadBlock(Dwords block) {
   const std::uint32_t count = block[2];
   if (count > kMaxClipPlanes || block.size() != kHeaderDwords + kRecordDwords * count) {

@@ -14,7 +14,7 @@
 // keeps the vertices with dot(position, plane) >= 0.
 namespace clipc::clip_table {
 
-// Where the application finds the plane: one whole float4 register of a constant buffer.
+// The place where the application finds a plane: one whole float4 register of a constant buffer.
 struct Constant {
   std::string cbuffer;  // as written; "$Globals" for uniforms outside any cbuffer
   // For an array of ConstantBuffers, the element that holds the plane; otherwise 0.
@@ -70,16 +70,17 @@ constexpr std::optional<PlaneSpace> ParseTableSpace(std::string_view name) {
   return EnumeratorOf<PlaneSpace>(name, kTableSpaceNames);
 }
 
-// What makes the table contradict itself, in words; empty for a good table. Readers and writers
-// refuse a table that is not good.
+// Describes the first contradiction in the table; returns an empty text for a good table. Readers
+// and writers refuse a table that is not good.
 std::string ProblemOf(const ClipTable& table);
 
-// What keeps a value from being made, in words.
+// The reason why a value cannot be made, in words.
 struct Problem {
   std::string what;
 };
 
-// A value, or the problem that keeps it from being made. Nothing here throws.
+// A value, or the problem that keeps it from being made. Functions that return one throw nothing
+// but std::bad_alloc.
 template <typename T>
 struct Result {
   std::optional<T> value;
@@ -96,8 +97,8 @@ struct Result {
 };
 
 enum class Format : std::uint8_t { kJson, kBinary, kHeader };
-// The format that the extension of `path` names: .json; .bin; .h, .hpp or .inc. Nothing for another
-// extension.
+// The format that the extension of `path` names: .json; .bin; .h, .hpp or .inc. Returns nullopt for
+// another extension.
 std::optional<Format> FormatOf(std::string_view path);
 
 }  // namespace clipc::clip_table

@@ -119,7 +119,8 @@ Result<std::string> WriteHeader(const ClipTable& table, std::string_view name) {
   if (std::string problem = ProblemOf(table); !problem.empty()) {
     return Problem{std::move(problem)};
   }
-  // Through JSON and back, so that both halves of the header have the same, valid UTF-8.
+  // The table is converted to JSON and back, so that both halves of the header have the same, valid
+  // UTF-8.
   const Result<ClipTable> same = ReadJson(JsonText(table, true));
   return HeaderText(*same, name);
 }

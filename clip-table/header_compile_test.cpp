@@ -10,8 +10,8 @@
 #include "clip-table/test_tables.h"
 #include "clip-table/write.h"
 
-// What WriteHeader writes is C++17 that compiles alone, without a warning, and means the table it
-// was written from.
+// The header that WriteHeader writes is C++17 that compiles alone, without a warning, and means the
+// table it was written from.
 namespace clipc::clip_table {
 namespace {
 

@@ -43,7 +43,7 @@ OrderedJson ToJson(const ClipTable& table) {
                      {"planes", std::move(planes)}};
 }
 
-// Reads members of one JSON object; keeps the first thing that is wrong.
+// Reads members of one JSON object; keeps the first mistake.
 class ObjectReader {
  public:
   ObjectReader(const Json& json, std::string where, std::string& error)
@@ -165,8 +165,8 @@ ClipTable TableFrom(const Json& json, std::string& error) {
   return table;
 }
 
-// As nlohmann's parser, which keeps the last of equal keys; a table with two is damaged. Throws its
-// parse_error.
+// Parses JSON as nlohmann's parser does, which keeps the last of equal keys, and sets `repeats_key`
+// if there are any, because such a table is damaged. Throws nlohmann's parse_error.
 Json Parse(std::string_view text, bool& repeats_key) {
   std::vector<std::set<std::string>> open;
   const auto watch = [&](int, Json::parse_event_t event, Json& parsed) {

@@ -25,7 +25,7 @@ Result<ClipTable> ReadBinary(std::string_view bytes);
 // an error. Line ends may have become CR LF.
 Result<ClipTable> ReadHeader(std::string_view text);
 
-// The table of such a header, for a program that was compiled with it.
+// Converts the table of a header that WriteHeader wrote, for a program that was compiled with it.
 Result<ClipTable> FromStatic(const StaticClipTable& table);
 
 // Reads any of the three forms; the first bytes tell which it is.

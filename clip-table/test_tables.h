@@ -16,7 +16,7 @@ class RandomTable {
 
   std::uint32_t Below(std::uint32_t limit) { return static_cast<std::uint32_t>(random_() % limit); }
 
-  // Identifiers, HLSL punctuation, and what is hard to quote.
+  // A text of identifiers, HLSL punctuation and characters that are hard to quote.
   std::string Text() {
     static const char* const kPieces[] = {
         "planes", "[2]",  ".",    "$Globals", "float4(a, b)", "\"", "\\", "?\?/", "\n", "\t",
@@ -50,7 +50,8 @@ class RandomTable {
   std::mt19937 random_;
 };
 
-// Flips bits, cuts, repeats and overwrites: what happens to files. Always changes something.
+// Flips bits, and cuts, repeats and overwrites bytes, as happens to files. Always changes
+// something.
 inline std::string Damaged(std::string bytes, RandomTable& random) {
   const std::string before = bytes;
   while (bytes == before) {

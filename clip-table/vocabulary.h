@@ -13,8 +13,9 @@ namespace clipc {
 // The number of planes that [clipplanes(...)] takes at most: Direct3D 9 has D3DCS_PLANE0 to 5.
 inline constexpr std::uint32_t kMaxClipPlanes = 6;
 
-// What a compiled shader does with its clip planes, and so what the application does for bit i of
-// the clip table's enable mask. A plane keeps the vertices with dot(position, plane) >= 0.
+// The way in which a compiled shader clips with its planes, which decides what the application does
+// for bit i of the clip table's enable mask. A plane keeps the vertices with
+// dot(position, plane) >= 0.
 enum class Lowering : std::uint8_t {
   // The shader writes gl_ClipDistance[i]. The application calls glEnable(GL_CLIP_DISTANCE0 + i).
   kClipDistance,
@@ -36,26 +37,27 @@ enum class PlaneSpace : std::uint8_t {
   // Direct3D clip space, fxc's meaning: SV_Position as the HLSL shader wrote it, y up, 0 <= z <= w,
   // whatever the target's conventions.
   kClip,
-  // (x, y, w, 1) of that position: without z, which loses digits where depth is not reversed.
+  // The vector (x, y, w, 1) of the position in clip space: without z, which loses digits where
+  // depth is not reversed.
   kXyw1,
   // The object's own space: the vertex as it comes in, with w = 1 where the input is a float3.
   kObject,
 };
 
-// Whether a shader of that lowering can dot its planes with positions of that space. Where the
-// device does it, and where nobody does, the planes are in clip space.
+// Whether a shader of that lowering can dot its planes with positions of that plane space. Where
+// the device does it, and where nobody does, the planes are in clip space.
 constexpr bool Supports(Lowering lowering, PlaneSpace space) noexcept {
   return space == PlaneSpace::kClip ||
          (lowering != Lowering::kLevel9 && lowering != Lowering::kNone);
 }
 
-// The spellings, in the order of the enumerators: of --lower= and --plane-space=, in messages, and
-// in the clip table's text forms.
+// The spellings in --lower=, in --plane-space= and in messages, in the order of the enumerators.
+// The clip table's text forms spell lowerings so too, but have kTableSpaceNames for plane spaces.
 inline constexpr const char* kLoweringNames[] = {"clip-distance", "level9", "none", "near-plane",
                                                  "discard"};
 inline constexpr const char* kPlaneSpaceNames[] = {"clip", "xyw1", "object"};
 
-// What `names`, a table in the order of the enumerators, calls `value`.
+// The name of `value` in `names`, a table in the order of the enumerators.
 template <typename Enum, std::size_t kCount>
 constexpr const char* NameIn(const char* const (&names)[kCount], Enum value) noexcept {
   return names[static_cast<std::size_t>(value)];
@@ -65,7 +67,7 @@ constexpr const char* NameOf(Lowering lowering) noexcept {
 }
 constexpr const char* NameOf(PlaneSpace space) noexcept { return NameIn(kPlaneSpaceNames, space); }
 
-// The enumerator that such a table calls `name`.
+// The enumerator whose name in such a table is `name`; none if there is no such name.
 template <typename Enum, std::size_t kCount>
 constexpr std::optional<Enum> EnumeratorOf(std::string_view name,
                                            const char* const (&names)[kCount]) noexcept {

@@ -27,7 +27,7 @@
 namespace clipc {
 namespace {
 
-// The settings of one group that were compiled, and what came of them.
+// The settings of one group that were compiled, and the jobs that have their results.
 struct GroupMemory {
   // The key says which of the axes' macros are defined: "101".
   std::map<std::string, MacroMemo> by_macros;
@@ -68,14 +68,14 @@ class Batch {
   std::vector<ShaderGroup> groups_;
   std::vector<Job> jobs_;
   std::vector<BatchEntry> entries_;  // by job
-  std::size_t all_jobs_ = 0;         // with those of the other shards
+  std::size_t all_jobs_ = 0;         // the number of jobs of all shards
   std::size_t finished_ = 0, failed_ = 0;
   int exit_code_ = kExitOk;
 
-  std::mutex mutex_;  // of memories_
+  std::mutex mutex_;  // guards memories_
   std::vector<GroupMemory> memories_;
 
-  // The file that has these contents, by its extension and them.
+  // The names of the written files, by their extension and contents.
   std::unordered_map<std::string, std::string> files_by_contents_;
   std::size_t kept_bytes_ = 0;
   std::vector<std::string> dependencies_;
@@ -115,7 +115,8 @@ std::string Batch::CheckUsage() const {
   return {};
 }
 
-// Names the files of every setting, those of the other shards too, and chooses this one's.
+// Names the files of every setting, those of the other shards too, and chooses the jobs of this
+// shard.
 std::string Batch::Plan() {
   for (const ShaderGroup& group : groups_) {
     const std::size_t count = group.Count();
@@ -156,11 +157,11 @@ MacroMemo& Batch::MemoOf(const Job& job, std::vector<std::string_view>& values) 
   return memories_[job.group].by_macros.try_emplace(defined, std::move(names)).first->second;
 }
 
-// An earlier job with the same result: by its macros, or by the text after preprocessing that
-// `result`, if given, has a digest of.
+// Returns an earlier job with the same result; none if there is none. It has the same values of the
+// macros that it asked for, or the text after preprocessing whose digest `result`, if given, has.
 std::optional<std::size_t> Batch::FindAlike(std::size_t at, const CompileResult* result) {
   const Job& job = jobs_[at];
-  // The other half reads the macros too.
+  // The pixel shader reads the macros too.
   if (!GroupOf(job).command.request.pixel_shader.path.empty()) return std::nullopt;
   const std::lock_guard lock(mutex_);
   std::vector<std::string_view> values;
@@ -180,7 +181,7 @@ void Batch::Remember(std::size_t at, const CompileResult& result, std::size_t al
 
 // ---- one job
 
-// On any thread. A result without anything in it is for a job that is like another.
+// Compiles a job, on any thread. Returns an empty result for a job that is like another.
 CompileResult Batch::Work(std::size_t at, Compiler& compiler) {
   if (FindAlike(at, nullptr)) return {};
   const Job& job = jobs_[at];
@@ -197,7 +198,8 @@ CompileResult Batch::Work(std::size_t at, Compiler& compiler) {
   return compiler.Compile(request);
 }
 
-// In the order of the jobs, so that what is written and said does not depend on the threads.
+// Writes and shows the result of a job. Called in the order of the jobs, so that files and messages
+// do not depend on the threads.
 bool Batch::Finish(std::size_t at, CompileResult result) {
   BatchEntry& entry = entries_[at];
   const std::string title = TitleOf(GroupOf(jobs_[at]), jobs_[at].number);
@@ -232,8 +234,8 @@ bool Batch::Finish(std::size_t at, CompileResult result) {
   return code == kExitOk || command_.keep_going;
 }
 
-// Contents that an earlier file has are not written again. As many contents are compared as a
-// bound on memory allows.
+// Writes the files of a job. Contents that an earlier file has are not written again. As many
+// contents are compared as a bound on memory allows.
 std::string Batch::WriteFiles(std::size_t at, CompileResult& result) {
   constexpr std::size_t kMostKept = std::size_t{256} << 20;
   BatchEntry& entry = entries_[at];
@@ -301,7 +303,7 @@ void Batch::Summarise() const {
                   left == 0 ? "" : fmt::format("; {} were not compiled, -k goes on", left)));
 }
 
-// Sets every group's request up, and says once what is to be said of the options.
+// Prepares the request of every group, and shows each warning about the options once.
 std::string Batch::Prepare() {
   std::unordered_set<std::string> said;
   for (ShaderGroup& group : groups_) {

@@ -7,13 +7,13 @@
 #include "compiler/options.h"
 #include "compiler/permutations.h"
 
-// Many settings of a few shaders in one run: docs/permutations.md.
+// The compilation of many settings of a few shaders in one run: docs/permutations.md.
 namespace clipc {
 
-// Whether the command line asks for that, by a manifest or a macro with several values.
+// Whether the command line asks for a batch, by a manifest or a macro with several values.
 bool WantsBatch(const CommandLine& command);
 
-// `arguments` are those that `command` was read from. Returns the exit code.
+// Runs a batch. `arguments` are those that `command` was read from. Returns the exit code.
 int RunBatch(std::span<const char* const> arguments, CommandLine command);
 
 }  // namespace clipc

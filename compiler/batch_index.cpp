@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// In the order of the enumerators.
+// The names of the statuses, in the order of the enumerators.
 constexpr const char* kStatusNames[] = {"not-compiled", "compiled", "failed"};
 
 }  // namespace
@@ -27,7 +27,7 @@ void Describe(const ShaderGroup& group, std::size_t number, BatchEntry& entry) {
 }
 
 std::string RenderIndex(const std::vector<BatchEntry>& entries) {
-  // A line for each setting.
+  // The index has a line for each setting.
   std::string text = "{\"version\": 1, \"shaders\": [";
   const char* separator = "\n";
   for (const BatchEntry& entry : entries) {

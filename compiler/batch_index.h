@@ -13,7 +13,7 @@ namespace clipc {
 
 enum class BatchStatus : std::uint8_t { kNotCompiled, kCompiled, kFailed };
 
-// A setting, and the files that hold what came of it. Settings may share files.
+// A setting, and the files that hold its outputs. Settings may share files.
 struct BatchEntry {
   std::string name;  // of the files that it would have alone
   std::string source, entry, profile, target;
@@ -23,7 +23,7 @@ struct BatchEntry {
   std::vector<std::pair<std::string, std::string>> files;  // kind and name
 };
 
-// Fills what the group knows.
+// Fills in the source, entry, profile, target and defines of the group's setting `number`.
 void Describe(const ShaderGroup& group, std::size_t number, BatchEntry& entry);
 
 // The index as JSON: docs/permutations.md.

@@ -8,35 +8,36 @@
 #include "backend-glsl/target.h"
 
 // The options that say where a Vulkan shader's buffers and objects are bound. Their values are
-// words apart by one blank; false is returned for a value that they cannot take.
+// words apart by one blank; a function returns false for a value that its option cannot take.
 namespace clipc {
 
 // The words of an option's value, which one blank separates.
 std::vector<std::string_view> WordsIn(std::string_view text);
 
-// Whether a text is a whole number and nothing else; then `to` becomes that.
+// Whether the text is a whole number and nothing else. If so, sets `to` to the number.
 bool ReadNumber(std::string_view text, std::uint32_t& to);
 
-// -fvk-b-shift: "2 0" or "2 all".
+// Reads the value of -fvk-b-shift: "2 0" or "2 all".
 bool AddShift(char letter, glsl::BindingRules& rules, std::string_view value);
 template <char kLetter>
 bool AddShift(glsl::BindingRules& rules, std::string_view value) {
   return AddShift(kLetter, rules, value);
 }
-// --shift-ubo-binding, of glslang: "2", or with sets "2 0 5 1", both perhaps after a stage:
-// "vert 2". Those of other stages have no effect.
+// Reads the value of glslang's --shift-ubo-binding: "2", or with sets "2 0 5 1", both perhaps after
+// a stage: "vert 2". Values for other stages have no effect.
 bool AddStageShift(char letter, glsl::BindingRules& rules, std::string_view value);
 template <char kLetter>
 bool AddStageShift(glsl::BindingRules& rules, std::string_view value) {
   return AddStageShift(kLetter, rules, value);
 }
-// -fvk-bind-register: "b3 0 7 1", the register, its space, the binding and the set.
+// Reads the value of -fvk-bind-register: "b3 0 7 1", the register, its space, the binding and the
+// set.
 bool AddRegister(glsl::BindingRules& rules, std::string_view value);
-// -fvk-bind-globals: "7 1", the binding and the set.
+// Reads the value of -fvk-bind-globals: "7 1", the binding and the set.
 bool SetGlobals(glsl::BindingRules& rules, std::string_view value);
-// -auto-binding-space: "2", the set of what has no register.
+// Reads the value of -auto-binding-space: "2", the set of objects without a register.
 bool SetUnplaced(glsl::BindingRules& rules, std::string_view value);
-// --bindings: the name of a compiler or an engine.
+// Reads the value of --bindings: the name of a compiler or an engine.
 bool AddPreset(glsl::BindingRules& rules, std::string_view value);
 
 }  // namespace clipc

@@ -14,7 +14,7 @@
 // plane space, and with which shader.
 namespace clipc {
 
-// What the user asks for.
+// The lowering that the user asks for.
 struct LoweringRequest {
   Lowering lowering = Lowering::kClipDistance;
   PlaneSpace plane_space = PlaneSpace::kClip;
@@ -29,9 +29,9 @@ Lowering DefaultLowering(const ir::Profile& profile);
 // Reports a lowering and a plane space that do not go together, whatever the shader.
 void CheckRequest(const LoweringRequest& request, Diagnostics& diagnostics);
 
-// Reports what the shader's clip planes and the request ask of each other. Returns the input that
-// carries the position for kObject; none for the other spaces, for a shader without planes, and
-// after an error. Requires Form::kTyped.
+// Reports where the shader's clip planes and the request do not fit each other. Returns the input
+// that carries the position for kObject; none for the other spaces, for a shader without planes,
+// and after an error. Requires Form::kTyped.
 ir::VarId CheckLowering(const ir::Program& program, const LoweringRequest& request,
                         Diagnostics& diagnostics);
 

@@ -16,7 +16,7 @@
  * includes may lie.
  * Threads: a clipc_compiler serves one thread at a time; several may work at once. */
 
-/* What the shared library exports; on Windows a list says it. */
+/* The mark of the functions that the shared library exports; on Windows a list names them. */
 #if defined(__GNUC__) && !defined(_WIN32)
 #define CLIPC_API __attribute__((visibility("default")))
 #else
@@ -29,12 +29,13 @@ extern "C" {
 #endif
 
 #define CLIPC_ABI 1
-/* CLIPC_ABI of the library; the caller compares it with its own. */
+/* The CLIPC_ABI of the library; the caller compares it with its own. */
 CLIPC_API uint32_t clipc_abi(void);
-/* "0.1.0" */
+/* The version of the library: "0.1.0". */
 CLIPC_API const char* clipc_version(void);
 
-/* Compiles many shaders and keeps what they share. NULL: no memory. */
+/* A compiler of many shaders that keeps the data that they share. clipc_compiler_create returns
+ * NULL if there is no memory. */
 typedef struct clipc_compiler clipc_compiler;
 CLIPC_API clipc_compiler* clipc_compiler_create(void);
 CLIPC_API void clipc_compiler_free(clipc_compiler* compiler); /* NULL is allowed */
@@ -55,24 +56,24 @@ typedef struct clipc_request {
   /* The name of the shader in messages, and where its includes are looked up. UTF-8, like all
    * texts. */
   const char* path;
-  /* The shader; NULL: the file at `path`. */
+  /* The text of the shader; NULL for the file at `path`. */
   const char* text;
   size_t text_size;
-  /* What to compile and how, as on the command line: {"-T", "vs_5_0", "--target=vulkan"}. Options
-   * that name outputs or inputs are errors. */
+  /* The options, as on the command line: {"-T", "vs_5_0", "--target=vulkan"}. Options that name
+   * outputs or inputs are errors. */
   const char* const* options;
   size_t option_count;
-  /* Not NULL: includes come from here, and no file is read for them. */
+  /* If not NULL, includes come from this function, and no file is read for them. */
   clipc_read_include read_include;
   void* read_include_context;
-  /* Not NULL: asked on the thread that compiles, often except while glslang works; the compile
+  /* If not NULL, asked on the thread that compiles, often except while glslang works; the compile
    * ends when it returns other than 0. */
   int (*is_cancelled)(void* context);
   void* is_cancelled_context;
 } clipc_request;
 
-/* The last member of each enumeration fixes its size, and makes every number a value of it: that of
- * a newer or older header is well defined. */
+/* The last member of each enumeration fixes its size, and makes every number a value of it: the
+ * number of a newer or older header is well defined. */
 typedef enum clipc_status {
   CLIPC_COMPILED = 0,
   CLIPC_HAS_ERRORS,  /* the shader has errors */
@@ -82,7 +83,7 @@ typedef enum clipc_status {
   CLIPC_STATUS_MAX = 0x7fffffff
 } clipc_status;
 
-/* What a result has. All but the messages and the dependencies are empty after an error. */
+/* The parts of a result. All but the messages and the dependencies are empty after an error. */
 typedef enum clipc_part {
   CLIPC_PART_MESSAGES = 0,  /* as a terminal shows them, with the lines of the source */
   CLIPC_PART_MESSAGES_JSON, /* {"version": 1, "diagnostics": [...]} */
@@ -103,7 +104,8 @@ typedef struct clipc_result clipc_result;
 CLIPC_API clipc_status clipc_compile(clipc_compiler* compiler, const clipc_request* request,
                                      clipc_result** result);
 CLIPC_API void clipc_result_free(clipc_result* result); /* NULL is allowed */
-/* Lives as long as the result. Empty, not NULL, where there is nothing. */
+/* One part of a result. The bytes live as long as the result. They are empty, not NULL, where the
+ * result does not have the part. */
 CLIPC_API clipc_bytes clipc_result_get(const clipc_result* result, clipc_part part);
 
 #ifdef __cplusplus

@@ -21,19 +21,20 @@ struct Request {
   std::string path;
   std::optional<std::string> text;   // none: the file at `path`
   std::vector<std::string> options;  // as on the command line, without inputs and outputs
-  // Not empty: includes come from here, and no file is read for them. The path is a folder of -I or
-  // of the including file, a slash, and the name as the shader has it. Must not throw.
+  // If not empty, includes come from this function, and no file is read for them. The path is a
+  // folder of -I or of the including file, a slash, and the name as the shader has it. Must not
+  // throw.
   std::function<std::optional<std::string>(const std::string& path)> read_include;
-  // Not empty: the compile ends soon after it returns true. Must not throw.
+  // If not empty, the compile ends soon after it returns true. Must not throw.
   std::function<bool()> is_cancelled;
 };
 
-// What came out of a compile. Views live as long as the result.
+// The result of a compile. Views of its parts live as long as the result.
 class Result {
  public:
   clipc_status status() const { return status_; }
   bool ok() const { return status_ == CLIPC_COMPILED; }
-  // Empty where there is nothing.
+  // One part of the result; empty where the result does not have the part.
   std::string_view Get(clipc_part part) const {
     if (!result_) return {};
     const clipc_bytes bytes = clipc_result_get(result_.get(), part);
@@ -52,7 +53,7 @@ class Result {
   std::unique_ptr<clipc_result, Free> result_;  // null after CLIPC_NO_MEMORY
 };
 
-// Compiles many shaders and keeps what they share. Use one on each thread.
+// A compiler of many shaders that keeps the data that they share. Use one on each thread.
 class Compiler {
  public:
   // Throws std::bad_alloc.

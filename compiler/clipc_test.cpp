@@ -141,7 +141,8 @@ TEST_F(CInterface, EndsWhenTheCallerCancels) {
     return ++left.calls > left.allowed ? 1 : 0;
   };
   request.is_cancelled_context = &budget;
-  // At every point where it is asked: while the text is read, and between the passes.
+  // The compile is cancelled at every point where the callback is asked: while the text is read,
+  // and between the passes.
   int most = 0;
   for (; budget.allowed = most, budget.calls = 0, Run(request) != CLIPC_COMPILED; ++most) {
     ASSERT_LT(most, 1000);

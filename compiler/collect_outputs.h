@@ -17,9 +17,9 @@ struct OutputPiece {
   std::string contents;
 };
 
-// Adds what is to be written of a result to `pieces`, in the order in which it is written. The
-// texts are moved out of the result. A failed compile has no files, but perhaps a dump of a stage
-// before the failure. Returns what is wrong; empty if nothing.
+// Adds the outputs of a result to `pieces`, in the order in which they are written. The texts are
+// moved out of the result. A failed compile has no files, but perhaps a dump of a stage before the
+// failure. Returns the problem in words; empty if there is none.
 std::string CollectOutputs(const CommandLine& command, const Outputs& outputs,
                            CompileResult& result, std::vector<OutputPiece>& pieces);
 

@@ -21,16 +21,17 @@
 // clipc as a library: one HLSL vertex shader in, GLSL and what the host must know out.
 namespace clipc {
 
-// What --dump= prints.
+// The stage whose result --dump= prints.
 enum class DumpStage : std::uint8_t { kTokens, kAst, kIr, kGlsl, kTable };
 
-// For people who work on clipc.
+// The options for people who work on clipc.
 struct DebugOptions {
   // Compilation stops after this stage, which is in CompileResult::dump.
   std::optional<DumpStage> dump;
-  // Passes. The program after each of them is appended to CompileResult::dump.
+  // The names of passes. The program after each of them is appended to CompileResult::dump.
   std::vector<std::string> dump_after;
-  // A pass; compilation stops after it. The program is dumped unless `dump_after` dumps some.
+  // The name of the pass after which compilation stops. The program is dumped unless `dump_after`
+  // dumps some.
   std::string stop_after;
   // The typed program is verified between passes, as in debug builds.
   bool verify = false;
@@ -39,7 +40,7 @@ struct DebugOptions {
   bool changes_result() const { return dump || !dump_after.empty() || !stop_after.empty(); }
 };
 
-// The other half of the program.
+// The pixel shader that the vertex shader is linked with.
 struct PixelShader {
   // A file with HLSL, GLSL or SPIR-V. When `text` is given, it is read instead, and `path` is the
   // label in messages. Empty: the pixel shader is not known.
@@ -64,9 +65,10 @@ struct CompileRequest {
   std::vector<std::string> include_dirs;
   std::vector<std::string> defines;          // "NAME" or "NAME=VALUE"
   std::vector<std::string> forced_includes;  // files, included before the first line
-  // Includes come from here, and no file is read for them: SourceInput::read_include.
+  // If not empty, includes come from this function, and no file is read for them:
+  // SourceInput::read_include.
   std::function<std::optional<std::string>(const std::string& path)> read_include;
-  // Not empty: include files are read only from this folder, wherever a path or a link to them
+  // If not empty, include files are read only from this folder, wherever a path or a link to them
   // lies.
   std::string sandbox;
   LanguageVersion language = LanguageVersion::k2021;
@@ -86,11 +88,11 @@ struct CompileRequest {
   bool separable = false;  // for program pipelines: gl_PerVertex is redeclared
   bool base_vertex_is_zero = false, base_instance_is_zero = false;  // backend-glsl/write.h
   bool precise = false;    // -Gis: every output, and what goes into it, is computed as written
-  bool invariant = false;  // gl_Position is: backend-glsl/write.h
+  bool invariant = false;  // gl_Position is invariant: backend-glsl/write.h
   // How the shader meets the next stage's: see backend-glsl/style.h.
   glsl::BlockStyle blocks = glsl::BlockStyle::kNamed;
-  // "hlslcc", "dxc", "spirv-cross" or a pattern for outputs. Empty: what the pixel shader has, and
-  // "hlslcc" where it is not known.
+  // The style of names: "hlslcc", "dxc", "spirv-cross" or a pattern for outputs. Empty: the names
+  // of the pixel shader, or "hlslcc" where it is not known.
   std::string names;
   // The GLSL of a fragment shader, to which lowering kDiscard adds the discard. Without it the
   // discard is an include of its own.
@@ -98,32 +100,32 @@ struct CompileRequest {
   // The shader is written to fit this pixel shader: its outputs, and the constant buffers that both
   // use. HLSL is read with the include folders, macros and packing of this request.
   PixelShader pixel_shader;
-  bool keep_outputs = false;              // also those that the pixel shader does not read
-  bool zero_unwritten = false;            // what the pixel shader reads and nothing writes is 0
+  bool keep_outputs = false;              // keep outputs that the pixel shader does not read
+  bool zero_unwritten = false;            // unwritten inputs of the pixel shader become 0
   bool variants = false;                  // fill CompileResult::variants
   std::size_t variant_planes = SIZE_MAX;  // the most planes of a variant
 
   WarningOptions warnings;
   bool validate = false;              // give the GLSL to glslang before returning it
-  bool source_lines = false;          // with the lines of the HLSL as comments in the GLSL
+  bool source_lines = false;          // put the lines of the HLSL as comments into the GLSL
   bool list = false;                  // fill CompileResult::listing
   bool reflect = false;               // fill CompileResult::reflection
   bool structs = false;               // fill CompileResult::structs
   std::optional<SpirvRequest> spirv;  // fill CompileResult::spirv
   bool preprocess = false;            // fill CompileResult::preprocessed, and stop
   bool draw_text = true;              // fill CompileResult::text
-  bool colour = false;                // with the escape sequences of a terminal
+  bool colour = false;                // put escape sequences of a terminal into `text`
   // The caller reads the planes of lowering kLevel9 from the table or the reflection and gives them
   // to the device. Without that, clip planes that the GLSL does not have are an error.
   bool gives_planes_to_device = false;
 
   Limits limits;
-  // When it returns true, the compile ends with Status::kCancelled. It is asked on the thread that
-  // compiles, often except while glslang works.
+  // Asked on the thread that compiles, often except while glslang works. When it returns true, the
+  // compile ends with Status::kCancelled.
   std::function<bool()> is_cancelled;
   bool record_macros = false;  // fill CompileResult::macros_used
-  // Asked about the text after preprocessing, where nothing else decides what comes out; when it
-  // returns true, the compile ends there, with CompileResult::is_repeated.
+  // Asked about the text after preprocessing, if nothing else decides the result; when it returns
+  // true, the compile ends there, with CompileResult::is_repeated.
   std::function<bool(const TokenDigest& digest)> is_known;
 
   DebugOptions debug;
@@ -159,14 +161,14 @@ struct CompileResult {
   std::vector<std::string> dependencies;  // files read, each once, in the order first entered
   std::vector<Include> includes;          // every entry into an include file, in order
   std::vector<std::string> macros_used;   // on request: Source::MacrosUsed
-  std::optional<TokenDigest> digest;      // what CompileRequest::is_known was asked about
+  std::optional<TokenDigest> digest;      // the one that CompileRequest::is_known was asked about
   bool is_repeated = false;
 
   bool ok() const { return status == Status::kOk; }
 };
 
-// Compiles many shaders and keeps what they share. Use one per thread. Compile throws nothing,
-// whatever the request is; the same request gives the same result, byte for byte.
+// A compiler of many shaders that keeps the data that they share. Use one per thread. Compile
+// throws nothing, whatever the request is; the same request gives the same result, byte for byte.
 class Compiler {
  public:
   Compiler();
@@ -184,7 +186,7 @@ class Compiler {
   std::string sandbox_;
 };
 
-// One shader. May be called on several threads at once.
+// Compiles one shader. May be called on several threads at once.
 CompileResult Compile(const CompileRequest& request);
 
 }  // namespace clipc

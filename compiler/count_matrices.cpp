@@ -344,7 +344,7 @@ class Follower {
   const Program& program_;
   State state_;
   std::int64_t work_ = 0;
-  int calls_ = 0;  // that are being followed
+  int calls_ = 0;  // the calls that are being followed
 };
 
 }  // namespace

@@ -123,7 +123,7 @@ void Driver::ShowNotices() {
   if (!notices.all().empty()) printer_.Show(NoticesOf(command_));
 }
 
-// Returns an empty text on success.
+// Writes the outputs for one input. Returns the problem in words; empty on success.
 std::string Driver::Write(CompileResult& result, const Outputs& outputs) const {
   std::vector<OutputPiece> pieces;
   if (std::string problem = CollectOutputs(command_, outputs, result, pieces); !problem.empty())

@@ -9,7 +9,7 @@
 namespace clipc {
 
 // The text of --dump=tokens: a line for each token with its place, its kind and its value. The name
-// of the file stands on a line of its own where it changes.
+// of the file is on a line of its own where it changes.
 std::string DumpTokens(const Tokens& tokens, const Source& source);
 
 }  // namespace clipc

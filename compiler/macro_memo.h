@@ -10,18 +10,19 @@
 
 namespace clipc {
 
-// Finds, among settings of the same macros for the same shader, those that cannot differ in what
-// comes out: a compile that asked only for the macros A and B is right for every setting that has
-// the same A and B.
+// A memory that finds, among settings of the same macros for the same shader, those that cannot
+// differ in their result: a compile that asked only for the macros A and B is right for every
+// setting that has the same A and B.
 class MacroMemo {
  public:
   // The names of the macros, "A", or for one that takes arguments "A(x)", which always counts as
   // asked for. All settings define the same of them.
   explicit MacroMemo(std::vector<std::string> names) : names_(std::move(names)) {}
 
-  // A value for each name. The job that has the same values of all that it asked for.
+  // Returns a job that has the same values of all macros that it asked for; none if there is no
+  // such job. `values` has a value for each name.
   std::optional<std::size_t> Find(const std::vector<std::string_view>& values) const;
-  // `job` compiled with these values and asked for `used`, which is sorted.
+  // Remembers that `job` was compiled with these values and asked for `used`, which is sorted.
   void Add(const std::vector<std::string_view>& values, const std::vector<std::string>& used,
            std::size_t job);
 
@@ -29,7 +30,7 @@ class MacroMemo {
   // The jobs that asked for the same macros.
   struct Question {
     std::vector<std::size_t> asked;                     // indices of names
-    std::unordered_map<std::string, std::size_t> jobs;  // by the values of these
+    std::unordered_map<std::string, std::size_t> jobs;  // by the values of `asked`
   };
   static constexpr std::size_t kMaxQuestions = 256;
 

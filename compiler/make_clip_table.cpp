@@ -20,7 +20,7 @@ using ir::TypeTable;
 
 constexpr std::uint32_t kRegister = 16;
 
-// ".state.planes[2]": what stands `offset` bytes into a value of `type`.
+// The path, such as ".state.planes[2]", of what lies `offset` bytes into a value of `type`.
 std::string PathTo(const TypeTable& types, TypeId id, bool row_major, std::uint32_t offset) {
   const Type& type = types[id];
   if (type.kind == TypeKind::kArray) {
@@ -56,7 +56,7 @@ std::string BufferIndex(const TypeTable& types, TypeId& type, std::uint32_t elem
   return path;
 }
 
-// The GLSL name of what stands `offset` bytes into one buffer: a member of it, or a field of a
+// The GLSL name of what lies `offset` bytes into one buffer: a member of it, or a field of a
 // ConstantBuffer's struct.
 std::string MemberName(const Program& program, const Block& block, const ir::Cbuffer& cbuffer,
                        std::uint32_t element, std::uint32_t offset) {

@@ -92,7 +92,7 @@ std::vector<MacroAxis> AxesIn(const Json& shader, const std::string& where) {
   return axes;
 }
 
-// --variants, as words of the command line.
+// The value of --variants, as words of the command line.
 Texts VariantsIn(const Json& shader, const std::string& where) {
   const auto found = shader.find("variants");
   if (found == shader.end() || *found == false) return {};

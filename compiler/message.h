@@ -12,7 +12,7 @@ namespace clipc {
 // A diagnostic whose places are files and lines, so that it outlives its Source.
 struct Message {
   struct Fix {
-    Place place;  // of an insertion: the end is the beginning
+    Place place;  // for an insertion, the end is the beginning
     std::string text;
   };
 
@@ -31,12 +31,12 @@ Message ToMessage(const Diagnostic& diagnostic, const Source& source);
 // or, where fxc has no code, `file(line,col-endcol): error name: text`.
 std::string RenderMsvc(const std::vector<Message>& messages);
 
-// One document: {"version": 1, "diagnostics": [{severity, name, code, message, file, line, column,
-// endLine, endColumn, fixes, notes}]}. Lines and columns are 1-based, columns count bytes, the end
-// is one past the last byte.
+// A JSON document: {"version": 1, "diagnostics": [{severity, name, code, message, file, line,
+// column, endLine, endColumn, fixes, notes}]}. Lines and columns are 1-based, columns count bytes,
+// the end is one past the last byte.
 std::string RenderJson(const std::vector<Message>& messages);
 
-// SARIF 2.1.0, one run.
+// A SARIF 2.1.0 document with one run.
 std::string RenderSarif(const std::vector<Message>& messages);
 
 }  // namespace clipc

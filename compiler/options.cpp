@@ -24,8 +24,8 @@ using enum Option::Form;
 constexpr std::size_t kMaxArguments = 1 << 16;
 constexpr int kMaxResponseDepth = 10;
 
-// The words of a response file: apart by white space, which double quotes keep. A backslash stands
-// for itself, as in paths of Windows, except before a double quote.
+// The words of a response file, which are separated by white space outside double quotes. A
+// backslash stands for itself, as in paths of Windows, except before a double quote.
 std::vector<std::string> Words(std::string_view text) {
   std::vector<std::string> words;
   bool is_open = false, is_quoted = false;
@@ -45,7 +45,8 @@ std::vector<std::string> Words(std::string_view text) {
   return words;
 }
 
-// Adds `argument`, or for @FILE the words of the file, to `to`. Returns what is wrong.
+// Adds `argument`, or for @FILE the words of the file, to `to`. Returns the problem in words; empty
+// if there is none.
 std::string Expand(std::string argument, int depth, std::vector<std::string>& to) {
   if (!argument.starts_with('@') || argument.size() == 1) {
     to.push_back(std::move(argument));
@@ -73,7 +74,7 @@ bool LooksLikePath(const std::string& argument) {
   return folder.find_first_not_of(kSlashes) != std::string::npos && IsDirectory(folder);
 }
 
-// "did you mean" for an option that is none.
+// The advice "did you mean" for an argument that is not an option.
 std::string NearOption(std::string_view argument) {
   const std::string_view name = argument.substr(0, argument.find('='));
   std::vector<std::string_view> names;
@@ -128,7 +129,7 @@ void ReadArgument(std::span<const std::string> arguments, std::size_t& at, Readi
 
 // ---- what the options say together
 
-// -P FILE; or -P alone and -Fi FILE, as newer releases of dxc take it.
+// Settles -P FILE, or -P alone and -Fi FILE, as newer releases of dxc take it.
 void FinishPreprocess(Reading& reading) {
   CommandLine& command = reading.command;
   if (!reading.preprocess) return;
@@ -190,7 +191,7 @@ ParsedCommandLine ParseCommandLine(std::span<const char* const> arguments) {
   FinishPreprocess(reading);
   FinishSpirv(reading);
   FinishBindings(reading);
-  // What clipc thinks of its options is a warning even where the shader's warnings are errors.
+  // A remark about the options is a warning even where the shader's warnings are errors.
   WarningOptions warnings = command.request.warnings;
   warnings.warnings_are_errors = false;
   command.notices = Diagnostics(warnings);

@@ -19,8 +19,8 @@ struct CommandLine {
   Action action = Action::kCompile;
   std::vector<std::string> inputs;
   CompileRequest request;  // without path and text
-  // What is written; empty: not asked for. A value that is only an extension, ".json", names the
-  // file after the GLSL.
+  // The files to write; empty if not asked for. A value that is only an extension, ".json", names
+  // the file after the GLSL.
   std::string output;  // the GLSL: empty is standard output, unless the options ask for others
   std::string table, reflection;
   std::string header, variable;  // -Fh, -Vn
@@ -36,11 +36,11 @@ struct CommandLine {
   std::optional<bool> colour;      // none: if standard error is a terminal
   unsigned jobs = 1;               // the number of inputs that are compiled at once
   std::string batch;               // a manifest
-  std::string index;               // what is written of permutations: see docs/permutations.md
-  bool keep_going = false;         // also after a permutation with errors
+  std::string index;               // the index of permutations: see docs/permutations.md
+  bool keep_going = false;         // go on after a permutation with errors
   unsigned shard = 1, shards = 1;  // only each `shards`-th permutation, from number `shard` on
   std::optional<bool> asks_to_validate;  // --validate, --no-validate
-  Diagnostics notices;                   // what is to be said of the options
+  Diagnostics notices;                   // warnings about the options
 };
 
 struct ParsedCommandLine {

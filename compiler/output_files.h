@@ -19,7 +19,7 @@ class OutputFiles {
   OutputFiles(const OutputFiles&) = delete;
   OutputFiles& operator=(const OutputFiles&) = delete;
 
-  // "-" is standard output.
+  // Adds a file to write; the path "-" is standard output.
   void Add(std::string path, std::string contents);
 
   // Writes the files. Returns an empty string on success; otherwise what went wrong, and every

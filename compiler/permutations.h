@@ -21,7 +21,7 @@ struct MacroAxis {
 struct ShaderGroup {
   CommandLine command;  // its inputs and its output are those of the whole run
   std::string source;
-  std::string name;  // what its files are named after, before what a setting adds
+  std::string name;  // the start of the names of its files, which a setting adds to
   std::vector<MacroAxis> axes;
 
   // The product of the numbers of values; SIZE_MAX if that is too large.
@@ -31,7 +31,7 @@ struct ShaderGroup {
 // The most settings that one run compiles.
 inline constexpr std::size_t kMaxPermutations = std::size_t{1} << 18;
 
-// Takes the macros with a list of values, "A={0,1,2}", out of `defines`. A value is what stands
+// Takes the macros with a list of values, "A={0,1,2}", out of `defines`. A value is the text
 // between two commas outside brackets; "A={{1,2}}" has the one value "{1,2}".
 std::vector<MacroAxis> TakeAxes(std::vector<std::string>& defines);
 

@@ -14,7 +14,7 @@ namespace {
 
 std::string FileName(const std::string& path) { return path.substr(NameBegin(path)); }
 
-// A value that is only an extension, ".json", names the file after another.
+// Whether the value is only an extension, ".json", which names the file after another.
 bool IsExtension(const std::string& value) {
   return value.size() > 1 && value[0] == '.' && !HasSlash(value);
 }
@@ -62,8 +62,8 @@ Outputs PlaceOutputs(const CommandLine& command, const std::string& input) {
   Outputs outputs;
   if (command.syntax_only) return outputs;
   const std::string glsl = PlaceGlsl(command, input);
-  // What is named after the GLSL is named after the first other file when that goes to standard
-  // output, and else after the input.
+  // A file that is named after the GLSL is named after the first other file if the GLSL goes to
+  // standard output, or else after the input.
   std::string name = input == "-" ? "stdin" : input;
   for (const std::string& file : {command.listing, command.header, glsl}) {
     if (!file.empty() && file != "-" && !IsExtension(file)) name = file;

@@ -12,12 +12,12 @@
 
 namespace clipc {
 
-// Where everything about one input goes. Empty: it was not asked for. "-": standard output.
+// The paths of all outputs for one input. Empty: not asked for. "-": standard output.
 struct Outputs {
   std::string glsl, fragment, table, reflection, dependencies, header, listing, preprocessed;
   std::string dependency_target;  // of the make rule
 
-  // The files among them.
+  // The outputs that are files: the paths that are neither empty nor "-".
   std::vector<std::string> Named() const;
 };
 

@@ -22,7 +22,7 @@ Json ToJson(const ir::Register& reg) {
           {"explicit", reg.is_explicit}};
 }
 
-// Names in the order of the enumerators.
+// The names in the order of the enumerators.
 constexpr const char* kInterpolations[] = {"", "linear", "nointerpolation", "noperspective"};
 constexpr const char* kCbufferKinds[] = {"cbuffer", "tbuffer", "globals", "params",
                                          "ConstantBuffer"};

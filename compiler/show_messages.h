@@ -21,9 +21,9 @@ class MessagePrinter {
   explicit MessagePrinter(MessageFormat format) : format_(format) {}
 
   void Show(const CompileResult& result);
-  // A line of the run itself, where the format has a place for it.
+  // Prints a line about the run itself, if the format has a place for it.
   void Say(std::string_view line) const;
-  // Writes the formats that are one document.
+  // Prints the document of a format that is one document.
   void End() const;
 
  private:

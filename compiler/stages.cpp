@@ -18,7 +18,7 @@ ir::Program Front(Source& source, const CheckOptions& options, Diagnostics& diag
                   const std::function<bool(const Tokens&)>& wants) {
   Tokens tokens = Lex(source, diagnostics);
   if (diagnostics.has_errors() || (wants && !wants(tokens))) return {};
-  // Said first: what follows may be about another stage's shader.
+  // The profile is reported first, because the next errors may be about another stage's shader.
   if (!options.profile.IsVertex())
     diagnostics.Report({}, diag::NotVertexProfile, options.profile.name);
   const int errors = diagnostics.error_count();

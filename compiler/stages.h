@@ -24,16 +24,16 @@
 //
 //   Source --Front--> ir::Program --Lower--> Lowered --Legalize--> Lowered --Write--> Written
 //
-// What the user may ask for stands beside the chain: check_lowering.h between Front and Lower,
-// CheckTarget between Lower and Legalize.
+// The rules about what the user may ask for lie beside the chain: check_lowering.h between Front
+// and Lower, CheckTarget between Lower and Legalize.
 namespace clipc {
 
-// Lexes and parses; the first half of Front. After syntax errors the file has what could be read,
-// and after errors of the preprocessor it is empty.
+// Lexes and parses a source, which is the first half of Front. After syntax errors the file has the
+// parts that could be read, and after errors of the preprocessor it is empty.
 ast::File ReadFile(Source& source, Diagnostics& diagnostics);
 
-// What the shader means, in Form::kTyped. The program is only meaningful when `diagnostics` has no
-// errors afterwards. Every error about the shader alone is reported here.
+// Returns the meaning of the shader, in Form::kTyped. The program is only meaningful when
+// `diagnostics` has no errors afterwards. Every error about the shader alone is reported here.
 // `wants`, if given, sees the tokens; when it returns false, nothing more is done with them.
 ir::Program Front(Source& source, const CheckOptions& options, Diagnostics& diagnostics,
                   const std::function<bool(const Tokens&)>& wants = {});
@@ -62,20 +62,20 @@ Lowered Lower(ir::Program program, const LowerSettings& settings);
 // `after_pass` know.
 std::vector<std::string_view> LowerPasses();
 
-// Reports what the target cannot say. Without errors, Write succeeds, also for the same shader with
-// fewer clip planes: LowerClipPlanes only adds to the shader.
+// Reports the parts of the program that the target cannot express. Without errors, Write succeeds,
+// also for the same shader with fewer clip planes: LowerClipPlanes only adds to the shader.
 void CheckTarget(const Lowered& lowered, glsl::BlockStyle blocks, Diagnostics& diagnostics);
 
-// Runs the passes that take apart what the target's GLSL cannot say. Requires that CheckTarget
+// Runs the passes that take apart what the target's GLSL cannot express. Requires that CheckTarget
 // reports no error. Afterwards `lowered` is complete unless `options` stopped it.
 void Legalize(Lowered& lowered, const ir::PassOptions& options);
 
 struct Written {
   std::string glsl;
-  glsl::GlslInfo info;  // beside the Lowered program
+  glsl::GlslInfo info;  // the names, places and layouts in `glsl`
 };
 
-// Requires that Legalize has run to its end.
+// Writes the GLSL. Requires that Legalize has run to its end.
 Written Write(const Lowered& lowered, const glsl::WriteOptions& options);
 
 }  // namespace clipc

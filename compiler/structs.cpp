@@ -129,7 +129,7 @@ class Header {
   }
 
  private:
-  // The members of one struct, with what stands between them.
+  // The text of one struct: its members, with padding between them, and its assertions.
   struct Body {
     std::string name, members, assertions;
     std::uint32_t end = 0;
@@ -166,7 +166,7 @@ class Header {
     body.end = offset + size;
   }
 
-  // "float view[16]"
+  // The declaration of a member, such as "float view[16]".
   std::string Declaration(const std::string& name, TypeId id, bool row_major) {
     std::string lengths;
     TypeId element = id;
@@ -194,8 +194,8 @@ class Header {
     return as_words(scalar, is_wide ? 8 : 4);
   }
 
-  // Its name. A struct is as long as its last member goes, so that what follows may use the rest of
-  // that row, as in HLSL.
+  // Adds a struct and returns its name. A struct ends where its last member ends, so that the next
+  // member after it may use the rest of that row, as in HLSL.
   std::string AddStruct(TypeId type) {
     const ir::StructId id = types_[type].structure;
     if (const auto known = structs_.find(id); known != structs_.end()) return known->second;
@@ -220,7 +220,7 @@ class Header {
       if (buffer.count != 1 && types_[type].kind == TypeKind::kArray) type = types_[type].element;
       if (member.offset >= body.end) {
         AddMember(body, var.name, type, var.row_major, member.offset);
-      } else {  // `register(c#)` puts it over another
+      } else {  // `register(c#)` puts the member over another
         fmt::format_to(std::back_inserter(body.members), "  // {} at byte {}\n",
                        Identifier(var.name), member.offset);
       }

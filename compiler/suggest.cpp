@@ -13,7 +13,7 @@ constexpr std::string_view kProfiles[] = {
     "vs_4_1", "vs_5_0", "vs_5_1",           "vs_6_0",           "vs_6_1",           "vs_6_2",
     "vs_6_3", "vs_6_4", "vs_6_5",           "vs_6_6",           "vs_6_7",           "vs_6_8"};
 
-// "`a`, `b` or `c`"
+// The names as a choice: "`a`, `b` or `c`".
 std::string Choices(std::span<const std::string_view> names) {
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i) {

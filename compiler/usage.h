@@ -15,7 +15,7 @@ std::string CheckCommand(const CommandLine& command);
 CompileResult NoticesOf(const CommandLine& command);
 
 // Reads what the request needs besides the shader, and sets what follows from the outputs that are
-// wanted. Returns what is wrong.
+// wanted. Returns the problem in words; empty if there is none.
 std::string PrepareRequest(CommandLine& command);
 
 }  // namespace clipc

@@ -18,7 +18,7 @@ enum class ShaderStage { kVertex, kFragment };
 std::vector<std::string> Validate(const std::string& glsl, const glsl::Target& target,
                                   ShaderStage stage);
 
-// What SPIR-V is for. The environment of Vulkan says which version of SPIR-V it is: 1.0, 1.3, 1.5
+// The version of Vulkan that SPIR-V is for, which decides the version of the SPIR-V: 1.0, 1.3, 1.5
 // or 1.6.
 enum class VulkanVersion : std::uint8_t { k1_0, k1_1, k1_2, k1_3 };
 struct SpirvRequest {
@@ -27,7 +27,7 @@ struct SpirvRequest {
 };
 struct Spirv {
   std::vector<std::uint32_t> words;
-  std::vector<std::string> problems;  // as of Validate; not empty exactly when there are no words
+  std::vector<std::string> problems;  // as of Validate; empty exactly when there are words
 };
 
 // Translates the GLSL of a vertex shader by glslang: for Vulkan, or for OpenGL 4.5 when `target` is
@@ -35,7 +35,7 @@ struct Spirv {
 Spirv MakeSpirv(const std::string& glsl, const glsl::Target& target, const SpirvRequest& request,
                 const std::string& name);
 
-// "glslang 12.0.0".
+// The name and version of the validator, "glslang 12.0.0".
 std::string ValidatorName();
 
 }  // namespace clipc

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-"""Holds the GLSL beside each shader of examples/gallery against what clipc writes now.
+"""Holds the GLSL beside each shader of examples/gallery against the GLSL that clipc writes now.
 
 usage: check_gallery.py CLIPC [--write]
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-"""Draws what an example draws and holds it against the pictures in docs/pictures.
+"""Draws the pictures of an example and holds them against the pictures in docs/pictures.
 
 usage: check_pictures.py FOLDER SCRATCH_FOLDER [--write] PICTURE... -- PROGRAM [ARGUMENT...]
 

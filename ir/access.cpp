@@ -4,13 +4,14 @@
 namespace clipc::ir {
 namespace {
 
-// An object is not an lvalue: a store writes none of its operands.
+// Whether the node writes an object. An object is not an lvalue, so ForEachWrite does not visit it.
 bool IsStore(const Program& program, ExprId expr) {
   const auto* call = As<ObjectCall>(program, expr);
   return call && WritesObject(call->op);
 }
 
-// The node alone, without its operands and, for a call, without what the function does.
+// Whether the node itself writes something, without its operands and, for a call, without the body
+// of the function.
 bool Writes(const Program& program, ExprId expr) {
   bool writes = IsStore(program, expr);
   ForEachWrite(program, expr, [&](ExprId) { writes = true; });

@@ -9,13 +9,13 @@
 #include "ir/program.h"
 #include "ir/walk.h"
 
-// What a node reads, writes and starts at, and what a function's body holds: each of these
-// questions has its one answer here.
+// Questions about nodes and functions, with one answer to each: the operands that a node reads and
+// writes, the variable that a path starts at, and the statements of a function.
 namespace clipc::ir {
 
 // ---- nodes
 
-// The node as a `Node`; null for a node of another kind and for no expression or statement at all.
+// The node as a `Node`; null for a node of another kind and for an id that is none.
 template <typename Node>
 const Node* As(const Program& program, ExprId expr) {
   return expr ? std::get_if<Node>(&program.exprs[expr].node) : nullptr;
@@ -30,7 +30,8 @@ inline const Type& TypeOf(const Program& program, ExprId expr) {
   return program.types[program.exprs[expr].type];
 }
 
-// A statement `target = value;`; null for every other statement, `target += value;` included.
+// The assignment of a statement `target = value;`; null for every other statement, `target +=
+// value;` included.
 const Assign* AsAssignment(const Program& program, StmtId stmt);
 
 // The direct operands, in the order of evaluation.
@@ -93,9 +94,10 @@ void ForEachWrite(const Program& program, ExprId expr, OnTarget&& on_target) {
 // no assignment, increment, store or out argument in it, and no call of a function but helpers.
 bool IsPure(const Program& program, ExprId expr);
 
-// Looks into the functions too: a call is pure when its function changes nothing but its own
-// parameters and local variables. The answers for functions are kept, so the program must not
-// change while this lives. Asking for callees before their callers keeps the recursion flat.
+// The answers to IsPure that look into functions too: a call is pure when its function changes
+// nothing but its own parameters and local variables. The answers for functions are kept, so the
+// program must not change while this lives. Asking for callees before their callers keeps the
+// recursion flat.
 class Effects {
  public:
   explicit Effects(const Program& program)
@@ -111,7 +113,7 @@ class Effects {
   std::vector<Answer> functions_;  // by FunctionId
 };
 
-// Which variables the statements may change, wholly or in part: by VarId.
+// The variables that the statements may change, wholly or in part: a mark for each VarId.
 std::vector<bool> AssignedIn(const Program& program, std::span<const StmtId> stmts);
 
 // ---- functions
@@ -123,9 +125,9 @@ inline std::span<const StmtId> MainBody(const Program& program) {
   return BodyOf(program, program.main);
 }
 // The call of the entry function that a statement of `main` consists of: `T result = entry(...);`,
-// `output = entry(...);` or `entry(...);`. None for every other statement.
+// `output = entry(...);` or `entry(...);`; none for every other statement.
 ExprId EntryCall(const Program& program, StmtId stmt);
-// `body` may be a span of the old body.
+// Replaces the statements of `main`. `body` may be a span of the old ones.
 void SetMainBody(Program& program, std::span<const StmtId> body);
 // Appends statements to the end of `function`'s body.
 void AppendToBody(Program& program, FunctionId function, std::span<const StmtId> stmts);

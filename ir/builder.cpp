@@ -102,7 +102,7 @@ ExprId Builder::ValueOf(TypeId type, std::span<const std::uint64_t> bits) {
   return NextValue(type, bits);
 }
 
-// Takes the components of the type from the front of `bits`.
+// Makes a value of the type from the components at the front of `bits`, and removes them there.
 ExprId Builder::NextValue(TypeId id, std::span<const std::uint64_t>& bits) {
   const Type type = program_.types[id];
   const auto next = [&](TypeId scalar) {

@@ -10,8 +10,8 @@
 
 namespace clipc::ir {
 
-// Makes well-typed nodes: each call computes the type that ir/expr.h promises for the node. New
-// nodes get the builder's span.
+// A maker of well-typed nodes: each call computes the type that ir/expr.h promises for the node.
+// New nodes get the builder's span.
 class Builder {
  public:
   explicit Builder(Program& program, Span span = {}) : program_(program), span_(span) {}
@@ -32,7 +32,7 @@ class Builder {
   ExprId Part(ExprId whole, std::uint32_t part);  // as TypeTable::PartType counts them
   ExprId Swizzled(ExprId base, std::initializer_list<int> components);
   ExprId Swizzled(ExprId base, std::span<const std::uint8_t> components);
-  // `count` components in a row, from the component `first` on.
+  // A swizzle of `count` components in a row, from the component `first` on.
   ExprId SwizzledRun(ExprId base, std::size_t first, std::size_t count);
   ExprId UnaryOf(UnaryOp op, ExprId operand);
   ExprId BinaryOf(BinaryOp op, ExprId left, ExprId right);
@@ -53,7 +53,8 @@ class Builder {
       program_.calls_nonuniform |= node.op == Intrinsic::kNonUniform;
     return program_.exprs.Make(type, span_, node);
   }
-  // Adds a copy of the node. A list of operands becomes its own, so that they can be replaced.
+  // Adds a copy of the node. The copy has a list of operands of its own, so that they can be
+  // replaced.
   ExprId CopyOf(TypeId type, const decltype(Expr::node)& node);
 
   template <typename Node>
@@ -77,8 +78,8 @@ class Builder {
 // Copies the tree under `expr`: an expression has one parent, so using a value twice needs two
 // trees.
 ExprId Clone(Program& program, ExprId expr);
-// Makes v.zyx[i], an index into a swizzle, v[int3(2, 1, 0)[i]], which can be assigned to. Any other
-// expression stays as it is.
+// Turns v.zyx[i], an index into a swizzle, into v[int3(2, 1, 0)[i]], which can be assigned to. Any
+// other expression is left as it is.
 void IndexWholeVector(Program& program, ExprId expr);
 
 }  // namespace clipc::ir

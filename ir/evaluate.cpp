@@ -134,7 +134,8 @@ EvalOutputs Machine::ReadOutputs() const {
   return outputs;
 }
 
-// Globals in their order; then what is declared inside functions and has a value before they run.
+// Initialises the globals in their order, then the variables that are declared inside functions and
+// have a value before they run.
 void Machine::InitialiseGlobals() {
   for (VarId var : program_.globals) Initialise(var);
   std::vector<bool> is_global(program_.vars.size(), false);

@@ -31,7 +31,7 @@
 //   the first row; the mantissa of frexp is positive.
 namespace clipc::ir {
 
-// The components of one input or output as Literal holds them; of an array (clip distances) its
+// The components of one input or output as Literal holds them; for an array (clip distances), its
 // elements.
 using IoBits = std::array<std::uint64_t, 8>;
 using IoNumbers = std::array<double, 8>;
@@ -50,15 +50,17 @@ struct ObjectRequest {
 struct EvalInputs {
   // The inputs by index into Program::inputs; a missing one is zero.
   std::vector<IoBits> values;
-  // By index of the cbuffer, its bytes as the application uploads them, in HLSL packing; missing
+  // The bytes of the cbuffers by index, as the application uploads them, in HLSL packing; missing
   // ones are zero. Buffer e of an array of ConstantBuffers starts at byte e * Cbuffer::size.
   std::vector<std::vector<std::uint8_t>> cbuffers;
-  // Fills in the components of the result, which start as zeros. Without it all reads give zero.
+  // Fills in the components of the result, which start as zeros. If it is empty, all reads give
+  // zero.
   std::function<void(const ObjectRequest&, std::span<std::uint64_t> result)> read_object;
 };
 
 struct EvalOptions {
-  // Statements and calls that may run: a shader that loops forever ends with an error.
+  // The number of statements and calls that may run: a shader that loops forever ends with an
+  // error.
   std::uint64_t step_limit = 10'000'000;
   // Computes all floats in double, as a yardstick for the rounding errors of float: cbuffers,
   // inputs and literals are the same floats, only results differ. Comparisons may then take another
@@ -73,14 +75,14 @@ struct EvalOptions {
 
 struct EvalOutputs {
   std::vector<IoBits> values;        // by index into Program::outputs; floats rounded to float
-  std::vector<IoNumbers> numbers;    // the same as numbers, unrounded with in_double
-  bool wrote_out_of_bounds = false;  // an assignment went nowhere
+  std::vector<IoNumbers> numbers;    // `values` as numbers, unrounded with in_double
+  bool wrote_out_of_bounds = false;  // an assignment was dropped
 };
 
 // Either outputs or an error.
 struct EvalResult {
   EvalOutputs outputs;
-  std::string error;  // empty: it ran to the end
+  std::string error;  // empty if `main` ran to the end
   explicit operator bool() const { return error.empty(); }
 };
 
@@ -89,10 +91,10 @@ EvalResult RunMain(const Program& program, const EvalInputs& inputs,
                    const EvalOptions& options = {});
 
 // The value of an expression of literals, operators, intrinsics and constants (Storage::kConstant
-// with an init), component after component in the order of the type. Nothing when the expression
-// has anything else in it, where it divides an integer by zero or indexes out of bounds, or where
-// it is too much work: it takes time linear in the expression, and what it reads out of variables
-// is bounded. The program need not be complete.
+// with an init), component after component in the order of the type. Returns nullopt if the
+// expression has anything else in it, divides an integer by zero, indexes out of bounds, or is too
+// much work: the evaluation takes time linear in the expression, and the work inside variables is
+// bounded. The program need not be complete.
 std::optional<std::vector<std::uint64_t>> ConstantBits(const Program& program, ExprId expr);
 
 }  // namespace clipc::ir

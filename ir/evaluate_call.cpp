@@ -94,7 +94,7 @@ void Machine::EvalBits(ExprId expr, const IntrinsicCall& node) {
 
 namespace {
 
-// What a writing intrinsic makes of one component: its value and what it writes.
+// The results of a writing intrinsic for one component: its value and the values that it writes.
 struct Parts {
   Word value, first, second;
 };
@@ -107,7 +107,7 @@ Parts FloatParts(Intrinsic op, T x) {
   }
   if (op == Intrinsic::kFrexp) {
     int exponent = 0;
-    // Positive, as fxc and DXC have it: they mask the sign away.
+    // The mantissa is positive, as in fxc and DXC, which mask the sign away.
     const T mantissa = std::fabs(std::frexp(x, &exponent));
     return {BitsOf(mantissa), BitsOf(std::isfinite(x) ? static_cast<T>(exponent) : T{0}), 0};
   }
@@ -124,8 +124,8 @@ Parts PartsOf(Intrinsic op, Scalar rep, Word x) {
 
 }  // namespace
 
-// modf, frexp, sincos and asuint of a double: the arguments after the first are written, left to
-// right.
+// Evaluates modf, frexp, sincos and asuint of a double: the arguments after the first are written,
+// left to right.
 void Machine::EvalWriting(const IntrinsicCall& node) {
   const auto argument = [&](std::uint32_t i) { return program_.expr_lists[node.arguments][i]; };
   const bool has_value = node.op == Intrinsic::kModf || node.op == Intrinsic::kFrexp;

@@ -59,7 +59,8 @@ void Machine::EvalConstant(ExprId expr) {
   --depth_;
 }
 
-// Pushes as many words as an operator may read of an operand.
+// Notes that the expression is not constant, and pushes as many words as an operator may read of an
+// operand.
 void Machine::PushNoConstant() {
   is_constant_ = false;
   PushZeros(16);

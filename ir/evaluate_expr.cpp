@@ -105,7 +105,7 @@ void Machine::EvalPart(ExprId expr) {
   PushUndefined(program_.exprs[expr].type);
 }
 
-// An object of an array without a size, whose elements have no place in memory.
+// Pushes an object of an array without a size, whose elements have no place in memory.
 void Machine::EvalUnsizedElement(const Index& node) {
   if (only_constants_) return PushNoConstant();
   const Word element = UintOf(EvalScalar(node.index));

@@ -219,7 +219,7 @@ TEST_F(Intrinsics, BitCounting) {
   EXPECT_EQ(u(Intrinsic::kFirstBitLow, 0x50), 4);
   EXPECT_EQ(u(Intrinsic::kFirstBitLow, 0), 4294967295.0);
   EXPECT_EQ(u(Intrinsic::kReverseBits, 3), 0xC0000000u);
-  // Of a signed number: the first bit that differs from the sign.
+  // A signed number gives the first bit that differs from the sign.
   EXPECT_EQ(Of(Intrinsic::kFirstBitHigh, Scalar::kUint, Scalar::kInt, {-2}), 0);
   EXPECT_EQ(Of(Intrinsic::kFirstBitHigh, Scalar::kUint, Scalar::kInt, {-1}), 4294967295.0);
   EXPECT_EQ(Of(Intrinsic::kFirstBitHigh, Scalar::kUint, Scalar::kInt, {-129}), 7);
@@ -277,7 +277,7 @@ TEST_F(Intrinsics, Products) {
             -5);
 }
 
-// Left to right: (1e8 + 1) - 1e8 loses the 1; the other order would keep it.
+// The sum goes from left to right: (1e8 + 1) - 1e8 loses the 1; the other order would keep it.
 TEST_F(Intrinsics, DotAddsFromLeftToRight) {
   const ExprId a = Value(Scalar::kFloat, {1e8, 1, -1e8});
   const ExprId ones = Value(Scalar::kFloat, {1, 1, 1});

@@ -15,7 +15,7 @@ namespace clipc::ir {
 // The most words that one value, or all variables together, may have: 128 MiB.
 inline constexpr std::uint32_t kMaxWords = 1u << 24;
 
-// Runs one program once. A value is its components in order, one word each (a matrix by rows, a
+// One run of one program. A value is its components in order, one word each (a matrix by rows, a
 // struct by fields, an array by elements); an object is one word that names a resource. Expressions
 // push their value on a stack; each variable has its own place in `memory_`, since no function can
 // be active twice.
@@ -26,12 +26,13 @@ class Machine {
   EvalResult Run();
   // The value of an expression outside of all functions, by which a test sees one operation.
   std::vector<Word> Value(ExprId expr);
-  // What ConstantBits() returns.
+  // The value of a constant expression, as ConstantBits() returns it.
   std::optional<std::vector<Word>> Constant(ExprId expr);
 
  private:
   enum class Flow : std::uint8_t { kNext, kBreak, kContinue, kReturn, kStop };
-  // Where a target lies. With count > 0, the components after `address` in that order.
+  // The words of a target. If count is above 0, they are the words at `address` plus each of
+  // `components`, in that order.
   struct Place {
     std::uint32_t address = 0;
     bool in_bounds = true;
@@ -40,7 +41,7 @@ class Machine {
   };
 
   // evaluate.cpp: from the program's inputs to its outputs
-  bool Prepare();  // false: too large
+  bool Prepare();  // false if the program is too large
   void LoadCbuffer(CbufferId id);
   void Unpack(const std::vector<std::uint8_t>& bytes, std::uint64_t offset, TypeId type,
               bool row_major, Word*& to);
@@ -57,7 +58,7 @@ class Machine {
   Scalar RepOf(
       Scalar kind) const;  // the base kind, with kDouble for kFloat when computing in double
   Scalar RepOf(ExprId expr) const { return RepOf(TypeOf(expr).scalar); }
-  Word FromBits(Word bits, Scalar kind) const;  // of a Literal
+  Word FromBits(Word bits, Scalar kind) const;  // from the bits of a Literal
   Word ToBits(Word word, Scalar kind) const;
   const Type& TypeOf(ExprId expr) const { return program_.types[program_.exprs[expr].type]; }
   std::uint32_t WordsOf(TypeId type);
@@ -68,7 +69,7 @@ class Machine {
   void SetUndefined(VarId var);
 
   // evaluate_stmt.cpp
-  bool Step();  // false: the limit is reached
+  bool Step();  // false if the limit is reached
   Flow Exec(StmtId stmt);
   Flow ExecList(List<StmtId> list);
   Flow Exec(const Block& node) { return ExecList(node.body); }
@@ -120,9 +121,10 @@ class Machine {
   void Store(const Place& place, std::uint32_t words, const Word* from);
   void PushZeros(std::uint32_t words) { stack_.resize(stack_.size() + words, 0); }
   void PushUndefined(TypeId type);
-  // Keeps `words` words at `from` of those after `base`.
+  // Removes the words after `base` from the stack, except the `words` words at `from`.
   void Keep(std::size_t base, std::size_t from, std::uint32_t words);
-  // Keeps `count` of those after `base`, at the given places.
+  // Removes the words after `base` from the stack, except the first `count` of `places`, which are
+  // counted from `base`.
   void Keep(std::size_t base, int count, const std::array<std::size_t, 4>& places);
 
   // evaluate_call.cpp
@@ -155,7 +157,7 @@ class Machine {
   int depth_ = 0;
   std::uint64_t undefined_reads_ = 0;
   bool only_constants_ = false;  // Constant() runs
-  bool is_constant_ = true;      // as far as has been seen
+  bool is_constant_ = true;      // false once something was not constant
   int variables_ = 0;            // constant variables whose values are being evaluated
   std::unordered_map<std::uint32_t, std::vector<Word>> known_;  // values of constant variables
   bool wrote_out_of_bounds_ = false;

@@ -30,7 +30,8 @@ Word Comparison(BinaryOp op, T left, T right) {
   }
 }
 
-// One rounding for each operator: a product is stored before it is used.
+// The remainder x - y * trunc(x / y) with one rounding for each operator: a product is stored
+// before it is used.
 template <typename T>
 T TruncatedRemainder(T x, T y) {
   const T quotient = x / y;
@@ -57,8 +58,8 @@ Unsigned UnsignedDivide(Unsigned left, Unsigned right, bool remainder) {
   return remainder ? left % right : left / right;
 }
 
-// udiv of the magnitudes, then the sign: the quotient is negative when the signs differ, the
-// remainder has the dividend's.
+// Divides the magnitudes as udiv does, then sets the sign: the quotient is negative when the signs
+// differ, and the remainder has the dividend's sign.
 template <typename Unsigned>
 Unsigned SignedDivide(Unsigned left, Unsigned right, bool remainder) {
   using Signed = std::make_signed_t<Unsigned>;
@@ -70,7 +71,7 @@ Unsigned SignedDivide(Unsigned left, Unsigned right, bool remainder) {
   return negate ? 0 - magnitude : magnitude;
 }
 
-// Computed without sign, which is defined where the result does not fit.
+// The integers are computed without sign, which is defined where the result does not fit.
 template <typename T>
 Word IntegerBinary(BinaryOp op, T left_value, T right_value) {
   using enum BinaryOp;
@@ -213,7 +214,8 @@ Word IntegerComponent(Intrinsic op, T x, T y, T z) {
     case kNonUniform: return bits;
     case kCountBits: return static_cast<Word>(std::popcount(bits));
     case kFirstBitHigh: {
-      // The place from bit 0 of the first bit that differs from the sign; none: all ones.
+      // The place, from bit 0, of the first bit that differs from the sign; all ones if there is
+      // none.
       const Unsigned differing = x < 0 ? Unsigned{~bits} : bits;
       return BitsOf(static_cast<std::int32_t>(std::bit_width(differing)) - 1);
     }

@@ -14,17 +14,18 @@ namespace clipc::ir {
 using Word = std::uint64_t;
 
 Word BinaryComponent(BinaryOp op, Scalar rep, Word left, Word right);
-// The increments give the new value.
+// Applies a unary operator to one component. Increments and decrements give the new value.
 Word UnaryComponent(UnaryOp op, Scalar rep, Word operand);
 
-// One component of an intrinsic of category kComponents.
+// One component of the result of an intrinsic of category kComponents.
 Word ComponentFunction(Intrinsic op, Scalar rep, Word x, Word y, Word z);
 
 struct EvalArgument {
   const Word* words = nullptr;
   const Type* type = nullptr;
 };
-// mul, dot, cross, transpose and so on: fills in the components of `result`.
+// Fills in the components of `result` for mul, dot, cross, transpose and the other intrinsics of
+// category kVectors.
 void VectorFunction(Intrinsic op, Scalar rep, std::span<const EvalArgument> arguments,
                     Word* result);
 

@@ -5,7 +5,8 @@
 namespace clipc::ir {
 namespace {
 
-// Keeps the evaluator's own stack bounded; no shader that a device takes nests calls so deeply.
+// The most nested calls, which keep the evaluator's own stack bounded; no shader that a device
+// takes nests calls so deeply.
 constexpr int kMaxCallDepth = 1000;
 
 }  // namespace
@@ -18,7 +19,7 @@ bool Machine::Step() {
 
 bool Machine::Test(ExprId condition) { return EvalScalar(condition) != 0; }
 
-// The arguments are in the parameters' memory. Leaves the result after `base`.
+// Calls a function whose arguments are in the parameters' memory. Leaves the result after `base`.
 void Machine::CallFunction(FunctionId id, std::size_t base) {
   const Function& function = program_.functions[id];
   const std::uint32_t words = WordsOf(function.return_type);

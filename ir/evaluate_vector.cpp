@@ -10,7 +10,7 @@
 namespace clipc::ir {
 namespace {
 
-// Sums of products go from left to right, each product and each sum rounded.
+// The sum of products from left to right, with each product and each sum rounded.
 Word Dot(Scalar rep, const Word* a, std::size_t a_step, const Word* b, std::size_t b_step,
          std::size_t count) {
   Word sum = BinaryComponent(BinaryOp::kMul, rep, a[0], b[0]);
@@ -29,7 +29,8 @@ void Scale(Scalar rep, const Word* values, std::size_t count, Word factor, bool 
   }
 }
 
-// A vector on the left is a row, on the right a column; two vectors give their dot product.
+// The product of mul(): a vector on the left is a row, on the right a column; two vectors give
+// their dot product.
 void Multiply(Scalar rep, const EvalArgument& left, const EvalArgument& right, Word* result) {
   const Type& a = *left.type;
   const Type& b = *right.type;

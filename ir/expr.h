@@ -16,8 +16,9 @@
 // Expressions. program.h says what holds of all of them.
 namespace clipc::ir {
 
-// A scalar. `bits` of a bool are 0 or 1; of int and uint the value; of float kinds those of a
-// float; of double those of a double. Vectors and matrices of constants are Constructs of Literals.
+// A scalar constant. `bits` are 0 or 1 for a bool, the value for an integer, those of a float for
+// the float kinds, and those of a double for double. Vectors and matrices of constants are
+// Constructs of Literals.
 struct Literal {
   std::uint64_t bits = 0;
 };
@@ -49,17 +50,18 @@ struct MatrixSwizzle {
   std::array<std::uint8_t, 4> rows{}, columns{};
   std::uint8_t count = 0;
 };
-// kNot is of bool shapes. The operators that change their operand take an lvalue of an int, uint or
-// float shape.
+// An operator with one operand. kNot takes a bool shape. The operators that change their operand
+// take an lvalue of an int, uint or float shape.
 using clipc::UnaryOp;
 struct Unary {
   UnaryOp op = UnaryOp::kNegate;
   ExprId operand;
 };
-// Component-wise. Both operands have the same type; those of a shift need only the same shape.
-// Comparisons and logical operators give bool of that shape. kMod of floats is fmod: the result has
-// the sign of the dividend. Shift counts are taken modulo 32. The logical operators evaluate both
-// sides, as HLSL before 2021 does; the short-circuit forms are for scalars (HLSL 2021).
+// A component-wise operator with two operands. They have the same type; those of a shift need only
+// the same shape. Comparisons and logical operators give bool of that shape. kMod of floats is
+// fmod: the result has the sign of the dividend. Shift counts are taken modulo 32. The logical
+// operators evaluate both sides, as HLSL before 2021 does; the short-circuit forms are for scalars
+// (HLSL 2021).
 using clipc::BinaryOp;
 struct Binary {
   BinaryOp op = BinaryOp::kMul;
@@ -80,13 +82,13 @@ struct Conditional {
 struct Select {
   ExprId condition, when_true, when_false;
 };
-// The same shape with another component kind. float to int truncates; to bool is != 0; from bool is
-// 0 or 1; signed and unsigned keep the bits. Between half, float and minimum-precision floats it is
-// the identity.
+// A conversion to the same shape with another component kind. float to int truncates; to bool is
+// != 0; from bool is 0 or 1; signed and unsigned keep the bits. Between half, float and
+// minimum-precision floats it is the identity.
 struct Convert {
   ExprId operand;
 };
-// A scalar in every component of a vector or matrix.
+// A vector or matrix with one scalar in every component.
 struct Splat {
   ExprId operand;
 };
@@ -100,8 +102,9 @@ struct Construct {
 struct MatrixTruncate {
   ExprId operand;
 };
-// Arguments have exactly the parameters' types. Those of out and inout parameters are assignment
-// targets: copied in before the call (inout) and out after it, from left to right.
+// A call of a function. Arguments have exactly the parameters' types. Those of out and inout
+// parameters are assignment targets: copied in before the call (inout) and out after it, from left
+// to right.
 struct Call {
   FunctionId function;
   List<ExprId> arguments;
@@ -110,10 +113,10 @@ struct IntrinsicCall {
   Intrinsic op{};
   List<ExprId> arguments;
 };
-// Reads and writes through texture and buffer objects. arguments[0] is the object: a VarRef, or an
-// Index of one for an array of them. The arguments of each operation stand in parentheses; [] marks
-// those that may be left out. An offset is an int{1..3} of literals; the one for all texels of a
-// kGather may be any int2.
+// The reads and writes through texture and buffer objects. arguments[0] is the object: a VarRef, or
+// an Index of one for an array of them. The arguments of each operation are in parentheses; []
+// marks those that may be left out. An offset is an int{1..3} of literals; the one for all texels
+// of a kGather may be any int2.
 enum class ObjectOp : std::uint8_t {
   // (texture, sampler, coordinate float{1..4}, lod float [, offset])
   kSampleLevel,
@@ -180,9 +183,9 @@ constexpr bool IsAtomic(ObjectOp op) {
     default: return false;
   }
 }
-// Whether it changes what the object holds.
+// Whether the operation changes the contents of the object.
 constexpr bool WritesObject(ObjectOp op) { return op == ObjectOp::kStore || IsAtomic(op); }
-// Whether it reads one component of four texels.
+// Whether the operation reads one component of four texels.
 constexpr bool IsGather(ObjectOp op) {
   using enum ObjectOp;
   return op == kGather || op == kGatherGreen || op == kGatherBlue || op == kGatherAlpha;
@@ -196,7 +199,7 @@ struct ObjectCall {
   ObjectOp op{};
   List<ExprId> arguments;
 };
-// Evaluates first, then second, whose value it has.
+// An expression that evaluates `first`, then `second`, whose value it has.
 struct Comma {
   ExprId first, second;
 };

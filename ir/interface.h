@@ -11,8 +11,8 @@
 #include "ir/ids.h"
 #include "ir/type.h"
 
-// What a shader shares with the application and the next stage: constant buffers, objects, inputs,
-// outputs and clip planes.
+// The interface of a shader to the application and to the next stage: constant buffers, objects,
+// inputs, outputs and clip planes.
 namespace clipc::ir {
 
 // [[vk::binding(3, 1)]]
@@ -47,14 +47,14 @@ enum class CbufferKind : std::uint8_t {
 };
 // The precision of a uniform in OpenGL ES, on which the stages of a program must agree.
 enum class Precision : std::uint8_t { kHigh, kMedium, kLow };
-// How the GLSL of another stage declares a constant buffer that both stages use. Two stages of a
-// program declare a block alike.
+// The declaration of a constant buffer in the GLSL of another stage that uses it too. Two stages of
+// a program declare a block alike.
 struct BlockDeclaration {
   std::string name;
   bool has_instance = false;  // members are reached through `instance`
-  bool is_loose = false;      // uniform variables outside blocks; of the rest, precisions count
+  bool is_loose = false;      // uniform variables outside blocks; only their precisions count
   std::string instance;
-  bool rows_on_block = false;  // row_major is said of the block; else of the members
+  bool rows_on_block = false;  // row_major qualifies the block; else the members
   std::optional<std::uint32_t> set, binding;
   struct Member {
     std::string name;
@@ -72,7 +72,7 @@ struct Cbuffer {
   std::uint32_t count = 1;        // the number of buffers: 4 of ConstantBuffer<T> cb[4]
   bool is_push_constant = false;  // [[vk::push_constant]]: Vulkan binds no buffer to it
   Span span;
-  std::optional<BlockDeclaration> declared;  // none: as the target likes
+  std::optional<BlockDeclaration> declared;  // none: the target decides
 };
 
 struct Resource {
@@ -81,7 +81,7 @@ struct Resource {
   std::string format = {};  // [[vk::image_format("rgba8")]] in GLSL's spelling; empty: none
 };
 
-// What an input or output means to the pipeline.
+// The meaning of an input or output to the pipeline.
 enum class Builtin : std::uint8_t {
   kNone,
 
@@ -113,7 +113,7 @@ enum class Builtin : std::uint8_t {
 struct OutputGroup {
   struct Member {
     std::string name;
-    // In GLSL's words: a vector, or a matrix of so many columns, or an array of them.
+    // The type in GLSL: a vector of `components`, a matrix of `columns` such vectors, or an array.
     Scalar scalar = Scalar::kFloat;
     std::uint8_t components = 1;
     std::uint8_t columns = 1;
@@ -121,25 +121,27 @@ struct OutputGroup {
     Interpolation interpolation = Interpolation::kDefault;
     bool centroid = false;
     bool sample = false;
-    std::optional<std::uint32_t> location = {};  // where it is said of the member
+    std::optional<std::uint32_t> location = {};  // if the member has its own
   };
-  bool is_block = true;                        // else a struct
+  bool is_block = true;                        // false: a struct
   std::string type;                            // the name of the block or the struct
   std::string instance;                        // empty: the members are global names
-  std::optional<std::uint32_t> location = {};  // where it is said of the whole
+  std::optional<std::uint32_t> location = {};  // if the whole has one
   std::vector<Member> members = {};
 };
 
 // The input of the next stage that an output meets, whose form the output takes.
 struct Reader {
-  bool is_known = true;      // else supposed: the next stage is not known
-  std::string name;          // empty: named after its semantic, as every output
-  bool has_location = true;  // else the stages meet by name
-  // The whole input is a matrix or an array; the output is this element (or column) of it.
+  bool is_known = true;      // false: a supposition; the next stage is not known
+  std::string name;          // empty: the output is named after its semantic
+  bool has_location = true;  // false: the stages meet by name
+  // The columns and array dimensions of the whole input. The output is the element (or column)
+  // number `element` of it.
   std::uint32_t columns = 1;
   std::vector<std::uint32_t> dimensions;
   std::uint32_t element = 0;
-  // The input is a member of a block or a struct: its number in Program::output_groups, and there.
+  // For a member of a block or a struct: the number of the group in Program::output_groups, and the
+  // number of the member in the group.
   std::optional<std::size_t> group = {};
   std::size_t member = 0;
 
@@ -162,17 +164,17 @@ struct IoVar {
   bool has_index = false;  // the index is written: TEXCOORD0, not TEXCOORD
   bool is_placed = false;  // [[vk::location]] gives the location
   std::string name = {};   // of the field, parameter or function that has the semantic: "uv"
-  // Where it is in the signature, from the name of the parameter or function on: "input.uv[1]". The
-  // rows of a matrix have the matrix's path.
+  // The path to it in the signature, from the name of the parameter or function on: "input.uv[1]".
+  // The rows of a matrix have the matrix's path.
   std::string path = {};
-  std::optional<Reader> reader = {};  // of an output, where the next stage is known
+  std::optional<Reader> reader = {};  // for an output with a known or supposed input
 };
 
 // The locations that an input or output of this scalar or vector type takes: two for three or four
 // components of 64 bits.
 std::uint32_t LocationCount(const Type& type);
-// Puts those that are not built in into the order of their locations, after the others; a list
-// where they have that order stays as it is.
+// Sorts the inputs or outputs that are not built in by location and puts them after the built-in
+// ones. A list in which they have that order already is left as it is.
 void SortByLocation(std::vector<IoVar>& list);
 
 // The semantic of the outputs that carry distances to clip planes to a fragment shader that
@@ -186,7 +188,7 @@ struct ClipPlane {
   std::string text;           // as written: "planes[2]"
   CbufferId cbuffer;          // when whole_register
   std::uint32_t offset = 0;   // bytes in that buffer, a multiple of 16, when whole_register
-  std::uint32_t element = 0;  // which buffer of an array of ConstantBuffers
+  std::uint32_t element = 0;  // index in an array of ConstantBuffers
   // The operand is one whole float4 register, its components in order: Direct3D 9 takes nothing
   // else.
   bool whole_register = false;

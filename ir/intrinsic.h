@@ -14,7 +14,7 @@ enum class Intrinsic : std::uint8_t {
 #include "ir/intrinsics.def"
 };
 
-// One argument, or the result.
+// One argument, or the result, of a signature.
 struct IntrinsicSlot {
   char shape = 0;  // 0: void
   char kind = 0;
@@ -24,19 +24,19 @@ struct IntrinsicSignature {
   static constexpr std::size_t kMaxArguments = 3;
   IntrinsicSlot result;
   std::array<IntrinsicSlot, kMaxArguments> arguments = {};
-  std::uint8_t count = 0;   // of `arguments`
-  bool writes = false;      // one of them at least
+  std::uint8_t count = 0;   // the number of `arguments`
+  bool writes = false;      // a call writes an argument
   bool is_special = false;  // the letters say nothing: the types follow rules of their own
 };
 
 enum class IntrinsicCategory : std::uint8_t {
   kComponents,  // component i of the result depends on component i of each argument
-  kBits,        // the same, and a pattern of bits changes its meaning
+  kBits,        // as kComponents, but on the bit patterns of the components
   kVectors,     // the components of an argument are combined
   kWriting,     // an argument is written
 };
 
-// What a GLSL target must have to express the intrinsic.
+// The requirements that an intrinsic makes of a GLSL target.
 enum class TargetGate : std::uint8_t { kNone, kBitCasts };
 
 struct IntrinsicInfo {
@@ -56,7 +56,7 @@ inline IntrinsicCategory CategoryOf(Intrinsic op) { return InfoOf(op).category; 
 bool WritesArgument(Intrinsic op, std::size_t argument);
 // Whether a call writes any of its arguments.
 inline bool WritesArguments(Intrinsic op) { return InfoOf(op).signature.writes; }
-// Whether a call stands for an expression of other functions and operators, which takes its place
+// Whether a call is short for an expression of other functions and operators, which replaces it
 // before Form::kLegalized.
 bool IsComposed(Intrinsic op);
 

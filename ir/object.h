@@ -35,19 +35,21 @@ struct ObjectInfo {
 const ObjectInfo& InfoOf(ObjectKind kind);
 
 bool IsWritable(ObjectKind kind);
-// Texture1D to TextureCubeArray: a texture that the shader cannot write.
+// Whether the object is a texture that the shader cannot write: Texture1D to TextureCubeArray.
 bool IsTexture(ObjectKind kind);
-// SamplerState, SamplerComparisonState, and Direct3D 9's samplers, which hold their texture too.
+// Whether the object is a SamplerState, a SamplerComparisonState or one of Direct3D 9's samplers,
+// which hold their texture too.
 bool IsSampler(ObjectKind kind);
-// Direct3D 9's sampler1D to samplerCUBE.
+// Whether the object is one of Direct3D 9's sampler1D to samplerCUBE.
 bool IsCombinedSampler(ObjectKind kind);
-// RWBuffer and RWTexture: a format stands between the shader and the memory.
+// Whether the object is an RWBuffer or RWTexture: a format lies between the shader and the memory.
 bool IsImage(ObjectKind kind);
 bool IsStructured(ObjectKind kind);
 bool IsByteAddress(ObjectKind kind);
-// StructuredBuffer and ByteAddressBuffer, RW or not: the shader sees the memory itself.
+// Whether the object is a StructuredBuffer or ByteAddressBuffer, RW or not: the shader sees the
+// memory itself.
 bool IsStorageBuffer(ObjectKind kind);
-// The object is written with the type of its elements: Texture2D<float4>.
+// Whether the type is written with the type of its elements: Texture2D<float4>.
 bool HasElement(ObjectKind kind);
 // The letter of the registers that hold the object: s, t, or u for a writable one.
 char RegisterLetter(ObjectKind kind);

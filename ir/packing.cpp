@@ -9,15 +9,16 @@ namespace clipc::ir {
 namespace {
 
 constexpr std::uint64_t kRow = 16;
-// Hostile array sizes stop here instead of wrapping round; no device takes a buffer that large.
+// The largest size in bytes. Hostile array sizes stop there instead of wrapping round; no device
+// takes a buffer that large.
 constexpr std::uint64_t kLargest = std::numeric_limits<std::uint32_t>::max() & ~(kRow - 1);
 
 std::uint32_t Clamped(std::uint64_t bytes) {
   return static_cast<std::uint32_t>(std::min(bytes, kLargest));
 }
 
-// Registers of `length` components: the columns of a column-major matrix, the rows of a row-major
-// one.
+// The extent of a matrix of `registers` registers of `length` components: the columns of a
+// column-major matrix, the rows of a row-major one.
 Extent MatrixExtent(std::uint32_t scalar_size, std::uint32_t registers, std::uint32_t length) {
   const std::uint64_t stride = RoundUp(std::uint64_t{length} * scalar_size, kRow);
   const std::uint32_t size =

@@ -27,14 +27,15 @@ struct Extent {
 };
 // The extent of a value of `type` whose matrices lie as `row_major` says.
 Extent PackedExtent(const TypeTable& types, TypeId type, bool row_major);
-// Where the next member of this type goes when the ones before end at `end`.
+// The byte offset of the next member, which has the type `type`, when the members before it end at
+// `end`.
 std::uint32_t PackedOffset(const TypeTable& types, TypeId type, bool row_major, std::uint32_t end);
-// Where a field goes when the fields before it end at `end`: where its [[vk::offset]] says, else as
-// PackedOffset.
+// The byte offset of a field when the fields before it end at `end`: its [[vk::offset]] if it has
+// one, else its PackedOffset.
 std::uint32_t FieldPlace(const TypeTable& types, const Field& field, std::uint32_t end);
-// Bytes from the start of the struct to a field.
+// The number of bytes from the start of the struct to a field.
 std::uint32_t FieldOffset(const TypeTable& types, StructId structure, std::uint32_t field);
-// Bytes from one array element to the next: the element's size rounded up to a row.
+// The number of bytes from one array element to the next: the element's size rounded up to a row.
 std::uint32_t ArrayStride(const TypeTable& types, TypeId array, bool row_major);
 // Gives every member without has_packoffset its offset, every member its size, and the buffer its
 // size (of one buffer, for an array of ConstantBuffers). Where only some members have a place of

@@ -12,7 +12,7 @@
 namespace clipc::ir {
 namespace {
 
-// Names in the order of the enumerators.
+// The names in the order of the enumerators.
 constexpr const char* kBuiltins[] = {
     "none",       "position",      "clip_vertex",  "clip_distance",  "cull_distance",
     "point_size", "vertex_id",     "instance_id",  "base_vertex",    "base_instance",

@@ -11,8 +11,8 @@
 
 namespace clipc::ir {
 
-// Prints declarations, functions, statements and expressions of one program, as print.h describes,
-// into one text.
+// A printer of declarations, functions, statements and expressions of one program, as print.h
+// describes, into one text.
 class Printer {
  public:
   explicit Printer(const Program& program);
@@ -27,7 +27,7 @@ class Printer {
   void PrintFunction(FunctionId id, std::string_view role);
 
  private:
-  // An expression that stands in parentheses where it is an operator's.
+  // An operand of an operator, which is put in parentheses where it needs them.
   struct Operand {
     ExprId expr;
   };

@@ -8,7 +8,7 @@
 
 namespace clipc::ir {
 
-// Feature level 9 inside vs_4_0: vs_4_0_level_9_1.
+// The feature level 9 of a profile such as vs_4_0_level_9_1.
 // NOLINTNEXTLINE(readability-identifier-naming)
 enum class Level9 : std::uint8_t { kNone, k9_0, k9_1, k9_3 };
 
@@ -23,15 +23,15 @@ struct Profile {
 
   bool IsVertex() const { return stage == "vs"; }
   bool IsPixel() const { return stage == "ps"; }
-  // vs_1_1, vs_2_0, vs_2_a or vs_3_0: the older dialect.
+  // Whether the profile is of the older dialect: vs_1_1, vs_2_0, vs_2_a or vs_3_0.
   bool IsDirect3D9() const { return major < 4; }
   bool IsAtLeast(int want_major, int want_minor) const {
     return major > want_major || (major == want_major && minor >= want_minor);
   }
 };
 
-// `name` is "vs_4_0_level_9_1" or the like, in any case. Nothing for a name that neither compiler
-// takes.
+// Reads the name of a profile, "vs_4_0_level_9_1" or the like, in any case. Returns nullopt for a
+// name that neither compiler takes.
 std::optional<Profile> ParseProfile(std::string_view name);
 
 }  // namespace clipc::ir

@@ -13,7 +13,7 @@
 #include "ir/type.h"
 #include "ir/variable.h"
 
-// What a shader means: names resolved, every conversion explicit, every node typed.
+// The meaning of a shader: names resolved, every conversion explicit, every node typed.
 //
 // Values are HLSL's. A vector has columns components; a matrix has rows x columns, M[i] is row i,
 // mul() is HLSL's, and how a matrix lies in memory is a property of the variable or field that
@@ -22,7 +22,8 @@
 // parent; Verify says so.
 namespace clipc::ir {
 
-// What holds of a program. Each form includes the ones before it. Verify(program, form) checks it.
+// The promises that a program keeps. Each form includes the ones before it. Verify(program, form)
+// checks them.
 enum class Form : std::uint8_t {
   kTyped,            // as Check returns it
   kNoClipPlanes,     // clip planes are outputs, or entries of the table only: none has a value
@@ -51,11 +52,11 @@ struct Program {
   std::vector<OutputGroup> output_groups;  // where the next stage is known
   // The kStatic and kConstant variables at global scope that are reached, in order of declaration.
   std::vector<VarId> globals;
-  std::vector<Resource> resources;  // those that are reached, in order of declaration
+  std::vector<Resource> resources;  // the objects that are reached, in order of declaration
   std::vector<ClipPlane> clip_planes;
   Form form = Form::kTyped;
-  // Whether a method of an object, and NonUniformResourceIndex, was ever called: what looks for
-  // such calls need not look at the nodes of other programs.
+  // Whether a method of an object, and whether NonUniformResourceIndex, was ever called: a search
+  // for such calls need not look at the nodes of other programs.
   bool calls_objects = false, calls_nonuniform = false;
 };
 

@@ -8,7 +8,7 @@
 
 #include "ir/program.h"
 
-// How passes run: one after the other, and what is asked for after each.
+// The way in which passes run: one after the other, with a check and a callback after each.
 namespace clipc::ir {
 
 struct PassOptions {
@@ -27,7 +27,7 @@ struct Pass {
   Form ensures;
 };
 
-// What follows every step: checks that the program has the form, and tells options.after_pass.
+// Ends a pass: checks that the program has the form `ensures`, and calls options.after_pass.
 // Returns whether the next pass runs.
 bool FinishPass(const Program& program, std::string_view pass, Form ensures,
                 const PassOptions& options);

@@ -20,7 +20,7 @@ Integer Saturating(double value) {
 
 bool IsSigned(Scalar base) { return base == Scalar::kInt || base == Scalar::kInt64; }
 
-// Sign- or zero-extended to 64 bits.
+// The component, sign- or zero-extended to 64 bits.
 std::uint64_t Widened(std::uint64_t bits, Scalar base) {
   if (base == Scalar::kInt) return static_cast<std::uint64_t>(std::int64_t{IntOf(bits)});
   return bits;

@@ -32,8 +32,8 @@ inline std::int32_t IntOf(std::uint64_t bits) {
 inline std::uint32_t UintOf(std::uint64_t bits) { return static_cast<std::uint32_t>(bits); }
 inline std::int64_t Int64Of(std::uint64_t bits) { return static_cast<std::int64_t>(bits); }
 
-// Each truncates. NaN gives 0, and a value that does not fit gives the nearest one that does: ftoi
-// and ftou of the Direct3D 11.3 functional specification.
+// The functions truncate. NaN gives 0, and a value that does not fit gives the nearest one that
+// does: ftoi and ftou of the Direct3D 11.3 functional specification.
 std::int32_t ToInt(double value);
 std::uint32_t ToUint(double value);
 std::int64_t ToInt64(double value);
@@ -44,7 +44,7 @@ std::uint64_t ConvertBits(std::uint64_t bits, Scalar from, Scalar to);
 // The value as a number, for printing and comparing.
 double NumberOf(std::uint64_t bits, Scalar kind);
 
-// The IEEE half in the low 16 bits of `half`; the upper 16 are ignored.
+// The value of the IEEE half in the low 16 bits of `half`; the upper 16 are ignored.
 float HalfToFloat(std::uint32_t half);
 // Rounds to the nearest half, ties to even; overflows to infinity; NaN stays NaN. Direct3D drivers
 // round f32tof16 to the nearest or toward zero, so a comparison with a device takes values that a

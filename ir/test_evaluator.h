@@ -12,16 +12,16 @@
 
 namespace clipc::ir {
 
-// Builds a shader statement by statement and runs it.
+// A shader that a test builds statement by statement and runs.
 class Evaluator : public testing::Test {
  protected:
-  // Verified first: the evaluator promises nothing for other programs.
+  // Runs the shader, which is verified first: the evaluator promises nothing for other programs.
   std::vector<double> Run(std::vector<float> p = {1, 2, 3, 4}) {
     const auto problem = Verify(shader, Form::kTyped);
     EXPECT_EQ(problem, std::nullopt) << *problem;
     return shader.Run(p, options);
   }
-  // Of a float expression: its value in all components of the result.
+  // The value of a float expression, which the shader returns in every component.
   double Result(ExprId scalar) {
     shader.Append({shader.Return(shader.Splat4(scalar))});
     const auto result = Run();

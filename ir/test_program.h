@@ -13,7 +13,7 @@
 #include "ir/packing.h"
 #include "ir/scalar.h"
 
-// For tests only.
+// A program and an evaluation for tests only.
 namespace clipc::ir {
 
 // The value of an expression outside of all functions, component after component.
@@ -73,7 +73,7 @@ class TestProgram : public Program {
   }
   ExprId Splat4(ExprId scalar) { return build.SplatTo(types.Vector(Scalar::kFloat, 4), scalar); }
 
-  // What gl_Position becomes, as numbers.
+  // The components of gl_Position for the input `p`; empty after an error.
   std::vector<double> Run(const std::vector<float>& p, EvalOptions options = {}) {
     EvalInputs eval;
     IoBits bits{};

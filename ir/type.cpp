@@ -7,8 +7,8 @@ namespace clipc::ir {
 namespace {
 
 std::uint64_t Key(const Type& type) {
-  // 4 bits of kind, 28 of element, structure or object, 32 of count: enough for the ids of any real
-  // program.
+  // The key has 4 bits of kind, 28 of element, structure or object, 32 of count: enough for the ids
+  // of any real program.
   constexpr std::uint32_t kNoElement = (1u << 28) - 1;
   const std::uint32_t inner = type.kind == TypeKind::kStruct ? type.structure.index
                               : type.element                 ? type.element.index

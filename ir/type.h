@@ -15,14 +15,15 @@
 
 namespace clipc::ir {
 
-// The kinds differ for overload ranking and messages; the shader computes with BaseOf(kind) only:
-// half and the minimum-precision types are computed at 32 bits, as Direct3D allows.
+// The kinds of a component. They differ for overload ranking and messages; the shader computes with
+// BaseOf(kind) only: half and the minimum-precision types are computed at 32 bits, as Direct3D
+// allows.
 enum class Scalar : std::uint8_t {
 #define SCALAR(Enumerator, Spelling) k##Enumerator,
 #include "base/builtin_types.def"
 };
-// One of kBool, kInt, kUint, kFloat, kDouble, kInt64, kUint64: what a value of the kind is at run
-// time.
+// The kind that a value of `kind` has at run time: kBool, kInt, kUint, kFloat, kDouble, kInt64 or
+// kUint64.
 constexpr Scalar BaseOf(Scalar kind) {
   using enum Scalar;
   switch (kind) {
@@ -35,16 +36,16 @@ constexpr Scalar BaseOf(Scalar kind) {
     default: return kind;
   }
 }
-// half, float, double, min*float
+// Whether the kind is half, float, double or min*float.
 constexpr bool IsFloat(Scalar kind) {
   return BaseOf(kind) == Scalar::kFloat || BaseOf(kind) == Scalar::kDouble;
 }
-// signed or unsigned, not bool
+// Whether the kind is a signed or unsigned integer, not bool.
 constexpr bool IsInteger(Scalar kind) { return !IsFloat(kind) && kind != Scalar::kBool; }
 constexpr bool IsUnsigned(Scalar kind) {
   return BaseOf(kind) == Scalar::kUint || BaseOf(kind) == Scalar::kUint64;
 }
-// 64 bits rather than 32.
+// Whether a component of the kind has 64 bits rather than 32.
 constexpr bool IsWide(Scalar kind) {
   return kind == Scalar::kDouble || kind == Scalar::kInt64 || kind == Scalar::kUint64;
 }
@@ -77,7 +78,8 @@ struct Type {
   std::uint8_t columns = 1;  // of a matrix; the components, 1 to 4, of a vector: float1 has one
   // The elements of an array; 0, of textures, samplers and buffers only: any number of them.
   std::uint32_t count = 0;
-  // Of an array, Buffer<T>, StructuredBuffer<T> or Texture2D<T>; none for an object without <T>.
+  // The element type of an array, Buffer<T>, StructuredBuffer<T> or Texture2D<T>; none for an
+  // object without <T>.
   TypeId element = {};
   StructId structure = {};
   ObjectKind object = ObjectKind::kOther;
@@ -106,7 +108,7 @@ struct Field {
   std::optional<std::uint32_t> location = {};  // [[vk::location(..)]]
   std::optional<std::uint32_t> offset = {};    // [[vk::offset(..)]], in bytes
 };
-// Fields of base structs come first.
+// A struct. Fields of its base structs come first.
 struct Struct {
   std::string name;  // as written; "" for an unnamed struct
   std::vector<Field> fields;
@@ -141,7 +143,7 @@ class TypeTable {
   TypeId Object(ObjectKind kind, TypeId element = {}) {
     return Intern({.kind = TypeKind::kObject, .element = element, .object = kind});
   }
-  // The same shape with another component kind; the type itself when it is not numeric.
+  // The shape of `type` with the component kind `kind`; `type` itself if it is not numeric.
   TypeId WithScalar(TypeId type, Scalar kind);
 
   StructId AddStruct(Struct structure) { return structs_.Add(std::move(structure)); }
@@ -151,7 +153,7 @@ class TypeTable {
   const Struct& operator[](StructId id) const { return structs_[id]; }
   Struct& operator[](StructId id) { return structs_[id]; }
   const Struct& StructOf(TypeId id) const { return structs_[(*this)[id].structure]; }
-  // T of T[2][3]; the type itself when it is not an array.
+  // The innermost element type, T of T[2][3]; the type itself when it is not an array.
   TypeId Innermost(TypeId id) const {
     while ((*this)[id].kind == TypeKind::kArray) id = (*this)[id].element;
     return id;
@@ -164,7 +166,7 @@ class TypeTable {
 
   // HLSL's spelling: "float4x3", "Light[3]", "Texture2D<float4>".
   std::string Name(TypeId id) const;
-  // Every TypeId is below it.
+  // The number of types; the index of every TypeId is below it.
   std::uint32_t size() const { return kCommonCount + types_.size(); }
 
  private:
@@ -179,9 +181,9 @@ class TypeTable {
   static std::uint32_t NumericIndex(const Type& type);
   static const std::array<Type, kCommonCount> kCommon;
 
-  Arena<Type> types_;  // the others
+  Arena<Type> types_;  // the types that are not common
   Arena<Struct> structs_;
-  std::unordered_map<std::uint64_t, TypeId> by_key_;  // the others by a packed key
+  std::unordered_map<std::uint64_t, TypeId> by_key_;  // the same types by a packed key
 };
 
 // The kind of each component of a type in order, through structs and arrays; an object counts as

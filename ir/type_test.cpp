@@ -89,7 +89,7 @@ TEST(Scalar, KindsFallIntoClasses) {
   EXPECT_FALSE(IsUnsigned(Scalar::kInt));
 }
 
-// The profile of that name; an impossible one where there is none.
+// The profile called `name`; an impossible profile if there is none.
 Profile Parsed(std::string_view name) {
   return ParseProfile(name).value_or(Profile{.name = "none", .stage = "none"});
 }

@@ -25,7 +25,7 @@ class ValueGraph {
   std::size_t AddNode();
   // An edge that the program's values alone do not give.
   void AddSource(std::size_t node, std::size_t source) { sources_[node].push_back(source); }
-  // Lets the value go to the node. No expression at all adds nothing.
+  // Adds `value` and the edges from the node to its sources; nothing if `value` is none.
   void AddValue(std::size_t node, ExprId value);
 
   std::size_t NodeOf(VarId id) const { return id.index; }

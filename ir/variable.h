@@ -33,8 +33,8 @@ struct Var {
   Span span = {};
   ExprId init = {};        // of kStatic and kConstant
   CbufferId cbuffer = {};  // of kUniform
-  // Of a kStatic one that nothing assigns: [[vk::constant_id(..)]]. Vulkan may give it another
-  // value than `init` when it makes a pipeline.
+  // The number in [[vk::constant_id(..)]], of a kStatic variable that nothing assigns. Vulkan may
+  // give it another value than `init` when it makes a pipeline.
   std::optional<std::uint32_t> constant_id = {};
   bool row_major = false;
   bool precise = false;
@@ -46,9 +46,10 @@ struct Function {
   std::vector<VarId> parameters;
   StmtId body;  // a Block
   Span span;
-  // A pass made it: it reads and writes nothing but its parameters and its own variables.
+  // Whether a pass made the function, which reads and writes nothing but its parameters and its own
+  // variables.
   bool is_helper = false;
-  bool precise = false;  // what it returns is; SpreadPrecise makes that a matter of variables
+  bool precise = false;  // its result is precise; SpreadPrecise makes variables precise instead
 };
 
 }  // namespace clipc::ir

@@ -16,7 +16,7 @@ namespace clipc::ir {
 std::optional<std::string> CheckIntrinsic(const TypeTable& types, Intrinsic op, TypeId result,
                                           const std::vector<TypeId>& arguments);
 
-// What a node of Form::kLegalized must not be; empty for a node that it may be.
+// The rule of Form::kLegalized that the node breaks, in words; empty if it breaks none.
 std::string_view RuleBrokenBy(const Program& program, ExprId expr);
 
 // Whether both are numeric and have the same rows and columns.
@@ -24,7 +24,8 @@ inline bool SameShape(const Type& a, const Type& b) {
   return a.IsNumeric() && a.kind == b.kind && a.rows == b.rows && a.columns == b.columns;
 }
 
-// The types of expressions. Remembers the first problem; after it, nothing else is checked.
+// A verifier of the types of expressions. It remembers the first problem; after it, nothing else is
+// checked.
 class ExprVerifier {
  public:
   explicit ExprVerifier(const Program& program);
@@ -35,12 +36,12 @@ class ExprVerifier {
   const std::optional<std::string>& problem() const { return problem_; }
   void Fail(std::string what);
 
-  // Which variables may be named at the moment.
+  // The scope of each variable by VarId: whether it may be named at the moment.
   enum class Scope : std::uint8_t { kNotYet, kVisible, kGone };
   std::vector<Scope> scope;
   // Whether Form::kLegalized is asked for.
   bool legalized = false;
-  // Printed before a problem: "function main".
+  // The text that is printed before a problem: "function main".
   std::string where;
   // The functions that the trees checked so far call.
   std::vector<FunctionId> calls;
@@ -56,7 +57,7 @@ class ExprVerifier {
   void RequireComponents(const Type& base, std::uint8_t count);
   void RequireSides(ExprId when_true, ExprId when_false);
 
-  // The node of `expr_`, whose operands were checked.
+  // Each Check takes the node of `expr_`, whose operands were checked.
   void Check(const Literal& node);
   void Check(const Zero& node);
   void Check(const VarRef& node);

@@ -244,7 +244,7 @@ class ProgramVerifier {
                 "a case label is a literal of the switch's type");
         if (literal) labels.push_back(literal->bits);
       }
-      // What an arm declares is visible in the next ones, as in the text.
+      // A variable that an arm declares is visible in the next arms, as in the text.
       for (StmtId stmt : program_.stmt_lists[arm.body]) CheckStmt(stmt, inner);
     }
     LeaveScope(mark);

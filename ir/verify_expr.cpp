@@ -14,7 +14,7 @@ bool IsScalar(const Type& type) { return type.kind == TypeKind::kScalar; }
 bool IsBoolScalar(const Type& type) { return IsScalar(type) && type.scalar == Scalar::kBool; }
 bool IsIndexType(const Type& type) { return IsScalar(type) && IsInteger(type.scalar); }
 
-// What an arithmetic, bit, shift, comparison or logical operator takes.
+// Whether the operator takes operands of that component kind.
 bool Takes(BinaryOp op, Scalar kind) {
   using enum OperatorKind;
   switch (TraitsOf(op).kind) {
@@ -343,7 +343,8 @@ void ExprVerifier::Check(const ObjectCall& node) {
   }
 }
 
-// A path of fields and indices to a variable that may be written, with at most one last swizzle.
+// Whether the expression is a path of fields and indices to a variable that may be written, with at
+// most one last swizzle.
 bool ExprVerifier::IsTarget(ExprId expr) const {
   if (RepeatsComponents(program_, expr)) return false;
   if (As<Swizzle>(program_, expr)) expr = WholeOf(program_, expr);

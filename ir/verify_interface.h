@@ -9,7 +9,7 @@
 namespace clipc::ir {
 
 // The first thing that is wrong with the program's entry points, inputs, outputs, cbuffers,
-// resources and clip planes; nothing when they are right, and then their ids are in range.
+// resources and clip planes; none when they are right, and then their ids are in range.
 std::optional<std::string> CheckInterface(const Program& program);
 
 }  // namespace clipc::ir

@@ -79,7 +79,8 @@ bool MatchesSignature(const TypeTable& types, const IntrinsicSignature& signatur
   return matcher.Match(signature.result, result);
 }
 
-// mul(): scalars, vectors and matrices in all nine combinations, of one kind.
+// Whether the types are those of mul(): scalars, vectors and matrices in all nine combinations, of
+// one kind.
 bool MatchesMul(const Type& result, const Type& left, const Type& right) {
   using enum TypeKind;
   if (!left.IsNumeric() || !right.IsNumeric()) return false;
@@ -99,7 +100,8 @@ bool MatchesMul(const Type& result, const Type& left, const Type& right) {
          result.columns == right.columns;
 }
 
-// The functions that no signature describes: mul, asfloat, asint and asuint.
+// Whether the types are those of a function that no signature describes: mul, asfloat, asint and
+// asuint.
 bool MatchesSpecial(const TypeTable& types, Intrinsic op, TypeId result_id,
                     const std::vector<TypeId>& arguments) {
   using enum Scalar;

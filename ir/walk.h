@@ -8,7 +8,8 @@
 #include "base/overloaded.h"
 #include "ir/program.h"
 
-// The children of a node, each kind of node once: whoever walks the tree need not know all kinds.
+// The children of a node, with one place for each kind of node: code that walks the tree need not
+// know all kinds.
 namespace clipc::ir {
 
 // A node that is of one of these kinds, const or not.

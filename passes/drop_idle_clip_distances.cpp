@@ -25,7 +25,7 @@ std::optional<std::uint32_t> LiteralIndex(const Program& program, ExprId id) {
   return literal ? std::optional(UintOf(literal->bits)) : std::nullopt;
 }
 
-// Tells which values may be negative, infinite or not a number. Components are counted through
+// Finds the values that may be negative, infinite or not a number. Components are counted through
 // vectors and arrays: element 1 of a float2[3] is components 2 and 3.
 class ClipQuestion {
  public:
@@ -41,7 +41,7 @@ class ClipQuestion {
             },
             [](const Zero&) { return false; },
             [&](const Splat& node) { return CanClip(node.operand, 0); },
-            [&](const Convert& node) {  // to a whole number, only a small one keeps its sign
+            [&](const Convert& node) {  // to a whole number, only a small value keeps its sign
               const bool is_float = BaseOf(program_.types[expr.type].scalar) == Scalar::kFloat;
               return !is_float || CanClip(node.operand, component);
             },
@@ -95,7 +95,7 @@ class ClipQuestion {
     return type.IsScalarOrVector() ? type.Components() : 0;
   }
 
-  // The components of a variable that a path names; empty where they are not known.
+  // The components of a variable that the path `id` names; empty if they are not known.
   std::vector<Component> ComponentsOf(ExprId id) const {
     const std::uint32_t size = SizeOf(program_.exprs[id].type);
     std::vector<Component> components;
@@ -140,7 +140,7 @@ class ClipQuestion {
   const Program& program_;
   std::set<Component> asked_;
   bool has_writes_ = false;
-  // The values that each component is given: an expression and a component of it.
+  // The values that each component is given, each an expression and a component of it.
   std::map<Component, std::vector<std::pair<ExprId, std::uint32_t>>> writes_;
   std::set<VarId> unknown_;  // variables that are written in another way
 };
@@ -168,7 +168,7 @@ class DistanceDropper {
   }
 
  private:
-  // Of `distances[i] = value;`
+  // The index `i` if the statement is `distances[i] = value;`; otherwise none.
   std::optional<std::uint32_t> DistanceAt(StmtId id) const {
     const Assign* assign = AsAssignment(program_, id);
     const auto* index = assign ? As<Index>(program_, assign->target) : nullptr;
@@ -176,7 +176,7 @@ class DistanceDropper {
     return base && base->var == distances_ ? LiteralIndex(program_, index->index) : std::nullopt;
   }
 
-  // False unless each distance has one statement of its own in `main`.
+  // Fills values_. Returns false unless each distance has one statement of its own in `main`.
   bool FindDistances() {
     for (const StmtId id : body_) {
       const std::optional<std::uint32_t> index = DistanceAt(id);

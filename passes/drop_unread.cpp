@@ -13,7 +13,7 @@ using namespace ir;
 
 namespace {
 
-// Looks at the statements directly in `main`, its lines.
+// The search for unread variables, which looks at the statements directly in `main`, its lines.
 class Dropper {
  public:
   explicit Dropper(Program& program)
@@ -32,15 +32,15 @@ class Dropper {
   }
 
  private:
-  // A statement that gives a local variable, or a part of it, a value.
+  // A statement that declares a local variable, or gives it or a part of it a value.
   struct Definition {
     VarId var;
-    ExprId value;  // none: a declaration without
+    ExprId value;  // none: a declaration without a value
   };
   struct Line {
     StmtId stmt;             // none: dropped
-    ExprId value;            // of a definition
-    std::uint32_t previous;  // line that defines the same variable, from 1; 0: none
+    ExprId value;            // the value that a definition gives; otherwise none
+    std::uint32_t previous;  // the line before that defines the same variable, from 1; 0: none
   };
 
   void FindUnread() {
@@ -96,8 +96,8 @@ class Dropper {
     return is_local ? definition : Definition{};
   }
 
-  // Adds `by` to the reads of each variable in `root`, an expression or a statement, but `own`:
-  // what a variable's own value reads of it does not count.
+  // Adds `by` to the reads of each variable in `root`, an expression or a statement, except `own`:
+  // a read in the variable's own value does not count.
   template <typename Root>
   void Count(Root root, VarId own, std::int32_t by) {
     if (!root) return;
@@ -117,9 +117,9 @@ class Dropper {
   }
 
   Program& program_;
-  std::vector<std::int32_t> reads_;  // by VarId; being changed counts where the change must stay
-  std::vector<Line> lines_;          // the statements of main
-  std::vector<std::uint32_t> lines_of_;  // by VarId: the last line that defines it, from 1
+  std::vector<std::int32_t> reads_;      // by VarId; a change that must be kept counts as a read
+  std::vector<Line> lines_;              // the statements of main
+  std::vector<std::uint32_t> lines_of_;  // by VarId: its last line, from 1; 0: none
   std::vector<std::uint32_t> unread_;
 };
 

@@ -10,7 +10,7 @@ namespace clipc::passes {
 //   vec4 spare = vec4(in_NORMAL0, 1.0);        =>
 //   gl_Position = in_POSITION0;                     gl_Position = in_POSITION0;
 //
-// A variable stays when a branch or a loop gives it a value, or when computing a value of it
+// A variable is kept when a branch or a loop gives it a value, or when computing a value of it
 // changes something else.
 //
 // Requires and ensures Form::kInlined.

@@ -16,7 +16,7 @@ using namespace ir;
 
 namespace {
 
-// What the entry function reads of one parameter.
+// The reads of one parameter in the entry function: all of them, and those of one field each.
 struct Reads {
   std::uint32_t all = 0, of_fields = 0;
   std::set<std::uint32_t> fields;
@@ -50,9 +50,8 @@ void MakeZero(Program& program, List<ExprId> list, std::uint32_t i) {
   program.expr_lists[list][i] = zero;
 }
 
-// The argument is a variable that is made of the inputs for this call alone, `Vertex v =
-// Vertex(in_POSITION0, in_NORMAL0);`: the inputs for fields that the function does not read become
-// zero.
+// Makes zero the inputs for fields that the function does not read, if the argument is a variable
+// that is made of the inputs for this call alone: `Vertex v = Vertex(in_POSITION0, in_NORMAL0);`.
 void MakeFieldsZero(Program& program, ExprId argument, const std::set<std::uint32_t>& read) {
   const auto* ref = As<VarRef>(program, argument);
   if (!ref) return;

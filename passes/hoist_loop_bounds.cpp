@@ -20,7 +20,7 @@ class BoundHoisting {
  public:
   explicit BoundHoisting(Program& program) : program_(program) {}
 
-  // The statements, and before each loop the variables of its bounds.
+  // Returns the statements of `list`, with the variables of its bounds before each loop.
   List<StmtId> Hoist(List<StmtId> list) {
     const auto stmts = program_.stmt_lists[list];
     if (std::ranges::none_of(stmts, [&](StmtId stmt) { return bool(ConditionOf(stmt)); }))
@@ -55,7 +55,8 @@ class BoundHoisting {
     program_.exprs[expr].node = VarRef{bound};
   }
 
-  // Whether the expression has one value in the whole draw call: uniforms and literals alone.
+  // Whether the expression has one value in the whole draw call, being made of uniforms and
+  // literals alone.
   bool IsUniform(ExprId expr) const {
     return !AnyExpr(program_, expr, [&](ExprId part) {
       return !Visit(
@@ -72,7 +73,8 @@ class BoundHoisting {
     });
   }
 
-  // The name of the member of a constant buffer that is read; none where none is.
+  // The name of the uniform, or of the field of one, that the expression reads; empty if there is
+  // none.
   std::string NameOf(ExprId expr) const {
     std::string name;
     AnyExpr(program_, expr, [&](ExprId part) {
@@ -99,7 +101,7 @@ bool HasLoops(const Program& program) {
 void HoistLoopBounds(Program& program) {
   if (!HasLoops(program)) return;
   BoundHoisting hoisting(program);
-  std::vector<StmtId> lists;  // the statements that hold lists of others
+  std::vector<StmtId> lists;  // the statements that hold lists of statements
   for (const FunctionId id : program.functions.ids()) {
     lists.clear();
     ForEachStmt(program, program.functions[id].body, [&](StmtId stmt) {

@@ -49,11 +49,12 @@ class Inliner {
     return returns == (last ? 1 : 0) && (returned_ || entry.return_type == program_.types.Void());
   }
 
-  // A parameter is the variable of `main` that is its argument, or an input or uniform that is not
-  // assigned to; any other becomes a local variable that starts as the argument.
+  // Replaces a parameter by its argument if that is a local variable of `main`, or if it is a
+  // uniform or an input that is not built in, and the parameter is neither precise nor assigned to.
+  // Any other parameter becomes a local variable that starts as the argument.
   void Parameters(const Function& entry, std::vector<StmtId>& body) {
     const List<ExprId> arguments = std::get<Call>(program_.exprs[call_].node).arguments;
-    std::vector<bool> assigned;  // by VarId; filled when the first is asked for
+    std::vector<bool> assigned;  // by VarId; filled at the first question
     const auto is_assigned = [&](VarId var) {
       if (assigned.empty()) assigned = AssignedIn(program_, {&entry.body, 1});
       return assigned[var.index];
@@ -97,7 +98,7 @@ class Inliner {
     }
   }
 
-  // The statement of the call takes the value that the entry point returned.
+  // Makes the statement of the call take the value that the entry point returns.
   void Result(StmtId call, MainParts& parts) {
     auto& node = program_.stmts[call].node;
     if (auto* declare = std::get_if<Declare>(&node)) {
@@ -116,7 +117,8 @@ class Inliner {
     parts.body.push_back(call);
   }
 
-  // Passes may have added assignments to the result; an input or a uniform takes none.
+  // Whether the returned variable may take the place of the result. Passes may have added
+  // assignments to the result, and an input or a uniform cannot be assigned to.
   bool MayStandFor(VarId returned, VarId result, const std::vector<StmtId>& after) const {
     const VarId name = renamed_[returned.index];
     const VarId var = name ? name : returned;
@@ -132,7 +134,7 @@ class Inliner {
     });
   }
 
-  // Only the name of the entry function is left.
+  // Removes all of the entry function but its name.
   void EmptyEntry() {
     Function& entry = program_.functions[program_.entry];
     entry.body = builder_.BlockOf({});

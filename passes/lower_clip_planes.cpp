@@ -23,15 +23,15 @@ VarId PositionOf(const Program& program) {
   return position;
 }
 
-// float4(xyz, 1).
+// The expression float4(xyz, 1).
 ExprId WithOne(Program& program, Builder& b, ExprId xyz) {
   return b.ConstructOf(program.types.Vector(Scalar::kFloat, 4), {xyz, b.Float(1)});
 }
 
-// What the planes are dotted with.
+// The vector that the planes are dotted with.
 class Vertex {
  public:
-  // Adds to `stmts` what must stand before the first distance.
+  // Adds to `stmts` the statements that must come before the first distance.
   Vertex(Program& program, const ClipPlaneOptions& options, std::vector<StmtId>& stmts)
       : program_(program), var_(options.position_input) {
     if (options.space != PlaneSpace::kObject) {
@@ -42,7 +42,7 @@ class Vertex {
     if (options.space == PlaneSpace::kXyw1) MakeXyw1(stmts);
   }
 
-  // dot(vertex, plane)
+  // The expression dot(vertex, plane).
   ExprId DistanceTo(const ClipPlane& plane) const {
     CLIPC_CHECK(plane.value);
     Builder b(program_, plane.span);
@@ -51,8 +51,8 @@ class Vertex {
   }
 
  private:
-  // `float4 xyw1 = position.xyww; xyw1.w = 1;` is two instructions of SPIR-V, float4(position.xyw,
-  // 1) four.
+  // Adds `float4 xyw1 = position.xyww; xyw1.w = 1;` to `stmts`. This is two instructions of SPIR-V;
+  // float4(position.xyw, 1) would be four.
   void MakeXyw1(std::vector<StmtId>& stmts) {
     Builder b(program_, program_.clip_planes.front().span);
     const VarId xyw1 = b.Local("xyw1", program_.vars[var_].type);
@@ -74,7 +74,7 @@ class Vertex {
 
   Program& program_;
   VarId var_;
-  ExprId local_;  // what `var_` is a copy of
+  ExprId local_;  // the local variable or field that `var_` is a copy of; may be none
 };
 
 void WriteClipDistances(Program& program, const ClipPlaneOptions& options) {

@@ -9,8 +9,8 @@ namespace clipc::passes {
 struct ClipPlaneOptions {
   Lowering lowering = Lowering::kClipDistance;
   PlaneSpace space = PlaneSpace::kClip;
-  ir::VarId position_input = {};   // kObject: the input
-  bool write_clip_vertex = false;  // kLevel9 on targets with gl_ClipVertex
+  ir::VarId position_input = {};   // the input with the position; for kObject
+  bool write_clip_vertex = false;  // for kLevel9: the target has gl_ClipVertex
 };
 
 // Turns the clip planes of the entry point into outputs, at the end of `main`, where every path of

@@ -23,7 +23,7 @@ static bool IsLocalPath(const Program& program, ExprId id) {
   return ref && program.vars[ref->var].storage == Storage::kLocal;
 }
 
-// The `output = value;` directly in the body of main.
+// The assignment if `id`, a statement of the body of main, is `output = value;`; otherwise null.
 static const Assign* WriteOf(const Program& program, StmtId id, VarId output) {
   const Assign* assign = AsAssignment(program, id);
   const auto* target = assign ? As<VarRef>(program, assign->target) : nullptr;
@@ -50,7 +50,7 @@ void RemoveWrite(Program& program, VarId output) {
   SetMainBody(program, body);
 }
 
-// The first location after those of all outputs.
+// The first location after the locations of all outputs.
 static std::uint32_t FreeLocation(const Program& program) {
   std::uint32_t next = 0;
   for (const IoVar& output : program.outputs) {

@@ -7,15 +7,16 @@
 
 namespace clipc::passes {
 
-// The output variable with that meaning; none when the shader does not have it.
+// The output variable with the meaning `builtin`; none if the shader does not have it.
 ir::VarId FindOutput(const ir::Program& program, ir::Builtin builtin);
 
-// The value of the output, when `main` writes the output exactly once, as a copy of a local
-// variable or of one of its fields; none otherwise. Reading the local costs a target less than
-// reading the output again. The expression has its parent: clone it for each use.
+// The value of `output` if `main` writes `output` exactly once, as a copy of a local variable or of
+// one of its fields; otherwise none. Reading the local costs a target less than reading the output
+// again. The expression has its parent: clone it for each use.
 ir::ExprId LocalWrittenTo(const ir::Program& program, ir::VarId output);
 
-// Removes that one copy from `main`. The caller writes the output again.
+// Removes from `main` the one statement that LocalWrittenTo found. The caller writes the output
+// again.
 void RemoveWrite(ir::Program& program, ir::VarId output);
 
 // Adds an output after all others, which only `main` may touch. Dumps show `name`; the target gives

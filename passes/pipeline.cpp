@@ -13,15 +13,15 @@
 namespace clipc::passes {
 namespace {
 
-// The program, and the options of its run.
+// A program and the options with which the passes run on it.
 struct Run {
   ir::Program& program;
   const PipelineOptions& options;
 };
 
-// The order is the design. The comment on a pass says why it stands where it stands.
+// The order is the design. The comment on a pass says why the pass is at this place.
 constexpr ir::Pass<Run> kPipeline[] = {
-    // Planes are given in Direct3D clip space, so before the depth range changes.
+    // Planes are given in Direct3D clip space, so they are lowered before the depth range changes.
     {"lower-clip-planes", [](Run& run) { LowerClipPlanes(run.program, run.options.clip_planes); },
      ir::Form::kNoClipPlanes},
     // From here on the position is in the target's clip space.
@@ -33,11 +33,11 @@ constexpr ir::Pass<Run> kPipeline[] = {
     // Distances that the shader writes by hand have their constants in `main` only now.
     {"drop-idle-clip-distances", [](Run& run) { DropIdleClipDistances(run.program); },
      ir::Form::kInlined},
-    // What an entry function that keeps its call does not read, `main` need not read either.
+    // `main` need not read the inputs that an entry function that keeps its call does not read.
     {"drop-unread-arguments", [](Run& run) { DropUnreadArguments(run.program); },
      ir::Form::kInlined},
     {"drop-unwritten", [](Run& run) { DropUnwritten(run.program); }, ir::Form::kInlined},
-    // After everything that removes statements.
+    // Variables become unread where the passes before have removed statements.
     {"drop-unread", [](Run& run) { DropUnread(run.program); }, ir::Form::kInlined},
     // Calls that the passes before have removed need not be followed.
     {"spread-precise", [](Run& run) { SpreadPrecise(run.program, run.options.precise_outputs); },

@@ -14,15 +14,16 @@ namespace clipc::passes {
 struct PipelineOptions : ir::PassOptions {
   ClipPlaneOptions clip_planes;
   ClipSpaceOptions clip_space;
-  bool precise_outputs = false;    // -Gis: all of them, and what goes into them
-  bool hoist_loop_bounds = false;  // not where loops must count to a constant
+  bool precise_outputs = false;    // -Gis: outputs, and what goes into them, are precise
+  bool hoist_loop_bounds = false;  // false where a loop must count to a constant
 };
 
 // Takes a program from Form::kTyped to Form::kInlined, unless `stop_after` ends it earlier. Returns
 // whether all passes ran.
 bool RunPipeline(ir::Program& program, const PipelineOptions& options);
 
-// What --dump-after and --stop-after accept, in the order in which the passes run.
+// The names of the passes, in the order in which they run. --dump-after and --stop-after accept
+// them.
 std::vector<std::string_view> PassNames();
 
 }  // namespace clipc::passes

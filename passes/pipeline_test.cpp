@@ -49,7 +49,7 @@ std::string MainOf(const Program& program) {
   return text.substr(text.find("void main("));
 }
 
-// What `main` writes for a vertex, output after output.
+// The values that `main` writes for a vertex, output by output.
 std::vector<std::vector<float>> OutputsOf(const Program& program, std::array<float, 4> vertex) {
   EvalInputs inputs;
   inputs.values.resize(1);
@@ -94,12 +94,12 @@ TEST(Pipeline, Xyw1LeavesTheDepthOut) {
   PipelineOptions options;
   options.clip_planes.space = PlaneSpace::kXyw1;
   options.clip_space = {.negative_one_to_one = true, .flip_y = true};
-  // Of the HLSL position: 3 - 0.5 * 1 and 2 * 5 - 2 + 0.25 * 1.
+  // The distances are those of the HLSL position: 3 - 0.5 * 1 and 2 * 5 - 2 + 0.25 * 1.
   EXPECT_THAT(OutputsOf(Lowered(TwoPlanes(), options), {3, 5, 7, 2}),
               ElementsAre(ElementsAre(3, -5, 14 - 2, 2), ElementsAre(2.5f, 8.25f)));
 }
 
-// As TwoPlanes, but the shader doubles the position.
+// The program of TwoPlanes, but its shader doubles the position.
 Program TwoPlanesAndADoubledPosition() {
   Program program = TwoPlanes();
   Builder b(program);

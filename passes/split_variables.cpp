@@ -76,9 +76,10 @@ class Splitter {
     TypeId type;
     std::pmr::vector<Use> uses;  // in order of the statements
     VarId becomes;
-    bool is_new = false;  // becomes a local variable
+    bool is_new = false;  // whether `becomes` is a new local variable
   };
-  // Gives every part a value, or none: `S s;`, `S s = (S)0;`, `s = S(a, b);`
+  // A statement that gives every part a value, or declares the variable without one: `S s;`, `S s =
+  // (S)0;`, `s = S(a, b);`.
   struct Definition {
     std::size_t stmt;
     ExprId value;
@@ -86,12 +87,12 @@ class Splitter {
   struct Candidate {
     VarId var;
     bool is_struct = false;
-    bool is_whole = false;  // has to stay
+    bool is_whole = false;  // whether the variable has to be kept
     std::pmr::vector<Part> parts;
     std::pmr::vector<Definition> definitions;  // the first is the declaration
   };
 
-  // ---- what there is
+  // ---- candidates and their uses
 
   void FindCandidates() {
     for (std::size_t i = 0; i < stmts_.size(); ++i) {
@@ -149,7 +150,8 @@ class Splitter {
     }
   }
 
-  // The value must be a zero, or one value for each part, and must not read the variable itself.
+  // Adds a definition. The variable must be kept unless the value is a zero, or one value for each
+  // part, and does not read the variable itself.
   void Define(Candidate& candidate, ExprId value, bool is_declaration) {
     std::size_t uses = 0;
     for (const Part& part : candidate.parts) uses += part.uses.size();
@@ -167,10 +169,10 @@ class Splitter {
     return AsAssignment(program_, stmts_[stmt]);
   }
 
-  // ---- what becomes of it
+  // ---- replacement
 
-  // `Vertex v; v.position = in_POSITION0; v.normal = in_NORMAL0;` as `Vertex v =
-  // Vertex(in_POSITION0, in_NORMAL0);`
+  // Replaces `Vertex v; v.position = in_POSITION0; v.normal = in_NORMAL0;` by `Vertex v =
+  // Vertex(in_POSITION0, in_NORMAL0);`.
   void FillAtOnce(Candidate& candidate) {
     if (!candidate.is_struct || candidate.definitions.empty()) return;
     const Definition& declaration = candidate.definitions.front();
@@ -239,7 +241,7 @@ class Splitter {
     return static_cast<std::size_t>(&part - candidate.parts.data());
   }
 
-  // The output that takes the part's last value as it is.
+  // The output that takes the part's last value as it is; none if there is none.
   VarId OutputOf(const Part& part) const {
     if (part.uses.empty()) return {};
     const Use& last = part.uses.back();
@@ -253,7 +255,7 @@ class Splitter {
     return program_.vars[target->var].type == part.type ? target->var : VarId{};
   }
 
-  // The input that the part is from beginning to end.
+  // The input that is the part's value from beginning to end; none if there is none.
   VarId InputOf(const Part& part) const {
     if (part.uses.empty() || std::ranges::count_if(part.uses, &Use::writes) != 1) return {};
     const Use& first = part.uses.front();
@@ -266,7 +268,7 @@ class Splitter {
     return is_plain && program_.vars[input->var].type == part.type ? input->var : VarId{};
   }
 
-  // The part's first use after a statement, when it is `part = value;`.
+  // The part's first use after the statement `stmt` if that use is `part = value;`; otherwise null.
   const Use* OverwriteAfter(const Part& part, std::size_t stmt) const {
     const auto next = std::ranges::upper_bound(part.uses, stmt, {}, &Use::stmt);
     if (next == part.uses.end()) return nullptr;
@@ -313,12 +315,12 @@ class Splitter {
   const std::size_t before_end_, after_begin_;
   std::pmr::monotonic_buffer_resource memory_{8192};
   std::pmr::vector<StmtId> stmts_{&memory_};
-  // The statements that stand in front of a statement, or for it.
+  // The statements to insert before each statement; is_replaced_ tells whether that is removed.
   std::pmr::vector<std::pmr::vector<StmtId>> replaced_{&memory_};
   std::vector<bool> is_replaced_;
   std::size_t now_ = 0;
   std::pmr::vector<Candidate> candidates_{&memory_};
-  std::pmr::vector<std::uint32_t> numbers_{&memory_};  // of candidates, by VarId; 0: none
+  std::pmr::vector<std::uint32_t> numbers_{&memory_};  // by VarId: its candidate, from 1; 0: none
 };
 
 }  // namespace

@@ -7,8 +7,8 @@
 
 namespace clipc::passes {
 
-// The statements of `main`: those that read the inputs, those of the shader, those that write the
-// outputs.
+// The statements of `main`: in `before` those that read the inputs, in `body` those of the shader,
+// in `after` those that write the outputs.
 struct MainParts {
   std::vector<ir::StmtId> before, body, after;
 };
@@ -22,7 +22,7 @@ struct MainParts {
 //   o.position = v.position * 2.0;                      gl_Position = in_POSITION0 * 2.0;
 //   gl_Position = o.position;
 //
-// A struct that something uses as a whole stays, and gets its inputs in one statement:
+// A struct that something uses as a whole is kept, and gets its inputs in one statement:
 //
 //   Vertex v; v.position = in_POSITION0; v.uv = in_UV0;
 //       =>

@@ -18,7 +18,7 @@ using namespace ir;
 
 namespace {
 
-// The types with a precise field in them.
+// The set of the types that have a precise field in them.
 class PreciseTypes {
  public:
   explicit PreciseTypes(const TypeTable& types) : types_(types), answers_(types.size()) {
@@ -53,8 +53,8 @@ bool IsOfFunctions(Storage storage) {
          storage == Storage::kStatic;
 }
 
-// Makes the results of a function precise. GLSL as Mesa reads it takes no `precise` at a result, so
-// each one becomes a precise variable first.
+// The change that makes the results of a function precise. GLSL as Mesa reads it takes no `precise`
+// at a result, so each result becomes a precise variable first.
 class PreciseResults {
  public:
   PreciseResults(Program& program, FunctionId function)
@@ -84,8 +84,9 @@ class PreciseResults {
       program_.stmts[id].node = Block{program_.stmt_lists.Add(std::span<const StmtId>(stmts))};
   }
 
-  // The declaration of a precise variable that the statement returns from now on; none if
-  // it returns one already, or nothing.
+  // Makes the variable that the statement returns precise. If the statement returns another
+  // expression, makes it return a new precise variable, and returns the declaration of that
+  // variable; otherwise returns none.
   StmtId DeclarationFor(StmtId stmt) {
     const auto* result = As<Return>(program_, stmt);
     if (!result || !result->value) return {};

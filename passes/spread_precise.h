@@ -5,7 +5,7 @@
 
 namespace clipc::passes {
 
-// Takes `precise` to the functions that a precise value is made by. fxc inlines every call, so that
+// Spreads `precise` to the functions that compute a precise value. fxc inlines every call, so that
 // all of it is computed as written; GLSL looks into no call, so what the function returns becomes a
 // precise variable, and its `out` parameters become precise.
 //

@@ -25,7 +25,7 @@ std::vector<std::string> Problems(std::string_view log, const std::string& path)
   return problems;
 }
 
-// The line where the name stands first, which is its declaration.
+// The line where the name is first used, which is taken for its declaration; 1 if it is not used.
 std::size_t LineOf(std::string_view text, std::string_view name) {
   for (std::size_t at = text.find(name); at != text.npos; at = text.find(name, at + 1)) {
     const std::size_t end = at + name.size();
@@ -94,9 +94,10 @@ std::vector<Member> MembersIn(const glslang::TType& type) {
   return members;
 }
 
-// ---- what the shader reads
+// ---- reads of the shader
 
-// The components of each global variable, and of each member of one, that any statement mentions.
+// A search for the components of global variables, and of their members, that any statement
+// mentions.
 class ReadFinder : public glslang::TIntermTraverser {
  public:
   static constexpr int kWhole = -1;  // in place of a member's number
@@ -131,7 +132,8 @@ class ReadFinder : public glslang::TIntermTraverser {
     return node->getOp() != glslang::EOpLinkerObjects;
   }
 
-  // The components that are read; 0 for none. Reading the whole variable reads its members.
+  // The components of a variable, or of a member of it, that are read; 0 for none. A read of the
+  // whole variable reads its members.
   std::uint32_t Of(const glslang::TIntermSymbol& symbol, int member = kWhole) const {
     const auto mask_of = [&](int place) {
       const auto found = masks_.find({symbol.getId(), place});
@@ -141,9 +143,9 @@ class ReadFinder : public glslang::TIntermTraverser {
   }
 
  private:
-  using Place = std::pair<long long, int>;  // a symbol's number, and a member's
+  using Place = std::pair<long long, int>;  // numbers of a symbol and of a member
 
-  // A variable, or a member of one.
+  // The place of a variable, or of a member of one; none for other nodes.
   static std::optional<Place> PlaceOf(glslang::TIntermTyped& node) {
     if (const auto* symbol = node.getAsSymbolNode()) return Place(symbol->getId(), kWhole);
     auto* access = node.getAsBinaryNode();
@@ -160,10 +162,10 @@ class ReadFinder : public glslang::TIntermTraverser {
 enum class Rules : std::uint8_t {
   kOpenGl,
   kVulkan,   // separate textures and samplers
-  kLenient,  // of the newest version: drivers take more than the version that a shader names
+  kLenient,  // the newest version: drivers take more than the version that a shader names
 };
 
-// How glslang is asked to read a text.
+// The version and profile by which glslang reads a text without #version or, if forced, any text.
 struct Reading {
   int version = 110;
   EProfile profile = ENoProfile;
@@ -191,7 +193,7 @@ bool Parse(const char* text, glslang::TShader& shader, Rules rules, bool is_es) 
                       reading.forces_version, false, EShMsgDefault);
 }
 
-// Says what is too large in the text once its macros are expanded; empty: nothing.
+// Returns the limit that the text exceeds once its macros are expanded; empty if there is none.
 std::string LimitOfExpanded(const char* text, Rules rules, bool is_es) {
   glslang::TShader shader(EShLangFragment);
   shader.setStrings(&text, 1);
@@ -203,7 +205,7 @@ std::string LimitOfExpanded(const char* text, Rules rules, bool is_es) {
   return GlslLimit(expanded);
 }
 
-// The text without its demands for extensions that glslang may not know.
+// The text with `require` turned into `enable` for extensions, which glslang may not know.
 std::string Lenient(std::string_view text) {
   constexpr std::string_view kRequire = "require";
   std::string lenient(text);
@@ -265,7 +267,7 @@ class GlslReader {
     result_.interface.inputs.push_back(std::move(input));
   }
 
-  // A block or a struct: each member is an input.
+  // Adds a block or a struct: each member is an input.
   void AddGroup(const glslang::TIntermSymbol& symbol, const glslang::TType& type) {
     const glslang::TQualifier& qualifier = type.getQualifier();
     Group group;

@@ -36,8 +36,8 @@ std::string WithoutComments(std::string_view text) {
   return code;
 }
 
-// How many words and signs a text may have when its macros are expanded, at most: an upper bound,
-// since a macro is taken to repeat each of its arguments as often as it has words. Saturates.
+// An upper bound of the words and signs that a text has when its macros are expanded: a macro is
+// taken to repeat each of its arguments as often as it has words. The bound saturates.
 class ExpansionBound {
  public:
   explicit ExpansionBound(std::string_view code) {
@@ -52,12 +52,12 @@ class ExpansionBound {
       std::size_t end = body;
       while (end < code.size() && (code[end] != '\n' || code[end - 1] == '\\')) ++end;
       Macro& macro = macros_[code.substr(name, body - name)];
-      macro.body += ' ';  // of all definitions, for any of them may hold
+      macro.body += ' ';  // the bodies of all definitions, for any of them may hold
       macro.body += code.substr(body, end - body);
     }
   }
 
-  // A word that is pasted together may be the name of any macro.
+  // The bound of a text. A word that is pasted together may be the name of any macro.
   std::uint64_t OfAll(std::string_view code) {
     std::uint64_t heaviest = 1;
     for (const auto& [name, macro] : macros_) {
@@ -105,7 +105,8 @@ class ExpansionBound {
     return at;
   }
 
-  // Macros that name each other in a circle, and pasted names, may be anything.
+  // The bound of a word. Macros that name each other in a circle, and pasted names, may be
+  // anything.
   std::uint64_t Weight(std::string_view word, int depth) {
     const auto found = macros_.find(word);
     if (found == macros_.end()) return 1;
@@ -124,7 +125,8 @@ class ExpansionBound {
   bool pastes_ = false;
 };
 
-// glslang walks its tree by recursion, and `a + a + ...` makes a tree as deep as it is long.
+// Whether a statement has too many operators: glslang walks its tree by recursion, and `a + a +
+// ...` makes a tree as deep as it is long.
 bool HasLongStatement(std::string_view code) {
   constexpr std::string_view kOperators = "+-*/%<>=&|^~!?:.([,";
   int operators = 0;
@@ -135,8 +137,9 @@ bool HasLongStatement(std::string_view code) {
   return false;
 }
 
-// glslang walks the members of a struct wherever it stands, so that structs with two members of the
-// struct before double the time. Counts a struct's members, those of its structs included.
+// Whether a struct has too many members, those of its structs included: glslang walks the members
+// of a struct wherever it is used, so that structs with two members of the struct before double the
+// time.
 bool HasLargeStruct(std::string_view code) {
   std::map<std::string_view, std::uint64_t> sizes;
   std::string_view last, name;  // the word before; the struct whose members are counted

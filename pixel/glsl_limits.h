@@ -4,12 +4,12 @@
 #include <string>
 #include <string_view>
 
-// GLSL that glslang would take too much stack or time for, told before glslang reads it.
+// Limits on GLSL that would take glslang too much stack or time, checked before glslang reads it.
 namespace clipc::pixel {
 
-// Says what is too large in the text, "a statement has more than 4096 operators"; empty: nothing.
-// Macros are not expanded, but what they may grow to is limited too; so ask for the preprocessed
-// text again.
+// Returns the limit that the text exceeds, "a statement has more than 4096 operators"; empty if
+// there is none. Macros are not expanded, but the size that they may grow to is limited too; so the
+// preprocessed text must be checked again.
 std::string GlslLimit(std::string_view text);
 
 }  // namespace clipc::pixel

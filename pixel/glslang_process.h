@@ -5,18 +5,18 @@
 #include <string_view>
 #include <vector>
 
-// What every use of glslang has in common.
+// The common parts of all uses of glslang.
 namespace clipc::pixel {
 
 // Makes glslang's tables of the process, once. They are never freed: a thread may use them until
-// the end.
+// the process ends.
 void InitializeGlslang();
 
 struct GlslangError {
   std::string_view line;  // "12"; empty: of the whole shader
   std::string_view text;  // "'x' : undeclared identifier"
 };
-// The errors in glslang's log, whose last line is a summary. At least one.
+// Returns the errors in glslang's log, without the summary in its last line. There is at least one.
 std::vector<GlslangError> GlslangErrors(std::string_view log);
 
 }  // namespace clipc::pixel

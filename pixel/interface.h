@@ -9,12 +9,12 @@
 #include "ir/interface.h"
 #include "ir/type.h"
 
-// The other half of a program: what a pixel shader takes from a vertex shader and shares with it.
-// The readers of this room make it of SPIR-V, GLSL and HLSL, and meet.h compares it with the vertex
-// shader.
+// The other half of a program: the inputs that a pixel shader takes from a vertex shader, and the
+// constant buffers that it shares with it. The readers in this folder make it of SPIR-V, GLSL and
+// HLSL, and meet.h compares it with the vertex shader.
 namespace clipc::pixel {
 
-// An array of more vectors than this has no place between two stages.
+// The most vectors of an input: a larger array has no place between two stages.
 inline constexpr std::uint32_t kMaxElements = 256;
 
 // A numeric type, or an array of one, in GLSL's words: HLSL's float3x4 has three columns of four
@@ -25,14 +25,14 @@ struct Shape {
   std::uint8_t columns = 1;                // of a matrix; else 1
   std::vector<std::uint32_t> dimensions;   // of an array, outermost first
 
-  // The vectors in it: each takes one location, and is one output of an HLSL vertex shader.
-  // At most kMaxElements + 1.
+  // The number of vectors in the shape, at most kMaxElements + 1: each takes one location, and is
+  // one output of an HLSL vertex shader.
   std::uint32_t Elements() const;
   friend bool operator==(const Shape&, const Shape&) = default;
 };
-// GLSL's spelling: "mat3x4[2]".
+// The shape in GLSL's spelling: "mat3x4[2]".
 std::string NameOf(const Shape& shape);
-// The shape of a numeric type, or of arrays of one; nothing for any other type.
+// The shape of a numeric type, or of arrays of one; std::nullopt for any other type.
 std::optional<Shape> ShapeOf(const ir::TypeTable& types, ir::TypeId type);
 
 // A block of inputs, `in Varyings { vec2 uv; } v`, or an input that is a struct.
@@ -40,7 +40,7 @@ struct Group {
   bool is_block = true;                   // else a struct
   std::string type;                       // the name of the block or the struct
   std::string instance;                   // empty: a block's members are global names
-  std::optional<std::uint32_t> location;  // where it is said of the whole
+  std::optional<std::uint32_t> location;  // none if it is not given for the whole
   std::string where;
 };
 
@@ -57,12 +57,12 @@ struct Input {
   bool centroid = false;
   bool sample = false;
   bool is_read = false;
-  std::uint32_t components_read = 0xF;  // bit i: component i of some element, when it is read
+  std::uint32_t components_read = 0xF;  // bit i: component i of some element is read, if any is
   std::string where;                    // for messages: "water.frag:12"
   // The number of its group in Interface::groups. The inputs of a group are its members, all of
   // them and in order.
   std::optional<std::size_t> group = {};
-  bool has_own_location = true;  // a member's location is said of itself, not of the group
+  bool has_own_location = true;  // a member has a location itself, not only its group
 };
 
 enum class MatrixLayout : std::uint8_t { kNone, kRowMajor, kColumnMajor };
@@ -79,11 +79,11 @@ struct Member {
 
 struct Block {
   std::string name;
-  // Members are reached through the name of an instance, which GLSL lets differ between stages; in
-  // both it must be there or not.
+  // Members are reached through the name of an instance, which GLSL lets differ between stages;
+  // both stages must have one, or neither.
   bool has_instance = false;
   std::string instance;        // empty: unknown
-  bool rows_on_block = false;  // `row_major` is said of the block, and not of its members
+  bool rows_on_block = false;  // `row_major` is a qualifier of the block, and not of its members
   std::vector<Member> members;
   std::optional<std::uint32_t> set, binding;
   std::string where;

@@ -79,7 +79,7 @@ class Applier {
     Reshape(output.var, input.shape);
   }
 
-  // Outputs for an input that nothing writes.
+  // Adds outputs that are 0 for an input that nothing writes.
   void AddZeros(const Input& input, std::size_t number, std::vector<IoVar>& outputs) {
     const Span span = program_.functions[program_.entry].span;
     const TypeId type = TypeOfElement(input.shape);
@@ -103,7 +103,8 @@ class Applier {
     return std::max(location + 1, met.group ? group_ends_[*met.group] : 0);
   }
 
-  // Declares the groups that outputs meet; of Vulkan all, since every input has its output there.
+  // Declares the groups that outputs meet; for Vulkan all groups, since every input has its output
+  // there.
   void Groups() {
     std::vector<std::optional<std::size_t>> numbers(pixel_.groups.size());
     for (std::size_t i = 0; i < pixel_.groups.size(); ++i) {
@@ -139,7 +140,7 @@ class Applier {
     return members;
   }
 
-  // The name of an input as a linked program tells it.
+  // The name of an input in a linked program.
   std::string NameOf(const Input& input) const {
     if (!input.group) return input.name;
     const Group& group = pixel_.groups[*input.group];
@@ -185,7 +186,7 @@ class Applier {
     return builder.ConstructOf(type, parts);
   }
 
-  // The assignment of the statement, when it writes the output.
+  // The assignment of the statement if it writes the output; otherwise none.
   ExprId WriteOf(StmtId id, VarId output) const {
     const auto* evaluate = As<Evaluate>(program_, id);
     const auto* assign = evaluate ? As<Assign>(program_, evaluate->expr) : nullptr;

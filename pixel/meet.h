@@ -10,46 +10,51 @@
 #include "ir/program.h"
 #include "pixel/interface.h"
 
-// Where a vertex shader and a pixel shader meet.
+// The meeting of a vertex shader with a pixel shader: of outputs with inputs, and of constant
+// buffers.
 namespace clipc::pixel {
 
 struct MeetOptions {
-  bool keep_outputs = false;  // also those that the pixel shader does not read
+  bool keep_outputs = false;  // outputs that the pixel shader does not read are kept
   // Vulkan matches every input that is declared, also one that is never read, and lets blocks of
   // one name differ (chapter "Shader Interfaces").
   bool is_vulkan = false;
-  bool zero_unwritten = false;  // what the pixel shader reads and nothing writes is 0
+  bool zero_unwritten = false;  // inputs that the pixel shader reads and nothing writes are 0
   bool is_es = false;           // precisions are a part of declarations
 };
 
-// Which input each output meets, and what each constant buffer is there.
+// The input that each output meets, and the block that each constant buffer is in the pixel shader.
 struct Meeting {
   struct Output {
     std::optional<std::size_t> input;  // in Interface::inputs
-    std::uint32_t element = 0;         // the column or element of it
+    std::uint32_t element = 0;         // the column or element of the input
   };
   std::vector<Output> outputs;  // beside program.outputs
-  // Inputs that nothing writes and that are 0 therefore; of Vulkan also those that nothing reads.
+  // Inputs that nothing writes and that become 0, by their numbers in Interface::inputs; for Vulkan
+  // also those outside groups that nothing reads.
   std::vector<std::size_t> zeros;
   struct Buffer {
     std::optional<std::size_t> block;  // in Interface::blocks
     bool is_loose = false;             // its members are in Interface::uniforms
-    // Beside the members, or the fields of a ConstantBuffer<T>.
+    // The precisions of the members, or of the fields of a ConstantBuffer<T>, in their order.
     std::vector<ir::Precision> precisions = {};
   };
   std::vector<Buffer> buffers;  // by CbufferId
 };
 
-// Inputs with a semantic meet the output of that semantic. Others meet, in this order of belief, an
-// output whose semantic or member of a struct their name was made of by DXC, glslang, SPIRV-Cross
-// or HLSLcc, the output of their location, or the only one that is left of their type. Reports an
-// input that nothing writes (as a warning with MeetOptions::zero_unwritten), types that cannot
-// fit, and a constant buffer that both declare with different members. Requires Form::kTyped.
+// Finds the outputs and the constant buffers that the pixel shader's inputs and blocks meet. Inputs
+// with a semantic meet the output of that semantic, or of their [[vk::location]]. Others meet, in
+// this order of belief, an output whose semantic or member of a struct their name was made of by
+// DXC, glslang, SPIRV-Cross or HLSLcc, the output of their location, or the outputs that are left,
+// in their order, if those are as many and of the same types. Reports an input that nothing writes
+// (as a warning with MeetOptions::zero_unwritten), types that cannot fit, and a constant buffer
+// that both declare with different members. Requires Form::kTyped.
 Meeting Meet(const ir::Program& program, const Interface& pixel, const MeetOptions& options,
              Diagnostics& diagnostics);
 
-// Gives the outputs and constant buffers the names, places and shapes of what they meet, and
-// removes the outputs that meet nothing. Requires a meeting without errors. Requires and ensures
+// Gives the outputs and constant buffers the names, places and shapes of the inputs and blocks that
+// they meet. Removes the outputs that meet nothing, unless they are built in or
+// MeetOptions::keep_outputs is set. Requires a meeting without errors. Requires and ensures
 // Form::kTyped.
 void Apply(ir::Program& program, const Interface& pixel, const Meeting& meeting,
            const MeetOptions& options);

@@ -11,14 +11,15 @@
 namespace clipc::pixel {
 namespace {
 
-// Tools write names that GLSL reserves with an underscore more.
+// The name without underscores at its ends, which tools add to names that GLSL reserves.
 std::string_view Stem(std::string_view name) {
   while (name.starts_with('_')) name.remove_prefix(1);
   while (name.ends_with('_')) name.remove_suffix(1);
   return name;
 }
 
-// glslang calls HLSL's $Globals `$Global`, and DXC writes `type.` before a buffer's name.
+// The name by which buffers of two tools are compared: glslang calls HLSL's $Globals `$Global`, and
+// DXC writes `type.` before a buffer's name.
 std::string BlockKey(std::string_view name) {
   std::string key = GlslNameOf(name);
   if (key.starts_with("type_")) key.erase(0, 5);
@@ -26,7 +27,8 @@ std::string BlockKey(std::string_view name) {
   return key == "Globals" ? "Global" : key;
 }
 
-// A bool is a uint in memory, and most compilers declare it so.
+// Whether both members have one shape. A bool is a uint in memory, and most compilers declare it
+// so.
 bool IsSameShape(const Member& ours, const Member& theirs) {
   if (ours.shape == theirs.shape) return true;
   if (!ours.shape || ours.shape->scalar != ir::Scalar::kBool || !ours.shape->dimensions.empty())
@@ -36,7 +38,7 @@ bool IsSameShape(const Member& ours, const Member& theirs) {
   return theirs.shape == as_uint;
 }
 
-// Names the first member that differs; empty when both lists are the same.
+// Names the first member that differs; empty if both lists are the same.
 std::string Difference(const std::vector<Member>& ours, const std::vector<Member>& theirs) {
   for (std::size_t i = 0; i < std::max(ours.size(), theirs.size()); ++i) {
     if (i >= theirs.size()) return ours[i].name;
@@ -54,7 +56,8 @@ std::string Difference(const std::vector<Member>& ours, const std::vector<Member
   return {};
 }
 
-// Reports what differs; returns whether nothing does.
+// Returns whether the members are the same; if not, reports the first that differs, except for
+// Vulkan.
 bool IsSame(const ir::Cbuffer& cbuffer, const std::vector<Member>& ours, const Block& theirs,
             const MeetOptions& options, Diagnostics& diagnostics) {
   const std::string difference = Difference(ours, theirs.members);
@@ -83,7 +86,7 @@ Meeting::Buffer MeetLoose(const ir::Cbuffer& cbuffer, const std::vector<Member>&
   return met;
 }
 
-// By VarId: whether any function mentions it.
+// Whether any function mentions each variable, by VarId.
 std::vector<bool> Mentioned(const ir::Program& program) {
   std::vector<bool> is_mentioned(program.vars.size());
   for (const ir::FunctionId function : program.functions.ids()) {
@@ -94,8 +97,8 @@ std::vector<bool> Mentioned(const ir::Program& program) {
   return is_mentioned;
 }
 
-// In OpenGL ES both stages declare a variable with one precision, and below `highp` a vertex shader
-// may lose digits by it.
+// Reports the first used member below `highp`: in OpenGL ES both stages declare a variable with one
+// precision, by which a vertex shader may lose digits.
 void ReportPrecision(const ir::Cbuffer& cbuffer, const std::vector<Member>& ours,
                      const std::vector<ir::Precision>& theirs, const std::vector<bool>& is_used,
                      Diagnostics& diagnostics) {

@@ -16,19 +16,19 @@ namespace {
 
 using Output = Meeting::Output;
 
-// An output by the names that tools know it by, in GLSL's spelling.
+// The names that tools give an output, in GLSL's spelling.
 struct OutputNames {
   std::string semantic;  // "TEXCOORD0"
   std::string bare;      // "TEXCOORD" when the index is 0, which tools may leave out
   std::string member;    // "weights_1_" of "result.weights[1]"
   std::string array;     // "weights" of "result.weights[0]", and of a matrix's first row
-  bool is_row = false;   // of a matrix
+  bool is_row = false;   // the output is a row of a matrix
 };
 
 bool IsUpper(char c) { return c >= 'A' && c <= 'Z'; }
 
-// Twice the letters of `name` when `text` is it or ends with it where a word begins: "i_uv" and
-// "fragUV" end with "uv"; one more in the same case. Otherwise 0.
+// Returns twice the number of letters of `name` if `text` is `name` or ends with it where a word
+// begins, as "i_uv" and "fragUV" end with "uv", and one more if the case is the same; otherwise 0.
 std::size_t Ending(std::string_view text, std::string_view name) {
   if (name.empty() || name.size() > text.size()) return 0;
   const std::size_t start = text.size() - name.size();
@@ -39,10 +39,11 @@ std::size_t Ending(std::string_view text, std::string_view name) {
   return 2 * name.size() + (ending == name ? 1 : 0);
 }
 
-// Each rule says how much of an input's name speaks for the output, as Ending does; 0: nothing.
+// Each of these rules returns how much of an input's name speaks for the output, as Ending does; 0:
+// nothing.
 
-// Names that a tool makes of the semantic and of nothing else: DXC's, also after SPIRV-Cross, and
-// HLSLcc's, which are clipc's own.
+// The rule for names that a tool makes of the semantic and of nothing else: DXC's, also after
+// SPIRV-Cross, and HLSLcc's, which are clipc's own.
 std::size_t ByToolName(const Input& input, const OutputNames& output) {
   for (const std::string_view prefix : {"in_var_", "vs_", "out_var_"}) {
     std::string_view name = input.name;
@@ -91,7 +92,8 @@ class InputMeeter {
     if (output.builtin != ir::Builtin::kNone) return names;
     names.semantic = output.semantic + std::to_string(output.index);
     if (output.index == 0) names.bare = output.semantic;
-    // After the parameter or the function; a parameter that is not a struct is its own name.
+    // The path after the parameter or the function; a parameter that is not a struct is its own
+    // name.
     const std::string path = output.path.substr(output.path.find('.') + 1);
     const auto first = std::ranges::find(program_.outputs, output.path, &ir::IoVar::path);
     const bool is_matrix = std::ranges::count(program_.outputs, output.path, &ir::IoVar::path) > 1;
@@ -121,7 +123,8 @@ class InputMeeter {
     }
   }
 
-  // "i_light_uv" is of `light_uv` rather than of `uv`, and `uv` is in "i_uv" rather than there.
+  // Meets inputs by a rule, those first that it says most of: "i_light_uv" is of `light_uv` rather
+  // than of `uv`, and `uv` meets "i_uv" rather than "i_light_uv".
   void ByName(std::size_t (*rule)(const Input&, const OutputNames&)) {
     struct Candidate {
       std::size_t score, letters, input, output;
@@ -158,8 +161,8 @@ class InputMeeter {
     }
   }
 
-  // Where names and places say nothing, the inputs and outputs that are left are in one order, if
-  // they are as many and of the same types.
+  // Meets the inputs and outputs that are left after names and places in their order, if they are
+  // as many and of the same types.
   void ByOrder() {
     std::vector<std::size_t> inputs, outputs;
     for (std::size_t i = 0; i < met_.size(); ++i) {
@@ -193,8 +196,8 @@ class InputMeeter {
     return shape;
   }
 
-  // The output that is so many elements after the first in one matrix or array; if there is none,
-  // that of the same semantic whose index is so much higher.
+  // The output that is `element` elements after the first in one matrix or array; if there is none,
+  // the output of the same semantic whose index is `element` higher; otherwise none.
   std::optional<std::size_t> ElementAfter(std::size_t first, std::uint32_t element) const {
     const ir::IoVar& start = program_.outputs[first];
     const std::size_t next = first + element;
@@ -210,13 +213,14 @@ class InputMeeter {
     return std::nullopt;
   }
 
-  // "o.uv" of "o.uv[1]".
+  // The variable that an output is a part of: "o.uv" of "o.uv[1]".
   std::string_view VariableOf(std::size_t output) const {
     const std::string_view path = program_.outputs[output].path;
     return path.substr(0, path.find('['));
   }
 
-  // An array or a matrix meets as many outputs; where one is missing, nothing is met.
+  // Meets an input with the outputs from `first` on, one for each element of an array or a matrix;
+  // meets nothing and returns false if one is missing.
   bool TryMeet(std::size_t number, std::size_t first) {
     if (!IsFree(first)) return false;
     std::vector<std::size_t> met{first};
@@ -230,7 +234,7 @@ class InputMeeter {
     return true;
   }
 
-  // ---- what cannot fit
+  // ---- inputs without an output that fits
 
   void Check(std::size_t number) {
     const Input& input = pixel_.inputs[number];

@@ -12,7 +12,7 @@ namespace clipc::pixel {
 Meeting MeetInputs(const ir::Program& program, const Interface& pixel, const MeetOptions& options,
                    Diagnostics& diagnostics);
 
-// The other half.
+// The other half of Meet: its buffers.
 std::vector<Meeting::Buffer> MeetBlocks(const ir::Program& program, const Interface& pixel,
                                         const MeetOptions& options, Diagnostics& diagnostics);
 

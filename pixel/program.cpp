@@ -12,7 +12,7 @@ namespace {
 
 using namespace ir;
 
-// By VarId: the components that any function reads.
+// The components of each variable that any function reads, by VarId.
 std::vector<std::uint32_t> ComponentsRead(const Program& program) {
   std::vector<std::uint32_t> masks(program.vars.size());
   for (const FunctionId function : program.functions.ids()) {
@@ -40,12 +40,12 @@ std::vector<std::uint32_t> ComponentsRead(const Program& program) {
 Interface ReadProgram(const Program& program, const std::function<std::string(Span)>& place) {
   Interface interface;
   const std::vector<std::uint32_t> masks = ComponentsRead(program);
-  const std::string* path = nullptr;  // of the input before
+  const std::string* path = nullptr;  // the path of the input before
   for (const IoVar& io : program.inputs) {
     if (io.builtin != Builtin::kNone) continue;
     const Var& var = program.vars[io.var];
     const std::uint32_t mask = masks[io.var.index];
-    // The rows of one matrix.
+    // The input is the next row of one matrix.
     if (path && *path == io.path) {
       Input& whole = interface.inputs.back();
       ++whole.shape.columns;

@@ -208,7 +208,7 @@ TEST(Glsl, KnowsTheDialects) {
                   .problems.empty());
 }
 
-// What glslang refuses and drivers take: a function of a later version, an unknown extension.
+// GLSL that glslang refuses and drivers take: a function of a later version, an unknown extension.
 TEST(Glsl, IsReadLeniently) {
   EXPECT_TRUE(ReadGlsl("#version 330\n#extension GL_ARB_texture_query_levels : require\n"
                        "uniform sampler2D t; in vec2 uv; out vec4 c;\n"

@@ -14,12 +14,12 @@
 namespace clipc::pixel {
 namespace {
 
-constexpr int kMaxDepth = 16;  // of arrays and structs in each other
-// The members of all blocks and inputs, those of a struct counted wherever it stands. A struct may
-// name itself as often as it likes.
+constexpr int kMaxDepth = 16;  // the most arrays, or structs, inside each other
+// The most members of all blocks and inputs, those of a struct counted wherever it is used. A
+// struct may name itself as often as it likes.
 constexpr std::size_t kMaxMembers = 1u << 16;
 
-// What the functions that the entry point reaches do with the module's variables.
+// The reads of the module's variables in the functions that the entry point reaches.
 class Reads {
  public:
   Reads(const SpirvModule& module, SpirvId entry) : module_(module) {
@@ -43,9 +43,9 @@ class Reads {
     }
   }
 
-  // The components that are read of a variable or of a member of one that is a struct, all for
-  // anything but a vector; nothing for a place that is not read at all. Reading a whole struct
-  // reads its members.
+  // The components that are read of a variable, or of a member of one that is a struct; they have a
+  // meaning for vectors only. None if the place is not read at all. A read of a whole struct reads
+  // its members.
   std::optional<std::uint32_t> Of(SpirvPlace place) const {
     const std::uint32_t* whole = FindIn(masks_, {place.id});
     if (place.member != kWhole && whole && *whole != 0) return kAll;
@@ -123,7 +123,7 @@ class Reads {
     Read(words[2], indices.size() == 1 ? 1u << (indices.front() & 31) : kAll);
   }
 
-  // The variable, or the member of one, that an id points to.
+  // The place of the variable, or of the member of one, that an id points to.
   SpirvPlace PlaceOf(SpirvId pointer) const {
     const SpirvPlace* found = FindIn(pointers_, pointer);
     return found ? *found : SpirvPlace{pointer};
@@ -143,9 +143,9 @@ class Reads {
   }
 
   const SpirvModule& module_;
-  std::set<SpirvId> structs_;               // variables
+  std::set<SpirvId> structs_;               // variables that are structs
   std::map<SpirvId, SpirvPlace> pointers_;  // by pointer, members of structs
-  std::map<SpirvId, SpirvPlace> loaded_;    // by value, what it was loaded from
+  std::map<SpirvId, SpirvPlace> loaded_;    // by value, the place that it was loaded from
   std::map<SpirvPlace, std::uint32_t> masks_;
 };
 
@@ -190,7 +190,7 @@ class SpirvReader {
     AddGroup(variable, type_id, type, location);
   }
 
-  // A block or a struct: each member is an input.
+  // Adds a block or a struct: each member is an input.
   void AddGroup(const SpirvVariable& variable, SpirvId type_id, const SpirvType& type,
                 std::optional<std::uint32_t> location) {
     Group group;
@@ -222,7 +222,8 @@ class SpirvReader {
     interface_.groups.push_back(std::move(group));
   }
 
-  // `place` has the name and the decorations; `read` is what instructions read.
+  // Adds an input. `place` has the name and the decorations; `read` is the place that instructions
+  // read.
   void AddInput(SpirvPlace place, SpirvPlace read, SpirvId type,
                 std::optional<std::uint32_t> location) {
     Input& input = interface_.inputs.emplace_back();

@@ -16,8 +16,8 @@ std::uint32_t Swapped(std::uint32_t word) {
   return word << 24 | (word & 0xFF00) << 8 | (word >> 8 & 0xFF00) | word >> 24;
 }
 
-// A string literal: UTF-8, four bytes a word from the lowest on, up to a zero. `used` is set to the
-// number of its words.
+// Returns a string literal: UTF-8, four bytes a word from the lowest on, up to a zero. Sets `used`
+// to the number of its words.
 std::string StringAt(std::span<const std::uint32_t> words, std::size_t* used = nullptr) {
   std::string text;
   for (std::size_t i = 0; i < words.size() * 4; ++i) {
@@ -33,7 +33,8 @@ class Reader {
  public:
   explicit Reader(SpirvModule& module) : module_(module) {}
 
-  // Every opcode that it knows has at least that number of words after the first.
+  // Reads one instruction, `words` being those after the first. Words that it lacks are taken for
+  // 0, or the instruction is ignored.
   void Read(std::uint32_t opcode, std::span<const std::uint32_t> words) {
     if (opcode == 54 && words.size() >= 2) function_ = words[1];  // OpFunction
     if (function_ != 0) module_.functions[function_].push_back({opcode, words});

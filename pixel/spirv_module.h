@@ -14,7 +14,7 @@
 // (the words of a module) and 3.52 (the instructions).
 namespace clipc::pixel {
 
-// The value that a map has for a key; null where it has none.
+// The value that a map has for a key; null if it has none.
 template <typename Map>
 const typename Map::mapped_type* FindIn(const Map& map, const typename Map::key_type& key) {
   const auto found = map.find(key);
@@ -22,8 +22,9 @@ const typename Map::mapped_type* FindIn(const Map& map, const typename Map::key_
 }
 
 using SpirvId = std::uint32_t;
-// What has a name and decorations: an id, or a member of the struct type of that id.
+// The member of a SpirvPlace that is an id as a whole.
 inline constexpr std::uint32_t kWhole = ~0u;
+// An owner of a name and decorations: an id, or a member of the struct type of that id.
 struct SpirvPlace {
   SpirvId id = 0;
   std::uint32_t member = kWhole;
@@ -45,11 +46,11 @@ enum class SpirvKind : std::uint8_t {
 struct SpirvType {
   SpirvKind kind = SpirvKind::kOther;
   std::uint32_t count = 0;       // bits of a number; components, columns or elements
-  SpirvId element = 0;           // also what a pointer points to
+  SpirvId element = 0;           // also the type that a pointer points to
   std::uint32_t storage = 0;     // of a pointer
   std::vector<SpirvId> members;  // of a struct
 };
-// What OpDecorate says: the decoration's number, and its first operand, or 0.
+// The first operands, or 0, of the decorations of one place, by the decorations' numbers.
 using Decorations = std::map<std::uint32_t, std::uint32_t>;
 struct SpirvVariable {
   SpirvId id = 0, type = 0;  // the type is a pointer
@@ -79,7 +80,7 @@ struct SpirvModule {
   std::map<SpirvId, std::vector<Instruction>> functions;
 
   const SpirvType* TypeOf(SpirvId id) const { return FindIn(types, id); }
-  // Empty when the place has none.
+  // The name of the place; empty if it has none.
   std::string_view NameOf(SpirvPlace place) const {
     const std::string* name = FindIn(names, place);
     return name ? *name : std::string_view();
@@ -91,7 +92,8 @@ struct SpirvModule {
   }
 };
 
-// The decorations, opcodes and storage classes that the reader asks for, by the names of section 3.
+// The decorations, opcodes and storage classes that the reader looks for, by the names of section
+// 3.
 namespace spv {
 enum Decoration : std::uint32_t {
   kRelaxedPrecision = 0,
@@ -123,7 +125,7 @@ enum Opcode : std::uint32_t {
 inline constexpr std::uint32_t kFragment = 4;  // the execution model
 }  // namespace spv
 
-// Sets `problem` and returns what was read so far when the words are not a module.
+// Reads a module. If the words are not one, sets `problem` and returns the part read so far.
 SpirvModule ReadModule(std::string_view bytes, std::string& problem);
 
 }  // namespace clipc::pixel

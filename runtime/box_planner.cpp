@@ -13,7 +13,7 @@ namespace {
 constexpr float kUnitRoundoff = 0x1p-24f;
 constexpr float kErrorFactor = 10 * kUnitRoundoff;
 constexpr float kUnderflow = 0x1p-120f;
-// Devices may flush smaller numbers to 0.
+// The least normal float. Devices may flush smaller numbers to 0.
 constexpr float kLeastNormal = 0x1p-126f;
 // Sums below this do not overflow, and leave room for the shader's.
 constexpr float kLargestSum = 0x1p120f;
@@ -23,8 +23,8 @@ constexpr float kUndecided = std::numeric_limits<float>::quiet_NaN();
 constexpr std::size_t kBlock =
     256;  // 24 bytes each: a block stays in the first-level cache for all planes
 
-// Inlined into a function for AVX2 and into one for whatever the build is for: the same operations,
-// so the same results.
+// The mark of functions that are inlined into a function for AVX2 and into one for the build's own
+// target: the same operations, so the same results.
 #if defined(__GNUC__) && defined(__x86_64__)
 #define CLIPC_HAS_AVX2_CLONE 1
 #define CLIPC_BLOCK_FUNCTION inline __attribute__((always_inline))
@@ -33,7 +33,7 @@ constexpr std::size_t kBlock =
 #define CLIPC_BLOCK_FUNCTION inline
 #endif
 
-// kSize boxes, and what was found out about them.
+// kSize boxes, and the facts found out about them.
 template <std::size_t kSize>
 struct Block {
   const float* low[3];
@@ -70,9 +70,9 @@ CLIPC_BLOCK_FUNCTION void MeasureBlock(Block<kSize>& block) {
   }
 }
 
-// E for a plane whose coefficients have the magnitudes `size`: monotonic in each of them, roundings
-// included. NaN, to which no distance compares, where sums are too large. `is_zero`: of the zero
-// plane alone, which nothing rounds.
+// Sets `error` to E for a plane whose coefficients have the magnitudes `size`: monotonic in each of
+// them, roundings included; NaN, to which no distance compares, where sums are too large. `is_zero`
+// is for the zero plane alone, which nothing rounds.
 template <std::size_t kSize>
 CLIPC_BLOCK_FUNCTION void SetError(const Block<kSize>& block, const Float4& size, bool is_zero,
                                    float (&error)[kSize]) {
@@ -101,8 +101,8 @@ CLIPC_BLOCK_FUNCTION void SetCoarseError(Block<kSize>& block, const Float4* plan
   SetError(block, size, false, block.coarse_error);
 }
 
-// One plane against a block of boxes, with `error` for E. Whether a distance is nearer to 0 than
-// `error` for some box in order: then another error might give another answer.
+// Plans one plane for a block of boxes, with `error` for E. Returns whether a distance is nearer to
+// 0 than `error` for some box in order: then another error might give another answer.
 template <std::size_t kSize>
 CLIPC_BLOCK_FUNCTION bool PlanBlock(Block<kSize>& block, const Float4& plane, std::uint32_t bit,
                                     const float (&error)[kSize]) {
@@ -128,14 +128,14 @@ CLIPC_BLOCK_FUNCTION bool PlanBlock(Block<kSize>& block, const Float4& plane, st
   return close != 0;
 }
 
-// The first `count` plans of a block.
+// Writes the plans of the first `count` boxes of a block.
 template <std::size_t kSize>
 CLIPC_BLOCK_FUNCTION void PlanFullBlock(Block<kSize>& block, const Float4* planes,
                                         std::size_t plane_count, BoxPlan* plans,
                                         std::size_t count) {
   MeasureBlock(block);
-  // One error for all planes is less work, and hardly ever too large. Where it may be, once more
-  // with each plane's own.
+  // One error for all planes is less work, and hardly ever too large. Where it may be, the plane is
+  // planned once more with its own error.
   SetCoarseError(block, planes, plane_count);
   for (std::size_t i = 0; i < kSize; ++i) block.needed[i] = block.culled[i] = 0;
   bool close = false;
@@ -192,8 +192,8 @@ bool IsBox(const Box& box) {
   return true;
 }
 
-// |v| |M_0| |M_1| ... for the corner of largest |v|, and what numbers flushed to 0 may take away;
-// false where float might overflow.
+// Computes |v| |M_0| |M_1| ... for the corner of largest |v|, and the most that numbers flushed to
+// 0 may take away. Returns false where float might overflow.
 bool LargestPosition(const Box& box, const Matrix* matrices, std::size_t matrix_count,
                      double (&position)[4], double (&flushed)[4]) {
   constexpr auto kLeast = static_cast<double>(kLeastNormal);

@@ -341,7 +341,7 @@ TEST(PlanTransformedBoxTest, IsSafeForPlanesInClipSpace) {
     const double depth = random.Magnitude(1, 1000), size = depth * random.Magnitude(1e-3, 0.3);
     Matrix world_view = random.Rigid(0);
     world_view.m[3][2] = camera.forward * depth;
-    // As one matrix or as two, rounded to float as the shader gets them.
+    // The matrices are one or two, rounded to float as the shader gets them.
     std::vector<Matrix> matrices = {world_view, camera.projection};
     if (random.Below(2) == 0) matrices = {Multiply(world_view, camera.projection)};
     for (Matrix& matrix : matrices) {

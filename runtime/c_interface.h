@@ -7,7 +7,7 @@
 #include "runtime/status.h"
 #include "runtime/table.h"
 
-// What the files behind the C headers share. Not installed.
+// The declarations that the source files of the C interface share. Not installed.
 
 // NOLINTNEXTLINE(readability-identifier-naming): a name of the C interface.
 struct clipc_table {
@@ -16,7 +16,8 @@ struct clipc_table {
 
 namespace clipc::runtime {
 
-// The status as C has it; its words go to `message`, which may be null.
+// The error of the status as C has it. Copies the message of the status to `message`, which may be
+// null.
 clipc_error Report(const Status& status, char* message) noexcept;
 
 // Whether one of the arguments is a null pointer, which is then reported.

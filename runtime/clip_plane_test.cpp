@@ -80,7 +80,7 @@ TEST(ClipPlane, EveryProjectionMatchesTheExactSolution) {
       const Result<PlaneConstant> plane = ClipPlaneFromView(view, camera.projection);
       ASSERT_TRUE(plane.ok()) << camera.name << ": " << plane.status.message();
       const double difference = Difference(plane.value.plane, ExactAfter(camera.projection, view));
-      // What `condition` promises; 8 for the constant in "about".
+      // The bound is the promise of `condition`; 8 is for the constant in "about".
       EXPECT_LE(difference, 8 * plane.value.condition * 0x1p-53) << camera.name;
       EXPECT_LT(plane.value.condition, 100) << camera.name;
     }

@@ -4,8 +4,8 @@
 namespace clipc::runtime {
 namespace {
 
-// Enough for full vectors of any width, small enough to stay in registers and the first-level
-// cache.
+// The number of vertices in a block: enough for full vectors of any width, small enough to stay in
+// registers and the first-level cache.
 constexpr std::size_t kBlock = 32;
 
 // The vertices of a block, component by component, and their codes so far.

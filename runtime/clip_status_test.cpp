@@ -70,7 +70,7 @@ TEST(ClipCodeTest, NanIsOutside) {
   EXPECT_EQ(ClipCode({0, 0, 0.5f, 1}, user), std::uint32_t{kClipPlane0});
 }
 
-// Numbers that meet planes exactly, and all that is odd.
+// Random vertices of numbers that meet planes exactly, and of odd numbers.
 class Vertices {
  public:
   explicit Vertices(std::uint32_t seed) : random_(seed) {}

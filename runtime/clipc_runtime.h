@@ -25,7 +25,7 @@ extern "C" {
 #define CLIPC_MESSAGE_SIZE 200
 
 /* status.h: clipc::runtime::Error. The last member of each enumeration fixes its size, and makes
- * every number a value of it: that of a newer or older header is well defined. */
+ * every number a value of it: the number of a newer or older header is well defined. */
 typedef enum clipc_error {
   CLIPC_OK = 0,
   CLIPC_OUT_OF_MEMORY,
@@ -180,8 +180,8 @@ void clipc_set_depth_column(float to_clip[16], const float plane[4], double scal
  * rows, at the 99th percentile. Negative if there is no prediction for plane and projection. */
 double clipc_edge_error(clipc_plane_space space, const float view_plane[4],
                         const float projection[16], double rows);
-/* The same of a draw whose cut is known: `places` is x, y and z of `count` places of it, in the
- * object's own space; `edge` is the length of the triangles' edges in half pictures. */
+/* The edge error of a draw whose cut is known: `places` is x, y and z of `count` places of it, in
+ * the object's own space; `edge` is the length of the triangles' edges in half pictures. */
 double clipc_cut_error(clipc_plane_space space, const float plane[4], clipc_known_in known_in,
                        const clipc_draw_matrices* draw, const double* places, size_t count,
                        double edge, double rows);
@@ -209,10 +209,11 @@ typedef struct clipc_shader_variant {
   uint8_t planes[6];
 } clipc_shader_variant;
 clipc_shader_variant clipc_variant_of(uint8_t plan);
-/* Both are arrays of 4 floats for each plane; `to` has room for variant->plane_count planes. */
+/* Copies the planes that the variant uses. `from` and `to` are arrays of 4 floats for each plane;
+ * `to` has room for variant->plane_count planes. */
 void clipc_compact_planes(const clipc_shader_variant* variant, const float* from, float* to);
-/* `order` has room for `count` indices; objects with k planes are order[first[k]] up to
- * order[first[k + 1] - 1]. */
+/* The drawing order by number of planes. `order` has room for `count` indices; objects with k
+ * planes are order[first[k]] up to order[first[k + 1] - 1]. */
 void clipc_order_by_plane_count(const uint8_t* plans, size_t count, uint32_t* order,
                                 size_t first[8]);
 

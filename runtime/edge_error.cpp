@@ -7,15 +7,16 @@
 namespace clipc::runtime {
 namespace {
 
-// Up to kFewPlaces each place has all directions; more have a fourth of them each, in turn.
+// The most places. Up to kFewPlaces, each place has all directions; with more, each has a fourth of
+// them, in turn.
 constexpr std::size_t kFewPlaces = 64, kPlaces = 256;
 constexpr int kDirections = 24, kTurns = 4;
 static_assert(kPlaces / kTurns <= kFewPlaces);
 constexpr double kGoldenAngle = 2.399963229728653;  // of a turn, in radians: fills circles evenly
 constexpr double kLeastSine = 0.05;                 // 3 degrees
 
-// The variance of what rounding a number of this size to float adds, evenly over half a unit in the
-// last place; none for 0.
+// The variance of the error that rounding a number of this size to float adds, evenly over half a
+// unit in the last place; none for 0.
 double Rounding(double x) {
   if (x == 0) return 0;
   const double half_unit = std::scalbn(1.0, std::max(std::ilogb(x), -126) - 24);
@@ -30,8 +31,8 @@ bool IsExact(double x) {
 double RoundingOfSum(double a, double b) { return a == 0 || b == 0 ? 0 : Rounding(a + b); }
 double RoundingOfConstant(double x) { return IsExact(x) ? 0 : Rounding(x); }
 
-// The variances of the error of a distance: of that which all vertices share, from constants, and
-// of that which each vertex has of its own, from the shader's operations.
+// The variances of the error of a distance: of the part that all vertices share, from constants,
+// and of the part that each vertex has of its own, from the shader's operations.
 struct Variances {
   double shared = 0, own = 0;
 };
@@ -78,7 +79,7 @@ double OfElements(const Vector4& v, const Matrix& m, const Vector4& slopes) {
   double sum = 0;
   for (int i = 0; i < 4; ++i) {
     const bool is_same = IsSameInFloat(m, i);
-    // The difference of the two is lost.
+    // The difference of the z and w elements is lost.
     const double lost = is_same ? v.c[i] * slopes.c[2] * (m.m[i][2] - m.m[i][3]) : 0;
     sum += lost * lost;
     for (int j = 0; j < 2; ++j) {
@@ -148,7 +149,7 @@ class Shader {
     }
   }
 
-  // The distance, but for what is the same at every place.
+  // The distance, but for a part that is the same at every place.
   double ValueAt(const double (&place)[3]) const { return ValueOf(Last(place)); }
   Variances VariancesAt(const double (&place)[3]) const {
     Variances sum;
@@ -210,7 +211,7 @@ class Shader {
   }
 
   const DistanceArithmetic& arithmetic_;
-  Vector4 slopes_[4] = {};  // of the distance, by what is before each matrix and after the last
+  Vector4 slopes_[4] = {};  // of the distance, by the vector before each matrix and after the last
   Matrix products_[3];      // of the first matrices
 };
 

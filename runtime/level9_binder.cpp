@@ -19,7 +19,7 @@ const BoundBuffer* FindBuffer(const TablePlane& plane, const BoundBuffer* buffer
   return nullptr;
 }
 
-// The plane's 16 bytes; null, and why in `status`, where there are none.
+// The plane's 16 bytes; null, with the reason in `status`, if there are none.
 const unsigned char* FindPlane(const TablePlane& plane, std::uint32_t index,
                                const BoundBuffer* buffers, std::size_t count, Status& status) {
   const BoundBuffer* buffer = FindBuffer(plane, buffers, count);

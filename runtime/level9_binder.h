@@ -21,7 +21,7 @@ struct BoundBuffer {
 // The part of the 10Level9 runtime that turns a shader's clip table into SetClipPlane calls
 // (Microsoft, "User clip planes on feature level 9 hardware"). The binder remembers the state of
 // the device and calls it only for a change, bit for bit: if nothing changed, Bind makes no call.
-// It never allocates.
+// The binder never allocates.
 //
 // One binder belongs to one device and, like the device, to one thread at a time. Code that changes
 // the device's clip planes or D3DRS_CLIPPLANEENABLE by other means calls Invalidate() afterwards.
@@ -30,10 +30,10 @@ class Level9Binder {
   // `max_planes`: D3DCAPS9::MaxUserClipPlanes. `device` must outlive the binder.
   Level9Binder(ClipDevice& device, std::uint32_t max_planes) noexcept;
 
-  // Before a draw: makes the device clip with the planes of `table`, read from `buffers`; sets the
-  // planes first, the mask last. A table of lowering kNone disables all planes. Planes whose bit in
-  // `needed` is 0, because the object does not need them (box_planner.h), are not read, checked or
-  // set. After an error the caller must not draw:
+  // Makes the device clip with the planes of `table`, read from `buffers`; call it before a draw.
+  // Sets the planes first, the mask last. A table of lowering kNone disables all planes. Planes
+  // whose bit in `needed` is 0, because the object does not need them (box_planner.h), are not
+  // read, checked or set. After an error the caller must not draw:
   //
   //   kWrongLowering                    the table is for another lowering
   //   kInvalidCall                      a plane's index is not below max_planes
@@ -45,11 +45,12 @@ class Level9Binder {
   Status Bind(const Table& table, const BoundBuffer* buffers, std::size_t buffer_count,
               std::uint32_t needed = ~std::uint32_t{0}) noexcept;
 
-  // Before a draw with a shader without clip planes: disables all. Errors: kDeviceFailed.
+  // Disables all planes; call it before a draw with a shader without clip planes. Errors:
+  // kDeviceFailed.
   Status BindNone() noexcept;
 
-  // After the device was lost or reset, or somebody else changed its clip state: the next Bind sets
-  // everything.
+  // Forgets the state of the device, so that the next Bind sets everything; call it after the
+  // device was lost or reset, or after other code changed its clip state.
   void Invalidate() noexcept;
 
  private:

@@ -21,7 +21,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-// Writes down what it is told; refuses what it cannot do, as a device does.
+// A device that records its calls and refuses planes that it does not have.
 class RecordingDevice final : public ClipDevice {
  public:
   bool SetClipPlane(std::uint32_t index, const float plane[4]) noexcept override {

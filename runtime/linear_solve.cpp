@@ -11,11 +11,12 @@
 namespace clipc::runtime {
 namespace {
 
-// Elimination may lose this share of x before refinement is not trusted, in units of 2^-53.
+// The largest share of x that elimination may lose before refinement is not trusted, in units of
+// 2^-53.
 constexpr double kMostLost = 0x1p46;
-// More steps than the worst system that is trusted needs.
+// The most steps of refinement, which are more than the worst system that is trusted needs.
 constexpr int kSteps = 8;
-// What is left of a sum of five DoubleDoubles' rounding, in units of 2^-53.
+// The largest rounding error of a sum of five DoubleDoubles, in units of 2^-53.
 constexpr double kRoundingLeft = 0x1p-48;
 
 // The equations scaled: scaled[i][j] = a[i][j] 2^(row[i] + column[j]).
@@ -38,7 +39,8 @@ Scaled Scale(const double (&a)[4][4]) {
     double largest = 0;
     for (const double element : scaled.a[i]) largest = std::max(largest, std::fabs(element));
     scaled.row[i] = -ExponentOf(largest);
-    // From a itself: what the first scaling made denormal keeps its digits.
+    // Each element is scaled from `a` itself: one that the first scaling made denormal keeps its
+    // digits.
     for (int j = 0; j < 4; ++j)
       scaled.a[i][j] = std::scalbn(a[i][j], scaled.column[j] + scaled.row[i]);
   }
@@ -98,7 +100,7 @@ void Reach(const Factors& factors, const double (&residual)[4], double (&error)[
   }
 }
 
-// The scaled system with its factors, and what solves it.
+// The scaled system with its factors, and its refined solution.
 class Refinement {
  public:
   Refinement(const Scaled& scaled, const Factors& factors, const DoubleDouble (&b)[4])
@@ -131,7 +133,7 @@ class Refinement {
     }
   }
 
-  // What the residual is at most, equation by equation, in units of 2^-53.
+  // The largest possible residual, equation by equation, in units of 2^-53.
   void BoundOfResidual(double (&bound)[4]) const {
     for (int i = 0; i < 4; ++i) {
       double size = std::fabs(b_[i].high);
@@ -156,8 +158,8 @@ class Refinement {
   DoubleDouble residual_[4];
 };
 
-// 2^exponent times the number; what would become 0 stays the least normal number, so that it is
-// seen not to be representable.
+// 2^exponent times the number; a number that would become 0 becomes the least normal number, so
+// that it is seen not to be representable.
 double ScaledBack(double number, int exponent) {
   const double result = std::scalbn(number, exponent);
   return result == 0 && number != 0 ? std::copysign(DBL_MIN, number) : result;

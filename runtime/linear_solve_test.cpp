@@ -102,7 +102,7 @@ TEST(SolveLinear, NoTranslationIsTooLong) {
     }
     const Solution solution = SolveLinear(there.m, before, {0, 0, 0, 0});
     for (int i = 0; i < 4; ++i) {
-      // What twice double's digits leave of the offset.
+      // The error that twice double's digits leave of the offset.
       const double left = 0x1p-100 * (1 + offset);
       EXPECT_NEAR(solution.x[i].high, plane[i].high, left + 1e-30) << offset;
       EXPECT_LE(std::fabs(solution.x[i].high - plane[i].high), solution.error[i] * 0x1p-53 + 1e-30)

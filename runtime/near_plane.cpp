@@ -20,7 +20,7 @@ double LargestAtACorner(const Plane& clip_plane, DepthRange range) {
          std::max(low * clip_plane.z, clip_plane.z) + clip_plane.w;
 }
 
-// What a depth of 1 is in the range: z/w runs over 1 or over 2.
+// The span of z/w over the whole depth range: 1 or 2.
 double DepthSpan(DepthRange range) { return range.negative_one_to_one ? 2 : 1; }
 
 Status CheckEye(const ProjectionShape& shape, double depth_slope, double view_w) {
@@ -67,7 +67,7 @@ Result<ShearedProjection> ShearNearPlane(const Plane& view_plane, const Matrix& 
   if (!clip.ok()) return clip.status;
   const Plane& clip_plane = clip.value.plane;
 
-  // Along a line of sight x/w and y/w stand still, so this is how d/w grows with the given depth.
+  // Along a line of sight x/w and y/w are constant, so this is how d/w grows with the given depth.
   // For a perspective it is -d(eye)/n up to a positive factor: the eye is the point (0, 0, b, 0) of
   // clip space.
   const double depth_slope = DepthSpan(range) * (range.reversed ? -clip_plane.z : clip_plane.z);

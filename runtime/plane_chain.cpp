@@ -10,7 +10,7 @@
 namespace clipc::runtime {
 namespace {
 
-// What a sum of four products of DoubleDoubles may lose, in units of 2^-53.
+// The largest rounding error of a sum of four products of DoubleDoubles, in units of 2^-53.
 constexpr double kRoundingLeft = 0x1p-48;
 
 Status CheckAffine(const Matrix& matrix, const char* name) {

@@ -91,7 +91,7 @@ TEST(PlaneChain, NoOffsetCostsDigits) {
   for (const double offset : {0.0, 6.4e6, 1e10, 1e13, 1e16}) {
     for (int i = 0; i < 100; ++i) {
       DrawMatrices draw = {random.Rigid(offset), random.Rigid(0), projection};
-      // The camera stands near the object.
+      // The camera is near the object.
       for (int j = 0; j < 3; ++j) {
         for (int k = 0; k < 3; ++k) draw.view.m[3][j] -= draw.world.m[3][k] * draw.view.m[k][j];
       }
@@ -111,7 +111,7 @@ TEST(PlaneChain, NoOffsetCostsDigits) {
   }
 }
 
-// Mutation: what is rounded to double between world and view has lost the distance.
+// Mutation: a plane that is rounded to double between world and view has lost the distance.
 TEST(PlaneChain, RoundingInBetweenWouldCostThem) {
   Random random(22);
   const double offset = 1e13;
@@ -203,7 +203,7 @@ class EachBound {
     }
     return m;
   }
-  // `exact` is what the true plane becomes.
+  // Expects each component of `got` within its bound of `exact`, which the true plane becomes.
   void Expect(const Bounded& got, const WidePlane& exact, const char* what) const {
     for (int i = 0; i < 4; ++i) {
       const Wide value = static_cast<Wide>(got.plane[i].high) + got.plane[i].low;

@@ -93,8 +93,8 @@ void AddMatrices(const DrawMatrices& draw, DistanceArithmetic& to) {
   }
 }
 
-// PredictEdgeError of a draw whose cut is not known: of an object around its own origin, which
-// stands where the world matrix puts it; 0 where there is no prediction.
+// PredictEdgeError of a draw whose cut is not known: of an object around its own origin, which lies
+// where the world matrix puts it; 0 where there is no prediction.
 double PredictOf(PlaneSpace space, const Plane& view_plane, const DrawMatrices& draw,
                  double picture_height) {
   const auto law = [&](PlaneSpace of, double reach) {

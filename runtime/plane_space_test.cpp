@@ -38,7 +38,7 @@ Vertex VertexAt(Random& random, const DrawMatrices& draw) {
   return vertex;
 }
 
-// What a shader of that space dots with the plane.
+// The position that a shader of that space dots with the plane.
 void PositionIn(PlaneSpace space, const Vertex& vertex, Wide (&p)[4]) {
   const Wide xyw1[4] = {vertex.clip[0], vertex.clip[1], vertex.clip[3], 1};
   for (int i = 0; i < 4; ++i) {
@@ -209,8 +209,8 @@ TEST(PredictEdgeError, GrowsWithTheDistanceOfAnOrthographicEye) {
   const auto law = [&](bool reversed, PlaneSpace space) {
     return LawOf(space, tilted, OrthographicCamera(0.1, 100, {false, reversed}).projection);
   };
-  // As bad as the eye is far from the plane. Reversed, z is near 1 for all that is near: as bad as
-  // the far plane is far, too.
+  // The error grows with the distance of the eye from the plane. With reversed depth, z is near 1
+  // for everything that is near, so the error grows with the distance of the far plane, too.
   EXPECT_NEAR(law(false, PlaneSpace::kClip), 2 + 0.1 * 30, 1e-9);
   EXPECT_NEAR(law(true, PlaneSpace::kClip), 2 + 0.1 * 0.8 * 100, 1e-9);
   EXPECT_NEAR(law(true, PlaneSpace::kObject), 0.75, 1e-9);
@@ -257,7 +257,7 @@ TEST(PlaneConstantFor, WarnsOfMatricesThatTheShaderMultiplies) {
     EXPECT_GT(two.value.edge_error, 100 * one.value.edge_error);
     EXPECT_THAT(two.value.warning.message(), HasSubstr("let the world begin at the camera"));
   }
-  // The cure.
+  // The cure: the world begins at the camera.
   draw.world.m[3][0] = 0, draw.view.m[3][0] = 0;
   EXPECT_TRUE(PlaneConstantFor(PlaneSpace::kXyw1, {0.6, 0, 0.8, -8}, KnownIn::kWorld, draw)
                   .value.warning.ok());
@@ -278,7 +278,8 @@ TEST(PlaneConstantFor, WarnsOfMatricesThatWereMultipliedInFloat) {
   }
 }
 
-// That distance is told in pictures at the depth where the world matrix puts the object.
+// The distance of the world's origin is measured in heights of the picture at the depth where the
+// world matrix puts the object.
 TEST(PlaneConstantFor, CountsTheWorldsOriginFromTheObject) {
   const auto is_law = [](DrawMatrices draw, PlaneSpace law, double reach) {
     const Plane plane = {0.6, 0, 0.8, -8};
@@ -319,7 +320,8 @@ TEST(PlaneConstantFor, CountsTheWorldsOriginFromTheObject) {
   is_law(orthographic, PlaneSpace::kClip, 7000 * orthographic.projection.m[1][1] / 2);
 }
 
-// So it is under an orthographic projection, as what follows the cut says too.
+// A float product costs digits under an orthographic projection too, and the prediction that
+// follows the cut agrees.
 TEST(PlaneConstantFor, WarnsOfAFloatProductUnderAnOrthographicProjection) {
   DrawMatrices draw = {{}, {}, OrthographicCamera(0.1, 100).projection};
   draw.float_product = true;

@@ -39,9 +39,9 @@ ProjectionShape ShapeOf(const Matrix& projection) noexcept;
 // row vectors have it: the last row is (0, 0, 0, 1), and the last column is not.
 bool LooksTransposed(const Matrix& affine) noexcept;
 
-// Says what no projection is: kNotFinite for NaN and infinity; kLooksTransposed where
-// LooksTransposed, and for a perspective whose last row is (0, 0, 1, 0) or (0, 0, -1, 0), which is
-// the last column of one for row vectors, and whose own last column is not that.
+// Reports a matrix that cannot be a projection: kNotFinite for NaN and infinity; kLooksTransposed
+// where LooksTransposed, and for a perspective whose last row is (0, 0, 1, 0) or (0, 0, -1, 0),
+// which is the last column of one for row vectors, and whose own last column is not that.
 Status CheckProjection(const Matrix& projection) noexcept;
 
 // The clip-space w of the near plane of the perspective `shape`; if e is 1 or -1, the near

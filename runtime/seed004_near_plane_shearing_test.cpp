@@ -21,7 +21,7 @@ Matrix PapersProjection(const Matrix& projection, const Plane& view_plane) {
   return Multiply(projection, to_custom);
 }
 
-// How much of what is visible before the plane the far test loses, between 0 and 1.
+// The part that the far test loses of what is visible before the plane, between 0 and 1.
 double LostAtFar(const Camera& camera, const Plane& plane, const Matrix& projection) {
   Random random(1);
   int visible = 0, lost = 0;
@@ -78,8 +78,7 @@ TEST(Seed004DetailsNote1, PlanesGoThroughTheInverseTranspose) {
   }
 }
 
-// What does depend on the plane's length is the far plane, which the paper's own scale leaves to
-// chance.
+// The far plane does depend on the plane's length, which the paper's own scale leaves to chance.
 TEST(Seed004DetailsNote1, TheLengthOfThePlaneDecidesWhatTheFarPlaneLoses) {
   const Camera camera = PerspectiveCamera(0.1, 1000);
   const auto lost = [&](double length) {

@@ -47,7 +47,8 @@ class [[nodiscard]] Status {
   static constexpr int kMessageSize = 200;  // with the zero at the end
 
   Status() noexcept { message_[0] = '\0'; }
-  // `format` as printf. A message that does not fit is cut.
+  // An error with a message, of which `format` is as printf has it. A message that does not fit is
+  // cut.
 #if defined(__GNUC__)
   __attribute__((format(printf, 2, 3)))
 #endif

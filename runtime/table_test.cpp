@@ -17,7 +17,7 @@ using ::testing::HasSubstr;
 
 Result<Table> Read(const std::string& bytes) { return ReadTable(bytes.data(), bytes.size()); }
 
-// As fxc wraps a shader: a container with one SHDR chunk, which holds the block between two
+// A DXBC container as fxc wraps a shader: it has one SHDR chunk, which holds the block between two
 // instructions.
 std::string Container(const std::string& block) {
   const auto dword = [](std::uint32_t value) {

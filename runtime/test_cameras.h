@@ -13,7 +13,7 @@
 // Cameras and random geometry for tests; equal seeds give equal numbers on every machine.
 namespace clipc::runtime {
 
-// Twice double's precision where there is such a type, for what tests take for exact.
+// A type of twice double's precision, where there is one, for numbers that tests take for exact.
 #if defined(__SIZEOF_FLOAT128__)
 using Wide = __float128;
 #else
@@ -23,13 +23,13 @@ using Wide = long double;
 class Random {
  public:
   explicit Random(std::uint32_t seed) : bits_(seed) {}
-  // In [low, high).
+  // A random number in [low, high).
   double Between(double low, double high) {
     const double unit =
         (static_cast<double>(bits_() >> 5) * 0x1p26 + static_cast<double>(bits_() >> 6)) * 0x1p-53;
     return low + (high - low) * unit;
   }
-  // Between them with an even logarithm: for sizes and distances.
+  // A random number from low to high with an even logarithm: for sizes and distances.
   double Magnitude(double low, double high) {
     return std::exp(Between(std::log(low), std::log(high)));
   }
@@ -116,7 +116,8 @@ inline Camera OrthographicCamera(double near, double far, DepthRange range = {},
   return camera;
 }
 
-// Every convention: handedness, depth range, reversed, infinite, centred or not, orthographic.
+// Cameras of every convention: handedness, depth range, reversed, infinite, centred or not,
+// orthographic.
 inline std::vector<Camera> AllCameras() {
   std::vector<Camera> cameras;
   for (const double forward : {1.0, -1.0}) {

@@ -21,7 +21,7 @@ bool IsInteger(const Program& program, ExprId expr) {
   return type.IsNumeric() && ir::IsInteger(type.scalar);
 }
 
-// Whether what is beyond all arrays stays there: no `&`, `%` or shift brings it back.
+// Whether an index beyond all arrays stays beyond them: a `&`, `%` or shift may bring it back.
 bool KeepsSize(BinaryOp op) {
   return op == BinaryOp::kAdd || op == BinaryOp::kSub || op == BinaryOp::kMul;
 }

@@ -17,7 +17,8 @@ class IndexUses {
   // The program must not change while this lives.
   explicit IndexUses(const ir::Program& program);
 
-  // Whether nothing but an index comes of the expression, one of the program as it was.
+  // Whether the expression, one that the program had at construction, is used as nothing but an
+  // index.
   bool IsIndex(ir::ExprId expr) const {
     return expr.index < is_index_.size() && is_index_[expr.index];
   }
@@ -32,8 +33,8 @@ class IndexUses {
   const ir::Program& program_;
   std::vector<bool> is_index_;       // by ExprId
   std::vector<std::uint32_t> uses_;  // by VarId: references that are neither index nor target
-  std::vector<std::vector<ir::ExprId>> values_;  // by VarId, of those that a function owns
-  std::vector<ir::VarId> waiting_;               // whose last use was dropped
+  std::vector<std::vector<ir::ExprId>> values_;  // by VarId, of locals and `in` parameters
+  std::vector<ir::VarId> waiting_;               // variables without uses left
 };
 
 }  // namespace clipc::glsl

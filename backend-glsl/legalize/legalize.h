@@ -6,40 +6,43 @@
 #include "backend-glsl/legalize/legalizer.h"
 #include "ir/run_passes.h"
 
-// Takes what GLSL, or the target's version of it, cannot say apart into what it can, on the
-// program, so that the writer only prints. What a pass cannot do in place it puts into helper
-// functions (Function::is_helper). One pass a function, before => after:
+// The legalising passes, one a function, with before => after. They replace the parts of a program
+// that GLSL, or the target's version of it, lacks by parts that it has, so that the writer only
+// prints. A pass puts the work that it cannot do in place into helper functions
+// (Function::is_helper).
 namespace clipc::glsl {
 
-// Indices that have effects and that GLSL does without: a matrix of one row is a vector, float1 a
-// scalar.
+// Evaluates indices that have effects and that GLSL does without before the expression that has
+// them: a matrix of one row is a vector, float1 a scalar.
 //
 //   row[i++] = v;  =>  i++, row[0] = v;
 //   f(row[i++])    =>  f((i++, row[0]))
 void LowerIndices(Legalizer& legalizer);
 
-// Loops where the target takes those alone that count from constant to constant: the index is
-// declared in the head, and a further condition leaves the loop. CheckTarget refuses the rest.
+// Rewrites loops for targets that take only loops that count from constant to constant: the index
+// is declared in the head, and a further condition leaves the loop. CheckTarget refuses other
+// loops.
 //
 //   for (i = 0; i < 4 && more; ++i) ..  =>  for (int i = 0; i < 4; i++) { if (!more) break; .. }
 void LowerLoops(Legalizer& legalizer);
 
-// Elements whose index is not constant, where the target takes such an index of uniforms alone. An
-// index that is too great takes the last element. A vector or matrix takes the index of a loop.
+// Replaces elements whose index is not constant, for targets that take such an index of uniforms
+// only. An index out of range takes the last element. A vector or matrix may keep the index of a
+// loop.
 //
 //   a[i]        =>  element(a, i) with { if (i == 0) return a[0]; ...; return a[3]; }
 //   a[i].x = v  =>  set_element_x(i, v, a) with { if (i == 0) return a[0].x = v; ... }
 //   f(a[i])     =>  index = i, value = a[index], result = f(value), a[index] = value, result
 void LowerElements(Legalizer& legalizer);
 
-// `a op= b` where GLSL has no such operator: matrices, and % that is not on uint.
+// Replaces `a op= b` where GLSL has no such operator: of matrices, and % that is not on uint.
 //
 //   m *= n;       =>  m = m * n;
 //   a[i++] %= b;  =>  assign_modulo(a[i++], b);
 void LowerAssignments(Legalizer& legalizer);
 
-// What GLSL has for vectors only, done row by row: matrices of integers and of bool, and all of
-// matrices but the four arithmetic operators.
+// Applies operators and functions that GLSL has for vectors only row by row: all of them on
+// matrices of integers and of bool, and all but the four arithmetic operators on other matrices.
 //
 //   max(m, n)  =>  max(m, n) with float2x2 max(float2x2 a, float2x2 b) {
 //                                   return float2x2(max(a[0], b[0]), max(a[1], b[1]));
@@ -47,36 +50,40 @@ void LowerAssignments(Legalizer& legalizer);
 //   i++        =>  post_increment(i)
 void LowerMatrixOperators(Legalizer& legalizer);
 
-// Functions of matrices that GLSL has for float matrices only, and dot() of integers.
+// Replaces functions of matrices that GLSL has for float matrices only, and dot() of integers.
 //
 //   all(m)  =>  all(m) with bool all(bool2x2 m) { return all(m[0]) && all(m[1]); }
 //   mul(i, j), transpose(i), (int2x2)i, dot(i, j)  =>  sums, constructors
 void LowerMatrixFunctions(Legalizer& legalizer);
 
-// Functions that write their arguments, which GLSL has otherwise or for scalars only.
+// Replaces functions that write their arguments, which GLSL has in another form or for scalars
+// only.
 //
 //   sincos(x, s, c)    =>  sincos(x, s, c) with { s = sin(x); c = cos(x); }
 //   frexp(v, e)        =>  frexp(v, e) with { return float2(frexp(a[0], b[0]), ...); }
 void LowerWrittenArguments(Legalizer& legalizer);
 
-// Floats that become integers, which GLSL leaves undefined where they do not fit.
+// Replaces conversions of floats to integers, which GLSL leaves undefined if the value does not
+// fit.
 //
 //   (int)x  =>  to_int(x) with abs(x) < 2^31 ? int(x) : x > 0 ? 2^31 - 1 : x < 0 ? -2^31 : 0
 void LowerConversions(Legalizer& legalizer);
 
-// Logical operators and choices: GLSL evaluates the side that it needs.
+// Replaces logical operators and choices that evaluate both sides: GLSL evaluates the side that it
+// needs.
 //
 //   a && b      =>  a and_then b, or all(bool2(a, b)) when b has effects
 //   select(..)  =>  c ? a : b for each component, where the target has no mix() for it
 void LowerChoices(Legalizer& legalizer);
 
-// Operators and functions that are short for others.
+// Replaces operators and functions that are short for others, and bounds the counts of shifts.
 //
 //   rcp(x) => 1 / x, mad(a, b, c) => a * b + c, x % y => fmod(x, y) with x - y * trunc(x / y)
 //   x << n => x << (n & 31)
 void LowerArithmetic(Legalizer& legalizer);
 
-// Functions that the target has for scalars only, or not at all: one call for each component.
+// Replaces calls of functions that the target, or a snippet, has for scalars only by one call for
+// each component.
 void LowerComponents(Legalizer& legalizer);
 
 // The passes in the order in which they run.

@@ -8,8 +8,8 @@
 #include "backend-glsl/shader_for_test.h"
 #include "ir/evaluate.h"
 
-// The reference evaluator runs the program before and after the legalising passes: what it writes
-// has the same bits.
+// The reference evaluator runs the program before and after the legalising passes: its outputs have
+// the same bits.
 namespace clipc::glsl {
 namespace {
 

@@ -25,8 +25,8 @@ bool MayDiffer(const Program& program, BinaryOp op, ExprId left) {
          IsShift(op) || IsMatrix(program, program.exprs[left].type);
 }
 
-// Whether a pass may change a call. None changes products of floats, or functions of scalars and
-// vectors of floats that GLSL, or a snippet, has.
+// Whether a pass may change a call. No pass changes functions of scalars and vectors of floats that
+// GLSL, or a snippet, has, or products of floats where the target has all matrices.
 bool MayDiffer(const Program& program, const Target& target, const IntrinsicCall& call) {
   const auto arguments = program.expr_lists[call.arguments];
   const Type& type = program.types[program.exprs[arguments[0]].type];
@@ -36,9 +36,9 @@ bool MayDiffer(const Program& program, const Target& target, const IntrinsicCall
          IsOfScalars(call.op, ShapeOf(type, target), target);
 }
 
-// Whether a pass may change the node: most of a program are names, literals, and operators and
-// functions of numbers and vectors, which GLSL has too. Visiting the others alone makes the passes
-// cheap.
+// Whether a pass may change the node. Most nodes of a program are names, literals, and operators
+// and functions of numbers and vectors, which GLSL has too; visiting only the others makes the
+// passes cheap.
 bool MayChange(const Program& program, const Target& target, const Expr& expr) {
   return Visit(
       Overloaded{

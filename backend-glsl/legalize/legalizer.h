@@ -44,8 +44,8 @@ class HelperBody {
 // Whether the only row of a matrix or the only component is indexed, for which GLSL has no [].
 bool IsOnlyElement(const ir::Program& program, const ir::Index& node);
 
-// What the legalising passes share: the program, the target, and the helper functions that stand
-// for what GLSL lacks.
+// The state that the legalising passes share: the program, the target, and the helper functions in
+// place of operations that GLSL lacks.
 class Legalizer {
  public:
   Legalizer(ir::Program& program, const Target& target);
@@ -64,7 +64,7 @@ class Legalizer {
   // Component `i` of a vector, a matrix of one row or one column, or a scalar.
   ir::ExprId Component(ir::Builder b, ir::ExprId expr, int i);
 
-  // Makes `expr` what `other`, of the same type, is.
+  // Gives `expr` the node of `other`, which has the same type.
   void Become(ir::ExprId expr, ir::ExprId other) {
     program.exprs[expr].node = program.exprs[other].node;
   }
@@ -74,7 +74,8 @@ class Legalizer {
   using Define = std::function<void(HelperBody&)>;
   void BecomeCall(ir::ExprId expr, std::string_view name, std::span<const Parameter> parameters,
                   std::span<const ir::ExprId> arguments, const Define& define);
-  // Makes it a call with parameters called a, b, c, d of the arguments' types.
+  // Makes `expr` a call of a function whose parameters are called a, b, c, d and have the
+  // arguments' types.
   void BecomeCall(ir::ExprId expr, std::string_view name, std::span<const ir::ExprId> arguments,
                   const Define& define);
 
@@ -102,11 +103,11 @@ class Legalizer {
   ir::ExprId PartOf(ir::Builder b, const Node& node, ir::TypeId type, HelperBody& body, int part,
                     bool rows);
 
-  std::vector<ir::ExprId> operations_;  // of the program as it came, that a pass may change
+  std::vector<ir::ExprId> operations_;  // original ones that a pass may change, in order of ExprId
   std::uint32_t first_new_;             // the first expression that a pass added
   std::map<std::string, ir::FunctionId> helpers_;  // by name and types of parameters
   std::optional<ir::Effects> effects_;
-  std::uint32_t effects_functions_ = 0;  // how many functions effects_ was made for
+  std::uint32_t effects_functions_ = 0;  // the number of functions that effects_ was made for
 };
 
 }  // namespace clipc::glsl

@@ -14,13 +14,14 @@ using namespace ir;
 namespace {
 
 constexpr double kLog10Of2 = 0.30102999566398120;
-constexpr double kByteOfColor = 255.001953;  // what fxc multiplies by
+constexpr double kByteOfColor = 255.001953;  // the factor in fxc's code
 
 bool IsUnsignedNumber(const Legalizer& legalizer, ExprId expr) {
   return IsUnsigned(legalizer.TypeOf(expr).scalar);
 }
 
-// fmod(x, y) { return x - y * trunc(x / y); } and imod, which rounds to zero without trunc.
+// Makes `expr` a call of fmod(x, y) { return x - y * trunc(x / y); } or of imod, which rounds to
+// zero without trunc.
 void BecomeModulo(Legalizer& legalizer, ExprId expr, ExprId left, ExprId right) {
   const TypeId type = legalizer.program.exprs[expr].type;
   const bool is_floating = legalizer.ShapeAt(expr).IsFloating();
@@ -36,7 +37,8 @@ void BecomeModulo(Legalizer& legalizer, ExprId expr, ExprId left, ExprId right) 
                        });
 }
 
-// GLSL leaves shifts by more than 31 undefined; HLSL takes the count modulo the number of bits.
+// The count of a shift modulo the number of bits, as HLSL takes it; GLSL leaves shifts by more than
+// 31 undefined.
 ExprId Count(Legalizer& legalizer, ExprId count, std::uint32_t mask) {
   Program& program = legalizer.program;
   const TypeId type = program.exprs[count].type;
@@ -74,7 +76,7 @@ void LowerBinary(Legalizer& legalizer, ExprId expr, Binary node) {
   }
 }
 
-// The expression that the call stands for; none for other calls.
+// The expression that the call is short for; none for other calls.
 ExprId Meaning(Legalizer& legalizer, ExprId expr, Intrinsic op,
                const std::array<ExprId, 3>& argument) {
   Builder b = legalizer.At(expr);

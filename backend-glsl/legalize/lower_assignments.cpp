@@ -10,7 +10,7 @@ using namespace ir;
 
 namespace {
 
-// Whether GLSL says `target op= value` of numbers of this shape.
+// Whether GLSL has `target op= value` for numbers of this shape.
 bool IsNative(const Legalizer& legalizer, BinaryOp op, const Shape& shape, ExprId value) {
   if (shape.kind == Shape::kRows) return false;
   const bool is_modulo_of_uint =

@@ -16,12 +16,13 @@ namespace {
 
 constexpr double kTwoTo31 = 0x1p31;
 constexpr double kTwoTo32 = 0x1p32;
-// Less than the limits by more than the roundings of the float operators whose range is known.
+// The factor that keeps a range off the limits by more than the roundings of the float operators
+// whose range is known.
 constexpr double kNearly = 0.999;
 
-// Direct3D 10 and 11 saturate, and make 0 of NaN ("Direct3D 11.3 Functional Specification", ftoi
-// and ftou); DXIL's fptosi and fptoui are as undefined as GLSL's conversions, and before 4.0 an int
-// is a float without a fraction.
+// Whether conversions to integers saturate. Those of Direct3D 10 and 11 do, and make 0 of NaN
+// ("Direct3D 11.3 Functional Specification", ftoi and ftou); DXIL's fptosi and fptoui are as
+// undefined as GLSL's conversions, and before 4.0 an int is a float without a fraction.
 bool Saturates(const Profile& profile) {
   return profile.IsAtLeast(4, 0) && !profile.IsAtLeast(6, 0) && profile.level9 == Level9::kNone;
 }
@@ -40,7 +41,8 @@ class ConversionLowering {
   }
 
  private:
-  // GLSL wants constants in the values of constants, and no calls.
+  // Replaces, in the value of a constant, conversions that may not fit by their results: GLSL
+  // allows no calls of functions there.
   void NoteConstant(const Var& var) {
     if (var.storage != Storage::kConstant || !var.init) return;
     std::vector<ExprId> misfits;
@@ -79,7 +81,8 @@ class ConversionLowering {
     ExprId operand = As<Convert>(program_, expr)->operand;
     const Scalar to = BaseOf(legalizer_.TypeOf(expr).scalar);
     const bool is_int = to == Scalar::kInt;
-    // An index that does not fit into an int is out of every array. One below 0 is element 0.
+    // An index that does not fit into an int is out of every array. A uint index from below 0 is
+    // element 0.
     if (!uses_) uses_.emplace(program_);
     if (uses_->IsIndex(expr)) {
       if (is_int) return;
@@ -97,8 +100,10 @@ class ConversionLowering {
     });
   }
 
-  // min16int and half are an int and a float, int1 has a scalar in it: one helper function is for
-  // all of them. The conversion that is left in the middle is lowered in its turn.
+  // Splits a conversion of min16int or half, which are an int and a float, or of int1, which has a
+  // scalar in it, so that one helper function serves all of them. The conversion in the middle is
+  // lowered in its turn. Returns false if `expr` is still the conversion, of `operand`, that is to
+  // be lowered.
   bool TakeApart(ExprId expr, Scalar to, ExprId& operand) {
     Builder b = legalizer_.At(expr);
     const TypeId type = program_.exprs[expr].type;
@@ -108,7 +113,7 @@ class ConversionLowering {
         legalizer_.ShapeAt(expr).IsScalar() && program_.types[type].kind != TypeKind::kScalar;
     ExprId inner = b.ConvertTo(BaseOf(from), operand);
     if (!is_single && kind == to) {
-      // This conversion itself is left.
+      // This conversion itself is still to be lowered.
       program_.exprs[expr].node = Convert{operand = inner};
       return false;
     }
@@ -118,14 +123,14 @@ class ConversionLowering {
     return true;
   }
 
-  // max(0, x), which is 0 for NaN: GLSL's max(a, b) is a unless a < b.
+  // Returns max(0, x), which is 0 for NaN: GLSL's max(a, b) is a unless a < b.
   ExprId AtLeastZero(Builder b, ExprId x) {
     const TypeId type = b.TypeOf(x);
     const ExprId zero = b.SplatTo(type, b.LiteralOf(program_.types[type].scalar, 0));
     return b.IntrinsicOf(Intrinsic::kMax, type, {zero, x});
   }
 
-  // x >= 2^32 ? 2^32 - 1 : uint(max(0, x))
+  // Returns x >= 2^32 ? 2^32 - 1 : uint(max(0, x)).
   ExprId Uint(HelperBody& body, TypeId type) {
     const ExprId whole = Converted(body, type, AtLeastZero(body.b, body[0]));
     const bool has_uint = legalizer_.target.Has(Feature::kUnsigned);
@@ -134,7 +139,7 @@ class ConversionLowering {
     return body.b.Add(type, Conditional{is_great, Number(body, type, kTwoTo32 - 1), whole});
   }
 
-  // abs(x) < 2^31 ? int(x) : x > 0 ? 2^31 - 1 : x < 0 ? -2^31 : 0
+  // Returns abs(x) < 2^31 ? int(x) : x > 0 ? 2^31 - 1 : x < 0 ? -2^31 : 0.
   ExprId Int(HelperBody& body, TypeId type) {
     Builder& b = body.b;
     const ExprId size =
@@ -168,7 +173,7 @@ class ConversionLowering {
   Program& program_;
   Ranges ranges_;
   std::optional<IndexUses> uses_;  // made for the first conversion that may not fit
-  std::vector<bool> done_;         // by ExprId: conversions that stay
+  std::vector<bool> done_;         // by ExprId: conversions that are kept
 };
 
 }  // namespace

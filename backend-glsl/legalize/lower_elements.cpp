@@ -47,7 +47,7 @@ class ElementLowering {
     ForEachLiveExpr(program_, [&](ExprId expr) { all.push_back(expr); });
     // Helper functions have writes of elements in their turn.
     for (std::size_t done = 0, function = program_.functions.size(); done < all.size();) {
-      // Writes first: a target is not a value.
+      // Writes are lowered first: a target is not a value.
       for (std::size_t i = done; i < all.size(); ++i) LowerWrite(all[i]);
       for (; done < all.size(); ++done) LowerRead(all[done]);
       for (; function < program_.functions.size(); ++function) {
@@ -58,7 +58,8 @@ class ElementLowering {
     }
   }
 
-  // The number of elements that an index which is not constant chooses from; 0 where it may stay.
+  // The number of elements that an index which is not constant chooses from; 0 if the index is
+  // kept.
   std::uint32_t CountOf(ExprId expr) const {
     const auto* index = As<Index>(program_, expr);
     if (!index || As<Literal>(program_, index->index)) return 0;
@@ -77,7 +78,7 @@ class ElementLowering {
     }
   }
 
-  // A constant-index-expression: of constants and the indices of loops.
+  // Whether the index is a constant-index-expression: one of constants and the indices of loops.
   bool IsOfLoops(ExprId expr) const {
     if (As<Literal>(program_, expr)) return true;
     if (const auto* ref = As<VarRef>(program_, expr)) return loop_indices_.contains(ref->var);
@@ -109,7 +110,7 @@ class ElementLowering {
     });
   }
 
-  // Parameter `i` of the helper == k
+  // The comparison of parameter `i` of the helper with `k`.
   ExprId Is(HelperBody& body, std::size_t i, std::uint32_t k) {
     const TypeId type = program_.vars[body.parameters[i]].type;
     return body.b.BinaryOf(BinaryOp::kEqual, body[i],
@@ -184,7 +185,7 @@ class ElementLowering {
     before.push_back(b.AssignTo(b.Ref(indices.back()), value));
   }
 
-  // The path with these indices.
+  // A copy of the path with these indices.
   ExprId Again(Builder b, ExprId path, const std::vector<VarId>& indices) {
     std::vector<ExprId> parts;
     for (ExprId part = path; part; part = WholeOf(program_, part)) parts.push_back(part);
@@ -196,7 +197,7 @@ class ElementLowering {
     return whole;
   }
 
-  // The part of another whole; `index` makes the next index that is not constant.
+  // A copy of the part, of another whole; `next` makes the next index that is not constant.
   ExprId PartAgain(Builder b, ExprId part, ExprId whole, const std::function<ExprId()>& next) {
     const TypeId type = program_.exprs[part].type;
     Legalizer::Node node = program_.exprs[part].node;
@@ -212,12 +213,12 @@ class ElementLowering {
     return b.Add(type, node);
   }
 
-  // ---- operators and functions of HLSL's own that write
+  // ---- HLSL's own operators and functions that write
 
-  // The path to a target, from the variable on: what a node takes of the one before it.
+  // The path to a target: each node in it is a part of the one before it.
   struct Path {
     std::vector<ExprId> parts;  // from the first index that is not constant on
-    ExprId base;                // what that index is of
+    ExprId base;                // the whole that this index is applied to
   };
   Path PathOf(ExprId target) const {
     Path path;
@@ -271,7 +272,7 @@ class ElementLowering {
         AddParameter("i", index->index, Storage::kIn);
       }
     }
-    // The last argument: it is copied after the others are evaluated.
+    // The base is the last argument: it is copied after the others are evaluated.
     const std::size_t base = AddParameter("a", path.base, Storage::kInOut);
     const Legalizer::Node node = program_.exprs[expr].node;
     const TypeId type = program_.exprs[expr].type;
@@ -300,7 +301,7 @@ class ElementLowering {
     return arguments_.size() - 1;
   }
 
-  // The path again, from element `k` of the parameter `base` on.
+  // A copy of the path, from element `k` of the parameter `base` on.
   ExprId Rebuilt(HelperBody& body, const Path& path, const std::vector<std::size_t>& indices,
                  std::size_t base, std::uint32_t k) {
     ExprId whole = body.b.At(body[base], k);
@@ -311,8 +312,8 @@ class ElementLowering {
     return whole;
   }
 
-  // The node that writes, of the helper's parameters: `target` stands for operand `written`, which
-  // has `indices` parameters.
+  // A copy of the node that writes, of the helper's parameters; `target` replaces operand
+  // `written`, which has `indices` parameters.
   ExprId Copied(HelperBody& body, const Legalizer::Node& node, TypeId type, std::size_t written,
                 std::size_t indices, ExprId target) {
     const ExprId copy = body.b.CopyOf(type, node);
@@ -325,7 +326,8 @@ class ElementLowering {
     return copy;
   }
 
-  // Names tell helper functions of the same parameters apart.
+  // The beginning of a helper function's name. It tells helper functions of the same parameters
+  // apart.
   std::string NameOf(ExprId expr) const {
     return Visit(Overloaded{
                      [](const Assign& node) {
@@ -361,10 +363,10 @@ class ElementLowering {
   Legalizer& legalizer_;
   Program& program_;
   std::set<VarId> loop_indices_;
-  std::vector<StmtId> declares_;  // at the beginning of the function whose calls are lowered
+  std::vector<StmtId> declares_;  // new declarations of the function whose calls are lowered
   // The parts of the helper function that is being made.
   std::vector<Parameter> parameters_;
-  std::deque<std::string> names_;  // whose texts stay where they are
+  std::deque<std::string> names_;  // a deque, since parameters_ refers to the texts
   std::vector<ExprId> arguments_;
 };
 

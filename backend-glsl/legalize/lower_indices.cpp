@@ -32,7 +32,7 @@ class IndexLowering {
       if (IsLost(id)) indices.push_back(id);
     });
     if (indices.empty()) return;
-    // Targets first: GLSL assigns to no comma.
+    // Targets are lowered first: GLSL does not assign to a comma expression.
     for (const ExprId id : writes) LowerTargets(id);
     for (const ExprId id : indices) {
       if (IsLost(id)) PutBefore(id, {TakeIndex(id)});
@@ -52,8 +52,8 @@ class IndexLowering {
     IndexWholeVector(program_, expr);
   }
 
-  // An index that the only row, or the only component, takes without GLSL's [], and that changes
-  // something.
+  // Whether the expression indexes the only row, or the only component, for which GLSL has no [],
+  // by an index that changes something.
   bool IsLost(ExprId expr) {
     const auto* node = As<Index>(program_, expr);
     return node && IsOnlyElement(program_, *node) && !legalizer_.IsPure(node->index);

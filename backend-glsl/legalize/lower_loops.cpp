@@ -59,7 +59,7 @@ class LoopLowering {
     return b.BlockOf(all);
   }
 
-  // Nobody reads the value of the step.
+  // Makes the step a postfix operator; its value is not read.
   void MakePostfix(ExprId step) {
     auto* unary = std::get_if<Unary>(&program_.exprs[step].node);
     if (!unary) return;

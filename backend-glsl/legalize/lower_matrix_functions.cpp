@@ -19,7 +19,8 @@ ExprId Chain(Builder b, BinaryOp op, const Parts& parts) {
                          [&](ExprId sum, ExprId part) { return b.BinaryOf(op, sum, part); });
 }
 
-// One call of a function of matrices in rows, or of vectors of integers, or one that GLSL lacks.
+// The lowering of one call of a function of matrices in rows, or of vectors of integers, or of one
+// that GLSL lacks.
 class MatrixFunctions {
  public:
   MatrixFunctions(Legalizer& legalizer, ExprId expr)
@@ -63,7 +64,7 @@ class MatrixFunctions {
   }
 
  private:
-  // Whether GLSL only takes the rows of such a matrix.
+  // Whether GLSL has functions only for the rows of such a matrix.
   bool IsTakenApart(const Shape& shape) const {
     return shape.kind == Shape::kRows ||
            (shape.kind == Shape::kMatrix && !legalizer_.target.Has(Feature::kFullMatrices));
@@ -101,7 +102,8 @@ class MatrixFunctions {
         });
   }
 
-  // The sum of products of components; the whole is a scalar, or a matrix of one component.
+  // Makes the expression the sum of the products of components; it is a scalar or a matrix of one
+  // component.
   void Dot(ExprId left, ExprId right) {
     const ExprId arguments[] = {left, right};
     const int size = legalizer_.ShapeAt(left).size;
@@ -120,8 +122,8 @@ class MatrixFunctions {
     body.Return(is_whole ? value : body.b.ConstructOf(id_, {value}));
   }
 
-  // Products with a matrix in rows, and of vectors of integers. A vector is a row on the left and a
-  // column on the right.
+  // Lowers products with a matrix in rows, and products of vectors of integers. A vector is a row
+  // on the left and a column on the right.
   void Multiply(ExprId left, ExprId right) {
     const Shape l = legalizer_.ShapeAt(left), r = legalizer_.ShapeAt(right);
     const Type& type = legalizer_.TypeOf(left);

@@ -48,8 +48,8 @@ void LowerConvert(Legalizer& legalizer, ExprId expr, const Convert& node) {
   legalizer.ByRows(expr, "to_" + GlslName(to.scalar));
 }
 
-// Functions that do not work component by component: LowerMatrixFunctions and
-// LowerWrittenArguments have these.
+// Whether the function does not work component by component: LowerMatrixFunctions and
+// LowerWrittenArguments lower such functions.
 bool IsOfWholeMatrix(const Program& program, const IntrinsicCall& call) {
   if (CategoryOf(call.op) == IntrinsicCategory::kVectors) return true;
   for (std::size_t i = 0; i < program.expr_lists[call.arguments].size(); ++i) {

@@ -11,7 +11,8 @@ namespace {
 
 bool GivesValue(const Legalizer& legalizer, ExprId expr) { return legalizer.IsNumeric(expr); }
 
-// The function for each row, or for each component, of its arguments.
+// Makes `expr` a call of a helper that calls the function for each row, or each component, of its
+// arguments.
 void BecomeParts(Legalizer& legalizer, ExprId expr, const IntrinsicCall& call,
                  std::span<const ExprId> arguments) {
   static constexpr std::string_view kNames[] = {"a", "b", "c"};

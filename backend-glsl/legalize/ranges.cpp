@@ -14,7 +14,7 @@ using namespace ir;
 
 namespace {
 
-constexpr int kMaxNesting = 4;  // constants named in values of constants: bounds the stack
+constexpr int kMaxNesting = 4;  // depth of constants named in values of constants: bounds the stack
 
 Range Union(const Range& a, const Range& b) {
   return {std::min(a.least, b.least), std::max(a.most, b.most)};
@@ -90,7 +90,7 @@ class RangeFinder {
     const Range whole = OfKind(TypeOf(program_, expr).scalar);
     return range.IsWithin(whole.least, whole.most) ? range : whole;
   }
-  // Integers wrap round, so of their sums and products nothing is known.
+  // Integers wrap round, so nothing is known about their sums and products.
   Range OfNode(ExprId expr, const Binary& node) {
     if (!IsFloating(expr))
       return node.op == BinaryOp::kBitAnd ? OfMask(expr, node) : Anything(expr);
@@ -147,7 +147,7 @@ class RangeFinder {
 
   Ranges& ranges_;
   const Program& program_;
-  int nesting_ = 0;  // how many constants' values are being looked at
+  int nesting_ = 0;  // the number of constants whose values are being visited
 };
 
 Range Ranges::Of(ExprId expr) { return RangeFinder(*this).Of(expr); }

@@ -18,7 +18,8 @@ struct Range {
   bool IsKnown() const { return least > -kLimit && most < kLimit; }
   bool IsWithin(double low, double high) const { return least >= low && most <= high; }
 
-  // Sums and products of ranges within this stay finite in 32 bits, so that none is NaN.
+  // The limit of a known range: sums and products of ranges within it stay finite in 32 bits, so
+  // that none is NaN.
   static constexpr double kLimit = 1e18;
 };
 

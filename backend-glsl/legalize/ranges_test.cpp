@@ -20,7 +20,7 @@ class RangesTest : public ::testing::Test {
     program_.vars[var].init = value;
     return var;
   }
-  // The variable so many times, added up.
+  // The sum of `times` references to the variable.
   ExprId SumOf(VarId var, int times) {
     ExprId sum = b_.Ref(var);
     for (int i = 1; i < times; ++i) sum = b_.BinaryOf(BinaryOp::kAdd, sum, b_.Ref(var));

@@ -9,20 +9,20 @@
 
 #include "backend-glsl/writer/context.h"
 
-// Where blocks and objects are bound.
+// The bindings of blocks and objects.
 namespace clipc::glsl {
 
-// layout(a, b) and a space, of those that are not empty; nothing when all are.
+// The text "layout(a, b) " with the qualifiers that are not empty; empty if all are.
 std::string LayoutText(std::initializer_list<std::string_view> qualifiers);
 
-// "b2": where Direct3D finds it.
+// The name of the register in Direct3D: "b2".
 std::string RegisterText(const ir::Register& reg);
 
 // The bindings of one kind in OpenGL.
 struct Bindings {
-  std::uint32_t end = UINT32_MAX;  // one more than the highest
+  std::uint32_t end = UINT32_MAX;  // one more than the highest binding
   std::set<std::uint32_t> taken = {};
-  std::set<std::uint32_t> reserved = {};  // for those that have a [[vk::binding]]
+  std::set<std::uint32_t> reserved = {};  // bindings that a [[vk::binding]] asks for
   void Reserve(const ir::Register& reg, std::uint32_t count);
 };
 
@@ -33,7 +33,8 @@ struct Bindings {
 std::string Bind(const Context& context, GlslInfo::Place& place, const ir::Register& reg,
                  Bindings& taken, std::uint32_t count);
 
-// Binds a block where another stage declares it; returns the qualifiers that say so.
+// Binds a block where another stage declares it; returns the qualifiers that say so, none if that
+// stage gives no place.
 std::string Bind(const Context& context, GlslInfo::Place& place,
                  const ir::BlockDeclaration& declared);
 

@@ -78,7 +78,7 @@ class BlockWriter {
     const Var& var = context_[member];
     Append(text, "uniform ", PrecisionOf(member), UniformDeclaration(context_, var.type, name),
            ";\n");
-    // Memory that is row-major in HLSL is what GLSL's columns are.
+    // Rows of HLSL are columns of GLSL, so a matrix that is row-major in HLSL needs no transposing.
     info_.members.push_back({member, -1, name, true, !var.row_major});
   }
 
@@ -102,7 +102,7 @@ class BlockWriter {
     return context_.field_names[type.structure.index][static_cast<std::size_t>(member.field)];
   }
 
-  // A name that nothing else in the block has.
+  // A name for padding that nothing else in the block has.
   std::string PaddingName(std::uint32_t offset) {
     std::string name = fmt::format("padding_{}", offset);
     if (!layout_.has_instance) return context_.namer.Global(name);
@@ -114,7 +114,8 @@ class BlockWriter {
   }
 
   void Member(const BlockMember& member) {
-    // Single floats up to a row, rows, and single floats again: none of them is moved by std140.
+    // Padding is single floats up to a row, rows, and single floats again: std140 moves none of
+    // them.
     for (std::uint32_t end = member.offset - member.padding; end < member.offset;) {
       const std::uint32_t rows = end % kRow == 0 ? (member.offset - end) / kRow : 0;
       Append(text_, rows > 0 ? "    vec4 " : "    float ", PaddingName(end),
@@ -138,8 +139,8 @@ class BlockWriter {
         {member.var, member.field, layout_.has_instance ? info_.name + "." + name : name});
   }
 
-  // A buffer that neither std140 nor offsets can say: rows of 16 bytes, and a function for each
-  // member that is read.
+  // Writes a buffer that neither std140 nor offsets can lay out: rows of 16 bytes, and a function
+  // for each member that is read.
   void Rows() {
     info_.rows = context_.rows_names[info_.cbuffer.index];
     text_ += fmt::format("    {} {}[{}];\n}}", layout_.float_rows ? "vec4" : "uvec4", info_.rows,
@@ -160,8 +161,8 @@ class BlockWriter {
     }
   }
 
-  // A buffer where there are no blocks: an array of rows, up to the last one that is read, which
-  // the host gives the bytes of the buffer.
+  // Writes a buffer where the target has no blocks: an array of rows, up to the last one that is
+  // read, to which the host gives the bytes of the buffer.
   void RowUniform() {
     info_.rows = context_.rows_names[info_.cbuffer.index];
     info_.name.clear();
@@ -188,7 +189,7 @@ class BlockWriter {
     Append(text_, uniforms, "\n");
   }
 
-  // The function that reads the member, or one element of an array.
+  // Writes the function that reads the member, or one element of an array.
   void Accessor(const CbufferMember& member, const Memory& memory, bool is_buffer_array) {
     const Var& var = context_[member.var];
     const Type& type = context_[var.type];

@@ -5,8 +5,8 @@
 
 namespace clipc::glsl {
 
-// The constant buffers that are reached: uniform blocks, or uniform variables where the target has
-// no blocks; and the functions that read those that are written as rows.
+// Writes the constant buffers that are reached, as uniform blocks, or as uniform variables where
+// the target has no blocks; and the functions that read the buffers that are written as rows.
 void WriteBlocks(Context& context);
 
 }  // namespace clipc::glsl

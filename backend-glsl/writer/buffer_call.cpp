@@ -17,7 +17,7 @@ using namespace ir;
 
 namespace {
 
-// Whether std430 lays the elements out as Direct3D does; else the buffer is one of words.
+// Whether std430 lays the elements out as Direct3D does; otherwise the buffer is an array of words.
 bool HasElements(const Code& code, VarId buffer) {
   return Std430(code.types, ObjectTypeOf(code, buffer).element, code[buffer].row_major).has_value();
 }
@@ -26,7 +26,7 @@ std::uint32_t WordsOf(const Code& code, VarId buffer) {
   return Structured(code.types, ObjectTypeOf(code, buffer).element).size / 4;
 }
 
-// "buffer_load3": a function that does `op` for this many words.
+// The name "buffer_load3" of a function that does `op` for this many words.
 std::string NameFor(const std::string& buffer, const char* op, int words) {
   return Concat(buffer, op, words > 1 ? std::to_string(words) : "");
 }
@@ -37,9 +37,9 @@ std::string ElementsOf(Code& code, ExprId object) {
                 code.As<Index>(object) ? ".elements" : "");
 }
 
-// A buffer in a function of its own, which is told the buffer's place in its array.
+// The names of a buffer in a helper function, to which the buffer's place in its array is passed.
 struct BufferInHelper {
-  std::string name;                 // that the function's name begins with
+  std::string name;                 // beginning of the function's name
   std::string elements;             // "lists[which].elements"
   std::string parameter, argument;  // "int which, ", "int(i), "; empty where there is no array
 };
@@ -67,7 +67,7 @@ Text StructuredLoad(Code& code, const ObjectCall& node) {
   if (HasElements(code, buffer)) {
     return {Concat(ElementsOf(code, arguments[0]), "[", IndexValue(code, arguments[1]), "]")};
   }
-  // The elements lie tighter than std430 can say: they are put together from words.
+  // Elements that lie tighter than std430 can say are put together from words.
   const BufferInHelper named = InHelper(code, arguments[0]);
   const std::string index = IntIndex(code, arguments[1]);
   const std::string helper = Helper(code, named.name + "_at", "", [&](const std::string& function) {
@@ -81,7 +81,7 @@ Text StructuredLoad(Code& code, const ObjectCall& node) {
   return Called(helper, {named.argument + index});
 }
 
-// Load, Load2, Load3, Load4 of a ByteAddressBuffer.
+// The text of Load, Load2, Load3 or Load4 of a ByteAddressBuffer.
 Text ByteLoad(Code& code, TypeId type, const ObjectCall& node) {
   const auto arguments = code[node.arguments];
   const BufferInHelper named = InHelper(code, arguments[0]);

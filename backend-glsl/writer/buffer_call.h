@@ -12,9 +12,9 @@ namespace clipc::glsl {
 Text StructuredLoad(Code& code, const ir::ObjectCall& node);
 Text ByteLoad(Code& code, ir::TypeId type, const ir::ObjectCall& node);
 Text BufferStore(Code& code, const ir::ObjectCall& node);
-// The element that an atomic operation changes, the word at an address.
+// The element of a buffer, or the word at an address of it, that an atomic operation changes.
 std::string BufferWord(Code& code, const ir::ObjectCall& node);
-// The number of elements, or of bytes.
+// The number of elements of a buffer, or of bytes of a byte address buffer.
 Text BufferSize(Code& code, ir::ExprId object);
 
 }  // namespace clipc::glsl

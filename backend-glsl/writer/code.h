@@ -13,17 +13,17 @@
 
 namespace clipc::glsl {
 
-// What the subjects of expressions and statements share.
+// The state that the subjects of expressions and statements share.
 struct Code : Context {
   using Context::Context;
 
-  std::set<ir::VarId> mutable_constants;  // written without `const`
-  // The names and values of global variables that get their value in `main`, as ES wants it.
+  std::set<ir::VarId> mutable_constants;  // constants written without `const`
+  // The names and values of global variables that get their value in `main`, as ES requires.
   std::vector<std::pair<std::string, std::string>> late_globals;
-  std::string* out = nullptr;  // where Line writes
+  std::string* out = nullptr;  // the text that Line appends to
   std::size_t indent = 0;
-  bool in_helper = false;  // whose names nothing else can take
-  std::string comment;     // the last one from options.comment_of
+  bool in_helper = false;  // in a helper function, whose locals keep their names
+  std::string comment;     // the last comment from options.comment_of
 
   template <typename... Parts>
   void Line(const Parts&... parts) {

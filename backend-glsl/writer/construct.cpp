@@ -47,7 +47,7 @@ Text ConstructText(Code& code, TypeId id, std::span<const ExprId> arguments) {
     return type.kind == TypeKind::kArray ? ElementText(code, type.element, ExprText(code, argument))
                                          : Argument(code, argument);
   });
-  // A struct without fields has one that stands in for none.
+  // A struct without fields has one float in GLSL, which requires a field.
   const bool is_empty = arguments.empty() && type.kind == TypeKind::kStruct;
   return Called(name, {is_empty ? "0.0" : list});
 }
@@ -61,9 +61,9 @@ Text TruncateText(Code& code, TypeId id, ExprId matrix) {
   if (to.kind == Shape::kMatrix) {
     return Called(TypeName(code, to), {Argument(std::move(operand))});
   }
-  // The first row, or GLSL's first row: HLSL's first column.
+  // The result is the first row, or the first column, which is the first row of the transpose.
   const bool is_row = type.rows == 1;
-  if (from.HasRows() && !is_row) code.is_constant = false;  // transpose() never is
+  if (from.HasRows() && !is_row) code.is_constant = false;  // transpose() is never constant
   std::string text = from.HasRows() && !is_row
                          ? Called("transpose", {Argument(std::move(operand))}).text
                          : std::move(operand).At(Binding::kPostfix);

@@ -9,9 +9,9 @@
 // Constructors.
 namespace clipc::glsl {
 
-// A Construct of this type.
+// The constructor call of an ir::Construct of this type.
 Text ConstructText(Code& code, ir::TypeId type, std::span<const ir::ExprId> arguments);
-// A MatrixTruncate to this type.
+// The text of an ir::MatrixTruncate to this type.
 Text TruncateText(Code& code, ir::TypeId type, ir::ExprId matrix);
 
 }  // namespace clipc::glsl

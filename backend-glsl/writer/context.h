@@ -20,10 +20,10 @@
 
 namespace clipc::glsl {
 
-// A texture and the sampler it is read with; none for reads without one.
+// A texture and the sampler that it is read with, none for reads without a sampler.
 struct TextureUse {
   ir::VarId texture, sampler;
-  std::string name;  // of the one variable that stands for both; empty for Vulkan
+  std::string name;  // of the one GLSL variable in place of both
 };
 
 // The parts of the file, in their order in it.
@@ -31,8 +31,8 @@ struct Sections {
   std::string structs, blocks, objects, inputs, outputs, helpers, globals, functions;
 };
 
-// What all subjects of the writer share. A subject is a header of free functions over it, or over
-// Code (code.h), which has what expressions and statements need beside.
+// The state that all subjects of the writer share. A subject is a header of free functions over it,
+// or over Code (code.h), which adds the state of expressions and statements.
 struct Context {
   Context(const ir::Program& program, const Target& target, const WriteOptions& options,
           GlslInfo& info, Reached reached);
@@ -43,29 +43,29 @@ struct Context {
   const WriteOptions& options;
   GlslInfo& info;
   const Reached reached;
-  const Descriptors descriptors;         // of Vulkan
+  const Descriptors descriptors;         // of a Vulkan target
   std::vector<BlockLayout> layouts;      // by CbufferId, of the reached ones
-  std::vector<TextureUse> texture_uses;  // of global objects
+  std::vector<TextureUse> texture_uses;  // of global objects; none for Vulkan
 
   Namer namer;
-  // What stands for a variable: its name, or a built-in variable of GLSL, converted.
+  // The text in place of a variable: its name, or a built-in variable of GLSL, converted.
   std::vector<std::string> var_names;                 // by VarId
   std::vector<std::string> function_names;            // by FunctionId
   std::vector<std::string> struct_names;              // by StructId
   std::vector<std::vector<std::string>> field_names;  // by StructId
   std::vector<std::string> block_names;               // by CbufferId
   std::vector<std::string> instance_names;            // by CbufferId; empty: members are global
-  std::vector<std::string> group_instances;           // by Program::output_groups, likewise
+  std::vector<std::string> group_instances;           // by Program::output_groups; may be empty
   std::vector<std::string> rows_names;                // by CbufferId
 
   Sections sections;
-  std::set<std::string> extensions;  // that the shader needs
-  std::set<std::string> enabled;     // that some compilers need for what others have without
+  std::set<std::string> extensions;  // extensions that the shader requires
+  std::set<std::string> enabled;     // extensions that only some compilers need
   std::vector<bool> used_structs;    // by StructId
   std::unordered_map<std::string, std::string> wrappers;      // types.h: by the wrapped type
   std::unordered_map<std::string, std::string> helper_names;  // helper.h: by the wanted name
-  std::set<std::string> helper_keys;                          // the definitions that are written
-  // Whether all that was written since somebody set this is a constant expression.
+  std::set<std::string> helper_keys;                          // name and key of written definitions
+  // Whether all text written since this was last set is a constant expression.
   bool is_constant = true;
 
   const ir::Expr& operator[](ir::ExprId id) const { return program.exprs[id]; }
@@ -79,7 +79,7 @@ struct Context {
   std::span<const ir::StmtId> operator[](List<ir::StmtId> list) const {
     return program.stmt_lists[list];
   }
-  // The node that an id stands for, when it is a `Node`; else null.
+  // The node of an id if it is a `Node`; otherwise null.
   template <typename Node>
   const Node* As(auto id) const {
     return ir::As<Node>(program, id);
@@ -101,12 +101,12 @@ struct Context {
   const std::string& NameOf(ir::VarId id) const { return var_names[id.index]; }
 
   bool Has(Feature feature) const { return target.Has(feature); }
-  // Names the extension that the target has the feature through.
+  // Adds the extension through which the target has the feature, if there is one.
   void Require(Feature feature) { Require(target.Of(feature).extension); }
   void Require(std::string_view extension) {
     if (!extension.empty()) extensions.emplace(extension);
   }
-  // Names the extension that makes a `double` or a 64-bit integer known.
+  // Adds the extension that a `double` or a 64-bit integer needs, if the type is one.
   void RequireType(const ir::Type& type);
 };
 

@@ -134,7 +134,7 @@ Text ConvertText(Code& code, const Expr& expr, const Convert& node) {
     const Scalar from = code.TypeOf(node.operand).scalar;
     return NumberText(code, ConvertBits(literal->bits, from, kind), kind);
   }
-  // sign() gives an int in HLSL and a float in GLSL, which is mostly what is wanted of it.
+  // sign() gives an int in HLSL and a float in GLSL, and mostly its value is wanted as a float.
   const auto* call = code.As<IntrinsicCall>(node.operand);
   if (call && call->op == Intrinsic::kSign) {
     const Operand argument = OperandOf(code, code[call->arguments][0]);
@@ -196,7 +196,7 @@ Text ExprText(Code& code, ExprId id) {
             const Operand mixed[] = {OperandOf(code, node.when_false),
                                      OperandOf(code, node.when_true),
                                      OperandOf(code, node.condition)};
-            code.is_constant = false;  // glslang computes no mix() of a bool
+            code.is_constant = false;  // glslang does not compute a mix() by bools
             return CallOn(code, "mix", mixed);
           },
           [&](const Convert& node) { return ConvertText(code, expr, node); },

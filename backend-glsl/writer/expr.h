@@ -17,7 +17,7 @@ std::string IndexValue(Code& code, ir::ExprId index);
 // The index as an int, which may be an argument of a call.
 std::string IntIndex(Code& code, ir::ExprId index);
 
-// "[i][2]" of textures[i][2].
+// The indices "[i][2]" of textures[i][2]; empty if the expression is not an element.
 std::string IndexPath(Code& code, ir::ExprId element);
 
 }  // namespace clipc::glsl

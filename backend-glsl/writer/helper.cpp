@@ -23,7 +23,7 @@ std::string Helper(Context& context, std::string_view name, const std::string& k
   if (is_new) found->second = context.namer.Global(name, "helper");
   std::string glsl_name = found->second;
   if (context.helper_keys.insert(Concat(name, "|", key)).second) {
-    // What the definition itself needs is appended first.
+    // Helpers that the definition needs are appended before it.
     const std::string definition = define(glsl_name);
     Append(context.sections.helpers, definition, "\n");
   }

@@ -10,8 +10,8 @@
 // Functions that GLSL or the target lacks, written where they are first needed.
 namespace clipc::glsl {
 
-// A name for a parameter or local of a function that is being defined, unlike everything it may
-// mention.
+// A name for a parameter or local of a function that is being defined, unlike every name that the
+// function may mention.
 std::string Fresh(Context& context, std::string_view wanted);
 
 // The GLSL name of helper `name`; defines it by define(GLSL name) when `key` is new for that name.

@@ -100,7 +100,8 @@ std::string_view BuiltinOutput(Builtin builtin) {
   }
 }
 
-// "mat3 tangents", whose first column the output is; "vec2 uv", which the output is.
+// The declaration of an output, or of the matrix or array that it is a part of: "vec2 uv"; "mat3
+// tangents", whose first column the output is.
 std::string OutputDeclaration(Context& context, const IoVar& output, Shape shape,
                               std::string_view name) {
   if (!output.reader || output.reader->IsWhole()) return Declaration(context, shape, name);
@@ -114,7 +115,7 @@ std::string OutputDeclaration(Context& context, const IoVar& output, Shape shape
   return text;
 }
 
-// Declares an output that is not built in at its location, or at `location` when that is taken.
+// Declares an output that is not built in at its location, or at `location` if that is higher.
 // Returns the location after it.
 std::uint32_t WriteVarying(Context& context, const IoVar& output, GlslInfo::Variable& info,
                            std::uint32_t location) {
@@ -139,8 +140,8 @@ std::uint32_t WriteVarying(Context& context, const IoVar& output, GlslInfo::Vari
   return location + LocationCount(context.TypeOf(output.var));
 }
 
-// Which elements of an output array `main` assigns; all when it assigns the whole, or an element
-// that is not constant.
+// The elements of an output array that `main` assigns, one bit for each; all if it assigns the
+// whole array or an element whose index is not constant.
 std::uint32_t WrittenElements(const Context& context, VarId array) {
   const std::uint32_t count = context.TypeOf(array).count;
   const std::uint32_t all = count >= 32 ? ~0u : (1u << count) - 1;
@@ -161,8 +162,8 @@ std::uint32_t WrittenElements(const Context& context, VarId array) {
   return references == elements ? mask & all : all;
 }
 
-// Clip and cull distances have no size of their own and are declared anew: as a member of
-// gl_PerVertex where the interface between separate stages is built from it, else as the array
+// Declares clip and cull distances anew, since they have no size of their own: as members of
+// gl_PerVertex where the interface between separate stages is built from it, otherwise as arrays
 // alone.
 void WritePerVertex(Context& context) {
   const bool is_vulkan = context.target.IsVulkan(), is_es = context.target.IsEs();
@@ -188,7 +189,7 @@ void WritePerVertex(Context& context) {
          arrays, is_asked ? "};\n" : "");
 }
 
-// Qualifiers of built-in outputs that are not declared anew.
+// Writes the qualifiers of built-in outputs that are not declared anew.
 void QualifyBuiltins(Context& context) {
   for (const IoVar& output : context.program.outputs) {
     const bool is_position = output.builtin == Builtin::kPosition;

@@ -34,7 +34,7 @@ Text CastOn(Code& code, Scalar to, const Operand& operand) {
   return CallOn(code, function, {&operand, 1});
 }
 
-// all() and any().
+// The text of all() or any() of the operand.
 Text ReduceOn(Code& code, const char* function, const Operand& operand) {
   const Shape& shape = operand.shape;
   if (shape.IsScalar()) return ConvertOn(code, Scalar::kBool, operand);
@@ -45,11 +45,13 @@ Text ReduceOn(Code& code, const char* function, const Operand& operand) {
                                .text});
 }
 
-// mul(). GLSL's matrices are the transposes of HLSL's, so products turn round: mul(v, M) is M * v.
+// The text of mul(left, right). GLSL's matrices are the transposes of HLSL's, so the factors are
+// swapped: mul(v, M) is M * v.
 Text MulText(Code& code, ExprId left, ExprId right, const Shape& result) {
   Operand a = OperandOf(code, left), b = OperandOf(code, right);
   if (a.shape.IsScalar() || b.shape.IsScalar()) {
-    // A product of a scalar with anything, or of float1x1 with a row: the scalar stands for all.
+    // In a product of a scalar with anything, or of float1x1 with a row, the scalar multiplies all
+    // components.
     Operand& scalar = a.shape.IsScalar() ? a : b;
     if (!result.IsScalar() && !(a.shape.IsScalar() && b.shape.IsScalar())) {
       scalar.is_scalar = true;
@@ -68,8 +70,8 @@ Text MulText(Code& code, ExprId left, ExprId right, const Shape& result) {
   return Infix(Full(code, std::move(b)), "*", Full(code, std::move(a)), Binding::kProduct);
 }
 
-// GLSL's name of countbits and the others, and of the helper function that makes its value highp;
-// empty for other functions.
+// The GLSL name of a function of bits, and that of the helper function that makes its value highp,
+// if it needs one; empty for other functions.
 struct BitNames {
   std::string_view glsl, highp;
 };
@@ -85,7 +87,7 @@ BitNames BitFunction(Intrinsic op) {
 }
 
 // Whether glslang takes a call with constant arguments for a constant, which an initialiser of a
-// `const` needs. No such call of the others is one, in any target.
+// `const` needs. Calls of the other functions are not constants in any target.
 bool MayBeConstant(Intrinsic op) {
   switch (op) {
     case Intrinsic::kCosh:
@@ -134,7 +136,7 @@ Text IntrinsicText(Code& code, TypeId type, const IntrinsicCall& node) {
       if (code.Has(Feature::kDeterminant)) return call("determinant");
       return SnippetCall(code, "determinant" + std::to_string(shape.rows), operands);
     case Intrinsic::kSmoothstep:
-      // GLSL leaves smoothstep undefined when the edges are not in order; then HLSL's formula is
+      // GLSL leaves smoothstep undefined if the edges are not in order; then HLSL's formula is
       // spelled out.
       if (!AreInOrder(x, operands[1])) break;
       return CallOn(code, "smoothstep", operands, shape.IsVector() ? 0b011 : 0);

@@ -22,7 +22,7 @@ std::string Sum(const std::string& dynamic, std::uint32_t constant) {
   return constant == 0 ? dynamic : Concat(dynamic, " + ", std::to_string(constant));
 }
 
-// Reads from one array of words.
+// A reader of values from one array of words.
 class Loader {
  public:
   Loader(Context& context, const Memory& memory) : context_(context), memory_(memory) {}

@@ -6,7 +6,8 @@
 
 #include "backend-glsl/writer/context.h"
 
-// Values out of arrays of words: constant buffers in rows, structured buffers in single words.
+// Reads of values from arrays of words: constant buffers in rows, structured buffers in single
+// words.
 namespace clipc::glsl {
 
 struct Memory {
@@ -14,17 +15,17 @@ struct Memory {
   bool is_rows = true;    // rows of four words; else single words
   bool is_float = false;  // the words are floats; else uints
 };
-// Where a value lies in it.
+// The place of a value in a Memory.
 struct Address {
   std::string dynamic;       // added to the constant part, in the array's units; may be empty
   std::uint32_t offset = 0;  // bytes
 };
 
-// The value of this type at the address.
+// The text of the value of this type at the address.
 std::string Load(Context& context, const Memory& memory, ir::TypeId type, bool row_major,
                  const Address& address);
 
-// "2 * i": element `index` of an array whose elements are `stride` units apart.
+// The place "2 * i" of element `index` of an array whose elements are `stride` units apart.
 std::string Scaled(std::uint32_t stride, const std::string& index);
 
 }  // namespace clipc::glsl

@@ -27,7 +27,7 @@ void NameInputs(Context& context) {
   }
 }
 
-// "[1][2]" of column 2 of element 1.
+// The indices of a part of an output: "[1][2]" of column 2 of element 1.
 std::string ElementOf(const Reader& reader) {
   std::string text;
   std::uint32_t element = reader.element;
@@ -40,7 +40,7 @@ std::string ElementOf(const Reader& reader) {
   return text;
 }
 
-// Blocks and structs of outputs are called as in the next stage.
+// Gives the blocks and structs of outputs the names that they have in the next stage.
 void NameGroups(Context& context) {
   for (const OutputGroup& group : context.program.output_groups) {
     context.namer.Global(group.type);
@@ -51,7 +51,7 @@ void NameGroups(Context& context) {
   }
 }
 
-// "v.uv[1]" of an output that is a member of a group.
+// The name "v.uv[1]" of an output that is a member of a group.
 std::string MemberName(const Context& context, const Reader& reader) {
   const std::string& instance = context.group_instances[*reader.group];
   const OutputGroup& group = context.program.output_groups[*reader.group];
@@ -69,9 +69,9 @@ std::string StyledName(const Context& context, const IoVar& output) {
       {{"semantic", semantic}, {"index", index}, {"written", written}, {"name", name}});
 }
 
-// The outputs that meet the next stage, or the others.
+// Names the outputs that meet the next stage, or the others.
 void NameOutputs(Context& context, bool are_met) {
-  std::map<std::uint32_t, std::string> names;  // by location, of an array or a matrix the first
+  std::map<std::uint32_t, std::string> names;  // by location, for arrays and matrices the first
   for (const IoVar& output : context.program.outputs) {
     const auto& reader = output.reader;
     if (output.builtin != Builtin::kNone || reader.has_value() != are_met) continue;
@@ -97,7 +97,7 @@ std::vector<std::string> FieldNames(std::vector<std::string_view> wanted) {
     is_changed |= names.emplace_back(LegalFieldName(name)) != name;
   }
   if (!is_changed) {
-    // A struct in HLSL may have a field of the name of one of its base's.
+    // A field of a struct in HLSL may have the name of a field of the struct's base.
     std::ranges::sort(wanted);
     if (std::ranges::adjacent_find(wanted) == wanted.end()) return names;
   }
@@ -176,7 +176,7 @@ void NameUniforms(Context& context) {
   for (const Resource& resource : context.program.resources) {
     if (context.reached.Has(resource.var)) NameGlobal(context, resource.var);
   }
-  // The host does not see the names of instances. A ConstantBuffer<T> is called as its variable.
+  // The host does not see the names of instances. A ConstantBuffer<T> has the name of its variable.
   for (const CbufferId id : blocks) {
     const BlockLayout& layout = context.layouts[id.index];
     if (layout.fields_as_members) NameGlobal(context, context[id].members[0].var);
@@ -196,7 +196,8 @@ void NameStruct(Context& context, StructId id) {
   context.field_names[id.index] = FieldNames(std::move(names));
 }
 
-// Overloads share a name as long as GLSL can tell them apart: half and float are the same there.
+// Names the functions. Overloads share a name as long as GLSL can tell them apart: half and float
+// are the same there.
 void NameFunctions(Context& context) {
   std::unordered_map<std::string_view, int> counts;
   for (const FunctionId id : context.reached.functions) ++counts[context[id].name];

@@ -16,7 +16,7 @@ using namespace ir;
 
 namespace {
 
-// One call of an object's function.
+// The writer of one call of an object's function.
 class ObjectCaller {
  public:
   ObjectCaller(Code& code, TypeId type, const ObjectCall& node)
@@ -66,8 +66,8 @@ class ObjectCaller {
  private:
   std::string ArgumentAt(std::size_t i) { return Argument(code_, arguments_[i]); }
 
-  // function(object, the arguments from `first` on and `more`). GLSL reads four components,
-  // whatever the texture's element type is.
+  // The call function(object, the arguments from `first` on and `more`). GLSL reads four
+  // components, whatever the texture's element type is.
   Text Rest(std::string_view function, std::size_t first, ExprId sampler = {},
             std::string_view more = "") {
     std::string text = Concat(function, "(", ObjectName(code_, arguments_[0], sampler));
@@ -162,7 +162,7 @@ class ObjectCaller {
     return Called("textureSize", {object, IntIndex(code_, arguments_[1])});
   }
 
-  // imageAtomicAdd(image, place, value) or atomicAdd(buffer[place], value)
+  // The call imageAtomicAdd(image, place, value) or atomicAdd(buffer[place], value).
   Text Atomic(std::string_view what) {
     const bool is_image = IsImage(kind_);
     std::string text = is_image ? Concat("imageAtomic", what, "(", ObjectName(code_, arguments_[0]),
@@ -185,7 +185,7 @@ class ObjectCaller {
     return Called("imageStore", {image, ArgumentAt(1), value});
   }
 
-  // Vulkan's textures have no sampler of their own.
+  // Requires the extension for calls without a sampler: Vulkan's textures have none of their own.
   void RequireSamplerless() {
     if (code_.target.IsVulkan()) code_.Require("GL_EXT_samplerless_texture_functions");
   }

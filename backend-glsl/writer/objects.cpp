@@ -20,7 +20,7 @@ using namespace ir;
 
 namespace {
 
-// "2DMSArray", the end of a sampler's or an image's type.
+// The end "2DMSArray" of a sampler's or an image's type.
 std::string Dimension(ObjectKind kind) {
   const ObjectInfo& info = InfoOf(kind);
   if (info.category == ObjectCategory::kTypedBuffer) return "Buffer";
@@ -29,7 +29,7 @@ std::string Dimension(ObjectKind kind) {
                 info.is_multisampled ? "MS" : "", info.is_array ? "Array" : "");
 }
 
-// "i" of isampler2D.
+// The prefix of a sampler's or an image's type: "i" of isampler2D.
 std::string_view PrefixOf(const Context& context, const Type& object) {
   const Scalar kind = object.element ? BaseOf(context[object.element].scalar) : Scalar::kFloat;
   return kind == Scalar::kInt ? "i" : kind == Scalar::kUint ? "u" : "";
@@ -105,7 +105,7 @@ class ObjectWriter {
     context_.info.objects.push_back(std::move(info));
   }
 
-  // A texture or a sampler of Vulkan.
+  // Declares a texture or a sampler of Vulkan.
   void Separate(const Resource& resource) {
     const ObjectKind kind = ObjectTypeOf(context_, resource.var).object;
     GlslInfo::Object& info = Add(resource);
@@ -142,8 +142,8 @@ class ObjectWriter {
                          dimensions.empty() ? "" : Concat(" ", info.name, dimensions));
   }
 
-  // GLSL wants the format of an image that is read; HLSL tells the components and their kind, which
-  // are 32 bits each unless [[vk::image_format]] says more.
+  // Declares an image. GLSL requires the format of an image that is read; HLSL tells the components
+  // and their kind, which are 32 bits each unless [[vk::image_format]] says more.
   void Image(const Resource& resource) {
     const Type& type = ObjectTypeOf(context_, resource.var);
     GlslInfo::Object& info = Add(resource);

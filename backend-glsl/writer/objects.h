@@ -18,9 +18,9 @@ void WriteObjects(Context& context);
 const ir::Type& ObjectTypeOf(const Context& context, ir::VarId object);
 bool IsShadow(const Context& context, ir::VarId sampler);
 
-// "isampler2DArray" for a texture and the stem "sampler".
+// The type of a texture with the stem "sampler": "isampler2DArray".
 std::string TextureType(const Context& context, ir::VarId texture, std::string_view stem);
-// The name of the variable that stands for a texture and a sampler, or for a texture alone.
+// The name of the one variable for a texture and its sampler, or for a texture alone.
 const std::string& CombinedName(const Context& context, ir::VarId texture, ir::VarId sampler);
 
 }  // namespace clipc::glsl

@@ -75,7 +75,7 @@ Text UnaryOn(Code& code, UnaryOp op, const Operand& operand) {
           is_minus ? Binding::kMinus : Binding::kUnary};
 }
 
-// A scalar operand may stand beside a vector or matrix as it is, but for the left one of a shift.
+// A scalar operand may be left a scalar beside a vector or matrix, but for the left one of a shift.
 Text BinaryOn(Code& code, BinaryOp op, Operand left, Operand right) {
   const Shape shape = left.shape;
   const Operator& glsl = OperatorOf(op);
@@ -83,7 +83,7 @@ Text BinaryOn(Code& code, BinaryOp op, Operand left, Operand right) {
   const bool is_vector_comparison = IsComparison(op) && shape.IsVector();
   if (is_vector_comparison || (is_product && !left.is_scalar && !right.is_scalar)) {
     const Operand operands[] = {std::move(left), std::move(right)};
-    if (is_product) code.is_constant = false;  // glslang computes no matrixCompMult
+    if (is_product) code.is_constant = false;  // glslang does not compute matrixCompMult
     return CallOn(code, is_product ? "matrixCompMult" : glsl.vector_function, operands);
   }
   const bool is_full = left.is_scalar && !shape.IsScalar() && (right.is_scalar || IsShift(op));

@@ -14,7 +14,7 @@
 // Operators and calls on operands that are written.
 namespace clipc::glsl {
 
-// An operand: its text, or the scalar that stands in each of its components.
+// An operand: its text, or the text of the scalar that each of its components is.
 struct Operand {
   Text text;
   Shape shape;
@@ -28,7 +28,7 @@ std::vector<Operand> OperandsOf(Code& code, List<ir::ExprId> list);
 
 // The operand in its whole shape.
 Text Full(Code& code, Operand operand);
-// `scalar` in every component of the shape; `is_zero`: it is known to be 0.
+// A value of the shape whose components all are `scalar`; `is_zero`: the scalar is known to be 0.
 Text SplatText(Code& code, const Text& scalar, const Shape& shape, bool repeatable,
                bool is_zero = false);
 
@@ -36,8 +36,8 @@ Text UnaryOn(Code& code, ir::UnaryOp op, const Operand& operand);
 Text BinaryOn(Code& code, ir::BinaryOp op, Operand left, Operand right);
 Text ConvertOn(Code& code, ir::Scalar kind, const Operand& operand);
 
-// function(operands). Bit i of `scalars`: argument i may be a scalar beside vectors; all such
-// arguments must be.
+// The call function(operands). Bit i of `scalars`: argument i may be a scalar beside vectors, if
+// all such arguments are scalars.
 Text CallOn(Code& code, std::string_view function, std::span<const Operand> operands,
             unsigned scalars = 0);
 // A call of the snippet `name` (snippets.h) for the first operand's shape.

@@ -16,7 +16,7 @@ namespace {
 // Whether GLSL cannot interpolate numbers of this kind.
 bool IsFlat(Scalar scalar) { return scalar != Scalar::kFloat; }
 
-// The output that is the member, or its first element; null where the shader writes none.
+// The output that is the member, or its first element; null if the shader writes none.
 const IoVar* OutputOf(const Context& context, std::size_t group, std::size_t member) {
   const auto found = std::ranges::find_if(context.program.outputs, [&](const IoVar& output) {
     return output.reader && output.reader->group == group && output.reader->member == member;
@@ -31,7 +31,7 @@ bool IsPrecise(const Context& context, std::size_t group, std::size_t member) {
   });
 }
 
-// "    flat uvec2 cell[2];  // CELL0" and the end of the line; without the qualifiers in a struct.
+// The line "    flat uvec2 cell[2];  // CELL0" of a member; without the qualifiers in a struct.
 std::string MemberText(Context& context, std::size_t group, std::size_t number,
                        bool has_locations) {
   const OutputGroup& whole = context.program.output_groups[group];

@@ -6,13 +6,13 @@
 
 #include "backend-glsl/writer/context.h"
 
-// What declarations of outputs have in common, and the blocks and structs that outputs are in.
+// The common parts of declarations of outputs, and the blocks and structs that outputs are in.
 namespace clipc::glsl {
 
-// "layout(location = 2) "
+// The qualifier "layout(location = 2) ".
 std::string LocationText(std::uint32_t location);
 
-// "  // TEXCOORD0" and the end of the line.
+// The comment "  // TEXCOORD0" and the end of the line.
 std::string SemanticComment(const ir::IoVar& io);
 
 struct Interpolated {
@@ -21,7 +21,8 @@ struct Interpolated {
   bool centroid = false;
   bool sample = false;
 };
-// "flat ", "noperspective centroid "; what GLSL cannot interpolate is flat.
+// The qualifiers "flat " or "noperspective centroid "; numbers that GLSL cannot interpolate are
+// flat.
 std::string InterpolationText(Context& context, const Interpolated& output);
 
 // Declares Program::output_groups.

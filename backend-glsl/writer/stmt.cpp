@@ -23,7 +23,7 @@ void WriteStmts(Code& code, std::span<const StmtId> list) {
   for (const StmtId id : list) WriteStmt(code, id);
 }
 
-// The statements of a block, or the one statement; the caller wrote the brace before it.
+// Writes the statements of a block, or the one statement; the caller writes the braces around it.
 void WriteBody(Code& code, StmtId id) {
   ++code.indent;
   code.namer.OpenScope();
@@ -36,7 +36,7 @@ void WriteBody(Code& code, StmtId id) {
   --code.indent;
 }
 
-// Declares a local variable; without the type when others stand before it: `int i = 0, j = 1`.
+// Declares a local variable; without the type if others come before it: `int i = 0, j = 1`.
 std::string DeclareText(Code& code, const Declare& node, bool is_first = true) {
   const Var& var = code[node.var];
   const ExprId init = node.init ? node.init : var.init;
@@ -53,7 +53,8 @@ std::string DeclareText(Code& code, const Declare& node, bool is_first = true) {
                 Declaration(code, var.type, name), equals, value);
 }
 
-// The attribute that says to Vulkan's drivers what HLSL's says to Direct3D's, and a space.
+// The attribute for Vulkan's drivers that corresponds to the statement's attribute in HLSL, and a
+// space; empty if there is none.
 std::string_view HintText(Code& code, StmtId id) {
   const Hint hint = code.program.stmts[id].hint;
   if (hint == Hint::kNone || !code.target.IsVulkan()) return "";
@@ -110,7 +111,7 @@ void WriteSwitch(Code& code, StmtId id, const Switch& node) {
     if (arm.is_default) code.Line("default:");
     ++code.indent;
     WriteStmts(code, code[arm.body]);
-    // GLSL wants a statement after the last label.
+    // GLSL requires a statement after the last label.
     if (arm.body.empty() && &arm == &cases.back()) code.Line("break;");
     --code.indent;
   }
@@ -118,8 +119,8 @@ void WriteSwitch(Code& code, StmtId id, const Switch& node) {
   code.Line("}");
 }
 
-// Writes what the options say of a statement's place in the source, where that is another line than
-// the last.
+// Writes the comment that the options give for a statement's place in the source, unless it is
+// empty or the same as the last one.
 void WriteComment(Code& code, Span span) {
   if (!code.options.comment_of) return;
   std::string comment = code.options.comment_of(span);
@@ -191,7 +192,8 @@ void WriteMain(Code& code) {
   code.Line("void main() {");
   ++code.indent;
   for (const auto& [name, value] : code.late_globals) code.Line(name, " = ", value, ";");
-  // uint in HLSL, int in GLSL: the shader's own variable first, converted at the end.
+  // Outputs that are uint in HLSL and int in GLSL get a variable of their own first, which is
+  // converted at the end.
   std::vector<std::pair<std::string, VarId>> conversions;
   for (const IoVar& output : code.program.outputs) {
     if (!IsIntOutput(output.builtin)) continue;
@@ -222,7 +224,8 @@ void WriteFunctions(Code& code) {
   }
 }
 
-// Types that differ in HLSL, as half and float, are the same here: the first such function is it.
+// Functions whose parameter types differ in HLSL only, as half and float do, are one function here:
+// the first of them.
 std::string HelperFunction(Code& code, FunctionId id) {
   return Helper(code, code[id].name, ParameterTypes(code, id), [&](const std::string& name) {
     code.function_names[id.index] = name;

@@ -8,7 +8,7 @@
 // Functions and their statements.
 namespace clipc::glsl {
 
-// All functions, `main` last.
+// Writes all functions that `main` reaches, and `main` last.
 void WriteFunctions(Code& code);
 // The GLSL name of a helper function of the program; writes the function when it is new.
 std::string HelperFunction(Code& code, ir::FunctionId id);

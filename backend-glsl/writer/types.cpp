@@ -21,7 +21,7 @@ std::string Dimension(std::uint32_t count) {
   return count == 0 ? "[]" : Concat("[", std::to_string(count), "]");
 }
 
-// The struct of this name, or of one like it, that has these fields and stands for an array.
+// The name of the struct with these fields in place of an array: `name`, or one like it.
 std::string ArrayStruct(Context& context, const std::string& key, std::string_view name,
                         std::string_view fields) {
   auto [found, is_new] = context.wrappers.try_emplace(key);
@@ -33,7 +33,7 @@ std::string ArrayStruct(Context& context, const std::string& key, std::string_vi
   return found->second;
 }
 
-// The struct vec4_array3 { vec4 e0, e1, e2; } that stands for an array where arrays are no values.
+// The struct vec4_array3 { vec4 e0, e1, e2; } in place of an array where arrays are not values.
 std::string StructOfFields(Context& context, const std::string& element, std::uint32_t count) {
   const std::string fields =
       ListOf(count, [](std::uint32_t i) { return Concat("e", std::to_string(i)); });
@@ -54,7 +54,7 @@ TypeParts PartsOf(Context& context, const Shape& shape) {
 
 TypeParts PartsOf(Context& context, TypeId id);
 
-// The struct float_array3 { float e[3]; } that stands for an array as an element of another.
+// The struct float_array3 { float e[3]; } in place of an array that is an element of another.
 std::string WrapperOf(Context& context, TypeId array) {
   const TypeParts parts = PartsOf(context, array);
   const Type& type = context[array];

@@ -18,32 +18,33 @@ inline constexpr std::uint32_t kLongArray = 17;
 std::string TypeName(Context& context, ir::TypeId type);
 std::string TypeName(Context& context, const Shape& shape);
 
-// "float name[3]"
+// The declaration "float name[3]".
 std::string Declaration(Context& context, ir::TypeId type, std::string_view name);
 std::string Declaration(Context& context, const Shape& shape, std::string_view name);
-// "uniform float name[3]": a uniform is an array wherever HLSL has one.
+// The declaration "float name[3]" of a uniform, which is an array wherever HLSL has one.
 std::string UniformDeclaration(Context& context, ir::TypeId type, std::string_view name);
-// "name[3]": what stands after the type in a declaration.
+// The part "name[3]" of a declaration, after the type.
 std::string Declarator(Context& context, ir::TypeId type, std::string_view name);
-// "precise " for what is precise, where the target has the word.
+// The qualifier "precise " if `is_precise` and the target has the word; otherwise empty.
 std::string_view PreciseText(Context& context, bool is_precise);
-// What tells overloads apart: "vec3, float".
+// The types of the parameters, which tell overloads apart: "vec3, float".
 std::string ParameterTypes(Context& context, ir::FunctionId function);
-// "[4][2]" of an array of blocks or objects; empty when the variable is not an array.
+// The dimensions "[4][2]" of an array of blocks or objects; empty if the variable is not an array.
 std::string Dimensions(const Context& context, ir::VarId var);
 
-// "vec3(0.0)"
+// The zero of a type: "vec3(0.0)".
 std::string ZeroText(Context& context, ir::TypeId type);
 std::string ZeroText(Context& context, const Shape& shape);
 
-// Where arrays are not values, structs with the fields e0, e1 and so on stand for them: for arrays
-// that are not uniforms, and for matrices in rows. Their indices are constant.
+// Whether a struct with the fields e0, e1 and so on takes the place of the type, as it does where
+// arrays are not values: for arrays that are not uniforms, and for matrices in rows. The indices of
+// such a type are constant.
 bool HasFields(const Context& context, const ir::Type& type);
-// "m[1]" or "m.e1"
+// The row "m[1]" or "m.e1" of a matrix.
 std::string RowOf(const Context& context, const Shape& matrix, std::string_view text, int row);
 
-// Where GLSL has no arrays of arrays, the element of the outer one is a struct that has the inner
-// one as its field `e`.
+// Whether the element of an array is a struct that has an inner array as its field `e`, as it is
+// where GLSL has no arrays of arrays.
 bool IsWrapped(const Context& context, ir::TypeId array_element);
 // An element of an array as an argument of the array's constructor.
 std::string ElementText(Context& context, ir::TypeId element, Text text);

@@ -27,7 +27,8 @@ VarId InstanceOf(const Code& code, ExprId expr) {
   return is_uniform && code.LayoutOf(ref->var).fields_as_members ? ref->var : VarId{};
 }
 
-// "frame.world", "world" of a block without an instance name; the accessor of a member in rows.
+// The path of a member: "frame.world", or "world" of a block without an instance name; the accessor
+// of a member in rows.
 std::string PathOf(const Code& code, VarId member) {
   const std::string& instance = code.instance_names[code[member].cbuffer.index];
   return Concat(instance, instance.empty() ? "" : ".", code.NameOf(member));

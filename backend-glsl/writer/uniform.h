@@ -6,20 +6,20 @@
 #include "backend-glsl/text.h"
 #include "backend-glsl/writer/code.h"
 
-// How expressions read constant buffers.
+// Reads of constant buffers in expressions.
 namespace clipc::glsl {
 
-// The whole member.
+// The value of the whole member.
 Text UniformText(Code& code, ir::VarId member);
-// One element of a member that is an array.
+// The value of one element of a member that is an array.
 Text UniformElement(Code& code, ir::VarId member, ir::ExprId index);
 
 // Whether the expression is a ConstantBuffer<T>, or an element of an array of them, that is written
 // as a block with an instance name.
 bool IsInstance(const Code& code, ir::ExprId expr);
-// "lights[i]", which takes a field of T.
+// The path "lights[i]" of an instance, before the name of a field of T.
 std::string InstancePath(Code& code, ir::ExprId instance);
-// The T, put together from the block's members.
+// The value of the instance as a T, put together from the block's members.
 Text InstanceValue(Code& code, ir::ExprId instance);
 
 }  // namespace clipc::glsl

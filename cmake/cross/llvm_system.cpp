@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// In place of files of LLVM and Clang that are for what clipc does not do: thirty processors
-// (clang/lib/Basic/Targets.cpp; clipc describes its own in frontend/lex/lexer_clang.cpp),
-// processes, signals and crashes.
+// Replacements of files of LLVM and Clang that are for things that clipc does not do: thirty
+// processors (clang/lib/Basic/Targets.cpp; clipc describes its own in
+// frontend/lex/lexer_clang.cpp), processes, signals and crashes.
 #include <clang/Basic/TargetInfo.h>
 #include <llvm/Support/CrashRecoveryContext.h>
 #include <llvm/Support/FileSystem.h>
@@ -21,7 +21,7 @@ std::error_code ChangeStdoutMode(fs::OpenFlags) { return {}; }
 
 }  // namespace llvm::sys
 
-// The linker for Windows wants what nothing that is kept calls, too.
+// Functions that the linker for Windows requires, although nothing that is kept calls them.
 #ifdef _WIN32
 namespace llvm {
 

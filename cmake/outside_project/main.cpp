@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Prints what reached it of the shader: by header, by the table in a file, by the variants.
+// Checks the parts of the shader that reach a program, by header, by the table in a file and by the
+// variants, and prints the place of a plane.
 #include <cstdio>
 #include <cstring>
 #include <fstream>
@@ -26,7 +27,7 @@ int main() {
     if (count > 0 && std::strstr(variants_vert[count], last.c_str()) == nullptr) return 1;
     if (std::strstr(variants_vert[count], next.c_str()) != nullptr) return 1;
   }
-  // The discard too is for each number of planes.
+  // The fragment shader has a variant for each number of planes too.
   for (int count = 0; count <= 2; ++count) {
     if ((std::strstr(cut_frag[count], "discard") != nullptr) != (count > 0)) return 1;
   }

@@ -40,7 +40,7 @@ def main():
         def under_wine(program, *arguments):
             return run(wine, build / "wine", program, *arguments, cwd=scratch)
 
-        # Out of the build's reach, in a folder with a space, a name that is not ASCII, and backslashes.
+        # The program is copied out of the build's reach, in a folder with a space, a name that is not ASCII, and backslashes.
         program = scratch / "a place" / "clipc.exe"
         program.parent.mkdir()
         shutil.copy(folder / "bin/clipc.exe", program)
@@ -48,7 +48,7 @@ def main():
         under_wine(program, "wäsche.hlsl", "-T", "vs_5_0", "-E", "main", "-o", "a place\\wäsche.vert", "--table=.json")
         if "gl_ClipDistance" not in (scratch / "a place/wäsche.vert").read_text():
             sys.exit("the shader has lost its planes")
-        # What an application does: compiles a shader by the DLL, and asks the runtime about its table.
+        # The work of an application: compiles a shader by the DLL, and asks the runtime about its table.
         shutil.copy(folder / "bin/clipc.dll", scratch)
         for import_library in ("libclipc.dll.a", "clipc.lib"):
             run(compiler, "-std=c99", ROOT / "cmake/outside_c_project/main.c", "-o", scratch / "use.exe", f"-I{folder / 'include/clipc'}",

@@ -8,7 +8,7 @@ import re
 import subprocess
 import sys
 
-# Windows' own since Windows 7; the Universal C Runtime since Windows 10.
+# The DLLs of Windows itself since Windows 7; the Universal C Runtime since Windows 10.
 SYSTEM = re.compile(r"(kernel32|advapi32|shell32|ole32|user32|msvcrt|ntdll|psapi|version|ucrtbase|api-ms-win-[\w-]+)\.dll", re.IGNORECASE)
 
 

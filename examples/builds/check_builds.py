@@ -45,7 +45,7 @@ class Builds:
 
 
 def change(folder):
-    """The plane moves by 16 bytes."""
+    """Moves the plane by 16 bytes."""
     include = folder / "planes.hlsli"
     include.write_text(include.read_text().replace("float4 water", "float4 other, water"))
 
@@ -78,7 +78,7 @@ def meson(builds):
 
 
 def bazel(builds):
-    """In two sandboxes the bytes are the same, and what is not declared is not there."""
+    """Checks that two sandboxes give the same bytes, and that files that are not declared are missing there."""
     found = []
     for number in (1, 2):
         folder = builds.folder("bazel").rename(builds.scratch / f"bazel{number}")
@@ -97,7 +97,7 @@ def bazel(builds):
 
 
 def fastbuild(builds):
-    """FASTBuild is not in Debian: its command line is run as it stands."""
+    """Runs the command line of FASTBuild as it is, since FASTBuild is not in Debian."""
     folder = builds.folder("fastbuild")
     (folder / "build").mkdir()
     text = (folder / "fbuild.bff").read_text()

@@ -62,7 +62,7 @@ library::Result Compile(library::Compiler& compiler, int scale) {
   return result;
 }
 
-// Compiles until `is_done`, and adds what was said for each scale to `texts`.
+// Compiles until `is_done`, and adds the GLSL for each scale to `texts`.
 void KeepCompiling(const std::atomic<bool>& is_done, std::map<int, std::set<std::string>>& texts) {
   library::Compiler compiler;
   for (int i = 0; !is_done || i < 8; ++i) texts[i % 4].emplace(Compile(compiler, 1 + i % 4).glsl());
@@ -80,7 +80,7 @@ int RowsCovered(const Picture& picture) {
   return rows;
 }
 
-// The cube, of whose upper half the plane leaves nothing if `is_clipped`.
+// Draws the cube; if `is_clipped`, the plane removes its upper half.
 Picture Draw(bool is_clipped) {
   library::Compiler compiler;
   const library::Result shader = Compile(compiler, 1);

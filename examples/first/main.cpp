@@ -61,7 +61,7 @@ GLuint MakeProgram() {
   return program;
 }
 
-// A buffer at the binding of its register: b0 is 0.
+// Makes a buffer at the binding of its register: b0 is 0.
 void BindBuffer(GLuint binding, const void* bytes, GLsizeiptr size) {
   GLuint buffer = 0;
   glCreateBuffers(1, &buffer);

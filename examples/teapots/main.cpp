@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // The teapots of "What Are User-defined Clip Planes?" side by side: whole; clipped by (-1, 0, 0,
 // 0), which leaves x <= 0; by (1, 0, 1, 0), which leaves x + z >= 0; and by (1, 0, 0, 0) and (0,
-// -1, 0, 0) together, which leaves what both keep: x >= 0 and y <= 0. The inside is red. Planes are
-// given in world space and set as on Direct3D 9, with glClipPlane for SetClipPlane.
+// -1, 0, 0) together, which leaves the part that both keep: x >= 0 and y <= 0. The inside is red.
+// Planes are given in world space and set as on Direct3D 9, with glClipPlane for SetClipPlane.
 //   teapots [FILE.png]
 #include <cstdio>
 #include <exception>

@@ -39,7 +39,7 @@ namespace {
 using namespace clipc::harness;
 namespace runtime = clipc::runtime;
 
-// Keeps what is above the water, y >= 0.
+// The plane that keeps the points above the water, y >= 0.
 constexpr runtime::Plane kWater{0, 1, 0, 0};
 
 constexpr Vector kEye{0, 2.0, -1.5}, kTarget{0, 0.2, 6};
@@ -51,7 +51,7 @@ struct Object {
   float red, green, blue;
 };
 
-// `eye_height` is negative for a mirrored eye.
+// Draws all objects. `eye_height` is negative for a mirrored eye.
 void DrawObjects(const Program& program, const std::vector<Object>& objects, const Matrix& view,
                  const Matrix& projection, double eye_height) {
   program.Set("eye", static_cast<float>(kEye.x), static_cast<float>(eye_height),
@@ -131,7 +131,7 @@ class Lake {
       Check(binder.Bind(table, &scene, 1));
       DrawObjects(program, objects_, mirrored, projection_, -kEye.y);
     } else {
-      // The shader clips: it gets the plane, and what distances it writes are enabled.
+      // The shader clips: it gets the plane, and the distances that it writes are enabled.
       runtime::gl::ClipSwitches switches(gl);
       Check(switches.Bind(table));
       program.Set("water_plane", plane.x, plane.y, plane.z, plane.w);
@@ -139,7 +139,8 @@ class Lake {
     }
   }
 
-  // Brighter towards the horizon, and below it the same mirrored, for the water to reflect.
+  // Draws a sky that is brighter towards the horizon, and the same mirrored below it, for the water
+  // to reflect.
   void DrawSky() const {
     const Vector ahead = Unit({kTarget.x - kEye.x, 0, kTarget.z - kEye.z});
     const double up = Dot({view_.m[0][1], 0, view_.m[2][1]}, ahead),

@@ -11,7 +11,7 @@
 namespace clipc::check {
 namespace {
 
-// target = value, or target op= value.
+// The assignment target = value, or target op= value.
 ExprId Assign(Context& context, const ast::AssignExpr& expr, ExprId target, ExprId value,
               Span span) {
   if (!CheckTarget(context, target)) return context.ErrorExpr(span);
@@ -20,15 +20,15 @@ ExprId Assign(Context& context, const ast::AssignExpr& expr, ExprId target, Expr
   return context.IsError(converted) ? converted : StoreTo(context, target, converted, span);
 }
 
-// object[place] = value
+// The store object[place] = value.
 ExprId StoreElement(Context& context, ExprId object, ExprId place, ExprId value, Span span) {
   return context.At(span).Add(
       context.types.Void(),
       ObjectCall{ObjectOp::kStore, context.program.expr_lists.Add({object, place, value})});
 }
 
-// object[place] = value is a store; object[place].x = value and object[place] += value change a
-// copy and store that.
+// The assignment to an element of an object, or to a part of one. object[place] = value is a store;
+// object[place].x = value and object[place] += value change a copy, which is then stored.
 ExprId AssignElement(Context& context, const ast::AssignExpr& expr, ExprId target, ExprId element,
                      ExprId value, Span span) {
   if (target == element && !expr.op) {
@@ -45,7 +45,7 @@ ExprId AssignElement(Context& context, const ast::AssignExpr& expr, ExprId targe
   return WithPrologue(context, steps, store);
 }
 
-// m._m00_m11 = v  =>  (t = v, m[0][0] = t.x, m[1][1] = t.y, t)
+// The assignment m._m00_m11 = v  =>  (t = v, m[0][0] = t.x, m[1][1] = t.y, t).
 ExprId StoreToMatrixSwizzle(Context& context, ExprId target, ExprId value, Span span) {
   const auto node = context.Get<MatrixSwizzle>(target);
   Builder at = context.At(span);
@@ -60,7 +60,7 @@ ExprId StoreToMatrixSwizzle(Context& context, ExprId target, ExprId value, Span 
   return WithPrologue(context, steps, stored);
 }
 
-// The assignment to what the left side is.
+// The assignment to `target`, of whichever kind it is.
 ExprId AssignTo(Context& context, const ast::AssignExpr& expr, ExprId target, Span span) {
   const bool is_list = context.Is<ast::InitListExpr>(expr.right);
   if (is_list && !expr.op && !context.IsError(target)) {
@@ -171,7 +171,7 @@ ExprId TakeSteps(const Context& context, ExprId target, Exprs& prologue) {
     last = comma->second;
   }
   if (!context.Is<MatrixSwizzle>(last) || !context.view.body) return target;
-  // A swizzle of a value, f()._m00_m11, is one of a temporary, which nothing is assigned to.
+  // A swizzle of a value, f()._m00_m11, is a swizzle of a temporary, which nothing is assigned to.
   const std::vector<VarId>& temporaries = context.view.body->temporaries;
   if (std::ranges::find(temporaries, RootOf(context.program, last)) != temporaries.end())
     return target;

@@ -6,17 +6,18 @@
 // Assignment: which expressions can be assigned to, and how each kind of target is written.
 namespace clipc::check {
 
-// Makes the variable one that cannot be assigned to.
+// Marks the variable as one that cannot be assigned to.
 void MarkConst(Context& context, VarId var);
 bool IsConstVar(const Context& context, VarId var);
-// Whether the expression can be assigned to. Reports why it cannot. An index into a swizzle becomes
-// one into the vector.
+// Returns whether the expression can be assigned to, and reports the reason if not. An index into a
+// swizzle becomes an index into the vector.
 bool CheckTarget(Context& context, ExprId target);
 // The read of a writable object that a path of fields, indices and swizzles starts at, `buffer[i]`
 // in `buffer[i].x`; none for other expressions.
 ExprId ElementIn(const Context& context, ExprId expr);
-// Turns such a read into a variable that holds what was read, so that its parts can be changed in
-// place. Returns the store of the variable into the object. `prologue` must come before.
+// Turns `element`, a read that ElementIn found, into a variable that holds the value read, so that
+// its parts can be changed in place. Returns the store of the variable into the object. `prologue`
+// must come before.
 ExprId ChangeElement(Context& context, ExprId element, Exprs& prologue);
 // The path with every index that has side effects replaced by a temporary, so that the path can be
 // cloned.
@@ -24,12 +25,12 @@ ExprId Stabilize(Context& context, ExprId path, Exprs& prologue);
 // The target without the steps that come before it, which are added to `prologue`: the index of
 // m[f()]._m00_m11 is computed once. Any other expression is returned as it is.
 ExprId TakeSteps(const Context& context, ExprId target, Exprs& prologue);
-// Every assignment `left op= right`.
+// Checks an assignment `left = right` or `left op= right`.
 ExprId CheckNode(Context& context, const ast::AssignExpr& expr, Span span);
-// target op= value. Where the operator works on another type than the target's, this is target =
-// (T)(target op value).
+// The assignment target op= value. If the operator works on another type than the target's, it is
+// target = (T)(target op value).
 ExprId AssignCompound(Context& context, BinaryOp op, ExprId target, ExprId value, Span span);
-// target = value; both have the same type.
+// The assignment target = value; both have the same type.
 ExprId StoreTo(Context& context, ExprId target, ExprId value, Span span);
 
 }  // namespace clipc::check

@@ -101,7 +101,7 @@ void CheckRecursion(Context& context) {
   std::vector<std::uint8_t> state(context.program.functions.size(), kNew);
   struct Step {
     FunctionId function;
-    std::span<const Edge> calls;  // that are left
+    std::span<const Edge> calls;  // the calls that are left
   };
   std::vector<Step> path;
   const auto enter = [&](FunctionId function) {

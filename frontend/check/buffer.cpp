@@ -170,7 +170,7 @@ void FinishBuffers(Context& context) {
   for (BufferId id : context.globals.buffers.ids()) {
     if (context[id].resolution != Resolution::kNone) reached.push_back(id);
   }
-  // $Globals was made first, with order 0; $Params has the highest.
+  // $Globals was made first, with order 0; $Params has the highest order.
   std::ranges::stable_sort(reached, {}, [&](BufferId id) { return context[id].order; });
   for (BufferId id : reached) FinishBuffer(context, context[id]);
 }

@@ -8,7 +8,7 @@ namespace clipc::check {
 // Whether the variable is a ConstantBuffer<T> or TextureBuffer<T> of HLSL 5.1, unless a type of the
 // user's has that name.
 bool IsBufferObject(const Context& context, const ast::VarDecl& var);
-// Whether it is a buffer of its own: one of those, or [[vk::push_constant]].
+// Whether the variable is a buffer of its own: a buffer object, or [[vk::push_constant]].
 bool IsBuffer(const Context& context, const ast::VarDecl& var);
 void ResolveBuffer(Context& context, SymbolId id, const ast::VarDecl& var);
 // Makes variables of all members of the buffer, once.

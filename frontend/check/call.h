@@ -7,7 +7,7 @@
 namespace clipc::check {
 
 ExprId CheckNode(Context& context, const ast::CallExpr& expr, Span span);
-// Appends the checked arguments. False when one of them has an error.
+// Appends the checked arguments. Returns false if one of them has an error.
 bool CheckArguments(Context& context, List<ast::ExprId> list, Exprs& arguments);
 // A call of the function with its object (`self`, of a method) and arguments: the arguments are
 // converted, and arguments of `out` parameters copied back where needed.

@@ -32,7 +32,7 @@ using Addresses = std::vector<Address>;
 
 // A path through a cbuffer.
 struct Path {
-  Address at;              // of its first component
+  Address at;              // the address of its first component
   bool row_major = false;  // whether matrices at its end lie row by row
   // Whether the next index chooses one of an array of buffers.
   bool of_constant_buffer_array = false;
@@ -45,12 +45,13 @@ struct Path {
   }
 };
 
-// Follows one operand through the IR and says which constant each of its four components is.
+// One operand of the attribute, followed through the IR to the constants that its four components
+// are.
 class Operand {
  public:
   Operand(Context& context, std::string_view text) : context_(context), text_(text) {}
 
-  // Returns nothing after an error, which was reported.
+  // Returns the addresses of the components; nullopt after an error, which was reported.
   std::optional<Addresses> Components(ExprId id) {
     if (const auto* swizzle = context_.GetIf<Swizzle>(id)) {
       const auto base = Components(swizzle->base);
@@ -131,7 +132,7 @@ class Operand {
     return path;
   }
 
-  // The index is in bounds: CheckExpr reports others (X3504).
+  // Returns the path to an element. The index is in bounds: CheckExpr reports others (X3504).
   std::optional<Path> OfIndex(const Index& index) {
     auto path = Follow(index.base);
     if (!path) return std::nullopt;
@@ -204,7 +205,7 @@ std::string Written(const Context& context, const ast::Attr& attr) {
   return all;
 }
 
-// The one attribute that counts, or null: there is none, or there was an error.
+// The one attribute that counts; null if there is none, and after an error, which was reported.
 const ast::Attr* TheAttribute(Context& context, const AttributeLists& lists) {
   const ast::Attr* first = nullptr;
   for (const std::span<const ast::Attr>& attributes : lists) {
@@ -225,7 +226,7 @@ const ast::Attr* TheAttribute(Context& context, const AttributeLists& lists) {
   return first;
 }
 
-// Checks what the rest of the shader must be like if it has clip planes.
+// Checks the demands of clip planes on the rest of the shader. Returns false after an error.
 bool CheckSurroundings(Context& context, const ast::Attr& attribute) {
   const Program& program = context.program;
   const std::span<const ast::ExprId> operands = context[attribute.arguments];
@@ -255,8 +256,8 @@ bool CheckSurroundings(Context& context, const ast::Attr& attribute) {
   return false;
 }
 
-// Forms that no cbuffer could make right get their message from the text, before names are looked
-// up.
+// Whether the form of an operand is allowed. A form that no cbuffer could make right is reported
+// from the text, before names are looked up.
 bool IsAllowedForm(Context& context, ast::ExprId id) {
   const Span span = context[id].span;
   return Visit(Overloaded{

@@ -9,7 +9,7 @@
 // The rules of [clipplanes(...)], each with a message of its own.
 namespace clipc::check {
 
-// The attributes of a function: the list of its definition, then those of its prototypes.
+// The attributes of a function: the list of its definition, then the lists of its prototypes.
 using AttributeLists = std::vector<std::span<const ast::Attr>>;
 AttributeLists AttributesOf(const Context& context, FunctionInfoId function);
 
@@ -22,7 +22,7 @@ void ReachClipPlanes(Context& context, FunctionInfoId entry, const AttributeList
 void CheckClipPlanes(Context& context, FunctionInfoId entry, const AttributeLists& attributes);
 
 // Warns of clip planes on functions other than the entry point (X3588), where they have no effect,
-// and reports attributes there that are nearly spelled like theirs. A function that may be the
+// and reports attributes there whose spelling is close to `clipplanes`. A function that may be the
 // entry point of another shader in the file is not warned of, unless this shader calls it.
 void CheckUnusedClipPlanes(Context& context, const AttributeLists& of_entry);
 

@@ -10,7 +10,7 @@
 namespace clipc::check {
 namespace {
 
-// S(a, b) is an initialiser list in another spelling (HLSL 2021 has it for casts of one value).
+// The value S(a) of a struct type, which HLSL 2021 has for casts of one value. S(a, b) is an error.
 ExprId ConstructStruct(Context& context, TypeId type, ExprSpan arguments, Span span) {
   if (arguments.size() == 1) {
     if (context.TypeIdOf(arguments[0]) == type) return arguments[0];
@@ -35,7 +35,7 @@ ExprId ConstructVector(Context& context, TypeId type, ExprSpan arguments, Span s
   return WithPrologue(context, prologue, context.At(span).ConstructOf(type, parts));
 }
 
-// A matrix of rows, where the arguments make up rows; otherwise of scalars.
+// A matrix made of rows if the arguments make up rows, otherwise of scalars.
 ExprId ConstructMatrix(Context& context, TypeId type_id, ExprSpan arguments, Span span) {
   const Type type = context[type_id];
   const auto is_scalar = [&](ExprId argument) {

@@ -7,7 +7,8 @@
 namespace clipc::check {
 
 ExprId CheckConstructor(Context& context, TypeId type, List<ast::ExprId> list, Span span);
-// vector.x for component 0. A component of a swizzle is read from the vector or matrix itself.
+// A component of the vector, vector.x for 0. A component of a swizzle is read from the vector or
+// matrix itself.
 ExprId Component(Context& context, ExprId vector, std::uint8_t component);
 // Appends the components of the value to `scalars`, row by row. The value is evaluated once, in
 // `prologue` if need be.

@@ -7,12 +7,12 @@
 namespace clipc::check {
 namespace {
 
-// The levels of expressions, statements and declarations inside each other. The checker's frames
-// are small enough for a stack of 8 MiB, with sanitizers too.
+// The limit on the levels of expressions, statements and declarations inside each other. The
+// checker's frames are small enough for a stack of 8 MiB, with sanitizers too.
 constexpr int kMaxCheckDepth = 2500;
 
-// The expressions of a program. A cast of a struct is an expression for each of its leaves, so a
-// short text may make many.
+// The limit on the expressions of a program. A cast of a struct is an expression for each of its
+// leaves, so a short text may make many.
 constexpr std::size_t kMaxCheckedExpressions = std::size_t{1} << 22;
 
 }  // namespace

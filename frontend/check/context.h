@@ -30,17 +30,17 @@ namespace clipc::check {
 struct Body {
   FunctionId function;
   TypeId return_type;
-  // The variable that `this` names; none outside of methods.
+  // The variable that `this` names; none if the function is not a method.
   VarId self;
   int loops = 0;
   int switches = 0;
   // Temporaries that the current statement needs and that are not declared yet.
   std::vector<VarId> temporaries;
-  // Declarations that go before the first statement.
+  // Declarations to put before the first statement.
   std::vector<StmtId> hoisted;
 };
 
-// Structs and enums.
+// The structs and enums of the text.
 struct Structs {
   std::deque<StructInfo> infos;  // by StructId
   // The types that are defined inside another declaration, by DeclId.
@@ -49,19 +49,19 @@ struct Structs {
   std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> enum_values;
 };
 
-// Variables outside functions.
+// The variables outside functions.
 struct Globals {
   struct Ordered {
-    std::uint32_t order;  // of the declaration, as OrderOf gives it
+    std::uint32_t order;  // the place of the declaration, from OrderOf
     VarId var;
   };
   Arena<Buffer> buffers;
-  BufferId buffer;         // the one for $Globals
-  BufferId params_buffer;  // the one for $Params; none before the first `uniform` parameter
+  BufferId buffer;         // the buffer $Globals
+  BufferId params_buffer;  // the buffer $Params; none before the first `uniform` parameter
   // The static variables and the resources that something reached uses.
   std::vector<Ordered> reached, resources;
-  std::unordered_map<std::uint32_t, Register> registers;   // by a resource's VarId
-  std::unordered_map<std::uint32_t, std::string> formats;  // of images that have one
+  std::unordered_map<std::uint32_t, Register> registers;   // by VarId of a resource
+  std::unordered_map<std::uint32_t, std::string> formats;  // by VarId of an image
   OutOfLine out_of_line;
   std::vector<bool> const_vars;  // by VarId
 };
@@ -69,11 +69,12 @@ struct Globals {
 using Exprs = std::vector<ExprId>;
 using ExprSpan = std::span<const ExprId>;
 
-// What all subjects of the checker share. A subject is a header of free functions over it.
+// The state that all subjects of the checker share. A subject is a header of free functions over
+// it.
 //
-// Declarations are entered under their names first, all of them; what a name means is worked out
-// when something reached first uses it, as seen from its declaration (View). So the code of other
-// stages costs next to nothing. Function bodies wait in a queue, so calls do not nest.
+// Declarations are entered under their names first, all of them; the meaning of a name is worked
+// out when something reached first uses it, as seen from its declaration (View). So the code of
+// other stages costs next to nothing. Function bodies wait in a queue, so calls do not nest.
 struct Context final : TemporaryMaker {
   Context(const ast::File& file, const CheckOptions& options, Diagnostics& diagnostics);
 
@@ -89,8 +90,8 @@ struct Context final : TemporaryMaker {
   Globals globals;
   std::vector<TypeId> numeric_types;  // by Name: float4x3 and the like, once looked up
   std::vector<StmtId> stmts;          // the statements of the blocks in progress
-  int depth = 0;                      // of Depth
-  bool is_too_large = false;          // whether Depth has reported that the program is
+  int depth = 0;                      // the weights of the Depths that are open
+  bool is_too_large = false;          // whether Depth has reported that it is
 
   // The row that an id or a list stands for, in the table that has ids of this kind: a node of the
   // syntax tree, a node or variable of the program, a symbol, the text of a name.
@@ -125,14 +126,15 @@ struct Context final : TemporaryMaker {
                      const std::type_identity_t<Args>&... args) {
     return diagnostics.Report(where, kind, args...);
   }
-  // Reports and returns an expression of the error type, which silences what follows from it.
+  // Reports, and returns an expression of the error type, which silences errors that follow from
+  // it.
   template <typename... Args>
   ExprId Fail(Span where, const diag::Kind<Args...>& kind,
               const std::type_identity_t<Args>&... args) {
     diagnostics.Report(where, kind, args...);
     return ErrorExpr(where);
   }
-  // Reports and returns the error type.
+  // Reports, and returns the error type.
   template <typename... Args>
   TypeId FailType(Span where, const diag::Kind<Args...>& kind,
                   const std::type_identity_t<Args>&... args) {
@@ -153,12 +155,12 @@ struct Context final : TemporaryMaker {
   const Type& TypeOf(ExprId expr) const { return types[TypeIdOf(expr)]; }
   std::string TypeName(TypeId type) const { return types.Name(type); }
   std::string TypeName(ExprId expr) const { return TypeName(TypeIdOf(expr)); }
-  // What is seen from a scope, outside of function bodies.
+  // The view from a scope, outside of function bodies.
   View ViewFrom(ScopeId scope, std::uint32_t order) const {
     return {.scope = scope, .order = order, .local_floor = names.size()};
   }
   Builder At(Span span) { return Builder(program, span); }
-  // A local variable of the body in progress; a static one outside of functions.
+  // Makes a local variable of the body in progress, or a static variable outside of functions.
   Temporary Make(ExprId value) override;
 
  private:
@@ -184,7 +186,7 @@ struct Context final : TemporaryMaker {
   }
 };
 
-// While it lives, the checker looks from elsewhere.
+// A change of view: during its life the checker looks from `view`.
 class ViewSwitch : NotCopied {
  public:
   ViewSwitch(Context& context, const View& view)
@@ -196,11 +198,11 @@ class ViewSwitch : NotCopied {
   View saved_;
 };
 
-// One level of the checker's own recursion. Not ok when there are too many, or when the program has
-// become too large; it reports both.
+// One level of the checker's own recursion. It is not ok if there are too many levels, or if the
+// program has become too large; it reports both.
 class Depth : NotCopied {
  public:
-  // The weight of a declaration that is resolved on the way; an expression has 1.
+  // The weight of a declaration that is resolved on the way; the weight of an expression is 1.
   static constexpr int kDeclaration = 8;
 
   Depth(Context& context, Span where, int weight = 1);

@@ -5,12 +5,12 @@
 
 #include "frontend/check/context.h"
 
-// Entering declarations under their names. Nothing is resolved yet.
+// Entering declarations under their names, which resolves nothing yet.
 namespace clipc::check {
 
 void DeclareAll(Context& context, std::span<const ast::DeclId> decls, ScopeId scope);
 void DeclareOne(Context& context, ast::DeclId id, ScopeId scope);
-// Enters S for `struct S {...} x;`, where the type is part of another declaration.
+// Enters S if `type` is the `struct S {...}` of `struct S {...} x;`, part of another declaration.
 void DeclareTypeInside(Context& context, ast::TypeId type, ScopeId scope);
 // `using namespace a;` makes the names of `a` visible in the scope. `using a::b;` gives `b` a
 // second name there.

@@ -6,7 +6,7 @@
 namespace clipc::check {
 namespace {
 
-// Removes `var` and the temporaries made after it from the list. Returns those after it.
+// Removes `var` and the temporaries made after it from the list. Returns the temporaries after it.
 std::vector<VarId> TakeAfter(Context& context, VarId var) {
   std::vector<VarId>& temporaries = context.view.body->temporaries;
   const auto found = std::ranges::find(temporaries, var);

@@ -11,7 +11,7 @@
 namespace clipc::check {
 namespace {
 
-// "NS::main" => {"NS", "main"}
+// The parts of a qualified name: "NS::main" => {"NS", "main"}.
 std::vector<std::string_view> SplitQualified(std::string_view text) {
   std::vector<std::string_view> parts;
   while (true) {
@@ -22,7 +22,7 @@ std::vector<std::string_view> SplitQualified(std::string_view text) {
   }
 }
 
-// The name of the file that has that text; none when the file does not use it.
+// The name of the file that has the text `text`; none if the file does not use it.
 Name NameOf(const Context& context, std::string_view text) {
   for (std::uint32_t i = 0; i < context.file.names.size(); ++i) {
     if (context[Name{i}] == text) return Name{i};
@@ -30,7 +30,7 @@ Name NameOf(const Context& context, std::string_view text) {
   return {};
 }
 
-// The functions of that name in the scope that have a body and are not templates.
+// The functions of the name in the scope that have a body and are not templates.
 std::vector<SymbolId> EntriesIn(const Context& context, ScopeId scope, Name name) {
   std::vector<SymbolId> found;
   for (SymbolId id = context.names.FindIn(scope, name); id; id = context[id].older) {
@@ -42,7 +42,7 @@ std::vector<SymbolId> EntriesIn(const Context& context, ScopeId scope, Name name
   return found;
 }
 
-// "NS::main"
+// The name of the symbol with its scopes: "NS::main".
 std::string ScopedName(const Context& context, SymbolId id) {
   std::string text(context[context[id].name]);
   for (ScopeId scope = context[id].scope; scope && scope != context.names.global();
@@ -52,7 +52,7 @@ std::string ScopedName(const Context& context, SymbolId id) {
   return text;
 }
 
-// Whether a struct of that name, in any scope, has a field with a semantic.
+// Whether a struct with the type's name, in any scope, has a field with a semantic.
 bool HasSemantics(const Context& context, ast::TypeId type) {
   const auto has_semantic = [&](ast::DeclId member) {
     const auto* field = context.GetIf<ast::VarDecl>(member);
@@ -97,7 +97,7 @@ void ReportNoEntry(Context& context) {
   const std::string tail = text.empty() ? ""
                            : has_hints  ? fmt::format("; its techniques compile {}", text)
                                         : fmt::format("; did you mean {}?", text);
-  // The place of what was probably meant, or where the file's last declaration starts.
+  // The place of the function that was probably meant, or the start of the file's last declaration.
   Span where =
       context.file.top_level.empty() ? Span{} : context[context.file.top_level.back()].span;
   where.end = where.begin;
@@ -146,7 +146,7 @@ FunctionInfoId FindEntry(Context& context) {
       report.Note(context[id].span, diag::Candidate, ScopedName(context, id));
     return {};
   }
-  // Its prototypes' default arguments and attributes belong to it.
+  // The default arguments and attributes of the function's prototypes belong to it.
   FunctionInfoId entry;
   for (FunctionInfoId id : OverloadsOf(context, found[0], {})) {
     if (context[id].decl == context[found[0]].decl) entry = id;

@@ -12,7 +12,7 @@
 namespace clipc::check {
 namespace {
 
-// A `uniform` parameter of the entry point is a member of $Params, or a resource.
+// Adds the variable of a `uniform` parameter of the entry point, a member of $Params or a resource.
 VarId AddUniformParameter(Context& context, const ast::VarDecl& var, const Parameter& parameter) {
   const SymbolId symbol = context.names.Declare(SymbolKind::kVariable, context.names.global(), {},
                                                 parameter.decl, var.name_span);

@@ -3,10 +3,11 @@
 
 #include "frontend/check/context.h"
 #include "frontend/rules/build_main.h"
-// What the entry point says about its parameters and its result.
+// The signature of the entry point, as its parameters and its result are written.
 namespace clipc::check {
 
-// The semantics and modifiers of the entry point. Makes variables of its `uniform` parameters.
+// Returns the semantics and modifiers of the entry point. Makes variables of its `uniform`
+// parameters.
 EntrySignature SignatureOf(Context& context, FunctionInfoId entry);
 // Sets how a value is interpolated, in an EntryParameter or an ir::Field.
 void ReadInterpolation(ast::Qualifiers qualifiers, auto& into) {

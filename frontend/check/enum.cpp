@@ -13,7 +13,7 @@ SymbolId DeclareEnum(Context& context, ast::DeclId id, const ast::EnumDecl& decl
                  : DeclareLocal(context, kind, name, id, span);
   };
   const SymbolId symbol = declare(SymbolKind::kType, decl.name, decl.name_span);
-  // `E::a` means something for every enum, a plain `a` for those that are not classes.
+  // `E::a` is a name for every enum, a plain `a` only for enums that are not classes.
   const ScopeId own = scope ? context.names.AddScope(ScopeKind::kEnum, scope, decl.name)
                             : context.names.AddScope(ScopeKind::kEnum, context.view.scope,
                                                      decl.name, context.view.order);

@@ -25,8 +25,9 @@
 namespace clipc::check {
 namespace {
 
-// fxc takes 0x3 for a uint and 3000000000 for an int, -1294967296; DXC, whose shader models begin
-// with 6, goes by the size of both. Direct3D 9 counts in floats, where 0x3 makes no difference.
+// Whether the literal is a uint. fxc takes 0x3 for a uint and 3000000000 for an int, -1294967296;
+// DXC, whose shader models begin with 6, goes by the size of both. Direct3D 9 counts in floats,
+// where 0x3 makes no difference.
 bool IsUnsigned(const Context& context, const ast::Literal& literal) {
   const Profile& profile = context.program.profile;
   const bool is_large = literal.bits > std::numeric_limits<std::int32_t>::max();
@@ -120,7 +121,7 @@ ExprId CheckNode(Context& context, const ast::ConditionalExpr& expr, Span span) 
     type = CommonType(context.types,
                       context.types.WithScalar(context.TypeIdOf(condition), context[sides].scalar),
                       sides);
-    // The sides say whether the result is a float4 or a float1x4.
+    // The sides decide whether the result is a float4 or a float1x4.
     if (type && context[*type].Components() == context[sides].Components()) type = sides;
   }
   if (!type || *type == context.types.Void()) {
@@ -179,7 +180,7 @@ ExprId CheckNode(Context& context, const ast::ErrorExpr&, Span span) {
   return context.ErrorExpr(span);
 }
 
-// As DXC has it: the bytes of the components, without padding.
+// The value of sizeof, as in DXC: the bytes of the components, without padding.
 ExprId CheckNode(Context& context, const ast::SizeofExpr& expr, Span span) {
   const ast::Expr& operand = context[expr.operand];
   TypeId type;

@@ -4,7 +4,7 @@
 #include "frontend/check/context.h"
 
 // Expressions. Each is checked bottom up into a typed expression of the program. After an error it
-// has the error type, which silences what follows from it.
+// has the error type, which silences errors that follow from it.
 namespace clipc::check {
 
 ExprId CheckExpr(Context& context, ast::ExprId id);

@@ -9,8 +9,8 @@
 namespace clipc::check {
 namespace {
 
-// Whether a `break` in it leaves the loop or switch whose body it is (a `continue` of a do-while
-// may leave it, too).
+// Whether a `break` in the statement leaves the loop or switch whose body it is (a `continue` of a
+// do-while may leave it, too).
 bool Breaks(const Context& context, StmtId id) {
   if (!id) return false;
   return Visit(

@@ -10,7 +10,7 @@
 namespace clipc::check {
 namespace {
 
-// A function, or a method for objects of type `self`.
+// The record of a function, or of a method for objects of type `self`; made if need be.
 FunctionInfoId InfoOfFunction(Context& context, SymbolId id, TypeId self) {
   // A static method is one function for all structs that derive from its own.
   if (DeclOf(context, id).qualifiers & ast::kStatic) self = {};
@@ -36,7 +36,8 @@ void AddParameter(Context& context, const ast::VarDecl& var, ast::DeclId id, Fun
   parameters.push_back(parameter);
 }
 
-// The definition of a method that its struct only declares: `float S::f() {...}`.
+// Finds the definition of a method that its struct only declares, `float S::f() {...}`, if there is
+// one.
 void FindOutOfLine(Context& context, FunctionInfo& info) {
   const Name name = DeclOf(context, info).name;
   for (ast::DeclId id : context.functions.out_of_line.Of(context, name, info.scope)) {
@@ -68,8 +69,8 @@ std::string ParameterKey(const Context& context, const FunctionInfo& info) {
   return key;
 }
 
-// Prototypes and their definition are one overload: the one with the body, which takes over the
-// default arguments of the other.
+// Merges a prototype and its definition, or two prototypes, into one overload and returns it. The
+// one with the body is kept, and takes over the default arguments of the other.
 FunctionInfoId MergeOverloads(Context& context, FunctionInfoId known, FunctionInfoId added) {
   FunctionInfo& info = context[added];
   FunctionInfo& other = context[known];

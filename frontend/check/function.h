@@ -11,7 +11,7 @@ namespace clipc::check {
 
 const ast::FunctionDecl& DeclOf(const Context& context, const FunctionInfo& info);
 const ast::FunctionDecl& DeclOf(const Context& context, SymbolId function);
-// A new function that the symbol declares, for objects of type `self` when it is a method.
+// Adds the function that the symbol declares, for objects of type `self` if it is a method.
 // `instance` is the scope that holds the arguments of a template.
 FunctionInfoId AddFunction(Context& context, SymbolId id, TypeId self, ScopeId instance = {});
 // Resolves the types of the parameters and of the result, once.
@@ -21,7 +21,7 @@ bool SameParameters(const Context& context, const FunctionInfo& a, const Functio
 // All functions that have the name and scope of `first`, declared so far or later, except
 // templates. A prototype and its definition are one function.
 const std::vector<FunctionInfoId>& OverloadsOf(Context& context, SymbolId first, TypeId self);
-// "f(float, out int)"
+// The signature as messages have it: "f(float, out int)".
 std::string SignatureText(const Context& context, const FunctionInfo& info);
 
 }  // namespace clipc::check

@@ -38,8 +38,9 @@ void ResolveGlobal(Context& context, SymbolId id, const ast::VarDecl& var) {
   }
 }
 
-// An initialiser outside a function has no effect: one that calls a function or takes several steps
-// is done at the beginning of `main`, and so is one that reads such a variable.
+// Moves an initialiser of a variable outside of functions to the beginning of `main` if it calls a
+// function or takes several steps, since an initialiser there must not have effects, or if it reads
+// a variable whose initialiser was moved.
 void InitialiseInMain(Program& program) {
   std::vector<bool> is_moved(program.vars.size());
   std::vector<StmtId> body;
@@ -66,7 +67,8 @@ void InitialiseInMain(Program& program) {
   SetMainBody(program, body);
 }
 
-// `int S::count = 1;` after a struct S with a `static int count`.
+// The initialiser in `int S::count = 1;` after a struct S with a `static int count`; none without
+// one.
 ExprId CheckOutOfLine(Context& context, SymbolId id, const ast::VarDecl& var, TypeId type) {
   const ScopeId scope = context[id].scope;
   if (!scope || context[scope].kind != ScopeKind::kStruct) return {};
@@ -120,7 +122,7 @@ void ResolveStatic(Context& context, SymbolId id, const ast::VarDecl& var) {
   const ExprId init = CheckStaticInit(context, id, var, type);
   if (init && context.IsError(init)) return;
   if (HoldsObjects(context, type)) {
-    // An alias of the object it is initialised with.
+    // The variable is an alias of the object that it is initialised with.
     const auto* ref = init ? context.GetIf<VarRef>(init) : nullptr;
     if (ref)
       context[id].value = ref->var.index;

@@ -8,20 +8,21 @@
 // Variables outside functions: uniforms, static variables and resources.
 namespace clipc::check {
 
-// Works out what the variable is, once. False after an error, which was reported.
+// Resolves the variable, once. Returns false after an error, which was reported.
 bool ResolveVar(Context& context, SymbolId id);
 // Whether the type is a texture, sampler or buffer, or an array of them.
 bool HoldsObjects(const Context& context, TypeId type);
 VarId AddVar(Context& context, Name name, TypeId type, Storage storage, Span span);
-// The place of the declaration among those of namespaces.
+// The place of the symbol's declaration in the order of all declarations of namespaces; for a
+// local, the place of the current view.
 std::uint32_t OrderOf(const Context& context, SymbolId id);
 void ResolveStatic(Context& context, SymbolId id, const ast::VarDecl& var);
 void ResolveObject(Context& context, SymbolId id, const ast::VarDecl& var, TypeId type);
-// The register of a resource or buffer: that of the binding that counts, if there is one, and
-// [[vk::binding]] among the attributes. `letters` are the kinds of register that fit.
+// The register of a resource or buffer: the register of the binding that counts, if there is one,
+// and [[vk::binding]] among the attributes. `letters` are the kinds of register that fit.
 Register RegisterOf(Context& context, List<ast::RegisterBinding> bindings,
                     List<ast::Attr> attributes, char letter, std::string_view letters);
-// The binding that counts under this profile; null without one.
+// The binding that counts under this profile; null if there is none.
 const ast::RegisterBinding* BindingOf(const Context& context, List<ast::RegisterBinding> bindings,
                                       std::string_view letters);
 // The number of the register: 4 for c3[1].

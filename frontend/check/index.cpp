@@ -12,7 +12,7 @@
 namespace clipc::check {
 namespace {
 
-// texture.mips[level][position]; none when the expression is something else.
+// The value of texture.mips[level][position]; none if the expression is something else.
 ExprId CheckMips(Context& context, const ast::IndexExpr& expr, Span span) {
   const auto* inner = context.GetIf<ast::IndexExpr>(expr.base);
   const auto* member = inner ? context.GetIf<ast::MemberExpr>(inner->base) : nullptr;

@@ -11,8 +11,8 @@
 namespace clipc::check {
 namespace {
 
-// Deals the elements of a list out to the components of a type. The elements that are not lists are
-// checked in order, when they are needed.
+// A reader of an initialiser list, which deals its elements out to the components of a type. The
+// elements that are not lists are checked in order, when they are needed.
 class ListReader {
  public:
   ListReader(Context& context, ast::ExprId list) : context_(context) { Collect(list); }
@@ -46,7 +46,7 @@ class ListReader {
     return !failed_;
   }
 
-  // Has current_ dealt out component by component.
+  // Starts to deal current_ out component by component.
   void Open() {
     const ExprId value = std::exchange(current_, {});
     scalars_.clear();
@@ -100,7 +100,7 @@ class ListReader {
     return Construct(type_id, parts);
   }
 
-  // The rows of a matrix, the fields of a struct, the elements of an array.
+  // Takes the rows of a matrix, the fields of a struct or the elements of an array.
   ExprId TakeParts(TypeId type_id) {
     const std::uint32_t count = context_.types.PartCount(type_id);
     Exprs parts;
@@ -113,7 +113,7 @@ class ListReader {
     if (Stopped()) return context_.ErrorExpr({});
     const Type type = context_[type_id];
     if (Peek()) {
-      // An element that is just what is wanted here stays whole.
+      // An element of the type that is wanted here is kept whole.
       const Type& given = context_.TypeOf(current_);
       const bool same_shape = type.IsNumeric() && given.IsNumeric() && given.rows == type.rows &&
                               given.columns == type.columns;
@@ -138,15 +138,15 @@ class ListReader {
   Context& context_;
   std::vector<ast::ExprId> sources_;
   std::size_t next_ = 0;
-  ExprId current_;  // checked, not used yet
-  Exprs scalars_;   // of an element that is dealt out one by one
+  ExprId current_;  // an element that is checked and not used yet
+  Exprs scalars_;   // the components of the element that is dealt out
   std::size_t next_scalar_ = 0;
   Exprs prologue_;
   bool ran_out_ = false;
   bool failed_ = false;  // an error was reported
 };
 
-// The number of components that an initialiser gives. Nothing after an error, which was reported.
+// The number of components that an initialiser gives; nullopt after an error, which was reported.
 std::optional<std::uint64_t> CountComponents(Context& context, ast::ExprId init) {
   const auto& node = context[init].node;
   if (const auto* list = std::get_if<ast::InitListExpr>(&node)) {

@@ -9,10 +9,10 @@
 // components, which are dealt out to the components of the type in order.
 namespace clipc::check {
 
-// The initialiser as a value of the type.
+// Returns the initialiser as a value of the type.
 ExprId CheckInit(Context& context, ast::ExprId init, TypeId type);
-// The size of the array in `T x[] = init`; `element` is T. Nothing after an error, which was
-// reported.
+// The size of the array in `T x[] = init`; `element` is T. Returns nullopt after an error, which
+// was reported.
 std::optional<std::uint32_t> ImpliedCount(Context& context, ast::ExprId init, TypeId element);
 
 }  // namespace clipc::check

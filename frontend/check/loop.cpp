@@ -37,7 +37,7 @@ void CheckForInit(Context& context, ast::StmtId init, For& loop) {
   const TypeId type = type_of(emitted.front());
   const bool one_type =
       type && std::ranges::all_of(emitted, [&](StmtId id) { return type_of(id) == type; });
-  // Other statements stay before the loop.
+  // Other statements are left before the loop.
   if (!one_type) return;
   loop.init = TakeStmts(context, mark);
 }

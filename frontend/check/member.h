@@ -7,7 +7,7 @@
 namespace clipc::check {
 
 ExprId CheckNode(Context& context, const ast::MemberExpr& expr, Span span);
-// Reports that the type does not have a member of that name.
+// Reports that the type does not have the member `name`.
 void ReportNoMember(Context& context, TypeId type, Name name, Span span);
 
 }  // namespace clipc::check

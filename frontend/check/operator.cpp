@@ -59,7 +59,7 @@ ExprId CombineLogical(Context& context, BinaryOp op, ExprId left, ExprId right, 
   return Combine(context, wanted, left, type, right, type, span);
 }
 
-// The operands keep their kinds: the result is signed as the left one is.
+// The shift, whose operands keep their kinds: the result is signed as the left operand is.
 ExprId CombineShift(Context& context, BinaryOp op, ExprId left, ExprId right, TypeId shape,
                     Span span) {
   const auto type_of = [&](ExprId operand) {

@@ -13,7 +13,7 @@ namespace clipc::check {
 
 struct Context;
 
-// Definitions of members outside of their structs: `int S::count = 1;`, `float S::f() {...}`.
+// The definitions of members outside of their structs: `int S::count = 1;`, `float S::f() {...}`.
 class OutOfLine {
  public:
   void Add(Name member, const ast::QualifiedName& owner, ast::DeclId decl) {

@@ -16,7 +16,8 @@ std::optional<ConversionRank> Rank(const Context& context, TypeId from, TypeId t
   return std::nullopt;
 }
 
-// Whether the call fits; sets its cost and whether an argument changes its shape.
+// Returns whether the arguments fit; sets the cost of the call, and whether an argument changes its
+// shape.
 bool RankArguments(const Context& context, const FunctionInfo& info, ExprSpan arguments,
                    std::uint64_t& cost, bool& changes_shape) {
   if (arguments.size() > info.parameters.size || arguments.size() < info.required) return false;

@@ -10,12 +10,12 @@
 namespace clipc::check {
 
 struct Choice {
-  FunctionInfoId function;     // none when nothing fits, and after an error
+  FunctionInfoId function;     // none if no overload fits, and after an error
   bool reported = false;       // whether an error was reported
   bool changes_shape = false;  // whether an argument is splatted or truncated
 };
-// The best of the overloads that are declared so far; when none of them fits, the best of those
-// that are declared later.
+// The best of the overloads that are declared so far; if none of them fits, the best of the
+// overloads that are declared later.
 Choice ChooseOverload(Context& context, std::span<const FunctionInfoId> overloads,
                       ExprSpan arguments, Name name, Span span);
 // Reports that none of the overloads fits the arguments.

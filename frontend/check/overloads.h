@@ -15,7 +15,7 @@
 
 namespace clipc::check {
 
-// Functions, overload sets and instances of templates.
+// The functions, overload sets and instances of templates.
 struct Overloads {
   explicit Overloads(const Names& names) {
     constexpr std::string_view kOperator = "operator";
@@ -25,7 +25,7 @@ struct Overloads {
         operators.emplace(text.substr(kOperator.size()), Name{i});
     }
   }
-  // The function of a symbol, for objects of type `self` when it is a method; none before its
+  // The function of a symbol, for objects of type `self` if it is a method; none before its
   // overload set was asked for.
   FunctionInfoId Known(SymbolId symbol, TypeId self) const {
     const auto found = of_symbol.find(KeyOf(symbol, self));
@@ -50,7 +50,8 @@ struct Overloads {
   OutOfLine out_of_line;
   // Whether a method changes its object, by DeclId.
   std::unordered_map<std::uint32_t, bool> changes_self;
-  // The instances of templates, by declaration, scope and arguments: a TypeId or FunctionInfoId.
+  // The instances of templates, each the index of a TypeId or FunctionInfoId, by declaration, scope
+  // and arguments.
   std::unordered_map<std::string, std::uint32_t> instances;
   // The functions that are reached, in the order in which their bodies are checked.
   std::vector<FunctionInfoId> waiting;

@@ -11,7 +11,8 @@
 namespace clipc::check {
 namespace {
 
-// The scope that `a::b::` names. When there is no such scope: none, and the name that is missing.
+// The scope that `a::b::` names; none if there is no such scope: then `missing` is the unknown
+// name.
 ScopeId FindScope(Context& context, const ast::QualifiedName& name, Name& missing) {
   ScopeId scope = name.from_global ? context.names.global() : ScopeId{};
   for (Name part : context[name.scopes]) {
@@ -24,7 +25,7 @@ ScopeId FindScope(Context& context, const ast::QualifiedName& name, Name& missin
   return scope;
 }
 
-// The symbol that the name would mean at the end of the text.
+// The symbol that the name would mean at the end of the text; none if there is none.
 SymbolId FindLater(const Context& context, Name name) {
   for (ScopeId scope = context.view.scope; scope; scope = context[scope].parent) {
     if (const SymbolId id = context.names.NewestIn(scope, name)) return id;
@@ -54,7 +55,7 @@ std::string NearText(const Context& context, Name name, NameUse use) {
   return QuotedList(near);
 }
 
-// The end of a message about an unknown name, where no known name is spelt nearly like it.
+// The end of a message about an unknown name if no known name is spelt nearly like it.
 std::string_view AdviceFor(std::string_view name, NameUse use) {
   if (use == NameUse::kClipPlane)
     return "; a clip plane is a global variable or a member of a constant buffer";

@@ -14,12 +14,13 @@ namespace clipc::check {
 
 struct Body;
 
-// Where the checker stands, which decides what a name means there.
+// The place that the checker looks from, which decides the meaning of a name.
 struct View {
   ScopeId scope;
-  // Symbols of namespaces from this one on are not declared yet.
+  // The order of the first symbol of a namespace that is not declared yet.
   std::uint32_t order = ~0u;
-  // Locals before this one belong to other functions.
+  // The index of the first symbol that may be a local of this function; locals before it belong to
+  // other functions.
   std::uint32_t local_floor = 0;
   // The function body that is being checked; null outside functions.
   Body* body = nullptr;
@@ -27,8 +28,8 @@ struct View {
   bool wants_constant = false;
 };
 
-// All symbols, by scope and name. Looking a name up finds what can be seen from `view`, which
-// belongs to the caller and may change between calls.
+// All symbols, by scope and name. Looking a name up finds the symbol that can be seen from `view`,
+// which belongs to the caller and may change between calls.
 class ScopeTable {
  public:
   ScopeTable(std::size_t name_count, const View& view);
@@ -39,27 +40,27 @@ class ScopeTable {
   const Scope& operator[](ScopeId id) const { return scopes_[id]; }
   auto symbol_ids() const { return symbols_.ids(); }
   auto scope_ids() const { return scopes_.ids(); }
-  // The number of symbols, which is the number that the next one gets.
+  // The number of symbols, which is the index of the next one.
   std::uint32_t size() const { return symbols_.size(); }
   ScopeId global() const { return global_; }
 
-  // A scope whose members see the symbols of namespaces before `order`.
+  // Adds a scope whose members see the symbols of namespaces before `order`.
   ScopeId AddScope(ScopeKind kind, ScopeId parent, Name name, std::uint32_t order = ~0u);
-  // A symbol without a name cannot be found.
+  // Adds a symbol to the scope. A symbol without a name cannot be found.
   SymbolId Declare(SymbolKind kind, ScopeId scope, Name name, ast::DeclId decl, Span span);
-  // A symbol that is found until the LocalScope in which it was declared ends.
+  // Adds a symbol that is found until the LocalScope in which it was declared ends.
   SymbolId DeclareLocal(SymbolKind kind, Name name, ast::DeclId decl, Span span);
 
-  // The last symbol of that name in the scope, whether it can be seen or not; none without one.
+  // The last symbol of the name in the scope, whether it can be seen or not; none if there is none.
   SymbolId NewestIn(ScopeId scope, Name name) const;
-  // The symbol of that name in the scope itself.
+  // The symbol of the name in the scope itself; none if there is none.
   SymbolId FindIn(ScopeId scope, Name name, bool types_only = false) const;
-  // The symbol of that name in the scope, in those of its base structs, or in the namespaces that
-  // it uses.
+  // The symbol of the name in the scope, in the scopes of its base structs, or in the namespaces
+  // that it uses; none if there is none.
   SymbolId FindNested(ScopeId scope, Name name, bool types_only = false, int depth = 0) const;
-  // The symbol that a name without `::` means.
+  // The symbol that a name without `::` means; none if there is none.
   SymbolId FindUnqualified(Name name, bool types_only = false) const;
-  // The local of that name that hides all others.
+  // The local of the name that hides all others; none if there is none.
   SymbolId InnermostLocal(Name name) const { return local_by_name_[name.index]; }
   // Whether the local was declared in the LocalScope that began last.
   bool IsInLastScope(SymbolId local) const {
@@ -69,7 +70,7 @@ class ScopeTable {
   // The locals that have not been forgotten, in the order of their declarations.
   std::span<const SymbolId> locals() const { return locals_; }
 
-  // Locals that are declared while it lives are forgotten afterwards.
+  // A block: the locals that are declared during its life are forgotten at its end.
   class LocalScope : NotCopied {
    public:
     explicit LocalScope(ScopeTable& table);
@@ -87,7 +88,7 @@ class ScopeTable {
   ScopeId global_;
   std::pmr::monotonic_buffer_resource memory_{4096};
   std::pmr::unordered_map<std::uint64_t, SymbolId> newest_{64, &memory_};  // by scope and name
-  std::vector<SymbolId> local_by_name_;                                    // the innermost ones
+  std::vector<SymbolId> local_by_name_;                                    // by Name: the innermost
   std::vector<SymbolId> locals_;
   std::vector<std::uint32_t> scope_starts_;  // the number of symbols at each LocalScope's start
 };

@@ -25,7 +25,7 @@ bool CallChangesSelf(Context& context, SymbolId id, ScopeId scope) {
   return false;
 }
 
-// `this`, a field, or a path from one.
+// Whether the expression is `this`, a field, or a path from one of them.
 bool IsPartOfSelf(const Context& context, ast::ExprId id, ScopeId scope) {
   const auto& node = context[id].node;
   if (const auto* member = std::get_if<ast::MemberExpr>(&node))
@@ -42,7 +42,7 @@ bool IsPartOfSelf(const Context& context, ast::ExprId id, ScopeId scope) {
 // Whether the call itself may change the object or a part of it; its operands may, too.
 bool CallChangesSelf(Context& context, const ast::CallExpr& call, ScopeId scope) {
   const auto part = [&](ast::ExprId e) { return IsPartOfSelf(context, e, scope); };
-  // A method of a part of the object, a method of the object.
+  // The callee is a method of a part of the object, or else a method of the object.
   if (const auto* member = context.GetIf<ast::MemberExpr>(call.callee)) return part(member->base);
   const auto* name = context.GetIf<ast::NameExpr>(call.callee);
   if (!name) return false;
@@ -53,7 +53,7 @@ bool CallChangesSelf(Context& context, const ast::CallExpr& call, ScopeId scope)
   const std::string_view text = context[name->name.name];
   const bool writes_nothing = IsIntrinsicName(text) && !IsWritingIntrinsic(text);
   if (writes_nothing && name->name.scopes.empty()) return false;
-  // It may have an `out` parameter.
+  // The function may have an `out` parameter.
   return std::ranges::any_of(context[call.arguments], part);
 }
 

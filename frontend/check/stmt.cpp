@@ -20,7 +20,7 @@
 namespace clipc::check {
 namespace {
 
-// A static variable that only this function can name.
+// Checks a static variable of a function, which only this function can name.
 void CheckStaticLocal(Context& context, ast::DeclId id, const ast::VarDecl& var) {
   const SymbolId symbol = DeclareLocal(context, SymbolKind::kVariable, var.name, id, var.name_span);
   context[symbol].resolution = Resolution::kDone;
@@ -35,7 +35,8 @@ void CheckLocal(Context& context, ast::DeclId id, const ast::VarDecl& var) {
   TypeId type = ResolveVarType(context, var);
   ExprId init;
   if (var.init && IsInterface(context, type)) {
-    // Direct3D's interface stands for an instance. The variable has its class, then it is known.
+    // Direct3D's interface stands for an instance. The variable gets the class of the instance,
+    // which is then known.
     init = CheckExpr(context, var.init);
     const TypeId given = context.TypeIdOf(init);
     if (DerivesFrom(context, given, type)) type = given;
@@ -150,15 +151,15 @@ void CheckNode(Context& context, const ast::CaseStmt&, Span span) {
 }
 
 void CheckNode(Context& context, const ast::DiscardStmt&, Span span) {
-  // A pixel shader is read for what it reads; where it ends does not matter.
+  // A pixel shader is checked only for the inputs that it reads; where it ends does not matter.
   if (!context.program.profile.IsPixel()) context.Report(span, diag::DiscardInVertexShader);
 }
 
 void CheckNode(Context&, const ast::EmptyStmt&, Span) {}
 void CheckNode(Context&, const ast::ErrorStmt&, Span) {}
 
-// The last attribute of several counts. An attribute at a kind of statement that is not its own
-// gives no hint.
+// The hint that the attributes of a statement give; the last of several counts. An attribute at a
+// kind of statement that is not its own gives no hint.
 Hint HintOf(const Context& context, const ast::Stmt& stmt) {
   const bool is_loop = std::holds_alternative<ast::ForStmt>(stmt.node) ||
                        std::holds_alternative<ast::WhileStmt>(stmt.node) ||

@@ -5,11 +5,11 @@
 
 #include "frontend/check/context.h"
 
-// Statements except loops and switch. The checked statements go to the end of context.stmts.
+// Statements except loops and switch. The checked statements are added to the end of context.stmts.
 namespace clipc::check {
 
 void CheckStmts(Context& context, List<ast::StmtId> stmts);
-// The statement as a Block with a scope of its own: the body of another statement.
+// Checks the body of another statement, and returns it as a Block with a scope of its own.
 StmtId CheckBlock(Context& context, ast::StmtId id);
 void CheckStmt(Context& context, ast::StmtId id);
 // A number that a statement takes; `statement` is its name in messages.

@@ -68,7 +68,7 @@ void AddMember(Context& context, ast::DeclId id, TypeId type) {
   if (const auto* var = std::get_if<ast::VarDecl>(&decl.node)) {
     DeclareTypeInside(context, var->type, scope);
     const SymbolId older = context.names.FindIn(scope, var->name);
-    // A field may hide one of a base, which has no declaration here.
+    // A field may hide a field of a base, which has no declaration here.
     if (older && context[older].decl && context[older].kind != SymbolKind::kType)
       ReportRedefinition(context, older, var->name, var->name_span);
     const bool is_static = (var->qualifiers & ast::kStatic) != 0;
@@ -96,7 +96,7 @@ void MeasureStruct(Context& context, TypeId type, Span span) {
   context[context[type].structure].fields.clear();
 }
 
-// Reports each [[vk::offset]] that Direct3D's packing does not allow, and takes it back.
+// Reports each [[vk::offset]] that Direct3D's packing does not allow, and removes it.
 void CheckOffsets(Context& context, TypeId type) {
   std::uint32_t end = 0;
   auto& fields = context[context[type].structure].fields;

@@ -8,15 +8,15 @@
 // Structs: their members and bases.
 namespace clipc::check {
 
-// Makes a type of the struct declaration. `symbol` is its name, `scope` and `order` tell what its
-// members see.
+// Makes a type of the struct declaration. `symbol` is its name; its members see `scope`, and
+// symbols of namespaces before `order`.
 TypeId ResolveStruct(Context& context, ast::DeclId id, SymbolId symbol, ScopeId scope,
                      std::uint32_t order);
-// What the checker knows about a struct type; null for other types.
+// The checker's record of a struct type; null for other types.
 const StructInfo* InfoOf(const Context& context, TypeId type);
-// The member of a struct or of its bases; none without one, and for other types.
+// The member `name` of a struct or of its bases; none if there is none, and for other types.
 SymbolId FindMember(const Context& context, TypeId type, Name name);
-// The number of the field in the struct; nothing when the struct does not have such a field.
+// The number of the field in the struct; nullopt if the struct does not have such a field.
 std::optional<std::uint32_t> FindField(const Context& context, TypeId type, Name name);
 bool IsInterface(const Context& context, TypeId type);
 bool DerivesFrom(const Context& context, TypeId derived, TypeId base);

@@ -10,7 +10,7 @@
 namespace clipc::check {
 namespace {
 
-// The value of a label. Nothing for `default`, and after an error, which was reported.
+// The value of a label; nullopt for `default`, and after an error, which was reported.
 std::optional<std::int64_t> CheckCaseLabel(Context& context, const ast::CaseStmt& stmt, Span span,
                                            std::unordered_set<std::int64_t>& seen) {
   constexpr std::int64_t kDefault = std::int64_t{1} << 40;  // no label has this value

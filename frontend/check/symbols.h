@@ -10,8 +10,9 @@
 #include "frontend/parse/ast.h"
 #include "frontend/rules/rules.h"
 
-// What the checker knows about each declaration. In this room the program's types and functions,
-// and the rules about them, go by their plain names; those of the syntax tree begin with `ast::`.
+// The checker's records of declarations. In namespace check the types and functions of the program,
+// and the rules about them, have their plain names; the types of the syntax tree begin with
+// `ast::`.
 namespace clipc::check {
 
 using namespace ir;
@@ -26,7 +27,7 @@ using ScopeId = Id<Scope>;
 using BufferId = Id<Buffer>;
 using FunctionInfoId = Id<FunctionInfo>;
 
-// The comment after a kind says what Symbol::value is.
+// The kind of a symbol. The comment after a kind gives the meaning of Symbol::value.
 enum class SymbolKind : std::uint8_t {
   kVariable,       // an ir::VarId
   kField,          // the number of the field in the struct whose scope has the symbol
@@ -43,16 +44,17 @@ enum class Resolution : std::uint8_t { kNone, kUnderWay, kDone };
 struct Symbol {
   SymbolKind kind = SymbolKind::kVariable;
   Resolution resolution = Resolution::kNone;  // whether `value` is set
-  bool is_const = false;                      // a uniform variable that is declared `const`
-  bool is_leaked = false;  // the variable of a finished `for`, which fxc leaves visible
+  bool is_const = false;                      // whether it is a uniform declared `const`
+  bool is_leaked = false;  // a variable of a finished `for`, which fxc leaves visible
   Name name;
-  ScopeId scope;   // none for a local of a function
-  SymbolId older;  // the symbol of that name before it in the scope; the local that this one hides
+  ScopeId scope;     // none for a local of a function
+  SymbolId older;    // the symbol of this name before it in the scope; the local that it hides
   ast::DeclId decl;  // none for a template argument
   Span span;
   std::uint32_t value = ~0u;
-  // A variable: the Buffer that it is a member of; a leaked one: its ir::For. A type: the ScopeId
-  // of an enum. An enumerator: the SymbolId of its enum. A template value: its ir::TypeId.
+  // The index of the Buffer that a variable is a member of, of the ir::For of a leaked variable, of
+  // the Scope of a type that is an enum, of the Symbol of an enumerator's enum, of the ir::Type of
+  // a template value.
   std::uint32_t owner = ~0u;
 
   void Resolve(std::uint32_t to) {
@@ -66,14 +68,14 @@ struct Scope {
   ScopeKind kind = ScopeKind::kNamespace;
   ScopeId parent;
   Name name;
-  // The members see the symbols of namespaces before this one. Those of a namespace do not use it:
-  // each sees the symbols before itself.
+  // The order before which members see the symbols of namespaces. The members of a namespace do not
+  // use it: each sees the symbols before itself.
   std::uint32_t order = ~0u;
   TypeId self;                  // the type of a struct
   std::vector<ScopeId> nested;  // namespaces that `using` names, scopes of base structs
 };
 
-// A cbuffer, or what becomes one: $Globals, $Params, a ConstantBuffer<T>.
+// A cbuffer, or $Globals, $Params or a ConstantBuffer<T>, which become cbuffers.
 struct Buffer {
   ast::DeclId decl = {};  // none for $Globals and $Params
   CbufferKind kind = CbufferKind::kCbuffer;
@@ -90,26 +92,26 @@ struct Parameter {
   Storage storage = Storage::kIn;
 };
 
-// What the checker knows about a struct besides its ir::Struct.
+// The checker's record of a struct besides its ir::Struct.
 struct StructInfo {
   ast::DeclId decl;
   ScopeId scope;
   std::vector<TypeId> bases;
   std::vector<Name> fields;      // in the order of ir::Struct::fields
-  std::uint64_t components = 0;  // of a value of this type
-  int depth = 1;                 // how deep structs and arrays nest in it
+  std::uint64_t components = 0;  // the number in a value of this type
+  int depth = 1;                 // the levels of structs and arrays in it
 };
 
 // One overload: a declaration with the types that it has in one instance and for one `this`.
 struct FunctionInfo {
   ast::DeclId decl;            // the definition when there is one
   ScopeId scope;               // where the names of its types and body are looked up
-  std::uint32_t order = 0;     // of what they see
+  std::uint32_t order = 0;     // the symbols before it are what those names see
   std::uint32_t declared = 0;  // the order of the first declaration
   bool is_resolved = false;    // whether the signature is known
-  bool is_broken = false;      // the signature has errors, which were reported
-  bool is_instance = false;    // of a template
-  bool changes_self = false;   // the method may change its object
+  bool is_broken = false;      // whether the signature has errors, which were reported
+  bool is_instance = false;    // whether it is an instance of a template
+  bool changes_self = false;   // whether the method may change its object
   std::uint32_t required = 0;  // the number of parameters without a default
   TypeId return_type;
   List<Parameter> parameters;

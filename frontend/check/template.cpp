@@ -17,7 +17,7 @@ constexpr std::size_t kMaxInstances = 4096;
 constexpr std::uint32_t kUnderWay =
     ~std::uint32_t{0};  // the value of an instance whose members are being resolved
 
-// An argument of a template as a number; nothing after an error, which was reported.
+// The argument of a template as a number; nullopt after an error, which was reported.
 std::optional<std::uint32_t> ReadArgument(Context& context, const ast::TemplateParameter& parameter,
                                           ast::ExprId argument) {
   if (parameter.is_type) {
@@ -28,8 +28,8 @@ std::optional<std::uint32_t> ReadArgument(Context& context, const ast::TemplateP
   return value ? std::optional(static_cast<std::uint32_t>(*value)) : std::nullopt;
 }
 
-// Reads the arguments that are written, S<...>, into `found`. False after an error, which was
-// reported.
+// Reads the arguments that are written, S<...>, into `found`. Returns false after an error, which
+// was reported.
 bool ReadTemplateArguments(Context& context, List<ast::TemplateParameter> parameters,
                            List<ast::ExprId> arguments, std::vector<std::uint64_t>& found) {
   for (std::uint32_t i = 0; i < arguments.size && i < parameters.size; ++i) {
@@ -40,8 +40,8 @@ bool ReadTemplateArguments(Context& context, List<ast::TemplateParameter> parame
   return true;
 }
 
-// A scope with the names of the parameters. A parameter without an argument gets its default; when
-// it does not have one, there is no scope.
+// Makes a scope with the names of the parameters. A parameter without an argument gets its default;
+// returns none if it does not have one.
 ScopeId BindTemplate(Context& context, List<ast::TemplateParameter> parameters, ScopeId parent,
                      std::uint32_t order, std::vector<std::uint64_t>& found) {
   const ScopeId scope = context.names.AddScope(ScopeKind::kTemplate, parent, {}, order);

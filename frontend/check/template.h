@@ -10,10 +10,10 @@
 // bits of a value.
 namespace clipc::check {
 
-// S<float>; nothing when the symbol is not a template.
+// The type S<float>; nullopt if the symbol is not a template.
 std::optional<TypeId> InstantiateStruct(Context& context, SymbolId id, const ast::Type& type);
-// The instance of a function template that a call asks for; none when its arguments do not
-// determine the template's.
+// The instance of a function template that a call asks for; none if the arguments of the call do
+// not determine those of the template.
 FunctionInfoId InstantiateFunction(Context& context, SymbolId id, TypeId self,
                                    List<ast::ExprId> explicit_arguments, ExprSpan arguments);
 

@@ -9,11 +9,11 @@
 // Parts of the syntax tree as text, for messages and tables.
 namespace clipc::check {
 
-// "`a`, `b`"
+// The names as a list for messages: "`a`, `b`".
 std::string QuotedList(std::span<const std::string_view> names);
 // The expression nearly as it was written.
 std::string TextOf(const Context& context, ast::ExprId id);
-// "a::b"
+// The name as text: "a::b".
 std::string QualifiedText(const Context& context, const ast::QualifiedName& name);
 
 }  // namespace clipc::check

@@ -12,20 +12,21 @@ TypeId ResolveType(Context& context, ast::TypeId id);
 TypeId ResolveNamedType(Context& context, const ast::Type& type);
 // The type that a symbol of kind kType names.
 TypeId ResolveTypeSymbol(Context& context, SymbolId id);
-// What the declaration of the symbol sees: its scope, the declarations before it, and itself.
+// The view from the declaration of the symbol: its scope, the declarations before it, and itself.
 View ViewOf(const Context& context, SymbolId id);
 // The number of components of a value of the type, at most one more than is allowed.
 std::uint64_t ComponentsOf(const Context& context, TypeId id);
-// How deep structs and arrays nest in the type.
+// The number of levels of structs and arrays in the type.
 int DepthOf(const Context& context, TypeId id);
-// Whether the type has too many components or nests too deep, which is reported.
+// Whether the type has too many components or too many levels, which is reported.
 bool IsTooLarge(Context& context, TypeId type, Span span);
-// element[d0][d1]. `implied` is the size for an empty first `[]`, which `is_buffer` does not need.
+// The type element[d0][d1]. `implied` is the size for an empty first `[]`; a buffer, `is_buffer`,
+// does not need one.
 TypeId ArrayOf(Context& context, TypeId element, List<ast::ExprId> dimensions, Span span,
                std::optional<std::uint32_t> implied = {}, bool is_buffer = false);
 // The type of the variable, with its dimensions.
 TypeId ResolveVarType(Context& context, const ast::VarDecl& var);
-// The type; an error is reported if it is made of strings.
+// Returns `type`; if it is made of strings, reports and returns the error type.
 TypeId WithoutString(Context& context, TypeId type, const ast::VarDecl& var);
 // Whether matrices lie row by row in memory.
 bool IsRowMajor(const Context& context, ast::Qualifiers qualifiers);

@@ -21,7 +21,7 @@ constexpr BuiltinName<Scalar> kScalarNames[] = {
 #include "base/builtin_types.def"
 };
 
-// fxc accepts their names in upper and lower case.
+// The names of object types, which fxc accepts in upper and lower case.
 constexpr BuiltinName<ObjectKind> kObjectNames[] = {
 #define OBJECT(Enumerator, Spelling, ...) {Spelling, ObjectKind::k##Enumerator},
 #define OBJECT_ALIAS(Enumerator, Spelling, ...) {Spelling, ObjectKind::k##Enumerator},
@@ -106,7 +106,7 @@ std::optional<TypeId> GenericNumericType(Context& context, const ast::Type& type
 }
 
 std::optional<TypeId> ObjectType(Context& context, const ast::Type& type, std::string_view text) {
-  // Where the declaration is not a global, the type is a plain T.
+  // The type is a plain T if the declaration is not a global.
   if (text == "ConstantBuffer" || text == "TextureBuffer") {
     if (type.arguments.size == 1) return TypeArgument(context, context[type.arguments][0]);
     return context.FailType(type.span, diag::MissingTypeArgument, text);

@@ -9,14 +9,17 @@
 // The built-in types of HLSL in all their spellings.
 namespace clipc::check {
 
-// void, string, float, float3, float3x4, for every scalar type.
+// The type that is named void, string, float, float3 or float3x4, with any scalar type for float;
+// nullopt for other names.
 std::optional<TypeId> NumericType(Context& context, Name name);
-// A template argument as a type. Names are expressions in the syntax tree.
+// The type that a template argument is. Names are expressions in the syntax tree.
 TypeId TypeArgument(Context& context, ast::ExprId id);
-// vector, vector<float, 3>, matrix, matrix<float, 3, 4>
+// The type that is written vector, vector<float, 3>, matrix or matrix<float, 3, 4>; nullopt for
+// other types.
 std::optional<TypeId> GenericNumericType(Context& context, const ast::Type& type,
                                          std::string_view text);
-// Textures, samplers, buffers; ConstantBuffer<T> inside a function is T.
+// The type of a texture, sampler or buffer; ConstantBuffer<T> inside a function is T. Returns
+// nullopt for other types.
 std::optional<TypeId> ObjectType(Context& context, const ast::Type& type, std::string_view text);
 
 }  // namespace clipc::check

@@ -8,13 +8,14 @@
 namespace clipc::check {
 namespace {
 
-// glslang takes no larger ones: layoutLocationEnd, layoutSpecConstantIdEnd, layoutBindingEnd.
+// The largest numbers that glslang takes: layoutLocationEnd, layoutSpecConstantIdEnd,
+// layoutBindingEnd.
 constexpr std::int64_t kMaxLocation = rules::kLocations - 1;
 constexpr std::int64_t kMaxConstantId = 2046;
 constexpr std::int64_t kMaxBinding = 0xfffe;
 constexpr std::int64_t kMaxOffset = 65536;
 
-// "Format layout qualifiers" of the GLSL specification. DXC writes them without `_`.
+// The formats in "Format layout qualifiers" of the GLSL specification. DXC writes them without `_`.
 constexpr std::string_view kFormats[] = {
     "rgba32f",     "rgba16f",    "rg32f",     "rg16f",     "r11f_g11f_b10f",
     "r32f",        "r16f",       "rgba16",    "rgb10_a2",  "rgba8",
@@ -32,7 +33,7 @@ const ast::Attr* Find(const Context& context, List<ast::Attr> attributes, Vulkan
   return nullptr;
 }
 
-// The arguments as numbers, at least one and at most `most`; empty after an error.
+// The arguments of the attribute as numbers, from 1 to `most` of them; empty after an error.
 std::vector<std::uint32_t> Numbers(Context& context, const ast::Attr& attribute, std::size_t most,
                                    std::int64_t largest, std::string_view wanted) {
   std::vector<std::uint32_t> numbers;
@@ -59,7 +60,8 @@ std::optional<std::uint32_t> Number(Context& context, List<ast::Attr> attributes
   return numbers.empty() ? std::nullopt : std::optional(numbers[0]);
 }
 
-// The only argument, a string; empty without the attribute, and after an error.
+// The only argument of the attribute, a string; empty if there is no such attribute, and after an
+// error.
 std::string_view Text(Context& context, List<ast::Attr> attributes, VulkanAttribute wanted,
                       std::string_view words) {
   const ast::Attr* attribute = Find(context, attributes, wanted);

@@ -6,21 +6,22 @@
 // The attributes [[vk::...]], as "Vulkan specific attributes" in DXC's docs/SPIR-V.rst has them.
 namespace clipc::check {
 
-// [[vk::binding(number, set)]], of which the set may be left out. Nothing without one, and after an
-// error, which was reported.
+// The descriptor that [[vk::binding(number, set)]] gives; the set may be left out. Returns nullopt
+// if there is no such attribute, and after an error, which was reported.
 std::optional<Descriptor> DescriptorOf(Context& context, List<ast::Attr> attributes);
-// [[vk::image_format("rgba8snorm")]] in GLSL's spelling, rgba8_snorm, for an image of these
-// components; empty without one.
+// The format that [[vk::image_format("rgba8snorm")]] gives, in GLSL's spelling, rgba8_snorm, for an
+// image whose components are `components`; empty if there is no such attribute.
 std::string ImageFormatOf(Context& context, List<ast::Attr> attributes, Scalar components);
 bool HasConstantId(const Context& context, List<ast::Attr> attributes);
 bool IsPushConstant(const Context& context, List<ast::Attr> attributes);
-// [[vk::constant_id(number)]]
+// The number that [[vk::constant_id(number)]] gives; nullopt without one, and after an error.
 std::optional<std::uint32_t> ConstantIdOf(Context& context, List<ast::Attr> attributes);
-// [[vk::offset(bytes)]]
+// The offset that [[vk::offset(bytes)]] gives; nullopt without one, and after an error.
 std::optional<std::uint32_t> OffsetOf(Context& context, List<ast::Attr> attributes);
-// [[vk::location(number)]]
+// The number that [[vk::location(number)]] gives; nullopt without one, and after an error.
 std::optional<std::uint32_t> LocationOf(Context& context, List<ast::Attr> attributes);
-// [[vk::builtin("BaseVertex")]] as the semantic vk::BaseVertex; empty without one.
+// The semantic for [[vk::builtin("BaseVertex")]], vk::BaseVertex; empty if there is no such
+// attribute.
 std::string BuiltinOf(Context& context, List<ast::Attr> attributes);
 
 // Sets the location and the semantic of an EntryParameter or an ir::Field from the attributes.

@@ -36,7 +36,7 @@ struct ClangText {
 
 Span SpanAt(const clang::SourceLocation& where);
 Place Resolve(const ClangText& text, Span span);
-// Makes `line`, the line of an earlier span, that of this one.
+// Makes `line` the line of text that holds the beginning of `span`; it may already be that line.
 void FindLine(const ClangText& text, Span span, TextLine& line);
 std::string RenderText(const ClangText& text, const Diagnostics& diagnostics, bool colour);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Places and messages: the diagnostics of Clang's preprocessor become ours, and Clang's printer
-// draws ours.
+// Conversion of places and messages: the diagnostics of Clang's preprocessor become clipc's, and
+// Clang's printer draws clipc's.
 #include <cstring>
 #include <utility>
 
@@ -43,7 +43,7 @@ class Consumer : public clang::DiagnosticConsumer {
                         const clang::Diagnostic& info) override {
     if (guard_.stopped() || level == clang::DiagnosticsEngine::Ignored) return;
     if (info.getID() == clang::diag::err_pp_include_too_deep) return on_include_too_deep_();
-    // An include file that is compiled by itself.
+    // `#pragma once` is right in an include file that is compiled by itself.
     if (info.getID() == clang::diag::pp_pragma_once_in_main_file) return;
     if (info.getID() == clang::diag::err_invalid_utf8 && std::exchange(is_not_text_, true)) return;
     const Span where = SpanAt(info.getLocation());
@@ -64,14 +64,14 @@ class Consumer : public clang::DiagnosticConsumer {
   }
 
  private:
-  // Whether the directive is GLSL's first line.
+  // Whether the directive is `#version`, GLSL's first line.
   static bool IsVersion(const clang::Diagnostic& info) {
     const char* const name = info.getSourceManager().getCharacterData(info.getLocation());
     return llvm::StringRef(name).starts_with("version");
   }
 
-  // A file that was found by a name in another case, as Windows finds it: the warning that
-  // other systems give, once for each name.
+  // Warns, once for each name, about a file that was found by a name in another case, as Windows
+  // finds it.
   void ReportSpelling(Span where, const clang::Diagnostic& info) {
     const llvm::StringRef on_disk = llvm::StringRef(info.getArgStdStr(0)).drop_front().drop_back();
     const char* const quote = info.getSourceManager().getCharacterData(info.getLocation());
@@ -113,8 +113,8 @@ class Consumer : public clang::DiagnosticConsumer {
   Diagnostic* last_ = nullptr;  // valid for its notes, which follow it at once
 };
 
-// The place in a file of what may come from a macro: where the user wrote the argument, otherwise
-// one end of the macro's use.
+// The place in a file of a location that may be in a macro: where the user wrote the macro's
+// argument, otherwise one end of the macro's use.
 SourceLocation FileEnd(const clang::SourceManager& sources, SourceLocation location,
                        bool is_begin) {
   while (location.isMacroID()) {
@@ -128,8 +128,8 @@ SourceLocation FileEnd(const clang::SourceManager& sources, SourceLocation locat
   return location;
 }
 
-// The bytes of `span`, as the user wrote them where a macro is involved. If it starts and ends in
-// different files, only its first token.
+// The bytes of `span`, as the user wrote them where a macro is involved; only those of its first
+// token if it starts and ends in different files.
 CharSourceRange FileRange(const ClangText& text, Span span) {
   const SourceLocation begin = FileEnd(text.sources, Location(span.begin), true);
   const SourceLocation end = FileEnd(text.sources, Location(span.end), false);

@@ -93,7 +93,7 @@ void __wrap__ZN5clang12Preprocessor21RegisterBuiltinMacrosEv(clang::Preprocessor
 
 namespace {
 
-// Clang asks it for every identifier that is new to the preprocessor.
+// A look-up that Clang asks for every identifier that is new to the preprocessor.
 class FirstUse : public clang::IdentifierInfoLookup {
  public:
   FirstUse(clang::Preprocessor* const& preprocessor, Diagnostics& diagnostics)

@@ -22,8 +22,8 @@ std::string ToText(const fs::path& path) {
   return {text.begin(), text.end()};
 }
 
-// The entry of `folder` with the name `name` in any case: that with exactly this name, otherwise
-// the first in alphabetical order; empty if there is none.
+// The name of the entry of `folder` that is `name` in any case: `name` itself if such an entry
+// exists, otherwise the first in alphabetical order; empty if there is none.
 std::string MatchEntry(const fs::path& folder, const std::string& name) {
   std::error_code error;
   if (name == "." || name == ".." || fs::exists(folder / ToPath(name), error)) return name;
@@ -36,7 +36,8 @@ std::string MatchEntry(const fs::path& folder, const std::string& name) {
   return best;
 }
 
-// The same for each part of `relative`; none unless the whole is a regular file.
+// The path `relative` with each part spelled as the file system has it below `folder`, in any case;
+// none if there is no such regular file.
 std::optional<fs::path> MatchPath(const fs::path& folder, const fs::path& relative) {
   fs::path matched;
   for (const fs::path& part : relative) {

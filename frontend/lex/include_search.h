@@ -15,15 +15,16 @@ namespace clipc {
 
 // A file that is being read: the main file, or one that an #include entered.
 struct EnteredFile {
-  unsigned id = 0;                 // another one each time that the file is entered
+  unsigned id = 0;                 // a different one each time that the file is entered
   const void* identity = nullptr;  // of the file itself; null for text that is not in a file
   std::string name;
   std::string folder;
   std::uint32_t included_at = 0;  // the location of the #include
 };
 
-// The folders in which an include is looked for: that of the file that includes it, that of the
-// file that includes this one and so on, then `include_dirs`. "" is the current folder.
+// The folders in which an include is looked for: the folder of the file that includes it, the
+// folder of the file that includes this one and so on, then `include_dirs`. "" is the current
+// folder.
 std::vector<std::string> IncludeFolders(std::span<const EnteredFile> stack,
                                         const std::vector<std::string>& include_dirs);
 
@@ -44,7 +45,7 @@ void ReportMissingInclude(Span where, const std::string& name,
                           Diagnostics& diagnostics);
 
 // Reports that includes are nested too deeply. If a file includes itself, the message names the
-// cycle and stands at the #include that closes it.
+// cycle and points to the #include that closes it.
 void ReportIncludeTooDeep(std::span<const EnteredFile> stack, Diagnostics& diagnostics);
 
 }  // namespace clipc

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Clang's preprocessor as clipc's: its world, the include files, and each of Clang's tokens turned
-// into one of ours.
+// Clang's preprocessor as clipc's: its world, the include files, and the conversion of each of
+// Clang's tokens to one of clipc's.
 #include <algorithm>
 #include <array>
 #include <set>
@@ -53,7 +53,7 @@ decltype(auto) ForClang(const std::shared_ptr<Options>& options) {
 #endif
 }
 
-// The target. The preprocessor asks it only for the widths of integers and characters.
+// A target that the preprocessor asks only for the widths of integers and characters.
 class VertexTarget : public clang::TargetInfo {
  public:
   VertexTarget() : TargetInfo(llvm::Triple("dxil-pc-shadermodel6.0-vertex")) {
@@ -135,7 +135,7 @@ struct Source::State {
   std::vector<std::string> dependencies;
   std::vector<Include> includes;
   std::set<std::string> macros_used;
-  TextLine line;  // the one that LineOf was asked for last
+  TextLine line;  // the line that LineOf was asked for last
 
   State(FrontendContext::State& context, SourceInput what)
       : shared(context),
@@ -437,7 +437,7 @@ std::string Preprocess(Source& source, Diagnostics& diagnostics) {
           ++line;
           return;
         }
-        // A space also where a macro has brought two tokens together that must stay two.
+        // A space is also written where a macro has put two tokens side by side that must stay two.
         if (!text.empty() && text.back() != '\n') text += ' ';
         if (!token.hasLeadingSpace() && text.ends_with(' ') && !token.getLocation().isMacroID())
           text.pop_back();

@@ -24,7 +24,7 @@ bool IsWordChar(char c) {
 
 char At(std::string_view text, std::size_t i) { return i < text.size() ? text[i] : '\0'; }
 
-// u l ul lu ll ull llu. `l` alone means 32 bits, as in fxc and C.
+// Reads one of the suffixes u l ul lu ll ull llu. `l` alone means 32 bits, as in fxc and C.
 bool ReadIntegerSuffix(std::string_view text, Number& number) {
   bool is_unsigned = false;
   int longs = 0;

@@ -21,7 +21,7 @@ enum class NumberProblem : std::uint8_t {
 // A number read from the start of a text.
 struct Number {
   LiteralKind kind = LiteralKind::kInt;
-  std::uint64_t value = 0;  // as Token::value
+  std::uint64_t value = 0;  // encoded as in Token::value
   std::size_t length = 0;   // the characters that are part of the number
   NumberProblem problem = NumberProblem::kNone;
 };
@@ -37,7 +37,7 @@ struct Number {
 Number ReadNumber(std::string_view text);
 
 // Reads the identifier after `#` in Microsoft's spellings of the special numbers: `1.#INF`,
-// `1.#IND`, `1.#QNAN`, `1.#SNAN`. False if it is not one of them.
+// `1.#IND`, `1.#QNAN`, `1.#SNAN`. Returns false if it is not one of them.
 bool ReadSpecialNumber(std::string_view identifier, Number& number);
 
 // Appends the characters that a string literal, given with its quotes, stands for. An unknown

@@ -18,12 +18,12 @@ struct Directive {
   Diagnostics& diagnostics;
   clang::Preprocessor& preprocessor;
   const clang::Token& name;
-  std::vector<std::string> words = {};  // and punctuators, that follow the name
+  std::vector<std::string> words = {};  // the words and punctuators that follow the name
 
   Span span() const { return SpanAt(name.getLocation()); }
 };
 
-// Hands the directive to `handle` with all its words.
+// A handler that passes the directive with all its words to `handle`.
 class Pragma : public clang::PragmaHandler {
  public:
   using Handle = void (*)(const Directive&);
@@ -68,8 +68,8 @@ void HandlePackMatrix(const Directive& of) {
                                    /*IsReinject=*/false);
 }
 
-// #pragma warning (disable: 3206 3571; error: 4000), with fxc's numbers. Other words, push and pop
-// among them, have no effect.
+// Applies `#pragma warning (disable: 3206 3571; error: 4000)`, which has fxc's numbers. Other
+// words, push and pop among them, have no effect.
 void HandleWarning(const Directive& of) {
   auto state = Diagnostics::WarningState::kOn;
   for (const std::string& word : of.words) {
@@ -89,7 +89,7 @@ void HandleMessage(const Directive& of) {
   of.diagnostics.Report(of.span(), diag::PragmaMessage, message);
 }
 
-// A pragma that Clang handles.
+// A handler for a pragma that Clang's preprocessor implements.
 template <void (clang::Preprocessor::*handle)(clang::Token&)>
 class ClangPragma : public clang::PragmaHandler {
  public:

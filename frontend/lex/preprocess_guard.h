@@ -30,19 +30,21 @@ class PreprocessGuard {
   // Reports the limit that was passed, unless it is kReported.
   void Report(Diagnostics& diagnostics) const;
 
-  // The bytes of all files, each time that one is entered, and the tokens that macros may add.
+  // Sets the limits on the bytes of all files, counted each time that a file is entered, and on the
+  // tokens that macros may add to those of the files.
   void SetLimits(std::size_t bytes, std::size_t growth) {
     max_bytes_ = bytes;
     max_tokens_ = growth;
   }
 
-  // A token may be read at most kMaxStack deeper in the stack than `base`.
+  // Sets `base`, the place in the stack from which tokens may be read at most kMaxStack bytes
+  // deeper.
   void SetStackBase(const char* base) { stack_base_ = base; }
 
   // Counts one token that Clang reads, for itself or for clipc. Returns the limit that it passes,
   // or kNone; the caller calls Stop.
   Limit CountToken() {
-    // Not the address of a variable: AddressSanitizer may keep those elsewhere.
+    // The address of a variable would not do: AddressSanitizer may keep variables elsewhere.
     const auto* here = static_cast<const char*>(__builtin_frame_address(0));
     if (static_cast<std::size_t>(std::abs(stack_base_ - here)) > kMaxStack) return Limit::kStack;
     return ++tokens_ > max_tokens_ ? Limit::kTokens : Limit::kNone;
@@ -50,7 +52,7 @@ class PreprocessGuard {
   void CountExpansion(std::uint32_t location) {
     if (++expansions_ > max_tokens_) Stop(Limit::kExpansions, location);
   }
-  // Counts a file of `bytes` bytes, which has at most as many tokens.
+  // Counts an entered file of `bytes` bytes, which has at most that many tokens.
   void CountInclude(std::uint32_t location, std::size_t bytes) {
     max_tokens_ += bytes;
     bytes_ += bytes;
@@ -60,7 +62,7 @@ class PreprocessGuard {
 
  private:
 #ifdef __wasm__
-  // Beside the stack that is seen here, calls use one of the host's: about 1 MiB in V8.
+  // Calls in WebAssembly also use a stack of the host, which is not seen here: about 1 MiB in V8.
   static constexpr std::size_t kMaxStack = std::size_t{256} << 10;
 #else
   static constexpr std::size_t kMaxStack = std::size_t{2} << 20;

@@ -12,8 +12,8 @@
 #include "base/span.h"
 #include "frontend/lex/token.h"
 
-// From text to tokens, and from a Span back to text. Clang's preprocessor, source manager and caret
-// printer do the work; no name of Clang's appears here.
+// The way from text to tokens, and from a Span back to text. Clang's preprocessor, source manager
+// and caret printer do the work; no name of Clang's appears here.
 namespace clipc {
 
 // The state that several shaders share: the cache of files looked up, language options, target. A
@@ -22,10 +22,11 @@ namespace clipc {
 // life of a context (look-ups are remembered); their contents may change.
 class FrontendContext {
  public:
-  // With kNone, no file is looked up: for sources whose includes come from memory.
+  // The place where a context looks up include files. kNone, for sources whose includes come from
+  // memory, looks up no file.
   enum class Files : std::uint8_t { kOnDisk, kNone };
-  // When `sandbox` is not empty, only files in that folder are found, wherever a path or a link to
-  // them lies.
+  // Makes a context. If `sandbox` is not empty, only files in that folder are found, wherever a
+  // path or a link to them lies.
   explicit FrontendContext(Files files = Files::kOnDisk, const std::string& sandbox = {});
   ~FrontendContext();
   FrontendContext(const FrontendContext&) = delete;
@@ -44,24 +45,25 @@ enum class LanguageVersion : std::uint8_t { k2016, k2017, k2018, k2021 };
 
 // A main file and how to preprocess it.
 struct SourceInput {
-  // A file, or "-" for standard input. With `text`, the name of that text in messages.
+  // The path of the main file, or "-" for standard input. If there is a `text`, its name in
+  // messages.
   std::string path;
-  // Compiled instead of the file at `path`; its includes are looked up beside `path`.
+  // The text to compile instead of the file at `path`; its includes are looked up beside `path`.
   std::optional<std::string> text;
   std::vector<std::string> include_dirs;
   std::vector<std::string> defines;               // "NAME" (defined as 1) or "NAME=VALUE"
   std::vector<std::string> forced_includes = {};  // files, included before the first line
-  // Gives the text of an include file, or none if there is none of that path, which is a folder, a
-  // slash and the name as written. Only in a context without files.
+  // Returns the text of the include file at `path`, which is a folder, a slash and the name as
+  // written, or none if there is no such file. For a context with Files::kNone only.
   std::function<std::optional<std::string>(const std::string& path)> read_include = {};
   int shader_model_major = 5;  // from 6 on, DXC's predefined macros are visible too
   int shader_model_minor = 0;
   LanguageVersion language = LanguageVersion::k2021;
-  // Limits, past which there is an error: the bytes of all files, each time that one is entered,
-  // and the tokens that macros add to those of the files.
+  // The limits past which there is an error: on the bytes of all files, counted each time that a
+  // file is entered, and on the tokens that macros add to those of the files.
   std::size_t max_bytes = SIZE_MAX;
   std::size_t max_tokens = std::size_t{4} << 20;
-  bool record_macros = false;  // fill Source::MacrosUsed
+  bool record_macros = false;  // whether to fill Source::MacrosUsed
 };
 
 // An include file that was entered, and the number of files that are open around it.
@@ -99,7 +101,7 @@ class Source {
   Source(const Source&) = delete;
   Source& operator=(const Source&) = delete;
 
-  // The Place of an empty span is empty.
+  // Returns the place of `span`, an empty one if the span is empty.
   Place Resolve(Span span) const;
   // The diagnostics as Clang prints its own: include stack, message, source line, caret as wide as
   // the span, fix-its, macro backtrace. Notes follow their diagnostic. `colour` adds the escape
@@ -109,15 +111,16 @@ class Source {
   // The files read, each once, in the order in which they were first entered. The main file is one
   // of them unless it is in memory or "-".
   std::vector<std::string> Dependencies() const;
-  // Every entry into an include file, in order.
+  // The entries into include files, in order; a file that is entered twice is there twice.
   std::vector<Include> Includes() const;
   // The line that holds the beginning of `span`; it is valid until the next call. Asking for the
   // same line again costs nothing, however long it is.
   const TextLine& LineOf(Span span) const;
-  // On request, the macros that the text asked for in any way, sorted. Of a macro that was defined
-  // before the first line and is not among them, the value had no part in the tokens and messages.
+  // The names of the macros that the text asked for in any way, sorted; empty unless
+  // SourceInput::record_macros is set. A macro that was defined before the first line and is not
+  // among them had no part in the tokens and messages.
   std::vector<std::string> MacrosUsed() const;
-  // False if the main file could not be read, which Lex has reported.
+  // Whether the main file could be read; Lex reports it if not.
   bool main_file_read() const;
 
   struct State;
@@ -132,8 +135,9 @@ class Source {
 // directives are errors. After an error the sequence may be cut short and is not worth parsing.
 Tokens Lex(Source& source, Diagnostics& diagnostics);
 
-// The text after preprocessing, for people and other compilers: with the lines where they were, and
-// #line where a file begins or many lines are left out. Instead of Lex, with the same limits.
+// Returns the text after preprocessing, for people and other compilers: with the lines where they
+// were, and #line where a file begins or many lines are left out. It is called instead of Lex, and
+// has the same limits.
 std::string Preprocess(Source& source, Diagnostics& diagnostics);
 
 }  // namespace clipc

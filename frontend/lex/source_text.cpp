@@ -54,7 +54,8 @@ void AppendUtf8(std::uint32_t code, std::string& text) {
   for (int i = more - 1; i >= 0; --i) text += static_cast<char>(0x80 | (code >> 6 * i & 0x3f));
 }
 
-// UTF-16 after its byte order mark; a surrogate without its other half becomes U+FFFD.
+// Returns as UTF-8 the UTF-16 `bytes` after the byte order mark; a surrogate without its other half
+// becomes U+FFFD.
 std::string FromUtf16(std::string_view bytes, bool is_big_endian) {
   const auto unit = [&](std::size_t i) -> std::uint32_t {
     const auto first = static_cast<unsigned char>(bytes[i]);
@@ -75,8 +76,8 @@ std::string FromUtf16(std::string_view bytes, bool is_big_endian) {
   return text;
 }
 
-// DXC's predefined macros, as it documents them. fxc, which the older shader models belong to, has
-// none.
+// Adds DXC's predefined macros, as it documents them, to `out`. fxc, which the older shader models
+// belong to, has none.
 void DefineTarget(const SourceInput& input, std::string& out) {
   constexpr int kYears[] = {2016, 2017, 2018, 2021};
   out += fmt::format(

@@ -8,8 +8,8 @@
 
 namespace clipc {
 
-// The size of a source, at the most: a Span has 31 bits for all files of a translation unit and all
-// macro expansions in them.
+// The largest size of a source, in bytes: a Span has 31 bits for all files of a translation unit
+// and all macro expansions in them.
 inline constexpr std::size_t kMaxSourceBytes = std::size_t{256} << 20;
 
 // Reads a whole file, pipe or device as UTF-8; "-" is standard input. UTF-16 with a byte order mark

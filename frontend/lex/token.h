@@ -12,7 +12,7 @@ namespace clipc {
 
 enum class TokenKind : std::uint8_t {
   kEnd,
-  kIdentifier,  // keywords too, which the parser tells apart by Name
+  kIdentifier,  // an identifier or a keyword; the parser tells them apart by Name
   kIntLiteral,
   kFloatLiteral,
   kStringLiteral,
@@ -43,7 +43,8 @@ constexpr bool IsAssignment(TokenKind kind) {
   }
 }
 
-// What a token adds to the depth of brackets: 1 for ( [ {, -1 for ) ] }, 0 for the rest.
+// Returns the change that a token makes to the depth of brackets: 1 for ( [ {, -1 for ) ] }, 0 for
+// the rest.
 constexpr int BracketStep(TokenKind kind) {
   switch (kind) {
     case TokenKind::kLeftParen:
@@ -80,7 +81,7 @@ constexpr bool IsFloatingPoint(LiteralKind kind) {
 struct Token {
   TokenKind kind = TokenKind::kEnd;
   LiteralKind literal = LiteralKind::kInt;
-  bool after_space = false;  // white space or a comment precedes it
+  bool after_space = false;  // whether white space or a comment precedes the token
   std::uint32_t location = 0;
   std::uint64_t value = 0;
 

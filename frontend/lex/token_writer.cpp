@@ -10,7 +10,7 @@ void TokenWriter::AddHash(Token token) {
   Add(token, after_ == After::kNumberWithDot && !token.after_space ? After::kHash : After::kOther);
 }
 
-// After `1.#`: if `text` completes a number, puts it together and returns true.
+// If `text` completes the special number that `1.#` began, puts it together and returns true.
 bool TokenWriter::EndSpecialNumber(std::string_view text) {
   Number number;
   if (!ReadSpecialNumber(text, number)) return false;

@@ -33,7 +33,7 @@ class TokenWriter {
   void AddEnd(std::uint32_t location);
 
  private:
-  // What was added last.
+  // The kind of the token that was added last, as far as the next token depends on it.
   enum class After : std::uint8_t { kOther, kNumberWithDot, kHash, kString };
 
   void Add(Token token, After after) {

@@ -9,11 +9,11 @@
 #include "frontend/parse/ast_expr.h"
 #include "frontend/parse/ast_stmt.h"
 
-// The syntax tree: what was written, one node for each construct of the source, names unresolved,
+// The syntax tree of a source: one node for each construct as it was written, names unresolved,
 // nothing converted.
 namespace clipc::ast {
 
-// The number of nodes on the longest path from a root, at the most: a walk of a tree may recurse.
+// The largest number of nodes on a path from a root: a walk of a tree may recurse.
 inline constexpr int kMaxDepth = 1000;
 
 // A parsed translation unit. Techniques, passes and state blocks are not kept.

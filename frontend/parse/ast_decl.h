@@ -37,10 +37,10 @@ struct RegisterBinding {
   char letter = 0;  // lower case; 0 for register(space2)
   std::uint32_t number = 0;
   std::uint32_t space = 0;
-  Name profile;         // register(vs_5_0, b0) holds for that profile only; or none
+  Name profile;         // vs_5_0 in register(vs_5_0, b0), which is for it only; or none
   ExprId subcomponent;  // 1 in c3[1]; or none
 };
-// packoffset(c3.y)
+// The place of a member in its cbuffer, as in packoffset(c3.y).
 struct PackOffset {
   Span span;
   std::uint32_t reg = 0;
@@ -58,16 +58,16 @@ struct VarDecl {
   List<RegisterBinding> registers;
   std::optional<PackOffset> packoffset;
   ExprId init;  // an expression, an InitListExpr, or none
-  // `= sampler_state {...}`, `{ Filter = ...; }` or `= compile vs_2_0 f()` was skipped.
+  // Whether `= sampler_state {...}`, `{ Filter = ...; }` or `= compile vs_2_0 f()` was skipped.
   bool has_state_block = false;
-  ExprId bit_width;  // of the bit-field `uint a : 3;`, or none
+  ExprId bit_width;  // 3 in the bit-field `uint a : 3;`, or none
   List<Attr> attributes;
   QualifiedName out_of_line_of;  // S in `int S::x = 1;`; otherwise its name is none
 };
 struct TemplateParameter {
   Span span;
   Name name;
-  bool is_type = true;   // `typename T`; otherwise a value of `type`
+  bool is_type = true;   // true: `typename T`; false: a value of `type`
   TypeId type;           // none for a type parameter
   ExprId default_value;  // a TypeExpr for a type parameter; or none
 };
@@ -83,7 +83,8 @@ struct FunctionDecl {
   Semantic return_semantic;
   StmtId body;  // a BlockStmt; none for a prototype
   List<TemplateParameter> template_parameters;
-  // Those of the specialisation `float f<float>(float x)`, or of the class in `T S<T>::f()`.
+  // The arguments of the specialisation `float f<float>(float x)`, or of the class in `T
+  // S<T>::f()`.
   List<ExprId> template_arguments;
   bool is_template = false;
   bool is_const_method = false;
@@ -114,7 +115,7 @@ struct BufferDecl {
   Name name;  // or none
   Span name_span;
   List<RegisterBinding> registers;
-  // VarDecls; also structs and functions, which HLSL puts in the scope around the buffer.
+  // The VarDecls; also structs and functions, which HLSL puts in the scope around the buffer.
   List<DeclId> members;
   List<Attr> attributes;
 };

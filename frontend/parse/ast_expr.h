@@ -24,7 +24,7 @@ using StmtId = Id<Stmt>;
 using DeclId = Id<Decl>;
 using TypeId = Id<Type>;
 
-// `a::b::c`, or `::c`.
+// A name with scopes, as in `a::b::c` or `::c`.
 struct QualifiedName {
   Name name;
   List<Name> scopes;  // `a`, `b`
@@ -38,7 +38,8 @@ struct Type {
   // `float4`, `vector`, `Texture2D`, `ns::S`. The parser writes `uint` for `unsigned int` and
   // `dword`. The name of a type defined in place is that of its definition; it may be none.
   QualifiedName name;
-  // What stands in <...>. A type is a TypeExpr; the array type `T[4]` is an IndexExpr of one.
+  // The template arguments in <...>. A type is a TypeExpr; the array type `T[4]` is an IndexExpr
+  // whose base is a TypeExpr.
   List<ExprId> arguments;
   // The definition of `struct {...} x;` or `enum E {...} x;`; otherwise none.
   DeclId struct_definition;
@@ -75,7 +76,7 @@ struct BinaryExpr {
 struct CommaExpr {
   ExprId left, right;
 };
-// `left = right`, or `left op= right`.
+// An assignment, `left = right` or `left op= right`.
 struct AssignExpr {
   std::optional<BinaryOp> op;
   ExprId left, right;
@@ -83,12 +84,12 @@ struct AssignExpr {
 struct ConditionalExpr {
   ExprId condition, when_true, when_false;
 };
-// f(a); float4(a, b), where the callee is a TypeExpr; o.m(a), where the callee is a MemberExpr.
+// A call: f(a); float4(a, b), where the callee is a TypeExpr; o.m(a), where it is a MemberExpr.
 struct CallExpr {
   ExprId callee;
   List<ExprId> arguments;
 };
-// (T)e, (T[3])e.
+// A cast, (T)e or (T[3])e.
 struct CastExpr {
   TypeId type;
   List<ExprId> dimensions;
@@ -97,15 +98,15 @@ struct CastExpr {
 struct IndexExpr {
   ExprId base, index;
 };
-// base.name: a field, a swizzle or a method, which the checker tells apart. Also S<int>::x, where
-// the base is a TypeExpr.
+// The member base.name: a field, a swizzle or a method, which the checker tells apart; or
+// S<int>::x, where the base is a TypeExpr.
 struct MemberExpr {
   ExprId base;
   Name name;
   Span name_span;
   List<ExprId> arguments;  // explicit template arguments: buffer.Load<float4>(0)
 };
-// {a, {b, c}}; a trailing comma is allowed.
+// A list of initialisers, {a, {b, c}}; a trailing comma is allowed.
 struct InitListExpr {
   List<ExprId> elements;
 };
@@ -115,7 +116,7 @@ struct SizeofExpr {
 // An expression that the parser reported an error for.
 struct ErrorExpr {};
 
-// Parentheses are not kept: they widen the span of what they enclose.
+// An expression. Parentheses are not kept: they widen the span of the expression that they enclose.
 struct Expr {
   Span span;
   std::variant<Literal, NameExpr, TypeExpr, UnaryExpr, BinaryExpr, CommaExpr, AssignExpr,
@@ -124,7 +125,7 @@ struct Expr {
       node;
 };
 
-// [name], [name(arguments)] or [[ns::name(arguments)]].
+// An attribute, [name], [name(arguments)] or [[ns::name(arguments)]].
 struct Attr {
   Span span;  // with the brackets
   Name name;  // `ns::name` is one name

@@ -14,7 +14,7 @@
 namespace clipc::ast {
 namespace {
 
-// Parts of a line that print nothing where there is nothing to tell.
+// Parts of a line that print nothing if they are empty.
 
 template <typename Part>
 struct With {  // `text` and then the part, which may be none
@@ -24,7 +24,7 @@ struct With {  // `text` and then the part, which may be none
 struct Arguments {  // <a, b>
   List<ExprId> list;
 };
-struct Sequence {  // the brackets are printed also where the list is empty
+struct Sequence {  // the brackets are printed even if the list is empty
   std::string_view open;
   List<ExprId> list;
   std::string_view close;
@@ -61,7 +61,7 @@ class Printer {
   void Put(const Parts&... parts) {
     (PutPart(parts), ...);
   }
-  // Everything that `put` prints is one level further in.
+  // Calls `put`, and indents the lines that it prints one level further.
   template <typename PutLines>
   void Below(PutLines put) {
     ++indent_;
@@ -114,12 +114,12 @@ class Printer {
   // ---- lines
   void PutAttributes(List<Attr> attributes);
   void PutTemplate(List<TemplateParameter> parameters);
-  // The struct that a declaration defines in place.
+  // Prints the struct that a declaration of the type `id` defines in place, if there is one.
   void PutDefinition(TypeId id) {
     if (id && file_.types[id].struct_definition)
       PutDecl(file_.types[id].struct_definition, "field");
   }
-  // `variable` is what variables are called here.
+  // Prints a declaration; `variable` is the word for a variable in this scope: "field".
   void PutDecl(DeclId id, std::string_view variable);
   void PutDecls(List<DeclId> decls, std::string_view variable) {
     for (DeclId id : file_.decl_lists[decls]) PutDecl(id, variable);
@@ -154,7 +154,7 @@ void Printer::PutPart(TypeId id) {
 }
 
 void Printer::PutPart(const Literal& literal) {
-  // By LiteralKind.
+  // The suffixes by LiteralKind.
   constexpr std::string_view kSuffixes[] = {"", "", "", "u", "l", "ul", "h", "", "L", ""};
   const std::string_view suffix = kSuffixes[static_cast<std::size_t>(literal.kind)];
   const auto out = std::back_inserter(out_);

@@ -7,7 +7,7 @@
 
 namespace clipc {
 
-// The tree as indented text, for `--dump=ast` and tests: one line for each declaration and
+// Returns the tree as indented text, for `--dump=ast` and tests: one line for each declaration and
 // statement, expressions with every operator in parentheses. Equal trees have equal texts.
 std::string PrintAst(const ast::File& file);
 

@@ -11,7 +11,8 @@ namespace clipc::ast {
 struct BlockStmt {
   List<StmtId> body;
 };
-// The variables of one declaration; or one struct, typedef, `using` or prototype.
+// A statement that declares the variables of one declaration; or one struct, typedef, `using` or
+// prototype.
 struct DeclStmt {
   List<DeclId> decls;
 };
@@ -37,7 +38,7 @@ struct DoStmt {
   StmtId body;
   ExprId condition;
 };
-// The body is a BlockStmt whose statements include CaseStmts as labels.
+// A switch statement, whose body is a BlockStmt with CaseStmts among its statements as labels.
 struct SwitchStmt {
   ExprId value;
   StmtId body;

@@ -7,7 +7,7 @@
 #include "base/overloaded.h"
 #include "frontend/parse/ast_expr.h"
 
-// The children of an expression of the syntax tree, each kind of node once.
+// A walk of the children of an expression of the syntax tree, which names each kind of node once.
 namespace clipc::ast {
 
 template <typename Node, typename... Kinds>

@@ -10,8 +10,8 @@
 namespace clipc {
 namespace {
 
-// In lower case. Sources: the attribute pages of Microsoft's HLSL reference; DXC's table of
-// attributes for the stages that came later.
+// The known attributes, in lower case. Sources: the attribute pages of Microsoft's HLSL reference;
+// DXC's table of attributes for the stages that came later.
 constexpr std::string_view kKnown[] = {
     // of statements
     "allow_uav_condition",
@@ -58,7 +58,7 @@ constexpr std::string_view kKnown[] = {
     "unboundedsparsenodes",
 };
 
-// In the order of the enumerators.
+// The names of the attributes in the order of VulkanAttribute.
 constexpr std::string_view kVulkanNames[] = {"vk::location",      "vk::builtin", "vk::binding",
                                              "vk::push_constant", "vk::offset",  "vk::constant_id",
                                              "vk::image_format"};
@@ -92,7 +92,8 @@ AttributeMeaning MeaningOfAttribute(std::string_view name) {
   if (lower == kClipPlanesAttribute) return AttributeMeaning::kClipPlanes;
   if (std::ranges::find(kKnown, lower) != std::end(kKnown)) return AttributeMeaning::kKnown;
   if (VulkanAttributeOf(name)) return AttributeMeaning::kVulkan;
-  // Others of Vulkan, in the spelling of DXC and in that of glslang; Direct3D 12's root signature.
+  // The rest are Vulkan's other attributes, as DXC and as glslang spells them, and Direct3D 12's
+  // root signature.
   if (lower.starts_with("vk::") || lower == "layout" || lower == "rootsignature")
     return AttributeMeaning::kWithoutEffect;
   std::string bare = lower;

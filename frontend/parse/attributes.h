@@ -14,37 +14,37 @@ enum class AttributeMeaning : std::uint8_t {
   kUnknown,
   kClipPlanes,
   kLikeClipPlanes,  // unknown, and spelled nearly like `clipplanes`
-  // A hint to an optimiser, or a property that only other stages have: clipc does what it asks for
-  // by compiling the shader.
+  // A hint to an optimiser, or a property that only other stages have: clipc does what the
+  // attribute asks for by compiling the shader.
   kKnown,
   kVulkan,         // a VulkanAttribute
-  kWithoutEffect,  // what it asks for is lost in GLSL
+  kWithoutEffect,  // an attribute whose effect is lost in GLSL
 };
 AttributeMeaning MeaningOfAttribute(std::string_view name);
 
-// What an attribute is written at.
+// The kind of declaration that an attribute is written at.
 enum class AttributeOwner : std::uint8_t {
   kFunction,
   kParameter,
   kField,
-  kVariable,  // global
-  kBuffer,    // cbuffer or tbuffer
+  kVariable,  // a global variable
+  kBuffer,    // a cbuffer or tbuffer
   kOther,
 };
 
 // The attributes [[vk::...]] that clipc translates. Source: "Vulkan specific attributes" in DXC's
 // docs/SPIR-V.rst.
 enum class VulkanAttribute : std::uint8_t {
-  kLocation,  // of an input or output
+  kLocation,  // the location of an input or output
   kBuiltin,   // an input or output that only Vulkan has
-  kBinding,   // of a buffer or a resource: number and set
+  kBinding,   // the number and the set of a buffer or a resource
   kPushConstant,
-  kOffset,      // of a field in push constants
-  kConstantId,  // of a constant that is given a value when the pipeline is made
+  kOffset,      // the offset of a field in push constants
+  kConstantId,  // the number of a constant whose value is set when the pipeline is made
   kImageFormat,
 };
 std::optional<VulkanAttribute> VulkanAttributeOf(std::string_view name);
-// Whether the attribute has an effect there.
+// Whether the attribute has an effect at `owner`.
 bool MayStandAt(VulkanAttribute attribute, AttributeOwner owner);
 
 }  // namespace clipc

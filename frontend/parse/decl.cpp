@@ -37,8 +37,8 @@ bool Parser::AtOutsideStatement() const {
   }
 }
 
-// Most likely the function ended at a `}` too many: reports it once, then reads the rest of the
-// body and the `}` that may end it.
+// Parses statements outside of a function, most likely because the function ended at a `}` too
+// many: reports them once, then reads the rest of the body and the `}` that may end it.
 void Parser::ParseOutsideStatements() {
   if (!outside_reported_) Error(Here(), diag::StatementOutsideFunction, Describe());
   outside_reported_ = true;
@@ -58,7 +58,8 @@ void Parser::ParseMembers(Decls& decls, Scope scope, std::size_t open) {
   ExpectClose(kRightBrace, open);
 }
 
-// Takes at least one token. After an error the next declaration can be read.
+// Parses a declaration, or skips it after an error so that the next declaration can be read. Takes
+// at least one token.
 void Parser::ParseOrSkipDeclaration(Decls& decls, Scope scope) {
   const std::size_t before = pos_;
   ParseDeclaration(decls, scope);
@@ -94,8 +95,8 @@ bool Parser::ParseKeywordDeclaration(Decls& decls, Scope scope) {
   return true;
 }
 
-// Attributes, qualifiers and type. There is no type before a word that starts a declaration without
-// one.
+// Parses attributes, qualifiers and type. There is no type before a word that starts a declaration
+// without one.
 Parser::Specifiers Parser::ParseSpecifiers(std::string_view expected) {
   Specifiers specifiers;
   specifiers.start = pos_;
@@ -142,7 +143,8 @@ void Parser::ParseSpecified(Decls& decls, Scope scope, const TemplateHeader& hea
   }
 }
 
-// `struct S {...};`, a definition without declarators; returns false if there are some.
+// Parses the rest of `struct S {...};`, a definition without declarators; returns false if there
+// are declarators.
 bool Parser::ParseTypeOnly(Decls& decls, const Specifiers& specifiers) {
   const DeclId definition = file_.types[specifiers.type].struct_definition;
   if (!definition || (!At(kSemicolon) && !StructEndsHere())) return false;
@@ -154,7 +156,7 @@ bool Parser::ParseTypeOnly(Decls& decls, const Specifiers& specifiers) {
   return true;
 }
 
-// One or more declarators, up to the `;`.
+// Parses one or more declarators, up to the `;`.
 void Parser::ParseVariables(Decls& decls, Scope scope, const Specifiers& specifiers) {
   std::size_t start = specifiers.start;
   VarDecl var{};
@@ -180,7 +182,7 @@ void Parser::ParseVariables(Decls& decls, Scope scope, const Specifiers& specifi
   if (At(kSemicolon)) {  // almost always: no words for a message are made
     ExpectSemicolon({});
   } else if (!var.has_state_block || tokens_[pos_ - 1].kind != kRightBrace) {
-    // `Texture2D t <annotation> {...}` may do without.
+    // `Texture2D t <annotation> {...}` may do without a `;`.
     ExpectSemicolon(fmt::format("the declaration of `{}`", Text(var.name)));
   }
   // A function that is cut off looks like a variable.
@@ -284,7 +286,8 @@ void Parser::ParseUsing(Decls& decls) {
   ExpectSemicolon("`using`");
 }
 
-// static_assert(...): only about types that a vertex shader does not choose, so it is not kept.
+// Parses static_assert(...), which is about types that a vertex shader does not choose, and so is
+// not kept.
 void Parser::ParseStaticAssert() {
   Next();
   if (!At(kLeftParen)) return Unexpected("`(`");
@@ -292,8 +295,8 @@ void Parser::ParseStaticAssert() {
   ExpectSemicolon("the assertion");
 }
 
-// A missing `;` is reported after the token before, where it is missing. What follows is read as if
-// it were there.
+// Takes a `;`. A missing one is reported after the token before, where it is missing; the text
+// after that is read as if it were there.
 void Parser::ExpectSemicolon(std::string_view after) {
   if (Accept(kSemicolon)) return EndPanic();
   if (panic_) return;
@@ -305,7 +308,7 @@ void Parser::ExpectSemicolon(std::string_view after) {
   Diagnostic* report = Error(PreviousSpan(), diag::MissingSemicolon, after);
   const std::string text = PreviousText();
   if (report && !text.empty()) report->Fix(PreviousSpan(), text + ";");
-  // What follows is a new statement, and not a word too many in an expression: `a = b c;`.
+  // A new statement starts here, rather than a word too many in an expression: `a = b c;`.
   const bool starts_anew = !At(kIdentifier) || IsReserved(WordAt()) || IsDeclaration() ||
                            At(kEqual, 1) || At(kLeftParen, 1) || At(kDot, 1);
   if (starts_anew) panic_ = aborted_ || AtEnd();

@@ -9,11 +9,12 @@
 #include "base/spelling.h"
 #include "frontend/parse/parser.h"
 
-// What follows a type: name, dimensions, semantic, register, packoffset, annotation, initialiser.
+// Declarators, which follow a type: name, dimensions, semantic, register, packoffset, annotation,
+// initialiser.
 namespace clipc::ast {
 namespace {
 
-// The number that `digits` is, from the first to the last character.
+// The number that `digits` spells; none unless all of its characters are digits of it.
 std::optional<std::uint32_t> ParseNumber(std::string_view digits) {
   std::uint32_t number = 0;
   const char* const begin = digits.data();
@@ -23,7 +24,7 @@ std::optional<std::uint32_t> ParseNumber(std::string_view digits) {
   return number;
 }
 
-// 3 of `c3`. A letter alone is its register 0: `s[5]` is s5.
+// The number of a register name, 3 of `c3`; 0 of a letter alone, since `s[5]` is s5.
 std::optional<std::uint32_t> NumberAfterLetter(std::string_view text) {
   if (text.empty()) return std::nullopt;
   return text.size() == 1 ? 0 : ParseNumber(text.substr(1));
@@ -62,7 +63,7 @@ VarDecl Parser::MakeVar(const Specifiers& specifiers) const {
   return var;
 }
 
-// Everything of a declarator after its name.
+// Parses all of a declarator after its name.
 void Parser::ParseDeclaratorTail(VarDecl& var, Scope scope) {
   var.dimensions = ParseDimensions();
   ParseColonParts(var);
@@ -79,7 +80,7 @@ void Parser::ParseDeclaratorTail(VarDecl& var, Scope scope) {
   }
 }
 
-// Any number of annotations, and of what follows a colon.
+// Parses any number of annotations and of parts that follow a colon.
 void Parser::ParseColonParts(VarDecl& var) {
   Collector registers(registers_);
   while ((At(kColon) || At(kLess)) && !panic_) {
@@ -92,7 +93,7 @@ void Parser::ParseColonParts(VarDecl& var) {
   var.registers = registers.Finish();
 }
 
-// `: SEMANTIC`, `: register(...)`, `: packoffset(...)` or the width of a bit-field.
+// Parses `: SEMANTIC`, `: register(...)`, `: packoffset(...)` or the width of a bit-field.
 void Parser::ParseColonPart(VarDecl& var, Collector<RegisterBinding>& registers) {
   Next();
   switch (WordAt()) {
@@ -163,7 +164,7 @@ RegisterBinding Parser::ParseRegister() {
   return binding;
 }
 
-// One of the parts between the commas. False: an error was reported.
+// Parses one of the parts between the commas. Returns false after an error, which is reported.
 bool Parser::ParseRegisterOperand(RegisterBinding& binding) {
   constexpr std::string_view kSpace = "space";
   constexpr std::string_view kLetters = "bcistu";
@@ -207,7 +208,7 @@ std::optional<PackOffset> Parser::ParsePackOffset() {
   return good ? std::optional(offset) : std::nullopt;
 }
 
-// False: the current token does not belong there.
+// Parses `c3` or `c3.y`. Returns false if the current token does not belong there; reports nothing.
 bool Parser::ParsePackOffsetOperand(PackOffset& offset) {
   const std::string_view text = TextAt();
   const auto number = NumberAfterLetter(text);

@@ -68,7 +68,8 @@ void Parser::SkipEffectValue() {
   }
 }
 
-// At `compile vs_2_0 f` or `CompileShader(vs_4_0, f`: keeps the name f. Takes no token.
+// Keeps the name f if the text goes on with `compile vs_2_0 f` or `CompileShader(vs_4_0, f`. Takes
+// no token.
 void Parser::NoteCompile() {
   std::size_t profile = 0;  // positions from the current token
   std::size_t function = 0;

@@ -8,7 +8,8 @@
 namespace clipc::ast {
 namespace {
 
-// By TokenKind: the binary operator that the token is, or that an assignment such as `+=` contains.
+// The binary operators by TokenKind: the one that the token is, or that an assignment such as `+=`
+// contains.
 constexpr auto kOperatorOfToken = [] {
   std::array<std::optional<BinaryOp>, static_cast<std::size_t>(TokenKind::kUnknown) + 1> operators;
   for (std::size_t i = 0; i < operators.size(); ++i) {
@@ -139,7 +140,7 @@ ExprId Parser::ParseSizeof() {
   return AddExpr(start, SizeofExpr{operand});
 }
 
-// ---- what follows an operand
+// ---- postfix operators
 
 ExprId Parser::ParsePostfix(ExprId base, std::size_t start) {
   while (!panic_) {

@@ -50,7 +50,7 @@ TemplateParameter Parser::ParseTemplateParameter() {
   return parameter;
 }
 
-// At `S::` or `S<T>::`, before the name that is declared.
+// Whether the text goes on with `S::` or `S<T>::`, before the name that is declared.
 bool Parser::AtDeclaratorScope() const {
   if (!AtName() || WordAt() == Word::kOperator) return false;
   if (At(kColonColon, 1)) return true;
@@ -59,7 +59,7 @@ bool Parser::AtDeclaratorScope() const {
   return after != 0 && At(kColonColon, after);
 }
 
-// `S::` or `S<T>::`. Returns the arguments.
+// Parses `S::` or `S<T>::`. Returns the template arguments.
 List<ExprId> Parser::ParseDeclaratorScope(QualifiedName& scope) {
   Collector scopes(name_lists_);
   List<ExprId> arguments;
@@ -74,7 +74,7 @@ List<ExprId> Parser::ParseDeclaratorScope(QualifiedName& scope) {
   return arguments;
 }
 
-// At `name(`, `S::name(`, `name<float>(` or an operator.
+// Whether the text goes on with `name(`, `S::name(`, `name<float>(` or an operator.
 bool Parser::AtFunctionDeclarator() const {
   std::size_t i = 0;
   while (At(kIdentifier, i)) {
@@ -91,7 +91,7 @@ bool Parser::AtFunctionDeclarator() const {
   return false;
 }
 
-// The rest of a function, from its name on.
+// Parses the rest of a function, from its name on.
 void Parser::ParseFunction(Decls& decls, Scope scope, const Specifiers& specifiers,
                            const TemplateHeader& header) {
   FunctionDecl function{};
@@ -125,7 +125,7 @@ void Parser::ParseFunction(Decls& decls, Scope scope, const Specifiers& specifie
     function.body = ParseFunctionBody();
   } else if (!panic_ && !At(kSemicolon)) {
     Unexpected(fmt::format("`{{` or `;` after the header of `{}`", Text(function.name)));
-    // A forgotten `{`: the body is read as if it were there.
+    // The `{` was forgotten: the body is read as if it were there.
     if (IsStatementWord(WordAt())) {
       EndPanic();
       function.body = ParseFunctionBody();
@@ -136,8 +136,9 @@ void Parser::ParseFunction(Decls& decls, Scope scope, const Specifiers& specifie
   decls.Add(AddDecl(specifiers.start, function));
 }
 
-// Inside a function. True for a prototype, which is still to be read. A definition means that a `}`
-// is missing before it; the text is read on as if it were there.
+// Looks at a function that is declared inside a function. Returns true for a prototype, which is
+// still to be read. A definition means that a `}` is missing before it; the text is read on as if
+// it were there.
 bool Parser::ParseLocalFunction(const Specifiers& specifiers) {
   std::size_t name_at = 0;
   while (At(kColonColon, name_at + 1)) name_at += 2;

@@ -12,7 +12,7 @@ namespace {
 struct Entry {
   std::string_view text;
   WordInfo info;
-  bool is_exact = false;  // of words in kFolded: they are found in this spelling only
+  bool is_exact = false;  // for words in kFolded: found in this spelling only
 };
 
 constexpr bool kAnyCase = false, kExact = true;  // in base/builtin_types.def
@@ -88,7 +88,7 @@ constexpr auto kWords = [] {
   });
 }();
 
-// Found without regard to case.
+// The words that are found without regard to case.
 constexpr auto kFolded = [] {
   using enum Word;
   return std::to_array<Entry>({
@@ -119,7 +119,7 @@ constexpr auto kScalars = std::to_array<std::string_view>({
 });
 
 constexpr std::size_t kLongestFolded = 40;
-// The texts of kFolded in lower case, one after a multiple of kLongestFolded each.
+// The texts of kFolded in lower case, each at a multiple of kLongestFolded.
 constexpr auto kLowerCase = [] {
   std::array<char, kFolded.size() * kLongestFolded> letters{};
   for (std::size_t i = 0; i < kFolded.size(); ++i) {

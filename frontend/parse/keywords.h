@@ -62,14 +62,14 @@ enum class Word : std::uint8_t {
 
 struct WordInfo {
   Word word = Word::kNone;
-  // VertexShader, PixelShader and the like, whose initialiser is effects-framework text.
+  // True for VertexShader, PixelShader and the like, whose initialiser is effects-framework text.
   bool is_shader_type = false;
   // The bits of a qualifier; 0 if it has no meaning for a vertex shader.
   ast::Qualifiers qualifier = 0;
 };
 
-// The words of the effects framework and the object types of Direct3D 9 match in any case, as in
-// fxc.
+// Returns the grammar's view of a word, Word::kNone for an ordinary name. The words of the effects
+// framework and the object types of Direct3D 9 match in any case, as in fxc.
 WordInfo ClassifyWord(std::string_view text);
 
 // A set of words.

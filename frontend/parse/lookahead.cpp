@@ -4,10 +4,10 @@
 namespace clipc::ast {
 namespace {
 
-// The number of tokens that a question reads, at the most.
+// The largest number of tokens that a question reads.
 constexpr std::size_t kMaxLookahead = 128;
 
-// As BracketStep, without braces.
+// Returns the BracketStep of a token, but 0 for a brace.
 int StepWithoutBraces(TokenKind kind) {
   return kind == TokenKind::kLeftBrace || kind == TokenKind::kRightBrace ? 0 : BracketStep(kind);
 }
@@ -169,7 +169,7 @@ bool Lookahead::IsCast() const {
   if (!At(kRightParen, after)) return false;
   if (is_type) return true;
   if (templated || MeaningOf(last.name()) != Meaning::kUnknown) return false;
-  // A name without a declaration: it is a type if an operand follows.
+  // A name without a declaration is a type if an operand follows.
   switch (Peek(after + 1).kind) {
     case kIdentifier:
     case kIntLiteral:

@@ -17,7 +17,7 @@ namespace clipc::ast {
 //
 // Every question reads a bounded number of tokens, so parsing is linear for every text. `ahead`
 // counts tokens from the current one; a Skip function returns the position after what it skips, or
-// 0 where that does not stand there.
+// 0 if there is no such thing there.
 class Lookahead : protected TokenCursor {
  protected:
   enum class Meaning : std::uint8_t {
@@ -29,7 +29,7 @@ class Lookahead : protected TokenCursor {
     kNamespace
   };
 
-  // The names declared during its life are forgotten at its end.
+  // A scope: the names declared during its life are forgotten at its end.
   class NameScope : NotCopied {
    public:
     explicit NameScope(Lookahead& names) : names_(names), mark_(names.undo_.size()) {}
@@ -42,43 +42,45 @@ class Lookahead : protected TokenCursor {
 
   Lookahead(Tokens&& tokens, Diagnostics& diagnostics);
 
-  // A name that is none is allowed, and ignored.
+  // Gives `name` a meaning in the current scope; does nothing if the name is none.
   void Declare(Name name, Meaning meaning);
-  // The meaning in the scopes around the current token; for a name that none of them declares, that
-  // of a type or template of a scope that has ended (a namespace, a base class).
+  // The meaning of `name` in the scopes around the current token; if none of them declares it, the
+  // meaning of a type or template of a scope that has ended (a namespace, a base class).
   Meaning MeaningOf(Name name) const;
   bool IsTypeName(std::size_t ahead) const;
 
-  // Past the `>` that belongs to the `<` at `ahead`.
+  // Skips template arguments, from the `<` at `ahead` past the `>` that belongs to it.
   std::size_t SkipTemplateArguments(std::size_t ahead) const;
-  // Past the bracket that closes the one at `ahead`.
+  // Skips from the bracket at `ahead` past the bracket that closes it.
   std::size_t SkipBrackets(std::size_t ahead) const;
-  // Past `a::b<c>`, `::a` or `unsigned int`.
+  // Skips the name of a type: `a::b<c>`, `::a` or `unsigned int`.
   std::size_t SkipTypeName(std::size_t ahead) const;
-  // Past any number of qualifiers, which may be none.
+  // Skips any number of qualifiers; returns `ahead` if there are none.
   std::size_t SkipQualifiers(std::size_t ahead) const;
-  // The last name of `a::b::c` or `::c`.
+  // The position of the last name of `a::b::c` or `::c`.
   std::size_t LastOfQualifiedName(std::size_t ahead) const;
 
   bool IsQualifier(std::size_t ahead) const;
-  // At a token that can only belong to a type here: not at a name that a variable has.
+  // Whether the token at `ahead` starts a type: not if it is a name that a variable has here.
   bool StartsType(std::size_t ahead) const;
-  // `(T)e`, `(T[2])e`, as opposed to `(a) + b`.
+  // Whether the current `(` starts a cast, `(T)e` or `(T[2])e`, as opposed to `(a) + b`.
   bool IsCast() const;
-  // At the start of a statement: two names in a row are a type and a variable, whatever they mean.
+  // Whether the statement that starts here is a declaration: two names in a row are a type and a
+  // variable, whatever they mean.
   bool IsDeclaration() const;
   // Whether the `<` at `less`, after the name of a function or type, starts template arguments.
   bool IsTemplateUse(Name name, std::size_t less) const;
-  // Whether the `<` does so after a name without a known declaration: `<`, types, `>` and a call.
+  // Whether the `<` at `less`, after a name without a known declaration, starts template arguments:
+  // types, `>` and a call follow.
   bool IsMemberTemplateUse(std::size_t less) const;
-  // After the `}` of a struct: whether its declaration ends there although no `;` follows.
-  // `struct S {} f() {}` and `struct S {} s;` go on; `struct S {} float4 f() {}` and
+  // Whether the declaration of a struct ends after its `}`, the last token, although no `;`
+  // follows. `struct S {} f() {}` and `struct S {} s;` go on; `struct S {} float4 f() {}` and
   // `struct S {} struct T {}` do not.
   bool StructEndsHere() const;
 
  private:
-  // By Name. `outside_` has the types and templates of every scope, including those that have
-  // ended.
+  // The meanings by Name. `outside_` has the types and templates of every scope, including the
+  // scopes that have ended.
   std::vector<Meaning> meanings_, outside_;
   std::vector<std::pair<Name, Meaning>> undo_;
 };

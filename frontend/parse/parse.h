@@ -9,7 +9,7 @@ namespace clipc {
 
 // Parses all of HLSL that fxc and DXC accept, for every shader stage; effects-framework text
 // (techniques, state blocks, annotations) is skipped with its brackets matched. It is linear in the
-// number of tokens, and every sequence of tokens has a result: what nests too deeply for
+// number of tokens, and every sequence of tokens has a result: text that nests too deeply for
 // ast::kMaxDepth is an error. One run reports several syntax errors; a file is worth checking only
 // if there are none.
 ast::File Parse(Tokens tokens, Diagnostics& diagnostics);

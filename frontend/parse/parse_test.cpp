@@ -43,7 +43,7 @@ std::string Repeat(const std::string& text, int count) {
   return repeated;
 }
 
-// The longest path of a tree, in nodes; what kMaxDepth promises.
+// The number of nodes on the longest path of a tree, which kMaxDepth bounds.
 class Depth {
  public:
   explicit Depth(const ast::File& file) : file_(file) {}
@@ -217,7 +217,7 @@ TEST(Parse, KeepsWhereThingsStand) {
   const auto& product = std::get<ast::BinaryExpr>(parsed.file.exprs[var.init].node);
   const std::uint32_t first = parsed.file.types[var.type].span.begin;
   EXPECT_EQ(var.name_span.begin - first, 6u);
-  // The parentheses belong to what they enclose.
+  // The parentheses belong to the expression that they enclose.
   EXPECT_EQ(parsed.file.exprs[product.left].span.begin - first, 10u);
   EXPECT_EQ(parsed.file.exprs[product.left].span.end - first, 16u);
   EXPECT_EQ(product.op_span.begin - first, 18u);
@@ -293,7 +293,7 @@ TEST(Parse, EveryPrefixIsAnswered) {
     tokens.list.push_back(whole.list.back());
     Diagnostics diagnostics;
     Parse(std::move(tokens), diagnostics);
-    // What is cut off in the middle is one error.
+    // Text that is cut off in the middle is one error.
     EXPECT_LE(diagnostics.error_count(), 1) << size;
   }
 }

@@ -14,11 +14,11 @@
 #include "frontend/parse/tree_builder.h"
 
 // The recursive-descent parser of Parse(). Its grammar functions call each other across all
-// subjects, so they are one class; what they stand on is below it, each layer without knowledge of
-// the next: TokenCursor, Lookahead, TreeBuilder.
+// subjects, so they are one class; its bases are layers, each without knowledge of the next:
+// TokenCursor, Lookahead, TreeBuilder.
 //
-// A Parse function starts at the first token of what it is named after. An example in a comment is
-// what it reads.
+// A Parse function starts at the first token of the construct that it is named after. A comment
+// that is only an example shows the text that the function reads.
 namespace clipc::ast {
 
 class Parser : private TreeBuilder {
@@ -27,7 +27,7 @@ class Parser : private TreeBuilder {
   File Run();
 
  private:
-  // Where a declaration stands.
+  // The place of a declaration.
   enum class Scope : std::uint8_t { kGlobal, kStruct, kBuffer, kLocal };
   using Decls = Collector<DeclId>;
 
@@ -43,7 +43,8 @@ class Parser : private TreeBuilder {
     List<TemplateParameter> parameters;
   };
 
-  // During its life `>` ends template arguments, or is an operator again as inside of brackets.
+  // A part of the text: during the life of the object `>` ends template arguments, or is an
+  // operator again as inside of brackets.
   class Bracketed : NotCopied {
    public:
     explicit Bracketed(Parser& parser, bool greater_ends = false)
@@ -56,7 +57,7 @@ class Parser : private TreeBuilder {
   };
 
   // ---- types, qualifiers and attributes (type.cpp)
-  // `may_define`: `struct {...}` is allowed.
+  // Parses a type; `may_define` allows `struct {...}`.
   TypeId ParseType(bool may_define);
   TypeId ParseNamedType();
   TypeId ParseTaggedType(bool may_define);
@@ -70,8 +71,8 @@ class Parser : private TreeBuilder {
   List<Attr> ParseAttributes();
   // Warns, once for each name, of an attribute that does nothing.
   void NoteAttribute(const Attr& attribute);
-  // Reports clip planes among the attributes of what is not a function, and Vulkan's attributes
-  // that have no effect on it. `what` names it: "a field".
+  // Reports clip planes among the attributes of a declaration that is not a function, and Vulkan's
+  // attributes that have no effect on it. `what` names the declaration: "a field".
   void CheckAttributes(List<Attr> attributes, AttributeOwner owner, std::string_view what);
   void CheckQualifiers(Qualifiers qualifiers, QualifierOwner owner, Span span);
   void ParseAttributes(Collector<Attr>& attributes);
@@ -129,7 +130,7 @@ class Parser : private TreeBuilder {
     node.name = Next().name();
     Declare(node.name, meaning);
   }
-  // Reports and returns false where no name of a `what` stands.
+  // Parses the name of a `what`, "variable"; reports and returns false if there is none.
   bool ParseDeclaratorName(Name& name, Span& span, std::string_view what);
   VarDecl MakeVar(const Specifiers& specifiers) const;
   void ParseDeclaratorTail(VarDecl& var, Scope scope);
@@ -172,7 +173,7 @@ class Parser : private TreeBuilder {
   ExprId ParseExpression();
   ExprId ParseAssignment();
   ExprId ParseConditional();
-  // Operators that bind at least as tightly as `min_precedence`.
+  // Parses operators that bind at least as tightly as `min_precedence`.
   ExprId ParseBinary(int min_precedence);
   ExprId ParseUnary();
   ExprId ParsePrefix(std::optional<UnaryOp> op);
@@ -189,13 +190,13 @@ class Parser : private TreeBuilder {
   ExprId ParseMemberOfTemplate(const NameExpr& name, std::size_t start);
   List<ExprId> ParseArguments();
 
-  bool greater_ends_ = false;      // in template arguments, where `>` is not an operator
-  bool outside_reported_ = false;  // a statement outside of functions is reported once
-  // The definition of a function was found inside a function: a `}` is missing, and all blocks end
-  // here.
+  bool greater_ends_ = false;      // in template arguments: `>` is not an operator
+  bool outside_reported_ = false;  // a statement outside of functions was reported
+  // Whether the definition of a function was found inside a function: a `}` is missing, and all
+  // blocks end here.
   bool leaving_function_ = false;
   std::vector<bool> noted_attributes_;  // by Name
-  std::vector<bool> technique_names_;   // by Name: is in File::technique_vertex_shaders
+  std::vector<bool> technique_names_;   // by Name: whether it is in File::technique_vertex_shaders
 };
 
 }  // namespace clipc::ast

@@ -14,7 +14,7 @@ struct Rules {
   Qualifiers refused = 0;
   Qualifiers without_effect = 0;
 };
-// In the order of QualifierOwner.
+// The rules in the order of QualifierOwner.
 constexpr Rules kRules[] = {
     {"a global variable", kIn | kOut, kVolatile | kInterpolation},
     {"a local variable", kExtern | kGroupShared | kUniform | kIn | kOut,

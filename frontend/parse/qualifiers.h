@@ -8,13 +8,13 @@
 
 #include "frontend/parse/ast_decl.h"
 
-// The rules about where a qualifier may be written, and with which others. Source: what fxc and DXC
-// say of each qualifier and pair at each kind of declaration, in DXC's varmods-syntax.hlsl and
-// typemods-syntax_noerr.hlsl.
+// The rules about where a qualifier may be written, and with which others. Source: the messages of
+// fxc and DXC for each qualifier and pair at each kind of declaration, in DXC's varmods-syntax.hlsl
+// and typemods-syntax_noerr.hlsl.
 namespace clipc::ast {
 
 enum class QualifierOwner : std::uint8_t {
-  kGlobal,  // a variable; a member of a buffer too
+  kGlobal,  // a global variable or a member of a buffer
   kLocal,
   kField,
   kParameter,
@@ -23,7 +23,7 @@ enum class QualifierOwner : std::uint8_t {
   kTypedef,
 };
 
-std::string_view TextOf(QualifierOwner owner);  // "a local variable"
+std::string_view TextOf(QualifierOwner owner);  // a noun phrase: "a local variable"
 // Returns the bits of `qualifiers` that no declaration of `owner` may have: they ask for another
 // kind of declaration, and fxc refuses them.
 Qualifiers RefusedAt(QualifierOwner owner, Qualifiers qualifiers);

@@ -6,7 +6,7 @@
 // Statements.
 namespace clipc::ast {
 
-// One statement with its attributes. After an error the next statement can be read.
+// Parses one statement with its attributes. After an error the next statement can be read.
 StmtId Parser::ParseStatement() {
   const std::size_t start = pos_;
   Nesting nesting(*this);
@@ -65,7 +65,7 @@ StmtId Parser::ParseBlock() {
   return AddStmt(open, BlockStmt{body.Finish()});
 }
 
-// The statement that a loop or branch governs.
+// Parses the statement that a loop or branch governs, after `of`.
 StmtId Parser::ParseBody(std::string_view of) {
   NameScope scope(*this);
   if (At(kRightBrace) || AtEnd()) Unexpected(fmt::format("a statement after `{}`", of));
@@ -73,7 +73,7 @@ StmtId Parser::ParseBody(std::string_view of) {
   return ParseStatement();
 }
 
-// (condition), after the word `of`.
+// Parses (condition), after the word `of`.
 ExprId Parser::ParseCondition(std::string_view of) {
   if (At(kLeftParen)) return ParseInBrackets(kRightParen);
   Unexpected(fmt::format("`(` after `{}`", of));

@@ -5,7 +5,7 @@
 
 namespace clipc::ast {
 
-// struct S {...}, class S : B {...}, interface I; the caller reads what follows.
+// Parses struct S {...}, class S : B {...} or interface I; the caller reads the text after it.
 DeclId Parser::ParseStruct(const TemplateHeader& header) {
   const std::size_t start = pos_;
   StructDecl decl{};
@@ -56,7 +56,7 @@ Name Parser::NameOfType(DeclId definition) const {
   return is_enum ? is_enum->name : std::get<StructDecl>(node).name;
 }
 
-// The `;` after a definition. Real shaders forget it, and some compilers accept that.
+// Parses the `;` after a definition. Real shaders forget it, and some compilers accept that.
 void Parser::ParseEndOfType(DeclId definition) {
   if (Accept(kSemicolon) || panic_) return;
   const Name name = NameOfType(definition);

@@ -15,8 +15,8 @@
 
 namespace clipc::ast {
 
-// A place in a sequence of tokens, with what is reported there and how reading goes on after an
-// error. It knows words, brackets and lists, but no grammar.
+// A place in a sequence of tokens, which reports errors there and finds the place where reading
+// goes on after one. It knows words, brackets and lists, but not the grammar.
 //
 // After an error is reported the cursor is in panic: it reports nothing until a Skip or an Expect
 // has found a place to go on from. After Abort it stays in panic at the end of the text.
@@ -50,7 +50,7 @@ class TokenCursor {
 
   Span Here() const { return Peek().span(); }
   Span PreviousSpan() const { return pos_ > 0 ? tokens_[pos_ - 1].span() : Here(); }
-  // From the token at position `start` to the last one taken.
+  // The span from the token at position `start` to the last token taken.
   Span SpanFrom(std::size_t start) const {
     return start >= pos_ ? Here() : Cover(tokens_[start].span(), tokens_[pos_ - 1].span());
   }
@@ -63,12 +63,12 @@ class TokenCursor {
   }
   bool AtWord(Word word) const { return WordAt() == word; }
   bool AtAnyOf(Words words) const { return words.Has(WordAt()); }
-  // At an identifier that can be the name of something.
+  // Whether the token at `ahead` is an identifier that can be the name of something.
   bool AtName(std::size_t ahead = 0) const {
     const Token& token = Peek(ahead);
     return token.kind == kIdentifier && !IsReserved(InfoOf(token.name()).word);
   }
-  // At a word that starts a declaration in every context.
+  // Whether the current token is a word that starts a declaration in every context.
   bool AtDeclarationWord() const;
   std::string_view Text(Name name) const { return names_[name]; }
   // The text of the identifier at `ahead`; empty for another token.
@@ -77,14 +77,14 @@ class TokenCursor {
   }
   Name Intern(std::string_view text);
 
-  // The bit of the last `#pragma pack_matrix` before the current token. Ask in the order of the
-  // text.
+  // The bit of the last `#pragma pack_matrix` before the current token. It must be asked for in the
+  // order of the text.
   Qualifiers PackingHere();
 
   // ---- errors
   // The current token as a message names it.
   std::string Describe() const;
-  // The last token taken, if it is a word or a punctuator.
+  // The text of the last token taken if it is a word or a punctuator; otherwise empty.
   std::string PreviousText() const;
   template <typename... Args>
   Diagnostic* Error(Span where, const diag::Kind<Args...>& kind,
@@ -98,21 +98,22 @@ class TokenCursor {
   void Unexpected(std::string_view expected) {
     Error(Here(), diag::UnexpectedToken, Describe(), expected);
   }
-  // Nothing more is read or reported.
+  // Ends the parse: nothing more is read or reported.
   void Abort();
   void EndPanic() { panic_ = aborted_; }
 
-  // ---- what must come next, and going on after an error
+  // ---- expected tokens, and going on after an error
   bool Expect(TokenKind kind, std::string_view expected);
-  // Takes the bracket that closes the one at position `open`, and ends the panic there.
-  // `or_else` names what else could stand there.
+  // Takes the bracket that closes the one at position `open`, and ends the panic there. `or_else`
+  // names the other tokens that could be there: "`,` or ".
   bool ExpectClose(TokenKind close, std::size_t open, std::string_view or_else = {});
-  // Takes that bracket; where it is missing, goes on after the next one that fits.
+  // Takes the bracket that closes the one at position `open`; if it is missing, goes on after the
+  // next one that fits.
   void Close(TokenKind close, std::size_t open) {
     if (!ExpectClose(close, open)) SkipToClose(close);
   }
   // Reads elements with commas between them up to the `close` of the bracket at position `open`.
-  // `after_comma` names what must follow a comma; empty: a trailing comma is allowed.
+  // `after_comma` names the element that must follow a comma; empty: a trailing comma is allowed.
   template <typename ParseElement>
   void ParseList(TokenKind close, std::size_t open, std::string_view after_comma,
                  ParseElement element) {
@@ -123,20 +124,21 @@ class TokenCursor {
     }
     if (panic_ || !ExpectClose(close, open, "`,` or ")) SkipToClose(close);
   }
-  // From an opening bracket to the token after the one that closes it, whatever their kinds.
+  // Skips from an opening bracket past the bracket that closes it, whatever their kinds.
   void SkipBalanced();
-  // After an error inside brackets: past the `close` that ends them, unless the statement ends
-  // first.
+  // Skips, after an error inside brackets, past the `close` that ends them, unless the statement
+  // ends first.
   void SkipToClose(TokenKind close, bool past_semicolons = false);
-  // After an error in a statement: past its `;`, or before a brace or a word that starts another.
+  // Skips, after an error in a statement, past its `;`, or up to a brace or a word that starts
+  // another statement.
   void SkipStatement();
-  // After an error in a declaration: past its `;` or its body, or before a word that starts another
-  // declaration. `in_braces`: a `}` ends the scope of the declaration.
+  // Skips, after an error in a declaration, past its `;` or its body, or up to a word that starts
+  // another declaration. `in_braces`: a `}` ends the scope of the declaration.
   void SkipDeclaration(bool in_braces);
 
   std::size_t pos_ = 0;
   bool panic_ = false;
-  bool aborted_ = false;  // then panic_ is true as well
+  bool aborted_ = false;  // Abort was called; panic_ is then true as well
   std::vector<Token> tokens_;
   Names names_;
   Diagnostics& diagnostics_;

@@ -6,12 +6,12 @@
 namespace clipc::ast {
 namespace {
 
-// The levels of brackets, blocks and prefix operators together: what the parser's recursion may
-// take of the stack.
+// The limit on the levels of brackets, blocks and prefix operators together, which bounds the stack
+// that the parser's recursion takes.
 constexpr int kMaxNesting = 256;
-// The nodes of statements and declarations on one path.
+// The limit on the nodes of statements and declarations on one path.
 constexpr int kMaxStatementDepth = kMaxDepth / 2;
-// The nodes of expressions and types on one path.
+// The limit on the nodes of expressions and types on one path.
 constexpr std::uint32_t kMaxHeight = kMaxDepth / 2 - 20;
 
 }  // namespace

@@ -15,10 +15,10 @@
 
 namespace clipc::ast {
 
-// Makes the nodes of a File, and keeps the promise of kMaxDepth: half of it is for the statements
-// and declarations on a path, which Nesting counts while they are parsed, the other half for the
-// expressions and types below them, whose height is known when they are made. Text that would break
-// the promise is an error, and the rest of it is not read.
+// The maker of the nodes of a File, which keeps the promise of kMaxDepth: half of it is for the
+// statements and declarations on a path, which Nesting counts while they are parsed, the other half
+// for the expressions and types below them, whose height is known when they are made. Text that
+// would break the promise is an error, and the rest of it is not read.
 class TreeBuilder : protected Lookahead {
  protected:
   // One level of recursion of the parser. `weight` is the number of tree nodes that it can put on a
@@ -27,7 +27,7 @@ class TreeBuilder : protected Lookahead {
    public:
     explicit Nesting(TreeBuilder& builder, int weight = 1);
     ~Nesting();
-    // False: a limit was passed, which is reported.
+    // Whether no limit was passed; one that was passed has been reported.
     bool ok() const { return ok_; }
 
    private:
@@ -43,8 +43,8 @@ class TreeBuilder : protected Lookahead {
     std::vector<T> stack = {};
   };
 
-  // Gathers the children of one node. Of the Collectors with the same Lists, the last one made that
-  // is not finished is the one to add to.
+  // The children of one node while they are gathered. Only the last Collector made and not finished
+  // of those with the same Lists may be added to.
   template <typename T>
   class Collector : NotCopied {
    public:
@@ -58,7 +58,7 @@ class TreeBuilder : protected Lookahead {
     std::span<const T> values() const {
       return std::span<const T>(lists_.stack).subspan(static_cast<std::size_t>(mark_));
     }
-    // Moves what was gathered into the File.
+    // Moves the gathered values into the File.
     List<T> Finish() {
       finished_ = true;  // a Collector made earlier may now add
       if (values().empty()) return {};
@@ -77,7 +77,8 @@ class TreeBuilder : protected Lookahead {
 
   TreeBuilder(Tokens&& tokens, Diagnostics& diagnostics);
 
-  // `start` is the position of a node's first token; its last one is the last token taken.
+  // Adds a node to the File. `start` is the position of its first token; its last one is the last
+  // token taken.
   template <typename Node>
   ExprId AddExpr(std::size_t start, const Node& node) {
     std::uint32_t height = 0;
@@ -95,10 +96,11 @@ class TreeBuilder : protected Lookahead {
   DeclId AddDecl(std::size_t start, const Node& node) {
     return file_.decls.Make(SpanFrom(start), node);
   }
-  // `height_of_definition`: the number of nodes on the longest path of a struct defined in place.
+  // Adds a type to the File. `height_of_definition` is the number of nodes on the longest path of a
+  // struct defined in place.
   TypeId AddType(Type type, std::uint32_t height_of_definition = 0);
   // Calls `define`, which parses a definition, and returns the number of nodes on the longest path
-  // of what was made.
+  // of that definition.
   template <typename Define>
   std::uint32_t HeightOfDefinition(Define define) {
     const int outer_deepest = std::exchange(deepest_, depth_);
@@ -123,10 +125,11 @@ class TreeBuilder : protected Lookahead {
   int depth_ = 0;  // the weights of the Nestings that are open
 
  private:
-  // Notes the height of the next expression; false if no node may be so high: then the next
-  // expression is to be an error.
+  // Notes the height of the next expression. Returns false if no node may be so high: then the next
+  // expression must be an ErrorExpr.
   bool AddHeight(std::uint32_t height, Span span);
-  // True if a node of that height may be made; otherwise reports, and ends the parse.
+  // Returns true if a node of the height `height` may be made; otherwise reports, and ends the
+  // parse.
   bool CheckHeight(std::uint32_t height, Span span);
   // The number of nodes on the longest path from a child.
   std::uint32_t HeightOf(ExprId id) const { return id ? heights_[id.index] : 0; }
@@ -135,9 +138,9 @@ class TreeBuilder : protected Lookahead {
 
   int nesting_ = 0;
   int deepest_ = 0;                          // the largest depth_ of the definition being parsed
-  std::uint32_t tallest_ = 0;                // the largest of heights_ in it
+  std::uint32_t tallest_ = 0;                // the largest of heights_ in that definition
   std::vector<std::uint16_t> heights_;       // by Expr: the number of nodes on its longest path
-  std::vector<std::uint32_t> type_heights_;  // by Type: the same
+  std::vector<std::uint32_t> type_heights_;  // by Type: the number of nodes on its longest path
 };
 
 }  // namespace clipc::ast

@@ -17,7 +17,7 @@ using enum ObjectOp;
 constexpr struct {
   std::string_view name;
   ObjectOp op;
-  bool compares, must_give;  // takes a value to compare with; gives the old one back, always
+  bool compares, must_give;  // takes a value to compare with; must return the old value
 } kAtomics[] = {
     {"InterlockedAdd", kAtomicAdd, false, false},
     {"InterlockedAnd", kAtomicAnd, false, false},
@@ -30,7 +30,8 @@ constexpr struct {
     {"InterlockedXor", kAtomicXor, false, false},
 };
 
-// An element of a writable object that is one integer; null for anything else.
+// The read of the first argument if it is an element of a writable object and one integer;
+// otherwise null.
 const ObjectCall* ElementOf(const IntrinsicCheck& call) {
   const auto* load = As<ObjectCall>(call.program, call.arguments[0]);
   if (!load) return nullptr;

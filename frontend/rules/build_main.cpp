@@ -81,7 +81,7 @@ class MainBuilder {
     if (writes) pending_outputs_.push_back(std::move(whole));
   }
 
-  // Assigns the inputs to the piece, a matrix from all its columns at once.
+  // Assigns the inputs to the parts of `whole`, a matrix from all its columns at once.
   void ReadInto(const Carrier& whole) {
     std::vector<ExprId> columns;
     for (const Carrier& leaf : leaves_.Of(whole)) {
@@ -139,14 +139,15 @@ class MainBuilder {
                leaf.type);
   }
 
-  // A bool travels as a uint; half and minimum-precision kinds as their base.
+  // The type in which an input or output is stored: uint for bool, the base kind for half and for
+  // minimum-precision kinds.
   TypeId StoredType(TypeId id) {
     const Scalar base = BaseOf(program_.types[id].scalar);
     return program_.types.WithScalar(id, base == Scalar::kBool ? Scalar::kUint : base);
   }
 
-  // `value` as `type`, which differs from its own type in the component kind or in being a vector
-  // of one.
+  // Converts `value` to `type`, which differs from its own type in the component kind or in being a
+  // vector of one.
   ExprId Fit(ExprId value, TypeId type) {
     value = builder_.ConvertTo(program_.types[type].scalar, value);
     if (builder_.TypeOf(value) == type) return value;
@@ -202,7 +203,7 @@ class MainBuilder {
                            .storage = is_input ? Storage::kInput : Storage::kOutput,
                            .span = leaf.span,
                            .precise = precise && !is_input});
-    if (list.empty()) list.reserve(leaves_.size() + 1);  // and the distances of clip planes
+    if (list.empty()) list.reserve(leaves_.size() + 1);  // one for the distances of clip planes
     std::string path = leaf.name + leaf.elements;
     std::uint32_t place = 0;
     // A pixel shader's outputs meet no shader's inputs.
@@ -226,8 +227,8 @@ class MainBuilder {
                     type.kind == TypeKind::kScalar, leaf.span});
   }
 
-  // The pieces in the order of their semantic index, each kept within a register of four as fxc
-  // packs a signature: two float3 are distances 0, 1, 2 and 4, 5, 6. Distances in a gap are 0,
+  // Writes the pieces in the order of their semantic index, each kept within a register of four as
+  // fxc packs a signature: two float3 are distances 0, 1, 2 and 4, 5, 6. Distances in a gap are 0,
   // which clips nothing.
   void WriteDistances(Builtin builtin, std::string name) {
     auto& list = builtin == Builtin::kClipDistance ? clip_ : cull_;
@@ -266,7 +267,7 @@ class MainBuilder {
                         diag::TooManyClipDistances, distance_count_);
   }
 
-  // An output POSITION from 4.0 on is meant to be the position, most likely.
+  // Reports an output POSITION from 4.0 on, which is most likely meant to be the position.
   void CheckPosition() {
     const IoVar* plain = FindPlainPosition(program_);
     if (!plain) return;
@@ -302,7 +303,7 @@ class MainBuilder {
   }
 
   bool MayAdd(const Carrier& leaf, Direction direction, const SystemValue& value) {
-    // The position has two names where Direct3D 9's counts.
+    // The position has two names if Direct3D 9's name counts.
     const std::string name =
         value.builtin == Builtin::kPosition ? "SV_POSITION" : ToUpper(leaf.cursor.semantic.name);
     const std::string key = name + std::to_string(leaf.cursor.semantic.index);

@@ -13,15 +13,15 @@
 // function.
 namespace clipc::rules {
 
-// What is written at a parameter or at the result beside its type. Struct fields carry their own
-// semantics (ir::Field).
+// The semantic, modifiers and attributes that are written at a parameter or at the result beside
+// its type. Struct fields carry their own (ir::Field).
 struct EntryParameter {
-  std::string semantic;  // as written; empty: none
+  std::string semantic;  // as written; empty if there is none
   Span semantic_span;
   Interpolation interpolation = Interpolation::kDefault;
   bool centroid = false;
   bool sample = false;
-  bool row_major = false;  // of the matrices in it
+  bool row_major = false;  // whether the matrices in it are row_major
   bool precise = false;
   std::optional<std::uint32_t> location;  // [[vk::location(..)]]
   bool is_uniform = false;
@@ -30,14 +30,15 @@ struct EntryParameter {
 struct EntrySignature {
   std::vector<EntryParameter> parameters;  // one per parameter of program.entry
   EntryParameter result;
-  // Matrices between a vertex and a pixel shader are taken apart by row, as DXC and glslang do.
+  // Whether matrices between a vertex and a pixel shader are taken apart by row, as DXC and glslang
+  // do.
   bool stages_meet_by_row = false;
 };
 
-// Makes program.main, program.inputs and program.outputs for program.entry, and reports what is
-// wrong with the signature: a parameter or field without a semantic, one semantic twice, a system
-// value that a vertex shader cannot take or write, or one of a wrong type. A semantic on a
-// parameter overrides those inside its struct; its index counts on through the fields.
+// Makes program.main, program.inputs and program.outputs for program.entry, and reports the errors
+// of the signature: a parameter or field without a semantic, one semantic twice, a system value
+// that a vertex shader cannot take or write, or one of a wrong type. A semantic on a parameter
+// overrides those inside its struct; its index counts on through the fields.
 //
 // Inputs and outputs are taken apart: structs by field, arrays by element, matrices by column (by
 // row where they are `row_major`), each piece the next index. Under vs_1_1..vs_3_0 the output

@@ -14,9 +14,9 @@
 namespace clipc::rules {
 namespace {
 
-// Shader model 2 through 10Level9. Sources: "vs_2_0" register tables of the Direct3D 9 reference;
-// the "runtime generated constant mappings" that fxc prints for 9_x targets take one float constant
-// for the half-pixel position offset.
+// The limits of shader model 2 through 10Level9. Sources: "vs_2_0" register tables of the Direct3D
+// 9 reference; the "runtime generated constant mappings" that fxc prints for 9_x targets take one
+// float constant for the half-pixel position offset.
 constexpr std::size_t kMaxInputs = 16;
 constexpr std::size_t kMaxOutputs = 8;                // texture coordinate registers oT0..oT7
 constexpr std::uint32_t kMaxConstantRegisters = 255;  // c0..c255 less the position offset
@@ -156,7 +156,8 @@ class Level9Checker {
     }
   }
 
-  // A dot product, or a multiplication and addition, per row or column of the larger matrix.
+  // The instructions of a mul: a dot product, or a multiplication and addition, per row or column
+  // of the larger matrix.
   std::uint32_t MulInstructions(const IntrinsicCall& call) const {
     std::uint32_t instructions = 1;
     for (ExprId argument : program_.expr_lists[call.arguments]) {
@@ -167,8 +168,8 @@ class Level9Checker {
     return instructions;
   }
 
-  // Only constants can be indexed by a value of run time: there is one address register, and it
-  // counts constants. fxc unrolls the loops whose counters index anything else.
+  // Reports an index known only at run time into anything but constants: there is one address
+  // register, and it counts constants. fxc unrolls the loops whose counters index anything else.
   void CheckIndex(const Index& index, Span span) {
     if (EvaluateInteger(program_, index.index)) return;
     ExprId base = index.base;
@@ -183,9 +184,9 @@ class Level9Checker {
 
   const Program& program_;
   Diagnostics& diagnostics_;
-  // Both are built for the first rule that depends on them.
+  // The known values, built for the first rule that depends on them.
   std::optional<KnownValues> known_;
-  std::optional<KnownValues> known_in_short_loops_;  // when no loop beyond kMaxTurns is unrolled
+  std::optional<KnownValues> known_in_short_loops_;  // if no loop beyond kMaxTurns is unrolled
   std::uint32_t instructions_ = 0;  // a lower bound: no loop is counted twice, no addition at all
 };
 

@@ -5,9 +5,9 @@
 
 namespace clipc::rules {
 
-// What the vs_4_0_level_9_x profiles lack, each with its message (fxc X4583 and its family; "Shader
-// Model 2" limits of the 10Level9 documentation). Does nothing under other profiles. Requires a
-// program without errors.
+// Reports the uses of features that the vs_4_0_level_9_x profiles lack, each with its own message
+// (fxc X4583 and its family; "Shader Model 2" limits of the 10Level9 documentation). Does nothing
+// under other profiles. Requires a program without errors.
 void CheckLevel9(const Program& program, Diagnostics& diagnostics);
 
 }  // namespace clipc::rules

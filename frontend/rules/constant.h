@@ -16,9 +16,9 @@ struct Constant {
   Scalar kind;
   std::vector<double> components;
 };
-// Nothing for an expression that is not constant.
+// The value of the expression; nullopt if the expression is not constant.
 std::optional<Constant> EvaluateConstant(const Program& program, ExprId expr);
-// The value of a constant integer or bool scalar, exactly; nothing for any other expression.
+// The exact value of a constant integer or bool scalar; nullopt for any other expression.
 std::optional<std::int64_t> EvaluateInteger(const Program& program, ExprId expr);
 // Whether the expression is made of literals: int2(1, 2).
 bool IsLiteralList(const Program& program, ExprId expr);

@@ -25,7 +25,7 @@ bool FitsShape(const Type& from, const Type& to) {
   return want <= have;
 }
 
-// The bits of a kind, for comparing it with others that are floats, or are not, as it is.
+// The bits of a kind, for comparing floats with floats, and other kinds with other kinds.
 int WidthOf(Scalar kind) {
   switch (kind) {
     case Scalar::kBool: return 0;
@@ -39,7 +39,7 @@ int WidthOf(Scalar kind) {
   }
 }
 
-// See ConversionRank::kind.
+// The value of ConversionRank::kind.
 std::uint8_t RankKind(Scalar from, Scalar to) {
   constexpr std::uint8_t kSame = 0, kPromotion = 1, kToSigned = 2, kToUnsigned = 3, kLossy = 4,
                          kOther = 5;
@@ -54,8 +54,8 @@ std::uint8_t RankKind(Scalar from, Scalar to) {
 
 constexpr int kMaxSteps = 4 * kMaxLeaves;
 
-// Collects the leaves of a type. Gives up at objects, after kMaxLeaves, and on types that are
-// nested too deeply or have too many parts without leaves.
+// A collector of the leaves of a type. It gives up at objects, after kMaxLeaves, and on types that
+// are nested too deeply or have too many parts without leaves.
 class LeafCollector {
  public:
   explicit LeafCollector(const TypeTable& types) : types_(types) {}
@@ -91,7 +91,7 @@ class LeafCollector {
   int steps_ = 0;
 };
 
-// The number of leaves that Flatten finds, without a list of them; more than kMaxLeaves where
+// The number of leaves that Flatten finds, without a list of them; more than kMaxLeaves if
 // Flatten gives up.
 std::uint64_t LeafCount(const TypeTable& types, TypeId id, int& budget) {
   if (--budget < 0) return kMaxLeaves + 1;
@@ -128,7 +128,7 @@ bool IsAggregate(const Type& type) {
   return type.kind == TypeKind::kStruct || type.kind == TypeKind::kArray;
 }
 
-// Whether `base` is what a struct that inherits from it starts with.
+// Whether `derived` starts with the fields of `base`, as a struct that inherits from it does.
 bool IsBaseOf(const TypeTable& types, const Type& base, const Type& derived) {
   if (base.kind != TypeKind::kStruct || derived.kind != TypeKind::kStruct) return false;
   const auto& want = types[base.structure].fields;
@@ -139,7 +139,8 @@ bool IsBaseOf(const TypeTable& types, const Type& base, const Type& derived) {
              [](const Field& a, const Field& b) { return a.name == b.name && a.type == b.type; });
 }
 
-// Direct3D 9's `sampler` stands for a sampler of any dimension: a parameter `sampler2D s` takes it.
+// Whether a sampler of one kind can be passed as another. Direct3D 9's `sampler` stands for a
+// sampler of any dimension: a parameter `sampler2D s` takes it.
 bool FitsObject(const Type& from, const Type& to) {
   return from.kind == TypeKind::kObject && to.kind == TypeKind::kObject &&
          from.object == ObjectKind::kSampler && IsCombinedSampler(to.object);
@@ -226,7 +227,8 @@ std::optional<TypeId> CommonType(TypeTable& types, TypeId left_id, TypeId right_
     const bool use_right = left.kind != TypeKind::kScalar && right.kind == TypeKind::kScalar;
     return types.WithScalar(use_right ? right_id : left_id, kind);
   }
-  // The larger one if the other fits it, else the smaller one; the left one of two equally large.
+  // The common type is the larger type if the other fits it, else the smaller one; the left type of
+  // two equally large ones.
   const bool left_is_larger = left.Components() >= right.Components();
   const auto& [larger, larger_id] =
       left_is_larger ? std::tie(left, left_id) : std::tie(right, right_id);

@@ -14,13 +14,13 @@
 // error pages; DXC's overload ranking where fxc's is not documented.
 namespace clipc::rules {
 
-// How well an argument of one type fits a parameter of another; smaller is better, compared member
-// by member. The order of the members and of the kinds is DXC's (HLSLExternalSource::ScoreCast),
-// which took it over from fxc.
+// The rank of the conversion of an argument of one type to a parameter of another; smaller is
+// better, compared member by member. The order of the members and of the kinds is DXC's
+// (HLSLExternalSource::ScoreCast), which follows fxc.
 struct ConversionRank {
-  // Components are dropped: 1.
+  // 1 if components are dropped, otherwise 0.
   std::uint8_t truncation = 0;
-  // How the component kinds differ:
+  // The difference of the component kinds:
   //   0  not at all
   //   1  a promotion: half to float
   //   2  uint to int
@@ -28,9 +28,9 @@ struct ConversionRank {
   //   4  values may be lost: to int, to bool, double to float
   //   5  int or bool to float, bool to int
   std::uint8_t kind = 0;
-  // A scalar fills a vector or a matrix: 1.
+  // 1 if a scalar fills a vector or a matrix, otherwise 0.
   std::uint8_t splat = 0;
-  // The same shape is spelled differently, float1 and float, float4 and float2x2: 1.
+  // 1 if one shape has two spellings, float1 and float or float4 and float2x2, otherwise 0.
   std::uint8_t form = 0;
   friend constexpr auto operator<=>(const ConversionRank&, const ConversionRank&) = default;
 };
@@ -45,19 +45,19 @@ constexpr std::uint64_t CostOf(const ConversionRank& rank) {
          (std::uint64_t{rank.truncation} << (kLevel * 7));
 }
 
-// How well a value of `from` converts to `to` without a cast; nothing when it does not convert.
+// The rank of the conversion of a value of `from` to `to` without a cast; nullopt if there is none.
 std::optional<ConversionRank> RankImplicit(const TypeTable& types, TypeId from, TypeId to);
 // Whether a cast (to)e is allowed.
 bool IsExplicitlyConvertible(const TypeTable& types, TypeId from, TypeId to);
 
-// Makes local variables for values that must be read several times.
+// A maker of local variables for values that must be read several times.
 class TemporaryMaker {
  public:
   struct Temporary {
     VarId var;        // each use is a new VarRef to it
     ExprId prologue;  // `var = value`, to be evaluated before any use
   };
-  // A new local variable that holds `value`, evaluated once.
+  // Makes a local variable that holds `value`, evaluated once.
   virtual Temporary Make(ExprId value) = 0;
 
  protected:
@@ -66,9 +66,9 @@ class TemporaryMaker {
 
 // The value converted to `to`, with every step explicit in the IR. Warns of an implicit truncation
 // (X3206). Requires that RankImplicit gives a rank. Some conversions read their value several
-// times: one struct to another with the same leaves, float4 to float2x2. Such a value goes through
-// `temporaries`; without them it must be a plain path (reread.h), and anything else is reported as
-// an error.
+// times: one struct to another with the same leaves, float4 to float2x2. Such a value is kept in
+// one of `temporaries`; without them it must be a plain path (reread.h), and anything else is
+// reported as an error.
 ExprId ConvertImplicit(Program& program, ExprId value, TypeId to, Diagnostics& diagnostics,
                        TemporaryMaker* temporaries = nullptr);
 // The value cast to `to`. A cast does what ConvertImplicit does, fills a struct or an array with a
@@ -81,17 +81,17 @@ ExprId ConvertExplicit(Program& program, ExprId value, TypeId to, TemporaryMaker
 // keeps it.
 void SetSamplerKind(Program& program, ExprId object, ObjectKind kind);
 
-// The kind that two operands compute in.
+// The component kind that an operator with two operands computes in.
 Scalar CommonKind(Scalar left, Scalar right);
 // The common type of two operands of a component-wise operator: the larger vector is truncated, a
 // scalar is splatted, kinds promote bool < int < uint < half < float < double. Two bools stay bool:
-// arithmetic operators make them int. Nothing for operands without a common type: different
+// arithmetic operators make them int. Returns nullopt for operands without a common type: different
 // structs, objects, a matrix and a vector that do not fit.
 std::optional<TypeId> CommonType(TypeTable& types, TypeId left, TypeId right);
 
 inline constexpr std::size_t kMaxLeaves = 4096;
 // The kinds of the scalars that a type is made of, in order, for casts, initialisers and the
-// equality of structures. Nothing for a type that holds objects or has more than kMaxLeaves.
+// equality of structures; nullopt for a type that holds objects or has more than kMaxLeaves.
 std::optional<std::vector<Scalar>> Flatten(const TypeTable& types, TypeId type);
 
 }  // namespace clipc::rules

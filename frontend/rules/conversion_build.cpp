@@ -14,11 +14,11 @@
 namespace clipc::rules {
 namespace {
 
-// Literals convert here rather than at run time, so that `float x = 1` reads as `1.0` in the
-// output.
+// Converts the component kind of a value. Literals convert here rather than at run time, so that
+// `float x = 1` reads as `1.0` in the output.
 ExprId ConvertKind(Program& program, ExprId value, Scalar kind);
 
-// The value of `-1`, a negated literal, in a kind of float; none when the conversion would not be
+// The value of `-1`, a negated literal, in a kind of float; none if the conversion would not be
 // exact on both sides, as for -0 and the least int.
 ExprId ConvertNegatedLiteral(Program& program, ExprId value, Scalar kind) {
   const auto* unary = As<Unary>(program, value);
@@ -69,7 +69,7 @@ struct Piece {
   bool is_vector;
 };
 
-// Writes a value of one type as a value of another with no more leaves, leaf by leaf in order.
+// A writer of a value of one type as a value of another with no more leaves, leaf by leaf in order.
 class Reshaper {
  public:
   Reshaper(Program& program, Reread& source, Span span)
@@ -137,7 +137,7 @@ class Reshaper {
     return expr;
   }
 
-  // At most `count` components of the current piece, from the first that was not taken yet.
+  // Takes at most `count` components of the current piece, from the first that was not taken yet.
   ExprId TakePart(std::uint8_t count, std::uint8_t& taken) {
     CLIPC_CHECK(next_ < pieces_.size());
     const Piece& piece = pieces_[next_];
@@ -189,8 +189,8 @@ class Reshaper {
   std::uint8_t offset_ = 0;
 };
 
-// (S)x: the scalar in every leaf. An array's element that is not a number is made once and
-// repeated.
+// The value (S)x, with the scalar in every leaf. An array's element that is not a number is made
+// once and repeated.
 ExprId FillAggregate(Program& program, Reread& scalar, TypeId id, Span span,
                      TemporaryMaker& temporaries) {
   const Type type = program.types[id];
@@ -211,7 +211,7 @@ ExprId FillAggregate(Program& program, Reread& scalar, TypeId id, Span span,
   return builder.ConstructOf(id, parts);
 }
 
-// The first component as a scalar.
+// The first component of a numeric value, as a scalar.
 ExprId FirstComponent(Program& program, ExprId value) {
   const Type type = TypeOf(program, value);
   Builder builder(program, program.exprs[value].span);
@@ -225,7 +225,7 @@ ExprId FirstComponents(Program& program, ExprId vector, std::uint8_t count) {
   return Builder(program, program.exprs[vector].span).SwizzledRun(vector, 0, count);
 }
 
-// The value in another numeric shape, as RankImplicit allows; none when `value` would have to be
+// The value in another numeric shape, as RankImplicit allows; none if `value` would have to be
 // read several times and `temporaries` is null.
 ExprId ConvertNumeric(Program& program, ExprId value, TypeId to_id, TemporaryMaker* temporaries) {
   const Type from = TypeOf(program, value);

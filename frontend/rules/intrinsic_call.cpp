@@ -15,8 +15,8 @@ std::string CountText(std::size_t least, std::size_t most) {
   return std::to_string(least) + (most == least + 1 ? " or " : " to ") + std::to_string(most);
 }
 
-// The variable at the root of a path that may be assigned to, or none: no component may be named
-// twice, nor be chosen at run time among several of a matrix.
+// The variable at the root of a path that may be assigned to; otherwise none. No component may be
+// named twice, nor be chosen at run time among several of a matrix.
 VarId TargetRoot(const Program& program, ExprId path) {
   const auto* index = As<Index>(program, path);
   if (index && As<MatrixSwizzle>(program, index->base)) return {};
@@ -26,8 +26,8 @@ VarId TargetRoot(const Program& program, ExprId path) {
   return RootOf(program, path);
 }
 
-// The arguments of a vector's constructor that make its components [begin, end), or nothing when
-// some argument reaches across an end.
+// The arguments of a vector's constructor that make its components [begin, end); nullopt if some
+// argument reaches across an end.
 std::optional<std::vector<ExprId>> Cut(const Program& program, List<ExprId> list,
                                        std::uint32_t begin, std::uint32_t end) {
   std::vector<ExprId> found;

@@ -9,7 +9,7 @@
 #include "frontend/rules/conversion.h"
 #include "ir/builder.h"
 
-// One call of a function or method that HLSL has built in, while it is checked.
+// The state of one call of a function or method that HLSL has built in, while it is checked.
 namespace clipc::rules {
 
 struct IntrinsicCheck {
@@ -36,25 +36,26 @@ struct IntrinsicCheck {
   const Type& ArgumentType(std::size_t i) const { return TypeOf(arguments[i]); }
   Span SpanOf(ExprId expr) const { return program.exprs[expr].span; }
 
-  // False, and reported, when the number of arguments is not between these.
+  // Reports and returns false unless the number of arguments is from `least` to `most`.
   bool HasCount(std::size_t least, std::size_t most) const;
   // Reports that an argument has a type that does not fit; `expected` completes "it must be ...".
   ExprId BadArgument(std::size_t i, std::string_view expected) const;
-  // Reports unless the argument converts to `type`.
+  // Returns the argument converted to `type`; reports and returns nullopt if it does not convert.
   std::optional<ExprId> Converted(std::size_t i, TypeId type) const;
   ExprId Convert(ExprId value, TypeId type) const {
     return ConvertImplicit(program, value, type, diagnostics, &temporaries);
   }
   ExprId ConvertArgument(std::size_t i, TypeId type) const { return Convert(arguments[i], type); }
-  // A scalar, not a vector of one, when count is 1.
+  // The type of a vector of `count` components; a scalar, not a vector of one, if count is 1.
   TypeId VectorOf(Scalar kind, int count) const {
     return count == 1 ? program.types.Make(kind) : program.types.Vector(kind, count);
   }
 
-  // Reports unless the argument can be assigned to. An index into a swizzle becomes one into the
-  // vector.
+  // Reports and returns false unless the argument can be assigned to. An index into a swizzle
+  // becomes an index into the vector.
   bool IsTarget(std::size_t i) const;
-  // Reports unless the argument can be assigned to and `type` converts to its type.
+  // Reports and returns false unless the argument can be assigned to and `type` converts to its
+  // type.
   bool IsTargetOf(std::size_t i, TypeId type) const;
 
   // The leading `count` components of a vector and its component `last`, to be evaluated after
@@ -65,15 +66,15 @@ struct IntrinsicCheck {
   Parts Split(ExprId vector, int count, int last) const;
 };
 
-// `value` after `steps`, any of which may be none.
+// The expression that evaluates `steps`, any of which may be none, and then is `value`.
 ExprId After(const IntrinsicCheck& call, std::span<const ExprId> steps, ExprId value);
 
 // intrinsics_signature.cpp
 ExprId CheckBySignature(const IntrinsicCheck& call, Intrinsic op);
 // An argument that an intrinsic writes.
 struct OutArgument {
-  ExprId target;  // as the user wrote it
-  TypeId type;    // that the intrinsic writes
+  ExprId target;  // the argument as the user wrote it
+  TypeId type;    // the type that the intrinsic writes
 };
 // A call with the arguments `ins` and then `outs`. A target of another type than the intrinsic
 // writes gets its value from a temporary after the call.
@@ -85,12 +86,13 @@ ExprId CheckMul(const IntrinsicCheck& call);
 ExprId CheckBitCast(const IntrinsicCheck& call, Intrinsic op);
 ExprId CheckSelect(const IntrinsicCheck& call);
 ExprId CheckLogical(const IntrinsicCheck& call, BinaryOp op);
-// pixel_call.cpp: a value that stands for a call which only a pixel shader may make; none in
-// another stage, and for a function that it may not call either.
+// pixel_call.cpp: returns a value that stands for a call that only a pixel shader may make; none in
+// another stage, and for a function that a pixel shader may not call either.
 ExprId CheckPixelCall(const IntrinsicCheck& call);
-// atomic_call.cpp: InterlockedAdd and its kin; of an RWByteAddressBuffer, methods of that name.
+// atomic_call.cpp: checks InterlockedAdd and its kin, or the methods of an RWByteAddressBuffer,
+// `object`, of that name.
 ExprId CheckAtomic(const IntrinsicCheck& call, ExprId object = {});
-// tex2Dlod and its family.
+// Checks tex2Dlod and its family.
 ExprId CheckTexLod(const IntrinsicCheck& call);
 
 }  // namespace clipc::rules

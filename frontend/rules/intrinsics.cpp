@@ -17,9 +17,9 @@
 namespace clipc::rules {
 namespace {
 
-// What becomes of a call by name.
+// The treatment of a call by its name.
 enum class Rule : std::uint8_t {
-  kCall,  // of an ir::Intrinsic
+  kCall,  // becomes a call of an ir::Intrinsic
   kSelect,
   kAnd,
   kOr,
@@ -33,8 +33,8 @@ using Refusal = diag::Kind<std::string_view>;
 struct Entry {
   std::string_view name;
   Rule rule = Rule::kRefused;
-  Intrinsic intrinsic = {};          // kCall
-  const Refusal* refusal = nullptr;  // kRefused
+  Intrinsic intrinsic = {};          // for kCall
+  const Refusal* refusal = nullptr;  // for kRefused
 };
 
 constexpr std::size_t kCounts[] = {

@@ -6,20 +6,21 @@
 
 #include "frontend/rules/conversion.h"
 
-// The functions that HLSL has built in: which there are, what they take, and what a call means in
-// IR. Their rows are in ir/intrinsics.def.
+// The functions that HLSL has built in: their names, their arguments, and the IR that a call means.
+// Their rows are in ir/intrinsics.def.
 namespace clipc::rules {
 
 // Whether `name` is a function that HLSL has built in for any stage: "ddx" too.
 bool IsIntrinsicName(std::string_view name);
-// Whether it is one that a vertex shader may call and that writes an argument: modf, sincos.
+// Whether `name` is a built-in function that a vertex shader may call and that writes an argument:
+// modf, sincos.
 bool IsWritingIntrinsic(std::string_view name);
 
-// A call name(arguments) of a built-in function as IR, its arguments converted. Reports a wrong
-// number or type of arguments (X3013, X3014), a function that no vertex shader may call (ddx, clip,
-// tex2D without a level, ...), and one that the profile does not have; the result then has the
-// error type. Many functions become other nodes than an IntrinsicCall: select, and, or, tex2Dlod,
-// mul with a scalar, asint of integers.
+// Returns the call name(arguments) of a built-in function as IR, its arguments converted. Reports a
+// wrong number or type of arguments (X3013, X3014), a function that no vertex shader may call (ddx,
+// clip, tex2D without a level, ...), and one that the profile does not have; the result then has
+// the error type. Many functions become other nodes than an IntrinsicCall: select, and, or,
+// tex2Dlod, mul with a scalar, asint of integers.
 ExprId CheckIntrinsicCall(Program& program, std::string_view name, Span name_span,
                           std::span<const ExprId> arguments, Span call_span,
                           TemporaryMaker& temporaries, Diagnostics& diagnostics);

@@ -9,9 +9,10 @@
 #include "frontend/rules/intrinsic_call.h"
 #include "ir/access.h"
 
-// Checks calls against the signatures of ir/intrinsics.def. Arguments unify as DXC's MatchArguments
-// does: the smallest vector wins, scalars are splatted, kinds combine, and a kind that the
-// intrinsic lacks becomes float. Matrices unify as fxc's do: the part that all have is what counts.
+// The check of calls against the signatures of ir/intrinsics.def. Arguments unify as DXC's
+// MatchArguments does: the smallest vector wins, scalars are splatted, kinds combine, and a kind
+// that the intrinsic lacks becomes float. Matrices unify as fxc's do: the part that all have is
+// what counts.
 namespace clipc::rules {
 namespace {
 
@@ -34,7 +35,7 @@ class Unifier : IntrinsicCheck {
   Unifier(const IntrinsicCheck& call, const IntrinsicSignature& signature)
       : IntrinsicCheck(call), signature_(signature) {}
 
-  // False after reporting what does not fit.
+  // Unifies the arguments. Returns false after an error, which was reported.
   bool Run() {
     for (std::size_t i = 0; i < signature_.count; ++i) {
       if (!signature_.arguments[i].is_out && !Take(i)) return false;

@@ -19,8 +19,8 @@ ExprId MulScalar(const IntrinsicCheck& call, TypeId type) {
   return call.Make().BinaryOf(BinaryOp::kMul, left, right);
 }
 
-// A vector of one times a matrix, or the other way round: its one component times the first row or
-// column.
+// The product of a vector of one and a matrix, in either order: its one component times the first
+// row or column.
 ExprId MulSingle(const IntrinsicCheck& call, bool vector_first, Scalar kind) {
   const Type matrix = call.ArgumentType(vector_first ? 1 : 0);
   const int size = vector_first ? matrix.columns : matrix.rows;
@@ -66,7 +66,7 @@ ExprId MulTensors(const IntrinsicCheck& call, Scalar kind) {
 
 // ---- bits
 
-// asuint(double, out low, out high)
+// The call asuint(double, out low, out high).
 ExprId SplitDouble(const IntrinsicCheck& call) {
   const Type& type = call.ArgumentType(0);
   if (!type.IsNumeric()) return call.BadArgument(0, "a double");
@@ -133,7 +133,8 @@ ExprId CheckLogical(const IntrinsicCheck& call, BinaryOp op) {
   return call.Make().BinaryOf(op, left, call.ConvertArgument(1, type));
 }
 
-// select(condition, a, b): both are evaluated, and each component chosen by the condition's.
+// Checks select(condition, a, b): both are evaluated, and each component is chosen by that of the
+// condition.
 ExprId CheckSelect(const IntrinsicCheck& call) {
   if (!call.HasCount(3, 3)) return call.Error();
   TypeTable& types = call.program.types;
@@ -166,7 +167,8 @@ ExprId CheckSelect(const IntrinsicCheck& call) {
   return After(call, before, builder.Add(*common, Conditional{condition, when_true, when_false}));
 }
 
-// texCUBElod(sampler, float4(coordinate, level)); the digit or C in the name tells the sampler.
+// Checks texCUBElod(sampler, float4(coordinate, level)); the digit or C in the name gives the
+// sampler.
 ExprId CheckTexLod(const IntrinsicCheck& call) {
   const char letter = call.name[3];
   const ObjectKind sampler = letter == '1'   ? ObjectKind::kSampler1D

@@ -12,7 +12,8 @@
 namespace clipc::rules {
 namespace {
 
-// A call with variables a, b, c of these types: "type: expression !codes", or what was said.
+// Checks a call with variables a, b, c of these types. Returns "type: expression !codes", or the
+// messages.
 std::string Call(std::string_view name, const std::vector<std::string>& types) {
   ProgramForTest test;
   std::vector<ir::ExprId> arguments;

@@ -56,8 +56,8 @@ class OffsetFinder {
   using Key = std::vector<std::uint64_t>;
 
   // ---- known values
-  // The bits of an expression whose value is known. Each name in it is replaced by a copy of the
-  // value, so that the program grows.
+  // The bits of an expression if its value is known; otherwise nullopt. Each name in it is replaced
+  // by a copy of the value, so the program grows.
   std::optional<Bits> BitsOf(ExprId expr) {
     if (!MayGrow(program_.exprs[expr].span)) return std::nullopt;
     const ExprId copy = Clone(program_, expr);
@@ -75,7 +75,7 @@ class OffsetFinder {
     return Picked(expr);
   }
 
-  // int4(1, 2, 3, i).xy  =>  int2(1, 2)
+  // Simplifies a swizzle of a Construct: int4(1, 2, 3, i).xy  =>  int2(1, 2).
   ExprId Picked(ExprId expr) {
     const auto* node = As<Swizzle>(program_, expr);
     if (!node || !As<Construct>(program_, node->base)) return expr;
@@ -102,7 +102,7 @@ class OffsetFinder {
     return Picked(Builder(program_).Swizzled(part, {component}));
   }
 
-  // A value of literals.
+  // Makes a value of literals with the given bits.
   ExprId Make(TypeId type, const Bits& bits, Span span) {
     return Builder(program_, span).ValueOf(type, bits);
   }
@@ -114,7 +114,7 @@ class OffsetFinder {
     return true;
   }
 
-  // Lets the components of a vector be known that are, where others are not: int4 a = {1, 2, 3, i}.
+  // Notes the known components of a vector that has unknown ones too: int4 a = {1, 2, 3, i}.
   void KnowComponents(VarId var, ExprId value) {
     const TypeId type = program_.vars[var].type;
     if (program_.types[type].kind != TypeKind::kVector) return;
@@ -152,7 +152,7 @@ class OffsetFinder {
     return false;
   }
 
-  // The function for arguments that are known, of the parameters that its offsets depend on.
+  // The copy of the function for known arguments of the parameters that its offsets depend on.
   FunctionId CopyOf(FunctionId id, const std::map<std::size_t, Bits>& arguments) {
     Key key{id.index};
     for (const auto& [parameter, bits] : arguments) {
@@ -258,7 +258,8 @@ class OffsetFinder {
   }
 
   // ---- loops
-  // for (int i = 0; i < 2; ++i) body  =>  { int i = 0; body ++i; body ++i; }
+  // Unrolls for (int i = 0; i < 2; ++i) body  =>  { int i = 0; body ++i; body ++i; }. Returns false
+  // if the loop is not wanted or its turns are not known.
   bool Unroll(StmtId stmt, const For& loop) {
     ExprId start;
     const VarId counter = wanted_.CounterOf(loop, start);
@@ -295,8 +296,8 @@ class OffsetFinder {
   Program& program_;
   Diagnostics& diagnostics_;
   WantedValues wanted_;
-  std::map<VarId, ExprId> known_;     // values of literals, in the function that is being copied
-  std::map<VarId, VarId> originals_;  // the variables of copies
+  std::map<VarId, ExprId> known_;     // by variable, in the function that is being copied
+  std::map<VarId, VarId> originals_;  // by variable of a copy: its original
   std::map<Key, FunctionId> copies_;
   Arena<Function> functions_;  // callees before callers
   FunctionId entry_;

@@ -12,12 +12,13 @@
 namespace clipc::rules {
 namespace {
 
-// Assignments under more conditions and loops than this are taken for unknown, so that the graph
-// has only so many edges for each.
+// The limit on the conditions and loops around an assignment. An assignment under more of them is
+// taken for unknown, so that the graph has only so many edges for each.
 constexpr std::size_t kMaxRegions = 64;
 
-// Adds to the graph what assignments hang on. A region is what a condition decides about: the arms
-// of an `if`, the body of a loop. Its node has the condition as its value.
+// A reader of functions, which adds to the graph the conditions that assignments depend on. A
+// region is the text that a condition decides about: the arms of an `if`, the body of a loop. Its
+// node has the condition as its value.
 class RegionReader {
  public:
   RegionReader(const Program& program, ValueGraph& graph)
@@ -28,7 +29,7 @@ class RegionReader {
     Read(program_.functions[id].body);
   }
 
-  // Nodes that are unknown, whatever their values are.
+  // The nodes that are unknown, whatever their values are.
   const std::vector<std::size_t>& unknown() const { return unknown_; }
 
  private:
@@ -36,10 +37,10 @@ class RegionReader {
   struct Breakable {
     bool is_loop = false;
     bool is_bounded = true;  // a loop with a condition
-    std::size_t region = 0;  // its own node
+    std::size_t region = 0;  // the node of its own region
     std::size_t depth = 0;   // the number of regions around its body
     std::size_t skip = 0;    // the node of conditions under which its rest is skipped
-    bool may_skip = false;   // from the first of them on
+    bool may_skip = false;   // whether such a condition was read
   };
 
   void Read(StmtId id) {
@@ -96,8 +97,8 @@ class RegionReader {
     breakables_.pop_back();
   }
 
-  // A loop without a condition ends by its breaks, which its turns hang on therefore. Others end by
-  // their condition at the latest.
+  // Reads a `break`. A loop without a condition ends by its breaks, so its turns depend on them.
+  // Other loops end by their condition at the latest.
   void ReadBreak() {
     Breakable& inner = breakables_.back();
     if (!inner.is_loop) return Skip(inner);
@@ -115,7 +116,7 @@ class RegionReader {
     AddRegions(of.skip, of.depth);
   }
 
-  // Lets the node hang on the regions here, but for the outer `from`.
+  // Makes the node depend on the regions around the statement, except the outermost `from` of them.
   void AddRegions(std::size_t node, std::size_t from) {
     if (regions_.size() > kMaxRegions) return unknown_.push_back(node);
     for (std::size_t i = from; i < regions_.size(); ++i) graph_.AddSource(node, regions_[i]);
@@ -132,7 +133,7 @@ class RegionReader {
 
   void ReadWrite(VarId var, ExprId target) {
     const std::size_t node = graph_.NodeOf(var);
-    // Who calls a function decides about what it assigns to variables outside of it.
+    // The callers of a function decide whether it assigns to variables outside of it.
     if (program_.vars[var].storage == Storage::kStatic) unknown_.push_back(node);
     const std::size_t declared = declared_[var.index];
     graph_.AddValue(node, target);  // for its indices
@@ -156,7 +157,7 @@ class RegionReader {
 
   const Program& program_;
   ValueGraph& graph_;
-  std::size_t function_ = 0;           // the node of the one that is read
+  std::size_t function_ = 0;           // the node of the function that is read
   std::vector<std::size_t> regions_;   // around the statement, the outer ones first
   std::vector<std::size_t> declared_;  // by VarId: the number of regions around the declaration
   std::vector<Breakable> breakables_;

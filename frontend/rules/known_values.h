@@ -9,15 +9,16 @@
 
 namespace clipc::rules {
 
-// Which values are known before the shader runs to a compiler that unrolls the loops that count
+// The values that are known before the shader runs to a compiler that unrolls the loops that count
 // with known numbers and puts functions in the place of their calls, as fxc does for level 9. Known
-// are constants, parameters whose arguments are known in every call, and what is computed from
-// these alone. A variable is known where every value that it gets is, and whether it gets it, too:
-// no assignment to it hangs on a condition that is not known. Counters of loops of every kind are
-// such variables, however often they turn.
+// are constants, parameters whose arguments are known in every call, and values that are computed
+// from these alone. A variable is known if every value that it gets is known, and so is whether it
+// gets it: no assignment to it depends on a condition that is not known. Counters of loops of every
+// kind are such variables, however often the loops turn.
 class KnownValues {
  public:
-  // `unknown` are variables that count as unknown whatever their values are.
+  // Finds the known values of `program`. The variables `unknown` count as unknown whatever their
+  // values are.
   explicit KnownValues(const Program& program, std::span<const VarId> unknown = {});
 
   bool Has(ExprId expr) const;

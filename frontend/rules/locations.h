@@ -11,19 +11,20 @@
 
 namespace clipc::rules {
 
-// One more than the highest location that glslang takes (layoutLocationEnd).
+// The number of locations that glslang takes, from 0 on (layoutLocationEnd).
 inline constexpr std::uint32_t kLocations = 0xFFF;
 
 // The locations of a shader's inputs, or of its outputs.
 class Locations {
  public:
-  // `which` is for messages: "inputs".
+  // `which` names the inputs or outputs in messages: "inputs".
   Locations(std::string_view which, Diagnostics& diagnostics)
       : which_(which), diagnostics_(diagnostics) {}
 
-  // The location of the next one: what its [[vk::location]] says, else the next number. Reports a
-  // location that is given twice. All of them have an attribute or none has, as in DXC, which calls
-  // anything else "partial explicit stage input location assignment" and refuses it.
+  // Returns the location of the next input or output: `given`, from its [[vk::location]], otherwise
+  // the next number. Reports a location that is given twice. Either all of them have the attribute
+  // or none has, as in DXC, which calls anything else "partial explicit stage input location
+  // assignment" and refuses it.
   std::uint32_t Next(std::optional<std::uint32_t> given, const Type& type, std::string_view name,
                      Span span);
 
@@ -32,7 +33,7 @@ class Locations {
   Diagnostics& diagnostics_;
   std::uint32_t count_ = 0;
   bool are_given_ = false;
-  std::map<std::uint32_t, std::string> given_;  // with the name of who has it
+  std::map<std::uint32_t, std::string> given_;  // the name of the owner, by location
 };
 
 }  // namespace clipc::rules

@@ -15,7 +15,7 @@ VarId VarOf(const Program& program, ExprId expr) {
   return ref ? ref->var : VarId{};
 }
 
-// The number that a turn adds to the variable; none when it is not known.
+// The number that a turn adds to the counter; nullopt if it is not known.
 std::optional<std::int64_t> StepOf(const Program& program, ExprId step, VarId counter) {
   if (const auto* unary = As<Unary>(program, step);
       unary && VarOf(program, unary->operand) == counter) {
@@ -46,7 +46,7 @@ bool Leaves(BinaryOp op, std::int64_t first, std::int64_t step, std::int64_t bou
   if (op == BinaryOp::kNotEqual)
     return first == bound || (step != 0 && (bound - first) % step == 0 &&
                               (bound - first) / step > 0 && (bound - first) / step <= limit);
-  // The numbers that the others hold for have no gap.
+  // The numbers that the other operators hold for have no gap.
   return !Holds(op, first, bound) || !Holds(op, first + limit * step, bound);
 }
 

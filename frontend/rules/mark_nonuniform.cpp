@@ -90,8 +90,8 @@ class NonUniformMarker {
   }
 
   Program& program_;
-  std::vector<bool> vars_;       // by VarId: a value that differs is kept in it
-  std::vector<bool> functions_;  // by FunctionId: the result differs
+  std::vector<bool> vars_;       // by VarId: whether its value may differ
+  std::vector<bool> functions_;  // by FunctionId: whether its result may differ
 };
 
 }  // namespace

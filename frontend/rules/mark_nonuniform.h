@@ -5,14 +5,15 @@
 
 namespace clipc::rules {
 
-// NonUniformResourceIndex says that an index differs from vertex to vertex. GLSL wants that said
-// where a texture or buffer is chosen, while HLSL's value may be kept in variables first:
+// Moves NonUniformResourceIndex, which says that an index differs from vertex to vertex, to the
+// places where a texture or buffer is chosen. GLSL wants it there, while HLSL's value may be kept
+// in variables first:
 //
 //   uint i = NonUniformResourceIndex(n);     =>   uint i = n;
 //   maps[i].Load(place)                           maps[NonUniformResourceIndex(i)].Load(place)
 //
-// Follows the values through variables, parameters and results. Afterwards the function stands
-// nowhere but as the whole index of an array of textures, samplers or buffers, and there if
+// Values are followed through variables, parameters and results. Afterwards the function is
+// called only as the whole index of an array of textures, samplers or buffers, and there if
 // anything in the index comes from a call of it. Requires ResolveObjects.
 void MarkNonUniform(Program& program);
 

@@ -3,22 +3,23 @@
 
 #include "frontend/rules/intrinsic_call.h"
 
-// The files that implement CheckMethodCall and CheckObjectIndex share these.
+// Declarations that the files that implement CheckMethodCall and CheckObjectIndex share.
 namespace clipc::rules {
 
-// How many components the operands of a texture's operations have; 0: there is no such operation.
+// The numbers of components of the operands of a texture's operations; 0 if there is no such
+// operation.
 struct TextureTraits {
-  int coordinates = 0;  // of a sample, with the element of an array of textures
-  int texel = 0;        // of a load, with the element of an array, without level and sample
-  int size = 0;         // that GetDimensions gives, with the elements of an array
+  int coordinates = 0;  // the place of a sample, with the element of an array
+  int texel = 0;        // the place of a load, as in a sample, without level and sample number
+  int size = 0;         // the size from GetDimensions, with the number of elements of an array
   int offset = 0;
   int gradient = 0;
   bool is_multisampled = false;
   bool can_gather = false;
 };
-// Zeros for an object that is not a texture.
+// The traits of a kind of texture; zeros for an object that is not a texture.
 TextureTraits TraitsOf(ObjectKind kind);
-// What a read of the object gives: its element type, float4 when none was written.
+// The type that a read of the object gives: its element type, float4 if none was written.
 TypeId ElementOf(TypeTable& types, const Type& object);
 
 ExprId MakeObjectCall(Builder builder, Program& program, TypeId type, ObjectOp op,

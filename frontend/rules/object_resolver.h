@@ -34,13 +34,14 @@ class ObjectResolver {
     std::map<VarId, Slots> slots;
     // The number of branches and loops around the variable's declaration.
     std::map<VarId, int> depths;
-    // Variables that hold indices known at run time: of a variable's part, by position in its path.
+    // Variables that hold indices known at run time, by variable, part of it, and position in the
+    // path.
     std::map<std::tuple<VarId, SlotPath, std::size_t>, VarId> companions;
-    std::vector<StmtId> declarations;  // of companions
+    std::vector<StmtId> declarations;  // the declarations of the companions
     std::vector<StmtId> before;        // statements to run before the current one
     std::optional<Slots> result;       // the objects that the function returns
     int depth = 0;                     // the number of branches and loops around the statement
-    bool may_emit = true;              // false where nothing can be put before the expression
+    bool may_emit = true;              // false if nothing can be put before the expression
   };
   struct Value {
     ExprId expr;  // none for an object, and for an expression that Before() took
@@ -108,7 +109,7 @@ class ObjectResolver {
   Program& program_;
   Diagnostics& diagnostics_;
   std::map<TypeId, bool> holds_;
-  // By StructId and field: the field's number when the objects are removed; ~0 for an object.
+  // The numbers of fields after the objects are removed, by StructId and field; ~0 for an object.
   std::vector<std::vector<std::uint32_t>> field_numbers_;
   std::map<VarId, Slots> globals_;
   std::map<FunctionId, FunctionId> in_place_;

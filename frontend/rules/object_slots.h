@@ -19,7 +19,7 @@ struct ObjectIndex {
   friend bool operator==(const ObjectIndex&, const ObjectIndex&) = default;
 };
 
-// resource[i][j]
+// The object that resource[i][j] names.
 struct ObjectPath {
   VarId resource;
   std::vector<ObjectIndex> indices;
@@ -41,20 +41,21 @@ using Slots = std::map<SlotPath, ObjectPath>;
 Slots Inside(const Slots& slots, std::uint32_t part);
 // Adds the objects of the field or element number `part`.
 void AddUnder(Slots& slots, std::uint32_t part, const Slots& inner);
-// The objects that all `count` elements share: those of an element chosen at run time.
+// The objects that all `count` elements share, which are the objects of an element chosen at run
+// time.
 Slots InsideAny(const Slots& slots, std::uint32_t count);
 bool StartsWith(const SlotPath& path, const SlotPath& prefix);
 
 // Whether the type is an object or an array of objects.
 bool IsObjectType(const TypeTable& types, TypeId type);
 
-// Copies statements with everything in them; the copies have variables of their own.
+// A copier of statements with everything in them; the copies have variables of their own.
 class BodyCloner {
  public:
   explicit BodyCloner(Program& program) : program_(program) {}
   VarId CloneVar(VarId var);
   StmtId Clone(StmtId stmt);
-  // The copies of variables.
+  // The copies of variables, by the original.
   const std::map<VarId, VarId>& vars() const { return vars_; }
 
  private:

@@ -26,8 +26,8 @@ class MethodCheck : IntrinsicCheck {
     return Finish(ObjectOp::kSampleLevel, Element());
   }
 
-  // A vertex has no neighbours to take a level of detail from: fxc and DXC refuse (X4532), OpenGL
-  // reads level 0.
+  // Checks a Sample. A vertex does not have neighbours to take a level of detail from: fxc and DXC
+  // refuse (X4532), OpenGL reads level 0.
   ExprId Sample(int) {
     if (!TakeSample(2)) return Error();
     arguments_.push_back(Make().Float(0));
@@ -60,7 +60,8 @@ class MethodCheck : IntrinsicCheck {
     return Finish(ObjectOp::kSampleCmpLevelZero, program.types.Make(Scalar::kFloat));
   }
 
-  // (sampler, coordinate), and an offset or one for each of the four texels
+  // Checks a Gather, whose arguments are (sampler, coordinate), and perhaps an offset or an offset
+  // for each of the four texels.
   ExprId Gather(int op) {
     const std::size_t given = arguments.size();
     const bool has_four = traits_.offset != 0 && given == 6;
@@ -138,7 +139,8 @@ class MethodCheck : IntrinsicCheck {
     return MakeObjectCall(Make(), program, type, op, arguments_);
   }
 
-  // `least` arguments, then perhaps an offset; a status after it asks about tiled resources.
+  // Reports and returns false unless there are `least` arguments and perhaps an offset. A status
+  // after it asks about tiled resources, and is refused.
   bool CheckCount(std::size_t least) {
     const std::size_t most = least + (traits_.offset != 0 ? 1 : 0);
     if (arguments.size() == most + 1 && TypeOf(arguments.back()).scalar == Scalar::kUint) {
@@ -165,24 +167,24 @@ class MethodCheck : IntrinsicCheck {
     return value.has_value();
   }
   bool TakeFloats(std::size_t i, int count) { return Take(i, VectorOf(Scalar::kFloat, count)); }
-  // A sampler and a coordinate, the first of `least` arguments.
+  // Takes a sampler and a coordinate, the first of `least` arguments.
   bool TakeSample(std::size_t least, ObjectKind sampler = ObjectKind::kSampler) {
     return CheckCount(least) && TakeSampler(sampler) && TakeFloats(1, traits_.coordinates);
   }
-  // One argument that tells where to read.
+  // Checks a load whose one argument is the place to read.
   ExprId LoadAt(ObjectOp op, TypeId place, TypeId result) {
     return CheckCount(1) && Take(0, place) ? Finish(op, result) : Error();
   }
 
-  // An optional offset in texels.
+  // Takes argument `i`, an optional offset in texels.
   bool TakeOffset(std::size_t i) {
     if (i >= arguments.size()) return true;
     const auto value = Converted(i, VectorOf(Scalar::kInt, traits_.offset));
     if (!value) return false;
-    if (program.profile.IsPixel()) return true;  // where it reads does not matter
+    if (program.profile.IsPixel()) return true;  // the place of the read does not matter
     const auto constant = EvaluateConstant(program, *value);
     if (!constant) {
-      arguments_.push_back(*value);  // KnowOffsets finds out
+      arguments_.push_back(*value);  // KnowOffsets finds its value, or reports it
       return true;
     }
     Builder builder(program, SpanOf(arguments[i]));
@@ -206,13 +208,13 @@ class MethodCheck : IntrinsicCheck {
   std::vector<ExprId> arguments_;
 };
 
-// What an object must have for a method to exist.
+// The property that an object must have for a method to exist.
 enum class Needs : std::uint8_t {
   kNothing,
   kSampling,
   kComparison,
   kGathering,
-  kTexels,  // cube textures have none to load
+  kTexels,  // a cube texture does not have texels to load
   kReading,
   kWriting,
 };
@@ -238,7 +240,7 @@ struct Method {
   std::string_view name;
   Needs needs;
   Check check;
-  int detail = 0;  // Gather: the ObjectOp; ByteLoad, ByteStore: how many words
+  int detail = 0;  // the ObjectOp of a Gather; the number of words of a ByteLoad or ByteStore
 };
 
 constexpr auto kTextureMethods = [] {
@@ -281,7 +283,7 @@ constexpr auto kTextureMethods = [] {
   });
 }();
 
-// Of typed and structured buffers.
+// The methods of typed and structured buffers.
 constexpr Method kBufferMethods[] = {
     {"Load", kNothing, &MethodCheck::BufferLoad},
     {"GetDimensions", kNothing, &MethodCheck::GetDimensions},

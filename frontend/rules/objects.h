@@ -7,16 +7,18 @@
 
 #include "frontend/rules/conversion.h"
 
-// What a shader may do with a texture, a sampler or a buffer, and what it means in IR. After an
-// error was reported, the result has the error type.
+// The operations on a texture, a sampler or a buffer, and the IR that they mean. After an error was
+// reported, the result has the error type.
 namespace clipc::rules {
 
-// object.method(arguments). GetDimensions becomes assignments to its arguments, joined by Commas.
+// Returns the call object.method(arguments) as IR. GetDimensions becomes assignments to its
+// arguments, joined by Commas.
 ExprId CheckMethodCall(Program& program, ExprId object, std::string_view method, Span method_span,
                        std::span<const ExprId> arguments, Span call_span,
                        TemporaryMaker& temporaries, Diagnostics& diagnostics);
 
-// object[index]; object.mips[level][index] and object.sample[level][index] when `level` is given.
+// Returns object[index] as IR, or object.mips[level][index] or object.sample[level][index] if
+// `level` is given.
 ExprId CheckObjectIndex(Program& program, ExprId object, ExprId index, std::optional<ExprId> level,
                         Span span, Diagnostics& diagnostics);
 

@@ -7,7 +7,7 @@
 namespace clipc::rules {
 namespace {
 
-// Bytes of one element of a StructuredBuffer: its components, one after the other.
+// The bytes of one element of a StructuredBuffer: its components, one after the other.
 std::uint32_t StrideOf(const TypeTable& types, TypeId id) {
   std::uint32_t bytes = 0;
   for (const Scalar kind : KindsOf(types, id)) bytes += ByteSize(kind);

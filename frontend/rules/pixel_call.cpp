@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Functions and methods that a pixel shader may call and a vertex shader may not. Of a pixel shader
-// clipc asks only what it reads, so a call is its arguments, and a zero of its type.
+// Functions and methods that a pixel shader may call and a vertex shader may not. clipc looks only
+// for the inputs that a pixel shader reads, so a call becomes its arguments and a zero of its type.
 #include <algorithm>
 #include <array>
 #include <span>
@@ -14,7 +14,7 @@ namespace {
 
 enum class Result : std::uint8_t {
   kFirst,       // the type of the first argument
-  kFloatFirst,  // that in float
+  kFloatFirst,  // the type of the first argument, in float
   kVoid,        // an int that nobody uses
   kBool,
   kUint,
@@ -25,10 +25,11 @@ enum class Result : std::uint8_t {
 };
 using enum Result;
 struct Row {
-  std::string_view prefix;  // of the names
+  std::string_view prefix;  // the prefix of the names
   Result result;
 };
-// The first row that fits counts.
+// The results of functions and methods by the prefix of their names. The first row that fits
+// counts.
 constexpr auto kRows = std::to_array<Row>({
     {"ddx", kFloatFirst},
     {"ddy", kFloatFirst},

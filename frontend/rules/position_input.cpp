@@ -34,7 +34,7 @@ bool Overlap(const Place& a, const Place& b) {
   return true;
 }
 
-// The place that a path names; without a variable for an expression that is not a path.
+// The place that a path names; its variable is none if the expression is not a path.
 Place PlaceOf(const Program& program, ExprId id) {
   const ExprId whole = WholeOf(program, id);
   if (!whole) return {RootOf(program, id), {}};
@@ -55,8 +55,8 @@ bool Mentions(const Program& program, ExprId expr, VarId var) {
   });
 }
 
-// What the entry function calls the value of `input`. The generated main passes an input as an
-// argument, or stores it in a local and passes that.
+// The place in the entry function that holds the value of `input`. The generated main passes an
+// input as an argument, or stores it in a local and passes that.
 Place InEntry(const Program& program, VarId input) {
   Place stored, found;
   ForEachExpr(program, program.functions[program.main].body, [&](ExprId id) {
@@ -75,7 +75,7 @@ Place InEntry(const Program& program, VarId input) {
   return found;
 }
 
-// Where the entry function first writes that place.
+// The span where the entry function first writes `place`; nullopt if it does not.
 std::optional<Span> FirstWrite(const Program& program, const Place& place) {
   std::optional<Span> first;
   ForEachExpr(program, program.functions[program.entry].body, [&](ExprId id) {
@@ -86,7 +86,7 @@ std::optional<Span> FirstWrite(const Program& program, const Place& place) {
   return first;
 }
 
-// "; did you mean `POSITION1`?"
+// The end of a message about an unknown semantic: "; did you mean `POSITION1`?", or empty.
 std::string NearInputs(const Program& program, std::string_view semantic) {
   std::vector<std::string> names;
   for (const IoVar& input : program.inputs) {

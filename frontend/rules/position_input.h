@@ -8,15 +8,15 @@
 namespace clipc::rules {
 
 // The input that carries `semantic`, for clip planes in the object's own space. Letters compare
-// without case, and a semantic without an index has index 0: "POSITION0" is "position". None after
-// an error:
+// without case, and a semantic without an index has index 0: "POSITION0" is "position". Returns
+// none after an error:
 //
 // - the entry point does not have such an input, or the input is not a float3 or float4;
 // - the entry function writes it anywhere: assigns the parameter or field that carries it, a part
 //   of it, or the struct around it, increments it, or passes it as an `out` or `inout` argument.
 //   Then it is doubtful which of the two positions the planes are for.
 //
-// Warns where the position is more than the input times matrices (position_trial.h).
+// Warns if the position is more than the input times matrices (position_trial.h).
 // Requires a checked program (Form::kTyped).
 VarId CheckPositionInput(const Program& program, std::string_view semantic,
                          Diagnostics& diagnostics);

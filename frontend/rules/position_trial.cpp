@@ -61,7 +61,7 @@ class Trial {
     return found == list.end() ? 0 : static_cast<std::size_t>(found - list.begin());
   }
 
-  // Multiples of 1/256 in [-2, 2): the middle of two of them is a float too.
+  // Returns a pseudo-random multiple of 1/256 in [-2, 2): the middle of two of them is a float too.
   float Next() {
     state_ = state_ * 6364136223846793005u + 1442695040888963407u;
     return static_cast<float>(state_ >> 54) / 256 - 2;
@@ -80,7 +80,8 @@ class Trial {
     return bits;
   }
 
-  // Nothing where the shader does not run to its end, or gives no number.
+  // The position for the inputs in inputs_; nullopt if the shader does not run to its end, or a
+  // component is not a finite number.
   std::optional<Position> PositionNow() const {
     const EvalResult result = RunMain(program_, inputs_, {.step_limit = 20'000, .in_double = true});
     if (!result) return std::nullopt;

@@ -10,7 +10,7 @@ namespace clipc::rules {
 // Tries out, on the reference evaluator and with made-up constants, whether SV_Position is the
 // input times matrices: whether it depends on no other input, and whether the middle of two
 // vertices is drawn in the middle of their positions. Returns the reason against it, for a message;
-// empty when there is none, or when the shader cannot be run. The trial finds skinning, instances
+// empty if there is none, or if the shader cannot be run. The trial finds skinning, instances
 // and waves. It cannot find a change that moves all vertices alike, as a matrix might too.
 //
 // Requires Form::kTyped and that `input` is a float3 or float4 input.

@@ -15,7 +15,7 @@
 
 namespace clipc::rules {
 
-// For tests: a program with a few variables, and what was said while expressions were made of them.
+// A program for tests with a few variables, and the messages about expressions made of them.
 class ProgramForTest final : public TemporaryMaker {
  public:
   ir::Program program;
@@ -23,7 +23,7 @@ class ProgramForTest final : public TemporaryMaker {
 
   ir::Builder Make() { return ir::Builder(program); }
 
-  // "float4x3", "min16uint2", "bool".
+  // The numeric type with the name `text`: "float4x3", "min16uint2", "bool".
   ir::TypeId Type(std::string_view text) {
     for (int kind = 0; kind <= static_cast<int>(ir::Scalar::kUint64); ++kind) {
       const auto scalar = static_cast<ir::Scalar>(kind);
@@ -78,13 +78,13 @@ class ProgramForTest final : public TemporaryMaker {
     return {var, Make().AssignTo(Make().Ref(var), value)};
   }
 
-  // "type: expression", or what was said when that is an error.
+  // Returns "type: expression", or the messages if the expression is an error.
   std::string Text(ir::ExprId expr) {
     const ir::TypeId type = program.exprs[expr].type;
     if (type == program.types.Error()) return Said();
     return program.types.Name(type) + ": " + ir::PrintExpr(program, expr);
   }
-  // Every message with its suffix, joined by " | "; and forgets them.
+  // Returns all messages with their suffixes, joined by " | ", and forgets them.
   std::string Said() {
     std::string text;
     for (const Diagnostic& each : diagnostics.all()) {
@@ -94,7 +94,8 @@ class ProgramForTest final : public TemporaryMaker {
     diagnostics = Diagnostics();
     return text;
   }
-  // What Verify finds wrong with a function that evaluates `expr`, or nothing. Uses the program up.
+  // Returns the fault that Verify finds in a function that evaluates `expr`, or an empty text. Uses
+  // the program up.
   std::string Broken(ir::ExprId expr) {
     std::vector<ir::StmtId> body;
     for (const ir::VarId local : locals_) body.push_back(Make().Stmt(ir::Declare{local, {}}));

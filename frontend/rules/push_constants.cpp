@@ -19,8 +19,8 @@ class Comparison {
   Comparison(const Program& program, Diagnostics& diagnostics)
       : types_(program.types), diagnostics_(diagnostics) {}
 
-  // The end of the member that stands at `offset` in Direct3D's packing and was to come after
-  // `end` in Vulkan's. `name` is for messages.
+  // Checks the member that is at `offset` in Direct3D's packing and comes after `end` in Vulkan's,
+  // and returns its end in Vulkan's. `name` is for messages.
   std::uint64_t Member(const std::string& name, TypeId type, bool row_major, std::uint64_t offset,
                        std::uint64_t end, std::optional<std::uint32_t> given, Span span) {
     const std::uint64_t expected = given ? *given : Place(type, row_major, end);
@@ -78,7 +78,7 @@ class Comparison {
     }
   }
 
-  // The distances between the parts of a matrix, an array or a struct.
+  // Checks the distances between the parts of a matrix, an array or a struct.
   void Inside(const std::string& name, TypeId id, bool row_major, Span span) {
     const Type& type = types_[id];
     if (type.kind == TypeKind::kStruct) {
@@ -129,7 +129,7 @@ void CheckPacking(const Program& program, const Cbuffer& buffer, Diagnostics& di
 }  // namespace
 
 void CheckPushConstants(const Program& program, Diagnostics& diagnostics) {
-  if (program.profile.IsPixel()) return;  // what the pixel shader pushes is its own
+  if (program.profile.IsPixel()) return;  // a pixel shader has its own push constants
   const Cbuffer* first = nullptr;
   for (const CbufferId id : program.cbuffers.ids()) {
     const Cbuffer& buffer = program.cbuffers[id];

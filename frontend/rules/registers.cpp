@@ -9,7 +9,8 @@
 namespace clipc::rules {
 namespace {
 
-// One thing that takes registers: `count` in a row, or all from its first on where that is 0.
+// A cbuffer or resource that takes registers: `count` in a row, or all from its first on if `count`
+// is 0.
 struct Taker {
   Register* reg;
   std::uint32_t count;
@@ -49,7 +50,7 @@ class Allocator {
     return text;
   }
 
-  // The run that shares a register with [first, first + count), or null.
+  // The Taker that has a register of [first, first + count); null if there is none.
   const Taker* Overlap(char letter, std::uint32_t space, std::uint64_t first,
                        std::uint64_t count) const {
     auto next =
@@ -93,7 +94,7 @@ class Allocator {
   const Profile& profile_;
   Diagnostics& diagnostics_;
   std::map<Key, Taker> taken_;
-  // The register before which no run of so many free ones begins, by letter, space and count.
+  // The register before which no run of `count` free registers begins, by letter, space and count.
   std::map<Key, std::uint32_t> first_free_;
 };
 
@@ -107,8 +108,8 @@ std::uint32_t CountOf(const TypeTable& types, TypeId type) {
 }  // namespace
 
 void AssignRegisters(Program& program, Diagnostics& diagnostics) {
-  // fxc's order, as far as it is known: $Globals, the others as declared, $Params.
-  // Push constants need a register only where they become a buffer.
+  // The order is fxc's, as far as it is known: $Globals, the others as declared, $Params.
+  // Push constants need a register only if they become a buffer.
   const auto rank = [&](CbufferId id) {
     const Cbuffer& buffer = program.cbuffers[id];
     return buffer.is_push_constant                ? 3

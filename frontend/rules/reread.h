@@ -10,20 +10,20 @@ namespace clipc::rules {
 // one that may be written again for every use.
 bool IsPlainPath(const Program& program, ExprId expr);
 
-// A value that is read several times: written out each time when it is a plain path, else held in a
-// temporary.
+// A value that is read several times: written out each time if it is a plain path, otherwise held
+// in a temporary.
 class Reread {
  public:
   Reread(Program& program, ExprId value, TemporaryMaker* temporaries);
 
-  // False when the value needs a temporary and `temporaries` is null.
+  // Returns false if the value needs a temporary and `temporaries` is null.
   bool usable() const { return usable_; }
   TypeId type() const { return program_.exprs[value_].type; }
-  // A fresh expression each time.
+  // Returns a new expression for the value at each call.
   ExprId Read();
   // The expression that must be evaluated before the first Read(), or none.
   ExprId prologue() const { return prologue_; }
-  // `result`, an expression with uses of Read() in it, after the prologue.
+  // Returns `result`, an expression with uses of Read() in it, with the prologue before it.
   ExprId Finish(ExprId result);
 
  private:

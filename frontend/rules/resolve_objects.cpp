@@ -56,7 +56,8 @@ bool ObjectResolver::Holds(TypeId type) {
   return holds_[type] = holds;
 }
 
-// Shaders that use objects as global variables only, nearly all, are left alone.
+// Whether the shader must be changed. Nearly all shaders use objects as global variables only, and
+// are left alone.
 bool ObjectResolver::IsNeeded() {
   for (VarId id : program_.vars.ids()) {
     const Var& var = program_.vars[id];
@@ -80,7 +81,7 @@ void ObjectResolver::NumberFields() {
 void ObjectResolver::RemoveFields() {
   for (StructId id : program_.types.structs().ids()) {
     // An array begins a register, also one of objects, which takes no room (vkd3d's test of
-    // offsets after objects, checked against native). What follows it stays where it is.
+    // offsets after objects, checked against native). The fields after it are not moved.
     bool is_after_array = false;
     for (std::uint32_t i = 0; i < program_.types[id].fields.size(); ++i) {
       Field& field = program_.types[id].fields[i];
@@ -134,7 +135,7 @@ void ObjectResolver::PrepareGlobal(VarId id) {
 
 // ---- functions
 
-// A function without objects in its signature stays one function.
+// The new function for a function without objects in its signature, which is one for all calls.
 FunctionId ObjectResolver::InPlace(FunctionId id) {
   if (const auto known = in_place_.find(id); known != in_place_.end()) return known->second;
   Function function = program_.functions[id];

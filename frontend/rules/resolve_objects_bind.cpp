@@ -6,7 +6,7 @@
 
 namespace clipc::rules {
 
-// The variable and the part of it that a path names, where its indices are known.
+// The variable and the part of it that a path names; nullopt if an index of the path is not known.
 std::optional<std::pair<VarId, SlotPath>> ObjectResolver::PlaceOf(ExprId expr) const {
   SlotPath path;
   while (true) {
@@ -28,8 +28,8 @@ std::optional<std::pair<VarId, SlotPath>> ObjectResolver::PlaceOf(ExprId expr) c
   }
 }
 
-// From here on the part of the variable holds these objects. Where that is not so on all paths, it
-// is an error, unless they are the ones it holds anyway.
+// Notes that the part of the variable holds these objects from here on. If that is not so on all
+// paths, it is an error, unless the part holds these objects already.
 void ObjectResolver::Bind(VarId var, const SlotPath& place, Slots slots, Span span) {
   Slots& held = frame_->slots[var];
   Slots added;
@@ -52,7 +52,7 @@ void ObjectResolver::Bind(VarId var, const SlotPath& place, Slots slots, Span sp
   for (auto& [path, object] : added) held[path] = std::move(object);
 }
 
-// Indices known at run time are stored beside the object.
+// Stores the indices that are known only at run time in variables beside the object.
 void ObjectResolver::Keep(VarId var, const SlotPath& path, ObjectPath& object, Span span) {
   for (std::size_t i = 0; i < object.indices.size(); ++i) {
     ObjectIndex& index = object.indices[i];
@@ -72,7 +72,7 @@ void ObjectResolver::Keep(VarId var, const SlotPath& path, ObjectPath& object, S
   }
 }
 
-// Runs the expression before the current statement.
+// Makes the expression run before the current statement.
 void ObjectResolver::Before(ExprId expr, Span span) {
   if (IsPure(program_, expr)) return;
   if (frame_ == nullptr || !frame_->may_emit) {

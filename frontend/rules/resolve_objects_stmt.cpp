@@ -4,7 +4,8 @@
 
 namespace clipc::rules {
 
-// The statement after those that have to run before it; none when nothing is left of it.
+// Rewrites a statement. The result includes the statements that have to run before it; it is none
+// if nothing is left.
 StmtId ObjectResolver::RewriteOne(StmtId id) {
   std::vector<StmtId> outer = std::exchange(frame_->before, {});
   const StmtId result = Rewrite(id);
@@ -33,7 +34,7 @@ StmtId ObjectResolver::Inner(StmtId id) {
   return result ? result : Builder(program_, program_.stmts[id].span).BlockOf({});
 }
 
-// An expression that may run more than once, or not at all: nothing can be put before it.
+// Rewrites an expression that may run more than once, or not at all: nothing can be put before it.
 ExprId ObjectResolver::Repeated(ExprId id) {
   const bool outer = std::exchange(frame_->may_emit, false);
   ++frame_->depth;

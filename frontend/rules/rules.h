@@ -4,8 +4,8 @@
 #include "base/diagnostics.h"
 #include "ir/program.h"
 
-// The rules of HLSL that need only the program, not the text. In this room the program's types and
-// functions go by their plain names.
+// The rules of HLSL that need only the program, not the text. In namespace rules the program's
+// types and functions have their plain names.
 namespace clipc::rules {
 
 using namespace ir;

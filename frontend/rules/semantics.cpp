@@ -26,8 +26,8 @@ constexpr SystemValue Is(Builtin builtin, int major = 4, int minor = 0) {
   return {Use::kBuiltin, builtin, major, minor};
 }
 
-// A position or clip distance that the input assembler reads is data like any other (DXC: "Arb" for
-// the vertex input).
+// The system values, as an input and as an output. A position or clip distance that the input
+// assembler reads is data like any other (DXC: "Arb" for the vertex input).
 constexpr Row kRows[] = {
     {"SV_Position", kPlain, Is(Builtin::kPosition, 0)},
     {"SV_ClipDistance", kPlain, Is(Builtin::kClipDistance)},
@@ -37,15 +37,15 @@ constexpr Row kRows[] = {
     {"SV_StartVertexLocation", Is(Builtin::kBaseVertex, 6, 8), kRefused},
     {"SV_StartInstanceLocation", Is(Builtin::kBaseInstance, 6, 8), kRefused},
     {"SV_ViewID", Is(Builtin::kViewId, 6, 1), kPlain},
-    {"SV_VulkanVertexID", Is(Builtin::kVertexIndex), kRefused},  // Slang's
+    {"SV_VulkanVertexID", Is(Builtin::kVertexIndex), kRefused},  // Slang's name
     {"SV_VulkanInstanceID", Is(Builtin::kInstanceIndex), kRefused},
     {"SV_ShadingRate", kPlain, Is(Builtin::kShadingRate, 6, 4)},
     {"SV_RenderTargetArrayIndex", kPlain, Is(Builtin::kLayer)},
     {"SV_ViewportArrayIndex", kPlain, Is(Builtin::kViewportIndex)},
     {"SV_PrimitiveID", kRefused, kPlain},
-    // Slang's and SDL's name for Direct3D 9's PSIZE.
+    // SV_PointSize is Slang's and SDL's name for Direct3D 9's PSIZE.
     {"SV_PointSize", kRefused, Is(Builtin::kPointSize, 0)},
-    // [[vk::builtin("PointSize")]]
+    // vk::PointSize is written [[vk::builtin("PointSize")]].
     {"vk::PointSize", kRefused, Is(Builtin::kPointSize, 0)},
     {"vk::BaseVertex", Is(Builtin::kBaseVertex, 0), kRefused},
     {"vk::BaseInstance", Is(Builtin::kBaseInstance, 0), kRefused},
@@ -66,7 +66,7 @@ SystemValue LookUpSemantic(std::string_view name, std::uint32_t index, Direction
   for (const Row& row : kRows) {
     if (EqualIgnoringCase(row.name, name)) return row.Of(direction);
   }
-  // Direct3D 9's names of the position and of the point size.
+  // POSITION and PSIZE are Direct3D 9's names of the position and of the point size.
   if (direction == Direction::kOutput && index == 0) {
     const bool is_old = profile.IsDirect3D9();
     if (lower == "position" && (is_old || position == PositionName::kBoth))

@@ -8,25 +8,25 @@
 #include "frontend/rules/rules.h"
 #include "ir/profile.h"
 
-// The semantics of a vertex shader's inputs and outputs, and which inputs of a pixel shader come
-// from a vertex shader. Sources: the Direct3D 11.3 functional specification, sections 8 and 9
+// The semantics of a vertex shader's inputs and outputs, and of the inputs of a pixel shader that
+// come from a vertex shader. Sources: the Direct3D 11.3 functional specification, sections 8 and 9
 // (system generated and interpreted values); DXC's signature table for the vertex stage; the
 // Direct3D 9 reference on vertex shader outputs.
 namespace clipc::rules {
 
 enum class Direction : std::uint8_t { kInput, kOutput };
 
-// What names the position among the outputs from profile 4.0 on; before, POSITION does.
+// The name of the position among the outputs from profile 4.0 on; before, it is POSITION.
 enum class PositionName : std::uint8_t {
   kSystemValue,  // SV_Position; POSITION is a name like any other
-  kBoth,         // fxc's -Gec: POSITION as well
-  kStrict,       // fxc's -Ges: an output POSITION is an error
+  kBoth,         // SV_Position or POSITION: fxc's -Gec
+  kStrict,       // SV_Position, and an output POSITION is an error: fxc's -Ges
 };
 
 struct SystemValue {
   enum class Use : std::uint8_t {
     kPlain,    // an ordinary input or output of that name
-    kBuiltin,  // `builtin`
+    kBuiltin,  // the built-in variable `builtin`
     kRefused,  // a system value of another stage
     kIgnored,  // an input that the rasterizer makes, and no vertex shader writes
   };
@@ -35,7 +35,7 @@ struct SystemValue {
   int major = 0, minor = 0;  // the first profile that has the system value
 };
 
-// The meaning of a semantic on one side of a vertex shader. `name` is without the index.
+// The meaning of a semantic on one side of a vertex shader. `name` does not have the index in it.
 SystemValue LookUpSemantic(std::string_view name, std::uint32_t index, Direction direction,
                            const Profile& profile,
                            PositionName position = PositionName::kSystemValue);
@@ -51,7 +51,7 @@ struct SemanticName {
 };
 SemanticName SplitSemantic(std::string_view written);
 
-// The output POSITION that is not the position, or null.
+// The output POSITION if it is not the position; otherwise null.
 const IoVar* FindPlainPosition(const Program& program);
 
 }  // namespace clipc::rules

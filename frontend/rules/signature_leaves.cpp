@@ -15,8 +15,8 @@ std::string Spelled(const SemanticName& semantic) {
   return fmt::format("{}{}", semantic.name, semantic.index);
 }
 
-// How a field of a struct is interpolated: `nointerpolation` on either comes first, as vkd3d's test
-// of it has it, which passes on Microsoft's compiler.
+// The interpolation of a field of a struct: `nointerpolation` on either comes first, as in vkd3d's
+// test of it, which passes on Microsoft's compiler.
 Interpolation Joined(Interpolation whole, Interpolation field) {
   for (const auto kind : {Interpolation::kNoInterpolation, Interpolation::kNoPerspective}) {
     if (whole == kind || field == kind) return kind;
@@ -42,7 +42,7 @@ std::span<const Carrier> SignatureLeaves::Of(const Carrier& whole) {
   return leaves_;
 }
 
-// The leaves of the piece, with the semantics that `cursor`, which moves on, gives them.
+// Adds the leaves of the piece, with the semantics that `cursor` gives them and moves past.
 void SignatureLeaves::Collect(const Carrier& piece, Cursor& cursor) {
   const Type type = program_.types[piece.type];
   switch (type.kind) {
@@ -57,8 +57,8 @@ void SignatureLeaves::Collect(const Carrier& piece, Cursor& cursor) {
                           program_.types.Name(piece.type));
       return;
   }
-  // A matrix takes a register for each column, and one for each row where it is `row_major`: fxc,
-  // as vkd3d's test of matrix semantics has it, which passes on Microsoft's compiler.
+  // A matrix takes a register for each column, or for each row if it is `row_major`, in fxc, as
+  // in vkd3d's test of matrix semantics, which passes on Microsoft's compiler.
   const bool by_column = type.kind == TypeKind::kMatrix && !piece.row_major && !by_row_;
   const std::uint32_t count = by_column ? type.columns : program_.types.PartCount(piece.type);
   for (std::uint32_t i = 0; i < count && !is_too_large_; ++i) {
@@ -109,8 +109,8 @@ void SignatureLeaves::CollectField(Carrier& piece, const Field& field, Cursor& c
   if (cursor.location) cursor.location = own.location;
 }
 
-// A semantic on the struct as a whole overrides those of its fields (DXC: "semantic override"), and
-// says nothing of how they are interpolated.
+// Overrides the semantic of a field by the semantic on the struct as a whole (DXC: "semantic
+// override"). This does not change the interpolation of the field.
 void SignatureLeaves::Override(Cursor& field, const Cursor& whole, const std::string& name) {
   const bool differs = !EqualIgnoringCase(field.semantic.name, whole.semantic.name) ||
                        field.semantic.index != whole.semantic.index;
@@ -125,8 +125,8 @@ void SignatureLeaves::Override(Cursor& field, const Cursor& whole, const std::st
 void SignatureLeaves::CollectLeaf(const Carrier& piece, Cursor& cursor) {
   is_too_large_ = leaves_.size() == kMaxLeaves;
   if (is_too_large_) return;
-  // fxc refuses (X3502); Slang names such an input or output after itself, and nothing wrong can
-  // come of it.
+  // fxc refuses an input or output without a semantic (X3502); Slang names it after itself, and
+  // nothing wrong can come of it.
   if (!cursor.given) {
     cursor.semantic = SplitSemantic(piece.name.substr(piece.name.rfind('.') + 1));
     cursor.given = true;

@@ -18,10 +18,10 @@ namespace clipc::rules {
 using PartNumber = std::size_t;
 constexpr PartNumber kNoPart = ~PartNumber{0};
 struct Part {
-  std::uint32_t number = 0;    // of the field, element or column
-  PartNumber whole = kNoPart;  // that it is in
+  std::uint32_t number = 0;    // the number of the field, element or column
+  PartNumber whole = kNoPart;  // the part or variable that this is a part of
   VarId variable = {};         // none for a part
-  std::uint8_t columns = 0;    // of the matrix that this is a column of; 0 for other parts
+  std::uint8_t columns = 0;    // the number of columns of the matrix if this is one; else 0
 };
 
 // The semantic in force for a part of a parameter. Indices count on through arrays, matrices and
@@ -50,34 +50,34 @@ Cursor CursorOf(const Declared& declared) {
           declared.precise};
 }
 
-// A parameter, the result or something inside of one: where it is, and which semantic it has.
+// A parameter, the result or something inside of one, with its place and its semantic.
 struct Carrier {
   PartNumber part = kNoPart;
   TypeId type;
   std::string name;  // for messages: "input.position"
   Span span;         // of a leaf: where its semantic is written
   Cursor cursor;
-  bool row_major = false;     // how the matrices in it are taken apart
+  bool row_major = false;     // whether the matrices in it are taken apart by row
   std::string elements = {};  // "[1][2]" where arrays were taken apart
 };
 
-// Takes the types of the entry function's parameters and result apart, into the scalars and vectors
+// The parts of the entry function's parameters and result, taken apart into the scalars and vectors
 // that have a semantic each.
 class SignatureLeaves {
  public:
   SignatureLeaves(Program& program, Builder& builder, Diagnostics& diagnostics);
 
-  // Whether matrices are taken apart by row, whatever they are.
+  // Sets whether all matrices are taken apart by row, row_major or not.
   void SetByRow(bool by_row) { by_row_ = by_row; }
 
-  // The leaves of a parameter or the result, kMaxLeaves at the most: reports that there are more.
-  // The span is valid until the next call.
+  // The leaves of a parameter or the result, at most kMaxLeaves; reports if there are more. The
+  // span is valid until the next call.
   std::span<const Carrier> Of(const Carrier& whole);
-  std::size_t size() const { return leaves_.size(); }  // of that span
+  std::size_t size() const { return leaves_.size(); }  // the size of that span
 
   PartNumber Whole(VarId variable);
   const Part& operator[](PartNumber number) const { return parts_[number]; }
-  // A new expression in each call.
+  // Returns the value of a part, a new expression in each call.
   ExprId ValueOf(PartNumber number);
   ExprId Transposed(ExprId matrix);
 
@@ -96,7 +96,7 @@ class SignatureLeaves {
   std::vector<Part> parts_;
   std::vector<Carrier> leaves_;
   bool by_row_ = false;
-  bool is_too_large_ = false;  // what Of takes apart has more than kMaxLeaves
+  bool is_too_large_ = false;  // the argument of Of has more than kMaxLeaves
 };
 
 }  // namespace clipc::rules

@@ -23,7 +23,8 @@ class ClipPlaneDevice final : public ClipDevice {
   // D3DCAPS9::MaxUserClipPlanes, for Level9Binder; 0 if the device does not report it.
   std::uint32_t max_planes() const noexcept { return max_planes_; }
 
-  // Both refuse planes that are not below max_planes(), because not every implementation does.
+  // SetClipPlane and SetClipPlaneEnable refuse planes that are not below max_planes(), because not
+  // every implementation does.
   bool SetClipPlane(std::uint32_t index, const float plane[4]) noexcept override;
   bool SetClipPlaneEnable(std::uint32_t mask) noexcept override;
 

@@ -28,7 +28,7 @@ class ClipPlaneDevice final : public ClipDevice {
   ClipPlaneDevice(const ClipPlaneDevice&) = delete;
   ClipPlaneDevice& operator=(const ClipPlaneDevice&) = delete;
 
-  // For Level9Binder.
+  // The number of planes that the context supports, for Level9Binder.
   std::uint32_t max_planes() const noexcept { return switches_.max_planes(); }
 
   bool SetClipPlane(std::uint32_t index, const float plane[4]) noexcept override;

@@ -10,10 +10,11 @@
 
 namespace clipc::runtime::gl {
 
-// Switches GL_CLIP_DISTANCE0 to 5 so that exactly those distances are enabled that the shader
-// writes. A distance that is enabled but not written is undefined in OpenGL; one that is written
-// but not enabled does not clip, except that Mesa's software driver clips with all of them if none
-// is enabled. A draw without planes therefore takes the shader variant that writes no distances.
+// The switches of GL_CLIP_DISTANCE0 to 5, set so that exactly those distances are enabled that the
+// shader writes. A distance that is enabled but not written is undefined in OpenGL; one that is
+// written but not enabled does not clip, except that Mesa's software driver clips with all of them
+// if none is enabled. A draw without planes therefore takes the shader variant that writes no
+// distances.
 //
 // The context must be current in every call, the destructor included. Calls OpenGL only for a
 // change; while the object lives, no other code switches these capabilities. No allocation.
@@ -29,11 +30,12 @@ class ClipSwitches {
   // GL_MAX_CLIP_DISTANCES, also named GL_MAX_CLIP_PLANES.
   std::uint32_t max_planes() const noexcept { return max_planes_; }
 
-  // Before a draw with the shader of `table`. Errors: kWrongLowering for kLevel9, whose planes
-  // Level9Binder switches; those of Enable.
+  // Enables the distances that the shader of `table` writes; call it before a draw with that
+  // shader. Errors: kWrongLowering for kLevel9, whose planes Level9Binder switches; those of
+  // Enable.
   Status Bind(const Table& table) noexcept;
-  // Before a draw with one of the shaders that `clipc --variants` wrote with lowering
-  // kClipDistance. Errors: those of Enable.
+  // Enables the distances of one of the shaders that `clipc --variants` wrote with lowering
+  // kClipDistance; call it before a draw with that shader. Errors: those of Enable.
   Status Bind(const ShaderVariant& variant) noexcept;
   // Enables GL_CLIP_DISTANCEi for each bit i of `mask` and disables the others. Errors:
   // kInvalidCall if the mask has a bit that is not below max_planes() and kMaxClipPlanes; nothing

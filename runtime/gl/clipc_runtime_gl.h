@@ -37,7 +37,7 @@ typedef struct clipc_gl_device clipc_gl_device;
 clipc_error clipc_gl_device_create(clipc_gl_loader loader, clipc_gl_device** device, char* message);
 void clipc_gl_device_free(clipc_gl_device* device); /* NULL is allowed */
 uint32_t clipc_gl_device_max_planes(const clipc_gl_device* device);
-/* For clipc_binder_create. */
+/* The device as clipc_binder_create takes it. */
 clipc_device clipc_gl_device_callbacks(clipc_gl_device* device);
 
 #ifdef __cplusplus

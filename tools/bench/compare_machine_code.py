@@ -54,7 +54,7 @@ def count(arguments, family, files):
     """Returns the instructions of each file that the driver takes."""
     environment = dict(os.environ, RADV_FORCE_FAMILY=family, RADV_DEBUG="nonggc")
     counts = {}
-    # A driver that a shader makes crash takes the files behind it along: those are counted one by one.
+    # A driver that a shader makes crash takes the files after it along: those are counted one by one.
     for group in [files] + [[file] for file in files]:
         group = [file for file in group if file not in counts]
         if not group:

@@ -11,7 +11,7 @@ namespace clipc::bench {
 // Different seeds give different constants and names.
 std::string SixtyLineShader(unsigned seed);
 
-// A SixtyLineShader and a pixel shader, `pixel`, that reads what it writes.
+// A SixtyLineShader and a pixel shader, `pixel`, that reads its outputs.
 std::string SixtyLinePair(unsigned seed);
 
 // A shader of at least `bytes` bytes of functions and statements, all reached from main.

@@ -23,7 +23,7 @@ void Write(const std::string& path, const std::string& text) {
   std::ofstream(path, std::ios::binary) << text;
 }
 
-// Cold starts of whole processes.
+// Measures cold starts of whole processes.
 void BenchCold(const std::string& clipc, const std::string& hello, const std::string& glslang,
                const std::string& folder) {
   const std::string hlsl = folder + "/shader.vert.hlsl", glsl = folder + "/shader.vert";
@@ -49,7 +49,7 @@ void BenchCold(const std::string& clipc, const std::string& hello, const std::st
          MedianOf(checked[0], &Run::cpu_ms) / MedianOf(checked[1], &Run::cpu_ms), "x", 1.1);
 }
 
-// Many shaders in this process, the two ways in turn.
+// Measures many shaders in this process, with clipc and with the peers in turn.
 void BenchWarm() {
   constexpr int kShaders = 100, kRounds = 7;
   std::vector<std::string> shaders;
@@ -80,7 +80,8 @@ void BenchWarm() {
          harness::Median(ours) / harness::Median(theirs), "x", 1.0 / 20);
 }
 
-// A vertex shader that is written to fit a pixel shader of the same file, to it alone.
+// Measures a vertex shader that is written to fit a pixel shader of the same file, against the
+// vertex shader alone.
 void BenchPixelShader() {
   constexpr unsigned kShaders = 200;
   std::vector<double> alone, fitted;
@@ -112,7 +113,7 @@ void BenchBatchValidation() {
       request.validate = times == &validated;
       const double start = harness::ProcessSeconds();
       if (!compiler.Compile(request).ok()) std::exit(1);
-      // The first one builds glslang's symbol tables.
+      // The first shader builds glslang's symbol tables.
       if (i > 0) times->push_back(1e3 * (harness::ProcessSeconds() - start));
     }
   }
@@ -120,7 +121,8 @@ void BenchBatchValidation() {
          "ms", 2);
 }
 
-// Text that makes the parser look far ahead: what decides is at the end of each statement.
+// Measures text that makes the parser look far ahead, as the end of each statement decides its
+// meaning.
 void BenchLookahead(const std::string& clipc, const std::string& folder) {
   for (const char* statement : {"x = a < b < c; ", "f(a < b, c > (d)); ", "x = (y)(z); ",
                                 "a::b::c::d e; ", "A<B<C<D>>> e; ", "if (a) b = 1; else c = 2; "}) {
@@ -138,8 +140,8 @@ void BenchLookahead(const std::string& clipc, const std::string& folder) {
   }
 }
 
-// Texts that repeat one thing. Looking for each among all the others would cost ten times as much a
-// byte where the text is ten times as long. `@` stands for the number of the repetition.
+// Measures texts that repeat one thing. A search for each among all the others would cost ten times
+// as much a byte where the text is ten times as long. `@` stands for the number of the repetition.
 void BenchMany(const std::string& clipc, const std::string& folder) {
   struct Kind {
     const char *what, *declaration, *statement;
@@ -179,9 +181,9 @@ void BenchMany(const std::string& clipc, const std::string& folder) {
   }
 }
 
-// 10 kB to 10 MB of the same kind of text: processor time and peak memory of a whole process. To be
-// run first, the small texts before the large ones: Linux starts a process with the peak memory of
-// the one that starts it.
+// Measures 10 kB to 10 MB of the same kind of text: processor time and peak memory of a whole
+// process. It must run first, with the small texts before the large ones: Linux starts a process
+// with the peak memory of the one that starts it.
 void BenchScaling(const std::string& clipc, const std::string& folder) {
   const std::size_t sizes[] = {10'000, 100'000, 1'000'000, 10'000'000};
   std::vector<double> per_byte;
@@ -200,7 +202,7 @@ void BenchScaling(const std::string& clipc, const std::string& folder) {
                 MedianOf(runs, &Run::cpu_ms), 1e6 * MedianOf(runs, &Run::cpu_ms) / bytes,
                 peak / 1024 / 1024);
   }
-  // The smallest size is all start-up; growth is told by the others.
+  // The smallest size is all start-up; the others show the growth.
   Report("cost a byte at 10 MB, to that at 100 kB", per_byte[3] / per_byte[1], "x", 1.5);
   Report("cost a byte at 10 MB, to that at 1 MB", per_byte[3] / per_byte[2], "x", 1.5);
   Report("peak memory beyond 8 MiB", worst_memory, "bytes a byte", 40);

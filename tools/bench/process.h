@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-// Measures whole processes from outside, as the user meets them.
+// Measurements of whole processes from outside, as the user meets them.
 namespace clipc::bench {
 
 struct Run {

@@ -5,7 +5,7 @@
 
 namespace clipc::bench {
 
-inline int g_missed = 0;  // limits
+inline int g_missed = 0;  // the number of limits that were missed
 
 // Prints a row of the table: what was measured, beside its limit.
 inline void Report(const char* what, double value, const char* unit, double limit) {

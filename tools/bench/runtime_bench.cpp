@@ -23,7 +23,8 @@ volatile std::uint32_t g_sink;
 
 double Nanoseconds() { return 1e9 * harness::ProcessSeconds(); }
 
-// Median times of two functions, taken in turn, `before` each one not counted.
+// The median times of two functions that run in turn, without the time of `before`, which runs
+// before each.
 template <typename Before, typename One, typename Other>
 std::pair<double, double> InTurn(int rounds, Before before, One one, Other other) {
   std::vector<double> ones, others;
@@ -66,7 +67,7 @@ Boxes MakeBoxes() {
   return boxes;
 }
 
-// Every bit of the bounds, and nothing else: what any use of them costs at least.
+// Reads every bit of the bounds and does nothing else: the least that any use of them costs.
 std::uint32_t ReadBounds(const runtime::BoxArrays& boxes) {
   std::uint32_t sum = 0;
   for (const float* array :
@@ -90,7 +91,7 @@ void BenchPlanner() {
     g_sink = plans[kObjects / 2];
   };
   const auto read = [&] { g_sink = ReadBounds(boxes.arrays); };
-  // Larger than any cache: what was in them is gone.
+  // Memory that is larger than any cache, so that writing it evicts everything else.
   std::vector<unsigned char> other(std::size_t{256} << 20, 1);
   const auto evict = [&] {
     for (std::size_t i = 0; i < other.size(); i += 64)
@@ -107,8 +108,8 @@ void BenchPlanner() {
          cold / cold_read, "x", 4);
 }
 
-// A device as a program sees it: a pointer to a table of functions. These copy the plane, which is
-// less than any device does.
+// A device as a program sees it: a pointer to a table of functions. The functions here copy the
+// plane, which is less than any device does.
 struct Functions {
   bool (*set_clip_plane)(Functions*, std::uint32_t, const float*);
   bool (*set_enable)(Functions*, std::uint32_t);
@@ -160,7 +161,7 @@ void BenchBinder(std::uint32_t plane_count) {
   static Functions functions{CopyPlane, CopyMask, {}, 0};
   static Functions* volatile pointer = &functions;
   PointerDevice device(pointer);
-  runtime::ClipDevice* volatile blind = &device;  // not to be seen through
+  runtime::ClipDevice* volatile blind = &device;  // volatile: the compiler must not see the type
   runtime::Level9Binder binder(device, 6);
 
   const auto bind = [&] {

@@ -57,7 +57,7 @@ LIBRARIES = {
     r"nlohmann/": r"(base|clip-table|compiler|tools/draw|tools/study)/.*\.cpp",
 }
 
-# What clipc_add_shader() writes into a build folder.
+# The files that clipc_add_shader() writes into a build folder.
 GENERATED = re.compile(r"[\w-]+\.(shader|clip)\.h")
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')
@@ -69,7 +69,7 @@ def room_of(path):
 
 
 def problem(path, quote, target):
-    """What is wrong with the file at `path`, relative to the root, including `target`; or None."""
+    """The problem of the file at `path`, relative to the root, including `target`; or None."""
     if quote == '"':
         if GENERATED.fullmatch(target):
             return None

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-"""Runs what the pages show: commands, shaders, and pieces of C, C++, CMake and JSON.
+"""Runs the examples of the pages: commands, shaders, and pieces of C, C++, CMake and JSON.
 
 usage: check_snippets.py BUILD_FOLDER SCRATCH_FOLDER C_COMPILER CXX_COMPILER
 
@@ -114,7 +114,7 @@ def check_json(run, page, text, folder):
 
 
 def check_elsewhere(run, page, words):
-    """A command that is not run: its program, presets and options are there."""
+    """Checks that the program, presets and options of a command that is not run exist."""
     program = words[0]
     if program in ELSEWHERE:
         presets = re.findall(r'"name": "(\w+)"', (ROOT / "CMakePresets.json").read_text())

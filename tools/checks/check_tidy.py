@@ -36,7 +36,7 @@ def base_revision():
 
 
 def changed_files(revision):
-    """Empty in a clone that does not reach back to the revision."""
+    """The .h and .cpp files that changed; empty in a clone that does not reach back to the revision."""
     names = git("diff", "--name-only", "--diff-filter=d", revision) or ""
     return [name for name in names.splitlines() if name.endswith((".h", ".cpp")) and not name.startswith("testdata/")]
 

@@ -15,7 +15,8 @@ namespace {
 
 using namespace ir;
 
-// More than the numbers of vertices and random indices, which stay small.
+// The sizes of random buffers: more than the numbers of vertices and random indices, which stay
+// small.
 constexpr std::uint32_t kLeastElements = 192, kMoreElements = 9, kLeastBytes = 4096;
 
 void Write(Buffer& buffer, std::uint32_t byte, std::uint64_t bits, std::uint32_t size) {
@@ -50,7 +51,8 @@ Buffer Structured(const Program& program, const Type& type, bool row_major, Rand
   return buffer;
 }
 
-// Half of the words are small numbers, the others floats: nothing says what they are for.
+// Makes a buffer of words of which half are small numbers and the others floats, since the program
+// does not declare their types.
 Buffer ByteAddress(RandomValues& values) {
   Buffer buffer(kLeastBytes + 4 * values.Below(16));
   for (std::uint32_t byte = 0; byte < buffer.size(); byte += 4) {
@@ -88,7 +90,7 @@ std::uint32_t Combined(ObjectOp op, Scalar kind, std::uint32_t old,
   }
 }
 
-// Does what a request says, and puts the answer into `result`.
+// An access to a buffer, which carries out a request and puts the answer into `result`.
 class Access {
  public:
   Access(const Program& program, Buffer& buffer, const ObjectRequest& request, double undefined,

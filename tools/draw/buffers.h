@@ -17,7 +17,7 @@ namespace clipc::draw {
 
 // The bytes that the application uploads. A Buffer<T> has four words for each element.
 using Buffer = Bytes;
-// By VarId; the elements of an array of buffers, or the only one.
+// The buffers of a shader by VarId: the elements of an array of buffers, or the only one.
 using Buffers = std::map<std::uint32_t, std::vector<Buffer>>;
 
 // Makes the buffers that `program` declares. Throws DrawError when the shader uses an image.

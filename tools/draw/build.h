@@ -31,18 +31,19 @@ struct BuildOptions {
 
 // One shader at three stages.
 struct Shader {
-  ir::Program typed;    // as checked: what the user means
-  ir::Program lowered;  // after the passes
+  ir::Program typed;    // the checked program, before any pass
+  ir::Program lowered;  // the program after the passes
   std::string glsl;
   GlslInfo info;  // beside `lowered`
-  // The target has no uint, and clipc warns that values from 2^31 on are negative there.
+  // Whether the target has no uint, so that values from 2^31 on are negative there, as clipc warns.
   bool has_int_for_uint = false;
 };
 
 // A shader that is read and checked once, and then built for one target after another.
 class CheckedShader : NotCopied {
  public:
-  // `options.target` does not matter. Throws DrawError with the diagnostics.
+  // Reads and checks the shader of `options`, whose target does not matter. Throws DrawError with
+  // the diagnostics.
   explicit CheckedShader(const BuildOptions& options);
   ~CheckedShader();
 
@@ -63,15 +64,16 @@ Shader Build(const BuildOptions& options);
 // The shader's tokens after the preprocessor. Throws DrawError with the diagnostics.
 Tokens Preprocess(const BuildOptions& options);
 
-// The value of a name that was parsed. Throws DrawError for a name of no `kind`, "plane space".
+// Returns the value of a name that was parsed. Throws DrawError if the name is not of that kind,
+// such as "plane space".
 template <typename T>
 T Known(std::optional<T> parsed, const char* kind, const std::string& name) {
   if (!parsed) throw DrawError("no " + std::string(kind) + " is called `" + name + "`");
   return std::move(*parsed);
 }
 
-// What the target cannot say of the shader, as the compiler reports it. Such a shader cannot be
-// compared on that target.
+// The error of a shader that the target cannot express, with the compiler's report. Such a shader
+// cannot be compared on that target.
 class NotForTarget : public DrawError {
  public:
   using DrawError::DrawError;

@@ -25,8 +25,8 @@ struct CompareOptions {
   std::vector<std::string> lowerings = {"clip-distance", "level9", "none"};
   RandomOptions random;
   Tolerance tolerance;
-  std::string peer;          // compared instead of what clipc writes
-  bool all_targets = false;  // leave out those that cannot say the shader
+  std::string peer;          // another compiler to compare instead of clipc; else empty
+  bool all_targets = false;  // every target that can express the shader
   bool verbose = false;
   bool direct3d = false;  // only Direct3D's depth range, and not flipped
 };
@@ -193,7 +193,7 @@ int RunCompare(const Arguments& arguments) {
   if (options.all_targets) {
     const auto names = glsl::Target::Names();
     options.targets.assign(names.begin(), names.end());
-    // For browsers; the languages are those of essl100 and essl300.
+    // The webgl targets are for browsers; their languages are those of essl100 and essl300.
     std::erase_if(options.targets,
                   [](const std::string& target) { return target.starts_with("webgl"); });
   }

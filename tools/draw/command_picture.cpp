@@ -20,7 +20,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// The inputs of the draw; where it has no texture for a sampler, that is black.
+// The inputs of the draw. A sampler that the draw has no texture for reads black.
 Inputs InputsOf(const Json& draw, const GlProgram& program) {
   Inputs inputs;
   inputs.vertices = draw.at("vertices");

@@ -77,7 +77,8 @@ clipc-draw devices
 Exit: 0 as expected, 1 not as expected, 2 cannot draw.
 )";
 
-// arguments[0] is the command's name. Return the exit code. Throw DrawError where they cannot draw.
+// The commands of clipc-draw: arguments[0] is the command's name. They return the exit code, and
+// throw DrawError where they cannot draw.
 using Arguments = std::vector<std::string>;
 int RunCapture(const Arguments& arguments);
 int RunPixels(const Arguments& arguments);

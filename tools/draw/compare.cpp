@@ -93,8 +93,8 @@ class Comparer {
     result_.worst = std::max(result_.worst, error);
   }
 
-  // How far the evaluator's own float32 result is from the double one, at worst in the vector that
-  // `index` belongs to.
+  // The largest difference between the evaluator's own float32 and double results in the vector
+  // that `index` belongs to.
   static double RoundingOf(const Expected& expected, std::size_t index) {
     const std::size_t size = expected.components;
     const std::size_t first = index / size * size;

@@ -10,11 +10,11 @@
 
 namespace clipc::draw {
 
-// How far a driver may be from the evaluator. Ints must be equal. A float must equal the
-// evaluator's float, or lie within ulps * 2^-24 * max(|expected|, the largest |expected| of the
-// output among all vertices) of its double; or, where the shader loses more than that by
-// cancelling, within `roundings` times the evaluator's own difference between float and double:
-// another order of the same operations errs by as much, another formula by more.
+// The distance that a driver's values may have from the evaluator's. Ints must be equal. A float
+// must equal the evaluator's float, or lie within ulps * 2^-24 * max(|expected|, the largest
+// |expected| of the output among all vertices) of its double; or, where the shader loses more than
+// that by cancelling, within `roundings` times the evaluator's own difference between float and
+// double: another order of the same operations errs by as much, another formula by more.
 //
 // Measured on Mesa 22.3.6's llvmpipe: + - * / sqrt and rcp round as IEEE, nothing is fused, and mat
 // * vec adds from left to right, so most shaders match bit for bit. dot and vec * mat add from the
@@ -38,13 +38,13 @@ struct Trial {
 
 struct Comparison {
   long values = 0;                    // components compared
-  long equal = 0;                     // to the bit, or both zero
-  long undefined = 0;                 // NaN, or a value that depends on what HLSL leaves undefined
+  long equal = 0;                     // components equal to the bit, or both zero
+  long undefined = 0;                 // components that are NaN, or that HLSL leaves undefined
   double worst = 0;                   // the largest error, in units of 2^-24 of the output's size
-  std::vector<std::string> mistakes;  // the first ones, in words
+  std::vector<std::string> mistakes;  // the first wrong values, in words
 
   long wrong = 0;
-  long missing = 0;  // wrong, because the output is not written
+  long missing = 0;  // wrong values of outputs that are not written
 };
 
 // The outputs that have a defined value at some vertex: others may not be written, and so cannot be

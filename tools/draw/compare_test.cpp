@@ -95,7 +95,7 @@ class Compare : public ::testing::Test {
     return options;
   }
 
-  // `change` is `from`, a slash and `to`: what to do to the GLSL before it runs.
+  // Compares the shader's GLSL, changed before it runs: `change` is `from`, a slash and `to`.
   static Comparison Run(const BuildOptions& options, const std::string& change = "") {
     Shader shader = Build(options);
     if (!change.empty()) {
@@ -232,7 +232,7 @@ TEST_F(Compare, MistakesOnVulkanAreSeen) {
   EXPECT_GT(Run(objects, "5 * i + 1/5 * i + 2").wrong, 0) << "another word of a struct";
 }
 
-// What the application is told to bind is what the shader reads.
+// The shader reads the bindings and locations that the application is told of, and no others.
 TEST_F(Compare, WrongPlacesOnVulkanAreSeen) {
   if (const std::string why = vulkan::Runner::WhyNone(); !why.empty()) GTEST_SKIP() << why;
   const BuildOptions planes = Options("vulkan", Lowering::kNone);
@@ -311,7 +311,7 @@ TEST(RandomInputs, DependOnTheSeedOnly) {
   EXPECT_EQ(values(1).size(), 64u);
 }
 
-// Where a component lies, from Microsoft's packing rules.
+// The places of components, by Microsoft's packing rules.
 TEST(Memory, ComponentsInTheOrderOfTheValue) {
   ir::TypeTable types;
   const auto bytes_of = [&](ir::TypeId type, bool row_major) {

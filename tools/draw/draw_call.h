@@ -6,10 +6,11 @@
 
 namespace clipc::draw {
 
-// More than one instance, for a shader that can tell them apart.
+// Sets several instances if the shader can tell them apart.
 void ChooseInstances(const Shader& shader, RandomOptions& draw);
 
-// A draw call in the middle of its vertices and instances, where the shader is said to stand that.
+// Sets the instances as ChooseInstances does, and lets the draw call start after vertex and
+// instance 0 if the shader and its target allow that.
 void ChooseDraw(const Shader& shader, RandomOptions& draw);
 
 }  // namespace clipc::draw

@@ -7,8 +7,8 @@
 #include "tools/draw/opengl/picture.h"
 #include "tools/draw/opengl/program.h"
 
-// The tool itself, on GLSL that nobody generated: what is right passes, and each way to be wrong is
-// seen.
+// Tests of the tool itself, on GLSL that nobody generated: right shaders pass, and each kind of
+// mistake is seen.
 namespace clipc::draw {
 namespace {
 
@@ -151,7 +151,7 @@ TEST(Capture, SaysWhatIsMissingOrWrong) {
 
 // ---- pictures
 
-// What a clip-distance lowering would emit, with the place for a mistake.
+// A shader as a clip-distance lowering would write it; `fix_up` and `distances` may have a mistake.
 std::string PictureShader(const std::string& version, const std::string& fix_up,
                           const std::string& distances) {
   return version +

@@ -8,12 +8,12 @@
 
 namespace clipc::draw {
 
-// The float of an int or uint. GLSL 1.20 has no attributes and varyings of ints: they are passed as
-// floats.
+// The bits of the float that an int or uint converts to. GLSL 1.20 has no attributes and varyings
+// of ints: they are passed as floats.
 std::uint32_t AsFloat(std::uint32_t word, ir::Scalar kind);
 
-// The inputs that `random` holds, under the names that the written shader gives them. They refer to
-// the arguments.
+// The inputs that `random` holds, under the names that the written shader gives them. The result
+// refers to the arguments.
 Inputs MakeInputs(const ir::Program& program, const GlslInfo& info, const RandomInputs& random,
                   const RandomOptions& draw);
 

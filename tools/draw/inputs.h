@@ -14,7 +14,7 @@
 #include "backend-glsl/write.h"
 #include "tools/harness/offscreen.h"
 
-// What a vertex shader reads and writes, on OpenGL as on Vulkan.
+// The inputs and outputs of a vertex shader, on OpenGL as on Vulkan.
 namespace clipc::draw {
 
 using glsl::GlslInfo;
@@ -23,7 +23,8 @@ using harness::DrawError;
 using Words = std::vector<std::uint32_t>;  // the bits of floats, ints or uints
 using Bytes = std::vector<std::uint8_t>;
 
-// Bytes as words, without a rest of less than four, and words as bytes, as they lie in memory.
+// Bytes as words, without a remainder of fewer than four bytes, and words as bytes, as they lie in
+// memory.
 inline Words WordsOf(std::span<const std::uint8_t> bytes) {
   Words words(bytes.size() / 4);
   if (!words.empty()) std::memcpy(words.data(), bytes.data(), 4 * words.size());
@@ -44,8 +45,8 @@ struct Shape {
   int Words() const { return columns * rows; }
 };
 
-// What a vertex shader reads. Words are of the type that the shader declares. Inputs that the
-// shader does not use are ignored; using an input that is not here is a DrawError.
+// The values that a vertex shader reads. Words are of the type that the shader declares. Inputs
+// that the shader does not use are ignored; using an input that is not here is a DrawError.
 struct Inputs {
   struct Attribute {
     std::string name;
@@ -61,7 +62,7 @@ struct Inputs {
   };
   struct Texture {
     struct Level {
-      // As glTexImage3D takes it: six layers for each cube of an array.
+      // The size as glTexImage3D takes it: six layers for each cube of an array.
       std::array<std::uint32_t, 3> size{1, 1, 1};
       Words words;  // four for each texel, one where `compares` is set
     };
@@ -78,7 +79,7 @@ struct Inputs {
   };
   int vertices = 0;
   int instances = 1;
-  // Where the draw call starts. OpenGL ES supports 0 alone.
+  // The start of the draw call. OpenGL ES supports 0 alone.
   int first_vertex = 0, base_instance = 0;
   std::vector<Attribute> attributes;
   std::vector<UniformBlock> blocks;
@@ -90,7 +91,7 @@ struct Inputs {
   std::function<Words(const std::string& name)> find_uniform;
 };
 
-// What transform feedback captured of one output.
+// The values of one output that transform feedback captured.
 struct Captured {
   std::string name;
   Shape shape;    // of one element

@@ -9,8 +9,8 @@
 #include "tools/draw/build.h"
 #include "tools/draw/random_inputs.h"
 
-// What the writer prints means what the passes before the legalising ones left: the evaluator runs
-// both, and every output has the same bits.
+// The program that the writer prints means the same as the program before the legalising passes:
+// the evaluator runs both, and every output has the same bits.
 namespace clipc::draw {
 namespace {
 
@@ -26,7 +26,8 @@ std::vector<ir::IoBits> Outputs(const ir::Program& program, const RandomInputs& 
   return result.outputs.values;
 }
 
-// Returns whether the target can say the shader, and a test can draw with it.
+// Expects the same outputs from the program with and without the legalising passes. Returns false
+// if the target cannot express the shader or a test cannot draw with it.
 bool ExpectSame(const std::string& path, const std::string& target) {
   BuildOptions options;
   options.path = path;

@@ -53,7 +53,8 @@ Part ElementOf(const TypeTable& types, const Part& part, std::uint32_t index, Pa
   return {element, part.offset + index * stride, part.row_major};
 }
 
-// Follows ".field" and "[index]" of a name that OpenGL gives a uniform.
+// Follows ".field" and "[index]" of a name that OpenGL gives a uniform. Returns the part that the
+// name means; none if `part` does not have it.
 std::optional<Part> Follow(const TypeTable& types, Part part, std::string_view path) {
   while (!path.empty()) {
     const Type& type = types[part.type];
@@ -71,7 +72,7 @@ std::optional<Part> Follow(const TypeTable& types, Part part, std::string_view p
       // `.e2` of a struct that stands for an array
       part = ElementOf(types, part, std::stoul(step.substr(1)), Packing::kConstants);
     } else if (path[0] == '.' && type.kind == TypeKind::kMatrix && step.size() > 1) {
-      part.row = std::stoi(step.substr(1));  // the same for the rows of a matrix
+      part.row = std::stoi(step.substr(1));  // row 2 in `.e2` of a struct that stands for a matrix
     } else if (step != "e") {                // a struct around an inner array
       return std::nullopt;
     }

@@ -14,10 +14,10 @@
 // nothing with the GLSL writer.
 namespace clipc::draw {
 
-// kStructured, of a StructuredBuffer's element: components follow each other at multiples of their
-// own size; a struct begins at a multiple of its largest component's size, and its size is one; the
-// registers of a matrix (rows if row_major, else columns) and the elements of an array follow each
-// other without gaps.
+// The packing rules of a constant buffer, kConstants, and of a StructuredBuffer's element,
+// kStructured, where components follow each other at multiples of their own size; a struct begins
+// at a multiple of its largest component's size, and its size is one; the registers of a matrix
+// (rows if row_major, else columns) and the elements of an array follow each other without gaps.
 enum class Packing { kConstants, kStructured };
 
 struct StructuredSize {

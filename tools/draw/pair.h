@@ -12,7 +12,7 @@
 // how two pictures are compared.
 namespace clipc::draw {
 
-// A picture has so many pixels in each direction.
+// The width and the height of a picture, in pixels.
 inline constexpr int kPairSize = 64;
 
 // A number for a name, the same on every machine.
@@ -22,9 +22,9 @@ std::uint64_t SeedOf(std::string_view name);
 // numbers elsewhere, small where they are integers. The shape is a scalar or a vector.
 Words PairAttribute(std::uint32_t location, const Shape& shape);
 
-// The bytes of a uniform block: the identity matrix in front, so that the mesh stays in view where
-// that is one, and everything moved a little, so that every byte counts. A larger block of the same
-// seed begins with the bytes of a smaller one.
+// The bytes of a uniform block: the identity matrix first, so that the mesh stays in view if the
+// block begins with a matrix, and every value moved a little, so that every byte counts. A larger
+// block of the same seed begins with the bytes of a smaller one.
 Bytes PairBlock(std::uint64_t seed, std::size_t size);
 
 // A texture of two dimensions, of random texels.
@@ -32,8 +32,8 @@ Inputs::Texture PairTexture(std::uint64_t seed);
 
 struct PairDifference {
   int pixels = 0;
-  int drawn = 0;      // in the second picture
-  int colors = 0;     // that differ from each other in the second picture
+  int drawn = 0;      // pixels drawn in the second picture
+  int colors = 0;     // different colors in the second picture
   int different = 0;  // pixels whose colors are further apart than 1e-3 of their size, or of 0.05
 };
 

@@ -77,7 +77,7 @@ void RandomInputs::UseObject(const Program& program, Buffers& own, const ObjectR
     return ReadTexture(program, textures, request, undefined, result);
   if (own.contains(request.object.index))
     return UseBuffer(program, own, request, undefined, result);
-  // After the end of an array of objects.
+  // The element is after the end of an array of objects.
   for (std::size_t i = 0; i < result.size(); ++i)
     result[i] = UndefinedBits(request, undefined, Scalar::kFloat, i);
 }

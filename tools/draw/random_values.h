@@ -15,23 +15,23 @@ struct RandomOptions {
   std::uint32_t seed = 1;
   int vertices = 64;
   int instances = 1;
-  int first_vertex = 0, base_instance = 0;  // of the draw call
+  int first_vertex = 0, base_instance = 0;  // the start of the draw call
   bool constant_textures = false;           // all texels of a sampled texture are equal
   int least_int = -4, greatest_int = 7;     // small, as ints are loop counts and array indices
   // Floats are multiples of 1/4 in [-4, 4], so that short sums and products of them are exact.
   bool quarters = false;
 };
 
-// Equal seeds give equal values on every machine. Floats lie in [-2, 2], one in four is a whole
-// number, so that comparisons and exact zeros occur, and no result is large enough to hide the
-// errors of another.
+// A source of random values. Equal seeds give equal values on every machine. Floats lie in [-2, 2],
+// one in four is a whole number, so that comparisons and exact zeros occur, and no result is large
+// enough to hide the errors of another.
 class RandomValues {
  public:
   explicit RandomValues(const RandomOptions& options) : options_(options), random_(options.seed) {}
 
   // The bits of a value as ir::Literal holds them.
   std::uint64_t Next(ir::Scalar kind);
-  // In [0, limit).
+  // A random number in [0, limit).
   std::uint32_t Below(std::uint32_t limit) { return random_.Below(limit); }
 
  private:

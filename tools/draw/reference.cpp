@@ -238,9 +238,9 @@ std::vector<Expected> MakeExpected(const Shader& shader, const BuildOptions& opt
   const auto has_open = [](const Expected& output) {
     return std::ranges::find(output.open, true) != output.open.end();
   };
-  // Where the shader reads what is undefined at some vertices, three may do so at one of many. What
-  // lies outside of a texture or at the border between two texels is common, and shaders branch on
-  // it.
+  // Of many vertices where the shader reads undefined values, one may give the same for all three.
+  // Reads outside of a texture or at the border between two texels are common, and shaders branch
+  // on them.
   if (shader.typed.resources.empty() && std::ranges::none_of(all, has_open)) return all;
   for (const double undefined :
        {0.125, 2.0, 0.25, 5.0, 0.375, -7.5, 0.5, 9.0, 0.625, -4.0, 0.75, 14.0})

@@ -17,7 +17,7 @@ struct Expected {
   Words words;       // of vertex 0, then of vertex 1, ...
   std::vector<double>
       numbers;             // beside `words`: computed in double, to tell how far rounding may go
-  std::vector<bool> open;  // beside `words`: HLSL leaves the value undefined; any is right
+  std::vector<bool> open;  // beside `words`: whether HLSL leaves it undefined, so that any is right
 };
 
 // Runs the checked program, before any pass, in the reference evaluator. The outputs that passes

@@ -36,7 +36,7 @@ Size SizeOf(const ObjectInfo& form, Size size, std::size_t level) {
   return size;
 }
 
-// How the shader reads a texture, wherever the call is.
+// The ways in which all calls of the shader together read a texture.
 struct Uses {
   bool sampled = false, compared = false, constant = false;
 };
@@ -63,7 +63,7 @@ std::map<std::uint32_t, Uses> FindUses(const Program& program) {
 
 using Texel4 = std::array<std::uint32_t, 4>;
 
-// The last texel of an axis is the first again.
+// The index of the texel that an axis has at `at`: the last texel is the first again.
 std::uint32_t Representative(std::uint32_t at, std::uint32_t size) {
   return at + 1 == size ? 0 : at;
 }
@@ -119,7 +119,8 @@ class Maker {
     for (std::uint32_t& word : texel) word = uses_.compared ? Depth() : values_.Next(kind_);
     return texel;
   }
-  // Inside of ]0, 1[: then it does not matter whether reference values are clamped to [0, 1] first.
+  // A random depth inside of ]0, 1[: then it does not matter whether reference values are clamped
+  // to [0, 1] first.
   std::uint64_t Depth() {
     return BitsOf((static_cast<float>(values_.Below(1u << 20)) + 0.5f) * 0x1p-20f);
   }
@@ -135,7 +136,8 @@ class Reader {
   Reader(const ObjectInfo& form, const Texture& texture, const ObjectRequest& request)
       : form_(form), texture_(texture), request_(request) {}
 
-  // Returns false where the texture does not have what the shader asks for, or it is open.
+  // Answers the request. Returns false where the texture does not have the texel that the shader
+  // asks for, or the texel is open.
   bool Read(std::span<std::uint64_t> result) const {
     switch (request_.op) {
       case ObjectOp::kSampleLevel:
@@ -155,9 +157,10 @@ class Reader {
   }
 
  private:
-  // How far a float may be from another that a driver computes for it, in texels, elements and
-  // levels. A shader whose coordinates lose more than that (a sin of a large pow) finds other
-  // texels; with constant textures it does not.
+  // kMargin is the largest difference between a coordinate and the one that a driver computes for
+  // it, in texels, elements and levels; kFar is the largest coordinate that is read, in texels. A
+  // shader whose coordinates lose more than kMargin (a sin of a large pow) finds other texels; with
+  // constant textures it does not.
   static constexpr double kMargin = 1.0 / 64, kFar = 500;
 
   static bool Copy(const std::uint32_t* texel, std::span<std::uint64_t> result) {
@@ -172,8 +175,8 @@ class Reader {
     return at < request_.arguments.size() ? IntOf(request_.arguments[at]) : 0;
   }
 
-  // The number from 0 to `last` that is nearest to `value`, if a value that is a little off has the
-  // same.
+  // The number from 0 to `last` that is nearest to `value`; none if a value that is a little off
+  // has another.
   static std::optional<std::size_t> Nearest(double value, std::size_t last) {
     const double end = static_cast<double>(last), within = std::clamp(value, 0.0, end) + 0.5;
     const double low = std::floor(within - kMargin), high = std::floor(within + kMargin);
@@ -181,7 +184,8 @@ class Reader {
     return static_cast<std::size_t>(low);
   }
 
-  // The texel of an axis that repeats, where its neighbour across a near border is not another.
+  // The texel at `place` of an axis that repeats; none if the neighbour across a near border is
+  // another texel.
   static std::optional<std::uint32_t> Repeated(double place, int offset, std::uint32_t size) {
     if (!(std::abs(place) < kFar)) return std::nullopt;
     const auto texel = [&](double at) {
@@ -198,7 +202,7 @@ class Reader {
   }
 
   // The texel around the coordinate, `shift` texels further, with the offset at argument
-  // `first_offset`.
+  // `first_offset`; null where it is open.
   const std::uint32_t* TexelAt(std::size_t level, double shift, std::array<int, 3> step,
                                std::size_t first_offset) const {
     if (texture_.is_constant) return texture_.levels[0].data();
@@ -221,14 +225,14 @@ class Reader {
     return &texture_.levels[level][4 * index];
   }
 
-  // `between`: the number of arguments between the coordinate and the offset.
+  // Samples a level. `between` is the number of arguments between the coordinate and the offset.
   bool Sample(std::optional<std::size_t> level, std::size_t between,
               std::span<std::uint64_t> result) const {
     return level && Copy(TexelAt(*level, 0, {}, coordinates_ + between), result);
   }
 
-  // The four texels that a linear filter would mix, counterclockwise from the lower left. With an
-  // offset for each, of each footprint the upper left one.
+  // Reads the four texels that a linear filter would mix, counterclockwise from the lower left; if
+  // each has an offset, the upper left texel of each footprint.
   bool Gather(std::span<std::uint64_t> result) const {
     static constexpr std::array<int, 3> kSteps[] = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
     const int component = static_cast<int>(request_.op) - static_cast<int>(ObjectOp::kGather);
@@ -275,7 +279,8 @@ class Reader {
   const ObjectInfo& form_;
   const Texture& texture_;
   const ObjectRequest& request_;
-  // The components of a coordinate: of a cube a direction, of an array its element too.
+  // The number of components of a coordinate: a cube's is a direction, and an array's has the
+  // element too.
   const std::size_t coordinates_ = std::size_t{form_.axes} + form_.is_array + form_.is_cube;
 };
 

@@ -49,9 +49,9 @@ void GiveTextures(const ir::Program& program, const GlslInfo& info, const Textur
 
 // ---- Objects of every kind
 
-// The type of the object, or of the elements of an array of them.
+// The type of the object, or of the elements of an array of objects.
 const ir::Type& ObjectTypeOf(const ir::Program& program, ir::VarId var);
-// The kind of the components of its elements; a float where it has none.
+// The kind of the components of the object's elements; kFloat where the object has no elements.
 ir::Scalar ElementKind(const ir::Program& program, ir::VarId var);
 // The kind of the words that texels of that type have.
 WordKind KindOfTexels(ir::Scalar kind);

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-"""Compiles shaders of a few kilobytes that name things many times over, level by level, so that what walks them anew at each
+"""Compiles shaders of a few kilobytes that name things many times over, level by level, so that code that walks them anew at each
 name takes years or all memory. Each one must end, with GLSL or with an error.
 
     bombs.py CLIPC [NAME...]

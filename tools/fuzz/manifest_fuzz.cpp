@@ -12,7 +12,7 @@
 #include "compiler/permutations.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  // A response file would be read.
+  // An `@` may name a response file, which would be read.
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   if (text.find('@') != std::string_view::npos) return 0;
   const char* const arguments[] = {"--batch=fuzz.json", "-o", "out", "-DA={0,1}"};

@@ -32,8 +32,8 @@ struct Camera {
 // A rotation: yaw about y, pitch about x, roll about z. Rows are the rotated axes.
 Matrix Rotation(double yaw, double pitch = 0, double roll = 0);
 
-// View to Direct3D's clip space, 0 <= z <= w. The field of view is in radians from bottom to top;
-// `near` and `far` are distances.
+// The projection from view space to Direct3D's clip space, 0 <= z <= w. The field of view is in
+// radians from bottom to top; `near` and `far` are distances.
 Matrix Perspective(double field_of_view, double aspect, double near, double far);
 
 }  // namespace clipc::harness

@@ -21,7 +21,7 @@ namespace clipc::harness {
 GLuint LinkProgram(const std::string& vertex, const std::string& fragment,
                    const std::function<void(GLuint program)>& before_linking = {});
 
-// A new buffer of these bytes, or of so many when `data` is null. It is bound to `target`.
+// A new buffer of `bytes` bytes, copied from `data` unless that is null. It is bound to `target`.
 GLuint NewBuffer(GLenum target, const void* data, std::size_t bytes);
 
 // A vertex shader from clipc and a fragment shader. The named inputs get the attributes 0, 1 and so

@@ -14,7 +14,7 @@ Framebuffer::Framebuffer(int width, int height, const FramebufferFormat& format)
     GLuint buffer = 0;
     glGenRenderbuffers(1, &buffer);
     glBindRenderbuffer(GL_RENDERBUFFER, buffer);
-    // A single sample is asked for as none.
+    // A single sample for each pixel is requested as 0 samples.
     glRenderbufferStorageMultisample(GL_RENDERBUFFER, format.samples == 1 ? 0 : format.samples,
                                      buffer_format, width, height);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, place, GL_RENDERBUFFER, buffer);

@@ -16,24 +16,25 @@ struct FramebufferFormat {
   int samples = 1;         // of each pixel
 };
 
-// A framebuffer stands for the window, which there is none. It is bound, with its viewport set,
-// when it is made. Throws DrawError where the current context does not support the format.
+// A framebuffer in place of a window. It is bound, with its viewport set, when it is made. Throws
+// DrawError where the current context does not support the format.
 class Framebuffer : NotCopied {
  public:
   Framebuffer(int width, int height, const FramebufferFormat& format = {});
   ~Framebuffer();
 
-  // Draws into it from then on, over the whole of it.
+  // Makes the framebuffer the target of draws, over the whole of it.
   void Bind() const;
-  // Copies the color of `other`, the mean of its samples, which has the same size. Binds this one.
+  // Copies the colors of `other`, which has the same size, as the mean of each pixel's samples.
+  // Binds this framebuffer.
   void Resolve(const Framebuffer& other) const;
 
-  // The colors of the framebuffer that is bound, which must be this one. Throw DrawError when
-  // OpenGL has noted an error.
+  // The colors with the top row first. This framebuffer must be bound, also for the functions
+  // below; they throw DrawError when OpenGL has noted an error.
   Picture Read() const;
   // The colors with the bottom row first, for a picture that was drawn upside down.
   Picture ReadUpsideDown() const;
-  // `components`: GL_RED or GL_RGBA. The bottom row first.
+  // The values of `components`, GL_RED or GL_RGBA, as floats with the bottom row first.
   std::vector<float> ReadFloats(GLenum components) const;
 
  private:

@@ -22,8 +22,8 @@ struct Mesh {
   std::array<float, 3> high() const;
 };
 
-// A teapot about 3.4 wide along x, from y = -0.75 to 1: body, knob, spout (+x) and handle (-x).
-// It has 14 * detail^2 quads.
+// A teapot of 14 * detail^2 quads, about 3.4 wide along x, from y = -0.75 to 1: body, knob, spout
+// (+x) and handle (-x).
 Mesh Teapot(int detail);
 
 // A torus around the y axis, through x = `radius`.

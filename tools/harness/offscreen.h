@@ -11,8 +11,8 @@
 // OpenGL without a display, for tests and examples.
 namespace clipc::harness {
 
-// The machine or a tool's input does not allow what the tool does. The tool ends with these words;
-// it never skips.
+// The error of a machine or an input that does not allow what a tool does. The tool ends with its
+// message; it never skips.
 class DrawError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -18,7 +18,7 @@ struct Flag {
 };
 using Flags = std::map<std::string, Flag>;  // by name, without dashes
 
-// "0x3", "3". Throws DrawError for anything else.
+// Parses a whole number, "0x3" or "3". Throws DrawError for anything else.
 std::uint32_t ParseNumber(const std::string& text);
 
 // Flags that set a variable: to their value, with their value at its end, to their value as a

@@ -7,15 +7,15 @@
 
 namespace clipc::harness {
 
-// Four bytes for each pixel, red, green, blue and alpha; the top row first.
+// A picture of four bytes for each pixel, red, green, blue and alpha; the top row first.
 struct Picture {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> rgba;
 };
 
-// Half as wide and as high, each pixel the mean of four: what was drawn too large gets smooth
-// edges.
+// The picture at half its width and height, each pixel the mean of four: a picture that was drawn
+// too large gets smooth edges.
 Picture Half(const Picture& picture);
 
 // Writes red, green and blue. Throws DrawError when the file cannot be written.

@@ -9,18 +9,19 @@
 
 namespace clipc::harness {
 
-// Equal seeds give equal numbers on every machine, which the standard distributions do not.
+// A source of random numbers. Equal seeds give equal numbers on every machine, which the standard
+// distributions do not.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : bits_(seed) {}
-  // In [0, 1).
+  // A random number in [0, 1).
   double Unit() { return static_cast<double>(bits_() >> 11) * 0x1p-53; }
   double Between(double low, double high) { return low + (high - low) * Unit(); }
-  // Between them, even in its logarithm: for sizes and distances.
+  // A random number between `low` and `high`, uniform in its logarithm: for sizes and distances.
   double Magnitude(double low, double high) { return low * std::pow(high / low, Unit()); }
-  // In [0, limit).
+  // A random number in [0, limit).
   std::uint32_t Below(std::uint32_t limit) { return static_cast<std::uint32_t>(bits_() % limit); }
-  // A unit vector.
+  // A random unit vector.
   Vector Direction() {
     Vector v;
     double length;

@@ -35,7 +35,7 @@ inline Matrix Scaling(double s) {
   return {{{s, 0, 0, 0}, {0, s, 0, 0}, {0, 0, s, 0}, {0, 0, 0, 1}}};
 }
 
-// World to view space: the viewer at `eye` looks at `target` along +z.
+// The matrix from world to view space: the viewer at `eye` looks at `target` along +z.
 inline Matrix LookAt(Vector eye, Vector target) {
   const Vector z = Unit(target - eye), x = Unit(Cross({0, 1, 0}, z)), y = Cross(z, x);
   return {{{x.x, y.x, z.x, 0},
@@ -44,8 +44,8 @@ inline Matrix LookAt(Vector eye, Vector target) {
            {-Dot(x, eye), -Dot(y, eye), -Dot(z, eye), 1}}};
 }
 
-// Row after row: what glUniformMatrix4fv takes without transposing, and what lies in a constant
-// buffer that was compiled with -Zpr.
+// The elements row after row, as glUniformMatrix4fv takes them without transposing, and as they lie
+// in a constant buffer that was compiled with -Zpr.
 inline std::array<float, 16> Floats(const Matrix& matrix) {
   std::array<float, 16> floats;
   for (int i = 0; i < 16; ++i) floats[i] = static_cast<float>(matrix.m[i / 4][i % 4]);

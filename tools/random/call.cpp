@@ -29,7 +29,7 @@ std::string MakeCallOf(Context& context, const Function& function, int depth) {
   context.UseStatics(function.writes_statics);
   std::string text = function.name + "(";
   bool is_complete = true;
-  // Outputs first: what they write is not an output of an inner call then.
+  // Outputs are made first, so that no inner call writes the same variables.
   std::vector<std::string> arguments(function.parameters.size());
   for (const bool outputs : {true, false}) {
     for (std::size_t i = 0; i < arguments.size(); ++i) {

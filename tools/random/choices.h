@@ -21,19 +21,19 @@ struct Span {
 // shorter list or one of smaller numbers gives a simpler program: that is how programs are reduced.
 using ChoiceList = std::vector<std::uint32_t>;
 
-// Draws such a list, or gives it again.
+// A source of choices, which draws a ChoiceList or gives one again.
 class Choices {
  public:
   // Draws new numbers.
   explicit Choices(std::uint64_t seed) : random_(seed) {}
-  // Gives those of a list again; after its end every choice is 0.
+  // Gives the numbers of `list` again; after its end every choice is 0.
   explicit Choices(ChoiceList list) : random_(0), list_(std::move(list)), replays_(true) {}
 
-  // In [0, limit), 0 for a limit of 0.
+  // A choice in [0, limit); 0 for a limit of 0.
   std::uint32_t Below(std::size_t limit);
-  // In [least, greatest].
+  // A choice in [least, greatest].
   int Between(int least, int greatest);
-  // False is the simple answer.
+  // A choice that is true in `percent` of 100 cases; false is the simple answer.
   bool Chance(std::uint32_t percent);
   // The index of one of the weights, each as likely as it is large. The first is the simplest.
   std::size_t Pick(std::initializer_list<std::uint32_t> weights);
@@ -42,7 +42,7 @@ class Choices {
     return list[Below(std::size(list))];
   }
 
-  // Whether the list is as long as lists may be: what is still drawn is 0.
+  // Whether the list is as long as lists may be: all further choices are 0.
   bool IsSpent() const { return drawn_.size() >= kMost; }
 
   // The numbers drawn, each below its limit, and the spans, the outer ones after the inner ones.
@@ -59,7 +59,7 @@ class Choices {
   bool replays_ = false;
 };
 
-// Notes what is drawn in its lifetime as one span.
+// A scope whose choices are noted as one span.
 class SpanOf : NotCopied {
  public:
   explicit SpanOf(Choices& choices) : choices_(choices), begin_(choices.drawn_.size()) {}
@@ -71,7 +71,7 @@ class SpanOf : NotCopied {
 };
 
 // Calls make(0), make(1) ... at most `most` times; each is a span of its own, so that a reducer can
-// cut one out. `percent`: how likely there is one more.
+// cut one out. `percent` is the chance that there is one more.
 template <typename Make>
 void Repeat(Choices& choices, int most, std::uint32_t percent, Make&& make) {
   for (int i = 0; i < most; ++i) {

@@ -18,7 +18,7 @@ bool IsRowMajor(const std::string& major, bool by_default) {
   return major.empty() ? by_default : major == "row_major ";
 }
 
-// A member that is made for planes, one time in three.
+// The type of a member, made for planes about one time in three.
 Type MakeMemberType(Context& context) {
   const std::uint32_t structs = context.structs.empty() ? 0 : 1;
   const std::size_t choice = context.Pick({2, 1, structs});
@@ -34,7 +34,7 @@ Type MakeMemberType(Context& context) {
   return type;
 }
 
-// A matrix now and then: two in one struct may lie in different ways.
+// The type of a field, now and then a matrix: two in one struct may lie in different ways.
 Type MakeFieldType(Context& context) {
   if (!context.Has(Feature::kMatrices) || !context.Chance(25)) return MakeType(context);
   return {Kind::kFloat, {context.Between(2, 4), context.Between(2, 4)}};
@@ -46,7 +46,8 @@ std::string PackOffset(int bytes) {
   return text + ")";
 }
 
-// Members at places of their own, a register or a component after the one before.
+// Gives each member a packoffset, up to five components after the end of the one before, or at the
+// next register.
 void PlaceMembers(Context& context, const Structs& structs, ConstantBuffer& buffer) {
   int end = 0;
   for (Member& member : buffer.members) {
@@ -63,7 +64,7 @@ struct Operand {
   bool composed = false;
 };
 
-// The parts of a constant that a plane can be.
+// Collects the parts of a constant that a plane can be.
 void CollectPlanes(Context& context, const std::string& text, const Type& type,
                    std::vector<Operand>& found) {
   if (type.IsArray()) {

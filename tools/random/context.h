@@ -25,7 +25,7 @@ struct Variable {
   Type type;
   bool writable = true;
   Holds holds = Holds::kVariable;
-  double greatest = 0;  // of a kCounter, which counts from 0
+  double greatest = 0;  // the greatest value of a kCounter, which counts from 0
 };
 
 // The indices that a place may have; kWriting has effects wherever expressions may have them.
@@ -42,12 +42,12 @@ struct Function {
   Type result;
   bool is_void = false;
   std::vector<Parameter> parameters;
-  bool writes = false;          // parameters or static variables
-  bool writes_statics = false;  // or calls what does
+  bool writes = false;          // whether it writes parameters or static variables
+  bool writes_statics = false;  // whether it, or a function that it calls, writes static variables
   int cost = 1;                 // the statements that one call runs, about
 };
 
-// The statements that one call of a function may run, about.
+// The largest number of statements that one call of a function may run, about.
 inline constexpr int kMostCost = 2000;
 
 struct Context {
@@ -59,23 +59,23 @@ struct Context {
   int model = 50;  // the shader model, 51 for 5.1
 
   Structs structs;
-  std::vector<Function> functions;            // that may be called, in order
+  std::vector<Function> functions;            // the functions that may be called, in order
   std::vector<std::vector<Variable>> scopes;  // the outermost first
   bool effects = true;                        // whether expressions may write
-  Indices indices = Indices::kAny;            // of places
-  bool only_literals = false;                 // no expression is anything else
-  const Function* function = nullptr;         // whose body this is
-  int turns = 1, cost = 0;                    // how often a statement here runs; the sum of them
+  Indices indices = Indices::kAny;            // the indices that places may have
+  bool only_literals = false;                 // whether all expressions are literals
+  const Function* function = nullptr;         // the function whose body is made
+  int turns = 1, cost = 0;                    // the runs of a statement here; the sum of all runs
   int loops = 0;                              // loops around a statement here
-  bool writes_globals = false;                // whether something here may write one
+  bool writes_globals = false;                // whether something here may write a global
   std::vector<std::string> taken;             // variables that may not be written a second time
   // Variables that the expression reads and writes: HLSL does not say which part comes first.
   std::set<std::string> read, written;
   int names = 0;
-  int indent = 2;  // of the lines of a statement here
+  int indent = 2;  // spaces before a statement here
 
   bool Has(Feature feature) const { return features.Has(feature); }
-  // Each of these draws from the choices.
+  // The functions below draw from the choices.
   std::uint32_t Below(std::size_t limit) { return choices.Below(limit); }
   int Between(int least, int greatest) { return choices.Between(least, greatest); }
   bool Chance(std::uint32_t percent) { return choices.Chance(percent); }
@@ -85,24 +85,24 @@ struct Context {
   const auto& OneOf(const List& list) {
     return choices.OneOf(list);
   }
-  // A name that no other variable has; now and then one that GLSL keeps for itself.
+  // A name that no other variable has; now and then a word that means something in GLSL.
   std::string FreshName(const char* prefix);
   void Add(Variable variable) { scopes.back().push_back(std::move(variable)); }
-  // Notes that an expression reads or writes a variable, or all static ones, if that leaves no
-  // doubt about the order.
+  // MayUse says whether an expression may read or write a variable, or all static ones, without
+  // doubt about the order; Use notes that it does.
   bool MayUse(const Variable& variable, bool writes) const;
   void Use(const Variable& variable, bool writes);
   bool MayUseStatics(bool writes) const;
   void UseStatics(bool writes);
   void EndExpression() { read.clear(), written.clear(); }
-  // The variables that a name here means, without those that others hide.
+  // The variables that are visible here, without those that others hide.
   std::vector<const Variable*> Visible() const;
 };
 
 // The range of a component of that kind in the variable.
 Range RangeOf(const Variable& variable, Kind kind);
 
-// Variables declared in its lifetime are gone after it.
+// A scope, after which the variables that are declared in it are removed.
 class ScopeOf : NotCopied {
  public:
   explicit ScopeOf(Context& context) : context_(context) { context.scopes.emplace_back(); }
@@ -112,7 +112,7 @@ class ScopeOf : NotCopied {
   Context& context_;
 };
 
-// Sets a variable for its lifetime.
+// A scope in which a variable has another value.
 template <typename T>
 class Temporarily : NotCopied {
  public:

@@ -249,7 +249,7 @@ Expr MakeEffect(const Wanted& wanted) {
                                                                   : context.Pick({3, 4, 1, 1, 1});
   const bool mirrors = choice == 4 && kind != Kind::kBool;
   const Place place = [&] {
-    // A place that stands twice has constant indices.
+    // A place that is written down twice has constant indices.
     const Temporarily indices(context.indices, mirrors ? Indices::kConstant : context.indices);
     return MakePlace(context, kind, true, depth - 1);
   }();
@@ -264,7 +264,7 @@ Expr MakeEffect(const Wanted& wanted) {
     value.level = before ? Level::kUnary : Level::kPostfix;
     return Reshape(context, value, shape);
   }
-  // A quotient, a remainder and a mirrored number lie where the number did.
+  // A quotient, a remainder and a mirrored number stay in the range of the number.
   const bool divides = choice == 3 && IsInteger(kind) && MayCompound(context, place);
   const Expr right = [&] {
     if (divides) return MakeDivisor(context, kind, place.shape, depth - 1);

@@ -35,7 +35,7 @@ struct Expr {
   Range range;
 };
 
-// The text, in parentheses where something binds as strongly as `level`.
+// The text of an expression, in parentheses unless it binds at least as strongly as `level`.
 std::string At(const Expr& expr, Level level);
 inline std::string Argument(const Expr& expr) { return At(expr, Level::kAssignment); }
 
@@ -43,7 +43,7 @@ inline std::string Argument(const Expr& expr) { return At(expr, Level::kAssignme
 Expr Literal(Kind kind, double value);
 std::string NameOf(Kind kind, Shape shape);
 
-// An expression of that type, of at most so many levels. Floats are exact (range.h).
+// A random expression of that type, of at most `depth` levels. Floats are exact (range.h).
 Expr MakeExpr(Context& context, Kind kind, Shape shape, int depth);
 // An expression as MakeExpr makes it, with values in `range`.
 Expr MakeIn(Context& context, Kind kind, Shape shape, const Range& range, int depth);

@@ -14,15 +14,16 @@ enum class Feature : std::uint8_t {
   kCount
 };
 
-// The features that generated programs may have: those that are on by themselves, until changed.
+// The features that generated programs may have; at first those that are on by default.
 class Features {
  public:
   Features();
   bool Has(Feature feature) const { return set_[static_cast<std::size_t>(feature)]; }
   void Set(Feature feature, bool on) { set_[static_cast<std::size_t>(feature)] = on; }
-  // "matrices,loops". Throws DrawError for a name that is not one.
+  // Sets the features of a list, "matrices,loops". Throws DrawError for a name that is not a
+  // feature's.
   void Set(const std::string& names, bool on);
-  // A line for each: its name, whether it is on by itself, and what it is.
+  // A line for each feature: its name, whether it is on by default, and its description.
   static std::string List();
 
  private:

@@ -16,18 +16,19 @@ std::string MakeStruct(Context& context);
 // Constant buffers and the variables of $Globals, which go to `buffers` too.
 std::string MakeConstants(Context& context, bool row_major, std::vector<ConstantBuffer>& buffers);
 
-// "[clipplanes(a, b.c[1])]\n", or nothing. `composes`: operands may be made of several constants.
+// An attribute of at most `most` planes, "[clipplanes(a, b.c[1])]\n", or nothing. If `composes`,
+// operands may be made of several constants.
 std::string MakePlanes(Context& context, const std::vector<ConstantBuffer>& buffers, bool composes,
                        int most);
 
 // The parameters of the entry function, and the structs that they need. The variables are added to
-// the context. `keeps`: the position is not written.
+// the context. If `keeps`, the position is not written.
 struct EntryInputs {
   std::string structs, parameters;
 };
 EntryInputs MakeInputs(Context& context, bool keeps);
 
-// Outputs for what the visible variables hold, as statements that write them and as fields.
+// Outputs for the values of the visible variables, as statements that write them and as fields.
 struct EntryOutputs {
   std::string fields, statements;
 };

@@ -24,7 +24,7 @@ using draw::BuildOptions;
 using draw::Comparison;
 using draw::Shader;
 
-// Ends the judgement with a verdict.
+// An exception that ends the judgement with a verdict.
 struct Found {
   Verdict verdict;
 };
@@ -168,7 +168,7 @@ void Judge::State::DrawSomeOpenGl(const Program& program, const draw::CheckedSha
   const std::size_t count = names.size();
   for (std::size_t i = 0; i < count; ++i) {
     const std::string target(names[(program.target + i) % count]);
-    if (target == "vulkan" || target.starts_with("webgl")) continue;  // for browsers
+    if (target == "vulkan" || target.starts_with("webgl")) continue;  // not OpenGL, or for browsers
     try {
       return Draw(program, checked, target);
     } catch (const draw::NotForTarget&) {
@@ -232,7 +232,7 @@ void Judge::State::AskPeer(const Program& program) {
     peer_took_it = true;
     if (found.values.wrong > 0) Report(Fault::kPeer, "vulkan", Words(found.values));
   } catch (const draw::DrawError&) {
-    return;  // the peer does not read the program, or what it makes of it cannot be run
+    return;  // the peer does not read the program, or its shader cannot be run
   }
 }
 

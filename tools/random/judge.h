@@ -24,23 +24,23 @@ enum class Fault : std::uint8_t {
   kDriver,     // a driver refuses the GLSL
   kPeer,       // the peer's values are not the evaluator's; the peer's fault until shown otherwise
   kCrash,      // the process ended
-  kHang,       // it did not
+  kHang,       // the process did not end in time
 };
 std::string_view NameOf(Fault fault);
 
 struct Verdict {
   Fault fault = Fault::kNone;
-  std::string target;  // "glsl330"; empty where it is not about one
+  std::string target;  // "glsl330"; empty where the fault is not about a target
   std::string what;    // in words
   bool peer_took_it = false;
 
-  // Equal for two verdicts that are likely the same mistake.
+  // A text that is equal for two verdicts that are likely the same mistake.
   std::string Key() const;
 };
 
 struct JudgeOptions {
   std::string scratch;  // a folder to write the program into
-  bool draws = true;    // else the GLSL is only validated
+  bool draws = true;    // whether programs are drawn; else the GLSL is only validated
   bool asks_peer = true;
   // Called before each step, with its name.
   std::function<void(const std::string& step)> before_step;
@@ -52,7 +52,7 @@ class Judge : NotCopied {
   explicit Judge(JudgeOptions options);
   ~Judge();
 
-  // With `only`, looks for a fault like that one and no other.
+  // Judges a program. With `only`, looks for a fault like that one and no other.
   Verdict operator()(const Program& program, const std::optional<Verdict>& only = {});
 
  private:

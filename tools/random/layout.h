@@ -11,12 +11,12 @@
 // ir/packing.cpp would be in the evaluator and in the GLSL alike, so that their values would agree.
 namespace clipc::random {
 
-// The structs, each matrix in them with its own `major` spelled out.
+// Spells out the `major` of each matrix in the structs, and returns them.
 const Structs& WithMajors(Structs& structs, bool row_major);
 
 struct Extent {
   int size = 0;             // bytes, up to the end of the last component
-  bool starts_row = false;  // it begins at a multiple of 16
+  bool starts_row = false;  // whether it begins at a multiple of 16
 };
 Extent ExtentOf(const Structs& structs, const Type& type, bool row_major);
 

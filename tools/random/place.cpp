@@ -32,7 +32,7 @@ std::string Descend(Context& context, std::string text, Type& type, Kind kind, i
   return text;
 }
 
-// `count` different ones of the first `from` letters, or any when it may repeat.
+// Chooses `count` different numbers from 0 to `from` - 1.
 std::vector<int> Components(Context& context, int from, int count) {
   std::vector<int> all, chosen;
   for (int i = 0; i < from; ++i) all.push_back(i);

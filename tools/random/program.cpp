@@ -7,7 +7,7 @@
 namespace clipc::random {
 namespace {
 
-// Things of one kind, one after another.
+// At most `most` texts of one kind, one after another.
 template <typename Make>
 std::string Some(Context& context, int most, Make&& make) {
   std::string text;

@@ -37,12 +37,12 @@ struct Program {
   bool negative_one_to_one = false, flip_y = false;
   bool is_soft = false;      // has functions that round
   std::uint32_t inputs = 1;  // the seed of its inputs
-  std::uint32_t target = 0;  // which of the targets is drawn
+  std::uint32_t target = 0;  // the number of the target that is drawn
   int vertices = 16;
   Structs structs;
   std::vector<ConstantBuffer> buffers;
 
-  // The options that clipc-draw compare takes for it.
+  // The options that clipc-draw compare takes for the program.
   std::string Options() const;
 };
 

@@ -20,7 +20,7 @@ struct Range {
   bool IsWithin(double least, double greatest) const { return least <= low && high <= greatest; }
 };
 
-// Floats of which products of a few are exact.
+// Floats whose products are exact if there are few factors.
 inline constexpr Range kSmallFloats{-16, 16, 2};
 
 // The range of all values of an int or a uint.
@@ -35,7 +35,7 @@ Range Union(const Range& a, const Range& b);
 Range Negated(const Range& a);
 Range Sum(const Range& a, const Range& b);
 Range Product(const Range& a, const Range& b);
-Range Times(const Range& a, int count);  // of a sum of that many
+Range Times(const Range& a, int count);  // the range of a sum of `count` values
 Range Absolute(const Range& a);
 Range Least(const Range& a, const Range& b);     // min
 Range Greatest(const Range& a, const Range& b);  // max
@@ -43,7 +43,7 @@ Range RoundedDown(const Range& a);               // floor, trunc, ceil, round: w
 
 // The range of a value that is converted from one kind to another. Requires CanConvert.
 Range Converted(const Range& range, Kind from, Kind to);
-// Whether that is defined and exact.
+// Whether that conversion is defined and exact.
 bool CanConvert(const Range& range, Kind from, Kind to);
 
 // The ranges of variables, inputs and constants of a kind.

@@ -54,7 +54,7 @@ class Reducer {
             made_.drawn.begin() + static_cast<std::ptrdiff_t>(span.end)};
   }
 
-  // The spans, the longest first. They change with each success.
+  // Cuts the spans, the longest first. The spans change with each success.
   void CutSpans() {
     for (std::size_t i = 0; i < made_.spans.size() && !IsOver();) {
       std::vector<Span> spans = made_.spans;

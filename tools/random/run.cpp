@@ -19,7 +19,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// A folder for the time of the run.
+// A temporary folder that exists for the time of the run.
 class Scratch : NotCopied {
  public:
   Scratch() {

@@ -9,7 +9,7 @@
 namespace clipc::random {
 
 struct RunOptions {
-  std::uint64_t seed = 1;   // of the first program; the next has the next
+  std::uint64_t seed = 1;   // the seed of the first program; each further one has the next
   std::uint64_t count = 0;  // programs; 0: no limit
   double seconds = 0;       // 0: no limit
   std::string out = "random-failures";
@@ -17,7 +17,7 @@ struct RunOptions {
   std::string feature_flags;  // as given, to repeat them
   Features features;
   bool draws = true, asks_peer = true, reduces = true, prints = false, stops = false;
-  bool reduces_peers = false;  // differences from the peer too
+  bool reduces_peers = false;  // reduces programs that differ from the peer too
 };
 
 // Generates programs, judges each, reduces and writes those that fail, and prints a summary.

@@ -19,7 +19,7 @@ std::string Line(const Context& context, const std::string& text) {
   return Indent(context) + text + ";\n";
 }
 
-// Components of another kind or shape than the place has: they are converted without a cast.
+// A value for the place, now and then of another kind or shape, which is converted without a cast.
 Expr MakeConvertible(Context& context, const Place& place) {
   if (!context.Chance(20)) {
     return MakeIn(context, place.kind, place.shape, place.range, kDepth);
@@ -43,7 +43,7 @@ std::string MakeAssignment(Context& context) {
   const Temporarily effects(context.effects, context.effects && !is_pure);
   const Place place = MakePlace(context, kind, true, 2);
   if (!place.found) return {};
-  // A value without effects may read what is assigned: it is read before it is written.
+  // A value without effects may read the assigned variable, which is read before it is written.
   if (is_pure) context.EndExpression();
   return Line(context, place.text + " = " + Argument(MakeConvertible(context, place)));
 }
@@ -81,7 +81,7 @@ std::string MakeCompound(Context& context) {
   }
   constexpr const char* kOperators[] = {
       " += ", " -= ", " *= ", " &= ", " |= ", " ^= ", " /= ", " %= ", " <<= ", " >>= "};
-  // A quotient and a remainder lie where the number did.
+  // A quotient and a remainder stay in the range of the number.
   const std::uint32_t other = computes && !IsWild(place) ? 0 : 2;
   const std::size_t choice =
       context.Pick({other, other, other, other, other, other, 1, 4, other / 2, other / 2});

@@ -48,14 +48,14 @@ struct Struct {
 };
 using Structs = std::vector<Struct>;
 
-// "float", "int".
+// The name of a kind, "float" or "int".
 std::string NameOf(Kind kind);
-// "float3", "int2x2", of a type that is not an array.
+// The name of a type that is not an array, "float3" or "int2x2".
 std::string NameOf(const Structs& structs, const Type& type);
-// "float3 name[2]"
+// A declaration, "float3 name[2]".
 std::string Declaration(const Structs& structs, const Type& type, const std::string& name);
 
-// "(S)0": every component is zero.
+// A value whose components are all zero, "(S)0".
 std::string Zero(const Structs& structs, const Type& type);
 
 // The number of components of all elements and fields.

@@ -81,7 +81,7 @@ Verdict VerdictOf(const std::vector<std::string>& parts) {
           !parts.at(3).empty()};
 }
 
-// The process's life: requests in, steps and verdicts out.
+// Runs the worker's process, which reads requests and writes steps and verdicts.
 [[noreturn]] void Serve(int in, int out, JudgeOptions options, const Features& features) {
   options.before_step = [out](const std::string& step) { Send(out, Pack({"step", step})); };
   Judge judge(std::move(options));
@@ -156,7 +156,7 @@ Verdict Worker::Ended(Fault fault, const std::string& step) {
   std::string what = SaidOf();
   what = (what.empty() ? "" : what.substr(0, what.find('\n')) + " ") + "at step: " + step + "\n" +
          what;
-  // The peer's end is not clipc's.
+  // A crash of the peer is not a fault of clipc.
   if (step == "peer") fault = Fault::kPeer;
   return {fault, "", what};
 }

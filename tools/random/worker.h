@@ -27,7 +27,7 @@ class Worker : NotCopied {
   void Stop();
   Verdict Read();
   Verdict Ended(Fault fault, const std::string& step);
-  std::string SaidOf() const;  // what the process wrote to its standard error
+  std::string SaidOf() const;  // the text on the process's standard error
 
   JudgeOptions options_;
   Features features_;

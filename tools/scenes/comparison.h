@@ -8,7 +8,7 @@ namespace clipc::scenes {
 
 // Numbers of pixels that differ in color, alpha aside.
 struct Comparison {
-  int cut_pixels = 0;        // within one pixel of a cut
+  int cut_pixels = 0;        // pixels within one pixel of a cut
   int differ_at_cut = 0;     // pixels of these that differ
   int differ_elsewhere = 0;  // other pixels that differ
 };

@@ -43,8 +43,8 @@ void Check(const Status& status) {
   if (!status.ok()) Fail(status.message(), HresultOf(status.error()));
 }
 
-// What fxc makes of scene.hlsl, without the pixel offset, which Direct3D 9's rasteriser has by
-// itself: position in the order in which OpenGL multiplies matrix and vector.
+// The code that fxc makes of scene.hlsl, without the pixel offset, which Direct3D 9's rasteriser
+// has by itself: position in the order in which OpenGL multiplies matrix and vector.
 //   vs_1_1
 //   dcl_position v0
 //   dcl_color v1
@@ -157,7 +157,7 @@ void SetConstants(IDirect3DDevice9& device, UINT first, const float* values, UIN
 
 using SetMatrix = void(IDirect3DDevice9& device, const Matrix& world_view_projection);
 
-// Four constant registers, a row each: what c0 to c3 in the shader are.
+// Sets the constant registers c0 to c3 to the rows of the matrix.
 void SetOneMatrix(IDirect3DDevice9& device, const Matrix& world_view_projection) {
   SetConstants(device, 0, clipc::harness::Floats(world_view_projection).data(), 4);
 }
@@ -231,7 +231,7 @@ void DrawSkinned(IDirect3DDevice9& device, Level9Binder& binder, const std::stri
   WritePicture(device, path);
 }
 
-// Without a vertex shader, the planes as they are in world space. "SetClipPlane", Remarks.
+// Draws without a vertex shader, where planes are in world space ("SetClipPlane", Remarks).
 void DrawFixedFunction(IDirect3DDevice9& device, const std::string& path) {
   const Scene scene = MakeScene(3);
   const auto set = [&](D3DTRANSFORMSTATETYPE state, const Matrix& matrix) {
@@ -267,7 +267,8 @@ double Nanoseconds() {
   return 1e9 * static_cast<double>(count.QuadPart) / static_cast<double>(frequency.QuadPart);
 }
 
-// Beside a loop that sets them blindly.
+// Prints the time of draws whose planes do not change, beside that of a loop that sets them
+// blindly.
 void TimeUnchangedDraws(IDirect3DDevice9& device, Level9Binder& binder, const Table& table) {
   constexpr int kDraws = 20'000;
   const auto planes = PlaneConstants(MakeScene(3), MakeScene(3).projection, 1, Mistake::kNone);
@@ -289,7 +290,7 @@ void TimeUnchangedDraws(IDirect3DDevice9& device, Level9Binder& binder, const Ta
               bound, blind);
 }
 
-// Direct3D's own record, as `clipc --table x.bin` wrote it.
+// Reads a table from Direct3D's own record, as `clipc --table x.bin` wrote it.
 Table ReadBinaryTable(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};

@@ -42,7 +42,8 @@ TEST_F(Direct3D9, ThreePlanesCutAsClipDistancesDo) {
   EXPECT_TRUE(Agree(CompareWithClipDistances("3-none", 3), CutError(MakeScene(3))));
 }
 
-// Loops that fxc unrolls under level 9; without an index right, every object lies elsewhere.
+// The loops of this shader are unrolled by fxc under level 9; with a wrong index, every object
+// would lie elsewhere.
 TEST_F(Direct3D9, UnrolledLoopsAreCutAsClipDistancesDo) {
   EXPECT_TRUE(Agree(CompareWithClipDistances("skinned", 3), CutError(MakeScene(3))));
 }
@@ -60,8 +61,8 @@ TEST_F(Seed001Remarks, TheFixedFunctionTakesPlanesInWorldSpace) {
   EXPECT_TRUE(Agree(CompareWithClipDistances("fixed-function", 3), CutError(MakeScene(3))));
 }
 
-// ... and with a vertex shader in clip space: the same planes as they are in world space are a
-// mistake then.
+// With a vertex shader the device takes the planes in clip space: the same planes in world space
+// are a mistake then.
 TEST_F(Seed001Remarks, AVertexShaderTakesPlanesInClipSpace) {
   EXPECT_TRUE(Agree(CompareWithClipDistances("3-none", 3), CutError(MakeScene(3))));
   EXPECT_GT(CompareWithClipDistances("3-space", 3).differ_elsewhere, 1000);

@@ -130,8 +130,8 @@ Shader ShaderOf(Lowering lowering, std::size_t plane_count) {
 // Direct3D 9 has pixel centers at integers, OpenGL half a pixel beside: to the right and down.
 constexpr double kOffset = 1.0 / kSize;
 
-// The projection with what the shader adds for that, so that planes cut where they do on Direct3D
-// 9, which moves the picture after clipping.
+// The projection with the offset that the shader adds for that, so that planes cut where they do on
+// Direct3D 9, which moves the picture after clipping.
 Matrix MovedProjection(const Scene& scene) {
   Matrix move;
   move.m[3][0] = kOffset;
@@ -196,7 +196,8 @@ void DrawObjects(const Program& program, const Scene& scene, SetMatrix& set_matr
   }
 }
 
-// With programs of kWorldVertex; `missing` stands for planes that the scene does not have.
+// Draws the objects with a program of kWorldVertex; `missing` is used for planes that the scene
+// does not have.
 void DrawInWorld(const Program& program, const Scene& scene, const Plane& missing) {
   program.Set("view_projection", Floats(Multiply(scene.view, MovedProjection(scene))));
   for (std::size_t i = 0; i < 3; ++i) {
@@ -267,7 +268,7 @@ Picture DrawKept(const Scene& scene, Kept kept) {
   program.Use();
   const bool any = kept == Kept::kByAny;
   program.Set("any_plane", any ? 1 : 0, 0, 0, 0);
-  // A plane that is not there keeps nothing that another does not, or everything.
+  // A missing plane keeps nothing under kByAny, and everything under kByAll.
   DrawInWorld(program, scene, {0, 0, 0, any ? -1.0 : 1.0});
   return canvas.ReadUpsideDown();
 }
@@ -279,7 +280,7 @@ Picture DrawCuts(const Scene& scene) {
   glDisable(GL_DEPTH_TEST);
   const Program program(kWorldVertex, kCutsFragment, {"in_POSITION0"});
   program.Use();
-  // A plane that is not there keeps everything, and is far from everything.
+  // A missing plane keeps everything, and is far from everything.
   DrawInWorld(program, scene, {0, 0, 0, 1});
   glEnable(GL_DEPTH_TEST);
   return canvas.ReadUpsideDown();

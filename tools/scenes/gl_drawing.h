@@ -10,21 +10,21 @@
 // compatibility profile must be current. All functions throw std::runtime_error where they fail.
 namespace clipc::scenes {
 
-// kNone is not drawn; kNearPlane only with one plane. The mistake is made by PlaneConstants and
-// MistakenTable.
+// Draws the scene with a lowering, but not with kNone, and with kNearPlane only if it has one
+// plane. The mistake is made by PlaneConstants and MistakenTable.
 harness::Picture DrawScene(Lowering lowering, const Scene& scene, Mistake mistake = Mistake::kNone);
 
 // The scene with three planes under level 9, its objects drawn by skinned.hlsl.
 harness::Picture DrawSkinned(const Scene& scene);
 
-// The picture when a point is kept that is on the kept side of all planes, or of any of them.
-// Decided pixel by pixel in world space, without anything of clipc's.
+// The picture when a point is kept that is on the kept side of all planes, or of any of them. It is
+// decided pixel by pixel in world space, without anything of clipc's.
 enum class Kept { kByAll, kByAny };
 harness::Picture DrawKept(const Scene& scene, Kept kept);
 
 // A picture of where pictures may differ: white within one pixel of the cut of a plane through a
-// surface that the other planes keep, seen or hidden; black elsewhere. Computed from distances in
-// world space, not from clip space.
+// surface that the other planes keep, seen or hidden; black elsewhere. It is computed from
+// distances in world space, not from clip space.
 harness::Picture DrawCuts(const Scene& scene);
 
 // The distance in pixels by which float arithmetic moves a cut of this scene when planes are in

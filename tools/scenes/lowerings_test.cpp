@@ -15,7 +15,7 @@ namespace {
 
 class Lowerings : public ::testing::Test {
  protected:
-  // Against clip distances without a mistake.
+  // Compares the picture of a lowering with that of clip distances without a mistake.
   static Comparison CompareWithClipDistances(Lowering way, int plane_count, Mistake mistake) {
     const Scene scene = MakeScene(plane_count);
     const harness::Picture picture = DrawScene(way, scene, mistake), cuts = DrawCuts(scene);

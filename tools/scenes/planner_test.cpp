@@ -89,7 +89,7 @@ Scene RandomScene(Random& random) {
       scene.planes.push_back({"", FaceOf(random, scene.objects.at(cube).world)});
     } else {
       const Vector normal = random.Direction();
-      // Most of the space is kept, or nothing would be left of six.
+      // Each plane keeps most of the space, or six would leave nothing.
       scene.planes.push_back({"", {normal.x, normal.y, normal.z, random.Between(-1, 5)}});
     }
   }
@@ -105,7 +105,7 @@ Scene RandomScene(Random& random) {
   return scene;
 }
 
-// Which planes to draw each object with.
+// The planes that each object is drawn with.
 enum class Plan {
   kAll,
   kPlanned,
@@ -152,7 +152,8 @@ class Planner : public ::testing::Test {
     return count;
   }
 
-  // No pixel differs, and so many planes are handed over: docs/runtime.md has these numbers.
+  // Expects that no pixel differs, and that `planes` planes are handed to the device:
+  // docs/runtime.md has these numbers.
   void ExpectSavings(const Scene& scene, int planes) const {
     const Drawing all = Draw(scene, Plan::kAll, 320, 180),
                   planned = Draw(scene, Plan::kPlanned, 320, 180);
@@ -177,7 +178,7 @@ class Planner : public ::testing::Test {
     const auto floats = Floats(Multiply(Multiply(scene.objects[index].world, view), projection));
     float elements[16];
     std::copy(floats.begin(), floats.end(), elements);
-    const Matrix matrix = runtime::RowVectorMatrix(elements);  // what the shader gets, rounded
+    const Matrix matrix = runtime::RowVectorMatrix(elements);  // rounded, as the shader gets it
 
     Float4 planes[6];
     for (std::size_t i = 0; i < scene.planes.size(); ++i) {

@@ -30,12 +30,12 @@ struct Scene {
   std::vector<Object> objects;
   runtime::Matrix view;        // mirrored in the water
   runtime::Matrix projection;  // 0 <= z <= w
-  // In world space. They keep what is above the water and, if there are three, right of a wall and
-  // below a slanted roof.
+  // The planes in world space. They keep the points above the water and, if there are three, right
+  // of a wall and below a slanted roof.
   std::vector<runtime::Plane> planes;
 };
 
-// `plane_count` is 1 or 3.
+// Makes the scene with `plane_count` planes, 1 or 3.
 Scene MakeScene(int plane_count);
 
 // The constants of skinned.hlsl: bones that its indices and weights make into an object's matrix,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// What the source documents say of pixels, drawn. What they say of numbers and calls is in
-// runtime/seed*_test.cpp.
+// The statements of the source documents about pixels, drawn. The tests of those about numbers and
+// calls are in runtime/seed*_test.cpp.
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -23,7 +23,7 @@ using runtime::Plane;
 constexpr Lowering kWaysOfManyPlanes[] = {Lowering::kClipDistance, Lowering::kLevel9,
                                           Lowering::kDiscard};
 
-// Before an eye above it and to its left.
+// A scene of one mesh, with the eye above it and to its left.
 Scene SceneOf(const harness::Mesh& mesh, std::vector<Plane> planes) {
   Scene scene;
   scene.objects.emplace_back();
@@ -49,7 +49,7 @@ int WhitePixels(const harness::Picture& picture) {
 
 class SeedDrawing : public ::testing::Test {
  protected:
-  // Drawn every way, the scene shows what both sides say that it shows.
+  // Expects that the scene, drawn in every way, shows the points that `kept` names.
   static void ExpectKept(const Scene& scene, Kept kept) {
     const harness::Picture expected = DrawKept(scene, kept), cuts = DrawCuts(scene);
     for (const Lowering way : kWaysOfManyPlanes) {
@@ -91,7 +91,7 @@ TEST_F(Seed001Remarks, PointsOnThePlaneAreDrawn) {
   EXPECT_GT(all, 1000);
   for (const double side : {1.0, -1.0}) {
     Scene scene = SceneOf(ground, {{0, side, 0, 0}});
-    // Straight ahead, so that positions and distances are exact.
+    // The eye looks straight ahead, so that positions and distances are exact.
     scene.view = {};
     scene.view.m[3][2] = 2;
     scene.objects[0].world = {{{1, 0, 0, 0}, {0, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}}};
@@ -124,7 +124,8 @@ TEST_F(Seed003RightTeapot, IsDrawnCutDiagonally) {
   ExpectKept(TeapotScene({{1, 0, 1, 0}}), Kept::kByAll);
 }
 
-// The document: the union. Its own picture, and every device: the intersection.
+// The document says that the union is drawn; its own picture and every device show the
+// intersection.
 TEST_F(Seed003TwoPlanes, TheDrawnAreaIsTheIntersection) {
   const Scene scene = TeapotScene({{1, 0, 0, 0}, {0, -1, 0, 0}});
   ExpectKept(scene, Kept::kByAll);

@@ -13,13 +13,13 @@ namespace {
 
 using enum PlaneSpace;
 
-// One plane's error is below this multiple of the law, whatever its luck: a way whose law is so
-// far below the tolerance need not be measured. How far the error is below the law has no such
-// limit, as a corner of the cut may be much nearer than the rest.
+// The multiple of the law that one plane's error is below, whatever its luck: a way whose law is so
+// far below the tolerance need not be measured. An error may be below the law by any factor, as a
+// corner of the cut may be much nearer than the rest.
 constexpr double kMostOfLaw = 12;
 
 double LawOf(const Way& way, const DrawFacts& facts) {
-  // The cut becomes a float vertex, and what is lost is its rounding.
+  // The cut becomes a float vertex, and the error is its rounding.
   if (way.kind == WayKind::kCpu)
     return 2 * 0x1p-24 * facts.picture_height / 2 * (0.5 + facts.reach + facts.extent / 2);
   // Distances by hand are as good as in object space, and twice rounded: the world-space vertex is,
@@ -52,7 +52,7 @@ bool IsPossible(const Way& way, const DrawFacts& facts) {
 double CostOf(const std::string& way, int planes, const CostTable& costs) {
   double cost = INFINITY;
   for (auto it = costs.begin(); it != costs.end(); ++it) {
-    // The table has 1, 3 and 6 planes: the first that is enough.
+    // The table has 1, 3 and 6 planes: the first number that is enough counts.
     if (it->first.first == way && it->first.second >= planes) return it->second;
   }
   return cost;

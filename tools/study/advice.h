@@ -56,15 +56,16 @@ using CostTable = std::map<std::pair<std::string, int>, double>;
 
 struct Advice {
   std::string way;
-  bool possible = false;  // by the means, the projection and where the eye stands
+  bool possible = false;  // by the means, the projection and the place of the eye
   double predicted = 0;   // pixels: the law for the 99th percentile of displaced edges
   double bound = 0;       // pixels: the 99th percentile stays under it; kBoundFactor times the law
   bool meets = false;     // possible, with a cost, and the bound is within the tolerance
   double cost = 0;        // from the table; infinity where the table does not have the way
 };
 
-// A single plane or matrix may round unluckily: among all possible ways of 120 random draws (seed
-// 2024) the worst error was 3.0 times its law. The tests take other draws.
+// The factor from a law to its bound, as a single plane or matrix may round unluckily: among all
+// possible ways of 120 random draws (seed 2024) the worst error was 3.0 times its law. The tests
+// take other draws.
 inline constexpr double kBoundFactor = 4;
 // Costs closer than this share to the least count as equal: the more accurate way wins. Two tables
 // of one run differ by up to a tenth for one way.
@@ -73,22 +74,24 @@ inline constexpr double kSameCost = 0.15;
 // equal, and the way that comes first in kWays wins.
 inline constexpr double kInvisible = 1.0 / 256;
 
-// Measures what a way loses in the draw: pixels, the 99th percentile. None where it cannot.
+// A function that measures the error of a way in the draw: pixels, the 99th percentile; none where
+// it cannot.
 using Measure = std::function<std::optional<double>(const Way&)>;
 
-// A measured error is of these planes and matrices alone, and of some of the edges: other edges
-// stay under this multiple of it.
+// The multiple of a measured error that other edges stay under: the error is of these planes and
+// matrices alone, and of some of the edges.
 inline constexpr double kMeasuredFactor = 1.5;
 
-// All ways, the recommended one first: the cheapest of those that meet `tolerance`, and the most
-// accurate of equally cheap ones. Where none meets it, the most accurate way that is possible comes
-// first. Impossible ways come last. Where the law leaves open whether a way meets the tolerance,
-// `measure` decides, if it is given: then `predicted` is what it measured.
+// All ways but `none` and `near-plane-f32`, the recommended one first: the cheapest of those that
+// meet `tolerance`, and the most accurate of equally cheap ones. Where none meets it, the most
+// accurate way that is possible comes first. Impossible ways come last. Where the law leaves open
+// whether a way meets the tolerance, `measure` decides, if it is given: then `predicted` is what it
+// measured.
 std::vector<Advice> Advise(const DrawFacts& facts, const CostTable& costs, double tolerance = 0.5,
                            const Measure& measure = {});
 
-// What the application can change so that a way meets a tolerance that none meets; empty where
-// nothing is known.
+// The change to the application by which a way meets a tolerance that none meets; empty where none
+// is known.
 std::string CureFor(const DrawFacts& facts, const CostTable& costs, double tolerance);
 
 }  // namespace clipc::study

@@ -81,7 +81,7 @@ TEST(Advice, DearWaysLoseAgainstCheapOnesThatAreGoodEnough) {
   EXPECT_NE(Advise(facts, costs, 0.01).front().way, "clip");
 }
 
-// What no picture shows does not decide: the way that comes first is taken.
+// A difference that no picture shows does not decide: the way that comes first is taken.
 TEST(Advice, DigitsThatNobodySeesDoNotCount) {
   DrawFacts facts;
   facts.camera.far = 1e5;
@@ -217,7 +217,8 @@ TEST(Advice, MeasuresWhatIsOpen) {
   EXPECT_TRUE(object(6 * law, 3 * law).meets);
 }
 
-// Its cut is a line of vertices, which are off by their rounding and not by the plane's slant.
+// The processor's cut is a line of vertices, which are off by their rounding and not by the plane's
+// slant.
 TEST(Advice, TheProcessorsCutIsOffByItsVerticesAlone) {
   const auto predicted = [](const DrawFacts& facts, const char* way) {
     const std::vector<Advice> all = Advise(facts, SomeCosts());
@@ -340,7 +341,7 @@ TEST(Scenes, MostObjectsNeedNoPlane) {
   }
 }
 
-// Against the corners themselves, in double.
+// The plans are compared with the corners themselves, in double.
 TEST(Scenes, PlansAreRight) {
   for (const Scene& scene : BuiltInScenes()) {
     for (std::size_t i = 0; i < scene.objects.size(); i += 7) {

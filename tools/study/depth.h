@@ -9,7 +9,7 @@
 
 namespace clipc::study {
 
-// How well a depth buffer orders points after the near plane was sheared into the clip plane.
+// The order of points in a depth buffer after the near plane was sheared into the clip plane.
 struct DepthLeft {
   std::string method;    // "standard", "reversed", "near-plane", "near-plane-unit"
   bool refused = false;  // clipc::runtime refuses the method here; it is measured all the same

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// What a sheared near plane leaves of the depth buffer, as laws with a mutation each.
+// The order that a sheared near plane leaves in the depth buffer, as laws with a mutation each.
 #include "tools/study/depth.h"
 
 #include <map>
@@ -9,7 +9,7 @@
 namespace clipc::study {
 namespace {
 
-// By method, for a level plane that the eye is `eye` above.
+// The results by method, for a level plane that the eye is `eye` above.
 std::map<std::string, DepthLeft> At(double eye, const Camera& camera = {}) {
   std::map<std::string, DepthLeft> by_method;
   for (const DepthLeft& left : MeasureDepth(camera, {0, 1, 0, eye}, 4000, 5))

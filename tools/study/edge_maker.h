@@ -12,7 +12,7 @@ namespace clipc::study {
 // A triangle's edge that crosses a plane in the picture.
 struct Edge {
   Vec4<float> ends[2];  // object space
-  Wide distances[2];    // the truth, of different signs
+  Wide distances[2];    // the true distances, of different signs
 };
 
 // A place in the picture.
@@ -40,7 +40,7 @@ Point PointOf(const Setup& setup, const Vec4<float>& vertex);
 // whole edge the cut has moved to the end that should have been dropped; where it drops the whole,
 // to the one to be kept.
 long double CutShare(const Edge& edge, const double (&distances)[2]);
-// The right one.
+// The share of the edge at which the plane truly cuts it.
 long double TrueShare(const Edge& edge);
 
 // Makes random edges. Vertices are rounded to float in object space first, so that no method pays

@@ -10,7 +10,8 @@
 namespace clipc::study {
 namespace {
 
-// Pixels between the true cut and the method's; infinity where a distance is not a number.
+// The distance in pixels between the true cut and the method's; infinity where a distance is not a
+// number.
 double Displacement(const Setup& setup, const Edge& edge, const SeenEdge& seen, Point right,
                     const Distance& distance, bool makes_vertices) {
   const double d[2] = {distance(edge.ends[0]), distance(edge.ends[1])};
@@ -44,7 +45,7 @@ EdgeErrors Summary(const std::string& method, std::vector<double> pixels) {
   return errors;
 }
 
-// The displacements of `count` edges for each method that applies.
+// The displacements of `count` edges for each method; none for a method that does not apply.
 std::vector<std::optional<std::vector<double>>> PixelsOf(const Setup& setup,
                                                          const std::vector<Method>& methods,
                                                          long count, std::uint64_t seed) {
@@ -66,8 +67,8 @@ std::vector<std::optional<std::vector<double>>> PixelsOf(const Setup& setup,
   return pixels;
 }
 
-// A config whose numbers differ in most of their digits, and by a hundredth at most; its plane goes
-// through a visible point of the other.
+// A config whose numbers differ from those of `config` in most of their digits, but by a hundredth
+// at most; its plane goes through a visible point of the other plane.
 Config Nearby(const Config& config, Random& random) {
   const Setup setup = Prepare(config);
   std::optional<Vector> point;

@@ -10,8 +10,8 @@
 
 namespace clipc::study {
 
-// How far float32 arithmetic displaces the place where a plane cuts a triangle's edge, in pixels of
-// 1920x1080.
+// The displacement by float32 arithmetic of the places where a plane cuts triangles' edges, in
+// pixels of 1920x1080.
 struct EdgeErrors {
   std::string method;
   bool applies = false;  // the method can be used here
@@ -31,12 +31,13 @@ std::vector<EdgeErrors> MeasureEdges(const Config& config, const std::vector<Met
 std::vector<EdgeErrors> MeasureEdges(const Setup& setup, const std::vector<Method>& methods,
                                      long count, std::uint64_t seed);
 
-// Measures over `planes` planes, cameras and offsets that differ by a hundredth at most: each
-// rounds in a way of its own, luckily or not, and together they say what such a draw loses. `count`
-// edges of each.
+// Measures `count` edges of each of `planes` planes, cameras and offsets that differ by a hundredth
+// at most: each rounds in a way of its own, luckily or not, and together they show the error of
+// such a draw.
 EdgeErrors MeasureOverPlanes(const Config& config, const Method& method, int planes, long count,
                              std::uint64_t seed);
-// The displacements themselves, in pixels; none where the method does not apply.
+// The displacements that MeasureOverPlanes summarises, in pixels; none where the method does not
+// apply.
 std::vector<double> DisplacementsOverPlanes(const Config& config, const Method& method, int planes,
                                             long count, std::uint64_t seed);
 

@@ -10,7 +10,7 @@
 namespace clipc::study {
 namespace {
 
-// The same world, seen by a camera that has turned by that angle.
+// The setup of the same world, seen by a camera that has turned by that angle.
 Setup Panned(const Setup& first, double yaw) {
   Setup setup = first;
   Camera& camera = setup.config.camera;
@@ -21,7 +21,7 @@ Setup Panned(const Setup& first, double yaw) {
   return setup;
 }
 
-// Where the method cuts each edge; none where it does not apply.
+// The shares of the edges at which the method cuts them; none where it does not apply.
 std::optional<std::vector<long double>> SharesOf(const Setup& setup, const Method& method,
                                                  const std::vector<Edge>& edges) {
   const std::optional<Distance> distance = method.prepare(setup);

@@ -10,8 +10,8 @@
 
 namespace clipc::study {
 
-// How far the cut moves over a surface that stands still, while the camera pans: pixels from one
-// frame to the next. The cut itself stands still; what moves is its rounding.
+// The movement of the cut over a still surface while the camera pans, in pixels from one frame to
+// the next. The exact cut is still; only its rounding moves.
 struct Flicker {
   std::string method;
   bool applies = false;                     // the method can be used in every frame

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// What flickers while the camera pans, and what does not.
+// The cuts that flicker while the camera pans, and those that do not.
 #include "tools/study/flicker.h"
 
 #include <cmath>
@@ -27,8 +27,8 @@ double Law(const Config& config, PlaneSpace space) {
       .value;
 }
 
-// Each frame's constant and matrix round in a way of their own, so that what a frame is off by is
-// what the cut moves by.
+// Each frame's constant and matrix round in a way of their own, so that the cut moves by as much as
+// a frame is off.
 TEST(Flicker, IsTheDisplacementOfAFrameForWhatFollowsTheCamera) {
   for (const double ratio : {10.0, 100.0, 400.0, 1000.0}) {
     const Config config = ObliqueAt(0.1 * ratio / 0.77, 0.1, 1e6);
@@ -74,7 +74,7 @@ Method Drifting(double last_yaw) {
           }};
 }
 
-// The instrument: such a drift is as much in each frame.
+// The measurement itself: such a drift is as large in each frame.
 TEST(Flicker, IsMeasuredFromFrameToFrame) {
   const Config config = ObliqueAt(10, 0.1, 1e6);
   const auto flicker = [&](int frames, double last_yaw) {

@@ -21,7 +21,7 @@ namespace {
 using RoundTrip = void (*)(const double* a, const double* b, const double* c, double* plane,
                            double* through);
 
-// How far the result is from one whose roundings no compiler can take away.
+// The difference of the result from one whose roundings no compiler can take away.
 double Difference(RoundTrip run) {
   double worst = 0;
   Random random(3);

@@ -19,7 +19,8 @@ constexpr auto kXyw1Position = [](const Vec4<float>& p) {
   return Vec4<float>{{p[0], p[1], p[3], 1}};
 };
 
-// The vertex times one matrix, times one that was multiplied in float, times two, and as it is.
+// The positions of a vertex: the vertex times one matrix, times two in turn, times one that was
+// multiplied in float, and as it is.
 constexpr auto kOnce = [](const Setup& setup) {
   return [m = ConvertTo<float>(setup.world_view_projection)](const Vec4<float>& v) {
     return Transform(v, m);
@@ -39,7 +40,7 @@ constexpr auto kByFloatProduct = [](const Setup& setup) {
 };
 constexpr auto kAsItIs = [](const Setup&) { return kWhole; };
 
-// With the product's constant for that space, from the world-space plane.
+// A method with the runtime's constant for that space, from the world-space plane.
 template <typename Pick, typename Positions>
 Method BySpace(const char* name, PlaneSpace space, Pick pick, Positions positions) {
   return {name, [=](const Setup& setup) -> std::optional<Distance> {

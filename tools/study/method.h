@@ -21,7 +21,8 @@ struct Method {
   // Returns none where the method cannot be used: xyw1 without a perspective, the near plane with
   // the eye on the kept side.
   std::function<std::optional<Distance>(const Setup&)> prepare;
-  // The cut becomes a float vertex of object space, instead of a place that the clipper finds.
+  // Whether the cut becomes a float vertex of object space, instead of a place that the clipper
+  // finds.
   bool makes_vertices = false;
 };
 
@@ -44,12 +45,12 @@ Method DocumentFormula();
 Method FloatInverse();
 // The near plane sheared with Lengyel's scale: runtime::SetDepthColumn in double, rounded once.
 Method NearPlane();
-Method NearPlaneFloat();  // the same by a product of float32 matrices
-// That product: from object to clip space.
+Method NearPlaneFloat();  // the near plane by a product of float32 matrices
+// The product of NearPlaneFloat, from object to clip space.
 Mat4<float> FloatNearPlane(const Setup& setup, const Plane& world_plane);
 Method CpuDouble();  // vertices clipped by the application in double
 
-// All of these, in this order.
+// All methods above.
 std::vector<Method> AllMethods();
 
 }  // namespace clipc::study

@@ -15,8 +15,8 @@ struct RandomDraw {
   DrawFacts facts;
 };
 
-// Equal seeds give equal draws. Fields of view of 10 to 120 degrees, near planes of 1e-3 to 1,
-// surfaces that meet the plane at 5 degrees or more.
+// Random draws. Equal seeds give equal draws. They have fields of view of 10 to 120 degrees, near
+// planes of 1e-3 to 1, surfaces that meet the plane at 5 degrees or more.
 std::vector<RandomDraw> RandomDraws(int count, std::uint64_t seed);
 
 // The errors of a way's arithmetic, measured by MeasureEdges. `applies` is false where the way

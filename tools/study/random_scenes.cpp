@@ -53,7 +53,7 @@ void SetBox(SceneObject& object, const double (&middle)[3], double half) {
   }
 }
 
-// Things of about that size around a place.
+// An object of about that size around a place.
 SceneObject AnyObject(Vector place, double size, Random& random) {
   SceneObject object;
   const double at[3] = {place.x, place.y, place.z};
@@ -121,7 +121,7 @@ Scene OneScene(Random& random) {
   return scene;
 }
 
-// What the ways that the machine has really lose in the draw.
+// Holds the advice on an object against the real errors of the ways that the machine has.
 void HoldObject(const Scene& scene, const SceneObject& object, const ObjectAdvice& advised,
                 long edges, ScenesHeld& held) {
   const Camera& camera = scene.cameras.front().camera;

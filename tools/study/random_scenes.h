@@ -16,16 +16,16 @@ namespace clipc::study {
 // give equal scenes.
 std::vector<Scene> RandomScenes(int count, std::uint64_t seed);
 
-// Costs that are as different as they are on some machine.
+// A table of costs that differ as much as on a real machine.
 CostTable CostsOfSomeMachine();
 
-// How the advice on scenes holds against measurements of its own edges.
+// The agreement of the advice on scenes with measurements of other edges.
 struct ScenesHeld {
   int advised = 0;     // objects that a plane cuts
-  int meets = 0;       // of which a way is said to meet the tolerance
-  int misses = 0;      // and does not
-  int overlooked = 0;  // no way is said to meet it, and one does with a margin of two
-  int dearer = 0;      // one that is cheaper than the advised one meets it with a margin of two
+  int meets = 0;       // objects whose best way is said to meet the tolerance
+  int misses = 0;      // objects whose best way is said to meet it, and does not
+  int overlooked = 0;  // objects without such a way where one meets it by a margin of two
+  int dearer = 0;      // objects where a cheaper way than the best meets it by a margin of two
   std::vector<std::string> wrong;  // each miss and each way overlooked, in words
 };
 ScenesHeld HoldScenes(const std::vector<Scene>& scenes, long edges);

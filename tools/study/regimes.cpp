@@ -120,7 +120,7 @@ RegimeDraw OneDraw(Regime regime, Random& random) {
       for (double& scale : config.scale) scale = random.Magnitude(1e-3, 1e3);
       break;
   }
-  // A surface of this angle, or surfaces of all of them.
+  // The surfaces have this angle, or all angles.
   const double degrees = random.Magnitude(5, 90);
   double sine = runtime::kAnySurface;
   if (random.Below(2) == 0) {
@@ -130,8 +130,8 @@ RegimeDraw OneDraw(Regime regime, Random& random) {
   return {regime, config, std::move(shader.method), shader.space, sine};
 }
 
-// Places of what is seen of the cut, evenly over the picture, in the object's own space: x, y and z
-// of each.
+// Places of the visible part of the cut, evenly over the picture, in the object's own space: x, y
+// and z of each.
 std::vector<double> CutOf(const Setup& setup) {
   std::vector<double> places;
   for (const Vector& cut : RandomCuts(setup, 256)) {
@@ -163,7 +163,7 @@ std::optional<double> LawOf(const RegimeDraw& draw) {
   const runtime::SeenCut cut = {places.data(), places.size() / 3, edge};
   const double sine = draw.config.surface_angle < 0 ? runtime::kAnySurface : draw.sine;
   if (!draw.space) {
-    // By hand: the world-space vertex is rounded, and its dot product with the plane.
+    // Distances by hand round the world-space vertex, and its dot product with the plane.
     runtime::DistanceArithmetic by_hand;
     by_hand.count = 1, by_hand.matrices[0] = setup.world;
     by_hand.constant = setup.world_plane;

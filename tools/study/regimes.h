@@ -19,7 +19,7 @@ enum class Regime {
   kOrdinary,             // any perspective, the object around its own origin
   kMeshOffset,           // vertices far from the mesh's own origin
   kMatricesInTheShader,  // far from the world's origin, mul(mul(v, world), view_projection)
-  kFloatProduct,         // the same with one matrix that the application multiplied in float
+  kFloatProduct,         // far from the world's origin, one matrix multiplied in float
   kWorldSpace,           // distances by hand from a world-space vertex
   kOrthographic,         // up to thousands of half heights away, standard or reversed depth
   kMinusOneToOne,        // clip space from -1 to 1, standard or reversed depth
@@ -36,21 +36,21 @@ struct RegimeDraw {
   Regime regime;
   Config config;
   Method method;
-  std::optional<PlaneSpace> space;  // of the law; none: distances by hand in world space
-  double sine;                      // of surface and plane
+  std::optional<PlaneSpace> space;  // the law's space; none: distances by hand in world space
+  double sine;                      // of the angle between surface and plane
 };
 
-// Equal seeds give equal draws; all regimes come in turn.
+// Random draws of all regimes in turn. Equal seeds give equal draws.
 std::vector<RegimeDraw> RegimeDraws(int count, std::uint64_t seed);
 
 // PredictEdgeError of a draw, from its matrices and its cut; none where it is refused.
 std::optional<double> LawOf(const RegimeDraw& draw);
 
-// How a law holds in a regime.
+// The agreement of a law with the draws of a regime.
 struct RegimeHeld {
   Regime regime;
-  int draws = 0;  // with a prediction of at most 20 pixels, beyond which an edge is too short
-  int low = 0, high = 0;  // with a 99th percentile below 0.2 and above 3 times the prediction
+  int draws = 0;  // draws with a prediction of at most 20 pixels, beyond which an edge is too short
+  int low = 0, high = 0;  // draws with a 99th percentile below 0.2, above 3 predictions
   double least = 0, median = 0, most = 0;  // draws' 99th percentiles over their predictions
   double pooled = 0;  // 99th percentile of all edges' displacements over their draws' predictions
 };

@@ -13,7 +13,8 @@ namespace {
 
 using Law = std::function<std::optional<double>(const RegimeDraw&)>;
 
-// With room for a mutation to break more than a draw's luck.
+// Whether the law nearly holds: the bounds leave room for the luck of single draws, so that a
+// mutation must break more.
 bool NearlyHolds(const RegimeHeld& held) {
   return held.pooled > 0.2 && held.pooled < 3 && held.high <= 0.06 * held.draws &&
          held.low <= 0.15 * held.draws;
@@ -29,8 +30,8 @@ TEST(Regimes, MeasuredErrorsAreWithinAFactorOfTheirLaw) {
   }
 }
 
-// What follows from each rounding, to two hundredths: a rounding that is left out changes one of
-// these numbers, of meshes and worlds whose origin is far from the cut.
+// Each rounding counts to two hundredths: a rounding that is left out changes one of these numbers,
+// of meshes and worlds whose origin is far from the cut.
 TEST(Regimes, EachRoundingCounts) {
   Camera camera;
   camera.near = 0.1, camera.far = 100, camera.yaw = 0.3, camera.pitch = -0.2, camera.roll = 0.1;
@@ -90,7 +91,7 @@ TEST(Regimes, EachTermIsNeeded) {
       d.regime = Regime::kOrdinary;
       d.space = d.space.value_or(PlaneSpace::kObject);
     })) << NameOf(regime);
-  // As if the eye stood in the plane, and depth began there.
+  // The law is that of an eye in the plane, where depth begins.
   EXPECT_TRUE(breaks(Regime::kOrthographic, [](RegimeDraw& d) {
     d.config.view_plane.w = 0, d.config.camera.near = 1e-9 * d.config.camera.far;
     d.config.camera.reversed = false;

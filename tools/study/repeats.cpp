@@ -9,8 +9,9 @@ namespace {
 
 constexpr double kOutside = 0.05;
 
-// How many of the least repeats, and of the largest, may be left out. Each repeat is below the
-// median as a coin falls: with `below` of them there the interval from the next one on misses it.
+// The number of the least repeats, and of the largest, that may be left out of the interval. Each
+// repeat is below the median as a coin falls: if `below` repeats are, an interval that begins at
+// the next one misses the median.
 std::size_t LeftOut(std::size_t count) {
   const auto repeats = static_cast<double>(count);
   double share = std::exp2(-repeats);  // of all cases: those with `below` repeats below the median

@@ -9,7 +9,8 @@
 
 namespace clipc::study {
 
-// `xyw1` as it is, and with one rounding after the other left out, which no shader can do.
+// The method `xyw1`, as it is and with one rounding after the other left out, which no shader can
+// do.
 std::vector<Method> Xyw1Roundings();
 
 // The errors of one of these methods on many draws.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// What stands between `xyw1` and 0.002 pixels at narrow fields of view: the position in float32,
-// which is the shader's and the rasteriser's, and not the constant or the dot product, which are
-// clipc's.
+// The rounding that keeps `xyw1` above 0.002 pixels at narrow fields of view: that of the position
+// in float32, which is the shader's and the rasteriser's, and not those of the constant or the dot
+// product, which are clipc's.
 #include "tools/study/roundings.h"
 
 #include <cmath>

@@ -19,10 +19,11 @@ namespace clipc::study {
 namespace {
 
 constexpr int kObjects = 1000;
-// Edges to measure by: where few are far from the tolerance, and where they are not.
+// The numbers of edges to measure: kFewEdges where their error is far from the tolerance, and
+// kEdges where it is not.
 constexpr long kFewEdges = 400, kEdges = 2000;
 
-// Where an object stands and how large it is.
+// The place and the size of an object.
 struct Spot {
   double x, y, z, size;
 };
@@ -50,7 +51,7 @@ Scene Filled(const char* name, std::uint64_t seed, const Camera& camera,
   return scene;
 }
 
-// Things on hilly ground, seen in the mirror of a lake: the mirror's eye is below the water.
+// Objects on hilly ground, seen in the mirror of a lake: the mirror's eye is below the water.
 Scene Water() {
   Camera camera;
   camera.far = 500, camera.eye[1] = -4, camera.pitch = -0.15;
@@ -126,7 +127,7 @@ bool IsOutsideFrustum(const SceneObject& object, const Camera& camera) {
   return false;
 }
 
-// What the way loses: with as many edges as it takes to hold that against the tolerance.
+// The error of a way, measured with as many edges as it takes to hold it against the tolerance.
 std::optional<double> MeasureRoughly(const Scene& scene, const Camera& camera,
                                      const SceneObject& object, std::uint8_t needed,
                                      const Way& way) {
@@ -206,7 +207,7 @@ DrawFacts FactsOf(const SceneObject& object, const Camera& camera, const Scene& 
     facts.view_plane = plane.value.plane;
   }
   if (worst < 0) return facts;
-  // What is seen of the cut inside the object's box; the object's middle where nothing is.
+  // The visible part of the cut inside the object's box; the object's middle where there is none.
   const Matrix world_view = Multiply(object.world, view);
   const double farthest = camera.infinite ? depth + size : std::min(camera.far, depth + size);
   std::vector<Vector> cut = CutOfBox(
@@ -237,7 +238,7 @@ std::vector<ObjectAdvice> AdviseScene(const Scene& scene, const Camera& camera,
       if (!plan.drawn() || plan.needed == 0) continue;
       DrawFacts facts = FactsOf(scene.objects[i], camera, scene, plan.needed);
       facts.means.whole_pass = whole_pass;
-      // Ways of the same arithmetic lose the same.
+      // Ways of the same arithmetic have the same error.
       std::map<Method (*)(), std::optional<double>> known;
       const Measure measure = [&](const Way& way) {
         const auto [found, is_new] = known.try_emplace(way.method);

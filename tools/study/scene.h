@@ -13,7 +13,7 @@ namespace clipc::study {
 
 struct SceneObject {
   std::string name;
-  runtime::Box box;  // of its own space
+  runtime::Box box;  // in the object's own space
   Matrix world;
   bool rigid = true;  // Means::rigid
 };
@@ -39,22 +39,23 @@ struct Scene {
   std::vector<SceneObject> objects;
 };
 
-// Water, portal, cut-away and shadow cascade, in this order, with 1000 objects each; the same in
-// every run.
+// The scenes water, portal, cut-away and shadow cascade, in this order, with 1000 objects each; the
+// same in every run.
 std::vector<Scene> BuiltInScenes();
 
 struct ObjectPlan {
   bool outside_frustum = false;  // the object is not drawn
   bool culled = false;           // the object is not drawn: one plane takes away all of it
   std::uint8_t needed = 0;       // bit i: plane i may cut it
-  // A plane that the runtime refuses for the object, and why: nothing is planned then. Else empty.
+  // The plane that the runtime refuses for the object, and the reason: then nothing is planned.
+  // Empty if no plane is refused.
   std::string refused;
 
   bool drawn() const { return !outside_frustum && !culled; }
 };
 
-// Plans one object; leaving out what the plan leaves out changes no pixel, as with
-// runtime::PlanBox. Box and planes are compared in the object's own space.
+// Plans one object. A picture without the objects and planes that plans leave out has the same
+// pixels, as with runtime::PlanBox. Box and planes are compared in the object's own space.
 ObjectPlan PlanObject(const SceneObject& object, const Camera& camera,
                       const std::vector<NamedPlane>& planes);
 
@@ -66,14 +67,14 @@ struct ObjectAdvice {
   std::optional<Advice> best;
   std::string cure;  // CureFor, where `best` is not good enough
 
-  // What is asked for is not to be had: a plane is refused, no way is possible, or none keeps the
+  // Whether the request cannot be met: a plane is refused, no way is possible, or none keeps the
   // tolerance.
   bool fails() const { return !plan.refused.empty() || (best && !best->meets); }
 };
 
-// Advice on every object that a camera sees, beside scene.objects. `near-plane` is recommended for
-// all that is drawn or for nothing: where each drawn object is cut by the same one plane. What the
-// laws leave open is measured with the scene's own matrices and planes.
+// The advice on every object for a camera, beside scene.objects. `near-plane` is recommended for
+// all that is drawn or for nothing: where each drawn object is cut by the same one plane. The
+// errors that the laws leave open are measured with the scene's own matrices and planes.
 std::vector<ObjectAdvice> AdviseScene(const Scene& scene, const Camera& camera,
                                       const CostTable& costs);
 

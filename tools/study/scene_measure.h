@@ -18,8 +18,8 @@ std::optional<double> MeasureObject(const Scene& scene, const Camera& camera,
                                     const SceneObject& object, std::uint8_t needed, const Way& way,
                                     long edges, std::uint64_t seed);
 
-// The setup of one plane through an object, with the part of its cut that is seen; none where
-// nothing is, or where the plane has no normal.
+// The setup of one plane through an object, with the part of its cut that is seen; none where no
+// part is, or where the plane has no normal.
 std::optional<Setup> SetupOf(const Camera& camera, const SceneObject& object, const Plane& plane);
 
 }  // namespace clipc::study

@@ -77,7 +77,7 @@ Setup Prepare(const Config& config) {
   setup.view = camera.View();
   Matrix view_to_world = camera.ViewToWorld();
   if (config.mirrored) {
-    // A mirror at the eye, so that offsets stay what they are.
+    // The mirror goes through the eye, so that offsets do not change.
     const Plane mirror =
         PlaneThroughPoint({0.3, 0.9, -0.2}, {camera.eye[0], camera.eye[1], camera.eye[2]});
     const Matrix mirrored = runtime::MirrorMatrix(mirror).value;
@@ -86,7 +86,7 @@ Setup Prepare(const Config& config) {
   }
   setup.projection = camera.Projection();
 
-  // The object stands where the surfaces are, turned in a way of its own.
+  // The object is where the surfaces are, turned in a way of its own.
   setup.world = harness::Rotation(1.1, 0.4, -0.7);
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) setup.world.m[i][j] *= config.scale[i];

@@ -9,7 +9,7 @@
 
 namespace clipc::study {
 
-// Rows of the picture that errors are told for; it has as many columns as the aspect says.
+// The rows of the picture that errors are given for; it has as many columns as the aspect says.
 inline constexpr double kPictureHeight = 1080;
 
 // One case to measure: a camera, a plane, and the place of the surfaces that it cuts.
@@ -40,7 +40,7 @@ struct Setup {
   Matrix world_view, world_view_projection;     // multiplied in double
   Mat4<double> to_object;                       // from view space, only to make vertices
   Plane world_plane, view_plane, object_plane;  // in double
-  // The part of the cut to take, as VisibleCut has it; where this is empty, `config` says.
+  // The part of the cut to measure, as VisibleCut returns it; if empty, `config` gives the part.
   std::vector<Vector> cut;
 };
 
@@ -51,9 +51,9 @@ void Compose(Setup& setup);
 // 1 by accident.
 Setup Prepare(const Config& config);
 
-// A place of the visible cut in view space: of `setup.cut`, evenly over the picture; or a point of
-// the frustum, at a depth of the surfaces, moved to the plane along its normal; none where that is
-// not in the picture any more.
+// A random place of the visible cut in view space: a place of `setup.cut`, evenly over the picture,
+// or, if that is empty, a point of the frustum, at a depth of the surfaces, moved to the plane
+// along its normal; none where the moved point is outside of the picture.
 std::optional<Vector> RandomCut(const Setup& setup, Random& random);
 
 // At most `count` random places of the cut, the same in every call.
@@ -63,7 +63,7 @@ std::vector<Vector> RandomCuts(const Setup& setup, std::size_t count);
 // heights of the picture at the cut's depth, as a root of the mean square: the `reach` of
 // PredictEdgeError.
 double ReachOf(const Setup& setup, Vector origin_in_view);
-// The place in view space of the origin of the space that `to_view` begins in.
+// The place in view space of the origin of the space that `to_view` transforms from.
 Vector OriginInView(const Matrix& to_view);
 
 // The plane through that point whose unit normal has that direction.

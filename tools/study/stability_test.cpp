@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Where each method fails, as laws on the displacement of cut edges (tools/study/edges.h), each
-// with a mutation that breaks it. Seeds are fixed; the factors are what a law's constant may be off
-// by, and measured values stand beside them.
+// The limits of each method, as laws on the displacement of cut edges (tools/study/edges.h), each
+// with a mutation that breaks it. Seeds are fixed; the factors are those that a law's constant may
+// be off by, and measured values are beside them.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -81,7 +81,7 @@ Vector RandomPlace(const std::vector<Vector>& polygon, const Camera& camera, Ran
   for (; chosen + 1 < polygon.size() && left > sizes[chosen - 2]; ++chosen)
     left -= sizes[chosen - 2];
   if (polygon.size() < 3) return first;
-  // Even shares of the triangle in the picture, made shares of the one in space.
+  // Even shares of the triangle in the picture, turned into shares of the triangle in space.
   double u = random.Unit(), v = random.Unit();
   if (u + v > 1) u = 1 - u, v = 1 - v;
   const Vector corners[3] = {first, polygon[chosen - 1], polygon[chosen]};

@@ -13,11 +13,12 @@ namespace clipc::study {
 std::vector<Vector> VisibleCut(const Camera& camera, const Plane& view_plane, double nearest,
                                double farthest);
 
-// What of that is inside the box of an object, which `to_view` takes to view space.
+// The part of a visible cut inside the box of an object, which `to_view` transforms to view space;
+// empty where there is none.
 std::vector<Vector> CutOfBox(std::vector<Vector> visible, const runtime::Box& box,
                              const Matrix& to_view);
 
-// A random place of such a polygon, which has a corner; all parts of the picture alike.
+// A random place of a polygon with at least one corner, evenly over the picture.
 Vector RandomPlace(const std::vector<Vector>& polygon, const Camera& camera, Random& random);
 
 }  // namespace clipc::study

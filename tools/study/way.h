@@ -28,23 +28,24 @@ enum class WayKind {
   kDiscardRecomputed,  // world position to the fragment shader, dot product there (three.js)
 };
 
-// What the machine must have.
+// The feature that the machine must have.
 enum class Needs { kNothing, kDistances, kUserPlanes, kDiscard };
 
 struct Way {
   WayKind kind;
   const char* name;
-  int most_planes;  // that it can clip by
+  int most_planes;  // the largest number of planes
   Needs needs;
-  std::optional<PlaneSpace> space;  // of the planes; none: the world's
-  // How clipc compiles it; none for a shader without planes, and where distances are by hand.
+  std::optional<PlaneSpace> space;  // the space of the planes; none: the world's
+  // The lowering that clipc compiles it with; none for a shader without planes, and where distances
+  // are by hand.
   std::optional<Lowering> lowering;
   Method (*method)();  // its arithmetic; null for kNone
 };
 
-// All of them, in the order of the enumerators. Of ways that are as good and as cheap the first one
-// is advised: that which does not flicker before those that do, and those that discard last, as
-// multisampling does not smooth their cuts.
+// All ways, in the order of the enumerators. Of ways that are as good and as cheap the first one is
+// advised: the way that does not flicker comes before those that do, and the ways that discard come
+// last, as multisampling does not smooth their cuts.
 inline constexpr Way kWays[] = {
     {WayKind::kNone, "none", 0, Needs::kNothing, {}, {}, nullptr},
     {WayKind::kObject, "object", 6, Needs::kDistances, PlaneSpace::kObject, Lowering::kClipDistance,

@@ -60,8 +60,8 @@ std::unique_ptr<clipc_result, decltype(&clipc_result_free)> last(nullptr, &clipc
 
 extern "C" {
 
-// `strings`: the name of the shader and the options. Returns a clipc_status; the result is kept
-// until the next call.
+// Compiles a shader. `strings` are its name and the options. Returns a clipc_status; the result is
+// kept until the next call.
 CLIPC_EXPORT(clipc_module_compile)
 int clipc_module_compile(const char* strings, std::size_t size, const char* text,
                          std::size_t text_size) {
@@ -84,7 +84,7 @@ int clipc_module_compile(const char* strings, std::size_t size, const char* text
   return status;
 }
 
-// A part of the last result; it lives as long.
+// A part of the last result, which lives as long as that result.
 CLIPC_EXPORT(clipc_module_part) const clipc_bytes* clipc_module_part(int part) {
   static clipc_bytes bytes;
   bytes = last ? clipc_result_get(last.get(), static_cast<clipc_part>(part)) : clipc_bytes{"", 0};
@@ -93,8 +93,8 @@ CLIPC_EXPORT(clipc_module_part) const clipc_bytes* clipc_module_part(int part) {
 
 CLIPC_EXPORT(clipc_module_version) const char* clipc_module_version() { return clipc_version(); }
 
-// The program, with its files: `strings` are the working directory and the arguments. Returns the
-// exit status.
+// Runs the program, with its files. `strings` are the working directory and the arguments. Returns
+// the exit status.
 CLIPC_EXPORT(clipc_module_run) int clipc_module_run(const char* strings, std::size_t size) {
   const std::vector<const char*> words = Strings({strings, size});
   if (chdir(words[0]) != 0) std::perror(words[0]);

@@ -15,7 +15,7 @@
 
 extern "C" {
 
-// `words`: a module that clipc made. The text lives until the next call.
+// Writes `words`, a SPIR-V module that clipc made, as text. The text lives until the next call.
 CLIPC_EXPORT(clipc_module_disassemble)
 const clipc_bytes* clipc_module_disassemble(const unsigned* words, std::size_t count) {
   static std::string text;

@@ -10,8 +10,8 @@ namespace {
 
 constexpr int kMaxLinks = 40;  // as Linux
 
-// Appends what `path`, a relative or absolute path, stands for to `resolved`, an absolute path
-// without links. False: errno says why.
+// Appends `path` to `resolved`, an absolute path without links, with the links of `path` resolved.
+// Returns false on an error, with the reason in errno.
 bool Resolve(std::string path, std::string& resolved) {
   int links = 0;
   while (!path.empty()) {
@@ -53,7 +53,7 @@ int Refuse() {
 
 }  // namespace
 
-// wasi-libc's <dirent.h> declares it without saying that it is C's.
+// wasi-libc's <dirent.h> declares this function without saying that it is C's.
 int __wasilibc_dttoif(int type) {  // NOLINT(bugprone-reserved-identifier): the library's name
   switch (type) {
     case DT_DIR: return S_IFDIR;

@@ -34,7 +34,7 @@ std::vector<Captured> CapturedOf(GLuint program, std::size_t count) {
   return all;
 }
 
-// Spreads vertex after vertex over the outputs.
+// Appends the captured words, which have vertex after vertex, to the outputs.
 void Distribute(const std::uint32_t* words, int vertices, std::vector<Captured>& outputs) {
   for (int vertex = 0; vertex < vertices; ++vertex) {
     for (Captured& output : outputs) {

@@ -7,7 +7,7 @@ namespace clipc::draw {
 
 struct PassesDifference {
   int drawn = 0;    // pixels of the first pass
-  int missing = 0;  // that the second does not draw
+  int missing = 0;  // pixels of the first pass that the second does not draw
 };
 
 // Draws a mesh over the whole target with the first vertex shader in GLSL, and then with the

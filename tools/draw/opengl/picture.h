@@ -56,7 +56,7 @@ struct Expectation {
 struct Difference {
   // Numbers of pixels. A pixel nearer than 1/20 pixel to a plane's edge counts as right.
   int drawn = 0, missing = 0, extra = 0;
-  double depth_error = 0;  // the largest, of pixels that are rightly drawn
+  double depth_error = 0;  // the largest error of the pixels that are rightly drawn
 };
 Difference Compare(const Picture& picture, const Expectation& expectation);
 

@@ -10,7 +10,8 @@
 namespace clipc::draw {
 namespace {
 
-// The value of that name; "planes" may stand for "planes[0]", the name that OpenGL gives arrays.
+// Returns the value called `name`; "planes" may stand for "planes[0]", the name that OpenGL gives
+// arrays. Throws DrawError where there is none.
 template <typename Value>
 const Value& Find(const std::vector<Value>& values, const std::string& name, const char* what) {
   const std::string plain = name.substr(0, name.size() - (name.ends_with("[0]") ? 3 : 0));

@@ -28,9 +28,9 @@ struct Active {
   int count = 1;  // elements of an array
   int location = -1;
 };
-// The shape of an OpenGL type; that of a bool is that of a uint. Doubles and samplers have none.
+// Returns the shape of an OpenGL type, for bools that of uints; none for doubles and samplers.
 std::optional<Shape> FindShape(GLenum type);
-// Throws DrawError where there is none.
+// Returns the shape of the variable's type. Throws DrawError where FindShape returns none.
 Shape ShapeOf(const Active& active);
 
 struct ActiveBlock {
@@ -41,8 +41,8 @@ struct ActiveBlock {
 // A linked program with buffers for its inputs, in the context that was current when it was made.
 class GlProgram : NotCopied {
  public:
-  // `fragment` is empty for none, where the API allows that. `captured` are the outputs for
-  // transform feedback.
+  // Links the shaders; `fragment` may be empty where the API allows a program without one.
+  // `captured` are the outputs for transform feedback.
   GlProgram(const std::string& vertex, const std::string& fragment,
             std::span<const std::string> captured);
   ~GlProgram();

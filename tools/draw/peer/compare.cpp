@@ -15,7 +15,7 @@
 namespace clipc::draw::peer {
 namespace {
 
-// Direct3D compilers have no use for what is said to Vulkan.
+// Removes the attributes for Vulkan, which mean nothing to Direct3D compilers.
 std::string WithoutVulkanAttributes(const std::string& hlsl) {
   return std::regex_replace(hlsl, std::regex(R"(\[\[vk::[^\]]*\]\])"), "");
 }
@@ -41,8 +41,8 @@ Module Compile(const BuildOptions& options) {
   return module;
 }
 
-// The shader's outputs as the peer's shader writes them, beside `expected`; without words what it
-// does not write.
+// Runs the peer's shader. Returns its outputs in the order of program.outputs; an output that it
+// does not write has no words.
 std::vector<Captured> Run(const Runner& runner, const Module& module, const ir::Program& program,
                           const RandomInputs& random, const RandomOptions& draw) {
   const std::vector<Output> outputs = vulkan::OutputsOf(module.run);
@@ -64,7 +64,7 @@ Comparison Compare(const Shader& shader, const BuildOptions& options, const Rand
   return CompareOutputs(defined, matching, tolerance);
 }
 
-// The bugs of a peer that no rewriting shows, as far as the shader's text invites them.
+// Returns the bugs of the peer that no rewriting shows and that the shader's text invites.
 std::set<std::string> BugsInText(const std::string& hlsl, const Comparison& found) {
   if (found.missing == found.wrong && hlsl.find("##") != hlsl.npos) return {"token-paste"};
   if (found.missing == 0 && std::regex_search(hlsl, std::regex(R"(\[\s*\]\s*=\s*\{)")))
@@ -89,7 +89,7 @@ bool EntryHasColumns(const ir::Program& program, bool row_major) {
          });
 }
 
-// Two members of a block share bytes: no values can be right.
+// Whether two members of a block share bytes: then no values can be right.
 bool HasOverlap(const std::vector<PeerBlock>& blocks) {
   for (const PeerBlock& block : blocks) {
     Offsets bytes;

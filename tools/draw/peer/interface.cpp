@@ -17,7 +17,7 @@ const Reads::Binding* FindBinding(const Reads& reads, const std::string& name) {
   return found == reads.bindings.end() ? nullptr : &*found;
 }
 
-// The program with what the peer takes for ordinary inputs as ordinary inputs.
+// The program with ordinary inputs in place of the built-in ones that the peer takes for ordinary.
 Program WithPeerInputs(const Program& program, const std::vector<const Vector*>& vectors) {
   Program changed = program;
   for (std::size_t i = 0; i < vectors.size(); ++i) {
@@ -26,7 +26,8 @@ Program WithPeerInputs(const Program& program, const std::vector<const Vector*>&
   return changed;
 }
 
-// Where the peer's shader reads what clipc's does, under the names of the HLSL.
+// The places where the peer's shader reads the inputs and objects of the program, under the names
+// of the HLSL.
 GlslInfo InfoOf(const Program& program, const Reads& reads,
                 const std::vector<const Vector*>& vectors, const RandomInputs& random) {
   GlslInfo info;
@@ -49,7 +50,8 @@ GlslInfo InfoOf(const Program& program, const Reads& reads,
   return info;
 }
 
-// Where a block of the peer holds several cbuffers, each puts its members there.
+// Adds the peer's blocks to the draw call. A block that holds several cbuffers gets the members of
+// each.
 void GiveBlocks(const Program& program, const Module& module, const Reads& reads,
                 const RandomInputs& random, DrawCall& call) {
   for (const PeerBlock& block : module.blocks) {
@@ -73,7 +75,8 @@ void GiveBlocks(const Program& program, const Module& module, const Reads& reads
   }
 }
 
-// All distances are one array.
+// The key of a built-in output. All clip distances are one array, and all cull distances are
+// another.
 std::string KeyOfBuiltin(const Output& output) {
   if (output.name == "gl_ClipDistance") return "SV_CLIPDISTANCE0";
   if (output.name == "gl_CullDistance") return "SV_CULLDISTANCE0";
@@ -81,7 +84,7 @@ std::string KeyOfBuiltin(const Output& output) {
   return digits < output.semantic.size() ? output.semantic : KeyOf(output.semantic, 0);
 }
 
-// The vector at that location.
+// The captured vector at that location; it has no words if no output is there.
 Captured PartAt(const std::vector<Output>& outputs, const std::vector<Captured>& captured,
                 std::uint32_t location) {
   Captured part;

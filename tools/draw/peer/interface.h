@@ -20,9 +20,10 @@ struct Module {
   std::vector<Vector> inputs, outputs;
 };
 
-// The peer's vector for each input or output; null where it has none. Vectors are found by their
-// semantic. Those without one (glslang does not pass the semantic of a struct on to its fields) are
-// taken in the order of declaration if their number is that of the inputs or outputs left.
+// The peer's vector for each input or output; null where the peer has none. Vectors are found by
+// their semantic. Those without one (glslang does not pass the semantic of a struct on to its
+// fields) are taken in the order of declaration if their number is that of the inputs or outputs
+// left.
 std::vector<const Vector*> Match(const std::vector<ir::IoVar>& list,
                                  const std::vector<Vector>& vectors);
 
@@ -30,8 +31,8 @@ std::vector<const Vector*> Match(const std::vector<ir::IoVar>& list,
 DrawCall MakeDrawCall(const ir::Program& program, const Module& module, const RandomInputs& random,
                       const RandomOptions& draw);
 
-// What was captured of the peer's outputs, in the order of program.outputs. An output that the peer
-// does not write has no words.
+// The captured values of the peer's outputs, in the order of program.outputs. An output that the
+// peer does not write has no words.
 std::vector<Captured> PickOutputs(const ir::Program& program, const Module& module,
                                   const std::vector<Output>& outputs,
                                   const std::vector<Captured>& captured);

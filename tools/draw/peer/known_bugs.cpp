@@ -14,7 +14,8 @@ namespace {
 
 using namespace ir;
 
-// An expression that stands in two places is evaluated twice: the result is for the evaluator only.
+// A rewriter of expressions to those that the peer makes of them. An expression that is used in two
+// places is evaluated twice: the result is for the evaluator only.
 class Rewriter {
  public:
   explicit Rewriter(Program& program) : program_(program) {}
@@ -35,7 +36,7 @@ class Rewriter {
       if (binary->op == BinaryOp::kMod && BaseOf(type.scalar) == Scalar::kFloat)
         Replace(id, "float-remainder", Remainder(make, expr.type, binary->left, binary->right));
       if (binary->op == BinaryOp::kMul && type.kind == TypeKind::kMatrix) {
-        // The peer's matrices are the transposed ones.
+        // The peer's matrices are transposed.
         Replace(id, "matrix-product",
                 make.IntrinsicOf(Intrinsic::kMul, expr.type, {binary->right, binary->left}));
       }
@@ -53,14 +54,14 @@ class Rewriter {
     names_.insert(name);
   }
 
-  // Rounds the quotient down and not towards zero.
+  // The remainder as the peer has it, with the quotient rounded down and not towards zero.
   static ExprId Remainder(Builder& make, TypeId type, ExprId left, ExprId right) {
     const ExprId quotient =
         make.IntrinsicOf(Intrinsic::kFloor, type, {make.BinaryOf(BinaryOp::kDiv, left, right)});
     return make.BinaryOf(BinaryOp::kSub, left, make.BinaryOf(BinaryOp::kMul, right, quotient));
   }
 
-  // Multiplies by the exponent.
+  // lit() as the peer has it, with the shine multiplied by the exponent and not raised to it.
   static ExprId Lit(Builder& make, TypeId type, ExprId diffuse, ExprId shine, ExprId exponent) {
     const TypeId scalar = make.TypeOf(diffuse);
     const ExprId zero = make.Float(0), one = make.Float(1);

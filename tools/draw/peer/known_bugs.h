@@ -9,10 +9,10 @@
 #include "tools/draw/peer/relocate.h"
 #include "tools/draw/random_inputs.h"
 
-// What glslang 12's HLSL front end is known to do in another way than Direct3D. docs/peers.md says
-// for each why it is the peer that is wrong. A bug excuses a difference only where clipc's program,
-// changed to do the same, gives exactly what the peer gives. The exceptions are two bugs that
-// compare.cpp tells by the shader's text, and one that it tells by members that overlap.
+// The known bugs of glslang 12's HLSL front end, which differs from Direct3D there. docs/peers.md
+// says for each bug why it is the peer that is wrong. A bug excuses a difference only where clipc's
+// program, changed to do the same, gives exactly what the peer gives. The exceptions are two bugs
+// that compare.cpp tells by the shader's text, and one that it tells by members that overlap.
 namespace clipc::draw::peer {
 
 // Sets the constants of `random` that the peer compiled in, for which it has no uniform, to the

@@ -61,7 +61,7 @@ class Walker {
     } else if (type.basetype == SPIRType::Struct) {
       for (std::uint32_t i = 0; i < type.member_types.size(); ++i) Member(type, i, base);
     } else {
-      // A matrix is the transposed one of HLSL's: its columns are HLSL's rows.
+      // A matrix is the transpose of HLSL's: its columns are HLSL's rows.
       for (std::uint32_t row = 0; row < type.columns; ++row) {
         for (std::uint32_t column = 0; column < type.vecsize; ++column) {
           bytes_.push_back(base + (matrix.row_major ? column * matrix.stride + 4 * row
@@ -91,7 +91,8 @@ PeerBlock BlockOf(const Compiler& compiler, const Resource& resource, bool is_st
   return block;
 }
 
-// Structured buffers hold one array of that name; tbuffers have the names of their members.
+// Whether a storage buffer is a structured buffer, which holds one array of a name with `@`;
+// tbuffers have the names of their members.
 bool IsStructured(const Compiler& compiler, const Resource& resource) {
   const SPIRType& type = compiler.get_type(resource.base_type_id);
   return !type.member_types.empty() && compiler.get_member_name(type.self, 0).starts_with('@');

@@ -9,8 +9,8 @@
 #include "tools/draw/vulkan/run.h"
 #include "tools/draw/vulkan/spirv.h"
 
-// What another compiler made of a shader, in terms of the HLSL: semantics, names of buffers, names
-// of members.
+// The interface of a shader that another compiler made, in terms of the HLSL: semantics, names of
+// buffers, names of members.
 namespace clipc::draw::peer {
 
 using vulkan::DescriptorKind;

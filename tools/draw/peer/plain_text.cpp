@@ -105,7 +105,7 @@ class Writer {
     return token.kind == kIdentifier ? names_[token.name()] : std::string_view();
   }
 
-  // Removes what only an effect has.
+  // Removes the parts that only an effect has.
   void Reduce(Item& item) {
     static const std::set<std::string_view> kDropped = {
         "VertexShader",    "PixelShader",      "GeometryShader",   "HullShader",
@@ -135,7 +135,7 @@ class Writer {
     item.push_back(semicolon);
   }
 
-  // Empty where the item is not a function with a body.
+  // The name of the function; empty where the item is not a function with a body.
   std::string FunctionName(const Item& item) const {
     if (item.empty() || item.back().kind != kRightBrace) return "";
     static const std::set<std::string_view> kOthers = {

@@ -72,7 +72,7 @@ std::vector<Member> MembersOf(const Program& program, const Cbuffer& cbuffer) {
 const PeerBlock* Find(const std::vector<PeerBlock>& blocks, const Cbuffer& cbuffer) {
   const bool is_loose =
       cbuffer.kind == CbufferKind::kGlobals || cbuffer.kind == CbufferKind::kParams;
-  // glslang cuts this one name short.
+  // The block of loose constants is called $Global by glslang, and `ConstantBuffer` is cut short.
   const std::string name = is_loose                           ? "$Global"
                            : cbuffer.name == "ConstantBuffer" ? "C"
                                                               : cbuffer.name;

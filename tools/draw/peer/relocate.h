@@ -13,7 +13,7 @@
 // the values are compared wherever the peer puts its constants.
 namespace clipc::draw::peer {
 
-// A variable of a cbuffer, or a field of a ConstantBuffer<T>, and where clipc has it.
+// A variable of a cbuffer, or a field of a ConstantBuffer<T>, with its place in clipc's layout.
 struct Member {
   std::string name;
   ir::TypeId type;
@@ -22,8 +22,8 @@ struct Member {
 };
 std::vector<Member> MembersOf(const ir::Program& program, const ir::Cbuffer& cbuffer);
 
-// The peer's block of that cbuffer; null when it has none. $Globals and the `uniform` parameters
-// are one block.
+// The peer's block of that cbuffer; null when the peer has none. $Globals and the `uniform`
+// parameters are one block.
 const PeerBlock* Find(const std::vector<PeerBlock>& blocks, const ir::Cbuffer& cbuffer);
 
 // Copies the members of the cbuffer, whose bytes are `from`, to where the peer reads them. Throws

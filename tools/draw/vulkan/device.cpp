@@ -76,7 +76,7 @@ std::uint32_t GraphicsFamily(const vk::raii::PhysicalDevice& device) {
   return found - families.begin();
 }
 
-// With every feature that it has.
+// Creates a device with every feature that it has.
 vk::raii::Device Create(const vk::raii::PhysicalDevice& physical, std::uint32_t family,
                         const char* extension) {
   auto features =

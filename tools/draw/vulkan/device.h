@@ -24,7 +24,7 @@ struct Buffer {
 // Whether Vulkan's validation layers watch a device.
 enum class Validation : std::uint8_t { kOff, kOn };
 
-// What the validation layers have reported of all devices since the last call.
+// Returns the messages that the validation layers have reported of all devices since the last call.
 std::vector<std::string> TakeMessages();
 
 // A Vulkan 1.3 device.
@@ -33,7 +33,7 @@ class Device {
   // Opens the first device that has that extension. Throws NoDevice when there is none, or no
   // validation layers where they are asked for.
   Device(const char* extension, bool is_processor, Validation validation = Validation::kOff);
-  // A processor with transform feedback: Mesa's lavapipe.
+  // Opens a processor with transform feedback: Mesa's lavapipe.
   Device() : Device(VK_EXT_TRANSFORM_FEEDBACK_EXTENSION_NAME, true) {}
   explicit Device(Validation validation)
       : Device(VK_EXT_TRANSFORM_FEEDBACK_EXTENSION_NAME, true, validation) {}

@@ -15,12 +15,13 @@ bool IsArrayOfArrays(const TypeTable& types, TypeId id) {
   return types[id].kind == TypeKind::kArray && types[types[id].element].kind == TypeKind::kArray;
 }
 
-// A gather's (texture, sampler, coordinate, and four offsets): no other call has seven arguments.
+// Whether the call is a gather with four offsets. No other call has seven arguments (texture,
+// sampler, coordinate, and four offsets).
 bool HasFourOffsets(const Program& program, const ObjectCall& call) {
   return TakesSampler(call.op) && program.expr_lists[call.arguments].size() == 7;
 }
 
-// Whether it is an element of an array, or another texture has a lower register.
+// Whether the object is an element of an array, or another texture has a lower register.
 bool MayNotBeTheFirst(const Program& program, ExprId object) {
   const auto* ref = std::get_if<VarRef>(&program.exprs[object].node);
   if (!ref) return true;

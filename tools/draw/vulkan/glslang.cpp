@@ -11,7 +11,7 @@
 namespace clipc::draw::vulkan {
 namespace {
 
-// Never freed, as compiler/validate.cpp has it.
+// Initializes glslang once and never frees it, as compiler/validate.cpp does.
 void InitializeOnce() {
   static const bool kInitialized = glslang::InitializeProcess();
   (void)kInitialized;

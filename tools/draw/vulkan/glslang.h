@@ -19,7 +19,7 @@ struct HlslSource {
   std::vector<std::string> defines, include_dirs;
   bool row_major = false;
 };
-// glslang's HLSL front end refuses the shader.
+// The error of a shader that glslang's HLSL front end refuses.
 class PeerRefuses : public DrawError {
  public:
   using DrawError::DrawError;

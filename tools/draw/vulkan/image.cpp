@@ -7,7 +7,7 @@
 namespace clipc::draw::vulkan {
 namespace {
 
-// How Vulkan takes what glTexImage takes.
+// The form of a texture in Vulkan, for a texture target of OpenGL.
 struct Form {
   vk::ImageType type;
   vk::ImageViewType view;

@@ -15,7 +15,7 @@ namespace {
 
 // The number of elements that an array without a size gets.
 constexpr std::uint32_t kManyElements = 16;
-// Every Vulkan has as many bytes of push constants at least.
+// The number of bytes of push constants that every Vulkan has at least.
 constexpr std::uint32_t kPushedBytes = 128;
 
 Attributes AttributesOf(const Reads& reads) {

@@ -22,7 +22,7 @@ struct MachineCode {
 // drawn.
 class CodeCounter {
  public:
-  // Throws NoDevice.
+  // Throws NoDevice if no device tells of its machine code.
   CodeCounter();
   ~CodeCounter();
 

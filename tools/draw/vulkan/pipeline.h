@@ -9,13 +9,13 @@
 
 namespace clipc::draw::vulkan {
 
-// The buffers of the attributes, with what a pipeline must know of them.
+// The buffers of the attributes, with the descriptions that a pipeline takes of them.
 struct Attributes {
   std::vector<vk::VertexInputBindingDescription> bindings;
   std::vector<vk::VertexInputAttributeDescription> places;
   std::vector<Buffer> buffers;
 };
-// Of one location.
+// The format of an attribute's values at one location.
 vk::Format FormatOf(const Shape& shape);
 Attributes UploadAttributes(const Device& device, const DrawCall& call);
 void BindAttributes(const vk::raii::CommandBuffer& commands, const Attributes& attributes);
@@ -24,12 +24,12 @@ void BindAttributes(const vk::raii::CommandBuffer& commands, const Attributes& a
 enum class PipelineEnd : std::uint8_t {
   kCapture,     // points are captured and drawn nowhere
   kPicture,     // triangles are drawn into a target of MakeTarget, kPairSize wide
-  kStatistics,  // the same, and the driver tells of its code
+  kStatistics,  // as kPicture, and the driver tells of its code
 };
 
 struct PipelineShaders {
   Spirv vertex;
-  Spirv fragment = {};  // of all but kCapture
+  Spirv fragment = {};  // for every end but kCapture
   PipelineEnd end = PipelineEnd::kCapture;
 };
 vk::raii::Pipeline MakePipeline(const vk::raii::Device& device, const PipelineShaders& shaders,

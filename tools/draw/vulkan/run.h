@@ -31,7 +31,7 @@ struct DrawCall {
 
 class Device;
 
-// The machine does not have a Vulkan that can do what is asked for.
+// The error of a machine without a Vulkan that can do what is asked for.
 class NoDevice : public DrawError {
  public:
   using DrawError::DrawError;
@@ -46,8 +46,8 @@ class Runner {
 
   std::string name() const;
 
-  // Why there is no device; empty if there is one. Always empty in CI (the environment has `CI`),
-  // so that tests without a device fail there.
+  // The reason why there is no device; empty if there is one, and always in CI (the environment has
+  // `CI`), so that tests without a device fail there.
   static std::string WhyNone();
 
   // Runs the vertex shader without any other stage, on points, and returns `outputs` in their

@@ -22,7 +22,8 @@ Spirv SpirvOfBytes(std::string_view bytes);
 
 // A variable that a vertex shader writes, or a member of its gl_PerVertex.
 struct Output {
-  // In the text that the shader was compiled from; "gl_Position" and the like of built-in outputs.
+  // The name in the text that the shader was compiled from; "gl_Position" and the like for built-in
+  // outputs.
   std::string name;
   std::string semantic;                   // of the HLSL, if the compiler wrote it down: "TEXCOORD3"
   std::optional<std::uint32_t> location;  // none: built in
@@ -35,7 +36,7 @@ struct Output {
 };
 std::vector<Output> OutputsOf(const Spirv& spirv);
 
-// The name of its entry point.
+// The name of the shader's entry point.
 std::string EntryPointOf(const Spirv& spirv);
 
 enum class DescriptorKind { kUniforms, kStorage, kTexture, kSampler, kTextureWithSampler, kTexels };

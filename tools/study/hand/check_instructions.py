@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-"""Compares what clipc writes with shaders of the same meaning that were written by hand: instructions of SPIR-V, after
+"""Compares the output of clipc with shaders of the same meaning that were written by hand: instructions of SPIR-V, after
 glslang and spirv-opt -O. clipc's never has more, and declares no input, output or buffer more.
 
 usage: check_instructions.py CLIPC REPOSITORY_ROOT [--bloat]

@@ -45,7 +45,7 @@ def take(folder):
 
 
 def short(number):
-    """Two digits, without an exponent."""
+    """The number with two digits, without an exponent."""
     if number == 0:
         return "0"
     return f"{number:.{max(0, 1 - math.floor(math.log10(abs(number))))}f}"
@@ -138,7 +138,7 @@ def advice():
 
 
 def planned():
-    """What tools/scenes/planner_test.cpp expects of the built-in scenes and its box, of 1000 objects each."""
+    """The numbers that tools/scenes/planner_test.cpp expects of the built-in scenes and its box, of 1000 objects each."""
     text = (ROOT / "tools/scenes/planner_test.cpp").read_text()
     counts = [int(n) for n in re.findall(r"ExpectSavings\((?:study|Box)[^;]*?, (\d+)\);", text)]
     names = [("reflection in water", 1), ("portal", 5), ("cut-away", 3), ("slice of a shadow cascade", 6), ("section by a box", 6)]
@@ -147,7 +147,7 @@ def planned():
                   for (name, planes), count in zip(names, counts, strict=True)])
 
 
-# What README's table says, and what tools/bench/main.cpp reports with a limit.
+# The words of README's table, and the words that tools/bench/main.cpp reports with a limit.
 SPOKEN = [
     ('start to exit, to a static "hello world"', "cold, to a static hello world"),
     ("start to exit, to `glslangValidator -D -V`", "cold, to glslangValidator -D -V"),
@@ -269,7 +269,7 @@ def check_inline():
     return problems
 
 
-# Numbers that say what is measured, not what came out: pictures' sizes, factors of the laws and of the checks, defaults of
+# The numbers that describe the measurements and not their results: pictures' sizes, factors of the laws and of the checks, defaults of
 # files, specifications.
 GIVEN = {
     "docs/study.md": {"1920", "0.2", "1280", "1.5", "0.002", "0.5", "1080", "2.0", "400", "256"},
@@ -279,7 +279,7 @@ GIVEN = {
 
 
 def check_rest():
-    """Every other number with a point or three digits is one of GIVEN."""
+    """The problems of every other number with a point or three digits that is not one of GIVEN."""
     problems = []
     for name, given in GIVEN.items():
         text = (ROOT / name).read_text()

@@ -27,7 +27,7 @@ document.body.append(pre)})</script></body>"""
 
 
 def measured(page):
-    """What the browser says of the page's text."""
+    """The browser's measurements of the page's text."""
     browser = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
     if not browser:
         sys.exit("check_report.py: no Chromium; on Debian: apt-get install chromium")
@@ -44,7 +44,7 @@ def measured(page):
 
 
 def problems(page, sweeps):
-    """What is wrong with the report's text, line by line."""
+    """The problems of the report's text, line by line."""
     found = []
     if re.search(r'(?:src|href)="(?!data:|#)', page):
         found.append("the report loads something from elsewhere")

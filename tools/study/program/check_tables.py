@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-"""Holds the tables of a clipc-study run against what the study is there to show.
+"""Holds the tables of a clipc-study run against the results that the study is there to show.
 
 usage: check_tables.py FOLDER [--costs]
 
@@ -42,7 +42,7 @@ for row in pixels:
 expect(max(int(r["wrong"]) for r in pixels if r["way"] == "clip") > 100, "clip draws nothing wrong anywhere")
 expect(all(int(r["reference"]) > 1000 for r in pixels if r["applies"] == "1"), "a picture with hardly a fragment")
 
-# Odd planes and triangles: what must be right everywhere is.
+# The results for odd planes and triangles that must be right everywhere are.
 special = read("special.csv")
 for row in special:
     if row["what"] in ("0 0 0 0", "NaN 0 0 1", "both halves"):
@@ -63,7 +63,7 @@ for row in laws:
 outside = sum(int(r["low"]) + int(r["high"]) for r in laws)
 expect(outside == 0, f"{outside} draws are not within a factor of 0.2 to 3 of their law")
 
-# What is in object space does not flicker; clip space does.
+# Cuts in object space do not flicker; cuts in clip space do.
 flicker = {(r["method"], r["eye_to_plane"]): float(r["largest_px"]) for r in read("flicker.csv")}
 for (method, ratio), moved in flicker.items():
     expect(moved == 0 or method not in ("object", "world", "cpu"), f"{method} flickers by {moved} pixels at {ratio}")
@@ -80,7 +80,7 @@ scenes_held = read("advice-scenes.csv")[0]
 expect((scenes_held["misses"], scenes_held["overlooked"]) == ("0", "0"), f"advice on scenes: {scenes_held['misses']} missed, {scenes_held['overlooked']} overlooked")
 expect(int(scenes_held["dearer"]) <= 0.02 * int(scenes_held["advised"]), f"advice on scenes: {scenes_held['dearer']} dearer than needed")
 
-# No more than 2 % more a frame than the default.
+# xyw1 and object cost at most 2 % more a frame than the default.
 if "--costs" in sys.argv:
     paired = {(r["setting"], r["way"], r["planes"]): float(r["paired_ratio"]) for r in speed}
     for setting in ("picture", "vertices"):
@@ -89,7 +89,7 @@ if "--costs" in sys.argv:
                 more = paired[setting, way, planes] / paired[setting, "clip", planes]
                 expect(more <= 1.02, f"{way} with {planes} planes costs {more:.3f} times what clip does, setting {setting}")
 
-# None of the peers' ways is as accurate and cheaper where planes cut little: by more than costs are known.
+# No way of the peers is as accurate and cheaper, by more than the costs are known to, where planes cut little.
 PEERS = {"level9": "clip", "world": "world", "near-plane": "near-plane", "near-plane-f32": "near-plane-f32", "discard-world": "world", "cpu": "cpu"}
 if "--costs" in sys.argv:
     for row in edges:

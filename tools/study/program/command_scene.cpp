@@ -27,7 +27,7 @@ CostTable MeasuredCosts() {
   return TableOf(MeasureSpeed(5, 40, std::ref(progress)));
 }
 
-// A method with the most planes that an object drawn with it needs.
+// The methods, each with the most planes that an object drawn with it needs.
 using Variants = std::map<std::string, int>;
 
 OrderedJson NamesOf(std::uint8_t needed, const Scene& scene) {
@@ -38,7 +38,7 @@ OrderedJson NamesOf(std::uint8_t needed, const Scene& scene) {
   return names;
 }
 
-// What is advised for an object, as docs/study.md says.
+// The advice on an object, as docs/study.md describes it.
 OrderedJson JsonOf(const SceneObject& object, const ObjectAdvice& advice, const Scene& scene) {
   const ObjectPlan& plan = advice.plan;
   OrderedJson json = {{"object", object.name},
@@ -60,7 +60,8 @@ OrderedJson JsonOf(const SceneObject& object, const ObjectAdvice& advice, const 
   return json;
 }
 
-// A name that has a space stands in quotation marks, so that columns stay columns.
+// The text of a table's cell. A name that has a space is in quotation marks, so that columns stay
+// columns.
 std::string Cell(const OrderedJson& value) {
   std::string text;
   if (value.is_array()) {

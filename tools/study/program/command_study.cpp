@@ -77,8 +77,8 @@ class Study {
     }
   }
 
-  // Plane directions that nobody chose, at some distances from the eye: each way's error over all
-  // of them.
+  // Writes each way's error over plane directions that nobody chose, at some distances from the
+  // eye.
   void Directions() {
     Csv csv(Path("directions.csv"),
             {"eye_to_plane", "method", "planes", "median_px", "p99_px", "largest_px"});
@@ -92,7 +92,7 @@ class Study {
     }
   }
 
-  // The laws of PredictEdgeError in the regimes that users are in.
+  // Writes the agreement of PredictEdgeError's laws with the regimes that users are in.
   void Laws() {
     Csv csv(Path("laws.csv"),
             {"regime", "draws", "low", "high", "least", "median", "most", "pooled_p99"});
@@ -102,7 +102,7 @@ class Study {
     }
   }
 
-  // A camera that pans by a sixth of a degree a frame.
+  // Writes the flicker of a camera that pans by a sixth of a degree a frame.
   void Flickers() {
     Csv csv(Path("flicker.csv"), {"eye_to_plane", "method", "median_px", "p99_px", "largest_px"});
     for (const double ratio : {10.0, 30.0, 100.0, 400.0, 1000.0, 3000.0}) {
@@ -115,7 +115,7 @@ class Study {
     }
   }
 
-  // The advice on scenes that nobody chose, held against their own edges.
+  // Holds the advice on scenes that nobody chose against measured edges.
   void AdviceOnScenes() {
     Csv csv(Path("advice-scenes.csv"),
             {"scenes", "advised", "meets", "misses", "overlooked", "dearer"});
@@ -154,8 +154,8 @@ class Study {
     PixelMeter meter(options_.quick ? 960 : 1920, options_.quick ? 540 : 1080, KnotDetail());
     const std::vector<SweepPoint> points = AllSweeps(options_.quick);
     for (std::size_t i = 0; i < points.size(); ++i) {
-      // The knot does not have such an angle or such triangles, and stands at its own origin and on
-      // the view's axis. It is drawn with depth from 0 to 1.
+      // The knot does not have such an angle or such triangles, and is at its own origin and on the
+      // view's axis. It is drawn with depth from 0 to 1.
       const Config& config = points[i].config;
       if (config.surface_angle < 0 && config.edge_length == Config{}.edge_length &&
           config.mesh_offset == 0 && !config.camera.negative_one_to_one &&
@@ -170,7 +170,7 @@ class Study {
     Pictures();
   }
 
-  // One cut near enough for the default to be right, one where it is visibly not.
+  // Writes a picture of each way at a cut so far away that the default is visibly wrong.
   void Pictures() {
     const Config far = ObliqueAt(3e4, 0.1, 1e6);
     for (const Way& way : kWays) {
@@ -186,7 +186,7 @@ class Study {
     }
   }
 
-  // The costs of the setting "picture".
+  // Measures the costs and writes them. Returns those of the setting "picture".
   CostTable Speed(const std::string& name, const char* what) {
     Csv csv(Path(name), {"setting", "way", "planes", "median_ms", "least_ms", "ratio",
                          "paired_ratio", "paired_low", "paired_high"});
@@ -228,7 +228,7 @@ class Study {
     }
   }
 
-  // Frames of the scenes with no planes, all of them, and those that are needed.
+  // Measures frames of the scenes with no planes, all planes, and the planes that are needed.
   void SceneCosts() {
     Csv csv(Path("scene-costs.csv"),
             {"scene", "planes", "draws", "planes_drawn", "least_ms", "same_picture"});
@@ -247,8 +247,8 @@ class Study {
     }
   }
 
-  // The advice on draws that nobody chose: is the error under its bound, and the cost, measured a
-  // second time, near the best?
+  // Holds the advice on draws that nobody chose against measurements: whether the error is under
+  // its bound, and whether the cost, measured a second time, is near the best.
   void RandomAdvice() {
     const CostTable second = Speed("speed-again.csv", "cost, again");
     Csv csv(Path("advice.csv"),

@@ -21,8 +21,8 @@ clipc-study scene FILE [--costs speed.csv] [--variants FILE] [--json FILE]
 Exit: 0 done, 1 the tolerance is not met for some object, 2 failed.
 )";
 
-// arguments[0] is the name of the program or command. Return the exit code. Throw DrawError with
-// the reason where they fail.
+// The commands of clipc-study: arguments[0] is the name of the program or command. They return the
+// exit code, and throw DrawError with the reason where they fail.
 int RunStudy(const std::vector<std::string>& arguments);
 int RunScene(const std::vector<std::string>& arguments);
 

@@ -147,7 +147,8 @@ class Converter {
 
   // ---- where the nodes are
 
-  // Parents before children. A node that is reached twice, or through itself, is refused.
+  // Lists the nodes, parents before children. A node that is reached twice, or through itself, is
+  // refused.
   void PlaceNodes(const tinygltf::Scene& root) {
     to_world_.resize(model_.nodes.size());
     struct Visit {
@@ -220,7 +221,7 @@ class Converter {
     return local;
   }
 
-  // `matrix`, followed by the way from glTF's world to the scene's.
+  // Returns `matrix`, followed by the mirroring from glTF's world to the scene's.
   static Matrix Mirrored(Matrix matrix) {
     for (auto& row : matrix.m) row[2] = -row[2];
     return matrix;
@@ -254,7 +255,7 @@ class Converter {
     return !name.empty() ? name : !other.empty() ? other : where;
   }
 
-  // Local y >= 0 is kept.
+  // Adds the plane of a node, which keeps y >= 0 in the node's own space.
   void TakePlane(const tinygltf::Node& node, const Matrix& world, const std::string& where) {
     const Matrix axes = Mirrored(world);
     Vector normal = Cross(RowOf(axes, 2), RowOf(axes, 0));
@@ -264,7 +265,7 @@ class Converter {
                              {normal.x, normal.y, normal.z, -Dot(normal, RowOf(axes, 3))}});
   }
 
-  // A camera's own scale does not count.
+  // Adds the camera of a node, whose scale does not count.
   void TakeCamera(const tinygltf::Node& node, const Matrix& world, const std::string& where) {
     const tinygltf::Camera& from = ElementOf(model_.cameras, node.camera, where + ".camera");
     const std::string place = At("cameras", node.camera);
@@ -274,7 +275,7 @@ class Converter {
     } else {
       Lens(from.perspective, place + ".perspective", camera);
     }
-    // It looks along -z in its own space, which is mirrored as the world is.
+    // The camera looks along -z in its own space, which is mirrored as the world is.
     const Matrix to_world = Mirrored(world);
     Vector x = RowOf(to_world, 0), y = RowOf(to_world, 1), z = -1 * RowOf(to_world, 2);
     Require(Normalize(x) && Normalize(y) && Normalize(z), where, "is a camera of scale 0");
@@ -339,7 +340,7 @@ class Converter {
       object.name = NameOf(node.name, mesh.name, where);
       if (mesh.primitives.size() > 1) object.name += "/" + std::to_string(i);
       Bounds bounds = PositionBounds(primitive.attributes, part + ".attributes");
-      // Weights between 0 and 1 keep within this.
+      // Vertices whose morph targets have weights between 0 and 1 stay within these bounds.
       for (std::size_t t = 0; t < primitive.targets.size(); ++t) {
         if (!primitive.targets[t].contains("POSITION")) continue;
         const Bounds moved = PositionBounds(primitive.targets[t], part + "." + At("targets", t));
@@ -355,7 +356,7 @@ class Converter {
         object.world = Mirrored(Matrix());
       }
       for (int c = 0; c < 3; ++c) {
-        // Outwards, so that the box still holds everything.
+        // The bounds are rounded outwards, so that the box still holds everything.
         object.box.low[c] = std::nextafter(static_cast<float>(bounds.low[c]), -INFINITY);
         object.box.high[c] = std::nextafter(static_cast<float>(bounds.high[c]), INFINITY);
       }
@@ -386,8 +387,8 @@ class Converter {
     return bounds;
   }
 
-  // A skinned vertex lies between the places that its joints would put it: the box, in the world,
-  // of all of these.
+  // The bounds, in the world, of the places where the joints would put the corners of `box`: a
+  // skinned vertex lies between the places that its joints would put it.
   Bounds SkinnedBounds(int index, const Bounds& box, const std::string& where) const {
     const tinygltf::Skin& skin = ElementOf(model_.skins, index, where);
     const std::string place = At("skins", index);

@@ -127,7 +127,8 @@ TEST(GltfScene, Lenses) {
   EXPECT_EQ(camera.Projection().m[3][2], 0);
 }
 
-// What the node's own y axis points to is kept, whatever scales and mirrors stand above it.
+// A plane keeps the side that its node's y axis points to, whatever scales and mirrors the nodes
+// above it have.
 TEST(GltfScene, PlanesFollowTheirNodes) {
   const double h = std::sqrt(0.5);
   Json json = Harbour();

@@ -50,7 +50,7 @@ Mesh ExactlyClipped(const Mesh& mesh, const Setup& setup) {
 Mesh MeshFor(const Setup& setup, int detail) {
   const Camera& camera = setup.config.camera;
   const double depth = std::sqrt(setup.config.nearest * setup.config.farthest);
-  // No deeper than the eye, whatever the field of view.
+  // The knot does not reach beyond the eye, whatever the field of view.
   return TorusKnot(10 * detail, detail, std::min(camera.HalfHeightAt(depth), depth) / 1.75);
 }
 

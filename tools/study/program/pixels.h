@@ -8,7 +8,7 @@
 
 namespace clipc::study {
 
-// How much a way draws wrongly: the fragments at each pixel are compared with those of polygons
+// The fragments that a way draws wrongly: those at each pixel are compared with those of polygons
 // that were clipped exactly.
 struct PixelErrors {
   std::string way;
@@ -28,7 +28,7 @@ class PixelMeter {
  private:
   Studio studio_;
   int detail_;
-  std::vector<std::unique_ptr<DrawCall>> calls_;  // as kWays
+  std::vector<std::unique_ptr<DrawCall>> calls_;  // beside kWays
 };
 
 // The knot of that detail drawn once with one way, over white; none where the way cannot be used.

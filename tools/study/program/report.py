@@ -30,7 +30,7 @@ COLORS = {
     "document-f32": "#d35400", "inverse-f32": "#b7950b", "near-plane": "#27ae60", "near-plane-f32": "#6e2c00",
     "clip-steps": "#e57373", "xyw1-steps": "#7fb3d5", "clip-product": "#f1948a", "xyw1-product": "#aed6f1",
     "discard": "#e84393", "discard-object": "#fd79a8", "discard-world": "#6c5ce7", "cpu": "#2c3e50", "none": "#aaaaaa"}
-# Which arithmetic (edges.csv) a way (speed.csv, pixels.csv) has.
+# The arithmetic (edges.csv) of each way (speed.csv, pixels.csv).
 ARITHMETIC = {"clip": "clip", "level9": "clip", "xyw1": "xyw1", "object": "object", "world": "world", "near-plane": "near-plane",
               "near-plane-f32": "near-plane-f32", "discard": "clip", "discard-object": "object", "discard-world": "world", "cpu": "cpu"}
 HOW = {
@@ -43,7 +43,7 @@ HOW = {
     "clip-product": "clip, with one matrix that was multiplied in float", "xyw1-product": "xyw1, likewise",
     "view": "SV_ClipDistance of the view-space vertex", "document-f32": "the published closed form in float",
     "inverse-f32": "float inverse of view * projection"}
-LEAST = 1e-5  # pixels: what is smaller is drawn there
+LEAST = 1e-5  # pixels: smaller errors are drawn there
 
 
 def read(folder, name):
@@ -76,7 +76,7 @@ def number(text):
 def cost_of(speed, way, planes=1, setting="picture"):
     for row in speed:
         if (row["setting"], row["way"], row["planes"]) == (setting, way, str(planes)):
-            return number(row["paired_ratio"])  # to the frames just before and after: what else the machine does hits them alike
+            return number(row["paired_ratio"])  # to the frames just before and after: other work of the machine slows both alike
     return None
 
 
@@ -88,7 +88,7 @@ def by_sweep(rows, key):
     return sweeps
 
 
-STEP = 1 / 256  # pixels: what a rasteriser snaps to; below it no picture changes
+STEP = 1 / 256  # pixels: the grid that a rasteriser snaps to; below it no picture changes
 CEILING = 0.05 / math.tan(math.radians(30)) * 540  # pixels: no measured edge is longer, so nothing can lose more
 
 

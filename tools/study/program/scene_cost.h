@@ -10,7 +10,7 @@
 
 namespace clipc::study {
 
-// How many planes objects are drawn with.
+// The planes that objects are drawn with.
 enum class Planes {
   kNone,  // nothing is clipped
   kAll,   // every plane clips every object

@@ -58,7 +58,7 @@ class Reader {
       to[i] = (*value)[i].get<double>();
     }
   }
-  // Calls read(element, where) for each.
+  // Calls read(element, where) for each element of the list `key`.
   template <typename Read>
   void List(const char* key, Read read) {
     const Json* value = Find(key);
@@ -118,7 +118,7 @@ SceneObject ObjectFrom(Reader& reader, std::size_t number) {
   reader.Numbers("low", low), reader.Numbers("high", high), reader.Numbers("world", world, false);
   for (int i = 0; i < 3; ++i) {
     if (!(low[i] <= high[i])) reader.Fail("low", "lies above `high`");
-    // Rounded outwards, so that the box still holds everything.
+    // The bounds are rounded outwards, so that the box still holds everything.
     object.box.low[i] = std::nextafter(static_cast<float>(low[i]), -INFINITY);
     object.box.high[i] = std::nextafter(static_cast<float>(high[i]), INFINITY);
   }

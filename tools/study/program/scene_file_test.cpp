@@ -30,7 +30,7 @@ std::string TextOf(const std::string& path) {
   return text.str();
 }
 
-// What ReadScene says of harbour.json with `from` replaced by `to`.
+// The error of ReadScene for harbour.json with `from` replaced by `to`.
 std::string ErrorWith(const std::string& from, const std::string& to) {
   std::string text = TextOf(kHarbour);
   EXPECT_NE(text.find(from), text.npos) << from;
@@ -131,7 +131,7 @@ TEST(SceneCommand, SaysWhatEachObjectNeeds) {
   EXPECT_THAT(variants, Not(HasSubstr("discard")));
 }
 
-// A scene of one plane and these objects, as JSON; RunScene's exit code and what it prints.
+// The exit code and the outputs of RunScene for a scene of one plane and some objects.
 struct Said {
   int exit_code;
   std::string text, variants;
@@ -223,7 +223,7 @@ TEST(SceneCommand, GoesOnAfterAnImpossibleObject) {
   EXPECT_TRUE(objects[1]["method"].is_null());
   EXPECT_EQ(objects[2]["method"], "cpu");
   EXPECT_THAT(said.text, ContainsRegex("flag +yes +\"the cut\" +none +- +no"));
-  // Nothing is built for what no method can clip, nor by clipc for the processor.
+  // No shader is built for an object that no method can clip, nor by clipc for the processor.
   EXPECT_THAT(said.text, HasSubstr("\nbuild: cpu with 0 to 1 planes\nthe tolerance"));
   EXPECT_THAT(said.text, Not(ContainsRegex("build: [^c]")));
   EXPECT_THAT(said.variants, HasSubstr("set(CLIPC_SCENE_METHODS \"\")"));
@@ -267,7 +267,8 @@ TEST(SceneCommand, RecommendationsAreThoseOfTheSecondTable) {
                  Advise(facts, second, scene.tolerance).front().way;
       ++advised;
     }
-    // What the laws leave open is measured, which is the same for both: some scenes are enough.
+    // The errors that the laws leave open are measured, with the same result for both tables: some
+    // scenes are enough.
     if (i % 10 != 0) continue;
     const auto advice = AdviseScene(scene, camera, first),
                again = AdviseScene(scene, camera, second);

@@ -17,7 +17,8 @@ std::string FragmentOf(WayKind kind, int planes, bool coverage) {
       is_old ? "#version 120\n" : "#version 450\nlayout(location = 0) out vec4 color;\n";
   std::string body;
   if (kind == WayKind::kDiscardRecomputed) {
-    // In the place of three.js's: every fragment dots its interpolated world position.
+    // The shader stands in for that of three.js: every fragment dots its interpolated world
+    // position.
     const std::string count = std::to_string(planes);
     text += "layout(location = 0) in vec3 vs_PLACE0;\nlayout(location = 1) in vec3 vs_NORMAL0;\n";
     text += "layout(std140) uniform Clip { vec4 clip[" + count + "]; };\n";

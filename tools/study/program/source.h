@@ -13,8 +13,8 @@ namespace clipc::study {
 struct WaySource {
   std::string vertex, fragment;
 };
-// Compiles with clipc. `coverage`: the fragment shader adds 1; otherwise it shades. Throws
-// DrawError with clipc's messages.
+// Compiles a way's shaders with clipc. If `coverage`, the fragment shader adds 1; otherwise it
+// shades. Throws DrawError with clipc's messages.
 WaySource SourceOf(WayKind kind, int planes, bool coverage);
 
 struct WayConstants {

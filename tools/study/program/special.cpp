@@ -49,7 +49,8 @@ class Specials {
     return sum;
   }
 
-  // The constants of the plane through the knot, as if somebody uploaded others.
+  // Draws the knot with special values in place of the plane's constants, as if somebody had
+  // uploaded them.
   void Values() {
     const std::optional<WayConstants> made = ConstantsOf(way_->kind, setup_, {setup_.world_plane});
     if (!made) return;
@@ -74,7 +75,7 @@ class Specials {
     }
   }
 
-  // A knot around the eye: what a plane keeps and what its opposite keeps is all there is.
+  // Draws a knot around the eye: the parts that a plane and its opposite keep are the whole knot.
   void ThroughTheEye() {
     const Plane& p = setup_.world_plane;
     const auto kept = ConstantsOf(way_->kind, setup_, {p});
@@ -87,7 +88,7 @@ class Specials {
     Add("triangles through w = 0", "both halves", (one + other) / all, 1);
   }
 
-  // A square that fills the picture has no other edge in it than the cut.
+  // Draws a square that fills the picture, so that the cut is its only edge.
   void Smooth() {
     Mesh square;
     square.vertices = {{{-2, -2, 0, 1}}, {{2, -2, 0, 1}}, {{2, 2, 0, 1}}, {{-2, 2, 0, 1}}};

@@ -6,7 +6,7 @@
 
 namespace clipc::study {
 
-// How a real clipper treats odd planes and odd triangles, for one way to clip.
+// The picture of an odd plane or odd triangles on a real clipper, for one way to clip.
 struct SpecialResult {
   std::string sweep;  // "special values", "triangles through w = 0", "multisampling"
   std::string what;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// What odd planes and odd triangles do on a real clipper, for each way that can be given them.
+// The pictures of odd planes and odd triangles on a real clipper, for each way that can be given
+// them.
 #include "tools/study/program/special.h"
 
 #include <cmath>
@@ -19,7 +20,7 @@ class Special : public ::testing::Test {
     const harness::OpenGl opengl(harness::Api::kCompatibility);
     results_ = MeasureSpecial();
   }
-  // Calls check(result) for each with that name, and counts the ways.
+  // Calls check(result) for each result with that name, and counts the ways.
   void For(const std::string& what, const std::function<void(const SpecialResult&)>& check) {
     std::set<std::string> ways;
     for (const SpecialResult& result : results_) {
@@ -46,8 +47,8 @@ TEST_F(Special, NotANumberClipsEverything) {
   For("NaN 0 0 1", [](const SpecialResult& result) { EXPECT_EQ(result.got, 0); });
 }
 
-// Why the runtime refuses planes of such lengths: nothing but a sheared depth minds the ones that
-// it lets pass.
+// The reason why the runtime refuses planes of such lengths: the lengths that it lets pass harm
+// nothing but a sheared depth.
 TEST_F(Special, PlanesTooLongOrTooShortFail) {
   const auto is_right = [](const SpecialResult& result) {
     return std::fabs(result.got - result.right) < 0.002;
@@ -63,7 +64,7 @@ TEST_F(Special, PlanesTooLongOrTooShortFail) {
   EXPECT_GE(wrong, 3);
 }
 
-// What a plane keeps and what its opposite keeps is all there is.
+// The parts that a plane and its opposite keep are the whole.
 TEST_F(Special, TrianglesThroughTheEyesPlane) {
   int ways = 0;
   for (const SpecialResult& result : results_) {

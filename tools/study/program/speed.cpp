@@ -25,7 +25,8 @@ struct Setting {
 constexpr Setting kSettings[] = {
     {"picture", 1280, 720, false}, {"vertices", 64, 64, false}, {"cut", 1280, 720, true}};
 
-// Six sides of a box around the object, in world space; far outside it, or through it.
+// The first `count` of six sides of a box around the object, in world space; far outside it, or, if
+// `cuts`, through it.
 std::vector<Plane> Sides(const Setup& setup, int count, bool cuts) {
   std::vector<Plane> planes;
   // The first looks along the view and lies behind every part of the object as the eye sees it, so
@@ -36,7 +37,7 @@ std::vector<Plane> Sides(const Setup& setup, int count, bool cuts) {
                radius = 0.3 * depth;
   for (int i = 0; i < count; ++i) {
     const Vector n = normals[i];
-    // From the object's middle, against the normal.
+    // The way from the object's middle to the plane, against the normal.
     const Vector away = (cuts ? 0 : -2 * radius) * n / std::sqrt(Dot(n, n));
     const Plane view = PlaneThroughPoint(n, Vector{0, 0, depth} + away);
     planes.push_back(PlaneBefore(setup.view, view));
@@ -146,7 +147,7 @@ std::vector<Cost> MeasureSpeed(int rounds, int detail,
     const Cost none = entries.front().cost;
     for (Entry& entry : entries) {
       entry.cost.ratio = entry.cost.median_ms / none.median_ms;
-      // Noise lifts them alike.
+      // Noise lifts all of these ratios alike.
       entry.cost.paired_ratio /= none.paired_ratio;
       entry.cost.paired_low /= none.paired_ratio, entry.cost.paired_high /= none.paired_ratio;
       costs.push_back(entry.cost);

@@ -22,7 +22,7 @@ struct Cost {
   // The median of the ratios to the frames without planes just before and after, which other work
   // of the machine slows down as much.
   double paired_ratio = 1;
-  // Between which that median lies, 19 times of 20 (tools/study/repeats.h).
+  // The bounds that the median of such ratios lies between, 19 times of 20 (tools/study/repeats.h).
   double paired_low = 1, paired_high = 1;
 };
 

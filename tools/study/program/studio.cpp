@@ -12,7 +12,8 @@ namespace {
 // GL_CLIP_PLANE0 of the compatibility profile is the same number.
 constexpr GLenum kClip0 = GL_CLIP_DISTANCE0;
 
-// As method.hlsl's cbuffer lies in memory: matrices column by column, then the planes.
+// The constants as method.hlsl's cbuffer lies in memory: matrices column by column, then the
+// planes.
 std::vector<float> BufferOf(const WayConstants& constants) {
   std::vector<float> words;
   for (const Mat4<float>* m : {&constants.world_view_projection, &constants.world}) {

@@ -18,12 +18,13 @@ namespace clipc::study {
 // compatibility profile must be current.
 class Studio {
  public:
-  // `coverage`: each fragment adds 1 to its pixel, and nothing hides anything; otherwise colors
-  // with a depth buffer. `samples`: of each pixel; more than 1 only with `coverage`.
+  // If `coverage`, each fragment adds 1 to its pixel, and nothing hides anything; otherwise colors
+  // are drawn with a depth buffer. Each pixel has `samples` samples, more than 1 only with
+  // `coverage`.
   Studio(int width, int height, bool coverage, int samples = 1);
 
   void Begin();  // makes the studio current and clears it
-  // What was added to each pixel, the mean of its samples; only with `coverage`.
+  // The sum that was added to each pixel, as the mean of its samples; only with `coverage`.
   std::vector<float> Counts();
   harness::Picture Read() { return framebuffer_.Read(); }  // only without `coverage`
 

@@ -201,8 +201,8 @@ class Draw:
         return made
 
     def lost(self, way, names, every_plane=False):
-        """The 99th percentile of displacements, of the plane where it is largest; none where hardly a cut is seen, of any plane or
-        of every plane."""
+        """The 99th percentile of displacements, of the plane where it is largest; none where hardly a cut of any plane is
+        seen or, with `every_plane`, of one of them."""
         worst = None
         for plane in self.scene["planes"]:
             if plane["name"] not in names:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Debian's, which is for Linux, as LLVM's own build would write it for Windows. No #pragma once:
-// the other file has a guard, and this one may come again after it.
+// Debian's llvm-config.h, which is for Linux, changed to what LLVM's own build would write for
+// Windows. No #pragma once: the other file has a guard, and this one may come again after it.
 #include_next <llvm/Config/llvm-config.h>
 #undef LLVM_ON_UNIX
 #undef LLVM_ENABLE_ZLIB
