@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/option_table.h"
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <iterator>
 #include <tuple>
 #include <type_traits>
@@ -18,7 +21,7 @@ using rules::PositionName;
 
 // ---- what an option does with its value
 
-// For what another compiler does with its code, and GLSL has no use for.
+// Ignores an option for the code of another compiler, which GLSL has no use for.
 void Ignore(Reading&, const std::string&) {}
 
 void HasNoEffect(Reading& reading, const std::string&) {
@@ -39,7 +42,7 @@ Value& MemberOf(Reading& reading, Value Owner::* member) {
          member;
 }
 
-// A flag becomes true, a list gets one more, a text is replaced.
+// Sets a member: a flag becomes true, a list gets one more value, a text is replaced.
 template <auto kMember>
 void Set(Reading& reading, const std::string& value) {
   auto& member = MemberOf(reading, kMember);
@@ -57,7 +60,7 @@ void SetTo(Reading& reading, const std::string&) {
   MemberOf(reading, kMember) = kValue;
 }
 
-// One of a few words, which stand in the order of the enumerators.
+// Reads one of the words kNames, which are in the order of the enumerators.
 template <typename Enum, auto kMember, const auto& kNames>
 void Choose(Reading& reading, const std::string& value) {
   if (const std::optional<Enum> choice = EnumeratorOf<Enum>(value, kNames)) {
@@ -70,7 +73,7 @@ void Choose(Reading& reading, const std::string& value) {
       fmt::format("unknown value `{}` of {}{}", value, reading.option, Suggest(value, names));
 }
 
-// A number from kLeast to kMost.
+// Reads a number from kLeast to kMost.
 template <auto kMember, unsigned kLeast, unsigned kMost>
 void SetNumber(Reading& reading, const std::string& value) {
   std::uint32_t number = 0;
@@ -87,7 +90,7 @@ void SetVariants(Reading& reading, const std::string& value) {
   SetNumber<&CompileRequest::variant_planes, 0, kMaxClipPlanes>(reading, value);
 }
 
-// "2/4".
+// Reads "2/4", the number of a shard and the number of shards.
 void SetShard(Reading& reading, const std::string& value) {
   CommandLine& command = reading.command;
   const std::size_t slash = value.find('/');
@@ -122,7 +125,7 @@ void SetForZero(Reading& reading, const std::string& value) {
     reading.error = fmt::format("`{}={}`: it takes `zero`", reading.option, value);
 }
 
-// The advice of the option says what it takes.
+// Reads a rule for bindings. The advice of the option says what it takes.
 template <bool (*kRead)(glsl::BindingRules&, std::string_view)>
 void Bind(Reading& reading, const std::string& value) {
   reading.binding_option = reading.option;
@@ -149,7 +152,7 @@ void Undefine(Reading& reading, const std::string& value) {
   });
 }
 
-// -O, -O0 to -O4, -Od, -Op, -Os and -Oz: how hard another compiler works on its code.
+// Reads -O, -O0 to -O4, -Od, -Op, -Os and -Oz: how hard another compiler works on its code.
 void SetOptimisation(Reading& reading, const std::string& value) {
   if (value.empty() ||
       (value.size() == 1 && std::string_view("01234dpsz").find(value[0]) != std::string_view::npos))
@@ -157,14 +160,14 @@ void SetOptimisation(Reading& reading, const std::string& value) {
   reading.error = fmt::format("unknown option `-O{}`", value);
 }
 
-// A value that another compiler knows and that is all that clipc has.
+// Requires the one value that clipc has, of those that another compiler knows.
 template <const auto& kValue>
 void RequireValue(Reading& reading, const std::string& value) {
   if (value != kValue)
     reading.error = fmt::format("`{} {}`: clipc has `{}` only", reading.option, value, kValue);
 }
 
-// -Wno-clip-plane-twice, -Werror, -Werror=..., -Wno-error=...
+// Reads -Wno-clip-plane-twice, -Werror, -Werror=... and -Wno-error=...
 void SetWarning(Reading& reading, const std::string& value) {
   WarningOptions& warnings = reading.command.request.warnings;
   std::string_view name = value;
@@ -218,7 +221,7 @@ using enum Option::Form;
 using Action = CommandLine::Action;
 using Request = CompileRequest;
 
-// Those of --help, in its order; then other spellings and other compilers' options.
+// The options of --help, in its order; then other spellings and other compilers' options.
 constexpr Option kOptions[] = {
     {"-T", kJoinedOrSeparate, Set<&Request::profile>, "<PROFILE>",
      "vs_2_0 .. vs_6_8 (vs_5_0), vs_4_0_level_9_0, _9_1, _9_3"},
@@ -313,7 +316,8 @@ constexpr Option kOptions[] = {
     {"--help", kFlag, SetTo<&CommandLine::action, Action::kHelp>, "", "print this"},
     {"--version", kFlag, SetTo<&CommandLine::action, Action::kVersion>, "", "print the version"},
 
-    // For permutations, for untrusted shaders, for people who work on clipc, and other spellings.
+    // Options for permutations, for untrusted shaders and for people who work on clipc, and other
+    // spellings.
     {"--index", kEquals, Set<&CommandLine::index>},
     {"-k", kFlag, Set<&CommandLine::keep_going>},
     {"--shard", kEquals, SetShard},
@@ -370,8 +374,8 @@ constexpr Option kOptions[] = {
     {"-S", kSeparate, RequireValue<kVert>},
     {"-fshader-stage", kEquals, RequireValue<kVertex>},
 
-    // What another compiler does to its code, its listing or its effort.
-    // --hlsl-iomap maps by register, as clipc does.
+    // Options for the code, the listing or the effort of another compiler. --hlsl-iomap maps by
+    // register, as clipc does.
     {"-nologo --hlsl-iomap -Zss -Zsb -Zs -Cc -c -Gpp -all_resources_bound -all-resources-bound "
      "-enable_unbounded_descriptor_tables -res_may_alias -res-may-alias -Qembed_debug "
      "-Qsource_in_debug_module",
@@ -382,7 +386,7 @@ constexpr Option kOptions[] = {
     {"-Gec", kFlag, SetPositionName<PositionName::kBoth>},
     {"-Ges", kFlag, SetPositionName<PositionName::kStrict>},
 
-    // A meaning that is lost.
+    // Options whose meaning is lost.
     {"-Fd", kJoinedOrSeparate, HasNoEffect, nullptr,
      "GLSL has no debug database; -Zi keeps the lines of the HLSL"},
     {"-Gfa", kFlag, HasNoEffect, nullptr,
@@ -391,7 +395,7 @@ constexpr Option kOptions[] = {
      "GLSL has no such mode; `[branch]` on a statement reaches Vulkan's drivers"},
     {"-Ni -No -Lx", kFlag, HasNoEffect, nullptr, "the listing is GLSL"},
 
-    // A meaning that clipc does not have.
+    // Options whose meaning clipc does not have.
     {"-Entry -entry", kJoined, Refuse, nullptr, "did you mean `-E`?"},
     {"-Define -define", kJoined, Refuse, nullptr, "did you mean `-D`?"},
     {"-Target -target -profile -Profile", kJoined, Refuse, nullptr,
@@ -414,20 +418,36 @@ constexpr Option kOptions[] = {
      "it is for effects and libraries; clipc compiles one shader"},
 };
 
+// Calls visit(spelling) for each name of each option.
+constexpr void ForEachSpelling(auto visit) {
+  for (const Option& option : kOptions) {
+    std::string_view names = option.names;
+    while (!names.empty()) {
+      const std::string_view name = names.substr(0, names.find(' '));
+      visit(Spelling{name, &option});
+      names.remove_prefix(std::min(name.size() + 1, names.size()));
+    }
+  }
+}
+
+constexpr std::size_t CountSpellings() {
+  std::size_t count = 0;
+  ForEachSpelling([&](const Spelling&) { ++count; });
+  return count;
+}
+
+constexpr auto kSpellings = [] {
+  std::array<Spelling, CountSpellings()> all;
+  auto next = all.begin();
+  ForEachSpelling([&](const Spelling& spelling) { *next++ = spelling; });
+  return all;
+}();
+
 }  // namespace
 
 std::span<const Option> Options() { return kOptions; }
 
-const std::vector<Spelling>& Spellings() {
-  static const std::vector<Spelling> kSpellings = [] {
-    std::vector<Spelling> all;
-    for (const Option& option : kOptions) {
-      for (const std::string_view name : WordsIn(option.names)) all.push_back({name, &option});
-    }
-    return all;
-  }();
-  return kSpellings;
-}
+std::span<const Spelling> Spellings() { return kSpellings; }
 
 Spelling FindOption(std::string_view argument) {
   Spelling found;

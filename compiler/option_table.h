@@ -13,18 +13,18 @@
 // Every spelling of every option, and what it does.
 namespace clipc {
 
-// What the arguments so far say.
+// The state of reading the arguments: what those read so far say.
 struct Reading {
   CommandLine command;
-  std::string option;  // the one that is being read
+  std::string option;  // the option that is being read
   std::string advice;  // its Option::help
   std::string error;
 
-  std::optional<bool> validate;  // what the user asks for
+  std::optional<bool> validate;  // --validate or --no-validate; none: neither
   bool writes_spirv = false, spirv_for_vulkan = true;
   SpirvRequest spirv;
   bool preprocess = false;                         // -P
-  std::string preprocess_name, preprocess_output;  // what follows it; -Fi
+  std::string preprocess_name, preprocess_output;  // the values of -P and of -Fi
   struct Ignored {
     std::string option, why;
   };
@@ -49,9 +49,10 @@ struct Option {
   std::string_view names;  // its spellings, apart by one blank; one where --help lists the option
   Form form;
   void (*read)(Reading& reading, const std::string& value);
-  // For --help; null: it does not list this option.
+  // The name of the value in --help; null if --help does not list the option.
   const char* metavar = nullptr;
-  // For --help; of an option that it does not list, the advice that goes with its message.
+  // The text in --help; for an option that --help does not list, the advice that goes with its
+  // message.
   const char* help = "";
 };
 
@@ -63,7 +64,7 @@ struct Spelling {
   const Option* option = nullptr;
 };
 // The spellings of all options, in the order of the table.
-const std::vector<Spelling>& Spellings();
+std::span<const Spelling> Spellings();
 
 // The option that `argument` is, or begins with: the one with the longest such name. A
 // Spelling without an option says that there is none.
