@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// What Form::kLegalized promises of each node: C-like shading languages have it as it is.
+// The promises of Form::kLegalized about each node: C-like shading languages have the node as it
+// is.
 
 #include "base/overloaded.h"
 #include "ir/access.h"
@@ -12,12 +13,13 @@ bool IsMatrix(const Type& type) {
   return type.kind == TypeKind::kMatrix && type.rows > 1 && type.columns > 1;
 }
 
-// A literal below the number of bits, or what `& literal` leaves of a number.
-bool IsBounded(const Program& program, ExprId count) {
-  if (const auto* splat = As<Splat>(program, count)) return IsBounded(program, splat->operand);
-  if (const auto* literal = As<Literal>(program, count)) return literal->bits < 64;
+// Whether the count of a shift is known to be less than `bits`: a literal, or a mask by one.
+bool IsBounded(const Program& program, ExprId count, std::uint32_t bits) {
+  if (const auto* splat = As<Splat>(program, count))
+    return IsBounded(program, splat->operand, bits);
+  if (const auto* literal = As<Literal>(program, count)) return literal->bits < bits;
   const auto* mask = As<Binary>(program, count);
-  return mask && mask->op == BinaryOp::kBitAnd && IsBounded(program, mask->right);
+  return mask && mask->op == BinaryOp::kBitAnd && IsBounded(program, mask->right, bits);
 }
 
 std::string_view BrokenBy(const Program& program, BinaryOp op, const Type& type, ExprId right) {
@@ -30,7 +32,8 @@ std::string_view BrokenBy(const Program& program, BinaryOp op, const Type& type,
     return "logical operators evaluate one side first";
   }
   if (op == kMod && !IsUnsigned(type.scalar)) return "% is of unsigned integers";
-  if (IsShift(op) && !IsBounded(program, right)) return "a shift count is below the number of bits";
+  if (IsShift(op) && !IsBounded(program, right, 8 * ByteSize(type.scalar)))
+    return "a shift count is below the number of bits";
   return {};
 }
 

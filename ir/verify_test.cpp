@@ -175,6 +175,13 @@ TEST_F(Verifier, ShiftCountIsInteger) {
   ExpectProblemIn(build.BinaryOf(BinaryOp::kShiftLeft, build.Int(1), build.Float(1)),
                   "a shift count is an integer");
 }
+TEST_F(Verifier, ShiftCountIsBelowTheNumberOfBits) {
+  shader.form = Form::kLegalized;
+  shader.Append({build.Eval(build.BinaryOf(BinaryOp::kShiftLeft, build.Int(1), build.Int(31)))});
+  EXPECT_EQ(Verify(shader, Form::kLegalized), std::nullopt);
+  shader.Append({build.Eval(build.BinaryOf(BinaryOp::kShiftLeft, build.Int(1), build.Int(32)))});
+  ExpectProblem("below the number of bits", Form::kLegalized);
+}
 TEST_F(Verifier, LogicTakesBool) {
   ExpectProblemIn(build.BinaryOf(BinaryOp::kLogicalAnd, build.Int(1), build.Int(1)),
                   "does not take this kind");
