@@ -59,7 +59,7 @@ class Compilation {
 
  private:
   using Clock = std::chrono::steady_clock;
-  // Leaves the passes when the watch has stopped; caught in Run.
+  // Thrown to leave the passes when the watch has stopped; caught in Run.
   struct Stopped {};
 
   void ReadNames();
@@ -82,7 +82,7 @@ class Compilation {
   const CompileRequest& request_;
   Diagnostics diagnostics_;
   FrontendContext& context_;
-  // The parts of the request that are names, understood.
+  // The parts of the request that are names, resolved.
   CheckOptions front_;
   std::optional<glsl::Target> target_;
   LoweringRequest lowering_;
@@ -93,7 +93,7 @@ class Compilation {
   Watch watch_{[this] { return MustStop(); }};
   bool has_pixel_shader_ = false;
   bool keeps_matrices_whole_ = false;
-  std::string_view unjudged_;  // what glslang does not know of a shader, which it cannot judge
+  std::string_view unjudged_;  // a feature that glslang does not know; empty if it can judge
   CompileResult result_;
 };
 
@@ -147,6 +147,8 @@ void Compilation::ReadNames() {
     front_.profile = std::move(*profile);
     front_.short_circuits =
         front_.profile.IsAtLeast(6, 0) && request_.language == LanguageVersion::k2021;
+    front_.stores_any_type =
+        front_.profile.IsAtLeast(6, 0) && request_.language >= LanguageVersion::k2018;
   } else {
     unknown(diag::UnknownProfile, request_.profile, ProfileNames());
   }
@@ -215,7 +217,8 @@ void Compilation::RunStages(Source& source) {
   }
   if (IsDump(DumpStage::kTokens) || IsDump(DumpStage::kAst)) return Dump(source);
   const auto is_new = [&](const Tokens& tokens) {
-    // Not where lines of the source, or words of the preprocessor, are a part of what comes out.
+    // The tokens alone do not decide the result where lines of the source or words of the
+    // preprocessor are a part of it.
     if (!request_.is_known || request_.source_lines || request_.list || has_pixel_shader_ ||
         diagnostics_.has_pragmas() || !diagnostics_.all().empty())
       return true;
@@ -232,7 +235,7 @@ void Compilation::RunStages(Source& source) {
   }
 }
 
-// The stages before the typed program.
+// Dumps a stage before the typed program.
 void Compilation::Dump(Source& source) {
   if (IsDump(DumpStage::kTokens)) {
     result_.dump = DumpTokens(Lex(source, diagnostics_), source);
@@ -358,7 +361,7 @@ void Compilation::WriteVariants(const ir::Program& typed, LowerSettings settings
 }
 
 void Compilation::TranslateToSpirv() {
-  // Without the folder, so that it does not matter where a shader is compiled.
+  // The name has no folder, so that it does not matter where a shader is compiled.
   const std::string name = request_.path.substr(NameBegin(request_.path)) + ".vert";
   Spirv spirv = MakeSpirv(result_.shaders.vertex, *target_, *request_.spirv, name);
   for (const std::string& problem : spirv.problems) diagnostics_.Report({}, diag::NoSpirv, problem);

@@ -3,6 +3,7 @@
 
 #include "frontend/check/assign.h"
 #include "frontend/check/body.h"
+#include "frontend/check/byte_access.h"
 #include "frontend/check/construct.h"
 #include "frontend/check/expr.h"
 #include "frontend/check/function.h"
@@ -22,7 +23,7 @@
 namespace clipc::check {
 namespace {
 
-// The function of that name that can be called, even if it is declared later.
+// The function of the name that can be called, even if it is declared later; none if there is none.
 SymbolId FindFunction(Context& context, const ast::QualifiedName& name) {
   View view = context.view;
   view.order = ~0u;
@@ -32,7 +33,7 @@ SymbolId FindFunction(Context& context, const ast::QualifiedName& name) {
   return symbol && context[symbol].kind == SymbolKind::kFunction ? symbol : SymbolId{};
 }
 
-// The functions of a name, and those instances of templates of that name that the arguments
+// The functions of a name, and the instances of templates of that name that the arguments
 // determine.
 std::vector<FunctionInfoId> CandidatesOf(Context& context, SymbolId symbol, TypeId self,
                                          List<ast::ExprId> explicit_arguments, ExprSpan arguments) {
@@ -103,33 +104,6 @@ ExprId CallNamed(Context& context, const ast::NameExpr& name, Span name_span,
   return CallFunction(context, choice.function, object, std::move(arguments), name_span, span);
 }
 
-// buffer.Load<float3>(address) of HLSL 6.2: the bits, taken for that type.
-ExprId CallTemplatedLoad(Context& context, const ast::MemberExpr& member, ExprId object,
-                         ExprSpan arguments, Span span) {
-  const TypeId type_id = TypeArgument(context, context[member.arguments][0]);
-  const Type type = context[type_id];
-  if (context.IsError(type_id)) return context.ErrorExpr(span);
-  const Scalar base = BaseOf(type.scalar);
-  const bool is_word = base == Scalar::kFloat || base == Scalar::kInt || base == Scalar::kUint;
-  const bool fits = type.IsNumeric() && type.kind != TypeKind::kMatrix && is_word &&
-                    context[member.name] == "Load";
-  if (!fits) {
-    return context.Fail(member.name_span, diag::Unsupported,
-                        fmt::format("`{}` with the type argument `{}`", context[member.name],
-                                    context.TypeName(type_id)));
-  }
-  constexpr std::string_view kMethods[] = {"Load", "Load2", "Load3", "Load4"};
-  const ExprId words =
-      CheckMethodCall(context.program, object, kMethods[type.columns - 1], member.name_span,
-                      arguments, span, context, context.diagnostics);
-  if (context.IsError(words) || base == Scalar::kUint) return words;
-  const ExprId operand[] = {words};
-  const std::string_view cast = base == Scalar::kFloat ? "asfloat" : "asint";
-  const ExprId value = CheckIntrinsicCall(context.program, cast, member.name_span, operand, span,
-                                          context, context.diagnostics);
-  return Implicit(context, value, type_id);
-}
-
 ExprId CallMember(Context& context, const ast::MemberExpr& member, const ast::CallExpr& expr,
                   Span span) {
   const ExprId object = CheckExpr(context, member.base);
@@ -138,8 +112,8 @@ ExprId CallMember(Context& context, const ast::MemberExpr& member, const ast::Ca
   if (context.IsError(object) || !ok) return context.ErrorExpr(span);
   const TypeId type = context.TypeIdOf(object);
   if (context[type].kind == TypeKind::kObject) {
-    if (!member.arguments.empty())
-      return CallTemplatedLoad(context, member, object, arguments, span);
+    if (IsTypedAccess(context, member, object))
+      return CheckTypedAccess(context, member, object, arguments, span);
     return CheckMethodCall(context.program, object, context[member.name], member.name_span,
                            arguments, span, context, context.diagnostics);
   }
@@ -164,8 +138,8 @@ ExprId CallMember(Context& context, const ast::MemberExpr& member, const ast::Ca
   return CallFunction(context, choice.function, self, std::move(arguments), member.name_span, span);
 }
 
-// The function for arguments whose classes are known where its parameters are interfaces: one
-// for each tuple of classes.
+// The function for arguments whose classes are known although its parameters are interfaces. There
+// is one function for each tuple of classes.
 FunctionInfoId ForClasses(Context& context, FunctionInfoId id, ExprSpan arguments) {
   const auto declared = context[context[id].parameters];
   std::vector<Parameter> parameters(declared.begin(), declared.end());
@@ -228,8 +202,8 @@ ExprId BindArgument(Context& context, const Parameter& parameter, ExprId argumen
   return at.Ref(copy);
 }
 
-// The object that a method is called on. When the method may change it and nothing can be assigned
-// to it, a copy.
+// The object that a method is called on, or a copy if the method may change it and nothing can be
+// assigned to it.
 ExprId BindSelf(Context& context, const FunctionInfo& function, ExprId self, Exprs& before) {
   if (!function.changes_self) return self;
   const VarId root = RootOf(context.program, self);

@@ -12,8 +12,8 @@
 
 namespace clipc {
 
-// How matrices lie in memory where neither a qualifier nor #pragma pack_matrix says so: the options
-// -Zpc (the default) and -Zpr.
+// The layout of matrices in memory if neither a qualifier nor #pragma pack_matrix gives one: the
+// options -Zpc (the default) and -Zpr.
 enum class MatrixPacking : std::uint8_t { kColumnMajor, kRowMajor };
 
 struct CheckOptions {
@@ -24,17 +24,21 @@ struct CheckOptions {
   // anything less is reported (X4594).
   bool whole_register_planes = false;
   rules::PositionName position_name = rules::PositionName::kSystemValue;
-  // Whether `&&`, `||` and `?:` of scalars evaluate only what decides the value, as they do in HLSL
-  // 2021 (dxc's "Logical Operation Short Circuiting"). Before it, both sides are evaluated.
+  // Whether `&&`, `||` and `?:` of scalars evaluate only the operands that decide the value, as
+  // they do in HLSL 2021 (dxc's "Logical Operation Short Circuiting"). Before it, both sides are
+  // evaluated.
   bool short_circuits = false;
-  bool stages_meet_by_row = false;  // rules::EntrySignature's
+  // Whether a Store of a byte address buffer stores a value of any type, bit by bit, as it does
+  // from HLSL 2018 on. Before it, the value is converted to uint.
+  bool stores_any_type = false;
+  bool stages_meet_by_row = false;  // rules::EntrySignature::stages_meet_by_row
 };
 
-// Resolves the names, types and overloads of everything that the entry point reaches. Returns what
-// the shader means, in Form::kTyped. Every error about the shader is reported here, except those of
-// the syntax, which the parser reports. The program is meaningful only when `diagnostics` has no
-// errors afterwards. Bodies of functions that the entry point does not reach are not looked at, so
-// the same file may hold pixel shaders and other stages.
+// Resolves the names, types and overloads of everything that the entry point reaches. Returns the
+// program that the shader means, in Form::kTyped. Every error about the shader is reported here,
+// except errors of the syntax, which the parser reports. The program is meaningful only when
+// `diagnostics` has no errors afterwards. Bodies of functions that the entry point does not reach
+// are not looked at, so the same file may hold pixel shaders and other stages.
 ir::Program Check(const ast::File& file, const CheckOptions& options, Diagnostics& diagnostics);
 
 }  // namespace clipc

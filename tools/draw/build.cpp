@@ -8,7 +8,7 @@
 #include "compiler/stages.h"
 
 namespace clipc::draw {
-// The text of a shader, and what is said about it.
+// The text of a shader, and the diagnostics about it.
 struct Reading {
   explicit Reading(const BuildOptions& options)
       : profile(Known(ir::ParseProfile(options.profile), "profile", options.profile)),
@@ -54,7 +54,8 @@ CheckedShader::CheckedShader(const BuildOptions& options)
                          .entry = options.entry,
                          .packing = options.packing,
                          .whole_register_planes = options.lowering == Lowering::kLevel9,
-                         .short_circuits = reading.profile.IsAtLeast(6, 0)},
+                         .short_circuits = reading.profile.IsAtLeast(6, 0),
+                         .stores_any_type = reading.profile.IsAtLeast(6, 0)},
                         reading.diagnostics);
   reading.StopAtErrors();
   state_->position_input =
