@@ -13,7 +13,7 @@
 namespace clipc::check {
 namespace {
 
-// Components of a matrix: part of a row where they lie in one, a MatrixSwizzle where they do not.
+// The value of components of a matrix: part of a row if they lie in one, otherwise a MatrixSwizzle.
 ExprId MatrixComponents(Context& context, MatrixSwizzle node, Span span) {
   Builder at = context.At(span);
   const auto same_row = [&](std::uint8_t row) { return row == node.rows[0]; };
@@ -29,7 +29,7 @@ ExprId MatrixComponents(Context& context, MatrixSwizzle node, Span span) {
   return WithPrologue(context, prologue, at.Add(context.types.Vector(kind, node.count), node));
 }
 
-// .xyz, .rgb
+// The swizzle .xyz or .rgb of `base`.
 ExprId CheckSwizzle(Context& context, ExprId base, std::string_view text, Span name_span,
                     Span span) {
   const Type type = context.TypeOf(base);
@@ -50,7 +50,7 @@ ExprId CheckSwizzle(Context& context, ExprId base, std::string_view text, Span n
     return count == 1 ? base
                       : context.At(span).SplatTo(context.types.Vector(type.scalar, count), base);
   }
-  // A swizzle of a swizzle is one.
+  // A swizzle of a swizzle is one swizzle.
   if (const auto* inner = context.GetIf<Swizzle>(base)) {
     for (int i = 0; i < count; ++i) components[i] = inner->components[components[i]];
     base = inner->base;
@@ -70,7 +70,7 @@ ExprId CheckSwizzle(Context& context, ExprId base, std::string_view text, Span n
                                    std::span<const std::uint8_t>(components.data(), text.size()));
 }
 
-// ._m00_m11, ._11_22
+// The matrix swizzle ._m00_m11 or ._11_22 of `base`.
 ExprId CheckMatrixSwizzle(Context& context, ExprId base, std::string_view text, Span name_span,
                           Span span) {
   const Type type = context.TypeOf(base);
@@ -92,6 +92,13 @@ ExprId CheckMatrixSwizzle(Context& context, ExprId base, std::string_view text, 
   return MatrixComponents(context, node, span);
 }
 
+// The number of elements of the array, which is still evaluated if that has effects.
+ExprId ArrayLength(Context& context, ExprId array, Span span) {
+  const auto count = static_cast<std::int32_t>(context.TypeOf(array).count);
+  const ExprId length = context.At(span).Int(count);
+  return IsPure(context.program, array) ? length : context.At(span).CommaOf(array, length);
+}
+
 }  // namespace
 
 ExprId CheckNode(Context& context, const ast::MemberExpr& expr, Span span) {
@@ -104,6 +111,10 @@ ExprId CheckNode(Context& context, const ast::MemberExpr& expr, Span span) {
       return CheckSwizzle(context, base, context[expr.name], expr.name_span, span);
     case TypeKind::kMatrix:
       return CheckMatrixSwizzle(context, base, context[expr.name], expr.name_span, span);
+    case TypeKind::kArray:
+      if (context[type].count == 0 || context[expr.name] != "Length") break;
+      // fxc has this member; DXC calls it deprecated.
+      return ArrayLength(context, base, span);
     default: break;
   }
   if (const auto field = FindField(context, type, expr.name))

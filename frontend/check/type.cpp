@@ -167,6 +167,11 @@ TypeId ResolveVarType(Context& context, const ast::VarDecl& var) {
     return context.FailType(span, diag::VoidValue,
                             fmt::format("`{}` of type `void`", context[var.name]));
   }
+  if ((var.qualifiers & (ast::kSnorm | ast::kUnorm)) && !context.IsError(element) &&
+      !(context[element].IsNumeric() && IsFloat(context[element].scalar))) {
+    context.Report(span, diag::QualifierNeedsFloat,
+                   var.qualifiers & ast::kSnorm ? "snorm" : "unorm", context.TypeName(element));
+  }
   const bool is_implied = !var.dimensions.empty() && !context[var.dimensions][0];
   std::optional<std::uint32_t> implied;
   if (is_implied && var.init && !context.IsError(element)) {
@@ -211,9 +216,9 @@ ast::Qualifiers QualifiersOf(Context& context, const ast::VarDecl& var) {
     const auto* alias = context.GetIf<ast::TypedefDecl>(context[symbol].decl);
     if (!alias) break;
     if (!(qualifiers & kMajority)) qualifiers |= alias->qualifiers & kMajority;
-    // The pragma that a typedef stands under holds for it. Where there is none yet, that of the
-    // variable holds for a matrix, and none for an array (vkd3d's test of the pragma, checked
-    // against native).
+    // The last pragma before a typedef holds for it. If there is none, the pragma of the variable
+    // holds for a matrix, and none for an array (vkd3d's test of the pragma, checked against
+    // native).
     if ((alias->qualifiers & kPragma) || !alias->dimensions.empty())
       qualifiers = (qualifiers & ~kPragma) | (alias->qualifiers & kPragma);
     qualifiers |= alias->qualifiers & ast::kConst;

@@ -136,8 +136,8 @@ ExprId Parser::ParseTemplateArgument() {
   return ParseConditional();
 }
 
-// Whether a template argument is a type. Of names without a declaration, those with arguments of
-// their own are.
+// Whether the template argument that starts here is a type. A name without a declaration is one if
+// it has arguments of its own.
 bool Parser::AtTypeArgument() const {
   const std::size_t after = SkipTypeName(0);
   if (StartsType(0)) {
@@ -151,12 +151,12 @@ bool Parser::AtTypeArgument() const {
   const Meaning meaning = MeaningOf(Peek(name).name());
   if (meaning != Meaning::kType && meaning != Meaning::kUnknown) return false;
   if (WordAt() == Word::kTypename) return true;
-  // S<T>::x is a value unless `typename` stands before it.
+  // S<T>::x is a value unless `typename` precedes it.
   const std::size_t close = SkipTemplateArguments(name + 1);
   return close == 0 || !At(kColonColon, close);
 }
 
-// T, or T[2]: what sizeof and template arguments take.
+// Parses T or T[2], the operand of sizeof or a template argument.
 ExprId Parser::ParseTypeOperand() {
   const std::size_t start = pos_;
   ExprId type = AddExpr(start, TypeExpr{ParseType(false)});
@@ -171,14 +171,18 @@ ExprId Parser::ParseTypeOperand() {
   return type;
 }
 
-// Qualifiers in any order, with attributes between them where the caller takes attributes.
+// Parses qualifiers in any order, with attributes between them if the caller takes attributes.
 Qualifiers Parser::ParseQualifiers(Collector<Attr>* attributes) {
   Qualifiers qualifiers = 0;
   while (!AtEnd()) {
     if (attributes && AtWord(Word::kLayout) && At(kLeftParen, 1)) {
       ParseAttribute(*attributes, pos_);
     } else if (IsQualifier(0)) {
-      qualifiers |= InfoOf(Next().name()).qualifier;
+      const Qualifiers added = InfoOf(Peek().name()).qualifier;
+      if (added & qualifiers & (kIn | kOut))  // fxc X3048, "duplicate usages specified"
+        diagnostics_.Report(Peek().span(), diag::QualifierTwice, SpellingsOf(added)[0]);
+      Next();
+      qualifiers |= added;
     } else if (attributes && At(kLeftBracket) && !panic_) {
       ParseAttributes(*attributes);
     } else {
@@ -194,7 +198,7 @@ List<Attr> Parser::ParseAttributes() {
   return attributes.Finish();
 }
 
-// Any number of `[name]`, `[name(arguments)]`, `[a, b]` and `[[ns::name(arguments)]]`.
+// Parses any number of `[name]`, `[name(arguments)]`, `[a, b]` and `[[ns::name(arguments)]]`.
 void Parser::ParseAttributes(Collector<Attr>& attributes) {
   while (At(kLeftBracket) && !panic_) ParseAttributeList(attributes);
 }
@@ -263,7 +267,7 @@ void Parser::CheckAttributes(List<Attr> attributes, AttributeOwner owner, std::s
   }
 }
 
-// Reports at `span`, the name of what has the qualifiers, those that do not belong there.
+// Reports the qualifiers that do not belong at a declaration of `owner`, at the span of its name.
 void Parser::CheckQualifiers(Qualifiers qualifiers, QualifierOwner owner, Span span) {
   if (qualifiers == 0) return;
   for (const std::string_view word : SpellingsOf(RefusedAt(owner, qualifiers)))
@@ -278,7 +282,7 @@ void Parser::CheckQualifiers(Qualifiers qualifiers, QualifierOwner owner, Span s
     diagnostics_.Report(span, diag::CentroidOverridden);
 }
 
-// Any number of `[n]`, `[]`.
+// Parses any number of `[n]` and `[]`.
 List<ExprId> Parser::ParseDimensions() {
   Bracketed bracketed(*this);
   Collector dimensions(exprs_);

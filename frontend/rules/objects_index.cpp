@@ -21,15 +21,20 @@ TypeId IntVector(TypeTable& types, int count) {
   return count == 1 ? types.Make(Scalar::kInt) : types.Vector(Scalar::kInt, count);
 }
 
+// Whether the index converts to `place` and has a component for each dimension: unlike an argument,
+// an index is neither filled up nor cut off (fxc X3120).
+bool IsPlace(Program& program, ExprId index, TypeId place) {
+  const Type& type = TypeOf(program, index);
+  return RankImplicit(program.types, TypeIdOf(program, index), place) &&
+         type.Components() == program.types[place].Components();
+}
+
 ExprId IndexTexture(Program& program, ExprId object, ExprId index, ExprId level, Span span,
                     Diagnostics& diagnostics) {
   const Type type = TypeOf(program, object);
   const TypeId coordinate = IntVector(program.types, TraitsOf(type.object).texel);
   const TypeId number = program.types.Make(Scalar::kInt);
-  // A scalar is not a place in a texture of several dimensions: unlike arguments, an index is not
-  // splatted (fxc X3120).
-  const auto rank = RankImplicit(program.types, TypeIdOf(program, index), coordinate);
-  if (!rank || rank->splat != 0)
+  if (!IsPlace(program, index, coordinate))
     return ReportIndex(program, index, program.types.Name(coordinate), diagnostics);
   if (!RankImplicit(program.types, TypeIdOf(program, level), number))
     return ReportIndex(program, level, "int", diagnostics);
@@ -50,8 +55,7 @@ ExprId IndexBuffer(Program& program, ExprId object, ExprId index, Span span,
   const bool keeps_uint =
       !is_buffer && index_type.IsNumeric() && BaseOf(index_type.scalar) == Scalar::kUint;
   const TypeId number = program.types.Make(keeps_uint ? Scalar::kUint : Scalar::kInt);
-  if (!RankImplicit(program.types, TypeIdOf(program, index), number))
-    return ReportIndex(program, index, "int", diagnostics);
+  if (!IsPlace(program, index, number)) return ReportIndex(program, index, "int", diagnostics);
   const std::array<ExprId, 2> arguments = {object,
                                            ConvertImplicit(program, index, number, diagnostics)};
   const TypeId element = ElementOf(program.types, type);

@@ -14,8 +14,8 @@ namespace {
 
 using ir::ObjectKind;
 
-// t.method(arguments); an argument is a variable named by its type ("float2"), "s" (a
-// SamplerState), "c" (a comparison sampler) or a number.
+// A test of calls t.method(arguments); an argument is a variable named by its type ("float2"), "s"
+// (a SamplerState), "c" (a comparison sampler) or a number.
 class ObjectsTest : public testing::Test {
  protected:
   ir::ExprId Argument(const std::string& text) {
@@ -143,8 +143,8 @@ TEST_F(ObjectsTest, Loads) {
             "`ByteAddressBuffer` has no method `Store` [method-unknown, X3018]");
 }
 
-// The place and the level are taken from the constructor that makes them; only what is computed
-// goes into a variable.
+// The place and the level are taken from the constructor that makes them; only a computed value is
+// put into a variable.
 TEST_F(ObjectsTest, LoadsTakeConstructorsApart) {
   const ir::ExprId texture = test_.Object("t", ObjectKind::kTexture2D);
   const auto load = [&](ir::ExprId place) {
@@ -208,7 +208,8 @@ TEST_F(ObjectsTest, Indices) {
             "float4: texture_load(t, int2_1, int_2)");
   EXPECT_EQ(Index(ObjectKind::kTexture2D, "int"),
             "the index has type `int`; it must be `int2` [object-index-type, X3120]");
-  EXPECT_EQ(Index(ObjectKind::kTexture2D, "int3"), "float4: texture_load(t, int3_1.xy, 0)");
+  EXPECT_EQ(Index(ObjectKind::kTexture2D, "int3"),
+            "the index has type `int3`; it must be `int2` [object-index-type, X3120]");
   EXPECT_EQ(Index(ObjectKind::kBuffer, "uint", "float4"),
             "float4: buffer_load(t, convert<int>(uint_1))");
   EXPECT_EQ(Index(ObjectKind::kStructuredBuffer, "uint", "float4"),

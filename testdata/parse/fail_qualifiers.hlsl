@@ -49,6 +49,10 @@ using Uniform = uniform float4;
 uniform float4 helper(
     // CHECK-NEXT: [[#@LINE+1]]:19: error: a parameter cannot be `static`
     static float4 a,
+    // CHECK-NEXT: [[#@LINE+1]]:9: error: `out` repeats a qualifier before it; remove one of them [qualifier-twice, X3048]
+    out out float4 b, in out float4 c,
+    // CHECK-NEXT: [[#@LINE+1]]:12: error: `inout` repeats a qualifier before it
+    in out inout float4 d,
     // CHECK-NEXT: [[#@LINE+1]]:5: warning: `volatile` has no effect on a parameter
     volatile float4) {
   // CHECK-NEXT: [[#@LINE+1]]:17: error: a local variable cannot be `extern`
