@@ -29,7 +29,7 @@ struct ReadResult {
   std::vector<std::string> problems = {};
 };
 
-// Reads SPIR-V 1.0 to 1.6. `entry` names a fragment entry point; empty: the first one.
+// Reads SPIR-V 1.0 to 1.6. `entry` names a fragment entry point; empty: the only one.
 ReadResult ReadSpirv(std::string_view bytes, std::string_view path, std::string_view entry);
 
 // Reads GLSL and GLSL ES of any version, for OpenGL or for Vulkan, in glslang's judgement.

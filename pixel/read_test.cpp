@@ -49,9 +49,10 @@ class Assembler {
   std::vector<std::uint32_t> words_;
 };
 
-std::string SmallModule() {
+std::string SmallModule(std::initializer_list<std::string_view> entries = {"ps"}) {
   Assembler module;
-  module.Op(15, {4, 1}, "ps", {20, 21, 22});  // OpEntryPoint Fragment
+  for (const std::string_view entry : entries)
+    module.Op(15, {4, 1}, entry, {20, 21, 22});  // OpEntryPoint Fragment
   module.Op(5, {20}, "i.uv").Op(5, {21}, "tangents").Op(5, {22}, "spare");
   module.Op(71, {20, 30, 3}).Op(71, {20, 14}).Op(71, {21, 30, 5}).Op(71, {22, 30, 1});
   module.Op(5632, {20, 5635}, "TEXCOORD2");  // OpDecorateString UserSemantic
@@ -116,6 +117,14 @@ TEST(Spirv, SaysWhatIsWrong) {
               ElementsAre("a.spv: there is no fragment shader `other`; there is `ps`"));
   EXPECT_THAT(ReadSpirv(bytes.substr(0, 7), "a.spv", "ps").problems,
               ElementsAre("a.spv: the SPIR-V ends within its header"));
+}
+
+TEST(Spirv, OneOfSeveralFragmentShadersIsNamed) {
+  const std::string bytes = SmallModule({"ps", "shadow"});
+  EXPECT_EQ(ReadSpirv(bytes, "a.spv", "shadow").interface.inputs.size(), 3u);
+  EXPECT_THAT(ReadSpirv(bytes, "a.spv", "").problems,
+              ElementsAre("a.spv: there are several fragment shaders, `ps`, `shadow`; "
+                          "`--pixel-entry` names one"));
 }
 
 // Struct 20 has 16 members of struct 20.

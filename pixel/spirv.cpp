@@ -356,17 +356,20 @@ ReadResult ReadSpirv(std::string_view bytes, std::string_view path, std::string_
     return std::move(result);
   };
   if (!problem.empty()) return fail(problem);
-  const EntryPoint* chosen = nullptr;
-  std::string others;
+  std::vector<const EntryPoint*> chosen;
+  std::string names;
   for (const EntryPoint& point : module.entry_points) {
     if (point.model != spv::kFragment) continue;
-    others += fmt::format("{}`{}`", others.empty() ? "" : ", ", point.name);
-    if (entry.empty() || point.name == entry) chosen = chosen ? chosen : &point;
+    names += fmt::format("{}`{}`", names.empty() ? "" : ", ", point.name);
+    if (entry.empty() || point.name == entry) chosen.push_back(&point);
   }
-  if (others.empty()) return fail("the SPIR-V has no fragment shader");
-  if (!chosen)
-    return fail(fmt::format("there is no fragment shader `{}`; there is {}", entry, others));
-  SpirvReader reader(module, *chosen, path);
+  if (names.empty()) return fail("the SPIR-V has no fragment shader");
+  if (chosen.empty())
+    return fail(fmt::format("there is no fragment shader `{}`; there is {}", entry, names));
+  if (chosen.size() > 1 && entry.empty())
+    return fail(
+        fmt::format("there are several fragment shaders, {}; `--pixel-entry` names one", names));
+  SpirvReader reader(module, *chosen[0], path);
   result.interface = reader.Run();
   if (!reader.problem().empty()) result.problems.push_back(reader.problem());
   if (reader.HasTooManyMembers())
