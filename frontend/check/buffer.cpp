@@ -54,8 +54,12 @@ void FinishMember(Context& context, const Buffer& buffer, const ast::VarDecl& va
       context.Report(place->span, diag::PackOffsetMisfit, made.name, context.TypeName(made.type),
                      fmt::format("`c{}.{}`", place->reg, "xyzw"[place->component]));
     }
-  } else if (const ast::RegisterBinding* binding = BindingOf(context, var.registers, "c");
-             binding && binding->letter == 'c') {
+    return;
+  }
+  if (IsBuffer(context, var)) return;  // its registers are the buffer's
+  CheckRegisterKinds(context, made.name, var.registers, "cbi");
+  if (const ast::RegisterBinding* binding = BindingOf(context, made.name, var.registers, 'c');
+      binding && binding->letter == 'c') {
     if (buffer.kind != CbufferKind::kGlobals && !context.program.profile.IsDirect3D9()) {
       context.Report(binding->span, diag::RegisterWithoutEffect,
                      "a member of another buffer than `$Globals` has its place by `packoffset`");
@@ -72,6 +76,21 @@ std::uint32_t CountOfArray(const Context& context, TypeId type) {
     count *= context[type].count;
   }
   return count;
+}
+
+// Reports a member without a packoffset in a cbuffer or tbuffer with a member that has one.
+void CheckMixedPlaces(Context& context, const Buffer& buffer) {
+  if (!buffer.decl || !context.GetIf<ast::BufferDecl>(buffer.decl)) return;
+  const ast::VarDecl* without = nullptr;
+  bool has_place = false;
+  for (const SymbolId symbol : buffer.members) {
+    const auto* var = context.GetIf<ast::VarDecl>(context[symbol].decl);
+    if (!var || context[symbol].value == ~0u) continue;
+    if (var->packoffset) has_place = true;
+    if (!var->packoffset && !without) without = var;
+  }
+  if (has_place && without)
+    context.Report(without->name_span, diag::PackOffsetMixed, context[without->name]);
 }
 
 void FinishBuffer(Context& context, const Buffer& buffer) {
@@ -97,8 +116,9 @@ void FinishBuffer(Context& context, const Buffer& buffer) {
   }
   const bool is_texture = buffer.kind == CbufferKind::kTbuffer;
   result.is_push_constant = IsPushConstant(context, attributes);
-  result.reg = is_texture ? RegisterOf(context, registers, attributes, 't', "t")
-                          : RegisterOf(context, registers, attributes, 'b', "b");
+  const char letter = is_texture ? 't' : 'b';
+  result.reg = RegisterOf(context, result.name, registers, attributes, letter);
+  CheckRegisterKinds(context, result.name, registers, {&letter, 1});
   const CbufferId id{context.program.cbuffers.size()};
   result.members.reserve(buffer.members.size());
   for (SymbolId symbol : buffer.members) {
@@ -119,6 +139,7 @@ void FinishBuffer(Context& context, const Buffer& buffer) {
     }
     result.members.push_back(member);
   }
+  CheckMixedPlaces(context, buffer);
   context.program.cbuffers.Add(std::move(result));
 }
 

@@ -85,6 +85,18 @@ ExprId CheckStaticInit(Context& context, SymbolId id, const ast::VarDecl& var, T
   return var.init ? CheckInit(context, var.init, type) : CheckOutOfLine(context, id, var, type);
 }
 
+// Whether the binding counts under this profile: register(vs_5_0, b0) does under one only.
+bool IsForProfile(const Context& context, const ast::RegisterBinding& binding) {
+  const std::string_view profile = context[binding.profile];
+  return !binding.profile || EqualIgnoringCase(profile, context.options.profile.name) ||
+         EqualIgnoringCase(profile, context.options.profile.stage);
+}
+
+// The binding as in a message: "`t3`".
+std::string TextOf(const ast::RegisterBinding& binding) {
+  return fmt::format("`{}{}`", binding.letter, binding.number);
+}
+
 }  // namespace
 
 bool ResolveVar(Context& context, SymbolId id) {
@@ -157,29 +169,41 @@ void ResolveObject(Context& context, SymbolId id, const ast::VarDecl& var, TypeI
   context.globals.resources.push_back({OrderOf(context, id), result});
   const TypeId element = context.types.Innermost(type);
   const char letter = RegisterLetter(context[element].object);
-  const std::string_view letters = letter == 's' ? "s" : letter == 'u' ? "u" : "tu";
   context.globals.registers.emplace(
-      result.index, RegisterOf(context, var.registers, var.attributes, letter, letters));
+      result.index, RegisterOf(context, context[var.name], var.registers, var.attributes, letter));
+  // What a vertex shader may only declare has a register of any kind.
+  if (context[element].object != ObjectKind::kOther)
+    CheckRegisterKinds(context, context[var.name], var.registers, {&letter, 1});
   const TypeId texel = context[element].element;
   const Scalar components = texel ? BaseOf(context[texel].scalar) : Scalar::kFloat;
   std::string format = ImageFormatOf(context, var.attributes, components);
   if (!format.empty()) context.globals.formats.emplace(result.index, std::move(format));
 }
 
-const ast::RegisterBinding* BindingOf(const Context& context, List<ast::RegisterBinding> bindings,
-                                      std::string_view letters) {
+const ast::RegisterBinding* BindingOf(Context& context, std::string_view name,
+                                      List<ast::RegisterBinding> bindings, char letter) {
   const ast::RegisterBinding* best = nullptr;
   for (const ast::RegisterBinding& binding : context[bindings]) {
-    if (binding.letter != 0 && letters.find(binding.letter) == std::string_view::npos) continue;
-    if (!binding.profile) {
-      if (!best) best = &binding;
-    } else if (std::string_view profile = context[binding.profile];
-               EqualIgnoringCase(profile, context.options.profile.name) ||
-               EqualIgnoringCase(profile, context.options.profile.stage)) {
+    if (binding.letter != 0 && binding.letter != letter) continue;
+    if (!IsForProfile(context, binding)) continue;
+    if (!best || (binding.profile && binding.profile != best->profile)) {
       best = &binding;
+      continue;
     }
+    const bool same = binding.number == best->number && binding.space == best->space;
+    if (binding.profile == best->profile && !same && !binding.subcomponent && !best->subcomponent)
+      context.Report(binding.span, diag::RegisterConflict, name, TextOf(*best), TextOf(binding));
   }
   return best;
+}
+
+void CheckRegisterKinds(Context& context, std::string_view name,
+                        List<ast::RegisterBinding> bindings, std::string_view letters) {
+  for (const ast::RegisterBinding& binding : context[bindings]) {
+    const bool fits = binding.letter == 0 || letters.find(binding.letter) != letters.npos;
+    if (!fits && IsForProfile(context, binding))
+      context.Report(binding.span, diag::RegisterKind, TextOf(binding), name, letters.substr(0, 1));
+  }
 }
 
 std::uint32_t NumberOf(Context& context, const ast::RegisterBinding& binding) {
@@ -197,12 +221,12 @@ std::uint32_t NumberOf(Context& context, const ast::RegisterBinding& binding) {
   return static_cast<std::uint32_t>(number < 0 ? kMost : std::min(number, kMost));
 }
 
-Register RegisterOf(Context& context, List<ast::RegisterBinding> bindings,
-                    List<ast::Attr> attributes, char letter, std::string_view letters) {
+Register RegisterOf(Context& context, std::string_view name, List<ast::RegisterBinding> bindings,
+                    List<ast::Attr> attributes, char letter) {
   Register reg;
   reg.letter = letter;
   reg.descriptor = DescriptorOf(context, attributes);
-  if (const ast::RegisterBinding* binding = BindingOf(context, bindings, letters)) {
+  if (const ast::RegisterBinding* binding = BindingOf(context, name, bindings, letter)) {
     reg.number = NumberOf(context, *binding);
     reg.space = binding->space;
     reg.is_explicit = binding->letter != 0;

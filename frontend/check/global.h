@@ -18,13 +18,18 @@ VarId AddVar(Context& context, Name name, TypeId type, Storage storage, Span spa
 std::uint32_t OrderOf(const Context& context, SymbolId id);
 void ResolveStatic(Context& context, SymbolId id, const ast::VarDecl& var);
 void ResolveObject(Context& context, SymbolId id, const ast::VarDecl& var, TypeId type);
-// The register of a resource or buffer: the register of the binding that counts, if there is one,
-// and [[vk::binding]] among the attributes. `letters` are the kinds of register that fit.
-Register RegisterOf(Context& context, List<ast::RegisterBinding> bindings,
-                    List<ast::Attr> attributes, char letter, std::string_view letters);
-// The binding that counts under this profile; null if there is none.
-const ast::RegisterBinding* BindingOf(const Context& context, List<ast::RegisterBinding> bindings,
-                                      std::string_view letters);
+// The register of the resource or buffer `name`: the register of the binding that counts, if there
+// is one, and [[vk::binding]] among the attributes.
+Register RegisterOf(Context& context, std::string_view name, List<ast::RegisterBinding> bindings,
+                    List<ast::Attr> attributes, char letter);
+// The binding of `name` with the letter, or without one, that counts under this profile; null if
+// there is none. Reports two that say different things.
+const ast::RegisterBinding* BindingOf(Context& context, std::string_view name,
+                                      List<ast::RegisterBinding> bindings, char letter);
+// Reports the bindings of `name` with a letter that is not one of `letters`, the first of which is
+// the one that it takes.
+void CheckRegisterKinds(Context& context, std::string_view name,
+                        List<ast::RegisterBinding> bindings, std::string_view letters);
 // The number of the register: 4 for c3[1].
 std::uint32_t NumberOf(Context& context, const ast::RegisterBinding& binding);
 // Adds the static variables and resources that were reached to the program, in the order of the

@@ -68,6 +68,8 @@ void Parser::ParseDeclaratorTail(VarDecl& var, Scope scope) {
   var.dimensions = ParseDimensions();
   ParseColonParts(var);
   if (panic_) return;
+  if (var.packoffset && scope != Scope::kBuffer)
+    diagnostics_.Report(var.packoffset->span, diag::PackOffsetMisplaced);
   const Name type = file_.types[var.type].name.name;
   const bool object = type && InfoOf(type).word == Word::kObjectType;
   if (AtStateBlock() && (scope != Scope::kLocal || object)) {
@@ -98,7 +100,13 @@ void Parser::ParseColonPart(VarDecl& var, Collector<RegisterBinding>& registers)
   Next();
   switch (WordAt()) {
     case Word::kRegister: registers.Add(ParseRegister()); return;
-    case Word::kPackOffset: var.packoffset = ParsePackOffset(); return;
+    case Word::kPackOffset: {
+      const auto before = std::exchange(var.packoffset, ParsePackOffset());
+      const auto& after = var.packoffset;
+      if (before && after && (before->reg != after->reg || before->component != after->component))
+        diagnostics_.Report(after->span, diag::PackOffsetOverridden);
+      return;
+    }
     default: break;
   }
   if (At(kIntLiteral)) {
