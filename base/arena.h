@@ -26,13 +26,13 @@ class Arena {
   // Makes a value in place, from its members or from the arguments of its constructor.
   template <typename... Parts>
   Id<T> Make(Parts&&... parts) {
-    if (size_ == blocks_.size() * kBlock) AddBlock();
+    if (size_ == room_) AddBlock();
     blocks_.back().emplace_back(std::forward<Parts>(parts)...);
     return Id<T>{size_++};
   }
 
-  T& operator[](Id<T> id) { return blocks_[id.index / kBlock][id.index % kBlock]; }
-  const T& operator[](Id<T> id) const { return blocks_[id.index / kBlock][id.index % kBlock]; }
+  T& operator[](Id<T> id) { return In(blocks_, id.index); }
+  const T& operator[](Id<T> id) const { return In(blocks_, id.index); }
 
   std::uint32_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
@@ -56,17 +56,30 @@ class Arena {
 
  private:
   void AddBlock() {
+    const std::size_t count = blocks_.size() < kSmallBlocks ? kSmall : kLarge;
     blocks_.emplace_back();
-    blocks_.back().reserve(kBlock);
+    blocks_.back().reserve(count);
+    room_ += count;
   }
 
-  // The number of values in a block: about the nodes of one kind in a small shader, which has many
-  // small nodes and a few large ones. A block of large nodes stays below the size that allocators
-  // keep at hand.
-  static constexpr std::size_t kBlock =
+  static auto& In(auto& blocks, std::size_t index) {
+    if (index < kSmallBlocks * kSmall) return blocks[index / kSmall][index % kSmall];
+    index -= kSmallBlocks * kSmall;
+    return blocks[kSmallBlocks + index / kLarge][index % kLarge];
+  }
+
+  // The number of values in one of the first blocks: about the nodes of one kind in a small shader,
+  // which has many small nodes and a few large ones. A block of large nodes stays below the size
+  // that allocators keep at hand.
+  static constexpr std::size_t kSmall =
       sizeof(T) < 48 ? 64 : std::max<std::size_t>(1, std::bit_floor(1024 / sizeof(T)));
+  // After them come blocks of 32 KiB, so that the list of blocks of a large shader stays in cache.
+  static constexpr std::size_t kSmallBlocks = 64;
+  static constexpr std::size_t kLarge =
+      std::max<std::size_t>(1, std::bit_floor(std::size_t{32768} / sizeof(T)));
   std::vector<std::vector<T>> blocks_;
   std::uint32_t size_ = 0;
+  std::size_t room_ = 0;  // the number of values that the blocks are for
 };
 
 // A run of values in one Pool. A node holds these eight bytes instead of a vector.
