@@ -10,18 +10,9 @@
 namespace clipc {
 namespace {
 
-// The known attributes, in lower case. Sources: the attribute pages of Microsoft's HLSL reference;
-// DXC's table of attributes for the stages that came later.
+// The known attributes of declarations, in lower case. Sources: the attribute pages of Microsoft's
+// HLSL reference; DXC's table of attributes for the stages that came later.
 constexpr std::string_view kKnown[] = {
-    // of statements
-    "allow_uav_condition",
-    "branch",
-    "call",
-    "fastopt",
-    "flatten",
-    "forcecase",
-    "loop",
-    "unroll",
     // of functions
     "domain",
     "earlydepthstencil",
@@ -58,6 +49,24 @@ constexpr std::string_view kKnown[] = {
     "unboundedsparsenodes",
 };
 
+// The attributes of statements, and what each is for. Sources: as of kKnown, and DXC's
+// attributes.hlsl, with what fxc says.
+struct StatementAttribute {
+  std::string_view name;
+  StatementKind kind;
+  bool is_for_switch = false;
+};
+constexpr StatementAttribute kOfStatements[] = {
+    {"allow_uav_condition", StatementKind::kLoop},
+    {"branch", StatementKind::kIf, true},
+    {"call", StatementKind::kSwitch},
+    {"fastopt", StatementKind::kLoop},
+    {"flatten", StatementKind::kIf, true},
+    {"forcecase", StatementKind::kSwitch},
+    {"loop", StatementKind::kLoop},
+    {"unroll", StatementKind::kLoop},
+};
+
 // The names of the attributes in the order of VulkanAttribute.
 constexpr std::string_view kVulkanNames[] = {"vk::location",      "vk::builtin", "vk::binding",
                                              "vk::push_constant", "vk::offset",  "vk::constant_id",
@@ -87,10 +96,27 @@ bool MayStandAt(VulkanAttribute attribute, AttributeOwner owner) {
   return false;
 }
 
+bool MayStandAt(std::string_view attribute, StatementKind kind) {
+  const std::string lower = ToLower(attribute);
+  const auto* found = std::ranges::find(kOfStatements, lower, &StatementAttribute::name);
+  if (found == std::end(kOfStatements)) return true;
+  return kind == found->kind || (kind == StatementKind::kSwitch && found->is_for_switch);
+}
+
+bool Contradict(std::string_view one, std::string_view other) {
+  const auto is = [&](std::string_view name, std::string_view text) {
+    return EqualIgnoringCase(name, text);
+  };
+  const auto rolls = [&](std::string_view name) { return is(name, "loop") || is(name, "fastopt"); };
+  return (rolls(one) && is(other, "unroll")) || (is(one, "unroll") && rolls(other));
+}
+
 AttributeMeaning MeaningOfAttribute(std::string_view name) {
   const std::string lower = ToLower(name);
   if (lower == kClipPlanesAttribute) return AttributeMeaning::kClipPlanes;
-  if (std::ranges::find(kKnown, lower) != std::end(kKnown)) return AttributeMeaning::kKnown;
+  if (std::ranges::find(kKnown, lower) != std::end(kKnown) ||
+      std::ranges::find(kOfStatements, lower, &StatementAttribute::name) != std::end(kOfStatements))
+    return AttributeMeaning::kKnown;
   if (VulkanAttributeOf(name)) return AttributeMeaning::kVulkan;
   // The rest are Vulkan's other attributes, as DXC and as glslang spells them, and Direct3D 12's
   // root signature.

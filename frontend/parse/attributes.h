@@ -47,4 +47,12 @@ std::optional<VulkanAttribute> VulkanAttributeOf(std::string_view name);
 // Whether the attribute has an effect at `owner`.
 bool MayStandAt(VulkanAttribute attribute, AttributeOwner owner);
 
+// The kinds of statement that attributes are for.
+enum class StatementKind : std::uint8_t { kOther, kLoop, kIf, kSwitch };
+// Whether a statement of the kind takes the attribute. True of what is not an attribute of
+// statements.
+bool MayStandAt(std::string_view attribute, StatementKind kind);
+// Whether a loop cannot have both attributes.
+bool Contradict(std::string_view one, std::string_view other);
+
 }  // namespace clipc

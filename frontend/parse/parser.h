@@ -74,6 +74,9 @@ class Parser : private TreeBuilder {
   // Reports clip planes among the attributes of a declaration that is not a function, and Vulkan's
   // attributes that have no effect on it. `what` names the declaration: "a field".
   void CheckAttributes(List<Attr> attributes, AttributeOwner owner, std::string_view what);
+  // Reports attributes that the statement which follows them does not take, and two that contradict
+  // each other.
+  void CheckStatementAttributes(List<Attr> list);
   void CheckQualifiers(Qualifiers qualifiers, QualifierOwner owner, Span span);
   void ParseAttributes(Collector<Attr>& attributes);
   void ParseAttributeList(Collector<Attr>& attributes);

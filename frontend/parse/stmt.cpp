@@ -12,11 +12,38 @@ StmtId Parser::ParseStatement() {
   Nesting nesting(*this);
   if (!nesting.ok()) return AddStmt(start, ErrorStmt{});
   const List<Attr> attributes = ParseAttributes();
-  CheckAttributes(attributes, AttributeOwner::kOther, "a statement");
+  CheckStatementAttributes(attributes);
   const StmtId stmt = ParseUnattributed(start);
   if (!attributes.empty()) file_.stmts[stmt].attributes = attributes;
   if (panic_ && !leaving_function_) SkipStatement();
   return stmt;
+}
+
+void Parser::CheckStatementAttributes(List<Attr> list) {
+  if (list.empty()) return;
+  CheckAttributes(list, AttributeOwner::kOther, "a statement");
+  if (panic_) return;  // the statement after an error is not the one that they are written at
+  StatementKind kind = StatementKind::kOther;
+  std::string_view what = "this statement";
+  switch (WordAt()) {
+    case Word::kFor:
+    case Word::kWhile:
+    case Word::kDo: kind = StatementKind::kLoop, what = "a loop"; break;
+    case Word::kIf: kind = StatementKind::kIf, what = "an `if`"; break;
+    case Word::kSwitch: kind = StatementKind::kSwitch, what = "a `switch`"; break;
+    default: break;
+  }
+  const auto attributes = file_.attrs[list];
+  for (std::size_t i = 0; i < attributes.size(); ++i) {
+    const std::string_view name = Text(attributes[i].name);
+    if (!MayStandAt(name, kind))
+      diagnostics_.Report(attributes[i].name_span, diag::AttributeMisplaced, name, what);
+    for (const Attr& before : attributes.first(i)) {
+      if (Contradict(Text(before.name), name))
+        diagnostics_.Report(attributes[i].name_span, diag::AttributeConflict, Text(before.name),
+                            name);
+    }
+  }
 }
 
 StmtId Parser::ParseUnattributed(std::size_t start) {
@@ -101,7 +128,7 @@ StmtId Parser::ParseIf(std::size_t start) {
     Next();
     start = pos_;
     attributes = ParseAttributes();
-    CheckAttributes(attributes, AttributeOwner::kOther, "a statement");
+    CheckStatementAttributes(attributes);
     if (!AtWord(Word::kIf)) {
       otherwise = ParseBody("else");
       if (!attributes.empty()) file_.stmts[otherwise].attributes = attributes;

@@ -16,7 +16,8 @@
 float4 main(float4 v : POSITION) : SV_Position {
   // CHECK: :[[#@LINE+1]]:4: warning: unknown attribute `unrol` is ignored
   [unrol] [loop] for (int i = 0; i < 2; i++) v += i;
-  [Unroll(2)] [fastopt] for (int j = 0; j < 2; j++) v += j;
+  [Unroll(2)] for (int j = 0; j < 2; j++) v += j;
+  [fastopt] for (int k = 0; k < 2; k++) v += k;
   // CHECK-NOT: warning:
   [branch] if (v.x > 0) v = 1;
   return v;
