@@ -51,13 +51,13 @@ class Access {
         span_(span),
         is_single_(context[type].kind == TypeKind::kScalar ||
                    context[type].kind == TypeKind::kVector) {
+    HoldIndex();
     address = Implicit(context, address, context.types.Make(Scalar::kUint));
     if (const auto* literal = context.GetIf<Literal>(address)) {
       next_ = static_cast<std::uint32_t>(literal->bits);
     } else {
       address_ = Held(address);
     }
-    HoldIndex();
   }
 
   ExprId Load() { return WithPrologue(context_, prologue_, Value(type_)); }
@@ -140,8 +140,7 @@ class Access {
   void StoreWords(ExprId value) {
     constexpr std::string_view kMethods[] = {"Store", "Store2", "Store3", "Store4"};
     const Type type = context_.TypeOf(value);
-    const Scalar base = BaseOf(type.scalar);
-    if (base == Scalar::kFloat || base == Scalar::kInt) value = CallIntrinsic("asuint", value);
+    if (BaseOf(type.scalar) == Scalar::kFloat) value = CallIntrinsic("asuint", value);
     const ExprId arguments[] = {Address(), value};
     stores_.push_back(CallMethod(kMethods[type.columns - 1], arguments));
     next_ += 4 * type.columns;

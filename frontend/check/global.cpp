@@ -165,6 +165,7 @@ void ResolveStatic(Context& context, SymbolId id, const ast::VarDecl& var) {
 void ResolveObject(Context& context, SymbolId id, const ast::VarDecl& var, TypeId type) {
   const VarId result = AddVar(context, var.name, type, Storage::kResource, context[id].span);
   MarkConst(context, result);
+  context[result].row_major = IsRowMajor(context, ElementQualifiersOf(context, var));
   context[id].value = result.index;
   context.globals.resources.push_back({OrderOf(context, id), result});
   const TypeId element = context.types.Innermost(type);

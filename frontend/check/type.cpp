@@ -29,6 +29,32 @@ std::optional<std::uint32_t> ArraySize(Context& context, ast::ExprId dimension) 
   return std::nullopt;
 }
 
+constexpr ast::Qualifiers kMajority = ast::kRowMajor | ast::kColumnMajor;
+
+// Adds the qualifiers of the typedefs that `of` names, one after the other, and makes `of` the type
+// that the last of them names.
+ast::Qualifiers WithAliases(Context& context, ast::Qualifiers qualifiers, ast::TypeId& of) {
+  constexpr ast::Qualifiers kPragma = ast::kPackRowMajor | ast::kPackColumnMajor;
+  constexpr int kMostAliases = 16;  // a name that hides one in its own typedef has no end
+  for (int i = 0; i < kMostAliases; ++i) {
+    const ast::Type& type = context[of];
+    if (!type.name.name || type.struct_definition) break;
+    const SymbolId symbol = Find(context, type.name, true);
+    if (!symbol || !context[symbol].decl) break;
+    const auto* alias = context.GetIf<ast::TypedefDecl>(context[symbol].decl);
+    if (!alias) break;
+    if (!(qualifiers & kMajority)) qualifiers |= alias->qualifiers & kMajority;
+    // The last pragma before a typedef holds for it. If there is none, the pragma of the variable
+    // holds for a matrix, and none for an array (vkd3d's test of the pragma, checked against
+    // native).
+    if ((alias->qualifiers & kPragma) || !alias->dimensions.empty())
+      qualifiers = (qualifiers & ~kPragma) | (alias->qualifiers & kPragma);
+    qualifiers |= alias->qualifiers & ast::kConst;
+    of = alias->type;
+  }
+  return qualifiers;
+}
+
 }  // namespace
 
 TypeId ResolveType(Context& context, ast::TypeId id) {
@@ -172,6 +198,14 @@ TypeId ResolveVarType(Context& context, const ast::VarDecl& var) {
     context.Report(span, diag::QualifierNeedsFloat,
                    var.qualifiers & ast::kSnorm ? "snorm" : "unorm", context.TypeName(element));
   }
+  // fxc X3077
+  const TypeKind kind = context[element].kind;
+  if ((var.qualifiers & (ast::kRowMajor | ast::kColumnMajor)) &&
+      (kind == TypeKind::kScalar || kind == TypeKind::kVector)) {
+    context.Report(span, diag::QualifierWithoutEffect,
+                   var.qualifiers & ast::kRowMajor ? "row_major" : "column_major",
+                   fmt::format("`{}`, which is not a matrix", context.TypeName(element)));
+  }
   const bool is_implied = !var.dimensions.empty() && !context[var.dimensions][0];
   std::optional<std::uint32_t> implied;
   if (is_implied && var.init && !context.IsError(element)) {
@@ -203,28 +237,20 @@ bool IsRowMajor(const Context& context, ast::Qualifiers qualifiers) {
 }
 
 ast::Qualifiers QualifiersOf(Context& context, const ast::VarDecl& var) {
-  constexpr ast::Qualifiers kMajority = ast::kRowMajor | ast::kColumnMajor,
-                            kPragma = ast::kPackRowMajor | ast::kPackColumnMajor;
-  constexpr int kMostAliases = 16;  // a name that hides one in its own typedef has no end
-  ast::Qualifiers qualifiers = var.qualifiers;
   ast::TypeId of = var.type;
-  for (int i = 0; i < kMostAliases; ++i) {
-    const ast::Type& type = context[of];
-    if (!type.name.name || type.struct_definition) break;
-    const SymbolId symbol = Find(context, type.name, true);
-    if (!symbol || !context[symbol].decl) break;
-    const auto* alias = context.GetIf<ast::TypedefDecl>(context[symbol].decl);
-    if (!alias) break;
-    if (!(qualifiers & kMajority)) qualifiers |= alias->qualifiers & kMajority;
-    // The last pragma before a typedef holds for it. If there is none, the pragma of the variable
-    // holds for a matrix, and none for an array (vkd3d's test of the pragma, checked against
-    // native).
-    if ((alias->qualifiers & kPragma) || !alias->dimensions.empty())
-      qualifiers = (qualifiers & ~kPragma) | (alias->qualifiers & kPragma);
-    qualifiers |= alias->qualifiers & ast::kConst;
-    of = alias->type;
-  }
-  return qualifiers;
+  return WithAliases(context, var.qualifiers, of);
+}
+
+ast::Qualifiers ElementQualifiersOf(Context& context, const ast::VarDecl& var) {
+  ast::TypeId of = var.type;
+  const ast::Qualifiers outer = WithAliases(context, var.qualifiers, of);
+  if (context[of].arguments.empty()) return outer;
+  ast::ExprId element = context[context[of].arguments][0];
+  while (const auto* array = context.GetIf<ast::IndexExpr>(element)) element = array->base;
+  const auto* type = context.GetIf<ast::TypeExpr>(element);
+  if (!type) return outer;
+  of = type->type;
+  return WithAliases(context, (outer & ~kMajority) | type->qualifiers, of);
 }
 
 }  // namespace clipc::check

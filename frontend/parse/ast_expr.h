@@ -63,6 +63,7 @@ struct NameExpr {
 // sizeof.
 struct TypeExpr {
   TypeId type;
+  std::uint32_t qualifiers = 0;  // of a template argument: Qualifiers, as a declaration has them
 };
 struct UnaryExpr {
   std::optional<UnaryOp> op;  // none: `+`

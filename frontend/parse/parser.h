@@ -66,7 +66,7 @@ class Parser : private TreeBuilder {
   List<ExprId> ParseTemplateArguments();
   ExprId ParseTemplateArgument();
   bool AtTypeArgument() const;
-  ExprId ParseTypeOperand();
+  ExprId ParseTypeOperand(Qualifiers qualifiers = 0);
   Qualifiers ParseQualifiers(Collector<Attr>* attributes);
   List<Attr> ParseAttributes();
   // Warns, once for each name, of an attribute that does nothing.

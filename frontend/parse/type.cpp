@@ -131,8 +131,8 @@ List<ExprId> Parser::ParseTemplateArguments() {
 ExprId Parser::ParseTemplateArgument() {
   const std::size_t start = pos_;
   Bracketed angles(*this, true);
-  ParseQualifiers(nullptr);
-  if (pos_ > start || AtTypeArgument()) return ParseTypeOperand();
+  const Qualifiers qualifiers = ParseQualifiers(nullptr);
+  if (pos_ > start || AtTypeArgument()) return ParseTypeOperand(qualifiers);
   return ParseConditional();
 }
 
@@ -157,9 +157,9 @@ bool Parser::AtTypeArgument() const {
 }
 
 // Parses T or T[2], the operand of sizeof or a template argument.
-ExprId Parser::ParseTypeOperand() {
+ExprId Parser::ParseTypeOperand(Qualifiers qualifiers) {
   const std::size_t start = pos_;
-  ExprId type = AddExpr(start, TypeExpr{ParseType(false)});
+  ExprId type = AddExpr(start, TypeExpr{ParseType(false), qualifiers});
   while (At(kLeftBracket) && !panic_) {
     const std::size_t open = pos_;
     Next();

@@ -12,7 +12,7 @@ import sys
 import tempfile
 
 SECONDS = 20  # of processor time a compile; each takes some milliseconds
-BYTES = 2 << 30  # of memory; all but `casts` take some 10 MiB
+BYTES = 2 << 30  # of memory; all but `casts` and `loads` take some 10 MiB
 LEVELS = 12
 NAMES = 40  # of the level before, at each level
 
@@ -71,6 +71,8 @@ BOMBS = {
                        + main(nested("P<", "float", "> ", 12) + "x; return v;"), TEMPLATES),
     "textures": ("Texture2D t[8]; SamplerState s;\n" + "".join(permuted(i) for i in range(LEVELS))
                  + main(f"return f11({','.join(f't[{k}]' for k in range(8))}, v.xy);"), []),
+    "loads": ("typedef float Big[1 << 20];\nByteAddressBuffer g;\n"
+              + main(f"return v + {times('g.Load<Big>(w.x)[w.y]')};"), ["-T", "vs_6_2"]),
     "casts": (levels("struct S0 { float x; };\n", "struct S{i} { S{b} a, b; };\n", 13)
               + "struct T { float v[4096]; };\nvoid f(S12 s) {}\n" + main("T t = (T)0; " + "f((S12)t); " * 10000 + "return v;"), []),
     "statics": (levels("static float a0 = q.x;\n", f"static float a{{i}} = {times('a{b}')};\n")
