@@ -51,7 +51,8 @@ Field MakeField(Context& context, const ast::VarDecl& var) {
   field.name = context[var.name];
   field.type = WithoutString(context, ResolveVarType(context, var), var);
   field.span = var.name_span;
-  field.row_major = IsRowMajor(context, qualifiers);
+  const bool is_object = context[context.types.Innermost(field.type)].kind == TypeKind::kObject;
+  field.row_major = IsRowMajor(context, is_object ? ElementQualifiersOf(context, var) : qualifiers);
   field.semantic = context[var.semantic.name];
   field.semantic_span = var.semantic.span;
   field.precise = (qualifiers & ast::kPrecise) != 0;

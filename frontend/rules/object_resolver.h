@@ -57,8 +57,8 @@ class ObjectResolver {
 
   // ---- variables outside functions
   void SplitUniform(VarId id);
-  void AddResources(TypeId type, const std::string& name, Span span, const SlotPath& path,
-                    Slots& slots);
+  // Makes a resource of each object in `whole`, the part of a uniform at `path`.
+  void AddResources(const Var& whole, const SlotPath& path, Slots& slots);
   void PrepareGlobal(VarId id);
 
   // ---- functions

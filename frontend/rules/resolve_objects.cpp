@@ -99,30 +99,39 @@ void ObjectResolver::RemoveFields() {
 // ---- variables outside functions
 
 void ObjectResolver::SplitUniform(VarId id) {
-  AddResources(program_.vars[id].type, program_.vars[id].name, program_.vars[id].span, {},
-               globals_[id]);
+  const Var whole = program_.vars[id];
+  AddResources(whole, {}, globals_[id]);
 }
 
-void ObjectResolver::AddResources(TypeId type, const std::string& name, Span span,
-                                  const SlotPath& path, Slots& slots) {
-  if (!Holds(type)) return;
-  if (IsObject(type)) {
-    const VarId resource = program_.vars.Add(
-        {.name = name, .type = type, .storage = Storage::kResource, .span = span});
+void ObjectResolver::AddResources(const Var& whole, const SlotPath& path, Slots& slots) {
+  if (!Holds(whole.type)) return;
+  if (IsObject(whole.type)) {
+    const VarId resource = program_.vars.Add({.name = whole.name,
+                                              .type = whole.type,
+                                              .storage = Storage::kResource,
+                                              .span = whole.span,
+                                              .row_major = whole.row_major});
     Register reg;
-    reg.letter = RegisterLetter(program_.types[program_.types.Innermost(type)].object);
+    reg.letter = RegisterLetter(program_.types[program_.types.Innermost(whole.type)].object);
     program_.resources.push_back({resource, reg});
     slots[path] = {resource, {}};
     return;
   }
-  const bool is_struct = program_.types[type].kind == TypeKind::kStruct;
-  for (std::uint32_t i = 0; i < program_.types.PartCount(type); ++i) {
+  const bool is_struct = program_.types[whole.type].kind == TypeKind::kStruct;
+  for (std::uint32_t i = 0; i < program_.types.PartCount(whole.type); ++i) {
     SlotPath longer = path;
     longer.push_back(i);
-    std::string part = name;
-    part += '_';
-    part += is_struct ? program_.types.StructOf(type).fields[i].name : std::to_string(i);
-    AddResources(program_.types.PartType(type, i), part, span, longer, slots);
+    Var part = whole;
+    part.type = program_.types.PartType(whole.type, i);
+    part.name += '_';
+    if (is_struct) {
+      const Field& field = program_.types.StructOf(whole.type).fields[i];
+      part.name += field.name;
+      part.row_major = field.row_major;
+    } else {
+      part.name += std::to_string(i);
+    }
+    AddResources(part, longer, slots);
   }
 }
 

@@ -20,15 +20,24 @@ StructuredBuffer<column_major Rows> over_named : register(t4);
 typedef StructuredBuffer<row_major float4x4> Buffers;
 // CHECK: layout(std430, binding = 5) readonly buffer whole_block
 Buffers whole : register(t5);
+struct Held {
+  StructuredBuffer<row_major float4x4> rows;
+  StructuredBuffer<float4x4> plain;
+};
+Held held;
 #pragma pack_matrix(row_major)
 // CHECK: layout(std430, binding = 6) readonly buffer pragma_block
 StructuredBuffer<float4x4> pragma_ : register(t6);
 // CHECK: layout(std430, binding = 7) readonly buffer narrow_block
 StructuredBuffer<float2x3> narrow : register(t7);
+// CHECK: layout(std430, binding = 8) readonly buffer held_rows_block
+// COLUMNS: layout(std430, binding = 9, row_major) readonly buffer held_plain_block
+// ROWS: layout(std430, binding = 9) readonly buffer held_plain_block
 
 float4 main(float4 p : POSITION, int i : INDEX) : SV_Position {
   float4 sum = mul(p, plain[i]) + mul(p, by_row[i]) + mul(p, by_column[i]) + mul(p, named[i]);
   sum += mul(p, over_named[i]) + mul(p, whole[i]) + mul(p, pragma_[i]);
+  sum += mul(p, held.rows[i]) + mul(p, held.plain[i]);
   sum.xyz += mul(p.xy, narrow[i]);
   return sum;
 }
