@@ -85,7 +85,8 @@ void CheckMixedPlaces(Context& context, const Buffer& buffer) {
   bool has_place = false;
   for (const SymbolId symbol : buffer.members) {
     const auto* var = context.GetIf<ast::VarDecl>(context[symbol].decl);
-    if (!var || context[symbol].value == ~0u) continue;
+    const VarId made{context[symbol].value};
+    if (!var || made.index == ~0u || context[made].storage != Storage::kUniform) continue;
     if (var->packoffset) has_place = true;
     if (!var->packoffset && !without) without = var;
   }

@@ -201,7 +201,7 @@ TypeId ResolveVarType(Context& context, const ast::VarDecl& var) {
   // fxc X3077
   const TypeKind kind = context[element].kind;
   if ((var.qualifiers & (ast::kRowMajor | ast::kColumnMajor)) &&
-      (kind == TypeKind::kScalar || kind == TypeKind::kVector)) {
+      (kind == TypeKind::kScalar || kind == TypeKind::kVector || kind == TypeKind::kObject)) {
     context.Report(span, diag::QualifierWithoutEffect,
                    var.qualifiers & ast::kRowMajor ? "row_major" : "column_major",
                    fmt::format("`{}`, which is not a matrix", context.TypeName(element)));

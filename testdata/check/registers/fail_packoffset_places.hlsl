@@ -6,6 +6,7 @@ cbuffer Block {
   // CHECK-DAG: [[#@LINE+1]]:46: warning: this `packoffset` overrides the one before it [-Wpack-offset-overridden]
   float4 a : packoffset(c4) : ANY_SEMANTIC : packoffset(c5);
   float4 b : packoffset(c6) : packoffset(c6.x);
+  Texture2D none;
   // MIXED: [[#@LINE+1]]:10: warning: `c` has no `packoffset`, and other members of its buffer have one; it follows the last of those, fxc reports an error [-Wpack-offset-mixed]
   float4 c;
   float4 d;
@@ -23,4 +24,4 @@ S s;
 // MIXED-NEXT: vec4 b;
 // MIXED-NEXT: vec4 c;
 // MIXED-NEXT: vec4 d;
-float4 wrong(float4 p : P) : SV_Position { return a + b + c + d; }
+float4 wrong(float4 p : P) : SV_Position { return a + b + c + d + none.Load(0); }

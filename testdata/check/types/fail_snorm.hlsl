@@ -8,5 +8,7 @@ struct S { unorm uint2 n; snorm float2x2 good; };
 S s;
 // CHECK-DAG: [[#@LINE+1]]:18: warning: `row_major` has no effect on `float4`, which is not a matrix [-Wqualifier-without-effect]
 row_major float4 rows;
+// CHECK-DAG: [[#@LINE+1]]:38: warning: `row_major` has no effect on `StructuredBuffer<float4x4>`, which is not a matrix
+row_major StructuredBuffer<float4x4> turned;
 unorm float3 color;
-float4 main(float4 p : POSITION) : SV_Position { return rows * p * whether + s.n.x + color.x + s.good[0].x; }
+float4 main(float4 p : POSITION) : SV_Position { return rows * p * whether + s.n.x + color.x + turned[0][0] + s.good[0].x; }
