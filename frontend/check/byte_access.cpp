@@ -165,7 +165,7 @@ class Access {
     for (std::uint32_t i = 0; i < count; ++i) StoreParts(at.Part(CopyOf(value), i));
   }
 
-  TypeId VectorOf(Scalar scalar, std::uint32_t count) {
+  TypeId VectorOf(Scalar scalar, int count) {
     return count == 1 ? context_.types.Make(scalar) : context_.types.Vector(scalar, count);
   }
 
