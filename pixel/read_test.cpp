@@ -257,7 +257,7 @@ TEST(Glsl, LooksIntoMacros) {
               ElementsAre(HasSubstr("its macros may make")));
   const std::string nested = "#version 450\n#define F(x) x + x\nout float c;\nvoid main() { c = ";
   std::string calls = "c";
-  for (int i = 0; i < 40; ++i) calls = "F(" + calls + ")";
+  for (int i = 0; i < 40; ++i) calls.insert(0, "F(").append(")");
   EXPECT_THAT(ReadGlsl(nested + calls + "; }\n", "a.frag").problems,
               ElementsAre(HasSubstr("its macros may make")));
 }
