@@ -172,7 +172,7 @@ void ResolveObject(Context& context, SymbolId id, const ast::VarDecl& var, TypeI
   const char letter = RegisterLetter(context[element].object);
   context.globals.registers.emplace(
       result.index, RegisterOf(context, context[var.name], var.registers, var.attributes, letter));
-  // What a vertex shader may only declare has a register of any kind.
+  // An object that a vertex shader may declare but not use has a register of any kind.
   if (context[element].object != ObjectKind::kOther)
     CheckRegisterKinds(context, context[var.name], var.registers, {&letter, 1});
   const TypeId texel = context[element].element;
