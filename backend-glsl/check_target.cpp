@@ -34,14 +34,14 @@ constexpr std::uint32_t kMaxElements = 256;
 
 class TargetCheck {
  public:
-  TargetCheck(const Program& program, const Reached& reached, const Target& target,
-              BlockStyle blocks, Diagnostics& diagnostics)
+  TargetCheck(const Program& program, const Target& target, BlockStyle blocks,
+              Diagnostics& diagnostics)
       : program_(program),
         target_(target),
         blocks_(blocks),
         has_blocks_(target.Has(Feature::kUniformBlocks) && blocks != BlockStyle::kFlat),
         diagnostics_(diagnostics),
-        reached_(reached),
+        reached_(Reach(program)),
         seen_types_(program.types.size()) {}
 
   void Run() {
@@ -455,7 +455,7 @@ class TargetCheck {
   const BlockStyle blocks_;
   const bool has_blocks_;  // constant buffers become uniform blocks
   Diagnostics& diagnostics_;
-  const Reached& reached_;
+  const Reached reached_;
   const bool has_unsigned_ = target_.Has(Feature::kUnsigned);
   const bool looks_at_expressions_ = MayLackInExpressions();
   std::vector<char> seen_types_;  // by TypeId
@@ -466,9 +466,9 @@ class TargetCheck {
 
 }  // namespace
 
-void CheckTarget(const Program& program, const Reached& reached, const Target& target,
-                 BlockStyle blocks, Diagnostics& diagnostics) {
-  TargetCheck(program, reached, target, blocks, diagnostics).Run();
+void CheckTarget(const Program& program, const Target& target, BlockStyle blocks,
+                 Diagnostics& diagnostics) {
+  TargetCheck(program, target, blocks, diagnostics).Run();
 }
 
 }  // namespace clipc::glsl

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include "backend-glsl/reach.h"
 #include "backend-glsl/style.h"
 #include "backend-glsl/target.h"
 #include "base/diagnostics.h"
@@ -11,8 +10,8 @@ namespace clipc::glsl {
 
 // Reports everything that `main` reaches and the target cannot say. Without errors, WriteGlsl
 // succeeds. Requires that the clip planes are lowered: which of them become clip distances is
-// decided there. `reached` is Reach(program).
-void CheckTarget(const ir::Program& program, const Reached& reached, const Target& target,
-                 BlockStyle blocks, Diagnostics& diagnostics);
+// decided there.
+void CheckTarget(const ir::Program& program, const Target& target, BlockStyle blocks,
+                 Diagnostics& diagnostics);
 
 }  // namespace clipc::glsl

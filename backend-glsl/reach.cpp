@@ -58,7 +58,7 @@ class Walker {
       if (const auto* ref = std::get_if<VarRef>(&node)) {
         Variable(ref->var);
       } else if (const auto* call = std::get_if<Call>(&node)) {
-        visit.callees.push_back(call->function);
+        if (!program_.functions[call->function].is_helper) visit.callees.push_back(call->function);
       }
     });
     return visit;

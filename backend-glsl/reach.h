@@ -7,9 +7,10 @@
 
 namespace clipc::glsl {
 
-// The parts of a program that `main` reaches. The writer writes no others.
+// The parts of a program that `main` reaches. The writer writes no others but helper functions,
+// which reach nothing themselves.
 struct Reached {
-  std::vector<ir::FunctionId> functions;  // callees before callers, `main` last
+  std::vector<ir::FunctionId> functions;  // callees before callers, `main` last; no helpers
   std::vector<ir::VarId> globals;         // kStatic and kConstant, in order of declaration
   std::vector<bool> vars;                 // by VarId: mentioned anywhere
   std::vector<bool> cbuffers;             // by CbufferId

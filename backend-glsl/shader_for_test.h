@@ -143,7 +143,7 @@ class ShaderForTest {
     ir::PassOptions options;
     options.verify = true;
     Legalize(legalized, *Target::Parse(target), options);
-    return WriteGlsl(legalized, Reach(program), *Target::Parse(target), {}, info);
+    return WriteGlsl(legalized, *Target::Parse(target), {}, info);
   }
 
  private:

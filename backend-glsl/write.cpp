@@ -54,12 +54,12 @@ std::string Header(const Context& context) {
 
 }  // namespace
 
-std::string WriteGlsl(const Program& program, Reached reached, const Target& target,
-                      const WriteOptions& options, GlslInfo* info) {
+std::string WriteGlsl(const Program& program, const Target& target, const WriteOptions& options,
+                      GlslInfo* info) {
   GlslInfo unwanted;
   GlslInfo& chosen = info ? *info : unwanted;
   chosen = {};
-  Code code(program, target, options, chosen, std::move(reached));
+  Code code(program, target, options, chosen);
   NameEverything(code);
   FindTextureUses(code);
   WriteBlocks(code);

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "backend-glsl/block_layout.h"
-#include "backend-glsl/reach.h"
 #include "backend-glsl/style.h"
 #include "backend-glsl/target.h"
 #include "ir/program.h"
@@ -93,8 +92,8 @@ struct GlslInfo {
 };
 
 // Returns the whole shader. Requires Form::kLegalized, and that CheckTarget reported no error. The
-// text depends on nothing but the arguments. `reached` is Reach of the program before Legalize.
-std::string WriteGlsl(const ir::Program& program, Reached reached, const Target& target,
+// text depends on nothing but the arguments.
+std::string WriteGlsl(const ir::Program& program, const Target& target,
                       const WriteOptions& options = {}, GlslInfo* info = nullptr);
 
 }  // namespace clipc::glsl

@@ -31,9 +31,8 @@ Lowered Lower(ir::Program program, const LowerSettings& settings) {
   options.clip_planes.write_clip_vertex = settings.target.Has(glsl::Feature::kClipVertex);
   options.hoist_loop_bounds = settings.target.Has(glsl::Feature::kFreeLoops);
   const bool is_complete = passes::RunPipeline(program, options);
-  glsl::Reached reached = glsl::Reach(program);
-  return {std::move(program),        settings.target,    options.clip_planes.lowering,
-          options.clip_planes.space, std::move(reached), is_complete};
+  return {std::move(program), settings.target, options.clip_planes.lowering,
+          options.clip_planes.space, is_complete};
 }
 
 std::vector<std::string_view> LowerPasses() {
@@ -47,13 +46,12 @@ void Legalize(Lowered& lowered, const ir::PassOptions& options) {
 }
 
 void CheckTarget(const Lowered& lowered, glsl::BlockStyle blocks, Diagnostics& diagnostics) {
-  glsl::CheckTarget(lowered.program, lowered.reached, lowered.target, blocks, diagnostics);
+  glsl::CheckTarget(lowered.program, lowered.target, blocks, diagnostics);
 }
 
 Written Write(const Lowered& lowered, const glsl::WriteOptions& options) {
   Written written;
-  written.glsl =
-      glsl::WriteGlsl(lowered.program, lowered.reached, lowered.target, options, &written.info);
+  written.glsl = glsl::WriteGlsl(lowered.program, lowered.target, options, &written.info);
   return written;
 }
 

@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "backend-glsl/reach.h"
 #include "backend-glsl/style.h"
 #include "backend-glsl/target.h"
 #include "backend-glsl/write.h"
@@ -50,7 +49,6 @@ struct Lowered {
   glsl::Target target;
   Lowering lowering;
   PlaneSpace plane_space;
-  glsl::Reached reached;
   bool is_complete = true;  // no pass stopped it early
 };
 

@@ -2,28 +2,27 @@
 #include "backend-glsl/writer/context.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "backend-glsl/needs.h"
 
 namespace clipc::glsl {
 
 Context::Context(const ir::Program& program, const Target& target, const WriteOptions& options,
-                 GlslInfo& info, Reached reached)
+                 GlslInfo& info)
     : program(program),
       types(program.types),
       target(target),
       options(options),
       info(info),
-      reached(std::move(reached)),
-      descriptors(program, this->reached, target),
+      reached(Reach(program)),
+      descriptors(program, reached, target),
       layouts(program.cbuffers.size()),
       used_structs(types.structs().size()) {
   for (std::string* part : {&sections.structs, &sections.blocks, &sections.inputs,
                             &sections.outputs, &sections.functions})
     part->reserve(1024);
   for (const ir::CbufferId id : program.cbuffers.ids()) {
-    if (this->reached.Has(id))
+    if (reached.Has(id))
       layouts[id.index] = LayOutBlock(program, (*this)[id], target, options.blocks);
   }
 }

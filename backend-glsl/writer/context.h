@@ -35,7 +35,7 @@ struct Sections {
 // or over Code (code.h), which adds the state of expressions and statements.
 struct Context {
   Context(const ir::Program& program, const Target& target, const WriteOptions& options,
-          GlslInfo& info, Reached reached);
+          GlslInfo& info);
 
   const ir::Program& program;
   const ir::TypeTable& types;  // of the program
