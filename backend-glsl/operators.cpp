@@ -3,6 +3,7 @@
 
 #include <variant>
 
+#include "ir/access.h"
 #include "ir/scalar.h"
 
 namespace clipc::glsl {
@@ -56,6 +57,23 @@ std::optional<Constant> ConstantOf(const Program& program, ExprId expr) {
   if (!operand || !IsFloat(kind)) return std::nullopt;
   const std::uint64_t sign = BaseOf(kind) == Scalar::kDouble ? std::uint64_t{1} << 63 : 1u << 31;
   return Constant{operand->bits ^ sign, kind};
+}
+
+bool AreInOrder(const std::optional<Constant>& low, const std::optional<Constant>& high) {
+  return low && high && NumberOf(low->bits, low->kind) < NumberOf(high->bits, high->kind);
+}
+
+bool IsOneScalar(const Program& program, ExprId operand) {
+  return As<Zero>(program, operand) || As<Splat>(program, operand) || As<Literal>(program, operand);
+}
+
+bool IsRepeatable(const Program& program, ExprId expr) {
+  const auto* index = As<Index>(program, expr);
+  if (index && !As<Literal>(program, index->index)) return false;
+  if (As<MatrixSwizzle>(program, expr)) return false;
+  const ExprId whole = WholeOf(program, expr);
+  return whole ? IsRepeatable(program, whole)
+               : As<Literal>(program, expr) || As<VarRef>(program, expr);
 }
 
 }  // namespace clipc::glsl

@@ -32,5 +32,13 @@ struct Constant {
 // Returns the number in every component of `expr`, if it is a zero, a literal, or a conversion, a
 // splat or a negation of floats of such an expression; otherwise none.
 std::optional<Constant> ConstantOf(const ir::Program& program, ir::ExprId expr);
+// Whether both numbers are known, and the first is the smaller one.
+bool AreInOrder(const std::optional<Constant>& low, const std::optional<Constant>& high);
+
+// Whether an operand of a vector or matrix type is written as the scalar that each of its
+// components is, where GLSL takes a scalar there.
+bool IsOneScalar(const ir::Program& program, ir::ExprId operand);
+// Whether the expression is short and has no effects, so that it may be written twice.
+bool IsRepeatable(const ir::Program& program, ir::ExprId expr);
 
 }  // namespace clipc::glsl

@@ -45,6 +45,12 @@ Shape ShapeOf(const ir::Type& type, const Target& target) {
   return shape;
 }
 
+bool IsOnlyElement(const ir::Program& program, const ir::Index& node) {
+  const ir::Type& type = program.types[program.exprs[node.base].type];
+  const bool is_only_row = type.kind == ir::TypeKind::kMatrix && type.rows == 1;
+  return type.IsNumeric() && (is_only_row || type.Components() == 1);
+}
+
 Shape Shape::With(Scalar kind) const {
   Shape shape = ShapeOf(kind, rows, size);
   if (this->kind == kRows && IsFloating()) shape.kind = kRows;

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "backend-glsl/target.h"
-#include "ir/type.h"
+#include "ir/program.h"
 
 namespace clipc::glsl {
 
@@ -35,6 +35,9 @@ struct Shape {
 // Returns the shape of `type`, which must be numeric.
 Shape ShapeOf(const ir::Type& type, const Target& target);
 Shape ShapeOf(ir::Scalar scalar, int rows, int columns);
+
+// Whether the only row of a matrix or the only component is indexed, for which GLSL has no [].
+bool IsOnlyElement(const ir::Program& program, const ir::Index& node);
 
 // The GLSL name of a shape or component kind: "vec3", "dmat4x3", "bvec4[3]". Where the target has
 // no uint, uint is int.

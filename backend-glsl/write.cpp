@@ -22,12 +22,11 @@ namespace {
 void WriteGlobals(Code& code) {
   for (const VarId id : code.reached.globals) {
     const Var& var = code[id];
-    code.is_constant = true;
     // HLSL's static variables start as zero.
     std::string value = var.init ? Argument(code, var.init) : ZeroText(code, var.type);
     const bool is_specialized = var.constant_id && code.target.IsVulkan();
-    const bool is_const = is_specialized || (var.storage == Storage::kConstant && code.is_constant);
-    const bool is_late = !code.is_constant && !code.Has(Feature::kGlobalInitializers);
+    const bool is_const = is_specialized || code.constants.Has(id);
+    const bool is_late = !code.Has(Feature::kGlobalInitializers) && !code.constants.HasValueOf(id);
     if (is_specialized) {
       code.sections.globals +=
           LayoutText({Concat("constant_id = ", std::to_string(*var.constant_id))});
@@ -39,7 +38,6 @@ void WriteGlobals(Code& code) {
     const std::string_view precise = PreciseText(code, var.precise && !is_const);
     if (!precise.empty()) Append(code.sections.globals, precise, code.NameOf(id), ";\n");
     if (is_late) code.late_globals.emplace_back(code.NameOf(id), std::move(value));
-    if (!is_const) code.mutable_constants.insert(id);
   }
 }
 

@@ -64,12 +64,6 @@ bool MayChange(const Program& program, const Target& target, const Expr& expr) {
 
 }  // namespace
 
-bool IsOnlyElement(const Program& program, const Index& node) {
-  const Type& type = program.types[program.exprs[node.base].type];
-  const bool is_only_row = type.kind == TypeKind::kMatrix && type.rows == 1;
-  return type.IsNumeric() && (is_only_row || type.Components() == 1);
-}
-
 HelperBody::HelperBody(Program& program, std::span<const Parameter> wanted) : b(program) {
   for (const Parameter& parameter : wanted) {
     const VarId var = b.Local(std::string(parameter.name), parameter.type);

@@ -41,9 +41,6 @@ class HelperBody {
   std::vector<ir::StmtId> statements;
 };
 
-// Whether the only row of a matrix or the only component is indexed, for which GLSL has no [].
-bool IsOnlyElement(const ir::Program& program, const ir::Index& node);
-
 // The state that the legalising passes share: the program, the target, and the helper functions in
 // place of operations that GLSL lacks.
 class Legalizer {

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <cstddef>
-#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "backend-glsl/text.h"
+#include "backend-glsl/writer/constants.h"
 #include "backend-glsl/writer/context.h"
 
 namespace clipc::glsl {
@@ -17,7 +17,7 @@ namespace clipc::glsl {
 struct Code : Context {
   using Context::Context;
 
-  std::set<ir::VarId> mutable_constants;  // constants written without `const`
+  Constants constants{program, target};
   // The names and values of global variables that get their value in `main`, as ES requires.
   std::vector<std::pair<std::string, std::string>> late_globals;
   std::string* out = nullptr;  // the text that Line appends to

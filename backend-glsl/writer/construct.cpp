@@ -63,7 +63,6 @@ Text TruncateText(Code& code, TypeId id, ExprId matrix) {
   }
   // The result is the first row, or the first column, which is the first row of the transpose.
   const bool is_row = type.rows == 1;
-  if (from.HasRows() && !is_row) code.is_constant = false;  // transpose() is never constant
   std::string text = from.HasRows() && !is_row
                          ? Called("transpose", {Argument(std::move(operand))}).text
                          : std::move(operand).At(Binding::kPostfix);

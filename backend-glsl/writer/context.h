@@ -65,8 +65,6 @@ struct Context {
   std::unordered_map<std::string, std::string> wrappers;      // types.h: by the wrapped type
   std::unordered_map<std::string, std::string> helper_names;  // helper.h: by the wanted name
   std::set<std::string> helper_keys;                          // name and key of written definitions
-  // Whether all text written since this was last set is a constant expression.
-  bool is_constant = true;
 
   const ir::Expr& operator[](ir::ExprId id) const { return program.exprs[id]; }
   const ir::Var& operator[](ir::VarId id) const { return program.vars[id]; }

@@ -2,7 +2,6 @@
 #include "backend-glsl/writer/expr.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -24,10 +23,7 @@ using namespace ir;
 namespace {
 
 Text VarText(Code& code, VarId id) {
-  const Storage storage = code[id].storage;
-  if (storage == Storage::kUniform) return UniformText(code, id);
-  if (storage != Storage::kConstant || code.mutable_constants.contains(id))
-    code.is_constant = false;
+  if (code[id].storage == Storage::kUniform) return UniformText(code, id);
   return {code.NameOf(id)};
 }
 
@@ -40,8 +36,7 @@ Text IndexText(Code& code, const Expr& expr, const Index& node) {
     }
   }
   Text base = ExprText(code, node.base);
-  const bool is_only_row = type.kind == TypeKind::kMatrix && type.rows == 1;
-  if (is_only_row || (type.IsNumeric() && ShapeOf(type, code.target).IsScalar())) return base;
+  if (IsOnlyElement(code.program, node)) return base;
   std::string text = std::move(base).At(Binding::kPostfix);
   // Mesa 22.3 reads the wrong component for t[1] after `ivec2 t = a.yw`, but not for t.y. An
   // element of a matrix is m[1][2].
@@ -100,7 +95,6 @@ Text MatrixSwizzleText(Code& code, const Expr& expr, const MatrixSwizzle& node) 
 
 Text UnaryText(Code& code, const Unary& node) {
   if (!ChangesOperand(node.op)) return UnaryOn(code, node.op, OperandOf(code, node.operand));
-  code.is_constant = false;
   Text operand = ExprText(code, node.operand);
   switch (node.op) {
     case UnaryOp::kPreIncrement:
@@ -113,7 +107,6 @@ Text UnaryText(Code& code, const Unary& node) {
 }
 
 Text AssignText(Code& code, const Assign& node) {
-  code.is_constant = false;
   // The value of a compound assignment may be a scalar beside a vector.
   Text value = node.op ? OperandOf(code, node.value).text : Text{};
   std::string text = ExprText(code, node.target).At(Binding::kUnary);
@@ -122,17 +115,11 @@ Text AssignText(Code& code, const Assign& node) {
   return {std::move(text), Binding::kAssignment};
 }
 
-// An infinity or a NaN is a call of uintBitsToFloat, which glslang does not take for a constant.
-Text NumberText(Code& code, std::uint64_t bits, Scalar kind) {
-  if (BaseOf(kind) == Scalar::kFloat && !std::isfinite(FloatOf(bits))) code.is_constant = false;
-  return LiteralText(bits, kind, code.target);
-}
-
 Text ConvertText(Code& code, const Expr& expr, const Convert& node) {
   const Scalar kind = code[expr.type].scalar;
   if (const auto* literal = code.As<Literal>(node.operand)) {
     const Scalar from = code.TypeOf(node.operand).scalar;
-    return NumberText(code, ConvertBits(literal->bits, from, kind), kind);
+    return LiteralText(ConvertBits(literal->bits, from, kind), kind, code.target);
   }
   // sign() gives an int in HLSL and a float in GLSL, and mostly its value is wanted as a float.
   const auto* call = code.As<IntrinsicCall>(node.operand);
@@ -147,7 +134,6 @@ Text ConvertText(Code& code, const Expr& expr, const Convert& node) {
 }
 
 Text CallText(Code& code, const Call& node) {
-  code.is_constant = false;
   const std::string arguments =
       ListOf(code[node.arguments], [&](ExprId argument) { return Argument(code, argument); });
   const bool is_helper = code[node.function].is_helper;
@@ -163,7 +149,9 @@ Text ExprText(Code& code, ExprId id) {
   code.RequireType(code[expr.type]);
   return Visit(
       Overloaded{
-          [&](const Literal& node) { return NumberText(code, node.bits, code.TypeOf(id).scalar); },
+          [&](const Literal& node) {
+            return LiteralText(node.bits, code.TypeOf(id).scalar, code.target);
+          },
           [&](const Zero&) { return Text{ZeroText(code, expr.type)}; },
           [&](const VarRef& node) {
             return IsInstance(code, id) ? InstanceValue(code, id) : VarText(code, node.var);
@@ -196,7 +184,6 @@ Text ExprText(Code& code, ExprId id) {
             const Operand mixed[] = {OperandOf(code, node.when_false),
                                      OperandOf(code, node.when_true),
                                      OperandOf(code, node.condition)};
-            code.is_constant = false;  // glslang does not compute a mix() by bools
             return CallOn(code, "mix", mixed);
           },
           [&](const Convert& node) { return ConvertText(code, expr, node); },
@@ -207,12 +194,8 @@ Text ExprText(Code& code, ExprId id) {
           [&](const MatrixTruncate& node) { return TruncateText(code, expr.type, node.operand); },
           [&](const Call& node) { return CallText(code, node); },
           [&](const IntrinsicCall& node) { return IntrinsicText(code, expr.type, node); },
-          [&](const ObjectCall& node) {
-            code.is_constant = false;
-            return ObjectText(code, expr.type, node);
-          },
+          [&](const ObjectCall& node) { return ObjectText(code, expr.type, node); },
           [&](const Comma& node) {
-            code.is_constant = false;
             std::string text = ExprText(code, node.first).text;
             Append(text, ", ", Argument(code, node.second));
             return Text{std::move(text), Binding::kComma};

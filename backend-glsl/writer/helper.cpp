@@ -18,7 +18,6 @@ std::string Fresh(Context& context, std::string_view wanted) {
 
 std::string Helper(Context& context, std::string_view name, const std::string& key,
                    const DefineHelper& define) {
-  context.is_constant = false;
   const auto [found, is_new] = context.helper_names.try_emplace(std::string(name));
   if (is_new) found->second = context.namer.Global(name, "helper");
   std::string glsl_name = found->second;

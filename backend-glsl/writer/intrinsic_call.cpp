@@ -6,21 +6,12 @@
 #include "backend-glsl/intrinsics.h"
 #include "backend-glsl/writer/operand.h"
 #include "backend-glsl/writer/types.h"
-#include "ir/scalar.h"
 
 namespace clipc::glsl {
 
 using namespace ir;
 
 namespace {
-
-// Whether both numbers are known constants, and the first is the smaller one.
-bool AreInOrder(const Operand& low, const Operand& high) {
-  const auto number = [](const Constant& constant) {
-    return NumberOf(constant.bits, constant.kind);
-  };
-  return low.constant && high.constant && number(*low.constant) < number(*high.constant);
-}
 
 Text CastOn(Code& code, Scalar to, const Operand& operand) {
   const Scalar from = operand.shape.scalar;
@@ -86,22 +77,6 @@ BitNames BitFunction(Intrinsic op) {
   }
 }
 
-// Whether glslang takes a call with constant arguments for a constant, which an initialiser of a
-// `const` needs. Calls of the other functions are not constants in any target.
-bool MayBeConstant(Intrinsic op) {
-  switch (op) {
-    case Intrinsic::kCosh:
-    case Intrinsic::kSinh:
-    case Intrinsic::kTanh:
-    case Intrinsic::kDeterminant:
-    case Intrinsic::kTranspose: return false;
-    default: break;
-  }
-  const IntrinsicInfo& info = InfoOf(op);
-  return info.category != IntrinsicCategory::kBits && info.gate == TargetGate::kNone &&
-         !WritesArguments(op);
-}
-
 }  // namespace
 
 Text IntrinsicText(Code& code, TypeId type, const IntrinsicCall& node) {
@@ -110,7 +85,6 @@ Text IntrinsicText(Code& code, TypeId type, const IntrinsicCall& node) {
     const auto arguments = code[node.arguments];
     return MulText(code, arguments[0], arguments[1], ShapeOf(code[type], code.target));
   }
-  if (!MayBeConstant(node.op)) code.is_constant = false;
   const std::vector<Operand> operands = OperandsOf(code, node.arguments);
   const Operand& x = operands[0];
   const Shape& shape = x.shape;
@@ -138,7 +112,7 @@ Text IntrinsicText(Code& code, TypeId type, const IntrinsicCall& node) {
     case Intrinsic::kSmoothstep:
       // GLSL leaves smoothstep undefined if the edges are not in order; then HLSL's formula is
       // spelled out.
-      if (!AreInOrder(x, operands[1])) break;
+      if (!AreInOrder(x.constant, operands[1].constant)) break;
       return CallOn(code, "smoothstep", operands, shape.IsVector() ? 0b011 : 0);
     case Intrinsic::kNonUniform:
       if (!code.target.IsVulkan()) return Full(code, x);

@@ -12,25 +12,13 @@ namespace clipc::glsl {
 
 using namespace ir;
 
-namespace {
-
-bool IsRepeatable(const Program& program, ExprId id) {
-  const auto* index = As<Index>(program, id);
-  if (index && !As<Literal>(program, index->index)) return false;
-  if (As<MatrixSwizzle>(program, id)) return false;
-  const ExprId whole = WholeOf(program, id);
-  return whole ? IsRepeatable(program, whole) : As<Literal>(program, id) || As<VarRef>(program, id);
-}
-
-}  // namespace
-
 Operand OperandOf(Code& code, ExprId id) {
   const Shape shape = code.ShapeAt(id);
   const std::optional<Constant> constant = ConstantOf(code.program, id);
   if (code.As<Zero>(id)) return {{ZeroText(code, shape.Component())}, shape, true, constant, true};
   const auto* splat = code.As<Splat>(id);
   const ExprId written = splat ? splat->operand : id;
-  const bool is_scalar = splat || code.As<Literal>(id);
+  const bool is_scalar = IsOneScalar(code.program, id);
   return {ExprText(code, written), shape, is_scalar, constant,
           (is_scalar || shape.IsScalar()) && IsRepeatable(code.program, written)};
 }
@@ -83,7 +71,6 @@ Text BinaryOn(Code& code, BinaryOp op, Operand left, Operand right) {
   const bool is_vector_comparison = IsComparison(op) && shape.IsVector();
   if (is_vector_comparison || (is_product && !left.is_scalar && !right.is_scalar)) {
     const Operand operands[] = {std::move(left), std::move(right)};
-    if (is_product) code.is_constant = false;  // glslang does not compute matrixCompMult
     return CallOn(code, is_product ? "matrixCompMult" : glsl.vector_function, operands);
   }
   const bool is_full = left.is_scalar && !shape.IsScalar() && (right.is_scalar || IsShift(op));

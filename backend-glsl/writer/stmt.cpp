@@ -41,10 +41,8 @@ std::string DeclareText(Code& code, const Declare& node, bool is_first = true) {
   const Var& var = code[node.var];
   const ExprId init = node.init ? node.init : var.init;
   // The variable is in scope after its initialiser only, in GLSL as in HLSL.
-  code.is_constant = true;
   const std::string value = init ? Argument(code, init) : "";
-  const bool is_const = var.storage == Storage::kConstant && init && code.is_constant;
-  if (var.storage == Storage::kConstant && !is_const) code.mutable_constants.insert(node.var);
+  const bool is_const = code.constants.Has(node.var);
   code.NameLocal(node.var, "value");
   const std::string& name = code.NameOf(node.var);
   const std::string_view equals = init ? " = " : "";
@@ -232,11 +230,9 @@ std::string HelperFunction(Code& code, FunctionId id) {
     std::string text;
     std::string* const out = std::exchange(code.out, &text);
     const std::size_t indent = std::exchange(code.indent, 0);
-    const bool is_constant = code.is_constant;
     code.in_helper = true;
     WriteFunction(code, id);
     code.in_helper = false;
-    code.is_constant = is_constant;
     code.indent = indent;
     code.out = out;
     return text;

@@ -37,7 +37,6 @@ std::string PathOf(const Code& code, VarId member) {
 }  // namespace
 
 Text UniformText(Code& code, VarId member) {
-  code.is_constant = false;
   std::string name = PathOf(code, member);
   const TypeId type = code[member].type;
   if (code.IsWrittenAsUint(member)) return Called(TypeName(code, type), {name});
@@ -57,7 +56,6 @@ Text UniformText(Code& code, VarId member) {
 }
 
 Text UniformElement(Code& code, VarId member, ExprId index) {
-  code.is_constant = false;
   std::string text = PathOf(code, member);
   if (code.IsInRows(member)) return Called(text, {IntIndex(code, index)});
   Append(text, "[", IndexValue(code, index), "]",
@@ -68,12 +66,10 @@ Text UniformElement(Code& code, VarId member, ExprId index) {
 bool IsInstance(const Code& code, ExprId expr) { return bool(InstanceOf(code, expr)); }
 
 std::string InstancePath(Code& code, ExprId expr) {
-  code.is_constant = false;
   return code.NameOf(InstanceOf(code, expr)) + IndexPath(code, expr);
 }
 
 Text InstanceValue(Code& code, ExprId expr) {
-  code.is_constant = false;
   const TypeId type = code[expr].type;
   const std::string type_name = TypeName(code, type);
   const auto value = [&](const std::string& block) {
