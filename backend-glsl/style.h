@@ -12,7 +12,7 @@
 // The forms and names of constant buffers and outputs, chosen so that the next stage's shader,
 // which another tool wrote, links with this one. GLSL compares blocks of two stages by name and by
 // members with their matrix layouts, and both blocks have an instance name or neither has one;
-// outputs that have no location meet inputs by name.
+// outputs that have no location match inputs by name.
 namespace clipc::glsl {
 
 // The form of a constant buffer where the target has uniform blocks.

@@ -25,7 +25,7 @@
 #include "compiler/validate.h"
 #include "frontend/parse/ast_print.h"
 #include "ir/print.h"
-#include "pixel/whole.h"
+#include "link/whole.h"
 
 namespace clipc {
 namespace {
@@ -185,13 +185,13 @@ void Compilation::ReadNames() {
   front_.packing = request_.packing;
   front_.position_name = request_.position_name;
   // HLSLcc, after fxc, has a variable for each column of a matrix between two stages. Its names
-  // are the usual ones where stages meet by name.
+  // are the usual ones where stages match by name.
   const bool is_hlslcc = request_.names.empty()
                              ? target_ && !target_->Has(glsl::Feature::kOutputLocations)
                              : request_.names == "hlslcc";
   has_pixel_shader_ = !request_.pixel_shader.path.empty();
   keeps_matrices_whole_ = !has_pixel_shader_ && !is_hlslcc;
-  front_.stages_meet_by_row = has_pixel_shader_ || keeps_matrices_whole_;
+  front_.stages_match_by_row = has_pixel_shader_ || keeps_matrices_whole_;
   front_.whole_register_planes = lowering_.lowering == Lowering::kLevel9;
 }
 
@@ -245,9 +245,9 @@ void Compilation::Dump(Source& source) {
 }
 
 void Compilation::RunBackEnd(ir::Program typed, const Source& source) {
-  if (keeps_matrices_whole_) pixel::KeepMatricesWhole(typed);
+  if (keeps_matrices_whole_) link::KeepMatricesWhole(typed);
   if (has_pixel_shader_) {
-    MeetPixelShader(request_, InputOf(), *target_, typed, result_.dependencies, diagnostics_);
+    LinkPixelShader(request_, InputOf(), *target_, typed, result_.dependencies, diagnostics_);
     if (diagnostics_.has_errors()) return;
   }
   const LowerSettings settings = SettingsFor(CheckLowering(typed, lowering_, diagnostics_));

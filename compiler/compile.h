@@ -89,7 +89,7 @@ struct CompileRequest {
   bool base_vertex_is_zero = false, base_instance_is_zero = false;  // backend-glsl/write.h
   bool precise = false;    // -Gis: every output, and what goes into it, is computed as written
   bool invariant = false;  // gl_Position is invariant: backend-glsl/write.h
-  // How the shader meets the next stage's: see backend-glsl/style.h.
+  // How the shader matches the next stage's: see backend-glsl/style.h.
   glsl::BlockStyle blocks = glsl::BlockStyle::kNamed;
   // The style of names: "hlslcc", "dxc", "spirv-cross" or a pattern for outputs. Empty: the names
   // of the pixel shader, or "hlslcc" where it is not known.

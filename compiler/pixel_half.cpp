@@ -8,8 +8,8 @@
 
 #include "compiler/stages.h"
 #include "frontend/lex/source_text.h"
-#include "pixel/meet.h"
-#include "pixel/read.h"
+#include "link/match.h"
+#include "link/read.h"
 
 namespace clipc {
 namespace {
@@ -32,9 +32,9 @@ ir::Program Cleared(ir::Program program) {
   return program;
 }
 
-pixel::ReadResult ReadHlsl(const CompileRequest& request, SourceInput input,
-                           std::vector<std::string>& dependencies) {
-  pixel::ReadResult result;
+link::ReadResult ReadHlsl(const CompileRequest& request, SourceInput input,
+                          std::vector<std::string>& dependencies) {
+  link::ReadResult result;
   using Files = FrontendContext::Files;
   FrontendContext context(request.read_include ? Files::kNone : Files::kOnDisk, request.sandbox);
   const std::string& entry = request.pixel_shader.entry;
@@ -42,7 +42,7 @@ pixel::ReadResult ReadHlsl(const CompileRequest& request, SourceInput input,
   options.profile = PixelProfile(request);
   if (!entry.empty()) options.entry = entry;
   options.packing = request.packing;
-  options.stages_meet_by_row = true;
+  options.stages_match_by_row = true;
   input.shader_model_major = options.profile.major;
   input.shader_model_minor = options.profile.minor;
   Source source(context, std::move(input));
@@ -61,23 +61,23 @@ pixel::ReadResult ReadHlsl(const CompileRequest& request, SourceInput input,
       result.problems.push_back(place_of(diagnostic.span) + ": " + diagnostic.message);
   }
   if (result.problems.empty())
-    result.interface = pixel::ReadProgram(Cleared(std::move(program)), place_of);
+    result.interface = link::ReadProgram(Cleared(std::move(program)), place_of);
   return result;
 }
 
 // Forgets names that the request knows better: those of HLSL and SPIR-V depend on what is made of
 // them.
-void ForgetNames(pixel::Interface& half, bool is_glsl) {
-  for (pixel::Input& input : half.inputs) {
+void ForgetNames(link::Interface& half, bool is_glsl) {
+  for (link::Input& input : half.inputs) {
     if (!input.group && (input.location || !is_glsl)) input.name.clear();
   }
-  for (pixel::Block& block : half.blocks) {
+  for (link::Block& block : half.blocks) {
     if (!is_glsl) block.name.clear();
   }
 }
 
-pixel::ReadResult Read(const CompileRequest& request, SourceInput input, const glsl::Target& target,
-                       std::vector<std::string>& dependencies) {
+link::ReadResult Read(const CompileRequest& request, SourceInput input, const glsl::Target& target,
+                      std::vector<std::string>& dependencies) {
   const PixelShader& half = request.pixel_shader;
   std::string bytes;
   if (half.text) {
@@ -87,18 +87,18 @@ pixel::ReadResult Read(const CompileRequest& request, SourceInput input, const g
     if (const std::string problem = ReadText(half.path, bytes); !problem.empty())
       return {.problems = {fmt::format("{}: {}", half.path, problem)}};
   }
-  const pixel::Language language = pixel::LanguageOf(bytes);
-  if (language == pixel::Language::kSpirv) return pixel::ReadSpirv(bytes, half.path, half.entry);
-  if (language == pixel::Language::kHlsl) {
+  const link::Language language = link::LanguageOf(bytes);
+  if (language == link::Language::kSpirv) return link::ReadSpirv(bytes, half.path, half.entry);
+  if (language == link::Language::kHlsl) {
     input.path = half.path;
     input.text = std::move(bytes);
     return ReadHlsl(request, std::move(input), dependencies);
   }
-  const pixel::Dialect expected = target.IsVulkan() ? pixel::Dialect::kVulkan
-                                  : target.IsEs()   ? pixel::Dialect::kEs
-                                                    : pixel::Dialect::kDesktop;
-  pixel::ReadResult result = pixel::ReadGlsl(bytes, half.path, expected);
-  for (const pixel::Input& input : result.interface.inputs) {
+  const link::Dialect expected = target.IsVulkan() ? link::Dialect::kVulkan
+                                 : target.IsEs()   ? link::Dialect::kEs
+                                                   : link::Dialect::kDesktop;
+  link::ReadResult result = link::ReadGlsl(bytes, half.path, expected);
+  for (const link::Input& input : result.interface.inputs) {
     const auto feature =
         input.group ? glsl::Feature::kBlockLocations : glsl::Feature::kOutputLocations;
     if (input.location && !target.Has(feature))
@@ -111,13 +111,13 @@ pixel::ReadResult Read(const CompileRequest& request, SourceInput input, const g
 
 }  // namespace
 
-void MeetPixelShader(const CompileRequest& request, SourceInput input, const glsl::Target& target,
+void LinkPixelShader(const CompileRequest& request, SourceInput input, const glsl::Target& target,
                      ir::Program& program, std::vector<std::string>& dependencies,
                      Diagnostics& diagnostics) {
-  pixel::ReadResult half = Read(request, std::move(input), target, dependencies);
-  if (const std::string problem = pixel::Problem(half.interface); !problem.empty())
+  link::ReadResult half = Read(request, std::move(input), target, dependencies);
+  if (const std::string problem = link::Problem(half.interface); !problem.empty())
     half.problems.push_back(problem);
-  for (const pixel::Group& group : half.interface.groups) {
+  for (const link::Group& group : half.interface.groups) {
     const bool is_known =
         target.Has(group.is_block ? glsl::Feature::kOutputBlocks : glsl::Feature::kInAndOut);
     if (!is_known) {
@@ -135,12 +135,12 @@ void MeetPixelShader(const CompileRequest& request, SourceInput input, const gls
   // Drivers of desktop OpenGL link a program by name whose pixel shader reads what nothing writes.
   const bool links_by_name = !target.IsEs() && target.Has(glsl::Feature::kInAndOut) &&
                              !target.Has(glsl::Feature::kOutputLocations);
-  const pixel::MeetOptions options{request.keep_outputs, target.IsVulkan(),
+  const link::MatchOptions options{request.keep_outputs, target.IsVulkan(),
                                    request.zero_unwritten || links_by_name, target.IsEs()};
-  const pixel::Meeting meeting = pixel::Meet(program, half.interface, options, diagnostics);
+  const link::Matches matches = link::Match(program, half.interface, options, diagnostics);
   if (diagnostics.has_errors()) return;
   if (!request.names.empty()) ForgetNames(half.interface, half.is_glsl);
-  pixel::Apply(program, half.interface, meeting, options);
+  link::Apply(program, half.interface, matches, options);
 }
 
 }  // namespace clipc

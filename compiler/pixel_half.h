@@ -12,11 +12,11 @@
 
 namespace clipc {
 
-// Reads the request's pixel shader and lets the vertex shader `program` meet it (pixel/meet.h).
+// Reads the request's pixel shader and links the vertex shader `program` with it (link/match.h).
 // `input` is the vertex shader's: a pixel shader in HLSL has the same include folders and macros.
 // Appends the files that were read to `dependencies`. Requires Form::kTyped; after errors the
 // program is as it was.
-void MeetPixelShader(const CompileRequest& request, SourceInput input, const glsl::Target& target,
+void LinkPixelShader(const CompileRequest& request, SourceInput input, const glsl::Target& target,
                      ir::Program& program, std::vector<std::string>& dependencies,
                      Diagnostics& diagnostics);
 

@@ -12,14 +12,14 @@
 #endif
 #include <glslang/build_info.h>
 
-#include "pixel/glslang_process.h"
+#include "link/glslang_process.h"
 
 namespace clipc {
 namespace {
 
 std::vector<std::string> Problems(std::string_view log) {
   std::vector<std::string> problems;
-  for (const auto& [line, text] : pixel::GlslangErrors(log))
+  for (const auto& [line, text] : link::GlslangErrors(log))
     problems.push_back(line.empty() ? std::string(text) : fmt::format("line {}: {}", line, text));
   return problems;
 }
@@ -74,13 +74,13 @@ class Linked {
 
 std::vector<std::string> Validate(const std::string& glsl, const glsl::Target& target,
                                   ShaderStage stage) {
-  pixel::InitializeGlslang();
+  link::InitializeGlslang();
   return Linked(glsl, target, stage, nullptr).problems();
 }
 
 Spirv MakeSpirv(const std::string& glsl, const glsl::Target& target, const SpirvRequest& request,
                 [[maybe_unused]] const std::string& name) {
-  pixel::InitializeGlslang();
+  link::InitializeGlslang();
   Linked linked(glsl, target, ShaderStage::kVertex, &request);
   Spirv made;
   made.problems = linked.problems();

@@ -130,11 +130,11 @@ struct OutputGroup {
   std::vector<Member> members = {};
 };
 
-// The input of the next stage that an output meets, whose form the output takes.
+// The input of the next stage that an output matches, whose form the output takes.
 struct Reader {
   bool is_known = true;      // false: a supposition; the next stage is not known
   std::string name;          // empty: the output is named after its semantic
-  bool has_location = true;  // false: the stages meet by name
+  bool has_location = true;  // false: the stages match by name
   // The columns and array dimensions of the whole input. The output is the element (or column)
   // number `element` of it.
   std::uint32_t columns = 1;

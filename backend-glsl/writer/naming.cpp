@@ -69,12 +69,12 @@ std::string StyledName(const Context& context, const IoVar& output) {
       {{"semantic", semantic}, {"index", index}, {"written", written}, {"name", name}});
 }
 
-// Names the outputs that meet the next stage, or the others.
-void NameOutputs(Context& context, bool are_met) {
+// Names the outputs that match the next stage, or the others.
+void NameOutputs(Context& context, bool are_matched) {
   std::map<std::uint32_t, std::string> names;  // by location, for arrays and matrices the first
   for (const IoVar& output : context.program.outputs) {
     const auto& reader = output.reader;
-    if (output.builtin != Builtin::kNone || reader.has_value() != are_met) continue;
+    if (output.builtin != Builtin::kNone || reader.has_value() != are_matched) continue;
     if (reader && reader->group) {
       context.var_names[output.var.index] = MemberName(context, *reader);
       continue;

@@ -31,7 +31,7 @@ struct CheckOptions {
   // Whether a Store of a byte address buffer stores a value of any type, bit by bit, as it does
   // from HLSL 2018 on. Before it, the value is converted to uint.
   bool stores_any_type = false;
-  bool stages_meet_by_row = false;  // rules::EntrySignature::stages_meet_by_row
+  bool stages_match_by_row = false;  // rules::EntrySignature::stages_match_by_row
 };
 
 // Resolves the names, types and overloads of everything that the entry point reaches. Returns the

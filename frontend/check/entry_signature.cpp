@@ -64,7 +64,7 @@ EntrySignature SignatureOf(Context& context, FunctionInfoId entry) {
   ReadVulkan(context, decl.attributes, signature.result);
   signature.result.precise = (decl.qualifiers & ast::kPrecise) != 0;
   signature.result.row_major = IsRowMajor(context, decl.qualifiers);
-  signature.stages_meet_by_row = context.options.stages_meet_by_row;
+  signature.stages_match_by_row = context.options.stages_match_by_row;
   return signature;
 }
 

@@ -30,11 +30,11 @@ class MainBuilder {
   void Run() {
     body_.reserve(16);
     const Function& entry = program_.functions[program_.entry];
-    leaves_.SetByRow(signature_.stages_meet_by_row && program_.profile.IsPixel());
+    leaves_.SetByRow(signature_.stages_match_by_row && program_.profile.IsPixel());
     for (std::size_t i = 0; i < entry.parameters.size(); ++i)
       PrepareParameter(entry.parameters[i], signature_.parameters[i]);
     CallEntry();
-    leaves_.SetByRow(signature_.stages_meet_by_row);
+    leaves_.SetByRow(signature_.stages_match_by_row);
     for (const Carrier& output : pending_outputs_) {
       for (const Carrier& leaf : leaves_.Of(output)) Output(leaf);
     }
@@ -206,13 +206,13 @@ class MainBuilder {
     if (list.empty()) list.reserve(leaves_.size() + 1);  // one for the distances of clip planes
     std::string path = leaf.name + leaf.elements;
     std::uint32_t place = 0;
-    // A pixel shader's outputs meet no shader's inputs.
-    const bool meets = is_input || !program_.profile.IsPixel();
+    // A pixel shader's outputs match no shader's inputs.
+    const bool is_matched = is_input || !program_.profile.IsPixel();
     if (builtin == Builtin::kNone)
-      place = locations_[is_input].Next(meets ? location : std::nullopt, program_.types[type], path,
-                                        leaf.span);
+      place = locations_[is_input].Next(is_matched ? location : std::nullopt, program_.types[type],
+                                        path, leaf.span);
     list.push_back({id, semantic.name, semantic.index, builtin, place, interpolation, centroid,
-                    sample, semantic.has_index, meets && location,
+                    sample, semantic.has_index, is_matched && location,
                     leaf.name.substr(leaf.name.rfind('.') + 1), std::move(path)});
     return id;
   }

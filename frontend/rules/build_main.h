@@ -32,7 +32,7 @@ struct EntrySignature {
   EntryParameter result;
   // Whether matrices between a vertex and a pixel shader are taken apart by row, as DXC and glslang
   // do.
-  bool stages_meet_by_row = false;
+  bool stages_match_by_row = false;
 };
 
 // Makes program.main, program.inputs and program.outputs for program.entry, and reports the errors

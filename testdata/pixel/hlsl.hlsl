@@ -1,4 +1,4 @@
-// The pixel shader of the same file: outputs meet inputs by semantic, take their places, and what
+// The pixel shader of the same file: outputs match inputs by semantic, take their places, and what
 // nobody reads is left out with what only it needs.
 // RUN: %clipc -E vs --pixel-shader=%s --pixel-entry=ps --validate --reflect=%t.json %s -o %t.vert
 // RUN: FileCheck %s --input-file=%t.vert

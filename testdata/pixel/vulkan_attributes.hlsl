@@ -1,4 +1,4 @@
-// A pixel shader with attributes of Vulkan: its built-in inputs meet nothing, and its push constants
+// A pixel shader with attributes of Vulkan: its built-in inputs match nothing, and its push constants
 // may lie where Direct3D would not put them.
 // RUN: %clipc -T vs_5_0 %s --target=vulkan --validate -o - --pixel-shader=%s --pixel-entry=ps | FileCheck %s
 struct Varyings {

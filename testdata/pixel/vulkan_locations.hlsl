@@ -1,4 +1,4 @@
-// [[vk::location]] in both halves says where they meet when their semantics differ: Vulkan knows no
+// [[vk::location]] in both halves says where they match when their semantics differ: Vulkan knows no
 // semantics, and Direct3D would refuse the pair.
 // RUN: %clipc -T vs_5_0 %s --target=vulkan --validate -o - --pixel-shader=%s --pixel-entry=ps | FileCheck %s
 struct Varyings {

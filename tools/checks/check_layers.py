@@ -22,9 +22,9 @@ ROOMS = {
     "passes": {"base", "ir", VOCABULARY},
     "backend-glsl": {"base", "ir"},
     "clip-table": {VOCABULARY},
-    "pixel": {"base", "ir", "frontend/rules"},
+    "link": {"base", "ir", "frontend/rules"},
     "compiler": {
-        "pixel", "base", "ir", "frontend/lex", "frontend/parse", "frontend/rules", "frontend/check", "passes", "backend-glsl", "clip-table",
+        "link", "base", "ir", "frontend/lex", "frontend/parse", "frontend/rules", "frontend/check", "passes", "backend-glsl", "clip-table",
         VOCABULARY,
     },
     "runtime": {"clip-table", VOCABULARY},
@@ -48,12 +48,12 @@ ROOMS = {
 # A library's headers, and the files that may include them.
 LIBRARIES = {
     r"(clang|llvm)/": r"frontend/lex/\w+_clang\.(cpp|h)|web/module/page\.cpp|web/wasm/.*",
-    r"glslang/": r"compiler/.*\.cpp|pixel/.*\.cpp|tools/harness/glslang_includer\.h|tools/draw/vulkan/glslang\.cpp|tools/bench/peers\.cpp|web/module/page\.cpp|web/wasm/.*",
+    r"glslang/": r"compiler/.*\.cpp|link/.*\.cpp|tools/harness/glslang_includer\.h|tools/draw/vulkan/glslang\.cpp|tools/bench/peers\.cpp|web/module/page\.cpp|web/wasm/.*",
     r"epoxy/": r"tools/(harness|draw|study/program|scenes)/.*|examples/.*\.cpp",
     r"png\.h": r"tools/harness/picture\.cpp",
     r"spirv_cross/": r"tools/draw/(vulkan|peer)/.*|tools/bench/peers\.cpp",
     r"vulkan/": r"tools/draw/vulkan/device\.h",
-    r"fmt/": r"(base|ir|frontend|passes|pixel|backend-glsl|compiler|tools/bench)/.*",
+    r"fmt/": r"(base|ir|frontend|passes|link|backend-glsl|compiler|tools/bench)/.*",
     r"nlohmann/": r"(base|clip-table|compiler|tools/draw|tools/study)/.*\.cpp",
 }
 

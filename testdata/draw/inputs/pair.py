@@ -5,7 +5,7 @@
 
 SHADER.hlsl has the entry points `vs` and `ps`. glslang and SPIRV-Cross translate both; clipc translates `vs` to fit `ps`, given
 as HLSL, as SPIR-V or as SPIRV-Cross's GLSL. Its picture, with SPIRV-Cross's pixel shader, must be that of their own two halves in
-a GLSL whose halves meet by location: by name, these two do not. On Vulkan clipc writes SPIR-V, the pixel shader is glslang's or is
+a GLSL whose halves match by location: by name, these two do not. On Vulkan clipc writes SPIR-V, the pixel shader is glslang's or is
 made of SPIRV-Cross's GLSL for Vulkan, and any message of the validation layers is a failure. glslang numbers a pixel shader's inputs
 by itself: where they are not those of `vs` in their order, --peer names a vertex shader that writes just what `ps` reads. WORK begins
 the names of the files that are made.

@@ -4,12 +4,12 @@
 #include <vector>
 
 #include "ir/program.h"
-#include "pixel/interface.h"
+#include "link/interface.h"
 
-namespace clipc::pixel {
+namespace clipc::link {
 
 // The members of a constant buffer as GLSL has them: a ConstantBuffer<T> has those of T, and HLSL's
 // row_major is column_major.
 std::vector<Member> MembersOf(const ir::Program& program, const ir::Cbuffer& cbuffer);
 
-}  // namespace clipc::pixel
+}  // namespace clipc::link

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "pixel/meet_inputs.h"
+#include "link/match_inputs.h"
 
 #include <algorithm>
 #include <string>
@@ -9,12 +9,12 @@
 #include <fmt/format.h>
 
 #include "base/spelling.h"
-#include "pixel/names.h"
+#include "link/names.h"
 
-namespace clipc::pixel {
+namespace clipc::link {
 namespace {
 
-using Output = Meeting::Output;
+using Output = Matches::Output;
 
 // The names that tools give an output, in GLSL's spelling.
 struct OutputNames {
@@ -63,20 +63,20 @@ std::size_t BySemanticName(const Input& input, const OutputNames& output) {
   return std::max(Ending(input.name, output.semantic), Ending(input.name, output.bare));
 }
 
-class InputMeeter {
+class InputMatcher {
  public:
-  InputMeeter(const ir::Program& program, const Interface& pixel, const MeetOptions& options,
-              Diagnostics& diagnostics)
+  InputMatcher(const ir::Program& program, const Interface& pixel, const MatchOptions& options,
+               Diagnostics& diagnostics)
       : program_(program),
         pixel_(pixel),
         options_(options),
         diagnostics_(diagnostics),
         outputs_(program.outputs.size()),
-        met_(pixel.inputs.size()) {
+        is_matched_(pixel.inputs.size()) {
     for (std::size_t i = 0; i < program.outputs.size(); ++i) names_.push_back(NamesOf(i));
   }
 
-  Meeting Run() {
+  Matches Run() {
     for (std::size_t i = 0; i < pixel_.inputs.size(); ++i) BySemantic(i);
     for (const auto rule : {ByToolName, ByMemberName, BySemanticName}) ByName(rule);
     for (std::size_t i = 0; i < pixel_.inputs.size(); ++i) ByLocation(i);
@@ -118,21 +118,21 @@ class InputMeeter {
         const bool is_same = EqualIgnoringCase(output.semantic, input.semantic) &&
                              output.index == input.index &&
                              begins == (i == 0 || VariableOf(i) != VariableOf(i - 1));
-        if (is_same && TryMeet(number, i)) return;
+        if (is_same && TryMatch(number, i)) return;
       }
     }
   }
 
-  // Meets inputs by a rule, those first that it says most of: "i_light_uv" is of `light_uv` rather
-  // than of `uv`, and `uv` meets "i_uv" rather than "i_light_uv".
+  // Matches inputs by a rule, those first that it says most of: "i_light_uv" is of `light_uv`
+  // rather than of `uv`, and `uv` matches "i_uv" rather than "i_light_uv".
   void ByName(std::size_t (*rule)(const Input&, const OutputNames&)) {
     struct Candidate {
       std::size_t score, letters, input, output;
     };
     std::vector<Candidate> candidates;
-    for (std::size_t i = 0; i < met_.size(); ++i) {
+    for (std::size_t i = 0; i < is_matched_.size(); ++i) {
       const Input& input = pixel_.inputs[i];
-      if (met_[i] || !input.semantic.empty()) continue;
+      if (is_matched_[i] || !input.semantic.empty()) continue;
       for (std::size_t k = 0; k < outputs_.size(); ++k) {
         const std::size_t score = IsFree(k) ? rule(input, names_[k]) : 0;
         if (score > 0) candidates.push_back({score, input.name.size(), i, k});
@@ -142,13 +142,13 @@ class InputMeeter {
       return std::pair(b.score, a.letters) < std::pair(a.score, b.letters);
     });
     for (const Candidate& candidate : candidates) {
-      if (!met_[candidate.input]) TryMeet(candidate.input, candidate.output);
+      if (!is_matched_[candidate.input]) TryMatch(candidate.input, candidate.output);
     }
   }
 
   void ByLocation(std::size_t number) {
     const Input& input = pixel_.inputs[number];
-    if (met_[number] || !input.location) return;
+    if (is_matched_[number] || !input.location) return;
     // Semantics say more than locations that are counted.
     if (!input.semantic.empty() && !input.is_placed) return;
     for (std::size_t i = 0; i < outputs_.size(); ++i) {
@@ -157,17 +157,17 @@ class InputMeeter {
       const bool is_there = IsFree(i) && output.location == *input.location &&
                             (input.semantic.empty() || output.is_placed) &&
                             ShapeAt(i) == ElementShape(input);
-      if (is_there && TryMeet(number, i)) return;
+      if (is_there && TryMatch(number, i)) return;
     }
   }
 
-  // Meets the inputs and outputs that are left after names and places in their order, if they are
+  // Matches the inputs and outputs that are left after names and places in their order, if they are
   // as many and of the same types.
   void ByOrder() {
     std::vector<std::size_t> inputs, outputs;
-    for (std::size_t i = 0; i < met_.size(); ++i) {
+    for (std::size_t i = 0; i < is_matched_.size(); ++i) {
       const Input& input = pixel_.inputs[i];
-      if (!met_[i] && input.semantic.empty() && !input.location) inputs.push_back(i);
+      if (!is_matched_[i] && input.semantic.empty() && !input.location) inputs.push_back(i);
     }
     for (std::size_t i = 0; i < outputs_.size(); ++i) {
       if (IsFree(i)) outputs.push_back(i);
@@ -176,16 +176,16 @@ class InputMeeter {
         std::ranges::equal(inputs, outputs, [&](std::size_t input, std::size_t output) {
           return pixel_.inputs[input].shape == ShapeAt(output);
         });
-    for (std::size_t i = 0; fit && i < inputs.size(); ++i) TryMeet(inputs[i], outputs[i]);
+    for (std::size_t i = 0; fit && i < inputs.size(); ++i) TryMatch(inputs[i], outputs[i]);
   }
 
-  // ---- meeting
+  // ---- matching
 
   bool IsFree(std::size_t output) const {
     return program_.outputs[output].builtin == ir::Builtin::kNone && !outputs_[output].input;
   }
   Shape ShapeAt(std::size_t output) const {
-    return pixel::ShapeOf(program_.types, program_.vars[program_.outputs[output].var].type)
+    return link::ShapeOf(program_.types, program_.vars[program_.outputs[output].var].type)
         .value_or(Shape{});
   }
 
@@ -219,18 +219,18 @@ class InputMeeter {
     return path.substr(0, path.find('['));
   }
 
-  // Meets an input with the outputs from `first` on, one for each element of an array or a matrix;
-  // meets nothing and returns false if one is missing.
-  bool TryMeet(std::size_t number, std::size_t first) {
+  // Matches an input with the outputs from `first` on, one for each element of an array or a
+  // matrix; matches nothing and returns false if one is missing.
+  bool TryMatch(std::size_t number, std::size_t first) {
     if (!IsFree(first)) return false;
-    std::vector<std::size_t> met{first};
+    std::vector<std::size_t> elements{first};
     for (std::uint32_t i = 1; i < pixel_.inputs[number].shape.Elements(); ++i) {
       const auto next = ElementAfter(first, i);
       if (!next) return false;
-      met.push_back(*next);
+      elements.push_back(*next);
     }
-    for (std::uint32_t i = 0; i < met.size(); ++i) outputs_[met[i]] = {number, i};
-    met_[number] = true;
+    for (std::uint32_t i = 0; i < elements.size(); ++i) outputs_[elements[i]] = {number, i};
+    is_matched_[number] = true;
     return true;
   }
 
@@ -240,7 +240,7 @@ class InputMeeter {
     const Input& input = pixel_.inputs[number];
     // The members of a group are all declared, written or not.
     const bool is_needed = input.is_read || (options_.is_vulkan && !input.group);
-    if (!met_[number]) {
+    if (!is_matched_[number]) {
       if (!is_needed) return;
       if (options_.zero_unwritten || !input.is_read) zeros_.push_back(number);
       if (!input.is_read) return;
@@ -286,23 +286,23 @@ class InputMeeter {
     const bool has_instance = input.group && !pixel_.groups[*input.group].instance.empty();
     return has_instance ? pixel_.groups[*input.group].instance + "." + input.name : input.name;
   }
-  static std::string NameOf(const Shape& shape) { return pixel::NameOf(shape); }
+  static std::string NameOf(const Shape& shape) { return link::NameOf(shape); }
 
   const ir::Program& program_;
   const Interface& pixel_;
-  const MeetOptions& options_;
+  const MatchOptions& options_;
   Diagnostics& diagnostics_;
   std::vector<OutputNames> names_;  // beside program.outputs
   std::vector<Output> outputs_;
-  std::vector<bool> met_;  // beside pixel.inputs
+  std::vector<bool> is_matched_;  // beside pixel.inputs
   std::vector<std::size_t> zeros_;
 };
 
 }  // namespace
 
-Meeting MeetInputs(const ir::Program& program, const Interface& pixel, const MeetOptions& options,
-                   Diagnostics& diagnostics) {
-  return InputMeeter(program, pixel, options, diagnostics).Run();
+Matches MatchInputs(const ir::Program& program, const Interface& pixel, const MatchOptions& options,
+                    Diagnostics& diagnostics) {
+  return InputMatcher(program, pixel, options, diagnostics).Run();
 }
 
-}  // namespace clipc::pixel
+}  // namespace clipc::link

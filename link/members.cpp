@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "pixel/members.h"
+#include "link/members.h"
 
 #include "ir/packing.h"
 
-namespace clipc::pixel {
+namespace clipc::link {
 namespace {
 
 Member MemberOf(const ir::TypeTable& types, std::string name, ir::TypeId type, bool row_major,
@@ -53,4 +53,4 @@ std::vector<Member> MembersOf(const ir::Program& program, const ir::Cbuffer& cbu
   return members;
 }
 
-}  // namespace clipc::pixel
+}  // namespace clipc::link

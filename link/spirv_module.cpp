@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "pixel/spirv_module.h"
+#include "link/spirv_module.h"
 
 #include <algorithm>
 #include <cstring>
 
 #include <fmt/format.h>
 
-namespace clipc::pixel {
+namespace clipc::link {
 namespace {
 
 constexpr std::size_t kHeaderWords = 5;
@@ -139,4 +139,4 @@ SpirvModule ReadModule(std::string_view bytes, std::string& problem) {
   return module;
 }
 
-}  // namespace clipc::pixel
+}  // namespace clipc::link

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "pixel/whole.h"
+#include "link/whole.h"
 
 #include <cstddef>
 
-namespace clipc::pixel {
+namespace clipc::link {
 namespace {
 
 using namespace ir;
@@ -35,4 +35,4 @@ void KeepMatricesWhole(Program& program) {
   }
 }
 
-}  // namespace clipc::pixel
+}  // namespace clipc::link

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace clipc::pixel {
+namespace clipc::link {
 
 bool IsWordCharacter(char c);
 
@@ -12,4 +12,4 @@ bool IsWordCharacter(char c);
 // "i_a_1_".
 std::string GlslNameOf(std::string_view name);
 
-}  // namespace clipc::pixel
+}  // namespace clipc::link

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "pixel/read.h"
+#include "link/read.h"
 
 #include <cstring>
 #include <random>
@@ -9,9 +9,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "pixel/names.h"
+#include "link/names.h"
 
-namespace clipc::pixel {
+namespace clipc::link {
 namespace {
 
 using testing::ElementsAre;
@@ -301,4 +301,4 @@ TEST(Problem, FindsInputsInOnePlace) {
 }
 
 }  // namespace
-}  // namespace clipc::pixel
+}  // namespace clipc::link

@@ -3,11 +3,11 @@
 #include <vector>
 
 #include "ir/access.h"
-#include "pixel/members.h"
-#include "pixel/names.h"
-#include "pixel/read.h"
+#include "link/members.h"
+#include "link/names.h"
+#include "link/read.h"
 
-namespace clipc::pixel {
+namespace clipc::link {
 namespace {
 
 using namespace ir;
@@ -92,4 +92,4 @@ Interface ReadProgram(const Program& program, const std::function<std::string(Sp
   return interface;
 }
 
-}  // namespace clipc::pixel
+}  // namespace clipc::link

@@ -8,13 +8,13 @@
 
 #include "base/diagnostics.h"
 #include "ir/program.h"
-#include "pixel/interface.h"
+#include "link/interface.h"
 
-// The meeting of a vertex shader with a pixel shader: of outputs with inputs, and of constant
+// The matching of a vertex shader with a pixel shader: of outputs with inputs, and of constant
 // buffers.
-namespace clipc::pixel {
+namespace clipc::link {
 
-struct MeetOptions {
+struct MatchOptions {
   bool keep_outputs = false;  // outputs that the pixel shader does not read are kept
   // Vulkan matches every input that is declared, also one that is never read, and lets blocks of
   // one name differ (chapter "Shader Interfaces").
@@ -23,8 +23,9 @@ struct MeetOptions {
   bool is_es = false;           // precisions are a part of declarations
 };
 
-// The input that each output meets, and the block that each constant buffer is in the pixel shader.
-struct Meeting {
+// The input that each output matches, and the block that each constant buffer is in the pixel
+// shader.
+struct Matches {
   struct Output {
     std::optional<std::size_t> input;  // in Interface::inputs
     std::uint32_t element = 0;         // the column or element of the input
@@ -42,21 +43,21 @@ struct Meeting {
   std::vector<Buffer> buffers;  // by CbufferId
 };
 
-// Finds the outputs and the constant buffers that the pixel shader's inputs and blocks meet. Inputs
-// with a semantic meet the output of that semantic, or of their [[vk::location]]. Others meet, in
-// this order of belief, an output whose semantic or member of a struct their name was made of by
-// DXC, glslang, SPIRV-Cross or HLSLcc, the output of their location, or the outputs that are left,
-// in their order, if those are as many and of the same types. Reports an input that nothing writes
-// (as a warning with MeetOptions::zero_unwritten), types that cannot fit, and a constant buffer
-// that both declare with different members. Requires Form::kTyped.
-Meeting Meet(const ir::Program& program, const Interface& pixel, const MeetOptions& options,
-             Diagnostics& diagnostics);
+// Finds the outputs and the constant buffers that the pixel shader's inputs and blocks match.
+// Inputs with a semantic match the output of that semantic, or of their [[vk::location]]. Others
+// match, in this order of belief, an output whose semantic or member of a struct their name was
+// made of by DXC, glslang, SPIRV-Cross or HLSLcc, the output of their location, or the outputs that
+// are left, in their order, if those are as many and of the same types. Reports an input that
+// nothing writes (as a warning with MatchOptions::zero_unwritten), types that cannot fit, and a
+// constant buffer that both declare with different members. Requires Form::kTyped.
+Matches Match(const ir::Program& program, const Interface& pixel, const MatchOptions& options,
+              Diagnostics& diagnostics);
 
 // Gives the outputs and constant buffers the names, places and shapes of the inputs and blocks that
-// they meet. Removes the outputs that meet nothing, unless they are built in or
-// MeetOptions::keep_outputs is set. Requires a meeting without errors. Requires and ensures
+// they match. Removes the outputs that match nothing, unless they are built in or
+// MatchOptions::keep_outputs is set. Requires matches without errors. Requires and ensures
 // Form::kTyped.
-void Apply(ir::Program& program, const Interface& pixel, const Meeting& meeting,
-           const MeetOptions& options);
+void Apply(ir::Program& program, const Interface& pixel, const Matches& matches,
+           const MatchOptions& options);
 
-}  // namespace clipc::pixel
+}  // namespace clipc::link

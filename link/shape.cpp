@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "pixel/interface.h"
+#include "link/interface.h"
 
-namespace clipc::pixel {
+namespace clipc::link {
 
 std::uint32_t Shape::Elements() const {
   std::uint64_t count = columns;
@@ -45,4 +45,4 @@ std::optional<Shape> ShapeOf(const ir::TypeTable& types, ir::TypeId id) {
   return shape;
 }
 
-}  // namespace clipc::pixel
+}  // namespace clipc::link

@@ -12,7 +12,7 @@
 
 // The declarations of a SPIR-V module, by id. Source: the SPIR-V specification 1.6, sections 2.3
 // (the words of a module) and 3.52 (the instructions).
-namespace clipc::pixel {
+namespace clipc::link {
 
 // The value that a map has for a key; null if it has none.
 template <typename Map>
@@ -128,4 +128,4 @@ inline constexpr std::uint32_t kFragment = 4;  // the execution model
 // Reads a module. If the words are not one, sets `problem` and returns the part read so far.
 SpirvModule ReadModule(std::string_view bytes, std::string& problem);
 
-}  // namespace clipc::pixel
+}  // namespace clipc::link

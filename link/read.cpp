@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "pixel/read.h"
+#include "link/read.h"
 
 #include <algorithm>
 #include <set>
 
 #include <fmt/format.h>
 
-#include "pixel/names.h"
+#include "link/names.h"
 
-namespace clipc::pixel {
+namespace clipc::link {
 namespace {
 
 // The words of a text, comments left out.
@@ -66,4 +66,4 @@ std::string Problem(const Interface& interface) {
   return {};
 }
 
-}  // namespace clipc::pixel
+}  // namespace clipc::link

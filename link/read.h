@@ -9,11 +9,11 @@
 
 #include "base/span.h"
 #include "ir/program.h"
-#include "pixel/interface.h"
+#include "link/interface.h"
 
 // Readers of pixel shaders. Each takes a whole file and reads nothing else. Whatever the bytes are,
 // a reader returns: with an interface, or with problems.
-namespace clipc::pixel {
+namespace clipc::link {
 
 enum class Language : std::uint8_t { kSpirv, kGlsl, kHlsl };
 
@@ -47,4 +47,4 @@ std::string Problem(const Interface& interface);
 // messages.
 Interface ReadProgram(const ir::Program& program, const std::function<std::string(Span)>& place);
 
-}  // namespace clipc::pixel
+}  // namespace clipc::link

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "pixel/glsl_limits.h"
+#include "link/glsl_limits.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "pixel/names.h"
+#include "link/names.h"
 
-namespace clipc::pixel {
+namespace clipc::link {
 namespace {
 
 constexpr int kMaxOperators = 4096;
@@ -179,4 +179,4 @@ std::string GlslLimit(std::string_view text) {
   return {};
 }
 
-}  // namespace clipc::pixel
+}  // namespace clipc::link

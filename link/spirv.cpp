@@ -7,11 +7,11 @@
 #include <fmt/format.h>
 
 #include "frontend/rules/semantics.h"
-#include "pixel/names.h"
-#include "pixel/read.h"
-#include "pixel/spirv_module.h"
+#include "link/names.h"
+#include "link/read.h"
+#include "link/spirv_module.h"
 
-namespace clipc::pixel {
+namespace clipc::link {
 namespace {
 
 constexpr int kMaxDepth = 16;  // the most arrays, or structs, inside each other
@@ -167,7 +167,7 @@ class SpirvReader {
     }
     return std::move(interface_);
   }
-  // The message about an input that cannot meet an output; empty if all can.
+  // The message about an input that cannot match an output; empty if all can.
   const std::string& problem() const { return problem_; }
   bool HasTooManyMembers() const { return member_count_ > kMaxMembers; }
 
@@ -377,4 +377,4 @@ ReadResult ReadSpirv(std::string_view bytes, std::string_view path, std::string_
   return result;
 }
 
-}  // namespace clipc::pixel
+}  // namespace clipc::link

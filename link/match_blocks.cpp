@@ -4,11 +4,11 @@
 #include <string_view>
 
 #include "ir/access.h"
-#include "pixel/meet_inputs.h"
-#include "pixel/members.h"
-#include "pixel/names.h"
+#include "link/match_inputs.h"
+#include "link/members.h"
+#include "link/names.h"
 
-namespace clipc::pixel {
+namespace clipc::link {
 namespace {
 
 // The name without underscores at its ends, which tools add to names that GLSL reserves.
@@ -59,7 +59,7 @@ std::string Difference(const std::vector<Member>& ours, const std::vector<Member
 // Returns whether the members are the same; if not, reports the first that differs, except for
 // Vulkan.
 bool IsSame(const ir::Cbuffer& cbuffer, const std::vector<Member>& ours, const Block& theirs,
-            const MeetOptions& options, Diagnostics& diagnostics) {
+            const MatchOptions& options, Diagnostics& diagnostics) {
   const std::string difference = Difference(ours, theirs.members);
   if (difference.empty() || options.is_vulkan) return difference.empty();
   const bool is_of_file = cbuffer.kind == ir::CbufferKind::kGlobals;
@@ -70,20 +70,20 @@ bool IsSame(const ir::Cbuffer& cbuffer, const std::vector<Member>& ours, const B
   return false;
 }
 
-// Meets members that the pixel shader has as variables, which must have their types.
-Meeting::Buffer MeetLoose(const ir::Cbuffer& cbuffer, const std::vector<Member>& ours,
-                          const std::vector<Member>& uniforms, Diagnostics& diagnostics) {
-  Meeting::Buffer met;
+// Matches members that the pixel shader has as variables, which must have their types.
+Matches::Buffer MatchLoose(const ir::Cbuffer& cbuffer, const std::vector<Member>& ours,
+                           const std::vector<Member>& uniforms, Diagnostics& diagnostics) {
+  Matches::Buffer match;
   for (const Member& member : ours) {
     const auto found = std::ranges::find(uniforms, member.name, &Member::name);
     const bool is_loose = found != uniforms.end();
-    met.precisions.push_back(is_loose ? found->precision : ir::Precision::kHigh);
+    match.precisions.push_back(is_loose ? found->precision : ir::Precision::kHigh);
     if (!is_loose) continue;
-    met.is_loose = true;
+    match.is_loose = true;
     if (found->shape != member.shape)
       diagnostics.Report(cbuffer.span, diag::PixelBlockDiffers, cbuffer.name, member.name);
   }
-  return met;
+  return match;
 }
 
 // Whether any function mentions each variable, by VarId.
@@ -114,9 +114,9 @@ void ReportPrecision(const ir::Cbuffer& cbuffer, const std::vector<Member>& ours
 
 }  // namespace
 
-std::vector<Meeting::Buffer> MeetBlocks(const ir::Program& program, const Interface& pixel,
-                                        const MeetOptions& options, Diagnostics& diagnostics) {
-  std::vector<Meeting::Buffer> met(program.cbuffers.size());
+std::vector<Matches::Buffer> MatchBlocks(const ir::Program& program, const Interface& pixel,
+                                         const MatchOptions& options, Diagnostics& diagnostics) {
+  std::vector<Matches::Buffer> buffers(program.cbuffers.size());
   const std::vector<bool> is_used = options.is_es ? Mentioned(program) : std::vector<bool>();
   for (const ir::CbufferId id : program.cbuffers.ids()) {
     const ir::Cbuffer& cbuffer = program.cbuffers[id];
@@ -124,9 +124,9 @@ std::vector<Meeting::Buffer> MeetBlocks(const ir::Program& program, const Interf
     const std::string key = BlockKey(cbuffer.name);
     const auto block = std::ranges::find_if(
         pixel.blocks, [&](const Block& candidate) { return BlockKey(candidate.name) == key; });
-    Meeting::Buffer& buffer = met[id.index];
+    Matches::Buffer& buffer = buffers[id.index];
     if (block == pixel.blocks.end()) {
-      buffer = MeetLoose(cbuffer, members, pixel.uniforms, diagnostics);
+      buffer = MatchLoose(cbuffer, members, pixel.uniforms, diagnostics);
     } else if (IsSame(cbuffer, members, *block, options, diagnostics)) {
       buffer.block = static_cast<std::size_t>(block - pixel.blocks.begin());
       for (const Member& member : block->members) buffer.precisions.push_back(member.precision);
@@ -134,7 +134,7 @@ std::vector<Meeting::Buffer> MeetBlocks(const ir::Program& program, const Interf
     if (options.is_es && (buffer.block || buffer.is_loose))
       ReportPrecision(cbuffer, members, buffer.precisions, is_used, diagnostics);
   }
-  return met;
+  return buffers;
 }
 
-}  // namespace clipc::pixel
+}  // namespace clipc::link

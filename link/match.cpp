@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "pixel/meet.h"
+#include "link/match.h"
 
 #include <algorithm>
 #include <utility>
@@ -7,20 +7,20 @@
 #include "base/invariant.h"
 #include "ir/access.h"
 #include "ir/builder.h"
-#include "pixel/meet_inputs.h"
-#include "pixel/members.h"
-#include "pixel/names.h"
+#include "link/match_inputs.h"
+#include "link/members.h"
+#include "link/names.h"
 
-namespace clipc::pixel {
+namespace clipc::link {
 namespace {
 
 using namespace ir;
 
 class Applier {
  public:
-  Applier(Program& program, const Interface& pixel, const Meeting& meeting,
-          const MeetOptions& options)
-      : program_(program), pixel_(pixel), meeting_(meeting), options_(options) {
+  Applier(Program& program, const Interface& pixel, const Matches& matches,
+          const MatchOptions& options)
+      : program_(program), pixel_(pixel), matches_(matches), options_(options) {
     group_ends_.resize(pixel.groups.size());
     std::uint32_t place = 0;
     for (const Input& input : pixel.inputs) {
@@ -35,10 +35,10 @@ class Applier {
   void Run() {
     std::vector<IoVar> outputs;
     std::uint32_t end = 0;  // after the last location that the pixel shader has
-    for (std::size_t i = 0; i < meeting_.outputs.size(); ++i) {
+    for (std::size_t i = 0; i < matches_.outputs.size(); ++i) {
       IoVar output = program_.outputs[i];
-      if (const auto input = meeting_.outputs[i].input) {
-        Output(output, pixel_.inputs[*input], *input, meeting_.outputs[i].element);
+      if (const auto input = matches_.outputs[i].input) {
+        Output(output, pixel_.inputs[*input], *input, matches_.outputs[i].element);
         end = std::max(end, EndOf(pixel_.inputs[*input], output.location));
       } else if (output.builtin == Builtin::kNone && !options_.keep_outputs) {
         RemoveWrites(output.var);
@@ -46,7 +46,7 @@ class Applier {
       }
       outputs.push_back(std::move(output));
     }
-    for (const std::size_t input : meeting_.zeros) AddZeros(pixel_.inputs[input], input, outputs);
+    for (const std::size_t input : matches_.zeros) AddZeros(pixel_.inputs[input], input, outputs);
     for (IoVar& output : outputs) {
       if (output.builtin == Builtin::kNone && !output.reader) output.location = end++;
     }
@@ -54,9 +54,9 @@ class Applier {
     program_.outputs = std::move(outputs);
     Groups();
     for (const CbufferId id : program_.cbuffers.ids()) {
-      const Meeting::Buffer& met = meeting_.buffers[id.index];
-      if (met.block) Buffer(program_.cbuffers[id], pixel_.blocks[*met.block]);
-      if (met.is_loose) Loose(program_.cbuffers[id], met);
+      const Matches::Buffer& match = matches_.buffers[id.index];
+      if (match.block) Buffer(program_.cbuffers[id], pixel_.blocks[*match.block]);
+      if (match.is_loose) Loose(program_.cbuffers[id], match);
     }
   }
 
@@ -99,19 +99,19 @@ class Applier {
   }
 
   // The location after the output's, or after the group's that it is in.
-  std::uint32_t EndOf(const Input& met, std::uint32_t location) const {
-    return std::max(location + 1, met.group ? group_ends_[*met.group] : 0);
+  std::uint32_t EndOf(const Input& input, std::uint32_t location) const {
+    return std::max(location + 1, input.group ? group_ends_[*input.group] : 0);
   }
 
-  // Declares the groups that outputs meet; for Vulkan all groups, since every input has its output
+  // Declares the groups that outputs match; for Vulkan all groups, since every input has its output
   // there.
   void Groups() {
     std::vector<std::optional<std::size_t>> numbers(pixel_.groups.size());
     for (std::size_t i = 0; i < pixel_.groups.size(); ++i) {
       const bool is_written =
-          std::ranges::any_of(meeting_.outputs,
+          std::ranges::any_of(matches_.outputs,
                               [&](const auto& output) { return GroupOf(output.input) == i; }) ||
-          std::ranges::any_of(meeting_.zeros, [&](auto input) { return GroupOf(input) == i; });
+          std::ranges::any_of(matches_.zeros, [&](auto input) { return GroupOf(input) == i; });
       if (!is_written && !options_.is_vulkan) continue;
       numbers[i] = program_.output_groups.size();
       const Group& group = pixel_.groups[i];
@@ -202,10 +202,10 @@ class Applier {
     SetMainBody(program_, body);
   }
 
-  static void Loose(Cbuffer& cbuffer, const Meeting::Buffer& met) {
+  static void Loose(Cbuffer& cbuffer, const Matches::Buffer& match) {
     BlockDeclaration& declared = cbuffer.declared.emplace();
     declared.is_loose = true;
-    for (const Precision precision : met.precisions)
+    for (const Precision precision : match.precisions)
       declared.members.push_back({.name = {}, .precision = precision});
   }
 
@@ -234,8 +234,8 @@ class Applier {
 
   Program& program_;
   const Interface& pixel_;
-  const Meeting& meeting_;
-  const MeetOptions& options_;
+  const Matches& matches_;
+  const MatchOptions& options_;
   // The location of each input, counted where the pixel shader gives none, and for each group the
   // location after its last member's.
   std::vector<std::uint32_t> places_, group_ends_;
@@ -243,17 +243,17 @@ class Applier {
 
 }  // namespace
 
-Meeting Meet(const Program& program, const Interface& pixel, const MeetOptions& options,
-             Diagnostics& diagnostics) {
-  Meeting meeting = MeetInputs(program, pixel, options, diagnostics);
-  meeting.buffers = MeetBlocks(program, pixel, options, diagnostics);
-  return meeting;
+Matches Match(const Program& program, const Interface& pixel, const MatchOptions& options,
+              Diagnostics& diagnostics) {
+  Matches matches = MatchInputs(program, pixel, options, diagnostics);
+  matches.buffers = MatchBlocks(program, pixel, options, diagnostics);
+  return matches;
 }
 
-void Apply(Program& program, const Interface& pixel, const Meeting& meeting,
-           const MeetOptions& options) {
+void Apply(Program& program, const Interface& pixel, const Matches& matches,
+           const MatchOptions& options) {
   CLIPC_CHECK(program.form == Form::kTyped);
-  Applier(program, pixel, meeting, options).Run();
+  Applier(program, pixel, matches, options).Run();
 }
 
-}  // namespace clipc::pixel
+}  // namespace clipc::link

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "pixel/names.h"
+#include "link/names.h"
 
-namespace clipc::pixel {
+namespace clipc::link {
 namespace {
 
 bool IsDigit(char c) { return c >= '0' && c <= '9'; }
@@ -21,4 +21,4 @@ std::string GlslNameOf(std::string_view name) {
   return text;
 }
 
-}  // namespace clipc::pixel
+}  // namespace clipc::link

@@ -6,7 +6,7 @@
 #include <vector>
 
 // The common parts of all uses of glslang.
-namespace clipc::pixel {
+namespace clipc::link {
 
 // Makes glslang's tables of the process, once. They are never freed: a thread may use them until
 // the process ends.
@@ -19,4 +19,4 @@ struct GlslangError {
 // Returns the errors in glslang's log, without the summary in its last line. There is at least one.
 std::vector<GlslangError> GlslangErrors(std::string_view log);
 
-}  // namespace clipc::pixel
+}  // namespace clipc::link

@@ -11,8 +11,8 @@
 
 // The other half of a program: the inputs that a pixel shader takes from a vertex shader, and the
 // constant buffers that it shares with it. The readers in this folder make it of SPIR-V, GLSL and
-// HLSL, and meet.h compares it with the vertex shader.
-namespace clipc::pixel {
+// HLSL, and match.h compares it with the vertex shader.
+namespace clipc::link {
 
 // The most vectors of an input: a larger array has no place between two stages.
 inline constexpr std::uint32_t kMaxElements = 256;
@@ -96,4 +96,4 @@ struct Interface {
   std::vector<Member> uniforms;  // outside blocks
 };
 
-}  // namespace clipc::pixel
+}  // namespace clipc::link

@@ -10,12 +10,12 @@
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
 
-#include "pixel/glsl_limits.h"
-#include "pixel/glslang_process.h"
-#include "pixel/names.h"
-#include "pixel/read.h"
+#include "link/glsl_limits.h"
+#include "link/glslang_process.h"
+#include "link/names.h"
+#include "link/read.h"
 
-namespace clipc::pixel {
+namespace clipc::link {
 namespace {
 
 std::vector<std::string> Problems(std::string_view log, const std::string& path) {
@@ -354,4 +354,4 @@ ReadResult ReadGlsl(std::string_view text, const std::string& path, Dialect expe
   return result;
 }
 
-}  // namespace clipc::pixel
+}  // namespace clipc::link

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "pixel/glslang_process.h"
+#include "link/glslang_process.h"
 
 #include <algorithm>
 
 #include <glslang/Public/ShaderLang.h>
 
-namespace clipc::pixel {
+namespace clipc::link {
 
 void InitializeGlslang() {
   static const bool kIsInitialized = glslang::InitializeProcess();
@@ -33,4 +33,4 @@ std::vector<GlslangError> GlslangErrors(std::string_view log) {
   return errors;
 }
 
-}  // namespace clipc::pixel
+}  // namespace clipc::link
