@@ -137,13 +137,13 @@ class ShaderForTest {
     CLIPC_CHECK(!broken);
   }
 
-  std::string Glsl(std::string_view target, GlslInfo* info = nullptr) const {
+  std::string Glsl(std::string_view target) const {
     ir::Program legalized = program;
     legalized.form = ir::Form::kInlined;
     ir::PassOptions options;
     options.verify = true;
     Legalize(legalized, *Target::Parse(target), options);
-    return WriteGlsl(legalized, *Target::Parse(target), {}, info);
+    return WriteGlsl(legalized, *Target::Parse(target)).glsl;
   }
 
  private:

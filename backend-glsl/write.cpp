@@ -2,6 +2,7 @@
 #include "backend-glsl/write.h"
 
 #include <utility>
+#include <vector>
 
 #include "backend-glsl/writer/bindings.h"
 #include "backend-glsl/writer/blocks.h"
@@ -19,7 +20,13 @@ using namespace ir;
 
 namespace {
 
-void WriteGlobals(Code& code) {
+struct Globals {
+  std::string text;  // the declarations
+  std::vector<LateGlobal> late;
+};
+
+Globals WriteGlobals(Code& code) {
+  Globals globals;
   for (const VarId id : code.reached.globals) {
     const Var& var = code[id];
     // HLSL's static variables start as zero.
@@ -28,17 +35,16 @@ void WriteGlobals(Code& code) {
     const bool is_const = is_specialized || code.constants.Has(id);
     const bool is_late = !code.Has(Feature::kGlobalInitializers) && !code.constants.HasValueOf(id);
     if (is_specialized) {
-      code.sections.globals +=
-          LayoutText({Concat("constant_id = ", std::to_string(*var.constant_id))});
+      globals.text += LayoutText({Concat("constant_id = ", std::to_string(*var.constant_id))});
     }
-    Append(code.sections.globals, is_const ? "const " : "",
-           Declaration(code, var.type, code.NameOf(id)), is_late ? "" : " = ", is_late ? "" : value,
-           ";\n");
+    Append(globals.text, is_const ? "const " : "", Declaration(code, var.type, code.NameOf(id)),
+           is_late ? "" : " = ", is_late ? "" : value, ";\n");
     // glslang 12 takes `precise vec4 a;` for a variable of `main`.
     const std::string_view precise = PreciseText(code, var.precise && !is_const);
-    if (!precise.empty()) Append(code.sections.globals, precise, code.NameOf(id), ";\n");
-    if (is_late) code.late_globals.emplace_back(code.NameOf(id), std::move(value));
+    if (!precise.empty()) Append(globals.text, precise, code.NameOf(id), ";\n");
+    if (is_late) globals.late.push_back({code.NameOf(id), std::move(value)});
   }
+  return globals;
 }
 
 std::string Header(const Context& context) {
@@ -52,27 +58,25 @@ std::string Header(const Context& context) {
 
 }  // namespace
 
-std::string WriteGlsl(const Program& program, const Target& target, const WriteOptions& options,
-                      GlslInfo* info) {
-  GlslInfo unwanted;
-  GlslInfo& chosen = info ? *info : unwanted;
-  chosen = {};
-  Code code(program, target, options, chosen);
-  NameEverything(code);
-  FindTextureUses(code);
-  WriteBlocks(code);
-  WriteObjects(code);
-  WriteInputs(code);
-  WriteOutputs(code);
-  WriteGlobals(code);
-  WriteFunctions(code);
+Written WriteGlsl(const Program& program, const Target& target, const WriteOptions& options) {
+  Code code(program, target, options);
+  code.names = NameEverything(code);
+  code.names.functions = NameFunctions(code);
+  code.texture_uses = FindTextureUses(code);
+  Blocks blocks = WriteBlocks(code);
+  Objects objects = WriteObjects(code);
+  Inputs inputs = WriteInputs(code);
+  Outputs outputs = WriteOutputs(code);
+  Globals globals = WriteGlobals(code);
+  const std::string functions = WriteFunctions(code, globals.late);
 
-  Sections& parts = code.sections;
-  for (std::string* part : {&parts.objects, &parts.inputs, &parts.outputs, &parts.globals}) {
+  for (std::string* part : {&objects.text, &inputs.text, &outputs.text, &globals.text}) {
     if (!part->empty()) *part += "\n";
   }
-  return Concat(Header(code), parts.structs, parts.blocks, parts.objects, parts.inputs,
-                parts.outputs, parts.helpers, parts.globals, parts.functions);
+  return {Concat(Header(code), code.structs, blocks.text, objects.text, inputs.text, outputs.text,
+                 code.helpers, globals.text, functions),
+          {std::move(inputs.info), std::move(outputs.info), std::move(blocks.info),
+           std::move(objects.info), outputs.clip_distance_mask, outputs.cull_distance_mask}};
 }
 
 }  // namespace clipc::glsl

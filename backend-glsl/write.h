@@ -91,9 +91,13 @@ struct GlslInfo {
   }
 };
 
-// Returns the whole shader. Requires Form::kLegalized, and that CheckTarget reported no error. The
-// text depends on nothing but the arguments.
-std::string WriteGlsl(const ir::Program& program, const Target& target,
-                      const WriteOptions& options = {}, GlslInfo* info = nullptr);
+struct Written {
+  std::string glsl;  // the whole shader
+  GlslInfo info;
+};
+// Requires Form::kLegalized, and that CheckTarget reported no error. The result depends on nothing
+// but the arguments.
+Written WriteGlsl(const ir::Program& program, const Target& target,
+                  const WriteOptions& options = {});
 
 }  // namespace clipc::glsl

@@ -50,9 +50,7 @@ void CheckTarget(const Lowered& lowered, glsl::BlockStyle blocks, Diagnostics& d
 }
 
 Written Write(const Lowered& lowered, const glsl::WriteOptions& options) {
-  Written written;
-  written.glsl = glsl::WriteGlsl(lowered.program, lowered.target, options, &written.info);
-  return written;
+  return glsl::WriteGlsl(lowered.program, lowered.target, options);
 }
 
 }  // namespace clipc

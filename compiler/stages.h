@@ -68,11 +68,7 @@ void CheckTarget(const Lowered& lowered, glsl::BlockStyle blocks, Diagnostics& d
 // reports no error. Afterwards `lowered` is complete unless `options` stopped it.
 void Legalize(Lowered& lowered, const ir::PassOptions& options);
 
-struct Written {
-  std::string glsl;
-  glsl::GlslInfo info;  // the names, places and layouts in `glsl`
-};
-
+using glsl::Written;
 // Writes the GLSL. Requires that Legalize has run to its end.
 Written Write(const Lowered& lowered, const glsl::WriteOptions& options);
 

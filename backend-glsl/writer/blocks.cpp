@@ -21,13 +21,13 @@ namespace {
 
 class BlockWriter {
  public:
-  BlockWriter(Context& context, CbufferId id, Bindings& bindings)
+  BlockWriter(Context& context, CbufferId id, Bindings& bindings, Blocks& blocks)
       : context_(context),
         bindings_(bindings),
         cbuffer_(context[id]),
         layout_(context.layouts[id.index]),
-        info_(context.info.blocks.emplace_back()),
-        text_(context.sections.blocks) {
+        info_(blocks.info.emplace_back()),
+        text_(blocks.text) {
     info_.cbuffer = id;
     info_.form = layout_.form;
     register_ = RegisterText(cbuffer_.reg);
@@ -36,7 +36,7 @@ class BlockWriter {
 
   void Write() {
     if (layout_.form == BlockForm::kUniforms) return PlainUniforms();
-    info_.name = context_.block_names[info_.cbuffer.index];
+    info_.name = context_.names.blocks[info_.cbuffer.index];
     if (cbuffer_.count == 0) context_.Require("GL_EXT_nonuniform_qualifier");
     const bool is_rows = layout_.form == BlockForm::kRows;
     if (is_rows && !context_.Has(Feature::kUniformBlocks)) return RowUniform();
@@ -90,7 +90,7 @@ class BlockWriter {
       const VarId var = layout_.members.front().var;
       const bool is_variable = layout_.fields_as_members;
       info_.instance =
-          is_variable ? context_.NameOf(var) : context_.instance_names[info_.cbuffer.index];
+          is_variable ? context_.NameOf(var) : context_.names.instances[info_.cbuffer.index];
       Append(text_, " ", info_.instance, is_variable ? Dimensions(context_, var) : "");
     }
     text_ += ";\n\n";
@@ -99,7 +99,7 @@ class BlockWriter {
   std::string NameOf(const BlockMember& member) const {
     if (member.field < 0) return context_.NameOf(member.var);
     const Type& type = context_[context_.types.Innermost(context_[member.var].type)];
-    return context_.field_names[type.structure.index][static_cast<std::size_t>(member.field)];
+    return context_.names.fields[type.structure.index][static_cast<std::size_t>(member.field)];
   }
 
   // A name for padding that nothing else in the block has.
@@ -142,7 +142,7 @@ class BlockWriter {
   // Writes a buffer that neither std140 nor offsets can lay out: rows of 16 bytes, and a function
   // for each member that is read.
   void Rows() {
-    info_.rows = context_.rows_names[info_.cbuffer.index];
+    info_.rows = context_.names.rows[info_.cbuffer.index];
     text_ += fmt::format("    {} {}[{}];\n}}", layout_.float_rows ? "vec4" : "uvec4", info_.rows,
                          std::max(cbuffer_.size / kRow, 1u));
     Memory memory{info_.rows, true, layout_.float_rows};
@@ -164,7 +164,7 @@ class BlockWriter {
   // Writes a buffer where the target has no blocks: an array of rows, up to the last one that is
   // read, to which the host gives the bytes of the buffer.
   void RowUniform() {
-    info_.rows = context_.rows_names[info_.cbuffer.index];
+    info_.rows = context_.names.rows[info_.cbuffer.index];
     info_.name.clear();
     const Memory memory{info_.rows, true, true};
     std::string uniforms;
@@ -201,9 +201,9 @@ class BlockWriter {
       address.dynamic = Scaled(ArrayStride(context_.types, var.type, var.row_major) / kRow, index);
     }
     const std::string value = Load(context_, memory, result, var.row_major, address);
-    context_.sections.helpers += fmt::format(
-        "{} {}({}) {{  // offset {}\n    return {};\n}}\n\n", TypeName(context_, result),
-        context_.NameOf(member.var), is_array ? "int " + index : "", member.offset, value);
+    context_.helpers += fmt::format("{} {}({}) {{  // offset {}\n    return {};\n}}\n\n",
+                                    TypeName(context_, result), context_.NameOf(member.var),
+                                    is_array ? "int " + index : "", member.offset, value);
   }
 
   Context& context_;
@@ -218,14 +218,16 @@ class BlockWriter {
 
 }  // namespace
 
-void WriteBlocks(Context& context) {
+Blocks WriteBlocks(Context& context) {
+  Blocks blocks;
   Bindings bindings;
   for (const CbufferId id : context.program.cbuffers.ids()) {
     if (context.reached.Has(id)) bindings.Reserve(context[id].reg, context[id].count);
   }
   for (const CbufferId id : context.program.cbuffers.ids()) {
-    if (context.reached.Has(id)) BlockWriter(context, id, bindings).Write();
+    if (context.reached.Has(id)) BlockWriter(context, id, bindings, blocks).Write();
   }
+  return blocks;
 }
 
 }  // namespace clipc::glsl

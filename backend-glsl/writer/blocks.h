@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "backend-glsl/writer/context.h"
 
 namespace clipc::glsl {
 
-// Writes the constant buffers that are reached, as uniform blocks, or as uniform variables where
-// the target has no blocks; and the functions that read the buffers that are written as rows.
-void WriteBlocks(Context& context);
+struct Blocks {
+  std::string text;                   // the declarations
+  std::vector<GlslInfo::Block> info;  // of the reached ones, in order of declaration
+};
+// Declares all constant buffers that are reached, as uniform blocks or plain uniforms.
+Blocks WriteBlocks(Context& context);
 
 }  // namespace clipc::glsl

@@ -4,8 +4,6 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 #include "backend-glsl/text.h"
 #include "backend-glsl/writer/constants.h"
@@ -18,8 +16,6 @@ struct Code : Context {
   using Context::Context;
 
   Constants constants{program, target};
-  // The names and values of global variables that get their value in `main`, as ES requires.
-  std::vector<std::pair<std::string, std::string>> late_globals;
   std::string* out = nullptr;  // the text that Line appends to
   std::size_t indent = 0;
   bool in_helper = false;  // in a helper function, whose locals keep their names
@@ -33,7 +29,7 @@ struct Code : Context {
   // A name for a parameter or a variable that is declared here.
   void NameLocal(ir::VarId var, std::string_view fallback) {
     const std::string& wanted = program.vars[var].name;
-    var_names[var.index] = in_helper ? wanted : namer.Local(wanted, fallback);
+    names.vars[var.index] = in_helper ? wanted : namer.Local(wanted, fallback);
   }
 };
 

@@ -7,25 +7,29 @@
 
 namespace clipc::glsl {
 
-Context::Context(const ir::Program& program, const Target& target, const WriteOptions& options,
-                 GlslInfo& info)
+namespace {
+
+std::vector<BlockLayout> LayOutBlocks(const ir::Program& program, const Reached& reached,
+                                      const Target& target, BlockStyle style) {
+  std::vector<BlockLayout> layouts(program.cbuffers.size());
+  for (const ir::CbufferId id : program.cbuffers.ids()) {
+    if (reached.Has(id))
+      layouts[id.index] = LayOutBlock(program, program.cbuffers[id], target, style);
+  }
+  return layouts;
+}
+
+}  // namespace
+
+Context::Context(const ir::Program& program, const Target& target, const WriteOptions& options)
     : program(program),
       types(program.types),
       target(target),
       options(options),
-      info(info),
       reached(Reach(program)),
       descriptors(program, reached, target),
-      layouts(program.cbuffers.size()),
-      used_structs(types.structs().size()) {
-  for (std::string* part : {&sections.structs, &sections.blocks, &sections.inputs,
-                            &sections.outputs, &sections.functions})
-    part->reserve(1024);
-  for (const ir::CbufferId id : program.cbuffers.ids()) {
-    if (reached.Has(id))
-      layouts[id.index] = LayOutBlock(program, (*this)[id], target, options.blocks);
-  }
-}
+      layouts(LayOutBlocks(program, reached, target, options.blocks)),
+      used_structs(types.structs().size()) {}
 
 bool Context::IsWrittenAsUint(ir::VarId member) const {
   const ir::Type& type = TypeOf(member);

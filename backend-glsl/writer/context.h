@@ -26,45 +26,45 @@ struct TextureUse {
   std::string name;  // of the one GLSL variable in place of both
 };
 
-// The parts of the file, in their order in it.
-struct Sections {
-  std::string structs, blocks, objects, inputs, outputs, helpers, globals, functions;
+// The names in the shader.
+struct Names {
+  // The text in place of a variable: its name, or a built-in variable of GLSL, converted. Local
+  // variables are named when they are declared.
+  std::vector<std::string> vars;                 // by VarId
+  std::vector<std::string> attributes;           // beside Program::inputs; empty: built in
+  std::vector<std::string> functions;            // by FunctionId
+  std::vector<std::string> structs;              // by StructId
+  std::vector<std::vector<std::string>> fields;  // by StructId
+  std::vector<std::string> blocks;               // by CbufferId
+  std::vector<std::string> instances;            // by CbufferId; empty: members are global
+  std::vector<std::string> rows;                 // by CbufferId
+  std::vector<std::string> groups;  // the instances of Program::output_groups; may be empty
 };
 
 // The state that all subjects of the writer share. A subject is a header of free functions over it,
 // or over Code (code.h), which adds the state of expressions and statements.
 struct Context {
-  Context(const ir::Program& program, const Target& target, const WriteOptions& options,
-          GlslInfo& info);
+  Context(const ir::Program& program, const Target& target, const WriteOptions& options);
 
   const ir::Program& program;
   const ir::TypeTable& types;  // of the program
   const Target& target;
   const WriteOptions& options;
-  GlslInfo& info;
   const Reached reached;
-  const Descriptors descriptors;         // of a Vulkan target
-  std::vector<BlockLayout> layouts;      // by CbufferId, of the reached ones
+  const Descriptors descriptors;           // of a Vulkan target
+  const std::vector<BlockLayout> layouts;  // by CbufferId, of the reached ones
+  Names names;
   std::vector<TextureUse> texture_uses;  // of global objects; none for Vulkan
 
+  // The parts of the shader that come into being where they are first needed.
   Namer namer;
-  // The text in place of a variable: its name, or a built-in variable of GLSL, converted.
-  std::vector<std::string> var_names;                 // by VarId
-  std::vector<std::string> function_names;            // by FunctionId
-  std::vector<std::string> struct_names;              // by StructId
-  std::vector<std::vector<std::string>> field_names;  // by StructId
-  std::vector<std::string> block_names;               // by CbufferId
-  std::vector<std::string> instance_names;            // by CbufferId; empty: members are global
-  std::vector<std::string> group_instances;           // by Program::output_groups; may be empty
-  std::vector<std::string> rows_names;                // by CbufferId
-
-  Sections sections;
+  std::string structs, helpers;      // definitions
   std::set<std::string> extensions;  // extensions that the shader requires
   std::set<std::string> enabled;     // extensions that only some compilers need
-  std::vector<bool> used_structs;    // by StructId
+  std::vector<bool> used_structs;    // by StructId: those in `structs`
   std::unordered_map<std::string, std::string> wrappers;      // types.h: by the wrapped type
   std::unordered_map<std::string, std::string> helper_names;  // helper.h: by the wanted name
-  std::set<std::string> helper_keys;                          // name and key of written definitions
+  std::set<std::string> helper_keys;                          // name and key of those in `helpers`
 
   const ir::Expr& operator[](ir::ExprId id) const { return program.exprs[id]; }
   const ir::Var& operator[](ir::VarId id) const { return program.vars[id]; }
@@ -96,7 +96,7 @@ struct Context {
   }
   // Whether a member of a block is a bool, or a vector of them, that is written as a uint.
   bool IsWrittenAsUint(ir::VarId member) const;
-  const std::string& NameOf(ir::VarId id) const { return var_names[id.index]; }
+  const std::string& NameOf(ir::VarId id) const { return names.vars[id.index]; }
 
   bool Has(Feature feature) const { return target.Has(feature); }
   // Adds the extension through which the target has the feature, if there is one.

@@ -138,7 +138,7 @@ Text CallText(Code& code, const Call& node) {
       ListOf(code[node.arguments], [&](ExprId argument) { return Argument(code, argument); });
   const bool is_helper = code[node.function].is_helper;
   return Called(
-      is_helper ? HelperFunction(code, node.function) : code.function_names[node.function.index],
+      is_helper ? HelperFunction(code, node.function) : code.names.functions[node.function.index],
       {arguments});
 }
 
@@ -160,7 +160,7 @@ Text ExprText(Code& code, ExprId id) {
             const std::string base = IsInstance(code, node.base)
                                          ? InstancePath(code, node.base)
                                          : ExprText(code, node.base).At(Binding::kPostfix);
-            const auto& fields = code.field_names[code.TypeOf(node.base).structure.index];
+            const auto& fields = code.names.fields[code.TypeOf(node.base).structure.index];
             return Text{Concat(base, ".", fields[node.field])};
           },
           [&](const Index& node) {

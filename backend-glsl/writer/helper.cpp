@@ -24,7 +24,7 @@ std::string Helper(Context& context, std::string_view name, const std::string& k
   if (context.helper_keys.insert(Concat(name, "|", key)).second) {
     // Helpers that the definition needs are appended before it.
     const std::string definition = define(glsl_name);
-    Append(context.sections.helpers, definition, "\n");
+    Append(context.helpers, definition, "\n");
   }
   return glsl_name;
 }

@@ -22,34 +22,36 @@ namespace {
 // Two views, as for a headset: OVR_multiview requires the number in the shader.
 constexpr int kViews = 2;
 
+// Whether the draw calls' first vertex is a part of gl_VertexID, and nothing subtracts it.
+bool KeepsBaseVertex(const Context& context) {
+  const bool has_base = context.target.IsVulkan() || context.Has(Feature::kBaseVertexDraws);
+  return has_base && (context.options.base_vertex_is_zero ||
+                      (!context.target.IsVulkan() && !context.Has(Feature::kDrawParameters)));
+}
+
+bool KeepsBaseInstance(const Context& context) {
+  return context.target.IsVulkan() && context.options.base_instance_is_zero;
+}
+
 // The value of an input that is a built-in variable of GLSL.
-std::string BuiltinInput(Context& context, const IoVar& input, GlslInfo::Variable& info) {
-  context.Require(NeedOf(input.builtin)->feature);
+std::string BuiltinInput(const Context& context, Builtin builtin) {
   const bool is_vulkan = context.target.IsVulkan();
   const bool is_core = context.target.Of(Feature::kDrawParameters).extension.empty();
   const std::string suffix = is_core ? "" : "ARB";
-  switch (input.builtin) {
+  switch (builtin) {
     case Builtin::kVertexId:
-      if (!is_vulkan && !context.Has(Feature::kBaseVertexDraws)) return "gl_VertexID";
-      info.needs_base_vertex_zero = context.options.base_vertex_is_zero ||
-                                    (!is_vulkan && !context.Has(Feature::kDrawParameters));
-      if (info.needs_base_vertex_zero) return is_vulkan ? "gl_VertexIndex" : "gl_VertexID";
-      if (is_vulkan) return "gl_VertexIndex - gl_BaseVertex";
-      context.Require(Feature::kDrawParameters);
+      if (is_vulkan)
+        return KeepsBaseVertex(context) ? "gl_VertexIndex" : "gl_VertexIndex - gl_BaseVertex";
+      if (!context.Has(Feature::kBaseVertexDraws) || KeepsBaseVertex(context)) return "gl_VertexID";
       return "gl_VertexID - gl_BaseVertex" + suffix;
     case Builtin::kInstanceId:
-      info.needs_base_instance_zero = is_vulkan && context.options.base_instance_is_zero;
-      if (info.needs_base_instance_zero) return "gl_InstanceIndex";
+      if (KeepsBaseInstance(context)) return "gl_InstanceIndex";
       if (is_vulkan) return "gl_InstanceIndex - gl_BaseInstance";
       return context.target.HasInCore(Feature::kInstanceId) ? "gl_InstanceID" : "gl_InstanceIDARB";
     case Builtin::kBaseVertex: return "gl_BaseVertex" + suffix;
     case Builtin::kBaseInstance: return "gl_BaseInstance" + suffix;
     case Builtin::kDrawIndex: return "gl_DrawID" + suffix;
-    case Builtin::kViewId:
-      if (is_vulkan) return "gl_ViewIndex";
-      context.sections.inputs +=
-          fmt::format("layout(num_views = {}) in;{}", kViews, SemanticComment(input));
-      return "gl_ViewID_OVR";
+    case Builtin::kViewId: return is_vulkan ? "gl_ViewIndex" : "gl_ViewID_OVR";
     case Builtin::kVertexIndex: return is_vulkan ? "gl_VertexIndex" : "gl_VertexID";
     case Builtin::kInstanceIndex:
       return is_vulkan ? "gl_InstanceIndex" : "gl_InstanceID + gl_BaseInstance" + suffix;
@@ -59,45 +61,50 @@ std::string BuiltinInput(Context& context, const IoVar& input, GlslInfo::Variabl
   return "";
 }
 
-void WriteInput(Context& context, const IoVar& input) {
-  GlslInfo::Variable& info = context.info.inputs.emplace_back();
+// Names the extensions that a built-in input needs, and declares what must be declared.
+void RequireBuiltin(Context& context, const IoVar& input, Inputs& inputs) {
+  context.Require(NeedOf(input.builtin)->feature);
+  GlslInfo::Variable& info = inputs.info.back();
+  const bool is_vulkan = context.target.IsVulkan();
+  if (input.builtin == Builtin::kVertexId) {
+    info.needs_base_vertex_zero = KeepsBaseVertex(context);
+    if (!is_vulkan && context.Has(Feature::kBaseVertexDraws) && !info.needs_base_vertex_zero)
+      context.Require(Feature::kDrawParameters);
+  }
+  if (input.builtin == Builtin::kInstanceId)
+    info.needs_base_instance_zero = KeepsBaseInstance(context);
+  if (input.builtin == Builtin::kViewId && !is_vulkan) {
+    inputs.text += fmt::format("layout(num_views = {}) in;{}", kViews, SemanticComment(input));
+  }
+}
+
+// Whether the input is an integer in HLSL and a float attribute here. Attributes are floats in GLSL
+// 1.20; whole numbers up to 2^24 come through exactly.
+bool IsIntegerAsFloat(const Context& context, const IoVar& input) {
+  return !context.Has(Feature::kInAndOut) && !context.ShapeAt(input.var).IsFloating();
+}
+
+void WriteInput(Context& context, const IoVar& input, const std::string& attribute,
+                Inputs& inputs) {
+  GlslInfo::Variable& info = inputs.info.emplace_back();
   info.is_used = context.reached.Has(input.var);
-  std::string& name = context.var_names[input.var.index];
-  Shape shape = context.ShapeAt(input.var);
-  const std::string type = TypeName(context, shape);
   if (input.builtin != Builtin::kNone) {
-    name = info.is_used ? Called(type, {BuiltinInput(context, input, info)}).text : "";
-    info.name = name;
+    if (!info.is_used) return;
+    RequireBuiltin(context, input, inputs);
+    info.name = context.NameOf(input.var);
     return;
   }
-  info.name = name;
+  info.name = attribute;
   const bool has_location = context.Has(Feature::kInputLocations);
   if (has_location) info.location = input.location;
   if (!info.is_used) return;
-  const bool has_in = context.Has(Feature::kInAndOut);
-  if (!has_in && !shape.IsFloating()) {
-    // Attributes are floats in GLSL 1.20; whole numbers up to 2^24 come through exactly.
-    info.integer_as_float = true;
-    shape = shape.With(Scalar::kFloat);
-    name = Called(type, {info.name}).text;
-  }
-  Append(context.sections.inputs, has_location ? LocationText(input.location) : "",
-         has_in ? "in " : "attribute ", Declaration(context, shape, info.name), ";",
-         SemanticComment(input));
-}
-
-std::string_view BuiltinOutput(Builtin builtin) {
-  switch (builtin) {
-    case Builtin::kPosition: return "gl_Position";
-    case Builtin::kClipVertex: return "gl_ClipVertex";
-    case Builtin::kClipDistance: return "gl_ClipDistance";
-    case Builtin::kCullDistance: return "gl_CullDistance";
-    case Builtin::kPointSize: return "gl_PointSize";
-    case Builtin::kLayer: return "gl_Layer";
-    case Builtin::kViewportIndex: return "gl_ViewportIndex";
-    case Builtin::kShadingRate: return "gl_PrimitiveShadingRateEXT";
-    default: return "";
-  }
+  info.integer_as_float = IsIntegerAsFloat(context, input);
+  const Shape shape = context.ShapeAt(input.var);
+  Append(
+      inputs.text, has_location ? LocationText(input.location) : "",
+      context.Has(Feature::kInAndOut) ? "in " : "attribute ",
+      Declaration(context, info.integer_as_float ? shape.With(Scalar::kFloat) : shape, attribute),
+      ";", SemanticComment(input));
 }
 
 // The declaration of an output, or of the matrix or array that it is a part of: "vec2 uv"; "mat3
@@ -117,8 +124,9 @@ std::string OutputDeclaration(Context& context, const IoVar& output, Shape shape
 
 // Declares an output that is not built in at its location, or at `location` if that is higher.
 // Returns the location after it.
-std::uint32_t WriteVarying(Context& context, const IoVar& output, GlslInfo::Variable& info,
+std::uint32_t WriteVarying(Context& context, const IoVar& output, Outputs& outputs,
                            std::uint32_t location) {
+  GlslInfo::Variable& info = outputs.info.back();
   const Shape shape = context.ShapeAt(output.var);
   const bool has_out = context.Has(Feature::kInAndOut);
   location = std::max(location, output.location);
@@ -131,7 +139,7 @@ std::uint32_t WriteVarying(Context& context, const IoVar& output, GlslInfo::Vari
     return location + 1;
   }
   if (reader && reader->element > 0) return location + 1;  // declared with its first element
-  Append(context.sections.outputs, has_location ? LocationText(location) : "",
+  Append(outputs.text, has_location ? LocationText(location) : "",
          PreciseText(context, context[output.var].precise),
          InterpolationText(context,
                            {shape.scalar, output.interpolation, output.centroid, output.sample}),
@@ -165,7 +173,7 @@ std::uint32_t WrittenElements(const Context& context, VarId array) {
 // Declares clip and cull distances anew, since they have no size of their own: as members of
 // gl_PerVertex where the interface between separate stages is built from it, otherwise as arrays
 // alone.
-void WritePerVertex(Context& context) {
+void WritePerVertex(Context& context, Outputs& outputs) {
   const bool is_vulkan = context.target.IsVulkan(), is_es = context.target.IsEs();
   const bool has_block = is_vulkan || (!is_es && context.target.version() >= 410);
   const bool in_block = has_block && (is_vulkan || context.options.separable);
@@ -181,53 +189,79 @@ void WritePerVertex(Context& context) {
                     : "out ",
            "float ", BuiltinOutput(builtin), Dimensions(context, output->var), ";\n");
   };
-  declare(Builtin::kClipDistance, "clip", context.info.clip_distance_mask);
-  declare(Builtin::kCullDistance, "cull", context.info.cull_distance_mask);
+  declare(Builtin::kClipDistance, "clip", outputs.clip_distance_mask);
+  declare(Builtin::kCullDistance, "cull", outputs.cull_distance_mask);
   const bool is_asked = in_block && (context.options.separable || !arrays.empty());
-  Append(context.sections.outputs, comments,
+  Append(outputs.text, comments,
          is_asked ? "out gl_PerVertex {\n    vec4 gl_Position;\n    float gl_PointSize;\n" : "",
          arrays, is_asked ? "};\n" : "");
 }
 
 // Writes the qualifiers of built-in outputs that are not declared anew.
-void QualifyBuiltins(Context& context) {
+void QualifyBuiltins(Context& context, std::string& text) {
   for (const IoVar& output : context.program.outputs) {
     const bool is_position = output.builtin == Builtin::kPosition;
     if (!is_position && output.builtin != Builtin::kPointSize) continue;
     const std::string_view name = BuiltinOutput(output.builtin);
     const std::string_view precise = PreciseText(context, context[output.var].precise);
-    if (!precise.empty()) Append(context.sections.outputs, precise, name, ";\n");
-    if (is_position && context.options.invariant)
-      Append(context.sections.outputs, "invariant ", name, ";\n");
+    if (!precise.empty()) Append(text, precise, name, ";\n");
+    if (is_position && context.options.invariant) Append(text, "invariant ", name, ";\n");
   }
 }
 
 }  // namespace
+
+std::string InputText(const Context& context, const IoVar& input, const std::string& attribute) {
+  const Shape shape = context.ShapeAt(input.var);
+  const auto converted = [&](const std::string& value) {
+    return Concat(GlslName(shape, context.Has(Feature::kUnsigned)), "(", value, ")");
+  };
+  if (input.builtin != Builtin::kNone) return converted(BuiltinInput(context, input.builtin));
+  return IsIntegerAsFloat(context, input) ? converted(attribute) : attribute;
+}
+
+std::string_view BuiltinOutput(Builtin builtin) {
+  switch (builtin) {
+    case Builtin::kPosition: return "gl_Position";
+    case Builtin::kClipVertex: return "gl_ClipVertex";
+    case Builtin::kClipDistance: return "gl_ClipDistance";
+    case Builtin::kCullDistance: return "gl_CullDistance";
+    case Builtin::kPointSize: return "gl_PointSize";
+    case Builtin::kLayer: return "gl_Layer";
+    case Builtin::kViewportIndex: return "gl_ViewportIndex";
+    case Builtin::kShadingRate: return "gl_PrimitiveShadingRateEXT";
+    default: return "";
+  }
+}
 
 bool IsIntOutput(Builtin builtin) {
   return builtin == Builtin::kShadingRate || builtin == Builtin::kLayer ||
          builtin == Builtin::kViewportIndex;
 }
 
-void WriteInputs(Context& context) {
-  context.info.inputs.reserve(context.program.inputs.size());
-  for (const IoVar& input : context.program.inputs) WriteInput(context, input);
+Inputs WriteInputs(Context& context) {
+  const std::vector<IoVar>& wanted = context.program.inputs;
+  Inputs inputs;
+  inputs.info.reserve(wanted.size());
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    WriteInput(context, wanted[i], context.names.attributes[i], inputs);
+  return inputs;
 }
 
-void WriteOutputs(Context& context) {
-  context.info.outputs.reserve(context.program.outputs.size());
+Outputs WriteOutputs(Context& context) {
+  Outputs outputs;
+  outputs.text = GroupsText(context);
+  outputs.info.reserve(context.program.outputs.size());
   std::uint32_t location = 0;
-  WriteOutputGroups(context);
   for (const IoVar& output : context.program.outputs) {
-    GlslInfo::Variable& info = context.info.outputs.emplace_back();
-    std::string& name = context.var_names[output.var.index];
-    if (output.builtin != Builtin::kNone) name = BuiltinOutput(output.builtin);
-    info.name = name;
+    outputs.info.emplace_back().name = context.NameOf(output.var);
     if (const Need* need = NeedOf(output.builtin)) context.Require(need->feature);
-    if (output.builtin == Builtin::kNone) location = WriteVarying(context, output, info, location);
+    if (output.builtin == Builtin::kNone)
+      location = WriteVarying(context, output, outputs, location);
   }
-  WritePerVertex(context);
-  QualifyBuiltins(context);
+  WritePerVertex(context, outputs);
+  QualifyBuiltins(context, outputs.text);
+  return outputs;
 }
 
 }  // namespace clipc::glsl

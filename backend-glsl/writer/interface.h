@@ -1,13 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include "backend-glsl/writer/context.h"
 
 // Inputs, outputs and built-in variables.
 namespace clipc::glsl {
 
-void WriteInputs(Context& context);
-void WriteOutputs(Context& context);
+struct Inputs {
+  std::string text;                      // the declarations
+  std::vector<GlslInfo::Variable> info;  // beside Program::inputs
+};
+Inputs WriteInputs(Context& context);
+
+struct Outputs {
+  std::string text;                      // the declarations
+  std::vector<GlslInfo::Variable> info;  // beside Program::outputs
+  std::uint32_t clip_distance_mask = 0, cull_distance_mask = 0;
+};
+Outputs WriteOutputs(Context& context);
+
+// The text in place of an input: the attribute of this name, or a built-in variable of GLSL,
+// converted to the input's type.
+std::string InputText(const Context& context, const ir::IoVar& input, const std::string& attribute);
+// The built-in variable of GLSL that an output is.
+std::string_view BuiltinOutput(ir::Builtin builtin);
 
 // Whether GLSL has the output as an int, which is a uint in HLSL.
 bool IsIntOutput(ir::Builtin builtin);

@@ -4,8 +4,10 @@
 #include <map>
 #include <set>
 #include <string_view>
+#include <utility>
 
 #include "backend-glsl/text.h"
+#include "backend-glsl/writer/interface.h"
 #include "backend-glsl/writer/types.h"
 #include "base/spelling.h"
 
@@ -14,18 +16,6 @@ namespace clipc::glsl {
 using namespace ir;
 
 namespace {
-
-void NameGlobal(Context& context, VarId var) {
-  context.var_names[var.index] = context.namer.Global(context[var].name);
-}
-
-void NameInputs(Context& context) {
-  for (const IoVar& input : context.program.inputs) {
-    if (input.builtin != Builtin::kNone) continue;
-    context.var_names[input.var.index] =
-        context.namer.Global(Concat("in_", ToUpper(input.semantic), std::to_string(input.index)));
-  }
-}
 
 // The indices of a part of an output: "[1][2]" of column 2 of element 1.
 std::string ElementOf(const Reader& reader) {
@@ -38,54 +28,6 @@ std::string ElementOf(const Reader& reader) {
   if (reader.columns > 1) lead(reader.columns);
   for (auto i = reader.dimensions.rbegin(); i != reader.dimensions.rend(); ++i) lead(*i);
   return text;
-}
-
-// Gives the blocks and structs of outputs the names that they have in the next stage.
-void NameGroups(Context& context) {
-  for (const OutputGroup& group : context.program.output_groups) {
-    context.namer.Global(group.type);
-    context.group_instances.push_back(
-        group.instance.empty() ? "" : context.namer.Global(group.instance));
-    if (!group.instance.empty()) continue;
-    for (const OutputGroup::Member& member : group.members) context.namer.Global(member.name);
-  }
-}
-
-// The name "v.uv[1]" of an output that is a member of a group.
-std::string MemberName(const Context& context, const Reader& reader) {
-  const std::string& instance = context.group_instances[*reader.group];
-  const OutputGroup& group = context.program.output_groups[*reader.group];
-  return Concat(instance, instance.empty() ? "" : ".", group.members[reader.member].name,
-                ElementOf(reader));
-}
-
-// The name that the style gives an output.
-std::string StyledName(const Context& context, const IoVar& output) {
-  const std::string index = std::to_string(output.index), semantic = ToUpper(output.semantic);
-  const std::string written = output.semantic + (output.has_index || output.index > 0 ? index : "");
-  const std::string_view name = output.name.empty() ? written : output.name;
-  return FillPattern(
-      context.options.names.output,
-      {{"semantic", semantic}, {"index", index}, {"written", written}, {"name", name}});
-}
-
-// Names the outputs that match the next stage, or the others.
-void NameOutputs(Context& context, bool are_matched) {
-  std::map<std::uint32_t, std::string> names;  // by location, for arrays and matrices the first
-  for (const IoVar& output : context.program.outputs) {
-    const auto& reader = output.reader;
-    if (output.builtin != Builtin::kNone || reader.has_value() != are_matched) continue;
-    if (reader && reader->group) {
-      context.var_names[output.var.index] = MemberName(context, *reader);
-      continue;
-    }
-    std::string& name = names[output.location - (reader ? reader->element : 0)];
-    if (name.empty()) {
-      const bool has_name = reader && !reader->name.empty();
-      name = context.namer.Global(has_name ? reader->name : StyledName(context, output));
-    }
-    context.var_names[output.var.index] = reader ? name + ElementOf(*reader) : name;
-  }
 }
 
 // The names of the members of a struct or a block: they need only differ from each other.
@@ -111,101 +53,200 @@ std::vector<std::string> FieldNames(std::vector<std::string_view> wanted) {
   return names;
 }
 
-void NameMembers(Context& context, CbufferId id) {
-  const Cbuffer& cbuffer = context[id];
-  const BlockLayout& layout = context.layouts[id.index];
-  if (layout.fields_as_members) return;
-  std::vector<std::string_view> names;
-  const auto& declared = cbuffer.declared;
-  const bool is_named = declared && !declared->is_loose;
-  for (std::size_t i = 0; is_named && i < declared->members.size(); ++i) {
-    std::string& name = context.var_names[cbuffer.members[i].var.index];
-    name = declared->members[i].name;
-    if (!layout.has_instance) name = context.namer.Global(name);
+// The giver of names, which takes them from the Context's namer.
+class Naming {
+ public:
+  explicit Naming(Context& context) : context_(context), namer_(context.namer) {
+    const Program& program = context.program;
+    names_.vars.resize(program.vars.size());
+    names_.attributes.resize(program.inputs.size());
+    names_.structs.resize(context.types.structs().size());
+    names_.fields.resize(context.types.structs().size());
+    names_.blocks.resize(program.cbuffers.size());
+    names_.rows.resize(program.cbuffers.size());
+    names_.instances.resize(program.cbuffers.size());
   }
-  if (is_named) return;
-  for (const CbufferMember& member : cbuffer.members) {
-    const bool is_declared = layout.form != BlockForm::kUniforms || context.reached.Has(member.var);
-    if (layout.has_instance) {
-      names.push_back(context[member.var].name);
-    } else if (is_declared) {
-      NameGlobal(context, member.var);
+
+  Names Run() {
+    Groups();
+    OutputsOf(true);  // first, since the next stage may know them by name only
+    Inputs();
+    OutputsOf(false);
+    Uniforms();
+    for (const StructId id : context_.types.structs().ids()) OfStruct(id);
+    for (const VarId global : context_.reached.globals) Global(global);
+    return std::move(names_);
+  }
+
+ private:
+  void Global(VarId var) { names_.vars[var.index] = namer_.Global(context_[var].name); }
+
+  void Inputs() {
+    for (std::size_t i = 0; i < context_.program.inputs.size(); ++i) {
+      const IoVar& input = context_.program.inputs[i];
+      if (input.builtin == Builtin::kNone) {
+        names_.attributes[i] =
+            namer_.Global(Concat("in_", ToUpper(input.semantic), std::to_string(input.index)));
+      }
+      names_.vars[input.var.index] = InputText(context_, input, names_.attributes[i]);
     }
   }
-  if (!layout.has_instance) return;
-  std::vector<std::string> fields = FieldNames(std::move(names));
-  for (std::size_t i = 0; i < fields.size(); ++i) {
-    context.var_names[cbuffer.members[i].var.index] = std::move(fields[i]);
-  }
-}
 
-void NameBlock(Context& context, CbufferId id) {
-  const Cbuffer& cbuffer = context[id];
-  const BlockLayout& layout = context.layouts[id.index];
-  const NameStyle& style = context.options.names;
-  std::string& name = context.block_names[id.index];
-  if (cbuffer.declared && !cbuffer.declared->name.empty()) {
-    name = cbuffer.declared->name;
-    context.namer.Global(name);
-    return;
+  // Gives the blocks and structs of outputs the names that they have in the next stage.
+  void Groups() {
+    for (const OutputGroup& group : context_.program.output_groups) {
+      namer_.Global(group.type);
+      names_.groups.push_back(group.instance.empty() ? "" : namer_.Global(group.instance));
+      if (!group.instance.empty()) continue;
+      for (const OutputGroup::Member& member : group.members) namer_.Global(member.name);
+    }
   }
-  if (cbuffer.kind == CbufferKind::kConstantBuffer) {
-    const TypeId type = context.types.Innermost(context[cbuffer.members[0].var].type);
-    name = FillPattern(style.constant_buffer,
-                       {{"name", cbuffer.name}, {"type", context.types.StructOf(type).name}});
-  } else if (cbuffer.kind == CbufferKind::kGlobals) {
-    name = style.globals;
-  } else {
-    name = FillPattern(style.block, {{"name", cbuffer.name}});
-  }
-  name = context.namer.Global(name, "block");
-  if (layout.form == BlockForm::kRows) {
-    const bool is_block = context.Has(Feature::kUniformBlocks);
-    context.rows_names[id.index] = is_block ? context.namer.Global(cbuffer.name + "_rows") : name;
-  }
-}
 
-void NameUniforms(Context& context) {
-  std::vector<CbufferId> blocks;
-  for (const CbufferId id : context.program.cbuffers.ids()) {
-    if (!context.reached.Has(id)) continue;
-    NameMembers(context, id);
-    if (context.layouts[id.index].form != BlockForm::kUniforms) blocks.push_back(id);
+  // The name "v.uv[1]" of an output that is a member of a group.
+  std::string MemberName(const Reader& reader) const {
+    const std::string& instance = names_.groups[*reader.group];
+    const OutputGroup& group = context_.program.output_groups[*reader.group];
+    return Concat(instance, instance.empty() ? "" : ".", group.members[reader.member].name,
+                  ElementOf(reader));
   }
-  for (const CbufferId id : blocks) NameBlock(context, id);
-  for (const Resource& resource : context.program.resources) {
-    if (context.reached.Has(resource.var)) NameGlobal(context, resource.var);
-  }
-  // The host does not see the names of instances. A ConstantBuffer<T> has the name of its variable.
-  for (const CbufferId id : blocks) {
-    const BlockLayout& layout = context.layouts[id.index];
-    if (layout.fields_as_members) NameGlobal(context, context[id].members[0].var);
-    if (!layout.has_instance || layout.fields_as_members) continue;
-    const auto& declared = context[id].declared;
-    context.instance_names[id.index] = context.namer.Global(
-        declared ? declared->instance : InstanceName(LegalName(context[id].name, "block")));
-  }
-}
 
-void NameStruct(Context& context, StructId id) {
-  const Struct& structure = context.types[id];
-  context.struct_names[id.index] = context.namer.Global(structure.name, "Unnamed");
-  std::vector<std::string_view> names;
-  names.reserve(structure.fields.size());
-  for (const Field& field : structure.fields) names.push_back(field.name);
-  context.field_names[id.index] = FieldNames(std::move(names));
-}
+  // The name that the style gives an output.
+  std::string StyledName(const IoVar& output) const {
+    const std::string index = std::to_string(output.index), semantic = ToUpper(output.semantic);
+    const std::string written =
+        output.semantic + (output.has_index || output.index > 0 ? index : "");
+    const std::string_view name = output.name.empty() ? written : output.name;
+    return FillPattern(
+        context_.options.names.output,
+        {{"semantic", semantic}, {"index", index}, {"written", written}, {"name", name}});
+  }
 
-// Names the functions. Overloads share a name as long as GLSL can tell them apart: half and float
-// are the same there.
-void NameFunctions(Context& context) {
+  // Names the outputs that the next stage's shader is known to read, or the others.
+  void OutputsOf(bool are_read) {
+    for (const IoVar& output : context_.program.outputs) {
+      if (output.reader.has_value() != are_read) continue;
+      std::string& name = names_.vars[output.var.index];
+      if (output.builtin != Builtin::kNone)
+        name = BuiltinOutput(output.builtin);
+      else
+        name = are_read ? ReadName(output) : namer_.Global(StyledName(output));
+    }
+  }
+
+  std::string ReadName(const IoVar& output) {
+    const Reader& reader = *output.reader;
+    if (reader.group) return MemberName(reader);
+    std::string& name = read_names_[output.location - reader.element];
+    if (name.empty()) name = namer_.Global(reader.name.empty() ? StyledName(output) : reader.name);
+    return name + ElementOf(reader);
+  }
+
+  void Members(CbufferId id) {
+    const Cbuffer& cbuffer = context_[id];
+    const BlockLayout& layout = context_.layouts[id.index];
+    if (layout.fields_as_members) return;
+    const auto& declared = cbuffer.declared;
+    const bool is_named = declared && !declared->is_loose;
+    for (std::size_t i = 0; is_named && i < declared->members.size(); ++i) {
+      std::string& name = names_.vars[cbuffer.members[i].var.index];
+      name = declared->members[i].name;
+      if (!layout.has_instance) name = namer_.Global(name);
+    }
+    if (is_named) return;
+    if (layout.has_instance) return MembersOfInstance(cbuffer);
+    for (const CbufferMember& member : cbuffer.members) {
+      if (layout.form != BlockForm::kUniforms || context_.reached.Has(member.var))
+        Global(member.var);
+    }
+  }
+
+  void MembersOfInstance(const Cbuffer& cbuffer) {
+    std::vector<std::string_view> wanted;
+    wanted.reserve(cbuffer.members.size());
+    for (const CbufferMember& member : cbuffer.members) wanted.push_back(context_[member.var].name);
+    std::vector<std::string> fields = FieldNames(std::move(wanted));
+    for (std::size_t i = 0; i < fields.size(); ++i)
+      names_.vars[cbuffer.members[i].var.index] = std::move(fields[i]);
+  }
+
+  void Block(CbufferId id) {
+    const Cbuffer& cbuffer = context_[id];
+    const NameStyle& style = context_.options.names;
+    std::string& name = names_.blocks[id.index];
+    if (cbuffer.declared && !cbuffer.declared->name.empty()) {
+      name = cbuffer.declared->name;
+      namer_.Global(name);
+      return;
+    }
+    if (cbuffer.kind == CbufferKind::kConstantBuffer) {
+      const TypeId type = context_.types.Innermost(context_[cbuffer.members[0].var].type);
+      name = FillPattern(style.constant_buffer,
+                         {{"name", cbuffer.name}, {"type", context_.types.StructOf(type).name}});
+    } else if (cbuffer.kind == CbufferKind::kGlobals) {
+      name = style.globals;
+    } else {
+      name = FillPattern(style.block, {{"name", cbuffer.name}});
+    }
+    name = namer_.Global(name, "block");
+    if (context_.layouts[id.index].form == BlockForm::kRows) {
+      const bool is_block = context_.Has(Feature::kUniformBlocks);
+      names_.rows[id.index] = is_block ? namer_.Global(cbuffer.name + "_rows") : name;
+    }
+  }
+
+  void Uniforms() {
+    std::vector<CbufferId> blocks;
+    for (const CbufferId id : context_.program.cbuffers.ids()) {
+      if (!context_.reached.Has(id)) continue;
+      Members(id);
+      if (context_.layouts[id.index].form != BlockForm::kUniforms) blocks.push_back(id);
+    }
+    for (const CbufferId id : blocks) Block(id);
+    for (const Resource& resource : context_.program.resources) {
+      if (context_.reached.Has(resource.var)) Global(resource.var);
+    }
+    // The host does not see the names of instances. A ConstantBuffer<T> has the name of its
+    // variable.
+    for (const CbufferId id : blocks) {
+      const BlockLayout& layout = context_.layouts[id.index];
+      if (layout.fields_as_members) Global(context_[id].members[0].var);
+      if (!layout.has_instance || layout.fields_as_members) continue;
+      const auto& declared = context_[id].declared;
+      names_.instances[id.index] = namer_.Global(
+          declared ? declared->instance : InstanceName(LegalName(context_[id].name, "block")));
+    }
+  }
+
+  void OfStruct(StructId id) {
+    const Struct& structure = context_.types[id];
+    names_.structs[id.index] = namer_.Global(structure.name, "Unnamed");
+    std::vector<std::string_view> wanted;
+    wanted.reserve(structure.fields.size());
+    for (const Field& field : structure.fields) wanted.push_back(field.name);
+    names_.fields[id.index] = FieldNames(std::move(wanted));
+  }
+
+  const Context& context_;
+  Namer& namer_;
+  Names names_;
+  // The names of outputs that the next stage reads by location, for arrays and matrices the first.
+  std::map<std::uint32_t, std::string> read_names_;
+};
+
+}  // namespace
+
+Names NameEverything(Context& context) { return Naming(context).Run(); }
+
+// Overloads share a name as long as GLSL can tell them apart: half and float are the same there.
+std::vector<std::string> NameFunctions(Context& context) {
+  std::vector<std::string> names(context.program.functions.size());
   std::unordered_map<std::string_view, int> counts;
   for (const FunctionId id : context.reached.functions) ++counts[context[id].name];
   std::unordered_map<std::string_view, std::string> shared;
   std::set<std::string> taken;
   for (const FunctionId id : context.reached.functions) {
     const Function& function = context[id];
-    std::string& name = context.function_names[id.index];
+    std::string& name = names[id.index];
     if (id == context.program.main) {
       name = "main";
       continue;
@@ -221,27 +262,7 @@ void NameFunctions(Context& context) {
       shared.try_emplace(function.name, name);
     }
   }
-}
-
-}  // namespace
-
-void NameEverything(Context& context) {
-  const Program& program = context.program;
-  context.var_names.resize(program.vars.size());
-  context.function_names.resize(program.functions.size());
-  context.struct_names.resize(context.types.structs().size());
-  context.field_names.resize(context.types.structs().size());
-  context.block_names.resize(program.cbuffers.size());
-  context.rows_names.resize(program.cbuffers.size());
-  context.instance_names.resize(program.cbuffers.size());
-  NameGroups(context);
-  NameOutputs(context, true);  // first, since the next stage may know them by name only
-  NameInputs(context);
-  NameOutputs(context, false);
-  NameUniforms(context);
-  for (const StructId id : context.types.structs().ids()) NameStruct(context, id);
-  for (const VarId global : context.reached.globals) NameGlobal(context, global);
-  NameFunctions(context);
+  return names;
 }
 
 }  // namespace clipc::glsl

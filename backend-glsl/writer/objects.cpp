@@ -52,9 +52,9 @@ std::span<const TextureUse> UsesOf(const std::vector<TextureUse>& uses, VarId te
 
 class ObjectWriter {
  public:
-  explicit ObjectWriter(Context& context) : context_(context), text_(context.sections.objects) {}
+  explicit ObjectWriter(Context& context) : context_(context) {}
 
-  void Write() {
+  Objects Write() {
     const bool is_vulkan = context_.target.IsVulkan();
     for (const Resource& resource : context_.program.resources) {
       // OpenGL has no samplers of their own.
@@ -74,12 +74,13 @@ class ObjectWriter {
         Separate(resource);
       }
     }
-    if (is_vulkan) return;
+    if (is_vulkan) return std::move(objects_);
     std::unordered_map<std::uint32_t, const Resource*> by_var;
     for (const Resource& resource : context_.program.resources)
       by_var.emplace(resource.var.index, &resource);
     for (const TextureUse& use : context_.texture_uses)
       Combined(use, *by_var.at(use.texture.index));
+    return std::move(objects_);
   }
 
  private:
@@ -102,7 +103,7 @@ class ObjectWriter {
       Append(text_, "  // ", context_[use.texture].name, " with ", context_[use.sampler].name);
     }
     text_ += "\n";
-    context_.info.objects.push_back(std::move(info));
+    objects_.info.push_back(std::move(info));
   }
 
   // Declares a texture or a sampler of Vulkan.
@@ -165,12 +166,13 @@ class ObjectWriter {
     const Type& type = context_.TypeOf(resource.var);
     if (type.kind == TypeKind::kArray && type.count == 0)
       context_.Require("GL_EXT_nonuniform_qualifier");
-    return context_.info.objects.emplace_back(
+    return objects_.info.emplace_back(
         GlslInfo::Object{{}, resource.var, {}, context_.NameOf(resource.var)});
   }
 
   Context& context_;
-  std::string& text_;
+  Objects objects_;
+  std::string& text_ = objects_.text;
   Bindings textures_{.end = context_.target.TextureUnits()}, buffers_, images_;
 };
 
@@ -189,9 +191,9 @@ std::string TextureType(const Context& context, VarId texture, std::string_view 
   return Concat(PrefixOf(context, type), stem, Dimension(type.object));
 }
 
-void FindTextureUses(Context& context) {
-  std::vector<TextureUse>& uses = context.texture_uses;
-  if (context.program.resources.empty() || context.target.IsVulkan()) return;
+std::vector<TextureUse> FindTextureUses(Context& context) {
+  std::vector<TextureUse> uses;
+  if (context.program.resources.empty() || context.target.IsVulkan()) return uses;
   for (const FunctionId function : context.reached.functions) {
     ForEachExpr(context.program, context[function].body, [&](ExprId id) {
       const auto* call = context.As<ObjectCall>(id);
@@ -222,9 +224,10 @@ void FindTextureUses(Context& context) {
                                        : context.namer.Global(Concat(context[use.texture].name, "_",
                                                                      context[use.sampler].name));
   }
+  return uses;
 }
 
-void WriteObjects(Context& context) { ObjectWriter(context).Write(); }
+Objects WriteObjects(Context& context) { return ObjectWriter(context).Write(); }
 
 const std::string& CombinedName(const Context& context, VarId texture, VarId sampler) {
   const TextureUse* found = nullptr;

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "backend-glsl/writer/context.h"
 
@@ -10,9 +11,14 @@
 // sampler: each pair that is used becomes one sampler variable.
 namespace clipc::glsl {
 
-// Finds the textures that are read and the samplers they are read with, and names the pairs.
-void FindTextureUses(Context& context);
-void WriteObjects(Context& context);
+// The textures that are read and the samplers they are read with, with names for the pairs.
+std::vector<TextureUse> FindTextureUses(Context& context);
+
+struct Objects {
+  std::string text;                    // the declarations
+  std::vector<GlslInfo::Object> info;  // in their order
+};
+Objects WriteObjects(Context& context);
 
 // The type of an object, or of the objects in an array.
 const ir::Type& ObjectTypeOf(const Context& context, ir::VarId object);

@@ -63,7 +63,7 @@ std::string StructInterpolation(Context& context, const OutputGroup& group) {
   return InterpolationText(context, whole);
 }
 
-void WriteGroup(Context& context, std::size_t number) {
+void WriteGroup(Context& context, std::size_t number, std::string& text) {
   const OutputGroup& group = context.program.output_groups[number];
   const auto is_placed = [](const OutputGroup::Member& member) {
     return member.location.has_value();
@@ -77,8 +77,7 @@ void WriteGroup(Context& context, std::size_t number) {
   for (std::size_t i = 0; i < group.members.size(); ++i)
     members += MemberText(context, number, i, has_locations);
   const std::string location = has_locations && group.location ? LocationText(*group.location) : "";
-  const std::string& instance = context.group_instances[number];
-  std::string& text = context.sections.outputs;
+  const std::string& instance = context.names.groups[number];
   if (group.is_block) {
     Append(text, location, "out ", group.type, " {\n", members, "}", instance.empty() ? "" : " ",
            instance, ";\n");
@@ -108,8 +107,11 @@ std::string InterpolationText(Context& context, const Interpolated& output) {
                 output.sample ? "sample " : "");
 }
 
-void WriteOutputGroups(Context& context) {
-  for (std::size_t i = 0; i < context.program.output_groups.size(); ++i) WriteGroup(context, i);
+std::string GroupsText(Context& context) {
+  std::string text;
+  for (std::size_t i = 0; i < context.program.output_groups.size(); ++i)
+    WriteGroup(context, i, text);
+  return text;
 }
 
 }  // namespace clipc::glsl

@@ -25,7 +25,7 @@ struct Interpolated {
 // flat.
 std::string InterpolationText(Context& context, const Interpolated& output);
 
-// Declares Program::output_groups.
-void WriteOutputGroups(Context& context);
+// The declarations of Program::output_groups.
+std::string GroupsText(Context& context);
 
 }  // namespace clipc::glsl

@@ -160,7 +160,7 @@ void WriteStmt(Code& code, StmtId id) {
         code.program.stmts[id].node);
 }
 
-std::string Signature(Code& code, FunctionId id) {
+std::string Signature(Code& code, FunctionId id, std::string_view name) {
   const Function& function = code[id];
   const std::string parameters = ListOf(function.parameters, [&](VarId parameter) {
     const Storage storage = code[parameter].storage;
@@ -171,13 +171,12 @@ std::string Signature(Code& code, FunctionId id) {
                                                : "",
                   Declaration(code, code[parameter].type, code.NameOf(parameter)));
   });
-  return Concat(TypeName(code, function.return_type), " ", code.function_names[id.index], "(",
-                parameters, ") {");
+  return Concat(TypeName(code, function.return_type), " ", name, "(", parameters, ") {");
 }
 
-void WriteFunction(Code& code, FunctionId id) {
+void WriteFunction(Code& code, FunctionId id, std::string_view name) {
   code.namer.OpenScope();
-  code.Line(Signature(code, id));
+  code.Line(Signature(code, id, name));
   ++code.indent;
   WriteStmts(code, BodyOf(code.program, id));
   --code.indent;
@@ -185,18 +184,18 @@ void WriteFunction(Code& code, FunctionId id) {
   code.namer.CloseScope();
 }
 
-void WriteMain(Code& code) {
+void WriteMain(Code& code, std::span<const LateGlobal> late) {
   code.namer.OpenScope();
   code.Line("void main() {");
   ++code.indent;
-  for (const auto& [name, value] : code.late_globals) code.Line(name, " = ", value, ";");
+  for (const auto& [name, value] : late) code.Line(name, " = ", value, ";");
   // Outputs that are uint in HLSL and int in GLSL get a variable of their own first, which is
   // converted at the end.
   std::vector<std::pair<std::string, VarId>> conversions;
   for (const IoVar& output : code.program.outputs) {
     if (!IsIntOutput(output.builtin)) continue;
     conversions.emplace_back(code.NameOf(output.var), output.var);
-    code.var_names[output.var.index] = code.namer.Local(code[output.var].name);
+    code.names.vars[output.var.index] = code.namer.Local(code[output.var].name);
     code.Line(Declaration(code, code[output.var].type, code.NameOf(output.var)), ";");
   }
   WriteStmts(code, MainBody(code.program));
@@ -210,28 +209,30 @@ void WriteMain(Code& code) {
 
 }  // namespace
 
-void WriteFunctions(Code& code) {
-  code.out = &code.sections.functions;
+std::string WriteFunctions(Code& code, std::span<const LateGlobal> late) {
+  std::string text;
+  text.reserve(2048);
+  code.out = &text;
   for (const FunctionId id : code.reached.functions) {
     if (id == code.program.main) {
-      WriteMain(code);
+      WriteMain(code, late);
     } else {
-      WriteFunction(code, id);
-      *code.out += '\n';
+      WriteFunction(code, id, code.names.functions[id.index]);
+      text += '\n';
     }
   }
+  return text;
 }
 
 // Functions whose parameter types differ in HLSL only, as half and float do, are one function here:
 // the first of them.
 std::string HelperFunction(Code& code, FunctionId id) {
   return Helper(code, code[id].name, ParameterTypes(code, id), [&](const std::string& name) {
-    code.function_names[id.index] = name;
     std::string text;
     std::string* const out = std::exchange(code.out, &text);
     const std::size_t indent = std::exchange(code.indent, 0);
     code.in_helper = true;
-    WriteFunction(code, id);
+    WriteFunction(code, id, name);
     code.in_helper = false;
     code.indent = indent;
     code.out = out;

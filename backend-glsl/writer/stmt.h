@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "backend-glsl/writer/code.h"
@@ -8,8 +9,12 @@
 // Functions and their statements.
 namespace clipc::glsl {
 
-// Writes all functions that `main` reaches, and `main` last.
-void WriteFunctions(Code& code);
+// A global variable that gets its value in `main`.
+struct LateGlobal {
+  std::string name, value;
+};
+// The text of all functions that `main` reaches, and of `main` last, which begins with `late`.
+std::string WriteFunctions(Code& code, std::span<const LateGlobal> late);
 // The GLSL name of a helper function of the program; writes the function when it is new.
 std::string HelperFunction(Code& code, ir::FunctionId id);
 

@@ -27,8 +27,7 @@ std::string ArrayStruct(Context& context, const std::string& key, std::string_vi
   auto [found, is_new] = context.wrappers.try_emplace(key);
   if (is_new) {
     found->second = context.namer.Global(name);
-    context.sections.structs +=
-        fmt::format("struct {} {{\n    {};\n}};\n\n", found->second, fields);
+    context.structs += fmt::format("struct {} {{\n    {};\n}};\n\n", found->second, fields);
   }
   return found->second;
 }
@@ -67,14 +66,14 @@ std::string WrapperOf(Context& context, TypeId array) {
 void UseStruct(Context& context, StructId id) {
   if (context.used_structs[id.index]) return;
   context.used_structs[id.index] = true;
-  std::string text = Concat("struct ", context.struct_names[id.index], " {\n");
-  const auto* name = context.field_names[id.index].data();
+  std::string text = Concat("struct ", context.names.structs[id.index], " {\n");
+  const auto* name = context.names.fields[id.index].data();
   for (const Field& field : context.types[id].fields) {
     Append(text, "    ", Declaration(context, field.type, *name++), ";\n");
   }
   // GLSL has no struct without fields.
   if (context.types[id].fields.empty()) text += "    float empty;\n";
-  Append(context.sections.structs, text, "};\n\n");
+  Append(context.structs, text, "};\n\n");
 }
 
 TypeParts PartsOf(Context& context, TypeId id) {
@@ -95,7 +94,7 @@ TypeParts PartsOf(Context& context, TypeId id) {
     }
     case TypeKind::kStruct:
       UseStruct(context, type.structure);
-      return {context.struct_names[type.structure.index], ""};
+      return {context.names.structs[type.structure.index], ""};
     case TypeKind::kVoid: return {"void", ""};
     default: break;
   }

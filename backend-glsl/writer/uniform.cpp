@@ -30,7 +30,7 @@ VarId InstanceOf(const Code& code, ExprId expr) {
 // The path of a member: "frame.world", or "world" of a block without an instance name; the accessor
 // of a member in rows.
 std::string PathOf(const Code& code, VarId member) {
-  const std::string& instance = code.instance_names[code[member].cbuffer.index];
+  const std::string& instance = code.names.instances[code[member].cbuffer.index];
   return Concat(instance, instance.empty() ? "" : ".", code.NameOf(member));
 }
 
@@ -74,7 +74,7 @@ Text InstanceValue(Code& code, ExprId expr) {
   const std::string type_name = TypeName(code, type);
   const auto value = [&](const std::string& block) {
     const auto field = [&](const std::string& name) { return Concat(block, ".", name); };
-    return Called(type_name, {ListOf(code.field_names[code[type].structure.index], field)});
+    return Called(type_name, {ListOf(code.names.fields[code[type].structure.index], field)});
   };
   std::vector<ExprId> indices;  // outermost first
   for (ExprId part = expr; const auto* index = code.As<Index>(part); part = index->base) {
