@@ -37,7 +37,7 @@ ROOMS = {
         "base", "ir", "backend-glsl", "compiler", "clip-table", "tools/harness", "tools/draw", VOCABULARY,
     },
     "tools/study": {"base", "clip-table", "compiler", "runtime", "tools/harness", "tools/draw", VOCABULARY},
-    "tools/scenes": {"base", "clip-table", "runtime", "tools/harness", "tools/study", VOCABULARY},
+    "tools/scenes": {"base", "clip-table", "runtime", "tools/harness", VOCABULARY},
     "tools/bench": {"compiler", "runtime", "tools/harness"},
     "tools/fuzz": {"clip-table", "compiler", "runtime"},
     "web/module": {"compiler", "runtime"},

@@ -18,7 +18,8 @@
 #include "tools/harness/drawing.h"
 #include "tools/harness/framebuffer.h"
 #include "tools/harness/offscreen.h"
-#include "tools/study/scene.h"
+#include "tools/harness/random.h"
+#include "tools/harness/scenes.h"
 
 namespace clipc::scenes {
 namespace {
@@ -30,6 +31,7 @@ using harness::MeshBuffers;
 using harness::Picture;
 using harness::Program;
 using harness::Random;
+using harness::Scene;
 using harness::Vector;
 using runtime::BoxPlan;
 using runtime::Float4;
@@ -37,7 +39,6 @@ using runtime::Matrix;
 using runtime::Multiply;
 using runtime::Plane;
 using runtime::ShaderVariant;
-using study::Scene;
 
 const char kFragment[] =
     "#version 130\n"
@@ -50,13 +51,13 @@ constexpr std::uint32_t kShapes = 3, kCube = 2;
 
 // The cut-away scene inside of a box of six planes.
 Scene BoxScene() {
-  Scene scene = study::BuiltInScenes()[2];
+  Scene scene = harness::BuiltInScenes()[2];
   scene.name = "box";
   scene.planes.clear();
   for (const double side : {-1.0, 1.0}) {
-    scene.planes.push_back({"", {side, 0, 0, 2.5}});
-    scene.planes.push_back({"", {0, side, 0, 2.5}});
-    scene.planes.push_back({"", {0, 0, side, 2.5}});
+    scene.planes.push_back({side, 0, 0, 2.5});
+    scene.planes.push_back({0, side, 0, 2.5});
+    scene.planes.push_back({0, 0, side, 2.5});
   }
   return scene;
 }
@@ -86,11 +87,11 @@ Scene RandomScene(Random& random) {
   for (std::uint32_t i = 0; i < planes; ++i) {
     if (random.Below(3) == 0) {
       const std::size_t cube = kCube + kShapes * random.Below(objects / kShapes);
-      scene.planes.push_back({"", FaceOf(random, scene.objects.at(cube).world)});
+      scene.planes.push_back(FaceOf(random, scene.objects.at(cube).world));
     } else {
       const Vector normal = random.Direction();
       // Each plane keeps most of the space, or six would leave nothing.
-      scene.planes.push_back({"", {normal.x, normal.y, normal.z, random.Between(-1, 5)}});
+      scene.planes.push_back({normal.x, normal.y, normal.z, random.Between(-1, 5)});
     }
   }
   Camera camera;
@@ -101,7 +102,7 @@ Scene RandomScene(Random& random) {
   camera.near = random.Magnitude(0.01, 1), camera.far = 100, camera.aspect = 1;
   camera.fov = random.Between(23, 80);
   camera.orthographic = random.Below(4) == 0, camera.half_height = 5;
-  scene.cameras = {{"", camera}};
+  scene.camera = camera;
   return scene;
 }
 
@@ -172,7 +173,7 @@ class Planner : public ::testing::Test {
  private:
   void DrawObject(const Scene& scene, std::size_t index, Plan how,
                   runtime::gl::ClipSwitches& switches, Drawing& drawing) const {
-    const Camera& camera = scene.cameras.front().camera;
+    const Camera& camera = scene.camera;
     const Matrix view = camera.View(), projection = camera.Projection();
     const std::size_t shape = index % kShapes;
     const auto floats = Floats(Multiply(Multiply(scene.objects[index].world, view), projection));
@@ -182,7 +183,7 @@ class Planner : public ::testing::Test {
 
     Float4 planes[6];
     for (std::size_t i = 0; i < scene.planes.size(); ++i) {
-      const auto plane = runtime::ClipPlaneFromWorld(scene.planes[i].plane, view, projection);
+      const auto plane = runtime::ClipPlaneFromWorld(scene.planes[i], view, projection);
       ASSERT_TRUE(plane.ok()) << plane.status.message();
       planes[i] = plane.value.constant;
     }
@@ -218,10 +219,10 @@ class Planner : public ::testing::Test {
   std::vector<std::unique_ptr<Program>> programs_;  // by number of planes
 };
 
-TEST_F(Planner, Water) { ExpectSavings(study::BuiltInScenes()[0], 173); }
-TEST_F(Planner, Portal) { ExpectSavings(study::BuiltInScenes()[1], 54); }
-TEST_F(Planner, CutAway) { ExpectSavings(study::BuiltInScenes()[2], 78); }
-TEST_F(Planner, Cascade) { ExpectSavings(study::BuiltInScenes()[3], 11); }
+TEST_F(Planner, Water) { ExpectSavings(harness::BuiltInScenes()[0], 173); }
+TEST_F(Planner, Portal) { ExpectSavings(harness::BuiltInScenes()[1], 54); }
+TEST_F(Planner, CutAway) { ExpectSavings(harness::BuiltInScenes()[2], 78); }
+TEST_F(Planner, Cascade) { ExpectSavings(harness::BuiltInScenes()[3], 11); }
 TEST_F(Planner, Box) { ExpectSavings(BoxScene(), 104); }
 
 TEST_F(Planner, AThousandRandomScenes) {

@@ -5,10 +5,10 @@
 #include <bit>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <optional>
 
 #include "runtime/clip_plane.h"
+#include "tools/harness/scenes.h"
 #include "tools/study/numbers.h"
 #include "tools/study/scene_measure.h"
 #include "tools/study/setup.h"
@@ -18,92 +18,9 @@
 namespace clipc::study {
 namespace {
 
-constexpr int kObjects = 1000;
 // The numbers of edges to measure: kFewEdges where their error is far from the tolerance, and
 // kEdges where it is not.
 constexpr long kFewEdges = 400, kEdges = 2000;
-
-// The place and the size of an object.
-struct Spot {
-  double x, y, z, size;
-};
-
-// A scene of one camera and kObjects objects, each turned at random. `choose` draws the spots: in
-// statements of its own, since the arguments of a call may be evaluated in any order.
-template <typename Choose>
-Scene Filled(const char* name, std::uint64_t seed, const Camera& camera,
-             const std::vector<Plane>& planes, Choose choose) {
-  Random random(seed);
-  Scene scene;
-  scene.name = name;
-  scene.cameras = {{"main", camera}};
-  for (const Plane& plane : planes) scene.planes.push_back({"", plane});
-  for (int i = 0; i < kObjects; ++i) {
-    const Spot spot = choose(random);
-    const double roll = random.Between(0, 6), pitch = random.Between(0, 6),
-                 yaw = random.Between(0, 6);
-    SceneObject& object = scene.objects.emplace_back();
-    object.box = {{-1.7f, -1.7f, -0.7f}, {1.7f, 1.7f, 0.7f}};
-    object.world = Multiply(harness::Scaling(spot.size), harness::Rotation(yaw, pitch, roll));
-    const double place[3] = {spot.x, spot.y, spot.z};
-    std::copy(place, place + 3, object.world.m[3]);
-  }
-  return scene;
-}
-
-// Objects on hilly ground, seen in the mirror of a lake: the mirror's eye is below the water.
-Scene Water() {
-  Camera camera;
-  camera.far = 500, camera.eye[1] = -4, camera.pitch = -0.15;
-  return Filled("water", 3, camera, {{0, 1, 0, 0}}, [](Random& random) -> Spot {
-    const double x = random.Between(-200, 200), z = random.Between(0, 400),
-                 size = random.Magnitude(0.3, 4);
-    return {x, 6 * std::sin(0.03 * x) + 6 * std::cos(0.04 * z) + 3 + 0.8 * size, z, size};
-  });
-}
-
-// A room behind a door: four planes through the eye and the door's edges, and the door itself.
-Scene Portal() {
-  Camera camera;
-  camera.far = 200;
-  const std::vector<Plane> planes = {
-      {8, 0, 1.5, 0}, {-8, 0, 1.5, 0}, {0, 8, 2.2, 0}, {0, -8, 2.2, 0}, {0, 0, 1, -8}};
-  return Filled("portal", 4, camera, planes, [](Random& random) -> Spot {
-    const double size = random.Between(0.2, 1), z = random.Between(8, 88),
-                 y = random.Between(-10, 10), x = random.Between(-30, 30);
-    return {x, y, z, size};
-  });
-}
-
-// An engine with a corner of it cut away by three planes.
-Scene CutAway() {
-  Camera camera;
-  camera.far = 60, camera.eye[1] = 3, camera.eye[2] = -14, camera.pitch = 0.2;
-  const std::vector<Plane> planes = {{1, 0, 0, 0.2}, {0, 0, 1, 1}, {0, -1, 0, 3}};
-  return Filled("cut-away", 5, camera, planes, [](Random& random) -> Spot {
-    const double r = 5 * std::sqrt(random.Unit()), a = random.Between(0, 2 * std::numbers::pi);
-    const double size = random.Magnitude(0.04, 0.3), y = random.Between(-5, 5);
-    return {r * std::cos(a), y, r * std::sin(a), size};
-  });
-}
-
-// One slice of a cascade of shadow maps, seen from the sun: an orthographic picture with six
-// planes.
-Scene Cascade() {
-  Camera camera;
-  camera.orthographic = true, camera.half_height = 60, camera.aspect = 1;
-  camera.near = 0.5, camera.far = 400;
-  camera.pitch = 1.1, camera.eye[1] = 150, camera.eye[2] = -20;
-  const std::vector<Plane> planes = {{1, 0, 0.4, 0},   {-1, 0, 0.4, 0}, {0, 1, 0.3, 0},
-                                     {0, -1, 0.3, 10}, {0, 0, 1, -20},  {0, 0, -1, 60}};
-  Scene scene = Filled("cascade", 6, camera, planes, [](Random& random) -> Spot {
-    const double size = random.Magnitude(0.3, 3), z = random.Between(0, 300),
-                 y = random.Between(-2, 12), x = random.Between(-150, 150);
-    return {x, y, z, size};
-  });
-  scene.picture_height = 2048;
-  return scene;
-}
 
 // A plane of clip space lies in the object's own space at the whole matrix times the plane. It is
 // rounded to float and pushed outwards by as much as the rounding may have moved it.
@@ -152,7 +69,19 @@ double Middle(const runtime::Box& box, int axis) {
 
 }  // namespace
 
-std::vector<Scene> BuiltInScenes() { return {Water(), Portal(), CutAway(), Cascade()}; }
+std::vector<Scene> BuiltInScenes() {
+  std::vector<Scene> scenes;
+  for (const harness::Scene& built_in : harness::BuiltInScenes()) {
+    Scene& scene = scenes.emplace_back();
+    scene.name = built_in.name;
+    scene.cameras = {{"main", built_in.camera}};
+    for (const Plane& plane : built_in.planes) scene.planes.push_back({"", plane});
+    for (const harness::SceneObject& object : built_in.objects)
+      scene.objects.push_back({"", object.box, object.world});
+    if (scene.name == "cascade") scene.picture_height = 2048;  // of a shadow map
+  }
+  return scenes;
+}
 
 ObjectPlan PlanObject(const SceneObject& object, const Camera& camera,
                       const std::vector<NamedPlane>& planes) {

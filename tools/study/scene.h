@@ -39,8 +39,7 @@ struct Scene {
   std::vector<SceneObject> objects;
 };
 
-// The scenes water, portal, cut-away and shadow cascade, in this order, with 1000 objects each; the
-// same in every run.
+// The scenes of tools/harness/scenes.h.
 std::vector<Scene> BuiltInScenes();
 
 struct ObjectPlan {

@@ -140,7 +140,7 @@ def advice():
 def planned():
     """The numbers that tools/scenes/planner_test.cpp expects of the built-in scenes and its box, of 1000 objects each."""
     text = (ROOT / "tools/scenes/planner_test.cpp").read_text()
-    counts = [int(n) for n in re.findall(r"ExpectSavings\((?:study|Box)[^;]*?, (\d+)\);", text)]
+    counts = [int(n) for n in re.findall(r"ExpectSavings\((?:harness|Box)[^;]*?, (\d+)\);", text)]
     names = [("reflection in water", 1), ("portal", 5), ("cut-away", 3), ("slice of a shadow cascade", 6), ("section by a box", 6)]
     return table(["scene", "all planes for all objects", "planned", "times fewer"],
                  [[f"{name}, {planes} plane{'s' * (planes > 1)}", 1000 * planes, count, short(1000 * planes / count)]
@@ -217,7 +217,7 @@ INLINE = [
     ("docs/study.md", r"advice on (\d+) random scenes", lambda: float(read("advice-scenes")[0]["scenes"])),
     ("docs/study.md", r"takes (\d+) others, which", lambda: constant("tools/study/scenes/check_advice.py", r"arguments else (\d+)")),
     ("docs/study.md", r"method on (\d+) random draws", lambda: constant("tools/study/program/command_study.cpp", r"RandomDraws\((\d+),")),
-    ("docs/study.md", r"four scenes of (\d+) objects", lambda: constant("tools/study/scene.cpp", r"kObjects = (\d+);")),
+    ("docs/study.md", r"four scenes of (\d+) objects", lambda: constant("tools/harness/scenes.cpp", r"kObjects = (\d+);")),
     ("docs/study.md", r"pixels of 1920x(\d+)", lambda: constant("tools/study/setup.h", r"kPictureHeight = (\d+);")),
     ("docs/study.md", r"1/256 of a pixel, ([\d.]+)", lambda: 1 / constant("tools/study/advice.h", r"kInvisible = 1.0 / (\d+);")),
     ("docs/study.md", r"of one plane each, ([\d.]+) times", lambda: 0.77 / math.hypot(0.4, 0.5, 0.77)),
