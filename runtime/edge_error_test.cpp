@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Single roundings of a shader whose numbers show which one it is; tools/study/regimes_test.cpp
+// Single roundings of a shader whose numbers show which one it is; study/regimes_test.cpp
 // holds all of them together against what is measured.
 #include "runtime/edge_error.h"
 
@@ -118,7 +118,7 @@ TEST(EdgeError, PlacesAreSpreadOverTheCut) {
 
 // An edge along the line of sight is seen as one place, wherever on it the plane cuts: what moves a
 // cut in depth moves it in the picture too. Without that the prediction for single draws of
-// tools/study/regimes.h would be a quarter of what it is.
+// study/regimes.h would be a quarter of what it is.
 TEST(EdgeError, CountsWhatIsSeenOfAMoveInDepth) {
   for (const double off : {0.0, 2.0}) {
     DrawMatrices draw = {{}, {}, PerspectiveCamera(0.1, 1000, {}, 1, off, 0, 100).projection};

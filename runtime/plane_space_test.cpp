@@ -342,7 +342,7 @@ TEST(PlaneConstantFor, WarnsOfAFloatProductUnderAnOrthographicProjection) {
   }
 }
 
-// The prediction for a draw whose cut is known; tools/study/regimes_test.cpp measures it.
+// The prediction for a draw whose cut is known; study/regimes_test.cpp measures it.
 TEST(PredictEdgeError, FollowsTheRoundingsOfADraw) {
   DrawMatrices draw = {{}, {}, PerspectiveCamera(0.1, 1000).projection};
   draw.world.m[3][2] = 10;

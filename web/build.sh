@@ -30,7 +30,7 @@ cp web/page/* web/page/.npmrc build/web/page
 mkdir -p build/page
 cp web/page/{index.html,style.css} build/page
 cp examples/gallery/*.{hlsl,fx} build/web/page/gallery
-cp tools/study/tables/speed.csv build/web/page/tables
+cp study/tables/speed.csv build/web/page/tables
 
 # The examples, installed as a reader does it, and with this package. Their paths are for folders as deep as theirs.
 for example in vite webpack; do

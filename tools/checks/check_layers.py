@@ -36,7 +36,7 @@ ROOMS = {
     "tools/random": {
         "base", "ir", "backend-glsl", "compiler", "clip-table", "tools/harness", "tools/draw", VOCABULARY,
     },
-    "tools/study": {"base", "clip-table", "compiler", "runtime", "tools/harness", "tools/draw", VOCABULARY},
+    "study": {"base", "clip-table", "compiler", "runtime", "tools/harness", "tools/draw", VOCABULARY},
     "tools/scenes": {"base", "clip-table", "runtime", "tools/harness", VOCABULARY},
     "tools/bench": {"compiler", "runtime", "tools/harness"},
     "tools/fuzz": {"clip-table", "compiler", "runtime"},
@@ -54,7 +54,7 @@ LIBRARIES = {
     r"spirv_cross/": r"tools/draw/(vulkan|peer)/.*|tools/bench/peers\.cpp",
     r"vulkan/": r"tools/draw/vulkan/device\.h",
     r"fmt/": r"(base|ir|frontend|passes|link|backend-glsl|compiler|tools/bench)/.*",
-    r"nlohmann/": r"(base|clip-table|compiler|tools/draw|tools/study)/.*\.cpp",
+    r"nlohmann/": r"(base|clip-table|compiler|tools/draw|study)/.*\.cpp",
 }
 
 # The files that clipc_add_shader() writes into a build folder.

@@ -4,7 +4,7 @@
 
     check_pages.py
 
-Pages: every .md file at the top and below docs/. A page names a path in backticks or as the target of a link. Text in
+Pages: every .md file at the top, below docs/ and in study/. A page names a path in backticks or as the target of a link. Text in
 backticks is taken for a path where it begins with one of the repository's top-level folders and a slash, or is a file
 at the top; `*` stands for any name, a word in capitals (PASS) for any text, and `:12` may follow. What a build writes,
 below build/, is left out.
@@ -42,7 +42,7 @@ def paths_in(text, folders):
 
 def problems():
     folders = {entry.name for entry in ROOT.iterdir() if entry.is_dir() and entry.name != "build"}
-    pages = sorted(ROOT.glob("*.md")) + sorted((ROOT / "docs").rglob("*.md"))
+    pages = sorted(ROOT.glob("*.md")) + sorted((ROOT / "docs").rglob("*.md")) + sorted((ROOT / "study").glob("*.md"))
     for page in pages:
         text = page.read_text()
         name = page.relative_to(ROOT)

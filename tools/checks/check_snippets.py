@@ -4,7 +4,7 @@
 
 usage: check_snippets.py BUILD_FOLDER SCRATCH_FOLDER C_COMPILER CXX_COMPILER
 
-A page is README.md, CONTRIBUTING.md or below docs/. On each,
+A page is README.md, CONTRIBUTING.md, in docs/ or in study/. On each,
 
 - a block of `hlsl` is compiled, or after "where `NAME` is" it is the file of that name, and a block of `glsl` is what the `hlsl` before it becomes, to the letter;
 - a block of `c`, `cpp` or `cmake`, the N-th block of the page, is put into tools/checks/snippets/PAGE.N.LANGUAGE.in and compiled, or
@@ -31,7 +31,7 @@ SNIPPETS = ROOT / "tools/checks/snippets"
 NAMED = re.compile(r"where `(\S+)` is\n\n```hlsl\n(.*?)^```$", re.M | re.S)
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.M | re.S)
 INDENTED = re.compile(r"^    (\S.*)$", re.M)
-INLINE = re.compile(r"`((?:clipc|clipc-draw|glslangValidator|cmake|ctest|cpack|\./\w+|(?:tools|examples|packaging)/[^\s`]+) [^`\n]+)`")
+INLINE = re.compile(r"`((?:clipc|clipc-draw|glslangValidator|cmake|ctest|cpack|\./\w+|(?:tools|study|examples|packaging)/[^\s`]+) [^`\n]+)`")
 # Placeholders stand for something else: FILE, [options], and the arguments of functions.
 PLACEHOLDER = re.compile(r"\b[A-Z][A-Z.]{2,}\b|\[|\.\.\.|`|=$|=\?")
 # A command that can be run names a file or standard input, or is only a question.
@@ -123,9 +123,9 @@ def check_elsewhere(run, page, words):
                 run.problems.append(f"{page.name}: there is no preset {word}")
         return
     if program in ("clipc-study", "clipc-bench", "clipc-runtime-bench", "clipc-draw"):
-        sources = {"clipc-study": "tools/study", "clipc-draw": "tools/draw"}.get(program, "tools/bench")
+        sources = {"clipc-study": "study", "clipc-draw": "tools/draw"}.get(program, "tools/bench")
     elif program == "./run" and words[1:2] == ["study"]:
-        sources = "tools/study"
+        sources = "study"
     elif (ROOT / program).exists():
         sources = program
     else:
@@ -201,7 +201,8 @@ def main():
     build, scratch = (pathlib.Path(word).resolve() for word in sys.argv[1:3])
     scratch.mkdir(parents=True, exist_ok=True)
     run = Run(build, scratch / "work", {"c": sys.argv[3], "cpp": sys.argv[4]})
-    for page in [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]:
+    for page in [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md")),
+                 *sorted((ROOT / "study").glob("*.md"))]:
         check_page(run, page)
     print("\n".join(run.problems) or f"{run.count} commands and pieces of code are as the pages say")
     return bool(run.problems)

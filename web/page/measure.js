@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // The displacement of a cut in pixels, and how it flickers: distances that the GPU computed against the reference in double. The
-// definitions are those of the study, tools/study/edges.h and flicker.h.
+// definitions are those of the study, study/edges.h and flicker.h.
 import { Reference } from './reference.js';
 
 export const FRAMES = 8;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // What the page shows of a cut: its displacement, measured and predicted, against the study's tables; flicker; planes, matrix
 // chains, meshes and the chart.
-//   node cut_test.mjs FOLDER CHROMIUM TABLES       TABLES: tools/study/tables
+//   node cut_test.mjs FOLDER CHROMIUM TABLES       TABLES: study/tables
 import assert from 'node:assert/strict';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';

@@ -10,7 +10,7 @@ if [ ! -f "$made" ]; then
   exit 77
 fi
 newer=$(find base ir frontend passes backend-glsl clip-table pixel compiler runtime cmake/cross \
-  web/build.sh web/module web/wasm web/npm web/page web/examples examples/gallery tools/study/tables/speed.csv \
+  web/build.sh web/module web/wasm web/npm web/page web/examples examples/gallery study/tables/speed.csv \
   -newer "$made" -type f -regex '.*\.\(cpp\|h\|def\|js\|ts\|css\|html\|json\|cmake\|sh\|csv\|hlsl\|fx\)' -not -name '*_test.cpp' -print -quit)
 if [ -n "$newer" ]; then
   echo "$newer is newer than what is built for the web; \`./test --web\` builds it"

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "study/method.h"
+#include "study/setup.h"
+
+namespace clipc::study {
+
+// The displacement by float32 arithmetic of the places where a plane cuts triangles' edges, in
+// pixels of 1920x1080.
+struct EdgeErrors {
+  std::string method;
+  bool applies = false;  // the method can be used here
+  long edges = 0;
+  double median = 0, p99 = 0, largest = 0;  // pixels
+  double over_half = 0;  // the share of edges that are more than half a pixel off
+  long not_finite = 0;   // edges with a distance that is NaN or infinite; over_half counts them too
+};
+
+// Cuts `count` random edges that cross the plane inside the picture. The true sign and place follow
+// in Wide from the float vertices, the double matrices and the double world-space plane. The
+// displacement of a method that keeps or drops a whole edge is the distance from the cut to the end
+// that it chose. Vertices are rounded to float in object space first, so that no method pays for
+// that. Equal arguments give equal results.
+std::vector<EdgeErrors> MeasureEdges(const Config& config, const std::vector<Method>& methods,
+                                     long count, std::uint64_t seed);
+std::vector<EdgeErrors> MeasureEdges(const Setup& setup, const std::vector<Method>& methods,
+                                     long count, std::uint64_t seed);
+
+// Measures `count` edges of each of `planes` planes, cameras and offsets that differ by a hundredth
+// at most: each rounds in a way of its own, luckily or not, and together they show the error of
+// such a draw.
+EdgeErrors MeasureOverPlanes(const Config& config, const Method& method, int planes, long count,
+                             std::uint64_t seed);
+// The displacements that MeasureOverPlanes summarises, in pixels; none where the method does not
+// apply.
+std::vector<double> DisplacementsOverPlanes(const Config& config, const Method& method, int planes,
+                                            long count, std::uint64_t seed);
+
+// Measures over planes of random directions, `ratio` near distances from the eye, each with a
+// camera and an object of its own; standard depth, 60 degrees.
+EdgeErrors MeasureDirections(double ratio, const Method& method, int planes, long count,
+                             std::uint64_t seed);
+
+}  // namespace clipc::study

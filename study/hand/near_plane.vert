@@ -1,0 +1,19 @@
+#version 450
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// Written by hand, to mean what this compiles to:
+// clipc: study/program/method.hlsl -DPLANES=1 --lower=near-plane --plane-space=object
+layout(std140, binding = 0, row_major) uniform Draw {
+    mat4 world_view_projection;
+    mat4 world;
+    vec4 planes[6];
+};
+layout(location = 0) in vec4 vertex;
+layout(location = 1) in vec3 normal;
+layout(location = 0) out vec3 out_normal;
+
+void main() {
+    vec4 position = world_view_projection * vertex;
+    position.z = dot(vertex, planes[0]);
+    gl_Position = position;
+    out_normal = mat3(world) * normal;
+}

@@ -1,0 +1,24 @@
+#version 450
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// Written by hand, to mean what this compiles to:
+// clipc: study/program/method.hlsl -DPLANES=3 --plane-space=xyw1
+layout(std140, binding = 0, row_major) uniform Draw {
+    mat4 world_view_projection;
+    mat4 world;
+    vec4 planes[6];
+};
+layout(location = 0) in vec4 vertex;
+layout(location = 1) in vec3 normal;
+layout(location = 0) out vec3 out_normal;
+out float gl_ClipDistance[3];
+
+void main() {
+    vec4 position = world_view_projection * vertex;
+    gl_Position = position;
+    out_normal = mat3(world) * normal;
+    vec4 flat_position = position.xyww;
+    flat_position.w = 1.0;
+    gl_ClipDistance[0] = dot(flat_position, planes[0]);
+    gl_ClipDistance[1] = dot(flat_position, planes[1]);
+    gl_ClipDistance[2] = dot(flat_position, planes[2]);
+}

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <algorithm>
+#include <bit>
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "study/depth.h"
+#include "study/edges.h"
+#include "study/flicker.h"
+#include "study/program/commands.h"
+#include "study/program/csv.h"
+#include "study/program/pixels.h"
+#include "study/program/scene_cost.h"
+#include "study/program/special.h"
+#include "study/program/speed.h"
+#include "study/random_draws.h"
+#include "study/random_scenes.h"
+#include "study/regimes.h"
+#include "study/roundings.h"
+#include "study/scene.h"
+#include "study/sweeps.h"
+#include "tools/harness/offscreen.h"
+#include "tools/harness/options.h"
+
+namespace clipc::study {
+namespace {
+
+using namespace harness::options;
+
+struct StudyOptions {
+  bool quick = false;
+  std::string out = "study-report";
+};
+
+class Study {
+ public:
+  explicit Study(StudyOptions options) : options_(std::move(options)) {
+    std::filesystem::create_directories(options_.out);
+  }
+
+  void Run() {
+    Edges();
+    Directions();
+    Laws();
+    Flickers();
+    Roundings();
+    Depth();
+    Pixels();
+    Special();
+    rule_costs_ = Speed("speed.csv", "cost");
+    Scenes();
+    SceneCosts();
+    RandomAdvice();
+    AdviceOnScenes();
+  }
+
+ private:
+  int KnotDetail() const { return options_.quick ? 12 : 24; }
+  std::string Path(const std::string& name) const { return options_.out + "/" + name; }
+
+  void Edges() {
+    Csv csv(Path("edges.csv"), {"sweep", "parameter", "method", "applies", "edges", "median_px",
+                                "p99_px", "largest_px", "over_half", "not_finite"});
+    Progress progress("displaced edges");
+    const std::vector<SweepPoint> points = AllSweeps(options_.quick);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      for (const EdgeErrors& errors :
+           MeasureEdges(points[i].config, AllMethods(), options_.quick ? 1000 : 6000, 12345)) {
+        csv.Row(points[i].sweep, points[i].parameter, errors.method, errors.applies, errors.edges,
+                errors.median, errors.p99, errors.largest, errors.over_half, errors.not_finite);
+      }
+      progress(static_cast<double>(i + 1) / static_cast<double>(points.size()));
+    }
+  }
+
+  // Writes each way's error over plane directions that nobody chose, at some distances from the
+  // eye.
+  void Directions() {
+    Csv csv(Path("directions.csv"),
+            {"eye_to_plane", "method", "planes", "median_px", "p99_px", "largest_px"});
+    const int planes = options_.quick ? 8 : 60;
+    for (const double ratio : {10.0, 400.0, 10000.0}) {
+      for (const Method& method : AllMethods()) {
+        const EdgeErrors errors = MeasureDirections(ratio, method, planes, 400, 12);
+        if (errors.applies)
+          csv.Row(ratio, method.name, planes, errors.median, errors.p99, errors.largest);
+      }
+    }
+  }
+
+  // Writes the agreement of PredictEdgeError's laws with the regimes that users are in.
+  void Laws() {
+    Csv csv(Path("laws.csv"),
+            {"regime", "draws", "low", "high", "least", "median", "most", "pooled_p99"});
+    for (const RegimeHeld& held : HoldLaw(options_.quick ? 1100 : 10000, 40, 424242, LawOf)) {
+      csv.Row(NameOf(held.regime), held.draws, held.low, held.high, held.least, held.median,
+              held.most, held.pooled);
+    }
+  }
+
+  // Writes the flicker of a camera that pans by a sixth of a degree a frame.
+  void Flickers() {
+    Csv csv(Path("flicker.csv"), {"eye_to_plane", "method", "median_px", "p99_px", "largest_px"});
+    for (const double ratio : {10.0, 30.0, 100.0, 400.0, 1000.0, 3000.0}) {
+      const Config config = ObliqueAt(0.1 * ratio / 0.77, 0.1, 1e6);
+      for (const Flicker& flicker :
+           MeasureFlicker(config, AllMethods(), options_.quick ? 6 : 20, 0.003, 500, 5)) {
+        if (flicker.applies)
+          csv.Row(ratio, flicker.method, flicker.median, flicker.p99, flicker.largest);
+      }
+    }
+  }
+
+  // Holds the advice on scenes that nobody chose against measured edges.
+  void AdviceOnScenes() {
+    Csv csv(Path("advice-scenes.csv"),
+            {"scenes", "advised", "meets", "misses", "overlooked", "dearer"});
+    const int scenes = options_.quick ? 40 : 500;
+    const ScenesHeld held = HoldScenes(RandomScenes(scenes, 2026), 600);
+    csv.Row(scenes, held.advised, held.meets, held.misses, held.overlooked, held.dearer);
+  }
+
+  void Roundings() {
+    Csv csv(Path("roundings.csv"), {"fov", "rounding", "draws", "mean_px", "worst_px", "over"});
+    for (const double fov : {1.0, 5.0, 10.0, 20.0, 60.0, 120.0}) {
+      for (const RoundingCost& cost :
+           MeasureRoundings(fov, options_.quick ? 40 : 200, options_.quick ? 300 : 1000, 77)) {
+        csv.Row(fov, cost.rounding, cost.draws, cost.mean, cost.worst, cost.over);
+      }
+    }
+  }
+
+  void Depth() {
+    Csv csv(Path("depth.csv"),
+            {"eye", "method", "refused", "effective_near", "ordered", "tied", "inverted", "lost"});
+    for (const double eye : {-100.0, -10.0, -1.0, -0.1, -0.01, -0.001, 0.0, 0.01, 1.0, 10.0}) {
+      const Plane plane = {0, 1, 0, eye};
+      for (const DepthLeft& left :
+           MeasureDepth(Camera{}, plane, options_.quick ? 4000 : 40000, 5)) {
+        csv.Row(eye, left.method, left.refused, left.effective_near, left.ordered, left.tied,
+                left.inverted, left.lost);
+      }
+    }
+  }
+
+  void Pixels() {
+    Csv csv(Path("pixels.csv"),
+            {"sweep", "parameter", "way", "applies", "reference", "extra", "lost", "wrong"});
+    Progress progress("wrong pixels");
+    PixelMeter meter(options_.quick ? 960 : 1920, options_.quick ? 540 : 1080, KnotDetail());
+    const std::vector<SweepPoint> points = AllSweeps(options_.quick);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      // The knot does not have such an angle or such triangles, and is at its own origin and on the
+      // view's axis. It is drawn with depth from 0 to 1.
+      const Config& config = points[i].config;
+      if (config.surface_angle < 0 && config.edge_length == Config{}.edge_length &&
+          config.mesh_offset == 0 && !config.camera.negative_one_to_one &&
+          !points[i].sweep.starts_with("tile")) {
+        for (const PixelErrors& errors : meter.Measure(config)) {
+          csv.Row(points[i].sweep, points[i].parameter, errors.way, errors.applies,
+                  errors.reference, errors.extra, errors.lost, errors.extra + errors.lost);
+        }
+      }
+      progress(static_cast<double>(i + 1) / static_cast<double>(points.size()));
+    }
+    Pictures();
+  }
+
+  // Writes a picture of each way at a cut so far away that the default is visibly wrong.
+  void Pictures() {
+    const Config far = ObliqueAt(3e4, 0.1, 1e6);
+    for (const Way& way : kWays) {
+      if (const auto picture = DrawOnce(far, way.kind, KnotDetail(), 480, 270))
+        harness::WritePng(Path("picture-" + std::string(way.name) + ".png"), *picture);
+    }
+  }
+
+  void Special() {
+    Csv csv(Path("special.csv"), {"sweep", "what", "way", "got", "right"});
+    for (const SpecialResult& result : MeasureSpecial()) {
+      csv.Row(result.sweep, result.what, result.way, result.got, result.right);
+    }
+  }
+
+  // Measures the costs and writes them. Returns those of the setting "picture".
+  CostTable Speed(const std::string& name, const char* what) {
+    Csv csv(Path(name), {"setting", "way", "planes", "median_ms", "least_ms", "ratio",
+                         "paired_ratio", "paired_low", "paired_high"});
+    Progress progress(what);
+    const std::vector<Cost> costs =
+        MeasureSpeed(options_.quick ? 3 : 25, options_.quick ? 40 : 100, std::ref(progress));
+    for (const Cost& cost : costs) {
+      csv.Row(cost.setting, cost.way, cost.planes, cost.median_ms, cost.least_ms, cost.ratio,
+              cost.paired_ratio, cost.paired_low, cost.paired_high);
+    }
+    return TableOf(costs);
+  }
+
+  void Scenes() {
+    Csv csv(Path("scenes.csv"),
+            {"scene", "planes", "objects", "outside", "culled", "need0", "need1", "need2", "need3",
+             "way", "predicted_px", "bound_px", "cost", "share"});
+    for (const Scene& scene : BuiltInScenes()) {
+      int outside = 0, culled = 0, need[4] = {};
+      std::map<std::string, int> chosen;
+      std::map<std::string, Advice> worst;
+      for (const ObjectAdvice& object :
+           AdviseScene(scene, scene.cameras.front().camera, rule_costs_)) {
+        const ObjectPlan& plan = object.plan;
+        outside += plan.outside_frustum, culled += !plan.outside_frustum && plan.culled;
+        if (!plan.drawn()) continue;
+        ++need[std::min(std::popcount(plan.needed), 3)];
+        if (!object.best) continue;
+        const Advice& best = *object.best;
+        ++chosen[best.way];
+        if (best.bound > worst[best.way].bound) worst[best.way] = best;
+      }
+      const auto most = std::ranges::max_element(
+          chosen, [](const auto& a, const auto& b) { return a.second < b.second; });
+      const Advice& advice = worst[most->first];
+      csv.Row(scene.name, scene.planes.size(), scene.objects.size(), outside, culled, need[0],
+              need[1], need[2], need[3], advice.way, advice.predicted, advice.bound, advice.cost,
+              static_cast<double>(most->second) / (need[1] + need[2] + need[3]));
+    }
+  }
+
+  // Measures frames of the scenes with no planes, all planes, and the planes that are needed.
+  void SceneCosts() {
+    Csv csv(Path("scene-costs.csv"),
+            {"scene", "planes", "draws", "planes_drawn", "least_ms", "same_picture"});
+    SceneDrawer drawer(1280, 720);
+    for (const Scene& scene : BuiltInScenes()) {
+      const std::vector<std::uint8_t> all = drawer.Draw(scene, Planes::kAll).rgba;
+      for (const auto& [planes, name] :
+           {std::pair{Planes::kNone, "none"}, std::pair{Planes::kAll, "all"},
+            std::pair{Planes::kNeeded, "needed"}}) {
+        SceneDrawer::Drawn drawn = drawer.Draw(scene, planes);
+        for (int round = 0; round < (options_.quick ? 1 : 6); ++round) {
+          drawn.cpu_ms = std::min(drawn.cpu_ms, drawer.Draw(scene, planes).cpu_ms);
+        }
+        csv.Row(scene.name, name, drawn.draws, drawn.planes, drawn.cpu_ms, (drawn.rgba == all));
+      }
+    }
+  }
+
+  // Holds the advice on draws that nobody chose against measurements: whether the error is under
+  // its bound, and whether the cost, measured a second time, is near the best.
+  void RandomAdvice() {
+    const CostTable second = Speed("speed-again.csv", "cost, again");
+    Csv csv(Path("advice.csv"),
+            {"draw", "orthographic", "reversed", "rigid", "clip_distances", "user_planes", "way",
+             "predicted_px", "bound_px", "measured_px", "cost", "best_cost", "best_way"});
+    Progress progress("advice on random draws");
+    const std::vector<RandomDraw> draws = RandomDraws(100, 424242);
+    for (std::size_t i = 0; i < draws.size(); ++i) {
+      const DrawFacts& facts = draws[i].facts;
+      const std::vector<Advice> all = Advise(facts, rule_costs_);
+      const Advice& best = all.front();
+      const auto cost_of = [&](const Advice& advice) { return second.at({advice.way, 1}); };
+      const Advice* cheapest = &best;
+      for (const Advice& other : all) {
+        if (other.meets && cost_of(other) < cost_of(*cheapest)) cheapest = &other;
+      }
+      const MeasuredWay measured = MeasureWay(draws[i], best.way, options_.quick ? 500 : 3000, 9);
+      csv.Row(i, facts.camera.orthographic, facts.camera.reversed, facts.means.rigid,
+              facts.means.clip_distances, facts.means.user_planes, best.way, best.predicted,
+              best.bound, measured.p99, cost_of(best), cost_of(*cheapest), cheapest->way);
+      progress(static_cast<double>(i + 1) / static_cast<double>(draws.size()));
+    }
+  }
+
+  StudyOptions options_;
+  const harness::OpenGl opengl_{harness::Api::kCompatibility};
+  CostTable rule_costs_;
+};
+
+void MakeReport(const std::string& folder) {
+  const pid_t child = fork();
+  if (child == 0) {
+    execlp("/usr/bin/python3", "python3", CLIPC_STUDY_REPORT, folder.c_str(), nullptr);
+    std::_Exit(127);
+  }
+  int status = 0;
+  if (child < 0 || waitpid(child, &status, 0) < 0 || status != 0) {
+    throw harness::DrawError("the tables are in `" + folder +
+                             "`, but the report failed; it needs Debian's python3-matplotlib");
+  }
+}
+
+}  // namespace
+
+int RunStudy(const std::vector<std::string>& arguments) {
+  StudyOptions options;
+  bool no_report = false, help = false;
+  const Flags flags = {{"quick", On(options.quick)},
+                       {"no-report", On(no_report)},
+                       {"out", Text(options.out)},
+                       {"help", On(help)}};
+  const bool has_paths = !Parse(arguments, flags).empty();
+  if (help) return std::fputs(kUsage, stdout) < 0;
+  if (has_paths) throw harness::DrawError(kUsage);
+  Study(options).Run();
+  if (!no_report) MakeReport(options.out);
+  return 0;
+}
+
+}  // namespace clipc::study

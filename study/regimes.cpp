@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "study/regimes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "runtime/edge_error.h"
+#include "runtime/plane_space.h"
+#include "study/edges.h"
+
+namespace clipc::study {
+namespace {
+
+constexpr const char* kNames[kRegimes] = {"ordinary",
+                                          "mesh offset",
+                                          "matrices in the shader",
+                                          "matrices multiplied in float",
+                                          "world space",
+                                          "orthographic",
+                                          "-1 to 1",
+                                          "off centre",
+                                          "ground",
+                                          "mirrored",
+                                          "uneven scale"};
+
+// A camera, a plane through the view's axis and an object there.
+Config Ordinary(Random& random) {
+  Config config;
+  Camera& camera = config.camera;
+  camera.near = random.Magnitude(1e-3, 1);
+  const double depth = camera.near * random.Magnitude(4, 1e4);
+  camera.far = depth * random.Magnitude(4, 1e4);
+  camera.fov = random.Magnitude(5, 120);
+  camera.aspect = random.Between(1, 2.4);
+  camera.reversed = random.Below(4) == 0, camera.infinite = random.Below(4) == 0;
+  camera.yaw = random.Between(-3, 3), camera.pitch = random.Between(-1, 1);
+  CutThrough(config, random.Direction(), {0, 0, depth});
+  return config;
+}
+
+void MakeOrthographic(Config& config, Random& random) {
+  Camera& camera = config.camera;
+  camera.orthographic = true, camera.infinite = false;
+  camera.reversed = random.Below(3) == 0;
+  const double depth = std::sqrt(config.nearest * config.farthest);
+  camera.half_height = depth / random.Magnitude(0.3, 3000);
+  camera.far = depth * random.Magnitude(4, 10);
+}
+
+// A floor below the eye, or a wall beside it, that is seen from 1 to as much as 1000 units.
+void MakeGround(Config& config, Random& random) {
+  const double away = random.Magnitude(0.3, 3);
+  const double turn = random.Between(-3, 3), lean = random.Between(-0.2, 0.2);
+  config.view_plane = {std::cos(turn), std::sin(turn), lean, away};
+  const double length = NormalLength(config.view_plane);
+  config.view_plane.x /= length, config.view_plane.y /= length, config.view_plane.z /= length;
+  config.camera.near = random.Magnitude(0.01, 0.5);
+  config.camera.fov = random.Between(40, 100);
+  config.nearest = 1, config.farthest = random.Magnitude(30, 1000);
+  config.camera.far = 3000;
+}
+
+// A tile of a picture that is several times as large.
+void MoveOffCentre(Config& config, Random& random) {
+  Camera& camera = config.camera;
+  camera.offset_x = random.Between(-3, 3), camera.offset_y = random.Between(-3, 3);
+  const Matrix p = camera.Projection();
+  const double depth = std::sqrt(config.nearest * config.farthest);
+  const Vector middle = {-camera.offset_x / p.m[0][0] * depth, -camera.offset_y / p.m[1][1] * depth,
+                         depth};
+  config.view_plane = PlaneThroughPoint(random.Direction(), middle);
+}
+
+struct Shader {
+  Method method;
+  std::optional<PlaneSpace> space;
+};
+
+Shader AnyShader(Random& random, bool is_orthographic) {
+  switch (random.Below(is_orthographic ? 2 : 3)) {
+    case 0: return {ObjectSpace(), PlaneSpace::kObject};
+    case 1: return {ClipSpace(), PlaneSpace::kClip};
+    default: return {Xyw1Space(), PlaneSpace::kXyw1};
+  }
+}
+
+RegimeDraw OneDraw(Regime regime, Random& random) {
+  Config config = Ordinary(random);
+  const double depth = std::sqrt(config.nearest * config.farthest);
+  Shader shader = AnyShader(random, regime == Regime::kOrthographic);
+  const bool takes_clip = random.Below(2) == 0;
+  switch (regime) {
+    case Regime::kOrdinary:
+      if (random.Below(2) == 0) config.world_offset = random.Magnitude(1, 1e5) * depth;
+      break;
+    case Regime::kMeshOffset: config.mesh_offset = random.Magnitude(1, 3e4) * depth; break;
+    case Regime::kMatricesInTheShader:
+      config.world_offset = random.Magnitude(1, 1e4) * depth;
+      shader = takes_clip ? Shader{ClipSpaceInSteps(), PlaneSpace::kClip}
+                          : Shader{Xyw1SpaceInSteps(), PlaneSpace::kXyw1};
+      break;
+    case Regime::kFloatProduct:
+      config.world_offset = random.Magnitude(1, 1e4) * depth;
+      shader = takes_clip ? Shader{ClipSpaceOfFloatProduct(), PlaneSpace::kClip}
+                          : Shader{Xyw1SpaceOfFloatProduct(), PlaneSpace::kXyw1};
+      break;
+    case Regime::kWorldSpace:
+      config.world_offset = random.Magnitude(1, 1e5) * depth;
+      shader = {WorldSpace(), std::nullopt};
+      break;
+    case Regime::kOrthographic: MakeOrthographic(config, random); break;
+    case Regime::kMinusOneToOne:
+      config.camera.negative_one_to_one = true, config.camera.reversed = takes_clip;
+      break;
+    case Regime::kOffCentre: MoveOffCentre(config, random); break;
+    case Regime::kGround: MakeGround(config, random); break;
+    case Regime::kMirrored: config.mirrored = true; break;
+    case Regime::kUnevenScale:
+      for (double& scale : config.scale) scale = random.Magnitude(1e-3, 1e3);
+      break;
+  }
+  // The surfaces have this angle, or all angles.
+  const double degrees = random.Magnitude(5, 90);
+  double sine = runtime::kAnySurface;
+  if (random.Below(2) == 0) {
+    config.surface_angle = degrees * std::numbers::pi / 180;
+    sine = std::sin(config.surface_angle);
+  }
+  return {regime, config, std::move(shader.method), shader.space, sine};
+}
+
+// Places of the visible part of the cut, evenly over the picture, in the object's own space: x, y
+// and z of each.
+std::vector<double> CutOf(const Setup& setup) {
+  std::vector<double> places;
+  for (const Vector& cut : RandomCuts(setup, 256)) {
+    const Vec4<double> place = Transform(Vec4<double>{{cut.x, cut.y, cut.z, 1}}, setup.to_object);
+    places.insert(places.end(), place.c, place.c + 3);
+  }
+  return places;
+}
+
+}  // namespace
+
+const char* NameOf(Regime regime) { return kNames[static_cast<int>(regime)]; }
+
+std::vector<RegimeDraw> RegimeDraws(int count, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<RegimeDraw> draws;
+  draws.reserve(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i)
+    draws.push_back(OneDraw(static_cast<Regime>(i % kRegimes), random));
+  return draws;
+}
+
+std::optional<double> LawOf(const RegimeDraw& draw) {
+  const Setup setup = Prepare(draw.config);
+  const Camera& camera = draw.config.camera;
+  const double edge =
+      draw.config.edge_length * (camera.orthographic ? 1 : 1 / camera.HalfHeightAt(1));
+  const std::vector<double> places = CutOf(setup);
+  const runtime::SeenCut cut = {places.data(), places.size() / 3, edge};
+  const double sine = draw.config.surface_angle < 0 ? runtime::kAnySurface : draw.sine;
+  if (!draw.space) {
+    // Distances by hand round the world-space vertex, and its dot product with the plane.
+    runtime::DistanceArithmetic by_hand;
+    by_hand.count = 1, by_hand.matrices[0] = setup.world;
+    by_hand.constant = setup.world_plane;
+    return EdgeErrorOf(by_hand, draw.config.view_plane, setup.world_view, setup.projection, cut,
+                       kPictureHeight, sine);
+  }
+  runtime::DrawMatrices matrices = {setup.world, setup.view, setup.projection};
+  matrices.steps = draw.regime == Regime::kMatricesInTheShader ? 2 : 1;
+  matrices.float_product = draw.regime == Regime::kFloatProduct;
+  const auto law = PredictEdgeError(*draw.space, setup.world_plane, runtime::KnownIn::kWorld,
+                                    matrices, cut, kPictureHeight, sine);
+  return law.ok() ? std::optional(law.value) : std::nullopt;
+}
+
+std::vector<RegimeHeld> HoldLaw(
+    int count, long edges, std::uint64_t seed,
+    const std::function<std::optional<double>(const RegimeDraw&)>& law) {
+  // A draw that seems to be outside the law's factor is measured again, over more planes: few of
+  // them may all be lucky where one in ten jumps by a unit in the last place.
+  constexpr int kPlanes = 12, kMorePlanes = 60;
+  constexpr double kSaturates = 20;  // pixels
+  std::vector<RegimeHeld> held(kRegimes);
+  std::vector<std::vector<double>> shares(kRegimes), all(kRegimes);
+  const auto at = [](std::vector<double>& sorted, double share) {
+    std::ranges::sort(sorted);
+    return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+  };
+  int number = 0;
+  for (const RegimeDraw& draw : RegimeDraws(count, seed)) {
+    ++number;
+    const std::optional<double> predicted = law(draw);
+    if (!predicted || *predicted > kSaturates) continue;
+    const int regime = static_cast<int>(draw.regime);
+    double share = 0;
+    for (const int planes : {kPlanes, kMorePlanes}) {
+      std::vector<double> pixels =
+          DisplacementsOverPlanes(draw.config, draw.method, planes, edges, seed + number);
+      // The plane is hardly in the picture.
+      if (std::ssize(pixels) < planes * edges / 2) break;
+      for (double& each : pixels) each /= *predicted;
+      if (planes == kPlanes) all[regime].insert(all[regime].end(), pixels.begin(), pixels.end());
+      share = at(pixels, 0.99);
+      if (share > 0.2 && share < 3) break;
+    }
+    if (share == 0) continue;
+    shares[regime].push_back(share);
+    ++held[regime].draws, held[regime].low += share < 0.2, held[regime].high += share > 3;
+  }
+  for (int i = 0; i < kRegimes; ++i) {
+    held[i].regime = static_cast<Regime>(i);
+    if (shares[i].empty()) continue;
+    held[i].least = at(shares[i], 0), held[i].median = at(shares[i], 0.5);
+    held[i].most = at(shares[i], 1), held[i].pooled = at(all[i], 0.99);
+  }
+  return held;
+}
+
+}  // namespace clipc::study

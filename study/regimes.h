@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "clip-table/vocabulary.h"
+#include "study/method.h"
+#include "study/setup.h"
+
+namespace clipc::study {
+
+// The regimes in which users draw, one after the other; each with a plane, a camera and an object
+// that nobody chose.
+enum class Regime {
+  kOrdinary,             // any perspective, the object around its own origin
+  kMeshOffset,           // vertices far from the mesh's own origin
+  kMatricesInTheShader,  // far from the world's origin, mul(mul(v, world), view_projection)
+  kFloatProduct,         // far from the world's origin, one matrix multiplied in float
+  kWorldSpace,           // distances by hand from a world-space vertex
+  kOrthographic,         // up to thousands of half heights away, standard or reversed depth
+  kMinusOneToOne,        // clip space from -1 to 1, standard or reversed depth
+  kOffCentre,            // tiles of a large picture, up to three pictures off the axis
+  kGround,               // one plane from near to far
+  kMirrored,             // the view of a reflection
+  kUnevenScale,          // a world matrix that stretches
+};
+inline constexpr int kRegimes = static_cast<int>(Regime::kUnevenScale) + 1;
+const char* NameOf(Regime regime);
+
+// A draw of a regime, and the arithmetic that clips it.
+struct RegimeDraw {
+  Regime regime;
+  Config config;
+  Method method;
+  std::optional<PlaneSpace> space;  // the law's space; none: distances by hand in world space
+  double sine;                      // of the angle between surface and plane
+};
+
+// Random draws of all regimes in turn. Equal seeds give equal draws.
+std::vector<RegimeDraw> RegimeDraws(int count, std::uint64_t seed);
+
+// PredictEdgeError of a draw, from its matrices and its cut; none where it is refused.
+std::optional<double> LawOf(const RegimeDraw& draw);
+
+// The agreement of a law with the draws of a regime.
+struct RegimeHeld {
+  Regime regime;
+  int draws = 0;  // draws with a prediction of at most 20 pixels, beyond which an edge is too short
+  int low = 0, high = 0;  // draws with a 99th percentile below 0.2, above 3 predictions
+  double least = 0, median = 0, most = 0;  // draws' 99th percentiles over their predictions
+  double pooled = 0;  // 99th percentile of all edges' displacements over their draws' predictions
+};
+
+// Measures `count` draws, with some planes of each (MeasureOverPlanes) and `edges` edges of each
+// plane, and holds them against `law`; five times as many planes of a draw that seems to be outside
+// its factor. Equal arguments give equal results.
+std::vector<RegimeHeld> HoldLaw(int count, long edges, std::uint64_t seed,
+                                const std::function<std::optional<double>(const RegimeDraw&)>& law);
+
+}  // namespace clipc::study

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// PredictEdgeError held against measurements in the regimes that users are in, over planes, cameras
+// and objects that nobody chose. `clipc-study` does the same with 10,000 draws (laws.csv).
+#include "study/regimes.h"
+
+#include <gtest/gtest.h>
+
+#include "runtime/plane_space.h"
+#include "tools/harness/camera.h"
+
+namespace clipc::study {
+namespace {
+
+using Law = std::function<std::optional<double>(const RegimeDraw&)>;
+
+// Whether the law nearly holds: the bounds leave room for the luck of single draws, so that a
+// mutation must break more.
+bool NearlyHolds(const RegimeHeld& held) {
+  return held.pooled > 0.2 && held.pooled < 3 && held.high <= 0.06 * held.draws &&
+         held.low <= 0.15 * held.draws;
+}
+
+TEST(Regimes, MeasuredErrorsAreWithinAFactorOfTheirLaw) {
+  for (const RegimeHeld& held : HoldLaw(1100, 40, 31, LawOf)) {
+    EXPECT_GT(held.draws, 60) << NameOf(held.regime);
+    EXPECT_EQ(held.low + held.high, 0)
+        << NameOf(held.regime) << ": " << held.least << " to " << held.most;
+    EXPECT_NEAR(held.median, 1, 0.3) << NameOf(held.regime);
+    EXPECT_NEAR(held.pooled, 1, 0.4) << NameOf(held.regime);
+  }
+}
+
+// Each rounding counts to two hundredths: a rounding that is left out changes one of these numbers,
+// of meshes and worlds whose origin is far from the cut.
+TEST(Regimes, EachRoundingCounts) {
+  Camera camera;
+  camera.near = 0.1, camera.far = 100, camera.yaw = 0.3, camera.pitch = -0.2, camera.roll = 0.1;
+  const auto error = [&](PlaneSpace space, double of_mesh, double of_world,
+                         const std::function<void(runtime::DrawMatrices&)>& change) {
+    Camera there = camera;
+    const double direction[3] = {0.8, -0.5, 0.33};
+    for (int i = 0; i < 3; ++i) there.eye[i] = direction[i] * of_world;
+    const Matrix to_world = there.ViewToWorld();
+    runtime::DrawMatrices draw = {harness::Rotation(1.1, 0.4, -0.7), there.View(),
+                                  there.Projection()};
+    double place[3] = {0.3, -0.2, 0.1};
+    for (int i = 0; i < 3 && of_mesh > 0; ++i) place[i] = direction[i] * of_mesh;
+    for (int j = 0; j < 3; ++j) {
+      draw.world.m[3][j] = 10 * to_world.m[2][j] + to_world.m[3][j];
+      for (int i = 0; i < 3; ++i) draw.world.m[3][j] -= place[i] * draw.world.m[i][j];
+    }
+    change(draw);
+    return PredictEdgeError(space, {0.4, 0.5, 0.77, -7.7}, runtime::KnownIn::kView, draw,
+                            {place, 1, 0.1}, kPictureHeight)
+        .value;
+  };
+  const auto once = [](runtime::DrawMatrices&) {};
+  const auto product = [](runtime::DrawMatrices& draw) { draw.float_product = true; };
+  const auto is = [](double value, double expected) {
+    EXPECT_NEAR(value / expected, 1, 0.02) << expected;
+  };
+  is(error(PlaneSpace::kClip, 1000, 0, once), 3.65);
+  camera.infinite = true;  // z and w are sums of the same products
+  is(error(PlaneSpace::kClip, 0, 0, once), 0.0772);
+  is(error(PlaneSpace::kXyw1, 0, 0, once), 0.00055);
+  is(error(PlaneSpace::kClip, 1000, 0, once), 1.37);
+  is(error(PlaneSpace::kClip, 1e7, 0, once), 11334);  // they are the same in float
+  is(error(PlaneSpace::kXyw1, 0, 1000, product), 0.0433);
+  is(error(PlaneSpace::kXyw1, 0, 1000, [](auto& draw) { draw.steps = 2; }), 0.0422);
+}
+
+// A law that leaves out what `change` takes from the draw.
+Law Without(const std::function<void(RegimeDraw&)>& change) {
+  return [change](const RegimeDraw& draw) {
+    RegimeDraw changed = draw;
+    change(changed);
+    return LawOf(changed);
+  };
+}
+
+// Mutations: without its term, a law does not hold in its regime.
+TEST(Regimes, EachTermIsNeeded) {
+  const auto breaks = [](Regime regime, const std::function<void(RegimeDraw&)>& change) {
+    const auto held = HoldLaw(440, 30, 33, Without(change));
+    return !NearlyHolds(held[static_cast<std::size_t>(regime)]);
+  };
+  EXPECT_TRUE(breaks(Regime::kMeshOffset, [](RegimeDraw& d) { d.config.mesh_offset = 0; }));
+  for (const Regime regime :
+       {Regime::kMatricesInTheShader, Regime::kFloatProduct, Regime::kWorldSpace})
+    EXPECT_TRUE(breaks(regime, [](RegimeDraw& d) {
+      d.regime = Regime::kOrdinary;
+      d.space = d.space.value_or(PlaneSpace::kObject);
+    })) << NameOf(regime);
+  // The law is that of an eye in the plane, where depth begins.
+  EXPECT_TRUE(breaks(Regime::kOrthographic, [](RegimeDraw& d) {
+    d.config.view_plane.w = 0, d.config.camera.near = 1e-9 * d.config.camera.far;
+    d.config.camera.reversed = false;
+  }));
+  EXPECT_TRUE(breaks(Regime::kMinusOneToOne,
+                     [](RegimeDraw& d) { d.config.camera.negative_one_to_one = false; }));
+  EXPECT_TRUE(breaks(Regime::kOffCentre, [](RegimeDraw& d) {
+    d.config.camera.offset_x = d.config.camera.offset_y = 0;
+  }));
+}
+
+}  // namespace
+}  // namespace clipc::study

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "study/visible_cut.h"
+
+#include <cmath>
+
+namespace clipc::study {
+namespace {
+
+double At(const Plane& plane, Vector p) {
+  return plane.x * p.x + plane.y * p.y + plane.z * p.z + plane.w;
+}
+
+// The part of the polygon on the plane's kept side.
+std::vector<Vector> Kept(const std::vector<Vector>& polygon, const Plane& plane) {
+  std::vector<Vector> kept;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vector a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+    const double at_a = At(plane, a), at_b = At(plane, b);
+    if (at_a >= 0) kept.push_back(a);
+    if ((at_a >= 0) != (at_b >= 0)) kept.push_back(a + at_a / (at_a - at_b) * (b - a));
+  }
+  return kept;
+}
+
+}  // namespace
+
+std::vector<Vector> VisibleCut(const Camera& camera, const Plane& view_plane, double nearest,
+                               double farthest) {
+  const Vector normal = NormalOf(view_plane);
+  const double squared = Dot(normal, normal);
+  // A square of the plane that is larger than all that the camera sees.
+  const double high = camera.HalfHeightAt(farthest), across = 1 + camera.aspect;
+  const double shift = 1 + std::fabs(camera.offset_x) + std::fabs(camera.offset_y);
+  const double size = 4 * (farthest + high * across * shift);
+  const Vector middle = {0, 0, (nearest + farthest) / 2};
+  const Vector centre = middle - At(view_plane, middle) / squared * normal;
+  const Vector other =
+      std::fabs(normal.x) * std::fabs(normal.x) < squared / 2 ? Vector{1, 0, 0} : Vector{0, 1, 0};
+  const Vector u = size * Unit(Cross(normal, other)), v = size * Unit(Cross(normal, u));
+  std::vector<Vector> polygon = {centre + u, centre + v, centre - u, centre - v};
+  // Depth first: sides alone do not bound what is seen.
+  polygon = Kept(polygon, {0, 0, 1, -nearest});
+  polygon = Kept(polygon, {0, 0, -1, farthest});
+  const Matrix projection = camera.Projection();
+  const Plane sides[] = {{1, 0, 0, 1}, {-1, 0, 0, 1}, {0, 1, 0, 1}, {0, -1, 0, 1}};
+  for (const Plane& side : sides) polygon = Kept(polygon, PlaneBefore(projection, side));
+  return polygon;
+}
+
+std::vector<Vector> CutOfBox(std::vector<Vector> visible, const runtime::Box& box,
+                             const Matrix& to_view) {
+  // A plane goes from the object's space to view space by the inverse of the matrix.
+  const Mat4<double> inverse = InverseOf(ConvertTo<double>(to_view));
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const bool is_high : {false, true}) {
+      const double at = static_cast<double>(is_high ? box.high[axis] : box.low[axis]);
+      Vec4<double> side = {{0, 0, 0, is_high ? at : -at}};
+      side[axis] = is_high ? -1 : 1;
+      const Vec4<double> seen = PlaneThrough(inverse, side);
+      visible = Kept(visible, {seen[0], seen[1], seen[2], seen[3]});
+    }
+  }
+  return visible;
+}
+
+Vector RandomPlace(const std::vector<Vector>& polygon, const Camera& camera, Random& random) {
+  const auto weight = [&](Vector p) { return camera.orthographic ? 1 : p.z; };
+  // Triangles around the first corner, by their size in the picture.
+  const Vector first = polygon[0];
+  const auto in_picture = [&](Vector p) { return Vector{p.x / weight(p), p.y / weight(p), 0}; };
+  std::vector<double> sizes;
+  double sum = 0;
+  for (std::size_t i = 2; i < polygon.size(); ++i) {
+    const Vector a = in_picture(polygon[i - 1]) - in_picture(first),
+                 b = in_picture(polygon[i]) - in_picture(first);
+    sizes.push_back(std::fabs(a.x * b.y - a.y * b.x));
+    sum += sizes.back();
+  }
+  double left = random.Between(0, sum);
+  std::size_t chosen = 2;
+  for (; chosen + 1 < polygon.size() && left > sizes[chosen - 2]; ++chosen)
+    left -= sizes[chosen - 2];
+  if (polygon.size() < 3) return first;
+  // Even shares of the triangle in the picture, turned into shares of the triangle in space.
+  double u = random.Unit(), v = random.Unit();
+  if (u + v > 1) u = 1 - u, v = 1 - v;
+  const Vector corners[3] = {first, polygon[chosen - 1], polygon[chosen]};
+  const double shares[3] = {(1 - u - v) / weight(corners[0]), u / weight(corners[1]),
+                            v / weight(corners[2])};
+  const double all = shares[0] + shares[1] + shares[2];
+  return shares[0] / all * corners[0] + shares[1] / all * corners[1] + shares[2] / all * corners[2];
+}
+
+}  // namespace clipc::study
