@@ -8,10 +8,13 @@ build_packages=(g++ cmake ninja-build ccache "libclang-$llvm-dev" "llvm-$llvm-de
 # clang-format-19 is pinned: other versions write other text.
 test_packages=(python3 clang-format-19 "llvm-$llvm-tools" libgtest-dev libgmock-dev glslang-tools spirv-tools spirv-cross
   libvulkan-dev mesa-vulkan-drivers vulkan-validationlayers libspirv-cross-c-shared-dev
-  libepoxy-dev libegl1 libopengl0 libgles2 libgl1-mesa-dri libpng-dev libtinygltf-dev python3-matplotlib)
+  libepoxy-dev libegl1 libopengl0 libgles2 libgl1-mesa-dri libpng-dev)
 
-# What checking the study's report takes, `./test --all` installs it: a browser.
-study_packages=(chromium)
+# What the laboratory takes on top of building clipc: `./run study` and `./test --study` install it.
+study_packages=(python3 libepoxy-dev libegl1 libopengl0 libgles2 libgl1-mesa-dri libpng-dev libtinygltf-dev python3-matplotlib)
+
+# What opens pages in tests.
+browser_packages=(chromium)
 
 # What `./test --all` installs too: clang-tidy, and what testing the Direct3D 9 binding takes, without which CTest has
 # no entry `d3d9.*`.

@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "report.text.h"
 #include "study/depth.h"
 #include "study/edges.h"
 #include "study/flicker.h"
@@ -281,7 +282,7 @@ class Study {
 void MakeReport(const std::string& folder) {
   const pid_t child = fork();
   if (child == 0) {
-    execlp("/usr/bin/python3", "python3", CLIPC_STUDY_REPORT, folder.c_str(), nullptr);
+    execlp("/usr/bin/python3", "python3", "-c", report_text, folder.c_str(), nullptr);
     std::_Exit(127);
   }
   int status = 0;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "study/program/source.h"
 
-#include "compiler/compile.h"
+#include "compiler/clipc.hpp"
+#include "method.text.h"
 #include "runtime/near_plane.h"
 #include "runtime/plane_space.h"
 #include "tools/harness/offscreen.h"
@@ -9,13 +10,15 @@
 namespace clipc::study {
 namespace {
 
-std::string FragmentOf(WayKind kind, int planes, bool coverage) {
+// `discard` is what clipc wrote for the fragment shader: the function `clip_planes` or nothing.
+std::string FragmentOf(WayKind kind, int planes, bool coverage, std::string_view discard) {
   const bool is_old = kind == WayKind::kLevel9;
   const std::string in = is_old ? "varying " : "layout(location = 0) in ";
   const std::string out = is_old ? "gl_FragColor" : "color";
   std::string text =
       is_old ? "#version 120\n" : "#version 450\nlayout(location = 0) out vec4 color;\n";
-  std::string body;
+  text += discard;
+  std::string body = discard.empty() ? "" : "    clip_planes();\n";
   if (kind == WayKind::kDiscardRecomputed) {
     // The shader stands in for that of three.js: every fragment dots its interpolated world
     // position.
@@ -37,25 +40,23 @@ std::string FragmentOf(WayKind kind, int planes, bool coverage) {
 }  // namespace
 
 WaySource SourceOf(WayKind kind, int planes, bool coverage) {
-  CompileRequest request;
-  request.path = CLIPC_STUDY_SHADER;
+  library::Request request;
+  request.path = "method.hlsl";
+  request.text = method_text;
   const bool is_plain =
       kind == WayKind::kNone || kind == WayKind::kNearPlaneFloat || kind == WayKind::kCpu;
-  request.defines.push_back("PLANES=" + std::to_string(is_plain ? 0 : planes));
-  if (kind == WayKind::kWorld) request.defines.push_back("BY_HAND");
-  if (kind == WayKind::kDiscardRecomputed) request.defines.push_back("RECOMPUTED");
-  if (kind == WayKind::kLevel9) request.profile = "vs_4_0_level_9_1", request.target = "glsl120";
+  const auto add = [&](const std::string& option) { request.options.push_back(option); };
+  add("-DPLANES=" + std::to_string(is_plain ? 0 : planes));
+  if (kind == WayKind::kWorld) add("-DBY_HAND");
+  if (kind == WayKind::kDiscardRecomputed) add("-DRECOMPUTED");
+  if (kind == WayKind::kLevel9) add("-Tvs_4_0_level_9_1"), add("--target=glsl120");
   const Way& way = WayOf(kind);
-  request.lowering = way.lowering.value_or(Lowering::kClipDistance);
-  if (way.lowering) request.plane_space = *way.space;
-  WaySource source;
-  source.fragment = FragmentOf(kind, planes, coverage);
-  if (request.lowering == Lowering::kDiscard) request.fragment = source.fragment;
-  CompileResult result = Compile(request);
-  if (!result.ok()) throw harness::DrawError(result.text);
-  source.vertex = std::move(result.shaders.vertex);
-  if (request.fragment) source.fragment = std::move(result.shaders.fragment);
-  return source;
+  add(std::string("--lower=") + NameOf(way.lowering.value_or(Lowering::kClipDistance)));
+  if (way.lowering) add(std::string("--plane-space=") + NameOf(*way.space));
+  const library::Result result = library::Compiler().Compile(request);
+  if (!result.ok()) throw harness::DrawError(std::string(result.messages()));
+  return {std::string(result.glsl()),
+          FragmentOf(kind, planes, coverage, result.Get(CLIPC_PART_DISCARD))};
 }
 
 std::optional<WayConstants> ConstantsOf(WayKind kind, const Setup& setup,

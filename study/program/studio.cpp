@@ -51,11 +51,11 @@ std::vector<float> Studio::Counts() {
   return (resolved_ ? *resolved_ : framebuffer_).ReadFloats(GL_RED);
 }
 
-DrawCall::DrawCall(const WaySource& source, int planes, bool uses_clip_planes)
-    : program_(source.vertex, source.fragment, {}),
+DrawCall::DrawCall(const WaySource& source, int planes, Needs needs)
+    : program_(source.vertex, source.fragment),
       planes_(planes),
-      fixed_planes_(draw::VersionOf(source.vertex).number < 130),
-      distances_(uses_clip_planes) {
+      fixed_planes_(needs == Needs::kUserPlanes),
+      distances_(fixed_planes_ || needs == Needs::kDistances) {
   glGenVertexArrays(1, &vertex_array_);
   glGenBuffers(3, buffers_);
   glGenBuffers(2, uniforms_);
@@ -73,18 +73,16 @@ void DrawCall::SetMesh(const Mesh& mesh) {
     return static_cast<GLsizeiptr>(list.size() * sizeof list[0]);
   };
   glBindVertexArray(vertex_array_);
-  for (const draw::Active& attribute : program_.Attributes()) {
-    const bool is_normal = attribute.name.find("NORMAL") != attribute.name.npos;
-    glBindBuffer(GL_ARRAY_BUFFER, buffers_[is_normal ? 1 : 0]);
-    if (is_normal) {
-      glBufferData(GL_ARRAY_BUFFER, bytes(mesh.normals), mesh.normals.data(), GL_STATIC_DRAW);
-    } else {
-      glBufferData(GL_ARRAY_BUFFER, bytes(mesh.vertices), mesh.vertices.data(), GL_STATIC_DRAW);
-    }
-    const GLuint index = attribute.location;
-    glVertexAttribPointer(index, is_normal ? 3 : 4, GL_FLOAT, GL_FALSE, 0, nullptr);
+  const auto set = [&](const char* name, GLuint buffer, const auto& list, GLint components) {
+    const GLint index = glGetAttribLocation(program_.id(), name);
+    if (index < 0) return;  // nothing reads the input
+    glBindBuffer(GL_ARRAY_BUFFER, buffer);
+    glBufferData(GL_ARRAY_BUFFER, bytes(list), list.data(), GL_STATIC_DRAW);
+    glVertexAttribPointer(index, components, GL_FLOAT, GL_FALSE, 0, nullptr);
     glEnableVertexAttribArray(index);
-  }
+  };
+  set("in_POSITION0", buffers_[0], mesh.vertices, 4);
+  set("in_NORMAL0", buffers_[1], mesh.normals, 3);
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_[2]);
   glBufferData(GL_ELEMENT_ARRAY_BUFFER, bytes(mesh.indices), mesh.indices.data(), GL_STATIC_DRAW);
   count_ = static_cast<GLsizei>(mesh.indices.size());
@@ -98,11 +96,11 @@ void DrawCall::SetConstants(const WayConstants& constants) {
                GL_STATIC_DRAW);
   glBindBuffer(GL_UNIFORM_BUFFER, uniforms_[1]);
   glBufferData(GL_UNIFORM_BUFFER, 4 * 24, words.data() + 32, GL_STATIC_DRAW);
-  GLuint index = 0;
-  for (const draw::ActiveBlock& block : program_.Blocks()) {
-    glUniformBlockBinding(program_.id(), index++, block.name == "Clip" ? 1 : 0);
+  for (const auto& [name, place] : {std::pair{"Draw", 0}, std::pair{"Clip", 1}}) {
+    const GLuint block = glGetUniformBlockIndex(program_.id(), name);
+    if (block != GL_INVALID_INDEX) glUniformBlockBinding(program_.id(), block, place);
   }
-  glUseProgram(program_.id());
+  program_.Use();
   for (const auto& [name, matrix] :
        {std::pair{"world_view_projection", &constants.world_view_projection},
         std::pair{"world", &constants.world}}) {
@@ -112,7 +110,7 @@ void DrawCall::SetConstants(const WayConstants& constants) {
 }
 
 void DrawCall::Draw() {
-  glUseProgram(program_.id());
+  program_.Use();
   glBindVertexArray(vertex_array_);
   for (GLuint i = 0; i < 2; ++i) glBindBufferBase(GL_UNIFORM_BUFFER, i, uniforms_[i]);
   for (int i = 0; i < 6; ++i) {
@@ -126,9 +124,7 @@ void DrawCall::Draw() {
 }
 
 std::unique_ptr<DrawCall> MakeCall(WayKind kind, int planes, bool coverage) {
-  const Needs needs = WayOf(kind).needs;
-  const bool distances = needs == Needs::kDistances || needs == Needs::kUserPlanes;
-  return std::make_unique<DrawCall>(SourceOf(kind, planes, coverage), planes, distances);
+  return std::make_unique<DrawCall>(SourceOf(kind, planes, coverage), planes, WayOf(kind).needs);
 }
 
 }  // namespace clipc::study

@@ -5,10 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "base/not_copied.h"
 #include "study/program/mesh.h"
 #include "study/program/source.h"
-#include "tools/draw/opengl/program.h"
+#include "tools/harness/drawing.h"
 #include "tools/harness/framebuffer.h"
 #include "tools/harness/offscreen.h"
 
@@ -35,9 +34,9 @@ class Studio {
 };
 
 // One mesh with one way of clipping, ready to be drawn again and again.
-class DrawCall : NotCopied {
+class DrawCall {
  public:
-  DrawCall(const WaySource& source, int planes, bool uses_clip_planes);
+  DrawCall(const WaySource& source, int planes, Needs needs);
   ~DrawCall();
 
   void SetMesh(const Mesh& mesh);
@@ -45,7 +44,7 @@ class DrawCall : NotCopied {
   void Draw();  // into the studio that is current
 
  private:
-  draw::GlProgram program_;
+  harness::Program program_;
   int planes_;
   bool fixed_planes_;  // the planes are set by glClipPlane
   bool distances_;     // glClipPlane's planes or the shader's clip distances are enabled

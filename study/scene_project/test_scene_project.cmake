@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 # Has a scene's shaders listed, builds the project beside this with that list, and looks for exactly these shaders.
-#   cmake -DSTUDY= -DCLIPC= -DSCENE= -DCOSTS= -DSCRATCH= -DGENERATOR= -DCOMPILER= -DWANTED=name|name -P test_scene_project.cmake
+#   cmake -DSTUDY= -DPACKAGE= -DSCENE= -DCOSTS= -DSCRATCH= -DGENERATOR= -DCOMPILER= -DWANTED=name|name -P test_scene_project.cmake
 function(run)
   execute_process(COMMAND ${ARGV} OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE status)
   if(NOT status EQUAL 0)
@@ -14,7 +14,7 @@ file(MAKE_DIRECTORY ${SCRATCH})
 set(list ${SCRATCH}/variants.cmake)
 run(${STUDY} scene ${SCENE} --costs ${COSTS} --variants ${list})
 run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${SCRATCH}/build -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${COMPILER}
-  -DLIST=${list} -DCLIPC_EXECUTABLE=${CLIPC} -DCLIPC_MODULES=${CMAKE_CURRENT_LIST_DIR}/../../../cmake)
+  -DLIST=${list} -Dclipc_DIR=${PACKAGE})
 run(${CMAKE_COMMAND} --build ${SCRATCH}/build)
 
 set(folder ${SCRATCH}/build/scene_shaders)

@@ -36,7 +36,7 @@ ROOMS = {
     "tools/random": {
         "base", "ir", "backend-glsl", "compiler", "clip-table", "tools/harness", "tools/draw", VOCABULARY,
     },
-    "study": {"base", "clip-table", "compiler", "runtime", "tools/harness", "tools/draw", VOCABULARY},
+    "study": {"runtime", "tools/harness", VOCABULARY, LIBRARY},
     "tools/scenes": {"base", "clip-table", "runtime", "tools/harness", VOCABULARY},
     "tools/bench": {"compiler", "runtime", "tools/harness"},
     "tools/fuzz": {"clip-table", "compiler", "runtime"},
@@ -57,8 +57,8 @@ LIBRARIES = {
     r"nlohmann/": r"(base|clip-table|compiler|tools/draw|study)/.*\.cpp",
 }
 
-# The files that clipc_add_shader() writes into a build folder.
-GENERATED = re.compile(r"[\w-]+\.(shader|clip)\.h")
+# The files that clipc_add_shader() and study/program/CMakeLists.txt write into a build folder.
+GENERATED = re.compile(r"[\w-]+\.(shader|clip|text)\.h")
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')
 

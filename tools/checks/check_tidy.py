@@ -8,7 +8,7 @@ What changed: the .cpp files that differ from REVISION, committed or not, and fo
 includes it. REVISION is by default where this branch left origin/main or, if it is there, the commit before HEAD. At
 most N files (24) are checked, about ten seconds each on one core; a message counts those left out. --all checks every
 file; FILEs are checked instead. FOLDER, build/release by default, has the compile_commands.json of a configured and
-built tree.
+built tree; so has the folder study/ in it, where the laboratory is built.
 """
 import argparse
 import concurrent.futures
@@ -69,6 +69,8 @@ def main():
     parser.add_argument("files", nargs="*")
     given = parser.parse_args()
     commands = json.loads((given.build / "compile_commands.json").read_text())
+    if (of_study := given.build / "study/compile_commands.json").exists():
+        commands += json.loads(of_study.read_text())
     sources = {os.path.relpath(entry["file"], ROOT) for entry in commands}
     changed = given.files or changed_files(given.since or base_revision())
     wanted = [includer(name, sources) if name.endswith(".h") else name for name in changed]

@@ -32,6 +32,7 @@ class Program : NotCopied {
           std::initializer_list<const char*> inputs = {"in_POSITION0", "in_NORMAL0"});
   ~Program() { glDeleteProgram(program_); }
 
+  GLuint id() const { return program_; }
   void Use() const { glUseProgram(program_); }
   // Sets a plain uniform of the program in use. A name that the program does not have is ignored.
   void Set(const std::string& name, const std::array<float, 16>& matrix) const;
