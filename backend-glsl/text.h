@@ -38,15 +38,24 @@ constexpr Binding Tighter(Binding binding) {
                                       : static_cast<Binding>(static_cast<int>(binding) + 1);
 }
 
-// Appends the parts, none of which lies in `text`. Memory is asked for once.
-void AppendAll(std::string& text, std::initializer_list<std::string_view> parts);
+inline void AppendPart(std::string& text, std::string_view part) { text.append(part); }
+template <std::size_t kSize>
+void AppendPart(std::string& text, const char (&part)[kSize]) {
+  if constexpr (kSize == 2)
+    text.push_back(part[0]);
+  else
+    text.append(part, kSize - 1);
+}
+// Appends the parts, none of which lies in `text`.
 template <typename... Parts>
 void Append(std::string& text, const Parts&... parts) {
-  AppendAll(text, {std::string_view(parts)...});
+  (AppendPart(text, parts), ...);
 }
+// Returns the parts in one text, for which memory is asked for once.
 template <typename... Parts>
 std::string Concat(const Parts&... parts) {
   std::string text;
+  text.reserve((std::string_view(parts).size() + ...));
   Append(text, parts...);
   return text;
 }
@@ -78,23 +87,7 @@ struct Text {
     if (binding >= least) return std::move(text);
     return Concat("(", text, ")");
   }
-  // Appends the text as At(least) returns it.
-  void AppendTo(std::string& place, Binding least) const {
-    binding >= least ? Append(place, text) : Append(place, "(", text, ")");
-  }
 };
-
-// Returns `left op right`; the operators of GLSL associate to the left. The result takes over
-// left's buffer, so that long chains stay linear.
-inline Text Infix(Text left, std::string_view op, const Text& right, Binding binding) {
-  std::string text = std::move(left).At(binding);
-  Append(text, " ", op, " ");
-  right.AppendTo(text, Tighter(binding));
-  return {std::move(text), binding};
-}
-
-// Returns the text as an argument of a call: only a comma needs parentheses.
-inline std::string Argument(Text text) { return std::move(text).At(Binding::kAssignment); }
 
 // Returns the call function(a, b, c); one argument may be the whole list.
 inline Text Called(std::string_view function, std::initializer_list<std::string_view> arguments) {

@@ -131,9 +131,8 @@ std::string BufferWord(Code& code, const ObjectCall& node) {
   const auto arguments = code[node.arguments];
   const bool is_bytes =
       IsByteAddress(ObjectTypeOf(code, RootOf(code.program, arguments[0])).object);
-  const std::string index =
-      is_bytes ? Infix(ExprText(code, arguments[1]), "/", Text{"4u"}, Binding::kProduct).text
-               : IndexValue(code, arguments[1]);
+  const std::string index = is_bytes ? ExprText(code, arguments[1]).At(Binding::kProduct) + " / 4u"
+                                     : IndexValue(code, arguments[1]);
   return Concat(ElementsOf(code, arguments[0]), "[", index, "]");
 }
 

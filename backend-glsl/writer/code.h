@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "backend-glsl/text.h"
 #include "backend-glsl/writer/constants.h"
@@ -16,15 +17,37 @@ struct Code : Context {
   using Context::Context;
 
   Constants constants{program, target};
-  std::string* out = nullptr;  // the text that Line appends to
+  std::string* out = nullptr;  // the text that expressions and statements are appended to
   std::size_t indent = 0;
   bool in_helper = false;  // in a helper function, whose locals keep their names
   std::string comment;     // the last comment from options.comment_of
 
   template <typename... Parts>
+  void Put(const Parts&... parts) {
+    Append(*out, parts...);
+  }
+  // Appends the text in front of what was appended since `begin`, the size of `out` before it.
+  void PutBefore(std::size_t begin, std::string_view text) { out->insert(begin, text); }
+  // Puts what was appended since `begin` in parentheses.
+  void EncloseFrom(std::size_t begin) {
+    PutBefore(begin, "(");
+    Put(")");
+  }
+  // Begins a line of a statement.
+  void Indent() { out->append(4 * indent, ' '); }
+  template <typename... Parts>
   void Line(const Parts&... parts) {
-    out->append(4 * indent, ' ');
-    Append(*out, parts..., "\n");
+    Indent();
+    Put(parts..., "\n");
+  }
+  // What write() appends, in a text of its own.
+  template <typename Write>
+  std::string Apart(Write&& write) {
+    std::string text;
+    std::string* const whole = std::exchange(out, &text);
+    write();
+    out = whole;
+    return text;
   }
   // A name for a parameter or a variable that is declared here.
   void NameLocal(ir::VarId var, std::string_view fallback) {

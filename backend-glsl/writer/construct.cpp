@@ -13,62 +13,69 @@ using namespace ir;
 
 namespace {
 
-Text NumericConstruct(Code& code, const Shape& shape, std::span<const ExprId> arguments) {
+Binding WriteNumeric(Code& code, const Shape& shape, std::span<const ExprId> arguments) {
   const ExprId first = arguments[0];
   const Shape first_shape = code.ShapeAt(first);
-  if (arguments.size() == 1 && first_shape == shape) return ExprText(code, first);
+  if (arguments.size() == 1 && first_shape == shape) return WriteExpr(code, first);
   const bool all_equal = shape.IsVector() && std::ranges::all_of(arguments, [&](ExprId id) {
                            const auto* literal = code.As<Literal>(id);
                            const auto* other = code.As<Literal>(first);
                            return literal && other && literal->bits == other->bits;
                          });
-  if (all_equal) return SplatText(code, ExprText(code, first), shape, true);
+  if (all_equal) return WriteSplat(code, shape, first);
 
-  const auto argument = [&](ExprId id) { return Argument(code, id); };
-  const std::string type = TypeName(code, shape);
+  code.Put(TypeName(code, shape), "(");
   if (shape.kind != Shape::kRows || !first_shape.IsScalar()) {
-    return Called(type, {ListOf(arguments, argument)});
+    WriteArguments(code, arguments);
+  } else {
+    for (std::size_t i = 0; i < arguments.size(); i += shape.size) {
+      code.Put(i > 0 ? ", " : "", TypeName(code, shape.Row()), "(");
+      WriteArguments(code, arguments.subspan(i, shape.size));
+      code.Put(")");
+    }
   }
-  const auto row = [&](std::size_t i) {
-    return Called(TypeName(code, shape.Row()),
-                  {ListOf(arguments.subspan(i * shape.size, shape.size), argument)})
-        .text;
-  };
-  return Called(type, {ListOf(arguments.size() / shape.size, row)});
+  code.Put(")");
+  return Binding::kPostfix;
 }
 
 }  // namespace
 
-Text ConstructText(Code& code, TypeId id, std::span<const ExprId> arguments) {
+Binding WriteConstruct(Code& code, TypeId id, std::span<const ExprId> arguments) {
   const Type& type = code[id];
-  if (type.IsNumeric()) return NumericConstruct(code, ShapeOf(type, code.target), arguments);
-  const std::string name = TypeName(code, id);
-  const std::string list = ListOf(arguments, [&](ExprId argument) {
-    return type.kind == TypeKind::kArray ? ElementText(code, type.element, ExprText(code, argument))
-                                         : Argument(code, argument);
-  });
+  if (type.IsNumeric()) return WriteNumeric(code, ShapeOf(type, code.target), arguments);
+  code.Put(TypeName(code, id), "(");
+  if (type.kind == TypeKind::kArray) {
+    code.Put(ListOf(arguments, [&](ExprId argument) {
+      return ElementText(code, type.element, ExprText(code, argument));
+    }));
+  } else {
+    WriteArguments(code, arguments);
+  }
   // A struct without fields has one float in GLSL, which requires a field.
-  const bool is_empty = arguments.empty() && type.kind == TypeKind::kStruct;
-  return Called(name, {is_empty ? "0.0" : list});
+  if (arguments.empty() && type.kind == TypeKind::kStruct) code.Put("0.0");
+  code.Put(")");
+  return Binding::kPostfix;
 }
 
-Text TruncateText(Code& code, TypeId id, ExprId matrix) {
+Binding WriteTruncated(Code& code, TypeId id, ExprId matrix) {
   const Type& type = code[id];
   const Shape from = code.ShapeAt(matrix), to = ShapeOf(type, code.target);
-  Text operand = ExprText(code, matrix);
-  if (from == to) return operand;
-  const std::string_view components = std::string_view(".xyzw").substr(0, to.size + 1u);
-  if (to.kind == Shape::kMatrix) {
-    return Called(TypeName(code, to), {Argument(std::move(operand))});
-  }
+  if (from == to) return WriteExpr(code, matrix);
   // The result is the first row, or the first column, which is the first row of the transpose.
-  const bool is_row = type.rows == 1;
-  std::string text = from.HasRows() && !is_row
-                         ? Called("transpose", {Argument(std::move(operand))}).text
-                         : std::move(operand).At(Binding::kPostfix);
+  const bool is_row = type.rows == 1, is_column = from.HasRows() && !is_row;
+  const bool is_matrix = to.kind == Shape::kMatrix;
+  if (is_matrix || is_column) {
+    code.Put(is_matrix ? TypeName(code, to) : "transpose", "(");
+    WriteAt(code, matrix, Binding::kAssignment);
+    code.Put(")");
+  } else {
+    WriteAt(code, matrix, Binding::kPostfix);
+  }
+  if (is_matrix) return Binding::kPostfix;
   const bool is_whole = from.HasRows() && to.size == (is_row ? from.size : from.rows);
-  Append(text, from.HasRows() ? "[0]" : "", is_whole ? "" : components);
-  return {std::move(text)};
+  code.Put(from.HasRows() ? "[0]" : "",
+           is_whole ? "" : std::string_view(".xyzw").substr(0, to.size + 1u));
+  return Binding::kPostfix;
 }
 
 }  // namespace clipc::glsl

@@ -9,9 +9,9 @@
 // Constructors.
 namespace clipc::glsl {
 
-// The constructor call of an ir::Construct of this type.
-Text ConstructText(Code& code, ir::TypeId type, std::span<const ir::ExprId> arguments);
-// The text of an ir::MatrixTruncate to this type.
-Text TruncateText(Code& code, ir::TypeId type, ir::ExprId matrix);
+// Writes the constructor call of an ir::Construct of this type.
+Binding WriteConstruct(Code& code, ir::TypeId type, std::span<const ir::ExprId> arguments);
+// Writes an ir::MatrixTruncate to this type.
+Binding WriteTruncated(Code& code, ir::TypeId type, ir::ExprId matrix);
 
 }  // namespace clipc::glsl

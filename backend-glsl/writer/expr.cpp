@@ -2,8 +2,7 @@
 #include "backend-glsl/writer/expr.h"
 
 #include <algorithm>
-
-#include <fmt/format.h>
+#include <utility>
 
 #include "backend-glsl/literal.h"
 #include "backend-glsl/writer/construct.h"
@@ -22,22 +21,36 @@ using namespace ir;
 
 namespace {
 
-Text VarText(Code& code, VarId id) {
-  if (code[id].storage == Storage::kUniform) return UniformText(code, id);
-  return {code.NameOf(id)};
+Binding Write(Code& code, const Text& text) {
+  code.Put(text.text);
+  return text.binding;
 }
 
-Text IndexText(Code& code, const Expr& expr, const Index& node) {
+Binding WriteVar(Code& code, VarId id) {
+  if (code[id].storage == Storage::kUniform) return WriteUniform(code, id);
+  code.Put(code.NameOf(id));
+  return Binding::kPostfix;
+}
+
+Binding WriteField(Code& code, const FieldRef& node) {
+  if (IsInstance(code, node.base))
+    code.Put(InstancePath(code, node.base));
+  else
+    WriteAt(code, node.base, Binding::kPostfix);
+  code.Put(".", code.names.fields[code.TypeOf(node.base).structure.index][node.field]);
+  return Binding::kPostfix;
+}
+
+Binding WriteElement(Code& code, const Expr& expr, const Index& node) {
   const Type& type = code.TypeOf(node.base);
   if (type.kind == TypeKind::kArray) {
     const auto* ref = code.As<VarRef>(node.base);
     if (ref && code[ref->var].storage == Storage::kUniform) {
-      return UniformElement(code, ref->var, node.index);
+      return WriteUniformElement(code, ref->var, node.index);
     }
   }
-  Text base = ExprText(code, node.base);
-  if (IsOnlyElement(code.program, node)) return base;
-  std::string text = std::move(base).At(Binding::kPostfix);
+  if (IsOnlyElement(code.program, node)) return WriteExpr(code, node.base);
+  WriteAt(code, node.base, Binding::kPostfix);
   // Mesa 22.3 reads the wrong component for t[1] after `ivec2 t = a.yw`, but not for t.y. An
   // element of a matrix is m[1][2].
   const auto* literal = code.As<Literal>(node.index);
@@ -45,28 +58,32 @@ Text IndexText(Code& code, const Expr& expr, const Index& node) {
   const bool is_element =
       row && code.TypeOf(row->base).IsNumeric() && code.ShapeAt(row->base).HasRows();
   if (literal && !is_element && type.IsNumeric() && ShapeOf(type, code.target).IsVector()) {
-    text += {'.', "xyzw"[UintOf(literal->bits) % 4]};
-    return {std::move(text)};
+    const char component[] = {'.', "xyzw"[UintOf(literal->bits) % 4], '\0'};
+    code.Put(component);
+    return Binding::kPostfix;
   }
-  if (HasFields(code, type)) return {Concat(text, ".e", IndexValue(code, node.index))};
-  Append(text, "[", IndexValue(code, node.index), "]");
-  if (type.kind == TypeKind::kArray && IsWrapped(code, expr.type)) text += ".e";
-  return {std::move(text)};
+  const bool has_fields = HasFields(code, type);
+  code.Put(has_fields ? ".e" : "[");
+  WriteIndex(code, node.index);
+  if (!has_fields) code.Put("]");
+  if (!has_fields && type.kind == TypeKind::kArray && IsWrapped(code, expr.type)) code.Put(".e");
+  return Binding::kPostfix;
 }
 
-Text SwizzleText(Code& code, const Swizzle& node) {
-  Text base = ExprText(code, node.base);
+Binding WriteSwizzle(Code& code, const Swizzle& node) {
   const Shape shape = code.ShapeAt(node.base);
   if (shape.IsScalar()) {
-    if (node.count == 1) return base;
-    return Called(TypeName(code, ShapeOf(shape.scalar, 1, node.count)),
-                  {Argument(std::move(base))});
+    if (node.count == 1) return WriteExpr(code, node.base);
+    code.Put(TypeName(code, ShapeOf(shape.scalar, 1, node.count)), "(");
+    WriteArguments(code, {&node.base, 1});
+    code.Put(")");
+    return Binding::kPostfix;
   }
+  WriteAt(code, node.base, Binding::kPostfix);
   char components[] = ".xyzw";
   for (int i = 0; i < node.count; ++i) components[i + 1] = "xyzw"[node.components[i]];
-  std::string text = std::move(base).At(Binding::kPostfix);
-  text.append(components, std::size_t{node.count} + 1);
-  return {std::move(text)};
+  code.Put(std::string_view(components, std::size_t{node.count} + 1));
+  return Binding::kPostfix;
 }
 
 Text MatrixSwizzleText(Code& code, const Expr& expr, const MatrixSwizzle& node) {
@@ -93,122 +110,158 @@ Text MatrixSwizzleText(Code& code, const Expr& expr, const MatrixSwizzle& node) 
                 {ListOf(int{node.count}, element)});
 }
 
-Text UnaryText(Code& code, const Unary& node) {
-  if (!ChangesOperand(node.op)) return UnaryOn(code, node.op, OperandOf(code, node.operand));
-  Text operand = ExprText(code, node.operand);
+Binding WriteUnary(Code& code, const Unary& node) {
   switch (node.op) {
     case UnaryOp::kPreIncrement:
-      return {"++" + std::move(operand).At(Binding::kUnary), Binding::kUnary};
+      code.Put("++");
+      WriteAt(code, node.operand, Binding::kUnary);
+      return Binding::kUnary;
     case UnaryOp::kPreDecrement:
-      return {"--" + std::move(operand).At(Binding::kUnary), Binding::kMinus};
-    case UnaryOp::kPostIncrement: return {std::move(operand).At(Binding::kPostfix) + "++"};
-    default: return {std::move(operand).At(Binding::kPostfix) + "--"};
+      code.Put("--");
+      WriteAt(code, node.operand, Binding::kUnary);
+      return Binding::kMinus;
+    case UnaryOp::kPostIncrement:
+    case UnaryOp::kPostDecrement:
+      WriteAt(code, node.operand, Binding::kPostfix);
+      code.Put(node.op == UnaryOp::kPostIncrement ? "++" : "--");
+      return Binding::kPostfix;
+    default: return WriteOperator(code, node.op, node.operand);
   }
 }
 
-Text AssignText(Code& code, const Assign& node) {
-  // The value of a compound assignment may be a scalar beside a vector.
-  Text value = node.op ? OperandOf(code, node.value).text : Text{};
-  std::string text = ExprText(code, node.target).At(Binding::kUnary);
-  if (!node.op) value = ExprText(code, node.value);
-  Append(text, " ", node.op ? OperatorOf(*node.op).spelling : "", "= ", Argument(std::move(value)));
-  return {std::move(text), Binding::kAssignment};
+// The value of a compound assignment may be a scalar beside a vector.
+Binding WriteAssign(Code& code, const Assign& node) {
+  WriteAt(code, node.target, Binding::kUnary);
+  code.Put(" ", node.op ? OperatorOf(*node.op).spelling : "", "= ");
+  if (node.op)
+    WriteOperandAt(code, node.value, Binding::kAssignment);
+  else
+    WriteAt(code, node.value, Binding::kAssignment);
+  return Binding::kAssignment;
 }
 
-Text ConvertText(Code& code, const Expr& expr, const Convert& node) {
+Binding WriteConditional(Code& code, const Conditional& node) {
+  WriteAt(code, node.condition, Tighter(Binding::kConditional));
+  code.Put(" ? ");
+  WriteAt(code, node.when_true, Binding::kAssignment);
+  code.Put(" : ");
+  WriteAt(code, node.when_false, Binding::kConditional);
+  return Binding::kConditional;
+}
+
+Binding WriteConvert(Code& code, const Expr& expr, const Convert& node) {
   const Scalar kind = code[expr.type].scalar;
   if (const auto* literal = code.As<Literal>(node.operand)) {
     const Scalar from = code.TypeOf(node.operand).scalar;
-    return LiteralText(ConvertBits(literal->bits, from, kind), kind, code.target);
+    return Write(code, LiteralText(ConvertBits(literal->bits, from, kind), kind, code.target));
   }
   // sign() gives an int in HLSL and a float in GLSL, and mostly its value is wanted as a float.
   const auto* call = code.As<IntrinsicCall>(node.operand);
   if (call && call->op == Intrinsic::kSign) {
-    const Operand argument = OperandOf(code, code[call->arguments][0]);
-    if (argument.shape.scalar == BaseOf(kind) && argument.shape.IsFloating() &&
-        !argument.shape.HasRows()) {
-      return CallOn(code, "sign", {&argument, 1});
-    }
+    const auto arguments = code[call->arguments];
+    const Shape shape = code.ShapeAt(arguments[0]);
+    if (shape.scalar == BaseOf(kind) && shape.IsFloating() && !shape.HasRows())
+      return WriteCall(code, "sign", arguments);
   }
-  return ConvertOn(code, kind, OperandOf(code, node.operand));
+  return WriteConverted(code, kind, node.operand);
 }
 
-Text CallText(Code& code, const Call& node) {
-  const std::string arguments =
-      ListOf(code[node.arguments], [&](ExprId argument) { return Argument(code, argument); });
+// The definition of a helper function comes after those that its arguments need.
+Binding WriteUserCall(Code& code, const Call& node) {
+  const std::size_t begin = code.out->size();
   const bool is_helper = code[node.function].is_helper;
-  return Called(
-      is_helper ? HelperFunction(code, node.function) : code.names.functions[node.function.index],
-      {arguments});
+  if (!is_helper) code.Put(code.names.functions[node.function.index]);
+  code.Put("(");
+  WriteArguments(code, code[node.arguments]);
+  code.Put(")");
+  if (is_helper) code.PutBefore(begin, HelperFunction(code, node.function));
+  return Binding::kPostfix;
 }
 
 }  // namespace
 
-Text ExprText(Code& code, ExprId id) {
+Binding WriteExpr(Code& code, ExprId id) {
   const Expr& expr = code[id];
   code.RequireType(code[expr.type]);
   return Visit(
       Overloaded{
           [&](const Literal& node) {
-            return LiteralText(node.bits, code.TypeOf(id).scalar, code.target);
+            return Write(code, LiteralText(node.bits, code[expr.type].scalar, code.target));
           },
-          [&](const Zero&) { return Text{ZeroText(code, expr.type)}; },
+          [&](const Zero&) { return Write(code, {ZeroText(code, expr.type)}); },
           [&](const VarRef& node) {
-            return IsInstance(code, id) ? InstanceValue(code, id) : VarText(code, node.var);
+            return IsInstance(code, id) ? Write(code, InstanceValue(code, id))
+                                        : WriteVar(code, node.var);
           },
-          [&](const FieldRef& node) {
-            const std::string base = IsInstance(code, node.base)
-                                         ? InstancePath(code, node.base)
-                                         : ExprText(code, node.base).At(Binding::kPostfix);
-            const auto& fields = code.names.fields[code.TypeOf(node.base).structure.index];
-            return Text{Concat(base, ".", fields[node.field])};
-          },
+          [&](const FieldRef& node) { return WriteField(code, node); },
           [&](const Index& node) {
-            return IsInstance(code, id) ? InstanceValue(code, id) : IndexText(code, expr, node);
+            return IsInstance(code, id) ? Write(code, InstanceValue(code, id))
+                                        : WriteElement(code, expr, node);
           },
-          [&](const Swizzle& node) { return SwizzleText(code, node); },
-          [&](const MatrixSwizzle& node) { return MatrixSwizzleText(code, expr, node); },
-          [&](const Unary& node) { return UnaryText(code, node); },
-          [&](const Binary& node) {
-            Operand left = OperandOf(code, node.left);
-            return BinaryOn(code, node.op, std::move(left), OperandOf(code, node.right));
+          [&](const Swizzle& node) { return WriteSwizzle(code, node); },
+          [&](const MatrixSwizzle& node) {
+            return Write(code, MatrixSwizzleText(code, expr, node));
           },
-          [&](const Assign& node) { return AssignText(code, node); },
-          [&](const Conditional& node) {
-            std::string text = ExprText(code, node.condition).At(Tighter(Binding::kConditional));
-            Append(text, " ? ", Argument(code, node.when_true));
-            Append(text, " : ", ExprText(code, node.when_false).At(Binding::kConditional));
-            return Text{std::move(text), Binding::kConditional};
-          },
+          [&](const Unary& node) { return WriteUnary(code, node); },
+          [&](const Binary& node) { return WriteOperator(code, node.op, node.left, node.right); },
+          [&](const Assign& node) { return WriteAssign(code, node); },
+          [&](const Conditional& node) { return WriteConditional(code, node); },
           [&](const Select& node) {
-            const Operand mixed[] = {OperandOf(code, node.when_false),
-                                     OperandOf(code, node.when_true),
-                                     OperandOf(code, node.condition)};
-            return CallOn(code, "mix", mixed);
+            const ExprId mixed[] = {node.when_false, node.when_true, node.condition};
+            return WriteCall(code, "mix", mixed);
           },
-          [&](const Convert& node) { return ConvertText(code, expr, node); },
-          [&](const Splat&) { return Full(code, OperandOf(code, id)); },
+          [&](const Convert& node) { return WriteConvert(code, expr, node); },
+          [&](const Splat& node) { return WriteSplat(code, code.ShapeAt(id), node.operand); },
           [&](const Construct& node) {
-            return ConstructText(code, expr.type, code[node.arguments]);
+            return WriteConstruct(code, expr.type, code[node.arguments]);
           },
-          [&](const MatrixTruncate& node) { return TruncateText(code, expr.type, node.operand); },
-          [&](const Call& node) { return CallText(code, node); },
-          [&](const IntrinsicCall& node) { return IntrinsicText(code, expr.type, node); },
-          [&](const ObjectCall& node) { return ObjectText(code, expr.type, node); },
+          [&](const MatrixTruncate& node) { return WriteTruncated(code, expr.type, node.operand); },
+          [&](const Call& node) { return WriteUserCall(code, node); },
+          [&](const IntrinsicCall& node) { return WriteIntrinsic(code, expr.type, node); },
+          [&](const ObjectCall& node) { return Write(code, ObjectText(code, expr.type, node)); },
           [&](const Comma& node) {
-            std::string text = ExprText(code, node.first).text;
-            Append(text, ", ", Argument(code, node.second));
-            return Text{std::move(text), Binding::kComma};
+            WriteExpr(code, node.first);
+            code.Put(", ");
+            WriteAt(code, node.second, Binding::kAssignment);
+            return Binding::kComma;
           },
       },
       expr.node);
 }
 
-std::string Argument(Code& code, ExprId id) { return Argument(ExprText(code, id)); }
+void WriteAt(Code& code, ExprId id, Binding least) {
+  const std::size_t begin = code.out->size();
+  if (WriteExpr(code, id) < least) code.EncloseFrom(begin);
+}
+
+void WriteArguments(Code& code, std::span<const ExprId> arguments) {
+  std::string_view separator;
+  for (const ExprId argument : arguments) {
+    code.Put(std::exchange(separator, ", "));
+    WriteAt(code, argument, Binding::kAssignment);
+  }
+}
+
+Text ExprText(Code& code, ExprId id) {
+  Text text;
+  text.text = code.Apart([&] { text.binding = WriteExpr(code, id); });
+  return text;
+}
+
+std::string Argument(Code& code, ExprId id) {
+  return code.Apart([&] { WriteAt(code, id, Binding::kAssignment); });
+}
+
+void WriteIndex(Code& code, ExprId index) {
+  const auto* literal = code.As<Literal>(index);
+  if (literal)
+    code.Put(std::to_string(UintOf(literal->bits)));
+  else
+    WriteExpr(code, index);
+}
 
 std::string IndexValue(Code& code, ExprId index) {
-  const auto* literal = code.As<Literal>(index);
-  return literal ? std::to_string(UintOf(literal->bits)) : ExprText(code, index).text;
+  return code.Apart([&] { WriteIndex(code, index); });
 }
 
 std::string IndexPath(Code& code, ExprId element) {

@@ -6,7 +6,8 @@
 
 namespace clipc::glsl {
 
-// A call of one of HLSL's functions, as far as the legalising passes left it, that gives a `type`.
-Text IntrinsicText(Code& code, ir::TypeId type, const ir::IntrinsicCall& node);
+// Writes a call of one of HLSL's functions, as far as the legalising passes left it, that gives a
+// `type`.
+Binding WriteIntrinsic(Code& code, ir::TypeId type, const ir::IntrinsicCall& node);
 
 }  // namespace clipc::glsl

@@ -1,114 +1,137 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "backend-glsl/writer/operand.h"
 
+#include <optional>
+
 #include <fmt/format.h>
 
 #include "backend-glsl/writer/expr.h"
 #include "backend-glsl/writer/helper.h"
 #include "backend-glsl/writer/types.h"
-#include "base/overloaded.h"
 
 namespace clipc::glsl {
 
 using namespace ir;
 
-Operand OperandOf(Code& code, ExprId id) {
-  const Shape shape = code.ShapeAt(id);
-  const std::optional<Constant> constant = ConstantOf(code.program, id);
-  if (code.As<Zero>(id)) return {{ZeroText(code, shape.Component())}, shape, true, constant, true};
-  const auto* splat = code.As<Splat>(id);
-  const ExprId written = splat ? splat->operand : id;
-  const bool is_scalar = IsOneScalar(code.program, id);
-  return {ExprText(code, written), shape, is_scalar, constant,
-          (is_scalar || shape.IsScalar()) && IsRepeatable(code.program, written)};
+namespace {
+
+// A matrix with `scalar`, an argument of a call, in every component.
+std::string MatrixOf(Code& code, const Shape& shape, std::string_view scalar) {
+  const std::string row = Concat(TypeName(code, shape.Row()), "(", scalar, ")");
+  return Called(TypeName(code, shape), {ListOf(int{shape.rows}, [&](int) { return row; })}).text;
 }
 
-std::vector<Operand> OperandsOf(Code& code, List<ExprId> list) {
-  std::vector<Operand> operands;
-  operands.reserve(list.size);
-  for (const ExprId id : code[list]) operands.push_back(OperandOf(code, id));
-  return operands;
-}
-
-Text Full(Code& code, Operand operand) {
-  if (!operand.is_scalar) return std::move(operand.text);
-  return SplatText(code, operand.text, operand.shape, operand.repeatable,
-                   operand.constant && operand.constant->bits == 0);
-}
-
-Text SplatText(Code& code, const Text& scalar, const Shape& shape, bool repeatable, bool is_zero) {
-  if (shape.IsScalar()) return scalar;
-  const std::string type = TypeName(code, shape);
-  if (shape.IsVector()) return Called(type, {Argument(scalar)});
-  if (!repeatable) {
-    const std::string component = TypeName(code, shape.Component());
-    const std::string name =
-        Helper(code, "splat_" + type, component, [&](const std::string& helper) {
-          return fmt::format("{} {}({} x) {{\n    return {};\n}}\n", type, helper, component,
-                             SplatText(code, {"x"}, shape, true).text);
-        });
-    return Called(name, {Argument(scalar)});
+Binding WriteMatrixSplat(Code& code, const Shape& shape, ExprId scalar) {
+  const std::string argument = Argument(code, scalar), type = TypeName(code, shape);
+  if (IsRepeatable(code.program, scalar)) {
+    // mat4(x) is x on the diagonal only.
+    const std::optional<Constant> number = ConstantOf(code.program, scalar);
+    const bool is_zero = shape.kind == Shape::kMatrix && number && number->bits == 0;
+    code.Put(is_zero ? Concat(type, "(", argument, ")") : MatrixOf(code, shape, argument));
+    return Binding::kPostfix;
   }
-  // mat4(x) is x on the diagonal only.
-  if (shape.kind == Shape::kMatrix && is_zero) return Called(type, {scalar.text});
-  const auto row = [&](int) { return SplatText(code, scalar, shape.Row(), true).text; };
-  return Called(type, {ListOf(int{shape.rows}, row)});
+  const std::string component = TypeName(code, shape.Component());
+  const std::string name = Helper(code, "splat_" + type, component, [&](const std::string& helper) {
+    return fmt::format("{} {}({} x) {{\n    return {};\n}}\n", type, helper, component,
+                       MatrixOf(code, shape, "x"));
+  });
+  code.Put(name, "(", argument, ")");
+  return Binding::kPostfix;
 }
 
-Text UnaryOn(Code& code, UnaryOp op, const Operand& operand) {
-  if (op == UnaryOp::kNot && operand.shape.IsVector()) return CallOn(code, "not", {&operand, 1});
+}  // namespace
+
+Binding WriteOperand(Code& code, ExprId operand) {
+  if (code.As<Zero>(operand)) {
+    code.Put(ZeroText(code, code.ShapeAt(operand).Component()));
+    return Binding::kPostfix;
+  }
+  const auto* splat = code.As<Splat>(operand);
+  return WriteExpr(code, splat ? splat->operand : operand);
+}
+
+void WriteOperandAt(Code& code, ExprId operand, Binding least) {
+  const std::size_t begin = code.out->size();
+  if (WriteOperand(code, operand) < least) code.EncloseFrom(begin);
+}
+
+Binding WriteSplat(Code& code, const Shape& shape, ExprId scalar) {
+  if (shape.IsScalar()) return WriteExpr(code, scalar);
+  if (!shape.IsVector()) return WriteMatrixSplat(code, shape, scalar);
+  code.Put(TypeName(code, shape), "(");
+  WriteAt(code, scalar, Binding::kAssignment);
+  code.Put(")");
+  return Binding::kPostfix;
+}
+
+Binding WriteOperator(Code& code, UnaryOp op, ExprId operand) {
+  if (op == UnaryOp::kNot && code.ShapeAt(operand).IsVector())
+    return WriteCall(code, "not", {&operand, 1});
   const bool is_minus = op == UnaryOp::kNegate;
-  const char* spelling = is_minus ? "-" : op == UnaryOp::kNot ? "!" : "~";
-  return {spelling + Full(code, operand).At(is_minus ? Binding::kUnary : Binding::kMinus),
-          is_minus ? Binding::kMinus : Binding::kUnary};
+  code.Put(is_minus ? "-" : op == UnaryOp::kNot ? "!" : "~");
+  WriteAt(code, operand, is_minus ? Binding::kUnary : Binding::kMinus);
+  return is_minus ? Binding::kMinus : Binding::kUnary;
 }
 
 // A scalar operand may be left a scalar beside a vector or matrix, but for the left one of a shift.
-Text BinaryOn(Code& code, BinaryOp op, Operand left, Operand right) {
-  const Shape shape = left.shape;
+// GLSL's operators associate to the left.
+Binding WriteOperator(Code& code, BinaryOp op, ExprId left, ExprId right) {
+  const Shape shape = code.ShapeAt(left);
   const Operator& glsl = OperatorOf(op);
+  const bool left_is_scalar = IsOneScalar(code.program, left);
+  const bool right_is_scalar = IsOneScalar(code.program, right);
   const bool is_product = shape.kind == Shape::kMatrix && op == BinaryOp::kMul;
   const bool is_vector_comparison = IsComparison(op) && shape.IsVector();
-  if (is_vector_comparison || (is_product && !left.is_scalar && !right.is_scalar)) {
-    const Operand operands[] = {std::move(left), std::move(right)};
-    return CallOn(code, is_product ? "matrixCompMult" : glsl.vector_function, operands);
+  if (is_vector_comparison || (is_product && !left_is_scalar && !right_is_scalar)) {
+    const ExprId operands[] = {left, right};
+    return WriteCall(code, is_product ? "matrixCompMult" : glsl.vector_function, operands);
   }
-  const bool is_full = left.is_scalar && !shape.IsScalar() && (right.is_scalar || IsShift(op));
-  return Infix(is_full ? Full(code, std::move(left)) : std::move(left.text), glsl.spelling,
-               right.text, glsl.binding);
+  if (left_is_scalar && !shape.IsScalar() && (right_is_scalar || IsShift(op)))
+    WriteAt(code, left, glsl.binding);
+  else
+    WriteOperandAt(code, left, glsl.binding);
+  code.Put(" ", glsl.spelling, " ");
+  WriteOperandAt(code, right, Tighter(glsl.binding));
+  return glsl.binding;
 }
 
-Text ConvertOn(Code& code, Scalar kind, const Operand& operand) {
-  const Shape& from = operand.shape;
+Binding WriteConverted(Code& code, Scalar kind, ExprId operand) {
+  const Shape from = code.ShapeAt(operand);
   const std::string type = TypeName(code, from.With(kind));
-  if (type == TypeName(code, from)) return Full(code, operand);
-  const bool is_scalar = operand.is_scalar && !from.HasRows();
-  return Called(type, {Argument(is_scalar ? operand.text : Full(code, operand))});
+  if (type == TypeName(code, from)) return WriteExpr(code, operand);
+  code.Put(type, "(");
+  if (from.HasRows())
+    WriteAt(code, operand, Binding::kAssignment);
+  else
+    WriteOperandAt(code, operand, Binding::kAssignment);
+  code.Put(")");
+  return Binding::kPostfix;
 }
 
-Text CallOn(Code& code, std::string_view function, std::span<const Operand> operands,
-            unsigned scalars) {
+Binding WriteCall(Code& code, std::string_view function, std::span<const ExprId> arguments,
+                  unsigned scalars) {
   bool all_scalar = scalars != 0;
-  for (std::size_t i = 0; i < operands.size(); ++i) {
-    if (operands[i].is_scalar != ((scalars >> i & 1) != 0)) all_scalar = false;
+  for (std::size_t i = 0; all_scalar && i < arguments.size(); ++i)
+    all_scalar = IsOneScalar(code.program, arguments[i]) == ((scalars >> i & 1) != 0);
+  code.Put(function, "(");
+  if (all_scalar) {
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+      if (i > 0) code.Put(", ");
+      WriteOperandAt(code, arguments[i], Binding::kAssignment);
+    }
+  } else {
+    WriteArguments(code, arguments);
   }
-  std::string text;
-  text.reserve(64);
-  Append(text, function, "(");
-  for (std::size_t i = 0; i < operands.size(); ++i) {
-    const Operand& operand = operands[i];
-    if (i > 0) text += ", ";
-    if (all_scalar || !operand.is_scalar)
-      operand.text.AppendTo(text, Binding::kAssignment);
-    else
-      Full(code, operand).AppendTo(text, Binding::kAssignment);
-  }
-  text += ')';
-  return {std::move(text)};
+  code.Put(")");
+  return Binding::kPostfix;
 }
 
-Text SnippetCall(Code& code, std::string_view name, std::span<const Operand> operands) {
-  return CallOn(code, SnippetName(code, name, operands[0].shape), operands);
+// The definition of the snippet comes after those that its arguments need.
+Binding WriteSnippetCall(Code& code, std::string_view name, std::span<const ExprId> arguments) {
+  const std::size_t begin = code.out->size();
+  const Binding binding = WriteCall(code, "", arguments);
+  code.PutBefore(begin, SnippetName(code, name, code.ShapeAt(arguments[0])));
+  return binding;
 }
 
 }  // namespace clipc::glsl

@@ -1,46 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include <optional>
+#include <cstddef>
 #include <span>
+#include <string>
 #include <string_view>
-#include <vector>
 
 #include "backend-glsl/operators.h"
 #include "backend-glsl/shape.h"
 #include "backend-glsl/text.h"
 #include "backend-glsl/writer/code.h"
 
-// Operators and calls on operands that are written.
+// Operators and calls of GLSL's functions, which take a scalar beside a vector in many places: an
+// operand that is one scalar (IsOneScalar) is written so there, and in its whole shape elsewhere.
 namespace clipc::glsl {
 
-// An operand: its text, or the text of the scalar that each of its components is.
-struct Operand {
-  Text text;
-  Shape shape;
-  bool is_scalar = false;            // `text` is the scalar
-  std::optional<Constant> constant;  // the number that every component is, where it is known
-  bool repeatable = false;           // a scalar, short and without effects: may be written twice
-};
+// Writes the operand where a scalar may stand for a vector or matrix.
+Binding WriteOperand(Code& code, ir::ExprId operand);
+void WriteOperandAt(Code& code, ir::ExprId operand, Binding least);
+// Writes a value of the shape whose components all are `scalar`.
+Binding WriteSplat(Code& code, const Shape& shape, ir::ExprId scalar);
 
-Operand OperandOf(Code& code, ir::ExprId id);
-std::vector<Operand> OperandsOf(Code& code, List<ir::ExprId> list);
+Binding WriteOperator(Code& code, ir::UnaryOp op, ir::ExprId operand);
+Binding WriteOperator(Code& code, ir::BinaryOp op, ir::ExprId left, ir::ExprId right);
+// Writes the operand with another component kind.
+Binding WriteConverted(Code& code, ir::Scalar kind, ir::ExprId operand);
 
-// The operand in its whole shape.
-Text Full(Code& code, Operand operand);
-// A value of the shape whose components all are `scalar`; `is_zero`: the scalar is known to be 0.
-Text SplatText(Code& code, const Text& scalar, const Shape& shape, bool repeatable,
-               bool is_zero = false);
-
-Text UnaryOn(Code& code, ir::UnaryOp op, const Operand& operand);
-Text BinaryOn(Code& code, ir::BinaryOp op, Operand left, Operand right);
-Text ConvertOn(Code& code, ir::Scalar kind, const Operand& operand);
-
-// The call function(operands). Bit i of `scalars`: argument i may be a scalar beside vectors, if
-// all such arguments are scalars.
-Text CallOn(Code& code, std::string_view function, std::span<const Operand> operands,
-            unsigned scalars = 0);
-// A call of the snippet `name` (snippets.h) for the first operand's shape.
-Text SnippetCall(Code& code, std::string_view name, std::span<const Operand> operands);
+// Writes the call function(arguments). Bit i of `scalars`: argument i may be a scalar beside
+// vectors, if all such arguments are scalars.
+Binding WriteCall(Code& code, std::string_view function, std::span<const ir::ExprId> arguments,
+                  unsigned scalars = 0);
+// Writes a call of the snippet `name` (snippets.h) for the first argument's shape.
+Binding WriteSnippetCall(Code& code, std::string_view name, std::span<const ir::ExprId> arguments);
 
 }  // namespace clipc::glsl

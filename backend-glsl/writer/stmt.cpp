@@ -37,18 +37,20 @@ void WriteBody(Code& code, StmtId id) {
 }
 
 // Declares a local variable; without the type if others come before it: `int i = 0, j = 1`.
-std::string DeclareText(Code& code, const Declare& node, bool is_first = true) {
+void WriteDeclare(Code& code, const Declare& node, bool is_first = true) {
   const Var& var = code[node.var];
   const ExprId init = node.init ? node.init : var.init;
+  const std::size_t begin = code.out->size();
   // The variable is in scope after its initialiser only, in GLSL as in HLSL.
-  const std::string value = init ? Argument(code, init) : "";
-  const bool is_const = code.constants.Has(node.var);
+  if (init) {
+    code.Put(" = ");
+    WriteAt(code, init, Binding::kAssignment);
+  }
   code.NameLocal(node.var, "value");
   const std::string& name = code.NameOf(node.var);
-  const std::string_view equals = init ? " = " : "";
-  if (!is_first) return Concat(Declarator(code, var.type, name), equals, value);
-  return Concat(is_const ? "const " : "", PreciseText(code, var.precise),
-                Declaration(code, var.type, name), equals, value);
+  if (!is_first) return code.PutBefore(begin, Declarator(code, var.type, name));
+  code.PutBefore(begin, Concat(code.constants.Has(node.var) ? "const " : "",
+                               PreciseText(code, var.precise), Declaration(code, var.type, name)));
 }
 
 // The attribute for Vulkan's drivers that corresponds to the statement's attribute in HLSL, and a
@@ -67,8 +69,17 @@ std::string_view HintText(Code& code, StmtId id) {
   return "";
 }
 
+// Writes the expression between two texts.
+void WriteBetween(Code& code, std::string_view open, ExprId expr, std::string_view close) {
+  code.Put(open);
+  WriteExpr(code, expr);
+  code.Put(close);
+}
+
 void WriteIf(Code& code, StmtId id, const If& node, std::string_view lead) {
-  code.Line(lead, HintText(code, id), "if (", ExprText(code, node.condition).text, ") {");
+  code.Indent();
+  code.Put(lead, HintText(code, id));
+  WriteBetween(code, "if (", node.condition, ") {\n");
   WriteBody(code, node.then);
   if (!node.otherwise) return code.Line("}");
   if (const auto* next = code.As<If>(node.otherwise))
@@ -80,32 +91,38 @@ void WriteIf(Code& code, StmtId id, const If& node, std::string_view lead) {
 
 void WriteFor(Code& code, StmtId id, const For& node) {
   code.namer.OpenScope();
-  std::string head(HintText(code, id));
-  head += "for (";
+  code.Indent();
+  code.Put(HintText(code, id), "for (");
   bool is_first = true;
   for (const StmtId each : code[node.init]) {
-    const auto* declare = code.As<Declare>(each);
-    Append(head, is_first ? "" : ", ",
-           declare ? DeclareText(code, *declare, is_first)
-                   : ExprText(code, code.As<Evaluate>(each)->expr).text);
+    if (!is_first) code.Put(", ");
+    if (const auto* declare = code.As<Declare>(each))
+      WriteDeclare(code, *declare, is_first);
+    else
+      WriteExpr(code, code.As<Evaluate>(each)->expr);
     is_first = false;
   }
-  head += ";";
-  if (node.condition) Append(head, " ", ExprText(code, node.condition).text);
-  head += ";";
-  if (node.step) Append(head, " ", ExprText(code, node.step).text);
-  code.Line(head, ") {");
+  code.Put(";");
+  if (node.condition) WriteBetween(code, " ", node.condition, "");
+  code.Put(";");
+  if (node.step) WriteBetween(code, " ", node.step, "");
+  code.Put(") {\n");
   WriteBody(code, node.body);
   code.Line("}");
   code.namer.CloseScope();
 }
 
 void WriteSwitch(Code& code, StmtId id, const Switch& node) {
-  code.Line(HintText(code, id), "switch (", ExprText(code, node.value).text, ") {");
+  code.Indent();
+  code.Put(HintText(code, id));
+  WriteBetween(code, "switch (", node.value, ") {\n");
   code.namer.OpenScope();
   const auto cases = code.program.switch_cases[node.cases];
   for (const SwitchCase& arm : cases) {
-    for (const ExprId label : code[arm.labels]) code.Line("case ", ExprText(code, label).text, ":");
+    for (const ExprId label : code[arm.labels]) {
+      code.Indent();
+      WriteBetween(code, "case ", label, ":\n");
+    }
     if (arm.is_default) code.Line("default:");
     ++code.indent;
     WriteStmts(code, code[arm.body]);
@@ -135,24 +152,35 @@ void WriteStmt(Code& code, StmtId id) {
               WriteBody(code, id);
               code.Line("}");
             },
-            [&](const Declare& node) { code.Line(DeclareText(code, node), ";"); },
-            [&](const Evaluate& node) { code.Line(ExprText(code, node.expr).text, ";"); },
+            [&](const Declare& node) {
+              code.Indent();
+              WriteDeclare(code, node);
+              code.Put(";\n");
+            },
+            [&](const Evaluate& node) {
+              code.Indent();
+              WriteBetween(code, "", node.expr, ";\n");
+            },
             [&](const If& node) { WriteIf(code, id, node, ""); },
             [&](const For& node) { WriteFor(code, id, node); },
             [&](const While& node) {
-              code.Line(HintText(code, id), "while (", ExprText(code, node.condition).text, ") {");
+              code.Indent();
+              code.Put(HintText(code, id));
+              WriteBetween(code, "while (", node.condition, ") {\n");
               WriteBody(code, node.body);
               code.Line("}");
             },
             [&](const DoWhile& node) {
               code.Line(HintText(code, id), "do {");
               WriteBody(code, node.body);
-              code.Line("} while (", ExprText(code, node.condition).text, ");");
+              code.Indent();
+              WriteBetween(code, "} while (", node.condition, ");\n");
             },
             [&](const Switch& node) { WriteSwitch(code, id, node); },
             [&](const Return& node) {
               if (!node.value) return code.Line("return;");
-              code.Line("return ", ExprText(code, node.value).text, ";");
+              code.Indent();
+              WriteBetween(code, "return ", node.value, ";\n");
             },
             [&](const Break&) { code.Line("break;"); },
             [&](const Continue&) { code.Line("continue;"); },
@@ -228,14 +256,11 @@ std::string WriteFunctions(Code& code, std::span<const LateGlobal> late) {
 // the first of them.
 std::string HelperFunction(Code& code, FunctionId id) {
   return Helper(code, code[id].name, ParameterTypes(code, id), [&](const std::string& name) {
-    std::string text;
-    std::string* const out = std::exchange(code.out, &text);
     const std::size_t indent = std::exchange(code.indent, 0);
     code.in_helper = true;
-    WriteFunction(code, id, name);
+    std::string text = code.Apart([&] { WriteFunction(code, id, name); });
     code.in_helper = false;
     code.indent = indent;
-    code.out = out;
     return text;
   });
 }

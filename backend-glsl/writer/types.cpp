@@ -176,7 +176,7 @@ bool IsWrapped(const Context& context, TypeId array_element) {
 }
 
 std::string ElementText(Context& context, TypeId element, Text text) {
-  std::string value = Argument(std::move(text));
+  std::string value = std::move(text).At(Binding::kAssignment);
   if (!IsWrapped(context, element)) return value;
   return Called(WrapperOf(context, element), {value}).text;
 }

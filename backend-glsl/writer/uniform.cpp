@@ -27,24 +27,20 @@ VarId InstanceOf(const Code& code, ExprId expr) {
   return is_uniform && code.LayoutOf(ref->var).fields_as_members ? ref->var : VarId{};
 }
 
-// The path of a member: "frame.world", or "world" of a block without an instance name; the accessor
-// of a member in rows.
-std::string PathOf(const Code& code, VarId member) {
+// Writes the path of a member: "frame.world", or "world" of a block without an instance name; the
+// accessor of a member in rows.
+void WritePath(Code& code, VarId member) {
   const std::string& instance = code.names.instances[code[member].cbuffer.index];
-  return Concat(instance, instance.empty() ? "" : ".", code.NameOf(member));
+  if (!instance.empty()) code.Put(instance, ".");
+  code.Put(code.NameOf(member));
 }
 
-}  // namespace
-
-Text UniformText(Code& code, VarId member) {
-  std::string name = PathOf(code, member);
-  const TypeId type = code[member].type;
-  if (code.IsWrittenAsUint(member)) return Called(TypeName(code, type), {name});
+// The name of the function that returns the whole of an array that no variable holds.
+std::string WholeArray(Code& code, VarId member) {
+  const std::string name = code.Apart([&] { WritePath(code, member); });
   const bool is_rows = code.IsInRows(member);
-  if (!is_rows && !(code[type].kind == TypeKind::kArray && HasFields(code, code[type])))
-    return {std::move(name)};
-  if (code[type].kind != TypeKind::kArray) return {name + "()"};
-  const std::string all = Helper(code, name + "_all", "", [&](const std::string& function) {
+  const TypeId type = code[member].type;
+  return Helper(code, name + "_all", "", [&](const std::string& function) {
     const auto element = [&](const std::string& index) {
       return ElementText(code, code[type].element,
                          is_rows ? Called(name, {index}) : Text{Concat(name, "[", index, "]")});
@@ -52,15 +48,36 @@ Text UniformText(Code& code, VarId member) {
     const std::string type_name = TypeName(code, type);
     return fmt::format("{} {}() {{\n{}}}\n", type_name, function, FilledArray(code, type, element));
   });
-  return {all + "()"};
 }
 
-Text UniformElement(Code& code, VarId member, ExprId index) {
-  std::string text = PathOf(code, member);
-  if (code.IsInRows(member)) return Called(text, {IntIndex(code, index)});
-  Append(text, "[", IndexValue(code, index), "]",
-         IsWrapped(code, code.TypeOf(member).element) ? ".e" : "");
-  return {std::move(text)};
+}  // namespace
+
+Binding WriteUniform(Code& code, VarId member) {
+  const Type& type = code.TypeOf(member);
+  const bool is_array = type.kind == TypeKind::kArray;
+  if (code.IsWrittenAsUint(member)) {
+    code.Put(TypeName(code, code[member].type), "(");
+    WritePath(code, member);
+    code.Put(")");
+  } else if (is_array && (code.IsInRows(member) || HasFields(code, type))) {
+    code.Put(WholeArray(code, member), "()");
+  } else {
+    WritePath(code, member);
+    if (code.IsInRows(member)) code.Put("()");
+  }
+  return Binding::kPostfix;
+}
+
+Binding WriteUniformElement(Code& code, VarId member, ExprId index) {
+  WritePath(code, member);
+  if (code.IsInRows(member)) {
+    code.Put("(", IntIndex(code, index), ")");
+    return Binding::kPostfix;
+  }
+  code.Put("[");
+  WriteIndex(code, index);
+  code.Put(IsWrapped(code, code.TypeOf(member).element) ? "].e" : "]");
+  return Binding::kPostfix;
 }
 
 bool IsInstance(const Code& code, ExprId expr) { return bool(InstanceOf(code, expr)); }

@@ -9,10 +9,10 @@
 // Reads of constant buffers in expressions.
 namespace clipc::glsl {
 
-// The value of the whole member.
-Text UniformText(Code& code, ir::VarId member);
-// The value of one element of a member that is an array.
-Text UniformElement(Code& code, ir::VarId member, ir::ExprId index);
+// Writes the value of the whole member.
+Binding WriteUniform(Code& code, ir::VarId member);
+// Writes the value of one element of a member that is an array.
+Binding WriteUniformElement(Code& code, ir::VarId member, ir::ExprId index);
 
 // Whether the expression is a ConstantBuffer<T>, or an element of an array of them, that is written
 // as a block with an instance name.
