@@ -2,6 +2,8 @@
 #include "passes/split_variables.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <memory_resource>
 #include <utility>
 
@@ -21,11 +23,11 @@ void ForEachPlace(const Program& program, ExprId id, bool writes, OnPlace&& on_p
   const auto* field = As<FieldRef>(program, id);
   if (As<VarRef>(program, field ? field->base : id)) return on_place(id, writes);
   const bool may_write = IsOfWritingKind(program.exprs[id]);
-  const ExprId whole = may_write ? ExprId{} : WholeOf(program, id);
+  const ExprId whole = may_write || !writes ? ExprId{} : WholeOf(program, id);
   std::size_t number = 0;
   ForEachOperand(program, id, [&](ExprId operand) {
     const bool is_written =
-        may_write ? WritesOperand(program, id, number++) : writes && operand == whole;
+        may_write ? WritesOperand(program, id, number++) : whole && operand == whole;
     ForEachPlace(program, operand, is_written, on_place);
   });
 }
@@ -313,7 +315,9 @@ class Splitter {
 
   Program& program_;
   const std::size_t before_end_, after_begin_;
-  std::pmr::monotonic_buffer_resource memory_{8192};
+  // The memory of the lists of most shaders, which so ask for none.
+  std::array<std::byte, 16384> first_memory_;
+  std::pmr::monotonic_buffer_resource memory_{first_memory_.data(), first_memory_.size()};
   std::pmr::vector<StmtId> stmts_{&memory_};
   // The statements to insert before each statement; is_replaced_ tells whether that is removed.
   std::pmr::vector<std::pmr::vector<StmtId>> replaced_{&memory_};
