@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <memory_resource>
 #include <string>
 #include <string_view>
@@ -43,7 +45,9 @@ class Namer {
     Use* stem = nullptr;  // the use of the name without its suffix; null if it has none
     int suffix = 0;
   };
-  std::pmr::monotonic_buffer_resource memory_{4096};
+  // The memory of the names of most shaders, which so ask for none.
+  std::array<std::byte, 8192> first_memory_;
+  std::pmr::monotonic_buffer_resource memory_{first_memory_.data(), first_memory_.size()};
   std::pmr::unordered_map<std::string, Use> uses_{64, &memory_};  // by name
   std::vector<std::vector<Given>> scopes_;                        // the locals of each open scope
 };

@@ -51,11 +51,12 @@ template <typename... Parts>
 void Append(std::string& text, const Parts&... parts) {
   (AppendPart(text, parts), ...);
 }
-// Returns the parts in one text, for which memory is asked for once.
+// Returns the parts in one text, for which memory is asked for at most once.
 template <typename... Parts>
 std::string Concat(const Parts&... parts) {
   std::string text;
-  text.reserve((std::string_view(parts).size() + ...));
+  const std::size_t size = (std::string_view(parts).size() + ...);
+  if (size > text.capacity()) text.reserve(size);
   Append(text, parts...);
   return text;
 }

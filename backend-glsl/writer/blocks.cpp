@@ -125,18 +125,20 @@ class BlockWriter {
     const std::string name = NameOf(member);
     const bool turned =
         layout_.matrices == MatrixLayout::kNone && member.matrices == MatrixLayout::kRowMajor;
+    text_ += "    ";
+    if (member.explicit_offset || turned) {
+      text_ += LayoutText({member.explicit_offset ? fmt::format("offset = {}", member.offset) : "",
+                           turned ? "row_major" : ""});
+    }
     Append(
-        text_, "    ",
-        LayoutText({member.explicit_offset ? fmt::format("offset = {}", member.offset) : "",
-                    turned ? "row_major" : ""}),
-        PrecisionOf(member.var, member.field),
+        text_, PrecisionOf(member.var, member.field),
         context_.IsWrittenAsUint(member.var)
             ? Declaration(context_,
                           ShapeOf(context_[member.type], context_.target).With(Scalar::kUint), name)
             : Declaration(context_, member.type, name),
         ";\n");
     info_.members.push_back(
-        {member.var, member.field, layout_.has_instance ? info_.name + "." + name : name});
+        {member.var, member.field, layout_.has_instance ? Concat(info_.name, ".", name) : name});
   }
 
   // Writes a buffer that neither std140 nor offsets can lay out: rows of 16 bytes, and a function
@@ -220,6 +222,8 @@ class BlockWriter {
 
 Blocks WriteBlocks(Context& context) {
   Blocks blocks;
+  blocks.text.reserve(1024);
+  blocks.info.reserve(context.program.cbuffers.size());
   Bindings bindings;
   for (const CbufferId id : context.program.cbuffers.ids()) {
     if (context.reached.Has(id)) bindings.Reserve(context[id].reg, context[id].count);

@@ -242,6 +242,7 @@ bool IsIntOutput(Builtin builtin) {
 Inputs WriteInputs(Context& context) {
   const std::vector<IoVar>& wanted = context.program.inputs;
   Inputs inputs;
+  inputs.text.reserve(512);
   inputs.info.reserve(wanted.size());
   for (std::size_t i = 0; i < wanted.size(); ++i)
     WriteInput(context, wanted[i], context.names.attributes[i], inputs);
@@ -250,7 +251,8 @@ Inputs WriteInputs(Context& context) {
 
 Outputs WriteOutputs(Context& context) {
   Outputs outputs;
-  outputs.text = GroupsText(context);
+  outputs.text.reserve(512);
+  outputs.text += GroupsText(context);
   outputs.info.reserve(context.program.outputs.size());
   std::uint32_t location = 0;
   for (const IoVar& output : context.program.outputs) {
