@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 # Packages. In a build folder, `cpack -G DEB` writes clipc (the program), libclipc1 (the shared library) and libclipc-dev (headers,
 # archives, CMake, pkg-config: what an application is built with), and `cpack -G TGZ` one archive of all three. For Windows,
-# `cpack -G ZIP` writes that archive.
+# `cpack -G ZIP` writes that archive. Where the target `study` was built (ClipcStudy.cmake), there is clipc-study too.
 
 set(doc share/doc/clipc)
 set(packaging ${clipc_SOURCE_DIR}/packaging)
@@ -53,6 +53,8 @@ set(CPACK_COMPONENTS_ALL compiler library development)
 set(CPACK_PRE_BUILD_SCRIPTS ${packaging}/finish_folders.cmake)
 set(CPACK_POST_BUILD_SCRIPTS ${packaging}/finish_packages.cmake)
 set(CPACK_CLIPC_PACKAGING ${packaging})
+set(CPACK_CLIPC_STUDY ${CLIPC_STUDY})
+set(CPACK_PROJECT_CONFIG_FILE ${packaging}/add_study.cmake)
 
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -77,4 +79,11 @@ set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "runtime for shaders that clipc comp
 The runtime reads the clip table, makes the constants of planes and binds them
 on OpenGL. Here are its headers and archives, those of the compiler's library,
 and the files for CMake, with clipc_add_shader(), and for pkg-config.")
+set(CPACK_DEBIAN_STUDY_PACKAGE_NAME clipc-study)
+set(CPACK_DEBIAN_STUDY_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_STUDY_PACKAGE_DEPENDS "libegl1, libgl1-mesa-dri")
+set(CPACK_DEBIAN_STUDY_PACKAGE_RECOMMENDS python3-matplotlib)
+set(CPACK_COMPONENT_STUDY_DESCRIPTION "measurements of ways to clip, and advice on a scene
+clipc-study measures how fast and how accurate each way to clip is, on Mesa's
+software OpenGL, and says which of them the objects of a scene need.")
 include(CPack)

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# Makes the packages of a release build, has lintian read them, installs them in a clean root and builds examples/first there: what
-# somebody does who meets clipc for the first time. Then the same with the .tar.gz, and with what `dpkg --remove` leaves.
+# Makes the packages of a release build, of which the target `study` was built too, has lintian read them, installs them in a clean
+# root and builds examples/first there: what somebody does who meets clipc for the first time. Then the same with the .tar.gz, and
+# with what `dpkg --remove` leaves.
 #   packaging/test_packages.sh BUILD_FOLDER      as root, with debootstrap, lintian, man-db and bash-completion installed
 # CLIPC_CLEAN_ROOT=FOLDER names what debootstrap made before, with the packages below.
 set -euo pipefail
@@ -19,8 +20,8 @@ inside() { chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOM
 
 echo "-- packages"
 (cd "$build" && cpack -G DEB -B "$scratch" && cpack -G TGZ -B "$scratch") >"$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
-debs=("$scratch"/{clipc,libclipc1,libclipc-dev}_*.deb)
-[ ${#debs[@]} -eq 3 ] || fail "expected three packages, got ${debs[*]}"
+debs=("$scratch"/{clipc,libclipc1,libclipc-dev,clipc-study}_*.deb)
+[ -f "${debs[3]}" ] || fail "expected four packages, got ${debs[*]}"
 
 echo "-- lintian"
 lintian --allow-root --fail-on error,warning "${debs[@]}"
@@ -32,20 +33,24 @@ for name in libclang llvm glslang spirv-tools libfmt nlohmann-json3 libstdc++ li
 done
 
 echo "-- manual page and completion"
-warnings=$(MANWIDTH=80 LC_ALL=C.UTF-8 man --warnings -E UTF-8 -l "$scratch/program/usr/share/man/man1/clipc.1.gz" 2>&1 >/dev/null)
-[ -z "$warnings" ] || fail "clipc.1: $warnings"
+dpkg-deb -x "$scratch"/clipc-study_*.deb "$scratch/study"
+for page in "$scratch"/{program,study}/usr/share/man/man1/*.gz; do
+  warnings=$(MANWIDTH=80 LC_ALL=C.UTF-8 man --warnings -E UTF-8 -l "$page" 2>&1 >/dev/null)
+  [ -z "$warnings" ] || fail "${page##*/}: $warnings"
+done
 PATH=$scratch/program/usr/bin:$PATH bash packaging/test_completion.sh "$scratch/program/usr/share/bash-completion/completions/clipc"
 
 echo "-- a clean root"
+needed=$(dpkg-deb --field "${debs[3]}" Depends | sed 's/ ([^)]*)//g; s/, /,/g') # of Debian's alone
 if [ -n "${CLIPC_CLEAN_ROOT:-}" ]; then
   cp -a "$CLIPC_CLEAN_ROOT" "$root"
 else
-  debootstrap --variant=minbase --include=g++,cmake,make,pkg-config,libegl-dev,libgl-dev,libopengl-dev,libegl1,libgl1-mesa-dri \
+  debootstrap --variant=minbase --include=g++,cmake,make,pkg-config,libegl-dev,libgl-dev,libopengl-dev,libegl1,libgl1-mesa-dri,"$needed" \
     "$(. /etc/os-release && echo "$VERSION_CODENAME")" "$root" >"$scratch/log" 2>&1 || { tail -n 40 "$scratch/log"; exit 1; }
 fi
 mount -t proc proc "$root/proc"
 mkdir "$root/debs" && cp "${debs[@]}" "$scratch"/clipc-*.tar.gz "$root/debs"
-cp -r examples/first cmake/outside_c_project "$root/root"
+cp -r examples/first cmake/outside_c_project study/scenes/harbour.json "$root/root"
 
 echo "-- the newcomer's path: install, three lines of CMake, a clipped picture"
 inside sh -c 'dpkg --install /debs/*.deb' >"$scratch/log" || { cat "$scratch/log"; exit 1; }
@@ -60,12 +65,16 @@ newcomer by_deb
 inside sh -c 'cc -std=c99 /root/outside_c_project/main.c -o /root/embed $(pkg-config --cflags --libs clipc clipc-runtime)'
 inside /root/embed
 
+echo "-- what a scene needs"
+inside clipc-study scene /root/harbour.json >"$scratch/log" || { cat "$scratch/log"; exit 1; }
+
 echo "-- and nothing is left of it"
-inside dpkg --remove libclipc-dev libclipc1 clipc >/dev/null
+inside dpkg --remove clipc-study libclipc-dev libclipc1 clipc >/dev/null
 left=$(find "$root/usr" "$root/etc" -name '*clipc*')
 [ -z "$left" ] || fail "left behind: $left"
 
 echo "-- the archive"
 mkdir "$root/opt/clipc" && tar -xzf "$scratch"/clipc-*.tar.gz --strip-components=1 -C "$root/opt/clipc"
 newcomer by_archive -DCMAKE_PREFIX_PATH=/opt/clipc
+inside /opt/clipc/bin/clipc-study --help >/dev/null
 echo "packages: passed"
