@@ -13,7 +13,6 @@
 #include "tools/draw/compare.h"
 #include "tools/draw/draw_call.h"
 #include "tools/draw/opengl/compare.h"
-#include "tools/draw/peer/compare.h"
 #include "tools/draw/vulkan/compare.h"
 #include "tools/random/check_layout.h"
 
@@ -60,7 +59,7 @@ std::string Words(const Comparison& comparison) {
   return text;
 }
 
-// Whether the message is about a known gap of the peers (docs/peers.md). OpenGL ES of glslang 12
+// Whether the message is about a known gap of glslang or Mesa. OpenGL ES of glslang 12
 // and of Mesa 22.3 does not have clip distances in a vertex shader as clipc writes them, and
 // glslang does not know the variable of GL_ARB_draw_instanced in GLSL 1.20.
 bool IsKnown(const std::string& target, const std::string& problem) {
@@ -74,13 +73,13 @@ bool IsKnown(const std::string& target, const std::string& problem) {
 
 std::string_view NameOf(Fault fault) {
   constexpr std::string_view kNames[] = {"none",  "refused", "layout", "undefined", "invalid",
-                                         "wrong", "driver",  "peer",   "crash",     "hang"};
+                                         "wrong", "driver",  "crash",  "hang"};
   return kNames[static_cast<std::size_t>(fault)];
 }
 
 std::string Verdict::Key() const {
   std::string key(NameOf(fault));
-  if (fault == Fault::kWrong || fault == Fault::kPeer || fault == Fault::kHang) return key;
+  if (fault == Fault::kWrong || fault == Fault::kHang) return key;
   // The words of the message, without the names and numbers of the program.
   key += ": ";
   bool quoted = false;
@@ -110,12 +109,10 @@ struct Judge::State {
   void CheckTarget(const draw::CheckedShader& checked, const std::string& target);
   void Draw(const Program& program, const draw::CheckedShader& checked, const std::string& target);
   void DrawSomeOpenGl(const Program& program, const draw::CheckedShader& checked);
-  void AskPeer(const Program& program);
   Comparison Compare(const std::string& target, const draw::Trial& trial);
 
   JudgeOptions options;
   std::optional<Verdict> only;
-  bool peer_took_it = false;
   std::string path;
   std::optional<harness::OpenGl> opengl;
   std::optional<draw::vulkan::Runner> vulkan;
@@ -146,7 +143,6 @@ void Judge::State::Run(const Program& program) {
   if (only && !only->target.empty()) return Draw(program, *checked, only->target);
   Draw(program, *checked, "vulkan");
   DrawSomeOpenGl(program, *checked);
-  if (options.asks_peer) AskPeer(program);
 }
 
 void Judge::State::CheckTarget(const draw::CheckedShader& checked, const std::string& target) {
@@ -215,33 +211,11 @@ Comparison Judge::State::Compare(const std::string& target, const draw::Trial& t
   return draw::CompareWithOpenGl(*opengl, trial);
 }
 
-void Judge::State::AskPeer(const Program& program) {
-  Step("peer");
-  BuildOptions build = OptionsOf(program, path);
-  build.target = "vulkan";
-  build.lowering = Lowering::kNone;
-  build.plane_space = PlaneSpace::kClip;
-  build.clip_space = {};
-  draw::RandomOptions random = RandomOptionsOf(program);
-  try {
-    const Shader shader = draw::Build(build);
-    draw::ChooseInstances(shader, random);
-    if (!vulkan) vulkan.emplace();
-    const draw::peer::PeerComparison found =
-        draw::peer::CompareWithGlslang(*vulkan, shader, build, random, ToleranceOf(program));
-    peer_took_it = true;
-    if (found.values.wrong > 0) Report(Fault::kPeer, "vulkan", Words(found.values));
-  } catch (const draw::DrawError&) {
-    return;  // the peer does not read the program, or its shader cannot be run
-  }
-}
-
 Judge::Judge(JudgeOptions options) : state_(std::make_unique<State>(std::move(options))) {}
 Judge::~Judge() = default;
 
 Verdict Judge::operator()(const Program& program, const std::optional<Verdict>& only) {
   state_->only = only;
-  state_->peer_took_it = false;
   Verdict verdict;
   try {
     state_->Run(program);
@@ -252,7 +226,6 @@ Verdict Judge::operator()(const Program& program, const std::optional<Verdict>& 
   } catch (const std::exception& error) {
     verdict = {Fault::kDriver, "", error.what()};
   }
-  verdict.peer_took_it = state_->peer_took_it;
   return verdict;
 }
 

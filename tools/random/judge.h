@@ -22,7 +22,6 @@ enum class Fault : std::uint8_t {
   kInvalid,    // glslang refuses the GLSL
   kWrong,      // a driver's values are not the evaluator's
   kDriver,     // a driver refuses the GLSL
-  kPeer,       // the peer's values are not the evaluator's; the peer's fault until shown otherwise
   kCrash,      // the process ended
   kHang,       // the process did not end in time
 };
@@ -32,7 +31,6 @@ struct Verdict {
   Fault fault = Fault::kNone;
   std::string target;  // "glsl330"; empty where the fault is not about a target
   std::string what;    // in words
-  bool peer_took_it = false;
 
   // A text that is equal for two verdicts that are likely the same mistake.
   std::string Key() const;
@@ -41,7 +39,6 @@ struct Verdict {
 struct JudgeOptions {
   std::string scratch;  // a folder to write the program into
   bool draws = true;    // whether programs are drawn; else the GLSL is only validated
-  bool asks_peer = true;
   // Called before each step, with its name.
   std::function<void(const std::string& step)> before_step;
 };

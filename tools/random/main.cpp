@@ -20,8 +20,7 @@ constexpr char kUsage[] =
   Generates random HLSL vertex shaders without errors and undefined values, and holds what clipc
   makes of each against the reference evaluator: every target's GLSL is valid for glslang, one of
   OpenGL and the one for Vulkan are drawn by Mesa, constants lie where Direct3D's rules say.
-  Differences from glslang's HLSL front end are reported and are not failures. A failing program is
-  made small and written to a folder with the command that repeats it.
+  A failing program is made small and written to a folder with the command that repeats it.
     --seconds N             stops after that time
     --count N               stops after so many programs; default 100 where neither is given
     --seed S                of the first program; the next has the next. Default: a new one, printed
@@ -30,9 +29,7 @@ constexpr char kUsage[] =
     --print                 prints each program
     --stop                  stops at the first failure
     --no-draw               compiles and validates only
-    --no-peer               does not ask the peer
     --no-reduce             writes failing programs as they are
-    --reduce-peer           makes programs small that the peer takes to mean something else
     --with A,B --without C  features of the programs:
 )";
 
@@ -60,9 +57,7 @@ harness::options::Flags FlagsOf(RunOptions& options, bool& has_seed) {
       {"print", On(options.prints)},
       {"stop", On(options.stops)},
       {"no-draw", off(options.draws)},
-      {"no-peer", off(options.asks_peer)},
       {"no-reduce", off(options.reduces)},
-      {"reduce-peer", On(options.reduces_peers)},
       {"with", set("--with", true)},
       {"without", set("--without", false)},
   };

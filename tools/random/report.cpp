@@ -12,9 +12,7 @@ namespace {
 
 std::string CommandOf(const Program& program, const Verdict& verdict) {
   const std::string target = verdict.target.empty() ? "all" : verdict.target;
-  std::string text = "clipc-draw compare reduced.hlsl " + program.Options();
-  if (verdict.fault == Fault::kPeer) return text + " --peer glslang";
-  return text + " --target " + target;
+  return "clipc-draw compare reduced.hlsl " + program.Options() + " --target " + target;
 }
 
 }  // namespace

@@ -41,8 +41,7 @@ class Scratch : NotCopied {
 class Runner {
  public:
   explicit Runner(const RunOptions& options)
-      : options_(options),
-        worker_({scratch_.path(), options.draws, options.asks_peer, {}}, options.features) {}
+      : options_(options), worker_({scratch_.path(), options.draws, {}}, options.features) {}
 
   int Run() {
     if (!options_.repeat.empty()) {
@@ -76,14 +75,11 @@ class Runner {
     ++programs_;
     if (options_.prints) std::fputs(ProgramOf(choices).text.c_str(), stdout);
     const Verdict verdict = worker_.Run(choices);
-    if (verdict.peer_took_it) ++peers_;
     if (verdict.fault == Fault::kNone) return;
-    const bool is_failure = verdict.fault != Fault::kPeer;
-    if (is_failure) ++failures_;
-    if (++known_[verdict.Key()] > (is_failure ? 1 : 8)) return;
-    const bool reduces = is_failure ? options_.reduces : options_.reduces_peers;
+    ++failures_;
+    if (++known_[verdict.Key()] > 1) return;
     const ChoiceList reduced =
-        reduces && options_.repeat.empty() ? Reduced(choices, verdict) : choices;
+        options_.reduces && options_.repeat.empty() ? Reduced(choices, verdict) : choices;
     const Verdict last = worker_.Run(reduced, verdict);
     const std::string folder =
         WriteFailure(options_.out, name, ProgramOf(choices), ProgramOf(reduced),
@@ -116,11 +112,10 @@ class Runner {
 
   void Summarise() const {
     const double passed = std::chrono::duration<double>(Clock::now() - begin_).count();
-    std::printf("%llu programs from seed %llu in %.0f s: %llu failures; the peer read %llu\n",
+    std::printf("%llu programs from seed %llu in %.0f s: %llu failures\n",
                 static_cast<unsigned long long>(programs_),
                 static_cast<unsigned long long>(options_.seed), passed,
-                static_cast<unsigned long long>(failures_),
-                static_cast<unsigned long long>(peers_));
+                static_cast<unsigned long long>(failures_));
     for (const auto& [key, count] : known_) std::printf("%6d  %s\n", count, key.c_str());
   }
 
@@ -128,7 +123,7 @@ class Runner {
   Scratch scratch_;
   Worker worker_;
   Clock::time_point begin_ = Clock::now();
-  std::uint64_t programs_ = 0, failures_ = 0, peers_ = 0;
+  std::uint64_t programs_ = 0, failures_ = 0;
   std::map<std::string, int> known_;  // by Verdict::Key
 };
 

@@ -16,12 +16,11 @@ struct RunOptions {
   std::string repeat;         // a choices.txt, instead of new programs
   std::string feature_flags;  // as given, to repeat them
   Features features;
-  bool draws = true, asks_peer = true, reduces = true, prints = false, stops = false;
-  bool reduces_peers = false;  // reduces programs that differ from the peer too
+  bool draws = true, reduces = true, prints = false, stops = false;
 };
 
 // Generates programs, judges each, reduces and writes those that fail, and prints a summary.
-// Returns the exit code: 0 where none fails; differences from the peer alone are not failures.
+// Returns the exit code: 0 where none fails.
 int RunPrograms(const RunOptions& options);
 
 }  // namespace clipc::random

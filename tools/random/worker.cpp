@@ -73,12 +73,10 @@ std::vector<std::string> Unpack(const std::string& text) {
 }
 
 std::vector<std::string> PartsOf(const Verdict& verdict) {
-  return {std::to_string(static_cast<int>(verdict.fault)), verdict.target, verdict.what,
-          verdict.peer_took_it ? "1" : ""};
+  return {std::to_string(static_cast<int>(verdict.fault)), verdict.target, verdict.what};
 }
 Verdict VerdictOf(const std::vector<std::string>& parts) {
-  return {static_cast<Fault>(std::stoi(parts.at(0))), parts.at(1), parts.at(2),
-          !parts.at(3).empty()};
+  return {static_cast<Fault>(std::stoi(parts.at(0))), parts.at(1), parts.at(2)};
 }
 
 // Runs the worker's process, which reads requests and writes steps and verdicts.
@@ -156,8 +154,6 @@ Verdict Worker::Ended(Fault fault, const std::string& step) {
   std::string what = SaidOf();
   what = (what.empty() ? "" : what.substr(0, what.find('\n')) + " ") + "at step: " + step + "\n" +
          what;
-  // A crash of the peer is not a fault of clipc.
-  if (step == "peer") fault = Fault::kPeer;
   return {fault, "", what};
 }
 
