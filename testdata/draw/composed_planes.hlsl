@@ -1,6 +1,5 @@
 // Planes that are no whole register; Direct3D 9 could not be told.
 // RUN: %draw compare %s -T vs_5_0 -E main --lower clip-distance,none
-// RUN: %draw compare %s -T vs_5_0 --peer glslang
 
 float4 a, b;
 float4x4 m;

@@ -1,6 +1,5 @@
 // SV_ClipDistance without the attribute, gaps and all.
 // RUN: %draw compare %s -T vs_5_0 -E main --lower clip-distance --target glsl450,glsl330,glsl130,essl300,vulkan
-// RUN: %draw compare %s -T vs_5_0 --peer glslang
 
 float4 planes[2];
 

@@ -1,7 +1,6 @@
 // Arithmetic that IEEE defines to the bit, and functions that only choose or round.
 // RUN: %draw compare %s -T vs_5_0 -E main --exact --lower none
 // RUN: %draw compare %s -T vs_5_0 -E main --exact --lower none --target glsl120,essl100
-// RUN: %draw compare %s -T vs_5_0 --peer glslang
 
 float4 k;
 

@@ -1,6 +1,5 @@
 // Vertex and instance numbers, and instance data in an array of buffers.
 // RUN: %draw compare %s -T vs_5_1 -E main --target glsl450,glsl410,essl320,vulkan
-// RUN: %draw compare %s -T vs_5_1 --peer glslang
 
 struct Camera {
   float4 offset;

@@ -1,7 +1,6 @@
 // Integers match to the bit.
 // RUN: %draw compare %s -T vs_5_0 -E main --target glsl450,glsl330,glsl130,essl300,vulkan --exact --lower none
 // RUN: %draw compare %s -T vs_5_0 -E main --target glsl450,essl310 --exact --lower none --ints -2000000000..2000000000 --seed 2
-// RUN: %draw compare %s -T vs_5_0 --peer glslang
 
 int4 i;
 uint4 u;

@@ -1,7 +1,6 @@
 // Functions whose results rounding may change a little.
 // RUN: %draw compare %s -T vs_5_0 -E main --lower none
 // RUN: %draw compare %s -T vs_5_0 -E main --lower none --target glsl120,essl100
-// RUN: %draw compare %s -T vs_5_0 --peer glslang
 
 float4 k;
 

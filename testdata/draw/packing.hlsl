@@ -1,6 +1,5 @@
 // Where Direct3D's packing and std140 disagree, and where they do not.
 // RUN: %draw compare %s -T vs_5_0 -E main --target all --exact --lower none | FileCheck %s
-// RUN: %draw compare %s -T vs_5_0 --peer glslang
 // CHECK: {{[1-9][0-9]+}} comparisons {{.*}}: 0 wrong
 // CHECK-NOT: left out
 

@@ -1,6 +1,5 @@
 // Six planes in every kind of place, for every target and way of lowering.
 // RUN: %draw compare %s -T vs_5_0 -E main --target all | FileCheck %s
-// RUN: %draw compare %s -T vs_5_0 --peer glslang
 // CHECK: {{[1-9][0-9]+}} comparisons {{.*}}: 0 wrong
 // CHECK: left out: glsl120 clip-distance
 

@@ -1,6 +1,5 @@
 // The distances are those of the position that the shader returns, on every path, through an out parameter too.
 // RUN: %draw compare %s -T vs_5_0 -E main
-// RUN: %draw compare %s -T vs_5_0 --peer glslang
 
 float4 planes[2];
 float limit;

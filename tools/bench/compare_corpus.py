@@ -2,11 +2,13 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 """Compares clipc's GLSL with its reference evaluator on a corpus of shaders that are not part of this repository.
 
-usage: compare_corpus.py CLIPC_DRAW LIST [-j JOBS] [--target glsl450 | --peer glslang]
+usage: compare_corpus.py CLIPC_DRAW LIST [-j JOBS] [--target glsl450]
+       compare_corpus.py --peer CLIPC_PEER LIST [-j JOBS]
 
 LIST has a line per shader, separated by tabs: path, entry, profile, include folders (a;b), defines (A=1;B). Every shader
 that clipc accepts runs on random vertices and constants through Mesa's software OpenGL, or Vulkan for that target, and through the
-evaluator. With --peer it is what glslang's HLSL front end makes of the shader that runs; its known bugs (docs/peers.md) are counted.
+evaluator. With --peer it is what glslang's HLSL front end makes of the shader that runs; its known bugs (docs/peers.md) are counted:
+tools/peer/run builds that program and runs this.
 A shader that differs is tried again with twice the tolerance (tools/draw/compare.h), and listed whatever comes out.
 """
 import argparse
@@ -20,10 +22,9 @@ VERDICTS = {0: "equal", 1: "different"}
 
 def compare(arguments, line):
     path, entry, profile, includes, defines = (line.rstrip("\n").split("\t") + [""] * 5)[:5]
-    command = [arguments.draw, "compare", path, "-T", profile, "-E", entry, "--target", arguments.target,
-               "--lower", "clip-distance", "--direct3d"]
-    if arguments.peer:
-        command += ["--peer", arguments.peer]
+    command = [arguments.program, path] if arguments.peer else [
+        arguments.program, "compare", path, "--target", arguments.target, "--lower", "clip-distance", "--direct3d"]
+    command += ["-T", profile, "-E", entry]
     for flag, values in (("-I", includes), ("-D", defines)):
         for value in filter(None, values.split(";")):
             command += [flag, value]
@@ -47,11 +48,11 @@ def compare(arguments, line):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("draw")
+    parser.add_argument("program")
     parser.add_argument("list")
     parser.add_argument("-j", type=int, default=2)
     parser.add_argument("--target", default="glsl450")
-    parser.add_argument("--peer")
+    parser.add_argument("--peer", action="store_true")
     arguments = parser.parse_args()
     with open(arguments.list, encoding="utf-8") as file:
         lines = file.readlines()

@@ -33,6 +33,7 @@ ROOMS = {
         "base", "ir", "frontend/lex", "frontend/parse", "frontend/rules", "frontend/check", "passes", "backend-glsl", "clip-table",
         "compiler", "runtime", "tools/harness", VOCABULARY,
     },
+    "tools/peer": {"base", "ir", "frontend/lex", "tools/harness", "tools/draw"},
     "tools/random": {
         "base", "ir", "backend-glsl", "compiler", "clip-table", "tools/harness", "tools/draw", VOCABULARY,
     },
@@ -51,7 +52,7 @@ LIBRARIES = {
     r"glslang/": r"compiler/.*\.cpp|link/.*\.cpp|tools/harness/glslang_includer\.h|tools/draw/vulkan/glslang\.cpp|tools/bench/peers\.cpp|web/module/page\.cpp|web/wasm/.*",
     r"epoxy/": r"tools/(harness|draw|study/program|scenes)/.*|examples/.*\.cpp",
     r"png\.h": r"tools/harness/picture\.cpp",
-    r"spirv_cross/": r"tools/draw/(vulkan|peer)/.*|tools/bench/peers\.cpp",
+    r"spirv_cross/": r"tools/(draw/vulkan|peer)/.*|tools/bench/peers\.cpp",
     r"vulkan/": r"tools/draw/vulkan/device\.h",
     r"fmt/": r"(base|ir|frontend|passes|link|backend-glsl|compiler|tools/bench)/.*",
     r"nlohmann/": r"(base|clip-table|compiler|tools/draw|study)/.*\.cpp",

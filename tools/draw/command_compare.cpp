@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <optional>
 #include <set>
 
 #include "tools/draw/arguments.h"
 #include "tools/draw/commands.h"
+#include "tools/draw/compare_flags.h"
 #include "tools/draw/draw_call.h"
 #include "tools/draw/opengl/compare.h"
-#include "tools/draw/peer/compare.h"
 #include "tools/draw/vulkan/compare.h"
 #include "tools/harness/options.h"
 
@@ -25,7 +24,6 @@ struct CompareOptions {
   std::vector<std::string> lowerings = {"clip-distance", "level9", "none"};
   RandomOptions random;
   Tolerance tolerance;
-  std::string peer;          // another compiler to compare instead of clipc; else empty
   bool all_targets = false;  // every target that can express the shader
   bool verbose = false;
   bool direct3d = false;  // only Direct3D's depth range, and not flipped
@@ -36,65 +34,25 @@ std::string NameOf(const std::string& lowering, const passes::ClipSpaceOptions& 
          (space.flip_y ? " flip-y" : "");
 }
 
-void SetInts(const std::string& text, RandomOptions& random) {
-  if (std::sscanf(text.c_str(), "%d..%d", &random.least_int, &random.greatest_int) != 2 ||
-      random.least_int > random.greatest_int) {
-    throw DrawError("--ints -4..7, not `" + text + "`");
-  }
-}
-
 Flags FlagsOf(CompareOptions& options) {
-  return {
-      {"T", Text(options.build.profile)},
-      {"E", Text(options.build.entry)},
-      {"D", Append(options.build.defines)},
-      {"I", Append(options.build.include_dirs)},
-      {"row-major",
-       {false, [&](const std::string&) { options.build.packing = MatrixPacking::kRowMajor; }}},
+  Flags flags = ComparisonFlags(options.build, options.random, options.tolerance);
+  flags.insert({
       {"target", With([&](auto& value) { options.targets = Split(value, ','); })},
       {"lower", With([&](auto& value) { options.lowerings = Split(value, ','); })},
       {"plane-space", With([&](auto& value) {
          options.build.plane_space = Known(ParsePlaneSpace(value), "plane space", value);
        })},
       {"position-input", Text(options.build.position_input)},
-      {"random", Number(options.random.vertices)},
-      {"seed", Number(options.random.seed)},
-      {"ints", With([&](auto& value) { SetInts(value, options.random); })},
-      {"quarters", On(options.random.quarters)},
-      {"ulps",
-       With([&](auto& value) { options.tolerance.ulps = std::strtod(value.c_str(), nullptr); })},
-      {"exact", {false, [&](const std::string&) { options.tolerance.ulps = -1; }}},
-      {"peer", Text(options.peer)},
       {"verbose", On(options.verbose)},
       {"direct3d", On(options.direct3d)},
-  };
+  });
+  return flags;
 }
 
 // Adds up the comparisons of one shader.
 class Runner {
  public:
   explicit Runner(CompareOptions options) : options_(std::move(options)) {}
-
-  int RunPeer() {
-    BuildOptions build = options_.build;
-    build.target = "vulkan";
-    build.lowering = Lowering::kNone;
-    const Shader shader = Build(build);
-    RandomOptions random = options_.random;
-    ChooseInstances(shader, random);
-    const peer::PeerComparison found =
-        peer::CompareWithGlslang(vulkan::Runner(), shader, build, random, options_.tolerance);
-    const Comparison& values = found.values;
-    for (const std::string& mistake : values.mistakes) std::printf("  %s\n", mistake.c_str());
-    std::printf("%ld values: %ld wrong, %ld of %ld equal to the bit, worst %.1f units\n",
-                values.values, values.wrong, values.equal, values.values - values.undefined,
-                values.worst);
-    for (const std::string& bug : found.known_bugs)
-      std::printf("known bug of the peer: %s\n", bug.c_str());
-    if (values.equal == 0 && values.wrong == 0 && found.known_bugs.empty())
-      throw DrawError("nothing was compared");
-    return values.wrong == 0 ? 0 : 1;
-  }
 
   int Run() {
     for (const std::string& target : options_.targets) {
@@ -197,11 +155,7 @@ int RunCompare(const Arguments& arguments) {
     std::erase_if(options.targets,
                   [](const std::string& target) { return target.starts_with("webgl"); });
   }
-  const bool has_peer = !options.peer.empty();
-  if (has_peer && options.peer != "glslang")
-    throw DrawError("no peer is called `" + options.peer + "`");
-  Runner runner(std::move(options));
-  return has_peer ? runner.RunPeer() : runner.Run();
+  return Runner(std::move(options)).Run();
 }
 
 }  // namespace clipc::draw

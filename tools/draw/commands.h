@@ -49,8 +49,6 @@ clipc-draw compare SHADER.hlsl [options]
   evaluator, on random vertices and constants: for every target and lowering chosen below, both
   depth ranges, flipped and not. The target vulkan runs on Mesa's software Vulkan, the others on its
   OpenGL.
-    --peer glslang          compares the outputs of the same HLSL compiled by glslang instead. Known
-                            bugs of glslang are listed by name (docs/peers.md)
     -T PROFILE -E ENTRY -D NAME=VALUE -I FOLDER --row-major   as for clipc
     --target a,b            default glsl450,glsl330,glsl130,essl300,vulkan. `all` takes every target
                             that can express the shader, and lists the others

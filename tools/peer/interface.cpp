@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "tools/draw/peer/interface.h"
+#include "tools/peer/interface.h"
 
 #include <algorithm>
 

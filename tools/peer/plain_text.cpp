@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "tools/draw/peer/plain_text.h"
+#include "tools/peer/plain_text.h"
 
 #include <algorithm>
 #include <bit>

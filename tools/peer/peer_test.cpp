@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "tools/draw/peer/compare.h"
+#include "tools/peer/compare.h"
 
 // The comparison with a peer itself: it sees what is not the same, and a known bug excuses that bug
 // only.
@@ -57,6 +57,23 @@ class Peer : public ::testing::Test {
     return options;
   }
 
+  static PeerComparison Compare(const Shader& shader, const BuildOptions& options,
+                                std::uint32_t seed) {
+    static const vulkan::Runner runner;
+    return CompareWithGlslang(runner, shader, options, {.seed = seed, .vertices = 40}, {});
+  }
+
+  // Compares an entry point of a file beside this one, in the repository's root.
+  static PeerComparison RunFile(const char* file, const char* entry, const char* define = "NONE",
+                                std::uint32_t seed = 1) {
+    BuildOptions options = Options();
+    options.path = std::string("tools/peer/") + file;
+    options.entry = entry;
+    options.profile = "vs_6_1";
+    options.defines = {define};
+    return Compare(Build(options), options, seed);
+  }
+
   // The peer reads the text with `from` replaced.
   static PeerComparison Run(const std::string& from = "", const std::string& to = "") {
     std::string text = kShader;
@@ -67,8 +84,7 @@ class Peer : public ::testing::Test {
       EXPECT_NE(at, text.npos) << from;
       std::ofstream(path_) << text.replace(at, from.size(), to);
     }
-    static const vulkan::Runner runner;
-    return CompareWithGlslang(runner, shader, Options(), {.seed = 3, .vertices = 40}, {});
+    return Compare(shader, Options(), 3);
   }
 
   static inline std::string path_;
@@ -79,6 +95,45 @@ TEST_F(Peer, AgreesOnWhatHasNoBug) {
   EXPECT_EQ(found.values.wrong, 0) << found.values.mistakes.at(0);
   EXPECT_EQ(found.values.values, 40 * (4 + 4 + 6 + 1));
   EXPECT_THAT(found.known_bugs, ::testing::IsEmpty());
+}
+
+// docs/peers.md describes these bugs.
+TEST_F(Peer, KnownBugsAreNamed) {
+  const std::pair<const char*, const char*> bugs[] = {{"clipped", "clip-planes"},
+                                                      {"remainders", "float-remainder"},
+                                                      {"lights", "lit"},
+                                                      {"products", "matrix-product"},
+                                                      {"initial", "global-initializer"},
+                                                      {"unsized", "unsized-initializer"},
+                                                      {"pasted", "token-paste"},
+                                                      {"views", "system-values"},
+                                                      {"columns", "matrix-signature"}};
+  for (const auto& [entry, bug] : bugs) {
+    const PeerComparison found = RunFile("known_bugs.hlsl", entry, "NONE", 2);
+    EXPECT_THAT(found.known_bugs, ::testing::ElementsAre(bug)) << entry;
+    EXPECT_EQ(found.values.wrong, 0) << entry;
+  }
+}
+
+TEST_F(Peer, ConstantsMoveToWhereThePeerReadsThem) {
+  for (const char* entry : {"elements", "parameters", "packed", "globals", "placed"}) {
+    const PeerComparison found = RunFile("known_bugs.hlsl", entry, "PLACES");
+    EXPECT_EQ(found.values.wrong, 0) << entry;
+    EXPECT_GT(found.values.values, 10) << entry;
+    EXPECT_THAT(found.known_bugs, ::testing::IsEmpty()) << entry;
+  }
+}
+
+TEST_F(Peer, AnEffectFileIsReadWithoutItsEffects) {
+  const PeerComparison found = RunFile("effect.hlsl", "RenderVS");
+  EXPECT_EQ(found.values.wrong, 0);
+  EXPECT_EQ(found.values.values, 40 * 7);
+}
+
+TEST_F(Peer, InvalidSpirvIsNoAnswer) {
+  EXPECT_THAT([] { RunFile("known_bugs.hlsl", "scales", "SCALES"); },
+              ::testing::ThrowsMessage<DrawError>(
+                  ::testing::HasSubstr("glslang makes invalid SPIR-V: GLSL.std.450 Ldexp")));
 }
 
 TEST_F(Peer, OtherValuesAreSeen) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "tools/draw/peer/module.h"
+#include "tools/peer/module.h"
 
 #include <algorithm>
 

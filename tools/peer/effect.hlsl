@@ -1,6 +1,4 @@
 // An effect file: the peer gets what the entry function needs of it, without what only effects have.
-// RUN: %draw compare %s -T vs_5_0 -E RenderVS --peer glslang | FileCheck %s
-// CHECK: 448 values: 0 wrong
 #define SCALE(x) ((x) * 2.0f)
 
 float4x4 world : WORLD <

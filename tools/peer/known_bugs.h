@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "ir/program.h"
-#include "tools/draw/peer/relocate.h"
 #include "tools/draw/random_inputs.h"
+#include "tools/peer/relocate.h"
 
 // The known bugs of glslang 12's HLSL front end, which differs from Direct3D there. docs/peers.md
 // says for each bug why it is the peer that is wrong. A bug excuses a difference only where clipc's

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "tools/draw/peer/compare.h"
+#include "tools/peer/compare.h"
 
 #include <algorithm>
 #include <regex>
 
 #include "tools/draw/feed.h"
-#include "tools/draw/peer/interface.h"
-#include "tools/draw/peer/known_bugs.h"
-#include "tools/draw/peer/plain_text.h"
 #include "tools/draw/vulkan/bind.h"
 #include "tools/draw/vulkan/glslang.h"
 #include "tools/harness/options.h"
+#include "tools/peer/interface.h"
+#include "tools/peer/known_bugs.h"
+#include "tools/peer/plain_text.h"
 
 namespace clipc::draw::peer {
 namespace {

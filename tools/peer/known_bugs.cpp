@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "tools/draw/peer/known_bugs.h"
+#include "tools/peer/known_bugs.h"
 
 #include <cstdlib>
 #include <cstring>

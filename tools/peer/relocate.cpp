@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-#include "tools/draw/peer/relocate.h"
+#include "tools/peer/relocate.h"
 
 #include <algorithm>
 #include <cstring>

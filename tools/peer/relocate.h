@@ -7,7 +7,7 @@
 
 #include "ir/program.h"
 #include "tools/draw/buffers.h"
-#include "tools/draw/peer/module.h"
+#include "tools/peer/module.h"
 
 // Moves constants from the places where clipc has them to those where a peer reads them, so that
 // the values are compared wherever the peer puts its constants.

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "ir/program.h"
-#include "tools/draw/peer/relocate.h"
 #include "tools/draw/random_inputs.h"
 #include "tools/draw/vulkan/run.h"
+#include "tools/peer/relocate.h"
 
 // The peer's shader in terms of clipc's program.
 namespace clipc::draw::peer {
