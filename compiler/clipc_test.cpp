@@ -25,12 +25,12 @@ constexpr const char* kShader =
 
 class CInterface : public testing::Test {
  protected:
-  clipc_status Compile(std::vector<const char*> options, const char* text = kShader) {
+  clipc_status Compile(std::vector<const char*> options, std::string_view text = kShader) {
     clipc_request request{};
     request.size = sizeof request;
-    request.path = "shaders/water.hlsl";
-    request.text = text;
-    request.text_size = std::strlen(text);
+    request.path = path_;
+    request.text = text.data();
+    request.text_size = text.size();
     request.options = options.data();
     request.option_count = options.size();
     request.read_include = ReadInclude;
@@ -61,6 +61,7 @@ class CInterface : public testing::Test {
     return 1;
   }
 
+  const char* path_ = "shaders/water.hlsl";
   std::map<std::string, std::string> includes_ = {
       {"shaders/planes.hlsli",
        "#pragma once\n#include \"common/shift.hlsli\"\n"
@@ -95,6 +96,26 @@ TEST_F(CInterface, ReadsNoFileWhereIncludesComeFromMemory) {
   EXPECT_THAT(Get(CLIPC_PART_MESSAGES), HasSubstr("[missing-include, X1507]"));
   EXPECT_EQ(Compile({}, "#include \"/etc/hostname\"\n"), CLIPC_HAS_ERRORS);
   EXPECT_THAT(Get(CLIPC_PART_DEPENDENCIES), IsEmpty());
+}
+
+TEST_F(CInterface, DoesNotFindIncludesWhoseNameIsNotThatOfAFile) {
+  const std::vector<std::string> names = {"a/", "/", "//", "a\\\\", "planes.hlsli/", {"a\0b", 3}};
+  for (const std::string& name : names) {
+    const std::string text = "#include \"" + name + "\"\n";
+    EXPECT_EQ(Compile({"-Ilib/"}, text), CLIPC_HAS_ERRORS) << name;
+    EXPECT_THAT(Get(CLIPC_PART_MESSAGES), HasSubstr("[missing-include, X1507]")) << name;
+  }
+  EXPECT_EQ(Compile({}, "#include \"\"\n"), CLIPC_HAS_ERRORS);
+  EXPECT_THAT(Get(CLIPC_PART_MESSAGES), HasSubstr("empty filename"));
+  EXPECT_THAT(asked_, IsEmpty());
+}
+
+TEST_F(CInterface, DoesNotTakeTheNameOfAFolderForThatOfItsText) {
+  for (const char* path : {"a/", "/", "//"}) {
+    path_ = path;
+    EXPECT_EQ(Compile({}), CLIPC_BAD_REQUEST) << path;
+    EXPECT_THAT(Get(CLIPC_PART_MESSAGES), HasSubstr("[cannot-read-file, X1507]")) << path;
+  }
 }
 
 TEST_F(CInterface, ReportsErrors) {

@@ -80,7 +80,6 @@ std::vector<std::string> IncludeFolders(std::span<const EnteredFile> stack,
 
 std::optional<FoundInclude> FindIncludeLikeWindows(const std::vector<std::string>& folders,
                                                    std::string_view name) {
-  if (name.find('\0') != std::string_view::npos) return std::nullopt;
   std::string portable(name);
   std::ranges::replace(portable, '\\', '/');
   try {

@@ -157,6 +157,12 @@ struct Source::State {
 
 namespace {
 
+// Whether a file can have this name. clang::FileManager reads freed memory when it is given the
+// name of a folder for a file, and systems cut a name off at a NUL.
+bool CanNameFile(llvm::StringRef name) {
+  return !name.empty() && name.back() != '/' && name.back() != '\\' && !name.contains('\0');
+}
+
 // ---- includes
 
 class Callbacks : public clang::PPCallbacks {
@@ -175,12 +181,14 @@ class Callbacks : public clang::PPCallbacks {
     const std::vector<std::string> folders =
         IncludeFolders(source_.include_stack, source_.input.include_dirs);
     const Span span = SpanAt(where.getBegin());
-    if (source_.input.read_include) {
-      if (const auto entry = FromMemory(folders, name.str()))
+    std::optional<FoundInclude> found;
+    if (CanNameFile(name)) {
+      if (!source_.input.read_include) {
+        found = FindIncludeLikeWindows(folders, name.str());
+      } else if (const auto entry = FromMemory(folders, name.str())) {
         return Enter(*entry, where.getBegin());
+      }
     }
-    auto found =
-        source_.input.read_include ? std::nullopt : FindIncludeLikeWindows(folders, name.str());
     auto entry = found ? source_.shared.files->getOptionalFileRef(found->path) : std::nullopt;
     if (!entry) {
       ReportMissingInclude(span, name.str(), folders, source_.shared.sandbox, *source_.diagnostics);
@@ -325,10 +333,14 @@ bool Source::State::EnterMainFile() {
     diagnostics->Report({}, diag::CannotReadFile, input.path, problem);
     return false;
   }
-  main_file_read = true;
   const std::string name = input.path == "-"    ? "<stdin>"
                            : input.path.empty() ? "<memory>"
                                                 : input.path;
+  if (!CanNameFile(name)) {
+    diagnostics->Report({}, diag::CannotReadFile, input.path, "a folder has this name");
+    return false;
+  }
+  main_file_read = true;
   const auto entry = shared.files->getVirtualFileRef(name, static_cast<off_t>(main_text.size()), 0);
   sources.overrideFileContents(entry, llvm::MemoryBuffer::getMemBuffer(main_text, name));
   sources.setMainFileID(sources.createFileID(entry, SourceLocation(), clang::SrcMgr::C_User));

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // Gives any options and any text to the C interface: no crash, no hang, and every part is there or
-// empty as the status says. The lines of an input up to an empty one are options; the rest is the
-// shader, which every include gives once more. Options that name files to read are left out.
+// empty as the status says. The lines of an input up to an empty one are options, or the name of
+// the text after `path=`; the rest is the shader, which every include gives once more. Options that
+// name files to read are left out.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -15,6 +16,7 @@
 namespace {
 
 struct Input {
+  std::string path = "fuzz.hlsl";
   std::vector<std::string> options;
   std::string_view text;
   int calls = 0;
@@ -31,7 +33,9 @@ Input Read(std::string_view bytes) {
   while (!bytes.empty() && bytes[0] != '\n') {
     const std::size_t end = std::min(bytes.find('\n'), bytes.size());
     const std::string_view line = bytes.substr(0, end);
-    if (!NamesFile(line) && line.find('\0') == std::string_view::npos)
+    if (line.starts_with("path="))
+      input.path = line.substr(5);
+    else if (!NamesFile(line) && line.find('\0') == std::string_view::npos)
       input.options.emplace_back(line);
     bytes.remove_prefix(std::min(end + 1, bytes.size()));
   }
@@ -57,7 +61,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const std::string& option : input.options) options.push_back(option.c_str());
   clipc_request request{};
   request.size = sizeof request;
-  request.path = "fuzz.hlsl";
+  request.path = input.path.c_str();
   request.text = input.text.data() ? input.text.data() : "";
   request.text_size = input.text.size();
   request.options = options.data();
