@@ -268,10 +268,9 @@ std::string Expand(const SnippetText& snippet, std::string_view function, const 
   std::string out;
   out.reserve(2 * snippet.text.size());
   for (std::size_t i = 0; i < snippet.text.size(); ++i) {
-    const std::string_view rest = snippet.text.substr(i);
-    const auto* place = std::ranges::find_if(rest, [](char c) { return c == '@' || c == '$'; });
-    out.append(rest.begin(), place);
-    i += static_cast<std::size_t>(place - rest.begin());
+    const std::size_t place = std::min(snippet.text.find_first_of("@$", i), snippet.text.size());
+    out += snippet.text.substr(i, place - i);
+    i = place;
     if (i == snippet.text.size()) break;
     if (snippet.text[i] == '@') {
       const std::size_t end = snippet.text.find('(', i);
