@@ -14,7 +14,7 @@ using namespace ir;
 
 namespace {
 
-constexpr BuiltinFunction kBuiltins[] = {
+constexpr BuiltinFunction kBuiltinFunctions[] = {
     {Intrinsic::kAbs, "abs"},
     {Intrinsic::kAcos, "acos"},
     {Intrinsic::kAsin, "asin"},
@@ -59,11 +59,11 @@ constexpr BuiltinFunction kBuiltins[] = {
     {Intrinsic::kTrunc, "trunc", 0, true},
 };
 
-// The row of each function in kBuiltins, counted from 1, by Intrinsic, which is one byte; 0: none.
+// The row of each intrinsic in kBuiltinFunctions, counted from 1; 0 where GLSL has no function.
 constexpr auto kRowOf = [] {
   std::array<std::uint8_t, 256> rows{};
-  for (std::size_t i = 0; i < std::size(kBuiltins); ++i) {
-    rows[static_cast<std::size_t>(kBuiltins[i].op)] = static_cast<std::uint8_t>(i + 1);
+  for (std::size_t i = 0; i < std::size(kBuiltinFunctions); ++i) {
+    rows[static_cast<std::size_t>(kBuiltinFunctions[i].op)] = static_cast<std::uint8_t>(i + 1);
   }
   return rows;
 }();
@@ -73,7 +73,7 @@ constexpr auto kRowOf = [] {
 const BuiltinFunction* BuiltinOf(Intrinsic op, const Shape& shape, const Target& target) {
   const std::uint8_t row = kRowOf[static_cast<std::size_t>(op)];
   if (row == 0) return nullptr;
-  const BuiltinFunction* found = &kBuiltins[row - 1];
+  const BuiltinFunction* found = &kBuiltinFunctions[row - 1];
   if (found->is_rounding && !target.Has(Feature::kRounding)) return nullptr;
   return shape.IsFloating() || target.Has(Feature::kUnsigned) ? found : nullptr;
 }

@@ -3,9 +3,8 @@
 
 include(CheckLinkerFlag)
 
-# Debian has only the shared libfmt.
+include(ClipcFmt)
 if(NOT CLIPC_FROM_SOURCES)
-  find_package(fmt REQUIRED)
   find_package(nlohmann_json REQUIRED)
 endif()
 if(BUILD_TESTING AND NOT CLIPC_FROM_SOURCES)  # or cmake/cross/libraries.cmake has it
@@ -22,6 +21,22 @@ set(CLIPC_SANITIZER_SOURCE)
 if(CLIPC_SANITIZE MATCHES "address")
   set(CLIPC_SANITIZER_SOURCE ${CMAKE_CURRENT_LIST_DIR}/sanitizer_options.cpp)
 endif()
+
+# clipc_unite(TARGET): a unity build compiles the files of a folder as one unit, so that the files whose unnamed namespaces are one
+# are the same in every such build. A file with the property SKIP_UNITY_BUILD_INCLUSION is compiled by itself.
+function(clipc_unite target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+  if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(${target} PRIVATE $<$<COMPILE_LANGUAGE:CXX>:-Wno-subobject-linkage>)  # takes a .cpp file in it for a header
+  endif()
+  get_target_property(sources ${target} SOURCES)
+  foreach(source IN LISTS sources)
+    cmake_path(GET source PARENT_PATH folder)
+    cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${CMAKE_SOURCE_DIR})
+    string(MAKE_C_IDENTIFIER "${folder}" folder)
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${folder}")
+  endforeach()
+endfunction()
 
 # clipc_folder(NAME [PUBLIC libraries that its headers need] [PRIVATE libraries that only its .cpp files need])
 # makes library clipc_NAME of every .cpp file in and below the current folder except *_test.cpp and main.cpp,
@@ -42,6 +57,7 @@ function(clipc_folder name)
   if(NOT sources)
     target_sources(clipc_${name} PRIVATE ${CLIPC_EMPTY_SOURCE})
   endif()
+  clipc_unite(clipc_${name})
   target_include_directories(clipc_${name} PUBLIC $<BUILD_INTERFACE:${clipc_SOURCE_DIR}> $<INSTALL_INTERFACE:include/clipc>)
   target_link_libraries(clipc_${name} PUBLIC ${folder_PUBLIC} PRIVATE ${folder_PRIVATE})
 
@@ -55,7 +71,7 @@ endfunction()
 function(clipc_test target)
   cmake_parse_arguments(PARSE_ARGV 1 test "" "NAME" "SOURCES;LIBRARIES")
   add_executable(${target} ${test_SOURCES} ${CLIPC_SANITIZER_SOURCE})
-  set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)  # tests have like names in unnamed namespaces
+  clipc_unite(${target})
   target_link_libraries(${target} PRIVATE ${test_LIBRARIES} GTest::gmock GTest::gtest_main)
   if(CMAKE_CROSSCOMPILING)
     add_test(NAME ${test_NAME} COMMAND ${target} WORKING_DIRECTORY ${clipc_SOURCE_DIR})

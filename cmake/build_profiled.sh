@@ -11,8 +11,7 @@ install_packages "${build_packages[@]}"
 folder=build/profiled
 # configure record|use
 configure() {
-  quietly cmake --preset release -B "$folder" -DBUILD_TESTING=OFF -DCLIPC_LLVM="$llvm" -DCMAKE_UNITY_BUILD=ON \
-    -DCMAKE_UNITY_BUILD_BATCH_SIZE=6 -DCLIPC_PROFILE="$1"
+  quietly cmake --preset release -B "$folder" -DBUILD_TESTING=OFF -DCLIPC_LLVM="$llvm" -DCLIPC_PROFILE="$1"
 }
 configure record
 find "$folder" -name '*.gcda' -delete

@@ -101,9 +101,9 @@ Texts VariantsIn(const Json& shader, const std::string& where) {
   return {fmt::format("--variants={}", found->get<unsigned>())};
 }
 
-class Reader {
+class ManifestReader {
  public:
-  explicit Reader(std::span<const char* const> arguments)
+  explicit ManifestReader(std::span<const char* const> arguments)
       : arguments_(arguments.begin(), arguments.end()),
         whole_(ParseCommandLine(arguments).command) {}
 
@@ -209,7 +209,7 @@ Manifest ReadManifest(const std::string& path, std::span<const char* const> argu
 Manifest ParseManifest(const std::string& path, const std::string& text,
                        std::span<const char* const> arguments) {
   try {
-    return {Reader(arguments).Read(Json::parse(text)), {}};
+    return {ManifestReader(arguments).Read(Json::parse(text)), {}};
   } catch (const Json::parse_error& problem) {
     // "[json.exception.parse_error.101] parse error at line 3, column 5: ..."
     std::string_view what = problem.what();

@@ -128,7 +128,7 @@ void AddBinding(const std::optional<std::uint32_t>& set,
   if (binding) to["binding"] = *binding;
 }
 
-Json Cbuffer(const Program& program, ir::CbufferId id, const GlslInfo& info) {
+Json CbufferJson(const Program& program, ir::CbufferId id, const GlslInfo& info) {
   const ir::Cbuffer& cbuffer = program.cbuffers[id];
   const GlslInfo::Block* block = info.BlockOf(id);
   Json json = {{"name", cbuffer.name}, {"kind", NameIn(kCbufferKinds, cbuffer.kind)}};
@@ -207,7 +207,7 @@ std::string Reflect(const Lowered& lowered, const glsl::GlslInfo& info,
   json["outputs"] = Signature(program, program.outputs, info.outputs, false);
   json["cbuffers"] = Json::array();
   for (ir::CbufferId id : program.cbuffers.ids())
-    json["cbuffers"].push_back(Cbuffer(program, id, info));
+    json["cbuffers"].push_back(CbufferJson(program, id, info));
   json["structs"] = Structs(program);
   json["resources"] = Objects(program, info);
   json["lowering"] = NameOf(table.lowering);

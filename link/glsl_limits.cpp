@@ -14,7 +14,7 @@ namespace clipc::link {
 namespace {
 
 constexpr int kMaxOperators = 4096;
-constexpr std::uint64_t kMaxMembers = 1u << 16;
+constexpr std::uint64_t kMaxStructMembers = 1u << 16;
 constexpr std::uint64_t kMaxExpanded = 1u << 20;  // words and signs
 constexpr int kMaxMacroDepth = 200;               // of macros that name each other
 
@@ -144,7 +144,7 @@ bool HasLargeStruct(std::string_view code) {
   std::map<std::string_view, std::uint64_t> sizes;
   std::string_view last, name;  // the word before; the struct whose members are counted
   std::uint64_t size = 0, of_member = 1;
-  const auto count_member = [&] { size = std::min(size + of_member, kMaxMembers + 1); };
+  const auto count_member = [&] { size = std::min(size + of_member, kMaxStructMembers + 1); };
   for (std::size_t at = 0; at < code.size();) {
     const std::size_t start = at;
     while (at < code.size() && IsWordCharacter(code[at])) ++at;
@@ -162,7 +162,7 @@ bool HasLargeStruct(std::string_view code) {
       sizes[name] = std::max<std::uint64_t>(size, 1);
       name = {};
     }
-    if (size > kMaxMembers && !name.empty()) return true;
+    if (size > kMaxStructMembers && !name.empty()) return true;
   }
   return false;
 }
@@ -175,7 +175,8 @@ std::string GlslLimit(std::string_view text) {
     return fmt::format("its macros may make more than {} words of it", kMaxExpanded);
   if (HasLongStatement(code))
     return fmt::format("a statement has more than {} operators", kMaxOperators);
-  if (HasLargeStruct(code)) return fmt::format("a struct has more than {} members", kMaxMembers);
+  if (HasLargeStruct(code))
+    return fmt::format("a struct has more than {} members", kMaxStructMembers);
   return {};
 }
 

@@ -11,7 +11,7 @@ namespace clipc::runtime {
 namespace {
 
 // The largest rounding error of a sum of four products of DoubleDoubles, in units of 2^-53.
-constexpr double kRoundingLeft = 0x1p-48;
+constexpr double kRoundingOfProducts = 0x1p-48;
 
 Status CheckAffine(const Matrix& matrix, const char* name) {
   if (!IsFinite(matrix)) {
@@ -69,7 +69,7 @@ Step Before(const Step& after, const Matrix& matrix, const char* name) noexcept 
       const double element = matrix.m[i][j];
       before.plane[i] = Add(before.plane[i], Multiply(element, after.value.plane[j]));
       before.error[i] += std::fabs(element) * after.value.error[j] +
-                         kRoundingLeft * std::fabs(element * after.value.plane[j].high);
+                         kRoundingOfProducts * std::fabs(element * after.value.plane[j].high);
     }
   }
   return before;

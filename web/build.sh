@@ -16,7 +16,7 @@ install_packages "${build_packages[@]}" "${web_packages[@]}"
 cmake/cross/fetch_sources.sh
 mkdir -p build/web
 touch build/web/starts # what is written from here on is newer than what is made
-[ -f build/wasm/build.ninja ] || quietly cmake --preset wasm -DCMAKE_UNITY_BUILD_BATCH_SIZE=6
+[ -f build/wasm/build.ninja ] || quietly cmake --preset wasm
 build_preset wasm --target clipc_module -- --quiet >&2
 
 package=build/web/package

@@ -12,8 +12,8 @@ namespace clipc::check {
 namespace {
 
 // The assignment target = value, or target op= value.
-ExprId Assign(Context& context, const ast::AssignExpr& expr, ExprId target, ExprId value,
-              Span span) {
+ExprId AssignValue(Context& context, const ast::AssignExpr& expr, ExprId target, ExprId value,
+                   Span span) {
   if (!CheckTarget(context, target)) return context.ErrorExpr(span);
   if (expr.op) return AssignCompound(context, *expr.op, target, value, span);
   const ExprId converted = Implicit(context, value, context.TypeIdOf(target));
@@ -39,7 +39,7 @@ ExprId AssignElement(Context& context, const ast::AssignExpr& expr, ExprId targe
   }
   Exprs steps;
   const ExprId store = ChangeElement(context, element, steps);
-  const ExprId change = Assign(context, expr, target, value, span);
+  const ExprId change = AssignValue(context, expr, target, value, span);
   if (context.IsError(change)) return change;
   steps.push_back(change);
   return WithPrologue(context, steps, store);
@@ -73,7 +73,7 @@ ExprId AssignTo(Context& context, const ast::AssignExpr& expr, ExprId target, Sp
   if (context.IsError(target, value)) return context.ErrorExpr(span);
   if (const ExprId element = ElementIn(context, target))
     return AssignElement(context, expr, target, element, value, span);
-  return Assign(context, expr, target, value, span);
+  return AssignValue(context, expr, target, value, span);
 }
 
 }  // namespace

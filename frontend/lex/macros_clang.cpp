@@ -13,36 +13,45 @@ namespace {
 using clang::MacroDefinition;
 using clang::SourceLocation;
 using clang::SourceRange;
-using clang::Token;
 
 class MacroRecorder : public clang::PPCallbacks {
  public:
   MacroRecorder(const clang::SourceManager& sources, std::set<std::string>& used)
       : sources_(sources), used_(used) {}
 
-  void MacroExpands(const Token& name, const MacroDefinition&, SourceRange,
+  void MacroExpands(const clang::Token& name, const MacroDefinition&, SourceRange,
                     const clang::MacroArgs*) override {
     Add(name);
   }
-  void Defined(const Token& name, const MacroDefinition&, SourceRange) override { Add(name); }
-  void Ifdef(SourceLocation, const Token& name, const MacroDefinition&) override { Add(name); }
-  void Ifndef(SourceLocation, const Token& name, const MacroDefinition&) override { Add(name); }
+  void Defined(const clang::Token& name, const MacroDefinition&, SourceRange) override {
+    Add(name);
+  }
+  void Ifdef(SourceLocation, const clang::Token& name, const MacroDefinition&) override {
+    Add(name);
+  }
+  void Ifndef(SourceLocation, const clang::Token& name, const MacroDefinition&) override {
+    Add(name);
+  }
   using PPCallbacks::Elifdef;
-  void Elifdef(SourceLocation, const Token& name, const MacroDefinition&) override { Add(name); }
+  void Elifdef(SourceLocation, const clang::Token& name, const MacroDefinition&) override {
+    Add(name);
+  }
   using PPCallbacks::Elifndef;
-  void Elifndef(SourceLocation, const Token& name, const MacroDefinition&) override { Add(name); }
-  void MacroUndefined(const Token& name, const MacroDefinition&,
+  void Elifndef(SourceLocation, const clang::Token& name, const MacroDefinition&) override {
+    Add(name);
+  }
+  void MacroUndefined(const clang::Token& name, const MacroDefinition&,
                       const clang::MacroDirective*) override {
     Add(name);
   }
-  void MacroDefined(const Token& name, const clang::MacroDirective*) override {
+  void MacroDefined(const clang::Token& name, const clang::MacroDirective*) override {
     const SourceLocation where = name.getLocation();
     if (!sources_.isWrittenInCommandLineFile(where) && !sources_.isWrittenInBuiltinFile(where))
       Add(name);
   }
 
  private:
-  void Add(const Token& name) {
+  void Add(const clang::Token& name) {
     if (const clang::IdentifierInfo* identifier = name.getIdentifierInfo())
       used_.insert(identifier->getName().str());
   }

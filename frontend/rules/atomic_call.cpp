@@ -32,7 +32,7 @@ constexpr struct {
 
 // The read of the first argument if it is an element of a writable object and one integer;
 // otherwise null.
-const ObjectCall* ElementOf(const IntrinsicCheck& call) {
+const ObjectCall* LoadedElement(const IntrinsicCheck& call) {
   const auto* load = As<ObjectCall>(call.program, call.arguments[0]);
   if (!load) return nullptr;
   const bool is_element =
@@ -60,7 +60,7 @@ ExprId CheckAtomic(const IntrinsicCheck& call, ExprId object) {
     if (!address) return call.Error();
     arguments = {object, *address};
   } else {
-    const ObjectCall* load = ElementOf(call);
+    const ObjectCall* load = LoadedElement(call);
     if (!load) {
       return call.Fail(call.SpanOf(call.arguments[0]), diag::IntrinsicAtomicTarget, call.name);
     }

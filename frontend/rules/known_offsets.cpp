@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "frontend/rules/call_depth.h"
 #include "frontend/rules/constant.h"
 #include "frontend/rules/object_slots.h"
 #include "frontend/rules/wanted_values.h"
@@ -23,7 +24,6 @@ namespace {
 constexpr std::size_t kMaxCopies = 4096;          // of functions and of loops' bodies
 constexpr std::size_t kMaxExpressions = 1 << 22;  // of the program with its copies
 constexpr std::size_t kMaxWords = 4096;           // of a known value
-constexpr int kMaxCallDepth = 200;
 
 std::string_view MethodOf(ObjectOp op) {
   using enum ObjectOp;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "frontend/rules/call_depth.h"
 #include "frontend/rules/object_resolver.h"
 #include "ir/access.h"
 #include "ir/packing.h"
@@ -13,7 +14,6 @@ namespace clipc::rules {
 namespace {
 
 constexpr std::size_t kMaxInstances = 4096;
-constexpr int kMaxCallDepth = 200;
 
 }  // namespace
 

@@ -11,7 +11,7 @@ namespace {
 
 using Use = SystemValue::Use;
 
-struct Row {
+struct Semantic {
   std::string_view name;
   SystemValue input, output;
 
@@ -28,7 +28,7 @@ constexpr SystemValue Is(Builtin builtin, int major = 4, int minor = 0) {
 
 // The system values, as an input and as an output. A position or clip distance that the input
 // assembler reads is data like any other (DXC: "Arb" for the vertex input).
-constexpr Row kRows[] = {
+constexpr Semantic kSemantics[] = {
     {"SV_Position", kPlain, Is(Builtin::kPosition, 0)},
     {"SV_ClipDistance", kPlain, Is(Builtin::kClipDistance)},
     {"SV_CullDistance", kPlain, Is(Builtin::kCullDistance)},
@@ -63,7 +63,7 @@ SystemValue LookUpSemantic(std::string_view name, std::uint32_t index, Direction
     const bool is_input = direction == Direction::kInput;
     return {is_input && is_made ? Use::kIgnored : Use::kPlain, Builtin::kNone, 0, 0};
   }
-  for (const Row& row : kRows) {
+  for (const Semantic& row : kSemantics) {
     if (EqualIgnoringCase(row.name, name)) return row.Of(direction);
   }
   // POSITION and PSIZE are Direct3D 9's names of the position and of the point size.
@@ -78,7 +78,7 @@ SystemValue LookUpSemantic(std::string_view name, std::uint32_t index, Direction
 
 std::string_view NearSystemValue(std::string_view name, Direction direction) {
   std::vector<std::string_view> names;
-  for (const Row& row : kRows) {
+  for (const Semantic& row : kSemantics) {
     if (row.Of(direction).use == Use::kBuiltin) names.push_back(row.name);
   }
   const std::vector<std::string_view> near = NearNames(name, names);

@@ -71,7 +71,7 @@ Output main(float4 p : POSITION, uint4 index : INDEX) {
   return result;
 })";
 
-class Compare : public ::testing::Test {
+class ComparedShaders : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     path = std::filesystem::temp_directory_path() /
@@ -124,7 +124,7 @@ class Compare : public ::testing::Test {
   static inline std::string path, objects_path;
 };
 
-TEST_F(Compare, RightShadersPass) {
+TEST_F(ComparedShaders, RightShadersPass) {
   for (const char* target :
        {"glsl460", "glsl410", "glsl330", "glsl140", "glsl130", "essl300", "essl320", "vulkan"}) {
     if (target == std::string("vulkan") && !vulkan::Runner::WhyNone().empty()) continue;
@@ -142,7 +142,7 @@ TEST_F(Compare, RightShadersPass) {
   }
 }
 
-TEST_F(Compare, MistakesInDistancesAreSeen) {
+TEST_F(ComparedShaders, MistakesInDistancesAreSeen) {
   const BuildOptions options =
       Options("glsl450", Lowering::kClipDistance, {.negative_one_to_one = true, .flip_y = true});
   ASSERT_EQ(Run(options).wrong, 0);
@@ -156,7 +156,7 @@ TEST_F(Compare, MistakesInDistancesAreSeen) {
       << "space";
 }
 
-TEST_F(Compare, MistakesElsewhereAreSeen) {
+TEST_F(ComparedShaders, MistakesElsewhereAreSeen) {
   const BuildOptions options =
       Options("glsl450", Lowering::kNone, {.negative_one_to_one = true, .flip_y = true});
   ASSERT_EQ(Run(options).wrong, 0);
@@ -165,12 +165,12 @@ TEST_F(Compare, MistakesElsewhereAreSeen) {
   EXPECT_GT(Run(options, " * 3/ * 4").wrong, 0) << "an int";
 }
 
-TEST_F(Compare, WrongNumbersOfDistancesAreSeen) {
+TEST_F(ComparedShaders, WrongNumbersOfDistancesAreSeen) {
   const BuildOptions options = Options("glsl450", Lowering::kClipDistance);
   EXPECT_GT(Run(options, "gl_ClipDistance[2];/gl_ClipDistance[3];").wrong, 0);
 }
 
-TEST_F(Compare, MistakesWithTexturesAreSeen) {
+TEST_F(ComparedShaders, MistakesWithTexturesAreSeen) {
   const BuildOptions options = Objects();
   ASSERT_EQ(Run(options).wrong, 0);
   EXPECT_GT(Run(options, "textureLod(colors/textureLod(others").wrong, 0) << "another texture";
@@ -202,7 +202,7 @@ TEST_F(Compare, MistakesWithTexturesAreSeen) {
       << "reference";
 }
 
-TEST_F(Compare, MistakesWithBuffersAreSeen) {
+TEST_F(ComparedShaders, MistakesWithBuffersAreSeen) {
   const BuildOptions options = Objects();
   ASSERT_EQ(Run(options).wrong, 0);
   EXPECT_GT(Run(options, "5 * i + 1/5 * i + 2").wrong, 0) << "another word of a struct";
@@ -212,7 +212,7 @@ TEST_F(Compare, MistakesWithBuffersAreSeen) {
   EXPECT_GT(Run(options, "uint i = address/uint i = 4u + address").wrong, 0) << "another address";
 }
 
-TEST_F(Compare, MistakesOnVulkanAreSeen) {
+TEST_F(ComparedShaders, MistakesOnVulkanAreSeen) {
   if (const std::string why = vulkan::Runner::WhyNone(); !why.empty()) GTEST_SKIP() << why;
   const BuildOptions planes =
       Options("vulkan", Lowering::kClipDistance, {.negative_one_to_one = true, .flip_y = true});
@@ -233,7 +233,7 @@ TEST_F(Compare, MistakesOnVulkanAreSeen) {
 }
 
 // The shader reads the bindings and locations that the application is told of, and no others.
-TEST_F(Compare, WrongPlacesOnVulkanAreSeen) {
+TEST_F(ComparedShaders, WrongPlacesOnVulkanAreSeen) {
   if (const std::string why = vulkan::Runner::WhyNone(); !why.empty()) GTEST_SKIP() << why;
   const BuildOptions planes = Options("vulkan", Lowering::kNone);
   EXPECT_THAT([&] { Run(planes, "binding = 0/binding = 7"); },
@@ -244,7 +244,7 @@ TEST_F(Compare, WrongPlacesOnVulkanAreSeen) {
 }
 
 // After the end of a texture or buffer every value is right.
-TEST_F(Compare, WhatLiesOutsideIsOpen) {
+TEST_F(ComparedShaders, WhatLiesOutsideIsOpen) {
   const BuildOptions options = Objects();
   const Shader shader = Build(options);
   const auto open = [&](int greatest_int, const std::string& name) {
@@ -264,7 +264,7 @@ TEST_F(Compare, WhatLiesOutsideIsOpen) {
   EXPECT_LT(open(5000, "vs_COLOR0"), 20) << "only what is near a border between texels";
 }
 
-TEST_F(Compare, MistakesWithAtomicOperationsAreSeen) {
+TEST_F(ComparedShaders, MistakesWithAtomicOperationsAreSeen) {
   std::ofstream(objects_path) << "RWStructuredBuffer<int> b; float4 main(uint i : SV_VertexID) : "
                                  "SV_Position { int old; InterlockedMin(b[i], -3, old); "
                                  "InterlockedAdd(b[i], 5); return float4(old, b[i], 0, 1); }";
@@ -276,7 +276,7 @@ TEST_F(Compare, MistakesWithAtomicOperationsAreSeen) {
   std::ofstream(objects_path) << kObjects;
 }
 
-TEST_F(Compare, ImagesAreRefused) {
+TEST_F(ComparedShaders, ImagesAreRefused) {
   const auto refusal = [](const char* text) -> std::string {
     std::ofstream(objects_path) << text;
     try {

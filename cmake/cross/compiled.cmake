@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+# `clang_slice`, `glslang_slice` and `glslang_spirv`, compiled from Debian's sources; cmake/cross/libraries.cmake includes this file.
+if(NOT EXISTS ${LLVM_SOURCE}/clang/lib/Lex/Lexer.cpp OR NOT EXISTS ${GLSLANG_SOURCE}/SPIRV/GlslangToSpv.cpp)
+  message(FATAL_ERROR "no sources of LLVM and glslang in ${CLIPC_SOURCES}; cmake/cross/fetch_sources.sh puts them there")
+endif()
+
+# theirs(TARGET FOLDER names): a static library of FOLDER/name.cpp, without our warnings.
+function(theirs target folder)
+  list(TRANSFORM ARGN PREPEND ${folder}/)
+  list(TRANSFORM ARGN APPEND .cpp)
+  add_library(${target} STATIC ${ARGN})
+  target_compile_options(${target} PRIVATE -w)
+endfunction()
+
+# The C++ library's missing parts come first, since the others link with them.
+if(CLIPC_WASM)
+  include(${clipc_SOURCE_DIR}/web/wasm/libraries.cmake)
+  set(glslang_system ${clipc_SOURCE_DIR}/web/wasm/glslang_system.cpp)
+else()
+  set(glslang_system ${GLSLANG_SOURCE}/glslang/OSDependent/Windows/ossource.cpp)
+endif()
+
+# ---- Clang's preprocessor
+
+set(support ${LLVM_SOURCE}/llvm/lib)
+set(clang ${LLVM_SOURCE}/clang/lib)
+theirs(llvm_support ${support}
+  Demangle/ItaniumDemangle
+  Support/ABIBreak Support/APFloat Support/APInt Support/Allocator Support/CommandLine Support/ConvertUTF
+  Support/ConvertUTFWrapper Support/Debug Support/DebugCounter Support/Errno Support/Error Support/ErrorHandling
+  Support/ExtensibleRTTI Support/FoldingSet Support/FormatVariadic Support/Locale Support/MD5 Support/ManagedStatic
+  Support/MemAlloc Support/MemoryBuffer Support/MemoryBufferRef Support/NativeFormatting Support/Path Support/PrettyStackTrace
+  Support/Process Support/RISCVISAUtils Support/Signposts Support/SmallPtrSet Support/SmallVector Support/SourceMgr Support/Statistic
+  Support/StringExtras Support/StringMap Support/StringRef Support/StringSaver Support/Threading Support/Timer Support/Twine
+  Support/TypeSize Support/Unicode Support/UnicodeNameToCodepoint Support/UnicodeNameToCodepointGenerated Support/VersionTuple
+  Support/VirtualFileSystem Support/WithColor Support/YAMLParser Support/raw_ostream Support/xxhash
+  TargetParser/AArch64TargetParser TargetParser/ARMTargetParser TargetParser/ARMTargetParserCommon TargetParser/CSKYTargetParser
+  TargetParser/LoongArchTargetParser TargetParser/RISCVISAInfo TargetParser/RISCVTargetParser TargetParser/TargetParser
+  TargetParser/Triple TargetParser/X86TargetParser)
+theirs(clang_lex ${clang}
+  Basic/Attributes Basic/Builtins Basic/CLWarnings Basic/CharInfo Basic/Cuda Basic/Diagnostic Basic/DiagnosticIDs
+  Basic/FileEntry Basic/FileManager Basic/FileSystemStatCache Basic/IdentifierTable Basic/LangOptions Basic/LangStandards
+  Basic/Module Basic/OpenCLOptions Basic/ParsedAttrInfo Basic/SourceLocation Basic/SourceManager Basic/TargetID
+  Basic/TargetInfo Basic/TokenKinds
+  Edit/Commit Edit/EditedSource Frontend/DiagnosticRenderer Frontend/TextDiagnostic
+  Lex/HeaderMap Lex/HeaderSearch Lex/Lexer Lex/LiteralSupport Lex/MacroArgs Lex/MacroInfo Lex/ModuleMap Lex/PPCaching
+  Lex/PPCallbacks Lex/PPConditionalDirectiveRecord Lex/PPDirectives Lex/PPExpressions Lex/PPLexerChange Lex/PPMacroExpansion
+  Lex/Pragma Lex/PreprocessingRecord Lex/Preprocessor Lex/PreprocessorLexer Lex/ScratchBuffer Lex/TokenLexer)
+target_sources(clang_lex PRIVATE ${CMAKE_CURRENT_LIST_DIR}/llvm_system.cpp)
+target_link_libraries(clang_lex PRIVATE llvm_support)
+foreach(library llvm_support clang_lex)
+  set_target_properties(${library} PROPERTIES CXX_STANDARD 17 UNITY_BUILD OFF)
+  target_compile_options(${library} PRIVATE -fno-exceptions -fno-rtti)
+  target_include_directories(${library} SYSTEM PRIVATE ${CLIPC_LLVM_CONFIG} ${CLIPC_LLVM_PREFIX}/include)
+endforeach()
+add_library(clang_slice INTERFACE)
+target_include_directories(clang_slice SYSTEM INTERFACE ${CLIPC_LLVM_CONFIG} ${CLIPC_LLVM_PREFIX}/include)
+target_link_libraries(clang_slice INTERFACE clang_lex llvm_support)
+
+# ---- glslang
+
+file(GLOB machine ${GLSLANG_SOURCE}/glslang/MachineIndependent/*.cpp ${GLSLANG_SOURCE}/glslang/MachineIndependent/preprocessor/*.cpp)
+add_library(glslang_slice STATIC ${machine}
+  ${GLSLANG_SOURCE}/glslang/GenericCodeGen/CodeGen.cpp ${GLSLANG_SOURCE}/glslang/GenericCodeGen/Link.cpp
+  ${GLSLANG_SOURCE}/OGLCompilersDLL/InitializeDll.cpp ${GLSLANG_SOURCE}/StandAlone/ResourceLimits.cpp
+  ${glslang_system})
+add_library(glslang_spirv STATIC ${GLSLANG_SOURCE}/SPIRV/GlslangToSpv.cpp ${GLSLANG_SOURCE}/SPIRV/InReadableOrder.cpp
+  ${GLSLANG_SOURCE}/SPIRV/Logger.cpp ${GLSLANG_SOURCE}/SPIRV/SpvBuilder.cpp ${GLSLANG_SOURCE}/SPIRV/SpvPostProcess.cpp
+  ${GLSLANG_SOURCE}/SPIRV/disassemble.cpp ${GLSLANG_SOURCE}/SPIRV/doc.cpp)
+target_link_libraries(glslang_spirv PUBLIC glslang_slice)
+foreach(library glslang_slice glslang_spirv)
+  set_target_properties(${library} PROPERTIES CXX_STANDARD 17 UNITY_BUILD OFF)
+  target_compile_options(${library} PRIVATE -w -fno-exceptions -fno-rtti)
+  target_include_directories(${library} PRIVATE ${GLSLANG_SOURCE} ${GLSLANG_SOURCE}/StandAlone)
+  target_compile_definitions(${library} PRIVATE ENABLE_OPT=0)
+endforeach()
