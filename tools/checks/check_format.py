@@ -9,6 +9,7 @@ Files: every .c, .cpp and .h of the repository, except below testdata/ and the f
 line over 100 columns, except inside a raw string, where a line break would change the text. Where clang-format-19 is
 not installed, only the length is checked and a message says so; under CI=true its absence is an error.
 """
+
 import concurrent.futures
 import os
 import pathlib
@@ -20,7 +21,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CLANG_FORMAT = "clang-format-19"
 COLUMNS = 100
-SUFFIXES = (".c", ".cpp", ".h")
+SUFFIXES = (".c", ".cpp", ".h", ".hpp")
 EXCLUDED = {"testdata", "tools/fuzz/corpus", "build", ".git"}
 RAW_STRING = re.compile(r'R"(\w*)\(.*?\)\1"', re.S)
 
@@ -28,8 +29,8 @@ RAW_STRING = re.compile(r'R"(\w*)\(.*?\)\1"', re.S)
 def files_of_the_repository():
     for folder, folders, files in os.walk(ROOT):
         at = pathlib.Path(folder)
-        folders[:] = sorted(name for name in folders if (at / name).relative_to(ROOT).as_posix() not in EXCLUDED)
-        yield from (at / name for name in sorted(files) if name.endswith(SUFFIXES))
+        folders[:] = [name for name in folders if (at / name).relative_to(ROOT).as_posix() not in EXCLUDED]
+        yield from (at / name for name in files if name.endswith(SUFFIXES))
 
 
 def long_lines(text):
@@ -43,38 +44,31 @@ def long_lines(text):
             yield number
 
 
-def formatted(path):
-    return subprocess.run([CLANG_FORMAT, path], cwd=ROOT, capture_output=True, text=True, check=True).stdout
-
-
-def check(path, write, has_clang_format):
-    """The problems of one file, as text."""
-    name, text = path.relative_to(ROOT), path.read_text()
-    wanted = formatted(path) if has_clang_format else text
-    if wanted != text and write:
-        path.write_text(wanted)
-        text = wanted
-    found = [f"{name}:{number}: the line is over {COLUMNS} columns" for number in long_lines(text)]
-    for number, (line, other) in enumerate(zip(text.splitlines(), wanted.splitlines()), 1):
-        if line != other:
-            return found + [f"{name}:{number}: {CLANG_FORMAT} writes this differently; run tools/checks/check_format.py --write"]
-    if text != wanted:
-        found.append(f"{name}: {CLANG_FORMAT} writes the end of the file differently")
-    return found
+def clang_format(files, write):
+    """What clang-format says of the files."""
+    how = ["-i"] if write else ["--dry-run", "-Werror"]
+    command = [CLANG_FORMAT, *how, *files]
+    return subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False).stderr
 
 
 def main():
     write = "--write" in sys.argv
-    named = [pathlib.Path(argument).resolve() for argument in sys.argv[1:] if not argument.startswith("-")]
-    has_clang_format = shutil.which(CLANG_FORMAT) is not None
-    if not has_clang_format:
+    named = [pathlib.Path(name).resolve() for name in sys.argv[1:] if not name.startswith("-")]
+    files = sorted(path.relative_to(ROOT) for path in named or files_of_the_repository())
+    problems = ""
+    if shutil.which(CLANG_FORMAT):
+        with concurrent.futures.ThreadPoolExecutor() as pool:
+            shares = [files[i::os.cpu_count()] for i in range(os.cpu_count())]
+            said = pool.map(lambda share: clang_format(share, write), filter(None, shares))
+            problems += "".join(said)
+    else:
         print(f"{CLANG_FORMAT} is not installed: only the length of the lines is checked")
-    files = named or list(files_of_the_repository())
-    with concurrent.futures.ThreadPoolExecutor() as pool:
-        problems = sum(pool.map(lambda path: check(path, write, has_clang_format), files), [])
-    if not has_clang_format and os.environ.get("CI") == "true":
-        problems.append(f"{CLANG_FORMAT} is not installed, and CI=true")
-    print("\n".join(problems) or f"{len(files)} files in the house's format")
+        if os.environ.get("CI") == "true":
+            problems += f"{CLANG_FORMAT} is not installed, and CI=true\n"
+    for name in files:
+        for number in long_lines((ROOT / name).read_text()):
+            problems += f"{name}:{number}: the line is over {COLUMNS} columns\n"
+    print(problems + "tools/checks/check_format.py --write formats" if problems else f"{len(files)} files in the house's format")
     return bool(problems)
 
 

@@ -1,17 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-"""Runs clang-tidy-19, with the repository's .clang-tidy, over the C++ that changed.
+"""Runs clang-tidy-19, with the repository's .clang-tidy, over the lines of C++ that changed.
 
-    check_tidy.py [--build FOLDER] [--since REVISION] [--limit N] [--all] [FILE...]
+    check_tidy.py [--build FOLDER] [--since REVISION] [--limit N] [--all]
 
-What changed: the .cpp files that differ from REVISION, committed or not, and for each changed header one .cpp file that
-includes it. REVISION is by default where this branch left origin/main or, if it is there, the commit before HEAD. At
-most N files (24) are checked, about ten seconds each on one core; a message counts those left out. --all checks every
-file; FILEs are checked instead. FOLDER, build/release by default, has the compile_commands.json of a configured and
-built tree; so has the folder study/ in it, where the laboratory is built.
+What changed: the lines that differ from REVISION, committed or not, in files that a build compiles and in headers
+beside such files. REVISION is by default where this branch left origin/main or, if it is there, the commit before
+HEAD. At most N files (24) are checked, about ten seconds each on one core; a message counts those left out. --all
+checks every line of every file that is compiled. FOLDER, build/release by default, has the compile_commands.json of a
+configured and built tree; so has the folder study/ in it, where the laboratory is built.
 """
+
 import argparse
-import concurrent.futures
 import json
 import os
 import pathlib
@@ -21,76 +21,74 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-CLANG_TIDY = "clang-tidy-19"
 GCC_ONLY = " -fno-gnu-unique"
+QUIETLY = ["-clang-tidy-binary", "clang-tidy-19", "-quiet", "-extra-arg=-Wno-unknown-warning-option"]
 
 
 def git(*arguments):
-    done = subprocess.run(["git", "-C", ROOT, *arguments], capture_output=True, text=True, check=False)
-    return done.stdout.strip() if done.returncode == 0 else None
+    command = ["git", "-C", ROOT, *arguments]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    return done.stdout if done.returncode == 0 else ""
 
 
 def base_revision():
     head, fork = git("rev-parse", "HEAD"), git("merge-base", "HEAD", "origin/main")
-    return fork if fork and fork != head else "HEAD~1"
+    return fork.strip() if fork and fork != head else "HEAD~1"
 
 
-def changed_files(revision):
-    """The .h and .cpp files that changed; empty in a clone that does not reach back to the revision."""
-    names = git("diff", "--name-only", "--diff-filter=d", revision) or ""
-    return [name for name in names.splitlines() if name.endswith((".h", ".cpp")) and not name.startswith("testdata/")]
+def commands_of_files(entries):
+    """The entries with those of a unity build's units replaced by one for each file of the unit."""
+    for entry in entries:
+        entry["command"] = entry["command"].replace(GCC_ONLY, "")
+        if not re.search(r"/Unity/unity_\w+\.cxx$", entry["file"]):
+            yield entry
+            continue
+        unit = pathlib.Path(entry["file"]).read_text()
+        for file in re.findall(r'^#include "(.*)"$', unit, re.M):
+            yield entry | {"file": file, "command": entry["command"].replace(entry["file"], file)}
 
 
-def includer(header, sources):
-    """The first source that includes `header`, its own .cpp before others; or None."""
-    own = header.removesuffix(".h") + ".cpp"
-    include = re.compile(rf'^#include "{re.escape(header)}"$', re.M)
-    for source in sorted(sources, key=lambda name: name != own):
-        if include.search((ROOT / source).read_text()):
-            return source
-    return None
+def compile_commands(build):
+    files = [build / "compile_commands.json", build / "study/compile_commands.json"]
+    entries = sum((json.loads(file.read_text()) for file in files if file.exists()), [])
+    return list({entry["file"]: entry for entry in commands_of_files(entries)}.values())
 
 
-def tidy(source, build):
-    command = [CLANG_TIDY, "-p", build, "--quiet", "--extra-arg=-Wno-unknown-warning-option"]
-    # A test may take a value that it expects to be there: it fails if it is not.
-    if source.endswith("_test.cpp"):
-        command.append("--checks=-bugprone-unchecked-optional-access")
-    done = subprocess.run([*command, source], cwd=ROOT, capture_output=True, text=True, check=False)
-    return done.returncode, done.stdout
+def changed_files(revision, sources):
+    """The files to check; none in a clone that does not reach back to the revision."""
+    folders = {os.path.dirname(source) for source in sources}
+    for name in git("diff", "--name-only", "--diff-filter=d", revision).splitlines():
+        if name in sources or name.endswith(".h") and os.path.dirname(name) in folders:
+            yield name
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/release")
     parser.add_argument("--since")
     parser.add_argument("--limit", type=int, default=24)
     parser.add_argument("--all", action="store_true")
-    parser.add_argument("files", nargs="*")
     given = parser.parse_args()
-    commands = json.loads((given.build / "compile_commands.json").read_text())
-    if (of_study := given.build / "study/compile_commands.json").exists():
-        commands += json.loads(of_study.read_text())
-    sources = {os.path.relpath(entry["file"], ROOT) for entry in commands}
-    changed = given.files or changed_files(given.since or base_revision())
-    wanted = [includer(name, sources) if name.endswith(".h") else name for name in changed]
-    wanted = [name for name in dict.fromkeys(wanted) if name in sources]
-    if given.all:
-        wanted = sorted(sources)
-    elif not given.files and len(wanted) > given.limit:
-        print(f"clang-tidy: {len(wanted) - given.limit} of {len(wanted)} changed files are left out")
-        wanted = wanted[:given.limit]
-    failed = 0
-    with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        for entry in commands:
-            entry["command"] = entry["command"].replace(GCC_ONLY, "")
+    commands = compile_commands(given.build)
+    if not commands:
+        sys.exit(f"clang-tidy: {given.build} has no compile_commands.json")
+    with tempfile.TemporaryDirectory() as folder:
         (pathlib.Path(folder) / "compile_commands.json").write_text(json.dumps(commands))
-        for status, output in pool.map(lambda name: tidy(name, folder), wanted):
-            if status:
-                print(output)
-            failed += status != 0
-    print(f"clang-tidy: {len(wanted)} files, {failed} with findings")
-    return failed != 0
+        if given.all:
+            return subprocess.run(["run-clang-tidy-19", "-p", folder, *QUIETLY], check=False).returncode
+        revision = given.since or base_revision()
+        changed = list(changed_files(revision, {os.path.relpath(entry["file"], ROOT) for entry in commands}))
+        checked = changed[: given.limit]
+        if changed != checked:
+            print(f"clang-tidy: {len(changed) - len(checked)} of {len(changed)} files are left out")
+        print(f"clang-tidy: {len(checked)} files", flush=True)
+        if not checked:
+            return 0
+        difference = git("diff", "-U0", revision, "--", *checked)
+        tool = ["clang-tidy-diff-19.py", "-p1", "-path", folder, "-j", str(os.cpu_count()), *QUIETLY]
+        return subprocess.run(tool, input=difference, text=True, cwd=ROOT, check=False).returncode
 
 
 if __name__ == "__main__":
