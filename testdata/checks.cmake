@@ -3,6 +3,7 @@
 add_test(NAME layers COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_layers.py)
 add_test(NAME format COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_format.py)
 add_test(NAME pages COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_pages.py)
+add_test(NAME recipes COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_recipes.py)
 add_test(NAME sources COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_sources.py)
 add_test(NAME fail_names COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/check_fail_names.py ${CMAKE_CURRENT_SOURCE_DIR})
 add_test(NAME diagnostics COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_diagnostics.py --coverage)
