@@ -7,7 +7,6 @@
 #include "base/invariant.h"
 #include "ir/access.h"
 #include "ir/builder.h"
-#include "passes/split_variables.h"
 
 namespace clipc::passes {
 
@@ -22,18 +21,20 @@ class Inliner {
         builder_(program, program.functions[program.main].span),
         renamed_(program.vars.size()) {}
 
-  void Run() {
+  MainParts Run() {
     const auto body = MainBody(program_);
     const auto call = std::find_if(body.begin(), body.end(), [&](StmtId id) {
       call_ = EntryCall(program_, id);
       return static_cast<bool>(call_);
     });
-    if (call == body.end()) return;
-    MainParts parts{{body.begin(), call}, {*call}, {call + 1, body.end()}};
-    const bool is_inlined = ReturnsAtTheEnd();
-    if (is_inlined) TakeBody(parts);
-    SetMainBody(program_, SplitVariables(program_, parts));
-    if (is_inlined) EmptyEntry();
+    if (call == body.end()) return {};
+    const MainParts parts{static_cast<std::size_t>(call - body.begin()),
+                          static_cast<std::size_t>(body.end() - call) - 1};
+    if (ReturnsAtTheEnd()) {
+      TakeBody({body.begin(), call}, *call, {call + 1, body.end()});
+      EmptyEntry();
+    }
+    return parts;
   }
 
  private:
@@ -84,46 +85,46 @@ class Inliner {
     return input != program_.inputs.end() && input->builtin == Builtin::kNone;
   }
 
-  // Puts the entry function's statements in the place of its call, under the names of `main`.
-  void TakeBody(MainParts& parts) {
-    const StmtId call = parts.body.front();
-    parts.body.clear();
-    Parameters(program_.functions[program_.entry], parts.body);
+  // Puts the entry function's statements in the place of its call, under the names of `main`. `all`
+  // has the statements before the call, `outputs` those after it.
+  void TakeBody(std::vector<StmtId> all, StmtId call, const std::vector<StmtId>& outputs) {
+    Parameters(program_.functions[program_.entry], all);
     const auto body = BodyOf(program_, program_.entry);
-    parts.body.insert(parts.body.end(), body.begin(), body.end());
-    if (has_return_) parts.body.pop_back();
-    Result(call, parts);
-    for (const std::vector<StmtId>* part : {&parts.before, &parts.body, &parts.after}) {
-      for (const StmtId id : *part) Rename(id);
-    }
+    all.insert(all.end(), body.begin(), body.end());
+    if (has_return_) all.pop_back();
+    if (Result(call, outputs)) all.push_back(call);
+    all.insert(all.end(), outputs.begin(), outputs.end());
+    for (const StmtId id : all) Rename(id);
+    SetMainBody(program_, all);
   }
 
-  // Makes the statement of the call take the value that the entry point returns.
-  void Result(StmtId call, MainParts& parts) {
+  // Makes the statement of the call take the value that the entry point returns. Returns whether
+  // that statement is still needed.
+  bool Result(StmtId call, const std::vector<StmtId>& outputs) {
     auto& node = program_.stmts[call].node;
     if (auto* declare = std::get_if<Declare>(&node)) {
       const auto* ref = As<VarRef>(program_, returned_);
       if (ref && !program_.vars[declare->var].precise &&
-          MayStandFor(ref->var, declare->var, parts.after)) {
+          MayStandFor(ref->var, declare->var, outputs)) {
         renamed_[declare->var.index] = ref->var;
-        return;
+        return false;
       }
       declare->init = returned_;
     } else {
       auto* assign = std::get_if<Assign>(&program_.exprs[std::get<Evaluate>(node).expr].node);
-      if (!assign) return;
+      if (!assign) return false;
       assign->value = returned_;
     }
-    parts.body.push_back(call);
+    return true;
   }
 
   // Whether the returned variable may take the place of the result. Passes may have added
   // assignments to the result, and an input or a uniform cannot be assigned to.
-  bool MayStandFor(VarId returned, VarId result, const std::vector<StmtId>& after) const {
+  bool MayStandFor(VarId returned, VarId result, const std::vector<StmtId>& outputs) const {
     const VarId name = renamed_[returned.index];
     const VarId var = name ? name : returned;
     return program_.vars[var].storage == Storage::kLocal ||
-           !AssignedIn(program_, after)[result.index];
+           !AssignedIn(program_, outputs)[result.index];
   }
 
   void Rename(StmtId stmt) {
@@ -151,10 +152,10 @@ class Inliner {
 
 }  // namespace
 
-void InlineEntry(Program& program) {
+MainParts InlineEntry(Program& program) {
   CLIPC_CHECK(program.form == Form::kTargetClipSpace);
   program.form = Form::kInlined;
-  Inliner(program).Run();
+  return Inliner(program).Run();
 }
 
 }  // namespace clipc::passes

@@ -1,28 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <cstddef>
+
 #include "ir/program.h"
 
 namespace clipc::passes {
 
-// Makes `main` the shader that a person would have written: the body of the entry point replaces
-// its call, and structs that only carry inputs and outputs become those inputs and outputs
-// (split_variables.h).
+// The number of statements at the beginning of `main` that read the inputs, and of those at its end
+// that write the outputs. The shader's own are between them.
+struct MainParts {
+  std::size_t inputs = 0, outputs = 0;
+};
+
+// Puts the body of the entry point in the place of its call in `main`. Returns the parts of `main`
+// for SplitVariables, which is the next pass.
 //
 //   Vertex v; v.position = in_POSITION0;
 //   Varyings result = shader(v);
-//   gl_Position = result.position; vs_COLOR0 = result.color;
+//   gl_Position = result.position;
 //       =>
-//   gl_Position = view * float4(in_POSITION0, 1);
-//   vs_COLOR0 = tint;
+//   Vertex v; v.position = in_POSITION0;
+//   Varyings o; o.position = view * float4(v.position, 1);
+//   gl_Position = o.position;
 //
-//   =>  gl_Position = view * float4(in_POSITION0, 1);
-//       vs_COLOR0 = tint;
-//
-// An entry point that returns early keeps its function, and a struct that is used as a whole stays
-// a struct. The outputs keep their values, bit for bit.
+// An entry point that returns early keeps its function and its call. The outputs keep their values,
+// bit for bit.
 //
 // Requires Form::kTargetClipSpace. Ensures Form::kInlined.
-void InlineEntry(ir::Program& program);
+MainParts InlineEntry(ir::Program& program);
 
 }  // namespace clipc::passes

@@ -8,6 +8,7 @@
 #include "passes/drop_unwritten.h"
 #include "passes/hoist_loop_bounds.h"
 #include "passes/inline_entry.h"
+#include "passes/split_variables.h"
 #include "passes/spread_precise.h"
 
 namespace clipc::passes {
@@ -17,6 +18,7 @@ namespace {
 struct Run {
   ir::Program& program;
   const PipelineOptions& options;
+  MainParts parts = {};  // what inline-entry returns, for split-variables
 };
 
 // The order is the design. The comment on a pass says why the pass is at this place.
@@ -29,7 +31,11 @@ constexpr ir::Pass<Run> kPipeline[] = {
      ir::Form::kTargetClipSpace},
     // The passes before find each output written in one place, after the call of the entry point;
     // this one removes the call.
-    {"inline-entry", [](Run& run) { InlineEntry(run.program); }, ir::Form::kInlined},
+    {"inline-entry", [](Run& run) { run.parts = InlineEntry(run.program); }, ir::Form::kInlined},
+    // The fields that the shader writes and those that `main` reads and writes are in one function
+    // only now. No pass between the two moves the parts of `main`.
+    {"split-variables", [](Run& run) { SplitVariables(run.program, run.parts); },
+     ir::Form::kInlined},
     // Distances that the shader writes by hand have their constants in `main` only now.
     {"drop-idle-clip-distances", [](Run& run) { DropIdleClipDistances(run.program); },
      ir::Form::kInlined},

@@ -211,19 +211,19 @@ TEST(Pipeline, StopsAndDumpsAfterAPass) {
                    (MainOf(program).find('-') == std::string::npos ? "" : " flipped"));
   };
   Lowered(TwoPlanes(), options);
-  EXPECT_THAT(seen,
-              ElementsAre("lower-clip-planes", "adjust-clip-space flipped", "inline-entry flipped",
-                          "drop-idle-clip-distances flipped", "drop-unread-arguments flipped",
-                          "drop-unwritten flipped", "drop-unread flipped", "spread-precise flipped",
-                          "hoist-loop-bounds flipped"));
+  EXPECT_THAT(seen, ElementsAre("lower-clip-planes", "adjust-clip-space flipped",
+                                "inline-entry flipped", "split-variables flipped",
+                                "drop-idle-clip-distances flipped", "drop-unread-arguments flipped",
+                                "drop-unwritten flipped", "drop-unread flipped",
+                                "spread-precise flipped", "hoist-loop-bounds flipped"));
   seen.clear();
   options.stop_after = "lower-clip-planes";
   EXPECT_EQ(Lowered(TwoPlanes(), options).form, Form::kNoClipPlanes);
   EXPECT_THAT(seen, ElementsAre("lower-clip-planes"));
   EXPECT_THAT(PassNames(),
               ElementsAre("lower-clip-planes", "adjust-clip-space", "inline-entry",
-                          "drop-idle-clip-distances", "drop-unread-arguments", "drop-unwritten",
-                          "drop-unread", "spread-precise", "hoist-loop-bounds"));
+                          "split-variables", "drop-idle-clip-distances", "drop-unread-arguments",
+                          "drop-unwritten", "drop-unread", "spread-precise", "hoist-loop-bounds"));
 }
 
 TEST(PipelineDeathTest, PassesWantTheirForms) {

@@ -7,6 +7,7 @@
 #include <memory_resource>
 #include <utility>
 
+#include "base/invariant.h"
 #include "ir/access.h"
 #include "ir/builder.h"
 
@@ -43,17 +44,16 @@ class Splitter {
  public:
   Splitter(Program& program, const MainParts& parts)
       : program_(program),
-        before_end_(parts.before.size()),
-        after_begin_(before_end_ + parts.body.size()) {
-    for (const std::vector<StmtId>* part : {&parts.before, &parts.body, &parts.after}) {
-      stmts_.insert(stmts_.end(), part->begin(), part->end());
-    }
+        before_end_(parts.inputs),
+        after_begin_(MainBody(program).size() - parts.outputs) {
+    const auto body = MainBody(program);
+    stmts_.assign(body.begin(), body.end());
     replaced_.resize(stmts_.size());
     is_replaced_.resize(stmts_.size());
     numbers_.resize(program.vars.size());
   }
 
-  std::vector<StmtId> Run() {
+  void Run() {
     FindCandidates();
     for (now_ = 0; now_ < stmts_.size(); ++now_) Collect(stmts_[now_]);
     for (Candidate& candidate : candidates_)
@@ -64,7 +64,7 @@ class Splitter {
       result.insert(result.end(), replaced_[i].begin(), replaced_[i].end());
       if (!is_replaced_[i]) result.push_back(stmts_[i]);
     }
-    return result;
+    SetMainBody(program_, result);
   }
 
  private:
@@ -243,7 +243,7 @@ class Splitter {
     return static_cast<std::size_t>(&part - candidate.parts.data());
   }
 
-  // The output that takes the part's last value as it is; none if there is none.
+  // The output that takes the part's last value as it is; an invalid id if no output does.
   VarId OutputOf(const Part& part) const {
     if (part.uses.empty()) return {};
     const Use& last = part.uses.back();
@@ -257,7 +257,7 @@ class Splitter {
     return program_.vars[target->var].type == part.type ? target->var : VarId{};
   }
 
-  // The input that is the part's value from beginning to end; none if there is none.
+  // The input that is the part's value from beginning to end; an invalid id if no input is.
   VarId InputOf(const Part& part) const {
     if (part.uses.empty() || std::ranges::count_if(part.uses, &Use::writes) != 1) return {};
     const Use& first = part.uses.front();
@@ -324,13 +324,14 @@ class Splitter {
   std::vector<bool> is_replaced_;
   std::size_t now_ = 0;
   std::pmr::vector<Candidate> candidates_{&memory_};
-  std::pmr::vector<std::uint32_t> numbers_{&memory_};  // by VarId: its candidate, from 1; 0: none
+  std::pmr::vector<std::uint32_t> numbers_{&memory_};  // by VarId: its candidate, from 1, or 0
 };
 
 }  // namespace
 
-std::vector<StmtId> SplitVariables(Program& program, const MainParts& parts) {
-  return Splitter(program, parts).Run();
+void SplitVariables(Program& program, const MainParts& parts) {
+  CLIPC_CHECK(program.form == Form::kInlined);
+  Splitter(program, parts).Run();
 }
 
 }  // namespace clipc::passes

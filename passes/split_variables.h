@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include <vector>
-
 #include "ir/program.h"
+#include "passes/inline_entry.h"
 
 namespace clipc::passes {
 
-// The statements of `main`: in `before` those that read the inputs, in `body` those of the shader,
-// in `after` those that write the outputs.
-struct MainParts {
-  std::vector<ir::StmtId> before, body, after;
-};
-
 // Scalar replacement of the structs that only carry inputs or outputs: each field becomes the input
 // that it is loaded from, the output that it is stored to, or a local variable. A variable of
-// another type is replaced in the same way. Returns the statements that `main` then consists of.
+// another type is replaced in the same way. `parts` is what InlineEntry returned.
 //
 //   Vertex v; v.position = in_POSITION0;           =>
 //   Varyings o;
@@ -27,6 +20,8 @@ struct MainParts {
 //   Vertex v; v.position = in_POSITION0; v.uv = in_UV0;
 //       =>
 //   Vertex v = Vertex(in_POSITION0, in_UV0);
-std::vector<ir::StmtId> SplitVariables(ir::Program& program, const MainParts& parts);
+//
+// The outputs keep their values, bit for bit. Requires and ensures Form::kInlined.
+void SplitVariables(ir::Program& program, const MainParts& parts);
 
 }  // namespace clipc::passes

@@ -1,6 +1,6 @@
-// Distances at the end that are constants from 0 up clip nothing, however they came to be constants: they are removed, with a
+// Distances at the end that are non-negative constants, written as such or computed, clip nothing: they are removed, with a
 // warning. The others keep their indices, and the picture is the same.
-// RUN: %clipc -T vs_5_0 -E scalars --dump-after=inline-entry %s 2>&1 | FileCheck %s --check-prefix=IDLE
+// RUN: %clipc -T vs_5_0 -E scalars --dump-after=split-variables %s 2>&1 | FileCheck %s --check-prefix=IDLE
 // RUN: %clipc -T vs_5_0 -E scalars --dump-after=drop-idle-clip-distances %s 2>&1 | FileCheck %s --check-prefix=DROPPED
 // RUN: %clipc -T vs_5_0 -E all --dump-after=drop-idle-clip-distances %s 2>&1 | FileCheck %s --check-prefix=NO-OUTPUT
 // RUN: %clipc -T vs_5_0 -E vector --validate --reflect=%t.json %s -o - 2>&1 | FileCheck %s --check-prefix=VECTOR

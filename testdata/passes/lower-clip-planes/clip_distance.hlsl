@@ -1,4 +1,4 @@
-// One dot product for each plane, in operand order, behind everything that the shader does.
+// One dot product for each plane, in operand order, after everything that the shader does.
 // RUN: %clipc -T vs_5_0 -E main --depth-range=negative-one-to-one --flip-y --dump-after=lower-clip-planes --stop-after=lower-clip-planes %s | FileCheck %s
 
 cbuffer Planes {

@@ -1,15 +1,15 @@
 // The structs of a signature become the inputs and outputs themselves; what is more than that stays.
-// RUN: %clipc -T vs_5_0 -E parameter --dump-after=inline-entry %s | FileCheck %s --check-prefix=PARAMETER
+// RUN: %clipc -T vs_5_0 -E parameter --dump-after=split-variables %s | FileCheck %s --check-prefix=PARAMETER
 // RUN: %draw compare -T vs_5_0 -E parameter %s
 // RUN: %draw compare -T vs_5_0 -E itself %s
-// RUN: %clipc -T vs_5_0 -E plain --dump-after=inline-entry %s | FileCheck %s --check-prefix=PLAIN
-// RUN: %clipc -T vs_5_0 -E changed --dump-after=inline-entry %s | FileCheck %s --check-prefix=CHANGED
-// RUN: %clipc -T vs_5_0 -E zero --dump-after=inline-entry %s | FileCheck %s --check-prefix=ZERO
-// RUN: %clipc -T vs_5_0 -E built --dump-after=inline-entry %s | FileCheck %s --check-prefix=BUILT
-// RUN: %clipc -T vs_5_0 -E whole --dump-after=inline-entry %s | FileCheck %s --check-prefix=WHOLE
-// RUN: %clipc -T vs_5_0 -E early --dump-after=inline-entry %s | FileCheck %s --check-prefix=EARLY
-// RUN: %clipc -T vs_5_0 -E exact --dump-after=inline-entry %s | FileCheck %s --check-prefix=EXACT
-// RUN: %clipc -T vs_5_0 -E back_and_forth --dump-after=inline-entry %s | FileCheck %s --check-prefix=BACK
+// RUN: %clipc -T vs_5_0 -E plain --dump-after=split-variables %s | FileCheck %s --check-prefix=PLAIN
+// RUN: %clipc -T vs_5_0 -E changed --dump-after=split-variables %s | FileCheck %s --check-prefix=CHANGED
+// RUN: %clipc -T vs_5_0 -E zero --dump-after=split-variables %s | FileCheck %s --check-prefix=ZERO
+// RUN: %clipc -T vs_5_0 -E built --dump-after=split-variables %s | FileCheck %s --check-prefix=BUILT
+// RUN: %clipc -T vs_5_0 -E whole --dump-after=split-variables %s | FileCheck %s --check-prefix=WHOLE
+// RUN: %clipc -T vs_5_0 -E early --dump-after=split-variables %s | FileCheck %s --check-prefix=EARLY
+// RUN: %clipc -T vs_5_0 -E exact --dump-after=split-variables %s | FileCheck %s --check-prefix=EXACT
+// RUN: %clipc -T vs_5_0 -E back_and_forth --dump-after=split-variables %s | FileCheck %s --check-prefix=BACK
 // RUN: %draw compare -T vs_5_0 -E plain %s
 // RUN: %draw compare -T vs_5_0 -E changed %s
 // RUN: %draw compare -T vs_5_0 -E zero %s

@@ -1,9 +1,9 @@
 // Scalar replacement: what a variable that carries inputs or outputs is split into, and what keeps it whole.
 // RUN: %clipc -T vs_5_0 -E fields --dump-after=adjust-clip-space %s | FileCheck %s --check-prefix=BEFORE
-// RUN: %clipc -T vs_5_0 -E fields --dump-after=inline-entry %s | FileCheck %s --check-prefix=FIELDS
-// RUN: %clipc -T vs_5_0 -E plain --dump-after=inline-entry %s | FileCheck %s --check-prefix=PLAIN
-// RUN: %clipc -T vs_5_0 -E as_a_whole --dump-after=inline-entry %s | FileCheck %s --check-prefix=WHOLE
-// RUN: %clipc -T vs_5_0 -E own --dump-after=inline-entry %s | FileCheck %s --check-prefix=OWN
+// RUN: %clipc -T vs_5_0 -E fields --dump-after=split-variables %s | FileCheck %s --check-prefix=FIELDS
+// RUN: %clipc -T vs_5_0 -E plain --dump-after=split-variables %s | FileCheck %s --check-prefix=PLAIN
+// RUN: %clipc -T vs_5_0 -E as_a_whole --dump-after=split-variables %s | FileCheck %s --check-prefix=WHOLE
+// RUN: %clipc -T vs_5_0 -E own --dump-after=split-variables %s | FileCheck %s --check-prefix=OWN
 // RUN: %draw compare -T vs_5_0 -E fields %s
 // RUN: %draw compare -T vs_5_0 -E plain %s
 // RUN: %draw compare -T vs_5_0 -E as_a_whole %s
