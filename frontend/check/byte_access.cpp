@@ -92,13 +92,14 @@ class Access {
   }
 
   ExprId CallMethod(std::string_view name, std::span<const ExprId> arguments) {
-    return CheckMethodCall(context_.program, CopyOf(object_), name, method_span_, arguments, span_,
-                           context_, context_.diagnostics);
+    return CheckMethodCall(
+        {context_.program, name, method_span_, arguments, span_, context_, context_.diagnostics},
+        CopyOf(object_));
   }
   ExprId CallIntrinsic(std::string_view name, ExprId argument) {
     const ExprId arguments[] = {argument};
-    return CheckIntrinsicCall(context_.program, name, method_span_, arguments, span_, context_,
-                              context_.diagnostics);
+    return CheckIntrinsicCall(
+        {context_.program, name, method_span_, arguments, span_, context_, context_.diagnostics});
   }
 
   // The scalar or vector that lies at the next words.
@@ -202,8 +203,9 @@ ExprId CheckTypedAccess(Context& context, const ast::MemberExpr& member, ExprId 
   const bool is_known = IsByteBuffer(context, object) && (loads || stores);
   const bool is_writable = context.TypeOf(object).object == ObjectKind::kRWByteAddressBuffer;
   if (is_known && (arguments.size() != (loads ? 1 : 2) || (stores && !is_writable))) {
-    return CheckMethodCall(context.program, object, method, member.name_span, arguments, span,
-                           context, context.diagnostics);
+    return CheckMethodCall(
+        {context.program, method, member.name_span, arguments, span, context, context.diagnostics},
+        object);
   }
   if (!type) type = context.TypeIdOf(arguments[1]);
   if (context.IsError(type)) return context.ErrorExpr(span);

@@ -68,8 +68,8 @@ ExprId CallNamed(Context& context, const ast::NameExpr& name, Span name_span,
     if (IsWritingIntrinsic(context[name.name.name])) {
       for (ExprId& argument : arguments) argument = TakeSteps(context, argument, steps);
     }
-    const ExprId value = CheckIntrinsicCall(context.program, context[name.name.name], name_span,
-                                            arguments, span, context, context.diagnostics);
+    const ExprId value = CheckIntrinsicCall({context.program, context[name.name.name], name_span,
+                                             arguments, span, context, context.diagnostics});
     return WithPrologue(context, steps, value);
   };
   if (!symbol && !is_intrinsic) {
@@ -114,8 +114,9 @@ ExprId CallMember(Context& context, const ast::MemberExpr& member, const ast::Ca
   if (context[type].kind == TypeKind::kObject) {
     if (IsTypedAccess(context, member, object))
       return CheckTypedAccess(context, member, object, arguments, span);
-    return CheckMethodCall(context.program, object, context[member.name], member.name_span,
-                           arguments, span, context, context.diagnostics);
+    return CheckMethodCall({context.program, context[member.name], member.name_span, arguments,
+                            span, context, context.diagnostics},
+                           object);
   }
   const SymbolId symbol = FindMember(context, type, member.name);
   if (!symbol) {

@@ -38,13 +38,18 @@ ExprId CheckIncrement(Context& context, UnaryOp op, ast::ExprId operand, Span sp
   return WithPrologue(context, steps, old);
 }
 
+// One side of an operator, and the type that it is converted to.
+struct Side {
+  ExprId value;
+  TypeId type;
+};
+
 // The operation, with each operand converted to its type.
-ExprId Combine(Context& context, BinaryOp op, ExprId left, TypeId left_type, ExprId right,
-               TypeId right_type, Span span) {
-  left = Implicit(context, left, left_type);
-  right = Implicit(context, right, right_type);
-  if (context.IsError(left, right)) return context.ErrorExpr(span);
-  return context.At(span).BinaryOf(op, left, right);
+ExprId Combine(Context& context, BinaryOp op, const Side& left, const Side& right, Span span) {
+  const ExprId converted_left = Implicit(context, left.value, left.type);
+  const ExprId converted_right = Implicit(context, right.value, right.type);
+  if (context.IsError(converted_left, converted_right)) return context.ErrorExpr(span);
+  return context.At(span).BinaryOf(op, converted_left, converted_right);
 }
 
 ExprId CombineLogical(Context& context, BinaryOp op, ExprId left, ExprId right, TypeId shape,
@@ -56,7 +61,7 @@ ExprId CombineLogical(Context& context, BinaryOp op, ExprId left, ExprId right, 
       !IsPure(context.program, right)) {
     wanted = op == BinaryOp::kLogicalAnd ? BinaryOp::kShortCircuitAnd : BinaryOp::kShortCircuitOr;
   }
-  return Combine(context, wanted, left, type, right, type, span);
+  return Combine(context, wanted, {left, type}, {right, type}, span);
 }
 
 // The shift, whose operands keep their kinds: the result is signed as the left operand is.
@@ -66,7 +71,7 @@ ExprId CombineShift(Context& context, BinaryOp op, ExprId left, ExprId right, Ty
     const Scalar kind = context.TypeOf(operand).scalar;
     return context.types.WithScalar(shape, kind == Scalar::kBool ? Scalar::kInt : kind);
   };
-  return Combine(context, op, left, type_of(left), right, type_of(right), span);
+  return Combine(context, op, {left, type_of(left)}, {right, type_of(right)}, span);
 }
 
 }  // namespace
@@ -118,7 +123,7 @@ ExprId CombineOperands(Context& context, BinaryOp op, ExprId left, ExprId right,
   if (!type) return context.ErrorExpr(span);
   if (IsLogical(op)) return CombineLogical(context, op, left, right, *type, span);
   if (IsShift(op)) return CombineShift(context, op, left, right, *type, span);
-  return Combine(context, op, left, *type, right, *type, span);
+  return Combine(context, op, {left, *type}, {right, *type}, span);
 }
 
 std::optional<TypeId> OperandType(Context& context, BinaryOp op, ExprId left, ExprId right,

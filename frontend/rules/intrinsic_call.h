@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -36,6 +37,11 @@ struct IntrinsicCheck {
   const Type& ArgumentType(std::size_t i) const { return TypeOf(arguments[i]); }
   Span SpanOf(ExprId expr) const { return program.exprs[expr].span; }
 
+  // Whether an argument has the error type; that error was reported.
+  bool HasErrorArgument() const {
+    return std::ranges::any_of(
+        arguments, [&](ExprId argument) { return TypeIdOf(argument) == program.types.Error(); });
+  }
   // Reports and returns false unless the number of arguments is from `least` to `most`.
   bool HasCount(std::size_t least, std::size_t most) const;
   // Reports that an argument has a type that does not fit; `expected` completes "it must be ...".

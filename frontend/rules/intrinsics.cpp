@@ -102,18 +102,10 @@ bool IsWritingIntrinsic(std::string_view name) {
   return entry != nullptr && entry->rule == Rule::kCall && WritesArguments(entry->intrinsic);
 }
 
-ExprId CheckIntrinsicCall(Program& program, std::string_view name, Span name_span,
-                          std::span<const ExprId> arguments, Span call_span,
-                          TemporaryMaker& temporaries, Diagnostics& diagnostics) {
-  const IntrinsicCheck call{program,   name,        name_span,  arguments,
-                            call_span, temporaries, diagnostics};
-  const Entry* entry = FindEntry(name);
-  if (entry == nullptr) {
-    return call.Fail(name_span, diag::IntrinsicUnsupported, name);
-  }
-  for (const ExprId argument : arguments) {
-    if (call.TypeIdOf(argument) == program.types.Error()) return call.Error();
-  }
+ExprId CheckIntrinsicCall(const IntrinsicCheck& call) {
+  const Entry* entry = FindEntry(call.name);
+  if (entry == nullptr) return call.Fail(call.name_span, diag::IntrinsicUnsupported, call.name);
+  if (call.HasErrorArgument()) return call.Error();
   if (entry->rule == Rule::kRefused || entry->rule == Rule::kImplicitLevel) {
     if (const ExprId value = CheckPixelCall(call)) return value;
   }
@@ -129,11 +121,11 @@ ExprId CheckIntrinsicCall(Program& program, std::string_view name, Span name_spa
     case Rule::kTexLod: return CheckTexLod(call);
     case Rule::kImplicitLevel: return RefuseImplicitLevel(call);
     case Rule::kDebug:
-      diagnostics.Report(name_span, diag::IntrinsicDebug, name);
+      call.diagnostics.Report(call.name_span, diag::IntrinsicDebug, call.name);
       return call.Make().Int(0);  // a value that nobody uses
-    case Rule::kRefused: diagnostics.Report(name_span, *entry->refusal, name); break;
+    case Rule::kRefused: break;
   }
-  return call.Error();
+  return call.Fail(call.name_span, *entry->refusal, call.name);
 }
 
 std::vector<std::string_view> NearIntrinsics(std::string_view name) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
-#include <span>
 #include <string_view>
+#include <vector>
 
-#include "frontend/rules/conversion.h"
+#include "frontend/rules/intrinsic_call.h"
 
 // The functions that HLSL has built in: their names, their arguments, and the IR that a call means.
 // Their rows are in ir/intrinsics.def.
@@ -16,14 +16,12 @@ bool IsIntrinsicName(std::string_view name);
 // modf, sincos.
 bool IsWritingIntrinsic(std::string_view name);
 
-// Returns the call name(arguments) of a built-in function as IR, its arguments converted. Reports a
+// Returns the call of a built-in function as IR, its arguments converted. Reports a
 // wrong number or type of arguments (X3013, X3014), a function that no vertex shader may call (ddx,
 // clip, tex2D without a level, ...), and one that the profile does not have; the result then has
 // the error type. Many functions become other nodes than an IntrinsicCall: select, and, or,
 // tex2Dlod, mul with a scalar, asint of integers.
-ExprId CheckIntrinsicCall(Program& program, std::string_view name, Span name_span,
-                          std::span<const ExprId> arguments, Span call_span,
-                          TemporaryMaker& temporaries, Diagnostics& diagnostics);
+ExprId CheckIntrinsicCall(const IntrinsicCheck& call);
 
 // The names like `name` among the functions that a vertex shader may call, nearest first, for "did
 // you mean".

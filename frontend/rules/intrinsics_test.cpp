@@ -20,7 +20,7 @@ std::string Call(std::string_view name, const std::vector<std::string>& types) {
   for (std::size_t i = 0; i < types.size(); ++i)
     arguments.push_back(test.Var(std::string(1, static_cast<char>('a' + i)), types[i]));
   const ir::ExprId call =
-      CheckIntrinsicCall(test.program, name, {}, arguments, {}, test, test.diagnostics);
+      CheckIntrinsicCall({test.program, name, {}, arguments, {}, test, test.diagnostics});
   if (test.program.exprs[call].type == test.program.types.Error()) {
     EXPECT_TRUE(test.diagnostics.has_errors()) << name;
     return test.Said();
@@ -189,14 +189,14 @@ TEST(IntrinsicsTest, OutArgumentsAreTargets) {
   const ir::ExprId sum =
       test.Make().BinaryOf(ir::BinaryOp::kAdd, test.Var("x", "float"), test.Var("y", "float"));
   const std::vector<ir::ExprId> arguments = {test.Var("a", "float"), sum};
-  EXPECT_EQ(test.Text(CheckIntrinsicCall(test.program, "modf", {}, arguments, {}, test,
-                                         test.diagnostics)),
+  EXPECT_EQ(test.Text(CheckIntrinsicCall(
+                {test.program, "modf", {}, arguments, {}, test, test.diagnostics})),
             "argument 2 of `modf` is written to; it must be a variable or a part of one "
             "[intrinsic-out-argument, X3025]");
   const ir::ExprId constant = test.Make().Ref(test.Constant("k", test.Make().Float(1)));
   const std::vector<ir::ExprId> to_constant = {test.Var("a", "float"), constant};
-  EXPECT_EQ(test.Text(CheckIntrinsicCall(test.program, "modf", {}, to_constant, {}, test,
-                                         test.diagnostics)),
+  EXPECT_EQ(test.Text(CheckIntrinsicCall(
+                {test.program, "modf", {}, to_constant, {}, test, test.diagnostics})),
             "argument 2 of `modf` is written to; it must be a variable or a part of one "
             "[intrinsic-out-argument, X3025]");
 }
@@ -220,7 +220,7 @@ TEST(IntrinsicsTest, SelectEvaluatesBothSides) {
   };
   const std::vector<ir::ExprId> arguments = {test.Var("c", "bool"), effect("x"), effect("y")};
   const ir::ExprId call =
-      CheckIntrinsicCall(test.program, "select", {}, arguments, {}, test, test.diagnostics);
+      CheckIntrinsicCall({test.program, "select", {}, arguments, {}, test, test.diagnostics});
   EXPECT_EQ(test.Text(call), "float: (t1 = c), ((t2 = x = 1.0), ((t3 = y = 1.0), (t1 ? t2 : t3)))");
   EXPECT_EQ(test.Broken(call), "");
 }
@@ -269,11 +269,11 @@ TEST(IntrinsicsTest, ProfilesLackSome) {
   test.program.profile.major = 4;
   const std::vector<ir::ExprId> arguments = {test.Var("a", "uint")};
   EXPECT_EQ(
-      test.Text(
-          CheckIntrinsicCall(test.program, "countbits", {}, arguments, {}, test, test.diagnostics)),
+      test.Text(CheckIntrinsicCall(
+          {test.program, "countbits", {}, arguments, {}, test, test.diagnostics})),
       "`countbits` needs profile vs_5_0 or later; this is `vs_4_0` [intrinsic-profile, X4532]");
-  EXPECT_EQ(test.Text(CheckIntrinsicCall(test.program, "asfloat", {}, arguments, {}, test,
-                                         test.diagnostics)),
+  EXPECT_EQ(test.Text(CheckIntrinsicCall(
+                {test.program, "asfloat", {}, arguments, {}, test, test.diagnostics})),
             "float: asfloat(a)");
 }
 
@@ -281,7 +281,7 @@ TEST(IntrinsicsTest, ErrorsSilenceWhatFollows) {
   ProgramForTest test;
   const std::vector<ir::ExprId> arguments = {test.Make().ZeroOf(test.program.types.Error())};
   const ir::ExprId call =
-      CheckIntrinsicCall(test.program, "max", {}, arguments, {}, test, test.diagnostics);
+      CheckIntrinsicCall({test.program, "max", {}, arguments, {}, test, test.diagnostics});
   EXPECT_EQ(test.program.exprs[call].type, test.program.types.Error());
   EXPECT_EQ(test.Said(), "");
 }
@@ -291,14 +291,14 @@ TEST(IntrinsicsTest, NotNumbers) {
   const std::vector<ir::ExprId> arguments = {test.Object("t", ir::ObjectKind::kTexture2D),
                                              test.Var("a", "float")};
   for (const char* name : {"max", "mul", "dot", "and"}) {
-    EXPECT_THAT(test.Text(CheckIntrinsicCall(test.program, name, {}, arguments, {}, test,
-                                             test.diagnostics)),
+    EXPECT_THAT(test.Text(CheckIntrinsicCall(
+                    {test.program, name, {}, arguments, {}, test, test.diagnostics})),
                 testing::EndsWith("[intrinsic-argument-type, X3013]"));
   }
   const std::vector<ir::ExprId> one = {arguments[0]};
   for (const char* name : {"abs", "asfloat", "firstbithigh", "transpose"}) {
     EXPECT_THAT(
-        test.Text(CheckIntrinsicCall(test.program, name, {}, one, {}, test, test.diagnostics)),
+        test.Text(CheckIntrinsicCall({test.program, name, {}, one, {}, test, test.diagnostics})),
         testing::EndsWith("[intrinsic-argument-type, X3013]"));
   }
 }

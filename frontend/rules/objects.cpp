@@ -346,28 +346,21 @@ ExprId MakeObjectCall(Builder builder, Program& program, TypeId type, ObjectOp o
   return builder.Add(type, ObjectCall{op, program.expr_lists.Add(arguments)});
 }
 
-ExprId CheckMethodCall(Program& program, ExprId object, std::string_view method, Span method_span,
-                       std::span<const ExprId> arguments, Span call_span,
-                       TemporaryMaker& temporaries, Diagnostics& diagnostics) {
-  const IntrinsicCheck call{program,   method,      method_span, arguments,
-                            call_span, temporaries, diagnostics};
+ExprId CheckMethodCall(const IntrinsicCheck& call, ExprId object) {
   const Type type = call.TypeOf(object);
-  if (type.kind == TypeKind::kError) return call.Error();
-  for (const ExprId argument : arguments) {
-    if (call.TypeIdOf(argument) == program.types.Error()) return call.Error();
-  }
+  if (type.kind == TypeKind::kError || call.HasErrorArgument()) return call.Error();
   if (type.kind != TypeKind::kObject) {
-    return call.Fail(method_span, diag::MethodUnknown, program.types.Name(call.TypeIdOf(object)),
-                     method);
+    return call.Fail(call.name_span, diag::MethodUnknown,
+                     call.program.types.Name(call.TypeIdOf(object)), call.name);
   }
   if (type.object == ObjectKind::kOther) {
     const ExprId value = CheckPixelCall(call);
-    return value ? value : call.Fail(method_span, diag::ObjectUnusable, method);
+    return value ? value : call.Fail(call.name_span, diag::ObjectUnusable, call.name);
   }
   MethodCheck check(call, object, type.object);
   const std::span<const Method> methods = MethodsOf(type.object);
   const auto found = std::ranges::find_if(methods, [&](const Method& each) {
-    return each.name == method && Offers(type.object, each.needs);
+    return each.name == call.name && Offers(type.object, each.needs);
   });
   return found == methods.end() ? check.Unknown() : (check.*found->check)(found->detail);
 }

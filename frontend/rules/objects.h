@@ -2,20 +2,16 @@
 #pragma once
 
 #include <optional>
-#include <span>
-#include <string_view>
 
-#include "frontend/rules/conversion.h"
+#include "frontend/rules/intrinsic_call.h"
 
 // The operations on a texture, a sampler or a buffer, and the IR that they mean. After an error was
 // reported, the result has the error type.
 namespace clipc::rules {
 
-// Returns the call object.method(arguments) as IR. GetDimensions becomes assignments to its
+// Returns the call of a method of the object as IR. GetDimensions becomes assignments to its
 // arguments, joined by Commas.
-ExprId CheckMethodCall(Program& program, ExprId object, std::string_view method, Span method_span,
-                       std::span<const ExprId> arguments, Span call_span,
-                       TemporaryMaker& temporaries, Diagnostics& diagnostics);
+ExprId CheckMethodCall(const IntrinsicCheck& call, ExprId object);
 
 // Returns object[index] as IR, or object.mips[level][index] or object.sample[level][index] if
 // `level` is given.

@@ -32,8 +32,8 @@ class ObjectsTest : public testing::Test {
     const ir::ExprId object = test_.Object("t", kind, element_type);
     std::vector<ir::ExprId> expressions;
     for (const std::string& each : arguments) expressions.push_back(Argument(each));
-    return test_.Text(CheckMethodCall(test_.program, object, method, {}, expressions, {}, test_,
-                                      test_.diagnostics));
+    return test_.Text(CheckMethodCall(
+        {test_.program, method, {}, expressions, {}, test_, test_.diagnostics}, object));
   }
   std::string Index(ObjectKind kind, const std::string& index, std::string_view element = "",
                     const std::string& level = "") {
@@ -149,8 +149,8 @@ TEST_F(ObjectsTest, LoadsTakeConstructorsApart) {
   const ir::ExprId texture = test_.Object("t", ObjectKind::kTexture2D);
   const auto load = [&](ir::ExprId place) {
     const std::vector<ir::ExprId> arguments = {place};
-    return test_.Text(CheckMethodCall(test_.program, texture, "Load", {}, arguments, {}, test_,
-                                      test_.diagnostics));
+    return test_.Text(CheckMethodCall(
+        {test_.program, "Load", {}, arguments, {}, test_, test_.diagnostics}, texture));
   };
   ir::Builder make(test_.program);
   EXPECT_EQ(load(make.ConstructOf(test_.Type("int3"), {test_.Var("p", "int2"), make.Int(0)})),
@@ -229,7 +229,7 @@ TEST_F(ObjectsTest, Direct3d9) {
   const auto lod = [&](std::string_view name, ObjectKind sampler, ir::ExprId place) {
     const std::vector<ir::ExprId> arguments = {test_.Object("s", sampler), place};
     return test_.Text(
-        CheckIntrinsicCall(test_.program, name, {}, arguments, {}, test_, test_.diagnostics));
+        CheckIntrinsicCall({test_.program, name, {}, arguments, {}, test_, test_.diagnostics}));
   };
   EXPECT_EQ(lod("tex2Dlod", ObjectKind::kSampler2D, test_.Var("p", "float4")),
             "float4: d3d9_sample_level(s, p.xy, p.w)");
@@ -256,8 +256,8 @@ TEST_F(ObjectsTest, WhatIsMadeIsWellTyped) {
   const ir::ExprId texture = test_.Object("t", ObjectKind::kTexture2D);
   const std::vector<ir::ExprId> arguments = {test_.Make().Int(0), test_.Var("w", "uint"),
                                              test_.Var("h", "float"), test_.Var("n", "uint")};
-  const ir::ExprId call = CheckMethodCall(test_.program, texture, "GetDimensions", {}, arguments,
-                                          {}, test_, test_.diagnostics);
+  const ir::ExprId call = CheckMethodCall(
+      {test_.program, "GetDimensions", {}, arguments, {}, test_, test_.diagnostics}, texture);
   test_.program.resources.push_back(
       {std::get<ir::VarRef>(test_.program.exprs[texture].node).var, {.letter = 't'}});
   EXPECT_EQ(test_.Broken(call), "");

@@ -14,19 +14,28 @@ struct Std430 {
   std::uint64_t size = 0, alignment = 4;
 };
 
+// A member of the buffer, or of a struct in it.
+struct PackedMember {
+  std::string name;  // for messages
+  TypeId type;
+  bool row_major = false;
+  std::uint64_t offset = 0;            // in Direct3D's packing
+  std::optional<std::uint32_t> given;  // the offset that the user gave
+  Span span;
+};
+
 class Comparison {
  public:
   Comparison(const Program& program, Diagnostics& diagnostics)
       : types_(program.types), diagnostics_(diagnostics) {}
 
-  // Checks the member that is at `offset` in Direct3D's packing and comes after `end` in Vulkan's,
-  // and returns its end in Vulkan's. `name` is for messages.
-  std::uint64_t Member(const std::string& name, TypeId type, bool row_major, std::uint64_t offset,
-                       std::uint64_t end, std::optional<std::uint32_t> given, Span span) {
-    const std::uint64_t expected = given ? *given : Place(type, row_major, end);
-    if (expected != offset && !is_reported_) Misfit(name, offset, expected, span);
-    Inside(name, type, row_major, span);
-    return expected + LayoutOf(type, row_major).size;
+  // Checks the part that comes after `end` in Vulkan's packing, and returns its end there.
+  std::uint64_t Check(const PackedMember& part, std::uint64_t end) {
+    const std::uint64_t expected = part.given ? *part.given : Place(part.type, part.row_major, end);
+    if (expected != part.offset && !is_reported_)
+      Misfit(part.name, part.offset, expected, part.span);
+    Inside(part.name, part.type, part.row_major, part.span);
+    return expected + LayoutOf(part.type, part.row_major).size;
   }
 
  private:
@@ -86,8 +95,9 @@ class Comparison {
       const auto& fields = types_.StructOf(id).fields;
       for (std::uint32_t i = 0; i < fields.size(); ++i) {
         const Field& field = fields[i];
-        end = Member(name + "." + field.name, field.type, field.row_major,
-                     FieldOffset(types_, type.structure, i), end, field.offset, field.span);
+        end = Check({name + "." + field.name, field.type, field.row_major,
+                     FieldOffset(types_, type.structure, i), field.offset, field.span},
+                    end);
       }
     } else if (type.kind == TypeKind::kArray) {
       const Std430 one = LayoutOf(type.element, row_major);
@@ -122,7 +132,7 @@ void CheckPacking(const Program& program, const Cbuffer& buffer, Diagnostics& di
                          program.types.Name(var.type));
       return;
     }
-    end = comparison.Member(var.name, var.type, var.row_major, member.offset, end, {}, var.span);
+    end = comparison.Check({var.name, var.type, var.row_major, member.offset, {}, var.span}, end);
   }
 }
 
