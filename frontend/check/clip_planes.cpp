@@ -199,13 +199,14 @@ void ReachNames(Context& context, ast::ExprId id) {
         context[id].node);
 }
 
-std::string Written(const Context& context, const ast::Attr& attr) {
+std::string OperandsAsText(const Context& context, const ast::Attr& attr) {
   std::string all;
   for (ast::ExprId operand : context[attr.arguments]) all += TextOf(context, operand) + ',';
   return all;
 }
 
-// The one attribute that counts; null if there is none, and after an error, which was reported.
+// The `[clipplanes]` that is in effect; null for a function without one, and after an error, which
+// was reported.
 const ast::Attr* TheAttribute(Context& context, const AttributeLists& lists) {
   const ast::Attr* first = nullptr;
   for (const std::span<const ast::Attr>& attributes : lists) {
@@ -217,7 +218,7 @@ const ast::Attr* TheAttribute(Context& context, const AttributeLists& lists) {
       } else if (!is_prototype) {
         context.Report(attr.span, diag::ClipPlanesTwice).Note(first->span, diag::FirstGivenHere);
         return nullptr;
-      } else if (Written(context, *first) != Written(context, attr)) {
+      } else if (OperandsAsText(context, *first) != OperandsAsText(context, attr)) {
         context.Report(first->span, diag::ClipPlanesDisagree).Note(attr.span, diag::FirstGivenHere);
         return nullptr;
       }

@@ -42,7 +42,8 @@ TemporaryMaker::Temporary Context::Make(ExprId value) {
   return {var, at.AssignTo(at.Ref(var), value)};
 }
 
-Depth::Depth(Context& context, Span where, int weight) : context_(context), weight_(weight) {
+RecursionGuard::RecursionGuard(Context& context, Span where, int weight)
+    : context_(context), weight_(weight) {
   context.depth += weight;
   const bool is_deep = context.depth > kMaxCheckDepth;
   const bool is_large = context.program.exprs.size() > kMaxCheckedExpressions;

@@ -91,7 +91,7 @@ struct Context final : TemporaryMaker {
   std::vector<TypeId> numeric_types;  // by Name: float4x3 and the like, once looked up
   std::vector<StmtId> stmts;          // the statements of the blocks in progress
   int depth = 0;                      // the weights of the Depths that are open
-  bool is_too_large = false;          // whether Depth has reported that it is
+  bool is_too_large = false;          // whether RecursionGuard has reported that it is
 
   // The row that an id or a list stands for, in the table that has ids of this kind: a node of the
   // syntax tree, a node or variable of the program, a symbol, the text of a name.
@@ -200,13 +200,13 @@ class ViewSwitch : NotCopied {
 
 // One level of the checker's own recursion. It is not ok if there are too many levels, or if the
 // program has become too large; it reports both.
-class Depth : NotCopied {
+class RecursionGuard : NotCopied {
  public:
   // The weight of a declaration that is resolved on the way; the weight of an expression is 1.
   static constexpr int kDeclaration = 8;
 
-  Depth(Context& context, Span where, int weight = 1);
-  ~Depth() { context_.depth -= weight_; }
+  RecursionGuard(Context& context, Span where, int weight = 1);
+  ~RecursionGuard() { context_.depth -= weight_; }
   bool ok() const { return ok_; }
 
  private:

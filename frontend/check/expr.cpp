@@ -206,8 +206,8 @@ ExprId CheckNode(Context& context, const ast::SizeofExpr& expr, Span span) {
 
 ExprId CheckExpr(Context& context, ast::ExprId id) {
   const ast::Expr& expr = context[id];
-  const Depth depth(context, expr.span);
-  if (!depth.ok()) return context.ErrorExpr(expr.span);
+  const RecursionGuard guard(context, expr.span);
+  if (!guard.ok()) return context.ErrorExpr(expr.span);
   return Visit([&](const auto& node) { return CheckNode(context, node, expr.span); }, expr.node);
 }
 

@@ -102,9 +102,9 @@ std::string TextOf(const ast::RegisterBinding& binding) {
 bool ResolveVar(Context& context, SymbolId id) {
   Symbol& symbol = context[id];
   if (symbol.resolution == Resolution::kNone) {
-    const Depth depth(context, symbol.span, Depth::kDeclaration);
+    const RecursionGuard guard(context, symbol.span, RecursionGuard::kDeclaration);
     symbol.resolution = Resolution::kUnderWay;
-    if (depth.ok()) ResolveGlobal(context, id, context.Get<ast::VarDecl>(symbol.decl));
+    if (guard.ok()) ResolveGlobal(context, id, context.Get<ast::VarDecl>(symbol.decl));
     symbol.resolution = Resolution::kDone;
   } else if (symbol.resolution == Resolution::kUnderWay) {
     context.Report(symbol.span, diag::InitialisedByItself, context[symbol.name]);

@@ -196,8 +196,8 @@ StmtId CheckBlock(Context& context, ast::StmtId id) {
 void CheckStmt(Context& context, ast::StmtId id) {
   const ast::Stmt& stmt = context[id];
   const Span span = stmt.span;
-  const Depth depth(context, span);
-  if (!depth.ok() || context.diagnostics.TooManyErrors()) return;
+  const RecursionGuard guard(context, span);
+  if (!guard.ok() || context.diagnostics.TooManyErrors()) return;
   if (context.Is<ast::BlockStmt>(id)) return context.stmts.push_back(CheckBlock(context, id));
   const std::size_t mark = context.stmts.size();
   Visit([&](const auto& node) { CheckNode(context, node, span); }, stmt.node);

@@ -115,9 +115,9 @@ std::optional<TypeId> InstantiateStruct(Context& context, SymbolId id, const ast
       if (is_own) return context[scope].self;
     }
   }
-  const Depth depth(context, type.span, Depth::kDeclaration);
+  const RecursionGuard guard(context, type.span, RecursionGuard::kDeclaration);
   std::vector<std::uint64_t> found(decl->template_parameters.size, kUnknown);
-  if (!depth.ok() ||
+  if (!guard.ok() ||
       !ReadTemplateArguments(context, decl->template_parameters, type.arguments, found))
     return context.types.Error();
   if (type.arguments.size > decl->template_parameters.size) {

@@ -90,9 +90,9 @@ TypeId ResolveNamedType(Context& context, const ast::Type& type) {
 TypeId ResolveTypeSymbol(Context& context, SymbolId id) {
   Symbol& symbol = context[id];
   if (symbol.resolution == Resolution::kDone) return TypeId{symbol.value};
-  const Depth depth(context, symbol.span, Depth::kDeclaration);
-  if (symbol.resolution == Resolution::kUnderWay || !depth.ok()) {
-    if (depth.ok()) context.Report(symbol.span, diag::TypeContainsItself, context[symbol.name]);
+  const RecursionGuard guard(context, symbol.span, RecursionGuard::kDeclaration);
+  if (symbol.resolution == Resolution::kUnderWay || !guard.ok()) {
+    if (guard.ok()) context.Report(symbol.span, diag::TypeContainsItself, context[symbol.name]);
     symbol.Resolve(context.types.Error().index);
     return context.types.Error();
   }
