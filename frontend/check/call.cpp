@@ -23,7 +23,8 @@
 namespace clipc::check {
 namespace {
 
-// The function of the name that can be called, even if it is declared later; none if there is none.
+// The function of the name that can be called, even if it is declared later; none if there is no
+// such function.
 SymbolId FindFunction(Context& context, const ast::QualifiedName& name) {
   View view = context.view;
   view.order = ~0u;

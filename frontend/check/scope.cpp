@@ -25,7 +25,7 @@ ScopeId FindScope(Context& context, const ast::QualifiedName& name, Name& missin
   return scope;
 }
 
-// The symbol that the name would mean at the end of the text; none if there is none.
+// The symbol that the name would mean at the end of the text; none if it would mean nothing.
 SymbolId FindLater(const Context& context, Name name) {
   for (ScopeId scope = context.view.scope; scope; scope = context[scope].parent) {
     if (const SymbolId id = context.names.NewestIn(scope, name)) return id;

@@ -51,16 +51,17 @@ class ScopeTable {
   // Adds a symbol that is found until the LocalScope in which it was declared ends.
   SymbolId DeclareLocal(SymbolKind kind, Name name, ast::DeclId decl, Span span);
 
-  // The last symbol of the name in the scope, whether it can be seen or not; none if there is none.
+  // The last symbol of the name in the scope, whether it can be seen or not; none if the scope does
+  // not declare the name.
   SymbolId NewestIn(ScopeId scope, Name name) const;
-  // The symbol of the name in the scope itself; none if there is none.
+  // The symbol of the name in the scope itself; none if the scope does not declare the name.
   SymbolId FindIn(ScopeId scope, Name name, bool types_only = false) const;
   // The symbol of the name in the scope, in the scopes of its base structs, or in the namespaces
-  // that it uses; none if there is none.
+  // that it uses; none if they do not declare the name.
   SymbolId FindNested(ScopeId scope, Name name, bool types_only = false, int depth = 0) const;
-  // The symbol that a name without `::` means; none if there is none.
+  // The symbol that a name without `::` means; none if it means nothing.
   SymbolId FindUnqualified(Name name, bool types_only = false) const;
-  // The local of the name that hides all others; none if there is none.
+  // The local of the name that hides all others; none if no local has the name.
   SymbolId InnermostLocal(Name name) const { return local_by_name_[name.index]; }
   // Whether the local was declared in the LocalScope that began last.
   bool IsInLastScope(SymbolId local) const {

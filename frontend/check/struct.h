@@ -14,7 +14,8 @@ TypeId ResolveStruct(Context& context, ast::DeclId id, SymbolId symbol, ScopeId 
                      std::uint32_t order);
 // The checker's record of a struct type; null for other types.
 const StructInfo* InfoOf(const Context& context, TypeId type);
-// The member `name` of a struct or of its bases; none if there is none, and for other types.
+// The member `name` of a struct or of its bases; none if it has no such member, and for types of
+// another kind.
 SymbolId FindMember(const Context& context, TypeId type, Name name);
 // The number of the field in the struct; nullopt if the struct does not have such a field.
 std::optional<std::uint32_t> FindField(const Context& context, TypeId type, Name name);

@@ -42,7 +42,7 @@ class Lookahead : protected TokenCursor {
 
   Lookahead(Tokens&& tokens, Diagnostics& diagnostics);
 
-  // Gives `name` a meaning in the current scope; does nothing if the name is none.
+  // Gives `name` a meaning in the current scope; does nothing for a name that is none.
   void Declare(Name name, Meaning meaning);
   // The meaning of `name` in the scopes around the current token; if none of them declares it, the
   // meaning of a type or template of a scope that has ended (a namespace, a base class).
