@@ -9,6 +9,7 @@
 #include "frontend/rules/known_values.h"
 #include "frontend/rules/loop_turns.h"
 #include "ir/access.h"
+#include "ir/counted_loop.h"
 #include "ir/walk.h"
 
 namespace clipc::rules {
@@ -122,7 +123,7 @@ class Level9Checker {
       for (const StmtId stmt : program_.stmts.ids()) {
         const auto* loop = As<For>(program_, stmt);
         if (loop && EndsWithin(program_, *loop, kMaxTurns) == false)
-          counters.push_back(CounterOf(program_, *loop));
+          counters.push_back(PartsOf(program_, *loop).counter);
       }
       known_in_short_loops_.emplace(program_, counters);
     }

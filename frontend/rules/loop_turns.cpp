@@ -1,34 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/rules/loop_turns.h"
 
-#include <span>
-
 #include "frontend/rules/constant.h"
 #include "ir/access.h"
+#include "ir/counted_loop.h"
 #include "ir/walk.h"
 
 namespace clipc::rules {
 namespace {
-
-VarId VarOf(const Program& program, ExprId expr) {
-  const auto* ref = As<VarRef>(program, expr);
-  return ref ? ref->var : VarId{};
-}
-
-// The number that a turn adds to the counter; nullopt if it is not known.
-std::optional<std::int64_t> StepOf(const Program& program, ExprId step, VarId counter) {
-  if (const auto* unary = As<Unary>(program, step);
-      unary && VarOf(program, unary->operand) == counter) {
-    using enum UnaryOp;
-    if (unary->op == kPreIncrement || unary->op == kPostIncrement) return 1;
-    if (unary->op == kPreDecrement || unary->op == kPostDecrement) return -1;
-  }
-  const auto* assign = As<Assign>(program, step);
-  if (!assign || VarOf(program, assign->target) != counter) return std::nullopt;
-  const auto by = EvaluateInteger(program, assign->value);
-  if (!by || (assign->op != BinaryOp::kAdd && assign->op != BinaryOp::kSub)) return std::nullopt;
-  return assign->op == BinaryOp::kAdd ? *by : -*by;
-}
 
 bool Holds(BinaryOp op, std::int64_t left, std::int64_t right) {
   switch (op) {
@@ -67,28 +46,24 @@ bool MayEnd(const Program& program, StmtId body) {
 
 }  // namespace
 
-VarId CounterOf(const Program& program, const For& loop) {
-  if (loop.init.size != 1) return {};
-  const auto* declare = As<Declare>(program, program.stmt_lists[loop.init][0]);
-  const auto* condition = As<Binary>(program, loop.condition);
-  if (!declare || !declare->init || !condition || !MayBound(condition->op)) return {};
-  return VarOf(program, condition->left) == declare->var ? declare->var : VarId{};
-}
-
 std::optional<bool> EndsWithin(const Program& program, const For& loop, std::int64_t limit) {
-  const VarId counter = CounterOf(program, loop);
-  if (!counter) return std::nullopt;
-  const auto& condition = *As<Binary>(program, loop.condition);
-  const auto& declare = *As<Declare>(program, program.stmt_lists[loop.init][0]);
-  const auto first = EvaluateInteger(program, declare.init);
-  const auto bound = EvaluateInteger(program, condition.right);
-  const auto step = StepOf(program, loop.step, counter);
-  if (!first || !bound || !step) return std::nullopt;
+  const CountedLoop count = PartsOf(program, loop);
+  const auto* compare = As<Binary>(program, count.comparison);
+  const bool is_plain = compare && As<VarRef>(program, compare->left) && !count.more &&
+                        loop.init.size == 1 && count.start && count.step &&
+                        program.vars[count.counter].storage == Storage::kLocal;
+  if (!is_plain || !MayBound(compare->op)) return std::nullopt;
+  const auto first = EvaluateInteger(program, count.start);
+  const auto bound = EvaluateInteger(program, compare->right);
+  const auto size = count.step_size ? EvaluateInteger(program, count.step_size) : 1;
+  if (!first || !bound || !size) return std::nullopt;
+  const std::int64_t step = count.is_down ? -*size : *size;
   // A uint goes on below 0 as a large number.
-  const bool is_signed = BaseOf(program.types[program.vars[counter].type].scalar) == Scalar::kInt;
-  if (!is_signed && *step < 0) return std::nullopt;
-  if (AssignedIn(program, std::span(&loop.body, 1))[counter.index]) return std::nullopt;
-  if (Leaves(condition.op, *first, *step, *bound, limit)) return true;
+  const bool is_signed =
+      BaseOf(program.types[program.vars[count.counter].type].scalar) == Scalar::kInt;
+  if (!is_signed && step < 0) return std::nullopt;
+  if (IsChangedInBody(program, loop, count.counter)) return std::nullopt;
+  if (Leaves(compare->op, *first, step, *bound, limit)) return true;
   return MayEnd(program, loop.body) ? std::nullopt : std::optional(false);
 }
 

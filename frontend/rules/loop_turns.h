@@ -9,10 +9,6 @@
 // The number of turns of a loop, as far as its own text gives it.
 namespace clipc::rules {
 
-// The variable that a loop of the form `for (int i = 0; i < n; ++i)` declares and compares; none
-// for a loop of another form.
-VarId CounterOf(const Program& program, const For& loop);
-
 // Whether the loop ends within `limit` turns. Returns nullopt for loops of another form than
 // `for (int i = 0; i < 4; ++i)` with constants, for loops whose body changes the counter, and for
 // longer loops whose body may end them.
