@@ -9,7 +9,7 @@
 
 #include "backend-glsl/block_layout.h"
 #include "backend-glsl/descriptors.h"
-#include "backend-glsl/loops.h"
+#include "backend-glsl/legalize/es100/loops.h"
 #include "backend-glsl/needs.h"
 #include "backend-glsl/operators.h"
 #include "backend-glsl/reach.h"

@@ -10,8 +10,7 @@ namespace {
 // Each pass leaves nodes that the later ones take apart: rows are vectors, components are scalars.
 constexpr ir::Pass<Legalizer> kPasses[] = {
     {"lower-indices", LowerIndices, Form::kInlined},
-    {"lower-loops", LowerLoops, Form::kInlined},
-    {"lower-elements", LowerElements, Form::kInlined},
+    {"lower-to-es100", LowerToEs100, Form::kInlined},
     {"lower-assignments", LowerAssignments, Form::kInlined},
     {"lower-matrix-operators", LowerMatrixOperators, Form::kInlined},
     {"lower-matrix-functions", LowerMatrixFunctions, Form::kInlined},

@@ -19,21 +19,12 @@ namespace clipc::glsl {
 //   f(row[i++])    =>  f((i++, row[0]))
 void LowerIndices(Legalizer& legalizer);
 
-// Rewrites loops for targets that take only loops that count from constant to constant: the index
-// is declared in the head, and a further condition leaves the loop. CheckTarget refuses other
-// loops.
+// Rewrites loops and indices for targets with the limits of appendix A of GLSL ES 1.00; those of
+// other targets stay (es100/lower_to_es100.h).
 //
 //   for (i = 0; i < 4 && more; ++i) ..  =>  for (int i = 0; i < 4; i++) { if (!more) break; .. }
-void LowerLoops(Legalizer& legalizer);
-
-// Replaces elements whose index is not constant, for targets that take such an index of uniforms
-// only. An index out of range takes the last element. A vector or matrix may keep the index of a
-// loop.
-//
-//   a[i]        =>  element(a, i) with { if (i == 0) return a[0]; ...; return a[3]; }
-//   a[i].x = v  =>  set_element_x(i, v, a) with { if (i == 0) return a[0].x = v; ... }
-//   f(a[i])     =>  index = i, value = a[index], result = f(value), a[index] = value, result
-void LowerElements(Legalizer& legalizer);
+//   a[i]                                =>  element(a, i)
+void LowerToEs100(Legalizer& legalizer);
 
 // Replaces `a op= b` where GLSL has no such operator: of matrices, and % that is not on uint.
 //

@@ -1,5 +1,5 @@
 // A loop of OpenGL ES 2 counts from constant to constant; its index is declared in its head.
-// RUN: %clipc -T vs_5_0 --target=essl100 --verify --dump-after=lower-loops --stop-after=lower-loops %s | FileCheck %s
+// RUN: %clipc -T vs_5_0 --target=essl100 --verify --dump-after=lower-to-es100 --stop-after=lower-to-es100 %s | FileCheck %s
 // RUN: %clipc -T vs_5_0 --target=essl100 --validate %s -o %t
 // RUN: %draw compare %s -T vs_5_0 --target essl100,glsl450 --lower none --ints 0..5
 // AUTOUPDATE

@@ -4,14 +4,13 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
-#include <set>
 #include <span>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
-#include "backend-glsl/legalize/legalize.h"
+#include "backend-glsl/legalize/es100/elements.h"
 #include "backend-glsl/operators.h"
 #include "ir/walk.h"
 
@@ -21,103 +20,10 @@ using namespace ir;
 
 namespace {
 
-class ElementLowering {
+class ElementWrites {
  public:
-  explicit ElementLowering(Legalizer& legalizer)
-      : legalizer_(legalizer), program_(legalizer.program) {}
-
-  void Run() {
-    for (const FunctionId id : program_.functions.ids()) {
-      ForEachStmt(program_, program_.functions[id].body, [&](StmtId stmt) {
-        const auto* loop = As<For>(program_, stmt);
-        const auto* declare =
-            loop ? As<Declare>(program_, program_.stmt_lists[loop->init][0]) : nullptr;
-        if (declare) loop_indices_.insert(declare->var);
-      });
-    }
-    const std::size_t functions = program_.functions.size();
-    for (std::size_t i = 0; i < functions; ++i)
-      LowerCalls(FunctionId{static_cast<std::uint32_t>(i)});
-    LowerAll();
-  }
-
- private:
-  void LowerAll() {
-    std::vector<ExprId> all;
-    ForEachLiveExpr(program_, [&](ExprId expr) { all.push_back(expr); });
-    // Helper functions have writes of elements in their turn.
-    for (std::size_t done = 0, function = program_.functions.size(); done < all.size();) {
-      // Writes are lowered first: a target is not a value.
-      for (std::size_t i = done; i < all.size(); ++i) LowerWrite(all[i]);
-      for (; done < all.size(); ++done) LowerRead(all[done]);
-      for (; function < program_.functions.size(); ++function) {
-        const FunctionId id{static_cast<std::uint32_t>(function)};
-        ForEachExpr(program_, program_.functions[id].body,
-                    [&](ExprId expr) { all.push_back(expr); });
-      }
-    }
-  }
-
-  // The number of elements that an index which is not constant chooses from; 0 if the index is
-  // kept.
-  std::uint32_t CountOf(ExprId expr) const {
-    const auto* index = As<Index>(program_, expr);
-    if (!index || As<Literal>(program_, index->index)) return 0;
-    const Type& type = TypeOf(program_, index->base);
-    const auto* ref = As<VarRef>(program_, index->base);
-    const bool is_constant = IsOfLoops(index->index);
-    switch (type.kind) {
-      case TypeKind::kArray:
-        return ref && program_.vars[ref->var].storage == Storage::kUniform ? 0 : type.count;
-      case TypeKind::kVector: return type.columns > 1 && !is_constant ? type.columns : 0;
-      case TypeKind::kMatrix: {
-        const bool has_fields = ShapeOf(type, legalizer_.target).kind == Shape::kRows;
-        return type.rows > 1 && (has_fields || !is_constant) ? type.rows : 0;
-      }
-      default: return 0;
-    }
-  }
-
-  // Whether the index is a constant-index-expression: one of constants and the indices of loops.
-  bool IsOfLoops(ExprId expr) const {
-    if (As<Literal>(program_, expr)) return true;
-    if (const auto* ref = As<VarRef>(program_, expr)) return loop_indices_.contains(ref->var);
-    if (const auto* convert = As<Convert>(program_, expr))
-      return IsInteger(TypeOf(program_, convert->operand).scalar) && IsOfLoops(convert->operand);
-    const auto* sum = As<Binary>(program_, expr);
-    return sum && (sum->op == BinaryOp::kAdd || sum->op == BinaryOp::kSub) &&
-           IsOfLoops(sum->left) && IsOfLoops(sum->right);
-  }
-
-  bool IsOfObjects(ExprId expr) const {
-    return program_.types[program_.types.Innermost(program_.exprs[expr].type)].kind ==
-           TypeKind::kObject;
-  }
-
-  // a[i]  =>  element(a, i)
-  void LowerRead(ExprId expr) {
-    const std::uint32_t count = CountOf(expr);
-    if (count == 0 || IsOfObjects(expr)) return;
-    const Index node = *As<Index>(program_, expr);
-    const Parameter parameters[] = {{"a", program_.exprs[node.base].type},
-                                    {"i", program_.exprs[node.index].type}};
-    const ExprId arguments[] = {node.base, node.index};
-    legalizer_.BecomeCall(expr, "element", parameters, arguments, [&](HelperBody& body) {
-      for (std::uint32_t k = 0; k < count; ++k) {
-        const StmtId found = body.b.Stmt(Return{body.b.At(body[0], k)});
-        body.Add(k + 1 < count ? body.b.Stmt(If{Is(body, 1, k), found, {}}) : found);
-      }
-    });
-  }
-
-  // The comparison of parameter `i` of the helper with `k`.
-  ExprId Is(HelperBody& body, std::size_t i, std::uint32_t k) {
-    const TypeId type = program_.vars[body.parameters[i]].type;
-    return body.b.BinaryOf(BinaryOp::kEqual, body[i],
-                           body.b.LiteralOf(program_.types[type].scalar, k));
-  }
-
-  // ---- calls of the shader's functions
+  ElementWrites(Legalizer& legalizer, const Elements& elements)
+      : legalizer_(legalizer), elements_(elements), program_(legalizer.program) {}
 
   void LowerCalls(FunctionId function) {
     std::vector<ExprId> calls;
@@ -131,6 +37,15 @@ class ElementLowering {
     declares_.insert(declares_.end(), body.begin(), body.end());
     program_.functions[function].body = Builder(program_).BlockOf(declares_);
   }
+
+  // a[i].x = v  =>  set_element_x(i, v, a) with { if (i == 0) return a[0].x = v; ... }
+  void LowerWrite(ExprId expr) {
+    while (LowerOneWrite(expr)) {
+    }
+  }
+
+ private:
+  // ---- calls of the shader's functions
 
   // f(a[i])  =>  index = i, value = a[index], result = f(value), a[index] = value, result
   void LowerCall(ExprId expr) {
@@ -224,21 +139,14 @@ class ElementLowering {
     Path path;
     std::vector<ExprId> parts;
     for (ExprId part = target; part; part = WholeOf(program_, part)) parts.push_back(part);
-    while (!parts.empty() && CountOf(parts.back()) == 0) parts.pop_back();
+    while (!parts.empty() && elements_.CountOf(parts.back()) == 0) parts.pop_back();
     if (parts.empty()) return path;
     path.parts.assign(parts.rbegin(), parts.rend());
     path.base = As<Index>(program_, path.parts[0])->base;
     return path;
   }
 
-  // a[i].x = v  =>  set_element_x(i, v, a) with { if (i == 0) return a[0].x = v; ... }
-  void LowerWrite(ExprId expr) {
-    while (LowerOneWrite(expr)) {
-    }
-  }
-
   bool LowerOneWrite(ExprId expr) {
-    if (!IsOfWritingKind(program_.exprs[expr])) return false;
     const std::vector<ExprId> operands = OperandsOf(program_, expr);
     for (std::size_t i = 0; i < operands.size(); ++i) {
       if (!WritesOperand(program_, expr, i)) continue;
@@ -257,7 +165,7 @@ class ElementLowering {
     arguments_.clear();
     std::string name = NameOf(expr);
     std::vector<std::size_t> indices;  // parameters, of the parts that are an Index
-    const std::uint32_t count = CountOf(path.parts[0]);
+    const std::uint32_t count = elements_.CountOf(path.parts[0]);
     for (std::size_t i = 0; i < operands.size(); ++i) {
       if (i != written) {
         AddParameter("x", operands[i],
@@ -287,7 +195,8 @@ class ElementLowering {
           continue;
         }
         if (!has_value) found.push_back(body.b.Stmt(Return{}));
-        body.Add(body.b.Stmt(If{Is(body, indices[0], k), body.b.BlockOf(found), {}}));
+        body.Add(
+            body.b.Stmt(If{IsElement(program_, body, indices[0], k), body.b.BlockOf(found), {}}));
       }
     });
   }
@@ -312,15 +221,15 @@ class ElementLowering {
     return whole;
   }
 
-  // A copy of the node that writes, of the helper's parameters; `target` replaces operand
-  // `written`, which has `indices` parameters.
+  // A copy of the node that writes, of the helper's parameters. `target` replaces operand number
+  // `written`; the helper has `index_parameters` parameters for the indices of that operand.
   ExprId Copied(HelperBody& body, const Legalizer::Node& node, TypeId type, std::size_t written,
-                std::size_t indices, ExprId target) {
+                std::size_t index_parameters, ExprId target) {
     const ExprId copy = body.b.CopyOf(type, node);
     std::size_t operand = 0, parameter = 0;
     MapOperands(program_, copy, [&](ExprId) {
       if (operand++ != written) return body[parameter++];
-      parameter += indices;
+      parameter += index_parameters;
       return target;
     });
     return copy;
@@ -361,8 +270,8 @@ class ElementLowering {
   }
 
   Legalizer& legalizer_;
+  const Elements& elements_;
   Program& program_;
-  std::set<VarId> loop_indices_;
   std::vector<StmtId> declares_;  // new declarations of the function whose calls are lowered
   // The parts of the helper function that is being made.
   std::vector<Parameter> parameters_;
@@ -372,8 +281,15 @@ class ElementLowering {
 
 }  // namespace
 
-void LowerElements(Legalizer& legalizer) {
-  if (!legalizer.target.Has(Feature::kFreeIndices)) ElementLowering(legalizer).Run();
+void LowerElementCalls(Legalizer& legalizer, const Elements& elements) {
+  ElementWrites writes(legalizer, elements);
+  const std::size_t functions = legalizer.program.functions.size();
+  for (std::uint32_t i = 0; i < functions; ++i) writes.LowerCalls(FunctionId{i});
+}
+
+void LowerElementWrite(Legalizer& legalizer, const Elements& elements, ExprId expr) {
+  if (IsOfWritingKind(legalizer.program.exprs[expr]))
+    ElementWrites(legalizer, elements).LowerWrite(expr);
 }
 
 }  // namespace clipc::glsl

@@ -5,22 +5,13 @@
 #include <string_view>
 #include <vector>
 
-#include "ir/program.h"
+#include "ir/counted_loop.h"
 
 // The loops of a target that lacks Feature::kFreeLoops. Appendix A of GLSL ES 1.00, section 4, has
 // one form of them, whose index no other statement changes:
 //
 //   for (int i = constant; i < constant; i += constant)
 namespace clipc::glsl {
-
-// The parts of a loop that counts.
-struct CountedLoop {
-  ir::VarId index;
-  ir::ExprId start;         // the first value of the index
-  ir::ExprId bound;         // the comparison of the index with its last value
-  ir::ExprId more;          // a further condition, which a `break` checks, or none
-  bool is_declared = true;  // the index is declared in the loop's head
-};
 
 // The loops of one function.
 class CountedLoops {
@@ -31,14 +22,11 @@ class CountedLoops {
   // Returns the reason why the loop is not of that form and LowerLoops cannot make it so: words
   // that follow "this loop". Returns an empty text if it is or can be made so, with its parts in
   // `loop`, and for a statement that is not a loop.
-  std::string_view WhyNot(ir::StmtId stmt, CountedLoop& loop) const;
+  std::string_view WhyNot(ir::StmtId stmt, ir::CountedLoop& loop) const;
 
  private:
-  std::string_view WhyNotAlone(ir::StmtId stmt, CountedLoop& loop) const;
-  bool IsIndex(ir::ExprId expr, ir::VarId index) const;
+  std::string_view WhyNotAlone(ir::StmtId stmt, ir::CountedLoop& loop) const;
   bool IsConstant(ir::ExprId expr) const;
-  bool IsBound(ir::ExprId condition, ir::VarId index) const;
-  bool IsStep(ir::ExprId step, ir::VarId index) const;
 
   const ir::Program& program_;
   // The number of references to each variable, by VarId: in the body, and in counted loops that

@@ -3,8 +3,8 @@
 #include <variant>
 #include <vector>
 
-#include "backend-glsl/legalize/legalize.h"
-#include "backend-glsl/loops.h"
+#include "backend-glsl/legalize/es100/loops.h"
+#include "backend-glsl/legalize/es100/lower_to_es100.h"
 #include "ir/walk.h"
 
 namespace clipc::glsl {
@@ -22,10 +22,10 @@ class LoopLowering {
     const auto listed = program_.stmt_lists[node.init];
     std::vector<StmtId> around(listed.begin(), listed.end());
     Builder b(program_, program_.stmts[stmt].span);
-    VarId index = loop.index;
+    VarId index = loop.counter;
     if (!loop.is_declared) {
       index = b.Local(program_.vars[index].name, program_.vars[index].type);
-      Rename(stmt, loop.index, index);
+      Rename(stmt, loop.counter, index);
     }
     // The other variables of the head are declared before the loop.
     std::erase_if(around, [&](StmtId each) {
@@ -34,7 +34,7 @@ class LoopLowering {
     });
     const StmtId head[] = {b.Stmt(Declare{index, loop.start})};
     node.init = program_.stmt_lists.Add(std::span<const StmtId>(head));
-    node.condition = loop.bound;
+    node.condition = loop.comparison;
     if (loop.more) node.body = Checked(b, loop.more, node.body);
     MakePostfix(node.step);
     if (around.empty()) {

@@ -1,5 +1,5 @@
 // Elements of an index that is not constant are chosen by helper functions; vectors take the index of a loop.
-// RUN: %clipc -T vs_5_0 --target=essl100 --verify --dump-after=lower-elements --stop-after=lower-elements %s | FileCheck %s
+// RUN: %clipc -T vs_5_0 --target=essl100 --verify --dump-after=lower-to-es100 --stop-after=lower-to-es100 %s | FileCheck %s
 // RUN: %clipc -T vs_5_0 --target=essl100 --validate %s -o %t
 // RUN: %draw compare %s -T vs_5_0 --target essl100,glsl450 --lower none --ints 0..1
 // AUTOUPDATE

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "backend-glsl/legalize/es100/loops.h"
+
+#include "ir/access.h"
+#include "ir/walk.h"
+
+namespace clipc::glsl {
+
+using namespace ir;
+
+CountedLoops::CountedLoops(const Program& program, StmtId body)
+    : program_(program), uses_(program.vars.size()), uses_in_loops_(program.vars.size()) {
+  const auto count = [&](auto root, std::vector<std::uint32_t>& uses) {
+    ForEachExpr(program, root, [&](ExprId expr) {
+      if (const auto* ref = As<VarRef>(program, expr)) ++uses[ref->var.index];
+    });
+  };
+  count(body, uses_);
+  std::vector<std::uint32_t> uses(program.vars.size());
+  ForEachStmt(program, body, [&](StmtId stmt) {
+    CountedLoop loop;
+    if (!As<For>(program, stmt) || !WhyNotAlone(stmt, loop).empty() || loop.is_declared) return;
+    uses[loop.counter.index] = 0;
+    count(stmt, uses);
+    uses_in_loops_[loop.counter.index] += uses[loop.counter.index];
+  });
+}
+
+std::string_view CountedLoops::WhyNot(StmtId stmt, CountedLoop& loop) const {
+  const std::string_view why = WhyNotAlone(stmt, loop);
+  if (!why.empty() || !loop.counter || loop.is_declared) return why;
+  const std::uint32_t index = loop.counter.index;
+  const bool is_local = program_.vars[loop.counter].storage == Storage::kLocal;
+  return is_local && uses_[index] == uses_in_loops_[index]
+             ? ""
+             : "has an index that is used outside of it";
+}
+
+std::string_view CountedLoops::WhyNotAlone(StmtId stmt, CountedLoop& loop) const {
+  if (As<While>(program_, stmt)) return "is a `while`";
+  if (As<DoWhile>(program_, stmt)) return "is a `do`";
+  const auto* node = As<For>(program_, stmt);
+  if (!node) return "";
+  loop = PartsOf(program_, *node);
+  if (!loop.counter) return "does not begin with a value of its index";
+  if (!loop.start || !IsConstant(loop.start)) return "does not begin at a constant";
+  if (!node->condition) return "has no condition";
+  const auto* compare = As<Binary>(program_, loop.comparison);
+  if (!compare || !IsConstant(compare->right)) return "does not end at a constant";
+  if (loop.more && !IsPure(program_, loop.more)) return "has a condition that changes something";
+  if (!loop.step || (loop.step_size && !IsConstant(loop.step_size)))
+    return "does not step by a constant";
+  if (IsChangedInBody(program_, *node, loop.counter)) return "changes its index";
+  return "";
+}
+
+bool CountedLoops::IsConstant(ExprId expr) const {
+  if (As<Literal>(program_, expr) || As<Zero>(program_, expr)) return true;
+  if (const auto* convert = As<Convert>(program_, expr)) return IsConstant(convert->operand);
+  if (const auto* unary = As<Unary>(program_, expr))
+    return unary->op == UnaryOp::kNegate && IsConstant(unary->operand);
+  if (const auto* binary = As<Binary>(program_, expr)) {
+    const bool is_sum = binary->op == BinaryOp::kAdd || binary->op == BinaryOp::kSub ||
+                        binary->op == BinaryOp::kMul || binary->op == BinaryOp::kDiv;
+    return is_sum && IsConstant(binary->left) && IsConstant(binary->right);
+  }
+  const auto* ref = As<VarRef>(program_, expr);
+  return ref && program_.vars[ref->var].storage == Storage::kConstant &&
+         program_.vars[ref->var].init && IsConstant(program_.vars[ref->var].init);
+}
+
+}  // namespace clipc::glsl
