@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "backend-glsl/legalize/index_uses.h"
 #include "backend-glsl/legalize/legalize.h"
-#include "backend-glsl/legalize/ranges.h"
 #include "ir/evaluate.h"
+#include "ir/scalar.h"
 #include "ir/walk.h"
 
 namespace clipc::glsl {
@@ -16,9 +18,6 @@ namespace {
 
 constexpr double kTwoTo31 = 0x1p31;
 constexpr double kTwoTo32 = 0x1p32;
-// The factor that keeps a range off the limits by more than the roundings of the float operators
-// whose range is known.
-constexpr double kNearly = 0.999;
 
 // Whether conversions to integers saturate. Those of Direct3D 10 and 11 do, and make 0 of NaN
 // ("Direct3D 11.3 Functional Specification", ftoi and ftou); DXIL's fptosi and fptoui are as
@@ -30,7 +29,7 @@ bool Saturates(const Profile& profile) {
 class ConversionLowering {
  public:
   explicit ConversionLowering(Legalizer& legalizer)
-      : legalizer_(legalizer), program_(legalizer.program), ranges_(legalizer.program) {
+      : legalizer_(legalizer), program_(legalizer.program) {
     for (const VarId var : program_.vars.ids()) NoteConstant(program_.vars[var]);
   }
 
@@ -64,11 +63,17 @@ class ConversionLowering {
            IsFloat(legalizer_.TypeOf(convert->operand).scalar);
   }
 
-  bool MayNotFit(ExprId expr) {
+  // Whether the operand has a component that is not known to fit into the integer.
+  bool MayNotFit(ExprId expr) const {
+    const ExprId operand = As<Convert>(program_, expr)->operand;
+    const auto bits = ConstantBits(program_, operand);
+    if (!bits) return true;
     const bool is_int = BaseOf(legalizer_.TypeOf(expr).scalar) == Scalar::kInt;
-    const Range range = ranges_.Of(As<Convert>(program_, expr)->operand);
-    const double limit = kNearly * (is_int ? kTwoTo31 : kTwoTo32);
-    return !range.IsWithin(is_int ? -limit : 0, limit);
+    const Scalar kind = legalizer_.TypeOf(operand).scalar;
+    return !std::ranges::all_of(*bits, [&](std::uint64_t word) {
+      const double value = NumberOf(word, kind);
+      return is_int ? value >= -kTwoTo31 && value < kTwoTo31 : value >= 0 && value < kTwoTo32;
+    });
   }
 
   bool IsDone(ExprId expr) const { return expr.index < done_.size() && done_[expr.index]; }
@@ -171,7 +176,6 @@ class ConversionLowering {
 
   Legalizer& legalizer_;
   Program& program_;
-  Ranges ranges_;
   std::optional<IndexUses> uses_;  // made for the first conversion that may not fit
   std::vector<bool> done_;         // by ExprId: conversions that are kept
 };

@@ -1,21 +1,20 @@
-// A float becomes an integer by a helper function, which saturates, unless the expression says that the value fits, or nothing but
-// an index comes of it: an int may be one that is out of every array, a uint is 0 at the least.
+// A float becomes an integer by a helper function, which saturates, unless the value is known and fits, or nothing but an index
+// comes of it: an int may be one that is out of every array, a uint is 0 at the least.
 // RUN: %clipc -T vs_5_0 --verify --dump-after=lower-conversions --stop-after=lower-conversions %s | FileCheck %s
 // RUN: %draw compare %s -T vs_5_0
 // AUTOUPDATE
 float4 bones[8];
 static const float kScale = 255;
+static const int kFits = kScale * 2, kTooLarge = kScale * 1e9;
 
-float4 main(float4 p : POSITION, float2 i : INDEX, int k : COUNT) : SV_Position {
+float4 main(float4 p : POSITION, float2 i : INDEX) : SV_Position {
   int any = p.x;
   uint2 positive = p.xy;
-  uint byte = saturate(p.x) * kScale + 0.5;
-  int bounded = min(max(p.y, -8), floor(clamp(p.z, 0, 3)));
-  int rounded = round(float(k & 3) - 2);
+  uint byte = kScale + 0.5;
   int4 places = int4(saturate(i.xyxy) * 4);
   uint place = saturate(i.x) - 0.5;
   float4 sum = bones[places.x + 1] + bones[place];
-  return sum + any + positive.x + byte + bounded + rounded;
+  return sum + any + positive.x + byte + kFits + kTooLarge;
 }
 
 // CHECK: program vs_5_0 form inlined
@@ -24,21 +23,20 @@ float4 main(float4 p : POSITION, float2 i : INDEX, int k : COUNT) : SV_Position 
 // CHECK-NEXT: }
 // CHECK-NEXT: input float4 in_POSITION0 : POSITION0 location 0
 // CHECK-NEXT: input float2 in_INDEX0 : INDEX0 location 1
-// CHECK-NEXT: input int in_COUNT0 : COUNT0 location 2
 // CHECK-NEXT: output float4 vs_SV_POSITION0 : SV_Position0 builtin position
 // CHECK-NEXT: const float kScale = 255.0
+// CHECK-NEXT: const int kFits = convert<int>(kScale * 2.0)
+// CHECK-NEXT: const int kTooLarge = 2147483647
 // CHECK-NEXT: entry void main() {
 // CHECK-NEXT: }
 // CHECK-NEXT: main void main.1() {
 // CHECK-NEXT:   int any = to_int(in_POSITION0.x)
 // CHECK-NEXT:   uint2 positive = to_uint(in_POSITION0.xy)
-// CHECK-NEXT:   uint byte = convert<uint>((saturate(in_POSITION0.x) * kScale) + 0.5)
-// CHECK-NEXT:   int bounded = convert<int>(min(max(in_POSITION0.y, -8.0), floor(clamp(in_POSITION0.z, 0.0, 3.0))))
-// CHECK-NEXT:   int rounded = convert<int>(round(convert<float>(in_COUNT0 & 3) - 2.0))
+// CHECK-NEXT:   uint byte = convert<uint>(kScale + 0.5)
 // CHECK-NEXT:   int4 places = convert<int4>(saturate(in_INDEX0.xyxy) * splat<float4>(4.0))
 // CHECK-NEXT:   uint place = convert<uint>(max(0.0, saturate(in_INDEX0.x) - 0.5))
 // CHECK-NEXT:   float4 sum = bones[places.x + 1] + bones[place]
-// CHECK-NEXT:   vs_SV_POSITION0 = ((((sum + splat<float4>(convert<float>(any))) + splat<float4>(convert<float>(positive.x))) + splat<float4>(convert<float>(byte))) + splat<float4>(convert<float>(bounded))) + splat<float4>(convert<float>(rounded))
+// CHECK-NEXT:   vs_SV_POSITION0 = ((((sum + splat<float4>(convert<float>(any))) + splat<float4>(convert<float>(positive.x))) + splat<float4>(convert<float>(byte))) + splat<float4>(convert<float>(kFits))) + splat<float4>(convert<float>(kTooLarge))
 // CHECK-NEXT: }
 // CHECK-NEXT: helper int to_int(float x) {
 // CHECK-NEXT:   return (abs(x) < 2147483648.0) ? convert<int>(x) : ((x > 0.0) ? 2147483647 : ((x < 0.0) ? -2147483648 : zero<int>))
