@@ -15,15 +15,7 @@ constexpr std::array<DiagInfo, kDiagCount> kInfos = {{
 #undef DIAG
 }};
 
-constexpr DiagId kOffByDefault[] = {DiagId::kClipPlaneMatrices};
-
 }  // namespace
-
-std::bitset<kDiagCount> OffByDefault() {
-  std::bitset<kDiagCount> off;
-  for (const DiagId id : kOffByDefault) off.set(static_cast<std::size_t>(id));
-  return off;
-}
 
 const DiagInfo& InfoOf(DiagId id) { return kInfos[static_cast<std::size_t>(id)]; }
 

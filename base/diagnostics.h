@@ -94,16 +94,12 @@ struct Diagnostic {
 // code, " [clip-plane-not-float4, X3084]". Empty for a note.
 std::string MessageSuffix(const Diagnostic& diagnostic);
 
-// The warnings that are off until -W<name> switches them on: remarks on shaders that are right but
-// could be better.
-std::bitset<kDiagCount> OffByDefault();
-
-// The command line's -Werror, -w, -W<name>, -Werror=<name> and -Wno-<name>. Every other warning is
-// on unless it is switched off.
+// The command line's -Werror, -w, -W<name>, -Werror=<name> and -Wno-<name>. A warning is on unless
+// it is switched off.
 struct WarningOptions {
   bool warnings_are_errors = false;
   bool no_warnings = false;
-  std::bitset<kDiagCount> off = OffByDefault();
+  std::bitset<kDiagCount> off;
   std::bitset<kDiagCount> as_error;
 };
 

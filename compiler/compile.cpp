@@ -69,7 +69,6 @@ class Compilation {
   void RunStages(Source& source);
   void Dump(Source& source);
   void RunBackEnd(ir::Program program, const Source& source);
-  void CountMatrices(const ir::Program& typed);
   LowerSettings SettingsFor(ir::VarId position_input);
   Shaders Finish(const Lowered& lowered, Written written);
   void WriteVariants(const ir::Program& typed, LowerSettings settings);
@@ -254,7 +253,7 @@ void Compilation::RunBackEnd(ir::Program typed, const Source& source) {
   if (!request_.gives_planes_to_device && !request_.debug.changes_result())
     CheckPlanesAreKept(typed, lowering_, *target_, diagnostics_);
   if (diagnostics_.has_errors()) return;
-  CountMatrices(typed);
+  if (request_.reflect) result_.position_matrices = CountPositionMatrices(typed);
   const ClipDistances distances = ClipDistancesOf(typed);
   const ir::Program kept = request_.variants ? typed : ir::Program();
   Lowered lowered = Lower(std::move(typed), settings);
@@ -290,18 +289,6 @@ void Compilation::RunBackEnd(ir::Program typed, const Source& source) {
   if (IsDump(DumpStage::kTable)) {
     if (auto json = clip_table::WriteJson(*result_.table)) result_.dump = std::move(*json);
   }
-}
-
-// Counts the matrices for the reflection, and for a remark that is off unless somebody asks for it.
-void Compilation::CountMatrices(const ir::Program& typed) {
-  const auto remark = static_cast<std::size_t>(DiagId::kClipPlaneMatrices);
-  const bool may_remark = !request_.warnings.off[remark] && !typed.clip_planes.empty() &&
-                          lowering_.plane_space != PlaneSpace::kObject;
-  if (!request_.reflect && !may_remark) return;
-  const std::optional<int> count = CountPositionMatrices(typed);
-  if (request_.reflect) result_.position_matrices = count;
-  if (may_remark && count && *count > 1)
-    diagnostics_.Report(typed.functions[typed.entry].span, diag::ClipPlaneMatrices, *count);
 }
 
 LowerSettings Compilation::SettingsFor(ir::VarId position_input) {

@@ -27,30 +27,30 @@ int Limited(int count) { return std::min(count, kUnknown); }
 
 // The number of matrices that a value has been multiplied by; a matrix itself counts one. Each
 // field of a struct has its own number; all elements of an array share one.
-struct Value {
+struct MatrixCount {
   int count = 0;
-  std::vector<Value> fields;
+  std::vector<MatrixCount> fields;
 
-  bool operator==(const Value&) const = default;
+  bool operator==(const MatrixCount&) const = default;
   int Most() const {
     int most = count;
-    for (const Value& field : fields) most = std::max(most, field.Most());
+    for (const MatrixCount& field : fields) most = std::max(most, field.Most());
     return most;
   }
 };
 
-void Join(Value& into, const Value& other) {
+void Join(MatrixCount& into, const MatrixCount& other) {
   into.count = std::max(into.count, other.count);
   // One of the two values may not have its fields yet.
   if (into.fields.size() < other.fields.size())
-    into.fields.resize(other.fields.size(), Value{into.count, {}});
+    into.fields.resize(other.fields.size(), MatrixCount{into.count, {}});
   for (std::size_t i = 0; i < into.fields.size(); ++i)
-    Join(into.fields[i], i < other.fields.size() ? other.fields[i] : Value{other.count, {}});
+    Join(into.fields[i], i < other.fields.size() ? other.fields[i] : MatrixCount{other.count, {}});
 }
 
 // The values of the variables at a place of the program; none where control does not come.
 struct State {
-  std::vector<Value> values;  // by VarId
+  std::vector<MatrixCount> values;  // by VarId
   bool is_reached = true;
 };
 
@@ -90,18 +90,18 @@ class Follower {
   // The states with which control leaves a loop, a switch or a function.
   struct Exits {
     State broken{{}, false}, continued{{}, false}, returned{{}, false};
-    Value result;
+    MatrixCount result;
   };
 
-  Value& At(VarId var) { return state_.values[var.index]; }
+  MatrixCount& At(VarId var) { return state_.values[var.index]; }
 
-  Value Given(TypeId type) {
+  MatrixCount Given(TypeId type) {
     if (IsTooMuch(1)) return {};
     const TypeTable& types = program_.types;
     const TypeId innermost = types.Innermost(type);
     if (types[innermost].kind != TypeKind::kStruct)
       return {types[innermost].kind == TypeKind::kMatrix ? 1 : 0, {}};
-    Value value;
+    MatrixCount value;
     for (const Field& field : types.StructOf(innermost).fields)
       value.fields.push_back(Given(field.type));
     if (innermost != type) return {value.Most(), {}};
@@ -119,12 +119,12 @@ class Follower {
 
   // ---- expressions
 
-  Value Of(ExprId expr) {
+  MatrixCount Of(ExprId expr) {
     if (!expr || IsTooMuch(1)) return {};
     return Visit([&](const auto& node) { return OfNode(expr, node); }, program_.exprs[expr].node);
   }
-  std::vector<Value> OfAll(List<ExprId> list) {
-    std::vector<Value> values;
+  std::vector<MatrixCount> OfAll(List<ExprId> list) {
+    std::vector<MatrixCount> values;
     for (const ExprId expr : program_.expr_lists[list]) values.push_back(Of(expr));
     return values;
   }
@@ -136,27 +136,27 @@ class Follower {
     return most;
   }
   template <typename Node>
-  Value OfNode(ExprId expr, const Node&) {
+  MatrixCount OfNode(ExprId expr, const Node&) {
     return {MostOf(expr), {}};
   }
-  Value OfNode(ExprId, const VarRef& node) { return At(node.var); }
-  Value OfNode(ExprId, const FieldRef& node) {
-    Value base = Of(node.base);
+  MatrixCount OfNode(ExprId, const VarRef& node) { return At(node.var); }
+  MatrixCount OfNode(ExprId, const FieldRef& node) {
+    MatrixCount base = Of(node.base);
     if (node.field < base.fields.size()) return std::move(base.fields[node.field]);
     return {base.Most(), {}};
   }
   // The index does not become a part of the element.
-  Value OfNode(ExprId, const Index& node) {
+  MatrixCount OfNode(ExprId, const Index& node) {
     Of(node.index);
     return {Of(node.base).Most(), {}};
   }
-  Value OfNode(ExprId, const Binary& node) {
+  MatrixCount OfNode(ExprId, const Binary& node) {
     const int left = Of(node.left).Most(), right = Of(node.right).Most();
     return {node.op == BinaryOp::kMul ? Limited(left + right) : std::max(left, right), {}};
   }
-  Value OfNode(ExprId, const Unary& node) { return Of(node.operand); }
-  Value OfNode(ExprId, const Assign& node) {
-    Value value = Of(node.value);
+  MatrixCount OfNode(ExprId, const Unary& node) { return Of(node.operand); }
+  MatrixCount OfNode(ExprId, const Assign& node) {
+    MatrixCount value = Of(node.value);
     if (node.op) {
       const int before = Of(node.target).Most();
       value = {*node.op == BinaryOp::kMul ? Limited(value.Most() + before)
@@ -166,34 +166,34 @@ class Follower {
     Write(node.target, value);
     return value;
   }
-  Value OfNode(ExprId, const Conditional& node) {
+  MatrixCount OfNode(ExprId, const Conditional& node) {
     Of(node.condition);
     const State before = Kept();
-    Value value = Of(node.when_true);
+    MatrixCount value = Of(node.when_true);
     State after = std::exchange(state_, before);
     Join(value, Of(node.when_false));
     Join(state_, after);
     return value;
   }
-  Value OfNode(ExprId, const Select& node) {
+  MatrixCount OfNode(ExprId, const Select& node) {
     Of(node.condition);
-    Value value = Of(node.when_true);
+    MatrixCount value = Of(node.when_true);
     Join(value, Of(node.when_false));
     return value;
   }
-  Value OfNode(ExprId expr, const Construct& node) {
+  MatrixCount OfNode(ExprId expr, const Construct& node) {
     const TypeKind kind = TypeOf(program_, expr).kind;
     if (kind == TypeKind::kMatrix) return {std::max(MostOf(expr), 1), {}};
     if (kind != TypeKind::kStruct) return {MostOf(expr), {}};
     return {0, OfAll(node.arguments)};
   }
-  Value OfNode(ExprId, const Comma& node) {
+  MatrixCount OfNode(ExprId, const Comma& node) {
     Of(node.first);
     return Of(node.second);
   }
-  Value OfNode(ExprId expr, const IntrinsicCall& node) {
+  MatrixCount OfNode(ExprId expr, const IntrinsicCall& node) {
     std::vector<int> counts;
-    for (const Value& value : OfAll(node.arguments)) counts.push_back(value.Most());
+    for (const MatrixCount& value : OfAll(node.arguments)) counts.push_back(value.Most());
     const int most = counts.empty() ? 0 : *std::ranges::max_element(counts);
     ForEachWrite(program_, expr, [&](ExprId target) { Write(target, {most, {}}); });
     switch (node.op) {
@@ -209,15 +209,15 @@ class Follower {
     }
   }
   // The value that a texture or buffer holds begins anew; matrices that it holds count.
-  Value OfNode(ExprId expr, const ObjectCall&) {
+  MatrixCount OfNode(ExprId expr, const ObjectCall&) {
     MostOf(expr);
     return Given(TypeIdOf(program_, expr));
   }
-  Value OfNode(ExprId expr, const Call& node) {
+  MatrixCount OfNode(ExprId expr, const Call& node) {
     if (calls_ == kMostCalls) work_ = kMostWork;
     if (IsTooMuch(1)) return {};
     const Function& function = program_.functions[node.function];
-    std::vector<Value> arguments = OfAll(node.arguments);
+    std::vector<MatrixCount> arguments = OfAll(node.arguments);
     for (std::size_t i = 0; i < function.parameters.size() && i < arguments.size(); ++i)
       At(function.parameters[i]) = std::move(arguments[i]);
     Exits exits;
@@ -234,7 +234,7 @@ class Follower {
   }
 
   // A place that is written wholly has the value; one that is written in part has the most of both.
-  void Write(ExprId target, const Value& value) {
+  void Write(ExprId target, const MatrixCount& value) {
     std::vector<std::uint32_t> path;
     bool is_whole = true;
     for (ExprId at = target; at; at = WholeOf(program_, at)) {
@@ -247,16 +247,16 @@ class Follower {
     }
     const VarId root = RootOf(program_, target);
     if (!root) return;
-    Value* place = &At(root);
+    MatrixCount* place = &At(root);
     for (; !path.empty(); path.pop_back()) {
       if (place->fields.size() <= path.back())
-        place->fields.resize(path.back() + 1, Value{place->count, {}});
+        place->fields.resize(path.back() + 1, MatrixCount{place->count, {}});
       place = &place->fields[path.back()];
     }
     if (is_whole) {
       *place = value;
     } else {
-      Join(*place, Value{value.Most(), {}});
+      Join(*place, MatrixCount{value.Most(), {}});
     }
   }
 

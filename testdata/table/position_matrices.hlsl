@@ -46,13 +46,6 @@
 // TWO: "positionMatrices": 2
 // THREE: "positionMatrices": 3
 // UNKNOWN: "positionMatrices": null
-//
-// A remark says so too, where somebody asks for it.
-// RUN: %clipc %s -T vs_5_0 -E steps -o %t.vert 2>&1 | count 0
-// RUN: %clipc %s -T vs_5_0 -E steps -o %t.vert -Wclip-plane-matrices 2>&1 | FileCheck %s --check-prefix=REMARK
-// RUN: %clipc %s -T vs_5_0 -E steps -o %t.vert -Wclip-plane-matrices --plane-space=object 2>&1 | count 0
-// RUN: %clipc %s -T vs_5_0 -E one -o %t.vert -Wclip-plane-matrices 2>&1 | count 0
-// RUN: %clipc %s -T vs_5_0 -E branches -o %t.vert -Wclip-plane-matrices 2>&1 | count 0
 cbuffer Constants : register(b0) {
   float4x4 world, view, projection, world_view_projection;
   float4x4 bones[20];
@@ -65,7 +58,6 @@ cbuffer Constants : register(b0) {
 float4 one(float4 p : POSITION) : SV_Position { return mul(p, world_view_projection); }
 
 [clipplanes(plane)]
-// REMARK: [[#@LINE+1]]:8: warning: the position is multiplied by 2 matrices, {{.*}} [-Wclip-plane-matrices]
 float4 steps(float4 p : POSITION) : SV_Position {
   float4 at = mul(p, world);
   return mul(at, view);

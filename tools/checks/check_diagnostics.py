@@ -17,9 +17,6 @@ root = pathlib.Path(__file__).resolve().parents[2]
 catalogue = root / "base/diagnostic_kinds.def"
 document = root / "docs/diagnostics.md"
 
-OFF = re.search(r"kOffByDefault\[\] = \{(.*?)\};", (root / "base/diagnostics.cpp").read_text(), re.S)[1]
-OFF_BY_DEFAULT = set(re.findall(r"DiagId::k(\w+)", OFF))
-
 DIAG = re.compile(r'^DIAG\((\w+), k(Note|Warning|Error), "(\w*)",\s*((?:"(?:[^"\\]|\\.)*"\s*)+)', re.M)
 STRING = re.compile(r'"((?:[^"\\]|\\.)*)"')
 
@@ -47,7 +44,6 @@ def render(all_kinds):
         "A message ends with its name in brackets: `[-Wclip-plane-repeated]` after a warning, `[clip-plane-not-float4, X3084]`",
         "after an error, with fxc's code for the same rule where fxc has one. `{}` stands for what was seen.",
         "`-Wno-NAME` switches a warning off, `-WNAME` switches it on again, `-Werror` turns all warnings into errors.",
-        "One that is marked `off` is off until `-WNAME`.",
     ]
     current = None
     for section, name, severity, code, message in all_kinds:
@@ -57,8 +53,7 @@ def render(all_kinds):
             lines += ["", f"## {section[:1].upper()}{section[1:]}", "", "| name | | fxc | message |", "|---|---|---|---|"]
             current = section
         cell = message.replace("|", "\\|")
-        state = ", off" if name in OFF_BY_DEFAULT else ""
-        lines.append(f"| `{printed(name)}` | {severity}{state} | {code} | {cell} |")
+        lines.append(f"| `{printed(name)}` | {severity} | {code} | {cell} |")
     return "\n".join(lines) + "\n"
 
 
