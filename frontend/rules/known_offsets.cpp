@@ -9,21 +9,20 @@
 #include <utility>
 #include <vector>
 
-#include "frontend/rules/call_depth.h"
 #include "frontend/rules/constant.h"
 #include "frontend/rules/object_slots.h"
-#include "frontend/rules/wanted_values.h"
 #include "ir/access.h"
 #include "ir/builder.h"
+#include "ir/counted_loop.h"
 #include "ir/evaluate.h"
+#include "ir/value_graph.h"
 #include "ir/walk.h"
 
 namespace clipc::rules {
 namespace {
 
-constexpr std::size_t kMaxCopies = 4096;          // of functions and of loops' bodies
+constexpr std::size_t kMaxCopies = 4096;          // of loops' bodies
 constexpr std::size_t kMaxExpressions = 1 << 22;  // of the program with its copies
-constexpr std::size_t kMaxWords = 4096;           // of a known value
 
 std::string_view MethodOf(ObjectOp op) {
   using enum ObjectOp;
@@ -39,175 +38,118 @@ std::string_view MethodOf(ObjectOp op) {
   }
 }
 
+// The number of the first argument that is an offset.
+std::uint32_t FirstOffset(ObjectOp op) {
+  using enum ObjectOp;
+  switch (op) {
+    case kSampleLevel:
+    case kSampleCmpLevelZero: return 4;
+    case kSampleGrad: return 5;
+    case kTextureLoad: return 3;
+    default: return IsGather(op) ? 3 : ~0u;
+  }
+}
+
+// Whether a `break` or `continue` in the statement ends a loop, or a turn of one, around it.
+bool Leaves(const Program& program, StmtId stmt, bool in_switch) {
+  if (As<Break>(program, stmt)) return !in_switch;
+  if (As<Continue>(program, stmt)) return true;
+  if (As<For>(program, stmt) || As<While>(program, stmt) || As<DoWhile>(program, stmt))
+    return false;
+  bool leaves = false;
+  const bool is_switch = As<Switch>(program, stmt) != nullptr;
+  ForEachPart(
+      program, stmt, [](ExprId) {},
+      [&](StmtId part) { leaves = leaves || Leaves(program, part, in_switch || is_switch); });
+  return leaves;
+}
+
 class OffsetFinder {
  public:
   OffsetFinder(Program& program, Diagnostics& diagnostics)
-      : program_(program), diagnostics_(diagnostics), wanted_(program) {}
+      : program_(program), diagnostics_(diagnostics) {}
 
   void Run() {
-    if (wanted_.IsEmpty()) return;
-    program_.main = CopyOf(program_.main, {});
-    program_.entry = entry_;
-    program_.functions = std::move(functions_);
+    const std::vector<FunctionId> functions = FunctionsWithOffsets();
+    if (functions.empty()) return;
+    FindSources();
+    for (const FunctionId id : functions) Read(program_.functions[id].body);
+    for (const auto& [var, before] : known_) Restore(var, before);
   }
 
  private:
-  using Bits = std::vector<std::uint64_t>;
-  using Key = std::vector<std::uint64_t>;
-
-  // ---- known values
-  // The bits of an expression if its value is known; otherwise nullopt. Each name in it is replaced
-  // by a copy of the value, so the program grows.
-  std::optional<Bits> BitsOf(ExprId expr) {
-    if (!MayGrow(program_.exprs[expr].span)) return std::nullopt;
-    const ExprId copy = Clone(program_, expr);
-    const ExprId closed = Substitute(copy);
-    if (KindsOf(program_.types, TypeIdOf(program_, closed)).size() > kMaxWords) return std::nullopt;
-    return ConstantBits(program_, closed);
+  bool IsLiteralOffset(ExprId offset) const {
+    return As<Literal>(program_, offset) || IsLiteralList(program_, offset);
   }
 
-  ExprId Substitute(ExprId expr) {
-    if (const auto* ref = As<VarRef>(program_, expr)) {
-      const auto known = known_.find(ref->var);
-      return known == known_.end() ? expr : Clone(program_, known->second);
+  // The functions that have an offset that is not a literal. The variables in such offsets are
+  // marked.
+  std::vector<FunctionId> FunctionsWithOffsets() {
+    std::vector<FunctionId> found;
+    if (!program_.calls_objects) return found;
+    is_source_.resize(program_.vars.size());
+    for (const FunctionId id : program_.functions.ids()) {
+      ForEachExpr(program_, program_.functions[id].body, [&](ExprId expr) {
+        const auto* call = As<ObjectCall>(program_, expr);
+        if (!call) return;
+        const auto arguments = program_.expr_lists[call->arguments];
+        for (std::size_t i = FirstOffset(call->op); i < arguments.size(); ++i) {
+          if (IsLiteralOffset(arguments[i])) continue;
+          if (found.empty() || found.back() != id) found.push_back(id);
+          ForEachExpr(program_, arguments[i], [&](ExprId part) {
+            if (const auto* ref = As<VarRef>(program_, part)) is_source_[ref->var.index] = true;
+          });
+        }
+      });
     }
-    MapOperands(program_, expr, [&](ExprId operand) { return Substitute(operand); });
-    return Picked(expr);
+    return found;
   }
 
-  // Simplifies a swizzle of a Construct: int4(1, 2, 3, i).xy  =>  int2(1, 2).
-  ExprId Picked(ExprId expr) {
-    const auto* node = As<Swizzle>(program_, expr);
-    if (!node || !As<Construct>(program_, node->base)) return expr;
-    const Swizzle swizzle = *node;
-    std::vector<ExprId> parts;
-    for (std::uint8_t i = 0; i < swizzle.count; ++i)
-      parts.push_back(Component(swizzle.base, swizzle.components[i]));
-    const TypeId type = TypeIdOf(program_, expr);
-    return parts.size() == 1 ? parts[0] : Builder(program_).ConstructOf(type, parts);
-  }
-
-  // A copy of one component of a Construct.
-  ExprId Component(ExprId construct, int component) {
-    const List<ExprId> parts = As<Construct>(program_, construct)->arguments;
-    std::uint32_t i = 0;
-    for (;; ++i) {
-      const int size =
-          static_cast<int>(TypeOf(program_, program_.expr_lists[parts][i]).Components());
-      if (component < size) break;
-      component -= size;
+  // Marks all variables that offsets depend on. A counter depends on its loop's condition too.
+  void FindSources() {
+    ValueGraph graph(program_);
+    std::vector<StmtId> bodies;
+    for (const FunctionId id : program_.functions.ids()) {
+      bodies.push_back(program_.functions[id].body);
+      ForEachStmt(program_, bodies.back(), [&](StmtId stmt) {
+        const auto* loop = As<For>(program_, stmt);
+        if (!loop) return;
+        if (const VarId counter = PartsOf(program_, *loop).counter)
+          graph.AddValue(graph.NodeOf(counter), loop->condition);
+      });
     }
-    const ExprId part = Clone(program_, program_.expr_lists[parts][i]);
-    if (TypeOf(program_, part).kind == TypeKind::kScalar) return part;
-    return Picked(Builder(program_).Swizzled(part, {component}));
+    is_assigned_ = AssignedIn(program_, bodies);
+    is_source_.resize(graph.size());
+    graph.SpreadToSources(is_source_);
+    is_source_.resize(program_.vars.size());
   }
 
-  // Makes a value of literals with the given bits.
-  ExprId Make(TypeId type, const Bits& bits, Span span) {
-    return Builder(program_, span).ValueOf(type, bits);
-  }
+  // ---- known values: a variable whose value is known is a constant until it is restored
+  struct Before {
+    Storage storage;
+    ExprId init;
+  };
 
+  void Restore(VarId var, const Before& before) {
+    program_.vars[var].storage = before.storage;
+    program_.vars[var].init = before.init;
+  }
+  void Forget(VarId var) {
+    if (const auto found = known_.find(var); found != known_.end()) {
+      Restore(var, found->second);
+      known_.erase(found);
+    }
+  }
+  // Returns false, and changes nothing, if the value is not known.
   bool Know(VarId var, ExprId value) {
-    const auto bits = BitsOf(value);
+    const auto bits = ConstantBits(program_, value);
     if (!bits) return false;
-    known_[var] = Make(program_.vars[var].type, *bits, program_.vars[var].span);
+    const Var& as_it_is = program_.vars[var];
+    known_.try_emplace(var, Before{as_it_is.storage, as_it_is.init});
+    const ExprId literal = Builder(program_, as_it_is.span).ValueOf(as_it_is.type, *bits);
+    program_.vars[var].storage = Storage::kConstant;
+    program_.vars[var].init = literal;
     return true;
-  }
-
-  // Notes the known components of a vector that has unknown ones too: int4 a = {1, 2, 3, i}.
-  void KnowComponents(VarId var, ExprId value) {
-    const TypeId type = program_.vars[var].type;
-    if (program_.types[type].kind != TypeKind::kVector) return;
-    Builder at(program_, program_.vars[var].span);
-    std::vector<ExprId> parts;
-    for (int i = 0; i < program_.types[type].columns; ++i) {
-      const auto bits = BitsOf(at.Swizzled(Clone(program_, value), {i}));
-      const ExprId own = at.Swizzled(at.Ref(var), {i});
-      parts.push_back(bits ? Make(TypeIdOf(program_, own), *bits, program_.vars[var].span) : own);
-    }
-    known_[var] = at.ConstructOf(type, parts);
-  }
-
-  // ---- functions
-  VarId Original(VarId var) const {
-    const auto found = originals_.find(var);
-    return found == originals_.end() ? var : found->second;
-  }
-  bool IsWanted(VarId var) const { return wanted_.Has(Original(var)); }
-  void NoteCopies(const BodyCloner& cloner) {
-    for (const auto& [from, to] : cloner.vars()) originals_[to] = Original(from);
-  }
-
-  bool MayCopy(Span span) {
-    return MayGrow(span) &&
-           (++made_ <= kMaxCopies || Refuse(span, kMaxCopies, "copies of functions and loops"));
-  }
-  bool MayGrow(Span span) {
-    if (program_.exprs.size() < kMaxExpressions) return true;
-    return Refuse(span, kMaxExpressions, "expressions");
-  }
-  bool Refuse(Span span, std::size_t limit, std::string_view of) {
-    if (!is_reported_) diagnostics_.Report(span, diag::TooManyCopies, limit, of);
-    is_reported_ = true;
-    return false;
-  }
-
-  // The copy of the function for known arguments of the parameters that its offsets depend on.
-  FunctionId CopyOf(FunctionId id, const std::map<std::size_t, Bits>& arguments) {
-    Key key{id.index};
-    for (const auto& [parameter, bits] : arguments) {
-      key.push_back(parameter);
-      key.insert(key.end(), bits.begin(), bits.end());
-    }
-    if (const auto found = copies_.find(key); found != copies_.end()) return found->second;
-    Function function = program_.functions[id];
-    const bool is_too_deep = depth_ >= kMaxCallDepth;
-    const bool is_copied = !is_too_deep && wanted_.Has(id) && MayCopy(function.span);
-    if (!is_copied) {
-      // A body that is not copied is read once: its calls then name functions of `functions_`.
-      key.resize(1);
-      if (const auto found = copies_.find(key); found != copies_.end()) return found->second;
-    }
-    if (is_too_deep) {
-      diagnostics_.Report(function.span, diag::CheckTooDeep, kMaxCallDepth);
-    } else if (is_copied) {
-      BodyCloner cloner(program_);
-      for (VarId& parameter : function.parameters) parameter = cloner.CloneVar(parameter);
-      function.body = cloner.Clone(function.body);
-      NoteCopies(cloner);
-      const auto outer = std::exchange(known_, {});
-      for (const auto& [parameter, bits] : arguments) {
-        const VarId var = function.parameters[parameter];
-        known_[var] = Make(program_.vars[var].type, bits, program_.vars[var].span);
-      }
-      ++depth_;
-      Read(function.body);
-      --depth_;
-      known_ = outer;
-    } else {
-      ++depth_;
-      ForEachExpr(program_, function.body, [&](ExprId expr) { ReadCall(expr); });
-      --depth_;
-    }
-    const FunctionId added = functions_.Add(std::move(function));
-    if (id == program_.entry) entry_ = added;
-    return copies_[key] = added;
-  }
-
-  void ReadCall(ExprId expr) {
-    const auto* node = As<Call>(program_, expr);
-    if (!node) return;
-    const Call call = *node;
-    std::map<std::size_t, Bits> arguments;
-    const std::vector<VarId>& parameters = program_.functions[call.function].parameters;
-    for (std::uint32_t i = 0; i < call.arguments.size; ++i) {
-      const VarId parameter = parameters[i];
-      if (!wanted_.IsUnchanged(parameter) || program_.vars[parameter].storage != Storage::kIn)
-        continue;
-      if (const auto bits = BitsOf(program_.expr_lists[call.arguments][i])) arguments[i] = *bits;
-    }
-    const FunctionId copy = CopyOf(call.function, arguments);
-    program_.exprs[expr].node = Call{copy, call.arguments};
   }
 
   // ---- statements
@@ -218,19 +160,19 @@ class OffsetFinder {
         [&](ExprId root) { ForEachExpr(program_, root, [&](ExprId expr) { ReadExpr(expr); }); },
         [&](StmtId part) { Read(part); });
     const auto* declare = As<Declare>(program_, stmt);
-    if (!declare || !declare->init || !wanted_.IsUnchanged(Original(declare->var))) return;
-    if (!Know(declare->var, declare->init)) KnowComponents(declare->var, declare->init);
+    if (!declare || !declare->init) return;
+    const std::uint32_t var = declare->var.index;
+    if (is_source_[var] && !is_assigned_[var]) Know(declare->var, declare->init);
   }
 
   void ReadExpr(ExprId expr) {
-    ReadCall(expr);
     const auto* call = As<ObjectCall>(program_, expr);
     if (!call) return;
     const List<ExprId> arguments = call->arguments;
     const ObjectOp op = call->op;
     for (std::uint32_t i = FirstOffset(op); i < arguments.size; ++i) {
       const ExprId offset = program_.expr_lists[arguments][i];
-      if (!IsLiteralOffset(program_, offset))
+      if (!IsLiteralOffset(offset))
         program_.expr_lists[arguments][i] = Known(offset, op, MayVary(op, arguments.size));
     }
   }
@@ -242,8 +184,8 @@ class OffsetFinder {
 
   ExprId Known(ExprId offset, ObjectOp op, bool may_vary) {
     const Span span = program_.exprs[offset].span;
-    const auto bits = BitsOf(offset);
-    if (!bits || !IsPure(program_, offset)) {
+    const auto bits = ConstantBits(program_, offset);
+    if (!bits) {
       if (!may_vary) diagnostics_.Report(span, diag::TextureOffsetNotConstant, MethodOf(op));
       return offset;
     }
@@ -254,39 +196,73 @@ class OffsetFinder {
         return offset;
       }
     }
-    return Make(TypeIdOf(program_, offset), *bits, span);
+    return Builder(program_, span).ValueOf(TypeIdOf(program_, offset), *bits);
   }
 
   // ---- loops
+  bool MayCopy(Span span) {
+    if (program_.exprs.size() >= kMaxExpressions)
+      return Refuse(span, kMaxExpressions, "expressions");
+    return ++made_ <= kMaxCopies || Refuse(span, kMaxCopies, "copies of loops");
+  }
+  bool Refuse(Span span, std::size_t limit, std::string_view of) {
+    if (!std::exchange(is_reported_, true))
+      diagnostics_.Report(span, diag::TooManyCopies, limit, of);
+    return false;
+  }
+
+  // Whether only the loop's condition ends it, and each turn changes the counter only in its step.
+  bool IsPlain(const For& loop, const CountedLoop& parts) const {
+    return loop.init.size == 1 && parts.start && parts.step &&
+           program_.vars[parts.counter].storage == Storage::kLocal &&
+           IsPure(program_, loop.condition) && !Leaves(program_, loop.body, false) &&
+           !IsChangedInBody(program_, loop, parts.counter);
+  }
+
+  // The counter's value after the step, as an expression in the counter.
+  ExprId NextOf(Builder at, const CountedLoop& parts) {
+    const Scalar kind = program_.types[program_.vars[parts.counter].type].scalar;
+    const ExprId size = parts.step_size ? Clone(program_, parts.step_size) : at.LiteralOf(kind, 1);
+    return at.BinaryOf(parts.is_down ? BinaryOp::kSub : BinaryOp::kAdd, at.Ref(parts.counter),
+                       size);
+  }
+
+  // A copy of the loop's body, whose variables have the marks of the original's.
+  StmtId CopyOf(StmtId body) {
+    BodyCloner cloner(program_);
+    const StmtId copy = cloner.Clone(body);
+    is_source_.resize(program_.vars.size());
+    is_assigned_.resize(program_.vars.size());
+    for (const auto& [from, to] : cloner.vars()) {
+      is_source_[to.index] = is_source_[from.index];
+      is_assigned_[to.index] = is_assigned_[from.index];
+    }
+    return copy;
+  }
+
   // Unrolls for (int i = 0; i < 2; ++i) body  =>  { int i = 0; body ++i; body ++i; }. Returns false
-  // if the loop is not wanted or its turns are not known.
+  // if no offset depends on the counter or the counter's values are not known.
   bool Unroll(StmtId stmt, const For& loop) {
-    ExprId start;
-    const VarId counter = wanted_.CounterOf(loop, start);
-    if (!counter || !IsWanted(counter) || !loop.condition || !loop.step) return false;
-    if (!wanted_.IsPlain(loop) || AssignedIn(program_, {&loop.body, 1})[counter.index])
+    const CountedLoop parts = PartsOf(program_, loop);
+    if (!parts.counter || !is_source_[parts.counter.index] || !loop.condition ||
+        !IsPlain(loop, parts) || !Know(parts.counter, parts.start))
       return false;
-    if (!Know(counter, start)) return false;
-    std::vector<StmtId> stmts;
-    for (std::uint32_t i = 0; i < loop.init.size; ++i)
-      stmts.push_back(program_.stmt_lists[loop.init][i]);
     Builder at(program_, program_.stmts[stmt].span);
+    std::vector<StmtId> stmts = {program_.stmt_lists[loop.init][0]};
+    const ExprId next = NextOf(at, parts);
     bool is_known = true;
     while (is_known) {
-      const auto goes_on = BitsOf(loop.condition);
+      const auto goes_on = ConstantBits(program_, loop.condition);
       is_known = goes_on.has_value();
       if (!is_known || goes_on->front() == 0) break;
-      if (!MayCopy(program_.stmts[stmt].span)) return true;
-      BodyCloner cloner(program_);
-      const StmtId body = cloner.Clone(loop.body);
-      NoteCopies(cloner);
+      if (!MayCopy(program_.stmts[stmt].span)) break;
+      const StmtId body = CopyOf(loop.body);
       Read(body);
       stmts.push_back(body);
-      stmts.push_back(at.Eval(Clone(program_, loop.step)));
-      const ExprId next = WantedValues::NextOf(program_, loop.step, counter);
-      is_known = next && Know(counter, next);
+      stmts.push_back(at.Eval(Clone(program_, parts.step)));
+      is_known = Know(parts.counter, next);
     }
-    known_.erase(counter);
+    Forget(parts.counter);
     if (!is_known) return false;
     const StmtId block = at.BlockOf(stmts);
     program_.stmts[stmt].node = program_.stmts[block].node;
@@ -295,15 +271,10 @@ class OffsetFinder {
 
   Program& program_;
   Diagnostics& diagnostics_;
-  WantedValues wanted_;
-  std::map<VarId, ExprId> known_;     // by variable, in the function that is being copied
-  std::map<VarId, VarId> originals_;  // by variable of a copy: its original
-  std::map<Key, FunctionId> copies_;
-  Arena<Function> functions_;  // callees before callers
-  FunctionId entry_;
+  std::vector<bool> is_source_, is_assigned_;  // by VarId: offsets depend on it; it is assigned to
+  std::map<VarId, Before> known_;
   std::size_t made_ = 0;
   bool is_reported_ = false;
-  int depth_ = 0;
 };
 
 }  // namespace

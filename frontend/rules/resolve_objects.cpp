@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "frontend/rules/call_depth.h"
 #include "frontend/rules/object_resolver.h"
 #include "ir/access.h"
 #include "ir/packing.h"
@@ -14,6 +13,7 @@ namespace clipc::rules {
 namespace {
 
 constexpr std::size_t kMaxInstances = 4096;
+constexpr int kMaxCallDepth = 200;
 
 }  // namespace
 
