@@ -7,6 +7,7 @@
 
 #include "backend-glsl/style.h"
 #include "backend-glsl/target.h"
+#include "ir/packing.h"
 #include "ir/program.h"
 
 // The layout in GLSL of a constant buffer, whose offsets Direct3D's rules fixed. Offsets are never
@@ -24,10 +25,6 @@ enum class BlockForm : std::uint8_t {
   kUniforms,  // the target has no blocks: uniform variables that the host sets by name
 };
 
-// The order of a matrix in memory, in GLSL's words. HLSL's rows are GLSL's columns, so HLSL's
-// row_major is column_major here.
-enum class MatrixLayout : std::uint8_t { kNone, kRowMajor, kColumnMajor };
-
 // A member of a buffer or, if a ConstantBuffer<T> is written with an instance name, a field of T.
 struct BlockMember {
   ir::VarId var;   // the member; of a ConstantBuffer<T> the whole
@@ -37,19 +34,18 @@ struct BlockMember {
   std::uint32_t offset = 0;      // bytes
   bool explicit_offset = false;  // layout(offset = ..)
   std::uint32_t padding = 0;     // bytes of padding members before it
-  MatrixLayout matrices = MatrixLayout::kNone;
+  ir::MatrixLayout matrices = ir::MatrixLayout::kNone;
 };
 
 struct BlockLayout {
   BlockForm form = BlockForm::kStd140;
   // The layout of the whole block, if the block is plain or another stage declares it so, and its
   // members agree; otherwise kNone, and each member has its own.
-  MatrixLayout matrices = MatrixLayout::kNone;
+  ir::MatrixLayout matrices = ir::MatrixLayout::kNone;
   bool has_instance = false;  // kStd140: members are read as `instance.member`
   bool has_uints = false;     // bools and their vectors are uints, as SPIR-V has them in blocks
   bool float_rows = true;     // kRows: `vec4`, since every member is of floats; else `uvec4`
-  bool fields_as_members =
-      false;  // a ConstantBuffer<T> written with an instance name: `buffer.field`
+  bool fields_as_members = false;    // `buffer.field`: a ConstantBuffer<T> with an instance name
   std::vector<BlockMember> members;  // in order of offset (kUniforms: of declaration)
 };
 
@@ -63,7 +59,7 @@ bool OnlyFloats(const ir::TypeTable& types, ir::TypeId type);
 struct Std140Extent {
   std::uint32_t size = 0;  // with the padding after arrays, structs and matrices
   std::uint32_t alignment = 4;
-  MatrixLayout matrices = MatrixLayout::kNone;
+  ir::MatrixLayout matrices = ir::MatrixLayout::kNone;
 };
 // Returns std140's extent of `type`; std::nullopt if std140 puts some part of the type elsewhere
 // than HLSL does in a cbuffer, or GLSL cannot say the order of its matrices or a struct without

@@ -101,13 +101,13 @@ TEST_F(BlockLayoutTest, MatricesOfIntegers) {
 
 TEST_F(BlockLayoutTest, MatrixLayoutIsTheBlocksWhenAllAgree) {
   EXPECT_EQ(Layout({{"a", M(4, 4)}, {"b", M(3, 4)}, {"c", F(4)}}).matrices,
-            MatrixLayout::kRowMajor);
-  EXPECT_EQ(Layout({{"a", M(4, 4), true}}).matrices, MatrixLayout::kColumnMajor);
+            ir::MatrixLayout::kRowMajor);
+  EXPECT_EQ(Layout({{"a", M(4, 4), true}}).matrices, ir::MatrixLayout::kColumnMajor);
   const BlockLayout mixed = Layout({{"a", M(4, 4), true}, {"b", M(4, 4)}});
   EXPECT_EQ(mixed.form, BlockForm::kStd140);
-  EXPECT_EQ(mixed.matrices, MatrixLayout::kNone);
-  EXPECT_EQ(mixed.members[0].matrices, MatrixLayout::kColumnMajor);
-  EXPECT_EQ(mixed.members[1].matrices, MatrixLayout::kRowMajor);
+  EXPECT_EQ(mixed.matrices, ir::MatrixLayout::kNone);
+  EXPECT_EQ(mixed.members[0].matrices, ir::MatrixLayout::kColumnMajor);
+  EXPECT_EQ(mixed.members[1].matrices, ir::MatrixLayout::kRowMajor);
   EXPECT_EQ(Form({{"s", S({{"a", M(4, 4), true}, {"b", M(4, 4)}})}}), BlockForm::kRows)
       << "a struct cannot mix them";
 }

@@ -17,6 +17,10 @@
 // holds of array strides only; fxc's and DXC's listings agree. A size past 2^32 - 16 is 2^32 - 16.
 namespace clipc::ir {
 
+// The order of a matrix in memory, in GLSL's words. HLSL's rows are GLSL's columns, so HLSL's
+// row_major is column_major here.
+enum class MatrixLayout : std::uint8_t { kNone, kRowMajor, kColumnMajor };
+
 constexpr std::uint64_t RoundUp(std::uint64_t value, std::uint64_t multiple) {
   return (value + multiple - 1) / multiple * multiple;
 }

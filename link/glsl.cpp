@@ -63,10 +63,10 @@ std::optional<Shape> ShapeOfType(const glslang::TType& type) {
   return shape;
 }
 
-MatrixLayout LayoutOf(const glslang::TQualifier& qualifier) {
-  if (qualifier.layoutMatrix == glslang::ElmRowMajor) return MatrixLayout::kRowMajor;
-  return qualifier.layoutMatrix == glslang::ElmColumnMajor ? MatrixLayout::kColumnMajor
-                                                           : MatrixLayout::kNone;
+ir::MatrixLayout LayoutOf(const glslang::TQualifier& qualifier) {
+  if (qualifier.layoutMatrix == glslang::ElmRowMajor) return ir::MatrixLayout::kRowMajor;
+  return qualifier.layoutMatrix == glslang::ElmColumnMajor ? ir::MatrixLayout::kColumnMajor
+                                                           : ir::MatrixLayout::kNone;
 }
 
 ir::Precision PrecisionOf(const glslang::TType& type) {
@@ -310,7 +310,7 @@ class GlslReader {
     block.name = symbol.getType().getTypeName();
     block.has_instance = !glslang::IsAnonymous(symbol.getName());
     if (block.has_instance) block.instance = symbol.getName();
-    block.rows_on_block = LayoutOf(qualifier) == MatrixLayout::kRowMajor;
+    block.rows_on_block = LayoutOf(qualifier) == ir::MatrixLayout::kRowMajor;
     block.members = MembersIn(symbol.getType());
     if (qualifier.hasSet()) block.set = qualifier.layoutSet;
     if (qualifier.hasBinding()) block.binding = qualifier.layoutBinding;

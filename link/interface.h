@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ir/interface.h"
+#include "ir/packing.h"
 #include "ir/type.h"
 
 // The other half of a program: the inputs that a pixel shader takes from a vertex shader, and the
@@ -65,15 +66,13 @@ struct Input {
   bool has_own_location = true;  // a member has a location itself, not only its group
 };
 
-enum class MatrixLayout : std::uint8_t { kNone, kRowMajor, kColumnMajor };
-
 struct Member {
   std::string name;
   std::optional<Shape> shape;  // none: a struct or an array of structs
   std::vector<Member> fields;  // of that struct
   std::vector<std::uint32_t> struct_dimensions;
   std::optional<std::uint32_t> offset;  // bytes, where it is known
-  MatrixLayout matrices = MatrixLayout::kNone;
+  ir::MatrixLayout matrices = ir::MatrixLayout::kNone;
   ir::Precision precision = ir::Precision::kHigh;
 };
 

@@ -48,7 +48,7 @@ std::string Difference(const std::vector<Member>& ours, const std::vector<Member
     const bool is_same = Stem(GlslNameOf(a.name)) == Stem(GlslNameOf(b.name)) &&
                          IsSameShape(a, b) && a.struct_dimensions == b.struct_dimensions &&
                          (!b.offset || a.offset == b.offset) &&
-                         (a.matrices == b.matrices || a.matrices == MatrixLayout::kNone);
+                         (a.matrices == b.matrices || a.matrices == ir::MatrixLayout::kNone);
     if (!is_same) return a.name;
     const std::string inner = Difference(a.fields, b.fields);
     if (!inner.empty()) return a.name + "." + inner;

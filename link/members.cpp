@@ -27,7 +27,7 @@ Member MemberOf(const ir::TypeTable& types, std::string name, ir::TypeId type, b
   member.shape = ShapeOf(types, type);
   if (member.shape) {
     if (member.shape->columns > 1)
-      member.matrices = row_major ? MatrixLayout::kColumnMajor : MatrixLayout::kRowMajor;
+      member.matrices = row_major ? ir::MatrixLayout::kColumnMajor : ir::MatrixLayout::kRowMajor;
     return member;
   }
   for (; types[type].kind == ir::TypeKind::kArray; type = types[type].element)

@@ -193,7 +193,7 @@ void main() { target = bones[1][0] * twice(frame.eye[1].x) * gl_FragCoord.x * lo
   EXPECT_EQ(frame.instance, "frame");
   EXPECT_EQ(frame.binding, 3u);
   EXPECT_FALSE(frame.rows_on_block);
-  EXPECT_EQ(frame.members[0].matrices, MatrixLayout::kRowMajor);
+  EXPECT_EQ(frame.members[0].matrices, ir::MatrixLayout::kRowMajor);
   EXPECT_EQ(NameOf(*frame.members[1].shape), "vec3[2]");
   EXPECT_FALSE(result.interface.blocks[1].has_instance);
   EXPECT_TRUE(result.interface.blocks[1].rows_on_block);

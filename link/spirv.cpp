@@ -315,8 +315,9 @@ class SpirvReader {
       Member member;
       member.name = GlslNameOf(module_.NameOf(place));
       member.offset = module_.Decoration(place, spv::kOffset);
-      if (module_.Decoration(place, spv::kRowMajor)) member.matrices = MatrixLayout::kRowMajor;
-      if (module_.Decoration(place, spv::kColMajor)) member.matrices = MatrixLayout::kColumnMajor;
+      if (module_.Decoration(place, spv::kRowMajor)) member.matrices = ir::MatrixLayout::kRowMajor;
+      if (module_.Decoration(place, spv::kColMajor))
+        member.matrices = ir::MatrixLayout::kColumnMajor;
       if (module_.Decoration(place, spv::kRelaxedPrecision))
         member.precision = ir::Precision::kMedium;  // as SPIRV-Cross writes it
       member.shape = ShapeAt(structure->members[i]);
