@@ -10,7 +10,7 @@ namespace clipc::ir {
 void Machine::EvalNode(ExprId, const Call& node) {
   const Function& function = program_.functions[node.function];
   const std::size_t base = stack_.size();
-  std::vector<std::pair<VarId, Place>> written;
+  std::vector<std::pair<VarId, TargetWords>> written;
   for (std::uint32_t i = 0; i < node.arguments.size; ++i) {
     const ExprId argument = program_.expr_lists[node.arguments][i];
     const VarId parameter = function.parameters[i];
@@ -19,7 +19,7 @@ void Machine::EvalNode(ExprId, const Call& node) {
       Eval(argument);
       continue;
     }
-    const Place place = Locate(argument);
+    const TargetWords place = Locate(argument);
     written.emplace_back(parameter, place);
     if (storage == Storage::kInOut) {
       PushFrom(place, program_.exprs[argument].type);
@@ -132,7 +132,7 @@ void Machine::EvalWriting(const IntrinsicCall& node) {
   const std::uint32_t words = WordsOf(argument(0));
   const std::size_t base = stack_.size();
   Eval(argument(0));
-  std::array<Place, 2> places{};
+  std::array<TargetWords, 2> places{};
   for (std::uint32_t i = 1; i < node.arguments.size; ++i) places[i - 1] = Locate(argument(i));
   std::array<Word, 16> first{};
   std::array<Word, 16> second{};

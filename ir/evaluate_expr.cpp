@@ -122,22 +122,22 @@ std::optional<std::uint32_t> Machine::IndexInto(const Type& base, ExprId index) 
   return std::nullopt;
 }
 
-Machine::Place Machine::Locate(ExprId expr) {
+Machine::TargetWords Machine::Locate(ExprId expr) {
   if (const auto* ref = As<VarRef>(program_, expr)) return {.address = address_[ref->var.index]};
   if (const auto* field = As<FieldRef>(program_, expr)) {
-    Place place = Locate(field->base);
+    TargetWords place = Locate(field->base);
     place.address += FieldWord(TypeOf(field->base).structure, field->field);
     return place;
   }
   if (const auto* index = As<Index>(program_, expr)) {
-    Place place = Locate(index->base);
+    TargetWords place = Locate(index->base);
     const auto element = IndexInto(TypeOf(index->base), index->index);
     place.in_bounds = place.in_bounds && element.has_value();
     place.address += element.value_or(0) * WordsOf(expr);
     return place;
   }
   const Swizzle& swizzle = std::get<Swizzle>(program_.exprs[expr].node);
-  Place place = Locate(swizzle.base);
+  TargetWords place = Locate(swizzle.base);
   place.count = swizzle.count;
   place.components = swizzle.components;
   return place;
@@ -151,7 +151,7 @@ void Machine::PushUndefined(TypeId type) {
     stack_.push_back(UndefinedOf(kinds[i], i, negated));
 }
 
-void Machine::PushFrom(const Place& place, TypeId type) {
+void Machine::PushFrom(const TargetWords& place, TypeId type) {
   if (!place.in_bounds) return PushUndefined(type);
   const std::uint32_t words = WordsOf(type);
   for (std::uint32_t i = 0; i < words; ++i) {
@@ -159,7 +159,7 @@ void Machine::PushFrom(const Place& place, TypeId type) {
   }
 }
 
-void Machine::Store(const Place& place, std::uint32_t words, const Word* from) {
+void Machine::Store(const TargetWords& place, std::uint32_t words, const Word* from) {
   if (!place.in_bounds) {
     wrote_out_of_bounds_ = true;
     return;
@@ -198,7 +198,7 @@ void Machine::EvalNode(ExprId, const Unary& node) {
       stack_[base + i] = UnaryComponent(node.op, rep, stack_[base + i]);
     return;
   }
-  const Place place = Locate(node.operand);
+  const TargetWords place = Locate(node.operand);
   PushFrom(place, program_.exprs[node.operand].type);
   PushFrom(place, program_.exprs[node.operand].type);
   for (std::uint32_t i = 0; i < words; ++i) {
@@ -236,7 +236,7 @@ void Machine::EvalNode(ExprId, const Assign& node) {
   const Scalar rep = RepOf(node.target);
   const std::uint32_t words = WordsOf(node.target);
   const std::size_t base = stack_.size();
-  const Place place = Locate(node.target);
+  const TargetWords place = Locate(node.target);
   Eval(node.value);
   if (node.op) {
     PushFrom(place, program_.exprs[node.target].type);

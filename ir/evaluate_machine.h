@@ -33,7 +33,7 @@ class Machine {
   enum class Flow : std::uint8_t { kNext, kBreak, kContinue, kReturn, kStop };
   // The words of a target. If count is above 0, they are the words at `address` plus each of
   // `components`, in that order.
-  struct Place {
+  struct TargetWords {
     std::uint32_t address = 0;
     bool in_bounds = true;
     std::uint8_t count = 0;
@@ -114,11 +114,11 @@ class Machine {
   void EvalUnsizedElement(const Index& node);
   void EvalShortCircuit(const Binary& node);
   bool IsPath(ExprId expr) const;
-  Place Locate(ExprId expr);
+  TargetWords Locate(ExprId expr);
   // Evaluates the index; none when it is out of bounds.
   std::optional<std::uint32_t> IndexInto(const Type& base, ExprId index);
-  void PushFrom(const Place& place, TypeId type);
-  void Store(const Place& place, std::uint32_t words, const Word* from);
+  void PushFrom(const TargetWords& place, TypeId type);
+  void Store(const TargetWords& place, std::uint32_t words, const Word* from);
   void PushZeros(std::uint32_t words) { stack_.resize(stack_.size() + words, 0); }
   void PushUndefined(TypeId type);
   // Removes the words after `base` from the stack, except the `words` words at `from`.

@@ -17,33 +17,34 @@ namespace {
 
 // A variable or a part of one: the fields and elements on the way down. Vectors are not taken
 // apart.
-struct Place {
+struct VarPart {
   static constexpr std::uint32_t kAnyElement = ~std::uint32_t{0};
 
   VarId var;
   std::vector<std::uint32_t> path;
 };
 
-bool Overlap(const Place& a, const Place& b) {
+bool Overlap(const VarPart& a, const VarPart& b) {
   if (a.var != b.var) return false;
   const std::size_t common = std::min(a.path.size(), b.path.size());
   for (std::size_t i = 0; i < common; ++i) {
-    const bool is_any = a.path[i] == Place::kAnyElement || b.path[i] == Place::kAnyElement;
+    const bool is_any = a.path[i] == VarPart::kAnyElement || b.path[i] == VarPart::kAnyElement;
     if (!is_any && a.path[i] != b.path[i]) return false;
   }
   return true;
 }
 
 // The place that a path names; its variable is none if the expression is not a path.
-Place PlaceOf(const Program& program, ExprId id) {
+VarPart PartOf(const Program& program, ExprId id) {
   const ExprId whole = WholeOf(program, id);
   if (!whole) return {RootOf(program, id), {}};
-  Place place = PlaceOf(program, whole);
+  VarPart place = PartOf(program, whole);
   if (const auto* field = As<FieldRef>(program, id)) {
     place.path.push_back(field->field);
   } else if (TypeOf(program, whole).kind == TypeKind::kArray) {
     const auto* literal = As<Literal>(program, As<Index>(program, id)->index);
-    place.path.push_back(literal ? static_cast<std::uint32_t>(literal->bits) : Place::kAnyElement);
+    place.path.push_back(literal ? static_cast<std::uint32_t>(literal->bits)
+                                 : VarPart::kAnyElement);
   }
   return place;
 }
@@ -57,11 +58,11 @@ bool Mentions(const Program& program, ExprId expr, VarId var) {
 
 // The place in the entry function that holds the value of `input`. The generated main passes an
 // input as an argument, or stores it in a local and passes that.
-Place InEntry(const Program& program, VarId input) {
-  Place stored, found;
+VarPart InEntry(const Program& program, VarId input) {
+  VarPart stored, found;
   ForEachExpr(program, program.functions[program.main].body, [&](ExprId id) {
     if (const auto* assign = As<Assign>(program, id)) {
-      if (Mentions(program, assign->value, input)) stored = PlaceOf(program, assign->target);
+      if (Mentions(program, assign->value, input)) stored = PartOf(program, assign->target);
     } else if (const auto* call = As<Call>(program, id); call && call->function == program.entry) {
       const std::vector<VarId>& parameters = program.functions[program.entry].parameters;
       for (std::uint32_t i = 0; i < call->arguments.size; ++i) {
@@ -76,11 +77,11 @@ Place InEntry(const Program& program, VarId input) {
 }
 
 // The span where the entry function first writes `place`; nullopt if it does not.
-std::optional<Span> FirstWrite(const Program& program, const Place& place) {
+std::optional<Span> FirstWrite(const Program& program, const VarPart& place) {
   std::optional<Span> first;
   ForEachExpr(program, program.functions[program.entry].body, [&](ExprId id) {
     ForEachWrite(program, id, [&](ExprId target) {
-      if (!first && Overlap(PlaceOf(program, target), place)) first = program.exprs[target].span;
+      if (!first && Overlap(PartOf(program, target), place)) first = program.exprs[target].span;
     });
   });
   return first;
