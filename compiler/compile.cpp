@@ -143,11 +143,7 @@ void Compilation::ReadNames() {
     diagnostics_.Report({}, kind, name, Suggest(name, names));
   };
   if (auto profile = ir::ParseProfile(request_.profile)) {
-    front_.profile = std::move(*profile);
-    front_.short_circuits =
-        front_.profile.IsAtLeast(6, 0) && request_.language == LanguageVersion::k2021;
-    front_.stores_any_type =
-        front_.profile.IsAtLeast(6, 0) && request_.language >= LanguageVersion::k2018;
+    front_ = CheckOptions::For(std::move(*profile), request_.language);
   } else {
     unknown(diag::UnknownProfile, request_.profile, ProfileNames());
   }

@@ -38,8 +38,7 @@ link::ReadResult ReadHlsl(const CompileRequest& request, SourceInput input,
   using Files = FrontendContext::Files;
   FrontendContext context(request.read_include ? Files::kNone : Files::kOnDisk, request.sandbox);
   const std::string& entry = request.pixel_shader.entry;
-  CheckOptions options;
-  options.profile = PixelProfile(request);
+  CheckOptions options = CheckOptions::For(PixelProfile(request), request.language);
   if (!entry.empty()) options.entry = entry;
   options.packing = request.packing;
   options.stages_match_by_row = true;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/check/check.h"
 
+#include <utility>
+
 #include "frontend/check/body.h"
 #include "frontend/check/buffer.h"
 #include "frontend/check/clip_planes.h"
@@ -49,6 +51,15 @@ void Run(Context& context) {
 
 }  // namespace
 }  // namespace check
+
+CheckOptions CheckOptions::For(ir::Profile profile, LanguageVersion language) {
+  CheckOptions options;
+  const bool has_versions = profile.IsAtLeast(6, 0);
+  options.short_circuits = has_versions && language >= LanguageVersion::k2021;
+  options.stores_any_type = has_versions && language >= LanguageVersion::k2018;
+  options.profile = std::move(profile);
+  return options;
+}
 
 ir::Program Check(const ast::File& file, const CheckOptions& options, Diagnostics& diagnostics) {
   check::Context context(file, options, diagnostics);

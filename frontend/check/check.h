@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/diagnostics.h"
+#include "frontend/lex/source.h"
 #include "frontend/parse/ast.h"
 #include "frontend/rules/semantics.h"
 #include "ir/profile.h"
@@ -17,6 +18,10 @@ namespace clipc {
 enum class MatrixPacking : std::uint8_t { kColumnMajor, kRowMajor };
 
 struct CheckOptions {
+  // The rules of that version of the language, which hold from shader model 6 on; the older shader
+  // models have one language. What is no matter of the language has its default.
+  static CheckOptions For(ir::Profile profile, LanguageVersion language);
+
   ir::Profile profile;
   std::string entry = "main";  // may be qualified: "NS::main"
   MatrixPacking packing = MatrixPacking::kColumnMajor;

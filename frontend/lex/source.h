@@ -41,7 +41,12 @@ class FrontendContext {
 
 // The versions of HLSL, which a shader sees as __HLSL_VERSION from shader model 6 on. dxc's default
 // is 2021 since its version 1.7.
-enum class LanguageVersion : std::uint8_t { k2016, k2017, k2018, k2021 };
+enum class LanguageVersion : std::uint16_t {
+  k2016 = 2016,
+  k2017 = 2017,
+  k2018 = 2018,
+  k2021 = 2021
+};
 
 // A main file and how to preprocess it.
 struct SourceInput {

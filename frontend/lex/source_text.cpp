@@ -79,7 +79,6 @@ std::string FromUtf16(std::string_view bytes, bool is_big_endian) {
 // Adds DXC's predefined macros, as it documents them, to `out`. fxc, which the older shader models
 // belong to, has none.
 void DefineTarget(const SourceInput& input, std::string& out) {
-  constexpr int kYears[] = {2016, 2017, 2018, 2021};
   out += fmt::format(
       "#define __hlsl_dx_compiler 1\n"
       "#define __HLSL_VERSION {}\n"
@@ -95,8 +94,7 @@ void DefineTarget(const SourceInput& input, std::string& out) {
       "#define __SHADER_STAGE_LIBRARY 6\n"
       "#define __SHADER_STAGE_MESH 13\n"
       "#define __SHADER_STAGE_AMPLIFICATION 14\n",
-      kYears[static_cast<std::size_t>(input.language)], input.shader_model_major,
-      input.shader_model_minor);
+      static_cast<int>(input.language), input.shader_model_major, input.shader_model_minor);
 }
 
 }  // namespace

@@ -17,7 +17,8 @@ struct Reading {
                          .include_dirs = options.include_dirs,
                          .defines = options.defines,
                          .shader_model_major = profile.major,
-                         .shader_model_minor = profile.minor}) {}
+                         .shader_model_minor = profile.minor,
+                         .language = options.language}) {}
 
   void StopAtErrors() const {
     if (diagnostics.has_errors())
@@ -49,14 +50,11 @@ struct CheckedShader::State {
 CheckedShader::CheckedShader(const BuildOptions& options)
     : state_(std::make_unique<State>(options)) {
   Reading& reading = state_->reading;
-  state_->typed = Front(reading.source,
-                        {.profile = reading.profile,
-                         .entry = options.entry,
-                         .packing = options.packing,
-                         .whole_register_planes = options.lowering == Lowering::kLevel9,
-                         .short_circuits = reading.profile.IsAtLeast(6, 0),
-                         .stores_any_type = reading.profile.IsAtLeast(6, 0)},
-                        reading.diagnostics);
+  CheckOptions check = CheckOptions::For(reading.profile, options.language);
+  check.entry = options.entry;
+  check.packing = options.packing;
+  check.whole_register_planes = options.lowering == Lowering::kLevel9;
+  state_->typed = Front(reading.source, check, reading.diagnostics);
   reading.StopAtErrors();
   state_->position_input =
       CheckLowering(state_->typed, {options.lowering, options.plane_space, options.position_input},

@@ -10,6 +10,7 @@
 #include "backend-glsl/write.h"
 #include "base/not_copied.h"
 #include "frontend/check/check.h"
+#include "frontend/lex/source.h"
 #include "frontend/lex/token.h"
 #include "ir/program.h"
 #include "passes/pipeline.h"
@@ -21,6 +22,7 @@ struct BuildOptions {
   std::string path;
   std::string profile = "vs_5_0", entry = "main";
   std::vector<std::string> defines, include_dirs;
+  LanguageVersion language = LanguageVersion::k2021;
   MatrixPacking packing = MatrixPacking::kColumnMajor;
   std::string target = "glsl450";
   Lowering lowering = Lowering::kClipDistance;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <set>
 
+#include "compiler/options.h"
 #include "tools/draw/arguments.h"
 #include "tools/draw/commands.h"
 #include "tools/draw/compare_flags.h"
@@ -37,6 +38,10 @@ std::string NameOf(const std::string& lowering, const passes::ClipSpaceOptions& 
 Flags FlagsOf(CompareOptions& options) {
   Flags flags = ComparisonFlags(options.build, options.random, options.tolerance);
   flags.insert({
+      {"HV", With([&](auto& value) {
+         options.build.language =
+             Known(EnumeratorOf(value, kLanguageNames), "language version", value);
+       })},
       {"target", With([&](auto& value) { options.targets = Split(value, ','); })},
       {"lower", With([&](auto& value) { options.lowerings = Split(value, ','); })},
       {"plane-space", With([&](auto& value) {
