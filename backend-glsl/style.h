@@ -21,8 +21,6 @@ enum class BlockStyle : std::uint8_t {
   kPlain,  // a block whose members are global names; the block has the matrix layout
   kFlat,   // uniform variables outside blocks
 };
-// The names of the forms, in the order of BlockStyle.
-inline constexpr const char* kBlockStyleNames[] = {"named", "plain", "flat"};
 
 // Patterns that names are made from. A pattern has places for parts of a name:
 //   of outputs: {semantic}, in capitals; {index} of the semantic; {written}: the semantic as it is

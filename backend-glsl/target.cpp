@@ -3,9 +3,7 @@
 
 #include <array>
 #include <cstddef>
-#include <iterator>
 
-#include "base/invariant.h"
 #include "base/spelling.h"
 
 namespace clipc::glsl {
@@ -121,13 +119,16 @@ constexpr FeatureRow kFeatures[] = {
     {Feature::kTextureLevels, {430}, {}},
     {Feature::kTextureSamples, {450}, {}},
 };
-static_assert(std::size(kFeatures) == static_cast<std::size_t>(Feature::kCount));
 
-const FeatureRow& RowOf(Feature feature) {
-  const FeatureRow& row = kFeatures[static_cast<std::size_t>(feature)];
-  CLIPC_CHECK(row.feature == feature);
-  return row;
+// Whether kFeatures has one row for each feature, in the order of the enumerators.
+consteval bool HasEveryFeature() {
+  std::size_t next = 0;
+  for (const FeatureRow& row : kFeatures) {
+    if (static_cast<std::size_t>(row.feature) != next++) return false;
+  }
+  return next == static_cast<std::size_t>(Feature::kCount);
 }
+static_assert(HasEveryFeature());
 
 }  // namespace
 
@@ -156,7 +157,7 @@ Support Target::Of(Feature feature) const {
     if (feature == Feature::kPerSample) return {};
   }
   // Vulkan's GLSL has what OpenGL 4.6 has, where both have it.
-  const FeatureRow& row = RowOf(feature);
+  const FeatureRow& row = kFeatures[static_cast<std::size_t>(feature)];
   const Since& since = IsEs() ? row.es : row.desktop;
   if (version_ >= since.core) return {true, ""};
   return {version_ >= since.extended, version_ >= since.extended ? since.extension : ""};

@@ -64,10 +64,12 @@ constexpr const char* PlaneScaleOf(Lowering lowering) {
 
 // A plane space as the text forms spell it. They say "direct3d-clip" for what the command line
 // calls "clip", and "position_space" for what clipc calls plane space: both are part of the format.
-inline constexpr const char* kTableSpaceNames[] = {"direct3d-clip", "xyw1", "object"};
-constexpr const char* TableNameOf(PlaneSpace space) { return NameIn(kTableSpaceNames, space); }
+inline constexpr Named<PlaneSpace> kTableSpaceNames[] = {{PlaneSpace::kClip, "direct3d-clip"},
+                                                         {PlaneSpace::kXyw1, "xyw1"},
+                                                         {PlaneSpace::kObject, "object"}};
+constexpr const char* TableNameOf(PlaneSpace space) { return NameIn<kTableSpaceNames>(space); }
 constexpr std::optional<PlaneSpace> ParseTableSpace(std::string_view name) {
-  return EnumeratorOf<PlaneSpace>(name, kTableSpaceNames);
+  return EnumeratorOf(name, kTableSpaceNames);
 }
 
 // Describes the first contradiction in the table; returns an empty text for a good table. Readers

@@ -51,36 +51,58 @@ constexpr bool Supports(Lowering lowering, PlaneSpace space) noexcept {
          (lowering != Lowering::kLevel9 && lowering != Lowering::kNone);
 }
 
-// The spellings in --lower=, in --plane-space= and in messages, in the order of the enumerators.
-// The clip table's text forms spell lowerings so too, but have kTableSpaceNames for plane spaces.
-inline constexpr const char* kLoweringNames[] = {"clip-distance", "level9", "none", "near-plane",
-                                                 "discard"};
-inline constexpr const char* kPlaneSpaceNames[] = {"clip", "xyw1", "object"};
+// An enumerator and its name: a row of a table of names.
+template <typename Enum>
+struct Named {
+  Enum value;
+  const char* name;
+};
 
-// The name of `value` in `names`, a table in the order of the enumerators.
 template <typename Enum, std::size_t kCount>
-constexpr const char* NameIn(const char* const (&names)[kCount], Enum value) noexcept {
-  return names[static_cast<std::size_t>(value)];
+constexpr bool AreInOrder(const Named<Enum> (&names)[kCount]) noexcept {
+  for (std::size_t i = 0; i < kCount; ++i) {
+    if (static_cast<std::size_t>(names[i].value) != i) return false;
+  }
+  return true;
 }
-constexpr const char* NameOf(Lowering lowering) noexcept {
-  return NameIn(kLoweringNames, lowering);
-}
-constexpr const char* NameOf(PlaneSpace space) noexcept { return NameIn(kPlaneSpaceNames, space); }
 
-// The enumerator whose name in such a table is `name`; none if there is no such name.
+// The name of `value` in a table that has a row for each enumerator, in their order.
+template <const auto& kNames, typename Enum>
+constexpr const char* NameIn(Enum value) noexcept {
+  static_assert(AreInOrder(kNames));
+  return kNames[static_cast<std::size_t>(value)].name;
+}
+
+// The enumerator whose name in the table is `name`; no value if there is no such name.
 template <typename Enum, std::size_t kCount>
 constexpr std::optional<Enum> EnumeratorOf(std::string_view name,
-                                           const char* const (&names)[kCount]) noexcept {
-  for (std::size_t i = 0; i < kCount; ++i) {
-    if (name == names[i]) return static_cast<Enum>(i);
+                                           const Named<Enum> (&names)[kCount]) noexcept {
+  for (const Named<Enum>& named : names) {
+    if (name == named.name) return named.value;
   }
   return std::nullopt;
 }
+
+// The spellings in --lower=, in --plane-space= and in messages. The clip table's text forms
+// spell lowerings so too, but have kTableSpaceNames for plane spaces.
+inline constexpr Named<Lowering> kLoweringNames[] = {{Lowering::kClipDistance, "clip-distance"},
+                                                     {Lowering::kLevel9, "level9"},
+                                                     {Lowering::kNone, "none"},
+                                                     {Lowering::kNearPlane, "near-plane"},
+                                                     {Lowering::kDiscard, "discard"}};
+inline constexpr Named<PlaneSpace> kPlaneSpaceNames[] = {
+    {PlaneSpace::kClip, "clip"}, {PlaneSpace::kXyw1, "xyw1"}, {PlaneSpace::kObject, "object"}};
+
+constexpr const char* NameOf(Lowering lowering) noexcept {
+  return NameIn<kLoweringNames>(lowering);
+}
+constexpr const char* NameOf(PlaneSpace space) noexcept { return NameIn<kPlaneSpaceNames>(space); }
+
 constexpr std::optional<Lowering> ParseLowering(std::string_view name) noexcept {
-  return EnumeratorOf<Lowering>(name, kLoweringNames);
+  return EnumeratorOf(name, kLoweringNames);
 }
 constexpr std::optional<PlaneSpace> ParsePlaneSpace(std::string_view name) noexcept {
-  return EnumeratorOf<PlaneSpace>(name, kPlaneSpaceNames);
+  return EnumeratorOf(name, kPlaneSpaceNames);
 }
 
 }  // namespace clipc

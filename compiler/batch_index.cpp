@@ -10,8 +10,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// The names of the statuses, in the order of the enumerators.
-constexpr const char* kStatusNames[] = {"not-compiled", "compiled", "failed"};
+constexpr Named<BatchStatus> kStatusNames[] = {{BatchStatus::kNotCompiled, "not-compiled"},
+                                               {BatchStatus::kCompiled, "compiled"},
+                                               {BatchStatus::kFailed, "failed"}};
 
 }  // namespace
 
@@ -37,7 +38,7 @@ std::string RenderIndex(const std::vector<BatchEntry>& entries) {
                  {"profile", entry.profile},
                  {"target", entry.target},
                  {"defines", Json::object()},
-                 {"status", NameIn(kStatusNames, entry.status)},
+                 {"status", NameIn<kStatusNames>(entry.status)},
                  {"files", Json::object()}};
     for (const auto& [macro, value] : entry.defines)
       json["defines"][macro] = value ? Json(*value) : Json();

@@ -11,9 +11,16 @@
 namespace clipc {
 namespace {
 
-// The names of the kinds, in the order of the enumerators.
-constexpr const char* kLiteralKinds[] = {"bool",   "int",  "hexadecimal", "uint",   "int64",
-                                         "uint64", "half", "float",       "double", "string"};
+constexpr Named<LiteralKind> kLiteralKinds[] = {{LiteralKind::kBool, "bool"},
+                                                {LiteralKind::kInt, "int"},
+                                                {LiteralKind::kHexadecimal, "hexadecimal"},
+                                                {LiteralKind::kUint, "uint"},
+                                                {LiteralKind::kInt64, "int64"},
+                                                {LiteralKind::kUint64, "uint64"},
+                                                {LiteralKind::kHalf, "half"},
+                                                {LiteralKind::kFloat, "float"},
+                                                {LiteralKind::kDouble, "double"},
+                                                {LiteralKind::kString, "string"}};
 
 std::string Describe(const Token& token, const Names& names) {
   using enum TokenKind;
@@ -21,9 +28,9 @@ std::string Describe(const Token& token, const Names& names) {
     case kEnd: return "end";
     case kIdentifier: return fmt::format("identifier {}", names[token.name()]);
     case kIntLiteral:
-      return fmt::format("{} {}", NameIn(kLiteralKinds, token.literal), token.value);
+      return fmt::format("{} {}", NameIn<kLiteralKinds>(token.literal), token.value);
     case kFloatLiteral:
-      return fmt::format("{} {}", NameIn(kLiteralKinds, token.literal),
+      return fmt::format("{} {}", NameIn<kLiteralKinds>(token.literal),
                          std::bit_cast<double>(token.value));
     case kStringLiteral: return fmt::format("string \"{}\"", names[token.name()]);
     case kPragmaPackMatrix:

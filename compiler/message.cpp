@@ -23,8 +23,9 @@ std::string Dump(const Json& json) {
 }
 
 const char* NameOf(Severity severity) {
-  constexpr const char* kNames[] = {"note", "warning", "error"};
-  return NameIn(kNames, severity);
+  static constexpr Named<Severity> kNames[] = {
+      {Severity::kNote, "note"}, {Severity::kWarning, "warning"}, {Severity::kError, "error"}};
+  return NameIn<kNames>(severity);
 }
 
 void AppendMsvcLine(const Message& message, std::string& out) {

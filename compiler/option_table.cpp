@@ -60,15 +60,15 @@ void SetTo(Reading& reading, const std::string&) {
   MemberOf(reading, kMember) = kValue;
 }
 
-// Reads one of the words kNames, which are in the order of the enumerators.
-template <typename Enum, auto kMember, const auto& kNames>
+// Reads one of the words of a table.
+template <auto kMember, const auto& kNames>
 void Choose(Reading& reading, const std::string& value) {
-  if (const std::optional<Enum> choice = EnumeratorOf<Enum>(value, kNames)) {
-    const Enum chosen = *choice;
-    MemberOf(reading, kMember) = chosen;
+  if (const auto choice = EnumeratorOf(value, kNames)) {
+    MemberOf(reading, kMember) = *choice;
     return;
   }
-  const std::vector<std::string_view> names(std::begin(kNames), std::end(kNames));
+  std::vector<std::string_view> names;
+  for (const auto& named : kNames) names.emplace_back(named.name);
   reading.error =
       fmt::format("unknown value `{}` of {}{}", value, reading.option, Suggest(value, names));
 }
@@ -204,17 +204,33 @@ void SetWarning(Reading& reading, const std::string& value) {
 
 // ---- the table
 
-constexpr const char* kDepthRanges[] = {"zero-to-one", "negative-one-to-one"};
-constexpr const char* kFormats[] = {"text", "msvc", "json", "sarif"};
-constexpr const char* kClangFormats[] = {"clang", "msvc", "json", "sarif"};  // the same formats
-constexpr const char* kStages[] = {"tokens", "ast", "ir", "glsl", "table"};
-constexpr const char* kVulkanVersions[] = {"vulkan1.0", "vulkan1.1", "vulkan1.2", "vulkan1.3"};
+constexpr Named<bool> kDepthRanges[] = {{false, "zero-to-one"}, {true, "negative-one-to-one"}};
+constexpr Named<glsl::BlockStyle> kBlockStyles[] = {{glsl::BlockStyle::kNamed, "named"},
+                                                    {glsl::BlockStyle::kPlain, "plain"},
+                                                    {glsl::BlockStyle::kFlat, "flat"}};
+constexpr Named<MessageFormat> kFormats[] = {{MessageFormat::kText, "text"},
+                                             {MessageFormat::kMsvc, "msvc"},
+                                             {MessageFormat::kJson, "json"},
+                                             {MessageFormat::kSarif, "sarif"}};
+// The same formats, as Clang calls them.
+constexpr Named<MessageFormat> kClangFormats[] = {{MessageFormat::kText, "clang"},
+                                                  {MessageFormat::kMsvc, "msvc"},
+                                                  {MessageFormat::kJson, "json"},
+                                                  {MessageFormat::kSarif, "sarif"}};
+constexpr Named<DumpStage> kStages[] = {{DumpStage::kTokens, "tokens"},
+                                        {DumpStage::kAst, "ast"},
+                                        {DumpStage::kIr, "ir"},
+                                        {DumpStage::kGlsl, "glsl"},
+                                        {DumpStage::kTable, "table"}};
+constexpr Named<VulkanVersion> kVulkanVersions[] = {{VulkanVersion::k1_0, "vulkan1.0"},
+                                                    {VulkanVersion::k1_1, "vulkan1.1"},
+                                                    {VulkanVersion::k1_2, "vulkan1.2"},
+                                                    {VulkanVersion::k1_3, "vulkan1.3"}};
 constexpr char kShift[] = "two numbers, or a number and `all`";
 constexpr char kStageShift[] = "a number, or numbers each with its set";
 constexpr char kByKind[] =
     "clipc shifts by register: `--shift-texture-binding` moves t, `--shift-uav-binding` u";
 constexpr char kFollowRegisters[] = "bindings follow the registers; `--reflect` tells them";
-constexpr const char* kLanguages[] = {"2016", "2017", "2018", "2021"};
 constexpr std::string_view kHlsl = "hlsl", kVert = "vert", kVertex = "vertex";
 
 using enum Option::Form;
@@ -229,7 +245,7 @@ constexpr Option kOptions[] = {
     {"-D", kJoinedOrSeparate, Set<&Request::defines>, "<NAME[=VALUE]>", "define a macro"},
     {"-I", kJoinedOrSeparate, Set<&Request::include_dirs>, "<DIR>", "look for includes here too"},
     {"-include", kSeparate, Set<&Request::forced_includes>, "<FILE>", "include FILE first"},
-    {"-HV", kJoinedOrSeparate, Choose<LanguageVersion, &Request::language, kLanguages>, "<YEAR>",
+    {"-HV", kJoinedOrSeparate, Choose<&Request::language, kLanguageNames>, "<YEAR>",
      "2016, 2017, 2018 or 2021 (2021): from shader model 6 on"},
     {"-Zpc", kFlag, SetTo<&Request::packing, MatrixPacking::kColumnMajor>, "",
      "matrices are column-major in memory (the default)"},
@@ -239,10 +255,9 @@ constexpr Option kOptions[] = {
      "the GLSL: a file, standard output (-, the default), or a folder for several files"},
     {"--target", kEquals, Set<&Request::target>, "<GLSL>",
      "glsl120 .. glsl460 (glsl450), vulkan, essl100, essl300 .. essl320, webgl1, webgl2"},
-    {"--lower", kEquals, Choose<Lowering, &Request::lowering, kLoweringNames>, "<HOW>",
+    {"--lower", kEquals, Choose<&Request::lowering, kLoweringNames>, "<HOW>",
      "clip planes: clip-distance, level9 (the default of level_9_x), near-plane, discard or none"},
-    {"--plane-space", kEquals, Choose<PlaneSpace, &Request::plane_space, kPlaneSpaceNames>,
-     "<SPACE>",
+    {"--plane-space", kEquals, Choose<&Request::plane_space, kPlaneSpaceNames>, "<SPACE>",
      "the planes' space: clip (the default, fxc's), xyw1 or object, which lose fewer digits"},
     {"--position-input", kEquals, Set<&Request::position_input>, "<SEMANTIC>",
      "the input that --plane-space=object clips by (POSITION0)"},
@@ -251,15 +266,14 @@ constexpr Option kOptions[] = {
     {"--variants", kFlag, Set<&Request::variants>, "",
      "one shader for each number of clip planes: x.0.vert, x.1.vert .."},
     {"--variants=", kJoined, SetVariants, "<N>", "the same, up to N planes"},
-    {"--depth-range", kEquals,
-     Choose<bool, &passes::ClipSpaceOptions::negative_one_to_one, kDepthRanges>, "<RANGE>",
-     "zero-to-one (as the HLSL writes it, the default) or negative-one-to-one"},
+    {"--depth-range", kEquals, Choose<&passes::ClipSpaceOptions::negative_one_to_one, kDepthRanges>,
+     "<RANGE>", "zero-to-one (as the HLSL writes it, the default) or negative-one-to-one"},
     {"--flip-y", kFlag, Set<&passes::ClipSpaceOptions::flip_y>, "",
      "negate gl_Position.y, after the clip planes"},
     {"--separable", kFlag, Set<&Request::separable>, "",
      "redeclare gl_PerVertex, for glUseProgramStages"},
-    {"--blocks", kEquals, Choose<glsl::BlockStyle, &Request::blocks, glsl::kBlockStyleNames>,
-     "<FORM>", "cbuffers: named (with an instance name, the default), plain or flat uniforms"},
+    {"--blocks", kEquals, Choose<&Request::blocks, kBlockStyles>, "<FORM>",
+     "cbuffers: named (with an instance name, the default), plain or flat uniforms"},
     {"--bindings", kEquals, Bind<AddPreset>, "<NAME>",
      "the bindings of dxc, nvrhi or sdl, with target vulkan"},
     {"--names", kEquals, Set<&Request::names>, "<STYLE>",
@@ -280,8 +294,8 @@ constexpr Option kOptions[] = {
     {"-spirv", kFlag, SetSpirv<true>, "",
      "write SPIR-V instead of GLSL, for Vulkan; so does a .spv file"},
     {"-G", kFlag, SetSpirv<false>, "", "write SPIR-V for OpenGL 4.5"},
-    {"-fspv-target-env", kEquals, Choose<VulkanVersion, &SpirvRequest::vulkan, kVulkanVersions>,
-     "<VERSION>", "vulkan1.0 .. vulkan1.3 (vulkan1.1)"},
+    {"-fspv-target-env", kEquals, Choose<&SpirvRequest::vulkan, kVulkanVersions>, "<VERSION>",
+     "vulkan1.0 .. vulkan1.3 (vulkan1.1)"},
     {"--table", kEquals, Set<&CommandLine::table>, "<FILE>",
      "write the clip table: .json, .bin (Direct3D's record) or .h"},
     {"--reflect", kEquals, Set<&CommandLine::reflection>, "<FILE>",
@@ -306,12 +320,12 @@ constexpr Option kOptions[] = {
      "compile N of several files at once"},
     {"--batch", kEquals, Set<&CommandLine::batch>, "<FILE>",
      "compile the shaders of a JSON manifest; as -D 'A={0,1}', it writes an index of the outputs"},
-    {"--diagnostics", kEquals, Choose<MessageFormat, &CommandLine::format, kFormats>, "<FORM>",
+    {"--diagnostics", kEquals, Choose<&CommandLine::format, kFormats>, "<FORM>",
      "text, msvc, json or sarif; on standard error"},
     {"-W", kJoined, SetWarning, "<NAME>",
      "-Wno-<NAME> and -W<NAME>: a warning off and on; -Werror: warnings are errors"},
     {"-w", kFlag, Set<&WarningOptions::no_warnings>, "", "print no warnings"},
-    {"--dump", kEquals, Choose<DumpStage, &DebugOptions::dump, kStages>, "<STAGE>",
+    {"--dump", kEquals, Choose<&DebugOptions::dump, kStages>, "<STAGE>",
      "print tokens, ast, ir, glsl or table and stop there"},
     {"--help", kFlag, SetTo<&CommandLine::action, Action::kHelp>, "", "print this"},
     {"--version", kFlag, SetTo<&CommandLine::action, Action::kVersion>, "", "print the version"},
@@ -351,7 +365,7 @@ constexpr Option kOptions[] = {
     {"-fentry-point", kEquals, Set<&Request::entry>},
     {"-isystem -iquote", kSeparate, Set<&Request::include_dirs>},
     {"-U", kJoinedOrSeparate, Undefine},
-    {"-std=hlsl", kJoined, Choose<LanguageVersion, &Request::language, kLanguages>},
+    {"-std=hlsl", kJoined, Choose<&Request::language, kLanguageNames>},
     {"--invert-y -fvk-invert-y", kFlag, Set<&passes::ClipSpaceOptions::flip_y>},
     {"-g", kFlag, Set<&Request::source_lines>},
     {"--vn", kSeparate, Set<&CommandLine::variable>},
@@ -367,7 +381,7 @@ constexpr Option kOptions[] = {
     {"-no-warnings", kFlag, Set<&WarningOptions::no_warnings>},
     {"-h -? -help", kFlag, SetTo<&CommandLine::action, Action::kHelp>},
     {"--stdin", kFlag, AddStandardInput},
-    {"-fdiagnostics-format", kEquals, Choose<MessageFormat, &CommandLine::format, kClangFormats>},
+    {"-fdiagnostics-format", kEquals, Choose<&CommandLine::format, kClangFormats>},
     {"-fcolor-diagnostics", kFlag, SetTo<&CommandLine::colour, true>},
     {"-fno-color-diagnostics", kFlag, SetTo<&CommandLine::colour, false>},
     {"-x", kSeparate, RequireValue<kHlsl>},

@@ -10,6 +10,12 @@
 
 namespace clipc {
 
+// The words of -HV.
+inline constexpr Named<LanguageVersion> kLanguageNames[] = {{LanguageVersion::k2016, "2016"},
+                                                            {LanguageVersion::k2017, "2017"},
+                                                            {LanguageVersion::k2018, "2018"},
+                                                            {LanguageVersion::k2021, "2021"}};
+
 enum class MessageFormat : std::uint8_t { kText, kMsvc, kJson, kSarif };
 
 // A command line. Its names of a profile, a target and passes are unchecked; Compile checks them.

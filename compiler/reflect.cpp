@@ -22,11 +22,20 @@ Json ToJson(const ir::Register& reg) {
           {"explicit", reg.is_explicit}};
 }
 
-// The names in the order of the enumerators.
-constexpr const char* kInterpolations[] = {"", "linear", "nointerpolation", "noperspective"};
-constexpr const char* kCbufferKinds[] = {"cbuffer", "tbuffer", "globals", "params",
-                                         "ConstantBuffer"};
-constexpr const char* kBlockForms[] = {"std140", "rows", "uniforms"};
+constexpr Named<ir::Interpolation> kInterpolations[] = {
+    {ir::Interpolation::kDefault, ""},
+    {ir::Interpolation::kLinear, "linear"},
+    {ir::Interpolation::kNoInterpolation, "nointerpolation"},
+    {ir::Interpolation::kNoPerspective, "noperspective"}};
+constexpr Named<ir::CbufferKind> kCbufferKinds[] = {
+    {ir::CbufferKind::kCbuffer, "cbuffer"},
+    {ir::CbufferKind::kTbuffer, "tbuffer"},
+    {ir::CbufferKind::kGlobals, "globals"},
+    {ir::CbufferKind::kParams, "params"},
+    {ir::CbufferKind::kConstantBuffer, "ConstantBuffer"}};
+constexpr Named<glsl::BlockForm> kBlockForms[] = {{glsl::BlockForm::kStd140, "std140"},
+                                                  {glsl::BlockForm::kRows, "rows"},
+                                                  {glsl::BlockForm::kUniforms, "uniforms"}};
 
 Json InputOrOutput(const Program& program, const IoVar& io, const GlslInfo::Variable& written) {
   Json json = {{"semantic", io.semantic},
@@ -39,7 +48,7 @@ Json InputOrOutput(const Program& program, const IoVar& io, const GlslInfo::Vari
   if (written.integer_as_float) json["integerAsFloat"] = true;
   json["builtin"] = io.builtin != ir::Builtin::kNone;
   if (io.interpolation != ir::Interpolation::kDefault)
-    json["interpolation"] = NameIn(kInterpolations, io.interpolation);
+    json["interpolation"] = NameIn<kInterpolations>(io.interpolation);
   if (io.centroid) json["centroid"] = true;
   if (io.sample) json["sample"] = true;
   if (io.reader && io.reader->is_known) {
@@ -131,7 +140,7 @@ void AddBinding(const std::optional<std::uint32_t>& set,
 Json CbufferJson(const Program& program, ir::CbufferId id, const GlslInfo& info) {
   const ir::Cbuffer& cbuffer = program.cbuffers[id];
   const GlslInfo::Block* block = info.BlockOf(id);
-  Json json = {{"name", cbuffer.name}, {"kind", NameIn(kCbufferKinds, cbuffer.kind)}};
+  Json json = {{"name", cbuffer.name}, {"kind", NameIn<kCbufferKinds>(cbuffer.kind)}};
   json.update(ToJson(cbuffer.reg));
   json["size"] = cbuffer.size;
   if (cbuffer.count == 0)
@@ -141,7 +150,7 @@ Json CbufferJson(const Program& program, ir::CbufferId id, const GlslInfo& info)
   json["used"] = block != nullptr;
   if (block) {
     Json& glsl = json["glsl"];
-    glsl["layout"] = NameIn(kBlockForms, block->form);
+    glsl["layout"] = NameIn<kBlockForms>(block->form);
     if (!block->name.empty()) glsl["block"] = block->name;
     if (!block->instance.empty()) glsl["instance"] = block->instance;
     if (!block->rows.empty()) glsl["rows"] = block->rows;

@@ -12,22 +12,43 @@
 namespace clipc::ir {
 namespace {
 
-// The names in the order of the enumerators.
-constexpr const char* kBuiltins[] = {
-    "none",       "position",      "clip_vertex",  "clip_distance",  "cull_distance",
-    "point_size", "vertex_id",     "instance_id",  "base_vertex",    "base_instance",
-    "draw_index", "view_id",       "vertex_index", "instance_index", "shading_rate",
-    "layer",      "viewport_index"};
-constexpr const char* kForms[] = {"typed", "no-clip-planes", "target-clip-space", "inlined",
-                                  "legalized"};
-constexpr const char* kCbufferKinds[] = {"cbuffer", "tbuffer", "globals", "params",
-                                         "constant_buffer"};
-constexpr const char* kInterpolations[] = {"", " linear", " nointerpolation", " noperspective"};
+constexpr Named<Builtin> kBuiltins[] = {{Builtin::kNone, "none"},
+                                        {Builtin::kPosition, "position"},
+                                        {Builtin::kClipVertex, "clip_vertex"},
+                                        {Builtin::kClipDistance, "clip_distance"},
+                                        {Builtin::kCullDistance, "cull_distance"},
+                                        {Builtin::kPointSize, "point_size"},
+                                        {Builtin::kVertexId, "vertex_id"},
+                                        {Builtin::kInstanceId, "instance_id"},
+                                        {Builtin::kBaseVertex, "base_vertex"},
+                                        {Builtin::kBaseInstance, "base_instance"},
+                                        {Builtin::kDrawIndex, "draw_index"},
+                                        {Builtin::kViewId, "view_id"},
+                                        {Builtin::kVertexIndex, "vertex_index"},
+                                        {Builtin::kInstanceIndex, "instance_index"},
+                                        {Builtin::kShadingRate, "shading_rate"},
+                                        {Builtin::kLayer, "layer"},
+                                        {Builtin::kViewportIndex, "viewport_index"}};
+constexpr Named<Form> kForms[] = {{Form::kTyped, "typed"},
+                                  {Form::kNoClipPlanes, "no-clip-planes"},
+                                  {Form::kTargetClipSpace, "target-clip-space"},
+                                  {Form::kInlined, "inlined"},
+                                  {Form::kLegalized, "legalized"}};
+constexpr Named<CbufferKind> kCbufferKinds[] = {{CbufferKind::kCbuffer, "cbuffer"},
+                                                {CbufferKind::kTbuffer, "tbuffer"},
+                                                {CbufferKind::kGlobals, "globals"},
+                                                {CbufferKind::kParams, "params"},
+                                                {CbufferKind::kConstantBuffer, "constant_buffer"}};
+constexpr Named<Interpolation> kInterpolations[] = {
+    {Interpolation::kDefault, ""},
+    {Interpolation::kLinear, " linear"},
+    {Interpolation::kNoInterpolation, " nointerpolation"},
+    {Interpolation::kNoPerspective, " noperspective"}};
 
 // " linear centroid sample", as far as a field or an input or output has them.
 template <typename Interpolated>
 std::string InterpolationText(const Interpolated& value) {
-  return std::string(NameIn(kInterpolations, value.interpolation)) +
+  return std::string(NameIn<kInterpolations>(value.interpolation)) +
          (value.centroid ? " centroid" : "") + (value.sample ? " sample" : "");
 }
 
@@ -43,7 +64,7 @@ class ProgramPrinter {
   explicit ProgramPrinter(const Program& program) : program_(program), printer_(program) {}
 
   std::string Print() {
-    Line("program {} form {}", program_.profile.name, NameIn(kForms, program_.form));
+    Line("program {} form {}", program_.profile.name, NameIn<kForms>(program_.form));
     for (Id<Struct> id : program_.types.structs().ids()) PrintStruct(program_.types[id]);
     for (CbufferId id : program_.cbuffers.ids()) PrintCbuffer(program_.cbuffers[id]);
     for (const Resource& resource : program_.resources) {
@@ -82,7 +103,7 @@ class ProgramPrinter {
   }
 
   void PrintCbuffer(const Cbuffer& buffer) {
-    Line("{} {}{}, {} bytes{} {{", NameIn(kCbufferKinds, buffer.kind), buffer.name,
+    Line("{} {}{}, {} bytes{} {{", NameIn<kCbufferKinds>(buffer.kind), buffer.name,
          PrintedRegister(buffer.reg), buffer.size,
          buffer.count != 1 ? fmt::format(" x {}", buffer.count) : "");
     for (const CbufferMember& member : buffer.members) {
@@ -97,7 +118,7 @@ class ProgramPrinter {
         io.semantic.empty() ? "" : fmt::format(" : {}{}", io.semantic, io.index);
     const std::string place = io.builtin == Builtin::kNone
                                   ? fmt::format("location {}", io.location)
-                                  : fmt::format("builtin {}", NameIn(kBuiltins, io.builtin));
+                                  : fmt::format("builtin {}", NameIn<kBuiltins>(io.builtin));
     Line("{}{}{} {}{}", direction, printer_.Declaration(io.var), semantic, place,
          InterpolationText(io));
   }

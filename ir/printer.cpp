@@ -21,34 +21,35 @@ std::string_view TextOf(BinaryOp op) {
 }
 
 const char* TextOf(ObjectOp op) {
-  static constexpr const char* kTexts[] = {"sample_level",
-                                           "sample_grad",
-                                           "sample_cmp_level_zero",
-                                           "gather",
-                                           "gather_green",
-                                           "gather_blue",
-                                           "gather_alpha",
-                                           "texture_load",
-                                           "buffer_load",
-                                           "structured_load",
-                                           "byte_load",
-                                           "texture_size",
-                                           "texture_levels",
-                                           "texture_samples",
-                                           "buffer_size",
-                                           "d3d9_sample_level",
-                                           "d3d9_sample",
-                                           "image_load",
-                                           "store",
-                                           "atomic_add",
-                                           "atomic_and",
-                                           "atomic_or",
-                                           "atomic_xor",
-                                           "atomic_min",
-                                           "atomic_max",
-                                           "atomic_exchange",
-                                           "atomic_compare_exchange"};
-  return NameIn(kTexts, op);
+  static constexpr Named<ObjectOp> kTexts[] = {
+      {ObjectOp::kSampleLevel, "sample_level"},
+      {ObjectOp::kSampleGrad, "sample_grad"},
+      {ObjectOp::kSampleCmpLevelZero, "sample_cmp_level_zero"},
+      {ObjectOp::kGather, "gather"},
+      {ObjectOp::kGatherGreen, "gather_green"},
+      {ObjectOp::kGatherBlue, "gather_blue"},
+      {ObjectOp::kGatherAlpha, "gather_alpha"},
+      {ObjectOp::kTextureLoad, "texture_load"},
+      {ObjectOp::kBufferLoad, "buffer_load"},
+      {ObjectOp::kStructuredLoad, "structured_load"},
+      {ObjectOp::kByteLoad, "byte_load"},
+      {ObjectOp::kTextureSize, "texture_size"},
+      {ObjectOp::kTextureLevels, "texture_levels"},
+      {ObjectOp::kTextureSamples, "texture_samples"},
+      {ObjectOp::kBufferSize, "buffer_size"},
+      {ObjectOp::kD3d9SampleLevel, "d3d9_sample_level"},
+      {ObjectOp::kD3d9Sample, "d3d9_sample"},
+      {ObjectOp::kImageLoad, "image_load"},
+      {ObjectOp::kStore, "store"},
+      {ObjectOp::kAtomicAdd, "atomic_add"},
+      {ObjectOp::kAtomicAnd, "atomic_and"},
+      {ObjectOp::kAtomicOr, "atomic_or"},
+      {ObjectOp::kAtomicXor, "atomic_xor"},
+      {ObjectOp::kAtomicMin, "atomic_min"},
+      {ObjectOp::kAtomicMax, "atomic_max"},
+      {ObjectOp::kAtomicExchange, "atomic_exchange"},
+      {ObjectOp::kAtomicCompareExchange, "atomic_compare_exchange"}};
+  return NameIn<kTexts>(op);
 }
 
 const char* StorageText(Storage storage) {

@@ -5,16 +5,28 @@
 #include <cstdio>
 #include <iterator>
 
+#include "clip-table/vocabulary.h"
+
 namespace clipc::runtime {
 namespace {
 
-// The names of the errors, in the order of the enumerators.
-constexpr const char* kErrorNames[] = {
-    "none",          "out of memory",    "invalid argument",  "damaged table",    "wrong lowering",
-    "invalid call",  "missing buffer",   "short buffer",      "not finite",       "device failed",
-    "singular",      "ill conditioned",  "not representable", "wrong projection", "eye not clipped",
-    "no depth left", "looks transposed",
-};
+constexpr Named<Error> kErrorNames[] = {{Error::kNone, "none"},
+                                        {Error::kOutOfMemory, "out of memory"},
+                                        {Error::kInvalidArgument, "invalid argument"},
+                                        {Error::kDamagedTable, "damaged table"},
+                                        {Error::kWrongLowering, "wrong lowering"},
+                                        {Error::kInvalidCall, "invalid call"},
+                                        {Error::kMissingBuffer, "missing buffer"},
+                                        {Error::kShortBuffer, "short buffer"},
+                                        {Error::kNotFinite, "not finite"},
+                                        {Error::kDeviceFailed, "device failed"},
+                                        {Error::kSingular, "singular"},
+                                        {Error::kIllConditioned, "ill conditioned"},
+                                        {Error::kNotRepresentable, "not representable"},
+                                        {Error::kWrongProjection, "wrong projection"},
+                                        {Error::kEyeNotClipped, "eye not clipped"},
+                                        {Error::kNoDepthLeft, "no depth left"},
+                                        {Error::kLooksTransposed, "looks transposed"}};
 
 }  // namespace
 
@@ -29,7 +41,7 @@ std::int32_t HresultOf(Error error) noexcept {
 
 const char* NameOf(Error error) noexcept {
   const auto index = static_cast<std::uint32_t>(error);
-  return index < std::size(kErrorNames) ? kErrorNames[index] : "unknown error";
+  return index < std::size(kErrorNames) ? NameIn<kErrorNames>(error) : "unknown error";
 }
 
 Status Status::Failure(Error error, const char* format, ...) noexcept {
