@@ -162,7 +162,7 @@ MacroMemo& Batch::MemoOf(const Job& job, std::vector<std::string_view>& values) 
 std::optional<std::size_t> Batch::FindAlike(std::size_t at, const CompileResult* result) {
   const Job& job = jobs_[at];
   // The pixel shader reads the macros too.
-  if (!GroupOf(job).command.request.pixel_shader.path.empty()) return std::nullopt;
+  if (GroupOf(job).command.request.link.has_pixel_shader()) return std::nullopt;
   const std::lock_guard lock(mutex_);
   std::vector<std::string_view> values;
   if (const auto alike = MemoOf(job, values).Find(values)) return alike;
@@ -242,7 +242,7 @@ std::string Batch::WriteFiles(std::size_t at, CompileResult& result) {
   CommandLine command = GroupOf(jobs_[at]).command;
   const char* slash = EndsWithSlash(command_.output) ? "" : "/";
   command.output = fmt::format("{}{}{}.{}", command_.output, slash, entry.name,
-                               command.request.spirv ? "spv" : "vert");
+                               command.request.outputs.spirv ? "spv" : "vert");
   command.write_dependencies = false;
   const Outputs outputs = PlaceOutputs(command, GroupOf(jobs_[at]).source);
   std::vector<OutputPiece> pieces;
@@ -308,7 +308,7 @@ std::string Batch::Prepare() {
   std::unordered_set<std::string> said;
   for (ShaderGroup& group : groups_) {
     if (std::string problem = PrepareRequest(group.command); !problem.empty()) return problem;
-    group.command.request.validate = group.command.asks_to_validate.value_or(true);
+    group.command.request.outputs.validate = group.command.asks_to_validate.value_or(true);
     const CompileResult notices = NoticesOf(group.command);
     if (!notices.messages.empty() && said.insert(notices.messages.front().text).second)
       printer_.Show(notices);

@@ -19,9 +19,9 @@ constexpr Named<BatchStatus> kStatusNames[] = {{BatchStatus::kNotCompiled, "not-
 void Describe(const ShaderGroup& group, std::size_t number, BatchEntry& entry) {
   const CompileRequest& request = group.command.request;
   entry.source = group.source;
-  entry.entry = request.entry;
-  entry.profile = request.profile;
-  entry.target = request.target;
+  entry.entry = request.language.entry;
+  entry.profile = request.language.profile;
+  entry.target = request.target.name();
   const std::vector<std::size_t> choices = ChoicesOf(group, number);
   for (std::size_t i = 0; i < choices.size(); ++i)
     entry.defines.emplace_back(group.axes[i].macro, group.axes[i].values[choices[i]]);

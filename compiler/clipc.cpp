@@ -60,17 +60,17 @@ std::string ReadRequest(const clipc_request& from, clipc::CompileRequest& to) {
   to.path = from.path ? from.path : "";
   if (from.text) to.text.emplace(from.text, from.text_size);
   if (!from.text && !from.path) return "there is no shader";
-  to.reflect = true;
-  to.gives_planes_to_device = true;
+  to.outputs.reflection = true;
+  to.planes.given_to_device = true;
   if (from.read_include) {
-    to.read_include = [=](const std::string& path) -> std::optional<std::string> {
+    to.includes.read = [=](const std::string& path) -> std::optional<std::string> {
       clipc_bytes bytes{};
       if (!from.read_include(from.read_include_context, path.c_str(), &bytes)) return std::nullopt;
       return std::string(bytes.data, bytes.size);
     };
   }
   if (from.is_cancelled)
-    to.is_cancelled = [=] { return from.is_cancelled(from.is_cancelled_context) != 0; };
+    to.limits.is_cancelled = [=] { return from.is_cancelled(from.is_cancelled_context) != 0; };
   return {};
 }
 

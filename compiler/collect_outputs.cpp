@@ -22,9 +22,9 @@ std::string VariableOf(const CommandLine& command, const CompileResult& result) 
 
 void AddShaders(const CommandLine& command, const Outputs& outputs, CompileResult& result,
                 std::vector<OutputPiece>& pieces) {
-  if (!command.request.variants) {
+  if (!command.request.planes.variants) {
     const auto* const words = reinterpret_cast<const char*>(result.spirv.data());
-    if (command.request.spirv) {
+    if (command.request.outputs.spirv) {
       pieces.push_back({"spirv", outputs.glsl, std::string(words, 4 * result.spirv.size())});
     } else {
       pieces.push_back({"glsl", outputs.glsl, std::move(result.shaders.vertex)});
@@ -61,8 +61,8 @@ std::string CollectOutputs(const CommandLine& command, const Outputs& outputs,
   std::string header;
   if (is_complete && !outputs.header.empty()) {
     const std::string variable = VariableOf(command, result);
-    header = request.spirv ? HeaderWith(result.spirv, variable)
-                           : HeaderWith(result.shaders.vertex, variable);
+    header = request.outputs.spirv ? HeaderWith(result.spirv, variable)
+                                   : HeaderWith(result.shaders.vertex, variable);
   }
   if (is_complete && !outputs.glsl.empty()) AddShaders(command, outputs, result, pieces);
   if (!header.empty()) pieces.push_back({"header", outputs.header, std::move(header)});
@@ -75,9 +75,9 @@ std::string CollectOutputs(const CommandLine& command, const Outputs& outputs,
     pieces.push_back({"table", outputs.table, std::move(*text)});
   }
   if (is_complete && !outputs.reflection.empty())
-    pieces.push_back(
-        {"reflection", outputs.reflection, request.structs ? result.structs : result.reflection});
-  if ((is_complete || request.preprocess) && result.ok() && !outputs.dependencies.empty()) {
+    pieces.push_back({"reflection", outputs.reflection,
+                      request.outputs.structs ? result.structs : result.reflection});
+  if ((is_complete || request.outputs.preprocess) && result.ok() && !outputs.dependencies.empty()) {
     pieces.push_back({"dependencies", outputs.dependencies,
                       DependencyRule(outputs.dependency_target, result.dependencies)});
   }

@@ -52,7 +52,7 @@ class Compilation {
       : request_(request), diagnostics_(request.warnings), context_(context) {
     const bool has_deadline = request.limits.seconds != Limits().seconds;
     if (has_deadline) deadline_ = Clock::now() + std::chrono::seconds(request.limits.seconds);
-    if (has_deadline || request.is_cancelled) diagnostics_.SetWatch(&watch_);
+    if (has_deadline || request.limits.is_cancelled) diagnostics_.SetWatch(&watch_);
   }
 
   CompileResult Run();
@@ -83,7 +83,6 @@ class Compilation {
   FrontendContext& context_;
   // The parts of the request that are names, resolved.
   CheckOptions front_;
-  std::optional<glsl::Target> target_;
   LoweringRequest lowering_;
   glsl::WriteOptions options_;
 
@@ -123,7 +122,7 @@ CompileResult Compilation::Run() {
 }
 
 bool Compilation::MustStop() {
-  is_cancelled_ = request_.is_cancelled && request_.is_cancelled();
+  is_cancelled_ = request_.limits.is_cancelled && request_.limits.is_cancelled();
   return is_cancelled_ || (deadline_ != Clock::time_point::max() && Clock::now() >= deadline_);
 }
 
@@ -142,26 +141,22 @@ void Compilation::ReadNames() {
                            std::span<const std::string_view> names) {
     diagnostics_.Report({}, kind, name, Suggest(name, names));
   };
-  if (auto profile = ir::ParseProfile(request_.profile)) {
-    front_ = CheckOptions::For(std::move(*profile), request_.language);
+  if (auto profile = ir::ParseProfile(request_.language.profile)) {
+    front_ = CheckOptions::For(std::move(*profile), request_.language.version);
   } else {
-    unknown(diag::UnknownProfile, request_.profile, ProfileNames());
+    unknown(diag::UnknownProfile, request_.language.profile, ProfileNames());
   }
-  target_ = glsl::Target::Parse(request_.target);
-  if (!target_) {
-    unknown(diag::UnknownTarget, request_.target, glsl::Target::Names());
-  }
-  if (target_) target_->bindings = request_.bindings;
-  auto names = glsl::NameStyle::Parse(request_.names.empty() ? "hlslcc" : request_.names);
+  auto names =
+      glsl::NameStyle::Parse(request_.style.names.empty() ? "hlslcc" : request_.style.names);
   if (!names) {
-    unknown(diag::UnknownNames, request_.names, glsl::NameStyle::Names());
+    unknown(diag::UnknownNames, request_.style.names, glsl::NameStyle::Names());
     names.emplace();
   }
-  options_ = {.separable = request_.separable,
-              .base_vertex_is_zero = request_.base_vertex_is_zero,
-              .base_instance_is_zero = request_.base_instance_is_zero,
-              .invariant = request_.invariant,
-              .blocks = request_.blocks,
+  options_ = {.separable = request_.style.separable,
+              .base_vertex_is_zero = request_.style.base_vertex_is_zero,
+              .base_instance_is_zero = request_.style.base_instance_is_zero,
+              .invariant = request_.style.invariant,
+              .blocks = request_.style.blocks,
               .names = std::move(*names)};
   const auto check_pass = [&](const std::string& name) {
     const std::vector<std::string_view> passes = LowerPasses();
@@ -171,20 +166,20 @@ void Compilation::ReadNames() {
   for (const std::string& name : request_.debug.dump_after) check_pass(name);
   if (!request_.debug.stop_after.empty()) check_pass(request_.debug.stop_after);
 
-  lowering_ = {request_.lowering.value_or(DefaultLowering(front_.profile)), request_.plane_space,
-               request_.position_input};
+  lowering_ = {request_.planes.lowering.value_or(DefaultLowering(front_.profile)),
+               request_.planes.space, request_.planes.position_input};
   CheckRequest(lowering_, diagnostics_);
-  if (!request_.sandbox.empty() && !IsDirectory(request_.sandbox))
-    diagnostics_.Report({}, diag::NoSandbox, request_.sandbox);
-  front_.entry = request_.entry;
-  front_.packing = request_.packing;
-  front_.position_name = request_.position_name;
+  if (!request_.includes.sandbox.empty() && !IsDirectory(request_.includes.sandbox))
+    diagnostics_.Report({}, diag::NoSandbox, request_.includes.sandbox);
+  front_.entry = request_.language.entry;
+  front_.packing = request_.language.packing;
+  front_.position_name = request_.language.position_name;
   // HLSLcc, after fxc, has a variable for each column of a matrix between two stages. Its names
   // are the usual ones where stages match by name.
-  const bool is_hlslcc = request_.names.empty()
-                             ? target_ && !target_->Has(glsl::Feature::kOutputLocations)
-                             : request_.names == "hlslcc";
-  has_pixel_shader_ = !request_.pixel_shader.path.empty();
+  const bool is_hlslcc = request_.style.names.empty()
+                             ? !request_.target.Has(glsl::Feature::kOutputLocations)
+                             : request_.style.names == "hlslcc";
+  has_pixel_shader_ = request_.link.has_pixel_shader();
   keeps_matrices_whole_ = !has_pixel_shader_ && !is_hlslcc;
   front_.stages_match_by_row = has_pixel_shader_ || keeps_matrices_whole_;
   front_.whole_register_planes = lowering_.lowering == Lowering::kLevel9;
@@ -193,20 +188,20 @@ void Compilation::ReadNames() {
 SourceInput Compilation::InputOf() const {
   return {.path = request_.path,
           .text = request_.text,
-          .include_dirs = request_.include_dirs,
+          .include_dirs = request_.includes.dirs,
           .defines = request_.defines,
-          .forced_includes = request_.forced_includes,
-          .read_include = request_.read_include,
+          .forced_includes = request_.includes.forced,
+          .read_include = request_.includes.read,
           .shader_model_major = front_.profile.major,
           .shader_model_minor = front_.profile.minor,
-          .language = request_.language,
+          .language = request_.language.version,
           .max_bytes = request_.limits.bytes,
           .max_tokens = request_.limits.tokens,
           .record_macros = request_.record_macros};
 }
 
 void Compilation::RunStages(Source& source) {
-  if (request_.preprocess) {
+  if (request_.outputs.preprocess) {
     result_.preprocessed = Preprocess(source, diagnostics_);
     return;
   }
@@ -214,8 +209,8 @@ void Compilation::RunStages(Source& source) {
   const auto is_new = [&](const Tokens& tokens) {
     // The tokens alone do not decide the result where lines of the source or words of the
     // preprocessor are a part of it.
-    if (!request_.is_known || request_.source_lines || request_.list || has_pixel_shader_ ||
-        diagnostics_.has_pragmas() || !diagnostics_.all().empty())
+    if (!request_.is_known || request_.outputs.source_lines || request_.outputs.listing ||
+        has_pixel_shader_ || diagnostics_.has_pragmas() || !diagnostics_.all().empty())
       return true;
     result_.digest = DigestOf(tokens);
     result_.is_repeated = request_.is_known(*result_.digest);
@@ -242,20 +237,20 @@ void Compilation::Dump(Source& source) {
 void Compilation::RunBackEnd(ir::Program typed, const Source& source) {
   if (keeps_matrices_whole_) link::KeepMatricesWhole(typed);
   if (has_pixel_shader_) {
-    LinkPixelShader(request_, InputOf(), *target_, typed, result_.dependencies, diagnostics_);
+    LinkPixelShader(request_, InputOf(), typed, result_.dependencies, diagnostics_);
     if (diagnostics_.has_errors()) return;
   }
   const LowerSettings settings = SettingsFor(CheckLowering(typed, lowering_, diagnostics_));
-  if (!request_.gives_planes_to_device && !request_.debug.changes_result())
-    CheckPlanesAreKept(typed, lowering_, *target_, diagnostics_);
+  if (!request_.planes.given_to_device && !request_.debug.changes_result())
+    CheckPlanesAreKept(typed, lowering_, request_.target, diagnostics_);
   if (diagnostics_.has_errors()) return;
-  if (request_.reflect) result_.position_matrices = CountPositionMatrices(typed);
+  if (request_.outputs.reflection) result_.position_matrices = CountPositionMatrices(typed);
   const ClipDistances distances = ClipDistancesOf(typed);
-  const ir::Program kept = request_.variants ? typed : ir::Program();
+  const ir::Program kept = request_.planes.variants ? typed : ir::Program();
   Lowered lowered = Lower(std::move(typed), settings);
   if (lowered.is_complete) {
     ReportLeftOut(distances, lowered.program, diagnostics_);
-    CheckTarget(lowered, request_.blocks, diagnostics_);
+    CheckTarget(lowered, request_.style.blocks, diagnostics_);
     if (diagnostics_.has_errors()) return;
     Legalize(lowered, settings.passes);
   }
@@ -266,17 +261,17 @@ void Compilation::RunBackEnd(ir::Program typed, const Source& source) {
 
   glsl::WriteOptions with_lines = options_;
   with_lines.comment_of = [&](Span span) { return SourceLine(source, span); };
-  if (request_.list) result_.listing = Write(lowered, with_lines).glsl;
-  if (request_.source_lines) options_ = std::move(with_lines);
+  if (request_.outputs.listing) result_.listing = Write(lowered, with_lines).glsl;
+  if (request_.outputs.source_lines) options_ = std::move(with_lines);
   Written written = Write(lowered, options_);
   result_.table = MakeClipTable(lowered, written.info);
-  if (request_.reflect) {
+  if (request_.outputs.reflection) {
     result_.reflection = Reflect(lowered, written.info, *result_.table, result_.position_matrices);
   }
-  if (request_.structs) result_.structs = WriteStructs(lowered.program);
+  if (request_.outputs.structs) result_.structs = WriteStructs(lowered.program);
   result_.shaders = Finish(lowered, std::move(written));
-  if (request_.spirv) TranslateToSpirv();
-  if (request_.variants) WriteVariants(kept, settings);
+  if (request_.outputs.spirv) TranslateToSpirv();
+  if (request_.planes.variants) WriteVariants(kept, settings);
   if (!unjudged_.empty()) {
     diagnostics_.Report({}, diag::NotValidated,
                         fmt::format("{} does not support {}", ValidatorName(), unjudged_));
@@ -288,10 +283,10 @@ void Compilation::RunBackEnd(ir::Program typed, const Source& source) {
 }
 
 LowerSettings Compilation::SettingsFor(ir::VarId position_input) {
-  LowerSettings settings{*target_, {}};
+  LowerSettings settings{request_.target, {}};
   settings.passes.clip_planes = {lowering_.lowering, lowering_.plane_space, position_input};
-  settings.passes.clip_space = request_.clip_space;
-  settings.passes.precise_outputs = request_.precise;
+  settings.passes.clip_space = request_.style.clip_space;
+  settings.passes.precise_outputs = request_.style.precise;
   settings.passes.stop_after = request_.debug.stop_after;
   settings.passes.verify = request_.debug.verify;
   settings.passes.after_pass = [&](std::string_view pass, const ir::Program& after) {
@@ -306,18 +301,18 @@ LowerSettings Compilation::SettingsFor(ir::VarId position_input) {
 
 // Adds the fragment shader's part, and validates both.
 Shaders Compilation::Finish(const Lowered& lowered, Written written) {
-  if (request_.validate) ValidateVertex(lowered, written);
+  if (request_.outputs.validate) ValidateVertex(lowered, written);
   Shaders shaders{std::move(written.glsl), {}};
   if (lowered.lowering != Lowering::kDiscard) return shaders;
-  if (!request_.fragment) {
+  if (!request_.planes.fragment) {
     shaders.fragment =
         glsl::WriteDiscard(lowered.program, lowered.target, written.info).declarations;
     return shaders;
   }
   glsl::Insertion insertion =
-      glsl::InsertDiscard(*request_.fragment, lowered.program, lowered.target, written.info);
+      glsl::InsertDiscard(*request_.planes.fragment, lowered.program, lowered.target, written.info);
   shaders.fragment = std::move(insertion.text);
-  if (insertion.error.empty() && request_.validate) {
+  if (insertion.error.empty() && request_.outputs.validate) {
     const auto problems = Validate(shaders.fragment, lowered.target, ShaderStage::kFragment);
     if (!problems.empty()) insertion.error = problems.front();
   }
@@ -329,7 +324,8 @@ Shaders Compilation::Finish(const Lowered& lowered, Written written) {
 void Compilation::WriteVariants(const ir::Program& typed, LowerSettings settings) {
   settings.passes.after_pass = {};
   const std::size_t planes = typed.clip_planes.size();
-  for (std::size_t count = 0; count <= std::min(planes, request_.variant_planes); ++count) {
+  for (std::size_t count = 0; count <= std::min<std::size_t>(planes, *request_.planes.variants);
+       ++count) {
     if (diagnostics_.has_errors()) return;
     if (count == planes) {
       result_.variants.push_back(result_.shaders);
@@ -346,7 +342,7 @@ void Compilation::WriteVariants(const ir::Program& typed, LowerSettings settings
 void Compilation::TranslateToSpirv() {
   // The name has no folder, so that it does not matter where a shader is compiled.
   const std::string name = request_.path.substr(NameBegin(request_.path)) + ".vert";
-  Spirv spirv = MakeSpirv(result_.shaders.vertex, *target_, *request_.spirv, name);
+  Spirv spirv = MakeSpirv(result_.shaders.vertex, request_.target, *request_.outputs.spirv, name);
   for (const std::string& problem : spirv.problems) diagnostics_.Report({}, diag::NoSpirv, problem);
   result_.spirv = std::move(spirv.words);
 }
@@ -370,8 +366,8 @@ void Compilation::ValidateVertex(const Lowered& lowered, const Written& written)
 void Compilation::CloseResult(const Source& source) {
   for (const Diagnostic& diagnostic : diagnostics_.all())
     result_.messages.push_back(ToMessage(diagnostic, source));
-  if (request_.draw_text && !result_.messages.empty()) {
-    result_.text = source.RenderText(diagnostics_, request_.colour);
+  if (request_.outputs.text && !result_.messages.empty()) {
+    result_.text = source.RenderText(diagnostics_, request_.outputs.colour);
   }
   if (!diagnostics_.has_errors()) return;
   if (result_.ok()) result_.status = Status::kErrors;
@@ -400,18 +396,18 @@ Compiler::Compiler() = default;
 Compiler::~Compiler() = default;
 
 FrontendContext& Compiler::ContextFor(const CompileRequest& request) {
-  if (request.sandbox.empty()) return context_;
-  if (!sandboxed_ || sandbox_ != request.sandbox) {
-    sandboxed_ =
-        std::make_unique<FrontendContext>(FrontendContext::Files::kOnDisk, request.sandbox);
-    sandbox_ = request.sandbox;
+  if (request.includes.sandbox.empty()) return context_;
+  if (!sandboxed_ || sandbox_ != request.includes.sandbox) {
+    sandboxed_ = std::make_unique<FrontendContext>(FrontendContext::Files::kOnDisk,
+                                                   request.includes.sandbox);
+    sandbox_ = request.includes.sandbox;
   }
   return *sandboxed_;
 }
 
 CompileResult Compiler::Compile(const CompileRequest& request) {
   try {
-    if (!request.read_include) return Compilation(ContextFor(request), request).Run();
+    if (!request.includes.read) return Compilation(ContextFor(request), request).Run();
     FrontendContext without_files(FrontendContext::Files::kNone);
     return Compilation(without_files, request).Run();
   } catch (const std::bad_alloc&) {

@@ -40,6 +40,57 @@ struct DebugOptions {
   bool changes_result() const { return dump || !dump_after.empty() || !stop_after.empty(); }
 };
 
+// The version of HLSL and the parts of the text that are compiled.
+struct LanguageOptions {
+  LanguageVersion version = LanguageVersion::k2021;
+  std::string profile = "vs_5_0";
+  std::string entry = "main";
+  MatrixPacking packing = MatrixPacking::kColumnMajor;
+  rules::PositionName position_name = rules::PositionName::kSystemValue;
+};
+
+// The places of the files that a shader includes.
+struct IncludeOptions {
+  std::vector<std::string> dirs;
+  std::vector<std::string> forced;  // files, included before the first line
+  // If not empty, includes come from this function, and no file is read for them:
+  // SourceInput::read_include.
+  std::function<std::optional<std::string>(const std::string& path)> read;
+  // If not empty, include files are read only from this folder, wherever a path or a link to them
+  // lies.
+  std::string sandbox;
+};
+
+// The way of the clip planes.
+struct PlaneOptions {
+  std::optional<Lowering> lowering;  // none: DefaultLowering of the profile
+  PlaneSpace space = PlaneSpace::kClip;
+  // The semantic of the vertex's position, for plane space kObject; empty: POSITION0.
+  std::string position_input;
+  // The GLSL of a fragment shader, to which lowering kDiscard adds the discard. Without it the
+  // discard is an include of its own.
+  std::optional<std::string> fragment;
+  // The caller reads the planes of lowering kLevel9 from the table or the reflection and gives them
+  // to the device. Without that, clip planes that the GLSL does not have are an error.
+  bool given_to_device = false;
+  // Fill CompileResult::variants; the number is the most planes of a variant.
+  std::optional<std::uint32_t> variants;
+};
+
+// The form of the GLSL and what it promises.
+struct StyleOptions {
+  passes::ClipSpaceOptions clip_space;
+  bool separable = false;  // for program pipelines: gl_PerVertex is redeclared
+  bool base_vertex_is_zero = false, base_instance_is_zero = false;  // backend-glsl/write.h
+  bool precise = false;    // -Gis: every output, and what goes into it, is computed as written
+  bool invariant = false;  // gl_Position is invariant: backend-glsl/write.h
+  // The form of constant buffers: see backend-glsl/style.h.
+  glsl::BlockStyle blocks = glsl::BlockStyle::kNamed;
+  // The style of names: "hlslcc", "dxc", "spirv-cross" or a pattern for outputs. Empty: the names
+  // of the pixel shader, or "hlslcc" where it is not known.
+  std::string names;
+};
+
 // The pixel shader that the vertex shader is linked with.
 struct PixelShader {
   // A file with HLSL, GLSL or SPIR-V. When `text` is given, it is read instead, and `path` is the
@@ -49,12 +100,38 @@ struct PixelShader {
   std::string entry;  // of HLSL and SPIR-V; empty: `main` of HLSL, the only one of SPIR-V
 };
 
+// The other half of the program. The shader is written to fit it: its outputs, and the constant
+// buffers that both use. HLSL is read with the include folders, macros and packing of the request.
+struct LinkOptions {
+  PixelShader pixel_shader;
+  bool keep_outputs = false;    // keep outputs that the pixel shader does not read
+  bool zero_unwritten = false;  // unwritten inputs of the pixel shader become 0
+
+  bool has_pixel_shader() const { return !pixel_shader.path.empty(); }
+};
+
+// The parts of the result that are filled besides the shaders and the table.
+struct OutputOptions {
+  bool validate = false;              // give the GLSL to glslang before returning it
+  bool source_lines = false;          // put the lines of the HLSL as comments into the GLSL
+  bool listing = false;               // fill CompileResult::listing
+  bool reflection = false;            // fill CompileResult::reflection
+  bool structs = false;               // fill CompileResult::structs
+  std::optional<SpirvRequest> spirv;  // fill CompileResult::spirv
+  bool preprocess = false;            // fill CompileResult::preprocessed, and stop
+  bool text = true;                   // fill CompileResult::text
+  bool colour = false;                // put escape sequences of a terminal into `text`
+};
+
 // The limits of one compile; beyond one there is an error. Memory follows from the first two:
 // some 27 bytes for each byte of text and 100 for each token of macros, measured.
 struct Limits {
   std::size_t bytes = SIZE_MAX;  // of the shader and its includes, each time that one is entered
   std::size_t tokens = std::size_t{4} << 20;  // that macros add to those of the text
   std::uint32_t seconds = UINT32_MAX;
+  // Asked on the thread that compiles, often except while glslang works. When it returns true, the
+  // compile ends with Status::kCancelled.
+  std::function<bool()> is_cancelled;
 };
 
 struct CompileRequest {
@@ -62,80 +139,29 @@ struct CompileRequest {
   // the label in messages and says in which folder includes are looked up.
   std::string path;
   std::optional<std::string> text;
-  std::vector<std::string> include_dirs;
-  std::vector<std::string> defines;          // "NAME" or "NAME=VALUE"
-  std::vector<std::string> forced_includes;  // files, included before the first line
-  // If not empty, includes come from this function, and no file is read for them:
-  // SourceInput::read_include.
-  std::function<std::optional<std::string>(const std::string& path)> read_include;
-  // If not empty, include files are read only from this folder, wherever a path or a link to them
-  // lies.
-  std::string sandbox;
-  LanguageVersion language = LanguageVersion::k2021;
-
-  std::string profile = "vs_5_0";
-  std::string entry = "main";
-  MatrixPacking packing = MatrixPacking::kColumnMajor;
-  rules::PositionName position_name = rules::PositionName::kSystemValue;
-
-  std::string target = "glsl450";
-  glsl::BindingRules bindings;       // of target "vulkan"
-  std::optional<Lowering> lowering;  // none: DefaultLowering of the profile
-  PlaneSpace plane_space = PlaneSpace::kClip;
-  // The semantic of the vertex's position, for plane space kObject; empty: POSITION0.
-  std::string position_input;
-  passes::ClipSpaceOptions clip_space;
-  bool separable = false;  // for program pipelines: gl_PerVertex is redeclared
-  bool base_vertex_is_zero = false, base_instance_is_zero = false;  // backend-glsl/write.h
-  bool precise = false;    // -Gis: every output, and what goes into it, is computed as written
-  bool invariant = false;  // gl_Position is invariant: backend-glsl/write.h
-  // How the shader matches the next stage's: see backend-glsl/style.h.
-  glsl::BlockStyle blocks = glsl::BlockStyle::kNamed;
-  // The style of names: "hlslcc", "dxc", "spirv-cross" or a pattern for outputs. Empty: the names
-  // of the pixel shader, or "hlslcc" where it is not known.
-  std::string names;
-  // The GLSL of a fragment shader, to which lowering kDiscard adds the discard. Without it the
-  // discard is an include of its own.
-  std::optional<std::string> fragment;
-  // The shader is written to fit this pixel shader: its outputs, and the constant buffers that both
-  // use. HLSL is read with the include folders, macros and packing of this request.
-  PixelShader pixel_shader;
-  bool keep_outputs = false;              // keep outputs that the pixel shader does not read
-  bool zero_unwritten = false;            // unwritten inputs of the pixel shader become 0
-  bool variants = false;                  // fill CompileResult::variants
-  std::size_t variant_planes = SIZE_MAX;  // the most planes of a variant
-
+  std::vector<std::string> defines;  // "NAME" or "NAME=VALUE"
+  IncludeOptions includes;
+  LanguageOptions language;
+  glsl::Target target = *glsl::Target::Parse("glsl450");
+  PlaneOptions planes;
+  StyleOptions style;
+  LinkOptions link;
+  OutputOptions outputs;
   WarningOptions warnings;
-  bool validate = false;              // give the GLSL to glslang before returning it
-  bool source_lines = false;          // put the lines of the HLSL as comments into the GLSL
-  bool list = false;                  // fill CompileResult::listing
-  bool reflect = false;               // fill CompileResult::reflection
-  bool structs = false;               // fill CompileResult::structs
-  std::optional<SpirvRequest> spirv;  // fill CompileResult::spirv
-  bool preprocess = false;            // fill CompileResult::preprocessed, and stop
-  bool draw_text = true;              // fill CompileResult::text
-  bool colour = false;                // put escape sequences of a terminal into `text`
-  // The caller reads the planes of lowering kLevel9 from the table or the reflection and gives them
-  // to the device. Without that, clip planes that the GLSL does not have are an error.
-  bool gives_planes_to_device = false;
-
   Limits limits;
-  // Asked on the thread that compiles, often except while glslang works. When it returns true, the
-  // compile ends with Status::kCancelled.
-  std::function<bool()> is_cancelled;
+  DebugOptions debug;
+
   bool record_macros = false;  // fill CompileResult::macros_used
   // Asked about the text after preprocessing, if nothing else decides the result; when it returns
   // true, the compile ends there, with CompileResult::is_repeated.
   std::function<bool(const TokenDigest& digest)> is_known;
-
-  DebugOptions debug;
 };
 
 enum class Status : std::uint8_t {
   kOk,
   kErrors,      // the shader has errors
-  kBadRequest,  // an unknown profile, target or pass, or a main file that cannot be read
-  kCancelled,   // CompileRequest::is_cancelled
+  kBadRequest,  // an unknown profile or pass, or a main file that cannot be read
+  kCancelled,   // Limits::is_cancelled
 };
 
 struct Shaders {
@@ -153,8 +179,8 @@ struct CompileResult {
   std::optional<int> position_matrices;        // with `reflection`: CountPositionMatrices
   std::string structs;                         // a C header: structs.h
   std::vector<std::uint32_t> spirv;            // of `shaders.vertex`, on request
-  std::string listing;                         // with `shaders`, on request: see source_lines
-  std::string preprocessed;                    // HLSL, on request
+  std::string listing;       // with `shaders`, on request: see OutputOptions::source_lines
+  std::string preprocessed;  // HLSL, on request
   std::string dump;
   std::vector<Message> messages;  // in the order of discovery
   std::string text;               // the messages with their source lines, as a terminal shows them

@@ -25,8 +25,8 @@ CompileRequest TwoPlanes(int variant = 0) {
 
 TEST(Compile, GivesGlslAndTable) {
   CompileRequest request = TwoPlanes();
-  request.validate = true;
-  request.reflect = true;
+  request.outputs.validate = true;
+  request.outputs.reflection = true;
   const CompileResult result = Compile(request);
   ASSERT_TRUE(result.ok()) << result.text;
   EXPECT_NE(result.shaders.vertex.find("gl_ClipDistance[1]"), std::string::npos)
@@ -53,8 +53,7 @@ TEST(Compile, ErrorsLeaveNoOutput) {
 
 TEST(Compile, BadRequests) {
   for (const auto& change : std::vector<void (*)(CompileRequest&)>{
-           [](CompileRequest& r) { r.profile = "vs_9_9"; },
-           [](CompileRequest& r) { r.target = "spirv"; },
+           [](CompileRequest& r) { r.language.profile = "vs_9_9"; },
            [](CompileRequest& r) { r.debug.stop_after = "nothing"; },
            [](CompileRequest& r) { r.text.reset(), r.path = "/no/such/file.hlsl"; }}) {
     CompileRequest request = TwoPlanes();
@@ -66,7 +65,7 @@ TEST(Compile, BadRequests) {
   }
   CompileRequest pixel = TwoPlanes();
   pixel.text = "float4 main() : SV_Position { return 0; }";
-  pixel.profile = "ps_5_0";
+  pixel.language.profile = "ps_5_0";
   EXPECT_EQ(Compile(pixel).status, Status::kErrors);
 }
 
@@ -89,7 +88,7 @@ TEST(Compile, ThreadsDoNotMeet) {
       Compiler compiler;
       for (int i = 0; i < 10; ++i) {
         CompileRequest request = TwoPlanes(7);
-        request.validate = i == 9;
+        request.outputs.validate = i == 9;
         result = compiler.Compile(request).shaders.vertex;
       }
     });
@@ -103,8 +102,8 @@ TEST(ParseCommandLine, SlashIsAnOptionOnlyWhereItIsNoPath) {
                                    "/usr/include", "/tmp/none.hlsl", "-o",     "/Tx"};
   const ParsedCommandLine parsed = ParseCommandLine(arguments);
   ASSERT_EQ(parsed.error, "");
-  EXPECT_EQ(parsed.command.request.profile, "vs_4_0");
-  EXPECT_EQ(parsed.command.request.entry, "main");
+  EXPECT_EQ(parsed.command.request.language.profile, "vs_4_0");
+  EXPECT_EQ(parsed.command.request.language.entry, "main");
   EXPECT_EQ(parsed.command.request.defines, std::vector<std::string>{"X=1"});
   EXPECT_EQ(parsed.command.inputs, (std::vector<std::string>{"/usr/include", "/tmp/none.hlsl"}));
   EXPECT_EQ(parsed.command.output, "/Tx");
@@ -127,9 +126,9 @@ TEST(ParseCommandLine, ValidatesBatches) {
   const char* const one[] = {"a.hlsl"};
   const char* const two[] = {"a.hlsl", "b.hlsl"};
   const char* const off[] = {"a.hlsl", "b.hlsl", "--no-validate"};
-  EXPECT_FALSE(ParseCommandLine(one).command.request.validate);
-  EXPECT_TRUE(ParseCommandLine(two).command.request.validate);
-  EXPECT_FALSE(ParseCommandLine(off).command.request.validate);
+  EXPECT_FALSE(ParseCommandLine(one).command.request.outputs.validate);
+  EXPECT_TRUE(ParseCommandLine(two).command.request.outputs.validate);
+  EXPECT_FALSE(ParseCommandLine(off).command.request.outputs.validate);
 }
 
 }  // namespace

@@ -51,14 +51,14 @@ std::string Driver::CheckUsage() {
   if (inputs.size() > 1 && writes_glsl && !IsDirectory(command_.output)) {
     return "several input files need a folder to write to; give an existing one with -o";
   }
-  if (request.variants && (command_.output.empty() || command_.output == "-")) {
+  if (request.planes.variants && (command_.output.empty() || command_.output == "-")) {
     return "--variants writes several files, named after the one that -o gives";
   }
   if (std::string problem = CheckCommand(command_); !problem.empty()) return problem;
   FileSet named, sources;
   for (const std::string& input : inputs) sources.Add(input);
   if (!command_.fragment.empty()) sources.Add(command_.fragment);
-  if (!request.pixel_shader.path.empty()) sources.Add(request.pixel_shader.path);
+  if (request.link.has_pixel_shader()) sources.Add(request.link.pixel_shader.path);
   for (const std::string& input : inputs) {
     for (const std::string& path : outputs_.emplace_back(PlaceOutputs(command_, input)).Named()) {
       if (named.Has(path)) return fmt::format("two outputs would go to `{}`", path);
@@ -117,7 +117,7 @@ int Driver::Finish(CompileResult result, const Outputs& outputs) {
 void Driver::ShowNotices() {
   Diagnostics& notices = command_.notices;
   for (const Outputs& outputs : outputs_) {
-    if (!command_.request.spirv && SaysOtherThanGlsl(outputs.glsl))
+    if (!command_.request.outputs.spirv && SaysOtherThanGlsl(outputs.glsl))
       notices.Report({}, diag::OutputNotGlsl, outputs.glsl);
   }
   if (!notices.all().empty()) printer_.Show(NoticesOf(command_));

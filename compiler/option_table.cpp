@@ -36,9 +36,11 @@ template <typename Owner, typename Value>
 Value& MemberOf(Reading& reading, Value Owner::* member) {
   CommandLine& command = reading.command;
   CompileRequest& request = command.request;
-  return std::get<Owner&>(std::tie(reading, reading.spirv, command, request, request.clip_space,
-                                   request.pixel_shader, request.warnings, request.debug,
-                                   request.limits)).*
+  return std::get<Owner&>(std::tie(reading, reading.spirv, command, request, request.includes,
+                                   request.language, request.planes, request.style,
+                                   request.style.clip_space, request.link,
+                                   request.link.pixel_shader, request.outputs, request.warnings,
+                                   request.limits, request.debug)).*
          member;
 }
 
@@ -85,9 +87,12 @@ void SetNumber(Reading& reading, const std::string& value) {
                               kLeast, kMost);
 }
 
-void SetVariants(Reading& reading, const std::string& value) {
-  reading.command.request.variants = true;
-  SetNumber<&CompileRequest::variant_planes, 0, kMaxClipPlanes>(reading, value);
+void SetTarget(Reading& reading, const std::string& value) {
+  reading.target = glsl::Target::Parse(value);
+  if (!reading.target) {
+    reading.error =
+        fmt::format("unknown target `{}`{}", value, Suggest(value, glsl::Target::Names()));
+  }
 }
 
 // Reads "2/4", the number of a shard and the number of shards.
@@ -128,15 +133,15 @@ void SetForZero(Reading& reading, const std::string& value) {
 // Reads a rule for bindings. The advice of the option says what it takes.
 template <bool (*kRead)(glsl::BindingRules&, std::string_view)>
 void Bind(Reading& reading, const std::string& value) {
-  reading.binding_option = reading.option;
-  if (!kRead(reading.command.request.bindings, value))
+  reading.vulkan_option = reading.option;
+  if (!kRead(reading.bindings, value))
     reading.error = fmt::format("`{} {}`: it takes {}", reading.option, value, reading.advice);
 }
 
 // -Gec and -Ges exclude each other, as in fxc.
 template <PositionName kName>
 void SetPositionName(Reading& reading, const std::string&) {
-  PositionName& name = reading.command.request.position_name;
+  PositionName& name = reading.command.request.language.position_name;
   if (name != PositionName::kSystemValue && name != kName)
     reading.error = "-Gec and -Ges contradict each other";
   name = kName;
@@ -226,6 +231,11 @@ constexpr Named<VulkanVersion> kVulkanVersions[] = {{VulkanVersion::k1_0, "vulka
                                                     {VulkanVersion::k1_1, "vulkan1.1"},
                                                     {VulkanVersion::k1_2, "vulkan1.2"},
                                                     {VulkanVersion::k1_3, "vulkan1.3"}};
+void SetVulkanVersion(Reading& reading, const std::string& value) {
+  reading.vulkan_option = reading.option;
+  Choose<&SpirvRequest::vulkan, kVulkanVersions>(reading, value);
+}
+
 constexpr char kShift[] = "two numbers, or a number and `all`";
 constexpr char kStageShift[] = "a number, or numbers each with its set";
 constexpr char kByKind[] =
@@ -239,52 +249,54 @@ using Request = CompileRequest;
 
 // The options of --help, in its order; then other spellings and other compilers' options.
 constexpr Option kOptions[] = {
-    {"-T", kJoinedOrSeparate, Set<&Request::profile>, "<PROFILE>",
+    {"-T", kJoinedOrSeparate, Set<&LanguageOptions::profile>, "<PROFILE>",
      "vs_2_0 .. vs_6_8 (vs_5_0), vs_4_0_level_9_0, _9_1, _9_3"},
-    {"-E", kJoinedOrSeparate, Set<&Request::entry>, "<NAME>", "entry function (main)"},
+    {"-E", kJoinedOrSeparate, Set<&LanguageOptions::entry>, "<NAME>", "entry function (main)"},
     {"-D", kJoinedOrSeparate, Set<&Request::defines>, "<NAME[=VALUE]>", "define a macro"},
-    {"-I", kJoinedOrSeparate, Set<&Request::include_dirs>, "<DIR>", "look for includes here too"},
-    {"-include", kSeparate, Set<&Request::forced_includes>, "<FILE>", "include FILE first"},
-    {"-HV", kJoinedOrSeparate, Choose<&Request::language, kLanguageNames>, "<YEAR>",
+    {"-I", kJoinedOrSeparate, Set<&IncludeOptions::dirs>, "<DIR>", "look for includes here too"},
+    {"-include", kSeparate, Set<&IncludeOptions::forced>, "<FILE>", "include FILE first"},
+    {"-HV", kJoinedOrSeparate, Choose<&LanguageOptions::version, kLanguageNames>, "<YEAR>",
      "2016, 2017, 2018 or 2021 (2021): from shader model 6 on"},
-    {"-Zpc", kFlag, SetTo<&Request::packing, MatrixPacking::kColumnMajor>, "",
+    {"-Zpc", kFlag, SetTo<&LanguageOptions::packing, MatrixPacking::kColumnMajor>, "",
      "matrices are column-major in memory (the default)"},
-    {"-Zpr", kFlag, SetTo<&Request::packing, MatrixPacking::kRowMajor>, "",
+    {"-Zpr", kFlag, SetTo<&LanguageOptions::packing, MatrixPacking::kRowMajor>, "",
      "matrices are row-major in memory"},
     {"-o", kJoinedOrSeparate, Set<&CommandLine::output>, "<FILE>",
      "the GLSL: a file, standard output (-, the default), or a folder for several files"},
-    {"--target", kEquals, Set<&Request::target>, "<GLSL>",
+    {"--target", kEquals, SetTarget, "<GLSL>",
      "glsl120 .. glsl460 (glsl450), vulkan, essl100, essl300 .. essl320, webgl1, webgl2"},
-    {"--lower", kEquals, Choose<&Request::lowering, kLoweringNames>, "<HOW>",
+    {"--lower", kEquals, Choose<&PlaneOptions::lowering, kLoweringNames>, "<HOW>",
      "clip planes: clip-distance, level9 (the default of level_9_x), near-plane, discard or none"},
-    {"--plane-space", kEquals, Choose<&Request::plane_space, kPlaneSpaceNames>, "<SPACE>",
+    {"--plane-space", kEquals, Choose<&PlaneOptions::space, kPlaneSpaceNames>, "<SPACE>",
      "the planes' space: clip (the default, fxc's), xyw1 or object, which lose fewer digits"},
-    {"--position-input", kEquals, Set<&Request::position_input>, "<SEMANTIC>",
+    {"--position-input", kEquals, Set<&PlaneOptions::position_input>, "<SEMANTIC>",
      "the input that --plane-space=object clips by (POSITION0)"},
     {"--fragment", kEquals, Set<&CommandLine::fragment>, "<FILE>",
      "with --lower=discard: add the discard to this GLSL; written as .frag"},
-    {"--variants", kFlag, Set<&Request::variants>, "",
+    {"--variants", kFlag, SetTo<&PlaneOptions::variants, kMaxClipPlanes>, "",
      "one shader for each number of clip planes: x.0.vert, x.1.vert .."},
-    {"--variants=", kJoined, SetVariants, "<N>", "the same, up to N planes"},
+    {"--variants=", kJoined, SetNumber<&PlaneOptions::variants, 0, kMaxClipPlanes>, "<N>",
+     "the same, up to N planes"},
     {"--depth-range", kEquals, Choose<&passes::ClipSpaceOptions::negative_one_to_one, kDepthRanges>,
      "<RANGE>", "zero-to-one (as the HLSL writes it, the default) or negative-one-to-one"},
     {"--flip-y", kFlag, Set<&passes::ClipSpaceOptions::flip_y>, "",
      "negate gl_Position.y, after the clip planes"},
-    {"--separable", kFlag, Set<&Request::separable>, "",
+    {"--separable", kFlag, Set<&StyleOptions::separable>, "",
      "redeclare gl_PerVertex, for glUseProgramStages"},
-    {"--blocks", kEquals, Choose<&Request::blocks, kBlockStyles>, "<FORM>",
+    {"--blocks", kEquals, Choose<&StyleOptions::blocks, kBlockStyles>, "<FORM>",
      "cbuffers: named (with an instance name, the default), plain or flat uniforms"},
     {"--bindings", kEquals, Bind<AddPreset>, "<NAME>",
      "the bindings of dxc, nvrhi or sdl, with target vulkan"},
-    {"--names", kEquals, Set<&Request::names>, "<STYLE>",
+    {"--names", kEquals, Set<&StyleOptions::names>, "<STYLE>",
      "of outputs and blocks: hlslcc (the default), dxc, spirv-cross, or vs_{semantic}{index}"},
     {"--pixel-shader", kEquals, Set<&PixelShader::path>, "<FILE>",
      "fit this pixel shader: HLSL, GLSL or SPIR-V"},
     {"--pixel-entry", kEquals, Set<&PixelShader::entry>, "<NAME>",
      "its entry function (main; of SPIR-V the only one)"},
-    {"--keep-outputs", kFlag, Set<&Request::keep_outputs>, "", "also those that it does not read"},
-    {"--zero-unwritten", kFlag, Set<&Request::zero_unwritten>},  // its error names it
-    {"-Zi", kFlag, Set<&Request::source_lines>, "",
+    {"--keep-outputs", kFlag, Set<&LinkOptions::keep_outputs>, "",
+     "also those that it does not read"},
+    {"--zero-unwritten", kFlag, Set<&LinkOptions::zero_unwritten>},  // its error names it
+    {"-Zi", kFlag, Set<&OutputOptions::source_lines>, "",
      "with the lines of the HLSL as comments in the GLSL"},
     {"-Fc", kJoinedOrSeparate, Set<&CommandLine::listing>, "<FILE>",
      "write the GLSL with these comments to FILE"},
@@ -294,7 +306,7 @@ constexpr Option kOptions[] = {
     {"-spirv", kFlag, SetSpirv<true>, "",
      "write SPIR-V instead of GLSL, for Vulkan; so does a .spv file"},
     {"-G", kFlag, SetSpirv<false>, "", "write SPIR-V for OpenGL 4.5"},
-    {"-fspv-target-env", kEquals, Choose<&SpirvRequest::vulkan, kVulkanVersions>, "<VERSION>",
+    {"-fspv-target-env", kEquals, SetVulkanVersion, "<VERSION>",
      "vulkan1.0 .. vulkan1.3 (vulkan1.1)"},
     {"--table", kEquals, Set<&CommandLine::table>, "<FILE>",
      "write the clip table: .json, .bin (Direct3D's record) or .h"},
@@ -310,7 +322,7 @@ constexpr Option kOptions[] = {
     {"-H", kFlag, Set<&CommandLine::show_includes>, "", "print the files that are included"},
     {"-P", kOptional, SetPreprocess, "<FILE>", "write the preprocessed HLSL to FILE, and stop"},
     {"-fsyntax-only", kFlag, Set<&CommandLine::syntax_only>, "", "write no file"},
-    {"--sandbox-includes", kEquals, Set<&Request::sandbox>, "<DIR>",
+    {"--sandbox-includes", kEquals, Set<&IncludeOptions::sandbox>, "<DIR>",
      "read includes from this folder only"},
     {"--validate", kFlag, SetTo<&Reading::validate, true>, "",
      "compile the GLSL with glslang before writing it (the default for several files)"},
@@ -341,10 +353,10 @@ constexpr Option kOptions[] = {
     {"--dump-after", kEquals, Set<&DebugOptions::dump_after>},
     {"--stop-after", kEquals, Set<&DebugOptions::stop_after>},
     {"--verify", kFlag, Set<&DebugOptions::verify>},
-    {"-Gis", kFlag, Set<&Request::precise>},
-    {"--invariant", kFlag, Set<&Request::invariant>},
-    {"--base-vertex", kEquals, SetForZero<&Request::base_vertex_is_zero>},
-    {"--base-instance", kEquals, SetForZero<&Request::base_instance_is_zero>},
+    {"-Gis", kFlag, Set<&StyleOptions::precise>},
+    {"--invariant", kFlag, Set<&StyleOptions::invariant>},
+    {"--base-vertex", kEquals, SetForZero<&StyleOptions::base_vertex_is_zero>},
+    {"--base-instance", kEquals, SetForZero<&StyleOptions::base_instance_is_zero>},
     {"-fvk-bind-register", kFour, Bind<AddRegister>, nullptr,
      "a register such as b0, its space, a binding and a set"},
     {"-fvk-bind-globals", kTwo, Bind<SetGlobals>, nullptr, "a binding and a set"},
@@ -361,13 +373,13 @@ constexpr Option kOptions[] = {
      kStageShift},
     {"-V", kFlag, SetSpirv<true>},
     {"-Fo", kJoinedOrSeparate, Set<&CommandLine::output>},
-    {"-e", kSeparate, Set<&Request::entry>},
-    {"-fentry-point", kEquals, Set<&Request::entry>},
-    {"-isystem -iquote", kSeparate, Set<&Request::include_dirs>},
+    {"-e", kSeparate, Set<&LanguageOptions::entry>},
+    {"-fentry-point", kEquals, Set<&LanguageOptions::entry>},
+    {"-isystem -iquote", kSeparate, Set<&IncludeOptions::dirs>},
     {"-U", kJoinedOrSeparate, Undefine},
-    {"-std=hlsl", kJoined, Choose<&Request::language, kLanguageNames>},
+    {"-std=hlsl", kJoined, Choose<&LanguageOptions::version, kLanguageNames>},
     {"--invert-y -fvk-invert-y", kFlag, Set<&passes::ClipSpaceOptions::flip_y>},
-    {"-g", kFlag, Set<&Request::source_lines>},
+    {"-g", kFlag, Set<&OutputOptions::source_lines>},
     {"--vn", kSeparate, Set<&CommandLine::variable>},
     {"-MMD", kFlag, Set<&CommandLine::write_dependencies>},
     {"-MM", kFlag, Set<&CommandLine::only_dependencies>},

@@ -20,16 +20,18 @@ struct Reading {
   std::string advice;  // its Option::help
   std::string error;
 
-  std::optional<bool> validate;  // --validate or --no-validate; none: neither
+  std::optional<bool> validate;        // --validate or --no-validate; none: neither
+  std::optional<glsl::Target> target;  // none: the user names none
+  glsl::BindingRules bindings;
   bool writes_spirv = false, spirv_for_vulkan = true;
   SpirvRequest spirv;
-  bool preprocess = false;                         // -P
+  std::string vulkan_option;  // the last option that is for target `vulkan` only
+  bool preprocess = false;    // -P
   std::string preprocess_name, preprocess_output;  // the values of -P and of -Fi
   struct Ignored {
     std::string option, why;
   };
   std::vector<Ignored> without_effect;  // options of other compilers
-  std::string binding_option;           // the last one of Vulkan's bindings
   std::vector<std::string> foreign_warnings;
 };
 

@@ -140,29 +140,28 @@ void FinishPreprocess(Reading& reading) {
   if (command.preprocessed.empty()) command.preprocessed = ".i";
 }
 
-// SPIR-V is for Vulkan unless the user asks for OpenGL or names another target. As glslang's, --vn
-// makes a header of -o.
-void FinishSpirv(Reading& reading) {
+// Settles what is written for which target: the one that the user names, or without a name `vulkan`
+// for SPIR-V that is not for OpenGL. As glslang's, --vn makes a header of -o.
+void FinishTarget(Reading& reading) {
   CommandLine& command = reading.command;
   CompileRequest& request = command.request;
   const bool is_spirv = reading.writes_spirv || command.output.ends_with(".spv");
   if (!command.variable.empty() && command.header.empty())
     command.header = std::exchange(command.output, {});
-  if (!is_spirv) return;
-  reading.spirv.debug_info = request.source_lines;
-  request.spirv = reading.spirv;
-  if (reading.spirv_for_vulkan && request.target == CompileRequest().target)
-    request.target = "vulkan";
-}
-
-// Each entry of a batch may have a target of its own.
-void FinishBindings(Reading& reading) {
-  const CommandLine& command = reading.command;
-  if (!reading.binding_option.empty() && command.request.target != "vulkan" &&
-      command.batch.empty()) {
+  if (is_spirv) {
+    reading.spirv.debug_info = request.outputs.source_lines;
+    request.outputs.spirv = reading.spirv;
+    if (reading.spirv_for_vulkan) request.target = *glsl::Target::Parse("vulkan");
+  }
+  if (reading.target) request.target = *reading.target;
+  request.target.bindings = std::move(reading.bindings);
+  if (is_spirv && !reading.spirv_for_vulkan && request.target.IsVulkan() && reading.error.empty())
+    reading.error = "-G writes SPIR-V for OpenGL, and --target=vulkan is not; give one of the two";
+  // Each entry of a batch may have a target of its own.
+  if (!reading.vulkan_option.empty() && !request.target.IsVulkan() && command.batch.empty()) {
     reading.without_effect.push_back(
-        {reading.binding_option,
-         fmt::format("it is for target `vulkan`, and this is `{}`", command.request.target)});
+        {reading.vulkan_option,
+         fmt::format("it is for target `vulkan`, and this is `{}`", request.target.name())});
   }
 }
 
@@ -189,8 +188,7 @@ ParsedCommandLine ParseCommandLine(std::span<const char* const> arguments) {
     ReadArgument(words, at, reading);
   CommandLine& command = reading.command;
   FinishPreprocess(reading);
-  FinishSpirv(reading);
-  FinishBindings(reading);
+  FinishTarget(reading);
   // A remark about the options is a warning even where the shader's warnings are errors.
   WarningOptions warnings = command.request.warnings;
   warnings.warnings_are_errors = false;
@@ -198,7 +196,7 @@ ParsedCommandLine ParseCommandLine(std::span<const char* const> arguments) {
   ReportWithoutEffect(reading);
   // glslang's tables cost tens of milliseconds once: much for one shader, little for many.
   command.asks_to_validate = reading.validate;
-  command.request.validate = reading.validate.value_or(command.inputs.size() > 1);
+  command.request.outputs.validate = reading.validate.value_or(command.inputs.size() > 1);
   return {std::move(command), std::move(reading.error)};
 }
 

@@ -18,7 +18,7 @@ inline constexpr Named<LanguageVersion> kLanguageNames[] = {{LanguageVersion::k2
 
 enum class MessageFormat : std::uint8_t { kText, kMsvc, kJson, kSarif };
 
-// A command line. Its names of a profile, a target and passes are unchecked; Compile checks them.
+// A command line. Its names of a profile and passes are unchecked; Compile checks them.
 struct CommandLine {
   enum class Action : std::uint8_t { kCompile, kHelp, kVersion };
 

@@ -17,7 +17,7 @@ namespace {
 // The pixel profile beside the vertex profile: ps_5_0 for vs_5_0. Limits of the hardware are not
 // asked here, so ps_3_0 and ps_4_0 stand for the lower ones.
 ir::Profile PixelProfile(const CompileRequest& request) {
-  const ir::Profile vertex = *ir::ParseProfile(request.profile);
+  const ir::Profile vertex = *ir::ParseProfile(request.language.profile);
   const std::string name =
       vertex.IsDirect3D9() ? "ps_3_0" : fmt::format("ps_{}_{}", vertex.major, vertex.minor);
   return *ir::ParseProfile(name);
@@ -36,18 +36,19 @@ link::ReadResult ReadHlsl(const CompileRequest& request, SourceInput input,
                           std::vector<std::string>& dependencies) {
   link::ReadResult result;
   using Files = FrontendContext::Files;
-  FrontendContext context(request.read_include ? Files::kNone : Files::kOnDisk, request.sandbox);
-  const std::string& entry = request.pixel_shader.entry;
-  CheckOptions options = CheckOptions::For(PixelProfile(request), request.language);
+  FrontendContext context(request.includes.read ? Files::kNone : Files::kOnDisk,
+                          request.includes.sandbox);
+  const std::string& entry = request.link.pixel_shader.entry;
+  CheckOptions options = CheckOptions::For(PixelProfile(request), request.language.version);
   if (!entry.empty()) options.entry = entry;
-  options.packing = request.packing;
+  options.packing = request.language.packing;
   options.stages_match_by_row = true;
   input.shader_model_major = options.profile.major;
   input.shader_model_minor = options.profile.minor;
   Source source(context, std::move(input));
   const auto place_of = [&](Span span) {
     const Place place = source.Resolve(span);
-    return place.file.empty() ? request.pixel_shader.path
+    return place.file.empty() ? request.link.pixel_shader.path
                               : fmt::format("{}:{}:{}", place.file, place.line, place.column);
   };
   Diagnostics diagnostics;
@@ -75,9 +76,10 @@ void ForgetNames(link::Interface& half, bool is_glsl) {
   }
 }
 
-link::ReadResult Read(const CompileRequest& request, SourceInput input, const glsl::Target& target,
+link::ReadResult Read(const CompileRequest& request, SourceInput input,
                       std::vector<std::string>& dependencies) {
-  const PixelShader& half = request.pixel_shader;
+  const glsl::Target& target = request.target;
+  const PixelShader& half = request.link.pixel_shader;
   std::string bytes;
   if (half.text) {
     bytes = *half.text;
@@ -110,10 +112,10 @@ link::ReadResult Read(const CompileRequest& request, SourceInput input, const gl
 
 }  // namespace
 
-void LinkPixelShader(const CompileRequest& request, SourceInput input, const glsl::Target& target,
-                     ir::Program& program, std::vector<std::string>& dependencies,
-                     Diagnostics& diagnostics) {
-  link::ReadResult half = Read(request, std::move(input), target, dependencies);
+void LinkPixelShader(const CompileRequest& request, SourceInput input, ir::Program& program,
+                     std::vector<std::string>& dependencies, Diagnostics& diagnostics) {
+  const glsl::Target& target = request.target;
+  link::ReadResult half = Read(request, std::move(input), dependencies);
   if (const std::string problem = link::Problem(half.interface); !problem.empty())
     half.problems.push_back(problem);
   for (const link::Group& group : half.interface.groups) {
@@ -134,11 +136,11 @@ void LinkPixelShader(const CompileRequest& request, SourceInput input, const gls
   // Drivers of desktop OpenGL link a program by name whose pixel shader reads what nothing writes.
   const bool links_by_name = !target.IsEs() && target.Has(glsl::Feature::kInAndOut) &&
                              !target.Has(glsl::Feature::kOutputLocations);
-  const link::MatchOptions options{request.keep_outputs, target.IsVulkan(),
-                                   request.zero_unwritten || links_by_name, target.IsEs()};
+  const link::MatchOptions options{request.link.keep_outputs, target.IsVulkan(),
+                                   request.link.zero_unwritten || links_by_name, target.IsEs()};
   const link::Matches matches = link::Match(program, half.interface, options, diagnostics);
   if (diagnostics.has_errors()) return;
-  if (!request.names.empty()) ForgetNames(half.interface, half.is_glsl);
+  if (!request.style.names.empty()) ForgetNames(half.interface, half.is_glsl);
   link::Apply(program, half.interface, matches, options);
 }
 

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "backend-glsl/target.h"
 #include "base/diagnostics.h"
 #include "compiler/compile.h"
 #include "frontend/lex/source.h"
@@ -16,8 +15,7 @@ namespace clipc {
 // `input` is the vertex shader's: a pixel shader in HLSL has the same include folders and macros.
 // Appends the files that were read to `dependencies`. Requires Form::kTyped; after errors the
 // program is as it was.
-void LinkPixelShader(const CompileRequest& request, SourceInput input, const glsl::Target& target,
-                     ir::Program& program, std::vector<std::string>& dependencies,
-                     Diagnostics& diagnostics);
+void LinkPixelShader(const CompileRequest& request, SourceInput input, ir::Program& program,
+                     std::vector<std::string>& dependencies, Diagnostics& diagnostics);
 
 }  // namespace clipc

@@ -33,7 +33,7 @@ std::string PlaceGlsl(const CommandLine& command, const std::string& input) {
   if (!EndsWithSlash(output) && (output == "-" || !IsDirectory(output))) return output;
   const std::string stem = input == "-" ? "stdin" : WithoutExtension(FileName(input));
   return fmt::format("{}{}{}.{}", output, EndsWithSlash(output) ? "" : "/", stem,
-                     command.request.spirv ? "spv" : "vert");
+                     command.request.outputs.spirv ? "spv" : "vert");
 }
 
 }  // namespace
@@ -85,7 +85,7 @@ Outputs PlaceOutputs(const CommandLine& command, const std::string& input) {
   outputs.listing = NameAfter(command.listing, name);
   outputs.table = NameAfter(command.table, name);
   outputs.reflection = NameAfter(command.reflection, name);
-  if (command.request.lowering == Lowering::kDiscard) {
+  if (command.request.planes.lowering == Lowering::kDiscard) {
     outputs.fragment =
         WithoutExtension(name) + (command.fragment.empty() ? ".discard.glsl" : ".frag");
   }

@@ -33,10 +33,12 @@ std::vector<std::string> Corpus() {
 std::string Said(Compiler& compiler, const std::string& path, std::size_t number) {
   CompileRequest request;
   request.path = path;
-  request.validate = number % 8 == 0;
-  request.target = number % 3 == 0 ? "vulkan" : number % 3 == 1 ? "essl310" : "glsl450";
-  if (number % 9 == 0) request.spirv.emplace();
-  request.reflect = true;
+  request.outputs.validate = number % 8 == 0;
+  request.target = *glsl::Target::Parse(number % 3 == 0   ? "vulkan"
+                                        : number % 3 == 1 ? "essl310"
+                                                          : "glsl450");
+  if (number % 9 == 0) request.outputs.spirv.emplace();
+  request.outputs.reflection = true;
   const CompileResult result = compiler.Compile(request);
   return result.text + result.shaders.vertex + result.reflection +
          std::to_string(result.spirv.size());

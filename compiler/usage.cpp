@@ -15,22 +15,22 @@ std::string CheckCommand(const CommandLine& command) {
   if (!command.table.empty() && !clip_table::FormatOf(command.table)) {
     return fmt::format("`{}` names no clip table; it ends in .json, .bin or .h", command.table);
   }
-  if (request.variants && (!command.header.empty() || request.spirv))
+  if (request.planes.variants && (!command.header.empty() || request.outputs.spirv))
     return "-Fh and -spirv write one shader; with --variants there are several";
   if (!command.variable.empty() && command.header.empty())
     return "-Vn names what -Fh writes; give that option too";
-  if (!command.fragment.empty() && request.lowering != Lowering::kDiscard) {
+  if (!command.fragment.empty() && request.planes.lowering != Lowering::kDiscard) {
     return "--fragment is for --lower=discard; with the other lowerings the fragment shader stays "
            "as it is";
   }
-  if (!request.position_input.empty() && request.plane_space != PlaneSpace::kObject) {
+  if (!request.planes.position_input.empty() && request.planes.space != PlaneSpace::kObject) {
     return "--position-input is for --plane-space=object; other spaces take the position that the "
            "shader computes";
   }
-  if (request.pixel_shader.path.empty() && request.keep_outputs) {
+  if (!request.link.has_pixel_shader() && request.link.keep_outputs) {
     return "--keep-outputs is for --pixel-shader; without it every output is kept";
   }
-  if (request.pixel_shader.path.empty() && request.zero_unwritten) {
+  if (!request.link.has_pixel_shader() && request.link.zero_unwritten) {
     return "--zero-unwritten is for --pixel-shader, which says what is read";
   }
   return {};
@@ -41,7 +41,7 @@ CompileResult NoticesOf(const CommandLine& command) {
   if (command.notices.all().empty()) return result;
   FrontendContext context;
   const Source nowhere(context, {});
-  result.text = nowhere.RenderText(command.notices, command.request.colour);
+  result.text = nowhere.RenderText(command.notices, command.request.outputs.colour);
   for (const Diagnostic& notice : command.notices.all())
     result.messages.push_back(ToMessage(notice, nowhere));
   return result;
@@ -50,16 +50,17 @@ CompileResult NoticesOf(const CommandLine& command) {
 std::string PrepareRequest(CommandLine& command) {
   CompileRequest& request = command.request;
   if (!command.fragment.empty()) {
-    const std::string problem = ReadText(command.fragment, request.fragment.emplace());
+    const std::string problem = ReadText(command.fragment, request.planes.fragment.emplace());
     if (!problem.empty()) return fmt::format("cannot read `{}`: {}", command.fragment, problem);
   }
-  request.structs = command.reflection.ends_with(".h");
-  request.reflect = !command.reflection.empty() && !request.structs;
-  request.list = !command.listing.empty();
-  request.preprocess = !command.preprocessed.empty() || command.only_dependencies;
-  request.gives_planes_to_device = !command.table.empty() || request.reflect;
-  request.draw_text = command.format == MessageFormat::kText;
-  request.colour = request.draw_text && command.colour.value_or(TerminalHasColour());
+  OutputOptions& outputs = request.outputs;
+  outputs.structs = command.reflection.ends_with(".h");
+  outputs.reflection = !command.reflection.empty() && !outputs.structs;
+  outputs.listing = !command.listing.empty();
+  outputs.preprocess = !command.preprocessed.empty() || command.only_dependencies;
+  outputs.text = command.format == MessageFormat::kText;
+  outputs.colour = outputs.text && command.colour.value_or(TerminalHasColour());
+  request.planes.given_to_device = !command.table.empty() || outputs.reflection;
   return {};
 }
 

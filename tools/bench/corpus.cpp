@@ -40,9 +40,9 @@ std::vector<CompileRequest> ReadList(const std::string& path) {
     parts.resize(5);
     CompileRequest request;
     request.path = parts[0];
-    request.entry = parts[1];
-    request.profile = parts[2];
-    request.include_dirs = Split(parts[3], ';');
+    request.language.entry = parts[1];
+    request.language.profile = parts[2];
+    request.includes.dirs = Split(parts[3], ';');
     request.defines = Split(parts[4], ';');
     requests.push_back(std::move(request));
   }
@@ -108,7 +108,7 @@ void BenchCorpus(const std::string& list) {
   for (std::size_t i = 0; i < std::min<std::size_t>(times.size(), 10); ++i) {
     const CompileRequest& request = requests[times[i].second];
     std::printf("%8.2f ms  %s %s\n", 1000 * times[i].first, request.path.c_str(),
-                request.entry.c_str());
+                request.language.entry.c_str());
   }
 }
 

@@ -91,7 +91,7 @@ void BenchPixelShader() {
     request.path = "shader.hlsl";
     request.text = SixtyLinePair(i);
     for (std::vector<double>* times : {&alone, &fitted}) {
-      if (times == &fitted) request.pixel_shader = {request.path, request.text, "pixel"};
+      if (times == &fitted) request.link.pixel_shader = {request.path, request.text, "pixel"};
       const double start = harness::ProcessSeconds();
       if (!compiler.Compile(request).ok()) std::exit(1);
       times->push_back(harness::ProcessSeconds() - start);
@@ -110,7 +110,7 @@ void BenchBatchValidation() {
     request.path = "shader.hlsl";
     request.text = SixtyLineShader(i);
     for (std::vector<double>* times : {&plain, &validated}) {
-      request.validate = times == &validated;
+      request.outputs.validate = times == &validated;
       const double start = harness::ProcessSeconds();
       if (!compiler.Compile(request).ok()) std::exit(1);
       // The first shader builds glslang's symbol tables.

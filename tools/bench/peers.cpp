@@ -24,14 +24,14 @@ std::optional<std::string> CompileText(const std::string& hlsl, const CompileReq
   const char* name = request.path.c_str();
   const int length = static_cast<int>(hlsl.size());
   shader.setStringsWithLengthsAndNames(&text, &length, &name, 1);
-  shader.setEntryPoint(request.entry.c_str());
-  shader.setSourceEntryPoint(request.entry.c_str());
+  shader.setEntryPoint(request.language.entry.c_str());
+  shader.setSourceEntryPoint(request.language.entry.c_str());
   shader.setEnvInput(glslang::EShSourceHlsl, EShLangVertex, glslang::EShClientVulkan, 100);
   shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_0);
   shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_0);
   const std::string preamble = harness::DefineLines(request.defines);
   shader.setPreamble(preamble.c_str());
-  harness::Includer includer(request.include_dirs);
+  harness::Includer includer(request.includes.dirs);
   const auto messages =
       static_cast<EShMessages>(EShMsgReadHlsl | EShMsgVulkanRules | EShMsgSpvRules);
   if (!shader.parse(GetDefaultResources(), 450, false, messages, includer)) return std::nullopt;

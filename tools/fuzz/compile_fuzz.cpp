@@ -33,17 +33,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   clipc::CompileRequest request;
   request.path = "fuzz.hlsl";
   request.text = std::string(text);
-  request.gives_planes_to_device = true;
-  request.profile = kProfiles[Choose(text, 2, kProfiles.size())];
-  request.target = kTargets[Choose(text, 3, kTargets.size())];
+  request.planes.given_to_device = true;
+  request.language.profile = kProfiles[Choose(text, 2, kProfiles.size())];
+  request.target = *clipc::glsl::Target::Parse(kTargets[Choose(text, 3, kTargets.size())]);
   const std::size_t lowering = Choose(text, 4, std::size(clipc::kLoweringNames) + 1);
   if (lowering < std::size(clipc::kLoweringNames)) {
-    request.lowering = static_cast<clipc::Lowering>(lowering);
+    request.planes.lowering = static_cast<clipc::Lowering>(lowering);
   }
-  request.plane_space =
+  request.planes.space =
       static_cast<clipc::PlaneSpace>(Choose(text, 5, std::size(clipc::kPlaneSpaceNames)));
-  request.clip_space = {.negative_one_to_one = true, .flip_y = true};
-  request.reflect = true;
+  request.style.clip_space = {.negative_one_to_one = true, .flip_y = true};
+  request.outputs.reflection = true;
   request.debug.verify = true;
   const clipc::CompileResult result = compiler.Compile(request);
   if (result.ok() == result.shaders.vertex.empty()) std::abort();

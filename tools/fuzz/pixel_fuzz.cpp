@@ -33,10 +33,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   clipc::CompileRequest request;
   request.path = "vertex.hlsl";
   request.text = kVertexShader;
-  request.pixel_shader.path = "pixel";
-  request.pixel_shader.text.emplace(reinterpret_cast<const char*>(data), size);
+  request.link.pixel_shader.path = "pixel";
+  request.link.pixel_shader.text.emplace(reinterpret_cast<const char*>(data), size);
   for (const char* target : {"glsl450", "vulkan", "essl300"}) {
-    request.target = target;
+    request.target = *clipc::glsl::Target::Parse(target);
     const clipc::CompileResult result = clipc::Compile(request);
     if (result.ok() == result.shaders.vertex.empty()) std::abort();
     if (!result.ok() && result.messages.empty()) std::abort();
