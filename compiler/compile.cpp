@@ -16,12 +16,11 @@
 #include "compiler/count_matrices.h"
 #include "compiler/dump_tokens.h"
 #include "compiler/make_clip_table.h"
-#include "compiler/output_files.h"
 #include "compiler/pixel_half.h"
+#include "compiler/plan.h"
 #include "compiler/reflect.h"
 #include "compiler/stages.h"
 #include "compiler/structs.h"
-#include "compiler/suggest.h"
 #include "compiler/validate.h"
 #include "frontend/parse/ast_print.h"
 #include "ir/print.h"
@@ -45,339 +44,315 @@ std::string SourceLine(const Source& source, Span span) {
   return line;
 }
 
-// One request on its way through the stages.
-class Compilation {
+// The reasons to end a compile before its result: the limit of its time, and its caller.
+class Stop {
  public:
-  Compilation(FrontendContext& context, const CompileRequest& request)
-      : request_(request), diagnostics_(request.warnings), context_(context) {
-    const bool has_deadline = request.limits.seconds != Limits().seconds;
-    if (has_deadline) deadline_ = Clock::now() + std::chrono::seconds(request.limits.seconds);
-    if (has_deadline || request.limits.is_cancelled) diagnostics_.SetWatch(&watch_);
+  explicit Stop(const Limits& limits) : limits_(limits) {
+    if (limits.seconds != Limits().seconds)
+      deadline_ = Clock::now() + std::chrono::seconds(limits.seconds);
   }
 
-  CompileResult Run();
+  // The watch that the stages ask; null if nothing can stop the compile.
+  Watch* watch() { return deadline_ || limits_.is_cancelled ? &watch_ : nullptr; }
+
+  // Reports why the compile was stopped, if it was. Returns the status that it has then.
+  Status Report(Diagnostics& diagnostics) const {
+    if (watch_.stopped() && is_cancelled_) {
+      diagnostics.Report({}, diag::Cancelled);
+      return Status::kCancelled;
+    }
+    if (watch_.stopped()) diagnostics.Report({}, diag::TimeLimit, limits_.seconds);
+    return Status::kOk;
+  }
 
  private:
   using Clock = std::chrono::steady_clock;
-  // Thrown to leave the passes when the watch has stopped; caught in Run.
-  struct Stopped {};
 
-  void ReadNames();
-  bool MustStop();
-  void ReportStop();
-  SourceInput InputOf() const;
-  void RunStages(Source& source);
-  void Dump(Source& source);
-  void RunBackEnd(ir::Program program, const Source& source);
-  LowerSettings SettingsFor(ir::VarId position_input);
-  Shaders Finish(const Lowered& lowered, Written written);
-  void WriteVariants(const ir::Program& typed, LowerSettings settings);
-  void TranslateToSpirv();
-  void ValidateVertex(const Lowered& lowered, const Written& written);
-  void CloseResult(const Source& source);
+  bool MustStop() {
+    is_cancelled_ = limits_.is_cancelled && limits_.is_cancelled();
+    return is_cancelled_ || (deadline_ && Clock::now() >= *deadline_);
+  }
 
-  bool IsDump(DumpStage stage) const { return request_.debug.dump == stage; }
-
-  const CompileRequest& request_;
-  Diagnostics diagnostics_;
-  FrontendContext& context_;
-  // The parts of the request that are names, resolved.
-  CheckOptions front_;
-  LoweringRequest lowering_;
-  glsl::WriteOptions options_;
-
-  Clock::time_point deadline_ = Clock::time_point::max();
+  const Limits& limits_;
+  std::optional<Clock::time_point> deadline_;
   bool is_cancelled_ = false;
   Watch watch_{[this] { return MustStop(); }};
-  bool has_pixel_shader_ = false;
-  bool keeps_matrices_whole_ = false;
-  std::string_view unjudged_;  // a feature that glslang does not know; empty if it can judge
-  CompileResult result_;
 };
 
-CompileResult Compilation::Run() {
-  ReadNames();
-  Source source(context_, InputOf());
-  if (diagnostics_.has_errors()) {
-    result_.status = Status::kBadRequest;
-  } else {
-    try {
-      RunStages(source);
-    } catch (const Stopped&) {
-      result_.dump.clear();
-    }
-    ReportStop();
-    if (request_.record_macros) result_.macros_used = source.MacrosUsed();
-    std::vector<std::string> others = std::move(result_.dependencies);
-    result_.dependencies = source.Dependencies();
-    result_.includes = source.Includes();
-    for (std::string& path : others) {
-      if (std::ranges::find(result_.dependencies, path) == result_.dependencies.end())
-        result_.dependencies.push_back(std::move(path));
-    }
-    if (!source.main_file_read()) result_.status = Status::kBadRequest;
-  }
-  CloseResult(source);
-  return std::move(result_);
-}
+// A plan that runs: what every step of it asks.
+struct Job {
+  const CompileRequest& request;
+  const Plan& plan;
+  Source& source;
+  Diagnostics& diagnostics;
+  Watch* watch;
 
-bool Compilation::MustStop() {
-  is_cancelled_ = request_.limits.is_cancelled && request_.limits.is_cancelled();
-  return is_cancelled_ || (deadline_ != Clock::time_point::max() && Clock::now() >= deadline_);
-}
+  bool IsDump(DumpStage stage) const { return request.debug.dump == stage; }
+  bool IsStopped() const { return watch && watch->stopped(); }
+};
 
-void Compilation::ReportStop() {
-  if (!watch_.stopped()) return;
-  if (is_cancelled_) {
-    diagnostics_.Report({}, diag::Cancelled);
-    result_.status = Status::kCancelled;
-  } else {
-    diagnostics_.Report({}, diag::TimeLimit, request_.limits.seconds);
-  }
-}
+// ---- from HLSL to the lowered program
 
-void Compilation::ReadNames() {
-  const auto unknown = [&](const auto& kind, const std::string& name,
-                           std::span<const std::string_view> names) {
-    diagnostics_.Report({}, kind, name, Suggest(name, names));
-  };
-  if (auto profile = ir::ParseProfile(request_.language.profile)) {
-    front_ = CheckOptions::For(std::move(*profile), request_.language.version);
-  } else {
-    unknown(diag::UnknownProfile, request_.language.profile, ProfileNames());
-  }
-  auto names =
-      glsl::NameStyle::Parse(request_.style.names.empty() ? "hlslcc" : request_.style.names);
-  if (!names) {
-    unknown(diag::UnknownNames, request_.style.names, glsl::NameStyle::Names());
-    names.emplace();
-  }
-  options_ = {.separable = request_.style.separable,
-              .base_vertex_is_zero = request_.style.base_vertex_is_zero,
-              .base_instance_is_zero = request_.style.base_instance_is_zero,
-              .invariant = request_.style.invariant,
-              .blocks = request_.style.blocks,
-              .names = std::move(*names)};
-  const auto check_pass = [&](const std::string& name) {
-    const std::vector<std::string_view> passes = LowerPasses();
-    if (std::ranges::find(passes, name) != passes.end()) return;
-    unknown(diag::UnknownPass, name, passes);
-  };
-  for (const std::string& name : request_.debug.dump_after) check_pass(name);
-  if (!request_.debug.stop_after.empty()) check_pass(request_.debug.stop_after);
-
-  lowering_ = {request_.planes.lowering.value_or(DefaultLowering(front_.profile)),
-               request_.planes.space, request_.planes.position_input};
-  CheckRequest(lowering_, diagnostics_);
-  if (!request_.includes.sandbox.empty() && !IsDirectory(request_.includes.sandbox))
-    diagnostics_.Report({}, diag::NoSandbox, request_.includes.sandbox);
-  front_.entry = request_.language.entry;
-  front_.packing = request_.language.packing;
-  front_.position_name = request_.language.position_name;
-  // HLSLcc, after fxc, has a variable for each column of a matrix between two stages. Its names
-  // are the usual ones where stages match by name.
-  const bool is_hlslcc = request_.style.names.empty()
-                             ? !request_.target.Has(glsl::Feature::kOutputLocations)
-                             : request_.style.names == "hlslcc";
-  has_pixel_shader_ = request_.link.has_pixel_shader();
-  keeps_matrices_whole_ = !has_pixel_shader_ && !is_hlslcc;
-  front_.stages_match_by_row = has_pixel_shader_ || keeps_matrices_whole_;
-  front_.whole_register_planes = lowering_.lowering == Lowering::kLevel9;
-}
-
-SourceInput Compilation::InputOf() const {
-  return {.path = request_.path,
-          .text = request_.text,
-          .include_dirs = request_.includes.dirs,
-          .defines = request_.defines,
-          .forced_includes = request_.includes.forced,
-          .read_include = request_.includes.read,
-          .shader_model_major = front_.profile.major,
-          .shader_model_minor = front_.profile.minor,
-          .language = request_.language.version,
-          .max_bytes = request_.limits.bytes,
-          .max_tokens = request_.limits.tokens,
-          .record_macros = request_.record_macros};
-}
-
-void Compilation::RunStages(Source& source) {
-  if (request_.outputs.preprocess) {
-    result_.preprocessed = Preprocess(source, diagnostics_);
-    return;
-  }
-  if (IsDump(DumpStage::kTokens) || IsDump(DumpStage::kAst)) return Dump(source);
-  const auto is_new = [&](const Tokens& tokens) {
-    // The tokens alone do not decide the result where lines of the source or words of the
-    // preprocessor are a part of it.
-    if (!request_.is_known || request_.outputs.source_lines || request_.outputs.listing ||
-        has_pixel_shader_ || diagnostics_.has_pragmas() || !diagnostics_.all().empty())
-      return true;
-    result_.digest = DigestOf(tokens);
-    result_.is_repeated = request_.is_known(*result_.digest);
-    return !result_.is_repeated;
-  };
-  ir::Program program = Front(source, front_, diagnostics_, is_new);
-  if (diagnostics_.has_errors() || result_.is_repeated) return;
-  if (IsDump(DumpStage::kIr)) {
-    result_.dump = ir::Print(program);
-  } else {
-    RunBackEnd(std::move(program), source);
-  }
-}
-
-// Dumps a stage before the typed program.
-void Compilation::Dump(Source& source) {
-  if (IsDump(DumpStage::kTokens)) {
-    result_.dump = DumpTokens(Lex(source, diagnostics_), source);
-    return;
-  }
-  result_.dump = PrintAst(ReadFile(source, diagnostics_));
-}
-
-void Compilation::RunBackEnd(ir::Program typed, const Source& source) {
-  if (keeps_matrices_whole_) link::KeepMatricesWhole(typed);
-  if (has_pixel_shader_) {
-    LinkPixelShader(request_, InputOf(), typed, result_.dependencies, diagnostics_);
-    if (diagnostics_.has_errors()) return;
-  }
-  const LowerSettings settings = SettingsFor(CheckLowering(typed, lowering_, diagnostics_));
-  if (!request_.planes.given_to_device && !request_.debug.changes_result())
-    CheckPlanesAreKept(typed, lowering_, request_.target, diagnostics_);
-  if (diagnostics_.has_errors()) return;
-  if (request_.outputs.reflection) result_.position_matrices = CountPositionMatrices(typed);
-  const ClipDistances distances = ClipDistancesOf(typed);
-  const ir::Program kept = request_.planes.variants ? typed : ir::Program();
-  Lowered lowered = Lower(std::move(typed), settings);
-  if (lowered.is_complete) {
-    ReportLeftOut(distances, lowered.program, diagnostics_);
-    CheckTarget(lowered, request_.style.blocks, diagnostics_);
-    if (diagnostics_.has_errors()) return;
-    Legalize(lowered, settings.passes);
-  }
-  if (!lowered.is_complete) {
-    if (request_.debug.dump_after.empty()) result_.dump = ir::Print(lowered.program);
-    return;
-  }
-
-  glsl::WriteOptions with_lines = options_;
-  with_lines.comment_of = [&](Span span) { return SourceLine(source, span); };
-  if (request_.outputs.listing) result_.listing = Write(lowered, with_lines).glsl;
-  if (request_.outputs.source_lines) options_ = std::move(with_lines);
-  Written written = Write(lowered, options_);
-  result_.table = MakeClipTable(lowered, written.info);
-  if (request_.outputs.reflection) {
-    result_.reflection = Reflect(lowered, written.info, *result_.table, result_.position_matrices);
-  }
-  if (request_.outputs.structs) result_.structs = WriteStructs(lowered.program);
-  result_.shaders = Finish(lowered, std::move(written));
-  if (request_.outputs.spirv) TranslateToSpirv();
-  if (request_.planes.variants) WriteVariants(kept, settings);
-  if (!unjudged_.empty()) {
-    diagnostics_.Report({}, diag::NotValidated,
-                        fmt::format("{} does not support {}", ValidatorName(), unjudged_));
-  }
-  if (IsDump(DumpStage::kGlsl)) result_.dump = result_.shaders.vertex;
-  if (IsDump(DumpStage::kTable)) {
-    if (auto json = clip_table::WriteJson(*result_.table)) result_.dump = std::move(*json);
-  }
-}
-
-LowerSettings Compilation::SettingsFor(ir::VarId position_input) {
-  LowerSettings settings{request_.target, {}};
-  settings.passes.clip_planes = {lowering_.lowering, lowering_.plane_space, position_input};
-  settings.passes.clip_space = request_.style.clip_space;
-  settings.passes.precise_outputs = request_.style.precise;
-  settings.passes.stop_after = request_.debug.stop_after;
-  settings.passes.verify = request_.debug.verify;
-  settings.passes.after_pass = [&](std::string_view pass, const ir::Program& after) {
-    if (watch_.AskNow()) throw Stopped();
-    const auto& wanted = request_.debug.dump_after;
-    if (std::ranges::find(wanted, pass) == wanted.end()) return;
-    if (wanted.size() > 1) result_.dump += fmt::format("// after {}\n", pass);
-    result_.dump += ir::Print(after);
+// The settings of the passes, which append the programs that the request wants to see to `dump`.
+LowerSettings SettingsOf(const Job& job, ir::VarId position_input, std::string& dump) {
+  LowerSettings settings{job.request.target, {}};
+  passes::PipelineOptions& passes = settings.passes;
+  passes.clip_planes = {job.plan.lowering.lowering, job.plan.lowering.plane_space, position_input};
+  passes.clip_space = job.request.style.clip_space;
+  passes.precise_outputs = job.request.style.precise;
+  passes.stop_after = job.request.debug.stop_after;
+  passes.verify = job.request.debug.verify;
+  passes.after_pass = [&job, &dump](std::string_view pass, const ir::Program& after) {
+    if (job.watch && job.watch->AskNow()) return false;
+    const auto& wanted = job.request.debug.dump_after;
+    if (std::ranges::find(wanted, pass) == wanted.end()) return true;
+    if (wanted.size() > 1) dump += fmt::format("// after {}\n", pass);
+    dump += ir::Print(after);
+    return true;
   };
   return settings;
 }
 
-// Adds the fragment shader's part, and validates both.
-Shaders Compilation::Finish(const Lowered& lowered, Written written) {
-  if (request_.outputs.validate) ValidateVertex(lowered, written);
-  Shaders shaders{std::move(written.glsl), {}};
-  if (lowered.lowering != Lowering::kDiscard) return shaders;
-  if (!request_.planes.fragment) {
-    shaders.fragment =
-        glsl::WriteDiscard(lowered.program, lowered.target, written.info).declarations;
-    return shaders;
-  }
-  glsl::Insertion insertion =
-      glsl::InsertDiscard(*request_.planes.fragment, lowered.program, lowered.target, written.info);
-  shaders.fragment = std::move(insertion.text);
-  if (insertion.error.empty() && request_.outputs.validate) {
-    const auto problems = Validate(shaders.fragment, lowered.target, ShaderStage::kFragment);
-    if (!problems.empty()) insertion.error = problems.front();
-  }
-  if (!insertion.error.empty()) diagnostics_.Report({}, diag::FragmentShader, insertion.error);
-  return shaders;
+// Fits the typed program to the pixel shader and asks whether it fits the request. Returns the
+// input with the position, as CheckLowering does.
+ir::VarId Fit(const Job& job, ir::Program& typed, std::vector<std::string>& dependencies) {
+  const CompileRequest& request = job.request;
+  if (job.plan.keeps_matrices_whole) link::KeepMatricesWhole(typed);
+  if (request.link.has_pixel_shader())
+    LinkPixelShader(request, job.plan.input, typed, dependencies, job.diagnostics);
+  if (job.diagnostics.has_errors()) return {};
+  const ir::VarId position_input = CheckLowering(typed, job.plan.lowering, job.diagnostics);
+  if (!request.planes.given_to_device && !request.debug.changes_result())
+    CheckPlanesAreKept(typed, job.plan.lowering, request.target, job.diagnostics);
+  return position_input;
 }
 
-// The planes of a draw call are moved to the front, so their number alone tells the variant.
-void Compilation::WriteVariants(const ir::Program& typed, LowerSettings settings) {
+// Runs all passes, unless one stops them or the target cannot express the program.
+Lowered LowerAndLegalize(const Job& job, ir::Program typed, const LowerSettings& settings) {
+  const ClipDistances distances = ClipDistancesOf(typed);
+  Lowered lowered = Lower(std::move(typed), settings);
+  if (!lowered.is_complete) return lowered;
+  ReportLeftOut(distances, lowered.program, job.diagnostics);
+  CheckTarget(lowered, job.request.style.blocks, job.diagnostics);
+  if (!job.diagnostics.has_errors()) Legalize(lowered, settings.passes);
+  return lowered;
+}
+
+// ---- from the lowered program to the outputs
+
+// What is in the GLSL that glslang does not support; empty if it can judge the GLSL.
+std::string_view UnknownToValidator(const Lowered& lowered, const glsl::GlslInfo& info) {
+  // docs/language.md, "GLSL that glslang refuses".
+  if (lowered.target.IsEs() && info.clip_distance_mask != 0) return "clip distances in OpenGL ES";
+  const bool has_instance_id = std::ranges::any_of(info.inputs, [](const auto& input) {
+    return input.is_used && input.name == "gl_InstanceIDARB";
+  });
+  return has_instance_id ? "`gl_InstanceIDARB` of GL_ARB_draw_instanced" : "";
+}
+
+// The shaders of a program, and what kept glslang from judging them; empty where nothing did.
+struct Finished {
+  Shaders shaders;
+  std::string_view unjudged;
+};
+
+// Validates the vertex shader. Returns what keeps glslang from judging it.
+std::string_view ValidateVertex(const Job& job, const Lowered& lowered, const Written& written) {
+  const auto problems = Validate(written.glsl, lowered.target, ShaderStage::kVertex);
+  if (problems.empty()) return {};
+  const std::string_view unknown = UnknownToValidator(lowered, written.info);
+  if (!unknown.empty()) return unknown;
+  Diagnostic& report = job.diagnostics.Report({}, diag::InvalidGlsl, problems.front());
+  for (std::size_t i = 1; i < problems.size(); ++i) report.Note({}, diag::PlainNote, problems[i]);
+  return {};
+}
+
+// The fragment shader of lowering kDiscard, or the include with the discard.
+std::string FragmentOf(const Job& job, const Lowered& lowered, const glsl::GlslInfo& info) {
+  const std::optional<std::string>& given = job.request.planes.fragment;
+  if (!given) return glsl::WriteDiscard(lowered.program, lowered.target, info).declarations;
+  glsl::Insertion insertion = glsl::InsertDiscard(*given, lowered.program, lowered.target, info);
+  if (insertion.error.empty() && job.request.outputs.validate) {
+    const auto problems = Validate(insertion.text, lowered.target, ShaderStage::kFragment);
+    if (!problems.empty()) insertion.error = problems.front();
+  }
+  if (!insertion.error.empty()) job.diagnostics.Report({}, diag::FragmentShader, insertion.error);
+  return std::move(insertion.text);
+}
+
+// Adds the fragment shader's part, and validates both.
+Finished Finish(const Job& job, const Lowered& lowered, Written written) {
+  Finished finished;
+  if (job.request.outputs.validate) finished.unjudged = ValidateVertex(job, lowered, written);
+  if (lowered.lowering == Lowering::kDiscard)
+    finished.shaders.fragment = FragmentOf(job, lowered, written.info);
+  finished.shaders.vertex = std::move(written.glsl);
+  return finished;
+}
+
+// The shaders for the first 0, 1 .. clip planes of `typed`; `whole` is the one for all of them. The
+// planes of a draw call are moved to the front, so their number alone tells the variant.
+std::vector<Finished> WriteVariants(const Job& job, const ir::Program& typed,
+                                    LowerSettings settings, const glsl::WriteOptions& options,
+                                    const Shaders& whole) {
+  std::vector<Finished> variants;
   settings.passes.after_pass = {};
   const std::size_t planes = typed.clip_planes.size();
-  for (std::size_t count = 0; count <= std::min<std::size_t>(planes, *request_.planes.variants);
-       ++count) {
-    if (diagnostics_.has_errors()) return;
+  const std::size_t most = std::min<std::size_t>(planes, *job.request.planes.variants);
+  for (std::size_t count = 0; count <= most && !job.diagnostics.has_errors(); ++count) {
     if (count == planes) {
-      result_.variants.push_back(result_.shaders);
-      return;
+      variants.push_back({whole, {}});
+      break;
     }
     ir::Program program = typed;
     program.clip_planes.resize(count);
     Lowered lowered = Lower(std::move(program), settings);
     Legalize(lowered, settings.passes);
-    result_.variants.push_back(Finish(lowered, Write(lowered, options_)));
+    variants.push_back(Finish(job, lowered, Write(lowered, options)));
   }
+  return variants;
 }
 
-void Compilation::TranslateToSpirv() {
+std::vector<std::uint32_t> TranslateToSpirv(const Job& job, const std::string& glsl) {
+  const CompileRequest& request = job.request;
   // The name has no folder, so that it does not matter where a shader is compiled.
-  const std::string name = request_.path.substr(NameBegin(request_.path)) + ".vert";
-  Spirv spirv = MakeSpirv(result_.shaders.vertex, request_.target, *request_.outputs.spirv, name);
-  for (const std::string& problem : spirv.problems) diagnostics_.Report({}, diag::NoSpirv, problem);
-  result_.spirv = std::move(spirv.words);
+  const std::string name = request.path.substr(NameBegin(request.path)) + ".vert";
+  Spirv spirv = MakeSpirv(glsl, request.target, *request.outputs.spirv, name);
+  for (const std::string& problem : spirv.problems)
+    job.diagnostics.Report({}, diag::NoSpirv, problem);
+  return std::move(spirv.words);
 }
 
-void Compilation::ValidateVertex(const Lowered& lowered, const Written& written) {
-  const auto problems = Validate(written.glsl, lowered.target, ShaderStage::kVertex);
-  if (problems.empty()) return;
-  // docs/language.md, "GLSL that glslang refuses".
-  if (lowered.target.IsEs() && written.info.clip_distance_mask != 0) {
-    unjudged_ = "clip distances in OpenGL ES";
+void RunBackEnd(const Job& job, ir::Program typed, CompileResult& result) {
+  const OutputOptions& outputs = job.request.outputs;
+  const ir::VarId position_input = Fit(job, typed, result.dependencies);
+  if (job.diagnostics.has_errors()) return;
+  if (outputs.reflection) result.position_matrices = CountPositionMatrices(typed);
+  const ir::Program kept = job.request.planes.variants ? typed : ir::Program();
+  const LowerSettings settings = SettingsOf(job, position_input, result.dump);
+  const Lowered lowered = LowerAndLegalize(job, std::move(typed), settings);
+  if (job.diagnostics.has_errors() || job.IsStopped()) return;
+  if (!lowered.is_complete) {
+    if (job.request.debug.dump_after.empty()) result.dump = ir::Print(lowered.program);
     return;
   }
-  if (problems.front().find("gl_InstanceIDARB") != std::string::npos) {
-    unjudged_ = "`gl_InstanceIDARB` of GL_ARB_draw_instanced";
-    return;
+
+  glsl::WriteOptions with_lines = job.plan.write;
+  with_lines.comment_of = [&](Span span) { return SourceLine(job.source, span); };
+  const glsl::WriteOptions& options = outputs.source_lines ? with_lines : job.plan.write;
+  if (outputs.listing) result.listing = Write(lowered, with_lines).glsl;
+  Written written = Write(lowered, options);
+  result.table = MakeClipTable(lowered, written.info);
+  if (outputs.reflection)
+    result.reflection = Reflect(lowered, written.info, *result.table, result.position_matrices);
+  if (outputs.structs) result.structs = WriteStructs(lowered.program);
+  Finished finished = Finish(job, lowered, std::move(written));
+  std::string_view unjudged = finished.unjudged;
+  result.shaders = std::move(finished.shaders);
+  if (outputs.spirv) result.spirv = TranslateToSpirv(job, result.shaders.vertex);
+  if (job.request.planes.variants) {
+    for (Finished& variant : WriteVariants(job, kept, settings, options, result.shaders)) {
+      if (unjudged.empty()) unjudged = variant.unjudged;
+      result.variants.push_back(std::move(variant.shaders));
+    }
   }
-  Diagnostic& report = diagnostics_.Report({}, diag::InvalidGlsl, problems.front());
-  for (std::size_t i = 1; i < problems.size(); ++i) report.Note({}, diag::PlainNote, problems[i]);
+  if (!unjudged.empty()) {
+    job.diagnostics.Report({}, diag::NotValidated,
+                           fmt::format("{} does not support {}", ValidatorName(), unjudged));
+  }
+  if (job.IsDump(DumpStage::kGlsl)) result.dump = result.shaders.vertex;
+  if (job.IsDump(DumpStage::kTable)) {
+    if (auto json = clip_table::WriteJson(*result.table)) result.dump = std::move(*json);
+  }
 }
 
-void Compilation::CloseResult(const Source& source) {
-  for (const Diagnostic& diagnostic : diagnostics_.all())
-    result_.messages.push_back(ToMessage(diagnostic, source));
-  if (request_.outputs.text && !result_.messages.empty()) {
-    result_.text = source.RenderText(diagnostics_, request_.outputs.colour);
+// ---- from a request to a result
+
+void RunStages(const Job& job, CompileResult& result) {
+  Source& source = job.source;
+  Diagnostics& diagnostics = job.diagnostics;
+  const CompileRequest& request = job.request;
+  if (request.outputs.preprocess) {
+    result.preprocessed = Preprocess(source, diagnostics);
+    return;
   }
-  if (!diagnostics_.has_errors()) return;
-  if (result_.ok()) result_.status = Status::kErrors;
-  result_.shaders = {};
-  result_.variants.clear();
-  result_.table.reset();
-  result_.reflection.clear();
-  result_.structs.clear();
-  result_.spirv.clear();
-  result_.listing.clear();
+  if (job.IsDump(DumpStage::kTokens)) {
+    result.dump = DumpTokens(Lex(source, diagnostics), source);
+    return;
+  }
+  if (job.IsDump(DumpStage::kAst)) {
+    result.dump = PrintAst(ReadFile(source, diagnostics));
+    return;
+  }
+  const auto is_new = [&](const Tokens& tokens) {
+    // The tokens alone do not decide the result where lines of the source or words of the
+    // preprocessor are a part of it.
+    if (!request.is_known || request.outputs.source_lines || request.outputs.listing ||
+        request.link.has_pixel_shader() || diagnostics.has_pragmas() || !diagnostics.all().empty())
+      return true;
+    result.digest = DigestOf(tokens);
+    result.is_repeated = request.is_known(*result.digest);
+    return !result.is_repeated;
+  };
+  ir::Program program = Front(source, job.plan.check, diagnostics, is_new);
+  if (diagnostics.has_errors() || result.is_repeated) return;
+  if (job.IsDump(DumpStage::kIr)) {
+    result.dump = ir::Print(program);
+  } else {
+    RunBackEnd(job, std::move(program), result);
+  }
+}
+
+// Takes the source through the stages. The result has everything but the messages.
+CompileResult Run(const Job& job) {
+  CompileResult result;
+  RunStages(job, result);
+  if (job.IsStopped()) result.dump.clear();
+  if (job.request.record_macros) result.macros_used = job.source.MacrosUsed();
+  std::vector<std::string> others = std::move(result.dependencies);
+  result.dependencies = job.source.Dependencies();
+  result.includes = job.source.Includes();
+  for (std::string& path : others) {
+    if (std::ranges::find(result.dependencies, path) == result.dependencies.end())
+      result.dependencies.push_back(std::move(path));
+  }
+  return result;
+}
+
+// Adds the messages to the result of Run. After errors, the outputs are removed.
+CompileResult Deliver(CompileResult result, const OutputOptions& outputs, const Source& source,
+                      const Diagnostics& diagnostics) {
+  for (const Diagnostic& diagnostic : diagnostics.all())
+    result.messages.push_back(ToMessage(diagnostic, source));
+  if (outputs.text && !result.messages.empty())
+    result.text = source.RenderText(diagnostics, outputs.colour);
+  if (!diagnostics.has_errors()) return result;
+  if (result.ok()) result.status = Status::kErrors;
+  result.shaders = {};
+  result.variants.clear();
+  result.table.reset();
+  result.reflection.clear();
+  result.structs.clear();
+  result.spirv.clear();
+  result.listing.clear();
+  return result;
+}
+
+CompileResult CompileIn(FrontendContext& context, const CompileRequest& request) {
+  Diagnostics diagnostics(request.warnings);
+  Stop stop(request.limits);
+  diagnostics.SetWatch(stop.watch());
+  const Plan plan = Resolve(request, diagnostics);
+  Source source(context, plan.input);
+  CompileResult result;
+  if (diagnostics.has_errors()) {
+    result.status = Status::kBadRequest;
+  } else {
+    result = Run({request, plan, source, diagnostics, stop.watch()});
+    result.status = stop.Report(diagnostics);
+    if (!source.main_file_read()) result.status = Status::kBadRequest;
+  }
+  return Deliver(std::move(result), request.outputs, source, diagnostics);
 }
 
 CompileResult Failure(const char* what) {
@@ -407,9 +382,9 @@ FrontendContext& Compiler::ContextFor(const CompileRequest& request) {
 
 CompileResult Compiler::Compile(const CompileRequest& request) {
   try {
-    if (!request.includes.read) return Compilation(ContextFor(request), request).Run();
+    if (!request.includes.read) return CompileIn(ContextFor(request), request);
     FrontendContext without_files(FrontendContext::Files::kNone);
-    return Compilation(without_files, request).Run();
+    return CompileIn(without_files, request);
   } catch (const std::bad_alloc&) {
     return Failure("out of memory");
   } catch (const std::exception& problem) {

@@ -34,8 +34,8 @@ bool FinishPass(const Program& program, std::string_view pass, Form ensures,
                 const PassOptions& options) {
   CLIPC_CHECK(program.form == ensures);
   VerifyAfter(pass, program, ensures, options);
-  if (options.after_pass) options.after_pass(pass, program);
-  return options.stop_after != pass;
+  const bool goes_on = !options.after_pass || options.after_pass(pass, program);
+  return goes_on && options.stop_after != pass;
 }
 
 }  // namespace clipc::ir

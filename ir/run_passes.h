@@ -15,8 +15,9 @@ struct PassOptions {
   std::string stop_after;  // the name of the last pass that runs; empty: all run
   // Verify before the first pass and after each; builds with assertions always do.
   bool verify = false;
-  // Called when a pass is done, with its name: --dump-after prints the program here.
-  std::function<void(std::string_view pass, const Program&)> after_pass;
+  // Called when a pass is done, with its name: --dump-after prints the program here. Returns
+  // whether the next pass runs.
+  std::function<bool(std::string_view pass, const Program&)> after_pass;
 };
 
 // A pass that works on a Context, in which the program is.

@@ -209,6 +209,7 @@ TEST(Pipeline, StopsAndDumpsAfterAPass) {
   options.after_pass = [&](std::string_view pass, const Program& program) {
     seen.push_back(std::string(pass) +
                    (MainOf(program).find('-') == std::string::npos ? "" : " flipped"));
+    return true;
   };
   Lowered(TwoPlanes(), options);
   EXPECT_THAT(seen, ElementsAre("lower-clip-planes", "adjust-clip-space flipped",
@@ -220,6 +221,11 @@ TEST(Pipeline, StopsAndDumpsAfterAPass) {
   options.stop_after = "lower-clip-planes";
   EXPECT_EQ(Lowered(TwoPlanes(), options).form, Form::kNoClipPlanes);
   EXPECT_THAT(seen, ElementsAre("lower-clip-planes"));
+  options.stop_after.clear();
+  options.after_pass = [](std::string_view pass, const Program&) { return pass != "inline-entry"; };
+  Program stopped = TwoPlanes();
+  EXPECT_FALSE(RunPipeline(stopped, options));
+  EXPECT_EQ(stopped.form, Form::kInlined);
   EXPECT_THAT(PassNames(),
               ElementsAre("lower-clip-planes", "adjust-clip-space", "inline-entry",
                           "split-variables", "drop-idle-clip-distances", "drop-unread-arguments",

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "compiler/plan.h"
+
+#include <algorithm>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "compiler/output_files.h"
+#include "compiler/stages.h"
+#include "compiler/suggest.h"
+
+namespace clipc {
+namespace {
+
+SourceInput InputOf(const CompileRequest& request, const ir::Profile& profile) {
+  return {.path = request.path,
+          .text = request.text,
+          .include_dirs = request.includes.dirs,
+          .defines = request.defines,
+          .forced_includes = request.includes.forced,
+          .read_include = request.includes.read,
+          .shader_model_major = profile.major,
+          .shader_model_minor = profile.minor,
+          .language = request.language.version,
+          .max_bytes = request.limits.bytes,
+          .max_tokens = request.limits.tokens,
+          .record_macros = request.record_macros};
+}
+
+void ReportUnknown(const auto& kind, const std::string& name,
+                   std::span<const std::string_view> names, Diagnostics& diagnostics) {
+  diagnostics.Report({}, kind, name, Suggest(name, names));
+}
+
+CheckOptions CheckOptionsOf(const LanguageOptions& language, Diagnostics& diagnostics) {
+  CheckOptions options;
+  if (auto profile = ir::ParseProfile(language.profile)) {
+    options = CheckOptions::For(std::move(*profile), language.version);
+  } else {
+    ReportUnknown(diag::UnknownProfile, language.profile, ProfileNames(), diagnostics);
+  }
+  options.entry = language.entry;
+  options.packing = language.packing;
+  options.position_name = language.position_name;
+  return options;
+}
+
+glsl::WriteOptions WriteOptionsOf(const StyleOptions& style, Diagnostics& diagnostics) {
+  auto names = glsl::NameStyle::Parse(style.names.empty() ? "hlslcc" : style.names);
+  if (!names) {
+    ReportUnknown(diag::UnknownNames, style.names, glsl::NameStyle::Names(), diagnostics);
+    names.emplace();
+  }
+  return {.separable = style.separable,
+          .base_vertex_is_zero = style.base_vertex_is_zero,
+          .base_instance_is_zero = style.base_instance_is_zero,
+          .invariant = style.invariant,
+          .blocks = style.blocks,
+          .names = std::move(*names)};
+}
+
+void CheckPassNames(const DebugOptions& debug, Diagnostics& diagnostics) {
+  const std::vector<std::string_view> passes = LowerPasses();
+  const auto check = [&](const std::string& name) {
+    if (std::ranges::find(passes, name) == passes.end())
+      ReportUnknown(diag::UnknownPass, name, passes, diagnostics);
+  };
+  std::ranges::for_each(debug.dump_after, check);
+  if (!debug.stop_after.empty()) check(debug.stop_after);
+}
+
+}  // namespace
+
+Plan Resolve(const CompileRequest& request, Diagnostics& diagnostics) {
+  Plan plan;
+  const PlaneOptions& planes = request.planes;
+  plan.check = CheckOptionsOf(request.language, diagnostics);
+  plan.input = InputOf(request, plan.check.profile);
+  plan.write = WriteOptionsOf(request.style, diagnostics);
+  CheckPassNames(request.debug, diagnostics);
+  plan.lowering = {planes.lowering.value_or(DefaultLowering(plan.check.profile)), planes.space,
+                   planes.position_input};
+  CheckRequest(plan.lowering, diagnostics);
+  if (!request.includes.sandbox.empty() && !IsDirectory(request.includes.sandbox))
+    diagnostics.Report({}, diag::NoSandbox, request.includes.sandbox);
+  // HLSLcc, after fxc, has a variable for each column of a matrix between two stages. Its names
+  // are the usual ones where stages match by name.
+  const bool is_hlslcc = request.style.names.empty()
+                             ? !request.target.Has(glsl::Feature::kOutputLocations)
+                             : request.style.names == "hlslcc";
+  const bool has_pixel_shader = request.link.has_pixel_shader();
+  plan.keeps_matrices_whole = !has_pixel_shader && !is_hlslcc;
+  plan.check.stages_match_by_row = has_pixel_shader || plan.keeps_matrices_whole;
+  plan.check.whole_register_planes = plan.lowering.lowering == Lowering::kLevel9;
+  return plan;
+}
+
+}  // namespace clipc
