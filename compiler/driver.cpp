@@ -16,6 +16,7 @@
 #include "compiler/place_outputs.h"
 #include "compiler/show_messages.h"
 #include "compiler/usage.h"
+#include "compiler/validate.h"
 #include "frontend/lex/source.h"
 
 namespace clipc {
@@ -133,9 +134,14 @@ std::string Driver::Write(CompileResult& result, const Outputs& outputs) const {
   return files.Commit();
 }
 
+std::string VersionText(std::string_view commit) {
+  const std::string part = commit.empty() ? "" : fmt::format("commit {}, ", commit);
+  return fmt::format("clipc {}\n{}{}, {}\n", CLIPC_VERSION, part, LlvmName(), ValidatorName());
+}
+
 }  // namespace
 
-int RunCommandLine(std::span<const char* const> arguments) {
+int RunCommandLine(std::span<const char* const> arguments, std::string_view commit) {
   ParsedCommandLine parsed = ParseCommandLine(arguments);
   if (!parsed.error.empty()) return Fail(parsed.error);
   if (parsed.command.action == CommandLine::Action::kCompile && WantsBatch(parsed.command))
@@ -144,7 +150,7 @@ int RunCommandLine(std::span<const char* const> arguments) {
     return Driver(std::move(parsed.command)).Run();
   OutputFiles files;
   files.Add("-", parsed.command.action == CommandLine::Action::kHelp ? HelpText()
-                                                                     : "clipc " CLIPC_VERSION "\n");
+                                                                     : VersionText(commit));
   const std::string problem = files.Commit();
   return problem.empty() ? kExitOk : Fail(problem);
 }

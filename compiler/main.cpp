@@ -2,7 +2,11 @@
 #include "base/system.h"
 #include "compiler/driver.h"
 
+namespace clipc {
+extern const char kCommit[];  // made by cmake/write_commit.cmake
+}  // namespace clipc
+
 int main(int argc, char** argv) {
   clipc::system::PrepareStandardStreams();
-  return clipc::RunCommandLine(clipc::system::Arguments(argc, argv));
+  return clipc::RunCommandLine(clipc::system::Arguments(argc, argv), clipc::kCommit);
 }

@@ -39,6 +39,9 @@ class FrontendContext {
   std::unique_ptr<State> state_;
 };
 
+// The name and version of the library that the preprocessor is from, "LLVM 19.1.7".
+std::string LlvmName();
+
 // The versions of HLSL, which a shader sees as __HLSL_VERSION from shader model 6 on. dxc's default
 // is 2021 since its version 1.7.
 enum class LanguageVersion : std::uint16_t {
