@@ -149,8 +149,8 @@ int RunCommandLine(std::span<const char* const> arguments, std::string_view comm
   if (parsed.command.action == CommandLine::Action::kCompile)
     return Driver(std::move(parsed.command)).Run();
   OutputFiles files;
-  files.Add("-", parsed.command.action == CommandLine::Action::kHelp ? HelpText()
-                                                                     : VersionText(commit));
+  files.Add("-",
+            parsed.command.action == CommandLine::Action::kHelp ? HelpText() : VersionText(commit));
   const std::string problem = files.Commit();
   return problem.empty() ? kExitOk : Fail(problem);
 }

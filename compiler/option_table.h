@@ -58,16 +58,18 @@ struct Option {
   const char* help = "";
 };
 
-std::span<const Option> Options();
+// The options of clipc, those of --help first, and the other compilers' options.
+std::span<const Option> OwnOptions();
+std::span<const Option> ForeignOptions();
+
+// The spellings of all options, in the order of the tables.
+std::vector<std::string_view> Spellings();
 
 // One spelling of an option.
 struct Spelling {
   std::string_view name;
   const Option* option = nullptr;
 };
-// The spellings of all options, in the order of the table.
-std::span<const Spelling> Spellings();
-
 // The option that `argument` is, or begins with: the one with the longest such name. A
 // Spelling without an option says that there is none.
 Spelling FindOption(std::string_view argument);

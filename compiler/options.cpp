@@ -77,9 +77,7 @@ bool LooksLikePath(const std::string& argument) {
 // The advice "did you mean" for an argument that is not an option.
 std::string NearOption(std::string_view argument) {
   const std::string_view name = argument.substr(0, argument.find('='));
-  std::vector<std::string_view> names;
-  for (const Spelling& spelling : Spellings()) names.push_back(spelling.name);
-  const auto near = NearNames(name, names);
+  const auto near = NearNames(name, Spellings());
   return near.empty()
              ? ""
              : fmt::format("; did you mean `{}{}`?", near[0], argument.substr(name.size()));
@@ -205,7 +203,7 @@ std::string HelpText() {
   std::string text =
       "OVERVIEW: HLSL vertex shaders with [clipplanes] to GLSL and a Direct3D 9 clip table\n\n"
       "USAGE: clipc [options] FILE...      (- is standard input)\n\nOPTIONS:\n";
-  for (const Option& option : Options()) {
+  for (const Option& option : OwnOptions()) {
     if (!option.metavar) continue;
     const char* separator = option.form == kEquals ? "=" : option.form == kJoined ? "" : " ";
     const std::string usage =

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/spelling.h"
+#include "compiler/binding_options.h"
+#include "compiler/option_actions.h"
+#include "compiler/suggest.h"
+
+// The options of clipc.
+namespace clipc {
+namespace {
+
+void SetTarget(Reading& reading, const std::string& value) {
+  reading.target = glsl::Target::Parse(value);
+  if (!reading.target) {
+    reading.error =
+        fmt::format("unknown target `{}`{}", value, Suggest(value, glsl::Target::Names()));
+  }
+}
+
+// Reads "2/4", the number of a shard and the number of shards.
+void SetShard(Reading& reading, const std::string& value) {
+  CommandLine& command = reading.command;
+  const std::size_t slash = value.find('/');
+  if (slash != value.npos && ReadNumber(value.substr(0, slash), command.shard) &&
+      ReadNumber(value.substr(slash + 1), command.shards) && command.shard >= 1 &&
+      command.shard <= command.shards)
+    return;
+  reading.error = fmt::format("`{} {}`: it takes a part and the number of parts, as `2/4`",
+                              reading.option, value);
+}
+
+void SetPreprocess(Reading& reading, const std::string& value) {
+  reading.preprocess = true;
+  reading.preprocess_name = value;
+}
+
+template <auto kMember>
+void SetForZero(Reading& reading, const std::string& value) {
+  MemberOf(reading, kMember) = true;
+  if (value != "zero")
+    reading.error = fmt::format("`{}={}`: it takes `zero`", reading.option, value);
+}
+
+// Reads -Wno-clip-plane-twice, -Werror, -Werror=... and -Wno-error=...
+void SetWarning(Reading& reading, const std::string& value) {
+  WarningOptions& warnings = reading.command.request.warnings;
+  std::string_view name = value;
+  if (name == "all" || name == "extra") return;  // every warning is on anyway
+  const auto take = [&](std::string_view prefix) {
+    const bool has = name.starts_with(prefix);
+    if (has) name.remove_prefix(prefix.size());
+    return has;
+  };
+  const bool is_on = !take("no-");
+  if (name == "error") {
+    warnings.warnings_are_errors = is_on;
+    return;
+  }
+  const bool is_error = take("error=");
+  const std::optional<DiagId> id = DiagIdOf(name);
+  if (id && InfoOf(*id).severity == Severity::kWarning) {
+    const auto index = static_cast<std::size_t>(*id);
+    is_error ? warnings.as_error[index] = is_on : warnings.off[index] = !is_on;
+    return;
+  }
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < kDiagCount; ++i) {
+    const auto other = static_cast<DiagId>(i);
+    if (InfoOf(other).severity == Severity::kWarning) names.push_back(PrintedName(other));
+  }
+  const std::vector<std::string_view> views(names.begin(), names.end());
+  if (NearNames(name, views).empty()) {
+    reading.foreign_warnings.push_back("-W" + value);
+  } else {
+    reading.error = fmt::format("unknown warning `{}`{}", name, Suggest(name, views));
+  }
+}
+
+constexpr Named<bool> kDepthRanges[] = {{false, "zero-to-one"}, {true, "negative-one-to-one"}};
+constexpr Named<glsl::BlockStyle> kBlockStyles[] = {{glsl::BlockStyle::kNamed, "named"},
+                                                    {glsl::BlockStyle::kPlain, "plain"},
+                                                    {glsl::BlockStyle::kFlat, "flat"}};
+constexpr Named<MessageFormat> kFormats[] = {{MessageFormat::kText, "text"},
+                                             {MessageFormat::kMsvc, "msvc"},
+                                             {MessageFormat::kJson, "json"},
+                                             {MessageFormat::kSarif, "sarif"}};
+constexpr Named<DumpStage> kStages[] = {{DumpStage::kTokens, "tokens"},
+                                        {DumpStage::kAst, "ast"},
+                                        {DumpStage::kIr, "ir"},
+                                        {DumpStage::kGlsl, "glsl"},
+                                        {DumpStage::kTable, "table"}};
+constexpr Named<VulkanVersion> kVulkanVersions[] = {{VulkanVersion::k1_0, "vulkan1.0"},
+                                                    {VulkanVersion::k1_1, "vulkan1.1"},
+                                                    {VulkanVersion::k1_2, "vulkan1.2"},
+                                                    {VulkanVersion::k1_3, "vulkan1.3"}};
+void SetVulkanVersion(Reading& reading, const std::string& value) {
+  reading.vulkan_option = reading.option;
+  Choose<&SpirvRequest::vulkan, kVulkanVersions>(reading, value);
+}
+
+using enum Option::Form;
+using Action = CommandLine::Action;
+using Request = CompileRequest;
+
+// The options of --help, in its order; then those that it does not list.
+constexpr Option kOwnOptions[] = {
+    {"-T", kJoinedOrSeparate, Set<&LanguageOptions::profile>, "<PROFILE>",
+     "vs_2_0 .. vs_6_8 (vs_5_0), vs_4_0_level_9_0, _9_1, _9_3"},
+    {"-E", kJoinedOrSeparate, Set<&LanguageOptions::entry>, "<NAME>", "entry function (main)"},
+    {"-D", kJoinedOrSeparate, Set<&Request::defines>, "<NAME[=VALUE]>", "define a macro"},
+    {"-I", kJoinedOrSeparate, Set<&IncludeOptions::dirs>, "<DIR>", "look for includes here too"},
+    {"-include", kSeparate, Set<&IncludeOptions::forced>, "<FILE>", "include FILE first"},
+    {"-HV", kJoinedOrSeparate, Choose<&LanguageOptions::version, kLanguageNames>, "<YEAR>",
+     "2016, 2017, 2018 or 2021 (2021): from shader model 6 on"},
+    {"-Zpc", kFlag, SetTo<&LanguageOptions::packing, MatrixPacking::kColumnMajor>, "",
+     "matrices are column-major in memory (the default)"},
+    {"-Zpr", kFlag, SetTo<&LanguageOptions::packing, MatrixPacking::kRowMajor>, "",
+     "matrices are row-major in memory"},
+    {"-o", kJoinedOrSeparate, Set<&CommandLine::output>, "<FILE>",
+     "the GLSL: a file, standard output (-, the default), or a folder for several files"},
+    {"--target", kEquals, SetTarget, "<GLSL>",
+     "glsl120 .. glsl460 (glsl450), vulkan, essl100, essl300 .. essl320, webgl1, webgl2"},
+    {"--lower", kEquals, Choose<&PlaneOptions::lowering, kLoweringNames>, "<HOW>",
+     "clip planes: clip-distance, level9 (the default of level_9_x), near-plane, discard or none"},
+    {"--plane-space", kEquals, Choose<&PlaneOptions::space, kPlaneSpaceNames>, "<SPACE>",
+     "the planes' space: clip (the default, fxc's), xyw1 or object, which lose fewer digits"},
+    {"--position-input", kEquals, Set<&PlaneOptions::position_input>, "<SEMANTIC>",
+     "the input that --plane-space=object clips by (POSITION0)"},
+    {"--fragment", kEquals, Set<&CommandLine::fragment>, "<FILE>",
+     "with --lower=discard: add the discard to this GLSL; written as .frag"},
+    {"--variants", kFlag, SetTo<&PlaneOptions::variants, kMaxClipPlanes>, "",
+     "one shader for each number of clip planes: x.0.vert, x.1.vert .."},
+    {"--variants=", kJoined, SetNumber<&PlaneOptions::variants, 0, kMaxClipPlanes>, "<N>",
+     "the same, up to N planes"},
+    {"--depth-range", kEquals, Choose<&passes::ClipSpaceOptions::negative_one_to_one, kDepthRanges>,
+     "<RANGE>", "zero-to-one (as the HLSL writes it, the default) or negative-one-to-one"},
+    {"--flip-y", kFlag, Set<&passes::ClipSpaceOptions::flip_y>, "",
+     "negate gl_Position.y, after the clip planes"},
+    {"--separable", kFlag, Set<&StyleOptions::separable>, "",
+     "redeclare gl_PerVertex, for glUseProgramStages"},
+    {"--blocks", kEquals, Choose<&StyleOptions::blocks, kBlockStyles>, "<FORM>",
+     "cbuffers: named (with an instance name, the default), plain or flat uniforms"},
+    {"--bindings", kEquals, Bind<AddPreset>, "<NAME>",
+     "the bindings of dxc, nvrhi or sdl, with target vulkan"},
+    {"--names", kEquals, Set<&StyleOptions::names>, "<STYLE>",
+     "of outputs and blocks: hlslcc (the default), dxc, spirv-cross, or vs_{semantic}{index}"},
+    {"--pixel-shader", kEquals, Set<&PixelShader::path>, "<FILE>",
+     "fit this pixel shader: HLSL, GLSL or SPIR-V"},
+    {"--pixel-entry", kEquals, Set<&PixelShader::entry>, "<NAME>",
+     "its entry function (main; of SPIR-V the only one)"},
+    {"--keep-outputs", kFlag, Set<&LinkOptions::keep_outputs>, "",
+     "also those that it does not read"},
+    {"--zero-unwritten", kFlag, Set<&LinkOptions::zero_unwritten>},  // its error names it
+    {"-Zi", kFlag, Set<&OutputOptions::source_lines>, "",
+     "with the lines of the HLSL as comments in the GLSL"},
+    {"-Fc", kJoinedOrSeparate, Set<&CommandLine::listing>, "<FILE>",
+     "write the GLSL with these comments to FILE"},
+    {"-Fh", kJoinedOrSeparate, Set<&CommandLine::header>, "<FILE>",
+     "write the GLSL as a C string to FILE; -Vn NAME names it (g_ and the entry's name)"},
+    {"-Vn", kJoinedOrSeparate, Set<&CommandLine::variable>},
+    {"-spirv", kFlag, SetSpirv<true>, "",
+     "write SPIR-V instead of GLSL, for Vulkan; so does a .spv file"},
+    {"-G", kFlag, SetSpirv<false>, "", "write SPIR-V for OpenGL 4.5"},
+    {"-fspv-target-env", kEquals, SetVulkanVersion, "<VERSION>",
+     "vulkan1.0 .. vulkan1.3 (vulkan1.1)"},
+    {"--table", kEquals, Set<&CommandLine::table>, "<FILE>",
+     "write the clip table: .json, .bin (Direct3D's record) or .h"},
+    {"--reflect", kEquals, Set<&CommandLine::reflection>, "<FILE>",
+     "write inputs, outputs, buffers and planes as JSON, or with .h buffers as C structs"},
+    {"-MD", kFlag, Set<&CommandLine::write_dependencies>, "",
+     "write a make rule with the files read, beside the output"},
+    {"-MF", kJoinedOrSeparate, SetDependencyFile, "<FILE>", "write that rule to FILE"},
+    {"-MT", kJoinedOrSeparate, Set<&CommandLine::dependency_target>, "<NAME>",
+     "the target of that rule (the output file)"},
+    {"-M", kFlag, Set<&CommandLine::only_dependencies>, "",
+     "write only that rule, to standard output or to -MF's file"},
+    {"-H", kFlag, Set<&CommandLine::show_includes>, "", "print the files that are included"},
+    {"-P", kOptional, SetPreprocess, "<FILE>", "write the preprocessed HLSL to FILE, and stop"},
+    {"-fsyntax-only", kFlag, Set<&CommandLine::syntax_only>, "", "write no file"},
+    {"--sandbox-includes", kEquals, Set<&IncludeOptions::sandbox>, "<DIR>",
+     "read includes from this folder only"},
+    {"--validate", kFlag, SetTo<&Reading::validate, true>, "",
+     "compile the GLSL with glslang before writing it (the default for several files)"},
+    {"--no-validate", kFlag, SetTo<&Reading::validate, false>, "",
+     "do not run glslang (the default for a single file)"},
+    {"-j", kJoinedOrSeparate, SetNumber<&CommandLine::jobs, 1, 256>, "<N>",
+     "compile N of several files at once"},
+    {"--batch", kEquals, Set<&CommandLine::batch>, "<FILE>",
+     "compile the shaders of a JSON manifest; as -D 'A={0,1}', it writes an index of the outputs"},
+    {"--diagnostics", kEquals, Choose<&CommandLine::format, kFormats>, "<FORM>",
+     "text, msvc, json or sarif; on standard error"},
+    {"-W", kJoined, SetWarning, "<NAME>",
+     "-Wno-<NAME> and -W<NAME>: a warning off and on; -Werror: warnings are errors"},
+    {"-w", kFlag, Set<&WarningOptions::no_warnings>, "", "print no warnings"},
+    {"--dump", kEquals, Choose<&DebugOptions::dump, kStages>, "<STAGE>",
+     "print tokens, ast, ir, glsl or table and stop there"},
+    {"--help", kFlag, SetTo<&CommandLine::action, Action::kHelp>, "", "print this"},
+    {"--version", kFlag, SetTo<&CommandLine::action, Action::kVersion>, "", "print the version"},
+
+    // Options for permutations, for untrusted shaders and for people who work on clipc.
+    {"--index", kEquals, Set<&CommandLine::index>},
+    {"-k", kFlag, Set<&CommandLine::keep_going>},
+    {"--shard", kEquals, SetShard},
+    {"--max-seconds", kEquals, SetNumber<&Limits::seconds, 1, 1u << 20>},
+    {"--max-bytes", kEquals, SetNumber<&Limits::bytes, 1, 1u << 31>},
+    {"--max-tokens", kEquals, SetNumber<&Limits::tokens, 1, 1u << 31>},
+    {"--dump-after", kEquals, Set<&DebugOptions::dump_after>},
+    {"--stop-after", kEquals, Set<&DebugOptions::stop_after>},
+    {"--verify", kFlag, Set<&DebugOptions::verify>},
+    {"-Gis", kFlag, Set<&StyleOptions::precise>},
+    {"--invariant", kFlag, Set<&StyleOptions::invariant>},
+    {"--base-vertex", kEquals, SetForZero<&StyleOptions::base_vertex_is_zero>},
+    {"--base-instance", kEquals, SetForZero<&StyleOptions::base_instance_is_zero>},
+};
+
+}  // namespace
+
+std::span<const Option> OwnOptions() { return kOwnOptions; }
+
+}  // namespace clipc
