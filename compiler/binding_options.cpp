@@ -60,19 +60,14 @@ bool AddShift(char letter, glsl::BindingRules& rules, std::string_view value) {
   return true;
 }
 
-bool AddStageShift(char letter, glsl::BindingRules& rules, std::string_view value) {
-  constexpr std::string_view kStages[] = {"vert", "tesc", "tese", "geom", "frag", "comp"};
-  std::vector<std::string_view> words = WordsIn(value);
-  const bool has_stage =
-      !words.empty() && std::ranges::find(kStages, words[0]) != std::end(kStages);
-  const bool is_ours = !has_stage || words[0] == kStages[0];
-  if (has_stage) words.erase(words.begin());
+bool AddKindShift(char letter, glsl::BindingRules& rules, std::string_view value) {
+  const std::vector<std::string_view> words = WordsIn(value);
   if (words.size() != 1 && (words.empty() || words.size() % 2 != 0)) return false;
   for (std::size_t i = 0; i < words.size(); i += 2) {
     BindingRule rule{.letter = letter};
     if (!Read(words[i], rule.binding)) return false;
     if (words.size() > 1 && !Read(words[i + 1], rule.space.emplace())) return false;
-    if (is_ours) rules.rules.push_back(rule);
+    rules.rules.push_back(rule);
   }
   return true;
 }

@@ -23,12 +23,11 @@ template <char kLetter>
 bool AddShift(glsl::BindingRules& rules, std::string_view value) {
   return AddShift(kLetter, rules, value);
 }
-// Reads the value of glslang's --shift-ubo-binding: "2", or with sets "2 0 5 1", both perhaps after
-// a stage: "vert 2". Values for other stages have no effect.
-bool AddStageShift(char letter, glsl::BindingRules& rules, std::string_view value);
+// Reads the value of glslang's --shift-ubo-binding: "2", or with sets "2 0 5 1".
+bool AddKindShift(char letter, glsl::BindingRules& rules, std::string_view value);
 template <char kLetter>
-bool AddStageShift(glsl::BindingRules& rules, std::string_view value) {
-  return AddStageShift(kLetter, rules, value);
+bool AddKindShift(glsl::BindingRules& rules, std::string_view value) {
+  return AddKindShift(kLetter, rules, value);
 }
 // Reads the value of -fvk-bind-register: "b3 0 7 1", the register, its space, the binding and the
 // set.

@@ -64,7 +64,7 @@ constexpr Named<MessageFormat> kClangFormats[] = {{MessageFormat::kText, "clang"
                                                   {MessageFormat::kJson, "json"},
                                                   {MessageFormat::kSarif, "sarif"}};
 constexpr char kShift[] = "two numbers, or a number and `all`";
-constexpr char kStageShift[] = "a number, or numbers each with its set";
+constexpr char kKindShift[] = "a number, or numbers each with its set";
 constexpr char kByKind[] =
     "clipc shifts by register: `--shift-texture-binding` moves t, `--shift-uav-binding` u";
 constexpr char kFollowRegisters[] = "bindings follow the registers; `--reflect` tells them";
@@ -85,11 +85,11 @@ constexpr Option kForeignOptions[] = {
     {"-fvk-t-shift", kTwo, Bind<AddShift<'t'>>, nullptr, kShift},
     {"-fvk-u-shift", kTwo, Bind<AddShift<'u'>>, nullptr, kShift},
     {"--shift-ubo-binding --shift-UBO-binding --sub --shift-cbuffer-binding --scb", kNumbers,
-     Bind<AddStageShift<'b'>>, nullptr, kStageShift},
-    {"--shift-sampler-binding --ssb", kNumbers, Bind<AddStageShift<'s'>>, nullptr, kStageShift},
-    {"--shift-texture-binding --stb", kNumbers, Bind<AddStageShift<'t'>>, nullptr, kStageShift},
-    {"--shift-uav-binding --shift-UAV-binding --suavb", kNumbers, Bind<AddStageShift<'u'>>, nullptr,
-     kStageShift},
+     Bind<AddKindShift<'b'>>, nullptr, kKindShift},
+    {"--shift-sampler-binding --ssb", kNumbers, Bind<AddKindShift<'s'>>, nullptr, kKindShift},
+    {"--shift-texture-binding --stb", kNumbers, Bind<AddKindShift<'t'>>, nullptr, kKindShift},
+    {"--shift-uav-binding --shift-UAV-binding --suavb", kNumbers, Bind<AddKindShift<'u'>>, nullptr,
+     kKindShift},
     {"-V", kFlag, SetSpirv<true>},
     {"-Fo", kJoinedOrSeparate, Set<&CommandLine::output>},
     {"-e", kSeparate, Set<&LanguageOptions::entry>},

@@ -45,7 +45,7 @@ struct Option {
     kEquals,            // --target=x or --target x
     kTwo,               // -fvk-b-shift 2 0: the value is "2 0"
     kFour,              // -fvk-bind-register b0 0 1 0
-    kNumbers,           // --sub 5, --sub=5, --sub vert 5 0 7 1: also the numbers that follow
+    kNumbers,           // --sub 5, --sub=5, --sub 5 0 7 1: also the numbers that follow
   };
 
   std::string_view names;  // its spellings, apart by one blank; one where --help lists the option
