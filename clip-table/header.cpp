@@ -42,9 +42,6 @@ struct StaticClipTable {
 #endif
 )";
 
-// The comment that ReadHeader reads: kMark, the table's name, a space, the table in JSON.
-constexpr std::string_view kMark = "// clip-table ";
-
 bool IsIdentifier(std::string_view name) {
   const auto is_word = [](unsigned char c) { return c < 0x80 && (std::isalnum(c) || c == '_'); };
   return !name.empty() && std::all_of(name.begin(), name.end(), is_word) &&
@@ -83,10 +80,7 @@ std::string Initializer(const Plane& plane) {
 }
 
 std::string HeaderText(const ClipTable& table, std::string_view name) {
-  std::string text =
-      "// Written by clipc; changes are refused when it is read back, and lost when it is written "
-      "again.\n";
-  text += std::string(kMark) + std::string(name) + " " + JsonText(table, true) + "\n";
+  std::string text = "// Written by clipc; changes are lost when it is written again.\n";
   text += "#pragma once\n\n";
   text += kTypes;
   text += "\ninline constexpr clipc::StaticClipTable " + std::string(name) + " = {\n";
@@ -101,15 +95,6 @@ std::string HeaderText(const ClipTable& table, std::string_view name) {
   return text;
 }
 
-std::string WithoutCarriageReturns(std::string_view text) {
-  std::string without;
-  without.reserve(text.size());
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] != '\r' || i + 1 == text.size() || text[i + 1] != '\n') without += text[i];
-  }
-  return without;
-}
-
 }  // namespace
 
 Result<std::string> WriteHeader(const ClipTable& table, std::string_view name) {
@@ -119,8 +104,7 @@ Result<std::string> WriteHeader(const ClipTable& table, std::string_view name) {
   if (std::string problem = ProblemOf(table); !problem.empty()) {
     return Problem{std::move(problem)};
   }
-  // The table is converted to JSON and back, so that both halves of the header have the same, valid
-  // UTF-8.
+  // The table is converted to JSON and back, so that the header has the same, valid UTF-8 as JSON.
   const Result<ClipTable> same = ReadJson(JsonText(table, true));
   return HeaderText(*same, name);
 }
@@ -138,31 +122,6 @@ std::string HeaderNameOf(std::string_view path) {
   while (name.starts_with('_')) name.replace(0, 1, "table_");
   for (std::size_t at; (at = name.find("__")) != name.npos;) name.erase(at, 1);
   return name + (name.ends_with('_') ? "clip_table" : "_clip_table");
-}
-
-Result<ClipTable> ReadHeader(std::string_view bytes) {
-  const std::string text = WithoutCarriageReturns(bytes);
-  const std::size_t mark = text.find(kMark);
-  if (mark == text.npos || (mark > 0 && text[mark - 1] != '\n')) {
-    return Problem{"no clip table header: a comment `" + std::string(kMark) +
-                   "<name> <JSON>` is missing"};
-  }
-  std::string_view line = std::string_view(text).substr(mark + kMark.size());
-  line = line.substr(0, line.find('\n'));
-  const std::size_t space = std::min(line.find(' '), line.size());
-  const std::string_view name = line.substr(0, space);
-  Result<ClipTable> table = ReadJson(line.substr(std::min(space + 1, line.size())));
-  if (!table) return Problem{"the clip table in the header's comment is damaged: " + table.error};
-  const Result<std::string> again = WriteHeader(*table, name);
-  if (!again) return Problem{again.error};
-  if (*again != text) {
-    const auto differ = std::mismatch(again->begin(), again->end(), text.begin(), text.end());
-    const auto line_number = 1 + std::count(text.begin(), differ.second, '\n');
-    return Problem{
-        "line " + std::to_string(line_number) +
-        " of the header was changed after clipc wrote it, and its comment does not say the same"};
-  }
-  return table;
 }
 
 Result<ClipTable> FromStatic(const StaticClipTable& from) {
@@ -198,7 +157,6 @@ Result<ClipTable> Read(std::string_view bytes) {
   if (bytes.starts_with("DXBC") || bytes.starts_with(std::string_view("\x35\x28\0\0", 4))) {
     return ReadBinary(bytes);
   }
-  if (bytes.starts_with("//")) return ReadHeader(bytes);
   return ReadJson(bytes);
 }
 

@@ -20,15 +20,10 @@ Result<ClipTable> ReadJson(std::string_view text);
 // container's hash is not checked.
 Result<ClipTable> ReadBinary(std::string_view bytes);
 
-// Reads what WriteHeader wrote. A comment in the header carries the table in JSON. The C++ below
-// the comment must be what WriteHeader makes of that table, so a header that was edited by hand is
-// an error. Line ends may have become CR LF.
-Result<ClipTable> ReadHeader(std::string_view text);
-
 // Converts the table of a header that WriteHeader wrote, for a program that was compiled with it.
 Result<ClipTable> FromStatic(const StaticClipTable& table);
 
-// Reads any of the three forms; the first bytes tell which it is.
+// Reads JSON or the binary form; the first bytes tell which it is.
 Result<ClipTable> Read(std::string_view bytes);
 
 }  // namespace clipc::clip_table

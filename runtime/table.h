@@ -47,10 +47,9 @@ struct Table {
   std::vector<TablePlane> planes;  // at most kMaxClipPlanes; planes[i] is clip plane i
 };
 
-// Reads any form that `clipc --table` writes, recognised by its first bytes: JSON; the binary
-// block; the text of the C++ header. Also reads a DXBC container, a shader that fxc compiled, whose
-// SHDR or SHEX chunk contains such a block. Errors: kDamagedTable with the mistake and its place;
-// kInvalidArgument; kOutOfMemory.
+// Reads the JSON or the binary block that `clipc --table` writes, recognised by the first bytes.
+// Also reads a DXBC container, a shader that fxc compiled, whose SHDR or SHEX chunk contains such a
+// block. Errors: kDamagedTable with the mistake and its place; kInvalidArgument; kOutOfMemory.
 Result<Table> ReadTable(const void* bytes, std::size_t size) noexcept;
 
 // The table of a generated header that the application was compiled with.

@@ -75,12 +75,6 @@ TEST(ReadTableTest, Json) {
   ExpectNames(table);
 }
 
-TEST(ReadTableTest, HeaderAsText) {
-  const Result<Table> table = Read(*clip_table::WriteHeader(Written(), "water"));
-  ExpectRegisters(table);
-  ExpectNames(table);
-}
-
 TEST(ReadTableTest, Binary) { ExpectRegisters(Read(*clip_table::WriteBinary(Written()))); }
 
 TEST(ReadTableTest, InsideACompiledShader) {
@@ -120,7 +114,6 @@ TEST(ReadTableTest, PlaneSpaces) {
   for (const PlaneSpace space : {PlaneSpace::kXyw1, PlaneSpace::kObject}) {
     written.plane_space = space;
     EXPECT_EQ(Read(*clip_table::WriteJson(written)).value.plane_space, space);
-    EXPECT_EQ(Read(*clip_table::WriteHeader(written, "t")).value.plane_space, space);
   }
 }
 

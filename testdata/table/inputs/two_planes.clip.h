@@ -1,5 +1,4 @@
-// Written by clipc; changes are refused when it is read back, and lost when it is written again.
-// clip-table two_planes_clip_table {"schema":"clipc.clip-table","version":1,"entry":"main","profile":"vs_4_0_level_9_1","lowering":"level9","position_space":"direct3d-clip","plane_scale":"any","enable_mask":3,"planes":[{"index":0,"text":"water_plane","constant":{"cbuffer":"ClipPlanes","cbuffer_element":0,"register":1,"space":0,"float4_register":0,"byte_offset":0,"glsl_block":"ClipPlanes","glsl_member":"water_plane"}},{"index":1,"text":"planes[2]","constant":{"cbuffer":"ClipPlanes","cbuffer_element":0,"register":1,"space":0,"float4_register":3,"byte_offset":48,"glsl_block":"ClipPlanes","glsl_member":"planes[2]"}}]}
+// Written by clipc; changes are lost when it is written again.
 #pragma once
 
 #ifndef CLIPC_STATIC_CLIP_TABLE
