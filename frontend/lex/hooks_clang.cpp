@@ -76,7 +76,7 @@ Constructed __real__ZN4llvm13StringMapImplC2Ejj(llvm::StringMapImpl*, unsigned, 
     __attribute__((weak));
 Constructed __wrap__ZN4llvm13StringMapImplC2Ejj(llvm::StringMapImpl* map, unsigned buckets,
                                                 unsigned item_size) {
-  return __real__ZN4llvm13StringMapImplC2Ejj(map, std::min(buckets, 256u), item_size);
+  return __real__ZN4llvm13StringMapImplC2Ejj(map, std::min(buckets, 128u), item_size);
 }
 
 // Preprocessor::RegisterBuiltinPragmas: the thirty pragmas of C++ are left out; AddPragmas adds
