@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* clipc as a library for C99 and for other languages: one HLSL vertex shader in; GLSL, SPIR-V, the
+/** clipc as a library for C99 and for other languages: one HLSL vertex shader in; GLSL, SPIR-V, the
  * clip table and the reflection out, all of it in memory. compiler/clipc.hpp is the same for C++.
  *
  * ABI: what this header declares is never changed or removed while CLIPC_ABI stays. New members of
@@ -16,7 +16,7 @@
  * includes may lie.
  * Threads: a clipc_compiler serves one thread at a time; several may work at once. */
 
-/* The mark of the functions that the shared library exports; on Windows a list names them. */
+/** The mark of the functions that the shared library exports; on Windows a list names them. */
 #if defined(__GNUC__) && !defined(_WIN32)
 #define CLIPC_API __attribute__((visibility("default")))
 #else
@@ -29,82 +29,82 @@ extern "C" {
 #endif
 
 #define CLIPC_ABI 1
-/* The CLIPC_ABI of the library; the caller compares it with its own. */
+/** The CLIPC_ABI of the library; the caller compares it with its own. */
 CLIPC_API uint32_t clipc_abi(void);
-/* The version of the library: "0.1.0". */
+/** The version of the library: "0.1.0". */
 CLIPC_API const char* clipc_version(void);
 
-/* A compiler of many shaders that keeps the data that they share. clipc_compiler_create returns
+/** A compiler of many shaders that keeps the data that they share. clipc_compiler_create returns
  * NULL if there is no memory. */
 typedef struct clipc_compiler clipc_compiler;
 CLIPC_API clipc_compiler* clipc_compiler_create(void);
-CLIPC_API void clipc_compiler_free(clipc_compiler* compiler); /* NULL is allowed */
+CLIPC_API void clipc_compiler_free(clipc_compiler* compiler); /**< NULL is allowed */
 
-/* Bytes, and a zero after them that `size` does not count. */
+/** Bytes, and a zero after them that `size` does not count. */
 typedef struct clipc_bytes {
   const char* data;
   size_t size;
 } clipc_bytes;
 
-/* The text of the include file at `path`, which is a folder of -I or of the including file, a
+/** The text of the include file at `path`, which is a folder of -I or of the including file, a
  * slash, and the name as the shader has it. Returns 0 if there is no such file. The bytes are
  * copied before the next call. */
 typedef int (*clipc_read_include)(void* context, const char* path, clipc_bytes* text);
 
 typedef struct clipc_request {
-  size_t size; /* sizeof(clipc_request) */
-  /* The name of the shader in messages, and where its includes are looked up. UTF-8, like all
+  size_t size; /**< sizeof(clipc_request) */
+  /** The name of the shader in messages, and where its includes are looked up. UTF-8, like all
    * texts. */
   const char* path;
-  /* The text of the shader; NULL for the file at `path`. */
+  /** The text of the shader; NULL for the file at `path`. */
   const char* text;
   size_t text_size;
-  /* The options, as on the command line: {"-T", "vs_5_0", "--target=vulkan"}. Options that name
+  /** The options, as on the command line: {"-T", "vs_5_0", "--target=vulkan"}. Options that name
    * outputs or inputs are errors. */
   const char* const* options;
   size_t option_count;
-  /* If not NULL, includes come from this function, and no file is read for them. */
+  /** If not NULL, includes come from this function, and no file is read for them. */
   clipc_read_include read_include;
   void* read_include_context;
-  /* If not NULL, asked on the thread that compiles, often except while glslang works; the compile
+  /** If not NULL, asked on the thread that compiles, often except while glslang works; the compile
    * ends when it returns other than 0. */
   int (*is_cancelled)(void* context);
   void* is_cancelled_context;
 } clipc_request;
 
-/* The last member of each enumeration fixes its size, and makes every number a value of it: the
+/** The last member of each enumeration fixes its size, and makes every number a value of it: the
  * number of a newer or older header is well defined. */
 typedef enum clipc_status {
   CLIPC_COMPILED = 0,
-  CLIPC_HAS_ERRORS,  /* the shader has errors */
-  CLIPC_BAD_REQUEST, /* an option is wrong, or the shader cannot be read */
-  CLIPC_NO_MEMORY,   /* *result is NULL */
-  CLIPC_CANCELLED,   /* clipc_request::is_cancelled */
+  CLIPC_HAS_ERRORS,  /**< the shader has errors */
+  CLIPC_BAD_REQUEST, /**< an option is wrong, or the shader cannot be read */
+  CLIPC_NO_MEMORY,   /**< *result is NULL */
+  CLIPC_CANCELLED,   /**< clipc_request::is_cancelled */
   CLIPC_STATUS_MAX = 0x7fffffff
 } clipc_status;
 
-/* The parts of a result. All but the messages and the dependencies are empty after an error. */
+/** The parts of a result. All but the messages and the dependencies are empty after an error. */
 typedef enum clipc_part {
-  CLIPC_PART_MESSAGES = 0,  /* as a terminal shows them, with the lines of the source */
-  CLIPC_PART_MESSAGES_JSON, /* {"version": 1, "diagnostics": [...]} */
-  CLIPC_PART_DEPENDENCIES,  /* the files that were read, each followed by a newline */
-  CLIPC_PART_GLSL,          /* of the vertex shader */
-  CLIPC_PART_DISCARD,       /* with --lower=discard: GLSL that discards, for the fragment shader */
-  CLIPC_PART_SPIRV,         /* with -spirv: 32-bit words in the machine's order */
-  CLIPC_PART_REFLECTION,    /* JSON: docs/reflection.md */
+  CLIPC_PART_MESSAGES = 0,  /**< as a terminal shows them, with the lines of the source */
+  CLIPC_PART_MESSAGES_JSON, /**< {"version": 1, "diagnostics": [...]} */
+  CLIPC_PART_DEPENDENCIES,  /**< the files that were read, each followed by a newline */
+  CLIPC_PART_GLSL,          /**< of the vertex shader */
+  CLIPC_PART_DISCARD,    /**< with --lower=discard: GLSL that discards, for the fragment shader */
+  CLIPC_PART_SPIRV,      /**< with -spirv: 32-bit words in the machine's order */
+  CLIPC_PART_REFLECTION, /**< JSON: docs/reflection.md */
   CLIPC_PART_TABLE_JSON,
-  CLIPC_PART_TABLE_BINARY, /* Direct3D's record; empty for planes that it cannot say */
-  CLIPC_PART_TABLE_HEADER, /* a C++ header with `clip_table` */
+  CLIPC_PART_TABLE_BINARY, /**< Direct3D's record; empty for planes that it cannot say */
+  CLIPC_PART_TABLE_HEADER, /**< a C++ header with `clip_table` */
   CLIPC_PART_MAX = 0x7fffffff
 } clipc_part;
 
-/* Compiles a shader. Always sets *result, which the caller frees, except after CLIPC_NO_MEMORY. The
- * same request gives the same bytes. */
+/** Compiles a shader. Always sets *result, which the caller frees, except after CLIPC_NO_MEMORY.
+ * The same request gives the same bytes. */
 typedef struct clipc_result clipc_result;
 CLIPC_API clipc_status clipc_compile(clipc_compiler* compiler, const clipc_request* request,
                                      clipc_result** result);
-CLIPC_API void clipc_result_free(clipc_result* result); /* NULL is allowed */
-/* One part of a result. The bytes live as long as the result. They are empty, not NULL, where the
+CLIPC_API void clipc_result_free(clipc_result* result); /**< NULL is allowed */
+/** One part of a result. The bytes live as long as the result. They are empty, not NULL, where the
  * result does not have the part. */
 CLIPC_API clipc_bytes clipc_result_get(const clipc_result* result, clipc_part part);
 

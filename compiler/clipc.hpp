@@ -12,29 +12,29 @@
 
 #include "compiler/clipc.h"
 
-// compiler/clipc.h for C++17: a few inline functions over the C functions, so an application and
-// the library need not be built by the same compiler.
+/// compiler/clipc.h for C++17: a few inline functions over the C functions, so an application and
+/// the library need not be built by the same compiler.
 namespace clipc::library {
 
 struct Request {
-  // The name of the shader in messages, and where its includes are looked up.
+  /// The name of the shader in messages, and where its includes are looked up.
   std::string path;
-  std::optional<std::string> text;   // none: the file at `path`
-  std::vector<std::string> options;  // as on the command line, without inputs and outputs
-  // If not empty, includes come from this function, and no file is read for them. The path is a
-  // folder of -I or of the including file, a slash, and the name as the shader has it. Must not
-  // throw.
+  std::optional<std::string> text;   ///< none: the file at `path`
+  std::vector<std::string> options;  ///< as on the command line, without inputs and outputs
+  /// If not empty, includes come from this function, and no file is read for them. The path is a
+  /// folder of -I or of the including file, a slash, and the name as the shader has it. Must not
+  /// throw.
   std::function<std::optional<std::string>(const std::string& path)> read_include;
-  // If not empty, the compile ends soon after it returns true. Must not throw.
+  /// If not empty, the compile ends soon after it returns true. Must not throw.
   std::function<bool()> is_cancelled;
 };
 
-// The result of a compile. Views of its parts live as long as the result.
+/// The result of a compile. Views of its parts live as long as the result.
 class Result {
  public:
   clipc_status status() const { return status_; }
   bool ok() const { return status_ == CLIPC_COMPILED; }
-  // One part of the result; empty where the result does not have the part.
+  /// One part of the result; empty where the result does not have the part.
   std::string_view Get(clipc_part part) const {
     if (!result_) return {};
     const clipc_bytes bytes = clipc_result_get(result_.get(), part);
@@ -50,13 +50,13 @@ class Result {
   };
 
   clipc_status status_ = CLIPC_NO_MEMORY;
-  std::unique_ptr<clipc_result, Free> result_;  // null after CLIPC_NO_MEMORY
+  std::unique_ptr<clipc_result, Free> result_;  ///< null after CLIPC_NO_MEMORY
 };
 
-// A compiler of many shaders that keeps the data that they share. Use one on each thread.
+/// A compiler of many shaders that keeps the data that they share. Use one on each thread.
 class Compiler {
  public:
-  // Throws std::bad_alloc.
+  /// Throws std::bad_alloc.
   Compiler() : compiler_(clipc_compiler_create()) {
     if (!compiler_) throw std::bad_alloc();
   }
@@ -93,7 +93,7 @@ class Compiler {
  private:
   struct Callbacks {
     const Request& request;
-    std::string text;  // of the last include
+    std::string text;  ///< of the last include
   };
   static int ReadInclude(void* context, const char* path, clipc_bytes* text) {
     auto& callbacks = *static_cast<Callbacks*>(context);

@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* clipc::runtime for C99 and for other languages. The C++ header named above each group documents
+/** clipc::runtime for C99 and for other languages. The C++ header named above each group documents
  * its functions in full.
  *
  * Errors: every function that can fail returns a clipc_error. `message` is NULL or has room for
@@ -24,7 +24,7 @@ extern "C" {
 
 #define CLIPC_MESSAGE_SIZE 200
 
-/* status.h: clipc::runtime::Error. The last member of each enumeration fixes its size, and makes
+/** status.h: clipc::runtime::Error. The last member of each enumeration fixes its size, and makes
  * every number a value of it: the number of a newer or older header is well defined. */
 typedef enum clipc_error {
   CLIPC_OK = 0,
@@ -47,20 +47,20 @@ typedef enum clipc_error {
   CLIPC_ERROR_MAX = 0x7fffffff
 } clipc_error;
 
-/* The HRESULT that an IDirect3DDevice9 returns in the same situation: D3DERR_INVALIDCALL for every
+/** The HRESULT that an IDirect3DDevice9 returns in the same situation: D3DERR_INVALIDCALL for every
  * mistake of the caller. */
 int32_t clipc_hresult(clipc_error error);
 
-/* table.h */
+/** table.h */
 typedef struct clipc_table clipc_table;
-/* Reads JSON, a binary block, a header's text or a DXBC container. On success the caller frees
+/** Reads JSON, a binary block, a header's text or a DXBC container. On success the caller frees
  * *table; on failure *table is NULL. */
 clipc_error clipc_table_read(const void* bytes, size_t size, clipc_table** table, char* message);
-void clipc_table_free(clipc_table* table); /* NULL is allowed */
+void clipc_table_free(clipc_table* table); /**< NULL is allowed */
 uint32_t clipc_table_plane_count(const clipc_table* table);
 uint32_t clipc_table_enable_mask(const clipc_table* table);
 
-/* table.h: clipc::runtime::PlaneSpace, the space of the table's planes. */
+/** table.h: clipc::runtime::PlaneSpace, the space of the table's planes. */
 typedef enum clipc_plane_space {
   CLIPC_SPACE_CLIP = 0,
   CLIPC_SPACE_XYW1,
@@ -69,7 +69,7 @@ typedef enum clipc_plane_space {
 } clipc_plane_space;
 clipc_plane_space clipc_table_plane_space(const clipc_table* table);
 
-/* table.h: clipc::runtime::Lowering, what the shader does with its planes. */
+/** table.h: clipc::runtime::Lowering, what the shader does with its planes. */
 typedef enum clipc_lowering {
   CLIPC_LOWERING_CLIP_DISTANCE = 0,
   CLIPC_LOWERING_LEVEL9,
@@ -80,31 +80,32 @@ typedef enum clipc_lowering {
 } clipc_lowering;
 clipc_lowering clipc_table_lowering(const clipc_table* table);
 
-/* table.h: TablePlane, the place of one plane among the constants. Texts live as long as the table,
- * and are empty, not NULL, where there is nothing. `index` is below clipc_table_plane_count. */
+/** table.h: TablePlane, the place of one plane among the constants. Texts live as long as the
+ * table, and are empty, not NULL, where there is nothing. `index` is below
+ * clipc_table_plane_count. */
 typedef struct clipc_plane_place {
-  int in_register;          /* 0: composed of several constants; the members below are empty */
-  uint32_t register_number; /* n of b<n> */
+  int in_register;          /**< 0: composed of several constants; the members below are empty */
+  uint32_t register_number; /**< n of b<n> */
   uint32_t register_space;
-  uint32_t byte_offset; /* of the four floats in that buffer */
-  const char* text;     /* the operand of [clipplanes] */
+  uint32_t byte_offset; /**< of the four floats in that buffer */
+  const char* text;     /**< the operand of [clipplanes] */
   const char* cbuffer;
-  const char* glsl_block;  /* empty for a plain uniform */
-  const char* glsl_member; /* the member or uniform; empty if the shader does not read it */
+  const char* glsl_block;  /**< empty for a plain uniform */
+  const char* glsl_member; /**< the member or uniform; empty if the shader does not read it */
 } clipc_plane_place;
 clipc_error clipc_table_get_plane(const clipc_table* table, uint32_t index,
                                   clipc_plane_place* place, char* message);
 
-/* clip_device.h. Both functions receive `context` and return 0 if the device refuses the call. */
+/** clip_device.h. Both functions receive `context` and return 0 if the device refuses the call. */
 typedef struct clipc_device {
   void* context;
   int (*set_clip_plane)(void* context, uint32_t index, const float plane[4]);
   int (*set_clip_plane_enable)(void* context, uint32_t mask);
 } clipc_device;
 
-/* level9_binder.h */
+/** level9_binder.h */
 typedef struct clipc_bound_buffer {
-  uint32_t register_number; /* n of b<n> */
+  uint32_t register_number; /**< n of b<n> */
   uint32_t register_space;
   const void* bytes;
   size_t size;
@@ -113,8 +114,8 @@ typedef struct clipc_bound_buffer {
 typedef struct clipc_binder clipc_binder;
 clipc_error clipc_binder_create(const clipc_device* device, uint32_t max_planes,
                                 clipc_binder** binder);
-void clipc_binder_free(clipc_binder* binder); /* NULL is allowed; does not call the device */
-/* `needed`: bit i for each plane i to use, UINT32_MAX for all. Takes at most CLIPC_MAX_BUFFERS. */
+void clipc_binder_free(clipc_binder* binder); /**< NULL is allowed; does not call the device */
+/** `needed`: bit i for each plane i to use, UINT32_MAX for all. Takes at most CLIPC_MAX_BUFFERS. */
 #define CLIPC_MAX_BUFFERS 16
 clipc_error clipc_binder_bind(clipc_binder* binder, const clipc_table* table,
                               const clipc_bound_buffer* buffers, size_t buffer_count,
@@ -122,7 +123,7 @@ clipc_error clipc_binder_bind(clipc_binder* binder, const clipc_table* table,
 clipc_error clipc_binder_bind_none(clipc_binder* binder, char* message);
 void clipc_binder_invalidate(clipc_binder* binder);
 
-/* clip_plane.h: the constants for the plane spaces `clip`, `xyw1` and `object`. If `view_or_null`
+/** clip_plane.h: the constants for the plane spaces `clip`, `xyw1` and `object`. If `view_or_null`
  * is NULL, `plane` is in view space, else in world space. */
 clipc_error clipc_clip_plane(const float plane[4], const float* view_or_null,
                              const float projection[16], float clip_plane[4], char* message);
@@ -131,7 +132,7 @@ clipc_error clipc_xyw1_plane(const float view_plane[4], const float projection[1
 clipc_error clipc_object_plane(const float world_plane[4], const float world[16],
                                float object_plane[4], char* message);
 
-/* plane_space.h: PlaneConstantFor, the constant of a plane for the table's plane space. A matrix
+/** plane_space.h: PlaneConstantFor, the constant of a plane for the table's plane space. A matrix
  * that is NULL is the identity. Warning: none, or CLIPC_ILL_CONDITIONED with a sentence where the
  * edge moves by more than `most_pixels` in a picture of `rows` rows. */
 typedef enum clipc_known_in {
@@ -142,12 +143,12 @@ typedef enum clipc_known_in {
 } clipc_known_in;
 typedef struct clipc_draw_matrices {
   const float *world, *view, *projection;
-  int steps;         /* DrawMatrices::steps: `positionMatrices` of the reflection; 0 counts as 1 */
-  int float_product; /* DrawMatrices::float_product */
+  int steps; /**< DrawMatrices::steps: `positionMatrices` of the reflection; 0 counts as 1 */
+  int float_product; /**< DrawMatrices::float_product */
 } clipc_draw_matrices;
 typedef struct clipc_space_constant {
   float constant[4];
-  double edge_error; /* in pixels; 0 if there is no prediction */
+  double edge_error; /**< in pixels; 0 if there is no prediction */
   clipc_error warning;
   char warning_message[CLIPC_MESSAGE_SIZE];
 } clipc_space_constant;
@@ -156,10 +157,10 @@ clipc_error clipc_plane_constant(clipc_plane_space space, const float plane[4],
                                  double rows, double most_pixels, clipc_space_constant* constant,
                                  char* message);
 
-/* mirror.h: MirrorMatrix, for planar reflections. The draw swaps its cull mode. */
+/** mirror.h: MirrorMatrix, for planar reflections. The draw swaps its cull mode. */
 clipc_error clipc_mirror_matrix(const float plane[4], float matrix[16], char* message);
 
-/* near_plane.h: one plane without hardware. The flags of a depth range: OpenGL's -w <= z <= w, and
+/** near_plane.h: one plane without hardware. The flags of a depth range: OpenGL's -w <= z <= w, and
  * reverse-Z. */
 enum { CLIPC_DEPTH_NEGATIVE_ONE_TO_ONE = 1, CLIPC_DEPTH_REVERSED = 2 };
 typedef struct clipc_sheared_projection {
@@ -169,24 +170,24 @@ typedef struct clipc_sheared_projection {
   double depth_ratio;
   int keeps_far;
 } clipc_sheared_projection;
-/* `keep_far`: NearPlaneScale::kKeepFar, else kAsGiven. */
+/** `keep_far`: NearPlaneScale::kKeepFar, else kAsGiven. */
 clipc_error clipc_shear_near_plane(const float view_plane[4], const float projection[16],
                                    uint32_t depth_range, int keep_far,
                                    clipc_sheared_projection* sheared, char* message);
 void clipc_set_depth_column(float to_clip[16], const float plane[4], double scale,
                             uint32_t depth_range);
 
-/* plane_space.h: PredictEdgeError, the displacement of the cut in pixels of a picture of `rows`
+/** plane_space.h: PredictEdgeError, the displacement of the cut in pixels of a picture of `rows`
  * rows, at the 99th percentile. Negative if there is no prediction for plane and projection. */
 double clipc_edge_error(clipc_plane_space space, const float view_plane[4],
                         const float projection[16], double rows);
-/* The edge error of a draw whose cut is known: `places` is x, y and z of `count` places of it, in
+/** The edge error of a draw whose cut is known: `places` is x, y and z of `count` places of it, in
  * the object's own space; `edge` is the length of the triangles' edges in half pictures. */
 double clipc_cut_error(clipc_plane_space space, const float plane[4], clipc_known_in known_in,
                        const clipc_draw_matrices* draw, const double* places, size_t count,
                        double edge, double rows);
 
-/* clip_status.h: D3DCLIPSTATUS9; its initial value is {0, 0xFFFFFFFF}. `positions` is count * 4
+/** clip_status.h: D3DCLIPSTATUS9; its initial value is {0, 0xFFFFFFFF}. `positions` is count * 4
  * floats; `planes` is 6 * 4 floats, or NULL with a mask of 0. */
 typedef struct clipc_clip_status {
   uint32_t clip_union;
@@ -195,24 +196,24 @@ typedef struct clipc_clip_status {
 void clipc_update_clip_status(clipc_clip_status* status, const float* positions, size_t count,
                               const float* planes, uint32_t enable_mask, int clipping);
 
-/* box_planner.h: `bounds` is six arrays of `count` floats, low x, y, z and high x, y, z; `planes`
+/** box_planner.h: `bounds` is six arrays of `count` floats, low x, y, z and high x, y, z; `planes`
  * is plane_count * 4 floats. Each of `count` plans is the bits of the planes needed, or
  * CLIPC_CULLED. */
 #define CLIPC_CULLED 0x80
 void clipc_plan_boxes(const float* const bounds[6], size_t count, const float* planes,
                       size_t plane_count, uint8_t* plans);
 
-/* shader_variant.h: the shader of `clipc --variants` that has just the planes of a plan, and the
+/** shader_variant.h: the shader of `clipc --variants` that has just the planes of a plan, and the
  * object's plane for each of its planes. */
 typedef struct clipc_shader_variant {
   uint8_t plane_count;
   uint8_t planes[6];
 } clipc_shader_variant;
 clipc_shader_variant clipc_variant_of(uint8_t plan);
-/* Copies the planes that the variant uses. `from` and `to` are arrays of 4 floats for each plane;
+/** Copies the planes that the variant uses. `from` and `to` are arrays of 4 floats for each plane;
  * `to` has room for variant->plane_count planes. */
 void clipc_compact_planes(const clipc_shader_variant* variant, const float* from, float* to);
-/* The drawing order by number of planes. `order` has room for `count` indices; objects with k
+/** The drawing order by number of planes. `order` has room for `count` indices; objects with k
  * planes are order[first[k]] up to order[first[k + 1] - 1]. */
 void clipc_order_by_plane_count(const uint8_t* plans, size_t count, uint32_t* order,
                                 size_t first[8]);
@@ -222,4 +223,4 @@ void clipc_order_by_plane_count(const uint8_t* plans, size_t count, uint32_t* or
 #endif
 /* NOLINTEND(readability-identifier-naming,modernize-*) */
 
-#endif /* CLIPC_RUNTIME_H */
+#endif /**< CLIPC_RUNTIME_H */

@@ -3,27 +3,27 @@
 
 #include <cmath>
 
-// Numbers of twice double's digits. Not part of the public interface.
+/// Numbers of twice double's digits. Not part of the public interface.
 namespace clipc::runtime {
 
-// The number high + low; low is at most half a unit in the last place of high.
+/// The number high + low; low is at most half a unit in the last place of high.
 struct DoubleDouble {
   double high = 0, low = 0;
 };
 
-// a + b, exactly: Knuth's two-sum.
+/// a + b, exactly: Knuth's two-sum.
 inline DoubleDouble ExactSum(double a, double b) {
   const double sum = a + b, part = sum - a;
   return {sum, (a - (sum - part)) + (b - part)};
 }
 
-// a + b, exactly where |a| >= |b|: Dekker's.
+/// a + b, exactly where |a| >= |b|: Dekker's.
 inline DoubleDouble ExactSumOfOrdered(double a, double b) {
   const double sum = a + b;
   return {sum, b - (sum - a)};
 }
 
-// a + b with a relative error of about 2^-104.
+/// a + b with a relative error of about 2^-104.
 inline DoubleDouble Add(DoubleDouble a, DoubleDouble b) {
   DoubleDouble sum = ExactSum(a.high, b.high);
   const DoubleDouble rest = ExactSum(a.low, b.low);
@@ -31,7 +31,7 @@ inline DoubleDouble Add(DoubleDouble a, DoubleDouble b) {
   return ExactSumOfOrdered(sum.high, sum.low + rest.low);
 }
 
-// a * b - product, where product is a * b as rounded: exactly, unless that underflows.
+/// a * b - product, where product is a * b as rounded: exactly, unless that underflows.
 inline double ProductError(double a, double b, double product) {
 #if defined(__MINGW32__) && !defined(__FMA__)
   // The fma of mingw-w64 rounds more than once. This is Dekker's product: each factor is the sum of
@@ -52,7 +52,7 @@ inline double ProductError(double a, double b, double product) {
 #endif
 }
 
-// a * b with a relative error of about 2^-104.
+/// a * b with a relative error of about 2^-104.
 inline DoubleDouble Multiply(double a, DoubleDouble b) {
   const double product = a * b.high;
   return ExactSumOfOrdered(product, ProductError(a, b.high, product) + a * b.low);

@@ -6,7 +6,7 @@
 
 #include "runtime/matrix.h"
 
-// Questions about several numbers at once. Not part of the public interface.
+/// Questions about several numbers at once. Not part of the public interface.
 namespace clipc::runtime {
 
 inline bool IsFinite(const Plane& plane) noexcept {
@@ -19,7 +19,7 @@ inline bool IsFinite(const Matrix& matrix) noexcept {
                      [](double element) { return std::isfinite(element); });
 }
 
-// The largest magnitude among the numbers.
+/// The largest magnitude among the numbers.
 inline double LargestOf(const double (&numbers)[4]) noexcept {
   return std::max(
       {std::fabs(numbers[0]), std::fabs(numbers[1]), std::fabs(numbers[2]), std::fabs(numbers[3])});

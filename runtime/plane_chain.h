@@ -7,37 +7,37 @@
 #include "runtime/projection_shape.h"
 #include "runtime/status.h"
 
-// A plane on its way through several spaces: nothing is rounded to double in between, so that what
-// two matrices cancel is not lost. Not part of the public interface.
+/// A plane on its way through several spaces: nothing is rounded to double in between, so that what
+/// two matrices cancel is not lost. Not part of the public interface.
 namespace clipc::runtime {
 
 struct Bounded {
-  DoubleDouble plane[4];  // x, y, z, w
-  double error[4] = {};   // of each component, in units of 2^-53
+  DoubleDouble plane[4];  ///< x, y, z, w
+  double error[4] = {};   ///< of each component, in units of 2^-53
 };
 using Step = Result<Bounded>;
 
-// The plane as the application gives it. Errors: kNotFinite.
+/// The plane as the application gives it. Errors: kNotFinite.
 Step Begin(const Plane& plane) noexcept;
 
-// The plane after an affine `matrix`, whose inverse must exist; `name` is for messages. Errors:
-// kNotFinite, kLooksTransposed, kSingular.
+/// The plane after an affine `matrix`, whose inverse must exist; `name` is for messages. Errors:
+/// kNotFinite, kLooksTransposed, kSingular.
 Step Through(const Step& before, const Matrix& matrix, const char* name) noexcept;
-// The plane in the space before `matrix`, which needs no inverse: `matrix` times the plane. Errors:
-// kNotFinite, kLooksTransposed.
+/// The plane in the space before `matrix`, which needs no inverse: `matrix` times the plane.
+/// Errors: kNotFinite, kLooksTransposed.
 Step Before(const Step& after, const Matrix& matrix, const char* name) noexcept;
 
-// The plane after the projection, as ClipPlaneFromView says.
+/// The plane after the projection, as ClipPlaneFromView says.
 Step ThroughProjection(const Step& before, const Matrix& projection) noexcept;
-// ThroughProjection by the closed form, for a projection whose shape holds.
+/// ThroughProjection by the closed form, for a projection whose shape holds.
 Bounded ThroughShape(const Bounded& before, const ProjectionShape& shape) noexcept;
-// The constant of plane space `xyw1` for a plane of view space, as Xyw1PlaneFromView says.
+/// The constant of plane space `xyw1` for a plane of view space, as Xyw1PlaneFromView says.
 Step ToXyw1(const Step& view_plane, const Matrix& projection) noexcept;
 
-// The plane, rounded. Errors: those of the steps, kIllConditioned, kNotRepresentable.
+/// The plane, rounded. Errors: those of the steps, kIllConditioned, kNotRepresentable.
 Result<PlaneConstant> Finish(const Step& step) noexcept;
 
-// The plane in double.
+/// The plane in double.
 Plane Rounded(const Bounded& bounded) noexcept;
 
 }  // namespace clipc::runtime

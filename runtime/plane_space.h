@@ -9,113 +9,113 @@
 #include "runtime/status.h"
 #include "runtime/table.h"
 
-// One call turns a plane as the application knows it into the constant that a shader's clip table
-// asks for; another predicts what the choice of the plane space costs in pixels. Pure functions:
-// any thread, no allocation.
+/// One call turns a plane as the application knows it into the constant that a shader's clip table
+/// asks for; another predicts what the choice of the plane space costs in pixels. Pure functions:
+/// any thread, no allocation.
 namespace clipc::runtime {
 
-// The space in which the application knows a plane.
+/// The space in which the application knows a plane.
 enum class KnownIn : std::uint8_t { kObject, kWorld, kView };
 
-// The matrices of one draw: clip = v * world * view * projection. A matrix that a conversion does
-// not need may stay the identity: from a world-space plane, xyw1 and clip need view and projection,
-// object needs world alone.
+/// The matrices of one draw: clip = v * world * view * projection. A matrix that a conversion does
+/// not need may stay the identity: from a world-space plane, xyw1 and clip need view and
+/// projection, object needs world alone.
 struct DrawMatrices {
   Matrix world, view, projection;
-  // The number of matrices that the shader multiplies the vertex by, one after the other, in float:
-  // 1 where the application multiplies them in double. With more, the vertex is in the world's
-  // coordinates in between, which cost digits far from the world's origin.
+  /// The number of matrices that the shader multiplies the vertex by, one after the other, in
+  /// float: 1 where the application multiplies them in double. With more, the vertex is in the
+  /// world's coordinates in between, which cost digits far from the world's origin.
   int steps = 1;
-  // The application multiplies the matrices in float, into the one that the shader has; `steps` is
-  // 1 then.
+  /// The application multiplies the matrices in float, into the one that the shader has; `steps` is
+  /// 1 then.
   bool float_product = false;
 };
 
-// The part of a cut that a picture shows.
+/// The part of a cut that a picture shows.
 struct SeenCut {
-  // Places of the cut in the object's own space, spread evenly over the picture: x, y and z of
-  // each.
+  /// Places of the cut in the object's own space, spread evenly over the picture: x, y and z of
+  /// each.
   const double* places = nullptr;
   std::size_t count = 0;
-  double edge = 0.1;  // the length of the triangles' edges, in half pictures
+  double edge = 0.1;  ///< the length of the triangles' edges, in half pictures
 };
 
-// The picture that the draw goes to, in which errors are measured.
+/// The picture that the draw goes to, in which errors are measured.
 struct Picture {
-  double height = 1080;      // rows of pixels
-  double most_pixels = 0.5;  // the largest displacement of an edge without a warning, in pixels
+  double height = 1080;      ///< rows of pixels
+  double most_pixels = 0.5;  ///< the largest displacement of an edge without a warning, in pixels
 };
 
 struct SpaceConstant {
-  PlaneConstant plane;  // plane.constant is for the shader's constant buffer
-  // PredictEdgeError of the space, in pixels, for an object around its own origin; 0 if there is no
-  // prediction. With DrawMatrices::steps over 1, or a float_product, it counts the distance from
-  // the world's origin.
+  PlaneConstant plane;  ///< plane.constant is for the shader's constant buffer
+  /// PredictEdgeError of the space, in pixels, for an object around its own origin; 0 if there is
+  /// no prediction. With DrawMatrices::steps over 1, or a float_product, it counts the distance
+  /// from the world's origin.
   double edge_error = 0;
-  // ok(), or kIllConditioned with a sentence if edge_error exceeds picture.most_pixels. The
-  // constant is then as good as the space allows, and another space is better.
+  /// ok(), or kIllConditioned with a sentence if edge_error exceeds picture.most_pixels. The
+  /// constant is then as good as the space allows, and another space is better.
   Status warning;
 };
 
-// The constant for plane space `space`: every float4 position p of that space (see PlaneSpace) has
-// dot(p, constant) equal to the plane's value at the vertex. Computed in double, with twice its
-// digits from one matrix to the next, and rounded once: right at any distance from the world's
-// origin.
-// Errors: those of ClipPlaneFromWorld, Xyw1PlaneFromView and ObjectPlaneFromWorld; in particular
-// kWrongProjection for xyw1 under a projection that is not a perspective: w is constant there, so
-// (x, y, w, 1) does not contain the depth of a vertex. Compile such draws with --plane-space=clip,
-// which loses nothing under such a projection, or with object.
+/// The constant for plane space `space`: every float4 position p of that space (see PlaneSpace) has
+/// dot(p, constant) equal to the plane's value at the vertex. Computed in double, with twice its
+/// digits from one matrix to the next, and rounded once: right at any distance from the world's
+/// origin.
+/// Errors: those of ClipPlaneFromWorld, Xyw1PlaneFromView and ObjectPlaneFromWorld; in particular
+/// kWrongProjection for xyw1 under a projection that is not a perspective: w is constant there, so
+/// (x, y, w, 1) does not contain the depth of a vertex. Compile such draws with --plane-space=clip,
+/// which loses nothing under such a projection, or with object.
 Result<SpaceConstant> PlaneConstantFor(PlaneSpace space, const Plane& plane, KnownIn known_in,
                                        const DrawMatrices& draw,
                                        const Picture& picture = {}) noexcept;
 
-// The sine that stands for surfaces of every direction: surfaces that meet a plane at random angles
-// from 3 degrees up have, at the 99th percentile, the error of a surface at this sine.
+/// The sine that stands for surfaces of every direction: surfaces that meet a plane at random
+/// angles from 3 degrees up have, at the 99th percentile, the error of a surface at this sine.
 inline constexpr double kAnySurface = 0.1;
 
-// The reach of an object as large as the picture is high, around its own origin.
+/// The reach of an object as large as the picture is high, around its own origin.
 inline constexpr double kAroundOrigin = 0.5;
 
-// The 99th percentile of the distance, in pixels, by which float arithmetic in the vertex shader
-// displaces the edge that the plane cuts into a surface. `sine` is the sine of the angle between
-// surface and plane, 1 if they are perpendicular. With e = 2^-24 H/2 / sine of a picture of H rows,
-// the plane (N, Cw) with a unit normal, the elements of ProjectionShape, the reach R,
-// o = 1 + 2 |(ox, oy)|, K = |Nz - ox Nx/Px - oy Ny/Py| and t = 1 + 2 |(tx, ty)|:
-//
-//   xyw1                  e (o + K Py + 2 R)
-//   clip, perspective     e (o + K Py + 2 R + 1.4 |Cw| |A/B| (Py + 2 R))
-//   clip, orthographic    e (t + 2 R + Py max(|Cw|, |Nz| |B/A|))
-//   object                e 1.5 R, with an R of at least a tenth
-//
-// |A/B| is 1/n for standard depth from 0 to 1, 1/2n where z goes from -1 to 1, reversed or not, and
-// 0 or 1/f for reversed depth from 1 to 0; |B/A| is n for standard depth, f for reversed.
-//
-// `reach` is how far the cut is from the origin of a space in which the shader has the vertices in
-// float, in heights of the picture at the cut's depth; the farthest of these spaces counts. One is
-// the object's own: a level or a terrain whose vertices are in world coordinates has a large reach,
-// and so has a part of it that is near the eye. For `clip` and `xyw1` another is the world, where
-// the shader multiplies by the world matrix first and by others then. Where the application
-// multiplies the matrices in float, the law is that of `xyw1` with the world's reach, of `clip`
-// under an orthographic projection, or that of the space with the object's, whichever is more.
-//
-// A law knows neither the object's matrix nor where in the picture the cut is: a plane whose normal
-// is an axis of the object loses less than it says, and a corner of the cut that is much nearer
-// than the rest may lose more. The laws hold for triangles smaller than the picture; the error of
-// larger ones grows in proportion.
-// Errors: kLooksTransposed; kWrongProjection unless ShapeOf holds, and for xyw1 without a
-// perspective; kSingular if the plane has no normal or the projection has no inverse; kNotFinite
-// unless height and sine are positive, reach is not negative, and plane and projection are finite.
+/// The 99th percentile of the distance, in pixels, by which float arithmetic in the vertex shader
+/// displaces the edge that the plane cuts into a surface. `sine` is the sine of the angle between
+/// surface and plane, 1 if they are perpendicular. With e = 2^-24 H/2 / sine of a picture of H
+/// rows, the plane (N, Cw) with a unit normal, the elements of ProjectionShape, the reach R, o = 1
+/// + 2 |(ox, oy)|, K = |Nz - ox Nx/Px - oy Ny/Py| and t = 1 + 2 |(tx, ty)|:
+///
+///   xyw1                  e (o + K Py + 2 R)
+///   clip, perspective     e (o + K Py + 2 R + 1.4 |Cw| |A/B| (Py + 2 R))
+///   clip, orthographic    e (t + 2 R + Py max(|Cw|, |Nz| |B/A|))
+///   object                e 1.5 R, with an R of at least a tenth
+///
+/// |A/B| is 1/n for standard depth from 0 to 1, 1/2n where z goes from -1 to 1, reversed or not,
+/// and 0 or 1/f for reversed depth from 1 to 0; |B/A| is n for standard depth, f for reversed.
+///
+/// `reach` is how far the cut is from the origin of a space in which the shader has the vertices in
+/// float, in heights of the picture at the cut's depth; the farthest of these spaces counts. One is
+/// the object's own: a level or a terrain whose vertices are in world coordinates has a large
+/// reach, and so has a part of it that is near the eye. For `clip` and `xyw1` another is the world,
+/// where the shader multiplies by the world matrix first and by others then. Where the application
+/// multiplies the matrices in float, the law is that of `xyw1` with the world's reach, of `clip`
+/// under an orthographic projection, or that of the space with the object's, whichever is more.
+///
+/// A law knows neither the object's matrix nor where in the picture the cut is: a plane whose
+/// normal is an axis of the object loses less than it says, and a corner of the cut that is much
+/// nearer than the rest may lose more. The laws hold for triangles smaller than the picture; the
+/// error of larger ones grows in proportion. Errors: kLooksTransposed; kWrongProjection unless
+/// ShapeOf holds, and for xyw1 without a perspective; kSingular if the plane has no normal or the
+/// projection has no inverse; kNotFinite unless height and sine are positive, reach is not
+/// negative, and plane and projection are finite.
 Result<double> PredictEdgeError(PlaneSpace space, const Plane& view_plane, const Matrix& projection,
                                 double picture_height, double sine = kAnySurface,
                                 double reach = kAroundOrigin) noexcept;
 
-// The edge error of one draw, followed from its own matrices and places of its cut through each
-// rounding of the shader to the picture, which takes a millisecond or two for 256 places, the most
-// that count. `plane` is known in `known_in`. Tests in study/ compare it with __float128 over
-// 10,000 planes, cameras and objects that nobody chose, up to some tens of pixels, where the error
-// saturates: measured values are within a factor of 0.2 to 3.
-// Errors: as above, and those of PlaneConstantFor; kInvalidArgument unless a place of the cut lies
-// before the eye and the edges have a length.
+/// The edge error of one draw, followed from its own matrices and places of its cut through each
+/// rounding of the shader to the picture, which takes a millisecond or two for 256 places, the most
+/// that count. `plane` is known in `known_in`. Tests in study/ compare it with __float128 over
+/// 10,000 planes, cameras and objects that nobody chose, up to some tens of pixels, where the error
+/// saturates: measured values are within a factor of 0.2 to 3.
+/// Errors: as above, and those of PlaneConstantFor; kInvalidArgument unless a place of the cut lies
+/// before the eye and the edges have a length.
 Result<double> PredictEdgeError(PlaneSpace space, const Plane& plane, KnownIn known_in,
                                 const DrawMatrices& draw, const SeenCut& cut, double picture_height,
                                 double sine = kAnySurface) noexcept;

@@ -3,8 +3,8 @@
 
 #include "runtime/status.h"
 
-// The OpenGL functions that clip planes need, declared without an OpenGL header and called without
-// linking an OpenGL library.
+/// The OpenGL functions that clip planes need, declared without an OpenGL header and called without
+/// linking an OpenGL library.
 namespace clipc::runtime::gl {
 
 #if defined(_WIN32)
@@ -13,7 +13,7 @@ namespace clipc::runtime::gl {
 #define CLIPC_GL_API
 #endif
 
-// OpenGL's values. GL_CLIP_PLANEi of the compatibility profile has the value of GL_CLIP_DISTANCEi.
+/// OpenGL's values. GL_CLIP_PLANEi of the compatibility profile has the value of GL_CLIP_DISTANCEi.
 inline constexpr unsigned kClipDistance0 = 0x3000;
 inline constexpr unsigned kMaxClipDistances = 0x0D32;
 inline constexpr unsigned kMatrixMode = 0x0BA0;
@@ -25,7 +25,7 @@ struct Functions {
   void(CLIPC_GL_API* Disable)(unsigned capability) = nullptr;
   unsigned char(CLIPC_GL_API* IsEnabled)(unsigned capability) = nullptr;
   void(CLIPC_GL_API* GetIntegerv)(unsigned name, int* value) = nullptr;
-  // Functions of the compatibility profile; null in other contexts.
+  /// Functions of the compatibility profile; null in other contexts.
   void(CLIPC_GL_API* ClipPlane)(unsigned plane, const double* equation) = nullptr;
   void(CLIPC_GL_API* GetClipPlane)(unsigned plane, double* equation) = nullptr;
   void(CLIPC_GL_API* MatrixMode)(unsigned mode) = nullptr;
@@ -40,14 +40,14 @@ struct Functions {
 
 // NOLINTEND(readability-identifier-naming)
 
-// Finds the address of a function such as "glEnable": eglGetProcAddress, glXGetProcAddressARB, or a
-// function that calls SDL_GL_GetProcAddress, glfwGetProcAddress or wglGetProcAddress. Called with
-// the context current.
+/// Finds the address of a function such as "glEnable": eglGetProcAddress, glXGetProcAddressARB, or
+/// a function that calls SDL_GL_GetProcAddress, glfwGetProcAddress or wglGetProcAddress. Called
+/// with the context current.
 using Procedure = void (*)();
 using Loader = Procedure (*)(const char* name);
 
-// Loads every function. Errors: kDeviceFailed if the loader does not find a function that every
-// profile has; kInvalidArgument for a null loader.
+/// Loads every function. Errors: kDeviceFailed if the loader does not find a function that every
+/// profile has; kInvalidArgument for a null loader.
 Result<Functions> LoadFunctions(Loader loader) noexcept;
 
 }  // namespace clipc::runtime::gl
