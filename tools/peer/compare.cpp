@@ -6,8 +6,8 @@
 
 #include "tools/draw/feed.h"
 #include "tools/draw/vulkan/bind.h"
-#include "tools/draw/vulkan/glslang.h"
 #include "tools/harness/options.h"
+#include "tools/peer/glslang.h"
 #include "tools/peer/interface.h"
 #include "tools/peer/known_bugs.h"
 #include "tools/peer/plain_text.h"
@@ -23,17 +23,17 @@ std::string WithoutVulkanAttributes(const std::string& hlsl) {
 Module Compile(const BuildOptions& options) {
   Module module;
   module.hlsl = WithoutVulkanAttributes(harness::ReadFile(options.path));
-  vulkan::HlslSource source{options.path, module.hlsl, options.entry, options.defines,
-                            options.include_dirs};
+  HlslSource source{options.path, module.hlsl, options.entry, options.defines,
+                    options.include_dirs};
   source.row_major = options.packing == MatrixPacking::kRowMajor;
   try {
-    module.declared = vulkan::SpirvOfHlsl(source, false);
-  } catch (const vulkan::PeerRefuses&) {
+    module.declared = SpirvOfHlsl(source, false);
+  } catch (const DrawError&) {
     module.hlsl = source.text =
         WithoutVulkanAttributes(PlainText(Preprocess(options), options.entry));
-    module.declared = vulkan::SpirvOfHlsl(source, false);
+    module.declared = SpirvOfHlsl(source, false);
   }
-  module.run = vulkan::SpirvOfHlsl(source, true);
+  module.run = SpirvOfHlsl(source, true);
   module.blocks = BlocksOf(module.declared);
   module.elements = ElementsOf(module.declared);
   module.inputs = InputsOf(module.declared);

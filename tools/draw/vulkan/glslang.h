@@ -2,7 +2,8 @@
 #pragma once
 
 #include <string>
-#include <vector>
+
+#include <glslang/Public/ShaderLang.h>
 
 #include "compiler/validate.h"
 #include "tools/draw/inputs.h"
@@ -11,22 +12,14 @@
 // Shaders to SPIR-V, by glslang.
 namespace clipc::draw::vulkan {
 
+// Initializes glslang once and never frees it, as compiler/validate.cpp does.
+void InitializeGlslang();
+
+// Parses and links the shader, and writes it as SPIR-V. Throws DrawError where glslang refuses it.
+Spirv Translate(glslang::TShader& shader, glslang::TShader::Includer& includer,
+                EShMessages messages, bool optimize);
+
 // Compiles GLSL for Vulkan. Throws DrawError where glslang refuses it.
 Spirv SpirvOfGlsl(const std::string& glsl, ShaderStage stage = ShaderStage::kVertex);
-
-struct HlslSource {
-  std::string path, text, entry = "main";
-  std::vector<std::string> defines, include_dirs;
-  bool row_major = false;
-};
-// The error of a shader that glslang's HLSL front end refuses.
-class PeerRefuses : public DrawError {
- public:
-  using DrawError::DrawError;
-};
-// Compiles HLSL as glslangValidator -D -V --hlsl-offsets does it, and writes down the semantics.
-// `legalize`: variables that are not read are left out, and the SPIR-V keeps Vulkan's rules;
-// without it, all that the shader declares is there.
-Spirv SpirvOfHlsl(const HlslSource& source, bool legalize);
 
 }  // namespace clipc::draw::vulkan
