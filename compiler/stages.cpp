@@ -19,7 +19,8 @@ ir::Program Front(Source& source, const CheckOptions& options, Diagnostics& diag
   Tokens tokens = Lex(source, diagnostics);
   if (diagnostics.has_errors() || (wants && !wants(tokens))) return {};
   // The profile is reported first, because the next errors may be about another stage's shader.
-  if (!options.profile.IsVertex())
+  const std::optional<Stage> stage = options.profile.stage;
+  if (!stage || InfoOf(*stage).is_interface_only)
     diagnostics.Report({}, diag::NotVertexProfile, options.profile.name);
   const int errors = diagnostics.error_count();
   const ast::File file = Parse(std::move(tokens), diagnostics);

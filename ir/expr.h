@@ -149,7 +149,7 @@ enum class ObjectOp : std::uint8_t {
   kBufferSize,
   // (sampler2D and the like, coordinate without the level that HLSL has in w, lod)
   kD3d9SampleLevel,
-  // (sampler, coordinate): level 0 in a vertex shader
+  // (sampler, coordinate): level 0 in a stage without neighbours
   kD3d9Sample,
   // (RWTexture, coordinate int{1..3})
   kImageLoad,
@@ -157,7 +157,7 @@ enum class ObjectOp : std::uint8_t {
   // RWByteAddressBuffer is a byte address, the value uint..uint4
   kStore,
   // (a writable object of int or uint elements or an RWByteAddressBuffer, place, value): changes
-  // the element in one step, which no other vertex comes between; gives the element before it, of
+  // the element in one step, which no other invocation interrupts; gives the element before it, of
   // the value's type
   kAtomicAdd,
   kAtomicAnd,

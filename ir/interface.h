@@ -109,7 +109,7 @@ enum class Builtin : std::uint8_t {
 };
 
 // A block that inputs of the next stage are members of, `in Varyings { vec2 uv; } v`, or an input
-// that is a struct. A vertex shader declares it alike, with the members that it does not write.
+// that is a struct. A shader declares it alike, with the members that it does not write.
 struct OutputGroup {
   struct Member {
     std::string name;

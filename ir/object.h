@@ -9,7 +9,7 @@ namespace clipc::ir {
 enum class ObjectKind : std::uint8_t {
 #define OBJECT(Enumerator, ...) k##Enumerator,
 #include "base/builtin_types.def"
-  kOther,  // an object that no vertex shader may use (a stream, ...): it may only be declared
+  kOther,  // an object that clipc lets no stage use (a stream, ...): it may only be declared
 };
 
 enum class ObjectCategory : std::uint8_t {

@@ -11,14 +11,14 @@ namespace {
 
 // fxc's and dxc's documented targets: a stage's versions before shader model 6, and its first minor
 // version of that model, if dxc has it there.
-struct Stage {
-  std::string_view name;
-  std::string_view versions;
+struct Versions {
+  std::string_view prefix;
+  std::string_view before6;
   int first_minor6 = kLastMinor6 + 1;
 
   static constexpr int kLastMinor6 = 9;  // the last that a dxc release takes
 };
-constexpr Stage kStages[] = {
+constexpr Versions kVersions[] = {
     {"vs", "1_1 2_0 2_a 2_sw 3_0 3_sw 4_0 4_0_level_9_0 4_0_level_9_1 4_0_level_9_3 4_1 5_0 5_1",
      0},
     {"ps",
@@ -38,13 +38,13 @@ constexpr Stage kStages[] = {
 };
 
 bool IsKnown(std::string_view name, std::string_view version) {
-  const auto stage = std::ranges::find(kStages, name, &Stage::name);
-  if (stage == std::end(kStages)) return false;
+  const auto stage = std::ranges::find(kVersions, name, &Versions::prefix);
+  if (stage == std::end(kVersions)) return false;
   if (version.size() == 3 && version.starts_with("6_")) {
     const int minor = version[2] - '0';
-    if (minor >= stage->first_minor6 && minor <= Stage::kLastMinor6) return true;
+    if (minor >= stage->first_minor6 && minor <= Versions::kLastMinor6) return true;
   }
-  for (const auto known : std::views::split(stage->versions, ' ')) {
+  for (const auto known : std::views::split(stage->before6, ' ')) {
     if (version == std::string_view(known.begin(), known.end())) return true;
   }
   return false;
@@ -70,7 +70,7 @@ std::optional<Profile> ParseProfile(std::string_view name) {
   if (lower.empty() || !IsKnown(lower.substr(0, stage), lower.substr(stage + 1)))
     return std::nullopt;
   return Profile{.name = lower,
-                 .stage = lower.substr(0, stage),
+                 .stage = StageOf(lower.substr(0, stage)),
                  .major = lower[stage + 1] - '0',
                  .minor = MinorOf(lower[stage + 3]),
                  .level9 = Level9Of(lower)};

@@ -6,23 +6,24 @@
 #include <string>
 #include <string_view>
 
+#include "base/stage.h"
+
 namespace clipc::ir {
 
 // The feature level 9 of a profile such as vs_4_0_level_9_1.
 // NOLINTNEXTLINE(readability-identifier-naming)
 enum class Level9 : std::uint8_t { kNone, k9_0, k9_1, k9_3 };
 
-// A compilation target of fxc or dxc. Only the profiles of vertex shaders compile; those of pixel
-// shaders are read for what a vertex shader must fit, and a message names the others.
+// A compilation target of fxc or dxc.
 struct Profile {
-  std::string name = "vs_5_0";  // as written, lower case
-  std::string stage = "vs";
+  std::string name = "vs_5_0";                  // as written, lower case
+  std::optional<Stage> stage = Stage::kVertex;  // none: one that clipc does not read
   int major = 5;
   int minor = 0;
   Level9 level9 = Level9::kNone;
 
-  bool IsVertex() const { return stage == "vs"; }
-  bool IsPixel() const { return stage == "ps"; }
+  // The word for the stage, also for one that clipc does not read: "vs", "gs", "lib".
+  std::string_view Prefix() const { return std::string_view(name).substr(0, name.find('_')); }
   // Whether the profile is of the older dialect: vs_1_1, vs_2_0, vs_2_a or vs_3_0.
   bool IsDirect3D9() const { return major < 4; }
   bool IsAtLeast(int want_major, int want_minor) const {

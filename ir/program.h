@@ -34,6 +34,7 @@ enum class Form : std::uint8_t {
 
 struct Program {
   Profile profile;
+  Stage stage = Stage::kVertex;  // the rules by which the program was checked
   TypeTable types;
   Arena<Expr> exprs;
   Arena<Stmt> stmts;

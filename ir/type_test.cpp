@@ -91,14 +91,14 @@ TEST(Scalar, KindsFallIntoClasses) {
 
 // The profile called `name`; an impossible profile if there is none.
 Profile Parsed(std::string_view name) {
-  return ParseProfile(name).value_or(Profile{.name = "none", .stage = "none"});
+  return ParseProfile(name).value_or(Profile{.name = "none", .stage = {}});
 }
 
 TEST(Profile, VertexProfilesOfBothCompilers) {
   for (const char* name :
        {"vs_1_1", "vs_2_0", "vs_2_a", "vs_2_sw", "vs_3_0", "vs_3_sw", "vs_4_0", "vs_4_1", "vs_5_0",
         "vs_5_1", "vs_6_0", "vs_6_8", "vs_6_9", "vs_4_0_level_9_0", "vs_4_0_level_9_3"}) {
-    EXPECT_TRUE(Parsed(name).IsVertex()) << name;
+    EXPECT_EQ(Parsed(name).stage, Stage::kVertex) << name;
     EXPECT_EQ(Parsed(name).name, name);
   }
 }
@@ -119,9 +119,11 @@ TEST(Profile, OtherStagesAreKnownAndNotVertex) {
   for (const char* name : {"ps_2_b", "ps_5_0", "gs_4_0", "hs_5_0", "ds_5_1", "cs_6_5", "lib_6_3",
                            "lib_6_x", "ms_6_5", "as_6_5", "fx_2_0", "rootsig_1_1"}) {
     EXPECT_EQ(Parsed(name).name, name);
-    EXPECT_FALSE(Parsed(name).IsVertex()) << name;
+    EXPECT_NE(Parsed(name).stage, Stage::kVertex) << name;
   }
-  EXPECT_EQ(Parsed("lib_6_3").stage, "lib");
+  EXPECT_EQ(Parsed("ps_2_b").stage, Stage::kPixel);
+  EXPECT_EQ(Parsed("lib_6_3").stage, std::nullopt);
+  EXPECT_EQ(Parsed("lib_6_3").Prefix(), "lib");
 }
 
 TEST(Profile, UnknownNames) {

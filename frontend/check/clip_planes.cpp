@@ -231,7 +231,7 @@ const ast::Attr* TheAttribute(Context& context, const AttributeLists& lists) {
 bool CheckSurroundings(Context& context, const ast::Attr& attribute) {
   const Program& program = context.program;
   const std::span<const ast::ExprId> operands = context[attribute.arguments];
-  if (!program.profile.IsVertex() || program.profile.IsDirect3D9()) {
+  if (program.profile.stage != Stage::kVertex || program.profile.IsDirect3D9()) {
     context.Report(attribute.span, diag::ClipPlanesProfile, program.profile.name);
     return false;
   }

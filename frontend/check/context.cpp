@@ -26,6 +26,8 @@ Context::Context(const ast::File& file, const CheckOptions& options, Diagnostics
       functions(file.names),
       numeric_types(file.names.size()) {
   program.profile = options.profile;
+  // After the error about another stage's profile, the rules of a vertex shader find more errors.
+  program.stage = options.profile.stage.value_or(Stage::kVertex);
   view.scope = names.global();
   globals.buffer = globals.buffers.Add({.kind = CbufferKind::kGlobals, .scope = view.scope});
 }

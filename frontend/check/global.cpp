@@ -89,7 +89,7 @@ ExprId CheckStaticInit(Context& context, SymbolId id, const ast::VarDecl& var, T
 bool IsForProfile(const Context& context, const ast::RegisterBinding& binding) {
   const std::string_view profile = context[binding.profile];
   return !binding.profile || EqualIgnoringCase(profile, context.options.profile.name) ||
-         EqualIgnoringCase(profile, context.options.profile.stage);
+         EqualIgnoringCase(profile, context.options.profile.Prefix());
 }
 
 // The binding as in a message: "`t3`".
@@ -172,7 +172,7 @@ void ResolveObject(Context& context, SymbolId id, const ast::VarDecl& var, TypeI
   const char letter = RegisterLetter(context[element].object);
   context.globals.registers.emplace(
       result.index, RegisterOf(context, context[var.name], var.registers, var.attributes, letter));
-  // An object that a vertex shader may declare but not use has a register of any kind.
+  // An object that may only be declared has a register of any kind.
   if (context[element].object != ObjectKind::kOther)
     CheckRegisterKinds(context, context[var.name], var.registers, {&letter, 1});
   const TypeId texel = context[element].element;

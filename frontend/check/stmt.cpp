@@ -151,8 +151,9 @@ void CheckNode(Context& context, const ast::CaseStmt&, Span span) {
 }
 
 void CheckNode(Context& context, const ast::DiscardStmt&, Span span) {
-  // A pixel shader is checked only for the inputs that it reads; where it ends does not matter.
-  if (!context.program.profile.IsPixel()) context.Report(span, diag::DiscardInVertexShader);
+  // A shader that is read for its interface alone may end anywhere.
+  const StageInfo& stage = InfoOf(context.program.stage);
+  if (!stage.draws_pixels) context.Report(span, diag::DiscardInVertexShader, stage.name);
 }
 
 void CheckNode(Context&, const ast::EmptyStmt&, Span) {}

@@ -141,8 +141,8 @@ TypeId ResolveStruct(Context& context, ast::DeclId id, SymbolId symbol, ScopeId 
   AddBases(context, decl, type);
   for (ast::DeclId member : context[decl.members]) AddMember(context, member, type);
   MeasureStruct(context, type, span);
-  // A pixel shader has push constants of its own, whose places do not matter here.
-  if (!context.options.profile.IsPixel()) CheckOffsets(context, type);
+  // Push constants belong to one stage: their places are no part of its interface with another.
+  if (!InfoOf(context.program.stage).is_interface_only) CheckOffsets(context, type);
   return type;
 }
 

@@ -173,8 +173,8 @@ TypeId ArrayOf(Context& context, TypeId element, List<ast::ExprId> dimensions, S
       size = implied;
     } else if (i == 0 && dimensions.size == 1 &&
                (is_buffer || context.types[element].kind == TypeKind::kObject)) {
-      // The number of elements does not matter to a pixel shader.
-      size = context.program.profile.IsPixel() ? 1 : 0;
+      // The number of elements is no part of a stage's interface with another.
+      size = InfoOf(context.program.stage).is_interface_only ? 1 : 0;
     } else {
       context.Report(span, diag::ArrayWithoutSize);
     }

@@ -54,9 +54,9 @@ decltype(auto) ForClang(const std::shared_ptr<Options>& options) {
 }
 
 // A target that the preprocessor asks only for the widths of integers and characters.
-class VertexTarget : public clang::TargetInfo {
+class ShaderTarget : public clang::TargetInfo {
  public:
-  VertexTarget() : TargetInfo(llvm::Triple("dxil-pc-shadermodel6.0-vertex")) {
+  ShaderTarget() : TargetInfo(llvm::Triple("dxil-pc-shadermodel6.0-vertex")) {
     NoAsmVariants = true;
     PointerWidth = PointerAlign = 32;
     LongWidth = LongAlign = 64;
@@ -94,7 +94,7 @@ struct FrontendContext::State {
   clang::DiagnosticOptions& Options() { return *options; }
 #endif
   clang::LangOptions language;
-  VertexTarget target;
+  ShaderTarget target;
   std::shared_ptr<clang::HeaderSearchOptions> search_options =
       std::make_shared<clang::HeaderSearchOptions>();
   std::shared_ptr<clang::PreprocessorOptions> preprocessor_options =

@@ -286,7 +286,7 @@ void Parser::ParseUsing(Decls& decls) {
   ExpectSemicolon("`using`");
 }
 
-// Parses static_assert(...), which is about types that a vertex shader does not choose, and so is
+// Parses static_assert(...), which is about types that the entry point does not choose, and so is
 // not kept.
 void Parser::ParseStaticAssert() {
   Next();

@@ -61,7 +61,7 @@ constexpr auto kWords = [] {
 #define QUALIFIER(bit, spelling, word) {spelling, {word, false, ast::bit}},
 #include "frontend/parse/qualifiers.def"
       {"inout", {kQualifier, false, ast::kIn | ast::kOut}},
-      // Qualifiers without a meaning for a vertex shader.
+      // Qualifiers to which clipc gives no meaning.
       MayQualify("reordercoherent"),
       MayQualify("center"),
       MayQualify("noinline"),

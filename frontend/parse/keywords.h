@@ -64,7 +64,7 @@ struct WordInfo {
   Word word = Word::kNone;
   // True for VertexShader, PixelShader and the like, whose initialiser is effects-framework text.
   bool is_shader_type = false;
-  // The bits of a qualifier; 0 if it has no meaning for a vertex shader.
+  // The bits of a qualifier; 0 if clipc gives it no meaning.
   ast::Qualifiers qualifier = 0;
 };
 

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <map>
 #include <span>
+#include <string>
+#include <utility>
 
 #include "base/spelling.h"
 #include "frontend/rules/locations.h"
@@ -21,6 +23,7 @@ class MainBuilder {
   MainBuilder(Program& program, const EntrySignature& signature, PositionName position,
               Diagnostics& diagnostics)
       : program_(program),
+        stage_(InfoOf(program.stage)),
         signature_(signature),
         position_(position),
         diagnostics_(diagnostics),
@@ -30,7 +33,7 @@ class MainBuilder {
   void Run() {
     body_.reserve(16);
     const Function& entry = program_.functions[program_.entry];
-    leaves_.SetByRow(signature_.stages_match_by_row && program_.profile.IsPixel());
+    leaves_.SetByRow(signature_.stages_match_by_row && stage_.has_stage_before);
     for (std::size_t i = 0; i < entry.parameters.size(); ++i)
       PrepareParameter(entry.parameters[i], signature_.parameters[i]);
     CallEntry();
@@ -120,7 +123,7 @@ class MainBuilder {
   // The input's value in the leaf's own type; none after an error.
   ExprId Input(const Carrier& leaf) {
     const SystemValue value = LookUp(leaf, Direction::kInput);
-    if (value.use == SystemValue::Use::kIgnored) return builder_.ZeroOf(leaf.type);
+    if (value.use == SystemValue::Use::kMade) return builder_.ZeroOf(leaf.type);
     if (value.use == SystemValue::Use::kRefused || !MayAdd(leaf, Direction::kInput, value))
       return {};
     const Scalar kind = BaseOf(program_.types[leaf.type].scalar);
@@ -196,18 +199,20 @@ class MainBuilder {
     const bool is_input = &list == &program_.inputs;
     const auto& [semantic, given, span, interpolation, centroid, sample, location, precise] =
         leaf.cursor;
-    const VarId id =
-        program_.vars.Add({.name = (is_input ? "in_" : "vs_") + ToUpper(semantic.name) +
-                                   std::to_string(semantic.index),
-                           .type = type,
-                           .storage = is_input ? Storage::kInput : Storage::kOutput,
-                           .span = leaf.span,
-                           .precise = precise && !is_input});
+    std::string name(is_input ? "in" : stage_.prefix);
+    name += '_';
+    name += ToUpper(semantic.name);
+    name += std::to_string(semantic.index);
+    const VarId id = program_.vars.Add({.name = std::move(name),
+                                        .type = type,
+                                        .storage = is_input ? Storage::kInput : Storage::kOutput,
+                                        .span = leaf.span,
+                                        .precise = precise && !is_input});
     if (list.empty()) list.reserve(leaves_.size() + 1);  // one for the distances of clip planes
     std::string path = leaf.name + leaf.elements;
     std::uint32_t place = 0;
-    // A pixel shader's outputs match no shader's inputs.
-    const bool is_matched = is_input || !program_.profile.IsPixel();
+    // Only the inputs are read of a shader that another stage's must match.
+    const bool is_matched = is_input || !stage_.is_interface_only;
     if (builtin == Builtin::kNone)
       place = locations_[is_input].Next(is_matched ? location : std::nullopt, program_.types[type],
                                         path, leaf.span);
@@ -285,19 +290,22 @@ class MainBuilder {
   // ---- rules
 
   SystemValue LookUp(const Carrier& leaf, Direction direction) {
-    SystemValue value = LookUpSemantic(leaf.cursor.semantic.name, leaf.cursor.semantic.index,
-                                       direction, program_.profile, position_);
+    SystemValue value =
+        LookUpSemantic(leaf.cursor.semantic.name, leaf.cursor.semantic.index, program_.stage,
+                       direction, program_.profile.IsDirect3D9(), position_);
     const bool is_input = direction == Direction::kInput;
     if (value.use == SystemValue::Use::kRefused) {
-      const std::string_view near = NearSystemValue(leaf.cursor.semantic.name, direction);
+      const std::string_view near =
+          NearSystemValue(leaf.cursor.semantic.name, program_.stage, direction);
       Diagnostic& report = diagnostics_.Report(
           leaf.span, diag::SemanticNotForStage, leaf.cursor.semantic.name,
-          is_input ? "input" : "output",
+          is_input ? "input" : "output", stage_.name,
           near.empty() ? std::string() : fmt::format("; did you mean `{}`?", near));
       if (!near.empty()) report.Fix(leaf.span, std::string(near));
     } else if (!program_.profile.IsAtLeast(value.major, value.minor)) {
       diagnostics_.Report(leaf.span, diag::ProfileNeededForSemantic, leaf.cursor.semantic.name,
-                          fmt::format("vs_{}_{}", value.major, value.minor), program_.profile.name);
+                          fmt::format("{}_{}_{}", stage_.prefix, value.major, value.minor),
+                          program_.profile.name);
     }
     return value;
   }
@@ -328,6 +336,7 @@ class MainBuilder {
   static constexpr std::uint32_t kMaxDistances = 8;
 
   Program& program_;
+  const StageInfo& stage_;
   const EntrySignature& signature_;
   PositionName position_;
   Diagnostics& diagnostics_;

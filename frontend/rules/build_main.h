@@ -30,14 +30,13 @@ struct EntryParameter {
 struct EntrySignature {
   std::vector<EntryParameter> parameters;  // one per parameter of program.entry
   EntryParameter result;
-  // Whether matrices between a vertex and a pixel shader are taken apart by row, as DXC and glslang
-  // do.
+  // Whether matrices between two stages are taken apart by row, as DXC and glslang do.
   bool stages_match_by_row = false;
 };
 
 // Makes program.main, program.inputs and program.outputs for program.entry, and reports the errors
 // of the signature: a parameter or field without a semantic, one semantic twice, a system value
-// that a vertex shader cannot take or write, or one of a wrong type. A semantic on a parameter
+// that the stage cannot take or write, or one of a wrong type. A semantic on a parameter
 // overrides those inside its struct; its index counts on through the fields.
 //
 // Inputs and outputs are taken apart: structs by field, arrays by element, matrices by column (by

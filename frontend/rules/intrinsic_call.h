@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -22,6 +23,7 @@ struct IntrinsicCheck {
   TemporaryMaker& temporaries;
   Diagnostics& diagnostics;
 
+  const StageInfo& ThisStage() const { return clipc::InfoOf(program.stage); }
   Builder Make() const { return Builder(program, call_span); }
   ExprId Error() const { return Make().ZeroOf(program.types.Error()); }
   // Reports, and returns an expression of the error type.
@@ -92,9 +94,28 @@ ExprId CheckMul(const IntrinsicCheck& call);
 ExprId CheckBitCast(const IntrinsicCheck& call, Intrinsic op);
 ExprId CheckSelect(const IntrinsicCheck& call);
 ExprId CheckLogical(const IntrinsicCheck& call, BinaryOp op);
-// pixel_call.cpp: returns a value that stands for a call that only a pixel shader may make; none in
-// another stage, and for a function that a pixel shader may not call either.
-ExprId CheckPixelCall(const IntrinsicCheck& call);
+
+// stand_in.cpp
+// The type of a value that stands for a call.
+enum class StandIn : std::uint8_t {
+  kVoid,        // an int that nobody uses
+  kFirst,       // the type of the first argument
+  kFloatFirst,  // the type of the first argument, in float
+  kBool,
+  kUint,
+  kUint4,
+  kFloat,
+  kFloat2,
+  kFloat4,
+};
+// The stages that may call a function or method which clipc translates in none.
+struct Staged {
+  bool StageInfo::* trait = nullptr;  // those that have it; null: no stage
+  StandIn type = StandIn::kVoid;
+};
+// A value that stands for the call; none in a stage without the trait.
+ExprId StandInFor(const IntrinsicCheck& call, const Staged& staged);
+
 // atomic_call.cpp: checks InterlockedAdd and its kin, or the methods of an RWByteAddressBuffer,
 // `object`, of that name.
 ExprId CheckAtomic(const IntrinsicCheck& call, ExprId object = {});

@@ -25,21 +25,42 @@ enum class Rule : std::uint8_t {
   kOr,
   kAtomic,
   kTexLod,
-  kImplicitLevel,  // refused: the level of detail comes from neighbouring pixels
-  kDebug,          // warned of and dropped
+  kDebug,  // warned of and dropped
   kRefused,
 };
-using Refusal = diag::Kind<std::string_view>;
+using Refusal = ExprId(const IntrinsicCheck& call);
 struct Entry {
-  std::string_view name;
+  std::string_view name = {};
   Rule rule = Rule::kRefused;
-  Intrinsic intrinsic = {};          // for kCall
-  const Refusal* refusal = nullptr;  // for kRefused
+  Intrinsic intrinsic = {};  // for kCall
+  // For kRefused.
+  Refusal* refuse = nullptr;
+  Staged staged = {};
 };
+
+// Reports the call. A message has places for the function, then for the stage, and then for the
+// function that is given a level of detail: tex2Dlod instead of tex2Dbias.
+template <typename... Texts>
+ExprId Report(const IntrinsicCheck& call, const diag::Kind<Texts...>& kind) {
+  const std::string_view stage = call.ThisStage().name;
+  if constexpr (sizeof...(Texts) == 1) {
+    return call.Fail(call.name_span, kind, call.name);
+  } else if constexpr (sizeof...(Texts) == 2) {
+    return call.Fail(call.name_span, kind, call.name, stage);
+  } else {
+    const std::string_view dimension = call.name.substr(0, call.name.find_first_of("DE") + 1);
+    return call.Fail(call.name_span, kind, call.name, stage, std::string(dimension) + "lod");
+  }
+}
+template <const auto& kKind>
+ExprId Refuse(const IntrinsicCheck& call) {
+  return Report(call, kKind);
+}
 
 constexpr std::size_t kCounts[] = {
 #define INTRINSIC(...) 1,
 #define BY_RULE(Rule, ...) std::initializer_list<const char*>{__VA_ARGS__}.size(),
+#define STAGED(Family, Trait, Result, ...) std::initializer_list<const char*>{__VA_ARGS__}.size(),
 #define REFUSED(Family, ...) std::initializer_list<const char*>{__VA_ARGS__}.size(),
 #include "ir/intrinsics.def"
 };
@@ -56,9 +77,13 @@ constexpr auto kEntries = [] {
     }
   };
 #define INTRINSIC(Enumerator, Name, ...) \
-  add({{}, Rule::kCall, Intrinsic::k##Enumerator, nullptr}, {Name});
-#define BY_RULE(Name, ...) add({{}, Rule::k##Name, {}, nullptr}, {__VA_ARGS__});
-#define REFUSED(Family, ...) add({{}, Rule::kRefused, {}, &diag::Intrinsic##Family}, {__VA_ARGS__});
+  add({.rule = Rule::kCall, .intrinsic = Intrinsic::k##Enumerator}, {Name});
+#define BY_RULE(Name, ...) add({.rule = Rule::k##Name}, {__VA_ARGS__});
+#define STAGED(Family, Trait, Result, ...)                               \
+  add({.refuse = Refuse<diag::Intrinsic##Family>,                        \
+       .staged = {.trait = &StageInfo::Trait, .type = StandIn::Result}}, \
+      {__VA_ARGS__});
+#define REFUSED(Family, ...) add({.refuse = Refuse<diag::Intrinsic##Family>}, {__VA_ARGS__});
 #include "ir/intrinsics.def"
   std::ranges::sort(entries, {}, &Entry::name);
   return entries;
@@ -75,17 +100,10 @@ const Entry* FindEntry(std::string_view name) {
   return i != kEntryIndex.kNone ? &kEntries[i] : nullptr;
 }
 
-ExprId RefuseImplicitLevel(const IntrinsicCheck& call) {
-  // tex2Dbias -> tex2Dlod, texCUBE -> texCUBElod
-  const std::string_view dimension = call.name.substr(0, call.name.find_first_of("DE") + 1);
-  return call.Fail(call.name_span, diag::IntrinsicImplicitLevel, call.name,
-                   std::string(dimension) + "lod");
-}
-
 ExprId CheckIr(const IntrinsicCheck& call, Intrinsic op) {
   const IntrinsicInfo& info = InfoOf(op);
   if (!call.program.profile.IsAtLeast(info.first_model, 0)) {
-    const std::string needed = "vs_" + std::to_string(info.first_model) + "_0";
+    const std::string needed = fmt::format("{}_{}_0", call.ThisStage().prefix, info.first_model);
     return call.Fail(call.name_span, diag::IntrinsicProfile, call.name, needed,
                      call.program.profile.name);
   }
@@ -106,34 +124,29 @@ ExprId CheckIntrinsicCall(const IntrinsicCheck& call) {
   const Entry* entry = FindEntry(call.name);
   if (entry == nullptr) return call.Fail(call.name_span, diag::IntrinsicUnsupported, call.name);
   if (call.HasErrorArgument()) return call.Error();
-  if (entry->rule == Rule::kRefused || entry->rule == Rule::kImplicitLevel) {
-    if (const ExprId value = CheckPixelCall(call)) return value;
-  }
   switch (entry->rule) {
     case Rule::kCall: return CheckIr(call, entry->intrinsic);
     case Rule::kSelect: return CheckSelect(call);
     case Rule::kAnd: return CheckLogical(call, BinaryOp::kLogicalAnd);
     case Rule::kOr: return CheckLogical(call, BinaryOp::kLogicalOr);
     case Rule::kAtomic: {
-      const ExprId value = CheckPixelCall(call);
+      const ExprId value = StandInFor(call, {.trait = &StageInfo::is_interface_only});
       return value ? value : CheckAtomic(call);
     }
     case Rule::kTexLod: return CheckTexLod(call);
-    case Rule::kImplicitLevel: return RefuseImplicitLevel(call);
     case Rule::kDebug:
       call.diagnostics.Report(call.name_span, diag::IntrinsicDebug, call.name);
       return call.Make().Int(0);  // a value that nobody uses
     case Rule::kRefused: break;
   }
-  return call.Fail(call.name_span, *entry->refusal, call.name);
+  const ExprId value = StandInFor(call, entry->staged);
+  return value ? value : entry->refuse(call);
 }
 
 std::vector<std::string_view> NearIntrinsics(std::string_view name) {
   std::vector<std::string_view> names;
   for (const Entry& entry : kEntries) {
-    const bool is_refused = entry.rule == Rule::kRefused || entry.rule == Rule::kDebug ||
-                            entry.rule == Rule::kImplicitLevel;
-    if (!is_refused) names.push_back(entry.name);
+    if (entry.rule != Rule::kRefused && entry.rule != Rule::kDebug) names.push_back(entry.name);
   }
   return NearNames(name, names);
 }

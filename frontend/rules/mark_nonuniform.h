@@ -5,7 +5,7 @@
 
 namespace clipc::rules {
 
-// Moves NonUniformResourceIndex, which says that an index differs from vertex to vertex, to the
+// Moves NonUniformResourceIndex, which says that an index differs between invocations, to the
 // places where a texture or buffer is chosen. GLSL wants it there, while HLSL's value may be kept
 // in variables first:
 //

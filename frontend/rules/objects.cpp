@@ -26,8 +26,8 @@ class MethodCheck : IntrinsicCheck {
     return Finish(ObjectOp::kSampleLevel, Element());
   }
 
-  // Checks a Sample. A vertex does not have neighbours to take a level of detail from: fxc and DXC
-  // refuse (X4532), OpenGL reads level 0.
+  // Checks a Sample. In a stage without neighbours to take a level of detail from, fxc and DXC
+  // refuse (X4532), and OpenGL reads level 0.
   ExprId Sample(int) {
     if (!TakeSample(2)) return Error();
     arguments_.push_back(Make().Float(0));
@@ -120,18 +120,20 @@ class MethodCheck : IntrinsicCheck {
 
   // Refuses a method that takes its level of detail from neighbouring pixels.
   ExprId ImplicitLevel(int) {
-    const ExprId value = CheckPixelCall(*this);
-    return value ? value : Fail(name_span, diag::MethodImplicitLevel, name);
+    return Fail(name_span, diag::MethodImplicitLevel, name, ThisStage().name);
   }
-  ExprId Unsupported(int) {
-    const ExprId value = CheckPixelCall(*this);
-    return value ? value : Fail(name_span, diag::MethodUnsupported, name, ObjectName());
+  ExprId Unsupported(int) { return Fail(name_span, diag::MethodUnsupported, name, ObjectName()); }
+  ExprId Unusable(int) { return Fail(name_span, diag::ObjectUnusable, name, ThisStage().name); }
+  // Refuses a method that the object does not have.
+  ExprId Unknown() {
+    return kind_ == ObjectKind::kOther ? Unusable(0)
+                                       : Fail(name_span, diag::MethodUnknown, ObjectName(), name);
   }
-  ExprId Unknown() { return Fail(name_span, diag::MethodUnknown, ObjectName(), name); }
 
  private:
   void WarnOfLevel(std::string_view level) const {
-    diagnostics.Report(name_span, diag::MethodLevelZero, name, level);
+    if (!ThisStage().has_neighbours)
+      diagnostics.Report(name_span, diag::MethodLevelZero, name, ThisStage().name, level);
   }
   std::string ObjectName() const { return program.types.Name(TypeIdOf(object_)); }
   TypeId Element() { return ElementOf(program.types, TypeOf(object_)); }
@@ -181,7 +183,8 @@ class MethodCheck : IntrinsicCheck {
     if (i >= arguments.size()) return true;
     const auto value = Converted(i, VectorOf(Scalar::kInt, traits_.offset));
     if (!value) return false;
-    if (program.profile.IsPixel()) return true;  // the place of the read does not matter
+    // The place of a read is no part of a stage's interface with another.
+    if (ThisStage().is_interface_only) return true;
     const auto constant = EvaluateConstant(program, *value);
     if (!constant) {
       arguments_.push_back(*value);  // KnowOffsets finds its value, or reports it
@@ -241,6 +244,7 @@ struct Method {
   Needs needs;
   Check check;
   int detail = 0;  // the ObjectOp of a Gather; the number of words of a ByteLoad or ByteStore
+  Staged staged = {};
 };
 
 constexpr auto kTextureMethods = [] {
@@ -249,10 +253,15 @@ constexpr auto kTextureMethods = [] {
     return Method{name, kGathering, &MethodCheck::Gather, static_cast<int>(op)};
   };
   const auto implicit = [](std::string_view name) {
-    return Method{name, kSampling, &MethodCheck::ImplicitLevel};
+    return Method{name,
+                  kSampling,
+                  &MethodCheck::ImplicitLevel,
+                  0,
+                  {&StageInfo::has_neighbours, StandIn::kFloat}};
   };
-  const auto unsupported = [](std::string_view name) {
-    return Method{name, kReading, &MethodCheck::Unsupported};
+  const auto unsupported = [](std::string_view name, StandIn type) {
+    return Method{
+        name, kReading, &MethodCheck::Unsupported, 0, {&StageInfo::is_interface_only, type}};
   };
   return std::to_array<Method>({
       {"SampleLevel", kSampling, &MethodCheck::SampleLevel},
@@ -271,15 +280,15 @@ constexpr auto kTextureMethods = [] {
       implicit("SampleCmpBias"),
       implicit("CalculateLevelOfDetail"),
       implicit("CalculateLevelOfDetailUnclamped"),
-      unsupported("SampleCmpGrad"),
-      unsupported("SampleCmpLevel"),
-      unsupported("GatherCmp"),
-      unsupported("GatherCmpRed"),
-      unsupported("GatherCmpGreen"),
-      unsupported("GatherCmpBlue"),
-      unsupported("GatherCmpAlpha"),
-      unsupported("GatherRaw"),
-      unsupported("GetSamplePosition"),
+      unsupported("SampleCmpGrad", StandIn::kFloat),
+      unsupported("SampleCmpLevel", StandIn::kFloat),
+      unsupported("GatherCmp", StandIn::kFloat4),
+      unsupported("GatherCmpRed", StandIn::kFloat4),
+      unsupported("GatherCmpGreen", StandIn::kFloat4),
+      unsupported("GatherCmpBlue", StandIn::kFloat4),
+      unsupported("GatherCmpAlpha", StandIn::kFloat4),
+      unsupported("GetSamplePosition", StandIn::kFloat2),
+      {"GatherRaw", kReading, &MethodCheck::Unsupported},
   });
 }();
 
@@ -310,12 +319,22 @@ constexpr Method kByteMethods[] = {
     {"InterlockedXor", kWriting, &MethodCheck::Atomic},
 };
 
+// The methods of objects that may only be declared.
+constexpr Method kOtherMethods[] = {
+    {"SubpassLoad",
+     kNothing,
+     &MethodCheck::Unusable,
+     0,
+     {&StageInfo::is_interface_only, StandIn::kFloat4}},
+};
+
 std::span<const Method> MethodsOf(ObjectKind kind) {
   switch (InfoOf(kind).category) {
     case ObjectCategory::kTexture: return kTextureMethods;
     case ObjectCategory::kTypedBuffer:
     case ObjectCategory::kStructuredBuffer: return kBufferMethods;
     case ObjectCategory::kByteAddressBuffer: return kByteMethods;
+    case ObjectCategory::kOther: return kOtherMethods;
     default: return {};
   }
 }
@@ -353,16 +372,14 @@ ExprId CheckMethodCall(const IntrinsicCheck& call, ExprId object) {
     return call.Fail(call.name_span, diag::MethodUnknown,
                      call.program.types.Name(call.TypeIdOf(object)), call.name);
   }
-  if (type.object == ObjectKind::kOther) {
-    const ExprId value = CheckPixelCall(call);
-    return value ? value : call.Fail(call.name_span, diag::ObjectUnusable, call.name);
-  }
   MethodCheck check(call, object, type.object);
   const std::span<const Method> methods = MethodsOf(type.object);
   const auto found = std::ranges::find_if(methods, [&](const Method& each) {
     return each.name == call.name && Offers(type.object, each.needs);
   });
-  return found == methods.end() ? check.Unknown() : (check.*found->check)(found->detail);
+  if (found == methods.end()) return check.Unknown();
+  const ExprId value = StandInFor(call, found->staged);
+  return value ? value : (check.*found->check)(found->detail);
 }
 
 }  // namespace clipc::rules

@@ -76,7 +76,7 @@ ExprId CheckObjectIndex(Program& program, ExprId object, ExprId index, std::opti
     return builder.ZeroOf(program.types.Error());
   if (type.kind == TypeKind::kObject) {
     if (type.object == ObjectKind::kOther) {
-      diagnostics.Report(span, diag::ObjectUnusable, std::string_view("[]"));
+      diagnostics.Report(span, diag::ObjectUnusable, "[]", InfoOf(program.stage).name);
       return builder.ZeroOf(program.types.Error());
     }
     if (TraitsOf(type.object).texel != 0 && !(level && IsImage(type.object))) {

@@ -139,7 +139,8 @@ void CheckPacking(const Program& program, const Cbuffer& buffer, Diagnostics& di
 }  // namespace
 
 void CheckPushConstants(const Program& program, Diagnostics& diagnostics) {
-  if (program.profile.IsPixel()) return;  // a pixel shader has its own push constants
+  // Push constants belong to one stage: they are no part of its interface with another.
+  if (InfoOf(program.stage).is_interface_only) return;
   const Cbuffer* first = nullptr;
   for (const CbufferId id : program.cbuffers.ids()) {
     const Cbuffer& buffer = program.cbuffers[id];

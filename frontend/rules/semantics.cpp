@@ -11,75 +11,96 @@ namespace {
 
 using Use = SystemValue::Use;
 
+// The meanings on the two sides of a stage.
+struct Sides {
+  SystemValue input, output;
+};
 struct Semantic {
   std::string_view name;
-  SystemValue input, output;
+  Sides vertex, pixel;
+  bool is_old = false;  // Direct3D 9's name of an output, which is data from profile 4.0 on
 
-  const SystemValue& Of(Direction direction) const {
-    return direction == Direction::kInput ? input : output;
+  const SystemValue& Of(Stage stage, Direction direction) const {
+    static constexpr Sides Semantic::* kColumns[] = {&Semantic::vertex, &Semantic::pixel};
+    const Sides& sides = this->*kColumns[static_cast<std::size_t>(stage)];
+    return direction == Direction::kInput ? sides.input : sides.output;
   }
 };
 
 constexpr SystemValue kPlain{};
 constexpr SystemValue kRefused{Use::kRefused, Builtin::kNone, 0, 0};
+constexpr SystemValue kMade{Use::kMade, Builtin::kNone, 0, 0};
 constexpr SystemValue Is(Builtin builtin, int major = 4, int minor = 0) {
   return {Use::kBuiltin, builtin, major, minor};
 }
+constexpr Sides kNowhere{kRefused, kRefused};
+constexpr Sides kOnlyMade{kMade, kRefused};
 
-// The system values, as an input and as an output. A position or clip distance that the input
-// assembler reads is data like any other (DXC: "Arb" for the vertex input).
+// The system values, as an input and as an output of each stage. A position or clip distance that
+// the input assembler reads is data like any other (DXC: "Arb" for the vertex input).
 constexpr Semantic kSemantics[] = {
-    {"SV_Position", kPlain, Is(Builtin::kPosition, 0)},
-    {"SV_ClipDistance", kPlain, Is(Builtin::kClipDistance)},
-    {"SV_CullDistance", kPlain, Is(Builtin::kCullDistance)},
-    {"SV_VertexID", Is(Builtin::kVertexId), kPlain},
-    {"SV_InstanceID", Is(Builtin::kInstanceId), kPlain},
-    {"SV_StartVertexLocation", Is(Builtin::kBaseVertex, 6, 8), kRefused},
-    {"SV_StartInstanceLocation", Is(Builtin::kBaseInstance, 6, 8), kRefused},
-    {"SV_ViewID", Is(Builtin::kViewId, 6, 1), kPlain},
-    {"SV_VulkanVertexID", Is(Builtin::kVertexIndex), kRefused},  // Slang's name
-    {"SV_VulkanInstanceID", Is(Builtin::kInstanceIndex), kRefused},
-    {"SV_ShadingRate", kPlain, Is(Builtin::kShadingRate, 6, 4)},
-    {"SV_RenderTargetArrayIndex", kPlain, Is(Builtin::kLayer)},
-    {"SV_ViewportArrayIndex", kPlain, Is(Builtin::kViewportIndex)},
-    {"SV_PrimitiveID", kRefused, kPlain},
+    {"SV_Position", {kPlain, Is(Builtin::kPosition, 0)}, kOnlyMade},
+    {"SV_ClipDistance", {kPlain, Is(Builtin::kClipDistance)}, kOnlyMade},
+    {"SV_CullDistance", {kPlain, Is(Builtin::kCullDistance)}, kOnlyMade},
+    {"SV_VertexID", {Is(Builtin::kVertexId), kPlain}, kOnlyMade},
+    {"SV_InstanceID", {Is(Builtin::kInstanceId), kPlain}, kOnlyMade},
+    {"SV_StartVertexLocation", {Is(Builtin::kBaseVertex, 6, 8), kRefused}, kNowhere},
+    {"SV_StartInstanceLocation", {Is(Builtin::kBaseInstance, 6, 8), kRefused}, kNowhere},
+    {"SV_ViewID", {Is(Builtin::kViewId, 6, 1), kPlain}, kOnlyMade},
+    {"SV_VulkanVertexID", {Is(Builtin::kVertexIndex), kRefused}, kNowhere},  // Slang's name
+    {"SV_VulkanInstanceID", {Is(Builtin::kInstanceIndex), kRefused}, kNowhere},
+    {"SV_ShadingRate", {kPlain, Is(Builtin::kShadingRate, 6, 4)}, kOnlyMade},
+    {"SV_RenderTargetArrayIndex", {kPlain, Is(Builtin::kLayer)}, kOnlyMade},
+    {"SV_ViewportArrayIndex", {kPlain, Is(Builtin::kViewportIndex)}, kOnlyMade},
+    {"SV_PrimitiveID", {kRefused, kPlain}, kOnlyMade},
+    {"SV_IsFrontFace", kNowhere, kOnlyMade},
+    {"SV_SampleIndex", kNowhere, kOnlyMade},
+    {"SV_Coverage", kNowhere, {kMade, kPlain}},
+    {"SV_InnerCoverage", kNowhere, kOnlyMade},
+    {"SV_Barycentrics", kNowhere, kOnlyMade},
+    {"SV_Target", kNowhere, {kRefused, kPlain}},
+    {"SV_Depth", kNowhere, {kRefused, kPlain}},
+    {"SV_DepthGreaterEqual", kNowhere, {kRefused, kPlain}},
+    {"SV_DepthLessEqual", kNowhere, {kRefused, kPlain}},
+    {"SV_StencilRef", kNowhere, {kRefused, kPlain}},
+    {"VPOS", {kPlain, kPlain}, {kMade, kPlain}},
+    {"VFACE", {kPlain, kPlain}, {kMade, kPlain}},
+    {"POSITION", {kPlain, Is(Builtin::kPosition, 0)}, {kPlain, kPlain}, true},
+    {"PSIZE", {kPlain, Is(Builtin::kPointSize, 0)}, {kPlain, kPlain}, true},
     // SV_PointSize is Slang's and SDL's name for Direct3D 9's PSIZE.
-    {"SV_PointSize", kRefused, Is(Builtin::kPointSize, 0)},
+    {"SV_PointSize", {kRefused, Is(Builtin::kPointSize, 0)}, kOnlyMade},
     // vk::PointSize is written [[vk::builtin("PointSize")]].
-    {"vk::PointSize", kRefused, Is(Builtin::kPointSize, 0)},
-    {"vk::BaseVertex", Is(Builtin::kBaseVertex, 0), kRefused},
-    {"vk::BaseInstance", Is(Builtin::kBaseInstance, 0), kRefused},
-    {"vk::DrawIndex", Is(Builtin::kDrawIndex, 0), kRefused},
+    {"vk::PointSize", {kRefused, Is(Builtin::kPointSize, 0)}, kOnlyMade},
+    {"vk::BaseVertex", {Is(Builtin::kBaseVertex, 0), kRefused}, kNowhere},
+    {"vk::BaseInstance", {Is(Builtin::kBaseInstance, 0), kRefused}, kNowhere},
+    {"vk::DrawIndex", {Is(Builtin::kDrawIndex, 0), kRefused}, kNowhere},
 };
+// Any other system value. Compilers know more of the rasterizer's than clipc.
+constexpr Semantic kUnknown = {{}, kNowhere, {kMade, kPlain}};
 
 }  // namespace
 
-SystemValue LookUpSemantic(std::string_view name, std::uint32_t index, Direction direction,
-                           const Profile& profile, PositionName position) {
-  const std::string lower = ToLower(name);
-  if (profile.IsPixel()) {
-    const bool is_made = lower.starts_with("sv_") || lower.starts_with("vk::") || lower == "vpos" ||
-                         lower == "vface";
-    const bool is_input = direction == Direction::kInput;
-    return {is_input && is_made ? Use::kIgnored : Use::kPlain, Builtin::kNone, 0, 0};
-  }
+SystemValue LookUpSemantic(std::string_view name, std::uint32_t index, Stage stage,
+                           Direction direction, bool is_old, PositionName position) {
   for (const Semantic& row : kSemantics) {
-    if (EqualIgnoringCase(row.name, name)) return row.Of(direction);
+    if (!EqualIgnoringCase(row.name, name)) continue;
+    const SystemValue& value = row.Of(stage, direction);
+    const bool counts =
+        !row.is_old ||
+        (index == 0 &&
+         (is_old || (value.builtin == Builtin::kPosition && position == PositionName::kBoth)));
+    return counts ? value : kPlain;
   }
-  // POSITION and PSIZE are Direct3D 9's names of the position and of the point size.
-  if (direction == Direction::kOutput && index == 0) {
-    const bool is_old = profile.IsDirect3D9();
-    if (lower == "position" && (is_old || position == PositionName::kBoth))
-      return Is(Builtin::kPosition, 0);
-    if (lower == "psize" && is_old) return Is(Builtin::kPointSize, 0);
-  }
-  return lower.starts_with("sv_") || lower.starts_with("vk::") ? kRefused : kPlain;
+  const bool is_system =
+      EqualIgnoringCase(name.substr(0, 3), "sv_") || EqualIgnoringCase(name.substr(0, 4), "vk::");
+  return is_system ? kUnknown.Of(stage, direction) : kPlain;
 }
 
-std::string_view NearSystemValue(std::string_view name, Direction direction) {
+std::string_view NearSystemValue(std::string_view name, Stage stage, Direction direction) {
   std::vector<std::string_view> names;
   for (const Semantic& row : kSemantics) {
-    if (row.Of(direction).use == Use::kBuiltin) names.push_back(row.name);
+    const Use use = row.Of(stage, direction).use;
+    if (!row.is_old && (use == Use::kBuiltin || use == Use::kMade)) names.push_back(row.name);
   }
   const std::vector<std::string_view> near = NearNames(name, names);
   return near.empty() ? std::string_view() : near.front();

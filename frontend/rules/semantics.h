@@ -6,12 +6,11 @@
 #include <string_view>
 
 #include "frontend/rules/rules.h"
-#include "ir/profile.h"
 
-// The semantics of a vertex shader's inputs and outputs, and of the inputs of a pixel shader that
-// come from a vertex shader. Sources: the Direct3D 11.3 functional specification, sections 8 and 9
-// (system generated and interpreted values); DXC's signature table for the vertex stage; the
-// Direct3D 9 reference on vertex shader outputs.
+// The semantics of a shader's inputs and outputs. Sources: the Direct3D 11.3 functional
+// specification, sections 8 and 9 (system generated and interpreted values); DXC's signature table,
+// columns VSIn, VSOut, PSIn and PSOut; the Direct3D 9 reference on the inputs and outputs of vertex
+// and pixel shaders.
 namespace clipc::rules {
 
 enum class Direction : std::uint8_t { kInput, kOutput };
@@ -28,20 +27,21 @@ struct SystemValue {
     kPlain,    // an ordinary input or output of that name
     kBuiltin,  // the built-in variable `builtin`
     kRefused,  // a system value of another stage
-    kIgnored,  // an input that the rasterizer makes, and no vertex shader writes
+    kMade,     // an input that the rasterizer makes: no output of the stage before matches it
   };
   Use use = Use::kPlain;
   Builtin builtin = Builtin::kNone;
   int major = 0, minor = 0;  // the first profile that has the system value
 };
 
-// The meaning of a semantic on one side of a vertex shader. `name` does not have the index in it.
-SystemValue LookUpSemantic(std::string_view name, std::uint32_t index, Direction direction,
-                           const Profile& profile,
+// The meaning of a semantic on one side of a stage. `name` does not have the index in it. `is_old`:
+// the profile is Direct3D 9's.
+SystemValue LookUpSemantic(std::string_view name, std::uint32_t index, Stage stage,
+                           Direction direction, bool is_old,
                            PositionName position = PositionName::kSystemValue);
 
 // The system value that a user who wrote `name` probably meant; empty when none is near.
-std::string_view NearSystemValue(std::string_view name, Direction direction);
+std::string_view NearSystemValue(std::string_view name, Stage stage, Direction direction);
 
 // A semantic as written, taken apart: "TEXCOORD12" is {"TEXCOORD", 12}. Names compare without case.
 struct SemanticName {

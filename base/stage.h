@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+// The stages of the pipeline whose shaders clipc reads, and what differs between them.
+namespace clipc {
+
+enum class Stage : std::uint8_t { kVertex, kPixel };
+
+struct StageInfo {
+  std::string_view prefix;  // of the names of its profiles: "vs"
+  std::string_view name;    // in messages: "vertex"
+  // Only the inputs and constant buffers that a shader of the stage before must match are read: no
+  // GLSL is written.
+  bool is_interface_only = false;
+  bool has_stage_before = false;  // its inputs are the outputs of another stage
+  // The stage runs in quads of neighbours: derivatives exist, and levels of detail follow from
+  // them.
+  bool has_neighbours = false;
+  // The stage draws pixels: its inputs are interpolated, and it may discard.
+  bool draws_pixels = false;
+};
+
+// One row for each enumerator.
+inline constexpr StageInfo kStages[] = {
+    {.prefix = "vs", .name = "vertex"},
+    {.prefix = "ps",
+     .name = "pixel",
+     .is_interface_only = true,
+     .has_stage_before = true,
+     .has_neighbours = true,
+     .draws_pixels = true},
+};
+
+constexpr const StageInfo& InfoOf(Stage stage) { return kStages[static_cast<std::size_t>(stage)]; }
+
+// The stage whose profiles begin with `prefix`; none for a stage that clipc does not read, "gs".
+constexpr std::optional<Stage> StageOf(std::string_view prefix) {
+  for (const StageInfo& info : kStages) {
+    if (info.prefix == prefix) return static_cast<Stage>(&info - kStages);
+  }
+  return std::nullopt;
+}
+
+}  // namespace clipc

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// Calls in stages of which clipc looks only for the inputs and constants that are read: a call
+// becomes its arguments and a zero of its type.
+#include <vector>
+
+#include "frontend/rules/intrinsic_call.h"
+
+namespace clipc::rules {
+namespace {
+
+TypeId TypeOf(const IntrinsicCheck& call, StandIn type) {
+  using enum StandIn;
+  TypeTable& types = call.program.types;
+  switch (type) {
+    case kFirst:
+    case kFloatFirst: {
+      if (call.arguments.empty()) return types.Error();
+      const TypeId first = call.ArgumentTypeId(0);
+      const bool is_float = IsFloat(types[first].scalar);
+      return type == kFirst || is_float ? first : types.WithScalar(first, Scalar::kFloat);
+    }
+    case kVoid: return types.Make(Scalar::kInt);
+    case kBool: return types.Make(Scalar::kBool);
+    case kUint: return types.Make(Scalar::kUint);
+    case kUint4: return types.Vector(Scalar::kUint, 4);
+    case kFloat: return types.Make(Scalar::kFloat);
+    case kFloat2: return types.Vector(Scalar::kFloat, 2);
+    case kFloat4: return types.Vector(Scalar::kFloat, 4);
+  }
+  return types.Error();
+}
+
+}  // namespace
+
+ExprId StandInFor(const IntrinsicCheck& call, const Staged& staged) {
+  if (!staged.trait || !(call.ThisStage().*staged.trait)) return {};
+  std::vector<ExprId> values;
+  for (const ExprId argument : call.arguments) {
+    if (call.TypeOf(argument).IsNumeric()) values.push_back(argument);
+  }
+  return After(call, values, call.Make().ZeroOf(TypeOf(call, staged.type)));
+}
+
+}  // namespace clipc::rules
