@@ -264,7 +264,7 @@ def check(study, scene, folder, factor, found):
         if said["drawn"] != "yes" or "refused" in said or not said["planes"]:
             continue
         draw = Draw(scene, thing)
-        by = lambda way, every_plane=False: draw.lost(ARITHMETIC.get(way, way), said["planes"], every_plane)
+        by = lambda way, every_plane=False, draw=draw, said=said: draw.lost(ARITHMETIC.get(way, way), said["planes"], every_plane)
         found["advised"] += 1
         if said["meets"]:
             found["meets"] += 1

@@ -80,7 +80,7 @@ const fieldsOf = (member) => member.fields?.map((field) => ({ ...field, offset: 
 
 /** Where the integers of a buffer's member are, in words. */
 function integersOf({ type, offset }) {
-  const [, width = 1, count = 1] = /^(?:int|uint|bool)([234])?(?:\[(\d+)\])?$/.exec(type) ?? [, 0, 0];
+  const [, width = 1, count = 1] = /^(?:int|uint|bool)([234])?(?:\[(\d+)\])?$/.exec(type) ?? ['', 0, 0];
   return Array.from({ length: width * count }, (_, i) => offset / 4 + 4 * Math.floor(i / width) + (i % width));
 }
 
