@@ -6,6 +6,7 @@ usage: check_gallery.py CLIPC [--write]
 
 A shader's options stand in its line `// clipc OPTIONS`. --write replaces the GLSL: read the difference before you commit it.
 """
+
 import difflib
 import pathlib
 import subprocess
@@ -18,7 +19,9 @@ def compiled(clipc, shader):
     lines = shader.read_text().splitlines()
     options = next(line.removeprefix("// clipc ") for line in lines if line.startswith("// clipc "))
     command = [clipc, *options.split(), "--validate", "-Werror", shader.name, "-o", "-"]
-    return subprocess.run(command, cwd=GALLERY, stdout=subprocess.PIPE, check=True, text=True).stdout
+    return subprocess.run(
+        command, cwd=GALLERY, stdout=subprocess.PIPE, check=True, text=True
+    ).stdout
 
 
 def main():
@@ -32,7 +35,9 @@ def main():
             beside.write_text(glsl)
         elif not beside.exists() or beside.read_text() != glsl:
             old = beside.read_text() if beside.exists() else ""
-            differ += difflib.unified_diff(old.splitlines(), glsl.splitlines(), beside.name, "now", lineterm="")
+            differ += difflib.unified_diff(
+                old.splitlines(), glsl.splitlines(), beside.name, "now", lineterm=""
+            )
     print("\n".join(differ) or f"{len(shaders)} shaders")
     return bool(differ) or not shaders
 

@@ -8,6 +8,7 @@ PROGRAM, started in SCRATCH_FOLDER, writes the PICTUREs there. A pixel is anothe
 8; of those at most one in a thousand may be, for drivers differ. --write renews the pictures: look at them before you
 commit them.
 """
+
 import pathlib
 import shutil
 import struct
@@ -32,7 +33,10 @@ def pixels(path):
         at += 12 + size
     raw, stride, rows, above = zlib.decompress(packed), 3 * width, [], bytes(3 * width)
     for y in range(height):
-        kind, row = raw[y * (stride + 1)], bytearray(raw[y * (stride + 1) + 1 : (y + 1) * (stride + 1)])
+        kind, row = (
+            raw[y * (stride + 1)],
+            bytearray(raw[y * (stride + 1) + 1 : (y + 1) * (stride + 1)]),
+        )
         for x in range(stride):
             left, up, corner = (row[x - 3], above[x], above[x - 3]) if x >= 3 else (0, above[x], 0)
             if kind == 4:  # Paeth
@@ -55,7 +59,8 @@ def differing(one, other):
     for row, other_row in zip(rows, other_rows):
         if row != other_row:
             count += sum(
-                any(abs(row[x + c] - other_row[x + c]) > 8 for c in range(3)) for x in range(0, 3 * width, 3)
+                any(abs(row[x + c] - other_row[x + c]) > 8 for c in range(3))
+                for x in range(0, 3 * width, 3)
             )
     return count / (width * height)
 
@@ -63,7 +68,9 @@ def differing(one, other):
 def main():
     split = sys.argv.index("--")
     write = "--write" in sys.argv[:split]
-    folder, scratch, *pictures = [argument for argument in sys.argv[1:split] if argument != "--write"]
+    folder, scratch, *pictures = [
+        argument for argument in sys.argv[1:split] if argument != "--write"
+    ]
     scratch = pathlib.Path(scratch)
     scratch.mkdir(parents=True, exist_ok=True)
     for picture in pictures:

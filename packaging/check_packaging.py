@@ -4,6 +4,7 @@
 
 usage: check_packaging.py CLIPC SCRATCH_FOLDER
 """
+
 import ast
 import json
 import pathlib
@@ -38,15 +39,27 @@ def recipes():
 def messages(clipc, scratch):
     """The problem matcher finds every message, and SARIF has what code scanning shows."""
     (scratch / "s.hlsl").write_text(SHADER)
-    said = subprocess.run([clipc, "s.hlsl", "-o", "-"], cwd=scratch, capture_output=True, text=True, check=False).stderr
-    pattern = json.loads((PACKAGING / "ci/clipc-problem-matcher.json").read_text())["problemMatcher"][0]["pattern"][0]
+    said = subprocess.run(
+        [clipc, "s.hlsl", "-o", "-"], cwd=scratch, capture_output=True, text=True, check=False
+    ).stderr
+    pattern = json.loads((PACKAGING / "ci/clipc-problem-matcher.json").read_text())[
+        "problemMatcher"
+    ][0]["pattern"][0]
     found = [match for line in said.splitlines() if (match := re.match(pattern["regexp"], line))]
-    fields = [tuple(match[pattern[name]] for name in ("file", "line", "severity", "code")) for match in found]
+    fields = [
+        tuple(match[pattern[name]] for name in ("file", "line", "severity", "code"))
+        for match in found
+    ]
     assert ("s.hlsl", "2", "error", "undeclared-name, X3004") in fields, said
     assert len(fields) == len(re.findall(r": (?:error|warning): ", said)), (fields, said)
 
-    sarif = subprocess.run([clipc, "s.hlsl", "--diagnostics=sarif", "-fsyntax-only"], cwd=scratch, capture_output=True, text=True,
-                           check=False).stderr
+    sarif = subprocess.run(
+        [clipc, "s.hlsl", "--diagnostics=sarif", "-fsyntax-only"],
+        cwd=scratch,
+        capture_output=True,
+        text=True,
+        check=False,
+    ).stderr
     run = json.loads(sarif)["runs"][0]
     assert run["tool"]["driver"]["name"] == "clipc"
     result = run["results"][0]

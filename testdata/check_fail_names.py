@@ -29,7 +29,11 @@ def commands(text):
 def problem(name, text):
     """What is wrong with the test, or None."""
     compiles = [command for command in commands(text) if "%clipc" in command]
-    fails = [command for command in compiles if re.match(r"(.*\|\s*)?(env\s+(\S+=\S+\s+)*)?not\s", command)]
+    fails = [
+        command
+        for command in compiles
+        if re.match(r"(.*\|\s*)?(env\s+(\S+=\S+\s+)*)?not\s", command)
+    ]
     if name.startswith("fail_"):
         if not compiles:
             return "has no RUN line with %clipc"

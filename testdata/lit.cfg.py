@@ -17,8 +17,12 @@ for name in ("ASAN_OPTIONS", "UBSAN_OPTIONS", "LLVM_PROFILE_FILE"):
         config.environment[name] = os.environ[name]
 
 # The tools are found by name, so that the RUN lines read like a shell session.
-tool_folders = [os.path.dirname(tool) for tool in (config.file_check, config.not_, config.split_file)]
-config.environment["PATH"] = os.pathsep.join(dict.fromkeys(tool_folders)) + os.pathsep + os.environ["PATH"]
+tool_folders = [
+    os.path.dirname(tool) for tool in (config.file_check, config.not_, config.split_file)
+]
+config.environment["PATH"] = (
+    os.pathsep.join(dict.fromkeys(tool_folders)) + os.pathsep + os.environ["PATH"]
+)
 config.environment["FILECHECK_OPTS"] = "--dump-input-filter=annotation-full --dump-input=fail"
 
 if config.windows:

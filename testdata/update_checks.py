@@ -61,7 +61,12 @@ def outputs(path, lines, substitutions):
         file_check = FILE_CHECK.search(command)
         if file_check:
             command = command[: file_check.start()]
-        result = subprocess.run(["bash", "-o", "pipefail", "-c", command], env=environment, stdout=subprocess.PIPE, check=False)
+        result = subprocess.run(
+            ["bash", "-o", "pipefail", "-c", command],
+            env=environment,
+            stdout=subprocess.PIPE,
+            check=False,
+        )
         if result.returncode:
             raise Refusal(f"exit status {result.returncode} from: {command}")
         if not file_check:
@@ -73,7 +78,9 @@ def outputs(path, lines, substitutions):
             text = pathlib.Path(input_file[1]).read_text(errors="replace")
         for prefix in ",".join(prefixes or ["CHECK"]).split(","):
             if seen.setdefault(prefix, text) != text:
-                raise Refusal(f"two RUN lines print different things for {prefix}; give each a --check-prefix")
+                raise Refusal(
+                    f"two RUN lines print different things for {prefix}; give each a --check-prefix"
+                )
     return seen
 
 
@@ -91,13 +98,15 @@ def checks_for(prefix, text, path, scratch, source_line):
     for line in text.strip("\n").splitlines():
         number = None
         shown = line.rstrip()
-        match = message.match(shown) or (re.match(r"^\s*(\d+) \|", shown) if position is not None else None)
+        match = message.match(shown) or (
+            re.match(r"^\s*(\d+) \|", shown) if position is not None else None
+        )
         if match and (number := source_line.get(int(match[1]))) is not None:
             begin, end = match.span(1)
             shown = escape(shown[:begin]) + "\0" + escape(shown[end:])
             if message.match(line):
                 position = number if position is None else max(position, number)
-                shown = shown[shown.index(path.name):]
+                shown = shown[shown.index(path.name) :]
         else:
             shown = escape(shown)
         shown = shown.replace(str(path), "{{.*}}" + path.name).replace(scratch, "{{.*}}")
@@ -110,7 +119,9 @@ def checks_for(prefix, text, path, scratch, source_line):
         else:
             placed += [(position, earlier) for earlier in pending] + [(position, check)]
             pending = []
-    return [(where, prefix, check) for where, check in placed + [(None, check) for check in pending]]
+    return [
+        (where, prefix, check) for where, check in placed + [(None, check) for check in pending]
+    ]
 
 
 def update(path, clipc, adopt):
@@ -131,21 +142,40 @@ def update(path, clipc, adopt):
         # The command must see the line numbers that the map below speaks of.
         path.write_text("\n".join(lines) + "\n")
         try:
-            seen = outputs(path, lines, [
-                ("%clipc", str(clipc)), ("%draw", str(clipc.parent.parent / "tools/draw/clipc-draw")),
-                ("%validate", "glslangValidator"), ("%python", sys.executable),
-                ("%s", str(path)), ("%S", str(path.parent)), ("%t", f"{scratch}/t"), ("%T", scratch),
-            ])
+            seen = outputs(
+                path,
+                lines,
+                [
+                    ("%clipc", str(clipc)),
+                    ("%draw", str(clipc.parent.parent / "tools/draw/clipc-draw")),
+                    ("%validate", "glslangValidator"),
+                    ("%python", sys.executable),
+                    ("%s", str(path)),
+                    ("%S", str(path.parent)),
+                    ("%t", f"{scratch}/t"),
+                    ("%T", scratch),
+                ],
+            )
         except Refusal:
             path.write_text(old)
             raise
         names = "|".join(map(re.escape, sorted(seen, key=len, reverse=True)))
-        is_check = re.compile(rf"^\s*{re.escape(comment.strip())}\s*({names})(-NEXT|-EMPTY|-SAME|-NOT|-DAG|-LABEL|-COUNT-\d+)?:")
-        kept = [(number, line) for number, line in enumerate(lines, 1) if not (seen and is_check.match(line))]
+        is_check = re.compile(
+            rf"^\s*{re.escape(comment.strip())}\s*({names})(-NEXT|-EMPTY|-SAME|-NOT|-DAG|-LABEL|-COUNT-\d+)?:"
+        )
+        kept = [
+            (number, line)
+            for number, line in enumerate(lines, 1)
+            if not (seen and is_check.match(line))
+        ]
         while kept and not kept[-1][1].strip():
             kept.pop()
         source_line = {number: index for index, (number, _) in enumerate(kept)}
-        checks = [check for prefix, text in seen.items() for check in checks_for(prefix, text, path, scratch, source_line)]
+        checks = [
+            check
+            for prefix, text in seen.items()
+            for check in checks_for(prefix, text, path, scratch, source_line)
+        ]
 
     rest = next((index for index, (_, line) in enumerate(kept) if SPLIT.match(line)), len(kept))
     path.write_text(layout([line for _, line in kept], checks, rest, comment))
@@ -157,7 +187,11 @@ def layout(source, checks, rest, comment):
     out = []  # source lines as (index, text), checks as (prefix, Check)
     for index in range(len(source) + 1):
         here = [(prefix, check) for where, prefix, check in checks if where == index]
-        rest_here = [(prefix, check) for where, prefix, check in checks if where is None] if index == rest else []
+        rest_here = (
+            [(prefix, check) for where, prefix, check in checks if where is None]
+            if index == rest
+            else []
+        )
         previous = None
         for prefix, check in rest_here:
             if prefix != previous and out and out[-1][1] != "":
@@ -182,13 +216,21 @@ def layout(source, checks, rest, comment):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--clipc", type=pathlib.Path, default=TESTDATA.parent / "build/release/bin/clipc")
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument(
+        "--clipc", type=pathlib.Path, default=TESTDATA.parent / "build/release/bin/clipc"
+    )
     parser.add_argument("files", type=pathlib.Path, nargs="*")
     arguments = parser.parse_args()
     files = [file.resolve() for file in arguments.files]
     if not files:
-        files = sorted(f for f in TESTDATA.rglob("*") if f.suffix in {".hlsl", ".test"} and "AUTOUPDATE" in f.read_text(errors="replace"))
+        files = sorted(
+            f
+            for f in TESTDATA.rglob("*")
+            if f.suffix in {".hlsl", ".test"} and "AUTOUPDATE" in f.read_text(errors="replace")
+        )
     refused = False
     for file in files:
         try:

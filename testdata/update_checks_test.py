@@ -30,18 +30,26 @@ class UpdateChecks(unittest.TestCase):
     def update(self, text, name="a.hlsl"):
         test = self.folder / name
         test.write_text(text)
-        subprocess.run([sys.executable, HERE / "update_checks.py", "--clipc", self.clipc, test], check=True, stdout=subprocess.PIPE)
+        subprocess.run(
+            [sys.executable, HERE / "update_checks.py", "--clipc", self.clipc, test],
+            check=True,
+            stdout=subprocess.PIPE,
+        )
         return test
 
     def file_check(self, test):
         output = subprocess.run([self.clipc, test], check=True, stdout=subprocess.PIPE).stdout
-        return subprocess.run([FILECHECK, test], input=output, check=False, capture_output=True).returncode
+        return subprocess.run(
+            [FILECHECK, test], input=output, check=False, capture_output=True
+        ).returncode
 
     def test_messages_stand_above_their_lines(self):
         test = self.update("// RUN: %clipc %s | FileCheck %s\nx\ny !\nz\nw !\n// CHECK: stale\n")
         self.assertEqual(0, self.file_check(test), test.read_text())
         lines = test.read_text().splitlines()
-        self.assertEqual("// CHECK: a.hlsl:[[#@LINE+3]]:3: error: bad {{\\[\\[}}0]] {{\\{\\{}}x}}", lines[3])
+        self.assertEqual(
+            "// CHECK: a.hlsl:[[#@LINE+3]]:3: error: bad {{\\[\\[}}0]] {{\\{\\{}}x}}", lines[3]
+        )
         self.assertEqual("y !", lines[6])
         self.assertNotIn("stale", test.read_text())
 
@@ -53,7 +61,12 @@ class UpdateChecks(unittest.TestCase):
     def test_the_rest_stands_at_the_end(self):
         test = self.update("// RUN: %clipc %s | FileCheck %s\nx\n")
         self.assertEqual(0, self.file_check(test))
-        self.assertTrue(test.read_text().endswith("x\n\n// CHECK: last\n// CHECK-EMPTY:\n// CHECK-NEXT:   done\n"), test.read_text())
+        self.assertTrue(
+            test.read_text().endswith(
+                "x\n\n// CHECK: last\n// CHECK-EMPTY:\n// CHECK-NEXT:   done\n"
+            ),
+            test.read_text(),
+        )
 
     def test_a_changed_output_is_noticed(self):
         test = self.update("// RUN: %clipc %s | FileCheck %s\nx !\n")
@@ -62,12 +75,19 @@ class UpdateChecks(unittest.TestCase):
 
     def test_the_parts_of_a_split_file_stay_as_they_are(self):
         test = self.update("// RUN: %clipc %s | FileCheck %s\n\n//--- a.hlsl\nx\n", "split.test")
-        self.assertTrue(test.read_text().endswith("// CHECK-NEXT:   done\n\n//--- a.hlsl\nx\n"), test.read_text())
+        self.assertTrue(
+            test.read_text().endswith("// CHECK-NEXT:   done\n\n//--- a.hlsl\nx\n"),
+            test.read_text(),
+        )
 
     def test_a_failing_run_line_leaves_the_test_alone(self):
         test = self.folder / "b.hlsl"
         test.write_text("// RUN: false\n")
-        result = subprocess.run([sys.executable, HERE / "update_checks.py", "--clipc", self.clipc, test], check=False, capture_output=True)
+        result = subprocess.run(
+            [sys.executable, HERE / "update_checks.py", "--clipc", self.clipc, test],
+            check=False,
+            capture_output=True,
+        )
         self.assertEqual(1, result.returncode)
         self.assertEqual("// RUN: false\n", test.read_text())
 

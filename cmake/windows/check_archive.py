@@ -4,6 +4,7 @@
 
 usage: check_archive.py CPACK BUILD_FOLDER WINE_SCRIPT C_COMPILER
 """
+
 import pathlib
 import shutil
 import subprocess
@@ -16,7 +17,14 @@ LICENCES = ("libclang", "llvm", "glslang", "libfmt", "nlohmann-json3", "g++-ming
 
 
 def run(*command, **more):
-    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, check=False, timeout=200, **more)
+    done = subprocess.run(
+        [str(word) for word in command],
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=200,
+        **more,
+    )
     if done.returncode != 0:
         sys.exit(f"{' '.join(map(str, command))}: {done.returncode}\n{done.stdout}{done.stderr}")
     return done.stdout
@@ -45,14 +53,37 @@ def main():
         program.parent.mkdir()
         shutil.copy(folder / "bin/clipc.exe", program)
         shutil.copy(ROOT / "examples/clipplanes.hlsl", scratch / "wäsche.hlsl")
-        under_wine(program, "wäsche.hlsl", "-T", "vs_5_0", "-E", "main", "-o", "a place\\wäsche.vert", "--table=.json")
+        under_wine(
+            program,
+            "wäsche.hlsl",
+            "-T",
+            "vs_5_0",
+            "-E",
+            "main",
+            "-o",
+            "a place\\wäsche.vert",
+            "--table=.json",
+        )
         if "gl_ClipDistance" not in (scratch / "a place/wäsche.vert").read_text():
             sys.exit("the shader has lost its planes")
         # The work of an application: compiles a shader by the DLL, and asks the runtime about its table.
         shutil.copy(folder / "bin/clipc.dll", scratch)
         for import_library in ("libclipc.dll.a", "clipc.lib"):
-            run(compiler, "-std=c99", ROOT / "cmake/outside_c_project/main.c", "-o", scratch / "use.exe", f"-I{folder / 'include/clipc'}",
-                f"-L{folder / 'lib'}", folder / "lib" / import_library, "-lclipc_runtime", "-lclipc_clip_table", "-static", "-lstdc++", "-lm")
+            run(
+                compiler,
+                "-std=c99",
+                ROOT / "cmake/outside_c_project/main.c",
+                "-o",
+                scratch / "use.exe",
+                f"-I{folder / 'include/clipc'}",
+                f"-L{folder / 'lib'}",
+                folder / "lib" / import_library,
+                "-lclipc_runtime",
+                "-lclipc_clip_table",
+                "-static",
+                "-lstdc++",
+                "-lm",
+            )
             said = under_wine(scratch / "use.exe")
             if "plane water: byte 16 of b3, lowering 0" not in said:
                 sys.exit(f"the library says {said}")

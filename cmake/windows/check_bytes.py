@@ -5,6 +5,7 @@ lowerings and variants where a shader has clip planes. Fails unless both write t
 
 usage: check_bytes.py NATIVE OTHER FOLDER
 """
+
 import filecmp
 import json
 import pathlib
@@ -46,7 +47,11 @@ def manifest():
         shaders.append(known | {"target": TARGETS})
         if "clipplanes" in (ROOT / path).read_text(errors="replace"):
             for lowering in LOWERINGS:
-                more = {"name": f"{name}-{lowering}", "options": known.get("options", []) + [f"--lower={lowering}", "--plane-space=xyw1"]}
+                more = {
+                    "name": f"{name}-{lowering}",
+                    "options": known.get("options", [])
+                    + [f"--lower={lowering}", "--plane-space=xyw1"],
+                }
                 shaders.append(known | more)
             shaders.append(known | {"name": f"{name}-variants", "variants": True})
     return {"version": 1, "shaders": shaders}
@@ -54,7 +59,15 @@ def manifest():
 
 def run(clipc, batch, folder):
     folder.mkdir()
-    words = [clipc, f"--batch={batch}", "-k", "--table=.json", "--reflect=.reflect.json", "-o", str(folder)]
+    words = [
+        clipc,
+        f"--batch={batch}",
+        "-k",
+        "--table=.json",
+        "--reflect=.reflect.json",
+        "-o",
+        str(folder),
+    ]
     done = subprocess.run(words, cwd=ROOT, capture_output=True, check=False, timeout=900)
     return done.returncode, done.stdout, done.stderr.replace(str(folder).encode(), b"OUT")
 
@@ -65,9 +78,15 @@ def main():
     scratch.mkdir(parents=True)
     batch = scratch / "batch.json"
     batch.write_text(json.dumps(manifest(), indent=1))
-    said = [run(clipc, batch, scratch / name) for name, clipc in (("native", native), ("other", other))]
-    names = sorted({file.name for folder in ("native", "other") for file in (scratch / folder).iterdir()})
-    _, different, missing = filecmp.cmpfiles(scratch / "native", scratch / "other", names, shallow=False)
+    said = [
+        run(clipc, batch, scratch / name) for name, clipc in (("native", native), ("other", other))
+    ]
+    names = sorted(
+        {file.name for folder in ("native", "other") for file in (scratch / folder).iterdir()}
+    )
+    _, different, missing = filecmp.cmpfiles(
+        scratch / "native", scratch / "other", names, shallow=False
+    )
     for name in different + missing:
         print(f"{name} differs")
     for what, one, two in zip(("exit codes", "standard outputs", "messages"), *said):
@@ -77,7 +96,9 @@ def main():
             (scratch / "native.txt").write_bytes(said[0][2])
             (scratch / "other.txt").write_bytes(said[1][2])
     last = said[0][2].decode(errors="replace").splitlines()[-1:]
-    print(f"{len(names)} files compared, {len(different) + len(missing)} different; the native program's last line is {last}")
+    print(
+        f"{len(names)} files compared, {len(different) + len(missing)} different; the native program's last line is {last}"
+    )
     return bool(different or missing) or len(names) < 1000
 
 

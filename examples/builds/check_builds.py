@@ -5,6 +5,7 @@ after an include has changed.
 
 usage: check_builds.py BUILD_FOLDER SCRATCH_FOLDER
 """
+
 import hashlib
 import os
 import pathlib
@@ -30,8 +31,15 @@ class Builds:
         self.run(["cmake", "--install", build, "--prefix", self.installed], scratch)
 
     def run(self, command, folder, fails=False):
-        done = subprocess.run([str(word) for word in command], cwd=folder, env=self.environment, capture_output=True, text=True,
-                              check=False, timeout=300)
+        done = subprocess.run(
+            [str(word) for word in command],
+            cwd=folder,
+            env=self.environment,
+            capture_output=True,
+            text=True,
+            check=False,
+            timeout=300,
+        )
         said = done.stdout + done.stderr
         if (done.returncode != 0) != fails:
             sys.exit(f"{shlex.join(map(str, command))}: {done.returncode}\n{said}")
@@ -87,7 +95,9 @@ def bazel(builds):
         start = ["bazel", f"--output_user_root={builds.scratch}/bazel_root{number}", "--batch"]
         options = ["--spawn_strategy=sandboxed", "--curses=no"]
         builds.run([*start, "build", *options, "//:water"], folder)
-        outputs = [folder / "bazel-bin" / f"water.{kind}" for kind in ("vert", "shader.h", "clip.h")]
+        outputs = [
+            folder / "bazel-bin" / f"water.{kind}" for kind in ("vert", "shader.h", "clip.h")
+        ]
         found.append([hashlib.sha256(file.read_bytes()).hexdigest() for file in outputs])
         said = builds.run([*start, "build", *options, "//:undeclared"], folder, fails=True)
         expect("planes.hlsli" in said, f"a missing include, not\n{said}")

@@ -17,7 +17,13 @@ class Clipc(ConanFile):
 
     def export_sources(self):
         for pattern in ("CMakeLists.txt", "LICENSE", "README.md", "CHANGELOG.md", "*/*"):
-            copy(self, pattern, f"{self.recipe_folder}/../..", self.export_sources_folder, excludes=("build/*", ".git/*"))
+            copy(
+                self,
+                pattern,
+                f"{self.recipe_folder}/../..",
+                self.export_sources_folder,
+                excludes=("build/*", ".git/*"),
+            )
 
     def requirements(self):
         self.requires("fmt/[>=9]")

@@ -5,6 +5,7 @@ spaces xyw1 and object take no more of them, and no more time, than clip; nothin
 with other interfaces are counted too; a loop takes less time where its bound is read before it.
 
 usage: check_isa.py CLIPC CLIPC-DRAW REPOSITORY_ROOT"""
+
 import pathlib
 import re
 import subprocess
@@ -22,31 +23,59 @@ def main():
 
         def add(key, source):
             spirv = folder / f"{key.replace('/', '-')}.spv"
-            subprocess.run(["glslangValidator", "-V", "-S", "vert", "-o", str(spirv), str(source)], check=True, capture_output=True)
+            subprocess.run(
+                ["glslangValidator", "-V", "-S", "vert", "-o", str(spirv), str(source)],
+                check=True,
+                capture_output=True,
+            )
             shaders[str(spirv)] = key
 
         for planes in (0, 1, 3, 6):
             for space in ("clip", "xyw1", "object"):
                 glsl = folder / "x.vert"
-                subprocess.run([clipc, f"-DPLANES={planes}", f"--plane-space={space}", "--target=vulkan", "study/program/method.hlsl", "-o", str(glsl)],
-                               check=True, cwd=root)
+                subprocess.run(
+                    [
+                        clipc,
+                        f"-DPLANES={planes}",
+                        f"--plane-space={space}",
+                        "--target=vulkan",
+                        "study/program/method.hlsl",
+                        "-o",
+                        str(glsl),
+                    ],
+                    check=True,
+                    cwd=root,
+                )
                 add(f"{space}-{planes}", glsl)
         # By hand: the same text for Vulkan, whose blocks and bindings are written alike.
         hands = {"clip": "clip-1", "xyw1": "xyw1-3", "object": "object-6", "none": "clip-0"}
         for hand in hands:
             add(f"hand-{hand}", root / f"study/hand/{hand}.vert")
         # Textures, buffers of all kinds, matrices and arrays between stages, push constants.
-        interfaces = ("testdata/glsl/arrays_without_size.hlsl", "testdata/draw/atomics.hlsl", "testdata/check/entry/matrix_signature.hlsl",
-                      "testdata/glsl/vulkan_attributes.hlsl", LOOP)
+        interfaces = (
+            "testdata/glsl/arrays_without_size.hlsl",
+            "testdata/draw/atomics.hlsl",
+            "testdata/check/entry/matrix_signature.hlsl",
+            "testdata/glsl/vulkan_attributes.hlsl",
+            LOOP,
+        )
         for name in interfaces:
             glsl = folder / "x.vert"
-            subprocess.run([clipc, "-T", "vs_5_1", "-w", "--target=vulkan", name, "-o", str(glsl)], check=True, cwd=root)
+            subprocess.run(
+                [clipc, "-T", "vs_5_1", "-w", "--target=vulkan", name, "-o", str(glsl)],
+                check=True,
+                cwd=root,
+            )
             add(name, glsl)
         text = glsl.read_text()
-        reread = text.replace("    int lights = globals.lights;\n", "").replace("i < lights", "i < globals.lights")
+        reread = text.replace("    int lights = globals.lights;\n", "").replace(
+            "i < lights", "i < globals.lights"
+        )
         glsl.write_text(reread)
         add("reread", glsl)
-        ran = subprocess.run([draw, "machine-code", *shaders], capture_output=True, text=True, check=False)
+        ran = subprocess.run(
+            [draw, "machine-code", *shaders], capture_output=True, text=True, check=False
+        )
     if ran.returncode:
         print(ran.stderr)
         return ran.returncode
@@ -56,10 +85,15 @@ def main():
     problems = []
     for planes in (1, 3, 6):
         row = {space: counts[f"{space}-{planes}"] for space in ("clip", "xyw1", "object")}
-        print(f"{planes} planes: " + ", ".join(f"{space} {i} instructions, {c} cycles" for space, (i, c) in row.items()))
+        print(
+            f"{planes} planes: "
+            + ", ".join(f"{space} {i} instructions, {c} cycles" for space, (i, c) in row.items())
+        )
         for space in ("xyw1", "object"):
             if row[space][0] > row["clip"][0] or row[space][1] > row["clip"][1]:
-                problems.append(f"{space} with {planes} planes takes {row[space]}, clip {row['clip']}")
+                problems.append(
+                    f"{space} with {planes} planes takes {row[space]}, clip {row['clip']}"
+                )
         if not counts[f"clip-{planes}"][0] > counts["clip-0"][0]:
             problems.append("planes cost nothing at all: something was not compiled")
     for hand, key in hands.items():

@@ -9,6 +9,7 @@ glslang's HLSL front end, legalised, and SPIRV-Cross's GLSL of that, which glsla
 give SPIR-V that Mesa's driver for these AMD processors takes, without such a processor; of equal SPIR-V of clipc the first counts.
 Prints for each processor and peer the instructions in sum, and how many shaders are more than 2 % longer or shorter; --list
 writes a line for each: processor, peer, instructions of clipc and of the peer, path, entry."""
+
 import argparse
 import concurrent.futures
 import hashlib
@@ -20,13 +21,31 @@ import sys
 import tempfile
 
 PEERS = ("glslang", "spirv-cross")
-BINDINGS = ["--auto-map-bindings", "--auto-map-locations", "--shift-sampler-binding", "100", "--shift-texture-binding", "200",
-            "--shift-ssbo-binding", "400", "--shift-image-binding", "600", "--shift-uav-binding", "800"]
+BINDINGS = [
+    "--auto-map-bindings",
+    "--auto-map-locations",
+    "--shift-sampler-binding",
+    "100",
+    "--shift-texture-binding",
+    "200",
+    "--shift-ssbo-binding",
+    "400",
+    "--shift-image-binding",
+    "600",
+    "--shift-uav-binding",
+    "800",
+]
 
 
 def run(*command):
     try:
-        return subprocess.run([str(word) for word in command], capture_output=True, text=True, errors="replace", timeout=60)
+        return subprocess.run(
+            [str(word) for word in command],
+            capture_output=True,
+            text=True,
+            errors="replace",
+            timeout=60,
+        )
     except subprocess.TimeoutExpired:
         return subprocess.CompletedProcess(command, 1, "", "timeout")
 
@@ -34,16 +53,49 @@ def run(*command):
 def make(arguments, folder, number, line):
     """Returns the three files of a shader, or none."""
     path, entry, profile, includes, defines = (line.rstrip("\n").split("\t") + [""] * 5)[:5]
-    ours, peer, text, crossed = (folder / f"{number}.{end}" for end in ("clipc.spv", "glslang.spv", "vert", "spirv-cross.spv"))
+    ours, peer, text, crossed = (
+        folder / f"{number}.{end}"
+        for end in ("clipc.spv", "glslang.spv", "vert", "spirv-cross.spv")
+    )
     flags = [word for name in filter(None, includes.split(";")) for word in ("-I", name)]
     flags += [f"-D{name}" for name in filter(None, defines.split(";"))]
-    if run(arguments.clipc, "-w", "-T", profile, "-E", entry, "--target=vulkan", "--lower=none", *flags, path, "-o", ours).returncode:
+    if run(
+        arguments.clipc,
+        "-w",
+        "-T",
+        profile,
+        "-E",
+        entry,
+        "--target=vulkan",
+        "--lower=none",
+        *flags,
+        path,
+        "-o",
+        ours,
+    ).returncode:
         return None
     flags = [word if word.startswith("-D") else "-I" + word for word in flags if word != "-I"]
-    if run("glslangValidator", "-D", "-V", "-S", "vert", "-e", entry, "--source-entrypoint", entry, "--hlsl-offsets", *BINDINGS, *flags,
-           path, "-o", peer).returncode:
+    if run(
+        "glslangValidator",
+        "-D",
+        "-V",
+        "-S",
+        "vert",
+        "-e",
+        entry,
+        "--source-entrypoint",
+        entry,
+        "--hlsl-offsets",
+        *BINDINGS,
+        *flags,
+        path,
+        "-o",
+        peer,
+    ).returncode:
         return None
-    if run("spirv-cross", "--vulkan-semantics", "--version", "450", peer, "--output", text).returncode:
+    if run(
+        "spirv-cross", "--vulkan-semantics", "--version", "450", peer, "--output", text
+    ).returncode:
         return None
     if run("glslangValidator", "-V", text, "-o", crossed).returncode:
         return None
@@ -59,15 +111,28 @@ def count(arguments, family, files):
         group = [file for file in group if file not in counts]
         if not group:
             continue
-        done = subprocess.run([arguments.draw, "machine-code", *map(str, group)], capture_output=True, text=True, env=environment, check=False)
+        done = subprocess.run(
+            [arguments.draw, "machine-code", *map(str, group)],
+            capture_output=True,
+            text=True,
+            env=environment,
+            check=False,
+        )
         if done.returncode == 77:
             sys.exit("no Vulkan device counts instructions: " + done.stderr)
-        counts.update({pathlib.Path(name): int(number) for name, number in re.findall(r"^(\S+) (\d+) \d+$", done.stdout, re.M)})
+        counts.update(
+            {
+                pathlib.Path(name): int(number)
+                for name, number in re.findall(r"^(\S+) (\d+) \d+$", done.stdout, re.M)
+            }
+        )
     return counts
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("clipc")
     parser.add_argument("draw")
     parser.add_argument("shaders", metavar="LIST")
@@ -77,30 +142,51 @@ def main():
     arguments = parser.parse_args()
     lines = pathlib.Path(arguments.shaders).read_text(encoding="utf-8").splitlines()
     rows = []
-    with tempfile.TemporaryDirectory() as name, concurrent.futures.ThreadPoolExecutor(arguments.j) as pool:
-        made = list(pool.map(lambda item: make(arguments, pathlib.Path(name), *item), enumerate(lines)))
+    with (
+        tempfile.TemporaryDirectory() as name,
+        concurrent.futures.ThreadPoolExecutor(arguments.j) as pool,
+    ):
+        made = list(
+            pool.map(lambda item: make(arguments, pathlib.Path(name), *item), enumerate(lines))
+        )
         distinct = {}
         for files, line in zip(made, lines):
             if files:
                 distinct.setdefault(hashlib.sha256(files[0].read_bytes()).digest(), (files, line))
         triples = list(distinct.values())
-        print(f"{len(lines)} shaders, {sum(map(bool, made))} that all three compile, {len(triples)} distinct")
-        groups = [triples[i:i + 20] for i in range(0, len(triples), 20)]
+        print(
+            f"{len(lines)} shaders, {sum(map(bool, made))} that all three compile, {len(triples)} distinct"
+        )
+        groups = [triples[i : i + 20] for i in range(0, len(triples), 20)]
         for family in arguments.families.split(","):
             counts = {}
-            for some in pool.map(lambda group, f=family: count(arguments, f, [file for files, _ in group for file in files]), groups):
+            for some in pool.map(
+                lambda group, f=family: count(
+                    arguments, f, [file for files, _ in group for file in files]
+                ),
+                groups,
+            ):
                 counts.update(some)
-            counted = [(files, line) for files, line in triples if all(file in counts for file in files)]
+            counted = [
+                (files, line) for files, line in triples if all(file in counts for file in files)
+            ]
             for index, peer in enumerate(PEERS, 1):
                 pairs = [(counts[files[0]], counts[files[index]]) for files, _ in counted]
                 ours, theirs = map(sum, zip(*pairs))
                 longer = sum(a > 1.02 * b for a, b in pairs)
                 shorter = sum(b > 1.02 * a for a, b in pairs)
-                print(f"{family}, {peer}: {len(pairs)} shaders, {ours} to {theirs} instructions, {ours / theirs:.4f} in sum; "
-                      f"{longer} longer, {shorter} shorter by more than 2 %")
-                rows += [(family, peer, *pair, *line.split("\t")[:2]) for pair, (_, line) in zip(pairs, counted)]
+                print(
+                    f"{family}, {peer}: {len(pairs)} shaders, {ours} to {theirs} instructions, {ours / theirs:.4f} in sum; "
+                    f"{longer} longer, {shorter} shorter by more than 2 %"
+                )
+                rows += [
+                    (family, peer, *pair, *line.split("\t")[:2])
+                    for pair, (_, line) in zip(pairs, counted)
+                ]
     if arguments.list:
-        pathlib.Path(arguments.list).write_text("".join("\t".join(map(str, row)) + "\n" for row in rows), encoding="utf-8")
+        pathlib.Path(arguments.list).write_text(
+            "".join("\t".join(map(str, row)) + "\n" for row in rows), encoding="utf-8"
+        )
 
 
 main()

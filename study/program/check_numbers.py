@@ -9,6 +9,7 @@ A document has blocks between `<!-- numbers: NAME -->` and `<!-- end of numbers 
 that differs is an error, and --write writes it. Numbers in sentences are compared one by one (INLINE). --take copies the
 tables of a whole `./run study` from its folder first. --chart holds study/speed-accuracy.svg against the chart that report.py
 makes of the tables; the exit code is 77 where Matplotlib is another than the one that made it, which places text elsewhere."""
+
 import csv
 import math
 import pathlib
@@ -22,9 +23,26 @@ TABLES = ROOT / "study/tables"
 CHART, MATPLOTLIB = ROOT / "study/speed-accuracy.svg", "3.6.3"
 TAKEN = ("directions", "laws", "flicker", "roundings", "advice-scenes", "speed")
 # The rows of edges.csv that documents speak of.
-SWEEPS = ("world offset", "mesh offset / depth", "orthographic, depth / half height", "tile, half pictures off the axis",
-          "ground, seen from 1 to", "eye to plane / near, reversed from 1 to -1", "field of view")
-METHODS = ("clip", "clip-steps", "clip-product", "xyw1", "xyw1-steps", "xyw1-product", "object", "world", "near-plane")
+SWEEPS = (
+    "world offset",
+    "mesh offset / depth",
+    "orthographic, depth / half height",
+    "tile, half pictures off the axis",
+    "ground, seen from 1 to",
+    "eye to plane / near, reversed from 1 to -1",
+    "field of view",
+)
+METHODS = (
+    "clip",
+    "clip-steps",
+    "clip-product",
+    "xyw1",
+    "xyw1-steps",
+    "xyw1-product",
+    "object",
+    "world",
+    "near-plane",
+)
 
 
 def read(name):
@@ -36,10 +54,17 @@ def take(folder):
     TABLES.mkdir(exist_ok=True)
     for name in TAKEN:
         (TABLES / f"{name}.csv").write_text((folder / f"{name}.csv").read_text())
-    with open(folder / "edges.csv", newline="") as source, open(TABLES / "edges.csv", "w", newline="") as target:
+    with (
+        open(folder / "edges.csv", newline="") as source,
+        open(TABLES / "edges.csv", "w", newline="") as target,
+    ):
         rows = csv.DictReader(source)
-        writer = csv.DictWriter(target, ["sweep", "parameter", "method", "applies", "median_px", "p99_px", "largest_px"],
-                                extrasaction="ignore", lineterminator="\n")
+        writer = csv.DictWriter(
+            target,
+            ["sweep", "parameter", "method", "applies", "median_px", "p99_px", "largest_px"],
+            extrasaction="ignore",
+            lineterminator="\n",
+        )
         writer.writeheader()
         writer.writerows(r for r in rows if r["sweep"] in SWEEPS and r["method"] in METHODS)
 
@@ -66,30 +91,62 @@ def errors():
     found = {(r["method"], r["eye_to_plane"]): r for r in rows}
     methods = ("clip", "xyw1", "object", "near-plane", "world", "cpu", "near-plane-f32")
     cell = lambda r: " / ".join(short(float(r[c])) for c in ("median_px", "p99_px", "largest_px"))
-    return table(["eye to plane, near distances"] + [f"{int(r):,}" for r in ratios],
-                 [[f"`{m}`"] + [cell(found[m, r]) for r in ratios] for m in methods])
+    return table(
+        ["eye to plane, near distances"] + [f"{int(r):,}" for r in ratios],
+        [[f"`{m}`"] + [cell(found[m, r]) for r in ratios] for m in methods],
+    )
 
 
 def regimes():
-    return table(["regime", "draws", "below 0.2", "above 3", "median", "all edges together"],
-                 [[r["regime"], r["draws"], r["low"], r["high"], short(float(r["median"])), short(float(r["pooled_p99"]))] for r in read("laws")])
+    return table(
+        ["regime", "draws", "below 0.2", "above 3", "median", "all edges together"],
+        [
+            [
+                r["regime"],
+                r["draws"],
+                r["low"],
+                r["high"],
+                short(float(r["median"])),
+                short(float(r["pooled_p99"])),
+            ]
+            for r in read("laws")
+        ],
+    )
 
 
 def flicker():
     rows = read("flicker")
     ratios = ["10", "100", "400", "1000"]
     found = {(r["method"], r["eye_to_plane"]): short(float(r["p99_px"])) for r in rows}
-    return table(["eye to plane, near distances"] + [f"{int(r):,}" for r in ratios],
-                 [[f"`{m}`"] + [found[m, r] for r in ratios] for m in ("clip", "xyw1", "near-plane", "object", "world", "cpu")])
+    return table(
+        ["eye to plane, near distances"] + [f"{int(r):,}" for r in ratios],
+        [
+            [f"`{m}`"] + [found[m, r] for r in ratios]
+            for m in ("clip", "xyw1", "near-plane", "object", "world", "cpu")
+        ],
+    )
 
 
 def roundings():
     rows = read("roundings")
     kinds = ("all", "without the dot product's", "nor the constant's", "the position's alone, once")
     found = {(r["fov"], r["rounding"]): r for r in rows}
-    cell = lambda r: f'{short(1e3 * float(r["mean_px"]))} / {short(1e3 * float(r["worst_px"]))} ({r["over"]})'
-    return table(["field of view", "`xyw1`", "without rounding in the dot product", "nor in the constant", "the position's rounding alone, once"],
-                 [[fov] + [cell(found[fov, kind]) for kind in kinds] for fov in ("60", "20", "10", "5", "1")])
+    cell = lambda r: (
+        f"{short(1e3 * float(r['mean_px']))} / {short(1e3 * float(r['worst_px']))} ({r['over']})"
+    )
+    return table(
+        [
+            "field of view",
+            "`xyw1`",
+            "without rounding in the dot product",
+            "nor in the constant",
+            "the position's rounding alone, once",
+        ],
+        [
+            [fov] + [cell(found[fov, kind]) for kind in kinds]
+            for fov in ("60", "20", "10", "5", "1")
+        ],
+    )
 
 
 def sweep(name, methods, head):
@@ -97,24 +154,49 @@ def sweep(name, methods, head):
     values = list(dict.fromkeys(r["parameter"] for r in rows))
     found = {(r["method"], r["parameter"]): short(float(r["p99_px"])) for r in rows}
     shown = lambda v: f"{float(v):,.0f}" if float(v) >= 1 else v
-    return table([head] + [shown(v) for v in values], [[f"`{m}`"] + [found.get((m, v), "-") for v in values] for m in methods])
+    return table(
+        [head] + [shown(v) for v in values],
+        [[f"`{m}`"] + [found.get((m, v), "-") for v in values] for m in methods],
+    )
 
 
 def chains():
-    return sweep("world offset", ("xyw1", "xyw1-steps", "xyw1-product", "clip", "clip-steps", "clip-product", "world", "object"),
-                 "distance from the world's origin, seen at 10")
+    return sweep(
+        "world offset",
+        (
+            "xyw1",
+            "xyw1-steps",
+            "xyw1-product",
+            "clip",
+            "clip-steps",
+            "clip-product",
+            "world",
+            "object",
+        ),
+        "distance from the world's origin, seen at 10",
+    )
 
 
 def meshes():
-    return sweep("mesh offset / depth", ("object", "xyw1", "clip"), "distance from the mesh's origin, in depths")
+    return sweep(
+        "mesh offset / depth",
+        ("object", "xyw1", "clip"),
+        "distance from the mesh's origin, in depths",
+    )
 
 
 def orthographic():
-    return sweep("orthographic, depth / half height", ("clip", "object"), "distance of the eye, in half heights")
+    return sweep(
+        "orthographic, depth / half height",
+        ("clip", "object"),
+        "distance of the eye, in half heights",
+    )
 
 
 def tiles():
-    return sweep("tile, half pictures off the axis", ("clip", "xyw1", "object"), "half pictures off the axis")
+    return sweep(
+        "tile, half pictures off the axis", ("clip", "xyw1", "object"), "half pictures off the axis"
+    )
 
 
 def grounds():
@@ -123,36 +205,65 @@ def grounds():
 
 def costs():
     rows = {(r["setting"], r["way"], r["planes"]): r for r in read("speed")}
-    cell = lambda r: "-" if r is None else f'{float(r["paired_ratio"]):.2f} ({float(r["paired_low"]):.2f} to {float(r["paired_high"]):.2f})'
+    cell = lambda r: (
+        "-"
+        if r is None
+        else f"{float(r['paired_ratio']):.2f} ({float(r['paired_low']):.2f} to {float(r['paired_high']):.2f})"
+    )
     ways = list(dict.fromkeys(way for setting, way, _ in rows if way != "none"))
     columns = [("picture", "1"), ("picture", "3"), ("picture", "6"), ("cut", "1"), ("cut", "6")]
     head = ["", "1 plane", "3", "6", "1, cutting", "6, cutting"]
-    return table(head, [[f"`{way}`"] + [cell(rows.get((s, way, p))) for s, p in columns] for way in ways])
+    return table(
+        head, [[f"`{way}`"] + [cell(rows.get((s, way, p))) for s, p in columns] for way in ways]
+    )
 
 
 def advice():
     row = read("advice-scenes")[0]
-    return (f'On {row["scenes"]} random scenes, with {int(row["advised"]):,} objects that a plane cuts, {int(row["meets"]):,} are said to meet the tolerance. '
-            f'{row["misses"]} of\nthem miss it in `__float128`; {row["overlooked"]} ways that meet it with a margin of two are overlooked, '
-            f'and {row["dearer"]} times a cheaper one would have done.')
+    return (
+        f"On {row['scenes']} random scenes, with {int(row['advised']):,} objects that a plane cuts, {int(row['meets']):,} are said to meet the tolerance. "
+        f"{row['misses']} of\nthem miss it in `__float128`; {row['overlooked']} ways that meet it with a margin of two are overlooked, "
+        f"and {row['dearer']} times a cheaper one would have done."
+    )
 
 
 def planned():
     """The numbers that tools/scenes/planner_test.cpp expects of the built-in scenes and its box, of 1000 objects each."""
     text = (ROOT / "tools/scenes/planner_test.cpp").read_text()
     counts = [int(n) for n in re.findall(r"ExpectSavings\((?:harness|Box)[^;]*?, (\d+)\);", text)]
-    names = [("reflection in water", 1), ("portal", 5), ("cut-away", 3), ("slice of a shadow cascade", 6), ("section by a box", 6)]
-    return table(["scene", "all planes for all objects", "planned", "times fewer"],
-                 [[f"{name}, {planes} plane{'s' * (planes > 1)}", 1000 * planes, count, short(1000 * planes / count)]
-                  for (name, planes), count in zip(names, counts, strict=True)])
+    names = [
+        ("reflection in water", 1),
+        ("portal", 5),
+        ("cut-away", 3),
+        ("slice of a shadow cascade", 6),
+        ("section by a box", 6),
+    ]
+    return table(
+        ["scene", "all planes for all objects", "planned", "times fewer"],
+        [
+            [
+                f"{name}, {planes} plane{'s' * (planes > 1)}",
+                1000 * planes,
+                count,
+                short(1000 * planes / count),
+            ]
+            for (name, planes), count in zip(names, counts, strict=True)
+        ],
+    )
 
 
 # The words of README's table, and the words that tools/bench/main.cpp reports with a limit.
 SPOKEN = [
     ('start to exit, to a static "hello world"', "cold, to a static hello world"),
     ("start to exit, to `glslangValidator -D -V`", "cold, to glslangValidator -D -V"),
-    ("with `--validate`, to `glslangValidator` on the GLSL", "cold with --validate, to glslangValidator on the GLSL"),
-    ("in one process, to glslang (HLSL to SPIR-V, legalised as its programs do) and SPIRV-Cross", "in one process, to glslang + SPIRV-Cross"),
+    (
+        "with `--validate`, to `glslangValidator` on the GLSL",
+        "cold with --validate, to glslangValidator on the GLSL",
+    ),
+    (
+        "in one process, to glslang (HLSL to SPIR-V, legalised as its programs do) and SPIRV-Cross",
+        "in one process, to glslang + SPIRV-Cross",
+    ),
     ("with a pixel shader in HLSL, to without", "with a pixel shader in HLSL, to without"),
     ("validation of each in a batch, milliseconds", "validation of one shader in a batch"),
     ("cost a byte at 10 MB, to that at 100 kB", "cost a byte at 10 MB, to that at 100 kB"),
@@ -165,20 +276,45 @@ def limits():
     text = (ROOT / "tools/bench/main.cpp").read_text()
 
     def limit(what):
-        found = re.search(rf'Report\("{re.escape(what)}",[^;]*?,\s*"[^"]*",\s*([\d.]+)(?: / (\d+))?\)', text)
+        found = re.search(
+            rf'Report\("{re.escape(what)}",[^;]*?,\s*"[^"]*",\s*([\d.]+)(?: / (\d+))?\)', text
+        )
         return f"{float(found[1]) / float(found[2] or 1):g}"
 
-    return table(["a shader of 60 lines", "at most"], [[said, limit(what)] for said, what in SPOKEN])
+    return table(
+        ["a shader of 60 lines", "at most"], [[said, limit(what)] for said, what in SPOKEN]
+    )
 
 
-BLOCKS = {f.__name__: f for f in (limits, errors, regimes, flicker, roundings, chains, meshes, orthographic, tiles, grounds, costs, advice, planned)}
+BLOCKS = {
+    f.__name__: f
+    for f in (
+        limits,
+        errors,
+        regimes,
+        flicker,
+        roundings,
+        chains,
+        meshes,
+        orthographic,
+        tiles,
+        grounds,
+        costs,
+        advice,
+        planned,
+    )
+}
 
-U, ROWS, PY = 2.0 ** -24, 1080, 1 / math.tan(math.radians(30))
+U, ROWS, PY = 2.0**-24, 1080, 1 / math.tan(math.radians(30))
 ANY = U * ROWS / 2 / 0.1  # the unit of PredictEdgeError for surfaces of every direction
 
 
 def p99(method, ratio="400"):
-    return next(float(r["p99_px"]) for r in read("directions") if (r["method"], r["eye_to_plane"]) == (method, ratio))
+    return next(
+        float(r["p99_px"])
+        for r in read("directions")
+        if (r["method"], r["eye_to_plane"]) == (method, ratio)
+    )
 
 
 def outside():
@@ -199,7 +335,9 @@ def constant(path, pattern):
 
 
 def roundings_over(fov):
-    return next(int(r["over"]) for r in read("roundings") if (r["fov"], r["rounding"]) == (fov, "all"))
+    return next(
+        int(r["over"]) for r in read("roundings") if (r["fov"], r["rounding"]) == (fov, "all")
+    )
 
 
 # The law of u H / (2 tan(fov/2) sin(angle)).
@@ -209,32 +347,120 @@ ONE_ROUNDING = U * ROWS / (2 * math.tan(math.radians(5)) * math.sin(math.radians
 INLINE = [
     ("study/study.md", r"Of ([\d,]+) draws", drawn),
     ("study/study.md", r"Of [\d,]+ draws (\d+) are outside", outside),
-    ("study/study.md", r"single draws are ([\d.]+) to", lambda: min(float(r["least"]) for r in read("laws"))),
-    ("study/study.md", r"single draws are [\d.]+ to ([\d.]+) times", lambda: max(float(r["most"]) for r in read("laws"))),
+    (
+        "study/study.md",
+        r"single draws are ([\d.]+) to",
+        lambda: min(float(r["least"]) for r in read("laws")),
+    ),
+    (
+        "study/study.md",
+        r"single draws are [\d.]+ to ([\d.]+) times",
+        lambda: max(float(r["most"]) for r in read("laws")),
+    ),
     ("study/study.md", r"together ([\d.]+) to", lambda: pooled(False)),
     ("study/study.md", r"together [\d.]+ to ([\d.]+)\ntimes", lambda: pooled(True)),
-    ("study/study.md", r"on ([\d,]+) random draws of eleven", lambda: constant("study/program/command_study.cpp", r"1100 : (\d+), 40")),
-    ("study/study.md", r"advice on (\d+) random scenes", lambda: float(read("advice-scenes")[0]["scenes"])),
-    ("study/study.md", r"takes (\d+) others, which", lambda: constant("study/scenes/check_advice.py", r"arguments else (\d+)")),
-    ("study/study.md", r"method on (\d+) random draws", lambda: constant("study/program/command_study.cpp", r"RandomDraws\((\d+),")),
-    ("study/study.md", r"four scenes of (\d+) objects", lambda: constant("tools/harness/scenes.cpp", r"kObjects = (\d+);")),
-    ("study/study.md", r"pixels of 1920x(\d+)", lambda: constant("study/setup.h", r"kPictureHeight = (\d+);")),
-    ("study/study.md", r"1/256 of a pixel, ([\d.]+)", lambda: 1 / constant("study/advice.h", r"kInvisible = 1.0 / (\d+);")),
-    ("study/study.md", r"of one plane each, ([\d.]+) times", lambda: 0.77 / math.hypot(0.4, 0.5, 0.77)),
-    ("study/study.md", r"holds a study against\n(\d+) %", lambda: 100 * constant("study/program/check_tables.py", r"more <= 1(\.\d+)")),
-    ("study/study.md", r"less than ([\d.]+) pixels of an object around", lambda: constant("study/roundings.h", r"kXyw1Claim = ([\d.]+);")),
-    ("study/study.md", r"from (\d+) degrees on; at 10", lambda: constant("study/roundings_test.cpp", r"At\((\d+)\)\[kAll\].over, 0")),
-    ("study/study.md", r"\n(\d+) random planes, cameras", lambda: max(float(r["draws"]) for r in read("roundings"))),
+    (
+        "study/study.md",
+        r"on ([\d,]+) random draws of eleven",
+        lambda: constant("study/program/command_study.cpp", r"1100 : (\d+), 40"),
+    ),
+    (
+        "study/study.md",
+        r"advice on (\d+) random scenes",
+        lambda: float(read("advice-scenes")[0]["scenes"]),
+    ),
+    (
+        "study/study.md",
+        r"takes (\d+) others, which",
+        lambda: constant("study/scenes/check_advice.py", r"arguments else (\d+)"),
+    ),
+    (
+        "study/study.md",
+        r"method on (\d+) random draws",
+        lambda: constant("study/program/command_study.cpp", r"RandomDraws\((\d+),"),
+    ),
+    (
+        "study/study.md",
+        r"four scenes of (\d+) objects",
+        lambda: constant("tools/harness/scenes.cpp", r"kObjects = (\d+);"),
+    ),
+    (
+        "study/study.md",
+        r"pixels of 1920x(\d+)",
+        lambda: constant("study/setup.h", r"kPictureHeight = (\d+);"),
+    ),
+    (
+        "study/study.md",
+        r"1/256 of a pixel, ([\d.]+)",
+        lambda: 1 / constant("study/advice.h", r"kInvisible = 1.0 / (\d+);"),
+    ),
+    (
+        "study/study.md",
+        r"of one plane each, ([\d.]+) times",
+        lambda: 0.77 / math.hypot(0.4, 0.5, 0.77),
+    ),
+    (
+        "study/study.md",
+        r"holds a study against\n(\d+) %",
+        lambda: 100 * constant("study/program/check_tables.py", r"more <= 1(\.\d+)"),
+    ),
+    (
+        "study/study.md",
+        r"less than ([\d.]+) pixels of an object around",
+        lambda: constant("study/roundings.h", r"kXyw1Claim = ([\d.]+);"),
+    ),
+    (
+        "study/study.md",
+        r"from (\d+) degrees on; at 10",
+        lambda: constant("study/roundings_test.cpp", r"At\((\d+)\)\[kAll\].over, 0"),
+    ),
+    (
+        "study/study.md",
+        r"\n(\d+) random planes, cameras",
+        lambda: max(float(r["draws"]) for r in read("roundings")),
+    ),
     ("study/study.md", r"pixels: ([\d.]+) at 10 degrees of view and 5", lambda: ONE_ROUNDING),
-    ("study/study.md", r"Costs closer than (\d+) % count as equal", lambda: 100 * constant("study/advice.h", r"kSameCost = ([\d.]+);")),
+    (
+        "study/study.md",
+        r"Costs closer than (\d+) % count as equal",
+        lambda: 100 * constant("study/advice.h", r"kSameCost = ([\d.]+);"),
+    ),
     ("docs/runtime.md", r"half a pixel at ([\d,]+), as in", lambda: 0.5 / ANY),
-    ("docs/runtime.md", r"takes more than (\d+) times what reading", lambda: constant("tools/bench/runtime_bench.cpp", r'cold / cold_read, "x", (\d+)\)')),
-    ("docs/runtime.md", r"of ([\d,]+) boxes and 6 planes", lambda: constant("tools/bench/runtime_bench.cpp", r"kObjects = ([\d']+)")),
-    ("docs/runtime.md", r"nothing \| ([\d.]+) pixels times \(distance of eye and plane / near", lambda: ANY * 1.4 * (PY + 1)),
-    ("docs/runtime.md", r"needs a perspective \| nothing \| ([\d.]+) pixels at 60 degrees", lambda: ANY * (2 + PY)),
-    ("docs/runtime.md", r"a constant for each object \| ([\d.]+) pixels, in any view", lambda: ANY * 0.75),
-    ("docs/runtime.md", r"`clip` loses\n([\d.]+) pixels times \(distance of eye and plane / half the picture's height\)", lambda: ANY),
-    ("docs/runtime.md", r"\*default\* plane space loses about ([\d.]+) pixels times", lambda: ANY * 1.4 * (PY + 1)),
+    (
+        "docs/runtime.md",
+        r"takes more than (\d+) times what reading",
+        lambda: constant("tools/bench/runtime_bench.cpp", r'cold / cold_read, "x", (\d+)\)'),
+    ),
+    (
+        "docs/runtime.md",
+        r"of ([\d,]+) boxes and 6 planes",
+        lambda: constant("tools/bench/runtime_bench.cpp", r"kObjects = ([\d']+)"),
+    ),
+    (
+        "docs/runtime.md",
+        r"nothing \| ([\d.]+) pixels times \(distance of eye and plane / near",
+        lambda: ANY * 1.4 * (PY + 1),
+    ),
+    (
+        "docs/runtime.md",
+        r"needs a perspective \| nothing \| ([\d.]+) pixels at 60 degrees",
+        lambda: ANY * (2 + PY),
+    ),
+    (
+        "docs/runtime.md",
+        r"a constant for each object \| ([\d.]+) pixels, in any view",
+        lambda: ANY * 0.75,
+    ),
+    (
+        "docs/runtime.md",
+        r"`clip` loses\n([\d.]+) pixels times \(distance of eye and plane / half the picture's height\)",
+        lambda: ANY,
+    ),
+    (
+        "docs/runtime.md",
+        r"\*default\* plane space loses about ([\d.]+) pixels times",
+        lambda: ANY * 1.4 * (PY + 1),
+    ),
 ]
 
 
@@ -249,7 +475,9 @@ def check_blocks(path, write):
             return match[0]
         right = f"<!-- numbers: {name} -->\n{BLOCKS[name]()}\n<!-- end of numbers -->"
         if right != match[0] and not write:
-            problems.append(f"{path.name}: the block `{name}` is not what the tables say; see check_numbers.py --write")
+            problems.append(
+                f"{path.name}: the block `{name}` is not what the tables say; see check_numbers.py --write"
+            )
         return right
 
     made = re.sub(r"<!-- numbers: (\S+) -->\n.*?<!-- end of numbers -->", replace, text, flags=re.S)
@@ -264,8 +492,12 @@ def check_inline():
         found = re.search(pattern, (ROOT / name).read_text())
         if not found:
             problems.append(f"{name}: no sentence like `{pattern}`")
-        elif abs(float(found[1].replace(",", "")) - value()) > 0.51 * 10 ** -len(found[1].partition(".")[2]):
-            problems.append(f"{name}: {found[1]} is {value():.4g} by the tables or the law (`{pattern}`)")
+        elif abs(float(found[1].replace(",", "")) - value()) > 0.51 * 10 ** -len(
+            found[1].partition(".")[2]
+        ):
+            problems.append(
+                f"{name}: {found[1]} is {value():.4g} by the tables or the law (`{pattern}`)"
+            )
     return problems
 
 
@@ -283,10 +515,17 @@ def check_rest():
     problems = []
     for name, given in GIVEN.items():
         text = (ROOT / name).read_text()
-        held = [found.span(1) for row in INLINE if row[0] == name for found in re.finditer(row[1], text)]
+        held = [
+            found.span(1) for row in INLINE if row[0] == name for found in re.finditer(row[1], text)
+        ]
         for begin, end in held:
             text = text[:begin] + " " * (end - begin) + text[end:]
-        text = re.sub(r"<!-- numbers: (\S+) -->\n.*?<!-- end of numbers -->|```.*?```|`[^`]*`|\]\([^)]*\)", "", text, flags=re.S)
+        text = re.sub(
+            r"<!-- numbers: (\S+) -->\n.*?<!-- end of numbers -->|```.*?```|`[^`]*`|\]\([^)]*\)",
+            "",
+            text,
+            flags=re.S,
+        )
         for line in text.splitlines():
             for number in re.findall(r"(?<![\w.])(?:\d+\.\d+|\d{1,3}(?:,\d{3})+|\d{3,})", line):
                 if number not in given:
@@ -297,17 +536,28 @@ def check_rest():
 def chart(write):
     """The exit code: 77 where this Matplotlib makes other bytes of the same tables."""
     python = "/usr/bin/python3"  # as clipc-study has it
-    version = subprocess.run([python, "-c", "import matplotlib; print(matplotlib.__version__)"], capture_output=True, text=True, check=False).stdout.strip()
+    version = subprocess.run(
+        [python, "-c", "import matplotlib; print(matplotlib.__version__)"],
+        capture_output=True,
+        text=True,
+        check=False,
+    ).stdout.strip()
     if version != MATPLOTLIB:
         print(f"the chart was made by Matplotlib {MATPLOTLIB}, and here is {version or 'none'}")
         return 77
     with tempfile.TemporaryDirectory() as folder:
-        subprocess.run([python, ROOT / "study/program/report.py", "--chart", TABLES, folder], check=True)
+        subprocess.run(
+            [python, ROOT / "study/program/report.py", "--chart", TABLES, folder], check=True
+        )
         made = (pathlib.Path(folder) / CHART.name).read_bytes()
     if write:
         CHART.write_bytes(made)
     is_same = made == CHART.read_bytes()
-    print("the chart is that of the tables" if is_same else f"{CHART.name} is not what report.py makes of the tables; see check_numbers.py --chart --write")
+    print(
+        "the chart is that of the tables"
+        if is_same
+        else f"{CHART.name} is not what report.py makes of the tables; see check_numbers.py --chart --write"
+    )
     return not is_same
 
 

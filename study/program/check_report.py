@@ -6,6 +6,7 @@ usage: check_report.py FOLDER [--self-test]
 
 A chart must be drawn at least 300 by 150 pixels large, hold marks and text, and have all its text inside it and at least
 6 pixels high. --self-test breaks the report in several ways and fails unless each is noticed."""
+
 import csv
 import json
 import pathlib
@@ -28,15 +29,30 @@ document.body.append(pre)})</script></body>"""
 
 def measured(page):
     """The browser's measurements of the page's text."""
-    browser = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+    browser = (
+        shutil.which("chromium")
+        or shutil.which("chromium-browser")
+        or shutil.which("google-chrome")
+    )
     if not browser:
         sys.exit("check_report.py: no Chromium; on Debian: apt-get install chromium")
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / "report.html"
         path.write_text(page.replace("</body>", MEASURE))
-        command = [browser, "--headless", "--no-sandbox", "--disable-gpu", "--window-size=1280,1024", "--virtual-time-budget=5000",
-                   f"--user-data-dir={folder}/profile", "--dump-dom", path.as_uri()]
-        dom = subprocess.run(command, capture_output=True, text=True, timeout=120, check=True).stdout
+        command = [
+            browser,
+            "--headless",
+            "--no-sandbox",
+            "--disable-gpu",
+            "--window-size=1280,1024",
+            "--virtual-time-budget=5000",
+            f"--user-data-dir={folder}/profile",
+            "--dump-dom",
+            path.as_uri(),
+        ]
+        dom = subprocess.run(
+            command, capture_output=True, text=True, timeout=120, check=True
+        ).stdout
     found = re.search(r'<pre id="measured">(.*?)</pre>', dom, re.S)
     if not found:
         sys.exit("check_report.py: the browser did not run the page")
@@ -48,7 +64,15 @@ def problems(page, sweeps):
     found = []
     if re.search(r'(?:src|href)="(?!data:|#)', page):
         found.append("the report loads something from elsewhere")
-    expected = ["speed-accuracy", "flicker", "advice", "pixels", "cost", "depth", "planes-needed"] + [f"edges-{i}" for i in range(sweeps)]
+    expected = [
+        "speed-accuracy",
+        "flicker",
+        "advice",
+        "pixels",
+        "cost",
+        "depth",
+        "planes-needed",
+    ] + [f"edges-{i}" for i in range(sweeps)]
     result = measured(page)
     for name in expected:
         chart = result["charts"].get(f"chart-{name}")
@@ -81,11 +105,19 @@ def main():
             "a chart less": re.sub(r'id="chart-depth"', 'id="chart-other"', page),
             "tiny text": page.replace("</style>", "svg text{font-size:3px!important}</style>", 1),
             "a hidden chart": page.replace("</style>", "#chart-cost{display:none}</style>", 1),
-            "text outside": page.replace("</style>", "#chart-advice text{transform:translate(900px,0)!important}</style>", 1),
-            "a broken picture": page.replace("data:image/png;base64,iVBOR", "data:image/png;base64,AAAA", 1),
+            "text outside": page.replace(
+                "</style>", "#chart-advice text{transform:translate(900px,0)!important}</style>", 1
+            ),
+            "a broken picture": page.replace(
+                "data:image/png;base64,iVBOR", "data:image/png;base64,AAAA", 1
+            ),
             "a network load": page.replace("<h1>", '<img src="elsewhere.png"><h1>', 1),
         }
-        found += [f"not noticed: {what}" for what, broken in breaks.items() if broken == page or not problems(broken, sweeps)]
+        found += [
+            f"not noticed: {what}"
+            for what, broken in breaks.items()
+            if broken == page or not problems(broken, sweeps)
+        ]
     print("\n".join(found) or f"{sweeps + 7} charts, all there and legible")
     return bool(found)
 

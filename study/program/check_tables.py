@@ -5,6 +5,7 @@
 usage: check_tables.py FOLDER [--costs]
 
 --costs looks at times too, which takes a whole study and a machine that does not do too much else."""
+
 import csv
 import pathlib
 import sys
@@ -23,35 +24,71 @@ def expect(condition, what):
         problems.append(what)
 
 
-edges, pixels, speed, advice, scenes = (read(f"{name}.csv") for name in ("edges", "pixels", "speed", "advice", "scenes"))
+edges, pixels, speed, advice, scenes = (
+    read(f"{name}.csv") for name in ("edges", "pixels", "speed", "advice", "scenes")
+)
 
 # object is accurate everywhere but for grazing surfaces, huge triangles and vertices far from their origin; clip is not.
 for row in edges:
-    if row["method"] == "object" and row["applies"] == "1" and row["sweep"] not in (
-            "surface to plane, degrees", "edge length / depth", "mesh offset / depth", "tile, half pictures off the axis", "ground, seen from 1 to"):
-        expect(float(row["p99_px"]) < 0.002, f"object: {row['p99_px']} px at {row['sweep']} {row['parameter']}")
-expect(any(r["method"] == "clip" and float(r["p99_px"]) > 10 for r in edges), "clip never fails; it must at large distances")
-expect(all(int(r["edges"]) > 0 for r in edges if r["applies"] == "1"), "a configuration without an edge")
+    if (
+        row["method"] == "object"
+        and row["applies"] == "1"
+        and row["sweep"]
+        not in (
+            "surface to plane, degrees",
+            "edge length / depth",
+            "mesh offset / depth",
+            "tile, half pictures off the axis",
+            "ground, seen from 1 to",
+        )
+    ):
+        expect(
+            float(row["p99_px"]) < 0.002,
+            f"object: {row['p99_px']} px at {row['sweep']} {row['parameter']}",
+        )
+expect(
+    any(r["method"] == "clip" and float(r["p99_px"]) > 10 for r in edges),
+    "clip never fails; it must at large distances",
+)
+expect(
+    all(int(r["edges"]) > 0 for r in edges if r["applies"] == "1"),
+    "a configuration without an edge",
+)
 
 # The real rasteriser agrees: where clip is wrong in hundreds of fragments, xyw1 and object are not.
 ways = {r["way"] for r in pixels if r["applies"] == "1"}
 expect(len(ways) == 11, f"drawn were {sorted(ways)}")
 for row in pixels:
     if row["way"] in ("xyw1", "object") and row["applies"] == "1":
-        expect(int(row["wrong"]) <= 2e-5 * int(row["reference"]) + 2, f"{row['way']}: {row['wrong']} wrong at {row['sweep']} {row['parameter']}")
-expect(max(int(r["wrong"]) for r in pixels if r["way"] == "clip") > 100, "clip draws nothing wrong anywhere")
-expect(all(int(r["reference"]) > 1000 for r in pixels if r["applies"] == "1"), "a picture with hardly a fragment")
+        expect(
+            int(row["wrong"]) <= 2e-5 * int(row["reference"]) + 2,
+            f"{row['way']}: {row['wrong']} wrong at {row['sweep']} {row['parameter']}",
+        )
+expect(
+    max(int(r["wrong"]) for r in pixels if r["way"] == "clip") > 100,
+    "clip draws nothing wrong anywhere",
+)
+expect(
+    all(int(r["reference"]) > 1000 for r in pixels if r["applies"] == "1"),
+    "a picture with hardly a fragment",
+)
 
 # The results for odd planes and triangles that must be right everywhere are.
 special = read("special.csv")
 for row in special:
     if row["what"] in ("0 0 0 0", "NaN 0 0 1", "both halves"):
         expect(row["got"] == row["right"], f"{row['way']}: {row['what']} draws {row['got']}")
-expect({r["sweep"] for r in special} == {"special values", "triangles through w = 0", "multisampling"}, "a sweep of special.csv is missing")
+expect(
+    {r["sweep"] for r in special} == {"special values", "triangles through w = 0", "multisampling"},
+    "a sweep of special.csv is missing",
+)
 
 # At 10 degrees a float32 position alone loses more than 0.002 pixels somewhere; at 60 degrees xyw1 as it is does not.
 roundings = {(r["fov"], r["rounding"]): r for r in read("roundings.csv")}
-expect(int(roundings["10", "nor the constant's"]["over"]) > 0, "xyw1 could be had below 0.002 pixels at 10 degrees")
+expect(
+    int(roundings["10", "nor the constant's"]["over"]) > 0,
+    "xyw1 could be had below 0.002 pixels at 10 degrees",
+)
 expect(int(roundings["60", "all"]["over"]) == 0, "xyw1 is over 0.002 pixels at 60 degrees")
 expect(float(roundings["10", "none"]["worst_px"]) < 1e-6, "xyw1 without rounding is not exact")
 
@@ -59,26 +96,47 @@ expect(float(roundings["10", "none"]["worst_px"]) < 1e-6, "xyw1 without rounding
 laws = read("laws.csv")
 expect(len(laws) == 11, "a regime is missing in laws.csv")
 for row in laws:
-    expect(0.2 < float(row["pooled_p99"]) < 3, f"the law of `{row['regime']}`: {row['pooled_p99']} times")
+    expect(
+        0.2 < float(row["pooled_p99"]) < 3,
+        f"the law of `{row['regime']}`: {row['pooled_p99']} times",
+    )
 outside = sum(int(r["low"]) + int(r["high"]) for r in laws)
 expect(outside == 0, f"{outside} draws are not within a factor of 0.2 to 3 of their law")
 
 # Cuts in object space do not flicker; cuts in clip space do.
 flicker = {(r["method"], r["eye_to_plane"]): float(r["largest_px"]) for r in read("flicker.csv")}
 for (method, ratio), moved in flicker.items():
-    expect(moved == 0 or method not in ("object", "world", "cpu"), f"{method} flickers by {moved} pixels at {ratio}")
+    expect(
+        moved == 0 or method not in ("object", "world", "cpu"),
+        f"{method} flickers by {moved} pixels at {ratio}",
+    )
 expect(flicker["clip", "400"] > 0.2, "clip space does not flicker")
 
 # Planes of random directions: object stays below a rasteriser's step, clip does not.
 directions = {(r["method"], r["eye_to_plane"]): r for r in read("directions.csv")}
 for (method, ratio), row in directions.items():
-    expect(float(row["median_px"]) <= float(row["p99_px"]) <= float(row["largest_px"]), f"{method} at {ratio} is not in order")
-    expect(method not in ("object", "near-plane") or float(row["largest_px"]) < 1 / 256, f"{method} loses {row['largest_px']} pixels at {ratio}")
-expect(float(directions["clip", "10000"]["p99_px"]) > 1, "clip loses nothing 10,000 near distances away")
+    expect(
+        float(row["median_px"]) <= float(row["p99_px"]) <= float(row["largest_px"]),
+        f"{method} at {ratio} is not in order",
+    )
+    expect(
+        method not in ("object", "near-plane") or float(row["largest_px"]) < 1 / 256,
+        f"{method} loses {row['largest_px']} pixels at {ratio}",
+    )
+expect(
+    float(directions["clip", "10000"]["p99_px"]) > 1,
+    "clip loses nothing 10,000 near distances away",
+)
 
 scenes_held = read("advice-scenes.csv")[0]
-expect((scenes_held["misses"], scenes_held["overlooked"]) == ("0", "0"), f"advice on scenes: {scenes_held['misses']} missed, {scenes_held['overlooked']} overlooked")
-expect(int(scenes_held["dearer"]) <= 0.02 * int(scenes_held["advised"]), f"advice on scenes: {scenes_held['dearer']} dearer than needed")
+expect(
+    (scenes_held["misses"], scenes_held["overlooked"]) == ("0", "0"),
+    f"advice on scenes: {scenes_held['misses']} missed, {scenes_held['overlooked']} overlooked",
+)
+expect(
+    int(scenes_held["dearer"]) <= 0.02 * int(scenes_held["advised"]),
+    f"advice on scenes: {scenes_held['dearer']} dearer than needed",
+)
 
 # xyw1 and object cost at most 2 % more a frame than the default.
 if "--costs" in sys.argv:
@@ -87,33 +145,68 @@ if "--costs" in sys.argv:
         for way in ("xyw1", "object"):
             for planes in "136":
                 more = paired[setting, way, planes] / paired[setting, "clip", planes]
-                expect(more <= 1.02, f"{way} with {planes} planes costs {more:.3f} times what clip does, setting {setting}")
+                expect(
+                    more <= 1.02,
+                    f"{way} with {planes} planes costs {more:.3f} times what clip does, setting {setting}",
+                )
 
 # No way of the peers is as accurate and cheaper, by more than the costs are known to, where planes cut little.
-PEERS = {"level9": "clip", "world": "world", "near-plane": "near-plane", "near-plane-f32": "near-plane-f32", "discard-world": "world", "cpu": "cpu"}
+PEERS = {
+    "level9": "clip",
+    "world": "world",
+    "near-plane": "near-plane",
+    "near-plane-f32": "near-plane-f32",
+    "discard-world": "world",
+    "cpu": "cpu",
+}
 if "--costs" in sys.argv:
     for row in edges:
         if row["sweep"] != "eye to plane / near" or row["method"] not in ("xyw1", "object"):
             continue
         for peer, arithmetic in PEERS.items():
-            other = next(r for r in edges if (r["sweep"], r["parameter"], r["method"]) == (row["sweep"], row["parameter"], arithmetic))
+            other = next(
+                r
+                for r in edges
+                if (r["sweep"], r["parameter"], r["method"])
+                == (row["sweep"], row["parameter"], arithmetic)
+            )
             if other["applies"] != "1" or float(other["p99_px"]) > float(row["p99_px"]):
                 continue
             for setting in ("picture", "vertices"):
                 less = paired[setting, peer, "1"] / paired[setting, row["method"], "1"]
-                expect(less > 0.98, f"{peer} is as accurate as {row['method']} at {row['parameter']} and costs {less:.3f} of it, setting {setting}")
+                expect(
+                    less > 0.98,
+                    f"{peer} is as accurate as {row['method']} at {row['parameter']} and costs {less:.3f} of it, setting {setting}",
+                )
 
     costs = {(r["setting"], r["way"], r["planes"]): float(r["ratio"]) for r in speed}
-    expect(costs[("cut", "object", "6")] < 0.5, "cutting almost everything away saves less than half")
+    expect(
+        costs[("cut", "object", "6")] < 0.5, "cutting almost everything away saves less than half"
+    )
     expect(costs[("cut", "discard", "6")] > 1, "discarding saves time; it cannot")
 
 kept = sum(float(r["measured_px"]) <= float(r["bound_px"]) for r in advice)
 cheap = sum(float(r["cost"]) <= 1.15 * float(r["best_cost"]) for r in advice)
-expect(len(advice) == 100 and kept == 100, f"the advice's bound holds in {kept} of {len(advice)} random draws")
-expect("--costs" not in sys.argv or cheap >= 95, f"the advice's cost is near the best in {cheap} of {len(advice)} random draws")
+expect(
+    len(advice) == 100 and kept == 100,
+    f"the advice's bound holds in {kept} of {len(advice)} random draws",
+)
+expect(
+    "--costs" not in sys.argv or cheap >= 95,
+    f"the advice's cost is near the best in {cheap} of {len(advice)} random draws",
+)
 for row in read("scene-costs.csv"):
-    expect(row["same_picture"] == ("0" if row["planes"] == "none" else "1"), f"{row['scene']} with {row['planes']} planes: the picture")
-expect(len(scenes) == 4 and all(int(r["need0"]) > int(r["need1"]) for r in scenes), "most drawn objects need no plane")
+    expect(
+        row["same_picture"] == ("0" if row["planes"] == "none" else "1"),
+        f"{row['scene']} with {row['planes']} planes: the picture",
+    )
+expect(
+    len(scenes) == 4 and all(int(r["need0"]) > int(r["need1"]) for r in scenes),
+    "most drawn objects need no plane",
+)
 
-print("\n".join(problems) or f"{len(edges)} edge rows, {len(pixels)} pictures, {kept} of 100 bounds kept, {cheap} of 100 costs near the best")
+print(
+    "\n".join(problems)
+    or f"{len(edges)} edge rows, {len(pixels)} pictures, {kept} of 100 bounds kept, {cheap} of 100 costs near the best"
+)
 sys.exit(bool(problems))

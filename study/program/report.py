@@ -7,6 +7,7 @@ usage: report.py FOLDER
 
 The report is one file that loads nothing: charts are inline SVG, pictures are data URLs. Every number in it is read from
 the tables. --chart makes only the chart of speed against accuracy, of tables anywhere."""
+
 import base64
 import collections
 import csv
@@ -22,27 +23,73 @@ matplotlib.use("svg")
 import matplotlib.pyplot as plt
 import matplotlib.ticker
 
-plt.rcParams.update({"svg.fonttype": "none", "font.size": 9, "axes.grid": True, "grid.color": "#dddddd",
-                     "axes.axisbelow": True, "figure.autolayout": True, "font.family": "sans-serif"})
+plt.rcParams.update(
+    {
+        "svg.fonttype": "none",
+        "font.size": 9,
+        "axes.grid": True,
+        "grid.color": "#dddddd",
+        "axes.axisbelow": True,
+        "figure.autolayout": True,
+        "font.family": "sans-serif",
+    }
+)
 
 COLORS = {
-    "clip": "#c0392b", "level9": "#e67e22", "xyw1": "#2980b9", "object": "#16a085", "world": "#8e44ad", "view": "#7f8c8d",
-    "document-f32": "#d35400", "inverse-f32": "#b7950b", "near-plane": "#27ae60", "near-plane-f32": "#6e2c00",
-    "clip-steps": "#e57373", "xyw1-steps": "#7fb3d5", "clip-product": "#f1948a", "xyw1-product": "#aed6f1",
-    "discard": "#e84393", "discard-object": "#fd79a8", "discard-world": "#6c5ce7", "cpu": "#2c3e50", "none": "#aaaaaa"}
+    "clip": "#c0392b",
+    "level9": "#e67e22",
+    "xyw1": "#2980b9",
+    "object": "#16a085",
+    "world": "#8e44ad",
+    "view": "#7f8c8d",
+    "document-f32": "#d35400",
+    "inverse-f32": "#b7950b",
+    "near-plane": "#27ae60",
+    "near-plane-f32": "#6e2c00",
+    "clip-steps": "#e57373",
+    "xyw1-steps": "#7fb3d5",
+    "clip-product": "#f1948a",
+    "xyw1-product": "#aed6f1",
+    "discard": "#e84393",
+    "discard-object": "#fd79a8",
+    "discard-world": "#6c5ce7",
+    "cpu": "#2c3e50",
+    "none": "#aaaaaa",
+}
 # The arithmetic (edges.csv) of each way (speed.csv, pixels.csv).
-ARITHMETIC = {"clip": "clip", "level9": "clip", "xyw1": "xyw1", "object": "object", "world": "world", "near-plane": "near-plane",
-              "near-plane-f32": "near-plane-f32", "discard": "clip", "discard-object": "object", "discard-world": "world", "cpu": "cpu"}
+ARITHMETIC = {
+    "clip": "clip",
+    "level9": "clip",
+    "xyw1": "xyw1",
+    "object": "object",
+    "world": "world",
+    "near-plane": "near-plane",
+    "near-plane-f32": "near-plane-f32",
+    "discard": "clip",
+    "discard-object": "object",
+    "discard-world": "world",
+    "cpu": "cpu",
+}
 HOW = {
-    "clip": "[clipplanes] as fxc means it; also DXC and wined3d", "xyw1": "--plane-space=xyw1", "object": "--plane-space=object",
-    "level9": "--lower=level9 and glClipPlane: SetClipPlane, Mesa's lowering", "world": "SV_ClipDistance of the world-space vertex, by hand",
-    "near-plane": "--lower=near-plane --plane-space=object, Lengyel's scale", "near-plane-f32": "near plane by float matrix products (the paper)",
-    "discard": "--lower=discard", "discard-object": "--lower=discard --plane-space=object",
-    "discard-world": "dot product in each fragment (three.js)", "cpu": "the application clips in double",
-    "clip-steps": "clip, where the shader multiplies by world and then by view * projection", "xyw1-steps": "xyw1, likewise",
-    "clip-product": "clip, with one matrix that was multiplied in float", "xyw1-product": "xyw1, likewise",
-    "view": "SV_ClipDistance of the view-space vertex", "document-f32": "the published closed form in float",
-    "inverse-f32": "float inverse of view * projection"}
+    "clip": "[clipplanes] as fxc means it; also DXC and wined3d",
+    "xyw1": "--plane-space=xyw1",
+    "object": "--plane-space=object",
+    "level9": "--lower=level9 and glClipPlane: SetClipPlane, Mesa's lowering",
+    "world": "SV_ClipDistance of the world-space vertex, by hand",
+    "near-plane": "--lower=near-plane --plane-space=object, Lengyel's scale",
+    "near-plane-f32": "near plane by float matrix products (the paper)",
+    "discard": "--lower=discard",
+    "discard-object": "--lower=discard --plane-space=object",
+    "discard-world": "dot product in each fragment (three.js)",
+    "cpu": "the application clips in double",
+    "clip-steps": "clip, where the shader multiplies by world and then by view * projection",
+    "xyw1-steps": "xyw1, likewise",
+    "clip-product": "clip, with one matrix that was multiplied in float",
+    "xyw1-product": "xyw1, likewise",
+    "view": "SV_ClipDistance of the view-space vertex",
+    "document-f32": "the published closed form in float",
+    "inverse-f32": "float inverse of view * projection",
+}
 LEAST = 1e-5  # pixels: smaller errors are drawn there
 
 
@@ -62,8 +109,12 @@ class Charts:
         plt.close(figure)
         svg = text.getvalue()
         (self.folder / f"{name}.svg").write_text(svg)
-        svg = svg[svg.index("<svg"):].replace("<svg", f'<svg id="chart-{name}" role="img" aria-label="{html.escape(alt)}"', 1)
-        self.parts.append(f'<figure class="chart"><figcaption>{html.escape(title)}</figcaption>{svg}</figure>')
+        svg = svg[svg.index("<svg") :].replace(
+            "<svg", f'<svg id="chart-{name}" role="img" aria-label="{html.escape(alt)}"', 1
+        )
+        self.parts.append(
+            f'<figure class="chart"><figcaption>{html.escape(title)}</figcaption>{svg}</figure>'
+        )
 
     def text(self, text):
         self.parts.append(text)
@@ -76,7 +127,9 @@ def number(text):
 def cost_of(speed, way, planes=1, setting="picture"):
     for row in speed:
         if (row["setting"], row["way"], row["planes"]) == (setting, way, str(planes)):
-            return number(row["paired_ratio"])  # to the frames just before and after: other work of the machine slows both alike
+            return number(
+                row["paired_ratio"]
+            )  # to the frames just before and after: other work of the machine slows both alike
     return None
 
 
@@ -84,12 +137,16 @@ def by_sweep(rows, key):
     sweeps = collections.OrderedDict()
     for row in rows:
         if row["applies"] == "1":
-            sweeps.setdefault(row["sweep"], collections.OrderedDict()).setdefault(row[key], []).append(row)
+            sweeps.setdefault(row["sweep"], collections.OrderedDict()).setdefault(
+                row[key], []
+            ).append(row)
     return sweeps
 
 
 STEP = 1 / 256  # pixels: the grid that a rasteriser snaps to; below it no picture changes
-CEILING = 0.05 / math.tan(math.radians(30)) * 540  # pixels: no measured edge is longer, so nothing can lose more
+CEILING = (
+    0.05 / math.tan(math.radians(30)) * 540
+)  # pixels: no measured edge is longer, so nothing can lose more
 
 
 def way_rows(axis, ways):
@@ -102,11 +159,19 @@ def way_rows(axis, ways):
 def error_panel(axis, directions, ratio):
     """A row for each arithmetic: from the median over the 99th percentile to the largest."""
     rows = {r["method"]: r for r in directions if number(r["eye_to_plane"]) == ratio}
-    methods = [m for m in ("cpu", "object", "near-plane", "world", "xyw1", "near-plane-f32", "clip") if m in rows]
+    methods = [
+        m
+        for m in ("cpu", "object", "near-plane", "world", "xyw1", "near-plane-f32", "clip")
+        if m in rows
+    ]
     users = {m: [w for w, a in ARITHMETIC.items() if a == m] for m in methods}
     for y, method in enumerate(methods):
-        median, p99, largest = (max(number(rows[method][c]), LEAST) for c in ("median_px", "p99_px", "largest_px"))
-        axis.plot([median, largest], [y, y], color=COLORS[method], linewidth=1.4, marker="|", markersize=9)
+        median, p99, largest = (
+            max(number(rows[method][c]), LEAST) for c in ("median_px", "p99_px", "largest_px")
+        )
+        axis.plot(
+            [median, largest], [y, y], color=COLORS[method], linewidth=1.4, marker="|", markersize=9
+        )
         axis.plot([p99], [y], color=COLORS[method], marker="o", markersize=6)
     axis.set_xscale("log")
     axis.set_xlim(LEAST, 300)
@@ -114,7 +179,16 @@ def error_panel(axis, directions, ratio):
     axis.axvline(0.5, color="#555555", linewidth=0.9, linestyle="--")
     axis.axvspan(CEILING, 300, color="#eeeeee", zorder=0)
     for x, text in ((STEP, "1/256"), (0.5, "1/2"), (CEILING, "edge")):
-        axis.text(x, -0.42, text, fontsize=7, color="#555555", ha="center", va="bottom", bbox={"color": "white", "pad": 1})
+        axis.text(
+            x,
+            -0.42,
+            text,
+            fontsize=7,
+            color="#555555",
+            ha="center",
+            va="bottom",
+            bbox={"color": "white", "pad": 1},
+        )
     way_rows(axis, [", ".join(users[m]) for m in methods])
     axis.set_ylim(len(methods) - 0.5, -0.8)
     axis.tick_params(axis="y", labelsize=8)
@@ -131,9 +205,20 @@ def cost_panel(axis, speed, planes):
             row = found.get((setting, way))
             if row is None:
                 continue
-            low, cost, high = (number(row[c]) for c in ("paired_low", "paired_ratio", "paired_high"))
-            axis.plot([low, high], [y, y], color=COLORS[way], linewidth=1.2, marker="|", markersize=7)
-            axis.plot([cost], [y], color=COLORS[way], marker="o", markersize=6, markerfacecolor=COLORS[way] if filled else "white")
+            low, cost, high = (
+                number(row[c]) for c in ("paired_low", "paired_ratio", "paired_high")
+            )
+            axis.plot(
+                [low, high], [y, y], color=COLORS[way], linewidth=1.2, marker="|", markersize=7
+            )
+            axis.plot(
+                [cost],
+                [y],
+                color=COLORS[way],
+                marker="o",
+                markersize=6,
+                markerfacecolor=COLORS[way] if filled else "white",
+            )
     axis.axvline(1, color="#555555", linewidth=0.8)
     way_rows(axis, ways)
     axis.set_xscale("log")
@@ -151,10 +236,14 @@ def main_chart(charts, directions, speed):
         error_panel(axis, directions, ratio)
     for axis, planes in zip(axes[1], (1, 3, 6)):
         cost_panel(axis, speed, planes)
-    charts.add("speed-accuracy", "Speed against accuracy: standard depth, 60 degrees, 1920x1080, planes of random directions; further left is better. "
-               "Dotted: 1/256 pixel, a rasteriser's step, below which no picture changes; dashed: half a pixel; grey: no measured edge is longer. "
-               "Costs: each frame against the frames without planes just before and after it; more frames narrow the whiskers, whatever else the machine does",
-               figure, "accuracy of every method above, cost of every method below")
+    charts.add(
+        "speed-accuracy",
+        "Speed against accuracy: standard depth, 60 degrees, 1920x1080, planes of random directions; further left is better. "
+        "Dotted: 1/256 pixel, a rasteriser's step, below which no picture changes; dashed: half a pixel; grey: no measured edge is longer. "
+        "Costs: each frame against the frames without planes just before and after it; more frames narrow the whiskers, whatever else the machine does",
+        figure,
+        "accuracy of every method above, cost of every method below",
+    )
 
 
 def flicker_chart(charts, flicker):
@@ -165,7 +254,14 @@ def flicker_chart(charts, flicker):
         rows = [r for r in flicker if r["method"] == method]
         values = [number(r["p99_px"]) for r in rows]
         label = method + (" (exactly 0)" if not any(values) else "")
-        axis.plot([number(r["eye_to_plane"]) for r in rows], [max(v, LEAST) for v in values], color=COLORS[method], marker="o", markersize=3, label=label)
+        axis.plot(
+            [number(r["eye_to_plane"]) for r in rows],
+            [max(v, LEAST) for v in values],
+            color=COLORS[method],
+            marker="o",
+            markersize=3,
+            label=label,
+        )
     axis.set_xscale("log")
     axis.set_yscale("log")
     axis.axhline(STEP, color="#555555", linewidth=0.9, linestyle=":")
@@ -173,7 +269,12 @@ def flicker_chart(charts, flicker):
     axis.set_xlabel("eye to plane, near distances")
     axis.set_ylabel("p99, pixels a frame")
     axis.legend(fontsize=8, loc="center left", bbox_to_anchor=(1.0, 0.5))
-    charts.add("flicker", "Flicker of a cut that stands still, while the camera pans", figure, "flicker by distance of eye and plane")
+    charts.add(
+        "flicker",
+        "Flicker of a cut that stands still, while the camera pans",
+        figure,
+        "flicker by distance of eye and plane",
+    )
 
 
 def sweep_charts(charts, edges):
@@ -181,8 +282,15 @@ def sweep_charts(charts, edges):
         figure, axis = plt.subplots(figsize=(6.1, 3.7))
         values = [number(r["parameter"]) for rows in methods.values() for r in rows]
         for method, rows in methods.items():
-            axis.plot([number(r["parameter"]) for r in rows], [max(number(r["p99_px"]), LEAST) for r in rows],
-                      color=COLORS[method], marker="o", markersize=3, linewidth=1.2, label=method)
+            axis.plot(
+                [number(r["parameter"]) for r in rows],
+                [max(number(r["p99_px"]), LEAST) for r in rows],
+                color=COLORS[method],
+                marker="o",
+                markersize=3,
+                linewidth=1.2,
+                label=method,
+            )
         axis.set_yscale("log")
         if min(values) > 0 and max(values) / min(values) > 20:
             axis.set_xscale("log")
@@ -193,22 +301,42 @@ def sweep_charts(charts, edges):
         axis.set_xlabel(sweep)
         axis.set_ylabel("p99, pixels")
         axis.legend(fontsize=7, ncol=2, loc="center left", bbox_to_anchor=(1.0, 0.5))
-        charts.add(f"edges-{index}", f"Displaced edges: {sweep}", figure, f"displaced edges by {sweep}")
+        charts.add(
+            f"edges-{index}", f"Displaced edges: {sweep}", figure, f"displaced edges by {sweep}"
+        )
 
 
 def pixel_chart(charts, pixels):
     sweeps = by_sweep(pixels, "way")
-    figure, axes = plt.subplots(math.ceil(len(sweeps) / 3), 3, figsize=(12.5, 2.7 * math.ceil(len(sweeps) / 3)), squeeze=False)
+    figure, axes = plt.subplots(
+        math.ceil(len(sweeps) / 3),
+        3,
+        figsize=(12.5, 2.7 * math.ceil(len(sweeps) / 3)),
+        squeeze=False,
+    )
     for axis, (sweep, ways) in zip(axes.flat, sweeps.items()):
         for way, rows in ways.items():
-            axis.plot([r["parameter"] for r in rows], [number(r["wrong"]) for r in rows], color=COLORS[way], marker="o", markersize=3, linewidth=1, label=way)
+            axis.plot(
+                [r["parameter"] for r in rows],
+                [number(r["wrong"]) for r in rows],
+                color=COLORS[way],
+                marker="o",
+                markersize=3,
+                linewidth=1,
+                label=way,
+            )
         axis.set_yscale("symlog", linthresh=1)
         axis.set_title(sweep, fontsize=9)
         axis.tick_params(axis="x", labelrotation=45, labelsize=7)
-    for axis in list(axes.flat)[len(sweeps):]:
+    for axis in list(axes.flat)[len(sweeps) :]:
         axis.set_axis_off()
     axes.flat[0].legend(fontsize=6, ncol=2)
-    charts.add("pixels", "Wrong fragments on Mesa's software OpenGL, against exactly clipped polygons", figure, "wrong fragments of every way")
+    charts.add(
+        "pixels",
+        "Wrong fragments on Mesa's software OpenGL, against exactly clipped polygons",
+        figure,
+        "wrong fragments of every way",
+    )
 
 
 def cost_chart(charts, speed):
@@ -219,56 +347,100 @@ def cost_chart(charts, speed):
         for offset, planes in enumerate((1, 3, 6)):
             bars = [(i, cost_of(speed, w, planes, setting)) for i, w in enumerate(ways)]
             bars = [(i, c) for i, c in bars if c is not None]
-            axis.barh([i + 0.26 * (offset - 1) for i, _ in bars], [c for _, c in bars], height=0.24,
-                      color=["#9ec9e2", "#3f8fc4", "#1c4f7c"][offset], label=f"{planes} planes" if planes > 1 else "1 plane")
+            axis.barh(
+                [i + 0.26 * (offset - 1) for i, _ in bars],
+                [c for _, c in bars],
+                height=0.24,
+                color=["#9ec9e2", "#3f8fc4", "#1c4f7c"][offset],
+                label=f"{planes} planes" if planes > 1 else "1 plane",
+            )
         axis.set_yticks(range(len(ways)))
         axis.set_yticklabels(ways)
         axis.invert_yaxis()
         axis.axvline(1, color="#555555", linewidth=0.8)
-        axis.set_title({"picture": "1280x720, nothing cut", "vertices": "64x64, nothing cut", "cut": "1280x720, most cut away"}[setting])
+        axis.set_title(
+            {
+                "picture": "1280x720, nothing cut",
+                "vertices": "64x64, nothing cut",
+                "cut": "1280x720, most cut away",
+            }[setting]
+        )
         axis.set_xlabel("CPU time / that without planes")
     axes[0].legend(fontsize=7)
-    charts.add("cost", "What each way costs", figure, "cost of every way with one, three and six planes")
+    charts.add(
+        "cost", "What each way costs", figure, "cost of every way with one, three and six planes"
+    )
 
 
 def depth_chart(charts, depth):
     methods = list(collections.OrderedDict.fromkeys(r["method"] for r in depth))
     figure, axes = plt.subplots(1, 2, figsize=(12.5, 3.6))
     eyes = list(collections.OrderedDict.fromkeys(r["eye"] for r in depth))
-    for axis, column, title in ((axes[0], "ordered", "pairs 0.1 % apart that are told apart rightly"), (axes[1], "lost", "visible points lost at the far plane")):
+    for axis, column, title in (
+        (axes[0], "ordered", "pairs 0.1 % apart that are told apart rightly"),
+        (axes[1], "lost", "visible points lost at the far plane"),
+    ):
         for method in methods:
-            axis.plot(eyes, [number(r[column]) for r in depth if r["method"] == method], marker="o", markersize=3, label=method)
+            axis.plot(
+                eyes,
+                [number(r[column]) for r in depth if r["method"] == method],
+                marker="o",
+                markersize=3,
+                label=method,
+            )
         refused = [r["eye"] for r in depth if r["method"] == "near-plane" and r["refused"] == "1"]
         if refused:
             axis.axvspan(eyes.index(refused[0]) - 0.5, len(eyes) - 0.5, color="#f6dddd", zorder=0)
         axis.set_title(title)
         axis.set_xlabel("eye above the plane (shaded: the runtime refuses)")
     axes[0].legend(fontsize=7)
-    charts.add("depth", "Depth precision that the sheared near plane leaves", figure, "depth precision by the eye's distance from the plane")
+    charts.add(
+        "depth",
+        "Depth precision that the sheared near plane leaves",
+        figure,
+        "depth precision by the eye's distance from the plane",
+    )
 
 
 def scene_chart(charts, scenes):
     figure, axis = plt.subplots(figsize=(8.5, 3.2))
-    columns = [("outside", "not in view", "#eeeeee"), ("culled", "clipped away whole", "#bbbbbb"), ("need0", "no plane", "#9ec9e2"),
-               ("need1", "1 plane", "#3f8fc4"), ("need2", "2 planes", "#1c4f7c"), ("need3", "3 or more", "#c0392b")]
+    columns = [
+        ("outside", "not in view", "#eeeeee"),
+        ("culled", "clipped away whole", "#bbbbbb"),
+        ("need0", "no plane", "#9ec9e2"),
+        ("need1", "1 plane", "#3f8fc4"),
+        ("need2", "2 planes", "#1c4f7c"),
+        ("need3", "3 or more", "#c0392b"),
+    ]
     left = [0.0] * len(scenes)
     for column, label, color in columns:
         widths = [number(r[column]) for r in scenes]
         axis.barh(range(len(scenes)), widths, left=left, color=color, label=label)
         left = [a + b for a, b in zip(left, widths)]
     axis.set_yticks(range(len(scenes)))
-    axis.set_yticklabels([f'{r["scene"]} ({r["planes"]})' for r in scenes])
+    axis.set_yticklabels([f"{r['scene']} ({r['planes']})" for r in scenes])
     axis.invert_yaxis()
     axis.set_xlabel("objects")
     axis.legend(fontsize=7, ncol=6, loc="upper center", bbox_to_anchor=(0.5, 1.2))
-    charts.add("planes-needed", "Planes that objects need (in brackets: planes of the scene)", figure, "planes needed per object in four scenes")
+    charts.add(
+        "planes-needed",
+        "Planes that objects need (in brackets: planes of the scene)",
+        figure,
+        "planes needed per object in four scenes",
+    )
 
 
 def advice_chart(charts, advice):
     figure, axis = plt.subplots(figsize=(6.1, 4.6))
     for way in collections.OrderedDict.fromkeys(r["way"] for r in advice):
         rows = [r for r in advice if r["way"] == way]
-        axis.scatter([number(r["bound_px"]) for r in rows], [max(number(r["measured_px"]), 1e-6) for r in rows], color=COLORS[way], s=16, label=way)
+        axis.scatter(
+            [number(r["bound_px"]) for r in rows],
+            [max(number(r["measured_px"]), 1e-6) for r in rows],
+            color=COLORS[way],
+            s=16,
+            label=way,
+        )
     ends = [1e-5, 1]
     axis.plot(ends, ends, color="#555555", linewidth=0.8, linestyle="--")
     axis.set_xscale("log")
@@ -276,29 +448,67 @@ def advice_chart(charts, advice):
     axis.set_xlabel("predicted bound, pixels")
     axis.set_ylabel("measured p99, pixels")
     axis.legend(fontsize=7)
-    charts.add("advice", "The advice on 100 random draws: below the line is as promised", figure, "predicted bound against measured error")
+    charts.add(
+        "advice",
+        "The advice on 100 random draws: below the line is as promised",
+        figure,
+        "predicted bound against measured error",
+    )
 
 
 def table(head, rows):
     cells = "".join(f"<th>{html.escape(h)}</th>" for h in head)
-    body = "".join("<tr>" + "".join(f"<td>{html.escape(str(c))}</td>" for c in row) + "</tr>" for row in rows)
+    body = "".join(
+        "<tr>" + "".join(f"<td>{html.escape(str(c))}</td>" for c in row) + "</tr>" for row in rows
+    )
     return f"<table><thead><tr>{cells}</tr></thead><tbody>{body}</tbody></table>"
 
 
 def which_table(scenes, advice):
-    rows = [[f'{r["scene"]}: {r["planes"]} planes', r["way"], HOW[r["way"]], f'{number(r["bound_px"]):.2g}', f'{number(r["cost"]):.2f}',
-             f'{100 * number(r["share"]):.0f} % of the objects that a plane cuts'] for r in scenes]
+    rows = [
+        [
+            f"{r['scene']}: {r['planes']} planes",
+            r["way"],
+            HOW[r["way"]],
+            f"{number(r['bound_px']):.2g}",
+            f"{number(r['cost']):.2f}",
+            f"{100 * number(r['share']):.0f} % of the objects that a plane cuts",
+        ]
+        for r in scenes
+    ]
     groups = collections.OrderedDict()
     for r in advice:
-        machine = "clip distances" if r["clip_distances"] == "1" else "SetClipPlane" if r["user_planes"] == "1" else "neither"
-        view = "orthographic" if r["orthographic"] == "1" else "reversed depth" if r["reversed"] == "1" else "standard depth"
-        groups.setdefault((machine, "rigid" if r["rigid"] == "1" else "moved by the shader", view), []).append(r)
+        machine = (
+            "clip distances"
+            if r["clip_distances"] == "1"
+            else "SetClipPlane"
+            if r["user_planes"] == "1"
+            else "neither"
+        )
+        view = (
+            "orthographic"
+            if r["orthographic"] == "1"
+            else "reversed depth"
+            if r["reversed"] == "1"
+            else "standard depth"
+        )
+        groups.setdefault(
+            (machine, "rigid" if r["rigid"] == "1" else "moved by the shader", view), []
+        ).append(r)
     for key in sorted(groups):
         counts = collections.Counter(r["way"] for r in groups[key])
         way, times = counts.most_common(1)[0]
         chosen = [r for r in groups[key] if r["way"] == way]
-        rows.append(["; ".join(key), way, HOW[way], f'{max(number(r["bound_px"]) for r in chosen):.2g}',
-                     f'{number(chosen[0]["cost"]):.2f}', f"{times} of {len(groups[key])} random draws"])
+        rows.append(
+            [
+                "; ".join(key),
+                way,
+                HOW[way],
+                f"{max(number(r['bound_px']) for r in chosen):.2g}",
+                f"{number(chosen[0]['cost']):.2f}",
+                f"{times} of {len(groups[key])} random draws",
+            ]
+        )
     return table(["scene or draw", "method", "how", "error at most, px", "cost", "for"], rows)
 
 
@@ -309,37 +519,87 @@ def failure_table(edges):
         for r in edges:
             if r["method"] == method and r["applies"] == "1" and number(r["p99_px"]) > 0.5:
                 worst.setdefault(r["sweep"], []).append(number(r["parameter"]))
-        text = "; ".join(f"{sweep} {min(v):g} to {max(v):g}" if len(v) > 1 else f"{sweep} {v[0]:g}" for sweep, v in worst.items())
-        refused = collections.OrderedDict.fromkeys(r["sweep"] for r in edges if r["method"] == method and r["applies"] == "0")
+        text = "; ".join(
+            f"{sweep} {min(v):g} to {max(v):g}" if len(v) > 1 else f"{sweep} {v[0]:g}"
+            for sweep, v in worst.items()
+        )
+        refused = collections.OrderedDict.fromkeys(
+            r["sweep"] for r in edges if r["method"] == method and r["applies"] == "0"
+        )
         rows.append([method, HOW[method], text or "nowhere", "; ".join(refused) or "-"])
-    return table(["method", "how", "more than half a pixel off at", "not usable somewhere in"], rows)
+    return table(
+        ["method", "how", "more than half a pixel off at", "not usable somewhere in"], rows
+    )
 
 
 def special_table(special):
     """Odd planes and odd triangles by way; wrong ones in bold."""
     cases = list(collections.OrderedDict.fromkeys((r["sweep"], r["what"]) for r in special))
     ways = list(collections.OrderedDict.fromkeys(r["way"] for r in special))
-    found = {(r["sweep"], r["what"], r["way"]): (number(r["got"]), number(r["right"])) for r in special}
+    found = {
+        (r["sweep"], r["what"], r["way"]): (number(r["got"]), number(r["right"])) for r in special
+    }
     rows = []
     for sweep, what in cases:
         cells = []
         for way in ways:
             got, right = found.get((sweep, what, way), (None, None))
-            cells.append("-" if got is None else f"{got:.3f}" if abs(got - right) < 0.02 else f"{got:.3f}, wrong")
-        rights = sorted({f"{found[sweep, what, way][1]:.2f}" for way in ways if (sweep, what, way) in found})
+            cells.append(
+                "-"
+                if got is None
+                else f"{got:.3f}"
+                if abs(got - right) < 0.02
+                else f"{got:.3f}, wrong"
+            )
+        rights = sorted(
+            {f"{found[sweep, what, way][1]:.2f}" for way in ways if (sweep, what, way) in found}
+        )
         rows.append([sweep, what, " to ".join(dict.fromkeys((rights[0], rights[-1])))] + cells)
     return table(["sweep", "what", "right"] + ways, rows)
 
 
 def laws_table(laws):
-    return table(["regime", "draws", "below 0.2", "above 3", "least", "median", "most", "all edges together"],
-                 [[r["regime"], r["draws"], r["low"], r["high"]] + [f'{number(r[c]):.2f}' for c in ("least", "median", "most", "pooled_p99")] for r in laws])
+    return table(
+        [
+            "regime",
+            "draws",
+            "below 0.2",
+            "above 3",
+            "least",
+            "median",
+            "most",
+            "all edges together",
+        ],
+        [
+            [r["regime"], r["draws"], r["low"], r["high"]]
+            + [f"{number(r[c]):.2f}" for c in ("least", "median", "most", "pooled_p99")]
+            for r in laws
+        ],
+    )
 
 
 def roundings_table(roundings):
-    return table(["field of view", "roundings of xyw1", "draws", "p99 on average, px", "at worst", "draws over 0.002"],
-                 [[f'{number(r["fov"]):g} degrees', r["rounding"], r["draws"], f'{number(r["mean_px"]):.2g}', f'{number(r["worst_px"]):.2g}', r["over"]]
-                  for r in roundings])
+    return table(
+        [
+            "field of view",
+            "roundings of xyw1",
+            "draws",
+            "p99 on average, px",
+            "at worst",
+            "draws over 0.002",
+        ],
+        [
+            [
+                f"{number(r['fov']):g} degrees",
+                r["rounding"],
+                r["draws"],
+                f"{number(r['mean_px']):.2g}",
+                f"{number(r['worst_px']):.2g}",
+                r["over"],
+            ]
+            for r in roundings
+        ],
+    )
 
 
 def pictures(folder):
@@ -347,7 +607,9 @@ def pictures(folder):
     for path in sorted(folder.glob("picture-*.png")):
         way = path.stem.removeprefix("picture-")
         data = base64.b64encode(path.read_bytes()).decode()
-        parts.append(f'<figure class="picture"><img alt="{way}" src="data:image/png;base64,{data}"><figcaption>{way}</figcaption></figure>')
+        parts.append(
+            f'<figure class="picture"><img alt="{way}" src="data:image/png;base64,{data}"><figcaption>{way}</figcaption></figure>'
+        )
     return "".join(parts)
 
 
@@ -363,45 +625,88 @@ def main():
         main_chart(Charts(folder), read(tables, "directions.csv"), read(tables, "speed.csv"))
         return
     folder = pathlib.Path(sys.argv[1])
-    edges, pixels, speed = read(folder, "edges.csv"), read(folder, "pixels.csv"), read(folder, "speed.csv")
-    scenes, advice, depth = read(folder, "scenes.csv"), read(folder, "advice.csv"), read(folder, "depth.csv")
+    edges, pixels, speed = (
+        read(folder, "edges.csv"),
+        read(folder, "pixels.csv"),
+        read(folder, "speed.csv"),
+    )
+    scenes, advice, depth = (
+        read(folder, "scenes.csv"),
+        read(folder, "advice.csv"),
+        read(folder, "depth.csv"),
+    )
     charts = Charts(folder)
     main_chart(charts, read(folder, "directions.csv"), speed)
     charts.text("<h2>In motion</h2>")
     flicker_chart(charts, read(folder, "flicker.csv"))
     kept = sum(number(r["measured_px"]) <= number(r["bound_px"]) for r in advice)
     cheap = sum(number(r["cost"]) <= 1.15 * number(r["best_cost"]) for r in advice)
-    charts.text("<h2>Which method for which scene</h2>" + which_table(scenes, advice) +
-                f"<p>On {len(advice)} random draws: error under its bound in {kept}, cost, measured a second time, within 15 % of the best admissible method in {cheap}.</p>")
+    charts.text(
+        "<h2>Which method for which scene</h2>"
+        + which_table(scenes, advice)
+        + f"<p>On {len(advice)} random draws: error under its bound in {kept}, cost, measured a second time, within 15 % of the best admissible method in {cheap}.</p>"
+    )
     advice_chart(charts, advice)
     held = read(folder, "advice-scenes.csv")[0]
-    charts.text(f'<p>On {held["scenes"]} random scenes with {held["advised"]} objects that a plane cuts, {held["meets"]} are said to meet the tolerance; '
-                f'{held["misses"]} of them miss it. Ways that meet it with a margin of two: {held["overlooked"]} overlooked, {held["dearer"]} cheaper than the advised one.</p>')
+    charts.text(
+        f"<p>On {held['scenes']} random scenes with {held['advised']} objects that a plane cuts, {held['meets']} are said to meet the tolerance; "
+        f"{held['misses']} of them miss it. Ways that meet it with a margin of two: {held['overlooked']} overlooked, {held['dearer']} cheaper than the advised one.</p>"
+    )
     charts.text("<h2>Where each method fails</h2>" + failure_table(edges) + '<div class="sweeps">')
     sweep_charts(charts, edges)
-    charts.text("</div><h2>The laws, on draws that nobody chose</h2><p>Measured 99th percentiles over what PredictEdgeError says.</p>" +
-                laws_table(read(folder, "laws.csv")))
+    charts.text(
+        "</div><h2>The laws, on draws that nobody chose</h2><p>Measured 99th percentiles over what PredictEdgeError says.</p>"
+        + laws_table(read(folder, "laws.csv"))
+    )
     charts.text("<h2>On a real rasteriser</h2>")
     pixel_chart(charts, pixels)
-    charts.text("<h3>Special values, triangles through w = 0, multisampling</h3><p>Special values: the share of the fragments without a plane "
-                "that are drawn. Through w = 0: the same, and with the opposite plane's added. Multisampling: the share of rows in which the cut "
-                "is smooth. The runtime refuses planes that are so short or so long, or changes their length.</p>" + special_table(read(folder, "special.csv")))
-    charts.text("<h2>What narrow views cost xyw1</h2><p>Random planes and cameras, surfaces at 5 degrees or more; `all` is xyw1 as it is.</p>" +
-                roundings_table(read(folder, "roundings.csv")))
+    charts.text(
+        "<h3>Special values, triangles through w = 0, multisampling</h3><p>Special values: the share of the fragments without a plane "
+        "that are drawn. Through w = 0: the same, and with the opposite plane's added. Multisampling: the share of rows in which the cut "
+        "is smooth. The runtime refuses planes that are so short or so long, or changes their length.</p>"
+        + special_table(read(folder, "special.csv"))
+    )
+    charts.text(
+        "<h2>What narrow views cost xyw1</h2><p>Random planes and cameras, surfaces at 5 degrees or more; `all` is xyw1 as it is.</p>"
+        + roundings_table(read(folder, "roundings.csv"))
+    )
     charts.text("<h2>Cost</h2>")
     cost_chart(charts, speed)
     charts.text("<h2>Depth</h2>")
     depth_chart(charts, depth)
     charts.text("<h2>No more planes than needed</h2>")
     scene_chart(charts, scenes)
-    charts.text(table(["scene", "planes", "draw calls", "planes of all draws", "least CPU time, ms", "picture as with all planes"],
-                      [[r["scene"], r["planes"], r["draws"], r["planes_drawn"], f'{number(r["least_ms"]):.1f}', "yes" if r["same_picture"] == "1" else "no"]
-                       for r in read(folder, "scene-costs.csv")]))
-    charts.text(f'<h2>A cut 230,000 near distances away</h2><div class="pictures">{pictures(folder)}</div>')
+    charts.text(
+        table(
+            [
+                "scene",
+                "planes",
+                "draw calls",
+                "planes of all draws",
+                "least CPU time, ms",
+                "picture as with all planes",
+            ],
+            [
+                [
+                    r["scene"],
+                    r["planes"],
+                    r["draws"],
+                    r["planes_drawn"],
+                    f"{number(r['least_ms']):.1f}",
+                    "yes" if r["same_picture"] == "1" else "no",
+                ]
+                for r in read(folder, "scene-costs.csv")
+            ],
+        )
+    )
+    charts.text(
+        f'<h2>A cut 230,000 near distances away</h2><div class="pictures">{pictures(folder)}</div>'
+    )
     body = "\n".join(charts.parts)
     (folder / "report.html").write_text(
         f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>clipc: speed against accuracy</title><style>{STYLE}</style></head>\n'
-        f"<body><h1>Clip planes: speed against accuracy</h1>\n{body}\n</body></html>\n")
+        f"<body><h1>Clip planes: speed against accuracy</h1>\n{body}\n</body></html>\n"
+    )
     print(folder / "report.html")
 
 

@@ -8,6 +8,7 @@ Cuts are taken by shooting rays at the plane through random pixels. What is righ
 float32 is every operation rounded by itself. A way that is said to meet the tolerance and does not is a failure, as is a way
 that meets it with a margin of two where none is said to; one way in fifty may be 15 % dearer than one that does. --blind takes a
 hundredth of the tolerance and must fail."""
+
 import fractions
 import json
 import math
@@ -20,7 +21,15 @@ import tempfile
 
 import make_scenes
 
-COSTS = {"clip": 1, "xyw1": 1, "object": 1, "world": 1.2, "discard": 1.4, "discard-object": 1.4, "cpu": 1.6}
+COSTS = {
+    "clip": 1,
+    "xyw1": 1,
+    "object": 1,
+    "world": 1.2,
+    "discard": 1.4,
+    "discard-object": 1.4,
+    "cpu": 1.6,
+}
 ARITHMETIC = {"discard": "clip", "discard-object": "object"}
 EDGES = 300
 F = fractions.Fraction
@@ -80,35 +89,59 @@ class Draw:
         axes = [[t, 0, -s], [0, 1, 0], [s, 0, t]]
         eye = c["eye"]
         self.view = [[axes[j][i] for j in range(3)] + [0.0] for i in range(3)]
-        self.view.append([-sum(eye[i] * self.view[i][j] for i in range(3)) for j in range(3)] + [1.0])
+        self.view.append(
+            [-sum(eye[i] * self.view[i][j] for i in range(3)) for j in range(3)] + [1.0]
+        )
         near, far, reverse = c["near"], c["far"], c.get("reversed", False)
         at_near, at_far = (1, 0) if reverse else (0, 1)
         ox, oy = c["offset"]
         if self.is_ortho:
             a = (at_far - at_near) / (far - near)
-            self.projection = [[1 / (c["aspect"] * c["half_height"]), 0, 0, 0], [0, 1 / c["half_height"], 0, 0], [0, 0, a, 0],
-                               [ox, oy, at_near - a * near, 1]]
+            self.projection = [
+                [1 / (c["aspect"] * c["half_height"]), 0, 0, 0],
+                [0, 1 / c["half_height"], 0, 0],
+                [0, 0, a, 0],
+                [ox, oy, at_near - a * near, 1],
+            ]
         else:
             py = 1 / math.tan(math.radians(c["fov"]) / 2)
-            a, b = (at_far, (at_near - at_far) * near) if c.get("infinite") else (
-                (at_far * far - at_near * near) / (far - near), (at_near - at_far) * near * far / (far - near))
-            self.projection = [[py / c["aspect"], 0, 0, 0], [0, py, 0, 0], [ox, oy, a, 1], [0, 0, b, 0]]
-        self.world = [thing["world"][4 * i:4 * i + 4] for i in range(4)]
+            a, b = (
+                (at_far, (at_near - at_far) * near)
+                if c.get("infinite")
+                else (
+                    (at_far * far - at_near * near) / (far - near),
+                    (at_near - at_far) * near * far / (far - near),
+                )
+            )
+            self.projection = [
+                [py / c["aspect"], 0, 0, 0],
+                [0, py, 0, 0],
+                [ox, oy, a, 1],
+                [0, 0, b, 0],
+            ]
+        self.world = [thing["world"][4 * i : 4 * i + 4] for i in range(4)]
         self.world_view = multiply(self.world, self.view)
         self.all = multiply(self.world_view, self.projection)
         self.rows = scene["picture_height"]
 
     def pixel(self, clip):
-        return clip[0] / clip[3] * self.rows / 2 * self.camera["aspect"], clip[1] / clip[3] * self.rows / 2
+        return clip[0] / clip[3] * self.rows / 2 * self.camera["aspect"], clip[1] / clip[
+            3
+        ] * self.rows / 2
 
     def places(self, view_plane, r):
         """Random places of the cut that the picture shows, in view space."""
         c = self.camera
-        inverse = [[float(x) for x in solve(self.world_view, [float(i == j) for j in range(4)])] for i in range(4)]
+        inverse = [
+            [float(x) for x in solve(self.world_view, [float(i == j) for j in range(4)])]
+            for i in range(4)
+        ]
         to_object = [[inverse[j][i] for j in range(4)] for i in range(4)]
         low, high = self.thing["low"], self.thing["high"]
         corners = [[(high if n >> k & 1 else low)[k] for k in range(3)] + [1] for n in range(8)]
-        seen = [[sum(v[i] * self.world_view[i][j] for i in range(4)) for j in range(3)] for v in corners]
+        seen = [
+            [sum(v[i] * self.world_view[i][j] for i in range(4)) for j in range(3)] for v in corners
+        ]
         ranges = [(-1.0, 1.0), (-1.0, 1.0)]
         if self.is_ortho or min(p[2] for p in seen) > c["near"]:
             for axis in range(2):
@@ -127,7 +160,10 @@ class Draw:
             if not c["near"] < z < far:
                 continue
             place = [a + z * b for a, b in zip(start, ray)]
-            inside = [sum(p * q for p, q in zip([*place, 1], (to_object[i][j] for i in range(4)))) for j in range(3)]
+            inside = [
+                sum(p * q for p, q in zip([*place, 1], (to_object[i][j] for i in range(4))))
+                for j in range(3)
+            ]
             if all(a <= b <= d for a, b, d in zip(low, inside, high)):
                 yield place, to_object
         # A plane that is seen edge on: no pixel's ray meets it, and its line in the picture is where it cuts.
@@ -137,9 +173,15 @@ class Draw:
             place = [sum(v[i] * self.world_view[i][j] for i in range(4)) for j in range(3)]
             away = (sum(a * b for a, b in zip(n, place)) + w) / norm
             place = [p - away * x for p, x in zip(place, n)]
-            if not c["near"] < place[2] < far or max(abs(self.onto(place, axis)) for axis in range(2)) > 1:
+            if (
+                not c["near"] < place[2] < far
+                or max(abs(self.onto(place, axis)) for axis in range(2)) > 1
+            ):
                 continue
-            inside = [sum(p * q for p, q in zip([*place, 1], (to_object[i][j] for i in range(4)))) for j in range(3)]
+            inside = [
+                sum(p * q for p, q in zip([*place, 1], (to_object[i][j] for i in range(4))))
+                for j in range(3)
+            ]
             if all(a <= b <= d for a, b, d in zip(low, inside, high)):
                 yield place, to_object
 
@@ -153,7 +195,10 @@ class Draw:
             exact = [float(x) for x in before(self.world, world_plane)]
             return lambda v: sum(a * b for a, b in zip(v, exact))
         if way in ("object", "world"):
-            constant = [f32(float(x)) for x in (before(self.world, world_plane) if way == "object" else world_plane)]
+            constant = [
+                f32(float(x))
+                for x in (before(self.world, world_plane) if way == "object" else world_plane)
+            ]
             if way == "object":
                 return lambda v: dot32(v, constant)
             columns = columns32(self.world)
@@ -177,7 +222,16 @@ class Draw:
         normal = [float(x) for x in view_plane[:3]]
         length = math.sqrt(sum(x * x for x in normal))
         normal = [x / length for x in normal]
-        diagonal = math.sqrt(sum(sum((self.thing["high"][i] - self.thing["low"][i]) * abs(self.world[i][j]) for i in range(3)) ** 2 for j in range(3)))
+        diagonal = math.sqrt(
+            sum(
+                sum(
+                    (self.thing["high"][i] - self.thing["low"][i]) * abs(self.world[i][j])
+                    for i in range(3)
+                )
+                ** 2
+                for j in range(3)
+            )
+        )
         made = []
         for place, to_object in self.places(view_plane, r):
             while True:
@@ -192,7 +246,9 @@ class Draw:
             ends = []
             for t in (-part * reach, (1 - part) * reach):
                 v = [p + t * a for p, a in zip(place, along)] + [1]
-                ends.append([f32(sum(v[i] * to_object[i][j] for i in range(4))) for j in range(3)] + [1.0])
+                ends.append(
+                    [f32(sum(v[i] * to_object[i][j] for i in range(4))) for j in range(3)] + [1.0]
+                )
             true = [sum(c * int(math.ldexp(x, 100)) for c, x in zip(exact, v)) for v in ends]
             if (true[0] >= 0) != (true[1] >= 0):
                 made.append((ends, true))
@@ -252,7 +308,10 @@ def is_possible(way, scene, thing):
 def check(study, scene, folder, factor, found):
     path, out = folder / "scene.json", folder / "advice.json"
     path.write_text(json.dumps(scene))
-    code = subprocess.run([study, "scene", str(path), "--costs", str(folder / "costs.csv"), "--json", str(out)], stdout=subprocess.DEVNULL).returncode
+    code = subprocess.run(
+        [study, "scene", str(path), "--costs", str(folder / "costs.csv"), "--json", str(out)],
+        stdout=subprocess.DEVNULL,
+    ).returncode
     if code not in (0, 1):
         found["problems"].append(f"{scene['name']}: clipc-study ends with {code}")
         return
@@ -264,7 +323,9 @@ def check(study, scene, folder, factor, found):
         if said["drawn"] != "yes" or "refused" in said or not said["planes"]:
             continue
         draw = Draw(scene, thing)
-        by = lambda way, every_plane=False, draw=draw, said=said: draw.lost(ARITHMETIC.get(way, way), said["planes"], every_plane)
+        by = lambda way, every_plane=False, draw=draw, said=said: draw.lost(
+            ARITHMETIC.get(way, way), said["planes"], every_plane
+        )
         found["advised"] += 1
         if said["meets"]:
             found["meets"] += 1
@@ -272,9 +333,13 @@ def check(study, scene, folder, factor, found):
             if lost is None:
                 found["unseen"] += 1
             elif lost > tolerance:
-                found["problems"].append(f"{scene['name']}, {thing['name']}: {said['method']} loses {lost:.3g} of {tolerance:g} pixels")
+                found["problems"].append(
+                    f"{scene['name']}, {thing['name']}: {said['method']} loses {lost:.3g} of {tolerance:g} pixels"
+                )
         for way, cost in COSTS.items():
-            if not is_possible(way, scene, thing) or (said["meets"] and cost * 1.15 >= said["cost"]):
+            if not is_possible(way, scene, thing) or (
+                said["meets"] and cost * 1.15 >= said["cost"]
+            ):
                 continue
             lost = by(way, every_plane=True)
             if lost is None or lost > tolerance / 2:
@@ -282,7 +347,9 @@ def check(study, scene, folder, factor, found):
             if said["meets"]:
                 found["dearer"] += 1
             else:
-                found["problems"].append(f"{scene['name']}, {thing['name']}: {way} loses {lost:.3g} of {tolerance:g} pixels and is overlooked")
+                found["problems"].append(
+                    f"{scene['name']}, {thing['name']}: {way} loses {lost:.3g} of {tolerance:g} pixels and is overlooked"
+                )
             break
 
 
@@ -293,18 +360,30 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         lines = ["setting,way,planes,median_ms,least_ms,ratio,paired_ratio"]
-        lines += [f"picture,{way},{planes},1,1,{cost},{cost}" for way, cost in COSTS.items() for planes in (1, 3, 6)]
+        lines += [
+            f"picture,{way},{planes},1,1,{cost},{cost}"
+            for way, cost in COSTS.items()
+            for planes in (1, 3, 6)
+        ]
         (folder / "costs.csv").write_text("\n".join(lines) + "\n")
         for number in range(count):
-            check(sys.argv[1], make_scenes.scene(number), folder, 0.01 if "--blind" in arguments else 1, found)
+            check(
+                sys.argv[1],
+                make_scenes.scene(number),
+                folder,
+                0.01 if "--blind" in arguments else 1,
+                found,
+            )
     if found["dearer"] > 0.02 * found["advised"]:
         found["problems"].append("more than one in fifty is dearer than needed")
     if "--blind" in arguments:
         print(f"{len(found['problems'])} problems are seen")
         return not found["problems"]
     print("".join(f"{problem}\n" for problem in found["problems"]), end="")
-    print(f"{count} scenes, {found['advised']} objects that a plane cuts, {found['meets']} said to meet ({found['unseen']} with hardly a cut in the picture): "
-          f"{len(found['problems'])} problems, {found['dearer']} dearer than needed")
+    print(
+        f"{count} scenes, {found['advised']} objects that a plane cuts, {found['meets']} said to meet ({found['unseen']} with hardly a cut in the picture): "
+        f"{len(found['problems'])} problems, {found['dearer']} dearer than needed"
+    )
     return bool(found["problems"])
 
 

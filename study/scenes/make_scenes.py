@@ -4,6 +4,7 @@
 touch, and extremes of every kind. Shares no code and no distribution with study/random_scenes.cpp.
 
 scene(number) is the scene of that number, the same on every machine."""
+
 import math
 import random
 
@@ -33,18 +34,28 @@ class Style:
 
     def __init__(self, r):
         self.r = r
-        self.camera = {"name": "c", "aspect": r.choice([1, 4 / 3, 16 / 9, 21 / 9]), "near": 0.1, "far": 1000, "fov": 60}
+        self.camera = {
+            "name": "c",
+            "aspect": r.choice([1, 4 / 3, 16 / 9, 21 / 9]),
+            "near": 0.1,
+            "far": 1000,
+            "fov": 60,
+        }
         self.depth = r.choice([2, 5, 10, 30, 100])
         self.size = 0.3
         self.eye = [0.0, 0.0, 0.0]
         self.baked = False
-        self.away = 0.0   # of the object's vertices from their origin
+        self.away = 0.0  # of the object's vertices from their origin
         self.shape = [[1.0, 0, 0], [0, 1.0, 0], [0, 0, 1.0]]
         self.normal = None
 
 
 def game(s):
-    s.camera |= {"near": s.r.choice([0.01, 0.05, 0.1, 0.3]), "far": s.r.choice([1000, 10000]), "fov": s.r.choice([50, 60, 75, 90, 110])}
+    s.camera |= {
+        "near": s.r.choice([0.01, 0.05, 0.1, 0.3]),
+        "far": s.r.choice([1000, 10000]),
+        "fov": s.r.choice([50, 60, 75, 90, 110]),
+    }
     s.eye = [s.r.randrange(-200, 200), 1.7, s.r.randrange(-200, 200)]
 
 
@@ -60,7 +71,11 @@ def telescope(s):
 
 def survey(s):
     """Vertices in coordinates of a country's grid."""
-    s.eye = [s.r.choice([1, -1]) * s.r.randrange(10**4, 7 * 10**6), s.r.randrange(0, 3000), s.r.randrange(10**4, 7 * 10**6)]
+    s.eye = [
+        s.r.choice([1, -1]) * s.r.randrange(10**4, 7 * 10**6),
+        s.r.randrange(0, 3000),
+        s.r.randrange(10**4, 7 * 10**6),
+    ]
     s.camera |= {"near": 1, "far": 20000}
     s.depth, s.baked = s.r.choice([100, 1000]), s.r.random() < 0.6
 
@@ -75,21 +90,38 @@ def drawing(s):
 
 
 def sun(s):
-    s.camera |= {"orthographic": True, "half_height": 2.0 ** s.r.randrange(2, 9), "near": 1, "far": 60000, "aspect": 1}
+    s.camera |= {
+        "orthographic": True,
+        "half_height": 2.0 ** s.r.randrange(2, 9),
+        "near": 1,
+        "far": 60000,
+        "aspect": 1,
+    }
     s.depth = s.r.choice([500, 20000])
 
 
 def tile(s):
-    s.camera |= {"offset": [s.r.choice([-5, -3, -1, 1, 3, 5]), s.r.choice([-3, -1, 1, 3])], "near": 0.5}
+    s.camera |= {
+        "offset": [s.r.choice([-5, -3, -1, 1, 3, 5]), s.r.choice([-3, -1, 1, 3])],
+        "near": 0.5,
+    }
 
 
 def mirror(s):
-    s.shape = [[s.r.choice([-1, -2, 0.01]), 0, 0], [0, s.r.choice([1, 100]), 0], [0, 0, s.r.choice([-1, 1, 0.125])]]
+    s.shape = [
+        [s.r.choice([-1, -2, 0.01]), 0, 0],
+        [0, s.r.choice([1, 100]), 0],
+        [0, 0, s.r.choice([-1, 1, 0.125])],
+    ]
     s.camera |= {"infinite": True, "near": s.r.choice([0.02, 0.2]), "reversed": s.r.random() < 0.5}
 
 
 def sheared(s):
-    s.shape = [[1, s.r.choice([0, 0.5, 3]), 0], [0, 1, s.r.choice([0, 0.25])], [s.r.choice([0, 2]), 0, 1]]
+    s.shape = [
+        [1, s.r.choice([0, 0.5, 3]), 0],
+        [0, 1, s.r.choice([0, 0.25])],
+        [s.r.choice([0, 2]), 0, 1],
+    ]
 
 
 def terrain(s):
@@ -119,8 +151,15 @@ def add_object(s, number, middle, scene):
         shape, origin, place = turn(0, 0), list(middle), [0.0, 0.0, 0.0]
     else:
         place = [middle[j] - sum(origin[i] * shape[i][j] for i in range(3)) for j in range(3)]
-    scene["objects"].append({"name": f"object {number}", "rigid": r.random() < 0.7, "world": flat(shape, place),
-                             "low": [o - b for o, b in zip(origin, box)], "high": [o + b for o, b in zip(origin, box)]})
+    scene["objects"].append(
+        {
+            "name": f"object {number}",
+            "rigid": r.random() < 0.7,
+            "world": flat(shape, place),
+            "low": [o - b for o, b in zip(origin, box)],
+            "high": [o + b for o, b in zip(origin, box)],
+        }
+    )
 
 
 def scene(number):
@@ -140,16 +179,45 @@ def scene(number):
     def before(x, y, depth):
         return [s.eye[j] + depth * forward[j] + x * right[j] + y * (j == 1) for j in range(3)]
 
-    made = {"schema": "clipc.study-scene", "version": 1, "name": f"{style.__name__} {number}", "cameras": [s.camera], "planes": [], "objects": [],
-            "picture_height": r.choice([480, 1080, 2160, 4096]), "tolerance": r.choice([0.01, 0.05, 0.1, 0.25, 0.5, 1]),
-            "one_matrix": r.random() < 0.6, "can_discard": r.random() < 0.7}
+    made = {
+        "schema": "clipc.study-scene",
+        "version": 1,
+        "name": f"{style.__name__} {number}",
+        "cameras": [s.camera],
+        "planes": [],
+        "objects": [],
+        "picture_height": r.choice([480, 1080, 2160, 4096]),
+        "tolerance": r.choice([0.01, 0.05, 0.1, 0.25, 0.5, 1]),
+        "one_matrix": r.random() < 0.6,
+        "can_discard": r.random() < 0.7,
+    }
     middle = before(*across, s.depth)
     for plane in range(r.choice([1, 1, 2, 3])):
-        normal = s.normal or r.choice([[0, 1, 0], [0, -1, 0], [1, 0, 0], [0, 0, 1], [1, 1, 0], [3, 4, 0], [1, 2, 2], [r.uniform(-1, 1) for _ in range(3)]])
+        normal = s.normal or r.choice(
+            [
+                [0, 1, 0],
+                [0, -1, 0],
+                [1, 0, 0],
+                [0, 0, 1],
+                [1, 1, 0],
+                [3, 4, 0],
+                [1, 2, 2],
+                [r.uniform(-1, 1) for _ in range(3)],
+            ]
+        )
         length = r.choice([1, 1, 1, 0.5, 1e-9, 1e9])
         normal = [length * n for n in normal]
-        through = middle if s.normal and not s.camera.get("orthographic") and style is not edge_on else [m + s.high * r.choice([0, 0.1, -0.2]) for m in middle]
-        made["planes"].append({"name": f"plane {plane}", "plane": [*normal, -sum(n * t for n, t in zip(normal, through))]})
+        through = (
+            middle
+            if s.normal and not s.camera.get("orthographic") and style is not edge_on
+            else [m + s.high * r.choice([0, 0.1, -0.2]) for m in middle]
+        )
+        made["planes"].append(
+            {
+                "name": f"plane {plane}",
+                "plane": [*normal, -sum(n * t for n, t in zip(normal, through))],
+            }
+        )
     if number % 29 == 0:
         made["planes"].append({"name": "nothing", "plane": [0, 0, 0, r.choice([0, 1])]})
     for each in range(r.choice([1, 3, 6])):

@@ -11,6 +11,7 @@ evaluator. With --peer it is what glslang's HLSL front end makes of the shader t
 tools/peer/run builds that program and runs this.
 A shader that differs is tried again with twice the tolerance (tools/draw/compare.h), and listed whatever comes out.
 """
+
 import argparse
 import collections
 import concurrent.futures
@@ -22,8 +23,20 @@ VERDICTS = {0: "equal", 1: "different"}
 
 def compare(arguments, line):
     path, entry, profile, includes, defines = (line.rstrip("\n").split("\t") + [""] * 5)[:5]
-    command = [arguments.program, path] if arguments.peer else [
-        arguments.program, "compare", path, "--target", arguments.target, "--lower", "clip-distance", "--direct3d"]
+    command = (
+        [arguments.program, path]
+        if arguments.peer
+        else [
+            arguments.program,
+            "compare",
+            path,
+            "--target",
+            arguments.target,
+            "--lower",
+            "clip-distance",
+            "--direct3d",
+        ]
+    )
     command += ["-T", profile, "-E", entry]
     for flag, values in (("-I", includes), ("-D", defines)):
         for value in filter(None, values.split(";")):
@@ -32,11 +45,23 @@ def compare(arguments, line):
         done = subprocess.run(command, capture_output=True, text=True, errors="replace", timeout=60)
         # A loop counts to a random number, or all random indices lie outside.
         if "step limit" in done.stderr or "nothing was compared" in done.stderr:
-            done = subprocess.run(command + ["--ints", "0..3"], capture_output=True, text=True, errors="replace", timeout=60)
+            done = subprocess.run(
+                command + ["--ints", "0..3"],
+                capture_output=True,
+                text=True,
+                errors="replace",
+                timeout=60,
+            )
         verdict = VERDICTS.get(done.returncode, "not compared")
         if verdict == "different":
             # A normalised difference of quotients was off by 35 units: both round as they may.
-            again = subprocess.run(command + ["--ulps", "64"], capture_output=True, text=True, errors="replace", timeout=60)
+            again = subprocess.run(
+                command + ["--ulps", "64"],
+                capture_output=True,
+                text=True,
+                errors="replace",
+                timeout=60,
+            )
             verdict = "equal within 64 units" if again.returncode == 0 else verdict
     except subprocess.TimeoutExpired:
         return "timeout", path, entry, []
@@ -47,7 +72,9 @@ def compare(arguments, line):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("program")
     parser.add_argument("list")
     parser.add_argument("-j", type=int, default=2)
@@ -58,7 +85,9 @@ def main():
         lines = file.readlines()
     counts, bugs = collections.Counter(), collections.Counter()
     with concurrent.futures.ThreadPoolExecutor(arguments.j) as pool:
-        for done, (verdict, path, entry, text) in enumerate(pool.map(lambda line: compare(arguments, line), lines), 1):
+        for done, (verdict, path, entry, text) in enumerate(
+            pool.map(lambda line: compare(arguments, line), lines), 1
+        ):
             counts[verdict] += 1
             bugs.update(line for line in text if line.startswith("known bug of the peer: "))
             if sys.stderr.isatty():
@@ -66,7 +95,9 @@ def main():
             if verdict == "equal":
                 continue
             print(f"{verdict}: {path} {entry}")
-            for line in text[-6:] if verdict in ("different", "equal within 64 units") else text[:1]:
+            for line in (
+                text[-6:] if verdict in ("different", "equal within 64 units") else text[:1]
+            ):
                 print(f"    {line[:200]}")
     for bug, count in sorted(bugs.items()):
         print(f"{count} times {bug}")

@@ -9,6 +9,7 @@ two kinds share a name, or, with --coverage, when no test expects a kind. A test
 its printed name stands as clipc prints it: in brackets after a message (`[-Wclip-plane-repeated]`,
 `[clip-plane-not-float4, X3084]`), as the code of the msvc form, or as a name of the JSON form, which
 is the only one that names notes."""
+
 import pathlib
 import re
 import sys
@@ -17,7 +18,9 @@ root = pathlib.Path(__file__).resolve().parents[2]
 catalogue = root / "base/diagnostic_kinds.def"
 document = root / "docs/diagnostics.md"
 
-DIAG = re.compile(r'^DIAG\((\w+), k(Note|Warning|Error), "(\w*)",\s*((?:"(?:[^"\\]|\\.)*"\s*)+)', re.M)
+DIAG = re.compile(
+    r'^DIAG\((\w+), k(Note|Warning|Error), "(\w*)",\s*((?:"(?:[^"\\]|\\.)*"\s*)+)', re.M
+)
 STRING = re.compile(r'"((?:[^"\\]|\\.)*)"')
 
 
@@ -50,7 +53,13 @@ def render(all_kinds):
         if severity == "note":
             continue
         if section != current:
-            lines += ["", f"## {section[:1].upper()}{section[1:]}", "", "| name | | fxc | message |", "|---|---|---|---|"]
+            lines += [
+                "",
+                f"## {section[:1].upper()}{section[1:]}",
+                "",
+                "| name | | fxc | message |",
+                "|---|---|---|---|",
+            ]
             current = section
         cell = message.replace("|", "\\|")
         lines.append(f"| `{printed(name)}` | {severity} | {code} | {cell} |")
@@ -59,16 +68,31 @@ def render(all_kinds):
 
 # No shader brings these about: the parser or the driver refuses what would, or they report a fault of
 # clipc itself (PlainNote lists the rest of what glslang finds).
-NOT_PROVOKED = {"InvalidGlsl", "PlainNote", "InternalError", "InitListAsValue", "SwitchWithoutBlock", "TargetClipVertex"}
+NOT_PROVOKED = {
+    "InvalidGlsl",
+    "PlainNote",
+    "InternalError",
+    "InitListAsValue",
+    "SwitchWithoutBlock",
+    "TargetClipVertex",
+}
 
 # A printed name in an expected message.
-EXPECTED = re.compile(r'\[(?:-Werror,)?(?:-W)?([a-z0-9-]+)(?=[],])|: (?:error|warning) ([a-z0-9-]+):|"name": "([a-z0-9-]+)"')
+EXPECTED = re.compile(
+    r'\[(?:-Werror,)?(?:-W)?([a-z0-9-]+)(?=[],])|: (?:error|warning) ([a-z0-9-]+):|"name": "([a-z0-9-]+)"'
+)
 
 
 def expected_names():
     """Every name that a line of a test expects, except in the RUN lines."""
-    tests = [file for file in sorted((root / "testdata").rglob("*")) if file.suffix in {".hlsl", ".test"}]
-    tests += [file for file in sorted(root.rglob("*_test.cpp")) if "build" not in file.relative_to(root).parts]
+    tests = [
+        file for file in sorted((root / "testdata").rglob("*")) if file.suffix in {".hlsl", ".test"}
+    ]
+    tests += [
+        file
+        for file in sorted(root.rglob("*_test.cpp"))
+        if "build" not in file.relative_to(root).parts
+    ]
     for file in tests:
         for line in file.read_text(errors="replace").splitlines():
             if "RUN:" not in line:
@@ -95,7 +119,9 @@ def main():
     if "--write" in sys.argv:
         document.write_text(text)
     elif not document.exists() or document.read_text() != text:
-        problems.append("docs/diagnostics.md is out of date: run tools/checks/check_diagnostics.py --write")
+        problems.append(
+            "docs/diagnostics.md is out of date: run tools/checks/check_diagnostics.py --write"
+        )
     if "--coverage" in sys.argv:
         problems += [f"{name}: no test expects `{printed(name)}`" for name in untested(all_kinds)]
     print("\n".join(problems) or f"{len(all_kinds)} kinds of diagnostics, each documented")

@@ -29,7 +29,9 @@ RAW_STRING = re.compile(r'R"(\w*)\(.*?\)\1"', re.S)
 def files_of_the_repository():
     for folder, folders, files in os.walk(ROOT):
         at = pathlib.Path(folder)
-        folders[:] = [name for name in folders if (at / name).relative_to(ROOT).as_posix() not in EXCLUDED]
+        folders[:] = [
+            name for name in folders if (at / name).relative_to(ROOT).as_posix() not in EXCLUDED
+        ]
         yield from (at / name for name in files if name.endswith(SUFFIXES))
 
 
@@ -58,7 +60,7 @@ def main():
     problems = ""
     if shutil.which(CLANG_FORMAT):
         with concurrent.futures.ThreadPoolExecutor() as pool:
-            shares = [files[i::os.cpu_count()] for i in range(os.cpu_count())]
+            shares = [files[i :: os.cpu_count()] for i in range(os.cpu_count())]
             said = pool.map(lambda share: clang_format(share, write), filter(None, shares))
             problems += "".join(said)
     else:
@@ -68,7 +70,11 @@ def main():
     for name in files:
         for number in long_lines((ROOT / name).read_text()):
             problems += f"{name}:{number}: the line is over {COLUMNS} columns\n"
-    print(problems + "tools/checks/check_format.py --write formats" if problems else f"{len(files)} files in the house's format")
+    print(
+        problems + "tools/checks/check_format.py --write formats"
+        if problems
+        else f"{len(files)} files in the house's format"
+    )
     return bool(problems)
 
 

@@ -18,24 +18,58 @@ ROOMS = {
     "frontend/lex": {"base"},
     "frontend/parse": {"base", "frontend/lex"},
     "frontend/rules": {"base", "ir"},
-    "frontend/check": {"base", "ir", "frontend/lex", "frontend/parse", "frontend/rules", VOCABULARY},
+    "frontend/check": {
+        "base",
+        "ir",
+        "frontend/lex",
+        "frontend/parse",
+        "frontend/rules",
+        VOCABULARY,
+    },
     "passes": {"base", "ir", VOCABULARY},
     "backend-glsl": {"base", "ir"},
     "clip-table": {VOCABULARY},
     "link": {"base", "ir", "frontend/rules"},
     "compiler": {
-        "link", "base", "ir", "frontend/lex", "frontend/parse", "frontend/rules", "frontend/check", "passes", "backend-glsl", "clip-table",
+        "link",
+        "base",
+        "ir",
+        "frontend/lex",
+        "frontend/parse",
+        "frontend/rules",
+        "frontend/check",
+        "passes",
+        "backend-glsl",
+        "clip-table",
         VOCABULARY,
     },
     "runtime": {"clip-table", VOCABULARY},
     "tools/harness": {"base", "runtime"},
     "tools/draw": {
-        "base", "ir", "frontend/lex", "frontend/parse", "frontend/rules", "frontend/check", "passes", "backend-glsl", "clip-table",
-        "compiler", "runtime", "tools/harness", VOCABULARY,
+        "base",
+        "ir",
+        "frontend/lex",
+        "frontend/parse",
+        "frontend/rules",
+        "frontend/check",
+        "passes",
+        "backend-glsl",
+        "clip-table",
+        "compiler",
+        "runtime",
+        "tools/harness",
+        VOCABULARY,
     },
     "tools/peer": {"base", "ir", "frontend/lex", "tools/harness", "tools/draw"},
     "tools/random": {
-        "base", "ir", "backend-glsl", "compiler", "clip-table", "tools/harness", "tools/draw", VOCABULARY,
+        "base",
+        "ir",
+        "backend-glsl",
+        "compiler",
+        "clip-table",
+        "tools/harness",
+        "tools/draw",
+        VOCABULARY,
     },
     "study": {"runtime", "tools/harness", VOCABULARY, LIBRARY},
     "tools/scenes": {"base", "clip-table", "runtime", "tools/harness", VOCABULARY},
@@ -66,7 +100,11 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')
 
 def room_of(path):
     """The room that holds the file at `path`, a path from the root in slashes; or None."""
-    return max((room for room in ROOMS if path == room or path.startswith(room + "/")), key=len, default=None)
+    return max(
+        (room for room in ROOMS if path == room or path.startswith(room + "/")),
+        key=len,
+        default=None,
+    )
 
 
 def problem(path, quote, target):
@@ -103,14 +141,14 @@ def self_test():
     tree = {
         "base/a.h": '#include "ir/program.h"\n',
         "ir/a.h": '#include "base/id.h"\n#include <vector>\n',
-        "frontend/check/a.cpp": '#include <clang/Lex/Lexer.h>\n',
+        "frontend/check/a.cpp": "#include <clang/Lex/Lexer.h>\n",
         "frontend/parse/a.h": '#include "frontend/lex/token.h"\n#include "frontend/check/check.h"\n',
-        "frontend/lex/lexer_clang.cpp": '#include <clang/Lex/Lexer.h>\n',
+        "frontend/lex/lexer_clang.cpp": "#include <clang/Lex/Lexer.h>\n",
         "examples/a.cpp": '#include "water.clip.h"\n#include "water.shader.h"\n#include "../water.clip.h"\n#include "water.h"\n',
         "passes/a.cpp": '# include "backend-glsl/writer.h"\n',
         "backend-glsl/a.cpp": '#include "writer.h"\n',
-        "clip-table/a.h": '#include <nlohmann/json.hpp>\n',
-        "clip-table/a.cpp": '#include <nlohmann/json.hpp>\n',
+        "clip-table/a.h": "#include <nlohmann/json.hpp>\n",
+        "clip-table/a.cpp": "#include <nlohmann/json.hpp>\n",
         "clip-table/vocabulary.h": '#include <string_view>\n#include "clip-table/a.h"\n',
         "backend-glsl/b.cpp": '#include "clip-table/vocabulary.h"\n',
         "runtime/gl/a.cpp": '#include <fmt/format.h>\n#include "base/id.h"\n#include "clip-table/table.h"\n',
@@ -122,12 +160,23 @@ def self_test():
             (root / path).write_text(text)
         seen = {found.split(": ")[0] for found in problems(root)}
     expected = {
-        "base/a.h:1", "frontend/check/a.cpp:1", "frontend/parse/a.h:2", "passes/a.cpp:1", "backend-glsl/a.cpp:1", "clip-table/a.h:1",
-        "clip-table/vocabulary.h:2", "backend-glsl/b.cpp:1",
-        "runtime/gl/a.cpp:1", "runtime/gl/a.cpp:2", "examples/a.cpp:3", "examples/a.cpp:4",
+        "base/a.h:1",
+        "frontend/check/a.cpp:1",
+        "frontend/parse/a.h:2",
+        "passes/a.cpp:1",
+        "backend-glsl/a.cpp:1",
+        "clip-table/a.h:1",
+        "clip-table/vocabulary.h:2",
+        "backend-glsl/b.cpp:1",
+        "runtime/gl/a.cpp:1",
+        "runtime/gl/a.cpp:2",
+        "examples/a.cpp:3",
+        "examples/a.cpp:4",
     }
     if seen != expected:
-        sys.exit(f"check_layers.py itself is wrong: saw {sorted(seen)}, expected {sorted(expected)}")
+        sys.exit(
+            f"check_layers.py itself is wrong: saw {sorted(seen)}, expected {sorted(expected)}"
+        )
 
 
 def main():

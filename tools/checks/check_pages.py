@@ -9,6 +9,7 @@ backticks is taken for a path where it begins with one of the repository's top-l
 at the top; `*` stands for any name, a word in capitals (PASS) for any text, and `:12` may follow. What a build writes,
 below build/, is left out.
 """
+
 import pathlib
 import re
 import sys
@@ -23,7 +24,11 @@ BLOCK = re.compile(r"^```.*?^```|^    .*$", re.M | re.S)
 def expand(path):
     """The alternatives of `a/{b,c}.h`."""
     if match := re.search(r"\{([^{}]*)\}", path):
-        return [name for part in match[1].split(",") for name in expand(path[:match.start()] + part + path[match.end():])]
+        return [
+            name
+            for part in match[1].split(",")
+            for name in expand(path[: match.start()] + part + path[match.end() :])
+        ]
     return [path]
 
 
@@ -42,7 +47,11 @@ def paths_in(text, folders):
 
 def problems():
     folders = {entry.name for entry in ROOT.iterdir() if entry.is_dir() and entry.name != "build"}
-    pages = sorted(ROOT.glob("*.md")) + sorted((ROOT / "docs").rglob("*.md")) + sorted((ROOT / "study").glob("*.md"))
+    pages = (
+        sorted(ROOT.glob("*.md"))
+        + sorted((ROOT / "docs").rglob("*.md"))
+        + sorted((ROOT / "study").glob("*.md"))
+    )
     for page in pages:
         text = page.read_text()
         name = page.relative_to(ROOT)

@@ -31,7 +31,9 @@ def steps(page):
 def files_at(root, path):
     """The files at a path, or below it where it is a folder; empty if there is none."""
     found = list(root.glob(path.rstrip("/").replace("NAME", "*")))
-    return [file for at in found for file in ([at] if at.is_file() else at.rglob("*")) if file.is_file()]
+    return [
+        file for at in found for file in ([at] if at.is_file() else at.rglob("*")) if file.is_file()
+    ]
 
 
 def all_sources(root):
@@ -87,7 +89,11 @@ def self_test():
     with tempfile.TemporaryDirectory() as name:
         root = pathlib.Path(name)
         (root / "CONTRIBUTING.md").write_text(page)
-        for path, text in {"ir/a.def": "OneRow", "tests/x/a.test": "--after=x", "ir/b.cpp": "Report(x)"}.items():
+        for path, text in {
+            "ir/a.def": "OneRow",
+            "tests/x/a.test": "--after=x",
+            "ir/b.cpp": "Report(x)",
+        }.items():
             (root / path).parent.mkdir(parents=True, exist_ok=True)
             (root / path).write_text(text)
         seen = [found.removeprefix("CONTRIBUTING.md, A thing, step ") for found in problems(root)]

@@ -4,6 +4,7 @@
 
 usage: check_reference.py DOXYGEN BUILD_FOLDER OUTPUT_FOLDER      writes OUTPUT_FOLDER/html/index.html
 """
+
 import pathlib
 import subprocess
 import sys
@@ -41,14 +42,24 @@ MAIN = """# The headers of clipc
 
 
 def main():
-    doxygen, build, output = sys.argv[1], pathlib.Path(sys.argv[2]).resolve(), pathlib.Path(sys.argv[3]).resolve()
+    doxygen, build, output = (
+        sys.argv[1],
+        pathlib.Path(sys.argv[2]).resolve(),
+        pathlib.Path(sys.argv[3]).resolve(),
+    )
     output.mkdir(parents=True, exist_ok=True)
     installed = output / "installed"
-    subprocess.run(["cmake", "--install", build, "--component", "development", "--prefix", installed], check=True, capture_output=True)
+    subprocess.run(
+        ["cmake", "--install", build, "--component", "development", "--prefix", installed],
+        check=True,
+        capture_output=True,
+    )
     start = output / "headers.md"
     start.write_text(MAIN)
     settings = DOXYFILE.format(headers=installed / "include/clipc", main=start, output=output)
-    done = subprocess.run([doxygen, "-"], input=settings, capture_output=True, text=True, check=False)
+    done = subprocess.run(
+        [doxygen, "-"], input=settings, capture_output=True, text=True, check=False
+    )
     said = (done.stderr + done.stdout).strip()
     print(said or f"the reference is {output / 'html/index.html'}")
     return int(bool(said) or done.returncode != 0)

@@ -17,6 +17,7 @@ A page is README.md, CONTRIBUTING.md, in docs/ or in study/. On each,
 
 Whatever has no rule is a mistake. tools/checks/snippets/files is the folder in which the commands run.
 """
+
 import json
 import os
 import pathlib
@@ -31,7 +32,9 @@ SNIPPETS = ROOT / "tools/checks/snippets"
 NAMED = re.compile(r"where `(\S+)` is\n\n```hlsl\n(.*?)^```$", re.M | re.S)
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.M | re.S)
 INDENTED = re.compile(r"^    (\S.*)$", re.M)
-INLINE = re.compile(r"`((?:clipc|clipc-draw|glslangValidator|cmake|ctest|cpack|\./\w+|(?:tools|study|examples|packaging)/[^\s`]+) [^`\n]+)`")
+INLINE = re.compile(
+    r"`((?:clipc|clipc-draw|glslangValidator|cmake|ctest|cpack|\./\w+|(?:tools|study|examples|packaging)/[^\s`]+) [^`\n]+)`"
+)
 # Placeholders stand for something else: FILE, [options], and the arguments of functions.
 PLACEHOLDER = re.compile(r"\b[A-Z][A-Z.]{2,}\b|\[|\.\.\.|`|=$|=\?")
 # A command that can be run names a file or standard input, or is only a question.
@@ -46,16 +49,27 @@ class Run:
         self.problems, self.count = [], 0
         shutil.rmtree(scratch, ignore_errors=True)
         self.installed = scratch / "installed"
-        self.call(["cmake", "--install", build, "--prefix", self.installed], scratch.parent, "installing")
+        self.call(
+            ["cmake", "--install", build, "--prefix", self.installed], scratch.parent, "installing"
+        )
         self.path = f"{self.installed / 'bin'}:{build / 'tools/draw'}:{os.environ['PATH']}"
 
     def call(self, command, folder, what):
         self.count += 1
-        done = subprocess.run([str(word) for word in command], cwd=folder, capture_output=True, text=True, check=False, timeout=120,
-                              env=os.environ | {"PATH": getattr(self, "path", os.environ["PATH"])},
-                              input=(SNIPPETS / "files/water.hlsl").read_text() if "-" in command else "")
+        done = subprocess.run(
+            [str(word) for word in command],
+            cwd=folder,
+            capture_output=True,
+            text=True,
+            check=False,
+            timeout=120,
+            env=os.environ | {"PATH": getattr(self, "path", os.environ["PATH"])},
+            input=(SNIPPETS / "files/water.hlsl").read_text() if "-" in command else "",
+        )
         if done.returncode != 0:
-            self.problems.append(f"{what}: {shlex.join(map(str, command))}: {done.returncode}\n{done.stderr}{done.stdout}")
+            self.problems.append(
+                f"{what}: {shlex.join(map(str, command))}: {done.returncode}\n{done.stderr}{done.stdout}"
+            )
         return done
 
     def folder(self, page):
@@ -63,7 +77,22 @@ class Run:
         shutil.copytree(SNIPPETS / "files", folder)
         for name in ("shaders", "build"):
             (folder / name).mkdir()
-        self.call(["glslangValidator", "-D", "-V", "-S", "frag", "-e", "ps", "water.hlsl", "-o", "water.spv"], folder, "water.spv")
+        self.call(
+            [
+                "glslangValidator",
+                "-D",
+                "-V",
+                "-S",
+                "frag",
+                "-e",
+                "ps",
+                "water.hlsl",
+                "-o",
+                "water.spv",
+            ],
+            folder,
+            "water.spv",
+        )
         return folder
 
 
@@ -85,7 +114,18 @@ def check_code(run, page, number, language, text, folder):
         project = folder / f"project{number}"
         shutil.copytree(SNIPPETS / "files", project)
         (project / "CMakeLists.txt").write_text(wrapped.replace("@SNIPPET@\n", text))
-        run.call(["cmake", "-S", project, "-B", project / "build", f"-DCMAKE_PREFIX_PATH={run.installed}"], folder, what)
+        run.call(
+            [
+                "cmake",
+                "-S",
+                project,
+                "-B",
+                project / "build",
+                f"-DCMAKE_PREFIX_PATH={run.installed}",
+            ],
+            folder,
+            what,
+        )
         return
     if needs := re.search(r"needs: (\S+)", wrapped):
         compiler = shutil.which("x86_64-w64-mingw32-g++-win32")
@@ -96,12 +136,29 @@ def check_code(run, page, number, language, text, folder):
         compiler = run.compilers[language]
     for name in ("water",):  # as clipc_add_shader() makes them
         vert = run.call(["clipc", f"{name}.hlsl"], folder, what).stdout
-        (folder / f"{name}.shader.h").write_text(f'inline constexpr char {name}_vert[] = R"({vert})";\n')
-        run.call(["clipc", f"{name}.hlsl", "-o", os.devnull, f"--table={name}.clip.h"], folder, what)
+        (folder / f"{name}.shader.h").write_text(
+            f'inline constexpr char {name}_vert[] = R"({vert})";\n'
+        )
+        run.call(
+            ["clipc", f"{name}.hlsl", "-o", os.devnull, f"--table={name}.clip.h"], folder, what
+        )
     file = folder / f"block{number}.{language}"
     file.write_text(hoisted(wrapped, text))
     standard = "-std=c99" if language == "c" else "-std=c++17"
-    run.call([compiler, standard, "-fsyntax-only", "-I", run.installed / "include/clipc", "-I", folder, file], folder, what)
+    run.call(
+        [
+            compiler,
+            standard,
+            "-fsyntax-only",
+            "-I",
+            run.installed / "include/clipc",
+            "-I",
+            folder,
+            file,
+        ],
+        folder,
+        what,
+    )
 
 
 def check_json(run, page, text, folder):
@@ -131,7 +188,11 @@ def check_elsewhere(run, page, words):
     else:
         run.problems.append(f"{page.name}: there is no {program}")
         return
-    files = [ROOT / sources] if (ROOT / sources).is_file() else [f for f in (ROOT / sources).rglob("*") if f.suffix in {".cpp", ".h", ".py"}]
+    files = (
+        [ROOT / sources]
+        if (ROOT / sources).is_file()
+        else [f for f in (ROOT / sources).rglob("*") if f.suffix in {".cpp", ".h", ".py"}]
+    )
     text = "".join(file.read_text() for file in files)
     for word in words[1:]:
         if word.startswith("--") and word.split("=")[0] not in text:
@@ -160,7 +221,9 @@ def check_limits(run, page):
         found = re.search(rf"\b{name} = ([^;]+);", text)
         number = re.sub(r"std::size_t\{(\w+)\}", r"\1", found[1]) if found else "None"
         number = re.sub(r"(?<=\d)u\b", "", number)
-        if not re.fullmatch(r"[\d <]+", number) or eval(number) != int(value):  # of digits and shifts only
+        if not re.fullmatch(r"[\d <]+", number) or eval(number) != int(
+            value
+        ):  # of digits and shifts only
             run.problems.append(f"{page.name}: {name} is {number} in {file}, not {value}")
         run.count += 1
 
@@ -187,7 +250,11 @@ def check_page(run, page):
         elif language == "js":
             (folder / f"block{number}.mjs").write_text(block)
             if shutil.which("node"):
-                run.call(["node", "--check", f"block{number}.mjs"], folder, f"{page.name}: block {number}")
+                run.call(
+                    ["node", "--check", f"block{number}.mjs"],
+                    folder,
+                    f"{page.name}: block {number}",
+                )
         elif language != "text":
             run.problems.append(f"{page.name}: block {number} of `{language}` has no rule")
     prose = FENCE.sub("", text)
@@ -201,10 +268,16 @@ def main():
     build, scratch = (pathlib.Path(word).resolve() for word in sys.argv[1:3])
     scratch.mkdir(parents=True, exist_ok=True)
     run = Run(build, scratch / "work", {"c": sys.argv[3], "cpp": sys.argv[4]})
-    for page in [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md")),
-                 *sorted((ROOT / "study").glob("*.md"))]:
+    for page in [
+        ROOT / "README.md",
+        ROOT / "CONTRIBUTING.md",
+        *sorted((ROOT / "docs").glob("*.md")),
+        *sorted((ROOT / "study").glob("*.md")),
+    ]:
         check_page(run, page)
-    print("\n".join(run.problems) or f"{run.count} commands and pieces of code are as the pages say")
+    print(
+        "\n".join(run.problems) or f"{run.count} commands and pieces of code are as the pages say"
+    )
     return bool(run.problems)
 
 

@@ -22,7 +22,12 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 GCC_ONLY = " -fno-gnu-unique"
-QUIETLY = ["-clang-tidy-binary", "clang-tidy-19", "-quiet", "-extra-arg=-Wno-unknown-warning-option"]
+QUIETLY = [
+    "-clang-tidy-binary",
+    "clang-tidy-19",
+    "-quiet",
+    "-extra-arg=-Wno-unknown-warning-option",
+]
 
 
 def git(*arguments):
@@ -77,9 +82,13 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         (pathlib.Path(folder) / "compile_commands.json").write_text(json.dumps(commands))
         if given.all:
-            return subprocess.run(["run-clang-tidy-19", "-p", folder, *QUIETLY], check=False).returncode
+            return subprocess.run(
+                ["run-clang-tidy-19", "-p", folder, *QUIETLY], check=False
+            ).returncode
         revision = given.since or base_revision()
-        changed = list(changed_files(revision, {os.path.relpath(entry["file"], ROOT) for entry in commands}))
+        changed = list(
+            changed_files(revision, {os.path.relpath(entry["file"], ROOT) for entry in commands})
+        )
         checked = changed[: given.limit]
         if changed != checked:
             print(f"clang-tidy: {len(changed) - len(checked)} of {len(changed)} files are left out")
@@ -87,7 +96,15 @@ def main():
         if not checked:
             return 0
         difference = git("diff", "-U0", revision, "--", *checked)
-        tool = ["clang-tidy-diff-19.py", "-p1", "-path", folder, "-j", str(os.cpu_count()), *QUIETLY]
+        tool = [
+            "clang-tidy-diff-19.py",
+            "-p1",
+            "-path",
+            folder,
+            "-j",
+            str(os.cpu_count()),
+            *QUIETLY,
+        ]
         return subprocess.run(tool, input=difference, text=True, cwd=ROOT, check=False).returncode
 
 

@@ -13,6 +13,7 @@ Settings: each of six targets; and for a shader whose text has clip planes, or w
 plane space, and all variants; with --quick none of these. A line of HASHES has, for one shader under one setting, the hash of
 what is written (exit code, GLSL, fragment shader, variants, table, reflection) and the hash of the messages.
 """
+
 import argparse
 import concurrent.futures
 import hashlib
@@ -31,7 +32,14 @@ KEPT = re.compile(r"(?:^|\s)(-[TE]\s*\S+|-D\s*\S+|-Z\w+|--position-input[= ]\S+|
 
 def options_of(file):
     """The options of a lit test's first %clipc line that choose what is compiled, or a plain profile."""
-    run = next((line for line in file.read_text(errors="replace").splitlines() if "RUN:" in line and "%clipc" in line), "")
+    run = next(
+        (
+            line
+            for line in file.read_text(errors="replace").splitlines()
+            if "RUN:" in line and "%clipc" in line
+        ),
+        "",
+    )
     kept = " ".join(KEPT.findall(run.split("|")[0]))
     return kept.replace("%S", str(file.parent)).split() or ["-T", "vs_5_0"]
 
@@ -65,8 +73,15 @@ def settings(path, tree, every, quick):
 
 def digest(clipc, tree, path, options, setting):
     with tempfile.TemporaryDirectory() as scratch:
-        outputs = ["-o", f"{scratch}/out.vert", f"--table={scratch}/out.json", f"--reflect={scratch}/out.reflect.json"]
-        done = subprocess.run([clipc, path, *options, *setting, *outputs], cwd=tree, capture_output=True, timeout=60)
+        outputs = [
+            "-o",
+            f"{scratch}/out.vert",
+            f"--table={scratch}/out.json",
+            f"--reflect={scratch}/out.reflect.json",
+        ]
+        done = subprocess.run(
+            [clipc, path, *options, *setting, *outputs], cwd=tree, capture_output=True, timeout=60
+        )
         written = hashlib.sha256(f"{done.returncode}\n".encode())
         for file in sorted(pathlib.Path(scratch).iterdir()):
             written.update(file.name.encode() + b"\n" + file.read_bytes())
@@ -75,32 +90,46 @@ def digest(clipc, tree, path, options, setting):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("clipc", type=pathlib.Path)
     parser.add_argument("--out", type=pathlib.Path)
     parser.add_argument("--against", type=pathlib.Path)
     parser.add_argument("--list", type=pathlib.Path)
-    parser.add_argument("--tree", type=pathlib.Path, default=pathlib.Path(__file__).resolve().parents[2])
+    parser.add_argument(
+        "--tree", type=pathlib.Path, default=pathlib.Path(__file__).resolve().parents[2]
+    )
     parser.add_argument("--all", action="store_true")
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("-j", type=int, default=2)
     given = parser.parse_args()
     clipc, tree = given.clipc.resolve(), given.tree.resolve()
-    work = [(name, path, options, setting) for name, path, options in shaders(tree, given.list)
-            for setting in settings(path, tree, given.all, given.quick)]
+    work = [
+        (name, path, options, setting)
+        for name, path, options in shaders(tree, given.list)
+        for setting in settings(path, tree, given.all, given.quick)
+    ]
     with concurrent.futures.ThreadPoolExecutor(given.j) as pool:
         hashes = list(pool.map(lambda item: digest(clipc, tree, *item[1:]), work, chunksize=16))
-    lines = [f"{name}\t{' '.join(setting)}\t{found}" for (name, _, _, setting), found in zip(work, hashes)]
+    lines = [
+        f"{name}\t{' '.join(setting)}\t{found}"
+        for (name, _, _, setting), found in zip(work, hashes)
+    ]
     if given.out:
         given.out.write_text("\n".join(lines) + "\n")
     if not given.against:
         return 0
-    before, after = ({tuple(fields[:2]): fields[2:] for fields in (line.split("\t") for line in text)}
-                     for text in (given.against.read_text().splitlines(), lines))
+    before, after = (
+        {tuple(fields[:2]): fields[2:] for fields in (line.split("\t") for line in text)}
+        for text in (given.against.read_text().splitlines(), lines)
+    )
     differences = 0
     for shader, old in before.items():
         new = after.get(shader, ["missing"] * 2)
-        differ = [what for what, one, other in zip(("output", "messages"), old, new) if one != other]
+        differ = [
+            what for what, one, other in zip(("output", "messages"), old, new) if one != other
+        ]
         if differ:
             print(" and ".join(differ), "differ:", *shader)
         differences += bool(differ)

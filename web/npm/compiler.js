@@ -58,7 +58,11 @@ export class Instance {
 
   /** A copy of a part of the last result. */
   part(number) {
-    const pair = new Uint32Array(this.exports.memory.buffer, this.exports.clipc_module_part(number), 2);
+    const pair = new Uint32Array(
+      this.exports.memory.buffer,
+      this.exports.clipc_module_part(number),
+      2,
+    );
     return this.bytesAt(pair[0], pair[1]).slice();
   }
 
@@ -123,7 +127,8 @@ export class Compiler {
       if (error === thrown) throw error;
       // The stack or the memory is at its end, and the instance is not to be called again.
       this.#instance = null;
-      if (error instanceof RangeError || error instanceof WebAssembly.RuntimeError) return stopped();
+      if (error instanceof RangeError || error instanceof WebAssembly.RuntimeError)
+        return stopped();
       throw error;
     }
   }

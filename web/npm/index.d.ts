@@ -83,7 +83,12 @@ export class Compiler {
 }
 
 /** A compiler of its own. `wasm`: clipc.wasm, compiled; without, it is loaded from the package. */
-export function createCompiler(wasm?: WebAssembly.Module | Promise<WebAssembly.Module>): Promise<Compiler>;
+export function createCompiler(
+  wasm?: WebAssembly.Module | Promise<WebAssembly.Module>,
+): Promise<Compiler>;
 
 /** Compiles a shader by a compiler that all calls share. It is loaded at the first call. */
-export function compile(text: string | Uint8Array, options?: CompileOptions): Promise<CompileResult>;
+export function compile(
+  text: string | Uint8Array,
+  options?: CompileOptions,
+): Promise<CompileResult>;

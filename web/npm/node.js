@@ -6,7 +6,10 @@ import { Compiler } from './compiler.js';
 export { Compiler };
 
 let module;
-const load = () => (module ??= readFile(new URL('./clipc.wasm', import.meta.url)).then((bytes) => WebAssembly.compile(bytes)));
+const load = () =>
+  (module ??= readFile(new URL('./clipc.wasm', import.meta.url)).then((bytes) =>
+    WebAssembly.compile(bytes),
+  ));
 
 export async function createCompiler(wasm) {
   return new Compiler(await (wasm ?? load()));

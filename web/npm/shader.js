@@ -30,8 +30,14 @@ export async function compileModule(path, text, query, configured) {
       return null;
     }
   };
-  const result = (await compiler).compile(text, { ...optionsOf(query, configured), path, readInclude });
+  const result = (await compiler).compile(text, {
+    ...optionsOf(query, configured),
+    path,
+    readInclude,
+  });
   const exported = ['glsl', 'discard', 'table', 'reflection'];
-  const code = exported.map((name) => `export const ${name} = ${JSON.stringify(result[name])};\n`).join('');
+  const code = exported
+    .map((name) => `export const ${name} = ${JSON.stringify(result[name])};\n`)
+    .join('');
   return { result, files, code: `${code}export default glsl;\n` };
 }

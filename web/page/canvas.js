@@ -7,7 +7,8 @@ const COLORS = /COLOR|TINT/;
 /** A fragment shader for the outputs of `result`; it shades by the slope of the depth where there are no normals. */
 export function fragmentShader(result) {
   const outputs = result.reflection.outputs.filter((output) => !output.builtin);
-  const find = (test, types) => outputs.find(({ semantic, type }) => test.test(semantic) && types.includes(type));
+  const find = (test, types) =>
+    outputs.find(({ semantic, type }) => test.test(semantic) && types.includes(type));
   const normal = find(/^NORMAL$/, ['float3', 'float4']);
   const color = find(COLORS, ['float3', 'float4']);
   const input = (output) => `in highp vec${output.type[5]} ${output.name};\n`;
@@ -28,7 +29,8 @@ void main() {
 
 const LINES = {
   glsl: '#version 300 es\nin vec4 position;\nvoid main() { gl_Position = position; }\n',
-  fragment: '#version 300 es\nout lowp vec4 color;\nvoid main() { color = vec4(1.0, 1.0, 1.0, 1.0); }\n',
+  fragment:
+    '#version 300 es\nout lowp vec4 color;\nvoid main() { color = vec4(1.0, 1.0, 1.0, 1.0); }\n',
 };
 
 export class Canvas {

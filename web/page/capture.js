@@ -28,7 +28,9 @@ export class Capture {
   /** Whether `result` has clip distances to capture. */
   use(result) {
     const { gl } = this;
-    const names = result.reflection.outputs.filter(({ semantic }) => semantic === 'SV_ClipPlaneDistance').map(({ name }) => name);
+    const names = result.reflection.outputs
+      .filter(({ semantic }) => semantic === 'SV_ClipPlaneDistance')
+      .map(({ name }) => name);
     if (!names.length) return false;
     this.#program?.delete();
     this.#program = null;

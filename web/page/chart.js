@@ -22,11 +22,18 @@ const rows = speed
   .split('\n')
   .slice(1)
   .map((line) => line.split(','))
-  .map(([setting, way, planes, , , , ratio]) => ({ setting, way, planes: Number(planes), ratio: Number(ratio) }));
+  .map(([setting, way, planes, , , , ratio]) => ({
+    setting,
+    way,
+    planes: Number(planes),
+    ratio: Number(ratio),
+  }));
 
 /** A frame's time with so many planes, by the time without planes; null where the study has none. */
 export function costOf(way, planes) {
-  const measured = rows.filter((row) => row.setting === SETTING && row.way === way && row.planes >= planes);
+  const measured = rows.filter(
+    (row) => row.setting === SETTING && row.way === way && row.planes >= planes,
+  );
   return measured.length ? measured.reduce((a, b) => (a.planes < b.planes ? a : b)).ratio : null;
 }
 
@@ -62,9 +69,14 @@ export class Chart {
       dot.hidden = button.hidden = !isShown;
       if (!isShown) continue;
       button.setAttribute('aria-pressed', String(chosen.space === space && chosen.lower === lower));
-      button.setAttribute('aria-label', `${name}: ${cost.toFixed(2)} times the time without planes, edges move by ${displaced.toPrecision(2)} pixels`);
+      button.setAttribute(
+        'aria-label',
+        `${name}: ${cost.toFixed(2)} times the time without planes, edges move by ${displaced.toPrecision(2)} pixels`,
+      );
       const x = share(cost, LEAST_COST, MOST_COST) * (width - LABEL.width);
-      const y = (1 - share(Math.log(displaced), Math.log(LEAST_PIXELS), Math.log(MOST_PIXELS))) * (HEIGHT - LABEL.height);
+      const y =
+        (1 - share(Math.log(displaced), Math.log(LEAST_PIXELS), Math.log(MOST_PIXELS))) *
+        (HEIGHT - LABEL.height);
       dot.style.transform = `translate(${x}px, ${y}px)`;
       places.push({ button, x, y });
     }

@@ -36,7 +36,8 @@ export class Compiles {
       }
       this.#finish({ results: data.results, milliseconds: data.milliseconds });
     };
-    this.#worker.onerror = (event) => this.#finish({ failed: event.message || 'the compiler did not load' });
+    this.#worker.onerror = (event) =>
+      this.#finish({ failed: event.message || 'the compiler did not load' });
   }
 
   #finish(answer) {

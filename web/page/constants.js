@@ -7,7 +7,8 @@ function matrixNamed(name, { world, view, projection, isFloat }) {
   const product = isFloat ? multiplyFloats : multiply;
   const word = name.toLowerCase().replace(/[^a-z]/g, '');
   const has = (...parts) => parts.some((part) => word.includes(part));
-  if (has('wvp', 'worldviewproj', 'modelviewproj', 'mvp')) return product(product(world, view), projection);
+  if (has('wvp', 'worldviewproj', 'modelviewproj', 'mvp'))
+    return product(product(world, view), projection);
   if (has('worldview', 'modelview')) return product(world, view);
   if (has('viewproj', 'vp', 'toclip')) return product(view, projection);
   if (has('proj')) return projection;
@@ -53,7 +54,10 @@ const flat = (members, structs, base = 0) =>
     const [, name, dimensions] = /^([^[]*)(.*)$/.exec(member.type);
     const fields = member.fields ?? structs.find((struct) => struct.name === name)?.fields;
     if (!fields) return [{ ...member, offset: at }];
-    const count = [...dimensions.matchAll(/\d+/g)].reduce((product, [number]) => product * Number(number), 1);
+    const count = [...dimensions.matchAll(/\d+/g)].reduce(
+      (product, [number]) => product * Number(number),
+      1,
+    );
     const stride = Math.ceil(member.size / count / 16) * 16;
     return Array.from({ length: count }, (_, i) => flat(fields, structs, at + i * stride)).flat();
   });
@@ -101,7 +105,9 @@ export function fillConstants(reflection, text, scene, planeConstant) {
   const buffers = new Map();
   const unknown = [];
   const holdsPlane = (buffer, { offset, size }) =>
-    reflection.clipPlanes.some((plane) => plane.cbuffer === buffer && plane.offset >= offset && plane.offset < offset + size);
+    reflection.clipPlanes.some(
+      (plane) => plane.cbuffer === buffer && plane.offset >= offset && plane.offset < offset + size,
+    );
   for (const { name: buffer, size, members } of reflection.cbuffers) {
     const bytes = new ArrayBuffer(Math.ceil(size / 16) * 16);
     const view = { floats: new Float32Array(bytes), words: new Uint32Array(bytes) };
@@ -113,7 +119,8 @@ export function fillConstants(reflection, text, scene, planeConstant) {
   }
   const planes = planesOf(reflection) ?? [];
   reflection.clipPlanes.forEach(({ cbuffer, offset }, i) => {
-    if (planes[i] !== undefined) new Float32Array(buffers.get(cbuffer)).set(planeConstant(planes[i]), offset / 4);
+    if (planes[i] !== undefined)
+      new Float32Array(buffers.get(cbuffer)).set(planeConstant(planes[i]), offset / 4);
   });
   return { buffers, unknown };
 }

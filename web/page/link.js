@@ -8,7 +8,10 @@ async function through(bytes, stream) {
 }
 
 export async function writeLink(state) {
-  const bytes = await through(new TextEncoder().encode(JSON.stringify(state)), new CompressionStream('deflate-raw'));
+  const bytes = await through(
+    new TextEncoder().encode(JSON.stringify(state)),
+    new CompressionStream('deflate-raw'),
+  );
   const base64 = btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''));
   return '#' + base64.replace(/\+/g, '-').replace(/\//g, '_').replace(/=+$/, '');
 }
@@ -18,7 +21,9 @@ export async function readLink(hash) {
   if (hash.length < 2) return null;
   const base64 = hash.slice(1).replace(/-/g, '+').replace(/_/g, '/');
   const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
-  const text = new TextDecoder().decode(await through(bytes, new DecompressionStream('deflate-raw')));
+  const text = new TextDecoder().decode(
+    await through(bytes, new DecompressionStream('deflate-raw')),
+  );
   if (text.length > MOST_CHARACTERS) throw new RangeError('the shader in the link is too long');
   const state = JSON.parse(text);
   if (typeof state?.text !== 'string') throw new TypeError('the link has no shader');

@@ -13,8 +13,27 @@ import { isStart, startOf } from './start.js';
 import { steer } from './steer.js';
 import { Tabs } from './tabs.js';
 
-const TARGETS = ['webgl2', 'webgl1', 'essl100', 'essl300', 'essl310', 'essl320', 'glsl120', 'glsl130', 'glsl140', 'glsl150', 'glsl330', 'glsl400',
-  'glsl410', 'glsl420', 'glsl430', 'glsl440', 'glsl450', 'glsl460', 'vulkan'];
+const TARGETS = [
+  'webgl2',
+  'webgl1',
+  'essl100',
+  'essl300',
+  'essl310',
+  'essl320',
+  'glsl120',
+  'glsl130',
+  'glsl140',
+  'glsl150',
+  'glsl330',
+  'glsl400',
+  'glsl410',
+  'glsl420',
+  'glsl430',
+  'glsl440',
+  'glsl450',
+  'glsl460',
+  'vulkan',
+];
 const LOWERINGS = ['clip-distance', 'discard', 'near-plane', 'level9', 'none'];
 const DRAGS = { camera: 'turns the camera', plane: 'moves the plane', turn: 'turns the plane' };
 const SAVED = ['options', 'target', 'lower', 'space', 'near', 'depth', 'offset', 'chain'];
@@ -33,7 +52,9 @@ const say = (text, isBad = false) => {
   element('status').classList.toggle('bad', isBad);
 };
 const fill = (id, values) => {
-  const named = Array.isArray(values) ? values.map((value) => [value, value]) : Object.entries(values);
+  const named = Array.isArray(values)
+    ? values.map((value) => [value, value])
+    : Object.entries(values);
   element(id).replaceChildren(...named.map(([value, text]) => new Option(text, value)));
 };
 
@@ -75,13 +96,19 @@ function showNumbers(numbers) {
     flicker: flicker?.p99 ?? '',
   });
   element('chart-part').hidden = !numbers;
-  if (numbers) chart.show(numbers.planes, numbers.predicted, { space: element('space').value, lower: element('lower').value });
+  if (numbers)
+    chart.show(numbers.planes, numbers.predicted, {
+      space: element('space').value,
+      lower: element('lower').value,
+    });
   count('measured');
   dataset.shows = dataset.compiled ?? '0'; // the compile whose pictures were measured
 }
 
 function sentences({ space, predicted, found, warning }) {
-  const expected = Number.isFinite(predicted[space]) ? `Predicted displacement of the cut: ${short(predicted[space])} pixels.` : 'No prediction.';
+  const expected = Number.isFinite(predicted[space])
+    ? `Predicted displacement of the cut: ${short(predicted[space])} pixels.`
+    : 'No prediction.';
   const measured = found
     ? `Measured: ${short(found.displacement.p99)} pixels (99 of 100 of ${found.displacement.count} edges; median ` +
       `${short(found.displacement.median)}, largest ${short(found.displacement.largest)}). ` +
@@ -98,14 +125,24 @@ function settings() {
   const lower = element('lower').value;
   const options = element('options').value.split(/\s+/).filter(Boolean);
   if (space !== 'clip') options.push(`--plane-space=${space}`);
-  const drawn = (how) => ({ target: 'webgl2', lower: how, options: [...options, '--depth-range=negative-one-to-one'] });
+  const drawn = (how) => ({
+    target: 'webgl2',
+    lower: how,
+    options: [...options, '--depth-range=negative-one-to-one'],
+  });
   const left = ['near-plane', 'none'].includes(lower) ? lower : 'clip-distance';
-  pictures.views[0].name = { 'near-plane': 'Near plane', none: 'No planes', 'clip-distance': 'Clip distances' }[left];
+  pictures.views[0].name = {
+    'near-plane': 'Near plane',
+    none: 'No planes',
+    'clip-distance': 'Clip distances',
+  }[left];
   return [
     { target: element('target').value, lower, options },
     left === 'clip-distance' && !pictures.hasClipDistances ? null : drawn(left),
     drawn('discard'),
-    tabs.needsSpirv ? { target: 'vulkan', lower: 'clip-distance', options: [...options, '-spirv'] } : null,
+    tabs.needsSpirv
+      ? { target: 'vulkan', lower: 'clip-distance', options: [...options, '-spirv'] }
+      : null,
   ];
 }
 
@@ -124,10 +161,17 @@ async function compileNow() {
   const [shown, left, right, spirv] = answer.results;
   editor.show(shown.diagnostics);
   if (shown.status === 'bad-request' || shown.status === 'no-memory') say(shown.messages, true);
-  else say(shown.ok ? `Compiled in ${answer.milliseconds.toFixed(1)} ms` : 'The shader has errors', !shown.ok);
+  else
+    say(
+      shown.ok ? `Compiled in ${answer.milliseconds.toFixed(1)} ms` : 'The shader has errors',
+      !shown.ok,
+    );
   tabs.show({ shown, spirv });
-  const problems = [left, right].map((result) => (result && !result.ok && shown.ok ? (result.diagnostics[0]?.message ?? result.messages) : ''));
-  if (!left && !pictures.hasClipDistances) problems[0] = 'this browser has no WEBGL_clip_cull_distance';
+  const problems = [left, right].map((result) =>
+    result && !result.ok && shown.ok ? (result.diagnostics[0]?.message ?? result.messages) : '',
+  );
+  if (!left && !pictures.hasClipDistances)
+    problems[0] = 'this browser has no WEBGL_clip_cull_distance';
   pictures.use([left, right], source, problems);
   showPlanes();
 }
@@ -135,7 +179,11 @@ async function compileNow() {
 /** As many planes to choose from as the shader in the picture has. */
 function showPlanes() {
   const planes = new Set(pictures.result ? planesOf(pictures.result.reflection) : []).size || 1;
-  if (element('plane').options.length !== planes) fill('plane', Array.from({ length: planes }, (_, i) => String(i + 1)));
+  if (element('plane').options.length !== planes)
+    fill(
+      'plane',
+      Array.from({ length: planes }, (_, i) => String(i + 1)),
+    );
   scene.chosen = Number(element('plane').value) - 1;
   pictures.redraw();
 }
@@ -160,7 +208,8 @@ async function loadFile(file) {
   try {
     if (file.size > MOST_FILE) throw new Error('the file is larger than 64 MB');
     pictures.mesh = readGltf(await file.arrayBuffer());
-    if (![...element('mesh').options].some(({ value }) => value === 'file')) element('mesh').append(new Option('', 'file'));
+    if (![...element('mesh').options].some(({ value }) => value === 'file'))
+      element('mesh').append(new Option('', 'file'));
     element('mesh').options[element('mesh').options.length - 1].text = file.name;
     element('mesh').value = 'file';
     say(`${file.name} is loaded`);
@@ -170,7 +219,8 @@ async function loadFile(file) {
 }
 
 function bindScene() {
-  for (const id of ['height', 'tilt', 'heading']) bind(id, (value) => (scene.plane[id] = Number(value)));
+  for (const id of ['height', 'tilt', 'heading'])
+    bind(id, (value) => (scene.plane[id] = Number(value)));
   bind('plane', (value) => (scene.chosen = Number(value) - 1));
   bind('near', (value) => (scene.near = Number(value)));
   bind('offset', (value) => (scene.offset = Number(value)));
@@ -183,10 +233,19 @@ function bindScene() {
     pictures.showsReference = element('reference').checked;
     pictures.redraw();
   });
-  element('mesh').addEventListener('input', () => MESHES[element('mesh').value] && (pictures.mesh = MESHES[element('mesh').value]()));
+  element('mesh').addEventListener(
+    'input',
+    () => MESHES[element('mesh').value] && (pictures.mesh = MESHES[element('mesh').value]()),
+  );
   element('file').addEventListener('change', () => loadFile(element('file').files[0]));
   pictures.mesh = MESHES.Teapot();
-  for (const { element: picture } of views) steer(picture, scene, () => element('drag').value, () => pictures.redraw());
+  for (const { element: picture } of views)
+    steer(
+      picture,
+      scene,
+      () => element('drag').value,
+      () => pictures.redraw(),
+    );
 }
 
 function start() {
@@ -201,7 +260,8 @@ function start() {
   fill('chain', CHAINS);
   fill('drag', DRAGS);
   fill('plane', ['1']);
-  for (const id of ['target', 'lower', 'space', 'options']) element(id).addEventListener('input', compileSoon);
+  for (const id of ['target', 'lower', 'space', 'options'])
+    element(id).addEventListener('input', compileSoon);
   element('gallery').addEventListener('input', () => choose(element('gallery').value));
   bindScene();
   element('link').addEventListener('click', async () => {

@@ -4,14 +4,23 @@
 export const multiply = (a, b) =>
   a.map((_, at) => {
     const [row, column] = [at - (at % 4), at % 4];
-    return a[row] * b[column] + a[row + 1] * b[4 + column] + a[row + 2] * b[8 + column] + a[row + 3] * b[12 + column];
+    return (
+      a[row] * b[column] +
+      a[row + 1] * b[4 + column] +
+      a[row + 2] * b[8 + column] +
+      a[row + 3] * b[12 + column]
+    );
   });
 
 export const transpose = (m) => m.map((_, at) => m[(at % 4) * 4 + (at >> 2)]);
 
 export const translation = (x, y, z) => [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, y, z, 1];
 
-export const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+export const cross = (a, b) => [
+  a[1] * b[2] - a[2] * b[1],
+  a[2] * b[0] - a[0] * b[2],
+  a[0] * b[1] - a[1] * b[0],
+];
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const normalize = (a) => a.map((x) => x / Math.hypot(...a));
 
@@ -27,7 +36,9 @@ export function lookAt(eye, target) {
 /** A perspective whose depth is 0 at `near` and 1 at `far`, or the other way round. */
 export function perspective(fieldOfView, aspect, near, far, isReversed) {
   const y = 1 / Math.tan(fieldOfView / 2);
-  const [a, b] = isReversed ? [near / (far - near), (near * far) / (far - near)] : [far / (near - far), (near * far) / (near - far)];
+  const [a, b] = isReversed
+    ? [near / (far - near), (near * far) / (far - near)]
+    : [far / (near - far), (near * far) / (near - far)];
   return [y / aspect, 0, 0, 0, 0, y, 0, 0, 0, 0, a, -1, 0, 0, b, 0];
 }
 
@@ -42,7 +53,8 @@ export const multiplyFloats = (a, b) =>
   a.map((_, at) => {
     const [row, column] = [at - (at % 4), at % 4];
     let sum = 0;
-    for (let i = 0; i < 4; ++i) sum = Math.fround(sum + Math.fround(a[row + i] * b[4 * i + column]));
+    for (let i = 0; i < 4; ++i)
+      sum = Math.fround(sum + Math.fround(a[row + i] * b[4 * i + column]));
     return sum;
   });
 
@@ -52,6 +64,8 @@ export const planeBefore = (matrix, plane) =>
 
 /** A plane of the world in the space of a view, which turns and moves only. */
 export function planeInView(plane, view) {
-  const normal = [0, 1, 2].map((i) => plane[0] * view[i] + plane[1] * view[4 + i] + plane[2] * view[8 + i]);
+  const normal = [0, 1, 2].map(
+    (i) => plane[0] * view[i] + plane[1] * view[4 + i] + plane[2] * view[8 + i],
+  );
   return [...normal, plane[3] - normal[0] * view[12] - normal[1] * view[13] - normal[2] * view[14]];
 }

@@ -56,7 +56,8 @@ export function measure(capture, mesh, cutting, matricesAt, constantsOf, { width
     edges.forEach((list, index) =>
       list.forEach(({ a, b, share }, i) => {
         const seen = reference.at(a, b, now[index][i]);
-        if (before) moved.push(pixelsBetween(reference.at(a, b, before[index][i]), seen, width, height));
+        if (before)
+          moved.push(pixelsBetween(reference.at(a, b, before[index][i]), seen, width, height));
         else displaced.push(pixelsBetween(reference.at(a, b, share), seen, width, height));
       }),
     );

@@ -67,11 +67,33 @@ function teapot() {
     return [radius(angle) * Math.cos(turn), height(angle), radius(angle) * Math.sin(turn)];
   };
   const spout = (u) => [0.85 + 0.75 * u, -0.25 + 0.75 * u * u, 0];
-  const handle = (u) => [-0.78 + 0.67 * Math.cos(Math.PI * (0.5 + u)), 0.05 + 0.42 * Math.sin(Math.PI * (0.5 + u)), 0];
+  const handle = (u) => [
+    -0.78 + 0.67 * Math.cos(Math.PI * (0.5 + u)),
+    0.05 + 0.42 * Math.sin(Math.PI * (0.5 + u)),
+    0,
+  ];
   const small = (point) => (u, v) => point(u, v).map((x) => 0.75 * x);
   return surfaces(
-    [96, 48, small(turned((a) => Math.sin(a) * (1 - 0.15 * Math.cos(a)), (a) => -0.75 * Math.cos(a)))],
-    [32, 16, small(turned((a) => 0.13 * Math.sin(a), (a) => 0.87 - 0.13 * Math.cos(a)))],
+    [
+      96,
+      48,
+      small(
+        turned(
+          (a) => Math.sin(a) * (1 - 0.15 * Math.cos(a)),
+          (a) => -0.75 * Math.cos(a),
+        ),
+      ),
+    ],
+    [
+      32,
+      16,
+      small(
+        turned(
+          (a) => 0.13 * Math.sin(a),
+          (a) => 0.87 - 0.13 * Math.cos(a),
+        ),
+      ),
+    ],
     [32, 24, small(tube(spout, (u) => 0.24 - 0.14 * u, [0, 0, 1]))],
     [48, 24, small(tube(handle, () => 0.09, [0, 0, 1]))],
   );
@@ -81,19 +103,34 @@ export const MESHES = {
   Teapot: teapot,
   Knot: () => surfaces([240, 24, tube(knot, () => 0.17, [0, 1, 0])]),
   Torus: () =>
-    surfaces([96, 48, (u, v) => {
-      const radius = 0.7 + 0.3 * Math.cos(v * TURN);
-      return [radius * Math.cos(u * TURN), 0.3 * Math.sin(v * TURN), radius * Math.sin(u * TURN)];
-    }]),
+    surfaces([
+      96,
+      48,
+      (u, v) => {
+        const radius = 0.7 + 0.3 * Math.cos(v * TURN);
+        return [radius * Math.cos(u * TURN), 0.3 * Math.sin(v * TURN), radius * Math.sin(u * TURN)];
+      },
+    ]),
   Sphere: () =>
-    surfaces([64, 32, (u, v) => {
-      const radius = Math.sin(v * Math.PI);
-      return [radius * Math.cos(u * TURN), -Math.cos(v * Math.PI), radius * Math.sin(u * TURN)];
-    }]),
+    surfaces([
+      64,
+      32,
+      (u, v) => {
+        const radius = Math.sin(v * Math.PI);
+        return [radius * Math.cos(u * TURN), -Math.cos(v * Math.PI), radius * Math.sin(u * TURN)];
+      },
+    ]),
   Terrain: () =>
-    surfaces([100, 100, (u, v) => {
-      const [x, z] = [2.4 * (u - 0.5), 2.4 * (v - 0.5)];
-      const y = 0.25 * Math.sin(4 * x) * Math.cos(3 * z) + 0.08 * Math.sin(11 * x + 2 * z) + 0.04 * Math.cos(17 * z - x);
-      return [x, y, -z];
-    }]),
+    surfaces([
+      100,
+      100,
+      (u, v) => {
+        const [x, z] = [2.4 * (u - 0.5), 2.4 * (v - 0.5)];
+        const y =
+          0.25 * Math.sin(4 * x) * Math.cos(3 * z) +
+          0.08 * Math.sin(11 * x + 2 * z) +
+          0.04 * Math.cos(17 * z - x);
+        return [x, y, -z];
+      },
+    ]),
 };

@@ -9,7 +9,8 @@ import { SPACES } from './runtime.js';
 
 const WAIT = 250; // milliseconds after the last draw
 
-const spaceOf = (result) => (SPACES.includes(result.table?.position_space) ? result.table.position_space : 'clip');
+const spaceOf = (result) =>
+  SPACES.includes(result.table?.position_space) ? result.table.position_space : 'clip';
 const stepsOf = (result) => result.reflection.positionMatrices || 1;
 
 export class Pictures {
@@ -53,7 +54,8 @@ export class Pictures {
       if (result?.ok) view.problem = view.canvas.use({ ...result, source });
     });
     const [, discard] = results;
-    if (discard?.ok && !this.views[1].problem) this.#captured = this.#capture?.use({ ...discard, source }) ? this.#capture.result : null;
+    if (discard?.ok && !this.views[1].problem)
+      this.#captured = this.#capture?.use({ ...discard, source }) ? this.#capture.result : null;
     this.redraw();
   }
 
@@ -74,7 +76,13 @@ export class Pictures {
     const constantOf = (plane) => {
       const isNear = result.table?.lowering === 'near-plane';
       const name = isNear ? 'nearPlaneConstant' : 'constant';
-      const { constant, problem } = this.runtime[name](spaceOf(result), matrices.planes[plane], matrices, stepsOf(result), rows);
+      const { constant, problem } = this.runtime[name](
+        spaceOf(result),
+        matrices.planes[plane],
+        matrices,
+        stepsOf(result),
+        rows,
+      );
       if (problem) problems.push(problem);
       return constant;
     };
@@ -88,7 +96,11 @@ export class Pictures {
       const matrices = this.scene.matrices(element.width / element.height);
       const { buffers, unknown, problems } = this.#fill(result, matrices, element.height);
       const planes = this.showsReference ? planesOf(result.reflection) : null;
-      canvas.draw(buffers, matrices.isReversed, planes?.length ? new Reference(mesh, matrices, planes).lines() : null);
+      canvas.draw(
+        buffers,
+        matrices.isReversed,
+        planes?.length ? new Reference(mesh, matrices, planes).lines() : null,
+      );
       said ||= problems[0] ?? (unknown.length ? `zeros for ${unknown.join(', ')}` : '');
     }
     caption.textContent = said ? `${name}: ${said}` : name;
@@ -98,9 +110,19 @@ export class Pictures {
   #predict(result, planes, cuts) {
     const { width, height } = this.views[0].element;
     const matrices = this.scene.matrices(width / height);
-    const ofPlane = (space, i) => this.runtime.edgeError(space, matrices.planes[planes[i]], matrices, stepsOf(result), cuts?.[i] ?? null, height);
+    const ofPlane = (space, i) =>
+      this.runtime.edgeError(
+        space,
+        matrices.planes[planes[i]],
+        matrices,
+        stepsOf(result),
+        cuts?.[i] ?? null,
+        height,
+      );
     const seen = planes.flatMap((_, i) => (cuts && !cuts[i] ? [] : [i]));
-    return Object.fromEntries(SPACES.map((space) => [space, Math.max(...seen.map((i) => ofPlane(space, i)))]));
+    return Object.fromEntries(
+      SPACES.map((space) => [space, Math.max(...seen.map((i) => ofPlane(space, i)))]),
+    );
   }
 
   #measure() {
@@ -121,7 +143,19 @@ export class Pictures {
       );
     const predicted = this.#predict(result, planes, found?.cuts);
     const matrices = this.scene.matrices(width / height);
-    const first = this.runtime.constant(spaceOf(result), matrices.planes[planes[0]], matrices, stepsOf(result), height);
-    this.measured({ space: spaceOf(result), planes: planes.length, predicted, found, warning: first.problem ?? first.warning });
+    const first = this.runtime.constant(
+      spaceOf(result),
+      matrices.planes[planes[0]],
+      matrices,
+      stepsOf(result),
+      height,
+    );
+    this.measured({
+      space: spaceOf(result),
+      planes: planes.length,
+      predicted,
+      found,
+      warning: first.problem ?? first.warning,
+    });
   }
 }

@@ -14,17 +14,23 @@ export class Program {
   constructor(gl, result, fragment, captured = []) {
     this.gl = gl;
     this.program = gl.createProgram();
-    for (const [type, text] of [[gl.VERTEX_SHADER, result.glsl], [gl.FRAGMENT_SHADER, fragment]]) {
+    for (const [type, text] of [
+      [gl.VERTEX_SHADER, result.glsl],
+      [gl.FRAGMENT_SHADER, fragment],
+    ]) {
       const shader = gl.createShader(type);
       gl.shaderSource(shader, text);
       gl.compileShader(shader);
       gl.attachShader(this.program, shader);
-      if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(shader));
+      if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS))
+        throw new Error(gl.getShaderInfoLog(shader));
       gl.deleteShader(shader);
     }
-    if (captured.length) gl.transformFeedbackVaryings(this.program, captured, gl.INTERLEAVED_ATTRIBS);
+    if (captured.length)
+      gl.transformFeedbackVaryings(this.program, captured, gl.INTERLEAVED_ATTRIBS);
     gl.linkProgram(this.program);
-    if (!gl.getProgramParameter(this.program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(this.program));
+    if (!gl.getProgramParameter(this.program, gl.LINK_STATUS))
+      throw new Error(gl.getProgramInfoLog(this.program));
     this.result = result;
   }
 
@@ -66,7 +72,11 @@ export class Program {
         if (place === null || (width === undefined && type !== 'float4x4')) continue;
         const at = offset / 4;
         if (type === 'float4x4') gl.uniformMatrix4fv(place, true, floats.subarray(at, at + 16));
-        else if (count === undefined || width === '4') gl[`uniform${width || 1}fv`](place, floats.subarray(at, at + Number(width || 1) * Number(count ?? 1)));
+        else if (count === undefined || width === '4')
+          gl[`uniform${width || 1}fv`](
+            place,
+            floats.subarray(at, at + Number(width || 1) * Number(count ?? 1)),
+          );
         else continue;
         ++uploads;
       }

@@ -41,14 +41,20 @@ export class Reference {
     const m = this.toClip;
     for (let i = 0; i < vertices; ++i) {
       const [x, y, z] = [positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]];
-      for (let c = 0; c < 4; ++c) this.clip[4 * i + c] = x * m[c] + y * m[4 + c] + z * m[8 + c] + m[12 + c];
-      this.planes.forEach((plane, p) => (this.distances[p][i] = x * plane[0] + y * plane[1] + z * plane[2] + plane[3]));
+      for (let c = 0; c < 4; ++c)
+        this.clip[4 * i + c] = x * m[c] + y * m[4 + c] + z * m[8 + c] + m[12 + c];
+      this.planes.forEach(
+        (plane, p) =>
+          (this.distances[p][i] = x * plane[0] + y * plane[1] + z * plane[2] + plane[3]),
+      );
     }
   }
 
   /** The point of the clip space at `share` of the way from vertex a to vertex b. */
   at(a, b, share) {
-    return [0, 1, 2, 3].map((c) => this.clip[4 * a + c] + share * (this.clip[4 * b + c] - this.clip[4 * a + c]));
+    return [0, 1, 2, 3].map(
+      (c) => this.clip[4 * a + c] + share * (this.clip[4 * b + c] - this.clip[4 * a + c]),
+    );
   }
 
   /** The edges that plane `index` cuts in the picture, at an angle that can be measured: {a, b, share}. */
@@ -61,11 +67,14 @@ export class Reference {
     for (let i = 0; i < edges.length; i += 2) {
       const [a, b] = [edges[i], edges[i + 1]];
       if (d[a] < 0 === d[b] < 0) continue;
-      const length = Math.hypot(...[0, 1, 2].map((c) => positions[3 * a + c] - positions[3 * b + c]));
+      const length = Math.hypot(
+        ...[0, 1, 2].map((c) => positions[3 * a + c] - positions[3 * b + c]),
+      );
       if (Math.abs(d[a] - d[b]) < LEAST_SINE * slope * length) continue;
       const share = d[a] / (d[a] - d[b]);
       const [x, y, z, w] = this.at(a, b, share);
-      if (w > 0 && Math.abs(x) <= w && Math.abs(y) <= w && z >= 0 && z <= w) cut.push({ a, b, share });
+      if (w > 0 && Math.abs(x) <= w && Math.abs(y) <= w && z >= 0 && z <= w)
+        cut.push({ a, b, share });
     }
     return cut;
   }
@@ -89,15 +98,23 @@ export class Reference {
     if (!cut.length) return null;
     const { positions } = this.mesh;
     const count = Math.min(cut.length, MOST_PLACES);
-    const places = Array.from({ length: count }, (_, i) => cut[Math.floor((i * cut.length) / count)]).flatMap(({ a, b, share }) =>
-      [0, 1, 2].map((c) => positions[3 * a + c] + share * (positions[3 * b + c] - positions[3 * a + c])),
+    const places = Array.from(
+      { length: count },
+      (_, i) => cut[Math.floor((i * cut.length) / count)],
+    ).flatMap(({ a, b, share }) =>
+      [0, 1, 2].map(
+        (c) => positions[3 * a + c] + share * (positions[3 * b + c] - positions[3 * a + c]),
+      ),
     );
     const aspect = this.scene.projection[5] / this.scene.projection[0];
     const lengths = cut.flatMap(({ a, b }) => {
       const [[px, py, , pw], [qx, qy, , qw]] = [this.at(a, a, 0), this.at(b, b, 0)];
       return pw > 0 && qw > 0 ? [Math.hypot(aspect * (px / pw - qx / qw), py / pw - qy / qw)] : [];
     });
-    return { places, edge: lengths.length ? lengths.reduce((sum, x) => sum + x, 0) / lengths.length : 1 };
+    return {
+      places,
+      edge: lengths.length ? lengths.reduce((sum, x) => sum + x, 0) / lengths.length : 1,
+    };
   }
 
   /** The cut as lines over the surface: pairs of points of the clip space from -w to w. */
@@ -106,7 +123,9 @@ export class Reference {
     const lines = [];
     const row = this.scene.projection.slice(12);
     const add = (a, b, d) => {
-      const point = this.at(a, b, d[a] / (d[a] - d[b])).map((x, c) => NEARER * x + (1 - NEARER) * row[c]);
+      const point = this.at(a, b, d[a] / (d[a] - d[b])).map(
+        (x, c) => NEARER * x + (1 - NEARER) * row[c],
+      );
       lines.push(point[0], point[1], 2 * point[2] - point[3], point[3]);
     };
     this.distances.forEach((d, index) => {
@@ -114,8 +133,14 @@ export class Reference {
         const corners = [indices[i], indices[i + 1], indices[i + 2]];
         const kept = corners.map((corner) => d[corner] >= 0);
         if (kept[0] === kept[1] && kept[1] === kept[2]) continue;
-        if (this.distances.some((other, at) => at !== index && corners.every((corner) => other[corner] < 0))) continue;
-        for (let k = 0; k < 3; ++k) if (kept[k] !== kept[(k + 1) % 3]) add(corners[k], corners[(k + 1) % 3], d);
+        if (
+          this.distances.some(
+            (other, at) => at !== index && corners.every((corner) => other[corner] < 0),
+          )
+        )
+          continue;
+        for (let k = 0; k < 3; ++k)
+          if (kept[k] !== kept[(k + 1) % 3]) add(corners[k], corners[(k + 1) % 3], d);
       }
     });
     return new Float32Array(lines);

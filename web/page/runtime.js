@@ -26,7 +26,14 @@ class Runtime {
     const { exports } = instance;
     exports._initialize();
     const place = (size) => exports.clipc_module_allocate(size);
-    this.#at = { plane: place(16), matrices: [64, 64, 64].map(place), draw: place(20), result: place(232), message: place(200), places: place(24 * MOST_PLACES) };
+    this.#at = {
+      plane: place(16),
+      matrices: [64, 64, 64].map(place),
+      draw: place(20),
+      result: place(232),
+      message: place(200),
+      places: place(24 * MOST_PLACES),
+    };
   }
 
   #put(address, values) {
@@ -37,7 +44,11 @@ class Runtime {
   #putDraw({ world, view, projection, isFloat }, steps) {
     const { matrices, draw } = this.#at;
     [world, view, projection].forEach((matrix, i) => this.#put(matrices[i], matrix));
-    new Uint32Array(this.#instance.exports.memory.buffer, draw, 5).set([...matrices, steps, Number(isFloat && steps === 1)]);
+    new Uint32Array(this.#instance.exports.memory.buffer, draw, 5).set([
+      ...matrices,
+      steps,
+      Number(isFloat && steps === 1),
+    ]);
   }
 
   /** {constant, warning} for a plane of the world; or {problem}. */
@@ -46,7 +57,16 @@ class Runtime {
     const { plane, draw, result, message } = this.#at;
     this.#put(plane, worldPlane);
     this.#putDraw(scene, steps);
-    const error = exports.clipc_plane_constant(SPACES.indexOf(space), plane, KNOWN_IN_WORLD, draw, rows, MOST_PIXELS, result, message);
+    const error = exports.clipc_plane_constant(
+      SPACES.indexOf(space),
+      plane,
+      KNOWN_IN_WORLD,
+      draw,
+      rows,
+      MOST_PIXELS,
+      result,
+      message,
+    );
     if (error) return { problem: this.#instance.textAt(message), constant: [0, 0, 0, 1] };
     const bytes = new DataView(exports.memory.buffer, result);
     return {
@@ -63,10 +83,20 @@ class Runtime {
     if (problem) return { constant, problem };
     this.#put(plane, planeInView(worldPlane, scene.view));
     this.#put(matrices[2], scene.projection);
-    const error = exports.clipc_shear_near_plane(plane, matrices[2], scene.isReversed ? REVERSED : 0, KEEP_FAR, result, message);
+    const error = exports.clipc_shear_near_plane(
+      plane,
+      matrices[2],
+      scene.isReversed ? REVERSED : 0,
+      KEEP_FAR,
+      result,
+      message,
+    );
     if (error) return { constant, problem: this.#instance.textAt(message) };
     const scale = new DataView(exports.memory.buffer, result).getFloat64(64, true);
-    return { constant: constant.map((x) => x * scale), problem: scene.isReversed ? 'this shader writes standard depth' : '' };
+    return {
+      constant: constant.map((x) => x * scale),
+      problem: scene.isReversed ? 'this shader writes standard depth' : '',
+    };
   }
 
   /**
@@ -80,7 +110,16 @@ class Runtime {
     this.#put(plane, cut ? worldPlane : planeInView(worldPlane, scene.view));
     if (cut) new Float64Array(exports.memory.buffer, places, cut.places.length).set(cut.places);
     const pixels = cut
-      ? exports.clipc_cut_error(SPACES.indexOf(space), plane, KNOWN_IN_WORLD, draw, places, cut.places.length / 3, cut.edge, rows)
+      ? exports.clipc_cut_error(
+          SPACES.indexOf(space),
+          plane,
+          KNOWN_IN_WORLD,
+          draw,
+          places,
+          cut.places.length / 3,
+          cut.edge,
+          rows,
+        )
       : exports.clipc_edge_error(SPACES.indexOf(space), plane, matrices[2], rows);
     return pixels >= 0 ? pixels : NaN;
   }

@@ -30,7 +30,9 @@ export class Scene {
   /** The plane that the controls move. */
   chosen = 0;
   /** The first plane cuts through the mesh; the others take little off its sides. */
-  planes = Array.from({ length: MOST_PLANES }, (_, i) => (i ? { height: 0.75, tilt: 90, heading: 72 * i } : { height: 0.25, tilt: 20, heading: 30 }));
+  planes = Array.from({ length: MOST_PLANES }, (_, i) =>
+    i ? { height: 0.75, tilt: 90, heading: 72 * i } : { height: 0.25, tilt: 20, heading: 30 },
+  );
 
   get plane() {
     return this.planes[this.chosen];
@@ -41,16 +43,24 @@ export class Scene {
     const { height, tilt, heading } = this.planes[index];
     const [t, h] = [tilt * RADIANS, heading * RADIANS];
     const normal = floats([Math.sin(t) * Math.cos(h), -Math.cos(t), Math.sin(t) * Math.sin(h)]);
-    return [...normal, Math.fround(height - normal[0] * origin[0] - normal[1] * origin[1] - normal[2] * origin[2])];
+    return [
+      ...normal,
+      Math.fround(height - normal[0] * origin[0] - normal[1] * origin[1] - normal[2] * origin[2]),
+    ];
   }
 
   /** What a draw needs; the camera has turned by `pan` radians where it stands. */
   matrices(aspect, pan = 0) {
     const [yaw, pitch] = [this.yaw * RADIANS, this.pitch * RADIANS];
     const center = this.chain === 'relative' ? -this.distance : 0;
-    const [x, y, z] = [Math.cos(pitch) * Math.sin(yaw), Math.sin(pitch), Math.cos(pitch) * Math.cos(yaw)];
+    const [x, y, z] = [
+      Math.cos(pitch) * Math.sin(yaw),
+      Math.sin(pitch),
+      Math.cos(pitch) * Math.cos(yaw),
+    ];
     // The mesh's place: the world begins at the camera where it is relative to it.
-    const mesh = this.chain === 'relative' ? [x * center, y * center, z * center] : [this.offset, 0, 0];
+    const mesh =
+      this.chain === 'relative' ? [x * center, y * center, z * center] : [this.offset, 0, 0];
     const eye = mesh.map((at, i) => at + this.distance * [x, y, z][i]);
     const view = multiply(lookAt(eye, mesh), rotationY(pan));
     return {

@@ -40,6 +40,10 @@ export function steer(canvas, scene, choice, moved) {
     const step = KEYS[event.key];
     if (!step) return;
     event.preventDefault();
-    drag(event, step[0], choice() === 'camera' && !event.shiftKey && !event.altKey ? step[1] : -step[1]);
+    drag(
+      event,
+      step[0],
+      choice() === 'camera' && !event.shiftKey && !event.altKey ? step[1] : -step[1],
+    );
   });
 }

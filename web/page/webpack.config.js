@@ -7,7 +7,12 @@ const at = (path) => fileURLToPath(new URL(path, import.meta.url));
 export default {
   mode: 'production',
   entry: './main.js',
-  output: { path: at('../../page'), filename: 'main.js', chunkFilename: '[name].js', assetModuleFilename: '[name][ext]' },
+  output: {
+    path: at('../../page'),
+    filename: 'main.js',
+    chunkFilename: '[name].js',
+    assetModuleFilename: '[name][ext]',
+  },
   resolve: { alias: { clipc$: at('../package/browser.js'), clipc: at('../package') } },
   module: {
     rules: [

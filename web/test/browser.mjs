@@ -7,7 +7,13 @@ import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
 import { extname, join, normalize, resolve } from 'node:path';
 
-const TYPES = { '.html': 'text/html', '.js': 'text/javascript', '.mjs': 'text/javascript', '.css': 'text/css', '.wasm': 'application/wasm' };
+const TYPES = {
+  '.html': 'text/html',
+  '.js': 'text/javascript',
+  '.mjs': 'text/javascript',
+  '.css': 'text/css',
+  '.wasm': 'application/wasm',
+};
 
 /** A server of the files in `folder`, on this machine alone, and its address. */
 function serve(folder) {
@@ -18,7 +24,11 @@ function serve(folder) {
     response.writeHead(200, { 'content-type': TYPES[extname(file)] ?? 'application/octet-stream' });
     createReadStream(file).pipe(response);
   });
-  return new Promise((done) => server.listen(0, '127.0.0.1', () => done({ server, address: `http://127.0.0.1:${server.address().port}/` })));
+  return new Promise((done) =>
+    server.listen(0, '127.0.0.1', () =>
+      done({ server, address: `http://127.0.0.1:${server.address().port}/` }),
+    ),
+  );
 }
 
 export class Page {
@@ -31,15 +41,31 @@ export class Page {
   /** Serves `folder` and opens its file `path`; a `folder` that is an address is opened. `script` runs in the page before its own. */
   static async open(program, folder, { path = '', width = 1280, height = 1100, script = '' } = {}) {
     const page = new Page();
-    const { server, address } = folder.startsWith('http:') ? { address: folder } : await serve(resolve(folder));
+    const { server, address } = folder.startsWith('http:')
+      ? { address: folder }
+      : await serve(resolve(folder));
     page.server = server;
     page.profile = mkdtempSync(join(tmpdir(), 'clipc-browser-'));
-    const options = ['--headless=new', '--no-sandbox', '--remote-debugging-pipe', '--enable-unsafe-swiftshader', '--use-angle=swiftshader',
-      `--user-data-dir=${page.profile}`, `--window-size=${width},${height}`, '--no-first-run', 'about:blank'];
-    page.process = spawn(program, options, { stdio: ['ignore', 'ignore', 'ignore', 'pipe', 'pipe'] });
+    const options = [
+      '--headless=new',
+      '--no-sandbox',
+      '--remote-debugging-pipe',
+      '--enable-unsafe-swiftshader',
+      '--use-angle=swiftshader',
+      `--user-data-dir=${page.profile}`,
+      `--window-size=${width},${height}`,
+      '--no-first-run',
+      'about:blank',
+    ];
+    page.process = spawn(program, options, {
+      stdio: ['ignore', 'ignore', 'ignore', 'pipe', 'pipe'],
+    });
     page.process.stdio[4].setEncoding('utf8').on('data', (data) => page.#receive(data));
     const { targetId } = await page.#send('Target.createTarget', { url: 'about:blank' });
-    ({ sessionId: page.session } = await page.#send('Target.attachToTarget', { targetId, flatten: true }));
+    ({ sessionId: page.session } = await page.#send('Target.attachToTarget', {
+      targetId,
+      flatten: true,
+    }));
     for (const domain of ['Page', 'Runtime', 'Log']) await page.send(`${domain}.enable`);
     if (script) await page.send('Page.addScriptToEvaluateOnNewDocument', { source: script });
     await page.send('Page.navigate', { url: address + path });
@@ -53,19 +79,31 @@ export class Page {
   /** The processor time that the page's process has taken, its workers with it: seconds. */
   async processorTime() {
     const { processInfo } = await this.#send('SystemInfo.getProcessInfo');
-    return Math.max(0, ...processInfo.filter(({ type }) => type === 'renderer').map(({ cpuTime }) => cpuTime));
+    return Math.max(
+      0,
+      ...processInfo.filter(({ type }) => type === 'renderer').map(({ cpuTime }) => cpuTime),
+    );
   }
 
   /** The value of an expression, or of what it promises. */
   async evaluate(expression) {
-    const { result, exceptionDetails } = await this.send('Runtime.evaluate', { expression, awaitPromise: true, returnByValue: true });
-    if (exceptionDetails) throw new Error(exceptionDetails.exception?.description ?? exceptionDetails.text);
+    const { result, exceptionDetails } = await this.send('Runtime.evaluate', {
+      expression,
+      awaitPromise: true,
+      returnByValue: true,
+    });
+    if (exceptionDetails)
+      throw new Error(exceptionDetails.exception?.description ?? exceptionDetails.text);
     return result.value;
   }
 
   /** Waits until an expression is true. */
   async until(expression, milliseconds = 60000) {
-    for (const end = Date.now() + milliseconds; Date.now() < end; await new Promise((done) => setTimeout(done, 50))) {
+    for (
+      const end = Date.now() + milliseconds;
+      Date.now() < end;
+      await new Promise((done) => setTimeout(done, 50))
+    ) {
       if (await this.evaluate(expression)) return;
     }
     throw new Error(`still not: ${expression}`);
@@ -73,12 +111,15 @@ export class Page {
 
   /** Waits until the page is loaded, and until a condition of its own is true. */
   loaded(condition = 'true') {
-    return this.until(`location.protocol === "http:" && document.readyState === "complete" && (${condition})`);
+    return this.until(
+      `location.protocol === "http:" && document.readyState === "complete" && (${condition})`,
+    );
   }
 
   /** Gives the control `id` a value, as a person does. */
   set(id, value) {
-    return this.evaluate(`(() => { const control = document.getElementById('${id}'); control.value = ${JSON.stringify(value)};
+    return this
+      .evaluate(`(() => { const control = document.getElementById('${id}'); control.value = ${JSON.stringify(value)};
       control.dispatchEvent(new Event('input')); })()`);
   }
 
@@ -127,7 +168,9 @@ export class Page {
         if (error) reject(new Error(error.message));
         else resolve(result);
       } else if (method === 'Runtime.exceptionThrown') {
-        this.errors.push(params.exceptionDetails.exception?.description ?? params.exceptionDetails.text);
+        this.errors.push(
+          params.exceptionDetails.exception?.description ?? params.exceptionDetails.text,
+        );
       } else if (method === 'Runtime.consoleAPICalled' && params.type === 'error') {
         this.errors.push(params.args.map((arg) => arg.value ?? arg.description).join(' '));
       } else if (method === 'Log.entryAdded' && params.entry.level === 'error') {

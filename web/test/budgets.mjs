@@ -19,11 +19,15 @@ let isOver = false;
 
 function row(name, cost, budget, unit) {
   isOver ||= cost > budget;
-  console.log(`${name.padEnd(44)} ${cost.toFixed(2).padStart(6)} of ${budget} ${unit}${cost > budget ? ', too much' : ''}`);
+  console.log(
+    `${name.padEnd(44)} ${cost.toFixed(2).padStart(6)} of ${budget} ${unit}${cost > budget ? ', too much' : ''}`,
+  );
 }
 
 const page = await Page.open(chromium, folder);
-await page.loaded('document.documentElement.dataset.compiled && document.documentElement.dataset.draws');
+await page.loaded(
+  'document.documentElement.dataset.compiled && document.documentElement.dataset.draws',
+);
 row('page ready', await page.processorTime(), READY_SECONDS, 's');
 await page.close();
 
@@ -39,13 +43,22 @@ async function timed(name, budget, run) {
 // What the page's worker does after a key: the text's result, and those of both pictures.
 const { createCompiler } = await import(pathToFileURL(resolve(packed, 'node.js')));
 const compiler = await timed('module loaded in node', LOAD_MILLISECONDS, () => createCompiler());
-await timed('first shader in node', FIRST_MILLISECONDS, () => compiler.compile(readFileSync(join(gallery, 'water_reflection.hlsl'), 'utf8'), { profile: 'vs_5_0' }));
+await timed('first shader in node', FIRST_MILLISECONDS, () =>
+  compiler.compile(readFileSync(join(gallery, 'water_reflection.hlsl'), 'utf8'), {
+    profile: 'vs_5_0',
+  }),
+);
 for (const name of readdirSync(gallery).filter((file) => /\.(hlsl|fx)$/.test(file))) {
   const text = readFileSync(join(gallery, name), 'utf8');
   const options = text.match(/^\/\/ clipc (.*)$/m)[1].split(' ');
   const drawn = [...options, '--depth-range=negative-one-to-one'];
-  const settings = [{ lower: 'clip-distance', options }, { lower: 'clip-distance', options: drawn }, { lower: 'discard', options: drawn }];
-  const run = () => settings.forEach((given) => compiler.compile(text, { target: 'webgl2', ...given }));
+  const settings = [
+    { lower: 'clip-distance', options },
+    { lower: 'clip-distance', options: drawn },
+    { lower: 'discard', options: drawn },
+  ];
+  const run = () =>
+    settings.forEach((given) => compiler.compile(text, { target: 'webgl2', ...given }));
   for (let i = 0; i < ROUNDS; ++i) run();
   const before = process.cpuUsage();
   for (let i = 0; i < ROUNDS; ++i) run();

@@ -11,11 +11,20 @@ function attributesOf(gl, program) {
     if (location < 0) continue; // gl_VertexID
     const floats = [gl.FLOAT, gl.FLOAT_VEC2, gl.FLOAT_VEC3, gl.FLOAT_VEC4].indexOf(type) + 1;
     const ints = [gl.INT, gl.INT_VEC2, gl.INT_VEC3, gl.INT_VEC4].indexOf(type) + 1;
-    const uints = [gl.UNSIGNED_INT, gl.UNSIGNED_INT_VEC2, gl.UNSIGNED_INT_VEC3, gl.UNSIGNED_INT_VEC4].indexOf(type) + 1;
+    const uints =
+      [gl.UNSIGNED_INT, gl.UNSIGNED_INT_VEC2, gl.UNSIGNED_INT_VEC3, gl.UNSIGNED_INT_VEC4].indexOf(
+        type,
+      ) + 1;
     const width = floats || ints || uints;
     const next = random(`attribute ${location}`);
-    const values = corners.flatMap(([x, y]) => [x, y, 0, 1].slice(0, width).map((at) => (location === 0 ? at : floats ? next() : Math.floor(4 * next()))));
-    const words = new Uint32Array(floats ? new Float32Array(values).buffer : new Uint32Array(values).buffer);
+    const values = corners.flatMap(([x, y]) =>
+      [x, y, 0, 1]
+        .slice(0, width)
+        .map((at) => (location === 0 ? at : floats ? next() : Math.floor(4 * next()))),
+    );
+    const words = new Uint32Array(
+      floats ? new Float32Array(values).buffer : new Uint32Array(values).buffer,
+    );
     attributes[name] = [...words];
     gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
     gl.bufferData(gl.ARRAY_BUFFER, words, gl.STATIC_DRAW);
@@ -33,7 +42,10 @@ function blocksOf(gl, program) {
     const name = gl.getActiveUniformBlockName(program, i);
     const next = random(name);
     const size = gl.getActiveUniformBlockParameter(program, i, gl.UNIFORM_BLOCK_DATA_SIZE);
-    const floats = Float32Array.from({ length: size / 4 }, (_, at) => (at < 16 && at % 5 === 0 ? 1 : 0) + 0.05 + 0.2 * next());
+    const floats = Float32Array.from(
+      { length: size / 4 },
+      (_, at) => (at < 16 && at % 5 === 0 ? 1 : 0) + 0.05 + 0.2 * next(),
+    );
     blocks[name] = [...new Uint32Array(floats.buffer)];
     gl.uniformBlockBinding(program, i, i);
     gl.bindBufferBase(gl.UNIFORM_BUFFER, i, gl.createBuffer());
@@ -55,7 +67,12 @@ export function drawPair(vertex, fragment) {
     gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
     gl.bindRenderbuffer(gl.RENDERBUFFER, gl.createRenderbuffer());
     gl.renderbufferStorage(gl.RENDERBUFFER, gl.RGBA32F, SIZE, SIZE);
-    gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.RENDERBUFFER, gl.getParameter(gl.RENDERBUFFER_BINDING));
+    gl.framebufferRenderbuffer(
+      gl.FRAMEBUFFER,
+      gl.COLOR_ATTACHMENT0,
+      gl.RENDERBUFFER,
+      gl.getParameter(gl.RENDERBUFFER_BINDING),
+    );
     gl.clear(gl.COLOR_BUFFER_BIT);
     gl.viewport(0, 0, SIZE, SIZE);
     gl.useProgram(program);
@@ -65,8 +82,21 @@ export function drawPair(vertex, fragment) {
     gl.readPixels(0, 0, SIZE, SIZE, gl.RGBA, gl.FLOAT, colors);
     const error = gl.getError();
     if (error) throw new Error(`WebGL has the error ${error}`);
-    const draw = { vertex, fragment, width: SIZE, height: SIZE, clear: [0, 0, 0, 0], reversed: false, clipDistances: 0, float: true,
-      vertices: corners.length, indices: corners.map((_, i) => i), attributes, blocks, uniforms: {} };
+    const draw = {
+      vertex,
+      fragment,
+      width: SIZE,
+      height: SIZE,
+      clear: [0, 0, 0, 0],
+      reversed: false,
+      clipDistances: 0,
+      float: true,
+      vertices: corners.length,
+      indices: corners.map((_, i) => i),
+      attributes,
+      blocks,
+      uniforms: {},
+    };
     return { colors: forJson(colors), draw };
   } catch (error) {
     return { problem: error.message };

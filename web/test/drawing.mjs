@@ -7,7 +7,15 @@ const CELLS = 4;
 export const corners = [];
 for (let row = 0; row < CELLS; ++row) {
   for (let column = 0; column < CELLS; ++column) {
-    for (const [x, y] of [[0, 0], [1, 0], [0, 1], [0, 1], [1, 0], [1, 1]]) corners.push([(2 * (column + x)) / CELLS - 1, (2 * (row + y)) / CELLS - 1]);
+    for (const [x, y] of [
+      [0, 0],
+      [1, 0],
+      [0, 1],
+      [0, 1],
+      [1, 0],
+      [1, 1],
+    ])
+      corners.push([(2 * (column + x)) / CELLS - 1, (2 * (row + y)) / CELLS - 1]);
   }
 }
 
@@ -25,15 +33,20 @@ export function random(text) {
 /** A linked program; throws what is wrong with the texts. */
 export function link(gl, vertex, fragment) {
   const program = gl.createProgram();
-  for (const [type, text] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
+  for (const [type, text] of [
+    [gl.VERTEX_SHADER, vertex],
+    [gl.FRAGMENT_SHADER, fragment],
+  ]) {
     const shader = gl.createShader(type);
     gl.shaderSource(shader, text);
     gl.compileShader(shader);
-    if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(shader));
+    if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS))
+      throw new Error(gl.getShaderInfoLog(shader));
     gl.attachShader(program, shader);
   }
   gl.linkProgram(program);
-  if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program));
+  if (!gl.getProgramParameter(program, gl.LINK_STATUS))
+    throw new Error(gl.getProgramInfoLog(program));
   return program;
 }
 
@@ -42,8 +55,12 @@ export const forJson = (floats) => Array.from(floats, (x) => (Number.isFinite(x)
 
 /** Pixels whose colors are further apart than `share` of their size. */
 export function differing(a, b, share = 1e-3) {
-  const isNear = (x, y) => x === y || String(x) === String(y) || Math.abs(x - y) <= share * Math.max(1, Math.abs(x), Math.abs(y));
+  const isNear = (x, y) =>
+    x === y ||
+    String(x) === String(y) ||
+    Math.abs(x - y) <= share * Math.max(1, Math.abs(x), Math.abs(y));
   let count = 0;
-  for (let i = 0; i < a.length; i += 4) count += [0, 1, 2, 3].some((part) => !isNear(a[i + part], b[i + part]));
+  for (let i = 0; i < a.length; i += 4)
+    count += [0, 1, 2, 3].some((part) => !isNear(a[i + part], b[i + part]));
   return count;
 }

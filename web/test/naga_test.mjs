@@ -41,13 +41,17 @@ let clipped = 0;
 /** Translates a shader. `expected`: what naga says of it. */
 function take(path, options, expected) {
   const output = join(scratch, 'x.spv');
-  const compiled = spawnSync(program, [...options, '-spirv', path, '-o', output], { encoding: 'utf8' });
+  const compiled = spawnSync(program, [...options, '-spirv', path, '-o', output], {
+    encoding: 'utf8',
+  });
   if (compiled.status !== 0) return assert.equal(compiled.status, 1, `${path}: ${compiled.stderr}`); // of another profile or entry point
   const { wgsl, problem } = translate(readFileSync(output));
   if (expected) return assert.match(problem ?? 'taken', expected, path);
   assert.equal(problem, undefined, path);
   taken += 1;
-  const glsl = spawnSync(program, [...options, '--target=vulkan', path, '-o', '-'], { encoding: 'utf8' }).stdout;
+  const glsl = spawnSync(program, [...options, '--target=vulkan', path, '-o', '-'], {
+    encoding: 'utf8',
+  }).stdout;
   const clips = /gl_ClipDistance\[/.test(glsl);
   assert.equal(/@builtin\(clip_distances\)/.test(wgsl), clips, `${path}: clip distances`);
   clipped += clips;
@@ -57,7 +61,15 @@ for (const shaders of folders) {
   for (const name of readdirSync(shaders).filter((file) => file.endsWith('.hlsl'))) {
     const path = join(shaders, name);
     const entry = /^\w+ vs\(/m.test(readFileSync(path, 'utf8')) ? 'vs' : 'main';
-    const options = ['-w', '-T', 'vs_5_0', '-E', entry, '--base-vertex=zero', '--base-instance=zero'];
+    const options = [
+      '-w',
+      '-T',
+      'vs_5_0',
+      '-E',
+      entry,
+      '--base-vertex=zero',
+      '--base-instance=zero',
+    ];
     take(path, options, REFUSED[name]);
     if (OTHERWISE[name]) take(path, [...options, ...OTHERWISE[name]]);
   }

@@ -12,7 +12,10 @@ const [archive, program, ...folders] = process.argv.slice(2);
 const scratch = mkdtempSync(join(tmpdir(), 'clipc-package-'));
 process.on('exit', () => rmSync(scratch, { recursive: true, force: true }));
 writeFileSync(join(scratch, 'package.json'), '{"private": true, "type": "module"}');
-execFileSync('npm', ['install', '--offline', '--no-audit', '--no-fund', resolve(archive)], { cwd: scratch, stdio: ['ignore', 'pipe', 'inherit'] });
+execFileSync('npm', ['install', '--offline', '--no-audit', '--no-fund', resolve(archive)], {
+  cwd: scratch,
+  stdio: ['ignore', 'pipe', 'inherit'],
+});
 
 const installed = pathToFileURL(join(scratch, 'node_modules/clipc/node.js'));
 const { compile, createCompiler } = await import(installed);
@@ -30,15 +33,27 @@ float4 main(float4 p : POSITION) : SV_Position { return mul(p * SCALE, m); }
 `;
 const readInclude = (path) => (path.endsWith('common.hlsli') ? '#define SCALE 2\n' : null);
 
-writeFileSync(join(scratch, 'use.js'), `import { compile } from 'clipc';
+writeFileSync(
+  join(scratch, 'use.js'),
+  `import { compile } from 'clipc';
 const { glsl } = await compile('float4 main() : SV_Position { return 1; }', { profile: 'vs_5_0' });
-process.stdout.write(glsl.split('\\n')[0]);`);
+process.stdout.write(glsl.split('\\n')[0]);`,
+);
 await test('an import by its name', () => {
-  assert.equal(execFileSync('node', ['use.js'], { cwd: scratch, encoding: 'utf8' }), '#version 450');
+  assert.equal(
+    execFileSync('node', ['use.js'], { cwd: scratch, encoding: 'utf8' }),
+    '#version 450',
+  );
 });
 
 await test('every part of a result', () => {
-  const options = { profile: 'vs_5_0', path: 'water.hlsl', readInclude, options: ['-spirv'], target: 'vulkan' };
+  const options = {
+    profile: 'vs_5_0',
+    path: 'water.hlsl',
+    readInclude,
+    options: ['-spirv'],
+    target: 'vulkan',
+  };
   const result = compiler.compile(SHADER, options);
   assert.equal(result.status, 'compiled', result.messages);
   assert.match(result.glsl, /gl_ClipDistance\[0\] = dot/);
@@ -50,7 +65,9 @@ await test('every part of a result', () => {
 });
 
 await test('messages with their places', () => {
-  const result = compiler.compile('float4 main() : SV_Position { return nothing; }', { profile: 'vs_5_0' });
+  const result = compiler.compile('float4 main() : SV_Position { return nothing; }', {
+    profile: 'vs_5_0',
+  });
   assert.equal(result.status, 'errors');
   assert.equal(result.glsl, '');
   assert.equal(result.diagnostics[0].severity, 'error');
@@ -76,13 +93,20 @@ await test('shader bombs end, and the compiler works afterwards', () => {
     sums: `float4 main() : SV_Position { return ${'1+'.repeat(50000)}1; }`,
     blocks: `float4 main() : SV_Position { ${'{'.repeat(100000)}${'}'.repeat(100000)} return 1; }`,
     includes: '#include "a.hlsli"\n',
-    macros: '#define A0 1 1\n' + Array.from({ length: 40 }, (_, i) => `#define A${i + 1} A${i} A${i}\n`).join('') + 'A40\n',
+    macros:
+      '#define A0 1 1\n' +
+      Array.from({ length: 40 }, (_, i) => `#define A${i + 1} A${i} A${i}\n`).join('') +
+      'A40\n',
   };
   for (const [name, text] of Object.entries(bombs)) {
     const result = compiler.compile(text, { readInclude: () => text });
     assert.ok(name === 'sums' || !result.ok, name);
     assert.ok(result.ok || result.messages, name);
-    assert.equal(compiler.compile('float4 main() : SV_Position { return 1; }').status, 'compiled', name);
+    assert.equal(
+      compiler.compile('float4 main() : SV_Position { return 1; }').status,
+      'compiled',
+      name,
+    );
     console.log(`   ${name}: ${result.status}: ${result.messages.split('\n')[0].slice(0, 100)}`);
   }
 });
@@ -104,14 +128,26 @@ const part = (name) => import(pathToFileURL(join(scratch, 'node_modules/clipc', 
 
 await test('the plugin for Vite', async () => {
   const said = { files: [], errors: [] };
-  const context = { addWatchFile: (file) => said.files.push(file), warn: (text) => said.errors.push(text), error: (error) => { throw error; } };
+  const context = {
+    addWatchFile: (file) => said.files.push(file),
+    warn: (text) => said.errors.push(text),
+    error: (error) => {
+      throw error;
+    },
+  };
   const plugin = (await part('vite.js')).default({ profile: 'vs_5_0' });
   const { code } = await plugin.load.call(context, `${shader}?lower=discard`);
   assert.match(code, /export const discard = "[^"]*clip_planes/);
   assert.deepEqual(said, { files: [join(scratch, 'common.hlsli')], errors: [] });
   assert.equal(await plugin.load.call(context, join(scratch, 'use.js')), null);
-  writeFileSync(join(scratch, 'wrong.hlsl'), 'float4 main() : SV_Position {\n  return nothing;\n}\n');
-  await assert.rejects(plugin.load.call(context, join(scratch, 'wrong.hlsl')), ({ message, loc }) => /nothing/.test(message) && loc.line === 2 && loc.column === 9);
+  writeFileSync(
+    join(scratch, 'wrong.hlsl'),
+    'float4 main() : SV_Position {\n  return nothing;\n}\n',
+  );
+  await assert.rejects(
+    plugin.load.call(context, join(scratch, 'wrong.hlsl')),
+    ({ message, loc }) => /nothing/.test(message) && loc.line === 2 && loc.column === 9,
+  );
 });
 
 await test('the loader for webpack', async () => {
@@ -120,19 +156,35 @@ await test('the loader for webpack', async () => {
     new Promise((resolve) => {
       const files = [];
       const async = () => (error, code) => resolve({ error, code, files });
-      loader.call({ async, resourcePath: shader, resourceQuery: '', getOptions: () => ({}), addDependency: (file) => files.push(file), emitWarning: () => {} }, text);
+      loader.call(
+        {
+          async,
+          resourcePath: shader,
+          resourceQuery: '',
+          getOptions: () => ({}),
+          addDependency: (file) => files.push(file),
+          emitWarning: () => {},
+        },
+        text,
+      );
     });
   const { error, code, files } = await run(SHADER);
   assert.equal(error, null);
   assert.match(code, /export const glsl = "#version 300 es/);
   assert.deepEqual(files, [join(scratch, 'common.hlsli')]);
-  assert.match((await run('float4 main() : SV_Position { return nothing; }')).error.message, /nothing/);
+  assert.match(
+    (await run('float4 main() : SV_Position { return nothing; }')).error.message,
+    /nothing/,
+  );
 });
 
 // ---- the same bytes
 
 const run = (command, args) => {
-  const { status, stdout, stderr } = spawnSync(command, args, { encoding: 'latin1', maxBuffer: 1 << 28 });
+  const { status, stdout, stderr } = spawnSync(command, args, {
+    encoding: 'latin1',
+    maxBuffer: 1 << 28,
+  });
   return { status, stdout, stderr };
 };
 
@@ -145,11 +197,16 @@ function shaders(folder) {
 
 const files = folders.flatMap(shaders);
 const { messages: there } = compiler.compile('', { profile: 'vs_5_0', target: 'none such' });
-const targets = [...there.slice(there.indexOf('there is')).matchAll(/`(\w+)`/g)].map(([, name]) => name);
+const targets = [...there.slice(there.indexOf('there is')).matchAll(/`(\w+)`/g)].map(
+  ([, name]) => name,
+);
 assert.ok(targets.length >= 19, there);
 const lowerings = ['clip-distance', 'near-plane', 'none']; // for the others the program has files of its own, or asks for them
 // Each shader as it comes, and for another target with another lowering, so that each of them has many shaders.
-const comparisons = files.flatMap((file, i) => [{ file }, { file, target: targets[i % targets.length], lower: lowerings[i % lowerings.length] }]);
+const comparisons = files.flatMap((file, i) => [
+  { file },
+  { file, target: targets[i % targets.length], lower: lowerings[i % lowerings.length] },
+]);
 let same = 0;
 let milliseconds = 0;
 for (const { file, target, lower } of comparisons) {
@@ -170,21 +227,37 @@ for (const { file, target, lower } of comparisons) {
     },
   });
   milliseconds += performance.now() - began;
-  const theirs = run(program, [file, '-T', 'vs_5_0', ...(target ? [`--target=${target}`, `--lower=${lower}`] : [])]);
+  const theirs = run(program, [
+    file,
+    '-T',
+    'vs_5_0',
+    ...(target ? [`--target=${target}`, `--lower=${lower}`] : []),
+  ]);
   const ours = Buffer.from(result.messages).toString('latin1');
-  const isSame = result.ok === (theirs.status === 0) && ours === theirs.stderr && (!result.ok || Buffer.from(result.glsl).toString('latin1') === theirs.stdout);
+  const isSame =
+    result.ok === (theirs.status === 0) &&
+    ours === theirs.stderr &&
+    (!result.ok || Buffer.from(result.glsl).toString('latin1') === theirs.stdout);
   if (isSame) ++same;
-  else console.log(`DIFFERS ${file}, ${target}, ${lower}: ${result.status}\n${ours.slice(0, 300)}\n--- the program: ${theirs.status}\n${theirs.stderr.slice(0, 300)}`);
+  else
+    console.log(
+      `DIFFERS ${file}, ${target}, ${lower}: ${result.status}\n${ours.slice(0, 300)}\n--- the program: ${theirs.status}\n${theirs.stderr.slice(0, 300)}`,
+    );
 }
-console.log(`${same} of ${comparisons.length} compiles of ${files.length} shaders have the program's bytes, ${(milliseconds / Math.max(comparisons.length, 1)).toFixed(2)} ms each`);
+console.log(
+  `${same} of ${comparisons.length} compiles of ${files.length} shaders have the program's bytes, ${(milliseconds / Math.max(comparisons.length, 1)).toFixed(2)} ms each`,
+);
 if (same !== comparisons.length) process.exitCode = 1;
 
 const bin = join(scratch, 'node_modules/.bin/clipc');
 for (const file of files.filter((_, i) => i % Math.ceil(files.length / 12) === 0)) {
   const reflected = [join(scratch, 'a.json'), join(scratch, 'b.json')];
-  const [ours, theirs] = [bin, program].map((command, i) => run(command, [file, '-T', 'vs_5_0', '--validate', `--reflect=${reflected[i]}`]));
+  const [ours, theirs] = [bin, program].map((command, i) =>
+    run(command, [file, '-T', 'vs_5_0', '--validate', `--reflect=${reflected[i]}`]),
+  );
   assert.deepEqual(ours, theirs, file);
-  if (ours.status === 0) assert.equal(readFileSync(reflected[0], 'utf8'), readFileSync(reflected[1], 'utf8'));
+  if (ours.status === 0)
+    assert.equal(readFileSync(reflected[0], 'utf8'), readFileSync(reflected[1], 'utf8'));
 }
 await test('the program of the package', () => {
   assert.deepEqual(run(bin, ['--help']), run(program, ['--help']));

@@ -25,7 +25,9 @@ async function compiled(action) {
 }
 
 async function type(text) {
-  await page.evaluate(`document.querySelector('.cm-content').focus(); document.execCommand('selectAll')`);
+  await page.evaluate(
+    `document.querySelector('.cm-content').focus(); document.execCommand('selectAll')`,
+  );
   await compiled(() => page.send('Input.insertText', { text }));
 }
 
@@ -55,13 +57,22 @@ const pixels = () =>
 
 await test('the page is ready with a shader that compiles', async () => {
   await page.loaded();
-  await page.until('document.documentElement.dataset.compiled && !document.getElementById("status").classList.contains("bad")');
-  await page.until('document.getElementById("prediction").textContent.includes("Plane space clip")');
+  await page.until(
+    'document.documentElement.dataset.compiled && !document.getElementById("status").classList.contains("bad")',
+  );
+  await page.until(
+    'document.getElementById("prediction").textContent.includes("Plane space clip")',
+  );
   await page.until('Number(document.documentElement.dataset.measured) > 0');
-  assert.match(await page.evaluate('document.getElementById("text").textContent'), /^#version 300 es\n#extension GL_ANGLE_clip_cull_distance/);
+  assert.match(
+    await page.evaluate('document.getElementById("text").textContent'),
+    /^#version 300 es\n#extension GL_ANGLE_clip_cull_distance/,
+  );
 });
 
-const hasPlanes = await page.evaluate('!!document.createElement("canvas").getContext("webgl2")?.getExtension("WEBGL_clip_cull_distance")');
+const hasPlanes = await page.evaluate(
+  '!!document.createElement("canvas").getContext("webgl2")?.getExtension("WEBGL_clip_cull_distance")',
+);
 let first;
 await test(`both pictures show one cut${hasPlanes ? '' : ' (discard only: no WEBGL_clip_cull_distance)'}`, async () => {
   await set('height', '0');
@@ -84,10 +95,18 @@ await test('a plane that moves cuts more', async () => {
 await test('plane spaces draw the same cut', async () => {
   for (const space of ['xyw1', 'object', 'clip']) {
     await compiled(() => set('space', space));
-    await page.until('document.documentElement.dataset.shows === document.documentElement.dataset.compiled');
+    await page.until(
+      'document.documentElement.dataset.shows === document.documentElement.dataset.compiled',
+    );
     const now = await pixels();
-    assert.ok(Math.abs(now.drawnBeside - first.drawnBeside) < first.all / 500, `${space}: ${JSON.stringify([first, now])}`);
-    assert.match(await page.evaluate('document.getElementById("prediction").textContent'), new RegExp(`Plane space ${space}`));
+    assert.ok(
+      Math.abs(now.drawnBeside - first.drawnBeside) < first.all / 500,
+      `${space}: ${JSON.stringify([first, now])}`,
+    );
+    assert.match(
+      await page.evaluate('document.getElementById("prediction").textContent'),
+      new RegExp(`Plane space ${space}`),
+    );
   }
 });
 
@@ -101,11 +120,16 @@ await test('a wrong shader shows its message and keeps the last picture', async 
 
 await test('a shader bomb ends in a message', async () => {
   await type(`#if ${'('.repeat(20000)}\n#endif\n`);
-  assert.match(await page.evaluate('document.getElementById("status").textContent'), /errors|took too long/);
+  assert.match(
+    await page.evaluate('document.getElementById("status").textContent'),
+    /errors|took too long/,
+  );
 });
 
 await test('every shader of the gallery', async () => {
-  for (const name of await page.evaluate('[...document.getElementById("gallery").options].map((option) => option.value)')) {
+  for (const name of await page.evaluate(
+    '[...document.getElementById("gallery").options].map((option) => option.value)',
+  )) {
     await compiled(() => set('gallery', name));
     await pixels();
     const text = await page.evaluate('document.getElementById("text").textContent');
@@ -119,8 +143,12 @@ await test('every target and lowering can be chosen, and says its GLSL or why no
   const { compile } = await import(pathToFileURL(resolve(packed, 'node.js')));
   for (const id of ['target', 'lower']) {
     const { messages } = await compile('', { profile: 'vs_5_0', [id]: 'none such' });
-    const all = [...messages.slice(messages.indexOf('there is')).matchAll(/`([\w-]+)`/g)].map(([, name]) => name);
-    const offered = await page.evaluate(`[...document.getElementById('${id}').options].map((option) => option.value)`);
+    const all = [...messages.slice(messages.indexOf('there is')).matchAll(/`([\w-]+)`/g)].map(
+      ([, name]) => name,
+    );
+    const offered = await page.evaluate(
+      `[...document.getElementById('${id}').options].map((option) => option.value)`,
+    );
     assert.ok(all.length >= 5, messages);
     assert.deepEqual(offered.sort(), all.sort());
     const first = await page.evaluate(`document.getElementById('${id}').value`);
@@ -128,7 +156,12 @@ await test('every target and lowering can be chosen, and says its GLSL or why no
       await compiled(() => set(id, name));
       const status = await page.evaluate('document.getElementById("status").textContent');
       const text = await page.evaluate('document.getElementById("text").textContent');
-      assert.ok(/^Compiled/.test(status) ? /^#version \d/.test(text) : /errors/.test(status) && text === 'Nothing.', `${name}: ${status}: ${text}`);
+      assert.ok(
+        /^Compiled/.test(status)
+          ? /^#version \d/.test(text)
+          : /errors/.test(status) && text === 'Nothing.',
+        `${name}: ${status}: ${text}`,
+      );
     }
     await compiled(() => set(id, first));
   }
@@ -136,9 +169,14 @@ await test('every target and lowering can be chosen, and says its GLSL or why no
 
 await test('each tab shows its text', async () => {
   const shows = async (name, matches) => {
-    await page.evaluate(`[...document.querySelectorAll('[role=tab]')].find((tab) => tab.textContent === '${name}').click()`);
+    await page.evaluate(
+      `[...document.querySelectorAll('[role=tab]')].find((tab) => tab.textContent === '${name}').click()`,
+    );
     await page.until(`${matches}.test(document.getElementById('text').textContent)`);
-    assert.equal(await page.evaluate(`document.querySelector('[aria-selected=true]').textContent`), name);
+    assert.equal(
+      await page.evaluate(`document.querySelector('[aria-selected=true]').textContent`),
+      name,
+    );
     return page.evaluate('document.getElementById("text").textContent');
   };
   await compiled(() => set('lower', 'discard'));
@@ -151,12 +189,16 @@ await test('each tab shows its text', async () => {
   assert.match(await shows('SPIR-V', /Capability ClipDistance/), /EntryPoint Vertex/);
   await shows('Messages', /^Nothing|warning|note/);
   await page.evaluate(`document.querySelector('[aria-selected=true]').focus()`);
-  for (const type of ['keyDown', 'keyUp']) await page.send('Input.dispatchKeyEvent', { type, key: 'ArrowLeft', code: 'ArrowLeft' });
+  for (const type of ['keyDown', 'keyUp'])
+    await page.send('Input.dispatchKeyEvent', { type, key: 'ArrowLeft', code: 'ArrowLeft' });
   await page.until('/^#version/.test(document.getElementById("text").textContent)');
 });
 
 await test('a matrix in a struct of a constant buffer is filled', async () => {
-  const shader = (member, name) => `struct Camera { float4 spare; float4x4 viewProjection; };\ncbuffer Frame { ${member}; float4 plane; };
+  const shader = (
+    member,
+    name,
+  ) => `struct Camera { float4 spare; float4x4 viewProjection; };\ncbuffer Frame { ${member}; float4 plane; };
 [clipplanes(plane)] float4 main(float4 position : POSITION) : SV_Position { return mul(position, ${name}); }`;
   await type(shader('float4 spare; float4x4 viewProjection', 'viewProjection'));
   const plain = await pixels();
@@ -175,24 +217,39 @@ await test('a link carries the shader', async () => {
 });
 
 await test('it fits a phone', async () => {
-  await page.send('Emulation.setDeviceMetricsOverride', { width: 390, height: 800, deviceScaleFactor: 2, mobile: true });
+  await page.send('Emulation.setDeviceMetricsOverride', {
+    width: 390,
+    height: 800,
+    deviceScaleFactor: 2,
+    mobile: true,
+  });
   assert.ok((await page.evaluate('document.documentElement.scrollWidth')) <= 390);
 });
 
 for (const scheme of ['light', 'dark']) {
   await test(`axe-core finds nothing, ${scheme}`, async () => {
-    await page.send('Emulation.setEmulatedMedia', { features: [{ name: 'prefers-color-scheme', value: scheme }] });
+    await page.send('Emulation.setEmulatedMedia', {
+      features: [{ name: 'prefers-color-scheme', value: scheme }],
+    });
     await page.evaluate(readFileSync(axe, 'utf8') + '; 0');
     const { violations } = await page.evaluate('axe.run()');
-    for (const { id, help, nodes } of violations) console.log(`   ${id}: ${help}: ${nodes.map((node) => node.html.slice(0, 120)).join(' | ')}`);
-    assert.deepEqual(violations.map(({ id }) => id), []);
+    for (const { id, help, nodes } of violations)
+      console.log(`   ${id}: ${help}: ${nodes.map((node) => node.html.slice(0, 120)).join(' | ')}`);
+    assert.deepEqual(
+      violations.map(({ id }) => id),
+      [],
+    );
   });
 }
 
 await test('the download is under 2 MB', async () => {
   // Files compressed beforehand can have level 11, and are a tenth smaller.
-  const options = { params: { [constants.BROTLI_PARAM_QUALITY]: 9, [constants.BROTLI_PARAM_LGWIN]: 24 } };
-  const sizes = readdirSync(folder).map((name) => brotliCompressSync(readFileSync(join(folder, name)), options).length);
+  const options = {
+    params: { [constants.BROTLI_PARAM_QUALITY]: 9, [constants.BROTLI_PARAM_LGWIN]: 24 },
+  };
+  const sizes = readdirSync(folder).map(
+    (name) => brotliCompressSync(readFileSync(join(folder, name)), options).length,
+  );
   const size = sizes.reduce((sum, x) => sum + x, 0);
   console.log(`   ${(size / 1e6).toFixed(2)} MB by brotli 9`);
   assert.ok(size < 2e6);

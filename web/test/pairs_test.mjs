@@ -23,41 +23,68 @@ const here = fileURLToPath(new URL('.', import.meta.url));
 const scratch = scratchFolder('pairs');
 const page = await Page.open(chromium, here, { path: 'empty.html' });
 await page.loaded();
-await page.evaluate(`import('/draw_pair.mjs').then(({ drawPair }) => void (window.drawPair = drawPair))`);
-if (!(await page.evaluate(`!!new OffscreenCanvas(1, 1).getContext('webgl2')?.getExtension('EXT_color_buffer_float')`))) {
+await page.evaluate(
+  `import('/draw_pair.mjs').then(({ drawPair }) => void (window.drawPair = drawPair))`,
+);
+if (
+  !(await page.evaluate(
+    `!!new OffscreenCanvas(1, 1).getContext('webgl2')?.getExtension('EXT_color_buffer_float')`,
+  ))
+) {
   console.log('this browser does not draw floats by WebGL 2');
   process.exit(77);
 }
 
-const run = (command, ...given) => execFileSync(command, given, { encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });
+const run = (command, ...given) =>
+  execFileSync(command, given, { encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });
 
 /** The shader's translations: both halves of the others, and the pixel shader to fit. */
 function peersOf(path, vertexEntry) {
   const spirv = {};
-  for (const [entry, stage] of [[vertexEntry, 'vert'], ['ps', 'frag']]) {
+  for (const [entry, stage] of [
+    [vertexEntry, 'vert'],
+    ['ps', 'frag'],
+  ]) {
     spirv[entry] = join(scratch, `${entry}.spv`);
     run('glslangValidator', '-D', '-V', '-S', stage, '-e', entry, path, '-o', spirv[entry]);
   }
-  const cross = (entry, ...options) => run('spirv-cross', spirv[entry], '--version', '300', '--es', ...options);
-  const named = (way) => Array.from({ length: 16 }, (_, i) => ['--rename-interface-variable', way, String(i), `varying_${i}`]).flat();
+  const cross = (entry, ...options) =>
+    run('spirv-cross', spirv[entry], '--version', '300', '--es', ...options);
+  const named = (way) =>
+    Array.from({ length: 16 }, (_, i) => [
+      '--rename-interface-variable',
+      way,
+      String(i),
+      `varying_${i}`,
+    ]).flat();
   const fragment = join(scratch, 'pixel.frag');
   writeFileSync(fragment, cross('ps'));
-  return { fragment, spirv: spirv.ps, own: [cross(vertexEntry, ...named('out')), cross('ps', ...named('in'))] };
+  return {
+    fragment,
+    spirv: spirv.ps,
+    own: [cross(vertexEntry, ...named('out')), cross('ps', ...named('in'))],
+  };
 }
 
-const drawn = (vertex, fragment) => page.evaluate(`drawPair(${JSON.stringify(vertex)}, ${JSON.stringify(fragment)})`);
+const drawn = (vertex, fragment) =>
+  page.evaluate(`drawPair(${JSON.stringify(vertex)}, ${JSON.stringify(fragment)})`);
 
 /** Two names that `pattern` finds with one type, of which one `isGood`; null where there are none. */
 function alike(text, pattern, isGood) {
   const found = [...text.matchAll(pattern)];
   for (const [i, [, type, name]] of found.entries()) {
-    const other = found.slice(i + 1).find(([, otherType, otherName]) => otherType === type && (isGood(name) || isGood(otherName)));
+    const other = found
+      .slice(i + 1)
+      .find(
+        ([, otherType, otherName]) => otherType === type && (isGood(name) || isGood(otherName)),
+      );
     if (other) return [name, other[2]];
   }
   return null;
 }
 
-const exchanged = (text, [a, b]) => text.replace(new RegExp(`\\b(${a}|${b})\\b`, 'g'), (name) => (name === a ? b : a));
+const exchanged = (text, [a, b]) =>
+  text.replace(new RegExp(`\\b(${a}|${b})\\b`, 'g'), (name) => (name === a ? b : a));
 
 /** The vertex shader with two outputs that have each other's name; null where no two are alike. */
 function withSwappedNames(vertex) {
@@ -68,14 +95,19 @@ function withSwappedNames(vertex) {
 /** The vertex shader with two members of a block in each other's place; null where no two are alike, or both unused. */
 function withSwappedMembers(vertex) {
   const isUsed = (name) => new RegExp(`\\.${name}\\b`).test(vertex);
-  const [blocks, rest] = [vertex.slice(0, vertex.indexOf('void main()')), vertex.slice(vertex.indexOf('void main()'))];
+  const [blocks, rest] = [
+    vertex.slice(0, vertex.indexOf('void main()')),
+    vertex.slice(vertex.indexOf('void main()')),
+  ];
   const names = alike(blocks, /^ {4}(vec\d|float) (\w+);/gm, isUsed);
   return names && exchanged(blocks, names) + rest;
 }
 
 let pairs = 0;
 const noticed = { name: 0, member: 0 };
-for (const name of readdirSync(folder).filter((file) => file.endsWith('.hlsl')).sort()) {
+for (const name of readdirSync(folder)
+  .filter((file) => file.endsWith('.hlsl'))
+  .sort()) {
   const path = join(folder, name);
   const text = readFileSync(path, 'utf8');
   const [line] = text.match(/^\/\/ RUN:.*/m);
@@ -83,25 +115,59 @@ for (const name of readdirSync(folder).filter((file) => file.endsWith('.hlsl')).
   const { fragment, spirv, own } = peersOf(path, /--peer (\w+)/.exec(line)?.[1] ?? 'vs');
   const theirs = await drawn(...own);
   assert.equal(theirs.problem, undefined, `${name}, the others' halves`);
-  const colors = new Set(Array.from({ length: 4096 }, (_, i) => theirs.colors.slice(4 * i, 4 * i + 4).join()));
+  const colors = new Set(
+    Array.from({ length: 4096 }, (_, i) => theirs.colors.slice(4 * i, 4 * i + 4).join()),
+  );
   assert.ok(colors.size > 64, `${name}: the picture shows too little`);
   for (const pixelShader of [fragment, spirv]) {
-    const vertex = run(clipc, '-w', '-T', 'vs_5_0', '-E', 'vs', '--target=webgl2', `--pixel-shader=${pixelShader}`, path, '-o', '-');
+    const vertex = run(
+      clipc,
+      '-w',
+      '-T',
+      'vs_5_0',
+      '-E',
+      'vs',
+      '--target=webgl2',
+      `--pixel-shader=${pixelShader}`,
+      path,
+      '-o',
+      '-',
+    );
     const pixels = readFileSync(fragment, 'utf8');
     const mine = await drawn(vertex, pixels);
     assert.equal(mine.problem, undefined, `${name}\n${vertex}`);
-    assert.equal(differing(mine.colors, theirs.colors), 0, `${name}: pixels that differ from the others' own halves`);
-    assert.ok(differing(mine.colors, onDesktop(draw, mine.draw, scratch), SNAPPED) < AT_EDGES, `${name}: pixels that differ from the desktop's`);
+    assert.equal(
+      differing(mine.colors, theirs.colors),
+      0,
+      `${name}: pixels that differ from the others' own halves`,
+    );
+    assert.ok(
+      differing(mine.colors, onDesktop(draw, mine.draw, scratch), SNAPPED) < AT_EDGES,
+      `${name}: pixels that differ from the desktop's`,
+    );
     ++pairs;
-    for (const [kind, spoil] of pixelShader === fragment ? [['name', withSwappedNames], ['member', withSwappedMembers]] : []) {
+    for (const [kind, spoil] of pixelShader === fragment
+      ? [
+          ['name', withSwappedNames],
+          ['member', withSwappedMembers],
+        ]
+      : []) {
       const other = spoil(vertex);
       if (!other) continue;
       const spoiled = await drawn(other, pixels);
-      assert.ok(spoiled.problem || differing(spoiled.colors, theirs.colors) > 0, `${name}: a swapped ${kind} changes nothing\n${other}`);
+      assert.ok(
+        spoiled.problem || differing(spoiled.colors, theirs.colors) > 0,
+        `${name}: a swapped ${kind} changes nothing\n${other}`,
+      );
       noticed[kind] += 1;
     }
   }
 }
-console.log(`${pairs} pairs drawn by WebGL 2; ${noticed.name} with names and ${noticed.member} with members swapped are noticed`);
-assert.ok(pairs >= 20 && noticed.name >= 2 && noticed.member >= 1, 'too few pairs to show anything');
+console.log(
+  `${pairs} pairs drawn by WebGL 2; ${noticed.name} with names and ${noticed.member} with members swapped are noticed`,
+);
+assert.ok(
+  pairs >= 20 && noticed.name >= 2 && noticed.member >= 1,
+  'too few pairs to show anything',
+);
 await page.close();

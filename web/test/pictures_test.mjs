@@ -38,7 +38,10 @@ const drawnBy = (id) =>
 
 function expectedOf(description) {
   // Browsers have one of the two extensions, and OpenGL ES the other.
-  const vertex = description.vertex.replace('GL_ANGLE_clip_cull_distance', 'GL_EXT_clip_cull_distance');
+  const vertex = description.vertex.replace(
+    'GL_ANGLE_clip_cull_distance',
+    'GL_EXT_clip_cull_distance',
+  );
   return onDesktop(draw, { ...description, vertex }, scratch).map((x) => Math.round(255 * x));
 }
 
@@ -48,12 +51,20 @@ await set('height', '0.3');
 let compared = 0;
 let cut = 0;
 const wrong = [];
-for (const shader of await page.evaluate('[...document.getElementById("gallery").options].map((option) => option.value)')) {
+for (const shader of await page.evaluate(
+  '[...document.getElementById("gallery").options].map((option) => option.value)',
+)) {
   await compiled(() => set('gallery', shader));
-  for (const [lower, id] of [['discard', 'discarded'], ['clip-distance', 'clipped'], ['near-plane', 'clipped'], ['none', 'clipped']]) {
+  for (const [lower, id] of [
+    ['discard', 'discarded'],
+    ['clip-distance', 'clipped'],
+    ['near-plane', 'clipped'],
+    ['none', 'clipped'],
+  ]) {
     await compiled(() => set('lower', lower));
     const caption = await page.evaluate(`document.getElementById('${id}-caption').textContent`);
-    if (await page.evaluate('document.getElementById("status").classList.contains("bad")')) continue; // not to be had in WebGL 2
+    if (await page.evaluate('document.getElementById("status").classList.contains("bad")'))
+      continue; // not to be had in WebGL 2
     const { draw: description, pixels } = await drawnBy(id);
     const expected = expectedOf(description);
     const background = [32, 36, 42];
@@ -62,10 +73,13 @@ for (const shader of await page.evaluate('[...document.getElementById("gallery")
     for (let i = 0; i < pixels.length; i += 4) {
       const [ours, theirs] = [pixels.slice(i, i + 3), expected.slice(i, i + 3)];
       drawn += isFar(theirs, background);
-      different += LAYERED.includes(shader) ? isFar(ours, background) !== isFar(theirs, background) : isFar(ours, theirs);
+      different += LAYERED.includes(shader)
+        ? isFar(ours, background) !== isFar(theirs, background)
+        : isFar(ours, theirs);
     }
     console.log(`   ${shader}, ${lower}: ${drawn} pixels drawn, ${different} differ; ${caption}`);
-    if (!drawn || different > drawn * MOST_DIFFERENT) wrong.push(`${shader}, ${lower}: ${different} of ${drawn} pixels`);
+    if (!drawn || different > drawn * MOST_DIFFERENT)
+      wrong.push(`${shader}, ${lower}: ${different} of ${drawn} pixels`);
     ++compared;
     cut += description.clipDistances > 0 && drawn > 0;
   }

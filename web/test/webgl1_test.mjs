@@ -20,39 +20,71 @@ const ROUGH = ['exact.hlsl']; // NaNs and infinities, which interpolate as they 
 
 const [clipc, draw, chromium, ...folders] = process.argv.slice(2);
 const scratch = scratchFolder('webgl1');
-const page = await Page.open(chromium, fileURLToPath(new URL('.', import.meta.url)), { path: 'empty.html' });
+const page = await Page.open(chromium, fileURLToPath(new URL('.', import.meta.url)), {
+  path: 'empty.html',
+});
 await page.loaded();
-await page.evaluate(`import('/draw_webgl1.mjs').then(({ drawWebgl1 }) => void (window.drawWebgl1 = drawWebgl1))`);
-if (!(await page.evaluate(`!!new OffscreenCanvas(1, 1).getContext('webgl')?.getExtension('WEBGL_color_buffer_float')`))) {
+await page.evaluate(
+  `import('/draw_webgl1.mjs').then(({ drawWebgl1 }) => void (window.drawWebgl1 = drawWebgl1))`,
+);
+if (
+  !(await page.evaluate(
+    `!!new OffscreenCanvas(1, 1).getContext('webgl')?.getExtension('WEBGL_color_buffer_float')`,
+  ))
+) {
   console.log('this browser does not draw floats by WebGL 1');
   process.exit(77);
 }
 
 /** The texts of a shader for a target; null where clipc refuses it. */
 function compiled(path, target, lower) {
-  const [vertex, reflection, discard] = ['x.vert', 'x.json', 'x.discard.glsl'].map((name) => join(scratch, name));
-  const options = (readFileSync(path, 'utf8').match(/^\/\/ clipc (.*)$/m)?.[1] ?? '-T vs_5_0').split(' ');
+  const [vertex, reflection, discard] = ['x.vert', 'x.json', 'x.discard.glsl'].map((name) =>
+    join(scratch, name),
+  );
+  const options = (
+    readFileSync(path, 'utf8').match(/^\/\/ clipc (.*)$/m)?.[1] ?? '-T vs_5_0'
+  ).split(' ');
   const { status, stderr } = spawnSync(
     clipc,
-    ['-w', ...options, `--target=${target}`, `--lower=${lower}`, '--depth-range=negative-one-to-one', path, '-o', vertex, `--reflect=${reflection}`],
+    [
+      '-w',
+      ...options,
+      `--target=${target}`,
+      `--lower=${lower}`,
+      '--depth-range=negative-one-to-one',
+      path,
+      '-o',
+      vertex,
+      `--reflect=${reflection}`,
+    ],
     { encoding: 'utf8' },
   );
   if (status === 1) return null;
   assert.equal(status, 0, `${path}: ${stderr}`);
   const read = (file) => (existsSync(file) ? readFileSync(file, 'utf8') : '');
-  return { vertex: read(vertex), discard: lower === 'discard' ? read(discard) : '', reflection: JSON.parse(read(reflection)) };
+  return {
+    vertex: read(vertex),
+    discard: lower === 'discard' ? read(discard) : '',
+    reflection: JSON.parse(read(reflection)),
+  };
 }
 
 /** A fragment shader whose color depends on all of the shader's outputs but the planes' distances. */
 function fragmentOf({ reflection, discard }, isOld) {
-  const outputs = reflection.outputs.filter(({ builtin, semantic }) => !builtin && semantic !== 'SV_ClipPlaneDistance');
+  const outputs = reflection.outputs.filter(
+    ({ builtin, semantic }) => !builtin && semantic !== 'SV_ClipPlaneDistance',
+  );
   const typeOf = ({ type }) => type.replace(/^float([234])$/, 'vec$1');
   const term = ({ name, type }, i) => {
     const weights = [0.7, 0.4, 0.25, 0.15].map((weight) => (weight / (1 + i)).toFixed(4));
-    return type === 'float' ? `vec4(${weights.join(', ')}) * ${name}` : `${weights[i % 3]} * ${name}${{ 2: '.xyxy', 3: '.xyzx', 4: '' }[type[5]]}`;
+    return type === 'float'
+      ? `vec4(${weights.join(', ')}) * ${name}`
+      : `${weights[i % 3]} * ${name}${{ 2: '.xyxy', 3: '.xyzx', 4: '' }[type[5]]}`;
   };
   const sum = ['vec4(gl_FragCoord.xy / 64.0, 0.0, 1.0)', ...outputs.map(term)].join(' + ');
-  const [head, input] = isOld ? ['#version 100\nprecision highp float;\n', 'varying'] : ['#version 330\nout vec4 color;\n', 'in'];
+  const [head, input] = isOld
+    ? ['#version 100\nprecision highp float;\n', 'varying']
+    : ['#version 330\nout vec4 color;\n', 'in'];
   return (
     `${head}${outputs.map((output) => `${input} ${typeOf(output)} ${output.name};\n`).join('')}${discard}` +
     `void main() {\n    ${discard ? 'clip_planes();' : ''}\n    ${isOld ? 'gl_FragColor' : 'color'} = ${sum};\n}\n`
@@ -69,19 +101,34 @@ function numbersOf({ inputs }) {
       const next = random(`attribute ${i}`);
       const width = Number(/[234]$/.exec(type)?.[0] ?? 1);
       const isInteger = !type.startsWith('float');
-      const number = (at) => (i === 0 ? at : isInteger ? Math.floor(2 * next()) : semantic === 'BLENDWEIGHT' ? 1 / width : next());
+      const number = (at) =>
+        i === 0
+          ? at
+          : isInteger
+            ? Math.floor(2 * next())
+            : semantic === 'BLENDWEIGHT'
+              ? 1 / width
+              : next();
       const values = corners.flatMap(([x, y]) => [x, y, 0, 1].slice(0, width).map(number));
       return { name, isInteger, values };
     });
 }
 
 /** A member's fields, where it has them, in its place. */
-const fieldsOf = (member) => member.fields?.map((field) => ({ ...field, offset: member.offset + field.offset })) ?? [member];
+const fieldsOf = (member) =>
+  member.fields?.map((field) => ({ ...field, offset: member.offset + field.offset })) ?? [member];
 
 /** Where the integers of a buffer's member are, in words. */
 function integersOf({ type, offset }) {
-  const [, width = 1, count = 1] = /^(?:int|uint|bool)([234])?(?:\[(\d+)\])?$/.exec(type) ?? ['', 0, 0];
-  return Array.from({ length: width * count }, (_, i) => offset / 4 + 4 * Math.floor(i / width) + (i % width));
+  const [, width = 1, count = 1] = /^(?:int|uint|bool)([234])?(?:\[(\d+)\])?$/.exec(type) ?? [
+    '',
+    0,
+    0,
+  ];
+  return Array.from(
+    { length: width * count },
+    (_, i) => offset / 4 + 4 * Math.floor(i / width) + (i % width),
+  );
 }
 
 /** The words of each constant buffer: matrices are nearly the identity, planes cut the picture, integers are 1. */
@@ -93,11 +140,13 @@ function buffersOf({ cbuffers, clipPlanes }) {
       for (const { type, offset, size: bytes } of members.flatMap(fieldsOf)) {
         const [, rows, columns, count = 1] = /^float([34])x([34])(?:\[(\d+)\])?$/.exec(type) ?? [];
         for (let i = 0; rows && i < count; ++i) {
-          for (let k = 0; k < Math.min(rows, columns); ++k) floats[offset / 4 + i * 4 * Math.ceil(bytes / count / 16) + 5 * k] += 1;
+          for (let k = 0; k < Math.min(rows, columns); ++k)
+            floats[offset / 4 + i * 4 * Math.ceil(bytes / count / 16) + 5 * k] += 1;
         }
       }
       clipPlanes.forEach(({ cbuffer, offset }, i) => {
-        if (cbuffer === name && offset !== undefined) floats.set([Math.cos(2 * i + 0.5), Math.sin(2 * i + 0.5), 0.1, 0.4], offset / 4);
+        if (cbuffer === name && offset !== undefined)
+          floats.set([Math.cos(2 * i + 0.5), Math.sin(2 * i + 0.5), 0.1, 0.4], offset / 4);
       });
       const words = wordsOf(floats);
       for (const at of members.flatMap(integersOf)) words[at] = 1;
@@ -109,23 +158,64 @@ function buffersOf({ cbuffers, clipPlanes }) {
 /** The draws of a shader by WebGL 1 and by OpenGL, as `clipc-draw picture` takes them. */
 function drawsOf(ours, theirs) {
   const [numbers, buffers] = [numbersOf(ours.reflection), buffersOf(ours.reflection)];
-  const common = { width: SIZE, height: SIZE, clear: [0, 0, 0, 0], reversed: false, float: true, vertices: corners.length, indices: corners.map((_, i) => i) };
+  const common = {
+    width: SIZE,
+    height: SIZE,
+    clear: [0, 0, 0, 0],
+    reversed: false,
+    float: true,
+    vertices: corners.length,
+    indices: corners.map((_, i) => i),
+  };
   const uniforms = {};
   for (const { name, glsl: rows, members } of ours.reflection.cbuffers) {
     if (rows?.rows) uniforms[rows.rows] = buffers[name];
-    for (const member of members) if (member.uniform) uniforms[member.glsl] = integersOf(member).map((at) => buffers[name][at]);
+    for (const member of members)
+      if (member.uniform) uniforms[member.glsl] = integersOf(member).map((at) => buffers[name][at]);
   }
-  const attributes = (hasIntegers) => Object.fromEntries(numbers.map(({ name, isInteger, values }) => [name, hasIntegers && isInteger ? values : wordsOf(values)]));
-  const blocks = Object.fromEntries(theirs.reflection.cbuffers.filter(({ glsl }) => glsl?.block).map(({ name, glsl }) => [glsl.block, buffers[name]]));
+  const attributes = (hasIntegers) =>
+    Object.fromEntries(
+      numbers.map(({ name, isInteger, values }) => [
+        name,
+        hasIntegers && isInteger ? values : wordsOf(values),
+      ]),
+    );
+  const blocks = Object.fromEntries(
+    theirs.reflection.cbuffers
+      .filter(({ glsl }) => glsl?.block)
+      .map(({ name, glsl }) => [glsl.block, buffers[name]]),
+  );
   return [
-    { ...common, vertex: ours.vertex, fragment: fragmentOf(ours, true), clipDistances: 0, attributes: attributes(false), blocks: {}, uniforms },
-    { ...common, vertex: theirs.vertex, fragment: fragmentOf(theirs, false), clipDistances: theirs.reflection.clipDistanceMask, attributes: attributes(true), blocks, uniforms: {} },
+    {
+      ...common,
+      vertex: ours.vertex,
+      fragment: fragmentOf(ours, true),
+      clipDistances: 0,
+      attributes: attributes(false),
+      blocks: {},
+      uniforms,
+    },
+    {
+      ...common,
+      vertex: theirs.vertex,
+      fragment: fragmentOf(theirs, false),
+      clipDistances: theirs.reflection.clipDistanceMask,
+      attributes: attributes(true),
+      blocks,
+      uniforms: {},
+    },
   ];
 }
 
 const drawn = (description) => page.evaluate(`drawWebgl1(${JSON.stringify(description)})`);
 const count = { shaders: 0, cut: 0 };
-for (const path of folders.flatMap((folder) => readdirSync(folder).sort().map((name) => join(folder, name))).filter((name) => /\.(hlsl|fx)$/.test(name))) {
+for (const path of folders
+  .flatMap((folder) =>
+    readdirSync(folder)
+      .sort()
+      .map((name) => join(folder, name)),
+  )
+  .filter((name) => /\.(hlsl|fx)$/.test(name))) {
   if (ROUGH.some((name) => path.endsWith(name))) continue;
   const ours = compiled(path, 'webgl1', 'discard');
   const theirs = ours && compiled(path, 'glsl330', 'clip-distance');
@@ -136,14 +226,26 @@ for (const path of folders.flatMap((folder) => readdirSync(folder).sort().map((n
   assert.equal(problem, undefined, `${path}\n${mine.vertex}\n${mine.fragment}`);
   const expected = onDesktop(draw, desktop, scratch);
   const different = differing(colors, expected, SNAPPED);
-  const shown = new Set(Array.from({ length: SIZE * SIZE }, (_, i) => expected.slice(4 * i, 4 * i + 4).join())).size;
-  const cut = ours.discard ? differing((await drawn({ ...mine, fragment: mine.fragment.replace('clip_planes();', '') })).colors, colors) : 0;
+  const shown = new Set(
+    Array.from({ length: SIZE * SIZE }, (_, i) => expected.slice(4 * i, 4 * i + 4).join()),
+  ).size;
+  const cut = ours.discard
+    ? differing(
+        (await drawn({ ...mine, fragment: mine.fragment.replace('clip_planes();', '') })).colors,
+        colors,
+      )
+    : 0;
   console.log(`   ${path}: ${shown} colors, ${different} pixels differ, ${cut} are cut`);
   if (shown < LEAST_COLORS) continue;
-  assert.ok(different < AT_EDGES, `${path}: ${different} pixels differ from the desktop's\n${mine.vertex}`);
+  assert.ok(
+    different < AT_EDGES,
+    `${path}: ${different} pixels differ from the desktop's\n${mine.vertex}`,
+  );
   count.shaders += 1;
   count.cut += cut > 10 * AT_EDGES;
 }
-console.log(`${count.shaders} shaders drawn by WebGL 1 as the desktop draws them, ${count.cut} of them cut by discard`);
+console.log(
+  `${count.shaders} shaders drawn by WebGL 1 as the desktop draws them, ${count.cut} of them cut by discard`,
+);
 assert.ok(count.shaders >= 30 && count.cut >= 15, 'too few shaders to show anything');
 await page.close();

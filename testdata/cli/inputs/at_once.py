@@ -3,6 +3,7 @@
 
 usage: at_once.py CLIPC SHADER OUTPUT
 """
+
 import subprocess
 import sys
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 """Runs clipc with every line of a list, and says which do not do what the list says: command_lines.py CLIPC LIST FOLDER."""
+
 import concurrent.futures
 import pathlib
 import shlex
@@ -27,7 +28,7 @@ float4 unclipped(float4 p : POSITION) : SV_Position { return p; }
 """,
     "planes.hlsli": "cbuffer planes { float4 left, right; };\n",
     "shift.hlsli": "#define SHIFT 2\n",
-    "profile.rsp": "-T vs_4_0\n-D  \"SHIFT=2\"\n",
+    "profile.rsp": '-T vs_4_0\n-D  "SHIFT=2"\n',
     "nested.rsp": "@profile.rsp",
     "loop.rsp": "@loop.rsp",
 }
@@ -51,9 +52,17 @@ class Line:
             (self.folder / name).write_text(text)
         if with_file and not any(argument.endswith(".hlsl") for argument in arguments):
             arguments = ["s.hlsl"] + arguments
-        done = subprocess.run([self.clipc] + arguments, cwd=self.folder, input=FILES["s.hlsl"], capture_output=True, text=True,
-                              errors="replace")
-        written = {str(file.relative_to(self.folder)) for file in self.folder.rglob("*") if file.is_file()} - set(FILES)
+        done = subprocess.run(
+            [self.clipc] + arguments,
+            cwd=self.folder,
+            input=FILES["s.hlsl"],
+            capture_output=True,
+            text=True,
+            errors="replace",
+        )
+        written = {
+            str(file.relative_to(self.folder)) for file in self.folder.rglob("*") if file.is_file()
+        } - set(FILES)
         return done.returncode, done.stdout, done.stderr, written
 
     def problem(self):
@@ -67,7 +76,11 @@ class Line:
             return said
         if self.verdict == "like":
             same = self.run(shlex.split(self.expected))
-            return None if (code, out, err) == same[:3] and not err and out else f"{said}; not like {same[2]!r}"
+            return (
+                None
+                if (code, out, err) == same[:3] and not err and out
+                else f"{said}; not like {same[2]!r}"
+            )
         if self.verdict == "writes":
             names, _, words = self.expected.partition(": ")
             missing = set(names.split()) - written
@@ -86,10 +99,17 @@ class Line:
 
 def main():
     clipc, listed, folder = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
-    lines = [Line(clipc, number, line, folder) for number, line in enumerate(listed.read_text().splitlines(), 1)
-             if line and not line.startswith("#")]
+    lines = [
+        Line(clipc, number, line, folder)
+        for number, line in enumerate(listed.read_text().splitlines(), 1)
+        if line and not line.startswith("#")
+    ]
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
-        failures = [(line, problem) for line, problem in zip(lines, pool.map(Line.problem, lines)) if problem]
+        failures = [
+            (line, problem)
+            for line, problem in zip(lines, pool.map(Line.problem, lines))
+            if problem
+        ]
     for line, problem in failures:
         print(f"{listed}:{line.number}: {line.line}\n  {problem}")
     print(f"{len(lines)} command lines, {len(failures)} fail")

@@ -41,13 +41,17 @@ clipc, folder = sys.argv[1], pathlib.Path(sys.argv[2])
 
 def run(name, *more):
     words = [clipc, f"--batch={name}.json", "-o", "out", *more]
-    result = subprocess.run(words, cwd=folder, capture_output=True, text=True, check=False, timeout=60)
+    result = subprocess.run(
+        words, cwd=folder, capture_output=True, text=True, check=False, timeout=60
+    )
     assert result.returncode == 2, (name, result.returncode)
     return result.stderr.strip()
 
 
 for mistake, manifest in MISTAKES.items():
-    (folder / f"{mistake}.json").write_text(manifest if isinstance(manifest, str) else json.dumps(manifest))
+    (folder / f"{mistake}.json").write_text(
+        manifest if isinstance(manifest, str) else json.dumps(manifest)
+    )
     print(f"{mistake}: {run(mistake)}")
 print(f"absent: {run('absent')}")
 print(f"both: {run('list', 'a.hlsl')}")

@@ -14,7 +14,16 @@ import subprocess
 import sys
 
 # The vertex shader asks for the first four; the others are the pixel shader's, and an engine passes them all.
-AXES = {"SKINNING": 2, "INSTANCING": 5, "QUALITY": 5, "FOG": 2, "LIGHTS": 5, "SHADOWS": 5, "ALPHA": 2, "NORMALS": 2}
+AXES = {
+    "SKINNING": 2,
+    "INSTANCING": 5,
+    "QUALITY": 5,
+    "FOG": 2,
+    "LIGHTS": 5,
+    "SHADOWS": 5,
+    "ALPHA": 2,
+    "NORMALS": 2,
+}
 COUNT = 10000
 SINGLES = 500
 
@@ -60,12 +69,21 @@ float {kind}{number}(float2 at, float time) {{
 def write(folder):
     folder.mkdir(parents=True)
     common = "".join(f"static const float kTuning{i} = {i}.5;\n" for i in range(60))
-    common += "".join(f"float Fade{i}(float at) {{ return exp2(-at * kTuning{i}) + kTuning{i + 1}; }}\n" for i in range(50))
+    common += "".join(
+        f"float Fade{i}(float at) {{ return exp2(-at * kTuning{i}) + kTuning{i + 1}; }}\n"
+        for i in range(50)
+    )
     (folder / "common.hlsli").write_text("#pragma once\n" + common)
-    (folder / "waves.hlsli").write_text('#pragma once\n#include "common.hlsli"\n' + "".join(function("Wave", i) for i in range(56)))
-    skinning = "cbuffer Bones : register(b2) { float4x4 bone[64]; };\n" + "".join(function("Flex", i) for i in range(10))
-    skinning += "float4 Skin(float4 p, float4 w, uint4 i) { float4 q = 0; [unroll] for (int k = 0; k < 4; ++k) " \
+    (folder / "waves.hlsli").write_text(
+        '#pragma once\n#include "common.hlsli"\n' + "".join(function("Wave", i) for i in range(56))
+    )
+    skinning = "cbuffer Bones : register(b2) { float4x4 bone[64]; };\n" + "".join(
+        function("Flex", i) for i in range(10)
+    )
+    skinning += (
+        "float4 Skin(float4 p, float4 w, uint4 i) { float4 q = 0; [unroll] for (int k = 0; k < 4; ++k) "
         "q += w[k] * mul(p, bone[i[k]]); return q; }\n"
+    )
     (folder / "skinning.hlsli").write_text("#pragma once\n" + skinning)
     (folder / "ground.hlsl").write_text(MAIN)
     return sum(file.stat().st_size for file in folder.glob("*.hlsli"))
@@ -78,7 +96,10 @@ def run(words, folder):
     environment = {**os.environ, "ASAN_OPTIONS": "quarantine_size_mb=1"}
     subprocess.run(words, cwd=folder, check=True, env=environment)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, after.ru_maxrss / 1024
+    return (
+        after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime,
+        after.ru_maxrss / 1024,
+    )
 
 
 def main():
@@ -90,19 +111,27 @@ def main():
     lists = [f"-D{name}={{{','.join(map(str, range(count)))}}}" for name, count in AXES.items()]
     batch, memory = run([*words, *lists, "ground.hlsl", "-o", "out"], folder)
     index = json.loads((folder / "out/index.json").read_text())
-    assert len(index["shaders"]) == COUNT and all(shader["status"] == "compiled" for shader in index["shaders"])
+    assert len(index["shaders"]) == COUNT and all(
+        shader["status"] == "compiled" for shader in index["shaders"]
+    )
 
-    chosen = index["shaders"][::COUNT // SINGLES]
+    chosen = index["shaders"][:: COUNT // SINGLES]
     for number, shader in enumerate(chosen):
         defines = "".join(f"#define {name} {value}\n" for name, value in shader["defines"].items())
         (folder / f"{number}.hlsl").write_text(defines + '#include "ground.hlsl"\n')
-    single, _ = run([*words, *(f"{number}.hlsl" for number in range(len(chosen))), "-o", "single"], folder)
+    single, _ = run(
+        [*words, *(f"{number}.hlsl" for number in range(len(chosen))), "-o", "single"], folder
+    )
     for number, shader in enumerate(chosen):
         own, shared = folder / f"single/{number}.vert", folder / "out" / shader["files"]["glsl"]
-        assert own.read_text() == shared.read_text(), f"{shader['name']} is not what a compile of its own gives"
+        assert own.read_text() == shared.read_text(), (
+            f"{shader['name']} is not what a compile of its own gives"
+        )
     files = len(list((folder / "out").glob("*.vert")))
     faster = single * COUNT / len(chosen) / batch
-    print(f"{size} bytes of includes, {batch:.2f} s for {COUNT} settings, {files} files, {memory:.0f} MiB, {faster:.1f} times as fast")
+    print(
+        f"{size} bytes of includes, {batch:.2f} s for {COUNT} settings, {files} files, {memory:.0f} MiB, {faster:.1f} times as fast"
+    )
     assert size >= 30000 and files == 100 and memory < 100 and faster >= 5
 
 

@@ -15,13 +15,18 @@ the names of the files that are made.
     --spoil OLD=>NEW  replaces this in clipc's GLSL, where it must be (`\\n` is the end of a line), and expects another picture,
                       a program that does not link, or a message. What comes of it must still be a shader to glslang
 """
+
 import argparse
 import pathlib
 import subprocess
 import sys
 
-CROSS = {"glsl450": ["--version", "450"], "glsl330": ["--version", "330", "--no-420pack-extension"],
-         "essl310": ["--version", "310", "--es"], "essl300": ["--version", "300", "--es"]}
+CROSS = {
+    "glsl450": ["--version", "450"],
+    "glsl330": ["--version", "330", "--no-420pack-extension"],
+    "essl310": ["--version", "310", "--es"],
+    "essl300": ["--version", "300", "--es"],
+}
 WITH_LOCATIONS = ("glsl450", "essl310", "vulkan")
 # clipc's numbers for Vulkan, where textures and samplers share them with constant buffers.
 SHIFTS = ["--shift-sampler-binding", "16", "--shift-texture-binding", "32"]
@@ -29,7 +34,9 @@ PEER_OF = {"glsl450": "glsl450", "glsl330": "glsl450", "essl310": "essl310", "es
 
 
 def run(*command):
-    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, check=False)
+    done = subprocess.run(
+        [str(word) for word in command], capture_output=True, text=True, check=False
+    )
     if done.returncode:
         sys.exit(f"{' '.join(str(word) for word in command)}\n{done.stdout}{done.stderr}")
     return done.stdout
@@ -53,7 +60,9 @@ class Halves:
         vertex = translate(given.shader, given.peer, "vert", f"{stem}.{given.peer}.spv", *shifts)
         self.glsl = pathlib.Path(f"{stem}.frag")
         if self.is_vulkan:
-            self.glsl.write_text(run("spirv-cross", self.spirv, "--version", "450", "--vulkan-semantics"))
+            self.glsl.write_text(
+                run("spirv-cross", self.spirv, "--version", "450", "--vulkan-semantics")
+            )
             run("glslangValidator", "-V", self.glsl, "-o", f"{stem}.frag.spv")
             self.peer = [vertex, self.spirv]
         else:
@@ -70,10 +79,24 @@ class Halves:
     def mine(self, form):
         """Compiles clipc's half, and spoils it if that is asked for."""
         given = self.given
-        options = {"glsl": [f"--pixel-shader={self.glsl}"], "spirv": [f"--pixel-shader={self.spirv}"],
-                   "hlsl": [f"--pixel-shader={given.shader}", "--pixel-entry=ps"]}[form]
+        options = {
+            "glsl": [f"--pixel-shader={self.glsl}"],
+            "spirv": [f"--pixel-shader={self.spirv}"],
+            "hlsl": [f"--pixel-shader={given.shader}", "--pixel-entry=ps"],
+        }[form]
         path = pathlib.Path(f"{given.work}.{self.target}.{form}.vert")
-        command = [given.clipc, "-w", "-T", "vs_5_0", "-E", "vs", f"--target={self.target}", *options, given.shader, "-o"]
+        command = [
+            given.clipc,
+            "-w",
+            "-T",
+            "vs_5_0",
+            "-E",
+            "vs",
+            f"--target={self.target}",
+            *options,
+            given.shader,
+            "-o",
+        ]
         if self.is_vulkan and not given.spoil:
             run(*command, f"{path}.spv")
             return f"{path}.spv"
@@ -89,7 +112,9 @@ class Halves:
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--clipc", required=True)
     parser.add_argument("--draw", required=True)
     parser.add_argument("--targets", default=",".join([*CROSS, "vulkan"]))
@@ -106,7 +131,9 @@ def main():
             if form == "hlsl" and target not in WITH_LOCATIONS:
                 continue
             files = [halves.mine(form), halves.fragment(form), *halves.peer]
-            done = subprocess.run([given.draw, "pair", *files], capture_output=True, text=True, check=False)
+            done = subprocess.run(
+                [given.draw, "pair", *files], capture_output=True, text=True, check=False
+            )
             if (done.returncode != 0) != bool(given.spoil):
                 sys.exit(f"{target}, pixel shader as {form}: {done.stdout}{done.stderr}")
             drawn += 1

@@ -9,7 +9,9 @@ folder = pathlib.Path(sys.argv[1])
 
 def doubling(first):
     """M59 is 2^59 times what M0 is."""
-    return f"#define M0 {first}\n" + "".join(f"#define M{i} M{i - 1} M{i - 1}\n" for i in range(1, 60))
+    return f"#define M0 {first}\n" + "".join(
+        f"#define M{i} M{i - 1} M{i - 1}\n" for i in range(1, 60)
+    )
 
 
 files = {
