@@ -63,6 +63,14 @@ install_packages() {
   }
 }
 
+# install_node_packages: what the page is made of and what tools/checks/check_scripts.py runs, as web/page/package-lock.json pins it,
+# in build/web/page.
+install_node_packages() {
+  mkdir -p build/web/page
+  cp web/page/{package.json,package-lock.json,.npmrc} build/web/page
+  [ build/web/page/node_modules -nt web/page/package-lock.json ] || (cd build/web/page && quietly npm ci --no-audit --no-fund)
+}
+
 # configure_preset NAME TESTING: configures build/NAME unless that was done for the same LLVM. TESTING is ON or OFF; with OFF, a
 # build folder with tests is good too.
 configure_preset() {

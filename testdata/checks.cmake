@@ -2,6 +2,8 @@
 # Tests of the repository itself, of its pages, and of what is installed.
 add_test(NAME layers COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_layers.py)
 add_test(NAME format COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_format.py)
+add_test(NAME scripts COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_scripts.py)
+set_tests_properties(scripts PROPERTIES SKIP_RETURN_CODE 77)
 add_test(NAME pages COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_pages.py)
 add_test(NAME recipes COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_recipes.py)
 add_test(NAME sources COMMAND ${Python3_EXECUTABLE} ${clipc_SOURCE_DIR}/tools/checks/check_sources.py)

@@ -26,7 +26,7 @@ cp web/npm/* LICENSE build/wasm/bin/clipc.wasm "$package"
 [ "${1:-package}" = page ] || exit 0
 
 mkdir -p build/web/page/{gallery,tables}
-cp web/page/* web/page/.npmrc build/web/page
+cp web/page/* build/web/page
 mkdir -p build/page
 cp web/page/{index.html,style.css} build/page
 cp examples/gallery/*.{hlsl,fx} build/web/page/gallery
@@ -43,7 +43,7 @@ for example in vite webpack; do
   )
 done
 
+install_node_packages
 cd build/web/page
-[ node_modules -nt package-lock.json ] || quietly npm ci --no-audit --no-fund
 quietly npm run build
 mv ../starts ../made
