@@ -6,9 +6,8 @@ set(out "// Written by clipc_add_shader(); changes are lost.\n#pragma once\n")
 
 # The clip table says how many variants there are; files may be left from when the shader had more planes.
 if(NOT VARIANTS STREQUAL "")
-  file(STRINGS ${TABLE} table REGEX "^// clip-table ")
-  string(REGEX REPLACE "^[^{]+" "" table "${table}")
-  string(JSON planes LENGTH "${table}" planes)
+  file(STRINGS ${TABLE} table REGEX "^ +[0-9]+u, [0-9]u,$")  # enable_mask, plane_count
+  string(REGEX REPLACE ".*, ([0-9])u,$" "\\1" planes "${table}")
   if(VARIANTS GREATER planes)
     message(FATAL_ERROR "VARIANTS ${VARIANTS}: shader `${NAME}` has ${planes} clip plane(s); take no more")
   endif()
