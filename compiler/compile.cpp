@@ -144,9 +144,12 @@ Lowered LowerAndLegalize(const Job& job, ir::Program typed, const LowerSettings&
 std::string_view UnknownToValidator(const Lowered& lowered, const glsl::GlslInfo& info) {
   // docs/language.md, "GLSL that glslang refuses".
   if (lowered.target.IsEs() && info.clip_distance_mask != 0) return "clip distances in OpenGL ES";
-  const bool has_instance_id = std::ranges::any_of(info.inputs, [](const auto& input) {
-    return input.is_used && input.name == "gl_InstanceIDARB";
-  });
+  bool has_instance_id = false;
+  for (std::size_t i = 0; i < info.inputs.size(); ++i) {
+    has_instance_id |=
+        info.inputs[i].is_used && lowered.program.inputs[i].builtin == ir::Builtin::kInstanceId;
+  }
+  has_instance_id &= !lowered.target.HasInCore(glsl::Feature::kInstanceId);
   return has_instance_id ? "`gl_InstanceIDARB` of GL_ARB_draw_instanced" : "";
 }
 

@@ -9,7 +9,7 @@ Shaders: every HLSL file below FOLDER/testdata and FOLDER/examples (FOLDER: this
 the same while this one's are edited), with the profile, entry and defines of its first RUN line; and those of LIST, which has
 a line per shader, separated by tabs: path, entry, profile, include folders (a;b), defines (A=1;B).
 
-Settings: each of six targets; and for a shader whose text has clip planes, or with --all for every one, each lowering in each
+Settings: each of seven targets; and for a shader whose text has clip planes, or with --all for every one, each lowering in each
 plane space, and all variants; with --quick none of these. A line of HASHES has, for one shader under one setting, the hash of
 what is written (exit code, GLSL, fragment shader, variants, table, reflection) and the hash of the messages.
 """
@@ -24,7 +24,7 @@ import subprocess
 import sys
 import tempfile
 
-TARGETS = ["glsl120", "glsl330", "glsl450", "essl300", "essl310", "vulkan"]
+TARGETS = ["essl100", "glsl120", "glsl330", "glsl450", "essl300", "essl310", "vulkan"]
 LOWERINGS = ["clip-distance", "level9", "near-plane", "discard", "none"]
 SPACES = ["clip", "xyw1", "object"]
 KEPT = re.compile(r"(?:^|\s)(-[TE]\s*\S+|-D\s*\S+|-Z\w+|--position-input[= ]\S+|-I\s*\S+)")

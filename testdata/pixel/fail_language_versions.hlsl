@@ -1,7 +1,7 @@
 // A pixel shader is read by the rules of the vertex shader's version of the language: from HLSL
 // 2018 on, a Store takes a struct.
-// RUN: %clipc -T vs_6_0 -E vs --pixel-shader=%s --pixel-entry=ps --validate %s -o - | FileCheck %s
 // RUN: not %clipc -T vs_6_0 -HV 2016 -E vs --pixel-shader=%s --pixel-entry=ps %s -o - 2>&1 | FileCheck %s --check-prefix=OLD
+// RUN: %clipc -T vs_6_0 -E vs --pixel-shader=%s --pixel-entry=ps --validate %s -o - | FileCheck %s
 struct Pair {
   float a, b;
 };
