@@ -6,12 +6,12 @@ namespace {
 
 // The number of vertices in a block: enough for full vectors of any width, small enough to stay in
 // registers and the first-level cache.
-constexpr std::size_t kBlock = 32;
+constexpr std::size_t kVerticesOfBlock = 32;
 
 // The vertices of a block, component by component, and their codes so far.
-struct Block {
-  float x[kBlock], y[kBlock], z[kBlock], w[kBlock];
-  std::uint32_t code[kBlock];
+struct VertexBlock {
+  float x[kVerticesOfBlock], y[kVerticesOfBlock], z[kVerticesOfBlock], w[kVerticesOfBlock];
+  std::uint32_t code[kVerticesOfBlock];
 };
 
 // Returns `bit` unless `inside`. NaN, for which every comparison is false, is outside.
@@ -27,13 +27,13 @@ std::uint32_t PlaneCode(const float (&plane)[4], float x, float y, float z, floa
   return Unless(plane[0] * x + plane[1] * y + plane[2] * z + plane[3] * w >= 0, bit);
 }
 
-void CodeBlock(Block& block, const UserClipPlanes& user_planes) {
-  for (std::size_t i = 0; i < kBlock; ++i)
+void CodeBlock(VertexBlock& block, const UserClipPlanes& user_planes) {
+  for (std::size_t i = 0; i < kVerticesOfBlock; ++i)
     block.code[i] = FrustumCode(block.x[i], block.y[i], block.z[i], block.w[i]);
   for (std::uint32_t plane = 0; plane < 6; ++plane) {
     if ((user_planes.enable_mask >> plane & 1) == 0) continue;
     const std::uint32_t bit = std::uint32_t{kClipPlane0} << plane;
-    for (std::size_t i = 0; i < kBlock; ++i) {
+    for (std::size_t i = 0; i < kVerticesOfBlock; ++i) {
       block.code[i] |=
           PlaneCode(user_planes.planes[plane], block.x[i], block.y[i], block.z[i], block.w[i], bit);
     }
@@ -60,21 +60,21 @@ void UpdateClipStatus(ClipStatus& status, const float* positions, std::size_t co
     for (std::size_t i = 0; codes != nullptr && i < count; ++i) codes[i] = 0;
     return;
   }
-  Block block;
+  VertexBlock block;
   std::size_t first = 0;
-  for (; count - first >= kBlock; first += kBlock) {
+  for (; count - first >= kVerticesOfBlock; first += kVerticesOfBlock) {
     const float* from = positions + 4 * first;
-    for (std::size_t i = 0; i < kBlock; ++i) {
+    for (std::size_t i = 0; i < kVerticesOfBlock; ++i) {
       block.x[i] = from[4 * i], block.y[i] = from[4 * i + 1], block.z[i] = from[4 * i + 2],
       block.w[i] = from[4 * i + 3];
     }
     CodeBlock(block, user_planes);
     std::uint32_t any = 0, all = 0xFFFFFFFFu;
-    for (std::size_t i = 0; i < kBlock; ++i) any |= block.code[i], all &= block.code[i];
+    for (std::size_t i = 0; i < kVerticesOfBlock; ++i) any |= block.code[i], all &= block.code[i];
     status.clip_union |= any;
     status.clip_intersection &= all;
     if (codes == nullptr) continue;
-    for (std::size_t i = 0; i < kBlock; ++i)
+    for (std::size_t i = 0; i < kVerticesOfBlock; ++i)
       codes[first + i] = static_cast<std::uint16_t>(block.code[i]);
   }
   for (; first < count; ++first) {
