@@ -18,7 +18,7 @@ const scratch = scratchFolder('pictures');
 const script = readFileSync(fileURLToPath(new URL('record.js', import.meta.url)), 'utf8');
 const page = await Page.open(chromium, folder, { script });
 const set = page.set.bind(page);
-await page.loaded('document.documentElement.dataset.draws');
+await page.loaded('Number(document.documentElement.dataset.shows) > 0');
 
 /** Does something after which the page compiles, and waits until that is drawn and measured: then nothing more is drawn. */
 async function compiled(action) {
