@@ -74,7 +74,7 @@ function(clipc_test target)
   clipc_unite(${target})
   target_link_libraries(${target} PRIVATE ${test_LIBRARIES} GTest::gmock GTest::gtest_main)
   # A test's own code runs for milliseconds, and takes twice as long to compile where it is optimized.
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O0>)
+  target_compile_options(${target} PRIVATE -O0)
   if(CMAKE_CROSSCOMPILING)
     add_test(NAME ${test_NAME} COMMAND ${target} WORKING_DIRECTORY ${clipc_SOURCE_DIR})
     set_tests_properties(${test_NAME} PROPERTIES FIXTURES_REQUIRED wine TIMEOUT 300)
