@@ -67,7 +67,6 @@ Diagnostic& Diagnostics::Add(Span where, DiagId id, std::string message) {
     int& count = severity == Severity::kError ? error_count_ : warning_count_;
     dropped = count >= (severity == Severity::kError ? kMaxErrors : kMaxWarnings);
     if (!dropped) ++count;
-    // A message about one place is printed once, and counted each time: callers compare counts.
     dropped =
         dropped || (where && std::ranges::any_of(list_, [&](const Diagnostic& other) {
                       return other.id == id && other.span == where && other.message == message;

@@ -73,6 +73,13 @@ TEST(Diagnostics, PragmaWarningTakesFxcCodes) {
   EXPECT_EQ(diagnostics.error_count(), 2);
 }
 
+TEST(Diagnostics, CountsARepeatedErrorAndKeepsOne) {
+  Diagnostics diagnostics;
+  for (int i = 0; i < 2; ++i) diagnostics.Report(Span{1, 2}, diag::InvalidNumber, "1x", "");
+  EXPECT_EQ(diagnostics.error_count(), 2);
+  EXPECT_EQ(diagnostics.all().size(), 1u);
+}
+
 TEST(Diagnostics, KeepsABoundedNumber) {
   Diagnostics diagnostics;
   for (int i = 0; i < 10 * Diagnostics::kMaxWarnings; ++i) {
