@@ -152,8 +152,8 @@ class Diagnostics {
   void SetWatch(Watch* watch) { watch_ = watch; }
 
   bool has_errors() const { return error_count_ > 0 || (watch_ && watch_->stopped()); }
-  // Counts every report of an error, also one that `all` has already: a stage that reported an error
-  // has raised the count, whatever earlier stages said. At most kMaxErrors.
+  // Counts every report of an error, also one that `all` has already: a stage that reported an
+  // error has raised the count, whatever earlier stages said. At most kMaxErrors.
   int error_count() const { return error_count_; }
   bool TooManyErrors() const {
     return error_count_ >= kMaxErrors || (watch_ && watch_->MustStop());
