@@ -18,18 +18,24 @@ using enum PlaneSpace;
 // corner of the cut may be much nearer than the rest.
 constexpr double kMostOfLaw = 12;
 
-double LawOf(const Way& way, const DrawFacts& facts) {
+double LawOfCut(const Way& way, const DrawFacts& facts, const CutFacts& cut) {
   // The cut becomes a float vertex, and the error is its rounding.
   if (way.kind == WayKind::kCpu)
-    return 2 * 0x1p-24 * facts.picture_height / 2 * (0.5 + facts.reach + facts.extent / 2);
+    return 2 * 0x1p-24 * facts.picture_height / 2 * (0.5 + cut.reach + facts.extent / 2);
   // Distances by hand are as good as in object space, and twice rounded: the world-space vertex is,
   // and its dot product with the plane.
   const PlaneSpace space = way.space.value_or(kObject);
   const bool is_in_world = !way.space || (space != kObject && !facts.means.one_matrix);
-  const double reach = is_in_world ? std::max(facts.reach, facts.world_reach) : facts.reach;
-  const auto law = PredictEdgeError(space, facts.view_plane, facts.camera.Projection(),
+  const double reach = is_in_world ? std::max(cut.reach, cut.world_reach) : cut.reach;
+  const auto law = PredictEdgeError(space, cut.view_plane, facts.camera.Projection(),
                                     facts.picture_height, facts.sine, reach);
   return law.ok() ? law.value * (way.space ? 1 : 2) * LengthFactor(facts.extent) : INFINITY;
+}
+
+double LawOf(const Way& way, const DrawFacts& facts) {
+  double worst = 0;
+  for (const CutFacts& cut : facts.cuts) worst = std::max(worst, LawOfCut(way, facts, cut));
+  return worst;
 }
 
 bool IsPossible(const Way& way, const DrawFacts& facts) {
@@ -43,9 +49,9 @@ bool IsPossible(const Way& way, const DrawFacts& facts) {
   if (way.kind != WayKind::kNearPlane) return true;
   if (!means.whole_pass) return false;
   // The lowering writes z = d, which is the near plane where z = 0 is near.
-  return !facts.camera.reversed &&
-         ShearNearPlane(facts.view_plane, facts.camera.Projection(), facts.camera.Range(),
-                        runtime::NearPlaneScale::kKeepFar)
+  return !facts.camera.reversed && !facts.cuts.empty() &&
+         ShearNearPlane(facts.cuts.front().view_plane, facts.camera.Projection(),
+                        facts.camera.Range(), runtime::NearPlaneScale::kKeepFar)
              .ok();
 }
 
@@ -103,8 +109,10 @@ std::string CureFor(const DrawFacts& facts, const CostTable& costs, double toler
     change(changed);
     return Advise(changed, costs, tolerance).front().meets;
   };
-  if (facts.reach > runtime::kAroundOrigin &&
-      helps([](DrawFacts& f) { f.reach = runtime::kAroundOrigin; }))
+  const auto around_its_origin = [](DrawFacts& f) {
+    for (CutFacts& cut : f.cuts) cut.reach = std::min(cut.reach, runtime::kAroundOrigin);
+  };
+  if (helps(around_its_origin))
     return "its vertices are far from their own origin: give the mesh one of its own";
   if (!facts.means.one_matrix && helps([](DrawFacts& f) { f.means.one_matrix = true; }))
     return "far from the world's origin: multiply its matrices in double, or let the world begin "

@@ -30,14 +30,20 @@ struct Means {
   bool whole_pass = false;
 };
 
+// One plane of a draw, and how far its cut is from the object's own origin and from the world's:
+// the reach of PredictEdgeError.
+struct CutFacts {
+  Plane view_plane;  // in the camera's space
+  double reach = runtime::kAroundOrigin, world_reach = runtime::kAroundOrigin;
+};
+
 // One draw to give advice on.
 struct DrawFacts {
   Camera camera;
-  Plane view_plane;  // the plane that is hardest to clip by, in the camera's space
   int planes = 1;
-  // The reach of PredictEdgeError: how far the cut is from the object's own origin and from the
-  // world's.
-  double reach = runtime::kAroundOrigin, world_reach = runtime::kAroundOrigin;
+  // Each plane that cuts the object in the picture. No single one stands for the others: the
+  // nearest cut is worst for some ways, the plane farthest from the eye for others.
+  std::vector<CutFacts> cuts = std::vector<CutFacts>(1);
   double picture_height = 1080;  // pixels
   // The sine of the angle between surface and plane; 0.1 stands for surfaces of every direction.
   double sine = 0.1;

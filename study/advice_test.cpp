@@ -55,7 +55,7 @@ TEST(Advice, MeasuredErrorsStayUnderTheirBoundsOnRandomDraws) {
 TEST(Advice, FollowsMeansAndNumbers) {
   DrawFacts facts;
   facts.camera.far = 1e5;
-  facts.view_plane = {0, 0, 1, -300};
+  facts.cuts[0].view_plane = {0, 0, 1, -300};
   const auto best = [&] { return Advise(facts, SomeCosts()).front().way; };
   EXPECT_EQ(best(), "object");
   facts.means.rigid = false;
@@ -73,7 +73,7 @@ TEST(Advice, FollowsMeansAndNumbers) {
 
 TEST(Advice, DearWaysLoseAgainstCheapOnesThatAreGoodEnough) {
   DrawFacts facts;
-  facts.view_plane = {0, 0, 1, -3};  // 0.03 pixels in clip space
+  facts.cuts[0].view_plane = {0, 0, 1, -3};  // 0.03 pixels in clip space
   CostTable costs = SomeCosts();
   for (const char* way : {"object", "xyw1", "near-plane", "world", "discard-object", "cpu"})
     costs[{way, 1}] = 1.3;
@@ -85,7 +85,7 @@ TEST(Advice, DearWaysLoseAgainstCheapOnesThatAreGoodEnough) {
 TEST(Advice, DigitsThatNobodySeesDoNotCount) {
   DrawFacts facts;
   facts.camera.far = 1e5;
-  facts.view_plane = {0, 0, 1, -300};
+  facts.cuts[0].view_plane = {0, 0, 1, -300};
   const std::vector<Advice> all = Advise(facts, SomeCosts());
   const auto of = [&](const char* way) { return *std::ranges::find(all, way, &Advice::way); };
   EXPECT_LT(of("cpu").bound, of("xyw1").bound);
@@ -97,7 +97,7 @@ TEST(Advice, DigitsThatNobodySeesDoNotCount) {
 TEST(Advice, CountsTheDistancesThatFloatsCarry) {
   DrawFacts facts;
   facts.camera.far = 1e5;
-  facts.view_plane = {0, 0, 1, -10};
+  facts.cuts[0].view_plane = {0, 0, 1, -10};
   const auto bound = [&](const char* way) {
     for (const Advice& advice : Advise(facts, SomeCosts())) {
       if (advice.way == way) return advice.bound;
@@ -105,7 +105,7 @@ TEST(Advice, CountsTheDistancesThatFloatsCarry) {
     return -1.0;
   };
   const double object = bound("object"), xyw1 = bound("xyw1"), cpu = bound("cpu");
-  facts.world_reach = 1e4;  // one matrix: that costs nothing but in `world`
+  facts.cuts[0].world_reach = 1e4;  // one matrix: that costs nothing but in `world`
   EXPECT_EQ(bound("object"), object);
   EXPECT_EQ(bound("xyw1"), xyw1);
   EXPECT_GT(bound("world"), 1);
@@ -113,11 +113,11 @@ TEST(Advice, CountsTheDistancesThatFloatsCarry) {
   EXPECT_EQ(bound("object"), object);
   EXPECT_GT(bound("xyw1"), 100 * xyw1);
   EXPECT_EQ(bound("cpu"), cpu);
-  facts.means.one_matrix = true, facts.reach = 1e4;
+  facts.means.one_matrix = true, facts.cuts[0].reach = 1e4;
   for (const auto& [way, before] :
        {std::pair{"object", object}, std::pair{"xyw1", xyw1}, std::pair{"cpu", cpu}})
     EXPECT_GT(bound(way), 100 * before) << way;
-  facts.world_reach = 0;  // the vertex begins in its own space
+  facts.cuts[0].world_reach = 0;  // the vertex begins in its own space
   EXPECT_GT(bound("world"), 100 * object);
 }
 
@@ -127,7 +127,7 @@ const Advice& Of(const std::vector<Advice>& all, const char* way) {
 
 TEST(Advice, PredictsByTheLengthOfEdges) {
   DrawFacts facts;
-  facts.view_plane = {0, 0, 1, -3}, facts.reach = 2;
+  facts.cuts[0].view_plane = {0, 0, 1, -3}, facts.cuts[0].reach = 2;
   const std::vector<Advice> points = Advise(facts, SomeCosts());
   facts.extent = 8;
   const std::vector<Advice> edges = Advise(facts, SomeCosts());
@@ -139,7 +139,7 @@ TEST(Advice, PredictsByTheLengthOfEdges) {
 
 TEST(Advice, CostsAreThoseOfEnoughPlanes) {
   DrawFacts facts;
-  facts.camera.far = 1e5, facts.view_plane = {0, 0, 1, -300};
+  facts.camera.far = 1e5, facts.cuts[0].view_plane = {0, 0, 1, -300};
   facts.means.whole_pass = true;
   CostTable costs = SomeCosts();
   for (const int planes : {1, 3, 6}) costs[{"object", planes}] = planes;
@@ -157,7 +157,7 @@ TEST(Advice, CostsAreThoseOfEnoughPlanes) {
 
 TEST(Advice, OrdersWhatIsNotRecommended) {
   DrawFacts facts;
-  facts.camera.far = 1e5, facts.view_plane = {0, 0, 1, -300};
+  facts.camera.far = 1e5, facts.cuts[0].view_plane = {0, 0, 1, -300};
   // A way that does not meet the tolerance says nothing of how cheap the others should be.
   CostTable costs = SomeCosts();
   costs[{"clip", 1}] = 0.5, costs[{"object", 1}] = 1.1;
@@ -179,22 +179,22 @@ TEST(Advice, OrdersWhatIsNotRecommended) {
 
 TEST(Advice, KnowsCures) {
   DrawFacts facts;
-  facts.camera.far = 1e5, facts.view_plane = {0, 0, 1, -300};
+  facts.camera.far = 1e5, facts.cuts[0].view_plane = {0, 0, 1, -300};
   const auto cure = [&](double tolerance = 0.5) { return CureFor(facts, SomeCosts(), tolerance); };
   facts.means.clip_distances = facts.means.can_discard = facts.means.rigid = false;
   facts.means.user_planes = true;
   EXPECT_EQ(cure(), "reverse the depth");
   EXPECT_EQ(cure(1e-9), "");
-  facts.camera.reversed = true, facts.reach = 1e5;
+  facts.camera.reversed = true, facts.cuts[0].reach = 1e5;
   EXPECT_THAT(cure(), ::testing::HasSubstr("give the mesh one of its own"));
-  facts.reach = 0.5, facts.world_reach = 1e5, facts.means.one_matrix = false;
+  facts.cuts[0].reach = 0.5, facts.cuts[0].world_reach = 1e5, facts.means.one_matrix = false;
   EXPECT_THAT(cure(), ::testing::HasSubstr("multiply its matrices in double"));
 }
 
 // The errors that the law leaves open are measured, and nothing else is.
 TEST(Advice, MeasuresWhatIsOpen) {
   DrawFacts facts;
-  facts.view_plane = {0, 0, 1, -3}, facts.means.can_discard = false;
+  facts.cuts[0].view_plane = {0, 0, 1, -3}, facts.means.can_discard = false;
   const double law = Of(Advise(facts, SomeCosts()), "object").predicted;
   std::vector<std::string> measured;
   const auto object = [&](double tolerance, double loses) {
@@ -225,7 +225,7 @@ TEST(Advice, TheProcessorsCutIsOffByItsVerticesAlone) {
     return std::ranges::find(all, way, &Advice::way)->predicted;
   };
   DrawFacts facts;
-  facts.view_plane = {0, 0, 1, -3};
+  facts.cuts[0].view_plane = {0, 0, 1, -3};
   DrawFacts slanted = facts;
   slanted.sine = facts.sine / 100;
   EXPECT_GT(predicted(slanted, "object"), 10 * predicted(facts, "object"));
@@ -234,7 +234,7 @@ TEST(Advice, TheProcessorsCutIsOffByItsVerticesAlone) {
   tall.picture_height *= 2;
   EXPECT_DOUBLE_EQ(predicted(tall, "cpu"), 2 * predicted(facts, "cpu"));
   DrawFacts far = facts;
-  far.reach = 1e4;
+  far.cuts[0].reach = 1e4;
   EXPECT_GT(predicted(far, "cpu"), 100 * predicted(facts, "cpu"));
 }
 
@@ -304,7 +304,7 @@ TEST(Scenes, NothingIsPlannedWithARefusedPlane) {
   EXPECT_EQ(plan.needed, 0);
 }
 
-TEST(Scenes, FactsAreThoseOfTheObjectAndItsFarthestPlane) {
+TEST(Scenes, FactsAreThoseOfTheObjectAndEachOfItsPlanes) {
   Scene scene = Cubes({0});
   scene.picture_height = 700;
   const Camera& camera = scene.cameras.front().camera;
@@ -314,16 +314,17 @@ TEST(Scenes, FactsAreThoseOfTheObjectAndItsFarthestPlane) {
   scene.planes.push_back({"wall", {0, 0, 1, -40}});
   scene.planes.push_back({"none", {0, 0, 0, 1}});
   const DrawFacts water = FactsOf(object, camera, scene, 0b001),
-                  both = FactsOf(object, camera, scene, 0b111);
+                  all = FactsOf(object, camera, scene, 0b111);
   EXPECT_EQ(water.planes, 1);
-  EXPECT_NEAR(std::abs(water.view_plane.w), 5, 1e-9);
-  EXPECT_EQ(both.planes, 3);
-  EXPECT_NEAR(std::abs(both.view_plane.w), 40, 1e-9);
-  std::swap(scene.planes[0], scene.planes[1]);
-  EXPECT_NEAR(std::abs(FactsOf(object, camera, scene, 0b111).view_plane.w), 40, 1e-9);
-  EXPECT_EQ(both.picture_height, 700);
-  EXPECT_NEAR(both.extent, std::sqrt(3.0) / camera.HalfHeightAt(40), 1e-9);
-  EXPECT_EQ(FactsOf(object, camera, scene, 0).reach, runtime::kAroundOrigin);
+  ASSERT_EQ(water.cuts.size(), 1u);
+  EXPECT_NEAR(std::abs(water.cuts[0].view_plane.w), 5, 1e-9);
+  EXPECT_EQ(all.planes, 3);
+  ASSERT_EQ(all.cuts.size(), 2u);
+  EXPECT_NEAR(std::abs(all.cuts[0].view_plane.w), 5, 1e-9);
+  EXPECT_NEAR(std::abs(all.cuts[1].view_plane.w), 40, 1e-9);
+  EXPECT_EQ(all.picture_height, 700);
+  EXPECT_NEAR(all.extent, std::sqrt(3.0) / camera.HalfHeightAt(40), 1e-9);
+  EXPECT_TRUE(FactsOf(object, camera, scene, 0).cuts.empty());
 }
 
 TEST(Scenes, MostObjectsNeedNoPlane) {

@@ -35,11 +35,13 @@ RandomDraw OneDraw(Random& random) {
   config.surface_angle = random.Magnitude(5, 90) * std::numbers::pi / 180;
 
   DrawFacts& facts = draw.facts;
-  facts.camera = camera, facts.view_plane = config.view_plane;
+  facts.camera = camera;
+  CutFacts& cut = facts.cuts.front();
+  cut.view_plane = config.view_plane;
   facts.picture_height = kPictureHeight, facts.sine = std::sin(config.surface_angle);
   const Setup setup = Prepare(config);
-  facts.reach = ReachOf(setup, OriginInView(setup.world_view));
-  facts.world_reach = ReachOf(setup, OriginInView(setup.view));
+  cut.reach = ReachOf(setup, OriginInView(setup.world_view));
+  cut.world_reach = ReachOf(setup, OriginInView(setup.view));
   const std::uint32_t machine = random.Below(5);
   facts.means.clip_distances = machine < 3;
   facts.means.user_planes = machine == 3;

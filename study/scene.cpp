@@ -126,25 +126,22 @@ DrawFacts FactsOf(const SceneObject& object, const Camera& camera, const Scene& 
   }
   const double size = std::sqrt(diagonal);
   facts.extent = size / camera.HalfHeightAt(depth);
-  double worst = -1;
+  const Matrix world_view = Multiply(object.world, view);
+  const double farthest = camera.infinite ? depth + size : std::min(camera.far, depth + size);
+  facts.cuts.clear();
   for (std::size_t i = 0; i < scene.planes.size(); ++i) {
     if ((needed >> i & 1) == 0) continue;
     const auto plane = ViewPlaneFromWorld(scene.planes[i].plane, view);
-    const double length = NormalLength(plane.value.plane);
-    if (!plane.ok() || !(length > 0) || std::fabs(plane.value.plane.w) / length <= worst) continue;
-    worst = std::fabs(plane.value.plane.w) / length;
-    facts.view_plane = plane.value.plane;
+    if (!plane.ok() || !(NormalLength(plane.value.plane) > 0)) continue;
+    CutFacts& cut = facts.cuts.emplace_back(CutFacts{plane.value.plane});
+    // The visible part of the cut inside the object's box; the object's middle where there is none.
+    std::vector<Vector> seen = CutOfBox(
+        VisibleCut(camera, cut.view_plane, camera.near, std::max(farthest, 2 * camera.near)),
+        object.box, world_view);
+    if (seen.empty()) seen.push_back({in_view[0], in_view[1], depth});
+    cut.reach = FarthestReach(camera, seen, OriginInView(world_view));
+    cut.world_reach = FarthestReach(camera, seen, OriginInView(view));
   }
-  if (worst < 0) return facts;
-  // The visible part of the cut inside the object's box; the object's middle where there is none.
-  const Matrix world_view = Multiply(object.world, view);
-  const double farthest = camera.infinite ? depth + size : std::min(camera.far, depth + size);
-  std::vector<Vector> cut = CutOfBox(
-      VisibleCut(camera, facts.view_plane, camera.near, std::max(farthest, 2 * camera.near)),
-      object.box, world_view);
-  if (cut.empty()) cut.push_back({in_view[0], in_view[1], depth});
-  facts.reach = FarthestReach(camera, cut, OriginInView(world_view));
-  facts.world_reach = FarthestReach(camera, cut, OriginInView(view));
   return facts;
 }
 

@@ -78,7 +78,7 @@ std::vector<ObjectAdvice> AdviseScene(const Scene& scene, const Camera& camera,
                                       const CostTable& costs);
 
 // The facts that Advise needs about drawing that object with the planes `needed`, a bit for each.
-// The plane farthest from the eye decides.
+// Each plane that has a normal is one of the facts' cuts.
 DrawFacts FactsOf(const SceneObject& object, const Camera& camera, const Scene& scene,
                   std::uint8_t needed);
 

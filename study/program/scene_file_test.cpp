@@ -237,6 +237,21 @@ TEST(SceneCommand, SaysThatAPlaneIsRefused) {
   EXPECT_FALSE(said.pictures[0]["objects"][0].contains("planes"));
 }
 
+// The floor is cut next to the eye and the wall far away: a way that is good enough for the wall,
+// which is farther from the eye, is not for the floor.
+TEST(SceneCommand, AsksEachPlaneByItself) {
+  const std::string json = ::testing::TempDir() + "clipc_near_and_far.json";
+  ::testing::internal::CaptureStdout();
+  const int exit_code = RunScene({"scene", "study/scenes/near_and_far_plane.json", "--costs",
+                                  "study/scenes/speed.csv", "--json", json});
+  ::testing::internal::GetCapturedStdout();
+  EXPECT_EQ(exit_code, 0);
+  const auto object = nlohmann::json::parse(TextOf(json))[0]["objects"][0];
+  EXPECT_EQ(object["planes"].size(), 2u);
+  EXPECT_EQ(object["method"], "cpu");  // `object` loses 0.44 pixels of the floor
+  EXPECT_GT(object["pixels_off"], 0.1);
+}
+
 TEST(SceneCommand, Helps) {
   ::testing::internal::CaptureStdout();
   EXPECT_EQ(RunScene({"scene", "--help"}), 0);

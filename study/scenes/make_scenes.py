@@ -48,6 +48,7 @@ class Style:
         self.away = 0.0  # of the object's vertices from their origin
         self.shape = [[1.0, 0, 0], [0, 1.0, 0], [0, 0, 1.0]]
         self.normal = None
+        self.parts = [1]  # of the way from the eye to the things, where the planes are
 
 
 def game(s):
@@ -136,7 +137,28 @@ def edge_on(s):
     s.camera |= {"near": s.r.choice([0.01, 1])}
 
 
-STYLES = (game, cockpit, telescope, survey, drawing, sun, tile, mirror, sheared, terrain, edge_on)
+def hall(s):
+    """One mesh around the eye, which one plane cuts next to the eye and another far away."""
+    s.camera |= {"near": s.depth / 2000, "far": 100 * s.depth}
+    s.size = s.r.choice([10, 40])
+    s.parts = [s.r.choice([0.003, 0.01]), s.r.choice([1, 3])]
+    s.normal = s.r.choice([[1, 0.2, 0.7], [-0.6, 0.3, -0.9]])
+
+
+STYLES = (
+    game,
+    cockpit,
+    telescope,
+    survey,
+    drawing,
+    sun,
+    tile,
+    mirror,
+    sheared,
+    terrain,
+    edge_on,
+    hall,
+)
 
 
 def add_object(s, number, middle, scene):
@@ -192,7 +214,7 @@ def scene(number):
         "can_discard": r.random() < 0.7,
     }
     middle = before(*across, s.depth)
-    for plane in range(r.choice([1, 1, 2, 3])):
+    for plane in range(max(len(s.parts), r.choice([1, 1, 2, 3]))):
         normal = s.normal or r.choice(
             [
                 [0, 1, 0],
@@ -212,6 +234,8 @@ def scene(number):
             if s.normal and not s.camera.get("orthographic") and style is not edge_on
             else [m + s.high * r.choice([0, 0.1, -0.2]) for m in middle]
         )
+        part = s.parts[plane % len(s.parts)]
+        through = [e + part * (t - e) for e, t in zip(s.eye, through)]
         made["planes"].append(
             {
                 "name": f"plane {plane}",
