@@ -7,8 +7,10 @@ using ir::Form;
 
 namespace {
 
-// Each pass leaves nodes that the later ones take apart: rows are vectors, components are scalars.
+// The first pass sees the order of the operands before others move them into helper functions. Each
+// pass leaves nodes that the later ones take apart: rows are vectors, components are scalars.
 constexpr ir::Pass<Legalizer> kPasses[] = {
+    {"lower-operand-order", LowerOperandOrder, Form::kInlined},
     {"lower-indices", LowerIndices, Form::kInlined},
     {"lower-to-es100", LowerToEs100, Form::kInlined},
     {"lower-assignments", LowerAssignments, Form::kInlined},

@@ -12,6 +12,13 @@
 // (Function::is_helper).
 namespace clipc::glsl {
 
+// Reads an operand into a variable where a later operand may write what it reads. HLSL evaluates
+// operands from left to right; a driver may read a variable as late as it uses the value.
+//
+//   return n + f(2);   =>  int old_n = n; return old_n + f(2);
+//   while (n + f(2));  =>  int old_n; while ((old_n = n) + f(2));
+void LowerOperandOrder(Legalizer& legalizer);
+
 // Evaluates indices that have effects and that GLSL does without before the expression that has
 // them: a matrix of one row is a vector, float1 a scalar.
 //

@@ -75,7 +75,8 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     s += r ? globals.a : globals.b;
 // CHECK-NEXT:     ivec4 i = mix(to_int(globals.a), ivec4(1), w);
 // CHECK-NEXT:     bvec4 c = mix(w, v, bvec4(globals.flags));
-// CHECK-NEXT:     gl_Position = s + vec4(i) + vec4(c) + float(r ? 1 : 2) + float(any(v)) + float(all(notEqual(globals.a, vec4(0.0)))) + float(bool(globals.a.x)) + float(calls) + float(r = !r);
+// CHECK-NEXT:     bool old_r = r;
+// CHECK-NEXT:     gl_Position = s + vec4(i) + vec4(c) + float(old_r ? 1 : 2) + float(any(v)) + float(all(notEqual(globals.a, vec4(0.0)))) + float(bool(globals.a.x)) + float(calls) + float(r = !r);
 // CHECK-NEXT: }
 
 // GL120: #version 120
@@ -139,5 +140,6 @@ float4 main(float4 p : POSITION) : SV_Position {
 // GL120-NEXT:     s += r ? a : b;
 // GL120-NEXT:     ivec4 i = select(w, ivec4(1), to_int(a));
 // GL120-NEXT:     bvec4 c = select(flags, v, w);
-// GL120-NEXT:     gl_Position = s + vec4(i) + vec4(c) + float(r ? 1 : 2) + float(any(v)) + float(all(notEqual(a, vec4(0.0)))) + float(bool(a.x)) + float(calls) + float(r = !r);
+// GL120-NEXT:     bool old_r = r;
+// GL120-NEXT:     gl_Position = s + vec4(i) + vec4(c) + float(old_r ? 1 : 2) + float(any(v)) + float(all(notEqual(a, vec4(0.0)))) + float(bool(a.x)) + float(calls) + float(r = !r);
 // GL120-NEXT: }

@@ -69,7 +69,7 @@ struct Context {
   int loops = 0;                              // loops around a statement here
   bool writes_globals = false;                // whether something here may write a global
   std::vector<std::string> taken;             // variables that may not be written a second time
-  // Variables that the expression reads and writes: HLSL does not say which part comes first.
+  // Variables that the expression reads and writes: their order counts.
   std::set<std::string> read, written;
   int names = 0;
   int indent = 2;  // spaces before a statement here
@@ -88,8 +88,8 @@ struct Context {
   // A name that no other variable has; now and then a word that means something in GLSL.
   std::string FreshName(const char* prefix);
   void Add(Variable variable) { scopes.back().push_back(std::move(variable)); }
-  // MayUse says whether an expression may read or write a variable, or all static ones, without
-  // doubt about the order; Use notes that it does.
+  // MayUse says whether an expression may read or write a variable, or all static ones; Use notes
+  // that it does.
   bool MayUse(const Variable& variable, bool writes) const;
   void Use(const Variable& variable, bool writes);
   bool MayUseStatics(bool writes) const;
