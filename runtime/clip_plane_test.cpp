@@ -295,6 +295,22 @@ TEST(ClipPlane, NeverWrongWithoutSayingSo) {
   EXPECT_GT(refused, 1000);
 }
 
+// Elements so far apart that elimination would lose some without a trace: the right plane is
+// (-1, 1, 1, -1), and double arithmetic alone makes (0, 1, 1, -1).
+TEST(ClipPlane, ElementsThatUnderflowAreRefused) {
+  const Matrix far_apart = {
+      {{0, 1e250, -1e250, 0}, {1e-250, 0, 1e-250, 0}, {0, 2, 0, 0}, {1e-250, 1, 0, 1}}};
+  EXPECT_EQ(ViewPlaneFromWorld({1, 0, 2, 0}, far_apart).status.error(), Error::kIllConditioned);
+  // Products that underflow leave nothing, which is not the plane of zeros.
+  const Matrix tiny = {{{1e-200, 0, 0, 0}, {0, 1e-200, 0, 0}, {0, 0, 1e-200, 0}, {0, 0, 0, 1}}};
+  EXPECT_FALSE(ObjectPlaneFromWorld({1e-200, 0, 0, 0}, tiny).ok());
+  EXPECT_TRUE(ObjectPlaneFromWorld({0, 0, 0, 0}, tiny).ok());
+  EXPECT_TRUE(ViewPlaneFromWorld({0, 0, 0, 0}, tiny).ok());
+  // One translation of any length, or one scale, is not far apart from anything.
+  const Matrix moved = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {1e100, -1e100, 3, 1}}};
+  EXPECT_TRUE(ViewPlaneFromWorld({0, 0, 1, 2}, moved).ok());
+}
+
 TEST(ClipPlane, NumbersThatAreNotFinite) {
   const Camera camera = PerspectiveCamera(0.1, 100);
   for (const double bad : {kNan, kInfinity, -kInfinity}) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 
 #include "runtime/matrix.h"
@@ -18,6 +19,9 @@ inline bool IsFinite(const Matrix& matrix) noexcept {
   return std::all_of(&matrix.m[0][0], &matrix.m[0][0] + 16,
                      [](double element) { return std::isfinite(element); });
 }
+
+/// What underflow may take from a number, in units of 2^-53: half of the least double.
+inline constexpr double kUnderflow = DBL_MIN;
 
 /// The largest magnitude among the numbers.
 inline double LargestOf(const double (&numbers)[4]) noexcept {

@@ -18,11 +18,14 @@ constexpr double kMostLost = 0x1p46;
 constexpr int kSteps = 8;
 // The largest rounding error of a sum of five DoubleDoubles, in units of 2^-53.
 constexpr double kRoundingLeft = 0x1p-48;
+// The least scaled element, but for 0, with which no product of elimination underflows to nothing.
+constexpr double kLeastElement = 0x1p-400;
 
 // The equations scaled: scaled[i][j] = a[i][j] 2^(row[i] + column[j]).
 struct Scaled {
   double a[4][4];
   int row[4], column[4];
+  bool keeps_digits = true;  // every element is 0 or at least kLeastElement
 };
 
 int ExponentOf(double number) { return number == 0 ? 0 : std::ilogb(number); }
@@ -41,8 +44,10 @@ Scaled Scale(const double (&a)[4][4]) {
     scaled.row[i] = -ExponentOf(largest);
     // Each element is scaled from `a` itself: one that the first scaling made denormal keeps its
     // digits.
-    for (int j = 0; j < 4; ++j)
+    for (int j = 0; j < 4; ++j) {
       scaled.a[i][j] = std::scalbn(a[i][j], scaled.column[j] + scaled.row[i]);
+      if (a[i][j] != 0 && std::fabs(scaled.a[i][j]) < kLeastElement) scaled.keeps_digits = false;
+    }
   }
   return scaled;
 }
@@ -183,12 +188,13 @@ Solution SolveLinear(const double (&a)[4][4], const DoubleDouble (&b)[4],
     most = is_zero ? exponent : std::max(most, exponent);
     is_zero = false;
   }
+  if (is_zero && LargestOf(b_error) == 0) return solution;
   DoubleDouble right[4];
   double right_error[4];
   for (int i = 0; i < 4; ++i) {
     const int exponent = scaled.row[i] - most;
     right[i] = {std::scalbn(b[i].high, exponent), std::scalbn(b[i].low, exponent)};
-    right_error[i] = std::scalbn(b_error[i], exponent);
+    right_error[i] = std::scalbn(b_error[i], exponent) + kUnderflow;
   }
   const Refinement refined(scaled, factors, right);
   double residual[4], eliminated[4], error[4], size[4];
@@ -203,7 +209,8 @@ Solution SolveLinear(const double (&a)[4][4], const DoubleDouble (&b)[4],
     const int exponent = scaled.column[j] + most;
     solution.x[j] = {ScaledBack(refined.y[j].high, exponent),
                      std::scalbn(refined.y[j].low, exponent)};
-    solution.error[j] = std::scalbn(error[j], exponent);
+    solution.error[j] =
+        scaled.keeps_digits ? std::scalbn(error[j], exponent) + kUnderflow : INFINITY;
   }
   return solution;
 }

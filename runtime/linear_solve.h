@@ -11,7 +11,8 @@ struct Solution {
   bool singular = false;  ///< a pivot is zero: there is no x
   DoubleDouble x[4] = {};
   /// The error of x[i] is about error[i] * 2^-53, component by component: |A^-1| (|b - A x| +
-  /// b_error), with the residual as it was computed and what its own rounding may hide.
+  /// b_error), with the residual as it was computed and what its own rounding may hide. Infinite
+  /// where elements are so far apart that elimination loses some without a trace.
   double error[4] = {};
 };
 

@@ -81,6 +81,10 @@ Result<ShearedProjection> ShearNearPlane(const Plane& view_plane, const Matrix& 
     // A plane that clips the whole frustum leaves the scale open; depth stays as steep as it was.
     sheared.scale = largest > 0 ? 1 / largest : 1 / depth_slope;
   }
+  if (!std::isfinite(sheared.scale)) {
+    return Status::Failure(Error::kNotRepresentable,
+                           "the plane is too short for a near plane: its scale is beyond a double");
+  }
   sheared.keeps_far = sheared.scale * largest <= 1 + kSlack;
   sheared.depth_ratio = sheared.scale * depth_slope;
   if (shape.is_perspective()) sheared.effective_near = sheared.scale * std::fabs(at_eye);

@@ -55,7 +55,7 @@ inline constexpr double kMinOrthographicDepthRatio = 0x1p-8;
 ///   kNoDepthLeft       unless a|Cw| is at least the projection's near distance (orthographic:
 ///                      unless depth_ratio is at least kMinOrthographicDepthRatio)
 ///   kSingular, kNotFinite, kLooksTransposed, kIllConditioned, kNotRepresentable
-///                      as ClipPlaneFromView
+///                      as ClipPlaneFromView; kNotRepresentable also for a scale beyond a double
 Result<ShearedProjection> ShearNearPlane(const Plane& view_plane, const Matrix& projection,
                                          DepthRange range, NearPlaneScale scale) noexcept;
 

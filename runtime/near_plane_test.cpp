@@ -207,6 +207,17 @@ TEST(NearPlane, APlaneThatClipsTheWholeFrustum) {
   }
 }
 
+TEST(NearPlane, AScaleBeyondADoubleIsRefused) {
+  Matrix infinite = PerspectiveCamera(0.1, 100).projection;
+  infinite.m[2][2] = 0, infinite.m[3][2] = 0.1;
+  const auto error = [&](double slope) {
+    return ShearNearPlane({0, 0, slope, -1}, infinite, {.reversed = true}, NearPlaneScale::kKeepFar)
+        .status.error();
+  };
+  EXPECT_EQ(error(5e-324), Error::kNotRepresentable);
+  EXPECT_EQ(error(1e-300), Error::kNone);
+}
+
 TEST(NearPlane, TheDepthColumnOfAnObjectsMatrix) {
   Random random(3);
   for (const Camera& camera : AllCameras()) {

@@ -27,6 +27,11 @@ Status CheckAffine(const Matrix& matrix, const char* name) {
   return {};
 }
 
+// The error that a quotient or a product of this size has from being rounded; none for an exact 0.
+double RoundingOf(double result, double operand) {
+  return operand == 0 ? 0 : std::fabs(result) + kUnderflow;
+}
+
 // A plane's components in double, with the error that rounding them adds.
 void Round(const Bounded& bounded, double (&c)[4], double (&error)[4]) {
   for (int i = 0; i < 4; ++i) {
@@ -67,6 +72,7 @@ Step Before(const Step& after, const Matrix& matrix, const char* name) noexcept 
   for (int i = 0; i < 4; ++i) {
     for (int j = 0; j < 4; ++j) {
       const double element = matrix.m[i][j];
+      if (element != 0 && after.value.plane[j].high != 0) before.error[i] += kUnderflow;
       before.plane[i] = Add(before.plane[i], Multiply(element, after.value.plane[j]));
       before.error[i] += std::fabs(element) * after.value.error[j] +
                          kRoundingOfProducts * std::fabs(element * after.value.plane[j].high);
@@ -80,8 +86,8 @@ Bounded ThroughShape(const Bounded& before, const ProjectionShape& s) noexcept {
   Round(before, c, ce);
   p[0] = c[0] / s.px;
   p[1] = c[1] / s.py;
-  e[0] = std::fabs(p[0]) + ce[0] / std::fabs(s.px);
-  e[1] = std::fabs(p[1]) + ce[1] / std::fabs(s.py);
+  e[0] = RoundingOf(p[0], c[0]) + ce[0] / std::fabs(s.px);
+  e[1] = RoundingOf(p[1], c[1]) + ce[1] / std::fabs(s.py);
   // Row 2: ox x + oy y + a z + e w = c.z. Row 3: tx x + ty y + b z + g w = c.w.
   const auto rest = [&](double c_i, double o_x, double o_y) {
     return c_i - o_x * p[0] - o_y * p[1];
@@ -95,13 +101,13 @@ Bounded ThroughShape(const Bounded& before, const ProjectionShape& s) noexcept {
   const double rest3 = rest(c[3], s.tx, s.ty), error3 = rest_error(c[3], ce[3], s.tx, s.ty);
   if (s.is_perspective()) {
     p[2] = rest3 / s.b;
-    e[2] = std::fabs(p[2]) + error3 / std::fabs(s.b);
+    e[2] = RoundingOf(p[2], rest3) + error3 / std::fabs(s.b);
     p[3] = (rest2 - s.a * p[2]) / s.e;
     e[3] =
         2 * std::fabs(p[3]) + (error2 + std::fabs(s.a) * (std::fabs(p[2]) + e[2])) / std::fabs(s.e);
   } else {
     p[2] = rest2 / s.a;
-    e[2] = std::fabs(p[2]) + error2 / std::fabs(s.a);
+    e[2] = RoundingOf(p[2], rest2) + error2 / std::fabs(s.a);
     p[3] = (rest3 - s.b * p[2]) / s.g;
     e[3] =
         2 * std::fabs(p[3]) + (error3 + std::fabs(s.b) * (std::fabs(p[2]) + e[2])) / std::fabs(s.g);
@@ -139,8 +145,8 @@ Step ToXyw1(const Step& view_plane, const Matrix& projection) noexcept {
   Bounded constant;
   for (int i = 0; i < 4; ++i) constant.plane[i].high = k[i];
   const double x_error = ce[0] / std::fabs(s.px), y_error = ce[1] / std::fabs(s.py);
-  constant.error[0] = std::fabs(x) + x_error;
-  constant.error[1] = std::fabs(y) + y_error;
+  constant.error[0] = RoundingOf(x, c[0]) + x_error;
+  constant.error[1] = RoundingOf(y, c[1]) + y_error;
   constant.error[2] = std::fabs(k[2]) + (2 * std::fabs(c[2]) + ce[2] +
                                          std::fabs(s.ox) * (4 * std::fabs(x) + x_error) +
                                          std::fabs(s.oy) * (3 * std::fabs(y) + y_error)) /
@@ -154,7 +160,8 @@ Result<PlaneConstant> Finish(const Step& step) noexcept {
   double c[4], error[4];
   Round(step.value, c, error);
   const double largest = LargestOf(c);
-  const double condition = largest == 0 ? 0 : LargestOf(error) / largest;
+  const double most_error = LargestOf(error);
+  const double condition = most_error == 0 ? 0 : most_error / largest;
   // The largest component, where it is not finite, says so below.
   if (std::isfinite(largest) && !(condition <= kMaxCondition)) {
     return Status::Failure(Error::kIllConditioned,

@@ -115,7 +115,8 @@ double PredictOf(PlaneSpace space, const Plane& view_plane, const DrawMatrices& 
 Result<double> PredictEdgeError(PlaneSpace space, const Plane& view_plane, const Matrix& projection,
                                 double picture_height, double sine, double reach) noexcept {
   const double unit = 0x1p-24 * picture_height / 2 / sine;
-  const bool is_finite = std::isfinite(unit) && std::isfinite(reach) && IsFinite(view_plane);
+  const bool is_finite =
+      std::isfinite(unit) && std::isfinite(sine) && std::isfinite(reach) && IsFinite(view_plane);
   if (!(picture_height > 0 && sine > 0 && reach >= 0) || !is_finite)
     return Status::Failure(Error::kNotFinite,
                            "the plane, the picture's height, the sine or the reach is not a number "
@@ -129,9 +130,12 @@ Result<double> PredictEdgeError(PlaneSpace space, const Plane& view_plane, const
   if (!plane || (s.is_perspective() ? s.b : s.a) == 0)
     return Status::Failure(Error::kSingular,
                            "the plane has no normal, or the projection no inverse");
-  if (space == PlaneSpace::kObject) return unit * 1.5 * std::max(reach, 0.1);
-  return unit * (s.is_perspective() ? PerspectiveLaw(space, *plane, s, reach)
-                                    : OrthographicLaw(*plane, s, reach));
+  const double pixels = unit * (space == PlaneSpace::kObject ? 1.5 * std::max(reach, 0.1)
+                                : s.is_perspective() ? PerspectiveLaw(space, *plane, s, reach)
+                                                     : OrthographicLaw(*plane, s, reach));
+  if (!std::isfinite(pixels))
+    return Status::Failure(Error::kNotFinite, "the error is too large for a double");
+  return pixels;
 }
 
 Result<double> PredictEdgeError(PlaneSpace space, const Plane& plane, KnownIn known_in,

@@ -103,8 +103,8 @@ inline constexpr double kAroundOrigin = 0.5;
 /// nearer than the rest may lose more. The laws hold for triangles smaller than the picture; the
 /// error of larger ones grows in proportion. Errors: kLooksTransposed; kWrongProjection unless
 /// ShapeOf holds, and for xyw1 without a perspective; kSingular if the plane has no normal or the
-/// projection has no inverse; kNotFinite unless height and sine are positive, reach is not
-/// negative, and plane and projection are finite.
+/// projection has no inverse; kNotFinite unless height and sine are positive and finite, reach is
+/// not negative, and plane, projection and the error are finite.
 Result<double> PredictEdgeError(PlaneSpace space, const Plane& view_plane, const Matrix& projection,
                                 double picture_height, double sine = kAnySurface,
                                 double reach = kAroundOrigin) noexcept;

@@ -423,6 +423,8 @@ TEST(PredictEdgeError, RefusesWhatIsNoNumber) {
   EXPECT_EQ(error(INFINITY, 1, 0), Error::kNotFinite);
   EXPECT_EQ(error(1080, 0, 0), Error::kNotFinite);
   EXPECT_EQ(error(1080, -1, 0), Error::kNotFinite);
+  EXPECT_EQ(error(1080, INFINITY, 0), Error::kNotFinite);
+  EXPECT_EQ(error(1e200, 1e-110, 1e10), Error::kNotFinite);
   EXPECT_EQ(error(1080, 1, -1), Error::kNotFinite);
   EXPECT_EQ(error(1080, 1, NAN), Error::kNotFinite);
   EXPECT_EQ(error(1080, 1, INFINITY), Error::kNotFinite);
