@@ -116,12 +116,6 @@ std::vector<double> DisplacementsOverPlanes(const Config& config, const Method& 
   return all;
 }
 
-EdgeErrors MeasureOverPlanes(const Config& config, const Method& method, int planes, long count,
-                             std::uint64_t seed) {
-  std::vector<double> all = DisplacementsOverPlanes(config, method, planes, count, seed);
-  return all.empty() ? EdgeErrors{.method = method.name} : Summary(method.name, std::move(all));
-}
-
 EdgeErrors MeasureDirections(double ratio, const Method& method, int planes, long count,
                              std::uint64_t seed) {
   Random random(seed);

@@ -50,17 +50,6 @@ std::vector<Vector> RandomCuts(const Setup& setup, std::size_t count) {
   return cuts;
 }
 
-double ReachOf(const Setup& setup, Vector origin_in_view) {
-  double sum = 0;
-  const std::vector<Vector> cuts = RandomCuts(setup, 200);
-  for (const Vector& cut : cuts) {
-    const Vector away = cut - origin_in_view;
-    const double height = 2 * setup.config.camera.HalfHeightAt(cut.z);
-    sum += Dot(away, away) / (height * height);
-  }
-  return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(cuts.size(), 1)));
-}
-
 void Compose(Setup& setup) {
   setup.world_view = Multiply(setup.world, setup.view);
   setup.world_view_projection = Multiply(setup.world_view, setup.projection);

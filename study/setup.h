@@ -59,10 +59,6 @@ std::optional<Vector> RandomCut(const Setup& setup, Random& random);
 // At most `count` random places of the cut, the same in every call.
 std::vector<Vector> RandomCuts(const Setup& setup, std::size_t count);
 
-// The distance of the visible cut from a space's origin, which has this place in view space, in
-// heights of the picture at the cut's depth, as a root of the mean square: the `reach` of
-// PredictEdgeError.
-double ReachOf(const Setup& setup, Vector origin_in_view);
 // The place in view space of the origin of the space that `to_view` transforms from.
 Vector OriginInView(const Matrix& to_view);
 

@@ -15,7 +15,7 @@ struct SweepPoint {
   Config config;
 };
 
-// Sweeps over every boundary beyond which a method fails. If `quick`, they have fewer points.
+// Sweeps over the boundaries of which the documents speak. If `quick`, they have fewer points.
 std::vector<SweepPoint> AllSweeps(bool quick);
 
 // A case with an oblique plane that crosses the view axis at `depth`, and surfaces from half to

@@ -21,7 +21,7 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 TABLES = ROOT / "study/tables"
 CHART, MATPLOTLIB = ROOT / "study/speed-accuracy.svg", "3.6.3"
-TAKEN = ("directions", "laws", "flicker", "roundings", "advice-scenes", "speed")
+TAKEN = ("directions", "laws", "flicker", "speed")
 # The rows of edges.csv that documents speak of.
 SWEEPS = (
     "world offset",
@@ -127,28 +127,6 @@ def flicker():
     )
 
 
-def roundings():
-    rows = read("roundings")
-    kinds = ("all", "without the dot product's", "nor the constant's", "the position's alone, once")
-    found = {(r["fov"], r["rounding"]): r for r in rows}
-    cell = lambda r: (
-        f"{short(1e3 * float(r['mean_px']))} / {short(1e3 * float(r['worst_px']))} ({r['over']})"
-    )
-    return table(
-        [
-            "field of view",
-            "`xyw1`",
-            "without rounding in the dot product",
-            "nor in the constant",
-            "the position's rounding alone, once",
-        ],
-        [
-            [fov] + [cell(found[fov, kind]) for kind in kinds]
-            for fov in ("60", "20", "10", "5", "1")
-        ],
-    )
-
-
 def sweep(name, methods, head):
     rows = [r for r in read("edges") if r["sweep"] == name and r["applies"] == "1"]
     values = list(dict.fromkeys(r["parameter"] for r in rows))
@@ -218,15 +196,6 @@ def costs():
     )
 
 
-def advice():
-    row = read("advice-scenes")[0]
-    return (
-        f"On {row['scenes']} random scenes, with {int(row['advised']):,} objects that a plane cuts, {int(row['meets']):,} are said to meet the tolerance. "
-        f"{row['misses']} of\nthem miss it in `__float128`; {row['overlooked']} ways that meet it with a margin of two are overlooked, "
-        f"and {row['dearer']} times a cheaper one would have done."
-    )
-
-
 def planned():
     """The numbers that tools/scenes/planner_test.cpp expects of the built-in scenes and its box, of 1000 objects each."""
     text = (ROOT / "tools/scenes/planner_test.cpp").read_text()
@@ -293,14 +262,12 @@ BLOCKS = {
         errors,
         regimes,
         flicker,
-        roundings,
         chains,
         meshes,
         orthographic,
         tiles,
         grounds,
         costs,
-        advice,
         planned,
     )
 }
@@ -334,12 +301,6 @@ def constant(path, pattern):
     return float(re.search(pattern, (ROOT / path).read_text())[1].replace("'", ""))
 
 
-def roundings_over(fov):
-    return next(
-        int(r["over"]) for r in read("roundings") if (r["fov"], r["rounding"]) == (fov, "all")
-    )
-
-
 # The law of u H / (2 tan(fov/2) sin(angle)).
 ONE_ROUNDING = U * ROWS / (2 * math.tan(math.radians(5)) * math.sin(math.radians(5)))
 
@@ -366,18 +327,8 @@ INLINE = [
     ),
     (
         "study/study.md",
-        r"advice on (\d+) random scenes",
-        lambda: float(read("advice-scenes")[0]["scenes"]),
-    ),
-    (
-        "study/study.md",
-        r"takes (\d+) others, which",
+        r"takes (\d+) scenes, which",
         lambda: constant("study/scenes/check_advice.py", r"arguments else (\d+)"),
-    ),
-    (
-        "study/study.md",
-        r"method on (\d+) random draws",
-        lambda: constant("study/program/command_study.cpp", r"RandomDraws\((\d+),"),
     ),
     (
         "study/study.md",
@@ -403,21 +354,6 @@ INLINE = [
         "study/study.md",
         r"holds a study against\n(\d+) %",
         lambda: 100 * constant("study/program/check_tables.py", r"more <= 1(\.\d+)"),
-    ),
-    (
-        "study/study.md",
-        r"less than ([\d.]+) pixels of an object around",
-        lambda: constant("study/roundings.h", r"kXyw1Claim = ([\d.]+);"),
-    ),
-    (
-        "study/study.md",
-        r"from (\d+) degrees on; at 10",
-        lambda: constant("study/roundings_test.cpp", r"At\((\d+)\)\[kAll\].over, 0"),
-    ),
-    (
-        "study/study.md",
-        r"\n(\d+) random planes, cameras",
-        lambda: max(float(r["draws"]) for r in read("roundings")),
     ),
     ("study/study.md", r"pixels: ([\d.]+) at 10 degrees of view and 5", lambda: ONE_ROUNDING),
     (

@@ -24,19 +24,17 @@ def expect(condition, what):
         problems.append(what)
 
 
-edges, pixels, speed, advice, scenes = (
-    read(f"{name}.csv") for name in ("edges", "pixels", "speed", "advice", "scenes")
+edges, pixels, speed, scenes = (
+    read(f"{name}.csv") for name in ("edges", "pixels", "speed", "scenes")
 )
 
-# object is accurate everywhere but for grazing surfaces, huge triangles and vertices far from their origin; clip is not.
+# object is accurate everywhere but for vertices far from their origin and what is off the axis; clip is not.
 for row in edges:
     if (
         row["method"] == "object"
         and row["applies"] == "1"
         and row["sweep"]
         not in (
-            "surface to plane, degrees",
-            "edge length / depth",
             "mesh offset / depth",
             "tile, half pictures off the axis",
             "ground, seen from 1 to",
@@ -83,15 +81,6 @@ expect(
     "a sweep of special.csv is missing",
 )
 
-# At 10 degrees a float32 position alone loses more than 0.002 pixels somewhere; at 60 degrees xyw1 as it is does not.
-roundings = {(r["fov"], r["rounding"]): r for r in read("roundings.csv")}
-expect(
-    int(roundings["10", "nor the constant's"]["over"]) > 0,
-    "xyw1 could be had below 0.002 pixels at 10 degrees",
-)
-expect(int(roundings["60", "all"]["over"]) == 0, "xyw1 is over 0.002 pixels at 60 degrees")
-expect(float(roundings["10", "none"]["worst_px"]) < 1e-6, "xyw1 without rounding is not exact")
-
 # The laws hold in every regime, over planes of random directions.
 laws = read("laws.csv")
 expect(len(laws) == 11, "a regime is missing in laws.csv")
@@ -126,16 +115,6 @@ for (method, ratio), row in directions.items():
 expect(
     float(directions["clip", "10000"]["p99_px"]) > 1,
     "clip loses nothing 10,000 near distances away",
-)
-
-scenes_held = read("advice-scenes.csv")[0]
-expect(
-    (scenes_held["misses"], scenes_held["overlooked"]) == ("0", "0"),
-    f"advice on scenes: {scenes_held['misses']} missed, {scenes_held['overlooked']} overlooked",
-)
-expect(
-    int(scenes_held["dearer"]) <= 0.02 * int(scenes_held["advised"]),
-    f"advice on scenes: {scenes_held['dearer']} dearer than needed",
 )
 
 # xyw1 and object cost at most 2 % more a frame than the default.
@@ -185,16 +164,6 @@ if "--costs" in sys.argv:
     )
     expect(costs[("cut", "discard", "6")] > 1, "discarding saves time; it cannot")
 
-kept = sum(float(r["measured_px"]) <= float(r["bound_px"]) for r in advice)
-cheap = sum(float(r["cost"]) <= 1.15 * float(r["best_cost"]) for r in advice)
-expect(
-    len(advice) == 100 and kept == 100,
-    f"the advice's bound holds in {kept} of {len(advice)} random draws",
-)
-expect(
-    "--costs" not in sys.argv or cheap >= 95,
-    f"the advice's cost is near the best in {cheap} of {len(advice)} random draws",
-)
 for row in read("scene-costs.csv"):
     expect(
         row["same_picture"] == ("0" if row["planes"] == "none" else "1"),
@@ -207,6 +176,6 @@ expect(
 
 print(
     "\n".join(problems)
-    or f"{len(edges)} edge rows, {len(pixels)} pictures, {kept} of 100 bounds kept, {cheap} of 100 costs near the best"
+    or f"{len(edges)} edge rows, {len(pixels)} pictures, {len(laws)} regimes: as the study says"
 )
 sys.exit(bool(problems))

@@ -9,7 +9,6 @@
 #include <unistd.h>
 
 #include "report.text.h"
-#include "study/depth.h"
 #include "study/edges.h"
 #include "study/flicker.h"
 #include "study/program/commands.h"
@@ -18,10 +17,7 @@
 #include "study/program/scene_cost.h"
 #include "study/program/special.h"
 #include "study/program/speed.h"
-#include "study/random_draws.h"
-#include "study/random_scenes.h"
 #include "study/regimes.h"
-#include "study/roundings.h"
 #include "study/scene.h"
 #include "study/sweeps.h"
 #include "tools/harness/offscreen.h"
@@ -48,15 +44,11 @@ class Study {
     Directions();
     Laws();
     Flickers();
-    Roundings();
-    Depth();
     Pixels();
     Special();
     rule_costs_ = Speed("speed.csv", "cost");
     Scenes();
     SceneCosts();
-    RandomAdvice();
-    AdviceOnScenes();
   }
 
  private:
@@ -116,38 +108,6 @@ class Study {
     }
   }
 
-  // Holds the advice on scenes that nobody chose against measured edges.
-  void AdviceOnScenes() {
-    Csv csv(Path("advice-scenes.csv"),
-            {"scenes", "advised", "meets", "misses", "overlooked", "dearer"});
-    const int scenes = options_.quick ? 40 : 500;
-    const ScenesHeld held = HoldScenes(RandomScenes(scenes, 2026), 600);
-    csv.Row(scenes, held.advised, held.meets, held.misses, held.overlooked, held.dearer);
-  }
-
-  void Roundings() {
-    Csv csv(Path("roundings.csv"), {"fov", "rounding", "draws", "mean_px", "worst_px", "over"});
-    for (const double fov : {1.0, 5.0, 10.0, 20.0, 60.0, 120.0}) {
-      for (const RoundingCost& cost :
-           MeasureRoundings(fov, options_.quick ? 40 : 200, options_.quick ? 300 : 1000, 77)) {
-        csv.Row(fov, cost.rounding, cost.draws, cost.mean, cost.worst, cost.over);
-      }
-    }
-  }
-
-  void Depth() {
-    Csv csv(Path("depth.csv"),
-            {"eye", "method", "refused", "effective_near", "ordered", "tied", "inverted", "lost"});
-    for (const double eye : {-100.0, -10.0, -1.0, -0.1, -0.01, -0.001, 0.0, 0.01, 1.0, 10.0}) {
-      const Plane plane = {0, 1, 0, eye};
-      for (const DepthLeft& left :
-           MeasureDepth(Camera{}, plane, options_.quick ? 4000 : 40000, 5)) {
-        csv.Row(eye, left.method, left.refused, left.effective_near, left.ordered, left.tied,
-                left.inverted, left.lost);
-      }
-    }
-  }
-
   void Pixels() {
     Csv csv(Path("pixels.csv"),
             {"sweep", "parameter", "way", "applies", "reference", "extra", "lost", "wrong"});
@@ -155,11 +115,9 @@ class Study {
     PixelMeter meter(options_.quick ? 960 : 1920, options_.quick ? 540 : 1080, KnotDetail());
     const std::vector<SweepPoint> points = AllSweeps(options_.quick);
     for (std::size_t i = 0; i < points.size(); ++i) {
-      // The knot does not have such an angle or such triangles, and is at its own origin and on the
-      // view's axis. It is drawn with depth from 0 to 1.
+      // The knot is at its own origin and on the view's axis. It is drawn with depth from 0 to 1.
       const Config& config = points[i].config;
-      if (config.surface_angle < 0 && config.edge_length == Config{}.edge_length &&
-          config.mesh_offset == 0 && !config.camera.negative_one_to_one &&
+      if (config.mesh_offset == 0 && !config.camera.negative_one_to_one &&
           !points[i].sweep.starts_with("tile")) {
         for (const PixelErrors& errors : meter.Measure(config)) {
           csv.Row(points[i].sweep, points[i].parameter, errors.way, errors.applies,
@@ -245,32 +203,6 @@ class Study {
         }
         csv.Row(scene.name, name, drawn.draws, drawn.planes, drawn.cpu_ms, (drawn.rgba == all));
       }
-    }
-  }
-
-  // Holds the advice on draws that nobody chose against measurements: whether the error is under
-  // its bound, and whether the cost, measured a second time, is near the best.
-  void RandomAdvice() {
-    const CostTable second = Speed("speed-again.csv", "cost, again");
-    Csv csv(Path("advice.csv"),
-            {"draw", "orthographic", "reversed", "rigid", "clip_distances", "user_planes", "way",
-             "predicted_px", "bound_px", "measured_px", "cost", "best_cost", "best_way"});
-    Progress progress("advice on random draws");
-    const std::vector<RandomDraw> draws = RandomDraws(100, 424242);
-    for (std::size_t i = 0; i < draws.size(); ++i) {
-      const DrawFacts& facts = draws[i].facts;
-      const std::vector<Advice> all = Advise(facts, rule_costs_);
-      const Advice& best = all.front();
-      const auto cost_of = [&](const Advice& advice) { return second.at({advice.way, 1}); };
-      const Advice* cheapest = &best;
-      for (const Advice& other : all) {
-        if (other.meets && cost_of(other) < cost_of(*cheapest)) cheapest = &other;
-      }
-      const MeasuredWay measured = MeasureWay(draws[i], best.way, options_.quick ? 500 : 3000, 9);
-      csv.Row(i, facts.camera.orthographic, facts.camera.reversed, facts.means.rigid,
-              facts.means.clip_distances, facts.means.user_planes, best.way, best.predicted,
-              best.bound, measured.p99, cost_of(best), cost_of(*cheapest), cheapest->way);
-      progress(static_cast<double>(i + 1) / static_cast<double>(draws.size()));
     }
   }
 

@@ -372,36 +372,6 @@ def cost_chart(charts, speed):
     )
 
 
-def depth_chart(charts, depth):
-    methods = list(collections.OrderedDict.fromkeys(r["method"] for r in depth))
-    figure, axes = plt.subplots(1, 2, figsize=(12.5, 3.6))
-    eyes = list(collections.OrderedDict.fromkeys(r["eye"] for r in depth))
-    for axis, column, title in (
-        (axes[0], "ordered", "pairs 0.1 % apart that are told apart rightly"),
-        (axes[1], "lost", "visible points lost at the far plane"),
-    ):
-        for method in methods:
-            axis.plot(
-                eyes,
-                [number(r[column]) for r in depth if r["method"] == method],
-                marker="o",
-                markersize=3,
-                label=method,
-            )
-        refused = [r["eye"] for r in depth if r["method"] == "near-plane" and r["refused"] == "1"]
-        if refused:
-            axis.axvspan(eyes.index(refused[0]) - 0.5, len(eyes) - 0.5, color="#f6dddd", zorder=0)
-        axis.set_title(title)
-        axis.set_xlabel("eye above the plane (shaded: the runtime refuses)")
-    axes[0].legend(fontsize=7)
-    charts.add(
-        "depth",
-        "Depth precision that the sheared near plane leaves",
-        figure,
-        "depth precision by the eye's distance from the plane",
-    )
-
-
 def scene_chart(charts, scenes):
     figure, axis = plt.subplots(figsize=(8.5, 3.2))
     columns = [
@@ -430,32 +400,6 @@ def scene_chart(charts, scenes):
     )
 
 
-def advice_chart(charts, advice):
-    figure, axis = plt.subplots(figsize=(6.1, 4.6))
-    for way in collections.OrderedDict.fromkeys(r["way"] for r in advice):
-        rows = [r for r in advice if r["way"] == way]
-        axis.scatter(
-            [number(r["bound_px"]) for r in rows],
-            [max(number(r["measured_px"]), 1e-6) for r in rows],
-            color=COLORS[way],
-            s=16,
-            label=way,
-        )
-    ends = [1e-5, 1]
-    axis.plot(ends, ends, color="#555555", linewidth=0.8, linestyle="--")
-    axis.set_xscale("log")
-    axis.set_yscale("log")
-    axis.set_xlabel("predicted bound, pixels")
-    axis.set_ylabel("measured p99, pixels")
-    axis.legend(fontsize=7)
-    charts.add(
-        "advice",
-        "The advice on 100 random draws: below the line is as promised",
-        figure,
-        "predicted bound against measured error",
-    )
-
-
 def table(head, rows):
     cells = "".join(f"<th>{html.escape(h)}</th>" for h in head)
     body = "".join(
@@ -464,7 +408,7 @@ def table(head, rows):
     return f"<table><thead><tr>{cells}</tr></thead><tbody>{body}</tbody></table>"
 
 
-def which_table(scenes, advice):
+def which_table(scenes):
     rows = [
         [
             f"{r['scene']}: {r['planes']} planes",
@@ -476,40 +420,7 @@ def which_table(scenes, advice):
         ]
         for r in scenes
     ]
-    groups = collections.OrderedDict()
-    for r in advice:
-        machine = (
-            "clip distances"
-            if r["clip_distances"] == "1"
-            else "SetClipPlane"
-            if r["user_planes"] == "1"
-            else "neither"
-        )
-        view = (
-            "orthographic"
-            if r["orthographic"] == "1"
-            else "reversed depth"
-            if r["reversed"] == "1"
-            else "standard depth"
-        )
-        groups.setdefault(
-            (machine, "rigid" if r["rigid"] == "1" else "moved by the shader", view), []
-        ).append(r)
-    for key in sorted(groups):
-        counts = collections.Counter(r["way"] for r in groups[key])
-        way, times = counts.most_common(1)[0]
-        chosen = [r for r in groups[key] if r["way"] == way]
-        rows.append(
-            [
-                "; ".join(key),
-                way,
-                HOW[way],
-                f"{max(number(r['bound_px']) for r in chosen):.2g}",
-                f"{number(chosen[0]['cost']):.2f}",
-                f"{times} of {len(groups[key])} random draws",
-            ]
-        )
-    return table(["scene or draw", "method", "how", "error at most, px", "cost", "for"], rows)
+    return table(["scene", "method", "how", "error at most, px", "cost", "for"], rows)
 
 
 def failure_table(edges):
@@ -578,30 +489,6 @@ def laws_table(laws):
     )
 
 
-def roundings_table(roundings):
-    return table(
-        [
-            "field of view",
-            "roundings of xyw1",
-            "draws",
-            "p99 on average, px",
-            "at worst",
-            "draws over 0.002",
-        ],
-        [
-            [
-                f"{number(r['fov']):g} degrees",
-                r["rounding"],
-                r["draws"],
-                f"{number(r['mean_px']):.2g}",
-                f"{number(r['worst_px']):.2g}",
-                r["over"],
-            ]
-            for r in roundings
-        ],
-    )
-
-
 def pictures(folder):
     parts = []
     for path in sorted(folder.glob("picture-*.png")):
@@ -630,28 +517,12 @@ def main():
         read(folder, "pixels.csv"),
         read(folder, "speed.csv"),
     )
-    scenes, advice, depth = (
-        read(folder, "scenes.csv"),
-        read(folder, "advice.csv"),
-        read(folder, "depth.csv"),
-    )
+    scenes = read(folder, "scenes.csv")
     charts = Charts(folder)
     main_chart(charts, read(folder, "directions.csv"), speed)
     charts.text("<h2>In motion</h2>")
     flicker_chart(charts, read(folder, "flicker.csv"))
-    kept = sum(number(r["measured_px"]) <= number(r["bound_px"]) for r in advice)
-    cheap = sum(number(r["cost"]) <= 1.15 * number(r["best_cost"]) for r in advice)
-    charts.text(
-        "<h2>Which method for which scene</h2>"
-        + which_table(scenes, advice)
-        + f"<p>On {len(advice)} random draws: error under its bound in {kept}, cost, measured a second time, within 15 % of the best admissible method in {cheap}.</p>"
-    )
-    advice_chart(charts, advice)
-    held = read(folder, "advice-scenes.csv")[0]
-    charts.text(
-        f"<p>On {held['scenes']} random scenes with {held['advised']} objects that a plane cuts, {held['meets']} are said to meet the tolerance; "
-        f"{held['misses']} of them miss it. Ways that meet it with a margin of two: {held['overlooked']} overlooked, {held['dearer']} cheaper than the advised one.</p>"
-    )
+    charts.text("<h2>Which method for which scene</h2>" + which_table(scenes))
     charts.text("<h2>Where each method fails</h2>" + failure_table(edges) + '<div class="sweeps">')
     sweep_charts(charts, edges)
     charts.text(
@@ -666,14 +537,8 @@ def main():
         "is smooth. The runtime refuses planes that are so short or so long, or changes their length.</p>"
         + special_table(read(folder, "special.csv"))
     )
-    charts.text(
-        "<h2>What narrow views cost xyw1</h2><p>Random planes and cameras, surfaces at 5 degrees or more; `all` is xyw1 as it is.</p>"
-        + roundings_table(read(folder, "roundings.csv"))
-    )
     charts.text("<h2>Cost</h2>")
     cost_chart(charts, speed)
-    charts.text("<h2>Depth</h2>")
-    depth_chart(charts, depth)
     charts.text("<h2>No more planes than needed</h2>")
     scene_chart(charts, scenes)
     charts.text(

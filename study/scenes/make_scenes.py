@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 """Makes scenes for `clipc-study scene` as people build them: round numbers, right angles, planes that are axes, places that
-touch, and extremes of every kind. Shares no code and no distribution with study/random_scenes.cpp.
+touch, and extremes of every kind.
 
 scene(number) is the scene of that number, the same on every machine."""
 
