@@ -31,8 +31,8 @@ std::vector<EdgeErrors> MeasureEdges(const Config& config, const std::vector<Met
 std::vector<EdgeErrors> MeasureEdges(const Setup& setup, const std::vector<Method>& methods,
                                      long count, std::uint64_t seed);
 
-// The displacements of `count` edges of each of `planes` planes, cameras and offsets that differ by a
-// hundredth at most: each rounds in a way of its own, luckily or not, and together they show the
+// The displacements of `count` edges of each of `planes` planes, cameras and offsets that differ by
+// a hundredth at most: each rounds in a way of its own, luckily or not, and together they show the
 // error of such a draw. Pixels; none where the method does not apply.
 std::vector<double> DisplacementsOverPlanes(const Config& config, const Method& method, int planes,
                                             long count, std::uint64_t seed);

@@ -55,9 +55,9 @@ struct RegimeHeld {
   double pooled = 0;  // 99th percentile of all edges' displacements over their draws' predictions
 };
 
-// Measures `count` draws, with some planes of each (DisplacementsOverPlanes) and `edges` edges of each
-// plane, and holds them against `law`; five times as many planes of a draw that seems to be outside
-// its factor. Equal arguments give equal results.
+// Measures `count` draws, with some planes of each (DisplacementsOverPlanes) and `edges` edges of
+// each plane, and holds them against `law`; five times as many planes of a draw that seems to be
+// outside its factor. Equal arguments give equal results.
 std::vector<RegimeHeld> HoldLaw(int count, long edges, std::uint64_t seed,
                                 const std::function<std::optional<double>(const RegimeDraw&)>& law);
 
