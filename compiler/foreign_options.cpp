@@ -21,7 +21,20 @@ void HasNoEffect(Reading& reading, const std::string&) {
 }
 
 void Refuse(Reading& reading, const std::string&) {
-  reading.error = fmt::format("unknown option `{}`; {}", reading.option, reading.advice);
+  reading.unknown.emplace_back(reading.argument, reading.advice);
+}
+
+// Reads glslang's -V and -V100: the version of Vulkan's GLSL, of which there is one.
+void SetVulkanSpirv(Reading& reading, const std::string& value) {
+  if (value.empty() || value == "100") return SetSpirv<true>(reading, value);
+  reading.unknown.emplace_back(reading.argument, "did you mean `-V`?");
+}
+
+// Reads what the SPIR-V is for, as glslang and glslc say it: it is written without a further -V.
+void SetSpirvFor(Reading& reading, const std::string& value) {
+  const bool is_opengl = value.starts_with("opengl");
+  is_opengl ? SetSpirv<false>(reading, value) : SetSpirv<true>(reading, value);
+  if (!is_opengl && value != "vulkan" && value != "vulkan100") SetVulkanVersion(reading, value);
 }
 
 // -Gec and -Ges exclude each other, as in fxc.
@@ -51,10 +64,11 @@ void SetOptimisation(Reading& reading, const std::string& value) {
   reading.error = fmt::format("unknown option `-O{}`", value);
 }
 
-// Requires the one value that clipc has, of those that another compiler knows.
-template <const auto& kValue>
+// Requires the one value that clipc has, by either of its names, of those that another compiler
+// knows.
+template <const auto& kValue, const auto& kOtherName = kValue>
 void RequireValue(Reading& reading, const std::string& value) {
-  if (value != kValue)
+  if (value != kValue && value != kOtherName)
     reading.error = fmt::format("`{} {}`: clipc has `{}` only", reading.option, value, kValue);
 }
 
@@ -68,7 +82,7 @@ constexpr char kKindShift[] = "a number, or numbers each with its set";
 constexpr char kByKind[] =
     "clipc shifts by register: `--shift-texture-binding` moves t, `--shift-uav-binding` u";
 constexpr char kFollowRegisters[] = "bindings follow the registers; `--reflect` tells them";
-constexpr std::string_view kHlsl = "hlsl", kVert = "vert", kVertex = "vertex";
+constexpr std::string_view kHlsl = "hlsl", kVert = "vert", kVertex = "vertex", kUtf8 = "utf8";
 
 using enum Option::Form;
 using Action = CommandLine::Action;
@@ -90,15 +104,23 @@ constexpr Option kForeignOptions[] = {
     {"--shift-texture-binding --stb", kNumbers, Bind<AddKindShift<'t'>>, nullptr, kKindShift},
     {"--shift-uav-binding --shift-UAV-binding --suavb", kNumbers, Bind<AddKindShift<'u'>>, nullptr,
      kKindShift},
-    {"-V", kFlag, SetSpirv<true>},
+    {"-V", kJoined, SetVulkanSpirv},
+    {"--target-env --client", kEquals, SetSpirvFor},
+    {"--source-entrypoint --sep", kSeparate, Set<&Reading::source_entry>},
     {"-Fo", kJoinedOrSeparate, Set<&CommandLine::output>},
     {"-e", kSeparate, Set<&LanguageOptions::entry>},
     {"-fentry-point", kEquals, Set<&LanguageOptions::entry>},
     {"-isystem -iquote", kSeparate, Set<&IncludeOptions::dirs>},
     {"-U", kJoinedOrSeparate, Undefine},
     {"-std=hlsl", kJoined, Choose<&LanguageOptions::version, kLanguageNames>},
-    {"--invert-y -fvk-invert-y", kFlag, Set<&passes::ClipSpaceOptions::flip_y>},
-    {"-g", kFlag, Set<&OutputOptions::source_lines>},
+    {"--invert-y --iy -finvert-y -fvk-invert-y", kFlag, Set<&passes::ClipSpaceOptions::flip_y>},
+    {"-g -gVS", kFlag, Set<&OutputOptions::source_lines>},
+    {"-fspv-debug", kEquals, SetTo<&OutputOptions::source_lines, true>},
+    {"-fspv-preserve-interface", kFlag, Set<&Reading::preserves_interface>},
+    {"-matrix-layout-row-major", kFlag, SetTo<&LanguageOptions::packing, MatrixPacking::kRowMajor>},
+    {"-matrix-layout-column-major", kFlag,
+     SetTo<&LanguageOptions::packing, MatrixPacking::kColumnMajor>},
+    {"-stage", kSeparate, RequireValue<kVertex, kVert>},
     {"--vn", kSeparate, Set<&CommandLine::variable>},
     {"-MMD", kFlag, Set<&CommandLine::write_dependencies>},
     {"-MM", kFlag, Set<&CommandLine::only_dependencies>},
@@ -117,15 +139,25 @@ constexpr Option kForeignOptions[] = {
     {"-fno-color-diagnostics", kFlag, SetTo<&CommandLine::colour, false>},
     {"-x", kSeparate, RequireValue<kHlsl>},
     {"-S", kSeparate, RequireValue<kVert>},
-    {"-fshader-stage", kEquals, RequireValue<kVertex>},
+    {"-fshader-stage", kEquals, RequireValue<kVertex, kVert>},
+    {"-fspv-entrypoint-name", kEquals, RequireValue<kSpirvEntry>},
+    {"-encoding", kSeparate, RequireValue<kUtf8>},
 
-    // Options for the code, the listing or the effort of another compiler. --hlsl-iomap maps by
-    // register, as clipc does.
-    {"-nologo --hlsl-iomap -Zss -Zsb -Zs -Cc -c -Gpp -all_resources_bound -all-resources-bound "
-     "-enable_unbounded_descriptor_tables -res_may_alias -res-may-alias -Qembed_debug "
-     "-Qsource_in_debug_module",
+    // Options for what clipc always does: buffers keep Direct3D's layout, SV_VertexID and
+    // SV_InstanceID begin at 0, resources are mapped by register, and those without one, inputs
+    // and outputs have numbers too.
+    {"-fvk-use-dx-layout --hlsl-offsets -fhlsl-offsets -fvk-support-nonzero-base-instance "
+     "-fvk-support-nonzero-base-vertex --hlsl-iomap -fhlsl-iomap --auto-map-bindings --amb "
+     "--auto-map-locations --aml -fauto-bind-uniforms -fauto-map-locations -pedantic "
+     "-fdiagnostics-show-option",
      kFlag, Ignore},
-    {"-Qstrip_", kJoined, Ignore},
+    // Options for the code, the listing or the effort of another compiler.
+    {"-nologo -Zss -Zsb -Zs -Cc -c -Gpp -all_resources_bound -all-resources-bound "
+     "-enable_unbounded_descriptor_tables -res_may_alias -res-may-alias -Qembed_debug "
+     "-Qsource_in_debug_module -Qpdb_in_private -Qkeep_reflect_in_dxil -l -C --quiet",
+     kFlag, Ignore},
+    {"-Qstrip_ -errorReport", kJoined, Ignore},
+    {"-Oconfig", kEquals, Ignore},
     {"-O", kJoined, SetOptimisation},
 
     {"-Gec", kFlag, SetPositionName<PositionName::kBoth>},
@@ -139,6 +171,13 @@ constexpr Option kForeignOptions[] = {
     {"-Gfp", kFlag, HasNoEffect, nullptr,
      "GLSL has no such mode; `[branch]` on a statement reaches Vulkan's drivers"},
     {"-Ni -No -Lx", kFlag, HasNoEffect, nullptr, "the listing is GLSL"},
+    {"-fspv-reflect", kFlag, HasNoEffect, nullptr, "`--reflect` writes the reflection as JSON"},
+    {"-fspv-extension", kEquals, HasNoEffect, nullptr,
+     "the SPIR-V has the extensions that the shader needs"},
+    {"-ferror-limit", kEquals, HasNoEffect, nullptr, "a compile ends at the 50th error"},
+    {"-fvk-use-dx-position-w", kFlag, HasNoEffect, nullptr, "it is for pixel shaders"},
+    {"--keep-uncalled --ku", kFlag, HasNoEffect, nullptr,
+     "functions that nothing calls are left out"},
 
     // Options whose meaning clipc does not have.
     {"-Entry -entry", kJoined, Refuse, nullptr, "did you mean `-E`?"},
@@ -149,9 +188,11 @@ constexpr Option kForeignOptions[] = {
     {"-opt-", kJoined, Refuse, nullptr, "clipc leaves optimisation to the driver"},
     {"-output -Output", kJoined, Refuse, nullptr, "did you mean `-o`?"},
     {"-fspv-", kJoined, Refuse, nullptr, "the SPIR-V is what glslang makes of the GLSL"},
+    {"-fvk-use-gl-layout -fvk-use-scalar-layout", kFlag, Refuse, nullptr,
+     "buffers keep the layout of Direct3D, as with -fvk-use-dx-layout"},
     {"-fvk-", kJoined, Refuse, nullptr, kFollowRegisters},
     {"--shift-image-binding --sib --shift-ssbo-binding --sbb", kNumbers, Refuse, nullptr, kByKind},
-    {"--shift- --auto-map-", kJoined, Refuse, nullptr, kFollowRegisters},
+    {"--shift-", kJoined, Refuse, nullptr, kFollowRegisters},
     {"-enable-16bit-types", kFlag, Refuse, nullptr,
      "`half` and `min16float` are computed and stored at 32 bits"},
     {"-Fe", kJoinedOrSeparate, Refuse, nullptr, "messages go to standard error"},
@@ -159,7 +200,8 @@ constexpr Option kForeignOptions[] = {
     {"-Frs -Fsh -setrootsignature -extractrootsignature -verifyrootsignature -getprivate "
      "-setprivate -dumpbin -compress -decompress",
      kJoined, Refuse, nullptr, "it is for compiled shaders of Direct3D"},
-    {"-Gch -Gdp -LD -Fx -Fl", kJoined, Refuse, nullptr,
+    {"-Fx", kJoinedOrSeparate, Refuse, nullptr, "`-Fc` writes a listing"},
+    {"-Gch -Gdp -LD -Fl", kJoined, Refuse, nullptr,
      "it is for effects and libraries; clipc compiles one shader"},
 };
 

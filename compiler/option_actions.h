@@ -80,6 +80,18 @@ void SetSpirv(Reading& reading, const std::string&) {
   reading.spirv_for_vulkan = kForVulkan;
 }
 
+inline constexpr Named<VulkanVersion> kVulkanVersions[] = {{VulkanVersion::k1_0, "vulkan1.0"},
+                                                           {VulkanVersion::k1_1, "vulkan1.1"},
+                                                           {VulkanVersion::k1_2, "vulkan1.2"},
+                                                           {VulkanVersion::k1_3, "vulkan1.3"}};
+inline void SetVulkanVersion(Reading& reading, const std::string& value) {
+  reading.vulkan_option = reading.option;
+  Choose<&SpirvRequest::vulkan, kVulkanVersions>(reading, value);
+}
+
+// The name of SPIR-V's entry point, which is GLSL's.
+inline constexpr std::string_view kSpirvEntry = "main";
+
 // Reads a rule for bindings. The advice of the option says what it takes.
 template <bool (*kRead)(glsl::BindingRules&, std::string_view)>
 void Bind(Reading& reading, const std::string& value) {

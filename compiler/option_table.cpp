@@ -35,7 +35,8 @@ Spelling FindOption(std::string_view argument) {
     const std::string_view rest = argument.substr(spelling.name.size());
     const Option::Form form = spelling.option->form;
     const bool fits = rest.empty() || form == Option::Form::kJoined ||
-                      form == Option::Form::kJoinedOrSeparate || form == Option::Form::kOptional ||
+                      form == Option::Form::kJoinedOrSeparate ||
+                      form == Option::Form::kDefinition || form == Option::Form::kOptional ||
                       ((form == Option::Form::kEquals || form == Option::Form::kNumbers) &&
                        rest.starts_with('='));
     if (fits && spelling.name.size() > found.name.size()) found = spelling;

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "compiler/options.h"
@@ -16,14 +17,19 @@ namespace clipc {
 // The state of reading the arguments: what those read so far say.
 struct Reading {
   CommandLine command;
-  std::string option;  // the option that is being read
-  std::string advice;  // its Option::help
+  std::string argument;  // the argument that is being read
+  std::string option;    // the option that it begins with
+  std::string advice;    // its Option::help
   std::string error;
+  // The options that clipc does not have, as they are written, with the advice for each.
+  std::vector<std::pair<std::string, std::string>> unknown;
 
   std::optional<bool> validate;        // --validate or --no-validate; none: neither
   std::optional<glsl::Target> target;  // none: the user names none
   glsl::BindingRules bindings;
   bool writes_spirv = false, spirv_for_vulkan = true;
+  std::string source_entry;          // glslang's --source-entrypoint
+  bool preserves_interface = false;  // dxc's -fspv-preserve-interface
   SpirvRequest spirv;
   std::string vulkan_option;  // the last option that is for target `vulkan` only
   bool preprocess = false;    // -P
@@ -40,7 +46,8 @@ struct Option {
     kFlag,
     kJoined,            // -Wno-x
     kSeparate,          // -e main
-    kJoinedOrSeparate,  // -Dx or -D x
+    kJoinedOrSeparate,  // -Ix or -I x
+    kDefinition,        // -Dx or -D x; alone, or before what is not a macro's name, glslang's -D
     kOptional,          // -P or -P x
     kEquals,            // --target=x or --target x
     kTwo,               // -fvk-b-shift 2 0: the value is "2 0"

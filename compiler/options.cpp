@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/options.h"
 
+#include <algorithm>
+#include <cctype>
 #include <iterator>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "base/path.h"
 #include "base/spelling.h"
 #include "base/system.h"
+#include "compiler/option_actions.h"
 #include "compiler/option_table.h"
 #include "compiler/output_files.h"
 #include "frontend/lex/source_text.h"
@@ -77,15 +81,30 @@ bool LooksLikePath(const std::string& argument) {
 // The advice "did you mean" for an argument that is not an option.
 std::string NearOption(std::string_view argument) {
   const std::string_view name = argument.substr(0, argument.find('='));
-  const auto near = NearNames(name, Spellings());
-  return near.empty()
+  // Any one letter is near any other.
+  std::vector<std::string_view> near;
+  if (name.size() > 3) near = NearNames(name, Spellings());
+  return near.empty() || near[0] == name
              ? ""
-             : fmt::format("; did you mean `{}{}`?", near[0], argument.substr(name.size()));
+             : fmt::format("did you mean `{}{}`?", near[0], argument.substr(name.size()));
+}
+
+// Whether a word can be the value of -D: NAME, NAME=VALUE or NAME(PARAMETERS)=VALUE.
+bool IsDefinition(std::string_view word) {
+  const std::string_view name = word.substr(0, word.find_first_of("=("));
+  return !name.empty() && std::ranges::all_of(name, [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '_';
+  });
 }
 
 // Reads the option or the input at `arguments[at]` and its value, and moves `at` past them.
 void ReadArgument(std::span<const std::string> arguments, std::size_t& at, Reading& reading) {
   const std::string& written = arguments[at++];
+  if (written == "--") {  // no option follows
+    auto& inputs = reading.command.inputs;
+    for (; at < arguments.size(); ++at) inputs.push_back(arguments[at]);
+    return;
+  }
   std::string spelling = written;
   const bool has_dash = written.size() > 1 && written[0] == '-';
   const bool has_slash = written.size() > 1 && written[0] == '/' && !LooksLikePath(written);
@@ -94,22 +113,25 @@ void ReadArgument(std::span<const std::string> arguments, std::size_t& at, Readi
   if (!option) {
     // A path has more slashes than the first one, or an extension.
     if (has_dash || (has_slash && written.find_first_of("/.", 1) == std::string::npos)) {
-      reading.error = fmt::format("unknown option `{}`{}", written, NearOption(spelling));
+      reading.unknown.emplace_back(written, NearOption(spelling));
     } else {
       reading.command.inputs.push_back(written);
     }
     return;
   }
+  reading.argument = written;
   reading.option = written.substr(0, name.size());
   reading.advice = option->help;
   std::string value = spelling.substr(name.size());
   if ((option->form == kEquals || option->form == kNumbers) && !value.empty()) {
     value.erase(0, 1);
   } else if (value.empty() && option->form != kFlag && option->form != kJoined) {
-    const bool has_next =
-        at < arguments.size() && (!arguments[at].starts_with('-') || arguments[at] == "-");
+    const bool is_definition = option->form == kDefinition && has_dash;
+    const bool has_next = at < arguments.size() &&
+                          (!arguments[at].starts_with('-') || arguments[at] == "-") &&
+                          (!is_definition || IsDefinition(arguments[at]));
     if (has_next) value = arguments[at++];
-    if (!has_next && option->form != kOptional) {
+    if (!has_next && option->form != kOptional && !is_definition) {
       reading.error = fmt::format("{} needs a value", written);
       if (at < arguments.size()) reading.error += fmt::format("; `{}` is an option", arguments[at]);
       return;
@@ -163,6 +185,28 @@ void FinishTarget(Reading& reading) {
   }
 }
 
+// Settles glslang's -e NAME --source-entrypoint FUNCTION, which gives SPIR-V's entry point a name
+// of its own. clipc's is always `main`.
+void FinishEntry(Reading& reading) {
+  if (reading.source_entry.empty()) return;
+  std::string& entry = reading.command.request.language.entry;
+  if (entry != kSpirvEntry && entry != reading.source_entry && reading.error.empty())
+    reading.error = fmt::format("the SPIR-V's entry point cannot be called `{}`: it is `{}`", entry,
+                                kSpirvEntry);
+  entry = reading.source_entry;
+}
+
+// The error that names every unknown option.
+std::string UnknownOptions(const Reading& reading) {
+  std::string text = reading.unknown.size() > 1 ? "unknown options" : "";
+  for (const auto& [option, advice] : reading.unknown) {
+    text +=
+        text.empty() ? fmt::format("unknown option `{}`", option) : fmt::format("\n  `{}`", option);
+    if (!advice.empty()) text += "; " + advice;
+  }
+  return text;
+}
+
 void ReportWithoutEffect(Reading& reading) {
   CommandLine& command = reading.command;
   for (const Reading::Ignored& ignored : reading.without_effect)
@@ -185,6 +229,11 @@ ParsedCommandLine ParseCommandLine(std::span<const char* const> arguments) {
   for (std::size_t at = 0; at < words.size() && reading.error.empty();)
     ReadArgument(words, at, reading);
   CommandLine& command = reading.command;
+  if (reading.error.empty()) reading.error = UnknownOptions(reading);
+  FinishEntry(reading);
+  // Without a pixel shader every output is kept.
+  if (reading.preserves_interface && command.request.link.has_pixel_shader())
+    command.request.link.keep_outputs = true;
   FinishPreprocess(reading);
   FinishTarget(reading);
   // A remark about the options is a warning even where the shader's warnings are errors.

@@ -83,6 +83,11 @@ void SetWarning(Reading& reading, const std::string& value) {
   }
 }
 
+// Without a value it is glslang's -D, which says that the text is HLSL.
+void Define(Reading& reading, const std::string& value) {
+  if (!value.empty()) reading.command.request.defines.push_back(value);
+}
+
 constexpr Named<bool> kDepthRanges[] = {{false, "zero-to-one"}, {true, "negative-one-to-one"}};
 constexpr Named<glsl::BlockStyle> kBlockStyles[] = {{glsl::BlockStyle::kNamed, "named"},
                                                     {glsl::BlockStyle::kPlain, "plain"},
@@ -96,14 +101,6 @@ constexpr Named<DumpStage> kStages[] = {{DumpStage::kTokens, "tokens"},
                                         {DumpStage::kIr, "ir"},
                                         {DumpStage::kGlsl, "glsl"},
                                         {DumpStage::kTable, "table"}};
-constexpr Named<VulkanVersion> kVulkanVersions[] = {{VulkanVersion::k1_0, "vulkan1.0"},
-                                                    {VulkanVersion::k1_1, "vulkan1.1"},
-                                                    {VulkanVersion::k1_2, "vulkan1.2"},
-                                                    {VulkanVersion::k1_3, "vulkan1.3"}};
-void SetVulkanVersion(Reading& reading, const std::string& value) {
-  reading.vulkan_option = reading.option;
-  Choose<&SpirvRequest::vulkan, kVulkanVersions>(reading, value);
-}
 
 using enum Option::Form;
 using Action = CommandLine::Action;
@@ -114,7 +111,7 @@ constexpr Option kOwnOptions[] = {
     {"-T", kJoinedOrSeparate, Set<&LanguageOptions::profile>, "<PROFILE>",
      "vs_2_0 .. vs_6_8 (vs_5_0), vs_4_0_level_9_0, _9_1, _9_3"},
     {"-E", kJoinedOrSeparate, Set<&LanguageOptions::entry>, "<NAME>", "entry function (main)"},
-    {"-D", kJoinedOrSeparate, Set<&Request::defines>, "<NAME[=VALUE]>", "define a macro"},
+    {"-D", kDefinition, Define, "<NAME[=VALUE]>", "define a macro"},
     {"-I", kJoinedOrSeparate, Set<&IncludeOptions::dirs>, "<DIR>", "look for includes here too"},
     {"-include", kSeparate, Set<&IncludeOptions::forced>, "<FILE>", "include FILE first"},
     {"-HV", kJoinedOrSeparate, Choose<&LanguageOptions::version, kLanguageNames>, "<YEAR>",

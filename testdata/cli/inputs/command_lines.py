@@ -112,7 +112,8 @@ def main():
         ]
     for line, problem in failures:
         print(f"{listed}:{line.number}: {line.line}\n  {problem}")
-    print(f"{len(lines)} command lines, {len(failures)} fail")
+    refused = sum(line.verdict == "refused" for line in lines)
+    print(f"{len(lines) - refused} command lines with effect, {refused} refused, {len(failures)} fail")
     return 1 if failures else 0
 
 
