@@ -42,7 +42,7 @@ async function compiledAndMeasured(action) {
   return told(`Number(document.documentElement.dataset.shows) > ${before}`);
 }
 
-await page.loaded('Number(document.documentElement.dataset.measured) > 0');
+await page.loaded('Number(document.documentElement.dataset.shows) > 0');
 
 /** A column of the study's table directions.csv, by distance of eye and plane in near distances. */
 function studied(method) {
