@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -11,18 +12,30 @@
 #include "ir/program.h"
 
 // The layout in GLSL of a constant buffer, whose offsets Direct3D's rules fixed. Offsets are never
-// changed: a buffer that std140 would lay out otherwise is written with explicit offsets, with
-// padding, or as an array of rows that is read by accessors. Sources: HLSL packing as in
-// ir/packing.h; std140 in section 7.6.2.2 of the OpenGL 4.6 specification.
+// changed: a buffer that std140 would lay out otherwise is written with explicit offsets or with
+// padding; members that std140 cannot place are left out if the shader does not read them, else
+// read by hand. Sources: HLSL packing as in ir/packing.h; std140 in section 7.6.2.2 of the OpenGL
+// 4.6 specification.
+//
+// A block that std140 can lay out keeps the members that the shader does not read, since the next
+// stage may declare the block too. Only one of more than 16 KB, which is all that OpenGL promises,
+// ends after the last member that is read, if that brings it within 16 KB.
 namespace clipc::glsl {
 
 inline constexpr std::uint32_t kRow = 16;  // bytes of a register of a cbuffer, and of std140's vec4
 
 enum class BlockForm : std::uint8_t {
-  kStd140,  // members as written; some with an explicit offset or padding before them
+  kStd140,  // members as written; some with an explicit offset or padding before them, or by hand
   kRows,    // one array of rows of 16 bytes, and accessors. Where the target has no blocks, members
             // that are not of floats are uniform variables beside it
   kUniforms,  // the target has no blocks: uniform variables that the host sets by name
+};
+
+// The form of what a block declares at one place.
+enum class PartForm : std::uint8_t {
+  kWhole,  // a member of HLSL
+  kWords,  // each component of a vector, which a function puts together
+  kRows,   // an array of rows of 16 bytes, out of which functions read one member or several
 };
 
 // A member of a buffer or, if a ConstantBuffer<T> is written with an instance name, a field of T.
@@ -35,6 +48,17 @@ struct BlockMember {
   bool explicit_offset = false;  // layout(offset = ..)
   std::uint32_t padding = 0;     // bytes of padding members before it
   ir::MatrixLayout matrices = ir::MatrixLayout::kNone;
+  PartForm form = PartForm::kWhole;
+  // kRows: their number, and whether they are `vec4`, since all is floats that they hold; else
+  // `uvec4`. `var` is the first of the members in them, and `offset` that of the rows.
+  std::uint32_t rows = 0;
+  bool float_rows = true;
+};
+// A member of a buffer that is read by hand.
+struct ByHand {
+  ir::VarId var;
+  std::uint32_t offset = 0;  // bytes
+  std::size_t part = 0;      // in BlockLayout::members
 };
 
 struct BlockLayout {
@@ -47,10 +71,16 @@ struct BlockLayout {
   bool float_rows = true;     // kRows: `vec4`, since every member is of floats; else `uvec4`
   bool fields_as_members = false;    // `buffer.field`: a ConstantBuffer<T> with an instance name
   std::vector<BlockMember> members;  // in order of offset (kUniforms: of declaration)
+  std::vector<ByHand> by_hand;       // kStd140: in order of offset
+
+  bool IsByHand(ir::VarId var) const {
+    return std::ranges::find(by_hand, var, &ByHand::var) != by_hand.end();
+  }
 };
 
+// `is_read` says by VarId which members the shader reads.
 BlockLayout LayOutBlock(const ir::Program& program, const ir::Cbuffer& cbuffer,
-                        const Target& target, BlockStyle style);
+                        const Target& target, BlockStyle style, const std::vector<bool>& is_read);
 
 // Whether a type has floats only, which are all that rows hold where the target has no blocks.
 bool OnlyFloats(const ir::TypeTable& types, ir::TypeId type);

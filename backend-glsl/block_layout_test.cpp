@@ -42,61 +42,78 @@ class BlockLayoutTest : public testing::Test {
   }
   BlockLayout Layout(const std::vector<ShaderForTest::Member>& members,
                      std::string_view target = "glsl450",
-                     ir::CbufferKind kind = ir::CbufferKind::kCbuffer) {
+                     ir::CbufferKind kind = ir::CbufferKind::kCbuffer,
+                     std::string_view unread = "") {
     const auto id = shader_.AddCbuffer("Buffer", members, kind);
+    std::vector<bool> is_read(shader_.program.vars.size(), true);
+    for (const ir::CbufferMember& member : shader_.program.cbuffers[id].members) {
+      const std::string& name = shader_.program.vars[member.var].name;
+      if (unread.find(name) != unread.npos) is_read[member.var.index] = false;
+    }
     return LayOutBlock(shader_.program, shader_.program.cbuffers[id], *Target::Parse(target),
-                       BlockStyle::kPlain);
+                       BlockStyle::kPlain, is_read);
   }
-  BlockForm Form(const std::vector<ShaderForTest::Member>& members,
-                 std::string_view target = "glsl450") {
-    return Layout(members, target).form;
+  // What the block declares, "a b.words c.rows2", where the members whose names are letters of
+  // `unread` are not read.
+  std::string Parts(const std::vector<ShaderForTest::Member>& members, std::string_view unread = "",
+                    std::string_view target = "glsl450") {
+    const BlockLayout layout = Layout(members, target, ir::CbufferKind::kCbuffer, unread);
+    if (layout.form != BlockForm::kStd140)
+      return layout.form == BlockForm::kRows ? "rows" : "uniforms";
+    std::string text;
+    for (const BlockMember& member : layout.members) {
+      if (!text.empty()) text += " ";
+      text += shader_.program.vars[member.var].name;
+      if (member.form == PartForm::kWords) text += ".words";
+      if (member.form == PartForm::kRows) text += ".rows" + std::to_string(member.rows);
+    }
+    return text;
+  }
+  // Whether std140 can place every member.
+  bool Fits(const std::vector<ShaderForTest::Member>& members) {
+    return Layout(members).by_hand.empty();
   }
 
   ShaderForTest shader_;
 };
 
 TEST_F(BlockLayoutTest, Std140WhereItIsTheSame) {
-  EXPECT_EQ(Form({{"a", F(4)}, {"b", F(4)}}), BlockForm::kStd140);
-  EXPECT_EQ(Form({{"a", F(3)}, {"b", F(1)}}), BlockForm::kStd140);
-  EXPECT_EQ(Form({{"a", F(2)}, {"b", F(2)}}), BlockForm::kStd140);
-  EXPECT_EQ(Form({{"a", M(4, 4)}, {"b", F(1)}}), BlockForm::kStd140);
-  EXPECT_EQ(Form({{"a", A(F(4), 3)}, {"b", F(3)}}), BlockForm::kStd140);
-  EXPECT_EQ(
-      Form({{"a", shader_.Vector(Scalar::kBool, 1)}, {"b", shader_.Vector(Scalar::kUint, 3)}}),
-      BlockForm::kRows)
+  EXPECT_TRUE(Fits({{"a", F(4)}, {"b", F(4)}}));
+  EXPECT_TRUE(Fits({{"a", F(3)}, {"b", F(1)}}));
+  EXPECT_TRUE(Fits({{"a", F(2)}, {"b", F(2)}}));
+  EXPECT_TRUE(Fits({{"a", M(4, 4)}, {"b", F(1)}}));
+  EXPECT_TRUE(Fits({{"a", A(F(4), 3)}, {"b", F(3)}}));
+  EXPECT_FALSE(
+      Fits({{"a", shader_.Vector(Scalar::kBool, 1)}, {"b", shader_.Vector(Scalar::kUint, 3)}}))
       << "uint3 b lies at 4";
-  EXPECT_EQ(Form({{"a", F(3)}, {"b", shader_.Vector(Scalar::kBool, 1)}}), BlockForm::kStd140);
+  EXPECT_TRUE(Fits({{"a", F(3)}, {"b", shader_.Vector(Scalar::kBool, 1)}}));
 }
 
-TEST_F(BlockLayoutTest, RowsWhereStd140WouldMoveAMember) {
-  EXPECT_EQ(Form({{"a", F(1)}, {"b", F(3)}}), BlockForm::kRows);
-  EXPECT_EQ(Form({{"a", F(1)}, {"b", F(2)}}), BlockForm::kRows);
-  EXPECT_EQ(Form({{"a", A(F(1), 2)}, {"b", F(1)}}), BlockForm::kRows)
-      << "a scalar in an array's last row";
-  EXPECT_EQ(Form({{"a", M(3, 3)}, {"b", F(1)}}), BlockForm::kRows)
-      << "a scalar in a matrix's last row";
-  EXPECT_EQ(Form({{"a", M(4, 3)}, {"b", F(1)}}), BlockForm::kStd140) << "three whole rows";
-  EXPECT_EQ(Form({{"a", M(4, 3), true}, {"b", F(1)}}), BlockForm::kRows);
-  EXPECT_EQ(Form({{"s", S({{"x", F(1)}})}, {"b", F(1)}}), BlockForm::kRows)
-      << "a scalar in a struct's last row";
-  EXPECT_EQ(Form({{"s", S({{"x", F(1)}})}, {"b", F(4)}}), BlockForm::kStd140);
-  EXPECT_EQ(Form({{"s", S({{"x", F(1)}, {"y", F(3)}})}}), BlockForm::kRows) << "inside a struct";
-  EXPECT_EQ(Form({{"s", A(S({{"x", F(3)}, {"y", F(1)}}), 2)}}), BlockForm::kStd140);
+TEST_F(BlockLayoutTest, NotWhereStd140WouldMoveAMember) {
+  EXPECT_FALSE(Fits({{"a", F(1)}, {"b", F(3)}}));
+  EXPECT_FALSE(Fits({{"a", F(1)}, {"b", F(2)}}));
+  EXPECT_FALSE(Fits({{"a", A(F(1), 2)}, {"b", F(1)}})) << "a scalar in an array's last row";
+  EXPECT_FALSE(Fits({{"a", M(3, 3)}, {"b", F(1)}})) << "a scalar in a matrix's last row";
+  EXPECT_TRUE(Fits({{"a", M(4, 3)}, {"b", F(1)}})) << "three whole rows";
+  EXPECT_FALSE(Fits({{"a", M(4, 3), true}, {"b", F(1)}}));
+  EXPECT_FALSE(Fits({{"s", S({{"x", F(1)}})}, {"b", F(1)}})) << "a scalar in a struct's last row";
+  EXPECT_TRUE(Fits({{"s", S({{"x", F(1)}})}, {"b", F(4)}}));
+  EXPECT_FALSE(Fits({{"s", S({{"x", F(1)}, {"y", F(3)}})}})) << "inside a struct";
+  EXPECT_TRUE(Fits({{"s", A(S({{"x", F(3)}, {"y", F(1)}}), 2)}}));
 }
 
 TEST_F(BlockLayoutTest, MatricesOfOneRowOrColumn) {
-  EXPECT_EQ(Form({{"a", M(1, 4), true}, {"b", F(4)}}), BlockForm::kStd140) << "one register";
-  EXPECT_EQ(Form({{"a", M(1, 4)}, {"b", F(4)}}), BlockForm::kRows)
-      << "four registers of one component";
-  EXPECT_EQ(Form({{"a", M(4, 1)}, {"b", F(4)}}), BlockForm::kStd140);
-  EXPECT_EQ(Form({{"a", M(4, 1), true}, {"b", F(4)}}), BlockForm::kRows);
-  EXPECT_EQ(Form({{"a", M(1, 1)}, {"b", F(1)}}), BlockForm::kStd140);
+  EXPECT_TRUE(Fits({{"a", M(1, 4), true}, {"b", F(4)}})) << "one register";
+  EXPECT_FALSE(Fits({{"a", M(1, 4)}, {"b", F(4)}})) << "four registers of one component";
+  EXPECT_TRUE(Fits({{"a", M(4, 1)}, {"b", F(4)}}));
+  EXPECT_FALSE(Fits({{"a", M(4, 1), true}, {"b", F(4)}}));
+  EXPECT_TRUE(Fits({{"a", M(1, 1)}, {"b", F(1)}}));
 }
 
 TEST_F(BlockLayoutTest, MatricesOfIntegers) {
-  EXPECT_EQ(Form({{"a", M(4, 4, Scalar::kInt), true}}), BlockForm::kStd140) << "an array of rows";
-  EXPECT_EQ(Form({{"a", M(4, 4, Scalar::kInt)}}), BlockForm::kRows);
-  EXPECT_EQ(Form({{"a", M(2, 3, Scalar::kBool), true}}), BlockForm::kStd140);
+  EXPECT_TRUE(Fits({{"a", M(4, 4, Scalar::kInt), true}})) << "an array of rows";
+  EXPECT_FALSE(Fits({{"a", M(4, 4, Scalar::kInt)}}));
+  EXPECT_TRUE(Fits({{"a", M(2, 3, Scalar::kBool), true}}));
 }
 
 TEST_F(BlockLayoutTest, MatrixLayoutIsTheBlocksWhenAllAgree) {
@@ -108,7 +125,7 @@ TEST_F(BlockLayoutTest, MatrixLayoutIsTheBlocksWhenAllAgree) {
   EXPECT_EQ(mixed.matrices, ir::MatrixLayout::kNone);
   EXPECT_EQ(mixed.members[0].matrices, ir::MatrixLayout::kColumnMajor);
   EXPECT_EQ(mixed.members[1].matrices, ir::MatrixLayout::kRowMajor);
-  EXPECT_EQ(Form({{"s", S({{"a", M(4, 4), true}, {"b", M(4, 4)}})}}), BlockForm::kRows)
+  EXPECT_FALSE(Fits({{"s", S({{"a", M(4, 4), true}, {"b", M(4, 4)}})}}))
       << "a struct cannot mix them";
 }
 
@@ -124,17 +141,47 @@ TEST_F(BlockLayoutTest, GapsAreOffsetsOrPadding) {
   EXPECT_EQ(padded.form, BlockForm::kStd140);
   EXPECT_EQ(padded.members[0].padding, 16u);
   EXPECT_EQ(padded.members[1].padding, 40u);
-  EXPECT_EQ(Form({{"a", F(4), false, 4}}), BlockForm::kRows) << "a vec4 cannot start there";
+  EXPECT_FALSE(Fits({{"a", F(4), false, 4}})) << "a vec4 cannot start there";
+}
+
+TEST_F(BlockLayoutTest, WhatIsReadByHand) {
+  EXPECT_EQ(Parts({{"a", F(1)}, {"b", F(3)}, {"c", F(4)}}), "a b.words c");
+  EXPECT_EQ(Parts({{"a", F(1)}, {"b", F(3)}, {"c", F(4)}}, "b"), "a c") << "b is not read";
+  EXPECT_EQ(Parts({{"a", F(1)}, {"b", F(3)}, {"c", F(4)}}, "a"), "a b.words c") << "a fits";
+  EXPECT_EQ(Parts({{"a", A(F(1), 3)}, {"b", F(1)}, {"c", F(4)}}), "a.rows3 c");
+  EXPECT_EQ(Parts({{"a", A(F(1), 3)}, {"b", F(1)}, {"c", F(4)}}, "b"), "a c");
+  EXPECT_EQ(Parts({{"a", A(F(1), 3)}, {"b", F(1)}, {"c", F(4)}}, "a"), "b c")
+      << "what is read has the room";
+  EXPECT_EQ(Parts({{"a", A(F(1), 3)}, {"b", F(1)}, {"c", F(4)}}, "ab"), "a c");
+  EXPECT_EQ(Parts({{"a", M(3, 3)}, {"b", F(1)}, {"c", M(3, 3)}, {"d", F(1)}}), "a.rows3 c.rows3");
+  EXPECT_EQ(Parts({{"a", M(1, 4)}, {"b", F(1)}}, "a"), "b");
+  EXPECT_EQ(Parts({{"a", F(4)}, {"b", M(1, 4)}, {"c", F(1)}}), "a b.rows4");
+  EXPECT_EQ(Parts({{"a", shader_.Vector(Scalar::kDouble, 1), false, 4}, {"b", F(4)}}), "a.rows1 b");
+  EXPECT_EQ(Parts({{"a", F(4), false, 0}, {"b", F(1), false, 12}, {"c", F(4), false, 16}}),
+            "a.rows1 c")
+      << "members that share bytes";
+}
+
+TEST_F(BlockLayoutTest, LargeBlocksEndWithWhatIsRead) {
+  const std::vector<ShaderForTest::Member> large = {
+      {"a", F(4)}, {"b", A(F(4), 1000)}, {"c", A(F(4), 23)}, {"d", F(4)}};
+  EXPECT_EQ(Parts(large), "a b c d");
+  EXPECT_EQ(Parts(large, "d"), "a b c") << "16 KB";
+  EXPECT_EQ(Parts(large, "bcd"), "a");
+  EXPECT_EQ(Parts(large, "bc"), "a b c d") << "more than 16 KB anyhow";
+  EXPECT_EQ(Parts({{"a", F(4)}, {"b", A(F(4), 1000)}}, "b"), "a b")
+      << "a small block is the same in every stage";
 }
 
 TEST_F(BlockLayoutTest, OldTargetsHaveUniformVariables) {
-  EXPECT_EQ(Form({{"a", F(1)}, {"b", F(3)}}, "glsl120"), BlockForm::kUniforms);
-  EXPECT_EQ(Form({{"a", F(1)}}, "glsl130"), BlockForm::kUniforms);
-  EXPECT_EQ(Form({{"a", F(1)}}, "essl300"), BlockForm::kStd140);
+  EXPECT_EQ(Parts({{"a", F(1)}, {"b", F(3)}}, "", "glsl120"), "uniforms");
+  EXPECT_EQ(Parts({{"a", F(1)}}, "", "glsl130"), "uniforms");
+  EXPECT_EQ(Parts({{"a", F(1)}}, "", "essl300"), "a");
   const ir::TypeId uint3 = shader_.Vector(Scalar::kUint, 3);
-  EXPECT_EQ(Form({{"a", F(1)}, {"b", uint3}}, "glsl140"), BlockForm::kUniforms)
+  EXPECT_EQ(Parts({{"a", F(1)}, {"b", uint3}}, "", "glsl140"), "a b.words");
+  EXPECT_EQ(Parts({{"a", A(F(1), 2)}, {"b", uint3}}, "", "glsl140"), "uniforms")
       << "no uintBitsToFloat to read rows with";
-  EXPECT_EQ(Form({{"a", F(1)}, {"b", uint3}}, "glsl150"), BlockForm::kRows);
+  EXPECT_EQ(Parts({{"a", A(F(1), 2)}, {"b", uint3}}, "", "glsl150"), "a.rows2");
 }
 
 TEST_F(BlockLayoutTest, ConstantBuffersAreBlocksWithAName) {
@@ -264,7 +311,7 @@ TEST_P(GlslangLayoutTest, OffsetsAreDirect3ds) {
   int status = 0;
   Glslang("#version 450\nvoid main() {}\n", "", status);
   if (status != 0) GTEST_SKIP() << "no glslangValidator";
-  int std140 = 0, rows = 0;
+  int whole = 0, by_hand = 0;
   for (unsigned round = 0; round < 6; ++round) {
     ShaderForTest shader;
     RandomCbuffers random(round * 977 + 1);
@@ -277,16 +324,31 @@ TEST_P(GlslangLayoutTest, OffsetsAreDirect3ds) {
       }
       const std::string buffer = "Buffer" + std::to_string(i);
       const auto id = shader.AddCbuffer(buffer, members);
-      const BlockLayout layout = LayOutBlock(shader.program, shader.program.cbuffers[id],
-                                             *Target::Parse(GetParam()), BlockStyle::kNamed);
-      (layout.form == BlockForm::kStd140 ? std140 : rows) += 1;
+      std::vector<bool> is_read(shader.program.vars.size());
+      for (const ir::CbufferMember& member : shader.program.cbuffers[id].members)
+        is_read[member.var.index] = random.Below(3) > 0;
+      const BlockLayout layout =
+          LayOutBlock(shader.program, shader.program.cbuffers[id], *Target::Parse(GetParam()),
+                      BlockStyle::kNamed, is_read);
+      (layout.by_hand.empty() ? whole : by_hand) += 1;
       for (const ir::CbufferMember& member : shader.program.cbuffers[id].members) {
+        if (!is_read[member.var.index]) continue;
         std::vector<Leaf> found;
         const ir::Var& var = shader.program.vars[member.var];
         UseLeaves(shader, shader.Make().Ref(member.var), var.row_major, buffer + "." + var.name,
                   member.offset, found);
-        if (layout.form == BlockForm::kStd140)
-          leaves.insert(leaves.end(), found.begin(), found.end());
+        if (!layout.IsByHand(member.var)) leaves.insert(leaves.end(), found.begin(), found.end());
+      }
+      for (const BlockMember& part : layout.members) {
+        if (part.form == PartForm::kWhole) continue;
+        const std::string name = buffer + "." + shader.program.vars[part.var].name;
+        if (part.form == PartForm::kRows) leaves.push_back({name + "_rows", part.offset});
+        const int words =
+            part.form == PartForm::kWords ? shader.program.types[part.type].columns : 0;
+        for (int word = 0; word < words; ++word) {
+          const auto at = part.offset + 4 * static_cast<std::uint32_t>(word);
+          leaves.push_back({name + "_" + "xyzw"[word], at});
+        }
       }
     }
     shader.Finish();
@@ -300,8 +362,8 @@ TEST_P(GlslangLayoutTest, OffsetsAreDirect3ds) {
       EXPECT_EQ(found->second, leaf.offset) << leaf.path << "\n" << glsl;
     }
   }
-  EXPECT_GT(std140, 20);
-  EXPECT_GT(rows, 20);
+  EXPECT_GT(whole, 20);
+  EXPECT_GT(by_hand, 20);
 }
 
 INSTANTIATE_TEST_SUITE_P(Targets, GlslangLayoutTest,

@@ -160,7 +160,8 @@ class TargetCheck {
     const ir::Type& type = TypeOf(cbuffer.members[0].var);
     if (type.kind != TypeKind::kArray) return;
     const bool is_nested = IsArray(type.element);
-    const bool in_rows = LayOutBlock(program_, cbuffer, target_, blocks_).form == BlockForm::kRows;
+    const bool in_rows =
+        LayOutBlock(program_, cbuffer, target_, blocks_, reached_.vars).form == BlockForm::kRows;
     const bool fits = in_rows ? target_.Has(Feature::kDynamicBlockIndex) && !is_nested
                               : !is_nested || target_.Has(Feature::kArraysOfArrays);
     if (!fits || !target_.Has(Feature::kBlockInstances)) {

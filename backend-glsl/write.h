@@ -51,12 +51,20 @@ struct GlslInfo {
     ir::VarId var;
     int field = -1;  // of a ConstantBuffer<T> with an instance name: the field of T
     // The name by which the host asks for the member: "world"; "Camera.view" of a block `Camera`
-    // with an instance name; for kRows the accessor.
+    // with an instance name; for kRows the accessor. Of a member that is read by hand: what has
+    // its first byte, "Frame.light_x" or the array of rows "Frame.light_rows".
     std::string name;
     bool is_uniform = false;  // it is a uniform variable of its own
     // The argument `transpose` of glUniformMatrix for such a variable, when the host hands it the
     // bytes of the HLSL buffer.
     bool transpose = false;
+    std::string function = {};                     // kStd140: the one that reads a member by hand
+    std::optional<std::uint32_t> rows_begin = {};  // the first byte of the rows, if `name` is rows
+
+    // The name of what has the buffer's byte `offset`, which is in the member.
+    std::string NameAt(std::uint32_t offset) const {
+      return rows_begin ? name + "[" + std::to_string((offset - *rows_begin) / kRow) + "]" : name;
+    }
   };
   // The place where the host binds a block or an object; without a binding, the host finds it by
   // name.

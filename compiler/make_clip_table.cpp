@@ -70,6 +70,7 @@ std::string MemberName(const Program& program, const Block& block, const ir::Cbu
     const glsl::GlslInfo::Member* found = nullptr;
     for (const glsl::GlslInfo::Member& named : block.members) {
       if (named.var != member.var) continue;
+      if (!named.function.empty()) return named.NameAt(offset);
       if (named.field < 0) return named.name + index + PathTo(types, type, var.row_major, rest);
       const auto field = static_cast<std::uint32_t>(named.field);
       if (ir::FieldOffset(types, types[type].structure, field) <= rest) found = &named;

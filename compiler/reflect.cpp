@@ -97,7 +97,8 @@ Json Member(const Program& program, const ir::CbufferMember& member, const GlslI
     // A ConstantBuffer's fields are members of the GLSL block.
     Json& entry =
         named.field < 0 ? json : json["fields"].emplace_back(Field(program, var.type, named.field));
-    entry["glsl"] = named.name;
+    entry["glsl"] = named.NameAt(member.offset);
+    if (!named.function.empty()) entry["function"] = named.function;
     if (named.is_uniform && block->form == glsl::BlockForm::kRows) entry["uniform"] = true;
     if (named.is_uniform) entry["transpose"] = named.transpose;
   }

@@ -117,13 +117,13 @@ std::uint32_t ArrayStride(const TypeTable& types, TypeId array, bool row_major) 
   return Clamped(RoundUp(PackedExtent(types, types[array].element, row_major).size, kRow));
 }
 
-void LayOut(const TypeTable& types, const Arena<Var>& vars, Cbuffer& buffer) {
+void LayOut(const TypeTable& types, const Arena<Var>& vars, Cbuffer& buffer, bool whole_registers) {
   std::uint32_t end = 0;
   std::vector<Range> taken;
   for (CbufferMember& member : buffer.members) {
     member.size = MemberExtent(types, vars[member.var], buffer.kind).size;
     if (!member.has_packoffset) continue;
-    end = Clamped(std::uint64_t{member.offset} + member.size);
+    end = Clamped(RoundUp(std::uint64_t{member.offset} + member.size, whole_registers ? kRow : 1));
     taken.push_back({member.offset, end});
   }
   for (CbufferMember& member : buffer.members) {

@@ -45,7 +45,9 @@ std::uint32_t ArrayStride(const TypeTable& types, TypeId array, bool row_major);
 // size (of one buffer, for an array of ConstantBuffers). Where only some members have a place of
 // their own (register(c#) in $Globals; a cbuffer may not mix), the others follow the last of those
 // in order of declaration, as fxc lays them out (DirectXShaderCompiler issue 1900), and step over
-// every place that is taken.
-void LayOut(const TypeTable& types, const Arena<Var>& vars, Cbuffer& buffer);
+// every place that is taken. With `whole_registers` a taken place goes on to the end of its last
+// register: in Direct3D 9 a register belongs to one variable.
+void LayOut(const TypeTable& types, const Arena<Var>& vars, Cbuffer& buffer,
+            bool whole_registers = false);
 
 }  // namespace clipc::ir

@@ -43,7 +43,8 @@ class Packing : public testing::Test {
     }
     return types.Of(types.AddStruct(std::move(structure)));
   }
-  Cbuffer Buffer(const std::vector<Member>& members, CbufferKind kind = CbufferKind::kCbuffer) {
+  Cbuffer Buffer(const std::vector<Member>& members, CbufferKind kind = CbufferKind::kCbuffer,
+                 bool whole_registers = false) {
     Cbuffer buffer;
     buffer.kind = kind;
     for (const Member& member : members) {
@@ -56,7 +57,7 @@ class Packing : public testing::Test {
       if (entry.has_packoffset) entry.offset = static_cast<std::uint32_t>(member.packoffset);
       buffer.members.push_back(entry);
     }
-    LayOut(types, vars, buffer);
+    LayOut(types, vars, buffer, whole_registers);
     return buffer;
   }
   std::vector<std::uint32_t> Offsets(const std::vector<Member>& members) {
@@ -101,6 +102,15 @@ TEST_F(Packing, ScalarFollowsInsideTheLastRowOfAnArray) {
   EXPECT_EQ(Offsets({{A(F(2), 2)}, {F(3)}}), (Numbers{0, 32}));
   EXPECT_EQ(Offsets({{F()}, {A(F(), 1)}, {F()}}), (Numbers{0, 16, 20}));
   EXPECT_EQ(Offsets({{A(A(F(3), 2), 2)}, {F()}}), (Numbers{0, 60}));
+}
+
+TEST_F(Packing, WholeRegistersAreNotShared) {
+  const std::vector<Member> members = {{A(F(3), 2), false, 16}, {F()}, {F()}};
+  const auto later = Buffer(members, CbufferKind::kGlobals).members;
+  EXPECT_EQ(later[1].offset, 44u);
+  const auto direct3d9 = Buffer(members, CbufferKind::kGlobals, true).members;
+  EXPECT_EQ(direct3d9[1].offset, 48u);
+  EXPECT_EQ(direct3d9[2].offset, 52u);
 }
 
 TEST_F(Packing, ScalarFollowsInsideTheLastRowOfAStruct) {

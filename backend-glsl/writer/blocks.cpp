@@ -85,6 +85,12 @@ class BlockWriter {
   void Members() {
     info_.members.reserve(layout_.members.size());
     for (const BlockMember& member : layout_.members) Member(member);
+    for (const ByHand& member : layout_.by_hand) {
+      const BlockMember& part = layout_.members[member.part];
+      // A struct without fields takes no room in any part.
+      if (part.form != PartForm::kRows && part.var != member.var)
+        Accessor(member.var, member.offset, member.offset, {}, false);
+    }
     text_ += "}";
     if (layout_.has_instance) {
       const VarId var = layout_.members.front().var;
@@ -102,27 +108,31 @@ class BlockWriter {
     return context_.names.fields[type.structure.index][static_cast<std::size_t>(member.field)];
   }
 
-  // A name for padding that nothing else in the block has.
-  std::string PaddingName(std::uint32_t offset) {
-    std::string name = fmt::format("padding_{}", offset);
+  // A name that nothing else in the block has, for what is no member of HLSL.
+  std::string PartName(std::string name) {
     if (!layout_.has_instance) return context_.namer.Global(name);
-    if (member_names_.empty()) {
-      for (const BlockMember& member : layout_.members) member_names_.insert(NameOf(member));
+    if (part_names_.empty()) {
+      for (const BlockMember& member : layout_.members) {
+        if (member.form == PartForm::kWhole) part_names_.insert(NameOf(member));
+      }
     }
-    while (member_names_.contains(name)) name += "_2";
+    name = LegalFieldName(name);
+    while (!part_names_.insert(name).second) name = LegalFieldName(name + "_2");
     return name;
   }
 
-  void Member(const BlockMember& member) {
-    // Padding is single floats up to a row, rows, and single floats again: std140 moves none of
-    // them.
+  // Padding is single floats up to a row, rows, and single floats again: std140 moves none of them.
+  void Padding(const BlockMember& member) {
     for (std::uint32_t end = member.offset - member.padding; end < member.offset;) {
       const std::uint32_t rows = end % kRow == 0 ? (member.offset - end) / kRow : 0;
-      Append(text_, rows > 0 ? "    vec4 " : "    float ", PaddingName(end),
+      Append(text_, rows > 0 ? "    vec4 " : "    float ", PartName(fmt::format("padding_{}", end)),
              rows > 1 ? fmt::format("[{}]", rows) : "", ";\n");
       end += rows > 0 ? rows * kRow : 4;
     }
-    const std::string name = NameOf(member);
+  }
+
+  void Member(const BlockMember& member) {
+    Padding(member);
     const bool turned =
         layout_.matrices == MatrixLayout::kNone && member.matrices == MatrixLayout::kRowMajor;
     text_ += "    ";
@@ -130,6 +140,9 @@ class BlockWriter {
       text_ += LayoutText({member.explicit_offset ? fmt::format("offset = {}", member.offset) : "",
                            turned ? "row_major" : ""});
     }
+    if (member.form == PartForm::kRows) return PartInRows(member);
+    if (member.form == PartForm::kWords) return PartInWords(member);
+    const std::string name = NameOf(member);
     Append(
         text_, PrecisionOf(member.var, member.field),
         context_.IsWrittenAsUint(member.var)
@@ -137,8 +150,49 @@ class BlockWriter {
                           ShapeOf(context_[member.type], context_.target).With(Scalar::kUint), name)
             : Declaration(context_, member.type, name),
         ";\n");
-    info_.members.push_back(
-        {member.var, member.field, layout_.has_instance ? Concat(info_.name, ".", name) : name});
+    info_.members.push_back({member.var, member.field, HostName(name)});
+  }
+
+  std::string HostName(const std::string& name) const {
+    return layout_.has_instance ? Concat(info_.name, ".", name) : name;
+  }
+  // The text that reads what the block declares as `name`.
+  std::string PathOf(const std::string& name) const {
+    return layout_.has_instance ? Concat(context_.names.instances[info_.cbuffer.index], ".", name)
+                                : name;
+  }
+
+  // Writes an array of rows, and the functions that read members out of it.
+  void PartInRows(const BlockMember& part) {
+    const std::string name = PartName(context_[part.var].name + "_rows");
+    text_ += fmt::format("{} {}[{}];\n", part.float_rows ? "vec4" : "uvec4", name, part.rows);
+    const Memory memory{PathOf(name), true, part.float_rows};
+    for (const ByHand& member : layout_.by_hand) {
+      if (&layout_.members[member.part] != &part) continue;
+      info_.members.push_back(
+          {member.var, -1, HostName(name), false, false, context_.NameOf(member.var), part.offset});
+      Accessor(member.var, member.offset, part.offset, memory, false);
+    }
+  }
+
+  // Writes a scalar for each component of a vector, and the function that reads the vector.
+  void PartInWords(const BlockMember& part) {
+    const Scalar kind = BaseOf(context_[part.type].scalar);
+    const Shape scalar = ShapeOf(kind == Scalar::kBool ? Scalar::kUint : kind, 1, 1);
+    const char* indent = "";  // the first is after its layout
+    const std::string words = ListOf(context_[part.type].columns, [&](std::uint32_t i) {
+      const std::string name =
+          PartName(Concat(context_[part.var].name, "_", std::string_view("xyzw").substr(i, 1)));
+      Append(text_, indent, TypeName(context_, scalar), " ", name, ";\n");
+      indent = "    ";
+      if (i == 0) {
+        info_.members.push_back(
+            {part.var, -1, HostName(name), false, false, context_.NameOf(part.var)});
+      }
+      return PathOf(name);
+    });
+    const std::string value = Called(TypeName(context_, part.type), {words}).text;
+    Function(part.var, part.type, "", part.offset, value);
   }
 
   // Writes a buffer that neither std140 nor offsets can lay out: rows of 16 bytes, and a function
@@ -158,7 +212,8 @@ class BlockWriter {
     }
     text_ += ";\n\n";
     for (const CbufferMember& member : cbuffer_.members) {
-      if (context_.reached.Has(member.var)) Accessor(member, memory, !dimensions.empty());
+      if (context_.reached.Has(member.var))
+        Accessor(member.var, member.offset, 0, memory, !dimensions.empty());
       info_.members.push_back({member.var, -1, context_.NameOf(member.var)});
     }
   }
@@ -173,12 +228,12 @@ class BlockWriter {
     std::uint32_t end = 0;
     for (const CbufferMember& member : cbuffer_.members) {
       if (!context_.reached.Has(member.var)) continue;
-      if (!context_.IsInRows(member.var)) {
+      if (!context_.IsByHand(member.var)) {
         PlainUniform(uniforms, member.var);
         continue;
       }
       end = std::max(end, member.offset + member.size);
-      Accessor(member, memory, false);
+      Accessor(member.var, member.offset, 0, memory, false);
       info_.members.push_back({member.var, -1, context_.NameOf(member.var)});
     }
     if (end > 0) {
@@ -191,21 +246,28 @@ class BlockWriter {
     Append(text_, uniforms, "\n");
   }
 
-  // Writes the function that reads the member, or one element of an array.
-  void Accessor(const CbufferMember& member, const Memory& memory, bool is_buffer_array) {
-    const Var& var = context_[member.var];
+  // Writes the function that reads the member at this offset, or one element of an array, from rows
+  // that begin at `begin`.
+  void Accessor(VarId member, std::uint32_t offset, std::uint32_t begin, const Memory& memory,
+                bool is_buffer_array) {
+    const Var& var = context_[member];
     const Type& type = context_[var.type];
     const bool is_array = type.kind == TypeKind::kArray;
     const TypeId result = is_array ? type.element : var.type;
-    Address address{"", member.offset};
+    Address address{"", offset - begin};
     const std::string index = Fresh(context_, "i");
     if (is_array && !is_buffer_array) {
       address.dynamic = Scaled(ArrayStride(context_.types, var.type, var.row_major) / kRow, index);
     }
     const std::string value = Load(context_, memory, result, var.row_major, address);
-    context_.helpers += fmt::format("{} {}({}) {{  // offset {}\n    return {};\n}}\n\n",
-                                    TypeName(context_, result), context_.NameOf(member.var),
-                                    is_array ? "int " + index : "", member.offset, value);
+    Function(member, result, is_array ? "int " + index : "", offset, value);
+  }
+
+  void Function(VarId member, TypeId result, const std::string& parameter, std::uint32_t offset,
+                const std::string& value) {
+    context_.helpers +=
+        fmt::format("{} {}({}) {{  // offset {}\n    return {};\n}}\n\n",
+                    TypeName(context_, result), context_.NameOf(member), parameter, offset, value);
   }
 
   Context& context_;
@@ -215,7 +277,7 @@ class BlockWriter {
   GlslInfo::Block& info_;
   std::string& text_;
   std::string register_;
-  std::unordered_set<std::string> member_names_;  // filled for the first padding
+  std::unordered_set<std::string> part_names_;  // those in the block; filled for the first part
 };
 
 }  // namespace

@@ -14,7 +14,7 @@ std::vector<BlockLayout> LayOutBlocks(const ir::Program& program, const Reached&
   std::vector<BlockLayout> layouts(program.cbuffers.size());
   for (const ir::CbufferId id : program.cbuffers.ids()) {
     if (reached.Has(id))
-      layouts[id.index] = LayOutBlock(program, program.cbuffers[id], target, style);
+      layouts[id.index] = LayOutBlock(program, program.cbuffers[id], target, style, reached.vars);
   }
   return layouts;
 }
@@ -40,7 +40,7 @@ bool Context::IsWrittenAsUint(ir::VarId member) const {
   const auto index = static_cast<std::size_t>(at - cbuffer.members.begin());
   return cbuffer.declared && index < cbuffer.declared->members.size()
              ? cbuffer.declared->members[index].is_uint
-             : LayoutOf(member).has_uints;
+             : LayoutOf(member).has_uints && !IsByHand(member);
 }
 
 void Context::RequireType(const ir::Type& type) {

@@ -89,10 +89,11 @@ struct Context {
   const BlockLayout& LayoutOf(ir::VarId member) const {
     return layouts[program.vars[member].cbuffer.index];
   }
-  // Whether a member is read from its buffer's array of rows.
-  bool IsInRows(ir::VarId member) const {
-    return LayoutOf(member).form == BlockForm::kRows &&
-           (Has(Feature::kUniformBlocks) || OnlyFloats(types, program.vars[member].type));
+  // Whether a member is read by a function.
+  bool IsByHand(ir::VarId member) const {
+    const BlockLayout& layout = LayoutOf(member);
+    if (layout.form != BlockForm::kRows) return layout.IsByHand(member);
+    return Has(Feature::kUniformBlocks) || OnlyFloats(types, program.vars[member].type);
   }
   // Whether a member of a block is a bool, or a vector of them, that is written as a uint.
   bool IsWrittenAsUint(ir::VarId member) const;

@@ -153,20 +153,22 @@ class Naming {
       if (!layout.has_instance) name = namer_.Global(name);
     }
     if (is_named) return;
-    if (layout.has_instance) return MembersOfInstance(cbuffer);
+    if (layout.has_instance) return MembersOfInstance(cbuffer, layout);
     for (const CbufferMember& member : cbuffer.members) {
       if (layout.form != BlockForm::kUniforms || context_.reached.Has(member.var))
         Global(member.var);
     }
   }
 
-  void MembersOfInstance(const Cbuffer& cbuffer) {
+  void MembersOfInstance(const Cbuffer& cbuffer, const BlockLayout& layout) {
     std::vector<std::string_view> wanted;
     wanted.reserve(cbuffer.members.size());
     for (const CbufferMember& member : cbuffer.members) wanted.push_back(context_[member.var].name);
     std::vector<std::string> fields = FieldNames(std::move(wanted));
     for (std::size_t i = 0; i < fields.size(); ++i)
       names_.vars[cbuffer.members[i].var.index] = std::move(fields[i]);
+    // A member that is read by hand is a function, outside the block.
+    for (const ByHand& member : layout.by_hand) Global(member.var);
   }
 
   void Block(CbufferId id) {

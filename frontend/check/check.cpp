@@ -36,7 +36,7 @@ void Run(Context& context) {
   CheckRecursion(context);
   FinishBuffers(context);
   for (CbufferId id : program.cbuffers.ids())
-    LayOut(program.types, program.vars, program.cbuffers[id]);
+    LayOut(program.types, program.vars, program.cbuffers[id], program.profile.IsDirect3D9());
   BuildMain(program, signature, context.options.position_name, context.diagnostics);
   CheckClipPlanes(context, entry, attributes);
   CheckUnusedClipPlanes(context, attributes);

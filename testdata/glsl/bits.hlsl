@@ -20,25 +20,17 @@ float4 main(float4 p : POSITION) : SV_Position {
 // NEW: #version 450
 // NEW-EMPTY:
 // NEW-NEXT: layout(std140, binding = 0) uniform Globals {  // b0
-// NEW-NEXT:     uvec4 Globals_rows[2];
-// NEW-NEXT: };
+// NEW-NEXT:     uint u;
+// NEW-NEXT:     uint u2_x;
+// NEW-NEXT:     uint u2_y;
+// NEW-NEXT:     int i;
+// NEW-NEXT:     float f;
+// NEW-NEXT: } globals;
 // NEW-EMPTY:
 // NEW-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // NEW-EMPTY:
-// NEW-NEXT: uint u() {  // offset 0
-// NEW-NEXT:     return Globals_rows[0].x;
-// NEW-NEXT: }
-// NEW-EMPTY:
 // NEW-NEXT: uvec2 u2() {  // offset 4
-// NEW-NEXT:     return Globals_rows[0].yz;
-// NEW-NEXT: }
-// NEW-EMPTY:
-// NEW-NEXT: int i() {  // offset 12
-// NEW-NEXT:     return int(Globals_rows[0].w);
-// NEW-NEXT: }
-// NEW-EMPTY:
-// NEW-NEXT: float f() {  // offset 16
-// NEW-NEXT:     return uintBitsToFloat(Globals_rows[1].x);
+// NEW-NEXT:     return uvec2(globals.u2_x, globals.u2_y);
 // NEW-NEXT: }
 // NEW-EMPTY:
 // NEW-NEXT: uvec2 f32tof16(vec2 a) {
@@ -50,34 +42,26 @@ float4 main(float4 p : POSITION) : SV_Position {
 // NEW-NEXT: }
 // NEW-EMPTY:
 // NEW-NEXT: void main() {
-// NEW-NEXT:     uint r = uint(bitCount(u())) + uint(findMSB(u())) + uint(findMSB(i())) + uint(findLSB(u())) + bitfieldReverse(u()) + uvec2(bitCount(u2())).x + uvec2(findMSB(u2())).y;
-// NEW-NEXT:     r += floatBitsToUint(f()) + uint(floatBitsToInt(f())) + uint(i()) + uint(int(u())) + packHalf2x16(vec2(f(), 0.0)) + f32tof16(in_POSITION0.xy).y;
-// NEW-NEXT:     float s = uintBitsToFloat(u()) + intBitsToFloat(i()) + f() + unpackHalf2x16(u()).x + f16tof32(u2()).y;
+// NEW-NEXT:     uint r = uint(bitCount(globals.u)) + uint(findMSB(globals.u)) + uint(findMSB(globals.i)) + uint(findLSB(globals.u)) + bitfieldReverse(globals.u) + uvec2(bitCount(u2())).x + uvec2(findMSB(u2())).y;
+// NEW-NEXT:     r += floatBitsToUint(globals.f) + uint(floatBitsToInt(globals.f)) + uint(globals.i) + uint(int(globals.u)) + packHalf2x16(vec2(globals.f, 0.0)) + f32tof16(in_POSITION0.xy).y;
+// NEW-NEXT:     float s = uintBitsToFloat(globals.u) + intBitsToFloat(globals.i) + globals.f + unpackHalf2x16(globals.u).x + f16tof32(u2()).y;
 // NEW-NEXT:     gl_Position = in_POSITION0 + float(r) + s;
 // NEW-NEXT: }
 
 // OLD: #version 330
 // OLD-EMPTY:
 // OLD-NEXT: layout(std140) uniform Globals {  // b0
-// OLD-NEXT:     uvec4 Globals_rows[2];
-// OLD-NEXT: };
+// OLD-NEXT:     uint u;
+// OLD-NEXT:     uint u2_x;
+// OLD-NEXT:     uint u2_y;
+// OLD-NEXT:     int i;
+// OLD-NEXT:     float f;
+// OLD-NEXT: } globals;
 // OLD-EMPTY:
 // OLD-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // OLD-EMPTY:
-// OLD-NEXT: uint u() {  // offset 0
-// OLD-NEXT:     return Globals_rows[0].x;
-// OLD-NEXT: }
-// OLD-EMPTY:
 // OLD-NEXT: uvec2 u2() {  // offset 4
-// OLD-NEXT:     return Globals_rows[0].yz;
-// OLD-NEXT: }
-// OLD-EMPTY:
-// OLD-NEXT: int i() {  // offset 12
-// OLD-NEXT:     return int(Globals_rows[0].w);
-// OLD-NEXT: }
-// OLD-EMPTY:
-// OLD-NEXT: float f() {  // offset 16
-// OLD-NEXT:     return uintBitsToFloat(Globals_rows[1].x);
+// OLD-NEXT:     return uvec2(globals.u2_x, globals.u2_y);
 // OLD-NEXT: }
 // OLD-EMPTY:
 // OLD-NEXT: uint countbits(uint x) {
@@ -155,8 +139,8 @@ float4 main(float4 p : POSITION) : SV_Position {
 // OLD-NEXT: }
 // OLD-EMPTY:
 // OLD-NEXT: void main() {
-// OLD-NEXT:     uint r = countbits(u()) + firstbithigh(u()) + firstbithigh(i()) + firstbitlow(u()) + reversebits(u()) + countbits(u2()).x + firstbithigh(u2()).y;
-// OLD-NEXT:     r += floatBitsToUint(f()) + uint(floatBitsToInt(f())) + uint(i()) + uint(int(u())) + f32tof16(f()) + f32tof16(in_POSITION0.xy).y;
-// OLD-NEXT:     float s = uintBitsToFloat(u()) + intBitsToFloat(i()) + f() + f16tof32(u()) + f16tof32(u2()).y;
+// OLD-NEXT:     uint r = countbits(globals.u) + firstbithigh(globals.u) + firstbithigh(globals.i) + firstbitlow(globals.u) + reversebits(globals.u) + countbits(u2()).x + firstbithigh(u2()).y;
+// OLD-NEXT:     r += floatBitsToUint(globals.f) + uint(floatBitsToInt(globals.f)) + uint(globals.i) + uint(int(globals.u)) + f32tof16(globals.f) + f32tof16(in_POSITION0.xy).y;
+// OLD-NEXT:     float s = uintBitsToFloat(globals.u) + intBitsToFloat(globals.i) + globals.f + f16tof32(globals.u) + f16tof32(u2()).y;
 // OLD-NEXT:     gl_Position = in_POSITION0 + float(r) + s;
 // OLD-NEXT: }

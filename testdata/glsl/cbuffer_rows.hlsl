@@ -1,4 +1,4 @@
-// What std140 would move is read out of an array of rows: scalars behind arrays, matrices and structs in their last row,
+// What std140 would move is read by hand: scalars behind arrays, matrices and structs in their last row,
 // vectors that std140 would align, matrices whose registers hold one component, structs that mix row_major and column_major.
 // RUN: %clipc -T vs_5_0 --validate %s -o - | FileCheck %s
 // RUN: %clipc -T vs_5_0 --target=glsl150 --validate %s -o %t
@@ -53,95 +53,88 @@ float4 main(float4 p : POSITION, uint n : INDEX) : SV_Position {
 // CHECK-NEXT: };
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(std140, binding = 0) uniform Floats {  // b0
-// CHECK-NEXT:     vec4 Floats_rows[23];
-// CHECK-NEXT: };
+// CHECK-NEXT:     float x;
+// CHECK-NEXT:     float y_x;
+// CHECK-NEXT:     float y_y;
+// CHECK-NEXT:     float y_z;
+// CHECK-NEXT:     vec4 weights_rows[3];
+// CHECK-NEXT:     vec4 normal_rows[3];
+// CHECK-NEXT:     mat4x3 frame;
+// CHECK-NEXT:     layout(row_major) mat4 bones[2];
+// CHECK-NEXT:     vec4 across_rows[4];
+// CHECK-NEXT: } floats;
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(std140, binding = 1) uniform Kinds {  // b1
-// CHECK-NEXT:     uvec4 Kinds_rows[9];
-// CHECK-NEXT: };
+// CHECK-NEXT:     vec4 mixed_rows[4];
+// CHECK-NEXT:     int i;
+// CHECK-NEXT:     uint u_x;
+// CHECK-NEXT:     uint u_y;
+// CHECK-NEXT:     uvec4 b_rows[2];
+// CHECK-NEXT:     float f[2];
+// CHECK-NEXT: } kinds;
 // CHECK-EMPTY:
 // CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
 // CHECK-NEXT: layout(location = 1) in uint in_INDEX0;  // INDEX0
 // CHECK-EMPTY:
-// CHECK-NEXT: float x() {  // offset 0
-// CHECK-NEXT:     return Floats_rows[0].x;
-// CHECK-NEXT: }
-// CHECK-EMPTY:
 // CHECK-NEXT: vec3 y() {  // offset 4
-// CHECK-NEXT:     return Floats_rows[0].yzw;
+// CHECK-NEXT:     return vec3(floats.y_x, floats.y_y, floats.y_z);
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: float weights(int i_2) {  // offset 16
-// CHECK-NEXT:     return Floats_rows[i_2 + 1].x;
+// CHECK-NEXT: float weights(int i) {  // offset 16
+// CHECK-NEXT:     return floats.weights_rows[i].x;
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: float after_array() {  // offset 52
-// CHECK-NEXT:     return Floats_rows[3].y;
+// CHECK-NEXT:     return floats.weights_rows[2].y;
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: mat3 normal() {  // offset 64
-// CHECK-NEXT:     return transpose(mat3(Floats_rows[4].xyz, Floats_rows[5].xyz, Floats_rows[6].xyz));
+// CHECK-NEXT:     return transpose(mat3(floats.normal_rows[0].xyz, floats.normal_rows[1].xyz, floats.normal_rows[2].xyz));
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: float after_matrix() {  // offset 108
-// CHECK-NEXT:     return Floats_rows[6].w;
-// CHECK-NEXT: }
-// CHECK-EMPTY:
-// CHECK-NEXT: mat4x3 frame() {  // offset 112
-// CHECK-NEXT:     return mat4x3(Floats_rows[7].xyz, Floats_rows[8].xyz, Floats_rows[9].xyz, Floats_rows[10].xyz);
-// CHECK-NEXT: }
-// CHECK-EMPTY:
-// CHECK-NEXT: mat4 bones(int i_2) {  // offset 176
-// CHECK-NEXT:     return transpose(mat4(Floats_rows[4 * i_2 + 11], Floats_rows[4 * i_2 + 12], Floats_rows[4 * i_2 + 13], Floats_rows[4 * i_2 + 14]));
+// CHECK-NEXT:     return floats.normal_rows[2].w;
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: vec4 across() {  // offset 304
-// CHECK-NEXT:     return vec4(Floats_rows[19].x, Floats_rows[20].x, Floats_rows[21].x, Floats_rows[22].x);
+// CHECK-NEXT:     return vec4(floats.across_rows[0].x, floats.across_rows[1].x, floats.across_rows[2].x, floats.across_rows[3].x);
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: Mixed mixed() {  // offset 0
-// CHECK-NEXT:     return Mixed(mat2(uintBitsToFloat(Kinds_rows[0].xy), uintBitsToFloat(Kinds_rows[1].xy)), transpose(mat2(uintBitsToFloat(Kinds_rows[2].xy), uintBitsToFloat(Kinds_rows[3].xy))), uintBitsToFloat(Kinds_rows[3].z));
+// CHECK-NEXT:     return Mixed(mat2(kinds.mixed_rows[0].xy, kinds.mixed_rows[1].xy), transpose(mat2(kinds.mixed_rows[2].xy, kinds.mixed_rows[3].xy)), kinds.mixed_rows[3].z);
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: float after_struct() {  // offset 60
-// CHECK-NEXT:     return uintBitsToFloat(Kinds_rows[3].w);
-// CHECK-NEXT: }
-// CHECK-EMPTY:
-// CHECK-NEXT: int i() {  // offset 64
-// CHECK-NEXT:     return int(Kinds_rows[4].x);
+// CHECK-NEXT:     return kinds.mixed_rows[3].w;
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: uvec2 u() {  // offset 68
-// CHECK-NEXT:     return Kinds_rows[4].yz;
+// CHECK-NEXT:     return uvec2(kinds.u_x, kinds.u_y);
 // CHECK-NEXT: }
 // CHECK-EMPTY:
-// CHECK-NEXT: bool b(int i_2) {  // offset 80
-// CHECK-NEXT:     return Kinds_rows[i_2 + 5].x != 0u;
+// CHECK-NEXT: bool b(int i) {  // offset 80
+// CHECK-NEXT:     return kinds.b_rows[i].x != 0u;
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: bool after_bools() {  // offset 100
-// CHECK-NEXT:     return Kinds_rows[6].y != 0u;
-// CHECK-NEXT: }
-// CHECK-EMPTY:
-// CHECK-NEXT: float f(int i_2) {  // offset 112
-// CHECK-NEXT:     return uintBitsToFloat(Kinds_rows[i_2 + 7].x);
+// CHECK-NEXT:     return kinds.b_rows[1].y != 0u;
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: float[3] weights_all() {
 // CHECK-NEXT:     float result[3];
-// CHECK-NEXT:     for (int i_2 = 0; i_2 < 3; ++i_2) result[i_2] = weights(i_2);
+// CHECK-NEXT:     for (int i = 0; i < 3; ++i) result[i] = weights(i);
 // CHECK-NEXT:     return result;
 // CHECK-NEXT: }
 // CHECK-EMPTY:
 // CHECK-NEXT: void main() {
-// CHECK-NEXT:     gl_Position = x() + y().xyzx + weights(int(in_INDEX0)) + weights(2) + after_array() + after_matrix();
+// CHECK-NEXT:     gl_Position = floats.x + y().xyzx + weights(int(in_INDEX0)) + weights(2) + after_array() + after_matrix();
 // CHECK-NEXT:     gl_Position.xyz += normal() * in_POSITION0.xyz + normal()[1];
-// CHECK-NEXT:     gl_Position.xyz += frame() * in_POSITION0;
-// CHECK-NEXT:     gl_Position += bones(int(in_INDEX0)) * in_POSITION0 + across();
+// CHECK-NEXT:     gl_Position.xyz += floats.frame * in_POSITION0;
+// CHECK-NEXT:     gl_Position += floats.bones[in_INDEX0] * in_POSITION0 + across();
 // CHECK-NEXT:     float all_[3] = weights_all();
 // CHECK-NEXT:     gl_Position.x += all_[in_INDEX0];
 // CHECK-NEXT:     gl_Position.xy += mixed().r[0] + mixed().c[1] + mixed().tail + after_struct();
-// CHECK-NEXT:     gl_Position += vec4(uint(i()) + u().xyxy) + f(int(in_INDEX0));
+// CHECK-NEXT:     gl_Position += vec4(uint(kinds.i) + u().xyxy) + kinds.f[in_INDEX0];
 // CHECK-NEXT:     if (b(int(in_INDEX0)) && after_bools()) {
 // CHECK-NEXT:         gl_Position = vec4(0.0);
 // CHECK-NEXT:     }
