@@ -44,18 +44,24 @@ def options_of(file):
     return kept.replace("%S", str(file.parent)).split() or ["-T", "vs_5_0"]
 
 
-def shaders(tree, listed):
-    """(name, path, options) of every shader."""
-    for folder in ("testdata", "examples"):
-        for file in sorted((tree / folder).rglob("*.hlsl")):
-            path = file.relative_to(tree)
-            yield str(path), str(path), options_of(file)
-    for line in listed.read_text().splitlines() if listed else []:
+def listed(file):
+    """(name, path, options) of every shader of a list."""
+    for line in file.read_text().splitlines():
         path, entry, profile, includes, defines = (line.split("\t") + [""] * 4)[:5]
         options = ["-T", profile, "-E", entry]
         for flag, values in (("-I", includes), ("-D", defines)):
             options += itertools.chain(*([flag, value] for value in values.split(";") if value))
         yield f"{path} {entry} {defines}", path, options
+
+
+def shaders(tree, list_file):
+    """(name, path, options) of every shader."""
+    for folder in ("testdata", "examples"):
+        for file in sorted((tree / folder).rglob("*.hlsl")):
+            path = file.relative_to(tree)
+            yield str(path), str(path), options_of(file)
+    if list_file:
+        yield from listed(list_file)
 
 
 def settings(path, tree, every, quick):
