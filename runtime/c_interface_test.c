@@ -43,7 +43,7 @@ clipc_error FillFromC(const void* bytes, size_t size, const float world_plane[4]
   for (i = 0; error == CLIPC_OK && i < clipc_table_plane_count(table); ++i) {
     clipc_plane_place place;
     clipc_space_constant constant;
-    clipc_draw_matrices draw = {NULL, NULL, NULL, 1, 0};
+    clipc_draw_matrices draw = {NULL, NULL, NULL, CLIPC_ONE_MATRIX};
     draw.view = view;
     draw.projection = projection;
     error = clipc_table_get_plane(table, i, &place, message);

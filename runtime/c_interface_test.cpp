@@ -188,7 +188,7 @@ TEST(CInterface, ConstantsAreThoseOfTheCppInterface) {
 
   // A plane far away, in clip space: a warning and its sentence.
   const float far_plane[4] = {1, 0, 0, -5000};
-  const clipc_draw_matrices draw = {nullptr, nullptr, c.projection, 0, 0};
+  const clipc_draw_matrices draw = {nullptr, nullptr, c.projection, CLIPC_ONE_MATRIX};
   clipc_space_constant made;
   ASSERT_EQ(clipc_plane_constant(CLIPC_SPACE_CLIP, far_plane, CLIPC_KNOWN_IN_VIEW, &draw, 1080, 0.5,
                                  &made, message),
@@ -216,9 +216,9 @@ TEST(CInterface, CountsMatricesAndFollowsCuts) {
   float world[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1e4F, 0, 10, 1};
   float view[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -1e4F, 0, 0, 1};
   const float plane[4] = {0.6F, 0, 0.8F, -6008};
-  const DrawMatrices matrices = {RowVectorMatrix(world), RowVectorMatrix(view), c.Projection(), 2,
-                                 false};
-  clipc_draw_matrices draw = {world, view, c.projection, 2, 0};
+  const DrawMatrices matrices = {RowVectorMatrix(world), RowVectorMatrix(view), c.Projection(),
+                                 MatrixOrder::kWorldFirst};
+  clipc_draw_matrices draw = {world, view, c.projection, CLIPC_WORLD_FIRST};
   clipc_space_constant made;
   ASSERT_EQ(clipc_plane_constant(CLIPC_SPACE_XYW1, plane, CLIPC_KNOWN_IN_WORLD, &draw, 1080, 0.5,
                                  &made, nullptr),
@@ -232,11 +232,11 @@ TEST(CInterface, CountsMatricesAndFollowsCuts) {
   EXPECT_EQ(error, PredictEdgeError(PlaneSpace::kXyw1, PlaneOf(plane), KnownIn::kWorld, matrices,
                                     {place, 1, 0.1}, 1080)
                        .value);
-  draw.steps = 0;
+  draw.order = CLIPC_ONE_MATRIX;
   EXPECT_LT(
       clipc_cut_error(CLIPC_SPACE_XYW1, plane, CLIPC_KNOWN_IN_WORLD, &draw, place, 1, 0.1, 1080),
       error / 100);
-  draw.float_product = 1;
+  draw.order = CLIPC_FLOAT_WORLD_VIEW;
   EXPECT_GT(
       clipc_cut_error(CLIPC_SPACE_XYW1, plane, CLIPC_KNOWN_IN_WORLD, &draw, place, 1, 0.1, 1080),
       error / 10);

@@ -45,8 +45,10 @@ Matrix MatrixOrIdentity(const float* elements) {
 }
 
 DrawMatrices MatricesFrom(const clipc_draw_matrices& draw) {
+  const bool is_known = draw.order <= CLIPC_FLOAT_VIEW_PROJECTION;
   return {MatrixOrIdentity(draw.world), MatrixOrIdentity(draw.view),
-          MatrixOrIdentity(draw.projection), std::max(draw.steps, 1), draw.float_product != 0};
+          MatrixOrIdentity(draw.projection),
+          is_known ? static_cast<MatrixOrder>(draw.order) : MatrixOrder::kOneMatrix};
 }
 
 void Put(const Matrix& matrix, float* to) {

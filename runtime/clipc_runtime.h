@@ -141,10 +141,19 @@ typedef enum clipc_known_in {
   CLIPC_KNOWN_IN_VIEW,
   CLIPC_KNOWN_IN_MAX = 0x7fffffff
 } clipc_known_in;
+/** MatrixOrder; CLIPC_ONE_MATRIX counts for what is none of these. */
+typedef enum clipc_matrix_order {
+  CLIPC_ONE_MATRIX = 0,
+  CLIPC_WORLD_FIRST,
+  CLIPC_WORLD_VIEW_FIRST,
+  CLIPC_THREE_MATRICES,
+  CLIPC_FLOAT_WORLD_VIEW,
+  CLIPC_FLOAT_VIEW_PROJECTION,
+  CLIPC_MATRIX_ORDER_MAX = 0x7fffffff
+} clipc_matrix_order;
 typedef struct clipc_draw_matrices {
   const float *world, *view, *projection;
-  int steps; /**< DrawMatrices::steps: `positionMatrices` of the reflection; 0 counts as 1 */
-  int float_product; /**< DrawMatrices::float_product */
+  clipc_matrix_order order;
 } clipc_draw_matrices;
 typedef struct clipc_space_constant {
   float constant[4];

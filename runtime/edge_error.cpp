@@ -147,6 +147,10 @@ class Shader {
       const Matrix matrix = InFloat(arithmetic.matrices[k]);
       products_[k] = k == 0 ? matrix : Multiply(products_[k - 1], matrix);
     }
+    for (int k = arithmetic.count; k-- > 0;) {
+      const Matrix matrix = InFloat(arithmetic.matrices[k]);
+      rests_[k] = k + 1 == arithmetic.count ? matrix : Multiply(matrix, rests_[k + 1]);
+    }
   }
 
   // The distance, but for a part that is the same at every place.
@@ -154,19 +158,20 @@ class Shader {
   Variances VariancesAt(const double (&place)[3]) const {
     Variances sum;
     const int count = arithmetic_.count;
+    const bool is_product = arithmetic_.product != FloatProduct::kNone;
     const Vector4 vertex = {{place[0], place[1], place[2], 1}};
     Vector4 v = vertex;
     for (int k = 0; k < count; ++k) {
       const Matrix& matrix = arithmetic_.matrices[k];
       sum.shared += OfElements(v, matrix, slopes_[k + 1]);
-      if (!arithmetic_.float_product) {
-        sum.own += OfOperations(v, InFloat(matrix), slopes_[k + 1]);
-      } else if (k > 0) {
-        sum.shared += OfProduct(vertex, k);
-      }
+      if (!is_product) sum.own += OfOperations(v, InFloat(matrix), slopes_[k + 1]);
+      if (arithmetic_.product == FloatProduct::kFromLeft && k > 0)
+        sum.shared += OfProduct(vertex, products_[k - 1], InFloat(matrix), slopes_[k + 1]);
+      if (arithmetic_.product == FloatProduct::kFromRight && k + 1 < count)
+        sum.shared += OfProduct(v, InFloat(matrix), rests_[k + 1], slopes_[count]);
       v = Transform(v, matrix);
     }
-    if (arithmetic_.float_product && count > 0)
+    if (is_product && count > 0)
       sum.own += OfOperations(vertex, products_[count - 1], slopes_[count]);
     AddDot(v, sum);
     return sum;
@@ -183,14 +188,15 @@ class Shader {
     for (int j = 0; j < 4; ++j) sum += v.c[j] * slopes_[arithmetic_.count].c[j];
     return sum;
   }
-  // The variance from multiplying the matrices up to number k.
-  double OfProduct(const Vector4& vertex, int k) const {
-    const Matrix matrix = InFloat(arithmetic_.matrices[k]);
+  // The variance from multiplying two matrices, where `v` is multiplied by the first, and the
+  // distance depends by `slopes` on the result.
+  static double OfProduct(const Vector4& v, const Matrix& first, const Matrix& second,
+                          const Vector4& slopes) {
     double sum = 0;
     for (int i = 0; i < 4; ++i) {
-      Vector4 slopes = slopes_[k + 1];
-      for (double& slope : slopes.c) slope *= vertex.c[i];
-      sum += OfOperations(RowOf(products_[k - 1], i), matrix, slopes);
+      Vector4 of_row = slopes;
+      for (double& slope : of_row.c) slope *= v.c[i];
+      sum += OfOperations(RowOf(first, i), second, of_row);
     }
     return sum;
   }
@@ -212,7 +218,8 @@ class Shader {
 
   const DistanceArithmetic& arithmetic_;
   Vector4 slopes_[4] = {};  // of the distance, by the vector before each matrix and after the last
-  Matrix products_[3];      // of the first matrices
+  Matrix products_[3];      // of the matrices up to each, in float
+  Matrix rests_[3];         // of the matrices from each on, in float
 };
 
 struct Vector3 {

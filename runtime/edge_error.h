@@ -10,14 +10,21 @@
 /// Not part of the public interface.
 namespace clipc::runtime {
 
+/// How the application multiplies the matrices with each other in float; kNone: not at all, the
+/// shader multiplies the vertex by one after the other.
+enum class FloatProduct {
+  kNone,
+  kFromLeft,   ///< (matrices[0] matrices[1]) matrices[2]
+  kFromRight,  ///< matrices[0] (matrices[1] matrices[2])
+};
+
 /// The way of a vertex to its distance from the plane: v * matrices[0] * matrices[1] ..., from left
 /// to right in float, dotted with the constant.
 struct DistanceArithmetic {
   Matrix matrices[3];
   int count = 0;
-  /// The matrices are multiplied with each other in float, and the vertex with their product.
-  bool float_product = false;
-  bool is_xyw1 = false;  ///< (x, y, w, 1) is dotted instead of (x, y, z, w)
+  FloatProduct product = FloatProduct::kNone;  ///< the vertex is multiplied with it
+  bool is_xyw1 = false;                        ///< (x, y, w, 1) is dotted instead of (x, y, z, w)
   Plane constant;
 };
 

@@ -64,8 +64,10 @@ TEST(EdgeError, AProductWithTheIdentityRoundsNothingMore) {
   const double error = ErrorOf(arithmetic, kNormal, kPlace);
   arithmetic.count = 2;
   EXPECT_DOUBLE_EQ(ErrorOf(arithmetic, kNormal, kPlace), error);
-  arithmetic.float_product = true;
-  EXPECT_DOUBLE_EQ(ErrorOf(arithmetic, kNormal, kPlace), error);
+  for (const auto product : {FloatProduct::kFromLeft, FloatProduct::kFromRight}) {
+    arithmetic.product = product;
+    EXPECT_DOUBLE_EQ(ErrorOf(arithmetic, kNormal, kPlace), error);
+  }
 }
 
 TEST(EdgeError, PowersOfTwoAreExact) {

@@ -81,15 +81,23 @@ double ReachOfWorld(const DrawMatrices& draw) {
 
 // Adds the matrices that the shader multiplies the vertex by, or the factors of a float product.
 void AddMatrices(const DrawMatrices& draw, DistanceArithmetic& to) {
-  if (draw.steps > 2 || draw.float_product) {
-    to.count = 3;
-    to.matrices[0] = draw.world, to.matrices[1] = draw.view, to.matrices[2] = draw.projection;
-  } else if (draw.steps == 2) {
-    to.count = 2;
-    to.matrices[0] = draw.world, to.matrices[1] = Multiply(draw.view, draw.projection);
-  } else {
-    to.count = 1;
-    to.matrices[0] = Multiply(Multiply(draw.world, draw.view), draw.projection);
+  const auto add = [&](const Matrix& matrix) { to.matrices[to.count++] = matrix; };
+  switch (draw.order) {
+    case MatrixOrder::kWorldFirst:
+      add(draw.world), add(Multiply(draw.view, draw.projection));
+      return;
+    case MatrixOrder::kWorldViewFirst:
+      add(Multiply(draw.world, draw.view)), add(draw.projection);
+      return;
+    case MatrixOrder::kThreeMatrices:
+    case MatrixOrder::kFloatWorldView:
+    case MatrixOrder::kFloatViewProjection:
+      add(draw.world), add(draw.view), add(draw.projection);
+      to.product = draw.order == MatrixOrder::kFloatWorldView        ? FloatProduct::kFromLeft
+                   : draw.order == MatrixOrder::kFloatViewProjection ? FloatProduct::kFromRight
+                                                                     : FloatProduct::kNone;
+      return;
+    default: add(Multiply(Multiply(draw.world, draw.view), draw.projection));
   }
 }
 
@@ -104,10 +112,16 @@ double PredictOf(PlaneSpace space, const Plane& view_plane, const DrawMatrices& 
   const double own = law(space, kAroundOrigin);
   if (space == PlaneSpace::kObject) return own;
   const double world = std::max(kAroundOrigin, ReachOfWorld(draw));
-  if (draw.steps > 1) return law(space, world);
-  if (!draw.float_product) return own;
-  const bool is_perspective = ShapeOf(draw.projection).is_perspective();
-  return std::max(own, law(is_perspective ? PlaneSpace::kXyw1 : PlaneSpace::kClip, world));
+  switch (draw.order) {
+    case MatrixOrder::kWorldFirst:
+    case MatrixOrder::kFloatViewProjection: return law(space, world);
+    case MatrixOrder::kThreeMatrices:
+    case MatrixOrder::kFloatWorldView: {
+      const bool is_perspective = ShapeOf(draw.projection).is_perspective();
+      return std::max(own, law(is_perspective ? PlaneSpace::kXyw1 : PlaneSpace::kClip, world));
+    }
+    default: return own;
+  }
 }
 
 }  // namespace
@@ -152,7 +166,6 @@ Result<double> PredictEdgeError(PlaneSpace space, const Plane& plane, KnownIn kn
   DistanceArithmetic arithmetic;
   arithmetic.constant = constant.value.plane;
   arithmetic.is_xyw1 = space == PlaneSpace::kXyw1;
-  arithmetic.float_product = draw.float_product;
   if (space != PlaneSpace::kObject) AddMatrices(draw, arithmetic);
   const double pixels = EdgeErrorOf(arithmetic, *Unit(seen), Multiply(draw.world, draw.view),
                                     draw.projection, cut, picture_height, sine);

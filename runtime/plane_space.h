@@ -17,18 +17,25 @@ namespace clipc::runtime {
 /// The space in which the application knows a plane.
 enum class KnownIn : std::uint8_t { kObject, kWorld, kView };
 
+/// The order in which float multiplies the matrices and the vertex: each rounding loses digits of
+/// what it rounds, and far from the world's origin the world's coordinates are large. Matrices that
+/// the application multiplies in double and rounds once count as one.
+enum class MatrixOrder : std::uint8_t {
+  kOneMatrix,            ///< mul(v, world_view_projection)
+  kWorldFirst,           ///< mul(mul(v, world), view_projection)
+  kWorldViewFirst,       ///< mul(mul(v, world_view), projection): no world's coordinates in float
+  kThreeMatrices,        ///< mul(mul(mul(v, world), view), projection)
+  kFloatWorldView,       ///< one matrix, multiplied in float: (world view) projection
+  kFloatViewProjection,  ///< one matrix, multiplied in float: world (view projection), as of glm's
+                         ///< projection * view * model and of a view_projection for each frame
+};
+
 /// The matrices of one draw: clip = v * world * view * projection. A matrix that a conversion does
 /// not need may stay the identity: from a world-space plane, xyw1 and clip need view and
 /// projection, object needs world alone.
 struct DrawMatrices {
   Matrix world, view, projection;
-  /// The number of matrices that the shader multiplies the vertex by, one after the other, in
-  /// float: 1 where the application multiplies them in double. With more, the vertex is in the
-  /// world's coordinates in between, which cost digits far from the world's origin.
-  int steps = 1;
-  /// The application multiplies the matrices in float, into the one that the shader has; `steps` is
-  /// 1 then.
-  bool float_product = false;
+  MatrixOrder order = MatrixOrder::kOneMatrix;
 };
 
 /// The part of a cut that a picture shows.
@@ -49,8 +56,8 @@ struct Picture {
 struct SpaceConstant {
   PlaneConstant plane;  ///< plane.constant is for the shader's constant buffer
   /// PredictEdgeError of the space, in pixels, for an object around its own origin; 0 if there is
-  /// no prediction. With DrawMatrices::steps over 1, or a float_product, it counts the distance
-  /// from the world's origin.
+  /// no prediction. Where DrawMatrices::order has the world's coordinates in float, it counts the
+  /// distance from the world's origin.
   double edge_error = 0;
   /// ok(), or kIllConditioned with a sentence if edge_error exceeds picture.most_pixels. The
   /// constant is then as good as the space allows, and another space is better.
@@ -94,9 +101,10 @@ inline constexpr double kAroundOrigin = 0.5;
 /// float, in heights of the picture at the cut's depth; the farthest of these spaces counts. One is
 /// the object's own: a level or a terrain whose vertices are in world coordinates has a large
 /// reach, and so has a part of it that is near the eye. For `clip` and `xyw1` another is the world,
-/// where the shader multiplies by the world matrix first and by others then. Where the application
-/// multiplies the matrices in float, the law is that of `xyw1` with the world's reach, of `clip`
-/// under an orthographic projection, or that of the space with the object's, whichever is more.
+/// of the orders kWorldFirst and kFloatViewProjection. Of kThreeMatrices and kFloatWorldView, where
+/// the view cancels what is large before z and w are made, the law is that of `xyw1` with the
+/// world's reach, of `clip` under an orthographic projection, or that of the space with the
+/// object's, whichever is more.
 ///
 /// A law knows neither the object's matrix nor where in the picture the cut is: a plane whose
 /// normal is an axis of the object loses less than it says, and a corner of the cut that is much

@@ -246,11 +246,11 @@ TEST(PlaneConstantFor, WarnsOfMatricesThatTheShaderMultiplies) {
   draw.view.m[3][0] = -1e4;
   const Plane plane = {0.6, 0, 0.8, -8 - 6e3};
   for (const PlaneSpace space : kSpaces) {
-    draw.steps = 1;
+    draw.order = MatrixOrder::kOneMatrix;
     const auto one = PlaneConstantFor(space, plane, KnownIn::kWorld, draw);
     ASSERT_TRUE(one.ok());
     EXPECT_TRUE(one.value.warning.ok()) << one.value.warning.message();
-    draw.steps = 2;
+    draw.order = MatrixOrder::kWorldFirst;
     const auto two = PlaneConstantFor(space, plane, KnownIn::kWorld, draw);
     EXPECT_EQ(two.value.warning.ok(), space == PlaneSpace::kObject);
     if (space == PlaneSpace::kObject) continue;
@@ -268,14 +268,44 @@ TEST(PlaneConstantFor, WarnsOfMatricesThatWereMultipliedInFloat) {
   DrawMatrices draw = {{}, {}, PerspectiveCamera(0.1, 1000).projection};
   draw.world.m[3][0] = 1e4, draw.world.m[3][2] = 10;
   draw.view.m[3][0] = -1e4;
-  draw.float_product = true;
   const Plane plane = {0.6, 0, 0.8, -8 - 6e3};
-  for (const PlaneSpace space : kSpaces) {
-    const auto made = PlaneConstantFor(space, plane, KnownIn::kWorld, draw);
-    EXPECT_EQ(made.value.warning.ok(), space == PlaneSpace::kObject) << NameOf(space);
-    if (space == PlaneSpace::kObject) continue;
-    EXPECT_THAT(made.value.warning.message(), HasSubstr("multiply its matrices in double"));
+  for (const auto order : {MatrixOrder::kFloatWorldView, MatrixOrder::kFloatViewProjection}) {
+    draw.order = order;
+    for (const PlaneSpace space : kSpaces) {
+      const auto made = PlaneConstantFor(space, plane, KnownIn::kWorld, draw);
+      EXPECT_EQ(made.value.warning.ok(), space == PlaneSpace::kObject) << NameOf(space);
+      if (space == PlaneSpace::kObject) continue;
+      EXPECT_THAT(made.value.warning.message(), HasSubstr("multiply its matrices in double"));
+    }
   }
+}
+
+// The view cancels what is large in the world's coordinates before z and w are made, or after.
+TEST(PlaneConstantFor, TheOrderOfMatricesDecides) {
+  DrawMatrices draw = {{}, {}, PerspectiveCamera(0.1, 1e4).projection};
+  draw.world.m[3][0] = 1e3, draw.world.m[3][2] = 10;
+  draw.view.m[3][0] = -1e3;
+  const double c = std::cos(0.3), s = std::sin(0.3);
+  draw.view = {{{c, 0, s, 0}, {0, 1, 0, 0}, {-s, 0, c, 0}, {-1e3 * c, 0, -1e3 * s, 1}}};
+  const double place[3] = {0.5, 0.1, -0.3};
+  const auto both = [&](MatrixOrder order) {
+    draw.order = order;
+    const Plane plane = {0.6, 0, 0.8, -8};
+    const double known =
+        PredictEdgeError(PlaneSpace::kClip, plane, KnownIn::kView, draw, {place, 1, 0.1}, 1080)
+            .value;
+    const double law =
+        PlaneConstantFor(PlaneSpace::kClip, plane, KnownIn::kView, draw).value.edge_error;
+    EXPECT_GT(law / known, 0.3) << static_cast<int>(order);
+    EXPECT_LT(law / known, 3.5) << static_cast<int>(order);
+    return known;
+  };
+  const double one = both(MatrixOrder::kOneMatrix);
+  EXPECT_LT(both(MatrixOrder::kWorldViewFirst), 2 * one);
+  EXPECT_LT(both(MatrixOrder::kThreeMatrices), 3 * one);
+  EXPECT_LT(both(MatrixOrder::kFloatWorldView), 3 * one);
+  EXPECT_GT(both(MatrixOrder::kWorldFirst), 10 * one);
+  EXPECT_GT(both(MatrixOrder::kFloatViewProjection), 10 * one);
 }
 
 // The distance of the world's origin is measured in heights of the picture at the depth where the
@@ -297,7 +327,7 @@ TEST(PlaneConstantFor, CountsTheWorldsOriginFromTheObject) {
   const double at_10 = 7000 * draw.projection.m[1][1] / 20;
   for (const double forward : {1, -1}) {
     DrawMatrices steps = draw;
-    steps.steps = 2;
+    steps.order = MatrixOrder::kWorldFirst;
     steps.projection = PerspectiveCamera(0.1, 1000, {}, forward).projection;
     for (auto& row : steps.view.m) row[2] *= forward;
     is_law(steps, PlaneSpace::kClip, at_10);
@@ -310,13 +340,13 @@ TEST(PlaneConstantFor, CountsTheWorldsOriginFromTheObject) {
     is_law(steps, PlaneSpace::kClip, kAroundOrigin);
   }
   DrawMatrices product = draw;
-  product.float_product = true;
+  product.order = MatrixOrder::kFloatWorldView;
   is_law(product, PlaneSpace::kXyw1, at_10);
   product.world = {};  // the near plane's share is more
   is_law(product, PlaneSpace::kClip, kAroundOrigin);
   DrawMatrices orthographic = draw;
   orthographic.projection = OrthographicCamera(0.1, 100).projection;
-  orthographic.steps = 2;
+  orthographic.order = MatrixOrder::kWorldFirst;
   is_law(orthographic, PlaneSpace::kClip, 7000 * orthographic.projection.m[1][1] / 2);
 }
 
@@ -324,7 +354,7 @@ TEST(PlaneConstantFor, CountsTheWorldsOriginFromTheObject) {
 // follows the cut agrees.
 TEST(PlaneConstantFor, WarnsOfAFloatProductUnderAnOrthographicProjection) {
   DrawMatrices draw = {{}, {}, OrthographicCamera(0.1, 100).projection};
-  draw.float_product = true;
+  draw.order = MatrixOrder::kFloatWorldView;
   const double c = std::cos(0.4), s = std::sin(0.4);
   draw.view.m[0][0] = c, draw.view.m[0][2] = s, draw.view.m[2][0] = -s, draw.view.m[2][2] = c;
   for (const double away : {1e4, 1e5, 1e6}) {
@@ -391,14 +421,17 @@ TEST(PredictEdgeError, FollowsTheRoundingsOfADraw) {
   draw.view = {};
   const double near = error(PlaneSpace::kXyw1, cut).value;
   draw.world.m[3][0] = 1e5, draw.view.m[3][0] = -1e5;
-  const auto far_away = [&](int steps) {
-    draw.steps = steps;
+  const auto far_away = [&](MatrixOrder order) {
+    draw.order = order;
     return PredictEdgeError(PlaneSpace::kXyw1, {0.6, 0, 0.8, -8 - 6e4}, KnownIn::kWorld, draw, cut,
                             1080)
         .value;
   };
-  EXPECT_NEAR(far_away(1) / near, 1, 0.3);
-  for (const int steps : {2, 3}) EXPECT_GT(far_away(steps), 100 * near) << steps;
+  for (const auto order : {MatrixOrder::kOneMatrix, MatrixOrder::kWorldViewFirst})
+    EXPECT_NEAR(far_away(order) / near, 1, 0.3) << static_cast<int>(order);
+  for (const auto order : {MatrixOrder::kWorldFirst, MatrixOrder::kThreeMatrices,
+                           MatrixOrder::kFloatWorldView, MatrixOrder::kFloatViewProjection})
+    EXPECT_GT(far_away(order), 100 * near) << static_cast<int>(order);
   draw.projection.m[3][2] = NAN;
   EXPECT_EQ(error(PlaneSpace::kClip, cut).status.error(), Error::kNotFinite);
 }

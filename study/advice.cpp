@@ -22,14 +22,27 @@ double LawOfCut(const Way& way, const DrawFacts& facts, const CutFacts& cut) {
   // The cut becomes a float vertex, and the error is its rounding.
   if (way.kind == WayKind::kCpu)
     return 2 * 0x1p-24 * facts.picture_height / 2 * (0.5 + cut.reach + facts.extent / 2);
+  const Matrix projection = facts.camera.Projection();
+  const auto law = [&](PlaneSpace space, double reach) {
+    const auto pixels = PredictEdgeError(space, cut.view_plane, projection, facts.picture_height,
+                                         facts.sine, reach);
+    return pixels.ok() ? pixels.value * LengthFactor(facts.extent) : INFINITY;
+  };
+  const double world_reach = std::max(cut.reach, cut.world_reach);
   // Distances by hand are as good as in object space, and twice rounded: the world-space vertex is,
   // and its dot product with the plane.
-  const PlaneSpace space = way.space.value_or(kObject);
-  const bool is_in_world = !way.space || (space != kObject && !facts.means.one_matrix);
-  const double reach = is_in_world ? std::max(cut.reach, cut.world_reach) : cut.reach;
-  const auto law = PredictEdgeError(space, cut.view_plane, facts.camera.Projection(),
-                                    facts.picture_height, facts.sine, reach);
-  return law.ok() ? law.value * (way.space ? 1 : 2) * LengthFactor(facts.extent) : INFINITY;
+  if (!way.space) return 2 * law(kObject, world_reach);
+  const double own = law(*way.space, cut.reach);
+  if (way.space == kObject) return own;
+  using enum runtime::MatrixOrder;
+  switch (facts.means.order) {
+    case kWorldFirst:
+    case kFloatViewProjection: return law(*way.space, world_reach);
+    case kThreeMatrices:
+    case kFloatWorldView:
+      return std::max(own, law(facts.camera.orthographic ? kClip : kXyw1, world_reach));
+    default: return own;
+  }
 }
 
 double LawOf(const Way& way, const DrawFacts& facts) {
@@ -114,7 +127,7 @@ std::string CureFor(const DrawFacts& facts, const CostTable& costs, double toler
   };
   if (helps(around_its_origin))
     return "its vertices are far from their own origin: give the mesh one of its own";
-  if (!facts.means.one_matrix && helps([](DrawFacts& f) { f.means.one_matrix = true; }))
+  if (helps([](DrawFacts& f) { f.means.order = runtime::MatrixOrder::kOneMatrix; }))
     return "far from the world's origin: multiply its matrices in double, or let the world begin "
            "at the camera";
   if (!facts.camera.reversed && helps([](DrawFacts& f) { f.camera.reversed = true; }))

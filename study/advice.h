@@ -22,9 +22,7 @@ struct Means {
   bool user_planes = false;    // Direct3D 9's SetClipPlane, OpenGL 2's glClipPlane
   bool can_discard = true;     // the fragment shader is ours to change
   bool rigid = true;  // the position is the vertex times matrices: no skinning, instances or waves
-  // The shader gets world * view * projection as one matrix, multiplied in double. Otherwise it
-  // multiplies the vertex by the world matrix first, in float.
-  bool one_matrix = true;
+  runtime::MatrixOrder order = runtime::MatrixOrder::kOneMatrix;
   // Every object that the pass draws is cut by the same one plane, so that `near-plane` may replace
   // the depth of them all. Next to ordinary depth it hides and shows what it should not.
   bool whole_pass = false;

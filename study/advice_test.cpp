@@ -84,11 +84,11 @@ TEST(Advice, CountsTheDistancesThatFloatsCarry) {
   EXPECT_EQ(bound("object"), object);
   EXPECT_EQ(bound("xyw1"), xyw1);
   EXPECT_GT(bound("world"), 1);
-  facts.means.one_matrix = false;
+  facts.means.order = runtime::MatrixOrder::kWorldFirst;
   EXPECT_EQ(bound("object"), object);
   EXPECT_GT(bound("xyw1"), 100 * xyw1);
   EXPECT_EQ(bound("cpu"), cpu);
-  facts.means.one_matrix = true, facts.cuts[0].reach = 1e4;
+  facts.means.order = runtime::MatrixOrder::kOneMatrix, facts.cuts[0].reach = 1e4;
   for (const auto& [way, before] :
        {std::pair{"object", object}, std::pair{"xyw1", xyw1}, std::pair{"cpu", cpu}})
     EXPECT_GT(bound(way), 100 * before) << way;
@@ -162,7 +162,8 @@ TEST(Advice, KnowsCures) {
   EXPECT_EQ(cure(1e-9), "");
   facts.camera.reversed = true, facts.cuts[0].reach = 1e5;
   EXPECT_THAT(cure(), ::testing::HasSubstr("give the mesh one of its own"));
-  facts.cuts[0].reach = 0.5, facts.cuts[0].world_reach = 1e5, facts.means.one_matrix = false;
+  facts.cuts[0].reach = 0.5, facts.cuts[0].world_reach = 1e5,
+  facts.means.order = runtime::MatrixOrder::kWorldFirst;
   EXPECT_THAT(cure(), ::testing::HasSubstr("multiply its matrices in double"));
 }
 

@@ -19,30 +19,40 @@ constexpr auto kXyw1Position = [](const Vec4<float>& p) {
   return Vec4<float>{{p[0], p[1], p[3], 1}};
 };
 
-// The positions of a vertex: the vertex times one matrix, times two in turn, times one that was
-// multiplied in float, and as it is.
-constexpr auto kOnce = [](const Setup& setup) {
-  return [m = ConvertTo<float>(setup.world_view_projection)](const Vec4<float>& v) {
-    return Transform(v, m);
+// The position of a vertex by matrices that float multiplies in an order.
+constexpr auto kBy = [](runtime::MatrixOrder order) {
+  return [order](const Setup& setup) {
+    using enum runtime::MatrixOrder;
+    const Mat4<float> world = ConvertTo<float>(setup.world), view = ConvertTo<float>(setup.view),
+                      projection = ConvertTo<float>(setup.projection);
+    std::vector<Mat4<float>> chain;
+    switch (order) {
+      case kWorldFirst:
+        chain = {world, ConvertTo<float>(Multiply(setup.view, setup.projection))};
+        break;
+      case kWorldViewFirst: chain = {ConvertTo<float>(setup.world_view), projection}; break;
+      case kThreeMatrices: chain = {world, view, projection}; break;
+      case kFloatWorldView: chain = {Multiply(Multiply(world, view), projection)}; break;
+      case kFloatViewProjection: chain = {Multiply(world, Multiply(view, projection))}; break;
+      default: chain = {ConvertTo<float>(setup.world_view_projection)};
+    }
+    return [chain](Vec4<float> v) {
+      for (const Mat4<float>& matrix : chain) v = Transform(v, matrix);
+      return v;
+    };
   };
 };
-constexpr auto kInSteps = [](const Setup& setup) {
-  return [world = ConvertTo<float>(setup.world),
-          rest = ConvertTo<float>(Multiply(setup.view, setup.projection))](const Vec4<float>& v) {
-    return Transform(Transform(v, world), rest);
-  };
-};
-constexpr auto kByFloatProduct = [](const Setup& setup) {
-  const auto product =
-      Multiply(Multiply(ConvertTo<float>(setup.world), ConvertTo<float>(setup.view)),
-               ConvertTo<float>(setup.projection));
-  return [product](const Vec4<float>& v) { return Transform(v, product); };
-};
+// What the name of a method adds for an order.
+std::string SuffixOf(runtime::MatrixOrder order) {
+  constexpr const char* kSuffixes[] = {"",       "-steps",   "-worldview",
+                                       "-three", "-product", "-product-vp"};
+  return kSuffixes[static_cast<int>(order)];
+}
 constexpr auto kAsItIs = [](const Setup&) { return kWhole; };
 
 // A method with the runtime's constant for that space, from the world-space plane.
 template <typename Pick, typename Positions>
-Method BySpace(const char* name, PlaneSpace space, Pick pick, Positions positions) {
+Method BySpace(const std::string& name, PlaneSpace space, Pick pick, Positions positions) {
   return {name, [=](const Setup& setup) -> std::optional<Distance> {
             const runtime::DrawMatrices draw = {setup.world, setup.view, setup.projection};
             const auto constant =
@@ -57,18 +67,14 @@ Method BySpace(const char* name, PlaneSpace space, Pick pick, Positions position
 
 }  // namespace
 
-Method ClipSpace() { return BySpace("clip", PlaneSpace::kClip, kWhole, kOnce); }
-Method ClipSpaceInSteps() { return BySpace("clip-steps", PlaneSpace::kClip, kWhole, kInSteps); }
-Method Xyw1Space() { return BySpace("xyw1", PlaneSpace::kXyw1, kXyw1Position, kOnce); }
-Method Xyw1SpaceInSteps() {
-  return BySpace("xyw1-steps", PlaneSpace::kXyw1, kXyw1Position, kInSteps);
+Method ClipSpaceBy(runtime::MatrixOrder order) {
+  return BySpace("clip" + SuffixOf(order), PlaneSpace::kClip, kWhole, kBy(order));
 }
-Method ClipSpaceOfFloatProduct() {
-  return BySpace("clip-product", PlaneSpace::kClip, kWhole, kByFloatProduct);
+Method Xyw1SpaceBy(runtime::MatrixOrder order) {
+  return BySpace("xyw1" + SuffixOf(order), PlaneSpace::kXyw1, kXyw1Position, kBy(order));
 }
-Method Xyw1SpaceOfFloatProduct() {
-  return BySpace("xyw1-product", PlaneSpace::kXyw1, kXyw1Position, kByFloatProduct);
-}
+Method ClipSpace() { return ClipSpaceBy(runtime::MatrixOrder::kOneMatrix); }
+Method Xyw1Space() { return Xyw1SpaceBy(runtime::MatrixOrder::kOneMatrix); }
 Method ObjectSpace() { return BySpace("object", PlaneSpace::kObject, kWhole, kAsItIs); }
 
 Method WorldSpace() {
@@ -150,11 +156,21 @@ Method CpuDouble() {
 }
 
 std::vector<Method> AllMethods() {
-  return {ClipSpace(),       ClipSpaceInSteps(), ClipSpaceOfFloatProduct(),
-          Xyw1Space(),       Xyw1SpaceInSteps(), Xyw1SpaceOfFloatProduct(),
-          ObjectSpace(),     WorldSpace(),       ViewSpace(),
-          DocumentFormula(), FloatInverse(),     NearPlane(),
-          NearPlaneFloat(),  CpuDouble()};
+  using enum runtime::MatrixOrder;
+  return {ClipSpace(),
+          ClipSpaceBy(kWorldFirst),
+          ClipSpaceBy(kFloatWorldView),
+          Xyw1Space(),
+          Xyw1SpaceBy(kWorldFirst),
+          Xyw1SpaceBy(kFloatWorldView),
+          ObjectSpace(),
+          WorldSpace(),
+          ViewSpace(),
+          DocumentFormula(),
+          FloatInverse(),
+          NearPlane(),
+          NearPlaneFloat(),
+          CpuDouble()};
 }
 
 }  // namespace clipc::study

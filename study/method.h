@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/plane_space.h"
 #include "study/setup.h"
 
 namespace clipc::study {
@@ -29,13 +30,10 @@ struct Method {
 Method ClipSpace();    // [clipplanes] as fxc compiles it: dot(SV_Position, C_P); also SetClipPlane
 Method Xyw1Space();    // --plane-space=xyw1
 Method ObjectSpace();  // --plane-space=object
-// `clip` and `xyw1` where the shader multiplies by the world matrix, then by view * projection:
-// mul(mul(v, world), view_projection).
-Method ClipSpaceInSteps();
-Method Xyw1SpaceInSteps();
-// `clip` and `xyw1` with one matrix that the application multiplied in float.
-Method ClipSpaceOfFloatProduct();
-Method Xyw1SpaceOfFloatProduct();
+// `clip` and `xyw1` whose matrices float multiplies in that order; `clip-steps` is kWorldFirst,
+// `clip-product` kFloatWorldView.
+Method ClipSpaceBy(runtime::MatrixOrder order);
+Method Xyw1SpaceBy(runtime::MatrixOrder order);
 Method WorldSpace();  // SV_ClipDistance from a float world-space vertex
 Method ViewSpace();   // SV_ClipDistance from a float view-space vertex
 // C_P by its published closed form, C_P = (Cx/Px, Cy/Py, Cw/B, Cz - Cw A/B), each operation in

@@ -12,6 +12,8 @@
 namespace clipc::study {
 namespace {
 
+using runtime::MatrixOrder;
+
 constexpr const char* kNames[kRegimes] = {"ordinary",
                                           "mesh offset",
                                           "matrices in the shader",
@@ -90,6 +92,9 @@ RegimeDraw OneDraw(Regime regime, Random& random) {
   const double depth = std::sqrt(config.nearest * config.farthest);
   Shader shader = AnyShader(random, regime == Regime::kOrthographic);
   const bool takes_clip = random.Below(2) == 0;
+  constexpr MatrixOrder kInTheShader[] = {MatrixOrder::kWorldFirst, MatrixOrder::kWorldViewFirst,
+                                          MatrixOrder::kThreeMatrices};
+  MatrixOrder order = MatrixOrder::kOneMatrix;
   switch (regime) {
     case Regime::kOrdinary:
       if (random.Below(2) == 0) config.world_offset = random.Magnitude(1, 1e5) * depth;
@@ -97,13 +102,12 @@ RegimeDraw OneDraw(Regime regime, Random& random) {
     case Regime::kMeshOffset: config.mesh_offset = random.Magnitude(1, 3e4) * depth; break;
     case Regime::kMatricesInTheShader:
       config.world_offset = random.Magnitude(1, 1e4) * depth;
-      shader = takes_clip ? Shader{ClipSpaceInSteps(), PlaneSpace::kClip}
-                          : Shader{Xyw1SpaceInSteps(), PlaneSpace::kXyw1};
+      order = kInTheShader[random.Below(3)];
       break;
     case Regime::kFloatProduct:
       config.world_offset = random.Magnitude(1, 1e4) * depth;
-      shader = takes_clip ? Shader{ClipSpaceOfFloatProduct(), PlaneSpace::kClip}
-                          : Shader{Xyw1SpaceOfFloatProduct(), PlaneSpace::kXyw1};
+      order =
+          random.Below(2) == 0 ? MatrixOrder::kFloatWorldView : MatrixOrder::kFloatViewProjection;
       break;
     case Regime::kWorldSpace:
       config.world_offset = random.Magnitude(1, 1e5) * depth;
@@ -120,6 +124,10 @@ RegimeDraw OneDraw(Regime regime, Random& random) {
       for (double& scale : config.scale) scale = random.Magnitude(1e-3, 1e3);
       break;
   }
+  if (order != MatrixOrder::kOneMatrix) {
+    shader = takes_clip ? Shader{ClipSpaceBy(order), PlaneSpace::kClip}
+                        : Shader{Xyw1SpaceBy(order), PlaneSpace::kXyw1};
+  }
   // The surfaces have this angle, or all angles.
   const double degrees = random.Magnitude(5, 90);
   double sine = runtime::kAnySurface;
@@ -127,7 +135,7 @@ RegimeDraw OneDraw(Regime regime, Random& random) {
     config.surface_angle = degrees * std::numbers::pi / 180;
     sine = std::sin(config.surface_angle);
   }
-  return {regime, config, std::move(shader.method), shader.space, sine};
+  return {regime, config, std::move(shader.method), shader.space, sine, order};
 }
 
 // Places of the visible part of the cut, evenly over the picture, in the object's own space: x, y
@@ -170,9 +178,7 @@ std::optional<double> LawOf(const RegimeDraw& draw) {
     return EdgeErrorOf(by_hand, draw.config.view_plane, setup.world_view, setup.projection, cut,
                        kPictureHeight, sine);
   }
-  runtime::DrawMatrices matrices = {setup.world, setup.view, setup.projection};
-  matrices.steps = draw.regime == Regime::kMatricesInTheShader ? 2 : 1;
-  matrices.float_product = draw.regime == Regime::kFloatProduct;
+  const runtime::DrawMatrices matrices = {setup.world, setup.view, setup.projection, draw.order};
   const auto law = PredictEdgeError(*draw.space, setup.world_plane, runtime::KnownIn::kWorld,
                                     matrices, cut, kPictureHeight, sine);
   return law.ok() ? std::optional(law.value) : std::nullopt;

@@ -18,7 +18,7 @@ namespace clipc::study {
 enum class Regime {
   kOrdinary,             // any perspective, the object around its own origin
   kMeshOffset,           // vertices far from the mesh's own origin
-  kMatricesInTheShader,  // far from the world's origin, mul(mul(v, world), view_projection)
+  kMatricesInTheShader,  // far from the world's origin, two or three matrices in the shader
   kFloatProduct,         // far from the world's origin, one matrix multiplied in float
   kWorldSpace,           // distances by hand from a world-space vertex
   kOrthographic,         // up to thousands of half heights away, standard or reversed depth
@@ -38,6 +38,7 @@ struct RegimeDraw {
   Method method;
   std::optional<PlaneSpace> space;  // the law's space; none: distances by hand in world space
   double sine;                      // of the angle between surface and plane
+  runtime::MatrixOrder order = runtime::MatrixOrder::kOneMatrix;
 };
 
 // Random draws of all regimes in turn. Equal seeds give equal draws.

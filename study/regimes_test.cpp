@@ -11,6 +11,7 @@
 namespace clipc::study {
 namespace {
 
+using runtime::MatrixOrder;
 using Law = std::function<std::optional<double>(const RegimeDraw&)>;
 
 // Whether the law nearly holds: the bounds leave room for the luck of single draws, so that a
@@ -55,7 +56,9 @@ TEST(Regimes, EachRoundingCounts) {
         .value;
   };
   const auto once = [](runtime::DrawMatrices&) {};
-  const auto product = [](runtime::DrawMatrices& draw) { draw.float_product = true; };
+  const auto product = [](runtime::DrawMatrices& draw) {
+    draw.order = MatrixOrder::kFloatWorldView;
+  };
   const auto is = [](double value, double expected) {
     EXPECT_NEAR(value / expected, 1, 0.02) << expected;
   };
@@ -66,7 +69,8 @@ TEST(Regimes, EachRoundingCounts) {
   is(error(PlaneSpace::kClip, 1000, 0, once), 1.37);
   is(error(PlaneSpace::kClip, 1e7, 0, once), 11334);  // they are the same in float
   is(error(PlaneSpace::kXyw1, 0, 1000, product), 0.0433);
-  is(error(PlaneSpace::kXyw1, 0, 1000, [](auto& draw) { draw.steps = 2; }), 0.0422);
+  is(error(PlaneSpace::kXyw1, 0, 1000, [](auto& draw) { draw.order = MatrixOrder::kWorldFirst; }),
+     0.0422);
 }
 
 // A law that leaves out what `change` takes from the draw.
@@ -81,14 +85,14 @@ Law Without(const std::function<void(RegimeDraw&)>& change) {
 // Mutations: without its term, a law does not hold in its regime.
 TEST(Regimes, EachTermIsNeeded) {
   const auto breaks = [](Regime regime, const std::function<void(RegimeDraw&)>& change) {
-    const auto held = HoldLaw(440, 30, 33, Without(change));
+    const auto held = HoldLaw(660, 30, 33, Without(change));
     return !NearlyHolds(held[static_cast<std::size_t>(regime)]);
   };
   EXPECT_TRUE(breaks(Regime::kMeshOffset, [](RegimeDraw& d) { d.config.mesh_offset = 0; }));
   for (const Regime regime :
        {Regime::kMatricesInTheShader, Regime::kFloatProduct, Regime::kWorldSpace})
     EXPECT_TRUE(breaks(regime, [](RegimeDraw& d) {
-      d.regime = Regime::kOrdinary;
+      d.order = MatrixOrder::kOneMatrix;
       d.space = d.space.value_or(PlaneSpace::kObject);
     })) << NameOf(regime);
   // The law is that of an eye in the plane, where depth begins.

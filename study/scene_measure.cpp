@@ -25,10 +25,8 @@ Vector Through(const Matrix& matrix, Vector p) {
 
 // The arithmetic of the way in a scene whose shaders may multiply by several matrices.
 Method ArithmeticOf(const Way& way, const Scene& scene) {
-  if (!scene.means.one_matrix) {
-    if (way.space == PlaneSpace::kClip) return ClipSpaceInSteps();
-    if (way.space == PlaneSpace::kXyw1) return Xyw1SpaceInSteps();
-  }
+  if (way.space == PlaneSpace::kClip) return ClipSpaceBy(scene.means.order);
+  if (way.space == PlaneSpace::kXyw1) return Xyw1SpaceBy(scene.means.order);
   return way.method();
 }
 

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 #include <tiny_gltf.h>
 
+#include "study/program/scene_file.h"
 #include "tools/harness/offscreen.h"
 
 namespace clipc::study {
@@ -142,7 +143,13 @@ class Converter {
     means.clip_distances = Flag(extras, "clip_distances", means.clip_distances, "scene");
     means.user_planes = Flag(extras, "user_planes", means.user_planes, "scene");
     means.can_discard = Flag(extras, "can_discard", means.can_discard, "scene");
-    means.one_matrix = Flag(extras, "one_matrix", means.one_matrix, "scene");
+    if (extras.IsObject() && extras.Has("one_matrix") && extras.Get("one_matrix").IsString()) {
+      const auto order = OrderNamed(extras.Get("one_matrix").Get<std::string>());
+      Require(order.has_value(), "scene.extras.one_matrix", kUnknownOrder);
+      means.order = *order;
+    } else if (!Flag(extras, "one_matrix", true, "scene")) {
+      means.order = runtime::MatrixOrder::kWorldFirst;
+    }
   }
 
   // ---- where the nodes are

@@ -45,6 +45,10 @@ class Reader {
     if (value && !value->is_string()) Fail(key, "is not a string");
     return value ? value->get<std::string>() : standard;
   }
+  bool IsText(const char* key) {
+    const Json* value = Find(key);
+    return value && value->is_string();
+  }
   template <std::size_t N>
   void Numbers(const char* key, double (&to)[N], bool required = true) {
     const Json* value = Find(key);
@@ -110,6 +114,15 @@ Camera CameraFrom(Reader& reader) {
   return camera;
 }
 
+runtime::MatrixOrder OrderFrom(Reader& reader) {
+  if (!reader.IsText("one_matrix"))
+    return reader.Flag("one_matrix", true) ? runtime::MatrixOrder::kOneMatrix
+                                           : runtime::MatrixOrder::kWorldFirst;
+  const auto order = OrderNamed(reader.Text("one_matrix", ""));
+  if (!order) reader.Fail("one_matrix", kUnknownOrder);
+  return *order;
+}
+
 SceneObject ObjectFrom(Reader& reader, std::size_t number) {
   SceneObject object;
   object.name = reader.Text("name", "object " + std::to_string(number));
@@ -138,7 +151,7 @@ Scene SceneFrom(const Json& json) {
   scene.means.clip_distances = reader.Flag("clip_distances", true);
   scene.means.user_planes = reader.Flag("user_planes", false);
   scene.means.can_discard = reader.Flag("can_discard", true);
-  scene.means.one_matrix = reader.Flag("one_matrix", true);
+  scene.means.order = OrderFrom(reader);
   reader.List("cameras", [&](const Json& element, const std::string& where) {
     Reader camera(element, where);
     scene.cameras.push_back({camera.Text("name", "camera " + std::to_string(scene.cameras.size())),
@@ -168,6 +181,15 @@ std::string FolderOf(const std::string& path) {
 }
 
 }  // namespace
+
+std::optional<runtime::MatrixOrder> OrderNamed(const std::string& name) {
+  using enum runtime::MatrixOrder;
+  if (name == "world-view") return kWorldViewFirst;
+  if (name == "three") return kThreeMatrices;
+  if (name == "float") return kFloatViewProjection;
+  if (name == "float-world-view") return kFloatWorldView;
+  return std::nullopt;
+}
 
 Scene ReadScene(const std::string& path) {
   const std::string bytes = harness::ReadFile(path);

@@ -66,7 +66,8 @@ TEST(SceneFile, ReadsEverySetting) {
   const Scene scene = ReadScene(path);
   EXPECT_EQ(scene.picture_height, 720);
   EXPECT_EQ(scene.tolerance, 0.25);
-  EXPECT_FALSE(scene.means.clip_distances || scene.means.can_discard || scene.means.one_matrix);
+  EXPECT_FALSE(scene.means.clip_distances || scene.means.can_discard);
+  EXPECT_EQ(scene.means.order, runtime::MatrixOrder::kWorldFirst);
   EXPECT_TRUE(scene.means.user_planes);
   const Camera &first = scene.cameras[0].camera, &second = scene.cameras[1].camera;
   EXPECT_TRUE(first.reversed && first.infinite && !first.orthographic);
@@ -84,6 +85,8 @@ TEST(SceneFile, MistakesAreNamed) {
   EXPECT_THAT(ErrorWith("\"planes\"", "\"plains\""), HasSubstr("`planes` is not an array"));
   EXPECT_THAT(ErrorWith("\"tolerance\"", "\"tolerence\""),
               HasSubstr("`tolerence` is not known here"));
+  EXPECT_THAT(ErrorWith("\"tolerance\"", "\"one_matrix\": \"double\", \"tolerance\""),
+              HasSubstr("`one_matrix` is neither true, false, \"world-view\", "));
   EXPECT_THAT(ErrorWith("\"far\": 5000", "\"far\": 0.01"),
               HasSubstr("`cameras[0].far` is not farther than `near`"));
   EXPECT_THAT(ErrorWith("\"tolerance\": 0.5", "\"tolerance\": 0"),

@@ -61,6 +61,11 @@ def columns32(m):
     return [[f32(m[i][j]) for i in range(4)] for j in range(4)]
 
 
+def multiply32(a, b):
+    """The columns of a product of matrices that are given by their columns, every operation rounded."""
+    return [[dot32([c[i] for c in a], column) for i in range(4)] for column in b]
+
+
 def solve(m, b):
     """x with m x = b, in fractions."""
     rows = [[F(x) for x in row] + [F(y)] for row, y in zip(m, b)]
@@ -211,11 +216,26 @@ class Draw:
             exact = [x, y, view_plane[2] - p[2][0] * x - p[2][1] * y, view_plane[3]]
         constant = [f32(float(c)) for c in exact]
         pick = (lambda q: q) if way == "clip" else (lambda q: [q[0], q[1], q[3], 1.0])
-        if self.scene["one_matrix"]:
-            columns = columns32(self.all)
-            return lambda v: dot32(pick(transform32(v, columns)), constant)
-        first, second = columns32(self.world), columns32(multiply(self.view, self.projection))
-        return lambda v: dot32(pick(transform32(transform32(v, first), second)), constant)
+        chain = self.chain()
+
+        def distance(v):
+            for columns in chain:
+                v = transform32(v, columns)
+            return dot32(pick(v), constant)
+
+        return distance
+
+    def chain(self):
+        """The columns of the matrices that the shader multiplies a vertex by, by the scene's `one_matrix`."""
+        w, v, p = (columns32(m) for m in (self.world, self.view, self.projection))
+        return {
+            True: lambda: [columns32(self.all)],
+            False: lambda: [w, columns32(multiply(self.view, self.projection))],
+            "world-view": lambda: [columns32(self.world_view), p],
+            "three": lambda: [w, v, p],
+            "float-world-view": lambda: [multiply32(multiply32(w, v), p)],
+            "float": lambda: [multiply32(w, multiply32(v, p))],
+        }[self.scene["one_matrix"]]()
 
     def edges(self, view_plane, exact, r):
         """Edges through the cut: vertices, true distances as whole numbers."""

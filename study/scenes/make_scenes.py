@@ -210,7 +210,9 @@ def scene(number):
         "objects": [],
         "picture_height": r.choice([480, 1080, 2160, 4096]),
         "tolerance": r.choice([0.01, 0.05, 0.1, 0.25, 0.5, 1]),
-        "one_matrix": r.random() < 0.6,
+        "one_matrix": r.choice(
+            [True, True, False, "world-view", "three", "float", "float-world-view"]
+        ),
         "can_discard": r.random() < 0.7,
     }
     middle = before(*across, s.depth)

@@ -8,6 +8,8 @@ export const SPACES = ['clip', 'xyw1', 'object'];
 const KNOWN_IN_WORLD = 1;
 const MOST_PIXELS = 0.5;
 export const MOST_PLACES = 256; // of a cut, that clipc_cut_error counts
+const ORDERS = [0, 0, 1, 3]; // clipc_matrix_order of so many matrices
+const FLOAT_WORLD_VIEW = 4;
 const KEEP_FAR = 1;
 const REVERSED = 2;
 
@@ -29,7 +31,7 @@ class Runtime {
     this.#at = {
       plane: place(16),
       matrices: [64, 64, 64].map(place),
-      draw: place(20),
+      draw: place(16),
       result: place(232),
       message: place(200),
       places: place(24 * MOST_PLACES),
@@ -40,15 +42,12 @@ class Runtime {
     new Float32Array(this.#instance.exports.memory.buffer, address, values.length).set(values);
   }
 
-  /** Puts a clipc_draw_matrices. `steps`: the reflection's positionMatrices. */
+  /** Puts a clipc_draw_matrices. `steps`: the reflection's positionMatrices, of which two are world and view-projection. */
   #putDraw({ world, view, projection, isFloat }, steps) {
     const { matrices, draw } = this.#at;
     [world, view, projection].forEach((matrix, i) => this.#put(matrices[i], matrix));
-    new Uint32Array(this.#instance.exports.memory.buffer, draw, 5).set([
-      ...matrices,
-      steps,
-      Number(isFloat && steps === 1),
-    ]);
+    const order = isFloat && steps === 1 ? FLOAT_WORLD_VIEW : ORDERS[Math.min(steps, 3)];
+    new Uint32Array(this.#instance.exports.memory.buffer, draw, 4).set([...matrices, order]);
   }
 
   /** {constant, warning} for a plane of the world; or {problem}. */
