@@ -117,16 +117,19 @@ expect(
     "clip loses nothing 10,000 near distances away",
 )
 
-# xyw1 and object cost at most 2 % more a frame than the default.
+# xyw1 and object cost at most 5 % more a frame than the default, by the upper end of their interval of 95 %.
 if "--costs" in sys.argv:
-    paired = {(r["setting"], r["way"], r["planes"]): float(r["paired_ratio"]) for r in speed}
+    paired, high = (
+        {(r["setting"], r["way"], r["planes"]): float(r[column]) for r in speed}
+        for column in ("paired_ratio", "paired_high")
+    )
     for setting in ("picture", "vertices"):
         for way in ("xyw1", "object"):
             for planes in "136":
-                more = paired[setting, way, planes] / paired[setting, "clip", planes]
+                more = high[setting, way, planes] / paired[setting, "clip", planes]
                 expect(
-                    more <= 1.02,
-                    f"{way} with {planes} planes costs {more:.3f} times what clip does, setting {setting}",
+                    more <= 1.05,
+                    f"{way} with {planes} planes may cost {more:.3f} times what clip does, setting {setting}",
                 )
 
 # No way of the peers is as accurate and cheaper, by more than the costs are known to, where planes cut little.

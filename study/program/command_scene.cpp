@@ -38,7 +38,7 @@ OrderedJson NamesOf(std::uint8_t needed, const Scene& scene) {
   return names;
 }
 
-// The advice on an object, as study/study.md describes it.
+// The advice on an object, as docs/scene.md describes it.
 OrderedJson JsonOf(const SceneObject& object, const ObjectAdvice& advice, const Scene& scene) {
   const ObjectPlan& plan = advice.plan;
   OrderedJson json = {{"object", object.name},

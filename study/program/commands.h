@@ -17,7 +17,7 @@ clipc-study scene FILE [--costs speed.csv] [--variants FILE] [--json FILE]
   Prints what a scene needs: for each object whether a plane takes it away, the planes that may cut
   it, the best method with its error, whether that is within the tolerance, and its cost; and the
   shader variants to build. --json writes the same for programs. FILE is JSON or glTF 2.0: see
-  study/study.md.
+  docs/scene.md.
 Exit: 0 done, 1 the tolerance is not met for some object, 2 failed.
 )";
 

@@ -21,7 +21,6 @@ import matplotlib
 
 matplotlib.use("svg")
 import matplotlib.pyplot as plt
-import matplotlib.ticker
 
 plt.rcParams.update(
     {
@@ -90,6 +89,7 @@ HOW = {
     "document-f32": "the published closed form in float",
     "inverse-f32": "float inverse of view * projection",
 }
+number = float  # of a cell
 LEAST = 1e-5  # pixels: smaller errors are drawn there
 
 
@@ -120,10 +120,6 @@ class Charts:
         self.parts.append(text)
 
 
-def number(text):
-    return float(text)
-
-
 def cost_of(speed, way, planes=1, setting="picture"):
     for row in speed:
         if (row["setting"], row["way"], row["planes"]) == (setting, way, str(planes)):
@@ -144,105 +140,51 @@ def by_sweep(rows, key):
 
 
 STEP = 1 / 256  # pixels: the grid that a rasteriser snaps to; below it no picture changes
-CEILING = (
-    0.05 / math.tan(math.radians(30)) * 540
-)  # pixels: no measured edge is longer, so nothing can lose more
-
-
-def way_rows(axis, ways):
-    axis.set_yticks(range(len(ways)))
-    axis.set_yticklabels(ways)
-    axis.set_ylim(len(ways) - 0.5, -0.5)
-    axis.grid(axis="y", visible=False)
-
-
-def error_panel(axis, directions, ratio):
-    """A row for each arithmetic: from the median over the 99th percentile to the largest."""
-    rows = {r["method"]: r for r in directions if number(r["eye_to_plane"]) == ratio}
-    methods = [
-        m
-        for m in ("cpu", "object", "near-plane", "world", "xyw1", "near-plane-f32", "clip")
-        if m in rows
-    ]
-    users = {m: [w for w, a in ARITHMETIC.items() if a == m] for m in methods}
-    for y, method in enumerate(methods):
-        median, p99, largest = (
-            max(number(rows[method][c]), LEAST) for c in ("median_px", "p99_px", "largest_px")
-        )
-        axis.plot(
-            [median, largest], [y, y], color=COLORS[method], linewidth=1.4, marker="|", markersize=9
-        )
-        axis.plot([p99], [y], color=COLORS[method], marker="o", markersize=6)
-    axis.set_xscale("log")
-    axis.set_xlim(LEAST, 300)
-    axis.axvline(STEP, color="#555555", linewidth=0.9, linestyle=":")
-    axis.axvline(0.5, color="#555555", linewidth=0.9, linestyle="--")
-    axis.axvspan(CEILING, 300, color="#eeeeee", zorder=0)
-    for x, text in ((STEP, "1/256"), (0.5, "1/2"), (CEILING, "edge")):
-        axis.text(
-            x,
-            -0.42,
-            text,
-            fontsize=7,
-            color="#555555",
-            ha="center",
-            va="bottom",
-            bbox={"color": "white", "pad": 1},
-        )
-    way_rows(axis, [", ".join(users[m]) for m in methods])
-    axis.set_ylim(len(methods) - 0.5, -0.8)
-    axis.tick_params(axis="y", labelsize=8)
-    axis.set_title(f"eye to plane = {ratio:g} near distances")
-    axis.set_xlabel("displaced edges, pixels: median, p99 (dot), largest")
-
-
-def cost_panel(axis, speed, planes):
-    """A row for each way: the median where nothing is cut (dot) and where most is (ring), and where it lies 19 times of 20."""
-    found = {(r["setting"], r["way"]): r for r in speed if r["planes"] == str(planes)}
-    ways = [w for w in ARITHMETIC if ("picture", w) in found]
-    for y, way in enumerate(ways):
-        for setting, filled in (("picture", True), ("cut", False)):
-            row = found.get((setting, way))
-            if row is None:
-                continue
-            low, cost, high = (
-                number(row[c]) for c in ("paired_low", "paired_ratio", "paired_high")
-            )
-            axis.plot(
-                [low, high], [y, y], color=COLORS[way], linewidth=1.2, marker="|", markersize=7
-            )
-            axis.plot(
-                [cost],
-                [y],
-                color=COLORS[way],
-                marker="o",
-                markersize=6,
-                markerfacecolor=COLORS[way] if filled else "white",
-            )
-    axis.axvline(1, color="#555555", linewidth=0.8)
-    way_rows(axis, ways)
-    axis.set_xscale("log")
-    axis.xaxis.set_major_formatter(matplotlib.ticker.FormatStrFormatter("%g"))
-    axis.xaxis.set_minor_formatter(matplotlib.ticker.NullFormatter())
-    axis.set_xticks([0.05, 0.1, 0.2, 0.5, 1, 2])
-    count = f"{planes} planes" if planes > 1 else "1 plane"
-    axis.set_title(f"{count}: nothing cut (dot), most cut (ring)")
-    axis.set_xlabel("CPU time / that without planes:\nmedian, and where it lies 19 times of 20")
+BELOW = 1 / 900  # pixels: where the bin of what is below STEP is drawn
 
 
 def main_chart(charts, directions, speed):
-    figure, axes = plt.subplots(2, 3, figsize=(14, 8.2), height_ratios=[1, 1.25])
-    for axis, ratio in zip(axes[0], sorted({number(r["eye_to_plane"]) for r in directions})):
-        error_panel(axis, directions, ratio)
-    for axis, planes in zip(axes[1], (1, 3, 6)):
-        cost_panel(axis, speed, planes)
+    """A point for each way: what it loses at 400 near distances, with a bar from 10 to 10,000, and what the most planes that it
+    takes cost."""
+    lost = {(r["method"], number(r["eye_to_plane"])): number(r["p99_px"]) for r in directions}
+    figure, axis = plt.subplots(figsize=(9.5, 5.2))
+    axis.axvspan(BELOW / 3, STEP, color="#eef5ee", zorder=0)
+    groups = collections.OrderedDict()  # ways that are at one place of the chart
+    for way, method in ARITHMETIC.items():
+        cost = cost_of(speed, way, 6) or cost_of(speed, way, 1)
+        if cost is not None and (method, 400) in lost:
+            bar = None if lost[method, 10000] < STEP else method
+            groups.setdefault((bar, round(cost / 0.04)), []).append((way, cost))
+    for (method, _), ways in groups.items():
+        cost, color = sum(cost for _, cost in ways) / len(ways), COLORS[ways[0][0]]
+        lines = [", ".join(w for w, _ in ways[i : i + 2]) for i in range(0, len(ways), 2)]
+        if method is None:
+            axis.plot(BELOW / 2.4, cost, color=color, marker="o", markersize=7)
+            axis.text(BELOW / 2, cost, "\n".join(lines), va="center", fontsize=8)
+            continue
+        ends = [lost[method, ratio] for ratio in (10, 400, 10000)]
+        axis.plot(ends[::2], [cost] * 2, color=color, linewidth=1.4, marker="|", markersize=9)
+        axis.plot(ends[1], cost, color=color, marker="o", markersize=7)
+        at = -16 if method == "near-plane-f32" else 7
+        axis.annotate(
+            lines[0], (ends[1], cost), textcoords="offset points", xytext=(0, at), ha="center"
+        )
+    axis.axvline(0.5, color="#555555", linewidth=0.9, linestyle="--")
+    axis.set_xscale("log")
+    axis.set_xlim(BELOW / 3, 100)
+    axis.set_xticks([BELOW, 0.01, 0.1, 0.5, 1, 10, 100])
+    axis.set_xticklabels(["below 1/256", "0.01", "0.1", "1/2", "1", "10", "100"])
+    axis.minorticks_off()
+    axis.set_ylim(bottom=0.93)
+    axis.set_xlabel("pixels that 1 of 100 places of a cut is off by, at least")
+    axis.set_ylabel("CPU time of a frame / that without planes")
     charts.add(
         "speed-accuracy",
-        "Speed against accuracy: standard depth, 60 degrees, 1920x1080, planes of random directions; further left is better. "
-        "Dotted: 1/256 pixel, a rasteriser's step, below which no picture changes; dashed: half a pixel; grey: no measured edge is longer. "
-        "Costs: each frame against the frames without planes just before and after it; more frames narrow the whiskers, whatever else the machine does",
+        "Speed against accuracy: further left and further down is better. 60 degrees, 1920x1080, standard depth, planes of random "
+        "directions: 400 near distances from the eye (dot), and from 10 to 10,000 (bar). Six planes that cut nothing, or the one that "
+        "near-plane takes, on a software rasteriser, which is all on the processor",
         figure,
-        "accuracy of every method above, cost of every method below",
+        "each way to clip by what it loses and what it costs",
     )
 
 
@@ -471,16 +413,7 @@ def special_table(special):
 
 def laws_table(laws):
     return table(
-        [
-            "regime",
-            "draws",
-            "below 0.2",
-            "above 3",
-            "least",
-            "median",
-            "most",
-            "all edges together",
-        ],
+        "regime, draws, below 0.2, above 3, least, median, most, all edges together".split(", "),
         [
             [r["regime"], r["draws"], r["low"], r["high"]]
             + [f"{number(r[c]):.2f}" for c in ("least", "median", "most", "pooled_p99")]
@@ -512,11 +445,7 @@ def main():
         main_chart(Charts(folder), read(tables, "directions.csv"), read(tables, "speed.csv"))
         return
     folder = pathlib.Path(sys.argv[1])
-    edges, pixels, speed = (
-        read(folder, "edges.csv"),
-        read(folder, "pixels.csv"),
-        read(folder, "speed.csv"),
-    )
+    edges, pixels, speed = (read(folder, f"{n}.csv") for n in ("edges", "pixels", "speed"))
     scenes = read(folder, "scenes.csv")
     charts = Charts(folder)
     main_chart(charts, read(folder, "directions.csv"), speed)
@@ -543,14 +472,7 @@ def main():
     scene_chart(charts, scenes)
     charts.text(
         table(
-            [
-                "scene",
-                "planes",
-                "draw calls",
-                "planes of all draws",
-                "least CPU time, ms",
-                "picture as with all planes",
-            ],
+            "scene, planes, draws, planes of all, least CPU ms, picture as with all".split(", "),
             [
                 [
                     r["scene"],

@@ -13,7 +13,7 @@ std::optional<runtime::MatrixOrder> OrderNamed(const std::string& name);
 inline constexpr char kUnknownOrder[] =
     "is neither true, false, \"world-view\", \"three\", \"float\" nor \"float-world-view\"";
 
-// Reads a scene, JSON or glTF 2.0, as study/study.md describes it. Throws DrawError with the file
+// Reads a scene, JSON or glTF 2.0, as docs/scene.md describes it. Throws DrawError with the file
 // and the reason where it is wrong.
 Scene ReadScene(const std::string& path);
 
