@@ -108,7 +108,9 @@ def situations():
 def held():
     rows = read("laws")
     least, most = min(float(r["least"]) for r in rows), max(float(r["most"]) for r in rows)
-    draws, outside = (sum(int(r[c]) for c in names for r in rows) for names in (["draws"], ["low", "high"]))
+    draws, outside = (
+        sum(int(r[c]) for c in names for r in rows) for names in (["draws"], ["low", "high"])
+    )
     return (
         f"Held against {draws:,} random draws of eleven regimes, each with a camera, a plane, an object and a shader of its own, that prediction "
         f"is\noff by a factor of {short(least)} to {short(most)}, over twelve planes that differ by a hundredth; {outside} draws are outside of 0.2 to 3. "
