@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "backend-glsl/legalize/legalize.h"
+#include "ir/call_order.h"
 #include "ir/walk.h"
 
 namespace clipc::glsl {
@@ -23,12 +24,12 @@ class OuterWrites {
   };
 
   explicit OuterWrites(const Program& program)
-      : program_(program), sets_(program.functions.size()), is_known_(program.functions.size()) {}
+      : program_(program), sets_(program.functions.size()) {}
 
-  // Asking for callees before their callers keeps the recursion flat.
-  const Set& Of(FunctionId function) {
-    if (is_known_[function.index]) return sets_[function.index];
-    is_known_[function.index] = true;
+  const Set& Of(FunctionId function) const { return sets_[function.index]; }
+
+  // Requires that the callees of the function have been found.
+  void Find(FunctionId function) {
     Set found;
     ForEachExpr(program_, program_.functions[function].body, [&](ExprId expr) {
       ForEachWrite(program_, expr, [&](ExprId target) { Add(found, RootOf(program_, target)); });
@@ -41,7 +42,7 @@ class OuterWrites {
         for (const VarId var : inner.vars) Add(found, var);
       }
     });
-    return sets_[function.index] = std::move(found);
+    sets_[function.index] = std::move(found);
   }
 
  private:
@@ -57,8 +58,7 @@ class OuterWrites {
   }
 
   const Program& program_;
-  std::vector<Set> sets_;       // by FunctionId
-  std::vector<bool> is_known_;  // by FunctionId
+  std::vector<Set> sets_;  // by FunctionId
 };
 
 // Walks each expression in the order of evaluation with a stack of its reads that a driver may
@@ -69,7 +69,11 @@ class OperandOrder {
   explicit OperandOrder(Program& program)
       : program_(program), outer_writes_(program), last_(program.vars.size(), kNone) {}
 
-  void Lower(FunctionId function) { LowerBlock(program_.functions[function].body); }
+  // Requires that the callees of the function have been lowered.
+  void Lower(FunctionId function) {
+    outer_writes_.Find(function);
+    LowerBlock(program_.functions[function].body);
+  }
 
  private:
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
@@ -369,7 +373,7 @@ class OperandOrder {
 void LowerOperandOrder(Legalizer& legalizer) {
   Program& program = legalizer.program;
   OperandOrder order(program);
-  for (const FunctionId id : program.functions.ids()) order.Lower(id);
+  for (const FunctionId id : CalleesFirst(program)) order.Lower(id);
 }
 
 }  // namespace clipc::glsl
