@@ -12,6 +12,7 @@
 #include "frontend/check/global.h"
 #include "frontend/rules/build_main.h"
 #include "frontend/rules/check_level9.h"
+#include "frontend/rules/check_written.h"
 #include "frontend/rules/known_offsets.h"
 #include "frontend/rules/mark_nonuniform.h"
 #include "frontend/rules/push_constants.h"
@@ -47,6 +48,7 @@ void Run(Context& context) {
   CheckPushConstants(program, context.diagnostics);
   AssignRegisters(program, context.diagnostics);
   if (!context.diagnostics.has_errors()) CheckLevel9(program, context.diagnostics);
+  if (!context.diagnostics.has_errors()) CheckWritten(program, context.diagnostics);
 }
 
 }  // namespace

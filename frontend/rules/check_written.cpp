@@ -1,0 +1,467 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/rules/check_written.h"
+
+#include <algorithm>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "frontend/rules/constant.h"
+#include "frontend/rules/written.h"
+#include "ir/access.h"
+#include "ir/call_order.h"
+#include "ir/walk.h"
+
+namespace clipc::rules {
+namespace {
+
+// What a function has written when it returns.
+struct Summary {
+  std::vector<Written> result;                   // by slot of the type
+  std::vector<std::vector<Written>> parameters;  // empty for those that are not kOut
+};
+
+// How control leaves a statement.
+enum class Flow : std::uint8_t { kNext, kJump, kReturn };  // kJump: break or continue
+
+// What all functions share.
+struct Shared {
+  const Program& program;
+  Diagnostics& diagnostics;
+  WrittenSlots slots;
+  std::vector<Summary> summaries;     // by FunctionId
+  std::vector<bool> is_reported;      // by VarId
+  std::vector<const IoVar*> outputs;  // by VarId
+};
+
+// Walks a function in the order in which it runs.
+class WrittenWalk {
+ public:
+  WrittenWalk(Shared& shared, WrittenState& state, FunctionId function)
+      : shared_(shared), program_(shared.program), state_(state), function_(function) {}
+
+  void Run();
+
+ private:
+  // A read of what nothing before it in the text has written; the rest of a loop around it may.
+  struct Read {
+    WrittenPlace place;
+    Span span;
+  };
+
+  bool IsMain() const { return function_ == program_.main; }
+  bool IsEntry() const { return function_ == program_.entry; }
+
+  // ---- statements
+  Flow WalkList(List<StmtId> list);
+  Flow Walk(StmtId stmt);
+  Flow WalkIf(const If& node);
+  Flow WalkSwitch(const Switch& node);
+  std::uint32_t ArmOf(const Switch& node, std::int64_t value) const;
+  Flow WalkLoop(StmtId stmt);
+  void WalkDeclare(const Declare& node);
+  void WalkReturn(ExprId value);
+  void Leave();
+
+  // ---- expressions
+  void Visit(ExprId expr);
+  void VisitTarget(ExprId target);
+  void VisitAssign(const Assign& node);
+  void VisitCall(ExprId expr, const Call& node);
+  void CheckRead(ExprId path);
+  void Report(const Read& read);
+  void Write(const WrittenPlace& place, std::span<const Written> values = {});
+  // What the parts of a value are that an assignment copies; empty: all are written.
+  std::vector<Written> ValueOf(ExprId value);
+
+  // ---- main
+  void CheckOutput(const Assign& node);
+  std::string PathOf(const IoVar& output) const;
+
+  Shared& shared_;
+  const Program& program_;
+  WrittenState& state_;
+  FunctionId function_;
+  bool has_returned_ = false;
+  int loops_ = 0;
+  std::vector<Read> reads_;  // in loops that have not ended
+  Summary summary_;
+};
+
+void WrittenWalk::Run() {
+  const Function& function = program_.functions[function_];
+  summary_.parameters.resize(function.parameters.size());
+  const std::size_t mark = state_.Mark();
+  for (const VarId parameter : function.parameters) {
+    const WrittenPlace place = shared_.slots.Whole(parameter);
+    const bool is_out = program_.vars[parameter].storage == Storage::kOut;
+    for (std::size_t i = 0; i < place.count; ++i)
+      state_.Set(place.first + i, is_out ? Written{} : kAllWritten);
+  }
+  if (Walk(function.body) == Flow::kNext) Leave();
+  state_.TakeSince(mark);
+  for (std::size_t i = 0; i < function.parameters.size() && !IsEntry(); ++i) {
+    const VarId parameter = function.parameters[i];
+    if (summary_.parameters[i].empty() || shared_.is_reported[parameter.index]) continue;
+    const Var& var = program_.vars[parameter];
+    const std::vector<std::uint16_t> masks = shared_.slots.MasksOf(var.type);
+    bool is_whole = true, is_any = false;
+    for (std::size_t slot = 0; slot < masks.size(); ++slot) {
+      is_whole &= (masks[slot] & summary_.parameters[i][slot].may) == masks[slot];
+      is_any |= (masks[slot] & summary_.parameters[i][slot].may) != 0;
+    }
+    if (is_whole) continue;
+    const std::string how = is_any ? "is not written completely" : "is never written";
+    if (program_.profile.IsAtLeast(6, 0)) {
+      shared_.diagnostics.Report(var.span, diag::OutParameterUndefined, var.name, how);
+    } else {
+      shared_.diagnostics.Report(var.span, diag::OutParameterNotWritten, var.name, how);
+    }
+  }
+  shared_.summaries[function_.index] = std::move(summary_);
+}
+
+// ---- statements
+
+Flow WrittenWalk::WalkList(List<StmtId> list) {
+  for (std::uint32_t i = 0; i < list.size; ++i) {
+    const Flow flow = Walk(program_.stmt_lists[list][i]);
+    if (flow != Flow::kNext) return flow;  // the rest cannot be reached
+  }
+  return Flow::kNext;
+}
+
+Flow WrittenWalk::Walk(StmtId stmt) {
+  if (!stmt) return Flow::kNext;
+  return clipc::Visit(Overloaded{
+                          [&](const Block& node) { return WalkList(node.body); },
+                          [&](const Declare& node) { return WalkDeclare(node), Flow::kNext; },
+                          [&](const Evaluate& node) { return Visit(node.expr), Flow::kNext; },
+                          [&](const If& node) { return WalkIf(node); },
+                          [&](const Switch& node) { return WalkSwitch(node); },
+                          [&](const Return& node) {
+                            WalkReturn(node.value);
+                            return Flow::kReturn;
+                          },
+                          [&](const OneOf<Break, Continue> auto&) { return Flow::kJump; },
+                          [&](const auto&) { return WalkLoop(stmt); },
+                      },
+                      program_.stmts[stmt].node);
+}
+
+Flow WrittenWalk::WalkIf(const If& node) {
+  Visit(node.condition);
+  if (const auto known = EvaluateInteger(program_, node.condition))
+    return Walk(*known != 0 ? node.then : node.otherwise);
+  const std::size_t mark = state_.Mark();
+  const Flow then = Walk(node.then);
+  const WrittenState::Changes one = state_.TakeSince(mark);
+  const Flow otherwise = Walk(node.otherwise);
+  if (then == Flow::kReturn) return otherwise;
+  if (otherwise == Flow::kReturn) {
+    state_.TakeSince(mark);
+    state_.Apply(one);
+    return then;
+  }
+  if (then != otherwise) {  // one of them jumps
+    const WrittenState::Changes other = state_.TakeSince(mark);
+    state_.Apply(then == Flow::kNext ? one : other);
+    state_.AddMay(then == Flow::kNext ? other : one);
+    return Flow::kNext;
+  }
+  state_.Join(one, state_.TakeSince(mark));
+  return then;
+}
+
+Flow WrittenWalk::WalkSwitch(const Switch& node) {
+  Visit(node.value);
+  const std::size_t mark = state_.Mark();
+  // The changes of all arms that control leaves the switch from.
+  WrittenState::Changes left;
+  std::size_t exits = 0;
+  bool has_default = false;
+  const auto leave = [&](const WrittenState::Changes& arm) {
+    left.insert(left.end(), arm.begin(), arm.end());
+    ++exits;
+  };
+  WrittenState::Changes falling;
+  Flow flow = Flow::kJump;
+  const auto known = EvaluateInteger(program_, node.value);
+  const std::uint32_t chosen = known ? ArmOf(node, *known) : 0;
+  for (std::uint32_t i = chosen; i < node.cases.size; ++i) {
+    if (known && i > chosen && flow != Flow::kNext) break;
+    const SwitchCase& arm = program_.switch_cases[node.cases][i];
+    has_default |= arm.is_default;
+    // An arm that the one before falls into begins with all that it may have written.
+    if (flow == Flow::kNext) state_.AddMay(falling);
+    flow = WalkList(arm.body);
+    const bool is_last = i + 1 == node.cases.size;
+    falling = state_.TakeSince(mark);
+    if (flow == Flow::kJump || (is_last && flow == Flow::kNext)) leave(falling);
+  }
+  if (known ? chosen == node.cases.size : !has_default) leave({});
+  state_.JoinAll(std::move(left), exits);
+  return exits > 0 ? Flow::kNext : Flow::kReturn;
+}
+
+// The number of the arm that the value chooses; that of all arms where it chooses none.
+std::uint32_t WrittenWalk::ArmOf(const Switch& node, std::int64_t value) const {
+  std::uint32_t chosen = node.cases.size;
+  for (std::uint32_t i = 0; i < node.cases.size; ++i) {
+    const SwitchCase& arm = program_.switch_cases[node.cases][i];
+    for (std::uint32_t l = 0; l < arm.labels.size; ++l) {
+      if (EvaluateInteger(program_, program_.expr_lists[arm.labels][l]) == value) return i;
+    }
+    if (arm.is_default) chosen = i;
+  }
+  return chosen;
+}
+
+Flow WrittenWalk::WalkLoop(StmtId stmt) {
+  const std::size_t first = reads_.size();
+  ++loops_;
+  // A loop runs at least once: fxc and dxc know the turns of most loops.
+  Flow body = Flow::kNext;
+  clipc::Visit(Overloaded{
+                   [&](const For& loop) {
+                     WalkList(loop.init);
+                     if (loop.condition) Visit(loop.condition);
+                     body = Walk(loop.body);
+                     if (loop.step) Visit(loop.step);
+                   },
+                   [&](const While& loop) {
+                     Visit(loop.condition);
+                     body = Walk(loop.body);
+                   },
+                   [&](const DoWhile& loop) {
+                     body = Walk(loop.body);
+                     Visit(loop.condition);
+                   },
+                   [](const auto&) {},
+               },
+               program_.stmts[stmt].node);
+  --loops_;
+  // What is written later in the loop may be written when a read runs again.
+  std::size_t kept = first;
+  for (std::size_t i = first; i < reads_.size(); ++i) {
+    const Read read = reads_[i];
+    if (state_[read.place.first].may & read.place.mask) continue;
+    if (loops_ == 0) {
+      Report(read);
+    } else {
+      reads_[kept++] = read;
+    }
+  }
+  reads_.resize(loops_ == 0 ? first : kept);
+  return Flow::kNext;
+}
+
+void WrittenWalk::WalkDeclare(const Declare& node) {
+  const WrittenPlace place = shared_.slots.Whole(node.var);
+  if (!node.init) {
+    for (std::size_t i = 0; i < place.count; ++i) state_.Set(place.first + i, {});
+    return;
+  }
+  Write(place, ValueOf(node.init));
+}
+
+void WrittenWalk::WalkReturn(ExprId value) {
+  if (value) {
+    const bool is_copied = IsEntry() || !TypeOf(program_, value).IsNumeric();
+    std::vector<Written> values;
+    if (is_copied) {
+      values = ValueOf(value);
+    } else {
+      Visit(value);
+    }
+    const std::size_t count = shared_.slots.CountOf(TypeIdOf(program_, value));
+    values.resize(count, kAllWritten);
+    if (!has_returned_) summary_.result.assign(count, {0, 0xffff});
+    for (std::size_t i = 0; i < count; ++i) {
+      summary_.result[i].may |= values[i].may;
+      summary_.result[i].must &= values[i].must;
+    }
+  }
+  Leave();
+}
+
+// Notes the out parameters where the function returns.
+void WrittenWalk::Leave() {
+  const std::vector<VarId>& parameters = program_.functions[function_].parameters;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (program_.vars[parameters[i]].storage != Storage::kOut) continue;
+    const WrittenPlace place = shared_.slots.Whole(parameters[i]);
+    std::vector<Written>& all = summary_.parameters[i];
+    if (!has_returned_) all.assign(place.count, {0, 0xffff});
+    for (std::size_t slot = 0; slot < place.count; ++slot) {
+      all[slot].may |= state_[place.first + slot].may;
+      all[slot].must &= state_[place.first + slot].must;
+    }
+  }
+  has_returned_ = true;
+}
+
+// ---- expressions
+
+void WrittenWalk::Visit(ExprId expr) {
+  clipc::Visit(Overloaded{
+                   [&](const OneOf<VarRef, FieldRef, Index, Swizzle, MatrixSwizzle> auto&) {
+                     VisitTarget(expr);
+                     if (TypeOf(program_, expr).IsNumeric()) CheckRead(expr);
+                   },
+                   [&](const Unary& node) {
+                     Visit(node.operand);
+                     if (!ChangesOperand(node.op)) return;
+                     if (const auto place = shared_.slots.Find(node.operand)) Write(*place);
+                   },
+                   [&](const Assign& node) { VisitAssign(node); },
+                   [&](const Call& node) { VisitCall(expr, node); },
+                   [&](const auto&) {
+                     std::size_t i = 0;
+                     ForEachOperand(program_, expr, [&](ExprId operand) {
+                       const bool is_written = WritesOperand(program_, expr, i++);
+                       if (!is_written) return Visit(operand);
+                       VisitTarget(operand);
+                       if (const auto place = shared_.slots.Find(operand)) Write(*place);
+                     });
+                   },
+               },
+               program_.exprs[expr].node);
+}
+
+// Visits the indices of a path, and what it is a part of if that is no variable.
+void WrittenWalk::VisitTarget(ExprId path) {
+  if (const ExprId whole = WholeOf(program_, path)) {
+    VisitTarget(whole);
+  } else if (!As<VarRef>(program_, path)) {
+    Visit(path);
+  }
+  if (const auto* index = As<Index>(program_, path)) Visit(index->index);
+}
+
+void WrittenWalk::VisitAssign(const Assign& node) {
+  if (IsMain()) CheckOutput(node);
+  VisitTarget(node.target);
+  const auto place = shared_.slots.Find(node.target);
+  if (node.op) {
+    Visit(node.value);
+    if (TypeOf(program_, node.target).IsNumeric()) CheckRead(node.target);
+    if (place) Write(*place);
+    return;
+  }
+  const std::vector<Written> values = ValueOf(node.value);
+  if (place) Write(*place, values);
+}
+
+void WrittenWalk::VisitCall(ExprId expr, const Call& node) {
+  const Summary& summary = shared_.summaries[node.function.index];
+  const bool is_of_entry = node.function == program_.entry;
+  std::size_t i = 0;
+  std::vector<std::pair<WrittenPlace, std::size_t>> written;
+  ForEachOperand(program_, expr, [&](ExprId argument) {
+    const std::size_t number = i++;
+    if (!WritesOperand(program_, expr, number)) return Visit(argument);
+    VisitTarget(argument);
+    if (const auto place = shared_.slots.Find(argument)) written.emplace_back(*place, number);
+  });
+  for (const auto& [place, number] : written) {
+    Write(place, is_of_entry ? std::span<const Written>(summary.parameters[number])
+                             : std::span<const Written>());
+  }
+}
+
+std::vector<Written> WrittenWalk::ValueOf(ExprId value) {
+  const bool is_numeric = TypeOf(program_, value).IsNumeric();
+  if (const auto* call = As<Call>(program_, value)) {
+    Visit(value);
+    return shared_.summaries[call->function.index].result;
+  }
+  const auto place =
+      is_numeric && !As<VarRef>(program_, value) ? std::nullopt : shared_.slots.Find(value);
+  const bool is_return = IsEntry() || !is_numeric;
+  if (!place || place->is_coarse || !is_return) {
+    Visit(value);
+    return {};
+  }
+  VisitTarget(value);
+  std::vector<Written> values;
+  for (std::size_t i = 0; i < place->count; ++i) values.push_back(state_[place->first + i]);
+  return values;
+}
+
+void WrittenWalk::Write(const WrittenPlace& place, std::span<const Written> values) {
+  if (place.count == 1 && (place.is_coarse || values.size() != 1))
+    return state_.Add(place.first, place.mask);
+  for (std::size_t i = 0; i < place.count; ++i)
+    state_.Set(place.first + i, values.size() == place.count ? values[i] : kAllWritten);
+}
+
+void WrittenWalk::CheckRead(ExprId path) {
+  if (IsMain()) return;  // CheckOutput has a message of its own
+  const auto place = shared_.slots.Find(path);
+  if (!place || place->count != 1 || place->mask == 0) return;
+  if (state_[place->first].may & place->mask) return;
+  if (shared_.is_reported[place->var.index]) return;
+  const Read read{*place, program_.exprs[path].span};
+  if (loops_ == 0) return Report(read);
+  // One read of a slot is enough.
+  const bool is_known = !reads_.empty() && reads_.back().place.first == place->first &&
+                        reads_.back().place.mask == place->mask;
+  if (!is_known) reads_.push_back(read);
+}
+
+void WrittenWalk::Report(const Read& read) {
+  if (shared_.is_reported[read.place.var.index]) return;
+  shared_.is_reported[read.place.var.index] = true;
+  shared_.diagnostics.Report(read.span, diag::VariableNotWritten,
+                             program_.vars[read.place.var].name);
+}
+
+// ---- main
+
+// The path in the signature as the shader's statements may write it, without the function's name;
+// the semantic for the result itself.
+std::string WrittenWalk::PathOf(const IoVar& output) const {
+  const std::string& function = program_.functions[program_.entry].name;
+  if (output.path.empty() || output.path == function) return output.semantic;
+  return output.path.starts_with(function + ".") ? output.path.substr(function.size() + 1)
+                                                 : output.path;
+}
+
+void WrittenWalk::CheckOutput(const Assign& node) {
+  const auto* target = As<VarRef>(program_, node.target);
+  const IoVar* output = target ? shared_.outputs[target->var.index] : nullptr;
+  const auto place = output ? shared_.slots.Find(node.value) : std::nullopt;
+  if (!place || place->count != 1) return;
+  const Written& written = state_[place->first];
+  const Span span = program_.vars[output->var].span;
+  const std::string path = PathOf(*output);
+  const std::string how =
+      (written.may & place->mask) == 0 ? "is never written" : "is not written completely";
+  Diagnostics& diagnostics = shared_.diagnostics;
+  if ((written.may & place->mask) == place->mask) {
+    if (output->builtin == Builtin::kPosition && (written.must & place->mask) != place->mask)
+      diagnostics.Report(span, diag::PositionNotAlwaysWritten, path);
+  } else if (output->builtin == Builtin::kPosition) {
+    diagnostics.Report(span, diag::PositionNotWritten, path, how);
+  } else {
+    diagnostics.Report(span, diag::OutputNotWritten, path, how);
+  }
+}
+
+}  // namespace
+
+void CheckWritten(const Program& program, Diagnostics& diagnostics) {
+  Shared shared{program,
+                diagnostics,
+                WrittenSlots(program),
+                std::vector<Summary>(program.functions.size()),
+                std::vector<bool>(program.vars.size()),
+                std::vector<const IoVar*>(program.vars.size())};
+  for (const IoVar& output : program.outputs) shared.outputs[output.var.index] = &output;
+  WrittenState state(shared.slots.size());
+  for (const FunctionId function : CalleesFirst(program))
+    WrittenWalk(shared, state, function).Run();
+}
+
+}  // namespace clipc::rules

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "frontend/rules/rules.h"
+
+namespace clipc::rules {
+
+// The components of a slot that some path has written, and those that every path has.
+struct Written {
+  std::uint16_t may = 0, must = 0;
+  friend bool operator==(const Written&, const Written&) = default;
+};
+inline constexpr Written kAllWritten{0xffff, 0xffff};
+
+// A place in a local variable: the slots of a struct, or components of one slot.
+struct WrittenPlace {
+  VarId var;
+  std::size_t first = 0, count = 0;
+  std::uint16_t mask = 0;       // of one slot
+  std::uint8_t offset = 0;      // the first component of the place in its slot
+  bool has_components = false;  // its parts are components, of which the slot has a bit for each
+  bool is_coarse = false;       // its parts cannot be told apart: they are taken for the whole
+};
+
+// The slots of the variables. A field that is a number, a vector, a matrix or an array is a slot,
+// with a bit for each component or element; a variable with more than kMostSlots of them, or an
+// array of more than 16 elements, has one slot whose bits are all written together.
+class WrittenSlots {
+ public:
+  explicit WrittenSlots(const Program& program);
+
+  static constexpr std::uint32_t kMostSlots = 64;
+
+  std::size_t size() const { return size_; }
+  // The slots of a value of the type; 1 for one with too many.
+  std::uint32_t CountOf(TypeId type) const;
+  // The bits of each slot of the type.
+  std::vector<std::uint16_t> MasksOf(TypeId type) const;
+  WrittenPlace Whole(VarId var) const;
+  // The place of a path in a local variable or a parameter; nullopt for every other expression.
+  std::optional<WrittenPlace> Find(ExprId path) const;
+
+ private:
+  std::uint32_t Count(TypeId type) const;
+  void AddMasks(TypeId type, std::vector<std::uint16_t>& masks) const;
+  std::uint16_t MaskOf(TypeId type) const;
+  void TakeField(WrittenPlace& place, const FieldRef& field) const;
+  void TakeElement(WrittenPlace& place, const Index& index) const;
+
+  const Program& program_;
+  mutable std::vector<std::uint32_t> counts_;  // by TypeId; 0: not known yet
+  std::vector<std::size_t> first_;             // by VarId
+  std::size_t size_ = 0;
+};
+
+// What is written at a point of a function, and the changes that led to it.
+class WrittenState {
+ public:
+  struct Change {
+    std::size_t slot;
+    Written value;
+  };
+  using Changes = std::vector<Change>;
+
+  explicit WrittenState(std::size_t slots) : now_(slots), seen_(slots) {}
+
+  const Written& operator[](std::size_t slot) const { return now_[slot]; }
+  void Set(std::size_t slot, Written value);
+  void Add(std::size_t slot, std::uint16_t mask) {
+    Set(slot, {static_cast<std::uint16_t>(now_[slot].may | mask),
+               static_cast<std::uint16_t>(now_[slot].must | mask)});
+  }
+  std::size_t Mark() const { return log_.size(); }
+  // Takes back all changes since the mark, and returns each changed slot with its value.
+  Changes TakeSince(std::size_t mark);
+  // Makes the state that of a point where two paths meet, which began with this one.
+  void Join(const Changes& one, const Changes& other);
+  // The same for any number of paths, whose changes are in one list; a path has a slot once.
+  void JoinAll(Changes changes, std::size_t paths);
+  // Makes the changes of a path that is left (by break or continue): what it has written may be
+  // written at the place where it arrives.
+  void AddMay(const Changes& changes);
+  void Apply(const Changes& changes) {
+    for (const Change& change : changes) Set(change.slot, change.value);
+  }
+
+ private:
+  std::vector<Written> now_;
+  std::vector<std::uint32_t> seen_;  // by slot: the last walk of the log that has met it
+  std::uint32_t walk_ = 0;
+  Changes log_;  // the values before
+};
+
+}  // namespace clipc::rules
