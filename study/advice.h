@@ -62,20 +62,21 @@ struct Advice {
   std::string way;
   bool possible = false;  // by the means, the projection and the place of the eye
   double predicted = 0;   // pixels: the law for the 99th percentile of displaced edges
-  double bound = 0;       // pixels: the 99th percentile stays under it; kBoundFactor times the law
-  bool meets = false;     // possible, with a cost, and the bound is within the tolerance
-  double cost = 0;        // from the table; infinity where the table does not have the way
+  // Pixels: the 99th percentile of edges as long as a twentieth of the depth stays under it, but
+  // for a few draws in a hundred; kBoundFactor times the law.
+  double bound = 0;
+  bool meets = false;  // possible, with a cost, and the bound is within the tolerance
+  double cost = 0;     // from the table; infinity where the table does not have the way
 };
 
-// The factor from a law to its bound, as a single plane or matrix may round unluckily: among all
-// possible ways of 120 random draws (seed 2024) the worst error was 3.0 times its law. The tests
-// take other draws.
+// The factor from a law to its bound, as a single plane or matrix may round unluckily, and as the
+// law does not know where in the picture the cut is.
 inline constexpr double kBoundFactor = 4;
 // Costs closer than this share to the least count as equal: the more accurate way wins. Two tables
-// of one run differ by up to a tenth for one way.
+// of one run differ by nearly as much for one way.
 inline constexpr double kSameCost = 0.15;
-// The step of rasterisers, in pixels, below which no picture changes: predictions under it count as
-// equal, and the way that comes first in kWays wins.
+// The step of rasterisers, in pixels: what is below changes a pixel at most, as a rule. Predictions
+// under it count as equal, and the way that comes first in kWays wins.
 inline constexpr double kInvisible = 1.0 / 256;
 
 // A function that measures the error of a way in the draw: pixels, the 99th percentile; none where

@@ -53,8 +53,9 @@ struct ObjectPlan {
   bool drawn() const { return !outside_frustum && !culled; }
 };
 
-// Plans one object. A picture without the objects and planes that plans leave out has the same
-// pixels, as with runtime::PlanBox. Box and planes are compared in the object's own space.
+// Plans one object. Box and planes are compared in the object's own space: drawn with `object`, a
+// picture without the objects and planes that plans leave out has the same pixels, as with
+// runtime::PlanBox. With other ways a plane that is left out may have cut a pixel by its error.
 ObjectPlan PlanObject(const SceneObject& object, const Camera& camera,
                       const std::vector<NamedPlane>& planes);
 
