@@ -77,9 +77,7 @@ def main():
     clipc, tree = given.clipc.resolve(), given.tree.resolve()
     work = list(hash_outputs.listed(given.list))
     with concurrent.futures.ThreadPoolExecutor(given.j) as pool:
-        results = list(
-            pool.map(lambda item: compiled(clipc, tree, given.target, *item[1:]), work)
-        )
+        results = list(pool.map(lambda item: compiled(clipc, tree, given.target, *item[1:]), work))
     for (name, _, _), found in zip(work, results):
         if given.show and found and given.show in found:
             print(f"{name}\t{found[given.show]}")

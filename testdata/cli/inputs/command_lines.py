@@ -113,7 +113,9 @@ def main():
     for line, problem in failures:
         print(f"{listed}:{line.number}: {line.line}\n  {problem}")
     refused = sum(line.verdict == "refused" for line in lines)
-    print(f"{len(lines) - refused} command lines with effect, {refused} refused, {len(failures)} fail")
+    print(
+        f"{len(lines) - refused} command lines with effect, {refused} refused, {len(failures)} fail"
+    )
     return 1 if failures else 0
 
 
