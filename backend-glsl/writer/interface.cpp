@@ -74,7 +74,7 @@ void RequireBuiltin(Context& context, const IoVar& input, Inputs& inputs) {
   if (input.builtin == Builtin::kInstanceId)
     info.needs_base_instance_zero = KeepsBaseInstance(context);
   if (input.builtin == Builtin::kViewId && !is_vulkan) {
-    inputs.text += fmt::format("layout(num_views = {}) in;{}", kViews, SemanticComment(input));
+    inputs.text += fmt::format("layout(num_views = {}) in;{}", kViews, SemanticComment(input, ""));
   }
 }
 
@@ -104,7 +104,7 @@ void WriteInput(Context& context, const IoVar& input, const std::string& attribu
       inputs.text, has_location ? LocationText(input.location) : "",
       context.Has(Feature::kInAndOut) ? "in " : "attribute ",
       Declaration(context, info.integer_as_float ? shape.With(Scalar::kFloat) : shape, attribute),
-      ";", SemanticComment(input));
+      ";", SemanticComment(input, attribute));
 }
 
 // The declaration of an output, or of the matrix or array that it is a part of: "vec2 uv"; "mat3
@@ -144,7 +144,7 @@ std::uint32_t WriteVarying(Context& context, const IoVar& output, Outputs& outpu
          InterpolationText(context,
                            {shape.scalar, output.interpolation, output.centroid, output.sample}),
          has_out ? "out " : "varying ", OutputDeclaration(context, output, shape, info.name), ";",
-         SemanticComment(output));
+         SemanticComment(output, info.name));
   return location + LocationCount(context.TypeOf(output.var));
 }
 

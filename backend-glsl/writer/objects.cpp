@@ -78,8 +78,10 @@ class ObjectWriter {
     std::unordered_map<std::uint32_t, const Resource*> by_var;
     for (const Resource& resource : context_.program.resources)
       by_var.emplace(resource.var.index, &resource);
-    for (const TextureUse& use : context_.texture_uses)
-      Combined(use, *by_var.at(use.texture.index));
+    for (const TextureUse& use : context_.texture_uses) {
+      Combined(use, *by_var.at(use.texture.index),
+               use.sampler ? by_var.at(use.sampler.index) : nullptr);
+    }
     return std::move(objects_);
   }
 
@@ -89,7 +91,14 @@ class ObjectWriter {
     return IsStorageBuffer(kind) ? buffers_ : IsImage(kind) ? images_ : textures_;
   }
 
-  void Combined(const TextureUse& use, const Resource& resource) {
+  // The object in HLSL, "tex : t0"; without the name if it is that of the variable.
+  std::string PlaceOf(const Resource& resource, const std::string& name) const {
+    const std::string& written = context_[resource.var].name;
+    const std::string place = RegisterText(resource.reg);
+    return written == name ? place : Concat(written, " : ", place);
+  }
+
+  void Combined(const TextureUse& use, const Resource& resource, const Resource* sampler) {
     GlslInfo::Object info{{}, use.texture, use.sampler, use.name};
     const std::string place =
         Bind(context_, info, resource.reg, textures_, CountOf(context_, use.texture));
@@ -98,10 +107,8 @@ class ObjectWriter {
     Append(text_, LayoutText({place}), context_.target.IsEs() ? "uniform highp " : "uniform ",
            TextureType(context_, use.texture, "sampler"),
            IsShadow(context_, use.sampler) ? "Shadow " : " ", use.name,
-           Dimensions(context_, use.texture), ";");
-    if (use.sampler) {
-      Append(text_, "  // ", context_[use.texture].name, " with ", context_[use.sampler].name);
-    }
+           Dimensions(context_, use.texture), ";  // ", PlaceOf(resource, use.name));
+    if (sampler) Append(text_, " with ", PlaceOf(*sampler, use.name));
     text_ += "\n";
     objects_.info.push_back(std::move(info));
   }

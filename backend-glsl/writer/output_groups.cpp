@@ -48,7 +48,7 @@ std::string MemberText(Context& context, std::size_t group, std::size_t number,
   for (const std::uint32_t dimension : member.dimensions)
     Append(text, "[", std::to_string(dimension), "]");
   const IoVar* output = OutputOf(context, group, number);
-  Append(text, ";", output ? SemanticComment(*output) : "\n");
+  Append(text, ";", output ? SemanticComment(*output, member.name) : "\n");
   return text;
 }
 
@@ -93,8 +93,10 @@ std::string LocationText(std::uint32_t location) {
   return LayoutText({Concat("location = ", std::to_string(location))});
 }
 
-std::string SemanticComment(const IoVar& io) {
-  return Concat("  // ", io.semantic, std::to_string(io.index), "\n");
+std::string SemanticComment(const IoVar& io, std::string_view name) {
+  const bool is_said = io.name.empty() || io.name == name;
+  return Concat("  // ", is_said ? std::string_view() : io.name, is_said ? "" : " : ", io.semantic,
+                std::to_string(io.index), "\n");
 }
 
 std::string InterpolationText(Context& context, const Interpolated& output) {

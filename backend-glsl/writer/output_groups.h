@@ -12,8 +12,9 @@ namespace clipc::glsl {
 // The qualifier "layout(location = 2) ".
 std::string LocationText(std::uint32_t location);
 
-// The comment "  // TEXCOORD0" and the end of the line.
-std::string SemanticComment(const ir::IoVar& io);
+// The comment "  // uv : TEXCOORD0", which has the name in HLSL unless it is `name`, that in GLSL;
+// and the end of the line.
+std::string SemanticComment(const ir::IoVar& io, std::string_view name);
 
 struct Interpolated {
   ir::Scalar scalar = ir::Scalar::kFloat;

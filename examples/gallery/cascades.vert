@@ -11,13 +11,13 @@ layout(std140, binding = 3) uniform Shadows {  // b3
     vec4 split;
 } shadows;
 
-layout(location = 0) in vec4 in_POSITION0;  // POSITION0
-layout(location = 1) in vec4 in_INSTANCE0;  // INSTANCE0
-layout(location = 2) in vec4 in_INSTANCE1;  // INSTANCE1
-layout(location = 3) in vec4 in_INSTANCE2;  // INSTANCE2
-layout(location = 4) in uint in_CASCADE0;  // CASCADE0
+layout(location = 0) in vec4 in_POSITION0;  // position : POSITION0
+layout(location = 1) in vec4 in_INSTANCE0;  // row0 : INSTANCE0
+layout(location = 2) in vec4 in_INSTANCE1;  // row1 : INSTANCE1
+layout(location = 3) in vec4 in_INSTANCE2;  // row2 : INSTANCE2
+layout(location = 4) in uint in_CASCADE0;  // cascade : CASCADE0
 
-layout(location = 0) flat out uint vs_SLICE0;  // SLICE0
+layout(location = 0) flat out uint vs_SLICE0;  // slice : SLICE0
 
 void main() {
     vs_SLICE0 = min(in_CASCADE0, 3u);

@@ -8,7 +8,7 @@ layout(std140, binding = 0) uniform Box {  // b0
     float fade_radius;
 } box;
 
-layout(location = 0) in vec3 in_POSITION0;  // POSITION0
+layout(location = 0) in vec3 in_POSITION0;  // position : POSITION0
 
 // clip distances written: 0x7f
 // cull distances written: 0x1

@@ -11,9 +11,9 @@ layout(std140, binding = 1) uniform Camera {  // b1
     layout(row_major) mat4 view_projection;
 } camera;
 
-layout(location = 0) in vec3 in_ROOT0;  // ROOT0
+layout(location = 0) in vec3 in_ROOT0;  // root : ROOT0
 
-layout(location = 0) out float vs_SHADE0;  // SHADE0
+layout(location = 0) out float vs_SHADE0;  // shade : SHADE0
 
 const vec2 kCorners[4] = vec2[4](vec2(-1.0, 0.0), vec2(1.0, 0.0), vec2(-1.0, 1.0), vec2(1.0));
 

@@ -16,8 +16,8 @@ layout(std430, binding = 0) readonly buffer particles_block {  // t0
     Particle particles[];
 };
 
-layout(location = 0) out vec4 vs_COLOR0;  // COLOR0
-layout(location = 1) out vec2 vs_TEXCOORD0;  // TEXCOORD0
+layout(location = 0) out vec4 vs_COLOR0;  // color : COLOR0
+layout(location = 1) out vec2 vs_TEXCOORD0;  // uv : TEXCOORD0
 
 void main() {
     uint id = uint(gl_VertexID - gl_BaseVertexARB);

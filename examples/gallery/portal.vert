@@ -10,10 +10,10 @@ layout(std140, binding = 1) uniform Object {  // b1
     mat3x4 world;
 } object;
 
-layout(location = 0) in vec3 in_POSITION0;  // POSITION0
-layout(location = 1) in vec4 in_COLOR0;  // COLOR0
+layout(location = 0) in vec3 in_POSITION0;  // position : POSITION0
+layout(location = 1) in vec4 in_COLOR0;  // color : COLOR0
 
-layout(location = 0) out vec4 vs_COLOR0;  // COLOR0
+layout(location = 0) out vec4 vs_COLOR0;  // out_color : COLOR0
 // clip distances written: 0x1f
 out float gl_ClipDistance[5];
 

@@ -15,12 +15,12 @@ layout(std140, binding = 1) uniform Camera {  // b1
     layout(row_major) mat4 view_projection;
 } camera;
 
-layout(location = 0) in vec3 in_POSITION0;  // POSITION0
-layout(location = 1) in vec3 in_NORMAL0;  // NORMAL0
-layout(location = 2) in uvec4 in_BLENDINDICES0;  // BLENDINDICES0
-layout(location = 3) in vec4 in_BLENDWEIGHT0;  // BLENDWEIGHT0
+layout(location = 0) in vec3 in_POSITION0;  // position : POSITION0
+layout(location = 1) in vec3 in_NORMAL0;  // normal : NORMAL0
+layout(location = 2) in uvec4 in_BLENDINDICES0;  // bones : BLENDINDICES0
+layout(location = 3) in vec4 in_BLENDWEIGHT0;  // weights : BLENDWEIGHT0
 
-layout(location = 0) out vec3 vs_NORMAL0;  // NORMAL0
+layout(location = 0) out vec3 vs_NORMAL0;  // normal : NORMAL0
 
 void Skin(Vertex v, out vec3 position, out vec3 normal) {
     position = vec3(0.0);

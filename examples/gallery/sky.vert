@@ -5,9 +5,9 @@ layout(std140, binding = 0) uniform Camera {  // b0
     layout(row_major) mat4 projection;
 } camera;
 
-layout(location = 0) in vec3 in_POSITION0;  // POSITION0
+layout(location = 0) in vec3 in_POSITION0;  // direction : POSITION0
 
-layout(location = 0) out vec3 vs_TEXCOORD0;  // TEXCOORD0
+layout(location = 0) out vec3 vs_TEXCOORD0;  // ray : TEXCOORD0
 
 void main() {
     vs_TEXCOORD0 = in_POSITION0;

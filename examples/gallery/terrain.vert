@@ -9,12 +9,12 @@ layout(std140, binding = 0) uniform Terrain {  // b0
     vec4 cut;
 } terrain;
 
-layout(binding = 0) uniform sampler2D heights;  // heights with linear_clamp
+layout(binding = 0) uniform sampler2D heights;  // t0 with linear_clamp : s0
 
-layout(location = 0) in vec2 in_POSITION0;  // POSITION0
+layout(location = 0) in vec2 in_POSITION0;  // grid : POSITION0
 
-layout(location = 0) out vec3 vs_NORMAL0;  // NORMAL0
-layout(location = 1) out vec2 vs_TEXCOORD0;  // TEXCOORD0
+layout(location = 0) out vec3 vs_NORMAL0;  // normal : NORMAL0
+layout(location = 1) out vec2 vs_TEXCOORD0;  // uv : TEXCOORD0
 // clip distances written: 0x1
 out float gl_ClipDistance[1];
 

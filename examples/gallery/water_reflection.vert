@@ -15,13 +15,13 @@ layout(std140, binding = 2) uniform Clip {  // b2
     vec4 water_plane;
 } clip;
 
-layout(location = 0) in vec3 in_POSITION0;  // POSITION0
-layout(location = 1) in vec3 in_NORMAL0;  // NORMAL0
-layout(location = 2) in vec2 in_TEXCOORD0;  // TEXCOORD0
+layout(location = 0) in vec3 in_POSITION0;  // position : POSITION0
+layout(location = 1) in vec3 in_NORMAL0;  // normal : NORMAL0
+layout(location = 2) in vec2 in_TEXCOORD0;  // uv : TEXCOORD0
 
-layout(location = 0) out vec3 vs_NORMAL0;  // NORMAL0
-layout(location = 1) out vec3 vs_TEXCOORD1;  // TEXCOORD1
-layout(location = 2) out vec2 vs_TEXCOORD0;  // TEXCOORD0
+layout(location = 0) out vec3 vs_NORMAL0;  // normal : NORMAL0
+layout(location = 1) out vec3 vs_TEXCOORD1;  // to_eye : TEXCOORD1
+layout(location = 2) out vec2 vs_TEXCOORD0;  // uv : TEXCOORD0
 // clip distances written: 0x1
 out float gl_ClipDistance[1];
 

@@ -60,8 +60,8 @@ float4 main(float4 p : POSITION, int i : INDEX) : SV_Position {
 // CHECK-NEXT:     float uniforms[2][3];
 // CHECK-NEXT: } globals;
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
-// CHECK-NEXT: layout(location = 1) in int in_INDEX0;  // INDEX0
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
+// CHECK-NEXT: layout(location = 1) in int in_INDEX0;  // i : INDEX0
 // CHECK-EMPTY:
 // CHECK-NEXT: float[20] zeros_float_20_() {
 // CHECK-NEXT:     float result[20];
@@ -132,8 +132,8 @@ float4 main(float4 p : POSITION, int i : INDEX) : SV_Position {
 // WRAPPED-NEXT:     float_array3 uniforms[2];
 // WRAPPED-NEXT: } globals;
 // WRAPPED-EMPTY:
-// WRAPPED-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
-// WRAPPED-NEXT: layout(location = 1) in int in_INDEX0;  // INDEX0
+// WRAPPED-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
+// WRAPPED-NEXT: layout(location = 1) in int in_INDEX0;  // i : INDEX0
 // WRAPPED-EMPTY:
 // WRAPPED-NEXT: float[20] zeros_float_20_() {
 // WRAPPED-NEXT:     float result[20];

@@ -36,7 +36,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     int n;
 // CHECK-NEXT: } globals;
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // CHECK-EMPTY:
 // CHECK-NEXT: vec3 fmod(vec3 x, vec3 y) {
 // CHECK-NEXT:     return x - y * trunc(x / y);

@@ -105,7 +105,7 @@ float4 main(float4 p : POSITION, uint i : SV_VertexID) : SV_Position {
 // CHECK-NEXT:     vec4 elements[];
 // CHECK-NEXT: } sized[4];
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // CHECK-EMPTY:
 // CHECK-NEXT: Tight tight(int i) {  // offset 0
 // CHECK-NEXT:     return Tight(tight_buffers[i].tight_rows[0].x, tight_buffers[i].tight_rows[0].yzw, tight_buffers[i].tight_rows[1].xy, tight_buffers[i].tight_rows[2].xyz);

@@ -43,7 +43,7 @@ float4 main(float4 p : POSITION, uint i : SV_VertexID) : SV_Position {
 // CHECK-NEXT: } bytes[];
 // CHECK-NEXT: layout(set = 0, binding = 16) uniform sampler state;  // s0
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // CHECK-EMPTY:
 // CHECK-NEXT: Loose loose_any_at(int which, int i_2) {
 // CHECK-NEXT:     return Loose(uintBitsToFloat(uvec3(loose[nonuniformEXT(which)].elements[7 * i_2], loose[nonuniformEXT(which)].elements[7 * i_2 + 1], loose[nonuniformEXT(which)].elements[7 * i_2 + 2])), uintBitsToFloat(loose[nonuniformEXT(which)].elements[7 * i_2 + 3]), uintBitsToFloat(uvec3(loose[nonuniformEXT(which)].elements[7 * i_2 + 4], loose[nonuniformEXT(which)].elements[7 * i_2 + 5], loose[nonuniformEXT(which)].elements[7 * i_2 + 6])));

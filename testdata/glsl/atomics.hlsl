@@ -50,7 +50,7 @@ float4 main(float4 p : POSITION, uint id : SV_VertexID) : SV_Position {
 // CHECK-NEXT: layout(binding = 3, r32ui) uniform uimageBuffer typed;  // u3
 // CHECK-NEXT: layout(binding = 4, r32i) uniform iimage2D picture;  // u4
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // CHECK-EMPTY:
 // CHECK-NEXT: void main() {
 // CHECK-NEXT:     uint id = uint(gl_VertexID - gl_BaseVertexARB);

@@ -27,7 +27,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // NEW-NEXT:     float f;
 // NEW-NEXT: } globals;
 // NEW-EMPTY:
-// NEW-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// NEW-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // NEW-EMPTY:
 // NEW-NEXT: uvec2 u2() {  // offset 4
 // NEW-NEXT:     return uvec2(globals.u2_x, globals.u2_y);
@@ -58,7 +58,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // OLD-NEXT:     float f;
 // OLD-NEXT: } globals;
 // OLD-EMPTY:
-// OLD-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// OLD-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // OLD-EMPTY:
 // OLD-NEXT: uvec2 u2() {  // offset 4
 // OLD-NEXT:     return uvec2(globals.u2_x, globals.u2_y);

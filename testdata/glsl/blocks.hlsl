@@ -58,10 +58,10 @@ Vertex main(float4 p : POSITION) {
 // CHECK-NEXT:     vec4 eye;
 // CHECK-NEXT: } camera;
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) out vec4 vs_COLOR0;  // COLOR0
-// CHECK-NEXT: layout(location = 1) out vec2 vs_TEXCOORD1;  // TEXCOORD1
+// CHECK-NEXT: layout(location = 0) out vec4 vs_COLOR0;  // tint : COLOR0
+// CHECK-NEXT: layout(location = 1) out vec2 vs_TEXCOORD1;  // uv : TEXCOORD1
 // CHECK-EMPTY:
 // CHECK-NEXT: vec4 eye(vec4 perFrame_2) {
 // CHECK-NEXT:     return perFrame_2 * perFrame.texture;
@@ -103,10 +103,10 @@ Vertex main(float4 p : POSITION) {
 // PLAIN-NEXT:     vec4 eye;
 // PLAIN-NEXT: } camera;
 // PLAIN-EMPTY:
-// PLAIN-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// PLAIN-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // PLAIN-EMPTY:
-// PLAIN-NEXT: layout(location = 0) out vec4 vs_COLOR0;  // COLOR0
-// PLAIN-NEXT: layout(location = 1) out vec2 vs_TEXCOORD1;  // TEXCOORD1
+// PLAIN-NEXT: layout(location = 0) out vec4 vs_COLOR0;  // tint : COLOR0
+// PLAIN-NEXT: layout(location = 1) out vec2 vs_TEXCOORD1;  // uv : TEXCOORD1
 // PLAIN-EMPTY:
 // PLAIN-NEXT: vec4 eye(vec4 perFrame) {
 // PLAIN-NEXT:     return perFrame * texture_;
@@ -147,10 +147,10 @@ Vertex main(float4 p : POSITION) {
 // FLAT-NEXT: // camera, b4
 // FLAT-NEXT: uniform Camera camera;
 // FLAT-EMPTY:
-// FLAT-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// FLAT-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // FLAT-EMPTY:
-// FLAT-NEXT: layout(location = 0) out vec4 vs_COLOR0;  // COLOR0
-// FLAT-NEXT: layout(location = 1) out vec2 vs_TEXCOORD1;  // TEXCOORD1
+// FLAT-NEXT: layout(location = 0) out vec4 vs_COLOR0;  // tint : COLOR0
+// FLAT-NEXT: layout(location = 1) out vec2 vs_TEXCOORD1;  // uv : TEXCOORD1
 // FLAT-EMPTY:
 // FLAT-NEXT: vec4 eye(vec4 perFrame) {
 // FLAT-NEXT:     return perFrame * texture_;
@@ -192,10 +192,10 @@ Vertex main(float4 p : POSITION) {
 // DXC-NEXT:     vec4 eye;
 // DXC-NEXT: } camera;
 // DXC-EMPTY:
-// DXC-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// DXC-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // DXC-EMPTY:
-// DXC-NEXT: out vec4 in_var_COLOR;  // COLOR0
-// DXC-NEXT: out vec2 in_var_TEXCOORD1;  // TEXCOORD1
+// DXC-NEXT: out vec4 in_var_COLOR;  // tint : COLOR0
+// DXC-NEXT: out vec2 in_var_TEXCOORD1;  // uv : TEXCOORD1
 // DXC-EMPTY:
 // DXC-NEXT: vec4 eye(vec4 perFrame_2) {
 // DXC-NEXT:     return perFrame_2 * perFrame.texture;
@@ -237,10 +237,10 @@ Vertex main(float4 p : POSITION) {
 // CROSS-NEXT:     vec4 eye;
 // CROSS-NEXT: } camera_2;
 // CROSS-EMPTY:
-// CROSS-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// CROSS-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // CROSS-EMPTY:
-// CROSS-NEXT: out vec4 input_tint;  // COLOR0
-// CROSS-NEXT: out vec2 input_uv;  // TEXCOORD1
+// CROSS-NEXT: out vec4 input_tint;  // tint : COLOR0
+// CROSS-NEXT: out vec2 input_uv;  // uv : TEXCOORD1
 // CROSS-EMPTY:
 // CROSS-NEXT: vec4 eye(vec4 perFrame_2) {
 // CROSS-NEXT:     return perFrame_2 * perFrame.texture;

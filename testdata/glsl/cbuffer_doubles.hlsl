@@ -29,7 +29,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     float tail;
 // CHECK-NEXT: } rows;
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // CHECK-EMPTY:
 // CHECK-NEXT: void main() {
 // CHECK-NEXT:     dvec2 sum = fits.d2 * fits.d + double(fits.f) * 0.1lf;

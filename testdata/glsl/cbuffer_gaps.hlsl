@@ -19,7 +19,7 @@ float4 main(float4 p : POSITION) : SV_Position { return p * late + high.xyxy + e
 // OFFSET-NEXT:     layout(offset = 80) vec4 late;
 // OFFSET-NEXT: } old;
 // OFFSET-EMPTY:
-// OFFSET-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// OFFSET-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // OFFSET-EMPTY:
 // OFFSET-NEXT: void main() {
 // OFFSET-NEXT:     gl_Position = in_POSITION0 * old.late + old.high.xyxy + old.early;
@@ -40,7 +40,7 @@ float4 main(float4 p : POSITION) : SV_Position { return p * late + high.xyxy + e
 // PADDING-NEXT:     vec4 late;
 // PADDING-NEXT: } old;
 // PADDING-EMPTY:
-// PADDING-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// PADDING-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // PADDING-EMPTY:
 // PADDING-NEXT: void main() {
 // PADDING-NEXT:     gl_Position = in_POSITION0 * old.late + old.high.xyxy + old.early;

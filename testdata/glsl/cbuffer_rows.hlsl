@@ -73,8 +73,8 @@ float4 main(float4 p : POSITION, uint n : INDEX) : SV_Position {
 // CHECK-NEXT:     float f[2];
 // CHECK-NEXT: } kinds;
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
-// CHECK-NEXT: layout(location = 1) in uint in_INDEX0;  // INDEX0
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
+// CHECK-NEXT: layout(location = 1) in uint in_INDEX0;  // n : INDEX0
 // CHECK-EMPTY:
 // CHECK-NEXT: vec3 y() {  // offset 4
 // CHECK-NEXT:     return vec3(floats.y_x, floats.y_y, floats.y_z);

@@ -35,8 +35,8 @@ float4 main(float4 p : POSITION, int i : INDEX) : SV_Position {
 // CHECK-NEXT:     vec4 outers_rows[84];
 // CHECK-NEXT: } buffer_;
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
-// CHECK-NEXT: layout(location = 1) in int in_INDEX0;  // INDEX0
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
+// CHECK-NEXT: layout(location = 1) in int in_INDEX0;  // i : INDEX0
 // CHECK-EMPTY:
 // CHECK-NEXT: float[20] load_buffer_outers_rows(int at) {
 // CHECK-NEXT:     float result[20];

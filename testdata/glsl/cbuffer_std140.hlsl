@@ -53,8 +53,8 @@ float4 main(float4 p : POSITION, uint i : INDEX) : SV_Position {
 // CHECK-NEXT:     layout(row_major) mat4 m;
 // CHECK-NEXT: } allColumnMajor;
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
-// CHECK-NEXT: layout(location = 1) in uint in_INDEX0;  // INDEX0
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
+// CHECK-NEXT: layout(location = 1) in uint in_INDEX0;  // i : INDEX0
 // CHECK-EMPTY:
 // CHECK-NEXT: void main() {
 // CHECK-NEXT:     vec4 r = vec4(frame.eye, frame.time) + frame.size.xyxy + float(frame.count);

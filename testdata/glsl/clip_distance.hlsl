@@ -15,7 +15,7 @@ float4 main(float4 p : POSITION) : SV_Position { return p; }
 // GL130-NEXT: uniform vec4 water;
 // GL130-NEXT: uniform vec4 portal;
 // GL130-EMPTY:
-// GL130-NEXT: in vec4 in_POSITION0;  // POSITION0
+// GL130-NEXT: in vec4 in_POSITION0;  // p : POSITION0
 // GL130-EMPTY:
 // GL130-NEXT: // clip distances written: 0x3
 // GL130-NEXT: out float gl_ClipDistance[2];
@@ -33,7 +33,7 @@ float4 main(float4 p : POSITION) : SV_Position { return p; }
 // GL450-NEXT:     vec4 portal;
 // GL450-NEXT: } globals;
 // GL450-EMPTY:
-// GL450-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// GL450-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // GL450-EMPTY:
 // GL450-NEXT: // clip distances written: 0x3
 // GL450-NEXT: out float gl_ClipDistance[2];
@@ -51,7 +51,7 @@ float4 main(float4 p : POSITION) : SV_Position { return p; }
 // SEPARABLE-NEXT:     vec4 portal;
 // SEPARABLE-NEXT: } globals;
 // SEPARABLE-EMPTY:
-// SEPARABLE-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// SEPARABLE-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // SEPARABLE-EMPTY:
 // SEPARABLE-NEXT: // clip distances written: 0x3
 // SEPARABLE-NEXT: out gl_PerVertex {
@@ -73,7 +73,7 @@ float4 main(float4 p : POSITION) : SV_Position { return p; }
 // VULKAN-NEXT:     vec4 portal;
 // VULKAN-NEXT: } globals;
 // VULKAN-EMPTY:
-// VULKAN-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// VULKAN-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // VULKAN-EMPTY:
 // VULKAN-NEXT: // clip distances written: 0x3
 // VULKAN-NEXT: out gl_PerVertex {
@@ -96,7 +96,7 @@ float4 main(float4 p : POSITION) : SV_Position { return p; }
 // ES-NEXT:     vec4 portal;
 // ES-NEXT: } globals;
 // ES-EMPTY:
-// ES-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// ES-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // ES-EMPTY:
 // ES-NEXT: // clip distances written: 0x3
 // ES-NEXT: out highp float gl_ClipDistance[2];

@@ -24,7 +24,7 @@ Output main(float4 p : POSITION) {
 
 // CHECK: #version 450
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // CHECK-EMPTY:
 // CHECK-NEXT: // clip distances written: 0x3f
 // CHECK-NEXT: // cull distances written: 0x3

@@ -9,7 +9,7 @@ float4 main(float4 p : POSITION) : SV_Position { return p; }
 
 // CHECK: #version 120
 // CHECK-EMPTY:
-// CHECK-NEXT: attribute vec4 in_POSITION0;  // POSITION0
+// CHECK-NEXT: attribute vec4 in_POSITION0;  // p : POSITION0
 // CHECK-EMPTY:
 // CHECK-NEXT: void main() {
 // CHECK-NEXT:     gl_Position = in_POSITION0;
@@ -19,7 +19,7 @@ float4 main(float4 p : POSITION) : SV_Position { return p; }
 
 // NONE: #version 140
 // NONE-EMPTY:
-// NONE-NEXT: in vec4 in_POSITION0;  // POSITION0
+// NONE-NEXT: in vec4 in_POSITION0;  // p : POSITION0
 // NONE-EMPTY:
 // NONE-NEXT: void main() {
 // NONE-NEXT:     gl_Position = in_POSITION0;

@@ -39,7 +39,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     vec4 color;
 // CHECK-NEXT: } objects[3];
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // CHECK-EMPTY:
 // CHECK-NEXT: Object object_value() {
 // CHECK-NEXT:     return Object(object.world, object.color);
@@ -65,7 +65,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // OLD-NEXT:     layout(row_major) Object object;
 // OLD-NEXT: };
 // OLD-EMPTY:
-// OLD-NEXT: in vec4 in_POSITION0;  // POSITION0
+// OLD-NEXT: in vec4 in_POSITION0;  // p : POSITION0
 // OLD-EMPTY:
 // OLD-NEXT: vec4 Tint(Object o) {
 // OLD-NEXT:     return o.color * 2.0;

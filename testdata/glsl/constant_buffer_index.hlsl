@@ -42,8 +42,8 @@ float4 main(float4 p : POSITION, int i : INDEX) : SV_Position {
 // CHECK-NEXT:     vec4 single_rows[1];
 // CHECK-NEXT: };
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
-// CHECK-NEXT: layout(location = 1) in int in_INDEX0;  // INDEX0
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
+// CHECK-NEXT: layout(location = 1) in int in_INDEX0;  // i : INDEX0
 // CHECK-EMPTY:
 // CHECK-NEXT: Packed packed_(int i) {  // offset 0
 // CHECK-NEXT:     return Packed(packed_buffers[i].packed_rows[0].x, packed_buffers[i].packed_rows[0].yzw);

@@ -71,12 +71,12 @@ Output main(float4 p : POSITION, int4 indices : BLENDINDICES, float4 weights : B
 // CHECK-NEXT: // Flags, b1
 // CHECK-NEXT: uniform bool fog;
 // CHECK-EMPTY:
-// CHECK-NEXT: attribute vec4 in_POSITION0;  // POSITION0
-// CHECK-NEXT: attribute vec4 in_BLENDINDICES0;  // BLENDINDICES0
-// CHECK-NEXT: attribute vec4 in_BLENDWEIGHT0;  // BLENDWEIGHT0
-// CHECK-NEXT: attribute vec3 in_NORMAL0;  // NORMAL0
+// CHECK-NEXT: attribute vec4 in_POSITION0;  // p : POSITION0
+// CHECK-NEXT: attribute vec4 in_BLENDINDICES0;  // indices : BLENDINDICES0
+// CHECK-NEXT: attribute vec4 in_BLENDWEIGHT0;  // weights : BLENDWEIGHT0
+// CHECK-NEXT: attribute vec3 in_NORMAL0;  // n : NORMAL0
 // CHECK-EMPTY:
-// CHECK-NEXT: varying vec3 vs_NORMAL0;  // NORMAL0
+// CHECK-NEXT: varying vec3 vs_NORMAL0;  // normal : NORMAL0
 // CHECK-EMPTY:
 // CHECK-NEXT: mat4 world() {  // offset 0
 // CHECK-NEXT:     return mat4(vec4(Frame[0].x, Frame[1].x, Frame[2].x, Frame[3].x), vec4(Frame[0].y, Frame[1].y, Frame[2].y, Frame[3].y), vec4(Frame[0].z, Frame[1].z, Frame[2].z, Frame[3].z), vec4(Frame[0].w, Frame[1].w, Frame[2].w, Frame[3].w));

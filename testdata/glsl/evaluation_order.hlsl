@@ -20,8 +20,8 @@ float4 main(float4 p : POSITION, int i : INDEX) : SV_Position {
 
 // CHECK: #version 450
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
-// CHECK-NEXT: layout(location = 1) in int in_INDEX0;  // INDEX0
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
+// CHECK-NEXT: layout(location = 1) in int in_INDEX0;  // i : INDEX0
 // CHECK-EMPTY:
 // CHECK-NEXT: float fmod(float x, float y) {
 // CHECK-NEXT:     return x - y * trunc(x / y);

@@ -27,7 +27,7 @@ float4 entry(float4 p : POSITION) : SV_Position { return main(p); }
 
 // CHECK: #version 450
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // CHECK-EMPTY:
 // CHECK-NEXT: float First(float x) {
 // CHECK-NEXT:     return x + 1.0;
@@ -58,7 +58,7 @@ float4 entry(float4 p : POSITION) : SV_Position { return main(p); }
 
 // ENTRY: #version 450
 // ENTRY-EMPTY:
-// ENTRY-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// ENTRY-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // ENTRY-EMPTY:
 // ENTRY-NEXT: float First(float x) {
 // ENTRY-NEXT:     return x + 1.0;

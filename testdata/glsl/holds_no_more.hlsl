@@ -43,7 +43,7 @@ Output main(Vertex v, float2 uv : TEXCOORD) {
 // CHECK-NEXT:     mat4 view_projection;
 // CHECK-NEXT: } used;
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // position : POSITION0
 // CHECK-EMPTY:
 // CHECK-NEXT: // clip distances written: 0x1
 // CHECK-NEXT: out float gl_ClipDistance[1];

@@ -22,10 +22,10 @@ float4 main(float2 uv : TEXCOORD) : SV_Position {
 
 // CHECK: #version 450
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(binding = 0) uniform sampler2D map_smooth;  // map with smooth
-// CHECK-NEXT: layout(binding = 1) uniform sampler2DShadow map_nearer;  // map with nearer
+// CHECK-NEXT: layout(binding = 0) uniform sampler2D map_smooth;  // map : t0 with smooth : s0
+// CHECK-NEXT: layout(binding = 1) uniform sampler2DShadow map_nearer;  // map : t0 with nearer : s1
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec2 in_TEXCOORD0;  // TEXCOORD0
+// CHECK-NEXT: layout(location = 0) in vec2 in_TEXCOORD0;  // uv : TEXCOORD0
 // CHECK-EMPTY:
 // CHECK-NEXT: void main() {
 // CHECK-NEXT:     vec4 r = textureLod(map_smooth, in_TEXCOORD0, 0.0);
@@ -37,10 +37,10 @@ float4 main(float2 uv : TEXCOORD) : SV_Position {
 // ES: #version 310 es
 // ES-NEXT: #extension GL_EXT_gpu_shader5 : require
 // ES-EMPTY:
-// ES-NEXT: layout(binding = 0) uniform highp sampler2D map_smooth;  // map with smooth
-// ES-NEXT: layout(binding = 1) uniform highp sampler2DShadow map_nearer;  // map with nearer
+// ES-NEXT: layout(binding = 0) uniform highp sampler2D map_smooth;  // map : t0 with smooth : s0
+// ES-NEXT: layout(binding = 1) uniform highp sampler2DShadow map_nearer;  // map : t0 with nearer : s1
 // ES-EMPTY:
-// ES-NEXT: layout(location = 0) in vec2 in_TEXCOORD0;  // TEXCOORD0
+// ES-NEXT: layout(location = 0) in vec2 in_TEXCOORD0;  // uv : TEXCOORD0
 // ES-EMPTY:
 // ES-NEXT: void main() {
 // ES-NEXT:     vec4 r = textureLod(map_smooth, in_TEXCOORD0, 0.0);
@@ -51,10 +51,10 @@ float4 main(float2 uv : TEXCOORD) : SV_Position {
 
 // ES32: #version 320 es
 // ES32-EMPTY:
-// ES32-NEXT: layout(binding = 0) uniform highp sampler2D map_smooth;  // map with smooth
-// ES32-NEXT: layout(binding = 1) uniform highp sampler2DShadow map_nearer;  // map with nearer
+// ES32-NEXT: layout(binding = 0) uniform highp sampler2D map_smooth;  // map : t0 with smooth : s0
+// ES32-NEXT: layout(binding = 1) uniform highp sampler2DShadow map_nearer;  // map : t0 with nearer : s1
 // ES32-EMPTY:
-// ES32-NEXT: layout(location = 0) in vec2 in_TEXCOORD0;  // TEXCOORD0
+// ES32-NEXT: layout(location = 0) in vec2 in_TEXCOORD0;  // uv : TEXCOORD0
 // ES32-EMPTY:
 // ES32-NEXT: void main() {
 // ES32-NEXT:     vec4 r = textureLod(map_smooth, in_TEXCOORD0, 0.0);

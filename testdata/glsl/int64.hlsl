@@ -16,7 +16,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     u64vec2 u;
 // CHECK-NEXT: } globals;
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // CHECK-EMPTY:
 // CHECK-NEXT: void main() {
 // CHECK-NEXT:     int64_t a = globals.i * 3l + 5l;

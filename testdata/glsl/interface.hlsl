@@ -38,19 +38,19 @@ Output main(Input input) {
 
 // GL410: #version 410
 // GL410-EMPTY:
-// GL410-NEXT: layout(location = 0) in vec3 in_POSITION0;  // POSITION0
-// GL410-NEXT: layout(location = 1) in vec2 in_TEXCOORD3;  // TexCoord3
-// GL410-NEXT: layout(location = 2) in vec2 in_TEXCOORD4;  // TexCoord4
-// GL410-NEXT: layout(location = 3) in vec3 in_INSTANCE0;  // INSTANCE0
-// GL410-NEXT: layout(location = 4) in vec3 in_INSTANCE1;  // INSTANCE1
-// GL410-NEXT: layout(location = 5) in uint in_MIRRORED0;  // MIRRORED0
-// GL410-NEXT: layout(location = 6) in ivec4 in_BLENDINDICES0;  // BLENDINDICES0
+// GL410-NEXT: layout(location = 0) in vec3 in_POSITION0;  // position : POSITION0
+// GL410-NEXT: layout(location = 1) in vec2 in_TEXCOORD3;  // uv : TexCoord3
+// GL410-NEXT: layout(location = 2) in vec2 in_TEXCOORD4;  // uv : TexCoord4
+// GL410-NEXT: layout(location = 3) in vec3 in_INSTANCE0;  // instance : INSTANCE0
+// GL410-NEXT: layout(location = 4) in vec3 in_INSTANCE1;  // instance : INSTANCE1
+// GL410-NEXT: layout(location = 5) in uint in_MIRRORED0;  // mirrored : MIRRORED0
+// GL410-NEXT: layout(location = 6) in ivec4 in_BLENDINDICES0;  // bones : BLENDINDICES0
 // GL410-EMPTY:
-// GL410-NEXT: layout(location = 0) centroid out vec3 vs_NORMAL0;  // NORMAL0
-// GL410-NEXT: layout(location = 1) out vec2 vs_TEXCOORD0;  // TEXCOORD0
-// GL410-NEXT: layout(location = 2) out vec2 vs_TEXCOORD1;  // TEXCOORD1
-// GL410-NEXT: layout(location = 3) flat out uint vs_ID0;  // ID0
-// GL410-NEXT: layout(location = 4) flat out float vs_FLAT0;  // FLAT0
+// GL410-NEXT: layout(location = 0) centroid out vec3 vs_NORMAL0;  // normal : NORMAL0
+// GL410-NEXT: layout(location = 1) out vec2 vs_TEXCOORD0;  // uv : TEXCOORD0
+// GL410-NEXT: layout(location = 2) out vec2 vs_TEXCOORD1;  // uv : TEXCOORD1
+// GL410-NEXT: layout(location = 3) flat out uint vs_ID0;  // id : ID0
+// GL410-NEXT: layout(location = 4) flat out float vs_FLAT0;  // flat_one : FLAT0
 // GL410-EMPTY:
 // GL410-NEXT: void main() {
 // GL410-NEXT:     vec2 uv[2];
@@ -74,19 +74,19 @@ Output main(Input input) {
 
 // GL330: #version 330
 // GL330-EMPTY:
-// GL330-NEXT: layout(location = 0) in vec3 in_POSITION0;  // POSITION0
-// GL330-NEXT: layout(location = 1) in vec2 in_TEXCOORD3;  // TexCoord3
-// GL330-NEXT: layout(location = 2) in vec2 in_TEXCOORD4;  // TexCoord4
-// GL330-NEXT: layout(location = 3) in vec3 in_INSTANCE0;  // INSTANCE0
-// GL330-NEXT: layout(location = 4) in vec3 in_INSTANCE1;  // INSTANCE1
-// GL330-NEXT: layout(location = 5) in uint in_MIRRORED0;  // MIRRORED0
-// GL330-NEXT: layout(location = 6) in ivec4 in_BLENDINDICES0;  // BLENDINDICES0
+// GL330-NEXT: layout(location = 0) in vec3 in_POSITION0;  // position : POSITION0
+// GL330-NEXT: layout(location = 1) in vec2 in_TEXCOORD3;  // uv : TexCoord3
+// GL330-NEXT: layout(location = 2) in vec2 in_TEXCOORD4;  // uv : TexCoord4
+// GL330-NEXT: layout(location = 3) in vec3 in_INSTANCE0;  // instance : INSTANCE0
+// GL330-NEXT: layout(location = 4) in vec3 in_INSTANCE1;  // instance : INSTANCE1
+// GL330-NEXT: layout(location = 5) in uint in_MIRRORED0;  // mirrored : MIRRORED0
+// GL330-NEXT: layout(location = 6) in ivec4 in_BLENDINDICES0;  // bones : BLENDINDICES0
 // GL330-EMPTY:
-// GL330-NEXT: centroid out vec3 vs_NORMAL0;  // NORMAL0
-// GL330-NEXT: out vec2 vs_TEXCOORD0;  // TEXCOORD0
-// GL330-NEXT: out vec2 vs_TEXCOORD1;  // TEXCOORD1
-// GL330-NEXT: flat out uint vs_ID0;  // ID0
-// GL330-NEXT: flat out float vs_FLAT0;  // FLAT0
+// GL330-NEXT: centroid out vec3 vs_NORMAL0;  // normal : NORMAL0
+// GL330-NEXT: out vec2 vs_TEXCOORD0;  // uv : TEXCOORD0
+// GL330-NEXT: out vec2 vs_TEXCOORD1;  // uv : TEXCOORD1
+// GL330-NEXT: flat out uint vs_ID0;  // id : ID0
+// GL330-NEXT: flat out float vs_FLAT0;  // flat_one : FLAT0
 // GL330-EMPTY:
 // GL330-NEXT: void main() {
 // GL330-NEXT:     vec2 uv[2];
@@ -110,19 +110,19 @@ Output main(Input input) {
 
 // GL130: #version 130
 // GL130-EMPTY:
-// GL130-NEXT: in vec3 in_POSITION0;  // POSITION0
-// GL130-NEXT: in vec2 in_TEXCOORD3;  // TexCoord3
-// GL130-NEXT: in vec2 in_TEXCOORD4;  // TexCoord4
-// GL130-NEXT: in vec3 in_INSTANCE0;  // INSTANCE0
-// GL130-NEXT: in vec3 in_INSTANCE1;  // INSTANCE1
-// GL130-NEXT: in uint in_MIRRORED0;  // MIRRORED0
-// GL130-NEXT: in ivec4 in_BLENDINDICES0;  // BLENDINDICES0
+// GL130-NEXT: in vec3 in_POSITION0;  // position : POSITION0
+// GL130-NEXT: in vec2 in_TEXCOORD3;  // uv : TexCoord3
+// GL130-NEXT: in vec2 in_TEXCOORD4;  // uv : TexCoord4
+// GL130-NEXT: in vec3 in_INSTANCE0;  // instance : INSTANCE0
+// GL130-NEXT: in vec3 in_INSTANCE1;  // instance : INSTANCE1
+// GL130-NEXT: in uint in_MIRRORED0;  // mirrored : MIRRORED0
+// GL130-NEXT: in ivec4 in_BLENDINDICES0;  // bones : BLENDINDICES0
 // GL130-EMPTY:
-// GL130-NEXT: centroid out vec3 vs_NORMAL0;  // NORMAL0
-// GL130-NEXT: out vec2 vs_TEXCOORD0;  // TEXCOORD0
-// GL130-NEXT: out vec2 vs_TEXCOORD1;  // TEXCOORD1
-// GL130-NEXT: flat out uint vs_ID0;  // ID0
-// GL130-NEXT: flat out float vs_FLAT0;  // FLAT0
+// GL130-NEXT: centroid out vec3 vs_NORMAL0;  // normal : NORMAL0
+// GL130-NEXT: out vec2 vs_TEXCOORD0;  // uv : TEXCOORD0
+// GL130-NEXT: out vec2 vs_TEXCOORD1;  // uv : TEXCOORD1
+// GL130-NEXT: flat out uint vs_ID0;  // id : ID0
+// GL130-NEXT: flat out float vs_FLAT0;  // flat_one : FLAT0
 // GL130-EMPTY:
 // GL130-NEXT: void main() {
 // GL130-NEXT:     vec2 uv[2];
@@ -146,17 +146,17 @@ Output main(Input input) {
 
 // GL120: #version 120
 // GL120-EMPTY:
-// GL120-NEXT: attribute vec3 in_POSITION0;  // POSITION0
-// GL120-NEXT: attribute vec2 in_TEXCOORD3;  // TexCoord3
-// GL120-NEXT: attribute vec2 in_TEXCOORD4;  // TexCoord4
-// GL120-NEXT: attribute vec3 in_INSTANCE0;  // INSTANCE0
-// GL120-NEXT: attribute vec3 in_INSTANCE1;  // INSTANCE1
-// GL120-NEXT: attribute float in_MIRRORED0;  // MIRRORED0
-// GL120-NEXT: attribute vec4 in_BLENDINDICES0;  // BLENDINDICES0
+// GL120-NEXT: attribute vec3 in_POSITION0;  // position : POSITION0
+// GL120-NEXT: attribute vec2 in_TEXCOORD3;  // uv : TexCoord3
+// GL120-NEXT: attribute vec2 in_TEXCOORD4;  // uv : TexCoord4
+// GL120-NEXT: attribute vec3 in_INSTANCE0;  // instance : INSTANCE0
+// GL120-NEXT: attribute vec3 in_INSTANCE1;  // instance : INSTANCE1
+// GL120-NEXT: attribute float in_MIRRORED0;  // mirrored : MIRRORED0
+// GL120-NEXT: attribute vec4 in_BLENDINDICES0;  // bones : BLENDINDICES0
 // GL120-EMPTY:
-// GL120-NEXT: centroid varying vec3 vs_NORMAL0;  // NORMAL0
-// GL120-NEXT: varying vec2 vs_TEXCOORD0;  // TEXCOORD0
-// GL120-NEXT: varying vec2 vs_TEXCOORD1;  // TEXCOORD1
+// GL120-NEXT: centroid varying vec3 vs_NORMAL0;  // normal : NORMAL0
+// GL120-NEXT: varying vec2 vs_TEXCOORD0;  // uv : TEXCOORD0
+// GL120-NEXT: varying vec2 vs_TEXCOORD1;  // uv : TEXCOORD1
 // GL120-EMPTY:
 // GL120-NEXT: void main() {
 // GL120-NEXT:     vec2 uv[2];
@@ -178,19 +178,19 @@ Output main(Input input) {
 
 // ES300: #version 300 es
 // ES300-EMPTY:
-// ES300-NEXT: layout(location = 0) in vec3 in_POSITION0;  // POSITION0
-// ES300-NEXT: layout(location = 1) in vec2 in_TEXCOORD3;  // TexCoord3
-// ES300-NEXT: layout(location = 2) in vec2 in_TEXCOORD4;  // TexCoord4
-// ES300-NEXT: layout(location = 3) in vec3 in_INSTANCE0;  // INSTANCE0
-// ES300-NEXT: layout(location = 4) in vec3 in_INSTANCE1;  // INSTANCE1
-// ES300-NEXT: layout(location = 5) in uint in_MIRRORED0;  // MIRRORED0
-// ES300-NEXT: layout(location = 6) in ivec4 in_BLENDINDICES0;  // BLENDINDICES0
+// ES300-NEXT: layout(location = 0) in vec3 in_POSITION0;  // position : POSITION0
+// ES300-NEXT: layout(location = 1) in vec2 in_TEXCOORD3;  // uv : TexCoord3
+// ES300-NEXT: layout(location = 2) in vec2 in_TEXCOORD4;  // uv : TexCoord4
+// ES300-NEXT: layout(location = 3) in vec3 in_INSTANCE0;  // instance : INSTANCE0
+// ES300-NEXT: layout(location = 4) in vec3 in_INSTANCE1;  // instance : INSTANCE1
+// ES300-NEXT: layout(location = 5) in uint in_MIRRORED0;  // mirrored : MIRRORED0
+// ES300-NEXT: layout(location = 6) in ivec4 in_BLENDINDICES0;  // bones : BLENDINDICES0
 // ES300-EMPTY:
-// ES300-NEXT: centroid out vec3 vs_NORMAL0;  // NORMAL0
-// ES300-NEXT: out vec2 vs_TEXCOORD0;  // TEXCOORD0
-// ES300-NEXT: out vec2 vs_TEXCOORD1;  // TEXCOORD1
-// ES300-NEXT: flat out uint vs_ID0;  // ID0
-// ES300-NEXT: flat out float vs_FLAT0;  // FLAT0
+// ES300-NEXT: centroid out vec3 vs_NORMAL0;  // normal : NORMAL0
+// ES300-NEXT: out vec2 vs_TEXCOORD0;  // uv : TEXCOORD0
+// ES300-NEXT: out vec2 vs_TEXCOORD1;  // uv : TEXCOORD1
+// ES300-NEXT: flat out uint vs_ID0;  // id : ID0
+// ES300-NEXT: flat out float vs_FLAT0;  // flat_one : FLAT0
 // ES300-EMPTY:
 // ES300-NEXT: void main() {
 // ES300-NEXT:     vec2 uv[2];
@@ -214,19 +214,19 @@ Output main(Input input) {
 
 // ES310: #version 310 es
 // ES310-EMPTY:
-// ES310-NEXT: layout(location = 0) in vec3 in_POSITION0;  // POSITION0
-// ES310-NEXT: layout(location = 1) in vec2 in_TEXCOORD3;  // TexCoord3
-// ES310-NEXT: layout(location = 2) in vec2 in_TEXCOORD4;  // TexCoord4
-// ES310-NEXT: layout(location = 3) in vec3 in_INSTANCE0;  // INSTANCE0
-// ES310-NEXT: layout(location = 4) in vec3 in_INSTANCE1;  // INSTANCE1
-// ES310-NEXT: layout(location = 5) in uint in_MIRRORED0;  // MIRRORED0
-// ES310-NEXT: layout(location = 6) in ivec4 in_BLENDINDICES0;  // BLENDINDICES0
+// ES310-NEXT: layout(location = 0) in vec3 in_POSITION0;  // position : POSITION0
+// ES310-NEXT: layout(location = 1) in vec2 in_TEXCOORD3;  // uv : TexCoord3
+// ES310-NEXT: layout(location = 2) in vec2 in_TEXCOORD4;  // uv : TexCoord4
+// ES310-NEXT: layout(location = 3) in vec3 in_INSTANCE0;  // instance : INSTANCE0
+// ES310-NEXT: layout(location = 4) in vec3 in_INSTANCE1;  // instance : INSTANCE1
+// ES310-NEXT: layout(location = 5) in uint in_MIRRORED0;  // mirrored : MIRRORED0
+// ES310-NEXT: layout(location = 6) in ivec4 in_BLENDINDICES0;  // bones : BLENDINDICES0
 // ES310-EMPTY:
-// ES310-NEXT: layout(location = 0) centroid out vec3 vs_NORMAL0;  // NORMAL0
-// ES310-NEXT: layout(location = 1) out vec2 vs_TEXCOORD0;  // TEXCOORD0
-// ES310-NEXT: layout(location = 2) out vec2 vs_TEXCOORD1;  // TEXCOORD1
-// ES310-NEXT: layout(location = 3) flat out uint vs_ID0;  // ID0
-// ES310-NEXT: layout(location = 4) flat out float vs_FLAT0;  // FLAT0
+// ES310-NEXT: layout(location = 0) centroid out vec3 vs_NORMAL0;  // normal : NORMAL0
+// ES310-NEXT: layout(location = 1) out vec2 vs_TEXCOORD0;  // uv : TEXCOORD0
+// ES310-NEXT: layout(location = 2) out vec2 vs_TEXCOORD1;  // uv : TEXCOORD1
+// ES310-NEXT: layout(location = 3) flat out uint vs_ID0;  // id : ID0
+// ES310-NEXT: layout(location = 4) flat out float vs_FLAT0;  // flat_one : FLAT0
 // ES310-EMPTY:
 // ES310-NEXT: void main() {
 // ES310-NEXT:     vec2 uv[2];

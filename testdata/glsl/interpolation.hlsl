@@ -11,16 +11,16 @@ void main(float4 p : POSITION, out float4 position : SV_Position, out linear flo
 
 // CHECK: #version 450
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) out float vs_A0;  // A0
-// CHECK-NEXT: layout(location = 1) noperspective out float vs_B0;  // B0
-// CHECK-NEXT: layout(location = 2) flat out float vs_C0;  // C0
-// CHECK-NEXT: layout(location = 3) centroid out float vs_D0;  // D0
-// CHECK-NEXT: layout(location = 4) sample out float vs_E0;  // E0
-// CHECK-NEXT: layout(location = 5) noperspective centroid out float vs_F0;  // F0
-// CHECK-NEXT: layout(location = 6) flat out int vs_G0;  // G0
-// CHECK-NEXT: layout(location = 7) flat out double vs_H0;  // H0
+// CHECK-NEXT: layout(location = 0) out float vs_A0;  // a : A0
+// CHECK-NEXT: layout(location = 1) noperspective out float vs_B0;  // b : B0
+// CHECK-NEXT: layout(location = 2) flat out float vs_C0;  // c : C0
+// CHECK-NEXT: layout(location = 3) centroid out float vs_D0;  // d : D0
+// CHECK-NEXT: layout(location = 4) sample out float vs_E0;  // e : E0
+// CHECK-NEXT: layout(location = 5) noperspective centroid out float vs_F0;  // f : F0
+// CHECK-NEXT: layout(location = 6) flat out int vs_G0;  // g : G0
+// CHECK-NEXT: layout(location = 7) flat out double vs_H0;  // h : H0
 // CHECK-EMPTY:
 // CHECK-NEXT: int to_int(float x) {
 // CHECK-NEXT:     return abs(x) < 2147483648.0 ? int(x) : x > 0.0 ? 2147483647 : x < 0.0 ? int(0x80000000u) : 0;

@@ -42,7 +42,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     ivec4 i;
 // CHECK-NEXT: } globals;
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // CHECK-EMPTY:
 // CHECK-NEXT: vec4 saturate(vec4 x) {
 // CHECK-NEXT:     return min(max(vec4(0.0), x), 1.0);  // 0 for NaN

@@ -26,7 +26,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT: uniform mat3 m3;
 // CHECK-NEXT: uniform mat4 m4;
 // CHECK-EMPTY:
-// CHECK-NEXT: attribute vec4 in_POSITION0;  // POSITION0
+// CHECK-NEXT: attribute vec4 in_POSITION0;  // p : POSITION0
 // CHECK-EMPTY:
 // CHECK-NEXT: vec4 cosh_(vec4 x) {
 // CHECK-NEXT:     return 0.5 * (exp(x) + exp(-x));

@@ -12,8 +12,8 @@ float4 main(float4 p : POSITION, uint i : INDEX, out uint layer : SV_RenderTarge
 // CHECK: #version 410
 // CHECK-NEXT: #extension GL_ARB_shader_viewport_layer_array : require
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
-// CHECK-NEXT: layout(location = 1) in uint in_INDEX0;  // INDEX0
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
+// CHECK-NEXT: layout(location = 1) in uint in_INDEX0;  // i : INDEX0
 // CHECK-EMPTY:
 // CHECK-NEXT: void main() {
 // CHECK-NEXT:     uint vs_SV_RENDERTARGETARRAYINDEX0;

@@ -14,7 +14,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 
 // CHECK: #version 450
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // CHECK-EMPTY:
 // CHECK-NEXT: void main() {
 // CHECK-NEXT:     float r = 0.5 + 1.0 + 1e+20 + 1e-07 + 0.1 + 3.1415927 + 16777216.0 - 2.0;

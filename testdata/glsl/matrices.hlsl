@@ -53,9 +53,9 @@ float4 main(float4 p : POSITION, float3 n : NORMAL, float2 t : TEXCOORD) : SV_Po
 // CHECK-NEXT:     layout(row_major) mat2x3 uv;
 // CHECK-NEXT: } camera;
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
-// CHECK-NEXT: layout(location = 1) in vec3 in_NORMAL0;  // NORMAL0
-// CHECK-NEXT: layout(location = 2) in vec2 in_TEXCOORD0;  // TEXCOORD0
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
+// CHECK-NEXT: layout(location = 1) in vec3 in_NORMAL0;  // n : NORMAL0
+// CHECK-NEXT: layout(location = 2) in vec2 in_TEXCOORD0;  // t : TEXCOORD0
 // CHECK-EMPTY:
 // CHECK-NEXT: void main() {
 // CHECK-NEXT:     gl_Position = camera.projection * (camera.view * in_POSITION0);

@@ -30,7 +30,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     ivec3 i[3];
 // CHECK-NEXT: } globals;
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // CHECK-EMPTY:
 // CHECK-NEXT: mat4 abs_(mat4 a) {
 // CHECK-NEXT:     return mat4(abs(a[0]), abs(a[1]), abs(a[2]), abs(a[3]));

@@ -31,7 +31,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     float one;
 // CHECK-NEXT: } values;
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // CHECK-EMPTY:
 // CHECK-NEXT: void main() {
 // CHECK-NEXT:     gl_Position = outerProduct(values.row, values.column)[2];

@@ -50,7 +50,7 @@ float4 main(float4 output : POSITION) : SV_Position {
 // CHECK-NEXT:     vec4 in_POSITION0;
 // CHECK-NEXT: } patch_data;
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // output : POSITION0
 // CHECK-EMPTY:
 // CHECK-NEXT: float saturate(float x) {
 // CHECK-NEXT:     return min(max(0.0, x), 1.0);  // 0 for NaN

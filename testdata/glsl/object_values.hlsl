@@ -84,12 +84,12 @@ float4 main(float2 uv : TEXCOORD, uint id : SV_VertexID) : SV_Position {
 // CHECK-NEXT: layout(std430, binding = 6) readonly buffer offsets_block {  // t6
 // CHECK-NEXT:     vec4 offsets[];
 // CHECK-NEXT: };
-// CHECK-NEXT: layout(binding = 0) uniform sampler2D wood;  // wood with smooth
-// CHECK-NEXT: layout(binding = 2) uniform sampler2D many[4];  // many with smooth
-// CHECK-NEXT: layout(binding = 1) uniform sampler2D stone;  // stone with smooth
-// CHECK-NEXT: layout(binding = 7) uniform sampler2D material_map;  // material_map with smooth
+// CHECK-NEXT: layout(binding = 0) uniform sampler2D wood;  // t0 with smooth : s0
+// CHECK-NEXT: layout(binding = 2) uniform sampler2D many[4];  // t2 with smooth : s0
+// CHECK-NEXT: layout(binding = 1) uniform sampler2D stone;  // t1 with smooth : s0
+// CHECK-NEXT: layout(binding = 7) uniform sampler2D material_map;  // t7 with smooth : s0
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec2 in_TEXCOORD0;  // TEXCOORD0
+// CHECK-NEXT: layout(location = 0) in vec2 in_TEXCOORD0;  // uv : TEXCOORD0
 // CHECK-EMPTY:
 // CHECK-NEXT: void Fill(out Maps maps) {
 // CHECK-NEXT:     maps.level = 2.0;
@@ -197,7 +197,7 @@ float4 main(float2 uv : TEXCOORD, uint id : SV_VertexID) : SV_Position {
 // VULKAN-NEXT: };
 // VULKAN-NEXT: layout(set = 0, binding = 39) uniform texture2D material_map;  // t7
 // VULKAN-EMPTY:
-// VULKAN-NEXT: layout(location = 0) in vec2 in_TEXCOORD0;  // TEXCOORD0
+// VULKAN-NEXT: layout(location = 0) in vec2 in_TEXCOORD0;  // uv : TEXCOORD0
 // VULKAN-EMPTY:
 // VULKAN-NEXT: void Fill(out Maps maps) {
 // VULKAN-NEXT:     maps.level = 2.0;

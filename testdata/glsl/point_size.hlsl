@@ -8,7 +8,7 @@ void main(float4 p : POSITION, out float4 position : POSITION, out float size : 
 
 // CHECK: #version 450
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // CHECK-EMPTY:
 // CHECK-NEXT: void main() {
 // CHECK-NEXT:     gl_Position = in_POSITION0;

@@ -14,7 +14,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     vec4 a;
 // CHECK-NEXT: } globals;
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // CHECK-EMPTY:
 // CHECK-NEXT: void main() {
 // CHECK-NEXT:     precise vec4 r = in_POSITION0 * globals.a + 1.0;
@@ -27,7 +27,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // OLD-NEXT:     vec4 a;
 // OLD-NEXT: } globals;
 // OLD-EMPTY:
-// OLD-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// OLD-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // OLD-EMPTY:
 // OLD-NEXT: void main() {
 // OLD-NEXT:     vec4 r = in_POSITION0 * globals.a + 1.0;

@@ -6,7 +6,7 @@ float4 main(float4 p : POSITION) : SV_Position { return p; }
 
 // CHECK: #version 450
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // CHECK-EMPTY:
 // CHECK-NEXT: out gl_PerVertex {
 // CHECK-NEXT:     vec4 gl_Position;
@@ -19,7 +19,7 @@ float4 main(float4 p : POSITION) : SV_Position { return p; }
 
 // OLD: #version 330
 // OLD-EMPTY:
-// OLD-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// OLD-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // OLD-EMPTY:
 // OLD-NEXT: void main() {
 // OLD-NEXT:     gl_Position = in_POSITION0;

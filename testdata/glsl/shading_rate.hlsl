@@ -14,8 +14,8 @@ Output main(float4 p : POSITION, uint rate : RATE) {
 // CHECK: #version 460
 // CHECK-NEXT: #extension GL_EXT_fragment_shading_rate : require
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
-// CHECK-NEXT: layout(location = 1) in uint in_RATE0;  // RATE0
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
+// CHECK-NEXT: layout(location = 1) in uint in_RATE0;  // rate : RATE0
 // CHECK-EMPTY:
 // CHECK-NEXT: void main() {
 // CHECK-NEXT:     uint vs_SV_SHADINGRATE0;

@@ -33,7 +33,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     int n;
 // CHECK-NEXT: } globals;
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // CHECK-EMPTY:
 // CHECK-NEXT: vec4 shader_main(vec4 p) {
 // CHECK-NEXT:     vec4 r = p;

@@ -24,7 +24,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 
 // CHECK: #version 450
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // CHECK-EMPTY:
 // CHECK-NEXT: float fmod(float x, float y) {
 // CHECK-NEXT:     return x - y * trunc(x / y);
@@ -52,7 +52,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 
 // ES: #version 300 es
 // ES-EMPTY:
-// ES-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// ES-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // ES-EMPTY:
 // ES-NEXT: float fmod(float x, float y) {
 // ES-NEXT:     return x - y * trunc(x / y);

@@ -29,9 +29,9 @@ float4 main(float2 uv : TEXCOORD) : SV_Position {
 
 // CHECK: #version 450
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(binding = 0) uniform sampler2D map;  // map with s
+// CHECK-NEXT: layout(binding = 0) uniform sampler2D map;  // t0 with s : s0
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec2 in_TEXCOORD0;  // TEXCOORD0
+// CHECK-NEXT: layout(location = 0) in vec2 in_TEXCOORD0;  // uv : TEXCOORD0
 // CHECK-EMPTY:
 // CHECK-NEXT: const int kWidth = 2;
 // CHECK-EMPTY:

@@ -36,7 +36,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT: uniform Light lights[2];
 // CHECK-NEXT: uniform bool fog;
 // CHECK-EMPTY:
-// CHECK-NEXT: attribute vec4 in_POSITION0;  // POSITION0
+// CHECK-NEXT: attribute vec4 in_POSITION0;  // p : POSITION0
 // CHECK-EMPTY:
 // CHECK-NEXT: void main() {
 // CHECK-NEXT:     vec4 r = view * (world * in_POSITION0) + x * y.xyzx + lights[1].color.xyzx * lights[0].intensity;

@@ -34,9 +34,9 @@ void main(Vertex v, float2 unread : UNREAD, Rest rest, float fog : FOG, out floa
 
 // CHECK: } globals;
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
-// CHECK-NEXT: layout(location = 2) in vec2 in_TEXCOORD0;  // TEXCOORD0
-// CHECK-NEXT: layout(location = 6) in float in_FOG0;  // FOG0
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // position : POSITION0
+// CHECK-NEXT: layout(location = 2) in vec2 in_TEXCOORD0;  // uv : TEXCOORD0
+// CHECK-NEXT: layout(location = 6) in float in_FOG0;  // fog : FOG0
 // CHECK-EMPTY:
 // CHECK: void main() {
 // CHECK-NEXT: vec4 position = in_POSITION0;
@@ -72,7 +72,7 @@ void main(Vertex v, float2 unread : UNREAD, Rest rest, float fog : FOG, out floa
 // REFLECT: "used": true
 
 // NONE-NOT: in_REST0
-// ONE: layout(location = 4) in vec4 in_REST0;  // REST0
+// ONE: layout(location = 4) in vec4 in_REST0;  // at : REST0
 // ONE: gl_ClipDistance[0] = dot(in_REST0, globals.plane);
 
 // VULKAN: layout(location = 2) in vec2 in_TEXCOORD0;

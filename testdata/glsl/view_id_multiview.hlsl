@@ -7,7 +7,7 @@ float4 main(uint view : SV_ViewID) : SV_Position { return view; }
 // CHECK: #version 330
 // CHECK-NEXT: #extension GL_OVR_multiview2 : require
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(num_views = 2) in;  // SV_ViewID0
+// CHECK-NEXT: layout(num_views = 2) in;  // view : SV_ViewID0
 // CHECK-EMPTY:
 // CHECK-NEXT: void main() {
 // CHECK-NEXT:     uint view = uint(gl_ViewID_OVR);

@@ -23,8 +23,8 @@ float4 main(float4 p : POSITION, uint i : INDEX) : SV_Position {
 // CHECK-NEXT:     vec4 points[];
 // CHECK-NEXT: };
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
-// CHECK-NEXT: layout(location = 1) in uint in_INDEX0;  // INDEX0
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
+// CHECK-NEXT: layout(location = 1) in uint in_INDEX0;  // i : INDEX0
 // CHECK-EMPTY:
 // CHECK-NEXT: void main() {
 // CHECK-NEXT:     vec4 p = in_POSITION0;

@@ -11,8 +11,8 @@ float4 main(float4 p : POSITION, uint id : ID) : SV_Position {
 // CHECK: #version 450
 // CHECK-NEXT: #extension GL_ARB_gpu_shader_int64 : require
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
-// CHECK-NEXT: layout(location = 1) in uint in_ID0;  // ID0
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
+// CHECK-NEXT: layout(location = 1) in uint in_ID0;  // id : ID0
 // CHECK-EMPTY:
 // CHECK-NEXT: void main() {
 // CHECK-NEXT:     uint64_t wide = 4294967296ul * uint64_t(in_ID0);

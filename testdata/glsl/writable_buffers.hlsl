@@ -43,7 +43,7 @@ float4 main(float4 p : POSITION, uint id : SV_VertexID) : SV_Position {
 // CHECK-NEXT: layout(binding = 3, rg32ui) uniform uimage2D picture;  // u3
 // CHECK-NEXT: layout(binding = 4, rgba32f) uniform image3D volume;  // u4
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // CHECK-EMPTY:
 // CHECK-NEXT: void bytes_store(uint address, uint value) {
 // CHECK-NEXT:     bytes[address / 4u] = value;
@@ -99,7 +99,7 @@ float4 main(float4 p : POSITION, uint id : SV_VertexID) : SV_Position {
 // VULKAN-NEXT: layout(set = 0, binding = 163, rg32ui) uniform uimage2D picture;  // u3
 // VULKAN-NEXT: layout(set = 0, binding = 164, rgba32f) uniform image3D volume;  // u4
 // VULKAN-EMPTY:
-// VULKAN-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// VULKAN-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // VULKAN-EMPTY:
 // VULKAN-NEXT: void bytes_store(uint address, uint value) {
 // VULKAN-NEXT:     bytes[address / 4u] = value;

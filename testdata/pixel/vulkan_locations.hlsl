@@ -6,8 +6,8 @@ struct Varyings {
   [[vk::location(1)]] float2 uv : TEXCOORD3;
   [[vk::location(0)]] float4 color : COLOR;
 };
-// CHECK: layout(location = 0) out vec4 {{.*}} // COLOR0
-// CHECK: layout(location = 1) out vec2 {{.*}} // TEXCOORD3
+// CHECK: layout(location = 0) out vec4 {{.*}} // color : COLOR0
+// CHECK: layout(location = 1) out vec2 {{.*}} // uv : TEXCOORD3
 Varyings main(float4 p : POSITION) {
   Varyings result = {p, p.xy, p.zwxy};
   return result;

@@ -22,12 +22,12 @@ Output main(float4 a : POSITION, float4 b : POSITION0, uint id : SV_VertexID, ui
 // CHECK: #version 450
 // CHECK-NEXT: #extension GL_ARB_shader_draw_parameters : require
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
-// CHECK-NEXT: layout(location = 1) in vec4 in_POSITION0_2;  // POSITION0
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // a : POSITION0
+// CHECK-NEXT: layout(location = 1) in vec4 in_POSITION0_2;  // b : POSITION0
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) out vec3 vs_TEXCOORD2;  // TEXCOORD2
-// CHECK-NEXT: layout(location = 1) out vec3 vs_TEXCOORD3;  // TEXCOORD3
-// CHECK-NEXT: layout(location = 2) out vec3 vs_TEXCOORD3_2;  // TEXCOORD3
+// CHECK-NEXT: layout(location = 0) out vec3 vs_TEXCOORD2;  // lights : TEXCOORD2
+// CHECK-NEXT: layout(location = 1) out vec3 vs_TEXCOORD3;  // lights : TEXCOORD3
+// CHECK-NEXT: layout(location = 2) out vec3 vs_TEXCOORD3_2;  // view : TEXCOORD3
 // CHECK-EMPTY:
 // CHECK-NEXT: void main() {
 // CHECK-NEXT:     uint id = uint(gl_VertexID - gl_BaseVertexARB);

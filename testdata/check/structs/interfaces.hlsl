@@ -40,7 +40,7 @@ float4 main(float3 n : NORMAL) : SV_Position {
 // CHECK-NEXT:     Sun sun;
 // CHECK-NEXT: } lights;
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec3 in_NORMAL0;  // NORMAL0
+// CHECK-NEXT: layout(location = 0) in vec3 in_NORMAL0;  // n : NORMAL0
 // CHECK-EMPTY:
 // CHECK-NEXT: float saturate(float x) {
 // CHECK-NEXT:     return min(max(0.0, x), 1.0);  // 0 for NaN

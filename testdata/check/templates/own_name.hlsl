@@ -20,7 +20,7 @@ float4 main(float4 p : POSITION) : SV_Position {
 // CHECK-NEXT:     float items[2];
 // CHECK-NEXT: };
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
 // CHECK-EMPTY:
 // CHECK-NEXT: Stack Same(Stack self) {
 // CHECK-NEXT:     Stack same = self;

@@ -44,11 +44,11 @@ float4 changed(Vertex v) : SV_Position {
 // CHECK-NEXT:     uint is_on;
 // CHECK-NEXT: } globals;
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
-// CHECK-NEXT: layout(location = 2) in vec2 in_TEXCOORD0;  // TEXCOORD0
-// CHECK-NEXT: layout(location = 4) in vec2 in_READ0;  // READ0
+// CHECK-NEXT: layout(location = 0) in vec4 in_POSITION0;  // position : POSITION0
+// CHECK-NEXT: layout(location = 2) in vec2 in_TEXCOORD0;  // uv : TEXCOORD0
+// CHECK-NEXT: layout(location = 4) in vec2 in_READ0;  // read : READ0
 // CHECK-EMPTY:
-// CHECK-NEXT: layout(location = 0) out vec4 vs_COLOR0;  // COLOR0
+// CHECK-NEXT: layout(location = 0) out vec4 vs_COLOR0;  // color : COLOR0
 // CHECK-EMPTY:
 // CHECK-NEXT: vec4 shader_main(Vertex v, vec4 unread, vec2 read, out vec4 color) {
 // CHECK-NEXT:     color = v.uv.xyxy;
@@ -76,9 +76,9 @@ float4 changed(Vertex v) : SV_Position {
 // WHOLE-NEXT:     uint is_on;
 // WHOLE-NEXT: } globals;
 // WHOLE-EMPTY:
-// WHOLE-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
-// WHOLE-NEXT: layout(location = 1) in vec3 in_NORMAL0;  // NORMAL0
-// WHOLE-NEXT: layout(location = 2) in vec2 in_TEXCOORD0;  // TEXCOORD0
+// WHOLE-NEXT: layout(location = 0) in vec4 in_POSITION0;  // position : POSITION0
+// WHOLE-NEXT: layout(location = 1) in vec3 in_NORMAL0;  // normal : NORMAL0
+// WHOLE-NEXT: layout(location = 2) in vec2 in_TEXCOORD0;  // uv : TEXCOORD0
 // WHOLE-EMPTY:
 // WHOLE-NEXT: vec4 place(Vertex v) {
 // WHOLE-NEXT:     return v.position + v.normal.xyzz;

@@ -97,8 +97,8 @@ float4 main(float4 p : POSITION, int many : MANY, uniform int last) : SV_Positio
 // GLSL-NEXT:     int last;
 // GLSL-NEXT: } params;
 // GLSL-EMPTY:
-// GLSL-NEXT: layout(location = 0) in vec4 in_POSITION0;  // POSITION0
-// GLSL-NEXT: layout(location = 1) in int in_MANY0;  // MANY0
+// GLSL-NEXT: layout(location = 0) in vec4 in_POSITION0;  // p : POSITION0
+// GLSL-NEXT: layout(location = 1) in int in_MANY0;  // many : MANY0
 // GLSL-EMPTY:
 // GLSL-NEXT: void main() {
 // GLSL-NEXT:     gl_Position = in_POSITION0;
