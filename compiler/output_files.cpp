@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <cstddef>
 #include <cstring>
+#include <filesystem>
 #include <utility>
 
 #include <fmt/format.h>
@@ -105,13 +106,18 @@ std::string OutputFiles::Commit() {
   return {};
 }
 
+// The path without `.` and `..`: t.json for ./t.json.
+std::string FileSet::Normal(const std::string& path) {
+  return std::filesystem::path(path).lexically_normal().generic_string();
+}
+
 void FileSet::Add(const std::string& path) {
-  paths_.insert(path);
+  paths_.insert(Normal(path));
   if (const auto status = system::StatusOf(path)) files_.insert(status->identity);
 }
 
 bool FileSet::Has(const std::string& path) const {
-  if (paths_.contains(path)) return true;
+  if (paths_.contains(Normal(path))) return true;
   if (files_.empty()) return false;
   const auto status = system::StatusOf(path);
   return status && files_.contains(status->identity);

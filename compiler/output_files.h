@@ -44,6 +44,8 @@ class FileSet {
   bool Has(const std::string& path) const;
 
  private:
+  static std::string Normal(const std::string& path);
+
   std::set<std::string> paths_;
   std::set<std::pair<std::uint64_t, std::uint64_t>> files_;  // as system::FileStatus has them
 };
