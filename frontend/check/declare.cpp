@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "frontend/check/declare.h"
 
+#include <fmt/format.h>
+
 #include "base/overloaded.h"
 #include "frontend/check/enum.h"
 #include "frontend/check/scope.h"
@@ -92,6 +94,12 @@ void DeclareFunction(Context& context, ast::DeclId id, const ast::FunctionDecl& 
   DeclareTypeInside(context, decl.return_type, scope);
   if (decl.out_of_line_of.name) {
     context.functions.out_of_line.Add(decl.name, decl.out_of_line_of, id);
+    return;
+  }
+  if (!decl.template_arguments.empty()) {
+    context.Report(
+        decl.name_span, diag::Unsupported,
+        fmt::format("a specialisation of the function template `{}`", context[decl.name]));
     return;
   }
   context.names.Declare(SymbolKind::kFunction, scope, decl.name, id, decl.name_span);
