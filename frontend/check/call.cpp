@@ -283,6 +283,11 @@ ExprId CallFunction(Context& context, FunctionInfoId id, ExprId self, Exprs argu
   if (context.view.body)
     context.functions.calls.push_back({context.view.body->function, function, name_span});
   Exprs bound, before, after;
+  if (info.self && info.changes_self) {
+    const VarId root = RootOf(context.program, self);
+    if (root && context[root].storage == Storage::kUniform)
+      context.functions.uniform_calls.push_back({function, root, name_span});
+  }
   if (info.self) bound.push_back(BindSelf(context, info, self, before));
   for (std::uint32_t i = 0; i < info.parameters.size; ++i) {
     const Parameter parameter = context[info.parameters][i];

@@ -10,6 +10,7 @@
 #include "frontend/check/entry.h"
 #include "frontend/check/entry_signature.h"
 #include "frontend/check/global.h"
+#include "frontend/check/self.h"
 #include "frontend/rules/build_main.h"
 #include "frontend/rules/check_level9.h"
 #include "frontend/rules/check_written.h"
@@ -39,6 +40,7 @@ void Run(Context& context) {
   for (CbufferId id : program.cbuffers.ids())
     LayOut(program.types, program.vars, program.cbuffers[id], program.profile.IsDirect3D9());
   BuildMain(program, signature, context.options.position_name, context.diagnostics);
+  if (!context.diagnostics.has_errors()) CheckUniformCalls(context);
   CheckClipPlanes(context, entry, attributes);
   CheckUnusedClipPlanes(context, attributes);
   FinishGlobals(context);

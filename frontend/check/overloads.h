@@ -60,6 +60,13 @@ struct Overloads {
     Span span;
   };
   std::vector<CallEdge> calls;
+  // The calls, on members of constant buffers, of methods that may change their objects.
+  struct UniformCall {
+    FunctionId method;
+    VarId uniform;
+    Span span;
+  };
+  std::vector<UniformCall> uniform_calls;
 };
 
 }  // namespace clipc::check

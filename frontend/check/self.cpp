@@ -2,10 +2,14 @@
 #include "frontend/check/self.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "base/overloaded.h"
 #include "frontend/parse/ast_walk.h"
 #include "frontend/rules/intrinsics.h"
+#include "ir/access.h"
+#include "ir/call_order.h"
+#include "ir/walk.h"
 
 namespace clipc::check {
 namespace {
@@ -111,7 +115,38 @@ bool StmtChangesSelf(Context& context, ast::StmtId id, ScopeId scope) {
       context[id].node);
 }
 
+// The parameters that a call changes, a mark for each VarId, among marks of other variables.
+std::vector<bool> ChangedVariables(const Program& program) {
+  std::vector<bool> changed(program.vars.size());
+  const auto change = [&](ExprId target) {
+    if (const VarId root = RootOf(program, target)) changed[root.index] = true;
+  };
+  for (const FunctionId function : ir::CalleesFirst(program)) {
+    ForEachExpr(program, program.functions[function].body, [&](ExprId expr) {
+      const auto* call = As<Call>(program, expr);
+      if (!call) return ForEachWrite(program, expr, change);
+      const std::vector<VarId>& parameters = program.functions[call->function].parameters;
+      for (std::size_t i = 0; i < parameters.size(); ++i) {
+        if (program.vars[parameters[i]].storage == Storage::kOut || changed[parameters[i].index])
+          change(program.expr_lists[call->arguments][i]);
+      }
+    });
+  }
+  return changed;
+}
+
 }  // namespace
+
+void CheckUniformCalls(Context& context) {
+  if (context.functions.uniform_calls.empty()) return;
+  const Program& program = context.program;
+  const std::vector<bool> changed = ChangedVariables(program);
+  for (const auto& [method, uniform, span] : context.functions.uniform_calls) {
+    const VarId self = program.functions[method].parameters.front();
+    if (changed[self.index])
+      context.Report(span, diag::UniformAssigned, program.vars[uniform].name);
+  }
+}
 
 bool MayChangeSelf(Context& context, const ast::FunctionDecl& decl, ScopeId scope) {
   return decl.body && !decl.is_const_method && StmtChangesSelf(context, decl.body, scope);

@@ -11,4 +11,8 @@ namespace clipc::check {
 // Whether the method may change its object; `scope` is the scope of its struct.
 bool MayChangeSelf(Context& context, const ast::FunctionDecl& decl, ScopeId scope);
 
+// Reports the calls of methods that change a member of a constant buffer (fxc X3025): here the
+// bodies decide, which must have been checked without errors.
+void CheckUniformCalls(Context& context);
+
 }  // namespace clipc::check
