@@ -79,4 +79,13 @@ Diagnostic& Diagnostics::Add(Span where, DiagId id, std::string message) {
   return list_.emplace_back(Diagnostic{id, severity, where, std::move(message), {}, {}, {}});
 }
 
+void Diagnostics::Append(const Diagnostics& other) {
+  for (const Diagnostic& diagnostic : other.list_) {
+    Diagnostic& added = Add(diagnostic.span, diagnostic.id, diagnostic.message);
+    added.also = diagnostic.also;
+    added.fix_its = diagnostic.fix_its;
+    added.notes = diagnostic.notes;
+  }
+}
+
 }  // namespace clipc

@@ -140,6 +140,9 @@ class Diagnostics {
     return Add(where, kind.id, fmt::format(kind.format, args...));
   }
 
+  // Reports what `other` has, in its order.
+  void Append(const Diagnostics& other);
+
   // `#pragma warning(disable: 3206)`: sets the state of every warning with that fxc code, for the
   // reports that follow. A warning that the command line switches off stays off.
   enum class WarningState : std::uint8_t { kOn, kOff, kError };

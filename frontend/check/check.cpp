@@ -7,7 +7,9 @@
 #include "frontend/check/buffer.h"
 #include "frontend/check/clip_planes.h"
 #include "frontend/check/declare.h"
+#include "frontend/check/describe_entry.h"
 #include "frontend/check/entry.h"
+#include "frontend/check/entry_point.h"
 #include "frontend/check/entry_signature.h"
 #include "frontend/check/global.h"
 #include "frontend/check/self.h"
@@ -25,23 +27,33 @@ namespace clipc {
 namespace check {
 namespace {
 
-void Run(Context& context) {
-  DeclareAll(context, context.file.top_level, context.names.global());
-  const FunctionInfoId entry = FindEntry(context);
-  if (!entry || context[entry].is_broken) return;
+// Checks the entry function and makes `main`; without bodies only what the signature and the clip
+// planes name.
+void CheckEntry(Context& context, FunctionInfoId entry, const AttributeLists& attributes,
+                EntryBodies bodies) {
   Program& program = context.program;
   program.entry = Reach(context, entry);
   const EntrySignature signature = SignatureOf(context, entry);
-  const AttributeLists attributes = AttributesOf(context, entry);
   ReachClipPlanes(context, entry, attributes);
-  CheckBodies(context);
-  CheckRecursion(context);
+  if (bodies == EntryBodies::kCheck) {
+    CheckBodies(context);
+    CheckRecursion(context);
+  }
   FinishBuffers(context);
   for (CbufferId id : program.cbuffers.ids())
     LayOut(program.types, program.vars, program.cbuffers[id], program.profile.IsDirect3D9());
   BuildMain(program, signature, context.options.position_name, context.diagnostics);
   if (!context.diagnostics.has_errors()) CheckUniformCalls(context);
   CheckClipPlanes(context, entry, attributes);
+}
+
+void Run(Context& context) {
+  DeclareAll(context, context.file.top_level, context.names.global());
+  const FunctionInfoId entry = FindEntry(context);
+  if (!entry || context[entry].is_broken) return;
+  Program& program = context.program;
+  const AttributeLists attributes = AttributesOf(context, entry);
+  CheckEntry(context, entry, attributes, EntryBodies::kCheck);
   CheckUnusedClipPlanes(context, attributes);
   FinishGlobals(context);
   if (!context.diagnostics.has_errors()) ResolveObjects(program, context.diagnostics);
@@ -63,6 +75,20 @@ CheckOptions CheckOptions::For(ir::Profile profile, LanguageVersion language) {
   options.stores_any_type = has_versions && language >= LanguageVersion::k2018;
   options.profile = std::move(profile);
   return options;
+}
+
+EntryPoint CheckEntryPoint(const ast::File& file, const CheckOptions& options, EntryBodies bodies,
+                           Diagnostics& diagnostics) {
+  check::Context context(file, options, diagnostics);
+  DeclareAll(context, file.top_level, context.names.global());
+  const check::FunctionInfoId entry = FindEntry(context);
+  if (!entry || context[entry].is_broken) return {};
+  const check::AttributeLists attributes = AttributesOf(context, entry);
+  check::CheckEntry(context, entry, attributes, bodies);
+  if (diagnostics.has_errors()) return {};
+  EntryPoint described = Describe(context, entry, attributes);
+  described.program = std::move(context.program);
+  return described;
 }
 
 ir::Program Check(const ast::File& file, const CheckOptions& options, Diagnostics& diagnostics) {

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -38,6 +39,8 @@ Span SpanAt(const clang::SourceLocation& where);
 Place Resolve(const ClangText& text, Span span);
 // Makes `line` the line of text that holds the beginning of `span`; it may already be that line.
 void FindLine(const ClangText& text, Span span, TextLine& line);
+std::optional<TextRange> InMainText(const ClangText& text, Span span);
+std::optional<std::size_t> AfterInMainText(const ClangText& text, Span span);
 std::string RenderText(const ClangText& text, const Diagnostics& diagnostics, bool colour);
 
 // A consumer that puts what Clang's preprocessor reports into **diagnostics until `guard` stops it.

@@ -481,5 +481,12 @@ const TextLine& Source::LineOf(Span span) const {
   return state_->line;
 }
 bool Source::main_file_read() const { return state_->main_file_read; }
+const std::string& Source::MainText() const { return state_->main_text; }
+std::optional<TextRange> Source::InMainText(Span span) const {
+  return clipc::InMainText(state_->Text(), span);
+}
+std::optional<std::size_t> Source::AfterInMainText(Span span) const {
+  return clipc::AfterInMainText(state_->Text(), span);
+}
 
 }  // namespace clipc

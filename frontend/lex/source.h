@@ -100,6 +100,11 @@ struct TextLine {
   std::uint32_t begin = 0, end = 0;  // the locations of its first byte and of the one after it
 };
 
+// A part of a text, in bytes; `end` is one past the last.
+struct TextRange {
+  std::size_t begin = 0, end = 0;
+};
+
 // One translation unit: the main file and everything that it includes. The Spans of its tokens have
 // a meaning during its life.
 class Source {
@@ -130,6 +135,14 @@ class Source {
   std::vector<std::string> MacrosUsed() const;
   // Whether the main file could be read; Lex reports it if not.
   bool main_file_read() const;
+
+  // The text of the main file, as UTF-8.
+  const std::string& MainText() const;
+  // The bytes of it that spell `span`; none if a macro or an include has a part of the span.
+  std::optional<TextRange> InMainText(Span span) const;
+  // The byte of it after `span`: after the use of a macro that makes the end of the span, or after
+  // the line of the include that has it. None for text that the main file does not ask for.
+  std::optional<std::size_t> AfterInMainText(Span span) const;
 
   struct State;
   State& state() { return *state_; }

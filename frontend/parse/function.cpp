@@ -160,6 +160,11 @@ bool Parser::ParseLocalFunction(const Specifiers& specifiers) {
 }
 
 StmtId Parser::ParseFunctionBody() {
+  if (bodies_ == FunctionBodies::kSkip) {
+    const std::size_t start = pos_;
+    SkipBalanced();
+    return AddStmt(start, BlockStmt{});
+  }
   const StmtId body = ParseBlock();
   if (leaving_function_) {
     leaving_function_ = false;

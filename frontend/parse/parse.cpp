@@ -7,8 +7,8 @@
 
 namespace clipc {
 
-ast::File Parse(Tokens tokens, Diagnostics& diagnostics) {
-  return ast::Parser(std::move(tokens), diagnostics).Run();
+ast::File Parse(Tokens tokens, Diagnostics& diagnostics, FunctionBodies bodies) {
+  return ast::Parser(std::move(tokens), diagnostics, bodies).Run();
 }
 
 }  // namespace clipc

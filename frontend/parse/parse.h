@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <cstdint>
+
 #include "base/diagnostics.h"
 #include "frontend/lex/token.h"
 #include "frontend/parse/ast.h"
@@ -12,6 +14,10 @@ namespace clipc {
 // number of tokens, and every sequence of tokens has a result: text that nests too deeply for
 // ast::kMaxDepth is an error. One run reports several syntax errors; a file is worth checking only
 // if there are none.
-ast::File Parse(Tokens tokens, Diagnostics& diagnostics);
+//
+// Bodies that are skipped, with their brackets matched, are empty blocks.
+enum class FunctionBodies : std::uint8_t { kParse, kSkip };
+ast::File Parse(Tokens tokens, Diagnostics& diagnostics,
+                FunctionBodies bodies = FunctionBodies::kParse);
 
 }  // namespace clipc

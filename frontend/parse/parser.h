@@ -10,6 +10,7 @@
 
 #include "base/not_copied.h"
 #include "frontend/parse/attributes.h"
+#include "frontend/parse/parse.h"
 #include "frontend/parse/qualifiers.h"
 #include "frontend/parse/tree_builder.h"
 
@@ -23,7 +24,8 @@ namespace clipc::ast {
 
 class Parser : private TreeBuilder {
  public:
-  Parser(Tokens&& tokens, Diagnostics& diagnostics) : TreeBuilder(std::move(tokens), diagnostics) {}
+  Parser(Tokens&& tokens, Diagnostics& diagnostics, FunctionBodies bodies)
+      : TreeBuilder(std::move(tokens), diagnostics), bodies_(bodies) {}
   File Run();
 
  private:
@@ -193,6 +195,7 @@ class Parser : private TreeBuilder {
   ExprId ParseMemberOfTemplate(const NameExpr& name, std::size_t start);
   List<ExprId> ParseArguments();
 
+  FunctionBodies bodies_;
   bool greater_ends_ = false;      // in template arguments: `>` is not an operator
   bool outside_reported_ = false;  // a statement outside of functions was reported
   // Whether the definition of a function was found inside a function: a `}` is missing, and all
