@@ -31,6 +31,11 @@ void CheckRequest(const LoweringRequest& request, Diagnostics& diagnostics) {
                      NameOf(request.lowering));
 }
 
+void CheckHlslRequest(const LoweringRequest& request, Diagnostics& diagnostics) {
+  if (request.lowering == Lowering::kLevel9) diagnostics.Report({}, diag::RewriteLevel9);
+  if (request.lowering == Lowering::kDiscard) diagnostics.Report({}, diag::RewriteDiscard);
+}
+
 ir::VarId CheckLowering(const ir::Program& program, const LoweringRequest& request,
                         Diagnostics& diagnostics) {
   const auto& planes = program.clip_planes;

@@ -29,6 +29,9 @@ Lowering DefaultLowering(const ir::Profile& profile);
 // Reports a lowering and a plane space that do not go together, whatever the shader.
 void CheckRequest(const LoweringRequest& request, Diagnostics& diagnostics);
 
+// Reports a lowering that HLSL cannot have.
+void CheckHlslRequest(const LoweringRequest& request, Diagnostics& diagnostics);
+
 // Reports where the shader's clip planes and the request do not fit each other. Returns the input
 // that carries the position for kObject; none for the other spaces, for a shader without planes,
 // and after an error. Requires Form::kTyped.

@@ -57,6 +57,8 @@ std::string CollectOutputs(const CommandLine& command, const Outputs& outputs,
   if (!result.dump.empty()) pieces.push_back({"dump", "-", result.dump});
   if (result.ok() && !outputs.preprocessed.empty())
     pieces.push_back({"preprocessed", outputs.preprocessed, result.preprocessed});
+  if (result.hlsl && !outputs.glsl.empty())
+    pieces.push_back({"hlsl", outputs.glsl, std::move(*result.hlsl)});
   const bool is_complete = result.table.has_value() && !request.debug.dump;
   std::string header;
   if (is_complete && !outputs.header.empty()) {
@@ -77,7 +79,8 @@ std::string CollectOutputs(const CommandLine& command, const Outputs& outputs,
   if (is_complete && !outputs.reflection.empty())
     pieces.push_back({"reflection", outputs.reflection,
                       request.outputs.structs ? result.structs : result.reflection});
-  if ((is_complete || request.outputs.preprocess) && result.ok() && !outputs.dependencies.empty()) {
+  if ((is_complete || result.hlsl || request.outputs.preprocess) && result.ok() &&
+      !outputs.dependencies.empty()) {
     pieces.push_back({"dependencies", outputs.dependencies,
                       DependencyRule(outputs.dependency_target, result.dependencies)});
   }

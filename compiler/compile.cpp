@@ -19,6 +19,7 @@
 #include "compiler/pixel_half.h"
 #include "compiler/plan.h"
 #include "compiler/reflect.h"
+#include "compiler/rewrite_hlsl.h"
 #include "compiler/stages.h"
 #include "compiler/structs.h"
 #include "compiler/validate.h"
@@ -287,6 +288,10 @@ void RunStages(const Job& job, CompileResult& result) {
     result.dump = PrintAst(ReadFile(source, diagnostics));
     return;
   }
+  if (request.hlsl.wanted) {
+    result.hlsl = RewriteHlsl(request, job.plan, source, job.watch, diagnostics);
+    return;
+  }
   const auto is_new = [&](const Tokens& tokens) {
     // The tokens alone do not decide the result where lines of the source or words of the
     // preprocessor are a part of it.
@@ -333,6 +338,7 @@ CompileResult Deliver(CompileResult result, const OutputOptions& outputs, const 
   if (result.ok()) result.status = Status::kErrors;
   result.shaders = {};
   result.variants.clear();
+  result.hlsl.reset();
   result.table.reset();
   result.reflection.clear();
   result.structs.clear();

@@ -110,6 +110,13 @@ struct LinkOptions {
   bool has_pixel_shader() const { return !pixel_shader.path.empty(); }
 };
 
+// HLSL instead of GLSL: the main file with the planes of its entry points as clip distances.
+struct HlslOptions {
+  bool wanted = false;
+  std::vector<std::string> entries;  // beside LanguageOptions::entry
+  std::string wrapper_entry;         // rewrite::Options
+};
+
 // The parts of the result that are filled besides the shaders and the table.
 struct OutputOptions {
   bool validate = false;              // give the GLSL to glslang before returning it
@@ -146,6 +153,7 @@ struct CompileRequest {
   PlaneOptions planes;
   StyleOptions style;
   LinkOptions link;
+  HlslOptions hlsl;
   OutputOptions outputs;
   WarningOptions warnings;
   Limits limits;
@@ -172,8 +180,9 @@ struct Shaders {
 
 struct CompileResult {
   Status status = Status::kOk;
-  Shaders shaders;                // empty unless kOk, and when compilation stopped before them
-  std::vector<Shaders> variants;  // on request: variants[k] has the first k planes
+  Shaders shaders;                  // empty unless kOk, and when compilation stopped before them
+  std::vector<Shaders> variants;    // on request: variants[k] has the first k planes
+  std::optional<std::string> hlsl;  // on request, instead of all that comes with `shaders`
   std::optional<clip_table::ClipTable> table;  // with `shaders`
   std::string reflection;                      // JSON, with `shaders`, on request
   std::optional<int> position_matrices;        // with `reflection`: CountPositionMatrices

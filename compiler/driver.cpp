@@ -52,7 +52,8 @@ std::string Driver::CheckUsage() {
   if (inputs.size() > 1 && writes_glsl && !IsDirectory(command_.output)) {
     return "several input files need a folder to write to; give an existing one with -o";
   }
-  if (request.planes.variants && (command_.output.empty() || command_.output == "-")) {
+  if (request.planes.variants && !request.hlsl.wanted &&
+      (command_.output.empty() || command_.output == "-")) {
     return "--variants writes several files, named after the one that -o gives";
   }
   if (std::string problem = CheckCommand(command_); !problem.empty()) return problem;

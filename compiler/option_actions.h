@@ -25,8 +25,8 @@ Value& MemberOf(Reading& reading, Value Owner::* member) {
   return std::get<Owner&>(std::tie(reading, reading.spirv, command, request, request.includes,
                                    request.language, request.planes, request.style,
                                    request.style.clip_space, request.link,
-                                   request.link.pixel_shader, request.outputs, request.warnings,
-                                   request.limits, request.debug)).*
+                                   request.link.pixel_shader, request.hlsl, request.outputs,
+                                   request.warnings, request.limits, request.debug)).*
          member;
 }
 
@@ -98,6 +98,13 @@ void Bind(Reading& reading, const std::string& value) {
   reading.vulkan_option = reading.option;
   if (!kRead(reading.bindings, value))
     reading.error = fmt::format("`{} {}`: it takes {}", reading.option, value, reading.advice);
+}
+
+// Reads -E. The last one is the entry of GLSL; HLSL may have several.
+inline void SetEntry(Reading& reading, const std::string& value) {
+  CompileRequest& request = reading.command.request;
+  request.language.entry = value;
+  request.hlsl.entries.push_back(value);
 }
 
 inline void SetDependencyFile(Reading& reading, const std::string& value) {

@@ -16,12 +16,17 @@
 namespace clipc {
 namespace {
 
+constexpr std::string_view kHlslTarget = "hlsl";
+
 void SetTarget(Reading& reading, const std::string& value) {
+  HlslOptions& hlsl = reading.command.request.hlsl;
+  hlsl.wanted = value == kHlslTarget;
+  if (hlsl.wanted) return;
   reading.target = glsl::Target::Parse(value);
-  if (!reading.target) {
-    reading.error =
-        fmt::format("unknown target `{}`{}", value, Suggest(value, glsl::Target::Names()));
-  }
+  if (reading.target) return;
+  std::vector<std::string_view> names(glsl::Target::Names().begin(), glsl::Target::Names().end());
+  names.push_back(kHlslTarget);
+  reading.error = fmt::format("unknown target `{}`{}", value, Suggest(value, names));
 }
 
 // Reads "2/4", the number of a shard and the number of shards.
@@ -110,7 +115,7 @@ using Request = CompileRequest;
 constexpr Option kOwnOptions[] = {
     {"-T", kJoinedOrSeparate, Set<&LanguageOptions::profile>, "<PROFILE>",
      "vs_2_0 .. vs_6_8 (vs_5_0), vs_4_0_level_9_0, _9_1, _9_3"},
-    {"-E", kJoinedOrSeparate, Set<&LanguageOptions::entry>, "<NAME>", "entry function (main)"},
+    {"-E", kJoinedOrSeparate, SetEntry, "<NAME>", "entry function (main)"},
     {"-D", kDefinition, Define, "<NAME[=VALUE]>", "define a macro"},
     {"-I", kJoinedOrSeparate, Set<&IncludeOptions::dirs>, "<DIR>", "look for includes here too"},
     {"-include", kSeparate, Set<&IncludeOptions::forced>, "<FILE>", "include FILE first"},
@@ -123,7 +128,7 @@ constexpr Option kOwnOptions[] = {
     {"-o", kJoinedOrSeparate, Set<&CommandLine::output>, "<FILE>",
      "the GLSL: a file, standard output (-, the default), or a folder for several files"},
     {"--target", kEquals, SetTarget, "<GLSL>",
-     "glsl120 .. glsl460 (glsl450), vulkan, essl100, essl300 .. essl320, webgl1, webgl2"},
+     "glsl120 .. glsl460 (glsl450), vulkan, essl100, essl300 .. essl320, webgl1, webgl2, hlsl"},
     {"--lower", kEquals, Choose<&PlaneOptions::lowering, kLoweringNames>, "<HOW>",
      "clip planes: clip-distance, level9 (the default of level_9_x), near-plane, discard or none"},
     {"--plane-space", kEquals, Choose<&PlaneOptions::space, kPlaneSpaceNames>, "<SPACE>",
@@ -202,6 +207,7 @@ constexpr Option kOwnOptions[] = {
     {"--version", kFlag, SetTo<&CommandLine::action, Action::kVersion>, "", "print the version"},
 
     // Options for permutations, for untrusted shaders and for people who work on clipc.
+    {"--wrapper-entry", kEquals, Set<&HlslOptions::wrapper_entry>},
     {"--index", kEquals, Set<&CommandLine::index>},
     {"-k", kFlag, Set<&CommandLine::keep_going>},
     {"--shard", kEquals, SetShard},

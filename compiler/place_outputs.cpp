@@ -33,7 +33,7 @@ std::string PlaceGlsl(const CommandLine& command, const std::string& input) {
   if (!EndsWithSlash(output) && (output == "-" || !IsDirectory(output))) return output;
   const std::string stem = input == "-" ? "stdin" : WithoutExtension(FileName(input));
   return fmt::format("{}{}{}.{}", output, EndsWithSlash(output) ? "" : "/", stem,
-                     command.request.outputs.spirv ? "spv" : "vert");
+                     ExtensionOf(command.request));
 }
 
 }  // namespace
@@ -45,6 +45,10 @@ std::vector<std::string> Outputs::Named() const {
     if (!path.empty() && path != "-") named.push_back(path);
   }
   return named;
+}
+
+const char* ExtensionOf(const CompileRequest& request) {
+  return request.hlsl.wanted ? "hlsl" : request.outputs.spirv ? "spv" : "vert";
 }
 
 std::string WithoutExtension(const std::string& path) {

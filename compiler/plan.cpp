@@ -84,6 +84,7 @@ Plan Resolve(const CompileRequest& request, Diagnostics& diagnostics) {
   plan.lowering = {planes.lowering.value_or(DefaultLowering(plan.check.profile)), planes.space,
                    planes.position_input};
   CheckRequest(plan.lowering, diagnostics);
+  if (request.hlsl.wanted) CheckHlslRequest(plan.lowering, diagnostics);
   if (!request.includes.sandbox.empty() && !IsDirectory(request.includes.sandbox))
     diagnostics.Report({}, diag::NoSandbox, request.includes.sandbox);
   // HLSLcc, after fxc, has a variable for each column of a matrix between two stages. Its names

@@ -10,8 +10,32 @@
 
 namespace clipc {
 
+namespace {
+
+// Returns the option that HLSL cannot have; empty if there is none.
+std::string_view NotForHlsl(const CommandLine& command) {
+  const CompileRequest& request = command.request;
+  if (!command.table.empty()) return "--table";
+  if (!command.reflection.empty()) return "--reflect";
+  if (!command.header.empty()) return "-Fh";
+  if (!command.listing.empty()) return "-Fc";
+  if (!command.fragment.empty()) return "--fragment";
+  if (request.outputs.spirv) return "-spirv";
+  if (request.link.has_pixel_shader()) return "--pixel-shader";
+  return {};
+}
+
+}  // namespace
+
 std::string CheckCommand(const CommandLine& command) {
   const CompileRequest& request = command.request;
+  const HlslOptions& hlsl = request.hlsl;
+  if (!hlsl.wanted && !hlsl.wrapper_entry.empty())
+    return "--wrapper-entry is for --target=hlsl; GLSL has one entry function, `main`";
+  if (hlsl.wanted && !hlsl.wrapper_entry.empty() && hlsl.entries.size() > 1)
+    return "--wrapper-entry names one function; with several -E each wrapper has its entry's name";
+  if (const std::string_view option = NotForHlsl(command); hlsl.wanted && !option.empty())
+    return fmt::format("{} is about GLSL; give it in a second call, without --target=hlsl", option);
   if (!command.table.empty() && !clip_table::FormatOf(command.table)) {
     return fmt::format("`{}` names no clip table; it ends in .json, .bin or .h", command.table);
   }

@@ -30,8 +30,17 @@ ROOMS = {
     "backend-glsl": {"base", "ir"},
     "clip-table": {VOCABULARY},
     "link": {"base", "ir", "frontend/rules"},
+    "rewrite": {
+        "base",
+        "ir",
+        "frontend/lex",
+        "frontend/rules",
+        "frontend/check",
+        VOCABULARY,
+    },
     "compiler": {
         "link",
+        "rewrite",
         "base",
         "ir",
         "frontend/lex",
@@ -88,7 +97,7 @@ LIBRARIES = {
     r"png\.h": r"tools/harness/picture\.cpp",
     r"spirv_cross/": r"tools/(draw/vulkan|peer)/.*|tools/bench/peers\.cpp",
     r"vulkan/": r"tools/draw/vulkan/device\.h",
-    r"fmt/": r"(base|ir|frontend|passes|link|backend-glsl|compiler|tools/bench)/.*",
+    r"fmt/": r"(base|ir|frontend|passes|link|rewrite|backend-glsl|compiler|tools/bench)/.*",
     r"nlohmann/": r"(base|clip-table|compiler|tools/draw|study)/.*\.cpp",
 }
 

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "rewrite/rewrite.h"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace clipc::rewrite {
+namespace {
+
+// A change of the text: `text` takes the place of the range.
+struct Edit {
+  TextRange range;
+  std::string text;
+};
+
+class Rewriter {
+ public:
+  Rewriter(const Source& source, const Options& options, Diagnostics& diagnostics)
+      : source_(source), options_(options), diagnostics_(diagnostics), text_(source.MainText()) {}
+
+  void Add(const Entry& entry) {
+    const EntryPoint& point = entry.point;
+    const auto end = source_.AfterInMainText(point.definition);
+    if (!CanWrap(point, end)) return;
+    std::vector<std::string> undefined;
+    RemoveAttributes(point, undefined);
+    if (entry.form.lowering == Lowering::kNone) return;
+    for (const Span shader_kind : point.shader_kinds) Remove(shader_kind);
+    const bool renames = options_.wrapper_entry.empty();
+    const std::string inner = renames ? point.prefix + point.name : point.name;
+    if (renames) Rename(entry, *end, inner, undefined);
+    AddWrappers(entry, *end, inner, undefined);
+  }
+
+  std::string Finish() {
+    if (diagnostics_.has_errors()) return {};
+    constexpr std::string_view kMark = "\xef\xbb\xbf";
+    const std::size_t start = text_.starts_with(kMark) ? kMark.size() : 0;
+    if (options_.source_lines) head_ += LineDirective(start);
+    if (!head_.empty()) edits_.push_back({{start, start}, head_});
+    std::ranges::stable_sort(edits_, {}, [](const Edit& edit) { return edit.range.begin; });
+    std::string result;
+    std::size_t done = 0;
+    for (const Edit& edit : edits_) {
+      result.append(text_, done, edit.range.begin - done);
+      result += WithLineEnds(edit.text);
+      done = edit.range.end;
+    }
+    return result.append(text_, done);
+  }
+
+ private:
+  bool CanWrap(const EntryPoint& point, std::optional<std::size_t> end) {
+    if (!point.unnamed_type.empty()) {
+      diagnostics_.Report(point.definition, diag::RewriteUnnamedType, point.unnamed_type,
+                          point.name);
+      return false;
+    }
+    const bool is_here = end && (!point.in_namespace || source_.InMainText(point.definition));
+    if (!is_here) diagnostics_.Report(point.definition, diag::RewriteElsewhere, point.name);
+    return is_here;
+  }
+
+  // Removes the attributes that the text spells. The others get a name without effect.
+  void RemoveAttributes(const EntryPoint& point, std::vector<std::string>& undefined) {
+    for (std::size_t i = 0; i < point.clip_planes.size(); ++i) {
+      if (Remove(point.clip_planes[i])) continue;
+      const std::string& word = point.clip_plane_words[i];
+      if (std::ranges::find(undefined, word) != undefined.end()) continue;
+      const std::string name = point.prefix + word;
+      diagnostics_.Report(point.definition, diag::RewriteAttributeStays, point.name, name);
+      head_ += fmt::format(
+          "// The clip planes of {} are not spelled out in this file: they stay, without effect.\n"
+          "#define {} {}\n",
+          point.name, word, name);
+      undefined.push_back(word);
+    }
+  }
+
+  // Removes a phrase that the main file spells, and the blanks after it. Its line ends stay.
+  bool Remove(Span span) {
+    const auto range = source_.InMainText(span);
+    if (!range) return false;
+    const std::string_view removed =
+        std::string_view(text_).substr(range->begin, range->end - range->begin);
+    std::string lines;
+    for (const char c : removed) {
+      if (c == '\n') lines += c;
+    }
+    std::size_t end = range->end;
+    while (end < text_.size() && (text_[end] == ' ' || text_[end] == '\t')) ++end;
+    edits_.push_back({{range->begin, end}, lines});
+    return true;
+  }
+
+  // Gives the entry function another name. Up to the wrapper: in its definition and its prototypes
+  // if the text spells them and says the name nowhere else, or else by a macro. After the wrapper:
+  // where it is called or declared.
+  void Rename(const Entry& entry, std::size_t end, const std::string& inner,
+              std::vector<std::string>& undefined) {
+    const EntryPoint& point = entry.point;
+    bool by_macro = false;
+    std::vector<TextRange> before, after;
+    for (const Use& use : entry.uses) {
+      const bool is_own =
+          std::ranges::any_of(point.names, [&](Span name) { return name.end == use.span.end; });
+      const auto range = source_.InMainText(use.span);
+      if (source_.AfterInMainText(use.span).value_or(0) > end) {
+        if (range && (is_own || use.is_call)) after.push_back(*range);
+      } else if (is_own && range) {
+        before.push_back(*range);
+      } else {
+        by_macro = true;
+      }
+    }
+    if (by_macro) {
+      head_ += fmt::format("#define {} {}\n", point.name, inner);
+      undefined.push_back(point.name);
+      before.clear();
+    }
+    for (const auto& ranges : {before, after}) {
+      for (const TextRange& range : ranges) edits_.push_back({range, inner});
+    }
+  }
+
+  void AddWrappers(const Entry& entry, std::size_t end, const std::string& inner,
+                   const std::vector<std::string>& undefined) {
+    const EntryPoint& point = entry.point;
+    const std::string name = options_.wrapper_entry.empty() ? point.name : options_.wrapper_entry;
+    std::string added = fmt::format("\n\n// Written by clipc: `{}` with its clip planes.\n", name);
+    for (const std::string& word : undefined) added += fmt::format("#undef {}\n", word);
+    added += WriteWrapper(point, entry.form, name, inner, point.planes.size());
+    const std::size_t most =
+        std::min<std::size_t>(point.planes.size(), options_.variants.value_or(0));
+    for (std::size_t count = 0; options_.variants && count <= most; ++count) {
+      added +=
+          "\n" + WriteWrapper(point, entry.form, fmt::format("{}_{}", name, count), inner, count);
+    }
+    const bool ends_line = end < text_.size() && (text_[end] == '\n' || text_[end] == '\r');
+    if (options_.source_lines) {
+      added += LineDirective(end);
+    } else if (ends_line) {
+      added.pop_back();
+    }
+    edits_.push_back({{end, end}, std::move(added)});
+  }
+
+  // The line that says which line of the user's file follows.
+  std::string LineDirective(std::size_t offset) const {
+    const auto line =
+        std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(offset), '\n') + 1;
+    std::string path;
+    for (const char c : options_.path) {
+      if (c == '"' || c == '\\') path += '\\';
+      path += c;
+    }
+    return fmt::format("#line {} \"{}\"\n", line, path);
+  }
+
+  // The text with the line ends of the user's file.
+  std::string WithLineEnds(const std::string& text) const {
+    const std::size_t first = text_.find('\n');
+    if (first == std::string::npos || first == 0 || text_[first - 1] != '\r') return text;
+    std::string result;
+    for (const char c : text) {
+      if (c == '\n') result += '\r';
+      result += c;
+    }
+    return result;
+  }
+
+  const Source& source_;
+  const Options& options_;
+  Diagnostics& diagnostics_;
+  const std::string& text_;
+  std::string head_;  // what comes before the first line
+  std::vector<Edit> edits_;
+};
+
+}  // namespace
+
+std::string Rewrite(const Source& source, std::span<const Entry> entries, const Options& options,
+                    Diagnostics& diagnostics) {
+  Rewriter rewriter(source, options, diagnostics);
+  for (const Entry& entry : entries) rewriter.Add(entry);
+  return rewriter.Finish();
+}
+
+}  // namespace clipc::rewrite

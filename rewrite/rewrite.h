@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "frontend/lex/source.h"
+#include "rewrite/wrapper.h"
+
+// HLSL with clip planes to HLSL with clip distances. The text is the user's but for what the
+// planes ask for.
+namespace clipc::rewrite {
+
+// A token of the source that is the name of an entry function.
+struct Use {
+  Span span;
+  bool is_call = false;  // not a declaration, nor `compile vs_5_0 main()`
+};
+
+// An entry point with clip planes.
+struct Entry {
+  EntryPoint point;
+  PlaneForm form;
+  std::vector<Use> uses;  // in the order of the text
+};
+
+struct Options {
+  // The name of the wrapper. Empty: the wrapper takes the entry's name, and the entry function gets
+  // another one.
+  std::string wrapper_entry;
+  // The most planes of a variant: beside the entry with all planes there are NAME_0, NAME_1 .. with
+  // the first 0, 1 .. of them.
+  std::optional<std::uint32_t> variants;
+  bool source_lines = false;  // #line, so that the lines of the user's text keep their numbers
+  std::string path;           // the name of the main file for #line
+};
+
+// Returns the main file's text in which
+//
+// - the attributes with the planes are removed. Those that a macro or an include makes stay, under
+//   a name that no compiler knows: a #define at the beginning of the file says so;
+// - the entry functions are renamed, in the text or by a #define where that cannot be;
+// - a wrapper follows each entry function: WriteWrapper.
+//
+// Lowering::kNone of an entry removes the attribute alone. Reports what cannot be rewritten.
+std::string Rewrite(const Source& source, std::span<const Entry> entries, const Options& options,
+                    Diagnostics& diagnostics);
+
+}  // namespace clipc::rewrite
