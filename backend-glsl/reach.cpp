@@ -30,12 +30,12 @@ class Walker {
 
  private:
   void Functions() {
-    for (const FunctionId id : CalleesFirst(program_)) {
-      if (program_.functions[id].is_helper) continue;
-      reached_.functions.push_back(id);
-      ForEachExpr(program_, program_.functions[id].body, [&](ExprId expr) {
-        if (const auto* ref = As<VarRef>(program_, expr)) Variable(ref->var);
-      });
+    const auto order = CalleesFirst(program_, [&](FunctionId function, ExprId expr) {
+      const auto* ref = As<VarRef>(program_, expr);
+      if (ref && !program_.functions[function].is_helper) Variable(ref->var);
+    });
+    for (const FunctionId id : order) {
+      if (!program_.functions[id].is_helper) reached_.functions.push_back(id);
     }
   }
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
+#include "ir/access.h"
 #include "ir/program.h"
+#include "ir/walk.h"
 
 namespace clipc::ir {
 
@@ -11,5 +14,38 @@ namespace clipc::ir {
 // asked of them in this order needs no recursion, as generated shaders have call chains of any
 // length. Requires functions without recursion.
 std::vector<FunctionId> CalleesFirst(const Program& program);
+
+// The same, and calls visit(FunctionId, ExprId) for every expression of each function before those
+// of its callees.
+template <typename OnExpr>
+std::vector<FunctionId> CalleesFirst(const Program& program, OnExpr&& visit) {
+  struct Begun {
+    FunctionId function;
+    std::vector<FunctionId> callees;
+    std::size_t next = 0;
+  };
+  const auto begin = [&](FunctionId function) {
+    Begun begun{function, {}};
+    ForEachExpr(program, program.functions[function].body, [&](ExprId expr) {
+      visit(function, expr);
+      if (const auto* call = As<Call>(program, expr)) begun.callees.push_back(call->function);
+    });
+    return begun;
+  };
+  std::vector<FunctionId> order;
+  std::vector<bool> is_begun(program.functions.size());
+  std::vector<Begun> path{begin(program.main)};
+  while (!path.empty()) {
+    Begun& top = path.back();
+    if (top.next == top.callees.size()) {
+      order.push_back(top.function);
+      path.pop_back();
+    } else if (const FunctionId callee = top.callees[top.next++]; !is_begun[callee.index]) {
+      is_begun[callee.index] = true;
+      path.push_back(begin(callee));
+    }
+  }
+  return order;
+}
 
 }  // namespace clipc::ir

@@ -15,6 +15,46 @@ using namespace ir;
 
 namespace {
 
+// Whether the expression writes something that is not its own: a variable, an object, or what a
+// function reaches.
+bool MayWrite(const Program& program, ExprId expr, bool has_static) {
+  const auto writes_argument = [&](FunctionId function) {
+    return std::ranges::any_of(program.functions[function].parameters, [&](VarId parameter) {
+      return program.vars[parameter].storage != Storage::kIn;
+    });
+  };
+  return clipc::Visit(
+      Overloaded{
+          [](const Assign&) { return true; },
+          [](const Unary& node) { return ChangesOperand(node.op); },
+          [&](const Call& node) { return has_static || writes_argument(node.function); },
+          [](const IntrinsicCall& node) { return WritesArguments(node.op); },
+          [](const ObjectCall& node) { return WritesObject(node.op); },
+          [](const auto&) { return false; },
+      },
+      program.exprs[expr].node);
+}
+
+// Whether an operand may write what another one reads. In most programs each write is a statement
+// by itself, and there is nothing to lower.
+bool HasWritingOperand(const Program& program) {
+  bool has_static = false;
+  for (const VarId var : program.vars.ids())
+    has_static |= program.vars[var].storage == Storage::kStatic;
+  bool found = false;
+  for (const FunctionId function : program.functions.ids()) {
+    ForEachStmt(program, program.functions[function].body, [&](StmtId stmt) {
+      const auto look_at = [&](ExprId whole) {
+        found = found || AnyExpr(program, whole, [&](ExprId expr) {
+                  return expr != whole && MayWrite(program, expr, has_static);
+                });
+      };
+      ForEachPart(program, stmt, look_at, [](StmtId) {});
+    });
+  }
+  return found;
+}
+
 // The variables outside a function that calls of it may write.
 class OuterWrites {
  public:
@@ -372,6 +412,7 @@ class OperandOrder {
 
 void LowerOperandOrder(Legalizer& legalizer) {
   Program& program = legalizer.program;
+  if (!HasWritingOperand(program)) return;
   OperandOrder order(program);
   for (const FunctionId id : CalleesFirst(program)) order.Lower(id);
 }

@@ -156,9 +156,13 @@ def judge(tools, line, folder):
     if one != other:
         return "different", changed
     spirv = folder / "peer.spv"
-    if run("glslangValidator", "-D", "-V", "--amb", "-S", "vert", *peer, after, "-o", spirv).returncode:
+    if run(
+        "glslangValidator", "-D", "-V", "--amb", "-S", "vert", *peer, after, "-o", spirv
+    ).returncode:
         before.write_text(text.replace(ATTRIBUTE, ""))
-        plain = run("glslangValidator", "-D", "-V", "--amb", "-S", "vert", *peer, before, "-o", spirv)
+        plain = run(
+            "glslangValidator", "-D", "-V", "--amb", "-S", "vert", *peer, before, "-o", spirv
+        )
         verdict = "same; the peer reads neither" if plain.returncode else "refused by the peer"
         return verdict, changed
     crossing = run("spirv-cross", spirv, "--version", "450")
@@ -170,7 +174,9 @@ def judge(tools, line, folder):
     crossed = scene.draw(draw, third)
     if not crossed:
         return "same; the peer's is not drawn", changed
-    return ("same, and at the peer" if is_near(drawn, crossed) else "same; the peer differs"), changed
+    return (
+        "same, and at the peer" if is_near(drawn, crossed) else "same; the peer differs"
+    ), changed
 
 
 def main():
