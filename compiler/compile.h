@@ -45,6 +45,7 @@ struct LanguageOptions {
   LanguageVersion version = LanguageVersion::k2021;
   std::string profile = "vs_5_0";
   std::string entry = "main";
+  bool legacy_macro_expansion = false;  // read `##` as fxc from shader model 6 on too
   MatrixPacking packing = MatrixPacking::kColumnMajor;
   rules::PositionName position_name = rules::PositionName::kSystemValue;
 };

@@ -121,6 +121,7 @@ constexpr Option kForeignOptions[] = {
     {"-matrix-layout-column-major", kFlag,
      SetTo<&LanguageOptions::packing, MatrixPacking::kColumnMajor>},
     {"-stage", kSeparate, RequireValue<kVertex, kVert>},
+    {"-flegacy-macro-expansion", kFlag, Set<&LanguageOptions::legacy_macro_expansion>},
     {"--vn", kSeparate, Set<&CommandLine::variable>},
     {"-MMD", kFlag, Set<&CommandLine::write_dependencies>},
     {"-MM", kFlag, Set<&CommandLine::only_dependencies>},

@@ -25,6 +25,9 @@ SourceInput InputOf(const CompileRequest& request, const ir::Profile& profile) {
           .shader_model_major = profile.major,
           .shader_model_minor = profile.minor,
           .language = request.language.version,
+          .pasted = profile.major < 6 || request.language.legacy_macro_expansion
+                        ? PastedOperands::kExpanded
+                        : PastedOperands::kKept,
           .max_bytes = request.limits.bytes,
           .max_tokens = request.limits.tokens,
           .record_macros = request.record_macros};

@@ -19,11 +19,14 @@ namespace clang {
 class DiagnosticConsumer;
 class DiagnosticOptions;
 class LangOptions;
+class MacroArgs;
+class MacroInfo;
 class IdentifierInfoLookup;
 class PPCallbacks;
 class Preprocessor;
 class SourceLocation;
 class SourceManager;
+class Token;
 }  // namespace clang
 
 namespace clipc {
@@ -70,6 +73,29 @@ class GuardScope : NotCopied {
 
  private:
   PreprocessGuard* outer_;
+};
+
+// During its life, preprocessors of this thread read the operands of `##` in one way. At each use
+// of a macro with `##`, `guard` counts the bytes that are pasted; where the operands are kept and
+// fxc would expand them, there is a warning.
+class PasteScope : NotCopied {
+ public:
+  PasteScope(PastedOperands how, PreprocessGuard& guard, Diagnostics& diagnostics);
+  ~PasteScope();
+
+  // Enters a macro in place of clang::Preprocessor::EnterMacro.
+  void Enter(clang::Preprocessor& preprocessor, clang::Token& name, clang::SourceLocation end,
+             clang::MacroInfo* macro, clang::MacroArgs* arguments);
+  // Is called at the end of each macro.
+  void EnableReplaced();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+  PastedOperands how_;
+  PreprocessGuard& guard_;
+  Diagnostics& diagnostics_;
+  PasteScope* outer_;
 };
 
 }  // namespace clipc

@@ -399,7 +399,8 @@ clang::Token RunPreprocessor(Source::State& state, Diagnostics& diagnostics, OnT
 
   state.guard.SetLimits(state.input.max_bytes, state.input.max_tokens);
   state.guard.SetStackBase(static_cast<const char*>(__builtin_frame_address(0)));
-  GuardScope scope(state.guard);
+  const GuardScope guarded(state.guard);
+  const PasteScope pasting(state.input.pasted, state.guard, diagnostics);
   preprocessor.EnterMainSourceFile();
   for (preprocessor.Lex(token); token.isNot(tok::eof); preprocessor.Lex(token)) {
     if (state.guard.stopped() || diagnostics.TooManyErrors()) break;

@@ -27,6 +27,9 @@ void PreprocessGuard::Report(Diagnostics& diagnostics) const {
     case Limit::kBytes:
       diagnostics.Report(where, diag::TooMuchToPreprocess, max_bytes_, "bytes of text");
       return;
+    case Limit::kPasted:
+      diagnostics.Report(where, diag::TooMuchToPreprocess, kMaxPasted, "bytes by `##`");
+      return;
   }
 }
 

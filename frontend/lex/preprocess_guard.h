@@ -21,6 +21,7 @@ class PreprocessGuard {
     kExpansions,
     kIncludes,
     kBytes,
+    kPasted,
     kReported
   };
 
@@ -52,6 +53,11 @@ class PreprocessGuard {
   void CountExpansion(std::uint32_t location) {
     if (++expansions_ > max_tokens_) Stop(Limit::kExpansions, location);
   }
+  // Counts `bytes` bytes that `##` makes, before it makes them.
+  void CountPasting(std::uint32_t location, std::size_t bytes) {
+    pasted_ += bytes;
+    if (pasted_ > kMaxPasted) Stop(Limit::kPasted, location);
+  }
   // Counts an entered file of `bytes` bytes, which has at most that many tokens.
   void CountInclude(std::uint32_t location, std::size_t bytes) {
     max_tokens_ += bytes;
@@ -68,12 +74,14 @@ class PreprocessGuard {
   static constexpr std::size_t kMaxStack = std::size_t{2} << 20;
 #endif
   static constexpr unsigned kMaxIncludes = 1u << 16;
+  static constexpr std::size_t kMaxPasted = std::size_t{64} << 20;
 
   const char* stack_base_ = nullptr;
   std::size_t max_bytes_ = SIZE_MAX, bytes_ = 0;
   std::size_t max_tokens_ = 0;
   std::size_t tokens_ = 0;
   std::size_t expansions_ = 0;
+  std::size_t pasted_ = 0;
   unsigned includes_ = 0;
   Limit limit_ = Limit::kNone;
   std::uint32_t location_ = 0;

@@ -51,6 +51,10 @@ enum class LanguageVersion : std::uint16_t {
   k2021 = 2021
 };
 
+// Whether a macro that is an operand of `##` is expanded before it is pasted, as fxc does, or kept,
+// as in C and dxc.
+enum class PastedOperands : std::uint8_t { kKept, kExpanded };
+
 // A main file and how to preprocess it.
 struct SourceInput {
   // The path of the main file, or "-" for standard input. If there is a `text`, its name in
@@ -67,6 +71,7 @@ struct SourceInput {
   int shader_model_major = 5;  // from 6 on, DXC's predefined macros are visible too
   int shader_model_minor = 0;
   LanguageVersion language = LanguageVersion::k2021;
+  PastedOperands pasted = PastedOperands::kExpanded;
   // The limits past which there is an error: on the bytes of all files, counted each time that a
   // file is entered, and on the tokens that macros add to those of the files.
   std::size_t max_bytes = SIZE_MAX;

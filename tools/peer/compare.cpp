@@ -66,7 +66,6 @@ Comparison Compare(const Shader& shader, const BuildOptions& options, const Rand
 
 // Returns the bugs of the peer that no rewriting shows and that the shader's text invites.
 std::set<std::string> BugsInText(const std::string& hlsl, const Comparison& found) {
-  if (found.missing == found.wrong && hlsl.find("##") != hlsl.npos) return {"token-paste"};
   if (found.missing == 0 && std::regex_search(hlsl, std::regex(R"(\[\s*\]\s*=\s*\{)")))
     return {"unsized-initializer"};
   return {};

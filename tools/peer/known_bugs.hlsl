@@ -34,10 +34,6 @@ float4 unsized(float4 p : P, uint i : I) : SV_Position {
   return p * pairs[i & 1].xyxy;
 }
 
-#define NAME(n) SEMANTIC##n
-#define NUMBER 3
-float4 pasted(float4 p : P, out float4 q : NAME(NUMBER)) : SV_Position { return q = p; }
-
 cbuffer Packed {
   float3x2 before;
   float after;

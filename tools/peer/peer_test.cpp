@@ -105,7 +105,6 @@ TEST_F(Peer, KnownBugsAreNamed) {
                                                       {"products", "matrix-product"},
                                                       {"initial", "global-initializer"},
                                                       {"unsized", "unsized-initializer"},
-                                                      {"pasted", "token-paste"},
                                                       {"views", "system-values"},
                                                       {"columns", "matrix-signature"}};
   for (const auto& [entry, bug] : bugs) {

@@ -20,6 +20,7 @@ files = {
     "macro_parens": doubling("(((((") + "#if M59\n#endif\n",
     "arguments": "#define F(x) x\nint a = " + "F(" * 100_000 + "1" + ")" * 100_000 + ";\n",
     "doubling_arguments": "#define F(x) x x\nint a = " + "F(" * 60 + "1" + ")" * 60 + ";\n",
+    "pasting": "#define F(x) F1(x)\n#define F1(x) x##x\nint " + "F(" * 40 + "a" + ")" * 40 + ";\n",
     "doubling": doubling("a a a") + "M59\n",
     "doubling_nothing": "#define Z\n" + doubling("Z") + "M59\n",
 }
