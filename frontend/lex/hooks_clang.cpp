@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include <clang/Basic/IdentifierTable.h>
+#include <clang/Basic/SourceManager.h>
 #include <clang/Lex/Lexer.h>
+#include <clang/Lex/LiteralSupport.h>
 #include <clang/Lex/Preprocessor.h>
 #include <llvm/ADT/StringMap.h>
 #include <llvm/Support/Unicode.h>
@@ -32,6 +35,20 @@ bool MayRead(PreprocessGuard& guard, const clang::Preprocessor& preprocessor) {
   guard.Stop(limit, file ? file->getSourceLocation().getRawEncoding() : 0);
   return false;
 }
+
+// Whether the token stands in `#line 1 "x"` or `# 1 "x"`.
+bool IsInLineDirective(const clang::Token& token, const clang::SourceManager& sources) {
+  const auto [file, offset] = sources.getDecomposedExpansionLoc(token.getLocation());
+  llvm::StringRef line = sources.getBufferData(file).take_front(offset);
+  line = line.drop_front(line.find_last_of("\r\n") + 1).ltrim();  // npos + 1 is 0
+  if (!line.consume_front("#")) return false;
+  line = line.ltrim();
+  return line.starts_with("line") || (!line.empty() && line[0] >= '0' && line[0] <= '9');
+}
+
+#define CLIPC_STRING_LITERAL                                                         \
+  "_ZN5clang19StringLiteralParserC1EN4llvm8ArrayRefINS_5TokenEEERNS_12PreprocessorE" \
+  "NS_23StringLiteralEvalMethodE"
 
 }  // namespace
 
@@ -77,6 +94,28 @@ Constructed __real__ZN4llvm13StringMapImplC2Ejj(llvm::StringMapImpl*, unsigned, 
 Constructed __wrap__ZN4llvm13StringMapImplC2Ejj(llvm::StringMapImpl* map, unsigned buckets,
                                                 unsigned item_size) {
   return __real__ZN4llvm13StringMapImplC2Ejj(map, std::min(buckets, 128u), item_size);
+}
+
+// StringLiteralParser's constructor: a file name has no escapes in `#line 1 "shaders\new.hlsl"`.
+// fxc's own listings and preprocessed files have names of Windows so.
+Constructed RealStringLiteral(
+    clang::StringLiteralParser*, llvm::ArrayRef<clang::Token>, clang::Preprocessor&,
+    clang::StringLiteralEvalMethod) __asm__("__real_" CLIPC_STRING_LITERAL) __attribute__((weak));
+Constructed WrapStringLiteral(
+    clang::StringLiteralParser*, llvm::ArrayRef<clang::Token>, clang::Preprocessor&,
+    clang::StringLiteralEvalMethod) __asm__("__wrap_" CLIPC_STRING_LITERAL);
+Constructed WrapStringLiteral(clang::StringLiteralParser* parser,
+                              llvm::ArrayRef<clang::Token> tokens,
+                              clang::Preprocessor& preprocessor,
+                              clang::StringLiteralEvalMethod how) {
+  if (tokens.size() != 1 || !IsInLineDirective(tokens[0], preprocessor.getSourceManager()))
+    return RealStringLiteral(parser, tokens, preprocessor, how);
+  std::string text;
+  for (const char c : preprocessor.getSpelling(tokens[0])) text.append(c == '\\' ? 2 : 1, c);
+  clang::Token plain = tokens[0];
+  plain.setLiteralData(text.data());
+  plain.setLength(static_cast<unsigned>(text.size()));
+  return RealStringLiteral(parser, plain, preprocessor, how);
 }
 
 // Preprocessor::RegisterBuiltinPragmas: the thirty pragmas of C++ are left out; AddPragmas adds
