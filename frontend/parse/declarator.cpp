@@ -176,7 +176,9 @@ RegisterBinding Parser::ParseRegister() {
 bool Parser::ParseRegisterOperand(RegisterBinding& binding) {
   constexpr std::string_view kSpace = "space";
   constexpr std::string_view kLetters = "bcistu";
-  const std::string_view text = TextAt();
+  std::string_view text = TextAt();
+  // fxc takes cb1 for b1, as many public programs for Direct3D 11 write it.
+  if (text.size() > 2 && ToLower(text.substr(0, 2)) == "cb") text.remove_prefix(1);
   if (ToLower(text.substr(0, kSpace.size())) == kSpace) {
     if (const auto number = ParseNumber(text.substr(kSpace.size()))) {
       binding.space = *number;

@@ -52,7 +52,7 @@ bool TokenCursor::AcceptGreater() {
 }
 
 bool TokenCursor::AtDeclarationWord() const {
-  if (AtWord(Word::kTechnique)) return At(kIdentifier, 1) || At(kLeftBrace, 1);
+  if (AtWord(Word::kTechnique)) return At(kIdentifier, 1) || At(kLeftBrace, 1) || At(kLess, 1);
   return AtAnyOf(kTagWords | kOutsideWords | Word::kTypedef);
 }
 

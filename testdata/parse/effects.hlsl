@@ -30,6 +30,7 @@ technique Old <string script = "x";> {
   }
   pass { VertexShader = (several[1]); }
 }
+technique11 <bool water = true;> { pass <bool first = true;> { ZEnable = TRUE; } }
 TECHNIQUE { pass p { VertexShader = compile VS_2_0 two_main(); } }
 technique10 Ten {
   pass P { SetVertexShader(CompileShader(vs_4_0, ten_main(world))); SetPixelShader(NULL); }
