@@ -70,8 +70,12 @@ std::string LegalName(std::string_view wanted, std::string_view fallback) {
 
 std::string LegalFieldName(std::string_view wanted) {
   std::string name = Spelling(wanted, "field");
-  if (IsKeyword(name)) return WithSuffix(name, "");
+  if (IsKeyword(name) || name == "length") return WithSuffix(name, "");
   return name;
+}
+
+std::string LegalTypeName(std::string_view wanted) {
+  return IsLayoutWord(wanted) ? WithSuffix(wanted, "") : std::string(wanted);
 }
 
 std::string Namer::Global(std::string_view wanted, std::string_view fallback) {

@@ -16,8 +16,12 @@ namespace clipc::glsl {
 // front, and a keyword or built-in function gets a `_` at the end. An empty name becomes
 // `fallback`.
 std::string LegalName(std::string_view wanted, std::string_view fallback = "unnamed");
-// Returns the LegalName of a struct field, which may be called like a function.
+// Returns the LegalName of a struct field, which may be called like a function, but not like the
+// method of arrays, `length`.
 std::string LegalFieldName(std::string_view wanted);
+// Returns what Namer::Global is asked for in place of `wanted` as the name of a struct: GLSL reads
+// it as a type from then on, also in `layout(location = 0)`.
+std::string LegalTypeName(std::string_view wanted);
 
 // Hands out names: the wanted one where it is legal and free, else with `_2`, `_3` and so on after
 // it. A name depends only on the calls before it.

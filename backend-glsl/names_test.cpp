@@ -10,7 +10,9 @@ TEST(NamesTest, LegalNamesStay) {
   EXPECT_EQ(LegalName("world_view"), "world_view");
   EXPECT_EQ(LegalName("_x"), "_x");
   EXPECT_EQ(LegalName("p0"), "p0");
-  EXPECT_EQ(LegalFieldName("length"), "length") << "a field may be called like a function";
+  EXPECT_EQ(LegalFieldName("distance"), "distance") << "a field may be called like a function";
+  EXPECT_EQ(LegalFieldName("length"), "length_") << "but not like the method of arrays";
+  EXPECT_EQ(LegalTypeName("location"), "location_") << "`layout(location = 0)` has to stay";
 }
 
 TEST(NamesTest, WhatGlslReservesGetsASuffix) {

@@ -82,6 +82,21 @@ unpackInt2x32 unpackSnorm2x16 unpackSnorm4x8 unpackUint2x32 unpackUnorm2x16 unpa
 usubBorrow
 )";
 
+// The identifiers of section 4.4, "Layout Qualifiers", of the same specifications, of
+// GLSL_OVR_multiview and of KHR_vulkan_glsl.
+constexpr std::string_view kLayoutWords = R"(
+align binding ccw component constant_id cw depth_any depth_greater depth_less depth_unchanged
+early_fragment_tests equal_spacing fractional_even_spacing fractional_odd_spacing index
+input_attachment_index invocations isolines line_strip lines lines_adjacency local_size_x
+local_size_x_id local_size_y local_size_y_id local_size_z local_size_z_id location max_vertices
+num_views offset origin_upper_left pixel_center_integer point_mode points push_constant quads
+r11f_g11f_b10f r16 r16_snorm r16f r16i r16ui r32f r32i r32ui r64i r64ui r8 r8_snorm r8i r8ui
+rg16 rg16_snorm rg16f rg16i rg16ui rg32f rg32i rg32ui rg8 rg8_snorm rg8i rg8ui rgb10_a2
+rgb10_a2ui rgba16 rgba16_snorm rgba16f rgba16i rgba16ui rgba32f rgba32i rgba32ui rgba8
+rgba8_snorm rgba8i rgba8ui scalar set std140 std430 stream triangle_strip triangles
+triangles_adjacency vertices xfb_buffer xfb_offset xfb_stride
+)";
+
 // The words of `text`, which blanks and line ends separate.
 template <std::size_t N>
 constexpr std::array<std::string_view, N> Split(std::string_view text) {
@@ -104,11 +119,14 @@ constexpr std::size_t Count(std::string_view text) {
 
 constexpr WordIndex kKeywordIndex(Split<Count(kKeywords)>(kKeywords));
 constexpr WordIndex kFunctionIndex(Split<Count(kFunctions)>(kFunctions));
+constexpr WordIndex kLayoutIndex(Split<Count(kLayoutWords)>(kLayoutWords));
 
 }  // namespace
 
 bool IsKeyword(std::string_view word) { return kKeywordIndex.Has(word); }
 
 bool IsBuiltinFunction(std::string_view word) { return kFunctionIndex.Has(word); }
+
+bool IsLayoutWord(std::string_view word) { return kLayoutIndex.Has(word); }
 
 }  // namespace clipc::glsl

@@ -11,5 +11,7 @@ bool IsKeyword(std::string_view word);
 // Whether some version has a built-in function of that name: a function or variable of the name
 // would hide it, or is an error in ES.
 bool IsBuiltinFunction(std::string_view word);
+// Whether the word is a qualifier in the brackets of `layout(...)` and no keyword.
+bool IsLayoutWord(std::string_view word);
 
 }  // namespace clipc::glsl

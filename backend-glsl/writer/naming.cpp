@@ -221,7 +221,7 @@ class Naming {
 
   void OfStruct(StructId id) {
     const Struct& structure = context_.types[id];
-    names_.structs[id.index] = namer_.Global(structure.name, "Unnamed");
+    names_.structs[id.index] = namer_.Global(LegalTypeName(structure.name), "Unnamed");
     std::vector<std::string_view> wanted;
     wanted.reserve(structure.fields.size());
     for (const Field& field : structure.fields) wanted.push_back(field.name);
