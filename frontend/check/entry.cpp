@@ -78,6 +78,10 @@ void ReportNoEntry(Context& context) {
   for (SymbolId id : context.names.symbol_ids()) {
     if (context[id].kind != SymbolKind::kFunction) continue;
     names.push_back(ScopedName(context, id));
+    if (names.back() == context.options.entry) {
+      context.Report(context[id].span, diag::EntryOnlyDeclared, names.back());
+      return;
+    }
     places.push_back(DeclOf(context, id).name_span);
     if (IsLikelyEntry(context, DeclOf(context, id))) likely.push_back(names.back());
   }

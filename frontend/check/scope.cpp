@@ -92,6 +92,11 @@ void ReportUndeclared(Context& context, Span span, const ast::QualifiedName& nam
     context.Report(span, diag::NoSuchScope, context[missing]);
     return;
   }
+  if (context[name.name] == "ResourceDescriptorHeap" ||
+      context[name.name] == "SamplerDescriptorHeap") {
+    context.Report(span, diag::DescriptorHeap, context[name.name]);
+    return;
+  }
   const SymbolId later = name.scopes.empty() ? FindLater(context, name.name) : SymbolId{};
   const std::string_view hlsl = later || !name.scopes.empty() ? "" : HlslNameOf(context[name.name]);
   const bool is_glsl = context[name.name].starts_with("gl_");
