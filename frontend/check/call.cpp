@@ -4,6 +4,7 @@
 #include "frontend/check/assign.h"
 #include "frontend/check/body.h"
 #include "frontend/check/byte_access.h"
+#include "frontend/check/cast_target.h"
 #include "frontend/check/construct.h"
 #include "frontend/check/expr.h"
 #include "frontend/check/function.h"
@@ -175,10 +176,36 @@ VarId MakeEmpty(Context& context, TypeId type, Span span) {
   return var;
 }
 
+// f((A)v) => (t = (A)v, f(t), v.a = t.a, ...): the components of t go back into those of v that
+// they came from. The operand is checked once more, since its cast is a value.
+ExprId BindCast(Context& context, const Parameter& parameter, TypeId type, ast::ExprId operand,
+                Exprs& before, Exprs& after) {
+  ExprId target = TakeSteps(context, CheckExpr(context, operand), before);
+  const Span span = context[target].span;
+  if (context.IsError(target) || !CheckTarget(context, target)) return context.ErrorExpr(span);
+  if (context.Is<MatrixSwizzle>(target)) return context.Fail(span, diag::NotAssignable);
+  target = Stabilize(context, target, before);
+  ExprId copy;
+  if (parameter.storage == Storage::kInOut) {
+    const ExprId cast = ConvertSilently(context, Clone(context.program, target), type);
+    const ExprId initial = Implicit(context, cast, parameter.type);
+    if (context.IsError(initial)) return initial;
+    copy = Hoist(context, initial, before);
+  } else {
+    copy = context.At(span).Ref(MakeEmpty(context, parameter.type, span));
+  }
+  const ExprId result = Implicit(context, Clone(context.program, copy), type);
+  if (context.IsError(result)) return result;
+  StoreComponents(context, target, Repeatable(context, result, after), after);
+  return copy;
+}
+
 ExprId BindArgument(Context& context, const Parameter& parameter, ExprId argument, Exprs& before,
                     Exprs& after) {
   if (parameter.storage == Storage::kIn) return Implicit(context, argument, parameter.type);
   const Span span = context[argument].span;
+  if (const ast::ExprId operand = CastOperand(context, argument))
+    return BindCast(context, parameter, context.TypeIdOf(argument), operand, before, after);
   argument = TakeSteps(context, argument, before);
   if (!CheckTarget(context, argument)) return context.ErrorExpr(span);
   const bool is_swizzle = context.Is<MatrixSwizzle>(argument);

@@ -88,6 +88,8 @@ struct Context final : TemporaryMaker {
   Overloads functions;
   Structs structs;
   Globals globals;
+  // The operands of casts of paths, by the expression that each became: cast_target.h.
+  std::unordered_map<std::uint32_t, ast::ExprId> casts;
   std::vector<TypeId> numeric_types;  // by Name: float4x3 and the like, once looked up
   std::vector<StmtId> stmts;          // the statements of the blocks in progress
   int depth = 0;                      // the weights of the Depths that are open

@@ -7,6 +7,7 @@
 #include "base/overloaded.h"
 #include "frontend/check/assign.h"
 #include "frontend/check/call.h"
+#include "frontend/check/cast_target.h"
 #include "frontend/check/enum.h"
 #include "frontend/check/global.h"
 #include "frontend/check/index.h"
@@ -155,7 +156,10 @@ ExprId CheckNode(Context& context, const ast::CastExpr& expr, Span span) {
   if (context.IsError(value, type)) return context.ErrorExpr(span);
   if (context.TypeIdOf(value) == type) return value;
   if (IsExplicitlyConvertible(context.types, context.TypeIdOf(value), type)) {
-    return ConvertExplicit(context.program, value, type, context);
+    const bool is_path{RootOf(context.program, value)};
+    const ExprId converted = ConvertExplicit(context.program, value, type, context);
+    if (is_path) NoteCast(context, converted, expr.operand);
+    return converted;
   }
   if (DerivesFrom(context, context.TypeIdOf(value), type)) return Implicit(context, value, type);
   return context.Fail(span, diag::CannotCast, context.TypeName(value), context.TypeName(type));

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "frontend/check/cast_target.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "frontend/check/value.h"
+#include "ir/access.h"
+
+namespace clipc::check {
+namespace {
+
+// The scalars and vectors that a value is made of, in order, taken one run of components at a time.
+class Pieces {
+ public:
+  Pieces(Context& context, ExprId whole) : context_(context), whole_(whole) {
+    Collect(context.TypeIdOf(whole));
+  }
+
+  bool at_end() const { return next_ == pieces_.size(); }
+  int left() const { return pieces_[next_].size - offset_; }
+
+  ExprId Take(int count) {
+    const Piece& piece = pieces_[next_];
+    Builder at = context_.At(context_[whole_].span);
+    ExprId part = Clone(context_.program, whole_);
+    for (const std::uint32_t step : piece.path) part = at.Part(part, step);
+    const bool is_vector = context_.TypeOf(part).kind == TypeKind::kVector;
+    if (is_vector && (count != piece.size || count == 1))
+      part =
+          at.SwizzledRun(part, static_cast<std::size_t>(offset_), static_cast<std::size_t>(count));
+    offset_ += count;
+    if (offset_ == piece.size) {
+      offset_ = 0;
+      ++next_;
+    }
+    return part;
+  }
+
+ private:
+  struct Piece {
+    std::vector<std::uint32_t> path;  // the numbers of the parts on the way to it
+    int size;
+  };
+
+  void Collect(TypeId id) {
+    const Type type = context_[id];
+    if (type.IsScalarOrVector()) {
+      pieces_.push_back({path_, type.columns});
+      return;
+    }
+    for (std::uint32_t i = 0; i < context_.types.PartCount(id); ++i) {
+      path_.push_back(i);
+      Collect(context_.types.PartType(id, i));
+      path_.pop_back();
+    }
+  }
+
+  Context& context_;
+  ExprId whole_;
+  std::vector<std::uint32_t> path_;
+  std::vector<Piece> pieces_;
+  std::size_t next_ = 0;
+  int offset_ = 0;
+};
+
+}  // namespace
+
+void NoteCast(Context& context, ExprId value, ast::ExprId operand) {
+  context.casts.insert_or_assign(value.index, operand);
+}
+
+ast::ExprId CastOperand(const Context& context, ExprId value) {
+  const auto found = context.casts.find(value.index);
+  return found == context.casts.end() ? ast::ExprId{} : found->second;
+}
+
+void StoreComponents(Context& context, ExprId target, ExprId value, Exprs& steps) {
+  Pieces to(context, target), from(context, value);
+  while (!from.at_end() && !to.at_end()) {
+    const int count = std::min(from.left(), to.left());
+    const ExprId place = to.Take(count);
+    const ExprId part = ConvertSilently(context, from.Take(count), context.TypeIdOf(place));
+    steps.push_back(context.At(context[target].span).AssignTo(place, part));
+  }
+}
+
+}  // namespace clipc::check
