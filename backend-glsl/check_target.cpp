@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "backend-glsl/block_layout.h"
-#include "backend-glsl/descriptors.h"
+#include "backend-glsl/check_bindings.h"
 #include "backend-glsl/legalize/es100/loops.h"
 #include "backend-glsl/needs.h"
 #include "backend-glsl/operators.h"
@@ -25,9 +25,6 @@ using namespace ir;
 
 namespace {
 
-// The highest binding and set that glslang takes: layoutBindingEnd, layoutSetEnd.
-constexpr std::uint32_t kHighestBinding = 0xfffe;
-constexpr std::uint32_t kHighestSet = 0x3e;
 // The most fields of a struct in place of an array; each is an `if` where the index is not
 // constant.
 constexpr std::uint32_t kMaxElements = 256;
@@ -47,6 +44,8 @@ class TargetCheck {
   void Run() {
     for (const IoVar& input : program_.inputs) Input(input);
     for (const IoVar& output : program_.outputs) Output(output);
+    if (program_.tests_early)
+      Check(Feature::kEarlyTests, diag::TargetEarlyTests, program_.functions[program_.entry].span);
     for (CbufferId id : program_.cbuffers.ids()) {
       if (reached_.Has(id)) Cbuffer(program_.cbuffers[id]);
     }
@@ -55,7 +54,7 @@ class TargetCheck {
       Object(program_.vars[resource.var]);
       if (!target_.IsVulkan()) TextureUnit(resource);
     }
-    if (target_.IsVulkan()) Bindings();
+    if (target_.IsVulkan()) CheckBindings(program_, reached_, target_, diagnostics_);
     ConstantIds();
     if (!target_.Has(Feature::kPrecise)) Precise();
     for (VarId global : reached_.globals) {
@@ -104,11 +103,34 @@ class TargetCheck {
   void Input(const IoVar& input) {
     if (!reached_.Has(input.var)) return;
     const Var& var = program_.vars[input.var];
+    if (input.builtin == Builtin::kUntranslated)
+      return Report(var.span, diag::TargetPixelInput, input.semantic);
+    if (input.builtin == Builtin::kPixelPosition) return PixelPosition(input);
+    if (input.builtin == Builtin::kNone && clipc::InfoOf(program_.stage).has_stage_before)
+      return Varying(input);
     Check(NeedOf(input.builtin), var.span, input.semantic);
     DoubleVarying(var, input.semantic + std::to_string(input.index));
   }
 
+  void PixelPosition(const IoVar& input) {
+    const bool reads_y = (ComponentsRead(program_)[input.var.index] & 0b10) != 0;
+    if (reads_y && !target_.HasUpperLeftOrigin())
+      Check(Feature::kUpperLeftOrigin, diag::TargetOrigin, program_.vars[input.var].span,
+            input.semantic);
+  }
+
+  // Checks an output to a render target.
+  void RenderTarget(const IoVar& output) {
+    const Span span = program_.vars[output.var].span;
+    const std::string name = output.semantic + std::to_string(output.index);
+    if (target_.Has(Feature::kInAndOut)) return;
+    if (!ShapeOf(program_.types[program_.vars[output.var].type], target_).IsFloating())
+      Check(Feature::kIntegerVaryings, diag::TargetIntegerVarying, span, name);
+  }
+
   void Output(const IoVar& output) {
+    if (output.builtin == Builtin::kNone && !clipc::InfoOf(program_.stage).has_stage_after)
+      return RenderTarget(output);
     if (output.builtin == Builtin::kNone) return Varying(output);
     Check(NeedOf(output.builtin), PlaceOf(output), output.semantic);
   }
@@ -227,44 +249,6 @@ class TargetCheck {
                           resource.reg.descriptor->binding, target_.name(), target_.TextureUnits());
   }
 
-  // Reports bindings that are too high or taken: registers of all kinds share the bindings of a
-  // set.
-  void Bindings() {
-    const Descriptors descriptors(program_, reached_, target_);
-    struct Taken {
-      std::string name;
-      ObjectCategory category;
-    };
-    std::map<std::pair<std::uint32_t, std::uint32_t>, Taken> taken;
-    const auto take = [&](const Register& reg, const std::string& name, Span span,
-                          ObjectCategory category) {
-      const Descriptor at = descriptors.Of(reg);
-      if (at.binding > kHighestBinding || at.set > kHighestSet)
-        diagnostics_.Report(span, diag::TargetBindingTooHigh, name, at.binding, at.set,
-                            kHighestBinding, kHighestSet);
-      const auto [found, is_free] = taken.try_emplace({at.set, at.binding}, Taken{name, category});
-      Taken& other = found->second;
-      if (!is_free && target_.bindings.combines_samplers &&
-          std::minmax({other.category, category}) ==
-              std::pair(ObjectCategory::kTexture, ObjectCategory::kSampler)) {
-        other.category = ObjectCategory::kCombinedSampler;
-      } else if (!is_free) {
-        diagnostics_.Report(span, diag::TargetBindingsCollide, other.name, name, at.binding,
-                            at.set);
-      }
-    };
-    for (CbufferId id : program_.cbuffers.ids()) {
-      const ir::Cbuffer& cbuffer = program_.cbuffers[id];
-      if (reached_.Has(id) && !cbuffer.is_push_constant)
-        take(cbuffer.reg, cbuffer.name, cbuffer.span, ObjectCategory::kOther);
-    }
-    for (const Resource& resource : program_.resources) {
-      const Var& var = program_.vars[resource.var];
-      const ObjectCategory category = InfoOf(Innermost(var.type).object).category;
-      if (reached_.Has(resource.var)) take(resource.reg, var.name, var.span, category);
-    }
-  }
-
   // ---- types, each missing one reported once
   void Type(TypeId id, Span span) {
     if (std::exchange(seen_types_[id.index], true)) return;
@@ -343,6 +327,7 @@ class TargetCheck {
       return need && !target_.Has(need->feature);
     };
     return program_.calls_objects || program_.calls_nonuniform || !has_unsigned_ ||
+           clipc::InfoOf(program_.stage).draws_pixels ||
            !target_.Has(Feature::kDynamicBlockIndex) || !target_.Has(Feature::kBitCasts) ||
            lacks(Scalar::kDouble) || lacks(Scalar::kInt64) || lacks(Scalar::kUint64);
   }
@@ -400,6 +385,7 @@ class TargetCheck {
   }
 
   void IntrinsicUse(const IntrinsicCall& call, Span span) {
+    if (call.op == Intrinsic::kClip) diagnostics_.Report(span, diag::ClipInExpression);
     if (InfoOf(call.op).gate == TargetGate::kBitCasts) {
       Check(Feature::kBitCasts, diag::TargetBitCast, span, NameOf(call.op));
     }
@@ -413,6 +399,13 @@ class TargetCheck {
     const ObjectKind object = Innermost(program_.exprs[arguments[0]].type).object;
     if (TakesSampler(call.op)) ObjectArgument(arguments[1]);
     if (call.op == ObjectOp::kStore) StoreUse(arguments[0], span);
+    if (WritesObject(call.op) && program_.defers_discards &&
+        !std::exchange(discard_reported_, true))
+      Report(span, diag::TargetDiscard);
+    const bool compares_array =
+        object == ObjectKind::kTextureCubeArray && call.op == ObjectOp::kSampleCmpLevelZero;
+    if (compares_array && clipc::InfoOf(program_.stage).has_neighbours)
+      Report(span, diag::TargetSampleCompare);
     if (call.op == ObjectOp::kSampleLevel && arguments.size() > 4)
       Check(Feature::kTextureFunctions, diag::TargetSampleOffset, span);
     const bool is_length = call.op == ObjectOp::kBufferSize && IsStorageBuffer(object);
@@ -443,6 +436,10 @@ class TargetCheck {
 
   void BufferIndex(const Index& index, Span span) {
     const auto* ref = As<VarRef>(index.base);
+    const bool is_uniform = ref && program_.vars[ref->var].storage == Storage::kUniform;
+    if (is_uniform && !target_.Has(Feature::kFreeIndices) && !As<Literal>(index.index) &&
+        clipc::InfoOf(program_.stage).draws_pixels)
+      return Report(span, diag::TargetUniformIndex, program_.vars[ref->var].name);
     if (!ref || As<Literal>(index.index) || target_.Has(Feature::kDynamicBlockIndex)) return;
     const Var& var = program_.vars[ref->var];
     const bool is_object = Innermost(var.type).kind == TypeKind::kObject;
@@ -462,6 +459,7 @@ class TargetCheck {
   std::vector<char> seen_types_;  // by TypeId
   bool reported_[2] = {};         // the lack of double; of 64-bit integers
   bool uint_reported_ = false;
+  bool discard_reported_ = false;
   bool non_uniform_reported_ = false;
 };
 

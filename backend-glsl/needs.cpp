@@ -34,6 +34,16 @@ constexpr Row<Builtin> kBuiltins[] = {
     {Builtin::kShadingRate, {Feature::kShadingRate, &diag::TargetShadingRate}},
     {Builtin::kLayer, {Feature::kLayerAndViewport, nullptr, &diag::TargetLayer}},
     {Builtin::kViewportIndex, {Feature::kLayerAndViewport, nullptr, &diag::TargetLayer}},
+    {Builtin::kSampleIndex, {Feature::kSampleVariables, nullptr, &diag::TargetPixelValue}},
+    {Builtin::kCoverageInput, {Feature::kSampleVariables, nullptr, &diag::TargetPixelValue}},
+    {Builtin::kPrimitiveId, {Feature::kPrimitiveIdInput, nullptr, &diag::TargetPixelValue}},
+    {Builtin::kLayerInput, {Feature::kLayerInput, nullptr, &diag::TargetPixelValue}},
+    {Builtin::kViewportInput, {Feature::kViewportInput, nullptr, &diag::TargetPixelValue}},
+    {Builtin::kDepth, {Feature::kDepthOutput, nullptr, &diag::TargetPixelValue}},
+    {Builtin::kDepthGreaterEqual, {Feature::kConservativeDepth, nullptr, &diag::TargetPixelValue}},
+    {Builtin::kDepthLessEqual, {Feature::kConservativeDepth, nullptr, &diag::TargetPixelValue}},
+    {Builtin::kCoverage, {Feature::kSampleVariables, nullptr, &diag::TargetPixelValue}},
+    {Builtin::kStencilRef, {Feature::kStencilOutput, nullptr, &diag::TargetPixelValue}},
 };
 
 constexpr Need kImage = {Feature::kImages, nullptr, &diag::TargetImage};
@@ -55,6 +65,11 @@ constexpr Row<ObjectKind> kObjects[] = {
 
 constexpr Row<ObjectOp> kObjectOps[] = {
     {ObjectOp::kSampleGrad, {Feature::kTextureFunctions, &diag::TargetSampleGradient}},
+    {ObjectOp::kSampleCmp, {Feature::kTextureFunctions, &diag::TargetSampleCompare}},
+    {ObjectOp::kLevelOfDetail,
+     {Feature::kLevelQueries, nullptr, &diag::TargetTextureQuery, "level of detail"}},
+    {ObjectOp::kLevelOfDetailUnclamped,
+     {Feature::kLevelQueries, nullptr, &diag::TargetTextureQuery, "level of detail"}},
     {ObjectOp::kSampleCmpLevelZero, {Feature::kTextureFunctions, &diag::TargetSampleCompare}},
     {ObjectOp::kGather, {Feature::kGather, &diag::TargetGather}},
     {ObjectOp::kGatherGreen, {Feature::kGather, &diag::TargetGather}},

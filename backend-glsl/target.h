@@ -53,6 +53,22 @@ enum class Feature : std::uint8_t {
   kLayerAndViewport,  // gl_Layer and gl_ViewportIndex
   kViewIndex,
   kShadingRate,
+  // ---- of fragment shaders
+  kTargetLocations,    // layout(location = 0) of an output to a render target
+  kSeveralTargets,     // gl_FragData[1], where outputs have no locations
+  kUpperLeftOrigin,    // layout(origin_upper_left) of gl_FragCoord
+  kSampleVariables,    // gl_SampleID, gl_SampleMask and gl_SampleMaskIn
+  kPrimitiveIdInput,   // gl_PrimitiveID
+  kLayerInput,         // gl_Layer
+  kViewportInput,      // gl_ViewportIndex
+  kDepthOutput,        // gl_FragDepth
+  kConservativeDepth,  // layout(depth_greater) of it
+  kStencilOutput,      // gl_FragStencilRefARB
+  kEarlyTests,         // layout(early_fragment_tests)
+  kDerivatives,        // dFdx, dFdy, fwidth
+  kFineDerivatives,    // dFdxFine and the like
+  kExplicitLevels,     // textureLod and textureGrad in a fragment shader
+  kLevelQueries,       // textureQueryLod
   // ---- types and expressions
   kUnsigned,            // uint, % << >> & | ^ ~, and int overloads of functions
   kSwitch,              // `switch`
@@ -135,6 +151,10 @@ class Target {
   std::uint32_t TextureUnits() const { return IsEs() ? 48 : 80; }
 
   BindingRules bindings;  // the rules of a Vulkan target
+  bool flips_y = false;   // the picture is upside down, as textures are
+
+  // Whether the window's y grows downwards in the picture, as in Direct3D.
+  bool HasUpperLeftOrigin() const { return IsVulkan() || flips_y; }
 
  private:
   Target(std::string_view name, Api api, int version) : name_(name), api_(api), version_(version) {}

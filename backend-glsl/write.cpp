@@ -53,6 +53,10 @@ std::string Header(const Context& context) {
     Append(text, "#extension ", extension, " : require\n");
   for (const std::string& extension : context.enabled)
     Append(text, "#extension ", extension, " : enable\n");
+  // Fragment shaders of OpenGL ES have no precision of their own; Direct3D's numbers have 32 bits.
+  if (InfoOf(context.program.stage).draws_pixels && context.target.IsEs())
+    text += "\nprecision highp float;\nprecision highp int;\n";
+  if (context.program.tests_early) text += "\nlayout(early_fragment_tests) in;\n";
   return text + "\n";
 }
 

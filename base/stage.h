@@ -12,12 +12,12 @@ namespace clipc {
 enum class Stage : std::uint8_t { kVertex, kPixel };
 
 struct StageInfo {
-  std::string_view prefix;  // of the names of its profiles: "vs"
-  std::string_view name;    // in messages: "vertex"
-  // Only the inputs and constant buffers that a shader of the stage before must match are read: no
-  // GLSL is written.
-  bool is_interface_only = false;
+  std::string_view prefix;        // of the names of its profiles: "vs"
+  int number = 0;                 // DXC's __SHADER_TARGET_STAGE
+  std::string_view name;          // in messages: "vertex"
+  std::string_view extension;     // of the names of files with its GLSL: ".vert"
   bool has_stage_before = false;  // its inputs are the outputs of another stage
+  bool has_stage_after = false;   // its outputs are the inputs of another stage
   // The stage runs in quads of neighbours: derivatives exist, and levels of detail follow from
   // them.
   bool has_neighbours = false;
@@ -27,10 +27,11 @@ struct StageInfo {
 
 // One row for each enumerator.
 inline constexpr StageInfo kStages[] = {
-    {.prefix = "vs", .name = "vertex"},
+    {.prefix = "vs", .number = 1, .name = "vertex", .extension = ".vert", .has_stage_after = true},
     {.prefix = "ps",
+     .number = 0,
      .name = "pixel",
-     .is_interface_only = true,
+     .extension = ".frag",
      .has_stage_before = true,
      .has_neighbours = true,
      .draws_pixels = true},

@@ -150,6 +150,11 @@ std::string_view UnknownToValidator(const Lowered& lowered, const glsl::GlslInfo
     has_instance_id |=
         info.inputs[i].is_used && lowered.program.inputs[i].builtin == ir::Builtin::kInstanceId;
   }
+  const bool has_several = std::ranges::any_of(
+      lowered.program.outputs, [](const ir::IoVar& output) { return output.location > 0; });
+  if (has_several && InfoOf(lowered.program.stage).draws_pixels &&
+      !lowered.target.HasInCore(glsl::Feature::kSeveralTargets))
+    return "`GL_EXT_draw_buffers`";
   has_instance_id &= !lowered.target.HasInCore(glsl::Feature::kInstanceId);
   return has_instance_id ? "`gl_InstanceIDARB` of GL_ARB_draw_instanced" : "";
 }
@@ -160,9 +165,9 @@ struct Finished {
   std::string_view unjudged;
 };
 
-// Validates the vertex shader. Returns what keeps glslang from judging it.
-std::string_view ValidateVertex(const Job& job, const Lowered& lowered, const Written& written) {
-  const auto problems = Validate(written.glsl, lowered.target, ShaderStage::kVertex);
+// Validates the shader. Returns what keeps glslang from judging it.
+std::string_view ValidateShader(const Job& job, const Lowered& lowered, const Written& written) {
+  const auto problems = Validate(written.glsl, lowered.target, lowered.program.stage);
   if (problems.empty()) return {};
   const std::string_view unknown = UnknownToValidator(lowered, written.info);
   if (!unknown.empty()) return unknown;
@@ -177,7 +182,7 @@ std::string FragmentOf(const Job& job, const Lowered& lowered, const glsl::GlslI
   if (!given) return glsl::WriteDiscard(lowered.program, lowered.target, info).declarations;
   glsl::Insertion insertion = glsl::InsertDiscard(*given, lowered.program, lowered.target, info);
   if (insertion.error.empty() && job.request.outputs.validate) {
-    const auto problems = Validate(insertion.text, lowered.target, ShaderStage::kFragment);
+    const auto problems = Validate(insertion.text, lowered.target, Stage::kPixel);
     if (!problems.empty()) insertion.error = problems.front();
   }
   if (!insertion.error.empty()) job.diagnostics.Report({}, diag::FragmentShader, insertion.error);
@@ -187,7 +192,7 @@ std::string FragmentOf(const Job& job, const Lowered& lowered, const glsl::GlslI
 // Adds the fragment shader's part, and validates both.
 Finished Finish(const Job& job, const Lowered& lowered, Written written) {
   Finished finished;
-  if (job.request.outputs.validate) finished.unjudged = ValidateVertex(job, lowered, written);
+  if (job.request.outputs.validate) finished.unjudged = ValidateShader(job, lowered, written);
   if (lowered.lowering == Lowering::kDiscard)
     finished.shaders.fragment = FragmentOf(job, lowered, written.info);
   finished.shaders.vertex = std::move(written.glsl);
@@ -217,11 +222,12 @@ std::vector<Finished> WriteVariants(const Job& job, const ir::Program& typed,
   return variants;
 }
 
-std::vector<std::uint32_t> TranslateToSpirv(const Job& job, const std::string& glsl) {
+std::vector<std::uint32_t> TranslateToSpirv(const Job& job, const std::string& glsl, Stage stage) {
   const CompileRequest& request = job.request;
   // The name has no folder, so that it does not matter where a shader is compiled.
-  const std::string name = request.path.substr(NameBegin(request.path)) + ".vert";
-  Spirv spirv = MakeSpirv(glsl, request.target, *request.outputs.spirv, name);
+  const std::string name =
+      fmt::format("{}{}", request.path.substr(NameBegin(request.path)), InfoOf(stage).extension);
+  Spirv spirv = MakeSpirv(glsl, request.target, stage, *request.outputs.spirv, name);
   for (const std::string& problem : spirv.problems)
     job.diagnostics.Report({}, diag::NoSpirv, problem);
   return std::move(spirv.words);
@@ -253,7 +259,8 @@ void RunBackEnd(const Job& job, ir::Program typed, CompileResult& result) {
   Finished finished = Finish(job, lowered, std::move(written));
   std::string_view unjudged = finished.unjudged;
   result.shaders = std::move(finished.shaders);
-  if (outputs.spirv) result.spirv = TranslateToSpirv(job, result.shaders.vertex);
+  if (outputs.spirv)
+    result.spirv = TranslateToSpirv(job, result.shaders.vertex, lowered.program.stage);
   if (job.request.planes.variants) {
     for (Finished& variant : WriteVariants(job, kept, settings, options, result.shaders)) {
       if (unjudged.empty()) unjudged = variant.unjudged;

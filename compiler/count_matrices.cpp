@@ -310,6 +310,7 @@ class Follower {
   }
   void FollowNode(const Break&, Exits& exits) { Leave(exits.broken); }
   void FollowNode(const Continue&, Exits& exits) { Leave(exits.continued); }
+  void FollowNode(const Discard&, Exits&) {}
 
   void Leave(State& to) {
     IsTooMuch(state_.values.size() / 8 + 1);

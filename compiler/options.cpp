@@ -250,7 +250,8 @@ ParsedCommandLine ParseCommandLine(std::span<const char* const> arguments) {
 std::string HelpText() {
   constexpr std::size_t kColumn = 25;
   std::string text =
-      "OVERVIEW: HLSL vertex shaders with [clipplanes] to GLSL and a Direct3D 9 clip table\n\n"
+      "OVERVIEW: HLSL vertex shaders with [clipplanes], and pixel shaders, to GLSL and a Direct3D "
+      "9 clip table\n\n"
       "USAGE: clipc [options] FILE...      (- is standard input)\n\nOPTIONS:\n";
   for (const Option& option : OwnOptions()) {
     if (!option.metavar) continue;

@@ -42,9 +42,11 @@ link::ReadResult ReadHlsl(const CompileRequest& request, SourceInput input,
   CheckOptions options = CheckOptions::For(PixelProfile(request), request.language.version);
   if (!entry.empty()) options.entry = entry;
   options.packing = request.language.packing;
+  options.is_interface_only = true;
   options.stages_match_by_row = true;
   input.shader_model_major = options.profile.major;
   input.shader_model_minor = options.profile.minor;
+  input.stage = Stage::kPixel;
   Source source(context, std::move(input));
   const auto place_of = [&](Span span) {
     const Place place = source.Resolve(span);

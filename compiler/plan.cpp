@@ -24,6 +24,7 @@ SourceInput InputOf(const CompileRequest& request, const ir::Profile& profile) {
           .read_include = request.includes.read,
           .shader_model_major = profile.major,
           .shader_model_minor = profile.minor,
+          .stage = profile.stage.value_or(Stage::kVertex),
           .language = request.language.version,
           .pasted = profile.major < 6 || request.language.legacy_macro_expansion
                         ? PastedOperands::kExpanded
@@ -75,6 +76,21 @@ void CheckPassNames(const DebugOptions& debug, Diagnostics& diagnostics) {
   if (!debug.stop_after.empty()) check(debug.stop_after);
 }
 
+// Reports options about planes and the next stage, which a shader without one cannot have.
+void CheckStage(const CompileRequest& request, const ir::Profile& profile,
+                Diagnostics& diagnostics) {
+  if (!profile.stage || InfoOf(*profile.stage).has_stage_after) return;
+  const auto refuse = [&](bool is_given, std::string_view option) {
+    if (is_given)
+      diagnostics.Report({}, diag::OptionOfStage, option, profile.name,
+                         InfoOf(*profile.stage).name);
+  };
+  refuse(request.link.has_pixel_shader(), "--pixel-shader");
+  refuse(request.planes.fragment.has_value(), "--fragment");
+  refuse(request.planes.variants.has_value(), "--variants");
+  refuse(request.planes.lowering == Lowering::kDiscard, "--lower=discard");
+}
+
 }  // namespace
 
 Plan Resolve(const CompileRequest& request, Diagnostics& diagnostics) {
@@ -88,6 +104,7 @@ Plan Resolve(const CompileRequest& request, Diagnostics& diagnostics) {
                    planes.position_input};
   CheckRequest(plan.lowering, diagnostics);
   if (request.hlsl.wanted) CheckHlslRequest(plan.lowering, diagnostics);
+  CheckStage(request, plan.check.profile, diagnostics);
   if (!request.includes.sandbox.empty() && !IsDirectory(request.includes.sandbox))
     diagnostics.Report({}, diag::NoSandbox, request.includes.sandbox);
   // HLSLcc, after fxc, has a variable for each column of a matrix between two stages. Its names

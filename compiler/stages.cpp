@@ -19,9 +19,7 @@ ir::Program Front(Source& source, const CheckOptions& options, Diagnostics& diag
   Tokens tokens = Lex(source, diagnostics);
   if (diagnostics.has_errors() || (wants && !wants(tokens))) return {};
   // The profile is reported first, because the next errors may be about another stage's shader.
-  const std::optional<Stage> stage = options.profile.stage;
-  if (!stage || InfoOf(*stage).is_interface_only)
-    diagnostics.Report({}, diag::NotVertexProfile, options.profile.name);
+  if (!options.profile.stage) diagnostics.Report({}, diag::OtherStageProfile, options.profile.name);
   const int errors = diagnostics.error_count();
   const ast::File file = Parse(std::move(tokens), diagnostics);
   return diagnostics.error_count() > errors ? ir::Program() : Check(file, options, diagnostics);
@@ -32,7 +30,9 @@ Lowered Lower(ir::Program program, const LowerSettings& settings) {
   options.clip_planes.write_clip_vertex = settings.target.Has(glsl::Feature::kClipVertex);
   options.hoist_loop_bounds = settings.target.Has(glsl::Feature::kFreeLoops);
   const bool is_complete = passes::RunPipeline(program, options);
-  return {std::move(program), settings.target, options.clip_planes.lowering,
+  glsl::Target target = settings.target;
+  target.flips_y = options.clip_space.flip_y;
+  return {std::move(program), std::move(target), options.clip_planes.lowering,
           options.clip_planes.space, is_complete};
 }
 

@@ -27,10 +27,9 @@ std::vector<std::string> Problems(std::string_view log) {
 // A shader that glslang compiles and links.
 class Linked {
  public:
-  Linked(const std::string& glsl, const glsl::Target& target, ShaderStage stage,
+  Linked(const std::string& glsl, const glsl::Target& target, Stage stage,
          const SpirvRequest* spirv)
-      : language_(stage == ShaderStage::kVertex ? EShLangVertex : EShLangFragment),
-        shader_(language_) {
+      : language_(stage == Stage::kVertex ? EShLangVertex : EShLangFragment), shader_(language_) {
     auto messages = EShMsgDefault;
     if (target.IsVulkan() || spirv) messages = SetEnvironment(target.IsVulkan(), spirv);
     const char* text = glsl.data();
@@ -73,15 +72,15 @@ class Linked {
 }  // namespace
 
 std::vector<std::string> Validate(const std::string& glsl, const glsl::Target& target,
-                                  ShaderStage stage) {
+                                  Stage stage) {
   link::InitializeGlslang();
   return Linked(glsl, target, stage, nullptr).problems();
 }
 
-Spirv MakeSpirv(const std::string& glsl, const glsl::Target& target, const SpirvRequest& request,
-                [[maybe_unused]] const std::string& name) {
+Spirv MakeSpirv(const std::string& glsl, const glsl::Target& target, Stage stage,
+                const SpirvRequest& request, [[maybe_unused]] const std::string& name) {
   link::InitializeGlslang();
-  Linked linked(glsl, target, ShaderStage::kVertex, &request);
+  Linked linked(glsl, target, stage, &request);
   Spirv made;
   made.problems = linked.problems();
   if (!made.problems.empty()) return made;

@@ -6,17 +6,15 @@
 #include <vector>
 
 #include "backend-glsl/target.h"
+#include "base/stage.h"
 
 namespace clipc {
-
-enum class ShaderStage { kVertex, kFragment };
 
 // Compiles and links `glsl` as a shader of one stage with glslang, in this process. Returns
 // glslang's messages, "line 12: ...": none for a valid shader, at least one for another. The first
 // call for a GLSL version builds glslang's tables for it, which takes tens of milliseconds; they
 // stay for the life of the process. Thread-safe.
-std::vector<std::string> Validate(const std::string& glsl, const glsl::Target& target,
-                                  ShaderStage stage);
+std::vector<std::string> Validate(const std::string& glsl, const glsl::Target& target, Stage stage);
 
 // The version of Vulkan that SPIR-V is for, which decides the version of the SPIR-V: 1.0, 1.3, 1.5
 // or 1.6.
@@ -30,10 +28,10 @@ struct Spirv {
   std::vector<std::string> problems;  // as of Validate; empty exactly when there are words
 };
 
-// Translates the GLSL of a vertex shader by glslang: for Vulkan, or for OpenGL 4.5 when `target` is
+// Translates the GLSL of a shader by glslang: for Vulkan, or for OpenGL 4.5 when `target` is
 // one of OpenGL's. Debug information has the GLSL in it, which a debugger shows as the file `name`.
-Spirv MakeSpirv(const std::string& glsl, const glsl::Target& target, const SpirvRequest& request,
-                const std::string& name);
+Spirv MakeSpirv(const std::string& glsl, const glsl::Target& target, Stage stage,
+                const SpirvRequest& request, const std::string& name);
 
 // The name and version of the validator, "glslang 12.0.0".
 std::string ValidatorName();

@@ -66,6 +66,26 @@ VarId RootOf(const Program& program, ExprId path) {
   return ref ? ref->var : VarId{};
 }
 
+std::vector<std::uint32_t> ComponentsRead(const Program& program) {
+  std::vector<std::uint32_t> masks(program.vars.size());
+  for (const FunctionId function : program.functions.ids()) {
+    std::vector<bool> is_swizzled(program.exprs.size());
+    ForEachExpr(program, program.functions[function].body, [&](ExprId id) {
+      if (const auto* swizzle = As<Swizzle>(program, id)) {
+        const auto* base = As<VarRef>(program, swizzle->base);
+        if (!base) return;
+        is_swizzled[swizzle->base.index] = true;
+        const Type& type = program.types[program.exprs[id].type];
+        for (std::uint32_t i = 0; i < type.Components(); ++i)
+          masks[base->var.index] |= 1u << swizzle->components[i];
+      }
+      const auto* ref = As<VarRef>(program, id);
+      if (ref && !is_swizzled[id.index]) masks[ref->var.index] = 0xF;
+    });
+  }
+  return masks;
+}
+
 bool HasLiteralIndices(const Program& program, ExprId path) {
   for (; path; path = WholeOf(program, path)) {
     const auto* index = As<Index>(program, path);
@@ -95,28 +115,45 @@ bool IsPure(const Program& program, ExprId expr) {
   });
 }
 
-bool Effects::IsPure(ExprId expr) {
+bool AsksNeighbours(const Program& program, ExprId expr) {
+  const auto* object = As<ObjectCall>(program, expr);
+  const auto* call = As<IntrinsicCall>(program, expr);
+  return (object && AsksNeighbours(object->op)) ||
+         (call && CategoryOf(call->op) == IntrinsicCategory::kNeighbours);
+}
+
+bool MayBeSkipped(const Program& program, ExprId expr) {
+  return IsPure(program, expr) &&
+         (!clipc::InfoOf(program.stage).has_neighbours ||
+          !AnyExpr(program, expr, [&](ExprId part) { return AsksNeighbours(program, part); }));
+}
+
+bool Effects::MayBeSkipped(ExprId expr) {
   return !AnyExpr(program_, expr, [&](ExprId part) {
     const auto* call = As<Call>(program_, part);
-    return Writes(program_, part) || (call && !IsPure(call->function));
+    return Writes(program_, part) || AsksNeighbours(program_, part) ||
+           (call && !MayBeSkipped(call->function));
   });
 }
 
-bool Effects::IsPure(FunctionId function) {
+bool Effects::MayBeSkipped(FunctionId function) {
   Answer& answer = functions_[function.index];
-  if (answer != Answer::kUnknown) return answer == Answer::kPure;
-  const bool is_impure = AnyExpr(program_, program_.functions[function].body, [&](ExprId part) {
-    bool reaches_out = IsStore(program_, part);
+  if (answer != Answer::kUnknown) return answer == Answer::kYes;
+  bool must_run = false;
+  ForEachStmt(program_, program_.functions[function].body,
+              [&](StmtId id) { must_run |= As<Discard>(program_, id) != nullptr; });
+  must_run |= AnyExpr(program_, program_.functions[function].body, [&](ExprId part) {
+    bool reaches_out = IsStore(program_, part) || AsksNeighbours(program_, part);
     ForEachWrite(program_, part, [&](ExprId target) {
       const VarId root = RootOf(program_, target);
       const Storage storage = root ? program_.vars[root].storage : Storage::kOut;
       reaches_out |= storage != Storage::kLocal && storage != Storage::kIn;
     });
     const auto* call = As<Call>(program_, part);
-    return reaches_out || (call && !IsPure(call->function));
+    return reaches_out || (call && !MayBeSkipped(call->function));
   });
-  answer = is_impure ? Answer::kImpure : Answer::kPure;
-  return !is_impure;
+  answer = must_run ? Answer::kNo : Answer::kYes;
+  return !must_run;
 }
 
 std::vector<bool> AssignedIn(const Program& program, std::span<const StmtId> stmts) {

@@ -50,6 +50,10 @@ VarId RootOf(const Program& program, ExprId path);
 // to.
 bool RepeatsComponents(const Program& program, ExprId expr);
 
+// The components of each variable that any function reads, a bit for each, by VarId; all for a
+// variable that is read otherwise than by a swizzle.
+std::vector<std::uint32_t> ComponentsRead(const Program& program);
+
 // Whether every index in the path is a literal, so that naming the place reads no other variable.
 bool HasLiteralIndices(const Program& program, ExprId path);
 
@@ -94,20 +98,28 @@ void ForEachWrite(const Program& program, ExprId expr, OnTarget&& on_target) {
 // no assignment, increment, store or out argument in it, and no call of a function but helpers.
 bool IsPure(const Program& program, ExprId expr);
 
-// The answers to IsPure that look into functions too: a call is pure when its function changes
-// nothing but its own parameters and local variables. The answers for functions are kept, so the
-// program must not change while this lives. Asking for callees before their callers keeps the
-// recursion flat.
+// Whether the node itself asks the neighbouring pixels, for a derivative or a level of detail: it
+// means something only where they run it too.
+bool AsksNeighbours(const Program& program, ExprId expr);
+
+// Whether the expression may be evaluated in some invocations only: it is pure, and asks no
+// neighbours.
+bool MayBeSkipped(const Program& program, ExprId expr);
+
+// The answers to MayBeSkipped that look into functions too: a call may be skipped when its function
+// changes nothing but its own parameters and local variables, and asks no neighbours. The answers
+// for functions are kept, so the program must not change while this lives. Asking for callees
+// before their callers keeps the recursion flat.
 class Effects {
  public:
   explicit Effects(const Program& program)
       : program_(program), functions_(program.functions.size()) {}
 
-  bool IsPure(ExprId expr);
-  bool IsPure(FunctionId function);
+  bool MayBeSkipped(ExprId expr);
+  bool MayBeSkipped(FunctionId function);
 
  private:
-  enum class Answer : std::uint8_t { kUnknown, kPure, kImpure };
+  enum class Answer : std::uint8_t { kUnknown, kYes, kNo };
 
   const Program& program_;
   std::vector<Answer> functions_;  // by FunctionId

@@ -131,6 +131,7 @@ EvalOutputs Machine::ReadOutputs() const {
     outputs.numbers.push_back(numbers);
   }
   outputs.wrote_out_of_bounds = wrote_out_of_bounds_;
+  outputs.is_discarded = is_discarded_;
   return outputs;
 }
 

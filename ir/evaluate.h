@@ -77,6 +77,7 @@ struct EvalOutputs {
   std::vector<IoBits> values;        // by index into Program::outputs; floats rounded to float
   std::vector<IoNumbers> numbers;    // `values` as numbers, unrounded with in_double
   bool wrote_out_of_bounds = false;  // an assignment was dropped
+  bool is_discarded = false;         // the pixel is not drawn: the outputs do not matter
 };
 
 // Either outputs or an error.

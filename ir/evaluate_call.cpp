@@ -47,6 +47,11 @@ void Machine::EvalNode(ExprId expr, const IntrinsicCall& node) {
   if (node.arguments.size > 1 && WritesArgument(node.op, 1)) return EvalWriting(node);
   const IntrinsicCategory category = CategoryOf(node.op);
   if (category == IntrinsicCategory::kBits) return EvalBits(expr, node);
+  if (category == IntrinsicCategory::kNeighbours) {
+    if (error_.empty()) error_ = std::string(NameOf(node.op)) + " needs neighbouring pixels";
+    is_constant_ = false;
+    return PushZeros(WordsOf(expr));
+  }
   const std::size_t base = stack_.size();
   std::array<ExprId, 3> arguments{};
   std::array<std::size_t, 3> starts{base, base, base};

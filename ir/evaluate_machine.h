@@ -83,6 +83,7 @@ class Machine {
   Flow Exec(const Return& node);
   Flow Exec(const Break&) { return Flow::kBreak; }
   Flow Exec(const Continue&) { return Flow::kContinue; }
+  Flow Exec(const Discard&) { return is_discarded_ = true, Flow::kNext; }
   Flow Loop(ExprId condition, ExprId step, StmtId body);
   bool Test(ExprId condition);
   void CallFunction(FunctionId function, std::size_t base);
@@ -161,6 +162,7 @@ class Machine {
   int variables_ = 0;            // constant variables whose values are being evaluated
   std::unordered_map<std::uint32_t, std::vector<Word>> known_;  // values of constant variables
   bool wrote_out_of_bounds_ = false;
+  bool is_discarded_ = false;
 };
 
 }  // namespace clipc::ir

@@ -122,6 +122,15 @@ enum class ObjectOp : std::uint8_t {
   kSampleLevel,
   // (texture, sampler, coordinate, ddx, ddy [, offset])
   kSampleGrad,
+  // (texture, sampler, coordinate [, offset]): the level of detail that the neighbours give
+  kSample,
+  // (texture, sampler, coordinate, bias [, offset])
+  kSampleBias,
+  // (texture, comparison sampler, coordinate, reference [, offset])
+  kSampleCmp,
+  // (texture, sampler, coordinate without the element of an array): float
+  kLevelOfDetail,
+  kLevelOfDetailUnclamped,
   // (texture, comparison sampler, coordinate, reference [, offset])
   kSampleCmpLevelZero,
   // (texture, sampler, coordinate [, offset, or one for each texel of the four]): component 0
@@ -151,6 +160,12 @@ enum class ObjectOp : std::uint8_t {
   kD3d9SampleLevel,
   // (sampler, coordinate): level 0 in a stage without neighbours
   kD3d9Sample,
+  // (sampler, coordinate without the bias that HLSL has in w, bias)
+  kD3d9SampleBias,
+  // (sampler, coordinate, ddx, ddy)
+  kD3d9SampleGrad,
+  // (sampler of a texture that is no cube, float4): the coordinate is divided by w
+  kD3d9SampleProjected,
   // (RWTexture, coordinate int{1..3})
   kImageLoad,
   // (a writable object, place as the load of that object has it, value): void; the place in an
@@ -190,10 +205,35 @@ constexpr bool IsGather(ObjectOp op) {
   using enum ObjectOp;
   return op == kGather || op == kGatherGreen || op == kGatherBlue || op == kGatherAlpha;
 }
+// Whether the operation takes the level of detail from neighbouring pixels.
+constexpr bool AsksNeighbours(ObjectOp op) {
+  using enum ObjectOp;
+  switch (op) {
+    case kSample:
+    case kSampleBias:
+    case kSampleCmp:
+    case kLevelOfDetail:
+    case kLevelOfDetailUnclamped:
+    case kD3d9Sample:
+    case kD3d9SampleBias:
+    case kD3d9SampleProjected: return true;
+    default: return false;
+  }
+}
 // Whether arguments[1] is a sampler.
 constexpr bool TakesSampler(ObjectOp op) {
   using enum ObjectOp;
-  return op == kSampleLevel || op == kSampleGrad || op == kSampleCmpLevelZero || IsGather(op);
+  switch (op) {
+    case kSampleLevel:
+    case kSampleGrad:
+    case kSample:
+    case kSampleBias:
+    case kSampleCmp:
+    case kSampleCmpLevelZero:
+    case kLevelOfDetail:
+    case kLevelOfDetailUnclamped: return true;
+    default: return IsGather(op);
+  }
 }
 struct ObjectCall {
   ObjectOp op{};

@@ -106,6 +106,23 @@ enum class Builtin : std::uint8_t {
   kShadingRate,    // uint: Direct3D's log2 of the width << 2 | log2 of the height
   kLayer,          // uint
   kViewportIndex,  // uint
+
+  // Inputs of a pixel shader.
+  kPixelPosition,  // float4: SV_Position, with Direct3D's y and w
+  kFrontFacing,    // bool
+  kSampleIndex,    // uint
+  kCoverageInput,  // uint
+  kPrimitiveId,    // uint
+  kLayerInput,     // uint
+  kViewportInput,  // uint
+  kUntranslated,   // no target has the input; it may be declared, and is not read
+
+  // Outputs of a pixel shader.
+  kDepth,              // float
+  kDepthGreaterEqual,  // float
+  kDepthLessEqual,     // float
+  kCoverage,           // uint
+  kStencilRef,         // uint
 };
 
 // A block that inputs of the next stage are members of, `in Varyings { vec2 uv; } v`, or an input
@@ -156,7 +173,8 @@ struct IoVar {
   std::string semantic;  // as written, without its index: "TEXCOORD"
   std::uint32_t index = 0;
   Builtin builtin = Builtin::kNone;
-  // The place among the inputs (outputs) that are not built in, in order of declaration.
+  // The place among the inputs (outputs) that are not built in, in order of declaration; of an
+  // output of a pixel shader, the number of the render target.
   std::uint32_t location = 0;
   Interpolation interpolation = Interpolation::kDefault;
   bool centroid = false;

@@ -34,6 +34,7 @@ enum class IntrinsicCategory : std::uint8_t {
   kBits,        // as kComponents, but on the bit patterns of the components
   kVectors,     // the components of an argument are combined
   kWriting,     // an argument is written
+  kNeighbours,  // component i of the result is a difference of components i between pixels
 };
 
 // The requirements that an intrinsic makes of a GLSL target.

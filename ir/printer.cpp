@@ -24,6 +24,11 @@ const char* TextOf(ObjectOp op) {
   static constexpr Named<ObjectOp> kTexts[] = {
       {ObjectOp::kSampleLevel, "sample_level"},
       {ObjectOp::kSampleGrad, "sample_grad"},
+      {ObjectOp::kSample, "sample"},
+      {ObjectOp::kSampleBias, "sample_bias"},
+      {ObjectOp::kSampleCmp, "sample_cmp"},
+      {ObjectOp::kLevelOfDetail, "level_of_detail"},
+      {ObjectOp::kLevelOfDetailUnclamped, "level_of_detail_unclamped"},
       {ObjectOp::kSampleCmpLevelZero, "sample_cmp_level_zero"},
       {ObjectOp::kGather, "gather"},
       {ObjectOp::kGatherGreen, "gather_green"},
@@ -39,6 +44,9 @@ const char* TextOf(ObjectOp op) {
       {ObjectOp::kBufferSize, "buffer_size"},
       {ObjectOp::kD3d9SampleLevel, "d3d9_sample_level"},
       {ObjectOp::kD3d9Sample, "d3d9_sample"},
+      {ObjectOp::kD3d9SampleBias, "d3d9_sample_bias"},
+      {ObjectOp::kD3d9SampleGrad, "d3d9_sample_grad"},
+      {ObjectOp::kD3d9SampleProjected, "d3d9_sample_projected"},
       {ObjectOp::kImageLoad, "image_load"},
       {ObjectOp::kStore, "store"},
       {ObjectOp::kAtomicAdd, "atomic_add"},
@@ -315,6 +323,7 @@ void Printer::PutStmt(StmtId id) {
                  [&](const Return& n) { Line(n.value ? "return " + ExprText(n.value) : "return"); },
                  [&](const Break&) { Line("break"); },
                  [&](const Continue&) { Line("continue"); },
+                 [&](const Discard&) { Line("discard"); },
              },
              program_.stmts[id].node);
 }

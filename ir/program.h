@@ -35,6 +35,9 @@ enum class Form : std::uint8_t {
 struct Program {
   Profile profile;
   Stage stage = Stage::kVertex;  // the rules by which the program was checked
+  // Only the inputs and constant buffers that the stage before must match are of interest: what
+  // clipc cannot translate is a zero, and no GLSL is written.
+  bool is_interface_only = false;
   TypeTable types;
   Arena<Expr> exprs;
   Arena<Stmt> stmts;
@@ -55,6 +58,9 @@ struct Program {
   std::vector<VarId> globals;
   std::vector<Resource> resources;  // the objects that are reached, in order of declaration
   std::vector<ClipPlane> clip_planes;
+  bool tests_early = false;  // [earlydepthstencil]: depth and stencil are tested before it runs
+  // Discards wait for the end of main: passes/defer_discards.h.
+  bool defers_discards = false;
   Form form = Form::kTyped;
   // Whether a method of an object, and whether NonUniformResourceIndex, was ever called: a search
   // for such calls need not look at the nodes of other programs.

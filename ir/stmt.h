@@ -57,6 +57,9 @@ struct Return {
 };
 struct Break {};
 struct Continue {};
+// Ends the pixel: nothing is drawn, and no unordered access view changes after it. Its invocation
+// may go on, so that its neighbours have derivatives.
+struct Discard {};
 
 // The wish of the shader for the optimiser at a loop, an `if` or a `switch`. No value depends on
 // it.
@@ -70,7 +73,8 @@ enum class Hint : std::uint8_t {
 
 struct Stmt {
   Span span;
-  std::variant<Block, Declare, Evaluate, If, For, While, DoWhile, Switch, Return, Break, Continue>
+  std::variant<Block, Declare, Evaluate, If, For, While, DoWhile, Switch, Return, Break, Continue,
+               Discard>
       node;
   Hint hint = Hint::kNone;
 };

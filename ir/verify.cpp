@@ -186,6 +186,9 @@ class ProgramVerifier {
                      Require(loop.loops + loop.switches > 0, "break stands in a loop or switch");
                    },
                    [&](const Continue&) { Require(loop.loops > 0, "continue stands in a loop"); },
+                   [&](const Discard&) {
+                     Require(clipc::InfoOf(program_.stage).draws_pixels, "a pixel is discarded");
+                   },
                },
                program_.stmts[id].node);
   }

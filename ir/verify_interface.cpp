@@ -85,7 +85,8 @@ class InterfaceVerifier {
         continue;
       }
       const auto bit = static_cast<std::size_t>(io.builtin);
-      if (builtins[bit]) Fail(what + " gives its builtin a second time");
+      if (builtins[bit] && io.builtin != Builtin::kUntranslated)
+        Fail(what + " gives its builtin a second time");
       builtins[bit] = true;
       if (!FitsBuiltin(io.builtin, var.type, storage))
         Fail(what + " does not have the direction and type of its builtin");
@@ -108,7 +109,17 @@ class InterfaceVerifier {
       case kCullDistance:
         return storage == kOutput && type.kind == TypeKind::kArray && type.count >= 1 &&
                type.count <= kMaxClipDistances && program_.types.Name(type.element) == "float";
-      case kPointSize: return storage == kOutput && is_scalar && base == Scalar::kFloat;
+      case kPointSize:
+      case kDepth:
+      case kDepthGreaterEqual:
+      case kDepthLessEqual: return storage == kOutput && is_scalar && base == Scalar::kFloat;
+      case kPixelPosition:
+        return storage == kInput && type.kind == TypeKind::kVector && type.columns == 4 &&
+               base == Scalar::kFloat;
+      case kFrontFacing: return storage == kInput && is_scalar && base == Scalar::kBool;
+      case kUntranslated: return storage == kInput && type.IsScalarOrVector();
+      case kCoverage:
+      case kStencilRef:
       case kLayer:
       case kViewportIndex:
       case kShadingRate: return storage == kOutput && is_scalar && IsInteger(base);

@@ -100,7 +100,7 @@ void ForEachPartSlot(MaybeConst& stmt, OnExpr&& on_expr, OnPart&& on_part, OnLis
             [&](OneOf<DoWhile> auto& node) { part(node.body), expr(node.condition); },
             [&](OneOf<Switch> auto& node) { expr(node.value), cases(node.cases); },
             [&](OneOf<Return> auto& node) { expr(node.value); },
-            [](OneOf<Break, Continue> auto&) {},
+            [](OneOf<Break, Continue, Discard> auto&) {},
         },
         stmt.node);
 }

@@ -8,32 +8,8 @@
 #include "link/read.h"
 
 namespace clipc::link {
-namespace {
 
 using namespace ir;
-
-// The components of each variable that any function reads, by VarId.
-std::vector<std::uint32_t> ComponentsRead(const Program& program) {
-  std::vector<std::uint32_t> masks(program.vars.size());
-  for (const FunctionId function : program.functions.ids()) {
-    std::vector<bool> is_swizzled(program.exprs.size());
-    ForEachExpr(program, program.functions[function].body, [&](ExprId id) {
-      if (const auto* swizzle = As<Swizzle>(program, id)) {
-        const auto* base = As<VarRef>(program, swizzle->base);
-        if (!base) return;
-        is_swizzled[swizzle->base.index] = true;
-        const Type& type = program.types[program.exprs[id].type];
-        for (std::uint32_t i = 0; i < type.Components(); ++i)
-          masks[base->var.index] |= 1u << swizzle->components[i];
-      }
-      const auto* ref = As<VarRef>(program, id);
-      if (ref && !is_swizzled[id.index]) masks[ref->var.index] = 0xF;
-    });
-  }
-  return masks;
-}
-
-}  // namespace
 
 // Names are those that glslang and SPIRV-Cross give: of the parameter and its member, and of the
 // constant buffer.

@@ -16,23 +16,28 @@ bool IsRowOfSame(const Program& program, const IoVar& first, const IoVar& output
          type.Components() > 1 && BaseOf(type.scalar) == Scalar::kFloat;
 }
 
-}  // namespace
-
-void KeepMatricesWhole(Program& program) {
-  for (std::size_t first = 0; first < program.outputs.size();) {
+// The same for inputs or outputs.
+void KeepMatricesWhole(const Program& program, std::vector<IoVar>& list) {
+  for (std::size_t first = 0; first < list.size();) {
     std::size_t end = first;
-    while (end < program.outputs.size() &&
-           IsRowOfSame(program, program.outputs[first], program.outputs[end]))
-      ++end;
+    while (end < list.size() && IsRowOfSame(program, list[first], list[end])) ++end;
     const std::size_t rows = end - first;
     for (std::size_t i = first; rows > 1 && i < end; ++i) {
-      ir::Reader& reader = program.outputs[i].reader.emplace();
+      ir::Reader& reader = list[i].reader.emplace();
       reader.is_known = false;
       reader.columns = static_cast<std::uint32_t>(rows);
       reader.element = static_cast<std::uint32_t>(i - first);
     }
     first = end > first ? end : first + 1;
   }
+}
+
+}  // namespace
+
+void KeepMatricesWhole(Program& program) {
+  const StageInfo& stage = clipc::InfoOf(program.stage);
+  if (stage.has_stage_before) KeepMatricesWhole(program, program.inputs);
+  if (stage.has_stage_after) KeepMatricesWhole(program, program.outputs);
 }
 
 }  // namespace clipc::link

@@ -7,6 +7,7 @@
 #include "base/invariant.h"
 #include "ir/access.h"
 #include "ir/builder.h"
+#include "passes/outputs.h"
 
 namespace clipc::passes {
 
@@ -78,11 +79,9 @@ class Inliner {
     }
   }
 
-  // Whether naming the variable again costs nothing; a built-in input may stand for a computation.
+  // Whether naming the variable again costs nothing.
   bool IsPlain(VarId var) const {
-    if (program_.vars[var].storage == Storage::kUniform) return true;
-    const auto input = std::ranges::find(program_.inputs, var, &IoVar::var);
-    return input != program_.inputs.end() && input->builtin == Builtin::kNone;
+    return program_.vars[var].storage == Storage::kUniform || IsPlainInput(program_, var);
   }
 
   // Puts the entry function's statements in the place of its call, under the names of `main`. `all`

@@ -11,6 +11,13 @@ namespace clipc::passes {
 
 using namespace ir;
 
+bool IsPlainInput(const Program& program, VarId var) {
+  const auto input = std::ranges::find(program.inputs, var, &IoVar::var);
+  if (input == program.inputs.end()) return false;
+  return input->builtin == Builtin::kNone || input->builtin == Builtin::kPixelPosition ||
+         input->builtin == Builtin::kFrontFacing;
+}
+
 VarId FindOutput(const Program& program, Builtin builtin) {
   const auto found = std::ranges::find(program.outputs, builtin, &IoVar::builtin);
   return found == program.outputs.end() ? VarId{} : found->var;

@@ -10,6 +10,10 @@ namespace clipc::passes {
 // The output variable with the meaning `builtin`; none if the shader does not have it.
 ir::VarId FindOutput(const ir::Program& program, ir::Builtin builtin);
 
+// Whether the variable is an input whose name costs nothing to repeat; a built-in one may stand for
+// a computation.
+bool IsPlainInput(const ir::Program& program, ir::VarId var);
+
 // The value of `output` if `main` writes `output` exactly once, as a copy of a local variable or of
 // one of its fields; otherwise none. Reading the local costs a target less than reading the output
 // again. The expression has its parent: clone it for each use.

@@ -2,6 +2,7 @@
 #include "passes/pipeline.h"
 
 #include "base/invariant.h"
+#include "passes/defer_discards.h"
 #include "passes/drop_idle_clip_distances.h"
 #include "passes/drop_unread.h"
 #include "passes/drop_unread_arguments.h"
@@ -45,6 +46,8 @@ constexpr ir::Pass<Run> kPipeline[] = {
     {"drop-unwritten", [](Run& run) { DropUnwritten(run.program); }, ir::Form::kInlined},
     // Variables become unread where the passes before have removed statements.
     {"drop-unread", [](Run& run) { DropUnread(run.program); }, ir::Form::kInlined},
+    // Samples that the passes before have removed need no neighbours.
+    {"defer-discards", [](Run& run) { DeferDiscards(run.program); }, ir::Form::kInlined},
     // Calls that the passes before have removed need not be followed.
     {"spread-precise", [](Run& run) { SpreadPrecise(run.program, run.options.precise_outputs); },
      ir::Form::kInlined},

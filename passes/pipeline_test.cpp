@@ -212,11 +212,12 @@ TEST(Pipeline, StopsAndDumpsAfterAPass) {
     return true;
   };
   Lowered(TwoPlanes(), options);
-  EXPECT_THAT(seen, ElementsAre("lower-clip-planes", "adjust-clip-space flipped",
-                                "inline-entry flipped", "split-variables flipped",
-                                "drop-idle-clip-distances flipped", "drop-unread-arguments flipped",
-                                "drop-unwritten flipped", "drop-unread flipped",
-                                "spread-precise flipped", "hoist-loop-bounds flipped"));
+  EXPECT_THAT(
+      seen,
+      ElementsAre("lower-clip-planes", "adjust-clip-space flipped", "inline-entry flipped",
+                  "split-variables flipped", "drop-idle-clip-distances flipped",
+                  "drop-unread-arguments flipped", "drop-unwritten flipped", "drop-unread flipped",
+                  "defer-discards flipped", "spread-precise flipped", "hoist-loop-bounds flipped"));
   seen.clear();
   options.stop_after = "lower-clip-planes";
   EXPECT_EQ(Lowered(TwoPlanes(), options).form, Form::kNoClipPlanes);
@@ -226,10 +227,10 @@ TEST(Pipeline, StopsAndDumpsAfterAPass) {
   Program stopped = TwoPlanes();
   EXPECT_FALSE(RunPipeline(stopped, options));
   EXPECT_EQ(stopped.form, Form::kInlined);
-  EXPECT_THAT(PassNames(),
-              ElementsAre("lower-clip-planes", "adjust-clip-space", "inline-entry",
-                          "split-variables", "drop-idle-clip-distances", "drop-unread-arguments",
-                          "drop-unwritten", "drop-unread", "spread-precise", "hoist-loop-bounds"));
+  EXPECT_THAT(PassNames(), ElementsAre("lower-clip-planes", "adjust-clip-space", "inline-entry",
+                                       "split-variables", "drop-idle-clip-distances",
+                                       "drop-unread-arguments", "drop-unwritten", "drop-unread",
+                                       "defer-discards", "spread-precise", "hoist-loop-bounds"));
 }
 
 TEST(PipelineDeathTest, PassesWantTheirForms) {

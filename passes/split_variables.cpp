@@ -10,6 +10,7 @@
 #include "base/invariant.h"
 #include "ir/access.h"
 #include "ir/builder.h"
+#include "passes/outputs.h"
 
 namespace clipc::passes {
 
@@ -264,10 +265,8 @@ class Splitter {
     const Assign* assign = first.stmt < before_end_ ? AssignmentAt(first.stmt) : nullptr;
     if (!assign || assign->target != first.expr) return {};
     const auto* value = As<VarRef>(program_, assign->value);
-    const auto input =
-        value ? std::ranges::find(program_.inputs, value->var, &IoVar::var) : program_.inputs.end();
-    const bool is_plain = input != program_.inputs.end() && input->builtin == Builtin::kNone;
-    return is_plain && program_.vars[input->var].type == part.type ? input->var : VarId{};
+    const bool is_plain = value && IsPlainInput(program_, value->var);
+    return is_plain && program_.vars[value->var].type == part.type ? value->var : VarId{};
   }
 
   // The part's first use after the statement `stmt` if that use is `part = value;`; otherwise null.

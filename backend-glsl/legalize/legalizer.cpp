@@ -79,12 +79,12 @@ Legalizer::Legalizer(Program& program, const Target& target)
   }
 }
 
-bool Legalizer::IsPure(ExprId expr) {
+bool Legalizer::MayBeSkipped(ExprId expr) {
   if (!effects_ || effects_functions_ != program.functions.size()) {
     effects_.emplace(program);
     effects_functions_ = program.functions.size();
   }
-  return effects_->IsPure(expr);
+  return effects_->MayBeSkipped(expr);
 }
 
 ExprId Legalizer::Component(Builder b, ExprId expr, int i) {

@@ -55,8 +55,8 @@ class Legalizer {
   bool IsNumeric(ir::ExprId expr) const { return TypeOf(expr).IsNumeric(); }
   // A builder whose nodes have the place of `expr` in the source.
   ir::Builder At(ir::ExprId expr) { return ir::Builder(program, program.exprs[expr].span); }
-  // Whether `expr` may be evaluated twice or not at all.
-  bool IsPure(ir::ExprId expr);
+  // Whether `expr` may be evaluated twice, or not at all in some invocations.
+  bool MayBeSkipped(ir::ExprId expr);
 
   // Component `i` of a vector, a matrix of one row or one column, or a scalar.
   ir::ExprId Component(ir::Builder b, ir::ExprId expr, int i);

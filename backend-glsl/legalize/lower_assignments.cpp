@@ -30,7 +30,7 @@ void LowerAssignments(Legalizer& legalizer) {
     if (!found || !found->op) return;
     const Assign assign = *found;
     if (IsNative(legalizer, *assign.op, legalizer.ShapeAt(assign.target), assign.value)) return;
-    if (legalizer.IsPure(assign.target)) {
+    if (legalizer.MayBeSkipped(assign.target)) {
       Builder b = legalizer.At(expr);
       const ExprId old = Clone(legalizer.program, assign.target);
       const ExprId value = b.BinaryOf(*assign.op, old, assign.value);

@@ -18,7 +18,7 @@ void LowerLogical(Legalizer& legalizer, ExprId expr, const Binary& node) {
   Builder b = legalizer.At(expr);
   const ExprId left = legalizer.Component(b, node.left, 0);
   const ExprId right = legalizer.Component(b, node.right, 0);
-  const bool is_pure = legalizer.IsPure(node.right);
+  const bool is_pure = legalizer.MayBeSkipped(node.right);
   TypeTable& types = legalizer.program.types;
   const ExprId both = is_pure ? left : b.ConstructOf(types.Vector(Scalar::kBool, 2), {left, right});
   const ExprId value = is_pure ? b.BinaryOf(lazy, left, right)
@@ -38,7 +38,7 @@ void LowerSelect(Legalizer& legalizer, ExprId expr, const Select& node) {
   }
   Builder b = legalizer.At(expr);
   const ExprId condition = legalizer.Component(b, node.condition, 0);
-  if (legalizer.IsPure(node.when_true) && legalizer.IsPure(node.when_false)) {
+  if (legalizer.MayBeSkipped(node.when_true) && legalizer.MayBeSkipped(node.when_false)) {
     legalizer.program.exprs[expr].node = Conditional{condition, node.when_true, node.when_false};
     return;
   }

@@ -56,7 +56,7 @@ class IndexLowering {
   // by an index that changes something.
   bool IsLost(ExprId expr) {
     const auto* node = As<Index>(program_, expr);
-    return node && IsOnlyElement(program_, *node) && !legalizer_.IsPure(node->index);
+    return node && IsOnlyElement(program_, *node) && !legalizer_.MayBeSkipped(node->index);
   }
 
   ExprId TakeIndex(ExprId expr) {

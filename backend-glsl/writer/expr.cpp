@@ -6,6 +6,7 @@
 
 #include "backend-glsl/literal.h"
 #include "backend-glsl/writer/construct.h"
+#include "backend-glsl/writer/interface.h"
 #include "backend-glsl/writer/intrinsic_call.h"
 #include "backend-glsl/writer/object_call.h"
 #include "backend-glsl/writer/operand.h"
@@ -28,6 +29,10 @@ Binding Write(Code& code, const Text& text) {
 
 Binding WriteVar(Code& code, VarId id) {
   if (code[id].storage == Storage::kUniform) return WriteUniform(code, id);
+  if (IsPixelPosition(code, id)) {
+    code.Put("vec4(", code.NameOf(id), ".xyz, 1.0 / ", code.NameOf(id), ".w)");
+    return Binding::kPostfix;
+  }
   code.Put(code.NameOf(id));
   return Binding::kPostfix;
 }
@@ -70,7 +75,26 @@ Binding WriteElement(Code& code, const Expr& expr, const Index& node) {
   return Binding::kPostfix;
 }
 
+// Writes components of a pixel's position. GLSL has 1 / w where Direct3D has w.
+Binding WritePixelPosition(Code& code, const std::string& name, const Swizzle& node) {
+  const auto end = node.components.begin() + node.count;
+  const bool has_w = std::find(node.components.begin(), end, 3) != end;
+  if (has_w && node.count == 1) {
+    code.Put("1.0 / ", name, ".w");
+    return Binding::kProduct;
+  }
+  if (has_w) code.Put("vec4(", name, ".xyz, 1.0 / ", name, ".w)");
+  if (!has_w) code.Put(name);
+  code.Put(".");
+  for (auto each = node.components.begin(); each != end; ++each)
+    code.Put(std::string_view("xyzw").substr(*each, 1));
+  return Binding::kPostfix;
+}
+
 Binding WriteSwizzle(Code& code, const Swizzle& node) {
+  const auto* ref = code.As<VarRef>(node.base);
+  if (ref && IsPixelPosition(code, ref->var))
+    return WritePixelPosition(code, code.NameOf(ref->var), node);
   const Shape shape = code.ShapeAt(node.base);
   if (shape.IsScalar()) {
     if (node.count == 1) return WriteExpr(code, node.base);

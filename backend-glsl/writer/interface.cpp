@@ -11,6 +11,7 @@
 #include "backend-glsl/writer/output_groups.h"
 #include "backend-glsl/writer/types.h"
 #include "base/invariant.h"
+#include "ir/access.h"
 #include "ir/scalar.h"
 
 namespace clipc::glsl {
@@ -55,6 +56,13 @@ std::string BuiltinInput(const Context& context, Builtin builtin) {
     case Builtin::kVertexIndex: return is_vulkan ? "gl_VertexIndex" : "gl_VertexID";
     case Builtin::kInstanceIndex:
       return is_vulkan ? "gl_InstanceIndex" : "gl_InstanceID + gl_BaseInstance" + suffix;
+    case Builtin::kPixelPosition: return "gl_FragCoord";
+    case Builtin::kFrontFacing: return "gl_FrontFacing";
+    case Builtin::kSampleIndex: return "gl_SampleID";
+    case Builtin::kCoverageInput: return "gl_SampleMaskIn[0]";
+    case Builtin::kPrimitiveId: return "gl_PrimitiveID";
+    case Builtin::kLayerInput: return "gl_Layer";
+    case Builtin::kViewportInput: return "gl_ViewportIndex";
     default: break;
   }
   CLIPC_CHECK(!"a built-in input");
@@ -63,7 +71,7 @@ std::string BuiltinInput(const Context& context, Builtin builtin) {
 
 // Names the extensions that a built-in input needs, and declares what must be declared.
 void RequireBuiltin(Context& context, const IoVar& input, Inputs& inputs) {
-  context.Require(NeedOf(input.builtin)->feature);
+  if (const Need* need = NeedOf(input.builtin)) context.Require(need->feature);
   GlslInfo::Variable& info = inputs.info.back();
   const bool is_vulkan = context.target.IsVulkan();
   if (input.builtin == Builtin::kVertexId) {
@@ -73,6 +81,11 @@ void RequireBuiltin(Context& context, const IoVar& input, Inputs& inputs) {
   }
   if (input.builtin == Builtin::kInstanceId)
     info.needs_base_instance_zero = KeepsBaseInstance(context);
+  if (input.builtin == Builtin::kPixelPosition && !context.target.HasUpperLeftOrigin() &&
+      (ComponentsRead(context.program)[input.var.index] & 0b10) != 0) {
+    context.Require(Feature::kUpperLeftOrigin);
+    inputs.text += "layout(origin_upper_left) in vec4 gl_FragCoord;\n";
+  }
   if (input.builtin == Builtin::kViewId && !is_vulkan) {
     inputs.text += fmt::format("layout(num_views = {}) in;{}", kViews, SemanticComment(input, ""));
   }
@@ -81,7 +94,49 @@ void RequireBuiltin(Context& context, const IoVar& input, Inputs& inputs) {
 // Whether the input is an integer in HLSL and a float attribute here. Attributes are floats in GLSL
 // 1.20; whole numbers up to 2^24 come through exactly.
 bool IsIntegerAsFloat(const Context& context, const IoVar& input) {
-  return !context.Has(Feature::kInAndOut) && !context.ShapeAt(input.var).IsFloating();
+  return !context.Has(Feature::kInAndOut) && !context.ShapeAt(input.var).IsFloating() &&
+         !InfoOf(context.program.stage).has_stage_before;
+}
+
+// The declaration of an output, or of the matrix or array that it is a part of: "vec2 uv"; "mat3
+// tangents", whose first column the output is. An input of a stage with a stage before is declared
+// alike.
+std::string VaryingDeclaration(Context& context, const IoVar& io, Shape shape,
+                               std::string_view name) {
+  if (!io.reader || io.reader->IsWhole()) return Declaration(context, shape, name);
+  if (io.reader->columns > 1) {
+    shape.kind = Shape::kMatrix;
+    shape.rows = static_cast<std::uint8_t>(io.reader->columns);
+  }
+  std::string text = Declaration(context, shape, name.substr(0, name.find('[')));
+  for (const std::uint32_t dimension : io.reader->dimensions)
+    Append(text, "[", std::to_string(dimension), "]");
+  return text;
+}
+
+// Whether the shader reads the input, or another row of the matrix that the input begins.
+bool IsDeclared(const Context& context, const IoVar& input) {
+  if (!input.reader) return context.reached.Has(input.var);
+  return input.reader->element == 0 &&
+         std::ranges::any_of(context.program.inputs, [&](const IoVar& other) {
+           return other.reader && other.path == input.path && context.reached.Has(other.var);
+         });
+}
+
+// Declares an input that is an output of the stage before, in the same words.
+void WriteVaryingInput(Context& context, const IoVar& input, const std::string& name,
+                       Inputs& inputs) {
+  GlslInfo::Variable& info = inputs.info.back();
+  const bool has_location = context.Has(Feature::kOutputLocations);
+  info.name = name;
+  if (has_location) info.location = input.location;
+  if (!IsDeclared(context, input)) return;
+  const Shape shape = context.ShapeAt(input.var);
+  Append(
+      inputs.text, has_location ? LocationText(input.location) : "",
+      InterpolationText(context, {shape.scalar, input.interpolation, input.centroid, input.sample}),
+      context.Has(Feature::kInAndOut) ? "in " : "varying ",
+      VaryingDeclaration(context, input, shape, name), ";", SemanticComment(input, name));
 }
 
 void WriteInput(Context& context, const IoVar& input, const std::string& attribute,
@@ -94,6 +149,8 @@ void WriteInput(Context& context, const IoVar& input, const std::string& attribu
     info.name = context.NameOf(input.var);
     return;
   }
+  if (InfoOf(context.program.stage).has_stage_before)
+    return WriteVaryingInput(context, input, attribute, inputs);
   info.name = attribute;
   const bool has_location = context.Has(Feature::kInputLocations);
   if (has_location) info.location = input.location;
@@ -105,21 +162,6 @@ void WriteInput(Context& context, const IoVar& input, const std::string& attribu
       context.Has(Feature::kInAndOut) ? "in " : "attribute ",
       Declaration(context, info.integer_as_float ? shape.With(Scalar::kFloat) : shape, attribute),
       ";", SemanticComment(input, attribute));
-}
-
-// The declaration of an output, or of the matrix or array that it is a part of: "vec2 uv"; "mat3
-// tangents", whose first column the output is.
-std::string OutputDeclaration(Context& context, const IoVar& output, Shape shape,
-                              std::string_view name) {
-  if (!output.reader || output.reader->IsWhole()) return Declaration(context, shape, name);
-  if (output.reader->columns > 1) {
-    shape.kind = Shape::kMatrix;
-    shape.rows = static_cast<std::uint8_t>(output.reader->columns);
-  }
-  std::string text = Declaration(context, shape, name.substr(0, name.find('[')));
-  for (const std::uint32_t dimension : output.reader->dimensions)
-    Append(text, "[", std::to_string(dimension), "]");
-  return text;
 }
 
 // Declares an output that is not built in at its location, or at `location` if that is higher.
@@ -143,9 +185,23 @@ std::uint32_t WriteVarying(Context& context, const IoVar& output, Outputs& outpu
          PreciseText(context, context[output.var].precise),
          InterpolationText(context,
                            {shape.scalar, output.interpolation, output.centroid, output.sample}),
-         has_out ? "out " : "varying ", OutputDeclaration(context, output, shape, info.name), ";",
+         has_out ? "out " : "varying ", VaryingDeclaration(context, output, shape, info.name), ";",
          SemanticComment(output, info.name));
   return location + LocationCount(context.TypeOf(output.var));
+}
+
+// Declares an output to a render target; GLSL without `out` has gl_FragData in its place.
+void WriteTarget(Context& context, const IoVar& output, Outputs& outputs) {
+  GlslInfo::Variable& info = outputs.info.back();
+  if (!context.Has(Feature::kInAndOut)) {
+    if (output.location > 0) context.Require(Feature::kSeveralTargets);
+    return;
+  }
+  const bool has_location = context.Has(Feature::kTargetLocations);
+  if (has_location) info.location = output.location;
+  Append(outputs.text, has_location ? LocationText(output.location) : "", "out ",
+         Declaration(context, context.ShapeAt(output.var), info.name), ";",
+         SemanticComment(output, info.name));
 }
 
 // The elements of an output array that `main` assigns, one bit for each; all if it assigns the
@@ -187,7 +243,8 @@ void WritePerVertex(Context& context, Outputs& outputs) {
            in_block ? ""
            : is_es  ? "out highp "
                     : "out ",
-           "float ", BuiltinOutput(builtin), Dimensions(context, output->var), ";\n");
+           "float ", BuiltinOutput(builtin, context.target), Dimensions(context, output->var),
+           ";\n");
   };
   declare(Builtin::kClipDistance, "clip", outputs.clip_distance_mask);
   declare(Builtin::kCullDistance, "cull", outputs.cull_distance_mask);
@@ -200,9 +257,12 @@ void WritePerVertex(Context& context, Outputs& outputs) {
 // Writes the qualifiers of built-in outputs that are not declared anew.
 void QualifyBuiltins(Context& context, std::string& text) {
   for (const IoVar& output : context.program.outputs) {
+    if (output.builtin == Builtin::kDepthGreaterEqual || output.builtin == Builtin::kDepthLessEqual)
+      Append(text, "layout(depth_", output.builtin == Builtin::kDepthLessEqual ? "less" : "greater",
+             ") out ", context.target.IsEs() ? "highp " : "", "float gl_FragDepth;\n");
     const bool is_position = output.builtin == Builtin::kPosition;
     if (!is_position && output.builtin != Builtin::kPointSize) continue;
-    const std::string_view name = BuiltinOutput(output.builtin);
+    const std::string_view name = BuiltinOutput(output.builtin, context.target);
     const std::string_view precise = PreciseText(context, context[output.var].precise);
     if (!precise.empty()) Append(text, precise, name, ";\n");
     if (is_position && context.options.invariant) Append(text, "invariant ", name, ";\n");
@@ -216,11 +276,21 @@ std::string InputText(const Context& context, const IoVar& input, const std::str
   const auto converted = [&](const std::string& value) {
     return Concat(GlslName(shape, context.Has(Feature::kUnsigned)), "(", value, ")");
   };
+  if (input.builtin == Builtin::kUntranslated) return "";
+  if (input.builtin == Builtin::kPixelPosition || input.builtin == Builtin::kFrontFacing)
+    return BuiltinInput(context, input.builtin);
   if (input.builtin != Builtin::kNone) return converted(BuiltinInput(context, input.builtin));
   return IsIntegerAsFloat(context, input) ? converted(attribute) : attribute;
 }
 
-std::string_view BuiltinOutput(Builtin builtin) {
+bool IsPixelPosition(const Context& context, VarId var) {
+  return InfoOf(context.program.stage).draws_pixels && context[var].storage == Storage::kInput &&
+         std::ranges::any_of(context.program.inputs, [&](const IoVar& input) {
+           return input.var == var && input.builtin == Builtin::kPixelPosition;
+         });
+}
+
+std::string_view BuiltinOutput(Builtin builtin, const Target& target) {
   switch (builtin) {
     case Builtin::kPosition: return "gl_Position";
     case Builtin::kClipVertex: return "gl_ClipVertex";
@@ -230,13 +300,25 @@ std::string_view BuiltinOutput(Builtin builtin) {
     case Builtin::kLayer: return "gl_Layer";
     case Builtin::kViewportIndex: return "gl_ViewportIndex";
     case Builtin::kShadingRate: return "gl_PrimitiveShadingRateEXT";
+    case Builtin::kDepth:
+    case Builtin::kDepthGreaterEqual:
+    case Builtin::kDepthLessEqual:
+      return target.HasInCore(Feature::kDepthOutput) ? "gl_FragDepth" : "gl_FragDepthEXT";
+    case Builtin::kCoverage: return "gl_SampleMask[0]";
+    case Builtin::kStencilRef: return "gl_FragStencilRefARB";
     default: return "";
   }
 }
 
 bool IsIntOutput(Builtin builtin) {
-  return builtin == Builtin::kShadingRate || builtin == Builtin::kLayer ||
-         builtin == Builtin::kViewportIndex;
+  switch (builtin) {
+    case Builtin::kShadingRate:
+    case Builtin::kLayer:
+    case Builtin::kViewportIndex:
+    case Builtin::kCoverage:
+    case Builtin::kStencilRef: return true;
+    default: return false;
+  }
 }
 
 Inputs WriteInputs(Context& context) {
@@ -255,11 +337,14 @@ Outputs WriteOutputs(Context& context) {
   outputs.text += GroupsText(context);
   outputs.info.reserve(context.program.outputs.size());
   std::uint32_t location = 0;
+  const bool has_stage_after = InfoOf(context.program.stage).has_stage_after;
   for (const IoVar& output : context.program.outputs) {
     outputs.info.emplace_back().name = context.NameOf(output.var);
     if (const Need* need = NeedOf(output.builtin)) context.Require(need->feature);
-    if (output.builtin == Builtin::kNone)
+    if (output.builtin == Builtin::kNone && has_stage_after)
       location = WriteVarying(context, output, outputs, location);
+    else if (output.builtin == Builtin::kNone)
+      WriteTarget(context, output, outputs);
   }
   WritePerVertex(context, outputs);
   QualifyBuiltins(context, outputs.text);

@@ -27,8 +27,11 @@ Outputs WriteOutputs(Context& context);
 // The text in place of an input: the attribute of this name, or a built-in variable of GLSL,
 // converted to the input's type.
 std::string InputText(const Context& context, const ir::IoVar& input, const std::string& attribute);
-// The built-in variable of GLSL that an output is.
-std::string_view BuiltinOutput(ir::Builtin builtin);
+// The built-in variable of the target's GLSL that an output is.
+std::string_view BuiltinOutput(ir::Builtin builtin, const Target& target);
+
+// Whether the variable is Direct3D's position of a pixel, gl_FragCoord with another w.
+bool IsPixelPosition(const Context& context, ir::VarId var);
 
 // Whether GLSL has the output as an int, which is a uint in HLSL.
 bool IsIntOutput(ir::Builtin builtin);

@@ -85,6 +85,31 @@ BitNames BitFunction(Intrinsic op) {
   }
 }
 
+// Writes a derivative. Direct3D's window has y downwards.
+Binding WriteDerivative(Code& code, Intrinsic op, ExprId operand) {
+  code.Require(Feature::kDerivatives);
+  const bool has_fine = code.Has(Feature::kFineDerivatives);
+  const auto call = [&](std::string_view function, std::string_view which) {
+    if (has_fine && !which.empty()) code.Require(Feature::kFineDerivatives);
+    return WriteCall(code, Concat(function, has_fine ? which : ""), {&operand, 1});
+  };
+  const auto by_y = [&](std::string_view which) {
+    if (code.target.HasUpperLeftOrigin()) return call("dFdy", which);
+    code.Put("-");
+    call("dFdy", which);
+    return Binding::kMinus;
+  };
+  switch (op) {
+    case Intrinsic::kDdx: return call("dFdx", "");
+    case Intrinsic::kDdxCoarse: return call("dFdx", "Coarse");
+    case Intrinsic::kDdxFine: return call("dFdx", "Fine");
+    case Intrinsic::kDdy: return by_y("");
+    case Intrinsic::kDdyCoarse: return by_y("Coarse");
+    case Intrinsic::kDdyFine: return by_y("Fine");
+    default: return call("fwidth", "");
+  }
+}
+
 }  // namespace
 
 Binding WriteIntrinsic(Code& code, TypeId type, const IntrinsicCall& node) {
@@ -92,6 +117,8 @@ Binding WriteIntrinsic(Code& code, TypeId type, const IntrinsicCall& node) {
   if (node.op == Intrinsic::kMul)
     return WriteProduct(code, arguments[0], arguments[1], ShapeOf(code[type], code.target));
   const ExprId x = arguments[0];
+  if (CategoryOf(node.op) == IntrinsicCategory::kNeighbours)
+    return WriteDerivative(code, node.op, x);
   const Shape shape = code.ShapeAt(x);
   const auto call = [&](std::string_view function) { return WriteCall(code, function, arguments); };
   const auto snippet = [&](std::string_view name) {

@@ -82,11 +82,16 @@ class Naming {
   void Global(VarId var) { names_.vars[var.index] = namer_.Global(context_[var].name); }
 
   void Inputs() {
+    const bool has_stage_before = InfoOf(context_.program.stage).has_stage_before;
     for (std::size_t i = 0; i < context_.program.inputs.size(); ++i) {
       const IoVar& input = context_.program.inputs[i];
       if (input.builtin == Builtin::kNone) {
+        // The outputs of the stage before have the same names.
         names_.attributes[i] =
-            namer_.Global(Concat("in_", ToUpper(input.semantic), std::to_string(input.index)));
+            !has_stage_before
+                ? namer_.Global(Concat("in_", ToUpper(input.semantic), std::to_string(input.index)))
+            : input.reader ? ReadName(input)
+                           : namer_.Global(StyledName(input));
       }
       names_.vars[input.var.index] = InputText(context_, input, names_.attributes[i]);
     }
@@ -127,10 +132,22 @@ class Naming {
       if (output.reader.has_value() != are_read) continue;
       std::string& name = names_.vars[output.var.index];
       if (output.builtin != Builtin::kNone)
-        name = BuiltinOutput(output.builtin);
+        name = BuiltinOutput(output.builtin, context_.target);
+      else if (!InfoOf(context_.program.stage).has_stage_after)
+        name = TargetName(output);
       else
         name = are_read ? ReadName(output) : namer_.Global(StyledName(output));
     }
+  }
+
+  // The name of an output to a render target, as HLSLcc has it; without `out`, the components of
+  // GLSL's own variable that the output has.
+  std::string TargetName(const IoVar& output) {
+    const std::string number = std::to_string(output.location);
+    if (context_.Has(Feature::kInAndOut)) return namer_.Global(Concat("SV_Target", number));
+    const std::uint32_t count = context_.TypeOf(output.var).Components();
+    return Concat("gl_FragData[", number, "]",
+                  count < 4 ? Concat(".", std::string_view("xyzw").substr(0, count)) : "");
   }
 
   std::string ReadName(const IoVar& output) {

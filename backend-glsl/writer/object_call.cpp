@@ -31,9 +31,17 @@ class ObjectCaller {
     switch (node_.op) {
       case ObjectOp::kSampleLevel:
       case ObjectOp::kSampleGrad:
+      case ObjectOp::kSample:
+      case ObjectOp::kSampleBias:
       case ObjectOp::kD3d9SampleLevel:
-      case ObjectOp::kD3d9Sample: return Sample();
+      case ObjectOp::kD3d9Sample:
+      case ObjectOp::kD3d9SampleBias:
+      case ObjectOp::kD3d9SampleGrad:
+      case ObjectOp::kD3d9SampleProjected: return Sample();
+      case ObjectOp::kSampleCmp:
       case ObjectOp::kSampleCmpLevelZero: return Compare();
+      case ObjectOp::kLevelOfDetail: return LevelOfDetail(".x");
+      case ObjectOp::kLevelOfDetailUnclamped: return LevelOfDetail(".y");
       case ObjectOp::kGather:
       case ObjectOp::kGatherGreen:
       case ObjectOp::kGatherBlue:
@@ -84,28 +92,63 @@ class ObjectCaller {
     return {std::move(four)};
   }
 
+  // The way in which a call samples: the parts of the GLSL function's name, and the number of
+  // arguments between the coordinate and the offset.
+  struct Way {
+    std::string_view suffix;
+    std::size_t more = 0;
+  };
+  Way WayOf() const {
+    switch (node_.op) {
+      case ObjectOp::kSampleLevel:
+      case ObjectOp::kD3d9SampleLevel: return {"Lod", 1};
+      case ObjectOp::kSampleGrad:
+      case ObjectOp::kD3d9SampleGrad: return {"Grad", 2};
+      case ObjectOp::kSampleBias:
+      case ObjectOp::kD3d9SampleBias: return {"", 1};
+      case ObjectOp::kD3d9SampleProjected: return {"Proj", 0};
+      default: return {"", 0};
+    }
+  }
+
   Text Sample() {
-    const bool is_d3d9 =
-        node_.op == ObjectOp::kD3d9Sample || node_.op == ObjectOp::kD3d9SampleLevel;
-    const bool has_level = node_.op != ObjectOp::kD3d9Sample;
+    const bool is_d3d9 = !TakesSampler(node_.op);
+    const Way way = WayOf();
     const bool is_modern = code_.Has(Feature::kTextureFunctions);
-    // Vertex shaders of GLSL 1.20 have texture2DLod (8.7); glslang wants the extension as well.
-    if (!is_modern && !code_.target.IsEs()) code_.enabled.emplace("GL_ARB_shader_texture_lod");
-    const bool is_gradient = node_.op == ObjectOp::kSampleGrad;
+    const bool is_explicit = way.suffix == "Lod" || way.suffix == "Grad";
     const std::size_t first = is_d3d9 ? 1 : 2;
-    const bool has_offset = arguments_.size() > first + (is_gradient ? 3u : has_level ? 2u : 1u);
+    const ExprId sampler = is_d3d9 ? ExprId{} : arguments_[1];
+    const bool has_offset = arguments_.size() > first + 1 + way.more;
     std::string function = is_modern ? "texture" : TextureType(code_, object_, "texture");
-    Append(function,
-           is_gradient              ? "Grad"
-           : has_level || is_modern ? "Lod"
-                                    : "",
-           has_offset ? "Offset" : "");
-    return Rest(function, first, is_d3d9 ? ExprId{} : arguments_[1],
-                !has_level && is_modern ? ", 0.0" : "");
+    const bool has_neighbours = InfoOf(code_.program.stage).has_neighbours;
+    const bool is_level_zero = node_.op == ObjectOp::kD3d9Sample && !has_neighbours && is_modern;
+    Append(function, is_level_zero ? "Lod" : way.suffix, has_offset ? "Offset" : "");
+    if (!is_modern) function += OldSuffix(is_explicit, way.suffix == "Grad");
+    // GLSL has the offset before the bias.
+    if (has_offset && node_.op == ObjectOp::kSampleBias) {
+      return Narrow(Called(function, {ObjectName(code_, arguments_[0], sampler), ArgumentAt(2),
+                                      ArgumentAt(4), ArgumentAt(3)})
+                        .text);
+    }
+    return Rest(function, first, sampler, is_level_zero ? ", 0.0" : "");
+  }
+
+  // Names the extension that an older target's function with an explicit level needs. Returns the
+  // end of the function's name. Vertex shaders of GLSL 1.20 have texture2DLod (8.7); glslang wants
+  // the extension as well.
+  std::string_view OldSuffix(bool is_explicit, bool is_gradient) {
+    const bool is_es = code_.target.IsEs();
+    if (!InfoOf(code_.program.stage).draws_pixels) {
+      if (!is_es) code_.enabled.emplace("GL_ARB_shader_texture_lod");
+      return "";
+    }
+    if (!is_explicit) return "";
+    code_.Require(Feature::kExplicitLevels);
+    return is_es ? "EXT" : is_gradient ? "ARB" : "";
   }
 
   // Level zero is what texture() reads in a vertex shader; textureLod does not exist for arrays and
-  // cubes.
+  // cubes, where gradients of zero ask for it.
   Text Compare() {
     const std::string object = ObjectName(code_, arguments_[0], arguments_[1]);
     const std::string coordinate = ArgumentAt(2), reference = ArgumentAt(3);
@@ -120,11 +163,25 @@ class ObjectCaller {
     const bool has_level = kind_ == ObjectKind::kTexture1D || kind_ == ObjectKind::kTexture2D ||
                            kind_ == ObjectKind::kTexture1DArray;
     const bool has_offset = arguments_.size() > 4;
-    if (!has_level && !has_offset) return Called("texture", {object, place});
+    if (node_.op == ObjectOp::kSampleCmp) {
+      return has_offset ? Called("textureOffset", {object, place, ArgumentAt(4)})
+                        : Called("texture", {object, place});
+    }
+    if (!has_level && !has_offset) {
+      if (!InfoOf(code_.program.stage).has_neighbours) return Called("texture", {object, place});
+      const std::string_view zero = InfoOf(kind_).is_cube ? "vec3(0.0)" : "vec2(0.0)";
+      return Called("textureGrad", {object, place, zero, zero});
+    }
     if (!has_offset) return Called("textureLod", {object, place, "0.0"});
     const std::string offset = ArgumentAt(4);
     if (has_level) return Called("textureLodOffset", {object, place, "0.0", offset});
     return Called("textureGradOffset", {object, place, "vec2(0.0)", "vec2(0.0)", offset});
+  }
+
+  Text LevelOfDetail(std::string_view component) {
+    Text query = Rest("textureQueryLod", 2, arguments_[1]);
+    query.text = Concat(query.text.substr(0, query.text.rfind(')') + 1), component);
+    return query;
   }
 
   Text Gather() {

@@ -184,6 +184,7 @@ void WriteStmt(Code& code, StmtId id) {
             },
             [&](const Break&) { code.Line("break;"); },
             [&](const Continue&) { code.Line("continue;"); },
+            [&](const Discard&) { code.Line("discard;"); },
         },
         code.program.stmts[id].node);
 }
@@ -218,18 +219,21 @@ void WriteMain(Code& code, std::span<const LateGlobal> late) {
   ++code.indent;
   for (const auto& [name, value] : late) code.Line(name, " = ", value, ";");
   // Outputs that are uint in HLSL and int in GLSL get a variable of their own first, which is
-  // converted at the end.
-  std::vector<std::pair<std::string, VarId>> conversions;
+  // converted at the end. So does gl_FragData, which OpenGL ES keeps in less than 32 bits.
+  std::vector<std::pair<std::string, std::string>> last;
   for (const IoVar& output : code.program.outputs) {
-    if (!IsIntOutput(output.builtin)) continue;
-    conversions.emplace_back(code.NameOf(output.var), output.var);
-    code.names.vars[output.var.index] = code.namer.Local(code[output.var].name);
-    code.Line(Declaration(code, code[output.var].type, code.NameOf(output.var)), ";");
+    const bool is_int = IsIntOutput(output.builtin);
+    const bool is_data = output.builtin == Builtin::kNone && !code.Has(Feature::kInAndOut) &&
+                         !InfoOf(code.program.stage).has_stage_after;
+    if (!is_int && !is_data) continue;
+    const std::string name = code.NameOf(output.var);
+    const std::string& local = code.names.vars[output.var.index] = code.namer.Local(
+        is_int ? code[output.var].name : Concat("SV_Target", std::to_string(output.location)));
+    code.Line(Declaration(code, code[output.var].type, local), ";");
+    last.emplace_back(name, is_int ? Concat("int(", local, ")") : local);
   }
   WriteStmts(code, MainBody(code.program));
-  for (const auto& [builtin, var] : conversions) {
-    code.Line(builtin, " = int(", code.NameOf(var), ");");
-  }
+  for (const auto& [name, value] : last) code.Line(name, " = ", value, ";");
   --code.indent;
   code.Line("}");
   code.namer.CloseScope();

@@ -44,6 +44,8 @@ void CheckEntry(Context& context, FunctionInfoId entry, const AttributeLists& at
     LayOut(program.types, program.vars, program.cbuffers[id], program.profile.IsDirect3D9());
   BuildMain(program, signature, context.options.position_name, context.diagnostics);
   if (!context.diagnostics.has_errors()) CheckUniformCalls(context);
+  if (InfoOf(program.stage).draws_pixels)
+    program.tests_early = HasAttribute(context, attributes, "earlydepthstencil");
   CheckClipPlanes(context, entry, attributes);
 }
 
@@ -61,7 +63,9 @@ void Run(Context& context) {
   if (!context.diagnostics.has_errors()) MarkNonUniform(program);
   CheckPushConstants(program, context.diagnostics);
   AssignRegisters(program, context.diagnostics);
-  if (!context.diagnostics.has_errors()) CheckLevel9(program, context.diagnostics);
+  // The limits of level 9 are those of vertex shaders.
+  const bool has_limits = !InfoOf(program.stage).draws_pixels;
+  if (has_limits && !context.diagnostics.has_errors()) CheckLevel9(program, context.diagnostics);
   if (!context.diagnostics.has_errors()) CheckWritten(program, context.diagnostics);
 }
 

@@ -36,6 +36,7 @@ struct CheckOptions {
   // Whether a Store of a byte address buffer stores a value of any type, bit by bit, as it does
   // from HLSL 2018 on. Before it, the value is converted to uint.
   bool stores_any_type = false;
+  bool is_interface_only = false;    // ir::Program::is_interface_only
   bool stages_match_by_row = false;  // rules::EntrySignature::stages_match_by_row
 };
 

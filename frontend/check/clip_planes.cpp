@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/overloaded.h"
+#include "base/spelling.h"
 #include "clip-table/vocabulary.h"
 #include "frontend/check/entry.h"
 #include "frontend/check/expr.h"
@@ -332,6 +333,14 @@ AttributeLists AttributesOf(const Context& context, FunctionInfoId function) {
       attributes.push_back(context[DeclOf(context, id).attributes]);
   }
   return attributes;
+}
+
+bool HasAttribute(const Context& context, const AttributeLists& attributes, std::string_view name) {
+  return std::ranges::any_of(attributes, [&](std::span<const ast::Attr> list) {
+    return std::ranges::any_of(list, [&](const ast::Attr& attribute) {
+      return EqualIgnoringCase(context[attribute.name], name);
+    });
+  });
 }
 
 void ReachClipPlanes(Context& context, FunctionInfoId entry, const AttributeLists& attributes) {

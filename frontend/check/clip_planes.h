@@ -12,6 +12,8 @@ namespace clipc::check {
 // The attributes of a function: the list of its definition, then the lists of its prototypes.
 using AttributeLists = std::vector<std::span<const ast::Attr>>;
 AttributeLists AttributesOf(const Context& context, FunctionInfoId function);
+// Whether an attribute of the name, in any case, is among them.
+bool HasAttribute(const Context& context, const AttributeLists& attributes, std::string_view name);
 
 // Reaches the buffers that the clip planes of the entry point lie in, whether or not the code reads
 // them.

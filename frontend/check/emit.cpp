@@ -16,6 +16,20 @@ std::vector<VarId> TakeAfter(Context& context, VarId var) {
   return later;
 }
 
+// Emits clip(x): the pixel is discarded if any component is below zero, which NaN is not.
+void EmitClip(Context& context, ExprId value, Span span) {
+  Builder at = context.At(span);
+  const TypeId type = context.TypeIdOf(value);
+  const TypeId boolean = context.types.WithScalar(type, Scalar::kBool);
+  ExprId zero = at.LiteralOf(context.types[type].scalar, 0);
+  if (at.TypeOf(zero) != type) zero = at.SplatTo(type, zero);
+  ExprId condition = at.BinaryOf(BinaryOp::kLess, value, zero);
+  const TypeId one = context.types.Make(Scalar::kBool);
+  if (boolean != one) condition = at.IntrinsicOf(Intrinsic::kAny, one, {condition});
+  const StmtId discard = at.Stmt(Discard{});
+  Emit(context, span, If{condition, at.BlockOf({&discard, 1}), {}});
+}
+
 }  // namespace
 
 void Emit(Context& context, Span span, decltype(Stmt::node) node) {
@@ -46,6 +60,9 @@ void EmitValue(Context& context, ExprId value) {
     if (!context.Is<VarRef>(second)) EmitValue(context, second);
     return;
   }
+  const auto* call = std::get_if<IntrinsicCall>(&expr.node);
+  if (call && call->op == Intrinsic::kClip)
+    return EmitClip(context, context.program.expr_lists[call->arguments][0], span);
   const auto* assign = std::get_if<Assign>(&expr.node);
   if (!assign) return Emit(context, span, Evaluate{value});
   const ExprId target = assign->target;

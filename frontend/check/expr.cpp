@@ -138,12 +138,13 @@ ExprId CheckNode(Context& context, const ast::ConditionalExpr& expr, Span span) 
   if (!is_scalar) return context.At(span).Add(*type, Select{condition, when_true, when_false});
   Exprs prologue;
   if (!context.options.short_circuits &&
-      !(IsPure(context.program, when_true) && IsPure(context.program, when_false))) {
+      !(MayBeSkipped(context.program, when_true) && MayBeSkipped(context.program, when_false))) {
     condition = Hoist(context, condition, prologue);
     const bool is_literal = context.Is<Literal>(when_true);
     if (!is_literal) when_true = Hoist(context, when_true, prologue);
     // The last value is evaluated directly before the choice.
-    if (!IsPure(context.program, when_false)) when_false = Hoist(context, when_false, prologue);
+    if (!MayBeSkipped(context.program, when_false))
+      when_false = Hoist(context, when_false, prologue);
   }
   return WithPrologue(context, prologue,
                       context.At(span).Add(*type, Conditional{condition, when_true, when_false}));

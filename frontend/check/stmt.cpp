@@ -151,9 +151,11 @@ void CheckNode(Context& context, const ast::CaseStmt&, Span span) {
 }
 
 void CheckNode(Context& context, const ast::DiscardStmt&, Span span) {
-  // A shader that is read for its interface alone may end anywhere.
   const StageInfo& stage = InfoOf(context.program.stage);
-  if (!stage.draws_pixels) context.Report(span, diag::DiscardInVertexShader, stage.name);
+  if (stage.draws_pixels)
+    Emit(context, span, Discard{});
+  else
+    context.Report(span, diag::DiscardInVertexShader, stage.name);
 }
 
 void CheckNode(Context&, const ast::EmptyStmt&, Span) {}

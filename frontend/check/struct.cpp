@@ -142,7 +142,7 @@ TypeId ResolveStruct(Context& context, ast::DeclId id, SymbolId symbol, ScopeId 
   for (ast::DeclId member : context[decl.members]) AddMember(context, member, type);
   MeasureStruct(context, type, span);
   // Push constants belong to one stage: their places are no part of its interface with another.
-  if (!InfoOf(context.program.stage).is_interface_only) CheckOffsets(context, type);
+  if (!context.program.is_interface_only) CheckOffsets(context, type);
   return type;
 }
 

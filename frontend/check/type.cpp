@@ -174,7 +174,7 @@ TypeId ArrayOf(Context& context, TypeId element, List<ast::ExprId> dimensions, S
     } else if (i == 0 && dimensions.size == 1 &&
                (is_buffer || context.types[element].kind == TypeKind::kObject)) {
       // The number of elements is no part of a stage's interface with another.
-      size = InfoOf(context.program.stage).is_interface_only ? 1 : 0;
+      size = context.program.is_interface_only ? 1 : 0;
     } else {
       context.Report(span, diag::ArrayWithoutSize);
     }

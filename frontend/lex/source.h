@@ -10,6 +10,7 @@
 
 #include "base/diagnostics.h"
 #include "base/span.h"
+#include "base/stage.h"
 #include "frontend/lex/token.h"
 
 // The way from text to tokens, and from a Span back to text. Clang's preprocessor, source manager
@@ -70,6 +71,7 @@ struct SourceInput {
   std::function<std::optional<std::string>(const std::string& path)> read_include = {};
   int shader_model_major = 5;  // from 6 on, DXC's predefined macros are visible too
   int shader_model_minor = 0;
+  Stage stage = Stage::kVertex;
   LanguageVersion language = LanguageVersion::k2021;
   PastedOperands pasted = PastedOperands::kExpanded;
   // The limits past which there is an error: on the bytes of all files, counted each time that a

@@ -82,7 +82,7 @@ void DefineTarget(const SourceInput& input, std::string& out) {
   out += fmt::format(
       "#define __hlsl_dx_compiler 1\n"
       "#define __HLSL_VERSION {}\n"
-      "#define __SHADER_TARGET_STAGE 1\n"
+      "#define __SHADER_TARGET_STAGE {}\n"
       "#define __SHADER_TARGET_MAJOR {}\n"
       "#define __SHADER_TARGET_MINOR {}\n"
       "#define __SHADER_STAGE_PIXEL 0\n"
@@ -94,7 +94,8 @@ void DefineTarget(const SourceInput& input, std::string& out) {
       "#define __SHADER_STAGE_LIBRARY 6\n"
       "#define __SHADER_STAGE_MESH 13\n"
       "#define __SHADER_STAGE_AMPLIFICATION 14\n",
-      static_cast<int>(input.language), input.shader_model_major, input.shader_model_minor);
+      static_cast<int>(input.language), InfoOf(input.stage).number, input.shader_model_major,
+      input.shader_model_minor);
 }
 
 }  // namespace

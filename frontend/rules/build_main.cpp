@@ -123,23 +123,78 @@ class MainBuilder {
   // The input's value in the leaf's own type; none after an error.
   ExprId Input(const Carrier& leaf) {
     const SystemValue value = LookUp(leaf, Direction::kInput);
-    if (value.use == SystemValue::Use::kMade) return builder_.ZeroOf(leaf.type);
-    if (value.use == SystemValue::Use::kRefused || !MayAdd(leaf, Direction::kInput, value))
-      return {};
-    const Scalar kind = BaseOf(program_.types[leaf.type].scalar);
-    if (value.use == SystemValue::Use::kBuiltin) {
-      if (!IsInteger(kind) || program_.types[leaf.type].Components() != 1) {
-        Refuse(leaf, "a `uint`");
-        return {};
-      }
-      const auto known = std::ranges::find(program_.inputs, value.builtin, &IoVar::builtin);
-      if (known != program_.inputs.end()) return Fit(builder_.Ref(known->var), leaf.type);
-      const TypeId stored =
-          program_.types.Make(value.builtin == Builtin::kBaseVertex ? Scalar::kInt : Scalar::kUint);
-      return Fit(builder_.Ref(AddIo(program_.inputs, leaf, stored, value.builtin)), leaf.type);
-    }
-    return Fit(builder_.Ref(AddIo(program_.inputs, leaf, StoredType(leaf.type), Builtin::kNone)),
+    using Use = SystemValue::Use;
+    // No output of the stage before matches what the rasterizer makes.
+    const bool is_made = value.use == Use::kMade || value.use == Use::kBuiltin;
+    if (is_made && program_.is_interface_only) return builder_.ZeroOf(leaf.type);
+    if (value.use == Use::kRefused || !MayAdd(leaf, Direction::kInput, value)) return {};
+    if (value.use == Use::kBuiltin) return BuiltinInput(leaf, value);
+    const bool is_plain = value.use == Use::kPlain || program_.is_interface_only;
+    const Builtin builtin = is_plain ? Builtin::kNone : Builtin::kUntranslated;
+    return Fit(builder_.Ref(AddIo(program_.inputs, leaf, StoredType(leaf.type), builtin)),
                leaf.type);
+  }
+
+  // The value of a built-in input; none after an error.
+  ExprId BuiltinInput(const Carrier& leaf, const SystemValue& value) {
+    const Type type = program_.types[leaf.type];
+    const Scalar kind = BaseOf(type.scalar);
+    TypeTable& types = program_.types;
+    TypeId stored =
+        types.Make(value.builtin == Builtin::kBaseVertex ? Scalar::kInt : Scalar::kUint);
+    std::string_view wanted = "a `uint`";
+    bool fits = IsInteger(kind) && type.Components() == 1;
+    if (value.builtin == Builtin::kPixelPosition) {
+      stored = types.Vector(Scalar::kFloat, 4);
+      wanted = "a `float4`";
+      fits = kind == Scalar::kFloat;
+    } else if (value.builtin == Builtin::kFrontFacing) {
+      const bool is_sign = value.form == SystemValue::Form::kSign;
+      stored = types.Make(Scalar::kBool);
+      wanted = is_sign ? "a `float`" : "a `bool`";
+      fits = type.Components() == 1 &&
+             (is_sign ? kind == Scalar::kFloat : kind == Scalar::kBool || IsInteger(kind));
+    }
+    if (!fits) {
+      Refuse(leaf, wanted);
+      return {};
+    }
+    const auto known = std::ranges::find(program_.inputs, value.builtin, &IoVar::builtin);
+    const VarId input = known != program_.inputs.end()
+                            ? known->var
+                            : AddIo(program_.inputs, leaf, stored, value.builtin);
+    if (value.builtin == Builtin::kPixelPosition) return PixelPosition(input, leaf, value.form);
+    if (value.builtin == Builtin::kFrontFacing) return FrontFacing(input, leaf);
+    return Fit(builder_.Ref(input), leaf.type);
+  }
+
+  // The leading components of the position that the leaf has. Direct3D 9's pixels have whole
+  // numbers, those of later versions their centres.
+  ExprId PixelPosition(VarId input, const Carrier& leaf, SystemValue::Form form) {
+    const std::uint32_t count = program_.types[leaf.type].Components();
+    ExprId value = builder_.Ref(input);
+    if (count < 4) value = builder_.SwizzledRun(value, 0, count);
+    if (form == SystemValue::Form::kCorner) {
+      const TypeId type = builder_.TypeOf(value);
+      const std::vector<ExprId> half = {builder_.Float(0.5f), builder_.Float(0.5f),
+                                        builder_.Float(0), builder_.Float(0)};
+      const ExprId offset = count == 1   ? half[0]
+                            : count == 2 ? builder_.SplatTo(type, half[0])
+                                         : builder_.ConstructOf(type, std::span(half).first(count));
+      value = builder_.BinaryOf(BinaryOp::kSub, value, offset);
+    }
+    return Fit(value, leaf.type);
+  }
+
+  // A bool; the bits of an integer are all set or all clear; the sign of a float.
+  ExprId FrontFacing(VarId input, const Carrier& leaf) {
+    const Scalar kind = BaseOf(program_.types[leaf.type].scalar);
+    const ExprId is_front = builder_.Ref(input);
+    if (kind == Scalar::kBool) return Fit(is_front, leaf.type);
+    const bool is_sign = kind == Scalar::kFloat;
+    const ExprId front = is_sign ? builder_.Float(1) : builder_.Int(-1);
+    const ExprId back = is_sign ? builder_.Float(-1) : builder_.Int(0);
+    return Fit(builder_.Add(builder_.TypeOf(front), Conditional{is_front, front, back}), leaf.type);
   }
 
   // The type in which an input or output is stored: uint for bool, the base kind for half and for
@@ -161,16 +216,35 @@ class MainBuilder {
   // ---- outputs
 
   void Output(const Carrier& leaf) {
+    // The outputs of a shader that is read for its interface match nothing.
+    if (program_.is_interface_only) return WriteOutput(leaf, StoredType(leaf.type), Builtin::kNone);
     const SystemValue value = LookUp(leaf, Direction::kOutput);
     if (value.use == SystemValue::Use::kRefused || !MayAdd(leaf, Direction::kOutput, value)) return;
+    if (value.use == SystemValue::Use::kTarget && !IsTarget(leaf)) return;
     switch (value.builtin) {
       case Builtin::kNone: WriteOutput(leaf, StoredType(leaf.type), value.builtin); return;
       case Builtin::kPosition: WriteFloats(leaf, 4, "a `float4`", value.builtin); return;
-      case Builtin::kPointSize: WriteFloats(leaf, 1, "a `float`", value.builtin); return;
+      case Builtin::kPointSize:
+      case Builtin::kDepth:
+      case Builtin::kDepthGreaterEqual:
+      case Builtin::kDepthLessEqual: WriteFloats(leaf, 1, "a `float`", value.builtin); return;
       case Builtin::kClipDistance:
       case Builtin::kCullDistance: AddDistance(leaf, value.builtin); return;
       default: WriteIndex(leaf, value.builtin); return;
     }
+  }
+
+  // Reports and returns false unless a pixel can go to the render target of the semantic's index.
+  bool IsTarget(const Carrier& leaf) {
+    const std::uint32_t count = program_.profile.IsDirect3D9() ? 4 : 8;
+    if (leaf.cursor.semantic.index >= count) {
+      diagnostics_.Report(leaf.span, diag::TooManyTargets, leaf.cursor.semantic.name,
+                          leaf.cursor.semantic.index, count - 1);
+      return false;
+    }
+    if (!IsWide(program_.types[leaf.type].scalar)) return true;
+    Refuse(leaf, "a scalar or vector of `float`, `int` or `uint`");
+    return false;
   }
 
   void WriteFloats(const Carrier& leaf, std::uint32_t components, std::string_view wanted,
@@ -212,14 +286,27 @@ class MainBuilder {
     std::string path = leaf.name + leaf.elements;
     std::uint32_t place = 0;
     // Only the inputs are read of a shader that another stage's must match.
-    const bool is_matched = is_input || !stage_.is_interface_only;
-    if (builtin == Builtin::kNone)
+    const bool is_matched = is_input || !program_.is_interface_only;
+    if (builtin == Builtin::kNone && !is_input && !stage_.has_stage_after && is_matched)
+      place = TargetNumber(leaf);
+    else if (builtin == Builtin::kNone)
       place = locations_[is_input].Next(is_matched ? location : std::nullopt, program_.types[type],
                                         path, leaf.span);
     list.push_back({id, semantic.name, semantic.index, builtin, place, interpolation, centroid,
                     sample, semantic.has_index, is_matched && location,
                     leaf.name.substr(leaf.name.rfind('.') + 1), std::move(path)});
     return id;
+  }
+
+  // The number of the render target that an output goes to.
+  std::uint32_t TargetNumber(const Carrier& leaf) {
+    const std::uint32_t number = leaf.cursor.location.value_or(leaf.cursor.semantic.index);
+    const auto known = std::ranges::find_if(program_.outputs, [&](const IoVar& output) {
+      return output.builtin == Builtin::kNone && output.location == number;
+    });
+    if (known != program_.outputs.end())
+      diagnostics_.Report(leaf.span, diag::LocationTwice, number, leaf.name, known->path);
+    return number;
   }
 
   // ---- clip and cull distances by hand
@@ -302,7 +389,8 @@ class MainBuilder {
           is_input ? "input" : "output", stage_.name,
           near.empty() ? std::string() : fmt::format("; did you mean `{}`?", near));
       if (!near.empty()) report.Fix(leaf.span, std::string(near));
-    } else if (!program_.profile.IsAtLeast(value.major, value.minor)) {
+    } else if (!program_.is_interface_only &&
+               !program_.profile.IsAtLeast(value.major, value.minor)) {
       diagnostics_.Report(leaf.span, diag::ProfileNeededForSemantic, leaf.cursor.semantic.name,
                           fmt::format("{}_{}_{}", stage_.prefix, value.major, value.minor),
                           program_.profile.name);
@@ -311,9 +399,11 @@ class MainBuilder {
   }
 
   bool MayAdd(const Carrier& leaf, Direction direction, const SystemValue& value) {
-    // The position has two names if Direct3D 9's name counts.
-    const std::string name =
-        value.builtin == Builtin::kPosition ? "SV_POSITION" : ToUpper(leaf.cursor.semantic.name);
+    // The position has two names if Direct3D 9's name counts, and render targets have them.
+    const std::string name = value.builtin == Builtin::kPosition ? "SV_POSITION"
+                             : value.use == SystemValue::Use::kTarget
+                                 ? "SV_TARGET"
+                                 : ToUpper(leaf.cursor.semantic.name);
     const std::string key = name + std::to_string(leaf.cursor.semantic.index);
     auto& seen = direction == Direction::kInput ? seen_inputs_ : seen_outputs_;
     const auto [found, is_new] = seen.try_emplace(key, leaf.span);

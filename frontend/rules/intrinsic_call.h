@@ -98,9 +98,8 @@ ExprId CheckLogical(const IntrinsicCheck& call, BinaryOp op);
 // stand_in.cpp
 // The type of a value that stands for a call.
 enum class StandIn : std::uint8_t {
-  kVoid,        // an int that nobody uses
-  kFirst,       // the type of the first argument
-  kFloatFirst,  // the type of the first argument, in float
+  kVoid,   // an int that nobody uses
+  kFirst,  // the type of the first argument
   kBool,
   kUint,
   kUint4,
@@ -108,18 +107,23 @@ enum class StandIn : std::uint8_t {
   kFloat2,
   kFloat4,
 };
-// The stages that may call a function or method which clipc translates in none.
+// The stages that may call a function or method which clipc does not translate.
 struct Staged {
   bool StageInfo::* trait = nullptr;  // those that have it; null: no stage
   StandIn type = StandIn::kVoid;
 };
-// A value that stands for the call; none in a stage without the trait.
+// A value that stands for the call in a shader that is read for its interface only; otherwise, and
+// in a stage without the trait, none.
 ExprId StandInFor(const IntrinsicCheck& call, const Staged& staged);
 
 // atomic_call.cpp: checks InterlockedAdd and its kin, or the methods of an RWByteAddressBuffer,
 // `object`, of that name.
 ExprId CheckAtomic(const IntrinsicCheck& call, ExprId object = {});
-// Checks tex2Dlod and its family.
+// direct3d9_call.cpp: checks tex2Dlod, tex2D and the like.
 ExprId CheckTexLod(const IntrinsicCheck& call);
+ExprId CheckTex(const IntrinsicCheck& call);
+ExprId CheckTexBias(const IntrinsicCheck& call);
+ExprId CheckTexGrad(const IntrinsicCheck& call);
+ExprId CheckTexProj(const IntrinsicCheck& call);
 
 }  // namespace clipc::rules

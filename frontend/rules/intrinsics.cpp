@@ -25,6 +25,10 @@ enum class Rule : std::uint8_t {
   kOr,
   kAtomic,
   kTexLod,
+  kTex,
+  kTexBias,
+  kTexGrad,
+  kTexProj,
   kDebug,  // warned of and dropped
   kRefused,
 };
@@ -100,6 +104,11 @@ const Entry* FindEntry(std::string_view name) {
   return i != kEntryIndex.kNone ? &kEntries[i] : nullptr;
 }
 
+// Checks a function that takes the level of detail from neighbouring pixels.
+ExprId NeedsNeighbours(const IntrinsicCheck& call, ExprId (&check)(const IntrinsicCheck&)) {
+  return call.ThisStage().has_neighbours ? check(call) : Report(call, diag::IntrinsicImplicitLevel);
+}
+
 ExprId CheckIr(const IntrinsicCheck& call, Intrinsic op) {
   const IntrinsicInfo& info = InfoOf(op);
   if (!call.program.profile.IsAtLeast(info.first_model, 0)) {
@@ -107,6 +116,10 @@ ExprId CheckIr(const IntrinsicCheck& call, Intrinsic op) {
     return call.Fail(call.name_span, diag::IntrinsicProfile, call.name, needed,
                      call.program.profile.name);
   }
+  if (info.category == IntrinsicCategory::kNeighbours && !call.ThisStage().has_neighbours)
+    return Report(call, diag::IntrinsicDerivative);
+  if (op == Intrinsic::kClip && !call.ThisStage().draws_pixels)
+    return Report(call, diag::IntrinsicDiscard);
   if (!info.signature.is_special) return CheckBySignature(call, op);
   return op == Intrinsic::kMul ? CheckMul(call) : CheckBitCast(call, op);
 }
@@ -130,17 +143,23 @@ ExprId CheckIntrinsicCall(const IntrinsicCheck& call) {
     case Rule::kAnd: return CheckLogical(call, BinaryOp::kLogicalAnd);
     case Rule::kOr: return CheckLogical(call, BinaryOp::kLogicalOr);
     case Rule::kAtomic: {
-      const ExprId value = StandInFor(call, {.trait = &StageInfo::is_interface_only});
+      const ExprId value = StandInFor(call, {.trait = &StageInfo::draws_pixels});
       return value ? value : CheckAtomic(call);
     }
     case Rule::kTexLod: return CheckTexLod(call);
+    case Rule::kTex: return NeedsNeighbours(call, CheckTex);
+    case Rule::kTexBias: return NeedsNeighbours(call, CheckTexBias);
+    case Rule::kTexGrad: return NeedsNeighbours(call, CheckTexGrad);
+    case Rule::kTexProj: return NeedsNeighbours(call, CheckTexProj);
     case Rule::kDebug:
       call.diagnostics.Report(call.name_span, diag::IntrinsicDebug, call.name);
       return call.Make().Int(0);  // a value that nobody uses
     case Rule::kRefused: break;
   }
-  const ExprId value = StandInFor(call, entry->staged);
-  return value ? value : entry->refuse(call);
+  if (const ExprId value = StandInFor(call, entry->staged)) return value;
+  // The message of a family says why other stages may not call it.
+  const bool may_call = entry->staged.trait && call.ThisStage().*entry->staged.trait;
+  return may_call ? Report(call, diag::IntrinsicUnsupported) : entry->refuse(call);
 }
 
 std::vector<std::string_view> NearIntrinsics(std::string_view name) {

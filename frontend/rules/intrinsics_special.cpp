@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "frontend/rules/intrinsic_call.h"
-#include "frontend/rules/object_call.h"
 #include "frontend/rules/reread.h"
 #include "ir/access.h"
 
@@ -157,7 +156,7 @@ ExprId CheckSelect(const IntrinsicCheck& call) {
   ExprId when_true = call.ConvertArgument(1, *common);
   ExprId when_false = call.ConvertArgument(2, *common);
   std::vector<ExprId> before;
-  if (!IsPure(call.program, when_true) || !IsPure(call.program, when_false)) {
+  if (!MayBeSkipped(call.program, when_true) || !MayBeSkipped(call.program, when_false)) {
     for (ExprId* each : {&condition, &when_true, &when_false}) {
       const auto temporary = call.temporaries.Make(*each);
       before.push_back(temporary.prologue);
@@ -165,33 +164,6 @@ ExprId CheckSelect(const IntrinsicCheck& call) {
     }
   }
   return After(call, before, builder.Add(*common, Conditional{condition, when_true, when_false}));
-}
-
-// Checks texCUBElod(sampler, float4(coordinate, level)); the digit or C in the name gives the
-// sampler.
-ExprId CheckTexLod(const IntrinsicCheck& call) {
-  const char letter = call.name[3];
-  const ObjectKind sampler = letter == '1'   ? ObjectKind::kSampler1D
-                             : letter == '2' ? ObjectKind::kSampler2D
-                             : letter == '3' ? ObjectKind::kSampler3D
-                                             : ObjectKind::kSamplerCube;
-  if (!call.HasCount(2, 2)) return call.Error();
-  TypeTable& types = call.program.types;
-  const TypeId wanted = types.Object(sampler);
-  if (!RankImplicit(types, call.ArgumentTypeId(0), wanted)) {
-    return call.BadArgument(0, "a `" + types.Name(wanted) + "`");
-  }
-  const ExprId object = call.ConvertArgument(0, wanted);
-  const TypeId float4 = types.Vector(Scalar::kFloat, 4);
-  const auto location = call.Converted(1, float4);
-  if (!location) return call.Error();
-  const ObjectInfo& info = InfoOf(sampler);
-  const int dimensions = info.is_cube ? 3 : info.axes;
-  const auto parts = call.Split(*location, dimensions, 3);
-  const std::array<ExprId, 3> arguments = {object, parts.leading, parts.last};
-  return After(
-      call, {&parts.prologue, 1},
-      MakeObjectCall(call.Make(), call.program, float4, ObjectOp::kD3d9SampleLevel, arguments));
 }
 
 }  // namespace clipc::rules

@@ -29,6 +29,9 @@ std::string_view MethodOf(ObjectOp op) {
   switch (op) {
     case kSampleLevel: return "SampleLevel";
     case kSampleGrad: return "SampleGrad";
+    case kSample: return "Sample";
+    case kSampleBias: return "SampleBias";
+    case kSampleCmp: return "SampleCmp";
     case kSampleCmpLevelZero: return "SampleCmpLevelZero";
     case kTextureLoad: return "Load";
     case kGatherGreen: return "GatherGreen";
@@ -42,7 +45,10 @@ std::string_view MethodOf(ObjectOp op) {
 std::uint32_t FirstOffset(ObjectOp op) {
   using enum ObjectOp;
   switch (op) {
+    case kSample: return 3;
     case kSampleLevel:
+    case kSampleBias:
+    case kSampleCmp:
     case kSampleCmpLevelZero: return 4;
     case kSampleGrad: return 5;
     case kTextureLoad: return 3;

@@ -30,21 +30,33 @@ class MethodCheck : IntrinsicCheck {
   // refuse (X4532), and OpenGL reads level 0.
   ExprId Sample(int) {
     if (!TakeSample(2)) return Error();
-    arguments_.push_back(Make().Float(0));
+    const bool has_neighbours = ThisStage().has_neighbours;
+    if (!has_neighbours) arguments_.push_back(Make().Float(0));
     if (!TakeOffset(2)) return Error();
     WarnOfLevel("0");
-    return Finish(ObjectOp::kSampleLevel, Element());
+    return Finish(has_neighbours ? ObjectOp::kSample : ObjectOp::kSampleLevel, Element());
   }
 
   ExprId SampleBias(int) {
-    const ExprId sample = SampleLevel(0);
-    if (TypeIdOf(sample) != program.types.Error()) WarnOfLevel("0 plus the bias");
-    return sample;
+    if (!TakeSample(3) || !TakeFloats(2, 1) || !TakeOffset(3)) return Error();
+    WarnOfLevel("0 plus the bias");
+    return Finish(ThisStage().has_neighbours ? ObjectOp::kSampleBias : ObjectOp::kSampleLevel,
+                  Element());
   }
 
   ExprId SampleCmp(int) {
     WarnOfLevel("0");
-    return SampleCmpLevelZero(0);
+    return Compare(ThisStage().has_neighbours ? ObjectOp::kSampleCmp
+                                              : ObjectOp::kSampleCmpLevelZero);
+  }
+
+  ExprId LevelOfDetail(int op) {
+    if (!ThisStage().has_neighbours)
+      return Fail(name_span, diag::MethodImplicitLevel, name, ThisStage().name);
+    // An element of an array has the level of detail that every other has.
+    if (!HasCount(2, 2) || !TakeSampler(ObjectKind::kSampler) || !TakeFloats(1, traits_.gradient))
+      return Error();
+    return Finish(static_cast<ObjectOp>(op), program.types.Make(Scalar::kFloat));
   }
 
   ExprId SampleGrad(int) {
@@ -54,11 +66,7 @@ class MethodCheck : IntrinsicCheck {
     return Finish(ObjectOp::kSampleGrad, Element());
   }
 
-  ExprId SampleCmpLevelZero(int) {
-    if (!TakeSample(3, ObjectKind::kSamplerComparison) || !TakeFloats(2, 1) || !TakeOffset(3))
-      return Error();
-    return Finish(ObjectOp::kSampleCmpLevelZero, program.types.Make(Scalar::kFloat));
-  }
+  ExprId SampleCmpLevelZero(int) { return Compare(ObjectOp::kSampleCmpLevelZero); }
 
   // Checks a Gather, whose arguments are (sampler, coordinate), and perhaps an offset or an offset
   // for each of the four texels.
@@ -120,6 +128,7 @@ class MethodCheck : IntrinsicCheck {
 
   // Refuses a method that takes its level of detail from neighbouring pixels.
   ExprId ImplicitLevel(int) {
+    if (ThisStage().has_neighbours) return Unsupported(0);
     return Fail(name_span, diag::MethodImplicitLevel, name, ThisStage().name);
   }
   ExprId Unsupported(int) { return Fail(name_span, diag::MethodUnsupported, name, ObjectName()); }
@@ -134,6 +143,11 @@ class MethodCheck : IntrinsicCheck {
   void WarnOfLevel(std::string_view level) const {
     if (!ThisStage().has_neighbours)
       diagnostics.Report(name_span, diag::MethodLevelZero, name, ThisStage().name, level);
+  }
+  ExprId Compare(ObjectOp op) {
+    if (!TakeSample(3, ObjectKind::kSamplerComparison) || !TakeFloats(2, 1) || !TakeOffset(3))
+      return Error();
+    return Finish(op, program.types.Make(Scalar::kFloat));
   }
   std::string ObjectName() const { return program.types.Name(TypeIdOf(object_)); }
   TypeId Element() { return ElementOf(program.types, TypeOf(object_)); }
@@ -184,7 +198,7 @@ class MethodCheck : IntrinsicCheck {
     const auto value = Converted(i, VectorOf(Scalar::kInt, traits_.offset));
     if (!value) return false;
     // The place of a read is no part of a stage's interface with another.
-    if (ThisStage().is_interface_only) return true;
+    if (program.is_interface_only) return true;
     const auto constant = EvaluateConstant(program, *value);
     if (!constant) {
       arguments_.push_back(*value);  // KnowOffsets finds its value, or reports it
@@ -260,8 +274,7 @@ constexpr auto kTextureMethods = [] {
                   {&StageInfo::has_neighbours, StandIn::kFloat}};
   };
   const auto unsupported = [](std::string_view name, StandIn type) {
-    return Method{
-        name, kReading, &MethodCheck::Unsupported, 0, {&StageInfo::is_interface_only, type}};
+    return Method{name, kReading, &MethodCheck::Unsupported, 0, {&StageInfo::draws_pixels, type}};
   };
   return std::to_array<Method>({
       {"SampleLevel", kSampling, &MethodCheck::SampleLevel},
@@ -278,8 +291,10 @@ constexpr auto kTextureMethods = [] {
       {"Load", kTexels, &MethodCheck::TextureLoad},
       {"GetDimensions", kNothing, &MethodCheck::GetDimensions},
       implicit("SampleCmpBias"),
-      implicit("CalculateLevelOfDetail"),
-      implicit("CalculateLevelOfDetailUnclamped"),
+      {"CalculateLevelOfDetail", kSampling, &MethodCheck::LevelOfDetail,
+       static_cast<int>(kLevelOfDetail)},
+      {"CalculateLevelOfDetailUnclamped", kSampling, &MethodCheck::LevelOfDetail,
+       static_cast<int>(kLevelOfDetailUnclamped)},
       unsupported("SampleCmpGrad", StandIn::kFloat),
       unsupported("SampleCmpLevel", StandIn::kFloat),
       unsupported("GatherCmp", StandIn::kFloat4),
@@ -325,7 +340,7 @@ constexpr Method kOtherMethods[] = {
      kNothing,
      &MethodCheck::Unusable,
      0,
-     {&StageInfo::is_interface_only, StandIn::kFloat4}},
+     {&StageInfo::draws_pixels, StandIn::kFloat4}},
 };
 
 std::span<const Method> MethodsOf(ObjectKind kind) {

@@ -140,7 +140,7 @@ void CheckPacking(const Program& program, const Cbuffer& buffer, Diagnostics& di
 
 void CheckPushConstants(const Program& program, Diagnostics& diagnostics) {
   // Push constants belong to one stage: they are no part of its interface with another.
-  if (InfoOf(program.stage).is_interface_only) return;
+  if (program.is_interface_only) return;
   const Cbuffer* first = nullptr;
   for (const CbufferId id : program.cbuffers.ids()) {
     const Cbuffer& buffer = program.cbuffers[id];

@@ -10,6 +10,7 @@ namespace clipc::rules {
 namespace {
 
 using Use = SystemValue::Use;
+using Form = SystemValue::Form;
 
 // The meanings on the two sides of a stage.
 struct Sides {
@@ -30,16 +31,19 @@ struct Semantic {
 constexpr SystemValue kPlain{};
 constexpr SystemValue kRefused{Use::kRefused, Builtin::kNone, 0, 0};
 constexpr SystemValue kMade{Use::kMade, Builtin::kNone, 0, 0};
+constexpr SystemValue kLost{Use::kLost, Builtin::kNone, 0, 0};
+constexpr SystemValue kTarget{Use::kTarget, Builtin::kNone, 0, 0};
 constexpr SystemValue Is(Builtin builtin, int major = 4, int minor = 0) {
   return {Use::kBuiltin, builtin, major, minor};
 }
 constexpr Sides kNowhere{kRefused, kRefused};
 constexpr Sides kOnlyMade{kMade, kRefused};
+constexpr Sides kAnywhere{kPlain, kPlain};
 
 // The system values, as an input and as an output of each stage. A position or clip distance that
 // the input assembler reads is data like any other (DXC: "Arb" for the vertex input).
 constexpr Semantic kSemantics[] = {
-    {"SV_Position", {kPlain, Is(Builtin::kPosition, 0)}, kOnlyMade},
+    {"SV_Position", {kPlain, Is(Builtin::kPosition, 0)}, {Is(Builtin::kPixelPosition), kRefused}},
     {"SV_ClipDistance", {kPlain, Is(Builtin::kClipDistance)}, kOnlyMade},
     {"SV_CullDistance", {kPlain, Is(Builtin::kCullDistance)}, kOnlyMade},
     {"SV_VertexID", {Is(Builtin::kVertexId), kPlain}, kOnlyMade},
@@ -50,23 +54,31 @@ constexpr Semantic kSemantics[] = {
     {"SV_VulkanVertexID", {Is(Builtin::kVertexIndex), kRefused}, kNowhere},  // Slang's name
     {"SV_VulkanInstanceID", {Is(Builtin::kInstanceIndex), kRefused}, kNowhere},
     {"SV_ShadingRate", {kPlain, Is(Builtin::kShadingRate, 6, 4)}, kOnlyMade},
-    {"SV_RenderTargetArrayIndex", {kPlain, Is(Builtin::kLayer)}, kOnlyMade},
-    {"SV_ViewportArrayIndex", {kPlain, Is(Builtin::kViewportIndex)}, kOnlyMade},
-    {"SV_PrimitiveID", {kRefused, kPlain}, kOnlyMade},
-    {"SV_IsFrontFace", kNowhere, kOnlyMade},
-    {"SV_SampleIndex", kNowhere, kOnlyMade},
-    {"SV_Coverage", kNowhere, {kMade, kPlain}},
+    {"SV_RenderTargetArrayIndex",
+     {kPlain, Is(Builtin::kLayer)},
+     {Is(Builtin::kLayerInput), kRefused}},
+    {"SV_ViewportArrayIndex",
+     {kPlain, Is(Builtin::kViewportIndex)},
+     {Is(Builtin::kViewportInput), kRefused}},
+    {"SV_PrimitiveID", {kRefused, kPlain}, {Is(Builtin::kPrimitiveId), kRefused}},
+    {"SV_IsFrontFace", kNowhere, {Is(Builtin::kFrontFacing), kRefused}},
+    {"SV_SampleIndex", kNowhere, {Is(Builtin::kSampleIndex, 4, 1), kRefused}},
+    {"SV_Coverage", kNowhere, {Is(Builtin::kCoverageInput, 5), Is(Builtin::kCoverage, 4, 1)}},
     {"SV_InnerCoverage", kNowhere, kOnlyMade},
     {"SV_Barycentrics", kNowhere, kOnlyMade},
-    {"SV_Target", kNowhere, {kRefused, kPlain}},
-    {"SV_Depth", kNowhere, {kRefused, kPlain}},
-    {"SV_DepthGreaterEqual", kNowhere, {kRefused, kPlain}},
-    {"SV_DepthLessEqual", kNowhere, {kRefused, kPlain}},
-    {"SV_StencilRef", kNowhere, {kRefused, kPlain}},
-    {"VPOS", {kPlain, kPlain}, {kMade, kPlain}},
-    {"VFACE", {kPlain, kPlain}, {kMade, kPlain}},
-    {"POSITION", {kPlain, Is(Builtin::kPosition, 0)}, {kPlain, kPlain}, true},
-    {"PSIZE", {kPlain, Is(Builtin::kPointSize, 0)}, {kPlain, kPlain}, true},
+    {"SV_Target", kNowhere, {kRefused, kTarget}},
+    {"SV_Depth", kNowhere, {kRefused, Is(Builtin::kDepth)}},
+    {"SV_DepthGreaterEqual", kNowhere, {kRefused, Is(Builtin::kDepthGreaterEqual, 5)}},
+    {"SV_DepthLessEqual", kNowhere, {kRefused, Is(Builtin::kDepthLessEqual, 5)}},
+    {"SV_StencilRef", kNowhere, {kRefused, Is(Builtin::kStencilRef, 5)}},
+    // Direct3D 9's names. Those of a pixel shader's inputs and outputs mean the same under later
+    // profiles.
+    {"VPOS", kAnywhere, {{Use::kBuiltin, Builtin::kPixelPosition, 3, 0, Form::kCorner}, kRefused}},
+    {"VFACE", kAnywhere, {{Use::kBuiltin, Builtin::kFrontFacing, 3, 0, Form::kSign}, kRefused}},
+    {"COLOR", kAnywhere, {kPlain, kTarget}},
+    {"DEPTH", kAnywhere, {kPlain, Is(Builtin::kDepth, 0)}},
+    {"POSITION", {kPlain, Is(Builtin::kPosition, 0)}, {kLost, kRefused}, true},
+    {"PSIZE", {kPlain, Is(Builtin::kPointSize, 0)}, {kLost, kRefused}, true},
     // SV_PointSize is Slang's and SDL's name for Direct3D 9's PSIZE.
     {"SV_PointSize", {kRefused, Is(Builtin::kPointSize, 0)}, kOnlyMade},
     // vk::PointSize is written [[vk::builtin("PointSize")]].
@@ -77,6 +89,11 @@ constexpr Semantic kSemantics[] = {
 };
 // Any other system value. Compilers know more of the rasterizer's than clipc.
 constexpr Semantic kUnknown = {{}, kNowhere, {kMade, kPlain}};
+
+// The meaning of a name that is no system value's: of data from stage to stage.
+SystemValue OtherName(Stage stage, Direction direction) {
+  return direction == Direction::kInput || InfoOf(stage).has_stage_after ? kPlain : kRefused;
+}
 
 }  // namespace
 
@@ -89,18 +106,19 @@ SystemValue LookUpSemantic(std::string_view name, std::uint32_t index, Stage sta
         !row.is_old ||
         (index == 0 &&
          (is_old || (value.builtin == Builtin::kPosition && position == PositionName::kBoth)));
-    return counts ? value : kPlain;
+    return counts ? value : OtherName(stage, direction);
   }
   const bool is_system =
       EqualIgnoringCase(name.substr(0, 3), "sv_") || EqualIgnoringCase(name.substr(0, 4), "vk::");
-  return is_system ? kUnknown.Of(stage, direction) : kPlain;
+  return is_system ? kUnknown.Of(stage, direction) : OtherName(stage, direction);
 }
 
 std::string_view NearSystemValue(std::string_view name, Stage stage, Direction direction) {
   std::vector<std::string_view> names;
   for (const Semantic& row : kSemantics) {
     const Use use = row.Of(stage, direction).use;
-    if (!row.is_old && (use == Use::kBuiltin || use == Use::kMade)) names.push_back(row.name);
+    if (!row.is_old && (use == Use::kBuiltin || use == Use::kTarget || use == Use::kMade))
+      names.push_back(row.name);
   }
   const std::vector<std::string_view> near = NearNames(name, names);
   return near.empty() ? std::string_view() : near.front();

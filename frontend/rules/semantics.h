@@ -27,11 +27,20 @@ struct SystemValue {
     kPlain,    // an ordinary input or output of that name
     kBuiltin,  // the built-in variable `builtin`
     kRefused,  // a system value of another stage
-    kMade,     // an input that the rasterizer makes: no output of the stage before matches it
+    kTarget,   // an output to the render target of the semantic's index
+    kMade,     // an input that the rasterizer makes, and that clipc does not translate
+    kLost,     // an output of the stage before that is not passed on
+  };
+  // What an input is made of the built-in variable.
+  enum class Form : std::uint8_t {
+    kItself,
+    kCorner,  // the upper left corner of the pixel whose centre it is
+    kSign,    // 1 if it is true, else -1
   };
   Use use = Use::kPlain;
   Builtin builtin = Builtin::kNone;
   int major = 0, minor = 0;  // the first profile that has the system value
+  Form form = Form::kItself;
 };
 
 // The meaning of a semantic on one side of a stage. `name` does not have the index in it. `is_old`:

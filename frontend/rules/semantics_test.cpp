@@ -24,31 +24,33 @@ Use UseOf(const char* name, Stage stage, Direction direction, bool is_old = fals
 // DXC's signature table. An output of the vertex shader that the page gives to no stage is data.
 TEST(Semantics, EachSystemValueOnEachSideOfEachStage) {
   constexpr Expected kExpected[] = {
-      {"SV_Position", kPlain, kBuiltin, kMade, kRefused},
+      {"SV_Position", kPlain, kBuiltin, kBuiltin, kRefused},
       {"SV_ClipDistance", kPlain, kBuiltin, kMade, kRefused},
       {"SV_CullDistance", kPlain, kBuiltin, kMade, kRefused},
       {"SV_VertexID", kBuiltin, kPlain, kMade, kRefused},
       {"SV_InstanceID", kBuiltin, kPlain, kMade, kRefused},
-      {"SV_PrimitiveID", kRefused, kPlain, kMade, kRefused},
-      {"SV_RenderTargetArrayIndex", kPlain, kBuiltin, kMade, kRefused},
-      {"SV_ViewportArrayIndex", kPlain, kBuiltin, kMade, kRefused},
+      {"SV_PrimitiveID", kRefused, kPlain, kBuiltin, kRefused},
+      {"SV_RenderTargetArrayIndex", kPlain, kBuiltin, kBuiltin, kRefused},
+      {"SV_ViewportArrayIndex", kPlain, kBuiltin, kBuiltin, kRefused},
       {"SV_ShadingRate", kPlain, kBuiltin, kMade, kRefused},
       {"SV_ViewID", kBuiltin, kPlain, kMade, kRefused},
       {"SV_StartVertexLocation", kBuiltin, kRefused, kRefused, kRefused},
       {"SV_StartInstanceLocation", kBuiltin, kRefused, kRefused, kRefused},
-      {"SV_IsFrontFace", kRefused, kRefused, kMade, kRefused},
-      {"SV_SampleIndex", kRefused, kRefused, kMade, kRefused},
+      {"SV_IsFrontFace", kRefused, kRefused, kBuiltin, kRefused},
+      {"SV_SampleIndex", kRefused, kRefused, kBuiltin, kRefused},
       {"SV_InnerCoverage", kRefused, kRefused, kMade, kRefused},
       {"SV_Barycentrics", kRefused, kRefused, kMade, kRefused},
-      {"SV_Coverage", kRefused, kRefused, kMade, kPlain},
-      {"SV_Target", kRefused, kRefused, kRefused, kPlain},
-      {"SV_Depth", kRefused, kRefused, kRefused, kPlain},
-      {"SV_DepthGreaterEqual", kRefused, kRefused, kRefused, kPlain},
-      {"SV_DepthLessEqual", kRefused, kRefused, kRefused, kPlain},
-      {"SV_StencilRef", kRefused, kRefused, kRefused, kPlain},
-      {"VPOS", kPlain, kPlain, kMade, kPlain},
-      {"VFACE", kPlain, kPlain, kMade, kPlain},
-      {"TEXCOORD", kPlain, kPlain, kPlain, kPlain},
+      {"SV_Coverage", kRefused, kRefused, kBuiltin, kBuiltin},
+      {"SV_Target", kRefused, kRefused, kRefused, kTarget},
+      {"SV_Depth", kRefused, kRefused, kRefused, kBuiltin},
+      {"SV_DepthGreaterEqual", kRefused, kRefused, kRefused, kBuiltin},
+      {"SV_DepthLessEqual", kRefused, kRefused, kRefused, kBuiltin},
+      {"SV_StencilRef", kRefused, kRefused, kRefused, kBuiltin},
+      {"VPOS", kPlain, kPlain, kBuiltin, kRefused},
+      {"VFACE", kPlain, kPlain, kBuiltin, kRefused},
+      {"COLOR", kPlain, kPlain, kPlain, kTarget},
+      {"DEPTH", kPlain, kPlain, kPlain, kBuiltin},
+      {"TEXCOORD", kPlain, kPlain, kPlain, kRefused},
   };
   for (const Expected& row : kExpected) {
     EXPECT_EQ(UseOf(row.name, Stage::kVertex, Direction::kInput), row.vertex_input) << row.name;
@@ -72,7 +74,7 @@ TEST(Semantics, NamesOfDirect3D9CountUnderItsProfiles) {
     EXPECT_EQ(UseOf(name, Stage::kVertex, Direction::kOutput, true, 1), kPlain) << name;
     EXPECT_EQ(UseOf(name, Stage::kVertex, Direction::kOutput, false), kPlain) << name;
     EXPECT_EQ(UseOf(name, Stage::kVertex, Direction::kInput, true), kPlain) << name;
-    EXPECT_EQ(UseOf(name, Stage::kPixel, Direction::kInput, true), kPlain) << name;
+    EXPECT_EQ(UseOf(name, Stage::kPixel, Direction::kInput, true), kLost) << name;
   }
   const auto with_both = [](const char* name) {
     return LookUpSemantic(name, 0, Stage::kVertex, Direction::kOutput, false, PositionName::kBoth)

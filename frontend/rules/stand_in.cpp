@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-// Calls in stages of which clipc looks only for the inputs and constants that are read: a call
-// becomes its arguments and a zero of its type.
+// Calls in shaders of which clipc looks only for the inputs and constants that are read: a call
+// that it does not translate becomes its arguments and a zero of its type.
 #include <vector>
 
 #include "frontend/rules/intrinsic_call.h"
@@ -12,13 +12,7 @@ TypeId TypeOf(const IntrinsicCheck& call, StandIn type) {
   using enum StandIn;
   TypeTable& types = call.program.types;
   switch (type) {
-    case kFirst:
-    case kFloatFirst: {
-      if (call.arguments.empty()) return types.Error();
-      const TypeId first = call.ArgumentTypeId(0);
-      const bool is_float = IsFloat(types[first].scalar);
-      return type == kFirst || is_float ? first : types.WithScalar(first, Scalar::kFloat);
-    }
+    case kFirst: return call.arguments.empty() ? types.Error() : call.ArgumentTypeId(0);
     case kVoid: return types.Make(Scalar::kInt);
     case kBool: return types.Make(Scalar::kBool);
     case kUint: return types.Make(Scalar::kUint);
@@ -33,7 +27,8 @@ TypeId TypeOf(const IntrinsicCheck& call, StandIn type) {
 }  // namespace
 
 ExprId StandInFor(const IntrinsicCheck& call, const Staged& staged) {
-  if (!staged.trait || !(call.ThisStage().*staged.trait)) return {};
+  if (!call.program.is_interface_only || !staged.trait || !(call.ThisStage().*staged.trait))
+    return {};
   std::vector<ExprId> values;
   for (const ExprId argument : call.arguments) {
     if (call.TypeOf(argument).IsNumeric()) values.push_back(argument);

@@ -151,7 +151,7 @@ void Judge::State::CheckTarget(const draw::CheckedShader& checked, const std::st
     const Shader shader = checked.BuildFor(target);
     Step("validate " + target);
     const std::vector<std::string> problems =
-        Validate(shader.glsl, *glsl::Target::Parse(target), ShaderStage::kVertex);
+        Validate(shader.glsl, *glsl::Target::Parse(target), Stage::kVertex);
     if (!problems.empty() && !IsKnown(target, problems[0]))
       Report(Fault::kInvalid, target, problems[0] + "\n" + shader.glsl);
   } catch (const draw::NotForTarget&) {

@@ -29,9 +29,9 @@ Spirv Translate(glslang::TShader& shader, glslang::TShader::Includer& includer,
   return spirv;
 }
 
-Spirv SpirvOfGlsl(const std::string& glsl, ShaderStage stage) {
+Spirv SpirvOfGlsl(const std::string& glsl, Stage stage) {
   InitializeGlslang();
-  const EShLanguage language = stage == ShaderStage::kVertex ? EShLangVertex : EShLangFragment;
+  const EShLanguage language = stage == Stage::kVertex ? EShLangVertex : EShLangFragment;
   glslang::TShader shader(language);
   const char *text = glsl.c_str(), *name = "";
   const int length = static_cast<int>(glsl.size());

@@ -20,6 +20,6 @@ Spirv Translate(glslang::TShader& shader, glslang::TShader::Includer& includer,
                 EShMessages messages, bool optimize);
 
 // Compiles GLSL for Vulkan. Throws DrawError where glslang refuses it.
-Spirv SpirvOfGlsl(const std::string& glsl, ShaderStage stage = ShaderStage::kVertex);
+Spirv SpirvOfGlsl(const std::string& glsl, Stage stage = Stage::kVertex);
 
 }  // namespace clipc::draw::vulkan

@@ -79,7 +79,7 @@ Spirv ReaderOf(const std::vector<Output>& outputs) {
                          "layout(location = 0) out vec4 color;\nvoid main() {\n"
                          "  color = vec4(0.0);\n" +
                          sum + "}\n",
-                     ShaderStage::kFragment);
+                     Stage::kPixel);
 }
 
 }  // namespace

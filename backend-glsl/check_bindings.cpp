@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#include "backend-glsl/check_bindings.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "backend-glsl/descriptors.h"
+
+namespace clipc::glsl {
+
+using namespace ir;
+
+namespace {
+
+// The highest binding and set that glslang takes: layoutBindingEnd, layoutSetEnd.
+constexpr std::uint32_t kHighestBinding = 0xfffe;
+constexpr std::uint32_t kHighestSet = 0x3e;
+
+}  // namespace
+
+void CheckBindings(const Program& program, const Reached& reached, const Target& target,
+                   Diagnostics& diagnostics) {
+  const Descriptors descriptors(program, reached, target);
+  struct Taken {
+    std::string name;
+    ObjectCategory category;
+  };
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Taken> taken;
+  const auto take = [&](const Register& reg, const std::string& name, Span span,
+                        ObjectCategory category) {
+    const Descriptor at = descriptors.Of(reg);
+    if (at.binding > kHighestBinding || at.set > kHighestSet)
+      diagnostics.Report(span, diag::TargetBindingTooHigh, name, at.binding, at.set,
+                         kHighestBinding, kHighestSet);
+    const auto [found, is_free] = taken.try_emplace({at.set, at.binding}, Taken{name, category});
+    Taken& other = found->second;
+    if (!is_free && target.bindings.combines_samplers &&
+        std::minmax({other.category, category}) ==
+            std::pair(ObjectCategory::kTexture, ObjectCategory::kSampler)) {
+      other.category = ObjectCategory::kCombinedSampler;
+    } else if (!is_free) {
+      diagnostics.Report(span, diag::TargetBindingsCollide, other.name, name, at.binding, at.set);
+    }
+  };
+  for (CbufferId id : program.cbuffers.ids()) {
+    const ir::Cbuffer& cbuffer = program.cbuffers[id];
+    if (reached.Has(id) && !cbuffer.is_push_constant)
+      take(cbuffer.reg, cbuffer.name, cbuffer.span, ObjectCategory::kOther);
+  }
+  for (const Resource& resource : program.resources) {
+    const Var& var = program.vars[resource.var];
+    const ObjectCategory category =
+        InfoOf(program.types[program.types.Innermost(var.type)].object).category;
+    if (reached.Has(resource.var)) take(resource.reg, var.name, var.span, category);
+  }
+}
+
+}  // namespace clipc::glsl

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+// Direct3D 9's functions that read a texture: tex2D, tex2Dlod and the like. Source: the pages of
+// Microsoft's HLSL reference on them, and fxc, which takes two more arguments of tex2D for
+// gradients.
+#include <array>
+
+#include "frontend/rules/intrinsic_call.h"
+#include "frontend/rules/object_call.h"
+
+namespace clipc::rules {
+namespace {
+
+// A call in progress. The digit or C after "tex" in its name gives the sampler.
+class TexCheck : IntrinsicCheck {
+ public:
+  explicit TexCheck(const IntrinsicCheck& call) : IntrinsicCheck(call) {
+    const char letter = name[3];
+    sampler_ = letter == '1'   ? ObjectKind::kSampler1D
+               : letter == '2' ? ObjectKind::kSampler2D
+               : letter == '3' ? ObjectKind::kSampler3D
+                               : ObjectKind::kSamplerCube;
+    const ObjectInfo& info = InfoOf(sampler_);
+    dimensions_ = info.is_cube ? 3 : info.axes;
+  }
+
+  // Checks tex2D(sampler, coordinate [, ddx, ddy]).
+  ExprId Plain() {
+    if (arguments.size() == 4) return Gradient();
+    const auto object = Sampler(2);
+    const auto place = object ? Converted(1, Coordinate()) : std::nullopt;
+    if (!place) return Error();
+    return Finish(ObjectOp::kD3d9Sample, std::array{*object, *place});
+  }
+
+  ExprId Gradient() {
+    const auto object = Sampler(4);
+    if (!object) return Error();
+    std::array<ExprId, 4> values = {*object};
+    for (const std::size_t i : {1u, 2u, 3u}) {
+      const auto value = Converted(i, Coordinate());
+      if (!value) return Error();
+      values[i] = *value;
+    }
+    return Finish(ObjectOp::kD3d9SampleGrad, values);
+  }
+
+  // Checks tex2Dlod(sampler, float4(coordinate, level)) and tex2Dbias, where the last component is
+  // a bias.
+  ExprId WithLast(ObjectOp op) {
+    const auto object = Sampler(2);
+    const auto location = object ? Converted(1, Float4()) : std::nullopt;
+    if (!location) return Error();
+    const auto parts = Split(*location, dimensions_, 3);
+    return After(*this, {&parts.prologue, 1},
+                 Finish(op, std::array{*object, parts.leading, parts.last}));
+  }
+
+  // Checks tex2Dproj(sampler, float4(coordinate, divisor)). GLSL projects on no cube.
+  ExprId Projected() {
+    const auto object = Sampler(2);
+    const auto location = object ? Converted(1, Float4()) : std::nullopt;
+    if (!location) return Error();
+    if (sampler_ != ObjectKind::kSamplerCube)
+      return Finish(ObjectOp::kD3d9SampleProjected, std::array{*object, *location});
+    const auto parts = Split(*location, dimensions_, 3);
+    Builder builder = Make();
+    const ExprId place =
+        builder.BinaryOf(BinaryOp::kDiv, parts.leading, builder.SplatTo(Coordinate(), parts.last));
+    return After(*this, {&parts.prologue, 1},
+                 Finish(ObjectOp::kD3d9Sample, std::array{*object, place}));
+  }
+
+ private:
+  TypeId Float4() const { return program.types.Vector(Scalar::kFloat, 4); }
+  TypeId Coordinate() const { return VectorOf(Scalar::kFloat, dimensions_); }
+
+  // The first of `count` arguments as the sampler of the function; nullopt after an error.
+  std::optional<ExprId> Sampler(std::size_t count) const {
+    if (!HasCount(count, count)) return std::nullopt;
+    const TypeId wanted = program.types.Object(sampler_);
+    if (RankImplicit(program.types, ArgumentTypeId(0), wanted)) return ConvertArgument(0, wanted);
+    BadArgument(0, "a `" + program.types.Name(wanted) + "`");
+    return std::nullopt;
+  }
+
+  ExprId Finish(ObjectOp op, std::span<const ExprId> values) const {
+    return MakeObjectCall(Make(), program, Float4(), op, values);
+  }
+
+  ObjectKind sampler_;
+  int dimensions_;
+};
+
+}  // namespace
+
+ExprId CheckTexLod(const IntrinsicCheck& call) {
+  return TexCheck(call).WithLast(ObjectOp::kD3d9SampleLevel);
+}
+ExprId CheckTex(const IntrinsicCheck& call) { return TexCheck(call).Plain(); }
+ExprId CheckTexBias(const IntrinsicCheck& call) {
+  return TexCheck(call).WithLast(ObjectOp::kD3d9SampleBias);
+}
+ExprId CheckTexGrad(const IntrinsicCheck& call) { return TexCheck(call).Gradient(); }
+ExprId CheckTexProj(const IntrinsicCheck& call) { return TexCheck(call).Projected(); }
+
+}  // namespace clipc::rules
