@@ -5,11 +5,8 @@
 // RUN: %clipc -T ps_5_0 -E in_loop --validate --verify %s -o - | FileCheck %s --check-prefix=LOOP
 // RUN: %clipc -T ps_5_0 -E in_function --validate --verify %s -o - | FileCheck %s --check-prefix=FUNCTION
 // RUN: %clipc -T ps_5_0 -E first --target=essl100 --validate --verify %s -o - | FileCheck %s --check-prefix=ES
-// RUN: not %clipc -T ps_5_0 -E with_stores %s -o - 2>&1 | FileCheck %s --check-prefix=STORES
-// RUN: not %clipc -T ps_5_0 -E in_expression %s -o - 2>&1 | FileCheck %s --check-prefix=EXPRESSION
 Texture2D map;
 SamplerState linearly;
-RWTexture2D<float4> log : register(u1);
 
 float4 last(float2 uv : UV) : SV_Target {
   float4 color = map.Sample(linearly, uv);
@@ -62,16 +59,3 @@ float4 in_function(float2 uv : UV) : SV_Target {
 }
 // FUNCTION: void test(
 // FUNCTION: is_discarded = true;
-
-float4 with_stores(float2 uv : UV) : SV_Target {
-  clip(uv);
-  log[int2(0, 0)] = map.Sample(linearly, uv);
-  return 0;
-}
-// STORES: error: `discard` comes before a derivative or a sample, and the shader writes to buffers or textures; clipc does not translate the two together for target `glsl450` [target-discard]
-
-float4 in_expression(float2 uv : UV) : SV_Target {
-  for (int i = 0; i < 4; ++i, clip(uv)) uv += 1;
-  return uv.x;
-}
-// EXPRESSION: error: `clip` is part of an expression; it must be a statement of its own [clip-in-expression]
