@@ -88,7 +88,9 @@ void CheckStage(const CompileRequest& request, const ir::Profile& profile,
   refuse(request.link.has_pixel_shader(), "--pixel-shader");
   refuse(request.planes.fragment.has_value(), "--fragment");
   refuse(request.planes.variants.has_value(), "--variants");
-  refuse(request.planes.lowering == Lowering::kDiscard, "--lower=discard");
+  refuse(request.planes.lowering.has_value(), "--lower");
+  refuse(request.planes.space != PlaneSpace::kClip, "--plane-space");
+  refuse(request.style.invariant, "--invariant");
 }
 
 }  // namespace

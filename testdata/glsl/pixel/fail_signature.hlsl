@@ -6,7 +6,7 @@
 // RUN: not %clipc -T ps_5_0 -E wave %s -o - 2>&1 | FileCheck %s --check-prefix=WAVE
 // RUN: not %clipc -T ps_5_0 -E dual %s -o - 2>&1 | FileCheck %s --check-prefix=DUAL
 // RUN: not %clipc -T ps_5_0 -E indexed --target=essl100 %s -o - 2>&1 | FileCheck %s --check-prefix=INDEXED
-// RUN: not %clipc -T ps_5_0 -E good --lower=discard --pixel-shader=%s %s -o - 2>&1 | FileCheck %s --check-prefix=OPTIONS
+// RUN: not %clipc -T ps_5_0 -E good --lower=discard --plane-space=xyw1 --invariant --pixel-shader=%s %s -o - 2>&1 | FileCheck %s --check-prefix=OPTIONS
 cbuffer C { float4 plane; float4 colors[4]; };
 
 void outputs(out float4 a : SV_Target8, out float4 b : TEXCOORD0, out float4 c : SV_Position) { a = b = c = 0; }
@@ -38,4 +38,6 @@ float4 indexed(float2 uv : UV) : SV_Target { return colors[int(uv.x)]; }
 
 float4 good() : SV_Target { return 0; }
 // OPTIONS-DAG: error: `--pixel-shader` is about a vertex shader; profile `ps_5_0` is of a pixel shader [option-of-stage]
-// OPTIONS-DAG: error: `--lower=discard` is about a vertex shader; profile `ps_5_0` is of a pixel shader [option-of-stage]
+// OPTIONS-DAG: error: `--lower` is about a vertex shader; profile `ps_5_0` is of a pixel shader [option-of-stage]
+// OPTIONS-DAG: error: `--plane-space` is about a vertex shader
+// OPTIONS-DAG: error: `--invariant` is about a vertex shader
