@@ -114,7 +114,7 @@ using Request = CompileRequest;
 // The options of --help, in its order; then those that it does not list.
 constexpr Option kOwnOptions[] = {
     {"-T", kJoinedOrSeparate, Set<&LanguageOptions::profile>, "<PROFILE>",
-     "vs_2_0 .. vs_6_8 (vs_5_0), vs_4_0_level_9_0, _9_1, _9_3"},
+     "vs_2_0 .. vs_6_8 (vs_5_0), ps_2_0 .. ps_6_8, vs_4_0_level_9_0, _9_1, _9_3"},
     {"-E", kJoinedOrSeparate, SetEntry, "<NAME>", "entry function (main)"},
     {"-D", kDefinition, Define, "<NAME[=VALUE]>", "define a macro"},
     {"-I", kJoinedOrSeparate, Set<&IncludeOptions::dirs>, "<DIR>", "look for includes here too"},
