@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kUnitRoundoff = 0x1p-24f;
 constexpr float kErrorFactor = 10 * kUnitRoundoff;
-constexpr float kUnderflow = 0x1p-120f;
+constexpr float kFloatUnderflow = 0x1p-120f;
 // The least normal float. Devices may flush smaller numbers to 0.
 constexpr float kLeastNormal = 0x1p-126f;
 // Sums below this do not overflow, and leave room for the shader's.
@@ -78,7 +78,7 @@ CLIPC_BLOCK_FUNCTION void SetError(const Block<kSize>& block, const Float4& size
                                    float (&error)[kSize]) {
   const float x = size.x, y = size.y, z = size.z, w = size.w;
   // Bounds that are flushed to 0 lose this; the coefficients' own loss is in the block.
-  const float underflow = is_zero ? 0 : kUnderflow + kLeastNormal * (x + y + z);
+  const float underflow = is_zero ? 0 : kFloatUnderflow + kLeastNormal * (x + y + z);
   const float share = is_zero ? 0.0f : 1.0f;
   for (std::size_t i = 0; i < kSize; ++i) {
     const float sum =
@@ -231,7 +231,7 @@ std::uint32_t PlanTransformed(const Box& box, const Matrix* matrices, std::size_
   if (!(sum < static_cast<double>(kLargestSum))) return bit;
   const bool is_zero = before.x == 0 && before.y == 0 && before.z == 0 && before.w == 0;
   const double steps = static_cast<double>(matrix_count + 1);
-  double underflow = static_cast<double>(kUnderflow);
+  double underflow = static_cast<double>(kFloatUnderflow);
   const double sizes[4] = {std::fabs(before.x), std::fabs(before.y), std::fabs(before.z),
                            std::fabs(before.w)};
   for (int i = 0; i < 4; ++i)
