@@ -97,7 +97,7 @@ Constructed __wrap__ZN4llvm13StringMapImplC2Ejj(llvm::StringMapImpl* map, unsign
 }
 
 // StringLiteralParser's constructor: a file name has no escapes in `#line 1 "shaders\new.hlsl"`.
-// fxc's own listings and preprocessed files have names of Windows so.
+// Generated shaders have the names of Windows so.
 Constructed RealStringLiteral(
     clang::StringLiteralParser*, llvm::ArrayRef<clang::Token>, clang::Preprocessor&,
     clang::StringLiteralEvalMethod) __asm__("__real_" CLIPC_STRING_LITERAL) __attribute__((weak));
