@@ -79,7 +79,8 @@ void Fill(clipc::CompileResult compiled, clipc_result& to) {
   to.parts[CLIPC_PART_MESSAGES_JSON] = clipc::RenderJson(compiled.messages);
   for (const std::string& file : compiled.dependencies)
     to.parts[CLIPC_PART_DEPENDENCIES] += file + '\n';
-  to.parts[CLIPC_PART_GLSL] = std::move(compiled.shaders.vertex);
+  to.parts[CLIPC_PART_GLSL] =
+      compiled.hlsl ? std::move(*compiled.hlsl) : std::move(compiled.shaders.vertex);
   to.parts[CLIPC_PART_DISCARD] = std::move(compiled.shaders.fragment);
   to.parts[CLIPC_PART_SPIRV].assign(reinterpret_cast<const char*>(compiled.spirv.data()),
                                     4 * compiled.spirv.size());

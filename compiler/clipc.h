@@ -88,7 +88,7 @@ typedef enum clipc_part {
   CLIPC_PART_MESSAGES = 0,  /**< as a terminal shows them, with the lines of the source */
   CLIPC_PART_MESSAGES_JSON, /**< {"version": 1, "diagnostics": [...]} */
   CLIPC_PART_DEPENDENCIES,  /**< the files that were read, each followed by a newline */
-  CLIPC_PART_GLSL,          /**< of the vertex shader */
+  CLIPC_PART_GLSL,          /**< of the shader; HLSL with --target=hlsl */
   CLIPC_PART_DISCARD,    /**< with --lower=discard: GLSL that discards, for the fragment shader */
   CLIPC_PART_SPIRV,      /**< with -spirv: 32-bit words in the machine's order */
   CLIPC_PART_REFLECTION, /**< JSON: docs/reflection.md */

@@ -140,6 +140,11 @@ TEST_F(CInterface, RefusesOptionsThatItDoesNotKnowOrThatNameFiles) {
   EXPECT_EQ(Compile({"--target=450"}), CLIPC_BAD_REQUEST);
 }
 
+TEST_F(CInterface, GivesTheHlslThatIsAskedFor) {
+  EXPECT_EQ(Compile({"-Ilib", "--target=hlsl"}), CLIPC_COMPILED) << Get(CLIPC_PART_MESSAGES);
+  EXPECT_THAT(Get(CLIPC_PART_GLSL), HasSubstr(": SV_ClipDistance0"));
+}
+
 TEST_F(CInterface, EndsWhenTheCallerCancels) {
   std::string long_shader = kShader;
   for (int i = 0; i < 3000; ++i)
