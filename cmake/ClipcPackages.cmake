@@ -20,10 +20,14 @@ endif()
 if(NOT WIN32)
   install(FILES ${packaging}/clipc.bash DESTINATION share/bash-completion/completions RENAME clipc COMPONENT compiler)
 endif()
-install(FILES ${clipc_SOURCE_DIR}/README.md ${clipc_SOURCE_DIR}/CHANGELOG.md DESTINATION ${doc} COMPONENT compiler)
+install(FILES ${clipc_SOURCE_DIR}/README.md ${clipc_SOURCE_DIR}/CHANGELOG.md ${clipc_SOURCE_DIR}/CONTRIBUTING.md DESTINATION ${doc}
+  COMPONENT compiler)
 install(FILES ${clipc_SOURCE_DIR}/LICENSE DESTINATION ${doc} COMPONENT compiler)
 install(DIRECTORY ${clipc_SOURCE_DIR}/docs/ DESTINATION ${doc}/docs COMPONENT compiler
-  FILES_MATCHING PATTERN *.md PATTERN *.json PATTERN decisions EXCLUDE PATTERN pictures EXCLUDE)
+  FILES_MATCHING PATTERN *.md PATTERN *.json PATTERN *.png PATTERN decisions EXCLUDE)
+install(FILES ${clipc_SOURCE_DIR}/study/speed-accuracy.svg DESTINATION ${doc}/study COMPONENT compiler)
+install(DIRECTORY ${clipc_SOURCE_DIR}/examples/first ${clipc_SOURCE_DIR}/examples/gallery ${clipc_SOURCE_DIR}/examples/embed
+  DESTINATION ${doc}/examples COMPONENT compiler)
 
 # The licences of what is linked in, where Debian's packages of it have them.
 set(linked libclang-${CLIPC_LLVM}-dev llvm-${CLIPC_LLVM}-dev glslang-dev libfmt-dev nlohmann-json3-dev)
@@ -62,8 +66,8 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_COMPILER_PACKAGE_NAME clipc)
 set(CPACK_DEBIAN_COMPILER_PACKAGE_SECTION devel)
-set(CPACK_COMPONENT_COMPILER_DESCRIPTION "HLSL vertex shaders with clip planes to GLSL
-clipc translates vertex shaders in HLSL with the attribute [clipplanes(...)]
+set(CPACK_COMPONENT_COMPILER_DESCRIPTION "HLSL shaders with clip planes to GLSL
+clipc translates vertex and pixel shaders in HLSL with the attribute [clipplanes(...)]
 into GLSL or SPIR-V. Planes become clip distances or, under feature level 9,
 entries of a table that tells an application its calls of SetClipPlane.")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libclipc1)

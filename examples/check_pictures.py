@@ -2,15 +2,16 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 """Draws the pictures of an example and holds them against the pictures in docs/pictures.
 
-usage: check_pictures.py FOLDER SCRATCH_FOLDER [--write] PICTURE... -- PROGRAM [ARGUMENT...]
+usage: check_pictures.py FOLDER SCRATCH_FOLDER [--write] PICTURE[=KEPT][@X,Y,A,B]... -- PROGRAM [ARGUMENT...]
 
-PROGRAM, started in SCRATCH_FOLDER, writes the PICTUREs there. A pixel is another one where a channel differs by more than
-8; of those at most one in a thousand may be, for drivers differ. --write renews the pictures: look at them before you
-commit them.
+PROGRAM, started in SCRATCH_FOLDER, writes the PICTUREs there. Each is compared with the file KEPT in FOLDER, which has the
+same name unless it is given; with `@`, after an ellipse around the pixel X, Y with the radii A and B is drawn into it. A
+pixel is another one where a channel differs by more than 8; of those at most one in a thousand may be, for drivers
+differ. --write renews the kept pictures: look at them before you commit them.
 """
 
 import pathlib
-import shutil
+import re
 import struct
 import subprocess
 import sys
@@ -50,9 +51,39 @@ def pixels(path):
     return width, height, rows
 
 
+def write_png(path, picture):
+    width, height, rows = picture
+
+    def chunk(kind, body):
+        return (
+            struct.pack(">I", len(body))
+            + kind
+            + body
+            + struct.pack(">I", zlib.crc32(kind + body))
+        )
+
+    raw = b"".join(b"\0" + row for row in rows)
+    path.write_bytes(
+        b"\x89PNG\r\n\x1a\n"
+        + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0))
+        + chunk(b"IDAT", zlib.compress(raw, 9))
+        + chunk(b"IEND", b"")
+    )
+
+
+def mark(picture, x, y, a, b):
+    """Draws a red ellipse, three pixels wide, around the pixel x, y with the radii a and b."""
+    width, height, rows = picture
+    for row in range(height):
+        for column in range(width):
+            radius = (((column - x) / a) ** 2 + ((row - y) / b) ** 2) ** 0.5
+            if abs(radius - 1) * min(a, b) <= 1.5:
+                rows[row][3 * column : 3 * column + 3] = b"\xe0\x20\x20"
+
+
 def differing(one, other):
     """The share of pixels that differ, or 1 for another size."""
-    (width, height, rows), (other_width, other_height, other_rows) = pixels(one), pixels(other)
+    (width, height, rows), (other_width, other_height, other_rows) = one, other
     if (width, height) != (other_width, other_height):
         return 1
     count = 0
@@ -73,16 +104,22 @@ def main():
     ]
     scratch = pathlib.Path(scratch)
     scratch.mkdir(parents=True, exist_ok=True)
-    for picture in pictures:
-        (scratch / picture).unlink(missing_ok=True)
+    pictures = [
+        re.fullmatch(r"([^=@]+)(?:=([^@]+))?(?:@([\d,]+))?", picture).groups()
+        for picture in pictures
+    ]
+    for name, _, _ in pictures:
+        (scratch / name).unlink(missing_ok=True)
     subprocess.run(sys.argv[split + 1 :], cwd=scratch, check=True)
     bad = 0
-    for picture in pictures:
-        kept = pathlib.Path(folder) / picture
+    for name, kept_name, ellipse in pictures:
+        kept, drawn = pathlib.Path(folder) / (kept_name or name), pixels(scratch / name)
+        if ellipse:
+            mark(drawn, *map(int, ellipse.split(",")))
         if write:
-            shutil.copyfile(scratch / picture, kept)
-        share = differing(scratch / picture, kept)
-        print(f"{picture}: {100 * share:.3f} % of the pixels differ from {kept}")
+            write_png(kept, drawn)
+        share = differing(drawn, pixels(kept))
+        print(f"{name}: {100 * share:.3f} % of the pixels differ from {kept}")
         bad += share > 0.001
     return bad != 0
 

@@ -32,6 +32,9 @@ for name in libclang llvm glslang spirv-tools libfmt nlohmann-json3 libstdc++ li
   compgen -G "$scratch/program/usr/share/doc/clipc/linked/$name*" >/dev/null || fail "no licence of $name"
 done
 
+echo "-- links of the pages"
+tools/checks/check_pages.py "$scratch/program/usr/share/doc/clipc"
+
 echo "-- manual page and completion"
 dpkg-deb -x "$scratch"/clipc-study_*.deb "$scratch/study"
 for page in "$scratch"/{program,study}/usr/share/man/man1/*.gz; do

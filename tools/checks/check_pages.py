@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 """Fails when a page names a file or folder of this repository that does not exist.
 
-    check_pages.py
+    check_pages.py            the pages of this repository
+    check_pages.py FOLDER     the links of the pages that a package has in FOLDER
 
 Pages: every .md file at the top, below docs/ and in study/. A page names a path in backticks or as the target of a link. Text in
 backticks is taken for a path where it begins with one of the repository's top-level folders and a slash, or is a file
@@ -45,6 +46,12 @@ def paths_in(text, folders):
                 yield from expand(word)
 
 
+def broken_links(page):
+    for target in sorted(set(LINK.findall(BLOCK.sub("", page.read_text())))):
+        if "://" not in target and not (page.parent / target).exists():
+            yield f"{page}: the link to {target} leads nowhere"
+
+
 def problems():
     folders = {entry.name for entry in ROOT.iterdir() if entry.is_dir() and entry.name != "build"}
     pages = (
@@ -58,12 +65,18 @@ def problems():
         for path in sorted(set(paths_in(text, folders))):
             if not exists(path):
                 yield f"{name}: `{path}` does not exist"
-        for target in sorted(set(LINK.findall(BLOCK.sub("", text)))):
-            if "://" not in target and not (page.parent / target).exists():
-                yield f"{name}: the link to {target} leads nowhere"
+        yield from broken_links(page)
 
 
 def main():
+    if len(sys.argv) > 1:
+        found = [
+            problem
+            for page in pathlib.Path(sys.argv[1]).rglob("*.md")
+            for problem in broken_links(page)
+        ]
+        print("\n".join(found) or "every link leads to a file")
+        return bool(found)
     for page in ("docs/architecture.md", "CONTRIBUTING.md"):
         if not (ROOT / page).exists():
             print(f"{page} does not exist")

@@ -73,7 +73,7 @@ class Run:
         return done
 
     def folder(self, page):
-        folder = self.scratch / page.stem
+        folder = self.scratch / page.relative_to(ROOT).with_suffix("")
         shutil.copytree(SNIPPETS / "files", folder)
         for name in ("shaders", "build"):
             (folder / name).mkdir()
