@@ -64,6 +64,7 @@ Description: @description@
 Version: @clipc_VERSION@
 Cflags: -I${prefix}/include/clipc
 Libs: -L${prefix}/lib @libraries@
+Libs.private: -lstdc++ -lm
 ]])
   install(FILES ${clipc_BINARY_DIR}/${name}.pc DESTINATION lib/pkgconfig COMPONENT development)
 endfunction()

@@ -223,7 +223,7 @@ bool Batch::Finish(std::size_t at, CompileResult result) {
     code = result.ok() ? kExitOk : result.status == Status::kErrors ? kExitErrors : kExitUsage;
     if (const std::string problem = WriteFiles(at, result); !problem.empty()) {
       progress_.Clear();
-      exit_code_ = Fail(problem);
+      exit_code_ = printer_.Fail(problem);
       return false;
     }
     entry.status = result.ok() ? BatchStatus::kCompiled : BatchStatus::kFailed;
@@ -318,16 +318,19 @@ std::string Batch::Prepare() {
 
 int Batch::Run(std::vector<ShaderGroup> groups) {
   groups_ = std::move(groups);
-  if (const std::string problem = CheckUsage(); !problem.empty()) return Fail(problem);
-  if (const std::string problem = Prepare(); !problem.empty()) return Fail(problem);
-  if (const std::string problem = Plan(); !problem.empty()) return Fail(problem);
+  if (const std::string problem = CheckUsage(); !problem.empty())
+    return Fail(problem, command_.format);
+  if (const std::string problem = Prepare(); !problem.empty())
+    return Fail(problem, command_.format);
+  if (const std::string problem = Plan(); !problem.empty()) return Fail(problem, command_.format);
   CompileInOrder(
       jobs_.size(), command_.jobs,
       [this](std::size_t at, Compiler& compiler) { return Work(at, compiler); },
       [this](std::size_t at, CompileResult result) { return Finish(at, std::move(result)); });
   progress_.Clear();
   if (exit_code_ != kExitUsage || failed_ > 0) {
-    if (const std::string problem = WriteIndex(); !problem.empty()) exit_code_ = Fail(problem);
+    if (const std::string problem = WriteIndex(); !problem.empty())
+      exit_code_ = printer_.Fail(problem);
   }
   printer_.End();
   Summarise();
@@ -345,11 +348,11 @@ int RunBatch(std::span<const char* const> arguments, CommandLine command) {
   Manifest manifest;
   if (!command.batch.empty()) {
     if (!command.inputs.empty())
-      return Fail("the manifest of --batch names the shaders; give no others");
+      return Fail("the manifest of --batch names the shaders; give no others", command.format);
     manifest = ReadManifest(command.batch, arguments);
-    if (!manifest.error.empty()) return Fail(manifest.error);
+    if (!manifest.error.empty()) return Fail(manifest.error, command.format);
   } else if (command.inputs.empty()) {
-    return Fail("no input file; `clipc --help` lists the options");
+    return Fail("no input file; `clipc --help` lists the options", command.format);
   }
   for (const std::string& input : command.inputs) {
     ShaderGroup group;

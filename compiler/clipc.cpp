@@ -6,10 +6,14 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <string_view>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "clip-table/write.h"
 #include "compiler/compile.h"
+#include "compiler/message.h"
 #include "compiler/options.h"
 
 // NOLINTBEGIN(readability-identifier-naming): names of the C interface.
@@ -43,19 +47,43 @@ clipc_request Known(const clipc_request& request) {
   return known;
 }
 
-bool NamesFiles(const clipc::CommandLine& command) {
-  return !command.inputs.empty() || !command.output.empty() || !command.table.empty() ||
-         !command.reflection.empty() || !command.header.empty() || !command.listing.empty() ||
-         !command.preprocessed.empty() || !command.fragment.empty() || command.write_dependencies ||
-         !command.batch.empty() || !command.index.empty() || command.shards != 1 ||
-         command.only_dependencies || command.action != clipc::CommandLine::Action::kCompile;
+// Returns the option, of those given, that only a program can follow: it names an input or an
+// output, or is about several shaders. Empty if there is none.
+std::string_view ProgramsOption(const clipc::CommandLine& command) {
+  const auto named = [](const std::string& file) { return !file.empty(); };
+  if (!command.inputs.empty()) return command.inputs[0];
+  if (named(command.output)) return "-o";
+  if (named(command.table)) return "--table";
+  if (named(command.reflection)) return "--reflect";
+  if (named(command.header)) return "-Fh";
+  if (named(command.listing)) return "-Fc";
+  if (named(command.preprocessed)) return "-P";
+  if (named(command.fragment)) return "--fragment";
+  if (command.write_dependencies || named(command.dependency_file)) return "-MD";
+  if (command.only_dependencies) return "-M";
+  if (named(command.batch)) return "--batch";
+  if (named(command.index)) return "--index";
+  if (command.shards != 1) return "--shard";
+  if (command.keep_going) return "-k";
+  if (command.show_includes) return "-H";
+  if (command.syntax_only) return "-fsyntax-only";
+  if (command.request.planes.variants) return "--variants";
+  if (command.request.debug.changes_result()) return "--dump";
+  if (command.action == clipc::CommandLine::Action::kHelp) return "--help";
+  if (command.action == clipc::CommandLine::Action::kVersion) return "--version";
+  return {};
 }
 
 // Returns the first mistake in the options; empty if there is none.
 std::string ReadRequest(const clipc_request& from, clipc::CompileRequest& to) {
   clipc::ParsedCommandLine parsed = clipc::ParseCommandLine({from.options, from.option_count});
   if (!parsed.error.empty()) return parsed.error;
-  if (NamesFiles(parsed.command)) return "the options name inputs or outputs";
+  if (const std::string_view option = ProgramsOption(parsed.command); !option.empty()) {
+    return fmt::format(
+        "`{}` is for the program; the library compiles one shader, and what comes out "
+        "is memory",
+        option);
+  }
   to = std::move(parsed.command.request);
   to.path = from.path ? from.path : "";
   if (from.text) to.text.emplace(from.text, from.text_size);
@@ -98,6 +126,7 @@ clipc_status Compile(clipc::Compiler& compiler, const clipc_request& from, clipc
   clipc::CompileRequest request;
   if (const std::string problem = ReadRequest(from, request); !problem.empty()) {
     to.parts[CLIPC_PART_MESSAGES] = "clipc: error: " + problem + "\n";
+    to.parts[CLIPC_PART_MESSAGES_JSON] = clipc::RenderJson({clipc::UsageMessage(problem)});
     return CLIPC_BAD_REQUEST;
   }
   clipc::CompileResult compiled = compiler.Compile(request);

@@ -255,7 +255,7 @@ void RunBackEnd(const Job& job, ir::Program typed, CompileResult& result) {
   result.table = MakeClipTable(lowered, written.info);
   if (outputs.reflection)
     result.reflection = Reflect(lowered, written.info, *result.table, result.position_matrices);
-  if (outputs.structs) result.structs = WriteStructs(lowered.program);
+  if (outputs.structs) result.structs = WriteStructs(lowered.program, outputs.struct_prefix);
   Finished finished = Finish(job, lowered, std::move(written));
   std::string_view unjudged = finished.unjudged;
   result.shaders = std::move(finished.shaders);

@@ -125,6 +125,7 @@ struct OutputOptions {
   bool listing = false;               // fill CompileResult::listing
   bool reflection = false;            // fill CompileResult::reflection
   bool structs = false;               // fill CompileResult::structs
+  std::string struct_prefix;          // of their names
   std::optional<SpirvRequest> spirv;  // fill CompileResult::spirv
   bool preprocess = false;            // fill CompileResult::preprocessed, and stop
   bool text = true;                   // fill CompileResult::text

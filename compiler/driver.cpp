@@ -72,8 +72,10 @@ std::string Driver::CheckUsage() {
 }
 
 int Driver::Run() {
-  if (const std::string problem = CheckUsage(); !problem.empty()) return Fail(problem);
-  if (const std::string problem = PrepareRequest(command_); !problem.empty()) return Fail(problem);
+  if (const std::string problem = CheckUsage(); !problem.empty())
+    return Fail(problem, command_.format);
+  if (const std::string problem = PrepareRequest(command_); !problem.empty())
+    return Fail(problem, command_.format);
   ShowNotices();
   if (command_.notices.has_errors()) return kExitUsage;
   const int exit_code = CompileAll();
@@ -111,7 +113,8 @@ int Driver::Finish(CompileResult result, const Outputs& outputs) {
   }
   printer_.Show(result);
   if (result.status == Status::kBadRequest) return kExitUsage;
-  if (const std::string problem = Write(result, outputs); !problem.empty()) return Fail(problem);
+  if (const std::string problem = Write(result, outputs); !problem.empty())
+    return printer_.Fail(problem);
   return result.ok() ? kExitOk : kExitErrors;
 }
 
@@ -119,9 +122,11 @@ int Driver::Finish(CompileResult result, const Outputs& outputs) {
 void Driver::ShowNotices() {
   Diagnostics& notices = command_.notices;
   for (const Outputs& outputs : outputs_) {
-    if (!command_.request.outputs.spirv && SaysOtherThanGlsl(outputs.glsl))
+    const bool is_glsl = !command_.request.outputs.spirv && !command_.request.hlsl.wanted;
+    if (is_glsl && SaysOtherThanGlsl(outputs.glsl))
       notices.Report({}, diag::OutputNotGlsl, outputs.glsl);
   }
+  ReportIdle(command_, notices);
   if (!notices.all().empty()) printer_.Show(NoticesOf(command_));
 }
 
@@ -144,16 +149,17 @@ std::string VersionText(std::string_view commit) {
 
 int RunCommandLine(std::span<const char* const> arguments, std::string_view commit) {
   ParsedCommandLine parsed = ParseCommandLine(arguments);
-  if (!parsed.error.empty()) return Fail(parsed.error);
+  if (!parsed.error.empty()) return Fail(parsed.error, parsed.command.format);
   if (parsed.command.action == CommandLine::Action::kCompile && WantsBatch(parsed.command))
     return RunBatch(arguments, std::move(parsed.command));
   if (parsed.command.action == CommandLine::Action::kCompile)
     return Driver(std::move(parsed.command)).Run();
   OutputFiles files;
-  files.Add("-",
-            parsed.command.action == CommandLine::Action::kHelp ? HelpText() : VersionText(commit));
+  files.Add("-", parsed.command.action == CommandLine::Action::kHelp
+                     ? HelpText(parsed.command.help_topic)
+                     : VersionText(commit));
   const std::string problem = files.Commit();
-  return problem.empty() ? kExitOk : Fail(problem);
+  return problem.empty() ? kExitOk : Fail(problem, parsed.command.format);
 }
 
 }  // namespace clipc

@@ -126,6 +126,13 @@ Json SarifResult(const Message& message, std::size_t rule) {
 
 }  // namespace
 
+Message UsageMessage(std::string_view what) {
+  Message message;
+  message.name = "command-line";
+  message.text = what;
+  return message;
+}
+
 Message ToMessage(const Diagnostic& diagnostic, const Source& source) {
   Message message;
   message.severity = diagnostic.severity;

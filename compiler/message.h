@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/diagnostics.h"
@@ -26,6 +27,8 @@ struct Message {
 };
 
 Message ToMessage(const Diagnostic& diagnostic, const Source& source);
+// The error of a command line that is wrong.
+Message UsageMessage(std::string_view what);
 
 // A line for each message, as fxc and cl print: `file(line,col-endcol): error X3084: text [name]`,
 // or, where fxc has no code, `file(line,col-endcol): error name: text`.

@@ -55,17 +55,21 @@ struct Option {
     kNumbers,           // --sub 5, --sub=5, --sub 5 0 7 1: also the numbers that follow
   };
 
-  std::string_view names;  // its spellings, apart by one blank; one where --help lists the option
+  // Its spellings, apart by one blank: one where --help lists the option, none where the row
+  // begins a topic of --help.
+  std::string_view names;
   Form form;
   void (*read)(Reading& reading, const std::string& value);
-  // The name of the value in --help; null if --help does not list the option.
+  // The name of the value in --help, or of the topic; null if --help does not list the option.
   const char* metavar = nullptr;
-  // The text in --help; for an option that --help does not list, the advice that goes with its
-  // message.
+  // The text in --help, or the title of the topic; for an option that --help does not list, the
+  // advice that is added to its message.
   const char* help = "";
+
+  bool IsTopic() const { return names.empty(); }
 };
 
-// The options of clipc, those of --help first, and the other compilers' options.
+// The options of clipc, in the order of --help, and the other compilers' options.
 std::span<const Option> OwnOptions();
 std::span<const Option> ForeignOptions();
 

@@ -247,21 +247,32 @@ ParsedCommandLine ParseCommandLine(std::span<const char* const> arguments) {
   return {std::move(command), std::move(reading.error)};
 }
 
-std::string HelpText() {
+std::string HelpText(std::string_view topic) {
   constexpr std::size_t kColumn = 25;
-  std::string text =
-      "OVERVIEW: HLSL vertex shaders with [clipplanes], and pixel shaders, to GLSL and a Direct3D "
-      "9 clip table\n\n"
-      "USAGE: clipc [options] FILE...      (- is standard input)\n\nOPTIONS:\n";
+  std::string text;
+  if (topic.empty()) {
+    text =
+        "clipc translates HLSL vertex and pixel shaders into GLSL or SPIR-V, with their clip "
+        "planes.\n\n"
+        "USAGE: clipc [options] FILE...      (- is standard input, @FILE is more options)\n";
+  }
+  bool is_wanted = false;
   for (const Option& option : OwnOptions()) {
-    if (!option.metavar) continue;
+    if (option.IsTopic()) {
+      is_wanted = topic.empty() || topic == option.metavar;
+      if (is_wanted)
+        fmt::format_to(std::back_inserter(text), "{}{}: {}\n", text.empty() ? "" : "\n",
+                       option.metavar, option.help);
+      continue;
+    }
+    if (!is_wanted) continue;
     const char* separator = option.form == kEquals ? "=" : option.form == kJoined ? "" : " ";
     const std::string usage =
         fmt::format("  {}{}{}", option.names, *option.metavar ? separator : "", option.metavar);
     fmt::format_to(std::back_inserter(text), "{:<{}}{}{}\n", usage, kColumn,
                    usage.size() < kColumn ? "" : "\n" + std::string(kColumn, ' '), option.help);
   }
-  return text + fmt::format("{:<{}}{}\n", "  @FILE", kColumn, "more options and files, from FILE");
+  return text;
 }
 
 }  // namespace clipc

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "compiler/compile.h"
@@ -23,6 +24,7 @@ struct CommandLine {
   enum class Action : std::uint8_t { kCompile, kHelp, kVersion };
 
   Action action = Action::kCompile;
+  std::string help_topic;  // of --help; empty: all
   std::vector<std::string> inputs;
   CompileRequest request;  // without path and text
   // The files to write; empty if not asked for. A value that is only an extension, ".json", names
@@ -59,7 +61,7 @@ struct ParsedCommandLine {
 // existing folder, is an input. @FILE stands for the words of that file.
 ParsedCommandLine ParseCommandLine(std::span<const char* const> arguments);
 
-// The text of --help.
-std::string HelpText();
+// The text of --help: all topics, or one.
+std::string HelpText(std::string_view topic = {});
 
 }  // namespace clipc

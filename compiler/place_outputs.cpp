@@ -97,7 +97,8 @@ Outputs PlaceOutputs(const CommandLine& command, const std::string& input) {
 }
 
 bool SaysOtherThanGlsl(std::string_view path) {
-  constexpr std::string_view kCompiled[] = {".cso", ".dxbc", ".dxil", ".fxo", ".vso"};
+  constexpr std::string_view kCompiled[] = {".bin", ".cso",  ".dxbc", ".dxil", ".fx",
+                                            ".fxo", ".hlsl", ".o",    ".obj",  ".vso"};
   const std::string lower = ToLower(path);
   return std::ranges::any_of(
       kCompiled, [&](std::string_view extension) { return lower.ends_with(extension); });

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -15,10 +16,20 @@ namespace {
 
 void Print(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 
+// "1 error", "2 errors"; empty for 0.
+std::string Counted(std::size_t count, std::string_view what) {
+  return count == 0 ? "" : fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
 }  // namespace
 
-int Fail(std::string_view what) {
-  Print(fmt::format("clipc: error: {}\n", what));
+int Fail(std::string_view what, MessageFormat format) {
+  switch (format) {
+    case MessageFormat::kText:
+    case MessageFormat::kMsvc: Print(fmt::format("clipc: error: {}\n", what)); break;
+    case MessageFormat::kJson: Print(RenderJson({UsageMessage(what)})); break;
+    case MessageFormat::kSarif: Print(RenderSarif({UsageMessage(what)})); break;
+  }
   return kExitUsage;
 }
 
@@ -26,7 +37,12 @@ bool TerminalHasColour() { return system::ErrorsAreOnTerminal() && !std::getenv(
 
 void MessagePrinter::Show(const CompileResult& result) {
   switch (format_) {
-    case MessageFormat::kText: return Print(result.text);
+    case MessageFormat::kText:
+      for (const Message& message : result.messages) {
+        error_count_ += message.severity == Severity::kError ? 1 : 0;
+        warning_count_ += message.severity == Severity::kWarning ? 1 : 0;
+      }
+      return Print(result.text);
     case MessageFormat::kMsvc: return Print(RenderMsvc(result.messages));
     case MessageFormat::kJson:
     case MessageFormat::kSarif:
@@ -35,11 +51,23 @@ void MessagePrinter::Show(const CompileResult& result) {
   }
 }
 
+int MessagePrinter::Fail(std::string_view what) {
+  if (IsLines()) return clipc::Fail(what, format_);
+  messages_.push_back(UsageMessage(what));
+  return kExitUsage;
+}
+
 void MessagePrinter::Say(std::string_view line) const {
   if (IsLines()) Print(fmt::format("clipc: {}\n", line));
 }
 
 void MessagePrinter::End() const {
+  if (format_ == MessageFormat::kText && system::ErrorsAreOnTerminal()) {
+    std::string counts = Counted(error_count_, "error");
+    if (error_count_ && warning_count_) counts += " and ";
+    counts += Counted(warning_count_, "warning");
+    if (!counts.empty()) Print(counts + " generated.\n");
+  }
   if (IsLines()) return;
   Print(format_ == MessageFormat::kJson ? RenderJson(messages_) : RenderSarif(messages_));
 }

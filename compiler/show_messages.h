@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 #include <vector>
 
@@ -11,8 +12,9 @@
 // The messages of a run, on standard error.
 namespace clipc {
 
-// Prints `clipc: error: what`. Returns the exit code for wrong usage.
-int Fail(std::string_view what);
+// Prints `clipc: error: what`, or the document of a format that is one document. Returns the exit
+// code for wrong usage.
+int Fail(std::string_view what, MessageFormat format);
 
 bool TerminalHasColour();
 
@@ -21,9 +23,12 @@ class MessagePrinter {
   explicit MessagePrinter(MessageFormat format) : format_(format) {}
 
   void Show(const CompileResult& result);
+  // Shows an error of the run itself. Returns the exit code for wrong usage.
+  int Fail(std::string_view what);
   // Prints a line about the run itself, if the format has a place for it.
   void Say(std::string_view line) const;
-  // Prints the document of a format that is one document.
+  // Prints the number of errors and warnings to a terminal, or the document of a format that is one
+  // document.
   void End() const;
 
  private:
@@ -32,7 +37,8 @@ class MessagePrinter {
   }
 
   MessageFormat format_;
-  std::vector<Message> messages_;
+  std::vector<Message> messages_;                    // of a format that is one document
+  std::size_t error_count_ = 0, warning_count_ = 0;  // of what was shown as text
 };
 
 // "[12/200] water A=0": one line that is written over while a terminal watches.

@@ -121,7 +121,8 @@ const char* NameOfScalar(Scalar scalar) {
 
 class Header {
  public:
-  explicit Header(const Program& program) : program_(program), types_(program.types) {}
+  Header(const Program& program, std::string_view prefix)
+      : program_(program), types_(program.types), prefix_(prefix) {}
 
   std::string Write() {
     for (const ir::CbufferId id : program_.cbuffers.ids()) AddBuffer(program_.cbuffers[id]);
@@ -139,8 +140,9 @@ class Header {
   // A struct and a buffer, or structs of two namespaces, may have one name in HLSL.
   std::string NewName(std::string_view written) {
     const std::string name = Identifier(written);
-    std::string unique = name.empty() ? "Unnamed" : name;
-    for (int i = 2; !names_.insert(unique).second; ++i) unique = fmt::format("{}_{}", name, i);
+    std::string unique = prefix_ + (name.empty() ? "Unnamed" : name);
+    for (int i = 2; !names_.insert(unique).second; ++i)
+      unique = fmt::format("{}{}_{}", prefix_, name, i);
     return unique;
   }
 
@@ -161,7 +163,7 @@ class Header {
                    Declaration(name, type, row_major), row_major ? "row_major " : "",
                    types_.Name(type));
     fmt::format_to(std::back_inserter(body.assertions),
-                   "static_assert(offsetof(struct {0}, {1}) == {2}, \"{0}.{1}\");\n", body.name,
+                   "CLIPC_ASSERT(offsetof(struct {0}, {1}) == {2}, \"{0}.{1}\");\n", body.name,
                    name, offset);
     body.end = offset + size;
   }
@@ -234,12 +236,13 @@ class Header {
     fmt::format_to(
         std::back_inserter(text_),
         "\n// {0}\n#ifndef CLIPC_STRUCT_{1}\n#define CLIPC_STRUCT_{1}\nstruct {1} {{\n{2}}};\n"
-        "#endif\n{3}static_assert(sizeof(struct {1}) == {4}, \"{1}\");\n",
+        "#endif\n{3}CLIPC_ASSERT(sizeof(struct {1}) == {4}, \"{1}\");\n",
         what, body.name, body.members, body.assertions, body.end);
   }
 
   const Program& program_;
   const ir::TypeTable& types_;
+  const std::string prefix_;  // of the names of structs
   std::set<std::string> names_;
   std::map<ir::StructId, std::string> structs_;
   std::string text_;
@@ -247,14 +250,19 @@ class Header {
 
 }  // namespace
 
-std::string WriteStructs(const Program& program) {
+std::string WriteStructs(const Program& program, std::string_view prefix) {
   return "// Written by clipc: constant buffers, byte by byte as Direct3D lays them out. A struct "
          "that\n"
          "// two shaders share is taken from the first; the assertions of the second hold for it "
          "too.\n"
-         "#pragma once\n#include <assert.h>\n#include <stddef.h>\n#include <stdint.h>\n"
+         "#pragma once\n#include <stddef.h>\n#include <stdint.h>\n"
+         "#ifndef CLIPC_ASSERT\n#ifdef __cplusplus\n"
+         "#define CLIPC_ASSERT(condition, what) static_assert(condition, what)\n"
+         "#else  // C99 has no assertion: an array of a negative size is an error\n"
+         "#define CLIPC_ASSERT(condition, what) extern char clipc_assert[(condition) ? 1 : -1]\n"
+         "#endif\n#endif\n"
          "#pragma pack(push, 4)\n" +
-         Header(program).Write() + "#pragma pack(pop)\n";
+         Header(program, prefix).Write() + "#pragma pack(pop)\n";
 }
 
 }  // namespace clipc

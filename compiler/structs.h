@@ -2,16 +2,17 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "ir/program.h"
 
 namespace clipc {
 
-// The text of --reflect=FILE.h: a header for C11 and C++ with a struct for each constant buffer,
+// The text of --reflect=FILE.h: a header for C99 and C++ with a struct for each constant buffer,
 // which has the buffer's bytes, and assertions of its offsets and size. A vector is an array; so is
 // a matrix, as it lies in memory; structs are structs. What has no such type, an array whose
 // elements are padded but for the last one, is an array of 4-byte numbers. Names that are keywords
-// of C or C++ get a `_`.
-std::string WriteStructs(const ir::Program& program);
+// of C or C++ get a `_`; names of structs begin with `prefix`.
+std::string WriteStructs(const ir::Program& program, std::string_view prefix);
 
 }  // namespace clipc

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/usage.h"
 
+#include <algorithm>
+#include <cctype>
+
 #include <fmt/format.h>
 
 #include "compiler/message.h"
@@ -25,6 +28,12 @@ std::string_view NotForHlsl(const CommandLine& command) {
   return {};
 }
 
+// Whether a name in C can begin with the text.
+bool IsIdentifier(std::string_view text) {
+  return std::ranges::all_of(text, [](unsigned char c) { return std::isalnum(c) || c == '_'; }) &&
+         (text.empty() || std::isdigit(static_cast<unsigned char>(text[0])) == 0);
+}
+
 }  // namespace
 
 std::string CheckCommand(const CommandLine& command) {
@@ -43,6 +52,11 @@ std::string CheckCommand(const CommandLine& command) {
     return "-Fh and -spirv write one shader; with --variants there are several";
   if (!command.variable.empty() && command.header.empty())
     return "-Vn names what -Fh writes; give that option too";
+  if (!request.outputs.struct_prefix.empty() && !command.reflection.ends_with(".h"))
+    return "--struct-prefix is for the C structs of --reflect=FILE.h";
+  if (!IsIdentifier(request.outputs.struct_prefix))
+    return fmt::format("`{}` cannot begin a name in C; a prefix is letters, digits and `_`",
+                       request.outputs.struct_prefix);
   if (!command.fragment.empty() && request.planes.lowering != Lowering::kDiscard) {
     return "--fragment is for --lower=discard; with the other lowerings the fragment shader stays "
            "as it is";
@@ -58,6 +72,28 @@ std::string CheckCommand(const CommandLine& command) {
     return "--zero-unwritten is for --pixel-shader, which says what is read";
   }
   return {};
+}
+
+void ReportIdle(const CommandLine& command, Diagnostics& notices) {
+  const CompileRequest& request = command.request;
+  const auto report = [&](bool is_idle, const char* option, const char* why) {
+    if (is_idle) notices.Report({}, diag::OptionWithoutEffect, option, why);
+  };
+  const bool has_rule =
+      command.write_dependencies || !command.dependency_file.empty() || command.only_dependencies;
+  report(!command.dependency_target.empty() && !has_rule, "-MT",
+         "it names the target of a make rule, which -MD, -MF or -M writes");
+  constexpr const char* kForMany = "it is for permutations and manifests";
+  report(!command.index.empty(), "--index", kForMany);
+  report(command.keep_going, "-k", kForMany);
+  report(command.shards != 1, "--shard", kForMany);
+  const glsl::Target& target = request.target;
+  report(request.style.separable && (target.IsVulkan() || target.IsEs() || target.version() < 410),
+         "--separable", "it is for targets `glsl410` to `glsl460`");
+  report(request.debug.changes_result() && !command.table.empty(), "--table",
+         "a dump takes its place");
+  report(request.debug.changes_result() && !command.reflection.empty(), "--reflect",
+         "a dump takes its place");
 }
 
 CompileResult NoticesOf(const CommandLine& command) {

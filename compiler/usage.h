@@ -11,6 +11,9 @@ namespace clipc {
 // The first mistake in the options, whatever the inputs are; empty if there is none.
 std::string CheckCommand(const CommandLine& command);
 
+// Reports the options that have no effect on the compile of single shaders.
+void ReportIdle(const CommandLine& command, Diagnostics& notices);
+
 // The warnings about the options, as the result of a compile.
 CompileResult NoticesOf(const CommandLine& command);
 

@@ -20,6 +20,8 @@ foreach(line IN LISTS lines)
     if(CMAKE_MATCH_4)
       string(APPEND OPTIONS "\\&${CMAKE_MATCH_4}\n")
     endif()
+  elseif(line MATCHES "^[a-z]+: (.+)$")  # the title of a topic
+    string(APPEND OPTIONS ".SS ${CMAKE_MATCH_1}\n")
   elseif(line MATCHES "^      +(.+)$")
     string(APPEND OPTIONS "\\&${CMAKE_MATCH_1}\n")
   endif()

@@ -98,9 +98,12 @@ void ReportNoEntry(Context& context) {
     if (std::ranges::find(near, hint) == near.end()) near.push_back(hint);
   }
   const std::string text = QuotedList(near);
-  const std::string tail = text.empty() ? ""
-                           : has_hints  ? fmt::format("; its techniques compile {}", text)
-                                        : fmt::format("; did you mean {}?", text);
+  constexpr std::size_t kMaxCandidates = 8;
+  const bool are_few = !names.empty() && names.size() <= kMaxCandidates;
+  const std::string tail =
+      text.empty() ? (are_few ? fmt::format("; `-E` names one of {}", QuotedList(candidates)) : "")
+      : has_hints  ? fmt::format("; its techniques compile {}", text)
+                   : fmt::format("; did you mean {}?", text);
   // The place of the function that was probably meant, or the start of the file's last declaration.
   Span where =
       context.file.top_level.empty() ? Span{} : context[context.file.top_level.back()].span;

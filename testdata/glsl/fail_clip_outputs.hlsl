@@ -22,7 +22,7 @@ int64_t wide;
 float4 main(float4 p : POSITION) : SV_Position { return p + (float)wide; }
 #else
 float4 plane;
-// GL120: fail_clip_outputs.hlsl:[[#@LINE+3]]:13: error: the shader writes clip distances; target `glsl120` has no `gl_ClipDistance`; `[clipplanes]` does not need it under `--lower=discard` or `--lower=level9` [target-clip-distance]
+// GL120: fail_clip_outputs.hlsl:[[#@LINE+3]]:13: error: the shader writes clip distances; target `glsl120` has no `gl_ClipDistance`; `[clipplanes]` does not need it under `--lower=discard` [target-clip-distance]
 // GL120-NEXT:    [[#@LINE+2]] | [clipplanes(plane)]
 // GL120-NEXT:       |             ^~~~~
 [clipplanes(plane)]

@@ -4,7 +4,7 @@
 // AUTOUPDATE
 #ifdef PLANES
 float4 plane;
-// PLANES: fail_essl100.hlsl:[[#@LINE+3]]:13: error: the shader writes clip distances; target `webgl1` has no `gl_ClipDistance`; `[clipplanes]` does not need it under `--lower=discard` or `--lower=level9` [target-clip-distance]
+// PLANES: fail_essl100.hlsl:[[#@LINE+3]]:13: error: the shader writes clip distances; target `webgl1` has no `gl_ClipDistance`; `[clipplanes]` does not need it under `--lower=discard` [target-clip-distance]
 // PLANES-NEXT:    [[#@LINE+2]] | [clipplanes(plane)] float4 main(float4 p : POSITION) : SV_Position { return p; }
 // PLANES-NEXT:       |             ^~~~~
 [clipplanes(plane)] float4 main(float4 p : POSITION) : SV_Position { return p; }

@@ -21,8 +21,8 @@
 // SPIRV-DAG: OpMemberDecorate %push_block 0 Offset 64
 // SPIRV-DAG: OpMemberDecorate %push_block 1 Offset 80
 // SPIRV-DAG: OpMemberDecorate %push_block 2 Offset 96
-// STRUCT: static_assert(offsetof(struct {{.*}}, tint) == 64
-// STRUCT: static_assert(offsetof(struct {{.*}}, index) == 96
+// STRUCT: CLIPC_ASSERT(offsetof(struct {{.*}}, tint) == 64
+// STRUCT: CLIPC_ASSERT(offsetof(struct {{.*}}, index) == 96
 struct Push {
   [[vk::offset(64)]] float4 tint;
   float size;

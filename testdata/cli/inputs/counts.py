@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+"""On a terminal the messages end with the number of errors and warnings.
+
+usage: counts.py CLIPC SHADER
+"""
+
+import os
+import pty
+import subprocess
+import sys
+
+master, slave = pty.openpty()
+words = [*sys.argv[1:], "-E", "nothing", "-MT", "x", "-o", os.devnull]
+subprocess.run(words, stderr=slave, check=False, env={**os.environ, "TERM": "xterm"})
+os.close(slave)
+shown = os.read(master, 1 << 16)
+assert shown.endswith(b"1 error and 1 warning generated.\r\n"), shown[-80:]
