@@ -24,7 +24,7 @@ install(FILES ${clipc_SOURCE_DIR}/README.md ${clipc_SOURCE_DIR}/CHANGELOG.md ${c
   COMPONENT compiler)
 install(FILES ${clipc_SOURCE_DIR}/LICENSE DESTINATION ${doc} COMPONENT compiler)
 install(DIRECTORY ${clipc_SOURCE_DIR}/docs/ DESTINATION ${doc}/docs COMPONENT compiler
-  FILES_MATCHING PATTERN *.md PATTERN *.json PATTERN *.png PATTERN decisions EXCLUDE)
+  FILES_MATCHING PATTERN *.md PATTERN *.json PATTERN *.png)
 install(FILES ${clipc_SOURCE_DIR}/study/speed-accuracy.svg DESTINATION ${doc}/study COMPONENT compiler)
 install(DIRECTORY ${clipc_SOURCE_DIR}/examples/first ${clipc_SOURCE_DIR}/examples/gallery ${clipc_SOURCE_DIR}/examples/embed
   DESTINATION ${doc}/examples COMPONENT compiler)
