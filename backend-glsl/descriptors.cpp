@@ -2,13 +2,14 @@
 #include "backend-glsl/descriptors.h"
 
 #include <ranges>
-#include <set>
-#include <utility>
 #include <vector>
+
+#include "backend-glsl/write.h"
 
 namespace clipc::glsl {
 
-Descriptors::Descriptors(const ir::Program& program, const Reached& reached, const Target& target)
+Descriptors::Descriptors(const ir::Program& program, const Reached& reached, const Target& target,
+                         const OtherStage* other)
     : target_(target) {
   if (!target.IsVulkan()) return;
   std::vector<const ir::Register*> all;
@@ -21,10 +22,14 @@ Descriptors::Descriptors(const ir::Program& program, const Reached& reached, con
     if (reached.Has(resource.var)) all.push_back(&resource.reg);
   }
   const bool bound_by_option = target.bindings.globals.has_value();
+  Taken taken = other && other->written ? TakeFromOther(program, *other) : Taken();
+  const Taken others = taken;
   const auto stays = [&](const ir::Register* reg) {
-    return reg->descriptor || reg->is_explicit || (reg == globals_ && bound_by_option);
+    const ir::Descriptor at = Plain(*reg);
+    return moved_.contains(reg) || reg->descriptor ||
+           ((reg->is_explicit || (reg == globals_ && bound_by_option)) &&
+            !others.contains({at.set, at.binding}));
   };
-  std::set<std::pair<std::uint32_t, std::uint32_t>> taken;
   for (const ir::Register* reg : all | std::views::filter(stays)) {
     const ir::Descriptor at = Plain(*reg);
     taken.emplace(at.set, at.binding);
@@ -35,6 +40,32 @@ Descriptors::Descriptors(const ir::Program& program, const Reached& reached, con
     while (!taken.emplace(at.set, at.binding).second) ++at.binding;
     moved_.emplace(reg, at);
   }
+}
+
+// Gives what both stages share the other's place. Returns all places that the other stage has.
+Descriptors::Taken Descriptors::TakeFromOther(const ir::Program& program, const OtherStage& other) {
+  Taken taken;
+  const auto take = [&](const GlslInfo::Place& place, const ir::Register* reg) {
+    if (!place.binding) return;
+    taken.emplace(place.set.value_or(0), *place.binding);
+    if (reg) moved_.emplace(reg, ir::Descriptor{*place.binding, place.set.value_or(0)});
+  };
+  for (const GlslInfo::Block& block : other.written->blocks) {
+    const ir::Register* shared = nullptr;
+    for (const ir::CbufferId id : program.cbuffers.ids()) {
+      if (other.cbuffers[id.index] == block.cbuffer) shared = &program.cbuffers[id].reg;
+    }
+    take(block, shared);
+  }
+  for (const GlslInfo::Object& object : other.written->objects) {
+    const ir::VarId theirs = object.texture ? object.texture : object.sampler;
+    const ir::Register* shared = nullptr;
+    for (const ir::Resource& resource : program.resources) {
+      if (other.vars[resource.var.index] == theirs) shared = &resource.reg;
+    }
+    take(object, shared);
+  }
+  return taken;
 }
 
 ir::Descriptor Descriptors::Of(const ir::Register& reg) const {

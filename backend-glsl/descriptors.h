@@ -3,7 +3,10 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
+#include <utility>
 
+#include "backend-glsl/other_stage.h"
 #include "backend-glsl/reach.h"
 #include "backend-glsl/target.h"
 #include "ir/program.h"
@@ -12,7 +15,8 @@
 // textures and samplers apart; a Vulkan set has one row of bindings. Register n becomes binding n +
 // the shift of its letter, one of those below unless the target has other rules; the space becomes
 // the set. [[vk::binding]] comes before all of that. An object that has neither it nor a written
-// register moves to the next free binding if its own is taken, as in DXC.
+// register moves to the next free binding if its own is taken, as in DXC. Of a pair, the stage that
+// is written second has the other's bindings for what both share, and moves what is in their way.
 namespace clipc::glsl {
 
 inline constexpr std::uint32_t kVulkanShiftB = 0;
@@ -22,13 +26,17 @@ inline constexpr std::uint32_t kVulkanShiftU = 160;  // t0 to t127
 
 class Descriptors {
  public:
-  // Keeps references to the program and the target.
-  Descriptors(const ir::Program& program, const Reached& reached, const Target& target);
+  // Keeps references to the program and the target. `other` may be null.
+  Descriptors(const ir::Program& program, const Reached& reached, const Target& target,
+              const OtherStage* other = nullptr);
 
   // The set and binding of the buffer or resource of the program that has this register.
   ir::Descriptor Of(const ir::Register& reg) const;
 
  private:
+  using Taken = std::set<std::pair<std::uint32_t, std::uint32_t>>;  // sets and bindings
+
+  Taken TakeFromOther(const ir::Program& program, const OtherStage& other);
   ir::Descriptor Plain(const ir::Register& reg) const;
 
   const Target& target_;

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <utility>
 
+#include "ir/interface.h"
+
 // The forms and names of constant buffers and outputs, chosen so that the next stage's shader,
 // which another tool wrote, links with this one. GLSL compares blocks of two stages by name and by
 // members with their matrix layouts, and both blocks have an instance name or neither has one;
@@ -39,6 +41,9 @@ struct NameStyle {
   static std::optional<NameStyle> Parse(std::string_view text);
   static std::span<const std::string_view> Names();
 };
+
+// The name that the style gives an output, or an input of a stage with a stage before.
+std::string InterfaceName(const ir::IoVar& output, const NameStyle& style);
 
 // The pattern with its places filled; a place that `values` lacks is kept.
 std::string FillPattern(

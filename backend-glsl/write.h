@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "backend-glsl/block_layout.h"
+#include "backend-glsl/other_stage.h"
 #include "backend-glsl/style.h"
 #include "backend-glsl/target.h"
 #include "ir/program.h"
@@ -28,6 +29,7 @@ struct WriteOptions {
   std::function<std::string(Span)> comment_of = {};
   BlockStyle blocks = BlockStyle::kNamed;
   NameStyle names = {};
+  const OtherStage* other = nullptr;  // the other stage of a pair, which outlives the writing
 };
 
 // The facts that the host must know about the written shader: the names, places and layouts that
@@ -70,6 +72,7 @@ struct GlslInfo {
   // name.
   struct Place {
     std::optional<std::uint32_t> set, binding;
+    std::uint32_t count = 1;  // of an array: so many bindings of OpenGL from `binding` on
   };
   struct Block : Place {
     ir::CbufferId cbuffer;
@@ -78,12 +81,15 @@ struct GlslInfo {
     std::string instance;           // empty: members are global names
     std::string rows;               // kRows: the array of rows
     bool is_push_constant = false;  // a push constant of Vulkan: no buffer is bound
+    bool is_shared = false;         // the other stage of a pair has the block too
     std::vector<Member> members;
   };
   // A texture, a sampler, a texture with a sampler, or a buffer.
   struct Object : Place {
     ir::VarId texture, sampler;  // of the HLSL shader; either may be none
     std::string name;
+    ir::ObjectKind kind =
+        ir::ObjectKind::kOther;  // of the texture; of the sampler if there is none
   };
 
   std::vector<Variable> inputs, outputs;  // beside program.inputs and program.outputs, one for one

@@ -40,6 +40,10 @@ void Bindings::Reserve(const ir::Register& reg, std::uint32_t count) {
     reserved.insert(reg.descriptor->binding + i);
 }
 
+void Bindings::Take(const GlslInfo::Place& place) {
+  for (std::uint32_t i = 0; place.binding && i < place.count; ++i) taken.insert(*place.binding + i);
+}
+
 std::string LayoutText(std::initializer_list<std::string_view> qualifiers) {
   std::string text;
   for (const std::string_view qualifier : qualifiers) {
@@ -64,15 +68,16 @@ std::string Bind(const Context& context, GlslInfo::Place& place,
 }
 
 std::string Bind(const Context& context, GlslInfo::Place& place, const ir::Register& reg,
-                 Bindings& taken, std::uint32_t count) {
+                 Bindings& taken, std::uint32_t count, const GlslInfo::Place* written) {
   std::string set;
+  place.count = count;
   if (context.target.IsVulkan()) {
     const ir::Descriptor descriptor = context.descriptors.Of(reg);
     place.set = descriptor.set;
     place.binding = descriptor.binding;
     set = Concat("set = ", std::to_string(descriptor.set), ", ");
   } else if (context.Has(Feature::kBindings)) {
-    place.binding = FreeBinding(taken, reg, count);
+    place.binding = written ? written->binding : FreeBinding(taken, reg, count);
   }
   if (!place.binding) return "";
   return Concat(set, "binding = ", std::to_string(*place.binding));

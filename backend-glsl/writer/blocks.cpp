@@ -29,6 +29,7 @@ class BlockWriter {
         info_(blocks.info.emplace_back()),
         text_(blocks.text) {
     info_.cbuffer = id;
+    info_.is_shared = context.IsShared(id);
     info_.form = layout_.form;
     register_ = RegisterText(cbuffer_.reg);
     if (cbuffer_.reg.space != 0) Append(register_, ", space", std::to_string(cbuffer_.reg.space));
@@ -46,7 +47,8 @@ class BlockWriter {
     const std::string place = is_pushed ? "push_constant"
                               : cbuffer_.declared
                                   ? Bind(context_, info_, *cbuffer_.declared)
-                                  : Bind(context_, info_, cbuffer_.reg, bindings_, cbuffer_.count);
+                                  : Bind(context_, info_, cbuffer_.reg, bindings_, cbuffer_.count,
+                                         context_.WrittenBlock(info_.cbuffer));
     Append(text_, LayoutText({"std140", place, turned ? "row_major" : ""}), "uniform ", info_.name,
            is_pushed ? " {\n" : Concat(" {  // ", register_, "\n"));
     is_rows ? Rows() : Members();
@@ -227,12 +229,15 @@ class BlockWriter {
     std::string uniforms;
     std::uint32_t end = 0;
     for (const CbufferMember& member : cbuffer_.members) {
+      const bool is_by_hand = context_.IsByHand(member.var);
+      // Both stages of a pair declare the same rows.
+      if (is_by_hand && context_.IsReadInProgram(member.var))
+        end = std::max(end, member.offset + member.size);
       if (!context_.reached.Has(member.var)) continue;
-      if (!context_.IsByHand(member.var)) {
+      if (!is_by_hand) {
         PlainUniform(uniforms, member.var);
         continue;
       }
-      end = std::max(end, member.offset + member.size);
       Accessor(member.var, member.offset, 0, memory, false);
       info_.members.push_back({member.var, -1, context_.NameOf(member.var)});
     }
@@ -265,6 +270,7 @@ class BlockWriter {
 
   void Function(VarId member, TypeId result, const std::string& parameter, std::uint32_t offset,
                 const std::string& value) {
+    if (!context_.reached.Has(member)) return;  // the other stage of a pair reads it
     context_.helpers +=
         fmt::format("{} {}({}) {{  // offset {}\n    return {};\n}}\n\n",
                     TypeName(context_, result), context_.NameOf(member), parameter, offset, value);
@@ -287,6 +293,10 @@ Blocks WriteBlocks(Context& context) {
   blocks.text.reserve(1024);
   blocks.info.reserve(context.program.cbuffers.size());
   Bindings bindings;
+  const OtherStage* other = context.options.other;
+  if (other && other->written) {
+    for (const GlslInfo::Block& block : other->written->blocks) bindings.Take(block);
+  }
   for (const CbufferId id : context.program.cbuffers.ids()) {
     if (context.reached.Has(id)) bindings.Reserve(context[id].reg, context[id].count);
   }

@@ -10,11 +10,16 @@ namespace clipc::glsl {
 namespace {
 
 std::vector<BlockLayout> LayOutBlocks(const ir::Program& program, const Reached& reached,
-                                      const Target& target, BlockStyle style) {
+                                      const Target& target, const WriteOptions& options) {
   std::vector<BlockLayout> layouts(program.cbuffers.size());
+  // Both stages lay out a block that they share by what either of them reads.
+  std::vector<bool> is_read = reached.vars;
+  for (std::size_t i = 0; options.other && i < is_read.size(); ++i)
+    is_read[i] = is_read[i] || options.other->is_read[i];
   for (const ir::CbufferId id : program.cbuffers.ids()) {
     if (reached.Has(id))
-      layouts[id.index] = LayOutBlock(program, program.cbuffers[id], target, style, reached.vars);
+      layouts[id.index] =
+          LayOutBlock(program, program.cbuffers[id], target, options.blocks, is_read);
   }
   return layouts;
 }
@@ -27,8 +32,8 @@ Context::Context(const ir::Program& program, const Target& target, const WriteOp
       target(target),
       options(options),
       reached(Reach(program)),
-      descriptors(program, reached, target),
-      layouts(LayOutBlocks(program, reached, target, options.blocks)),
+      descriptors(program, reached, target, options.other),
+      layouts(LayOutBlocks(program, reached, target, options)),
       used_structs(types.structs().size()) {}
 
 bool Context::IsWrittenAsUint(ir::VarId member) const {
@@ -41,6 +46,24 @@ bool Context::IsWrittenAsUint(ir::VarId member) const {
   return cbuffer.declared && index < cbuffer.declared->members.size()
              ? cbuffer.declared->members[index].is_uint
              : LayoutOf(member).has_uints && !IsByHand(member);
+}
+
+const GlslInfo::Block* Context::WrittenBlock(ir::CbufferId id) const {
+  return IsShared(id) && options.other->written
+             ? options.other->written->BlockOf(options.other->cbuffers[id.index])
+             : nullptr;
+}
+
+const GlslInfo::Object* Context::WrittenObject(ir::VarId texture, ir::VarId sampler) const {
+  if (!options.other || !options.other->written) return nullptr;
+  const auto& alike = options.other->vars;
+  const ir::VarId their_texture = texture ? alike[texture.index] : ir::VarId{};
+  const ir::VarId their_sampler = sampler ? alike[sampler.index] : ir::VarId{};
+  if (!their_texture != !texture || !their_sampler != !sampler) return nullptr;
+  for (const GlslInfo::Object& object : options.other->written->objects) {
+    if (object.texture == their_texture && object.sampler == their_sampler) return &object;
+  }
+  return nullptr;
 }
 
 void Context::RequireType(const ir::Type& type) {

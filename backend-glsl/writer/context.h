@@ -99,6 +99,20 @@ struct Context {
   bool IsWrittenAsUint(ir::VarId member) const;
   const std::string& NameOf(ir::VarId id) const { return names.vars[id.index]; }
 
+  // Whether the other stage of a pair has the block too.
+  bool IsShared(ir::CbufferId id) const {
+    return options.other && options.other->cbuffers[id.index];
+  }
+  // Whether the other stage of a pair reads the member, or this one does.
+  bool IsReadInProgram(ir::VarId member) const {
+    return reached.Has(member) || (options.other && options.other->is_read[member.index]);
+  }
+  // The block as the other stage wrote it before this one; null if it is not shared, or is written
+  // here first.
+  const GlslInfo::Block* WrittenBlock(ir::CbufferId id) const;
+  // The same for an object: the one of this texture with this sampler, either of which may be none.
+  const GlslInfo::Object* WrittenObject(ir::VarId texture, ir::VarId sampler) const;
+
   bool Has(Feature feature) const { return target.Has(feature); }
   // Adds the extension through which the target has the feature, if there is one.
   void Require(Feature feature) { Require(target.Of(feature).extension); }

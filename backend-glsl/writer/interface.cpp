@@ -116,7 +116,7 @@ std::string VaryingDeclaration(Context& context, const IoVar& io, Shape shape,
 
 // Whether the shader reads the input, or another row of the matrix that the input begins.
 bool IsDeclared(const Context& context, const IoVar& input) {
-  if (!input.reader) return context.reached.Has(input.var);
+  if (!input.reader || input.reader->IsWhole()) return context.reached.Has(input.var);
   return input.reader->element == 0 &&
          std::ranges::any_of(context.program.inputs, [&](const IoVar& other) {
            return other.reader && other.path == input.path && context.reached.Has(other.var);

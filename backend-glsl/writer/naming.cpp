@@ -59,6 +59,7 @@ class Naming {
   explicit Naming(Context& context) : context_(context), namer_(context.namer) {
     const Program& program = context.program;
     names_.vars.resize(program.vars.size());
+    is_given_.resize(program.vars.size());
     names_.attributes.resize(program.inputs.size());
     names_.structs.resize(context.types.structs().size());
     names_.fields.resize(context.types.structs().size());
@@ -68,6 +69,7 @@ class Naming {
   }
 
   Names Run() {
+    OtherNames();
     Groups();
     OutputsOf(true);  // first, since the next stage may know them by name only
     Inputs();
@@ -79,7 +81,52 @@ class Naming {
   }
 
  private:
-  void Global(VarId var) { names_.vars[var.index] = namer_.Global(context_[var].name); }
+  // Keeps the names of blocks, uniform variables and objects that the other stage of a pair has:
+  // in a program one name is one variable. What the stages share has the same name in both.
+  void OtherNames() {
+    const OtherStage* other = context_.options.other;
+    if (!other || !other->written) return;
+    for (const GlslInfo::Block& block : other->written->blocks) {
+      if (!block.name.empty()) namer_.Global(block.name);
+      if (!block.rows.empty()) namer_.Global(block.rows);
+      for (const GlslInfo::Member& member : block.members) {
+        if (IsGlobal(block, member)) namer_.Global(member.name);
+      }
+    }
+    for (const GlslInfo::Object& object : other->written->objects) namer_.Global(object.name);
+    for (const CbufferId id : context_.program.cbuffers.ids()) {
+      const GlslInfo::Block* block = context_.WrittenBlock(id);
+      for (const CbufferMember& member : context_[id].members) {
+        const VarId theirs = other->vars[member.var.index];
+        for (std::size_t i = 0; block && i < block->members.size(); ++i) {
+          if (block->members[i].var == theirs && IsGlobal(*block, block->members[i]))
+            Give(member.var, block->members[i].name);
+        }
+      }
+    }
+    for (const Resource& resource : context_.program.resources) {
+      if (const auto* texture = context_.WrittenObject(resource.var, {}))
+        Give(resource.var, texture->name);
+      else if (const auto* sampler = context_.WrittenObject({}, resource.var))
+        Give(resource.var, sampler->name);
+    }
+  }
+
+  // Whether the name of the member is one of the whole program.
+  static bool IsGlobal(const GlslInfo::Block& block, const GlslInfo::Member& member) {
+    return member.name.find('.') == std::string::npos && member.function.empty() &&
+           (block.form != BlockForm::kRows || member.is_uniform);
+  }
+
+  // Gives the variable the name that it has in the other stage.
+  void Give(VarId var, const std::string& name) {
+    names_.vars[var.index] = name;
+    is_given_[var.index] = true;
+  }
+
+  void Global(VarId var) {
+    if (!is_given_[var.index]) names_.vars[var.index] = namer_.Global(context_[var].name);
+  }
 
   void Inputs() {
     const bool has_stage_before = InfoOf(context_.program.stage).has_stage_before;
@@ -115,15 +162,8 @@ class Naming {
                   ElementOf(reader));
   }
 
-  // The name that the style gives an output.
   std::string StyledName(const IoVar& output) const {
-    const std::string index = std::to_string(output.index), semantic = ToUpper(output.semantic);
-    const std::string written =
-        output.semantic + (output.has_index || output.index > 0 ? index : "");
-    const std::string_view name = output.name.empty() ? written : output.name;
-    return FillPattern(
-        context_.options.names.output,
-        {{"semantic", semantic}, {"index", index}, {"written", written}, {"name", name}});
+    return InterfaceName(output, context_.options.names);
   }
 
   // Names the outputs that the next stage's shader is known to read, or the others.
@@ -192,6 +232,11 @@ class Naming {
     const Cbuffer& cbuffer = context_[id];
     const NameStyle& style = context_.options.names;
     std::string& name = names_.blocks[id.index];
+    if (const GlslInfo::Block* block = context_.WrittenBlock(id)) {
+      name = block->name;
+      names_.rows[id.index] = block->rows;
+      return;
+    }
     if (cbuffer.declared && !cbuffer.declared->name.empty()) {
       name = cbuffer.declared->name;
       namer_.Global(name);
@@ -248,11 +293,21 @@ class Naming {
   const Context& context_;
   Namer& namer_;
   Names names_;
+  std::vector<bool> is_given_;  // by VarId: the other stage of a pair gave the name
   // The names of outputs that the next stage reads by location, for arrays and matrices the first.
   std::map<std::uint32_t, std::string> read_names_;
 };
 
 }  // namespace
+
+std::string InterfaceName(const IoVar& output, const NameStyle& style) {
+  const std::string index = std::to_string(output.index), semantic = ToUpper(output.semantic);
+  const std::string written = output.semantic + (output.has_index || output.index > 0 ? index : "");
+  const std::string_view name = output.name.empty() ? written : output.name;
+  return FillPattern(
+      style.output,
+      {{"semantic", semantic}, {"index", index}, {"written", written}, {"name", name}});
+}
 
 Names NameEverything(Context& context) { return Naming(context).Run(); }
 

@@ -56,12 +56,18 @@ class ObjectWriter {
 
   Objects Write() {
     const bool is_vulkan = context_.target.IsVulkan();
+    const OtherStage* other = context_.options.other;
+    if (other && other->written) {
+      for (const GlslInfo::Object& object : other->written->objects)
+        BindingsOf(object.kind).Take(object);
+    }
     for (const Resource& resource : context_.program.resources) {
       // OpenGL has no samplers of their own.
       const bool is_sampler =
           InfoOf(ObjectTypeOf(context_, resource.var).object).category == ObjectCategory::kSampler;
       if (context_.reached.Has(resource.var) && !is_sampler)
-        BindingsOf(resource).Reserve(resource.reg, CountOf(context_, resource.var));
+        BindingsOf(ObjectTypeOf(context_, resource.var).object)
+            .Reserve(resource.reg, CountOf(context_, resource.var));
     }
     for (const Resource& resource : context_.program.resources) {
       if (!context_.reached.Has(resource.var)) continue;
@@ -86,8 +92,7 @@ class ObjectWriter {
   }
 
  private:
-  Bindings& BindingsOf(const Resource& resource) {
-    const ObjectKind kind = ObjectTypeOf(context_, resource.var).object;
+  Bindings& BindingsOf(ObjectKind kind) {
     return IsStorageBuffer(kind) ? buffers_ : IsImage(kind) ? images_ : textures_;
   }
 
@@ -99,11 +104,12 @@ class ObjectWriter {
   }
 
   void Combined(const TextureUse& use, const Resource& resource, const Resource* sampler) {
-    GlslInfo::Object info{{}, use.texture, use.sampler, use.name};
+    const ObjectKind kind = ObjectTypeOf(context_, use.texture).object;
+    GlslInfo::Object info{{}, use.texture, use.sampler, use.name, kind};
     const std::string place =
-        Bind(context_, info, resource.reg, textures_, CountOf(context_, use.texture));
-    if (const Need* need = NeedOf(ObjectTypeOf(context_, use.texture).object))
-      context_.Require(need->feature);
+        Bind(context_, info, resource.reg, textures_, CountOf(context_, use.texture),
+             context_.WrittenObject(use.texture, use.sampler));
+    if (const Need* need = NeedOf(kind)) context_.Require(need->feature);
     Append(text_, LayoutText({place}), context_.target.IsEs() ? "uniform highp " : "uniform ",
            TextureType(context_, use.texture, "sampler"),
            IsShadow(context_, use.sampler) ? "Shadow " : " ", use.name,
@@ -132,7 +138,8 @@ class ObjectWriter {
     const Var& var = context_[resource.var];
     const Type& type = ObjectTypeOf(context_, resource.var);
     GlslInfo::Object& info = Add(resource);
-    const std::string place = Bind(context_, info, resource.reg, buffers_, 1);
+    const std::string place =
+        Bind(context_, info, resource.reg, buffers_, 1, context_.WrittenObject(resource.var, {}));
     std::string element = "uint";
     bool is_turned = false;
     if (IsStructured(type.object)) {
@@ -145,9 +152,15 @@ class ObjectWriter {
     text_ += fmt::format("{}{}buffer {} {{  // {}\n    {} {}[];\n}}{};\n",
                          LayoutText({"std430", place, is_turned ? "row_major" : ""}),
                          ir::IsWritable(type.object) ? "" : "readonly ",
-                         context_.namer.Global(var.name + "_block"), RegisterText(resource.reg),
-                         element, dimensions.empty() ? info.name : "elements",
+                         BlockName(info.name, var.name), RegisterText(resource.reg), element,
+                         dimensions.empty() ? info.name : "elements",
                          dimensions.empty() ? "" : Concat(" ", info.name, dimensions));
+  }
+
+  // The name of a block with a storage buffer. The stages of a pair have one name for a buffer that
+  // they share, and two names for others.
+  std::string BlockName(const std::string& name, const std::string& written) {
+    return context_.namer.Global(Concat(context_.options.other ? name : written, "_block"));
   }
 
   // Declares an image. GLSL requires the format of an image that is read; HLSL tells the components
@@ -156,7 +169,8 @@ class ObjectWriter {
     const Type& type = ObjectTypeOf(context_, resource.var);
     GlslInfo::Object& info = Add(resource);
     const std::string place =
-        Bind(context_, info, resource.reg, images_, CountOf(context_, resource.var));
+        Bind(context_, info, resource.reg, images_, CountOf(context_, resource.var),
+             context_.WrittenObject(resource.var, {}));
     const std::string_view prefix = PrefixOf(context_, type);
     const int size = type.element ? ShapeOf(context_[type.element], context_.target).size : 4;
     const std::string format = Concat(
@@ -174,7 +188,11 @@ class ObjectWriter {
     if (type.kind == TypeKind::kArray && type.count == 0)
       context_.Require("GL_EXT_nonuniform_qualifier");
     return objects_.info.emplace_back(
-        GlslInfo::Object{{}, resource.var, {}, context_.NameOf(resource.var)});
+        GlslInfo::Object{{},
+                         resource.var,
+                         {},
+                         context_.NameOf(resource.var),
+                         ObjectTypeOf(context_, resource.var).object});
   }
 
   Context& context_;
@@ -225,6 +243,10 @@ std::vector<TextureUse> FindTextureUses(Context& context) {
   });
   // A texture that goes with one sampler keeps its name.
   for (TextureUse& use : uses) {
+    if (const GlslInfo::Object* written = context.WrittenObject(use.texture, use.sampler)) {
+      use.name = written->name;
+      continue;
+    }
     const std::string& name = context.NameOf(use.texture);
     const bool is_only = UsesOf(uses, use.texture).size() == 1;
     use.name = is_only || !use.sampler ? name

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include <vector>
+
+#include "ir/program.h"
+
+// Two stages of one program. Direct3D has registers for each stage; GLSL and Vulkan have one space
+// of names and bindings for all. What both stages declare alike is one block, texture or buffer of
+// the program; everything else has a name and a place of its own.
+namespace clipc::glsl {
+
+struct GlslInfo;
+
+// What the writer of one stage must know about the other. Ids are those of the stage that is
+// written unless they say otherwise.
+struct OtherStage {
+  // By CbufferId the buffer of the other stage that is declared alike and that both stages read,
+  // and by VarId such an object, or the same member of such a buffer; none for every other.
+  std::vector<ir::CbufferId> cbuffers;
+  std::vector<ir::VarId> vars;
+  // Whether the other stage reads the member of such a buffer, by VarId: the layout of the block
+  // depends on it.
+  std::vector<bool> is_read;
+  const GlslInfo* written = nullptr;  // of the other stage's shader, if that is written before
+};
+
+// Compares the buffers and objects of two stages. They are alike if name, type or members with
+// their offsets, and register are the same; a register that is not written agrees with every other.
+// Requires Form::kLegalized of both.
+OtherStage CompareStages(const ir::Program& program, const ir::Program& other);
+
+}  // namespace clipc::glsl
