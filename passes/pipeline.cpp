@@ -3,6 +3,7 @@
 
 #include "base/invariant.h"
 #include "passes/defer_discards.h"
+#include "passes/discard_planes.h"
 #include "passes/drop_idle_clip_distances.h"
 #include "passes/drop_unread.h"
 #include "passes/drop_unread_arguments.h"
@@ -46,6 +47,10 @@ constexpr ir::Pass<Run> kPipeline[] = {
     {"drop-unwritten", [](Run& run) { DropUnwritten(run.program); }, ir::Form::kInlined},
     // Variables become unread where the passes before have removed statements.
     {"drop-unread", [](Run& run) { DropUnread(run.program); }, ir::Form::kInlined},
+    // The distances are inputs, which no pass before has to carry along; whether the discard must
+    // wait is for the next pass to say.
+    {"discard-planes", [](Run& run) { DiscardPlanes(run.program, run.options.discarded_planes); },
+     ir::Form::kInlined},
     // Samples that the passes before have removed need no neighbours.
     {"defer-discards", [](Run& run) { DeferDiscards(run.program); }, ir::Form::kInlined},
     // Calls that the passes before have removed need not be followed.

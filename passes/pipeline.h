@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 #include <vector>
 
@@ -14,8 +15,9 @@ namespace clipc::passes {
 struct PipelineOptions : ir::PassOptions {
   ClipPlaneOptions clip_planes;
   ClipSpaceOptions clip_space;
-  bool precise_outputs = false;    // -Gis: outputs, and what goes into them, are precise
-  bool hoist_loop_bounds = false;  // false where a loop must count to a constant
+  std::size_t discarded_planes = 0;  // a pixel shader's: the planes that DiscardPlanes knows
+  bool precise_outputs = false;      // -Gis: outputs, and what goes into them, are precise
+  bool hoist_loop_bounds = false;    // false where a loop must count to a constant
 };
 
 // Takes a program from Form::kTyped to Form::kInlined, unless `stop_after` ends it earlier. Returns
