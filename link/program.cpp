@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // The interface of a pixel shader in HLSL, as clipc's own front end understood it.
+#include <utility>
 #include <vector>
 
 #include "ir/access.h"
@@ -10,6 +11,37 @@
 namespace clipc::link {
 
 using namespace ir;
+
+namespace {
+
+Input InputOf(const Program& program, const IoVar& io, std::uint32_t mask, std::string where) {
+  return {.name = io.reader ? io.reader->name : GlslNameOf(io.path),
+          .semantic = io.semantic,
+          .index = io.index,
+          .location = io.location,
+          .is_placed = io.is_placed,
+          .shape = ShapeOf(program.types, program.vars[io.var].type).value_or(Shape{}),
+          .interpolation = io.interpolation,
+          .centroid = io.centroid,
+          .sample = io.sample,
+          .is_read = mask != 0,
+          .components_read = mask,
+          .where = std::move(where)};
+}
+
+}  // namespace
+
+Interface ReadInputs(const Program& program, const std::function<std::string(Span)>& place) {
+  Interface interface;
+  const std::vector<std::uint32_t> masks = ComponentsRead(program);
+  for (const IoVar& io : program.inputs) {
+    const std::uint32_t mask = masks[io.var.index];
+    // The lowering adds the distances to clip planes to the vertex shader itself.
+    if (io.builtin == Builtin::kNone && mask != 0 && io.semantic != kClipPlaneDistance)
+      interface.inputs.push_back(InputOf(program, io, mask, place(program.vars[io.var].span)));
+  }
+  return interface;
+}
 
 // Names are those that glslang and SPIRV-Cross give: of the parameter and its member, and of the
 // constant buffer.
@@ -29,18 +61,7 @@ Interface ReadProgram(const Program& program, const std::function<std::string(Sp
       continue;
     }
     path = &io.path;
-    interface.inputs.push_back({.name = GlslNameOf(io.path),
-                                .semantic = io.semantic,
-                                .index = io.index,
-                                .location = io.location,
-                                .is_placed = io.is_placed,
-                                .shape = ShapeOf(program.types, var.type).value_or(Shape{}),
-                                .interpolation = io.interpolation,
-                                .centroid = io.centroid,
-                                .sample = io.sample,
-                                .is_read = mask != 0,
-                                .components_read = mask,
-                                .where = place(var.span)});
+    interface.inputs.push_back(InputOf(program, io, mask, place(var.span)));
   }
   std::vector<bool> is_used(program.cbuffers.size());
   for (const VarId id : program.vars.ids()) {
