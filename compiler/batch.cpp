@@ -98,11 +98,13 @@ std::string Batch::CheckUsage() const {
     if (const std::string problem = CheckCommand(command); !problem.empty()) return problem;
     if (command.request.debug.changes_result() || command.only_dependencies)
       return "--dump, --stop-after and -M are for one setting of a shader, and there are several";
-    const std::pair<const char*, const std::string&> files[] = {{"--table", command.table},
-                                                                {"--reflect", command.reflection},
-                                                                {"-Fh", command.header},
-                                                                {"-Fc", command.listing},
-                                                                {"-P", command.preprocessed}};
+    const std::pair<const char*, const std::string&> files[] = {
+        {"--table", command.table},
+        {"--reflect", command.reflection},
+        {"--pixel-output", command.pixel_output},
+        {"-Fh", command.header},
+        {"-Fc", command.listing},
+        {"-P", command.preprocessed}};
     for (const auto& [option, value] : files) {
       if (!IsOnlyExtension(value)) {
         return fmt::format(

@@ -22,7 +22,7 @@ struct clipc_compiler {
 };
 
 struct clipc_result {
-  std::array<std::string, CLIPC_PART_TABLE_HEADER + 1> parts;
+  std::array<std::string, CLIPC_PART_PIXEL_SPIRV + 1> parts;
 };
 
 namespace {
@@ -59,6 +59,7 @@ std::string_view ProgramsOption(const clipc::CommandLine& command) {
   if (named(command.listing)) return "-Fc";
   if (named(command.preprocessed)) return "-P";
   if (named(command.fragment)) return "--fragment";
+  if (named(command.pixel_output) && command.pixel_output != ".frag") return "--pixel-output";
   if (command.write_dependencies || named(command.dependency_file)) return "-MD";
   if (command.only_dependencies) return "-M";
   if (named(command.batch)) return "--batch";
@@ -88,6 +89,7 @@ std::string ReadRequest(const clipc_request& from, clipc::CompileRequest& to) {
   to.path = from.path ? from.path : "";
   if (from.text) to.text.emplace(from.text, from.text_size);
   if (!from.text && !from.path) return "there is no shader";
+  if (from.pixel_text) to.link.pixel_shader.text.emplace(from.pixel_text, from.pixel_text_size);
   to.outputs.reflection = true;
   to.planes.given_to_device = true;
   if (from.read_include) {
@@ -112,6 +114,8 @@ void Fill(clipc::CompileResult compiled, clipc_result& to) {
   to.parts[CLIPC_PART_DISCARD] = std::move(compiled.shaders.fragment);
   to.parts[CLIPC_PART_SPIRV].assign(reinterpret_cast<const char*>(compiled.spirv.data()),
                                     4 * compiled.spirv.size());
+  to.parts[CLIPC_PART_PIXEL_SPIRV].assign(
+      reinterpret_cast<const char*>(compiled.pixel_spirv.data()), 4 * compiled.pixel_spirv.size());
   to.parts[CLIPC_PART_REFLECTION] = std::move(compiled.reflection);
   if (!compiled.table) return;
   const std::pair<int, Format> forms[] = {{CLIPC_PART_TABLE_JSON, Format::kJson},

@@ -60,7 +60,8 @@ typedef struct clipc_request {
   const char* text;
   size_t text_size;
   /** The options, as on the command line: {"-T", "vs_5_0", "--target=vulkan"}. Options that name
-   * outputs or inputs are errors. */
+   * outputs or inputs are errors, but for --pixel-shader=NAME, and --pixel-output=.frag, which asks
+   * for the pixel shader too. */
   const char* const* options;
   size_t option_count;
   /** If not NULL, includes come from this function, and no file is read for them. */
@@ -70,6 +71,10 @@ typedef struct clipc_request {
    * ends when it returns other than 0. */
   int (*is_cancelled)(void* context);
   void* is_cancelled_context;
+  /** The text of the pixel shader that --pixel-shader names; NULL for what read_include gives or,
+   * without that function, for the file. */
+  const char* pixel_text;
+  size_t pixel_text_size;
 } clipc_request;
 
 /** The last member of each enumeration fixes its size, and makes every number a value of it: the
@@ -89,12 +94,16 @@ typedef enum clipc_part {
   CLIPC_PART_MESSAGES_JSON, /**< {"version": 1, "diagnostics": [...]} */
   CLIPC_PART_DEPENDENCIES,  /**< the files that were read, each followed by a newline */
   CLIPC_PART_GLSL,          /**< of the shader; HLSL with --target=hlsl */
-  CLIPC_PART_DISCARD,    /**< with --lower=discard: GLSL that discards, for the fragment shader */
+  /** With --lower=discard: GLSL that discards, for the fragment shader. With --pixel-output: the
+   * GLSL of the pixel shader, whatever the lowering. */
+  CLIPC_PART_DISCARD,
+  CLIPC_PART_PIXEL = CLIPC_PART_DISCARD,
   CLIPC_PART_SPIRV,      /**< with -spirv: 32-bit words in the machine's order */
   CLIPC_PART_REFLECTION, /**< JSON: docs/reflection.md */
   CLIPC_PART_TABLE_JSON,
   CLIPC_PART_TABLE_BINARY, /**< Direct3D's record; empty for planes that it cannot say */
   CLIPC_PART_TABLE_HEADER, /**< a C++ header with `clip_table` */
+  CLIPC_PART_PIXEL_SPIRV,  /**< with -spirv and --pixel-output: of the pixel shader */
   CLIPC_PART_MAX = 0x7fffffff
 } clipc_part;
 

@@ -21,6 +21,9 @@ struct Request {
   std::string path;
   std::optional<std::string> text;   ///< none: the file at `path`
   std::vector<std::string> options;  ///< as on the command line, without inputs and outputs
+  /// The text of the pixel shader that the option --pixel-shader names; none: what read_include
+  /// gives, or the file.
+  std::optional<std::string> pixel_text;
   /// If not empty, includes come from this function, and no file is read for them. The path is a
   /// folder of -I or of the including file, a slash, and the name as the shader has it. Must not
   /// throw.
@@ -72,6 +75,10 @@ class Compiler {
     if (request.text) {
       plain.text = request.text->data();
       plain.text_size = request.text->size();
+    }
+    if (request.pixel_text) {
+      plain.pixel_text = request.pixel_text->data();
+      plain.pixel_text_size = request.pixel_text->size();
     }
     plain.options = options.data();
     plain.option_count = options.size();

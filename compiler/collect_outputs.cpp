@@ -20,25 +20,34 @@ std::string VariableOf(const CommandLine& command, const CompileResult& result) 
   return name;
 }
 
+std::string BytesOf(const std::vector<std::uint32_t>& words) {
+  return {reinterpret_cast<const char*>(words.data()), 4 * words.size()};
+}
+
 void AddShaders(const CommandLine& command, const Outputs& outputs, CompileResult& result,
                 std::vector<OutputPiece>& pieces) {
-  if (!command.request.planes.variants) {
-    const auto* const words = reinterpret_cast<const char*>(result.spirv.data());
-    if (command.request.outputs.spirv) {
-      pieces.push_back({"spirv", outputs.glsl, std::string(words, 4 * result.spirv.size())});
-    } else {
-      pieces.push_back({"glsl", outputs.glsl, std::move(result.shaders.vertex)});
-    }
-    if (!outputs.fragment.empty())
-      pieces.push_back({"fragment", outputs.fragment, std::move(result.shaders.fragment)});
+  const bool is_pair = command.request.link.is_pair;
+  const bool is_spirv = command.request.outputs.spirv.has_value();
+  if (is_spirv) {
+    pieces.push_back({"spirv", outputs.glsl, BytesOf(result.spirv)});
+  } else if (!command.request.planes.variants) {
+    pieces.push_back({"glsl", outputs.glsl, std::move(result.shaders.vertex)});
+  }
+  if (is_spirv && is_pair) {
+    pieces.push_back({"fragment.spirv", outputs.fragment, BytesOf(result.pixel_spirv)});
+  } else if (!command.request.planes.variants && !outputs.fragment.empty()) {
+    pieces.push_back({"fragment", outputs.fragment, std::move(result.shaders.fragment)});
   }
   for (std::size_t planes = 0; planes < result.variants.size(); ++planes) {
     const std::string path = VariantName(outputs.glsl, planes);
     pieces.push_back(
         {fmt::format("glsl.{}", planes), path, std::move(result.variants[planes].vertex)});
     if (outputs.fragment.empty()) continue;
-    const std::string ending = outputs.fragment.substr(WithoutExtension(outputs.glsl).size());
-    pieces.push_back({fmt::format("fragment.{}", planes), WithoutExtension(path) + ending,
+    const std::string stem = WithoutExtension(outputs.glsl);
+    const std::string fragment =
+        is_pair ? VariantName(outputs.fragment, planes)
+                : WithoutExtension(path) + outputs.fragment.substr(stem.size());
+    pieces.push_back({fmt::format("fragment.{}", planes), fragment,
                       std::move(result.variants[planes].fragment)});
   }
 }

@@ -18,7 +18,8 @@
 #include "frontend/check/check.h"
 #include "passes/adjust_clip_space.h"
 
-// clipc as a library: one HLSL vertex shader in, GLSL and what the host must know out.
+// clipc as a library: one HLSL shader in, or the two of a program, GLSL and what the host must know
+// out.
 namespace clipc {
 
 // The stage whose result --dump= prints.
@@ -98,17 +99,21 @@ struct PixelShader {
   // label in messages. Empty: the pixel shader is not known.
   std::string path;
   std::optional<std::string> text;
-  std::string entry;  // of HLSL and SPIR-V; empty: `main` of HLSL, the only one of SPIR-V
+  std::string entry;    // of HLSL and SPIR-V; empty: `main` of HLSL, the only one of SPIR-V
+  std::string profile;  // of a pair; empty: the one of the vertex shader's model
 };
 
 // The other half of the program. The shader is written to fit it: its outputs, and the constant
 // buffers that both use. HLSL is read with the include folders, macros and packing of the request.
 struct LinkOptions {
   PixelShader pixel_shader;
+  // The pixel shader, which is HLSL, is compiled too: Shaders::fragment. Without a path it is in
+  // the text of the vertex shader.
+  bool is_pair = false;
   bool keep_outputs = false;    // keep outputs that the pixel shader does not read
   bool zero_unwritten = false;  // unwritten inputs of the pixel shader become 0
 
-  bool has_pixel_shader() const { return !pixel_shader.path.empty(); }
+  bool has_pixel_shader() const { return is_pair || !pixel_shader.path.empty(); }
 };
 
 // HLSL instead of GLSL: the main file with the planes of its entry points as clip distances.
@@ -176,7 +181,8 @@ enum class Status : std::uint8_t {
 
 struct Shaders {
   std::string vertex;
-  // The fragment shader, or the include with the discard; empty unless the lowering is kDiscard.
+  // The pixel shader of a pair. Otherwise the fragment shader of lowering kDiscard, or the include
+  // with the discard; empty for other lowerings.
   std::string fragment;
 };
 
@@ -190,6 +196,7 @@ struct CompileResult {
   std::optional<int> position_matrices;        // with `reflection`: CountPositionMatrices
   std::string structs;                         // a C header: structs.h
   std::vector<std::uint32_t> spirv;            // of `shaders.vertex`, on request
+  std::vector<std::uint32_t> pixel_spirv;      // of `shaders.fragment` of a pair, on request
   std::string listing;       // with `shaders`, on request: see OutputOptions::source_lines
   std::string preprocessed;  // HLSL, on request
   std::string dump;

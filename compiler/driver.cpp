@@ -18,6 +18,7 @@
 #include "compiler/usage.h"
 #include "compiler/validate.h"
 #include "frontend/lex/source.h"
+#include "frontend/lex/source_text.h"
 
 namespace clipc {
 namespace {
@@ -60,7 +61,7 @@ std::string Driver::CheckUsage() {
   FileSet named, sources;
   for (const std::string& input : inputs) sources.Add(input);
   if (!command_.fragment.empty()) sources.Add(command_.fragment);
-  if (request.link.has_pixel_shader()) sources.Add(request.link.pixel_shader.path);
+  if (!request.link.pixel_shader.path.empty()) sources.Add(request.link.pixel_shader.path);
   for (const std::string& input : inputs) {
     for (const std::string& path : outputs_.emplace_back(PlaceOutputs(command_, input)).Named()) {
       if (named.Has(path)) return fmt::format("two outputs would go to `{}`", path);
@@ -94,6 +95,8 @@ int Driver::CompileAll() {
       [&](std::size_t index, Compiler& compiler) {
         CompileRequest request = command_.request;
         request.path = command_.inputs[index];
+        // Both halves of a pair read the text.
+        if (request.path == "-" && request.link.is_pair) ReadText("-", request.text.emplace());
         return compiler.Compile(request);
       },
       [&](std::size_t index, CompileResult result) {

@@ -123,8 +123,9 @@ class ManifestReader {
 
  private:
   void ReadShader(const Json& shader, const std::string& where) {
-    constexpr std::string_view kMembers[] = {"source", "name",    "entry",   "profile",
-                                             "target", "defines", "options", "variants"};
+    constexpr std::string_view kMembers[] = {"source",      "name",      "entry",   "profile",
+                                             "target",      "defines",   "options", "variants",
+                                             "pixelShader", "pixelEntry"};
     CheckMembers(shader, where, kMembers);
     const Texts sources = ChoicesIn(shader, "source", where);
     if (sources.empty()) Refuse(where, "has no `source`");
@@ -133,7 +134,11 @@ class ManifestReader {
       Refuse(where + ".name", "is not one text for one source");
     if (!names.empty() && (names[0].empty() || HasSlash(names[0])))
       Refuse(where + ".name", "is not the name of a file");
-    Texts words = TextsIn(shader, "options", where);
+    Texts words;
+    // A pair; the options may name the pixel shader's file otherwise.
+    if (shader.contains("pixelShader") || shader.contains("pixelEntry"))
+      words.emplace_back("--pixel-output=.frag");
+    for (std::string& word : TextsIn(shader, "options", where)) words.push_back(std::move(word));
     for (std::string& word : VariantsIn(shader, where)) words.push_back(std::move(word));
     for (const std::string& source : sources) {
       if (source.empty() || source == "-" || EndsWithSlash(source))
@@ -149,8 +154,11 @@ class ManifestReader {
   // Chooses an entry, a profile and a target by turns. A name says which where there are several.
   void Choose(const Json& shader, const std::string& where, const Texts& words, ShaderGroup group,
               std::size_t at) {
-    constexpr std::pair<const char*, const char*> kChoices[] = {
-        {"entry", "-E"}, {"profile", "-T"}, {"target", "--target"}};
+    constexpr std::pair<const char*, const char*> kChoices[] = {{"entry", "-E"},
+                                                                {"profile", "-T"},
+                                                                {"target", "--target"},
+                                                                {"pixelShader", "--pixel-shader"},
+                                                                {"pixelEntry", "--pixel-entry"}};
     if (at == std::size(kChoices)) return Add(where, words, std::move(group));
     const auto& [member, option] = kChoices[at];
     const Texts values = ChoicesIn(shader, member, where);

@@ -30,6 +30,7 @@ struct CommandLine {
   // The files to write; empty if not asked for. A value that is only an extension, ".json", names
   // the file after the GLSL.
   std::string output;  // the GLSL: empty is standard output, unless the options ask for others
+  std::string pixel_output;  // the GLSL of a pair's pixel shader
   std::string table, reflection;
   std::string header, variable;  // -Fh, -Vn
   std::string listing;           // -Fc

@@ -89,6 +89,12 @@ void SetWarning(Reading& reading, const std::string& value) {
   }
 }
 
+// Reads the name of the pixel shader's GLSL, which asks for a pair.
+void SetPixelOutput(Reading& reading, const std::string& value) {
+  reading.command.pixel_output = value;
+  reading.command.request.link.is_pair = true;
+}
+
 // Without a value it is glslang's -D, which says that the text is HLSL.
 void Define(Reading& reading, const std::string& value) {
   if (!value.empty()) reading.command.request.defines.push_back(value);
@@ -201,6 +207,10 @@ constexpr Option kOwnOptions[] = {
      "fit this pixel shader: HLSL, GLSL or SPIR-V"},
     {"--pixel-entry", kEquals, Set<&PixelShader::entry>, "<NAME>",
      "its entry function (main; of SPIR-V the only one)"},
+    {"--pixel-output", kEquals, SetPixelOutput, "<FILE>",
+     "compile it too: HLSL, by default of the same file; a file, or .frag beside the other"},
+    {"--pixel-profile", kEquals, Set<&PixelShader::profile>, "<PROFILE>",
+     "its profile (ps_5_0 beside vs_5_0)"},
     {"--keep-outputs", kFlag, Set<&LinkOptions::keep_outputs>, "",
      "also those that it does not read"},
     {"--zero-unwritten", kFlag, Set<&LinkOptions::zero_unwritten>, "",

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 #include "compiler/pixel_half.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "compiler/stages.h"
+#include "backend-glsl/names.h"
 #include "frontend/lex/source_text.h"
 #include "link/match.h"
 #include "link/read.h"
@@ -14,13 +15,22 @@
 namespace clipc {
 namespace {
 
-// The pixel profile beside the vertex profile: ps_5_0 for vs_5_0. Limits of the hardware are not
-// asked here, so ps_3_0 and ps_4_0 stand for the lower ones.
+// The pixel profile beside the vertex profile, for what the pixel shader reads: ps_5_0 for vs_5_0.
+// Limits of the hardware are not asked here, so ps_3_0 and ps_4_0 stand for the lower ones.
 ir::Profile PixelProfile(const CompileRequest& request) {
   const ir::Profile vertex = *ir::ParseProfile(request.language.profile);
   const std::string name =
       vertex.IsDirect3D9() ? "ps_3_0" : fmt::format("ps_{}_{}", vertex.major, vertex.minor);
   return *ir::ParseProfile(name);
+}
+
+// The profile of a pixel shader that is compiled beside a vertex shader: of the same model, of
+// ps_2_0 where there is none that clipc knows.
+std::string PairedProfile(const std::string& vertex) {
+  std::string name = vertex;
+  name.replace(0, 2, "ps");
+  const auto profile = ir::ParseProfile(name);
+  return profile && profile->IsAtLeast(2, 0) ? name : "ps_2_0";
 }
 
 // The program that is left of a typed pixel shader when the passes have removed what it does not
@@ -85,6 +95,10 @@ link::ReadResult Read(const CompileRequest& request, SourceInput input,
   std::string bytes;
   if (half.text) {
     bytes = *half.text;
+  } else if (request.includes.read) {
+    auto text = request.includes.read(half.path);
+    if (!text) return {.problems = {fmt::format("{}: there is no such file", half.path)}};
+    bytes = std::move(*text);
   } else {
     dependencies.push_back(half.path);
     if (const std::string problem = ReadText(half.path, bytes); !problem.empty())
@@ -144,6 +158,65 @@ void LinkPixelShader(const CompileRequest& request, SourceInput input, ir::Progr
   if (diagnostics.has_errors()) return;
   if (!request.style.names.empty()) ForgetNames(half.interface, half.is_glsl);
   link::Apply(program, half.interface, matches, options);
+}
+
+CompileRequest PixelRequest(const CompileRequest& request) {
+  CompileRequest pixel = request;
+  const PixelShader& half = request.link.pixel_shader;
+  if (!half.path.empty()) {
+    pixel.path = half.path;
+    pixel.text = half.text;
+    if (!half.text && request.includes.read) pixel.text = request.includes.read(half.path);
+  }
+  pixel.language.entry = half.entry.empty() ? "main" : half.entry;
+  pixel.language.profile =
+      half.profile.empty() ? PairedProfile(request.language.profile) : half.profile;
+  // What only the vertex shader has.
+  pixel.link = {};
+  pixel.planes = {};
+  pixel.style.invariant = false;
+  pixel.debug = {};
+  pixel.debug.dump_after = request.debug.dump_after;
+  pixel.debug.verify = request.debug.verify;
+  return pixel;
+}
+
+void NameInputs(ir::Program& pixel, const glsl::NameStyle& style) {
+  glsl::Namer namer;
+  for (ir::IoVar& input : pixel.inputs) {
+    if (input.builtin != ir::Builtin::kNone) continue;
+    ir::Reader& reader = input.reader.emplace();
+    reader.is_known = false;
+    reader.name = namer.Global(glsl::InterfaceName(input, style));
+  }
+}
+
+void LinkPair(const CompileRequest& request, const Lowered& pixel, const Job& pixel_job,
+              ir::Program& program, Diagnostics& diagnostics) {
+  const auto place_of = [&](Span span) {
+    const Place place = pixel_job.source.Resolve(span);
+    return place.file.empty() ? pixel_job.request.path
+                              : fmt::format("{}:{}:{}", place.file, place.line, place.column);
+  };
+  const link::Interface half = link::ReadInputs(pixel.program, place_of);
+  // The pixel shader declares what it reads and nothing else, for Vulkan too.
+  const link::MatchOptions options{.keep_outputs = request.link.keep_outputs,
+                                   .zero_unwritten = request.link.zero_unwritten,
+                                   .is_es = request.target.IsEs()};
+  const link::Matches matches = link::Match(program, half, options, diagnostics);
+  if (!diagnostics.has_errors()) link::Apply(program, half, matches, options);
+}
+
+void PlaceDistances(const ir::Program& vertex, const glsl::GlslInfo& info, ir::Program& pixel) {
+  for (ir::IoVar& input : pixel.inputs) {
+    if (input.semantic != ir::kClipPlaneDistance) continue;
+    const auto output = std::ranges::find_if(vertex.outputs, [&](const ir::IoVar& candidate) {
+      return candidate.semantic == input.semantic && candidate.index == input.index;
+    });
+    const auto number = static_cast<std::size_t>(output - vertex.outputs.begin());
+    input.location = info.outputs[number].location.value_or(input.location);
+    input.reader->name = info.outputs[number].name;
+  }
 }
 
 }  // namespace clipc

@@ -23,6 +23,13 @@ std::string NameAfter(const std::string& value, const std::string& name) {
   return IsExtension(value) ? WithoutExtension(name) + value : value;
 }
 
+// The file of the input's shader in `place`, which may be a folder.
+std::string InFolder(const std::string& place, const std::string& input, const char* extension) {
+  if (!EndsWithSlash(place) && (place == "-" || !IsDirectory(place))) return place;
+  const std::string stem = input == "-" ? "stdin" : WithoutExtension(FileName(input));
+  return fmt::format("{}{}{}.{}", place, EndsWithSlash(place) ? "" : "/", stem, extension);
+}
+
 // The GLSL goes to standard output unless something else is asked for: the program or a dump takes
 // standard output, and whoever names a header or a listing wants that.
 std::string PlaceGlsl(const CommandLine& command, const std::string& input) {
@@ -30,10 +37,15 @@ std::string PlaceGlsl(const CommandLine& command, const std::string& input) {
   const bool wants_other =
       command.request.debug.changes_result() || !command.header.empty() || !command.listing.empty();
   if (output.empty()) return wants_other ? "" : "-";
-  if (!EndsWithSlash(output) && (output == "-" || !IsDirectory(output))) return output;
-  const std::string stem = input == "-" ? "stdin" : WithoutExtension(FileName(input));
-  return fmt::format("{}{}{}.{}", output, EndsWithSlash(output) ? "" : "/", stem,
-                     ExtensionOf(command.request));
+  return InFolder(output, input, ExtensionOf(command.request));
+}
+
+// The pixel shader of a pair. Named by an extension or a folder, it lies after or in that.
+std::string PlacePixel(const CommandLine& command, const std::string& input,
+                       const std::string& name) {
+  const std::string& output = command.pixel_output;
+  if (IsExtension(output)) return NameAfter(output, name);
+  return InFolder(output, input, command.request.outputs.spirv ? "frag.spv" : "frag");
 }
 
 }  // namespace
@@ -89,7 +101,9 @@ Outputs PlaceOutputs(const CommandLine& command, const std::string& input) {
   outputs.listing = NameAfter(command.listing, name);
   outputs.table = NameAfter(command.table, name);
   outputs.reflection = NameAfter(command.reflection, name);
-  if (command.request.planes.lowering == Lowering::kDiscard) {
+  if (command.request.link.is_pair) {
+    outputs.fragment = PlacePixel(command, input, name);
+  } else if (command.request.planes.lowering == Lowering::kDiscard) {
     outputs.fragment =
         WithoutExtension(name) + (command.fragment.empty() ? ".discard.glsl" : ".frag");
   }

@@ -116,8 +116,20 @@ Plan Resolve(const CompileRequest& request, Diagnostics& diagnostics) {
                              : request.style.names == "hlslcc";
   const bool has_pixel_shader = request.link.has_pixel_shader();
   plan.keeps_matrices_whole = !has_pixel_shader && !is_hlslcc;
-  plan.check.stages_match_by_row = has_pixel_shader || plan.keeps_matrices_whole;
+  // Of a pair, matrices match register by register, as in Direct3D.
+  plan.check.stages_match_by_row =
+      (has_pixel_shader && !request.link.is_pair) || plan.keeps_matrices_whole;
   plan.check.whole_register_planes = plan.lowering.lowering == Lowering::kLevel9;
+  return plan;
+}
+
+Plan ResolvePixelHalf(const CompileRequest& request, Diagnostics& diagnostics) {
+  Plan plan = Resolve(request, diagnostics);
+  plan.keeps_matrices_whole = plan.check.stages_match_by_row = false;
+  const ir::Profile& profile = plan.check.profile;
+  if (!diagnostics.has_errors() && profile.stage != Stage::kPixel)
+    diagnostics.Report({}, diag::UnknownProfile, profile.name,
+                       " of a pixel shader; `--pixel-profile` takes one such as `ps_5_0`");
   return plan;
 }
 

@@ -22,5 +22,7 @@ struct Plan {
 // Makes the plan. Reports names that nothing has, and parts of the request that do not go together
 // whatever the shader is; after errors, only `input` is meaningful.
 Plan Resolve(const CompileRequest& request, Diagnostics& diagnostics);
+// The same for the pixel shader of a pair, whose request PixelRequest made.
+Plan ResolvePixelHalf(const CompileRequest& request, Diagnostics& diagnostics);
 
 }  // namespace clipc

@@ -157,7 +157,9 @@ Json CbufferJson(const Program& program, ir::CbufferId id, const GlslInfo& info)
     if (!block->rows.empty()) glsl["rows"] = block->rows;
     AddBinding(block->set, block->binding, glsl);
     if (block->is_push_constant) glsl["pushConstant"] = true;
-    if (cbuffer.declared) glsl["sharedWithPixelShader"] = true;
+    const bool is_pixel = InfoOf(program.stage).draws_pixels;
+    if (cbuffer.declared || block->is_shared)
+      glsl[is_pixel ? "sharedWithVertexShader" : "sharedWithPixelShader"] = true;
   }
   json["members"] = Json::array();
   for (const ir::CbufferMember& member : cbuffer.members)
@@ -204,15 +206,14 @@ Json Planes(const ClipTable& table) {
   return list;
 }
 
-}  // namespace
-
-std::string Reflect(const Lowered& lowered, const glsl::GlslInfo& info,
-                    const clip_table::ClipTable& table, std::optional<int> position_matrices) {
-  const Program& program = lowered.program;
+// What is said of each stage.
+Json StageJson(const ReflectedStage& stage) {
+  const Program& program = stage.lowered.program;
+  const GlslInfo& info = stage.info;
   Json json = {{"version", 1},
-               {"entry", table.entry},
-               {"profile", table.profile},
-               {"target", lowered.target.name()}};
+               {"entry", stage.table.entry},
+               {"profile", stage.table.profile},
+               {"target", stage.lowered.target.name()}};
   json["inputs"] = Signature(program, program.inputs, info.inputs, true);
   json["outputs"] = Signature(program, program.outputs, info.outputs, false);
   json["cbuffers"] = Json::array();
@@ -220,13 +221,27 @@ std::string Reflect(const Lowered& lowered, const glsl::GlslInfo& info,
     json["cbuffers"].push_back(CbufferJson(program, id, info));
   json["structs"] = Structs(program);
   json["resources"] = Objects(program, info);
+  return json;
+}
+
+}  // namespace
+
+std::string Reflect(const ReflectedStage& stage, std::optional<int> position_matrices,
+                    const ReflectedStage* pixel) {
+  const ClipTable& table = stage.table;
+  Json json = StageJson(stage);
   json["lowering"] = NameOf(table.lowering);
   json["positionSpace"] = clip_table::TableNameOf(table.plane_space);
   json["positionMatrices"] = position_matrices ? Json(*position_matrices) : Json(nullptr);
   json["clipPlanes"] = Planes(table);
   json["enableMask"] = table.enable_mask;
-  json["clipDistanceMask"] = info.clip_distance_mask;
-  json["cullDistanceMask"] = info.cull_distance_mask;
+  json["clipDistanceMask"] = stage.info.clip_distance_mask;
+  json["cullDistanceMask"] = stage.info.cull_distance_mask;
+  if (pixel) {
+    Json& half = json["pixelShader"] = StageJson(*pixel);
+    half.erase("version");
+    half.erase("target");
+  }
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -13,7 +13,13 @@ namespace clipc {
 // inputs and outputs with semantics, locations and types; constant buffers with members, offsets,
 // registers and their layout in the GLSL; textures and samplers; clip planes and what to enable.
 // docs/reflection.md describes every key. `position_matrices` is what CountPositionMatrices says.
-std::string Reflect(const Lowered& lowered, const glsl::GlslInfo& info,
-                    const clip_table::ClipTable& table, std::optional<int> position_matrices);
+// The pixel shader of a pair, if given, is a part of the document.
+struct ReflectedStage {
+  const Lowered& lowered;
+  const glsl::GlslInfo& info;
+  const clip_table::ClipTable& table;
+};
+std::string Reflect(const ReflectedStage& stage, std::optional<int> position_matrices,
+                    const ReflectedStage* pixel = nullptr);
 
 }  // namespace clipc

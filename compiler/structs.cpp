@@ -250,7 +250,7 @@ class Header {
 
 }  // namespace
 
-std::string WriteStructs(const Program& program, std::string_view prefix) {
+std::string WriteStructs(const Program& program, std::string_view prefix, const Program* pixel) {
   return "// Written by clipc: constant buffers, byte by byte as Direct3D lays them out. A struct "
          "that\n"
          "// two shaders share is taken from the first; the assertions of the second hold for it "
@@ -262,7 +262,8 @@ std::string WriteStructs(const Program& program, std::string_view prefix) {
          "#define CLIPC_ASSERT(condition, what) extern char clipc_assert[(condition) ? 1 : -1]\n"
          "#endif\n#endif\n"
          "#pragma pack(push, 4)\n" +
-         Header(program, prefix).Write() + "#pragma pack(pop)\n";
+         Header(program, prefix).Write() + (pixel ? Header(*pixel, prefix).Write() : "") +
+         "#pragma pack(pop)\n";
 }
 
 }  // namespace clipc

@@ -13,6 +13,9 @@ namespace clipc {
 // a matrix, as it lies in memory; structs are structs. What has no such type, an array whose
 // elements are padded but for the last one, is an array of 4-byte numbers. Names that are keywords
 // of C or C++ get a `_`; names of structs begin with `prefix`.
-std::string WriteStructs(const ir::Program& program, std::string_view prefix);
+//
+// With the program of a pixel shader, the structs of its buffers come after those of the first.
+std::string WriteStructs(const ir::Program& program, std::string_view prefix,
+                         const ir::Program* pixel = nullptr);
 
 }  // namespace clipc

@@ -34,6 +34,25 @@ bool IsIdentifier(std::string_view text) {
          (text.empty() || std::isdigit(static_cast<unsigned char>(text[0])) == 0);
 }
 
+// Returns the first mistake in what is said about the pixel shader of a pair.
+std::string CheckPair(const CommandLine& command) {
+  const LinkOptions& link = command.request.link;
+  const PixelShader& pixel = link.pixel_shader;
+  if (!link.is_pair && !pixel.profile.empty())
+    return "--pixel-profile is for --pixel-output, which compiles the pixel shader";
+  if (!link.is_pair) return {};
+  if (command.pixel_output.empty()) return "--pixel-output needs the name of a file, or `.frag`";
+  if (!command.fragment.empty())
+    return "--fragment is for a pixel shader in GLSL; with --pixel-output clipc writes it";
+  if (!command.header.empty() || !command.listing.empty())
+    return "-Fh and -Fc write one shader; with --pixel-output there are two";
+  if (command.request.planes.variants && command.pixel_output == "-")
+    return "--variants writes several files, named after the one that --pixel-output gives";
+  if (pixel.path.empty() && pixel.entry.empty())
+    return "--pixel-output needs --pixel-entry, the pixel shader's function in the same file";
+  return {};
+}
+
 }  // namespace
 
 std::string CheckCommand(const CommandLine& command) {
@@ -50,6 +69,7 @@ std::string CheckCommand(const CommandLine& command) {
   }
   if (request.planes.variants && (!command.header.empty() || request.outputs.spirv))
     return "-Fh and -spirv write one shader; with --variants there are several";
+  if (std::string problem = CheckPair(command); !problem.empty()) return problem;
   if (!command.variable.empty() && command.header.empty())
     return "-Vn names what -Fh writes; give that option too";
   if (!request.outputs.struct_prefix.empty() && !command.reflection.ends_with(".h"))

@@ -227,10 +227,11 @@ TEST(Pipeline, StopsAndDumpsAfterAPass) {
   Program stopped = TwoPlanes();
   EXPECT_FALSE(RunPipeline(stopped, options));
   EXPECT_EQ(stopped.form, Form::kInlined);
-  EXPECT_THAT(PassNames(), ElementsAre("lower-clip-planes", "adjust-clip-space", "inline-entry",
-                                       "split-variables", "drop-idle-clip-distances",
-                                       "drop-unread-arguments", "drop-unwritten", "drop-unread",
-                                       "defer-discards", "spread-precise", "hoist-loop-bounds"));
+  EXPECT_THAT(PassNames(),
+              ElementsAre("lower-clip-planes", "adjust-clip-space", "inline-entry",
+                          "split-variables", "drop-idle-clip-distances", "drop-unread-arguments",
+                          "drop-unwritten", "drop-unread", "discard-planes", "defer-discards",
+                          "spread-precise", "hoist-loop-bounds"));
 }
 
 TEST(PipelineDeathTest, PassesWantTheirForms) {

@@ -1,17 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-"""Draws a vertex shader of clipc's with the pixel shader of other tools.
+"""Draws a vertex shader of clipc's with the pixel shader of other tools, and with clipc's own.
 
     pair.py --clipc FILE --draw FILE [options] SHADER.hlsl WORK
 
 SHADER.hlsl has the entry points `vs` and `ps`. glslang and SPIRV-Cross translate both; clipc translates `vs` to fit `ps`, given
-as HLSL, as SPIR-V or as SPIRV-Cross's GLSL. Its picture, with SPIRV-Cross's pixel shader, must be that of their own two halves in
+as HLSL, as SPIR-V or as SPIRV-Cross's GLSL, or both at once as a pair. Its picture, with SPIRV-Cross's pixel shader, must be that of their own two halves in
 a GLSL whose halves match by location: by name, these two do not. On Vulkan clipc writes SPIR-V, the pixel shader is glslang's or is
 made of SPIRV-Cross's GLSL for Vulkan, and any message of the validation layers is a failure. glslang numbers a pixel shader's inputs
 by itself: where they are not those of `vs` in their order, --peer names a vertex shader that writes just what `ps` reads. WORK begins
 the names of the files that are made.
 
     --targets A,B     of clipc, default glsl450,glsl330,essl310,essl300,vulkan
-    --forms A,B       of the pixel shader, default glsl,spirv,hlsl; hlsl where the GLSL has locations, for names are not HLSL's
+    --forms A,B       of the pixel shader, default glsl,spirv,hlsl,pair; hlsl where the GLSL has locations, for names are not
+                      HLSL's; pair is clipc's own two halves, which are not spoiled
     --spoil OLD=>NEW  replaces this in clipc's GLSL, where it must be (`\\n` is the end of a line), and expects another picture,
                       a program that does not link, or a message. What comes of it must still be a shader to glslang
 """
@@ -72,6 +73,8 @@ class Halves:
                 pathlib.Path(path).write_text(run("spirv-cross", half, *CROSS[PEER_OF[target]]))
 
     def fragment(self, form):
+        if form == "pair":
+            return f"{self.given.work}.{self.target}.pair.frag" + (".spv" if self.is_vulkan else "")
         if not self.is_vulkan:
             return self.glsl
         return f"{self.glsl}.spv" if form == "glsl" else self.spirv
@@ -83,6 +86,12 @@ class Halves:
             "glsl": [f"--pixel-shader={self.glsl}"],
             "spirv": [f"--pixel-shader={self.spirv}"],
             "hlsl": [f"--pixel-shader={given.shader}", "--pixel-entry=ps"],
+            # Blocks are fed by their names.
+            "pair": [
+                "--pixel-entry=ps",
+                f"--pixel-output={self.fragment('pair')}",
+                "--names=spirv-cross",
+            ],
         }[form]
         path = pathlib.Path(f"{given.work}.{self.target}.{form}.vert")
         command = [
@@ -118,7 +127,7 @@ def main():
     parser.add_argument("--clipc", required=True)
     parser.add_argument("--draw", required=True)
     parser.add_argument("--targets", default=",".join([*CROSS, "vulkan"]))
-    parser.add_argument("--forms", default="glsl,spirv,hlsl")
+    parser.add_argument("--forms", default="glsl,spirv,hlsl,pair")
     parser.add_argument("--peer", default="vs")
     parser.add_argument("--spoil")
     parser.add_argument("shader")
@@ -130,6 +139,8 @@ def main():
         halves = Halves(given, target)
         for form in given.forms.split(","):
             if form == "hlsl" and target not in WITH_LOCATIONS:
+                continue
+            if form == "pair" and given.spoil:
                 continue
             files = [halves.mine(form), halves.fragment(form), *halves.peer]
             texts = tuple(pathlib.Path(path).read_bytes() for path in files)

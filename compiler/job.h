@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
+#pragma once
+
+#include "base/diagnostics.h"
+#include "compiler/compile.h"
+#include "compiler/plan.h"
+#include "frontend/lex/source.h"
+
+namespace clipc {
+
+// A plan that runs: what every step of it asks.
+struct Job {
+  const CompileRequest& request;
+  const Plan& plan;
+  Source& source;
+  Diagnostics& diagnostics;
+  Watch* watch;
+
+  bool IsDump(DumpStage stage) const { return request.debug.dump == stage; }
+  bool IsStopped() const { return watch && watch->stopped(); }
+};
+
+}  // namespace clipc
