@@ -19,6 +19,18 @@
 # FRAGMENT; with SPIRV uint32_t NAME_spv[]) and NAME.clip.h (constexpr clipc::StaticClipTable NAME_clip_table); the target property
 # CLIPC_SHADER_FOLDER names that folder, where NAME.vert and the table in other forms lie too.
 
+#
+#   clipc_add_hlsl_pass(TARGET FILES water.hlsl...
+#     [ENTRIES main] [PROFILE vs_5_0]
+#     [DEFINES A B=1] [INCLUDES folder...] [OPTIONS --plane-space=xyw1 ...]
+#     [THEN glslangValidator -D -V -S vert -e main {defines} {includes} {hlsl} -o {output}.spv])
+#
+# writes each file with its clip planes as clip distances, for a compiler of HLSL that drops the planes, and gives it to that compiler:
+# THEN. In its words `{hlsl}` is the file that clipc wrote, and `{output}` a file's name without an extension, after which THEN puts one:
+# it writes one file or several, which the target then has. `{defines}` and `{includes}`, words of their own, are -D and -I of DEFINES, of
+# INCLUDES and of the shader's folder. Both commands run whenever the file or one that it includes has changed. The target may be a
+# custom target; the property CLIPC_HLSL_FOLDER names the folder of what is written, which is an include folder of any other target.
+#
 # The compiler is CLIPC_EXECUTABLE if that is set, as when cross-compiling; else that of this build or of the installed package.
 
 if(CMAKE_VERSION VERSION_LESS 3.20)
@@ -27,21 +39,24 @@ endif()
 
 set(CLIPC_EMBED_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/embed_shaders.cmake)
 
-function(clipc_add_shader target)
-  cmake_parse_arguments(PARSE_ARGV 1 shader "REFLECT;SPIRV" "SHADER;NAME;ENTRY;PROFILE;LOWER;TARGET;FRAGMENT;PIXEL_SHADER;PIXEL_ENTRY;TABLE;VARIANTS" "DEFINES;OPTIONS")
-  if(shader_UNPARSED_ARGUMENTS OR NOT shader_SHADER)
-    message(FATAL_ERROR "clipc_add_shader(${target} SHADER file ...): what is `${shader_UNPARSED_ARGUMENTS}`?")
-  endif()
-  if(CLIPC_EXECUTABLE)
-    set(compiler ${CLIPC_EXECUTABLE})
-  elseif(TARGET clipc)
+function(clipc_find_compiler variable)
+  if(NOT CLIPC_EXECUTABLE AND TARGET clipc)
     set(compiler $<TARGET_FILE:clipc>)
-  elseif(TARGET clipc::clipc)
+  elseif(NOT CLIPC_EXECUTABLE AND TARGET clipc::clipc)
     set(compiler $<TARGET_FILE:clipc::clipc>)
   else()
     find_program(CLIPC_EXECUTABLE clipc REQUIRED)
     set(compiler ${CLIPC_EXECUTABLE})
   endif()
+  set(${variable} ${compiler} PARENT_SCOPE)
+endfunction()
+
+function(clipc_add_shader target)
+  cmake_parse_arguments(PARSE_ARGV 1 shader "REFLECT;SPIRV" "SHADER;NAME;ENTRY;PROFILE;LOWER;TARGET;FRAGMENT;PIXEL_SHADER;PIXEL_ENTRY;TABLE;VARIANTS" "DEFINES;OPTIONS")
+  if(shader_UNPARSED_ARGUMENTS OR NOT shader_SHADER)
+    message(FATAL_ERROR "clipc_add_shader(${target} SHADER file ...): what is `${shader_UNPARSED_ARGUMENTS}`?")
+  endif()
+  clipc_find_compiler(compiler)
 
   cmake_path(ABSOLUTE_PATH shader_SHADER OUTPUT_VARIABLE source)
   if(NOT shader_NAME)
@@ -151,4 +166,86 @@ function(clipc_add_shader target)
   target_sources(${target} PRIVATE ${header})
   target_include_directories(${target} PRIVATE ${folder})
   set_target_properties(${target} PROPERTIES CLIPC_SHADER_FOLDER ${folder})
+endfunction()
+
+# Sets `command` to the words of THEN for one file, and `outputs` to the files that it writes.
+function(clipc_expand_then hlsl output defines includes)
+  set(command)
+  set(outputs)
+  foreach(word IN LISTS ARGN)
+    if(word STREQUAL "{defines}")
+      list(APPEND command ${defines})
+    elseif(word STREQUAL "{includes}")
+      list(APPEND command ${includes})
+    else()
+      string(REGEX MATCHALL "{output}[A-Za-z0-9_.+-]*" named "${word}")
+      string(REPLACE "{output}" "${output}" named "${named}")
+      list(APPEND outputs ${named})
+      string(REPLACE "{hlsl}" "${hlsl}" word "${word}")
+      string(REPLACE "{output}" "${output}" word "${word}")
+      list(APPEND command "${word}")
+    endif()
+  endforeach()
+  list(REMOVE_DUPLICATES outputs)
+  set(command "${command}" PARENT_SCOPE)
+  set(outputs "${outputs}" PARENT_SCOPE)
+endfunction()
+
+function(clipc_add_hlsl_pass target)
+  cmake_parse_arguments(PARSE_ARGV 1 pass "" "PROFILE" "FILES;ENTRIES;DEFINES;INCLUDES;OPTIONS;THEN")
+  if(pass_UNPARSED_ARGUMENTS OR NOT pass_FILES)
+    message(FATAL_ERROR "clipc_add_hlsl_pass(${target} FILES file ...): what is `${pass_UNPARSED_ARGUMENTS}`?")
+  endif()
+  foreach(placeholder {hlsl} {output})
+    string(FIND "${pass_THEN}" ${placeholder} found)
+    if(pass_THEN AND found EQUAL -1)
+      message(FATAL_ERROR "clipc_add_hlsl_pass(${target} THEN ...): the command has no `${placeholder}`; "
+        "it reads {hlsl} and writes {output} with an extension, as in `-o {output}.spv`")
+    endif()
+  endforeach()
+  clipc_find_compiler(compiler)
+
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}_hlsl)
+  file(MAKE_DIRECTORY ${folder})
+  list(TRANSFORM pass_DEFINES PREPEND -D OUTPUT_VARIABLE defines)
+  set(includes)
+  foreach(include IN LISTS pass_INCLUDES)
+    cmake_path(ABSOLUTE_PATH include NORMALIZE)
+    list(APPEND includes -I${include})
+  endforeach()
+  list(TRANSFORM pass_ENTRIES PREPEND -E OUTPUT_VARIABLE entries)
+  if(pass_PROFILE)
+    list(APPEND entries -T ${pass_PROFILE})
+  endif()
+
+  foreach(file IN LISTS pass_FILES)
+    cmake_path(ABSOLUTE_PATH file NORMALIZE OUTPUT_VARIABLE source)
+    cmake_path(GET source STEM LAST_ONLY name)
+    cmake_path(GET source PARENT_PATH source_folder)
+    get_target_property(names ${target} CLIPC_HLSL_NAMES)
+    if(name IN_LIST names)
+      message(FATAL_ERROR "clipc_add_hlsl_pass(${target} FILES ${file}): the target has a file `${name}` already; give it another target")
+    endif()
+    set_property(TARGET ${target} APPEND PROPERTY CLIPC_HLSL_NAMES ${name})
+    set(hlsl ${folder}/${name}.hlsl)
+    add_custom_command(OUTPUT ${hlsl}
+      COMMAND ${compiler} ${source} --target=hlsl ${entries} ${defines} ${includes} ${pass_OPTIONS} -o ${hlsl} -MD -MF ${hlsl}.d -MT ${hlsl}
+      DEPENDS ${source} ${compiler}
+      DEPFILE ${hlsl}.d
+      COMMENT "Writing the clip planes of ${name} as clip distances"
+      VERBATIM)
+    # As a header, because Visual Studio compiles other HLSL by itself.
+    set_source_files_properties(${hlsl} PROPERTIES HEADER_FILE_ONLY ON)
+    target_sources(${target} PRIVATE ${hlsl})
+    if(pass_THEN)
+      clipc_expand_then(${hlsl} ${folder}/${name} "${defines}" "-I${source_folder};${includes}" ${pass_THEN})
+      add_custom_command(OUTPUT ${outputs} COMMAND ${command} DEPENDS ${hlsl} COMMENT "Compiling ${name}" VERBATIM)
+      target_sources(${target} PRIVATE ${outputs})
+    endif()
+  endforeach()
+  get_target_property(type ${target} TYPE)
+  if(NOT type STREQUAL "UTILITY")
+    target_include_directories(${target} PRIVATE ${folder})
+  endif()
+  set_target_properties(${target} PROPERTIES CLIPC_HLSL_FOLDER ${folder})
 endfunction()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
-# The messages of clipc_add_shader() about mistakes: builds cmake/outside_mistakes with each CASE.
+# The messages of clipc_add_shader() and clipc_add_hlsl_pass() about mistakes: builds cmake/outside_mistakes with each CASE.
 #   cmake -DCLIPC= -DSCRATCH= -DGENERATOR= -DCOMPILER= -P test_outside_mistakes.cmake
 file(REMOVE_RECURSE ${SCRATCH})
 file(COPY ${CMAKE_CURRENT_LIST_DIR}/outside_mistakes/ DESTINATION ${SCRATCH}/project)
@@ -37,6 +37,11 @@ expect(one_stem fails "the target has a shader `two_planes` already; give anothe
 expect(unknown_argument fails "what is `PROFIL;vs_5_0`?")
 expect(not_a_number fails "VARIANTS many is not a number of planes, 0 to 6")
 expect(spirv_variants fails "SPIRV is of one shader, and VARIANTS makes several")
+expect(pass_unknown fails "what is `SHADER;two_planes.hlsl`?")
+expect(pass_then fails "the command has no `{hlsl}`; it reads {hlsl} and writes {output} with an extension")
+expect(pass_output fails "the command has no `{output}`; it reads {hlsl} and writes {output} with an extension")
+expect(pass_stem fails "the target has a file `two_planes` already; give it another target")
+expect(pass_entry fails "[entry-not-found, X3501]")
 expect(warning passes "[-Wclip-plane-repeated]")
 expect(cross passes "Compiling shader two_planes")
 

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 // Checks the parts of the shader that reach a program, by header, by the table in a file and by the
 // variants, and prints the place of a plane.
+#include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <string>
 
 #include "cut.shader.h"
 #include "level9.clip.h"
 #include "level9.shader.h"
 #include "runtime/level9_binder.h"
+#include "shader.h"
 #include "variants.shader.h"
 #include "vulkan.shader.h"
 
@@ -35,6 +39,11 @@ int main() {
       !std::ifstream(SHADER_FOLDER "/cut.reflect.json"))
     return 1;
   if (vulkan_spv[0] != 0x07230203 || !std::ifstream(SHADER_FOLDER "/vulkan.spv")) return 1;
+  // SPIR-V's decoration BuiltIn ClipDistance, of the compiler that clipc_add_hlsl_pass() calls.
+  const std::uint32_t clip_distance[] = {11, 3};
+  if (std::search(std::begin(passed_spv), std::end(passed_spv), std::begin(clip_distance),
+                  std::end(clip_distance)) == std::end(passed_spv))
+    return 1;
   std::printf("second plane: byte %u of b%u\n", table.value.planes[1].byte_offset,
               table.value.planes[1].register_number);
   return 0;
