@@ -9,10 +9,12 @@
 #include "ir/scalar.h"
 
 namespace clipc::ir {
-Machine::Machine(const Program& program, const EvalInputs& inputs, const EvalOptions& options)
-    : program_(program), inputs_(inputs), options_(options) {}
+Machine::Machine(const Program& program, const EvalInputs& inputs, const EvalOptions& options,
+                 Neighbours* neighbours)
+    : program_(program), inputs_(inputs), options_(options), neighbours_(neighbours) {}
 
 EvalResult Machine::Run() {
+  if (inputs_.start) inputs_.start();
   if (!Prepare())
     return {.outputs = {}, .error = "the program's variables are too large to evaluate"};
   for (CbufferId id : program_.cbuffers.ids()) LoadCbuffer(id);

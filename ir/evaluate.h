@@ -29,6 +29,9 @@
 // * pow(x, y) is exp2(y * log2(x)): NaN for x < 0, and for pow(0, 0).
 // * normalize multiplies by rsqrt(dot(x, x)); lerp is x + s * (y - x); determinant expands along
 //   the first row; the mantissa of frexp is positive.
+// * A derivative is the difference within the row or column of the pixel itself, the finest that
+//   Direct3D allows. It is undefined where not all four pixels of the quad compute it.
+// * A pixel that is discarded runs on, and writes no object from then on.
 namespace clipc::ir {
 
 // The components of one input or output as Literal holds them; for an array (clip distances), its
@@ -45,6 +48,10 @@ struct ObjectRequest {
   std::uint32_t sampler_element = 0;
   // The other arguments in order, component after component, as Literal holds them.
   std::span<const std::uint64_t> arguments;
+  // The coordinate of each pixel of the quad, in the order of RunQuad, for an operation that takes
+  // its level of detail from them: NaN where not all pixels run it. Empty for every other
+  // operation, and in a stage without neighbours.
+  std::span<const double> coordinates = {};
 };
 
 struct EvalInputs {
@@ -56,6 +63,8 @@ struct EvalInputs {
   // Fills in the components of the result, which start as zeros. If it is empty, all reads give
   // zero.
   std::function<void(const ObjectRequest&, std::span<std::uint64_t> result)> read_object;
+  // Called before `main` begins: RunQuad runs it several times. It may be empty.
+  std::function<void()> start;
 };
 
 struct EvalOptions {
@@ -90,6 +99,13 @@ struct EvalResult {
 // Runs Program::main. `program` must satisfy Verify.
 EvalResult RunMain(const Program& program, const EvalInputs& inputs,
                    const EvalOptions& options = {});
+
+// Runs Program::main for the pixels (x, y), (x + 1, y), (x, y + 1) and (x + 1, y + 1) of a quad in
+// step, where y grows downwards as in Direct3D.
+inline constexpr std::size_t kQuadPixels = 4;
+std::array<EvalResult, kQuadPixels> RunQuad(const Program& program,
+                                            const std::array<EvalInputs, kQuadPixels>& pixels,
+                                            const EvalOptions& options = {});
 
 // The value of an expression of literals, operators, intrinsics and constants (Storage::kConstant
 // with an init), component after component in the order of the type. Returns nullopt if the

@@ -7,7 +7,7 @@
 
 namespace clipc::ir {
 
-void Machine::EvalNode(ExprId, const Call& node) {
+void Machine::EvalNode(ExprId expr, const Call& node) {
   const Function& function = program_.functions[node.function];
   const std::size_t base = stack_.size();
   std::vector<std::pair<VarId, TargetWords>> written;
@@ -36,7 +36,10 @@ void Machine::EvalNode(ExprId, const Call& node) {
     from += words;
   }
   stack_.resize(base);
+  const std::uint64_t outer = flow_;
+  flow_ = FlowIn(outer, expr.index);
   CallFunction(node.function, base);
+  flow_ = outer;
   for (const auto& [parameter, place] : written) {
     Store(place, WordsOf(program_.vars[parameter].type),
           memory_.data() + address_[parameter.index]);
@@ -47,6 +50,7 @@ void Machine::EvalNode(ExprId expr, const IntrinsicCall& node) {
   if (node.arguments.size > 1 && WritesArgument(node.op, 1)) return EvalWriting(node);
   const IntrinsicCategory category = CategoryOf(node.op);
   if (category == IntrinsicCategory::kBits) return EvalBits(expr, node);
+  if (category == IntrinsicCategory::kNeighbours && neighbours_) return EvalDerivative(expr, node);
   if (category == IntrinsicCategory::kNeighbours) {
     if (error_.empty()) error_ = std::string(NameOf(node.op)) + " needs neighbouring pixels";
     is_constant_ = false;
@@ -157,6 +161,9 @@ void Machine::EvalNode(ExprId expr, const ObjectCall& node) {
   const std::size_t base = stack_.size();
   ObjectRequest request{.op = node.op, .object = {}, .sampler = {}, .arguments = {}};
   std::vector<Word> bits;
+  std::vector<double> coordinates;
+  const bool asks = neighbours_ && AsksNeighbours(node.op);
+  const std::uint32_t coordinate = TakesSampler(node.op) ? 2 : 1;
   for (std::uint32_t i = 0; i < node.arguments.size; ++i) {
     const ExprId argument = program_.expr_lists[node.arguments][i];
     Eval(argument);
@@ -169,11 +176,15 @@ void Machine::EvalNode(ExprId expr, const ObjectCall& node) {
       for (std::size_t w = base; w < stack_.size(); ++w)
         bits.push_back(ToBits(stack_[w], TypeOf(argument).scalar));
     }
+    if (asks && i == coordinate)
+      coordinates = CoordinatesOf(expr, RepOf(argument), std::span(stack_).subspan(base));
     stack_.resize(base);
   }
   request.arguments = bits;
+  request.coordinates = coordinates;
   std::vector<Word> result(words, 0);
-  if (inputs_.read_object) inputs_.read_object(request, result);
+  const bool is_lost = is_discarded_ && WritesObject(node.op);
+  if (inputs_.read_object && !is_lost) inputs_.read_object(request, result);
   if (words == 0) return;
   const std::vector<Scalar> kinds = KindsOf(program_.types, program_.exprs[expr].type);
   for (std::uint32_t i = 0; i < words; ++i) stack_.push_back(FromBits(result[i], kinds[i]));

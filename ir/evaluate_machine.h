@@ -3,12 +3,14 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
 #include "ir/evaluate.h"
 #include "ir/evaluate_math.h"
+#include "ir/evaluate_quad.h"
 
 namespace clipc::ir {
 
@@ -21,7 +23,9 @@ inline constexpr std::uint32_t kMaxWords = 1u << 24;
 // be active twice.
 class Machine {
  public:
-  Machine(const Program& program, const EvalInputs& inputs, const EvalOptions& options);
+  // `neighbours` are those of a pixel, null for a run without any.
+  Machine(const Program& program, const EvalInputs& inputs, const EvalOptions& options,
+          Neighbours* neighbours = nullptr);
 
   EvalResult Run();
   // The value of an expression outside of all functions, by which a test sees one operation.
@@ -135,6 +139,11 @@ class Machine {
   void EvalBits(ExprId expr, const IntrinsicCall& node);
   void EvalWriting(const IntrinsicCall& node);
 
+  // evaluate_quad.cpp
+  void EvalDerivative(ExprId expr, const IntrinsicCall& node);
+  // ObjectRequest::coordinates, where the pixel's own is `own`.
+  std::vector<double> CoordinatesOf(ExprId call, Scalar rep, std::span<const Word> own);
+
   // evaluate_constant.cpp
   void EvalConstant(ExprId expr);
   void EvalConstantVar(VarId var);
@@ -149,6 +158,8 @@ class Machine {
   const Program& program_;
   const EvalInputs& inputs_;
   const EvalOptions& options_;
+  Neighbours* const neighbours_;
+  std::uint64_t flow_ = 0;  // a number for the calls and iterations that run: Neighbours::Ask
   std::vector<Word> memory_, stack_;
   std::vector<std::uint32_t> address_;                   // by variable
   std::vector<std::uint32_t> aggregate_words_;           // by type, 0: not known yet

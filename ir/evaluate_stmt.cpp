@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception
 
+#include "base/not_copied.h"
 #include "ir/evaluate_machine.h"
 
 namespace clipc::ir {
@@ -8,6 +9,22 @@ namespace {
 // The most nested calls, which keep the evaluator's own stack bounded; no shader that a device
 // takes nests calls so deeply.
 constexpr int kMaxCallDepth = 1000;
+
+// Keeps the number of the flow while a loop runs.
+class Iterations : NotCopied {
+ public:
+  explicit Iterations(std::uint64_t& flow) : flow_(flow), outer_(flow) { Set(); }
+  ~Iterations() { flow_ = outer_; }
+
+  void Next() { ++iteration_, Set(); }
+
+ private:
+  void Set() { flow_ = FlowIn(outer_, iteration_); }
+
+  std::uint64_t& flow_;
+  const std::uint64_t outer_;
+  std::uint64_t iteration_ = 0;
+};
 
 }  // namespace
 
@@ -71,12 +88,14 @@ Machine::Flow Machine::Exec(const Declare& node) {
 }
 
 Machine::Flow Machine::Loop(ExprId condition, ExprId step, StmtId body) {
+  Iterations iterations(flow_);
   while (!condition || Test(condition)) {
     if (!Step()) return Flow::kStop;
     const Flow flow = Exec(body);
     if (flow == Flow::kBreak) return Flow::kNext;
     if (flow == Flow::kReturn || flow == Flow::kStop) return flow;
     if (step) EvalAndDrop(step);
+    iterations.Next();
   }
   return Flow::kNext;
 }
@@ -87,12 +106,13 @@ Machine::Flow Machine::Exec(const For& node) {
 }
 
 Machine::Flow Machine::Exec(const DoWhile& node) {
-  do {
+  for (Iterations iterations(flow_);; iterations.Next()) {
     if (!Step()) return Flow::kStop;
     const Flow flow = Exec(node.body);
     if (flow == Flow::kBreak) return Flow::kNext;
     if (flow == Flow::kReturn || flow == Flow::kStop) return flow;
-  } while (Test(node.condition));
+    if (!Test(node.condition)) break;
+  }
   return Flow::kNext;
 }
 
